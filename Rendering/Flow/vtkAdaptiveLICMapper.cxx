@@ -3,7 +3,7 @@
 #include "vtkAdaptiveLICMapper.h"
 
 #include "Actors/ShaderVariantKey.h"
-#include "Buffers/LICVectors.h"
+#include "Buffers/LICMeshVectors.h"
 #include "Checks/MisplacedArray.h"
 #include "Checks/ShouldReport.h"
 #include "Composite/BlockAttributes.h"
@@ -12,10 +12,10 @@
 #include "Passes/LICHoles.h"
 #include "Shaders/LICShader.h"
 #include "Shaders/ShaderExtension.h"
-#include "Stages/LICField.h"
 #include "Stages/LICParallelFrame.h"
 #include "Stages/LICScreenDrawer.h"
 #include "Stages/LICScreens.h"
+#include "Stages/LICVectorField.h"
 #include "Stages/RenderHook.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
@@ -61,12 +61,12 @@ struct vtkAdaptiveLICMapper::vtkInternals
   // A block of a composite input draws into what its root has, and shows that.
   vtkAdaptiveLICMapper* Root;
   vtkOpenGLHelper* VectorHelper = nullptr; // draws the vectors of this mapper's polydata
-  relevo::LICVectors Vectors;
+  relevo::LICMeshVectors Vectors;
   bool HasNormals = false;      // for VectorHelper, on the refined surface
   double NoDataMagnitude = 0.0; // of the buffers
 
   // The stages of a root.
-  relevo::LICField Field;
+  relevo::LICVectorField Field;
   relevo::LICScreens Screens;
   relevo::LICScreenDrawer Drawer;
   relevo::LICParallelFrame Parallel;
@@ -245,7 +245,7 @@ void vtkAdaptiveLICMapper::vtkInternals::UpdateField()
   {
     this->Root->GetInputAlgorithm()->Update();
   }
-  relevo::LICField::Input input;
+  relevo::LICVectorField::Input input;
   for (const Mesh& mesh : this->FindMeshes())
   {
     input.Meshes.push_back(mesh.first);

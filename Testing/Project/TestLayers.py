@@ -172,6 +172,7 @@ def main():
             guards.update(re.findall(r"^#ifndef (\w+)", text, re.MULTILINE))
             if path.parent == folder:  # those below are included with their folder's name
                 theirs.add(path.name)
+    own = {}  # include guards: classes of the same name would be one to the linker
     for name, (path, module, _) in files.items():
         if path.suffix != ".h":
             continue
@@ -182,6 +183,10 @@ def main():
             faults.append(f"{module}/{name}: its include guard is not {path.stem}_h")
         elif guard.group(1) in guards:
             faults.append(f"{module}/{name}: VTK has an include guard {guard.group(1)}")
+        elif guard.group(1) in own:
+            faults.append(f"{module}/{name}: {own[guard.group(1)]} has this name, too")
+        else:
+            own[guard.group(1)] = f"{module}/{name}"
 
     print("\n".join(faults))
     print(

@@ -37,7 +37,7 @@ void LICParallelFrame::ForgetScreen()
 }
 
 std::string LICParallelFrame::Run(
-  vtkRenderer* ren, vtkActor* act, LICField& field, const Steps& steps)
+  vtkRenderer* ren, vtkActor* act, LICVectorField& field, const Steps& steps)
 {
   this->Local.reset(new Contribution);
   steps.Prepare(*this->Local);
@@ -61,7 +61,8 @@ std::string LICParallelFrame::Run(
   return problem;
 }
 
-bool LICParallelFrame::Agree(LICField& field, const Steps& steps, bool didContribute, bool& changed)
+bool LICParallelFrame::Agree(
+  LICVectorField& field, const Steps& steps, bool didContribute, bool& changed)
 {
   enum
   {

@@ -11,7 +11,7 @@
 #define LICParallelFrame_h
 
 #include "Passes/LICImage.h"
-#include "Stages/LICField.h"
+#include "Stages/LICVectorField.h"
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -71,13 +71,13 @@ public:
    * changed. `field` learns about the vectors of the others. Returns what is wrong, as a sentence;
    * or "".
    */
-  std::string Run(vtkRenderer* ren, vtkActor* act, LICField& field, const Steps& steps);
+  std::string Run(vtkRenderer* ren, vtkActor* act, LICVectorField& field, const Steps& steps);
 
   /// All screens are gone.
   void ForgetScreen();
 
 private:
-  bool Agree(LICField& field, const Steps& steps, bool didContribute, bool& changed);
+  bool Agree(LICVectorField& field, const Steps& steps, bool didContribute, bool& changed);
   void Draw(const Steps& steps, bool changed);
 
   vtkSmartPointer<vtkMultiProcessController> Controller;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Buffers/LICVectors.h"
+#include "Buffers/LICMeshVectors.h"
 
 #include "OpenGL/RelevoOpenGL.h"
 #include "OpenGL/ShaderUniforms.h"
@@ -26,7 +26,7 @@
 
 namespace relevo
 {
-void LICVectors::Update(
+void LICMeshVectors::Update(
   const Dependencies& dependencies, const std::function<LICArray()>& find, double noDataMagnitude)
 {
   if (!this->PreparedDependencies.Update(dependencies))
@@ -41,7 +41,7 @@ void LICVectors::Update(
   this->Prepared = vectors.Array ? vectors.Prepare(noDataMagnitude, this->Unit) : nullptr;
 }
 
-void LICVectors::CacheArrays(
+void LICMeshVectors::CacheArrays(
   vtkOpenGLVertexBufferObjectGroup* buffers, vtkPolyData* input, vtkRenderer* renderer)
 {
   buffers->CacheDataArray("relevoLICVector",
@@ -54,7 +54,7 @@ void LICVectors::CacheArrays(
     "relevoLICPointNormal", this->PointNormals ? normals : nullptr, renderer, VTK_FLOAT);
 }
 
-bool LICVectors::UploadCells(vtkOpenGLRenderWindow* window, vtkOpenGLCellToVTKCellMap* cells)
+bool LICMeshVectors::UploadCells(vtkOpenGLRenderWindow* window, vtkOpenGLCellToVTKCellMap* cells)
 {
   if (!this->CellDependencies.Update(this->PreparedDependencies))
   {
@@ -78,7 +78,7 @@ bool LICVectors::UploadCells(vtkOpenGLRenderWindow* window, vtkOpenGLCellToVTKCe
   return fits;
 }
 
-void LICVectors::SetMatrices(vtkShaderProgram* program, const View& view)
+void LICMeshVectors::SetMatrices(vtkShaderProgram* program, const View& view)
 {
   vtkCamera* camera = view.Renderer->GetActiveCamera();
   vtkNew<vtkMatrix4x4> modelView;
@@ -112,7 +112,7 @@ void LICVectors::SetMatrices(vtkShaderProgram* program, const View& view)
   SetMatrix(program, "relevoLICFromVertex", MakeMatrix(modelView));
 }
 
-void LICVectors::SetUniforms(vtkShaderProgram* program, const View& view)
+void LICMeshVectors::SetUniforms(vtkShaderProgram* program, const View& view)
 {
   this->SetMatrices(program, view);
   program->SetUniformf(
@@ -129,7 +129,7 @@ void LICVectors::SetUniforms(vtkShaderProgram* program, const View& view)
   this->Cells.Activate(program, "relevoLICCells");
 }
 
-vtkTypeInt64 LICVectors::GetMemorySize(vtkOpenGLVertexBufferObjectGroup* buffers) const
+vtkTypeInt64 LICMeshVectors::GetMemorySize(vtkOpenGLVertexBufferObjectGroup* buffers) const
 {
   vtkTypeInt64 size = this->Cells.GetMemorySize();
   for (const char* name : { "relevoLICVector", "relevoLICPointNormal" })
@@ -142,7 +142,7 @@ vtkTypeInt64 LICVectors::GetMemorySize(vtkOpenGLVertexBufferObjectGroup* buffers
   return size;
 }
 
-void LICVectors::ReleaseGraphicsResources(vtkWindow* window)
+void LICMeshVectors::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Cells.ReleaseGraphicsResources(window);
   this->CellDependencies.Clear();

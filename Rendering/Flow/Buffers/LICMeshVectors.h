@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   LICVectors
+ * @class   LICMeshVectors
  * @brief   the vectors of one mesh on the GPU, without what is no-data
  *
  * Private to the module's own sources.
  */
-#ifndef LICVectors_h
-#define LICVectors_h
+#ifndef LICMeshVectors_h
+#define LICMeshVectors_h
 
 #include "Buffers/BufferTexture.h"
 #include "Changes/Dependencies.h"
@@ -31,7 +31,7 @@ class vtkWindow;
 
 namespace relevo
 {
-class LICVectors
+class LICMeshVectors
 {
 public:
   /// Take the array that find() returns, if the dependencies are others.

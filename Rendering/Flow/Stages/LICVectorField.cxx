@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Stages/LICField.h"
+#include "Stages/LICVectorField.h"
 
 #include "vtkPolyData.h"
 
@@ -8,7 +8,7 @@
 
 namespace relevo
 {
-void LICField::Update(const Input& input)
+void LICVectorField::Update(const Input& input)
 {
   Dependencies sources = Dependencies::On(input.BuildTime, input.NoDataMagnitude);
   for (vtkPolyData* mesh : input.Meshes)
@@ -19,7 +19,7 @@ void LICField::Update(const Input& input)
   {
     return;
   }
-  LICFieldFacts facts;
+  LICVectorFacts facts;
   std::string misplaced;
   for (vtkPolyData* mesh : input.Meshes)
   {
@@ -41,9 +41,9 @@ void LICField::Update(const Input& input)
   this->Misplaced = misplaced;
 }
 
-std::string LICField::FindProblem() const
+std::string LICVectorField::FindProblem() const
 {
-  const LICFieldFacts& facts = this->All;
+  const LICVectorFacts& facts = this->All;
   if (facts.Problem.empty() && facts.HasFaces && !facts.HasArray)
   {
     return this->Misplaced.empty()

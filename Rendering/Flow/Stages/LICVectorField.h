@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   LICField
+ * @class   LICVectorField
  * @brief   what there is to show of the vectors of all blocks
  *
  * Private to the module's own sources.
  */
-#ifndef LICField_h
-#define LICField_h
+#ifndef LICVectorField_h
+#define LICVectorField_h
 
 #include "Changes/Dependencies.h"
 #include "Passes/LICArray.h"
@@ -21,7 +21,7 @@ class vtkPolyData;
 
 namespace relevo
 {
-struct LICFieldFacts
+struct LICVectorFacts
 {
   bool HasFaces = false;
   bool HasArray = false;
@@ -29,7 +29,7 @@ struct LICFieldFacts
   std::string Problem;   // of an array
 };
 
-class LICField
+class LICVectorField
 {
 public:
   struct Input
@@ -45,10 +45,10 @@ public:
   /// Look at the meshes again if something has changed.
   void Update(const Input& input);
   /// Of this process.
-  const LICFieldFacts& GetOwn() const { return this->Own; }
+  const LICVectorFacts& GetOwn() const { return this->Own; }
 
   /// Of all processes that draw the picture.
-  void SetAll(const LICFieldFacts& facts) { this->All = facts; }
+  void SetAll(const LICVectorFacts& facts) { this->All = facts; }
   double GetLongest() const { return this->All.Longest; }
 
   /// Why no process can show streaks, as a sentence; or "".
@@ -56,8 +56,8 @@ public:
 
 private:
   Dependencies Sources;
-  LICFieldFacts Own;
-  LICFieldFacts All;
+  LICVectorFacts Own;
+  LICVectorFacts All;
   std::string Misplaced;
 };
 }
