@@ -17,7 +17,6 @@
 #include "Mathematics/SameNumber.h"
 #include "OpenGL/ContextWatch.h"
 #include "OpenGL/PositionShift.h"
-#include "OpenGL/RenderClock.h"
 #include "Parallel/GlobalSurfaceInfo.h"
 #include "Parallel/PieceReduction.h"
 #include "Parallel/ProcessReduction.h"
@@ -25,6 +24,7 @@
 #include "Picking/PickedInputPipeline.h"
 #include "Shaders/ShaderExtension.h"
 #include "Stages/ActorCulling.h"
+#include "Stages/BudgetStage.h"
 #include "Stages/ContextCheck.h"
 #include "Stages/FaceColorStage.h"
 #include "Stages/InputCheck.h"
@@ -34,7 +34,6 @@
 #include "Stages/SelectionStage.h"
 #include "Stages/StageResult.h"
 #include "Stages/UploadStage.h"
-#include "State/LevelBudget.h"
 #include "State/RefinementState.h"
 #include "View/CullingView.h"
 #include "vtkAbstractArray.h"
@@ -123,17 +122,6 @@ bool FollowsCamera(int shiftScaleMethod)
     shiftScaleMethod == static_cast<int>(Method::FOCAL_POINT_SHIFT_SCALE);
 }
 
-// Whether VTK has not drawn the actor yet in this frame.
-bool IsFirstPass(vtkActor* act)
-{
-  return act->GetEstimatedRenderTime() == 0.0;
-}
-
-// In seconds. An actor within an actor, as vtkLODActor has, is allotted no time of its own.
-double GetAllocatedTime(vtkRenderer* ren, vtkActor* act)
-{
-  return std::min(act->GetAllocatedRenderTime(), ren->GetAllocatedRenderTime());
-}
 }
 
 struct vtkAdaptiveRefinementMapper::vtkInternals
@@ -151,9 +139,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   relevo::RefinementBlocks Blocks;
   relevo::ProcessAgreement Processes;
 
-  // The blocks of a composite input use their parent's.
-  relevo::LevelBudget Budget;
-  relevo::RenderClock Clock;
+  relevo::BudgetStage Budget; // of a composite input, for all blocks
   bool IsBlock = false;
 
   struct Frame
@@ -248,7 +234,7 @@ void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
   data.FaceColors.ReleaseGraphicsResources(window);
   data.Programs.ReleaseGraphicsResources(window);
   data.Selection.ReleaseGraphicsResources();
-  data.Clock.ReleaseGraphicsResources();
+  data.Budget.ReleaseGraphicsResources();
   data.ContextCheck.Reset();
   this->ForEachBlock(
     [window](vtkAdaptiveRefinementMapper* block) { block->ReleaseGraphicsResources(window); });
@@ -269,32 +255,40 @@ void vtkAdaptiveRefinementMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
   data.Picking.GetDetector().AskOther();
   const auto draw = [&]
   {
-    this->RenderRefined(ren, act);
-    return true;
+    relevo::RunWithinMemory(this, "the mesh in this view",
+      [&]
+      {
+        this->RenderRefined(ren, act);
+        return true;
+      });
   };
   if (data.IsBlock || !this->UseAllocatedRenderTime || ren->GetSelector())
   {
-    relevo::RunWithinMemory(this, "the mesh in this view", draw);
-    return;
+    draw();
   }
-  data.Clock.Start();
-  relevo::RunWithinMemory(this, "the mesh in this view", draw);
-  const double seconds = data.Clock.Stop();
-  // What the GPU selects is read back only where the time does not do.
-  const bool isSlow = seconds > GetAllocatedTime(ren, act);
-  vtkIdType triangles = 0;
-  const auto addTriangles = [&](vtkAdaptiveRefinementMapper* mapper)
+  else
   {
-    const relevo::SelectionStage& selection = mapper->Internals->Selection;
-    if (mapper->IsDrawable() && (isSlow || !selection.IsOnGPU()))
+    data.Budget.Measure(
+      ren, act, draw, [this](bool isSlow) { return this->CountTrianglesOfPass(isSlow); });
+  }
+}
+
+// What the GPU selects is read back only where the timer shows that the pass is slow.
+vtkIdType vtkAdaptiveRefinementMapper::CountTrianglesOfPass(bool isSlow)
+{
+  vtkIdType triangles = 0;
+  this->ForEachPart(
+    [&](vtkAdaptiveRefinementMapper* mapper)
     {
-      triangles += selection.IsOnGPU()
-        ? mapper->GetNumberOfDrawnTriangles()
-        : selection.GetState().GetSelection().GetSelection().GetNumberOfGroupedTriangles();
-    }
-  };
-  this->ForEachPart(addTriangles);
-  data.Budget.AddPass(IsFirstPass(act), triangles, seconds);
+      const relevo::SelectionStage& selection = mapper->Internals->Selection;
+      if (mapper->IsDrawable() && (isSlow || !selection.IsOnGPU()))
+      {
+        triangles += selection.IsOnGPU()
+          ? mapper->GetNumberOfDrawnTriangles()
+          : selection.GetState().GetSelection().GetSelection().GetNumberOfGroupedTriangles();
+      }
+    });
+  return triangles;
 }
 
 void vtkAdaptiveRefinementMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
@@ -338,9 +332,10 @@ void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* a
   this->ChooseMethod(ren, act);
   this->UpdateBudget(ren, act);
   const auto culling = this->MakeCullingView(ren, act);
-  const relevo::SelectionStage::Input input = { data.GetWindow(), this->GetInput(),
-    this->Refinement, relevo::MakeActorView(ren, act), culling.get(),
-    this->HidesBackFaces(ren, act), data.LastFrame.HasLines, this->SelectionDevice,
+  const relevo::SelectionStage::Input input = { { this->GetInput(), this->Refinement,
+                                                  relevo::MakeActorView(ren, act), culling.get(),
+                                                  this->HidesBackFaces(ren, act) },
+    data.GetWindow(), data.LastFrame.HasLines, this->SelectionDevice,
     data.ContextCheck.CanCompute() && data.Methods.Get().TakesComputeSelection() &&
       this->RefinementColorMode != COLOR_BY_METRIC };
   if (this->Report(data.Selection.Update(input)) &&
@@ -375,6 +370,12 @@ void vtkAdaptiveRefinementMapper::UpdateFaceColors()
 
 void vtkAdaptiveRefinementMapper::UseShaderVariant(vtkRenderer* ren, vtkActor* act)
 {
+  relevo::RefinementPrograms& programs = this->Internals->Programs;
+  const relevo::Dependencies key = relevo::GetShaderVariantKey(ren, act, this->GetTextures(act));
+  if (programs.UsesVariant(key))
+  {
+    return;
+  }
   std::vector<vtkOpenGLHelper*> helpers;
   for (int i = PrimitiveStart; i < PrimitiveEnd; ++i)
   {
@@ -390,9 +391,7 @@ void vtkAdaptiveRefinementMapper::UseShaderVariant(vtkRenderer* ren, vtkActor* a
     }
     std::swap(this->PrimitiveInfo, *static_cast<Info*>(other.get()));
   };
-  this->Internals->Programs.UseVariant(
-    relevo::GetShaderVariantKey(ren, act, this->GetTextures(act)), helpers, swap,
-    ren->GetRenderWindow());
+  programs.UseVariant(key, helpers, swap, ren->GetRenderWindow());
 }
 
 bool vtkAdaptiveRefinementMapper::AreVerticesDrawn(
@@ -505,37 +504,19 @@ void vtkAdaptiveRefinementMapper::UpdateBudget(
   {
     return;
   }
-  double seconds = 0.0;
-  if (this->UseAllocatedRenderTime)
-  {
-    // What has been seen is picked, and later passes show what the first has shown. Before a frame,
-    // the actor has not been allotted its time yet.
-    seconds = ren->GetSelector() ? -1.0
-      : pieces                   ? ren->GetAllocatedRenderTime()
-      : IsFirstPass(act)         ? GetAllocatedTime(ren, act)
-                                 : -1.0;
-  }
-  std::vector<double> budgets(1, data.Budget.SetView(ren->GetActiveCamera(), seconds) ? 1.0 : 0.0);
-  const relevo::PieceReduction alone;
-  const relevo::PieceReduction& all = pieces ? *pieces : alone;
-  all.TakeLargest(budgets);
-  const bool isBudgeted = budgets[0] > 0.0;
+  const bool isBudgeted = data.Budget.Begin({ ren, act, this->UseAllocatedRenderTime, pieces });
   const relevo::RefinementView view = relevo::MakeActorView(ren, act);
   std::vector<relevo::LevelBudget::Part> parts;
   const auto addPart = [&](vtkAdaptiveRefinementMapper* mapper)
   {
-    relevo::RefinementState& state = mapper->Internals->GetState();
-    state.IsBudgeted = isBudgeted;
-    if (isBudgeted && mapper->GetBlockAttributes().Visible && mapper->UpdateMesh() &&
-      state.UpdateTags(mapper->GetInput(), this->Refinement, view, false))
+    relevo::SelectionStage& selection = mapper->Internals->Selection;
+    selection.GetState().IsBudgeted = isBudgeted;
+    if (isBudgeted && mapper->GetBlockAttributes().Visible && mapper->UpdateMesh())
     {
       const auto culling = mapper->MakeCullingView(ren, act);
-      state.UpdateSight(this->Refinement, culling.get(), mapper->CanHideBackFaces(act));
-      const relevo::ViewSelection& selection = state.GetSelection();
-      parts.push_back(
-        { { &state.GetMesh(), &selection.GetTags(),
-            relevo::GetPatternFamily(this->Refinement, mapper->GetInput()), selection.GetHidden() },
-          selection.GetTagsTime(), selection.GetSightTime() });
+      selection.AddBudgetPart({ mapper->GetInput(), this->Refinement, view, culling.get(),
+                                mapper->CanHideBackFaces(act) },
+        parts);
     }
   };
   if (data.Blocks.IsEmpty())
@@ -544,7 +525,7 @@ void vtkAdaptiveRefinementMapper::UpdateBudget(
   }
   this->ForEachBlock(addPart);
   const bool isSought = isBudgeted && this->Refinement && (pieces || !parts.empty());
-  const double offset = isSought ? data.Budget.FindOffset(parts, this->Refinement, all) : 0.0;
+  const double offset = isSought ? data.Budget.FindOffset(parts, this->Refinement, pieces) : 0.0;
   const auto setOffset = [&](vtkAdaptiveRefinementMapper* mapper)
   {
     mapper->Internals->GetState().LevelOffset = offset;
@@ -1299,13 +1280,13 @@ void vtkAdaptiveRefinementMapper::SetTargetNumberOfTriangles(vtkIdType triangles
 {
   if (relevo::CheckRange<vtkIdType>(this, "TargetNumberOfTriangles", triangles, 0, VTK_ID_MAX))
   {
-    this->SetLive(this->Internals->Budget.Target, triangles);
+    this->SetLive(this->Internals->Budget.GetTarget(), triangles);
   }
 }
 
 vtkIdType vtkAdaptiveRefinementMapper::GetTargetNumberOfTriangles()
 {
-  return this->Internals->Budget.Target;
+  return this->Internals->Budget.GetTarget();
 }
 
 void vtkAdaptiveRefinementMapper::SetUseAllocatedRenderTime(bool use)

@@ -470,6 +470,7 @@ private:
   void ReleaseMesh(vtkRenderer* ren);
   /// What the last render drew: this mapper, or those of its blocks.
   void ForEachPart(const std::function<void(vtkAdaptiveRefinementMapper*)>& work);
+  vtkIdType CountTrianglesOfPass(bool isSlow);
   vtkIdType SumOverParts(const std::function<vtkIdType(vtkInternals&)>& count);
   /// Continue counting after a removed block.
   void AddCounts(vtkAdaptiveRefinementMapper* block);

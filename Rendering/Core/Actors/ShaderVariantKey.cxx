@@ -17,7 +17,7 @@ namespace relevo
 {
 namespace
 {
-void AddProperty(Dependencies& look, vtkProperty* property)
+void AddProperty(Dependencies& key, vtkProperty* property)
 {
   const double width = property->GetLineWidth();
   for (int value : { property->GetRepresentation(), property->GetInterpolation(),
@@ -26,9 +26,9 @@ void AddProperty(Dependencies& look, vtkProperty* property)
          property->GetRenderPointsAsSpheres() ? 1 : 0, property->GetRenderLinesAsTubes() ? 1 : 0,
          property->GetCoatStrength() > 0.0 ? 1 : 0, property->GetAnisotropy() != 0.0 ? 1 : 0 })
   {
-    look.Add(value);
+    key.Add(value);
   }
-  look.Add(width); // wider lines than OpenGL has come from a geometry shader
+  key.Add(width); // wider lines than OpenGL has come from a geometry shader
 }
 
 // Most actors have nothing of their own there.
@@ -53,25 +53,25 @@ const void* GetOwnKeys(vtkInformation* keys)
 Dependencies GetShaderVariantKey(
   vtkRenderer* ren, vtkActor* act, const std::vector<NamedTexture>& textures)
 {
-  Dependencies look;
-  AddProperty(look, act->GetProperty());
+  Dependencies key;
+  AddProperty(key, act->GetProperty());
   // An object that takes the place of a deleted one is newer than the shaders, and VTK sees that.
-  look.AddObject(GetOwnShader(act->GetShaderProperty()), act->GetBackfaceProperty() ? 1 : 0);
-  look.AddObject(GetOwnKeys(act->GetPropertyKeys()), textures.size());
+  key.AddObject(GetOwnShader(act->GetShaderProperty()), act->GetBackfaceProperty() ? 1 : 0);
+  key.AddObject(GetOwnKeys(act->GetPropertyKeys()), textures.size());
   for (const NamedTexture& texture : textures)
   {
-    look.AddObject(texture.first, 0);
-    look.Add(texture.second);
+    key.AddObject(texture.first, 0);
+    key.Add(texture.second);
   }
   vtkOpenGLRenderer* renderer = vtkOpenGLRenderer::SafeDownCast(ren);
   for (int value : { renderer->GetLightingComplexity(), renderer->GetLightingCount(),
          renderer->GetUseImageBasedLighting() ? 1 : 0, renderer->GetUseSphericalHarmonics() ? 1 : 0,
          ren->GetActiveCamera()->GetParallelProjection() ? 1 : 0 })
   {
-    look.Add(value);
+    key.Add(value);
   }
-  look.AddObject(renderer->GetEnvironmentTexture(), 0);
-  return look;
+  key.AddObject(renderer->GetEnvironmentTexture(), 0);
+  return key;
 }
 
 bool HasOwnFragments(vtkActor* act)

@@ -6,12 +6,12 @@
  *
  * vtkOpenGLPolyDataMapper writes shaders for the actor that it draws, and writes them anew when the
  * actor's property has changed since, not when it draws another actor. Of a mapper that several
- * actors or renderers share, each look has programs of its own. Private to the modules.
+ * actors or renderers share, each variant has programs of its own. Private to the modules.
  */
 #ifndef ShaderVariantKey_h
 #define ShaderVariantKey_h
 
-#include "Changes/Dependencies.h"      // for looks
+#include "Changes/Dependencies.h"      // for keys
 #include "RelevoRenderingCoreModule.h" // for export macro
 
 #include <string>  // for names

@@ -25,7 +25,7 @@ StageResult MethodStage::Choose(const Input& input)
   this->InUse = input.Method;
   const RefinementMethod& method = this->Get();
   std::string problem = method.GetMissing();
-  problem = problem.empty() ? method.GetObstacle(*input.Family)
+  problem = problem.empty() ? method.FindProblem(*input.Family)
                             : "it needs " + problem + ", which this OpenGL context does not have";
   StageResult result;
   if (ShouldReport(this->Problem, problem))

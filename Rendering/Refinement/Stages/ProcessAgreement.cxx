@@ -44,9 +44,9 @@ void AgreeOnWhole(vtkAdaptiveRefinement* recipe, const ProcessAgreementPart* par
     mesh = empty;
   }
   whole->HasDirections = !state.GetMesh().Directions.empty();
-  MetricCache source; // what is known of an invalid mesh is not to be asked for
-  AgreeOnShape(
-    mesh, mesh == empty ? source : state.GetTagSource(), recipe->GetMetric(), view, pieces, *whole);
+  MetricCache unknown; // of an invalid mesh
+  AgreeOnShape(mesh, mesh == empty ? unknown : state.GetMetricCache(), recipe->GetMetric(), view,
+    pieces, *whole);
   state.SetWhole(whole);
 }
 }

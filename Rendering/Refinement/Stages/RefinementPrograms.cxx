@@ -83,10 +83,6 @@ void RefinementPrograms::UseVariant(const Dependencies& key,
   const std::vector<vtkOpenGLHelper*>& helpersOfVTK,
   const std::function<void(std::shared_ptr<void>&)>& swap, vtkWindow* window)
 {
-  if (this->VariantKey == key)
-  {
-    return;
-  }
   if (!this->VariantKey.IsEmpty())
   {
     this->Swap(this->Variants[this->VariantKey], helpersOfVTK, swap);

@@ -54,9 +54,10 @@ public:
   bool IsFaceHelper(const vtkOpenGLHelper* helper) const;
   //@}
 
+  bool UsesVariant(const Dependencies& key) const { return this->VariantKey == key; }
   /**
-   * Have all helpers, and VTK's own, use the programs of a variant. `swap` exchanges what else VTK
-   * knows of them for what it is given, which is empty for a new variant.
+   * Have all helpers, and VTK's own, use the programs of another variant. `swap` exchanges what
+   * else VTK knows of them for what it is given, which is empty for a new variant.
    */
   void UseVariant(const Dependencies& key, const std::vector<vtkOpenGLHelper*>& helpersOfVTK,
     const std::function<void(std::shared_ptr<void>&)>& swap, vtkWindow* window);

@@ -13,7 +13,6 @@
 #include "vtkTimerLog.h"
 
 #include <utility>
-#include <vector>
 
 namespace relevo
 {
@@ -37,6 +36,18 @@ StageResult SelectionStage::TakeResult(bool isValid)
 StageResult SelectionStage::UpdateMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
 {
   return this->TakeResult(this->State.UpdateMesh(input, recipe));
+}
+
+void SelectionStage::AddBudgetPart(const ViewInput& input, std::vector<LevelBudget::Part>& parts)
+{
+  if (this->State.UpdateTags(input.Mesh, input.Recipe, input.View, false))
+  {
+    this->State.UpdateSight(input.Recipe, input.Culling, input.HidesBackFaces);
+    const ViewSelection& selection = this->State.GetSelection();
+    parts.push_back({ { &this->State.GetMesh(), &selection.GetTags(),
+                        GetPatternFamily(input.Recipe, input.Mesh), selection.GetHidden() },
+      selection.GetTagsTime(), selection.GetSightTime() });
+  }
 }
 
 Dependencies SelectionStage::GetSources(const Input& input) const

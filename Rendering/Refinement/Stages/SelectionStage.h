@@ -14,10 +14,12 @@
 #include "Compute/RefinementComputeState.h" // for members
 #include "Stages/ContextCheck.h"            // for SelectionDevice
 #include "Stages/StageResult.h"
+#include "State/LevelBudget.h"     // for parts
 #include "State/RefinementState.h" // for members
 #include "View/RefinementView.h"   // for Input
 
 #include <string> // for members
+#include <vector> // for parts
 
 class vtkAdaptiveRefinement;
 class vtkOpenGLRenderWindow;
@@ -39,9 +41,9 @@ public:
   /// Prepare the mesh of an input.
   StageResult UpdateMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe);
 
-  struct Input
+  /// A mesh in a view.
+  struct ViewInput
   {
-    vtkOpenGLRenderWindow* Window;
     vtkPolyData* Mesh;
     vtkAdaptiveRefinement* Recipe;
     RefinementView View;
@@ -49,6 +51,10 @@ public:
     const CullingView* Culling;
     /// Whether back faces of closed surfaces are culled, too.
     bool HidesBackFaces;
+  };
+  struct Input : ViewInput
+  {
+    vtkOpenGLRenderWindow* Window;
     /// Whether a wireframe is drawn.
     bool HasLines;
     /// A SelectionDevice; failures of SELECTION_DEVICE_GPU are errors.
@@ -56,6 +62,9 @@ public:
     /// Whether context, method and colours can do with a selection on the GPU.
     bool CanCompute;
   };
+
+  /// Add a prepared mesh to those that share a budget, if its tags can be used.
+  void AddBudgetPart(const ViewInput& input, std::vector<LevelBudget::Part>& parts);
 
   /**
    * Choose the device, and update the selection of a view as far as the CPU does it.

@@ -4,6 +4,7 @@
 
 #include "Actors/UsableArrays.h"
 #include "Arrays/GhostCells.h"
+#include "Checks/ShouldReport.h"
 #include "Evaluation/RefinementPreparation.h"
 #include "Mesh/GivenNormals.h"
 #include "Metrics/MetricCache.h"
@@ -69,19 +70,23 @@ std::string RefinementState::TakeWarning()
 
 bool RefinementState::Check(vtkAdaptiveRefinement* recipe)
 {
-  const std::string obstacle = FindObstacle(recipe);
-  if (obstacle != this->Obstacle)
+  const std::string problem = FindObstacle(recipe);
+  if (problem != this->RecipeProblem)
   {
-    this->Obstacle = obstacle;
-    this->Error = MakeError(obstacle);
+    this->RecipeProblem = problem;
+    this->Error = MakeError(problem);
   }
-  if (!obstacle.empty())
+  if (!problem.empty())
   {
     return false;
   }
-  const std::string shortfall = FindNewShortfall(recipe, this->Shortfall);
-  this->Warning += (this->Warning.empty() || shortfall.empty() ? "" : " ") + shortfall;
+  this->Warn(FindNewShortfall(recipe, this->PatternProblem));
   return true;
+}
+
+void RefinementState::Warn(const std::string& warning)
+{
+  this->Warning += (this->Warning.empty() || warning.empty() ? "" : " ") + warning;
 }
 
 void RefinementState::SetWhole(std::shared_ptr<const GlobalSurfaceInfo> whole)
@@ -91,7 +96,7 @@ void RefinementState::SetWhole(std::shared_ptr<const GlobalSurfaceInfo> whole)
   {
     this->Whole = std::move(whole);
     this->WholeTime.Modified();
-    this->Source->SetWhole(this->Whole);
+    this->Cache->SetWhole(this->Whole);
   }
 }
 
@@ -144,10 +149,9 @@ bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recip
   }
   this->PreparedInput->ShallowCopy(input);
   const std::string unusable = RemoveUnusableArrays(this->PreparedInput);
-  if (unusable != this->Unusable) // once, though the mesh may change in every frame
+  if (ShouldReport(this->ArrayProblem, unusable)) // once, though the mesh may change in every frame
   {
-    this->Unusable = unusable;
-    this->Warning += (this->Warning.empty() || unusable.empty() ? "" : " ") + unusable;
+    this->Warn(unusable);
   }
   EmptyGhosts(input, this->PreparedInput);
   vtkDataArray* given = input->GetPointData()->GetNormals();
@@ -268,12 +272,12 @@ bool RefinementState::UpdateTags(
   vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementView& view, bool onGPU)
 {
   this->Current = &this->FindView(input, recipe, view);
-  std::string obstacle;
+  std::string problem;
   const bool valid =
-    this->Current->UpdateTags(this->GetSelectionInput(input, recipe), view, onGPU, obstacle);
-  if (!obstacle.empty())
+    this->Current->UpdateTags(this->GetSelectionInput(input, recipe), view, onGPU, problem);
+  if (!problem.empty())
   {
-    this->Error = MakeError(obstacle);
+    this->Error = MakeError(problem);
   }
   return valid;
 }
@@ -315,12 +319,12 @@ void RefinementState::Clear()
   this->MeshDependencies.Clear();
   this->MeshValid = false;
   this->PreparedInput->Initialize();
-  this->Source = std::make_shared<MetricCache>();
-  this->Source->SetWhole(this->Whole);
+  this->Cache = std::make_shared<MetricCache>();
+  this->Cache->SetWhole(this->Whole);
   this->Views = std::vector<ViewSelection>(MaximumViews);
   for (ViewSelection& view : this->Views)
   {
-    view.SetTagSource(this->Source);
+    view.SetMetricCache(this->Cache);
   }
   this->ViewUses = {};
   this->Current = this->Views.data();

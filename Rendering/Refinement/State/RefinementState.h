@@ -43,8 +43,8 @@ public:
   void SetWhole(std::shared_ptr<const GlobalSurfaceInfo> whole);
   const std::shared_ptr<const GlobalSurfaceInfo>& GetWhole() const { return this->Whole; }
 
-  /// What tags are computed from.
-  MetricCache& GetTagSource() { return *this->Source; }
+  /// The metric's evaluator for the mesh.
+  MetricCache& GetMetricCache() { return *this->Cache; }
 
   /**
    * Prepare the mesh. False when the recipe cannot be applied to the input, its numbers are too
@@ -138,6 +138,7 @@ private:
     vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementView& view);
   bool BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe);
   bool Check(vtkAdaptiveRefinement* recipe);
+  void Warn(const std::string& warning);
   CullingInput GetCullingInput(
     vtkAdaptiveRefinement* recipe, const CullingView* culling, bool hideBackFaces);
   SelectionInput GetSelectionInput(vtkPolyData* input, vtkAdaptiveRefinement* recipe) const;
@@ -145,7 +146,7 @@ private:
 
   std::shared_ptr<const GlobalSurfaceInfo> Whole;
   vtkTimeStamp WholeTime;
-  std::shared_ptr<MetricCache> Source;
+  std::shared_ptr<MetricCache> Cache;
   // Shared with the views that it was drawn in.
   std::shared_ptr<const RefinementMesh> Mesh = std::make_shared<RefinementMesh>();
   Dependencies MeshDependencies;
@@ -178,9 +179,10 @@ private:
 
   std::string Error;
   std::string Warning;
-  std::string Unusable;  // what was said of arrays last
-  std::string Obstacle;  // said last of the recipe
-  std::string Shortfall; // the same
+  // That were reported last.
+  std::string ArrayProblem;
+  std::string RecipeProblem;
+  std::string PatternProblem;
 };
 }
 

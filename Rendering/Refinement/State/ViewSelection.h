@@ -69,9 +69,9 @@ class ViewSelection
 {
 public:
   /// Compute tags from what other views share.
-  void SetTagSource(std::shared_ptr<MetricCache> source)
+  void SetMetricCache(std::shared_ptr<MetricCache> cache)
   {
-    this->Tags.SetSource(std::move(source));
+    this->Tags.SetSource(std::move(cache));
   }
 
   /**
