@@ -6,6 +6,7 @@
 #include "Files/ViewerFile.h"
 #include "Files/ViewerPicture.h"
 #include "Options/ViewerOptions.h"
+#include "Options/ViewerUsage.h"
 #include "Scene/OffscreenWindow.h"
 #include "Scene/ReliefCaptures.h"
 #include "Scene/ViewerScene.h"

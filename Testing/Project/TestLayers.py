@@ -49,11 +49,15 @@ def is_public(header):
 
 
 def is_of_public_class(path):
-    """A file at a module's root: a public class, what it keeps, or a part of its source."""
-    if path.suffix == ".h":
-        return is_public(path) or is_public(path.with_name(path.stem.removesuffix("Internals") + ".h"))
-    headers = [header for header in path.parent.glob("*.h") if path.stem.startswith(header.stem)]
-    return any(is_public(header) for header in headers) or path.stem == "relevo-view"
+    """A file that is called as a public class is."""
+    return is_public(path.with_suffix(".h")) or path.stem == "relevo-view"
+
+
+def is_slice(path):
+    """A source without a header of its name: a part of another file's class."""
+    return path.suffix == ".cxx" and not (
+        path.with_suffix(".h").exists() or path.stem == "relevo-view"
+    )
 
 
 def find_unlisted(source):
@@ -143,6 +147,9 @@ def main():
                 name = inside.name  # as includes name it
             else:
                 name = inside.as_posix()
+            if is_slice(path):
+                faults.append(f"{module}/{inside}: has no header of its name; a class is in one .h "
+                              "and one .cxx")
             if name in files:
                 faults.append(f"{module}/{inside}: another module has it too")
             files[name] = (path, module, layer)

@@ -177,10 +177,4 @@ struct UsageError : std::runtime_error
 /// Throws UsageError.
 ViewerOptions ParseOptions(int argc, char* argv[]);
 
-/// The text of --help.
-std::string GetUsage();
-
-/// What mouse and keys do in the window, a line for each.
-const char* GetWindowUsage();
-
 #endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Options/ViewerOptions.h"
+#include "Options/ViewerUsage.h"
 
 namespace
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Window/ViewerHelp.h"
 
-#include "Options/ViewerOptions.h"
+#include "Options/ViewerUsage.h"
 #include "Text/ViewerText.h"
 
 #include "vtkCommand.h"
