@@ -18,7 +18,7 @@ namespace
 using Face = std::array<int, 4>;
 
 // Of distances between centres, and of coordinates: nearer to a plane is on it.
-constexpr double PlaneMargin = 1e-12;
+constexpr double FacePlaneMargin = 1e-12;
 constexpr double RoundingMargin = 1e-15;
 
 int GetNumberOfCorners(const Face& face)
@@ -53,7 +53,7 @@ bool IsSurface(const Face& face)
   return end - corners.begin() - (corners[0] < 0 ? 1 : 0) > 2;
 }
 
-bool IsFinite(const dvec3& point)
+bool IsFinitePoint(const dvec3& point)
 {
   return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
 }
@@ -63,7 +63,7 @@ bool IsFinite(const dvec3& point)
 int Orient(dvec4& plane, const dvec3& from, const dvec3& to)
 {
   const double height = dot(dvec3(plane), to - from);
-  if (!(std::abs(height) > PlaneMargin * length(to - from) + RoundingMargin * length(from)))
+  if (!(std::abs(height) > FacePlaneMargin * length(to - from) + RoundingMargin * length(from)))
   {
     return 0;
   }
@@ -106,7 +106,7 @@ Linker::Linker(const std::vector<dvec3>& points, CellFaces&& cells)
   , Polygons(std::move(cells.Polygons))
 {
   // Not a mean, for which one far point would do.
-  const auto origin = std::find_if(points.begin(), points.end(), IsFinite);
+  const auto origin = std::find_if(points.begin(), points.end(), IsFinitePoint);
   this->Result.Origin = origin != points.end() ? *origin : dvec3(0.0);
   this->CellsOfFaces.resize(this->Faces.size());
   for (size_t cell = 0; cell + 1 < this->Firsts.size(); ++cell)
