@@ -29,7 +29,7 @@ while IFS= read -r -d '' file; do
     report "$file: a path or host that is not everybody's"
   fi
   case ${file%%/*} in
-    .ci | .clang-format | .codespellrc | .editorconfig | .gitattributes | .github) ;;
+    .ci | .clang-format | .clang-tidy | .codespellrc | .editorconfig | .gitattributes | .github) ;;
     .gitignore | .pre-commit-config.yaml | CHANGELOG.md | CITATION.cff) ;;
     CMakeLists.txt | CMakePresets.json | CODE_OF_CONDUCT.md | SECURITY.md) ;;
     CONTRIBUTING.md | Data | Examples | Filters | LICENSE | Module | README.md | Rendering | Testing) ;;

@@ -9,8 +9,8 @@
 #ifndef FeatureSelector_h
 #define FeatureSelector_h
 
-#include "Shaders/VolumeShader.h"
 #include "Checks/StageReport.h"
+#include "Shaders/VolumeShader.h"
 #include "View/MeshPlanes.h"
 #include "View/VolumeLights.h"
 

@@ -13,8 +13,8 @@
 #include "Buffers/FunctionBuffers.h"
 #include "Buffers/SurfaceBuffer.h"
 #include "Changes/Dependencies.h"
-#include "Integral/TransferFunctions.h"
 #include "Checks/StageReport.h"
+#include "Integral/TransferFunctions.h"
 
 #include <string>
 

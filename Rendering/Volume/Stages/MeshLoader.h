@@ -13,8 +13,8 @@
 #include "Buffers/VolumeMeshBuffers.h"
 #include "Cells/ScalarChoice.h"
 #include "Changes/Dependencies.h"
-#include "Mesh/RayCastMesh.h"
 #include "Checks/StageReport.h"
+#include "Mesh/RayCastMesh.h"
 
 #include <string>
 #include <vector>
