@@ -19,7 +19,7 @@ bool RelevoCheck::Fail(const char* file, int line, const std::string& what)
 
 bool RelevoCheck::That(bool condition, const char* text, const char* file, int line)
 {
-  return condition || this->Fail(file, line, std::string("not so: ") + text);
+  return condition || this->Fail(file, line, std::string("failed: ") + text);
 }
 
 bool RelevoCheck::Near(
@@ -35,7 +35,7 @@ bool RelevoCheck::Differ(const std::string& a, const std::string& b, const char*
   const char* sign, const char* file, int line)
 {
   return this->Fail(
-    file, line, std::string("not so: ") + text + " (" + a + " " + sign + " " + b + ")");
+    file, line, std::string("failed: ") + text + " (" + a + " " + sign + " " + b + ")");
 }
 
 RelevoErrors::RelevoErrors(vtkObject* object)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Checks that report where they fail and go on. In a test: RelevoCheck check; CHECK(...); ...;
 // return check.GetResult(); A failure prints both operands and the names of the cases it is in:
-//   TestX.cxx:12: [mesh "torus", level 2] not so: cells == 4 (3 == 4)
+//   TestX.cxx:12: [mesh "torus", level 2] failed: cells == 4 (3 == 4)
 #ifndef RelevoCheck_h
 #define RelevoCheck_h
 
@@ -25,6 +25,13 @@ public:
   bool That(bool condition, const char* text, const char* file, int line);
   bool Near(
     double value, double expected, double tolerance, const char* text, const char* file, int line);
+  // An operand. Numbers are copied: both operands may be read from one buffer, as with GetPoint().
+  template <class T>
+  static std::conditional_t<std::is_scalar<T>::value, T, const T&> Value(const T& value)
+  {
+    return value;
+  }
+
   // Whether the values are in the relation: one of <functional>, such as std::less<>.
   template <class Relation, class A, class B>
   bool Compare(
@@ -102,8 +109,9 @@ private:
 };
 
 #define CHECK(condition) check.That((condition), #condition, __FILE__, __LINE__)
-#define CHECK_RELATION(relation, sign, a, b) \
-  check.Compare<relation>((a), (b), #a " " sign " " #b, sign, __FILE__, __LINE__)
+#define CHECK_RELATION(relation, sign, a, b)                                                    \
+  check.Compare<relation>(RelevoCheck::Value((a)), RelevoCheck::Value((b)), #a " " sign " " #b, \
+    sign, __FILE__, __LINE__)
 #define CHECK_EQUAL(a, b) CHECK_RELATION(std::equal_to<>, "==", a, b)
 #define CHECK_NOT_EQUAL(a, b) CHECK_RELATION(std::not_equal_to<>, "!=", a, b)
 #define CHECK_LESS(a, b) CHECK_RELATION(std::less<>, "<", a, b)
