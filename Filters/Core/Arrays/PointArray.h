@@ -27,8 +27,8 @@ RELEVOFILTERSCORE_EXPORT vtkDataArray* FindPointArray(
 /**
  * Fill `components` floats for each point, `stride` floats apart. False, with an error, as above.
  */
-bool TakePointArray(vtkDataSet* data, const std::string& name, int components, float* values,
-  int stride, std::string& error);
+RELEVOFILTERSCORE_EXPORT bool TakePointArray(vtkDataSet* data, const std::string& name,
+  int components, float* values, int stride, std::string& error);
 }
 
 #endif

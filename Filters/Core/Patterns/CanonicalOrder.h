@@ -8,6 +8,8 @@
 #ifndef CanonicalOrder_h
 #define CanonicalOrder_h
 
+#include "RelevoFiltersCoreModule.h" // for export macro
+
 namespace relevo
 {
 /// The highest level of an edge.
@@ -15,9 +17,9 @@ constexpr int HighestLevel = 7;
 
 //@{
 /// See vtkRefinementPatternTable.
-int Canonicalize(int ijk[3]);
-void GetPermutation(int lambda, int permutation[3]);
-bool IsOdd(int lambda);
+RELEVOFILTERSCORE_EXPORT int Canonicalize(int ijk[3]);
+RELEVOFILTERSCORE_EXPORT void GetPermutation(int lambda, int permutation[3]);
+RELEVOFILTERSCORE_EXPORT bool IsOdd(int lambda);
 constexpr int GetPatternIndex(int i, int j, int k)
 {
   return i * (i + 1) * (i + 2) / 6 + j * (j + 1) / 2 + k;

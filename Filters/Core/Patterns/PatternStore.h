@@ -13,6 +13,7 @@
 #define PatternStore_h
 
 #include "Patterns/RefinementPattern.h"
+#include "RelevoFiltersCoreModule.h" // for export macro
 #include "vtkType.h"
 
 #include <array>
@@ -23,7 +24,7 @@
 
 namespace relevo
 {
-class PatternStore
+class RELEVOFILTERSCORE_EXPORT PatternStore
 {
 public:
   using Pattern = std::shared_ptr<const RefinementPattern>;

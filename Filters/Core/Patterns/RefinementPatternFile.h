@@ -9,6 +9,7 @@
 #define RefinementPatternFile_h
 
 #include "Patterns/RefinementPattern.h"
+#include "RelevoFiltersCoreModule.h" // for export macro
 
 #include <string>
 #include <vector>
@@ -19,14 +20,14 @@ namespace relevo
  * Write all canonical patterns for levels up to `maximumLevel`, in the order of their index.
  * Returns what went wrong, empty on success.
  */
-std::string WritePatterns(
+RELEVOFILTERSCORE_EXPORT std::string WritePatterns(
   const char* fileName, int maximumLevel, const RefinementPatterns& patterns);
 
 /**
  * Read what WritePatterns() wrote. Every pattern is checked. Returns what is wrong with the file,
  * empty on success.
  */
-std::string ReadPatterns(
+RELEVOFILTERSCORE_EXPORT std::string ReadPatterns(
   const char* fileName, int& maximumLevel, std::vector<RefinementPattern>& patterns);
 }
 

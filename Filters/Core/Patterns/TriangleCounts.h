@@ -9,13 +9,15 @@
 #ifndef TriangleCounts_h
 #define TriangleCounts_h
 
+#include "RelevoFiltersCoreModule.h" // for export macro
+
 #include <vector> // for members
 
 namespace relevo
 {
 class PatternFamily;
 
-class TriangleCounts
+class RELEVOFILTERSCORE_EXPORT TriangleCounts
 {
 public:
   /**

@@ -24,7 +24,7 @@ namespace relevo
 /// The box of points; nullptr for none.
 RELEVOFILTERSCORE_EXPORT FiniteBox MeasurePoints(vtkPoints* points);
 
-class LocalPoints
+class RELEVOFILTERSCORE_EXPORT LocalPoints
 {
 public:
   /// Take the points, nullptr for none. `whole` is the box of a surface that they are a piece of.

@@ -26,7 +26,7 @@ namespace relevo
 RELEVOFILTERSCORE_EXPORT std::vector<vtkIdType> ComputePlaces(vtkPoints* points);
 
 /// A number that places have for themselves, as far as 64 bits go.
-std::uint64_t HashPoint(const double x[3]);
+RELEVOFILTERSCORE_EXPORT std::uint64_t HashPoint(const double x[3]);
 
 /**
  * Give every point the largest of the tags at its place. `places` as from ComputePlaces(); `tags`

@@ -10,6 +10,7 @@
 #define CellShape_h
 
 #include "Cells/Ray.h"
+#include "RelevoFiltersVolumeModule.h" // for export macro
 #include "vtkType.h"
 
 #include <array>
@@ -41,7 +42,7 @@ using CornerSlopes = std::array<dvec3, MaximumCorners>;
 
 /// Of a type of VTK; null for cells that are to be split. A voxel is a hexahedron whose corners
 /// come in the order of GetCornerOrder().
-const CellShape* FindCellShape(int type);
+RELEVOFILTERSVOLUME_EXPORT const CellShape* FindCellShape(int type);
 
 /// Which of a cell's points is a corner of its shape.
 int GetCorner(int type, int corner);

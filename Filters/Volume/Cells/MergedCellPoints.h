@@ -9,6 +9,7 @@
 #ifndef MergedCellPoints_h
 #define MergedCellPoints_h
 
+#include "RelevoFiltersVolumeModule.h" // for export macro
 #include "vtkType.h"
 
 #include <vector>
@@ -18,7 +19,7 @@ namespace relevo
 class VolumeCells;
 
 /// For each point the first one at exactly the same place, or itself if that has other scalars.
-std::vector<vtkIdType> FindMergedPoints(const VolumeCells& cells);
+RELEVOFILTERSVOLUME_EXPORT std::vector<vtkIdType> FindMergedPoints(const VolumeCells& cells);
 }
 
 #endif

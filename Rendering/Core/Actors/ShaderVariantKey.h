@@ -31,7 +31,7 @@ using NamedTexture = std::pair<vtkTexture*, std::string>;
  * All of an actor and of a renderer that decides how shaders read, but for what
  * vtkOpenGLPolyDataMapper notices itself: values that change are in, the times of changes are not.
  */
-Dependencies GetShaderVariantKey(
+RELEVORENDERINGCORE_EXPORT Dependencies GetShaderVariantKey(
   vtkRenderer* ren, vtkActor* act, const std::vector<NamedTexture>& textures);
 
 /// Whether the actor has fragment shader text of its own.

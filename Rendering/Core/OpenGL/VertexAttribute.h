@@ -10,13 +10,15 @@
 #ifndef VertexAttribute_h
 #define VertexAttribute_h
 
+#include "RelevoRenderingCoreModule.h" // for export macro
+
 #include <cstddef> // for size_t
 
 class vtkShaderProgram;
 
 namespace relevo
 {
-class VertexAttribute
+class RELEVORENDERINGCORE_EXPORT VertexAttribute
 {
 public:
   /// The types of its components; both have four bytes.
