@@ -12,7 +12,7 @@
 /// The text of --help.
 std::string GetUsage();
 
-/// What mouse and keys do in the window, a line for each.
+/// The mouse actions and keys of the window, one per line.
 const char* GetWindowUsage();
 
 #endif

@@ -26,7 +26,7 @@ struct GlobalSurfaceInfo
   FiniteBox CornerBox;
   /// Whether displacement goes along directions of its own, see RefinementMesh::Directions.
   bool HasDirections = false;
-  /// What metrics know of it, see MetricEvaluator::ComputeNumbers().
+  /// The numbers of metrics, see MetricEvaluator::ComputeNumbers().
   std::map<const vtkDepthTagMetric*, std::vector<double>> Numbers;
 
   bool operator==(const GlobalSurfaceInfo& other) const

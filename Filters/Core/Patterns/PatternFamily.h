@@ -38,7 +38,7 @@ public:
   /// Gives the pattern for the steps of its edges 1, 2 and 3.
   using PatternMaker = std::function<Pattern(const std::array<unsigned char, 3>&)>;
 
-  /// What a pattern belongs to.
+  /// How a pattern is identified.
   enum Kinds
   {
     /// The steps of its edges in descending order; it is permuted for others (Lenz 2009, 4.3).

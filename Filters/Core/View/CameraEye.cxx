@@ -10,7 +10,7 @@
 
 namespace relevo
 {
-// What is projected to nothing but a depth.
+// The point that the camera projects to a depth alone.
 dvec4 GetEye(vtkCamera* camera, vtkMatrix4x4* worldToModel)
 {
   dvec4 eye(0.0, 0.0, 1.0, 0.0);

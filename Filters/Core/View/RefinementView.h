@@ -27,7 +27,7 @@ struct RefinementView
   vtkMatrix4x4* ModelToWorld = nullptr;
   /// Width and height of the viewport in pixels.
   int ViewportSize[2] = { 300, 300 };
-  /// What faces are refined by, where it is known: for metrics that bound what patterns leave out.
+  /// The patterns that refine faces, where they are known: for metrics that bound deviations.
   std::shared_ptr<const PatternFamily> Patterns = nullptr;
   /// The displaced surface, for metrics that measure it; nullptr without a height map.
   std::shared_ptr<const DisplacedSurface> Displaced = nullptr;

@@ -36,7 +36,7 @@ struct RELEVOFILTERSCORE_EXPORT Placement
   /// box it stays the same when the actor turns.
   double GetDiagonal(const FiniteBox& box) const;
 
-  /// What the matrix does to angles and proportions, whatever it turns and however it scales:
+  /// The effect of the matrix on angles and proportions, apart from rotation and scale:
   /// lengths l of the world are those of the mesh by l^2 = Scale^2 e . Shape e.
   dmat3 GetShape() const;
   double GetScale() const;

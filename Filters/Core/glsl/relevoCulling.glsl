@@ -1,4 +1,4 @@
-// What a camera cannot see of a mesh. GLSL and C++.
+// Tests for faces that a camera cannot see. GLSL and C++.
 
 // Whether a box (its middle and half its sides) lies wholly beyond a plane, whose positive side is
 // inside.
@@ -22,7 +22,7 @@ RELEVO_FUNCTION bool facesAway(vec3 axis, float cosine, vec3 toEye, float reach)
   float along = dot(axis, toEye);
   float across = sqrt(max(dot(toEye, toEye) - along * along, 0.0f));
   float sine = sqrt(max(1.0f - cosine * cosine, 0.0f));
-  // What is seen nearly edge-on can still cover pixels of its own.
+  // A face that is seen nearly edge-on can still cover pixels of its own.
   float edgeOn = 0.1f * length(toEye);
   return along < 0.0f && along * cosine + across * sine < -reach - edgeOn;
 }

@@ -37,7 +37,7 @@ struct SurfaceFace
 {
   float Points[3][3];
   float Normals[3][3];
-  /// What to add to points for the mesh's own coordinates.
+  /// Add it to points to get the mesh's own coordinates.
   const double* Origin;
   /// Unit normals that all faces around a corner share: its own where normals are not split.
   const float* Directions[3];

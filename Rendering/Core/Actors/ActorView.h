@@ -21,8 +21,8 @@ namespace relevo
 {
 RELEVORENDERINGCORE_EXPORT RefinementView MakeActorView(vtkRenderer* ren, vtkActor* act);
 
-/// What lines and points of a width in pixels reach to the sides and up and down, as shares of half
-/// the view's width and height.
+/// How far lines and points of a width in pixels reach to the sides and up and down, as shares of
+/// half the view's width and height.
 RELEVORENDERINGCORE_EXPORT std::array<double, 2> GetViewMargins(vtkRenderer* ren, double width);
 
 /// Whether the actor has shaders of its own, or parts of them, that write vertices.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a mapper's shaders depend on beside the mapper itself: the actor and the renderer.
+ * The part of a shader variant's key that comes from the actor and the renderer.
  *
  * vtkOpenGLPolyDataMapper writes shaders for the actor that it draws, and writes them anew when the
  * actor's property has changed since, not when it draws another actor. Of a mapper that several

@@ -26,7 +26,7 @@ namespace relevo
 /// Returns what to tell users, empty where all arrays are left.
 RELEVORENDERINGCORE_EXPORT std::string RemoveUnusableArrays(vtkPolyData* mesh);
 
-/// What a mapper is to colour by.
+/// The values that a mapper colours by.
 struct ScalarMapping
 {
   vtkDataSet* Input;

@@ -75,7 +75,7 @@ public:
   vtkTypeInt64 GetMemorySize() const { return this->MemorySize; }
   bool IsEmpty() const { return this->Texture == nullptr; }
 
-  /// What to say when a mesh does not fit, with the limit of the current context.
+  /// The message when a mesh does not fit, with the limit of the current context.
   static std::string GetTooLarge();
 
 private:

@@ -46,7 +46,7 @@ public:
   ScalarKind GetKind() const { return this->Kind; }
   /// Whether some of the values stand for no data.
   bool HasNoData() const { return this->Kind != BY_VTK && !this->NoData.IsEmpty(); }
-  /// What has been subtracted from numbers.
+  /// The number that has been subtracted from all values.
   double GetBias() const { return this->Bias; }
   void Clear() { this->Kind = BY_VTK; }
 

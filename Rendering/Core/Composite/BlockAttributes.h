@@ -18,7 +18,7 @@ class vtkDataObject;
 
 namespace relevo
 {
-/// What a block has of its own or from the blocks that it is in; else it is up to the actor.
+/// The attributes of a block, its own or those of blocks that contain it; the actor has the rest.
 struct BlockAttributes
 {
   bool Visible = true;

@@ -27,7 +27,7 @@ struct DataLeaf
   unsigned int FlatIndex = 0; // 0 of an input that is not composite
   vtkDataObject* Data = nullptr;
 
-  /// What messages about the leaf start with: its index, or nothing where there are no others.
+  /// The start of messages about the leaf: its index, or nothing where it is the only one.
   std::string GetPrefix() const
   {
     return this->FlatIndex == 0 ? "" : "Block " + std::to_string(this->FlatIndex) + ": ";

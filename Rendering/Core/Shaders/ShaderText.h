@@ -22,7 +22,7 @@
 
 namespace relevo
 {
-/// What shaders lack: each a stage and an anchor, as in: vertex shader: "void main(".
+/// Anchors that shaders lack, each with its stage, as in: vertex shader: "void main(".
 using MissingAnchors = std::set<std::string>;
 
 class RELEVORENDERINGCORE_EXPORT ShaderText

@@ -68,9 +68,9 @@ public:
   bool BuildWithStages(vtkOpenGLHelper& helper, const std::function<void(Shaders&)>& build,
     const std::function<vtkShaderProgram*(Shaders&)>& link);
 
-  /// What the shaders that are built now lack.
+  /// Anchors that the shaders of this build lack.
   MissingAnchors& GetMissing() { return this->Missing; }
-  /// What is wrong with the shaders that were built last, or "".
+  /// The error of the shaders that were built last, or "".
   const std::string& GetProblem() const { return this->Problem; }
   vtkIdType GetNumberOfBuilds() const { return this->NumberOfBuilds; }
 

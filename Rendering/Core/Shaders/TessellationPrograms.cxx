@@ -121,7 +121,7 @@ public:
   static TessellationProgramCache* New();
   vtkTypeMacro(TessellationProgramCache, vtkOpenGLShaderCache);
 
-  // What the programs are made from.
+  // The sources of the programs.
   std::string VertexSource;
   std::string ControlSource;
 

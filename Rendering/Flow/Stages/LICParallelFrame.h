@@ -40,7 +40,7 @@ public:
   /// Whether there are other processes.
   bool IsUsed() const;
 
-  /// What this process adds to the picture.
+  /// The contribution of this process to the frame.
   struct Contribution
   {
     LICScreen* Screen = nullptr; // if there are to be streaks
@@ -49,7 +49,7 @@ public:
     std::string Problem;
   };
 
-  /// What a mapper does for the picture, in this order.
+  /// The steps of a mapper in a frame, in this order.
   struct Steps
   {
     /// Find the screen, unless the mapper shows no streaks.

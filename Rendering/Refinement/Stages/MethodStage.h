@@ -37,7 +37,7 @@ public:
     const PatternFamily* Family;
     /// Whether its shaders could not be built.
     bool HasFailedShaders;
-    /// What faces are drawn as, and whether their vertices are drawn, too.
+    /// The primitives that faces are drawn as, and whether their vertices are drawn, too.
     Primitives Faces;
     bool HasVertices;
   };

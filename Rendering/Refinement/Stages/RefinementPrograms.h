@@ -64,7 +64,7 @@ public:
 
   //@{
   /**
-   * What a helper's shaders depend on in this frame: change the options, then call
+   * The options of a helper's shaders in this frame: change the options, then call
    * UpdateKey().
    */
   RefinementShaderOptions& GetOptions(const vtkOpenGLHelper* helper);

@@ -36,7 +36,7 @@ public:
   RefinementState& GetState() { return this->State; }
   const RefinementState& GetState() const { return this->State; }
 
-  /// What the last update of the state has to report.
+  /// The messages of the last update of the state.
   StageResult TakeResult(bool isValid);
   /// Prepare the mesh of an input.
   StageResult UpdateMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe);
