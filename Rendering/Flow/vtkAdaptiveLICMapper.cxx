@@ -129,7 +129,7 @@ vtkAdaptiveLICMapper::~vtkAdaptiveLICMapper()
 }
 
 //------------------------------------------------------------------------------
-// Settings change live: no buffer is built again but for what is no-data.
+// Settings change live: only settings of missing values rebuild buffers.
 
 relevoLICSettingsMacro(vtkAdaptiveLICMapper);
 

@@ -8,10 +8,10 @@
  * normals, to a position and a normal. It is written once, as GLSL that C++ compiles too
  * (glsl/), and evaluated by vtkAdaptiveRefinementFilter and vtkAdaptiveRefinementMapper alike.
  *
- * What does not depend on the weights is computed beforehand: vectors per edge, from the edge's two
- * ends alone, and vectors per face. Positions among the edge vectors are averaged over all faces
- * around an edge whose normals differ, so that a crease stays closed (as PN-AEN triangles do,
- * McDonald and Kilgard 2010) while its shading stays sharp. A surface may also take numbers per
+ * Values that do not depend on the weights are computed beforehand: vectors per edge, from the
+ * edge's two ends alone, and vectors per face. Positions among the edge vectors are averaged over
+ * all faces around an edge whose normals differ, so that a crease stays closed (as PN-AEN triangles
+ * do, McDonald and Kilgard 2010) while its shading stays sharp. A surface may also take numbers per
  * point from arrays of the mesh; coincident points share the mean of theirs.
  *
  * A surface has four parts, each described in a header of its own: relevo::SurfaceData (what it
@@ -106,7 +106,7 @@ public:
   virtual bool HasInterpolatedNormals() { return true; }
 
   /**
-   * Latest change of what precomputed vectors, numbers per point or the shader's text depend on.
+   * Latest change that affects precomputed vectors, numbers per point or the shader's text.
    */
   virtual vtkMTimeType GetPreparationMTime() { return this->GetMTime(); }
 

@@ -14,7 +14,7 @@
 
 namespace relevo
 {
-/// What a file says about its first band.
+/// The description of a file's first band.
 struct RasterDescription
 {
   int Width = 0;

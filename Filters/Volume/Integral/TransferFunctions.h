@@ -83,7 +83,7 @@ public:
   bool Read(
     vtkVolumeProperty* property, int numberOfComponents, std::string& error, std::string& warning);
 
-  /// What Read() reads of a property.
+  /// The dependencies of Read() on a property.
   static Dependencies FindDependencies(vtkVolumeProperty* property, int numberOfComponents);
 
   /// Whether the scalars themselves are red, green, blue and opacity.

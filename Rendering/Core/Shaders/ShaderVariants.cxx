@@ -3,6 +3,7 @@
 #include "Shaders/ShaderVariants.h"
 
 #include "Compatibility/VTKCompatibility.h"
+#include "Shaders/StageShaders.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
@@ -76,14 +77,8 @@ bool ShaderVariants::BuildWithStages(vtkOpenGLHelper& helper,
   const std::function<void(Shaders&)>& build,
   const std::function<vtkShaderProgram*(Shaders&)>& link)
 {
-  vtkNew<vtkShader> stages[3];
-  const vtkShader::Type types[3] = { vtkShader::Vertex, vtkShader::Geometry, vtkShader::Fragment };
-  Shaders shaders;
-  for (int i = 0; i < 3; ++i)
-  {
-    stages[i]->SetType(types[i]);
-    shaders[types[i]] = stages[i];
-  }
+  StageShaders stages;
+  Shaders& shaders = stages.Get();
   build(shaders);
   if (!this->Problem.empty())
   {

@@ -52,7 +52,7 @@ public:
   /// fit.
   bool UploadCells(vtkOpenGLRenderWindow* window, vtkOpenGLCellToVTKCellMap* cells);
 
-  /// What the vectors are drawn for.
+  /// The view that vectors are drawn in.
   struct View
   {
     vtkRenderer* Renderer;

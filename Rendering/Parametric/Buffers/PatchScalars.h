@@ -41,7 +41,7 @@ public:
   /// Take the coefficients of scalars, if there are some. False when they do not fit on the GPU.
   bool Upload(vtkOpenGLRenderWindow* window, const Source& source);
 
-  /// What is wrong with the coefficients of scalars, as a sentence; or "".
+  /// The error of the coefficients of scalars, as a sentence; or "".
   static std::string DescribeMisfit(vtkPolyData* mesh, vtkDataArray* scalars);
 
   PatchColoring GetColoring() const { return this->Coloring; }

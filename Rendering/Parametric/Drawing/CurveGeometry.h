@@ -38,10 +38,10 @@ public:
   bool SetCurves(vtkPointSet* input);
   vtkPointSet* GetInput() const { return this->Input; }
   const CurveMesh& GetMesh() const { return this->Mesh; }
-  /// What the control points on the GPU are relative to.
+  /// The origin of the control points on the GPU.
   const dvec3& GetOrigin() const { return this->Origin; }
 
-  /// What curves become.
+  /// The shape that curves are drawn as.
   struct Shape
   {
     int Sides = 1; // 1: lines, 2: ribbons, else tubes
@@ -51,7 +51,7 @@ public:
   /// After SetCurves(): false if the curves have this shape already.
   bool SetShape(const Shape& shape);
   int GetSides() const { return this->Current.Sides; }
-  /// What is wrong with the array of radii, or ""; nothing is to be drawn then.
+  /// The error of the array of radii, with which nothing can be drawn; or "".
   const std::string& GetRadiusProblem() const { return this->RadiusProblem; }
 
   /// Of all that is drawn; not initialized where there is nothing to draw.

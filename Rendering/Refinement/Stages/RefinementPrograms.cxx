@@ -4,6 +4,7 @@
 
 #include "Checks/ShouldReport.h"
 #include "Compatibility/VTKCompatibility.h"
+#include "Shaders/StageShaders.h"
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
@@ -169,14 +170,8 @@ RefinementPrograms::Built RefinementPrograms::BuildWithStages(vtkOpenGLHelper& h
   const std::function<void(Shaders&)>& build,
   const std::function<vtkShaderProgram*(Shaders&)>& link)
 {
-  vtkNew<vtkShader> stages[3];
-  const vtkShader::Type types[3] = { vtkShader::Vertex, vtkShader::Geometry, vtkShader::Fragment };
-  Shaders shaders;
-  for (int i = 0; i < 3; ++i)
-  {
-    stages[i]->SetType(types[i]);
-    shaders[types[i]] = stages[i];
-  }
+  StageShaders stages;
+  Shaders& shaders = stages.Get();
   build(shaders);
   if (this->States[&helper].DrawsNothing)
   {
