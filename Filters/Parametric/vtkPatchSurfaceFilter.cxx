@@ -6,7 +6,7 @@
 #include "Cells/ControlNets.h"
 #include "Checks/InputType.h"
 #include "Checks/MemoryGuard.h"
-#include "Coarse/CoarseMesh.h"
+#include "Coarse/CoarseMeshBuilder.h"
 #include "Coarse/PatchOutput.h"
 #include "Mesh/PatchArrays.h"
 #include "vtkInformation.h"

@@ -9,7 +9,7 @@
 #include "Checks/MisplacedArray.h"
 #include "Checks/SettingChecks.h"
 #include "Compatibility/VTKCompatibility.h"
-#include "Geodesy/MapDirections.h"
+#include "Geodesy/MapDirectionsFactory.h"
 #include "Raster/VectorRaster.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -361,7 +361,7 @@ bool vtkGeographicVectors::Locate(
     takePlace(mesh, system, origin);
   }
   std::string error;
-  directions = relevo::MapDirections::New(system, { origin[0], origin[1] }, error);
+  directions = relevo::NewMapDirections(system, { origin[0], origin[1] }, error);
   if (!error.empty())
   {
     vtkErrorMacro(<< "The coordinate system \"" << system << "\" cannot be used: " << error << ".");

@@ -7,7 +7,7 @@
 #include "Heights/HeightGrid.h"
 #include "Heights/HeightReduction.h"
 #include "Mesh/PointBlanking.h"
-#include "Raster/Raster.h"
+#include "Raster/RasterFile.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -184,7 +184,7 @@ bool vtkHeightMap::Open()
     else if (this->FileName && *this->FileName)
     {
       std::string error;
-      this->Raster = relevo::Raster::Open(this->FileName, error);
+      this->Raster = relevo::OpenRaster(this->FileName, error);
       if (!this->Raster)
       {
         this->ErrorMessage = cannotRead(this->FileName, error);

@@ -10,8 +10,8 @@
 #endif
 #include "Geodesy/TerrainFrame.h"
 #include "Heights/TerrainMesh.h"
-#include "Raster/Imagery.h"
-#include "Raster/Raster.h"
+#include "Raster/ImageryDrape.h"
+#include "Raster/RasterFile.h"
 #include "vtkCommand.h"
 #include "vtkDisplacement.h"
 #include "vtkDoubleArray.h"
@@ -407,7 +407,7 @@ bool vtkTerrainSource::CheckImagery(std::string& error)
   {
     return true;
   }
-  if (!relevo::Raster::Open(this->ImageryFileName, error))
+  if (!relevo::OpenRaster(this->ImageryFileName, error))
   {
     error = "Cannot drape " + std::string(this->ImageryFileName) + ": " + error + ".";
     return false;

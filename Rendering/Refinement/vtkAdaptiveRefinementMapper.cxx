@@ -22,6 +22,7 @@
 #include "Parallel/ProcessReduction.h"
 #include "Picking/PickedInput.h"
 #include "Picking/PickedInputPipeline.h"
+#include "Recipe/RecipeLevels.h"
 #include "Shaders/ShaderExtension.h"
 #include "Stages/ActorCulling.h"
 #include "Stages/BudgetStage.h"

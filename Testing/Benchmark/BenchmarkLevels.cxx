@@ -5,6 +5,7 @@
 #include "Evaluation/EdgeTags.h"
 #include "Evaluation/PatternSelection.h"
 #include "Mesh/RefinementMesh.h"
+#include "Recipe/RecipeLevels.h"
 #include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkFloatArray.h"

@@ -11,6 +11,7 @@
 #include "Evaluation/PatternSelection.h"
 #include "Mesh/RefinementMesh.h"
 #include "Patterns/RefinementPattern.h"
+#include "Recipe/RecipeLevels.h"
 #include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"

@@ -8,7 +8,7 @@
 #ifndef CoplanarPair_h
 #define CoplanarPair_h
 
-#include "Pairs/TrianglePair.h"
+#include "Pairs/CommonPoints.h"
 
 namespace relevo
 {

@@ -61,22 +61,6 @@ void MeetBorder(
 }
 }
 
-TrianglePart FindPart(const std::array<int, 3>& sides)
-{
-  // Per set of the edges whose lines the point is on; it is not on all three.
-  static constexpr TrianglePart parts[8] = { Interior, 3, 4, 1, 5, 0, 2, Outside };
-  int on = 0;
-  for (int i = 0; i < 3; ++i)
-  {
-    if (sides[i] < 0)
-    {
-      return Outside;
-    }
-    on |= (sides[i] == 0) << i;
-  }
-  return parts[on];
-}
-
 CommonPoints IntersectTriangles(const TrianglePoints& a, const TrianglePoints& b)
 {
   CommonPoints common;

@@ -41,8 +41,6 @@ struct CoarseMesh
 
 /// `points` are not multiplied with their weights, `homogeneous` are. Edges are split in
 /// `leastPieces`, 1 or 2, or more.
-CoarseMesh BuildCoarseMesh(const ControlNets& nets, const std::vector<dvec4>& points,
-  const ControlPoints& homogeneous, vtkUnstructuredGrid* grid, int leastPieces);
 }
 
 #endif

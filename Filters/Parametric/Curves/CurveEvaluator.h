@@ -9,7 +9,6 @@
 #ifndef CurveEvaluator_h
 #define CurveEvaluator_h
 
-#include "Curves/CurveFrames.h"
 #include "Curves/CurveMesh.h"
 #include "Mathematics/RefinementMathematics.h"
 
@@ -29,13 +28,12 @@ public:
   {
   }
 
-  /// Needed for frames.
-  void SetFrames(const CurveFrames& frames, vtkIdType curve)
+  /// Needed for frames: the curve's stations, one more than intervals; see CurveFrames.
+  void SetStations(int intervals, const dvec3* tangents, const dvec3* normals)
   {
-    const CurveFrames::Stations& stations = frames.GetStations()[curve];
-    this->Intervals = stations.Intervals;
-    this->Tangents = &frames.GetTangents()[stations.First];
-    this->Normals = &frames.GetNormals()[stations.First];
+    this->Intervals = intervals;
+    this->Tangents = tangents;
+    this->Normals = normals;
   }
 
   /// Needed for values: the curve's own coefficients, up to 4 components of tuples of `stride`.

@@ -258,4 +258,11 @@ void CurveFrames::CloseRing(const Joints& joints, vtkIdType first)
   }
   this->Normals[this->AllStations[last].First + this->AllStations[last].Intervals] = start;
 }
+
+void CurveFrames::Set(CurveEvaluator& evaluator, vtkIdType curve) const
+{
+  const Stations& stations = this->AllStations[curve];
+  evaluator.SetStations(
+    stations.Intervals, &this->Tangents[stations.First], &this->Normals[stations.First]);
+}
 }

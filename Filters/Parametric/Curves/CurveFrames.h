@@ -21,6 +21,7 @@
 
 namespace relevo
 {
+class CurveEvaluator;
 class CurveMesh;
 
 class RELEVOFILTERSPARAMETRIC_EXPORT CurveFrames
@@ -36,6 +37,9 @@ public:
   };
 
   void Build(const CurveMesh& mesh);
+
+  /// Have a curve's evaluator use its frames.
+  void Set(CurveEvaluator& evaluator, vtkIdType curve) const;
 
   /// By curve.
   const std::vector<Stations>& GetStations() const { return this->AllStations; }

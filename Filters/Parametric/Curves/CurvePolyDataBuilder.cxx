@@ -166,7 +166,7 @@ void CurvePolyDataBuilder::BuildPoints(vtkPolyData* output)
         CurveEvaluator curve(this->Mesh, c);
         if (hasNormals)
         {
-          curve.SetFrames(this->Frames, c);
+          this->Frames.Set(curve, c);
         }
         if (!radii.empty())
         {

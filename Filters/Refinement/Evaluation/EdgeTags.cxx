@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evaluation/EdgeTags.h"
 
-#include "Evaluation/PatternSelection.h"
 #include "Evaluation/SampledSurface.h"
 #include "Mesh/FaceEdges.h"
 #include "Mesh/RefinementMesh.h"
@@ -12,6 +11,7 @@
 #include "Metrics/MetricEvaluator.h"
 #include "Metrics/MetricMesh.h"
 #include "Points/MergedPoints.h"
+#include "Recipe/RecipeLevels.h"
 #include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDepthTagMetric.h"
@@ -143,24 +143,5 @@ bool EdgeTags::Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
   const RefinementMesh& mesh, const RefinementView& view, std::string& error)
 {
   return this->Compute(recipe, input, mesh, view, GetHighestTag(recipe, false), error);
-}
-
-int GetHighestTag(vtkAdaptiveRefinement* recipe, bool isMoved)
-{
-  vtkDepthTagMetric* metric = recipe->GetMetric();
-  const bool isOpen =
-    metric && metric->IsAbsolute() && (isMoved || recipe->GetLevelOffset() != 0.0);
-  return recipe->GetMaximumLevel() + (isOpen ? vtkRefinementPatternTable::HighestLevel + 1 : 0);
-}
-
-vtkAbstractArray* FindDepthTagArray(vtkAdaptiveRefinement* recipe, vtkDataSet* input)
-{
-  const char* name = recipe->GetDepthTagArrayName();
-  return name[0] ? input->GetPointData()->GetAbstractArray(name) : nullptr;
-}
-
-vtkDepthTagMetric* GetMetricInUse(vtkAdaptiveRefinement* recipe, vtkDataSet* input)
-{
-  return FindDepthTagArray(recipe, input) ? nullptr : recipe->GetMetric();
 }
 }

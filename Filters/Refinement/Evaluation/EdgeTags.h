@@ -12,7 +12,7 @@
 #ifndef EdgeTags_h
 #define EdgeTags_h
 
-#include "Metrics/MetricShader.h"          // for Shader
+#include "Metrics/MetricShader.h" // for Shader
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkNew.h"                        // for Values
 #include "vtkType.h"                       // for vtkIdType
@@ -107,22 +107,6 @@ private:
   std::vector<int> FaceEdges;
   MetricShader Shader;
 };
-
-/**
- * The level that a metric's tags are cut off at: MaximumLevel, but of an absolute metric more where
- * an offset, the recipe's or a budget's (`isMoved`), brings higher tags down.
- */
-RELEVOFILTERSREFINEMENT_EXPORT int GetHighestTag(vtkAdaptiveRefinement* recipe, bool isMoved);
-
-/**
- * The metric that EdgeTags asks; nullptr where it takes an array or nothing.
- */
-RELEVOFILTERSREFINEMENT_EXPORT vtkDepthTagMetric* GetMetricInUse(
-  vtkAdaptiveRefinement* recipe, vtkDataSet* input);
-
-/// The array that it takes; nullptr where the input has none of that name.
-RELEVOFILTERSREFINEMENT_EXPORT vtkAbstractArray* FindDepthTagArray(
-  vtkAdaptiveRefinement* recipe, vtkDataSet* input);
 }
 
 #endif

@@ -20,7 +20,7 @@ namespace
 {
 HeightSampler MakeSampler(const HeightValidity& validity)
 {
-  HeightSampler sampler(nullptr);
+  HeightSampler sampler;
   sampler.Size = ivec2(validity.Dimensions[0], validity.Dimensions[1]);
   sampler.Validity = validity.Samples.get();
   return sampler;

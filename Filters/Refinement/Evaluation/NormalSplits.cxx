@@ -88,7 +88,7 @@ public:
   {
     this->Evaluate(uses, numberOfUses, { 0 });
     const size_t owner = this->FindOwner(numberOfUses);
-    this->PointOwners.push_back({ static_cast<int>(point), uses[owner] });
+    this->Points.PointOwners.push_back({ static_cast<int>(point), uses[owner] });
     this->Keep(point, 0, owner);
     if (!this->IsSmooth())
     {
@@ -125,7 +125,7 @@ public:
       isSmooth = this->IsSmooth();
     }
     const size_t owner = this->FindOwner(numberOfUses);
-    this->EdgeOwners.push_back({ edge, uses[owner] });
+    this->Points.EdgeOwners.push_back({ edge, uses[owner] });
     for (size_t k = 0; k < steps.size(); ++k)
     {
       const vtkIdType point = this->Topology->GetEdgePoint(edge, steps[k]);
@@ -137,9 +137,7 @@ public:
     }
   }
 
-  std::vector<Copy> Copies;
-  std::vector<Owner> PointOwners;
-  std::vector<Owner> EdgeOwners;
+  SplitPoints Points;
 
 private:
   // The normals of all uses, a row for each step.
@@ -226,7 +224,7 @@ private:
       // A face without a normal takes the owner's.
       if (this->Groups[u] != this->Groups[owner] && normals[u] != vec3(0.0f))
       {
-        this->Copies.push_back(
+        this->Points.Copies.push_back(
           { point, uses[u], step, this->Least[static_cast<size_t>(this->Groups[u])] });
       }
     }
@@ -299,12 +297,12 @@ NormalSplits::NormalSplits(const RefinementMesh& mesh, vtkRefinementSurface* sur
   {
     const auto append = [](auto& to, const auto& from)
     { to.insert(to.end(), from.begin(), from.end()); };
-    append(this->Copies, visitor.Copies);
-    append(this->PointOwners, visitor.PointOwners);
-    append(this->EdgeOwners, visitor.EdgeOwners);
+    append(this->Points.Copies, visitor.Points.Copies);
+    append(this->Points.PointOwners, visitor.Points.PointOwners);
+    append(this->Points.EdgeOwners, visitor.Points.EdgeOwners);
   }
-  std::sort(this->Copies.begin(), this->Copies.end(),
-    [](const Copy& l, const Copy& r)
+  std::sort(this->Points.Copies.begin(), this->Points.Copies.end(),
+    [](const SplitPoints::Copy& l, const SplitPoints::Copy& r)
     { return std::tie(l.Point, l.Use) < std::tie(r.Point, r.Use); });
 }
 }

@@ -14,6 +14,7 @@
 #ifndef NormalSplits_h
 #define NormalSplits_h
 
+#include "Evaluation/SplitPoints.h"
 #include "Mathematics/RefinementMathematics.h"
 #include "vtkType.h"
 
@@ -36,26 +37,7 @@ public:
     const RefinementEvaluator& evaluator, const RefinedTopology& topology,
     vtkIdType numberOfInputPoints);
 
-  /// A face's normal at a point that needs a copy there.
-  struct Copy
-  {
-    vtkIdType Point;
-    int Use;  // 3 * face + sorted corner, or edge
-    int Step; // 0 for a corner; of points inside an edge 1 and on, from its first end
-    vec3 Normal;
-  };
-  /// By point and use; equal normals share a copy.
-  const std::vector<Copy>& GetCopies() const { return this->Copies; }
-
-  /// Which of its uses evaluates a corner or the points inside an edge.
-  struct Owner
-  {
-    int Element; // input point or edge
-    int Use;
-  };
-  /// Where it matters which one does: normals that agree can differ in their last digits.
-  const std::vector<Owner>& GetPointOwners() const { return this->PointOwners; }
-  const std::vector<Owner>& GetEdgeOwners() const { return this->EdgeOwners; }
+  const SplitPoints& GetPoints() const { return this->Points; }
 
   /// A point as the evaluator gave it for its owner.
   struct Value
@@ -71,9 +53,7 @@ private:
   class Visitor;
 
   std::vector<Value> Values;
-  std::vector<Copy> Copies;
-  std::vector<Owner> PointOwners;
-  std::vector<Owner> EdgeOwners;
+  SplitPoints Points;
 };
 }
 

@@ -5,12 +5,7 @@
 #include "Evaluation/FaceTags.h"
 #include "Mathematics/RefinementMathematics.h"
 #include "Mesh/RefinementMesh.h"
-#include "Patterns/PatternLibrary.h"
 #include "Patterns/RefinementPattern.h"
-#include "vtkAdaptiveRefinement.h"
-#include "vtkDepthTagMetric.h"
-#include "vtkPolyData.h"
-#include "vtkRefinementPatternTable.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -41,60 +36,6 @@ void ForEachChunk(vtkIdType numberOfChunks, vtkIdType numberOfFaces, const Funct
       }
     });
 }
-}
-
-std::string FindPatternObstacle(vtkAdaptiveRefinement* recipe)
-{
-  const PatternLibrary& library = *recipe->GetPatternTable()->GetLibrary();
-  if (recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::WHOLE_NUMBERS)
-  {
-    return library.GetObstacle(PatternLibrary::WHOLE_NUMBERS);
-  }
-  return recipe->GetGeomorphing() == vtkAdaptiveRefinement::GEOMORPHING_ON
-    ? library.GetObstacle(PatternLibrary::NESTED)
-    : std::string();
-}
-
-std::string FindPatternShortfall(vtkAdaptiveRefinement* recipe)
-{
-  const PatternLibrary& library = *recipe->GetPatternTable()->GetLibrary();
-  if (recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::WHOLE_NUMBERS &&
-    recipe->GetGeomorphing() == vtkAdaptiveRefinement::GEOMORPHING_ON)
-  {
-    return "Nothing morphs: edges have whole numbers of segments, and only 2^level segments can. "
-           "Call SetSegmentPolicyToPowersOfTwo() or GeomorphingOff().";
-  }
-  return recipe->GetAskedMaximumLevel() > library.GetHighestLevel() ? "MaximumLevel is " +
-      std::to_string(recipe->GetAskedMaximumLevel()) + ", but the patterns of " +
-      library.GetFileName() + " end at level " + std::to_string(library.GetHighestLevel()) +
-      ". Call SetMaximumLevel(), or take another pattern table, with SetPatternTable()."
-                                                                    : std::string();
-}
-
-std::shared_ptr<const PatternFamily> GetPatternFamily(
-  vtkAdaptiveRefinement* recipe, vtkPolyData* input)
-{
-  const bool wholeNumbers = recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::WHOLE_NUMBERS;
-  const int morphing = recipe->GetGeomorphing();
-  vtkDepthTagMetric* metric = GetMetricInUse(recipe, input);
-  const bool automatic = metric && metric->IsViewDependent();
-  std::shared_ptr<const PatternFamily> nested;
-  if (!wholeNumbers &&
-    (morphing == vtkAdaptiveRefinement::GEOMORPHING_ON ||
-      (morphing == vtkAdaptiveRefinement::GEOMORPHING_AUTOMATIC && automatic)))
-  {
-    nested = recipe->GetPatternTable()->GetLibrary()->GetFamily(PatternLibrary::NESTED);
-  }
-  return nested ? nested : GetRoundedPatternFamily(recipe);
-}
-
-std::shared_ptr<const PatternFamily> GetRoundedPatternFamily(vtkAdaptiveRefinement* recipe)
-{
-  const PatternLibrary& library = *recipe->GetPatternTable()->GetLibrary();
-  const auto family = recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::WHOLE_NUMBERS
-    ? library.GetFamily(PatternLibrary::WHOLE_NUMBERS)
-    : nullptr;
-  return family ? family : library.GetFamily(PatternLibrary::POWERS_OF_TWO);
 }
 
 template <typename GetTags, typename GetStep>

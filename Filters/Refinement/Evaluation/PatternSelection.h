@@ -20,37 +20,10 @@
 #include <string> // for sentences
 #include <vector> // for members
 
-class vtkAdaptiveRefinement;
-class vtkPolyData;
-
 namespace relevo
 {
 class EdgeTags;
 class RefinementMesh;
-
-/**
- * Why the recipe's pattern table lacks the patterns that the recipe needs, as a clause that says
- * what to do; empty if it has them.
- */
-RELEVOFILTERSREFINEMENT_EXPORT std::string FindPatternObstacle(vtkAdaptiveRefinement* recipe);
-
-/**
- * What the recipe asks of its patterns that they do not give, though they refine, as sentences that
- * say what to do; empty for nothing.
- */
-RELEVOFILTERSREFINEMENT_EXPORT std::string FindPatternShortfall(vtkAdaptiveRefinement* recipe);
-
-/**
- * The patterns that a recipe draws an input with; where there is an obstacle, others.
- */
-RELEVOFILTERSREFINEMENT_EXPORT std::shared_ptr<const PatternFamily> GetPatternFamily(
-  vtkAdaptiveRefinement* recipe, vtkPolyData* input);
-
-/**
- * The patterns that a recipe draws with where it does not morph.
- */
-RELEVOFILTERSREFINEMENT_EXPORT std::shared_ptr<const PatternFamily> GetRoundedPatternFamily(
-  vtkAdaptiveRefinement* recipe);
 
 /**
  * Faces drawn with one pattern and one winding: a range of Instances.

@@ -3,10 +3,11 @@
 #include "Evaluation/PointTags.h"
 
 #include "Evaluation/EdgeTags.h"
+#include "Evaluation/MeshPreparation.h"
 #include "Evaluation/PatternSelection.h"
-#include "Evaluation/RefinementPreparation.h"
 #include "Metrics/DepthTags.h"
 #include "Metrics/MetricCache.h"
+#include "Recipe/RecipeLevels.h"
 #include "View/RefinementView.h"
 #include "vtkAbstractArray.h"
 #include "vtkAdaptiveRefinement.h"

@@ -61,7 +61,7 @@ RefinedPolyDataBuilder::RefinedPolyDataBuilder(vtkPolyData* input, RefinementMes
   {
     NormalSplits splits(
       mesh, recipe->GetSurface(), this->Evaluator, this->Topology, input->GetNumberOfPoints());
-    this->Topology.Split(splits);
+    this->Topology.Split(splits.GetPoints());
     this->Values = splits.TakeValues();
   }
   this->NumberOfPoints = this->Topology.GetNumberOfPoints();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evaluation/RefinedTopology.h"
 
-#include "Evaluation/NormalSplits.h"
 #include "Evaluation/PatternSelection.h"
+#include "Evaluation/SplitPoints.h"
 #include "Patterns/RefinementPattern.h"
 
 #include <algorithm>
@@ -88,17 +88,17 @@ RefinedTopology::RefinedTopology(
   this->NumberOfPoints = next;
 }
 
-void RefinedTopology::Split(const NormalSplits& splits)
+void RefinedTopology::Split(const SplitPoints& splits)
 {
-  for (const NormalSplits::Owner& owner : splits.GetPointOwners())
+  for (const SplitPoints::Owner& owner : splits.PointOwners)
   {
     this->PointOwners[owner.Element] = owner.Use / 3;
   }
-  for (const NormalSplits::Owner& owner : splits.GetEdgeOwners())
+  for (const SplitPoints::Owner& owner : splits.EdgeOwners)
   {
     this->EdgeOwners[owner.Element] = owner.Use;
   }
-  const std::vector<NormalSplits::Copy>& seen = splits.GetCopies();
+  const std::vector<SplitPoints::Copy>& seen = splits.Copies;
   if (seen.empty())
   {
     return;
@@ -112,7 +112,7 @@ void RefinedTopology::Split(const NormalSplits& splits)
     const size_t use = static_cast<size_t>(copy->Use);
     // A face before may have the same normal here.
     const auto same = std::find_if(
-      first, copy, [&](const NormalSplits::Copy& other) { return other.Normal == copy->Normal; });
+      first, copy, [&](const SplitPoints::Copy& other) { return other.Normal == copy->Normal; });
     vtkIdType id = this->NumberOfPoints;
     if (same != copy)
     {

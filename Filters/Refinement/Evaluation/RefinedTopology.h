@@ -24,7 +24,7 @@
 
 namespace relevo
 {
-class NormalSplits;
+struct SplitPoints;
 class PatternSelection;
 
 /// A refined point on a face, with the weights of the face's sorted corners.
@@ -50,7 +50,7 @@ public:
     RefinementMesh& mesh, const PatternSelection& selection, vtkIdType numberOfInputPoints);
 
   /// Give faces points of their own where they see other normals than the owner.
-  void Split(const NormalSplits& splits);
+  void Split(const SplitPoints& splits);
 
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
   int GetNumberOfFaces() const { return static_cast<int>(this->Patterns.size()); }

@@ -3,8 +3,8 @@
 #include "Evaluation/SampledSurface.h"
 
 #include "Changes/Dependencies.h"
+#include "Evaluation/MeshPreparation.h"
 #include "Evaluation/RefinementEvaluator.h"
-#include "Evaluation/RefinementPreparation.h"
 #include "Mathematics/RefinementMathematics.h"
 #include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"

@@ -12,6 +12,7 @@
 #include "Surfaces/HeightRanges.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
+#include "vtkHeightField.h"
 #include "vtkMath.h"
 #include "vtkRefinementSurface.h"
 #include "vtkSMPTools.h"

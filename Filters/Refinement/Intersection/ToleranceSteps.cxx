@@ -7,6 +7,7 @@
 #include "Intersection/RefinedSurface.h"
 #include "Mesh/RefinementMesh.h"
 #include "Patterns/PatternFamily.h"
+#include "Recipe/RecipeLevels.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
 #include "vtkHeightField.h"

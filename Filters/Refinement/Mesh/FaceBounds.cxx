@@ -200,4 +200,27 @@ void FaceBounds::GetBox(std::size_t face, double low[3], double high[3]) const
     high[c] += *std::max_element(products, products + 4);
   }
 }
+
+void ComputeBounds(const RefinementMesh& mesh, vtkRefinementSurface* surface,
+  vtkDisplacement* displacement, double bounds[6])
+{
+  vtkMath::UninitializeBounds(bounds);
+  const FaceBounds faceBounds(mesh, surface, displacement);
+  for (size_t f = 0; f < mesh.Faces.size(); ++f)
+  {
+    double low[3];
+    double high[3];
+    faceBounds.GetBox(f, low, high);
+    for (int c = 0; c < 3; ++c)
+    {
+      bounds[2 * c] = f == 0 ? low[c] : std::min(bounds[2 * c], low[c]);
+      bounds[2 * c + 1] = f == 0 ? high[c] : std::max(bounds[2 * c + 1], high[c]);
+    }
+  }
+  for (int c = 0; c < 3 && !mesh.Faces.empty(); ++c)
+  {
+    bounds[2 * c] += mesh.Origin[c];
+    bounds[2 * c + 1] += mesh.Origin[c];
+  }
+}
 }

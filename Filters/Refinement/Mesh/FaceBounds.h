@@ -55,6 +55,13 @@ private:
   int EdgePositions = 0;
   int FacePositions = 0;
 };
+
+/**
+ * Bounds of all that a surface and a displacement, which may be nullptr, can make of a mesh, in the
+ * input's coordinates.
+ */
+RELEVOFILTERSREFINEMENT_EXPORT void ComputeBounds(const RefinementMesh& mesh,
+  vtkRefinementSurface* surface, vtkDisplacement* displacement, double bounds[6]);
 }
 
 #endif

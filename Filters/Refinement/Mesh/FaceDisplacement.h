@@ -12,6 +12,7 @@
 #include "Surfaces/HeightSampler.h"
 #include "Surfaces/SurfaceCorners.h"
 #include "vtkDisplacement.h"
+#include "vtkHeightField.h"
 
 namespace relevo
 {

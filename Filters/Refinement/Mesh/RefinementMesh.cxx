@@ -3,7 +3,6 @@
 #include "Mesh/RefinementMesh.h"
 
 #include "Arrays/GhostCells.h"
-#include "Mesh/FaceBounds.h"
 #include "Mesh/GivenNormals.h"
 #include "Mesh/NormalGroups.h"
 #include "Mesh/PatchArrays.h"
@@ -515,29 +514,6 @@ vtkRefinementSurface::Face RefinementMesh::GetSurfaceFace(int face) const
     ? nullptr
     : &this->Vectors[3 * static_cast<size_t>(this->VectorsPerFace) * face];
   return result;
-}
-
-void RefinementMesh::GetBounds(
-  vtkRefinementSurface* surface, vtkDisplacement* displacement, double bounds[6]) const
-{
-  vtkMath::UninitializeBounds(bounds);
-  const FaceBounds faceBounds(*this, surface, displacement);
-  for (size_t f = 0; f < this->Faces.size(); ++f)
-  {
-    double low[3];
-    double high[3];
-    faceBounds.GetBox(f, low, high);
-    for (int c = 0; c < 3; ++c)
-    {
-      bounds[2 * c] = f == 0 ? low[c] : std::min(bounds[2 * c], low[c]);
-      bounds[2 * c + 1] = f == 0 ? high[c] : std::max(bounds[2 * c + 1], high[c]);
-    }
-  }
-  for (int c = 0; c < 3 && !this->Faces.empty(); ++c)
-  {
-    bounds[2 * c] += this->Origin[c];
-    bounds[2 * c + 1] += this->Origin[c];
-  }
 }
 
 void RefinementMesh::BuildNormals(vtkPolyData* input)

@@ -133,12 +133,6 @@ public:
   /// What a surface is evaluated from.
   vtkRefinementSurface::Face GetSurfaceFace(int face) const;
 
-  /**
-   * Bounds of all that they can make of the mesh, in the input's coordinates; see FaceBounds.
-   */
-  void GetBounds(
-    vtkRefinementSurface* surface, vtkDisplacement* displacement, double bounds[6]) const;
-
 private:
   bool CheckCells(vtkPolyData* input);
   void BuildFaces(vtkPolyData* input);

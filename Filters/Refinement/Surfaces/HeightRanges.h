@@ -13,6 +13,7 @@
 #define HeightRanges_h
 
 #include "Surfaces/HeightSampler.h"
+#include "vtkHeightField.h"
 
 #include <array>
 #include <vector>

@@ -10,14 +10,17 @@
 #define HeightSampler_h
 
 #include "Mathematics/RefinementMathematics.h"
-#include "vtkHeightField.h"
 
 namespace relevo
 {
 struct HeightSampler
 {
-  /// No field is a field of one zero.
-  explicit HeightSampler(vtkHeightField* field)
+  /// A field of one zero.
+  HeightSampler() = default;
+
+  /// Of a vtkHeightField, which samples itself by this struct. nullptr is a field of one zero.
+  template <typename Field>
+  explicit HeightSampler(Field* field)
   {
     if (field)
     {

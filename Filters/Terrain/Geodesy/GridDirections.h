@@ -12,6 +12,9 @@
 #include "Geodesy/Georeference.h"
 #include "Geodesy/MapDirections.h"
 
+#include <memory>
+#include <string>
+
 namespace relevo
 {
 /**

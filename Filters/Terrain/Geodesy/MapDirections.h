@@ -12,14 +12,10 @@
 #include "vtkType.h" // for vtkIdType
 
 #include <array>
-#include <memory>
-#include <string>
 #include <vector>
 
 namespace relevo
 {
-struct Georeference;
-
 /// Terrain coordinates x and y.
 using MapPlace = std::array<double, 2>;
 
@@ -41,13 +37,6 @@ public:
 
   /// For every place; safe to call from several threads.
   virtual void Evaluate(const std::vector<MapPlace>& places, std::vector<MapAxes>& axes) const = 0;
-
-  /**
-   * For a coordinate system whose coordinates are `origin` where x = y = 0. nullptr where the
-   * system does not say how it lies on the earth (error stays empty), or for an error.
-   */
-  static std::unique_ptr<MapDirections> New(
-    const std::string& system, const MapPlace& origin, std::string& error);
 };
 }
 

@@ -11,9 +11,13 @@
 
 #include "Geodesy/MapDirections.h"
 
+#include <memory>
+#include <string>
+
 namespace relevo
 {
 class TangentPlane;
+struct Georeference;
 
 /**
  * The rotation of the tangent plane at the place on the ellipsoid. A vector that is

@@ -53,15 +53,6 @@ using ImageryProgress = std::function<bool(double)>;
  * a multispectral scene in order of wavelength (Landsat, Sentinel-2).
  */
 std::array<int, 3> DefaultBands(int numberOfBands);
-
-/**
- * Resamples a picture by its own georeference to the terrain's footprint, at about its own
- * resolution; one without georeference, or for a terrain without, is stretched over the footprint.
- * False, and why in `error`, when there is nothing to drape; false with an empty error when
- * stopped. Throws std::bad_alloc.
- */
-bool DrapeImagery(const ImagerySource& source, const Georeference& terrain, Imagery& result,
-  const ImageryProgress& progress, std::string& error);
 }
 
 #endif

@@ -16,25 +16,9 @@
 
 namespace relevo
 {
-/**
- * The file in a name that GDAL gives to a raster of a container, such as NETCDF:"file.nc":band or
- * GTIFF_DIR:2:file.tif. Any other name is returned as it is.
- */
-std::string FindContainer(const std::string& name);
-
 class Raster
 {
 public:
-  /**
-   * Opens a file; nullptr, and why in `error`, when that cannot be done.
-   *
-   * OpenImageIO reads the pixels of every format it knows. GDAL, where it was built in, reads
-   * the others and gives the georeference, the no-data value, scale and offset. It also reads the
-   * formats that GDALRaster::Claims() and what OpenImageIO does not support: validity masks and
-   * samples with fewer bits than their type.
-   */
-  static std::unique_ptr<Raster> Open(const std::string& fileName, std::string& error);
-
   virtual ~Raster() = default;
 
   const RasterDescription& Describe() const { return this->Contents; }

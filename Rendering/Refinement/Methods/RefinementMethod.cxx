@@ -4,12 +4,6 @@
 
 #include "Buffers/BufferTexture.h"
 #include "Buffers/InstanceBuffers.h"
-#include "Methods/ARKFPIMethod.h"
-#include "Methods/ARKMethod.h"
-#include "Methods/DMRMethod.h"
-#include "Methods/HardwareTessellation.h"
-#include "Methods/SUAPTMethod.h"
-#include "Methods/UniformMethod.h"
 #include "State/ViewSelection.h"
 
 namespace relevo
@@ -31,25 +25,6 @@ bool RefinementMethod::FailForSize()
 {
   this->Error = BufferTexture::GetTooLarge();
   return false;
-}
-
-std::unique_ptr<RefinementMethod> RefinementMethod::New(int method)
-{
-  switch (method)
-  {
-    case ARK:
-      return std::unique_ptr<RefinementMethod>(new ARKMethod);
-    case DMR:
-      return std::unique_ptr<RefinementMethod>(new DMRMethod);
-    case SUAPT:
-      return std::unique_ptr<RefinementMethod>(new SUAPTMethod);
-    case HARDWARE_TESSELLATION:
-      return std::unique_ptr<RefinementMethod>(new HardwareTessellation);
-    case UNIFORM:
-      return std::unique_ptr<RefinementMethod>(new UniformMethod);
-    default:
-      return std::unique_ptr<RefinementMethod>(new ARKFPIMethod);
-  }
 }
 
 const char* RefinementMethod::GetName(int method)

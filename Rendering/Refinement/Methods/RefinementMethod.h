@@ -17,7 +17,6 @@
 #include "vtkType.h"                       // for vtkTypeInt64
 
 #include <map>    // for signature
-#include <memory> // for New
 #include <string> // for sentences
 
 class vtkOpenGLRenderWindow;
@@ -72,7 +71,6 @@ public:
     HARDWARE_TESSELLATION = 4,
     UNIFORM = 5
   };
-  static std::unique_ptr<RefinementMethod> New(int method);
   static const char* GetName(int method);
 
   /// What the current context lacks for it, as a clause ("OpenGL 4.0"); empty for nothing.

@@ -3,9 +3,11 @@
 #include "Picking/PickedLevels.h"
 
 #include "Evaluation/EdgeTags.h"
-#include "Evaluation/RefinementPreparation.h"
+#include "Evaluation/MeshPreparation.h"
+#include "Evaluation/PatternChoice.h"
 #include "Mesh/RefinementMesh.h"
 #include "Patterns/RefinementPattern.h"
+#include "Recipe/RecipeLevels.h"
 #include "State/ViewSelection.h"
 #include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"

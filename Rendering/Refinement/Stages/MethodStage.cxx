@@ -3,6 +3,7 @@
 #include "Stages/MethodStage.h"
 
 #include "Checks/ShouldReport.h"
+#include "Methods/MethodFactory.h"
 
 namespace relevo
 {
@@ -14,7 +15,7 @@ RefinementMethod& MethodStage::Get()
   std::unique_ptr<RefinementMethod>& method = this->Methods[this->InUse];
   if (!method)
   {
-    method = RefinementMethod::New(this->InUse);
+    method = NewMethod(this->InUse);
   }
   return *method;
 }

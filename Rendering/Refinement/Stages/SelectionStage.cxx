@@ -4,6 +4,7 @@
 
 #include "Checks/ShouldReport.h"
 #include "Evaluation/FaceCulling.h"
+#include "Recipe/RecipeLevels.h"
 #include "Stages/UploadStage.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDepthTagMetric.h"

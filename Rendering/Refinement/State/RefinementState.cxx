@@ -5,11 +5,13 @@
 #include "Actors/UsableArrays.h"
 #include "Arrays/GhostCells.h"
 #include "Checks/ShouldReport.h"
-#include "Evaluation/RefinementPreparation.h"
+#include "Evaluation/MeshPreparation.h"
+#include "Mesh/FaceBounds.h"
 #include "Mesh/GivenNormals.h"
 #include "Metrics/MetricCache.h"
 #include "Parallel/GlobalSurfaceInfo.h"
 
+#include "Recipe/RecipeLevels.h"
 #include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkBoundingBox.h"
@@ -173,7 +175,7 @@ void RefinementState::GetBounds(vtkAdaptiveRefinement* recipe, double bounds[6])
   dependencies.Add(this->MeshTime);
   if (this->BoundsDependencies.Update(dependencies))
   {
-    this->Mesh->GetBounds(recipe->GetSurface(), recipe->GetDisplacement(), this->Bounds);
+    ComputeBounds(*this->Mesh, recipe->GetSurface(), recipe->GetDisplacement(), this->Bounds);
     vtkBoundingBox box;
     if (vtkMath::AreBoundsInitialized(this->Bounds))
     {

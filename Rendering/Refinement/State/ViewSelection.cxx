@@ -4,6 +4,7 @@
 
 #include "Evaluation/SampledSurface.h"
 #include "Mesh/RefinementMesh.h"
+#include "Recipe/RecipeLevels.h"
 #include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDepthTagMetric.h"

@@ -9,6 +9,7 @@
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/TriangleBudget.h"
 #include "Mesh/RefinementMesh.h"
+#include "Recipe/RecipeLevels.h"
 #include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCamera.h"

@@ -13,6 +13,7 @@
 #include "Evaluation/PatternSelection.h"
 #include "Mesh/RefinementMesh.h"
 #include "Patterns/PatternFamily.h"
+#include "Recipe/RecipeLevels.h"
 #include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCamera.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Geodesy/MapDirections.h"
+#include "Geodesy/MapDirectionsFactory.h"
 
 #if RELEVO_HAS_GDAL
 #include "Geodesy/CoordinateSystem.h"
@@ -13,7 +13,7 @@
 
 namespace relevo
 {
-std::unique_ptr<MapDirections> MapDirections::New(
+std::unique_ptr<MapDirections> NewMapDirections(
   const std::string& system, const MapPlace& origin, std::string& error)
 {
   error.clear();

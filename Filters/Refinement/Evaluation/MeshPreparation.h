@@ -9,12 +9,11 @@
  * An obstacle is a clause that says why a mesh cannot be refined, here and in the functions called;
  * an error is what the user is shown.
  */
-#ifndef RefinementPreparation_h
-#define RefinementPreparation_h
+#ifndef MeshPreparation_h
+#define MeshPreparation_h
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
 
-#include <memory> // for MetricCache
 #include <string> // for messages
 
 class vtkAdaptiveRefinement;
@@ -22,10 +21,7 @@ class vtkPolyData;
 
 namespace relevo
 {
-struct RefinementView;
-class PatternSelection;
 class RefinementMesh;
-class MetricCache;
 struct GlobalSurfaceInfo;
 
 /**
@@ -52,18 +48,12 @@ RELEVOFILTERSREFINEMENT_EXPORT std::string MakeError(const std::string& obstacle
 RELEVOFILTERSREFINEMENT_EXPORT std::string FindNewShortfall(
   vtkAdaptiveRefinement* recipe, std::string& last);
 
-//@{
 /**
- * Build the mesh (a piece may have no cells) and check the recipe; choose patterns, by tags from a
- * source that the caller keeps. False, with an error to show the user, when the recipe cannot be
- * applied.
+ * Build the mesh (a piece may have no cells) and check the recipe. False, with an error to show the
+ * user, when the recipe cannot be applied.
  */
 RELEVOFILTERSREFINEMENT_EXPORT bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
   const GlobalSurfaceInfo* whole, RefinementMesh& mesh, std::string& error, std::string& warning);
-RELEVOFILTERSREFINEMENT_EXPORT bool SelectPatterns(vtkPolyData* input,
-  vtkAdaptiveRefinement* recipe, const RefinementView& view, const RefinementMesh& mesh,
-  const std::shared_ptr<MetricCache>& source, PatternSelection& selection, std::string& error);
-//@}
 }
 
 #endif

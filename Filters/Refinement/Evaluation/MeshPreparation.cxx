@@ -1,12 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Evaluation/RefinementPreparation.h"
+#include "Evaluation/MeshPreparation.h"
 
-#include "Evaluation/EdgeTags.h"
-#include "Evaluation/PatternSelection.h"
 #include "Mesh/RefinementMesh.h"
+#include "Recipe/RecipeLevels.h"
 #include "Surfaces/FloatRange.h"
-#include "View/RefinementView.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
 #include "vtkHeightField.h"
@@ -98,21 +96,5 @@ bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const Global
   }
   error = MakeError(obstacle);
   return error.empty() && BuildFaces(input, recipe, true, whole, mesh, error, warning);
-}
-
-bool SelectPatterns(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementView& view,
-  const RefinementMesh& mesh, const std::shared_ptr<MetricCache>& source,
-  PatternSelection& selection, std::string& error)
-{
-  EdgeTags tags(source);
-  std::string obstacle;
-  if (!tags.Compute(recipe, input, mesh, view, obstacle))
-  {
-    error = MakeError(obstacle);
-    return false;
-  }
-  selection.Select(mesh, tags, *GetPatternFamily(recipe, input), recipe->GetMaximumLevel(),
-    static_cast<float>(recipe->GetLevelOffset()));
-  return true;
 }
 }

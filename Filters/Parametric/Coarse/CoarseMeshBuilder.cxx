@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Coarse/CoarseMesh.h"
+#include "Coarse/CoarseMeshBuilder.h"
 
 #include "Coarse/CoarseNormals.h"
 #include "Coarse/Diagonals.h"
