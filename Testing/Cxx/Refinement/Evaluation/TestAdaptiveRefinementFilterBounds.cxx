@@ -6,6 +6,7 @@
 #include "RelevoSurfaces.h"
 #include "RelevoTestMeshes.h"
 
+#include "Mesh/FaceBounds.h"
 #include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
@@ -53,7 +54,8 @@ int TestAdaptiveRefinementFilterBounds(int, char*[])
         CHECK(refinementMesh.Build(mesh.second, recipe->GetSurface(), recipe->GetDisplacement()));
         double bounds[6];
         double reached[6];
-        refinementMesh.GetBounds(recipe->GetSurface(), recipe->GetDisplacement(), bounds);
+        relevo::ComputeBounds(
+          refinementMesh, recipe->GetSurface(), recipe->GetDisplacement(), bounds);
         filter->GetOutput()->GetBounds(reached);
         double margin = 0.0;
         for (int c = 0; c < 3; ++c)

@@ -7,6 +7,7 @@
 #include "RelevoWatertight.h"
 
 #include "Evaluation/RefinementEvaluator.h"
+#include "Mesh/FaceBounds.h"
 #include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
@@ -243,7 +244,7 @@ void testFunctions(RelevoCheck& check)
       CHECK(prepared.Build(mesh, recipe->GetSurface(), recipe->GetDisplacement()));
       double bounds[6];
       double reached[6];
-      prepared.GetBounds(recipe->GetSurface(), recipe->GetDisplacement(), bounds);
+      relevo::ComputeBounds(prepared, recipe->GetSurface(), recipe->GetDisplacement(), bounds);
       fine->GetBounds(reached);
       for (int c = 0; c < 3; ++c)
       {

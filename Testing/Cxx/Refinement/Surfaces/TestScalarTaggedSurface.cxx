@@ -8,6 +8,7 @@
 #include "RelevoWatertight.h"
 
 #include "Evaluation/RefinementEvaluator.h"
+#include "Mesh/FaceBounds.h"
 #include "Mesh/RefinementMesh.h"
 #include "vtkIdList.h"
 #include "vtkPNTriangleSurface.h"
@@ -430,7 +431,7 @@ void testExtremes(RelevoCheck& check)
     relevo::RefinementMesh mesh;
     CHECK(mesh.Build(sphere, recipe->GetSurface(), recipe->GetDisplacement()));
     double bounds[6];
-    mesh.GetBounds(recipe->GetSurface(), recipe->GetDisplacement(), bounds);
+    relevo::ComputeBounds(mesh, recipe->GetSurface(), recipe->GetDisplacement(), bounds);
     for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
     {
       const double* p = refined->GetPoint(i);
