@@ -114,7 +114,7 @@ private:
     }
     for (vtkIdType i = 0; i < surface.GetNumberOfPoints(); ++i)
     {
-      this->Normals[i] = this->Normals[surface.GetPlace(i)]; // the lowest point there
+      this->Normals[i] = this->Normals[surface.GetMergedPoint(i)]; // the lowest point there
       vtkMath::Normalize(this->Normals[i].data());
     }
   }

@@ -47,8 +47,8 @@ double FindMeanEdge(const relevo::SurfaceVectors& vectors)
   {
     double a[3];
     double b[3];
-    surface.GetPoint(edge.Places[0], a);
-    surface.GetPoint(edge.Places[1], b);
+    surface.GetPoint(edge.MergedPoints[0], a);
+    surface.GetPoint(edge.MergedPoints[1], b);
     sum += std::sqrt(vtkMath::Distance2BetweenPoints(a, b));
   }
   return sum / std::max(vectors.GetEdges().GetNumberOfEdges(), 1);
@@ -179,10 +179,10 @@ bool vtkSurfaceLineIntegralConvolution::Run(
     return false;
   }
   std::unique_ptr<relevo::SurfaceTexels> texels;
-  const std::string problem = MakeTexels(this->TextureSize, surface, input, texels);
-  if (!problem.empty())
+  const std::string error = MakeTexels(this->TextureSize, surface, input, texels);
+  if (!error.empty())
   {
-    vtkErrorMacro(<< problem);
+    vtkErrorMacro(<< error);
     return false;
   }
 
@@ -208,7 +208,7 @@ bool vtkSurfaceLineIntegralConvolution::Run(
         surface.GetPoint(point, x);
         values->SetValue(point,
           mask->GetValue(point) ? noise.GetValue(x)
-                                : convolution.GetValueAt(surface.GetPlace(point)));
+                                : convolution.GetValueAt(surface.GetMergedPoint(point)));
       }
     });
   if (!complete)
@@ -261,7 +261,7 @@ void vtkSurfaceLineIntegralConvolution::MaskPoints(vtkPolyData* input,
       for (vtkIdType point = begin; point < end; ++point)
       {
         bool masked = true;
-        surface.ForEachTriangleIndex(surface.GetPlace(point),
+        surface.ForEachTriangleIndex(surface.GetMergedPoint(point),
           [&](vtkIdType triangle)
           {
             masked = masked &&

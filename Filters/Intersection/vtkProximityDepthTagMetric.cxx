@@ -27,7 +27,7 @@ namespace
 using glm::dvec3;
 
 constexpr double LevelInside = 5.0;
-constexpr double MostSegmentsOutside = 24.0;
+constexpr double MaximumSegmentsOutside = 24.0;
 
 double GetLevel(double share)
 {
@@ -35,7 +35,8 @@ double GetLevel(double share)
   {
     return LevelInside;
   }
-  return share > 1.0 ? 0.0 : std::log2(MostSegmentsOutside - (MostSegmentsOutside - 1.0) * share);
+  return share > 1.0 ? 0.0
+                     : std::log2(MaximumSegmentsOutside - (MaximumSegmentsOutside - 1.0) * share);
 }
 
 class ProximityEvaluator : public relevo::MetricEvaluator
@@ -126,7 +127,7 @@ vtkSmartPointer<vtkLookupTable> MakeTable()
   const double nearest[3] = { 1.0, 0.45, 0.0 };
   const double farthest[3] = { 1.0, 0.85, 0.55 };
   const double blue[3] = { 0.2, 0.35, 0.85 };
-  const double highest = std::log2(MostSegmentsOutside);
+  const double highest = std::log2(MaximumSegmentsOutside);
   auto table = vtkSmartPointer<vtkLookupTable>::New();
   table->SetNumberOfTableValues(NumberOfColors);
   table->SetTableRange(0.0, LevelInside);

@@ -62,7 +62,7 @@ struct vtkSurfaceIntersectionFilter::Internals
       {
         for (vtkIdType i = first; i < last; ++i)
         {
-          meet[own.GetItem(i)] = other.Meets(own.GetBox(i));
+          meet[own.GetItem(i)] = other.Intersects(own.GetBox(i));
         }
       });
     return meet;
@@ -234,12 +234,12 @@ bool vtkSurfaceIntersectionFilter::RefineInput(int side)
   const double stretch = motion.GetLargestStretch();
   // A tiny stretch must not make it infinite.
   const double tolerance = std::min(this->Tolerance / stretch, relevo::LargestDouble);
-  const std::pair<vtkIdType, double> shortfall = curved.GetSurface().Refine(areWanted, tolerance);
-  if (shortfall.first > 0)
+  const std::pair<vtkIdType, double> warning = curved.GetSurface().Refine(areWanted, tolerance);
+  if (warning.first > 0)
   {
     vtkWarningMacro("Input " << side << " deviates from its surface by up to "
-                             << shortfall.second * stretch << ", more than Tolerance, at "
-                             << shortfall.first
+                             << warning.second * stretch << ", more than Tolerance, at "
+                             << warning.first
                              << " faces: its recipe's MaximumLevel allows no more segments.");
   }
   vtkPolyData* triangles = curved.GetSurface().GetTriangles();

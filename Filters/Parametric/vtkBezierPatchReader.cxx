@@ -59,10 +59,10 @@ int vtkBezierPatchReader::Read(vtkUnstructuredGrid* output)
     return 0;
   }
   std::vector<relevo::BezierPatch> patches;
-  std::string fault;
-  if (!relevo::ReadBezierPatches(file, patches, fault))
+  std::string error;
+  if (!relevo::ReadBezierPatches(file, patches, error))
   {
-    vtkErrorMacro(<< this->FileName << ", " << fault);
+    vtkErrorMacro(<< this->FileName << ", " << error);
     return 0;
   }
   relevo::BezierCells cells(output, false);

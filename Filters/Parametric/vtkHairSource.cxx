@@ -31,7 +31,7 @@ vtkStandardNewMacro(vtkHairSource);
 
 namespace
 {
-constexpr double MostHairs = 1e9; // beyond any memory
+constexpr double MaximumHairs = 1e9; // beyond any memory
 constexpr double StrongestGravity = 1000.0;
 
 // The arrays of all hairs, with room for them.
@@ -146,7 +146,7 @@ bool vtkHairSource::Grow(vtkPolyData* input, vtkUnstructuredGrid* output)
     return false;
   }
   const double number = growth.GetNumberOfHairs();
-  if (number > MostHairs)
+  if (number > MaximumHairs)
   {
     throw std::bad_alloc();
   }

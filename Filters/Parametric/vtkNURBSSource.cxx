@@ -249,13 +249,13 @@ bool vtkNURBSSource::CheckDirection(int direction)
     vtkErrorMacro("There are no knots of direction " << direction << ": call SetKnots().");
     return false;
   }
-  const std::string fault =
-    relevo::FindKnotFault(this->CopyKnots(direction), degree, static_cast<std::size_t>(number));
-  if (!fault.empty())
+  const std::string error =
+    relevo::FindKnotError(this->CopyKnots(direction), degree, static_cast<std::size_t>(number));
+  if (!error.empty())
   {
-    vtkErrorMacro("Knots of direction " << direction << ": " << fault);
+    vtkErrorMacro("Knots of direction " << direction << ": " << error);
   }
-  return fault.empty();
+  return error.empty();
 }
 
 bool vtkNURBSSource::IsRational()

@@ -103,9 +103,9 @@ int vtkPatchSurfaceFilter::Convert(vtkUnstructuredGrid* input, vtkPolyData* outp
     return 1;
   }
   const relevo::CellChecks checks = relevo::CheckCells(input);
-  for (const std::string& fault : checks.Faults)
+  for (const std::string& error : checks.Errors)
   {
-    vtkErrorMacro(<< fault);
+    vtkErrorMacro(<< error);
   }
   if (!input->GetPoints())
   {

@@ -96,10 +96,10 @@ bool vtkAdaptiveRefinementFilter::Prepare(
     vtkErrorMacro(<< error);
     return false;
   }
-  const std::string shortfall = relevo::FindNewShortfall(this->Refinement, this->Shortfall);
-  if (!shortfall.empty())
+  const std::string patternWarning = relevo::FindNewWarning(this->Refinement, this->Warning);
+  if (!patternWarning.empty())
   {
-    vtkWarningMacro(<< shortfall);
+    vtkWarningMacro(<< patternWarning);
   }
   return true;
 }

@@ -115,7 +115,7 @@ private:
     vtkPolyData* input, relevo::RefinementMesh& mesh, relevo::PatternSelection& selection);
 
   std::unique_ptr<relevo::TagSources> Sources;
-  std::string Shortfall; // that was warned of
+  std::string Warning; // that was warned of
 
   vtkAdaptiveRefinementFilter(const vtkAdaptiveRefinementFilter&) = delete;
   void operator=(const vtkAdaptiveRefinementFilter&) = delete;

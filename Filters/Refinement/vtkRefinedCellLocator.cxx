@@ -49,7 +49,7 @@ struct vtkRefinedCellLocator::vtkInternals
   relevo::RefinedSurface Surface;
   relevo::Dependencies MeshDependencies;
   bool Valid = false;
-  std::string Shortfall; // that was warned of
+  std::string Warning; // that was warned of
 
   // What the surface was made of. Queries in several threads compare it: they may not write.
   const vtkDataSet* Input = nullptr; // to compare, never read
@@ -207,10 +207,10 @@ bool vtkRefinedCellLocator::Prepare(vtkPolyData* input)
     vtkErrorMacro(<< error);
     return false;
   }
-  const std::string shortfall = relevo::FindNewShortfall(this->Refinement, data.Shortfall);
-  if (!shortfall.empty())
+  const std::string patternWarning = relevo::FindNewWarning(this->Refinement, data.Warning);
+  if (!patternWarning.empty())
   {
-    vtkWarningMacro(<< shortfall);
+    vtkWarningMacro(<< patternWarning);
   }
   data.Surface.Update(
     data.Mesh, data.MeshTime, this->Refinement, input->GetPointData()->GetNormals());

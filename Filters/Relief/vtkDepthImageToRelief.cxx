@@ -209,22 +209,22 @@ std::string vtkDepthImageToRelief::Build(
       std::to_string(input->GetNumberOfPoints()) + " points; each has one number.";
   }
   output->SetDimensions(size);
-  std::string fault = this->Camera ? this->AddZBufferDepths(samples, output)
+  std::string error = this->Camera ? this->AddZBufferDepths(samples, output)
                                    : this->AddPinholeDepths(samples, output);
-  if (fault.empty())
+  if (error.empty())
   {
-    fault = this->AddColors(input, colorInput, samples, output);
+    error = this->AddColors(input, colorInput, samples, output);
   }
   relevo::Relief relief;
-  if (fault.empty())
+  if (error.empty())
   {
-    fault = relief.Read(output);
+    error = relief.Read(output);
   }
-  if (fault.empty() && this->ComputeNormals)
+  if (error.empty() && this->ComputeNormals)
   {
     output->GetPointData()->SetNormals(relevo::ComputeReliefNormals(relief));
   }
-  return fault;
+  return error;
 }
 
 vtkDataArray* vtkDepthImageToRelief::FindDepths(vtkImageData* input)
@@ -327,12 +327,12 @@ std::string vtkDepthImageToRelief::AddColors(
       vtkFloatArray::SafeDownCast(data->GetArray(relevo::Relief::GetDepthName()))));
     return "";
   }
-  std::string fault;
-  if (const auto converted = relevo::ConvertColors(colors, fault))
+  std::string error;
+  if (const auto converted = relevo::ConvertColors(colors, error))
   {
     data->SetScalars(converted);
   }
-  return fault;
+  return error;
 }
 
 void vtkDepthImageToRelief::PrintSelf(ostream& os, vtkIndent indent)

@@ -112,11 +112,11 @@ std::string MakeColors(
   {
     return "The imagery is not n x m x 1 points with a colour each as point scalars.";
   }
-  std::string fault;
-  const auto colors = relevo::ConvertColors(given, fault);
+  std::string error;
+  const auto colors = relevo::ConvertColors(given, error);
   if (!colors)
   {
-    return fault;
+    return error;
   }
   const int* texelSize = output->GetDimensions();
   const relevo::ColorSampler sampler(colors, size, texelSize);
@@ -195,11 +195,11 @@ std::string vtkHeightMapToRelief::ReadHeights()
 int vtkHeightMapToRelief::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  const std::string fault = this->ReadHeights();
-  if (!fault.empty())
+  const std::string error = this->ReadHeights();
+  if (!error.empty())
   {
     vtkImageData::GetData(outputVector)->Initialize();
-    vtkErrorMacro(<< fault);
+    vtkErrorMacro(<< error);
     return 0;
   }
   int size[2];
@@ -258,10 +258,10 @@ std::string vtkHeightMapToRelief::Build(vtkImageData* imagery, vtkImageData* out
     }
     location = map->Describe().Location;
     scale *= map->Describe().VerticalUnit;
-    const std::string fault = map->GetImageData() ? "" : relevo::FindLocationFault(location);
-    if (!fault.empty())
+    const std::string error = map->GetImageData() ? "" : relevo::FindLocationError(location);
+    if (!error.empty())
     {
-      return map->GetFileName() + fault;
+      return map->GetFileName() + error;
     }
   }
   const relevo::TerrainFrame frame(location);
@@ -287,10 +287,10 @@ std::string vtkHeightMapToRelief::Build(vtkImageData* imagery, vtkImageData* out
   relevo::Relief::Describe(output, relevo::ReliefProjection::Parallel, matrix);
   if (imagery)
   {
-    const std::string fault = MakeColors(imagery, texels, output);
-    if (!fault.empty())
+    const std::string error = MakeColors(imagery, texels, output);
+    if (!error.empty())
     {
-      return fault;
+      return error;
     }
   }
   else
@@ -298,12 +298,12 @@ std::string vtkHeightMapToRelief::Build(vtkImageData* imagery, vtkImageData* out
     output->GetPointData()->SetScalars(relevo::MakeDepthColors(depths));
   }
   relevo::Relief relief;
-  const std::string fault = relief.Read(output);
-  if (fault.empty() && this->ComputeNormals)
+  const std::string error = relief.Read(output);
+  if (error.empty() && this->ComputeNormals)
   {
     output->GetPointData()->SetNormals(relevo::ComputeReliefNormals(relief));
   }
-  return fault;
+  return error;
 }
 
 void vtkHeightMapToRelief::PrintSelf(ostream& os, vtkIndent indent)

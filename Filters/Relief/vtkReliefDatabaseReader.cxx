@@ -34,18 +34,18 @@ void SetName(vtkMultiBlockDataSet* blocks, unsigned int block, const std::string
 
 // The relief of a row; nullptr, and what is wrong, if it has none.
 vtkSmartPointer<vtkImageData> ReadRow(
-  const relevo::ReliefTable& table, std::size_t row, std::string& fault)
+  const relevo::ReliefTable& table, std::size_t row, std::string& error)
 {
-  const std::string file = table.FindFile(row, fault);
-  if (!fault.empty())
+  const std::string file = table.FindFile(row, error);
+  if (!error.empty())
   {
     return nullptr;
   }
-  auto image = relevo::ReadReliefFile(file, fault);
-  if (!fault.empty())
+  auto image = relevo::ReadReliefFile(file, error);
+  if (!error.empty())
   {
     const auto folder = std::filesystem::path(table.GetFileName()).parent_path();
-    fault = std::filesystem::path(file).lexically_relative(folder).string() + ": " + fault;
+    error = std::filesystem::path(file).lexically_relative(folder).string() + ": " + error;
   }
   return image;
 }
@@ -80,9 +80,9 @@ int vtkReliefDatabaseReader::CanReadFile(const char* fileName)
     const relevo::ReliefTable table(fileName);
     for (std::size_t row = 0; row < table.GetNumberOfRows(); ++row)
     {
-      std::string fault;
-      table.FindFile(row, fault);
-      if (fault.empty())
+      std::string error;
+      table.FindFile(row, error);
+      if (error.empty())
       {
         return true;
       }
@@ -109,9 +109,9 @@ bool vtkReliefDatabaseReader::FindTimes(vtkInformationVector* outputVector)
     return false;
   }
   const relevo::ReliefTable table(this->FileName);
-  if (!table.GetFault().empty())
+  if (!table.GetError().empty())
   {
-    vtkErrorMacro(<< table.GetFault());
+    vtkErrorMacro(<< table.GetError());
     return false;
   }
   vtkInformation* information = outputVector->GetInformationObject(0);
@@ -140,9 +140,9 @@ bool vtkReliefDatabaseReader::ReadReliefs(vtkInformationVector* outputVector)
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
   output->Initialize();
   const relevo::ReliefTable table(this->FileName);
-  if (!table.GetFault().empty()) // by now
+  if (!table.GetError().empty()) // by now
   {
-    vtkErrorMacro(<< table.GetFault());
+    vtkErrorMacro(<< table.GetError());
     return false;
   }
   vtkInformation* information = outputVector->GetInformationObject(0);
@@ -162,8 +162,8 @@ void vtkReliefDatabaseReader::ReadRows(
   const relevo::ReliefTable& table, double time, vtkMultiBlockDataSet* output)
 {
   unsigned int block = 0;
-  std::size_t faults = 0;
-  std::string firstFault;
+  std::size_t errors = 0;
+  std::string firstError;
   for (std::size_t row = 0; row < table.GetNumberOfRows(); ++row)
   {
     this->UpdateProgress(static_cast<double>(row) / table.GetNumberOfRows());
@@ -175,18 +175,18 @@ void vtkReliefDatabaseReader::ReadRows(
     {
       continue;
     }
-    std::string fault;
-    output->SetBlock(block, ReadRow(table, row, fault));
+    std::string error;
+    output->SetBlock(block, ReadRow(table, row, error));
     SetName(output, block++, table.GetName(row));
-    if (!fault.empty() && faults++ == 0)
+    if (!error.empty() && errors++ == 0)
     {
-      firstFault =
-        table.GetFileName() + ", line " + std::to_string(table.GetLine(row)) + ": " + fault;
+      firstError =
+        table.GetFileName() + ", line " + std::to_string(table.GetLine(row)) + ": " + error;
     }
   }
-  if (faults > 0)
+  if (errors > 0)
   {
-    vtkErrorMacro(<< firstFault << " Of " << block << " rows " << faults << " cannot be read.");
+    vtkErrorMacro(<< firstError << " Of " << block << " rows " << errors << " cannot be read.");
   }
 }
 

@@ -57,23 +57,23 @@ void vtkReliefDatabaseWriter::WriteInput()
   std::vector<relevo::ReliefBlock> blocks = relevo::ReadReliefs(this->GetInput());
   for (const relevo::ReliefBlock& block : blocks)
   {
-    if (!block.Fault.empty())
+    if (!block.Error.empty())
     {
-      this->Fail(block.Fault, vtkErrorCode::UnknownError);
+      this->Fail(block.Error, vtkErrorCode::UnknownError);
     }
   }
   blocks.erase(std::remove_if(blocks.begin(), blocks.end(),
-                 [](const relevo::ReliefBlock& block) { return !block.Fault.empty(); }),
+                 [](const relevo::ReliefBlock& block) { return !block.Error.empty(); }),
     blocks.end());
   if (blocks.empty())
   {
     this->Fail("There are no reliefs to write.", vtkErrorCode::UnknownError);
     return;
   }
-  const std::string fault = this->WriteReliefs(blocks);
-  if (!fault.empty())
+  const std::string error = this->WriteReliefs(blocks);
+  if (!error.empty())
   {
-    this->Fail(fault, vtkErrorCode::CannotOpenFileError);
+    this->Fail(error, vtkErrorCode::CannotOpenFileError);
   }
 }
 
@@ -88,13 +88,13 @@ std::string vtkReliefDatabaseWriter::WriteReliefs(const std::vector<relevo::Reli
     {
       return "";
     }
-    if (!set.GetFault().empty() || !set.Add(block))
+    if (!set.GetError().empty() || !set.Add(block))
     {
-      return set.GetFault();
+      return set.GetError();
     }
   }
   set.Commit();
-  return set.GetFault();
+  return set.GetError();
 }
 
 void vtkReliefDatabaseWriter::PrintSelf(ostream& os, vtkIndent indent)

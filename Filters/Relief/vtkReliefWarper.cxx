@@ -95,7 +95,7 @@ public:
   }
 
   void Prepare(relevo::WarpedImage& image, const relevo::WarpCoefficients& coefficients,
-    relevo::WarpPasses::Way way, int numberOfThreads)
+    relevo::WarpPasses::Policy way, int numberOfThreads)
   {
     image.Prepare(this->Source, coefficients);
     this->Passes.Allocate(*this->Source, way, numberOfThreads);
@@ -103,7 +103,7 @@ public:
 
   void Start(const relevo::WarpCoefficients& coefficients)
   {
-    this->Prepare(this->Next, coefficients, relevo::WarpPasses::Way::OneThread, 1);
+    this->Prepare(this->Next, coefficients, relevo::WarpPasses::Policy::OneThread, 1);
     this->IsNextOpen = true;
     this->IsNextWarped = false;
     this->Worker.Start(
@@ -267,7 +267,7 @@ bool vtkReliefWarper::Read(vtkImageData* input)
 
 void vtkReliefWarper::Warp(vtkImageData* output)
 {
-  using Way = relevo::WarpPasses::Way;
+  using Policy = relevo::WarpPasses::Policy;
   Internals& own = *this->Own;
   const relevo::WarpCoefficients coefficients = own.GetCoefficients(this->Camera);
   if (!coefficients.IsUsable && !own.IsWarned)
@@ -311,9 +311,9 @@ void vtkReliefWarper::Warp(vtkImageData* output)
         ? this->NumberOfThreads
         : vtkMultiThreader::GetGlobalDefaultNumberOfThreads();
       own.Prepare(own.Shown, coefficients,
-        this->Policy == SEQUENTIAL         ? Way::OneThread
-          : this->Policy == MULTI_THREADED ? Way::Bands
-                                           : Way::RowsAndColumns,
+        this->Policy == SEQUENTIAL         ? Policy::OneThread
+          : this->Policy == MULTI_THREADED ? Policy::Bands
+                                           : Policy::RowsAndColumns,
         threads);
       own.Warp(own.Shown);
     }

@@ -366,10 +366,10 @@ bool vtkTerrainSource::CheckLocation(const relevo::Georeference& location, std::
   vtkWarningMacro(<< "This build of Relevo is without GDAL: the georeference of " << name
                   << ", if it has one, is not read, and one texel is one unit.");
 #endif
-  const std::string fault = relevo::FindLocationFault(location);
-  if (!fault.empty())
+  const std::string reason = relevo::FindLocationError(location);
+  if (!reason.empty())
   {
-    error = name + fault;
+    error = name + reason;
     return false;
   }
   this->WarnOfLocation(location);

@@ -66,11 +66,11 @@ bool vtkMeshVisibilitySort::Build()
     vtkErrorMacro("The input has more than " << VTK_INT_MAX << " points or cells.");
     return false;
   }
-  std::vector<std::string> faults;
-  relevo::CellFaces cells = relevo::ReadCellFaces(this->Input, internals.CellIds, faults);
-  for (const std::string& fault : faults)
+  std::vector<std::string> errors;
+  relevo::CellFaces cells = relevo::ReadCellFaces(this->Input, internals.CellIds, errors);
+  for (const std::string& error : errors)
   {
-    vtkErrorMacro(<< fault);
+    vtkErrorMacro(<< error);
   }
   if (cells.Faces.size() > VTK_INT_MAX)
   {

@@ -123,7 +123,7 @@ bool vtkVolumeRayCastFilter::Read(
     { return this->GetInputArrayToProcess(0, mesh, association); },
     name, wanted->Get(vtkDataObject::FIELD_ASSOCIATION()), relevo::AdviseInputArray(name),
     takesAll ? relevo::MaximumComponents : VTK_INT_MAX, "SetInputArrayToProcess()" };
-  const std::string wrong = relevo::FindTypeProblem(input, this->GetInputPortInformation(0));
+  const std::string wrong = relevo::FindTypeError(input, this->GetInputPortInformation(0));
   if (!wrong.empty())
   {
     vtkErrorMacro(<< wrong);
@@ -146,20 +146,20 @@ bool vtkVolumeRayCastFilter::Read(
     vtkErrorMacro("The volume property " << error << ".");
     return false;
   }
-  bool hasFaults = false;
+  bool hasErrors = false;
   for (const relevo::MeshScalars& mesh : meshes)
   {
     const bool areBytes = functions.AreColors() && vtkUnsignedCharArray::SafeDownCast(mesh.Array);
     choice.Scale = areBytes ? 1.0 / 255.0 : 1.0;
-    for (const std::string& fault : cells.Add(mesh.Mesh, mesh.Array, mesh.AreOfCells, choice))
+    for (const std::string& reason : cells.Add(mesh.Mesh, mesh.Array, mesh.AreOfCells, choice))
     {
-      vtkErrorMacro(<< mesh.Block << fault);
-      hasFaults = true;
+      vtkErrorMacro(<< mesh.Block << reason);
+      hasErrors = true;
     }
   }
   if (cells.GetNumberOfSolidCells() == 0 && !meshes.empty())
   {
-    if (!hasFaults)
+    if (!hasErrors)
     {
       vtkErrorMacro("The input has cells, but none is 3D.");
     }

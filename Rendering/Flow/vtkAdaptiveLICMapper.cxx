@@ -73,7 +73,7 @@ struct vtkAdaptiveLICMapper::vtkInternals
   relevo::RenderHook Hook;
   relevo::LICScreen* Screen = nullptr; // that the surface shows now; nullptr for none
   bool IsDrawingVectors = false;       // now
-  std::string Problem;                 // reported last
+  std::string Error;                   // reported last
 
   using Mesh = std::pair<vtkPolyData*, relevo::BlockAttributes>;
   std::vector<Mesh> FindMeshes() const;
@@ -98,7 +98,7 @@ struct vtkAdaptiveLICMapper::vtkInternals
     const relevo::LICImage::RangeMerger& merge);
   //@}
   void SetBounds(vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen);
-  void Report(const std::string& problem);
+  void Report(const std::string& error);
 
   /// This process's part of a picture that several draw.
   void Contribute(
@@ -330,23 +330,23 @@ void vtkAdaptiveLICMapper::vtkInternals::Prepare(vtkRenderer* ren, vtkActor* act
   }
   this->UpdateField();
   this->Field.SetAll(this->Field.GetOwn());
-  std::string problem = this->Field.FindProblem();
-  if (problem.empty())
+  std::string error = this->Field.FindError();
+  if (error.empty())
   {
-    problem = this->Drawer.CheckSettings(this->Root->LICSettings);
+    error = this->Drawer.CheckSettings(this->Root->LICSettings);
   }
-  if (problem.empty())
+  if (error.empty())
   {
-    problem = this->UpdateScreen(ren, act);
+    error = this->UpdateScreen(ren, act);
   }
-  this->Report(problem);
+  this->Report(error);
 }
 
-void vtkAdaptiveLICMapper::vtkInternals::Report(const std::string& problem)
+void vtkAdaptiveLICMapper::vtkInternals::Report(const std::string& error)
 {
-  if (relevo::ShouldReport(this->Problem, problem))
+  if (relevo::ShouldReport(this->Error, error))
   {
-    vtkErrorWithObjectMacro(this->Root, << problem << " The surface has no LIC.");
+    vtkErrorWithObjectMacro(this->Root, << error << " The surface has no LIC.");
   }
 }
 
@@ -354,26 +354,26 @@ std::string vtkAdaptiveLICMapper::vtkInternals::UpdateScreen(vtkRenderer* ren, v
 {
   relevo::LICScreen& screen = this->Screens.Get(ren, act);
   const bool stretchesColors = this->GetParameters().StretchesColors();
-  std::string problem = this->Drawer.Allocate(ren, screen, stretchesColors);
-  if (!problem.empty() || screen.IsEmpty())
+  std::string error = this->Drawer.Allocate(ren, screen, stretchesColors);
+  if (!error.empty() || screen.IsEmpty())
   {
-    return problem;
+    return error;
   }
   const bool convolve = screen.Sources != this->GetScreenSources(ren, act, screen);
   if (convolve || stretchesColors)
   {
-    problem = this->DrawVectors(ren, act, screen, nullptr);
-    if (problem.empty())
+    error = this->DrawVectors(ren, act, screen, nullptr);
+    if (error.empty())
     {
-      problem = this->DrawImage(ren, screen, convolve, nullptr);
+      error = this->DrawImage(ren, screen, convolve, nullptr);
     }
-    if (problem.empty())
+    if (error.empty())
     {
       screen.Sources = this->GetScreenSources(ren, act, screen); // with the levels drawn
     }
   }
-  this->Screen = problem.empty() ? &screen : nullptr;
-  return problem;
+  this->Screen = error.empty() ? &screen : nullptr;
+  return error;
 }
 
 std::string vtkAdaptiveLICMapper::vtkInternals::DrawVectors(
@@ -400,10 +400,10 @@ std::string vtkAdaptiveLICMapper::vtkInternals::DrawVectors(
 std::string vtkAdaptiveLICMapper::vtkInternals::DrawImage(vtkRenderer* ren,
   relevo::LICScreen& screen, bool convolve, const relevo::LICImage::RangeMerger& merge)
 {
-  const std::string problem =
+  const std::string error =
     this->Drawer.DrawImage(ren, screen, this->GetParameters(), convolve, merge);
   this->Root->NumberOfConvolutions = this->Drawer.GetNumberOfConvolutions();
-  return problem;
+  return error;
 }
 
 void vtkAdaptiveLICMapper::vtkInternals::SetBounds(
@@ -439,15 +439,15 @@ void vtkAdaptiveLICMapper::vtkInternals::Contribute(
     return;
   }
   this->UpdateField();
-  contribution.Problem = this->Field.GetOwn().Problem;
-  if (contribution.Problem.empty())
+  contribution.Error = this->Field.GetOwn().Error;
+  if (contribution.Error.empty())
   {
-    contribution.Problem = this->Drawer.CheckSettings(this->Root->LICSettings);
+    contribution.Error = this->Drawer.CheckSettings(this->Root->LICSettings);
   }
   relevo::LICScreen& screen = this->Screens.Get(ren, act);
-  if (contribution.Problem.empty())
+  if (contribution.Error.empty())
   {
-    contribution.Problem =
+    contribution.Error =
       this->Drawer.Allocate(ren, screen, this->GetParameters().StretchesColors());
   }
   contribution.Screen = &screen;
@@ -488,7 +488,7 @@ void vtkAdaptiveLICMapper::PrepareParallelFrame(vtkRenderer* ren, vtkActor* act)
       {
         if (contribution.Screen)
         {
-          contribution.Problem =
+          contribution.Error =
             lic.DrawVectors(ren, rendered, *contribution.Screen, &contribution.Vectors);
         }
       });

@@ -52,18 +52,18 @@ struct CurveLeaf
   };
   vtkSmartPointer<relevo::CurvePainter> Curves; // nullptr of what has no curves
   std::string Prefix;                           // of messages
-  std::string Problems[NUMBER_OF_KINDS];        // reported last
+  std::string Errors[NUMBER_OF_KINDS];          // reported last
   std::string Warning;                          // likewise
   bool IsDrawn = false;                         // in the last render
 };
 
 // An error, unless the last one of that kind is the same.
 void ReportLeaf(
-  vtkAdaptiveCurveMapper* self, CurveLeaf& leaf, CurveLeaf::Kinds kind, const std::string& problem)
+  vtkAdaptiveCurveMapper* self, CurveLeaf& leaf, CurveLeaf::Kinds kind, const std::string& error)
 {
-  if (relevo::ShouldReport(leaf.Problems[kind], problem))
+  if (relevo::ShouldReport(leaf.Errors[kind], error))
   {
-    vtkErrorWithObjectMacro(self, << leaf.Prefix << problem);
+    vtkErrorWithObjectMacro(self, << leaf.Prefix << error);
   }
 }
 
@@ -74,7 +74,7 @@ vtkPointSet* GetCurves(vtkDataObject* data)
     : nullptr;
 }
 
-std::string FindCellProblem(vtkPointSet* input, const relevo::CurveMesh& mesh)
+std::string FindCellError(vtkPointSet* input, const relevo::CurveMesh& mesh)
 {
   const bool hasNone = input->GetNumberOfCells() > 0 && mesh.GetNumberOfCurves() == 0 &&
     mesh.GetError().empty() && mesh.GetWarning().empty();
@@ -99,8 +99,8 @@ struct vtkAdaptiveCurveMapper::vtkInternals
 {
   relevo::LeafMapper<CurveLeaf> Leaves;
   vtkNew<relevo::ContextWatch> Context;
-  std::string Problem; // of all leaves, reported last
-  std::string TessellationProblem;
+  std::string Error; // of all leaves, reported last
+  std::string TessellationError;
   int MethodInUse = METHOD_INSTANCING;
 
   // The sum of getNumber(painter) for the leaves that the last render drew.
@@ -226,7 +226,7 @@ void vtkAdaptiveCurveMapper::UpdateCurves()
       if (leaf.Curves->SetCurves(curves))
       {
         const relevo::CurveMesh& mesh = leaf.Curves->GetMesh();
-        ReportLeaf(this, leaf, CurveLeaf::CELLS, FindCellProblem(curves, mesh));
+        ReportLeaf(this, leaf, CurveLeaf::CELLS, FindCellError(curves, mesh));
         if (relevo::ShouldReport(leaf.Warning, mesh.GetWarning()))
         {
           vtkWarningMacro(<< leaf.Prefix << leaf.Warning);
@@ -322,13 +322,13 @@ void vtkAdaptiveCurveMapper::Render(vtkRenderer* renderer, vtkActor* actor)
     this->GetInputAlgorithm()->Update();
   }
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
-  const std::string problem =
+  const std::string error =
     this->Refinement ? "" : "No recipe: call SetRefinement() with a vtkAdaptiveRefinement.";
-  if (relevo::ShouldReport(data.Problem, problem))
+  if (relevo::ShouldReport(data.Error, error))
   {
-    vtkErrorMacro(<< problem);
+    vtkErrorMacro(<< error);
   }
-  if (problem.empty())
+  if (error.empty())
   {
     // Releases what is in the context of another window.
     data.Context->SetContext(vtkOpenGLRenderWindow::SafeDownCast(window));
@@ -351,20 +351,20 @@ void vtkAdaptiveCurveMapper::RenderCurves(vtkRenderer* renderer, vtkActor* actor
   settings.Scalars = this;
   settings.IsTessellated = this->Method == METHOD_HARDWARE_TESSELLATION;
   settings.IsCulled = this->FrustumCulling;
-  std::string tessellationProblem;
+  std::string tessellationError;
   data.Leaves.Render(renderer,
     [&](CurveLeaf& leaf)
     {
-      if (!leaf.Curves || !leaf.Problems[CurveLeaf::RADII].empty())
+      if (!leaf.Curves || !leaf.Errors[CurveLeaf::RADII].empty())
       {
         return;
       }
       leaf.Curves->SetClippingPlanes(this->ClippingPlanes);
       CopyCoincidentOffsets(this, leaf.Curves);
-      const std::string problem = leaf.Curves->Prepare(renderer, actor, settings);
-      ReportLeaf(this, leaf, CurveLeaf::INPUT, problem);
-      ReportLeaf(this, leaf, CurveLeaf::COLORS, leaf.Curves->GetColorProblem());
-      if (!problem.empty())
+      const std::string error = leaf.Curves->Prepare(renderer, actor, settings);
+      ReportLeaf(this, leaf, CurveLeaf::INPUT, error);
+      ReportLeaf(this, leaf, CurveLeaf::COLORS, leaf.Curves->GetColorError());
+      if (!error.empty())
       {
         return;
       }
@@ -374,18 +374,18 @@ void vtkAdaptiveCurveMapper::RenderCurves(vtkRenderer* renderer, vtkActor* actor
       }
       leaf.Curves->RenderPiece(renderer, actor);
       leaf.IsDrawn = true;
-      ReportLeaf(this, leaf, CurveLeaf::SHADERS, leaf.Curves->GetShaderProblem());
-      if (!leaf.Curves->GetTessellationProblem().empty())
+      ReportLeaf(this, leaf, CurveLeaf::SHADERS, leaf.Curves->GetShaderError());
+      if (!leaf.Curves->GetTessellationError().empty())
       {
-        tessellationProblem = "The method HARDWARE_TESSELLATION cannot be used: " +
-          leaf.Curves->GetTessellationProblem() + ". The method INSTANCING is used instead.";
+        tessellationError = "The method HARDWARE_TESSELLATION cannot be used: " +
+          leaf.Curves->GetTessellationError() + ". The method INSTANCING is used instead.";
       }
       data.MethodInUse =
         leaf.Curves->IsTessellated() ? METHOD_HARDWARE_TESSELLATION : METHOD_INSTANCING;
     });
-  if (relevo::ShouldReport(data.TessellationProblem, tessellationProblem))
+  if (relevo::ShouldReport(data.TessellationError, tessellationError))
   {
-    vtkErrorMacro(<< tessellationProblem);
+    vtkErrorMacro(<< tessellationError);
   }
 }
 

@@ -78,8 +78,8 @@ struct vtkAdaptivePatchMapper::vtkInternals
 {
   relevo::PatchScalars Scalars;
   relevo::Dependencies FieldDependencies;
-  std::string FieldProblem;   // reported last
-  std::string IsolineProblem; // likewise
+  std::string FieldError;   // reported last
+  std::string IsolineError; // likewise
 
   // Of an input that is a grid.
   vtkNew<vtkPatchSurfaceFilter> Filter;
@@ -239,7 +239,7 @@ void vtkAdaptivePatchMapper::UploadField(vtkRenderer* ren)
   vtkInternals& data = *this->Patches;
   data.Scalars.ReleaseGraphicsResources(ren->GetRenderWindow());
   vtkDataArray* scalars = this->FindMappedScalars();
-  std::string problem;
+  std::string error;
   if (scalars && this->ExactScalars)
   {
     const bool areColors = this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
@@ -247,17 +247,17 @@ void vtkAdaptivePatchMapper::UploadField(vtkRenderer* ren)
     const relevo::PatchScalars::Source source = { this->GetInput(), scalars, areColors,
       this->GetLookupTable(), this->ArrayComponent, this->ColorCoordinates != nullptr,
       this->GetRefinement()->GetNoDataMagnitude() };
-    problem = relevo::PatchScalars::DescribeMisfit(this->GetInput(), scalars);
+    error = relevo::PatchScalars::DescribeMisfit(this->GetInput(), scalars);
     if (!data.Scalars.Upload(vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()), source))
     {
-      problem = "Cannot evaluate scalars at every pixel: " + relevo::BufferTexture::GetTooLarge() +
+      error = "Cannot evaluate scalars at every pixel: " + relevo::BufferTexture::GetTooLarge() +
         ". They are interpolated.";
       data.Scalars.ReleaseGraphicsResources(ren->GetRenderWindow());
     }
   }
-  if (relevo::ShouldReport(data.FieldProblem, problem))
+  if (relevo::ShouldReport(data.FieldError, error))
   {
-    vtkErrorMacro(<< problem);
+    vtkErrorMacro(<< error);
   }
 }
 
@@ -269,12 +269,12 @@ void vtkAdaptivePatchMapper::ReportMissingIsolines()
     ? vtkAbstractMapper::GetAbstractScalars(
         input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag)
     : nullptr;
-  const std::string problem = scalars ? DescribeMissingIsolines(input, scalars, cellFlag != 0,
-                                          this->IsolineSpacing, this->ExactScalars)
-                                      : "";
-  if (relevo::ShouldReport(this->Patches->IsolineProblem, problem))
+  const std::string error = scalars ? DescribeMissingIsolines(input, scalars, cellFlag != 0,
+                                        this->IsolineSpacing, this->ExactScalars)
+                                    : "";
+  if (relevo::ShouldReport(this->Patches->IsolineError, error))
   {
-    vtkWarningMacro(<< problem);
+    vtkWarningMacro(<< error);
   }
 }
 

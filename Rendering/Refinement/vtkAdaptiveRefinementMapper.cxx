@@ -150,7 +150,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
     int NumberOfDrawCalls = 0;
   };
   Frame LastFrame;
-  std::string ColorProblem;      // that was reported last
+  std::string ColorError;        // that was reported last
   bool HasVertexIndices = false; // VTK's own, of visible vertices
 
   vtkOpenGLRenderWindow* GetWindow() const { return this->Context->GetContext(); }
@@ -700,27 +700,27 @@ vtkUnsignedCharArray* vtkAdaptiveRefinementMapper::MapScalars(
 {
   vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(
     input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-  std::string problem;
+  std::string error;
   if (this->ScalarVisibility && scalars)
   {
-    problem = relevo::FindMappingProblem({ input, scalars, cellFlag, this->ColorMode,
+    error = relevo::FindMappingError({ input, scalars, cellFlag, this->ColorMode,
       this->ScalarMode == VTK_SCALAR_MODE_USE_FIELD_DATA ? this->FieldDataTupleId : -1 });
     vtkDataArray* numbers = vtkDataArray::SafeDownCast(scalars);
     vtkScalarsToColors* table = numbers ? numbers->GetLookupTable() : nullptr;
     table = table ? table : this->GetLookupTable();
-    const std::string unusable = relevo::ColorTable::FindProblem(
+    const std::string unusable = relevo::ColorTable::FindError(
       table, this->UseLookupTableScalarRange ? table->GetRange() : this->ScalarRange);
-    if (problem.empty() && !unusable.empty())
+    if (error.empty() && !unusable.empty())
     {
-      problem = "Cannot map scalars to colours: " + unusable + ".";
+      error = "Cannot map scalars to colours: " + unusable + ".";
     }
   }
-  if (relevo::ShouldReport(this->Internals->ColorProblem, problem))
+  if (relevo::ShouldReport(this->Internals->ColorError, error))
   {
-    vtkErrorMacro(<< problem << " The surface is drawn without these colours.");
+    vtkErrorMacro(<< error << " The surface is drawn without these colours.");
   }
   vtkNew<vtkPolyData> colorless;
-  return this->Superclass::MapScalars(problem.empty() ? input : colorless, alpha, cellFlag);
+  return this->Superclass::MapScalars(error.empty() ? input : colorless, alpha, cellFlag);
 }
 
 // The values that vertices between coarse points are coloured by; nullptr for none.
@@ -1246,7 +1246,7 @@ void vtkAdaptiveRefinementMapper::SetMethod(int method)
   }
   if (this->Method != method)
   {
-    this->Internals->Methods.ForgetProblem();
+    this->Internals->Methods.ForgetError();
     this->Internals->Programs.ForgetFailures();
   }
   this->SetLive(this->Method, method);

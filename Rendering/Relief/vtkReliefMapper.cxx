@@ -127,7 +127,7 @@ void vtkReliefMapper::UpdateReliefs(vtkDataObject* input)
 {
   this->Internals->Reliefs.Update(input, { this->MaximumStretch, this->FillCracks },
     this->Internals->Context->GetContext(),
-    [this](const std::string& fault) { vtkErrorMacro(<< fault); });
+    [this](const std::string& error) { vtkErrorMacro(<< error); });
 }
 
 double* vtkReliefMapper::GetBounds()
@@ -248,28 +248,28 @@ void vtkReliefMapper::RenderReliefs(vtkRenderer* renderer, vtkActor* actor)
   rims.IsRim = true;
   rims.IsShadowed = false; // only the block's own surface could
   rims.Method = settings.Method == Options::WARP ? Options::RAY_MARCH : settings.Method;
-  const auto draw = [&](relevo::ReliefPainter* painter, std::string& lastProblem)
+  const auto draw = [&](relevo::ReliefPainter* painter, std::string& lastError)
   {
     painter->SetClippingPlanes(this->ClippingPlanes);
     painter->RenderPiece(renderer, actor);
-    if (relevo::ShouldReport(lastProblem, painter->GetShaderProblem()))
+    if (relevo::ShouldReport(lastError, painter->GetShaderError()))
     {
-      vtkErrorMacro(<< lastProblem);
+      vtkErrorMacro(<< lastError);
     }
   };
   data.Reliefs.Render(renderer,
     [&](relevo::ReliefLeaf& leaf)
     {
-      if (!leaf.Relief.Fault.empty())
+      if (!leaf.Relief.Error.empty())
       {
         return;
       }
-      const std::string problem = leaf.Surface->Prepare(renderer, actor, settings);
-      if (relevo::ShouldReport(leaf.Problem, problem))
+      const std::string error = leaf.Surface->Prepare(renderer, actor, settings);
+      if (relevo::ShouldReport(leaf.Error, error))
       {
-        vtkErrorMacro(<< leaf.Relief.Describe(problem));
+        vtkErrorMacro(<< leaf.Relief.Describe(error));
       }
-      if (!problem.empty())
+      if (!error.empty())
       {
         return;
       }
@@ -277,13 +277,13 @@ void vtkReliefMapper::RenderReliefs(vtkRenderer* renderer, vtkActor* actor)
       {
         leaf.Surface->AnnounceIds(selector);
       }
-      draw(leaf.Surface, leaf.ShaderProblem);
+      draw(leaf.Surface, leaf.ShaderError);
       data.MethodInUse = leaf.Surface->GetMethod();
       // Behind what is translucent nothing hides them.
       if (leaf.Rims && !actor->IsRenderingTranslucentPolygonalGeometry() &&
         leaf.Rims->Prepare(renderer, actor, rims).empty())
       {
-        draw(leaf.Rims, leaf.ShaderProblem);
+        draw(leaf.Rims, leaf.ShaderError);
       }
     });
 }

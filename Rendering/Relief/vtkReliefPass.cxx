@@ -42,7 +42,7 @@
 
 namespace
 {
-constexpr size_t MostReliefs = 4;
+constexpr size_t MaximumReliefs = 4;
 constexpr int MaximumSteps = 8;     // that captures are ahead
 constexpr double WidestTexel = 2.0; // pixels
 
@@ -128,7 +128,7 @@ struct ShownRelief
 class vtkReliefPass::vtkInternals
 {
 public:
-  std::array<ShownRelief, MostReliefs> Reliefs;
+  std::array<ShownRelief, MaximumReliefs> Reliefs;
   size_t Next = 0; // to be replaced
   relevo::SceneCapture Capture;
   relevo::SceneTime Scene;
@@ -139,7 +139,7 @@ public:
   vtkIdType NumberOfCaptures = 0;
   vtkIdType NumberOfReliefFrames = 0;
   double HoleShare = 0.0; // of the last frame that reliefs show
-  std::string Problem;    // of the last capture
+  std::string Error;      // of the last capture
 
   void DropAll()
   {
@@ -175,9 +175,9 @@ public:
   std::string CaptureView(vtkRenderer* renderer, const View& view, double maximumAngle)
   {
     const relevo::ivec2 margin(view.Width / 8 + 1, view.Height / 8 + 1);
-    const std::string problem = this->Capture.Begin(renderer, relevo::SceneParts::Surfaces,
+    const std::string error = this->Capture.Begin(renderer, relevo::SceneParts::Surfaces,
       view.Width + 2 * margin.x, view.Height + 2 * margin.y);
-    if (problem.empty())
+    if (error.empty())
     {
       auto camera = relevo::WidenCamera(view.Camera, view.Width, view.Height, margin);
       relevo::dvec3 direction = view.Direction;
@@ -201,13 +201,13 @@ public:
       if (image)
       {
         this->Reliefs[this->Next].Set(image, direction);
-        this->Next = (this->Next + 1) % MostReliefs;
+        this->Next = (this->Next + 1) % MaximumReliefs;
         ++this->NumberOfCaptures;
         this->Ahead.AddCapture();
       }
     }
     this->Capture.End();
-    return problem;
+    return error;
   }
 };
 
@@ -343,11 +343,10 @@ bool vtkReliefPass::Capture(const vtkRenderState* state)
 {
   vtkInternals& data = *this->Internals;
   const vtkIdType before = data.NumberOfCaptures;
-  const std::string problem =
-    data.CaptureView(state->GetRenderer(), View(state), this->MaximumAngle);
-  if (relevo::ShouldReport(data.Problem, problem))
+  const std::string error = data.CaptureView(state->GetRenderer(), View(state), this->MaximumAngle);
+  if (relevo::ShouldReport(data.Error, error))
   {
-    vtkErrorMacro(<< problem);
+    vtkErrorMacro(<< error);
   }
   return data.NumberOfCaptures > before;
 }

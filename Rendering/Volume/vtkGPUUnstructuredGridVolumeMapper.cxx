@@ -66,7 +66,7 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
 
   relevo::RayView View;
   std::array<int, 4> Viewport = { { 0, 0, 0, 0 } }; // of the last render
-  std::string DrawProblem;                          // as reported
+  std::string DrawError;                            // as reported
   relevo::RenderClock Clock;
 
   relevo::VolumeFrame MakeFrame(const relevo::RenderPasses& passes)
@@ -244,35 +244,34 @@ void vtkGPUUnstructuredGridVolumeMapper::Draw(vtkVolume* volume)
   glGetIntegerv(GL_VIEWPORT, data.Viewport.data());
   const relevo::RenderPasses passes(this, volume);
   const relevo::VolumeFrame frame = data.MakeFrame(passes);
-  std::string problem;
+  std::string error;
   if (!passes.IsEmpty())
   {
-    problem = data.Rays.Draw(frame, { { data.Viewport[2], data.Viewport[3] } });
+    error = data.Rays.Draw(frame, { { data.Viewport[2], data.Viewport[3] } });
   }
   else
   {
-    problem = data.Compositor.ReadDepths(data.GetWindow(), data.Viewport);
-    if (problem.empty())
+    error = data.Compositor.ReadDepths(data.GetWindow(), data.Viewport);
+    if (error.empty())
     {
-      problem =
+      error =
         this->Method == CELL_PROJECTION ? this->ProjectCells(frame) : this->CastRays(frame, volume);
     }
   }
-  if (relevo::ShouldReport(data.DrawProblem, problem))
+  if (relevo::ShouldReport(data.DrawError, error))
   {
-    vtkErrorMacro(<< problem);
+    vtkErrorMacro(<< error);
   }
 }
 
 std::string vtkGPUUnstructuredGridVolumeMapper::ProjectCells(const relevo::VolumeFrame& frame)
 {
   vtkInternals& data = *this->Internals;
-  const std::string problem = data.Cells.Draw(frame);
+  const std::string error = data.Cells.Draw(frame);
   const bool isStored = relevo::IsStored(frame.Features.Options);
-  return problem.empty()
-    ? data.Compositor.Add(
-        frame, isStored ? relevo::VolumeShader::Finish : relevo::VolumeShader::Picture)
-    : problem;
+  return error.empty() ? data.Compositor.Add(frame,
+                           isStored ? relevo::VolumeShader::Finish : relevo::VolumeShader::Picture)
+                       : error;
 }
 
 std::string vtkGPUUnstructuredGridVolumeMapper::CastRays(
@@ -283,9 +282,9 @@ std::string vtkGPUUnstructuredGridVolumeMapper::CastRays(
     { this->ImageSampleDistance, this->AutoAdjustSampleDistances,
       volume->GetAllocatedRenderTime() });
   const bool isSampled = size[0] != data.Viewport[2] || size[1] != data.Viewport[3];
-  const std::string problem = data.Rays.Draw(frame, size);
-  return problem.empty() && isSampled ? data.Compositor.Add(frame, relevo::VolumeShader::Picture)
-                                      : problem;
+  const std::string error = data.Rays.Draw(frame, size);
+  return error.empty() && isSampled ? data.Compositor.Add(frame, relevo::VolumeShader::Picture)
+                                    : error;
 }
 
 void vtkGPUUnstructuredGridVolumeMapper::SetInputData(vtkUnstructuredGridBase* mesh)

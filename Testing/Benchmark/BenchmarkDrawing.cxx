@@ -23,7 +23,7 @@
 namespace
 {
 // One of the two ways to draw a scene.
-struct Way
+struct Policy
 {
   vtkNew<vtkAdaptiveRefinementMapper> Mapper;
   vtkSmartPointer<vtkActor> Actor;
@@ -51,8 +51,8 @@ vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe(int maximumLevel)
 void Compare(const Comparison& comparison, int maximumLevel, int rounds, BenchmarkTable& table)
 {
   BenchmarkView view;
-  Way ways[2];
-  for (Way& way : ways)
+  Policy ways[2];
+  for (Policy& way : ways)
   {
     way.Mapper->SetInputData(comparison.Mesh);
     way.Mapper->SetRefinement(MakeRecipe(maximumLevel));
@@ -67,7 +67,7 @@ void Compare(const Comparison& comparison, int maximumLevel, int rounds, Benchma
   for (int round = -1; round < rounds; ++round) // the first is not counted
   {
     view.MoveCamera();
-    for (Way& way : ways)
+    for (Policy& way : ways)
     {
       ways[0].Actor->SetVisibility(&way == ways);
       ways[1].Actor->SetVisibility(&way != ways);
@@ -78,7 +78,7 @@ void Compare(const Comparison& comparison, int maximumLevel, int rounds, Benchma
       }
     }
   }
-  const auto getTriangles = [](Way& way)
+  const auto getTriangles = [](Policy& way)
   { return static_cast<double>(way.Mapper->GetNumberOfDrawnTriangles()); };
   table.AddRow({ comparison.Name, static_cast<double>(ways[0].Mapper->GetNumberOfCoarseFaces()),
     static_cast<double>(ways[0].Mapper->GetNumberOfCulledFaces()), getTriangles(ways[0]),

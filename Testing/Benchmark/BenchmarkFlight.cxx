@@ -99,7 +99,7 @@ void RunFlight(const BenchmarkOptions& options, const AddTable& addTable)
   BenchmarkSurface surface(numberOfFaces, 0.0);
   vtkPolyData* mesh = surface.GetMesh();
   mesh->GetPointData()->RemoveArray("DepthTag");
-  struct Way
+  struct Policy
   {
     const char* Name;
     bool Distance;
@@ -107,12 +107,12 @@ void RunFlight(const BenchmarkOptions& options, const AddTable& addTable)
     int Policy;
     int Measure;
   };
-  for (const Way& way : { Way{ "distance, per vertex", true, 0, 0, 0 },
-         Way{ "screen edge, per vertex", false, 0, 0, 0 },
-         Way{ "screen edge, per edge", false, 1, 0, 0 },
-         Way{ "screen edge, whole numbers", false, 0, 1, 0 },
-         Way{ "sphere of the edge, per vertex", false, 0, 0, 1 },
-         Way{ "sphere of the edge, per edge", false, 1, 0, 1 } })
+  for (const Policy& way : { Policy{ "distance, per vertex", true, 0, 0, 0 },
+         Policy{ "screen edge, per vertex", false, 0, 0, 0 },
+         Policy{ "screen edge, per edge", false, 1, 0, 0 },
+         Policy{ "screen edge, whole numbers", false, 0, 1, 0 },
+         Policy{ "sphere of the edge, per vertex", false, 0, 0, 1 },
+         Policy{ "sphere of the edge, per edge", false, 1, 0, 1 } })
   {
     auto recipe = BenchmarkSurface::MakeLinearRecipe();
     recipe->SetMaximumLevel(6);

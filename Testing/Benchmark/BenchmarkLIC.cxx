@@ -32,9 +32,9 @@ using Contest = BenchmarkLICContest;
 class Rounds
 {
 public:
-  void Add(Contest::Way way, const LICFrame& frame) { this->Frames[way].push_back(frame); }
+  void Add(Contest::Policy way, const LICFrame& frame) { this->Frames[way].push_back(frame); }
 
-  double GetMedian(Contest::Way way) const
+  double GetMedian(Contest::Policy way) const
   {
     std::vector<double> times;
     for (const LICFrame& frame : this->Frames.at(way))
@@ -45,7 +45,8 @@ public:
   }
 
   // What one way takes more than another, round by round.
-  std::vector<double> Subtract(Contest::Way way, Contest::Way other, double LICFrame::*figure) const
+  std::vector<double> Subtract(
+    Contest::Policy way, Contest::Policy other, double LICFrame::*figure) const
   {
     std::vector<double> differences;
     for (size_t i = 0; i < this->Frames.at(way).size(); ++i)
@@ -89,7 +90,7 @@ public:
   }
 
 private:
-  std::map<Contest::Way, std::vector<LICFrame>> Frames;
+  std::map<Contest::Policy, std::vector<LICFrame>> Frames;
 };
 
 struct Tables
@@ -126,13 +127,13 @@ void MeasureFrames(
   {
     contest.GetView().LookAt(scene.Mesh->GetBounds());
   }
-  std::vector<Contest::Way> ways = { Contest::LIC, Contest::LIC_SHORT, Contest::PLAIN };
+  std::vector<Contest::Policy> ways = { Contest::LIC, Contest::LIC_SHORT, Contest::PLAIN };
   const bool hasRival = !contest.GetRival().GetRenderer().empty();
   if (hasRival)
   {
     ways.insert(ways.end(), { Contest::VTK_LIC, Contest::VTK_PLAIN });
   }
-  for (const Contest::Way way : ways)
+  for (const Contest::Policy way : ways)
   {
     contest.Draw(way); // to warm up
   }
@@ -144,7 +145,7 @@ void MeasureFrames(
     contest.GetView().MoveCamera();
     for (size_t i = 0; i < ways.size(); ++i)
     {
-      const Contest::Way way = ways[(i + round) % ways.size()];
+      const Contest::Policy way = ways[(i + round) % ways.size()];
       moving.Add(way, contest.Draw(way));
       if (way == Contest::LIC || way == Contest::VTK_LIC)
       {

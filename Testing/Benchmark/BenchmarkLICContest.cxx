@@ -57,7 +57,7 @@ BenchmarkLICContest::~BenchmarkLICContest()
 }
 
 void BenchmarkLICContest::Add(
-  Way way, const FlowScene& scene, vtkSmartPointer<vtkAdaptiveRefinementMapper> mapper)
+  Policy way, const FlowScene& scene, vtkSmartPointer<vtkAdaptiveRefinementMapper> mapper)
 {
   vtkNew<vtkAdaptiveRefinement> recipe;
   recipe->SetMaximumLevel(0);
@@ -73,7 +73,7 @@ vtkCamera* BenchmarkLICContest::GetCamera()
   return this->View.GetRenderer()->GetActiveCamera();
 }
 
-LICFrame BenchmarkLICContest::Draw(Way way)
+LICFrame BenchmarkLICContest::Draw(Policy way)
 {
   if (way == VTK_PLAIN || way == VTK_LIC)
   {

@@ -25,7 +25,7 @@ struct FlowScene;
 class BenchmarkLICContest
 {
 public:
-  enum Way
+  enum Policy
   {
     PLAIN,     // the refinement mapper, without LIC
     LIC,       // vtkAdaptiveLICMapper
@@ -46,14 +46,14 @@ public:
   vtkCamera* GetCamera();
 
   /// A frame from where the view's camera is.
-  LICFrame Draw(Way way);
+  LICFrame Draw(Policy way);
 
 private:
-  void Add(Way way, const FlowScene& scene, vtkSmartPointer<vtkAdaptiveRefinementMapper> mapper);
+  void Add(Policy way, const FlowScene& scene, vtkSmartPointer<vtkAdaptiveRefinementMapper> mapper);
 
   BenchmarkView View;
   BenchmarkLICRival Rival;
-  std::map<Way, vtkSmartPointer<vtkActor>> Actors;
+  std::map<Policy, vtkSmartPointer<vtkActor>> Actors;
 };
 
 #endif

@@ -185,14 +185,14 @@ void RunRules(const BenchmarkOptions& options, const AddTable& addTable)
       { "error_largest", "largest, pixels", 3 },
       { "ratio_95", "of per vertex, at the 95 % error", 2 },
       { "ratio_largest", "at the largest error", 2 } });
-  struct Way
+  struct Policy
   {
     const char* Name;
     int Rule;
     int Policy;
     int Measure;
   };
-  const Way ways[] = { { "per vertex", 0, 0, 0 }, { "per edge", 1, 0, 0 },
+  const Policy ways[] = { { "per vertex", 0, 0, 0 }, { "per edge", 1, 0, 0 },
     { "per vertex, whole numbers", 0, 1, 0 }, { "per edge, whole numbers", 1, 1, 0 },
     { "per vertex, spheres", 0, 0, 1 }, { "per edge, spheres", 1, 0, 1 } };
   const std::vector<double> lengths = options.Quick
@@ -212,7 +212,7 @@ void RunRules(const BenchmarkOptions& options, const AddTable& addTable)
     vtkNew<vtkScreenEdgeDepthTagMetric> metric;
     scene.Recipe->SetMetric(metric);
     std::vector<Error> reference;
-    for (const Way& way : ways)
+    for (const Policy& way : ways)
     {
       scene.Recipe->SetLevelRule(way.Rule);
       scene.Recipe->SetSegmentPolicy(way.Policy);

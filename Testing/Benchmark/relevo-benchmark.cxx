@@ -200,12 +200,12 @@ bool CanRead(const std::string& file)
 // Before hours of measuring.
 bool CanWrite(const std::string& file)
 {
-  const std::string fault = file.empty() ? "" : relevo::AtomicFile::FindFault(file);
-  if (!fault.empty())
+  const std::string error = file.empty() ? "" : relevo::AtomicFile::FindError(file);
+  if (!error.empty())
   {
-    ShowError("cannot write " + file + ": " + fault);
+    ShowError("cannot write " + file + ": " + error);
   }
-  return fault.empty();
+  return error.empty();
 }
 
 // All where none is named.
@@ -259,12 +259,12 @@ bool WriteJson(const BenchmarkReport& report, const std::string& output)
 {
   std::ostringstream text;
   report.WriteJson(text);
-  const std::string fault = relevo::AtomicFile::Write(output, text.str());
-  if (!fault.empty())
+  const std::string error = relevo::AtomicFile::Write(output, text.str());
+  if (!error.empty())
   {
-    ShowError("cannot write " + output + ": " + fault);
+    ShowError("cannot write " + output + ": " + error);
   }
-  return fault.empty();
+  return error.empty();
 }
 }
 

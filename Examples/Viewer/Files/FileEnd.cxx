@@ -60,10 +60,10 @@ void CheckPieces(const std::string& fileName, ViewerMessages& messages)
       continue;
     }
     const std::string name = (folder / source).string();
-    const std::string fault = FindReadFault(name);
-    if (!fault.empty())
+    const std::string reason = FindReadError(name);
+    if (!reason.empty())
     {
-      throw ViewerError("its piece " + name + ": " + fault);
+      throw ViewerError("its piece " + name + ": " + reason);
     }
     try
     {

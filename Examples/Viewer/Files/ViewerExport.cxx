@@ -144,9 +144,9 @@ std::vector<std::string> GetExportExtensions()
 //------------------------------------------------------------------------------
 void WriteMesh(vtkPolyData* mesh, const std::string& fileName, ViewerMessages& messages)
 {
-  const std::string fault = GetWriters().at(GetExtension(fileName))(mesh, fileName, messages);
-  if (!fault.empty())
+  const std::string error = GetWriters().at(GetExtension(fileName))(mesh, fileName, messages);
+  if (!error.empty())
   {
-    throw ViewerError("cannot write " + fileName + ": " + fault);
+    throw ViewerError("cannot write " + fileName + ": " + error);
   }
 }

@@ -11,7 +11,7 @@
 #include <fstream>
 
 //------------------------------------------------------------------------------
-std::string FindReadFault(const std::string& fileName)
+std::string FindReadError(const std::string& fileName)
 {
   // A pipe would block when it is opened; a device may never end.
   std::error_code unknown;
@@ -35,7 +35,7 @@ std::string GetExtension(const std::string& fileName)
 //------------------------------------------------------------------------------
 void CheckFile(const std::string& fileName)
 {
-  const std::string error = FindReadFault(fileName);
+  const std::string error = FindReadError(fileName);
   if (!error.empty())
   {
     throw ViewerError("cannot read " + fileName + ": " + error);
@@ -45,13 +45,13 @@ void CheckFile(const std::string& fileName)
 //------------------------------------------------------------------------------
 bool CanRead(const std::string& fileName)
 {
-  return FindReadFault(fileName).empty();
+  return FindReadError(fileName).empty();
 }
 
 //------------------------------------------------------------------------------
 void CheckOutput(const std::string& fileName)
 {
-  const std::string error = relevo::AtomicFile::FindFault(fileName);
+  const std::string error = relevo::AtomicFile::FindError(fileName);
   if (!error.empty())
   {
     throw ViewerError("cannot write " + fileName + ": " + error);

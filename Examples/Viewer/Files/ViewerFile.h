@@ -12,7 +12,7 @@
 std::string GetExtension(const std::string& fileName);
 
 /// Why there is nothing to read, "" where there is.
-std::string FindReadFault(const std::string& fileName);
+std::string FindReadError(const std::string& fileName);
 
 /// VTK's readers differ in what they say of a file that is not there or has nothing in it: this
 /// throws ViewerError.

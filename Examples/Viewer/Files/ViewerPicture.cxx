@@ -26,6 +26,6 @@ void WritePicture(vtkRenderWindow* window, const std::string& fileName, ViewerMe
   relevo::WritePNG(file, writer.Get());
   if (!file.Commit(oldFile))
   {
-    throw ViewerError("cannot write " + fileName + ": " + file.GetFault());
+    throw ViewerError("cannot write " + fileName + ": " + file.GetError());
   }
 }

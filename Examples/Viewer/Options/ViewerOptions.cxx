@@ -31,7 +31,7 @@ bool IsReliefDatabase(const std::string& name)
 const int HighestLevel = 7;
 const int LargestResolution = 4096;
 const int MaximumSteps = 1000;
-const int MostHairs = 10000000;
+const int MaximumHairs = 10000000;
 const int MostIsolines = 1000;
 const double LowestError = 0.001; // of vtkPatchErrorDepthTagMetric
 const double HighestError = 1e6;
@@ -210,7 +210,7 @@ private:
         { options.Error = ToNumber(option, value, LowestError, HighestError); } },
       { "--hair",
         [&](const auto& option, const auto& value)
-        { options.Hairs = ToInteger(option, value, 1, MostHairs); } },
+        { options.Hairs = ToInteger(option, value, 1, MaximumHairs); } },
       { "--isolines",
         [&](const auto& option, const auto& value)
         { options.Isolines = ToInteger(option, value, 1, MostIsolines); } },

@@ -140,7 +140,7 @@ void TerrainScene::CheckReading()
 void TerrainScene::CheckExaggeration()
 {
   // Higher than that it is a needle, with nothing to see on it.
-  const double mostHeights = 100.0; // for one width
+  const double maximumHeights = 100.0; // for one width
   double bounds[6];
   this->Mesh->GetBounds(bounds);
   const double width = std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
@@ -157,14 +157,14 @@ void TerrainScene::CheckExaggeration()
     return;
   }
   const double exaggeration = this->Source->GetExaggeration();
-  if (relief > mostHeights * width)
+  if (relief > maximumHeights * width)
   {
     std::ostringstream message;
     message << std::setprecision(3) << this->Options.Input << ": --exaggeration " << exaggeration
             << " makes the terrain " << relief / width << " times as high as wide; at "
-            << std::abs(exaggeration) * mostHeights * width / relief << " it is " << mostHeights
-            << " times as high, which is the most. Heights from " << range[0] << " to " << range[1]
-            << ": if an end stands for no data, name it with --no-data-value";
+            << std::abs(exaggeration) * maximumHeights * width / relief << " it is "
+            << maximumHeights << " times as high, which is the most. Heights from " << range[0]
+            << " to " << range[1] << ": if an end stands for no data, name it with --no-data-value";
     throw ViewerError(message.str());
   }
 }
@@ -172,9 +172,9 @@ void TerrainScene::CheckExaggeration()
 //------------------------------------------------------------------------------
 void TerrainScene::ChooseExaggeration(double heights, double width)
 {
-  const double mostHeights = 1.0; // for one width
+  const double maximumHeights = 1.0; // for one width
   const double chosenHeights = 0.2;
-  if (heights <= mostHeights * width)
+  if (heights <= maximumHeights * width)
   {
     return;
   }

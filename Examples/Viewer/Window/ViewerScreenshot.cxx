@@ -73,7 +73,7 @@ void ViewerScreenshot::Write(vtkRenderWindow* window, const std::string& fileNam
   {
     draw(false);
   }
-  std::exception_ptr fault;
+  std::exception_ptr error;
   try
   {
     // Another window may have taken the name by now.
@@ -81,15 +81,15 @@ void ViewerScreenshot::Write(vtkRenderWindow* window, const std::string& fileNam
   }
   catch (const ViewerError&)
   {
-    fault = std::current_exception();
+    error = std::current_exception();
   }
   if (!shown.empty())
   {
     draw(true);
   }
-  if (fault)
+  if (error)
   {
-    std::rethrow_exception(fault);
+    std::rethrow_exception(error);
   }
 }
 

@@ -57,7 +57,7 @@ double BoxSegment::GetEntry(const FaceBox& box, double last) const
   return entry <= exit ? entry : never;
 }
 
-void FaceTree::Build(std::vector<FaceBox> boxes, int mostPerLeaf)
+void FaceTree::Build(std::vector<FaceBox> boxes, int maximumPerLeaf)
 {
   this->Boxes = std::move(boxes);
   this->Order.resize(this->Boxes.size());
@@ -66,11 +66,11 @@ void FaceTree::Build(std::vector<FaceBox> boxes, int mostPerLeaf)
   this->Nodes.reserve(this->Boxes.size());
   if (!this->Boxes.empty())
   {
-    this->Split(0, static_cast<int>(this->Boxes.size()), mostPerLeaf);
+    this->Split(0, static_cast<int>(this->Boxes.size()), maximumPerLeaf);
   }
 }
 
-void FaceTree::Split(int first, int last, int mostPerLeaf)
+void FaceTree::Split(int first, int last, int maximumPerLeaf)
 {
   Node node = { this->Boxes[this->Order[first]], first, last - first };
   for (int i = first + 1; i < last; ++i)
@@ -79,7 +79,7 @@ void FaceTree::Split(int first, int last, int mostPerLeaf)
   }
   const size_t index = this->Nodes.size();
   this->Nodes.push_back(node);
-  if (node.Count <= mostPerLeaf)
+  if (node.Count <= maximumPerLeaf)
   {
     return;
   }
@@ -93,9 +93,9 @@ void FaceTree::Split(int first, int last, int mostPerLeaf)
   { return this->Boxes[face].Low[axis] + this->Boxes[face].High[axis]; };
   std::nth_element(this->Order.begin() + first, this->Order.begin() + middle,
     this->Order.begin() + last, [&center](int a, int b) { return center(a) < center(b); });
-  this->Split(first, middle, mostPerLeaf);
+  this->Split(first, middle, maximumPerLeaf);
   this->Nodes[index].First = static_cast<int>(this->Nodes.size());
   this->Nodes[index].Count = 0;
-  this->Split(middle, last, mostPerLeaf);
+  this->Split(middle, last, maximumPerLeaf);
 }
 }

@@ -44,7 +44,7 @@ class RELEVOFILTERSCORE_EXPORT FaceTree
 {
 public:
   /// Leaves have at most so many faces.
-  void Build(std::vector<FaceBox> boxes, int mostPerLeaf = 4);
+  void Build(std::vector<FaceBox> boxes, int maximumPerLeaf = 4);
 
   /**
    * Call visit(face) for faces whose boxes `getDistance` finds no farther than `nearest`, which
@@ -67,7 +67,7 @@ public:
   bool IsEmpty() const { return this->Boxes.empty(); }
 
 private:
-  void Split(int first, int last, int mostPerLeaf);
+  void Split(int first, int last, int maximumPerLeaf);
 
   std::vector<FaceBox> Boxes;
   std::vector<int> Order;

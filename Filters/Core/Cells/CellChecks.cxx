@@ -28,7 +28,7 @@ namespace relevo
 {
 namespace
 {
-enum class Fault : unsigned char
+enum class CellError : unsigned char
 {
   None,
   List,
@@ -219,22 +219,22 @@ public:
   }
 
   // Reads the cell.
-  Fault Find(CellReader& cell, vtkIdType id) const
+  CellError Find(CellReader& cell, vtkIdType id) const
   {
     if (!cell.ReadNodes(id))
     {
-      return Fault::List;
+      return CellError::List;
     }
     const CellTopology shape = cell.GetKind().Shape;
     const bool hasNoFaces =
       shape == CellTopology::QuadraticPolygon || shape == CellTopology::PointSet;
     if (shape == CellTopology::Unknown || (hasNoFaces && !this->Demands.TakesAllTypes))
     {
-      return Fault::Type;
+      return CellError::Type;
     }
     if (shape == CellTopology::Empty)
     {
-      return Fault::None;
+      return CellError::None;
     }
     if (IsPolyhedron(cell))
     {
@@ -242,17 +242,17 @@ public:
     }
     if (FindStrangePoint(cell, this->Points))
     {
-      return Fault::PointId;
+      return CellError::PointId;
     }
-    const Fault fault = this->FindShapeFault(cell);
+    const CellError error = this->FindShapeError(cell);
     const bool isThin = !cell.GetKind().IsSolid() && !cell.GetKind().IsSurface();
-    return fault != Fault::None || isThin ? fault : this->FindValueFault(cell);
+    return error != CellError::None || isThin ? error : this->FindValueError(cell);
   }
 
-  std::string Describe(vtkIdType id, Fault fault) const;
+  std::string Describe(vtkIdType id, CellError error) const;
 
 private:
-  Fault FindShapeFault(const CellReader& cell) const
+  CellError FindShapeError(const CellReader& cell) const
   {
     const CellKind& kind = cell.GetKind();
     // No degree has such a number of nodes.
@@ -263,32 +263,33 @@ private:
       (this->HasDegrees && IsQuadraticLagrange(this->Grid->GetCellType(cell.GetCell()), kind) &&
         !IsOfSecondDegree(cell)))
     {
-      return Fault::Degree;
+      return CellError::Degree;
     }
     if (!HasRightNumber(cell))
     {
-      return Fault::Nodes;
+      return CellError::Nodes;
     }
     if (!IsPolyhedron(cell))
     {
-      return Fault::None;
+      return CellError::None;
     }
     if (!HasRightFaces(cell))
     {
-      return Fault::Faces;
+      return CellError::Faces;
     }
-    return FindUnlistedPoint(cell) ? Fault::OwnPoint : Fault::None;
+    return FindUnlistedPoint(cell) ? CellError::OwnPoint : CellError::None;
   }
 
-  Fault FindValueFault(const CellReader& cell) const
+  CellError FindValueError(const CellReader& cell) const
   {
     if (!this->Demands.TakesInfinitePoints && FindPoint(cell, this->Points.IsBadPoint))
     {
-      return Fault::Point;
+      return CellError::Point;
     }
     const bool isRational =
       cell.GetKind().Nodes == NodeKind::Bezier && !this->Points.IsBadWeight.empty();
-    return isRational && FindPoint(cell, this->Points.IsBadWeight) ? Fault::Weight : Fault::None;
+    return isRational && FindPoint(cell, this->Points.IsBadWeight) ? CellError::Weight
+                                                                   : CellError::None;
   }
 
   std::string DescribeNodes(const CellReader& cell) const;
@@ -365,10 +366,10 @@ std::string GridChecks::DescribeWeight(vtkIdType point) const
   return text.str();
 }
 
-std::string GridChecks::Describe(vtkIdType id, Fault fault) const
+std::string GridChecks::Describe(vtkIdType id, CellError error) const
 {
   std::ostringstream text;
-  if (fault == Fault::List)
+  if (error == CellError::List)
   {
     text << "Cell " << id
          << " is left out: the grid's lists of types, offsets and points are too short for it, or "
@@ -378,29 +379,29 @@ std::string GridChecks::Describe(vtkIdType id, Fault fault) const
   CellReader cell(this->Grid);
   cell.Read(id);
   text << "Cell " << id << " (" << GetTypeName(this->Grid->GetCellType(id)) << ") is left out: ";
-  switch (fault)
+  switch (error)
   {
-    case Fault::Type:
+    case CellError::Type:
       text << "cells of this type are not supported";
       break;
-    case Fault::PointId:
+    case CellError::PointId:
       text << "it refers to point " << *FindStrangePoint(cell, this->Points) << " of "
            << this->Points.IsBadPoint.size();
       break;
-    case Fault::Nodes:
+    case CellError::Nodes:
       text << this->DescribeNodes(cell);
       break;
-    case Fault::Faces:
+    case CellError::Faces:
       text << "its list of faces is not whole, or has a face of less than 3 points";
       break;
-    case Fault::OwnPoint:
+    case CellError::OwnPoint:
       text << "a face has point " << *FindUnlistedPoint(cell)
            << ", which is not among the cell's points";
       break;
-    case Fault::Degree:
+    case CellError::Degree:
       text << this->DescribeDegrees(cell);
       break;
-    case Fault::Point:
+    case CellError::Point:
       text << "point " << *FindPoint(cell, this->Points.IsBadPoint) << " is not finite";
       break;
     default:
@@ -411,17 +412,18 @@ std::string GridChecks::Describe(vtkIdType id, Fault fault) const
 
 // The sentence of each kind of fault.
 template <typename Describe>
-std::vector<std::string> DescribeFaults(const std::vector<Fault>& faults, const Describe& describe)
+std::vector<std::string> DescribeErrors(
+  const std::vector<CellError>& errors, const Describe& describe)
 {
   std::vector<std::string> sentences;
-  for (int k = 1; k < static_cast<int>(Fault::Number); ++k)
+  for (int k = 1; k < static_cast<int>(CellError::Number); ++k)
   {
-    const Fault fault = static_cast<Fault>(k);
-    const auto first = std::find(faults.begin(), faults.end(), fault);
-    if (first != faults.end())
+    const CellError error = static_cast<CellError>(k);
+    const auto first = std::find(errors.begin(), errors.end(), error);
+    if (first != errors.end())
     {
-      const auto others = std::count(first + 1, faults.end(), fault);
-      sentences.push_back(describe(first - faults.begin(), fault) +
+      const auto others = std::count(first + 1, errors.end(), error);
+      sentences.push_back(describe(first - errors.begin(), error) +
         (others ? ". So it is with " + std::to_string(others) + " more cells." : "."));
     }
   }
@@ -439,7 +441,7 @@ CellChecks CheckGrid(vtkUnstructuredGrid* grid, const CellDemands& demands)
   const GridChecks gridChecks(grid, demands);
   CellChecks checks;
   checks.Uses.resize(number, CellUse::None);
-  std::vector<Fault> faults(number, Fault::None);
+  std::vector<CellError> errors(number, CellError::None);
   vtkSMPTools::For(0, number,
     [&](vtkIdType first, vtkIdType end)
     {
@@ -450,12 +452,12 @@ CellChecks CheckGrid(vtkUnstructuredGrid* grid, const CellDemands& demands)
         {
           continue;
         }
-        faults[i] = gridChecks.Find(cell, i);
-        checks.Uses[i] = faults[i] == Fault::None ? GetUse(cell.GetKind()) : CellUse::None;
+        errors[i] = gridChecks.Find(cell, i);
+        checks.Uses[i] = errors[i] == CellError::None ? GetUse(cell.GetKind()) : CellUse::None;
       }
     });
-  checks.Faults = DescribeFaults(
-    faults, [&](vtkIdType id, Fault fault) { return gridChecks.Describe(id, fault); });
+  checks.Errors = DescribeErrors(
+    errors, [&](vtkIdType id, CellError error) { return gridChecks.Describe(id, error); });
   return checks;
 }
 
@@ -465,7 +467,7 @@ CellChecks CheckIds(vtkDataSet* data)
   const vtkIdType points = data->GetNumberOfPoints();
   CellChecks checks;
   checks.Uses.resize(data->GetNumberOfCells(), CellUse::None);
-  std::vector<Fault> faults(checks.Uses.size(), Fault::None);
+  std::vector<CellError> errors(checks.Uses.size(), CellError::None);
   vtkNew<vtkIdList> ids;
   const auto find = [&](vtkIdType cell)
   {
@@ -473,7 +475,7 @@ CellChecks CheckIds(vtkDataSet* data)
     return std::find_if(
       ids->begin(), ids->end(), [=](vtkIdType id) { return id < 0 || id >= points; });
   };
-  for (std::size_t i = 0; i < faults.size(); ++i)
+  for (std::size_t i = 0; i < errors.size(); ++i)
   {
     const auto cell = static_cast<vtkIdType>(i);
     if (find(cell) == ids->end())
@@ -482,11 +484,11 @@ CellChecks CheckIds(vtkDataSet* data)
     }
     else
     {
-      faults[i] = Fault::PointId;
+      errors[i] = CellError::PointId;
     }
   }
-  checks.Faults = DescribeFaults(faults,
-    [&](vtkIdType cell, Fault)
+  checks.Errors = DescribeErrors(errors,
+    [&](vtkIdType cell, CellError)
     {
       return "Cell " + std::to_string(cell) + " (" + GetTypeName(data->GetCellType(cell)) +
         ") is left out: it refers to point " + std::to_string(*find(cell)) + " of " +

@@ -43,7 +43,7 @@ struct CellDemands
 struct CellChecks
 {
   std::vector<CellUse> Uses; // for each cell
-  std::vector<std::string> Faults;
+  std::vector<std::string> Errors;
 };
 
 /// One sentence for each kind of fault, with its first cell and how many others there are.

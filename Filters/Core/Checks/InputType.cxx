@@ -67,7 +67,7 @@ bool CheckInputTypes(vtkAlgorithm* algorithm, vtkInformationVector** inputs)
   return true;
 }
 
-std::string FindTypeProblem(vtkDataObject* input, vtkInformation* port)
+std::string FindTypeError(vtkDataObject* input, vtkInformation* port)
 {
   if (!IsOfRequiredType(input, port))
   {

@@ -32,7 +32,7 @@ RELEVOFILTERSCORE_EXPORT bool IsOfRequiredType(vtkDataObject* data, vtkInformati
  * The words of an error where an input is not of a type that the port requires, or where blocks of
  * a composite one are not; empty otherwise. Mappers ask it: no executive checks their inputs.
  */
-RELEVOFILTERSCORE_EXPORT std::string FindTypeProblem(vtkDataObject* input, vtkInformation* port);
+RELEVOFILTERSCORE_EXPORT std::string FindTypeError(vtkDataObject* input, vtkInformation* port);
 }
 
 #endif

@@ -22,12 +22,12 @@ std::string GetBlockName(vtkCompositeDataIterator* leaf)
 
 void LeftOutBlocks::Add(const std::string& name, const std::string& lack)
 {
-  constexpr int mostNamed = 5;
-  if (++this->Count <= mostNamed)
+  constexpr int maximumNamed = 5;
+  if (++this->Count <= maximumNamed)
   {
     this->Sentences += (this->Count > 1 ? " " : "") + name + " " + lack + "; it is left out.";
   }
-  this->NumberOfMore = this->Count - std::min(this->Count, mostNamed);
+  this->NumberOfMore = this->Count - std::min(this->Count, maximumNamed);
 }
 
 std::string LeftOutBlocks::GetText() const

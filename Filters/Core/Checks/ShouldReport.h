@@ -13,10 +13,10 @@
 namespace relevo
 {
 /// Whether a problem differs from the last one and is not empty; it becomes the last one.
-inline bool ShouldReport(std::string& last, const std::string& problem)
+inline bool ShouldReport(std::string& last, const std::string& error)
 {
-  const bool isNew = problem != last && !problem.empty();
-  last = problem;
+  const bool isNew = error != last && !error.empty();
+  last = error;
   return isNew;
 }
 }

@@ -28,7 +28,7 @@ std::string Describe(int error)
 
 struct WriteTarget
 {
-  std::string Fault;
+  std::string Error;
   std::string FileName; // absolute, and no symbolic link
   bool IsDevice = false;
   bool IsThere = false;
@@ -69,7 +69,7 @@ void FollowLinks(WriteTarget& target)
 }
 
 // Why the target cannot be replaced or made, "" if it can.
-std::string FindTargetFault(WriteTarget& target)
+std::string FindTargetError(WriteTarget& target)
 {
   const std::string folder = GetFolder(target.FileName).string();
   std::error_code unknown;
@@ -102,12 +102,12 @@ WriteTarget FindTarget(const std::string& fileName)
   WriteTarget target;
   if (fileName.empty())
   {
-    target.Fault = "there is no file name";
+    target.Error = "there is no file name";
     return target;
   }
   target.FileName = fileName;
   FollowLinks(target);
-  target.Fault = FindTargetFault(target);
+  target.Error = FindTargetError(target);
   std::error_code unknown;
   target.FileName = fs::absolute(target.FileName, unknown).string();
   return target;
@@ -191,10 +191,10 @@ AtomicFile::AtomicFile(const std::string& fileName)
   : FileName(fileName)
 {
   const WriteTarget target = FindTarget(fileName);
-  this->Fault = target.Fault;
+  this->Error = target.Error;
   this->Target = target.FileName;
   this->IsDevice = target.IsDevice;
-  if (this->Fault.empty())
+  if (this->Error.empty())
   {
     this->Open();
   }
@@ -205,9 +205,9 @@ AtomicFile::~AtomicFile()
   this->RemoveTemporary();
 }
 
-std::string AtomicFile::FindFault(const std::string& fileName)
+std::string AtomicFile::FindError(const std::string& fileName)
 {
-  return FindTarget(fileName).Fault;
+  return FindTarget(fileName).Error;
 }
 
 std::string AtomicFile::Write(const std::string& fileName, std::string_view bytes)
@@ -215,7 +215,7 @@ std::string AtomicFile::Write(const std::string& fileName, std::string_view byte
   AtomicFile file(fileName);
   file.Append(bytes);
   file.Commit();
-  return file.GetFault();
+  return file.GetError();
 }
 
 bool AtomicFile::IsTemporary(const std::string& name)
@@ -250,13 +250,13 @@ void AtomicFile::Open()
 
 bool AtomicFile::Append(std::string_view bytes)
 {
-  const int error = this->Fault.empty() ? WriteBytes(this->Descriptor, bytes) : 0;
-  return error == 0 ? this->Fault.empty() : this->FailWithError(error);
+  const int error = this->Error.empty() ? WriteBytes(this->Descriptor, bytes) : 0;
+  return error == 0 ? this->Error.empty() : this->FailWithError(error);
 }
 
 void AtomicFile::Fail(const std::string& reason)
 {
-  if (!this->Fault.empty())
+  if (!this->Error.empty())
   {
     return;
   }
@@ -264,7 +264,7 @@ void AtomicFile::Fail(const std::string& reason)
   const std::string bytes(1 << 16, '\0');
   const off_t end = lseek(this->Descriptor, 0, SEEK_END);
   const int error = end < 0 ? errno : WriteBytes(this->Descriptor, bytes);
-  this->Fault = error != 0 ? Describe(error)
+  this->Error = error != 0 ? Describe(error)
     : reason.empty()       ? "the file is incomplete; the disk may be full"
                            : reason;
   this->RemoveTemporary();
@@ -272,7 +272,7 @@ void AtomicFile::Fail(const std::string& reason)
 
 bool AtomicFile::FailWithError(int error)
 {
-  this->Fault = Describe(error);
+  this->Error = Describe(error);
   this->RemoveTemporary();
   return false;
 }
@@ -298,9 +298,9 @@ void AtomicFile::KeepAttributes()
 
 bool AtomicFile::Finish()
 {
-  if (!this->Fault.empty() || this->IsFinished)
+  if (!this->Error.empty() || this->IsFinished)
   {
-    return this->Fault.empty();
+    return this->Error.empty();
   }
   struct stat written;
   struct stat made;

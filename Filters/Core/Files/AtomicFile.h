@@ -11,7 +11,7 @@
  *     file.Append(bytes); // or let a writer write into file.GetTemporaryName()
  *     if (!file.Commit())
  *     {
- *       vtkErrorMacro("Cannot write " << fileName << ": " << file.GetFault());
+ *       vtkErrorMacro("Cannot write " << fileName << ": " << file.GetError());
  *     }
  *
  * Until then, and after any error, the old file stays as it was. The destructor, SIGINT, SIGTERM
@@ -44,14 +44,14 @@ public:
   void operator=(const AtomicFile&) = delete;
 
   /// Why a file cannot be written, before the attempt; "" if it can. Makes no file.
-  static std::string FindFault(const std::string& fileName);
+  static std::string FindError(const std::string& fileName);
   /// Write a whole file; why that failed, or "".
   static std::string Write(const std::string& fileName, std::string_view bytes);
   /// Whether a file of this name, without folder, is one that SIGKILL has left.
   static bool IsTemporary(const std::string& name);
 
   /// Why the file cannot be written, in words that follow a colon; "" as long as it can.
-  const std::string& GetFault() const { return this->Fault; }
+  const std::string& GetError() const { return this->Error; }
 
   const std::string& GetFileName() const { return this->FileName; }
 
@@ -93,7 +93,7 @@ private:
   std::string FileName;
   std::string Target; // FileName without symbolic links
   std::string TemporaryName;
-  std::string Fault;
+  std::string Error;
   TemporaryFiles::Entry* Entry = nullptr;
   int Descriptor = -1;
   bool IsDevice = false;

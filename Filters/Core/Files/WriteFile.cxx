@@ -29,17 +29,17 @@ bool IsWholeXML(const std::string& fileName)
   return EndsWith(fileName, "</VTKFile>");
 }
 
-std::string GetWriterFault(const std::string& errors, const AtomicFile& file)
+std::string GetWriterError(const std::string& errors, const AtomicFile& file)
 {
   const std::string heading = "): "; // ERROR: In FILE, line N, CLASS (ADDRESS): MESSAGE
   const std::size_t begin = errors.find(heading);
-  std::string fault = begin == std::string::npos ? errors : errors.substr(begin + heading.size());
-  fault.resize(std::min(fault.find('\n'), fault.size()));
+  std::string error = begin == std::string::npos ? errors : errors.substr(begin + heading.size());
+  error.resize(std::min(error.find('\n'), error.size()));
   const std::string& temporary = file.GetTemporaryName();
-  for (std::size_t place; (place = fault.find(temporary)) != std::string::npos;)
+  for (std::size_t place; (place = error.find(temporary)) != std::string::npos;)
   {
-    fault.replace(place, temporary.size(), file.GetFileName());
+    error.replace(place, temporary.size(), file.GetFileName());
   }
-  return fault;
+  return error;
 }
 }

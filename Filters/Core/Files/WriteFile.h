@@ -29,7 +29,7 @@ using FileCheck = std::function<bool(const std::string&)>;
 RELEVOFILTERSCORE_EXPORT bool IsWholeXML(const std::string& fileName);
 
 /// The first error of a VTK writer, without VTK's heading and with the user's name of the file.
-RELEVOFILTERSCORE_EXPORT std::string GetWriterFault(
+RELEVOFILTERSCORE_EXPORT std::string GetWriterError(
   const std::string& errors, const AtomicFile& file);
 
 /// Run a VTK writer; its errors, none of which is printed.
@@ -54,7 +54,7 @@ std::string RunWriter(Writer* writer)
 template <typename Writer>
 bool WriteFile(AtomicFile& file, Writer* writer, const FileCheck& isWhole)
 {
-  if (!file.GetFault().empty())
+  if (!file.GetError().empty())
   {
     return false;
   }
@@ -62,9 +62,9 @@ bool WriteFile(AtomicFile& file, Writer* writer, const FileCheck& isWhole)
   const std::string errors = RunWriter(writer);
   if (!errors.empty() || !isWhole(file.GetTemporaryName()))
   {
-    file.Fail(GetWriterFault(errors, file));
+    file.Fail(GetWriterError(errors, file));
   }
-  return file.GetFault().empty();
+  return file.GetError().empty();
 }
 
 /// As above, and replace the old file; why that failed, or "".
@@ -74,14 +74,14 @@ std::string WriteFile(const std::string& fileName, Writer* writer, const FileChe
   AtomicFile file(fileName);
   WriteFile(file, writer, isWhole);
   file.Commit();
-  return file.GetFault();
+  return file.GetError();
 }
 
 /// Write what a vtkPNGWriter makes in memory: libpng prints errors of files.
 template <typename Writer>
 bool WritePNG(AtomicFile& file, Writer* writer)
 {
-  if (!file.GetFault().empty())
+  if (!file.GetError().empty())
   {
     return false;
   }
@@ -90,7 +90,7 @@ bool WritePNG(AtomicFile& file, Writer* writer)
   auto* bytes = writer->GetResult();
   if (!errors.empty() || !bytes || bytes->GetNumberOfValues() == 0)
   {
-    file.Fail(errors.empty() ? "there is no picture" : GetWriterFault(errors, file));
+    file.Fail(errors.empty() ? "there is no picture" : GetWriterError(errors, file));
     return false;
   }
   return file.Append({ reinterpret_cast<const char*>(bytes->GetPointer(0)),

@@ -22,7 +22,7 @@ void TagPointsByTriangles(const SurfaceTriangles& surface, const float* levels, 
       {
         float level = 0.0f;
         surface.ForEachTriangleIndex(
-          surface.GetPlace(point), [&](vtkIdType t) { level = std::max(level, levels[t]); });
+          surface.GetMergedPoint(point), [&](vtkIdType t) { level = std::max(level, levels[t]); });
         tags->SetValue(point, level);
       }
     });

@@ -69,10 +69,10 @@ vtkSmartPointer<Array> TakeArray(
 }
 
 template <typename Index>
-bool Fail(std::string& error, const char* what, Index index, const char* fault)
+bool Fail(std::string& error, const char* what, Index index, const char* reason)
 {
   std::ostringstream text;
-  text << what << " " << index << " " << fault;
+  text << what << " " << index << " " << reason;
   error = text.str();
   return false;
 }

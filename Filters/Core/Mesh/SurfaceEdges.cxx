@@ -59,9 +59,9 @@ std::vector<Side> MakeSides(
   vtkSMPTools::For(0, static_cast<vtkIdType>(starts.size()) - 1,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType place = begin; place < end; ++place)
+      for (vtkIdType mergedPoint = begin; mergedPoint < end; ++mergedPoint)
       {
-        std::sort(sides.begin() + starts[place], sides.begin() + starts[place + 1]);
+        std::sort(sides.begin() + starts[mergedPoint], sides.begin() + starts[mergedPoint + 1]);
       }
     });
   return sides;
@@ -129,17 +129,17 @@ void SurfaceEdges::BuildUses()
   this->Starts.assign(this->Triangles->GetNumberOfPoints() + 1, 0);
   for (const Edge& edge : this->Edges)
   {
-    ++this->Starts[edge.Places[0]];
-    ++this->Starts[edge.Places[1]];
+    ++this->Starts[edge.MergedPoints[0]];
+    ++this->Starts[edge.MergedPoints[1]];
   }
   Accumulate(this->Starts);
   this->Uses.resize(2 * this->Edges.size());
   std::vector<int> next(this->Starts.begin(), this->Starts.end() - 1);
   for (int edge = 0; edge < this->GetNumberOfEdges(); ++edge)
   {
-    for (int place : this->Edges[edge].Places)
+    for (int mergedPoint : this->Edges[edge].MergedPoints)
     {
-      this->Uses[next[place]++] = edge;
+      this->Uses[next[mergedPoint]++] = edge;
     }
   }
 }
@@ -154,10 +154,11 @@ int SurfaceEdges::FindEdge(vtkIdType a, vtkIdType b) const
   }
   const auto first = this->Edges.begin() + this->FirstEdges[low];
   const auto last = this->Edges.begin() + this->FirstEdges[low + 1];
-  const auto found = std::lower_bound(
-    first, last, high, [](const Edge& edge, vtkIdType place) { return edge.Places[1] < place; });
-  return found != last && found->Places[1] == high ? static_cast<int>(found - this->Edges.begin())
-                                                   : -1;
+  const auto found = std::lower_bound(first, last, high,
+    [](const Edge& edge, vtkIdType mergedPoint) { return edge.MergedPoints[1] < mergedPoint; });
+  return found != last && found->MergedPoints[1] == high
+    ? static_cast<int>(found - this->Edges.begin())
+    : -1;
 }
 
 void SurfaceEdges::TagPoints(const float* edgeTags, vtkFloatArray* tags) const
@@ -171,9 +172,9 @@ void SurfaceEdges::TagPoints(const float* edgeTags, vtkFloatArray* tags) const
     {
       for (vtkIdType point = begin; point < end; ++point)
       {
-        const vtkIdType place = this->Triangles->GetPlace(point);
+        const vtkIdType mergedPoint = this->Triangles->GetMergedPoint(point);
         float tag = 0.0f;
-        for (int i = this->Starts[place]; i < this->Starts[place + 1]; ++i)
+        for (int i = this->Starts[mergedPoint]; i < this->Starts[mergedPoint + 1]; ++i)
         {
           tag = std::max(tag, edgeTags[this->Uses[i]]);
         }

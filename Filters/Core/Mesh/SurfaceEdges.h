@@ -45,7 +45,7 @@ public:
   /// The two places of an edge, the lower first.
   struct Edge
   {
-    int Places[2];
+    int MergedPoints[2];
   };
 
   explicit SurfaceEdges(std::shared_ptr<const SurfaceTriangles> triangles);

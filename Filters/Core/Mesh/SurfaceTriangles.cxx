@@ -31,13 +31,13 @@ namespace relevo
 {
 SurfaceTriangles::SurfaceTriangles(vtkPolyData* mesh)
   : Points(mesh->GetPoints())
-  , Places(ComputePlaces(mesh->GetPoints()))
+  , MergedPoints(ComputeMergedPoints(mesh->GetPoints()))
   , NumberOfPoints(mesh->GetNumberOfPoints())
 {
-  for (std::size_t point = 0; point < this->Places.size(); ++point)
+  for (std::size_t point = 0; point < this->MergedPoints.size(); ++point)
   {
     const auto id = static_cast<vtkIdType>(point);
-    if (this->Places[point] != id)
+    if (this->MergedPoints[point] != id)
     {
       this->CoincidentPoints.push_back(id);
     }
@@ -85,12 +85,12 @@ void SurfaceTriangles::AddTriangle(vtkIdType cell, vtkIdType a, vtkIdType b, vtk
     {
       return;
     }
-    point = this->GetPlace(point);
+    point = this->GetMergedPoint(point);
   }
   if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
   {
     this->Triangles.push_back(triangle);
-    if (!this->Places.empty())
+    if (!this->MergedPoints.empty())
     {
       this->PointTriangles.push_back(points);
     }

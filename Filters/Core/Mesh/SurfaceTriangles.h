@@ -33,12 +33,12 @@ public:
   explicit SurfaceTriangles(vtkPolyData* mesh);
 
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
-  vtkIdType GetPlace(vtkIdType point) const
+  vtkIdType GetMergedPoint(vtkIdType point) const
   {
-    return this->Places.empty() ? point : this->Places[point];
+    return this->MergedPoints.empty() ? point : this->MergedPoints[point];
   }
   /// The lowest coincident point per point; empty when none coincide.
-  const std::vector<vtkIdType>& GetPlaces() const { return this->Places; }
+  const std::vector<vtkIdType>& GetMergedPoints() const { return this->MergedPoints; }
   /// The points whose place is another point.
   const std::vector<vtkIdType>& GetCoincidentPoints() const { return this->CoincidentPoints; }
   void GetPoint(vtkIdType point, double x[3]) const { this->Points->GetPoint(point, x); }
@@ -54,24 +54,24 @@ public:
   /// The id of the mesh's cell that a triangle is of.
   vtkIdType GetCell(vtkIdType triangle) const { return this->Cells[triangle]; }
 
-  vtkIdType GetNumberOfTriangles(vtkIdType place) const
+  vtkIdType GetNumberOfTriangles(vtkIdType mergedPoint) const
   {
-    return this->Starts[place + 1] - this->Starts[place];
+    return this->Starts[mergedPoint + 1] - this->Starts[mergedPoint];
   }
   /// Calls f(t) for the index of every triangle at the place.
   template <typename Function>
-  void ForEachTriangleIndex(vtkIdType place, Function&& f) const
+  void ForEachTriangleIndex(vtkIdType mergedPoint, Function&& f) const
   {
-    for (vtkIdType i = this->Starts[place]; i < this->Starts[place + 1]; ++i)
+    for (vtkIdType i = this->Starts[mergedPoint]; i < this->Starts[mergedPoint + 1]; ++i)
     {
       f(this->Uses[i] / 3);
     }
   }
   /// Calls f(p, q) for every triangle (place, p, q).
   template <typename Function>
-  void ForEachTriangle(vtkIdType place, Function&& f) const
+  void ForEachTriangle(vtkIdType mergedPoint, Function&& f) const
   {
-    for (vtkIdType i = this->Starts[place]; i < this->Starts[place + 1]; ++i)
+    for (vtkIdType i = this->Starts[mergedPoint]; i < this->Starts[mergedPoint + 1]; ++i)
     {
       const Triangle& triangle = this->Triangles[this->Uses[i] / 3];
       const int corner = static_cast<int>(this->Uses[i] % 3);
@@ -85,7 +85,7 @@ private:
   void AddStrips(vtkCellArray* strips, vtkIdType firstCell);
 
   vtkSmartPointer<vtkPoints> Points;
-  std::vector<vtkIdType> Places;
+  std::vector<vtkIdType> MergedPoints;
   std::vector<vtkIdType> CoincidentPoints;
   vtkIdType NumberOfPoints = 0;
   std::vector<Triangle> Triangles;

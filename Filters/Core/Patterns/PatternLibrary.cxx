@@ -33,7 +33,7 @@ PatternLibrary::PatternLibrary(
 
 PatternLibrary::~PatternLibrary() = default;
 
-std::string PatternLibrary::GetObstacle(Families family) const
+std::string PatternLibrary::GetError(Families family) const
 {
   if (this->FileName.empty() || family == POWERS_OF_TWO)
   {
@@ -48,7 +48,7 @@ std::string PatternLibrary::GetObstacle(Families family) const
 
 std::shared_ptr<const PatternFamily> PatternLibrary::GetFamily(Families family) const
 {
-  if (!this->GetObstacle(family).empty())
+  if (!this->GetError(family).empty())
   {
     return nullptr;
   }

@@ -67,7 +67,7 @@ public:
 
   /// Why the library lacks a family, as a clause that says what to do; empty if it has it. There
   /// are always POWERS_OF_TWO.
-  std::string GetObstacle(Families family) const;
+  std::string GetError(Families family) const;
 
   /// nullptr where there is an obstacle.
   std::shared_ptr<const PatternFamily> GetFamily(Families family) const;

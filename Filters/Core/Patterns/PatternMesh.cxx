@@ -72,16 +72,16 @@ PatternTriangulation TriangulateInside(const int segments[3], const PatternTrian
     }
     PatternSmoother smoother(triangulation, static_cast<int>(firstInner));
     smoother.Move();
-    const std::vector<bool> obstacles = smoother.FindObstacles();
+    const std::vector<bool> errors = smoother.FindErrors();
     inner.clear();
-    for (std::size_t i = firstInner; i < obstacles.size(); ++i)
+    for (std::size_t i = firstInner; i < errors.size(); ++i)
     {
-      if (!obstacles[i])
+      if (!errors[i])
       {
         inner.push_back(triangulation.Points[i]);
       }
     }
-    if (firstInner + inner.size() == obstacles.size())
+    if (firstInner + inner.size() == errors.size())
     {
       return triangulation;
     }

@@ -50,18 +50,18 @@ void PatternSmoother::Move()
   }
 }
 
-std::vector<bool> PatternSmoother::FindObstacles()
+std::vector<bool> PatternSmoother::FindErrors()
 {
   const int numberOfPoints = static_cast<int>(this->Mesh.Points.size());
-  std::vector<bool> obstacles(numberOfPoints, false);
+  std::vector<bool> errors(numberOfPoints, false);
   for (int v = this->FirstInner; v < numberOfPoints; ++v)
   {
     this->Mesh.GetStar(v, this->Star);
-    obstacles[v] = this->IsObstacle(v) &&
+    errors[v] = this->IsError(v) &&
       std::none_of(this->Star.begin(), this->Star.end(),
-        [&](const std::pair<int, int>& side) { return obstacles[side.first]; });
+        [&](const std::pair<int, int>& side) { return errors[side.first]; });
   }
-  return obstacles;
+  return errors;
 }
 
 /// Largest badness of the triangles between p and the sides of the star; at least the limit when
@@ -81,7 +81,7 @@ double PatternSmoother::StarBadness(PatternPoint p, double limit) const
 }
 
 /// Whether the star's triangles can be replaced by better ones that meet at one of its corners.
-bool PatternSmoother::IsObstacle(int vertex) const
+bool PatternSmoother::IsError(int vertex) const
 {
   const double limit = this->StarBadness(this->Mesh.Points[vertex], Infinity);
   if (limit <= GoodBadness)

@@ -29,11 +29,11 @@ public:
   void Move();
 
   /// Inner points without which the triangles around them would be better; no two are neighbours.
-  std::vector<bool> FindObstacles();
+  std::vector<bool> FindErrors();
 
 private:
   double StarBadness(PatternPoint p, double limit) const;
-  bool IsObstacle(int vertex) const;
+  bool IsError(int vertex) const;
   bool MoveVertex(int vertex);
 
   PatternTriangulation& Mesh;

@@ -396,9 +396,9 @@ std::string WritePatterns(
   {
     return "there is no file name.";
   }
-  const std::string fault = IsVTP(fileName) ? WriteVTP(fileName, maximumLevel, patterns)
+  const std::string error = IsVTP(fileName) ? WriteVTP(fileName, maximumLevel, patterns)
                                             : WriteBinary(fileName, maximumLevel, patterns);
-  return fault.empty() ? "" : std::string(fileName) + " cannot be written: " + fault + ".";
+  return error.empty() ? "" : std::string(fileName) + " cannot be written: " + error + ".";
 }
 
 std::string ReadPatterns(

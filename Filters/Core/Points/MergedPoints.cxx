@@ -48,7 +48,7 @@ std::uint64_t Hash(const Coordinates& x)
 
 struct PlacesWorker
 {
-  std::vector<vtkIdType> Places;
+  std::vector<vtkIdType> MergedPoints;
   bool Coincident = false;
 
   template <typename ArrayT>
@@ -90,7 +90,7 @@ struct PlacesWorker
       order[next[BucketOf(hashes[id])]++] = id;
     }
 
-    this->Places.resize(n);
+    this->MergedPoints.resize(n);
     std::atomic<bool> coincident(false);
     vtkSMPThreadLocal<std::vector<vtkIdType>> tables;
     vtkSMPTools::For(0, NumberOfBuckets,
@@ -109,7 +109,7 @@ struct PlacesWorker
           {
             const vtkIdType id = order[i];
             const Coordinates x = at(id);
-            this->Places[id] = id;
+            this->MergedPoints[id] = id;
             if (std::isnan(x[0]) || std::isnan(x[1]) || std::isnan(x[2]))
             {
               continue;
@@ -125,7 +125,7 @@ struct PlacesWorker
             }
             else
             {
-              this->Places[id] = table[slot];
+              this->MergedPoints[id] = table[slot];
               coincident = true;
             }
           }
@@ -138,7 +138,7 @@ struct PlacesWorker
 
 namespace relevo
 {
-std::vector<vtkIdType> ComputePlaces(vtkPoints* points)
+std::vector<vtkIdType> ComputeMergedPoints(vtkPoints* points)
 {
   if (!points || points->GetNumberOfPoints() < 2)
   {
@@ -150,7 +150,7 @@ std::vector<vtkIdType> ComputePlaces(vtkPoints* points)
   {
     worker(points->GetData());
   }
-  return worker.Coincident ? std::move(worker.Places) : std::vector<vtkIdType>();
+  return worker.Coincident ? std::move(worker.MergedPoints) : std::vector<vtkIdType>();
 }
 
 std::uint64_t HashPoint(const double x[3])
@@ -158,16 +158,16 @@ std::uint64_t HashPoint(const double x[3])
   return Hash({ x[0], x[1], x[2] });
 }
 
-void UniteTags(const std::vector<vtkIdType>& places, float* tags)
+void UniteTags(const std::vector<vtkIdType>& mergedPoints, float* tags)
 {
-  const vtkIdType n = static_cast<vtkIdType>(places.size());
+  const vtkIdType n = static_cast<vtkIdType>(mergedPoints.size());
   for (vtkIdType id = 0; id < n; ++id)
   {
-    tags[places[id]] = std::max(tags[places[id]], tags[id]);
+    tags[mergedPoints[id]] = std::max(tags[mergedPoints[id]], tags[id]);
   }
   for (vtkIdType id = 0; id < n; ++id)
   {
-    tags[id] = tags[places[id]];
+    tags[id] = tags[mergedPoints[id]];
   }
 }
 }

@@ -45,11 +45,11 @@ float SurfaceConvolution::Convolve(const double start[3], const Begin& begin) co
   return licRestoreContrast(value, SolidNoise::Mean, this->Kernel);
 }
 
-float SurfaceConvolution::GetValueAt(vtkIdType place) const
+float SurfaceConvolution::GetValueAt(vtkIdType mergedPoint) const
 {
   double start[3];
-  this->Vectors.GetTriangles().GetPoint(place, start);
-  return this->Convolve(start, [=](SurfaceStreamline& line) { line.StartAt(place); });
+  this->Vectors.GetTriangles().GetPoint(mergedPoint, start);
+  return this->Convolve(start, [=](SurfaceStreamline& line) { line.StartAt(mergedPoint); });
 }
 
 float SurfaceConvolution::GetValueInside(int triangle, const SurfaceVectors::Weights& weights) const

@@ -26,7 +26,7 @@ public:
     const SurfaceVectors& vectors, const SolidNoise& noise, const LICKernel& kernel);
 
   /// At a place of the surface's points.
-  float GetValueAt(vtkIdType place) const;
+  float GetValueAt(vtkIdType mergedPoint) const;
 
   /// In a triangle.
   float GetValueInside(int triangle, const SurfaceVectors::Weights& weights) const;

@@ -20,7 +20,7 @@ constexpr int MostPieces = 1000;
 constexpr int MostIdlePieces = 32;
 // Share of an edge to slide along before looking at the triangles again.
 constexpr double SlideShare = 0.125;
-constexpr int MostHalvings = 8;
+constexpr int MaximumHalvings = 8;
 
 relevo::SurfaceStreamline::Weights MakeCornerWeights(int corner)
 {
@@ -29,9 +29,10 @@ relevo::SurfaceStreamline::Weights MakeCornerWeights(int corner)
   return weights;
 }
 
-int FindCornerOf(const relevo::SurfaceTriangles::Triangle& triangle, vtkIdType place)
+int FindCornerOf(const relevo::SurfaceTriangles::Triangle& triangle, vtkIdType mergedPoint)
 {
-  return static_cast<int>(std::find(triangle.begin(), triangle.end(), place) - triangle.begin());
+  return static_cast<int>(
+    std::find(triangle.begin(), triangle.end(), mergedPoint) - triangle.begin());
 }
 }
 
@@ -41,19 +42,19 @@ void SurfaceStreamline::StartInside(int triangle, const Weights& weights)
 {
   this->Triangle = triangle;
   this->CurrentWeights = weights;
-  this->StartPlace = this->FindCornerPlace();
+  this->StartPoint = this->FindCornerPoint();
 }
 
 bool SurfaceStreamline::Advance(double step)
 {
   const double least = MinimumProgress * step;
-  if (this->StartPlace >= 0)
+  if (this->StartPoint >= 0)
   {
-    if (!this->EnterAt(this->StartPlace, step))
+    if (!this->EnterAt(this->StartPoint, step))
     {
       return false;
     }
-    this->StartPlace = -1;
+    this->StartPoint = -1;
   }
   int idle = 0;
   for (int piece = 0; piece < MostPieces && idle < MostIdlePieces; ++piece)
@@ -84,11 +85,11 @@ bool SurfaceStreamline::Advance(double step)
 SurfaceStreamline::Vector SurfaceStreamline::GetPosition() const
 {
   Vector position;
-  if (this->StartPlace < 0)
+  if (this->StartPoint < 0)
   {
     return this->Vectors->GetPosition(this->Triangle, this->CurrentWeights);
   }
-  this->Vectors->GetTriangles().GetPoint(this->StartPlace, position.data());
+  this->Vectors->GetTriangles().GetPoint(this->StartPoint, position.data());
   return position;
 }
 
@@ -207,7 +208,7 @@ bool SurfaceStreamline::MoveInside(double& step, int& corner)
         break;
       }
       // It bends back to the edge it comes from, after a shorter way.
-      if (tries == MostHalvings)
+      if (tries == MaximumHalvings)
       {
         corner = exit.Corner;
         this->CurrentWeights[corner] = 0.0;
@@ -226,10 +227,10 @@ bool SurfaceStreamline::MoveInside(double& step, int& corner)
 
 bool SurfaceStreamline::Cross(int corner, double& step)
 {
-  const vtkIdType place = this->FindCornerPlace();
-  if (place >= 0)
+  const vtkIdType mergedPoint = this->FindCornerPoint();
+  if (mergedPoint >= 0)
   {
-    return this->EnterAt(place, step);
+    return this->EnterAt(mergedPoint, step);
   }
   const int next = this->Vectors->GetNeighbor(this->Triangle, corner);
   Weights rates;
@@ -302,13 +303,13 @@ void SurfaceStreamline::Slide(const Weights& rates, double& step)
   step -= this->Move(rates, std::min(step, SlideShare / fastest), exit);
 }
 
-bool SurfaceStreamline::EnterAt(vtkIdType place, double& step)
+bool SurfaceStreamline::EnterAt(vtkIdType mergedPoint, double& step)
 {
   const SurfaceTriangles& surface = this->Vectors->GetTriangles();
   int entered = -1;
   int alongTriangle = -1;
   Weights along{};
-  surface.ForEachTriangleIndex(place,
+  surface.ForEachTriangleIndex(mergedPoint,
     [&](vtkIdType index)
     {
       const int triangle = static_cast<int>(index);
@@ -316,7 +317,7 @@ bool SurfaceStreamline::EnterAt(vtkIdType place, double& step)
       {
         return;
       }
-      const int corner = FindCornerOf(surface.GetTriangles()[index], place);
+      const int corner = FindCornerOf(surface.GetTriangles()[index], mergedPoint);
       const Weights weights = MakeCornerWeights(corner);
       Weights rates;
       if (!this->FindVelocity(triangle, weights, rates))
@@ -346,7 +347,7 @@ bool SurfaceStreamline::EnterAt(vtkIdType place, double& step)
   }
   this->Triangle = entered >= 0 ? entered : alongTriangle;
   this->CurrentWeights =
-    MakeCornerWeights(FindCornerOf(surface.GetTriangles()[this->Triangle], place));
+    MakeCornerWeights(FindCornerOf(surface.GetTriangles()[this->Triangle], mergedPoint));
   if (entered < 0)
   {
     this->Slide(along, step);
@@ -355,7 +356,7 @@ bool SurfaceStreamline::EnterAt(vtkIdType place, double& step)
 }
 
 // The surface's point where it is; -1 elsewhere.
-vtkIdType SurfaceStreamline::FindCornerPlace() const
+vtkIdType SurfaceStreamline::FindCornerPoint() const
 {
   for (int corner = 0; corner < 3; ++corner)
   {

@@ -35,7 +35,7 @@ public:
   }
 
   /// Begin at a place of the surface's points.
-  void StartAt(vtkIdType place) { this->StartPlace = place; }
+  void StartAt(vtkIdType mergedPoint) { this->StartPoint = mergedPoint; }
   /// Begin in a triangle.
   void StartInside(int triangle, const Weights& weights);
 
@@ -63,15 +63,15 @@ private:
   double Move(const Weights& rates, double step, const Exit& exit);
   bool MoveInside(double& step, int& corner);
   bool Cross(int corner, double& step);
-  bool EnterAt(vtkIdType place, double& step);
+  bool EnterAt(vtkIdType mergedPoint, double& step);
   void Slide(const Weights& rates, double& step);
-  vtkIdType FindCornerPlace() const;
+  vtkIdType FindCornerPoint() const;
 
   const SurfaceVectors* Vectors;
   double Direction; // 1 downstream, -1 upstream
   bool Normalized;
 
-  vtkIdType StartPlace = -1; // a place not yet left for a triangle
+  vtkIdType StartPoint = -1; // a place not yet left for a triangle
   int Triangle = -1;
   Weights CurrentWeights{};
 };

@@ -114,10 +114,10 @@ void SurfaceVectors::FindNeighbors()
     {
       continue;
     }
-    const int* places = this->Edges.GetEdges()[side.Edge].Places;
+    const int* mergedPoints = this->Edges.GetEdges()[side.Edge].MergedPoints;
     for (int i = 0; i < 2; ++i)
     {
-      const int corner = FindThirdCorner(triangles[pair[i]], places[0], places[1]);
+      const int corner = FindThirdCorner(triangles[pair[i]], mergedPoints[0], mergedPoints[1]);
       this->Facets[pair[i]].Neighbors[corner] = pair[1 - i];
     }
   }

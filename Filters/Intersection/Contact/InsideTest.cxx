@@ -57,14 +57,14 @@ int CountParity(const double p[3], const double q[3], const MovedSurface& surfac
     const vtkIdType index = stack.back();
     stack.pop_back();
     const BoxTree::Node& node = tree.GetNodes()[index];
-    if (!node.Bounds.Meets(box))
+    if (!node.Bounds.Intersects(box))
     {
       continue;
     }
     for (vtkIdType i = node.First; i < node.First + node.Count; ++i)
     {
       const vtkIdType triangle = tree.GetItem(i);
-      if (tree.GetBox(i).Meets(box) && surface.HasArea(triangle))
+      if (tree.GetBox(i).Intersects(box) && surface.HasArea(triangle))
       {
         const Crossing crossing = Cross(p, q, surface.GetPoints(triangle));
         if (crossing == Crossing::Unclear)
@@ -89,7 +89,7 @@ bool IsInside(const double point[3], const MovedSurface& surface)
   const Box& bounds = surface.GetTree().GetNodes().front().Bounds;
   Box place;
   place.Add(point);
-  if (!place.Meets(bounds))
+  if (!place.Intersects(bounds))
   {
     return false;
   }
@@ -103,7 +103,7 @@ bool IsInside(const double point[3], const MovedSurface& surface)
     {
       const double share = static_cast<double>(random()) / static_cast<double>(random.max());
       const double size = bounds.High[c] - bounds.Low[c];
-      end[c] = c == 0 ? bounds.High[0] + (1.0 + share) * bounds.GetGirth()
+      end[c] = c == 0 ? bounds.High[0] + (1.0 + share) * bounds.GetSumOfLengths()
                       : point[c] + (share - 0.5) * 0.01 * size;
     }
     parity = CountParity(point, end, surface);

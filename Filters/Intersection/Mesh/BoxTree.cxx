@@ -93,7 +93,7 @@ void BoxTree::Fit(const std::vector<Box>& boxes)
   }
 }
 
-bool BoxTree::Meets(const Box& box) const
+bool BoxTree::Intersects(const Box& box) const
 {
   // Halves are equal, so that a tree of all boxes in memory is not as deep as that.
   std::array<vtkIdType, 128> stack;
@@ -106,13 +106,13 @@ bool BoxTree::Meets(const Box& box) const
   {
     const vtkIdType n = stack[--size];
     const Node& node = this->Nodes[n];
-    if (!node.Bounds.Meets(box))
+    if (!node.Bounds.Intersects(box))
     {
       continue;
     }
     for (vtkIdType i = node.First; i < node.First + node.Count; ++i)
     {
-      if (this->Boxes[i].Meets(box))
+      if (this->Boxes[i].Intersects(box))
       {
         return true;
       }

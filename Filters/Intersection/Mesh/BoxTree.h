@@ -39,13 +39,13 @@ struct Box
     this->Add(other.Low.data());
     this->Add(other.High.data());
   }
-  bool Meets(const Box& other) const
+  bool Intersects(const Box& other) const
   {
     return this->Low[0] <= other.High[0] && other.Low[0] <= this->High[0] &&
       this->Low[1] <= other.High[1] && other.Low[1] <= this->High[1] &&
       this->Low[2] <= other.High[2] && other.Low[2] <= this->High[2];
   }
-  double GetGirth() const
+  double GetSumOfLengths() const
   {
     return (this->High[0] - this->Low[0]) + (this->High[1] - this->Low[1]) +
       (this->High[2] - this->Low[2]);
@@ -76,7 +76,7 @@ public:
   const Box& GetBox(vtkIdType position) const { return this->Boxes[position]; }
 
   /// Whether a box meets that of any item.
-  bool Meets(const Box& box) const;
+  bool Intersects(const Box& box) const;
 
 private:
   void Split(const std::vector<std::array<double, 3>>& middles, vtkIdType first, vtkIdType last);

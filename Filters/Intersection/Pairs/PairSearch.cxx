@@ -106,8 +106,8 @@ private:
       this->AddIfMeeting({ pair.first + 1, first.First }, pairs);
       return;
     }
-    const bool splitsFirst =
-      second.Count > 0 || (first.Count == 0 && first.Bounds.GetGirth() >= second.Bounds.GetGirth());
+    const bool splitsFirst = second.Count > 0 ||
+      (first.Count == 0 && first.Bounds.GetSumOfLengths() >= second.Bounds.GetSumOfLengths());
     if (splitsFirst)
     {
       this->AddIfMeeting({ pair.first + 1, pair.second }, pairs);
@@ -122,7 +122,7 @@ private:
 
   void AddIfMeeting(const NodePair& pair, std::vector<NodePair>& pairs) const
   {
-    if (this->GetFirst(pair).Bounds.Meets(this->GetSecond(pair).Bounds))
+    if (this->GetFirst(pair).Bounds.Intersects(this->GetSecond(pair).Bounds))
     {
       pairs.push_back(pair);
     }
@@ -158,7 +158,7 @@ private:
       const vtkIdType begin = isSameLeaf ? i + 1 : second.First;
       for (vtkIdType j = begin; j < second.First + second.Count; ++j)
       {
-        if (firstTree.GetBox(i).Meets(secondTree.GetBox(j)))
+        if (firstTree.GetBox(i).Intersects(secondTree.GetBox(j)))
         {
           this->Intersect(firstTree.GetItem(i), secondTree.GetItem(j), found);
         }

@@ -33,7 +33,7 @@ public:
     , Homogeneous(homogeneous)
   {
     this->NumberCorners(grid);
-    this->Edges = FindPatchEdges(this->Patches, points, this->Places, leastPieces);
+    this->Edges = FindPatchEdges(this->Patches, points, this->MergedPoints, leastPieces);
     this->SplitEdges();
     this->AddPatches();
     ComputeNormals(this->Patches, homogeneous, this->Mesh);
@@ -66,13 +66,13 @@ private:
       }
     }
     const std::vector<vtkIdType> places = FindPlaces(this->Mesh.Points);
-    this->Places.resize(this->Patches.size());
+    this->MergedPoints.resize(this->Patches.size());
     for (std::size_t i = 0; i < this->Patches.size(); ++i)
     {
       for (int k = 0; k < this->Patches[i].GetNumberOfCorners(); ++k)
       {
         this->Corners[i][k] = numbers[this->Corners[i][k]];
-        this->Places[i][k] = places[this->Corners[i][k]];
+        this->MergedPoints[i][k] = places[this->Corners[i][k]];
       }
     }
   }
@@ -164,7 +164,7 @@ private:
 
   // Whether two borders of the patch are one, as the seam of a sphere: an inner place would be
   // joined to places there twice.
-  bool MeetsItself(std::size_t patch) const
+  bool IntersectsItself(std::size_t patch) const
   {
     const std::array<PatchBorder, 4>& borders = this->Edges.Borders[patch];
     bool isRepeated = false;
@@ -197,7 +197,7 @@ private:
     const int round = isAfter ? (corner + size - 2) % size : -1;
     const bool isRound = isAfter && this->Edges.Borders[patch][round].Edge == border.Edge;
     return this->GetPole(
-      { this->Places[patch][corner], border.Edge, isRound }, this->Corners[patch][corner]);
+      { this->MergedPoints[patch][corner], border.Edge, isRound }, this->Corners[patch][corner]);
   }
 
   vtkIdType GetPole(const std::array<vtkIdType, 3>& key, vtkIdType corner)
@@ -283,9 +283,9 @@ private:
 
   void AddSplitPatch(std::size_t patch, const std::vector<Vertex>& vertices)
   {
-    const CornerPlaces& places = this->Places[patch];
+    const CornerPoints& places = this->MergedPoints[patch];
     const int size = this->Patches[patch].GetNumberOfCorners();
-    bool isPlaceRepeated = this->MeetsItself(patch);
+    bool isPlaceRepeated = this->IntersectsItself(patch);
     for (int a = 0; a < size; ++a)
     {
       for (int b = a + 1; b < size; ++b)
@@ -303,7 +303,7 @@ private:
     std::vector<Diagonal> diagonals(this->Patches.size(), Diagonal::None);
     for (std::size_t i = 0; i < this->Patches.size(); ++i)
     {
-      const bool isWhole = !this->MeetsItself(i) &&
+      const bool isWhole = !this->IntersectsItself(i) &&
         !this->HasEdge(i, [](const PatchEdge& edge) { return edge.Pieces > 1; });
       const bool isPole = this->HasEdge(i, [](const PatchEdge& edge) { return edge.IsCollapsed; });
       if (isWhole && !this->Patches[i].IsTriangle)
@@ -311,11 +311,11 @@ private:
         diagonals[i] = isPole ? Diagonal::Fixed : Diagonal::First;
       }
     }
-    ChooseDiagonals(this->Edges, this->Places, diagonals);
+    ChooseDiagonals(this->Edges, this->MergedPoints, diagonals);
     for (std::size_t i = 0; i < this->Patches.size(); ++i)
     {
       const std::vector<Vertex> v = this->GetVertices(i);
-      if (v.size() == 3 && !this->MeetsItself(i))
+      if (v.size() == 3 && !this->IntersectsItself(i))
       {
         this->AddTriangle(i, v[0], v[1], v[2]);
       }
@@ -336,7 +336,7 @@ private:
   const std::vector<FacePatch>& Patches;
   const ControlPoints& Homogeneous;
   std::vector<std::array<vtkIdType, 4>> Corners; // points
-  std::vector<CornerPlaces> Places;
+  std::vector<CornerPoints> MergedPoints;
   PatchEdges Edges;
   std::map<int, std::vector<std::pair<double, vtkIdType>>> Splits; // by edge: where, and points
   std::map<std::array<vtkIdType, 3>, vtkIdType> Poles;             // by place and border

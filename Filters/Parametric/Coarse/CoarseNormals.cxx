@@ -40,7 +40,7 @@ std::vector<vtkIdType> FindPlaces(const std::vector<CoarsePoint>& points)
   {
     places->SetPoint(static_cast<vtkIdType>(i), &points[i].Place.x);
   }
-  std::vector<vtkIdType> lowest = ComputePlaces(places);
+  std::vector<vtkIdType> lowest = ComputeMergedPoints(places);
   if (lowest.empty())
   {
     lowest.resize(points.size());

@@ -30,7 +30,7 @@ struct Candidate
 };
 }
 
-void ChooseDiagonals(const PatchEdges& edges, const std::vector<CornerPlaces>& places,
+void ChooseDiagonals(const PatchEdges& edges, const std::vector<CornerPoints>& places,
   std::vector<Diagonal>& diagonals)
 {
   std::vector<Candidate> candidates;

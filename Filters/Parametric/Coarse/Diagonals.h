@@ -23,7 +23,7 @@ enum class Diagonal : unsigned char
 
 /// Each First may become Second or None, so that no diagonal joins two places that an edge or
 /// another diagonal joins.
-void ChooseDiagonals(const PatchEdges& edges, const std::vector<CornerPlaces>& places,
+void ChooseDiagonals(const PatchEdges& edges, const std::vector<CornerPoints>& places,
   std::vector<Diagonal>& diagonals);
 }
 

@@ -65,7 +65,7 @@ std::uint64_t GetHash(const ControlPoints& points)
 }
 
 BorderCurve DescribeBorder(const FacePatch& patch, const ControlPoints& controlPoints,
-  const CornerPlaces& places, std::size_t index, int border)
+  const CornerPoints& places, std::size_t index, int border)
 {
   const vtkIdType start = places[border];
   const vtkIdType end = places[(border + 1) % patch.GetNumberOfCorners()];
@@ -85,7 +85,7 @@ BorderCurve DescribeBorder(const FacePatch& patch, const ControlPoints& controlP
 }
 
 std::vector<BorderCurve> DescribeBorders(const std::vector<FacePatch>& patches,
-  const ControlPoints& controlPoints, const std::vector<CornerPlaces>& places)
+  const ControlPoints& controlPoints, const std::vector<CornerPoints>& places)
 {
   std::vector<std::size_t> firsts(patches.size());
   std::size_t number = 0;
@@ -134,7 +134,7 @@ bool PatchEdges::AreJoined(const std::array<vtkIdType, 2>& ends) const
 }
 
 PatchEdges FindPatchEdges(const std::vector<FacePatch>& patches, const ControlPoints& controlPoints,
-  const std::vector<CornerPlaces>& places, int leastPieces)
+  const std::vector<CornerPoints>& places, int leastPieces)
 {
   PatchEdges result;
   result.Borders.resize(patches.size());

@@ -43,11 +43,11 @@ struct PatchEdges
 };
 
 /// The places of a patch's corners, by number.
-using CornerPlaces = std::array<vtkIdType, 4>;
+using CornerPoints = std::array<vtkIdType, 4>;
 
 /// Control points are not multiplied with their weights. Edges are split in `leastPieces` or more.
 PatchEdges FindPatchEdges(const std::vector<FacePatch>& patches, const ControlPoints& controlPoints,
-  const std::vector<CornerPlaces>& places, int leastPieces);
+  const std::vector<CornerPoints>& places, int leastPieces);
 
 /// From its first end to its second; of homogeneous points, if these are.
 ControlPoints GetCurve(

@@ -122,7 +122,7 @@ double CurveCells::GetWeight(Kinds kind, vtkIdType point) const
   return kind == BEZIER && this->Weights ? this->Weights->GetComponent(point, 0) : 1.0;
 }
 
-std::string CurveCells::FindNumberFault(vtkIdType cell, Kinds kind, vtkIdType number) const
+std::string CurveCells::FindNumberError(vtkIdType cell, Kinds kind, vtkIdType number) const
 {
   const int type = this->GetType(cell);
   const bool isFixed = type == VTK_LINE || type == VTK_QUADRATIC_EDGE || type == VTK_CUBIC_LINE;
@@ -150,7 +150,7 @@ std::string CurveCells::FindNumberFault(vtkIdType cell, Kinds kind, vtkIdType nu
       " in cell array " + GetQuotedName(this->Degrees);
 }
 
-std::string CurveCells::FindPointFault(Kinds kind, vtkIdType point) const
+std::string CurveCells::FindPointError(Kinds kind, vtkIdType point) const
 {
   if (point < 0 || point >= this->Input->GetNumberOfPoints())
   {
@@ -179,7 +179,7 @@ std::string CurveCells::FindPointFault(Kinds kind, vtkIdType point) const
       " in point array " + GetQuotedName(this->Weights) + "; weights are more than 0, and finite";
 }
 
-std::string CurveCells::FindFault(vtkIdType cell, Kinds kind, vtkIdList* points) const
+std::string CurveCells::FindError(vtkIdType cell, Kinds kind, vtkIdList* points) const
 {
   const bool isListed = !this->Grid || cell < this->NumberOfTypes;
   vtkNew<vtkIdList> read;
@@ -195,11 +195,11 @@ std::string CurveCells::FindFault(vtkIdType cell, Kinds kind, vtkIdList* points)
       ", which is not known";
   }
   const vtkIdType number = points->GetNumberOfIds();
-  std::string fault = this->FindNumberFault(cell, kind, number);
-  for (vtkIdType i = 0; fault.empty() && i < number; ++i)
+  std::string error = this->FindNumberError(cell, kind, number);
+  for (vtkIdType i = 0; error.empty() && i < number; ++i)
   {
-    fault = this->FindPointFault(kind, points->GetId(i));
+    error = this->FindPointError(kind, points->GetId(i));
   }
-  return fault;
+  return error;
 }
 }

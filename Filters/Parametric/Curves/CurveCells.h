@@ -50,12 +50,12 @@ public:
 
   /// What is wrong with the cell, whose points are these: words that follow "Cell n "; empty for
   /// nothing.
-  std::string FindFault(vtkIdType cell, Kinds kind, vtkIdList* points) const;
+  std::string FindError(vtkIdType cell, Kinds kind, vtkIdList* points) const;
 
 private:
   int GetType(vtkIdType cell) const;
-  std::string FindNumberFault(vtkIdType cell, Kinds kind, vtkIdType number) const;
-  std::string FindPointFault(Kinds kind, vtkIdType point) const;
+  std::string FindNumberError(vtkIdType cell, Kinds kind, vtkIdType number) const;
+  std::string FindPointError(Kinds kind, vtkIdType point) const;
 
   vtkPointSet* Input;
   vtkUnstructuredGrid* Grid; // nullptr of a vtkPolyData

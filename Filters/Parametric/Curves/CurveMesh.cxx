@@ -78,7 +78,7 @@ struct CurveCounts
 {
   vtkIdType Curves = 0;
   vtkIdType Points = 0;
-  bool IsFaulty = false;
+  bool HasError = false;
 };
 
 // How many curves and control points each cell has; then where they begin.
@@ -93,8 +93,8 @@ public:
       [&](vtkIdType cell, CurveCells::Kinds kind, vtkIdList* points)
       {
         CurveCounts& counts = this->Counts[cell];
-        counts.IsFaulty = !cells.FindFault(cell, kind, points).empty();
-        if (counts.IsFaulty)
+        counts.HasError = !cells.FindError(cell, kind, points).empty();
+        if (counts.HasError)
         {
           return;
         }
@@ -123,8 +123,8 @@ public:
 
   std::string GetError(const CurveCells& cells) const
   {
-    const auto isFaulty = [](const CurveCounts& counts) { return counts.IsFaulty; };
-    const auto first = std::find_if(this->Counts.begin(), this->Counts.end(), isFaulty);
+    const auto hasError = [](const CurveCounts& counts) { return counts.HasError; };
+    const auto first = std::find_if(this->Counts.begin(), this->Counts.end(), hasError);
     if (first == this->Counts.end())
     {
       return std::string();
@@ -133,8 +133,8 @@ public:
     const CurveCells::Kinds kind = cells.GetKind(cell);
     vtkNew<vtkIdList> points;
     cells.GetPoints(cell, kind, points);
-    const auto more = std::count_if(first + 1, this->Counts.end(), isFaulty);
-    return "Cell " + std::to_string(cell) + " " + cells.FindFault(cell, kind, points) + ". " +
+    const auto more = std::count_if(first + 1, this->Counts.end(), hasError);
+    return "Cell " + std::to_string(cell) + " " + cells.FindError(cell, kind, points) + ". " +
       (more == 0 ? "It is left out."
                  : "It is left out, and " + std::to_string(more) + " more that cannot be drawn.");
   }
@@ -165,7 +165,7 @@ void CurveMesh::Build(vtkPointSet* input)
   ForEachCurveCell(cells,
     [&](vtkIdType cell, CurveCells::Kinds kind, vtkIdList* points)
     {
-      if (places[cell].IsFaulty)
+      if (places[cell].HasError)
       {
         return;
       }

@@ -10,19 +10,19 @@ namespace relevo
 {
 vtkDataArray* FindCurveRadii(vtkPointSet* input, const std::string& name, std::string& error)
 {
-  std::string fault;
-  vtkDataArray* radii = FindPointArray(input, name, 1, fault);
+  std::string reason;
+  vtkDataArray* radii = FindPointArray(input, name, 1, reason);
   for (vtkIdType i = 0; radii && i < input->GetNumberOfPoints(); ++i)
   {
     if (radii->GetComponent(i, 0) < 0.0)
     {
-      fault = "point array \"" + name + "\" is below 0 at point " + std::to_string(i);
+      reason = "point array \"" + name + "\" is below 0 at point " + std::to_string(i);
       radii = nullptr;
     }
   }
   if (!radii)
   {
-    error = "No radii: " + fault + ".";
+    error = "No radii: " + reason + ".";
   }
   return radii;
 }

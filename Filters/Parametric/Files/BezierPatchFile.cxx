@@ -24,16 +24,16 @@ public:
   {
   }
 
-  const std::string& GetFault() const { return this->Fault; }
+  const std::string& GetError() const { return this->Error; }
 
-  int ReadInteger(const char* fault, int lowest, int highest)
+  int ReadInteger(const char* reason, int lowest, int highest)
   {
     int number = lowest;
     if (!this->ReadWord() || (this->Parse(number) && number >= lowest && number <= highest))
     {
       return number;
     }
-    this->SetFault(this->GetQuote() + fault);
+    this->SetError(this->GetQuote() + reason);
     return lowest;
   }
 
@@ -42,16 +42,16 @@ public:
     double number = 0.0;
     if (this->ReadWord() && !(this->Parse(number) && std::isfinite(number)))
     {
-      this->SetFault(this->GetQuote() + " is no finite number.");
+      this->SetError(this->GetQuote() + " is no finite number.");
     }
     return number;
   }
 
   void ReadEnd()
   {
-    if (this->Fault.empty() && this->SkipSpace())
+    if (this->Error.empty() && this->SkipSpace())
     {
-      this->SetFault("there is more than line 1 tells of.");
+      this->SetError("there is more than line 1 tells of.");
     }
   }
 
@@ -72,13 +72,13 @@ private:
 
   bool ReadWord()
   {
-    if (!this->Fault.empty())
+    if (!this->Error.empty())
     {
       return false;
     }
     if (!this->SkipSpace())
     {
-      this->SetFault("the file ends too early.");
+      this->SetError("the file ends too early.");
       return false;
     }
     constexpr int none = std::char_traits<char>::eof();
@@ -108,15 +108,15 @@ private:
   // What is no text may be long.
   std::string GetQuote() const { return "'" + this->Word.substr(0, 80) + "'"; }
 
-  void SetFault(const std::string& what)
+  void SetError(const std::string& what)
   {
-    this->Fault = "line " + std::to_string(this->Line) + ": " + what;
+    this->Error = "line " + std::to_string(this->Line) + ": " + what;
   }
 
   std::istream& In;
   int Line = 1;
   std::string Word;
-  std::string Fault;
+  std::string Error;
 };
 
 int ReadNumberOfPatches(NumberReader& reader)
@@ -148,17 +148,17 @@ BezierPatch ReadPatch(NumberReader& reader)
 }
 }
 
-bool ReadBezierPatches(std::istream& in, std::vector<BezierPatch>& patches, std::string& fault)
+bool ReadBezierPatches(std::istream& in, std::vector<BezierPatch>& patches, std::string& error)
 {
   NumberReader reader(in);
   const int number = ReadNumberOfPatches(reader);
-  for (int i = 0; i < number && reader.GetFault().empty(); ++i)
+  for (int i = 0; i < number && reader.GetError().empty(); ++i)
   {
     patches.push_back(ReadPatch(reader));
   }
   reader.ReadEnd();
-  fault = reader.GetFault();
-  return fault.empty();
+  error = reader.GetError();
+  return error.empty();
 }
 
 bool IsBezierPatchFile(std::istream& in)
@@ -168,6 +168,6 @@ bool IsBezierPatchFile(std::istream& in)
   {
     ReadDegrees(reader);
   }
-  return reader.GetFault().empty();
+  return reader.GetError().empty();
 }
 }

@@ -24,7 +24,7 @@ struct BezierPatch
 };
 
 /// All patches of a text; else what is wrong, "line N: ...".
-bool ReadBezierPatches(std::istream& in, std::vector<BezierPatch>& patches, std::string& fault);
+bool ReadBezierPatches(std::istream& in, std::vector<BezierPatch>& patches, std::string& error);
 
 /// Whether a text begins as one of patches: their number and, if there are any, degrees.
 bool IsBezierPatchFile(std::istream& in);

@@ -43,7 +43,7 @@ PixelScale::PixelScale(const RefinementView& view)
   double w[3];
   double vt[3][3];
   vtkMath::SingularValueDecomposition3x3(linear, u, w, vt);
-  this->MostStretch = std::max({ std::abs(w[0]), std::abs(w[1]), std::abs(w[2]) });
+  this->MaximumStretch = std::max({ std::abs(w[0]), std::abs(w[1]), std::abs(w[2]) });
   this->LeastStretch = std::min({ std::abs(w[0]), std::abs(w[1]), std::abs(w[2]) });
 }
 
@@ -79,7 +79,7 @@ double PixelScale::GetDistance(const PointBox& box) const
 
 double PixelScale::GetPixels(const PointBox& box) const
 {
-  const double unit = this->Pixels * this->MostStretch;
+  const double unit = this->Pixels * this->MaximumStretch;
   if (this->View.IsParallel())
   {
     return unit;

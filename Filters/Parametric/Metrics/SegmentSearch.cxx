@@ -13,13 +13,13 @@ namespace relevo
 {
 namespace
 {
-constexpr double MostSegments = 1e9; // beyond, a level is as good as another
+constexpr double MaximumSegments = 1e9; // beyond, a level is as good as another
 
 // How many segments a deviation needs that falls with their square.
 double GetSegments(double deviation, double limit)
 {
   const double segments = deviation > 0.0 ? std::sqrt(deviation / limit) : 1.0;
-  return segments < MostSegments ? std::max(std::ceil(segments), 1.0) : MostSegments;
+  return segments < MaximumSegments ? std::max(std::ceil(segments), 1.0) : MaximumSegments;
 }
 
 class Search
@@ -62,7 +62,7 @@ public:
         edge, [&](int f) { excess = std::max(excess, this->Excesses[f]); });
     }
     const double segments =
-      std::min(this->Steps.GetSegments(step) * std::sqrt(excess), MostSegments);
+      std::min(this->Steps.GetSegments(step) * std::sqrt(excess), MaximumSegments);
     const auto level = static_cast<float>(std::log2(segments));
     return this->Patterns.AreMorphing() ? std::nextafter(level + 0.5f, 0.0f) : level;
   }

@@ -93,9 +93,9 @@ vec2 FindNearestPatchPoint(const PatchArrays& patches, int patch, const dvec3& p
 {
   PatchAround around(patches, patch, place);
   vec2 uv = around.FindNearestSample();
-  constexpr int mostSteps = 30;
+  constexpr int maximumSteps = 30;
   constexpr float leastStep = 1e-7f;
-  for (int step = 0; step < mostSteps; ++step)
+  for (int step = 0; step < maximumSteps; ++step)
   {
     const PatchAround::Sample at = around.Evaluate(uv);
     const float a = dot(at.ByU, at.ByU);

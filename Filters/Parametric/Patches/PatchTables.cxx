@@ -49,7 +49,7 @@ public:
     : Mesh(mesh)
     , Patches(patches)
     , Tables(tables)
-    , Places(ComputePlaces(mesh->GetPoints()))
+    , MergedPoints(ComputeMergedPoints(mesh->GetPoints()))
   {
   }
 
@@ -90,10 +90,10 @@ public:
   }
 
 private:
-  int GetPlace(vtkIdType point) const
+  int GetMergedPoint(vtkIdType point) const
   {
     return static_cast<int>(
-      this->Places.empty() ? point : this->Places[static_cast<std::size_t>(point)]);
+      this->MergedPoints.empty() ? point : this->MergedPoints[static_cast<std::size_t>(point)]);
   }
 
   void AddFace(vtkIdType cell, const vtkIdType corners[3])
@@ -118,8 +118,8 @@ private:
     for (int edge = 0; edge < 3; ++edge)
     {
       const int next = (edge + 1) % 3;
-      const int from = this->GetPlace(corners[edge]);
-      const int to = this->GetPlace(corners[next]);
+      const int from = this->GetMergedPoint(corners[edge]);
+      const int to = this->GetMergedPoint(corners[next]);
       const int border = this->Functions.findPatchBorder(shape, uv[edge], uv[next]);
       if (border >= 0 && from != to)
       {
@@ -198,7 +198,7 @@ private:
   vtkPolyData* Mesh;
   const PatchArrays& Patches;
   vtkRefinementSurface::Tables& Tables;
-  std::vector<vtkIdType> Places;
+  std::vector<vtkIdType> MergedPoints;
   std::vector<BorderSide> Sides;
   vtkRefinementSurface::Face NoFace{};
   PatchFace Functions{ this->NoFace };

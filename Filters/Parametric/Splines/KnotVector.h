@@ -15,7 +15,7 @@
 namespace relevo
 {
 /// What is wrong with the knots for so many control points; empty if nothing is.
-std::string FindKnotFault(const std::vector<double>& knots, int degree, std::size_t points);
+std::string FindKnotError(const std::vector<double>& knots, int degree, std::size_t points);
 
 /// Each k with knots[k] < knots[k + 1] where the curve is defined: from knots[degree] to the
 /// degree-th before the last.

@@ -95,9 +95,9 @@ bool EdgeTags::Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
     this->Source->Clear();
     this->Reset();
   }
-  if (this->Kind == PER_POINT && !mesh.Places.empty())
+  if (this->Kind == PER_POINT && !mesh.MergedPoints.empty())
   {
-    UniteTags(mesh.Places, this->Values->GetPointer(0));
+    UniteTags(mesh.MergedPoints, this->Values->GetPointer(0));
   }
   return true;
 }

@@ -60,21 +60,21 @@ bool BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bool keepNorma
     BuildFaces(input, recipe, keepNormals, whole, mesh, error, warning);
 }
 
-std::string FindObstacle(vtkAdaptiveRefinement* recipe)
+std::string FindError(vtkAdaptiveRefinement* recipe)
 {
-  const std::string obstacle = FindRangeObstacle(recipe->GetSurface(), recipe->GetDisplacement());
-  return obstacle.empty() ? FindPatternObstacle(recipe) : obstacle;
+  const std::string error = FindRangeError(recipe->GetSurface(), recipe->GetDisplacement());
+  return error.empty() ? FindPatternError(recipe) : error;
 }
 
-std::string MakeError(const std::string& obstacle)
+std::string MakeError(const std::string& error)
 {
-  return obstacle.empty() ? obstacle : "Cannot refine the input: " + obstacle + ".";
+  return error.empty() ? error : "Cannot refine the input: " + error + ".";
 }
 
-std::string FindNewShortfall(vtkAdaptiveRefinement* recipe, std::string& last)
+std::string FindNewWarning(vtkAdaptiveRefinement* recipe, std::string& last)
 {
-  const std::string shortfall = FindPatternShortfall(recipe);
-  return std::exchange(last, shortfall) == shortfall ? std::string() : shortfall;
+  const std::string warning = FindPatternWarning(recipe);
+  return std::exchange(last, warning) == warning ? std::string() : warning;
 }
 
 bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const GlobalSurfaceInfo* whole,
@@ -89,12 +89,12 @@ bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const Global
   {
     return false;
   }
-  std::string obstacle = FindObstacle(recipe);
-  if (obstacle.empty() && recipe->GetSurface())
+  std::string reason = FindError(recipe);
+  if (reason.empty() && recipe->GetSurface())
   {
-    obstacle = recipe->GetSurface()->GetEvaluationError();
+    reason = recipe->GetSurface()->GetEvaluationError();
   }
-  error = MakeError(obstacle);
+  error = MakeError(reason);
   return error.empty() && BuildFaces(input, recipe, true, whole, mesh, error, warning);
 }
 }

@@ -3,7 +3,7 @@
 /**
  * @brief   what is needed to refine a mesh: checked, prepared, levels chosen
  *
- * The mapper asks BuildMesh() when the mesh or the recipe's parts have changed, and FindObstacle()
+ * The mapper asks BuildMesh() when the mesh or the recipe's parts have changed, and FindError()
  * in every frame; the filter and the locator ask PrepareMesh() for both, and SelectPatterns().
  *
  * An obstacle is a clause that says why a mesh cannot be refined, here and in the functions called;
@@ -36,16 +36,16 @@ RELEVOFILTERSREFINEMENT_EXPORT bool BuildMesh(vtkPolyData* input, vtkAdaptiveRef
  * Why a mesh that is built cannot be refined with the recipe's settings as they are now; empty
  * where it can.
  */
-RELEVOFILTERSREFINEMENT_EXPORT std::string FindObstacle(vtkAdaptiveRefinement* recipe);
+RELEVOFILTERSREFINEMENT_EXPORT std::string FindError(vtkAdaptiveRefinement* recipe);
 
 /// The error that an obstacle makes; empty for none.
-RELEVOFILTERSREFINEMENT_EXPORT std::string MakeError(const std::string& obstacle);
+RELEVOFILTERSREFINEMENT_EXPORT std::string MakeError(const std::string& reason);
 
 /**
  * What the recipe asks for and does not get, as a warning to show the user. Empty for nothing, and
  * for what `last` says already; `last` becomes it.
  */
-RELEVOFILTERSREFINEMENT_EXPORT std::string FindNewShortfall(
+RELEVOFILTERSREFINEMENT_EXPORT std::string FindNewWarning(
   vtkAdaptiveRefinement* recipe, std::string& last);
 
 /**

@@ -16,10 +16,10 @@ bool SelectPatterns(vtkPolyData* input, vtkAdaptiveRefinement* recipe, const Ref
   PatternSelection& selection, std::string& error)
 {
   EdgeTags tags(source);
-  std::string obstacle;
-  if (!tags.Compute(recipe, input, mesh, view, obstacle))
+  std::string reason;
+  if (!tags.Compute(recipe, input, mesh, view, reason))
   {
-    error = MakeError(obstacle);
+    error = MakeError(reason);
     return false;
   }
   selection.Select(mesh, tags, *GetPatternFamily(recipe, input), recipe->GetMaximumLevel(),

@@ -38,7 +38,7 @@ const float* PointTags::GetValues() const
 bool PointTags::Compute(vtkAdaptiveRefinement* recipe, vtkDataSet* input, const GetMesh& getMesh,
   const RefinementView& view, std::string& error)
 {
-  std::string obstacle;
+  std::string reason;
   this->Kind = UNIFORM;
   vtkDepthTagMetric* metric = GetMetricInUse(recipe, input);
   if (!metric)
@@ -49,9 +49,9 @@ bool PointTags::Compute(vtkAdaptiveRefinement* recipe, vtkDataSet* input, const 
   {
     this->Values->SetNumberOfComponents(1);
     this->Values->SetNumberOfTuples(input->GetNumberOfPoints());
-    if (!TakeDepthTags(array, input->GetNumberOfPoints(), this->Values->GetPointer(0), obstacle))
+    if (!TakeDepthTags(array, input->GetNumberOfPoints(), this->Values->GetPointer(0), reason))
     {
-      error = MakeError(obstacle);
+      error = MakeError(reason);
       return false;
     }
     this->Kind = OF_ARRAY;
@@ -61,9 +61,9 @@ bool PointTags::Compute(vtkAdaptiveRefinement* recipe, vtkDataSet* input, const 
     RefinementView viewOfSteps = view;
     viewOfSteps.Patterns = GetRoundedPatternFamily(recipe);
     if (!ComputeDepthTags(this->Source->GetEvaluator(metric, getMesh()), viewOfSteps,
-          GetHighestTag(recipe, false), false, this->Values, obstacle))
+          GetHighestTag(recipe, false), false, this->Values, reason))
     {
-      error = MakeError(obstacle);
+      error = MakeError(reason);
       return false;
     }
     this->Kind = OF_METRIC;

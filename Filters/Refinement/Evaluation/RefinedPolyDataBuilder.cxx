@@ -302,7 +302,8 @@ bool RefinedPolyDataBuilder::IsAtCorner(
   float weight = 0.0f;
   for (int i = 0; i < 3; ++i)
   {
-    const bool isThere = this->Mesh.GetPlace(corners[i]) == this->Mesh.GetPlace(corners[nearest]);
+    const bool isThere =
+      this->Mesh.GetMergedPoint(corners[i]) == this->Mesh.GetMergedPoint(corners[nearest]);
     weight += isThere ? point.Weights[i] : 0.0f;
   }
   return weight == 1.0f;

@@ -176,26 +176,26 @@ DiscreteCurvature SampledSurface::ComputeCurvature(
   {
     for (int corner : mesh.Faces[f].Corners)
     {
-      const auto place = static_cast<std::size_t>(mesh.GetPlace(corner));
-      areas[place] += faces[f].Area;
-      result.Gaussian[place] += faces[f].Area * faces[f].Gaussian;
-      result.Mean[place] += faces[f].Area * faces[f].Mean;
+      const auto mergedPoint = static_cast<std::size_t>(mesh.GetMergedPoint(corner));
+      areas[mergedPoint] += faces[f].Area;
+      result.Gaussian[mergedPoint] += faces[f].Area * faces[f].Gaussian;
+      result.Mean[mergedPoint] += faces[f].Area * faces[f].Mean;
     }
   }
-  for (std::size_t place = 0; place < n; ++place)
+  for (std::size_t mergedPoint = 0; mergedPoint < n; ++mergedPoint)
   {
-    if (areas[place] > 0.0)
+    if (areas[mergedPoint] > 0.0)
     {
-      result.Places.push_back(static_cast<vtkIdType>(place));
-      result.Gaussian[place] /= areas[place];
-      result.Mean[place] /= areas[place];
+      result.MergedPoints.push_back(static_cast<vtkIdType>(mergedPoint));
+      result.Gaussian[mergedPoint] /= areas[mergedPoint];
+      result.Mean[mergedPoint] /= areas[mergedPoint];
     }
   }
-  for (std::size_t point = 0; !mesh.Places.empty() && point < n; ++point)
+  for (std::size_t point = 0; !mesh.MergedPoints.empty() && point < n; ++point)
   {
-    const auto place = static_cast<std::size_t>(mesh.Places[point]);
-    result.Gaussian[point] = result.Gaussian[place];
-    result.Mean[point] = result.Mean[place];
+    const auto mergedPoint = static_cast<std::size_t>(mesh.MergedPoints[point]);
+    result.Gaussian[point] = result.Gaussian[mergedPoint];
+    result.Mean[point] = result.Mean[mergedPoint];
   }
   return result;
 }

@@ -20,9 +20,9 @@ namespace relevo
 namespace
 {
 // Where a cell is: cells are numbered through vertices, lines, polygons and strips.
-struct CellPlace
+struct CellPosition
 {
-  CellPlace(vtkPolyData* input, vtkIdType cellId)
+  CellPosition(vtkPolyData* input, vtkIdType cellId)
     : Id(cellId)
   {
     vtkCellArray* const all[] = { input->GetVerts(), input->GetLines(), input->GetPolys(),
@@ -86,7 +86,7 @@ void Reflect(double v[3], const double axis[3])
 
 int GetCellType(vtkPolyData* input, vtkIdType cellId)
 {
-  const CellPlace place(input, cellId);
+  const CellPosition place(input, cellId);
   const vtkIdType size = place.Cells->GetCellSize(place.Id);
   const vtkIdType least[] = { 1, 2, 3, 3 };
   if (size < least[place.Kind])
@@ -95,11 +95,11 @@ int GetCellType(vtkPolyData* input, vtkIdType cellId)
   }
   switch (place.Kind)
   {
-    case CellPlace::VERTICES:
+    case CellPosition::VERTICES:
       return size == 1 ? VTK_VERTEX : VTK_POLY_VERTEX;
-    case CellPlace::LINES:
+    case CellPosition::LINES:
       return size == 2 ? VTK_LINE : VTK_POLY_LINE;
-    case CellPlace::STRIPS:
+    case CellPosition::STRIPS:
       return VTK_TRIANGLE_STRIP;
     default:
       return size == 3 ? VTK_TRIANGLE : size == 4 ? VTK_QUAD : VTK_POLYGON;
@@ -108,7 +108,7 @@ int GetCellType(vtkPolyData* input, vtkIdType cellId)
 
 void GetCellPoints(vtkPolyData* input, vtkIdType cellId, vtkIdList* points)
 {
-  const CellPlace place(input, cellId);
+  const CellPosition place(input, cellId);
   place.Cells->GetCellAtId(place.Id, points);
 }
 

@@ -35,7 +35,7 @@ void ToleranceSteps::Take(const RefinementMesh& mesh, const RefinedSurface& surf
   this->HighestStep = this->Family->AreWholeNumbers()
     ? SegmentSteps::GetWholeNumberStep(static_cast<float>(level))
     : level;
-  this->MostParts = std::max(LeastParts, 2 << level);
+  this->MaximumParts = std::max(LeastParts, 2 << level);
   std::fill_n(this->Texels, 2, 0);
   if (recipe->GetDisplacement() && recipe->GetDisplacement()->GetHeightMap())
   {
@@ -75,8 +75,8 @@ int ToleranceSteps::CountParts(int face) const
       texels = std::max<double>(texels, (range.second - range.first) * this->Texels[axis]);
     }
   }
-  return texels < this->MostParts ? std::max(LeastParts, static_cast<int>(std::ceil(texels)))
-                                  : this->MostParts;
+  return texels < this->MaximumParts ? std::max(LeastParts, static_cast<int>(std::ceil(texels)))
+                                     : this->MaximumParts;
 }
 
 // Deviations of smooth surfaces go by the square of the segments' length.
@@ -202,15 +202,15 @@ std::pair<vtkIdType, double> ToleranceSteps::Choose(
   {
     deviations = this->Measure(faces);
   }
-  std::pair<vtkIdType, double> shortfall(0, 0.0);
+  std::pair<vtkIdType, double> warning(0, 0.0);
   for (double deviation : deviations)
   {
     if (deviation > tolerance)
     {
-      ++shortfall.first;
-      shortfall.second = std::max(shortfall.second, deviation);
+      ++warning.first;
+      warning.second = std::max(warning.second, deviation);
     }
   }
-  return shortfall;
+  return warning;
 }
 }

@@ -65,7 +65,7 @@ private:
   const RefinedSurface* Surface = nullptr;
   std::shared_ptr<const PatternFamily> Family;
   int HighestStep = 0;
-  int MostParts = 1;
+  int MaximumParts = 1;
   int Texels[2] = { 0, 0 }; // of the displacement's height map
   std::vector<int> FaceEdges;
 

@@ -131,13 +131,13 @@ void ToleranceSurface::GetFaceBounds(int face, double low[3], double high[3]) co
 std::pair<vtkIdType, double> ToleranceSurface::Refine(
   const std::vector<unsigned char>& areWanted, double tolerance)
 {
-  const std::pair<vtkIdType, double> shortfall = this->Data->Steps.Choose(areWanted, tolerance);
+  const std::pair<vtkIdType, double> warning = this->Data->Steps.Choose(areWanted, tolerance);
   if (!this->Triangles || this->Data->EdgeSteps != this->Data->Steps.GetEdgeSteps())
   {
     this->BuildTriangles();
     this->Data->EdgeSteps = this->Data->Steps.GetEdgeSteps();
   }
-  return shortfall;
+  return warning;
 }
 
 void ToleranceSurface::BuildPoints(

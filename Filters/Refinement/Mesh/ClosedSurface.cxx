@@ -37,8 +37,8 @@ std::vector<Side> GetSortedSides(const RefinementMesh& mesh)
     for (size_t e = 0; e < 3; ++e)
     {
       // Sorted corners 0 1 2 in the cell's sense: edges 0 1 and 1 2 forwards, 0 2 backwards.
-      sides[3 * f + e] = { mesh.GetPlace(face.Corners[EdgeCorners[e][0]]),
-        mesh.GetPlace(face.Corners[EdgeCorners[e][1]]), static_cast<int>(f),
+      sides[3 * f + e] = { mesh.GetMergedPoint(face.Corners[EdgeCorners[e][0]]),
+        mesh.GetMergedPoint(face.Corners[EdgeCorners[e][1]]), static_cast<int>(f),
         (e < 2) != face.IsTurned() };
     }
   }

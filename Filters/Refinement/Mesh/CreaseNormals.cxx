@@ -115,22 +115,23 @@ bool CreaseNormals::AreCreasesNoise(const SurfaceEdges& edges, double featureAng
     if (angle > featureAngle)
     {
       ++numberOfCreases;
-      const auto& places = edges.GetEdges()[sides.Edge].Places;
+      const auto& mergedPoints = edges.GetEdges()[sides.Edge].MergedPoints;
       // The corner of b beyond the edge is above a's plane in a valley.
       const SurfaceTriangles::Triangle& corners = triangles[b];
-      const vtkIdType beyond = corners[0] + corners[1] + corners[2] - places[0] - places[1];
+      const vtkIdType beyond =
+        corners[0] + corners[1] + corners[2] - mergedPoints[0] - mergedPoints[1];
       dvec3 ends[2];
       this->Triangles->GetPoint(beyond, &ends[0][0]);
-      this->Triangles->GetPoint(places[0], &ends[1][0]);
+      this->Triangles->GetPoint(mergedPoints[0], &ends[1][0]);
       const int isValley = dot(this->AreaVectors[a], ends[0] - ends[1]) > 0.0 ? 1 : 0;
-      ++creases[places[0]][isValley];
-      ++creases[places[1]][isValley];
+      ++creases[mergedPoints[0]][isValley];
+      ++creases[mergedPoints[1]][isValley];
     }
   }
   const auto numberOfTornPlaces = std::count_if(creases.begin(), creases.end(),
-    [](const auto& place)
+    [](const auto& mergedPoint)
     {
-      const std::array<int, 2>& signs = place.second;
+      const std::array<int, 2>& signs = mergedPoint.second;
       return signs[0] + signs[1] == 1 || (signs[0] > 0 && signs[1] > 0);
     });
   return 50 * numberOfCreases > numberOfBends && 4 * numberOfNearBends > numberOfCreases &&
@@ -159,9 +160,9 @@ bool CreaseNormals::UniteCorners(
       !isOnePolygon && angle > featureAngle / coarse && angle < featureAngle * coarse ? 1 : 0;
     if (isOnePolygon || (sides.Type == SurfaceEdgeSides::INNER && angle <= featureAngle))
     {
-      for (int place : edges.GetEdges()[sides.Edge].Places)
+      for (int mergedPoint : edges.GetEdges()[sides.Edge].MergedPoints)
       {
-        corners.Unite(this->FindCorner(a, place), this->FindCorner(b, place));
+        corners.Unite(this->FindCorner(a, mergedPoint), this->FindCorner(b, mergedPoint));
       }
     }
   }
@@ -178,12 +179,12 @@ void CreaseNormals::CountCreases(const SurfaceEdges& edges)
     {
       continue;
     }
-    const auto& places = edges.GetEdges()[sides.Edge].Places;
-    const bool isCrease = std::all_of(std::begin(places), std::end(places),
-      [&](int place)
+    const auto& mergedPoints = edges.GetEdges()[sides.Edge].MergedPoints;
+    const bool isCrease = std::all_of(std::begin(mergedPoints), std::end(mergedPoints),
+      [&](int mergedPoint)
       {
-        return getAngle(this->Normals[this->FindCorner(a, place)],
-                 this->Normals[this->FindCorner(b, place)]) > FlatAngle;
+        return getAngle(this->Normals[this->FindCorner(a, mergedPoint)],
+                 this->Normals[this->FindCorner(b, mergedPoint)]) > FlatAngle;
       });
     this->NumberOfCreases += isCrease ? 1 : 0;
     this->Curved = this->Curved ||
@@ -227,9 +228,9 @@ std::vector<dvec3> CreaseNormals::SumPolygons(vtkIdType firstStrip) const
   return sums;
 }
 
-vtkIdType CreaseNormals::FindCorner(vtkIdType triangle, vtkIdType place) const
+vtkIdType CreaseNormals::FindCorner(vtkIdType triangle, vtkIdType mergedPoint) const
 {
   const SurfaceTriangles::Triangle& corners = this->Triangles->GetTriangles()[triangle];
-  return 3 * triangle + (std::find(corners.begin(), corners.end(), place) - corners.begin());
+  return 3 * triangle + (std::find(corners.begin(), corners.end(), mergedPoint) - corners.begin());
 }
 }

@@ -58,7 +58,7 @@ private:
   /// For each corner the sum of the area vectors of its polygon's triangles there.
   std::vector<dvec3> SumPolygons(vtkIdType firstStrip) const;
   void CountCreases(const SurfaceEdges& edges);
-  vtkIdType FindCorner(vtkIdType triangle, vtkIdType place) const;
+  vtkIdType FindCorner(vtkIdType triangle, vtkIdType mergedPoint) const;
 
   std::shared_ptr<const SurfaceTriangles> Triangles;
   std::vector<dvec3> AreaVectors;

@@ -20,11 +20,11 @@ std::vector<int> FindFaceEdges(const RefinementMesh& mesh, const SurfaceEdges& e
         const int* corners = mesh.Faces[f].Corners;
         for (int e = 0; e < 3; ++e)
         {
-          const int a = mesh.GetPlace(corners[EdgeCorners[e][0]]);
-          const int b = mesh.GetPlace(corners[EdgeCorners[e][1]]);
+          const int a = mesh.GetMergedPoint(corners[EdgeCorners[e][0]]);
+          const int b = mesh.GetMergedPoint(corners[EdgeCorners[e][1]]);
           // An edge that is one point is as deep as those that lead there.
           const int other =
-            a != b ? b : mesh.GetPlace(corners[3 - EdgeCorners[e][0] - EdgeCorners[e][1]]);
+            a != b ? b : mesh.GetMergedPoint(corners[3 - EdgeCorners[e][0] - EdgeCorners[e][1]]);
           faceEdges[3 * f + e] = static_cast<int>(edges.FindEdge(a, other));
         }
       }

@@ -118,7 +118,7 @@ bool RefinementMesh::Build(vtkPolyData* input, vtkRefinementSurface* surface,
     return false;
   }
   this->NumberOfPoints = static_cast<int>(input->GetNumberOfPoints());
-  this->Places = ComputePlaces(input->GetPoints());
+  this->MergedPoints = ComputeMergedPoints(input->GetPoints());
   this->BuildPoints(input, whole);
   this->BuildFaces(input);
   this->DropLoneFaces();
@@ -132,14 +132,14 @@ bool RefinementMesh::Build(vtkPolyData* input, vtkRefinementSurface* surface,
     (keepNormals && input->GetPointData()->GetNormals()))
   {
     this->BuildNormals(input);
-    if (!this->Places.empty())
+    if (!this->MergedPoints.empty())
     {
       this->BuildDirections();
     }
   }
-  if (!this->Places.empty() && !this->Faces.empty())
+  if (!this->MergedPoints.empty() && !this->Faces.empty())
   {
-    this->BuildPlaceEdges();
+    this->BuildMergedEdges();
   }
   if (displacement)
   {
@@ -149,7 +149,7 @@ bool RefinementMesh::Build(vtkPolyData* input, vtkRefinementSurface* surface,
       return false;
     }
     this->BuildFrames(displacement->IsAlongNormal());
-    if (!this->Places.empty())
+    if (!this->MergedPoints.empty())
     {
       this->BuildSeams();
     }
@@ -198,7 +198,7 @@ void RefinementMesh::RemoveGhosts(vtkPolyData* input)
   keep(this->Vectors, 3 * static_cast<size_t>(this->VectorsPerFace));
   keep(this->Seams, 9);
   keep(this->TableEntries, 1);
-  this->FacePlaceEdges.clear(); // has done its work
+  this->FaceMergedEdges.clear(); // has done its work
   this->Faces.erase(std::remove_if(this->Faces.begin(), this->Faces.end(),
                       [&](const RefinementFace& face) { return ghosts.Has(face.Cell); }),
     this->Faces.end());
@@ -230,7 +230,7 @@ bool RefinementMesh::BuildValues(vtkPolyData* input, vtkRefinementSurface* surfa
   {
     return false;
   }
-  if (this->Places.empty())
+  if (this->MergedPoints.empty())
   {
     return true;
   }
@@ -247,20 +247,20 @@ bool RefinementMesh::BuildValues(vtkPolyData* input, vtkRefinementSurface* surfa
   std::vector<int> counts(n, 0);
   for (size_t i = 0; i < n; ++i)
   {
-    const size_t place = static_cast<size_t>(this->Places[i]);
-    counts[place] += isCorner[i];
+    const size_t mergedPoint = static_cast<size_t>(this->MergedPoints[i]);
+    counts[mergedPoint] += isCorner[i];
     for (size_t k = 0; isCorner[i] && k < perPoint; ++k)
     {
-      sums[perPoint * place + k] += this->Values[perPoint * i + k];
+      sums[perPoint * mergedPoint + k] += this->Values[perPoint * i + k];
     }
   }
   for (size_t i = 0; i < n; ++i)
   {
-    const size_t place = static_cast<size_t>(this->Places[i]);
-    for (size_t k = 0; counts[place] > 1 && k < perPoint; ++k)
+    const size_t mergedPoint = static_cast<size_t>(this->MergedPoints[i]);
+    for (size_t k = 0; counts[mergedPoint] > 1 && k < perPoint; ++k)
     {
       this->Values[perPoint * i + k] =
-        static_cast<float>(sums[perPoint * place + k] / counts[place]);
+        static_cast<float>(sums[perPoint * mergedPoint + k] / counts[mergedPoint]);
     }
   }
   return true;
@@ -380,13 +380,13 @@ void RefinementMesh::BuildFaces(vtkPolyData* input)
   auto addTriangle = [&](vtkIdType a, vtkIdType b, vtkIdType c, int cell, const bool hidden[3])
   {
     const vtkIdType ids[3] = { a, b, c };
-    int places[3];
+    int mergedPoints[3];
     for (int i = 0; i < 3; ++i)
     {
-      places[i] = this->GetPlace(static_cast<int>(ids[i]));
+      mergedPoints[i] = this->GetMergedPoint(static_cast<int>(ids[i]));
     }
-    const int pairs =
-      (places[0] == places[1]) + (places[1] == places[2]) + (places[0] == places[2]);
+    const int pairs = (mergedPoints[0] == mergedPoints[1]) + (mergedPoints[1] == mergedPoints[2]) +
+      (mergedPoints[0] == mergedPoints[2]);
     if (pairs > (isPatch ? 1 : 0) || !isFinite(&this->Points[3 * a]) ||
       !isFinite(&this->Points[3 * b]) || !isFinite(&this->Points[3 * c]))
     {
@@ -394,7 +394,8 @@ void RefinementMesh::BuildFaces(vtkPolyData* input)
       return;
     }
     int order[3] = { 0, 1, 2 };
-    std::sort(order, order + 3, [&places](int l, int r) { return places[l] < places[r]; });
+    std::sort(order, order + 3,
+      [&mergedPoints](int l, int r) { return mergedPoints[l] < mergedPoints[r]; });
     RefinementFace face;
     face.Cell = cell;
     face.Order = static_cast<unsigned char>(GetCornerOrderCode(order[0], order[1], order[2]));
@@ -561,13 +562,13 @@ void RefinementMesh::ComputeMissingNormals()
     for (int i = 0; i < 3; ++i)
     {
       const double weight = angle(subtract(p[(i + 1) % 3], p[i]), subtract(p[(i + 2) % 3], p[i]));
-      const size_t place = 3 * static_cast<size_t>(this->GetPlace(corners[i]));
-      const bool isFirst =
-        std::all_of(&firsts[place], &firsts[place] + 3, [](double c) { return c == 0.0; });
+      const size_t mergedPoint = 3 * static_cast<size_t>(this->GetMergedPoint(corners[i]));
+      const bool isFirst = std::all_of(
+        &firsts[mergedPoint], &firsts[mergedPoint] + 3, [](double c) { return c == 0.0; });
       for (int c = 0; c < 3; ++c)
       {
-        sums[place + c] += weight * normal[c];
-        firsts[place + c] = isFirst ? normal[c] : firsts[place + c];
+        sums[mergedPoint + c] += weight * normal[c];
+        firsts[mergedPoint + c] = isFirst ? normal[c] : firsts[mergedPoint + c];
       }
     }
   }
@@ -576,12 +577,12 @@ void RefinementMesh::ComputeMissingNormals()
     float* normal = &this->Normals[3 * i];
     if (std::all_of(normal, normal + 3, [](float c) { return c == 0.0f; }))
     {
-      const size_t place = 3 * static_cast<size_t>(this->GetPlace(static_cast<int>(i)));
-      Vector sum = { sums[place], sums[place + 1], sums[place + 2] };
+      const size_t mergedPoint = 3 * static_cast<size_t>(this->GetMergedPoint(static_cast<int>(i)));
+      Vector sum = { sums[mergedPoint], sums[mergedPoint + 1], sums[mergedPoint + 2] };
       constexpr double cancelled = 1e-9; // radians
       if (vtkMath::Normalize(sum.data()) < cancelled)
       {
-        sum = { firsts[place], firsts[place + 1], firsts[place + 2] };
+        sum = { firsts[mergedPoint], firsts[mergedPoint + 1], firsts[mergedPoint + 2] };
       }
       std::copy_n(sum.data(), 3, normal);
     }
@@ -600,7 +601,7 @@ void RefinementMesh::BuildDirections()
     for (int corner : face.Corners)
     {
       const size_t point = static_cast<size_t>(corner);
-      size_t& lowest = first[static_cast<size_t>(this->Places[point])];
+      size_t& lowest = first[static_cast<size_t>(this->MergedPoints[point])];
       lowest = std::min(lowest, point);
       isCorner[point] = 1;
     }
@@ -608,23 +609,23 @@ void RefinementMesh::BuildDirections()
   std::vector<char> isSplit(n, 0); // per place
   for (size_t i = 0; i < n; ++i)
   {
-    const size_t place = static_cast<size_t>(this->Places[i]);
-    const Vector difference =
-      subtract(load(&this->Normals[3 * i]), load(&this->Normals[3 * std::min(first[place], i)]));
+    const size_t mergedPoint = static_cast<size_t>(this->MergedPoints[i]);
+    const Vector difference = subtract(
+      load(&this->Normals[3 * i]), load(&this->Normals[3 * std::min(first[mergedPoint], i)]));
     constexpr double squaredRounding = double(NormalRounding) * NormalRounding;
-    isSplit[place] |= isCorner[i] && dot(difference, difference) > squaredRounding ? 1 : 0;
+    isSplit[mergedPoint] |= isCorner[i] && dot(difference, difference) > squaredRounding ? 1 : 0;
   }
   std::vector<float> directions(3 * n, 0.0f);
   for (size_t i = 0; i < n; ++i)
   {
-    const size_t place = static_cast<size_t>(this->Places[i]);
-    if (isCorner[i] && !isSplit[place])
+    const size_t mergedPoint = static_cast<size_t>(this->MergedPoints[i]);
+    if (isCorner[i] && !isSplit[mergedPoint])
     {
-      std::copy_n(&this->Normals[3 * first[place]], 3, &this->Normals[3 * i]);
+      std::copy_n(&this->Normals[3 * first[mergedPoint]], 3, &this->Normals[3 * i]);
     }
     for (int c = 0; c < 3; ++c)
     {
-      directions[3 * place + c] += isCorner[i] ? this->Normals[3 * i + c] : 0.0f;
+      directions[3 * mergedPoint + c] += isCorner[i] ? this->Normals[3 * i + c] : 0.0f;
     }
   }
   if (std::find(isSplit.begin(), isSplit.end(), 1) == isSplit.end())
@@ -633,15 +634,15 @@ void RefinementMesh::BuildDirections()
   }
   for (size_t i = 0; i < n; ++i)
   {
-    const size_t place = static_cast<size_t>(this->Places[i]);
+    const size_t mergedPoint = static_cast<size_t>(this->MergedPoints[i]);
     float* direction = &directions[3 * i];
-    if (place != i)
+    if (mergedPoint != i)
     {
-      std::copy_n(&directions[3 * place], 3, direction);
+      std::copy_n(&directions[3 * mergedPoint], 3, direction);
     }
-    else if (!isSplit[place] || vtkMath::Normalize(direction) == 0.0f)
+    else if (!isSplit[mergedPoint] || vtkMath::Normalize(direction) == 0.0f)
     {
-      std::copy_n(&this->Normals[3 * std::min(first[place], i)], 3, direction);
+      std::copy_n(&this->Normals[3 * std::min(first[mergedPoint], i)], 3, direction);
     }
   }
   this->Directions.swap(directions);
@@ -653,26 +654,26 @@ std::vector<size_t> RefinementMesh::FindFramePoints() const
 {
   std::vector<size_t> framePoints(static_cast<size_t>(this->NumberOfPoints));
   std::iota(framePoints.begin(), framePoints.end(), 0);
-  if (this->Places.empty())
+  if (this->MergedPoints.empty())
   {
     return framePoints;
   }
   std::vector<char> isShared(framePoints.size(), 0); // per place
   for (size_t i = 0; i < framePoints.size(); ++i)
   {
-    const size_t place = static_cast<size_t>(this->Places[i]);
-    isShared[place] |= place != i ? 1 : 0;
+    const size_t mergedPoint = static_cast<size_t>(this->MergedPoints[i]);
+    isShared[mergedPoint] |= mergedPoint != i ? 1 : 0;
   }
   using Key = std::tuple<vtkIdType, float, float>;
   std::vector<std::pair<Key, size_t>> points;
   for (size_t i = 0; i < framePoints.size(); ++i)
   {
-    const vtkIdType place = this->Places[i];
-    if (isShared[static_cast<size_t>(place)])
+    const vtkIdType mergedPoint = this->MergedPoints[i];
+    if (isShared[static_cast<size_t>(mergedPoint)])
     {
       const float* uv =
         this->TextureCoordinates.empty() ? nullptr : &this->TextureCoordinates[2 * i];
-      points.push_back({ Key(place, uv ? uv[0] : 0.0f, uv ? uv[1] : 0.0f), i });
+      points.push_back({ Key(mergedPoint, uv ? uv[0] : 0.0f, uv ? uv[1] : 0.0f), i });
     }
   }
   std::sort(points.begin(), points.end());
@@ -767,16 +768,16 @@ void RefinementMesh::BuildFrames(bool alongNormal)
 
 void RefinementMesh::DropLoneFaces()
 {
-  const auto getPlaces = [this](const RefinementFace& face) -> std::array<int, 3>
+  const auto getMergedPoints = [this](const RefinementFace& face) -> std::array<int, 3>
   {
-    return { this->GetPlace(face.Corners[0]), this->GetPlace(face.Corners[1]),
-      this->GetPlace(face.Corners[2]) };
+    return { this->GetMergedPoint(face.Corners[0]), this->GetMergedPoint(face.Corners[1]),
+      this->GetMergedPoint(face.Corners[2]) };
   };
   // Sorted: those at one place follow one another.
   const auto isCollapsed = [&](const RefinementFace& face)
   {
-    const std::array<int, 3> places = getPlaces(face);
-    return places[0] == places[1] || places[1] == places[2];
+    const std::array<int, 3> mergedPoints = getMergedPoints(face);
+    return mergedPoints[0] == mergedPoints[1] || mergedPoints[1] == mergedPoints[2];
   };
   if (std::none_of(this->Faces.begin(), this->Faces.end(), isCollapsed))
   {
@@ -785,23 +786,23 @@ void RefinementMesh::DropLoneFaces()
   std::set<std::pair<int, int>> sides;
   for (const RefinementFace& face : this->Faces)
   {
-    const std::array<int, 3> places = getPlaces(face);
+    const std::array<int, 3> mergedPoints = getMergedPoints(face);
     for (int e = 0; !isCollapsed(face) && e < 3; ++e)
     {
-      sides.emplace(places[EdgeCorners[e][0]], places[EdgeCorners[e][1]]);
+      sides.emplace(mergedPoints[EdgeCorners[e][0]], mergedPoints[EdgeCorners[e][1]]);
     }
   }
   const auto isLone = [&](const RefinementFace& face)
   {
-    const std::array<int, 3> places = getPlaces(face);
-    return isCollapsed(face) && sides.count({ places[0], places[2] }) == 0;
+    const std::array<int, 3> mergedPoints = getMergedPoints(face);
+    return isCollapsed(face) && sides.count({ mergedPoints[0], mergedPoints[2] }) == 0;
   };
   const auto kept = std::remove_if(this->Faces.begin(), this->Faces.end(), isLone);
   this->NumberOfDroppedTriangles += this->Faces.end() - kept;
   this->Faces.erase(kept, this->Faces.end());
 }
 
-void RefinementMesh::BuildPlaceEdges()
+void RefinementMesh::BuildMergedEdges()
 {
   using Key = std::array<int, 4>; // places, points
   const auto getKey = [this](int faceEdge)
@@ -809,28 +810,28 @@ void RefinementMesh::BuildPlaceEdges()
     const int* corners = this->Faces[faceEdge / 3].Corners;
     const int a = corners[EdgeCorners[faceEdge % 3][0]];
     const int b = corners[EdgeCorners[faceEdge % 3][1]];
-    return Key{ { this->GetPlace(a), this->GetPlace(b), a, b } };
+    return Key{ { this->GetMergedPoint(a), this->GetMergedPoint(b), a, b } };
   };
   const std::vector<int> sorted = sortByKey(3 * this->Faces.size(), this->NumberOfPoints, getKey);
-  this->FacePlaceEdges.resize(sorted.size());
-  this->PlaceEdgeOffsets.clear();
-  this->PlaceEdgePairs.clear();
+  this->FaceMergedEdges.resize(sorted.size());
+  this->MergedEdgeOffsets.clear();
+  this->MergedEdgePairs.clear();
   Key previous{ { -1, -1, -1, -1 } };
   for (int faceEdge : sorted)
   {
     const Key key = getKey(faceEdge);
     if (key[0] != previous[0] || key[1] != previous[1])
     {
-      this->PlaceEdgeOffsets.push_back(static_cast<int>(this->PlaceEdgePairs.size()));
+      this->MergedEdgeOffsets.push_back(static_cast<int>(this->MergedEdgePairs.size()));
     }
     if (key != previous)
     {
-      this->PlaceEdgePairs.push_back({ { key[2], key[3] } });
+      this->MergedEdgePairs.push_back({ { key[2], key[3] } });
     }
-    this->FacePlaceEdges[faceEdge] = static_cast<int>(this->PlaceEdgeOffsets.size()) - 1;
+    this->FaceMergedEdges[faceEdge] = static_cast<int>(this->MergedEdgeOffsets.size()) - 1;
     previous = key;
   }
-  this->PlaceEdgeOffsets.push_back(static_cast<int>(this->PlaceEdgePairs.size()));
+  this->MergedEdgeOffsets.push_back(static_cast<int>(this->MergedEdgePairs.size()));
 }
 
 void RefinementMesh::BuildSeams()
@@ -841,7 +842,7 @@ void RefinementMesh::BuildSeams()
   {
     for (int corner : face.Corners)
     {
-      int& lowest = first[static_cast<size_t>(this->GetPlace(corner))];
+      int& lowest = first[static_cast<size_t>(this->GetMergedPoint(corner))];
       lowest = std::min(lowest, corner);
     }
   }
@@ -850,10 +851,10 @@ void RefinementMesh::BuildSeams()
   {
     for (int i = 0; i < 3; ++i)
     {
-      const int edge = this->FacePlaceEdges[3 * f + i];
-      const auto& pair = this->PlaceEdgePairs[this->PlaceEdgeOffsets[edge]];
+      const int edge = this->FaceMergedEdges[3 * f + i];
+      const auto& pair = this->MergedEdgePairs[this->MergedEdgeOffsets[edge]];
       this->Seams[9 * f + i] =
-        first[static_cast<size_t>(this->GetPlace(this->Faces[f].Corners[i]))];
+        first[static_cast<size_t>(this->GetMergedPoint(this->Faces[f].Corners[i]))];
       this->Seams[9 * f + 3 + i] = pair[0];
       this->Seams[9 * f + 6 + i] = pair[1];
     }
@@ -893,19 +894,19 @@ void RefinementMesh::BuildVectors(vtkRefinementSurface* surface)
           float* edge = vectors + 3 * i * this->VectorsPerEdge;
           edgeNormals[i] = edge + 3 * positions;
           computeEdge(face.Corners[EdgeCorners[i][0]], face.Corners[EdgeCorners[i][1]], edge);
-          if (this->FacePlaceEdges.empty())
+          if (this->FaceMergedEdges.empty())
           {
             continue;
           }
-          const int id = this->FacePlaceEdges[3 * f + i];
-          const int pairs = this->PlaceEdgeOffsets[id + 1] - this->PlaceEdgeOffsets[id];
+          const int id = this->FaceMergedEdges[3 * f + i];
+          const int pairs = this->MergedEdgeOffsets[id + 1] - this->MergedEdgeOffsets[id];
           if (pairs > 1)
           {
             // The mean over all sides, summed in the same order by each of them.
             std::fill_n(edge, 3 * positions, 0.0f);
             for (int k = 0; k < pairs; ++k)
             {
-              const auto& pair = this->PlaceEdgePairs[this->PlaceEdgeOffsets[id] + k];
+              const auto& pair = this->MergedEdgePairs[this->MergedEdgeOffsets[id] + k];
               computeEdge(pair[0], pair[1], other.data());
               for (int c = 0; c < 3 * positions; ++c)
               {

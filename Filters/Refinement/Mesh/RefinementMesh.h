@@ -65,10 +65,10 @@ public:
   /// Triangles left out because two corners coincide or a coordinate is not finite.
   vtkIdType GetNumberOfDroppedTriangles() const { return this->NumberOfDroppedTriangles; }
 
-  /// The point's place; see ComputePlaces().
-  int GetPlace(int point) const
+  /// The point's place; see ComputeMergedPoints().
+  int GetMergedPoint(int point) const
   {
-    return this->Places.empty() ? point : static_cast<int>(this->Places[point]);
+    return this->MergedPoints.empty() ? point : static_cast<int>(this->MergedPoints[point]);
   }
 
   /// The coarse triangles, in the order of the input's polygons, then strips; without ghosts, which
@@ -76,7 +76,7 @@ public:
   std::vector<RefinementFace> Faces;
 
   /// Lowest coincident point per point; empty when none coincide.
-  std::vector<vtkIdType> Places;
+  std::vector<vtkIdType> MergedPoints;
 
   /// Subtracted from the input's points before they become floats; zero for float input.
   double Origin[3] = { 0.0, 0.0, 0.0 };
@@ -156,16 +156,16 @@ private:
   /// Whether the surface gives any two faces other normals at a point they share.
   bool SplitsNormals(vtkRefinementSurface* surface) const;
   void BuildSeams();
-  void BuildPlaceEdges();
+  void BuildMergedEdges();
 
   std::string Error;
   vtkIdType NumberOfDroppedTriangles = 0;
   int NumberOfPoints = 0;
 
   /// Edges between places, for each face; and per such edge the distinct pairs of point ids.
-  std::vector<int> FacePlaceEdges;
-  std::vector<int> PlaceEdgeOffsets;
-  std::vector<std::array<int, 2>> PlaceEdgePairs;
+  std::vector<int> FaceMergedEdges;
+  std::vector<int> MergedEdgeOffsets;
+  std::vector<std::array<int, 2>> MergedEdgePairs;
 };
 }
 

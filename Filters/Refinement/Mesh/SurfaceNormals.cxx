@@ -28,10 +28,11 @@ SurfaceNormals::SurfaceNormals(std::shared_ptr<const SurfaceTriangles> surface)
     });
 }
 
-dvec3 SurfaceNormals::GetAreaVectorAt(vtkIdType place) const
+dvec3 SurfaceNormals::GetAreaVectorAt(vtkIdType mergedPoint) const
 {
   dvec3 sum(0.0);
-  this->Triangles->ForEachTriangleIndex(place, [&](vtkIdType t) { sum += this->AreaVectors[t]; });
+  this->Triangles->ForEachTriangleIndex(
+    mergedPoint, [&](vtkIdType t) { sum += this->AreaVectors[t]; });
   return sum;
 }
 }

@@ -27,7 +27,7 @@ public:
   /// Per triangle its normal, twice as long as its area.
   const std::vector<dvec3>& GetAreaVectors() const { return this->AreaVectors; }
   /// The sum of the area vectors of the triangles at a place.
-  dvec3 GetAreaVectorAt(vtkIdType place) const;
+  dvec3 GetAreaVectorAt(vtkIdType mergedPoint) const;
 
 private:
   std::shared_ptr<const SurfaceTriangles> Triangles;

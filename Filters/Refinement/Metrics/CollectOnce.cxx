@@ -11,13 +11,13 @@
 
 namespace relevo
 {
-std::uint64_t HashEdge(const SurfaceTriangles& surface, const int places[2])
+std::uint64_t HashEdge(const SurfaceTriangles& surface, const int mergedPoints[2])
 {
   std::uint64_t hash = 0;
   for (int end = 0; end < 2; ++end)
   {
     double x[3];
-    surface.GetPoint(places[end], x);
+    surface.GetPoint(mergedPoints[end], x);
     hash += HashPoint(x);
   }
   return hash;

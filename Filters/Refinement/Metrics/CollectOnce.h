@@ -19,7 +19,7 @@ class PieceReduction;
 class SurfaceTriangles;
 
 /// A key of an edge, the same in both directions.
-std::uint64_t HashEdge(const SurfaceTriangles& surface, const int places[2]);
+std::uint64_t HashEdge(const SurfaceTriangles& surface, const int mergedPoints[2]);
 
 /**
  * Of the numbers of all pieces, one for each key. getKey(i) is that of values[i]. Collective.

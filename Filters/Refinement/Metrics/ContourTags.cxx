@@ -72,8 +72,8 @@ void ContourTags::MeasureEdges(const SurfaceEdges& edges, vtkFloatArray* measure
       float squaredDistance = 1.0f; // heights are cosines already
       if (!parallel)
       {
-        const int* places = edges.GetEdges()[edge].Places;
-        const vec3 middle = 0.5f * (offsets[places[0]] + offsets[places[1]]);
+        const int* mergedPoints = edges.GetEdges()[edge].MergedPoints;
+        const vec3 middle = 0.5f * (offsets[mergedPoints[0]] + offsets[mergedPoints[1]]);
         squaredDistance = functions.metricDot(middle, middle);
       }
       float least = 1.0f;

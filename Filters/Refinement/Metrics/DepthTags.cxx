@@ -136,12 +136,12 @@ bool TagEdgesByPoints(vtkDepthTagMetric* metric, const SurfaceEdges& edges,
     return false;
   }
   float* values = pointTags->GetPointer(0);
-  UniteTags(edges.GetTriangles().GetPlaces(), values);
+  UniteTags(edges.GetTriangles().GetMergedPoints(), values);
   TagEdges(edges, tags,
     [&](int edge)
     {
-      const int* places = edges.GetEdges()[edge].Places;
-      return 0.5f * (values[places[0]] + values[places[1]]);
+      const int* mergedPoints = edges.GetEdges()[edge].MergedPoints;
+      return 0.5f * (values[mergedPoints[0]] + values[mergedPoints[1]]);
     });
   return true;
 }

@@ -66,11 +66,11 @@ struct Corner
 };
 
 // Whether every edge at the place has exactly two triangles. `neighbours` is scratch space.
-bool HasClosedRing(
-  const relevo::SurfaceTriangles& surface, vtkIdType place, std::vector<vtkIdType>& neighbours)
+bool HasClosedRing(const relevo::SurfaceTriangles& surface, vtkIdType mergedPoint,
+  std::vector<vtkIdType>& neighbours)
 {
   neighbours.clear();
-  surface.ForEachTriangle(place,
+  surface.ForEachTriangle(mergedPoint,
     [&neighbours](vtkIdType p, vtkIdType q)
     {
       neighbours.push_back(p);
@@ -107,32 +107,32 @@ public:
   }
 
   // Where triangles close a ring. `neighbours` is scratch space.
-  void Measure(vtkIdType place, std::vector<vtkIdType>& neighbours)
+  void Measure(vtkIdType mergedPoint, std::vector<vtkIdType>& neighbours)
   {
-    if (this->Surface.GetNumberOfTriangles(place) == 0)
+    if (this->Surface.GetNumberOfTriangles(mergedPoint) == 0)
     {
       return;
     }
-    relevo::RingCurvature curvature(this->GetPoint(place));
-    this->Surface.ForEachTriangle(place,
+    relevo::RingCurvature curvature(this->GetPoint(mergedPoint));
+    this->Surface.ForEachTriangle(mergedPoint,
       [&](vtkIdType p, vtkIdType q) { curvature.Add(this->GetPoint(p), this->GetPoint(q)); });
-    if (!HasClosedRing(this->Surface, place, neighbours))
+    if (!HasClosedRing(this->Surface, mergedPoint, neighbours))
     {
-      this->Rings[place] = Ring::Open;
+      this->Rings[mergedPoint] = Ring::Open;
       return;
     }
-    this->Rings[place] = Ring::Known;
-    this->Result.Gaussian[place] = curvature.GetGaussian();
-    this->Result.Mean[place] = curvature.GetMean();
+    this->Rings[mergedPoint] = Ring::Known;
+    this->Result.Gaussian[mergedPoint] = curvature.GetGaussian();
+    this->Result.Mean[mergedPoint] = curvature.GetMean();
   }
 
   void FindPlaces()
   {
-    for (size_t place = 0; place < this->Rings.size(); ++place)
+    for (size_t mergedPoint = 0; mergedPoint < this->Rings.size(); ++mergedPoint)
     {
-      if (this->Rings[place] != Ring::None)
+      if (this->Rings[mergedPoint] != Ring::None)
       {
-        this->Result.Places.push_back(static_cast<vtkIdType>(place));
+        this->Result.MergedPoints.push_back(static_cast<vtkIdType>(mergedPoint));
       }
     }
   }
@@ -142,50 +142,50 @@ public:
   void Spread()
   {
     std::vector<vtkIdType> front;
-    for (vtkIdType place : this->Result.Places)
+    for (vtkIdType mergedPoint : this->Result.MergedPoints)
     {
-      if (this->Rings[place] == Ring::Known)
+      if (this->Rings[mergedPoint] == Ring::Known)
       {
-        front.push_back(place);
+        front.push_back(mergedPoint);
       }
     }
     while (!front.empty())
     {
       const std::vector<vtkIdType> next = this->QueueNeighbours(front);
-      for (vtkIdType place : next)
+      for (vtkIdType mergedPoint : next)
       {
-        this->TakeMean(place);
+        this->TakeMean(mergedPoint);
       }
-      for (vtkIdType place : next)
+      for (vtkIdType mergedPoint : next)
       {
-        this->Rings[place] = Ring::Known;
+        this->Rings[mergedPoint] = Ring::Known;
       }
       front = next;
     }
   }
 
 private:
-  dvec3 GetPoint(vtkIdType place) const
+  dvec3 GetPoint(vtkIdType mergedPoint) const
   {
     dvec3 x;
-    this->Surface.GetPoint(place, &x[0]);
+    this->Surface.GetPoint(mergedPoint, &x[0]);
     return x;
   }
 
   std::vector<vtkIdType> QueueNeighbours(const std::vector<vtkIdType>& front)
   {
     std::vector<vtkIdType> queue;
-    const auto enqueue = [&](vtkIdType place)
+    const auto enqueue = [&](vtkIdType mergedPoint)
     {
-      if (this->Rings[place] == Ring::Open)
+      if (this->Rings[mergedPoint] == Ring::Open)
       {
-        this->Rings[place] = Ring::Queued;
-        queue.push_back(place);
+        this->Rings[mergedPoint] = Ring::Queued;
+        queue.push_back(mergedPoint);
       }
     };
-    for (vtkIdType place : front)
+    for (vtkIdType mergedPoint : front)
     {
-      this->Surface.ForEachTriangle(place,
+      this->Surface.ForEachTriangle(mergedPoint,
         [&](vtkIdType p, vtkIdType q)
         {
           enqueue(p);
@@ -195,7 +195,7 @@ private:
     return queue;
   }
 
-  void TakeMean(vtkIdType place)
+  void TakeMean(vtkIdType mergedPoint)
   {
     double gaussian = 0.0;
     double mean = 0.0;
@@ -209,14 +209,14 @@ private:
         ++count;
       }
     };
-    this->Surface.ForEachTriangle(place,
+    this->Surface.ForEachTriangle(mergedPoint,
       [&](vtkIdType p, vtkIdType q)
       {
         add(p);
         add(q);
       });
-    this->Result.Gaussian[place] = FiniteOrZero(gaussian / count);
-    this->Result.Mean[place] = FiniteOrZero(mean / count);
+    this->Result.Gaussian[mergedPoint] = FiniteOrZero(gaussian / count);
+    this->Result.Mean[mergedPoint] = FiniteOrZero(mean / count);
   }
 
   const relevo::SurfaceTriangles& Surface;
@@ -262,18 +262,18 @@ DiscreteCurvature ComputeDiscreteCurvature(const SurfaceTriangles& surface)
     [&](vtkIdType begin, vtkIdType end)
     {
       std::vector<vtkIdType> neighbours;
-      for (vtkIdType place = begin; place < end; ++place)
+      for (vtkIdType mergedPoint = begin; mergedPoint < end; ++mergedPoint)
       {
-        curvatures.Measure(place, neighbours);
+        curvatures.Measure(mergedPoint, neighbours);
       }
     });
   curvatures.FindPlaces();
   curvatures.Spread();
   for (vtkIdType point = 0; point < n; ++point)
   {
-    const vtkIdType place = surface.GetPlace(point);
-    result.Gaussian[point] = result.Gaussian[place];
-    result.Mean[point] = result.Mean[place];
+    const vtkIdType mergedPoint = surface.GetMergedPoint(point);
+    result.Gaussian[point] = result.Gaussian[mergedPoint];
+    result.Mean[point] = result.Mean[mergedPoint];
   }
   return result;
 }

@@ -39,7 +39,7 @@ struct DiscreteCurvature
   std::vector<double> Gaussian;
   std::vector<double> Mean;
   /// Ids of the points of the surface, each place once.
-  std::vector<vtkIdType> Places;
+  std::vector<vtkIdType> MergedPoints;
 };
 
 DiscreteCurvature ComputeDiscreteCurvature(const SurfaceTriangles& surface);

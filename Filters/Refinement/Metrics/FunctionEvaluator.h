@@ -107,7 +107,7 @@ private:
     {
       for (vtkIdType point : edges.GetTriangles().GetCoincidentPoints())
       {
-        vec4& value = values[edges.GetTriangles().GetPlace(point)];
+        vec4& value = values[edges.GetTriangles().GetMergedPoint(point)];
         value = max(value, values[point]);
       }
     }
@@ -116,7 +116,7 @@ private:
       [=, functions = Functions(this->Shader)](int edge) mutable
       {
         return functions.metricEdgeMeasure(
-          values[ends[edge].Places[0]], values[ends[edge].Places[1]]);
+          values[ends[edge].MergedPoints[0]], values[ends[edge].MergedPoints[1]]);
       });
   }
 

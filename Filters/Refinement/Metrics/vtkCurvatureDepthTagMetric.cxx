@@ -145,8 +145,8 @@ protected:
     const relevo::GhostCells ghosts(this->GetMesh().GetPolyData());
     std::vector<vtkIdType> places;
     std::vector<double> magnitudes;
-    magnitudes.reserve(curvature.Places.size());
-    for (vtkIdType place : curvature.Places)
+    magnitudes.reserve(curvature.MergedPoints.size());
+    for (vtkIdType place : curvature.MergedPoints)
     {
       bool isOwn = false;
       surface.ForEachTriangleIndex(

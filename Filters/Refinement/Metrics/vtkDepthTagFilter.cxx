@@ -146,7 +146,7 @@ bool vtkDepthTagFilter::AddTags(vtkPolyData* input, vtkPolyData* output)
     return false;
   }
   this->UpdateProgress(0.5);
-  relevo::UniteTags(relevo::ComputePlaces(input->GetPoints()), tags->GetPointer(0));
+  relevo::UniteTags(relevo::ComputeMergedPoints(input->GetPoints()), tags->GetPointer(0));
   this->UpdateProgress(0.7);
   if (relevo::IsAborted(this))
   {
@@ -241,7 +241,7 @@ bool vtkDepthTagFilter::ComputeEdgeLevels(
     [&](vtkIdType a, vtkIdType b)
     {
       const relevo::SurfaceTriangles& surface = edges.GetTriangles();
-      const int edge = edges.FindEdge(surface.GetPlace(a), surface.GetPlace(b));
+      const int edge = edges.FindEdge(surface.GetMergedPoint(a), surface.GetMergedPoint(b));
       const float tag = edge < 0 ? 0.0f : edgeTags->GetValue(edge);
       return relevo::edgeLevel(tag, tag, this->MaximumLevel);
     });

@@ -162,7 +162,7 @@ std::vector<double> ComputeVariations(
       {
         if (!ofCells)
         {
-          const int* places = edges.GetEdges()[edge].Places;
+          const int* places = edges.GetEdges()[edge].MergedPoints;
           variations[edge] = field.GetVariation(places[0], places[1]);
           continue;
         }
@@ -392,7 +392,7 @@ std::vector<double> FieldVariationEvaluator::ComputeNumbers(
     }
     highest = GetAutomaticMaximum(relevo::CollectOnce(pieces, std::move(variations),
       [&](std::size_t i)
-      { return relevo::HashEdge(edges.GetTriangles(), edges.GetEdges()[own[i]].Places); }));
+      { return relevo::HashEdge(edges.GetTriangles(), edges.GetEdges()[own[i]].MergedPoints); }));
   }
   numbers.push_back(highest);
   return numbers;

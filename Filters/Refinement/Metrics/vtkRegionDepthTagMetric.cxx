@@ -171,7 +171,7 @@ bool RegionEvaluator::ComputeEdgeTags(
     {
       for (vtkIdType edge = begin; edge < end; ++edge)
       {
-        const int* places = edges.GetEdges()[edge].Places;
+        const int* places = edges.GetEdges()[edge].MergedPoints;
         dvec3 ends[2];
         edges.GetTriangles().GetPoint(places[0], &ends[0][0]);
         edges.GetTriangles().GetPoint(places[1], &ends[1][0]);

@@ -82,7 +82,7 @@ private:
           }
           if (normal == dvec3(0.0))
           {
-            const vtkIdType place = surface.GetTriangles().GetPlace(point);
+            const vtkIdType place = surface.GetTriangles().GetMergedPoint(point);
             normal = relevo::UnitOrZero(surface.GetAreaVectorAt(place));
           }
           float* datum = data->data() + 4 * point;

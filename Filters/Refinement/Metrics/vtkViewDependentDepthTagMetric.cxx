@@ -77,7 +77,7 @@ private:
       {
         for (vtkIdType point = begin; point < end; ++point)
         {
-          const vtkIdType place = triangles.GetPlace(point);
+          const vtkIdType place = triangles.GetMergedPoint(point);
           const dvec3 mean = relevo::UnitOrZero(surface.GetAreaVectorAt(place));
           float* datum = data->data() + 4 * point;
           for (int c = 0; c < 3; ++c)

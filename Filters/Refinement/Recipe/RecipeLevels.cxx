@@ -32,19 +32,19 @@ vtkDepthTagMetric* GetMetricInUse(vtkAdaptiveRefinement* recipe, vtkDataSet* inp
   return FindDepthTagArray(recipe, input) ? nullptr : recipe->GetMetric();
 }
 
-std::string FindPatternObstacle(vtkAdaptiveRefinement* recipe)
+std::string FindPatternError(vtkAdaptiveRefinement* recipe)
 {
   const PatternLibrary& library = *recipe->GetPatternTable()->GetLibrary();
   if (recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::WHOLE_NUMBERS)
   {
-    return library.GetObstacle(PatternLibrary::WHOLE_NUMBERS);
+    return library.GetError(PatternLibrary::WHOLE_NUMBERS);
   }
   return recipe->GetGeomorphing() == vtkAdaptiveRefinement::GEOMORPHING_ON
-    ? library.GetObstacle(PatternLibrary::NESTED)
+    ? library.GetError(PatternLibrary::NESTED)
     : std::string();
 }
 
-std::string FindPatternShortfall(vtkAdaptiveRefinement* recipe)
+std::string FindPatternWarning(vtkAdaptiveRefinement* recipe)
 {
   const PatternLibrary& library = *recipe->GetPatternTable()->GetLibrary();
   if (recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::WHOLE_NUMBERS &&

@@ -27,13 +27,13 @@ namespace relevo
  * Why the recipe's pattern table lacks the patterns that the recipe needs, as a clause that says
  * what to do; empty if it has them.
  */
-RELEVOFILTERSREFINEMENT_EXPORT std::string FindPatternObstacle(vtkAdaptiveRefinement* recipe);
+RELEVOFILTERSREFINEMENT_EXPORT std::string FindPatternError(vtkAdaptiveRefinement* recipe);
 
 /**
  * What the recipe asks of its patterns that they do not give, though they refine, as sentences that
  * say what to do; empty for nothing.
  */
-RELEVOFILTERSREFINEMENT_EXPORT std::string FindPatternShortfall(vtkAdaptiveRefinement* recipe);
+RELEVOFILTERSREFINEMENT_EXPORT std::string FindPatternWarning(vtkAdaptiveRefinement* recipe);
 
 /**
  * The patterns that a recipe draws an input with; where there is an obstacle, others.

@@ -13,7 +13,7 @@
 
 namespace relevo
 {
-std::string FindRangeObstacle(vtkRefinementSurface* surface, vtkDisplacement* displacement)
+std::string FindRangeError(vtkRefinementSurface* surface, vtkDisplacement* displacement)
 {
   std::ostringstream text;
   if (surface && !(surface->GetReach() <= LargestLength))

@@ -25,7 +25,7 @@ constexpr double LargestLength = 1e30;
  * Which of their numbers that change live moves points too far, as a clause; empty for none.
  * Its height map must be up to date.
  */
-RELEVOFILTERSREFINEMENT_EXPORT std::string FindRangeObstacle(
+RELEVOFILTERSREFINEMENT_EXPORT std::string FindRangeError(
   vtkRefinementSurface* surface, vtkDisplacement* displacement);
 }
 

@@ -47,13 +47,13 @@ unsigned char ToByte(double share)
 }
 }
 
-vtkSmartPointer<vtkUnsignedCharArray> ConvertColors(vtkDataArray* colors, std::string& fault)
+vtkSmartPointer<vtkUnsignedCharArray> ConvertColors(vtkDataArray* colors, std::string& error)
 {
   const double white = GetWhite(colors->GetDataType());
   const int given = colors->GetNumberOfComponents();
   if (white == 0.0 || given > 4)
   {
-    fault = std::string("Colours have 1 to 4 components of type unsigned char, unsigned short, "
+    error = std::string("Colours have 1 to 4 components of type unsigned char, unsigned short, "
                         "float or double, not ") +
       std::to_string(given) + " of type " + colors->GetDataTypeAsString() + ".";
     return nullptr;

@@ -25,7 +25,7 @@ namespace relevo
  * char as they are, unsigned short from 0 to 65535, float and double from 0 to 1. nullptr, and what
  * is wrong with them in `fault`, for others.
  */
-vtkSmartPointer<vtkUnsignedCharArray> ConvertColors(vtkDataArray* colors, std::string& fault);
+vtkSmartPointer<vtkUnsignedCharArray> ConvertColors(vtkDataArray* colors, std::string& error);
 
 /// Colours on the unit square, sampled by texels of some size.
 class ColorSampler

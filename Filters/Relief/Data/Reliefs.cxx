@@ -10,7 +10,7 @@ namespace relevo
 {
 namespace
 {
-std::string FindFault(vtkDataObject* object, Relief& relief)
+std::string FindError(vtkDataObject* object, Relief& relief)
 {
   vtkImageData* image = vtkImageData::SafeDownCast(object);
   return object && !image
@@ -40,7 +40,7 @@ std::vector<ReliefBlock> ReadReliefs(vtkDataObject* input)
   if (!composite)
   {
     blocks.emplace_back();
-    blocks.back().Fault = FindFault(input, blocks.back().Data);
+    blocks.back().Error = FindError(input, blocks.back().Data);
     return blocks;
   }
   vtkSmartPointer<vtkCompositeDataIterator> leaf;
@@ -51,10 +51,10 @@ std::vector<ReliefBlock> ReadReliefs(vtkDataObject* input)
     ReliefBlock& block = blocks.back();
     block.FlatIndex = leaf->GetCurrentFlatIndex();
     block.Name = GetName(leaf);
-    block.Fault = FindFault(leaf->GetCurrentDataObject(), block.Data);
-    if (!block.Fault.empty())
+    block.Error = FindError(leaf->GetCurrentDataObject(), block.Data);
+    if (!block.Error.empty())
     {
-      block.Fault = block.Describe(block.Fault);
+      block.Error = block.Describe(block.Error);
     }
   }
   return blocks;

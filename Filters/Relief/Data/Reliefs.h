@@ -27,7 +27,7 @@ struct RELEVOFILTERSRELIEF_EXPORT ReliefBlock
   std::string Name;
   Relief Data;
   /// Why it is no relief, with the block that it is about, for an ErrorEvent; or "".
-  std::string Fault;
+  std::string Error;
 
   /// A sentence about the block, for an ErrorEvent.
   std::string Describe(const std::string& sentence) const;

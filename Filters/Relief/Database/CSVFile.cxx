@@ -19,16 +19,16 @@ public:
   {
   }
 
-  std::vector<CSVRow> Parse(std::string& fault)
+  std::vector<CSVRow> Parse(std::string& error)
   {
     const std::size_t zero = this->Text.find('\0');
     if (zero != std::string::npos)
     {
-      fault = "byte " + std::to_string(zero) + " is NUL: the file is no text.";
+      error = "byte " + std::to_string(zero) + " is NUL: the file is no text.";
       return {};
     }
     std::vector<CSVRow> rows;
-    while (this->Place < this->Text.size() && this->Fault.empty())
+    while (this->Place < this->Text.size() && this->Error.empty())
     {
       CSVRow row = this->ParseRow();
       if (row.Fields.size() > 1 || !row.Fields[0].empty())
@@ -36,7 +36,7 @@ public:
         rows.push_back(row);
       }
     }
-    fault = this->Fault;
+    error = this->Error;
     return rows;
   }
 
@@ -88,7 +88,7 @@ private:
     }
     if (isQuoted)
     {
-      this->Fault = "line " + std::to_string(quoteLine) + ": the quote is not closed.";
+      this->Error = "line " + std::to_string(quoteLine) + ": the quote is not closed.";
     }
     return field;
   }
@@ -96,13 +96,13 @@ private:
   const std::string& Text;
   std::size_t Place;
   int Line = 1;
-  std::string Fault;
+  std::string Error;
 };
 }
 
-std::vector<CSVRow> ParseCSV(const std::string& text, std::string& fault)
+std::vector<CSVRow> ParseCSV(const std::string& text, std::string& error)
 {
-  return Parser(text).Parse(fault);
+  return Parser(text).Parse(error);
 }
 
 std::string FormatCSV(const std::vector<std::string>& fields)

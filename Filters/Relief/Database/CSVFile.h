@@ -23,7 +23,7 @@ struct CSVRow
 /// The rows of a text, without empty lines. Lines end with LF, CR LF or CR. Fields in quotes may
 /// have commas, line ends and doubled quotes. The fault says what is wrong, and in which line, or
 /// is "".
-std::vector<CSVRow> ParseCSV(const std::string& text, std::string& fault);
+std::vector<CSVRow> ParseCSV(const std::string& text, std::string& error);
 
 /// A row with its line end; fields are quoted where they have to be.
 std::string FormatCSV(const std::vector<std::string>& fields);

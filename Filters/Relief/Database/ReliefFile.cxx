@@ -79,12 +79,12 @@ bool WriteReliefPicture(const Relief& relief, AtomicFile& file)
   return WritePNG(file, writer.Get());
 }
 
-vtkSmartPointer<vtkImageData> ReadReliefFile(const std::string& fileName, std::string& fault)
+vtkSmartPointer<vtkImageData> ReadReliefFile(const std::string& fileName, std::string& error)
 {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(fileName, ignored))
   {
-    fault = "the file does not exist.";
+    error = "the file does not exist.";
     return nullptr;
   }
   std::string errors;
@@ -95,7 +95,7 @@ vtkSmartPointer<vtkImageData> ReadReliefFile(const std::string& fileName, std::s
   reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, collector);
   if (!reader->CanReadFile(fileName.c_str()))
   {
-    fault = "it is no VTK XML file of image data.";
+    error = "it is no VTK XML file of image data.";
     return nullptr;
   }
   reader->SetFileName(fileName.c_str());
@@ -105,7 +105,7 @@ vtkSmartPointer<vtkImageData> ReadReliefFile(const std::string& fileName, std::s
   const double size = static_cast<double>(std::filesystem::file_size(fileName, ignored));
   if (errors.empty() && GetNumberOfTexels(extent) > MostTexelsPerByte * size)
   {
-    fault = "its extent has more texels than a file of its size can hold.";
+    error = "its extent has more texels than a file of its size can hold.";
     return nullptr;
   }
   try
@@ -114,15 +114,15 @@ vtkSmartPointer<vtkImageData> ReadReliefFile(const std::string& fileName, std::s
   }
   catch (const std::bad_alloc&)
   {
-    fault = "not enough memory.";
+    error = "not enough memory.";
     return nullptr;
   }
   if (!errors.empty() || reader->GetErrorCode() != vtkErrorCode::NoError)
   {
-    fault = "the file is damaged.";
+    error = "the file is damaged.";
     return nullptr;
   }
-  fault = Relief().Read(reader->GetOutput());
-  return fault.empty() ? reader->GetOutput() : nullptr;
+  error = Relief().Read(reader->GetOutput());
+  return error.empty() ? reader->GetOutput() : nullptr;
 }
 }

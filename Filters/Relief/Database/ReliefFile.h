@@ -27,7 +27,7 @@ bool WriteReliefPicture(const Relief& relief, AtomicFile& file);
 //@}
 
 /// The relief of a .vti file; nullptr, and why in `fault`, if there is none.
-vtkSmartPointer<vtkImageData> ReadReliefFile(const std::string& fileName, std::string& fault);
+vtkSmartPointer<vtkImageData> ReadReliefFile(const std::string& fileName, std::string& error);
 }
 
 #endif

@@ -58,9 +58,9 @@ bool IsDatabase(const std::string& folder)
   }
   for (std::size_t row = 0; row < table.GetNumberOfRows(); ++row)
   {
-    std::string fault;
-    const std::string relief = table.FindFile(row, fault);
-    if (fault.empty() && ReadReliefFile(relief, fault))
+    std::string error;
+    const std::string relief = table.FindFile(row, error);
+    if (error.empty() && ReadReliefFile(relief, error))
     {
       return true;
     }
@@ -102,7 +102,7 @@ std::size_t FindFreeNumbers(const fs::path& folder, std::size_t count)
 }
 }
 
-ReliefSet::ReliefSet(const std::string& folder, std::size_t mostReliefs, bool hasPictures)
+ReliefSet::ReliefSet(const std::string& folder, std::size_t maximumReliefs, bool hasPictures)
   : Folder(folder)
   , Extensions(
       hasPictures ? std::vector<std::string>{ ".vti", ".png" } : std::vector<std::string>{ ".vti" })
@@ -111,16 +111,16 @@ ReliefSet::ReliefSet(const std::string& folder, std::size_t mostReliefs, bool ha
   this->IsFolderNew = fs::create_directories(folder, error);
   if (!fs::is_directory(folder, error))
   {
-    this->Fault = "The folder " + folder + " cannot be made.";
+    this->Error = "The folder " + folder + " cannot be made.";
     return;
   }
   const std::string foreign = FindForeignFile(folder);
   if (!foreign.empty() && !IsDatabase(folder))
   {
-    this->Fault = "The folder " + folder + " cannot be written. It holds " + foreign +
+    this->Error = "The folder " + folder + " cannot be written. It holds " + foreign +
       ", which is no part of a relief database. Choose another folder.";
   }
-  this->FirstNumber = FindFreeNumbers(folder, mostReliefs);
+  this->FirstNumber = FindFreeNumbers(folder, maximumReliefs);
 }
 
 ReliefSet::~ReliefSet()
@@ -150,7 +150,7 @@ bool ReliefSet::Add(const ReliefBlock& block)
                                                : WriteReliefPicture(block.Data, file);
     if (!isWritten || !file.Finish())
     {
-      this->Fault = "The file " + path + " cannot be written: " + file.GetFault() + ".";
+      this->Error = "The file " + path + " cannot be written: " + file.GetError() + ".";
       return false;
     }
   }
@@ -199,9 +199,9 @@ bool ReliefSet::Commit()
   {
     return false;
   }
-  if (!table.GetFault().empty() || !table.Commit())
+  if (!table.GetError().empty() || !table.Commit())
   {
-    this->Fault = "The file " + tableName + " cannot be written: " + table.GetFault() + ".";
+    this->Error = "The file " + tableName + " cannot be written: " + table.GetError() + ".";
     this->RemoveFiles(this->FirstNumber);
     return false;
   }
@@ -220,8 +220,8 @@ bool ReliefSet::RenameFiles()
   {
     if (!file.Commit(AtomicFile::OldFile::Keep))
     {
-      this->Fault =
-        "The file " + file.GetFileName() + " cannot be written: " + file.GetFault() + ".";
+      this->Error =
+        "The file " + file.GetFileName() + " cannot be written: " + file.GetError() + ".";
       break;
     }
     names.push_back(file.GetFileName());
@@ -230,13 +230,13 @@ bool ReliefSet::RenameFiles()
   for (std::size_t i = 0; i < names.size(); ++i)
   {
     std::error_code unknown;
-    if (!this->Fault.empty())
+    if (!this->Error.empty())
     {
       fs::remove(names[i], unknown);
     }
     TemporaryFiles::Forget(entries[i]);
   }
-  return this->Fault.empty();
+  return this->Error.empty();
 }
 
 void ReliefSet::RemoveOldFiles()

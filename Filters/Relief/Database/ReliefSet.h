@@ -29,7 +29,7 @@ class ReliefSet
 {
 public:
   /// In a folder, which is made if there is none, of up to as many reliefs.
-  ReliefSet(const std::string& folder, std::size_t mostReliefs, bool hasPictures);
+  ReliefSet(const std::string& folder, std::size_t maximumReliefs, bool hasPictures);
   /// Remove what was not committed.
   ~ReliefSet();
   ReliefSet(const ReliefSet&) = delete;
@@ -37,7 +37,7 @@ public:
 
   /// Why there cannot be a database in the folder, a sentence, or "". A folder has to be empty, or
   /// to have a database of reliefs.
-  const std::string& GetFault() const { return this->Fault; }
+  const std::string& GetError() const { return this->Error; }
 
   /// Write the files of a relief; false, with the fault, if that failed.
   bool Add(const ReliefBlock& block);
@@ -56,7 +56,7 @@ private:
 
   std::filesystem::path Folder;
   std::vector<std::string> Extensions;
-  std::string Fault;
+  std::string Error;
   bool IsFolderNew = false;
   std::size_t FirstNumber = 0;
   std::vector<ReliefParameters> Reliefs; // without their files

@@ -47,7 +47,7 @@ ReliefTable::ReliefTable(const std::string& fileName)
   : FileName((fs::path(GetDatabaseFolder(fileName)) / DatabaseTable).string())
 {
   this->Read();
-  if (this->Fault.empty())
+  if (this->Error.empty())
   {
     this->Times = this->FindTimes();
   }
@@ -62,20 +62,20 @@ void ReliefTable::Read()
     std::ifstream file(this->FileName, std::ios::binary);
     text.assign(std::istreambuf_iterator<char>(file), {});
   }
-  std::string fault;
-  this->Rows = ParseCSV(text, fault);
-  if (!fault.empty())
+  std::string error;
+  this->Rows = ParseCSV(text, error);
+  if (!error.empty())
   {
-    this->Fault = this->FileName + ", " + fault;
+    this->Error = this->FileName + ", " + error;
     this->Rows.clear();
   }
   else if (this->Rows.empty())
   {
-    this->Fault = "There is no table of reliefs, or an empty one: " + this->FileName;
+    this->Error = "There is no table of reliefs, or an empty one: " + this->FileName;
   }
   else if (this->Rows.size() == 1)
   {
-    this->Fault = this->FileName + " has a row of names, but no rows of reliefs.";
+    this->Error = this->FileName + " has a row of names, but no rows of reliefs.";
     this->Rows.clear();
   }
   else
@@ -97,24 +97,24 @@ std::string ReliefTable::GetName(std::size_t row) const
   return this->GetField(row, static_cast<std::size_t>(name - this->Names.begin()));
 }
 
-std::string ReliefTable::FindFile(std::size_t row, std::string& fault) const
+std::string ReliefTable::FindFile(std::size_t row, std::string& error) const
 {
   const std::vector<std::string>& fields = this->Rows[row].Fields;
   if (fields.size() != this->Names.size())
   {
-    fault = std::to_string(fields.size()) + " fields for " + std::to_string(this->Names.size()) +
+    error = std::to_string(fields.size()) + " fields for " + std::to_string(this->Names.size()) +
       " columns.";
     return "";
   }
   const int column = FindReliefFile(this->Names, fields);
   if (column < 0)
   {
-    fault = "no column FILE has the name of a .vti file.";
+    error = "no column FILE has the name of a .vti file.";
     return "";
   }
   if (LeavesFolder(fields[column]))
   {
-    fault = fields[column] + " is not in the folder of the database.";
+    error = fields[column] + " is not in the folder of the database.";
     return "";
   }
   return (fs::path(this->FileName).parent_path() / fields[column]).string();

@@ -25,14 +25,14 @@ public:
 
   const std::string& GetFileName() const { return this->FileName; }
   /// Why there is no table, a sentence that begins with its name; or "".
-  const std::string& GetFault() const { return this->Fault; }
+  const std::string& GetError() const { return this->Error; }
 
   std::size_t GetNumberOfRows() const { return this->Rows.size(); }
   int GetLine(std::size_t row) const { return this->Rows[row].Line; }
   /// The name of a row's relief, or "".
   std::string GetName(std::size_t row) const;
   /// The path of the .vti file of a row. If it has none, the fault says why.
-  std::string FindFile(std::size_t row, std::string& fault) const;
+  std::string FindFile(std::size_t row, std::string& error) const;
 
   /// The times of the rows, each once and sorted; none if no column has times.
   std::vector<double> GetTimes() const;
@@ -45,7 +45,7 @@ private:
   std::vector<std::optional<double>> FindTimes() const;
 
   std::string FileName;
-  std::string Fault;
+  std::string Error;
   std::vector<std::string> Names;
   std::vector<CSVRow> Rows;
   std::vector<std::optional<double>> Times; // of the rows, or empty

@@ -14,13 +14,13 @@
 
 namespace relevo
 {
-void WarpPasses::Allocate(const WarpSource& source, Way way, int numberOfThreads)
+void WarpPasses::Allocate(const WarpSource& source, Policy way, int numberOfThreads)
 {
   const int width = source.GetWidth();
   const int height = source.GetHeight();
-  this->TheWay = way;
-  this->NumberOfThreads = way == Way::OneThread ? 1 : numberOfThreads;
-  const bool isByColumns = way == Way::RowsAndColumns;
+  this->ThePolicy = way;
+  this->NumberOfThreads = way == Policy::OneThread ? 1 : numberOfThreads;
+  const bool isByColumns = way == Policy::RowsAndColumns;
   this->Bands.resize(isByColumns ? 0 : this->NumberOfThreads);
   for (size_t i = 0; i < this->Bands.size(); ++i)
   {
@@ -48,11 +48,11 @@ void WarpPasses::Warp(
   const WarpSource& source, const WarpCoefficients& coefficients, WarpPicture& picture)
 {
   picture.Begin(source.GetRelief());
-  if (coefficients.IsUsable && this->TheWay == Way::OneThread)
+  if (coefficients.IsUsable && this->ThePolicy == Policy::OneThread)
   {
     this->WarpRows(source, coefficients, picture, this->Bands[0], 0, source.GetHeight());
   }
-  else if (coefficients.IsUsable && this->TheWay == Way::Bands)
+  else if (coefficients.IsUsable && this->ThePolicy == Policy::Bands)
   {
     this->WarpBands(source, coefficients, picture);
   }

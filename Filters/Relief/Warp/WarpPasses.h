@@ -23,7 +23,7 @@ class WarpSource;
 class WarpPasses
 {
 public:
-  enum class Way
+  enum class Policy
   {
     OneThread,
     /// Each thread has a band of the source's rows and a picture, which are then merged.
@@ -33,7 +33,7 @@ public:
   };
 
   /// Memory for warps of a source; the only one to need some.
-  void Allocate(const WarpSource& source, Way way, int numberOfThreads);
+  void Allocate(const WarpSource& source, Policy way, int numberOfThreads);
   /// Does not wait, and throws nothing.
   void Warp(const WarpSource& source, const WarpCoefficients& coefficients, WarpPicture& picture);
 
@@ -55,7 +55,7 @@ private:
     const WarpSource& source, const WarpCoefficients& coefficients, WarpPicture& picture);
   void RunAll(int number, int step, const std::function<void(int first, int end)>& work) const;
 
-  Way TheWay = Way::OneThread;
+  Policy ThePolicy = Policy::OneThread;
   int NumberOfThreads = 1;
   std::vector<Band> Bands;
   std::vector<WarpRow> Rows;

@@ -145,7 +145,7 @@ bool LooksGeographic(const Georeference& location, const int texels[2])
     std::hypot(location.AlongV[0], location.AlongV[1]) < texels[1];
 }
 
-std::string FindLocationFault(const Georeference& location)
+std::string FindLocationError(const Georeference& location)
 {
   if (location.System == Georeference::Kind::Unsupported)
   {

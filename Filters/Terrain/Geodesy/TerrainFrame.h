@@ -70,7 +70,7 @@ private:
 RELEVOFILTERSTERRAIN_EXPORT bool LooksGeographic(const Georeference& location, const int texels[2]);
 
 /// Why a raster there can be no terrain, to follow its name; or "".
-RELEVOFILTERSTERRAIN_EXPORT std::string FindLocationFault(const Georeference& location);
+RELEVOFILTERSTERRAIN_EXPORT std::string FindLocationError(const Georeference& location);
 }
 
 #endif

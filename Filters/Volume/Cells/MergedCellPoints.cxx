@@ -22,7 +22,7 @@ std::vector<vtkIdType> FindMergedPoints(const VolumeCells& cells)
   coordinates->SetArray(const_cast<double*>(points.empty() ? nullptr : &points[0].x), 3 * count, 1);
   vtkNew<vtkPoints> all;
   all->SetData(coordinates);
-  std::vector<vtkIdType> merged = ComputePlaces(all);
+  std::vector<vtkIdType> merged = ComputeMergedPoints(all);
   if (merged.empty())
   {
     merged.resize(points.size());

@@ -110,7 +110,7 @@ std::string FindLack(
   return "";
 }
 
-std::string FindFault(
+std::string FindError(
   const MeshScalars& scalars, const ArrayRequest& request, const std::string& name, int components)
 {
   std::ostringstream text;
@@ -173,7 +173,7 @@ bool FindMeshScalars(vtkDataObject* input, const ArrayRequest& request,
     }
     found.push_back(scalars);
     const char* own = array->GetName();
-    error = FindFault(found.back(), request, request.Name.empty() && own ? own : request.Name,
+    error = FindError(found.back(), request, request.Name.empty() && own ? own : request.Name,
       found.size() > 1 ? found.front().Array->GetNumberOfComponents() : 0);
     if (!error.empty())
     {

@@ -170,7 +170,7 @@ std::vector<std::string> VolumeCells::Add(
     this->NumberOfBadCells += isGood ? 0 : 1;
     this->NumberOfDrawnCells += this->Cells.size() > before ? 1 : 0;
   }
-  return checks.Faults;
+  return checks.Errors;
 }
 
 // VTK's functions that split cells do not end where coordinates are no numbers.

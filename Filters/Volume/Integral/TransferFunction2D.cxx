@@ -41,7 +41,7 @@ struct AxisPosition
   }
 };
 
-std::string FindFault(vtkImageData* image)
+std::string FindError(vtkImageData* image)
 {
   vtkDataArray* colors = image->GetPointData()->GetScalars();
   if (!colors || colors->GetNumberOfComponents() != 4)
@@ -70,10 +70,10 @@ std::string FindFault(vtkImageData* image)
 
 bool TransferFunction2D::Read(vtkImageData* image, std::string& error)
 {
-  const std::string fault = FindFault(image);
-  if (!fault.empty())
+  const std::string reason = FindError(image);
+  if (!reason.empty())
   {
-    error = fault;
+    error = reason;
     return false;
   }
   this->Columns = MakeAxis(image, 0);

@@ -62,16 +62,16 @@ std::string FindBadNode(TransferFunction* function)
 
 // "without nodes", or what is wrong with one of them; empty for a function that can be used.
 template <int Size, typename TransferFunction>
-std::string FindFault(TransferFunction* function)
+std::string FindError(TransferFunction* function)
 {
   return function->GetSize() == 0 ? "without nodes" : FindBadNode<Size>(function);
 }
 
 // Words that follow "The volume property ".
-std::string DescribeFault(const char* kind, const std::string& fault, int component)
+std::string DescribeError(const char* kind, const std::string& error, int component)
 {
   std::ostringstream text;
-  text << "has a " << kind << " function " << fault << " for component " << component;
+  text << "has a " << kind << " function " << error << " for component " << component;
   return text.str();
 }
 
@@ -96,11 +96,11 @@ struct Functions
   }
 
   // The kind of the first function that cannot be used, and why.
-  std::pair<const char*, std::string> FindFault() const
+  std::pair<const char*, std::string> FindError() const
   {
     const std::string ofColor =
-      this->Gray ? relevo::FindFault<4>(this->Gray) : relevo::FindFault<6>(this->Color);
-    return ofColor.empty() ? std::make_pair("scalar opacity", relevo::FindFault<4>(this->Opacity))
+      this->Gray ? relevo::FindError<4>(this->Gray) : relevo::FindError<6>(this->Color);
+    return ofColor.empty() ? std::make_pair("scalar opacity", relevo::FindError<4>(this->Opacity))
                            : std::make_pair("colour", ofColor);
   }
   void AddColorKinks(std::vector<double>& kinks) const
@@ -163,10 +163,10 @@ bool ReadGradientOpacity(
     return true;
   }
   vtkPiecewiseFunction* function = property->GetGradientOpacity(component);
-  const std::string fault = FindFault<4>(function);
-  if (!fault.empty())
+  const std::string reason = FindError<4>(function);
+  if (!reason.empty())
   {
-    error = DescribeFault("gradient opacity", fault, component);
+    error = DescribeError("gradient opacity", reason, component);
     return false;
   }
   std::vector<double> kinks;
@@ -277,10 +277,10 @@ bool TransferFunctions::ReadCurves(
   for (int i = 0; i < sets; ++i)
   {
     const Functions functions(property, i);
-    const std::pair<const char*, std::string> fault = functions.FindFault();
-    if (!fault.second.empty())
+    const std::pair<const char*, std::string> reason = functions.FindError();
+    if (!reason.second.empty())
     {
-      error = DescribeFault(fault.first, fault.second, i);
+      error = DescribeError(reason.first, reason.second, i);
       return false;
     }
     const double unit = ReadUnitDistance(property, i, warning);
@@ -313,11 +313,11 @@ bool TransferFunctions::ReadTables(
     vtkImageData* image = property->GetTransferFunction2D(i);
     Curve curve = { isIndependent ? i : this->NumberOfComponents - 1,
       ReadUnitDistance(property, i, warning), {}, {}, {} };
-    std::string fault;
-    if (!image || !curve.Table.Read(image, fault))
+    std::string reason;
+    if (!image || !curve.Table.Read(image, reason))
     {
       std::ostringstream text;
-      text << "has " << (image ? "a" : "no") << " 2D transfer function " << fault
+      text << "has " << (image ? "a" : "no") << " 2D transfer function " << reason
            << (image ? " " : "") << "for component " << i
            << (image ? "" : "; call SetTransferFunction2D()");
       error = text.str();

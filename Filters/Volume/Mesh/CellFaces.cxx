@@ -118,16 +118,16 @@ void CellFaces::Add(vtkCell* cell)
 }
 
 CellFaces ReadCellFaces(
-  vtkDataSet* mesh, std::vector<vtkIdType>& cells, std::vector<std::string>& faults)
+  vtkDataSet* mesh, std::vector<vtkIdType>& cells, std::vector<std::string>& errors)
 {
   CellDemands demands;
   demands.TakesAllTypes = true;
   demands.TakesInfinitePoints = true;
   demands.TakesHiddenCells = true;
   const CellChecks checks = CheckCells(mesh, demands);
-  faults = checks.Faults;
+  errors = checks.Errors;
   auto* pointSet = vtkPointSet::SafeDownCast(mesh);
-  CellFaces faces(pointSet ? ComputePlaces(pointSet->GetPoints()) : std::vector<vtkIdType>());
+  CellFaces faces(pointSet ? ComputeMergedPoints(pointSet->GetPoints()) : std::vector<vtkIdType>());
   faces.Reserve(mesh->GetNumberOfCells());
   cells.clear();
   cells.reserve(mesh->GetNumberOfCells());

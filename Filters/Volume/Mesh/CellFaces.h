@@ -26,7 +26,7 @@ namespace relevo
 class RELEVOFILTERSVOLUME_EXPORT CellFaces
 {
 public:
-  /// Merged points, as ComputePlaces() says which points coincide: these become one.
+  /// Merged points, as ComputeMergedPoints() says which points coincide: these become one.
   explicit CellFaces(std::vector<vtkIdType> mergedPoints = {});
 
   /// Before the first cell.
@@ -58,7 +58,7 @@ private:
 /// All 3D cells of a mesh without faults, and which they are. Points that coincide are one.
 /// `faults` are as CheckCells() describes them.
 RELEVOFILTERSVOLUME_EXPORT CellFaces ReadCellFaces(
-  vtkDataSet* mesh, std::vector<vtkIdType>& cells, std::vector<std::string>& faults);
+  vtkDataSet* mesh, std::vector<vtkIdType>& cells, std::vector<std::string>& errors);
 }
 
 #endif

@@ -67,7 +67,7 @@ std::string RemoveUnusableArrays(vtkPolyData* mesh)
   return text;
 }
 
-std::string FindMappingProblem(const ScalarMapping& mapping)
+std::string FindMappingError(const ScalarMapping& mapping)
 {
   vtkAbstractArray* scalars = mapping.Scalars;
   const bool isOfPoints = mapping.CellFlag == 0;

@@ -37,7 +37,7 @@ struct ScalarMapping
 };
 
 /// Why vtkMapper::MapScalars() cannot be asked, empty where it can.
-RELEVORENDERINGCORE_EXPORT std::string FindMappingProblem(const ScalarMapping& mapping);
+RELEVORENDERINGCORE_EXPORT std::string FindMappingError(const ScalarMapping& mapping);
 }
 
 #endif

@@ -16,7 +16,7 @@ namespace relevo
 {
 namespace
 {
-size_t GetMostTexels()
+size_t GetMaximumTexels()
 {
   GLint most = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
@@ -30,7 +30,7 @@ BufferTexture::~BufferTexture() = default;
 std::string BufferTexture::GetTooLarge()
 {
   return "the mesh is larger than the buffer textures of this OpenGL, of at most " +
-    std::to_string(GetMostTexels()) +
+    std::to_string(GetMaximumTexels()) +
     " texels; draw it as several blocks of a vtkMultiBlockDataSet";
 }
 
@@ -111,7 +111,7 @@ bool BufferTexture::Alias(vtkOpenGLRenderWindow* window, vtkOpenGLVertexBufferOb
 bool BufferTexture::CreateTexture(vtkOpenGLRenderWindow* window, size_t texels, int components,
   int dataType, vtkOpenGLBufferObject* buffer, int integerFormat, int integerInternalFormat)
 {
-  if (texels > GetMostTexels())
+  if (texels > GetMaximumTexels())
   {
     return false;
   }

@@ -81,7 +81,7 @@ bool ColorTable::ChooseWhole(const double dataRange[2])
   return true;
 }
 
-std::string ColorTable::FindProblem(vtkScalarsToColors* table, const double range[2])
+std::string ColorTable::FindError(vtkScalarsToColors* table, const double range[2])
 {
   if (!vtkLookupTable::SafeDownCast(table))
   {
@@ -100,10 +100,10 @@ std::string ColorTable::FindProblem(vtkScalarsToColors* table, const double rang
   {
     return "";
   }
-  std::ostringstream problem;
-  problem << "the range of the lookup table, (" << range[0] << ", " << range[1]
-          << "), is not finite" << (table->UsingLogScale() ? ", nor are its logarithms" : "");
-  return problem.str();
+  std::ostringstream error;
+  error << "the range of the lookup table, (" << range[0] << ", " << range[1] << "), is not finite"
+        << (table->UsingLogScale() ? ", nor are its logarithms" : "");
+  return error.str();
 }
 
 bool ColorTable::IsLogarithmic(vtkScalarsToColors* table)

@@ -39,7 +39,7 @@ public:
   static bool IsLogarithmic(vtkScalarsToColors* table);
 
   /// Why VTK cannot look up values in a table of this range, empty where it can: it does not check.
-  static std::string FindProblem(vtkScalarsToColors* table, const double range[2]);
+  static std::string FindError(vtkScalarsToColors* table, const double range[2]);
 
   /// The colour and opacity of a value, in [0, 1].
   static std::array<float, 4> GetColor(vtkScalarsToColors* table, double value);

@@ -42,8 +42,8 @@ bool ShaderVariants::Update(
   if (!helper.Program)
   {
     this->FailedSources = sources;
-    this->Problem = "The shaders could not be built; OpenGL's own message says why. The actor's "
-                    "vtkShaderProperty is part of them.";
+    this->Error = "The shaders could not be built; OpenGL's own message says why. The actor's "
+                  "vtkShaderProperty is part of them.";
   }
   return helper.Program != nullptr;
 }
@@ -66,7 +66,7 @@ void ShaderVariants::Build(Shaders& shaders, const std::function<void()>& build)
   this->Missing.clear();
   build();
   ++this->NumberOfBuilds;
-  this->Problem = this->Missing.empty() ? "" : DescribeMissing(this->Missing);
+  this->Error = this->Missing.empty() ? "" : DescribeMissing(this->Missing);
   if (!this->Missing.empty())
   {
     DrawNothing(shaders);
@@ -80,7 +80,7 @@ bool ShaderVariants::BuildWithStages(vtkOpenGLHelper& helper,
   StageShaders stages;
   Shaders& shaders = stages.Get();
   build(shaders);
-  if (!this->Problem.empty())
+  if (!this->Error.empty())
   {
     return false; // reported by the caller; VTK's shader cache has a program for them
   }

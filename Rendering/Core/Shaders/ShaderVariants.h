@@ -71,7 +71,7 @@ public:
   /// Anchors that the shaders of this build lack.
   MissingAnchors& GetMissing() { return this->Missing; }
   /// The error of the shaders that were built last, or "".
-  const std::string& GetProblem() const { return this->Problem; }
+  const std::string& GetError() const { return this->Error; }
   vtkIdType GetNumberOfBuilds() const { return this->NumberOfBuilds; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -87,7 +87,7 @@ private:
   std::vector<Variant> Variants;
   vtkNew<vtkShaderProgram> NoProgram;
   MissingAnchors Missing;
-  std::string Problem;
+  std::string Error;
   Dependencies FailedSources;
   vtkIdType NumberOfBuilds = 0;
 };

@@ -46,16 +46,16 @@ LICArray LICArray::Check(vtkDataArray* chosen, int association, vtkPolyData* inp
     found.IsOfCells ? input->GetNumberOfCells() : input->GetNumberOfPoints();
   if (components != 2 && components != 3)
   {
-    found.Problem = "The array \"" + name + "\" has " + std::to_string(components) +
+    found.Error = "The array \"" + name + "\" has " + std::to_string(components) +
       (components == 1 ? " component" : " components") + ", vectors have 3 or 2.";
   }
   else if (found.Array->GetNumberOfTuples() != expected)
   {
-    found.Problem = "The array \"" + name + "\" has " +
+    found.Error = "The array \"" + name + "\" has " +
       std::to_string(found.Array->GetNumberOfTuples()) + " vectors for " +
       std::to_string(expected) + (found.IsOfCells ? " cells." : " points.");
   }
-  if (!found.Problem.empty())
+  if (!found.Error.empty())
   {
     found.Array = nullptr;
   }

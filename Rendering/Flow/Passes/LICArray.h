@@ -24,7 +24,7 @@ struct LICArray
   vtkDataArray* Array = nullptr;
   bool IsOfCells = false;
   /// Why the array cannot be used, as a sentence; empty if it can or there is none.
-  std::string Problem;
+  std::string Error;
 
   /**
    * Check what an algorithm's SetInputArrayToProcess(0, ...) has chosen.

@@ -32,7 +32,7 @@ namespace
 {
 constexpr int ReductionSize = 16; // as in relevoLICRangeFS.glsl
 
-constexpr const char* ShaderProblem = "The shaders of the LIC could not be built.";
+constexpr const char* ShaderError = "The shaders of the LIC could not be built.";
 
 void SetSize(vtkShaderProgram* program, const char* name, int width, int height)
 {
@@ -137,7 +137,7 @@ vec4 relevoFilter()
 
 LICImage::~LICImage() = default;
 
-const char* LICImage::GetTextureProblem()
+const char* LICImage::GetTextureError()
 {
   return "OpenGL cannot make or draw to textures of floating point numbers of the viewport's size.";
 }
@@ -154,7 +154,7 @@ bool LICImage::Convolve(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObjec
       NewFloatTexture(window, screen.Viewport[2], screen.Viewport[3], 2, false));
     if (!this->Spare)
     {
-      this->Problem = GetTextureProblem();
+      this->Error = GetTextureError();
       return false;
     }
   }
@@ -197,7 +197,7 @@ bool LICImage::ApplyConvolution(
   vtkShaderProgram* program = work.Begin(*this->ConvolvePass);
   if (!program)
   {
-    this->Problem = ShaderProblem;
+    this->Error = ShaderError;
     return false;
   }
   LICPass::Read(program, "vectors", work.Screen.Vectors);
@@ -234,7 +234,7 @@ bool LICImage::ApplyFilter(Work& work, Filter filter, ivec2 direction, vec2 fact
   vtkShaderProgram* program = work.Begin(pass);
   if (!program)
   {
-    this->Problem = ShaderProblem;
+    this->Error = ShaderError;
     return false;
   }
   LICPass::Read(program, "image", work.Screen.Image);
@@ -274,7 +274,7 @@ vtkSmartPointer<vtkTextureObject> LICImage::FindRange(
       vtk::TakeSmartPointer(NewFloatTexture(work.Window, smallerWidth, smallerHeight, 2, false));
     if (!program || !target)
     {
-      this->Problem = target ? ShaderProblem : GetTextureProblem();
+      this->Error = target ? ShaderError : GetTextureError();
       return nullptr;
     }
     const int left = source ? 0 : rectangle[0];

@@ -51,7 +51,7 @@ public:
 
   /**
    * Convolve noise along the screen's vectors into its image. `merge`, if it is there, is called
-   * CountRanges() times. False, with GetProblem(), when a program or a texture cannot be had.
+   * CountRanges() times. False, with GetError(), when a program or a texture cannot be had.
    */
   bool Convolve(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
     LICScreen& screen, vtkTextureObject* noise, const LICPassSettings& settings,
@@ -70,8 +70,8 @@ public:
 
   //@{
   /// As sentences: what failed, and that a texture did.
-  const char* GetProblem() const { return this->Problem; }
-  static const char* GetTextureProblem();
+  const char* GetError() const { return this->Error; }
+  static const char* GetTextureError();
   //@}
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -100,7 +100,7 @@ private:
   std::unique_ptr<LICPass> ColorRangePass; // of colours with an image
   std::unique_ptr<LICPass> ReducePass;     // of ranges
   vtkSmartPointer<vtkTextureObject> Spare;
-  const char* Problem = "";
+  const char* Error = "";
 };
 }
 

@@ -56,9 +56,9 @@ std::string LICParallelFrame::Run(
   {
     this->Draw(steps, changed);
   }
-  const std::string problem = this->Local->Problem;
+  const std::string error = this->Local->Error;
   this->Local.reset();
-  return problem;
+  return error;
 }
 
 bool LICParallelFrame::Agree(
@@ -80,7 +80,7 @@ bool LICParallelFrame::Agree(
   if (local.Screen)
   {
     values[SHOWS] = 1.0;
-    values[PROBLEM] = !local.Problem.empty();
+    values[PROBLEM] = !local.Error.empty();
     values[FACES] = field.GetOwn().HasFaces;
     values[ARRAY] = field.GetOwn().HasArray;
     values[LONGEST] = field.GetOwn().Longest;
@@ -95,20 +95,20 @@ bool LICParallelFrame::Agree(
   LICProcesses(this->Controller).Maximize(values);
   changed = values[CHANGED] > 0.0;
   field.SetAll({ values[FACES] > 0.0, values[ARRAY] > 0.0, values[LONGEST], "" });
-  std::string problem = field.FindProblem();
+  std::string error = field.FindError();
   for (int i = SAME; i < SAME + 6; i += 2)
   {
     if (values[SHOWS] > 0.0 && values[i] != -values[i + 1])
     {
-      problem = "The processes have different sizes of the viewport, or settings.";
+      error = "The processes have different sizes of the viewport, or settings.";
     }
   }
   // One reports for all.
   if (values[PROBLEM] <= 0.0 && this->Controller->GetLocalProcessId() == 0)
   {
-    local.Problem = problem;
+    local.Error = error;
   }
-  const bool agreed = values[SHOWS] > 0.0 && values[PROBLEM] <= 0.0 && problem.empty();
+  const bool agreed = values[SHOWS] > 0.0 && values[PROBLEM] <= 0.0 && error.empty();
   if (!agreed && local.Screen)
   {
     local.Screen->Sources.Clear();
@@ -145,9 +145,9 @@ void LICParallelFrame::Draw(const Steps& steps, bool changed)
     processes.MergeRange(range);
     --ranges;
   };
-  if (screen && local.Problem.empty())
+  if (screen && local.Error.empty())
   {
-    local.Problem = steps.DrawImage(*screen, changed, merge);
+    local.Error = steps.DrawImage(*screen, changed, merge);
   }
   while (ranges > 0)
   {
@@ -157,7 +157,7 @@ void LICParallelFrame::Draw(const Steps& steps, bool changed)
   if (screen)
   {
     screen->Sources.Clear();
-    if (local.Problem.empty())
+    if (local.Error.empty())
     {
       steps.Finish(*screen);
     }

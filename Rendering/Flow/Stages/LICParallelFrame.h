@@ -46,7 +46,7 @@ public:
     LICScreen* Screen = nullptr; // if there are to be streaks
     bool IsChanged = false;
     std::vector<float> Vectors;
-    std::string Problem;
+    std::string Error;
   };
 
   /// The steps of a mapper in a frame, in this order.

@@ -149,8 +149,7 @@ std::string LICScreenDrawer::Allocate(vtkRenderer* ren, LICScreen& screen, bool 
   vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, screen.Viewport);
   FindPartOrigin(ren, screen.PartOrigin);
-  return screen.IsEmpty() || screen.Allocate(window, withColors) ? ""
-                                                                 : LICImage::GetTextureProblem();
+  return screen.IsEmpty() || screen.Allocate(window, withColors) ? "" : LICImage::GetTextureError();
 }
 
 std::string LICScreenDrawer::DrawVectors(vtkRenderer* ren, vtkActor* act, LICScreen& screen,
@@ -160,7 +159,7 @@ std::string LICScreenDrawer::DrawVectors(vtkRenderer* ren, vtkActor* act, LICScr
   DrawingToTextures drawing(window, this->Framebuffer);
   if (!screen.Begin(window, this->Framebuffer))
   {
-    return LICImage::GetTextureProblem();
+    return LICImage::GetTextureError();
   }
   {
     WithoutRenderPasses plain(act);
@@ -178,7 +177,7 @@ std::string LICScreenDrawer::DrawImage(vtkRenderer* ren, LICScreen& screen,
   vtkTextureObject* noise = this->Noise.GetTexture(window);
   if (!noise)
   {
-    return LICImage::GetTextureProblem();
+    return LICImage::GetTextureError();
   }
   DrawingToTextures drawing(window, this->Framebuffer);
   this->Framebuffer->Bind();
@@ -196,7 +195,7 @@ std::string LICScreenDrawer::DrawImage(vtkRenderer* ren, LICScreen& screen,
         window, this->Framebuffer, screen, parameters.GetColoring(), merge));
   this->Framebuffer->RemoveColorAttachment(0);
   this->Framebuffer->DeactivateDrawBuffers();
-  return done ? "" : this->Image.GetProblem();
+  return done ? "" : this->Image.GetError();
 }
 
 int LICScreenDrawer::CountRanges(const Parameters& parameters, bool convolve) const

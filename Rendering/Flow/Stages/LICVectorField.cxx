@@ -29,7 +29,7 @@ void LICVectorField::Update(const Input& input)
     }
     facts.HasFaces = true;
     const LICArray vectors = input.FindArray(mesh);
-    facts.Problem = facts.Problem.empty() ? vectors.Problem : facts.Problem;
+    facts.Error = facts.Error.empty() ? vectors.Error : facts.Error;
     facts.HasArray = facts.HasArray || vectors.Array;
     if (!vectors.Array && misplaced.empty())
     {
@@ -41,19 +41,19 @@ void LICVectorField::Update(const Input& input)
   this->Misplaced = misplaced;
 }
 
-std::string LICVectorField::FindProblem() const
+std::string LICVectorField::FindError() const
 {
   const LICVectorFacts& facts = this->All;
-  if (facts.Problem.empty() && facts.HasFaces && !facts.HasArray)
+  if (facts.Error.empty() && facts.HasFaces && !facts.HasArray)
   {
     return this->Misplaced.empty()
       ? "The input has no array of vectors that SetInputArrayToProcess(0, ...) chooses."
       : "The input has " + this->Misplaced + ".";
   }
-  if (facts.Problem.empty() && facts.HasFaces && facts.Longest < 0.0)
+  if (facts.Error.empty() && facts.HasFaces && facts.Longest < 0.0)
   {
     return "All vectors are no-data: not finite, or of NoDataMagnitude or more.";
   }
-  return facts.Problem;
+  return facts.Error;
 }
 }

@@ -26,7 +26,7 @@ struct LICVectorFacts
   bool HasFaces = false;
   bool HasArray = false;
   double Longest = -1.0; // negative if there is none
-  std::string Problem;   // of an array
+  std::string Error;     // of an array
 };
 
 class LICVectorField
@@ -52,7 +52,7 @@ public:
   double GetLongest() const { return this->All.Longest; }
 
   /// Why no process can show streaks, as a sentence; or "".
-  std::string FindProblem() const;
+  std::string FindError() const;
 
 private:
   Dependencies Sources;

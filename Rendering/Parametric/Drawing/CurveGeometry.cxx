@@ -57,12 +57,11 @@ bool CurveGeometry::SetShape(const Shape& shape)
   {
     return false;
   }
-  this->RadiusProblem.clear();
+  this->RadiusError.clear();
   this->Radii.assign(1, shape.Sides > 1 ? shape.Radius : 0.0);
   if (shape.Sides > 1 && !shape.RadiusArrayName.empty())
   {
-    if (vtkDataArray* radii =
-          FindCurveRadii(this->Input, shape.RadiusArrayName, this->RadiusProblem))
+    if (vtkDataArray* radii = FindCurveRadii(this->Input, shape.RadiusArrayName, this->RadiusError))
     {
       this->Radii = this->Mesh.ComputeCoefficients(radii);
     }

@@ -52,7 +52,7 @@ public:
   bool SetShape(const Shape& shape);
   int GetSides() const { return this->Current.Sides; }
   /// The error of the array of radii, with which nothing can be drawn; or "".
-  const std::string& GetRadiusProblem() const { return this->RadiusProblem; }
+  const std::string& GetRadiusError() const { return this->RadiusError; }
 
   /// Of all that is drawn; not initialized where there is nothing to draw.
   void GetBounds(double bounds[6]) const;
@@ -85,7 +85,7 @@ private:
   Dependencies ShapeSource;
   Shape Current;
   std::vector<double> Radii; // at control points; one for all of them
-  std::string RadiusProblem;
+  std::string RadiusError;
 
   CurveSelection Selection;
   dvec4 Eye = dvec4(0.0);

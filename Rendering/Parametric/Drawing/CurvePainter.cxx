@@ -101,7 +101,7 @@ std::string CurvePainter::SetShape(const CurveGeometry::Shape& shape)
   {
     this->UpdateBox();
   }
-  return this->Geometry.GetRadiusProblem();
+  return this->Geometry.GetRadiusError();
 }
 
 void CurvePainter::UpdateBox()
@@ -158,10 +158,10 @@ void CurvePainter::UpdateColors(vtkOpenGLRenderWindow* window, vtkMapper* scalar
   Dependencies source = GetScalarSettings(scalars);
   if (this->ColorSource.Update(source))
   {
-    this->ColorProblem = UploadScalars(
+    this->ColorError = UploadScalars(
       window, scalars, this->Geometry.GetInput(), this->Geometry.GetMesh(), this->Colors);
     this->ColorSource = GetScalarSettings(scalars); // mapping sets the table's range
-    if (!this->ColorProblem.empty())
+    if (!this->ColorError.empty())
     {
       this->Colors.Clear(window);
     }
@@ -172,14 +172,14 @@ void CurvePainter::ChooseMethod(vtkActor* actor, bool isTessellated)
 {
   const int sides = this->Options.Sides;
   this->Options.IsTessellated = false;
-  this->TessellationProblem.clear();
+  this->TessellationError.clear();
   if (!isTessellated || GetPrimitives(sides, actor) != GetPlainPrimitives(sides))
   {
     return;
   }
   if (!TessellationPrograms::AreSupported())
   {
-    this->TessellationProblem = "it needs OpenGL 4.0, which this OpenGL context does not have";
+    this->TessellationError = "it needs OpenGL 4.0, which this OpenGL context does not have";
     return;
   }
   this->Options.IsTessellated = this->FailedStages.IsEmpty() ||
@@ -329,7 +329,7 @@ bool CurvePainter::BuildStages(vtkOpenGLHelper& helper, vtkRenderer* renderer, v
       if (!program)
       {
         this->FailedStages = Dependencies::On(actor->GetShaderProperty()->GetShaderMTime());
-        this->TessellationProblem = "its shaders cannot be built: " + this->Programs.GetError();
+        this->TessellationError = "its shaders cannot be built: " + this->Programs.GetError();
         this->Options.IsTessellated = false;
         this->Variants.SetKey(helper, this->Options.GetKey());
       }

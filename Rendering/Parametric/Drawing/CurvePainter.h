@@ -58,9 +58,9 @@ public:
 
   //@{
   /// After it: what is wrong with colours, the shaders or tessellation, or "".
-  const std::string& GetColorProblem() const { return this->ColorProblem; }
-  const std::string& GetShaderProblem() const { return this->Variants.GetProblem(); }
-  const std::string& GetTessellationProblem() const { return this->TessellationProblem; }
+  const std::string& GetColorError() const { return this->ColorError; }
+  const std::string& GetShaderError() const { return this->Variants.GetError(); }
+  const std::string& GetTessellationError() const { return this->TessellationError; }
   //@}
   bool IsTessellated() const { return this->Options.IsTessellated; }
 
@@ -119,13 +119,13 @@ private:
   vtkNew<vtkPolyData> Box; // VTK's mapper wants points
   CurveColors Colors;
   Dependencies ColorSource;
-  std::string ColorProblem;
+  std::string ColorError;
   CurvePatterns Patterns;
 
   CurveShaderOptions Options;
   ShaderVariants Variants;
   TessellationPrograms Programs;
-  std::string TessellationProblem;
+  std::string TessellationError;
   Dependencies FailedStages; // of tessellation shaders that could not be built
   int NumberOfDrawCalls = 0;
 };

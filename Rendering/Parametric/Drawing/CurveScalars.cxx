@@ -38,16 +38,16 @@ bool IsDirect(vtkMapper* mapper, vtkAbstractArray* scalars)
       vtkUnsignedCharArray::SafeDownCast(scalars));
 }
 
-std::string FindProblem(const ScalarMapping& mapping, vtkMapper* mapper)
+std::string FindError(const ScalarMapping& mapping, vtkMapper* mapper)
 {
-  const std::string problem = FindMappingProblem(mapping);
+  const std::string error = FindMappingError(mapping);
   vtkDataArray* numbers = vtkDataArray::SafeDownCast(mapping.Scalars);
   vtkScalarsToColors* table = numbers ? numbers->GetLookupTable() : nullptr;
   table = table ? table : mapper->GetLookupTable();
-  const std::string unusable = ColorTable::FindProblem(
+  const std::string unusable = ColorTable::FindError(
     table, mapper->GetUseLookupTableScalarRange() ? table->GetRange() : mapper->GetScalarRange());
-  return problem.empty() && !unusable.empty() ? "Cannot map scalars to colours: " + unusable + "."
-                                              : problem;
+  return error.empty() && !unusable.empty() ? "Cannot map scalars to colours: " + unusable + "."
+                                            : error;
 }
 }
 
@@ -76,11 +76,11 @@ std::string UploadScalars(vtkOpenGLRenderWindow* window, vtkMapper* mapper, vtkD
   }
   const vtkIdType fieldTuple =
     mapper->GetScalarMode() == VTK_SCALAR_MODE_USE_FIELD_DATA ? mapper->GetFieldDataTupleId() : -1;
-  const std::string problem =
-    FindProblem({ input, scalars, cellFlag, mapper->GetColorMode(), fieldTuple }, mapper);
-  if (!problem.empty())
+  const std::string error =
+    FindError({ input, scalars, cellFlag, mapper->GetColorMode(), fieldTuple }, mapper);
+  if (!error.empty())
   {
-    return problem;
+    return error;
   }
   int flag = 0;
   mapper->ClearColorArrays(); // which may be those of another block

@@ -13,7 +13,7 @@ namespace
 // A binding that VTK leaves alone.
 constexpr GLenum Target = GL_COPY_WRITE_BUFFER;
 
-GLint64 GetMostBytes()
+GLint64 GetMaximumBytes()
 {
   GLint64 most = 0;
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
@@ -30,7 +30,7 @@ public:
 
 std::string RefinementComputeBuffer::GetTooLarge(const std::string& what)
 {
-  return "the storage buffers of this OpenGL, of at most " + std::to_string(GetMostBytes()) +
+  return "the storage buffers of this OpenGL, of at most " + std::to_string(GetMaximumBytes()) +
     " bytes, are too small for " + what;
 }
 
@@ -42,7 +42,7 @@ bool RefinementComputeBuffer::Resize(std::size_t bytes)
 bool RefinementComputeBuffer::Upload(const void* values, std::size_t bytes)
 {
   const std::size_t size = std::max<std::size_t>(bytes, 16); // empty buffers cannot be bound
-  if (static_cast<GLint64>(size) > GetMostBytes())
+  if (static_cast<GLint64>(size) > GetMaximumBytes())
   {
     return false;
   }

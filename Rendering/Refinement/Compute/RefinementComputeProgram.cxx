@@ -17,7 +17,7 @@ namespace
 // As many as every OpenGL 4.3 allows a compute shader.
 constexpr GLuint MostBuffers = 8;
 // And as many work groups along one axis.
-constexpr int MostGroups = 65535;
+constexpr int MaximumGroups = 65535;
 }
 
 bool RefinementComputeProgram::IsSupported()
@@ -130,7 +130,7 @@ void RefinementComputeProgram::Dispatch(int elements)
   {
     this->SetUniform("relevoNumberOfElements", elements);
     const int groups = (elements - 1) / GroupSize + 1;
-    const int rows = (groups - 1) / MostGroups + 1;
+    const int rows = (groups - 1) / MaximumGroups + 1;
     glDispatchCompute(static_cast<GLuint>((groups - 1) / rows + 1), static_cast<GLuint>(rows), 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }

@@ -8,7 +8,7 @@
 
 #include "relevoMeasureEdgesCS.h"
 #include "relevoMeasurePointsCS.h"
-#include "relevoTagPlacesCS.h"
+#include "relevoTagMergedPointsCS.h"
 #include "relevoTagsCS.h"
 #include "relevoValuesCS.h"
 
@@ -26,9 +26,9 @@ bool RefinementComputeTags::UploadMesh(const RefinementMesh& mesh)
 {
   this->NumberOfPoints = static_cast<int>(mesh.Points.size() / 3);
   this->NumberOfEdges = -1;
-  this->HasPlaces = !mesh.Places.empty();
-  const std::vector<int> places(mesh.Places.begin(), mesh.Places.end());
-  return (this->Points.Upload(mesh.Points) && this->Places.Upload(places)) ||
+  this->HasMergedPoints = !mesh.MergedPoints.empty();
+  const std::vector<int> places(mesh.MergedPoints.begin(), mesh.MergedPoints.end());
+  return (this->Points.Upload(mesh.Points) && this->MergedPoints.Upload(places)) ||
     this->Fail(RefinementComputeBuffer::GetTooLarge());
 }
 
@@ -85,24 +85,24 @@ bool RefinementComputeTags::Evaluate(const MetricShader& shader, bool perEdge)
   }
   if (shader.TagsPoints && !perEdge)
   {
-    return this->MeasurePoints(shader) && (!this->HasPlaces || this->TagPlaces(shader));
+    return this->MeasurePoints(shader) && (!this->HasMergedPoints || this->TagMergedPoints(shader));
   }
-  return this->MeasureEdges(shader, perEdge) && (perEdge || this->TagPlaces(shader));
+  return this->MeasureEdges(shader, perEdge) && (perEdge || this->TagMergedPoints(shader));
 }
 
 void RefinementComputeTags::UseForPoints(
   RefinementComputeProgram& program, const MetricShader& shader, bool united, unsigned int target)
 {
   program.Use(
-    { this->Points.GetHandle(), this->Data.GetHandle(), this->Places.GetHandle(), target });
+    { this->Points.GetHandle(), this->Data.GetHandle(), this->MergedPoints.GetHandle(), target });
   program.SetUniform("metricParameters", shader.Parameters.data(), 4, 10);
   program.SetUniform("relevoHasData", shader.Data ? 1 : 0);
-  program.SetUniform("relevoHasPlaces", united ? 1 : 0);
+  program.SetUniform("relevoHasMergedPoints", united ? 1 : 0);
 }
 
 bool RefinementComputeTags::MeasurePoints(const MetricShader& shader)
 {
-  RefinementComputeBuffer& target = this->HasPlaces ? this->Measures : this->Tags;
+  RefinementComputeBuffer& target = this->HasMergedPoints ? this->Measures : this->Tags;
   if (!this->Build(this->PointProgram, shader, relevoMeasurePointsCS))
   {
     return false;
@@ -111,11 +111,11 @@ bool RefinementComputeTags::MeasurePoints(const MetricShader& shader)
   {
     return this->Fail(RefinementComputeBuffer::GetTooLarge());
   }
-  if (this->HasPlaces)
+  if (this->HasMergedPoints)
   {
     target.Clear();
   }
-  this->UseForPoints(this->PointProgram, shader, this->HasPlaces, target.GetHandle());
+  this->UseForPoints(this->PointProgram, shader, this->HasMergedPoints, target.GetHandle());
   this->PointProgram.Dispatch(this->NumberOfPoints);
   return true;
 }
@@ -123,7 +123,7 @@ bool RefinementComputeTags::MeasurePoints(const MetricShader& shader)
 bool RefinementComputeTags::MeasureEdges(const MetricShader& shader, bool perEdge)
 {
   // Without data of their own points at one place have one value.
-  const bool united = this->HasPlaces && shader.Data;
+  const bool united = this->HasMergedPoints && shader.Data;
   RefinementComputeBuffer& target = perEdge ? this->Tags : this->Measures;
   if (!this->Build(this->ValueProgram, shader, relevoValuesCS) ||
     !this->Build(this->EdgeProgram, shader, relevoMeasureEdgesCS))
@@ -154,9 +154,9 @@ bool RefinementComputeTags::MeasureEdges(const MetricShader& shader, bool perEdg
   return true;
 }
 
-bool RefinementComputeTags::TagPlaces(const MetricShader& shader)
+bool RefinementComputeTags::TagMergedPoints(const MetricShader& shader)
 {
-  if (!this->Build(this->PlaceProgram, shader, relevoTagPlacesCS))
+  if (!this->Build(this->PlaceProgram, shader, relevoTagMergedPointsCS))
   {
     return false;
   }
@@ -165,9 +165,9 @@ bool RefinementComputeTags::TagPlaces(const MetricShader& shader)
     return this->Fail(RefinementComputeBuffer::GetTooLarge());
   }
   this->PlaceProgram.Use(
-    { this->Measures.GetHandle(), this->Places.GetHandle(), this->Tags.GetHandle() });
+    { this->Measures.GetHandle(), this->MergedPoints.GetHandle(), this->Tags.GetHandle() });
   this->PlaceProgram.SetUniform("metricParameters", shader.Parameters.data(), 4, 10);
-  this->PlaceProgram.SetUniform("relevoHasPlaces", this->HasPlaces ? 1 : 0);
+  this->PlaceProgram.SetUniform("relevoHasMergedPoints", this->HasMergedPoints ? 1 : 0);
   this->PlaceProgram.Dispatch(this->NumberOfPoints);
   return true;
 }
@@ -175,7 +175,7 @@ bool RefinementComputeTags::TagPlaces(const MetricShader& shader)
 vtkTypeInt64 RefinementComputeTags::GetMemorySize() const
 {
   vtkTypeInt64 size = 0;
-  for (const RefinementComputeBuffer* buffer : { &this->Points, &this->Places, &this->Edges,
+  for (const RefinementComputeBuffer* buffer : { &this->Points, &this->MergedPoints, &this->Edges,
          &this->Data, &this->Values, &this->Measures, &this->Tags })
   {
     size += buffer->GetMemorySize();
@@ -190,8 +190,8 @@ void RefinementComputeTags::ReleaseGraphicsResources()
   {
     program->ReleaseGraphicsResources();
   }
-  for (RefinementComputeBuffer* buffer : { &this->Points, &this->Places, &this->Edges, &this->Data,
-         &this->Values, &this->Measures, &this->Tags })
+  for (RefinementComputeBuffer* buffer : { &this->Points, &this->MergedPoints, &this->Edges,
+         &this->Data, &this->Values, &this->Measures, &this->Tags })
   {
     buffer->ReleaseGraphicsResources();
   }

@@ -60,21 +60,21 @@ private:
   bool UploadData(const MetricShader& shader);
   bool MeasurePoints(const MetricShader& shader);
   bool MeasureEdges(const MetricShader& shader, bool perEdge);
-  bool TagPlaces(const MetricShader& shader);
+  bool TagMergedPoints(const MetricShader& shader);
   void UseForPoints(RefinementComputeProgram& program, const MetricShader& shader, bool united,
     unsigned int target);
   bool Fail(const std::string& error);
 
   int NumberOfPoints = 0;
   int NumberOfEdges = -1; // not taken yet
-  bool HasPlaces = false;
+  bool HasMergedPoints = false;
   std::shared_ptr<const std::vector<float>> UploadedData; // kept, so that no other has its address
   RefinementComputeProgram PointProgram;
   RefinementComputeProgram ValueProgram;
   RefinementComputeProgram EdgeProgram;
   RefinementComputeProgram PlaceProgram;
   RefinementComputeBuffer Points;
-  RefinementComputeBuffer Places;
+  RefinementComputeBuffer MergedPoints;
   RefinementComputeBuffer Edges;
   RefinementComputeBuffer Data;
   RefinementComputeBuffer Values;

@@ -15,7 +15,7 @@
 
 namespace relevo
 {
-std::string DMRMethod::FindProblem(const PatternFamily& family) const
+std::string DMRMethod::FindError(const PatternFamily& family) const
 {
   return family.AreWholeNumbers()
     ? "it halves edges, but the recipe asks for whole numbers of segments"

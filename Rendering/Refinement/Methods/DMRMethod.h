@@ -21,7 +21,7 @@ namespace relevo
 class DMRMethod : public RefinementMethod
 {
 public:
-  std::string FindProblem(const PatternFamily& family) const override;
+  std::string FindError(const PatternFamily& family) const override;
   bool CanDraw(Primitives primitives) const override;
   bool HasPatterns() const override { return false; }
   bool Upload(const RefinementDrawing& drawing) override;

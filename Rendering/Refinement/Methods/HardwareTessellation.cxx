@@ -28,7 +28,7 @@ void Limit(const int segments[3], int limited[3])
 {
   for (int e = 0; e < 3; ++e)
   {
-    limited[e] = std::min<int>(segments[e], HardwareTessellation::MostSegments);
+    limited[e] = std::min<int>(segments[e], HardwareTessellation::MaximumSegments);
   }
 }
 
@@ -115,7 +115,7 @@ void HardwareTessellation::FillOptions(
 vtkShaderProgram* HardwareTessellation::BuildProgram(
   const RefinementDrawing& drawing, const std::map<vtkShader::Type, vtkShader*>& shaders)
 {
-  const std::string control = "#define RELEVO_MOST_SEGMENTS " + std::to_string(MostSegments) +
+  const std::string control = "#define RELEVO_MOST_SEGMENTS " + std::to_string(MaximumSegments) +
     "\n" + relevoEdgeSegments + relevoTessellationTCS;
   vtkShaderProgram* program =
     this->Programs.Build(drawing.Window, relevoTessellationVS, control, shaders);

@@ -32,7 +32,7 @@ class RELEVORENDERINGREFINEMENT_EXPORT HardwareTessellation : public RefinementM
 {
 public:
   /// The most segments that every OpenGL can cut an edge into. Edges of more have so many.
-  static constexpr int MostSegments = 64;
+  static constexpr int MaximumSegments = 64;
 
   /**
    * Triangles that OpenGL makes of a triangular patch with equal spacing (OpenGL 4.0 core profile,

@@ -77,7 +77,7 @@ public:
   virtual std::string GetMissing() const { return {}; }
 
   /// Why it cannot draw such levels, as a clause ("it halves edges ..."); empty if it can.
-  virtual std::string FindProblem(const PatternFamily&) const { return {}; }
+  virtual std::string FindError(const PatternFamily&) const { return {}; }
 
   /// Whether it draws these primitives, with its own picture of a wireframe.
   virtual bool CanDraw(Primitives) const { return true; }

@@ -18,7 +18,7 @@ namespace relevo
 {
 namespace
 {
-int GetMostSegments(const PatternSelection& selection)
+int GetMaximumSegments(const PatternSelection& selection)
 {
   int most = 1;
   for (int face = 0; face < selection.GetNumberOfFaces(); ++face)
@@ -39,7 +39,7 @@ void UniformMethod::Group(const RefinementDrawing& drawing, std::vector<unsigned
   std::vector<PatternGroup>& groups) const
 {
   const PatternSelection& selection = drawing.Selection->GetSelection();
-  const int most = GetMostSegments(selection);
+  const int most = GetMaximumSegments(selection);
   // A uniform pattern is the same in any order of the corners, but for the winding.
   std::vector<std::vector<unsigned int>> faces(2 * (static_cast<size_t>(most) + 1));
   for (unsigned int instance : selection.Instances)
@@ -100,7 +100,7 @@ int UniformMethod::Draw(
 bool UniformMethod::CountTriangles(const RefinementDrawing& drawing, FaceSums& sums) const
 {
   const PatternSelection& selection = drawing.Selection->GetSelection();
-  const int most = GetMostSegments(selection);
+  const int most = GetMaximumSegments(selection);
   sums = drawing.Selection->SumOverFaces(
     [&](int face)
     {

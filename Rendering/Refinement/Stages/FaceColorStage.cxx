@@ -30,21 +30,21 @@ StageResult FaceColorStage::Update(const Input& input)
     return result;
   }
   vtkScalarsToColors* table = input.Table;
-  const std::string problem = ColorTable::FindProblem(table, table->GetRange());
-  if (ShouldReport(this->TableProblem, problem))
+  const std::string error = ColorTable::FindError(table, table->GetRange());
+  if (ShouldReport(this->TableError, error))
   {
-    result.Errors.push_back("Cannot colour by levels, patterns or tags: " + problem + ".");
+    result.Errors.push_back("Cannot colour by levels, patterns or tags: " + error + ".");
   }
-  if (!problem.empty())
+  if (!error.empty())
   {
     table = this->GetDefaultTable(input.Mode, input.Recipe);
   }
   const bool isUploaded = this->Upload(input, table);
-  if (ShouldReport(this->SizeProblem, isUploaded ? "" : BufferTexture::GetTooLarge()))
+  if (ShouldReport(this->SizeError, isUploaded ? "" : BufferTexture::GetTooLarge()))
   {
     result.Errors.push_back(
       "The colours of levels, patterns or tags do not fit on the graphics card: " +
-      this->SizeProblem + ".");
+      this->SizeError + ".");
   }
   return result;
 }
@@ -65,6 +65,6 @@ bool FaceColorStage::Upload(const Input& input, vtkScalarsToColors* table)
 void FaceColorStage::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Colors.ReleaseGraphicsResources(window);
-  this->SizeProblem.clear();
+  this->SizeError.clear();
 }
 }

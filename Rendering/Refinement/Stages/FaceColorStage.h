@@ -52,8 +52,8 @@ private:
 
   RefinementFaceColors Colors;
   RefinementLevelTable DefaultTable;
-  std::string TableProblem; // that was reported last, as the other
-  std::string SizeProblem;
+  std::string TableError; // that was reported last, as the other
+  std::string SizeError;
 };
 }
 

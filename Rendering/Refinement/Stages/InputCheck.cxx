@@ -12,12 +12,12 @@ StageResult InputCheck::Update(vtkDataObject* input, vtkInformation* port)
   if (this->Input != input)
   {
     this->Input = input;
-    this->Problem.clear();
+    this->Error.clear();
   }
   StageResult result;
-  if (ShouldReport(this->Problem, input ? FindTypeProblem(input, port) : ""))
+  if (ShouldReport(this->Error, input ? FindTypeError(input, port) : ""))
   {
-    result.Errors.push_back(this->Problem);
+    result.Errors.push_back(this->Error);
   }
   result.IsValid = !input || IsOfRequiredType(input, port);
   return result;

@@ -26,7 +26,7 @@ public:
 
 private:
   vtkDataObject* Input = nullptr; // to compare, never read
-  std::string Problem;            // that was reported last
+  std::string Error;              // that was reported last
 };
 }
 

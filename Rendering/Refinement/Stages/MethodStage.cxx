@@ -25,15 +25,15 @@ StageResult MethodStage::Choose(const Input& input)
   this->Wanted = input.Method;
   this->InUse = input.Method;
   const RefinementMethod& method = this->Get();
-  std::string problem = method.GetMissing();
-  problem = problem.empty() ? method.FindProblem(*input.Family)
-                            : "it needs " + problem + ", which this OpenGL context does not have";
+  std::string error = method.GetMissing();
+  error = error.empty() ? method.FindError(*input.Family)
+                        : "it needs " + error + ", which this OpenGL context does not have";
   StageResult result;
-  if (ShouldReport(this->Problem, problem))
+  if (ShouldReport(this->Error, error))
   {
-    result.Errors.push_back(this->DescribeUnavailable(problem));
+    result.Errors.push_back(this->DescribeUnavailable(error));
   }
-  if (!problem.empty() || input.HasFailedShaders || !method.CanDraw(input.Faces) ||
+  if (!error.empty() || input.HasFailedShaders || !method.CanDraw(input.Faces) ||
     (input.HasVertices && !method.CanDraw(Primitives::POINTS)))
   {
     this->FallBackToDefaultMethod();
@@ -41,10 +41,10 @@ StageResult MethodStage::Choose(const Input& input)
   return result;
 }
 
-std::string MethodStage::DescribeUnavailable(const std::string& problem) const
+std::string MethodStage::DescribeUnavailable(const std::string& error) const
 {
   return std::string("The method ") + RefinementMethod::GetName(this->Wanted) +
-    " cannot be used: " + problem + ". The method ARKFPI is used instead.";
+    " cannot be used: " + error + ". The method ARKFPI is used instead.";
 }
 
 std::vector<int> MethodStage::ReleaseUnused(vtkWindow* window)
@@ -77,6 +77,6 @@ void MethodStage::ReleaseGraphicsResources(vtkWindow* window)
   {
     method.second->ReleaseGraphicsResources(window);
   }
-  this->Problem.clear();
+  this->Error.clear();
 }
 }

@@ -54,13 +54,13 @@ public:
   void FallBackToDefaultMethod() { this->InUse = RefinementMethod::ARKFPI; }
 
   /// The error message: why the method that the user has set is not available.
-  std::string DescribeUnavailable(const std::string& problem) const;
+  std::string DescribeUnavailable(const std::string& error) const;
 
   /// Release the buffers of methods that are not in use. Returns their numbers.
   std::vector<int> ReleaseUnused(vtkWindow* window);
 
   /// Report a problem again.
-  void ForgetProblem() { this->Problem.clear(); }
+  void ForgetError() { this->Error.clear(); }
 
   vtkTypeInt64 GetMemorySize() const;
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -69,7 +69,7 @@ private:
   std::map<int, std::unique_ptr<RefinementMethod>> Methods;
   int Wanted = RefinementMethod::ARKFPI;
   int InUse = RefinementMethod::ARKFPI;
-  std::string Problem; // that was reported last
+  std::string Error; // that was reported last
 };
 }
 

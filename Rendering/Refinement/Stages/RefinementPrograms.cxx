@@ -192,18 +192,18 @@ RefinementPrograms::Built RefinementPrograms::BuildWithStages(vtkOpenGLHelper& h
 StageResult RefinementPrograms::Finish(
   const vtkOpenGLHelper* helper, Shaders& shaders, const MissingAnchors& missing, bool isSelecting)
 {
-  const std::string problem = missing.empty() ? "" : DescribeMissing(missing);
+  const std::string error = missing.empty() ? "" : DescribeMissing(missing);
   StageResult result;
-  result.IsValid = problem.empty();
+  result.IsValid = error.empty();
   if (!result.IsValid)
   {
     DrawNothing(shaders);
   }
   this->States[helper].DrawsNothing = !result.IsValid;
   this->LacksIds = isSelecting && (this->LacksIds || !result.IsValid);
-  if (ShouldReport(this->Problem, problem))
+  if (ShouldReport(this->Error, error))
   {
-    result.Errors.push_back(problem);
+    result.Errors.push_back(error);
   }
   return result;
 }
@@ -296,6 +296,6 @@ void RefinementPrograms::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->States.clear();
   this->FailedSources.Clear();
-  this->Problem.clear();
+  this->Error.clear();
 }
 }

@@ -181,7 +181,7 @@ private:
 
   vtkNew<vtkShaderProgram> NoProgram;
   vtkNew<vtkLinearSurface> Linear; // where the recipe has no surface
-  std::string Problem;             // that was reported last
+  std::string Error;               // that was reported last
   bool LacksIds = false;           // in the pass of a selection that has begun
   vtkIdType NumberOfBuilds = 0;
 };

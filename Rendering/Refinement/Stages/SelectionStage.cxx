@@ -81,10 +81,10 @@ StageResult SelectionStage::UpdateOnGPU(const Input& input, UploadStage& upload)
   {
     return {};
   }
-  std::string problem;
-  this->OnGPU = this->Select(input, upload, problem);
-  this->FailedSources = problem.empty() ? Dependencies() : this->GetSources(input);
-  const bool isNew = ShouldReport(this->Problem, problem);
+  std::string error;
+  this->OnGPU = this->Select(input, upload, error);
+  this->FailedSources = error.empty() ? Dependencies() : this->GetSources(input);
+  const bool isNew = ShouldReport(this->Error, error);
   if (this->OnGPU)
   {
     return {};
@@ -93,14 +93,14 @@ StageResult SelectionStage::UpdateOnGPU(const Input& input, UploadStage& upload)
   if (isNew)
   {
     const std::string message =
-      "Selection on the GPU failed: " + problem + ". It is done on the CPU.";
+      "Selection on the GPU failed: " + error + ". It is done on the CPU.";
     auto& messages = input.Device == SELECTION_DEVICE_GPU ? result.Errors : result.Warnings;
     messages.insert(messages.begin(), message);
   }
   return result;
 }
 
-bool SelectionStage::Select(const Input& input, UploadStage& upload, std::string& problem)
+bool SelectionStage::Select(const Input& input, UploadStage& upload, std::string& error)
 {
   const double start = vtkTimerLog::GetUniversalTime();
   const RefinementMesh& mesh = this->State.GetMesh();
@@ -111,7 +111,7 @@ bool SelectionStage::Select(const Input& input, UploadStage& upload, std::string
   const FaceCulling* culled = input.Culling ? &this->State.GetCulling(input.Recipe) : nullptr;
   if (!upload.GetInstances().Reserve(input.Window, slot, mesh.Faces.size(), family->IsMorphing()))
   {
-    problem = BufferTexture::GetTooLarge();
+    error = BufferTexture::GetTooLarge();
     return false;
   }
   const bool isValid = this->Compute.UpdateMesh(mesh, this->State.GetMeshTime()) &&
@@ -126,7 +126,7 @@ bool SelectionStage::Select(const Input& input, UploadStage& upload, std::string
   {
     this->ComputeSeconds = vtkTimerLog::GetUniversalTime() - start;
   }
-  problem = isValid ? "" : this->Compute.GetError();
+  error = isValid ? "" : this->Compute.GetError();
   return isValid;
 }
 
@@ -186,7 +186,7 @@ double SelectionStage::GetSeconds() const
 
 void SelectionStage::ReleaseGraphicsResources()
 {
-  this->Problem.clear();
+  this->Error.clear();
   this->FailedSources.Clear();
   this->Compute.ReleaseGraphicsResources();
   if (this->OnGPU)

@@ -96,7 +96,7 @@ public:
 
 private:
   StageResult UpdateState(const Input& input);
-  bool Select(const Input& input, UploadStage& upload, std::string& problem);
+  bool Select(const Input& input, UploadStage& upload, std::string& error);
   /// What a selection on the GPU is made from, besides the view.
   Dependencies GetSources(const Input& input) const;
 
@@ -104,7 +104,7 @@ private:
   RefinementComputeState Compute;
   bool OnGPU = false;
   Dependencies FailedSources;
-  std::string Problem; // that was reported last
+  std::string Error; // that was reported last
   double ComputeSeconds = 0.0;
   vtkMTimeType ReadTime = 0;    // of what was read back
   int NumberOfUsedPatterns = 0; // of that

@@ -33,9 +33,9 @@ Dependencies GetUploadDependencies(
   return dependencies;
 }
 
-std::string DescribeUndrawable(const std::string& problem)
+std::string DescribeUndrawable(const std::string& error)
 {
-  return "Cannot draw the input: " + problem + ".";
+  return "Cannot draw the input: " + error + ".";
 }
 }
 
@@ -111,9 +111,9 @@ StageResult UploadStage::UploadHeights(vtkOpenGLRenderWindow* window, vtkDisplac
 {
   StageResult result;
   result.IsValid = this->Heights.Upload(window, displacement);
-  if (ShouldReport(this->HeightProblem, result.IsValid ? "" : this->Heights.GetError()))
+  if (ShouldReport(this->HeightError, result.IsValid ? "" : this->Heights.GetError()))
   {
-    result.Errors.push_back(DescribeUndrawable(this->HeightProblem));
+    result.Errors.push_back(DescribeUndrawable(this->HeightError));
   }
   return result;
 }
@@ -136,9 +136,9 @@ StageResult UploadStage::UploadSelection(MethodStage& methods, const RefinementD
       }
       if (failures.empty())
       {
-        const std::string& problem = methods.Get().GetError();
+        const std::string& error = methods.Get().GetError();
         result.Errors.push_back(
-          methods.IsDefault() ? DescribeUndrawable(problem) : methods.DescribeUnavailable(problem));
+          methods.IsDefault() ? DescribeUndrawable(error) : methods.DescribeUnavailable(error));
       }
       failures[drawing.Slot] = sources;
     }
@@ -200,7 +200,7 @@ void UploadStage::ReleaseGraphicsResources(vtkWindow* window)
   this->Colors.ReleaseGraphicsResources(window);
   this->Patterns.ReleaseGraphicsResources();
   this->Instances.ReleaseGraphicsResources(window);
-  this->HeightProblem.clear();
+  this->HeightError.clear();
   this->FailedUploads.clear();
   this->Valid = false;
 }

@@ -121,7 +121,7 @@ private:
   vtkTimeStamp UploadTime;
   Dependencies UploadDependencies;
   bool Valid = false;
-  std::string HeightProblem; // that was reported last
+  std::string HeightError; // that was reported last
   /// By method and by view: what could not be uploaded. It is not tried again.
   std::map<int, std::map<int, Dependencies>> FailedUploads;
   vtkIdType NumberOfBuilds = 0;

@@ -72,17 +72,17 @@ std::string RefinementState::TakeWarning()
 
 bool RefinementState::Check(vtkAdaptiveRefinement* recipe)
 {
-  const std::string problem = FindObstacle(recipe);
-  if (problem != this->RecipeProblem)
+  const std::string error = FindError(recipe);
+  if (error != this->RecipeError)
   {
-    this->RecipeProblem = problem;
-    this->Error = MakeError(problem);
+    this->RecipeError = error;
+    this->Error = MakeError(error);
   }
-  if (!problem.empty())
+  if (!error.empty())
   {
     return false;
   }
-  this->Warn(FindNewShortfall(recipe, this->PatternProblem));
+  this->Warn(FindNewWarning(recipe, this->PatternError));
   return true;
 }
 
@@ -151,7 +151,7 @@ bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recip
   }
   this->PreparedInput->ShallowCopy(input);
   const std::string unusable = RemoveUnusableArrays(this->PreparedInput);
-  if (ShouldReport(this->ArrayProblem, unusable)) // once, though the mesh may change in every frame
+  if (ShouldReport(this->ArrayError, unusable)) // once, though the mesh may change in every frame
   {
     this->Warn(unusable);
   }
@@ -274,12 +274,12 @@ bool RefinementState::UpdateTags(
   vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementView& view, bool onGPU)
 {
   this->Current = &this->FindView(input, recipe, view);
-  std::string problem;
+  std::string error;
   const bool valid =
-    this->Current->UpdateTags(this->GetSelectionInput(input, recipe), view, onGPU, problem);
-  if (!problem.empty())
+    this->Current->UpdateTags(this->GetSelectionInput(input, recipe), view, onGPU, error);
+  if (!error.empty())
   {
-    this->Error = MakeError(problem);
+    this->Error = MakeError(error);
   }
   return valid;
 }

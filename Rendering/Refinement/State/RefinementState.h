@@ -180,9 +180,9 @@ private:
   std::string Error;
   std::string Warning;
   // That were reported last.
-  std::string ArrayProblem;
-  std::string RecipeProblem;
-  std::string PatternProblem;
+  std::string ArrayError;
+  std::string RecipeError;
+  std::string PatternError;
 };
 }
 

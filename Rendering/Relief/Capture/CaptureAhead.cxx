@@ -16,7 +16,7 @@ namespace
 {
 // Frames that a capture must serve, itself included, to take less time than drawing them.
 constexpr int FewestFrames = 2;
-constexpr int MostLosses = 3;
+constexpr int MaximumLosses = 3;
 constexpr int ShortestPause = 8;
 constexpr int LongestPause = 64;
 }
@@ -66,13 +66,13 @@ bool CaptureAhead::IsWorthwhile()
   const bool hasPaid = this->NumberOfShownFrames >= FewestFrames;
   this->NumberOfLosses = hasPaid ? 0 : this->NumberOfLosses + 1;
   this->Pause = hasPaid ? 0 : this->Pause;
-  if (this->NumberOfLosses < MostLosses)
+  if (this->NumberOfLosses < MaximumLosses)
   {
     return true;
   }
   this->Pause = std::clamp(2 * this->Pause, ShortestPause, LongestPause);
   this->FramesLeft = this->Pause - 1;
-  this->NumberOfLosses = MostLosses - 2; // one more capture, then the next pause
+  this->NumberOfLosses = MaximumLosses - 2; // one more capture, then the next pause
   this->NumberOfShownFrames = FewestFrames - 1;
   return false;
 }

@@ -37,16 +37,16 @@ std::string CaptureTarget::Allocate(vtkOpenGLRenderWindow* window, int width, in
   this->Window = window;
   this->Width = width;
   this->Height = height;
-  const std::string problem = "OpenGL cannot make a framebuffer of " + size + " for a capture.";
+  const std::string error = "OpenGL cannot make a framebuffer of " + size + " for a capture.";
   if (!this->Bind())
   {
-    return problem;
+    return error;
   }
   const char* description = nullptr;
   const bool isComplete =
     vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_FRAMEBUFFER, description);
   this->Target.End();
-  return isComplete ? "" : problem;
+  return isComplete ? "" : error;
 }
 
 void CaptureTarget::Begin()

@@ -34,14 +34,14 @@ std::string SceneCapture::Begin(vtkRenderer* renderer, SceneParts parts, int wid
     return "The renderer shows nothing that can be captured: visible props with opaque geometry.";
   }
   this->Target.reset(new CaptureTarget);
-  const std::string problem = this->Target->Allocate(window, width, height);
+  const std::string error = this->Target->Allocate(window, width, height);
   this->Renderer = vtkSmartPointer<CaptureRenderer>::New();
   this->Renderer->Follow(renderer);
   this->Renderer->SetCaptureSize(width, height);
   this->Size[0] = width;
   this->Size[1] = height;
   this->NearClippingPlaneTolerance = renderer->GetNearClippingPlaneTolerance();
-  return problem;
+  return error;
 }
 
 void SceneCapture::End()

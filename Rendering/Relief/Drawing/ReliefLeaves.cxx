@@ -48,11 +48,11 @@ void ReliefLeaves::Update(vtkDataObject* input, const Settings& settings, vtkWin
     [&](const ReliefBlock& relief, ReliefLeaf& leaf)
     {
       leaf.Relief = relief;
-      if (ShouldReport(leaf.Problem, relief.Fault))
+      if (ShouldReport(leaf.Error, relief.Error))
       {
-        report(relief.Fault);
+        report(relief.Error);
       }
-      if (!relief.Fault.empty())
+      if (!relief.Error.empty())
       {
         leaf.Source.Clear();
         return;
@@ -77,7 +77,7 @@ void ReliefLeaves::UpdateRims(vtkWindow* window)
   source.Add(this->Current.MaximumStretch);
   for (auto& entry : this->GetLeaves())
   {
-    if (this->Current.HasRims && entry.second.Relief.Fault.empty())
+    if (this->Current.HasRims && entry.second.Relief.Error.empty())
     {
       wanted.push_back(&entry.second);
       source.AddObject(entry.second.Relief.Data.GetImage());
@@ -122,7 +122,7 @@ void ReliefLeaves::AddBounds(vtkBoundingBox& box)
   for (const auto& entry : this->GetLeaves())
   {
     const ReliefLeaf& leaf = entry.second;
-    if (leaf.Problem.empty() && vtkMath::AreBoundsInitialized(leaf.Surface->GetSurfaceBounds()))
+    if (leaf.Error.empty() && vtkMath::AreBoundsInitialized(leaf.Surface->GetSurfaceBounds()))
     {
       box.AddBounds(leaf.Surface->GetSurfaceBounds());
     }
@@ -134,7 +134,7 @@ bool ReliefLeaves::AreTranslucent()
   const Leaves& leaves = this->GetLeaves();
   return std::any_of(leaves.begin(), leaves.end(),
     [](const auto& entry)
-    { return entry.second.Problem.empty() && entry.second.Surface->IsTranslucent(); });
+    { return entry.second.Error.empty() && entry.second.Surface->IsTranslucent(); });
 }
 
 double ReliefLeaves::CountTriangles()
@@ -150,7 +150,7 @@ double ReliefLeaves::CountTriangles()
 vtkStructuredGrid* ReliefLeaves::GetPickedSurface(unsigned int flatIndex)
 {
   ReliefLeaf* leaf = this->Find(flatIndex);
-  if (!leaf || !leaf->Problem.empty())
+  if (!leaf || !leaf->Error.empty())
   {
     return this->NoSurface;
   }

@@ -35,8 +35,8 @@ struct ReliefLeaf
   vtkSmartPointer<ReliefPainter> Surface; // nullptr of what never was a relief
   vtkSmartPointer<ReliefPainter> Rims;    // nullptr for none
   Dependencies Source;
-  std::string Problem;                       // reported last
-  std::string ShaderProblem;                 // likewise
+  std::string Error;                         // reported last
+  std::string ShaderError;                   // likewise
   vtkSmartPointer<vtkStructuredGrid> Picked; // the surface, when a picker has asked for it
 };
 

@@ -48,7 +48,7 @@ public:
   /// Takes a relief. What can be told of it without OpenGL is there at once.
   void SetRelief(const Relief& relief, double maximumStretch);
   /// What is wrong with the shaders that were built last, or "".
-  const std::string& GetShaderProblem() const { return this->Variants.GetProblem(); }
+  const std::string& GetShaderError() const { return this->Variants.GetError(); }
 
   const double* GetSurfaceBounds() const { return this->SurfaceBounds; }
   bool IsTranslucent() const { return this->Tiles.IsTranslucent(); }

@@ -29,7 +29,7 @@ constexpr double Parallel = 0.95;
 // Of a face that needs no better one to be found.
 constexpr double Across = 0.5;
 // Other reliefs whose faces are looked for: of many, as many all around.
-constexpr size_t MostOthers = 32;
+constexpr size_t MaximumOthers = 32;
 // Texels from a face to where the fourth component is 0 or 255.
 constexpr double Reach = 2.0;
 
@@ -335,7 +335,7 @@ private:
       this->Source.GetWorldPoint(column, row + 1, texel.Height + slopes.y), column, row,
       texel.Height);
     OtherFace face;
-    const size_t step = (this->Sources.size() + MostOthers - 1) / MostOthers;
+    const size_t step = (this->Sources.size() + MaximumOthers - 1) / MaximumOthers;
     for (size_t i = 1; i < this->Sources.size() && face.Cosine > Across; i += step)
     {
       FindOtherFace(this->Sources[(this->Index + i) % this->Sources.size()], rim, face);

@@ -25,7 +25,7 @@ void BuildOrder(const RayCastMesh& mesh, VisibilityOrder& order)
     points[i] = dvec3(point[0], point[1], point[2]);
     all->SetPoint(i, point);
   }
-  CellFaces faces(ComputePlaces(all));
+  CellFaces faces(ComputeMergedPoints(all));
   faces.Reserve(mesh.GetNumberOfTetrahedra());
   for (size_t i = 0; i < mesh.Corners.size(); i += 4)
   {

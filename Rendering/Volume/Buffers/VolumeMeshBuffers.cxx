@@ -47,7 +47,7 @@ void VolumeMeshBuffers::Activate(vtkShaderProgram* program)
     }
   };
   set("treeSize", this->TreeSize);
-  set("mostSteps", this->MaximumSteps);
+  set("maximumSteps", this->MaximumSteps);
   set("numberOfTetrahedra", this->NumberOfTetrahedra);
 }
 

@@ -15,8 +15,8 @@ namespace
 {
 // What render passes do not replace: up to the opaque depth.
 constexpr const char* WholeRay = "initializeRayCast();\n"
-                                 "  vec2 share = (gl_FragCoord.xy - viewportPlace.xy) / "
-                                 "viewportPlace.zw;\n"
+                                 "  vec2 share = (gl_FragCoord.xy - viewportRectangle.xy) / "
+                                 "viewportRectangle.zw;\n"
                                  "  float end = texture(opaqueDepth, share).r;\n"
                                  "  gl_FragData[0] = castRay(0.0, end);\n";
 

@@ -39,7 +39,7 @@ enum class VolumeShader
 class VolumePrograms
 {
 public:
-  static constexpr const char* Problem = "This OpenGL cannot build the shader.";
+  static constexpr const char* Error = "This OpenGL cannot build the shader.";
 
   /// A program, in use; nullptr if it cannot be built, which is not tried again.
   vtkShaderProgram* Ready(

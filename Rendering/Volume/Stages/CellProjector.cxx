@@ -75,7 +75,7 @@ std::string CellProjector::RenderRayLimits(const VolumeFrame& frame)
     frame.Programs.Ready(frame.Window, VolumeShader::RayLimits, frame.Features.Options);
   if (!program)
   {
-    return VolumePrograms::Problem;
+    return VolumePrograms::Error;
   }
   const int width = frame.Viewport[2];
   const int height = frame.Viewport[3];
@@ -101,10 +101,10 @@ std::string CellProjector::Draw(const VolumeFrame& frame)
   {
     return NoRoom;
   }
-  const std::string problem = this->RenderRayLimits(frame);
-  if (!problem.empty())
+  const std::string error = this->RenderRayLimits(frame);
+  if (!error.empty())
   {
-    return problem;
+    return error;
   }
   const RayView view = frame.GetView({ { 0, 0, frame.Viewport[2], frame.Viewport[3] } });
   const bool isCut = !view.IsBeyondNear(frame.Mesh.Layout.HalfSize);
@@ -117,7 +117,7 @@ std::string CellProjector::Draw(const VolumeFrame& frame)
   }
   if (!program)
   {
-    return VolumePrograms::Problem;
+    return VolumePrograms::Error;
   }
   view.SetUniforms(program);
   view.SetOutlineUniforms(program);

@@ -51,7 +51,7 @@ std::string Compositor::Add(const VolumeFrame& frame, VolumeShader shader)
   vtkShaderProgram* program = frame.Programs.Ready(frame.Window, shader, frame.Features.Options);
   if (!program)
   {
-    return VolumePrograms::Problem;
+    return VolumePrograms::Error;
   }
   frame.GetView(frame.Viewport).SetUniforms(program);
   frame.Functions.Buffers.Activate(program);

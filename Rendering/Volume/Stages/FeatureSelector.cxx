@@ -100,13 +100,13 @@ void FeatureSelector::FindSurfaces(const FeatureRequest& request, StageReport& r
 void FeatureSelector::FindPlanes(const FeatureRequest& request, StageReport& report)
 {
   MeshPlanes& planes = this->Features.Planes;
-  const std::string problem = planes.Compute(request.Planes, request.MeshToWorld)
+  const std::string error = planes.Compute(request.Planes, request.MeshToWorld)
     ? ""
     : "There are " + std::to_string(request.Planes->GetNumberOfItems()) +
       " clipping planes; the first " + std::to_string(MeshPlanes::MaximumPlanes) + " are used.";
-  if (ShouldReport(this->PlaneProblem, problem))
+  if (ShouldReport(this->PlaneError, error))
   {
-    report.Errors.push_back(problem);
+    report.Errors.push_back(error);
   }
   this->Features.Options.IsClipped = !planes.IsEmpty();
 }
@@ -119,13 +119,13 @@ void FeatureSelector::FindTable(const FeatureRequest& request, StageReport& repo
   const bool isPossible = request.Functions.Functions.DependOnOneScalar() && !options.HasSurfaces &&
     options.NumberOfMaterials == 0;
   options.PreIntegrated = isWanted && isPossible ? request.TableDimensions : 0;
-  const std::string problem = isWanted && !isPossible
+  const std::string error = isWanted && !isPossible
     ? "Pre-integration takes one component, without gradients, shading and isosurfaces; "
       "integration is exact instead."
     : "";
-  if (ShouldReport(this->TableProblem, problem))
+  if (ShouldReport(this->TableError, error))
   {
-    report.Warnings.push_back(problem);
+    report.Warnings.push_back(error);
   }
 }
 }

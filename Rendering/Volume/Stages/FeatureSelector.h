@@ -61,8 +61,8 @@ private:
   VolumeFeatures Features;
   // As reported.
   std::string MissingSurfaces;
-  std::string PlaneProblem;
-  std::string TableProblem;
+  std::string PlaneError;
+  std::string TableError;
 };
 }
 

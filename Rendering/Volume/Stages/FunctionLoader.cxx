@@ -34,23 +34,23 @@ bool FunctionLoader::Update(const FunctionRequest& request, StageReport& report)
     TransferFunctions::FindDependencies(request.Property, request.NumberOfComponents);
   if (this->Reported.Update(functions))
   {
-    this->Problem.clear();
+    this->Error.clear();
     this->Warning.clear();
   }
   if (this->Known.Update(FindLoaded(request, functions)))
   {
     std::string warning;
-    const std::string problem = this->Load(request, warning);
-    if (ShouldReport(this->Problem, problem))
+    const std::string error = this->Load(request, warning);
+    if (ShouldReport(this->Error, error))
     {
-      report.Errors.push_back(problem);
+      report.Errors.push_back(error);
     }
     if (ShouldReport(this->Warning, warning))
     {
       report.Warnings.push_back(warning);
     }
   }
-  return this->Problem.empty();
+  return this->Error.empty();
 }
 
 std::string FunctionLoader::Load(const FunctionRequest& request, std::string& warning)

@@ -61,7 +61,7 @@ private:
   VolumeFunctions Functions;
   Dependencies Known;
   Dependencies Reported; // functions
-  std::string Problem;   // as reported
+  std::string Error;     // as reported
   std::string Warning;   // likewise
 };
 }

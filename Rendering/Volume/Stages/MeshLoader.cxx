@@ -96,11 +96,11 @@ bool MeshLoader::CheckType(const MeshRequest& request, StageReport& report)
   if (this->CheckedInput != request.Input)
   {
     this->CheckedInput = request.Input;
-    this->TypeProblem.clear();
+    this->TypeError.clear();
   }
-  if (ShouldReport(this->TypeProblem, FindTypeProblem(request.Input, request.Port)))
+  if (ShouldReport(this->TypeError, FindTypeError(request.Input, request.Port)))
   {
-    report.Errors.push_back(this->TypeProblem);
+    report.Errors.push_back(this->TypeError);
   }
   return IsOfRequiredType(request.Input, request.Port);
 }
@@ -144,24 +144,24 @@ bool MeshLoader::Read(const MeshRequest& request, VolumeCells& cells, StageRepor
   {
     cells.SplitAll();
   }
-  bool hasFaults = false;
+  bool hasErrors = false;
   for (const MeshScalars& mesh : meshes)
   {
     ScalarChoice choice = request.Choice;
     const bool areBytes = areColors && vtkUnsignedCharArray::SafeDownCast(mesh.Array);
     choice.Scale = areBytes ? 1.0 / 255.0 : 1.0;
-    for (const std::string& fault : cells.Add(mesh.Mesh, mesh.Array, mesh.AreOfCells, choice))
+    for (const std::string& error : cells.Add(mesh.Mesh, mesh.Array, mesh.AreOfCells, choice))
     {
-      hasFaults = true;
+      hasErrors = true;
       if (this->Reported != FindMesh(request))
       {
-        report.Errors.push_back(mesh.Block + fault);
+        report.Errors.push_back(mesh.Block + error);
       }
     }
   }
   if (cells.GetNumberOfSolidCells() == 0)
   {
-    if (!meshes.empty() && !hasFaults)
+    if (!meshes.empty() && !hasErrors)
     {
       report.Errors.push_back("The input has cells, but none is 3D.");
     }

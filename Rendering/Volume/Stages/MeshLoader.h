@@ -94,7 +94,7 @@ private:
   Dependencies Reported;
   std::string LeftOut;                   // blocks, as reported
   vtkDataObject* CheckedInput = nullptr; // never followed
-  std::string TypeProblem;               // as reported
+  std::string TypeError;                 // as reported
 };
 }
 

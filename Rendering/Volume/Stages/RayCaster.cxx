@@ -60,9 +60,9 @@ std::string RayCaster::Draw(const VolumeFrame& frame, const std::array<int, 2>& 
   const std::array<int, 4> sampled = { { 0, 0, size[0], size[1] } };
   if (!this->Ready(frame, isSampled ? sampled : frame.Viewport))
   {
-    return VolumePrograms::Problem;
+    return VolumePrograms::Error;
   }
-  std::string problem;
+  std::string error;
   if (!isSampled)
   {
     frame.Passes.IsEmpty() ? frame.Screen.DrawOver(frame.Window) : frame.Screen.Draw();
@@ -74,12 +74,12 @@ std::string RayCaster::Draw(const VolumeFrame& frame, const std::array<int, 2>& 
   }
   else
   {
-    problem = "This OpenGL has no room for " + std::to_string(size[0]) + " x " +
+    error = "This OpenGL has no room for " + std::to_string(size[0]) + " x " +
       std::to_string(size[1]) + " pixels; choose a larger ImageSampleDistance.";
   }
   this->Entries.Deactivate();
   frame.Deactivate();
-  return problem;
+  return error;
 }
 
 int RayCaster::CountLayers(const VolumeFrame& frame)

@@ -123,7 +123,7 @@ void RayView::SetUniforms(vtkShaderProgram* program) const
   SetVector(program, "rayX", this->X);
   SetVector(program, "rayY", this->Y);
   SetVector(program, "rayZ", this->Z);
-  SetVector(program, "viewportPlace", this->Viewport);
+  SetVector(program, "viewportRectangle", this->Viewport);
   SetVector(program, "zRange", this->Range);
   SetMatrix(program, "meshToWorld", dmat3(this->MeshToWorld));
   SetMatrix(program, "gradientToWorld", this->GradientToWorld);

@@ -177,7 +177,7 @@ int findFirstEntry(float end, inout Entry entry)
   int count = treeSize * 16;
   if (areEntriesKnown != 0)
   {
-    vec2 known = texelFetch(rayEntries, ivec2(gl_FragCoord.xy - viewportPlace.xy), 0).rg;
+    vec2 known = texelFetch(rayEntries, ivec2(gl_FragCoord.xy - viewportRectangle.xy), 0).rg;
     count = int(known.y);
     if (count == 0 || (count == 1 && enters(int(known.x), entry.depth, entry.face, entry)))
     {

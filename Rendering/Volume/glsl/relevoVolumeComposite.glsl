@@ -136,7 +136,7 @@ bool collect(Scalars front, Scalars back, float span, inout float from)
   sum += linearSegmentSum(first, last, (to - from) * span);
 #else
   float depth = max(first.w, last.w) * (to - from) * span;
-  float shallow = depth > MostDepth ? max(MostDepth / depth, LeastShare) : 1.0;
+  float shallow = depth > MaximumDepth ? max(MaximumDepth / depth, LeastShare) : 1.0;
   collected = frontOverBack(
     collected, linearSegment(first, mix(first, last, shallow), shallow * (to - from) * span));
   if (shallow < 1.0)

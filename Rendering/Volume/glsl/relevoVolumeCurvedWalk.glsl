@@ -6,10 +6,10 @@
 const float LargestMiss = 1.0 / 1024.0; // of the range of scalars
 // Of parameters, squared, from a straight line: less leaves scalars a cubic.
 const float LeastBend = 4e-4;
-const int MostHalvings = 3; // of the way through a cell whose scalars are none
+const int MaximumHalvings = 3; // of the way through a cell whose scalars are none
 // Gradients count in the middles of parts, and light at their ends.
 const float LeastParts = RELEVO_STEEPNESS == 1 || RELEVO_LIT == 1 ? 4.0 : 1.0;
-const float MostParts = 16.0;
+const float MaximumParts = 16.0;
 
 float curvedBegin;
 float curvedEnd;
@@ -55,7 +55,7 @@ float countParts()
   {
     bend = max(bend, max(abs(componentOf(first, i)), abs(componentOf(last, i))));
   }
-  return clamp(ceil(sqrt(bend / (8.0 * LargestMiss))), LeastParts, MostParts);
+  return clamp(ceil(sqrt(bend / (8.0 * LargestMiss))), LeastParts, MaximumParts);
 }
 #endif
 
@@ -225,7 +225,7 @@ vec3 seekInHexahedron(float depth, vec3 p)
 // steps always.
 vec3 parametersInHexahedron(float depth, vec3 p)
 {
-  for (int i = 0; i < min(3, mostSteps); ++i)
+  for (int i = 0; i < min(3, maximumSteps); ++i)
   {
     vec3 move = seekInHexahedron(depth, p);
     p += move;
@@ -478,7 +478,7 @@ void crossHexahedron()
   vec3 one;
   vec3 two;
   // Of a cell with flat faces they are a cubic, or nearly so.
-  for (int i = 0; i < (RELEVO_FOLDED == 1 ? min(MostHalvings, mostSteps) : 1); ++i)
+  for (int i = 0; i < (RELEVO_FOLDED == 1 ? min(MaximumHalvings, maximumSteps) : 1); ++i)
   {
     one = seekInside(mix(walkDepth, to, 1.0 / 3.0), mix(enteredAt, leftAt, 1.0 / 3.0));
     cubic[1] = trilinear(corners, one);
@@ -486,7 +486,7 @@ void crossHexahedron()
     cubic[2] = trilinear(corners, two);
     cubic[3] = trilinear(corners, leftAt);
 #if RELEVO_FOLDED
-    if (isCubic(enteredAt, one, two, leftAt) || i == MostHalvings - 1)
+    if (isCubic(enteredAt, one, two, leftAt) || i == MaximumHalvings - 1)
     {
       break;
     }
@@ -687,7 +687,7 @@ void crossQuadraticCell()
   cubic[0] = quadratic(corners, barycentric(enteredAt));
   vec3 one;
   vec3 two;
-  for (int i = 0; i < min(MostHalvings, mostSteps); ++i)
+  for (int i = 0; i < min(MaximumHalvings, maximumSteps); ++i)
   {
     one = parametersInQuadratic(
       mix(walkDepth, to, 1.0 / 3.0), mix(enteredAt, leftAt, 1.0 / 3.0));
@@ -696,7 +696,7 @@ void crossQuadraticCell()
       mix(walkDepth, to, 2.0 / 3.0), mix(enteredAt, leftAt, 2.0 / 3.0));
     cubic[2] = quadratic(corners, barycentric(two));
     cubic[3] = quadratic(corners, barycentric(leftAt));
-    if (isCubic(enteredAt, one, two, leftAt) || i == MostHalvings - 1)
+    if (isCubic(enteredAt, one, two, leftAt) || i == MaximumHalvings - 1)
     {
       break;
     }

@@ -40,6 +40,6 @@ void loadRay(ivec2 at)
 
 void main()
 {
-  loadRay(ivec2(gl_FragCoord.xy - viewportPlace.xy));
+  loadRay(ivec2(gl_FragCoord.xy - viewportRectangle.xy));
   gl_FragData[0] = finishRay();
 }

@@ -15,12 +15,12 @@
 #define Real4 vec4
 
 // A quotient of polynomials, with the right value and slopes at 0: within 1e-4 of the segment's
-// opacity up to MostDepth. Segments that are deeper have to be so short that colours hardly change.
-const float MostDepth = 6.0;
+// opacity up to MaximumDepth. Segments that are deeper have to be so short that colours hardly change.
+const float MaximumDepth = 6.0;
 float linearSegmentPsi(float front, float back)
 {
-  float f = min(front, MostDepth);
-  float b = min(back, MostDepth);
+  float f = min(front, MaximumDepth);
+  float b = min(back, MaximumDepth);
   float over = 1.0 + f * (-0.009602 + 0.005723 * f + 0.008074 * b) + b * (0.071548 + 0.004529 * b);
   float under = 1.0 +
     f * (0.323731 + f * (0.046757 + 0.003872 * f + 0.007174 * b) + b * (0.066845 + 0.002954 * b)) +

@@ -2,7 +2,7 @@
 // rays go through it is for the fragment shader to say.
 
 uniform mat4 meshToSeen; // x and y in pixels, times weight; depth along rays, as a share; and weight
-uniform vec4 viewportPlace;
+uniform vec4 viewportRectangle;
 
 const float Margin = 0.03; // more than rasterizers round
 const float SharpestCorner = 0.02; // as 1 + the cosine of the angle between normals
@@ -53,5 +53,5 @@ vec2 widen(vec2 before, vec2 corner, vec2 after, float winding)
 
 vec4 placeOnScreen(vec2 place)
 {
-  return vec4(2.0 * place / viewportPlace.zw - vec2(1.0), 0.0, 1.0);
+  return vec4(2.0 * place / viewportRectangle.zw - vec2(1.0), 0.0, 1.0);
 }

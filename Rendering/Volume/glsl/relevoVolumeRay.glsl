@@ -8,7 +8,7 @@ uniform vec4 rayX;
 uniform vec4 rayY;
 uniform vec4 rayZ;
 uniform vec2 zRange; // of the near and the far plane, from zMiddle on
-uniform vec4 viewportPlace; // lower left corner and size in pixels
+uniform vec4 viewportRectangle; // lower left corner and size in pixels
 uniform mat3 meshToWorld;
 
 vec3 rayOrigin;
@@ -21,7 +21,7 @@ float worldLength; // of a depth of 1
 // The line alone: places on it are rayOrigin + depth * rayDirection.
 void initializeLine()
 {
-  vec2 at = 2.0 * (gl_FragCoord.xy - viewportPlace.xy) / viewportPlace.zw - vec2(1.0);
+  vec2 at = 2.0 * (gl_FragCoord.xy - viewportRectangle.xy) / viewportRectangle.zw - vec2(1.0);
   vec4 place = rayMiddle + at.x * rayX + at.y * rayY;
   rayOrigin = place.xyz / place.w;
   rayDirection = rayZ.xyz - rayOrigin * rayZ.w;

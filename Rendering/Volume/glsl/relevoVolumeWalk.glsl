@@ -9,7 +9,7 @@ uniform usamplerBuffer pointSums;
 uniform usamplerBuffer neighbors;
 uniform samplerBuffer pointScalars;
 uniform samplerBuffer cellScalars;
-uniform int mostSteps;
+uniform int maximumSteps;
 
 const uint Nothing = 0xffffffffu;
 
@@ -192,7 +192,7 @@ bool isWalkOver()
 void walkFrom(Entry entry)
 {
   enterMesh(entry);
-  for (int step = 0; step < mostSteps && walkCell != Nothing && !isWalkOver(); ++step)
+  for (int step = 0; step < maximumSteps && walkCell != Nothing && !isWalkOver(); ++step)
   {
     if (isCurvedCell(walkCell))
     {
@@ -228,7 +228,7 @@ void walkFrom(Entry entry)
   {
     if (isPartDone)
     {
-      if (walkCell == Nothing || walkDone >= walkEnd || step == mostSteps)
+      if (walkCell == Nothing || walkDone >= walkEnd || step == maximumSteps)
       {
         break;
       }

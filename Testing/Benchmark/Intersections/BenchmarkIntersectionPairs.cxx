@@ -14,7 +14,7 @@
 
 namespace
 {
-using Way = BenchmarkIntersectionWay;
+using Policy = BenchmarkIntersectionWay;
 
 enum Figure
 {
@@ -26,7 +26,7 @@ enum Figure
   Seconds
 };
 
-BenchmarkWorker::Figures MeasurePair(Way::Kind kind, int number)
+BenchmarkWorker::Figures MeasurePair(Policy::Kind kind, int number)
 {
   RelevoDice dice(static_cast<unsigned int>(number));
   const int side = 3 + number % 6;
@@ -36,11 +36,11 @@ BenchmarkWorker::Figures MeasurePair(Way::Kind kind, int number)
   const auto secondMesh = second.NewPolyData();
   BenchmarkWorker::Figures figures{};
   const Stopwatch watch;
-  Way way(kind, firstMesh, secondMesh);
+  Policy way(kind, firstMesh, secondMesh);
   way.Update();
   figures[Seconds] = watch.GetSeconds();
-  const Way::Pairs found = way.GetPairs();
-  const Way::Pairs unnamed = way.GetUnnamedPairs();
+  const Policy::Pairs found = way.GetPairs();
+  const Policy::Pairs unnamed = way.GetUnnamedPairs();
   figures[TooMany] = static_cast<double>(found.size());
   for (int i = 0; i < 12; ++i)
   {
@@ -68,7 +68,7 @@ BenchmarkWorker::Figures MeasurePair(Way::Kind kind, int number)
 std::vector<double> MeasureIntersectionPairs(const std::vector<std::string>& arguments)
 {
   vtkObject::GlobalWarningDisplayOff(); // of what is not closed, or has edges of many triangles
-  const auto kind = static_cast<Way::Kind>(std::atoi(arguments.at(1).c_str()));
+  const auto kind = static_cast<Policy::Kind>(std::atoi(arguments.at(1).c_str()));
   const BenchmarkWorker worker(std::atoi(arguments.at(2).c_str()), 2,
     [kind](int number) { return MeasurePair(kind, number); });
   std::vector<double> values(worker.Sums.begin(), worker.Sums.end());
@@ -90,20 +90,20 @@ void AddIntersectionPairs(const BenchmarkOptions& options, const AddTable& addTa
       { "us", "us a pair of meshes", 0 } });
   struct Contestant
   {
-    Way::Kind Kind;
+    Policy::Kind Kind;
     int Number;
   };
   const int all = options.Quick ? 60 : 100000;
   const int some = options.Quick ? 20 : 10000;
   for (const Contestant& contestant :
-    { Contestant{ Way::Exact, all }, Contestant{ Way::Collisions, some },
-      Contestant{ Way::Lines, some }, Contestant{ Way::Splits, options.Quick ? 5 : 500 } })
+    { Contestant{ Policy::Exact, all }, Contestant{ Policy::Collisions, some },
+      Contestant{ Policy::Lines, some }, Contestant{ Policy::Splits, options.Quick ? 5 : 500 } })
   {
     const auto values = RunInOwnProcess({ "intersections", "pairs",
       std::to_string(static_cast<int>(contestant.Kind)), std::to_string(contestant.Number) });
     if (values.size() == 9)
     {
-      table.AddRow({ Way::GetName(contestant.Kind), static_cast<double>(contestant.Number),
+      table.AddRow({ Policy::GetName(contestant.Kind), static_cast<double>(contestant.Number),
         values[7], values[8], values[Meeting], values[TooMany], values[TooFew], values[Crossing],
         values[TooFewCrossing], 1e6 * values[Seconds] / values[6] });
     }

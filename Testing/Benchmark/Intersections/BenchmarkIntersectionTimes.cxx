@@ -18,8 +18,8 @@
 
 namespace
 {
-using Way = BenchmarkIntersectionWay;
-constexpr std::array<Way::Kind, 3> Ways = { Way::Exact, Way::Lines, Way::Collisions };
+using Policy = BenchmarkIntersectionWay;
+constexpr std::array<Policy::Kind, 3> Ways = { Policy::Exact, Policy::Lines, Policy::Collisions };
 
 // Without what a mesh builds when it is used.
 vtkSmartPointer<vtkPolyData> Renew(vtkPolyData* mesh)
@@ -45,10 +45,10 @@ struct Contest
   {
     for (int round = 0; round < rounds; ++round)
     {
-      std::array<std::unique_ptr<Way>, Ways.size()> ways;
+      std::array<std::unique_ptr<Policy>, Ways.size()> ways;
       for (std::size_t i = 0; i < ways.size(); ++i)
       {
-        ways[i] = std::make_unique<Way>(Ways[i], Renew(this->Mesh), Renew(this->Mesh));
+        ways[i] = std::make_unique<Policy>(Ways[i], Renew(this->Mesh), Renew(this->Mesh));
         this->First[i].push_back(this->Time(*ways[i]));
       }
       for (int move = 0; move < moves; ++move)
@@ -69,7 +69,7 @@ struct Contest
   std::array<double, Ways.size()> Found{};
 
 private:
-  double Time(Way& way) const
+  double Time(Policy& way) const
   {
     way.Move(this->Motion->GetMatrix());
     const Stopwatch watch;
@@ -108,9 +108,9 @@ void AddIntersectionTimes(const BenchmarkOptions& options, const AddTable& addTa
   }
   BenchmarkTable table("intersections-times", "The bunny against the bunny moved",
     { { "time", "", 0 }, { "triangles", "triangles each", 0 },
-      { "exact_ms", Way::GetName(Way::Exact) + ", ms", 1 },
-      { "lines_ms", Way::GetName(Way::Lines) + ", ms", 1 },
-      { "collisions_ms", Way::GetName(Way::Collisions) + ", ms", 1 },
+      { "exact_ms", Policy::GetName(Policy::Exact) + ", ms", 1 },
+      { "lines_ms", Policy::GetName(Policy::Lines) + ", ms", 1 },
+      { "collisions_ms", Policy::GetName(Policy::Collisions) + ", ms", 1 },
       { "ratio", "to the faster of these", 3 }, { "asked", "asked", 2 } });
   Contest contest(mesh);
   contest.Run(options.Quick ? 1 : 3, options.Quick ? 2 : 4);

@@ -19,7 +19,7 @@
 
 namespace
 {
-using Way = BenchmarkIntersectionWay;
+using Policy = BenchmarkIntersectionWay;
 
 // The cells of a mesh that two points are in.
 std::vector<vtkIdType> FindCells(vtkPolyData* mesh, const double ends[2][3])
@@ -44,28 +44,28 @@ std::vector<vtkIdType> FindCells(vtkPolyData* mesh, const double ends[2][3])
   return cells;
 }
 
-vtkSmartPointer<vtkPolyDataAlgorithm> NewFilter(Way::Kind kind)
+vtkSmartPointer<vtkPolyDataAlgorithm> NewFilter(Policy::Kind kind)
 {
-  if (kind == Way::Exact)
+  if (kind == Policy::Exact)
   {
     return vtkSmartPointer<vtkSurfaceIntersectionFilter>::New();
   }
-  if (kind == Way::Collisions)
+  if (kind == Policy::Collisions)
   {
     auto filter = vtkSmartPointer<vtkCollisionDetectionFilter>::New();
     filter->SetCollisionModeToAllContacts();
     return filter;
   }
   auto filter = vtkSmartPointer<vtkIntersectionPolyDataFilter>::New();
-  filter->SetSplitFirstOutput(kind == Way::Splits);
-  filter->SetSplitSecondOutput(kind == Way::Splits);
+  filter->SetSplitFirstOutput(kind == Policy::Splits);
+  filter->SetSplitSecondOutput(kind == Policy::Splits);
   return filter;
 }
 }
 
 BenchmarkIntersectionWay::BenchmarkIntersectionWay(
   Kind kind, vtkPolyData* first, vtkPolyData* second)
-  : Way(kind)
+  : Policy(kind)
   , First(first)
   , Second(second)
   , Filter(NewFilter(kind))
@@ -98,7 +98,7 @@ std::string BenchmarkIntersectionWay::GetName(Kind kind)
 void BenchmarkIntersectionWay::Move(vtkMatrix4x4* matrix)
 {
   this->Matrices[1]->DeepCopy(matrix);
-  if (this->Way == Lines || this->Way == Splits)
+  if (this->Policy == Lines || this->Policy == Splits)
   {
     this->Filter->SetInputDataObject(1, RelevoMove(this->Second, matrix));
   }
@@ -152,7 +152,7 @@ BenchmarkIntersectionWay::Pairs BenchmarkIntersectionWay::GetPairs() const
 BenchmarkIntersectionWay::Pairs BenchmarkIntersectionWay::GetUnnamedPairs() const
 {
   Pairs pairs;
-  if (this->Way != Lines && this->Way != Splits)
+  if (this->Policy != Lines && this->Policy != Splits)
   {
     return pairs;
   }

@@ -49,7 +49,7 @@ public:
   Pairs GetUnnamedPairs() const;
 
 private:
-  Kind Way;
+  Kind Policy;
   vtkSmartPointer<vtkPolyData> First;
   vtkSmartPointer<vtkPolyData> Second;
   vtkSmartPointer<vtkPolyDataAlgorithm> Filter;

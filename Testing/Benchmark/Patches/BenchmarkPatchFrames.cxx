@@ -20,8 +20,8 @@
 
 namespace
 {
-using Way = BenchmarkPatchWay;
-const std::array<Way::Kind, 3> Ways = { Way::Linear, Way::Exact, Way::Even };
+using Policy = BenchmarkPatchWay;
+const std::array<Policy::Kind, 3> Ways = { Policy::Linear, Policy::Exact, Policy::Even };
 
 struct FirstPictures
 {
@@ -30,7 +30,7 @@ struct FirstPictures
   {
     for (int round = 0; round < rounds; ++round)
     {
-      for (const Way::Kind way : Ways)
+      for (const Policy::Kind way : Ways)
       {
         const auto values = RunInOwnProcess(
           { "patches", "first", std::to_string(static_cast<int>(way)), std::to_string(side) });
@@ -53,7 +53,7 @@ std::vector<double> MeasurePatchFirstPicture(const std::vector<std::string>& arg
   BenchmarkView view;
   view.LookAt(grid->GetBounds());
   const Stopwatch watch;
-  const Way way(static_cast<Way::Kind>(std::atoi(arguments.at(0).c_str())), grid);
+  const Policy way(static_cast<Policy::Kind>(std::atoi(arguments.at(0).c_str())), grid);
   view.AddActor(way.GetMapper());
   view.TimeFrame();
   return { watch.GetSeconds(), way.GetMemorySize() };
@@ -70,24 +70,24 @@ void AddPatchFrames(const BenchmarkOptions& options, const AddTable& addTable)
   const int side = options.Quick ? 3 : 16;
   const FirstPictures first(side, options.Quick ? 1 : 5);
   const auto grid = BenchmarkPatchMeshes::MakeHexahedra(side);
-  std::vector<std::unique_ptr<Way>> ways;
+  std::vector<std::unique_ptr<Policy>> ways;
   std::vector<vtkMapper*> mappers;
-  for (const Way::Kind way : Ways)
+  for (const Policy::Kind way : Ways)
   {
-    ways.push_back(std::make_unique<Way>(way, grid));
+    ways.push_back(std::make_unique<Policy>(way, grid));
     mappers.push_back(ways.back()->GetMapper());
   }
   BenchmarkView view;
   view.LookAt(grid->GetBounds());
   BenchmarkFrames frames(view, mappers);
   frames.Measure(options.Quick ? 2 : 15);
-  for (const Way::Kind way : Ways)
+  for (const Policy::Kind way : Ways)
   {
-    table.AddRow({ static_cast<double>(grid->GetNumberOfCells()), Way::GetName(way),
+    table.AddRow({ static_cast<double>(grid->GetNumberOfCells()), Policy::GetName(way),
       ways[way]->GetNumberOfTriangles(), 1e3 * GetMedian(first.Seconds[way]),
-      GetMedianRatio(first.Seconds[way], first.Seconds[Way::Even]), frames.GetMedian(way),
-      frames.GetRatio(way, Way::Even), 1e-6 * first.Bytes[way],
-      first.Bytes[way] / first.Bytes[Way::Even] });
+      GetMedianRatio(first.Seconds[way], first.Seconds[Policy::Even]), frames.GetMedian(way),
+      frames.GetRatio(way, Policy::Even), 1e-6 * first.Bytes[way],
+      first.Bytes[way] / first.Bytes[Policy::Even] });
   }
   table.AddNote(
     "1024 x 768, half a pixel, the camera moves with every frame. First pictures, each in a "

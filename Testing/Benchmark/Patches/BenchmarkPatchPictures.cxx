@@ -24,7 +24,7 @@
 
 namespace
 {
-using Way = BenchmarkPatchWay;
+using Policy = BenchmarkPatchWay;
 
 struct Picture
 {
@@ -134,16 +134,16 @@ void AddPatchPictures(const BenchmarkOptions& options, const AddTable& addTable)
   BenchmarkView view(options.Quick ? 64 : 1024, options.Quick ? 48 : 768);
   view.LookAt(grid->GetBounds());
   Reference reference;
-  for (const Way::Kind kind : { Way::Exact, Way::Linear, Way::Even })
+  for (const Policy::Kind kind : { Policy::Exact, Policy::Linear, Policy::Even })
   {
-    const Way way(kind, grid);
+    const Policy way(kind, grid);
     const Picture picture = Draw(view, way.GetMapper());
     if (reference.Pixels.empty())
     {
       reference = FindColors(view, picture, grid, way.GetMapper()->GetLookupTable());
     }
     const Agreement agreement = Compare(picture, reference);
-    table.AddRow({ Way::GetName(kind), static_cast<double>(reference.Pixels.size()),
+    table.AddRow({ Policy::GetName(kind), static_cast<double>(reference.Pixels.size()),
       100.0 * agreement.Near, agreement.Quantile, agreement.Largest });
   }
   table.AddNote(

@@ -56,7 +56,7 @@ public:
     return calls;
   }
 
-  std::string FindFault()
+  std::string FindError()
   {
     for (vtkDataSet* output : { static_cast<vtkDataSet*>(this->Flat->GetOutput()),
            static_cast<vtkDataSet*>(this->Surface->GetOutput()),

@@ -84,7 +84,7 @@ struct UniformPlane
       points->InsertNextPoint((p[0] * this->Right + p[1] * this->Up).data());
     }
     this->Mesh->SetPoints(points);
-    AddVelocity(this->Mesh, [this](const Vector&) { return this->Speed * this->Way; });
+    AddVelocity(this->Mesh, [this](const Vector&) { return this->Speed * this->Policy; });
   }
 
   // The weighted mean over the steps that stay on the plane.
@@ -98,7 +98,7 @@ struct UniformPlane
     double weights = 0.0;
     for (int k = -steps; k <= steps; ++k)
     {
-      const Vector p = start + k * step * this->Way;
+      const Vector p = start + k * step * this->Policy;
       if (std::max(std::abs(dot(p, this->Right)), std::abs(dot(p, this->Up))) < 0.5 + 1e-7)
       {
         sum += weight(k) * noise.GetValue(p.data());
@@ -110,7 +110,7 @@ struct UniformPlane
 
   const Vector Right = normalize({ { 0.6, 0.3, -0.5 } });
   const Vector Up = normalize(cross(Right, { { 0.1, 0.9, 0.2 } }));
-  const Vector Way = std::cos(0.3) * Right + std::sin(0.3) * Up;
+  const Vector Policy = std::cos(0.3) * Right + std::sin(0.3) * Up;
   const double Speed = 2.5;
   RelevoMeshes::Mesh Mesh;
 };
@@ -156,7 +156,7 @@ void CheckUniform(RelevoCheck& check)
   vectors->SetNumberOfComponents(3);
   for (vtkIdType cell = 0; cell < ofCells->GetNumberOfCells(); ++cell)
   {
-    vectors->InsertNextTuple(plane.Way.data());
+    vectors->InsertNextTuple(plane.Policy.data());
   }
   ofCells->GetCellData()->SetVectors(vectors);
   expect(0.01, 7, box, ofCells);

@@ -50,7 +50,7 @@ public:
     vtkIdType point, bool forward, double step, int numberOfSteps, int* done = nullptr) const
   {
     SurfaceStreamline line(*this->Vectors, forward, true);
-    line.StartAt(this->Vectors->GetTriangles().GetPlace(point));
+    line.StartAt(this->Vectors->GetTriangles().GetMergedPoint(point));
     int k = 0;
     while (k < numberOfSteps && line.Advance(step))
     {
@@ -135,10 +135,10 @@ public:
     , Along(axes)
     , Toward{ { std::cos(vtkMath::RadiansFromDegrees(degrees)),
         std::sin(vtkMath::RadiansFromDegrees(degrees)) } }
-    , Way(this->Toward[0] * axes.E1 + this->Toward[1] * axes.E2)
+    , Policy(this->Toward[0] * axes.E1 + this->Toward[1] * axes.E2)
     // What stands on the surface does not count.
     , Lines(mesh,
-        [this](const Vector& p) { return (2.0 + p[0]) * this->Way + p[1] * this->Along.Normal; })
+        [this](const Vector& p) { return (2.0 + p[0]) * this->Policy + p[1] * this->Along.Normal; })
   {
   }
 
@@ -155,14 +155,14 @@ public:
     CHECK_EQUAL(done, steps);
     if (steps > 0)
     {
-      CHECK_LESS(length(end - (start + steps * Step * this->Way)), 1e-6);
+      CHECK_LESS(length(end - (start + steps * Step * this->Policy)), 1e-6);
     }
     if (most > 1e-6)
     {
       // It ends at the border, and there it is.
       const Vector border = this->Lines.Walk(point, true, Step, steps + 2, &done);
       CHECK(done == steps || std::abs(most - (steps + 1) * Step) < 1e-6);
-      CHECK_LESS(length(border - (start + most * this->Way)), 1e-6);
+      CHECK_LESS(length(border - (start + most * this->Policy)), 1e-6);
     }
   }
 
@@ -184,7 +184,7 @@ private:
   vtkSmartPointer<vtkPolyData> Square;
   Axes Along;
   std::array<double, 2> Toward;
-  Vector Way;
+  Vector Policy;
   Field Lines;
 };
 

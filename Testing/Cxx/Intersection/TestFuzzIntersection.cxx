@@ -78,7 +78,7 @@ public:
     return calls;
   }
 
-  std::string FindFault() { return this->Fault; }
+  std::string FindError() { return this->Error; }
 
 private:
   void NewInput(int side) { this->Meshes[side] = RelevoFuzz::MakeMesh(this->D); }
@@ -161,12 +161,12 @@ private:
         const double* x = output->GetPoint(i);
         if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
         {
-          this->Fault = "a point is not finite";
+          this->Error = "a point is not finite";
         }
       }
       if (!HasIds(output, "Input0CellID", meshes[0]) || !HasIds(output, "Input1CellID", meshes[1]))
       {
-        this->Fault = "a cell meets that does not exist";
+        this->Error = "a cell meets that does not exist";
       }
     }
   }
@@ -193,13 +193,13 @@ private:
         : IsSameArray(own, other, "Contact") && IsSameArray(own, other, "Distance");
       if (!isSame)
       {
-        this->Fault = "a new filter has another output " + std::to_string(port);
+        this->Error = "a new filter has another output " + std::to_string(port);
       }
     }
   }
 
   Dice& D;
-  std::string Fault;
+  std::string Error;
   RelevoFuzz::RecipeCalls Recipe;
   vtkNew<vtkSurfaceIntersectionFilter> Filter;
   vtkSmartPointer<vtkPolyData> Meshes[2];

@@ -111,7 +111,7 @@ void TestManyBoxes(RelevoCheck& check)
     transform->Scale(1.5, 0.8, 1.1);
     relevo::RefinementView view;
     view.ModelToWorld = transform->GetMatrix();
-    std::vector<double> ofPlaces(sphere->GetNumberOfPoints(), 0.0);
+    std::vector<double> ofMergedPoints(sphere->GetNumberOfPoints(), 0.0);
     std::vector<double> ofEdges(edges.GetNumberOfEdges(), 0.0);
     for (const auto& triangle : edges.GetTriangles().GetTriangles())
     {
@@ -128,7 +128,7 @@ void TestManyBoxes(RelevoCheck& check)
       numberInside += level == 5.0;
       for (int corner = 0; corner < 3; ++corner)
       {
-        double& ofPlace = ofPlaces[triangle[corner]];
+        double& ofPlace = ofMergedPoints[triangle[corner]];
         ofPlace = std::max(ofPlace, level);
         double& ofEdge = ofEdges[edges.FindEdge(triangle[corner], triangle[(corner + 1) % 3])];
         ofEdge = std::max(ofEdge, level);
@@ -136,11 +136,12 @@ void TestManyBoxes(RelevoCheck& check)
     }
     const auto tags = kept.GetTags(sphere, view, 5);
     const auto edgeTags = kept.GetEdgeTags(sphere, view, 5);
-    CHECK_EQUAL(tags.size(), ofPlaces.size());
+    CHECK_EQUAL(tags.size(), ofMergedPoints.size());
     CHECK_EQUAL(edgeTags.size(), ofEdges.size());
     for (std::size_t i = 0; i < tags.size(); ++i)
     {
-      CHECK_NEAR(tags[i], ofPlaces[edges.GetTriangles().GetPlace(static_cast<vtkIdType>(i))], 1e-4);
+      CHECK_NEAR(tags[i],
+        ofMergedPoints[edges.GetTriangles().GetMergedPoint(static_cast<vtkIdType>(i))], 1e-4);
     }
     for (std::size_t i = 0; i < edgeTags.size(); ++i)
     {

@@ -307,7 +307,7 @@ void TestSelf(RelevoCheck& check)
     GetCoarsePairs(reference->GetOutput(), refined, refined));
 }
 
-void TestProblems(RelevoCheck& check)
+void TestErrors(RelevoCheck& check)
 {
   const Scene scene(2);
   auto filter = scene.NewFilter();
@@ -361,6 +361,6 @@ int TestSurfaceIntersectionRefinement(int, char*[])
   TestMotion(check);
   TestScale(check);
   TestSelf(check);
-  TestProblems(check);
+  TestErrors(check);
   return check.GetResult();
 }

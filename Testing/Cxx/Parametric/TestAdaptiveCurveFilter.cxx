@@ -38,7 +38,7 @@ void TestCell(RelevoCheck& check, vtkUnstructuredGrid* grid)
   vtkPolyData* output = filter->GetOutput();
   CHECK_EQUAL(output->GetNumberOfLines(), 1);
   CHECK_EQUAL(output->GetNumberOfCells(), 1);
-  const std::vector<RelevoPlace> places = RelevoGetCellPoints(output, 0);
+  const std::vector<RelevoPosition> places = RelevoGetCellPoints(output, 0);
   CHECK_EQUAL(places.size(), (1u << Level) + 1);
   vtkDataArray* given = grid->GetPointData()->GetArray("Values");
   vtkDataArray* values = output->GetPointData()->GetArray("Values");
@@ -51,7 +51,7 @@ void TestCell(RelevoCheck& check, vtkUnstructuredGrid* grid)
     const double t = static_cast<double>(i) / (1 << Level);
     const double coordinates[3] = { isCentered ? 2.0 * t - 1.0 : t, 0.0, 0.0 };
     int part = 0;
-    RelevoPlace place{};
+    RelevoPosition place{};
     cell->EvaluateLocation(part, coordinates, place.data(), weights.data());
     CHECK_NEAR(RelevoGetDistance(place, places[i]), 0.0, 1e-12);
     for (int c = 0; c < given->GetNumberOfComponents(); ++c)
@@ -69,7 +69,7 @@ void TestCell(RelevoCheck& check, vtkUnstructuredGrid* grid)
   // Both ends exactly.
   for (int end = 0; end < 2; ++end)
   {
-    RelevoPlace node;
+    RelevoPosition node;
     grid->GetPoint(cell->GetPointId(end), node.data());
     CHECK_EQUAL(node, (end == 0 ? places.front() : places.back()));
   }
@@ -95,7 +95,7 @@ void TestFloats(RelevoCheck& check)
   vtkNew<vtkPoints> points; // floats
   for (vtkIdType i = 0; i < 4; ++i)
   {
-    RelevoPlace place;
+    RelevoPosition place;
     grid->GetPoint(i, place.data());
     points->InsertNextPoint(place[0] + 1e5, place[1] - 1e5, place[2]);
   }
@@ -103,12 +103,12 @@ void TestFloats(RelevoCheck& check)
   auto filter = RelevoNewCurveFilter(grid, 3);
   filter->Update();
   CHECK_EQUAL(filter->GetOutput()->GetPoints()->GetDataType(), VTK_FLOAT);
-  const std::vector<RelevoPlace> places = RelevoGetCellPoints(filter->GetOutput(), 0);
+  const std::vector<RelevoPosition> places = RelevoGetCellPoints(filter->GetOutput(), 0);
   for (int i = 0; i <= 8; ++i)
   {
     CHECK_NEAR(RelevoGetDistance(places[i], RelevoEvaluateCell(grid, 0, i / 8.0, 0.0)), 0.0, 0.008);
   }
-  RelevoPlace node;
+  RelevoPosition node;
   grid->GetPoint(1, node.data());
   CHECK_EQUAL(node, places.back());
 }

@@ -30,7 +30,7 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 // Twelve points, and a line that is as it should be.
 vtkSmartPointer<vtkUnstructuredGrid> MakeGrid()
 {
-  std::vector<RelevoPlace> places;
+  std::vector<RelevoPosition> places;
   for (int i = 0; i < 12; ++i)
   {
     places.push_back({ 1.0 * i, 0.1 * i * i, 0.0 });
@@ -49,7 +49,7 @@ void AddCell(vtkUnstructuredGrid* grid, int type, int number)
 }
 
 // One error, and the line alone is drawn.
-void ExpectFault(RelevoCheck& check, vtkUnstructuredGrid* grid, const char* words)
+void ExpectMeshError(RelevoCheck& check, vtkUnstructuredGrid* grid, const char* words)
 {
   auto filter = RelevoNewCurveFilter(grid, 2);
   RelevoErrors errors(filter);
@@ -66,7 +66,7 @@ void ExpectNumber(RelevoCheck& check, int type, int number, const char* words)
 {
   auto grid = MakeGrid();
   AddCell(grid, type, number);
-  ExpectFault(check, grid, words);
+  ExpectMeshError(check, grid, words);
 }
 
 void TestCells(RelevoCheck& check)
@@ -93,7 +93,7 @@ void TestCells(RelevoCheck& check)
     degrees->InsertNextTuple3(degree, 0, 0);
   }
   grid->GetCellData()->SetHigherOrderDegrees(degrees);
-  ExpectFault(check, grid,
+  ExpectMeshError(check, grid,
     "Cell 1 has 4 points, but degree 2 in cell array \"HigherOrderDegrees\". It is left out, and 2 "
     "more that cannot be drawn.");
 }
@@ -103,12 +103,12 @@ void TestPoints(RelevoCheck& check)
   auto grid = MakeGrid();
   const std::array<vtkIdType, 2> beyond{ 1, 12 };
   grid->InsertNextCell(VTK_LINE, 2, beyond.data());
-  ExpectFault(check, grid, "Cell 1 refers to point 12 of 12.");
+  ExpectMeshError(check, grid, "Cell 1 refers to point 12 of 12.");
 
   grid = MakeGrid();
   AddCell(grid, VTK_QUADRATIC_EDGE, 3);
   grid->GetPoints()->SetPoint(2, 0.0, NaN, 0.0);
-  ExpectFault(check, grid, "Cell 1 has point 2, which is not finite.");
+  ExpectMeshError(check, grid, "Cell 1 has point 2, which is not finite.");
 
   for (double weight : { 0.0, -1.0, NaN, std::numeric_limits<double>::infinity() })
   {
@@ -121,7 +121,7 @@ void TestPoints(RelevoCheck& check)
     weights->SetValue(3, weight);
     weights->SetValue(10, 0.0); // lines have no weights
     grid->GetPointData()->SetRationalWeights(weights);
-    ExpectFault(check, grid, "at point 3 in point array \"RationalWeights\"; weights are more");
+    ExpectMeshError(check, grid, "at point 3 in point array \"RationalWeights\"; weights are more");
   }
 }
 

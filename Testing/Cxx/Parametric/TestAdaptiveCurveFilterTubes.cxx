@@ -29,7 +29,7 @@ constexpr double Radius = 0.05;
 vtkSmartPointer<vtkUnstructuredGrid> MakeRandomCurve(std::mt19937& random, int degree)
 {
   std::uniform_real_distribution<double> place(-1.0, 1.0);
-  std::vector<RelevoPlace> points;
+  std::vector<RelevoPosition> points;
   std::vector<vtkIdType> ids;
   for (int i = 0; i <= degree; ++i)
   {
@@ -41,14 +41,14 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeRandomCurve(std::mt19937& random, int d
   return grid;
 }
 
-RelevoPlace GetPoint(vtkPolyData* mesh, vtkIdType id)
+RelevoPosition GetPoint(vtkPolyData* mesh, vtkIdType id)
 {
-  RelevoPlace place;
+  RelevoPosition place;
   mesh->GetPoint(id, place.data());
   return place;
 }
 
-RelevoPlace GetDifference(const RelevoPlace& a, const RelevoPlace& b)
+RelevoPosition GetDifference(const RelevoPosition& a, const RelevoPosition& b)
 {
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
 }
@@ -56,7 +56,7 @@ RelevoPlace GetDifference(const RelevoPlace& a, const RelevoPlace& b)
 // Rings of a single tube against the points of its curve.
 void CheckRings(RelevoCheck& check, vtkPolyData* tube, vtkPolyData* line, int sides)
 {
-  const std::vector<RelevoPlace> axis = RelevoGetCellPoints(line, 0);
+  const std::vector<RelevoPosition> axis = RelevoGetCellPoints(line, 0);
   CHECK_EQUAL(
     tube->GetNumberOfPoints(), static_cast<vtkIdType>((axis.size() + 2) * sides)); // two caps
   vtkDataArray* normals = tube->GetPointData()->GetNormals();
@@ -67,8 +67,8 @@ void CheckRings(RelevoCheck& check, vtkPolyData* tube, vtkPolyData* line, int si
     for (int side = 0; side < sides; ++side)
     {
       const vtkIdType id = static_cast<vtkIdType>(row * sides + side);
-      const RelevoPlace place = GetPoint(tube, id);
-      const RelevoPlace out = GetDifference(place, axis[row]);
+      const RelevoPosition place = GetPoint(tube, id);
+      const RelevoPosition out = GetDifference(place, axis[row]);
       CHECK_NEAR(vtkMath::Norm(out.data()), Radius, 1e-14);
       double normal[3];
       normals->GetTuple(id, normal);
@@ -76,7 +76,7 @@ void CheckRings(RelevoCheck& check, vtkPolyData* tube, vtkPolyData* line, int si
       CHECK_NEAR(vtkMath::Dot(normal, out.data()), Radius, 1e-7);
       if (row > 0)
       {
-        const RelevoPlace last = GetDifference(GetPoint(tube, id - sides), axis[row - 1]);
+        const RelevoPosition last = GetDifference(GetPoint(tube, id - sides), axis[row - 1]);
         worst = std::min(worst, vtkMath::Dot(last.data(), out.data()) / (Radius * Radius));
       }
     }
@@ -140,7 +140,7 @@ void TestJoinedTubes(RelevoCheck& check)
   filter->Update();
   for (vtkIdType i = 0; i < filter->GetOutput()->GetNumberOfPoints(); ++i)
   {
-    const RelevoPlace place = GetPoint(filter->GetOutput(), i);
+    const RelevoPosition place = GetPoint(filter->GetOutput(), i);
     CHECK_NEAR(std::hypot(std::hypot(place[0], place[1]) - 1.0, place[2]), 0.25, 1e-14);
   }
   CHECK_NEAR(
@@ -155,17 +155,17 @@ void TestKnot(RelevoCheck& check)
   const double step = 2.0 * vtkMath::Pi() / curves;
   const auto getPlace = [](double t)
   {
-    return RelevoPlace{ std::sin(t) + 2.0 * std::sin(2.0 * t),
+    return RelevoPosition{ std::sin(t) + 2.0 * std::sin(2.0 * t),
       std::cos(t) - 2.0 * std::cos(2.0 * t), -std::sin(3.0 * t) };
   };
   const auto getHandle = [&](double t, double way)
   {
-    const RelevoPlace place = getPlace(t);
-    return RelevoPlace{ place[0] + way * (std::cos(t) + 4.0 * std::cos(2.0 * t)),
+    const RelevoPosition place = getPlace(t);
+    return RelevoPosition{ place[0] + way * (std::cos(t) + 4.0 * std::cos(2.0 * t)),
       place[1] + way * (4.0 * std::sin(2.0 * t) - std::sin(t)),
       place[2] - way * 3.0 * std::cos(3.0 * t) };
   };
-  std::vector<RelevoPlace> places;
+  std::vector<RelevoPosition> places;
   for (int i = 0; i < curves; ++i)
   {
     places.push_back(getPlace(step * i));
@@ -192,13 +192,13 @@ void TestKnot(RelevoCheck& check)
   std::vector<double> turns;
   for (vtkIdType c = 0; c < curves; ++c)
   {
-    const std::vector<RelevoPlace> axis = RelevoGetCellPoints(lines->GetOutput(), c);
+    const std::vector<RelevoPosition> axis = RelevoGetCellPoints(lines->GetOutput(), c);
     for (int row = 0; row < 32; ++row)
     {
       const vtkIdType id = (33 * c + row) * sides;
-      const RelevoPlace out = GetDifference(GetPoint(tube, id), axis[row]);
-      const RelevoPlace next = GetDifference(GetPoint(tube, id + sides), axis[row + 1]);
-      const RelevoPlace way = GetDifference(axis[row + 1], axis[row]);
+      const RelevoPosition out = GetDifference(GetPoint(tube, id), axis[row]);
+      const RelevoPosition next = GetDifference(GetPoint(tube, id + sides), axis[row + 1]);
+      const RelevoPosition way = GetDifference(axis[row + 1], axis[row]);
       double turned[3];
       vtkMath::Cross(out.data(), next.data(), turned);
       turns.push_back(vtkMath::Dot(turned, way.data()) / (vtkMath::Norm(way.data()) * 0.04));
@@ -228,7 +228,7 @@ void TestRadii(RelevoCheck& check)
   vtkPolyData* cone = filter->GetOutput();
   for (vtkIdType i = 0; i < 17 * 8; ++i)
   {
-    const RelevoPlace place = GetPoint(cone, i);
+    const RelevoPosition place = GetPoint(cone, i);
     CHECK_NEAR(std::hypot(place[0], place[1]), 3.0 - 0.75 * place[2], 1e-14);
     CHECK_NEAR(cone->GetPointData()->GetNormals()->GetComponent(i, 2), 0.6, 1e-6);
     CHECK_NEAR(
@@ -273,14 +273,14 @@ void TestRibbons(RelevoCheck& check)
     filter->SetCamera(camera);
     filter->Update();
     vtkPolyData* ribbon = filter->GetOutput();
-    const std::vector<RelevoPlace> axis = RelevoGetCellPoints(lines->GetOutput(), 0);
+    const std::vector<RelevoPosition> axis = RelevoGetCellPoints(lines->GetOutput(), 0);
     CHECK_EQUAL(ribbon->GetNumberOfPoints(), 66);
     CHECK_EQUAL(ribbon->GetNumberOfPolys(), 64);
     for (vtkIdType i = 0; i < 66; ++i)
     {
-      const RelevoPlace out = GetDifference(GetPoint(ribbon, i), axis[i / 2]);
-      const RelevoPlace toEye =
-        GetDifference({ 4.0, 5.0, 6.0 }, isParallel ? RelevoPlace{} : axis[i / 2]);
+      const RelevoPosition out = GetDifference(GetPoint(ribbon, i), axis[i / 2]);
+      const RelevoPosition toEye =
+        GetDifference({ 4.0, 5.0, 6.0 }, isParallel ? RelevoPosition{} : axis[i / 2]);
       CHECK_NEAR(vtkMath::Norm(out.data()), Radius, 1e-14);
       CHECK_NEAR(vtkMath::Dot(out.data(), toEye.data()), 0.0, 1e-13);
       double normal[3];
@@ -289,12 +289,12 @@ void TestRibbons(RelevoCheck& check)
     }
     for (vtkIdType cell = 0; cell < 64; ++cell)
     {
-      const std::vector<RelevoPlace> corners = RelevoGetCellPoints(ribbon, cell);
+      const std::vector<RelevoPosition> corners = RelevoGetCellPoints(ribbon, cell);
       double normal[3];
       vtkMath::Cross(GetDifference(corners[1], corners[0]).data(),
         GetDifference(corners[2], corners[0]).data(), normal);
-      const RelevoPlace toEye =
-        GetDifference({ 4.0, 5.0, 6.0 }, isParallel ? RelevoPlace{} : corners[0]);
+      const RelevoPosition toEye =
+        GetDifference({ 4.0, 5.0, 6.0 }, isParallel ? RelevoPosition{} : corners[0]);
       CHECK_GREATER(vtkMath::Dot(normal, toEye.data()), 0.0);
     }
   }

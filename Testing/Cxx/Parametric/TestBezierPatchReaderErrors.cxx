@@ -28,7 +28,7 @@ void ExpectError(RelevoCheck& check, vtkBezierPatchReader* reader, const std::st
 }
 
 // The file with one text replaced by another.
-void ExpectFault(RelevoCheck& check, const std::string& name, const std::string& from,
+void ExpectFileError(RelevoCheck& check, const std::string& name, const std::string& from,
   const std::string& to, const std::string& words)
 {
   RelevoWriteFile(name, Whole);
@@ -42,31 +42,34 @@ void ExpectFault(RelevoCheck& check, const std::string& name, const std::string&
   ExpectError(check, reader, name + ", " + words);
 }
 
-void TestFaults(RelevoCheck& check, const std::string& name)
+void TestErrors(RelevoCheck& check, const std::string& name)
 {
-  ExpectFault(check, name, "2\n1", "two\n1", "line 1: 'two' is no number of patches.");
-  ExpectFault(check, name, "2\n1", "-1\n1", "line 1: '-1' is no number of patches.");
-  ExpectFault(check, name, "2\n1", "1.5\n1", "line 1: '1.5' is no number of patches.");
-  ExpectFault(check, name, "2\n1", "99999999999\n1", "line 1: '99999999999' is no number of");
-  ExpectFault(check, name, "2\n1", "3\n1", "line 12: the file ends too early.");
-  ExpectFault(check, name, "2\n1", "1\n1", "line 7: there is more than line 1 tells of.");
-  ExpectFault(check, name, "1 1\n1 0 0\n2", "9 1\n1 0 0\n2", "line 7: '9' is no degree: 1 to 8.");
-  ExpectFault(check, name, "1 1\n1 0 0\n2", "1 0\n1 0 0\n2", "line 7: '0' is no degree: 1 to 8.");
-  ExpectFault(check, name, "1 1\n1 0 0\n2", "1 x\n1 0 0\n2", "line 7: 'x' is no degree: 1 to 8.");
-  ExpectFault(check, name, "0 1 0", "0 nan 0", "line 5: 'nan' is no finite number.");
-  ExpectFault(check, name, "0 1 0", "0 inf 0", "line 5: 'inf' is no finite number.");
-  ExpectFault(check, name, "0 1 0", "0 1e999 0", "line 5: '1e999' is no finite number.");
-  ExpectFault(check, name, "0 1 0", "0 1,5 0", "line 5: '1,5' is no finite number.");
-  ExpectFault(check, name, "0 1 0", "0 +-1 0", "line 5: '+-1' is no finite number.");
-  ExpectFault(check, name, "0 1 0", "0 1", "line 12: the file ends too early.");
-  ExpectFault(check, name, "2 1 0\n", "2 1\n", "line 12: the file ends too early.");
-  ExpectFault(check, name, Whole, "", "line 1: the file ends too early.");
+  ExpectFileError(check, name, "2\n1", "two\n1", "line 1: 'two' is no number of patches.");
+  ExpectFileError(check, name, "2\n1", "-1\n1", "line 1: '-1' is no number of patches.");
+  ExpectFileError(check, name, "2\n1", "1.5\n1", "line 1: '1.5' is no number of patches.");
+  ExpectFileError(check, name, "2\n1", "99999999999\n1", "line 1: '99999999999' is no number of");
+  ExpectFileError(check, name, "2\n1", "3\n1", "line 12: the file ends too early.");
+  ExpectFileError(check, name, "2\n1", "1\n1", "line 7: there is more than line 1 tells of.");
+  ExpectFileError(
+    check, name, "1 1\n1 0 0\n2", "9 1\n1 0 0\n2", "line 7: '9' is no degree: 1 to 8.");
+  ExpectFileError(
+    check, name, "1 1\n1 0 0\n2", "1 0\n1 0 0\n2", "line 7: '0' is no degree: 1 to 8.");
+  ExpectFileError(
+    check, name, "1 1\n1 0 0\n2", "1 x\n1 0 0\n2", "line 7: 'x' is no degree: 1 to 8.");
+  ExpectFileError(check, name, "0 1 0", "0 nan 0", "line 5: 'nan' is no finite number.");
+  ExpectFileError(check, name, "0 1 0", "0 inf 0", "line 5: 'inf' is no finite number.");
+  ExpectFileError(check, name, "0 1 0", "0 1e999 0", "line 5: '1e999' is no finite number.");
+  ExpectFileError(check, name, "0 1 0", "0 1,5 0", "line 5: '1,5' is no finite number.");
+  ExpectFileError(check, name, "0 1 0", "0 +-1 0", "line 5: '+-1' is no finite number.");
+  ExpectFileError(check, name, "0 1 0", "0 1", "line 12: the file ends too early.");
+  ExpectFileError(check, name, "2 1 0\n", "2 1\n", "line 12: the file ends too early.");
+  ExpectFileError(check, name, Whole, "", "line 1: the file ends too early.");
   const std::string cut = "x" + std::string(79, '7');
-  ExpectFault(check, name, "0 1 0", "0 " + cut + "77 0", "line 5: '" + cut + "' is no finite");
+  ExpectFileError(check, name, "0 1 0", "0 " + cut + "77 0", "line 5: '" + cut + "' is no finite");
   const std::string zeros(80, '0');
-  ExpectFault(check, name, "0 1 0", "0 " + std::string(1200, '1') + " 0",
+  ExpectFileError(check, name, "0 1 0", "0 " + std::string(1200, '1') + " 0",
     "line 5: '" + std::string(80, '1') + "' is no finite number.");
-  ExpectFault(check, name, "0 1 0", "0 0." + zeros + "x 0", "line 5: '0." + zeros.substr(2));
+  ExpectFileError(check, name, "0 1 0", "0 0." + zeros + "x 0", "line 5: '0." + zeros.substr(2));
 }
 
 void TestFiles(RelevoCheck& check, const std::string& folder)
@@ -98,7 +101,7 @@ int TestBezierPatchReaderErrors(int argc, char* argv[])
 {
   RelevoCheck check;
   const std::string folder = RelevoMakeFolder(argc, argv, "BezierPatchReaderErrors");
-  TestFaults(check, folder + "/patches.bpt");
+  TestErrors(check, folder + "/patches.bpt");
   TestFiles(check, folder);
   return check.GetResult();
 }

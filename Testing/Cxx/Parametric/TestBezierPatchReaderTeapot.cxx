@@ -26,10 +26,10 @@ double GetVolume(vtkUnstructuredGrid* grid)
     {
       const double u = (k % steps) / static_cast<double>(steps);
       const double v = (k / steps) / static_cast<double>(steps);
-      const RelevoPlace a = RelevoEvaluateCell(grid, cell, u, v);
-      const RelevoPlace b = RelevoEvaluateCell(grid, cell, u + 1.0 / steps, v);
-      const RelevoPlace c = RelevoEvaluateCell(grid, cell, u, v + 1.0 / steps);
-      const RelevoPlace d = RelevoEvaluateCell(grid, cell, u + 1.0 / steps, v + 1.0 / steps);
+      const RelevoPosition a = RelevoEvaluateCell(grid, cell, u, v);
+      const RelevoPosition b = RelevoEvaluateCell(grid, cell, u + 1.0 / steps, v);
+      const RelevoPosition c = RelevoEvaluateCell(grid, cell, u, v + 1.0 / steps);
+      const RelevoPosition d = RelevoEvaluateCell(grid, cell, u + 1.0 / steps, v + 1.0 / steps);
       sum += vtkMath::Determinant3x3(a.data(), b.data(), d.data()) / 6.0;
       sum += vtkMath::Determinant3x3(a.data(), d.data(), c.data()) / 6.0;
     }

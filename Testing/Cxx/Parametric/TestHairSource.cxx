@@ -32,8 +32,8 @@ namespace
 vtkSmartPointer<vtkPolyData> MakeSurface()
 {
   vtkNew<vtkPoints> points;
-  for (const RelevoPlace& place :
-    std::initializer_list<RelevoPlace>{ { { 0, 0, 0 } }, { { 4, 0, 0 } }, { { 0, 3, 0 } },
+  for (const RelevoPosition& place :
+    std::initializer_list<RelevoPosition>{ { { 0, 0, 0 } }, { { 4, 0, 0 } }, { { 0, 3, 0 } },
       { { 4, 1, 0 } }, { { 9, 0, 0 } }, { { 9, 2, 0 } }, { { 9, 0, 2 } }, { { 9, 2, 2 } } })
   {
     points->InsertNextPoint(place.data());
@@ -60,11 +60,11 @@ vtkSmartPointer<vtkHairSource> NewSource(vtkPolyData* surface, double density, d
   return source;
 }
 
-std::array<RelevoPlace, 4> GetCurve(vtkUnstructuredGrid* grid, vtkIdType cell)
+std::array<RelevoPosition, 4> GetCurve(vtkUnstructuredGrid* grid, vtkIdType cell)
 {
   vtkNew<vtkIdList> ids;
   grid->GetCellPoints(cell, ids);
-  std::array<RelevoPlace, 4> places;
+  std::array<RelevoPosition, 4> places;
   for (int i = 0; i < 4; ++i)
   {
     grid->GetPoint(ids->GetId(i), places[i].data());
@@ -73,7 +73,7 @@ std::array<RelevoPlace, 4> GetCurve(vtkUnstructuredGrid* grid, vtkIdType cell)
 }
 
 // Whether it is at or in the given cell of MakeSurface().
-bool IsOnSurface(const RelevoPlace& place, vtkIdType cell)
+bool IsOnSurface(const RelevoPosition& place, vtkIdType cell)
 {
   const double e = 1e-12;
   const double x = place[0];
@@ -101,12 +101,12 @@ void TestRoots(RelevoCheck& check)
   CHECK_EQUAL(hair->GetNumberOfPoints(), 4 * 604);
   vtkDataArray* cells = hair->GetCellData()->GetArray("vtkOriginalCellIds");
   std::array<int, 3> numbers{};
-  std::set<RelevoPlace> roots;
+  std::set<RelevoPosition> roots;
   for (vtkIdType i = 0; i < hair->GetNumberOfCells(); ++i)
   {
     CHECK_EQUAL(hair->GetCellType(i), VTK_BEZIER_CURVE);
     const auto cell = static_cast<vtkIdType>(cells->GetComponent(i, 0));
-    const std::array<RelevoPlace, 4> curve = GetCurve(hair, i);
+    const std::array<RelevoPosition, 4> curve = GetCurve(hair, i);
     ++numbers[cell];
     roots.insert(curve[0]);
     CHECK(IsOnSurface(curve[0], cell));
@@ -116,7 +116,7 @@ void TestRoots(RelevoCheck& check)
     const double size = 3.0 * sign * (curve[1][axis] - curve[0][axis]);
     CHECK_GREATER_EQUAL(size, 0.4 - 1e-9);
     CHECK_LESS_EQUAL(size, 0.5 + 1e-9);
-    RelevoPlace tip = curve[0];
+    RelevoPosition tip = curve[0];
     tip[axis] += sign * size;
     tip[2] -= 0.25 * size;
     CHECK_NEAR(RelevoGetDistance(tip, curve[3]), 0.0, 1e-12);
@@ -128,7 +128,7 @@ void TestRoots(RelevoCheck& check)
   CHECK_NEAR(numbers[2], 4.0 * 50.3, 1.5);
   // Within a cell as well: a quarter of a triangle has a quarter of its hairs.
   int quarter = 0;
-  for (const RelevoPlace& root : roots)
+  for (const RelevoPosition& root : roots)
   {
     quarter += IsOnSurface(root, 0) && root[0] / 4.0 + root[1] / 3.0 < 0.5 ? 1 : 0;
   }
@@ -150,13 +150,13 @@ void TestCurl(RelevoCheck& check)
     vtkDataArray* radii = hair->GetPointData()->GetArray("HairRadius");
     for (vtkIdType i = 0; i < hair->GetNumberOfCells(); ++i)
     {
-      const std::array<RelevoPlace, 4> curve = GetCurve(hair, i);
+      const std::array<RelevoPosition, 4> curve = GetCurve(hair, i);
       vtkNew<vtkIdList> ids;
       hair->GetCellPoints(i, ids);
       CHECK_GREATER(radii->GetComponent(ids->GetId(0), 0), radii->GetComponent(ids->GetId(1), 0));
       if (i % cubics > 0)
       {
-        const std::array<RelevoPlace, 4> last = GetCurve(hair, i - 1);
+        const std::array<RelevoPosition, 4> last = GetCurve(hair, i - 1);
         CHECK_EQUAL(last[3], curve[0]);
         for (int c = 0; c < 3; ++c)
         {
@@ -187,13 +187,13 @@ double GetStraightness(double curl)
   for (vtkIdType first = 0; first < hair->GetNumberOfCells(); first += cubics)
   {
     double sum = 0.0;
-    const RelevoPlace root = GetCurve(hair, first)[0];
-    RelevoPlace last = root;
+    const RelevoPosition root = GetCurve(hair, first)[0];
+    RelevoPosition last = root;
     for (int step = 1; step <= 100 * cubics; ++step)
     {
-      const std::array<RelevoPlace, 4> curve = GetCurve(hair, first + (step - 1) / 100);
+      const std::array<RelevoPosition, 4> curve = GetCurve(hair, first + (step - 1) / 100);
       const double t = ((step - 1) % 100 + 1) / 100.0;
-      RelevoPlace place;
+      RelevoPosition place;
       for (int c = 0; c < 3; ++c)
       {
         place[c] = std::pow(1.0 - t, 3) * curve[0][c] +
@@ -224,8 +224,8 @@ bool AreSame(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
   bool areSame = a->GetNumberOfPoints() == b->GetNumberOfPoints();
   for (vtkIdType i = 0; areSame && i < a->GetNumberOfPoints(); ++i)
   {
-    RelevoPlace first;
-    RelevoPlace second;
+    RelevoPosition first;
+    RelevoPosition second;
     a->GetPoint(i, first.data());
     b->GetPoint(i, second.data());
     areSame = first == second;
@@ -274,7 +274,7 @@ void TestNormals(RelevoCheck& check)
   CHECK_EQUAL(hair->GetNumberOfCells(), 100);
   for (vtkIdType i = 0; i < hair->GetNumberOfCells(); ++i)
   {
-    const std::array<RelevoPlace, 4> curve = GetCurve(hair, i);
+    const std::array<RelevoPosition, 4> curve = GetCurve(hair, i);
     const bool isStrip =
       hair->GetCellData()->GetArray("vtkOriginalCellIds")->GetComponent(i, 0) == 2.0;
     const int axis = isStrip ? 0 : 1; // the strip's normals are 0: its own is taken

@@ -133,7 +133,7 @@ void TestCircle(RelevoCheck& check)
   double error = 0.0;
   for (int k = 0; k <= 4000; ++k)
   {
-    const RelevoPlace place =
+    const RelevoPosition place =
       RelevoEvaluateCell(grid, std::min(k / 1000, 3), (k - 1000 * std::min(k / 1000, 3)) / 1e3, 0);
     error = std::max(error, std::abs(std::hypot(place[0], place[1]) - 1.0));
   }
@@ -153,7 +153,7 @@ void TestTorus(RelevoCheck& check)
   {
     for (int k = 0; k < 21 * 21; ++k)
     {
-      const RelevoPlace x = RelevoEvaluateCell(grid, cell, k % 21 / 20.0, k / 21 / 20.0);
+      const RelevoPosition x = RelevoEvaluateCell(grid, cell, k % 21 / 20.0, k / 21 / 20.0);
       error = std::max(error, std::abs(std::hypot(std::hypot(x[0], x[1]) - radius, x[2]) - tube));
     }
   }
@@ -198,8 +198,8 @@ void TestWeights(RelevoCheck& check)
   double error = 0.0;
   for (vtkIdType i = 0; i < with->GetNumberOfPoints(); ++i)
   {
-    RelevoPlace a;
-    RelevoPlace b;
+    RelevoPosition a;
+    RelevoPosition b;
     with->GetPoint(i, a.data());
     without->GetPoint(i, b.data());
     error = std::max(error, RelevoGetDistance(a, b));
@@ -238,7 +238,7 @@ void TestTimes(RelevoCheck& check)
   source->GetWeights()->Modified();
   source->Update();
   CHECK_GREATER(source->GetOutput()->GetMTime(), made);
-  const RelevoPlace place = RelevoEvaluateCell(source->GetOutput(), 0, 0.5, 0.0);
+  const RelevoPosition place = RelevoEvaluateCell(source->GetOutput(), 0, 0.5, 0.0);
   CHECK_GREATER(std::hypot(place[0], place[1]), 1.1);
 }
 }

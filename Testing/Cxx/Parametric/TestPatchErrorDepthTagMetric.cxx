@@ -287,7 +287,7 @@ Curve MakeRandomCurve(int degree, double range, std::mt19937& random)
 }
 
 // By de Casteljau's algorithm.
-RelevoPlace Evaluate(const Curve& curve, double t)
+RelevoPosition Evaluate(const Curve& curve, double t)
 {
   Curve points = curve;
   for (std::array<double, 4>& point : points)
@@ -318,12 +318,12 @@ double MeasureDeviation(const Curve& curve, int segments)
   for (int segment = 0; segment < segments; ++segment)
   {
     const double first = segment / static_cast<double>(segments);
-    const RelevoPlace a = Evaluate(curve, first);
-    const RelevoPlace b = Evaluate(curve, (segment + 1) / static_cast<double>(segments));
+    const RelevoPosition a = Evaluate(curve, first);
+    const RelevoPosition b = Evaluate(curve, (segment + 1) / static_cast<double>(segments));
     for (int part = 1; part < parts; ++part)
     {
       const double share = part / static_cast<double>(parts);
-      const RelevoPlace x = Evaluate(curve, first + share / segments);
+      const RelevoPosition x = Evaluate(curve, first + share / segments);
       double squared = 0.0;
       for (int i = 0; i < 3; ++i)
       {

@@ -20,12 +20,12 @@
 
 namespace
 {
-vtkSmartPointer<vtkUnstructuredGrid> NewGrid(const std::vector<RelevoPlace>& places)
+vtkSmartPointer<vtkUnstructuredGrid> NewGrid(const std::vector<RelevoPosition>& places)
 {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  for (const RelevoPlace& place : places)
+  for (const RelevoPosition& place : places)
   {
     points->InsertNextPoint(place.data());
   }
@@ -34,7 +34,7 @@ vtkSmartPointer<vtkUnstructuredGrid> NewGrid(const std::vector<RelevoPlace>& pla
   return grid;
 }
 
-RelevoPlace Evaluate(vtkPolyData* mesh, int patch, double u, double v)
+RelevoPosition Evaluate(vtkPolyData* mesh, int patch, double u, double v)
 {
   const std::vector<double> x = RelevoEvaluatePatch(mesh, patch, u, v);
   return { x[0], x[1], x[2] };
@@ -48,9 +48,9 @@ struct Sums
   {
     for (int patch = 0; patch < RelevoGetNumberOfPatches(mesh); ++patch)
     {
-      const RelevoPlace a = Evaluate(mesh, patch, 0.0, 0.0);
-      const RelevoPlace b = Evaluate(mesh, patch, 1.0, 0.0);
-      const RelevoPlace c = Evaluate(mesh, patch, 0.0, 1.0);
+      const RelevoPosition a = Evaluate(mesh, patch, 0.0, 0.0);
+      const RelevoPosition b = Evaluate(mesh, patch, 1.0, 0.0);
+      const RelevoPosition c = Evaluate(mesh, patch, 0.0, 1.0);
       const double area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
       this->Area += area;
       this->Least = std::min(this->Least, area);
@@ -104,7 +104,7 @@ void TestPolygons(RelevoCheck& check)
 // A cube as a polyhedron with a hexahedron on top; both, and the cube inside out.
 void TestPolyhedra(RelevoCheck& check)
 {
-  std::vector<RelevoPlace> places;
+  std::vector<RelevoPosition> places;
   for (int k = 0; k < 12; ++k)
   {
     places.push_back({ k % 4 == 1 || k % 4 == 2 ? 1.0 : 0.0, k % 4 >= 2 ? 1.0 : 0.0, k / 4 * 1.0 });

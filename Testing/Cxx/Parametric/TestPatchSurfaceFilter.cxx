@@ -13,7 +13,7 @@
 
 namespace
 {
-double GetDeterminant(const RelevoPlace& a, const RelevoPlace& b, const RelevoPlace& c)
+double GetDeterminant(const RelevoPosition& a, const RelevoPosition& b, const RelevoPosition& c)
 {
   return vtkMath::Determinant3x3(a.data(), b.data(), c.data());
 }
@@ -30,14 +30,14 @@ double GetVolume(vtkPolyData* mesh)
     {
       const std::vector<double> x = RelevoEvaluatePatch(
         mesh, patch, i / static_cast<double>(steps), j / static_cast<double>(steps));
-      return RelevoPlace{ x[0], x[1], x[2] };
+      return RelevoPosition{ x[0], x[1], x[2] };
     };
     for (int j = 0; j < steps; ++j)
     {
       for (int i = 0; i < (isTriangle ? steps - j : steps); ++i)
       {
-        const RelevoPlace b = at(i + 1, j);
-        const RelevoPlace d = at(i, j + 1);
+        const RelevoPosition b = at(i + 1, j);
+        const RelevoPosition d = at(i, j + 1);
         sum += GetDeterminant(at(i, j), b, d) / 6.0;
         if (!isTriangle || i + j + 1 < steps)
         {

@@ -73,14 +73,14 @@ std::map<Curve, int> CountBorders(vtkPolyData* mesh)
   return counts;
 }
 
-RelevoPlace Bend(const RelevoPlace& x)
+RelevoPosition Bend(const RelevoPosition& x)
 {
   return { x[0] + 0.07 * std::sin(x[1] + 2.0 * x[2]), x[1] + 0.06 * std::sin(1.3 * x[2] - x[0]),
     x[2] + 0.05 * std::cos(x[0] + x[1]) };
 }
 
 // Cells of one kind in a unit cube, by the corners of each.
-using Corners = std::vector<RelevoPlace>;
+using Corners = std::vector<RelevoPosition>;
 
 std::vector<Corners> SplitCube(int shape)
 {
@@ -108,7 +108,7 @@ std::vector<Corners> SplitCube(int shape)
 }
 
 // Shape functions of the linear cell with so many corners.
-RelevoPlace Place(const Corners& corners, const double* pc)
+RelevoPosition Place(const Corners& corners, const double* pc)
 {
   const double r = pc[0];
   const double s = pc[1];
@@ -130,7 +130,7 @@ RelevoPlace Place(const Corners& corners, const double* pc)
       shares = { (1 - r) * (1 - s) * (1 - t), r * (1 - s) * (1 - t), r * s * (1 - t),
         (1 - r) * s * (1 - t), (1 - r) * (1 - s) * t, r * (1 - s) * t, r * s * t, (1 - r) * s * t };
   }
-  RelevoPlace x{ 0.0, 0.0, 0.0 };
+  RelevoPosition x{ 0.0, 0.0, 0.0 };
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
     for (int c = 0; c < 3; ++c)
@@ -162,7 +162,7 @@ vtkSmartPointer<vtkUnstructuredGrid> NewBlock(int type, int degree, int shape, v
       std::vector<vtkIdType> ids;
       for (vtkIdType i = 0; i < number; ++i)
       {
-        RelevoPlace x = Place(corners, &parametric[3 * i]);
+        RelevoPosition x = Place(corners, &parametric[3 * i]);
         x = { x[0] + cube % 3, x[1] + cube / 3 % 3, x[2] + cube / 9 };
         const std::array<long, 3> key{ std::lround(x[0] * 1e6), std::lround(x[1] * 1e6),
           std::lround(x[2] * 1e6) };

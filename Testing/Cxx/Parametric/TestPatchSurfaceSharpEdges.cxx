@@ -79,26 +79,26 @@ Mesh Refine(RelevoCheck& check, vtkPolyData* patches, int level, vtkDisplacement
   return filter->GetOutput();
 }
 
-RelevoPlace GetNormal(vtkPolyData* mesh, vtkIdType point)
+RelevoPosition GetNormal(vtkPolyData* mesh, vtkIdType point)
 {
-  RelevoPlace normal;
+  RelevoPosition normal;
   mesh->GetPointData()->GetNormals()->GetTuple(point, normal.data());
   return normal;
 }
 
-RelevoPlace GetPlace(vtkPolyData* mesh, vtkIdType point)
+RelevoPosition GetPosition(vtkPolyData* mesh, vtkIdType point)
 {
-  RelevoPlace x;
+  RelevoPosition x;
   mesh->GetPoint(point, x.data());
   return x;
 }
 
-std::map<RelevoPlace, std::vector<vtkIdType>> GetPlaces(vtkPolyData* mesh)
+std::map<RelevoPosition, std::vector<vtkIdType>> GetMergedPoints(vtkPolyData* mesh)
 {
-  std::map<RelevoPlace, std::vector<vtkIdType>> places;
+  std::map<RelevoPosition, std::vector<vtkIdType>> places;
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
-    places[GetPlace(mesh, i)].push_back(i);
+    places[GetPosition(mesh, i)].push_back(i);
   }
   return places;
 }
@@ -106,7 +106,7 @@ std::map<RelevoPlace, std::vector<vtkIdType>> GetPlaces(vtkPolyData* mesh)
 // Points of one place differ by their normals alone. Returns the number of places.
 vtkIdType CheckCopies(RelevoCheck& check, vtkPolyData* refined)
 {
-  const auto places = GetPlaces(refined);
+  const auto places = GetMergedPoints(refined);
   vtkPointData* data = refined->GetPointData();
   for (const auto& place : places)
   {
@@ -139,12 +139,12 @@ double GetDeviation(vtkPolyData* mesh)
   for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
     mesh->GetCellPoints(cell, ids);
-    const std::vector<RelevoPlace> x = RelevoGetCellPoints(mesh, cell);
-    RelevoPlace a;
-    RelevoPlace b;
+    const std::vector<RelevoPosition> x = RelevoGetCellPoints(mesh, cell);
+    RelevoPosition a;
+    RelevoPosition b;
     vtkMath::Subtract(x[1].data(), x[0].data(), a.data());
     vtkMath::Subtract(x[2].data(), x[0].data(), b.data());
-    RelevoPlace normal;
+    RelevoPosition normal;
     vtkMath::Cross(a.data(), b.data(), normal.data());
     vtkMath::Normalize(normal.data());
     for (int k = 0; k < 3; ++k)
@@ -209,7 +209,7 @@ void TestBent(RelevoCheck& check)
   coordinates->SetNumberOfComponents(2);
   for (vtkIdType i = 0; i < patches->GetNumberOfPoints(); ++i)
   {
-    const RelevoPlace x = GetPlace(patches, i);
+    const RelevoPosition x = GetPosition(patches, i);
     coordinates->InsertNextTuple2(0.5 * x[0], 0.5 * x[2]);
   }
   coordinates->SetName("TCoords");
@@ -285,10 +285,10 @@ void TestOrder(RelevoCheck& check)
   source->Update();
   const auto getPoints = [](vtkPolyData* mesh)
   {
-    std::multiset<std::pair<RelevoPlace, RelevoPlace>> points;
+    std::multiset<std::pair<RelevoPosition, RelevoPosition>> points;
     for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
     {
-      points.insert({ GetPlace(mesh, i), GetNormal(mesh, i) });
+      points.insert({ GetPosition(mesh, i), GetNormal(mesh, i) });
     }
     return points;
   };

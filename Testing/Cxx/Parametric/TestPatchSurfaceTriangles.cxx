@@ -29,9 +29,9 @@
 
 namespace
 {
-RelevoPlace GetPlace(vtkPolyData* mesh, vtkIdType point)
+RelevoPosition GetPosition(vtkPolyData* mesh, vtkIdType point)
 {
-  RelevoPlace x;
+  RelevoPosition x;
   mesh->GetPoint(point, x.data());
   return { x[0] + 0.0, x[1] + 0.0, x[2] + 0.0 };
 }
@@ -71,8 +71,8 @@ struct Triangle
 void CheckTriangles(RelevoCheck& check, vtkPolyData* mesh)
 {
   std::vector<double> areas(RelevoGetNumberOfPatches(mesh), 0.0);
-  std::map<std::set<RelevoPlace>, std::vector<double>> curves;
-  std::set<RelevoPlace> poles;
+  std::map<std::set<RelevoPosition>, std::vector<double>> curves;
+  std::set<RelevoPosition> poles;
   for (int pass = 0; pass < 2; ++pass)
   {
     for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
@@ -81,8 +81,8 @@ void CheckTriangles(RelevoCheck& check, vtkPolyData* mesh)
       for (int k = 0; k < 3; ++k)
       {
         const int next = (k + 1) % 3;
-        const RelevoPlace start = GetPlace(mesh, triangle.Points[k]);
-        const RelevoPlace end = GetPlace(mesh, triangle.Points[next]);
+        const RelevoPosition start = GetPosition(mesh, triangle.Points[k]);
+        const RelevoPosition end = GetPosition(mesh, triangle.Points[next]);
         CHECK_NOT_EQUAL(triangle.Points[k], triangle.Points[next]);
         if (pass == 0)
         {
@@ -116,7 +116,7 @@ void CheckTriangles(RelevoCheck& check, vtkPolyData* mesh)
   }
 }
 
-using Shape = std::function<RelevoPlace(double, double)>;
+using Shape = std::function<RelevoPosition(double, double)>;
 
 // A Bézier quadrilateral whose control points are those of a function of u and v.
 void AddPatch(vtkUnstructuredGrid* grid, int p, int q, const Shape& shape)
@@ -127,7 +127,7 @@ void AddPatch(vtkUnstructuredGrid* grid, int p, int q, const Shape& shape)
   {
     for (int i = 0; i <= p; ++i)
     {
-      const RelevoPlace x = shape(i / static_cast<double>(p), j / static_cast<double>(q));
+      const RelevoPosition x = shape(i / static_cast<double>(p), j / static_cast<double>(q));
       ids[vtkHigherOrderQuadrilateral::PointIndexFromIJK(i, j, order.data())] =
         grid->GetPoints()->InsertNextPoint(x.data());
     }
@@ -151,7 +151,7 @@ vtkSmartPointer<vtkUnstructuredGrid> NewGrid()
 }
 
 // Closes to the bit.
-RelevoPlace GetLoop(double u)
+RelevoPosition GetLoop(double u)
 {
   const double angle = 2.0 * vtkMath::Pi() * (u == 1.0 ? 0.0 : u);
   return { std::cos(angle), std::sin(angle), 0.0 };
@@ -162,7 +162,7 @@ void TestClosed(RelevoCheck& check)
   auto cylinder = NewGrid();
   AddPatch(cylinder, 4, 1,
     [](double u, double v) {
-      return RelevoPlace{ GetLoop(u)[0], GetLoop(u)[1], v };
+      return RelevoPosition{ GetLoop(u)[0], GetLoop(u)[1], v };
     });
   auto mesh = RelevoMakePatches(cylinder);
   CHECK_EQUAL(mesh->GetNumberOfCells(), 16);
@@ -173,7 +173,7 @@ void TestClosed(RelevoCheck& check)
     [](double u, double v)
     {
       const double radius = 3.0 + GetLoop(v)[0];
-      return RelevoPlace{ radius * GetLoop(u)[0], radius * GetLoop(u)[1], GetLoop(v)[1] };
+      return RelevoPosition{ radius * GetLoop(u)[0], radius * GetLoop(u)[1], GetLoop(v)[1] };
     });
   mesh = RelevoMakePatches(torus);
   CHECK_EQUAL(mesh->GetNumberOfCells(), 22);
@@ -192,11 +192,11 @@ void TestClosed(RelevoCheck& check)
     // Normals are those of the torus.
     for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
     {
-      const RelevoPlace x = GetPlace(mesh, i);
+      const RelevoPosition x = GetPosition(mesh, i);
       const double radius = std::hypot(x[0], x[1]);
-      RelevoPlace normal;
+      RelevoPosition normal;
       mesh->GetPointData()->GetNormals()->GetTuple(i, normal.data());
-      const RelevoPlace expected{ x[0] - 3.0 * x[0] / radius, x[1] - 3.0 * x[1] / radius, x[2] };
+      const RelevoPosition expected{ x[0] - 3.0 * x[0] / radius, x[1] - 3.0 * x[1] / radius, x[2] };
       CHECK_NEAR(std::abs(vtkMath::Dot(normal.data(), expected.data())), 1.0, 1e-6);
     }
   }
@@ -211,7 +211,7 @@ void TestPillow(RelevoCheck& check)
     CHECK_CASE(height);
     AddPatch(grid, 3, 3,
       [=](double u, double v) {
-        return RelevoPlace{ u, v, u * (1.0 - u) * v * (1.0 - v) * height };
+        return RelevoPosition{ u, v, u * (1.0 - u) * v * (1.0 - v) * height };
       });
     auto mesh = RelevoMakePatches(grid);
     CheckTriangles(check, mesh);
@@ -227,7 +227,7 @@ void TestLens(RelevoCheck& check)
   auto grid = NewGrid();
   for (double side : { 1.0, -1.0 })
   {
-    const RelevoPlace places[6] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, side, 0 },
+    const RelevoPosition places[6] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, side, 0 },
       { 0.5, 0.2 * side, 0 }, { 0.75, 0.6 * side, 0.1 }, { 0.25, 0.5 * side, 0.1 } };
     std::array<vtkIdType, 6> ids;
     for (int i = 0; i < 6; ++i)
@@ -251,7 +251,7 @@ void TestLens(RelevoCheck& check)
   CheckTriangles(check, RelevoMakePatches(grid, true));
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
-    CHECK_NEAR(mesh->GetPointData()->GetArray("X")->GetTuple1(i), GetPlace(mesh, i)[0], 1e-14);
+    CHECK_NEAR(mesh->GetPointData()->GetArray("X")->GetTuple1(i), GetPosition(mesh, i)[0], 1e-14);
   }
 }
 
@@ -264,8 +264,8 @@ void TestPoles(RelevoCheck& check)
     AddPatch(grid, 3, 2,
       [=](double u, double v)
       {
-        const RelevoPlace x = GetLoop(0.25 * (k + u));
-        return RelevoPlace{ v * x[0], v * x[1], 1.0 };
+        const RelevoPosition x = GetLoop(0.25 * (k + u));
+        return RelevoPosition{ v * x[0], v * x[1], 1.0 };
       });
   }
   auto mesh = RelevoMakePatches(grid);
@@ -277,7 +277,7 @@ void TestPoles(RelevoCheck& check)
     const Triangle triangle(mesh, cell);
     for (vtkIdType point : triangle.Points)
     {
-      if (GetPlace(mesh, point) == RelevoPlace{ 0.0, 0.0, 1.0 })
+      if (GetPosition(mesh, point) == RelevoPosition{ 0.0, 0.0, 1.0 })
       {
         patches[point].insert(triangle.Patch);
         CHECK_NEAR(mesh->GetPointData()->GetNormals()->GetComponent(point, 2), -1.0, 1e-5);
@@ -293,7 +293,7 @@ void TestPoles(RelevoCheck& check)
   auto cone = NewGrid();
   AddPatch(cone, 4, 1,
     [](double u, double v) {
-      return RelevoPlace{ v * GetLoop(u)[0], v * GetLoop(u)[1], v };
+      return RelevoPosition{ v * GetLoop(u)[0], v * GetLoop(u)[1], v };
     });
   mesh = RelevoMakePatches(cone);
   CheckTriangles(check, mesh);
@@ -308,7 +308,7 @@ void TestSeams(RelevoCheck& check)
     [](double u, double v)
     {
       const double radius = v == 0.0 || v == 1.0 ? 0.0 : 1.0;
-      return RelevoPlace{ radius * GetLoop(u)[0], radius * GetLoop(u)[1], v < 0.5 ? 1.0 : -1.0 };
+      return RelevoPosition{ radius * GetLoop(u)[0], radius * GetLoop(u)[1], v < 0.5 ? 1.0 : -1.0 };
     });
   auto leaf = NewGrid();
   std::array<vtkIdType, 15> ids;
@@ -369,10 +369,10 @@ void TestTeapot(RelevoCheck& check)
   for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
     const Triangle triangle(mesh, cell);
-    std::set<RelevoPlace> places;
+    std::set<RelevoPosition> places;
     for (vtkIdType point : triangle.Points)
     {
-      places.insert(GetPlace(mesh, point));
+      places.insert(GetPosition(mesh, point));
     }
     atPoles += places.size() == 2 ? 1 : 0;
   }

@@ -121,7 +121,7 @@ public:
     return calls;
   }
 
-  std::string FindFault()
+  std::string FindError()
   {
     const double height = this->Map->GetHeight(this->D.Share(), this->D.Share());
     double range[2];

@@ -2,11 +2,11 @@
 
 layout(std430, binding = 0) readonly buffer Points { float points[]; }; // three per point
 layout(std430, binding = 1) readonly buffer Data { vec4 data[]; };
-layout(std430, binding = 2) readonly buffer Places { int places[]; };
+layout(std430, binding = 2) readonly buffer MergedPoints { int places[]; };
 layout(std430, binding = 3) buffer Measures { uint measures[]; }; // zero where points are united
 
 uniform int relevoHasData;
-uniform int relevoHasPlaces; // 1: points at one place are united
+uniform int relevoHasMergedPoints; // 1: points at one place are united
 
 void main()
 {
@@ -22,7 +22,7 @@ void main()
     datum = data[point];
   }
   float measure = metricPointMeasure(metricValue(x, datum));
-  if (relevoHasPlaces != 0)
+  if (relevoHasMergedPoints != 0)
   {
     atomicMax(measures[places[point]], relevoMeasureBits(measure));
   }

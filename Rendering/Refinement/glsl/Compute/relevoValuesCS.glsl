@@ -2,11 +2,11 @@
 
 layout(std430, binding = 0) readonly buffer Points { float points[]; }; // three per point
 layout(std430, binding = 1) readonly buffer Data { vec4 data[]; };
-layout(std430, binding = 2) readonly buffer Places { int places[]; };
+layout(std430, binding = 2) readonly buffer MergedPoints { int places[]; };
 layout(std430, binding = 3) buffer Values { uint values[]; }; // four per point
 
 uniform int relevoHasData;
-uniform int relevoHasPlaces; // 1: of the points at one place each component's largest is taken
+uniform int relevoHasMergedPoints; // 1: of the points at one place each component's largest is taken
 
 void main()
 {
@@ -24,7 +24,7 @@ void main()
   vec4 value = metricValue(x, datum);
   for (int c = 0; c < 4; ++c)
   {
-    if (relevoHasPlaces != 0)
+    if (relevoHasMergedPoints != 0)
     {
       atomicMax(values[4 * places[point] + c], relevoMeasureBits(value[c]));
     }

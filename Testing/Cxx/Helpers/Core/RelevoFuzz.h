@@ -134,10 +134,10 @@ int Run(int runs, int callsPerRun, int& made)
       }
       call.Make();
       ++made;
-      const std::string fault = machine.FindFault();
-      if (!fault.empty())
+      const std::string error = machine.FindError();
+      if (!error.empty())
       {
-        std::cerr << "seed " << seed << ", call " << i << ", " << call.Name << ": " << fault
+        std::cerr << "seed " << seed << ", call " << i << ", " << call.Name << ": " << error
                   << "\n";
         ++failures;
         break;

@@ -250,7 +250,7 @@ void RandomGrid::SpoilCell(Cell& cell)
         std::numeric_limits<vtkIdType>::lowest() };
       cell.Points[static_cast<size_t>(this->D.Throw(static_cast<int>(cell.Points.size())))] =
         this->D.Choose(strange);
-      this->Fault = "a point that does not exist" + name;
+      this->Error = "a point that does not exist" + name;
       return;
     }
     case 1:
@@ -270,7 +270,7 @@ void RandomGrid::SpoilCell(Cell& cell)
       {
         cell.Points.push_back(0);
       }
-      this->Fault = "a wrong number of points" + name;
+      this->Error = "a wrong number of points" + name;
       return;
     }
     case 2:
@@ -284,7 +284,7 @@ void RandomGrid::SpoilCell(Cell& cell)
         {
           cell.Degrees[0] = 0.0;
         }
-        this->Fault = "a degree" + name;
+        this->Error = "a degree" + name;
         return;
       }
       [[fallthrough]];
@@ -294,11 +294,11 @@ void RandomGrid::SpoilCell(Cell& cell)
         120, 255 };
       cell.Type = this->D.Choose(unknown);
       this->Dimension = 4; // nobody's
-      this->Fault = "an unknown type";
+      this->Error = "an unknown type";
       return;
     }
     default:
-      this->Fault = "a polyhedron";
+      this->Error = "a polyhedron";
       this->SpoilFaces();
       cell.Type = VTK_POLYHEDRON;
       cell.Dimension = 3;
@@ -323,22 +323,22 @@ void RandomGrid::SpoilFaces()
     case 0:
       size = 0;
       faces.clear();
-      this->Fault += " without faces";
+      this->Error += " without faces";
       break;
     case 1:
       faces[static_cast<size_t>(1 + this->D.Throw(3))] = this->D.Once(2) ? -1 : number + 5;
-      this->Fault += " with a face of a point that does not exist";
+      this->Error += " with a face of a point that does not exist";
       break;
     case 2:
       faces = { 3, ids[0], ids[2], ids[1], 2, ids[0], ids[1] };
       size = 2;
-      this->Fault += " with a face of two points";
+      this->Error += " with a face of two points";
       break;
     default:
       faces[1] = number - 1;
       ids = { 0, 0, 0, 0 };
       this->IsSure = number > 1;
-      this->Fault += " with a face of a point that it does not list";
+      this->Error += " with a face of a point that it does not list";
   }
   this->Grid->InsertNextCell(VTK_POLYHEDRON, 4, ids.data(), size, faces.data());
   this->Degrees->InsertNextTuple3(0.0, 0.0, 0.0);
@@ -361,7 +361,7 @@ void RandomGrid::SpoilGrid()
         const int most = static_cast<int>(this->Degrees->GetNumberOfTuples());
         const int left = this->D.Throw(most);
         this->Degrees->Resize(left);
-        this->Fault = "degrees for " + std::to_string(left) + " cells";
+        this->Error = "degrees for " + std::to_string(left) + " cells";
         this->IsSure = false;
         return;
       }
@@ -376,7 +376,7 @@ void RandomGrid::SpoilPoint(bool isWeight)
   const Cell& cell = this->D.Choose(this->Cells);
   const bool isBezier = cell.Type >= VTK_BEZIER_CURVE && cell.Type <= VTK_BEZIER_PYRAMID;
   const vtkIdType point = this->D.Choose(cell.Points);
-  this->IsPointFault = true;
+  this->IsPointError = true;
   this->Dimension = cell.Dimension;
   if (isWeight && this->HasWeights && isBezier)
   {
@@ -386,16 +386,16 @@ void RandomGrid::SpoilPoint(bool isWeight)
     {
       this->Weights->Resize(point);
     }
-    this->IsPointFault = false;
+    this->IsPointError = false;
     this->IsSure = cell.Dimension > 1; // surfaces and volumes have no use for curves
-    this->Fault = "a weight of a cell of type " + std::to_string(cell.Type);
+    this->Error = "a weight of a cell of type " + std::to_string(cell.Type);
     return;
   }
   const std::vector<double> strange = { NaN, Infinity, -Infinity };
   double x[3] = { 0.0, 0.0, 0.0 };
   x[this->D.Throw(3)] = this->D.Choose(strange);
   this->Points->SetPoint(point, x);
-  this->Fault = "a point that is not finite of a cell of type " + std::to_string(cell.Type);
+  this->Error = "a point that is not finite of a cell of type " + std::to_string(cell.Type);
 }
 
 void RandomGrid::SpoilLists()
@@ -418,11 +418,11 @@ void RandomGrid::SpoilLists()
     types->Squeeze();
     const vtkSmartPointer<vtkCellArray> cells = this->Grid->GetCells();
     this->Grid->SetCells(types, cells);
-    this->Fault = std::to_string(left) + " types for " + std::to_string(number) + " cells";
+    this->Error = std::to_string(left) + " types for " + std::to_string(number) + " cells";
     return;
   }
   offsets->SetComponent(1 + this->D.Throw(number), 0, this->D.Choose(strange));
-  this->Fault = "an offset";
+  this->Error = "an offset";
 }
 
 void RandomGrid::AddArrays()

@@ -26,12 +26,12 @@ public:
   vtkUnstructuredGrid* Get() { return this->Grid; }
 
   // The fault in words for messages; empty for a sound grid.
-  const std::string& GetFault() const { return this->Fault; }
+  const std::string& GetError() const { return this->Error; }
   // Whether all who take the grid have to report the fault: it is none of those that may be sound
   // by chance.
   bool IsCertain() const { return this->IsSure; }
   // Whether the fault is a point or a weight that is not finite, of a cell of this dimension.
-  bool IsOfPoints() const { return this->IsPointFault; }
+  bool IsOfPoints() const { return this->IsPointError; }
   int GetDimension() const { return this->Dimension; }
   bool HasDimension(int dimension) const;
 
@@ -63,9 +63,9 @@ private:
   std::vector<Cell> Cells; // sound or not, as they were put in
   bool HasDegrees;
   bool HasWeights;
-  std::string Fault;
+  std::string Error;
   bool IsSure = true;
-  bool IsPointFault = false;
+  bool IsPointError = false;
   int Dimension = -1; // of the cell with the fault, if it is one cell's
 };
 }

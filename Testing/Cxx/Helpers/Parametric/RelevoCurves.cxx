@@ -12,11 +12,11 @@
 #include <map>
 #include <utility>
 
-vtkSmartPointer<vtkUnstructuredGrid> RelevoNewGrid(const std::vector<RelevoPlace>& places)
+vtkSmartPointer<vtkUnstructuredGrid> RelevoNewGrid(const std::vector<RelevoPosition>& places)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  for (const RelevoPlace& place : places)
+  for (const RelevoPosition& place : places)
   {
     points->InsertNextPoint(place.data());
   }
@@ -36,11 +36,11 @@ vtkSmartPointer<vtkAdaptiveCurveFilter> RelevoNewCurveFilter(vtkDataObject* inpu
   return filter;
 }
 
-std::vector<RelevoPlace> RelevoGetCellPoints(vtkPolyData* mesh, vtkIdType cell)
+std::vector<RelevoPosition> RelevoGetCellPoints(vtkPolyData* mesh, vtkIdType cell)
 {
   vtkNew<vtkIdList> ids;
   mesh->GetCellPoints(cell, ids);
-  std::vector<RelevoPlace> places(ids->GetNumberOfIds());
+  std::vector<RelevoPosition> places(ids->GetNumberOfIds());
   for (std::size_t i = 0; i < places.size(); ++i)
   {
     mesh->GetPoint(ids->GetId(static_cast<vtkIdType>(i)), places[i].data());
@@ -50,14 +50,14 @@ std::vector<RelevoPlace> RelevoGetCellPoints(vtkPolyData* mesh, vtkIdType cell)
 
 int RelevoCountOpenEdges(vtkPolyData* mesh)
 {
-  std::map<std::pair<RelevoPlace, RelevoPlace>, int> edges;
+  std::map<std::pair<RelevoPosition, RelevoPosition>, int> edges;
   for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
-    const std::vector<RelevoPlace> corners = RelevoGetCellPoints(mesh, cell);
+    const std::vector<RelevoPosition> corners = RelevoGetCellPoints(mesh, cell);
     for (std::size_t i = 0; i < corners.size(); ++i)
     {
-      const RelevoPlace& a = corners[i];
-      const RelevoPlace& b = corners[(i + 1) % corners.size()];
+      const RelevoPosition& a = corners[i];
+      const RelevoPosition& b = corners[(i + 1) % corners.size()];
       if (a != b)
       {
         edges[a < b ? std::make_pair(a, b) : std::make_pair(b, a)] += a < b ? 1 : -1;
@@ -77,7 +77,7 @@ double RelevoGetVolume(vtkPolyData* mesh)
   double volume = 0.0;
   for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
-    const std::vector<RelevoPlace> corners = RelevoGetCellPoints(mesh, cell);
+    const std::vector<RelevoPosition> corners = RelevoGetCellPoints(mesh, cell);
     double normal[3];
     vtkMath::Cross(corners[1].data(), corners[2].data(), normal);
     volume += vtkMath::Dot(corners[0].data(), normal) / 6.0;

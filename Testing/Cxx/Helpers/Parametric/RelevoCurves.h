@@ -15,13 +15,13 @@
 class vtkAdaptiveCurveFilter;
 
 /// Points in double without cells.
-vtkSmartPointer<vtkUnstructuredGrid> RelevoNewGrid(const std::vector<RelevoPlace>& points);
+vtkSmartPointer<vtkUnstructuredGrid> RelevoNewGrid(const std::vector<RelevoPosition>& points);
 
 /// A filter of a recipe of its own, whose MaximumLevel is `level` and which has no metric.
 vtkSmartPointer<vtkAdaptiveCurveFilter> RelevoNewCurveFilter(vtkDataObject* input, int level);
 
 /// The points of a polygon or a line.
-std::vector<RelevoPlace> RelevoGetCellPoints(vtkPolyData* mesh, vtkIdType cell);
+std::vector<RelevoPosition> RelevoGetCellPoints(vtkPolyData* mesh, vtkIdType cell);
 
 /// Where points of equal coordinates are one: how many edges have no partner that runs the other
 /// way. 0 for closed surfaces that are wound alike.

@@ -65,7 +65,7 @@ vtkSmartPointer<vtkPolyData> RelevoPatchDistance::Cut(int parts) const
   return result;
 }
 
-double RelevoPatchDistance::Measure(const RelevoPlace& x) const
+double RelevoPatchDistance::Measure(const RelevoPosition& x) const
 {
   double closest[3];
   vtkIdType cell;
@@ -96,7 +96,7 @@ double RelevoPatchDistance::MeasurePixels(
     refined->GetPolys()->GetCellAtId(cell, ids);
     for (const double* w : weights)
     {
-      RelevoPlace x{};
+      RelevoPosition x{};
       for (int k = 0; k < 3; ++k)
       {
         double corner[3];

@@ -25,7 +25,7 @@ public:
   vtkSmartPointer<vtkPolyData> Cut(int parts) const;
 
   /// From a point to the nearest triangle of the parts.
-  double Measure(const RelevoPlace& x) const;
+  double Measure(const RelevoPosition& x) const;
 
   /// The largest such distance of middles of triangles and of their edges, in pixels of a viewport
   /// of this height, each at its own depth; of one triangle in every `stride`.

@@ -8,7 +8,7 @@
 
 namespace
 {
-RelevoPlace Construct(std::vector<RelevoPlace> points, double t)
+RelevoPosition Construct(std::vector<RelevoPosition> points, double t)
 {
   while (points.size() > 1)
   {
@@ -25,9 +25,9 @@ RelevoPlace Construct(std::vector<RelevoPlace> points, double t)
 }
 }
 
-RelevoPlace RelevoPatch::Evaluate(double u, double v) const
+RelevoPosition RelevoPatch::Evaluate(double u, double v) const
 {
-  std::vector<RelevoPlace> curve;
+  std::vector<RelevoPosition> curve;
   const int width = this->Second + 1;
   for (int i = 0; i <= this->First; ++i)
   {
@@ -46,7 +46,7 @@ std::vector<RelevoPatch> RelevoReadPatches(std::istream& text)
   {
     text >> patch.First >> patch.Second;
     patch.Points.resize(static_cast<std::size_t>(patch.First + 1) * (patch.Second + 1));
-    for (RelevoPlace& point : patch.Points)
+    for (RelevoPosition& point : patch.Points)
     {
       text >> point[0] >> point[1] >> point[2];
     }
@@ -62,7 +62,7 @@ std::string RelevoWritePatches(const std::vector<RelevoPatch>& patches)
   for (const RelevoPatch& patch : patches)
   {
     text << patch.First << " " << patch.Second << "\n";
-    for (const RelevoPlace& point : patch.Points)
+    for (const RelevoPosition& point : patch.Points)
     {
       text << point[0] << " " << point[1] << " " << point[2] << "\n";
     }

@@ -13,9 +13,9 @@ struct RelevoPatch
 {
   int First = 1; ///< the degrees
   int Second = 1;
-  std::vector<RelevoPlace> Points; ///< First + 1 rows of Second + 1
+  std::vector<RelevoPosition> Points; ///< First + 1 rows of Second + 1
 
-  RelevoPlace Evaluate(double u, double v) const;
+  RelevoPosition Evaluate(double u, double v) const;
 };
 
 /// As VTK's streams read numbers; the text is one without faults.

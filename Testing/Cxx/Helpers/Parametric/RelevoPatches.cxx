@@ -72,7 +72,7 @@ std::vector<double> GetFactors(const std::array<vtkIdType, 4>& record, double u,
   return factors;
 }
 
-using Places = std::vector<RelevoPlace>;
+using Places = std::vector<RelevoPosition>;
 
 Places GetCorners(vtkPolyData* mesh, int patch)
 {
@@ -85,7 +85,7 @@ Places GetCorners(vtkPolyData* mesh, int patch)
     const bool atU = isTriangle ? k == 1 : k == 1 || k == 2;
     const std::vector<double> factors = GetFactors(record, atU, k >= 2);
     const auto corner = std::find(factors.begin(), factors.end(), 1.0) - factors.begin();
-    RelevoPlace x;
+    RelevoPosition x;
     for (int c = 0; c < 3; ++c)
     {
       x[c] = points->GetComponent(record[3] + corner, c); // without rounding
@@ -100,11 +100,11 @@ bool FindCorners(vtkCell* cell, const Places& corners, Places& parametric)
 {
   parametric.clear();
   const double* coordinates = cell->GetParametricCoords(); // polygons have none
-  for (const RelevoPlace& corner : corners)
+  for (const RelevoPosition& corner : corners)
   {
     for (vtkIdType node = 0; coordinates && node < cell->GetNumberOfPoints(); ++node)
     {
-      RelevoPlace x;
+      RelevoPosition x;
       cell->GetPoints()->GetPoint(node, x.data());
       if (x == corner)
       {
@@ -143,7 +143,7 @@ vtkCell* FindReference(
   triangle->Initialize();
   for (vtkIdType node = 0; node < cell->GetNumberOfPoints(); ++node)
   {
-    RelevoPlace x;
+    RelevoPosition x;
     cell->GetPoints()->GetPoint(node, x.data());
     const auto corner = std::find(corners.begin(), corners.end(), x) - corners.begin();
     if (corner < 3)
@@ -155,13 +155,13 @@ vtkCell* FindReference(
   return FindCorners(triangle, corners, parametric) ? triangle : nullptr;
 }
 
-RelevoPlace Mix(const Places& corners, double u, double v)
+RelevoPosition Mix(const Places& corners, double u, double v)
 {
   const bool isTriangle = corners.size() == 3;
   const std::array<double, 4> shares = isTriangle
     ? std::array<double, 4>{ 1.0 - u - v, u, v, 0.0 }
     : std::array<double, 4>{ (1.0 - u) * (1.0 - v), u * (1.0 - v), u * v, (1.0 - u) * v };
-  RelevoPlace mean{ 0.0, 0.0, 0.0 };
+  RelevoPosition mean{ 0.0, 0.0, 0.0 };
   for (std::size_t k = 0; k < corners.size(); ++k)
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -173,11 +173,11 @@ RelevoPlace Mix(const Places& corners, double u, double v)
 }
 
 // VTK's own value at a place of the patch.
-std::vector<double> GetReference(
-  vtkUnstructuredGrid* grid, vtkCell* cell, const RelevoPlace& parametric, const std::string& name)
+std::vector<double> GetReference(vtkUnstructuredGrid* grid, vtkCell* cell,
+  const RelevoPosition& parametric, const std::string& name)
 {
   int subId = 0;
-  RelevoPlace x;
+  RelevoPosition x;
   std::vector<double> weights(cell->GetNumberOfPoints());
   cell->EvaluateLocation(subId, parametric.data(), x.data(), weights.data());
   if (name.empty())
@@ -205,8 +205,8 @@ vtkSmartPointer<vtkUnstructuredGrid> RelevoNewBracket(double bend)
   vtkNew<vtkDoubleArray> field;
   field->SetName("Field");
   field->SetNumberOfComponents(2);
-  std::map<RelevoPlace, vtkIdType> known;
-  const auto addPoint = [&](const RelevoPlace& x)
+  std::map<RelevoPosition, vtkIdType> known;
+  const auto addPoint = [&](const RelevoPosition& x)
   {
     const auto [point, isNew] = known.insert({ x, points->GetNumberOfPoints() });
     if (isNew)
@@ -222,12 +222,12 @@ vtkSmartPointer<vtkUnstructuredGrid> RelevoNewBracket(double bend)
     { 2, 1, 0 } };
   constexpr int edges[6][2] = { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 1, 3 }, { 2, 3 } };
   grid->Allocate(18);
-  for (const RelevoPlace& cube :
-    { RelevoPlace{ 0, 0, 0 }, RelevoPlace{ 1, 0, 0 }, RelevoPlace{ 0, 0, 1 } })
+  for (const RelevoPosition& cube :
+    { RelevoPosition{ 0, 0, 0 }, RelevoPosition{ 1, 0, 0 }, RelevoPosition{ 0, 0, 1 } })
   {
     for (int way = 0; way < 6; ++way)
     {
-      std::array<RelevoPlace, 4> corners;
+      std::array<RelevoPosition, 4> corners;
       corners.fill(cube);
       for (int step = 0; step < 3; ++step)
       {
@@ -241,13 +241,13 @@ vtkSmartPointer<vtkUnstructuredGrid> RelevoNewBracket(double bend)
         std::swap(corners[1], corners[2]);
       }
       std::vector<vtkIdType> ids;
-      for (const RelevoPlace& corner : corners)
+      for (const RelevoPosition& corner : corners)
       {
         ids.push_back(addPoint(corner));
       }
       for (const auto& edge : edges)
       {
-        RelevoPlace middle;
+        RelevoPosition middle;
         for (int c = 0; c < 3; ++c)
         {
           middle[c] = 0.5 * (corners[edge[0]][c] + corners[edge[1]][c]);

@@ -56,18 +56,18 @@ std::vector<double> GetBases(const RelevoSpline& spline, int direction, double u
 }
 }
 
-double RelevoGetDistance(const RelevoPlace& a, const RelevoPlace& b)
+double RelevoGetDistance(const RelevoPosition& a, const RelevoPosition& b)
 {
   return std::sqrt(vtkMath::Distance2BetweenPoints(a.data(), b.data()));
 }
 
-RelevoPlace RelevoEvaluateCell(vtkUnstructuredGrid* grid, vtkIdType cell, double u, double v)
+RelevoPosition RelevoEvaluateCell(vtkUnstructuredGrid* grid, vtkIdType cell, double u, double v)
 {
   vtkCell* curved = grid->GetCell(cell);
   const double coordinates[3] = { u, v, 0.0 };
   std::vector<double> weights(curved->GetNumberOfPoints());
   int part = 0;
-  RelevoPlace place{};
+  RelevoPosition place{};
   curved->EvaluateLocation(part, coordinates, place.data(), weights.data());
   return place;
 }
@@ -84,7 +84,7 @@ vtkSmartPointer<vtkNURBSSource> RelevoSpline::NewSource() const
   source->SetDimensions(this->Dimensions[0], this->Dimensions[1]);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  for (const RelevoPlace& place : this->Points)
+  for (const RelevoPosition& place : this->Points)
   {
     points->InsertNextPoint(place.data());
   }
@@ -93,11 +93,11 @@ vtkSmartPointer<vtkNURBSSource> RelevoSpline::NewSource() const
   return source;
 }
 
-RelevoPlace RelevoSpline::Evaluate(double u, double v, bool fromLeft) const
+RelevoPosition RelevoSpline::Evaluate(double u, double v, bool fromLeft) const
 {
   const std::vector<double> first = GetBases(*this, 0, u, fromLeft);
   const std::vector<double> second = GetBases(*this, 1, v, fromLeft);
-  RelevoPlace sum{};
+  RelevoPosition sum{};
   double whole = 0.0;
   for (std::size_t i = 0; i < this->Points.size(); ++i)
   {

@@ -14,12 +14,12 @@
 
 class vtkUnstructuredGrid;
 
-using RelevoPlace = std::array<double, 3>;
+using RelevoPosition = std::array<double, 3>;
 
-double RelevoGetDistance(const RelevoPlace& a, const RelevoPlace& b);
+double RelevoGetDistance(const RelevoPosition& a, const RelevoPosition& b);
 
 /// Where VTK's cell has the parametric coordinates u and v.
-RelevoPlace RelevoEvaluateCell(vtkUnstructuredGrid* grid, vtkIdType cell, double u, double v);
+RelevoPosition RelevoEvaluateCell(vtkUnstructuredGrid* grid, vtkIdType cell, double u, double v);
 
 /// A NURBS of control points, first direction first, with all that vtkNURBSSource needs.
 struct RelevoSpline
@@ -27,12 +27,12 @@ struct RelevoSpline
   std::array<int, 2> Degrees{ 3, 3 };
   std::array<int, 2> Dimensions{ 1, 1 };
   std::array<std::vector<double>, 2> Knots; ///< of a curve, the second are empty
-  std::vector<RelevoPlace> Points;
+  std::vector<RelevoPosition> Points;
   std::vector<double> Weights; ///< empty: all 1
 
   vtkSmartPointer<vtkNURBSSource> NewSource() const;
   /// By the recursion of Cox and de Boor, from the left of a knot where `fromLeft`.
-  RelevoPlace Evaluate(double u, double v, bool fromLeft = false) const;
+  RelevoPosition Evaluate(double u, double v, bool fromLeft = false) const;
   /// The spans that are not empty, where the spline is defined.
   std::vector<std::array<double, 2>> GetSpans(int direction) const;
 };

@@ -85,17 +85,17 @@ class Comparison
 {
 public:
   Comparison(vtkPolyData* coarse, vtkPolyData* fine, int maximumLevel)
-    : Places(Weld(coarse->GetPoints(), true))
+    : MergedPoints(Weld(coarse->GetPoints(), true))
     , Welded(Weld(fine->GetPoints(), false))
-    , CoarseTriangles(GetTriangles(coarse, this->Places))
+    , CoarseTriangles(GetTriangles(coarse, this->MergedPoints))
     , MaximumLevel(maximumLevel)
   {
     if (vtkDataArray* array = coarse->GetPointData()->GetArray("DepthTag"))
     {
-      this->Tags.assign(this->Places.size(), -1e300);
-      for (size_t i = 0; i < this->Places.size(); ++i)
+      this->Tags.assign(this->MergedPoints.size(), -1e300);
+      for (size_t i = 0; i < this->MergedPoints.size(); ++i)
       {
-        double& tag = this->Tags[this->Places[i]];
+        double& tag = this->Tags[this->MergedPoints[i]];
         tag = std::max(tag, array->GetComponent(i, 0));
       }
     }
@@ -113,8 +113,8 @@ private:
   Uses GetFineUses(vtkIdType from, vtkIdType to);
   bool HasPath(vtkIdType from, vtkIdType next, vtkIdType to, int segments, const Uses& uses);
 
-  std::vector<vtkIdType> Places; // of coarse points
-  std::vector<vtkIdType> Welded; // of fine points
+  std::vector<vtkIdType> MergedPoints; // of coarse points
+  std::vector<vtkIdType> Welded;       // of fine points
   std::vector<std::array<vtkIdType, 3>> CoarseTriangles;
   std::vector<double> Tags; // of places
   int MaximumLevel;
@@ -134,7 +134,7 @@ std::string Comparison::FindCorners()
   {
     for (int i = 0; i < 3; ++i)
     {
-      const vtkIdType place = this->Places[triangle[i]];
+      const vtkIdType place = this->MergedPoints[triangle[i]];
       const vtkIdType point = this->Welded[triangle[i]];
       const auto known = this->Corners.emplace(place, point);
       if (known.first->second != point)
@@ -143,7 +143,7 @@ std::string Comparison::FindCorners()
           " lie at one place and come apart";
       }
       this->IsCorner.insert(point);
-      Use(this->CoarseEdges, place, this->Places[triangle[(i + 1) % 3]]);
+      Use(this->CoarseEdges, place, this->MergedPoints[triangle[(i + 1) % 3]]);
     }
   }
   return this->IsCorner.size() == this->Corners.size() ? "" : "two places became one";
@@ -262,18 +262,18 @@ std::string Comparison::CompareEuler() const
 }
 }
 
-std::string FindFault(vtkPolyData* coarse, vtkPolyData* fine, int maximumLevel, bool morphing)
+std::string FindError(vtkPolyData* coarse, vtkPolyData* fine, int maximumLevel, bool morphing)
 {
   Comparison comparison(coarse, fine, maximumLevel);
-  std::string fault = comparison.FindCorners();
-  if (fault.empty())
+  std::string error = comparison.FindCorners();
+  if (error.empty())
   {
-    fault = comparison.FindFineEdges(fine, morphing);
+    error = comparison.FindFineEdges(fine, morphing);
   }
-  if (fault.empty())
+  if (error.empty())
   {
-    fault = comparison.CompareOpenEdges();
+    error = comparison.CompareOpenEdges();
   }
-  return fault.empty() ? comparison.CompareEuler() : fault;
+  return error.empty() ? comparison.CompareEuler() : error;
 }
 }

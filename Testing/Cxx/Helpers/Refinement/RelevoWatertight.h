@@ -35,7 +35,7 @@ int GetLevel(const std::vector<double>& tags, vtkIdType a, vtkIdType b, int maxi
 // Empty when `fine` is a watertight refinement of `coarse`, else what is wrong. The coarse mesh's
 // points must be the first of the fine one's. Where vertices are `morphing`, triangles may be
 // empty.
-std::string FindFault(
+std::string FindError(
   vtkPolyData* coarse, vtkPolyData* fine, int maximumLevel, bool morphing = false);
 }
 

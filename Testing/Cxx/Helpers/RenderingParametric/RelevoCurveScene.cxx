@@ -59,13 +59,13 @@ vtkSmartPointer<vtkUnstructuredGrid> RelevoMakeCurves(int degree, bool isLagrang
 {
   std::mt19937 random(static_cast<unsigned int>(degree));
   std::uniform_real_distribution<double> across(-1.0, 1.0);
-  std::vector<RelevoPlace> places;
+  std::vector<RelevoPosition> places;
   std::vector<std::vector<vtkIdType>> cells;
   const double step = 0.7 / degree;
   const double aside = isLagrange ? 0.5 * step / degree : step; // nodes make more of it
   for (int chain = 0; chain < NumberOfChains; ++chain)
   {
-    RelevoPlace place{ across(random), across(random), 0.0 };
+    RelevoPosition place{ across(random), across(random), 0.0 };
     places.push_back(place);
     for (int curve = 0; curve < CurvesOfChain; ++curve)
     {

@@ -25,7 +25,7 @@ public:
   Stage(const Stage&) = delete;
   void operator=(const Stage&) = delete;
 
-  std::string FindFault() { return this->Fault; }
+  std::string FindError() { return this->Error; }
 
 protected:
   struct View
@@ -43,7 +43,7 @@ protected:
   vtkActor* ChooseActor() { return this->D.Choose(this->Actors); }
 
   void ResetCamera(View& view);
-  void Say(const std::string& fault) { this->Fault = this->Fault.empty() ? fault : this->Fault; }
+  void Say(const std::string& error) { this->Error = this->Error.empty() ? error : this->Error; }
 
   void Render(View& view);
 
@@ -58,7 +58,7 @@ protected:
   void Select();
 
   Dice& D;
-  std::string Fault;
+  std::string Error;
   std::vector<View> Views = std::vector<View>(2);
   std::vector<vtkSmartPointer<vtkActor>> Actors = std::vector<vtkSmartPointer<vtkActor>>(3);
 };

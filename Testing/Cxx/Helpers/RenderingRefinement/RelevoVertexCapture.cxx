@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cstring>
 
-RelevoVertexCapture::RelevoVertexCapture(vtkActor* actor, size_t mostVertices)
-  : Most(mostVertices)
+RelevoVertexCapture::RelevoVertexCapture(vtkActor* actor, size_t maximumVertices)
+  : Most(maximumVertices)
 {
   vtkShaderProperty* shaders = actor->GetShaderProperty();
   shaders->AddVertexShaderReplacement("//VTK::System::Dec", false, "#version 430\n", false);

@@ -16,7 +16,7 @@ public:
   // No coordinates are larger than 1e30.
   using Points = std::set<std::array<float, 3>>;
 
-  RelevoVertexCapture(vtkActor* actor, size_t mostVertices);
+  RelevoVertexCapture(vtkActor* actor, size_t maximumVertices);
 
   // Those of one frame.
   Points Capture(RelevoCheck& check, RelevoScene& scene);

@@ -139,7 +139,7 @@ void testEdgeLevels(RelevoCheck& check)
       { { { 0, 1, 2 } }, { { 3, 5, 4 } } });
     setTags(pair, { 0, larger ? 3.0 : 1.0, 2, larger ? 1.0 : 3.0, 2, 0 });
     Mesh refined = refine(pair, recipe);
-    CHECK(RelevoWatertight::FindFault(pair, refined, 4).empty());
+    CHECK(RelevoWatertight::FindError(pair, refined, 4).empty());
     int diagonal = 0;
     for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
     {

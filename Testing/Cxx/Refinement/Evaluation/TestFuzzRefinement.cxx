@@ -52,11 +52,11 @@ public:
     return calls;
   }
 
-  std::string FindFault()
+  std::string FindError()
   {
     return !RelevoFuzz::IsFinite(this->Refiner->GetOutput())
       ? "a triangle has a point that is not finite"
-      : this->Fault;
+      : this->Error;
   }
 
 private:
@@ -141,7 +141,7 @@ private:
     vtkDataSet* mesh = this->Locator->GetDataSet();
     if (cell < 0 || cell >= mesh->GetNumberOfCells() || !std::isfinite(x[0] + x[1] + x[2]))
     {
-      this->Fault = "the locator finds what does not exist";
+      this->Error = "the locator finds what does not exist";
     }
   }
   double Coordinate() { return this->D.Once(4) ? this->D.Number() : 4.0 * this->D.Share() - 2.0; }
@@ -185,7 +185,7 @@ private:
   }
 
   Dice& D;
-  std::string Fault;
+  std::string Error;
   RelevoFuzz::RecipeCalls Recipe;
   vtkNew<vtkRefinedCellLocator> Locator;
   vtkNew<vtkGenericCell> Cell;

@@ -71,10 +71,10 @@ void TestSurfaces(RelevoCheck& check, vtkRefinementPatternTable* table)
       const Mesh generated = Refine(mesh, recipe);
       recipe->SetPatternTable(table);
       const Mesh read = Refine(mesh, recipe);
-      const std::string fault = RelevoWatertight::FindFault(mesh, read, FileLevel);
-      if (!fault.empty())
+      const std::string error = RelevoWatertight::FindError(mesh, read, FileLevel);
+      if (!error.empty())
       {
-        check.Fail(__FILE__, __LINE__, surface.first + ": " + fault);
+        check.Fail(__FILE__, __LINE__, surface.first + ": " + error);
       }
       CHECK_EQUAL(read->GetNumberOfPolys(), generated->GetNumberOfPolys());
       CHECK_NOT_EQUAL(GetPlaces(read), GetPlaces(generated));
@@ -82,7 +82,7 @@ void TestSurfaces(RelevoCheck& check, vtkRefinementPatternTable* table)
   }
 }
 
-void TestObstacles(RelevoCheck& check, vtkRefinementPatternTable* table)
+void TestErrors(RelevoCheck& check, vtkRefinementPatternTable* table)
 {
   const Mesh mesh = Plane(2, 2);
   const auto recipe = MakeRecipe(2);
@@ -171,7 +171,7 @@ int TestPatternFiles(int argc, char* argv[])
   {
     TestPlaces(check, table);
     TestSurfaces(check, table);
-    TestObstacles(check, table);
+    TestErrors(check, table);
     TestLevels(check, fileName);
   }
   return check.GetResult();

@@ -72,7 +72,7 @@ void TestSharing(RelevoCheck& check)
   for (const auto kind : AllFamilies)
   {
     CHECK_EQUAL(table->GetLibrary()->GetFamily(kind), table->GetLibrary()->GetFamily(kind));
-    CHECK(table->GetLibrary()->GetObstacle(kind).empty());
+    CHECK(table->GetLibrary()->GetError(kind).empty());
   }
 }
 

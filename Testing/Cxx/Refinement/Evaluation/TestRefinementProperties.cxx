@@ -119,12 +119,12 @@ public:
     for (size_t face = 0; face < faces.size(); ++face)
     {
       this->Coarse->GetCellPoints(static_cast<vtkIdType>(face), size, ids);
-      const std::string fault = this->IsProper(ids)
+      const std::string error = this->IsProper(ids)
         ? this->ReadFace(ids, faces[face], edges)
         : std::string(faces[face].empty() ? "" : "a degenerate face was refined");
-      if (!fault.empty())
+      if (!error.empty())
       {
-        return "face " + std::to_string(face) + ": " + fault;
+        return "face " + std::to_string(face) + ": " + error;
       }
     }
     return {};
@@ -258,10 +258,10 @@ std::string CheckChange(Machine& machine, Dice& dice, const Edges& before)
     return "it fails after a change";
   }
   Edges after;
-  const std::string fault = EdgeReader(machine.Input, machine.Filter->GetOutput()).Read(after);
-  if (!fault.empty())
+  const std::string error = EdgeReader(machine.Input, machine.Filter->GetOutput()).Read(after);
+  if (!error.empty())
   {
-    return fault;
+    return error;
   }
   return AreNoFewer(before, after, same) ? "" : "an edge has other segments than it should";
 }
@@ -277,30 +277,30 @@ int TestRefinementProperties(int, char*[])
   {
     Dice dice(static_cast<unsigned int>(i));
     machine.Shuffle(dice);
-    std::string fault;
+    std::string error;
     vtkPolyData* output = machine.Filter->GetOutput();
     if (machine.Run())
     {
       numberOfTriangles += output->GetNumberOfCells();
       Edges edges;
-      fault = EdgeReader(machine.Input, output).Read(edges);
-      if (fault.empty())
+      error = EdgeReader(machine.Input, output).Read(edges);
+      if (error.empty())
       {
-        fault = CheckSegments(edges, machine.Recipe);
+        error = CheckSegments(edges, machine.Recipe);
       }
-      if (fault.empty() && i % 3 == 0)
+      if (error.empty() && i % 3 == 0)
       {
-        fault = CheckChange(machine, dice, edges);
+        error = CheckChange(machine, dice, edges);
       }
     }
     else
     {
       ++numberOfFailures;
-      fault = output->GetNumberOfPoints() + output->GetNumberOfCells() == 0 ? "" : "output left";
+      error = output->GetNumberOfPoints() + output->GetNumberOfCells() == 0 ? "" : "output left";
     }
-    if (!fault.empty())
+    if (!error.empty())
     {
-      check.Fail(__FILE__, __LINE__, "case " + std::to_string(i) + ": " + fault);
+      check.Fail(__FILE__, __LINE__, "case " + std::to_string(i) + ": " + error);
     }
   }
   std::cout << numberOfTriangles << " triangles; " << numberOfFailures << " cases refused\n";

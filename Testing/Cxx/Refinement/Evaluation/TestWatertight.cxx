@@ -81,12 +81,12 @@ void run(RelevoCheck& check, const Case& mesh, vtkAdaptiveRefinement* recipe,
   filter->SetInputData(mesh.Mesh);
   filter->SetRefinement(recipe);
   filter->Update();
-  const std::string fault = RelevoWatertight::FindFault(mesh.Mesh, filter->GetOutput(),
+  const std::string error = RelevoWatertight::FindError(mesh.Mesh, filter->GetOutput(),
     recipe->GetMaximumLevel(), recipe->GetGeomorphing() == vtkAdaptiveRefinement::GEOMORPHING_ON);
-  if (!fault.empty())
+  if (!error.empty())
   {
     check.Fail(__FILE__, __LINE__,
-      mesh.Name + ", " + recipeName + ", seed " + std::to_string(seed) + ": " + fault);
+      mesh.Name + ", " + recipeName + ", seed " + std::to_string(seed) + ": " + error);
   }
 }
 }
@@ -162,7 +162,7 @@ int TestWatertight(int, char*[])
     filter->SetInputData(pair);
     filter->SetRefinement(recipe);
     filter->Update();
-    CHECK(RelevoWatertight::FindFault(pair, filter->GetOutput(), 5).empty());
+    CHECK(RelevoWatertight::FindError(pair, filter->GetOutput(), 5).empty());
   }
   return check.GetResult();
 }

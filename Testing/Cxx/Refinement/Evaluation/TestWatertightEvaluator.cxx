@@ -75,7 +75,7 @@ void compareFaces(RelevoCheck& check, vtkPolyData* input, vtkAdaptiveRefinement*
           CHECK(std::isfinite(position[c]) && std::isfinite(normal[c]));
         }
         const auto known = positions.emplace(
-          std::array<int, 3>{ { mesh.GetPlace(a), mesh.GetPlace(b), k } }, position);
+          std::array<int, 3>{ { mesh.GetMergedPoint(a), mesh.GetMergedPoint(b), k } }, position);
         compared += known.second ? 0 : 1;
         if (std::memcmp(known.first->second.data(), position.data(), sizeof(position)) != 0)
         {
@@ -88,7 +88,8 @@ void compareFaces(RelevoCheck& check, vtkPolyData* input, vtkAdaptiveRefinement*
           continue;
         }
         const auto knownNormal = normals.emplace(
-          std::array<int, 5>{ { a, b, k, mesh.GetPlace(a), mesh.GetPlace(b) } }, normal);
+          std::array<int, 5>{ { a, b, k, mesh.GetMergedPoint(a), mesh.GetMergedPoint(b) } },
+          normal);
         if (std::memcmp(knownNormal.first->second.data(), normal.data(), sizeof(normal)) != 0)
         {
           check.Fail(__FILE__, __LINE__, name + ": normals differ on an edge");

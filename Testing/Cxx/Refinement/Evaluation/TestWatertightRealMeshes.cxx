@@ -78,10 +78,10 @@ int TestWatertightRealMeshes(int, char*[])
       filter->SetInputData(input);
       filter->SetRefinement(recipe);
       filter->Update();
-      const std::string fault = RelevoWatertight::FindFault(input, filter->GetOutput(), 2);
-      if (!fault.empty())
+      const std::string error = RelevoWatertight::FindError(input, filter->GetOutput(), 2);
+      if (!error.empty())
       {
-        check.Fail(__FILE__, __LINE__, std::string(mesh.first) + ": " + fault);
+        check.Fail(__FILE__, __LINE__, std::string(mesh.first) + ": " + error);
       }
       std::cout << mesh.first << ": " << input->GetNumberOfCells() << " -> "
                 << filter->GetOutput()->GetNumberOfPolys() << "\n";

@@ -60,7 +60,7 @@ void TestReplace(RelevoCheck& check, const std::string& folder)
 {
   const std::string name = folder + "/a.txt";
   const mode_t mask = umask(022);
-  CHECK(AtomicFile::FindFault(name).empty() && CountFiles(folder) == 0);
+  CHECK(AtomicFile::FindError(name).empty() && CountFiles(folder) == 0);
   CHECK(AtomicFile::Write(name, Old).empty());
   CHECK_EQUAL(RelevoReadFile(name), Old);
   CHECK_EQUAL(GetMode(name), 0644);
@@ -96,7 +96,7 @@ void TestKeep(RelevoCheck& check, const std::string& folder)
   AtomicFile second(name);
   CHECK(first.Append("1") && second.Append("2"));
   CHECK(first.Commit(AtomicFile::OldFile::Keep));
-  CHECK(!second.Commit(AtomicFile::OldFile::Keep) && second.GetFault() == "File exists");
+  CHECK(!second.Commit(AtomicFile::OldFile::Keep) && second.GetError() == "File exists");
   CHECK_EQUAL(RelevoReadFile(name), "1");
   CHECK_EQUAL(CountFiles(folder), 1);
 }
@@ -123,7 +123,7 @@ void TestLinks(RelevoCheck& check, const std::string& folder)
   CHECK_EQUAL(AtomicFile::Write(folder + "/broken", Old).find("there is no folder"), 0);
 }
 
-void TestFaults(RelevoCheck& check, const std::string& folder)
+void TestErrors(RelevoCheck& check, const std::string& folder)
 {
   CHECK_EQUAL(AtomicFile::Write("", Old), "there is no file name");
   CHECK_EQUAL(AtomicFile::Write(folder, Old), "it is a folder");
@@ -133,7 +133,7 @@ void TestFaults(RelevoCheck& check, const std::string& folder)
   AtomicFile file(folder + "/file");
   CHECK(file.Append(New));
   fs::remove(file.GetTemporaryName()); // as some of VTK's writers do when a disk is full
-  CHECK(!file.Commit() && file.GetFault() == "No such file or directory");
+  CHECK(!file.Commit() && file.GetError() == "No such file or directory");
   CHECK_EQUAL(RelevoReadFile(folder + "/file"), Old);
   if (geteuid() == 0)
   {
@@ -161,9 +161,9 @@ void TestDevices(RelevoCheck& check, const std::string& folder)
   mkfifo(pipe.c_str(), 0600);
   std::string read;
   std::thread reader([&]() { read = RelevoReadFile(pipe); });
-  const std::string fault = AtomicFile::Write(pipe, New);
+  const std::string error = AtomicFile::Write(pipe, New);
   reader.join();
-  CHECK(fault.empty() && read == New && fs::is_fifo(pipe));
+  CHECK(error.empty() && read == New && fs::is_fifo(pipe));
 
   // The target of a redirected standard output is not replaced.
   const std::string name = folder + "/output";
@@ -210,7 +210,7 @@ void TestFullDisk(RelevoCheck& check, const std::string& folder)
       AtomicFile file(names[1]);
       relevo::WritePNG(file, png.Get());
       file.Commit();
-      return file.GetFault();
+      return file.GetError();
     },
     [&]() { return relevo::WriteFile(names[2], xml.Get(), relevo::IsWholeXML); } };
   for (int i = 0; i < 3; ++i)
@@ -298,7 +298,7 @@ int TestAtomicFile(int argc, char* argv[])
   run("Replace", TestReplace);
   run("Keep", TestKeep);
   run("Links", TestLinks);
-  run("Faults", TestFaults);
+  run("Faults", TestErrors);
   run("Devices", TestDevices);
   run("FullDisk", TestFullDisk);
   run("Signals", TestSignals);

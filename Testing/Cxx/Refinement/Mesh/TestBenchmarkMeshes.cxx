@@ -21,7 +21,7 @@ void CheckMesh(RelevoCheck& check, vtkPolyData* mesh, int faces, int openEdges)
 {
   CHECK_EQUAL(mesh->GetNumberOfPolys(), faces);
   CHECK_EQUAL(mesh->GetNumberOfCells(), faces);
-  const auto places = relevo::ComputePlaces(mesh->GetPoints());
+  const auto places = relevo::ComputeMergedPoints(mesh->GetPoints());
   const auto getPlace = [&places](vtkIdType point)
   { return places.empty() ? point : static_cast<vtkIdType>(places[point]); };
   vtkDataArray* normals = mesh->GetPointData()->GetNormals();

@@ -154,7 +154,7 @@ void checkFlatSolids(RelevoCheck& check)
     CHECK_EQUAL(fitted.IsLinear, areLinear[i]);
     CHECK_NEAR(getVolume(fitted.Refined) / getVolume(solids[i]), 1.0, i == 1 ? 3e-3 : 1e-6);
     CHECK_NEAR(compareBounds(fitted.Refined, solids[i]), 0.0, 0.002 * solids[i]->GetLength());
-    CHECK(RelevoWatertight::FindFault(fitted.Coarse, fitted.Refined, 3).empty());
+    CHECK(RelevoWatertight::FindError(fitted.Coarse, fitted.Refined, 3).empty());
   }
   CHECK_EQUAL(fit(solids[0]).NumberOfCreases, 12);
   CHECK_EQUAL(fit(solids[2]).NumberOfCreases, 30);
@@ -182,7 +182,7 @@ void checkRoundSolids(RelevoCheck& check)
   CHECK_NEAR(bounds[3] - bounds[2], 2.0, 1e-6); // along its axis, y
   CHECK_NEAR(getVolume(tube.Refined), 2.0 * pi * 0.25, 0.006 * 2.0 * pi * 0.25);
   CHECK_GREATER(getVolume(tube.Refined), getVolume(cylinder));
-  CHECK(RelevoWatertight::FindFault(tube.Coarse, tube.Refined, 4).empty());
+  CHECK(RelevoWatertight::FindError(tube.Coarse, tube.Refined, 4).empty());
 }
 
 // Each point moved along the line from the centre, by up to a share of its distance.
@@ -215,7 +215,7 @@ void checkNoise(RelevoCheck& check)
     const Fitted smooth = fit(scan, 1);
     CHECK(smooth.IsLinear && smooth.NumberOfCreases == 0);
     CHECK_EQUAL(smooth.Coarse->GetNumberOfPoints(), scan->GetNumberOfPoints());
-    CHECK(RelevoWatertight::FindFault(smooth.Coarse, smooth.Refined, 1).empty());
+    CHECK(RelevoWatertight::FindError(smooth.Coarse, smooth.Refined, 1).empty());
   }
   // Stairs have ridges that run into valleys, but their bends are far from the feature angle.
   const Mesh stairs = RelevoMeshes::Make();
@@ -281,7 +281,7 @@ void checkCone(RelevoCheck& check)
     largest = std::max(largest, std::hypot(x[1], x[2]) - 0.25 * (1.0 - x[0]));
   }
   CHECK_LESS(largest, 0.003);
-  CHECK(RelevoWatertight::FindFault(cone.Coarse, cone.Refined, 4).empty());
+  CHECK(RelevoWatertight::FindError(cone.Coarse, cone.Refined, 4).empty());
 }
 
 // The mesh's own normals count where its faces can follow them.
@@ -328,7 +328,7 @@ void checkCoincidentPoints(RelevoCheck& check)
     CHECK_EQUAL(shared.NumberOfCreases, apart.NumberOfCreases);
     const double volume = getVolume(shared.Refined);
     CHECK_NEAR(getVolume(apart.Refined), volume, 1e-6 * volume);
-    CHECK(RelevoWatertight::FindFault(apart.Coarse, apart.Refined, 3).empty());
+    CHECK(RelevoWatertight::FindError(apart.Coarse, apart.Refined, 3).empty());
   }
 }
 

@@ -77,8 +77,8 @@ void TestMesh(RelevoCheck& check, vtkPolyData* mesh)
   {
     const Pair& places = item.first;
     const Uses& uses = item.second;
-    CHECK_EQUAL(edges.GetEdges()[index].Places[0], places.first);
-    CHECK_EQUAL(edges.GetEdges()[index].Places[1], places.second);
+    CHECK_EQUAL(edges.GetEdges()[index].MergedPoints[0], places.first);
+    CHECK_EQUAL(edges.GetEdges()[index].MergedPoints[1], places.second);
     CHECK_EQUAL(edges.FindEdge(places.first, places.second), index);
     CHECK_EQUAL(edges.FindEdge(places.second, places.first), index);
     int sides = 0;
@@ -115,7 +115,7 @@ void TestMesh(RelevoCheck& check, vtkPolyData* mesh)
   for (int edge = 0; edge < edges.GetNumberOfEdges(); ++edge)
   {
     tags[edge] = static_cast<float>((edge * 7919) % 1000);
-    for (int place : edges.GetEdges()[edge].Places)
+    for (int place : edges.GetEdges()[edge].MergedPoints)
     {
       largest[place] = std::max(largest[place], tags[edge]);
     }

@@ -217,7 +217,7 @@ void TestDefault(RelevoCheck& check)
   CHECK(AreLevels(edgeTags, edges.GetNumberOfEdges(), 5));
   for (int edge = 0; edge < edges.GetNumberOfEdges(); ++edge)
   {
-    const int* places = edges.GetEdges()[edge].Places;
+    const int* places = edges.GetEdges()[edge].MergedPoints;
     CHECK_EQUAL(edgeTags[edge], 0.5f * (tags[places[0]] + tags[places[1]]));
   }
 }
@@ -256,7 +256,7 @@ void TestAlone(RelevoCheck& check, vtkDepthTagMetric* metric, const relevo::Refi
   CHECK_GREATER(*std::max_element(tags.begin(), tags.end()), 0.0f);
   for (int edge = 0; edge < edges.GetNumberOfEdges(); ++edge)
   {
-    const int* places = edges.GetEdges()[edge].Places;
+    const int* places = edges.GetEdges()[edge].MergedPoints;
     vtkNew<vtkCellArray> cells;
     edges.ForEachSides(edge,
       [&](int i)

@@ -139,7 +139,7 @@ void TestCentroids(RelevoCheck& check)
   {
     PlaceAtRandom(camera, random);
     // The nearest centroid of the triangles at a place, and beside an edge.
-    std::vector<double> ofPlaces(sphere->GetNumberOfPoints(), 0.0);
+    std::vector<double> ofMergedPoints(sphere->GetNumberOfPoints(), 0.0);
     std::vector<double> ofEdges(edges.GetNumberOfEdges(), 0.0);
     for (const auto& triangle : surface.GetTriangles())
     {
@@ -156,7 +156,7 @@ void TestCentroids(RelevoCheck& check)
       const double level = std::max(0.0, 5.0 * (1.0 - distance / 10.0));
       for (int corner = 0; corner < 3; ++corner)
       {
-        double& ofPlace = ofPlaces[triangle[corner]];
+        double& ofPlace = ofMergedPoints[triangle[corner]];
         ofPlace = std::max(ofPlace, level);
         double& ofEdge = ofEdges[edges.FindEdge(triangle[corner], triangle[(corner + 1) % 3])];
         ofEdge = std::max(ofEdge, level);
@@ -165,7 +165,8 @@ void TestCentroids(RelevoCheck& check)
     const auto tags = TagsOf(metric, sphere, view, 5);
     for (std::size_t point = 0; point < tags.size(); ++point)
     {
-      CHECK_NEAR(tags[point], ofPlaces[surface.GetPlace(static_cast<vtkIdType>(point))], 1e-5);
+      CHECK_NEAR(
+        tags[point], ofMergedPoints[surface.GetMergedPoint(static_cast<vtkIdType>(point))], 1e-5);
     }
     const auto edgeTags = EdgeTagsOf(metric, sphere, view, 5, edges);
     for (std::size_t edge = 0; edge < edgeTags.size(); ++edge)

@@ -247,7 +247,7 @@ void testClosed(RelevoCheck& check)
   scene.Heights->Punch([](int x, int y) { return x > 5 && x < 9 && y > 5 && y < 9; });
   scene.Displacement->SetNoDataPolicyToFill();
   CHECK(!scene.Displacement->HasHoles());
-  CHECK(RelevoWatertight::FindFault(sphere, Refine(sphere, scene.Recipe), 4).empty());
+  CHECK(RelevoWatertight::FindError(sphere, Refine(sphere, scene.Recipe), 4).empty());
   scene.Displacement->SetNoDataPolicyToHole();
   CHECK(scene.Displacement->HasHoles());
   Mesh holed = Refine(sphere, scene.Recipe);

@@ -142,10 +142,10 @@ void testSplitPoints(RelevoCheck& check)
   vtkNew<vtkAdaptiveRefinement> recipe;
   recipe->SetMaximumLevel(3);
   recipe->SetSurface(surface);
-  const std::string fault = RelevoWatertight::FindFault(mesh, Refine(mesh, recipe), 3);
-  if (!fault.empty())
+  const std::string error = RelevoWatertight::FindError(mesh, Refine(mesh, recipe), 3);
+  if (!error.empty())
   {
-    check.Fail(__FILE__, __LINE__, fault);
+    check.Fail(__FILE__, __LINE__, error);
   }
 }
 

@@ -235,10 +235,10 @@ void testFunctions(RelevoCheck& check)
       recipe->SetMaximumLevel(4);
       recipe->SetSurface(surface);
       Mesh fine = Refine(mesh, recipe);
-      const std::string fault = RelevoWatertight::FindFault(mesh, fine, 4);
-      if (!fault.empty())
+      const std::string error = RelevoWatertight::FindError(mesh, fine, 4);
+      if (!error.empty())
       {
-        check.Fail(__FILE__, __LINE__, "kind " + std::to_string(kind) + ": " + fault);
+        check.Fail(__FILE__, __LINE__, "kind " + std::to_string(kind) + ": " + error);
       }
       relevo::RefinementMesh prepared;
       CHECK(prepared.Build(mesh, recipe->GetSurface(), recipe->GetDisplacement()));

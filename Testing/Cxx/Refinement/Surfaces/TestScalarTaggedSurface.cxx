@@ -220,7 +220,7 @@ void testRoof(RelevoCheck& check)
   CHECK_LESS(deviation, 1e-5);
   // Points of the ridge are there twice, with all their data.
   CHECK_EQUAL(sharp->GetNumberOfPoints(), 65 * 65 + 65);
-  CHECK(RelevoWatertight::FindFault(roof, sharp, 4).empty());
+  CHECK(RelevoWatertight::FindError(roof, sharp, 4).empty());
   int ridge = 0;
   for (vtkIdType i = 0; i < sharp->GetNumberOfPoints(); ++i)
   {
@@ -327,7 +327,7 @@ void testCrease(RelevoCheck& check)
 
   // Normals fit the refined triangles, up to what a corner of a triangle may differ from it.
   const Mesh refined = Refine(sphere, recipe);
-  CHECK(RelevoWatertight::FindFault(sphere, refined, 4).empty());
+  CHECK(RelevoWatertight::FindError(sphere, refined, 4).empty());
   vtkNew<vtkIdList> ids;
   double most = 0.0;
   for (vtkIdType cell = 0; cell < refined->GetNumberOfCells(); ++cell)
@@ -386,7 +386,7 @@ void testCusp(RelevoCheck& check)
     // Every face has a tip of its own, with its own normal.
     const Mesh refined = Refine(tent, recipe);
     CHECK_EQUAL(refined->GetNumberOfPoints(), 145 + (sharp ? 3 : 0));
-    CHECK(RelevoWatertight::FindFault(tent, refined, 3).empty());
+    CHECK(RelevoWatertight::FindError(tent, refined, 3).empty());
   }
 }
 
@@ -444,7 +444,7 @@ void testExtremes(RelevoCheck& check)
       refined->GetPointData()->GetNormals()->GetTuple(i, normal.data());
       CHECK_NEAR(length(normal), 1.0, 1e-5);
     }
-    CHECK(RelevoWatertight::FindFault(sphere, refined, 3).empty());
+    CHECK(RelevoWatertight::FindError(sphere, refined, 3).empty());
   }
 }
 }

@@ -161,11 +161,11 @@ public:
   std::vector<Call> GetCalls()
   {
     return { { "a grid with " +
-        (this->Grid.GetFault().empty() ? std::string("no fault") : this->Grid.GetFault()),
+        (this->Grid.GetError().empty() ? std::string("no fault") : this->Grid.GetError()),
       [this] { this->TakeAll(); } } };
   }
 
-  std::string FindFault() { return this->Fault; }
+  std::string FindError() { return this->Error; }
 
 private:
   void TakeAll()
@@ -190,16 +190,16 @@ private:
   // Points that are not finite are no fault to volumes, and those of other dimensions to nobody.
   void Judge(const char* name, const Reports& reports, bool takesInfinite)
   {
-    const bool isFaulty = !this->Grid.GetFault().empty();
+    const bool hasError = !this->Grid.GetError().empty();
     const bool concerns =
       !this->Grid.IsOfPoints() || (!takesInfinite && this->Grid.GetDimension() > 1);
-    if (isFaulty && this->Grid.IsCertain() && concerns && reports.GetText().empty())
+    if (hasError && this->Grid.IsCertain() && concerns && reports.GetText().empty())
     {
-      this->Fault += std::string(name) + " does not report " + this->Grid.GetFault() + "; ";
+      this->Error += std::string(name) + " does not report " + this->Grid.GetError() + "; ";
     }
-    if (!isFaulty && reports.Has("left out"))
+    if (!hasError && reports.Has("left out"))
     {
-      this->Fault = std::string(name) + " reports of a sound grid: " + reports.GetText();
+      this->Error = std::string(name) + " reports of a sound grid: " + reports.GetText();
     }
   }
 
@@ -218,7 +218,7 @@ private:
         const vtkIdType cell = cells->GetValue(i);
         if (cell < 0 || cell >= this->Grid.Get()->GetNumberOfCells() || !seen.insert(cell).second)
         {
-          this->Fault = "the sort returns a cell twice, or one that does not exist";
+          this->Error = "the sort returns a cell twice, or one that does not exist";
         }
       }
     }
@@ -240,7 +240,7 @@ private:
     {
       if (!std::isfinite(colors->GetValue(i)))
       {
-        this->Fault = "a color is not finite";
+        this->Error = "a color is not finite";
       }
     }
   }
@@ -268,7 +268,7 @@ private:
       const double* x = mesh->GetPoint(i);
       if (!std::isfinite(x[0] + x[1] + x[2]))
       {
-        this->Fault = "a point of the refined patches is not finite";
+        this->Error = "a point of the refined patches is not finite";
       }
     }
   }
@@ -278,11 +278,11 @@ private:
     const bool concerns = this->Grid.GetDimension() == 1 && this->Grid.IsCertain();
     if (concerns && reports.GetText().empty())
     {
-      this->Fault = std::string(name) + " does not report " + this->Grid.GetFault();
+      this->Error = std::string(name) + " does not report " + this->Grid.GetError();
     }
-    if (this->Grid.GetFault().empty() && reports.Has("left out"))
+    if (this->Grid.GetError().empty() && reports.Has("left out"))
     {
-      this->Fault = std::string(name) + " reports of a sound grid: " + reports.GetText();
+      this->Error = std::string(name) + " reports of a sound grid: " + reports.GetText();
     }
   }
 
@@ -329,7 +329,7 @@ private:
 
   Dice& D;
   RelevoFuzz::RandomGrid Grid;
-  std::string Fault;
+  std::string Error;
 };
 }
 

@@ -19,7 +19,7 @@
 
 namespace
 {
-constexpr double MostOthers = 1e-3;
+constexpr double MaximumOthers = 1e-3;
 
 double GetFirst(const RelevoPatchScene::Tuple& tuple)
 {
@@ -69,11 +69,11 @@ void TestKinds(RelevoCheck& check)
     RelevoPatchScene scene(grid);
     SetSmoothTable(scene, -1.0, 1.0);
     const double others = scene.GetShareOfOthers(grid, "Field", scene.ByTable(GetFirst));
-    if (others > MostOthers)
+    if (others > MaximumOthers)
     {
       std::cerr << "type " << kind.Type << ": " << others << "\n";
     }
-    CHECK_LESS_EQUAL(others, MostOthers);
+    CHECK_LESS_EQUAL(others, MaximumOthers);
   }
 }
 
@@ -94,17 +94,18 @@ void TestMethods(RelevoCheck& check)
       scene.Mapper->SetInterpolateScalarsBeforeMapping(byTexture);
       SetSmoothTable(scene, -1.0, 1.0);
       const double others = scene.GetShareOfOthers(grid, "Field", scene.ByTable(GetFirst));
-      if (others > MostOthers)
+      if (others > MaximumOthers)
       {
         std::cerr << RelevoMethods::GetName(method) << ": " << others << "\n";
       }
-      CHECK_LESS_EQUAL(others, MostOthers);
+      CHECK_LESS_EQUAL(others, MaximumOthers);
       CHECK_EQUAL(scene.Mapper->GetMethodInUse(), method);
       // What is interpolated is another.
       scene.Mapper->ExactScalarsOff();
       CHECK_GREATER(scene.GetShareOfOthers(grid, "Field", scene.ByTable(GetFirst)), 0.5);
       scene.Mapper->ExactScalarsOn();
-      CHECK_LESS_EQUAL(scene.GetShareOfOthers(grid, "Field", scene.ByTable(GetFirst)), MostOthers);
+      CHECK_LESS_EQUAL(
+        scene.GetShareOfOthers(grid, "Field", scene.ByTable(GetFirst)), MaximumOthers);
     }
   }
 }
@@ -121,15 +122,15 @@ void TestVectors(RelevoCheck& check)
     scene.Mapper->SelectColorArray(name);
     scene.Mapper->GetLookupTable()->SetVectorModeToMagnitude();
     const double others = scene.GetShareOfOthers(grid, name, scene.ByTable(GetLength));
-    if (others > MostOthers)
+    if (others > MaximumOthers)
     {
       std::cerr << name << ": " << others << "\n";
     }
-    CHECK_LESS_EQUAL(others, MostOthers);
+    CHECK_LESS_EQUAL(others, MaximumOthers);
     scene.Mapper->GetLookupTable()->SetVectorModeToComponent();
     scene.Mapper->GetLookupTable()->SetVectorComponent(2);
     const auto second = [](const RelevoPatchScene::Tuple& tuple) { return tuple[2]; };
-    CHECK_LESS_EQUAL(scene.GetShareOfOthers(grid, name, scene.ByTable(second)), MostOthers);
+    CHECK_LESS_EQUAL(scene.GetShareOfOthers(grid, name, scene.ByTable(second)), MaximumOthers);
   }
 }
 
@@ -144,7 +145,7 @@ void TestColors(RelevoCheck& check)
     const auto limit = [](double value) { return std::min(std::max(value, 0.0), 255.0); };
     return { { limit(tuple[0]), limit(tuple[1]), limit(tuple[2]) } };
   };
-  CHECK_LESS_EQUAL(scene.GetShareOfOthers(grid, "Color", asTheyAre), MostOthers);
+  CHECK_LESS_EQUAL(scene.GetShareOfOthers(grid, "Color", asTheyAre), MaximumOthers);
   // Colours of blocks, levels and actors are not replaced.
   scene.Mapper->ScalarVisibilityOff();
   scene.Actor->GetProperty()->SetColor(0.0, 1.0, 0.0);
@@ -166,12 +167,12 @@ void TestTables(RelevoCheck& check)
   scene.Mapper->SelectColorArray("Vector");
   vtkLookupTable::SafeDownCast(scene.Mapper->GetLookupTable())->SetScaleToLog10();
   scene.Mapper->GetLookupTable()->SetVectorModeToMagnitude();
-  CHECK_LESS_EQUAL(scene.GetShareOfOthers(grid, "Vector", scene.ByTable(GetLength)), MostOthers);
+  CHECK_LESS_EQUAL(scene.GetShareOfOthers(grid, "Vector", scene.ByTable(GetLength)), MaximumOthers);
   // Whole numbers stay whole.
   SetSmoothTable(scene, 0.0, 20.0);
   scene.Mapper->SelectColorArray("Whole");
   const auto round = [](const RelevoPatchScene::Tuple& tuple) { return std::round(tuple[0]); };
-  CHECK_LESS_EQUAL(scene.GetShareOfOthers(grid, "Whole", scene.ByTable(round)), MostOthers);
+  CHECK_LESS_EQUAL(scene.GetShareOfOthers(grid, "Whole", scene.ByTable(round)), MaximumOthers);
   // A patch with a node of no data has none.
   grid->GetPointData()->GetArray("Field")->SetComponent(7, 0, std::nan(""));
   grid->GetPointData()->GetArray("Field")->Modified();

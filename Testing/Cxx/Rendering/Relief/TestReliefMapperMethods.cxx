@@ -15,7 +15,7 @@ namespace
 {
 using relevo::ReliefProjection;
 
-struct Way
+struct Policy
 {
   int Method;
   int Search;
@@ -23,7 +23,7 @@ struct Way
   double ShareRight; // at least of the hits, within half a texel
 };
 
-void TestWay(RelevoCheck& check, vtkImageData* relief, const Way& way)
+void TestWay(RelevoCheck& check, vtkImageData* relief, const Policy& way)
 {
   RelevoReliefScene scene(relief, 120, 90);
   RelevoErrors errors(scene.Mapper);

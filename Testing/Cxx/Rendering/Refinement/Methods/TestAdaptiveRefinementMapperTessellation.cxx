@@ -290,7 +290,7 @@ void TestMostSegments(RelevoCheck& check, RelevoComparison& comparison)
   recipe->SetMaximumLevel(6);
   scene.Render();
   comparison.Compare(
-    "Tessellation.MostSegments", RelevoTolerance(), level7, RelevoPicture(scene.Window));
+    "Tessellation.MaximumSegments", RelevoTolerance(), level7, RelevoPicture(scene.Window));
 }
 
 // Values that change live build nothing; released resources come back; windows do not disturb

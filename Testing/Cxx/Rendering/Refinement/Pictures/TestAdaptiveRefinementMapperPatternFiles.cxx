@@ -86,7 +86,7 @@ void TestMethods(RelevoCheck& check, vtkRefinementPatternTable* table)
   }
 }
 
-void TestObstacles(RelevoCheck& check, vtkRefinementPatternTable* table)
+void TestErrors(RelevoCheck& check, vtkRefinementPatternTable* table)
 {
   const auto recipe = MakeRecipe(2);
   recipe->SetPatternTable(table);
@@ -112,7 +112,7 @@ void TestObstacles(RelevoCheck& check, vtkRefinementPatternTable* table)
 }
 
 // Levels that the file does not have are a warning, once.
-void TestShortfall(RelevoCheck& check, vtkRefinementPatternTable* table)
+void TestWarning(RelevoCheck& check, vtkRefinementPatternTable* table)
 {
   const auto recipe = MakeRecipe(FileLevel + 1);
   recipe->SetPatternTable(table);
@@ -140,8 +140,8 @@ int TestAdaptiveRefinementMapperPatternFiles(int argc, char* argv[])
     TestTwins(comparison, table);
     TestViewDependent(comparison, table);
     TestMethods(check, table);
-    TestObstacles(check, table);
-    TestShortfall(check, table);
+    TestErrors(check, table);
+    TestWarning(check, table);
   }
   return check.GetResult();
 }

@@ -93,7 +93,7 @@ public:
     selection.Select(mesh, tags, *relevo::GetPatternFamily(recipe, this->Input),
       recipe->GetMaximumLevel(), static_cast<float>(recipe->GetLevelOffset()));
     selection.Group();
-    this->MostGroups = std::max(this->MostGroups, selection.Groups.size());
+    this->MaximumGroups = std::max(this->MaximumGroups, selection.Groups.size());
     relevo::FaceCulling culling;
     culling.Build(mesh, recipe);
     const relevo::CullingView sight(this->Camera, 4.0 / 3.0, view.ModelToWorld, mesh.Origin);
@@ -115,7 +115,7 @@ public:
   int NumberOfShaders = 0;
 
   /// Of any comparison: where all faces take one pattern there is little to compare.
-  size_t MostGroups = 0;
+  size_t MaximumGroups = 0;
 
 private:
   bool Prepare(const relevo::RefinementMesh& mesh, const relevo::FaceCulling& culling,
@@ -316,7 +316,7 @@ int TestAdaptiveRefinementMapperComputeLevels(int, char*[])
         }
       }
     }
-    CHECK_GREATER(comparison.MostGroups, 5);
+    CHECK_GREATER(comparison.MaximumGroups, 5);
     CHECK_GREATER_EQUAL(comparison.NumberOfShaders, 16); // four metrics, both rules, both families
   }
   return check.GetResult();

@@ -70,7 +70,7 @@ void LookDown(RelevoScene& scene, double x)
 }
 
 // How many of the points a frustum holds, and how many lie beyond one and the same plane of it.
-struct Places
+struct MergedPoints
 {
   int Points = 0;
   int Inside = 0;
@@ -131,7 +131,8 @@ void TestCounts(RelevoCheck& check)
       auto* ids =
         vtkIdTypeArray::SafeDownCast(refined->GetCellData()->GetArray("vtkOriginalCellIds"));
       // Two faces of a quad: by cell, which gives looser limits.
-      std::vector<Places> cells(static_cast<size_t>(scene.GetMapper(0)->GetNumberOfCoarseFaces()));
+      std::vector<MergedPoints> cells(
+        static_cast<size_t>(scene.GetMapper(0)->GetNumberOfCoarseFaces()));
       std::vector<vtkIdType> triangles(cells.size(), 0);
       for (vtkIdType i = 0; i < refined->GetNumberOfCells(); ++i)
       {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// relevo::ComputePlaces against a map from coordinates to the first id.
+// relevo::ComputeMergedPoints against a map from coordinates to the first id.
 #include "RelevoCheck.h"
 
 #include "Points/MergedPoints.h"
@@ -12,12 +12,12 @@
 #include <limits>
 #include <map>
 
-int TestPointPlaces(int, char*[])
+int TestMergedPoints(int, char*[])
 {
   RelevoCheck check;
-  CHECK(relevo::ComputePlaces(nullptr).empty());
+  CHECK(relevo::ComputeMergedPoints(nullptr).empty());
   vtkNew<vtkPoints> none;
-  CHECK(relevo::ComputePlaces(none).empty());
+  CHECK(relevo::ComputeMergedPoints(none).empty());
 
   for (int type : { VTK_FLOAT, VTK_DOUBLE, VTK_INT })
   {
@@ -39,7 +39,7 @@ int TestPointPlaces(int, char*[])
       points->InsertNextPoint(x.data());
       expected.push_back(first.emplace(x, id).first->second);
     }
-    CHECK_EQUAL(relevo::ComputePlaces(points), expected);
+    CHECK_EQUAL(relevo::ComputeMergedPoints(points), expected);
   }
 
   // Distinct in the last bit only; 0 equals -0; NaN equals nothing.
@@ -50,10 +50,10 @@ int TestPointPlaces(int, char*[])
   points->InsertNextPoint(std::nextafter(1.0, 2.0), 0.0, 0.0);
   points->InsertNextPoint(nan, 0.0, 0.0);
   points->InsertNextPoint(nan, 0.0, 0.0);
-  CHECK(relevo::ComputePlaces(points).empty());
+  CHECK(relevo::ComputeMergedPoints(points).empty());
   points->InsertNextPoint(1.0, -0.0, 0.0);
   const std::vector<vtkIdType> expected{ 0, 1, 2, 3, 0 };
-  CHECK_EQUAL(relevo::ComputePlaces(points), expected);
+  CHECK_EQUAL(relevo::ComputeMergedPoints(points), expected);
 
   float tags[5] = { 1.0f, 2.0f, 3.0f, 4.0f, 5.0f };
   relevo::UniteTags(expected, tags);

@@ -1,10 +1,10 @@
 // The end of the stage "tag" where places were measured: each point has its place's tag.
 
 layout(std430, binding = 0) readonly buffer Measures { float measures[]; };
-layout(std430, binding = 1) readonly buffer Places { int places[]; };
+layout(std430, binding = 1) readonly buffer MergedPoints { int places[]; };
 layout(std430, binding = 2) writeonly buffer Tags { float tags[]; };
 
-uniform int relevoHasPlaces;
+uniform int relevoHasMergedPoints;
 
 void main()
 {
@@ -12,7 +12,7 @@ void main()
   if (point < relevoNumberOfElements)
   {
     int place = point;
-    if (relevoHasPlaces != 0)
+    if (relevoHasMergedPoints != 0)
     {
       place = places[point];
     }

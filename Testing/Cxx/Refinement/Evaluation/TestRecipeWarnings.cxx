@@ -143,7 +143,7 @@ void TestHeights(RelevoCheck& check)
 }
 }
 
-int TestRecipeShortfalls(int argc, char* argv[])
+int TestRecipeWarnings(int argc, char* argv[])
 {
   RelevoCheck check;
   char* folder =
