@@ -5,10 +5,12 @@
  */
 #include "Files/ViewerFile.h"
 #include "Files/ViewerPicture.h"
-#include "Options/ViewerOptions.h"
+#include "Options/OptionParser.h"
+#include "Options/UsageError.h"
 #include "Options/ViewerUsage.h"
 #include "Scene/OffscreenWindow.h"
 #include "Scene/ReliefCaptures.h"
+#include "Scene/SceneFactory.h"
 #include "Scene/ViewerScene.h"
 #include "Text/ReadingGuard.h"
 #include "Text/StandardError.h"

@@ -127,9 +127,9 @@ int vtkPatchSurfaceFilter::Convert(vtkUnstructuredGrid* input, vtkPolyData* outp
   vtkNew<vtkUnstructuredGrid> whole;
   whole->ShallowCopy(input);
   this->RemoveShortArrays(whole);
-  const int leastPieces = this->SplitPatches ? 2 : 1;
+  const int minimumPieces = this->SplitPatches ? 2 : 1;
   const relevo::CoarseMesh mesh =
-    relevo::BuildCoarseMesh(nets, points, homogeneous, input, leastPieces);
+    relevo::BuildCoarseMesh(nets, points, homogeneous, input, minimumPieces);
   for (const std::string& name :
     relevo::StorePatches(nets, points, homogeneous, mesh, whole, output))
   {

@@ -35,7 +35,7 @@ vtkStandardNewMacro(vtkHeightMapToRelief);
 namespace
 {
 constexpr double LargestExaggeration = VTK_FLOAT_MAX;
-constexpr int MostTexels = 64; // along a sample
+constexpr int MaximumTexels = 64; // along a sample
 
 // NaN without data; nothing if it is not to go on, which is asked with the share that is done.
 std::vector<double> ReadTexels(vtkHeightField* heights, const relevo::TerrainTexels& texels,
@@ -162,7 +162,7 @@ void vtkHeightMapToRelief::SetExaggeration(double exaggeration)
 
 void vtkHeightMapToRelief::SetTexelsPerSample(int texels)
 {
-  relevo::SetInRange(this, "TexelsPerSample", this->TexelsPerSample, texels, 1, MostTexels);
+  relevo::SetInRange(this, "TexelsPerSample", this->TexelsPerSample, texels, 1, MaximumTexels);
 }
 
 vtkMTimeType vtkHeightMapToRelief::GetMTime()

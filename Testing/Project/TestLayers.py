@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The layers of the modules' sources, as Module/Documentation/architecture.md draws them.
 
-No include climbs, no module includes what is private to a sibling, public classes alone lie at a
-module's root, private files are not called vtk*, no header takes the name or the include guard of
-one of VTK's, and functions stay small, those of tests, too.
+An include never goes to a higher layer or to a private header of another module. Classes do not
+depend on each other in circles. A module's root holds public classes only, and private files are
+not called vtk*. Headers differ from VTK's in name and include guard. Functions stay small, also in
+tests.
 
     TestLayers.py SOURCE VTK_INCLUDE_FOLDER...
 """
@@ -39,6 +40,10 @@ LAYERS = {
     "Examples/Viewer": ["Text", "Files", "Options", "Legend", "Scene", "Window"],
 }
 MODULES = list(LAYERS)  # no module includes one that comes after it
+# A metric makes its evaluators, and an evaluator reads the settings of its metric.
+MUTUAL = {
+    "Filters/Refinement: Metrics/DepthTags, Metrics/MetricEvaluator, vtkDepthTagMetric",
+}
 LONGEST_FUNCTION = 80
 NO_FUNCTION = re.compile(r"(inline |typedef )*(namespace|class|struct|union|enum|extern)\b")
 
@@ -125,6 +130,48 @@ def find_large(source):
                         )
 
 
+def includes(path):
+    """What a file includes, as it names it."""
+    return re.findall(r'#include [<"]([^>"]+)', path.read_text(encoding="utf-8"))
+
+
+def find_circles(files):
+    """Classes that depend on each other, directly or by others, through their headers or sources.
+
+    They are the strongly connected components of the graph of includes, found with Tarjan's
+    algorithm. A class is a header with its source.
+    """
+    graph = {}
+    for name, (path, module, _) in files.items():
+        used = graph.setdefault(name.rsplit(".", 1)[0], [])
+        used += [other.rsplit(".", 1)[0] for other in includes(path) if other in files]
+    index, low, stack, circles = {}, {}, [], []
+
+    def visit(unit):
+        index[unit] = low[unit] = len(index)
+        stack.append(unit)
+        for other in graph[unit]:
+            if other not in index:
+                visit(other)
+            if other in stack:
+                low[unit] = min(low[unit], low[other])
+        if low[unit] == index[unit]:
+            members = stack[stack.index(unit):]
+            del stack[stack.index(unit):]
+            if len(members) > 1:
+                circles.append(sorted(members))
+
+    sys.setrecursionlimit(10 * len(graph) + 1000)
+    for unit in graph:
+        if unit not in index:
+            visit(unit)
+    for members in circles:
+        _, module, _ = files.get(members[0] + ".h") or files[members[0] + ".cxx"]
+        circle = f"{module}: {', '.join(members)}"
+        if circle not in MUTUAL:
+            yield circle + " depend on each other in a circle"
+
+
 def main():
     source = pathlib.Path(sys.argv[1])
     faults = list(find_unlisted(source))
@@ -156,7 +203,7 @@ def main():
 
     installed = {module: installed_for_authors(source, module) for module in MODULES}
     for name, (path, module, layer) in files.items():
-        for include in re.findall(r'#include [<"]([^>"]+)', path.read_text(encoding="utf-8")):
+        for include in includes(path):
             if ".." in pathlib.PurePath(include).parts:
                 faults.append(f"{module}/{name}: names {include} from where it lies")
             if include not in files or pathlib.PurePath(include).stem == path.stem:
@@ -166,6 +213,7 @@ def main():
                 faults.append(f"{module}/{name}: climbs to {include}")
             if other != module and not may_include(module, other, include, installed[other]):
                 faults.append(f"{module}/{name}: {include} is private to {other}")
+    faults += find_circles(files)
     faults += find_large(source)
     number_of_functions = sum(
         len(list(functions(path.read_text(encoding="utf-8")))) for path, _, _ in files.values()

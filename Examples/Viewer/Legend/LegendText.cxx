@@ -9,7 +9,7 @@
 
 namespace
 {
-const int MostDigits = 15; // of a double
+const int MaximumDigits = 15; // of a double
 const char* const Ellipsis = "...";
 
 std::string ToText(double value, int decimals)
@@ -86,7 +86,7 @@ LegendLabels MakeLegendLabels(const double range[2], int number)
   const double step = (range[1] - range[0]) / (number - 1);
   const int first = isPlain ? exponent : 0;
   int decimals = std::max(2 - first, static_cast<int>(std::ceil(1.0 - std::log10(step / scale))));
-  decimals = std::min(std::max(decimals, 0), MostDigits - 1 - first);
+  decimals = std::min(std::max(decimals, 0), MaximumDigits - 1 - first);
   std::vector<double> values(number);
   for (int i = 0; i < number; ++i)
   {

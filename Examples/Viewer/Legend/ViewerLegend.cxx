@@ -39,7 +39,7 @@ const int FontSize = 14;
 const int NarrowestTitle = 110;
 const double TitleShare = 0.14; // of the picture's width
 const int FewLines = 4;
-const int MostLines = 6;
+const int MaximumLines = 6;
 const double GroundOpacity = 0.4;
 const int Dots = 72; // per inch, as VTK's windows have them
 
@@ -163,7 +163,7 @@ void ViewerLegend::SetTitle(const int size[2], int margin)
   }
   if (!title.IsAtWords)
   {
-    title = WrapText(this->Name, limit, MostLines, getWidth);
+    title = WrapText(this->Name, limit, MaximumLines, getWidth);
   }
   if (!this->Table->GetIndexedLookup())
   {

@@ -3,6 +3,7 @@
 #include "Options/OptionChecks.h"
 
 #include "Files/MeshReader.h"
+#include "Options/UsageError.h"
 #include "Options/ViewerArguments.h"
 #include "Options/ViewerOptions.h"
 

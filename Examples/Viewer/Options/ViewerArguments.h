@@ -8,7 +8,7 @@
 #ifndef ViewerArguments_h
 #define ViewerArguments_h
 
-#include "Options/ViewerOptions.h"
+#include "Options/UsageError.h"
 #include "Text/ViewerText.h"
 
 #include <array>

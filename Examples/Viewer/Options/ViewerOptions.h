@@ -8,7 +8,6 @@
 
 #include <array>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -167,14 +166,5 @@ struct ViewerOptions
     return this->Surface.value_or(this->IsMesh ? SurfaceType::PNTriangle : SurfaceType::Linear);
   }
 };
-
-/// Bad usage: what is wrong with the arguments.
-struct UsageError : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
-
-/// Throws UsageError.
-ViewerOptions ParseOptions(int argc, char* argv[]);
 
 #endif

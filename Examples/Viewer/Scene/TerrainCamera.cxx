@@ -101,7 +101,7 @@ void TerrainCamera::MoveOut(vtkCamera* camera)
 }
 
 //------------------------------------------------------------------------------
-double TerrainCamera::GetLeastDistance(vtkCamera* camera)
+double TerrainCamera::GetMinimumDistance(vtkCamera* camera)
 {
   double position[3];
   camera->GetPosition(position);

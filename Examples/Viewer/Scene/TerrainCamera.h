@@ -24,7 +24,7 @@ public:
 
 protected:
   void MoveOut(vtkCamera* camera) override;
-  double GetLeastDistance(vtkCamera* camera) override;
+  double GetMinimumDistance(vtkCamera* camera) override;
 
 private:
   /// The ground's z; false beside the terrain and in its holes.

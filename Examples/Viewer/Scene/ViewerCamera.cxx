@@ -39,7 +39,7 @@ void ViewerCamera::Update()
 }
 
 //------------------------------------------------------------------------------
-double ViewerCamera::GetLeastDistance(vtkCamera* camera)
+double ViewerCamera::GetMinimumDistance(vtkCamera* camera)
 {
   return 0.2 * camera->GetDistance();
 }
@@ -60,12 +60,12 @@ void ViewerCamera::OnClippingRange(vtkObject*, unsigned long, void*)
   }
   // A point in a corner of the picture has a depth smaller than its distance.
   const double tangent = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
-  const double depth = this->GetLeastDistance(camera) /
+  const double depth = this->GetMinimumDistance(camera) /
     std::hypot(1.0, std::hypot(tangent, tangent * this->Renderer->GetTiledAspectRatio()));
   double range[2];
   camera->GetClippingRange(range);
-  const double leastShare = 1e-7; // of the far plane's distance: depth buffers have 24 bits
-  const double nearest = std::max(depth, leastShare * range[1]);
+  const double minimumShare = 1e-7; // of the far plane's distance: depth buffers have 24 bits
+  const double nearest = std::max(depth, minimumShare * range[1]);
   if (nearest < range[0])
   {
     camera->SetClippingRange(nearest, range[1]);

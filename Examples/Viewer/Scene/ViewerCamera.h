@@ -31,7 +31,7 @@ public:
 protected:
   virtual void MoveOut(vtkCamera*) {}
   /// A distance that nothing visible is nearer to the camera than.
-  virtual double GetLeastDistance(vtkCamera* camera);
+  virtual double GetMinimumDistance(vtkCamera* camera);
 
 private:
   void OnStart(vtkObject*, unsigned long, void*);

@@ -4,12 +4,7 @@
 
 #include "Legend/LegendText.h"
 #include "Legend/ViewerLegend.h"
-#include "Scene/ContactScene.h"
-#include "Scene/MeshScene.h"
-#include "Scene/ReliefScene.h"
-#include "Scene/TerrainScene.h"
 #include "Scene/ViewerCamera.h"
-#include "Scene/VolumeScene.h"
 
 #include "vtkCamera.h"
 #include "vtkPoints.h"
@@ -105,26 +100,4 @@ void ViewerScene::SetLights(std::vector<ViewerLamp> lamps)
   {
     AddLight(this->Renderer, lamp);
   }
-}
-
-//------------------------------------------------------------------------------
-std::unique_ptr<ViewerScene> MakeScene(const ViewerOptions& options, ViewerMessages& messages)
-{
-  if (options.IsDatabase)
-  {
-    return std::make_unique<ReliefScene>(options, messages);
-  }
-  if (!options.Against.empty())
-  {
-    return std::make_unique<ContactScene>(options, messages);
-  }
-  if (options.IsVolume)
-  {
-    return std::make_unique<VolumeScene>(options, messages);
-  }
-  if (options.IsMesh)
-  {
-    return std::make_unique<MeshScene>(options, messages);
-  }
-  return std::make_unique<TerrainScene>(options, messages);
 }

@@ -77,7 +77,4 @@ private:
   std::unique_ptr<ViewerLegend> Legend;
 };
 
-/// Reads the files; throws ViewerError.
-std::unique_ptr<ViewerScene> MakeScene(const ViewerOptions& options, ViewerMessages& messages);
-
 #endif

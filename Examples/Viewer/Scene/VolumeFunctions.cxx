@@ -25,8 +25,8 @@ const int Nodes = 9;
 const double LowestShare = 0.03; // of the highest opacity, at the lowest value
 const double Depth = 20.0;       // optical, of a diagonal of the highest value
 const double OpacityOfOneValue = 0.8;
-const double LeastThickness = 1e-3; // of the diagonal
-const double PeakWidth = 2e-4;      // of the range
+const double MinimumThickness = 1e-3; // of the diagonal
+const double PeakWidth = 2e-4;        // of the range
 
 // How many of the values are below one, 0 to 1; of equal quantiles the last counts.
 std::map<double, double> GetRanks(const VolumeArray& array)
@@ -83,7 +83,7 @@ std::vector<TransferNode> MakeTransferNodes(
   const double depth = options.BlendMode == Mapper::ADDITIVE_BLEND ? 0.2 * Depth : Depth;
   const double cube = 2.0 / 3.0 / std::sqrt(3.0); // how thick it is
   const double thinness =
-    thickness > 0.0 ? std::max(cube / std::max(thickness, LeastThickness), 1.0) : 1.0;
+    thickness > 0.0 ? std::max(cube / std::max(thickness, MinimumThickness), 1.0) : 1.0;
   // Coarse blocks are no more opaque than 1. Thin parts have few cells, however fine they are.
   const double highest = std::min(depth * thinness / cellsOfSide, thinness * thinness);
   const std::map<double, double> ranks = GetRanks(array);

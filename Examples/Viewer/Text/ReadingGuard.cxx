@@ -32,9 +32,9 @@ constexpr bool IsSanitized = false;
 #endif
 
 // Without progress, a reader of a file of 100 MiB is given 120 seconds.
-constexpr int LeastSeconds = 20;
+constexpr int MinimumSeconds = 20;
 constexpr double SecondsPerMiB = 1.0;
-constexpr double LeastProgress = 0.01;
+constexpr double MinimumProgress = 0.01;
 
 // Made before it is needed: a handler may only write and end.
 struct LastLine
@@ -107,7 +107,7 @@ int GetSeconds(const std::vector<std::string>& fileNames)
     const auto bytes = std::filesystem::file_size(name, unknown);
     size += unknown ? 0.0 : static_cast<double>(bytes);
   }
-  return LeastSeconds + static_cast<int>(std::min(size / 1048576.0 * SecondsPerMiB, 1e8));
+  return MinimumSeconds + static_cast<int>(std::min(size / 1048576.0 * SecondsPerMiB, 1e8));
 }
 
 // The number after a name, or alone, in a file of the kernel's.
@@ -222,7 +222,7 @@ void ReadingGuard::RestartProgress()
 //------------------------------------------------------------------------------
 void ReadingGuard::ReportProgress(double share)
 {
-  if (share >= Progress + LeastProgress)
+  if (share >= Progress + MinimumProgress)
   {
     Progress = share;
     SecondsLeft = SecondsAllowed.load();

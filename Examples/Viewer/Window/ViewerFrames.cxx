@@ -12,7 +12,7 @@ namespace
 {
 const unsigned long Delay = 1; // milliseconds
 // Events that come all the time do not put a frame off for ever.
-const int MostDelays = 10;
+const int MaximumDelays = 10;
 }
 
 //------------------------------------------------------------------------------
@@ -62,7 +62,7 @@ void ViewerFrames::OnTimer(int timer)
     return;
   }
   // VTK 9.1 looks at timers after every event, also if more events wait.
-  if (this->Requests > this->Handled && this->Delays < MostDelays)
+  if (this->Requests > this->Handled && this->Delays < MaximumDelays)
   {
     ++this->Delays;
     this->StartTimer();

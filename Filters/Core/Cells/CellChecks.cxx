@@ -142,7 +142,7 @@ bool HasRightNumber(const CellReader& cell)
     return GetNumberOfNodes(kind.Shape, cell.GetDegrees()) == cell.GetNumberOfNodes();
   }
   return kind.NumberOfNodes ? cell.GetNumberOfNodes() == kind.NumberOfNodes
-                            : cell.GetNumberOfNodes() >= kind.LeastNodes;
+                            : cell.GetNumberOfNodes() >= kind.MinimumNodes;
 }
 
 bool HasRightFaces(const CellReader& cell)

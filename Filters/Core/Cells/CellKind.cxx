@@ -77,9 +77,9 @@ CellKind MakeLinear(CellTopology shape, bool isInPixelOrder = false)
   return { shape, NodeKind::Corners, GetTopology(shape).NumberOfCorners, 0, isInPixelOrder, 0, {} };
 }
 
-CellKind MakeOfMany(CellTopology shape, int leastNodes)
+CellKind MakeOfMany(CellTopology shape, int minimumNodes)
 {
-  return { shape, NodeKind::Corners, 0, leastNodes, false, 0, {} };
+  return { shape, NodeKind::Corners, 0, minimumNodes, false, 0, {} };
 }
 
 CellKind MakeQuadratic(
@@ -162,9 +162,9 @@ CellKind GetHigherOrderKind(int type, vtkIdType nodes)
   }
 }
 
-CellKind MakeCurve(int nodes, int leastNodes)
+CellKind MakeCurve(int nodes, int minimumNodes)
 {
-  return { CellTopology::Curve, NodeKind::Corners, nodes, leastNodes, false, 0, {} };
+  return { CellTopology::Curve, NodeKind::Corners, nodes, minimumNodes, false, 0, {} };
 }
 
 CellKind GetThinKind(int type)

@@ -46,13 +46,13 @@ enum class NodeKind
   Bezier
 };
 
-constexpr int MostFaceCorners = 6;
+constexpr int MaximumFaceCorners = 6;
 
 /// Corners of a face, counter-clockwise from outside.
 struct FaceCorners
 {
   int Size;
-  std::array<int, MostFaceCorners> Corners;
+  std::array<int, MaximumFaceCorners> Corners;
 };
 
 struct CellKind
@@ -60,7 +60,7 @@ struct CellKind
   CellTopology Shape = CellTopology::Unknown;
   NodeKind Nodes = NodeKind::Corners;
   int NumberOfNodes = 0;          // 0 if it is not the same for all
-  int LeastNodes = 0;             // of those without a fixed number or a degree
+  int MinimumNodes = 0;           // of those without a fixed number or a degree
   bool IsInPixelOrder = false;    // corners are those of VTK_PIXEL and VTK_VOXEL
   int NumberOfEdgeNodes = 0;      // those of the shape's first edges
   std::array<int, 6> FaceNodes{}; // the node in the middle of each face, 0 if there is none

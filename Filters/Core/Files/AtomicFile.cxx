@@ -49,10 +49,10 @@ bool IsOpenFile(const fs::path& file)
 
 void FollowLinks(WriteTarget& target)
 {
-  constexpr int mostLinks = 40; // as Linux follows
+  constexpr int maximumLinks = 40; // as Linux follows
   fs::path file = target.FileName;
   std::error_code unknown;
-  for (int i = 0; i < mostLinks; ++i)
+  for (int i = 0; i < maximumLinks; ++i)
   {
     if (IsOpenFile(file))
     {

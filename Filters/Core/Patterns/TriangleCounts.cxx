@@ -22,7 +22,7 @@ int EstimateTriangles(int a, int b, int c)
   return static_cast<int>(std::lround(mean * mean));
 }
 
-std::vector<float> MakeLeastTags(const SegmentSteps& steps, int maximumLevel)
+std::vector<float> MakeMinimumTags(const SegmentSteps& steps, int maximumLevel)
 {
   std::vector<float> tags = { -std::numeric_limits<float>::infinity() };
   for (int step = 1;
@@ -41,7 +41,7 @@ std::vector<float> MakeLeastTags(const SegmentSteps& steps, int maximumLevel)
 
 TriangleCounts::TriangleCounts(const PatternFamily& family, int maximumLevel)
   : Estimates(family.AreWholeNumbers())
-  , LeastTags(MakeLeastTags(family.GetSegmentSteps(), maximumLevel))
+  , MinimumTags(MakeMinimumTags(family.GetSegmentSteps(), maximumLevel))
 {
   const SegmentSteps& steps = family.GetSegmentSteps();
   const int n = this->GetNumberOfSteps();

@@ -29,10 +29,10 @@ public:
   bool AreEstimates() const { return this->Estimates; }
 
   /// Number of steps, the first of 1 segment, the last of 2^MaximumLevel.
-  int GetNumberOfSteps() const { return static_cast<int>(this->LeastTags.size()) - 1; }
+  int GetNumberOfSteps() const { return static_cast<int>(this->MinimumTags.size()) - 1; }
 
   /// By step: the tag from which on an edge takes it; infinity after the last step.
-  const std::vector<float>& GetLeastTags() const { return this->LeastTags; }
+  const std::vector<float>& GetMinimumTags() const { return this->MinimumTags; }
 
   /**
    * By (step01 * n + step12) * n + step02 for n steps. More segments never mean fewer triangles
@@ -42,7 +42,7 @@ public:
 
 private:
   bool Estimates;
-  std::vector<float> LeastTags;
+  std::vector<float> MinimumTags;
   std::vector<int> Triangles;
 };
 }

@@ -14,7 +14,7 @@
 namespace
 {
 constexpr int MaximumSteps = 100000;
-constexpr int MostSmoothings = 1000;
+constexpr int MaximumSmoothings = 1000;
 }
 
 vtkStandardNewMacro(vtkLICSettings);
@@ -127,7 +127,7 @@ void vtkLICSettings::SetAntiAlias(int passes)
 {
   if (relevo::CheckRange(this->GetErrorSource(), "AntiAlias", passes, 0, VTK_INT_MAX))
   {
-    this->SetInRange("AntiAlias", this->Values.AntiAlias, passes, 0, MostSmoothings);
+    this->SetInRange("AntiAlias", this->Values.AntiAlias, passes, 0, MaximumSmoothings);
   }
 }
 

@@ -16,8 +16,8 @@ constexpr double CornerTolerance = 1e-10;
 // Share of a step below which nothing has moved.
 constexpr double MinimumProgress = 1e-10;
 // Pieces of a step, and those of them in a row that do not move: a line that needs more has no way.
-constexpr int MostPieces = 1000;
-constexpr int MostIdlePieces = 32;
+constexpr int MaximumPieces = 1000;
+constexpr int MaximumIdlePieces = 32;
 // Share of an edge to slide along before looking at the triangles again.
 constexpr double SlideShare = 0.125;
 constexpr int MaximumHalvings = 8;
@@ -57,7 +57,7 @@ bool SurfaceStreamline::Advance(double step)
     this->StartPoint = -1;
   }
   int idle = 0;
-  for (int piece = 0; piece < MostPieces && idle < MostIdlePieces; ++piece)
+  for (int piece = 0; piece < MaximumPieces && idle < MaximumIdlePieces; ++piece)
   {
     if (step <= least)
     {

@@ -14,7 +14,7 @@
 namespace
 {
 // The sine of an angle of a triangle below which it is a line.
-constexpr double LeastSine = 1e-10;
+constexpr double MinimumSine = 1e-10;
 
 // The corner of a triangle that is neither of two others.
 int FindThirdCorner(const relevo::SurfaceTriangles::Triangle& triangle, vtkIdType a, vtkIdType b)
@@ -84,7 +84,7 @@ void SurfaceVectors::SetRates(
   const double squaredArea = vtkMath::Dot(normal, normal); // of the parallelogram
   const double longestSide = std::max({ facet.Metric[0], facet.Metric[2],
     facet.Metric[0] - 2.0 * facet.Metric[1] + facet.Metric[2] });
-  const double line = LeastSine * longestSide;
+  const double line = MinimumSine * longestSide;
   facet.Blocked = !(squaredArea > line * line) || !std::isfinite(squaredArea);
 
   const SurfaceTriangles& triangles = this->GetTriangles();

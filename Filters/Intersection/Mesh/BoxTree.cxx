@@ -11,7 +11,7 @@ namespace relevo
 {
 namespace
 {
-constexpr vtkIdType MostPerLeaf = 4;
+constexpr vtkIdType MaximumPerLeaf = 4;
 }
 
 void BoxTree::Build(const std::vector<Box>& boxes)
@@ -40,7 +40,7 @@ void BoxTree::Split(
 {
   const std::size_t index = this->Nodes.size();
   this->Nodes.push_back({ {}, first, last - first });
-  if (last - first <= MostPerLeaf)
+  if (last - first <= MaximumPerLeaf)
   {
     return;
   }

@@ -40,7 +40,7 @@ struct CoarseMesh
 };
 
 /// `points` are not multiplied with their weights, `homogeneous` are. Edges are split in
-/// `leastPieces`, 1 or 2, or more.
+/// `minimumPieces`, 1 or 2, or more.
 }
 
 #endif

@@ -27,13 +27,13 @@ class Builder
 {
 public:
   Builder(const ControlNets& nets, const std::vector<dvec4>& points,
-    const ControlPoints& homogeneous, vtkUnstructuredGrid* grid, int leastPieces)
+    const ControlPoints& homogeneous, vtkUnstructuredGrid* grid, int minimumPieces)
     : Nets(nets)
     , Patches(nets.GetPatches())
     , Homogeneous(homogeneous)
   {
     this->NumberCorners(grid);
-    this->Edges = FindPatchEdges(this->Patches, points, this->MergedPoints, leastPieces);
+    this->Edges = FindPatchEdges(this->Patches, points, this->MergedPoints, minimumPieces);
     this->SplitEdges();
     this->AddPatches();
     ComputeNormals(this->Patches, homogeneous, this->Mesh);
@@ -345,9 +345,9 @@ private:
 }
 
 CoarseMesh BuildCoarseMesh(const ControlNets& nets, const std::vector<dvec4>& points,
-  const ControlPoints& homogeneous, vtkUnstructuredGrid* grid, int leastPieces)
+  const ControlPoints& homogeneous, vtkUnstructuredGrid* grid, int minimumPieces)
 {
-  Builder builder(nets, points, homogeneous, grid, leastPieces);
+  Builder builder(nets, points, homogeneous, grid, minimumPieces);
   return std::move(builder.Mesh);
 }
 }

@@ -14,7 +14,7 @@
 namespace relevo
 {
 CoarseMesh BuildCoarseMesh(const ControlNets& nets, const std::vector<dvec4>& points,
-  const ControlPoints& homogeneous, vtkUnstructuredGrid* grid, int leastPieces);
+  const ControlPoints& homogeneous, vtkUnstructuredGrid* grid, int minimumPieces);
 }
 
 #endif

@@ -134,7 +134,7 @@ bool PatchEdges::AreJoined(const std::array<vtkIdType, 2>& ends) const
 }
 
 PatchEdges FindPatchEdges(const std::vector<FacePatch>& patches, const ControlPoints& controlPoints,
-  const std::vector<CornerPoints>& places, int leastPieces)
+  const std::vector<CornerPoints>& places, int minimumPieces)
 {
   PatchEdges result;
   result.Borders.resize(patches.size());
@@ -150,7 +150,7 @@ PatchEdges FindPatchEdges(const std::vector<FacePatch>& patches, const ControlPo
     result.Borders[curve.Patch][curve.Border] = { static_cast<int>(result.Edges.size()) - 1,
       curve.IsReversed };
   }
-  ChoosePieces(result.Edges, leastPieces);
+  ChoosePieces(result.Edges, minimumPieces);
   return result;
 }
 

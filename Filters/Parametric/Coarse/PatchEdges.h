@@ -45,9 +45,10 @@ struct PatchEdges
 /// The places of a patch's corners, by number.
 using CornerPoints = std::array<vtkIdType, 4>;
 
-/// Control points are not multiplied with their weights. Edges are split in `leastPieces` or more.
+/// Control points are not multiplied with their weights. Edges are split in `minimumPieces` or
+/// more.
 PatchEdges FindPatchEdges(const std::vector<FacePatch>& patches, const ControlPoints& controlPoints,
-  const std::vector<CornerPoints>& places, int leastPieces);
+  const std::vector<CornerPoints>& places, int minimumPieces);
 
 /// From its first end to its second; of homogeneous points, if these are.
 ControlPoints GetCurve(

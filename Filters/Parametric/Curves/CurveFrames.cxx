@@ -15,7 +15,7 @@ namespace relevo
 {
 namespace
 {
-constexpr int MostIntervals = 16; // more are of use to cusps alone, which nothing helps
+constexpr int MaximumIntervals = 16; // more are of use to cusps alone, which nothing helps
 constexpr int SamplesOfInterval = 8;
 // Cosine of half the angle that a joint turns by at most.
 constexpr double SharpestJoint = 0.25;
@@ -54,7 +54,7 @@ int CountIntervals(CurveEvaluator& curve)
 {
   int intervals = 1;
   while (
-    curve.curveDegree() > 1 && intervals < MostIntervals && !AreIntervalsShort(curve, intervals))
+    curve.curveDegree() > 1 && intervals < MaximumIntervals && !AreIntervalsShort(curve, intervals))
   {
     intervals *= 2;
   }

@@ -49,7 +49,7 @@ vtkIdType CountTriangles(vtkCellArray* cells)
     cells->GetNumberOfConnectivityIds() - 2 * cells->GetNumberOfCells(), 0);
 }
 
-dvec3 GetPlace(const SurfaceTriangles& triangles, vtkIdType point)
+dvec3 GetPosition(const SurfaceTriangles& triangles, vtkIdType point)
 {
   dvec3 place;
   triangles.GetPoint(point, &place.x);
@@ -59,9 +59,9 @@ dvec3 GetPlace(const SurfaceTriangles& triangles, vtkIdType point)
 dvec3 GetAreaNormal(const SurfaceTriangles& triangles, vtkIdType triangle)
 {
   const SurfaceTriangles::Triangle& corners = triangles.GetPoints(triangle);
-  const dvec3 first = GetPlace(triangles, corners[0]);
+  const dvec3 first = GetPosition(triangles, corners[0]);
   return 0.5 *
-    cross(GetPlace(triangles, corners[1]) - first, GetPlace(triangles, corners[2]) - first);
+    cross(GetPosition(triangles, corners[1]) - first, GetPosition(triangles, corners[2]) - first);
 }
 
 dvec3 GetAcross(const dvec3& normal)
@@ -188,7 +188,7 @@ HairGrowth::Root HairGrowth::FindRoot(vtkIdType hair) const
   dvec3 place(0.0);
   for (int corner = 0; corner < 3; ++corner)
   {
-    place += weights[corner] * GetPlace(this->Triangles, corners[corner]);
+    place += weights[corner] * GetPosition(this->Triangles, corners[corner]);
   }
   return { place, this->GetNormal(triangle, weights), this->Triangles.GetCell(triangle) };
 }

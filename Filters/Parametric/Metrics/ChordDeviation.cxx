@@ -159,7 +159,7 @@ private:
 
 double ComputeChordDeviation(const std::vector<dvec4>& curve)
 {
-  constexpr int mostSplits = 32;
+  constexpr int maximumSplits = 32;
   constexpr double tolerance = 1.1; // the number of segments grows with the root
   constexpr double negligible = 1e-9;
 
@@ -173,7 +173,7 @@ double ComputeChordDeviation(const std::vector<dvec4>& curve)
   std::priority_queue<Piece> pieces;
   pieces.emplace(curve, isRational, 1.0);
   double least = std::max(pieces.top().GetLeast(), negligible * size);
-  for (int split = 0; split < mostSplits && pieces.top().GetMost() > tolerance * least; ++split)
+  for (int split = 0; split < maximumSplits && pieces.top().GetMost() > tolerance * least; ++split)
   {
     std::pair<Piece, Piece> halves = pieces.top().Halve();
     pieces.pop();

@@ -128,7 +128,7 @@ void PatchDeviations::FindFaces(MetricMesh& mesh, std::vector<vtkIdType>& cells)
     {
       const vtkIdType id = ids->GetId(c);
       isValid = isValid && id >= 0 && id < surface.GetNumberOfPoints();
-      places[c] = isValid ? surface.GetPlace(id) : 0;
+      places[c] = isValid ? surface.GetMergedPoint(id) : 0;
     }
     FaceDeviation face;
     for (int c = 0; c < 3 && isValid; ++c)

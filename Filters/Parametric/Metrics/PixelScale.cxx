@@ -44,7 +44,7 @@ PixelScale::PixelScale(const RefinementView& view)
   double vt[3][3];
   vtkMath::SingularValueDecomposition3x3(linear, u, w, vt);
   this->MaximumStretch = std::max({ std::abs(w[0]), std::abs(w[1]), std::abs(w[2]) });
-  this->LeastStretch = std::min({ std::abs(w[0]), std::abs(w[1]), std::abs(w[2]) });
+  this->MinimumStretch = std::min({ std::abs(w[0]), std::abs(w[1]), std::abs(w[2]) });
 }
 
 bool PixelScale::Check(const RefinementView& view, std::string& error)
@@ -73,7 +73,7 @@ bool PixelScale::Check(const RefinementView& view, std::string& error)
 double PixelScale::GetDistance(const PointBox& box) const
 {
   const dvec3 off = max(max(box.Low - this->MeshEye, this->MeshEye - box.High), dvec3(0.0));
-  const double distance = this->LeastStretch * length(off);
+  const double distance = this->MinimumStretch * length(off);
   return std::isfinite(distance) ? distance : 0.0; // a flat placement has no inverse
 }
 

@@ -44,7 +44,7 @@ private:
   Eye View;
   double Pixels = 0.0;  // of a unit of the world at a distance of 1; if parallel, anywhere
   double Tangent = 0.0; // the largest in the viewport
-  double LeastStretch = 0.0;
+  double MinimumStretch = 0.0;
   double MaximumStretch = 0.0; // of lengths by the placement
   dvec3 MeshEye{ 0.0 };
 };

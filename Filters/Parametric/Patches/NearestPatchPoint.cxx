@@ -94,7 +94,7 @@ vec2 FindNearestPatchPoint(const PatchArrays& patches, int patch, const dvec3& p
   PatchAround around(patches, patch, place);
   vec2 uv = around.FindNearestSample();
   constexpr int maximumSteps = 30;
-  constexpr float leastStep = 1e-7f;
+  constexpr float minimumStep = 1e-7f;
   for (int step = 0; step < maximumSteps; ++step)
   {
     const PatchAround::Sample at = around.Evaluate(uv);
@@ -114,7 +114,7 @@ vec2 FindNearestPatchPoint(const PatchArrays& patches, int patch, const dvec3& p
         determinant);
     const vec2 moved = abs(next - uv);
     uv = next;
-    if (std::max(moved.x, moved.y) < leastStep)
+    if (std::max(moved.x, moved.y) < minimumStep)
     {
       break;
     }

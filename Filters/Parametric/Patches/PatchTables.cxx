@@ -214,8 +214,8 @@ bool BuildPatchTables(vtkPolyData* mesh, const double origin[3],
     return false;
   }
   // References to records have 29 bits.
-  constexpr vtkIdType mostFaces = (vtkIdType(1) << 28) / RecordsPerFace;
-  if (mesh->GetNumberOfPolys() > mostFaces ||
+  constexpr vtkIdType maximumFaces = (vtkIdType(1) << 28) / RecordsPerFace;
+  if (mesh->GetNumberOfPolys() > maximumFaces ||
     patches.GetNumberOfPoints() > std::numeric_limits<int>::max() / 4)
   {
     error = "the mesh has more patches than can be numbered";

@@ -64,7 +64,7 @@ class RisingFace
 {
 public:
   RisingFace(const TriangleCounts& counts, const float tags[3], const int steps[3])
-    : LeastTags(counts.GetLeastTags().data())
+    : MinimumTags(counts.GetMinimumTags().data())
     , Triangles(counts.GetTriangles().data())
     , Strides{ counts.GetNumberOfSteps() * counts.GetNumberOfSteps(), counts.GetNumberOfSteps(), 1 }
   {
@@ -90,9 +90,9 @@ public:
   }
 
 private:
-  void SetNext(int e) { this->Next[e] = this->LeastTags[this->Steps[e] + 1] - this->Tags[e]; }
+  void SetNext(int e) { this->Next[e] = this->MinimumTags[this->Steps[e] + 1] - this->Tags[e]; }
 
-  const float* LeastTags;
+  const float* MinimumTags;
   const int* Triangles;
   int Strides[3];
   float Tags[3];

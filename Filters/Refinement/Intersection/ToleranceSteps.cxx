@@ -22,7 +22,7 @@ namespace
 {
 // Parts of a face's edge between the points that are looked at: surfaces are smooth, heights are
 // so between their texels.
-constexpr int LeastParts = 16;
+constexpr int MinimumParts = 16;
 }
 
 void ToleranceSteps::Take(const RefinementMesh& mesh, const RefinedSurface& surface,
@@ -35,7 +35,7 @@ void ToleranceSteps::Take(const RefinementMesh& mesh, const RefinedSurface& surf
   this->HighestStep = this->Family->AreWholeNumbers()
     ? SegmentSteps::GetWholeNumberStep(static_cast<float>(level))
     : level;
-  this->MaximumParts = std::max(LeastParts, 2 << level);
+  this->MaximumParts = std::max(MinimumParts, 2 << level);
   std::fill_n(this->Texels, 2, 0);
   if (recipe->GetDisplacement() && recipe->GetDisplacement()->GetHeightMap())
   {
@@ -75,7 +75,7 @@ int ToleranceSteps::CountParts(int face) const
       texels = std::max<double>(texels, (range.second - range.first) * this->Texels[axis]);
     }
   }
-  return texels < this->MaximumParts ? std::max(LeastParts, static_cast<int>(std::ceil(texels)))
+  return texels < this->MaximumParts ? std::max(MinimumParts, static_cast<int>(std::ceil(texels)))
                                      : this->MaximumParts;
 }
 

@@ -297,7 +297,7 @@ bool RefinementMesh::CheckCells(vtkPolyData* input)
 {
   const vtkIdType numberOfPoints = input->GetNumberOfPoints();
   // Triangles are numbered in 29 bits: see PatternSelection::Instances.
-  constexpr vtkIdType mostTriangles = (vtkIdType(1) << 29) - 1;
+  constexpr vtkIdType maximumTriangles = (vtkIdType(1) << 29) - 1;
   vtkIdType numberOfTriangles = 0;
   for (vtkCellArray* cells : { input->GetPolys(), input->GetStrips() })
   {
@@ -305,7 +305,7 @@ bool RefinementMesh::CheckCells(vtkPolyData* input)
   }
   if (numberOfPoints > std::numeric_limits<int>::max() ||
     input->GetNumberOfCells() > std::numeric_limits<int>::max() ||
-    numberOfTriangles > 3 * mostTriangles)
+    numberOfTriangles > 3 * maximumTriangles)
   {
     this->Error = "the mesh has more points, cells or triangles than can be numbered";
     return false;

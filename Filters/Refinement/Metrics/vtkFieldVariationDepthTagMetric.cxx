@@ -35,7 +35,7 @@
 namespace
 {
 constexpr double AutomaticQuantile = 0.95;
-constexpr double LeastAutomaticMaximum = 1e-6;
+constexpr double SmallestAutomaticMaximum = 1e-6;
 constexpr double ShortestDirection = 1e-6; // of the longest vector
 
 // The tuples of an array as doubles, and how much two of them differ.
@@ -141,12 +141,12 @@ double GetAutomaticMaximum(std::vector<double> variations)
 {
   if (variations.empty())
   {
-    return LeastAutomaticMaximum;
+    return SmallestAutomaticMaximum;
   }
   const auto quantile = variations.begin() +
     static_cast<std::ptrdiff_t>(AutomaticQuantile * static_cast<double>(variations.size() - 1));
   std::nth_element(variations.begin(), quantile, variations.end());
-  return std::max(*quantile, LeastAutomaticMaximum);
+  return std::max(*quantile, SmallestAutomaticMaximum);
 }
 
 // Of every edge.

@@ -8,7 +8,7 @@ namespace relevo
 {
 namespace
 {
-dvec2 GetPlace(const TerrainFrame& frame, double u, double v)
+dvec2 GetPosition(const TerrainFrame& frame, double u, double v)
 {
   std::array<double, 2> place;
   frame.Place(u, v, place);
@@ -22,10 +22,11 @@ TerrainTexels::TerrainTexels(const TerrainFrame& frame, const int size[2], int t
   , Regular(!frame.IsGeographic())
   , Samples(this->Regular && texelsPerSample == 1)
 {
-  const dvec2 corner = GetPlace(frame, 0.0, 0.0);
+  const dvec2 corner = GetPosition(frame, 0.0, 0.0);
   if (this->Regular)
   {
-    this->SetMatrix(corner, GetPlace(frame, 1.0, 0.0) - corner, GetPlace(frame, 0.0, 1.0) - corner);
+    this->SetMatrix(
+      corner, GetPosition(frame, 1.0, 0.0) - corner, GetPosition(frame, 0.0, 1.0) - corner);
     return;
   }
   constexpr int steps = 256; // along each side
@@ -36,7 +37,8 @@ TerrainTexels::TerrainTexels(const TerrainFrame& frame, const int size[2], int t
     const double along = static_cast<double>(i) / steps;
     for (double side : { 0.0, 1.0 })
     {
-      for (const dvec2& place : { GetPlace(frame, along, side), GetPlace(frame, side, along) })
+      for (const dvec2& place :
+        { GetPosition(frame, along, side), GetPosition(frame, side, along) })
       {
         low = min(low, place);
         high = max(high, place);

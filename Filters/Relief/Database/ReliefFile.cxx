@@ -30,7 +30,7 @@ namespace
 {
 // A texel has at least three bytes of colour and four of depth, and compression makes of a byte no
 // more than about 7000 (LZMA).
-constexpr double MostTexelsPerByte = 1000.0;
+constexpr double MaximumTexelsPerByte = 1000.0;
 
 double GetNumberOfTexels(const int extent[6])
 {
@@ -103,7 +103,7 @@ vtkSmartPointer<vtkImageData> ReadReliefFile(const std::string& fileName, std::s
   int extent[6] = { 0, -1, 0, -1, 0, -1 };
   reader->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
   const double size = static_cast<double>(std::filesystem::file_size(fileName, ignored));
-  if (errors.empty() && GetNumberOfTexels(extent) > MostTexelsPerByte * size)
+  if (errors.empty() && GetNumberOfTexels(extent) > MaximumTexelsPerByte * size)
   {
     error = "its extent has more texels than a file of its size can hold.";
     return nullptr;

@@ -11,7 +11,7 @@ namespace relevo
 namespace
 {
 // Two halvings, as scalars that turn round may be as if linear at one middle.
-constexpr int LeastSplit = 2;
+constexpr int MinimumSplit = 2;
 constexpr int DeepestEdgeSplit = 10;
 }
 
@@ -42,7 +42,7 @@ void CurvedScalars::Split(const RayPart& part, int depth, std::vector<RayPart>& 
   const double middle = 0.5 * (part.Begin + part.End);
   const Scalars scalars = this->Get(middle);
   const Scalars linear = Interpolate(part.Front, part.Back, 0.5);
-  bool isLinear = depth >= LeastSplit;
+  bool isLinear = depth >= MinimumSplit;
   for (size_t c = 0; c < scalars.size(); ++c)
   {
     isLinear = isLinear && std::abs(scalars[c] - linear[c]) <= this->Tolerance[c];

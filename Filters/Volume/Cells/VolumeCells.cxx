@@ -23,7 +23,7 @@ namespace relevo
 namespace
 {
 // Of the volume of a cube as long as the longest distance of corners: less is no volume.
-constexpr double LeastVolume = 1e-12;
+constexpr double MinimumVolume = 1e-12;
 
 bool IsFinite(const Scalars& scalars)
 {
@@ -267,7 +267,7 @@ bool VolumeCells::HasVolume(const Cell& cell) const
   }
   const double volume = cell.Shape ? this->GetCurved(cell).ComputeVolume()
                                    : ComputeSixfoldVolume(this->GetTetrahedron(cell));
-  return volume > LeastVolume * longest * longest * longest;
+  return volume > MinimumVolume * longest * longest * longest;
 }
 
 bool VolumeCells::HasScalars(const Cell& cell) const

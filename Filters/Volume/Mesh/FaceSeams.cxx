@@ -13,9 +13,9 @@ namespace relevo
 namespace
 {
 // The cosine of how much two triangles bend at their common edge: more is no quadrilateral.
-constexpr double LeastFlatness = 0.999;
+constexpr double MinimumFlatness = 0.999;
 // Triangles at one edge, beyond which the mesh is not looked at there.
-constexpr size_t MostAtEdge = 8;
+constexpr size_t MaximumAtEdge = 8;
 
 // Of a triangle, from the lower to the higher corner.
 struct Edge
@@ -57,7 +57,7 @@ bool AreFlat(const std::vector<dvec3>& points, const Edge& a, const Edge& b)
   const dvec3 along = points[a.High] - points[a.Low];
   const dvec3 normal = cross(along, points[a.Opposite] - points[a.Low]);
   const dvec3 other = cross(points[b.Opposite] - points[b.Low], along);
-  return dot(normal, other) > LeastFlatness * length(normal) * length(other);
+  return dot(normal, other) > MinimumFlatness * length(normal) * length(other);
 }
 }
 
@@ -79,7 +79,7 @@ std::vector<FaceSeam> FindSeams(const std::vector<dvec3>& points,
   {
     const auto first = begin;
     begin = std::find_if(begin, edges.end(), [=](const Edge& edge) { return !edge.IsAt(*first); });
-    for (auto a = first; a != begin && static_cast<size_t>(begin - first) <= MostAtEdge; ++a)
+    for (auto a = first; a != begin && static_cast<size_t>(begin - first) <= MaximumAtEdge; ++a)
     {
       for (auto b = a + 1; b != begin; ++b)
       {

@@ -102,9 +102,9 @@ bool VertexColors::Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* scala
   this->Bias = choice.IsLength || isLog ? 0.0 : tableRange[0];
   if (this->AreIntegers)
   {
-    constexpr double mostExact = 1 << 24;
+    constexpr double largestExact = 1 << 24;
     const double largest = std::max(std::abs(tableRange[0]), std::abs(tableRange[1]));
-    this->Bias = largest < mostExact ? 0.0 : std::floor(this->Bias);
+    this->Bias = largest < largestExact ? 0.0 : std::floor(this->Bias);
   }
   double range[2];
   if (!this->UploadValues(window, numbers, choice.First, choice.Count, choice.IsLength, range) ||

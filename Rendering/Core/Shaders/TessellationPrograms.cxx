@@ -23,7 +23,7 @@ namespace relevo
 namespace
 {
 // GLSL of OpenGL 4.0, the first with tessellation stages.
-constexpr int LeastVersion = 400;
+constexpr int MinimumVersion = 400;
 
 // Swallows errors: they are reported by whoever wanted the program.
 class Silence : public vtkCommand
@@ -107,7 +107,7 @@ std::string GetVersion(std::string& evaluation)
     return "";
   }
   const int version = std::atoi(evaluation.c_str() + begin + directive.size());
-  const std::string line = directive + std::to_string(std::max(version, LeastVersion)) + "\n";
+  const std::string line = directive + std::to_string(std::max(version, MinimumVersion)) + "\n";
   evaluation.replace(begin, end + 1 - begin, line);
   return line;
 }

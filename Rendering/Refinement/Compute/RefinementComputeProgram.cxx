@@ -15,7 +15,7 @@ namespace relevo
 namespace
 {
 // As many as every OpenGL 4.3 allows a compute shader.
-constexpr GLuint MostBuffers = 8;
+constexpr GLuint MaximumBuffers = 8;
 // And as many work groups along one axis.
 constexpr int MaximumGroups = 65535;
 }
@@ -63,7 +63,7 @@ void RefinementComputeProgram::Begin(vtkOpenGLRenderWindow* window)
 
 void RefinementComputeProgram::End()
 {
-  for (GLuint binding = 0; binding < MostBuffers; ++binding)
+  for (GLuint binding = 0; binding < MaximumBuffers; ++binding)
   {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, 0);
   }

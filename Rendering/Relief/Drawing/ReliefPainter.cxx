@@ -35,7 +35,7 @@ namespace
 constexpr int VerticesOfBox = 36;
 constexpr int VerticesOfPlane = 6;
 // Of a translucent surface, in one tile.
-constexpr int MostLayers = 4;
+constexpr int MaximumLayers = 4;
 }
 
 vtkStandardNewMacro(ReliefPainter);
@@ -169,7 +169,7 @@ void ReliefPainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
     return;
   }
   const bool isTranslucent = actor->IsRenderingTranslucentPolygonalGeometry() != 0;
-  this->NumberOfLayers = this->IsMarching() && isTranslucent ? MostLayers : 1;
+  this->NumberOfLayers = this->IsMarching() && isTranslucent ? MaximumLayers : 1;
   vtkOpenGLHelper& helper = this->GetHelper();
   const Dependencies sources = Dependencies::On(
     this->GetOptions().GetKey(), actor->GetShaderProperty()->GetShaderMTime(), this->GetMTime());

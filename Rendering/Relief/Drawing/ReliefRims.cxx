@@ -23,7 +23,7 @@ namespace
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 // How far a face may bend in a texel, in texels: rounded edges are not sharp.
-constexpr double MostBent = 0.15;
+constexpr double MaximumBent = 0.15;
 // Cosines of angles between faces from which on they are one, or the two sides of a thin plate.
 constexpr double Parallel = 0.95;
 // Of a face that needs no better one to be found.
@@ -283,7 +283,7 @@ private:
     const double before = this->GetHeight(column - right, row - up);
     const double first = this->GetHeight(column - 2 * right, row - 2 * up);
     const double bent = distance(point(0, height), point(0, 2.0 * before - first));
-    if (bent > MostBent * width && bent <= RimStretch * width)
+    if (bent > MaximumBent * width && bent <= RimStretch * width)
     {
       return false;
     }

@@ -18,7 +18,7 @@ namespace
 {
 // Of lengths, which a turning volume has anew each time.
 constexpr double LengthMargin = 1e-6;
-constexpr double MostExtinction = 1e30;
+constexpr double MaximumExtinction = 1e30;
 
 // Scalars at front and back, and between them the pieces in which the functions are linear.
 class PreIntegration
@@ -50,7 +50,7 @@ public:
   // The mean extinction, and colour by how much of it is seen of such a length.
   dvec4 GetMean(double length) const
   {
-    const double extinction = std::min(this->Functions.Sum(this->Whole).w, MostExtinction);
+    const double extinction = std::min(this->Functions.Sum(this->Whole).w, MaximumExtinction);
     const dvec4 seen = this->Integrate(length);
     const dvec3 color = seen.w > 0.0 ? dvec3(seen) / seen.w : dvec3(0.0);
     return extinction * dvec4(color, 1.0);

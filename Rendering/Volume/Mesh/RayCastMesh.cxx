@@ -20,7 +20,7 @@ namespace relevo
 {
 namespace
 {
-constexpr int MostFacesPerLeaf = 8;
+constexpr int MaximumFacesPerLeaf = 8;
 // Of the mesh's radius: more than what floats round.
 constexpr float TreeMargin = 1e-5f;
 // Of the side of a face.
@@ -446,7 +446,7 @@ void RayCastMeshBuilder::BuildBorder()
     boxes.push_back(this->GetBox(face));
   }
   FaceTree tree;
-  tree.Build(std::move(boxes), MostFacesPerLeaf);
+  tree.Build(std::move(boxes), MaximumFacesPerLeaf);
   this->Mesh.BorderTree = FlattenTree(tree, TreeMargin);
   for (int i : tree.GetOrder())
   {

@@ -6,7 +6,7 @@ vec4 sum;
 #endif
 
 const float PartBegin = 1e-30; // 0 is a part that is new
-const float LeastShare = 1.0 / 64.0; // along which colours hardly change
+const float MinimumShare = 1.0 / 64.0; // along which colours hardly change
 
 void beginRay()
 {
@@ -95,7 +95,7 @@ float findMixedShare(Scalars front, Scalars back, vec2 shares, vec4 first, vec4 
   evaluateEnds(front, back, vec2(mix(shares.x, shares.y, 0.5)), middle, same);
   vec3 miss = abs(middle.rgb - 0.5 * (first.rgb + last.rgb));
   float seen = max(max(miss.r, miss.g), miss.b) * min(middle.w * span, 1.0);
-  return seen > LargestMix ? max(sqrt(LargestMix / seen), LeastShare) : 1.0;
+  return seen > LargestMix ? max(sqrt(LargestMix / seen), MinimumShare) : 1.0;
 }
 #endif
 
@@ -136,7 +136,7 @@ bool collect(Scalars front, Scalars back, float span, inout float from)
   sum += linearSegmentSum(first, last, (to - from) * span);
 #else
   float depth = max(first.w, last.w) * (to - from) * span;
-  float shallow = depth > MaximumDepth ? max(MaximumDepth / depth, LeastShare) : 1.0;
+  float shallow = depth > MaximumDepth ? max(MaximumDepth / depth, MinimumShare) : 1.0;
   collected = frontOverBack(
     collected, linearSegment(first, mix(first, last, shallow), shallow * (to - from) * span));
   if (shallow < 1.0)

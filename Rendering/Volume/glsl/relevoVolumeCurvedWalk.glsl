@@ -5,10 +5,10 @@
 
 const float LargestMiss = 1.0 / 1024.0; // of the range of scalars
 // Of parameters, squared, from a straight line: less leaves scalars a cubic.
-const float LeastBend = 4e-4;
+const float MinimumBend = 4e-4;
 const int MaximumHalvings = 3; // of the way through a cell whose scalars are none
 // Gradients count in the middles of parts, and light at their ends.
-const float LeastParts = RELEVO_STEEPNESS == 1 || RELEVO_LIT == 1 ? 4.0 : 1.0;
+const float MinimumParts = RELEVO_STEEPNESS == 1 || RELEVO_LIT == 1 ? 4.0 : 1.0;
 const float MaximumParts = 16.0;
 
 float curvedBegin;
@@ -30,7 +30,7 @@ bool isCubic(vec3 place0, vec3 place1, vec3 place2, vec3 place3)
 {
   vec3 first = place0 - 2.0 * place1 + place2;
   vec3 last = place1 - 2.0 * place2 + place3;
-  return max(dot(first, first), dot(last, last)) < LeastBend;
+  return max(dot(first, first), dot(last, last)) < MinimumBend;
 }
 
 // In the middle, where it misses them about half as far as it does anywhere.
@@ -55,7 +55,7 @@ float countParts()
   {
     bend = max(bend, max(abs(componentOf(first, i)), abs(componentOf(last, i))));
   }
-  return clamp(ceil(sqrt(bend / (8.0 * LargestMiss))), LeastParts, MaximumParts);
+  return clamp(ceil(sqrt(bend / (8.0 * LargestMiss))), MinimumParts, MaximumParts);
 }
 #endif
 
@@ -308,7 +308,7 @@ float findPyramidSpan(float entered, float left, float end)
 }
 #endif
 
-const float LeastAside = 0.501; // share of a face from its middle
+const float MinimumAside = 0.501; // share of a face from its middle
 
 // Where the ray goes through a face: the depth, and the parameters there. A ray that sees a face from
 // its side is in both cells: it goes on in the next one at once, and parameters mean nothing.
@@ -322,7 +322,7 @@ float crossHexFace(int face, out vec3 parameters, out bool isAside)
   float outside;
   vec2 at = crossBilinear(p0.xy, p1.xy, p2.xy, p3.xy, outside);
   parameters = parametersOnHexFace(face, at);
-  isAside = outside > LeastAside;
+  isAside = outside > MinimumAside;
   return isAside ? walkDepth : mix(mix(p0.z, p1.z, at.x), mix(p3.z, p2.z, at.x), at.y);
 }
 

@@ -101,7 +101,7 @@ vec2 crossBilinear(vec2 p0, vec2 p1, vec2 p2, vec2 p3, out float outside)
 #if RELEVO_FOLDED
 // Where a ray goes through a face that it sees folded, as a bulging one at its silhouette: through
 // it and back, which the face's border does not tell.
-const float LeastFold = 1e-5; // of the face's size: less is rounding
+const float MinimumFold = 1e-5; // of the face's size: less is rounding
 
 // Whether a face whose control points span this rectangle may go around the ray.
 bool isAround(vec2 low, vec2 high)
@@ -115,7 +115,7 @@ float foldTurns[4]; // more than 0 where the face, corners in turn, is seen agai
 
 bool isShare(float x)
 {
-  return x >= -LeastFold && x <= 1.0 + LeastFold;
+  return x >= -MinimumFold && x <= 1.0 + MinimumFold;
 }
 
 // Of a bilinear face whose border does not go around the ray: none, or two.
@@ -129,7 +129,7 @@ void foldBilinear(vec2 p0, vec2 p1, vec2 p2, vec2 p3)
   vec3 turn = vec3(cross2(b, c), cross2(b, d), cross2(d, c));
   float low = turn.x + min(turn.y, 0.0) + min(turn.z, 0.0);
   float high = turn.x + max(turn.y, 0.0) + max(turn.z, 0.0);
-  float least = LeastFold * (dot(b, b) + dot(c, c) + dot(d, d));
+  float least = MinimumFold * (dot(b, b) + dot(c, c) + dot(d, d));
   float square = cross2(c, d);
   float linear = cross2(p0, d) + cross2(c, b);
   float constant = cross2(p0, b);
@@ -224,7 +224,7 @@ void foldQuadratic(Corner border[6], int winding)
     0.5 * (ends + ends.yzx);
   vec3 low = min(ends, middles);
   vec3 high = max(ends, middles);
-  float least = LeastFold * (dot(cu, cu) + dot(cv, cv) + dot(cuu, cuu) + dot(cvv, cvv));
+  float least = MinimumFold * (dot(cu, cu) + dot(cv, cv) + dot(cuu, cuu) + dot(cvv, cvv));
   if (min(min(low.x, low.y), low.z) > -least || max(max(high.x, high.y), high.z) < least)
   {
     return;

@@ -3,7 +3,7 @@
 // step, as software renderers do what either side of a branch says.
 
 const float ThinDepth = 3.0;
-const float LeastShare = 1.0 / 64.0; // along which colours hardly change
+const float MinimumShare = 1.0 / 64.0; // along which colours hardly change
 const float StepsEnd = 0.9999; // opacity
 
 int stepPiece; // set by the caller
@@ -60,7 +60,7 @@ bool collect(float front, float back, float span, inout float from)
   float thin = 1.0;
 #else
   float depth = max(max(first.w, last.w) * share * span, 1e-30);
-  float thin = clamp(ThinDepth / depth, LeastShare, 1.0);
+  float thin = clamp(ThinDepth / depth, MinimumShare, 1.0);
   to = thin < 1.0 ? from + thin * share : to;
   isCut = isCut && thin == 1.0;
   collected = frontOverBack(

@@ -53,7 +53,7 @@ void TestTangentFrame(RelevoCheck& check)
   const double longitude0 = 11.5;
   const double latitude0 = 57.5;
   const double step = 1e-4; // degrees
-  double leastTurn = 1.0;
+  double minimumTurn = 1.0;
   for (const double dLongitude : { -20.0, -1.0, 0.0, 3.0, 40.0 })
   {
     for (const double dLatitude : { -30.0, -0.5, 0.0, 5.0, 32.0 })
@@ -81,11 +81,11 @@ void TestTangentFrame(RelevoCheck& check)
       // Some way to the east north is elsewhere: the meridians converge.
       if (dLongitude == 40.0)
       {
-        leastTurn = std::min(leastTurn, std::abs(north));
+        minimumTurn = std::min(minimumTurn, std::abs(north));
       }
     }
   }
-  CHECK_GREATER(leastTurn, 0.3);
+  CHECK_GREATER(minimumTurn, 0.3);
   // Grads, about Paris, on the ellipsoid of Clarke 1880 (IGN): north-east, a grad to the east.
   const auto grads = [](double lon, double lat)
   {

@@ -170,7 +170,7 @@ RelevoPicture RelevoPatchScene::Draw()
   return RelevoPicture(this->Window);
 }
 
-std::array<double, 2> RelevoPatchScene::GetPlace(int x, int y) const
+std::array<double, 2> RelevoPatchScene::GetPosition(int x, int y) const
 {
   const double low = -0.5 * (Shown - 1.0);
   return { { this->Size * (low + Shown * (x + 0.5) / Width),
@@ -193,7 +193,7 @@ double RelevoPatchScene::GetShareOfOthers(
     // A quarter of the pixels, of all columns: VTK takes long to find places in cells.
     for (int x = 2 * y % 4 + y / 2 % 2; x < Width; x += 4)
     {
-      const std::array<double, 2> place = this->GetPlace(x, y);
+      const std::array<double, 2> place = this->GetPosition(x, y);
       const double high =
         isTriangle ? place[0] + place[1] + margin : std::max(place[0], place[1]) + margin;
       if (std::min(place[0], place[1]) < margin || high > 1.0 || !FindPlace(cell, place, weights))

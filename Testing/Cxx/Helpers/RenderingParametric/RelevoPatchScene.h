@@ -39,7 +39,7 @@ public:
   RelevoPicture Draw();
 
   // Where the center of a pixel is.
-  std::array<double, 2> GetPlace(int x, int y) const;
+  std::array<double, 2> GetPosition(int x, int y) const;
 
   using Tuple = std::vector<double>;
   using Color = std::array<double, 3>;

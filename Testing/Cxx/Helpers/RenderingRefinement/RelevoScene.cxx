@@ -271,7 +271,7 @@ bool RelevoComparison::Compare(const std::string& name, const RelevoTolerance& t
   // Other methods start a triangle at another corner, which leaves the last bits open.
   const bool isExact = RelevoScene::GetMethod() == vtkAdaptiveRefinementMapper::METHOD_ARKFPI;
   const double depthTolerance = tolerance.Depth + (isExact ? 0.0 : 2e-6);
-  const size_t mostPixels = tolerance.Pixels + (isExact ? 0 : 2);
+  const size_t maximumPixels = tolerance.Pixels + (isExact ? 0 : 2);
   RelevoPicture difference(actual.Size[0], actual.Size[1]);
   size_t pixels = 0;
   int largestColor = 0;
@@ -303,7 +303,7 @@ bool RelevoComparison::Compare(const std::string& name, const RelevoTolerance& t
   {
     return this->Check.Fail(__FILE__, __LINE__, name + ": there is next to nothing to see");
   }
-  if (pixels <= mostPixels)
+  if (pixels <= maximumPixels)
   {
     return true;
   }

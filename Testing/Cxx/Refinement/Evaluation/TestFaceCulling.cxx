@@ -174,7 +174,7 @@ int TestFaceCulling(int, char*[])
     vtkRefinementSurface* Surface;
     vtkDisplacement* Displacement;
     bool Closed;
-    double LeastShare; // of the unseen faces that are to be hidden
+    double MinimumShare; // of the unseen faces that are to be hidden
   };
   const Case cases[] = {
     { "sphere", Sphere(16, 12), nullptr, nullptr, true, 0.8 },
@@ -212,7 +212,7 @@ int TestFaceCulling(int, char*[])
               << " that are not seen\n";
     CHECK_EQUAL(sum.Wrong, 0);
     CHECK_LESS_EQUAL(sum.Hidden, sum.Unseen);
-    CHECK_GREATER_EQUAL(sum.Hidden, c.LeastShare * sum.Unseen);
+    CHECK_GREATER_EQUAL(sum.Hidden, c.MinimumShare * sum.Unseen);
   }
 
   // Cameras without a direction, flat placements: nothing is hidden.

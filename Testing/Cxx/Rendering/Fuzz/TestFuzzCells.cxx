@@ -46,7 +46,7 @@ using RelevoFuzz::Call;
 using RelevoFuzz::Dice;
 
 constexpr int Size = 24; // of pictures
-constexpr int MostSeconds = 60;
+constexpr int MaximumSeconds = 60;
 
 vtkSmartPointer<vtkCamera> MakeCamera()
 {
@@ -170,7 +170,7 @@ public:
 private:
   void TakeAll()
   {
-    LimitTime(MostSeconds);
+    LimitTime(MaximumSeconds);
     vtkObject::GlobalWarningDisplayOn(); // else there are no events
     this->Sort();
     this->Cast();

@@ -123,7 +123,7 @@ void TestTogether(RelevoCheck& check)
 
 // Around many balls before a wall, and a text that changes: captures are made ahead of the motion,
 // so that at least a third of the frames need none. Or, with no holes allowed, hardly any are made.
-void TestOrbit(RelevoCheck& check, double step, double share, int mostCaptures, int leastShown)
+void TestOrbit(RelevoCheck& check, double step, double share, int maximumCaptures, int minimumShown)
 {
   RelevoPassScene scene;
   scene.Window->SetSize(300, 225);
@@ -150,8 +150,8 @@ void TestOrbit(RelevoCheck& check, double step, double share, int mostCaptures, 
             << scene.Pass->GetNumberOfCaptures() << " captures, "
             << scene.Pass->GetNumberOfReliefFrames() << " frames of reliefs, " << withoutCapture
             << " of them without a capture\n";
-  CHECK_LESS_EQUAL(scene.Pass->GetNumberOfCaptures(), mostCaptures);
-  CHECK_GREATER_EQUAL(withoutCapture, leastShown);
+  CHECK_LESS_EQUAL(scene.Pass->GetNumberOfCaptures(), maximumCaptures);
+  CHECK_GREATER_EQUAL(withoutCapture, minimumShown);
 }
 
 // Where the mesh changes in each frame captures do not pay.

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Options/ViewerOptions.h"
+#include "Options/OptionParser.h"
 
 #include "Files/MeshReader.h"
 #include "Files/ViewerExport.h"
 #include "Options/OptionChecks.h"
+#include "Options/UsageError.h"
 #include "Options/ViewerArguments.h"
 
 #include "vtkAdaptiveRefinementMapper.h"
@@ -32,7 +33,7 @@ const int HighestLevel = 7;
 const int LargestResolution = 4096;
 const int MaximumSteps = 1000;
 const int MaximumHairs = 10000000;
-const int MostIsolines = 1000;
+const int MaximumIsolines = 1000;
 const double LowestError = 0.001; // of vtkPatchErrorDepthTagMetric
 const double HighestError = 1e6;
 const double LowestZoom = 0.001;
@@ -213,7 +214,7 @@ private:
         { options.Hairs = ToInteger(option, value, 1, MaximumHairs); } },
       { "--isolines",
         [&](const auto& option, const auto& value)
-        { options.Isolines = ToInteger(option, value, 1, MostIsolines); } },
+        { options.Isolines = ToInteger(option, value, 1, MaximumIsolines); } },
     });
   }
 

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/SceneFactory.h"
+
+#include "Options/ViewerOptions.h"
+#include "Scene/ContactScene.h"
+#include "Scene/MeshScene.h"
+#include "Scene/ReliefScene.h"
+#include "Scene/TerrainScene.h"
+#include "Scene/VolumeScene.h"
+
+//------------------------------------------------------------------------------
+std::unique_ptr<ViewerScene> MakeScene(const ViewerOptions& options, ViewerMessages& messages)
+{
+  if (options.IsDatabase)
+  {
+    return std::make_unique<ReliefScene>(options, messages);
+  }
+  if (!options.Against.empty())
+  {
+    return std::make_unique<ContactScene>(options, messages);
+  }
+  if (options.IsVolume)
+  {
+    return std::make_unique<VolumeScene>(options, messages);
+  }
+  if (options.IsMesh)
+  {
+    return std::make_unique<MeshScene>(options, messages);
+  }
+  return std::make_unique<TerrainScene>(options, messages);
+}
