@@ -12,7 +12,7 @@
 #ifndef EdgeTags_h
 #define EdgeTags_h
 
-#include "Metrics/MetricShader.h" // for Shader
+#include "Metrics/MetricShader.h"          // for Shader
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkNew.h"                        // for Values
 #include "vtkType.h"                       // for vtkIdType

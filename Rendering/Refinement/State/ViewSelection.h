@@ -12,11 +12,11 @@
 #ifndef ViewSelection_h
 #define ViewSelection_h
 
-#include "Changes/Dependencies.h"        // for members
-#include "Evaluation/EdgeTags.h"         // for members
-#include "Evaluation/FaceCulling.h"      // for CullingInput
-#include "Evaluation/HoleFinder.h"       // for members
-#include "Evaluation/PatternSelection.h" // for members
+#include "Changes/Dependencies.h"            // for members
+#include "Evaluation/EdgeTags.h"             // for members
+#include "Evaluation/FaceCulling.h"          // for CullingInput
+#include "Evaluation/HoleFinder.h"           // for members
+#include "Evaluation/PatternSelection.h"     // for members
 #include "RelevoRenderingRefinementModule.h" // for export macro
 #include "vtkTimeStamp.h"                    // for members
 
