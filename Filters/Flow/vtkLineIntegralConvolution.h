@@ -2,41 +2,45 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkLineIntegralConvolution
- * @brief   shows the directions of an image's vectors: noise, blurred along their streamlines
+ * @brief   line integral convolution of an image
  *
- * B. Cabral, L. Leedom, "Imaging Vector Fields Using Line Integral Convolution", SIGGRAPH 1993; in
- * two passes by A. Okada, D. Kao, "Enhanced Line Integral Convolution with Flow Feature Detection",
- * 1997. Runs on all processors that vtkSMPTools uses; their number does not change the result.
- * Settings are those of its vtkLICSettings, which it can share with a mapper and other filters. The
- * setters here change that object.
+ * The filter averages noise along the streamlines of the vectors of an image (B. Cabral, L. Leedom,
+ * "Imaging Vector Fields Using Line Integral Convolution", SIGGRAPH 1993), in two passes (A. Okada,
+ * D. Kao, "Enhanced Line Integral Convolution with Flow Feature Detection", 1997). Work is
+ * distributed with vtkSMPTools; the number of threads does not change the result. Settings are
+ * those of a vtkLICSettings, which the filter can share with a mapper and other filters. The
+ * setters of this class change that object.
  *
- * Input 0: a vtkImageData, flat along an axis (n x m x 1, n x 1 x m or 1 x n x m points), with
- * vectors of any type as a point array: by SetInputArrayToProcess(0, ...), or the active vectors,
- * or the first array of 2 or 3 components. Vectors of 2 components run along the two axes of the
- * image; of those of 3, in the coordinates of the image's points, the part in the image's plane
- * counts. Spacing and directions of the image turn vectors into samples.
+ * Input 0: a vtkImageData that is flat along one axis (n x m x 1, n x 1 x m or 1 x n x m points),
+ * with a point array of vectors of any type. To choose the array, call SetInputArrayToProcess().
+ * The default is the active vectors, or else the first array of 2 or 3 components. Two components
+ * run along the two axes of the image. Three components are in the coordinates of the image points
+ * and are projected to the plane of the image. Spacing and direction of the image convert vectors
+ * to samples.
  *
- * Input 1, optional (SetNoiseConnection, SetNoiseData): noise, a flat vtkImageData whose active
- * point scalars, first component, are in [0, 1], or unsigned char or unsigned short for the same
- * range. Its first sample lies on the first sample of input 0; it is repeated in both directions,
- * and looked up at the nearest sample. Without it, the noise that the settings choose: a
- * NoiseDataSet, a file, or what vtkLICNoiseSource generates, by default with its own defaults.
+ * Input 1, optional: noise, see SetNoiseConnection() and SetNoiseData(). This is a flat
+ * vtkImageData with the noise in the first component of its active point scalars, in [0, 1], or in
+ * the full range of unsigned char or unsigned short. It starts at the first sample of input 0, is
+ * tiled, and uses nearest-neighbour lookup. Without this input, the settings determine the noise: a
+ * NoiseDataSet, a file, or vtkLICNoiseSource (default).
  *
- * Output: a vtkImageData of the same extent, with the float point scalars "LIC" in [0, 1] and the
- * unsigned char point array "LICMask": 1 where the noise stays as it is, since there is no LIC, and
- * 0 elsewhere. Masked are samples
+ * Output: a vtkImageData of the same extent with two point arrays: "LIC" (float, in [0, 1]), the
+ * active scalars, and "LICMask" (unsigned char), which is 1 where "LIC" is unfiltered noise and 0
+ * elsewhere. A sample is masked if
  *
- * - without data: a component is not finite or at least NoDataMagnitude in absolute value, or the
- *   point is blanked. They count as zero vectors: nothing else depends on what is stored there;
- * - whose vector in the plane is no longer than MaskThreshold, with the default 0 zero vectors.
+ * - data is missing: a component is not finite or at least NoDataMagnitude in absolute value, or
+ *   the point is blanked. Missing vectors are treated as zero;
+ * - the length of the projected vector is not greater than MaskThreshold, which by default masks
+ *   zero vectors.
  *
- * A streamline ends where it leaves the image or comes to a sample with no vector. Samples beyond
- * its end are ignored, so that fewer are averaged near the border.
+ * A streamline ends at the border of the image and at zero vectors. Near its ends, fewer samples
+ * are averaged.
  *
- * Errors, with an empty output: an input that is empty or not flat; an array that is not there or
- * not of 2 or 3 components for each point; cell arrays; a spacing of zero; noise without scalars or
- * with values outside [0, 1], or that cannot be read or made; contrast enhancement factors whose
- * sum is not less than 1. A setting out of its range is an error and changes nothing.
+ * The filter reports an error and produces an empty output if the input is empty or not flat; the
+ * array is missing, is a cell array, or has a wrong number of components or tuples; a spacing is
+ * zero; the noise has no scalars, has values outside of [0, 1], or cannot be read or generated; or
+ * the contrast enhancement factors add up to 1 or more. A setting out of range is an error and
+ * changes nothing.
  *
  * @sa vtkLICSettings vtkLICNoiseSource
  */
@@ -66,7 +70,7 @@ public:
 
   //@{
   /**
-   * The noise, input 1.
+   * Set the noise, input 1.
    */
   void SetNoiseConnection(vtkAlgorithmOutput* noise) { this->SetInputConnection(1, noise); }
   void SetNoiseData(vtkImageData* noise);
@@ -74,7 +78,8 @@ public:
 
   //@{
   /**
-   * All settings; never nullptr: a nullptr gives the filter new ones with their defaults.
+   * Set the object with all settings. nullptr creates new default settings. The getter never
+   * returns nullptr.
    */
   void SetLICSettings(vtkLICSettings* settings);
   vtkLICSettings* GetLICSettings() const;
@@ -82,7 +87,8 @@ public:
 
   //@{
   /**
-   * How many steps a streamline goes each way, 1 to 100000, default 20. See vtkLICSettings.
+   * Set the number of steps of a streamline in each direction, 1 to 100000, default 20. See
+   * vtkLICSettings.
    */
   void SetNumberOfSteps(int steps);
   int GetNumberOfSteps();
@@ -90,8 +96,8 @@ public:
 
   //@{
   /**
-   * Length of a step in samples of the image, more than 0, default 1; without NormalizeVectors,
-   * times the length of the vector in samples. See vtkLICSettings.
+   * Set the length of a step in samples, greater than 0, default 1. Without NormalizeVectors, it is
+   * multiplied by the length of the vector in samples. See vtkLICSettings.
    */
   void SetStepSize(double size);
   double GetStepSize();
@@ -99,7 +105,7 @@ public:
 
   //@{
   /**
-   * Whether all streamlines are equally long (the default), or by how long the vectors are. See
+   * Set whether all streamlines are equally long (default), or proportional to the vectors. See
    * vtkLICSettings.
    */
   void SetNormalizeVectors(bool normalize);
@@ -109,9 +115,8 @@ public:
 
   //@{
   /**
-   * Whether the result of the first pass is sharpened (the Laplacian is added) and convolved a
-   * second time, which gives finer and longer lines. Default on; off, the mean along the
-   * streamlines is the result. See vtkLICSettings.
+   * Set whether the result of the first pass is sharpened with a Laplacian and convolved again,
+   * which gives finer and longer streaks; on by default. See vtkLICSettings.
    */
   void SetEnhancedLIC(bool enhanced);
   bool GetEnhancedLIC();
@@ -126,10 +131,10 @@ public:
 
   //@{
   /**
-   * ENHANCE_CONTRAST_OFF (0, the default) or ENHANCE_CONTRAST_LIC (1): values are stretched, as
-   * (L - m) / (M - m), so that the smallest is 0 and the largest 1, of those that are not masked;
-   * after the first pass of two, and in the end. An image of streaks has no colours: of shared
-   * settings, only what they say about the LIC counts. See vtkLICSettings.
+   * Set the contrast enhancement: ENHANCE_CONTRAST_OFF (0, default), or ENHANCE_CONTRAST_LIC (1),
+   * which maps values with (L - m) / (M - m) so that the smallest value that is not masked becomes
+   * 0 and the largest 1. With two passes, this is done after each of them. The colour contrast of
+   * shared settings is ignored. See vtkLICSettings.
    */
   void SetEnhanceContrast(int mode);
   int GetEnhanceContrast();
@@ -139,9 +144,9 @@ public:
 
   //@{
   /**
-   * How much further the values are stretched in the end: m = min + low * (max - min) and M = max -
-   * high * (max - min), clamped to [0, 1]. Both are in [-1, 1], default 0, and their sum is less
-   * than 1. See vtkLICSettings.
+   * Set how much further the contrast is enhanced after the last pass: m = min + low * (max - min)
+   * and M = max - high * (max - min), with the result clamped to [0, 1]. Each factor is in [-1, 1],
+   * default 0, and their sum must be less than 1. See vtkLICSettings.
    */
   void SetLowLICContrastEnhancementFactor(double factor);
   double GetLowLICContrastEnhancementFactor();
@@ -151,7 +156,7 @@ public:
 
   //@{
   /**
-   * How often the result is smoothed by a small Gaussian filter, at least 0, the default. See
+   * Set how many times a small Gaussian filter smooths the result, 0 (default) to 1000. See
    * vtkLICSettings.
    */
   void SetAntiAlias(int passes);
@@ -160,8 +165,9 @@ public:
 
   //@{
   /**
-   * Samples whose vector is no longer, in units of the array, are masked. Default 0; a negative one
-   * masks no zero vectors. Streamlines run through them. See vtkLICSettings.
+   * Set the vector length, in units of the array, up to which samples are masked; default 0. A
+   * negative value does not mask zero vectors. Streamlines continue through masked samples. See
+   * vtkLICSettings.
    */
   void SetMaskThreshold(double threshold);
   double GetMaskThreshold();
@@ -169,8 +175,8 @@ public:
 
   //@{
   /**
-   * From which absolute value on a component stands for "no data", as -1e9 does; more than 0,
-   * default 1e8. See vtkLICSettings.
+   * Set the absolute value from which on a component is missing data; greater than 0, default 1e8.
+   * See vtkLICSettings.
    */
   void SetNoDataMagnitude(double magnitude);
   double GetNoDataMagnitude();
@@ -178,9 +184,9 @@ public:
 
   //@{
   /**
-   * Whether the weights rise upstream, so that, with sparse noise (ImpulseNoiseProbability), lines
-   * grow brighter downstream: their heads show which of the two ways the vectors point. Default
-   * off. See vtkLICSettings.
+   * Set whether streaks show the orientation of the vectors; off by default. Weights then increase
+   * upstream, so that streaks get brighter downstream. Use sparse noise (ImpulseNoiseProbability).
+   * See vtkLICSettings.
    */
   void SetOrientedLIC(bool oriented);
   bool GetOrientedLIC();
@@ -189,16 +195,16 @@ public:
 
   //@{
   /**
-   * For animations: as it grows by 1, the pattern moves downstream by 3 NumberOfSteps + 1 steps and
-   * fades into what it was; a loop of as many frames moves by one step in each. The contrast stays
-   * as it is, except close to where streamlines end. Whole numbers give the same image as the
-   * default, 0. Others take about twice as long. See vtkLICSettings.
+   * Set the phase of an animation; default 0. While the phase grows by 1, the pattern moves 3 *
+   * NumberOfSteps + 1 steps downstream and fades into its initial state, so that a loop of as many
+   * frames moves one step per frame. The contrast is preserved except near the ends of streamlines.
+   * All integers give the same image; other values take about twice as long. See vtkLICSettings.
    */
   void SetPhase(double phase);
   double GetPhase();
   //@}
 
-  /// Includes the modification time of the settings.
+  /// Include the modification time of the settings.
   vtkMTimeType GetMTime() override;
 
 protected:

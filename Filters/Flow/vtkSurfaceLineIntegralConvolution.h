@@ -2,62 +2,59 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSurfaceLineIntegralConvolution
- * @brief   shows the directions of vectors on a surface: solid noise, blurred along streamlines
+ * @brief   line integral convolution on a surface, in object space
  *
- * Line integral convolution in object space: a streamline is traced from every point of the mesh,
- * downstream and upstream, and the noise along it is averaged. The result does not depend on a
- * camera and can be written to files. After Nellmeldin 2013, "Desarrollo de algoritmos de
- * teselacion adaptativa en GPU", section 9, with noise that fills space, so that there are neither
- * seams nor texture coordinates to be made. The number of threads does not change the result.
+ * The filter traces a streamline from each point of the mesh, downstream and upstream, and averages
+ * a solid noise along it. The result does not depend on a camera and can be written to files. The
+ * method follows Nellmeldin 2013, "Desarrollo de algoritmos de teselacion adaptativa en GPU",
+ * section 9, but uses solid noise, which needs no texture coordinates and has no seams. The number
+ * of threads does not change the result.
  *
- * Settings are those of its vtkLICSettings, which it can share with a mapper and other filters, but
- * for GrainSize and TextureSize, which are its own, and StepSize, which overrides theirs. The other
- * setters here change that object.
+ * Settings are those of a vtkLICSettings, which the filter can share with a mapper and other
+ * filters. The setters of this class change that object, except for GrainSize and TextureSize,
+ * which belong to the filter, and StepSize, which overrides the shared value.
  *
- * Input: a vtkPolyData with polygons or triangle strips of any size and a point or cell array of 3
- * components: by SetInputArrayToProcess(0, ...), or the active vectors, of the points if they have
- * some, else of the cells, or the first array of 3 components that is neither normals nor texture
- * coordinates. Points at the same coordinates are one place, so that lines cross the seams of split
- * meshes and the borders of blocks. Between the points of a triangle vectors are interpolated
- * linearly; what counts is their part in the triangle's plane. Lines end where the surface does,
- * where more than two triangles share an edge, at triangles without area or with a corner without
- * data, where the vectors are zero or perpendicular to the surface, and where they meet head-on.
+ * Input: a vtkPolyData with polygons or triangle strips and a point or cell array of 3 components.
+ * To choose the array, call SetInputArrayToProcess(). The default is the active point vectors, then
+ * the active cell vectors, then the first array of 3 components that is neither normals nor texture
+ * coordinates. Coincident points are merged, so that streamlines cross seams of split meshes and
+ * borders of blocks. Vectors are interpolated linearly in each triangle and projected to its plane.
+ * Streamlines end at the border of the surface, at edges of more than two triangles, at triangles
+ * without area or with missing data at a corner, where vectors are zero or perpendicular to the
+ * surface, and where vectors point at each other across an edge.
  *
- * Output 0: the input with the float point array "LIC", in [0, 1], as active scalars, and the
- * unsigned char point array "LICMask": 1 where the value is the noise as it is, since there is no
- * LIC, and 0 elsewhere. Masked are points
+ * Output 0 is the input with two point arrays: "LIC" (float, in [0, 1]), the active scalars, and
+ * "LICMask" (unsigned char), which is 1 where "LIC" is unfiltered noise and 0 elsewhere. A point is
+ * masked if
  *
- * - without data: a component is not finite or at least NoDataMagnitude in absolute value (of cell
- *   vectors: in all triangles at the point);
- * - whose vector (of cell vectors: each of them) is no longer than MaskThreshold, with the default
- *   0 zero vectors;
- * - of no triangle that a line could go into.
+ * - data is missing: a component is not finite or at least NoDataMagnitude in absolute value (for
+ *   cell vectors, in all triangles at the point);
+ * - the length of the vector (of all cell vectors at the point) is not greater than MaskThreshold,
+ *   which by default masks zero vectors;
+ * - no triangle at the point can be entered.
  *
- * Output 1: with a TextureSize, an image of that size for vtkTexture, with the unsigned char point
- * scalars "LIC", 255 for 1, for meshes with texture coordinates: every texel whose centre lies in a
- * triangle has the LIC of its place on the surface, which is independent of how fine the mesh is.
- * The others have that of a texel near them, so that borders do not show when it is interpolated.
- * Texture coordinates beyond [0, 1] have no texels. Without a TextureSize it is empty.
+ * Output 1 is an image of size TextureSize for vtkTexture, with unsigned char point scalars "LIC"
+ * (255 for 1). It requires texture coordinates, and is empty if TextureSize is not set. Each texel
+ * whose centre is inside of a triangle has the LIC at that position of the surface, at a resolution
+ * that does not depend on the mesh. Other texels copy a nearby texel, so that interpolation shows
+ * no borders. Texture coordinates beyond [0, 1] are ignored.
  *
- * The points' LIC is as fine as the mesh. What shows most with the fewest triangles is a mesh that
- * is refined where the vectors turn: vtkAdaptiveRefinementFilter before this filter, with a
- * vtkCompositeDepthTagMetric, mode MAXIMUM, of
+ * The resolution of output 0 is that of the mesh. To get most detail from few triangles, refine the
+ * mesh first with vtkAdaptiveRefinementFilter, with GeomorphingOff() in its recipe to get segments
+ * of equal length, and a vtkCompositeDepthTagMetric in mode MAXIMUM of
  *
- * - vtkFieldVariationDepthTagMetric: the vectors' angle and length;
- * - vtkRegionDepthTagMetric: a region of interest, such as where the camera has zoomed in;
- * - vtkScreenEdgeDepthTagMetric, ReferenceLength 10: no side longer than 10 pixels.
+ * - vtkFieldVariationDepthTagMetric, for the angle and length of the vectors;
+ * - vtkRegionDepthTagMetric, for a region of interest, such as the region in view;
+ * - vtkScreenEdgeDepthTagMetric with ReferenceLength 10, for edges of at most 10 pixels.
  *
- * and GeomorphingOff() in its recipe, so that segments are equally long. A field that is known
- * everywhere, from a formula or by vtkProbeFilter, is best taken anew at the refined points.
+ * If the field is available everywhere, from a formula or with vtkProbeFilter, evaluate it again at
+ * the refined points. Set GrainSize explicitly for refined meshes: noise finer than the triangles
+ * aliases, and the automatic size changes with the mesh. For a coarse mesh, use the texture.
  *
- * Set GrainSize explicitly in that case: noise finer than the triangles only flickers from point to
- * point, and the automatic size changes with the mesh. On a mesh that stays coarse, use the
- * texture.
- *
- * Errors, with empty outputs: no polygons; vectors that are not there, not of 3 components or not
- * one for each point or cell; a TextureSize without texture coordinates, or with none in [0, 1];
- * contrast enhancement factors whose sum is not less than 1; not enough memory. A setting out of
- * its range is an error and changes nothing.
+ * The filter reports an error and produces empty outputs if there are no polygons; the vectors are
+ * missing, or have a wrong number of components or tuples; TextureSize is set and there are no
+ * texture coordinates in [0, 1]; the contrast enhancement factors add up to 1 or more; or memory is
+ * insufficient. A setting out of range is an error and changes nothing.
  *
  * @sa vtkLICSettings vtkLineIntegralConvolution vtkAdaptiveRefinementFilter
  * vtkFieldVariationDepthTagMetric
@@ -95,8 +92,8 @@ public:
 
   //@{
   /**
-   * All settings but StepSize, GrainSize and TextureSize. Never nullptr: passing nullptr gives the
-   * filter new ones with their defaults.
+   * Set the object with all settings except StepSize, GrainSize and TextureSize. nullptr creates
+   * new default settings. The getter never returns nullptr.
    */
   void SetLICSettings(vtkLICSettings* settings);
   vtkLICSettings* GetLICSettings() const;
@@ -104,8 +101,8 @@ public:
 
   //@{
   /**
-   * How many steps a streamline goes each way, 1 to 100000, default 20: the mean of 41 samples of
-   * the noise. See vtkLICSettings.
+   * Set the number of steps of a streamline in each direction, 1 to 100000, default 20, which
+   * averages 41 samples of noise. See vtkLICSettings.
    */
   void SetNumberOfSteps(int steps);
   int GetNumberOfSteps();
@@ -113,10 +110,10 @@ public:
 
   //@{
   /**
-   * Length of a step, in units of the points' coordinates; without NormalizeVectors, times the
-   * length of the vector. 0, the default, is automatic: as many grains as the StepSize of the
-   * vtkLICSettings says, by default 1, without NormalizeVectors for the longest vector. This one is
-   * not shared: it depends on the mesh.
+   * Set the length of a step in units of the point coordinates. Without NormalizeVectors, it is
+   * multiplied by the length of the vector. 0 (default) is automatic: the StepSize of the
+   * vtkLICSettings, by default 1, times the grain size; without NormalizeVectors, this is the step
+   * for the longest vector. The value is not shared, because it depends on the mesh.
    */
   void SetStepSize(double size);
   vtkGetMacro(StepSize, double);
@@ -124,7 +121,7 @@ public:
 
   //@{
   /**
-   * Whether all streamlines are equally long (the default), or by how long the vectors are. See
+   * Set whether all streamlines are equally long (default), or proportional to the vectors. See
    * vtkLICSettings.
    */
   void SetNormalizeVectors(bool normalize);
@@ -134,9 +131,9 @@ public:
 
   //@{
   /**
-   * Distance of independent values of the noise, in units of the points' coordinates. 0, the
-   * default, is automatic: the mean length of the edges. The noise is anchored at the origin: two
-   * meshes that meet have the same noise where they do if their grains are the same.
+   * Set the distance of independent noise values, in units of the point coordinates. 0 (default) is
+   * automatic: the mean edge length. The noise is anchored at the origin, so that adjacent meshes
+   * with the same grain size match.
    */
   void SetGrainSize(double size);
   vtkGetMacro(GrainSize, double);
@@ -144,7 +141,7 @@ public:
 
   //@{
   /**
-   * Another number gives other noise of the same kind; default 1. See vtkLICSettings.
+   * Set the seed of the random numbers; default 1. See vtkLICSettings.
    */
   void SetNoiseGeneratorSeed(int seed);
   int GetNoiseGeneratorSeed();
@@ -158,10 +155,10 @@ public:
 
   //@{
   /**
-   * ENHANCE_CONTRAST_OFF (0, the default) or ENHANCE_CONTRAST_LIC (1): values are stretched, as
-   * (L - m) / (M - m), so that the smallest is 0 and the largest 1, of the points that are not
-   * masked; the texture like the points. Of shared settings, only what they say about the LIC
-   * counts, not about colours. See vtkLICSettings.
+   * Set the contrast enhancement: ENHANCE_CONTRAST_OFF (0, default), or ENHANCE_CONTRAST_LIC (1),
+   * which maps values with (L - m) / (M - m) so that the smallest value of the points that are not
+   * masked becomes 0 and the largest 1. The texture uses the same mapping. The colour contrast of
+   * shared settings is ignored. See vtkLICSettings.
    */
   void SetEnhanceContrast(int mode);
   int GetEnhanceContrast();
@@ -171,9 +168,10 @@ public:
 
   //@{
   /**
-   * How much further the values are stretched: m = min + low * (max - min) and M = max - high *
-   * (max - min), clamped to [0, 1]. Both are in [-1, 1], default 0, and their sum is less than 1.
-   * See vtkLICSettings.
+   * Set how much further the contrast is enhanced: m = min + low * (max - min) and M = max - high *
+   * (max
+   * - min), with the result clamped to [0, 1]. Each factor is in [-1, 1], default 0, and their sum
+   *   must be less than 1. See vtkLICSettings.
    */
   void SetLowLICContrastEnhancementFactor(double factor);
   double GetLowLICContrastEnhancementFactor();
@@ -183,8 +181,9 @@ public:
 
   //@{
   /**
-   * Points whose vector is no longer, in units of the array, are masked. Default 0; a negative one
-   * masks no zero vectors. Streamlines run through them. See vtkLICSettings.
+   * Set the vector length, in units of the array, up to which points are masked; default 0. A
+   * negative value does not mask zero vectors. Streamlines continue through masked points. See
+   * vtkLICSettings.
    */
   void SetMaskThreshold(double threshold);
   double GetMaskThreshold();
@@ -192,8 +191,8 @@ public:
 
   //@{
   /**
-   * A component of at least this absolute value, as -1e9, means "no data"; more than 0, default
-   * 1e8. See vtkLICSettings.
+   * Set the absolute value from which on a component is missing data; greater than 0, default 1e8.
+   * See vtkLICSettings.
    */
   void SetNoDataMagnitude(double magnitude);
   double GetNoDataMagnitude();
@@ -201,8 +200,8 @@ public:
 
   //@{
   /**
-   * Whether the weights rise upstream, so that lines grow brighter downstream from a bright grain:
-   * their heads show which of the two ways the vectors point. Default off. See vtkLICSettings.
+   * Set whether streaks show the orientation of the vectors; off by default. Weights then increase
+   * upstream, so that the streak of a bright grain gets brighter downstream. See vtkLICSettings.
    */
   void SetOrientedLIC(bool oriented);
   bool GetOrientedLIC();
@@ -211,8 +210,9 @@ public:
 
   //@{
   /**
-   * For animations: as it grows by 1, the pattern moves 3 NumberOfSteps + 1 steps downstream and
-   * fades into what it was. Whole numbers give the same as the default, 0. See vtkLICSettings.
+   * Set the phase of an animation; default 0. While the phase grows by 1, the pattern moves 3 *
+   * NumberOfSteps + 1 steps downstream and fades into its initial state. All integers give the same
+   * result. See vtkLICSettings.
    */
   void SetPhase(double phase);
   double GetPhase();
@@ -220,14 +220,14 @@ public:
 
   //@{
   /**
-   * Width and height in texels of output 1, each 1 to 16384; 0 and 0, the default, for none.
+   * Set width and height in texels of output 1, each 1 to 16384. 0 and 0 (default) disable it.
    */
   void SetTextureSize(int width, int height);
   void SetTextureSize(const int size[2]) { this->SetTextureSize(size[0], size[1]); }
   vtkGetVector2Macro(TextureSize, int);
   //@}
 
-  /// Includes the modification time of the settings.
+  /// Include the modification time of the settings.
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -2,45 +2,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGeographicVectors
- * @brief   wind and other vectors to the east and north, in terrain coordinates
+ * @brief   convert east and north vectors, such as wind, to terrain coordinates
  *
- * Vectors of weather and ocean data have components to the east, to the north and maybe upwards.
- * East and north are not the x and y of a terrain: on a projected grid they are turned by its
- * convergence, in a local tangent frame by the earth's curvature. The output is the input mesh, of
- * a vtkTerrainSource or refined from one, with the vectors in its own coordinates as active point
- * vectors (float, 3 components).
+ * Weather and ocean data store vectors as components to the east, to the north and sometimes
+ * upwards. East and north differ from the x and y axes of a terrain: a projected grid is rotated by
+ * its grid convergence, a local tangent frame by the curvature of the earth. This filter rotates
+ * the vectors. Its output is the input mesh with the rotated vectors as active point vectors
+ * (float, 3 components). The input is the mesh of a vtkTerrainSource or a mesh refined from one.
  *
- * x and y give the direction on the map. They are as long as the vector's part to the east and
- * north, so that a speed is unchanged. z is the third component times Exaggeration, as heights are,
- * or 0 for vectors of two components. Level vectors stay level; to follow the relief, project them
- * on it, as vtkAdaptiveLICMapper does. By the terrain's coordinate system:
+ * x and y of the output give the direction on the map. Their length is that of the east and north
+ * components, so that speeds are preserved. z is the third component times Exaggeration, or 0 for
+ * vectors of two components. To make the vectors follow the relief, project them on it, as
+ * vtkAdaptiveLICMapper does. The rotation depends on the coordinate system of the terrain:
  *
- * - Longitude and latitude: rotated by the matrix of GeographicLib::LocalCartesian, from the
- *   place's horizon into the frame at the origin. What leans out of the tangent plane by the
- *   earth's curvature is left out, as it is of the terrain's z.
- * - Projected: along the parallel and the meridian as the system's own projection draws them
- *   (grid convergence, and in projections that are not conformal the ratio of the scales).
- * - Local, or not known: x is east, and y is north.
+ * - Longitude and latitude: the matrix of GeographicLib::LocalCartesian rotates the vector from the
+ *   local horizon into the frame at the origin. The component out of the tangent plane, which the
+ *   curvature of the earth causes, is dropped.
+ * - Projected: vectors follow the projected parallel and meridian. This includes the grid
+ *   convergence and, in projections that are not conformal, the ratio of the scales.
+ * - Local or unknown: x is east and y is north.
  *
- * The vectors are a point array of the mesh or, with an image at the second input, one of the
- * image's: a raster over the same extent as the height map, which is sampled by the mesh's texture
- * coordinates as heights are (vtkHeightField: row 0 south, at v = 0, texels' centres at (i + 0.5) /
- * n, bilinear). It is sampled at the mesh's points alone: give the mesh about as many as the image
- * has (vtkTerrainSource::SetResolution). The image's origin, spacing and own extent do not matter.
- * SetInputArrayToProcess(0, port, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name) chooses the
- * array, port 0 for the mesh's and 1 for the image's; else it is the image's, or without one the
- * mesh's active vectors, or the first point array of 2 or 3 components that is neither normals nor
- * texture coordinates.
+ * The vectors are a point array of the mesh or of an optional image at the second input port. The
+ * image covers the same extent as the height map and is sampled at the points of the mesh with
+ * bilinear interpolation, using the texture coordinates (see vtkHeightField: row 0 is south at v =
+ * 0, texel centres are at (i + 0.5) / n). Use a mesh with about as many points as the image (see
+ * vtkTerrainSource::SetResolution()). Origin, spacing and extent of the image are ignored. To
+ * choose the array, call SetInputArrayToProcess(0, port, 0,
+ * vtkDataObject::FIELD_ASSOCIATION_POINTS, name) with port 0 for the mesh and 1 for the image. By
+ * default, the image is used if there is one. In either data set, the default array is the active
+ * vectors, or else the first point array of 2 or 3 components that is neither normals nor texture
+ * coordinates.
  *
- * No data are vectors with a component that is not finite or of at least 1e8 in absolute value, and
- * blanked points of the image; of the image, samples that are interpolated from a texel without
- * data. They are NaN in the output, as where the map has no such place, and at the poles, which
- * have no east.
+ * A vector is missing if a component is not finite or at least 1e8 in absolute value, or if the
+ * image point is blanked. A sample is missing if one of the texels that it interpolates is missing.
+ * Missing vectors are NaN in the output. So are vectors at positions outside of the map projection
+ * and at the poles, where east is undefined.
  *
- * Errors, with an empty output: no such array, or one of other than 2 or 3 components or as many
- * tuples as points; an image without texture coordinates of the mesh, or one that is not n x m x 1
- * points; a coordinate system that GDAL does not know, or a geocentric one; a terrain that cannot
- * be read. Builds without GDAL know no coordinate systems.
+ * The filter reports an error and produces an empty output if
+ *
+ * - the array does not exist, has other than 2 or 3 components, or a wrong number of tuples;
+ * - there is an image, but the mesh has no texture coordinates, or the image is not n x m x 1
+ *   points;
+ * - the coordinate system is geocentric or unknown to GDAL (without GDAL, all are unknown);
+ * - the terrain cannot be read.
  *
  * @sa vtkTerrainSource vtkAdaptiveLICMapper
  */
@@ -72,8 +76,8 @@ public:
 
   //@{
   /**
-   * The terrain whose coordinates the mesh is in: its coordinate system, origin and exaggeration
-   * are taken, in place of those set here. It is brought up to date. None by default.
+   * Set the terrain whose coordinates the mesh uses; none by default. Its coordinate system, origin
+   * and exaggeration replace those set here. The filter updates it.
    */
   virtual void SetTerrain(vtkTerrainSource* terrain);
   vtkTerrainSource* GetTerrain();
@@ -81,9 +85,10 @@ public:
 
   //@{
   /**
-   * Without a terrain: the coordinate system, as WKT or whatever else GDAL takes, as "EPSG:32633".
-   * Empty, the default: what the mesh's field data say, "CoordinateSystem" and "Origin" as of
-   * vtkTerrainSource; without them it is not known, x is east.
+   * Set the coordinate system for use without a terrain: WKT or any other definition that GDAL
+   * accepts, for example "EPSG:32633". If empty (the default), the field data arrays
+   * "CoordinateSystem" and "Origin" of the mesh are used, which vtkTerrainSource writes. Without
+   * these arrays, x is east.
    */
   virtual void SetCoordinateSystem(const char* definition);
   const char* GetCoordinateSystem() { return this->CoordinateSystem.c_str(); }
@@ -91,8 +96,8 @@ public:
 
   //@{
   /**
-   * With a CoordinateSystem: the coordinates in it (longitude first) of x = y = 0; z does not
-   * matter. Default (0, 0, 0). A value that is not finite is an error and changes nothing.
+   * Set the coordinates (longitude first) of x = y = 0 in the CoordinateSystem; default (0, 0, 0).
+   * z is ignored. A value that is not finite is an error and changes nothing.
    */
   virtual void SetOrigin(double x, double y, double z);
   void SetOrigin(const double origin[3]) { this->SetOrigin(origin[0], origin[1], origin[2]); }
@@ -101,8 +106,8 @@ public:
 
   //@{
   /**
-   * Without a terrain: the factor on the third component, default 1. NaN, or more than 1e38 in
-   * absolute value, is an error and changes nothing.
+   * Set the factor for the third component, for use without a terrain; default 1. NaN, or more than
+   * 1e38 in absolute value, is an error and changes nothing.
    */
   virtual void SetExaggeration(double exaggeration);
   vtkGetMacro(Exaggeration, double);
@@ -110,20 +115,20 @@ public:
 
   //@{
   /**
-   * The name of the output array; empty, the default: that of the input array, which it replaces
-   * where that is one of the mesh.
+   * Set the name of the output array. If empty (the default), the output has the name of the input
+   * array, and replaces that array if it belongs to the mesh.
    */
   virtual void SetOutputArrayName(const char* name);
   const char* GetOutputArrayName() { return this->OutputArrayName.c_str(); }
   //@}
 
   /**
-   * The image with the vectors, as the second input; nullptr for none.
+   * Set the image with the vectors, the second input; nullptr for none.
    */
   void SetRasterData(vtkImageData* image);
 
   /**
-   * As SetRasterData(), of a pipeline.
+   * Set the output of a pipeline that provides the image. See SetRasterData().
    */
   void SetRasterConnection(vtkAlgorithmOutput* output);
 

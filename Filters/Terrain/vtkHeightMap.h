@@ -4,34 +4,35 @@
  * @class   vtkHeightMap
  * @brief   heights from a raster file or from a vtkImageData
  *
- * Files (SetFileName): GeoTIFF, TIFF, PNG, OpenEXR and whatever else OpenImageIO reads, and, in
- * builds with GDAL, SRTM .hgt, USGS DEM and GDAL's other formats. The first band counts. Heights
- * are the stored samples, never normalized to [0, 1], times the scale and plus the offset that the
- * file declares for them (rarely any); they are kept as floats, so that whole numbers are exact up
- * to 2^24. Georeferenced rasters are turned so that u runs east and v north; else, and for north-up
- * rasters, v = 0 is the last row of the file.
+ * SetFileName() reads heights from a file: GeoTIFF, TIFF, PNG, OpenEXR and the other formats of
+ * OpenImageIO, and in builds with GDAL also SRTM .hgt, USGS DEM and the other formats of GDAL. The
+ * first band is read. Samples are not normalized to [0, 1]; scale and offset are applied if the
+ * file declares them. Heights are stored as float, which is exact for integers up to 2^24.
+ * Georeferenced rasters are oriented so that u points east and v north. In other rasters, v = 0 is
+ * the last row of the file.
  *
- * Images (SetImageData): the active point scalars of any type, first component, of an image that is
- * n x m x 1 points; v = 0 is its first row. Blanked points have no data. Origin, spacing and extent
- * do not matter. An image, once set, takes precedence over the file; Update() follows its
- * modification time.
+ * SetImageData() takes heights from an image in memory instead: the first component of the active
+ * point scalars of an image of n x m x 1 points, of any type. v = 0 is the first row. Blanked
+ * points have no data. Origin, spacing and extent are ignored. The image takes precedence over the
+ * file. Update() checks its modification time.
  *
- * Sizes: more than MaximumDimension texels a side are reduced, with a warning, to the largest size
- * of the same proportions that has no more; each height is then the mean of those with data that it
- * covers, by area. The file is read row by row, or its overview or mip level that is just large
- * enough, so that memory depends on the reduced size: 4 bytes per texel, 5 where there may be no
- * data, and 1.7 more while gaps are filled.
+ * Rasters with more than MaximumDimension texels per side are reduced to the largest size of the
+ * same aspect ratio that fits, with a warning. Each reduced height is the area-weighted mean of the
+ * valid heights that it covers. The file is read row by row, from the smallest sufficient overview
+ * or mip level, so that memory depends on the reduced size: 4 bytes per texel, or 5 if data may be
+ * missing, and 1.7 more while gaps are filled.
  *
- * No data: samples equal, in the raster's own type, to the value that the file declares (through
- * GDAL) or to NoDataValue, and those that the file's mask excludes. They take smooth heights from
- * the valid neighbours (vtkHeightField::GetValidity tells them apart).
+ * A sample is missing if it equals NoDataValue or the no-data value that the file declares (through
+ * GDAL), compared in the type of the raster, or if the mask of the file excludes it. Missing
+ * samples get smooth heights interpolated from their valid neighbours. vtkHeightField::GetValidity()
+ * distinguishes them.
  *
- * Errors (ErrorEvent, Update() returns false): no file and no image; a missing, empty, truncated or
- * unreadable file; heights that are NaN or infinite without being declared as no data; no sample
- * with data; an image that is not flat or has no scalars.
+ * Update() reports an error (ErrorEvent) and returns false if there is neither a file nor an image;
+ * the file is missing, empty, truncated or unreadable; a height is NaN or infinite and not declared
+ * as no data; no sample has data; or the image is not flat or has no scalars.
  *
- * ProgressEvent reports the share read so far; AbortExecuteOn(), from an observer, stops it.
- * Filters in several threads may share a height map: the first that needs it reads it, and the
+ * ProgressEvent reports the fraction that has been read. An observer can call AbortExecuteOn() to
+ * stop reading. Filters in several threads can share a height map: the first one reads it, and the
  * others wait.
  *
  * @sa vtkDisplacement vtkTerrainSource
@@ -65,7 +66,7 @@ public:
 
   //@{
   /**
-   * The raster file.
+   * Set the name of the raster file.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -73,7 +74,7 @@ public:
 
   //@{
   /**
-   * The image to take heights from in place of a file; nullptr returns to the file.
+   * Set an image that provides the heights instead of a file; nullptr returns to the file.
    */
   virtual void SetImageData(vtkImageData* image);
   vtkImageData* GetImageData();
@@ -81,9 +82,10 @@ public:
 
   //@{
   /**
-   * A sample value that means "no data", besides what the file itself declares. NaN declares NaN
-   * samples as such. GetNoDataValue gives the value that was set, or, after Update(), the one that
-   * the file declares, or NaN. UnsetNoDataValue leaves it to the file (default).
+   * Set a sample value that means "no data", in addition to the one that the file declares. NaN
+   * marks NaN samples as missing. UnsetNoDataValue() restores the default: only the
+   * declared value is used. GetNoDataValue() returns the value that was set; otherwise, after
+   * Update(), the declared one; otherwise NaN.
    */
   virtual void SetNoDataValue(double value);
   virtual double GetNoDataValue();
@@ -92,9 +94,9 @@ public:
 
   //@{
   /**
-   * The most texels that are kept per side, 0 for any number. Default 16384, which every texture of
-   * OpenGL 4.1 and later can have; a graphics card may take more or, before 4.1, less
-   * (vtkTextureObject::GetMaximumTextureSize()). Less than 0 is an error and changes nothing.
+   * Set the maximum number of texels per side, 0 for no limit; default 16384, which every
+   * implementation of OpenGL 4.1 and later supports. Other limits depend on the graphics card (see
+   * vtkTextureObject::GetMaximumTextureSize()). A negative number is an error and changes nothing.
    */
   virtual void SetMaximumDimension(int dimension);
   vtkGetMacro(MaximumDimension, int);
@@ -102,7 +104,7 @@ public:
 
   //@{
   /**
-   * Stops a running Update(), which returns false without an error.
+   * Stop a running Update(), which then returns false without an error.
    */
   vtkSetMacro(AbortExecute, bool);
   vtkGetMacro(AbortExecute, bool);
@@ -112,21 +114,20 @@ public:
   bool Update() override;
 
   /**
-   * Frees the heights. Until the next Update(), which reads them again, there are none.
+   * Release the heights. The next Update() reads them again.
    */
   void ReleaseHeights();
 
   /**
-   * Opens the file and reads its header: GetFullDimensions(). The file stays open for the next
-   * Update(), which does not open it again. Returns false, after an ErrorEvent, when the file
-   * cannot be opened.
+   * Open the file and read its header, for GetFullDimensions(). The file stays open for the next
+   * Update(). Returns false after an ErrorEvent if the file cannot be opened.
    */
   bool UpdateInformation();
 
   //@{
   /**
-   * What the ErrorEvent or WarningEvent of the last Update() or UpdateInformation() said, without
-   * class and source line; "" when there was none.
+   * Return the message of the last ErrorEvent or WarningEvent of Update() or UpdateInformation(),
+   * without class and source line; "" if there was none.
    */
   const char* GetErrorMessage() override { return this->ErrorMessage.c_str(); }
   const char* GetWarningMessage() { return this->WarningMessage.c_str(); }
@@ -134,7 +135,7 @@ public:
 
   //@{
   /**
-   * Number of columns and rows; (0, 0) before a successful Update().
+   * Get the number of columns and rows; (0, 0) before a successful Update().
    */
   void GetDimensions(int dimensions[2]) override;
   int* GetDimensions() VTK_SIZEHINT(2);
@@ -142,7 +143,7 @@ public:
 
   //@{
   /**
-   * Number of columns and rows of the file or the image, before any reduction; (0, 0) before a
+   * Get the number of columns and rows of the file or image before any reduction; (0, 0) before a
    * successful Update() or UpdateInformation().
    */
   void GetFullDimensions(int dimensions[2]);
@@ -151,16 +152,16 @@ public:
 
   //@{
   /**
-   * Smallest and largest valid height in the raster's own unit; (0, 0) before a successful
-   * Update().
+   * Get the smallest and largest valid height, in the unit of the raster; (0, 0) before a
+   * successful Update().
    */
   void GetRange(double range[2]) override;
   double* GetRange() VTK_SIZEHINT(2);
   //@}
 
   /**
-   * The height in a column and row as the displacement samples them: row 0 at v = 0. The fill
-   * where there is no data; 0 outside or without a successful Update().
+   * Return the height in a column and row, with row 0 at v = 0. Where data is missing, this is the
+   * interpolated height. Returns 0 outside of the raster or before a successful Update().
    */
   double GetSample(int column, int row);
 
@@ -168,13 +169,14 @@ public:
   vtkMTimeType GetSamplesMTime() override;
   //@{
   /**
-   * All samples, row after row, as GetSample() has them, and whether they are valid (nullptr, None
-   * in Python, where all are); in Python tuples. nullptr without a successful Update().
+   * Return all samples in rows, in the order of GetSample(), and 1 or 0 for each sample that is
+   * valid or not (nullptr, None in Python, if all are valid). Python receives tuples. Returns
+   * nullptr before a successful Update().
    */
   const float* GetSamples() VTK_SIZEHINT(GetNumberOfSamples()) override;
   const unsigned char* GetValidity() VTK_SIZEHINT(GetNumberOfSamples()) override;
   //@}
-  /// Columns times rows; 0 before a successful Update().
+  /// Return columns times rows; 0 before a successful Update().
   vtkIdType GetNumberOfSamples();
 #ifndef __VTK_WRAP__
   std::shared_ptr<const unsigned char> ShareValidity() override;
@@ -198,7 +200,7 @@ private:
   vtkHeightMap(const vtkHeightMap&) = delete;
   void operator=(const vtkHeightMap&) = delete;
 
-  friend class vtkHeightMapToRelief; // for the description
+  friend class vtkHeightMapToRelief; // for Describe()
   friend class vtkTerrainSource;
 
   bool Open();
@@ -207,13 +209,13 @@ private:
   bool ReadFile(relevo::HeightGrid& grid, std::string& error);
   bool ReadImage(relevo::HeightGrid& grid, std::string& error);
 
-  /// What the file or the image is, after a successful UpdateInformation().
+  /// Return the description of the file or image; needs a successful UpdateInformation().
   const relevo::RasterDescription& Describe() const
   {
     return *this->Description;
   }
 
-  std::unique_ptr<relevo::Raster> Raster; // from its opening until it is read
+  std::unique_ptr<relevo::Raster> Raster; // null except between opening and reading
   std::unique_ptr<relevo::RasterDescription> Description;
   vtkTimeStamp DescriptionTime;
   std::shared_ptr<const relevo::HeightGrid> Grid; // null after a failure
@@ -224,7 +226,7 @@ private:
   double Range[2];
   vtkTimeStamp UpdateTime;
   vtkTimeStamp SamplesTime;
-  std::recursive_mutex UpdateMutex; // recursive: observers of an update may ask for heights
+  std::recursive_mutex UpdateMutex; // recursive because observers of an update may request heights
 };
 
 #endif

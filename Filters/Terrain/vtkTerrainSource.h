@@ -4,39 +4,50 @@
  * @class   vtkTerrainSource
  * @brief   coarse mesh, displacement and texture of a georeferenced height map
  *
- * The output covers the raster from pixel edge to pixel edge with a grid of triangles at z = 0,
- * counter-clockwise from above, with point normals ("Normals", +z) and texture coordinates
- * ("TextureCoordinates", u east, v north, [0, 1]^2). The relief itself is GetDisplacement(), for
- * vtkAdaptiveRefinement::SetDisplacement: z = height x Exaggeration. Where the terrain lies is in
- * the field data, which go with the mesh through refinement and into files: "Origin", 3 doubles,
- * and "CoordinateSystem", a string, as GetOrigin() and GetCoordinateSystem() have them.
+ * The output is a flat grid of triangles at z = 0 that covers the raster from pixel edge to pixel
+ * edge. Triangles are counter-clockwise seen from above. The points have normals ("Normals", +z)
+ * and texture coordinates ("TextureCoordinates" in [0, 1]^2, u to the east, v to the north). Pass
+ * GetDisplacement() to vtkAdaptiveRefinement::SetDisplacement() to add the relief: z = height *
+ * Exaggeration. The field data arrays "Origin" (3 doubles) and "CoordinateSystem" (a string) hold
+ * the location, see GetOrigin() and GetCoordinateSystem(). Refinement and files preserve them.
  *
- * Points are in terrain coordinates: metres, x east, y north, from the raster's centre. Longitude
- * and latitude: GeographicLib::LocalCartesian at the centre, height 0, on the ellipsoid of the
- * coordinate system; only x and y follow it, z counts from the ellipsoid, so that the earth's
- * curvature is left out of z. Projected and local systems: metres of the system minus the centre
- * (other linear units, and heights in a declared other unit, are converted to metres). No
- * georeference: one texel is one unit, and so is one unit of height. A raster one texel wide or
- * high gives a strip of that width. The mesh's points follow the raster's grid exactly; between
- * them the map is linear.
+ * Points are in terrain coordinates: metres, x east, y north, with the origin at the centre of the
+ * raster.
  *
- * No data: with the policy Hole (default) faces without any sample that has data are left out, and
- * the displacement leaves out refined triangles over no data; with Fill all are kept, at heights
- * interpolated from around.
+ * - Longitude and latitude: x and y are those of GeographicLib::LocalCartesian at the centre, at
+ *   height 0 of the ellipsoid. z is the height above the ellipsoid, so that z ignores the curvature
+ *   of the earth.
+ * - Projected and local systems: coordinates of the system minus the centre. Other linear units,
+ *   and heights in another declared unit, are converted to metres.
+ * - No georeference: one texel is one unit, and one unit of height is one unit of z.
  *
- * Imagery: GetImagery() is ready for vtkTexture (EdgeClampOn, InterpolateOn): it is resampled by
- * its own georeference and coordinate system to the terrain's footprint, at about its own
- * resolution, up to MaximumImagerySize. Where it has no data, or does not reach, it is neutral grey
- * (128, 128, 128). A picture without georeference, or on a terrain without, is stretched over the
- * whole footprint. If only one of the two declares a coordinate system, both are assumed to use it.
+ * The points lie exactly on the map. Between points the map is linear. A raster that is one texel
+ * wide or high produces a strip of that width.
  *
- * Errors (ErrorEvent of this object, empty output): those of vtkHeightMap; a raster in geocentric
- * coordinates; one in degrees that reaches beyond the horizon of its centre (about 84 degrees away:
- * project it first); imagery that is missing, unreadable, does not overlap the terrain or lacks the
- * chosen bands. Builds without GDAL read no georeference: a warning says so.
+ * Where data is missing, the policy Hole (default) omits coarse faces without any valid sample, and
+ * the displacement omits refined triangles without data. The policy Fill keeps all faces, with
+ * heights interpolated from the surroundings.
  *
- * ProgressEvent reports the share done; GetProgressText() says with what: "reading heights",
- * "draping imagery". AbortExecuteOn(), from an observer, stops it, with an empty output and no
+ * GetImagery() returns an image for vtkTexture (use EdgeClampOn() and InterpolateOn()). It is
+ * resampled to the footprint of the terrain according to its georeference and coordinate system, at
+ * about its original resolution up to MaximumImagerySize. It is neutral grey (128, 128, 128) where
+ * imagery is missing. If the imagery or the terrain has no georeference, the imagery is stretched
+ * over the whole footprint. If only one of them declares a coordinate system, both are assumed to
+ * use it.
+ *
+ * This object reports an error (ErrorEvent) and produces an empty output if
+ *
+ * - vtkHeightMap reports an error;
+ * - the raster is in geocentric coordinates;
+ * - the raster is in degrees and reaches beyond the horizon of its centre, about 84 degrees away
+ *   (project it first);
+ * - the imagery is missing, unreadable, does not overlap the terrain or lacks one of the
+ *   ImageryBands.
+ *
+ * Builds without GDAL read no georeference, and issue a warning.
+ *
+ * ProgressEvent reports the progress and GetProgressText() the current step, "reading heights" or
+ * "draping imagery". An observer can call AbortExecuteOn() to stop, with an empty output and no
  * error.
  *
  * @sa vtkHeightMap vtkDisplacement vtkAdaptiveRefinement
@@ -70,7 +81,7 @@ public:
 
   //@{
   /**
-   * The raster file, of any format that vtkHeightMap reads.
+   * Set the name of the raster file, in any format that vtkHeightMap reads.
    */
   virtual void SetFileName(VTK_FILEPATH const char* fileName);
   virtual VTK_FILEPATH char* GetFileName();
@@ -78,7 +89,7 @@ public:
 
   //@{
   /**
-   * The picture to drape over the terrain; none by default.
+   * Set the name of the image file to drape over the terrain; none by default.
    */
   vtkSetFilePathMacro(ImageryFileName);
   vtkGetFilePathMacro(ImageryFileName);
@@ -86,11 +97,12 @@ public:
 
   //@{
   /**
-   * The bands of the imagery, counted from 1, that are red, green and blue. (0, 0, 0), the default:
-   * those that the file declares so; else the first three, or the first alone as grey, or, of five
-   * and more, the third, second and first: a multispectral scene in order of wavelength, as Landsat
-   * and Sentinel-2 have them. Bytes are taken as they are, georeferenced imagery of other types is
-   * stretched from its smallest to its largest value. A number below 1 among others is an error and
+   * Set the bands of the imagery, starting at 1, for red, green and blue. By default, (0, 0, 0),
+   * the bands that the file declares as red, green and blue are used. Without a declaration, an
+   * image of fewer than three bands uses the first one as grey, one of three or four uses the first
+   * three, and one of five or more uses the third, second and first, as in multispectral scenes of
+   * Landsat and Sentinel-2. Bytes are used unchanged. Georeferenced imagery of other types is
+   * scaled from its smallest and largest value. A number below 1, except for all 0, is an error and
    * changes nothing.
    */
   virtual void SetImageryBands(int red, int green, int blue);
@@ -100,9 +112,9 @@ public:
 
   //@{
   /**
-   * The most pixels the resampled imagery may have per side, 1 to 65536, default 4096. Imagery of
-   * more is reduced, from its overviews where it has any, with a warning. Another value is an error
-   * and changes nothing.
+   * Set the maximum number of pixels per side of the resampled imagery, 1 to 65536, default 4096.
+   * Larger imagery is reduced, from its overviews if available, with a warning. Another value is an
+   * error and changes nothing.
    */
   virtual void SetMaximumImagerySize(int pixels);
   vtkGetMacro(MaximumImagerySize, int);
@@ -110,9 +122,9 @@ public:
 
   //@{
   /**
-   * Squares of two coarse faces along the longer side, default 128, at most one per texel; the
-   * shorter side has as many as keep them about square. Less than 1 is an error and changes
-   * nothing.
+   * Set the number of squares, of two coarse faces each, along the longer side; default 128,
+   * limited to one per texel. The number along the shorter side is chosen to make them about
+   * square. Less than 1 is an error and changes nothing.
    */
   virtual void SetResolution(int squares);
   vtkGetMacro(Resolution, int);
@@ -120,8 +132,8 @@ public:
 
   //@{
   /**
-   * Factor on the heights, default 1. NaN, or more than 1e38 in absolute value, is an error and
-   * changes nothing.
+   * Set the factor for heights, default 1. NaN, or more than 1e38 in absolute value, is an error
+   * and changes nothing.
    */
   virtual void SetExaggeration(double exaggeration);
   vtkGetMacro(Exaggeration, double);
@@ -129,8 +141,9 @@ public:
 
   //@{
   /**
-   * A sample value that means "no data", besides what the file declares; NaN for NaN samples. See
-   * vtkHeightMap::SetNoDataValue and UnsetNoDataValue.
+   * Set a sample value that means "no data", in addition to the one that the file declares. NaN
+   * marks NaN samples as missing. See vtkHeightMap::SetNoDataValue() and
+   * UnsetNoDataValue().
    */
   virtual void SetNoDataValue(double value);
   virtual double GetNoDataValue();
@@ -139,9 +152,9 @@ public:
 
   //@{
   /**
-   * The most heights that are kept per side, default 16384, 0 for any number; more are reduced,
-   * with a warning: see vtkHeightMap::SetMaximumDimension. Extent and coordinates stay. Less than 0
-   * is an error and changes nothing.
+   * Set the maximum number of heights per side, default 16384, 0 for no limit. Larger rasters are
+   * reduced with a warning, see vtkHeightMap::SetMaximumDimension(). Extent and coordinates do not
+   * change. A negative number is an error and changes nothing.
    */
   virtual void SetMaximumDimension(int dimension);
   virtual int GetMaximumDimension();
@@ -149,8 +162,8 @@ public:
 
   //@{
   /**
-   * Leave out (vtkDisplacement::HOLE, default) or fill (vtkDisplacement::FILL) what has no data.
-   * Another value is an error and changes nothing.
+   * Set how to treat missing data: vtkDisplacement::HOLE (default) omits it, vtkDisplacement::FILL
+   * interpolates it. Another value is an error and changes nothing.
    */
   virtual void SetNoDataPolicy(int policy);
   virtual int GetNoDataPolicy();
@@ -160,8 +173,8 @@ public:
 
   //@{
   /**
-   * Whether the height map keeps its heights when the mesh is made, on by default. Off saves their
-   * memory where only the mesh is used; see vtkHeightMap::ReleaseHeights().
+   * Set whether the height map keeps its heights after the mesh is generated; on by default. Turn
+   * this off to save memory if you use the mesh only. See vtkHeightMap::ReleaseHeights().
    */
   vtkSetMacro(KeepHeights, bool);
   vtkGetMacro(KeepHeights, bool);
@@ -169,56 +182,59 @@ public:
   //@}
 
   /**
-   * The relief: direction +z, Scale = Exaggeration (times the metres in the heights' unit),
-   * Offset 0. The same object from the start.
+   * Return the displacement: direction +z, Scale = Exaggeration times the metres per unit of
+   * height, Offset 0. It is always the same object.
    */
   vtkDisplacement* GetDisplacement();
 
   /**
-   * The heights. With SetImageData, and no file name, they come from memory.
+   * Return the height map. Call SetImageData() on it, and set no file name, to use heights from
+   * memory.
    */
   vtkHeightMap* GetHeightMap();
 
   /**
-   * The imagery over the terrain's texture coordinates, RGB, unsigned char; filled by Update().
-   * nullptr without ImageryFileName.
+   * Return the imagery in the texture coordinates of the terrain, RGB unsigned char. Update() fills
+   * it. Returns nullptr without ImageryFileName.
    */
   vtkImageData* GetImagery();
 
   //@{
   /**
-   * The raster's centre in its own coordinates (for longitude and latitude, in that order), z = 0;
-   * in texels without georeference. After Update().
+   * Get the centre of the raster in its coordinate system (longitude first), with z = 0; in texels
+   * without georeference. Available after Update().
    */
   vtkGetVector3Macro(Origin, double);
   //@}
 
   /**
-   * The raster's coordinate system as WKT, "" when it is not known. After Update().
+   * Return the coordinate system of the raster as WKT, "" if unknown. Available after Update().
    */
   const char* GetCoordinateSystem();
 
   /**
-   * Whether the raster's own coordinates are longitude and latitude. After Update().
+   * Return whether the coordinates of the raster are longitude and latitude. Available after
+   * Update().
    */
   bool IsGeographic();
 
   //@{
   /**
-   * Between terrain coordinates (metres; z = height x Exaggeration) and the raster's own: x and y
-   * in its coordinate system (longitude, then latitude), z the height as the raster has it, 0 with
-   * an Exaggeration of 0. Without georeference x and y count texels, from the corner in the
-   * south-west. False, and nothing is written, before a successful Update(), and beyond the horizon
-   * of the raster's centre.
+   * Convert between terrain coordinates (metres, z = height * Exaggeration) and map coordinates: x
+   * and y in the coordinate system of the raster (longitude first), and z the height in the unit of
+   * the raster, or 0 if Exaggeration is 0. Without georeference, x and y are in texels from the
+   * south-west corner. Returns false and writes nothing before a successful Update() and beyond the
+   * horizon of the centre of the raster.
    */
   bool TerrainToMap(const double terrain[3], double map[3]);
   bool MapToTerrain(const double map[3], double terrain[3]);
   //@}
 
   /**
-   * From longitude, latitude (degrees, on the ellipsoid of the raster's coordinate system) and the
-   * height as the raster has it to terrain coordinates. False, and nothing is written, where
-   * MapToTerrain() is, and if the raster's coordinate system is not known.
+   * Convert longitude and latitude (degrees, on the ellipsoid of the coordinate system of the
+   * raster) and a height in the unit of the raster to terrain coordinates. Returns false and writes
+   * nothing if the coordinate system is unknown, before a successful Update(), and beyond the
+   * horizon of the centre of the raster.
    */
   bool GeographicToTerrain(const double geographic[3], double terrain[3]);
 
@@ -258,9 +274,9 @@ private:
   std::unique_ptr<relevo::TerrainFrame> Frame; // null before a successful update
   std::string CoordinateSystem;
   bool KeepHeights;
-  double VerticalUnit; // metres in one unit of the heights
+  double VerticalUnit; // metres per unit of height
   vtkTimeStamp ImageryTime;
-  std::string ImageryState; // the settings that the imagery was made with
+  std::string ImageryState; // settings of the cached imagery
 };
 
 #endif

@@ -2,34 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkMeshVisibilitySort
- * @brief   3D cells in the order in which they hide each other, by their common faces
+ * @brief   sort 3D cells by visibility, using their common faces
  *
- * For whatever takes a vtkVisibilitySort, as vtkProjectedTetrahedraMapper::SetVisibilitySort(). The
- * meshed polyhedra visibility ordering for non-convex meshes, MPVO-NC (P. Williams, "Visibility
- * Ordering Meshed Polyhedra", ACM Transactions on Graphics 11, 1992): of two cells with a common
- * face, the one on the viewer's side of its plane comes after the other, or before it with
- * SetDirectionToFrontToBack(). vtkCellCenterDepthSort, by centres of cells, errs wherever cells are
- * of uneven sizes or shapes.
+ * Use this with classes that take a vtkVisibilitySort, for example
+ * vtkProjectedTetrahedraMapper::SetVisibilitySort(). It implements MPVO-NC, the meshed polyhedra
+ * visibility ordering for non-convex meshes (P. Williams, "Visibility Ordering Meshed Polyhedra",
+ * ACM Transactions on Graphics 11, 1992): of two cells with a common face, the cell on the viewer's
+ * side of the face comes last, or first with SetDirectionToFrontToBack(). vtkCellCenterDepthSort,
+ * which compares cell centres, is wrong for cells of different sizes or shapes.
  *
- * Input: a vtkDataSet, of which all 3D cells come exactly once, ghost, blanked and empty ones
- * included; other cells never come. Faces are common where their corners are at the same places,
- * whatever the ids of points are, and also where the diagonal of a quadrilateral is not the same on
- * both sides, or is on one side alone. Faces that are not flat count as their mean planes, curved
- * ones by their corners.
+ * The input is a vtkDataSet. Each 3D cell is returned exactly once, including ghost, blanked and
+ * empty cells. Other cells are not returned. Two faces are common if their corners coincide,
+ * whatever their point ids, even if the diagonals of a quadrilateral differ between the two sides
+ * or only one side has a diagonal. Faces that are not flat are replaced by their mean planes, and
+ * curved faces by their corners.
  *
- * The order is right in a convex mesh of convex cells that hide each other in no circle; the camera
- * may be inside it. Not guaranteed is the order of cells across gaps, where a mesh is concave,
- * hollow or in parts, and across faces of three cells or more: there, faces of the border that the
- * camera sees count by the distances of their centres. Where cells hide each other in a circle, one
- * of the faces is ignored, and GetNumberOfCycles() says how often.
+ * The order is correct for a convex mesh of convex cells without visibility cycles, even if the
+ * camera is inside the mesh. It is not guaranteed across gaps, where a mesh is concave, hollow or
+ * has separate parts, and across faces that three or more cells share. In these cases, border faces
+ * that the camera sees are compared by the distances of their centres. In a visibility cycle, one
+ * of the faces is ignored; see GetNumberOfCycles().
  *
- * What is known of the mesh is kept as long as the input is unchanged; InitTraversal() then takes
- * linear time, and b log b for b faces of the border. Faces are tested on all processors that
- * vtkSMPTools uses; their number does not change the order. Coordinates that are not finite order
- * nothing: such cells come, too.
+ * The connectivity is cached until the input changes. InitTraversal() then takes linear time, plus
+ * b log b for b border faces. Work is distributed with vtkSMPTools; the number of threads does not
+ * change the order. Cells with coordinates that are not finite are returned at any position.
  *
- * Errors, and then no cells: no input or no camera; cells with points that the input lacks; more
- * than 2^31 - 1 points, cells, or faces of cells. Without 3D cells no cells come.
+ * The class reports an error and returns no cells if there is no input or no camera; a cell refers
+ * to a point that does not exist; or there are more than 2^31 - 1 points, cells or cell faces.
  *
  * @sa vtkVisibilitySort vtkCellCenterDepthSort vtkProjectedTetrahedraMapper
  */
@@ -49,19 +48,18 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Sorts the cells for the camera, the model transform and the direction as they are now.
+   * Sort the cells for the current camera, model transform and direction.
    */
   void InitTraversal() override;
 
   /**
-   * The ids of the next cells, at most MaxCellsReturned; nullptr after the last ones. The array is
-   * overwritten by the next call.
+   * Return the ids of the next cells, at most MaxCellsReturned, or nullptr after the last cell. The
+   * next call overwrites the array.
    */
   vtkIdTypeArray* GetNextCells() override;
 
   /**
-   * Faces that were ignored by the last InitTraversal(), because the cells that hide each other
-   * across them do so in a circle.
+   * Return the number of faces that the last InitTraversal() ignored to break visibility cycles.
    */
   vtkIdType GetNumberOfCycles();
 

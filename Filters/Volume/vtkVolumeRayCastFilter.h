@@ -2,67 +2,77 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkVolumeRayCastFilter
- * @brief   a picture of a volume of unstructured cells, cast on the CPU in double precision
+ * @brief   volume rendering of unstructured meshes to an image, on the CPU in double precision
  *
- * A ray goes through the centre of every pixel, and light is absorbed and emitted along it where it
- * is inside a cell. A ray may leave the mesh and enter it again as often as it wants: the mesh may
- * be concave, hollow or in parts. Where cells overlap, space counts once. Runs on all processors
- * that vtkSMPTools uses; their number does not change the result.
+ * The filter casts one ray through the centre of each pixel. Light is absorbed and emitted along
+ * the ray inside of cells. The mesh may be concave, hollow or in separate parts; a ray can leave
+ * and enter it any number of times. Where cells overlap, space is counted once. Work is distributed
+ * with vtkSMPTools; the number of threads does not change the result.
  *
- * Input: a vtkDataSet, or a composite data set that is taken as one mesh, of 3D cells. Others are
- * ignored; ghost and blanked cells, too. Places in tetrahedra, hexahedra, voxels, wedges, pyramids
- * and quadratic tetrahedra, and scalars there, are those of VTK's shape functions: quadrilateral
- * faces are bilinear. Other cells are split into tetrahedra, linear ones from their lowest point
- * (in x, then y, then z), so that cells split a common face alike, others by vtkCell::Triangulate.
- * Scalars of cells are constant in each. The array, of 1 to 4 components, is that of
- * SetInputArrayToProcess(0, 0, 0, association, name); by default the active scalars, of points if
- * there are some, else of cells. Where a scalar is NaN, the volume is transparent.
+ * Input: a vtkDataSet, or a composite data set that is treated as one mesh. Only 3D cells are used,
+ * without ghost and blanked cells. Tetrahedra, hexahedra, voxels, wedges, pyramids and quadratic
+ * tetrahedra use the shape functions of VTK for geometry and scalars, so that quadrilateral faces
+ * are bilinear. Other cells are split into tetrahedra: linear cells from their lowest point (in x,
+ * then y, then z), so that neighbours split a common face in the same way, other cells with
+ * vtkCell::Triangulate(). Cell scalars are constant in each cell. To choose the array, of 1 to 4
+ * components, call SetInputArrayToProcess(0, 0, 0, association, name). The default is the active
+ * point scalars or, if there are none, the active cell scalars. The volume is transparent where a
+ * scalar is NaN.
  *
  * Extinction per length is ScalarOpacity / ScalarOpacityUnitDistance, as in VTK's mappers for
- * unstructured grids: an opacity of 1 lets exp(-1) of the light pass through a unit distance, so it
- * is not opaque. Colours are those of the RGB function or, with 1 colour channel, of the gray one.
- * Functions count as they evaluate themselves, with colour space, midpoints, sharpness and
- * clamping; each part of a ray is cut wherever one of them bends (R. Espinha, "Visualizacao
- * volumetrica interativa de malhas nao-estruturadas utilizando placas graficas programaveis",
- * PUC-Rio, 2005) and integrated exactly in between (K. Moreland, E. Angel, "A Fast High Accuracy
- * Volume Renderer for Unstructured Data", 2004). Of the property's other settings the interpolation
- * type and labels have no effect.
+ * unstructured grids: with an opacity of 1, a unit distance transmits exp(-1) of the light and is
+ * not opaque. Colours come from the RGB function or, with 1 colour channel, from the gray function.
+ * Transfer functions are evaluated as VTK does, including colour space, midpoint, sharpness and
+ * clamping. Rays are split at the nodes of these functions (R. Espinha, "Visualizacao volumetrica
+ * interativa de malhas nao-estruturadas utilizando placas graficas programaveis", PUC-Rio, 2005),
+ * and each piece is integrated exactly (K. Moreland, E. Angel, "A Fast High Accuracy Volume
+ * Renderer for Unstructured Data", 2004). The interpolation type and the label maps of the property
+ * are ignored.
  *
- * Gradients are in units of the scalar per world length, 0 for scalars of cells. With a gradient
- * opacity the extinction is multiplied by its value at the length of the gradient of the cell: in a
- * tetrahedron the same everywhere, in cells of other shapes that in the middle of each of the parts
- * that the scalar is linear in. With TransferFunctionMode TF_2D the image of
- * GetTransferFunction2D() gives colour and opacity instead: its x is the scalar, its y the length
- * of the gradient, by its origin and spacing, bilinear and clamped; gradient opacities have no
- * effect. A blend mode that takes the opacity of one scalar takes the gradient where this is, in a
- * face that of the cell before it; an average, their mean.
+ * Gradients are in scalar units per world length, and 0 for cell scalars. Gradient opacity
+ * multiplies the extinction by its value at the gradient magnitude of the cell. A tetrahedron has
+ * one gradient. In other cells, the gradient in the middle of each linear piece of the ray is used.
+ * With TransferFunctionMode TF_2D, the image of GetTransferFunction2D() gives colour and opacity: x
+ * is the scalar and y the gradient magnitude, according to origin and spacing, with bilinear
+ * interpolation and clamping. Gradient opacities are ignored then. Blend modes that look up the
+ * opacity of one scalar use the gradient at that position; on a face, that of the cell in front of
+ * it. Average blending uses the mean gradient.
  *
- * With ShadeOn a white headlight lights composite blending and isosurfaces: it shines along the
- * direction in which the camera looks, as that of a renderer does that has no other lights. A
- * colour becomes colour * (Ambient + Diffuse * d) + Specular * s, at most 1: d and s are the
- * diffuse and specular factors of Phong's model, the same for both sides. The normal is the
- * gradient; gradients at points are the means of the cells' around, by their volumes. They are
- * interpolated as scalars are, factors are linear in between the ends of a part inside a cell.
- * Where the gradient is 0, the colour stays as it is.
+ * With ShadeOn, a white headlight along the viewing direction lights composite blending and
+ * isosurfaces, like the headlight of a renderer without other lights. A colour becomes colour *
+ * (Ambient + Diffuse * d) + Specular * s, at most 1, where d and s are the diffuse and specular
+ * factors of Phong's model, the same on both sides. The normal is the gradient. Point gradients are
+ * the volume-weighted means of the gradients of the adjacent cells and are interpolated like
+ * scalars. The factors are linear along each piece of a ray. Colours are not shaded where the
+ * gradient is 0.
  *
- * Independent components add up their extinctions, and their colours mix by extinction at every
- * place. Of two dependent components the first gives the colour, the second the opacity. Four are
- * red, green, blue and opacity, from 0 to 1, or unsigned char from 0 to 255. Independent components
- * have gradients, gradient opacities, 2D functions and materials of their own; dependent ones the
- * gradient of the last component, which is the opacity, and the functions and the material of
- * component 0. A 2D function takes their last component alone.
+ * Independent components add their extinctions, and their colours are mixed by extinction. Two
+ * dependent components give colour and opacity. Four dependent components are red, green, blue and
+ * opacity, in [0, 1] or, for unsigned char, in [0, 255]. Each independent component has its
+ * gradient, gradient opacity, 2D function and material. Dependent components use the gradient of
+ * the last component, the opacity, with the functions and the material of component 0. A 2D
+ * function of dependent components takes the last component only.
  *
- * Output: a vtkImageData of ViewportSize points, a point for each pixel, row 0 the lowest, with the
- * point scalars "RGBA" of 4 doubles: colours times alpha, and alpha, without a background.
+ * Output: a vtkImageData with one point per pixel (ViewportSize), row 0 at the bottom. The point
+ * scalars "RGBA" are 4 doubles: premultiplied colours and alpha, without a background.
  *
- * Errors, with an empty output: no camera or property; a missing array, or one with too many or too
- * few components or of a wrong length; no 3D cells in a mesh with cells; cells that refer to points
- * that do not exist; a function without nodes, or with numbers that are not finite; a 2D function
- * that is missing or no image of 4 finite components. One warning each: blocks without the array or
- * without 3D cells, which are left out; cells without volume or with points that are not finite,
- * which are left out, and how many; a unit distance that is not more than 0, for which 1 is taken;
- * isosurfaces of values of cells, or of values that are out of the array's range. Of an empty mesh
- * nothing is seen.
+ * The filter reports an error and produces an empty output if
+ *
+ * - the camera or the property is missing;
+ * - the array is missing, or has a wrong number of components or tuples;
+ * - the mesh has cells, but no 3D cells, or a cell refers to a point that does not exist;
+ * - a transfer function has no nodes or values that are not finite, or a 2D function is missing or
+ *   not an image of 4 finite components.
+ *
+ * It issues a warning if
+ *
+ * - blocks without the array or without 3D cells are skipped;
+ * - cells without volume or with points that are not finite are skipped (the warning gives the
+ *   number);
+ * - the unit distance is not greater than 0, and 1 is used instead;
+ * - isosurfaces are requested of cell data, or of values out of the range of the array.
+ *
+ * An empty mesh produces a transparent image.
  */
 #ifndef vtkVolumeRayCastFilter_h
 #define vtkVolumeRayCastFilter_h
@@ -94,7 +104,7 @@ public:
 
   //@{
   /**
-   * Where to look from; needed. Rays begin at its near plane and end at its far one, as in a
+   * Set the camera. Required. Rays start at its near plane and end at its far plane, as in a
    * renderer, whose ResetCameraClippingRange() sets both.
    */
   void SetCamera(vtkCamera* camera);
@@ -103,7 +113,7 @@ public:
 
   //@{
   /**
-   * Width and height of the picture in pixels, at least 1, default 300 x 300.
+   * Set width and height of the image in pixels, at least 1, default 300 x 300.
    */
   void SetViewportSize(int width, int height);
   void SetViewportSize(const int size[2]) { this->SetViewportSize(size[0], size[1]); }
@@ -112,7 +122,7 @@ public:
 
   //@{
   /**
-   * Functions of colour and opacity; needed.
+   * Set the property with the transfer functions. Required.
    */
   void SetVolumeProperty(vtkVolumeProperty* property);
   vtkVolumeProperty* GetVolumeProperty();
@@ -127,10 +137,10 @@ public:
 
   //@{
   /**
-   * What of an array of several components is drawn, with the functions of component 0 of the
-   * property: MAGNITUDE (0), the length of each tuple; COMPONENT (1), the one that VectorComponent
-   * says; DISABLED (-1, the default), all components, or the length if the property has a colour
-   * function in MAGNITUDE mode.
+   * Set which component of an array with several components is drawn: MAGNITUDE (0) draws the
+   * length of each tuple and COMPONENT (1) draws VectorComponent, both with the functions of
+   * component 0 of the property. DISABLED (-1, default) draws all components, or the length if the
+   * property has a colour function in MAGNITUDE mode.
    */
   void SetVectorMode(int mode);
   vtkGetMacro(VectorMode, int);
@@ -138,13 +148,13 @@ public:
 
   //@{
   /**
-   * Which component is drawn, with VectorMode COMPONENT: 0 to 3, default 0.
+   * Set the component to draw if VectorMode is COMPONENT: 0 to 3, default 0.
    */
   void SetVectorComponent(int component);
   vtkGetMacro(VectorComponent, int);
   //@}
 
-  /// As those of vtkVolumeMapper.
+  /// The values are those of vtkVolumeMapper.
   enum BlendModes
   {
     COMPOSITE_BLEND,
@@ -157,17 +167,18 @@ public:
 
   //@{
   /**
-   * What is shown of a ray; default COMPOSITE_BLEND (0), what was said of extinction above.
+   * Set how the values along a ray are combined:
    *
-   * Maximum (1) and minimum (2): the highest or lowest scalar inside the mesh, exactly so, also
-   * inside of cells; average (3): the mean by length. Alpha is the opacity of this scalar, whatever
-   * the length, at most 1. Independent components have a scalar each, and mix by their opacities;
-   * of dependent ones all count as they are where the last, the opacity, is extreme.
-   *
-   * Additive (4): the integrals of colour times extinction, and of extinction as alpha, at most 1
-   * each.
-   *
-   * Isosurface (5): the property's IsoSurfaceValues front to back, see IsoSurfaces.
+   * - Composite (0, default): absorption and emission, see above.
+   * - Maximum (1) and minimum (2): the exact highest or lowest scalar along the ray, also within
+   *   cells. Alpha is the opacity of this scalar, at most 1, whatever the length of the ray. Each
+   *   independent component has its extreme value, and the components are mixed by opacity.
+   *   Dependent components are taken at the position where the last component, the opacity, is
+   *   extreme.
+   * - Average (3): the mean scalar by length, with alpha as above.
+   * - Additive (4): the integral of colour times extinction, and the integral of extinction as
+   *   alpha, each at most 1.
+   * - Isosurface (5): the IsoSurfaceValues of the property, front to back; see SetIsoSurfaces().
    */
   void SetBlendMode(int mode);
   vtkGetMacro(BlendMode, int);
@@ -181,12 +192,13 @@ public:
 
   //@{
   /**
-   * Whether the property's IsoSurfaceValues, by VTK's default one of 0, are drawn inside the
-   * volume, with composite blending; default off. Alpha of a surface is the opacity of its value,
-   * whatever the length, at most 1. A border of cells that has the value counts once; where the
-   * scalar has the value all along, and with scalars of cells, there is no surface. Surfaces are
-   * those of the independent component of the largest ComponentWeight, the first of equal ones; of
-   * 2 dependent components of the first, whose value also gives the opacity; of 4 of the last.
+   * Set whether composite blending also draws the IsoSurfaceValues of the property (by VTK's
+   * default one value, 0) inside of the volume; off by default. The alpha of a surface is the
+   * opacity of its value, at most 1, whatever the length of the ray. If a face between two cells
+   * has the value, it is drawn once. There is no surface in cells of constant value and for cell
+   * data. For independent components, surfaces are those of the first component with the largest
+   * ComponentWeight. For 2 dependent components they are those of the first, which also gives the
+   * opacity; for 4, those of the last.
    */
   vtkSetMacro(IsoSurfaces, bool);
   vtkGetMacro(IsoSurfaces, bool);
@@ -195,9 +207,9 @@ public:
 
   //@{
   /**
-   * Planes that clip the volume, of which only what is on the positive side of all is seen, in
-   * world coordinates; as those of vtkAbstractMapper. Changes of planes count. Setting a vtkPlanes
-   * takes up to 6 of its planes as they are then.
+   * Set the clipping planes, in world coordinates, as in vtkAbstractMapper. Only space on the
+   * positive side of all planes is drawn. The filter detects modified planes. Setting a vtkPlanes
+   * copies up to 6 of its planes in their current state.
    */
   void AddClippingPlane(vtkPlane* plane);
   void RemoveClippingPlane(vtkPlane* plane);
@@ -207,7 +219,7 @@ public:
   vtkPlaneCollection* GetClippingPlanes();
   //@}
 
-  /// Includes the modification times of camera, property and clipping planes.
+  /// Include the modification times of camera, property and clipping planes.
   vtkMTimeType GetMTime() override;
 
 protected:

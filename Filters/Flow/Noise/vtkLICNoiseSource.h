@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkLICNoiseSource
- * @brief   noise images for line integral convolution
+ * @brief   generate noise images for line integral convolution
  *
- * The output is a square image of NoiseTextureSize texels a side, origin 0, spacing 1, with one
- * float point scalar "Noise". It tiles: its left border continues its right one, its lower border
- * its upper one. It depends on the settings alone, not on the machine or its threads. Names and
- * defaults are those of vtkSurfaceLICInterface, whose numbers differ, though.
+ * The output is a square image of NoiseTextureSize texels per side, with origin 0, spacing 1 and
+ * one float point scalar "Noise". The image can be tiled without seams. It depends on the settings
+ * only, not on the machine or the number of threads. Names and defaults are those of
+ * vtkSurfaceLICInterface, but it generates other random numbers.
  *
- * Errors, with an empty output: a NoiseGrainSize that is not below NoiseTextureSize; a
- * MinNoiseValue that is not below MaxNoiseValue. A setting out of its range is an error and changes
- * nothing.
+ * The source reports an error and produces an empty output if NoiseGrainSize is not less than
+ * NoiseTextureSize, or MinNoiseValue is not less than MaxNoiseValue. A setting out of range is an
+ * error and changes nothing.
  *
  * @sa vtkLineIntegralConvolution
  */
@@ -40,15 +40,18 @@ public:
 
   //@{
   /**
-   * How the values are distributed: NOISE_TYPE_UNIFORM (0), each grain's value is anywhere between
-   * MinNoiseValue and MaxNoiseValue; NOISE_TYPE_GAUSSIAN (1, the default), each grain's value is
-   * normally distributed about 0.41 of the way from the minimum to the maximum with a standard
-   * deviation of 0.159 of that way, clamped: the mean is that of the noise image of VTK's surface
-   * LIC, and so, within 5 %, is the contrast of what the defaults make of it;
-   * NOISE_TYPE_PERLIN (2), smooth noise of several octaves (Perlin, Improving Noise, 2002), the
-   * coarsest with a period of about NoiseGrainSize texels, each of the next ones half as long and
-   * high, down to two texels; it reaches the minimum and the maximum. Another value is an error and
-   * changes nothing.
+   * Set the distribution of the values:
+   *
+   * - NOISE_TYPE_UNIFORM (0): uniform between MinNoiseValue and MaxNoiseValue, one value per grain.
+   * - NOISE_TYPE_GAUSSIAN (1, default): normal, one value per grain. Mean and standard deviation
+   *   are 0.41 and 0.159 of the range, which is added to the minimum; values are clamped. The mean
+   *   matches the noise of VTK's surface LIC, and with default settings the contrast of the result
+   *   matches within 5 %.
+   * - NOISE_TYPE_PERLIN (2): smooth noise of several octaves (Perlin, Improving Noise, 2002). The
+   *   coarsest has a period of about NoiseGrainSize texels. Each following octave has half the
+   *   period and half the amplitude, down to two texels. Values cover the whole range.
+   *
+   * Another value is an error and changes nothing.
    */
   virtual void SetNoiseType(int type);
   vtkGetMacro(NoiseType, int);
@@ -59,7 +62,7 @@ public:
 
   //@{
   /**
-   * Number of texels along each side, 2 to 16384, default 200. Another value is an error and
+   * Set the number of texels per side, 2 to 16384, default 200. Another value is an error and
    * changes nothing.
    */
   virtual void SetNoiseTextureSize(int length);
@@ -68,9 +71,9 @@ public:
 
   //@{
   /**
-   * Number of texels along each side of the squares of one value (of Perlin noise: its longest
-   * period), default 1. Less than 1, or more than 16383, is an error and changes nothing; at least
-   * NoiseTextureSize is an error when the noise is made.
+   * Set the number of texels per side of a grain, which is a square of one value; default 1. For
+   * Perlin noise, this is the longest period. A number out of 1 to 16383 is an error and changes
+   * nothing. Generating noise with a grain size of NoiseTextureSize or more is an error.
    */
   virtual void SetNoiseGrainSize(int length);
   vtkGetMacro(NoiseGrainSize, int);
@@ -78,8 +81,9 @@ public:
 
   //@{
   /**
-   * The smallest and the largest value, in [0, 1]; default 0 and 0.8. Another value is an error and
-   * changes nothing; a minimum that is not below the maximum is an error when the noise is made.
+   * Set the smallest and the largest value, in [0, 1]; default 0 and 0.8. A value out of range is
+   * an error and changes nothing. Generating noise with a minimum that is not less than the maximum
+   * is an error.
    */
   virtual void SetMinNoiseValue(double value);
   vtkGetMacro(MinNoiseValue, double);
@@ -89,10 +93,9 @@ public:
 
   //@{
   /**
-   * Standard deviation, in grains, of the Gaussian filter that smooths the noise of
-   * NOISE_TYPE_GAUSSIAN; mean and spread of the values stay as they are. 0 (no filter) to 100,
-   * default 1: lines show their direction better in noise without the finest detail. Another value
-   * is an error and changes nothing.
+   * Set the standard deviation, in grains, of the Gaussian filter for NOISE_TYPE_GAUSSIAN, 0 (no
+   * filter) to 100, default 1. Smoothing makes streaks easier to follow. It preserves the mean and
+   * the standard deviation of the values. Another value is an error and changes nothing.
    */
   virtual void SetGaussianNoiseSmoothing(double deviation);
   vtkGetMacro(GaussianNoiseSmoothing, double);
@@ -100,8 +103,8 @@ public:
 
   //@{
   /**
-   * How many different values there are, evenly spaced from the smallest to the largest; at least
-   * 2, default 256. Less is an error and changes nothing.
+   * Set the number of distinct values, evenly spaced from the smallest to the largest; at least 2,
+   * default 256. Less is an error and changes nothing.
    */
   virtual void SetNumberOfNoiseLevels(int levels);
   vtkGetMacro(NumberOfNoiseLevels, int);
@@ -109,9 +112,9 @@ public:
 
   //@{
   /**
-   * Share of the grains (of Perlin noise: of the texels) that have noise, in [0, 1], default 1. The
-   * others have ImpulseNoiseBackgroundValue, in [0, 1], default 0. Another value is an error and
-   * changes nothing.
+   * Set the fraction of grains (for Perlin noise, of texels) that have noise, in [0, 1], default 1.
+   * The others have ImpulseNoiseBackgroundValue, in [0, 1], default 0. Another value is an error
+   * and changes nothing.
    */
   virtual void SetImpulseNoiseProbability(double probability);
   vtkGetMacro(ImpulseNoiseProbability, double);
@@ -121,14 +124,14 @@ public:
 
   //@{
   /**
-   * Another number gives other noise of the same kind; default 1.
+   * Set the seed of the random numbers; default 1.
    */
   vtkSetMacro(NoiseGeneratorSeed, int);
   vtkGetMacro(NoiseGeneratorSeed, int);
   //@}
 
   /**
-   * What the last Update() reported as an error, without class and source line; "" when there was
+   * Return the error message of the last Update(), without class and source line; "" if there was
    * none.
    */
   const char* GetErrorMessage() { return this->ErrorMessage.c_str(); }

@@ -5,22 +5,22 @@
  * @brief   settings for line integral convolution, shared by the mapper and the filters
  *
  * vtkAdaptiveLICMapper, vtkLineIntegralConvolution and vtkSurfaceLineIntegralConvolution each have
- * one, GetLICSettings(), and can share one, SetLICSettings(). Their own setters change this object.
- * Changing it makes the mappers draw again and the filters execute again.
+ * such an object and can share one with SetLICSettings(). Their setters change this object.
+ * Changing it makes the mappers render again and the filters execute again.
  *
- * Names, numbers and defaults are those of VTK's vtkSurfaceLICInterface, and the mapper's
- * GetLICInterface() returns this object, so that scripts for vtkSurfaceLICMapper run as they are.
- * Only GenerateNoiseTexture has another default: on. OrientedLIC, Phase, NoDataMagnitude and
- * NoiseFileName are additions.
+ * Names, values and defaults are those of VTK's vtkSurfaceLICInterface, and the mapper's
+ * GetLICInterface() returns this object, so that scripts for vtkSurfaceLICMapper work unchanged.
+ * The only different default is GenerateNoiseTexture, which is on. OrientedLIC, Phase,
+ * NoDataMagnitude and NoiseFileName are additions.
  *
- * The mapper uses all settings. vtkLineIntegralConvolution leaves out those of colours (ColorMode,
- * LICIntensity, MapModeBias, MaskColor, MaskIntensity, the contrast of colours), MaskOnSurface and
- * Enable. vtkSurfaceLineIntegralConvolution leaves out EnhancedLIC, AntiAlias and, but for
- * NoiseGeneratorSeed, those of noise, too: its noise fills space.
+ * The mapper uses all settings. vtkLineIntegralConvolution ignores Enable, MaskOnSurface and the
+ * settings for colours (ColorMode, LICIntensity, MapModeBias, MaskColor, MaskIntensity and the
+ * colour contrast). vtkSurfaceLineIntegralConvolution also ignores EnhancedLIC, AntiAlias and all
+ * noise settings except NoiseGeneratorSeed, because it uses solid noise.
  *
- * A value out of its range is an error (ErrorEvent) and changes nothing. If it was given to a
- * setter of a mapper or filter, the error is that object's. For settings that are on (1) or off
- * (0), any number but 0 means on.
+ * A value out of range is an error (ErrorEvent) and changes nothing. If a setter of a mapper or
+ * filter received the value, that object reports the error. For settings that are on (1) or off
+ * (0), any other number means on.
  *
  * @sa vtkAdaptiveLICMapper vtkLineIntegralConvolution vtkSurfaceLineIntegralConvolution
  */
@@ -44,7 +44,7 @@ public:
 
   //@{
   /**
-   * Whether the mapper shows streaks at all, on by default.
+   * Set whether the mapper draws the LIC; on by default.
    */
   void SetEnable(int enable);
   int GetEnable() const { return this->Values.Enable; }
@@ -53,8 +53,8 @@ public:
 
   //@{
   /**
-   * Steps of a streamline each way, 1 to 100000, default 20: the mean of 41 samples of the noise.
-   * In the second pass of EnhancedLIC half as many.
+   * Set the number of steps of a streamline in each direction, 1 to 100000, default 20, which
+   * averages 41 samples of noise. The second pass of EnhancedLIC uses half as many.
    */
   void SetNumberOfSteps(int steps);
   int GetNumberOfSteps() const { return this->Values.NumberOfSteps; }
@@ -62,10 +62,10 @@ public:
 
   //@{
   /**
-   * Length of a step, above 0, default 1: in pixels of the window (mapper), samples of the image
-   * (vtkLineIntegralConvolution), or grains of the noise (vtkSurfaceLineIntegralConvolution). If
-   * vectors are not normalised, that is the step for a vector of length 1 on the screen's plane or
-   * in samples; on a surface, for the longest vector.
+   * Set the length of a step, greater than 0, default 1, in pixels of the window (mapper), samples
+   * of the image (vtkLineIntegralConvolution), or noise grains (vtkSurfaceLineIntegralConvolution).
+   * Without NormalizeVectors, this is the step for a vector of length 1, measured on the screen or
+   * in samples. On a surface, it is the step for the longest vector.
    */
   void SetStepSize(double size);
   double GetStepSize() const { return this->Values.StepSize; }
@@ -73,8 +73,8 @@ public:
 
   //@{
   /**
-   * Whether all vectors count as equally long, on by default. Off: steps are as long as vectors,
-   * and so are streaks.
+   * Set whether vectors are normalized; on by default. If off, the length of steps and streaks is
+   * proportional to the vectors.
    */
   void SetNormalizeVectors(int normalize);
   int GetNormalizeVectors() const { return this->Values.NormalizeVectors; }
@@ -83,9 +83,8 @@ public:
 
   //@{
   /**
-   * Whether the result, with its edges sharpened, is convolved once more, with half as many steps;
-   * on by default (Okada and Kao, Enhanced Line Integral Convolution with Flow Feature Detection,
-   * 1997).
+   * Set whether the result is sharpened and convolved again with half the number of steps; on by
+   * default (Okada and Kao, Enhanced Line Integral Convolution with Flow Feature Detection, 1997).
    */
   void SetEnhancedLIC(int enhanced);
   int GetEnhancedLIC() const { return this->Values.EnhancedLIC; }
@@ -94,12 +93,13 @@ public:
 
   //@{
   /**
-   * Whether streaks show the direction too, off by default: weights fall off upstream, so what
-   * flows from a dot fades out towards its tail (Wegenkittl, Groeller and Purgathofer, Animating
-   * Flow Fields: Rendering of Oriented Line Integral Convolution, 1997). Best without EnhancedLIC
-   * and with sparse noise: SetNoiseType(NOISE_TYPE_UNIFORM), SetImpulseNoiseProbability(0.02),
-   * SetNoiseGrainSize(3), and either light dots (SetMaxNoiseValue(1), SetMinNoiseValue(0.9)) or
-   * dark ones (SetMaxNoiseValue(0.02), SetImpulseNoiseBackgroundValue(1)).
+   * Set whether streaks show the orientation of the vectors; off by default. Weights decrease
+   * upstream, so that streaks fade towards their tails (Wegenkittl, Groeller and Purgathofer,
+   * Animating Flow Fields: Rendering of Oriented Line Integral Convolution, 1997). For best
+   * results, turn EnhancedLIC off and use sparse noise: SetNoiseType(NOISE_TYPE_UNIFORM),
+   * SetImpulseNoiseProbability(0.02), SetNoiseGrainSize(3), and either bright dots
+   * (SetMaxNoiseValue(1), SetMinNoiseValue(0.9)) or dark dots (SetMaxNoiseValue(0.02),
+   * SetImpulseNoiseBackgroundValue(1)).
    */
   void SetOrientedLIC(int oriented);
   int GetOrientedLIC() const { return this->Values.OrientedLIC; }
@@ -108,8 +108,9 @@ public:
 
   //@{
   /**
-   * How far the pattern has moved down the flow, in loops of 3 NumberOfSteps + 1 steps; default 0.
-   * Whole numbers look alike, so phases i / n for i = 0 ... n - 1 make an animation without a seam.
+   * Set how far the pattern has moved downstream, in loops of 3 * NumberOfSteps + 1 steps; default
+   * 0. All integers give the same result, so that the phases i / n for i = 0 ... n - 1 make a
+   * seamless animation.
    */
   void SetPhase(double phase);
   double GetPhase() const { return this->Values.Phase; }
@@ -125,11 +126,11 @@ public:
 
   //@{
   /**
-   * Whether the range of greys is stretched: of the LIC (ENHANCE_CONTRAST_LIC, 1), after each
-   * convolution; of the lightness of the colours combined with it (ENHANCE_CONTRAST_COLOR, 3); both
-   * (ENHANCE_CONTRAST_BOTH, 4); neither (ENHANCE_CONTRAST_OFF, 0, the default). Values are mapped
-   * linearly: min + low * (max - min) becomes 0, and max - high * (max - min) becomes 1, with the
-   * least and the largest value on the surface and the two factors.
+   * Set the contrast enhancement: of the LIC after each convolution (ENHANCE_CONTRAST_LIC, 1), of
+   * the lightness of the final colours (ENHANCE_CONTRAST_COLOR, 3), of both (ENHANCE_CONTRAST_BOTH,
+   * 4) or none (ENHANCE_CONTRAST_OFF, 0, default). Values are mapped linearly so that min + low *
+   * (max - min) becomes 0 and max - high * (max - min) becomes 1. min and max are the smallest and
+   * largest value on the surface, low and high the two factors.
    */
   void SetEnhanceContrast(int mode);
   int GetEnhanceContrast() const { return this->Values.EnhanceContrast; }
@@ -139,14 +140,15 @@ public:
   void SetEnhanceContrastToBoth() { this->SetEnhanceContrast(ENHANCE_CONTRAST_BOTH); }
   //@}
 
-  /// Whether the LIC itself is stretched: ENHANCE_CONTRAST_LIC or _BOTH.
+  /// Return whether the contrast of the LIC is enhanced: ENHANCE_CONTRAST_LIC or _BOTH.
   bool EnhancesLICContrast() const;
-  /// Whether the colours are stretched: ENHANCE_CONTRAST_COLOR or _BOTH.
+  /// Return whether the contrast of colours is enhanced: ENHANCE_CONTRAST_COLOR or _BOTH.
   bool EnhancesColorContrast() const;
 
   //@{
   /**
-   * See SetEnhanceContrast(); in [-1, 1], default 0. Below 0 the range is stretched less.
+   * Set the factors for SetEnhanceContrast(), in [-1, 1], default 0. Negative factors enhance the
+   * contrast less.
    */
   void SetLowLICContrastEnhancementFactor(double factor);
   double GetLowLICContrastEnhancementFactor() const;
@@ -160,7 +162,7 @@ public:
 
   //@{
   /**
-   * How often the LIC is smoothed, by a Gaussian of 3 x 3 pixels: 0, the default, to 1000.
+   * Set how many times a Gaussian filter of 3 x 3 pixels smooths the LIC, 0 (default) to 1000.
    */
   void SetAntiAlias(int passes);
   int GetAntiAlias() const { return this->Values.AntiAlias; }
@@ -169,8 +171,8 @@ public:
 
   //@{
   /**
-   * Vectors at most this long, in the units of the array, leave no streaks; default 0. Negative for
-   * streaks of noise even where vectors are zero.
+   * Set the vector length, in units of the array, up to which no streaks are drawn; default 0. With
+   * a negative value, even zero vectors show unfiltered noise.
    */
   void SetMaskThreshold(double threshold);
   double GetMaskThreshold() const { return this->Values.MaskThreshold; }
@@ -178,8 +180,8 @@ public:
 
   //@{
   /**
-   * Whether it is the vector's projection on the surface that SetMaskThreshold() is about, off by
-   * default: the vector itself.
+   * Set whether MaskThreshold is compared with the length of the vector projected on the surface.
+   * By default (off), it is compared with the length of the vector.
    */
   void SetMaskOnSurface(int onSurface);
   int GetMaskOnSurface() const { return this->Values.MaskOnSurface; }
@@ -188,8 +190,8 @@ public:
 
   //@{
   /**
-   * Where there are no streaks, MaskColor's share of the colour: MaskIntensity, in [0, 1], default
-   * 0; the rest is the surface's own. MaskColor: in [0, 1], default (0.5, 0.5, 0.5).
+   * Set the colour of masked fragments: MaskIntensity, in [0, 1], default 0, is the fraction of
+   * MaskColor, in [0, 1], default (0.5, 0.5, 0.5). The rest is the colour of the surface.
    */
   void SetMaskColor(double red, double green, double blue);
   void SetMaskColor(const double color[3]) { this->SetMaskColor(color[0], color[1], color[2]); }
@@ -202,9 +204,8 @@ public:
 
   //@{
   /**
-   * Vectors with a component of at least this magnitude, and those that are not finite, are
-   * no-data; default 1e8, which covers the usual fill values (-1e9, 1e20, 1e30). Must be greater
-   * than 0.
+   * Set the absolute value from which on a component is missing data, as are values that are not
+   * finite; greater than 0, default 1e8, which covers usual fill values (-1e9, 1e20, 1e30).
    */
   void SetNoDataMagnitude(double magnitude);
   double GetNoDataMagnitude() const { return this->Values.NoDataMagnitude; }
@@ -218,9 +219,9 @@ public:
 
   //@{
   /**
-   * How the LIC is combined with the surface's colours: COLOR_MODE_BLEND (0, the default), LIC x
-   * LICIntensity + colour x (1 - LICIntensity); COLOR_MODE_MAP (1), colour x (LIC + MapModeBias).
-   * How scalars become colours is up to the mapper's own SetColorMode().
+   * Set how the LIC is combined with the colours of the surface: COLOR_MODE_BLEND (0, default) is
+   * LIC * LICIntensity + colour * (1 - LICIntensity), COLOR_MODE_MAP (1) is colour * (LIC +
+   * MapModeBias). To set how scalars are mapped to colours, use SetColorMode() of the mapper.
    */
   void SetColorMode(int mode);
   int GetColorMode() const { return this->Values.ColorMode; }
@@ -230,7 +231,7 @@ public:
 
   //@{
   /**
-   * The LIC's share in COLOR_MODE_BLEND, in [0, 1], default 0.8.
+   * Set the weight of the LIC in COLOR_MODE_BLEND, in [0, 1], default 0.8.
    */
   void SetLICIntensity(double intensity);
   double GetLICIntensity() const { return this->Values.LICIntensity; }
@@ -238,7 +239,7 @@ public:
 
   //@{
   /**
-   * Added to the LIC in COLOR_MODE_MAP, in [-1, 1], default 0.
+   * Set the value that COLOR_MODE_MAP adds to the LIC, in [-1, 1], default 0.
    */
   void SetMapModeBias(double bias);
   double GetMapModeBias() const { return this->Values.MapModeBias; }
@@ -246,9 +247,9 @@ public:
 
   //@{
   /**
-   * An image to use as noise, tiled from the lower left corner of the viewport or image: flat, of
-   * the first component of its active scalars, in [0, 1] (unsigned char and unsigned short: shares
-   * of the largest). nullptr, the default, for generated noise.
+   * Set an image to use as noise. It is tiled from the lower left corner of the viewport or image.
+   * The image must be flat. The first component of its active scalars is used, in [0, 1], or in the
+   * full range of unsigned char or unsigned short. nullptr (default) generates noise.
    */
   void SetNoiseDataSet(vtkImageData* image);
   vtkImageData* GetNoiseDataSet() const;
@@ -256,8 +257,8 @@ public:
 
   //@{
   /**
-   * An image file to use as noise, of any format that vtkImageReader2Factory knows; nullptr, the
-   * default, for none. A NoiseDataSet is used instead of it.
+   * Set an image file to use as noise, in any format that vtkImageReader2Factory supports; nullptr
+   * (default) for none. A NoiseDataSet takes precedence.
    */
   void SetNoiseFileName(const char* name);
   const char* GetNoiseFileName() const;
@@ -272,16 +273,20 @@ public:
 
   //@{
   /**
-   * The noise that vtkLICNoiseSource generates. GenerateNoiseTexture off: always that of the
-   * defaults; it is on by default. NoiseType: NOISE_TYPE_UNIFORM (0), _GAUSSIAN (1, the default) or
-   * _PERLIN (2). NoiseTextureSize: pixels a side of what is tiled, 2 to 16384, default 200.
-   * NoiseGrainSize: pixels a side of one value, at least 1 and less than NoiseTextureSize, default
-   * 1. MinNoiseValue and MaxNoiseValue: in [0, 1], default 0 and 0.8, the first the smaller one.
-   * NumberOfNoiseLevels: of different values, at least 2, default 256. ImpulseNoiseProbability: the
-   * share of grains that have noise, in [0, 1], default 1; the others have
-   * ImpulseNoiseBackgroundValue, in [0, 1], default 0. NoiseGeneratorSeed: default 1.
+   * Set the noise that vtkLICNoiseSource generates. If GenerateNoiseTexture is off, the defaults of
+   * the following settings are used; it is on by default.
    *
-   * Whether they fit together is checked when the noise is generated.
+   * - NoiseType: NOISE_TYPE_UNIFORM (0), _GAUSSIAN (1, default) or _PERLIN (2).
+   * - NoiseTextureSize: pixels per side of the tile, 2 to 16384, default 200.
+   * - NoiseGrainSize: pixels per side of a grain, at least 1 and less than NoiseTextureSize,
+   *   default 1.
+   * - MinNoiseValue, MaxNoiseValue: the range, in [0, 1], default 0 and 0.8.
+   * - NumberOfNoiseLevels: the number of distinct values, at least 2, default 256.
+   * - ImpulseNoiseProbability: the fraction of grains that have noise, in [0, 1], default 1.
+   * - ImpulseNoiseBackgroundValue: the value of other grains, in [0, 1], default 0.
+   * - NoiseGeneratorSeed: the seed of the random numbers, default 1.
+   *
+   * Inconsistent settings are reported when the noise is generated.
    */
   void SetGenerateNoiseTexture(int generate);
   int GetGenerateNoiseTexture() const { return this->Values.GenerateNoiseTexture; }
@@ -316,27 +321,26 @@ public:
 
   //@{
   /**
-   * How VTK's parallel surface LIC divides the screen: COMPOSITE_INPLACE (0) to COMPOSITE_AUTO (3,
-   * the default). It is kept for scripts that set it, and changes nothing: there is no parallel
-   * rendering here.
+   * Set how VTK's parallel surface LIC divides the screen: COMPOSITE_INPLACE (0) to COMPOSITE_AUTO
+   * (3, default). The setting exists for compatibility and has no effect.
    */
   void SetCompositeStrategy(int strategy);
   int GetCompositeStrategy() const { return this->Values.CompositeStrategy; }
   //@}
 
   /**
-   * Take all settings of another object; NoiseDataSet is then the same image.
+   * Copy all settings of another object. NoiseDataSet is shared, not copied.
    */
   void ShallowCopy(vtkLICSettings* other);
 
   /**
-   * Includes the modification time of the NoiseDataSet.
+   * Include the modification time of the NoiseDataSet.
    */
   vtkMTimeType GetMTime() override;
 
   /**
-   * For classes whose own setters call those of this object: apply a change (a function of these
-   * settings) and report its errors on `holder`. C++ only.
+   * Apply a change (a function of these settings) and report its errors on `holder`. For classes
+   * with setters that call those of this object. C++ only.
    */
   template <typename Change>
   void ChangeFor(vtkObject* holder, const Change& change)
@@ -403,7 +407,7 @@ private:
   void SetFlag(int& flag, int value);
 
   SettingValues Values;
-  vtkObject* Holder = nullptr; // whose errors they are; this object if there is none
+  vtkObject* Holder = nullptr; // the object that reports errors; nullptr for this object
 };
 
 #endif
