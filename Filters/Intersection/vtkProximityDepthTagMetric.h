@@ -2,24 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkProximityDepthTagMetric
- * @brief   refines what is in boxes or near them, such as where objects may meet
+ * @brief   refine in and near boxes, for example where objects may touch
  *
- * With x the distance of a triangle's centroid from the nearest box, and d = Distance, both in
- * world coordinates (the actor's matrix is applied to the mesh), a triangle has the level
+ * Let x be the distance of the centroid of a triangle from the nearest box, and d = Distance, both
+ * in world coordinates, after the actor's matrix. The level of the triangle is
  *
- *     5                       x = 0: in a box, or on its border
+ *     5                       x = 0: in a box or on its border
  *     log2(24 - 23 x / d)     0 < x <= d
  *     0                       beyond
  *
- * but at most MaximumLevel, which is therefore to be 5 or more: 32 segments inside, then 24 down to
- * 1, linear in the segments (Nellmeldin 2013, "Desarrollo de algoritmos de teselacion adaptativa en
- * GPU", intersection of objects). Polygons count as their fans of triangles. A point has the
- * largest level of the triangles at it; by the rule PER_EDGE an edge that of the triangles beside
- * it.
+ * but at most MaximumLevel, so set MaximumLevel to 5 or more. An edge has 32 segments inside of a
+ * box, and from 24 to 1 near it, linear in the distance (Nellmeldin 2013, "Desarrollo de algoritmos
+ * de teselacion adaptativa en GPU", intersection of objects). Polygons are split into fans of
+ * triangles. A point has the largest level of its triangles. With the rule PER_EDGE, an edge has
+ * the largest level of its triangles.
  *
- * Without boxes, and for triangles that are not finite, the level is 0. The metric does not depend
- * on the view, but on where the actor's matrix puts the mesh. A tree of the boxes is searched by
- * all processors, so that there may be thousands of them.
+ * The level is 0 if there are no boxes or a triangle is not finite. The metric depends on the
+ * actor's matrix, but not on the view. It searches a tree of boxes in parallel and is fast for
+ * thousands of boxes.
  *
  * @sa vtkContactScene vtkDistanceDepthTagMetric vtkRegionDepthTagMetric
  */
@@ -43,8 +43,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Add a box in world coordinates: xmin, xmax, ymin, ymax, zmin, zmax. It may be flat. One that is
-   * not finite, or has a minimum above its maximum, is an error and adds nothing.
+   * Add a box in world coordinates: xmin, xmax, ymin, ymax, zmin, zmax. It may be flat. A box that
+   * is not finite, or has a minimum above its maximum, is an error and is not added.
    */
   void AddBox(const double bounds[6]);
 
@@ -54,28 +54,30 @@ public:
   void RemoveAllBoxes();
 
   /**
-   * How many boxes have been added.
+   * Return the number of boxes.
    */
   int GetNumberOfBoxes();
 
   /**
-   * The box added as number `index`, counted from 0. An index that there is not is an error and
-   * leaves `bounds` as they are.
+   * Get the box with the given index, starting at 0. An index out of range is an error and does not
+   * change `bounds`.
    */
   void GetBox(int index, double bounds[6]);
 
   //@{
   /**
-   * Distance from the nearest box, in world units, from which on nothing is refined; at least 0.
-   * 0, the default: only what is in a box is. Another value is an error and changes nothing.
+   * Set the distance from the nearest box, in world units, beyond which the level is 0; at least 0.
+   * With 0 (default), only the inside of boxes is refined. Another value is an error and changes
+   * nothing.
    */
   void SetDistance(double distance);
   vtkGetMacro(Distance, double);
   //@}
 
   /**
-   * Colours of levels from 0 to 5, for SetLevelLookupTable() of vtkAdaptiveRefinementMapper: red
-   * inside, shades of orange up to Distance, blue beyond. The metric's own, to be changed at will.
+   * Return colours for levels from 0 to 5, for vtkAdaptiveRefinementMapper::SetLevelLookupTable():
+   * red inside, shades of orange up to Distance, blue beyond. You can modify the table; each metric
+   * has a separate one.
    */
   vtkLookupTable* GetLookupTable();
 

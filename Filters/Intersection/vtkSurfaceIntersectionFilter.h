@@ -2,41 +2,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSurfaceIntersectionFilter
- * @brief   where two surfaces meet, or one meets itself, decided exactly
+ * @brief   intersect two surfaces, or a surface with itself, with exact decisions
  *
- * Inputs 0 and 1: vtkPolyData, each moved by its matrix, see SetMatrix(). Polygons are taken as the
- * fans (0, i, i + 1) that VTK's mappers draw, strips as their triangles; vertices, lines and ghost
- * cells (vtkDataSetAttributes::DUPLICATECELL) do not meet anything. Points that coincide in an
- * input are one. Without input 1, input 0 is intersected with itself: triangles that share a corner
- * or an edge meet there, and count only where they meet beyond it.
+ * Inputs 0 and 1: vtkPolyData, each transformed by a matrix, see SetMatrix(). Polygons are split
+ * into fans (0, i, i + 1), as in VTK's mappers, and strips into triangles. Vertices, lines and
+ * ghost cells (vtkDataSetAttributes::DUPLICATECELL) are ignored. Coincident points of an input are
+ * merged. Without input 1, input 0 is intersected with itself. Adjacent triangles then only
+ * intersect where they meet outside of their common corner or edge.
  *
- * Whether triangles meet is decided exactly for the doubles that the moved points are; touching
- * counts. Points of the result are exact quotients that are rounded once. Each is one point for all
- * triangles that have it in common, so that curves of closed surfaces are closed, unless they bound
- * an overlap or end where surfaces only touch.
+ * Whether triangles intersect is decided exactly, for the transformed points as doubles. Touching
+ * is intersecting. Points of the result are exact quotients, rounded once. All triangles with the
+ * same point share it, so that curves of closed surfaces are closed, unless they bound an overlap
+ * or end where surfaces only touch.
  *
- * Output 0, curves: vtkPolyData of line segments, one for each two triangles that have one in
- * common, and vertices where surfaces only touch in a point. Output 1, overlaps: polygons that two
- * triangles in one plane have in common, winding as that of input 0. Points of both are doubles,
- * moved as the inputs are. Their cell arrays "Input0CellID" and "Input1CellID" (vtkIdTypeArray) are
- * the ids of the cells that meet; without input 1 both are of input 0, the lower one first. What
- * several pairs of triangles have in common is there once, with the first of them (AllPairsOn()
- * adds the others); segments that have overlaps on both sides are left out, as are vertices at the
- * end of a segment or at a corner of an overlap.
+ * Output 0, the curves, is a vtkPolyData with a line segment for each pair of triangles that
+ * intersect in one, and vertices where surfaces touch in one point. Output 1, the overlaps, has
+ * polygons where coplanar triangles overlap, with the orientation of input 0. Points of both are
+ * doubles in the transformed space. The cell arrays "Input0CellID" and "Input1CellID"
+ * (vtkIdTypeArray) are the ids of the intersecting cells. Without input 1, both belong to input 0
+ * and the lower one is first. If several pairs of triangles have the same intersection, the output
+ * contains it once, with the first pair (use AllPairsOn() to get the others). Segments with
+ * overlaps on both sides are omitted, and so are vertices at the end of a segment or at a corner of
+ * an overlap.
  *
- * Outputs 2 and 3: the inputs, not moved, with the cell array "Contact" (unsigned char): 0 free, 2
- * cut, which is to say that it meets the other surface. With Classify more, see there. Output 3 is
- * empty without input 1.
+ * Outputs 2 and 3 are the inputs, not transformed, with the cell array "Contact" (unsigned char): 0
+ * for free, 2 for cells that intersect the other surface. SetClassify() adds other values. Output 3
+ * is empty without input 1.
  *
- * Trees of boxes are built when an input's points, polygons, strips or ghost cells have changed,
- * and stay as long as these do: with another matrix only their boxes are computed anew. Runs on all
- * processors that vtkSMPTools uses; their number does not change the result.
+ * The bounding box trees are cached until the points, polygons, strips or ghost cells of an input
+ * change. Another matrix only updates their boxes. Work is distributed with vtkSMPTools; the number
+ * of threads does not change the result.
  *
- * Errors, with empty outputs, name the input: one without polygons and strips; cells that refer to
- * points that do not exist; points, also moved ones, that are not finite or beyond 1e300; a matrix
- * that is singular, not affine or not finite; a recipe that cannot be applied. Warnings, one each:
- * triangles without an area, which are left out, and how many; with Classify, a surface that is not
- * closed.
+ * The filter reports an error with the number of the input, and produces empty outputs, if an input
+ * has no polygons or strips; a cell refers to a point that does not exist; a point, original or
+ * transformed, is not finite or exceeds 1e300; a matrix is singular, not affine or not finite; or a
+ * recipe cannot be applied. It issues a warning with the number of triangles without area, which
+ * are skipped, and, with Classify, for a surface that is not closed.
  *
  * @sa vtkIntersectionPolyDataFilter vtkCollisionDetectionFilter
  */
@@ -66,7 +67,7 @@ public:
   vtkTypeMacro(vtkSurfaceIntersectionFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What the array "Contact" says of a cell.
+  /// The values of the array "Contact".
   enum ContactType
   {
     FREE,
@@ -77,8 +78,8 @@ public:
 
   //@{
   /**
-   * What moves the points of an input, 0 or 1: affine, default nullptr, which leaves them where
-   * they are. Changes of the matrix count. Products are computed in double as vtkTransform has it.
+   * Set the matrix that transforms an input (0 or 1): affine; nullptr (default) for none. The
+   * filter detects modifications of the matrix. Products are computed in double as in vtkTransform.
    */
   void SetMatrix(int input, vtkMatrix4x4* matrix);
   vtkMatrix4x4* GetMatrix(int input);
@@ -86,11 +87,12 @@ public:
 
   //@{
   /**
-   * What an input, 0 or 1, is the coarse mesh of: default nullptr, its flat triangles. With a
-   * recipe its surface is intersected, curved and displaced as vtkAdaptiveRefinementFilter makes
-   * it, and refined to Tolerance where the two can meet, whatever the recipe's metric says: at
-   * faces whose bounds meet the other surface, or its bounds. Without input 1, and with Classify,
-   * it is refined all over. Cell ids and outputs 2 and 3 are those of the coarse cells.
+   * Set a recipe that refines an input (0 or 1); nullptr (default) to use the flat triangles. With
+   * a recipe, the filter intersects the curved and displaced surface of
+   * vtkAdaptiveRefinementFilter. It is refined to Tolerance where the surfaces can meet: at faces
+   * whose bounds intersect the other surface or its bounds. The metric of the recipe is ignored.
+   * Without input 1, and with Classify, the whole surface is refined. Cell ids and outputs 2 and 3
+   * are those of the coarse cells.
    */
   void SetRefinement(int input, vtkAdaptiveRefinement* refinement);
   vtkAdaptiveRefinement* GetRefinement(int input);
@@ -98,29 +100,31 @@ public:
 
   //@{
   /**
-   * The largest distance between the triangles that are intersected and the surface of a recipe, a
-   * length where the matrices have moved it: at least 0. By default 0, for edges of as many
-   * segments as the recipe's MaximumLevel allows. Where that is not enough there is a warning. The
-   * distance is measured, from the middles of triangles and of their sides at least, in 16 parts of
-   * a coarse edge or more; with a height map at each of its texels, up to 2^(MaximumLevel + 1).
+   * Set the largest distance between the triangles and the surface of a recipe, in the transformed
+   * space; at least 0. 0 (default) uses as many segments per edge as the recipe's MaximumLevel
+   * allows. A warning is issued if MaximumLevel is not sufficient. The distance is measured at the
+   * centroids of triangles and the midpoints of their sides, with at least 16 segments per coarse
+   * edge. With a height map, it is measured at each texel, with up to 2^(MaximumLevel + 1)
+   * segments.
    */
   void SetTolerance(double tolerance);
   vtkGetMacro(Tolerance, double);
   //@}
 
   /**
-   * The triangles of an input with a recipe that were intersected last, not moved, with the cell
-   * array "vtkOriginalCellIds" (vtkIdTypeArray) of the coarse cells; nullptr without a recipe or
-   * without that input.
+   * Return the triangles of an input with a recipe that were last intersected, not transformed. The
+   * cell array "vtkOriginalCellIds" (vtkIdTypeArray) has the ids of the coarse cells. Returns
+   * nullptr without a recipe or without that input.
    */
   vtkPolyData* GetRefinedSurface(int input);
 
   //@{
   /**
-   * Whether segments become poly-lines, as long as can be; default off. They end where not just two
-   * segments meet; a closed one has its first point also as its last. Output 0 then has the cell
-   * array "ComponentId" (vtkIdTypeArray), which counts the connected curves and the vertices from
-   * 0; cell ids are -1 where a line has segments of different cells.
+   * Set whether segments are joined to poly-lines of maximum length; off by default. A poly-line
+   * ends where other than two segments meet. The last point of a closed poly-line is its first
+   * point. Output 0 then has the cell array "ComponentId" (vtkIdTypeArray), which numbers connected
+   * curves and vertices from 0. Cell ids are -1 if the segments of a poly-line belong to different
+   * cells.
    */
   vtkSetMacro(JoinSegments, bool);
   vtkGetMacro(JoinSegments, bool);
@@ -129,10 +133,11 @@ public:
 
   //@{
   /**
-   * Whether the field data of output 0 have the arrays "AllInput0CellID" and "AllInput1CellID"
-   * (vtkIdTypeArray) of every pair of cells that meet, once, sorted; default off. Curves and
-   * overlaps name only the first pair of those that meet in the same segment, vertex or polygon.
-   * Without input 1 both are of input 0, the lower id first; with a recipe they are coarse cells.
+   * Set whether the field data of output 0 list all pairs of intersecting cells once, sorted, as
+   * "AllInput0CellID" and "AllInput1CellID" (vtkIdTypeArray); off by default. Curves and overlaps
+   * only have the first pair of cells that intersect in the same segment, vertex or polygon.
+   * Without input 1, both ids belong to input 0 and the lower one is first. With a recipe they are
+   * ids of coarse cells.
    */
   vtkSetMacro(AllPairs, bool);
   vtkGetMacro(AllPairs, bool);
@@ -141,12 +146,12 @@ public:
 
   //@{
   /**
-   * Whether cells of outputs 2 and 3 are also told how far they are from the other surface; default
-   * off, and without effect without input 1. The cell array "Distance" (double) is the least
-   * distance to the other surface, where both are moved: 0 where cut, -1 of cells without triangles
-   * that have an area. "Contact" of cells that are not cut is 3 for those inside of the other
-   * surface, where it is closed, 1 for others that are nearer than ContactDistance. A surface is
-   * closed when each edge is of exactly two triangles; of one that is not, inside is not told.
+   * Set whether cells of outputs 2 and 3 are classified by their distance from the other surface;
+   * off by default. It has no effect without input 1. The cell array "Distance" (double) is the
+   * smallest distance from the other surface in the transformed space: 0 for cells that intersect
+   * it, and -1 for cells without area. "Contact" of other cells is 3 inside of the other surface,
+   * if that is closed, or else 1 if the distance is less than ContactDistance. A surface is closed
+   * if each edge has exactly two triangles. If it is not closed, no cell is classified as inside.
    */
   vtkSetMacro(Classify, bool);
   vtkGetMacro(Classify, bool);
@@ -155,7 +160,8 @@ public:
 
   //@{
   /**
-   * Nearer than this cells are near, with Classify; at least 0, default 0: none is.
+   * Set the distance below which Classify marks cells as near; at least 0. With 0 (default), no
+   * cell is near.
    */
   void SetContactDistance(double distance);
   vtkGetMacro(ContactDistance, double);
@@ -163,16 +169,16 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * Have the moved triangles of an input that has no recipe in common with other filters that have
-   * the same input and the same matrix; by default (nullptr) they are the filter's own.
+   * Share the transformed triangles of an input without a recipe with other filters that have the
+   * same input and matrix. By default (nullptr), the filter has separate triangles.
    */
   void ShareSurface(int input, std::shared_ptr<relevo::MovedSurface> surface);
 #endif
 
-  /// How often a tree was built so far.
+  /// Return how many times a bounding box tree was built.
   vtkGetMacro(NumberOfTreeBuilds, int);
 
-  /// Includes the modification times of matrices and recipes.
+  /// Include the modification times of matrices and recipes.
   vtkMTimeType GetMTime() override;
 
 protected:

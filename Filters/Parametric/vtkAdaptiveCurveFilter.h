@@ -2,42 +2,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAdaptiveCurveFilter
- * @brief   curves of any degree cut into as many segments as a recipe asks for: lines, ribbons or
- *          tubes
+ * @brief   tessellate curves adaptively into lines, ribbons or tubes
  *
- * The twin of vtkAdaptiveCurveMapper on the CPU: same recipe, same segments, same points to float
- * accuracy.
+ * This is the CPU version of vtkAdaptiveCurveMapper. With the same recipe it produces the same
+ * segments, and the same points to float accuracy.
  *
  * Input: a vtkUnstructuredGrid or a vtkPolyData with VTK_LINE, VTK_POLY_LINE, VTK_QUADRATIC_EDGE,
- * VTK_CUBIC_LINE, VTK_LAGRANGE_CURVE or VTK_BEZIER_CURVE cells of degrees 1 to 8, the latter
- * rational if the points have the attribute RationalWeights. Cells of other dimensions and those
- * whose vtkGhostType says that they are blanked or that another piece has them are left out.
+ * VTK_CUBIC_LINE, VTK_LAGRANGE_CURVE or VTK_BEZIER_CURVE cells. Lagrange and Bézier curves have
+ * degrees 1 to 8. Bézier curves are rational if the points have the attribute RationalWeights.
+ * Cells of other dimensions, and cells that vtkGhostType marks as blanked or duplicate, are
+ * ignored.
  *
- * The recipe's levels: where the points have its array of depth-tags, the mean of a curve's two
- * ends; else the largest tag that the metric gives the control points of the curve as Bézier curve,
- * as with vtkDistanceDepthTagMetric the nearest one; without either MaximumLevel. Metrics that look
- * at triangles, as vtkScreenEdgeDepthTagMetric, find none and give level 0. A curve of level l has
- * 2^l segments, or the whole number that the recipe's SegmentPolicy says; each segment of a
- * poly-line is a curve of its own.
+ * The level of a curve comes from the recipe. If the points have the depth-tag array of the recipe,
+ * it is the mean of the tags at both ends. Otherwise it is the largest tag that the metric assigns
+ * to the Bézier control points; with vtkDistanceDepthTagMetric, this is the tag of the nearest one.
+ * Without a metric it is MaximumLevel. Metrics of triangles, such as vtkScreenEdgeDepthTagMetric,
+ * give level 0. A curve of level l has 2^l segments, or the integer that SegmentPolicy determines.
+ * Each segment of a poly-line is refined as a separate curve.
  *
- * Output: points on the curves, exactly the input's at their ends, in floats if the input's are,
- * else in double. As lines: one poly-line for each cell; cells that share a point share it still.
- * As ribbons and tubes: triangles, their points apart for each curve but, where one curve begins at
- * the point that one other ends at, with the same coordinates; "Normals", unit float vectors. Tubes
- * are closed. At a corner of less than 29 degrees curves end apart.
+ * Output: points on the curves, of type float if the points of the input are float, and double
+ * otherwise. End points are exactly those of the input. Lines are one poly-line per cell; cells
+ * continue to share points. Ribbons and tubes are triangles with unit normals "Normals" (float).
+ * Each curve has separate points; their coordinates match where one curve begins at the point that
+ * exactly one other curve ends at. Tubes are closed. Curves that meet at an angle of less than 29
+ * degrees are not joined.
  *
- * Point data are evaluated in the cell's own basis, at Lagrange's nodes and from Bézier's
- * coefficients as VTK does, and keep their type: integers are rounded; strings, bits and ghost
- * flags are those of the nearest node; global and pedigree ids are left out. See
- * vtkAdaptiveRefinement::SetNoDataMagnitude() for values that stand for no data. Cell data are
- * passed on, and the cell array "vtkOriginalCellIds" (vtkIdType) holds the ids of the input's
- * cells.
+ * Point data are evaluated as in VTK's cells, from Lagrange nodes or Bézier coefficients, and keep
+ * their type; integers are rounded. Strings, bits and ghost flags are copied from the nearest node.
+ * Global and pedigree ids are dropped. For missing data, see
+ * vtkAdaptiveRefinement::SetNoDataMagnitude(). Cell data are copied. The cell array
+ * "vtkOriginalCellIds" (vtkIdType) has the ids of the input cells.
  *
- * Errors, with an empty output: no recipe, no curves, depth-tags or radii that cannot be used, a
- * metric that fails, no camera for ribbons. Errors that name the first cell, with the rest drawn:
- * a wrong number of points, a degree above 8, points that are not there or not finite, weights of 0
- * or less, curves of unknown types. Curves whose control points are all at one place are left out;
- * a warning says how many.
+ * The filter reports an error and produces an empty output if there is no recipe or no curve,
+ * depth-tags or radii are invalid, the metric fails, or ribbons have no camera. It reports the
+ * first invalid cell and skips it and any others: cells with a wrong number of points, a degree
+ * above 8, points that do not exist or are not finite, weights that are not positive, or an unknown
+ * curve type. It issues a warning with the number of skipped curves whose control points all
+ * coincide.
  *
  * @sa vtkAdaptiveRefinement vtkHairSource vtkNURBSSource
  */
@@ -69,14 +70,14 @@ public:
 
   //@{
   /**
-   * What to refine to. Required. Its surface and displacement are not used, and nothing morphs.
+   * Set the recipe. Required. Its surface, displacement and geomorphing are not used.
    */
   void SetRefinement(vtkAdaptiveRefinement* refinement);
   vtkAdaptiveRefinement* GetRefinement();
   //@}
 
   /**
-   * What curves are drawn as.
+   * The shapes that represent curves.
    */
   enum Representations
   {
@@ -87,8 +88,8 @@ public:
 
   //@{
   /**
-   * LINES (0, the default), RIBBONS (1), flat strips that face the camera, or TUBES (2). Another
-   * value is an error and changes nothing.
+   * Set the shape of the output: LINES (0, default), RIBBONS (1), which are flat strips that face
+   * the camera, or TUBES (2). Another value is an error and changes nothing.
    */
   void SetRepresentation(int representation);
   vtkGetMacro(Representation, int);
@@ -99,8 +100,8 @@ public:
 
   //@{
   /**
-   * Of tubes, and half the width of ribbons, in the input's coordinates; at least 0, default 0.5.
-   * Another value is an error and changes nothing.
+   * Set the radius of tubes, half the width of ribbons, in input coordinates; at least 0, default
+   * 0.5. Another value is an error and changes nothing.
    */
   void SetRadius(double radius);
   vtkGetMacro(Radius, double);
@@ -110,8 +111,8 @@ public:
 
   //@{
   /**
-   * Name of a point array with a radius for each point, at least 0, used in place of Radius and
-   * evaluated along the curve as other point data are; empty, the default, for none.
+   * Set the name of a point array with a radius, at least 0, for each point. It is evaluated along
+   * the curve like other point data, and replaces Radius. Empty (default) for none.
    */
   void SetRadiusArrayName(const char* name);
   const char* GetRadiusArrayName();
@@ -119,7 +120,8 @@ public:
 
   //@{
   /**
-   * How many sides tubes have, 3 to 64, default 8. Another value is an error and changes nothing.
+   * Set the number of sides of tubes, 3 to 64, default 8. Another value is an error and changes
+   * nothing.
    */
   void SetNumberOfSides(int sides);
   vtkGetMacro(NumberOfSides, int);
@@ -128,7 +130,8 @@ public:
   //@}
 
   /**
-   * Latest change of the filter, its recipe or, where they matter, Camera and ModelToWorld.
+   * Return the latest modification time of the filter, the recipe and, if they are used, Camera and
+   * ModelToWorld.
    */
   vtkMTimeType GetMTime() override;
 

@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkBezierPatchReader
- * @brief   reads Bézier patches (.bpt) as VTK's Bézier cells
+ * @brief   read Bézier patches (.bpt) as VTK Bézier cells
  *
- * The text has the number of patches, then, for each, its two degrees m and n, 1 to 8, and (m + 1)
- * rows of n + 1 control points of three coordinates; space, of any kind, is between all numbers,
- * whose decimal point is a point in every locale. The teapot is kept so.
+ * The text file, a common format of the Utah teapot, starts with the number of patches. Each patch
+ * has two degrees m and n, 1 to 8, and (m + 1) rows of n + 1 control points with three coordinates.
+ * White space separates numbers. The decimal separator is a point in all locales.
  *
- * Output: a vtkUnstructuredGrid with a VTK_BEZIER_QUADRILATERAL for each patch, points in double,
- * and the cell array "HigherOrderDegrees" (int, 3 components: n, m, 0), which is their attribute.
- * A cell's first parametric direction leads along the rows, with the degree n: so the normals of
- * the teapot, first direction x second, point outwards. Control points of the patches' borders that
- * have equal coordinates are one point, so patches that have a border in common share its points,
- * and a border that is one place is one point several times.
+ * The output is a vtkUnstructuredGrid with one VTK_BEZIER_QUADRILATERAL per patch. Points are
+ * double. The attribute "HigherOrderDegrees" is a cell array (int, 3 components: n, m, 0). The
+ * first parametric direction of a cell, of degree n, follows the rows, so that the normals of the
+ * teapot, first direction x second direction, point outwards. Control points on borders are merged
+ * if their coordinates are equal, so that adjacent patches share their points. In a border that
+ * degenerates to a point, that point occurs several times.
  *
- * Errors, with an empty output, name file and line: no file name, or no file; fewer or more
- * numbers than the file tells of; a number of patches below 0; a degree out of 1 to 8; a
- * coordinate that is no finite number.
+ * The reader reports an error with file and line, and produces an empty output, if there is no file
+ * name or no file; there are fewer or more numbers than the file declares; the number of patches is
+ * negative; a degree is out of 1 to 8; or a coordinate is not a finite number.
  *
  * @sa vtkNURBSSource
  */
@@ -36,14 +36,14 @@ public:
 
   //@{
   /**
-   * The file to read; needed.
+   * Set the name of the file. Required.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   //@}
 
   /**
-   * 1 if the file begins with a number of patches and with degrees from 1 to 8, else 0.
+   * Return 1 if the file starts with a number of patches and two degrees from 1 to 8, 0 otherwise.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 

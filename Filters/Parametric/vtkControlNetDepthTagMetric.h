@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkControlNetDepthTagMetric
- * @brief   refines patches whose control nets are bent
+ * @brief   refine patches according to the curvature of their control nets
  *
- * The patch curvature of Nellmeldin 2013 ("Desarrollo de algoritmos de teselacion adaptativa en
- * GPU"): the control net is taken as quads, those of triangles as triangles, with a normal each; a
- * patch is as curved as the largest angle between normals of two that share a side. With this
- * angle, low = MinimumAngle and high = MaximumAngle the depth-tag is
+ * This is the patch curvature of Nellmeldin 2013 ("Desarrollo de algoritmos de teselacion
+ * adaptativa en GPU"). The control net consists of quadrilaterals, or of triangles for triangular
+ * patches, each with a normal. The curvature of a patch is the largest angle between the normals of
+ * two adjacent elements. With low = MinimumAngle and high = MaximumAngle, the depth-tag is
  *
  *     level = MaximumLevel * (angle - low) / (high - low)
  *
- * clamped: 0 at the low angle and below, MaximumLevel at the high one and above, linear between.
- * Flat patches have level 0, also those that the degrees 1 leave one quad of. The normal of a quad
- * is the product of its diagonals; quads and triangles without area are left out.
+ * clamped to the range from 0 to MaximumLevel. Flat patches, and patches of degree 1 in both
+ * directions, have level 0. The normal of a quadrilateral is the cross product of its diagonals.
+ * Elements without area are ignored.
  *
- * For the surfaces of vtkPatchSurfaceFilter; another mesh is an error, and so is MinimumAngle above
- * MaximumAngle. An edge, or a point, has the largest level of the patches that meet there. The
- * metric does not depend on the view.
+ * The metric requires a mesh of vtkPatchSurfaceFilter. Another mesh, or a MinimumAngle above
+ * MaximumAngle, is an error. An edge or point has the largest level of its patches. The metric does
+ * not depend on the view.
  *
  * @sa vtkPatchErrorDepthTagMetric vtkCurvatureDepthTagMetric
  */
@@ -36,8 +36,8 @@ public:
 
   //@{
   /**
-   * Angle in degrees up to which the level is 0; 0 to 180, default 0. Another value is an error and
-   * changes nothing.
+   * Set the angle in degrees up to which the level is 0; 0 to 180, default 0. Another value is an
+   * error and changes nothing.
    */
   void SetMinimumAngle(double degrees);
   vtkGetMacro(MinimumAngle, double);
@@ -45,8 +45,8 @@ public:
 
   //@{
   /**
-   * Angle in degrees from which on the level is MaximumLevel; 0 to 180, default 90. Another value
-   * is an error and changes nothing.
+   * Set the angle in degrees from which on the level is MaximumLevel; 0 to 180, default 90. Another
+   * value is an error and changes nothing.
    */
   void SetMaximumAngle(double degrees);
   vtkGetMacro(MaximumAngle, double);

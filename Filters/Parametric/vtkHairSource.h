@@ -2,24 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHairSource
- * @brief   hair on a surface, as cubic Bézier curves
+ * @brief   generate hair on a surface, as cubic Bézier curves
  *
- * Input: a vtkPolyData with polygons of any size or triangle strips. Hairs stand as densely
- * everywhere, one at a random place of each share of the area; there are Density times area,
- * rounded. They leave along the surface's normal (the active point normals, where there are none
- * that of the triangle), sink under gravity and wind in a helix that is widest at the tip. Each
- * is up to a fifth shorter than Length. The same settings give the same hairs, whatever the number
- * of threads. Cells whose vtkGhostType has DUPLICATECELL have none.
+ * Input: a vtkPolyData with polygons or triangle strips. The number of hairs is Density * area,
+ * rounded. They are distributed with uniform density (one hair at a random position in each equal
+ * share of the area). A hair starts along the surface normal: the active point normals, or else the
+ * normal of the triangle. Gravity bends it, and it winds in a helix that is widest at the tip. Each
+ * hair is up to a fifth shorter than Length. The result depends on the settings only, not on the
+ * number of threads. Cells that vtkGhostType marks as DUPLICATECELL are skipped.
  *
- * Output: a vtkUnstructuredGrid of VTK_BEZIER_CURVE cells of degree 3, those of a hair following
- * one another from the root: two for each turn of Curl, at least one; they share their ends and
- * are joined in C1. Points in double; the point array "HairRadius" (float), a hundredth of Length
- * at the root and a tenth of that at the tip, for vtkAdaptiveCurveFilter::SetRadiusArrayName(); the
- * cell arrays "HigherOrderDegrees" (int, 3 components) and "vtkOriginalCellIds" (vtkIdType), the
- * input's cell that the hair grows on.
+ * Output: a vtkUnstructuredGrid of VTK_BEZIER_CURVE cells of degree 3. Each hair has two cells per
+ * turn of Curl, and at least one, in order from the root. They share end points and are C1
+ * continuous. Points are double. The point array "HairRadius" (float) is Length / 100 at the root
+ * and a tenth of that at the tip; pass it to vtkAdaptiveCurveFilter::SetRadiusArrayName(). The cell
+ * arrays are "HigherOrderDegrees" (int, 3 components) and "vtkOriginalCellIds" (vtkIdType), the
+ * input cell of the hair.
  *
- * Errors, with an empty output: no polygons, none of them with an area, more hairs than memory. A
- * warning says how many triangles have no area or points that are not there or not finite.
+ * The source reports an error and produces an empty output if there are no polygons, no polygon has
+ * an area, or memory is insufficient for the number of hairs. It issues a warning with the number
+ * of triangles without area, or with points that do not exist or are not finite.
  *
  * @sa vtkAdaptiveCurveFilter
  */
@@ -45,8 +46,8 @@ public:
 
   //@{
   /**
-   * Hairs for each unit of area, 1e-12 to 1e12, default 100. Another value is an error and changes
-   * nothing.
+   * Set the number of hairs per unit of area, 1e-12 to 1e12, default 100. Another value is an error
+   * and changes nothing.
    */
   void SetDensity(double density);
   vtkGetMacro(Density, double);
@@ -56,7 +57,7 @@ public:
 
   //@{
   /**
-   * That of the longest hairs, were they straight, in the input's units; 1e-12 to 1e12, default 1.
+   * Set the arc length of the longest hairs, in units of the input, 1e-12 to 1e12, default 1.
    * Another value is an error and changes nothing.
    */
   void SetLength(double length);
@@ -67,10 +68,10 @@ public:
 
   //@{
   /**
-   * Number of turns that the helix of a hair makes, 0 to 16; default 0.5. With 0 and without
-   * gravity a hair is straight. The radius of the helix is 0.15 Curl / (Curl + 0.25) of the hair's
-   * length: with one turn and without gravity, root and tip are 0.93 of the hair's length apart.
-   * Another value is an error and changes nothing.
+   * Set the number of turns of the helix of a hair, 0 to 16, default 0.5. With 0 and without
+   * gravity, hairs are straight. The radius of the helix is 0.15 * Curl / (Curl + 0.25) of the
+   * length of the hair. With one turn and without gravity, the distance from root to tip is 0.93 of
+   * that length. Another value is an error and changes nothing.
    */
   void SetCurl(double turns);
   vtkGetMacro(Curl, double);
@@ -80,9 +81,8 @@ public:
 
   //@{
   /**
-   * How far the tip of a hair of length 1 sinks, and where to; each component
-   * -1000 to 1000, default (0, 0, -0.25).
-   * Another value is an error and changes nothing.
+   * Set the displacement of the tip of a hair of length 1. Each component is in [-1000, 1000],
+   * default (0, 0, -0.25). Another value is an error and changes nothing.
    */
   void SetGravity(double x, double y, double z);
   void SetGravity(const double gravity[3]) { this->SetGravity(gravity[0], gravity[1], gravity[2]); }
@@ -91,7 +91,7 @@ public:
 
   //@{
   /**
-   * Another one for other hairs; default 1.
+   * Set the seed of the random numbers; default 1.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);

@@ -2,26 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkNURBSSource
- * @brief   non-uniform rational B-splines, curves or surfaces, as VTK's Bézier cells
+ * @brief   convert NURBS curves or surfaces to VTK Bézier cells
  *
- * A curve or surface is given by degrees, knots, control points and weights, as L. Piegl and W.
- * Tiller have them ("The NURBS Book", 1997). Knot insertion takes it apart, exactly but for
- * rounding, into a Bézier cell for each span between knots that differ. Knots need not be clamped:
- * of n control points of degree p the curve goes from knot p to knot n (counted from 0). An inner
- * knot may be there up to p + 1 times; with p + 1 the curve may jump there.
+ * Degrees, knots, control points and weights define a curve or surface as in L. Piegl, W. Tiller,
+ * "The NURBS Book", 1997. Knot insertion decomposes it, exact except for rounding, into one Bézier
+ * cell per span between distinct knots. Knots may be unclamped: with n control points of degree p,
+ * the curve goes from knot p to knot n (counted from 0). The multiplicity of an inner knot is at
+ * most p + 1, where the curve may be discontinuous.
  *
- * Output: a vtkUnstructuredGrid of VTK_BEZIER_QUADRILATERAL cells, or, with a second dimension of
- * 1, of VTK_BEZIER_CURVE cells, those of the first direction's spans following one another. Points
- * in double; the cell array "HigherOrderDegrees" (int, 3 components: both degrees, of a curve one,
- * and 0); if a weight differs from 1, the point array "RationalWeights" (double). Both are VTK's
- * attributes of that name. Cells that have a border in common share its points; where a closed
- * one's first and last control points are the same, with clamped knots, they are one point too.
+ * The output is a vtkUnstructuredGrid of VTK_BEZIER_QUADRILATERAL cells, or of VTK_BEZIER_CURVE
+ * cells if the second dimension is 1. Cells are ordered along the first direction. Points are
+ * double. The attribute "HigherOrderDegrees" is a cell array (int, 3 components: the degrees, one
+ * for a curve, and zeros). If a weight differs from 1, there is the attribute "RationalWeights", a
+ * point array (double). Adjacent cells share the points of their common border. If first and last
+ * control points of a closed surface or curve with clamped knots coincide, they are merged as well.
  *
- * Errors, with an empty output, say which: no control points or knots; another number of control
- * points than the dimensions tell of, or of weights; too few control points for a degree; another
- * number of knots than control points + degree + 1; knots that fall, that are there too often or
- * that are all one; weights of 0 or less, or too large or too small to compute with; anything that
- * is not finite.
+ * The source reports an error and produces an empty output if control points or knots are missing;
+ * the number of control points does not match the dimensions, or that of the weights the control
+ * points; a direction has fewer than degree + 1 control points; the number of knots is not control
+ * points + degree + 1; knots decrease, are all equal or have too large a multiplicity; a weight is
+ * not positive, or too large or too small for computations; or a number is not finite.
  *
  * @sa vtkBezierPatchReader
  */
@@ -46,7 +46,7 @@ public:
 
   //@{
   /**
-   * The degree of a direction, 0 or 1: in [1, 8], default 3.
+   * Set the degree in a direction (0 or 1), 1 to 8, default 3.
    */
   void SetDegree(int direction, int degree);
   int GetDegree(int direction);
@@ -54,7 +54,8 @@ public:
 
   //@{
   /**
-   * The knots of a direction, 0 or 1, which never fall; needed, of a curve for direction 0 alone.
+   * Set the knots of a direction (0 or 1), in non-decreasing order. Required; a curve has direction
+   * 0 only.
    */
   void SetKnots(int direction, vtkDoubleArray* knots);
   vtkDoubleArray* GetKnots(int direction);
@@ -62,8 +63,8 @@ public:
 
   //@{
   /**
-   * How many control points there are in each direction, at least 1, default 1 and 1. If there is
-   * 1 in the second direction, it is a curve.
+   * Set the number of control points in each direction, at least 1, default 1 and 1. With 1 in the
+   * second direction, the source generates a curve.
    */
   void SetDimensions(int first, int second);
   vtkGetVector2Macro(Dimensions, int);
@@ -71,8 +72,8 @@ public:
 
   //@{
   /**
-   * The control points, not multiplied with their weights, those of the first direction following
-   * one another; needed.
+   * Set the control points, not multiplied by their weights, ordered along the first direction
+   * first. Required.
    */
   void SetControlPoints(vtkPoints* points);
   vtkPoints* GetControlPoints();
@@ -80,13 +81,13 @@ public:
 
   //@{
   /**
-   * A weight for each control point, more than 0; default nullptr: all are 1.
+   * Set the weights of the control points, greater than 0; nullptr (default) if all are 1.
    */
   void SetWeights(vtkDoubleArray* weights);
   vtkDoubleArray* GetWeights();
   //@}
 
-  /// Includes the modification times of knots, control points and weights.
+  /// Include the modification times of knots, control points and weights.
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -2,58 +2,58 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPatchErrorDepthTagMetric
- * @brief   refines patches and curves until they deviate by less than a part of a pixel
+ * @brief   refine patches and curves to a screen-space error
  *
- * For the surfaces of vtkPatchSurfaceFilter, by vtkDepthTagMetric's rule PER_EDGE. The level of an
- * edge is log2 of a number of segments, one that the recipe's patterns have, such that no triangle
- * of the faces at it is farther from the patch than ScreenSpaceError, as long as MaximumLevel
- * allows; where patterns morph it is half a level more, for their vertices to have arrived. It is
- * a bound, also of rational patches. What is measured is the distance from a point of a triangle to
- * the point of the patch with the same parameters: that to the nearest point of the patch is no
- * larger.
+ * The metric requires a mesh of vtkPatchSurfaceFilter and the rule PER_EDGE of vtkDepthTagMetric.
+ * The level of an edge is log2 of the number of segments. It is chosen among those of the recipe's
+ * patterns so that no triangle of the adjacent faces deviates from the patch by more than
+ * ScreenSpaceError, unless MaximumLevel is reached. With geomorphing, half a level is added, so
+ * that the vertices are in their final position. This is a bound, also for rational patches. It
+ * limits the distance between points of triangle and patch with the same parameters. The distance
+ * to the nearest point of the patch is not larger.
  *
- * A bound of an edge's own curve C, cut into n equal segments, is
+ * For the curve C of an edge with n equal segments, the deviation is at most
  *
  *     max |C''| / (8 n^2)
  *
- * and its number of segments at least the one by this. Inside, a triangle that spans the part r_c
- * of the weight of each of its face's corners c deviates by no more than
+ * which gives a lower bound for n. Inside of a face, let r_c be the range, within a triangle, of
+ * the barycentric coordinate of corner c. The deviation of the triangle is at most
  *
  *     (F_0 r_0^2 + F_1 r_1^2 + F_2 r_2^2) / 8
  *
- * where F is such that for all directions d of the face's barycentric coordinates the second
- * derivative of the patch is no longer than F_0 d_0^2 + F_1 d_1^2 + F_2 d_2^2 (after Filip,
- * Magedson and Markot 1986, "Surface algorithms using bounds on derivatives", whose bound
- * (l_1^2 M_11 + 2 l_1 l_2 M_12 + l_2^2 M_22) / 8 is of right-angled triangles). Of the F that
- * satisfy this, one of least sum is taken. Derivatives are bounded by differences of control
- * points, of the face itself rather than of all of the patch; of rational ones S = A / w by
+ * if the second derivative of the patch in each direction d of barycentric coordinates is not
+ * longer than F_0 d_0^2 + F_1 d_1^2 + F_2 d_2^2. This extends the bound (l_1^2 M_11 + 2 l_1 l_2
+ * M_12 + l_2^2 M_22) / 8 for right-angled triangles of Filip, Magedson and Markot 1986, "Surface
+ * algorithms using bounds on derivatives". The metric uses the F with the smallest sum. Derivatives
+ * are bounded by differences of the control points of the face, not of the whole patch. For
+ * rational patches S = A / w the bound is
  *
  *     |S_de| <= (|A_de| + |w_d| |S_e| + |w_e| |S_d| + |w_de| max |S|) / min w
  *
- * on parts of the face, relative to the middle of each. The triangles are those of the pattern
- * itself: where its edges differ, they can be longer than 1 / n of the least n. So, from
- * the numbers of segments of the curves on, the least edges of faces that deviate too much get more
- * until none does.
+ * on sub-faces, relative to the middle of each. The triangles are those of the pattern. If the
+ * levels of its edges differ, they can be longer than 1 / n for the smallest n. So, starting from
+ * the numbers of segments of the curves, the edges with the fewest segments of faces that deviate
+ * too much get more segments until no face does.
  *
- * A length takes no more pixels than h / (2 tan(a / 2) z cos t) times as many, h being the height
- * of the viewport, a the camera's view angle, z the least depth of the control points of the face
- * along the direction of view, and t the largest angle from this direction at which they are seen
- * in the viewport; with a horizontal view angle the width counts. Where the eye is among the
- * control points edges have MaximumLevel. With a parallel camera h / (2 ParallelScale). The actor's
- * matrix counts, by the most that it stretches and the least.
+ * One unit of length covers at most h / (2 tan(a / 2) z cos t) pixels, where h is the height of the
+ * viewport, a the view angle of the camera, z the smallest depth of the control points of the face
+ * along the viewing direction, and t their largest angle from this direction within the viewport.
+ * With a horizontal view angle, h is the width. With a parallel camera, the number is h / (2
+ * ParallelScale). If the camera is inside of the control points, edges have MaximumLevel. The
+ * largest and the smallest scale factor of the actor's matrix are included.
  *
- * By the rule PER_VERTEX points have the largest level of the edges at them: edges are then as fine
- * as by PER_EDGE, but the insides are not looked at again. LevelOffset, and a number of triangles
- * or a time to keep to, move levels away from the bound; so does the tessellator, whose triangles
- * are others. Displacement is not measured.
+ * With the rule PER_VERTEX, points have the largest level of their edges. Edges are then at least
+ * as fine as with PER_EDGE, but the interior is not checked. LevelOffset, triangle budgets and time
+ * budgets change the levels, so that the bound no longer applies. It does not apply to the hardware
+ * tessellator either, which generates other triangles. Displacement is not included.
  *
- * Curves: in a mesh with lines, each of 2 to 9 points, these are the control polygons of Bezier
- * curves, rational ones if there is an attribute RationalWeights (see vtkDataSetAttributes).
- * ComputeTags() gives each point the level of its curve, the largest of several.
+ * Curves: in a mesh with lines of 2 to 9 points, each line is the control polygon of a Bézier
+ * curve, rational if the points have the attribute RationalWeights (see vtkDataSetAttributes).
+ * ComputeTags() gives each point the largest level of its curves.
  *
- * The metric depends on the view: no camera, one whose position is its focal point, and a viewport
- * without pixels are errors; so is a mesh of triangles that are no patches. A triangle or curve
- * with a point that is not finite, or with a weight of 0 or less, adds nothing: a level of 0.
+ * The metric depends on the view. It reports an error if there is no camera, its position is its
+ * focal point, the viewport is empty, or the triangles of the mesh are not patches. Triangles and
+ * curves with a point that is not finite, or a weight that is not positive, have level 0.
  *
  * @sa vtkPatchSurfaceFilter vtkControlNetDepthTagMetric vtkScreenEdgeDepthTagMetric
  */
@@ -72,7 +72,7 @@ public:
 
   //@{
   /**
-   * The largest deviation, in pixels: 0.001 to 1e6, default 0.5. Another value is an error and
+   * Set the largest deviation in pixels, 0.001 to 1e6, default 0.5. Another value is an error and
    * changes nothing.
    */
   void SetScreenSpaceError(double pixels);

@@ -2,27 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPatchSurface
- * @brief   the Bézier patches that a mesh of vtkPatchSurfaceFilter carries
+ * @brief   evaluate the Bézier patches of a mesh of vtkPatchSurfaceFilter
  *
- * Each triangle of the mesh is a part of a patch, of degree 1 to 8 in each direction, rational
- * where weights differ. Its points are those of the patch itself, and its normals the product of
- * the patch's derivatives; where these vanish, as along an edge that is one point, their limit from
- * the patch's middle. Patches that meet at a sharp edge have different normals there.
+ * Each triangle of the mesh is part of a patch with degrees from 1 to 8, rational if weights
+ * differ. Positions are those of the patch. Normals are cross products of its derivatives. Where
+ * these vanish, for example along an edge that degenerates to a point, normals are the limit from
+ * the interior of the patch. Patches that meet at a sharp edge have different normals there.
  *
- * Points of a patch's border come from the control points of that border alone, in an order that
- * the border fixes: the surface is closed to the bit wherever two patches have the control points
- * and weights of a border in common. Displacement goes along the normals; on borders along the mean
- * of those of the first two patches there, and at corners along the mesh's point normals, so that
- * what is displaced stays closed, too.
+ * Points on a border are computed from the control points of that border only, in an order that the
+ * border determines. Patches that share the control points and weights of a border therefore match
+ * to the bit. Displacement follows the normals; on borders the mean normal of the first two
+ * patches, and at corners the point normals of the mesh. A displaced surface therefore has no
+ * cracks either.
  *
- * Point arrays whose coefficients the mesh brings along are evaluated by the same basis; a patch
- * with one that stands for no data (vtkAdaptiveRefinement::SetNoDataMagnitude()) has none between
- * its corners.
+ * Point arrays whose coefficients are in the mesh are evaluated in the same basis. If one
+ * coefficient is missing (see vtkAdaptiveRefinement::SetNoDataMagnitude()), the patch has no data
+ * between its corners.
  *
- * A mesh without patches, or with arrays that do not fit, is an error.
+ * A mesh without patches, or with inconsistent arrays, is an error.
  *
- * G. Farin, "Curves and Surfaces for CAGD", 2002: rational Bézier patches, Horner's scheme for
- * Bernstein polynomials.
+ * Source: G. Farin, "Curves and Surfaces for CAGD", 2002, for rational Bézier patches and Horner's
+ * scheme for Bernstein polynomials.
  *
  * @sa vtkPatchSurfaceFilter vtkAdaptiveRefinement vtkPatchErrorDepthTagMetric
  */

@@ -2,40 +2,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPatchSurfaceFilter
- * @brief   the surface of a grid of curved cells, as coarse triangles that carry Bézier patches
+ * @brief   extract the surface of curved cells, as coarse triangles with Bézier patches
  *
- * Each face becomes a Bézier patch that is the same surface, but for rounding: a quadrilateral of
- * degrees 1 to 8, each direction its own, or a triangle. Faces are surface cells, and the outer
- * ones of solid cells, whose patches have u x v outwards. Taken are VTK's linear cells (polygons
- * and strips as triangles), its quadratic ones, and Lagrange's and Bézier's
- * ("HigherOrderDegrees", "RationalWeights"). Points and lines are left out without a word.
- * Where neighbours have an edge's nodes in common their patches have the edge's control points in
- * common, to the bit.
+ * Each face becomes a Bézier patch of the same surface, up to rounding: a quadrilateral with
+ * degrees from 1 to 8 in each direction, or a triangle. Faces are 2D cells and the outer faces of
+ * 3D cells, for which u x v points outwards. The filter supports VTK's linear cells (polygons and
+ * strips become triangles), quadratic cells, and Lagrange and Bézier cells ("HigherOrderDegrees",
+ * "RationalWeights"). Points and lines are ignored. Faces that share the nodes of an edge get
+ * patches with bitwise identical control points along it.
  *
- * Output: a vtkPolyData.
- * - Points (double): corners of patches, and places that edges are split at. Its arrays are the
- *   grid's, integers rounded; "Normals" (float) has for each place the mean of the patches' true
- *   normals.
- * - Triangles, two of a quadrilateral, one of a triangle, more where edges had to be split: one
- *   that is closed in four, and ones that join the same two points in two each. Arrays of cells:
- *   the grid's; "vtkOriginalCellIds" (vtkIdType), the grid's cell; "PatchIds" (int), the patch;
- *   "PatchCoordinates" (float, 6 components), u and v of the triangle's corners. Where a border of
- *   a patch is one place, as at the teapot's lid, a triangle has two points there.
- * - Field data: the grid's, and "Patches" (vtkIdType, 4 components): VTK_BEZIER_QUADRILATERAL or
- *   VTK_BEZIER_TRIANGLE, both degrees, and the first control point. "PatchPoints" (double, 4
- *   components): x, y, z, not multiplied with the weight, and the weight. "PatchNodes:NAME"
- *   (double) for each numeric array NAME of points: its coefficients in the patch's own, maybe
- *   rational, basis. Control points of a quadrilateral of degrees p and q are q + 1 rows of p + 1
- *   along u; those of a triangle rows j = 0 to p of p - j + 1: (i, j) belongs to
- *   u^i v^j (1 - u - v)^(p - i - j). "PatchInnerBorders" (int), where polygons have been cut into
- *   triangles: the sum of 1, 2 and 4 for borders v = 0, u = 0 and u + v = 1 inside the polygon.
+ * The output is a vtkPolyData:
  *
- * Cells that are ghosts keep vtkGhostType; hidden ones are as if they were not there.
+ * - Points (double) are corners of patches and points that split an edge. Point arrays are those of
+ *   the grid, with integers rounded, and "Normals" (float), the mean of the exact normals of the
+ *   patches at a point.
+ * - Triangles: two for a quadrilateral and one for a triangle, unless an edge must be split. A
+ *   triangle with one corner point is split into four, and triangles between the same two points
+ *   into two each. Cell arrays are those of the grid, "vtkOriginalCellIds" (vtkIdType), the grid's
+ *   cell, "PatchIds" (int), the patch, and "PatchCoordinates" (float, 6 components), u and v of the
+ *   corners. If a border degenerates to a point, as at the lid of the teapot, a triangle can have
+ *   two coincident corners.
+ * - Field data are those of the grid and the following arrays. "Patches" (vtkIdType, 4 components)
+ *   has the cell type, VTK_BEZIER_QUADRILATERAL or VTK_BEZIER_TRIANGLE, both degrees and the first
+ *   control point. "PatchPoints" (double, 4 components) has x, y, z, not multiplied by the weight,
+ *   and the weight. "PatchNodes:NAME" (double) has the coefficients of each numeric point array
+ *   NAME in the basis of the patch, which is rational if weights differ. A quadrilateral of degrees
+ *   p and q has q + 1 rows of p + 1 control points along u. A triangle of degree p has rows j = 0
+ *   to p of p - j + 1 control points, where (i, j) belongs to u^i v^j (1 - u - v)^(p - i - j).
+ *   "PatchInnerBorders" (int) exists if polygons were cut into triangles: the sum of 1, 2 and 4 for
+ *   the borders v = 0, u = 0 and u + v = 1 inside of the polygon.
  *
- * Errors name the first such cell and how many others there are; the rest is put out: cells of a
- * type that patches cannot be made of; with a wrong number of nodes; of degrees above 8; with
- * weights of 0 or less; with points that are not finite or not there. Warnings: how many patches
- * have no area and are left out; arrays that have too few tuples, which are left out.
+ * Ghost cells keep vtkGhostType. Hidden cells are ignored.
+ *
+ * The filter reports the first invalid cell and the number of others, and skips them: cells of an
+ * unsupported type, with a wrong number of nodes, with degrees above 8, with weights that are not
+ * positive, or with points that do not exist or are not finite. It issues a warning with the number
+ * of patches without area, which are skipped, and for arrays with too few tuples, which are
+ * dropped.
  *
  * @sa vtkBezierPatchReader vtkNURBSSource vtkDataSetSurfaceFilter
  */
@@ -58,9 +61,9 @@ public:
 
   //@{
   /**
-   * Whether all patches are cut into fans, 8 triangles for a quadrilateral and 6 for a triangle,
-   * rather than into as few triangles as there can be; off by default. Faces out of view are then
-   * culled more finely, as when the camera comes near, for about four times the coarse triangles.
+   * Set whether each patch is cut into a fan, of 8 triangles for a quadrilateral and 6 for a
+   * triangle, instead of the smallest possible number of triangles; off by default. This generates
+   * about four times as many coarse triangles, but culls more off-screen geometry in close-ups.
    */
   vtkSetMacro(SplitPatches, bool);
   vtkGetMacro(SplitPatches, bool);

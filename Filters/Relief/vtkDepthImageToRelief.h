@@ -2,38 +2,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkDepthImageToRelief
- * @brief   a relief of a depth camera's image, or of a z-buffer
+ * @brief   convert a depth image or a z-buffer to a relief
  *
- * Input 0: a vtkImageData of n x m x 1 points whose point scalars, of any type, are depths, or the
- * array of SetInputArrayToProcess(0, 0, 0, 0, name). Zero, negative, NaN and infinite depths are no
- * surface. Input 1, optional: a vtkImageData of the same size whose point scalars are colours, of 1
- * to 4 components (grey, grey and opacity, RGB, RGBA): unsigned char as they are, unsigned short
- * from 0 to 65535, float and double from 0 to 1. Without it the relief is grey: white is nearest,
- * dark farthest.
+ * Input 0: a vtkImageData of n x m x 1 points whose point scalars, of any type, are depths. To
+ * choose another array, call SetInputArrayToProcess(0, 0, 0, 0, name). Depths that are zero,
+ * negative, NaN or infinite mean that there is no surface. Input 1, optional: a vtkImageData of the
+ * same size with colours of 1 to 4 components (grey, grey and opacity, RGB, RGBA) as point scalars.
+ * unsigned char is used unchanged, unsigned short ranges from 0 to 65535, float and double from 0
+ * to 1. Without colours, the relief is grey: white is nearest, dark is farthest.
  *
- * By default the image is that of a pinhole camera: DepthScale times a sample is the depth d along
- * the camera's axis, and the texel of column c and row r lies at Pose times ((c - cx) d / fx, (r -
- * cy) d / fy, d, 1). This is how depth cameras are calibrated: x to the right, y down, z ahead, and
- * the first row of the image is the top one, as cameras and NumPy have it. VTK's image readers turn
- * pictures over, so that the first row is the bottom one: then call BottomRowFirstOn().
+ * By default, the image is that of a pinhole camera. The depth along the axis of the camera is d =
+ * DepthScale * sample, and the texel in column c and row r is at Pose * ((c - cx) d / fx, (r - cy)
+ * d / fy, d, 1). This is the usual calibration of depth cameras: x to the right, y down, z ahead.
+ * The first row is the top row, as in camera drivers and NumPy. VTK's image readers store the
+ * bottom row first: call BottomRowFirstOn() for their images.
  *
- * With SetCamera() the samples are a z-buffer from 0 to 1, as vtkWindowToImageFilter and
- * vtkRendererSource give it: 1 is the background and no surface, and row 0 is the lowest. The
- * relief is of the camera's projection. The aspect ratio is the image's. If there is a point array
- * "ZBuffer", it has the depths, and the scalars the colours (vtkRendererSource with
- * DepthValuesOn()). Texels are the centres of pixels, where OpenGL samples; points lie where
- * vtkDepthImageToPointCloud puts them, but that this takes the outermost pixels for the edges of
- * the view, so that they are half a pixel apart there. DepthScale, Intrinsics, Pose and
- * BottomRowFirst have no effect.
+ * If you call SetCamera(), the samples are a z-buffer from 0 to 1, as vtkWindowToImageFilter and
+ * vtkRendererSource produce it: 1 is the background, without surface, and row 0 is the bottom row.
+ * The relief uses the projection of the camera and the aspect ratio of the image. If there is a
+ * point array "ZBuffer", it has the depths, and the scalars are the colours (vtkRendererSource with
+ * DepthValuesOn()). Texels are at pixel centres, where OpenGL samples. vtkDepthImageToPointCloud
+ * instead maps the outermost pixels to the edges of the view, so that its points are up to half a
+ * pixel away. DepthScale, Intrinsics, Pose and BottomRowFirst are ignored.
  *
- * Output: the relief, a vtkImageData of the same size with the point arrays "Color" (unsigned char,
- * 3 or 4 components), "Depth" (float, NaN where there is no surface) and "Normals" (float, world),
- * and the field arrays "ReliefProjection" and "ReliefMatrix". A parallel relief's depths count from
- * its nearest texel, in units of the world.
+ * The output is the relief, a vtkImageData of the same size with the point arrays "Color" (unsigned
+ * char, 3 or 4 components), "Depth" (float, NaN without surface) and "Normals" (float, world
+ * coordinates), and the field arrays "ReliefProjection" and "ReliefMatrix". Depths of a parallel
+ * relief are relative to the nearest texel, in world units.
  *
- * Errors (ErrorEvent of this object, empty output): neither intrinsics nor a camera; an image that
- * is not n x m x 1, or has no scalars of one component; colours of another size or type; a pose or
- * a camera without an inverse; no depth that is valid.
+ * The filter reports an error (ErrorEvent) and produces an empty output if there are neither
+ * intrinsics nor a camera; the image is not n x m x 1 or has no scalars of one component; colours
+ * have another size or type; the pose or camera is not invertible; or no depth is valid.
  *
  * @sa vtkHeightMapToRelief vtkDepthImageToPointCloud
  */
@@ -60,8 +59,8 @@ public:
 
   //@{
   /**
-   * Units of the world, as metres, in one unit of the depths; default 1, more than 0. Cameras that
-   * give millimetres have 0.001.
+   * Set the world units per unit of depth, greater than 0, default 1. For example, use 0.001 for a
+   * camera that delivers millimetres and a world in metres.
    */
   void SetDepthScale(double scale);
   vtkGetMacro(DepthScale, double);
@@ -69,9 +68,9 @@ public:
 
   //@{
   /**
-   * The pinhole camera in pixels: focal lengths along columns and rows, more than 0, and the column
-   * and row of the principal point, where centres of pixels are whole numbers and the image's top
-   * row is 0. All are 0 before the first call: there are none.
+   * Set the intrinsics of the pinhole camera in pixels: focal lengths along columns and rows,
+   * greater than 0, and column and row of the principal point. Pixel centres are integers, and row
+   * 0 is the top row. All are 0 (not set) by default.
    */
   void SetIntrinsics(double fx, double fy, double cx, double cy);
   void SetIntrinsics(const double values[4])
@@ -83,8 +82,8 @@ public:
 
   //@{
   /**
-   * From the camera's coordinates (x to the right, y down, z ahead) to the world's. Default
-   * nullptr: they are the same.
+   * Set the matrix from camera coordinates (x to the right, y down, z ahead) to world coordinates.
+   * nullptr (default) is the identity.
    */
   void SetPose(vtkMatrix4x4* cameraToWorld);
   vtkMatrix4x4* GetPose();
@@ -92,8 +91,8 @@ public:
 
   //@{
   /**
-   * Whether the first row of the images is the bottom one, as VTK's image readers give them; off by
-   * default. Intrinsics count rows from the top all the same.
+   * Set whether the first row of the images is the bottom row, as in images of VTK's readers; off
+   * by default. The intrinsics always count rows from the top.
    */
   vtkSetMacro(BottomRowFirst, bool);
   vtkGetMacro(BottomRowFirst, bool);
@@ -102,8 +101,9 @@ public:
 
   //@{
   /**
-   * The camera that the z-buffer is of, as it was then, clipping range and all; its changes count.
-   * Default nullptr: the depths are those of a pinhole camera.
+   * Set the camera of the z-buffer, with the clipping range with which it was rendered. The filter
+   * detects modifications of the camera. With nullptr (default), the depths are those of a pinhole
+   * camera.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
@@ -111,14 +111,14 @@ public:
 
   //@{
   /**
-   * Whether the relief gets normals, computed from its depths; on by default.
+   * Set whether normals are computed from the depths; on by default.
    */
   vtkSetMacro(ComputeNormals, bool);
   vtkGetMacro(ComputeNormals, bool);
   vtkBooleanMacro(ComputeNormals, bool);
   //@}
 
-  /// Includes the modification times of camera and pose.
+  /// Include the modification times of camera and pose.
   vtkMTimeType GetMTime() override;
 
 protected:

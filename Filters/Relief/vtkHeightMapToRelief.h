@@ -2,31 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeightMapToRelief
- * @brief   a relief that looks down on a height map
+ * @brief   convert a height map to a relief, seen from above
  *
- * The heights are those of SetHeightMap(): a vtkHeightMap, as that of vtkTerrainSource, or another
- * vtkHeightField. Input 0, optional: the imagery, a vtkImageData of n x m x 1 points whose point
- * scalars are colours, stretched over the whole height map, row 0 in the south, as that of
- * vtkTerrainSource::GetImagery(). Colours are as in vtkDepthImageToRelief; a texel's is the mean of
- * what lies in it. Without imagery the relief is grey: white is highest, dark lowest.
+ * The heights are those of SetHeightMap(): a vtkHeightMap, such as that of a vtkTerrainSource, or
+ * another vtkHeightField. Input 0, optional, is the imagery: a vtkImageData of n x m x 1 points
+ * with colours as point scalars, such as vtkTerrainSource::GetImagery(). It is stretched over the
+ * whole height map with row 0 in the south. For types of colours, see vtkDepthImageToRelief. The
+ * colour of a texel is the mean over its area. Without imagery the relief is grey: white is
+ * highest, dark is lowest.
  *
- * Output: the relief, a vtkImageData with TexelsPerSample texels along each sample, of parallel
- * projection, with the point arrays "Color", "Depth" (NaN where there are no data) and "Normals",
- * and the field arrays "ReliefProjection" and "ReliefMatrix". Depths count downwards from the
- * highest place, in metres, or in the heights' unit where there is no georeference.
+ * The output is the relief, a vtkImageData with TexelsPerSample texels per sample in each
+ * direction. It has a parallel projection, the point arrays "Color", "Depth" (NaN where data is
+ * missing) and "Normals", and the field arrays "ReliefProjection" and "ReliefMatrix". Depths are
+ * relative to the highest point and increase downwards, in metres, or in the unit of the heights
+ * without georeference.
  *
- * Samples lie where vtkTerrainSource puts the heights: in metres, x east, y north, from the
- * raster's centre; without georeference one sample is one unit; z = height x Exaggeration. Texels
- * are the samples themselves, but for longitude and latitude, which are no regular grid on the
- * ground: there texels are a grid along x and y, over all of the raster, with heights in between.
- * None are where the sample that they lie in has no data, and outside of the raster.
+ * Samples have the positions of vtkTerrainSource: in metres, x east, y north, relative to the
+ * centre of the raster, or one unit per sample without georeference; z = height * Exaggeration.
+ * Each sample is a texel, except for longitude and latitude, where samples are not on a regular
+ * grid of the ground. There, heights are interpolated on a regular grid in x and y that covers the
+ * whole raster. A texel without data in its sample, or outside of the raster, has no surface.
  *
- * ProgressEvent reports the share done. AbortExecuteOn(), from an observer, stops it, with an empty
+ * ProgressEvent reports the progress. An observer can call AbortExecuteOn() to stop, with an empty
  * output and no error.
  *
- * Errors (ErrorEvent of this object, empty output): no height map, or one that cannot be read,
- * which says why itself, too; a georeference that no terrain can have; imagery that is not n x m x
- * 1, or that has no colours.
+ * The filter reports an error (ErrorEvent) and produces an empty output if there is no height map;
+ * the height map cannot be read, which it also reports itself; the georeference is not supported,
+ * see vtkTerrainSource; or the imagery is not n x m x 1 or has no colours.
  *
  * @sa vtkDepthImageToRelief vtkTerrainSource vtkHeightMap
  */
@@ -50,7 +52,7 @@ public:
 
   //@{
   /**
-   * The heights; needed.
+   * Set the heights. Required.
    */
   void SetHeightMap(vtkHeightField* heightMap);
   vtkHeightField* GetHeightMap();
@@ -58,8 +60,8 @@ public:
 
   //@{
   /**
-   * Factor on the heights, default 1. NaN, or more than 1e38 in absolute value, is an error and
-   * changes nothing.
+   * Set the factor for heights, default 1. NaN, or more than 1e38 in absolute value, is an error
+   * and changes nothing.
    */
   void SetExaggeration(double exaggeration);
   vtkGetMacro(Exaggeration, double);
@@ -67,8 +69,8 @@ public:
 
   //@{
   /**
-   * Texels along each sample, 1 to 64, default 1. More keep more of imagery that is finer than the
-   * heights, which are interpolated.
+   * Set the number of texels per sample in each direction, 1 to 64, default 1. A larger number
+   * preserves more detail of imagery that is finer than the heights, which are interpolated.
    */
   void SetTexelsPerSample(int texels);
   vtkGetMacro(TexelsPerSample, int);
@@ -76,14 +78,14 @@ public:
 
   //@{
   /**
-   * Whether the relief gets normals, computed from its heights; on by default.
+   * Set whether normals are computed from the heights; on by default.
    */
   vtkSetMacro(ComputeNormals, bool);
   vtkGetMacro(ComputeNormals, bool);
   vtkBooleanMacro(ComputeNormals, bool);
   //@}
 
-  /// Includes the modification time of the height map.
+  /// Include the modification time of the height map.
   vtkMTimeType GetMTime() override;
 
 protected:

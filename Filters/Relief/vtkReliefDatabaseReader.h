@@ -2,26 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkReliefDatabaseReader
- * @brief   reads the reliefs of a folder, as Cinema's Spec D
+ * @brief   read a folder of reliefs, a Cinema database of Spec D
  *
- * The folder has a table, data.csv: a row of names, and one for each relief, fields in quotes where
- * they have commas. Of columns whose names begin with FILE the first in a row that names a .vti
- * file counts; names are relative to the folder. As vtkReliefDatabaseWriter makes them, or any
- * other database of that kind.
+ * The folder contains a table, data.csv, with a row of column names and a row for each relief.
+ * Fields with commas are quoted. The relief of a row is the first .vti file in a column whose name
+ * begins with FILE, relative to the folder. vtkReliefDatabaseWriter writes such databases.
  *
- * Output: a vtkMultiBlockDataSet with a block for each row, in their order, called as its column
- * "name" says: reliefs to the bit as they were written.
+ * The output is a vtkMultiBlockDataSet with a block for each row, in the order of the table. The
+ * column "name" gives the names of the blocks. Reliefs are read as they were written, to the bit.
  *
- * If all that a column "time" or "TimeValue" has are numbers, these are the time steps of the
- * pipeline, and the output has the rows of one of them: the last that is not later than the time
- * asked for, or the first. Rows without a number there belong to all.
+ * If a column "time" or "TimeValue" contains only numbers, these are the time steps of the
+ * pipeline. The output then contains the rows of the last step that is not later than the requested
+ * time, or of the first step. Rows without a time are part of all steps.
  *
- * Errors (ErrorEvent of this object), with an empty output: no file name; no table; one without
- * rows of reliefs, with a quote that is not closed, or with NUL bytes; not enough memory. One error
- * for all rows that cannot be read, with the first of them and their number, for a row with more or
- * fewer fields than there are names, without a .vti file, or with one outside of the folder ("..",
- * or an absolute path); for a file that is missing, damaged or no relief. Their blocks stay empty
- * and the rest is read.
+ * The reader reports an error (ErrorEvent) and produces an empty output if there is no file name or
+ * no table; the table has no reliefs, an unterminated quote or NUL bytes; or memory is
+ * insufficient. It reports one error for all rows that cannot be read, with the first one and their
+ * number: rows with a wrong number of fields, without a .vti file, or with a file that is outside
+ * of the folder (".." or an absolute path), missing, damaged or not a relief. Their blocks are
+ * empty.
  *
  * @sa vtkReliefDatabaseWriter
  */
@@ -45,14 +44,14 @@ public:
 
   //@{
   /**
-   * The folder, or data.csv in it.
+   * Set the name of the folder, or of data.csv in it.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   //@}
 
   /**
-   * 1 if there is a table there and a row of it names a .vti file, else 0.
+   * Return 1 if the table exists and a row names a .vti file, 0 otherwise.
    */
   int CanReadFile(VTK_FILEPATH const char* fileName);
 

@@ -2,26 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkReliefDatabaseWriter
- * @brief   writes reliefs into a folder, as Cinema's Spec D
+ * @brief   write reliefs to a folder, as a Cinema database of Spec D
  *
- * Input: a relief, which is a vtkImageData, or a composite data set whose blocks are reliefs. The
- * folder, which is made if there is none, gets a file relief_0000.vti and so on for each (appended
- * data, compressed, all arrays as they are), a picture of its colours, relief_0000.png, and at last
- * the table data.csv, which Cinema's viewers open. A folder that is there has to be empty or to
- * have a database of reliefs, which is replaced: the files of the new one are written under
- * temporary names, and those of the old one (relief_*.vti, relief_*.png) are removed once the new
- * table is in its place. An error or a signal before leaves the old database; other files stay.
+ * The input is a relief (vtkImageData), or a composite data set of reliefs. Nested blocks are
+ * flattened. For each relief, the writer creates relief_0000.vti etc. (appended data, compressed,
+ * with all arrays) and an image of the colours, relief_0000.png etc. Last, it writes the table
+ * data.csv, which Cinema viewers open.
  *
- * The table has a row of names, and then one for each relief: the block's name; projection (0
- * parallel, 1 perspective); columns and rows; valid, the share of texels with a surface;
- * position_x, _y and _z, the eye, or in parallel projection the middle of the relief's plane;
- * direction_x, _y and _z, that it looks in; up_x, _y and _z, the direction of its columns of
- * texels; each field array of one number or text, by its name; FILE, the .vti file; FILE_image, the
- * picture. Numbers are in C's notation. Blocks of blocks become one list.
+ * The folder is created if necessary. An existing folder must be empty or contain a database of
+ * reliefs, which is replaced. New files have temporary names until the new table is in place. Then
+ * the files of the old database (relief_*.vti, relief_*.png) are removed. If an error or a signal
+ * occurs before that, the old database is intact. Other files are not touched.
  *
- * Write() returns 1 if all was written. Errors (ErrorEvent of this object, 0 is returned): no file
- * name; nothing to write; a block that is no relief, which is left out; a folder with files but no
- * database of reliefs, or a folder or file that cannot be written, with the old database unchanged.
+ * The table has a row of column names and a row for each relief, with numbers in C notation. The
+ * columns are
+ *
+ * - the name of the block;
+ * - projection: 0 for parallel, 1 for perspective;
+ * - columns and rows: the size in texels;
+ * - valid: the fraction of texels with a surface;
+ * - position_x, _y and _z: the eye, or for parallel projection the middle of the plane of the
+ *   relief;
+ * - direction_x, _y and _z: the viewing direction;
+ * - up_x, _y and _z: the direction of the columns of texels;
+ * - each field array with one number or text, under its name;
+ * - FILE: the .vti file, and FILE_image: the image.
+ *
+ * Write() returns 1 on success. It reports an error (ErrorEvent) and returns 0 if there is no file
+ * name or no relief; a block is not a relief (the others are written); the folder contains files,
+ * but no database of reliefs; or the folder or a file cannot be written. In the last two cases the
+ * old contents are unchanged.
  *
  * @sa vtkReliefDatabaseReader
  */
@@ -48,7 +58,7 @@ public:
 
   //@{
   /**
-   * The folder, or data.csv in it.
+   * Set the name of the folder, or of data.csv in it.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -56,7 +66,8 @@ public:
 
   //@{
   /**
-   * Whether each relief gets a picture of its colours, for viewers of databases; on by default.
+   * Set whether an image of the colours of each relief is written, for database viewers; on by
+   * default.
    */
   vtkSetMacro(WriteImages, bool);
   vtkGetMacro(WriteImages, bool);

@@ -2,35 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkReliefWarper
- * @brief   a relief as a picture on its own plane that looks right from a camera
+ * @brief   warp a relief to a picture on its plane that looks correct from a camera
  *
- * Each texel goes to where the line from the camera's eye to its point meets the relief's plane:
- * what is left to draw is one textured quad (M. Oliveira, G. Bishop, D. McAllister, "Relief Texture
- * Mapping", 2000). For a texel of column u and row v this is u' = (u + k1 d) / (1 + k3 d), v' = (v
- * + k2 d) / (1 + k3 d), with d counted from the plane: depth 0, in perspective the depth of the
- * nearest valid texel (there 1 / d takes the place of d). It is done in two passes, along rows,
- * then along columns; each is exact where the surface is at whole positions. The nearest surface is
- * seen; where two are as near, that of the lower row, then the lower column. Connected surface has
- * no pinholes, and where the surface ends it reaches to the nearest whole position, so that single
- * texels stay. What lies behind a fold of a row may be lost where its own row folds.
+ * Each texel moves to the intersection of the relief's plane with the line from the eye through the
+ * texel's point, so that a single textured quad draws the relief (M. Oliveira, G. Bishop, D.
+ * McAllister, "Relief Texture Mapping", 2000). For column u and row v this is u' = (u + k1 d) / (1
+ * + k3 d), v' = (v + k2 d) / (1 + k3 d), where d is the depth relative to the plane. The plane is
+ * at depth 0, in perspective at the nearest valid texel (and 1 / d replaces d). The filter warps
+ * rows first, then columns. Each pass is exact at integer positions of the surface. The nearest
+ * surface is visible; at equal depth, that of the lower row, then of the lower column. Connected
+ * surfaces have no pinholes. Borders extend to the nearest integer position, so that isolated
+ * texels remain. Surfaces behind a fold of one row can be lost where their own row folds.
  *
- * Input: a relief, a vtkImageData with the point arrays "Color" (unsigned char, 3 or 4 components),
- * "Depth" (float, NaN where there is no surface) and perhaps "Normals" (float, 3 components), and
- * the field arrays "ReliefProjection" and "ReliefMatrix".
+ * Input: a relief, which is a vtkImageData with the point arrays "Color" (unsigned char, 3 or 4
+ * components), "Depth" (float, NaN without surface) and optionally "Normals" (float, 3 components),
+ * and the field arrays "ReliefProjection" and "ReliefMatrix".
  *
- * Output: a vtkImageData of the same dimensions with the same point arrays as seen by the camera,
- * row after row: depths are the source's, NaN where the camera sees no surface; colours and normals
- * are 0 there. What lands beside the image is left out. Field arrays: "ReliefProjection" and
- * "ReliefMatrix" of the source, and "ReliefWarp" with k1, k2, k3 and the height of the plane w0 (4
- * doubles). With the height w = d, in perspective w = 1 / d, a texel (u', v') lies at the column u
- * = u' (1 + k3 (w - w0)) - k1 (w - w0) and the row v = v' (1 + k3 (w - w0)) - k2 (w - w0) of the
- * source, at depth d there. So the output is no relief, and is refused as one.
+ * Output: a vtkImageData of the same dimensions with the same point arrays, seen from the camera.
+ * Depths are those of the source. Where the camera sees no surface, they are NaN, and colours and
+ * normals are 0. Texels that move out of the image are dropped. Field arrays are "ReliefProjection"
+ * and "ReliefMatrix" of the source, and "ReliefWarp" (4 doubles): k1, k2, k3 and the height w0 of
+ * the plane. With w = d, in perspective w = 1 / d, the texel (u', v') shows the column u = u' (1 +
+ * k3 (w - w0)) - k1 (w - w0) and row v = v' (1 + k3 (w - w0)) - k2 (w - w0) of the source, at depth
+ * d. The output is not a relief and is rejected as an input.
  *
- * Only where the camera's eye is counts, with parallel projection from where it looks: turning and
- * zooming ask for no new warp. Where the eye is in the plane or behind it there is no such picture:
- * all is NaN, with a warning the first time, see CanWarp().
+ * The result depends on the position of the eye, in parallel projection on the viewing direction.
+ * Rotating the camera about its position and zooming need no new warp. If the eye is in the plane
+ * or behind it, all depths are NaN, and the first time a warning is issued; see CanWarp().
  *
- * Errors, with an empty output: no camera; an input that is no relief; too little memory.
+ * The filter reports an error and produces an empty output if there is no camera, the input is not
+ * a relief, or memory is insufficient.
  */
 #ifndef vtkReliefWarper_h
 #define vtkReliefWarper_h
@@ -52,7 +53,7 @@ public:
 
   //@{
   /**
-   * Where to look from; needed.
+   * Set the camera. Required.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
@@ -60,8 +61,8 @@ public:
 
   //@{
   /**
-   * The surface is open between neighbours that are farther apart than this many texel widths, at
-   * least 0, default 8. A texel is as wide as it is at the nearer one's depth.
+   * Set the distance of adjacent texels, in texel widths at the depth of the nearer one, beyond
+   * which the surface is open between them; at least 0, default 8.
    */
   void SetMaximumStretch(double stretch);
   vtkGetMacro(MaximumStretch, double);
@@ -77,18 +78,18 @@ public:
 
   //@{
   /**
-   * Who warps; all give the same picture, to the bit. Default SEQUENTIAL (0).
+   * Set how to distribute the work. All policies produce bitwise identical pictures.
    *
-   * Sequential: Update() itself. Multi-threaded (2): in Update(), NumberOfThreads threads with a
-   * band of rows and a picture each, merged at the end; memory for as many pictures. Rows and
-   * columns (3): in Update(), threads share the rows of the first pass, then the columns of the
-   * second; memory for what is between both, some 35 bytes for each texel.
-   *
-   * Parallel (1): a thread of its own, while the last picture is drawn. Update() waits for the
-   * first picture alone, and for the first of other dimensions; then it takes the latest that is
-   * finished, and has the next one begun if something has changed since. GetMTime() tells by a
-   * newer time that there is one to take: update until GetState() is FINAL. The input may change
-   * meanwhile.
+   * - Sequential (0, default): in Update().
+   * - Parallel (1): in a separate thread, while the last picture is drawn. Update() only waits for
+   *   the first picture of the given dimensions. Otherwise it takes the latest finished picture,
+   *   and starts the next one if something has changed. GetMTime() increases when a picture is
+   *   finished: call Update() until GetState() is FINAL. The input may change meanwhile.
+   * - Multi-threaded (2): in Update(), with NumberOfThreads threads. Each thread warps a band of
+   *   rows to a separate picture; the pictures are merged. This needs memory for one picture per
+   *   thread.
+   * - Rows and columns (3): in Update(), threads share the rows of the first pass and then the
+   *   columns of the second. The result of the first pass needs about 35 bytes per texel.
    */
   void SetPolicy(int policy);
   vtkGetMacro(Policy, int);
@@ -100,8 +101,8 @@ public:
 
   //@{
   /**
-   * Threads of MULTI_THREADED and ROWS_AND_COLUMNS, 0 to 64; 0, the default, is as many as
-   * vtkMultiThreader has by default, one for each processor.
+   * Set the number of threads of MULTI_THREADED and ROWS_AND_COLUMNS, 0 to 64. 0 (default) is the
+   * default of vtkMultiThreader, one per processor.
    */
   void SetNumberOfThreads(int number);
   vtkGetMacro(NumberOfThreads, int);
@@ -109,25 +110,25 @@ public:
 
   enum StateType
   {
-    INITIAL, ///< nothing is warped yet
-    WARPING, ///< the parallel policy's thread warps
-    WAITING, ///< it has finished a picture, which the next Update() takes
-    FINAL    ///< the output shows what was asked for in the last Update()
+    INITIAL, ///< before the first warp
+    WARPING, ///< the thread of the parallel policy is warping
+    WAITING, ///< a finished picture waits for the next Update()
+    FINAL    ///< the output is up to date
   };
 
-  /// What is going on, one of StateType. All policies but PARALLEL go from INITIAL to FINAL.
+  /// Return the state, a StateType. All policies except PARALLEL go from INITIAL to FINAL.
   int GetState();
 
-  /// How many warps were done, by all policies.
+  /// Return the number of warps of all policies so far.
   int GetNumberOfWarps();
-  /// Seconds that the last warp took, 0 before the first.
+  /// Return the time of the last warp in seconds, 0 before the first.
   double GetWarpTime();
 
-  /// Whether the camera, as it is now, sees the plane of the last input from the front: else
-  /// Update() gives a picture without surface. False before the first Update().
+  /// Return whether the camera is in front of the plane of the last input. If not, Update()
+  /// produces a picture without surface. Returns false before the first Update().
   bool CanWarp();
 
-  /// Includes the camera's modification time; always newer while a finished picture is WAITING.
+  /// Include the modification time of the camera. Increases while a finished picture is WAITING.
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -24,8 +24,8 @@
  *
  * A sample is missing if it equals NoDataValue or the no-data value that the file declares (through
  * GDAL), compared in the type of the raster, or if the mask of the file excludes it. Missing
- * samples get smooth heights interpolated from their valid neighbours. vtkHeightField::GetValidity()
- * distinguishes them.
+ * samples get smooth heights interpolated from their valid neighbours.
+ * vtkHeightField::GetValidity() distinguishes them.
  *
  * Update() reports an error (ErrorEvent) and returns false if there is neither a file nor an image;
  * the file is missing, empty, truncated or unreadable; a height is NaN or infinite and not declared
