@@ -2,43 +2,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAdaptiveRefinementFilter
- * @brief   a recipe evaluated on the CPU: coarse surface in, refined surface out
+ * @brief   refine a coarse surface on the CPU, as a recipe describes
  *
- * The twin of vtkAdaptiveRefinementMapper: same recipe, same triangles, same points to float
- * accuracy, as a vtkPolyData that can be saved, measured and filtered further.
+ * This filter creates the same triangles as vtkAdaptiveRefinementMapper for the same recipe. Points
+ * agree to float accuracy. The output is a vtkPolyData that you can save, measure and filter
+ * further.
  *
- * Input: a vtkPolyData with polygons of any size and triangle strips; polygons are cut into fans as
- * VTK's mappers do. Vertices and lines pass through and stay where they are: where the displacement
- * moves a face's points, they get points of their own. Triangles with two corners at one place or
- * with coordinates that are not finite are dropped; a warning says how many.
+ * The input is a vtkPolyData with polygons of any size and triangle strips. Polygons are split into
+ * triangle fans, as VTK's mappers do. Vertices and lines are passed through unchanged. Where a
+ * displacement moves a face's points, vertices and lines get separate points. Triangles with
+ * coincident corners or non-finite coordinates are skipped, and a warning gives their number.
  *
- * Output: triangles that wind as their coarse cell does; the input's points come first. Triangles
- * share points as the input's cells do. Where the surface gives the faces around a point different
- * normals (sharp edges), each normal has a point of its own: copies with the same coordinates, to
- * the bit, and the same data. They come last. Normals that differ by up to 0.001, the length of the
- * difference (0.06 degrees), share a point. vtkCleanPolyData with a tolerance of 0 merges copies.
+ * The output triangles keep the winding of their coarse cells. Input points come first. Triangles
+ * share points where the input's cells do. If the surface has several normals at a point (sharp
+ * edges), the output has one copy of the point per normal, with identical coordinates and data.
+ * These copies come last. Normals that differ by a vector of length 0.001 or less (0.06 degrees)
+ * share a point. To merge the copies, use vtkCleanPolyData with a tolerance of 0.
  *
- * Watertight to the bit: an edge's points are the same from both sides, also where points coincide
- * without being shared (creases, split normals, texture seams). Float points stay float; all others
- * become double, with the precision of floats relative to the middle of the mesh.
+ * The output is watertight: both sides of an edge have bitwise equal points, also where coincident
+ * points are not shared (creases, split normals, texture seams). Float points remain float. All
+ * other types become double, with the precision of floats relative to the middle of the mesh.
  *
- * Point data are interpolated linearly and keep their type: integers are rounded; strings, bits and
- * ghost flags are those of the nearest coarse point; global and pedigree ids are left out. See
- * vtkAdaptiveRefinement::SetNoDataMagnitude() for values that stand for no data. "Normals", unit
- * float vectors of the refined surface, replace the input's normals. Cell data are passed on, and
- * the cell array "vtkOriginalCellIds" (vtkIdType) holds the ids of the input's cells. Cell normals
- * are left out where the surface is not linear or is displaced, and global ids become a plain
+ * Point data are interpolated linearly and keep their type. Integers are rounded. Strings, bits and
+ * ghost flags are copied from the nearest coarse point. Global and pedigree ids are removed. See
+ * vtkAdaptiveRefinement::SetNoDataMagnitude() for missing values. The array "Normals" has the unit
+ * normals of the refined surface as floats and replaces the input's normals. Cell data are passed
+ * on, and the cell array "vtkOriginalCellIds" (vtkIdType) has the ids of the input's cells. Cell
+ * normals are removed if the surface is curved or displaced. Global cell ids become an ordinary
  * array.
  *
- * Where a displacement leaves holes, triangles over no-data are left out. Then, and where points
- * are not finite, points that no cell uses are left out as well.
+ * If a displacement has holes, triangles over missing data are removed. Unused points are then
+ * removed too, and also if some points are not finite.
  *
- * Cells whose vtkGhostType says that another piece has them (DUPLICATECELL) count as neighbours and
- * are left out, with the points that no other cell uses.
+ * Ghost cells that duplicate cells of another piece (DUPLICATECELL) are used as neighbours. They
+ * are not part of the output, nor are points that only they use.
  *
- * Errors: no recipe, no cells, cells that refer to missing points, depth-tags or texture
- * coordinates that cannot be used, a metric or height map that fails, not enough memory. The output
- * is then empty.
+ * The filter reports an error, and its output is empty, if there is no recipe or no cell, if cells
+ * refer to missing points, if depth-tags or texture coordinates cannot be used, if a metric or
+ * height map fails, or if memory runs out.
  *
  * @sa vtkAdaptiveRefinement vtkAdaptiveRefinementMapper
  */
@@ -71,7 +72,7 @@ public:
 
   //@{
   /**
-   * What to refine to. Required.
+   * Set the recipe. Required.
    */
   void SetRefinement(vtkAdaptiveRefinement* refinement);
   vtkAdaptiveRefinement* GetRefinement();
@@ -79,20 +80,20 @@ public:
 
   //@{
   /**
-   * The processes that have the other pieces of the surface; none, the default, means that the
-   * input is all of it. What depends on the whole is then agreed on, so that the pieces fit: all
-   * processes update the filter, for as many blocks, and one may have no cells. Each piece needs
-   * two layers of ghost cells (DUPLICATECELL), and points that lie in the same order on all
-   * processes: vtkPAdaptiveRefinementFilter of the plugin for ParaView, which sets the controller,
-   * sees to both.
+   * Set the controller of the processes that have the other pieces of the surface. By default there
+   * is none, and the input is the whole surface. With a controller, the processes exchange values
+   * of the whole surface so that the pieces match. All processes must update the filter for the
+   * same number of blocks; a piece may be empty. Each piece needs two layers of ghost cells
+   * (DUPLICATECELL) and the same order of points on all processes. vtkPAdaptiveRefinementFilter in
+   * the ParaView plugin sets the controller and prepares the pieces.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   //@}
 
   /**
-   * Latest change of the filter, its recipe or, for metrics that depend on them, Camera and
-   * ModelToWorld.
+   * Return the time of the latest change of the filter or its recipe. If the metric depends on
+   * Camera or ModelToWorld, their times count too.
    */
   vtkMTimeType GetMTime() override;
 
@@ -103,19 +104,19 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  /// RequestData() for one mesh: false after an ErrorEvent.
+  /// Process one mesh. Returns false after reporting an error.
   bool Refine(vtkPolyData* input, vtkPolyData* output);
 
   vtkSmartPointer<vtkAdaptiveRefinement> Refinement;
   vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
-  /// Check everything and select levels; false after an ErrorEvent.
+  /// Check the input and select the levels. Returns false after reporting an error.
   bool Prepare(
     vtkPolyData* input, relevo::RefinementMesh& mesh, relevo::PatternSelection& selection);
 
   std::unique_ptr<relevo::TagSources> Sources;
-  std::string Warning; // that was warned of
+  std::string Warning; // the last warning, to report each one once
 
   vtkAdaptiveRefinementFilter(const vtkAdaptiveRefinementFilter&) = delete;
   void operator=(const vtkAdaptiveRefinementFilter&) = delete;

@@ -2,37 +2,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkCreaseNormals
- * @brief   point normals that keep a mesh's creases, and the surface that fits the mesh with them
+ * @brief   compute point normals that preserve creases, and choose a matching surface
  *
- * A curved surface bends every face towards the normals at its corners. Where these are averaged
- * over the edges of a solid, a cube becomes a ball. This filter gives each corner a normal that its
- * face can follow, so that a curved surface keeps the shape that the mesh has:
+ * A curved surface bends each face towards the normals at its corners. If these normals are
+ * averaged across the edges of a solid, a cube becomes a ball. This filter assigns each corner a
+ * normal that its face can follow, so that a curved surface keeps the shape of the mesh:
  *
- * - The mesh's own point normals are used where they are at most FeatureAngle from the face's.
- * - Elsewhere normals are computed: the mean of the faces around that meet at no more than
- *   FeatureAngle, weighted by area. Edges of more than two faces, and of faces that wind against
- *   each other, are creases too.
- * - Where that mean is more than FeatureAngle from the face's normal, as at the tip of a cone, the
- *   face's normal is used.
+ * - The normals of the mesh are used where they differ from the face normal by at most
+ *   FeatureAngle.
+ * - Elsewhere, normals are computed as the area-weighted mean of the adjacent faces that meet at
+ *   FeatureAngle or less. Edges of more than two faces, and of faces with opposite winding, are
+ *   creases too.
+ * - The face normal is used where that mean differs from it by more than FeatureAngle, as at the
+ *   tip of a cone.
  *
- * GetFittingSurface() chooses the surface: PN triangles, or a linear surface if there is nothing to
- * curve. That is so where no two faces meet at an angle that is no crease, and where most of the
- * edges that bend do so by 2/3 to 3/2 of FeatureAngle, unless most of the mesh's own normals are
- * used: such a mesh is too coarse to tell its creases from its bends, and keeps its flat faces. A
- * finely divided sphere becomes round. An icosahedron, whose faces meet at 42 degrees, and a sphere
- * of 8 x 8 faces without normals stay as they are.
+ * GetFittingSurface() returns a surface for the result: PN triangles, or a linear surface for flat
+ * meshes. A mesh is flat if all faces that meet at an angle form creases. It is also treated as
+ * flat if it is too coarse to distinguish creases from curvature: most of its bent edges bend by
+ * 2/3 to 3/2 of FeatureAngle, and most of its normals are not used. For example, a finely divided
+ * sphere becomes round. An icosahedron, whose faces meet at 42 degrees, and a sphere of 8 x 8 faces
+ * without normals remain flat.
  *
- * The creases of a noisy mesh, as of a scan, are not those of its shape: they end soon, ridges run
- * into valleys, and there are bends of all sizes. A mesh counts as noisy if at least 2 % of its
- * bends are creases, at more than half of the points with creases there is just one or there are
- * both ridges and valleys, and edges that bend by 2/3 of FeatureAngle up to it are more than a
- * quarter as many as creases. Such a mesh keeps its flat faces, shaded smoothly: no angle is a
- * crease, and each point has the mean normal of all its faces, or its own.
+ * Noisy meshes, such as scans, have creases that do not belong to their shape: they are short,
+ * ridges run into valleys, and there are bends of all sizes. A mesh is noisy if three conditions
+ * are true. At least 2 % of its bends are creases. More than half of the points on creases have
+ * only one crease, or both ridges and valleys. The edges that bend by 2/3 of FeatureAngle to
+ * FeatureAngle number more than a quarter of the creases. A noisy mesh has no creases and a linear
+ * surface with smooth shading: each point has the normal of the mesh, or else the mean normal of
+ * all adjacent faces.
  *
- * Input: a vtkPolyData. Coincident points are one place, whether or not faces share them. Output:
- * the same mesh with "Normals" (float, unit vectors) as active normals; points are split where
- * normals differ, the copies with the same point data after the input's points. Strips become
- * triangles, after the polygons. Cells that refer to missing points are an error.
+ * The input is a vtkPolyData. Coincident points are merged for the computation, even if no face
+ * shares them. The output is the same mesh with "Normals" (float, unit vectors) as active normals.
+ * Points are split where normals differ. The copies have the same point data and follow the input's
+ * points. Strips become triangles, after the polygons. Cells that refer to missing points are an
+ * error.
  *
  * @sa vtkPNTriangleSurface vtkAdaptiveRefinement
  */
@@ -54,8 +57,8 @@ public:
 
   //@{
   /**
-   * Faces that meet at more than this angle have a crease between them. In degrees, 0 to 180;
-   * default 30, as in vtkPolyDataNormals. A value outside is an error and changes nothing.
+   * Set the angle between faces above which their common edge is a crease, in degrees, 0 to 180.
+   * The default is 30, as in vtkPolyDataNormals. Values out of range are rejected with an error.
    */
   void SetFeatureAngle(double angle);
   vtkGetMacro(FeatureAngle, double);
@@ -63,9 +66,8 @@ public:
 
   //@{
   /**
-   * Whether a mesh that is too coarse to tell its creases from its bends keeps its flat faces, and
-   * a noisy one becomes smooth, see above. Default on; off if you know FeatureAngle to fit the
-   * mesh.
+   * Set whether coarse meshes remain flat and noisy meshes become smooth, as described above. The
+   * default is on. Turn it off if FeatureAngle suits the mesh.
    */
   vtkSetMacro(KeepCoarseFlat, bool);
   vtkGetMacro(KeepCoarseFlat, bool);
@@ -73,13 +75,13 @@ public:
   //@}
 
   /**
-   * The number of creases in the last input.
+   * Get the number of creases of the last input.
    */
   vtkGetMacro(NumberOfCreases, vtkIdType);
 
   /**
-   * The surface that fits the last output: a vtkPNTriangleSurface or a vtkLinearSurface; nullptr
-   * before the first update.
+   * Return the surface that fits the last output: a vtkPNTriangleSurface or a vtkLinearSurface.
+   * Returns nullptr before the first update.
    */
   vtkRefinementSurface* GetFittingSurface();
 

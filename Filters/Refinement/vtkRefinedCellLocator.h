@@ -2,25 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkRefinedCellLocator
- * @brief   lines and nearest points on a surface that a recipe refines, without refining it
+ * @brief   intersect lines with a refined surface and find its nearest points, without refining all
+ * of it
  *
- * A cell locator of a coarse vtkPolyData, SetDataSet(), whose answers are those of its refined,
- * displaced surface: places on what vtkAdaptiveRefinementFilter would make, cell ids and parametric
- * coordinates of the coarse cells. Only the faces that a query needs are refined, so that a line
- * takes microseconds. Vertices and lines of the data set are found as they are.
+ * This cell locator takes a coarse vtkPolyData, see SetDataSet(), and searches its refined and
+ * displaced surface. Results lie on the surface that vtkAdaptiveRefinementFilter would create. Cell
+ * ids and parametric coordinates are those of the coarse cells. Only the faces that a query needs
+ * are refined, so that a line takes microseconds. Vertices and lines of the data set are found
+ * unchanged.
  *
- * For whatever takes a vtkAbstractCellLocator. vtkAdaptiveRefinementMapper needs none: VTK's
- * pickers find the refined surface there by themselves. With a vtkPolyDataMapper of the coarse
- * mesh, vtkCellPicker::AddLocator() makes the picker find the refined surface.
+ * Use it wherever VTK takes a vtkAbstractCellLocator. You do not need it for
+ * vtkAdaptiveRefinementMapper, where VTK's pickers find the refined surface without a locator. If
+ * you draw the coarse mesh with vtkPolyDataMapper, add this locator with
+ * vtkCellPicker::AddLocator() to pick the refined surface.
  *
- * Levels are those that the recipe gives for Camera, ModelToWorld and ViewportSize, as in the
- * filter. The search structure is built by the first query, and again whenever the data set, the
- * recipe or, for metrics that depend on the view, the camera has changed. BuildLocator() builds it
- * beforehand; after it, several threads can query at once.
+ * The recipe provides the levels for Camera, ModelToWorld and ViewportSize, as in the filter. The
+ * first query builds the search structure. It is rebuilt when the data set or the recipe changes,
+ * and for view-dependent metrics when the camera changes. After a call of BuildLocator(), several
+ * threads can query at once.
  *
- * Coordinates are those of the data set. Errors (ErrorEvent; nothing is found): no data set or one
- * that is not a vtkPolyData, no recipe, depth-tags or texture coordinates that cannot be used, a
- * metric or height map that fails.
+ * Coordinates are those of the data set. The locator reports an error and finds nothing if there is
+ * no data set or it is not a vtkPolyData, if there is no recipe, if depth-tags or texture
+ * coordinates cannot be used, or if a metric or height map fails.
  *
  * @sa vtkAdaptiveRefinementFilter vtkAdaptiveRefinementMapper
  */
@@ -54,7 +57,7 @@ public:
 
   //@{
   /**
-   * What to refine to. Required.
+   * Set the recipe. Required.
    */
   void SetRefinement(vtkAdaptiveRefinement* refinement);
   vtkAdaptiveRefinement* GetRefinement();
@@ -62,7 +65,7 @@ public:
 
   //@{
   /**
-   * The camera for metrics that depend on the view, in world coordinates; none by default.
+   * Set the camera for view-dependent metrics, in world coordinates. There is none by default.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
@@ -70,7 +73,8 @@ public:
 
   //@{
   /**
-   * From the data set's coordinates to the world's, an actor's GetMatrix(); identity by default.
+   * Set the matrix from the data set's coordinates to world coordinates, for example an actor's
+   * GetMatrix(). The default is the identity.
    */
   void SetModelToWorld(vtkMatrix4x4* matrix);
   vtkMatrix4x4* GetModelToWorld();
@@ -78,7 +82,8 @@ public:
 
   //@{
   /**
-   * Width and height of the viewport in pixels, (300, 300) by default. Less than 1 is an error.
+   * Set the width and height of the viewport in pixels. The default is (300, 300). Values less than
+   * 1 are rejected with an error.
    */
   void SetViewportSize(int width, int height);
   void SetViewportSize(const int size[2]) { this->SetViewportSize(size[0], size[1]); }
@@ -86,8 +91,8 @@ public:
   //@}
 
   /**
-   * Latest change of the locator, its recipe or, for metrics that depend on them, Camera and
-   * ModelToWorld.
+   * Return the time of the latest change of the locator or its recipe. If the metric depends on
+   * Camera or ModelToWorld, their times count too.
    */
   vtkMTimeType GetMTime() override;
 
@@ -96,21 +101,24 @@ public:
   using vtkAbstractCellLocator::IntersectWithLine;
 
   /**
-   * The first point where the line from p1 to p2 meets the refined surface, or passes it within
-   * `tol`, a length; of vertices and lines as well. Fills where on the line, in [0, 1], the point,
-   * the coarse cell with its parametric coordinates (of the triangle `subId` in a strip), and
-   * `cell`, turned so that it faces as the refined surface does there. Returns 1 if there is one.
+   * Find the first intersection of the line from p1 to p2 with the refined surface or with vertices
+   * and lines. Points within the distance `tol` of the line count too. Returns 1 if there is one
+   * and sets its parameter t in [0, 1] along the line, its coordinates, the coarse cell and the
+   * parametric coordinates there. In a strip, `subId` is the triangle. `cell` is reversed if needed
+   * so that it faces as the refined surface does at that point.
    */
   int IntersectWithLine(const double p1[3], const double p2[3], double tol, double& t, double x[3],
     double pcoords[3], int& subId, vtkIdType& cellId, vtkGenericCell* cell) override;
 
   //@{
   /**
-   * All points where the line from p1 to p2 meets the refined surface, and vertices and lines
-   * within `tol` of it, in the line's order, with their coarse cells; where there is none of the
-   * surface, the first that the line passes within `tol`. `points` or `cellIds` may be nullptr,
-   * `cell` is not used. With `tol` returns 1 if there is one. Without, `tol` is 0, and the result
-   * is -1 if the first point is met from behind, that is if p1 lies inside a closed surface, 1 if
+   * Find all intersections of the line from p1 to p2 with the refined surface, and all vertices and
+   * lines within `tol` of it, ordered along the line, with their coarse cells. If the line misses
+   * the surface, the first surface point within `tol` is used. `points` and `cellIds` may be
+   * nullptr, and `cell` is not used. The overloads with `tol` return 1 if they find a point. The
+   * overload without `tol` uses 0. It returns -1 if the line hits the back of the surface first,
+   * which means that p1 is inside a closed surface, 1 if it hits the front, and 0 if it finds
+   * nothing.
    * from the front, 0 if there is none.
    */
   int IntersectWithLine(
@@ -130,9 +138,9 @@ public:
 
   //@{
   /**
-   * The point of the refined surface, or of vertices and lines, that is nearest to x, the square of
-   * its distance, and its coarse cell, -1 where there is none. `inside` is 1 where the point is not
-   * on the border of its coarse cell.
+   * Find the point of the refined surface, or of vertices and lines, that is nearest to x, with its
+   * squared distance and its coarse cell. The cell id is -1 if nothing is found. `inside` is 1 if
+   * the point is not on the border of its coarse cell.
    */
   void FindClosestPoint(const double x[3], double closestPoint[3], vtkGenericCell* cell,
     vtkIdType& cellId, int& subId, double& dist2) override;
@@ -142,8 +150,9 @@ public:
 
   //@{
   /**
-   * Coarse cells that the refined surface may have points of in a box (xmin, xmax, ymin, ymax,
-   * zmin, zmax), or within `tolerance` of a line: all that have, and some that come near.
+   * Find the coarse cells whose refined surface may intersect a box (xmin, xmax, ymin, ymax, zmin,
+   * zmax) or lie within `tolerance` of a line. The result contains all these cells and may contain
+   * nearby ones.
    */
   void FindCellsWithinBounds(double* bbox, vtkIdList* cells) override;
   void FindCellsAlongLine(
@@ -152,20 +161,20 @@ public:
 
   //@{
   /**
-   * Build the search structure if something has changed; free it.
+   * Build the search structure if it is out of date, or free it.
    */
   void BuildLocator() override;
   void FreeSearchStructure() override;
   //@}
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
   /**
-   * Build all of it anew, though nothing says that it has changed.
+   * Rebuild the search structure even if it is up to date.
    */
   void ForceBuildLocator() override;
 #endif
 
   /**
-   * What vtkAdaptiveRefinementFilter makes of the data set; `level` has no meaning here.
+   * Fill `pd` with the output of vtkAdaptiveRefinementFilter for the data set. `level` is ignored.
    */
   void GenerateRepresentation(int level, vtkPolyData* pd) override;
 
@@ -182,7 +191,7 @@ private:
   relevo::RefinementView MakeView() const;
   bool UpdateSurface();
   bool Prepare(vtkPolyData* input);
-  /// As IntersectWithLine() without `tol`.
+  /// Implements IntersectWithLine() without `tol`.
   int FindHits(
     const double p1[3], const double p2[3], double tol, vtkPoints* points, vtkIdList* cellIds);
   int IntersectOtherCells(const double p1[3], const double p2[3], double tol, double& t,

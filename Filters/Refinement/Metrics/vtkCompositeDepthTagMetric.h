@@ -2,20 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkCompositeDepthTagMetric
- * @brief   several depth-tag metrics as one
+ * @brief   combine several depth-tag metrics
  *
- * With l_i the level of the i-th metric at a point and w_i its weight, the depth-tag is by Mode
+ * The depth-tag of a point depends on Mode. With l_i the level of metric i at the point and w_i its
+ * weight, it is
  *
  *     MAXIMUM (default)    max_i  w_i l_i
  *     SUM                  sum_i  w_i l_i
  *     PRODUCT              MaximumLevel * product_i  (l_i / MaximumLevel)^w_i
  *
- * clamped to [0, MaximumLevel]; by the rule PER_EDGE, that of an edge from the levels that the
- * metrics give it. The maximum refines what any of the metrics asks for, the product only what all
- * ask for; a weight of 0 leaves a metric out.
+ * clamped to [0, MaximumLevel]. With the rule PER_EDGE, the levels of the edge are combined in the
+ * same way. The maximum refines wherever one of the metrics requests it. The product refines only
+ * where all metrics do. A weight of 0 disables a metric.
  *
- * It depends on the view if any of its metrics does. What refines a mesh keeps the tags of those
- * that do not while neither the metric, the mesh, the actor's matrix nor MaximumLevel changes.
+ * The metric depends on the view if one of its metrics does. Tags of the other metrics are cached
+ * until the metric, the mesh, the actor's matrix or MaximumLevel changes.
+ *
+ * Computing tags fails with an error if there are no metrics or if one of them fails.
  *
  * Errors when tags are computed: no metrics; a metric that fails, after its own error.
  *
@@ -48,8 +51,8 @@ public:
 
   //@{
   /**
-   * How levels are combined: MAXIMUM (0, the default), SUM (1) or PRODUCT (2). Another value is an
-   * error and changes nothing.
+   * Set how levels are combined: MAXIMUM (0, the default), SUM (1) or PRODUCT (2). Other values are
+   * rejected with an error.
    */
   void SetMode(int mode);
   vtkGetMacro(Mode, int);
@@ -59,13 +62,13 @@ public:
   //@}
 
   /**
-   * "Maximum", "Sum" or "Product".
+   * Return the mode as "Maximum", "Sum" or "Product".
    */
   const char* GetModeAsString();
 
   /**
-   * Add a metric, with a weight from 0 to 1e6, default 1. No metric, this metric itself, one that
-   * contains it, or another weight is an error and adds nothing.
+   * Add a metric with a weight from 0 to 1e6. The default weight is 1. A null metric, this metric,
+   * a metric that contains this metric, and weights out of range are rejected with an error.
    */
   void AddMetric(vtkDepthTagMetric* metric, double weight = 1.0);
 
@@ -75,22 +78,22 @@ public:
   void RemoveAllMetrics();
 
   /**
-   * How many metrics have been added.
+   * Return the number of metrics.
    */
   int GetNumberOfMetrics();
 
   /**
-   * The metric added as number `index`, counted from 0; None (nullptr) if there is none.
+   * Return the metric at `index`, counted from 0, or nullptr (None in Python) if there is none.
    */
   vtkDepthTagMetric* GetMetric(int index);
 
   /**
-   * The weight of the metric added as number `index`, counted from 0; 0 if there is none.
+   * Return the weight of the metric at `index`, counted from 0, or 0 if there is none.
    */
   double GetWeight(int index);
 
   /**
-   * Includes the times of the metrics.
+   * Return the time of the latest change of this metric or the metrics it contains.
    */
   vtkMTimeType GetMTime() override;
 

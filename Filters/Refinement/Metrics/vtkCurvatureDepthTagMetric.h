@@ -2,38 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkCurvatureDepthTagMetric
- * @brief   refines where a surface is strongly curved
+ * @brief   refine where a surface is strongly curved
  *
  * With k the absolute value of the discrete Gaussian or mean curvature at a point, and the
  * thresholds low = MinimumCurvature and high = MaximumCurvature, the depth-tag is
  *
  *     level = MaximumLevel * (k - low) / (high - low)
  *
- * clamped: 0 at the low threshold and below, MaximumLevel at the high one and above, linear
- * between. The metric does not depend on the view.
+ * It is clamped: 0 at and below the low threshold, MaximumLevel at and above the high threshold,
+ * and linear between them. The metric does not depend on the view.
  *
- * Where a recipe displaces the mesh by a height map, k is measured on the displaced surface: each
- * face is sampled with 2^MaximumLevel segments on an edge, but at least 4 and at most 16, and k at
- * a point is the mean over the faces at it, weighted by their areas. Relief between the points
- * counts then. The distance of a surface from its triangles grows with k and with the square of
- * their edges, so the depth-tag is
+ * If a recipe displaces the mesh by a height map, k is measured on the displaced surface, so that
+ * relief between the points is included. Each edge of a face is sampled with 2^MaximumLevel
+ * segments, at least 4 and at most 16. k at a point is the area-weighted mean over its faces. The
+ * distance between a surface and its triangles grows with k and with the square of the edge length.
+ * The depth-tag is therefore
  *
  *     level = MaximumLevel + log2(k / high) / 2          (mean curvature)
  *     level = MaximumLevel + log2(k / high) / 4          (Gaussian curvature)
  *
- * clamped to [0, MaximumLevel], and 0 where k does not exceed low. Where no recipe is known, as in
- * vtkDepthTagFilter, k is that of the mesh.
+ * clamped to [0, MaximumLevel], and 0 where k does not exceed low. Without a recipe, as in
+ * vtkDepthTagFilter, k is measured on the mesh.
  *
- * Curvatures are those of Meyer, Desbrun, Schroeder and Barr 2002 ("Discrete
- * differential-geometry operators for triangulated 2-manifolds"), with their mixed Voronoi area:
- * Gaussian K = (2 pi - sum of the angles at the point) / A_mixed (eq. 9), mean H = half the length
- * of the cotangent Laplacian (eq. 8). Polygons are taken as the fans that VTK's mappers draw,
- * strips as their triangles. Points at the same coordinates count as one, so seams of texture
- * coordinates and split normals are not borders. A point on a border of the surface, or on an edge
- * of more than two triangles, has no closed ring of triangles to measure: it takes the mean of its
- * neighbours, ring by ring from the nearest points that have one (0 where there are none).
- * Curvatures are finite for any mesh: triangles of no area or with a point that is not finite are
- * left out, and a point without triangles has curvature 0.
+ * Curvatures are computed as in Meyer, Desbrun, Schroeder and Barr 2002 ("Discrete
+ * differential-geometry operators for triangulated 2-manifolds"), with their mixed Voronoi area.
+ * The Gaussian curvature is K = (2 pi - sum of the angles at the point) / A_mixed (eq. 9). The mean
+ * curvature H is half the length of the cotangent Laplacian (eq. 8). Polygons are split into
+ * triangle fans as VTK's mappers do, and strips into triangles. Coincident points are merged, so
+ * that seams of texture coordinates and split normals are not borders. Points on a border of the
+ * surface, or on an edge of more than two triangles, have no closed ring of triangles. They take
+ * the mean of their neighbours, ring by ring from the nearest points with a curvature, or 0 if
+ * there are none. Curvatures are always finite. Triangles without area or with non-finite points
+ * are skipped, and points without triangles have curvature 0.
  *
  * @sa vtkDepthTagFilter vtkAdaptiveRefinement vtkDistanceDepthTagMetric vtkCurvatures
  */
@@ -53,7 +53,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The curvatures to choose from.
+   * The types of curvature.
    */
   enum CurvatureTypes
   {
@@ -63,34 +63,34 @@ public:
 
   //@{
   /**
-   * Which curvature is measured: GAUSSIAN (0, the default; it is 0 on surfaces that can be
-   * unrolled, such as cylinders and straight ridges) or MEAN (1). Another value is an error and
-   * changes nothing.
+   * Set the type of curvature: GAUSSIAN (0, the default) or MEAN (1). Gaussian curvature is 0 on
+   * surfaces that can be unrolled, such as cylinders and straight ridges. Other values are rejected
+   * with an error.
    */
   void SetCurvatureType(int type);
   vtkGetMacro(CurvatureType, int);
   //@}
 
   /**
-   * Measure the Gaussian curvature, in 1/length^2.
+   * Set the type to Gaussian curvature, in 1/length^2.
    */
   void SetCurvatureTypeToGaussian() { this->SetCurvatureType(GAUSSIAN); }
 
   /**
-   * Measure the mean curvature, in 1/length.
+   * Set the type to mean curvature, in 1/length.
    */
   void SetCurvatureTypeToMean() { this->SetCurvatureType(MEAN); }
 
   /**
-   * "Gaussian" or "Mean".
+   * Return the type as "Gaussian" or "Mean".
    */
   const char* GetCurvatureTypeAsString();
 
   //@{
   /**
-   * Absolute curvature up to which the level is 0, in the mesh's own units (Gaussian 1/length^2,
-   * mean 1/length); default 0. A negative or infinite value is an error and changes nothing; a
-   * minimum above the maximum is an error when tags are computed.
+   * Set the absolute curvature up to which the level is 0, in units of the mesh (Gaussian
+   * 1/length^2, mean 1/length). The default is 0. Negative and infinite values are rejected with an
+   * error. A minimum above the maximum is an error when tags are computed.
    */
   void SetMinimumCurvature(double curvature);
   vtkGetMacro(MinimumCurvature, double);
@@ -98,11 +98,10 @@ public:
 
   //@{
   /**
-   * Absolute curvature from which on the level is MaximumLevel, in the mesh's own units (Gaussian
-   * 1/length^2, mean 1/length).
+   * Set the absolute curvature from which on the level is MaximumLevel, in units of the mesh
+   * (Gaussian 1/length^2, mean 1/length). Negative and infinite values are rejected with an error.
    *
-   * With both thresholds 0, the default, they are automatic, from Quantiles. A negative or infinite
-   * value is an error and changes nothing.
+   * The default is 0. If both thresholds are 0, they are computed from Quantiles.
    */
   void SetMaximumCurvature(double curvature);
   vtkGetMacro(MaximumCurvature, double);
@@ -110,12 +109,12 @@ public:
 
   //@{
   /**
-   * The automatic thresholds, as fractions of the mesh's points: `low` of them have an absolute
-   * curvature that does not exceed the low threshold, `high` of them one that does not exceed the
-   * high one; default (0, 0.95). A low of 0 stands for the curvature 0. The high threshold is no
-   * less than the curvature of a surface which turns by 0.001 radians over the mean area of a
-   * point, so that the rounding of flat points is not refined. Values other than
-   * 0 <= low < high <= 1 are an error and change nothing.
+   * Set the quantiles for automatic thresholds, as fractions of the mesh's points. The absolute
+   * curvature does not exceed the low threshold at the fraction `low` of the points, and does not
+   * exceed the high threshold at the fraction `high`. The default is (0, 0.95). A `low` of 0 gives
+   * a threshold of 0. The high threshold is at least the curvature of a surface that turns by 0.001
+   * radians over the mean area of a point, so that rounding errors of flat surfaces are not
+   * refined. Values that do not satisfy 0 <= low < high <= 1 are rejected with an error.
    */
   void SetQuantiles(double low, double high);
   void SetQuantiles(const double quantiles[2]) { this->SetQuantiles(quantiles[0], quantiles[1]); }
@@ -123,10 +122,9 @@ public:
   //@}
 
   /**
-   * Fill `curvatures` with the chosen curvature of every point of `mesh`, with its sign: mean
-   * curvature is positive where the surface bends away from its normal, as a sphere with outward
-   * normals does. The array gets one component and vtkCurvatures' name, "Gauss_Curvature" or
-   * "Mean_Curvature".
+   * Fill `curvatures` with the signed curvature of each point of `mesh`. Mean curvature is positive
+   * where the surface bends away from its normal, as on a sphere with outward normals. The array
+   * gets one component and the name used by vtkCurvatures, "Gauss_Curvature" or "Mean_Curvature".
    */
   void ComputeCurvatures(vtkPolyData* mesh, vtkDoubleArray* curvatures);
 

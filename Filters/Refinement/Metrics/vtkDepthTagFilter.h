@@ -2,27 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkDepthTagFilter
- * @brief   writes how deep a metric would refine a mesh
+ * @brief   add the depth-tags and edge levels of a metric to a mesh
  *
- * The output is the input, everything passed through, with two more arrays:
+ * The output is the input with two more arrays:
  *
- * - point array "DepthTag" (float): the level of every point, in [0, MaximumLevel], by the metric.
- *   Points at the same coordinates get the largest of their tags.
- * - cell array "EdgeLevels" (int, 3 components): for a triangle (P1, P2, P3) the levels of its
- *   edges P1P2, P2P3, P3P1: their tags rounded half up and clamped to [0, MaximumLevel]. Such an
- *   edge is split into 2^level segments. Its tag is by LevelRule the mean of its points' tags
- *   (Lenz 2009, eqs. 3.1 to 3.3) or the metric's tag for the edge itself. Cells that are not
- *   triangles have (-1, -1, -1).
+ * - The point array "DepthTag" (float) has the level of each point in [0, MaximumLevel], computed
+ *   by the metric. Coincident points get the largest of their tags.
+ * - The cell array "EdgeLevels" (int, 3 components) has the levels of the edges P1P2, P2P3 and P3P1
+ *   of each triangle (P1, P2, P3). A level is the tag of the edge, rounded half up and clamped to
+ *   [0, MaximumLevel]; an edge of level l is split into 2^l segments. Depending on LevelRule, the
+ *   tag is the mean of the tags of its points (Lenz 2009, eqs. 3.1 to 3.3) or the metric's tag for
+ *   the edge. Cells that are not triangles have (-1, -1, -1).
  *
- * Without a metric the tags are the input's own point array "DepthTag", one number per point, which
- * may exceed [0, MaximumLevel]: only the levels of edges are clamped. LevelRule is not used then.
+ * Without a metric, the filter uses the input's point array "DepthTag", with one number per point.
+ * These tags may be out of [0, MaximumLevel]; only edge levels are clamped. LevelRule is ignored.
  *
- * Errors, with an empty output: neither metric nor array; an array of another length or with a
- * NaN; a metric that depends on the view without a camera; a metric that fails, or gives another
- * number of tags than there are points or edges, or a NaN. Relevo's own metrics give level 0 to a
- * point with a coordinate that is not finite.
+ * The filter reports an error, and its output is empty, if there is neither a metric nor an array,
+ * if the array has the wrong length or contains NaN, if a view-dependent metric has no camera, or
+ * if a metric fails, returns the wrong number of tags or returns NaN. Relevo's metrics return level
+ * 0 for non-finite points.
  *
- * A vtkAdaptiveRefinement that is given the output uses "DepthTag" in place of its own metric.
+ * If you refine the output with a vtkAdaptiveRefinement, "DepthTag" replaces the metric of the
+ * recipe.
  *
  * @sa vtkDepthTagMetric vtkAdaptiveRefinement
  */
@@ -55,7 +56,7 @@ public:
 
   //@{
   /**
-   * The metric that gives the tags. None (the default): the input's array "DepthTag".
+   * Set the metric that computes the tags. None, the default, means the input's array "DepthTag".
    */
   void SetMetric(vtkDepthTagMetric* metric);
   vtkDepthTagMetric* GetMetric();
@@ -63,8 +64,8 @@ public:
 
   //@{
   /**
-   * The highest level of a point and of an edge, 0 to 7, default 3. A value outside is an error
-   * and changes nothing.
+   * Set the highest level of points and edges, 0 to 7. The default is 3. Values out of range are
+   * rejected with an error.
    */
   void SetMaximumLevel(int level);
   vtkGetMacro(MaximumLevel, int);
@@ -72,10 +73,10 @@ public:
 
   //@{
   /**
-   * Where the levels of edges come from: vtkDepthTagMetric::PER_VERTEX (0, the default), the tags
-   * of their points, or PER_EDGE (1), tags that the metric gives to edges; 0 for an edge that only
-   * triangles with two corners at one place, or with a corner that is not finite, have. Another
-   * value is an error and changes nothing.
+   * Set the rule for the levels of edges. vtkDepthTagMetric::PER_VERTEX (0, the default) uses the
+   * tags of their points. vtkDepthTagMetric::PER_EDGE (1) uses the metric's tags for edges. Edges
+   * that only triangles with coincident or non-finite corners have get level 0. Other values are
+   * rejected with an error.
    */
   void SetLevelRule(int rule);
   vtkGetMacro(LevelRule, int);
@@ -85,17 +86,17 @@ public:
 
   //@{
   /**
-   * The processes that have the other pieces of the surface; none, the default, means that the
-   * input is all of it. See vtkAdaptiveRefinementFilter::SetController() for what pieces must have,
-   * and vtkPDepthTagFilter of the plugin for ParaView, which sets it.
+   * Set the controller of the processes that have the other pieces of the surface. By default there
+   * is none, and the input is the whole surface. See vtkAdaptiveRefinementFilter::SetController()
+   * for the requirements. vtkPDepthTagFilter in the ParaView plugin sets the controller.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   //@}
 
   /**
-   * Latest change of the filter, its metric or, where the metric depends on them, Camera and
-   * ModelToWorld.
+   * Return the time of the latest change of the filter or its metric. If the metric depends on
+   * Camera or ModelToWorld, their times count too.
    */
   vtkMTimeType GetMTime() override;
 
@@ -106,7 +107,7 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  /// RequestData() for one mesh: false after an ErrorEvent.
+  /// Process one mesh. Returns false after reporting an error.
   bool AddTags(vtkPolyData* input, vtkPolyData* output);
 
   vtkSmartPointer<vtkDepthTagMetric> Metric;

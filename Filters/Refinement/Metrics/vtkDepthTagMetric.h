@@ -2,27 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkDepthTagMetric
- * @brief   how deep each point of a mesh is to be refined
+ * @brief   compute how deep to refine each point or edge of a mesh
  *
- * A metric gives depth-tags: float levels in [0, MaximumLevel], MaximumLevel where refinement is
- * wanted most. An edge of level l, its tag rounded half up, is split into 2^l segments. The user of
- * the metric chooses the rule by which edges get their tags:
+ * A metric computes depth-tags: float levels in [0, MaximumLevel], with the highest values where
+ * refinement is needed most. An edge of level l, its tag rounded half up, is split into 2^l
+ * segments. The level rule defines how edges get their tags:
  *
- * - PER_VERTEX: the metric gives every point a tag, and an edge has the mean of its two points'
- *   tags, the larger where points coincide (Lenz 2009, eqs. 3.1 to 3.3).
- * - PER_EDGE: the metric gives every edge a tag of its own, from what is known of that edge alone,
- *   so that the triangles beside it agree (Lenz 2009, future work).
+ * - PER_VERTEX: the metric computes a tag for each point. The tag of an edge is the mean of the
+ *   tags of its two points (Lenz 2009, eqs. 3.1 to 3.3). Coincident points take the largest of
+ *   their tags.
+ * - PER_EDGE: the metric computes a tag for each edge, from data of that edge alone, so that the
+ *   triangles on both sides agree (Lenz 2009, future work).
  *
- * Metrics look at the points of the coarse mesh as they are, where displacement by a height map has
- * not moved them yet. vtkCurvatureDepthTagMetric looks at the displaced surface.
+ * Metrics use the points of the coarse mesh before displacement, except vtkCurvatureDepthTagMetric,
+ * which measures the displaced surface.
  *
- * A metric holds parameters and nothing about a mesh. Mappers and filters evaluate it by a
- * relevo::MetricEvaluator of their own for each mesh, so that metrics are shared freely, by the
- * blocks of a mapper and by filters in several threads alike.
+ * A metric stores parameters, but no data of a mesh. Mappers and filters create a
+ * relevo::MetricEvaluator for each mesh. You can therefore share a metric between the blocks of a
+ * mapper and between filters in several threads.
  *
- * A metric of one's own overrides ComputeTags(); one that computes much of a mesh that it can use
- * again, as when the camera moves, overrides NewEvaluator() instead. So does a subclass of a metric
- * that has an evaluator, as all of Relevo's have: where there is one, ComputeTags() is not asked.
+ * To write a metric, override ComputeTags(). If it can cache results for a mesh, for example while
+ * the camera moves, override NewEvaluator() instead. If you derive from a metric that has an
+ * evaluator, which includes all metrics of Relevo, override NewEvaluator(): ComputeTags() is not
+ * called if there is an evaluator.
  *
  * @sa vtkAdaptiveRefinement vtkDepthTagFilter
  */
@@ -55,7 +57,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The rules by which edges get their tags.
+   * How edges get their tags.
    */
   enum LevelRules
   {
@@ -64,59 +66,60 @@ public:
   };
 
   /**
-   * Whether the tags depend on the camera, so that they must be computed anew when it moves.
+   * Return whether the tags depend on the camera. They are then recomputed when it moves.
    */
   virtual bool IsViewDependent() = 0;
 
   /**
-   * Whether the tags depend on where the mesh lies in the world, so that they must be computed anew
-   * when its actor moves. True for metrics that depend on the view.
+   * Return whether the tags depend on the position of the mesh in the world. They are then
+   * recomputed when its actor moves. By default this is true for metrics that depend on the view.
    */
   virtual bool IsPlacementDependent() { return this->IsViewDependent(); }
 
   /**
-   * Whether the tags depend on the surface and the displacement of the recipe, so that they must be
-   * computed anew when these change. False unless overridden: metrics look at the coarse mesh.
+   * Return whether the tags depend on the recipe's surface and displacement. They are then
+   * recomputed when these change. False by default.
    */
   virtual bool IsDisplacementDependent() { return false; }
 
   /**
-   * Whether a level says how many segments an edge needs, so that MaximumLevel only limits levels;
-   * otherwise levels are shares of MaximumLevel. Levels that are cut off are lost to a level
-   * offset, which asks for more of them.
+   * Return whether levels are absolute: a level gives the number of segments that an edge needs,
+   * and MaximumLevel only limits it. A recipe with a level offset then requests levels above
+   * MaximumLevel, so that the offset is added before the limit applies. Otherwise, levels are
+   * relative to MaximumLevel. False by default.
    */
   virtual bool IsAbsolute() { return false; }
 
   /**
-   * Fill `tags` with one level per point of `mesh`, each finite and in [0, maximumLevel].
-   * Returns false, after an ErrorEvent of this object, when the metric cannot be evaluated
-   * (no camera for a view-dependent metric, a missing array, parameters that contradict each
-   * other). Unless overridden, an evaluator is made and asked.
+   * Fill `tags` with one level per point of `mesh`, each finite and in [0, maximumLevel]. Returns
+   * false after reporting an error if the metric cannot be evaluated, for example because a
+   * view-dependent metric has no camera, an array is missing or parameters contradict each other.
+   * The default implementation uses an evaluator.
    */
   virtual bool ComputeTags(
     vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags);
 
 #ifndef __VTK_WRAP__
   /**
-   * Fill `tags` with one level per edge of `mesh`, in the order of `edges`, each finite and in
-   * [0, maximumLevel], and depending on the edge alone. `edges` are those of `mesh` as it is.
-   * Returns false as ComputeTags() does. Unless overridden, an evaluator is made and asked; without
-   * one, an edge has the mean of the tags of its two places.
+   * Fill `tags` with one level per edge of `mesh`, in the order of `edges`, each finite and in [0,
+   * maximumLevel]. A tag must depend only on its edge. `edges` must be the edges of `mesh`. Returns
+   * false after reporting an error. The default implementation uses an evaluator, or else the mean
+   * of the tags of the edge's two merged points.
    */
   virtual bool ComputeEdgeTags(vtkPolyData* mesh, const relevo::RefinementView& view,
     int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags);
 
   /**
-   * How a shader would compute the tags of `mesh` from its points relative to `origin`; see
-   * relevo::MetricShader. Returns false as ComputeTags() does. Unless overridden, an evaluator is
-   * made and asked; without one, there is no shader.
+   * Set `shader` to compute the tags of `mesh` from its points relative to `origin`; see
+   * relevo::MetricShader. Returns false after reporting an error. The default implementation uses
+   * an evaluator. Without one, the shader is empty.
    */
   virtual bool GetShader(vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel,
     const double origin[3], relevo::MetricShader& shader);
 
   /**
-   * What evaluates this metric for a mesh and keeps what it computes of it. Unless overridden none
-   * (nullptr): the metric itself is asked whenever tags are needed.
+   * Create an evaluator of this metric for a mesh, which can cache results. The default
+   * implementation returns nullptr, so that the metric is called whenever tags are needed.
    */
   virtual std::unique_ptr<relevo::MetricEvaluator> NewEvaluator(
     const std::shared_ptr<relevo::MetricMesh>& mesh);

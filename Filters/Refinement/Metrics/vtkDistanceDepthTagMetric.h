@@ -2,52 +2,52 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkDistanceDepthTagMetric
- * @brief   refines what is near the camera
+ * @brief   refine what is near the camera
  *
  * With x the distance from the camera's position, in world coordinates (the actor's matrix is
- * applied to the mesh), and d = MaximumDistance, the depth-tag is by FallOff
+ * applied to the mesh), and d = MaximumDistance, the depth-tag depends on FallOff:
  *
  *     LINEAR (default)     level = MaximumLevel * (1 - x / d)
  *     PROJECTED_SIZE       level = log2(d / x)
  *
- * clamped to [0, MaximumLevel], and 0 where x exceeds d.
+ * It is clamped to [0, MaximumLevel], and 0 where x exceeds d.
  *
- * The first is the tessellation level T = 64 - 63 x / d_max of Nellmeldin 2013 ("Desarrollo de
- * algoritmos de teselacion adaptativa en GPU", eq. 1), its range [1, 64] mapped linearly to
- * [0, MaximumLevel]: as an edge has 2^level segments, its segments shorten geometrically towards
- * the camera. The second keeps the segments of an edge of a given length equally long on the
- * screen: what is half as far away appears twice as large, and has one level more.
+ * LINEAR is the tessellation level T = 64 - 63 x / d_max of Nellmeldin 2013 ("Desarrollo de
+ * algoritmos de teselacion adaptativa en GPU", eq. 1), with its range [1, 64] mapped linearly to
+ * [0, MaximumLevel]. An edge has 2^level segments, so segments shorten geometrically towards the
+ * camera. PROJECTED_SIZE keeps the segments of edges of equal length equally long on the screen: at
+ * half the distance an edge appears twice as long, and its level is higher by one.
  *
- * d can be derived from a wanted length of segments in pixels, ReferenceLength: with s the mean
- * length of the triangles' sides in the world, h the height of the viewport in pixels and a the
- * camera's view angle,
+ * d can be derived from ReferenceLength, the requested length of segments in pixels. With s the
+ * mean length of the triangles' sides in the world, h the height of the viewport in pixels and a
+ * the camera's view angle,
  *
  *     d = s / ReferenceLength * h / (2 tan(a / 2))
  *
- * is the distance from which such a side, seen from the front, appears as long as ReferenceLength
- * (the polygon size that d_max of eq. 1 is chosen by). With PROJECTED_SIZE segments then have this
- * length, as long as MaximumLevel allows. Under a camera that measures its angle across the
- * viewport h is the width. A parallel camera, whose picture does not shrink with the distance, is
- * taken by its view angle all the same.
+ * is the distance at which such a side, seen from the front, is ReferenceLength pixels long (the
+ * polygon size from which d_max of eq. 1 is chosen). With PROJECTED_SIZE, segments then have this
+ * length if MaximumLevel allows. If the camera measures its view angle horizontally, h is the width
+ * of the viewport. The view angle is also used with a parallel camera, although its image does not
+ * shrink with the distance.
  *
- * x is measured by Measure to the points themselves, or to the centroids of the triangles (the
- * triangle fans of polygons): a point then has the largest level of the triangles at it. By the
- * rule PER_EDGE an edge has the level of its end that is nearer to the camera, or of the nearer of
- * its triangles.
+ * Measure selects the points that x is measured to. With CENTROIDS, x is measured to the centroids
+ * of the triangles (polygons are split into fans), and a point has the largest level of its
+ * triangles. With the rule PER_EDGE, an edge has the level of its nearer end or of its nearer
+ * triangle.
  *
- * CONTROL_POINTS, of a surface from vtkPatchSurfaceFilter: x is the least distance to the control
- * points of a patch, for all its triangles, which then have levels as by centroids. So is it in
- * Nellmeldin 2013 for curves: of line cells, which are control polygons, each point is measured to
- * itself, and the curve takes the largest level. A mesh of triangles that are no patches is an
- * error.
+ * CONTROL_POINTS is for surfaces from vtkPatchSurfaceFilter. All triangles of a patch use the
+ * smallest distance to its control points, as in Nellmeldin 2013 for curves, and points and edges
+ * get levels as with CENTROIDS. Line cells are control polygons of curves: each of their points
+ * uses its own distance, and the curve takes the largest level. Meshes of triangles without patches
+ * are an error.
  *
- * Levels do not know how large a face is on the screen, nor how dense a height map is: a whole
- * terrain in view can have more triangles than its height map has samples.
- * vtkScreenEdgeDepthTagMetric makes as many as the picture needs.
+ * This metric ignores the projected size of faces and the resolution of a height map. A view of a
+ * whole terrain can get more triangles than the height map has samples. vtkScreenEdgeDepthTagMetric
+ * creates only as many triangles as the image needs.
  *
- * The metric depends on the view: without a camera it is an error, and so is a camera whose
- * position is not finite, or ReferenceLength with a viewport without pixels. A point that is not
- * finite gets level 0.
+ * The metric depends on the view. Computing tags fails with an error if there is no camera, if its
+ * position is not finite, or if ReferenceLength is used with a viewport without pixels. Non-finite
+ * points have level 0.
  *
  * @sa vtkDepthTagFilter vtkAdaptiveRefinement vtkCurvatureDepthTagMetric
  */
@@ -65,7 +65,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * How levels fall with the distance.
+   * How levels decrease with the distance.
    */
   enum FallOffs
   {
@@ -74,7 +74,7 @@ public:
   };
 
   /**
-   * What the distance is measured to.
+   * The points that the distance is measured to.
    */
   enum Measures
   {
@@ -85,8 +85,8 @@ public:
 
   //@{
   /**
-   * How levels fall with the distance: LINEAR (0, the default) or PROJECTED_SIZE (1). Another value
-   * is an error and changes nothing.
+   * Set how levels decrease with the distance: LINEAR (0, the default) or PROJECTED_SIZE (1). Other
+   * values are rejected with an error.
    */
   void SetFallOff(int fallOff);
   vtkGetMacro(FallOff, int);
@@ -95,14 +95,15 @@ public:
   //@}
 
   /**
-   * "Linear" or "ProjectedSize".
+   * Return the fall-off as "Linear" or "ProjectedSize".
    */
   const char* GetFallOffAsString();
 
   //@{
   /**
-   * What the distance is measured to: VERTICES (0, the default), CENTROIDS (1) of triangles, or
-   * CONTROL_POINTS (2) of patches and curves. Another value is an error and changes nothing.
+   * Set the points that the distance is measured to: VERTICES (0, the default), CENTROIDS (1) of
+   * triangles, or CONTROL_POINTS (2) of patches and curves. Other values are rejected with an
+   * error.
    */
   void SetMeasure(int measure);
   vtkGetMacro(Measure, int);
@@ -112,16 +113,17 @@ public:
   //@}
 
   /**
-   * "Vertices", "Centroids" or "ControlPoints".
+   * Return the measure as "Vertices", "Centroids" or "ControlPoints".
    */
   const char* GetMeasureAsString();
 
   //@{
   /**
-   * Distance from the camera, in world units, from which on nothing is refined. 0, the default,
-   * means automatic: by ReferenceLength, or, where that is 0 too, three times the diagonal of the
-   * faces' bounding box in world units, so that a view of the whole mesh refines it moderately and
-   * a closer one more. A negative or infinite value is an error and changes nothing.
+   * Set the distance from the camera beyond which nothing is refined, in world units. With 0, the
+   * default, it is derived from ReferenceLength. If that is 0 too, it is three times the diagonal
+   * of the faces' bounding box in world units, so that a view of the whole mesh is refined
+   * moderately and close-ups are refined more. Negative and infinite values are rejected with an
+   * error.
    */
   void SetMaximumDistance(double distance);
   vtkGetMacro(MaximumDistance, double);
@@ -129,8 +131,9 @@ public:
 
   //@{
   /**
-   * Wanted length of a segment in pixels, 0.01 to 1e6, that the distance is derived from where
-   * MaximumDistance is 0; or 0, the default: none. Another value is an error and changes nothing.
+   * Set the requested length of a segment in pixels, 0.01 to 1e6, from which the distance is
+   * derived if MaximumDistance is 0. The default of 0 means none. Values out of range are rejected
+   * with an error.
    */
   void SetReferenceLength(double pixels);
   vtkGetMacro(ReferenceLength, double);

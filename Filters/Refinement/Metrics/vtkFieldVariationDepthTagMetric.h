@@ -2,33 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkFieldVariationDepthTagMetric
- * @brief   refines where a point or cell array varies
+ * @brief   refine where a point or cell array varies
  *
- * The metric for vector fields of Nellmeldin 2013 ("Desarrollo de algoritmos de teselacion
- * adaptativa en GPU", section 9: the variation of the field), for any array. The variation x of an
- * edge is a number in [0, 1], of the values a and b
- *
- * - of its two points, for a point array (of points at the same coordinates, that of the lowest
- * id);
- * - of the cells of its two triangles, for a cell array; 0 on the border of the surface:
+ * This metric extends the metric for vector fields of Nellmeldin 2013 ("Desarrollo de algoritmos de
+ * teselacion adaptativa en GPU", section 9: the variation of the field) to any array. The variation
+ * x of an edge is a number in [0, 1], computed from two values a and b. For a point array, they are
+ * the values at the edge's two points; of coincident points, the one with the lowest id is used.
+ * For a cell array, they are the values of the cells on both sides, and x is 0 on the border of the
+ * surface.
  *
  *     one component:         x = |a - b| / (largest - smallest value of the surface)
  *     several (a vector):    x = max(angle(a, b) / 180 degrees,
  *                                    | |a| - |b| | / longest vector of the surface)
  *
- * A vector shorter than 1e-6 of the longest has no direction: its angle to others is 0. With the
- * thresholds low = MinimumVariation and high = MaximumVariation the depth-tag of a point is, with
- * the largest x of the edges at the point,
+ * A vector shorter than 1e-6 of the longest vector has no direction, and its angle to other vectors
+ * is 0. With the thresholds low = MinimumVariation and high = MaximumVariation, and the largest x
+ * of the edges at the point, the depth-tag of a point is
  *
  *     level = MaximumLevel * (x - low) / (high - low)
  *
- * clamped to [0, MaximumLevel]; by the rule PER_EDGE the tag of an edge uses its own x. Values that
- * are NaN or infinite make no variation, nor do vectors without data: with a component of at least
- * NoDataMagnitude, as -1e9. An array of nothing else has level 0 everywhere, as a constant one has.
- * A point without triangles has level 0. The metric does not depend on the view.
+ * clamped to [0, MaximumLevel]. With the rule PER_EDGE, the tag of an edge uses the x of that edge.
+ * Missing values do not vary. These are NaN, infinite numbers, and vectors with a component of at
+ * least NoDataMagnitude, such as -1e9. If all values of the array are missing or equal, all levels
+ * are 0. Points without triangles have level 0. The metric does not depend on the view.
  *
- * Errors when tags are computed: no ArrayName; no array of numbers of that name in the mesh; one
- * with another number of tuples than points or cells.
+ * Computing tags fails with an error if ArrayName is empty, if the mesh has no numeric array of
+ * that name, or if the number of tuples does not match.
  *
  * @sa vtkDepthTagFilter vtkAdaptiveRefinement vtkCurvatureDepthTagMetric
  */
@@ -49,8 +48,9 @@ public:
 
   //@{
   /**
-   * Name of the array, of the points if they have it, else of the cells; any number of components.
-   * Empty, the default, is an error when tags are computed.
+   * Set the name of the array, with any number of components. If the mesh has no such point array,
+   * the cell array of that name is used. An empty name, the default, is an error when tags are
+   * computed.
    */
   void SetArrayName(const char* name);
   const char* GetArrayName() { return this->ArrayName.c_str(); }
@@ -58,8 +58,8 @@ public:
 
   //@{
   /**
-   * Variation up to which the level is 0, in [0, 1]; default 0. Another value is an error and
-   * changes nothing; a minimum above the maximum is an error when tags are computed.
+   * Set the variation up to which the level is 0, in [0, 1]. The default is 0. Values out of range
+   * are rejected with an error. A minimum above the maximum is an error when tags are computed.
    */
   void SetMinimumVariation(double variation);
   vtkGetMacro(MinimumVariation, double);
@@ -67,9 +67,9 @@ public:
 
   //@{
   /**
-   * Variation from which on the level is MaximumLevel, in [0, 1]. With both thresholds 0, the
-   * default, it is automatic: the variation that 95 % of the edges do not exceed, but no less than
-   * 1e-6. Another value is an error and changes nothing.
+   * Set the variation from which on the level is MaximumLevel, in [0, 1]. The default is 0. If both
+   * thresholds are 0, the maximum is automatic: 95 % of the edges do not exceed it, and it is at
+   * least 1e-6. Values out of range are rejected with an error.
    */
   void SetMaximumVariation(double variation);
   vtkGetMacro(MaximumVariation, double);
@@ -77,9 +77,9 @@ public:
 
   //@{
   /**
-   * A vector stands for "no data" if the absolute value of a component is at least this; more than
-   * 0, default 1e8. In arrays of one component all values are data. Another value is an error and
-   * changes nothing.
+   * Set the magnitude from which on vectors are missing values ("no data"): a vector is a missing
+   * value if a component has at least this absolute value. The default is 1e8. Arrays of one
+   * component are not affected. Values of 0 or less are rejected with an error.
    */
   void SetNoDataMagnitude(double magnitude);
   vtkGetMacro(NoDataMagnitude, double);

@@ -2,26 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkRegionDepthTagMetric
- * @brief   refines a region of interest
+ * @brief   refine a region of interest
  *
- * The region is where ImplicitFunction is 0 or less, or, without one, the ball of Radius around
- * Center, such as a picked point. It lies in world coordinates: the actor's matrix is applied to
- * the mesh's points. With d the distance of a point from the region, the depth-tag is
+ * The region is where ImplicitFunction is 0 or less. Without a function, it is the ball of Radius
+ * around Center, for example around a picked point. The region is in world coordinates: the actor's
+ * matrix is applied to the points of the mesh. With d the distance of a point from the region, the
+ * depth-tag is
  *
  *     level = MaximumLevel * (3 t^2 - 2 t^3),    t = 1 - d / FallOff, clamped to [0, 1]
  *
- * MaximumLevel inside and at the border, 0 from FallOff on, smooth between (the region of interest
- * of Nellmeldin 2013, "Desarrollo de algoritmos de teselacion adaptativa en GPU", section 9). By
- * the rule PER_EDGE, d of an edge is the least of its two ends and its midpoint.
+ * It is MaximumLevel in the region, 0 at a distance of FallOff or more, and changes smoothly
+ * between (the region of interest of Nellmeldin 2013, "Desarrollo de algoritmos de teselacion
+ * adaptativa en GPU", section 9). With the rule PER_EDGE, d is the smallest distance of the edge's
+ * two ends and its midpoint.
  *
- * For the ball d is exact. For a function f it is f / |grad f| (Taubin 1991), exact for planes and
- * functions that are distances, and near the border of others; where the gradient is 0 outside, or
- * the function is not a number, the level is 0. A function is asked by one thread at a time, also
- * where filters in several threads share the metric; do not give it to a second metric then.
+ * The distance from the ball is exact. For a function f it is f / |grad f| (Taubin 1991). This is
+ * exact for planes and distance functions, and approximate near the border of other functions. The
+ * level is 0 at points outside where the gradient is 0, and where f is NaN. Only one thread at a
+ * time evaluates the function, also if filters in several threads share the metric. Do not use the
+ * same function in a second metric in that case.
  *
- * The metric does not depend on the view, but on where the actor's matrix puts the mesh. A point
- * that is not finite has level 0. A region that the mesh does not reach is none: level 0
- * everywhere. Neither ImplicitFunction nor Radius is an error when tags are computed.
+ * The metric does not depend on the view, but on the actor's matrix. Non-finite points have level
+ * 0. If the region does not reach the mesh, all levels are 0. If neither ImplicitFunction nor
+ * Radius is set, computing tags fails with an error.
  *
  * @sa vtkDepthTagFilter vtkAdaptiveRefinement vtkImplicitFunction vtkCompositeDepthTagMetric
  */
@@ -45,8 +48,8 @@ public:
 
   //@{
   /**
-   * The region, in world coordinates: where this function is 0 or less. None, the default: the ball
-   * of Radius around Center.
+   * Set the implicit function that is 0 or less in the region, in world coordinates. None, the
+   * default, means the ball of Radius around Center.
    */
   void SetImplicitFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetImplicitFunction();
@@ -54,8 +57,8 @@ public:
 
   //@{
   /**
-   * The middle of the ball, in world coordinates; default (0, 0, 0). A value that is not finite is
-   * an error and changes nothing.
+   * Set the centre of the ball, in world coordinates. The default is (0, 0, 0). Non-finite values
+   * are rejected with an error.
    */
   void SetCenter(double x, double y, double z);
   void SetCenter(const double center[3]) { this->SetCenter(center[0], center[1], center[2]); }
@@ -64,8 +67,8 @@ public:
 
   //@{
   /**
-   * The radius of the ball, in world units. 0, the default, means there is no ball. A negative or
-   * infinite value is an error and changes nothing.
+   * Set the radius of the ball, in world units. The default is 0: there is no ball. Negative and
+   * infinite values are rejected with an error.
    */
   void SetRadius(double radius);
   vtkGetMacro(Radius, double);
@@ -73,16 +76,16 @@ public:
 
   //@{
   /**
-   * Distance from the region, in world units, at which the level has fallen to 0. 0, the default,
-   * means automatic: a tenth of the diagonal of the faces' bounding box. A negative or infinite
-   * value is an error and changes nothing.
+   * Set the distance from the region at which the level reaches 0, in world units. The default of 0
+   * means a tenth of the diagonal of the faces' bounding box. Negative and infinite values are
+   * rejected with an error.
    */
   void SetFallOff(double distance);
   vtkGetMacro(FallOff, double);
   //@}
 
   /**
-   * Includes the function's time.
+   * Return the time of the latest change of the metric or the function.
    */
   vtkMTimeType GetMTime() override;
 
@@ -103,7 +106,7 @@ protected:
   double FallOff = 0.0;
 
 private:
-  std::mutex FunctionMutex; // held while the function is asked
+  std::mutex FunctionMutex; // locked while the function is evaluated
   vtkRegionDepthTagMetric(const vtkRegionDepthTagMetric&) = delete;
   void operator=(const vtkRegionDepthTagMetric&) = delete;
 };

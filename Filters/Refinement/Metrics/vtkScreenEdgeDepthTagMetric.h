@@ -2,34 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkScreenEdgeDepthTagMetric
- * @brief   refines edges until their segments are a few pixels long
+ * @brief   refine edges until their segments are a few pixels long
  *
- * With d the length of an edge on the screen, in pixels, the depth-tag of a point is
+ * With d the length in pixels of the longest edge at a point, projected to the screen, the
+ * depth-tag of the point is
  *
  *     level = log2(max(1, d / ReferenceLength))
  *
- * of the longest edge at the point, and at most MaximumLevel. That is the tessellation level
- * T = max(1, d / L_ref) of Nellmeldin 2013 ("Desarrollo de algoritmos de teselacion adaptativa en
- * GPU", eq. 2) as the level of 2^level = T segments. An edge's own level, the rounded mean of its
- * two points' tags, thus leaves it segments of at most sqrt(2) ReferenceLength on average, as far
- * as MaximumLevel allows. By the rule PER_EDGE the level is that of the edge's own d: the segments
- * are as long with fewer triangles.
+ * and at most MaximumLevel. This is the tessellation level T = max(1, d / L_ref) of Nellmeldin 2013
+ * ("Desarrollo de algoritmos de teselacion adaptativa en GPU", eq. 2), as a level with 2^level = T
+ * segments. The level of an edge is the rounded mean of its two points' tags. Its segments are
+ * therefore at most sqrt(2) ReferenceLength long on average, if MaximumLevel allows. With the rule
+ * PER_EDGE, the level uses the d of the edge itself, which takes fewer triangles for segments of
+ * the same length.
  *
- * Lengths are those of the straight coarse edges (the diagonals of the triangle fans of polygons
- * included), projected by the camera to a viewport of the given size, also beyond its border. With
- * a perspective camera edges are cut at the near clipping plane first: what lies before it, or
- * behind the eye, has no length. With a parallel one nothing is cut. A point of no triangle has
- * level 0.
+ * Lengths are those of straight coarse edges, including the diagonals of the triangle fans of
+ * polygons. The camera projects them to a viewport of the given size, also outside its border. With
+ * a perspective camera, edges are first clipped at the near plane. With a parallel camera, edges
+ * are not clipped. Points without triangles have level 0.
  *
- * With SetMeasureToSphereDiameter() d is the diameter, on the screen, of the sphere that has the
- * edge as a diameter: |b - a| / |m| times the pixels of a unit at a distance of 1, with m from the
- * eye to the edge's middle (with a parallel camera, the edge's length in pixels if it were seen
- * from the side). An edge seen end-on, above which displaced or curved points may rise, then gets
- * its segments, which matters most by the rule PER_EDGE; and no edge beside or behind the eye is
- * endless, which matters for budgets.
+ * With SetMeasureToSphereDiameter(), d is the projected diameter of the sphere around the edge: |b
+ * - a| / |m| times the pixels of a unit length at distance 1, with m the vector from the eye to the
+ * edge's midpoint. With a parallel camera, it is the length in pixels of the edge seen from the
+ * side. Edges seen end-on, where displaced or curved points may rise, are then refined too, which
+ * matters most with the rule PER_EDGE. Edges beside or behind the eye have a finite d, which
+ * matters for triangle budgets.
  *
- * The metric depends on the view. Errors when tags are computed: no camera, one with no direction
- * (its position is its focal point, or its view-up is along the view), a viewport without pixels.
+ * The metric depends on the view. Computing tags fails with an error if there is no camera, if the
+ * camera has no direction (its position is its focal point, or its view-up is along the view), or
+ * if the viewport has no pixels.
  *
  * @sa vtkDepthTagFilter vtkAdaptiveRefinement vtkDistanceDepthTagMetric
  */
@@ -48,15 +49,15 @@ public:
 
   //@{
   /**
-   * Wanted length of a segment in pixels, 0.01 to 1e6; default 10. Another value is an error and
-   * changes nothing.
+   * Set the requested length of a segment in pixels, 0.01 to 1e6. The default is 10. Values out of
+   * range are rejected with an error.
    */
   void SetReferenceLength(double pixels);
   vtkGetMacro(ReferenceLength, double);
   //@}
 
   /**
-   * What is measured of an edge.
+   * How the length of an edge is measured.
    */
   enum Measures
   {
@@ -66,8 +67,9 @@ public:
 
   //@{
   /**
-   * PROJECTED_LENGTH (0, the default), the length of the edge's picture, or SPHERE_DIAMETER (1),
-   * which does not depend on the edge's direction. Another value is an error and changes nothing.
+   * Set how the length of an edge is measured: PROJECTED_LENGTH (0, the default), or
+   * SPHERE_DIAMETER (1), which does not depend on the direction of the edge. Other values are
+   * rejected with an error.
    */
   void SetMeasure(int measure);
   vtkGetMacro(Measure, int);

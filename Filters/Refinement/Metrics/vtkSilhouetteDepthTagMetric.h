@@ -2,40 +2,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSilhouetteDepthTagMetric
- * @brief   refines the outline of what is seen
+ * @brief   refine the silhouette of a surface
  *
- * With v the unit vector from a point to the eye, in world coordinates, one of two criteria:
- *
- * NORMAL_ANGLE, the default (Nellmeldin 2013, "Desarrollo de algoritmos de teselacion adaptativa en
- * GPU", eq. 13, after Boubekeur and Alexa 2008), with n the unit normal at the point:
- *
- *     level = MaximumLevel * (1 - |n . v|)
- *
- * 0 where the surface faces the eye, or faces away from it as the inside of an open surface does,
+ * There are two criteria. With v the unit vector from a point to the eye, in world coordinates, and
+ * n the unit normal at the point, the criterion NORMAL_ANGLE, the default, is (Nellmeldin 2013,
+ * "Desarrollo de algoritmos de teselacion adaptativa en GPU", eq. 13, after Boubekeur and Alexa
+ * 2008):
  * and MaximumLevel where it is seen edge-on. The normals are the mesh's own point normals; where
  * there are none, or one is zero or not finite, the mean of the normals of the triangles at the
  * point, weighted by area. By the rule PER_EDGE an edge has the larger level of its two ends, and
- * MaximumLevel where one of them faces the eye and the other away from it.
+ * It is 0 where the surface faces the eye or faces away from it, and MaximumLevel where the surface
+ * is seen edge-on. The normals are the point normals of the mesh. If there are none, or if one is
+ * zero or not finite, the area-weighted mean normal of the triangles at the point is used. With the
+ * rule PER_EDGE, an edge has the larger level of its two ends, and MaximumLevel if only one of them
+ * faces the eye.
  *
- * CONTOUR (after the silhouetteness of edges by Dyken, Reimers and Seland 2008, "Real-time GPU
- * silhouette refinement using adaptively blended Bezier patches": 1 where one triangle faces the
- * eye and the other away, and falling continuously to 0; how it falls is this class's own, so that
- * ContourWidth is the cosine of an angle), with n1, n2 the unit normals of the two triangles of an
- * edge, v taken at its midpoint, and f1 = n1 . v, f2 = n2 . v:
- *
- *     level = MaximumLevel                                           if f1 f2 <= 0
- *     level = MaximumLevel * max(0, 1 - min(|f1|, |f2|) / ContourWidth)      otherwise
- *
+ * The criterion CONTOUR follows the silhouetteness of edges by Dyken, Reimers and Seland 2008
+ * ("Real-time GPU silhouette refinement using adaptively blended Bezier patches"): 1 where one
+ * triangle faces the eye and the other faces away, with a continuous fall-off to 0. The fall-off
+ * differs from the paper, so that ContourWidth is the cosine of an angle. With n1 and n2 the unit
+ * normals of the two triangles of an edge, v at its midpoint, f1 = n1 . v and f2 = n2 . v, the
+ * level of the edge is
  * for every edge, and of a point, by the rule PER_VERTEX, the largest over its edges. An edge of
  * one triangle, or of more than two, is always a contour. Triangles that wind against each other
  * are treated as if they did not; points at the same coordinates are one point.
  *
- * With a parallel camera v is the same everywhere. A point or edge's midpoint at the eye itself has
- * MaximumLevel, a point of no triangle and without a normal, or one
- * that is not finite, level 0.
+ * With the rule PER_VERTEX, a point has the largest level of its edges. Edges of one triangle, or
+ * of more than two, are always on the contour. Adjacent triangles with opposite winding are treated
+ * as if their winding matched. Coincident points are merged.
  *
- * The metric depends on the view: no camera, or one whose position is its focal point, is an error
- * when tags are computed.
+ * With a parallel camera, v is the same everywhere. A point or an edge's midpoint at the eye has
+ * MaximumLevel. Non-finite points, and points with neither triangles nor a normal, have level 0.
+ *
+ * The metric depends on the view. Computing tags fails with an error if there is no camera or if
+ * its position is its focal point.
  *
  * @sa vtkDepthTagFilter vtkAdaptiveRefinement vtkViewDependentDepthTagMetric
  */
@@ -53,7 +53,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The criteria to choose from.
+   * The criteria for the silhouette.
    */
   enum Criteria
   {
@@ -63,8 +63,8 @@ public:
 
   //@{
   /**
-   * What makes the outline: NORMAL_ANGLE (0, the default) or CONTOUR (1). Another value is an error
-   * and changes nothing.
+   * Set the criterion for the silhouette: NORMAL_ANGLE (0, the default) or CONTOUR (1). Other
+   * values are rejected with an error.
    */
   void SetCriterion(int criterion);
   vtkGetMacro(Criterion, int);
@@ -73,15 +73,15 @@ public:
   //@}
 
   /**
-   * "NormalAngle" or "Contour".
+   * Return the criterion as "NormalAngle" or "Contour".
    */
   const char* GetCriterionAsString();
 
   //@{
   /**
-   * Cosine of the angle between normal and view from which on the level is 0 with the criterion
-   * CONTOUR, 0.001 to 1; default 0.25: refinement fades within 14.5 degrees from the contour.
-   * Another value is an error and changes nothing.
+   * Set the cosine of the angle between normal and view at which the level reaches 0 with the
+   * criterion CONTOUR, 0.001 to 1. The default of 0.25 means that the level reaches 0 at 14.5
+   * degrees from the contour. Values out of range are rejected with an error.
    */
   void SetContourWidth(double width);
   vtkGetMacro(ContourWidth, double);

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkViewDependentAlgorithm
- * @brief   a filter whose result may depend on a view: a camera, an actor's matrix and a viewport
+ * @brief   superclass of filters whose output may depend on a camera, an actor's matrix and a
+ * viewport
  *
- * The superclass of filters that evaluate a vtkDepthTagMetric. A change of the camera or of the
- * matrix counts only where the metric depends on it.
+ * Filters that evaluate a vtkDepthTagMetric derive from this class. They execute again after a
+ * change of the camera or the matrix only if the metric depends on it.
  *
  * @sa vtkAdaptiveRefinementFilter vtkDepthTagFilter vtkAdaptiveCurveFilter
  */
@@ -32,8 +33,8 @@ public:
 
   //@{
   /**
-   * The camera for metrics that depend on the view, and that ribbons of curves face, in world
-   * coordinates. Default: none.
+   * Set the camera, in world coordinates, for view-dependent metrics and for ribbons of curves,
+   * which face it. There is none by default.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
@@ -41,8 +42,8 @@ public:
 
   //@{
   /**
-   * Width and height of the viewport in pixels, for metrics that depend on the view; default
-   * (300, 300). Less than 1 is an error and changes nothing.
+   * Set the width and height of the viewport in pixels, for view-dependent metrics. The default is
+   * (300, 300). Values less than 1 are rejected with an error.
    */
   void SetViewportSize(int width, int height);
   void SetViewportSize(const int size[2]) { this->SetViewportSize(size[0], size[1]); }
@@ -51,7 +52,8 @@ public:
 
   //@{
   /**
-   * From the input's coordinates to the camera's world (an actor's matrix); none means identity.
+   * Set the matrix from the input's coordinates to world coordinates, for example an actor's
+   * matrix. None, the default, means the identity.
    */
   void SetModelToWorld(vtkMatrix4x4* matrix);
   vtkMatrix4x4* GetModelToWorld();

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkViewDependentDepthTagMetric
- * @brief   refines curved parts, most where they are seen edge-on
+ * @brief   refine curved parts, most where they are seen edge-on
  *
- * Has the aim of the metric of Boubekeur 2010 ("A view-dependent adaptivity metric for real time
- * mesh tessellation"): low levels where the surface is flat or faces the eye, high ones where its
- * normals spread and where it is part of the silhouette. Its formula as printed in Nellmeldin 2013
- * (eqs. 3 to 9) is 1 over a length and lowest on silhouettes; this one has no unit and rises with
- * both. With, at a point, in world coordinates,
+ * This metric follows the aim of the metric of Boubekeur 2010 ("A view-dependent adaptivity metric
+ * for real time mesh tessellation"). Levels are low where the surface is flat or faces the eye, and
+ * high where its normals spread and on its silhouette. The formula differs from the one printed in
+ * Nellmeldin 2013 (eqs. 3 to 9), which has the unit 1 over length and is lowest on silhouettes.
+ * This one has no unit and rises with both. With these values at a point, in world coordinates,
  *
  *     n       the unit mean of the normals of the triangles that meet there, weighted by area
  *     spread  the largest angle between n and one of these normals
@@ -19,17 +19,17 @@
  *
  *     level = MaximumLevel * min(1, spread / MaximumSpread * (1 - w + w * edgeOn))
  *
- * so that a flat surface has level 0 from everywhere, and one that is bent by MaximumSpread has
- * MaximumLevel on the silhouette and (1 - w) of it where it faces the eye. By the rule PER_EDGE an
- * edge has the larger of the levels of its two ends.
+ * A flat surface has level 0 from every direction. A surface that is bent by MaximumSpread has
+ * MaximumLevel on the silhouette, and (1 - w) of it where it faces the eye. With the rule PER_EDGE,
+ * an edge has the larger level of its two ends.
  *
- * Neighbouring triangles are taken to wind alike; points at the same coordinates are one point.
- * With a parallel camera v is the same everywhere. A point at the eye itself counts as seen
- * edge-on. Where normals cancel out the spread is 180 degrees, seen edge-on. Triangles of no area
- * have no normal; a point of no other triangle has level 0.
+ * Adjacent triangles must have the same winding. Coincident points are merged. With a parallel
+ * camera, v is the same everywhere. A point at the eye is treated as seen edge-on. If the normals
+ * at a point cancel out, the spread is 180 degrees and the point is treated as seen edge-on.
+ * Triangles without area have no normal. Points without other triangles have level 0.
  *
- * The metric depends on the view: no camera, or one whose position is its focal point, is an error
- * when tags are computed.
+ * The metric depends on the view. Computing tags fails with an error if there is no camera or if
+ * its position is its focal point.
  *
  * @sa vtkDepthTagFilter vtkAdaptiveRefinement vtkSilhouetteDepthTagMetric
  */
@@ -48,8 +48,8 @@ public:
 
   //@{
   /**
-   * Spread of normals, in degrees, from which on a silhouette has MaximumLevel; 0.01 to 180,
-   * default 30. Another value is an error and changes nothing.
+   * Set the spread of normals from which on a silhouette has MaximumLevel, in degrees, 0.01 to 180.
+   * The default is 30. Values out of range are rejected with an error.
    */
   void SetMaximumSpread(double degrees);
   vtkGetMacro(MaximumSpread, double);
@@ -57,8 +57,8 @@ public:
 
   //@{
   /**
-   * How much the level depends on being seen edge-on: from 0, not at all, to 1, where what faces
-   * the eye has level 0; default 0.5. Another value is an error and changes nothing.
+   * Set how much the level depends on the viewing angle, from 0 (not at all) to 1 (surfaces that
+   * face the eye have level 0). The default is 0.5. Values out of range are rejected with an error.
    */
   void SetEdgeOnWeight(double weight);
   vtkGetMacro(EdgeOnWeight, double);

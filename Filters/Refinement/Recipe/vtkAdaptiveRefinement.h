@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAdaptiveRefinement
- * @brief   the recipe: how deep a coarse mesh is refined, and to what
+ * @brief   the recipe: how far to refine a coarse mesh, and towards which surface
  *
- * A recipe names the levels (a metric, or an array of depth-tags), the surface that refined points
- * lie on and the displacement that moves them. vtkAdaptiveRefinementFilter evaluates it on the
- * CPU into a vtkPolyData, vtkAdaptiveRefinementMapper on the GPU without storing anything: same
- * recipe, same triangles, same points to float accuracy.
+ * A recipe specifies the refinement levels (a metric or an array of depth-tags), the surface that
+ * refined points lie on, and the displacement that moves them. vtkAdaptiveRefinementFilter
+ * evaluates the recipe on the CPU and outputs a vtkPolyData. vtkAdaptiveRefinementMapper evaluates
+ * it on the GPU and stores no refined mesh. Both create the same triangles. Points agree to float
+ * accuracy.
  *
  * @sa vtkAdaptiveRefinementFilter vtkAdaptiveRefinementMapper vtkDepthTagMetric
  * vtkRefinementSurface vtkDisplacement
@@ -35,11 +36,12 @@ public:
 
   //@{
   /**
-   * The highest level of an edge, 0 to 7, default 3: an edge has at most 2^level segments. A value
-   * outside, or above a MaximumLevel that the pattern table was given or has read from a file, is
-   * an error and changes nothing. Where the table gets a lower one afterwards, or another table has
-   * one, that holds until the table goes higher again; if it is a file's, a warning says so when a
-   * surface is refined.
+   * Set the highest level of an edge, 0 to 7. The default is 3. An edge has at most 2^level
+   * segments. Values out of range are rejected with an error, and so are values above a
+   * MaximumLevel that you set on the pattern table or that it read from a file. If the table gets a
+   * lower level later, or you set another table with a lower level, that level limits the recipe.
+   * If it comes from a file, a warning is issued when a surface is refined. The value set here
+   * applies again once the table has a higher level.
    */
   void SetMaximumLevel(int level);
   int GetMaximumLevel();
@@ -47,9 +49,9 @@ public:
 
   //@{
   /**
-   * Name of the point array of depth-tags, one float level per point, default "DepthTag". If the
-   * mesh has it, it is used and the metric is not. An edge takes the mean of its two points' tags,
-   * rounded half up and clamped to [0, MaximumLevel]. NaN is an error.
+   * Set the name of the point array of depth-tags, with one float level per point. The default is
+   * "DepthTag". If the mesh has this array, the metric is not used. The tag of an edge is the mean
+   * of its two points' tags, rounded half up and clamped to [0, MaximumLevel]. NaN is an error.
    */
   void SetDepthTagArrayName(const char* name);
   const char* GetDepthTagArrayName();
@@ -57,7 +59,8 @@ public:
 
   //@{
   /**
-   * The metric that gives the levels. With neither metric nor array: MaximumLevel everywhere.
+   * Set the metric that computes the levels. If there is neither a metric nor an array, all edges
+   * have MaximumLevel.
    */
   void SetMetric(vtkDepthTagMetric* metric);
   vtkDepthTagMetric* GetMetric();
@@ -65,11 +68,12 @@ public:
 
   //@{
   /**
-   * Where a metric sets levels: vtkDepthTagMetric::PER_VERTEX (0, the default; an edge takes the
-   * mean of its points' tags) or vtkDepthTagMetric::PER_EDGE (1; an edge's level comes from the
-   * edge alone: fewer triangles for segments of the same length, but an edge of low level is not
-   * refined because its neighbours are). Another value is an error and changes nothing.
-   * Depth-tags of an array are always per point.
+   * Set the rule by which edges get levels from a metric. With vtkDepthTagMetric::PER_VERTEX (0,
+   * the default) the tag of an edge is the mean of its points' tags. With
+   * vtkDepthTagMetric::PER_EDGE (1) the metric computes a level for each edge. This takes fewer
+   * triangles for segments of the same length, but edges of low level are not refined with their
+   * neighbours. Other values are rejected with an error. Depth-tags of an array are always per
+   * point.
    */
   void SetLevelRule(int rule);
   vtkGetMacro(LevelRule, int);
@@ -79,10 +83,10 @@ public:
 
   //@{
   /**
-   * Added to the tags of all edges before they are rounded and clamped, in levels, -16 to 16;
-   * default 0. One level more doubles the segments of every edge, as half the ReferenceLength of a
-   * vtkScreenEdgeDepthTagMetric does within its range.
-   * Another value is an error and changes nothing.
+   * Set the offset that is added to the tags of all edges before they are rounded and clamped, in
+   * levels, -16 to 16. The default is 0. An offset of 1 doubles the segments of each edge. Halving
+   * the ReferenceLength of a vtkScreenEdgeDepthTagMetric has the same effect within its range.
+   * Values out of range are rejected with an error.
    */
   void SetLevelOffset(double levels);
   vtkGetMacro(LevelOffset, double);
@@ -91,7 +95,7 @@ public:
   //@}
 
   /**
-   * How many segments an edge may be cut into.
+   * The numbers of segments that an edge can have.
    */
   enum SegmentPolicies
   {
@@ -101,11 +105,12 @@ public:
 
   //@{
   /**
-   * POWERS_OF_TWO (0, the default): 2^level segments. WHOLE_NUMBERS (1): 2^tag segments, rounded
-   * half up to a whole number; above 16 to one of 9 to 16 times 2, 4 or 8. Segments are closer to
-   * the wanted length, at the price of many more patterns and draw calls, and without geomorphing.
-   * A pattern table that has read a file lacks most of these patterns: an error when a surface is
-   * refined. Another value is an error and changes nothing.
+   * Set the numbers of segments that an edge can have. POWERS_OF_TWO (0, the default) means 2^level
+   * segments. WHOLE_NUMBERS (1) means 2^tag segments, rounded half up to a whole number. Above 16,
+   * the number is one of 9 to 16 multiplied by 2, 4 or 8. WHOLE_NUMBERS matches the requested
+   * length more closely, but takes many more patterns and draw calls and does not support
+   * geomorphing. A pattern table that was read from a file lacks most of these patterns, which is
+   * an error when a surface is refined. Other values are rejected with an error.
    */
   void SetSegmentPolicy(int policy);
   vtkGetMacro(SegmentPolicy, int);
@@ -114,7 +119,7 @@ public:
   //@}
 
   /**
-   * When refined vertices slide into place.
+   * When refined vertices move smoothly between levels.
    */
   enum GeomorphingModes
   {
@@ -125,15 +130,15 @@ public:
 
   //@{
   /**
-   * Whether the surface is a continuous function of the tags, so that nothing pops when the camera
-   * moves: a vertex that a higher level adds starts at an existing vertex and slides to its own
-   * place while the tag rises from half a level below to half a level above (for the last level: to
-   * MaximumLevel). GEOMORPHING_OFF (0), GEOMORPHING_ON (1), or GEOMORPHING_AUTOMATIC (2, the
-   * default): on for metrics that depend on the view, where patterns can morph. Edges have the same
-   * segments as without; the triangles within a face differ. Needs SegmentPolicy POWERS_OF_TWO:
-   * with WHOLE_NUMBERS nothing morphs, and GEOMORPHING_ON is a warning when a surface is refined.
-   * The patterns of a file cannot morph: with those, GEOMORPHING_ON is an error when a surface is
-   * refined. Another value is an error and changes nothing.
+   * Set whether refined vertices move smoothly when levels change, so that nothing pops when the
+   * camera moves. A vertex that a higher level adds starts at an existing vertex and slides to its
+   * position while the tag rises from half a level below to half a level above (at the last level:
+   * to MaximumLevel). The modes are GEOMORPHING_OFF (0), GEOMORPHING_ON (1) and
+   * GEOMORPHING_AUTOMATIC (2, the default), which is on for view-dependent metrics if the patterns
+   * support it. Geomorphing keeps the segments of edges but uses other triangles inside a face.
+   * With SegmentPolicy WHOLE_NUMBERS nothing morphs, and GEOMORPHING_ON causes a warning when a
+   * surface is refined. Patterns from a file cannot morph, and GEOMORPHING_ON with such a table is
+   * an error when a surface is refined. Other values are rejected with an error.
    */
   void SetGeomorphing(int mode);
   vtkGetMacro(Geomorphing, int);
@@ -143,7 +148,7 @@ public:
 
   //@{
   /**
-   * The surface that refined points lie on; none means linear.
+   * Set the surface that refined points lie on. None, the default, means linear.
    */
   void SetSurface(vtkRefinementSurface* surface);
   vtkRefinementSurface* GetSurface();
@@ -151,7 +156,7 @@ public:
 
   //@{
   /**
-   * What moves the refined points; none by default.
+   * Set the displacement of the refined points. There is none by default.
    */
   void SetDisplacement(vtkDisplacement* displacement);
   vtkDisplacement* GetDisplacement();
@@ -159,13 +164,13 @@ public:
 
   //@{
   /**
-   * A vector, a tuple of 2 or 3 components, stands for "no data" if the absolute value of a
-   * component is at least this, as in (-1e9, 0, 0); more than 0, default 1e8, infinity for never.
-   * Vectors and single numbers that are not finite always stand for it. Where point data are
-   * interpolated between points of which one has no data, the result has none either: it is NaN, or
-   * in arrays of integers the value of the nearest of those points. The input's points keep their
-   * values. Normals, tangents and texture coordinates always count as data. Another value is an
-   * error and changes nothing.
+   * Set the magnitude from which on vectors are missing values ("no data"). A vector, which is a
+   * tuple of 2 or 3 components, is a missing value if a component has at least this absolute value,
+   * as in (-1e9, 0, 0). The default is 1e8. Infinity turns this off. Values of 0 or less are
+   * rejected with an error. Non-finite vectors and numbers are always missing values. If one of the
+   * points that point data are interpolated from has a missing value, the result is NaN, or in
+   * integer arrays the value of the nearest of these points. Input points keep their values.
+   * Normals, tangents and texture coordinates are never missing values.
    */
   void SetNoDataMagnitude(double magnitude);
   vtkGetMacro(NoDataMagnitude, double);
@@ -173,22 +178,22 @@ public:
 
   //@{
   /**
-   * The patterns, shared by all that evaluate this recipe; by default those of a table of its own
-   * that has all levels. A pattern of these default tables is made once and kept once for all
-   * recipes, as one is of a table that recipes are given. nullptr brings a new default table.
+   * Set the table of patterns, shared by all filters and mappers that evaluate this recipe. The
+   * default is a table with all levels. All default tables share one cache of patterns, which are
+   * generated on first use. nullptr restores the default.
    */
   void SetPatternTable(vtkRefinementPatternTable* table);
   vtkRefinementPatternTable* GetPatternTable();
   //@}
 
   /**
-   * Latest change of the recipe or of any of its parts.
+   * Return the time of the latest change of the recipe or its parts.
    */
   vtkMTimeType GetMTime() override;
 
 #ifndef __VTK_WRAP__
   /**
-   * What SetMaximumLevel() was given, though the pattern table may not go so high.
+   * Return the value given to SetMaximumLevel(), even if the pattern table has a lower one.
    */
   int GetAskedMaximumLevel() const
   {
@@ -200,7 +205,7 @@ protected:
   vtkAdaptiveRefinement();
   ~vtkAdaptiveRefinement() override;
 
-  int MaximumLevel = 3; // 64 triangles for a face: a first frame that nobody waits for
+  int MaximumLevel = 3; // 64 triangles per face, so that the first frame is fast
   std::string DepthTagArrayName = "DepthTag";
   int LevelRule = 0;
   double LevelOffset = 0.0;
