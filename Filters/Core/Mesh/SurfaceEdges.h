@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   relevo::SurfaceEdges
- * @brief   the edges of a mesh's triangles, and tags of points from tags of edges
+ * @brief   the edges of the triangles of a mesh, and point tags computed from edge tags
  *
- * An edge is a pair of places that at least one triangle joins. Edges are counted from 0, in the
- * order of their places, so that an edge is found in logarithmic time.
+ * An edge is a pair of merged points that at least one triangle joins. Edges are sorted by their
+ * merged points, so that an edge is found in logarithmic time.
  */
 #ifndef SurfaceEdges_h
 #define SurfaceEdges_h
@@ -22,19 +22,19 @@ class vtkPolyData;
 
 namespace relevo
 {
-/// Two triangles that meet at an edge, or one that meets none.
+/// Two triangles that share an edge, or the one triangle at an open edge.
 struct SurfaceEdgeSides
 {
   enum Types : unsigned char
   {
-    INNER,   // of exactly two triangles that wind alike
-    FLIPPED, // of exactly two triangles that wind against each other
-    OPEN     // of one triangle, or of more than two: sides for every two that follow each other
+    INNER,   // exactly two triangles with the same winding
+    FLIPPED, // exactly two triangles with opposite winding
+    OPEN     // one triangle, or more than two: one item for each consecutive pair
   };
 
   /// The edge's index.
   int Edge;
-  /// Indices of triangles; -1 for none.
+  /// Indices of the triangles; -1 for none.
   int Triangles[2];
   Types Type;
 };
@@ -42,7 +42,7 @@ struct SurfaceEdgeSides
 class RELEVOFILTERSCORE_EXPORT SurfaceEdges
 {
 public:
-  /// The two places of an edge, the lower first.
+  /// The two merged points of an edge, the lower id first.
   struct Edge
   {
     int MergedPoints[2];
@@ -54,14 +54,15 @@ public:
   const SurfaceTriangles& GetTriangles() const { return *this->Triangles; }
 
   int GetNumberOfEdges() const { return static_cast<int>(this->Edges.size()); }
-  /// All edges, sorted by their places.
+  /// All edges, sorted by their merged points.
   const std::vector<Edge>& GetEdges() const { return this->Edges; }
-  /// The index of the edge between two places in any order; -1 when there is none.
+  /// The index of the edge between two merged points in any order, or -1 if there is none.
   int FindEdge(vtkIdType a, vtkIdType b) const;
 
-  /// What meets at the edges, in their order: one item for an edge of one or two triangles.
+  /// The triangles at the edges, in the order of edges. Edges of one or two triangles have one
+  /// item.
   const std::vector<SurfaceEdgeSides>& GetSides() const { return this->Sides; }
-  /// Calls f(i) for the index of each of the edge's items in GetSides().
+  /// Call f(i) for the index of each item of the edge in GetSides().
   template <typename Function>
   void ForEachSides(int edge, Function&& f) const
   {
@@ -71,7 +72,7 @@ public:
     }
   }
 
-  /// Give every point the largest of the tags of the edges at its place, and 0 where there is none.
+  /// Give each point the largest tag of the edges at its merged point, or 0 if there are none.
   void TagPoints(const float* edgeTags, vtkFloatArray* tags) const;
 
 private:
@@ -80,14 +81,14 @@ private:
 
   std::shared_ptr<const SurfaceTriangles> Triangles;
   std::vector<Edge> Edges;
-  std::vector<int> FirstEdges; // of those whose lower place it is, per place
+  std::vector<int> FirstEdges; // per merged point, index of the first edge whose lower end it is
   std::vector<SurfaceEdgeSides> Sides;
-  std::vector<int> FirstSides; // per edge
-  std::vector<int> Starts;     // into Uses, per place
-  std::vector<int> Uses;       // edges
+  std::vector<int> FirstSides; // index of the first item per edge
+  std::vector<int> Starts;     // index into Uses per merged point
+  std::vector<int> Uses;       // indices of edges
 };
 
-/// Give every edge the tag f(i) of its index. f is called in parallel.
+/// Set the tag of each edge to f(i), where i is its index. f is called in parallel.
 template <typename Function>
 void TagEdges(const SurfaceEdges& edges, vtkFloatArray* tags, Function&& f)
 {

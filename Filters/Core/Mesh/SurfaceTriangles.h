@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   relevo::SurfaceTriangles
- * @brief   the triangles of a mesh between places, and which of them meet at each place
+ * @brief   the triangles of a mesh between merged points, and the triangles at each merged point
  *
- * Polygons are taken as the fans (0, i, i + 1) that VTK's mappers draw, strips as their triangles.
- * Points that coincide are one place, named by its lowest point id. Triangles with two corners at
- * one place or with a corner that is not finite are not part of the surface.
+ * Polygons are split into fans (0, i, i + 1), as VTK's mappers do, and strips into triangles.
+ * Coincident points are merged; the lowest point id represents them. Triangles with coincident or
+ * non-finite corners are skipped.
  */
 #ifndef SurfaceTriangles_h
 #define SurfaceTriangles_h
@@ -29,7 +29,7 @@ class RELEVOFILTERSCORE_EXPORT SurfaceTriangles
 public:
   using Triangle = std::array<vtkIdType, 3>;
 
-  /// The mesh's points are referred to, and kept.
+  /// Holds a reference to the points of the mesh.
   explicit SurfaceTriangles(vtkPolyData* mesh);
 
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
@@ -37,28 +37,28 @@ public:
   {
     return this->MergedPoints.empty() ? point : this->MergedPoints[point];
   }
-  /// The lowest coincident point per point; empty when none coincide.
+  /// The lowest coincident point per point; empty if no points coincide.
   const std::vector<vtkIdType>& GetMergedPoints() const { return this->MergedPoints; }
-  /// The points whose place is another point.
+  /// The points that are merged into another point.
   const std::vector<vtkIdType>& GetCoincidentPoints() const { return this->CoincidentPoints; }
   void GetPoint(vtkIdType point, double x[3]) const { this->Points->GetPoint(point, x); }
 
-  /// All triangles, their corners places.
+  /// All triangles; their corners are merged points.
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
-  /// The points of a triangle, which have the data of its corners.
+  /// The original points of a triangle, which have the data of its corners.
   const Triangle& GetPoints(vtkIdType triangle) const
   {
     return this->PointTriangles.empty() ? this->Triangles[triangle]
                                         : this->PointTriangles[triangle];
   }
-  /// The id of the mesh's cell that a triangle is of.
+  /// The id of the mesh's cell that contains a triangle.
   vtkIdType GetCell(vtkIdType triangle) const { return this->Cells[triangle]; }
 
   vtkIdType GetNumberOfTriangles(vtkIdType mergedPoint) const
   {
     return this->Starts[mergedPoint + 1] - this->Starts[mergedPoint];
   }
-  /// Calls f(t) for the index of every triangle at the place.
+  /// Call f(t) for the index of each triangle at the merged point.
   template <typename Function>
   void ForEachTriangleIndex(vtkIdType mergedPoint, Function&& f) const
   {
@@ -67,7 +67,7 @@ public:
       f(this->Uses[i] / 3);
     }
   }
-  /// Calls f(p, q) for every triangle (place, p, q).
+  /// Call f(p, q) for each triangle (mergedPoint, p, q).
   template <typename Function>
   void ForEachTriangle(vtkIdType mergedPoint, Function&& f) const
   {
@@ -89,9 +89,9 @@ private:
   std::vector<vtkIdType> CoincidentPoints;
   vtkIdType NumberOfPoints = 0;
   std::vector<Triangle> Triangles;
-  std::vector<Triangle> PointTriangles; // empty when no points coincide
+  std::vector<Triangle> PointTriangles; // empty if no points coincide
   std::vector<vtkIdType> Cells;
-  std::vector<vtkIdType> Starts; // into Uses, per place
+  std::vector<vtkIdType> Starts; // index into Uses per merged point
   std::vector<vtkIdType> Uses;   // 3 * triangle + corner
 };
 }

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   relevo::PieceReduction
- * @brief   what the pieces of a surface have together, where several processes have one each
+ * @brief   reductions over the pieces of a surface that is distributed over several processes
  *
- * Its functions are collective: all processes call the same ones in the same order, with as many
- * numbers, and all get the same result. This one knows of one piece, which is the whole.
+ * The functions are collective: all processes call the same functions in the same order with the
+ * same number of values, and all get the same result. This class is for a single piece, the whole
+ * surface.
  */
 #ifndef PieceReduction_h
 #define PieceReduction_h
@@ -21,11 +22,11 @@ public:
 
   virtual bool IsWhole() const { return true; }
 
-  /// Become the sums over all pieces.
+  /// Replace the values by their sums over all pieces.
   virtual void Add(std::vector<double>& values) const { (void)values; }
-  /// Become the largest of all pieces.
+  /// Replace the values by their maxima over all pieces.
   virtual void TakeLargest(std::vector<double>& values) const { (void)values; }
-  /// The values of all pieces, of any number each, those of the first process first.
+  /// Return the values of all pieces in the order of processes. Each piece may have any number.
   virtual std::vector<double> Collect(std::vector<double> values) const { return values; }
 };
 }

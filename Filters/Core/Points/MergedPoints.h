@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   which points of a mesh lie at the same place
+ * @brief   the coincident points of a mesh
  *
- * Split normals and texture seams give one place several point ids. What must not open a crack
+ * Split normals and texture seams cause several point ids at the same coordinates. Values that must
+ * not open cracks there (levels, displacement, curvature) are computed per merged point.
  * there (levels, displacement, curvature) is decided per place.
  */
 #ifndef MergedPoints_h
@@ -20,17 +21,18 @@ class vtkPoints;
 namespace relevo
 {
 /**
- * For every point the lowest id of a point with exactly the same coordinates (0 equals -0; a point
- * with a NaN is a place of its own). Empty when no two points coincide. Linear time, in parallel.
+ * Return for each point the lowest id of the points with exactly the same coordinates. 0 equals -0.
+ * Points with NaN are never merged. The result is empty if no points coincide. Runs in linear time,
+ * in parallel.
  */
 RELEVOFILTERSCORE_EXPORT std::vector<vtkIdType> ComputeMergedPoints(vtkPoints* points);
 
-/// A number that places have for themselves, as far as 64 bits go.
+/// A 64-bit hash of the coordinates, equal for coincident points.
 RELEVOFILTERSCORE_EXPORT std::uint64_t HashPoint(const double x[3]);
 
 /**
- * Give every point the largest of the tags at its place. `places` as from ComputeMergedPoints();
- * `tags` has one finite value per point.
+ * Set each tag to the largest tag of the coincident points. `mergedPoints` is the result of
+ * ComputeMergedPoints(). `tags` has one finite value per point.
  */
 RELEVOFILTERSCORE_EXPORT void UniteTags(const std::vector<vtkIdType>& mergedPoints, float* tags);
 }

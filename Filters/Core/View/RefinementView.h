@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  relevo::RefinementView
- * @brief   from where, and on what, a mesh is looked at: the input of view-dependent metrics
+ * @brief   the input of view-dependent metrics: camera, placement of the mesh, and viewport
  */
 #ifndef RefinementView_h
 #define RefinementView_h
@@ -21,20 +21,21 @@ class DisplacedSurface;
 class PatternFamily;
 struct RefinementView
 {
-  /// The camera, in world coordinates; nullptr when nothing is known of the view.
+  /// The camera, in world coordinates; nullptr if the view is not known.
   vtkCamera* Camera = nullptr;
-  /// The actor's matrix, from the mesh's coordinates to the world's; nullptr for identity.
+  /// The actor's matrix, from the mesh's coordinates to world coordinates; nullptr for the
+  /// identity.
   vtkMatrix4x4* ModelToWorld = nullptr;
   /// Width and height of the viewport in pixels.
   int ViewportSize[2] = { 300, 300 };
-  /// The patterns that refine faces, where they are known: for metrics that bound deviations.
+  /// The patterns that refine faces, if known, for metrics that bound deviations.
   std::shared_ptr<const PatternFamily> Patterns = nullptr;
   /// The displaced surface, for metrics that measure it; nullptr without a height map.
   std::shared_ptr<const DisplacedSurface> Displaced = nullptr;
 
   /**
-   * Add the mesh's placement, or what the camera sees: their values, not when they were last
-   * changed.
+   * Add the values of the mesh's placement or of the camera as dependencies. Modification times are
+   * not used.
    */
   RELEVOFILTERSCORE_EXPORT void AddTo(
     Dependencies& dependencies, bool addsPlacement, bool addsCamera) const;

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   relevo::PointTags
- * @brief   depth-tags per point by a recipe, for filters of your own that refine something else
- *          than triangles
+ * @brief   depth-tags per point from a recipe, for your own filters of cells other than triangles
  *
- * The recipe's array of depth-tags comes before its metric, as in vtkAdaptiveRefinementFilter. What
- * the metric computes of a mesh is kept until the mesh or the metric changes. An object is used by
- * one thread at a time.
+ * The recipe's array of depth-tags overrides its metric, as in vtkAdaptiveRefinementFilter. Results
+ * of the metric for a mesh are cached until the mesh or the metric changes. Not thread-safe.
  */
 #ifndef PointTags_h
 #define PointTags_h
@@ -39,26 +37,26 @@ public:
 
   enum Kinds
   {
-    UNIFORM,  // the recipe has neither: MaximumLevel everywhere
-    OF_ARRAY, // GetValues() by point of the input
-    OF_METRIC // GetValues() by point of the metric's mesh
+    UNIFORM,  // MaximumLevel everywhere: the recipe has neither a metric nor an array
+    OF_ARRAY, // GetValues() has one tag per point of the input
+    OF_METRIC // GetValues() has one tag per point of the metric's mesh
   };
 
-  /// Makes the mesh that the metric measures. Only called when it is needed.
+  /// Returns the mesh that the metric measures. Called only if it is needed.
   using GetMesh = std::function<vtkPolyData*()>;
 
   /**
-   * Compute the tags. The recipe's offset is not added. False, with an error to show the user, when
-   * the array or the metric cannot be used.
+   * Compute the tags, without the recipe's offset. Returns false and an error for the user if the
+   * array or the metric cannot be used.
    */
   bool Compute(vtkAdaptiveRefinement* recipe, vtkDataSet* input, const GetMesh& getMesh,
     const RefinementView& view, std::string& error);
 
   Kinds GetKind() const { return this->Kind; }
-  /// Finite values.
+  /// Return the tags, which are finite.
   const float* GetValues() const;
 
-  /// Forget the mesh.
+  /// Release the mesh and the cache.
   void Reset();
 
 private:

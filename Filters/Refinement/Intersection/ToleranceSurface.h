@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   relevo::ToleranceSurface
- * @brief   the surface that a recipe makes of a mesh, refined to a tolerance where it is wanted
+ * @brief   the surface that a recipe creates from a mesh, refined to a tolerance where needed
  *
- * Each coarse face has a box that all its refined points are in, so that filters of your own can
- * tell where the surface matters before any of it is refined. Faces that are wanted are then
- * refined by the recipe's patterns until their triangles are as near to the surface as is asked;
- * the others follow where they share an edge. The recipe's metric does not count.
+ * Each coarse face has a box that contains all its refined points, so that your filter can find the
+ * relevant faces before anything is refined. These faces are then refined with the recipe's
+ * patterns until their triangles are within the tolerance of the surface. Other faces are refined
+ * only along edges that they share with them. The recipe's metric is not used.
  */
 #ifndef ToleranceSurface_h
 #define ToleranceSurface_h
@@ -35,29 +35,29 @@ public:
   ToleranceSurface(const ToleranceSurface&) = delete;
   void operator=(const ToleranceSurface&) = delete;
 
-  /// Take a mesh and its recipe; what has not changed since the last call is kept. False, with a
-  /// sentence to show the user, where it cannot be refined; a warning may be filled either way.
+  /// Set the mesh and its recipe. Data that are not out of date are reused. Returns false and an
+  /// error for the user if the mesh cannot be refined. A warning may be returned in either case.
   bool Take(
     vtkPolyData* mesh, vtkAdaptiveRefinement* recipe, std::string& error, std::string& warning);
 
-  /// When a mesh was taken that differed from the one before.
+  /// Return the time when the mesh last changed.
   vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
 
   int GetNumberOfFaces() const;
-  /// The box of a face in the mesh's coordinates.
+  /// The box of a face, in the coordinates of the mesh.
   void GetFaceBounds(int face, double low[3], double high[3]) const;
 
-  /// Refine those faces, a byte for each, whose deviation is more than the tolerance, a length of
-  /// the mesh. Returns how many of them deviate by more than the tolerance though their edges have
-  /// as many segments as can be, and the largest deviation. With a tolerance of 0, all edges of
-  /// these faces have as many, and the result is 0.
+  /// Refine the faces marked in `areWanted`, one byte per face, whose deviation exceeds the
+  /// tolerance, a length in the mesh's units. Returns the number of faces that deviate by more than
+  /// the tolerance at the highest number of segments, and the largest deviation. A tolerance of 0
+  /// refines all edges of these faces to the highest number of segments and returns 0.
   std::pair<vtkIdType, double> Refine(
     const std::vector<unsigned char>& areWanted, double tolerance);
 
-  /// The triangles of all faces; another object when they have changed. Those over no-data, and
-  /// those with a point that is not finite or two that are one, are left out.
+  /// The triangles of all faces, in a new object after each change. Triangles over missing data,
+  /// with non-finite points or with coincident points are removed.
   vtkPolyData* GetTriangles() const;
-  /// The ids of the cells that they are of.
+  /// The ids of the coarse cells of the triangles.
   const std::vector<vtkIdType>& GetCells() const { return this->Cells; }
 
 private:

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   relevo::MetricEvaluator
- * @brief   a depth-tag metric evaluated for one mesh
+ * @brief   evaluates a depth-tag metric for one mesh
  *
- * A metric holds parameters; what it computes of a mesh is held by its evaluator for that mesh,
- * which belongs to the mapper or filter that refines the mesh. So one metric serves any number of
- * meshes, and mappers and filters in several threads. An evaluator looks at its metric's parameters
- * whenever it is asked, and is to be used by one thread at a time.
+ * A metric stores parameters. The evaluator stores the results for one mesh and belongs to the
+ * mapper or filter that refines the mesh. One metric can therefore serve many meshes, and mappers
+ * and filters in several threads. An evaluator reads the metric's parameters at each call. It is
+ * not thread-safe.
  *
- * Made by vtkDepthTagMetric::NewEvaluator(). Its functions are those of vtkDepthTagMetric.
+ * vtkDepthTagMetric::NewEvaluator() creates it. Its functions correspond to those of
+ * vtkDepthTagMetric.
  */
 #ifndef MetricEvaluator_h
 #define MetricEvaluator_h
@@ -41,20 +42,21 @@ public:
   /// See vtkDepthTagMetric::ComputeTags().
   virtual bool ComputeTags(const RefinementView& view, int maximumLevel, vtkFloatArray* tags) = 0;
 
-  /// See vtkDepthTagMetric::ComputeEdgeTags(); the edges are those of the mesh. Unless overridden,
-  /// an edge has the mean of the tags of its two places.
+  /// See vtkDepthTagMetric::ComputeEdgeTags(); the edges are those of the mesh. By default, the tag
+  /// of an edge is the mean of the tags of its two merged points.
   virtual bool ComputeEdgeTags(const RefinementView& view, int maximumLevel, vtkFloatArray* tags);
 
-  /// See vtkDepthTagMetric::GetShader(). Unless overridden, there is none.
+  /// See vtkDepthTagMetric::GetShader(). By default, the shader is empty.
   virtual bool GetShader(
     const RefinementView& view, int maximumLevel, const double origin[3], MetricShader& shader);
 
-  /// Have the numbers that this metric, and those that it is made of, need of the whole surface
-  /// that the mesh is a piece of. Collective. Unless overridden, those of ComputeNumbers().
+  /// Exchange the numbers of the whole surface that this metric and the metrics it contains need,
+  /// if the mesh is a piece of a distributed surface. Collective. By default, uses
+  /// ComputeNumbers().
   virtual void ShareNumbers(
     const RefinementView& view, const PieceReduction& pieces, GlobalSurfaceInfo& whole);
 
-  /// The metric, which lives as long as its evaluators.
+  /// The metric, which lives at least as long as its evaluators.
   vtkDepthTagMetric* GetMetric() const { return this->Metric; }
   /// The mesh, as it is.
   MetricMesh& GetMesh() const { return *this->Mesh; }
@@ -62,12 +64,13 @@ public:
 protected:
   MetricEvaluator(vtkDepthTagMetric* metric, std::shared_ptr<MetricMesh> mesh);
 
-  /// Numbers of a whole surface that tags depend on, as quantiles, from all its pieces. Collective,
-  /// and silent where tags are an error. Unless overridden there are none.
+  /// Compute numbers of the whole surface that tags depend on, such as quantiles, from all its
+  /// pieces. Collective. Reports no error if tags cannot be computed. By default, there are no
+  /// numbers.
   virtual std::vector<double> ComputeNumbers(
     const RefinementView& view, const PieceReduction& pieces);
 
-  /// Those of the whole that the mesh is a piece of; without one, those of the mesh.
+  /// The numbers of the whole surface if the mesh is a piece, otherwise those of the mesh.
   std::vector<double> GetNumbers(const RefinementView& view);
 
 private:
@@ -75,7 +78,7 @@ private:
   std::shared_ptr<MetricMesh> Mesh;
 };
 
-/// The metric's own evaluator; if it has none, one that asks the metric itself.
+/// Create the metric's evaluator, or one that calls the functions of the metric.
 RELEVOFILTERSREFINEMENT_EXPORT std::unique_ptr<MetricEvaluator> MakeEvaluator(
   vtkDepthTagMetric* metric, const std::shared_ptr<MetricMesh>& mesh);
 }

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   relevo::MetricMesh
- * @brief   a mesh and what metrics need to know of its shape
+ * @brief   a mesh with its triangles and edges, as metrics need them
  *
- * Triangles and edges are computed when they are first asked for and kept until the mesh's points
- * or cells change, so that all metrics that look at one mesh share them. To be used by one thread
- * at a time.
+ * Triangles and edges are computed on first use and cached until the points or cells of the mesh
+ * change. All metrics of one mesh share them. Not thread-safe.
  */
 #ifndef MetricMesh_h
 #define MetricMesh_h
@@ -30,25 +29,26 @@ struct GlobalSurfaceInfo;
 class RELEVOFILTERSREFINEMENT_EXPORT MetricMesh
 {
 public:
-  /// No mesh, until Update().
+  /// Create an empty object; call Update() to set the mesh.
   MetricMesh();
   explicit MetricMesh(vtkPolyData* mesh);
   MetricMesh(const MetricMesh&) = delete;
   void operator=(const MetricMesh&) = delete;
   ~MetricMesh();
 
-  /// Look at a mesh, which must live until the next call. What is known stays known if its points
-  /// and cells are the same objects and have not changed.
+  /// Set the mesh, which must live until the next call. Cached data are reused if its points and
+  /// cells are the same objects and have not changed.
   void Update(vtkPolyData* mesh);
 
   //@{
-  /// What the mesh is a piece of; nullptr, the default, where it is the whole.
+  /// Set the whole surface that the mesh is a piece of. nullptr, the default, means that the mesh
+  /// is the whole surface.
   void SetWhole(std::shared_ptr<const GlobalSurfaceInfo> whole);
   const GlobalSurfaceInfo* GetWhole() const { return this->Whole.get(); }
   //@}
 
   vtkPolyData* GetPolyData() const { return this->Mesh; }
-  /// Another one whenever the points, the cells or the whole are.
+  /// Return the time of the latest change of the points, the cells or the whole surface.
   vtkMTimeType GetTime() const { return this->ShapeTime; }
 
   const std::shared_ptr<const SurfaceTriangles>& GetTriangles();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   when what a metric sees of the world last changed
+ * @brief   the time of the latest change of a view, as far as a metric depends on it
  */
 #ifndef ViewTime_h
 #define ViewTime_h
@@ -16,8 +16,8 @@ namespace relevo
 {
 struct RefinementView;
 
-/// The latest change of the camera and of the mesh's place, where the metric's tags depend on them;
-/// without a metric none does.
+/// Return the latest change of the camera and the mesh's placement, if the metric's tags depend on
+/// them. Without a metric, nothing depends on them.
 RELEVOFILTERSREFINEMENT_EXPORT vtkMTimeType GetViewTime(
   vtkDepthTagMetric* metric, const RefinementView& view);
 }

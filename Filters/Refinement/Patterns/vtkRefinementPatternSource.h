@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkRefinementPatternSource
- * @brief   one refinement pattern as polygonal data, to look at
+ * @brief   show one refinement pattern as polygonal data
  *
- * The output is what vtkRefinementPatternTable::GetPattern() gives for Levels: points
- * (u, v, w) -> (v, w, 0), counter-clockwise triangles, and the barycentrics in the point array
+ * The output is that of vtkRefinementPatternTable::GetPattern() for Levels: points at (u, v, w) ->
+ * (v, w, 0), counter-clockwise triangles, and the barycentric coordinates in the point array
  * "Barycentrics" (three float components).
  *
  * @sa vtkRefinementPatternTable
@@ -28,9 +28,9 @@ public:
 
   //@{
   /**
-   * Levels of the edges P1P2, P2P3 and P3P1, in any order, each 0 to 7; default (0, 0, 0), the
-   * undivided triangle. A level outside is an error and changes nothing; one above the table's
-   * MaximumLevel is an error at the update.
+   * Set the levels of the edges P1P2, P2P3 and P3P1, in any order, each 0 to 7. The default is (0,
+   * 0, 0), the undivided triangle. Levels out of range are rejected with an error. A level above
+   * the table's MaximumLevel is an error in the update.
    */
   void SetLevels(int i, int j, int k);
   void SetLevels(const int levels[3]) { this->SetLevels(levels[0], levels[1], levels[2]); }
@@ -39,7 +39,7 @@ public:
 
   //@{
   /**
-   * The table that the pattern is taken from; by default its own, with MaximumLevel 7. nullptr
+   * Set the table of patterns. By default the source has a table with MaximumLevel 7. nullptr
    * restores the default.
    */
   void SetTable(vtkRefinementPatternTable* table);
@@ -47,7 +47,7 @@ public:
   //@}
 
   /**
-   * Includes the table's time.
+   * Return the time of the latest change of the source or the table.
    */
   vtkMTimeType GetMTime() override;
 

@@ -2,23 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkRefinementPatternTable
- * @brief   the subdivided triangles that every refined surface is drawn from
+ * @brief   the subdivided triangles that refined surfaces are made of
  *
- * A pattern [i, j, k] subdivides a triangle (P1, P2, P3) so that its edges P1P2, P2P3 and P3P1
- * carry 2^i, 2^j and 2^k equal segments. Only the canonical patterns, i >= j >= k, are kept; the
- * other orders are the same pattern read with permuted barycentrics (Lenz 2009, sections 4.2
- * to 4.4). With levels 0..L the table has (L+1)(L+2)(L+3)/6 patterns. Patterns are made on first
- * use, and are the same on every machine. A table shows them, and writes and reads files of them;
- * recipes that are given one table share its patterns (vtkAdaptiveRefinement::SetPatternTable()).
+ * A pattern [i, j, k] subdivides a triangle (P1, P2, P3) so that its edges P1P2, P2P3 and P3P1 have
+ * 2^i, 2^j and 2^k equal segments. Only the canonical patterns with i >= j >= k are stored. The
+ * other orders are the same patterns with permuted barycentric coordinates (Lenz 2009, sections 4.2
+ * to 4.4). With levels 0..L, the table has (L+1)(L+2)(L+3)/6 patterns. Patterns are generated on
+ * first use and are the same on all machines. Use a table to look at patterns and to write them to
+ * and read them from files. Recipes that use one table share its patterns
+ * (vtkAdaptiveRefinement::SetPatternTable()).
  *
- * [d, d, d] is the regular subdivision into 4^d triangles. The others are Delaunay triangulations
- * in the equilateral triangle that grow coarser from the finer edges inwards; they take between
- * 0.8 times the geometric and 1.5 times the arithmetic mean of 4^i, 4^j and 4^k triangles. Their
- * smallest angle is near the largest that is possible at a corner whose two edges differ by d
- * levels: 30, 20, 17.6, 13.9, 11.3, 9.3 and 8.2 degrees for d = 1 to 7.
+ * [d, d, d] is the regular subdivision into 4^d triangles. The other patterns are Delaunay
+ * triangulations in an equilateral triangle that become coarser from the finer edges inwards. Their
+ * number of triangles is between 0.8 times the geometric mean and 1.5 times the arithmetic mean of
+ * 4^i, 4^j and 4^k. Their smallest angle is near the largest possible angle at a corner whose two
+ * edges differ by d levels: 30, 20, 17.6, 13.9, 11.3, 9.3 and 8.2 degrees for d = 1 to 7.
  *
- * Internally a pattern is known by its segments per edge, any whole numbers up to 128, so that
- * levels are one policy among others.
+ * Internally, a pattern is identified by its numbers of segments per edge, any whole numbers up to
+ * 128. Levels are one way to choose them.
  *
  * @sa vtkRefinementPatternSource vtkAdaptiveRefinement
  */
@@ -47,102 +48,103 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The highest level a table can hold: 2^7 = 128 segments on an edge.
+   * The highest level of a table: 2^7 = 128 segments on an edge.
    */
   static constexpr int HighestLevel = 7;
 
   //@{
   /**
-   * The highest level of an edge, 0 to 7, default 5, that the table gives and writes. How deep a
-   * recipe refines is its own MaximumLevel; but no deeper than this one, once it was set or read
-   * from a file. A value outside, or above the levels of the file, is an error and changes nothing.
+   * Set the highest level of an edge that the table returns and writes, 0 to 7. The default is 5. A
+   * level that you set here or that was read from a file also limits the MaximumLevel of recipes.
+   * Values out of range, or above the level of the file, are rejected with an error.
    */
   void SetMaximumLevel(int level);
   vtkGetMacro(MaximumLevel, int);
   //@}
 
   /**
-   * Number of canonical patterns for the current MaximumLevel L: (L+1)(L+2)(L+3)/6.
+   * Return the number of canonical patterns for MaximumLevel L: (L+1)(L+2)(L+3)/6.
    */
   int GetNumberOfPatterns();
 
   /**
-   * The pattern of levels (i, j, k), in any order, as points (u, v, w) -> (v, w, 0), that is with
-   * P1 = (0,0), P2 = (1,0), P3 = (0,1), and counter-clockwise triangles. The point data hold the
-   * barycentrics in the array "Barycentrics". Returns false, after an ErrorEvent, when a level is
-   * out of [0, MaximumLevel].
+   * Get the pattern of levels (i, j, k), in any order. Points are at (u, v, w) -> (v, w, 0), that
+   * is P1 = (0,0), P2 = (1,0), P3 = (0,1). Triangles are counter-clockwise. The point array
+   * "Barycentrics" has the barycentric coordinates. Returns false after reporting an error if a
+   * level is out of [0, MaximumLevel].
    */
   bool GetPattern(int i, int j, int k, vtkPolyData* output);
 
   /**
-   * Sort levels (or segments) in place into descending order by conditional swaps and return
-   * lambda (Lenz 2009, figs. 4.8 to 4.11): swap IJ adds 1, swap IK adds 2, swap JK adds 4.
+   * Sort levels or segments in place into descending order by conditional swaps and return lambda
+   * (Lenz 2009, figs. 4.8 to 4.11): swapping I and J adds 1, I and K adds 2, J and K adds 4.
    */
   static int Canonicalize(int ijk[3]);
 
   /**
-   * For each of P1, P2, P3, which of the canonical pattern's weights (0 = u, 1 = v, 2 = w) it
-   * takes under lambda (Lenz 2009, tab. 4.2).
+   * Get the index of the canonical pattern's weight (0 = u, 1 = v, 2 = w) that each of P1, P2, P3
+   * takes for lambda (Lenz 2009, tab. 4.2).
    */
   static void GetPermutation(int lambda, int permutation[3]);
 
   /**
-   * Whether the permutation of lambda mirrors the pattern, so that its triangles must be turned to
-   * keep their winding.
+   * Return whether the permutation of lambda mirrors the pattern, so that triangles must be
+   * reversed to keep their winding.
    */
   static bool IsOdd(int lambda);
 
   /**
-   * Bytes held by the patterns made so far, those that morph included; of the table that a recipe
-   * brings, by those of all such tables.
+   * Return the memory of the patterns generated so far in bytes, including those for geomorphing.
+   * For the default table of a recipe, this is the memory of all default tables.
    */
   vtkTypeInt64 GetMemorySize();
 
   //@{
   /**
-   * Write every canonical pattern up to MaximumLevel to a file, or replace the patterns by those
-   * of such a file, which also sets MaximumLevel. Returns false, after an ErrorEvent that says what
-   * is wrong, on failure; the table is then as it was. Every pattern that is read is checked.
-   * All surfaces are refined with the patterns of a file; they cannot morph, so that recipes with
-   * GEOMORPHING_AUTOMATIC do without, and they have 2^level segments on an edge.
+   * Write all canonical patterns up to MaximumLevel to a file, or read a file and replace the
+   * patterns and MaximumLevel. Returns false after reporting an error, and the table then does not
+   * change. All patterns that are read are checked. Patterns from a file have 2^level segments on
+   * an edge and cannot morph: GEOMORPHING_AUTOMATIC turns geomorphing off for them.
    *
-   * A file name that ends in .vtp means a vtkPolyData of all patterns side by side, as equilateral
-   * triangles: the point array "Barycentrics" holds (u, v, w), the int point and cell arrays
-   * "Pattern" the pattern's GetPatternIndex(), the int field array "MaximumLevel" the level.
+   * A file name that ends in .vtp writes a vtkPolyData of all patterns side by side, as equilateral
+   * triangles. The point array "Barycentrics" has (u, v, w), the int point and cell arrays
+   * "Pattern" have the GetPatternIndex() of the pattern, and the int field array "MaximumLevel" has
+   * the level.
    *
-   * Any other name means a binary, little-endian file: the eight bytes "RelevoRP"; the format's
-   * version (1), MaximumLevel and the number of patterns; then for each pattern, by index, its
-   * three numbers of segments, V vertices and T triangles, followed by 3 V weights (float32) and
-   * 3 T vertices of triangles. All but the weights are uint32.
+   * Any other name writes a binary, little-endian file. It starts with the eight bytes "RelevoRP",
+   * the version of the format (1), MaximumLevel and the number of patterns. Then each pattern
+   * follows in the order of indices: its three numbers of segments, the number of vertices V, the
+   * number of triangles T, 3 V weights (float32) and 3 T vertex indices of triangles. All numbers
+   * except the weights are uint32.
    */
   bool Write(const char* fileName);
   bool Read(const char* fileName);
   //@}
 
   /**
-   * Position of the canonical levels i >= j >= k in a list of all patterns: the order [0,0,0],
-   * [1,0,0], [1,1,0], [1,1,1], [2,0,0], ..., which does not depend on MaximumLevel.
+   * Return the index of the canonical levels i >= j >= k in the list of all patterns. The order is
+   * [0,0,0], [1,0,0], [1,1,0], [1,1,1], [2,0,0], ..., and does not depend on MaximumLevel.
    */
   static int GetPatternIndex(int i, int j, int k);
 
 #ifndef __VTK_WRAP__
   /**
-   * A table of all levels. Patterns that such tables make are made once and kept once for all of
-   * them, as long as there is one.
+   * Create a table of all levels. These tables share one cache of patterns, which exists as long as
+   * one of the tables does.
    */
   static vtkSmartPointer<vtkRefinementPatternTable> MakeDefault();
 
   /**
-   * The canonical pattern with segments 128 >= n1 >= n2 >= n3 >= 1 on its edges. Made on first use,
-   * in 20 ms at most on an ordinary machine; safe to call from several threads. Who has the pointer
-   * has the pattern, whatever becomes of the table. Other numbers are an error and give the
+   * Return the canonical pattern with segments 128 >= n1 >= n2 >= n3 >= 1 on its edges. It is
+   * generated on first use, in at most 20 ms on an ordinary machine. Thread-safe. The pointer
+   * remains valid when the table is deleted. Values out of range report an error and return the
    * undivided triangle.
    */
   std::shared_ptr<const relevo::RefinementPattern> GetPatternOfSegments(int n1, int n2, int n3);
 
   /**
-   * The highest level that recipes with this table refine to: MaximumLevel where it was set or read
-   * from a file, else HighestLevel.
+   * Return the highest level of recipes that use this table: MaximumLevel if it was set or read
+   * from a file, otherwise HighestLevel.
    */
   int GetHighestOfRecipes() const
   {
@@ -150,7 +152,7 @@ public:
   }
 
   /**
-   * The patterns for surfaces: another library after each Read().
+   * Return the patterns for surfaces. Read() replaces the library.
    */
   const std::shared_ptr<const relevo::PatternLibrary>& GetLibrary() const
   {

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   relevo::SurfaceBounds
- * @brief   what a surface's face can reach, and the cone of its normals
+ * @brief   bounds of a face of a surface, and the cone of its normals
  *
- * A part of vtkRefinementSurface; see GetReach() there. Culling, bounds and pickers rely on them.
+ * Part of vtkRefinementSurface; see GetReach() there. Culling, bounding boxes and pickers use these
+ * functions.
  */
 #ifndef SurfaceBounds_h
 #define SurfaceBounds_h
@@ -17,15 +18,16 @@ class SurfaceBounds
 {
 public:
   /**
-   * Extend a box, relative to the origin, by all that the face may reach beyond its corners and
-   * precomputed positions.
+   * Extend a box, relative to the origin, to contain the whole face, which may reach beyond its
+   * corners and precomputed positions.
    */
   virtual void ExtendBox(const SurfaceFace&, double /*low*/[3], double /*high*/[3]) {}
 
   /**
-   * A cone that holds the geometric normals of the whole face, those of (P1 - P0) x (P2 - P0):
-   * fills its unit axis and returns the cosine of the angle between axis and side. 0, the default,
-   * when nothing is known or the cone is no narrower than a half-space.
+   * Compute a cone that contains the geometric normals of the whole face, those of (P1 - P0) x
+   * (P2 - P0). Sets its unit axis and returns the cosine of the angle between the axis and the
+   * side. Returns 0, the default, if the normals are not known or the cone is at least a
+   * half-space.
    */
   virtual float ComputeNormalCone(const SurfaceFace&, float axis[3])
   {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   relevo::SurfaceData
- * @brief   what a surface takes from the mesh: numbers per point, and tables
+ * @brief   the data that a surface takes from the mesh: values per point, and tables
  *
- * A part of vtkRefinementSurface; see GetNumberOfPointValues() and HasTables() there.
+ * Part of vtkRefinementSurface; see GetNumberOfPointValues() and HasTables() there.
  */
 #ifndef SurfaceData_h
 #define SurfaceData_h
@@ -21,14 +21,14 @@ class SurfaceData
 {
 public:
   /**
-   * Fill GetNumberOfPointValues() numbers for each point of the mesh. False, with an error to show
-   * the user, when the mesh lacks what is needed.
+   * Fill GetNumberOfPointValues() numbers for each point of the mesh. Returns false and an error
+   * for the user if data are missing in the mesh.
    */
   virtual bool GetPointValues(vtkPolyData*, float*, std::string&) { return true; }
 
   /**
-   * Fill the tables, with positions relative to `origin`. False, with an error to show the user,
-   * when the mesh lacks what is needed.
+   * Fill the tables, with positions relative to `origin`. Returns false and an error for the user
+   * if data are missing in the mesh.
    */
   virtual bool BuildTables(vtkPolyData*, const double[3], SurfaceTables&, std::string&)
   {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   relevo::SurfaceEvaluation
- * @brief   positions, normals and fields of a surface at weights, on the CPU
+ * @brief   evaluates positions, normals and fields of a surface on the CPU
  *
- * A part of vtkRefinementSurface. Whatever does not depend on the weights is computed beforehand,
- * as vectors per edge and per face.
+ * Part of vtkRefinementSurface. Values that do not depend on the weights are precomputed as vectors
+ * per edge and per face.
  */
 #ifndef SurfaceEvaluation_h
 #define SurfaceEvaluation_h
@@ -23,31 +23,31 @@ class SurfaceEvaluation
 {
 public:
   /**
-   * Fill the vectors of the edge from a to b: first the positions, then the normals.
+   * Compute the vectors of the edge from a to b: first the positions, then the normals.
    */
   virtual void ComputeEdgeVectors(const SurfaceCorner&, const SurfaceCorner&, float*) {}
 
   /**
-   * Fill the vectors per face: first the positions, then the normals. The face's edges are
-   * complete; `edgeNormals` lets their normals be replaced by others for this face alone.
+   * Compute the vectors of the face: first the positions, then the normals. The vectors of the
+   * face's edges are known. Write to `edgeNormals` to replace their normals in this face.
    */
   virtual void ComputeFaceVectors(const SurfaceFace&, float*, float* /*edgeNormals*/[3]) {}
 
   /**
-   * Whether this face may see other normals at its corners or edges than the faces beside it,
-   * though they share points.
+   * Return whether this face may have normals at its corners or edges that differ from those of
+   * adjacent faces, although they share points.
    */
   virtual bool SplitsNormals(const SurfaceFace&) { return false; }
 
   /**
-   * Position and normal (not normalised) at the weights of the sorted corners.
+   * Compute the position and the normal (not normalised) for the weights of the sorted corners.
    */
   virtual void Evaluate(
     const SurfaceFace& face, const float weights[3], float position[3], float normal[3]) = 0;
 
   /**
-   * The direction, not normalised, that displacement goes along: on edges and at corners the same
-   * from all faces around. Unless overridden, the normal.
+   * Compute the direction of displacement (not normalised). All faces at a corner or an edge must
+   * return the same direction there. The default is the normal.
    */
   virtual void EvaluateDirection(
     const SurfaceFace& face, const float weights[3], float direction[3])
@@ -57,13 +57,13 @@ public:
   }
 
   /**
-   * The coefficients by which the surface knows a point array between the corners; nullptr, the
-   * default, where it is interpolated linearly.
+   * Return the coefficients for evaluating a point array between the corners. The default is
+   * nullptr: the array is interpolated linearly.
    */
   virtual vtkDataArray* FindCoefficients(vtkPolyData*, vtkDataArray*) { return nullptr; }
 
   /**
-   * The tuple that such an array has at weights.
+   * Evaluate a tuple from these coefficients.
    */
   virtual void EvaluateField(
     const SurfaceFace&, const float[3], vtkDataArray* /*coefficients*/, double* /*tuple*/)
@@ -71,7 +71,7 @@ public:
   }
 
   /**
-   * Why Evaluate() cannot do what the shader does; empty if it can.
+   * Return why Evaluate() cannot reproduce the shader, or an empty string if it can.
    */
   virtual std::string GetEvaluationError() { return std::string(); }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  relevo::SurfaceFace
- * @brief   one coarse triangle, as a surface of your own sees it
+ * @brief   one coarse triangle, passed to the functions of a surface
  *
  * @sa vtkRefinementSurface
  */
@@ -13,18 +13,18 @@
 
 namespace relevo
 {
-/// Numbers of a mesh, for all its faces to look up.
+/// Data of a mesh that all its faces can look up.
 struct SurfaceTables
 {
-  /// Four per point: a position, and a number that belongs to it.
+  /// Four numbers per point: a position and one value.
   std::vector<float> Points;
-  /// Four per record.
+  /// Four numbers per record.
   std::vector<int> Records;
-  /// For each cell of the mesh, all of them triangles, the record that its face starts from.
+  /// The first record of each cell. All cells of the mesh are triangles.
   std::vector<int> Entries;
 };
 
-/// An end of an edge. Values are those per point; nullptr when there are none.
+/// An end of an edge. Values are the values per point, or nullptr if there are none.
 struct SurfaceCorner
 {
   const float* Point;
@@ -37,17 +37,18 @@ struct SurfaceFace
 {
   float Points[3][3];
   float Normals[3][3];
-  /// Add it to points to get the mesh's own coordinates.
+  /// The origin that points are relative to, in the mesh's coordinates.
   const double* Origin;
-  /// Unit normals that all faces around a corner share: its own where normals are not split.
+  /// Unit normals that all faces at a corner share. They are the corner's normals where normals are
+  /// not split.
   const float* Directions[3];
-  /// The numbers per point of each corner.
+  /// The values per point of each corner.
   const float* Values[3];
-  /// The vectors of edges (0,1), (1,2), (0,2), each from its first corner to its second:
-  /// positions, then normals. Then the face's positions, then its normals.
+  /// The vectors of the edges (0,1), (1,2), (0,2), each from the first corner to the second:
+  /// positions, then normals. The positions and then the normals of the face follow.
   const float* Vectors;
-  /// The mesh's tables, the face's first record, and the code of the permutation from the cell's
-  /// own corners to these (relevoWeights.glsl).
+  /// The tables of the mesh, the first record of the face, and the code of the permutation from the
+  /// cell's corners to the sorted corners (relevoWeights.glsl).
   const SurfaceTables* MeshTables;
   int TableEntry;
   int CornerOrder;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   relevo::SurfaceShading
- * @brief   a surface as GLSL: the functions that shaders call, and their uniforms
+ * @brief   a surface in GLSL: the functions that shaders call, and their uniforms
  *
- * A part of vtkRefinementSurface.
+ * Part of vtkRefinementSurface.
  */
 #ifndef SurfaceShading_h
 #define SurfaceShading_h
@@ -25,17 +25,18 @@ class SurfaceShading
 {
 public:
   /**
-   * The GLSL functions surfacePosition(vec3) and surfaceNormal(vec3), in terms of cornerPoint(i),
-   * cornerNormal(i), cornerDirection(i), cornerValues(i), edgeVector(edge, k) and faceVector(k),
-   * and with HasTables() of tableEntry(), cornerOrder(), vec4 tablePoint(i) and ivec4
-   * tableRecord(i); with HasDirections() surfaceDirection(vec3) too.
-   * Positions are those of VTK's vertex buffer: surfaceScale() is the factor from the mesh's
-   * lengths to theirs, and modelPosition(p) a position in the mesh's own coordinates.
+   * Return GLSL that defines surfacePosition(vec3) and surfaceNormal(vec3), and with
+   * HasDirections() also surfaceDirection(vec3). The source can use cornerPoint(i),
+   * cornerNormal(i), cornerDirection(i), cornerValues(i), edgeVector(edge, k) and faceVector(k).
+   * With HasTables() it can also use tableEntry(), cornerOrder(), vec4 tablePoint(i) and ivec4
+   * tableRecord(i). Positions are in the coordinates of VTK's vertex buffer. surfaceScale() is the
+   * factor from the mesh's lengths to these coordinates, and modelPosition(p) converts a position
+   * to the coordinates of the mesh.
    */
   virtual std::string GetShaderSource() = 0;
 
   /**
-   * The uniforms that GetShaderSource() declares, set with every frame.
+   * Return the uniforms that GetShaderSource() declares. They are set in each frame.
    */
   virtual std::vector<SurfaceUniform> GetUniforms() { return {}; }
 

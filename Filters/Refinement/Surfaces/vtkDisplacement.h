@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkDisplacement
- * @brief   moves the points of a refined surface by a height map
+ * @brief   move the points of a refined surface by a height map
  *
- * The displaced point is point + (Offset + Scale * height) * direction, with the height sampled at
- * the point's texture coordinates and the direction either the surface's unit normal or one fixed
- * vector. Scale and Offset change live: neither buffers nor shaders are rebuilt. Shading normals
- * follow the height gradient.
+ * A displaced point is point + (Offset + Scale * height) * direction. The height is sampled at the
+ * point's texture coordinates. The direction is the unit normal of the surface or a fixed vector. A
+ * change of Scale or Offset takes effect in the next frame: neither buffers nor shaders are
+ * rebuilt. Shading normals follow the height gradient.
  *
- * With a height map the mesh must have texture coordinates. Where point normals are needed and
- * missing they are computed. At a texture seam both sides take the height of the corner with the
- * lower point id. Where normals are split, both sides move along their mean; a mesh with such a
- * crease is displaced along linearly interpolated normals throughout, also where the surface's own
- * are quadratic.
+ * If there is a height map, the mesh must have texture coordinates. Missing point normals are
+ * computed if they are needed. At a texture seam, both sides use the height of the corner with
+ * the lower point id. At split normals, both sides move along the mean normal. A mesh
+ * with split normals is displaced along linearly interpolated normals everywhere, even if the
+ * surface has quadratic normals.
  *
  * @sa vtkHeightField vtkHeightMap vtkAdaptiveRefinement
  */
@@ -35,7 +35,8 @@ public:
 
   //@{
   /**
-   * The heights, over texture coordinates [0, 1]^2. None: Offset alone displaces.
+   * Set the height map, over texture coordinates [0, 1]^2. None, the default, means that only
+   * Offset displaces.
    */
   void SetHeightMap(vtkHeightField* heights);
   vtkHeightField* GetHeightMap();
@@ -43,8 +44,8 @@ public:
 
   //@{
   /**
-   * Factor from the map's height units to the mesh's length units, default 1. A value that is not
-   * finite is an error and changes nothing.
+   * Set the factor from the height map's units to the mesh's length units. The default is 1.
+   * Non-finite values are rejected with an error.
    */
   void SetScale(double scale);
   vtkGetMacro(Scale, double);
@@ -52,8 +53,8 @@ public:
 
   //@{
   /**
-   * Constant added to the scaled height, in the mesh's length units, default 0. A value that is not
-   * finite is an error and changes nothing.
+   * Set the constant that is added to the scaled height, in the mesh's length units. The default is
+   * 0. Non-finite values are rejected with an error.
    */
   void SetOffset(double offset);
   vtkGetMacro(Offset, double);
@@ -62,7 +63,7 @@ public:
   //@{
   /**
    * Displace along the surface's unit normal (default) or along a fixed vector, which is
-   * normalised. A zero or non-finite vector is an error and changes nothing.
+   * normalised. Zero and non-finite vectors are rejected with an error.
    */
   void SetDirectionToNormal();
   void SetDirection(double x, double y, double z);
@@ -81,8 +82,8 @@ public:
   };
   //@{
   /**
-   * What becomes of refined triangles over samples without data: left out (HOLE, default) or drawn
-   * at heights filled in from around (FILL). Another value is an error and changes nothing.
+   * Set how refined triangles over missing samples are drawn: not at all (HOLE, the default), or at
+   * heights interpolated from neighbouring samples (FILL). Other values are rejected with an error.
    */
   void SetNoDataPolicy(int policy);
   vtkGetMacro(NoDataPolicy, int);
@@ -91,23 +92,23 @@ public:
   //@}
 
   /**
-   * Bring the height map up to date; false, after an ErrorEvent of this object, if it has no
-   * samples.
+   * Update the height map. Returns false after reporting an error if it has no samples.
    */
   virtual bool Update();
 
   /**
-   * The smallest and largest displacement any point can have, in length units.
+   * Get the smallest and largest possible displacement, in length units.
    */
   void GetReach(double reach[2]);
 
   /**
-   * Whether refined triangles may have to be left out.
+   * Return whether the displacement can have holes: NoDataPolicy is HOLE and the height map has
+   * missing samples.
    */
   bool HasHoles();
 
   /**
-   * Latest change of the settings or of the height map.
+   * Return the time of the latest change of the settings or the height map.
    */
   vtkMTimeType GetMTime() override;
 

@@ -2,38 +2,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkG1Surface
- * @brief   curved triangles whose tangent planes join along edges, made of points and normals
+ * @brief   curved triangles with continuous tangent planes across edges, made of points and normals
  *
- * PN triangles meet without gaps, but with a kink along each edge that their normals, which are not
- * those of the surface, paint over. Here neighbours have the same tangent plane all along their
- * edge (G1).
+ * PN triangles meet without gaps, but with a kink along each edge. Their normals, which are not
+ * those of the surface, hide the kink. With this surface, neighbouring patches have the same
+ * tangent plane along their common edge (G1).
  *
- * The edges' curves are those of vtkPNTriangleSurface. Along an edge from P0 to P1 let W(t) be the
- * curve's derivative, a quadratic Bezier curve with points W0, W1, W2, and A(t) the one with points
- * A0 = N0 x W0 / |N0 x W0|, A2 = N1 x W2 / |N1 x W2|, A1 = (A0 + A2) / |A0 + A2|. The patch's
- * derivative across the edge is made l(t) W(t) + m(t) A(t), l and m linear and such that it fits
- * the other two edges' curves at the ends: its plane depends on the edge alone. This gives, for
- * each edge, two inner points of a quartic patch. The two that different edges ask for near a
- * corner are blended by w1 / (w1 + w2) and w2 / (w1 + w2), with w1 and w2 the weights of the
- * corners that the edges lead to (Gregory's rational blending).
+ * The curves of the edges are those of vtkPNTriangleSurface. Along an edge from P0 to P1, let W(t)
+ * be the curve's derivative, a quadratic Bezier curve with points W0, W1, W2. Let A(t) be the
+ * quadratic Bezier curve with points A0 = N0 x W0 / |N0 x W0|, A2 = N1 x W2 / |N1 x W2| and A1 =
+ * (A0 + A2) / |A0 + A2|. The patch's derivative across the edge is l(t) W(t) + m(t) A(t), where l
+ * and m are linear and match the curves of the other two edges at the ends. The tangent plane
+ * therefore depends only on the edge. Each edge determines two inner points of a quartic patch. The
+ * two inner points near a corner, from different edges, are blended with w1 / (w1 + w2) and w2 /
+ * (w1 + w2), where w1 and w2 are the weights of the corners at the other ends of these edges
+ * (Gregory's rational blending).
  *
- * D. Walton, D. Meek, "A triangular G1 patch from boundary curves", Computer-Aided Design 28, 1996;
- * PN triangles made G1 in this way: C. Fuenfzig, K. Mueller, D. Hansford, G. Farin, "PNG1 triangles
- * for tangent plane continuous surfaces on the GPU", Graphics Interface 2008. Evaluated here as the
- * cubic patch of PN triangles whose centre point varies, which is the same patch.
+ * Sources: D. Walton, D. Meek, "A triangular G1 patch from boundary curves", Computer-Aided Design
+ * 28, 1996. C. Fuenfzig, K. Mueller, D. Hansford, G. Farin, "PNG1 triangles for tangent plane
+ * continuous surfaces on the GPU", Graphics Interface 2008, applies the method to PN triangles. The
+ * patch is evaluated as a cubic PN patch with a varying centre point, which is the same patch.
  *
- * The surface interpolates the coarse points and, where faces around a point see the same normal
- * there, the normals; it reproduces planes. Along creases, where they see different ones, the
- * curves of the sides are averaged: the surface stays closed, each side keeps its own tangent
- * planes but for the crease's ends, and shading is sharp. Where normals contradict a triangle the
- * patch is restrained, and tangent planes do not quite join: inner points stay within half the
- * length of the longest edge from where PN triangles have their centre point.
+ * The surface interpolates the coarse points, and the normals at points whose faces share one
+ * normal. It reproduces planes. Along creases, the curves of both sides are averaged. The surface
+ * remains closed there, each side keeps its tangent planes except at the ends of the crease, and
+ * shading is sharp. If normals contradict a triangle, inner points are kept within half the length
+ * of the longest edge from the centre point of the PN triangle, and tangent planes are then not
+ * quite continuous.
  *
- * Normals that are the surface's own also show how it undulates between coarse points, which the
- * interpolated ones of PN triangles hide: on coarse scans PN triangles look smoother.
+ * Geometric normals also show how the surface undulates between coarse points, which the
+ * interpolated normals of PN triangles hide. On coarse scans, PN triangles look smoother.
  *
- * Point normals of the input are used; where there are none they are computed from the faces.
- * Where the patch itself is degenerate, geometric normals are interpolated ones.
+ * The point normals of the input are used. Missing normals are computed from the faces. Where the
+ * patch is degenerate, interpolated normals replace geometric normals.
  *
  * @sa vtkAdaptiveRefinement vtkPNTriangleSurface
  */
@@ -52,10 +53,10 @@ public:
 
   //@{
   /**
-   * Whether normals are those of the surface itself, continuous across edges, or, by default, the
-   * quadratic ones of vtkPNTriangleSurface. The former are for measuring, for offsets and
-   * reflections; they show every flat spot that the few points and normals of a coarse mesh leave.
-   * The latter look smoother.
+   * Set whether to use the normals of the surface itself, which are continuous across edges. The
+   * default is off: the quadratic normals of vtkPNTriangleSurface are used, which look smoother.
+   * Turn this on for measurements, offsets and reflections. The geometric normals show each flat
+   * spot that the points and normals of a coarse mesh cause.
    */
   vtkSetMacro(GeometricNormals, bool);
   vtkGetMacro(GeometricNormals, bool);

@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeightField
- * @brief   heights over the unit square that a vtkDisplacement moves a surface by
+ * @brief   heights over the unit square, used by vtkDisplacement
  *
- * The interface between a source of heights (vtkHeightMap in Relevo::FiltersTerrain) and the two
- * evaluators of a recipe, which sample it with the same shared function (glsl/relevoHeight.glsl).
+ * This is the interface between a source of heights (vtkHeightMap in Relevo::FiltersTerrain) and
+ * the CPU and GPU evaluators of a recipe. Both sample it with the function in
+ * glsl/relevoHeight.glsl.
  *
- * Samples form a grid of GetDimensions() texels, x fastest, row 0 at v = 0 (VTK's texture
- * convention: the southern row of a north-up raster). Texel centres lie at ((i + 0.5) / n);
- * between them heights are bilinear, outside the outermost centres they are clamped.
+ * Samples form a grid of GetDimensions() texels. x varies fastest, and row 0 is at v = 0, as in VTK
+ * textures: it is the southern row of a north-up raster. Texel i has its centre at (i + 0.5) / n.
+ * Heights are bilinear between centres and clamped outside the outermost centres.
  *
- * Samples are finite everywhere: where the source has no data they hold a fill interpolated from
- * the valid neighbours, and GetValidity() says so.
+ * All samples are finite. Missing samples have values interpolated from valid neighbours, and
+ * GetValidity() marks them.
  *
  * @sa vtkHeightMap vtkDisplacement
  */
@@ -31,61 +32,63 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Bring the samples up to date. Returns false, after an ErrorEvent of this object, when there
-   * are none. Cheap when nothing changed.
+   * Update the samples. Returns false after reporting an error of this object if there are none.
+   * This is cheap if nothing has changed.
    */
   virtual bool Update() = 0;
 
   /**
-   * Why the last Update() failed, as its ErrorEvent said it; "" where it did not fail. Unless
-   * overridden always "".
+   * Return the message of the error that the last Update() reported, or "" if it succeeded. The
+   * default implementation returns "".
    */
   virtual const char* GetErrorMessage() { return ""; }
 
   /**
-   * Number of texels in x and y; (0, 0) before a successful Update().
+   * Get the number of texels in x and y. It is (0, 0) before a successful Update().
    */
   virtual void GetDimensions(int dimensions[2]) = 0;
 
   /**
-   * Smallest and largest valid sample, in the source's own units.
+   * Get the smallest and largest valid sample, in the units of the source.
    */
   virtual void GetRange(double range[2]) = 0;
 
   /**
-   * Whether some samples have no data.
+   * Return whether some samples are missing.
    */
   virtual bool HasNoData() = 0;
 
   /**
-   * Time of the last change of the samples themselves (not of the object's settings).
+   * Return the time of the last change of the samples. Settings of the object do not count.
    */
   virtual vtkMTimeType GetSamplesMTime() = 0;
 
   /**
-   * Height at (u, v) in [0, 1]^2 (clamped), bilinear; the fill over no-data; 0 at NaN.
+   * Return the height at (u, v), clamped to [0, 1]^2, with bilinear interpolation. Missing samples
+   * have their interpolated values. Returns 0 if u or v is NaN.
    */
   double GetHeight(double u, double v);
 
   /**
-   * Whether every sample that GetHeight(u, v) draws upon has data; false at NaN.
+   * Return whether all samples that GetHeight(u, v) uses are valid. Returns false if u or v is NaN.
    */
   bool IsValid(double u, double v);
 
   /**
-   * All samples, dimensions[0] * dimensions[1] floats, never NaN; nullptr before Update().
+   * Return all samples, dimensions[0] * dimensions[1] floats without NaN, or nullptr before
+   * Update().
    */
   virtual const float* GetSamples() VTK_SIZEHINT(1) = 0;
 
   /**
-   * One byte per sample, 0 where there is no data; nullptr when all samples are valid.
+   * Return one byte per sample, 0 for missing samples, or nullptr if all samples are valid.
    */
   virtual const unsigned char* GetValidity() VTK_SIZEHINT(1) = 0;
 
 #ifndef __VTK_WRAP__
   /**
-   * The same bytes, which stay as they are for as long as the pointer is kept, whatever becomes of
-   * this object. Unless overridden, a copy.
+   * Return a shared copy of GetValidity() that does not change when this object does. The default
+   * implementation copies the bytes.
    */
   virtual std::shared_ptr<const unsigned char> ShareValidity();
 #endif

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkLinearSurface
- * @brief   the coarse triangles themselves
+ * @brief   the coarse triangles without curvature
  *
- * Positions and normals are interpolated linearly (Lenz 2009, eq. 3.4). This is the surface of a
+ * Positions and normals are interpolated linearly (Lenz 2009, eq. 3.4). A recipe without a surface
+ * uses this one.
  * recipe that names none.
  *
  * @sa vtkAdaptiveRefinement

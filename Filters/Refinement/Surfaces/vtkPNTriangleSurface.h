@@ -4,13 +4,13 @@
  * @class   vtkPNTriangleSurface
  * @brief   curved PN triangles: a cubic patch per coarse triangle, made of its points and normals
  *
- * A. Vlachos, J. Peters, C. Boyd, J. Mitchell, "Curved PN Triangles", I3D 2001. The control point
- * near P1 on the edge to P2 is b210 = (2 P1 + P2 - ((P2 - P1) . N1) N1) / 3, and so on; the centre
- * is b111 = E + (E - V) / 2, with E the mean of the six edge points and V that of the corners. The
- * patch interpolates the coarse points; patches join without gaps, also along creases, where the
- * control points of the two sides are averaged.
+ * Source: A. Vlachos, J. Peters, C. Boyd, J. Mitchell, "Curved PN Triangles", I3D 2001. The control
+ * point near P1 on the edge to P2 is b210 = (2 P1 + P2 - ((P2 - P1) . N1) N1) / 3, and similarly
+ * for the others. The centre is b111 = E + (E - V) / 2, where E is the mean of the six edge points
+ * and V is the mean of the corners. The patch interpolates the coarse points. Patches meet without
+ * gaps, also along creases, where the control points of both sides are averaged.
  *
- * Point normals of the input are used; where there are none they are computed from the faces.
+ * The point normals of the input are used. Missing normals are computed from the faces.
  *
  * @sa vtkAdaptiveRefinement vtkLinearSurface
  */
@@ -29,8 +29,8 @@ public:
 
   //@{
   /**
-   * Whether normals vary quadratically, which keeps inflections (default), or linearly. The normal
-   * in the middle of an edge is n110 = normalize(N1 + N2 - v12 (P2 - P1)),
+   * Set whether normals vary quadratically, which preserves inflections, or linearly. The default
+   * is on. The normal at the midpoint of an edge is n110 = normalize(N1 + N2 - v12 (P2 - P1)), with
    * v12 = 2 (P2 - P1) . (N1 + N2) / ((P2 - P1) . (P2 - P1)).
    */
   vtkSetMacro(QuadraticNormals, bool);

@@ -4,17 +4,17 @@
  * @class   vtkPhongSurface
  * @brief   Phong tessellation: a quadratic patch per coarse triangle, cheaper than PN triangles
  *
- * T. Boubekeur, M. Alexa, "Phong Tessellation", SIGGRAPH Asia 2008. The point p of the plane
- * triangle is projected on the tangent planes of the three corners, p_i = p - ((p - P_i) . N_i)
- * N_i; p* is the mean of the projections by the barycentric weights, and the surface's point p +
- * Alpha (p* - p). Normals are interpolated linearly. The surface goes through the coarse points; it
- * is closed along creases, where the two sides' patches share one border. It is less smooth than
- * vtkPNTriangleSurface, whose patches are cubic: outlines show the coarse edges.
+ * Source: T. Boubekeur, M. Alexa, "Phong Tessellation", SIGGRAPH Asia 2008. A point p of the plane
+ * triangle is projected to the tangent planes of the three corners: p_i = p - ((p - P_i) . N_i)
+ * N_i. With p* the mean of the projections, weighted by the barycentric weights, the point of the
+ * surface is p + Alpha (p* - p). Normals are interpolated linearly. The surface interpolates the
+ * coarse points and is closed along creases, where the patches of both sides share one border. It
+ * is less smooth than the cubic patches of vtkPNTriangleSurface: silhouettes show the coarse edges.
  *
- * Point normals of the input are used; where there are none they are computed from the faces.
+ * The point normals of the input are used. Missing normals are computed from the faces.
  *
- * Errors: an array of AlphaArrayName that is missing, does not have one number per point, or has
- * numbers that are not finite.
+ * Refinement fails with an error if the array AlphaArrayName is missing, does not have one number
+ * per point, or has non-finite numbers.
  *
  * @sa vtkAdaptiveRefinement vtkPNTriangleSurface
  */
@@ -34,9 +34,9 @@ public:
 
   //@{
   /**
-   * How far points go from the plane triangle, 0, to the mean of their projections, 1 (the
-   * default); the paper's pictures have 0.75. Changes live. A value outside [0, 1] is an
-   * error and changes nothing.
+   * Set how far points move from the plane triangle (0) to the mean of their projections (1). The
+   * default is 1; the paper's images use 0.75. A change takes effect in the next frame. Values
+   * outside [0, 1] are rejected with an error.
    */
   void SetAlpha(double alpha);
   vtkGetMacro(Alpha, double);
@@ -44,9 +44,9 @@ public:
 
   //@{
   /**
-   * Name of a point array of one component that is used instead of Alpha and interpolated linearly;
-   * numbers outside [0, 1] are clamped, coincident points share the mean of theirs. Empty (the
-   * default) for none.
+   * Set the name of a point array with one component that replaces Alpha and is interpolated
+   * linearly. Its values are clamped to [0, 1]. Coincident points use the mean of their values. An
+   * empty name, the default, means none.
    */
   void SetAlphaArrayName(const char* name);
   const char* GetAlphaArrayName();

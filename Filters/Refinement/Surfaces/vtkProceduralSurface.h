@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkProceduralSurface
- * @brief   a surface moved along its normals by a function: fur, or one of your own
+ * @brief   a surface displaced along its normals by a function: fur, or your own function
  *
- * The point is V = B + Amplitude h N: B is the base surface's point, N the sum of the corners' unit
- * normals by the barycentric weights, not made unit, and h a height in [-1, 1]. By default h is the
- * fur of Lenz 2009 (fig. 5.14): g sin(u f pi) sin(v f pi) sin(w f pi), f the Frequency, u, v, w the
- * weights and g the mean cosine between the corners' normals. Shading normals follow the heights.
+ * A point of the surface is V = B + Amplitude h N. B is the point of the base surface. N is the sum
+ * of the corners' unit normals with the barycentric weights, not normalised. The height h is in
+ * [-1, 1]. The default for h is the fur of Lenz 2009 (fig. 5.14): g sin(u f pi) sin(v f pi)
+ * sin(w f pi), where f is Frequency, u, v, w are the weights and g is the mean cosine of the angles
+ * between the corners' normals. Shading normals follow the heights.
  *
- * SetShaderFunction() takes GLSL for another h:
+ * Use SetShaderFunction() to set GLSL source for another h:
  *
  *   surface.SetShaderFunction("""
  *     uniform float time;
@@ -20,15 +21,15 @@
  *   """)
  *   surface.SetUniform("time", 0.5)
  *
- * `position` is the base surface's point in the mesh's own coordinates, `normal` the unit normal,
- * `weights` the barycentric weights of the corners in an order of Relevo's own. On the border of a
- * coarse triangle all weights are passed as zeros: two triangles then compute the same height for
- * their common edge, whatever the function, and the surface stays closed. A function of the weights
- * must go to zero there, or it jumps. Heights beyond [-1, 1] are clamped; one that is not a number
- * is 0.
+ * `position` is the point of the base surface in the coordinates of the mesh, `normal` is the unit
+ * normal, and `weights` are the barycentric weights of the corners, in an order that Relevo
+ * chooses. On the border of a coarse triangle, all weights passed are 0, so that both triangles
+ * compute the same height for their common edge and the surface is closed. A function of the
+ * weights must go to 0 at the border, otherwise it is discontinuous there. Heights are clamped to
+ * [-1, 1]. NaN is replaced by 0.
  *
- * vtkAdaptiveRefinementMapper draws any function. vtkAdaptiveRefinementFilter cannot run GLSL: it
- * gives an error, unless a C++ subclass overrides HasHeightFunction() and EvaluateHeight().
+ * vtkAdaptiveRefinementMapper draws any function. vtkAdaptiveRefinementFilter cannot run GLSL. It
+ * reports an error unless a C++ subclass overrides HasHeightFunction() and EvaluateHeight().
  *
  * @sa vtkAdaptiveRefinement vtkDisplacement
  */
@@ -54,8 +55,8 @@ public:
 
   //@{
   /**
-   * The height of h = 1, in the mesh's length units, default 0.05. Changes live. What is not
-   * finite as a float is an error and changes nothing.
+   * Set the displacement for h = 1, in the mesh's length units. The default is 0.05. A change takes
+   * effect in the next frame. Values that are not finite as floats are rejected with an error.
    */
   void SetAmplitude(double amplitude);
   vtkGetMacro(Amplitude, double);
@@ -63,8 +64,9 @@ public:
 
   //@{
   /**
-   * Half waves of the fur along a coarse edge, default 1; relevoFrequency in GLSL. Changes live.
-   * More than 1e30 in absolute value is an error and changes nothing.
+   * Set the number of half waves of the fur along a coarse edge, relevoFrequency in GLSL. The
+   * default is 1. A change takes effect in the next frame. Absolute values above 1e30 are rejected
+   * with an error.
    */
   void SetFrequency(double frequency);
   vtkGetMacro(Frequency, double);
@@ -72,8 +74,8 @@ public:
 
   //@{
   /**
-   * The surface that is moved; none (the default) means linear. A vtkProceduralSurface is an error
-   * and changes nothing.
+   * Set the surface that is displaced. None, the default, means linear. A vtkProceduralSurface is
+   * rejected with an error.
    */
   void SetBaseSurface(vtkRefinementSurface* surface);
   vtkRefinementSurface* GetBaseSurface();
@@ -81,9 +83,9 @@ public:
 
   //@{
   /**
-   * GLSL that defines float proceduralHeight(vec3 position, vec3 normal, vec3 weights), its
-   * uniforms and whatever else it needs; it may use the uniforms relevoAmplitude and
-   * relevoFrequency. Empty or None (the default) for fur.
+   * Set GLSL source that defines float proceduralHeight(vec3 position, vec3 normal, vec3 weights),
+   * its uniforms and helper functions. It can use the uniforms relevoAmplitude and relevoFrequency.
+   * An empty string or None, the default, means fur.
    */
   void SetShaderFunction(const char* source);
   const char* GetShaderFunction();
@@ -91,8 +93,8 @@ public:
 
   //@{
   /**
-   * Value of a uniform, float or vec3, that the shader function declares. Changes live. What is
-   * not finite as a float is an error and changes nothing.
+   * Set the value of a uniform, float or vec3, that the shader function declares. A change takes
+   * effect in the next frame. Values that are not finite as floats are rejected with an error.
    */
   void SetUniform(const char* name, double value);
   void SetUniform(const char* name, double x, double y, double z);
@@ -114,7 +116,7 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * Whether EvaluateHeight() computes what the shader function does; true for fur.
+   * Return whether EvaluateHeight() computes the same heights as the shader function. True for fur.
    */
   virtual bool HasHeightFunction()
   {
@@ -122,8 +124,8 @@ public:
   }
 
   /**
-   * The height for vtkAdaptiveRefinementFilter, which replaces the shader function. May be called
-   * from several threads.
+   * Return the height for vtkAdaptiveRefinementFilter. This replaces the shader function on the CPU
+   * and must be thread-safe.
    */
   virtual double EvaluateHeight(
     const double position[3], const float normal[3], const float weights[3]);

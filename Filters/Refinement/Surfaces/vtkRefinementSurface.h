@@ -4,23 +4,23 @@
  * @class   vtkRefinementSurface
  * @brief   the surface that the points of a refined triangle lie on
  *
- * A surface maps barycentric weights over a coarse triangle, given by its corners' points and
- * normals, to a position and a normal. It is written once, as GLSL that C++ compiles too
- * (glsl/), and evaluated by vtkAdaptiveRefinementFilter and vtkAdaptiveRefinementMapper alike.
+ * A surface maps barycentric weights on a coarse triangle, given by the points and normals of its
+ * corners, to a position and a normal. The code is written once, as GLSL that also compiles as C++
+ * (glsl/). Both vtkAdaptiveRefinementFilter and vtkAdaptiveRefinementMapper use it.
  *
- * Values that do not depend on the weights are computed beforehand: vectors per edge, from the
- * edge's two ends alone, and vectors per face. Positions among the edge vectors are averaged over
- * all faces around an edge whose normals differ, so that a crease stays closed (as PN-AEN triangles
- * do, McDonald and Kilgard 2010) while its shading stays sharp. A surface may also take numbers per
- * point from arrays of the mesh; coincident points share the mean of theirs.
+ * Values that do not depend on the weights are precomputed: vectors per edge, from the two ends of
+ * the edge, and vectors per face. Where normals are split, the positions among the edge vectors are
+ * averaged over all faces of the edge. A crease then stays closed while its shading stays sharp, as
+ * with PN-AEN triangles (McDonald and Kilgard 2010). A surface can also use numbers per point from
+ * arrays of the mesh. Coincident points use the mean of their numbers.
  *
- * A surface has four parts, each described in a header of its own: relevo::SurfaceData (what it
- * takes from the mesh), relevo::SurfaceEvaluation (C++), relevo::SurfaceBounds (what a face can
- * reach) and relevo::SurfaceShading (GLSL). A surface of your own overrides Evaluate() and
- * GetShaderSource(), and of the rest what it needs.
+ * A surface has four parts, each with a header: relevo::SurfaceData (values taken from the mesh),
+ * relevo::SurfaceEvaluation (C++ evaluation), relevo::SurfaceBounds (bounds of a face) and
+ * relevo::SurfaceShading (GLSL). To write a surface, override Evaluate(), GetShaderSource() and
+ * whatever else it needs.
  *
- * Settings that are uniforms of the shader change live: they alter GetMTime() but not
- * GetPreparationMTime().
+ * Settings that are shader uniforms change GetMTime() but not GetPreparationMTime(), so that a
+ * change takes effect in the next frame without preparation.
  *
  * @sa vtkLinearSurface vtkPNTriangleSurface vtkPhongSurface vtkScalarTaggedSurface vtkG1Surface
  * vtkProceduralSurface vtkAdaptiveRefinement
@@ -51,14 +51,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Whether the surface's shape depends on point normals. They are computed where missing.
+   * Return whether the surface needs point normals. Missing normals are computed.
    */
   virtual bool NeedsNormals() { return false; }
 
   //@{
   /**
-   * Number of precomputed 3-vectors: positions and normals per edge, positions and normals per
-   * face.
+   * Return the number of precomputed 3-vectors: positions and normals per edge, positions and
+   * normals per face.
    */
   virtual int GetNumberOfEdgePositions() { return 0; }
   virtual int GetNumberOfEdgeNormals() { return 0; }
@@ -67,46 +67,47 @@ public:
   //@}
 
   /**
-   * How many numbers per point the surface takes from the mesh.
+   * Return the number of values per point that the surface uses from the mesh.
    */
   virtual int GetNumberOfPointValues() { return 0; }
 
   /**
-   * How many of these, from the first on, its shader uses: 0 to 4.
+   * Return how many of these values, from the first on, the shader uses, 0 to 4.
    */
   virtual int GetNumberOfShaderValues() { return 0; }
 
   /**
-   * Whether the surface has tables: shapes that the mesh itself brings along, of which corners tell
-   * nothing. See BuildTables().
+   * Return whether the surface has tables: shapes stored with the mesh, which cannot be derived
+   * from the corners. See BuildTables().
    */
   virtual bool HasTables() { return false; }
 
   /**
-   * Whether displacement goes along directions of the surface's own, EvaluateDirection(), rather
-   * than along its normals or, where these are split, those of the corners.
+   * Return whether displacement uses EvaluateDirection(). Otherwise it uses the surface's normals
+   * or, where these are split, the normals of the corners.
    */
   virtual bool HasDirections() { return false; }
 
   /**
-   * How far, in length units, points can lie from the convex hull of a face's corners, precomputed
-   * positions and the box of ExtendBox().
+   * Return how far points can lie from the convex hull of a face's corners, the precomputed
+   * positions and the box of ExtendBox(), in length units.
    */
   virtual double GetReach() { return 0.0; }
 
   /**
-   * Whether the surface goes through the coarse points.
+   * Return whether the surface interpolates the coarse points.
    */
   virtual bool InterpolatesCorners() { return true; }
 
   /**
-   * Whether normals are sums, with weights that are not negative, of the corners' normals and the
-   * precomputed ones.
+   * Return whether normals are sums of the corners' normals and the precomputed normals with
+   * non-negative weights.
    */
   virtual bool HasInterpolatedNormals() { return true; }
 
   /**
-   * Latest change that affects precomputed vectors, numbers per point or the shader's text.
+   * Return the time of the latest change of precomputed vectors, values per point or the shader
+   * source.
    */
   virtual vtkMTimeType GetPreparationMTime() { return this->GetMTime(); }
 

@@ -2,53 +2,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkScalarTaggedSurface
- * @brief   PN triangles shaped by numbers at the coarse points: creases, cusps, tension and bias
+ * @brief   PN triangles shaped by values at the coarse points: creases, cusps, tension and bias
  *
- * After the ST-Mesh of T. Boubekeur, P. Reuter, C. Schlick, "Scalar Tagged PN Triangles",
- * Eurographics 2005 short presentations: each coarse point has a sharpness sigma, a tension theta,
- * a bias beta, and a vector Delta that goes with the sharpness. The meaning of these tags is the
- * paper's, the formulae are this class's own:
+ * This surface follows the ST-Mesh of T. Boubekeur, P. Reuter, C. Schlick, "Scalar Tagged PN
+ * Triangles", Eurographics 2005 short presentations. Each coarse point has a sharpness sigma, a
+ * tension theta, a bias beta, and a direction Delta for the sharpness. The tags have the same
+ * meaning as in the paper, but the formulas differ:
  *
- * An edge from Pi to Pj, e = Pj - Pi, leaves Pi as a cubic curve whose control point is Pi + T / 3.
- * With the unit normals Ni and Nj, h = e . Ni and t = e - h Ni, the edge's parts along and across
- * Ni,
+ * An edge e = Pj - Pi from Pi to Pj is a cubic curve whose control point near Pi is Pi + T / 3.
+ * With the unit normals Ni and Nj, h = e . Ni is the part of the edge along Ni, and t = e - h Ni is
+ * the part perpendicular to it:
  *
  *     T = (1 - theta) (e - (1 + beta) (h - s hx) Ni)
  *
- * - Tension in [-1, 1] scales the tangent as that of Kochanek and Bartels' splines (1984): 1 makes
+ * - Tension in [-1, 1] scales the tangent as in the splines of Kochanek and Bartels (1984): 1 makes
  *   the surface tight at the point, -1 makes it twice as slack.
- * - Bias in [-1, 1] scales what bends the edge away from its chord: -1 leaves the chord, 0 the
- *   tangent plane, 1 overshoots it.
- * - Sharpness in [0, 1] takes the edge back towards its chord, s = sigma (1 - a). Without a
- *   direction a = 0, hx = h and x = t: at 1 the point becomes the tip of a cone, a cusp. With a
- *   direction, D is the unit vector of Delta's part across Ni, and x = t - (t . D) D is the part of
- *   t across Delta: a = max(0, 1 - 2 |x|^2 / |t|^2) tells how far the edge runs along Delta, 1 for
- *   one that does, 0 from 45 degrees on, and hx = h + (t . D) (Nj . D) / max(1 + Ni . Nj, 0.1) is
- *   its height without that of a circle's arc along Delta that turns as the normals do. So edges
- *   along Delta stay smooth while the others leave as on the two sides of a roof: a crease. A line
- *   of tagged points, each with the line's direction, makes a long one; on a single point it fades
+ * - Bias in [-1, 1] scales the deviation of the edge from its chord: -1 gives the chord, 0 the
+ *   tangent plane, and 1 overshoots the tangent plane.
+ * - Sharpness in [0, 1] moves the edge back towards its chord, with s = sigma (1 - a). Without a
+ *   direction, a = 0, hx = h and x = t, and a sharpness of 1 makes the point the tip of a cone (a
+ *   cusp). With a direction, D is the unit vector of Delta's part perpendicular to Ni, and
+ *   x = t - (t . D) D is the part of t perpendicular to D. a = max(0, 1 - 2 |x|^2 / |t|^2) measures
+ * how far the edge runs along Delta: 1 for an edge along Delta, 0 for an angle of 45 degrees or
+ * more. hx = h + (t . D) (Nj . D) / max(1 + Ni . Nj, 0.1) is the edge's height minus the height of
+ * a circular arc along Delta that turns as the normals do. Edges along Delta therefore stay smooth,
+ *   while the others meet at an angle, as on the two sides of a roof: a crease. To make a long
+ *   crease, tag a line of points with the direction of the line. The crease of a single point fades
  *   towards its neighbours.
  *
- * The centre of a patch follows from the edges as PN's does. Normals are quadratic as PN's, from a
- * normal per edge at each corner, which is perpendicular to T and, where sharp, to Delta:
+ * The centre of a patch is computed from the edges as in PN triangles. Normals are quadratic as in
+ * PN triangles, from one normal per edge at each corner. This normal is perpendicular to T and,
+ * where sharp, to Delta:
  *
  *     Nij = normalize(Ni - (1 + beta) s hx x / |x|^2 + beta h t / |t|^2)
  *
- * Within a face a corner's normal passes from that of its one edge to that of its other by the
- * ratio of the other corners' weights. It comes from the edge alone, so that shading is continuous
- * across edges, except where they run along Delta: there each face takes, by the share a, the
- * normal of its other edge at that corner. vtkAdaptiveRefinementFilter gives faces with different
- * normals points of their own, at one place. Positions always come from the edge alone: refined
- * meshes are closed.
+ * Within a face, the normal at a corner changes from that of one edge to that of the other, by the
+ * ratio of the other corners' weights. The normals depend only on the edge, so that shading is
+ * continuous across edges, except across edges along Delta. There, each face uses the normal of its
+ * other edge at that corner, weighted by a. vtkAdaptiveRefinementFilter splits the points where the
+ * normals of faces differ. Positions depend only on the edge, so that refined meshes are closed.
  *
- * Points without tags, or with zeros, give vtkPNTriangleSurface with quadratic normals to the last
- * bit. Tags beyond their range are clamped; the length and the sign of Delta do not count, nor does
- * its part along the normal; a Delta along the normal counts as none. Coincident points share the
- * mean of their tags. With a displacement along the normal, a mesh that has sharp or biased points
- * moves along its linear point normals, as one with split normals does.
+ * Points without tags or with zeros give exactly the same result as vtkPNTriangleSurface with
+ * quadratic normals. Tags are clamped to their range. The length, the sign and the part of Delta
+ * along the normal have no effect. A Delta along the normal is ignored. Coincident points use the
+ * mean of their tags. If a mesh has sharp or biased points, a displacement along the normal uses
+ * linearly interpolated point normals, as on a mesh with split normals.
  *
- * An array with another number of components, too few tuples or numbers that are not finite is an
- * error of the filter or the mapper that uses it.
+ * An array with the wrong number of components, too few tuples or non-finite numbers is an error of
+ * the filter or mapper that uses the surface.
  *
  * @sa vtkPNTriangleSurface vtkAdaptiveRefinement
  */
@@ -69,8 +70,9 @@ public:
 
   //@{
   /**
-   * Names of the point arrays that hold the tags: "Sharpness", "Tension" and "Bias", of one
-   * component, and "Direction", of three. A mesh need not have them; empty or None: not used.
+   * Set the names of the point arrays of tags. The defaults are "Sharpness", "Tension" and "Bias",
+   * with one component, and "Direction", with three. Arrays that the mesh does not have are
+   * ignored. Use an empty string or None to ignore an array of the mesh.
    */
   void SetSharpnessArrayName(const char* name);
   const char* GetSharpnessArrayName();
