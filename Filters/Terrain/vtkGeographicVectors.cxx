@@ -34,7 +34,7 @@ namespace
 {
 constexpr double NoDataMagnitude = 1e8;
 constexpr double LargestVectorExaggeration = VTK_FLOAT_MAX;
-constexpr vtkIdType PointsAtOnce = 65536; // between two checks of progress and abort
+constexpr vtkIdType PointsAtOnce = 65536; // points between two checks of progress and abort
 constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
 
 bool hasVectors(vtkDataArray* array)
@@ -42,7 +42,7 @@ bool hasVectors(vtkDataArray* array)
   return array && (array->GetNumberOfComponents() == 2 || array->GetNumberOfComponents() == 3);
 }
 
-// What a user who names no array has in mind; nullptr for none.
+// The default array; nullptr for none.
 vtkDataArray* findVectors(vtkPointData* data)
 {
   if (hasVectors(data->GetVectors()))
@@ -60,7 +60,7 @@ vtkDataArray* findVectors(vtkPointData* data)
   return nullptr;
 }
 
-// Sets the vector of every point to what get(i, vector) gives, to NaN where it returns false.
+// Sets each vector to the result of get(i, vector), or to NaN if it returns false.
 template <typename Function>
 void forPoints(vtkIdType numberOfPoints, Function&& get, vtkFloatArray* vectors)
 {
@@ -80,7 +80,7 @@ void forPoints(vtkIdType numberOfPoints, Function&& get, vtkFloatArray* vectors)
     });
 }
 
-// East, north and up as they are given.
+// Copies east, north and up components of the mesh's array.
 bool takeVectors(vtkPolyData* mesh, vtkDataArray* array, vtkFloatArray* vectors, std::string& error)
 {
   if (array->GetNumberOfTuples() != mesh->GetNumberOfPoints())
@@ -126,7 +126,7 @@ bool sampleVectors(vtkPolyData* mesh, vtkImageData* image, vtkDataArray* array,
   return true;
 }
 
-// Where vtkTerrainSource says that its mesh lies.
+// Reads the location of the mesh from its field data, which vtkTerrainSource writes.
 void takePlace(vtkPolyData* mesh, std::string& system, double origin[3])
 {
   vtkFieldData* fields = mesh->GetFieldData();
@@ -140,7 +140,7 @@ void takePlace(vtkPolyData* mesh, std::string& system, double origin[3])
   }
 }
 
-// The direction by the axes, the length as it is.
+// Rotates the direction to the axes and preserves the length.
 void turn(const relevo::MapAxes& axes, float vector[3])
 {
   const double x = vector[0] * axes.East[0] + vector[1] * axes.North[0];
@@ -237,7 +237,8 @@ int vtkGeographicVectors::FillInputPortInformation(int port, vtkInformation* inf
 int vtkGeographicVectors::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  relevo::RequestWholeExtent(inputVector[1]->GetInformationObject(0)); // any may be sampled
+  relevo::RequestWholeExtent(inputVector[1]->GetInformationObject(0)); // any part of the image may
+                                                                       // be sampled
   return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }
 
@@ -262,7 +263,7 @@ int vtkGeographicVectors::Convert(vtkInformationVector** inputVector, vtkPolyDat
   vtkDataArray* array = this->ChooseArray(inputVector, isOfRaster);
   std::unique_ptr<relevo::MapDirections> directions;
   double exaggeration = 1.0;
-  if (!array || !this->Locate(input, directions, exaggeration)) // has reported the error
+  if (!array || !this->Locate(input, directions, exaggeration)) // the error has been reported
   {
     return 0;
   }

@@ -22,7 +22,7 @@
 
 namespace
 {
-// About what one read takes: large enough to be efficient, small beside the heights themselves.
+// Large enough for efficient reads, small compared with the heights.
 constexpr long long SamplesPerRead = 1 << 20;
 
 int rowsPerRead(const relevo::RasterDescription& contents)
@@ -46,7 +46,7 @@ std::string toText(const int size[2])
   return std::to_string(size[0]) + " x " + std::to_string(size[1]);
 }
 
-// A change of no-data values: two NaNs are the same.
+// Compares no-data values, where two NaNs are equal.
 bool differ(double a, double b)
 {
   return !(a == b || (std::isnan(a) && std::isnan(b)));
@@ -118,7 +118,7 @@ vtkMTimeType vtkHeightMap::GetMTime()
 bool vtkHeightMap::Update()
 {
   const std::lock_guard<std::recursive_mutex> lock(this->UpdateMutex);
-  // A file that was opened and not read: an earlier attempt could not open it.
+  // The file can be open without having been read if an earlier attempt failed to open it.
   if (this->UpdateTime < this->GetMTime() || this->Raster)
   {
     this->AbortExecute = false;
@@ -133,7 +133,7 @@ bool vtkHeightMap::Update()
     {
       this->ErrorMessage.clear();
       this->Description.reset();
-      return false; // the next Update() starts anew
+      return false; // the next Update() tries again
     }
     this->UpdateTime.Modified();
     if (!this->WarningMessage.empty())
@@ -152,7 +152,7 @@ void vtkHeightMap::ReleaseHeights()
 {
   const std::lock_guard<std::recursive_mutex> lock(this->UpdateMutex);
   this->Clear();
-  this->Description.reset(); // for Update() to open the file again
+  this->Description.reset(); // so that Update() opens the file again
   this->UpdateTime = vtkTimeStamp();
 }
 
@@ -252,7 +252,7 @@ bool vtkHeightMap::Read()
 bool vtkHeightMap::ReadFile(relevo::HeightGrid& grid, std::string& error)
 {
   relevo::Raster& raster = *this->Raster;
-  const relevo::RasterDescription& contents = raster.Describe(); // of the level that is read
+  const relevo::RasterDescription& contents = raster.Describe(); // of the selected level
   int size[2];
   relevo::GetReducedSize(this->FullDimensions, this->MaximumDimension, size);
   if (!std::equal(size, size + 2, this->FullDimensions))

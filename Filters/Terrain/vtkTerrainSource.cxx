@@ -34,11 +34,11 @@
 
 namespace
 {
-// Shares of the progress.
+// Fractions of the progress.
 constexpr double HeightsShare = 0.6;
 constexpr double MeshShare = 0.1;
 
-constexpr int LargestImagerySize = 65536; // pixels a side
+constexpr int LargestImagerySize = 65536; // pixels per side
 constexpr double LargestExaggeration = VTK_FLOAT_MAX;
 }
 
@@ -69,7 +69,7 @@ vtkTerrainSource::~vtkTerrainSource()
 
 void vtkTerrainSource::SetFileName(const char* fileName)
 {
-  this->HeightMap->SetFileName(fileName); // which is part of our modification time
+  this->HeightMap->SetFileName(fileName); // its modification time is part of that of this object
 }
 
 char* vtkTerrainSource::GetFileName()
@@ -296,7 +296,7 @@ int vtkTerrainSource::RequestData(
     vtkErrorMacro(<< error);
     return 0;
   }
-  return relevo::IsAborted(this) ? 1 : 0; // else the height map has reported the error
+  return relevo::IsAborted(this) ? 1 : 0; // otherwise the height map has reported the error
 }
 
 bool vtkTerrainSource::Build(vtkPolyData* output, std::string& error)
@@ -306,7 +306,7 @@ bool vtkTerrainSource::Build(vtkPolyData* output, std::string& error)
     error = "There is no file name: call SetFileName().";
     return false;
   }
-  // What the headers tell comes first: the heights may be many.
+  // Errors in the headers are reported before the heights are read, which can take long.
   if (!this->HeightMap->UpdateInformation())
   {
     return false;

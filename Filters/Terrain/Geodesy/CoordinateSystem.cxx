@@ -60,7 +60,7 @@ bool FindScale(const Georeference& location, double& scale)
   }
   OSRSetAxisMappingStrategy(geographic.get(), OAMS_TRADITIONAL_GIS_ORDER);
   const double radians = OSRGetAngularUnits(geographic.get(), nullptr);
-  const double step = 100.0 / location.Unit; // of 100 m
+  const double step = 100.0 / location.Unit; // 100 m
   const std::array<double, 2> centre = location.Coordinates(0.5, 0.5);
   double x[3] = { centre[0], centre[0] + step, centre[0] };
   double y[3] = { centre[1], centre[1], centre[1] + step };
@@ -77,7 +77,7 @@ bool FindScale(const Georeference& location, double& scale)
   const double root = std::sqrt(1.0 - squared * std::pow(std::sin(latitude), 2));
   const double across = location.SemiMajorAxis / root;
   const double along = across * (1.0 - squared) / (root * root);
-  double largest = 0.0; // in absolute value, of logarithms
+  double largest = 0.0; // absolute value of a logarithm
   for (int i = 1; i < 3; ++i)
   {
     const double east =

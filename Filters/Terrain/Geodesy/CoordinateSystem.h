@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   what a coordinate system's coordinates mean, by GDAL
+ * @brief   interpretation of coordinate systems with GDAL
  *
- * Private to the module's own sources; only in builds with RELEVO_USE_GDAL.
+ * Private to the module. Compiled only with RELEVO_USE_GDAL.
  */
 #ifndef CoordinateSystem_h
 #define CoordinateSystem_h
@@ -26,22 +26,22 @@ struct SpatialReferenceFreer
 using SpatialReference = std::unique_ptr<void, SpatialReferenceFreer>;
 
 /**
- * By WKT, or another definition that GDAL takes, as EPSG:32633; longitude or easting first, as
- * rasters have them. nullptr when it is none.
+ * Parses WKT or any other definition that GDAL accepts, such as EPSG:32633. Coordinates are in the
+ * order of rasters: longitude or easting first. Returns nullptr if the definition is invalid.
  */
 SpatialReference NewSpatialReference(const std::string& definition);
 
 /**
- * Sets the kind, unit and ellipsoid of the location. PROJ takes any number for an axis and a
- * flattening; GeographicLib throws where there is no such ellipsoid.
+ * Sets the kind, unit and ellipsoid of the location. PROJ accepts ellipsoids with invalid axis or
+ * flattening, for which GeographicLib throws an exception. They are reported as NoEllipsoid.
  */
 void DescribeCoordinateSystem(OGRSpatialReferenceH system, Georeference& location);
 
-/// Map lengths per length on the ellipsoid at the centre, of east and north that which is farther
-/// from 1; false where that is not known.
+/// Computes map length / ellipsoid length at the centre. Of the scales to the east and to the
+/// north, it is the one farther from 1. Returns false if it cannot be computed.
 bool FindScale(const Georeference& location, double& scale);
 
-/// From longitude and latitude in degrees, on the system's own ellipsoid, to its coordinates.
+/// Converts longitude and latitude in degrees, on the ellipsoid of the system, to its coordinates.
 bool GeographicToSystem(const std::string& definition, std::array<double, 2>& place);
 }
 

@@ -12,12 +12,13 @@ namespace relevo
 namespace
 {
 constexpr char LargeReadsOption[] = "GDAL_ONE_BIG_READ";
-// A warning of libjpeg, which draws grey what is missing; GDAL appends how to make it an error.
+// libjpeg issues this warning and fills missing parts with grey. GDAL appends advice on how to turn
+// it into an error.
 constexpr char CutShort[] = "Premature end of JPEG file";
 constexpr char Advice[] = " (this warning can be turned";
 
-// Each level of GDAL reports the same failure with more context: a message replaces those that it
-// quotes.
+// Each layer of GDAL reports the same failure with more context. A message that quotes earlier ones
+// replaces them.
 void CPL_STDCALL Collect(CPLErr severity, CPLErrorNum number, const char* text)
 {
   std::string message(text);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   GDALSession
- * @brief   GDAL ready for use: its messages collected instead of printed, files cut short told
+ * @brief   collects GDAL's messages and detects truncated files
  *
- * Private to the module's own sources; only in builds with RELEVO_USE_GDAL.
+ * Private to the module. Compiled only with RELEVO_USE_GDAL.
  */
 #ifndef GDALSession_h
 #define GDALSession_h
@@ -19,8 +19,9 @@
 namespace relevo
 {
 /**
- * Lives as long as the calls whose messages are wanted, on the thread that makes them. Meanwhile
- * GDAL reads raw files by lines: in larger parts it fills up with zeros what is missing.
+ * Create a session on the stack around GDAL calls. It collects the messages of its thread instead
+ * of printing them. It also makes GDAL read raw files line by line, because larger reads replace
+ * missing data by zeros without an error.
  */
 class GDALSession
 {
@@ -35,9 +36,9 @@ public:
   ~GDALSession();
 
   bool HasErrors() const { return !this->Errors.Texts.empty(); }
-  /// Whether part of a file could not be read; GDAL may continue all the same.
+  /// Whether part of a file could not be read. GDAL may continue regardless.
   bool HasFileErrors() const { return this->Errors.HasFileErrors; }
-  /// The errors so far, or `fallback`.
+  /// Returns the errors so far, or `fallback` if there are none.
   std::string Messages(const std::string& fallback) const;
 
 private:
@@ -45,7 +46,7 @@ private:
   void operator=(const GDALSession&) = delete;
 
   Collection Errors;
-  std::optional<std::string> LargeReads; // the option as it was
+  std::optional<std::string> LargeReads; // previous value of the option
 };
 
 struct GDALCloser

@@ -17,9 +17,11 @@ namespace
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Step = 50.0;           // metres on each side of a central difference
-constexpr double LargestTurn = 0.01;    // radians of longitude, next to the poles
-constexpr double SmallestRadius = 0.01; // metres of a parallel that still has an east
-constexpr double CutRatio = 100.0;      // between the two halves of a difference
+constexpr double LargestTurn = 0.01;    // radians of longitude, limits the difference near the
+                                        // poles
+constexpr double SmallestRadius = 0.01; // metres, of the smallest parallel where east is defined
+constexpr double CutRatio = 100.0;      // between the two halves of a difference at a cut of the
+                                        // grid
 constexpr int PlacesAtOnce = 1024;
 
 struct TransformationFreer
@@ -32,7 +34,7 @@ struct TransformationFreer
 using Transformation =
   std::unique_ptr<std::remove_pointer_t<OGRCoordinateTransformationH>, TransformationFreer>;
 
-// Coordinates of many places: NaN where they have none.
+// Coordinates of many positions; NaN outside of the map.
 struct Coordinates
 {
   explicit Coordinates(std::size_t count)
@@ -59,7 +61,7 @@ struct Coordinates
   std::vector<double> Y;
 };
 
-// Radii of curvature in metres at a latitude, in radians.
+// Radii of curvature in metres at a latitude in radians.
 struct Curvature
 {
   Curvature(const Georeference& system, double latitude)
@@ -75,8 +77,8 @@ struct Curvature
   double Meridian;
 };
 
-// From one side to the other. Where the grid is cut, as at the antimeridian, one half of the way
-// is as good as infinite: twice the other half.
+// The difference between both sides. If the grid is cut between them, as at the antimeridian, one
+// half is very long, and the result is twice the other half.
 MapPlace difference(const Coordinates& sides, int low, const MapPlace& centre, double scale)
 {
   const double lower[2] = { centre[0] - sides.X[low], centre[1] - sides.Y[low] };
@@ -98,7 +100,7 @@ struct GridDirections::Projection
   SpatialReference Geographic;
   Transformation ToGeographic;
   Transformation ToGrid;
-  double Radians = 1.0; // in one unit of longitude and latitude
+  double Radians = 1.0; // radians per unit of longitude and latitude
 
   explicit Projection(const std::string& definition)
     : Grid(NewSpatialReference(definition))
@@ -140,12 +142,12 @@ bool GridDirections::IsValid() const
 void GridDirections::Evaluate(const std::vector<MapPlace>& places, std::vector<MapAxes>& axes) const
 {
   axes.assign(places.size(), { { NaN, NaN }, { NaN, NaN } });
-  // A transformation belongs to one thread.
+  // A transformation must not be shared by threads.
   vtkSMPThreadLocal<std::shared_ptr<Projection>> projections;
   vtkSMPTools::For(0, static_cast<vtkIdType>(places.size()), PlacesAtOnce,
     [&](vtkIdType begin, vtkIdType end)
     {
-      GDALSession session; // what cannot be transformed is NaN, without a message
+      GDALSession session; // suppresses messages; failures become NaN
       std::shared_ptr<Projection>& projection = projections.Local();
       if (!projection)
       {
@@ -171,7 +173,7 @@ void GridDirections::EvaluateSome(
   Coordinates geographic = centres;
   geographic.Transform(projection.ToGeographic.get());
 
-  // West, east, south and north of every place, and how far apart in metres.
+  // Points to the west, east, south and north of each position, and their distances in metres.
   Coordinates sides(4 * static_cast<std::size_t>(count));
   std::vector<std::array<double, 2>> spans(count);
   const double pole = 0.5 * M_PI;

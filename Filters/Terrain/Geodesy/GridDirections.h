@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   GridDirections
- * @brief   east and north on the grid of a projected coordinate system
+ * @brief   east and north directions in a projected coordinate system
  *
- * Private to the module's own sources; only in builds with RELEVO_USE_GDAL.
+ * Private to the module. Compiled only with RELEVO_USE_GDAL.
  */
 #ifndef GridDirections_h
 #define GridDirections_h
@@ -18,17 +18,17 @@
 namespace relevo
 {
 /**
- * By central differences of the system's own projection, over some metres along the parallel and
- * the meridian of a place: the grid's convergence, and its scales in both directions.
+ * Computes central differences of the projection, over some metres along parallel and meridian.
+ * They include the grid convergence and the scales in both directions.
  */
 class GridDirections : public MapDirections
 {
 public:
-  /// `system` describes the one that is defined.
+  /// `system` is the parsed `definition`.
   GridDirections(const std::string& definition, const Georeference& system, const MapPlace& origin);
   ~GridDirections() override;
 
-  /// Whether there is a way between the system and its own longitude and latitude.
+  /// Whether the system can be transformed to longitude and latitude.
   bool IsValid() const;
 
   void Evaluate(const std::vector<MapPlace>& places, std::vector<MapAxes>& axes) const override;

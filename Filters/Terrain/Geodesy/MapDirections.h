@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   MapDirections
- * @brief   where east and north point in terrain coordinates, place by place
+ * @brief   east and north directions in terrain coordinates
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef MapDirections_h
 #define MapDirections_h
@@ -19,8 +19,8 @@ namespace relevo
 /// Terrain coordinates x and y.
 using MapPlace = std::array<double, 2>;
 
-/// The steps in x and y that one metre over the earth to the east, and to the north, makes. NaN
-/// where there is no such place.
+/// The change of x and y per metre on the earth to the east and to the north; NaN at positions
+/// outside of the map.
 struct MapAxes
 {
   MapPlace East;
@@ -28,14 +28,14 @@ struct MapAxes
 };
 
 /**
- * The derivative of the way from longitude and latitude to terrain coordinates.
+ * The derivative of the transform from longitude and latitude to terrain coordinates.
  */
 class MapDirections
 {
 public:
   virtual ~MapDirections() = default;
 
-  /// For every place; safe to call from several threads.
+  /// Evaluates all positions. Can be called from several threads.
   virtual void Evaluate(const std::vector<MapPlace>& places, std::vector<MapAxes>& axes) const = 0;
 };
 }

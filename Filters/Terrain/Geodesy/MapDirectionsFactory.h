@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the directions of a coordinate system, by its kind
+ * @brief   creation of MapDirections for a coordinate system
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef MapDirectionsFactory_h
 #define MapDirectionsFactory_h
@@ -17,8 +17,8 @@
 namespace relevo
 {
 /**
- * For a coordinate system whose coordinates are `origin` where x = y = 0. nullptr where the
- * system does not say how it lies on the earth (error stays empty), or for an error.
+ * The coordinates `origin` of the system correspond to x = y = 0. Returns nullptr with an empty
+ * `error` if the system is local or unknown, or nullptr with an error.
  */
 std::unique_ptr<MapDirections> NewMapDirections(
   const std::string& system, const MapPlace& origin, std::string& error);

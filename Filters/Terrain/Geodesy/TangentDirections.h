@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   TangentDirections
- * @brief   east and north in the local tangent frame of a terrain in longitude and latitude
+ * @brief   east and north directions in the tangent plane of a geographic terrain
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef TangentDirections_h
 #define TangentDirections_h
@@ -20,14 +20,13 @@ class TangentPlane;
 struct Georeference;
 
 /**
- * The rotation of the tangent plane at the place on the ellipsoid. A vector that is
- * level there leans out of the tangent plane; what counts is its part in the plane, for z counts
- * from the ellipsoid.
+ * Evaluates the rotation from the horizon at a position to the tangent plane. The component out of
+ * the tangent plane is dropped, because z is relative to the ellipsoid.
  */
 class TangentDirections : public MapDirections
 {
 public:
-  /// For a geographic system; the origin in its coordinates.
+  /// Requires a geographic system. The origin is in its coordinates.
   TangentDirections(const Georeference& system, const MapPlace& origin);
   ~TangentDirections() override;
 

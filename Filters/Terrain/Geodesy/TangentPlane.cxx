@@ -14,11 +14,12 @@ namespace relevo
 {
 namespace
 {
-// Of the angle between the verticals of a place and of the plane: an element of the rotation.
+// The cosine of the angle between the vertical at a position and that of the plane is an element of
+// the rotation.
 constexpr double CosineOfHorizon = 0.1;
 constexpr int CosineElement = 8;
 
-// Limits of the search for the point of the ellipsoid below a place.
+// Limits of the search for the point of the ellipsoid below a position.
 constexpr int MaximumNumberOfSteps = 20;
 constexpr double SearchTolerance = 1e-7; // metres
 
@@ -37,7 +38,7 @@ TangentPlane::TangentPlane(const Georeference& system, const std::array<double, 
 bool TangentPlane::FromEllipsoid(
   double longitude, double latitude, std::array<double, 2>& place) const
 {
-  double drop; // of the ellipsoid below the plane: heights count from the ellipsoid
+  double drop; // drop of the ellipsoid below the plane, which heights ignore
   std::vector<double> rotation(9);
   this->Frame.Forward(withinPoles(latitude), longitude, 0.0, place[0], place[1], drop, rotation);
   return rotation[CosineElement] > CosineOfHorizon;
@@ -46,8 +47,8 @@ bool TangentPlane::FromEllipsoid(
 bool TangentPlane::ToEllipsoid(const std::array<double, 2>& place, double& longitude,
   double& latitude, std::array<double, 9>& rotation) const
 {
-  // Newton's method down the plane's vertical. The height above the ellipsoid is a convex function
-  // there, whose slope is the cosine, so that no step goes too far.
+  // Newton's method along the vertical of the plane. The height above the ellipsoid is a convex
+  // function of the drop, and its slope is the cosine, so that the steps do not overshoot.
   double drop = 0.0;
   std::vector<double> turned(rotation.size());
   for (int step = 0; step < MaximumNumberOfSteps; ++step)

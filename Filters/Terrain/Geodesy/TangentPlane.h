@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   TangentPlane
- * @brief   the plane that touches an ellipsoid, as a map of the land around
+ * @brief   tangent plane of an ellipsoid as a map projection
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef TangentPlane_h
 #define TangentPlane_h
@@ -18,24 +18,24 @@ namespace relevo
 struct Georeference;
 
 /**
- * GeographicLib::LocalCartesian at a place and height 0: x east, y north. Longitudes and latitudes
- * are in degrees; latitudes beyond the poles count as the poles, for rasters of points reach half a
- * texel beyond them.
+ * Wraps GeographicLib::LocalCartesian at height 0: x east, y north. Longitude and latitude are in
+ * degrees. Latitudes are clamped to the poles, because a raster with texels at the poles extends
+ * half a texel beyond them.
  *
- * Near and beyond the horizon, about 84 degrees from the place, the plane no longer is a map.
+ * The projection is not invertible near and beyond the horizon, about 84 degrees from the origin.
  */
 class TangentPlane
 {
 public:
-  /// On the ellipsoid of a geographic system; the place in the system's coordinates.
+  /// Requires a geographic system. `place` is the origin in its coordinates.
   TangentPlane(const Georeference& system, const std::array<double, 2>& place);
 
-  /// False beyond the horizon.
+  /// Returns false beyond the horizon.
   bool FromEllipsoid(double longitude, double latitude, std::array<double, 2>& place) const;
 
   /**
-   * The point of the ellipsoid below a place of the plane, and by rows the rotation from east,
-   * north, up there to those of the plane. False beyond the horizon.
+   * Computes the point of the ellipsoid below a position of the plane, and the row-major rotation
+   * from east, north, up at that point to the axes of the plane. Returns false beyond the horizon.
    */
   bool ToEllipsoid(const std::array<double, 2>& place, double& longitude, double& latitude,
     std::array<double, 9>& rotation) const;

@@ -40,7 +40,7 @@ bool TerrainFrame::ToParameters(const std::array<double, 2>& place, std::array<d
 
 bool TerrainFrame::IsWithinHorizon() const
 {
-  constexpr int samples = 64; // along each side, after the first
+  constexpr int samples = 64; // intervals along each side
   for (int i = 0; this->Plane && i <= samples; ++i)
   {
     for (int j = 0; j <= samples; ++j)
@@ -57,7 +57,7 @@ bool TerrainFrame::IsWithinHorizon() const
 
 std::array<double, 2> TerrainFrame::GetLengths() const
 {
-  // Around a pole the ends of a parallel meet.
+  // Around a pole both ends of a parallel coincide, so that lengths are summed over parts of it.
   const int parts = this->Plane ? 64 : 1;
   const auto measure = [this, parts](int axis)
   {
@@ -78,7 +78,7 @@ bool TerrainFrame::FitsMesh() const
 {
   constexpr double largest = std::numeric_limits<float>::max();
   const auto fits = [](const std::array<double, 2>& values)
-  { return std::abs(values[0]) <= largest && std::abs(values[1]) <= largest; }; // not so for NaN
+  { return std::abs(values[0]) <= largest && std::abs(values[1]) <= largest; }; // false for NaN
   for (int corner = 0; corner < 4; ++corner)
   {
     std::array<double, 2> place;
@@ -120,7 +120,7 @@ bool TerrainFrame::ToCoordinates(
   {
     return false;
   }
-  // Some rasters count longitude from 0 to 360.
+  // Some rasters use longitudes from 0 to 360.
   const double center = this->Center[0] * unit;
   longitude += 360.0 * std::round((center - longitude) / 360.0);
   coordinates = { longitude / unit, latitude / unit };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   relevo::TerrainFrame
- * @brief   between a raster's coordinates and metres about its centre
+ * @brief   conversion between raster coordinates and terrain coordinates
  */
 #ifndef TerrainFrame_h
 #define TerrainFrame_h
@@ -19,10 +19,10 @@ namespace relevo
 class TangentPlane;
 
 /**
- * Terrain coordinates: x east, y north, origin at the raster's centre.
+ * Terrain coordinates are x east and y north, with the origin at the centre of the raster.
  *
- * Longitude and latitude: the tangent plane at the centre. Lengths: differences from the centre, in
- * metres. No georeference: differences in texels.
+ * For longitude and latitude, they are in the tangent plane at the centre. For planar systems, they
+ * are differences from the centre in metres. Without georeference, they are differences in texels.
  */
 class RELEVOFILTERSTERRAIN_EXPORT TerrainFrame
 {
@@ -30,34 +30,34 @@ public:
   explicit TerrainFrame(const Georeference& location);
   ~TerrainFrame();
 
-  /// The centre in the raster's coordinates.
+  /// Returns the centre in raster coordinates.
   const std::array<double, 2>& GetCenter() const { return this->Center; }
 
-  /// The place of (u, v). False beyond the horizon.
+  /// Converts (u, v) to terrain coordinates. Returns false beyond the horizon.
   bool Place(double u, double v, std::array<double, 2>& place) const;
 
-  /// The (u, v) of a place. False beyond the horizon.
+  /// Converts terrain coordinates to (u, v). Returns false beyond the horizon.
   bool ToParameters(const std::array<double, 2>& place, std::array<double, 2>& uv) const;
 
-  /// Whether the whole footprint has places.
+  /// Whether the whole footprint is within the horizon.
   bool IsWithinHorizon() const;
 
-  /// From the middle of a side to that of the side across, along u and along v, as parallels and
-  /// meridians go.
+  /// Returns the distances between the midpoints of opposite sides, measured along u and along v on
+  /// parallels and meridians.
   std::array<double, 2> GetLengths() const;
 
-  /// Whether the footprint has an extent, and floats have room for its places.
+  /// Whether the footprint has an area and fits the range of float.
   bool FitsMesh() const;
 
   //@{
   /**
-   * From the raster's coordinates to the place there and back. False beyond the horizon.
+   * Convert raster coordinates to terrain coordinates and back. Return false beyond the horizon.
    */
   bool ToPlace(const std::array<double, 2>& coordinates, std::array<double, 2>& place) const;
   bool ToCoordinates(const std::array<double, 2>& place, std::array<double, 2>& coordinates) const;
   //@}
 
-  /// Whether the raster's coordinates are longitude and latitude.
+  /// Whether the raster coordinates are longitude and latitude.
   bool IsGeographic() const { return this->Plane != nullptr; }
 
 private:
@@ -66,10 +66,10 @@ private:
   std::unique_ptr<TangentPlane> Plane; // for longitude and latitude only
 };
 
-/// Whether coordinates without a system may be longitudes and latitudes.
+/// Whether coordinates without a coordinate system are possibly longitude and latitude.
 RELEVOFILTERSTERRAIN_EXPORT bool LooksGeographic(const Georeference& location, const int texels[2]);
 
-/// Why a raster there can be no terrain, to follow its name; or "".
+/// Returns why a raster with this location is not supported, as a continuation of its name, or "".
 RELEVOFILTERSTERRAIN_EXPORT std::string FindLocationError(const Georeference& location);
 }
 

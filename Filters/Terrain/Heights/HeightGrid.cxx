@@ -17,10 +17,10 @@ namespace relevo
 {
 namespace
 {
-// Samples that are reduced at once: enough for many threads, few compared with the result.
+// Rows that are reduced in parallel. They need little memory compared with the result.
 constexpr int RowsPerPart = 64;
 
-// A no-data value in the samples' own type: a declared -3.4e38 is the float nearest to it.
+// No-data values converted to the type of the samples: -3.4e38 becomes the nearest float.
 template <typename T>
 struct NoDataValues
 {
@@ -37,12 +37,12 @@ struct NoDataValues
       }
       else if (std::is_floating_point<T>::value)
       {
-        // GDAL clamps what lies beyond the type's range as well.
+        // GDAL also clamps values out of range of the type.
         const double largest = static_cast<double>(std::numeric_limits<T>::max());
         this->Values.push_back(
           static_cast<T>(std::isinf(value) ? value : std::clamp(value, -largest, largest)));
       }
-      // Compared as doubles: the largest 64 bit integers round up to 2^63 and 2^64.
+      // The largest 64 bit integers round up to 2^63 and 2^64 as double.
       else if (value >= static_cast<double>(std::numeric_limits<T>::lowest()) &&
         value < static_cast<double>(std::numeric_limits<T>::max()) + 1.0 &&
         value == std::floor(value))
@@ -91,7 +91,7 @@ bool HeightGrid::Allocate(
   this->Reduction.reset(
     std::equal(source, source + 2, size) ? nullptr : new HeightReduction(source, size));
   const std::size_t number = static_cast<std::size_t>(this->Width) * this->Height;
-  // Not cleared: a false size in a broken file costs nothing until its rows are read.
+  // Not cleared, so that a wrong size in a broken file does not allocate pages.
   this->Samples.reset(new (std::nothrow) float[number]);
   this->Validity.reset(encoding.HasMask || !encoding.NoData.empty()
       ? new (std::nothrow) unsigned char[number]
@@ -152,7 +152,7 @@ HeightGrid::RowStatistics HeightGrid::Decode(int row, const T* samples, int stri
   return statistics;
 }
 
-// `start` is the sample that the row begins with.
+// `start` is the index of the first sample of the row.
 HeightGrid::RowStatistics HeightGrid::Decode(int row, int type, const void* samples,
   std::size_t start, int stride, const unsigned char* mask, float* heights,
   unsigned char* validity) const
@@ -226,7 +226,7 @@ void HeightGrid::SetReducedRows(
       });
     for (int i = 0; i < rows; ++i)
     {
-      // Range and missing heights are those of the means.
+      // The range and the number of missing heights are computed from the means.
       RowStatistics nonFinite;
       nonFinite.NumberOfNonFinite = statistics[i].NumberOfNonFinite;
       std::copy_n(statistics[i].FirstNonFinite, 2, nonFinite.FirstNonFinite);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   HeightGrid
- * @brief   finite heights and where they are valid, from samples of any type
+ * @brief   heights as float with validity, converted from samples of any type
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef HeightGrid_h
 #define HeightGrid_h
@@ -19,8 +19,8 @@ namespace relevo
 class HeightReduction;
 
 /**
- * Takes the rows of a raster, one after the other, and turns them into one float per sample, or the
- * means of a smaller grid, row 0 at v = 0.
+ * Takes the rows of a raster in order and converts them to one float per sample, with row 0 at v =
+ * 0. Optionally it reduces them to a smaller grid of means.
  */
 class HeightGrid
 {
@@ -28,11 +28,11 @@ public:
   HeightGrid();
   ~HeightGrid();
 
-  /// How samples become heights.
+  /// The conversion of samples to heights.
   struct SampleEncoding
   {
-    std::vector<double> NoData; ///< samples equal to one of these, in their own type, have no data
-    bool HasMask = false;       ///< masks come with the rows
+    std::vector<double> NoData; ///< samples equal to one of these, in their type, have no data
+    bool HasMask = false;       ///< rows come with masks
     double Scale = 1.0;
     double Offset = 0.0;
     bool FlipColumns = false;
@@ -40,22 +40,22 @@ public:
   };
 
   /**
-   * For a raster of `source` columns and rows, kept as `size` columns and rows, at most as many.
-   * False, and why in `error`, when there is no memory for so many samples.
+   * Prepares for a raster of `source` columns and rows that is stored as `size` columns and rows.
+   * `size` must not exceed `source`. Returns false with an `error` if memory is insufficient.
    */
   bool Allocate(
     const int source[2], const int size[2], const SampleEncoding& encoding, std::string& error);
 
   /**
-   * Takes the next rows, [first, first + count), of one of VTK's numeric types. `stride` samples
-   * lie between one and the next; mask may be nullptr.
+   * Takes the next rows, [first, first + count), of a numeric VTK type. `stride` is the distance of
+   * consecutive samples. `mask` may be nullptr.
    */
   void SetRows(
     int first, int count, int type, const void* samples, int stride, const unsigned char* mask);
 
   /**
-   * Fills what has no data. False, and why in `error`, when a sample that counts as valid is not
-   * finite, or when none is valid.
+   * Fills missing heights. Returns false with an `error` if a valid sample is not finite, or no
+   * sample is valid.
    */
   bool Finish(std::string& error);
 
@@ -63,14 +63,14 @@ public:
   int GetHeight() const { return this->Height; }
   const float* GetSamples() const { return this->Samples.get(); }
 
-  /// nullptr when all samples are valid.
+  /// Returns nullptr if all samples are valid.
   const unsigned char* GetValidity() const { return this->Validity.get(); }
 
-  /// Smallest and largest valid height.
+  /// Returns the smallest and largest valid height.
   const double* GetRange() const { return this->Statistics.Range; }
 
 private:
-  // What is counted over some rows.
+  // Statistics of a number of rows.
   struct RowStatistics
   {
     double Range[2];
@@ -95,7 +95,7 @@ private:
   int Width = 0;
   int Height = 0;
   SampleEncoding Encoding;
-  std::unique_ptr<HeightReduction> Reduction; // null where every sample is kept
+  std::unique_ptr<HeightReduction> Reduction; // null if not reduced
   std::unique_ptr<float[]> Samples;
   std::unique_ptr<unsigned char[]> Validity;
   RowStatistics Statistics;

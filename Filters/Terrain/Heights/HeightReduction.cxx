@@ -18,8 +18,8 @@ void GetReducedSize(const int size[2], int maximum, int reduced[2])
   }
 }
 
-// Positions are whole numbers in units in which a texel of `From` is To, and one of `To` is From
-// long, so that overlaps are exact.
+// Positions are integers in units of 1 / (From * To) of the side, so that overlaps are exact. A
+// texel of `From` is To units long, one of `To` is From units.
 
 HeightReduction::HeightReduction(const int from[2], const int to[2])
   : Sums(to[0], 0.0)

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   HeightReduction
- * @brief   means of a raster's heights on a smaller grid over the same footprint
+ * @brief   reduction of heights to a smaller grid of the same footprint
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef HeightReduction_h
 #define HeightReduction_h
@@ -15,35 +15,36 @@
 namespace relevo
 {
 /**
- * The size, in the same proportions, whose longer side is `maximum` texels; the size itself where
- * it is not larger, or where `maximum` is 0.
+ * Computes the size of the same aspect ratio whose longer side has `maximum` texels. A size that is
+ * not larger than `maximum` is unchanged, as is every size if `maximum` is 0.
  */
 void GetReducedSize(const int size[2], int maximum, int reduced[2]);
 
 /**
- * Each height of the smaller grid is the mean of those with data that it covers, by the area that
- * it covers of each: nothing is shifted, raised or lowered. It has no data where it covers none.
+ * Each reduced height is the area-weighted mean of the valid heights that it covers. This neither
+ * shifts the terrain nor changes its mean. A reduced height without valid heights has no data.
  *
- * Rows come one after the other, so that memory is that of two rows of the result.
+ * Rows are processed in order, so that only two rows of the result are in memory.
  */
 class HeightReduction
 {
 public:
-  /// `to` must not be larger than `from` along any side.
+  /// `to` must not be larger than `from` in either direction.
   HeightReduction(const int from[2], const int to[2]);
 
   /**
-   * Along one row: to[0] sums of heights times widths, and these widths. `validity` may be nullptr;
-   * heights without data must be 0. May be called for several rows at once.
+   * Reduces along one row: computes to[0] sums of heights times widths, and the sums of the widths.
+   * `validity` may be nullptr. Heights without data must be 0. Can be called from several threads.
    */
   void ReduceRow(
     const float* heights, const unsigned char* validity, double* sums, double* widths) const;
 
-  /// Told each finished row of the result, from 0: to[0] sums and the areas to divide them by.
+  /// Receives each finished row of the result, starting at 0: to[0] sums, and the areas to divide
+  /// them by.
   using Sink = std::function<void(int row, const double* sums, const double* areas)>;
 
   /**
-   * Takes what ReduceRow made of the next row.
+   * Adds the result of ReduceRow() for the next row.
    */
   void AddRow(const double* sums, const double* widths, const Sink& sink);
 

@@ -12,10 +12,10 @@ namespace relevo
 {
 namespace
 {
-// Relaxations per level; each halves what the interpolation from the coarser level leaves.
+// Relaxations per level. Each one halves the error of interpolation from the coarser level.
 constexpr int NumberOfRelaxations = 4;
 
-// One level of the pyramid. The finest aliases the caller's samples.
+// A level of the pyramid. The finest level refers to the samples of the caller.
 struct Level
 {
   int Width;
@@ -40,7 +40,7 @@ struct OwnedLevel
   }
 };
 
-// A coarse sample is the mean of its valid ones among 2 x 2.
+// A coarse sample is the mean of the valid samples among the 2 x 2 that it covers.
 void push(const Level& fine, OwnedLevel& coarse)
 {
   vtkSMPTools::For(0, coarse.View.Height,
@@ -72,7 +72,8 @@ void push(const Level& fine, OwnedLevel& coarse)
     });
 }
 
-// Bilinear from the coarser level, whose cells' centres lie between four fine samples.
+// Interpolates bilinearly from the coarser level, whose sample centres are in the middle of four
+// fine samples.
 void pull(const Level& coarse, const Level& fine)
 {
   vtkSMPTools::For(0, fine.Height,
@@ -99,7 +100,7 @@ void pull(const Level& coarse, const Level& fine)
     });
 }
 
-// Gauss-Seidel in red-black order: a sample becomes the mean of its neighbours in the grid.
+// Gauss-Seidel in red-black order: each sample becomes the mean of its grid neighbours.
 void relax(const Level& level)
 {
   for (int sweep = 0; sweep < 2 * NumberOfRelaxations; ++sweep)

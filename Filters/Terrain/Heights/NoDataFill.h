@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   heights where a raster has no data
+ * @brief   interpolation of missing heights
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef NoDataFill_h
 #define NoDataFill_h
@@ -12,11 +12,12 @@
 namespace relevo
 {
 /**
- * Writes a smooth height to every sample whose validity is 0, from the valid ones around.
+ * Interpolates a smooth height for each sample with validity 0 from the valid samples.
  *
- * The push-pull pyramid of Gortler et al., "The Lumigraph" (SIGGRAPH 1996), relaxed on every level
- * towards the membrane (Laplace) interpolant: linear time, the same result for any number of
- * threads, and never outside the range of the valid samples. At least one must be valid.
+ * This is the push-pull pyramid of Gortler et al., "The Lumigraph" (SIGGRAPH 1996), with relaxation
+ * on each level towards the membrane (Laplace) interpolant. It takes linear time, does not depend
+ * on the number of threads, and stays in the range of the valid samples. At least one sample must
+ * be valid.
  */
 void FillNoData(int width, int height, float* samples, const unsigned char* validity);
 }

@@ -20,7 +20,7 @@ namespace relevo
 {
 namespace
 {
-// A regular division of (u, v) in [0, 1]^2.
+// A regular grid of (u, v) in [0, 1]^2.
 struct Grid
 {
   int Cells[2];
@@ -34,7 +34,7 @@ struct Grid
   double Parameter(int axis, int i) const { return static_cast<double>(i) / this->Cells[axis]; }
 };
 
-// Squares as nearly as the side lengths allow, never finer than the texels.
+// Chooses cells that are about square and not finer than the texels.
 Grid divide(const std::array<double, 2>& lengths, const int texels[2], int resolution)
 {
   Grid grid;
@@ -47,14 +47,14 @@ Grid divide(const std::array<double, 2>& lengths, const int texels[2], int resol
   return grid;
 }
 
-// The texels that heights between two parameters draw upon, along one axis.
+// Range of the texels that bilinear interpolation uses between two parameters on one axis.
 void texelRange(double begin, double end, int texels, int range[2])
 {
   range[0] = std::clamp(static_cast<int>(std::floor(begin * texels - 0.5)), 0, texels - 1);
   range[1] = std::clamp(static_cast<int>(std::ceil(end * texels - 0.5)), 0, texels - 1);
 }
 
-// For each square whether any height in it draws upon a sample with data.
+// For each square, whether interpolation in it uses any valid sample.
 std::vector<unsigned char> findSquaresWithData(
   const Grid& grid, const int texels[2], const unsigned char* validity)
 {
@@ -84,7 +84,7 @@ std::vector<unsigned char> findSquaresWithData(
   return hasData;
 }
 
-// Whether all of a row is at one place, a pole.
+// Whether a row degenerates to a point, a pole.
 bool isPole(const TerrainFrame& frame, const Grid& grid, int j)
 {
   std::array<double, 2> places[2];
@@ -98,8 +98,8 @@ bool isPole(const TerrainFrame& frame, const Grid& grid, int j)
   return distance(places[0]) < 1e-6 * distance(next);
 }
 
-// Right triangles with alternating diagonals, so that no direction is preferred; none with two
-// corners at a pole. `gridPoint` takes i and j of the points in use.
+// Generates right triangles with alternating diagonals, which prefer no direction. Triangles with
+// two corners at a pole are omitted. `gridPoint` returns i and j of the points in use.
 bool addTriangles(const TerrainFrame& frame, const Grid& grid,
   const std::vector<unsigned char>& kept, const std::function<bool()>& goesOn,
   std::vector<int>& gridPoint, vtkPolyData* output)
@@ -136,7 +136,7 @@ bool addTriangles(const TerrainFrame& frame, const Grid& grid,
       const int start = (i + j) % 2;
       for (int half : { 0, 2 })
       {
-        // Its second corner is where its right angle is.
+        // The right angle of a triangle is at its second corner.
         const int corner = (start + half + 1) % 4;
         if ((corner < 2 && startsAtPole && j == 0) ||
           (corner >= 2 && endsAtPole && j + 1 == grid.Cells[1]))

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the coarse triangles of a terrain, flat, at z = 0
+ * @brief   generation of the flat coarse mesh of a terrain
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef TerrainMesh_h
 #define TerrainMesh_h
@@ -18,13 +18,13 @@ namespace relevo
 class TerrainFrame;
 
 /**
- * A grid of squares of two triangles each over the frame's footprint, `resolution` along the longer
- * side and as many along the other as keep them about square, never finer than the texels. Where
- * `validity`, one byte a texel, is not nullptr, squares without any sample that has data are left
- * out.
+ * Generates a grid of squares, of two triangles each, over the footprint. The longer side has
+ * `resolution` squares, and the shorter side enough to make them about square, but at most one per
+ * texel. `validity` has one byte per texel, or is nullptr. Squares without valid samples are
+ * omitted.
  *
- * Points have normals (+z) and texture coordinates, u east and v north. `goesOn` is asked after
- * every row of squares; false when it has said no.
+ * Points have normals (+z) and texture coordinates, u east and v north. `goesOn` is called after
+ * each row of squares. Returns false if it returned false.
  */
 bool BuildTerrainMesh(const TerrainFrame& frame, const int texels[2], int resolution,
   const unsigned char* validity, const std::function<bool()>& goesOn, vtkPolyData* output);

@@ -20,15 +20,15 @@ struct GDALRaster::Internals
   GDALDatasetPointer Dataset;
   GDALRasterBandH Band = nullptr;
   GDALDataType Type = GDT_Unknown;
-  int RowsPerBlock = 1;   // of the file; Description has 1 for huge blocks
-  std::string Truncation; // the error when rows of a truncated file are read
+  int RowsPerBlock = 1;   // of the file; the description has 1 for huge blocks
+  std::string Truncation; // the error to report for missing rows of a truncated file
 
   void SetBand(GDALRasterBandH band, RasterDescription& contents);
 };
 
 namespace
 {
-// Samples in a row of blocks that are read at once.
+// Maximum number of samples in a row of blocks that are read at once.
 constexpr long long LargestBlockRow = 1 << 25;
 
 int vtkType(GDALDataType type)
@@ -64,7 +64,7 @@ int vtkType(GDALDataType type)
   }
 }
 
-// Metres in one unit of a band, by the unit names that GDAL's drivers give.
+// Metres per unit of a band, according to the unit names of GDAL's drivers.
 double metresPerUnit(std::string unit)
 {
   std::transform(unit.begin(), unit.end(), unit.begin(),
@@ -94,10 +94,10 @@ double metresPerUnit(std::string unit)
   return 1.0;
 }
 
-// Names the rasters in a file that has no band of its own.
+// Lists the rasters of a container file, which has no band.
 std::string DescribeContents(GDALDatasetH dataset)
 {
-  constexpr int most = 20; // to list
+  constexpr int most = 20; // maximum number of names
   char** const contents = GDALGetMetadata(dataset, "SUBDATASETS");
   std::string names;
   int count = 0;
@@ -126,7 +126,7 @@ void GDALRaster::Internals::SetBand(GDALRasterBandH band, RasterDescription& con
   int blockWidth = 1;
   GDALGetBlockSize(band, &blockWidth, &this->RowsPerBlock);
   this->RowsPerBlock = std::max(1, this->RowsPerBlock);
-  // GDAL keeps a huge block itself while its rows are asked for one by one.
+  // GDAL caches a huge block while its rows are read one by one.
   const bool isHuge = static_cast<long long>(this->RowsPerBlock) * contents.Width > LargestBlockRow;
   contents.RowsPerBlock = isHuge ? 1 : this->RowsPerBlock;
 }
@@ -138,7 +138,7 @@ GDALRaster::GDALRaster()
 
 GDALRaster::~GDALRaster()
 {
-  GDALSession session; // collects what GDAL reports while it closes the file
+  GDALSession session; // collects the messages of GDAL when it closes the file
   this->Implementation->Dataset.reset();
 }
 
@@ -243,7 +243,7 @@ bool GDALRaster::ReadRows(int first, int count, void* samples, std::string& erro
     return false;
   }
   GDALSession session;
-  // GDAL keeps the blocks it has read, up to a share of the machine's memory.
+  // Limits memory: GDAL would cache blocks up to a fraction of the memory of the machine.
   if (first % this->Implementation->RowsPerBlock == 0)
   {
     if (const GDALDatasetH dataset = GDALGetBandDataset(this->Implementation->Band))
@@ -254,7 +254,7 @@ bool GDALRaster::ReadRows(int first, int count, void* samples, std::string& erro
   const CPLErr result =
     GDALRasterIO(this->Implementation->Band, GF_Read, 0, first, this->Contents.Width, count,
       samples, this->Contents.Width, count, this->Implementation->Type, 0, 0);
-  // GDAL 3.13 reports truncated files, but still returns CE_None.
+  // GDAL 3.13 reports truncated files, but returns CE_None.
   if (result == CE_None && !session.HasErrors())
   {
     return true;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   GDALRaster
- * @brief   a raster's first band and its georeference through GDAL
+ * @brief   first band and georeference of a raster, read with GDAL
  *
- * Private to the module's own sources; only in builds with RELEVO_USE_GDAL.
+ * Private to the module. Compiled only with RELEVO_USE_GDAL.
  */
 #ifndef GDALRaster_h
 #define GDALRaster_h
@@ -17,7 +17,7 @@ class GDALRaster : public Raster
 {
 public:
   /**
-   * nullptr, and why in `error`, when GDAL cannot open the file.
+   * Returns nullptr with an `error` if GDAL cannot open the file.
    */
   static std::unique_ptr<GDALRaster> Open(const std::string& fileName, std::string& error);
 
@@ -25,9 +25,9 @@ public:
   ~GDALRaster() override;
 
   /**
-   * Whether the file is, broken or not, of a format that is left to GDAL: PNG, because libpng
-   * writes its errors on stderr when OpenImageIO calls it, and JPEG, because OpenImageIO does not
-   * say when a file is truncated.
+   * Whether the file has a format that only GDAL reads, even if the file is broken. These are PNG,
+   * because libpng prints errors to stderr when OpenImageIO calls it, and JPEG, because OpenImageIO
+   * does not report truncated files.
    */
   static bool Claims(const std::string& fileName);
 

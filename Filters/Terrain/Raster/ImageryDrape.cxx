@@ -16,7 +16,7 @@ namespace relevo
 {
 namespace
 {
-// The channels to show, from 0; false when the picture does not have them.
+// Returns the channels to show, starting at 0, or false if the image does not have them.
 bool chooseChannels(
   const std::array<int, 3>& bands, int numberOfChannels, std::array<int, 3>& channels)
 {
@@ -29,7 +29,7 @@ bool chooseChannels(
     [=](int channel) { return channel >= 0 && channel < numberOfChannels; });
 }
 
-// By OpenImageIO's default filter.
+// Uses the default filter of OpenImageIO.
 OIIO::ImageBuf resize(const OIIO::ImageBuf& picture, const OIIO::ROI& roi)
 {
 #if OIIO_VERSION_MAJOR >= 3
@@ -39,7 +39,7 @@ OIIO::ImageBuf resize(const OIIO::ImageBuf& picture, const OIIO::ROI& roi)
 #endif
 }
 
-// A picture stretched over the footprint.
+// Stretches an image over the footprint.
 bool stretchPicture(const ImagerySource& source, Imagery& result, std::string& error)
 {
   OIIO::ImageSpec configuration;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   drapes a picture over a terrain
+ * @brief   resampling of images to the footprint of a terrain
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef ImageryDrape_h
 #define ImageryDrape_h
@@ -16,10 +16,10 @@
 namespace relevo
 {
 /**
- * Resamples a picture by its own georeference to the terrain's footprint, at about its own
- * resolution; one without georeference, or for a terrain without, is stretched over the footprint.
- * False, and why in `error`, when there is nothing to drape; false with an empty error when
- * stopped. Throws std::bad_alloc.
+ * Resamples an image according to its georeference, at about its resolution. If the image or the
+ * terrain has no georeference, the image is stretched over the footprint. Returns false with an
+ * `error` if there is nothing to drape, and false with an empty `error` if `progress` returned
+ * false. Throws std::bad_alloc.
  */
 bool DrapeImagery(const ImagerySource& source, const Georeference& terrain, Imagery& result,
   const ImageryProgress& progress, std::string& error);

@@ -22,11 +22,11 @@ namespace
 {
 constexpr int NumberOfColors = 3;
 
-// Rows of the result that are warped at once, and pixels of the picture that they may cover.
+// Rows of the result that are warped at once, and the maximum number of source pixels for them.
 constexpr double RowsPerStrip[2] = { 16.0, 256.0 };
 constexpr double PixelsPerStrip = 1 << 25;
 
-// Tolerated error of the linear approximation between exactly transformed pixels, in pixels.
+// Error tolerance in pixels of linear interpolation between exactly transformed pixels.
 constexpr double TransformTolerance = 0.125;
 
 template <typename Options, void (*Free)(Options*)>
@@ -53,7 +53,7 @@ struct WarpOperationFreer
   }
 };
 
-// The bands for red, green and blue, and for alpha; 0 for none.
+// The bands for red, green, blue and alpha; 0 for none.
 struct Bands
 {
   std::array<int, NumberOfColors> Colors;
@@ -116,7 +116,7 @@ GDALDatasetPointer translate(GDALDatasetH dataset, std::vector<std::string> argu
   return GDALDatasetPointer(options ? GDALTranslate("", dataset, options.get(), nullptr) : nullptr);
 }
 
-// A view of the dataset with the colour bands first, then alpha where there is one.
+// Returns a view of the dataset with the colour bands first, then alpha if available.
 GDALDatasetPointer selectBands(GDALDatasetH dataset, const Bands& bands)
 {
   std::vector<std::string> arguments;
@@ -131,7 +131,7 @@ GDALDatasetPointer selectBands(GDALDatasetH dataset, const Bands& bands)
   return translate(dataset, arguments);
 }
 
-// Colours as stored for bytes; anything else is stretched from its smallest to its largest value.
+// Bytes are used unchanged. Other types are scaled from their smallest and largest value.
 struct Stretch
 {
   double Low = 0.0;
@@ -160,8 +160,8 @@ struct Stretch
   }
 };
 
-// Rows [first, first + rows) of a width x height image over the terrain, v = 0 first: colours and
-// alpha as floats.
+// Creates rows [first, first + rows) of a width x height image over the terrain, starting at v = 0,
+// with colours and alpha as float.
 GDALDatasetPointer createStrip(
   const Georeference& terrain, bool located, int width, int height, int first, int rows)
 {
@@ -189,7 +189,7 @@ Transformer createTransformer(GDALDatasetH source, GDALDatasetH strip)
   return Transformer(GDALCreateGenImgProjTransformer2(source, strip, nullptr));
 }
 
-// How many of the source's pixels lie along a line over the 1 x 1 strip; 0 when none can be told.
+// Number of source pixels along a line over the 1 x 1 strip; 0 if it cannot be computed.
 double pixelsAlong(void* transformer, bool alongU)
 {
   constexpr int count = 65;
@@ -220,12 +220,12 @@ double pixelsAlong(void* transformer, bool alongU)
 
 int imageSize(double pixels)
 {
-  // 1e-3 keeps a picture on the terrain's own grid at its own size.
+  // 1e-3 preserves the size of an image on the same grid as the terrain.
   return static_cast<int>(std::clamp(
     std::ceil(pixels - 1e-3), 1.0, static_cast<double>(std::numeric_limits<int>::max())));
 }
 
-// The smallest overview that is not coarser than `reduction` of the picture's pixels; -1 for none.
+// Index of the smallest overview with at least the required resolution; -1 for none.
 int chooseOverview(GDALDatasetH dataset, double reduction)
 {
   const GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
@@ -287,7 +287,8 @@ bool warpStrip(GDALDatasetH source, bool hasAlpha, GDALDatasetH strip)
       GDALGetRasterXSize(strip), GDALGetRasterYSize(strip)) == CE_None;
 }
 
-// The strip's colours over grey into the result, from row `first`. Tells whether any was covered.
+// Composites the strip over grey into the result, starting at row `first`. `covered` returns
+// whether the strip covers any pixel.
 bool composite(
   GDALDatasetH strip, const Stretch& stretch, int first, Imagery& result, bool& covered)
 {
@@ -317,16 +318,17 @@ bool composite(
   return true;
 }
 
-// A picture as the warper takes it: its bands chosen, at its own size or at that of an overview.
+// The source of the warper: selected bands of the full image or of an overview.
 struct Picture
 {
   GDALDatasetPointer Dataset;
-  GDALDatasetPointer Expanded; // from indices to colours; must outlive the view of its bands
+  GDALDatasetPointer Expanded; // palette indices expanded to colours; must outlive the view
   GDALDatasetPointer View;
   bool HasAlpha = false;
   bool IsLocated = false;
 
-  // No overview: -1. False without a reason in `error` when GDAL cannot open the file.
+  // `overview` is -1 for the full image. Returns false with an empty `error` if GDAL cannot open
+  // the file.
   bool Open(const ImagerySource& source, const Georeference& terrain, int overview,
     const GDALSession& session, std::string& error)
   {
@@ -368,8 +370,8 @@ struct Picture
     return true;
   }
 
-  // GDAL keeps the blocks it has read, up to a share of the machine's memory. What it can only
-  // read from the start is better kept.
+  // Limits memory: GDAL would cache blocks up to a fraction of the memory of the machine. Formats
+  // that must be decoded from the start keep their cache.
   void ReleaseBlocks()
   {
     const std::string driver = GDALGetDriverShortName(GDALGetDatasetDriver(this->Dataset.get()));
@@ -381,7 +383,7 @@ struct Picture
   }
 
 private:
-  // Over the unit square.
+  // Georeferences the image to the unit square.
   void Stretch()
   {
     double unitSquare[6] = { 0.0, 1.0 / GDALGetRasterXSize(this->View.get()), 0.0, 1.0, 0.0,
@@ -392,7 +394,7 @@ private:
   }
 };
 
-// Full size and size of the result.
+// Computes full size and size of the result.
 bool chooseSize(const Picture& picture, const Georeference& terrain, int maximum, Imagery& result)
 {
   const GDALDatasetPointer footprint = createStrip(terrain, picture.IsLocated, 1, 1, 0, 1);
@@ -423,7 +425,7 @@ bool warp(Picture& picture, const Georeference& terrain, Imagery& result,
   result.Pixels.reset(new unsigned char[result.GetNumberOfValues()]);
   const Stretch stretch(picture.View.get());
   bool covered = false;
-  // From the north, where files begin.
+  // Starts in the north, like most files.
   const int rows = rowsPerStrip(picture, result);
   for (int end = result.Height; end > 0; end -= rows)
   {
@@ -467,7 +469,7 @@ bool WarpImagery(const ImagerySource& source, const Georeference& terrain, Image
     error = session.Messages("its coordinate system cannot be converted to the terrain's");
     return false;
   }
-  // The coarsest version of the picture that the result does not need finer.
+  // Use the coarsest overview that is as fine as the result.
   const double reduction = std::min(static_cast<double>(result.FullSize[0]) / result.Width,
     static_cast<double>(result.FullSize[1]) / result.Height);
   const int overview = chooseOverview(picture.Dataset.get(), reduction);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   imagery through GDAL's warper
+ * @brief   resampling of imagery with GDAL's warper
  *
- * Private to the module's own sources; only in builds with RELEVO_USE_GDAL.
+ * Private to the module. Compiled only with RELEVO_USE_GDAL.
  */
 #ifndef ImageryWarp_h
 #define ImageryWarp_h
@@ -14,7 +14,7 @@
 namespace relevo
 {
 /**
- * DrapeImagery for what GDAL can open; `opened` tells whether it could.
+ * Implements DrapeImagery() for files that GDAL can open. `opened` returns whether it could.
  */
 bool WarpImagery(const ImagerySource& source, const Georeference& terrain, Imagery& result,
   const ImageryProgress& progress, bool& opened, std::string& error);

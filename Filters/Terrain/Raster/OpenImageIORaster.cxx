@@ -17,16 +17,16 @@ namespace relevo
 struct OpenImageIORaster::Internals
 {
   std::unique_ptr<OIIO::ImageInput> Input;
-  OIIO::TypeDesc Format; // as read
-  OIIO::ImageSpec Spec;  // of the version in use
+  OIIO::TypeDesc Format; // the type to read
+  OIIO::ImageSpec Spec;  // of the current level
   int Subimage = 0;
   int MipLevel = 0;
-  bool Reads = true; // else the alternative does
+  bool Reads = true; // false if the alternative reads
 };
 
 namespace
 {
-// Values of tags in section 8 of the TIFF specification.
+// Values of section 8 of the TIFF specification.
 constexpr int MinIsWhite = 0;
 constexpr int Palette = 3;
 constexpr int ReducedResolution = 1; // a bit of NewSubfileType
@@ -34,7 +34,7 @@ constexpr int ReducedResolution = 1; // a bit of NewSubfileType
 struct SampleType
 {
   OIIO::TypeDesc Stored;
-  OIIO::TypeDesc Read; // wider where VTK has no such type; never normalized
+  OIIO::TypeDesc Read; // wider if VTK has no equivalent type; never normalized
   int VTKType;
 };
 
@@ -61,7 +61,7 @@ OpenImageIORaster::~OpenImageIORaster() = default;
 std::unique_ptr<OpenImageIORaster> OpenImageIORaster::Open(
   const std::string& fileName, std::string& error)
 {
-  // The stored samples: no premultiplication, no colour conversion.
+  // Read samples unchanged, without premultiplication or colour conversion.
   OIIO::ImageSpec configuration;
   configuration.attribute("oiio:UnassociatedAlpha", 1);
   configuration.attribute("oiio:RawColor", 1);
@@ -71,7 +71,7 @@ std::unique_ptr<OpenImageIORaster> OpenImageIORaster::Open(
     error = OIIO::geterror();
     return nullptr;
   }
-  // Targa has no signature, so that any file may be taken for one.
+  // Targa has no signature, so that the reader accepts other files.
   const std::string extension = std::filesystem::path(fileName).extension().string();
   if (std::string(input->format_name()) == "targa" && extension != ".tga" && extension != ".TGA")
   {
@@ -153,7 +153,7 @@ void OpenImageIORaster::SelectLevel(int width, int height)
   {
     if (!own.Input->seek_subimage(subimage, mipLevel))
     {
-      return false; // else spec() may describe another subimage
+      return false; // otherwise spec() may describe another subimage
     }
     const OIIO::ImageSpec spec = own.Input->spec(subimage, mipLevel);
     const bool isVersion =
@@ -176,7 +176,7 @@ void OpenImageIORaster::SelectLevel(int width, int height)
     {
     }
   }
-  own.Input->geterror(); // clears the error that there is no further subimage
+  own.Input->geterror(); // clears the error about the missing subimage
 }
 
 bool OpenImageIORaster::ReadRows(int first, int count, void* samples, std::string& error)
@@ -187,7 +187,8 @@ bool OpenImageIORaster::ReadRows(int first, int count, void* samples, std::strin
     return this->Alternative->ReadRows(first, count, samples, error);
   }
 #if RELEVO_HAS_GDAL
-  GDALSession session; // GDAL prints the errors of libtiff, also of other programs' calls
+  GDALSession session; // suppresses errors of libtiff, which GDAL prints even for calls of other
+                       // libraries
 #endif
   OIIO::ImageInput& input = *own.Input;
   const OIIO::ImageSpec& spec = own.Spec;
@@ -197,7 +198,7 @@ bool OpenImageIORaster::ReadRows(int first, int count, void* samples, std::strin
         begin + count, spec.z, spec.z + 1, 0, 1, own.Format, samples)
     : input.read_scanlines(
         own.Subimage, own.MipLevel, begin, begin + count, spec.z, 0, 1, own.Format, samples);
-  // Truncated strips are reported, yet the call may succeed (OpenImageIO 2.4).
+  // OpenImageIO 2.4 reports truncated strips, but may return success.
   if (read && !input.has_error())
   {
     return true;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   OpenImageIORaster
- * @brief   a raster's first channel through OpenImageIO
+ * @brief   first channel of a raster, read with OpenImageIO
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef OpenImageIORaster_h
 #define OpenImageIORaster_h
@@ -17,7 +17,7 @@ class OpenImageIORaster : public Raster
 {
 public:
   /**
-   * nullptr, and why in `error`, when OpenImageIO cannot read the file or would change its
+   * Returns nullptr with an `error` if OpenImageIO cannot read the file or would convert its
    * samples.
    */
   static std::unique_ptr<OpenImageIORaster> Open(const std::string& fileName, std::string& error);
@@ -26,9 +26,8 @@ public:
   ~OpenImageIORaster() override;
 
   /**
-   * Takes over what another reader says of the same file and turns to it for rows that
-   * OpenImageIO cannot read (the empty blocks of sparse files), and for smaller versions that it
-   * knows. False when the two disagree on size or type.
+   * Uses another reader of the same file for its description, for rows that OpenImageIO cannot read
+   * (empty blocks of sparse files), and for its overviews. Returns false if size or type differ.
    */
   bool SetAlternative(std::unique_ptr<Raster>& alternative);
 

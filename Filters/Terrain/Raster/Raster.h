@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   Raster
- * @brief   one band of a raster file, read row by row in the type it is stored in
+ * @brief   one band of a raster file, read by rows in its stored type
  *
- * Private to the modules' own sources.
+ * Private to the module.
  */
 #ifndef Raster_h
 #define Raster_h
@@ -24,19 +24,18 @@ public:
   const RasterDescription& Describe() const { return this->Contents; }
 
   /**
-   * Selects a smaller version of the raster in the same file (overviews, mip levels): the smallest
-   * of at least this size. Rows and their description are then those of that version; the location
-   * stays. Does nothing where there is none.
+   * Selects the smallest overview or mip level of the file that has at least the given size, if
+   * there is one. ReadRows() and Describe() then refer to that level. The location does not change.
    */
   virtual void SelectLevel(int width, int height) = 0;
 
   /**
-   * Reads rows [first, first + count) of the file, Width samples of the described type each.
+   * Reads the rows [first, first + count), each with Width samples of the described type.
    */
   virtual bool ReadRows(int first, int count, void* samples, std::string& error) = 0;
 
   /**
-   * Reads the mask of those rows, 0 where there is no data.
+   * Reads the mask of the rows, which is 0 where data is missing.
    */
   virtual bool ReadMask(int first, int count, unsigned char* mask, std::string& error);
 
@@ -45,7 +44,7 @@ protected:
   Raster(const Raster&) = delete;
   void operator=(const Raster&) = delete;
 
-  /// Whether a version of that size is smaller than the one in use, and large enough.
+  /// Whether a level is smaller than the current one and large enough.
   bool IsBetterLevel(int levelWidth, int levelHeight, int width, int height) const;
 
   RasterDescription Contents;

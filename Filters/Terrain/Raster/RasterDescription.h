@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  relevo::RasterDescription
- * @brief   a raster's size, samples, no-data value, units and location; see
- *          vtkHeightMap::Describe()
+ * @brief   size, sample type, no-data value, units and location of a raster
+ *
+ * See vtkHeightMap::Describe().
  */
 #ifndef RasterDescription_h
 #define RasterDescription_h
@@ -14,19 +15,19 @@
 
 namespace relevo
 {
-/// The description of a file's first band.
+/// The description of the first band of a file.
 struct RasterDescription
 {
   int Width = 0;
   int Height = 0;
-  int RowsPerBlock = 1;    ///< reading whole multiples of these rows is efficient
-  int SamplesPerTexel = 1; ///< that are read, not only kept
-  int Type = 0;            ///< VTK's type of the samples as read
-  bool HasMask = false;    ///< validity comes from a mask as well
+  int RowsPerBlock = 1;    ///< reading multiples of this number of rows is efficient
+  int SamplesPerTexel = 1; ///< samples that are read per texel, including unused channels
+  int Type = 0;            ///< VTK's type of the samples that are read
+  bool HasMask = false;    ///< whether a mask defines validity too
   std::optional<double> NoData;
   double Scale = 1.0; ///< height = Scale * sample + Offset
   double Offset = 0.0;
-  double VerticalUnit = 1.0; ///< metres in one unit of the heights
+  double VerticalUnit = 1.0; ///< metres per unit of height
   Georeference Location;
 };
 }

@@ -15,17 +15,17 @@ namespace relevo
 {
 namespace
 {
-// A row must fit into memory: this many doubles take 512 MiB. The whole earth in texels of 10 m has
-// 4 million columns.
+// One row must fit into memory: this many doubles take 512 MiB. The whole earth at 10 m per texel
+// has 4 million columns.
 constexpr int MaximumWidth = 1 << 26;
 
-// Why a file cannot be a raster, without asking a library; empty when it may be one.
+// Returns why a file cannot be a raster without opening it, or "".
 std::string findFileError(const std::string& fileName)
 {
   namespace fs = std::filesystem;
   if (fileName.rfind("/vsi", 0) == 0)
   {
-    return ""; // one of GDAL's virtual files
+    return ""; // a virtual file of GDAL
   }
   std::error_code failure;
   const fs::path path = fs::u8path(FindContainer(fileName));
@@ -39,7 +39,7 @@ std::string findFileError(const std::string& fileName)
   }
   if (!fs::is_regular_file(path, failure))
   {
-    return "it is not a regular file"; // reading a pipe or a device may never end
+    return "it is not a regular file"; // reading a pipe or a device might never end
   }
   if (fs::file_size(path, failure) == 0)
   {
@@ -48,7 +48,7 @@ std::string findFileError(const std::string& fileName)
   return "";
 }
 
-// With the library that is to read it.
+// Opens a file with the appropriate library.
 std::unique_ptr<Raster> openAny(const std::string& fileName, std::string& error)
 {
   error = findFileError(fileName);
@@ -96,7 +96,7 @@ std::string FindContainer(const std::string& name)
   {
     return name;
   }
-  // The longest part between colons that is a file.
+  // Find the longest part between colons that is an existing file.
   for (std::size_t begin = prefix; begin != std::string::npos; begin = name.find(':', begin + 1))
   {
     for (std::size_t end = name.size(); end != std::string::npos && end > begin + 1;

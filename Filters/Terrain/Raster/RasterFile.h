@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   opens files of rasters by the library that reads them
+ * @brief   opening raster files with a suitable library
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef RasterFile_h
 #define RasterFile_h
@@ -17,18 +17,18 @@
 namespace relevo
 {
 /**
- * The file in a name that GDAL gives to a raster of a container, such as NETCDF:"file.nc":band or
- * GTIFF_DIR:2:file.tif. Any other name is returned as it is.
+ * Returns the file in a name that GDAL gives to a raster of a container, such as
+ * NETCDF:"file.nc":band or GTIFF_DIR:2:file.tif. Other names are returned unchanged.
  */
 std::string FindContainer(const std::string& name);
 
 /**
- * Opens a file; nullptr, and why in `error`, when that cannot be done.
+ * Opens a file. Returns nullptr with an `error` if that fails.
  *
- * OpenImageIO reads the pixels of every format it knows. GDAL, where it was built in, reads
- * the others and gives the georeference, the no-data value, scale and offset. It also reads the
- * formats that GDALRaster::Claims() and what OpenImageIO does not support: validity masks and
- * samples with fewer bits than their type.
+ * OpenImageIO reads the pixels of all formats that it supports. GDAL, if available, reads other
+ * formats and provides the georeference, no-data value, scale and offset. It also reads the formats
+ * of GDALRaster::Claims(), files with validity masks, and samples with fewer bits than their type,
+ * which OpenImageIO does not support.
  */
 std::unique_ptr<Raster> OpenRaster(const std::string& fileName, std::string& error);
 }

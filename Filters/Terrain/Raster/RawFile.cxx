@@ -18,7 +18,7 @@ std::string FindTruncation(GDALDatasetH dataset)
   {
     return "";
   }
-  // Rows may be stored from the last to the first, and so on.
+  // Offsets can be negative, for example if rows are stored from last to first.
   const auto extent = [](long long offset, int count)
   { return std::max(0LL, offset * (count - 1)); };
   const long long needed = static_cast<long long>(layout.nImageOffset) +

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   files of samples without a structure of their own, described by a header beside them
+ * @file
+ * @brief   detection of truncated raw files, which a separate header describes
  *
- * Private to the module's own sources; only in builds with RELEVO_USE_GDAL.
+ * Private to the module. Compiled only with RELEVO_USE_GDAL.
  */
 #ifndef RawFile_h
 #define RawFile_h
@@ -15,8 +16,9 @@
 namespace relevo
 {
 /**
- * How much is missing at the end of a raw file, in words; empty where nothing is, or the dataset is
- * no raw file. GDAL takes what is missing for zeros where a format may be sparse (ENVI).
+ * Describes how much is missing at the end of a raw file. Returns "" if nothing is missing or the
+ * dataset is not a raw file. GDAL replaces missing data by zeros in formats that may be sparse
+ * (ENVI).
  */
 std::string FindTruncation(GDALDatasetH dataset);
 }

@@ -14,7 +14,7 @@ namespace relevo
 {
 namespace
 {
-// One component, for the functions that heights are sampled with.
+// Adapts one component to the interpolation functions for heights.
 struct ComponentSampler
 {
   size_t index(ivec2 texel) const { return static_cast<size_t>(texel.y) * this->Size.x + texel.x; }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   VectorRaster
- * @brief   vectors over the unit square, from an image
+ * @brief   vectors over the unit square, sampled from an image
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef VectorRaster_h
 #define VectorRaster_h
@@ -18,29 +18,30 @@ class vtkImageData;
 namespace relevo
 {
 /**
- * Texels as those of vtkHeightField: row 0 at v = 0, centres at (i + 0.5) / n, bilinear between
- * them, clamped outside.
+ * Texels have the positions of vtkHeightField: row 0 at v = 0, centres at (i + 0.5) / n. Samples
+ * are interpolated bilinearly and clamped to the border.
  */
 class VectorRaster
 {
 public:
   /**
-   * A magnitude that no component may reach is no data, as are NaN and blanked points. False, and
-   * why in `error`, when the image is not flat or the array, of 2 or 3 components, does not fit.
+   * Components with at least the magnitude `noDataMagnitude`, NaN and blanked points are missing
+   * data. Returns false with an `error` if the image is not flat or the array, of 2 or 3
+   * components, has a wrong length.
    */
   bool SetImage(
     vtkImageData* image, vtkDataArray* array, double noDataMagnitude, std::string& error);
 
   /**
-   * Three components, the third 0 where the array has two. False where a sample that has a weight
-   * at (u, v) has no data.
+   * Interpolates three components. The third is 0 if the array has two. Returns false if a sample
+   * with a weight at (u, v) is missing.
    */
   bool Sample(double u, double v, double vector[3]) const;
 
 private:
   int Size[2] = { 0, 0 };
   int NumberOfComponents = 0;
-  std::vector<float> Samples; // 0 where there is no data
+  std::vector<float> Samples; // 0 where data is missing
   std::vector<unsigned char> Validity;
 };
 }
