@@ -2,14 +2,13 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Draws real relief: sets up and builds what is missing, fetches a height map with its satellite
-# image, and runs relevo-view on them. The last line is the path of the picture; with a display a
-# window opens as well.
+# Builds Relevo, downloads a height map with its satellite image, and draws them with relevo-view.
+# The last line of the output is the path of the picture. If there is a display, a window opens too.
 #
 #   bash Examples/run.sh [FILE] [options of relevo-view]
 #   bash Examples/run.sh [options of relevo-view] -- FILE
 #
-# A height map or mesh of your own takes the place of the fetched one. See build/bin/relevo-view --help.
+# FILE is a height map or a mesh to draw instead. build/bin/relevo-view --help lists all options.
 set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -17,11 +16,11 @@ build_dir=${RELEVO_BUILD_DIR:-$source_dir/build}
 
 bash "$source_dir/Module/build.sh"
 viewer=$build_dir/bin/relevo-view
-# Its help has two spaces or more after an option without a value, one before a value, and brackets
-# around one that need not be there.
+# In the help, two or more spaces follow an option without a value. One space precedes a value, and
+# brackets enclose an optional value.
 flags=$("$viewer" --help | sed -nE 's/^  (--[a-z-]+) [ [].*/\1/p')
 
-# What the arguments already say. Paths in them count from where the caller stands.
+# Find the file and the output in the arguments. Their paths are relative to the caller's folder.
 file='' output='' leaves=no option='' are_files=no
 for argument in "$@"; do
   if [ $are_files = yes ]; then
@@ -48,7 +47,7 @@ done
 arguments=("$@")
 if [ -z "$file" ]; then
   data=$(bash "$source_dir/Data/fetch.sh")
-  # Raw bands of Landsat, which begin with blue; and rather flat land.
+  # The raw bands of Landsat begin with blue. The land is rather flat.
   arguments=("$(sed -n 's/^RELIEF=//p' <<<"$data")"
     --imagery "$(sed -n 's/^IMAGERY=//p' <<<"$data")" --imagery-bands "3,2,1" --stretch
     --exaggeration 5
@@ -65,7 +64,7 @@ if [ $leaves = no ] && [ -n "${DISPLAY:-}" ]; then
   "$viewer" "${arguments[@]}"
 fi
 picture=$(cd -- "$(dirname -- "$output")" && pwd)/$(basename -- "$output")
-# One line that cannot command a terminal: names with control characters as the shell quotes them.
+# Quote names with control characters, so that the last line cannot control a terminal.
 if [[ $picture == *[[:cntrl:]]* ]]; then
   picture=$(printf %q "$picture")
 fi

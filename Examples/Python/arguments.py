@@ -1,17 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The arguments of the scripts beside this file."""
+"""Read the command line of the scripts in this folder."""
 
 import sys
 
 
 def read_arguments():
-    """The script's arguments, without the `--` that may stand before names with a hyphen."""
+    """Return the arguments, without a leading `--`, which allows names that begin with a hyphen."""
     return sys.argv[2:] if sys.argv[1:2] == ["--"] else sys.argv[1:]
 
 
 def check_file(name):
-    """The name of a file that can be read. Otherwise the script ends with one line."""
+    """Return the name if the file can be read. Otherwise exit with a message."""
     try:
         with open(name, "rb"):
             return name

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Puts PNG pictures of one height side by side: beside.py LEFT.png RIGHT.png ... PICTURE.jpg"""
+"""Put PNG pictures of equal height side by side: beside.py LEFT.png RIGHT.png ... PICTURE.jpg"""
 
 import numpy
 from arguments import check_file, read_arguments

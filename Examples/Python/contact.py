@@ -1,15 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shows where objects meet, without a display: contact.py NAME PICTURE [FILES]
+"""Show where two objects intersect, without a display: contact.py NAME PICTURE [FILES]
 
 NAME is one of
-  candidates  red where boxes of the two meet, orange near that, blue elsewhere, and the curve where
-              the objects themselves meet: a .png
-  distance    how far the faces of each are from the other: a .png
-  displaced   a ball with waves on it in a curved ring, and what is refined to find their curve: a .png
-  motion      the candidates while one goes through the other: a .gif
-and FILES are two meshes for the others, bunny.ply and teapot.g. Without them generated ones take
-their places.
+  candidates  levels, red where the bounding boxes meet, and the curve of intersection: a .png
+  distance    the distance of each face from the other object: a .png
+  displaced   a ball with waves in a curved ring, refined where the two can meet: a .png
+  motion      the candidates while one object moves through the other: a .gif
+FILES are two meshes, for example bunny.ply and teapot.g. displaced needs none. Without FILES the
+script generates the meshes.
 """
 
 import math
@@ -30,7 +29,7 @@ from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 
 FRAMES, SECONDS, COLOURS = 20, 0.1, 48
 VIEW = (0.25, 0.3, 1)
-PLACE = (0.75, -0.3, 0.15)  # of the second mesh
+PLACE = (0.75, -0.3, 0.15)  # centre of the second mesh
 
 
 def make_ball(columns=40, rows=30):
@@ -43,14 +42,14 @@ def make_ball(columns=40, rows=30):
 
 
 def read_meshes(files, triangles):
-    """Of about that many triangles each, their longest sides 2."""
+    """Return two meshes of about this many triangles, with longest sides of length 2."""
     if files:
         return [read_decimated(name, triangles) for name in files]
     return [add_normals(make_ring(60, 24)), make_ball()]
 
 
 def put(actor, place):
-    """The middle of its mesh."""
+    """Move the centre of the actor's mesh to a place."""
     actor.SetPosition(0, 0, 0)
     actor.SetPosition([x - c for x, c in zip(place, actor.GetCenter())])
 
@@ -128,7 +127,7 @@ def candidates(picture, *files):
 
 
 def make_distance_table(largest):
-    """From red, where they meet, over white to blue."""
+    """Return colours from red at distance 0 to white and blue."""
     table = vtkLookupTable()
     table.SetNumberOfTableValues(256)
     table.SetTableRange(0, largest)
@@ -154,7 +153,7 @@ def distance(picture, *files):
         meeting.SetInputData(i, mesh)
         meeting.SetMatrix(i, actors[i].GetMatrix())
     meeting.ClassifyOn()
-    # That the bunny has holes in its base, so that nothing is told to be inside, is no news.
+    # The bunny has holes in its base, so the filter warns that it is not closed.
     meeting.AddObserver("WarningEvent", lambda *_: None)
     meeting.Update()
     for i, actor in enumerate(actors):
@@ -172,7 +171,7 @@ def distance(picture, *files):
 
 
 def make_waves(u, v):
-    """Heights that are 0 at the poles of a ball, and the same from both sides of its seam."""
+    """Yield heights that are 0 at the poles of a ball and equal on both sides of its seam."""
     yield math.cos(5 * math.pi * u) * math.cos(8 * math.pi * v) * math.sin(math.pi * v) ** 2
 
 
@@ -216,7 +215,7 @@ def displaced(picture):
 
 
 def motion(picture, *files):
-    """There and back, so that it may run for ever."""
+    """Move there and back, so that the loop is seamless."""
     meeting = Meeting(files, 1500)
     figure = Figure(1, 1, (360, 220), VIEW, (0, 1, 0), 1.9)
     images = []
@@ -239,7 +238,7 @@ def main(name, picture, *files):
             figure(picture, *files)
             return
     names = ", ".join(figure.__name__ for figure in FIGURES)
-    sys.exit(f"contact.py NAME PICTURE [FILES], NAME one of {names}, FILES two")
+    sys.exit(f"usage: contact.py NAME PICTURE [FILES], NAME one of {names}, FILES two meshes")
 
 
 arguments = read_arguments()

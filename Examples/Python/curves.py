@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shows curves of any degree, without a display: curves.py NAME PICTURE.png [FILE]
+"""Show curves and hair, without a display: curves.py NAME PICTURE.png [FILE]
 
 NAME is one of
-  hair   hair on a mesh: bunny.ply
+  hair   hair on a mesh; FILE is for example bunny.ply
   knot   a cubic B-spline around a torus as line, ribbon and tube
-and FILE is that file. Without it a generated mesh takes its place.
+Without FILE the script generates a mesh.
 """
 
 import math
@@ -20,7 +20,7 @@ from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkPolyDataNormals
 
 
 def make_recipe(pixels=0.5):
-    """As many segments as half a pixel needs."""
+    """Return a recipe that limits the error in pixels."""
     metric = relevo.vtkPatchErrorDepthTagMetric()
     metric.SetScreenSpaceError(pixels)
     recipe = relevo.vtkAdaptiveRefinement()
@@ -42,7 +42,7 @@ def draw_curves(curves, representation="Lines", radius=None, recipe=None):
 
 
 def orient(mesh):
-    """Scans may be inside out, and hair grows along normals."""
+    """Make normals point outwards, because scans may be inside out and hair follows normals."""
     normals = vtkPolyDataNormals()
     normals.SetInputData(mesh)
     normals.SplittingOff()
@@ -52,7 +52,7 @@ def orient(mesh):
 
 
 def grow(mesh, hairs, length, curl):
-    """So many hairs, as long as this share of the diagonal."""
+    """Return this many hairs; their length is a fraction of the diagonal of the mesh."""
     area = vtkMassProperties()
     area.SetInputData(mesh)
     area.Update()
@@ -67,7 +67,7 @@ def grow(mesh, hairs, length, curl):
 
 
 def hair(filename=None):
-    """Straight hair, and curls, as ribbons that face the eye."""
+    """Draw straight hair and curls as ribbons that face the camera."""
     mesh = orient(read(filename) if filename else make_ring(120, 48))
     figure = Figure(2, 1, (480, 440), (0.35, 0.45, 1), (0, 1, 0), 1.2)
     for label, count, length, curl in (
@@ -85,7 +85,7 @@ def hair(filename=None):
 
 
 def make_knot(turns=3, windings=7, spans=42):
-    """A cubic B-spline, closed, around a torus."""
+    """Return a closed cubic B-spline around a torus."""
     points = vtkPoints()
     points.SetDataTypeToDouble()
     for i in range(spans + 3):
@@ -108,7 +108,7 @@ def make_knot(turns=3, windings=7, spans=42):
 
 
 def knot():
-    """The same cells three times."""
+    """Draw the same cells as lines, ribbons and tubes."""
     curves = make_knot()
     figure = Figure(3, 1, (360, 330), (0.2, -0.35, 1.4), (0, 1, 0), 1.2)
     for representation, radius in (("Lines", None), ("Ribbons", 0.06), ("Tubes", 0.06)):
@@ -127,7 +127,7 @@ def main(name, picture, *files):
             figure(*files).write(picture)
             return
     names = ", ".join(figure.__name__ for figure in FIGURES)
-    sys.exit(f"curves.py NAME PICTURE.png [FILE], NAME one of {names}")
+    sys.exit(f"usage: curves.py NAME PICTURE.png [FILE], NAME one of {names}")
 
 
 arguments = read_arguments()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of several labelled panels, for the scripts beside this file; drawn without a display."""
+"""Draw pictures of several labelled panels without a display, for the scripts in this folder."""
 
 import relevo
 import vtkmodules.vtkRenderingFreeType  # draws the labels
@@ -15,7 +15,7 @@ from vtkmodules.vtkRenderingCore import (
 
 
 def draw_mesh(mesh):
-    """The mesh as it is, by VTK's mapper."""
+    """Draw the mesh with VTK's mapper."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(mesh)
     mapper.ScalarVisibilityOff()
@@ -23,7 +23,7 @@ def draw_mesh(mesh):
 
 
 def draw_coarse(mesh):
-    """The mesh as it is, its faces flat and their edges drawn."""
+    """Draw the mesh with VTK's mapper, with flat shading and edges."""
     actor = draw_mesh(mesh)
     actor.GetProperty().SetInterpolationToFlat()
     show_edges(actor)
@@ -31,7 +31,7 @@ def draw_coarse(mesh):
 
 
 def draw_refined(mesh, surface, level, displacement=None):
-    """The mesh with every edge in 2^level segments."""
+    """Draw the mesh with 2^level segments on every edge."""
     recipe = relevo.vtkAdaptiveRefinement()
     recipe.SetMaximumLevel(level)
     recipe.SetSurface(surface)
@@ -66,7 +66,7 @@ def show_edges(actor):
 
 
 class Figure:
-    """Panels in rows, all seen from the same direction."""
+    """Panels in rows, by default all seen from the same direction."""
 
     def __init__(self, columns, rows, size, position, up, zoom=1.0):
         self.columns, self.rows = columns, rows
@@ -78,7 +78,7 @@ class Figure:
         self.window.SetMultiSamples(8)
 
     def add(self, label, actor, position=None, up=None, zoom=None, bounds=None):
-        """The next panel, from left to right and from top to bottom; returns its renderer."""
+        """Add a panel, from left to right and from top to bottom, and return its renderer."""
         column, row = self.panels % self.columns, self.rows - 1 - self.panels // self.columns
         self.panels += 1
         renderer = vtkRenderer()
@@ -113,7 +113,7 @@ class Figure:
         return renderer
 
     def write(self, filename):
-        """Returns how many triangles the refined panels have, all together."""
+        """Write the picture and return the number of triangles of all refined panels."""
         self.window.Render()
         write_picture(filename, self.window)
         triangles = 0

@@ -1,16 +1,16 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shows vectors on surfaces by their streaks, without a display: flow.py NAME PICTURE.png [FILE]
+"""Show vectors on surfaces as streaks, without a display: flow.py NAME PICTURE.png [FILE]
 
 NAME is one of
-  fields    a sphere and a torus with vectors that are formulae
+  fields    a sphere and a torus with vectors from formulae
   levels    a coarse torus, refined where the vectors turn, with the levels beside it
   looks     ways to combine streaks with colours, and contrasts
-  oriented  streaks that have heads, of sparse noise
-and, of a FILE of yours or of VTK's data,
-  plane     SurfaceVectors.vtk: a section through a reactor
-  disk      disk_out_ref_surface.vtp: the reactor's rotating disk, where its walls have no flow
-  office    office.binary.vtk: the air of a room, on slices through it
+  oriented  streaks with heads, from sparse noise
+or, with a FILE of VTK's data,
+  plane     a section through a reactor: SurfaceVectors.vtk
+  disk      the rotating disk of a reactor, whose walls have no flow: disk_out_ref_surface.vtp
+  office    the air of a room, on slices: office.binary.vtk
 """
 
 import math
@@ -28,7 +28,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction
 
-# From slow to fast; light enough to carry streaks.
+# From slow to fast. Colours are light, so that streaks are visible.
 SPEEDS = (
     (0.29, 0.27, 0.62),
     (0.20, 0.55, 0.72),
@@ -43,7 +43,7 @@ def cross(a, b):
 
 
 def make_sphere(field, around=48, across=24):
-    """Points p of the unit sphere, and the vectors field(p) there."""
+    """Return a unit sphere with the vectors field(p) at its points p."""
     points = [(0.0, 0.0, -1.0)]
     for j in range(1, across):
         b = math.pi * (j / across - 0.5)
@@ -66,9 +66,10 @@ def make_sphere(field, around=48, across=24):
 
 
 def make_torus(field, around=60, across=30, thickness=0.42):
-    """A torus around z, u running around it and v around its tube, and the vectors
-    a * e_u + b * e_v there, e_u and e_v being the unit vectors in these directions and
-    (a, b) = field(u, v)."""
+    """Return a torus around z with vectors a * e_u + b * e_v, where (a, b) = field(u, v).
+
+    u runs around the torus and v around its tube; e_u and e_v are the unit vectors along them.
+    """
     points, normals, vectors, triangles = [], [], [], []
     for i in range(around):
         u = 2 * math.pi * i / around
@@ -91,8 +92,10 @@ def make_torus(field, around=60, across=30, thickness=0.42):
 
 
 def swirls(p):
-    """A sum of rotations about axes a, the nearer to a the faster, some of them backwards:
-    v(p) = sum of s * exp(4 (a.p - 1)) * a x p."""
+    """Return the sum of s * exp(4 (a.p - 1)) * a x p over several axes a.
+
+    These are rotations that are fastest near their axes. Those with negative s turn backwards.
+    """
     v = (0.0, 0.0, 0.0)
     for s, a in (
         (1.0, (0.36, -0.8, 0.48)),
@@ -109,7 +112,7 @@ def swirls(p):
 
 
 def waves(u, v):
-    """Along the torus, and across it to and fro."""
+    """Return components along the torus and, alternating, across it."""
     return 0.6 + 0.5 * math.cos(v), math.sin(3 * u) + 0.4 * math.cos(2 * v)
 
 
@@ -130,16 +133,16 @@ def make_recipe(level=0, metric=None, surface=None):
 
 
 def draw_flow(mesh, name, highest, recipe):
-    """Streaks along the vectors of that name, coloured by their length up to the highest."""
+    """Draw streaks along the vectors, coloured by their length from 0 to `highest`."""
     mapper = relevo.vtkAdaptiveLICMapper()
     mapper.SetInputData(mesh)
     mapper.SetRefinement(recipe)
-    mapper.SetInputArrayToProcess(0, 0, 0, 0, name)  # 0: of points
+    mapper.SetInputArrayToProcess(0, 0, 0, 0, name)  # the last 0: point data
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectColorArray(name)
     mapper.SetLookupTable(make_colours(highest))
     mapper.InterpolateScalarsBeforeMappingOn()
-    # Streaks as the lightness of the colours, over its whole range but for the darkest part.
+    # Streaks change the lightness of the colours. The bias avoids the darkest part of the range.
     mapper.SetColorModeToMultiply()
     mapper.SetEnhanceContrastToLIC()
     mapper.SetMapModeBias(0.3)
@@ -172,7 +175,7 @@ def add_legend(renderer, table, title, left=0.87):
 
 
 def fields():
-    """Refined twice, so that the sphere and the torus are round."""
+    """Draw vectors on a sphere and a torus, refined so that both look round."""
     figure = Figure(2, 1, (480, 420), (0, -1, 0.35), (0, 0, 1), 1.35)
     recipe = make_recipe(2, surface=relevo.vtkPNTriangleSurface())
     for label, mesh, highest, view in (
@@ -185,7 +188,7 @@ def fields():
 
 
 def levels():
-    """Curved triangles over a coarse mesh, fine where the vectors turn."""
+    """Draw a coarse mesh, its curved surface refined where the vectors turn, and the levels."""
     coarse = make_torus(waves, 20, 9)
     metric = relevo.vtkFieldVariationDepthTagMetric()
     metric.SetArrayName("Flow")
@@ -207,7 +210,7 @@ def levels():
 
 
 def looks():
-    """The settings are the defaults but for the mode and the contrast."""
+    """Draw each colour mode with each contrast and default settings otherwise."""
     mesh = make_sphere(swirls)
     recipe = make_recipe(2, surface=relevo.vtkPNTriangleSurface())
     figure = Figure(4, 2, (270, 270), (0, -1, 0.35), (0, 0, 1), 1.35)
@@ -223,7 +226,7 @@ def looks():
 
 
 def oriented():
-    """Dark spots on a light ground, drawn out: darkest where they arrive."""
+    """Draw streaks without and with heads. Dark spots on a light ground give dark heads."""
     mesh = make_sphere(swirls)
     recipe = make_recipe(2, surface=relevo.vtkPNTriangleSurface())
     figure = Figure(2, 1, (480, 420), (0, -1, 0.35), (0, 0, 1), 1.35)
@@ -250,7 +253,7 @@ def read(filename):
     reader.SetFileName(check_file(filename))
     reader.Update()
     if reader.GetOutput().GetNumberOfPoints() == 0:
-        sys.exit(f"flow.py: there are no points in {filename!r}")
+        sys.exit(f"flow.py: {filename!r} has no points")
     return reader.GetOutput()
 
 
@@ -277,7 +280,7 @@ def cut(data, origin, normal):
 
 
 def draw_still(data, name):
-    """The cells in which nothing moves: the furniture of a room."""
+    """Draw the cells without flow, which are the furniture of the room."""
     still = vtkThreshold()
     still.SetInputData(data)
     still.SetInputArrayToProcess(0, 0, 0, 0, name)
@@ -290,13 +293,13 @@ def draw_still(data, name):
 
 
 def show_no_flow(mapper):
-    """Grey where the vectors are zero, in place of the colour of the slowest."""
+    """Show zero vectors in grey instead of the colour of slow ones."""
     mapper.SetMaskColor(0.62, 0.62, 0.66)
     mapper.SetMaskIntensity(1)
 
 
 def plane(filename):
-    """The gas comes in from above. Between it and what rises over the disk it stands still."""
+    """Draw a section of a reactor. The gas enters from above and rises again over the disk."""
     figure = Figure(1, 1, (720, 480), (1, 0, 0), (0, 0, 1), 1.35)
     actor = draw_flow(get_surface(read(filename)), "V", 15, make_recipe())
     actor.GetProperty().LightingOff()
@@ -307,8 +310,10 @@ def plane(filename):
 
 
 def disk(filename):
-    """A disk on a shaft that turns, and the gap below that the gas leaves through; the wall around
-    them is cut open. Where nothing flows it is grey."""
+    """Draw a rotating disk in a wall that is cut open. Regions without flow are grey.
+
+    The gas leaves through the gap below the disk.
+    """
     normals = vtkPolyDataNormals()
     normals.SetInputData(read(filename))
     normals.SetFeatureAngle(30)
@@ -329,7 +334,7 @@ def disk(filename):
 
 
 def office(filename):
-    """The air comes in at the foot of the wall to the left, and leaves below the ceiling."""
+    """Draw slices of a room. Air enters at the foot of the left wall and leaves at the ceiling."""
     room = read(filename)
     figure = Figure(1, 1, (720, 480), (0.45, -1, 0.95), (0, 0, 1))
     renderer = figure.add("the air of a room", draw_still(room, "vectors"))
@@ -364,7 +369,7 @@ if not (
     or (len(arguments) == 3 and arguments[0] in FILES)
 ):
     sys.exit(
-        f"flow.py NAME PICTURE.png, NAME one of {', '.join(FORMULAE)}; "
-        f"flow.py NAME PICTURE.png FILE, NAME one of {', '.join(FILES)}"
+        f"usage: flow.py NAME PICTURE.png, NAME one of {', '.join(FORMULAE)}; "
+        f"or: flow.py NAME PICTURE.png FILE, NAME one of {', '.join(FILES)}"
     )
 main(*arguments)

@@ -1,10 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Streaks that move along vectors, without a display: flowloop.py PICTURE.gif [FRAMES]
+"""Animate streaks along vectors, without a display: flowloop.py PICTURE.gif [FRAMES]
 
-A seamless loop (of 16 frames unless told otherwise) of a flow on a ring that has curved PN
-triangles: it runs around the ring, the faster the farther out, and turns over to run across it where
-the ring is thin.
+The loop is seamless and has 16 frames by default. The flow runs around a ring, faster at the
+outside, and across it where the ring is thin. The ring has curved PN triangles.
 """
 
 import math
@@ -18,12 +17,12 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkL
 
 AROUND, ACROSS = 30, 12
 SIZE = (360, 230)
-SECONDS = 0.06  # of a frame
+SECONDS = 0.06  # per frame
 COLOURS = 64
 
 
 def make_flow():
-    """The ring, and the vectors in its points."""
+    """Return the ring with vectors at its points."""
     mesh = add_normals(make_ring(AROUND, ACROSS))
     points = [mesh.GetPoint(i) for i in range(mesh.GetNumberOfPoints())]
     vectors = []
@@ -34,7 +33,7 @@ def make_flow():
         following = points[ring * ACROSS + (place + 1) % ACROSS]
         preceding = points[ring * ACROSS + (place - 1) % ACROSS]
         across = tuple(a - b for a, b in zip(following, preceding))
-        share = math.cos(3 * u)  # of thick and thin
+        share = math.cos(3 * u)  # 1 where the ring is thick, -1 where it is thin
         vectors.append(
             tuple((0.75 + 0.25 * share) * a + 2 * (0.5 - 0.5 * share) * b for a, b in zip(around, across))
         )
@@ -49,7 +48,7 @@ def make_mapper(mesh):
     mapper = relevo.vtkAdaptiveLICMapper()
     mapper.SetInputData(mesh)
     mapper.SetRefinement(recipe)
-    mapper.SetInputArrayToProcess(0, 0, 0, 0, "Flow")  # 0: of points
+    mapper.SetInputArrayToProcess(0, 0, 0, 0, "Flow")  # the last 0: point data
     mapper.SetColorModeToMultiply()
     colours = vtkColorTransferFunction()
     for length, colour in ((0.7, (0.2, 0.4, 0.75)), (1.1, (0.75, 0.85, 0.85)), (1.5, (0.95, 0.6, 0.3))):
@@ -63,7 +62,7 @@ def make_mapper(mesh):
 
 
 def show(mapper):
-    """A window that looks at it."""
+    """Return a window that shows the mapper."""
     actor = vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().SetAmbient(0.1)
@@ -74,7 +73,8 @@ def show(mapper):
     light = vtkLight()
     light.SetLightTypeToCameraLight()
     light.SetPosition(-0.4, 0.5, 1)
-    # For contrast; SetEnhanceContrast() stretches each frame by itself, which flickers.
+    # A bright light raises the contrast. SetEnhanceContrast() would stretch each frame differently
+    # and flicker.
     light.SetIntensity(2.3)
     renderer.AddLight(light)
     camera = renderer.GetActiveCamera()
@@ -103,5 +103,5 @@ def main(filename, frames=16):
 
 arguments = read_arguments()
 if len(arguments) not in (1, 2):
-    sys.exit("flowloop.py PICTURE.gif [FRAMES]")
+    sys.exit("usage: flowloop.py PICTURE.gif [FRAMES]")
 main(*arguments)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Animated GIF files, for the scripts beside this file: VTK writes none."""
+"""Write animated GIF files, which VTK does not, for the scripts in this folder."""
 
 import struct
 
@@ -14,7 +14,7 @@ LARGEST_CODE = 4095
 
 
 def photograph(window):
-    """What it shows, drawn anew."""
+    """Render the window and return its pixels."""
     window.Render()
     picture = vtkWindowToImageFilter()
     picture.SetInput(window)
@@ -27,14 +27,14 @@ def photograph(window):
 
 
 def write_gif(filename, images, seconds, colours=64):
-    """An endless loop of RGB images (vtkImageData) of one size, in a palette of up to 256 colours."""
+    """Write RGB images (vtkImageData) of equal size as an endless loop with up to 256 colours."""
     width, height, _ = images[0].GetDimensions()
     indices, palette = quantize(images, colours)
     bits = max(2, (len(palette) - 1).bit_length())
     contents = bytearray()
     contents.extend(struct.pack("<6sHHBBB", b"GIF89a", width, height, 0xF0 | bits - 1, 0, 0))
     contents.extend(b"".join(palette).ljust(3 << bits, b"\0"))
-    contents.extend(b"\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00\x00")  # for ever
+    contents.extend(b"\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00\x00")  # loop endlessly
     for frame in range(len(images)):
         rows = [(frame * height + row) * width for row in reversed(range(height))]
         pixels = b"".join(indices[start : start + width] for start in rows)
@@ -46,8 +46,8 @@ def write_gif(filename, images, seconds, colours=64):
 
 
 def quantize(images, colours):
-    """All pixels, image by image from the bottom up, as one byte each, and the colours they mean."""
-    tower = vtkImageAppend()  # of all images, for one palette
+    """Return the pixels of all images, bottom row first, as one byte each, and the palette."""
+    tower = vtkImageAppend()  # all images share one palette
     tower.SetAppendAxis(1)
     for image in images:
         tower.AddInputData(image)
@@ -65,7 +65,7 @@ def quantize(images, colours):
 
 
 def compress(pixels, bits):
-    """The LZW code of GIF."""
+    """Return the pixels in the LZW code of GIF."""
     clear = 1 << bits
     result, buffered, held = bytearray(), 0, 0
 
@@ -90,7 +90,7 @@ def compress(pixels, bits):
         code = clear + 2 + len(words)
         if code <= LARGEST_CODE:
             words[word, pixel] = code
-            # The reader is one word behind.
+            # A decoder adds each word one code later, so the code grows one step later too.
             if code == 1 << length:
                 length += 1
         else:
@@ -99,11 +99,11 @@ def compress(pixels, bits):
         word = pixel
     emit(word, length)
     emit(clear + 1, length)
-    emit(0, 7)  # the last bits
+    emit(0, 7)  # flush the last bits
     return bytes(result)
 
 
 def blocks(data):
-    """Blocks of up to 255 bytes, and the empty one that ends them."""
+    """Split data into blocks of up to 255 bytes, ended by an empty block."""
     parts = (data[i : i + 255] for i in range(0, len(data), 255))
     return b"".join(bytes([len(part)]) + part for part in parts) + b"\0"

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Images, and displacement by those of heights, for the scripts beside this file."""
+"""Make images and displacements by images of heights, for the scripts in this folder."""
 
 import relevo
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 
 def make_image(columns, rows, components, kind, values):
-    """An image of so many pixels; values(x, y), from 0 to 1, gives the components of one."""
+    """Return an image. values(x, y) gives the components of a pixel, with x and y in [0, 1]."""
     image = vtkImageData()
     image.SetDimensions(columns, rows, 1)
     image.AllocateScalars(kind, components)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Coarse meshes for the scripts beside this file."""
+"""Make and read coarse meshes for the scripts in this folder."""
 
 import math
 
@@ -23,7 +23,7 @@ def make_mesh(points, triangles):
 
 
 def set_point_array(mesh, name, values):
-    """One number, or one tuple of numbers, per point."""
+    """Add an array with one number or one tuple of numbers per point."""
     array = vtkFloatArray()
     array.SetName(name)
     array.SetNumberOfComponents(len(values[0]) if isinstance(values[0], tuple) else 1)
@@ -42,7 +42,7 @@ def set_texture_coordinates(mesh, values):
 
 
 def add_normals(mesh):
-    """Smooth ones, the mean of the faces'."""
+    """Return the mesh with smooth point normals."""
     normals = vtkPolyDataNormals()
     normals.SetInputData(mesh)
     normals.SplittingOff()
@@ -51,7 +51,7 @@ def add_normals(mesh):
 
 
 def make_ring(around=30, across=12):
-    """A bent ring that grows thicker and thinner, of 2 * around * across triangles."""
+    """Return a bent ring of varying thickness, with 2 * around * across triangles."""
     points = []
     triangles = []
     for i in range(around):
@@ -69,8 +69,7 @@ def make_ring(around=30, across=12):
 
 
 def make_grid(columns, rows, place):
-    """Triangles between the points place(x, y), x and y from 0 to 1, with these as texture
-    coordinates."""
+    """Return a grid of triangles with points place(x, y) and texture coordinates x, y in [0, 1]."""
     grid = [(i / columns, j / rows) for j in range(rows + 1) for i in range(columns + 1)]
     triangles = []
     for j in range(rows):
@@ -83,7 +82,7 @@ def make_grid(columns, rows, place):
 
 
 def make_wave(extremes=6):
-    """A strip whose points are the crests and troughs of a wave, where it is level."""
+    """Return a strip with points at the crests and troughs of a wave, where its slope is 0."""
     mesh = make_grid(
         extremes, 1, lambda x, y: (extremes * x, 2.5 * y, 0.5 * math.cos(extremes * math.pi * x))
     )
@@ -92,7 +91,7 @@ def make_wave(extremes=6):
 
 
 def make_dome():
-    """Eight triangles, arched, with texture coordinates."""
+    """Return an arch of eight triangles with texture coordinates."""
     mesh = make_grid(
         2, 2, lambda x, y: (2 * x - 1, 2 * y - 1, 0.8 * (1 - (2 * x - 1) ** 2) * (1 - (2 * y - 1) ** 2))
     )
@@ -100,7 +99,7 @@ def make_dome():
 
 
 def make_mapped_ring(around=14, across=6):
-    """The ring with texture coordinates that run round it and back, so that they have no seam."""
+    """Return the ring with texture coordinates that run around and back, to avoid a seam."""
     ring = make_ring(around, across)
     set_texture_coordinates(
         ring,
@@ -113,7 +112,7 @@ def make_mapped_ring(around=14, across=6):
 
 
 def read(filename):
-    """The triangles of a .ply or .g file."""
+    """Return the triangles of a .ply or .g file."""
     if filename.endswith(".g"):
         from vtkmodules.vtkIOGeometry import vtkBYUReader
 
@@ -129,7 +128,7 @@ def read(filename):
 
 
 def read_decimated(filename, triangles):
-    """The mesh of a .ply or .g file with about that many triangles, its longest side 2."""
+    """Return a .ply or .g file with about this many triangles and a longest side of length 2."""
     mesh = read(filename)
     if mesh.GetNumberOfCells() > triangles:
         decimation = vtkQuadricDecimation()

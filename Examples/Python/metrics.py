@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shows what a metric refines, without a display: metrics.py METRIC PICTURE.png [MESH.ply]
+"""Show what a metric refines, without a display: metrics.py METRIC PICTURE.png [MESH.ply]
 
-The colours are levels: an edge of level d is cut into 2^d segments. Without a mesh of yours the
-surface is a ring of 720 triangles.
+The colours are levels. An edge of level d has 2^d segments. Without MESH.ply the surface is a ring
+of 720 triangles.
 """
 
 import math
@@ -19,40 +19,40 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
 
 def distance(mesh):
-    """Near to far."""
+    """Refine what is near."""
     metric = relevo.vtkDistanceDepthTagMetric()
     metric.SetMaximumDistance(2 * mesh.GetLength())
     return metric
 
 
 def screen_edge(mesh):
-    """Segments of eight pixels."""
+    """Refine to segments of eight pixels."""
     metric = relevo.vtkScreenEdgeDepthTagMetric()
     metric.SetReferenceLength(8)
     return metric
 
 
 def curvature(mesh):
-    """What is strongly bent."""
+    """Refine where the surface curves."""
     metric = relevo.vtkCurvatureDepthTagMetric()
     metric.SetCurvatureTypeToMean()
     return metric
 
 
 def silhouette(mesh):
-    """What is seen edge-on, by the normals."""
+    """Refine near the silhouette, by point normals."""
     return relevo.vtkSilhouetteDepthTagMetric()
 
 
 def contour(mesh):
-    """The outline itself, by the faces of each edge."""
+    """Refine the contour, by the two faces of each edge."""
     metric = relevo.vtkSilhouetteDepthTagMetric()
     metric.SetCriterionToContour()
     return metric
 
 
 def view_dependent(mesh):
-    """What is bent, the more the more it is seen edge-on."""
+    """Refine where the surface curves, more where it is seen edge-on."""
     metric = relevo.vtkViewDependentDepthTagMetric()
     metric.SetMaximumSpread(20)
     metric.SetEdgeOnWeight(0.8)
@@ -60,7 +60,7 @@ def view_dependent(mesh):
 
 
 def field_variation(mesh):
-    """Where an array varies: here waves around a point."""
+    """Refine where an array varies, here waves around a point."""
     waves = vtkFloatArray()
     waves.SetName("Waves")
     for i in range(mesh.GetNumberOfPoints()):
@@ -73,7 +73,7 @@ def field_variation(mesh):
 
 
 def region(mesh):
-    """Around a place."""
+    """Refine around a point."""
     metric = relevo.vtkRegionDepthTagMetric()
     metric.SetCenter(mesh.GetPoint(0))
     metric.SetRadius(0.1 * mesh.GetLength())
@@ -82,7 +82,7 @@ def region(mesh):
 
 
 def composite(mesh):
-    """Whatever one of several metrics wants."""
+    """Refine to the highest level of two metrics."""
     metric = relevo.vtkCompositeDepthTagMetric()
     metric.AddMetric(contour(mesh))
     metric.AddMetric(region(mesh))
@@ -112,7 +112,7 @@ def main(name, picture, filename=None):
     recipe.SetMaximumLevel(3)
     recipe.SetMetric(METRICS[name](mesh))
     recipe.SetLevelRuleToPerEdge()
-    recipe.GeomorphingOff()  # a still picture: every vertex in its own place
+    recipe.GeomorphingOff()  # a still picture needs no morphing
     recipe.SetSurface(relevo.vtkPNTriangleSurface())
     mapper = relevo.vtkAdaptiveRefinementMapper()
     mapper.SetInputData(mesh)
@@ -153,5 +153,5 @@ def main(name, picture, filename=None):
 
 arguments = read_arguments()
 if len(arguments) not in (2, 3) or arguments[0] not in METRICS:
-    sys.exit("metrics.py METRIC PICTURE.png [MESH.ply], METRIC one of " + ", ".join(METRICS))
+    sys.exit("usage: metrics.py METRIC PICTURE.png [MESH.ply], METRIC one of " + ", ".join(METRICS))
 main(*arguments)

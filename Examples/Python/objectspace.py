@@ -1,7 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Line integral convolution in object space on a torus that is refined where its vectors turn, drawn
-without a display: objectspace.py PICTURE.png"""
+"""Compute streaks on a torus that is refined where its vectors turn: objectspace.py PICTURE.png
+
+The script needs no display.
+"""
 
 import math
 import sys
@@ -19,7 +21,7 @@ PANEL = (360, 300)
 
 
 def make_torus():
-    """Of radii 1 and 0.5, with texture coordinates: two seams."""
+    """Return a torus of radii 1 and 0.5, with texture coordinates that have two seams."""
 
     def angles(x, y):
         return 2 * math.pi * (x % 1), 2 * math.pi * (y % 1)
@@ -42,7 +44,7 @@ def make_torus():
 
 
 def swirl(x, y, z):
-    """Along the torus, and in one place through all directions in waves."""
+    """Return a vector along the torus, which turns through all directions in one region."""
     u, v = math.atan2(y, x), math.atan2(z, math.hypot(x, y) - 1)
     angle = 0.3 + 3 * math.exp(-(u * u + v * v) / 0.4) * math.sin(6 * v) * math.cos(6 * u)
     c, s = math.cos(angle), math.sin(angle)
@@ -70,7 +72,7 @@ def make_recipe(metric, level=LEVEL):
 
 
 def refine(mesh, recipe, camera=None):
-    """With the vectors of all its new points."""
+    """Return the refined mesh, with the vectors evaluated at its new points."""
     refinement = relevo.vtkAdaptiveRefinementFilter()
     refinement.SetInputData(mesh)
     refinement.SetRefinement(recipe)
@@ -95,7 +97,7 @@ def make_lic(mesh, texture_size=(0, 0)):
 
 
 def make_grey_actor(mesh):
-    """White, but for its scalars."""
+    """Return a white actor with its scalars in grey."""
     greys = vtkLookupTable()
     greys.SetSaturationRange(0, 0)
     greys.SetValueRange(0, 1)
@@ -154,7 +156,7 @@ def main(picture):
     figure.add(f"{torus.GetNumberOfCells()} with a texture", draw_texture(torus), **near)
     figure.write(picture)
 
-    # What a camera so near asks for.
+    # Refine what a close camera sees.
     region = relevo.vtkRegionDepthTagMetric()
     region.SetCenter(1.5, 0, 0)
     region.SetRadius(0.4)
@@ -172,5 +174,5 @@ def main(picture):
 
 arguments = read_arguments()
 if len(arguments) != 1:
-    sys.exit("objectspace.py PICTURE.png")
+    sys.exit("usage: objectspace.py PICTURE.png")
 main(*arguments)

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shows curved cells as they are, without a display: patches.py NAME PICTURE.png [FILE]
+"""Draw curved cells with their exact shape, without a display: patches.py NAME PICTURE.png [FILE]
 
 NAME is one of
-  teapot   Bézier patches, their levels, and VTK's triangles, as many: teapot.bpt
-  torus    a torus of rational cells, exactly round
+  teapot   Bézier patches, their levels, and about as many triangles by VTK; FILE is teapot.bpt
+  torus    a torus of rational cells
   field    a field of degree 4 with isolines, beside VTK's linear colours
-  can      hexahedra made quadratic and bent, coloured by what they were loaded with: can.vtu
-and FILE is that file. Without it generated cells take its place.
+  can      hexahedra made quadratic and bent; FILE is can.vtu
+Without FILE the script generates cells.
 """
 
 import math
@@ -28,7 +28,7 @@ from vtkmodules.vtkFiltersSources import vtkCellTypeSource
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 
 HALF = math.sqrt(0.5)
-# A circle of radius 1 as a rational curve of degree 2: control points and weights.
+# A circle of radius 1 as a rational curve of degree 2: x, y and weight of each control point.
 CIRCLE = [
     (1, 0, 1),
     (1, 1, HALF),
@@ -53,7 +53,7 @@ def make_array(values, name=None):
 
 
 def make_torus(radius=1.0, tube=0.4):
-    """Circles around a circle: 16 rational cells of degree 2 x 2."""
+    """Return a torus of 16 rational cells of degree 2 x 2."""
     points = vtkPoints()
     points.SetDataTypeToDouble()
     weights = []
@@ -86,7 +86,7 @@ def read_grid(filename):
 
 
 def make_recipe(pixels=0.5):
-    """As deep as half a pixel needs."""
+    """Return a recipe that limits the error in pixels."""
     metric = relevo.vtkPatchErrorDepthTagMetric()
     metric.SetScreenSpaceError(pixels)
     recipe = relevo.vtkAdaptiveRefinement()
@@ -110,7 +110,7 @@ def draw_patches(grid, recipe=None):
 
 
 def draw_flat(grid, level):
-    """VTK's own: all cells cut alike, with the normals that its filters give."""
+    """Draw VTK's uniform subdivision of the cells, with the normals of VTK's filter."""
     surface = vtkDataSetSurfaceFilter()
     surface.SetInputData(grid)
     surface.SetNonlinearSubdivisionLevel(level)
@@ -128,7 +128,7 @@ def count_flat(actor):
 
 
 def teapot(filename=None):
-    """The patches, their levels, and VTK's even cut that has about as many triangles."""
+    """Draw the patches, their levels, and VTK's subdivision with about as many triangles."""
     grid = read_grid(filename) if filename else make_torus()
     figure = Figure(3, 1, (420, 330), (0.4, -1, 0.5), (0, 0, 1), 1.5)
     smooth = draw_patches(grid, make_recipe(2))
@@ -150,7 +150,7 @@ def teapot(filename=None):
 
 
 def torus():
-    """VTK's coarsest triangles beside the cells themselves."""
+    """Draw VTK's coarsest triangles beside the exact cells."""
     grid = make_torus()
     figure = Figure(2, 1, (420, 320), (0.2, -1, 1.1), (0, 1, 0), 1.3)
     flat = draw_flat(grid, 1)
@@ -162,7 +162,7 @@ def torus():
 
 
 def make_field(cells=2, degree=4):
-    """Lagrange cells on a wavy sheet, with a field that oscillates within them."""
+    """Return Lagrange cells on a wavy sheet, with a field that oscillates within them."""
     grid = vtkUnstructuredGrid()
     points = vtkPoints()
     points.SetDataTypeToDouble()
@@ -192,7 +192,7 @@ def make_field(cells=2, degree=4):
 
 
 def colour(actor, array, component=0):
-    """By a component, or with -1 by the vectors' length."""
+    """Colour an actor by a component, or with -1 by the length of the vectors."""
     table = vtkLookupTable()
     table.SetHueRange(0.66, 0.0)
     table.SetTableRange(array.GetRange(component))
@@ -207,7 +207,7 @@ def colour(actor, array, component=0):
 
 
 def field():
-    """The same cells: cut once by VTK, and evaluated at every pixel."""
+    """Draw cells subdivided once by VTK, and the same cells evaluated at every pixel."""
     grid = make_field()
     array = grid.GetPointData().GetScalars()
     figure = Figure(2, 1, (420, 360), (0.1, -0.8, 1), (0, 1, 0), 1.25)
@@ -225,7 +225,7 @@ def field():
 
 
 def bend(grid, angle=1.2):
-    """Nodes turned along the longest side, those amid edges too: cells become curved."""
+    """Bend the grid along its longest side. Nodes within edges move too, so cells become curved."""
     bounds = grid.GetBounds()
     axis = max(range(3), key=lambda c: bounds[2 * c + 1] - bounds[2 * c])
     across = (axis + 1) % 3
@@ -242,7 +242,7 @@ def bend(grid, angle=1.2):
 
 
 def make_block():
-    """A bar of 32 quadratic hexahedra."""
+    """Return a bar of 32 quadratic hexahedra."""
     source = vtkCellTypeSource()
     source.SetCellType(VTK_QUADRATIC_HEXAHEDRON)
     source.SetBlocksDimensions(8, 2, 2)
@@ -251,7 +251,7 @@ def make_block():
 
 
 def can(filename=None):
-    """Coloured by a point array, evaluated by the cells' quadratic basis."""
+    """Colour cells by a point array, evaluated with their quadratic basis."""
     if filename:
         quadratic = vtkLinearToQuadraticCellsFilter()
         quadratic.SetInputData(read_grid(filename))
@@ -282,7 +282,7 @@ def main(name, picture, *files):
             figure(*files).write(picture)
             return
     names = ", ".join(figure.__name__ for figure in FIGURES)
-    sys.exit(f"patches.py NAME PICTURE.png [FILE], NAME one of {names}")
+    sys.exit(f"usage: patches.py NAME PICTURE.png [FILE], NAME one of {names}")
 
 
 arguments = read_arguments()

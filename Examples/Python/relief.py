@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shows reliefs, pictures with depth, without a display: relief.py NAME PICTURE.png [FILE]
+"""Draw reliefs, which are pictures with depth, without a display: relief.py NAME PICTURE.png [FILE]
 
 NAME is one of
-  box      a mesh beside the reliefs of its six sides: bunny.ply, teapot.g
-  methods  a height map by every method: mt_rainier_90m.tif
-  camera   the points of a depth camera's image beside its relief: can.vtu
-  holes    a view between two captures, red where neither has seen the surface: bunny.ply
-and FILE is that file. Without it a generated mesh or height map takes its place.
+  box      a mesh beside the reliefs of its six sides; FILE is bunny.ply or teapot.g
+  methods  a height map by each method; FILE is mt_rainier_90m.tif
+  camera   the points of a depth camera's image beside its relief; FILE is can.vtu
+  holes    a view between two captures, red where neither has seen the surface; FILE is bunny.ply
+Without FILE the script generates a mesh or height map.
 """
 
 import math
@@ -39,7 +39,7 @@ def read_mesh(filename):
 
 def draw_matt(mesh):
     actor = draw_mesh(mesh)
-    actor.GetProperty().SetSpecular(0)  # seen from one side alone
+    actor.GetProperty().SetSpecular(0)  # highlights depend on the view, and captures keep theirs
     return actor
 
 
@@ -51,7 +51,7 @@ def draw_reliefs(reliefs, method="Automatic"):
 
 
 def set_lights(renderer, *directions):
-    """Lamps that stand still: colours are then those of all captures."""
+    """Set scene lights, so that the colours are the same in all captures."""
     renderer.RemoveAllLights()
     for x, y, z, intensity in directions:
         light = vtkLight()
@@ -65,7 +65,7 @@ LAMPS = ((-0.5, 1, 1, 0.8), (1, 0.3, -0.2, 0.4), (0.2, -0.6, -1, 0.3), (-1, 0, -
 
 
 def open_window(*actors, size=(600, 500)):
-    """Where nobody looks: a place to capture from."""
+    """Return an off-screen window and its renderer to capture from."""
     renderer = vtkRenderer()
     for actor in actors:
         renderer.AddActor(actor)
@@ -79,7 +79,7 @@ def open_window(*actors, size=(600, 500)):
 
 
 def capture(renderer, resolution, cameras=()):
-    """From all sides, or by these cameras."""
+    """Return captures from the six sides of a box, or by these cameras."""
     source = relevo.vtkReliefCapture()
     source.SetRenderer(renderer)
     source.SetResolution(resolution, resolution)
@@ -90,7 +90,7 @@ def capture(renderer, resolution, cameras=()):
 
 
 def count_texels(reliefs):
-    """Those that show something."""
+    """Count the texels that have a surface."""
     count = 0
     images = [reliefs.GetBlock(i) for i in range(reliefs.GetNumberOfBlocks())]
     for image in images:
@@ -100,7 +100,7 @@ def count_texels(reliefs):
 
 
 def box(filename=None):
-    """The captures' light stays on the reliefs."""
+    """Draw a mesh beside its six reliefs, which keep the light of the captures."""
     mesh = read_mesh(filename)
     window, renderer = open_window(draw_matt(mesh))
     reliefs = capture(renderer, 512)
@@ -114,7 +114,7 @@ def box(filename=None):
 
 
 def make_height_map():
-    """Hills of 300 x 300 samples, with a lake that has no data."""
+    """Return hills of 300 x 300 samples, with a lake without data."""
     image = vtkImageData()
     image.SetDimensions(300, 300, 1)
     heights = vtkFloatArray()
@@ -138,7 +138,7 @@ def read_height_map(filename):
 
 
 def methods(filename=None):
-    """Lit by the relief's normals. Where the raster has no data, there is none."""
+    """Draw a relief by three methods, lit with its normals."""
     source = relevo.vtkHeightMapToRelief()
     source.SetHeightMap(read_height_map(filename) if filename else make_height_map())
     source.SetExaggeration(2)
@@ -157,7 +157,7 @@ def methods(filename=None):
 
 
 def read_can(filename):
-    """The surface of the last step, with its deformation."""
+    """Return the surface of the deformed can."""
     from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
     reader = vtkXMLUnstructuredGridReader()
@@ -181,7 +181,7 @@ def take_picture(window, kind):
 
 
 def camera(filename=None):
-    """Seen from 25 degrees beside the camera."""
+    """Draw points and relief of a depth image, seen from 25 degrees beside the camera."""
     mesh = read_can(filename) if filename else read_mesh(None)
     window, renderer = open_window(draw_matt(mesh), size=(320, 280))
     view = renderer.GetActiveCamera()
@@ -228,7 +228,7 @@ def turn(camera, degrees):
 
 
 def holes(filename=None):
-    """From 15 degrees beside each capture."""
+    """Draw a view 15 degrees beside two captures, with holes in red."""
     mesh = read_mesh(filename)
     window, renderer = open_window(draw_matt(mesh), size=(512, 512))
     view = renderer.GetActiveCamera()
@@ -265,7 +265,7 @@ def main(name, picture, *files):
             figure(*files).write(picture)
             return
     names = ", ".join(figure.__name__ for figure in FIGURES)
-    sys.exit(f"relief.py NAME PICTURE.png [FILE], NAME one of {names}")
+    sys.exit(f"usage: relief.py NAME PICTURE.png [FILE], NAME one of {names}")
 
 
 arguments = read_arguments()

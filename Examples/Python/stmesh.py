@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Four tagged vertices shape a head, without a display: stmesh.py PICTURE.png
+"""Shape a head with tags at four vertices, without a display: stmesh.py PICTURE.png
 
-From left to right a head of 376 triangles, the PN triangles it makes, and the same with scalar tags
-at the vertices that are marked: a pointed nose (sharpness), creased brows (sharpness with a
-direction) and a fuller chin (tension). What is strongly bent is refined most.
+From left to right: a head of 376 triangles, its PN triangles, and the same with scalar tags at the
+marked vertices. They give a pointed nose (sharpness), creased brows (sharpness with a direction)
+and a fuller chin (tension). The surface is refined where it curves.
 """
 
 import math
@@ -18,7 +18,7 @@ from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 
-AROUND, RINGS = 16, 11  # vertices of the head's rings, and rings between its two poles
+AROUND, RINGS = 16, 11  # vertices per ring, and rings between the two poles
 
 
 def bump(x, center, width):
@@ -26,7 +26,7 @@ def bump(x, center, width):
 
 
 def place(azimuth, latitude):
-    """A point of the head; the face looks along -y, azimuth 0 is its middle."""
+    """Return a point of the head. The face looks along -y, with its middle at azimuth 0."""
     side, front = math.sin(azimuth), math.cos(azimuth)
     across, up = math.cos(latitude), math.sin(latitude)
     x, y, z = 0.74 * side * across, -0.92 * front * across, 1.05 * up
@@ -38,13 +38,13 @@ def place(azimuth, latitude):
         y += 0.12 * bump(latitude, 0, 0.12) * eyes  # sockets
         y += 0.08 * bump(latitude, -0.52, 0.1) * bump(azimuth, 0, 0.5)  # mouth
         y -= 0.3 * bump(latitude, -0.79, 0.2) * bump(azimuth, 0, 0.4)  # chin
-    # Narrower towards the chin, and a neck below.
+    # The head narrows towards the chin and the neck.
     narrow = 1 - 0.25 * bump(latitude, -0.95, 0.5)
     return [narrow * x, y, z]
 
 
 def make_head():
-    """Points, triangles, and the four vertices to tag: nose, brows, chin."""
+    """Return points, triangles, and the four vertices to tag: nose, two brows, chin."""
     points = [[0.0, 0.1, -1.15], [0.0, 0.05, 1.05]]
     for ring in range(RINGS):
         latitude = math.pi * ((ring + 1) / (RINGS + 1) - 0.5)
@@ -63,9 +63,9 @@ def make_head():
     def add_quad(a, b, c, d):
         triangles.extend([(a, b, c), (a, c, d)])
 
-    eared = set()  # quads of the head that ears take the place of
+    eared = set()  # quads that ears replace
     for side, column in ((1, AROUND // 4), (-1, AROUND - AROUND // 4 - 1)):
-        # Two quads are pulled out of the side, and six make the walls.
+        # Move two quads of the side outwards, and add six quads as walls.
         rim = [vertex(r, column + c) for r, c in ((4, 0), (4, 1), (5, 1), (6, 1), (6, 0), (5, 0))]
         moved = []
         for k, corner in enumerate(rim):
@@ -89,7 +89,7 @@ def make_head():
 
 
 def add_tags(mesh, tags):
-    """Point arrays by name, from the tags of a few points; zero at the others."""
+    """Add point arrays with the tags of a few points and 0 at the others."""
     for name, components in (("Sharpness", 1), ("Tension", 1), ("Bias", 1), ("Direction", 3)):
         array = vtkFloatArray()
         array.SetName(name)
@@ -103,13 +103,13 @@ def add_tags(mesh, tags):
 
 
 def draw_bent(mesh, surface):
-    """The surface, refined where the mesh is strongly bent."""
+    """Draw the surface, refined where the mesh curves."""
     metric = relevo.vtkCurvatureDepthTagMetric()
     metric.SetQuantiles(0, 0.86)
     recipe = relevo.vtkAdaptiveRefinement()
     recipe.SetMaximumLevel(4)
     recipe.SetMetric(metric)
-    recipe.GeomorphingOff()  # a still picture: every vertex in its own place
+    recipe.GeomorphingOff()  # a still picture needs no morphing
     recipe.SetSurface(surface)
     return draw_recipe(mesh, recipe)
 
@@ -156,5 +156,5 @@ def main(picture):
 
 arguments = read_arguments()
 if len(arguments) != 1:
-    sys.exit("stmesh.py PICTURE.png")
+    sys.exit("usage: stmesh.py PICTURE.png")
 main(*arguments)

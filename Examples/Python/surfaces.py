@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shows what the surfaces make of a coarse mesh, without a display: surfaces.py NAME PICTURE.png
+"""Draw surfaces over coarse meshes, without a display: surfaces.py NAME PICTURE.png [MESH.ply]
 
 NAME is one of
-  surfaces     one ring of 168 triangles on every surface
-  inflections  a wave of which the mesh has crests and troughs: linear and quadratic normals
-  fur          procedural fur of two amplitudes and two frequencies, on a mesh of 1500 triangles:
-               surfaces.py fur PICTURE.png MESH.ply decimates one of yours
+  surfaces     a ring of 168 triangles with each surface
+  inflections  a wave, of which the mesh has crests and troughs, with linear and quadratic normals
+  fur          procedural fur of two amplitudes and two frequencies on a mesh of 1500 triangles, or
+               on MESH.ply, which is decimated to as many
   parts        curved PN triangles, displacement, and both
   relief       one procedural texture as height map and as picture
 """
@@ -32,7 +32,7 @@ from vtkmodules.vtkCommonCore import VTK_FLOAT, VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkPerlinNoise
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper, vtkTexture
 
-# Rings around the ring, for vtkProceduralSurface.
+# GLSL for vtkProceduralSurface: ripples around the ring.
 RIPPLES = """
 float proceduralHeight(vec3 position, vec3 normal, vec3 weights)
 {
@@ -64,7 +64,7 @@ def make_fur(amplitude, frequency, base=None):
 
 
 def surfaces():
-    """One ring on every surface."""
+    """Draw a ring with each surface."""
     around, across = 14, 6
     ring = add_normals(make_ring(around, across))
     # A crease along the ring's outer edge.
@@ -85,7 +85,7 @@ def surfaces():
         ("G1 patches", relevo.vtkG1Surface()),
         ("scalar tags: a crease", relevo.vtkScalarTaggedSurface()),
         ("fur", make_fur(0.15, 3)),
-        ("GLSL of one's own, on PN", ripples),
+        ("your own GLSL, on PN", ripples),
     )
     figure = Figure(4, 2, (300, 210), (0, -1, 0.7), (0, 0, 1), 1.75)
     figure.add(panels[0][0], draw_coarse(ring))
@@ -102,7 +102,7 @@ def surfaces():
 
 
 def inflections():
-    """Between crest and trough the surface bends back; linear normals do not know of it."""
+    """Draw a wave. Linear normals miss the inflections between crests and troughs."""
     wave = make_wave()
     linear = relevo.vtkPNTriangleSurface()
     linear.QuadraticNormalsOff()
@@ -114,7 +114,7 @@ def inflections():
 
 
 def fur(filename=None):
-    """Amplitudes and frequencies of Lenz 2009, figures 5.11 to 5.13."""
+    """Draw fur with amplitudes and frequencies of Lenz 2009, figures 5.11 to 5.13."""
     position, up = ((0.35, 0.3, 1), (0, 1, 0)) if filename else ((0, -1, 0.7), (0, 0, 1))
     mesh = read_decimated(filename, 1500) if filename else add_normals(make_ring(62, 12))
     figure = Figure(3, 2, (250, 220), position, up, 1.3 if filename else 1.7)
@@ -130,12 +130,12 @@ def fur(filename=None):
 
 
 def parts():
-    """The parts of Lenz 2009, figure 5.29."""
+    """Draw the parts of Lenz 2009, figure 5.29."""
     dome = make_dome()
     values = (0.0, 1.0, 0.35, 0.7)
 
     def walls(x, y):
-        """Four heights, from the border to the middle."""
+        """Return one of four heights, from the border to the middle."""
         return (values[min(int(8 * min(x, y, 1 - x, 1 - y)), 3)],)
 
     heights = displace(make_image(24, 24, 1, VTK_FLOAT, walls), 0.22)
@@ -158,19 +158,19 @@ def parts():
 
 
 def relief():
-    """One function is both the heights and, as colours, the picture; Lenz 2009, figure 5.34."""
+    """Use one function for heights and colours, as in Lenz 2009, figure 5.34."""
     noise = vtkPerlinNoise()
     noise.SetFrequency(1, 1, 1)
 
     def height(x, y):
-        """Ridges of four octaves."""
+        """Return ridges of four octaves."""
         return sum(
             0.5**k * (1 - 2 * abs(noise.EvaluateFunction(9 * 2**k * x, 3 * 2**k * y, 7.3 * k)))
             for k in range(4)
         )
 
     def moss(x, y):
-        """Dark between the ridges, green on them, pale on top."""
+        """Return colours: dark between the ridges, green on them, pale on top."""
         t = max(0.0, min(1.0, 0.2 + 0.5 * height(x, y)))
         dark, green, pale = (52, 40, 28), (84, 122, 46), (206, 212, 142)
         low, high, s = (dark, green, 2 * t) if t < 0.5 else (green, pale, 2 * t - 1)
@@ -201,5 +201,5 @@ if (
     or arguments[0] not in FIGURES
     or (len(arguments) == 3 and arguments[0] != "fur")
 ):
-    sys.exit("surfaces.py NAME PICTURE.png, NAME one of " + ", ".join(FIGURES))
+    sys.exit("usage: surfaces.py NAME PICTURE.png [MESH.ply], NAME one of " + ", ".join(FIGURES))
 main(*arguments)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws a height map into a picture, without a display: terrain.py HEIGHTMAP PICTURE.png"""
+"""Draw a height map without a display: terrain.py HEIGHTMAP PICTURE.png"""
 
 import relevo
 from arguments import check_file, read_arguments

@@ -1,14 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shows the inside of meshes, without a display: volumes.py NAME PICTURE.png [FILE ...]
+"""Render volumes of unstructured meshes, without a display: volumes.py NAME PICTURE.png [FILE ...]
 
 NAME is one of
-  fin      air before a blunt fin, beside what VTK's mappers draw: bluntfinxyz.bin bluntfinq.bin
-  post     liquid oxygen around a post, an isosurface in the volume and a cut: postxyz.bin postq.bin
-  reactor  the gas of a reactor inside of its wall, which is opaque: disk_out_ref.ex2
-  can      a crushed can, by values of its cells: can.vtu
-and FILE are these files of VTK's data. Without them a generated mesh, the flow past a cylinder, takes
-their place.
+  fin      air in front of a blunt fin, beside VTK's mappers: bluntfinxyz.bin bluntfinq.bin
+  post     liquid oxygen around a post, with an isosurface and a cut: postxyz.bin postq.bin
+  reactor  the gas of a reactor inside its opaque wall: disk_out_ref.ex2
+  can      a crushed can, coloured by cell values: can.vtu
+The files are VTK's data. Without them the script generates a mesh, the flow past a cylinder.
 """
 
 import math
@@ -35,7 +34,7 @@ from vtkmodules.vtkRenderingVolume import (
 )
 import vtkmodules.vtkRenderingVolumeOpenGL2  # vtkProjectedTetrahedraMapper's drawing
 
-# From low to high: share of the range, red, green, blue.
+# From low to high: fraction of the range, red, green, blue.
 COLOURS = (
     (0.0, 0.16, 0.22, 0.66),
     (0.25, 0.20, 0.62, 0.82),
@@ -46,9 +45,11 @@ COLOURS = (
 
 
 def make_flow(cells=(14, 40, 12)):
-    """Hexahedra around a cylinder of radius 1, on top of which they meet as those of the post do;
-    of points Speed along x of a potential flow that stands still on the ground, of cells Strain,
-    the length of its change over a cell."""
+    """Return hexahedra around a cylinder of radius 1.
+
+    The point array Speed is the velocity along x of a potential flow that is 0 at the ground. The
+    cell array Strain is the range of Speed within a cell.
+    """
     radii, angles, heights = cells
     grid = vtkStructuredGrid()
     grid.SetDimensions(radii + 1, angles + 1, heights + 1)
@@ -73,7 +74,7 @@ def make_flow(cells=(14, 40, 12)):
 
 
 def read_plot3d(points, flow):
-    """The grid of a PLOT3D file with Density and Momentum; cells that it blanks are left out."""
+    """Return the grid of a PLOT3D file, with the arrays Density and Momentum."""
     from vtkmodules.vtkIOParallel import vtkMultiBlockPLOT3DReader
 
     reader = vtkMultiBlockPLOT3DReader()
@@ -85,7 +86,7 @@ def read_plot3d(points, flow):
 
 
 def read_exodus(filename):
-    """The one block of an Exodus II file, with Temp."""
+    """Return the first block of an Exodus II file, with its point arrays."""
     from vtkmodules.vtkIOExodus import vtkExodusIIReader
 
     reader = vtkExodusIIReader()
@@ -106,14 +107,14 @@ def read_cells(filename):
 
 
 def make_property(array, component, opacities, unit_distance):
-    """Colours over the range of a component, -1 for the length; opacities as (share, opacity)."""
+    """Return colours over a component's range (-1: length) and opacities at fractions of it."""
     low, high = array.GetRange(component)
     colour, opacity = vtkColorTransferFunction(), vtkPiecewiseFunction()
     for share, *rgb in COLOURS:
         colour.AddRGBPoint(low + share * (high - low), *rgb)
     for share, value in opacities:
         opacity.AddPoint(low + share * (high - low), value)
-        # VTK's ray caster overlooks nodes that are none of the colours'.
+        # VTK's ray caster integrates exactly between nodes of the colours only.
         colour.AddRGBPoint(low + share * (high - low), *colour.GetColor(low + share * (high - low)))
     look = vtkVolumeProperty()
     look.SetColor(colour)
@@ -123,7 +124,7 @@ def make_property(array, component, opacities, unit_distance):
 
 
 def make_volume(mapper, mesh, name, look):
-    """The volume of a mesh by the array of that name, of points or cells."""
+    """Return a volume of a mesh with a point or cell array."""
     mapper.SetInputData(mesh)
     if mesh.GetPointData().HasArray(name):
         mapper.SetScalarModeToUsePointFieldData()
@@ -158,7 +159,7 @@ def fin(points=None, flow=None):
     look = make_property(array, 0, opacities, 0.03 * mesh.GetLength())
     figure = Figure(3, 1, (360, 300), (-0.75, -1, 0.6), (0, 0, 1), 1.35)
     for mapper, label in (
-        # Which draws nothing but in a window's lower left viewport.
+        # This mapper draws at the lower left of the window in every viewport, so it comes first.
         (vtkProjectedTetrahedraMapper(), "vtkProjectedTetrahedraMapper"),
         (relevo.vtkGPUUnstructuredGridVolumeMapper(), "exact, on the GPU"),
         (vtkUnstructuredGridVolumeRayCastMapper(), "vtkUnstructuredGridVolumeRayCastMapper"),
@@ -168,8 +169,10 @@ def fin(points=None, flow=None):
 
 
 def post(points=None, flow=None):
-    """Where the oxygen flows backwards behind the post, inside of the isosurface, and the streams
-    that are faster than those far away; the half before the plane of symmetry is cut away."""
+    """Draw the oxygen behind the post. Inside the isosurface it flows backwards.
+
+    Fast streams are opaque. A clipping plane removes the half in front of the plane of symmetry.
+    """
     mesh, name = (read_plot3d(points, flow), "Momentum") if points else (make_flow(), "Speed")
     array = mesh.GetPointData().GetArray(name)
     low, high = array.GetRange(0)
@@ -183,7 +186,7 @@ def post(points=None, flow=None):
     look.ShadeOn()
     look.SetAmbient(0.4)
     mapper = relevo.vtkGPUUnstructuredGridVolumeMapper()
-    mapper.SetVectorMode(mapper.COMPONENT)  # the first of Momentum
+    mapper.SetVectorMode(mapper.COMPONENT)  # by default the first
     mapper.IsoSurfacesOn()
     mapper.AddClippingPlane(make_plane((0, 0, 0), (0, 1, 0)))
     figure = Figure(1, 1, (720, 480), (0.5, -1, 0.6), (0, 0, 1))
@@ -197,7 +200,7 @@ def post(points=None, flow=None):
 
 
 def reactor(filename=None):
-    """The wall is cut open; what is left of it hides what is behind it."""
+    """Draw the gas in a wall that is cut open. The opaque wall hides what is behind it."""
     mesh, name = (read_exodus(filename), "Temp") if filename else (make_flow(), "Speed")
     array = mesh.GetPointData().GetArray(name)
     opacities = ((0, 0), (0.2, 0.03), (0.5, 0.1), (0.9, 0.5), (1, 1))
@@ -222,7 +225,7 @@ def reactor(filename=None):
 
 
 def can(filename=None):
-    """Each cell has one value of its own: what has been strained most is red."""
+    """Draw a can by cell values. The most strained cells are red."""
     mesh, name = (read_cells(filename), "EQPS") if filename else (make_flow(), "Strain")
     array = mesh.GetCellData().GetArray(name)
     opacities = ((0, 0.05), (0.1, 0.2), (0.4, 0.8), (1, 1))
@@ -233,7 +236,7 @@ def can(filename=None):
     return figure
 
 
-FIGURES = {fin: 2, post: 2, reactor: 1, can: 1}  # and how many files
+FIGURES = {fin: 2, post: 2, reactor: 1, can: 1}  # numbers of files
 
 
 def main(name, picture, *files):
@@ -247,7 +250,7 @@ def main(name, picture, *files):
                         print(volume.GetMapper().GetNumberOfDrawnCells(), "cells")
             return
     names = ", ".join(figure.__name__ for figure in FIGURES)
-    sys.exit(f"volumes.py NAME PICTURE.png [FILE ...], NAME one of {names}")
+    sys.exit(f"usage: volumes.py NAME PICTURE.png [FILE ...], NAME one of {names}")
 
 
 arguments = read_arguments()

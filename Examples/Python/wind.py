@@ -1,14 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws wind over real relief, without a display: wind.py HEIGHTMAP PICTURE.png [LID]
+"""Draw wind over relief, without a display: wind.py HEIGHTMAP PICTURE.png [LID]
 
-The wind is no measurement. It is what a layer of ideal air does that comes from the west-south-west
-at 10 m/s, between the ground and a lid (LID in the heights' unit; default: three fifths of the way
-from arguments import check_file, read_arguments
-from the lowest to the highest place): it has no vorticity and is conserved, div(D grad(phi)) = 0 for
-its depth D, so that it streams around what rises to the lid and faster through gaps. Where the
-ground is above the lid there is no data. The height map is taken to have its rows to the east and its
-columns to the north, as those in longitude and latitude do. Needs numpy.
+The wind is computed, not measured. A layer of ideal air comes from the west-south-west at 10 m/s
+and flows between the ground and a lid, without vorticity: div(D grad(phi)) = 0, where D is the
+depth of the layer. It flows around mountains that reach the lid, and faster through gaps. LID is a
+height; the default is the lowest height plus three fifths of the range. The ground above the lid
+has no data. Rows of the height map must run to the east and columns to the north, as in longitude
+and latitude.
+The script needs numpy.
 """
 
 import math
@@ -29,13 +29,13 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderer,
 )
 
-SAMPLES = 300  # of the wind, along the longer side
+SAMPLES = 300  # samples of the wind along the longer side
 SPEED, FROM = 10.0, 250.0  # m/s; degrees, clockwise from north
 TOLERANCE = 1e-5
 
 
 def sample_heights(height_map):
-    """Heights in rows from south to north, no more than SAMPLES each way."""
+    """Return heights in rows from south to north, at most SAMPLES in each direction."""
     columns, rows = height_map.GetDimensions()
     share = min(1.0, SAMPLES / max(columns, rows))
     columns, rows = max(3, round(share * columns)), max(3, round(share * rows))
@@ -48,7 +48,7 @@ def sample_heights(height_map):
 
 
 def solve(apply, right, start):
-    """Conjugate gradients for apply(x) = right, apply being linear, symmetric and not negative."""
+    """Solve apply(x) = right by conjugate gradients; apply is linear and positive semi-definite."""
     x, residual = start, right - apply(start)
     direction, square = residual.copy(), (residual**2).sum()
     goal = TOLERANCE**2 * square
@@ -65,7 +65,7 @@ def solve(apply, right, start):
 
 
 def flow(depth, dx, dy):
-    """Velocity to the east and to the north in a layer of that depth, 0 where it has none."""
+    """Return the velocity to the east and to the north in a layer, 0 where its depth is 0."""
     angle = math.radians(FROM + 180)
     east, north = SPEED * math.sin(angle), SPEED * math.cos(angle)
     rows, columns = depth.shape
@@ -75,7 +75,7 @@ def flow(depth, dx, dy):
     inner[1:-1, 1:-1] = air[1:-1, 1:-1]
 
     def between(a, b):
-        """The depth at the face of two samples: harmonic mean, a wall where one has none."""
+        """Return the depth between two samples: their harmonic mean, or 0, a wall, if one is 0."""
         return numpy.where((a > 0) & (b > 0), 2 * a * b / numpy.maximum(a + b, 1e-30), 0.0)
 
     east_faces = between(depth[:, 1:], depth[:, :-1])
@@ -91,7 +91,7 @@ def flow(depth, dx, dy):
         result[1:] += flux
         return result
 
-    # At the border the wind is the one from afar.
+    # At the border the wind is undisturbed.
     border = numpy.where(inner, 0.0, far)
     change = solve(
         lambda x: numpy.where(inner, outflow(numpy.where(inner, x, 0.0)), 0.0),
@@ -110,7 +110,7 @@ def flow(depth, dx, dy):
 
 
 def make_wind(terrain, lid):
-    """An image over the height map: to the east, to the north, and up along the slope."""
+    """Return an image of vectors to the east, to the north, and up along the slope."""
     heights = sample_heights(terrain.GetHeightMap())
     rows, columns = heights.shape
     bounds = terrain.GetOutput().GetBounds()
@@ -129,7 +129,7 @@ def make_wind(terrain, lid):
 
 
 def add_speeds(mesh):
-    """Level speeds, for the vectors climb slopes that are exaggerated; returns them."""
+    """Add and return horizontal speeds, because exaggeration scales the vertical components."""
     wind = vtk_to_numpy(mesh.GetPointData().GetVectors())
     speeds = numpy.hypot(wind[:, 0], wind[:, 1])
     array = numpy_to_vtk(speeds, deep=True)
@@ -197,7 +197,7 @@ def main(heightmap, picture, lid=None):
     mapper.SetMapModeBias(0.35)
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectColorArray("Speed")
-    fastest = float(numpy.nanpercentile(speeds, 99))  # but for jets through gaps of a sample
+    fastest = float(numpy.nanpercentile(speeds, 99))  # ignores jets through gaps of one sample
     mapper.SetLookupTable(make_colours(fastest))
     mapper.InterpolateScalarsBeforeMappingOn()
 
@@ -235,5 +235,5 @@ def main(heightmap, picture, lid=None):
 if __name__ == "__main__":
     arguments = read_arguments()
     if len(arguments) not in (2, 3):
-        sys.exit("wind.py HEIGHTMAP PICTURE.png [LID]")
+        sys.exit("usage: wind.py HEIGHTMAP PICTURE.png [LID]")
     main(*arguments)
