@@ -20,7 +20,7 @@
 struct vtkMeshVisibilitySort::vtkInternals
 {
   relevo::VisibilityOrder Order;
-  std::vector<vtkIdType> CellIds; // of what Order calls cells
+  std::vector<vtkIdType> CellIds; // ids of the cells of Order
   vtkWeakPointer<vtkDataSet> BuiltFrom;
   vtkMTimeType BuildTime = 0;
 

@@ -62,7 +62,7 @@ int vtkVolumeRayCastFilter::RequestInformation(
   return 1;
 }
 
-// Of the mesh, all that it has.
+// Requests the whole mesh.
 int vtkVolumeRayCastFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
@@ -90,7 +90,7 @@ int vtkVolumeRayCastFilter::RequestData(
     {
       return;
     }
-    // A headlight, as a renderer makes one.
+    // The headlight of a renderer.
     relevo::dvec3 forward;
     this->Camera->GetDirectionOfProjection(&forward.x);
     const relevo::Shading shading(this->VolumeProperty, functions, -forward);

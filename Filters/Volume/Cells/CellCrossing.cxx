@@ -12,7 +12,7 @@ namespace relevo
 {
 namespace
 {
-// Of the mesh's diagonal; boxes are floats.
+// Relative to the diagonal of the mesh. Boxes are float.
 constexpr double BoxMargin = 1e-6;
 constexpr double PlaneMargin = 1e-12;
 
@@ -147,7 +147,7 @@ void CellCrossing::CrossCurved(
   for (size_t i = first; i < parts.size() && this->HasSteepness; ++i)
   {
     CornerSlopes slopes;
-    getWeights(0.5 * (parts[i].Begin + parts[i].End)); // and their parameters
+    getWeights(0.5 * (parts[i].Begin + parts[i].End)); // also updates the parameters
     curved.ComputeSlopes(parameters, slopes);
     parts[i].Steepness = this->ComputeSteepness(cell, slopes);
   }
@@ -205,7 +205,7 @@ std::vector<RayPart> CellCrossing::Cross(const Ray& ray) const
     [](const RayPart& a, const RayPart& b)
     { return a.Begin < b.Begin || (a.Begin == b.Begin && a.End < b.End); });
 
-  // A ray in a face is in both its cells: nothing counts twice.
+  // A ray in a face is in both cells. Overlaps must be counted once.
   double reached = 0.0;
   std::vector<RayPart> once;
   for (const RayPart& part : parts)

@@ -4,7 +4,7 @@
  * @class   CellCrossing
  * @brief   finds the cells that a ray passes through
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CellCrossing_h
 #define CellCrossing_h
@@ -20,14 +20,14 @@ namespace relevo
 class CellCrossing
 {
 public:
-  /// The cells are moved to the origin, and stay elsewhere. Parts of rays may have the lengths of
-  /// the scalars' gradients, and gradients at their ends.
+  /// `cells` must have been moved to the origin and must outlive this object. Optionally computes
+  /// the gradient magnitudes of parts of rays, and gradients at their ends.
   CellCrossing(VolumeCells& cells, bool withSteepness, bool withGradients);
 
   const VolumeCells& GetCells() const { return this->Cells; }
 
-  /// The parts of a ray, of world coordinates, inside cells, from front to back. In several
-  /// threads.
+  /// Returns the parts of a ray, in world coordinates, inside of cells, from front to back. Can be
+  /// called from several threads.
   std::vector<RayPart> Cross(const Ray& ray) const;
 
 private:
@@ -40,7 +40,7 @@ private:
 
   const VolumeCells& Cells;
   bool HasSteepness;
-  std::vector<Gradients> PointGradients; // if wanted
+  std::vector<Gradients> PointGradients; // empty if not requested
   FaceTree Tree;
 };
 }

@@ -31,7 +31,7 @@ double GetOutsideTetrahedron(const dvec3& p)
   return std::max({ -p.x, -p.y, -p.z, p.x + p.y + p.z - 1.0 });
 }
 
-// Of triangles the last corner counts twice.
+// Triangles repeat the last corner.
 std::vector<std::array<int, 4>> GetFaces(int type)
 {
   const FaceTable table = FindFaceTable(type);

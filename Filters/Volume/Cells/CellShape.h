@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CellShape
- * @brief   shape functions, parameters and faces of cells that stay unsplit
+ * @brief   shape functions, parameters and faces of cells that are not split
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CellShape_h
 #define CellShape_h
@@ -23,28 +23,29 @@ constexpr int MaximumCorners = 10;
 struct CellShape
 {
   int NumberOfCorners;
-  dvec3 Center; // parameters
-  /// VTK's: a weight for each corner; its derivatives, all by the first parameter before the next.
+  dvec3 Center; // parametric coordinates
+  /// VTK's shape functions: the weights of the corners, and their derivatives, first all
+  /// derivatives by the first parameter.
   void (*Weigh)(const double parameters[3], double* weights);
   void (*Derive)(const double parameters[3], double* derivatives);
-  /// How far parameters are outside: at most 0 for those of the cell.
+  /// Returns the distance of parameters from the cell, at most 0 inside.
   double (*GetOutside)(const dvec3& parameters);
-  /// Bilinear faces; of triangles the last corner counts twice.
+  /// The bilinear faces. Triangles repeat the last corner.
   std::vector<std::array<int, 4>> Faces;
-  /// Faces of three corners and the middles of the edges after them.
+  /// Faces with three corners, followed by the midpoints of their edges.
   std::vector<std::array<int, 6>> QuadraticFaces;
-  /// Of an undistorted cell, as a share of the determinant of the derivatives in the middle.
+  /// Volume of an undistorted cell / determinant of the derivatives at its centre.
   double Volume;
 };
 
-/// Of each corner the derivative of its weight by the place.
+/// The derivative of each corner's weight by position.
 using CornerSlopes = std::array<dvec3, MaximumCorners>;
 
-/// Of a type of VTK; null for cells that are to be split. A voxel is a hexahedron whose corners
-/// come in the order of GetCornerOrder().
+/// Returns the shape of a VTK cell type, or null if the cells must be split. A voxel is a
+/// hexahedron whose corners have the order of GetCornerOrder().
 RELEVOFILTERSVOLUME_EXPORT const CellShape* FindCellShape(int type);
 
-/// Which of a cell's points is a corner of its shape.
+/// Returns the index of a corner of the shape among the points of the cell.
 int GetCorner(int type, int corner);
 }
 

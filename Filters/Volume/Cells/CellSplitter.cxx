@@ -52,7 +52,7 @@ void CellSplitter::FindFace(vtkGenericCell* cell, int face)
   }
 }
 
-// Of points at one place that of the lowest id.
+// Coincident points are ordered by their ids.
 void CellSplitter::SplitLinear(vtkGenericCell* cell, const dvec3* points)
 {
   const auto isLower = [points](vtkIdType a, vtkIdType b)

@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CellSplitter
- * @brief   splits cells into tetrahedra, so that cells that share a face split it alike
+ * @brief   splits cells into tetrahedra consistently across shared faces
  *
- * Each face is split from its lowest point, and a cell from its own lowest point to all faces that
- * it is not on (J. Dompierre, P. Labbe, M.-G. Vallet, R. Camarero, "How to Subdivide Pyramids,
- * Prisms, and Hexahedra into Tetrahedra", 8th International Meshing Roundtable 1999), which all
- * convex cells allow. The lowest point is that of the lowest x, y and z, which cells of several
- * data sets agree on. Cells that are not linear, and sets of points, are split by
- * vtkCell::Triangulate.
+ * Each face is split from its lowest point, and a cell from its lowest point to all faces that do
+ * not contain it (J. Dompierre, P. Labbe, M.-G. Vallet, R. Camarero, "How to Subdivide Pyramids,
+ * Prisms, and Hexahedra into Tetrahedra", 8th International Meshing Roundtable 1999). This works
+ * for all convex cells. Points are ordered by x, y and z, so that cells of different data sets
+ * match. Cells that are not linear, and convex point sets, are split with vtkCell::Triangulate().
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CellSplitter_h
 #define CellSplitter_h
@@ -34,7 +33,8 @@ public:
   CellSplitter();
   ~CellSplitter();
 
-  /// Of a 3D cell: ids of points, four for each tetrahedron. The place of a point is points[id].
+  /// Splits a 3D cell. Returns four point ids for each tetrahedron. The coordinates of a point are
+  /// points[id].
   const std::vector<vtkIdType>& Split(vtkGenericCell* cell, const dvec3* points);
 
 private:

@@ -13,9 +13,9 @@ namespace
 {
 constexpr int MaximumSteps = 30;
 constexpr double Converged = 1e-13;
-// Of parameters: a ray in a face is in both its cells.
+// In parameters. A ray in a face is inside of both cells.
 constexpr double Inside = 1e-9;
-// Parameters may go so far outside on the way in.
+// Newton's method gives up at parameters farther outside.
 constexpr double Astray = 10.0;
 }
 
@@ -47,7 +47,7 @@ dmat3 CurvedCell::Derive(const dvec3& parameters) const
   return result;
 }
 
-// The corners, of a quadratic cell with the Bezier points of its edges.
+// The bounds of the corners or, for quadratic cells, of the Bézier points.
 void CurvedCell::FindBounds(dvec3& low, dvec3& high) const
 {
   low = high = this->Corners[0];
@@ -82,7 +82,7 @@ double CurvedCell::ComputeVolume() const
   return largest;
 }
 
-// Newton's method.
+// Inverts the shape functions with Newton's method.
 bool CurvedCell::Locate(const dvec3& point, dvec3& parameters) const
 {
   for (int i = 0; i < MaximumSteps; ++i)
@@ -100,13 +100,14 @@ bool CurvedCell::Locate(const dvec3& point, dvec3& parameters) const
       return true;
     }
   }
-  // Where rounding keeps it from coming closer.
+  // Newton's method can stall because of rounding errors.
   const dvec3 miss = point - this->At(parameters);
   const dvec3 size = this->Corners[1] - this->Corners[0];
   return dot(miss, miss) <= 1e-20 * dot(size, size);
 }
 
-// From the middle and, in cells so distorted that this leads astray, from around it.
+// Starts Newton's method at the centre. It can diverge in strongly distorted cells, so that other
+// starting points follow.
 bool CurvedCell::IsInside(const dvec3& point) const
 {
   dvec3 low;
@@ -136,7 +137,7 @@ CornerWeights CurvedCell::GetWeights(const dvec3& point, dvec3& parameters) cons
     parameters = this->Shape.Center;
     this->Locate(point, parameters);
   }
-  // Next to where a cell is singular, as a pyramid at its top, parameters may be anything.
+  // Parameters are unreliable near singular points, such as the top of a pyramid.
   parameters = clamp(parameters, dvec3(0.0), dvec3(1.0));
   CornerWeights weights = {};
   this->Shape.Weigh(&parameters.x, weights.data());
@@ -168,7 +169,7 @@ double CurvedCell::ComputeSlopes(const dvec3& parameters, CornerSlopes& slopes) 
   return volume;
 }
 
-// Between two hits after each other a ray is all inside or all outside.
+// Between two consecutive hits a ray is either inside or outside.
 std::vector<std::pair<double, double>> CurvedCell::FindInside(const Ray& ray, double shortest) const
 {
   std::vector<double> hits = { 0.0, ray.Length };

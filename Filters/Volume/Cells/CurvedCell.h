@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CurvedCell
- * @brief   a cell by its shape functions: where a ray is inside, and which weights corners have
- * there
+ * @brief   intersection of a ray with a cell, and interpolation weights, from shape functions
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CurvedCell_h
 #define CurvedCell_h
@@ -29,22 +28,24 @@ public:
   }
   void SetCorner(int i, const dvec3& point) { this->Corners[i] = point; }
 
-  /// Of a box that the cell does not leave.
+  /// Computes a box that contains the cell.
   void FindBounds(dvec3& low, dvec3& high) const;
 
-  /// The largest volume of a cube of parameters, without a sign.
+  /// Returns the largest volume, without sign, of a unit cube of parameters.
   double ComputeVolume() const;
 
-  /// The parts of the ray in the cell, in order. Those no longer than `shortest` are left out.
+  /// Returns the parts of the ray inside of the cell, in order. Parts that are not longer than
+  /// `shortest` are omitted.
   std::vector<std::pair<double, double>> FindInside(const Ray& ray, double shortest) const;
 
-  /// Weights at a point in the cell; `parameters`, of a point nearby, become those of the point.
+  /// Returns the weights at a point in the cell. `parameters` has the parameters of a nearby point
+  /// and returns those of the point.
   CornerWeights GetWeights(const dvec3& point, dvec3& parameters) const;
   const dvec3& GetCenter() const { return this->Shape.Center; }
 
   /**
-   * The slopes at parameters, and the determinant of the derivatives there, without a sign: as good
-   * as 0, it is 0, and so are slopes.
+   * Computes the slopes at the given parameters. Returns the determinant of the derivatives,
+   * without sign. If it is almost 0, the result is 0 and slopes are 0.
    */
   double ComputeSlopes(const dvec3& parameters, CornerSlopes& slopes) const;
 

@@ -10,7 +10,7 @@ namespace relevo
 {
 namespace
 {
-// Two halvings, as scalars that turn round may be as if linear at one middle.
+// One halving is not sufficient: scalars with an extremum can match the line at the middle.
 constexpr int MinimumSplit = 2;
 constexpr int DeepestEdgeSplit = 10;
 }
@@ -81,8 +81,8 @@ void CurvedScalars::AddTurns(
   }
 }
 
-// Of the parabola through front, middle and back and then, as that is not all the truth, of one
-// through places close to there.
+// Uses the parabola through front, middle and back first, and then one through points near the
+// result, because the scalar is not exactly a parabola.
 bool CurvedScalars::FindTurn(
   const RayPart& part, const Scalars& middle, size_t component, double& turn) const
 {

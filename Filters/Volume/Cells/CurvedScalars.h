@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CurvedScalars
- * @brief   scalars that do not change linearly along a ray, in parts in which they do
+ * @brief   splits a ray where scalars are not linear into parts where they are
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CurvedScalars_h
 #define CurvedScalars_h
@@ -20,9 +20,9 @@ class CurvedScalars
 {
 public:
   /**
-   * `get` gives the scalars at a distance along the ray. Parts are halved until they are within
-   * 1/8192 of how far apart the scalars of the corners are, or 2^10 of them. They end where a
-   * scalar turns round, so that its extremes are those of ends.
+   * `get` returns the scalars at a distance along the ray. Parts are halved, at most 10 times,
+   * until they are linear to 1/8192 of the range of the corner scalars. Parts end at extrema, so
+   * that the largest and smallest scalars are at ends of parts.
    */
   CurvedScalars(std::function<Scalars(double)> get, const std::vector<Scalars>& corners);
 

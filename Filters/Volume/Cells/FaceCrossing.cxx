@@ -10,12 +10,12 @@ namespace relevo
 {
 namespace
 {
-// Of a face's parameters: hits next to its border count.
+// In parameters. Hits slightly outside of the face are accepted.
 constexpr double Margin = 1e-6;
 // Triangles of 1/2^12 of a face have at most one hit, which Newton's method finds.
 constexpr int DeepestFaceSplit = 12;
 
-// Two directions across a ray.
+// Two directions perpendicular to a ray.
 struct Across
 {
   dvec3 First;
@@ -46,12 +46,12 @@ bool IsShare(double u)
   return u >= -Margin && u <= 1.0 + Margin;
 }
 
-// A quadratic triangle seen along a ray from its origin: across it, and along it.
+// A quadratic triangle in ray coordinates: two perpendicular axes and the distance.
 struct SeenTriangle
 {
   std::array<dvec3, 6> Points;
 
-  // At barycentric coordinates.
+  // Evaluates the triangle at barycentric coordinates.
   dvec3 At(const dvec3& w) const
   {
     dvec3 point(0.0);
@@ -63,13 +63,13 @@ struct SeenTriangle
     return point;
   }
 
-  // Newton's method, from inside one of the small triangles.
+  // Refines a hit with Newton's method, starting inside of a small triangle.
   bool Polish(dvec3& w) const
   {
     for (int i = 0; i < 8; ++i)
     {
       const dvec2 miss(this->At(w));
-      // Exact, as the triangle is quadratic.
+      // Central differences are exact for a quadratic function.
       const double step = 0.25;
       const dvec2 du = (dvec2(this->At(w + step * dvec3(-1.0, 1.0, 0.0))) -
                          dvec2(this->At(w - step * dvec3(-1.0, 1.0, 0.0)))) /
@@ -89,8 +89,9 @@ struct SeenTriangle
     return std::isfinite(w.x + w.y + w.z) && IsShare(w.x) && IsShare(w.y) && IsShare(w.z);
   }
 
-  // Whether the hull of a part's Bezier points has the ray in it. Those of its edges are, by the
-  // polar form of quadratics, f(a, b) = 2 P((a + b) / 2) - (P(a) + P(b)) / 2.
+  // Whether the bounding box of a sub-triangle's Bézier points contains the ray. The Bézier points
+  // of its edges follow from the polar form of quadratics, f(a, b) = 2 P((a + b) / 2) - (P(a) +
+  // P(b)) / 2.
   bool MayHit(const dmat3& part) const
   {
     dvec2 low(std::numeric_limits<double>::max());
@@ -134,8 +135,8 @@ struct SeenTriangle
 };
 }
 
-// Across the ray, 0 = a + u b + v c + u v d: a + v c and b + v d are parallel, which is a quadratic
-// equation for v.
+// In the plane perpendicular to the ray, the hit satisfies 0 = a + u b + v c + u v d. So a + v c
+// and b + v d are parallel, which is a quadratic equation for v.
 void CrossBilinearFace(
   const std::array<dvec3, 4>& corners, const Ray& ray, std::vector<double>& hits)
 {

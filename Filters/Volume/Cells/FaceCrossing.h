@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   where a ray goes through curved faces
+ * @file
+ * @brief   intersection of rays with curved faces
  *
- * Hits are distances along the ray, in any order, and a place may come several times. All that
- * there are are found, but for rays that run in a face.
+ * Hits are distances along the ray, in any order and possibly repeated. All hits are found unless
+ * the ray lies in the face.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef FaceCrossing_h
 #define FaceCrossing_h
@@ -18,11 +19,12 @@
 
 namespace relevo
 {
-/// A bilinear face, by its corners in turn.
+/// Intersects a bilinear face. Corners are in cyclic order.
 void CrossBilinearFace(
   const std::array<dvec3, 4>& corners, const Ray& ray, std::vector<double>& hits);
 
-/// A quadratic triangle, by its corners and the middles of the edges after them.
+/// Intersects a quadratic triangle. The points are its corners, followed by the midpoints of its
+/// edges.
 void CrossQuadraticFace(
   const std::array<dvec3, 6>& points, const Ray& ray, std::vector<double>& hits);
 }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   which points of several data sets are one
+ * @brief   merging of coincident points of several data sets
  *
- * Private to the modules' own sources.
+ * Private to the modules.
  */
 #ifndef MergedCellPoints_h
 #define MergedCellPoints_h
@@ -18,7 +18,8 @@ namespace relevo
 {
 class VolumeCells;
 
-/// For each point the first one at exactly the same place, or itself if that has other scalars.
+/// Returns for each point the first coincident point with the same scalars, which may be the point
+/// itself.
 RELEVOFILTERSVOLUME_EXPORT std::vector<vtkIdType> FindMergedPoints(const VolumeCells& cells);
 }
 

@@ -26,7 +26,7 @@ struct Block
   std::string Name; // empty for an input that is not composite
 };
 
-// Those with cells.
+// Returns the data sets that have cells.
 std::vector<Block> FindBlocks(vtkDataObject* input)
 {
   std::vector<Block> blocks;
@@ -51,8 +51,8 @@ std::vector<Block> FindBlocks(vtkDataObject* input)
   return blocks;
 }
 
-// Cells of types that VTK does not know count, and so does a grid whose list of types is too short:
-// the check of cells reports them.
+// Cells of unknown types, and grids with an incomplete list of types, count as 3D, so that
+// CheckCells() reports them.
 bool HasSolidCells(vtkDataSet* mesh)
 {
   auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh);
@@ -77,13 +77,13 @@ bool HasSolidCells(vtkDataSet* mesh)
   return false;
 }
 
-// "active scalars", or "point array "NAME"".
+// Returns "active scalars", or "point array "NAME"".
 std::string NameArray(const std::string& name, const char* kind)
 {
   return name.empty() ? "active scalars" : std::string(kind) + "array \"" + name + "\"";
 }
 
-// Why a block is left out, beside others that are not; empty if it is not.
+// Returns why a block is skipped while others are not, or "".
 std::string FindLack(
   const MeshScalars& scalars, const ArrayRequest& request, const MeshScalars* first)
 {
@@ -91,7 +91,8 @@ std::string FindLack(
   {
     return "has no 3D cells";
   }
-  // Blocks differ in it: advice to choose the other one would lose the rest.
+  // There is no advice to choose the other association: the blocks differ, so that others would be
+  // lost.
   const auto lackOf = [&](int association, const char* kind)
   {
     const std::string misplaced = DescribeMisplacedArray(

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the data sets of an input, and the array of each that is drawn
+ * @brief   the data sets of an input and their scalar arrays
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef MeshScalars_h
 #define MeshScalars_h
@@ -28,28 +28,28 @@ struct MeshScalars
   vtkDataSet* Mesh;
   vtkDataArray* Array;
   bool AreOfCells;
-  std::string Block; // names the block before a message; empty without blocks
+  std::string Block; // name of the block for messages; empty without blocks
 };
 
-/// Which array is drawn.
+/// The requested array.
 struct ArrayRequest
 {
-  /// Of a data set, and its association; null if there is none.
+  /// Returns the array of a data set and its association, or null.
   std::function<vtkDataArray*(vtkDataSet*, int& association)> Find;
   std::string Name;   // empty for active scalars
-  int Association;    // that is asked for
-  ArrayAdvice Advise; // what to do if it is the other one
+  int Association;    // the requested association
+  ArrayAdvice Advise; // advice if the array has the other association
   int MaximumComponents;
-  const char* Setter; // by which users choose another one
+  const char* Setter; // the setter that chooses another array
 };
 
-/// When an input or one of its data sets last changed.
+/// Returns the latest modification time of an input and its data sets.
 RELEVOFILTERSVOLUME_EXPORT vtkMTimeType GetMeshTime(vtkDataObject* input);
 
 /**
- * The data sets with 3D cells and the array, of which a composite data set may have many. false
- * with words that follow "The input " where there is none, or where an array cannot be used.
- * Otherwise `warning` names the blocks that are left out, if any.
+ * Finds the data sets with 3D cells and the array in an input that may be composite. Returns false
+ * with an `error`, as a continuation of "The input ", if there is none or an array is invalid.
+ * Otherwise `warning` lists blocks that are skipped.
  */
 RELEVOFILTERSVOLUME_EXPORT bool FindMeshScalars(vtkDataObject* input, const ArrayRequest& request,
   std::vector<MeshScalars>& found, std::string& error, std::string& warning);

@@ -13,7 +13,7 @@ namespace relevo
 {
 namespace
 {
-// Cells whose gradients are there at a time.
+// Number of cells whose gradients are in memory at a time.
 constexpr size_t BatchSize = 1 << 16;
 
 struct Share
@@ -52,7 +52,7 @@ Share ComputeShare(const VolumeCells& cells, const VolumeCells::Cell& cell)
 }
 }
 
-// Sums go through the cells in their order, so that they do not depend on the number of threads.
+// Gradients are summed in the order of cells, so that the number of threads has no effect.
 std::vector<Gradients> ComputePointGradients(const VolumeCells& cells)
 {
   const std::vector<VolumeCells::Cell>& all = cells.GetCells();
@@ -85,7 +85,7 @@ std::vector<Gradients> ComputePointGradients(const VolumeCells& cells)
       }
     }
   }
-  // A point comes after the one that it is merged with.
+  // Points follow the point that they are merged with.
   for (size_t i = 0; i < gradients.size(); ++i)
   {
     if (merged[i] != static_cast<vtkIdType>(i))

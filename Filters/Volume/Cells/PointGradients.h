@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   gradients of scalars at the points of a mesh, of which shading takes its normals
+ * @brief   scalar gradients at the points of a mesh, used as normals for shading
  *
- * Private to the modules' own sources.
+ * Private to the modules.
  */
 #ifndef PointGradients_h
 #define PointGradients_h
@@ -19,9 +19,9 @@ namespace relevo
 class VolumeCells;
 
 /**
- * For each point the mean of the cells' gradients around, by their volumes, in units of scalars per
- * length. A cell's gradient is its derivative in the middle. Points that are one, see
- * FindMergedPoints(), have one gradient; where no cell with scalars of points is, it is 0.
+ * Returns for each point the volume-weighted mean gradient of the adjacent cells, in scalar units
+ * per length. The gradient of a cell is that at its centre. Merged points, see FindMergedPoints(),
+ * have the same gradient. It is 0 if no adjacent cell has point scalars.
  */
 RELEVOFILTERSVOLUME_EXPORT std::vector<Gradients> ComputePointGradients(const VolumeCells& cells);
 }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   a ray, and what it meets on its way
+ * @brief   a ray and its parts inside of cells
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef Ray_h
 #define Ray_h
@@ -13,7 +13,7 @@
 
 namespace relevo
 {
-/// Points Origin + t Direction, t from 0 to Length; Direction has length 1.
+/// The points Origin + t * Direction with t from 0 to Length. Direction is normalized.
 struct Ray
 {
   dvec3 Origin;
@@ -21,7 +21,7 @@ struct Ray
   double Length;
 };
 
-/// Of each component, by world coordinates.
+/// The gradients of all components in world coordinates.
 using Gradients = std::array<dvec3, MaximumComponents>;
 
 inline Gradients Interpolate(const Gradients& front, const Gradients& back, double share)
@@ -34,21 +34,21 @@ inline Gradients Interpolate(const Gradients& front, const Gradients& back, doub
   return result;
 }
 
-/// Where a ray is inside a cell and its scalars change linearly.
+/// A part of a ray inside of a cell, along which the scalars are linear.
 struct RayPart
 {
   double Begin;
   double End;
   Scalars Front;
   Scalars Back;
-  Scalars Steepness = {}; // lengths of the gradients of the cell itself, if asked for
+  Scalars Steepness = {}; // gradient magnitudes of the cell, if requested
   //@{
-  /// Gradients that are continuous across cells, if asked for.
+  /// Gradients that are continuous across cells, if requested.
   Gradients FrontGradients = {};
   Gradients BackGradients = {};
   //@}
 
-  /// Of shares of its length.
+  /// Returns the part between two fractions of the length.
   RayPart Cut(double begin, double end) const
   {
     const auto getPosition = [this](double share)

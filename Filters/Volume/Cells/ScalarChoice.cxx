@@ -9,7 +9,7 @@ namespace relevo
 {
 namespace
 {
-// As vtkSmartVolumeMapper numbers them.
+// The values of vtkSmartVolumeMapper.
 enum VectorModes
 {
   Disabled = -1,

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  ScalarChoice
- * @brief   which scalars become of the tuples of an array
+ * @brief   conversion of array tuples to scalars
  *
- * Private to the modules' own sources.
+ * Private to the modules.
  */
 #ifndef ScalarChoice_h
 #define ScalarChoice_h
@@ -19,7 +19,7 @@ struct ScalarChoice
 {
   enum
   {
-    All = -2, // at most 4 components
+    All = -2, // all components, at most 4
     Length = -1
   };
   int Component = All;
@@ -31,7 +31,7 @@ struct ScalarChoice
   }
 };
 
-/// By the VectorMode and VectorComponent of a mapper, and the mode of the property's colours.
+/// Returns the choice for VectorMode and VectorComponent of a mapper and the colour functions.
 RELEVOFILTERSVOLUME_EXPORT ScalarChoice ChooseScalars(
   vtkVolumeProperty* property, int vectorMode, int vectorComponent);
 }

@@ -9,14 +9,14 @@ namespace relevo
 {
 namespace
 {
-// Sines of angles below which a ray is parallel to a face.
+// Sine of the angle below which a ray is parallel to a face.
 constexpr double Parallel = 1e-14;
 
 struct Plane
 {
   dvec3 Point;
-  dvec3 Normal;  // of length 1, inwards
-  double Height; // of the corner opposite, more than 0
+  dvec3 Normal;  // normalized, inwards
+  double Height; // of the opposite corner, greater than 0
 
   Plane(const TetrahedronCorners& corners, int opposite)
     : Point(corners[(opposite + 1) % 4])
@@ -76,7 +76,7 @@ bool TetrahedronCrossing::Find(const TetrahedronCorners& corners, const Ray& ray
     {
       this->End = std::min(this->End, -height / slope);
     }
-    // The share of a corner is how high a point is over the face opposite.
+    // The weight of a corner is proportional to the height above the opposite face.
     this->FrontWeights[i] = height / plane.Height;
     this->BackWeights[i] = slope / plane.Height;
   }

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   where a ray is inside a tetrahedron
+ * @file
+ * @brief   intersection of a ray with a tetrahedron
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef TetrahedronCrossing_h
 #define TetrahedronCrossing_h
@@ -17,18 +18,19 @@ namespace relevo
 {
 using TetrahedronCorners = std::array<dvec3, 4>;
 
-/// Six times the volume, without a sign.
+/// Returns six times the volume, without sign.
 double ComputeSixfoldVolume(const TetrahedronCorners& corners);
 
-/// The slopes, the same everywhere inside, and six times the volume: where that is 0, slopes are 0.
+/// Computes the constant slopes of a tetrahedron. Returns six times the volume. If that is 0,
+/// slopes are 0.
 double ComputeSlopes(const TetrahedronCorners& corners, CornerSlopes& slopes);
 
 struct TetrahedronCrossing
 {
   /**
-   * Cut the ray by the planes of the four faces. Corners may be in any order. What lies no farther
-   * than `margin` outside of a face that is parallel to the ray counts as inside: a ray in a face
-   * is inside both its cells.
+   * Clips the ray by the planes of the four faces. Corners can be in any order. A ray that is
+   * parallel to a face and at most `margin` outside of it counts as inside, so that a ray in a face
+   * is inside of both cells.
    */
   bool Find(const TetrahedronCorners& corners, const Ray& ray, double margin);
 

@@ -22,7 +22,7 @@ namespace relevo
 {
 namespace
 {
-// Of the volume of a cube as long as the longest distance of corners: less is no volume.
+// Relative to a cube with the longest distance between corners. Smaller cells have no volume.
 constexpr double MinimumVolume = 1e-12;
 
 bool IsFinite(const Scalars& scalars)
@@ -64,7 +64,7 @@ void AddScalars(vtkDataArray* array, const ScalarChoice& choice, std::vector<Sca
   }
 }
 
-// Which cells another piece draws, or nobody.
+// The cells that are hidden or belong to another piece.
 class LeftOutCells
 {
 public:
@@ -112,7 +112,7 @@ std::vector<std::string> VolumeCells::Add(
     this->Points.push_back(point);
   }
   AddScalars(array, choice, isOfCells ? this->CellScalars : this->PointScalars);
-  // The other kind keeps pace, for further data sets.
+  // Both arrays must have the same length for the following data sets.
   (isOfCells ? this->PointScalars : this->CellScalars)
     .resize(isOfCells ? this->Points.size() : firstCell);
 
@@ -173,7 +173,7 @@ std::vector<std::string> VolumeCells::Add(
   return checks.Errors;
 }
 
-// VTK's functions that split cells do not end where coordinates are no numbers.
+// VTK's functions that split cells do not terminate if coordinates are NaN.
 bool VolumeCells::AreFinite(vtkIdList* points, vtkIdType firstPoint) const
 {
   return std::all_of(points->begin(), points->end(),
@@ -232,7 +232,8 @@ CurvedCell VolumeCells::GetCurved(const Cell& cell) const
   return curved;
 }
 
-// Whether it has a volume. What has no scalars there is transparent, and need not be kept.
+// Returns whether the cell has a volume. Cells with scalars that are not finite are transparent and
+// are not stored.
 bool VolumeCells::AddCell(
   const CellShape* shape, const std::vector<vtkIdType>& corners, vtkIdType scalars)
 {
@@ -286,7 +287,7 @@ bool VolumeCells::HasScalars(const Cell& cell) const
   return true;
 }
 
-// Of differences, so that where scalars are all the same it is exactly 0.
+// Uses differences, so that the gradient of constant scalars is exactly 0.
 Gradients VolumeCells::ComputeGradients(const Cell& cell, const CornerSlopes& slopes) const
 {
   Gradients gradients = {};

@@ -4,11 +4,11 @@
  * @class   VolumeCells
  * @brief   the cells of data sets that rays pass through, with their scalars
  *
- * 3D cells that are neither ghosts nor blanked. Cells with scalars or points that are not finite
- * are left out, and those without volume. Cells without a CellShape are split into tetrahedra
- * by a CellSplitter.
+ * Contains the 3D cells that are neither ghosts nor blanked. Cells without volume, and cells with
+ * scalars or points that are not finite, are skipped. Cells without a CellShape are split into
+ * tetrahedra by a CellSplitter.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef VolumeCells_h
 #define VolumeCells_h
@@ -21,7 +21,7 @@
 #include "vtkType.h"
 
 #include <array>
-#include <string> // for faults
+#include <string> // for messages
 #include <vector>
 
 class vtkDataArray;
@@ -37,39 +37,39 @@ public:
   {
     const CellShape* Shape; // null for tetrahedra
     size_t FirstCorner;     // in Corners
-    vtkIdType Scalars;      // of cells, else -1
+    vtkIdType Scalars;      // of the cell, or -1 for point scalars
   };
 
-  /// Before cells are added: all of them are split into tetrahedra.
+  /// Splits all cells into tetrahedra. Call this before Add().
   void SplitAll() { this->SplitsAll = true; }
 
   /**
-   * Add the cells of a data set. The array has a tuple for each point, or each cell. Returns what
-   * is wrong with cells that are left out, as CheckCells().
+   * Adds the cells of a data set. The array has a tuple for each point or each cell. Returns the
+   * messages of CheckCells() about invalid cells, which are skipped.
    */
   std::vector<std::string> Add(
     vtkDataSet* mesh, vtkDataArray* array, bool isOfCells, const ScalarChoice& choice);
 
-  /// After all data sets have been added: move the points so that the middle of the cells' box is
-  /// the origin.
+  /// Moves the points so that the centre of the bounding box of the cells is at the origin. Call
+  /// this after all data sets have been added.
   void MoveToOrigin();
   //@{
-  /// Where the middle was, and the diagonal of the box; after MoveToOrigin().
+  /// The centre before the move, and the diagonal of the box. Valid after MoveToOrigin().
   const dvec3& GetMiddle() const { return this->Middle; }
   double GetDiagonal() const { return this->Diagonal; }
   //@}
 
-  /// All 3D cells without faults that are neither ghosts nor blanked.
+  /// Number of valid 3D cells that are neither ghosts nor blanked.
   vtkIdType GetNumberOfSolidCells() const { return this->NumberOfSolidCells; }
-  /// Of these, those of no volume or with coordinates that are not finite.
+  /// Number of these cells without volume or with coordinates that are not finite.
   vtkIdType GetNumberOfBadCells() const { return this->NumberOfBadCells; }
-  /// Of them, those that are seen: neither bad nor with scalars that are not finite.
+  /// Number of these cells that are drawn: neither bad nor with scalars that are not finite.
   vtkIdType GetNumberOfDrawnCells() const { return this->NumberOfDrawnCells; }
 
   //@{
   /**
-   * What was added: cells, after splitting, and their corners among the points. Points are where
-   * they were, until MoveToOrigin().
+   * The cells after splitting, and their corners. Points are in their original position before
+   * MoveToOrigin().
    */
   const std::vector<Cell>& GetCells() const { return this->Cells; }
   int GetNumberOfCorners(const Cell& cell) const;
@@ -81,12 +81,12 @@ public:
   CurvedCell GetCurved(const Cell& cell) const;
   //@}
 
-  /// Whether there are cells, and the first has scalars of its own.
+  /// Whether there are cells and the first one has a cell scalar.
   bool HasCellScalars() const { return !this->Cells.empty() && this->Cells.front().Scalars >= 0; }
-  /// The lowest and highest scalar of the cells; low is above high if there are none.
+  /// Computes the range of a component over all cells; low is greater than high without cells.
   void GetRange(int component, double& low, double& high) const;
 
-  /// By the slopes of corners, of scalars of points.
+  /// Computes gradients of point scalars from the slopes of the corners.
   Gradients ComputeGradients(const Cell& cell, const CornerSlopes& slopes) const;
 
 private:

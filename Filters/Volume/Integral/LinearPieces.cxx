@@ -10,10 +10,10 @@ namespace relevo
 {
 namespace
 {
-// The value at the end of an interval is extrapolated from places this far inside, as a share of
-// it: where a function jumps, rounding does not decide on which side.
+// Relative to an interval. The value at its end is extrapolated from points this far inside, so
+// that rounding errors at jumps have no effect.
 constexpr double Inset = 1e-9;
-// 2^12 pieces between two kinks are enough for the steepest curve.
+// 2^12 pieces between two kinks are sufficient for the steepest curve.
 constexpr int DeepestPieceSplit = 12;
 
 double FindLargest(const dvec4& v)

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   LinearPieces
- * @brief   a function of one variable in linear pieces, which may jump where they meet
+ * @brief   a piecewise linear function of one variable, possibly discontinuous
  *
- * Below its first node and above the last the function is constant. At a node holds the piece
- * before it, as in VTK's functions.
+ * The function is constant below the first node and above the last. At a node, it has the value of
+ * the piece below it, as in VTK's functions.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef LinearPieces_h
 #define LinearPieces_h
@@ -27,18 +27,18 @@ public:
 
   LinearPieces() = default;
   /**
-   * `kinks`: where the function may bend or jump, in any order. Between them it is cut in halves
-   * until the pieces are nowhere farther from it than the tolerance.
+   * Approximates a function. `kinks` contains the positions where it may have kinks or jumps, in
+   * any order. Intervals between them are halved until the error is within the tolerance.
    */
   LinearPieces(const Function& function, std::vector<double> kinks, double tolerance);
 
-  /// Where pieces meet, in ascending order.
+  /// Returns the positions where pieces meet, in ascending order.
   const std::vector<double>& GetNodes() const { return this->Nodes; }
 
-  /// 0 up to the first node, 1 up to the second, and so on.
+  /// Returns the index of the piece at x: 0 up to the first node, 1 up to the second, and so on.
   size_t FindPiece(double x) const;
 
-  /// At x, by a piece that x need not be in, but may be at an end of.
+  /// Evaluates a piece at x, which may be at an end of the piece or outside of it.
   dvec4 Evaluate(size_t piece, double x) const;
 
 private:

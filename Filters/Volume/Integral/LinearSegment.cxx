@@ -9,9 +9,9 @@ namespace relevo
 {
 namespace
 {
-// Beyond this depth less than 1e-17 of the light passes.
+// Optical depth beyond which less than 1e-17 of the light passes.
 constexpr double Opaque = 40.0;
-// Depths whose square is still a number.
+// Limit of optical depths whose square does not overflow.
 constexpr double LargestDepth = 1e150;
 
 // Nodes (of one half) and weights of 8-point Gauss-Legendre quadrature on [-1, 1].
@@ -21,8 +21,8 @@ constexpr std::array<double, 4> Weights = { { 0.36268378337836198297, 0.31370664
   0.22238103445337447054, 0.10122853629037625915 } };
 }
 
-// The inner integral is the depth a t + (b - a) t^2 / 2, which never falls. Between places where it
-// has grown by at most 1, its exponential is smooth enough for Gauss' quadrature.
+// The inner integral is the optical depth a t + (b - a) t^2 / 2, which is monotonic. Between
+// positions where it grows by at most 1, the exponential is smooth enough for Gaussian quadrature.
 double linearSegmentPsi(double front, double back)
 {
   const double a = std::min(front, LargestDepth);

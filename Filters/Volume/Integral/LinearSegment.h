@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the shared functions of volume rendering, in C++ and double precision
+ * @brief   functions of volume rendering that shaders and C++ share, in double precision
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef LinearSegment_h
 #define LinearSegment_h
@@ -20,9 +20,9 @@ using Real3 = dvec3;
 using Real4 = dvec4;
 
 /**
- * psi(a, b) = int_0^1 exp(-int_0^t (a (1 - u) + b u) du) dt: the mean, over a segment, of how much
- * light passes from there to its front. a and b are extinction times length at front and back, at
- * least 0. Relative error below 1e-13.
+ * Returns psi(a, b) = int_0^1 exp(-int_0^t (a (1 - u) + b u) du) dt, the mean transmittance from
+ * points of a segment to its front. a and b are extinction * length at front and back, at least 0.
+ * The relative error is below 1e-13.
  */
 RELEVOFILTERSVOLUME_EXPORT double linearSegmentPsi(double front, double back);
 

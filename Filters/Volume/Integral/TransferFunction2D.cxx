@@ -24,7 +24,7 @@ std::vector<double> MakeAxis(vtkImageData* image, int axis)
   return values;
 }
 
-// Between which two values of an axis x is, and how far.
+// The two neighbours of x on an axis, and the fraction between them.
 struct AxisPosition
 {
   size_t First;

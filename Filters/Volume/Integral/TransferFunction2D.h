@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   TransferFunction2D
- * @brief   colour and opacity of a scalar and the length of its gradient, as an image gives them
+ * @brief   colour and opacity as an image over scalar and gradient magnitude
  *
- * Columns are scalars, rows lengths of gradients, by the image's origin and spacing; bilinear in
- * between, constant outside.
+ * Columns are scalars and rows are gradient magnitudes, according to origin and spacing of the
+ * image. Values are interpolated bilinearly and clamped outside.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef TransferFunction2D_h
 #define TransferFunction2D_h
@@ -26,24 +26,24 @@ class RELEVOFILTERSVOLUME_EXPORT TransferFunction2D
 {
 public:
   /**
-   * false with words that follow "a 2D transfer function " where the image cannot be used. It has 4
-   * components: red, green, blue and opacity.
+   * Reads an image of 4 components: red, green, blue and opacity. Returns false with an `error`, as
+   * a continuation of "a 2D transfer function ", if the image is invalid.
    */
   bool Read(vtkImageData* image, std::string& error);
 
   bool IsEmpty() const { return this->Columns.empty(); }
 
-  /// The scalars of columns, in ascending order, and the steepness of rows.
+  /// The scalars of columns and the gradient magnitudes of rows, in ascending order.
   const std::vector<double>& GetColumns() const { return this->Columns; }
   const std::vector<double>& GetRows() const { return this->Rows; }
 
-  /// Straight colour and opacity.
+  /// Returns straight colour and opacity.
   dvec4 Evaluate(double scalar, double steepness) const;
 
 private:
   std::vector<double> Columns;
   std::vector<double> Rows;
-  std::vector<dvec4> Texels; // row after row
+  std::vector<dvec4> Texels; // in rows
 };
 }
 

@@ -16,14 +16,14 @@ namespace relevo
 {
 namespace
 {
-// Of colours, opacities and thus optical depths over a unit distance. Much finer than the 1/512
-// that pictures need: this is what they are measured against.
+// Of colours and opacities, and thus of optical depths over a unit distance. Much smaller than the
+// 1/512 that images require, because tests compare images with this reference.
 constexpr double Tolerance = 1e-5;
-// 2^8 pieces are enough for the steepest mixture of two colours.
+// 2^8 pieces are sufficient for the steepest mixture of two colours.
 constexpr int DeepestHalving = 8;
 
-// Nodes and, between them, midpoints, where functions of VTK bend or jump. A midpoint next to a
-// node is taken as 0.00001 of the interval away from it, as they do.
+// Adds the nodes and midpoints of a VTK function, where it can have kinks or jumps. Like VTK, keeps
+// midpoints at least 0.00001 of the interval away from nodes.
 template <int Size, typename TransferFunction>
 void AddKinks(TransferFunction* function, std::vector<double>& kinks)
 {
@@ -42,7 +42,7 @@ void AddKinks(TransferFunction* function, std::vector<double>& kinks)
   }
 }
 
-// The first node that has a number which is not finite, in words; empty for none.
+// Describes the first node with a value that is not finite, or returns "".
 template <int Size, typename TransferFunction>
 std::string FindBadNode(TransferFunction* function)
 {
@@ -60,14 +60,14 @@ std::string FindBadNode(TransferFunction* function)
   return "";
 }
 
-// "without nodes", or what is wrong with one of them; empty for a function that can be used.
+// Returns "without nodes", the description of an invalid node, or "" for a valid function.
 template <int Size, typename TransferFunction>
 std::string FindError(TransferFunction* function)
 {
   return function->GetSize() == 0 ? "without nodes" : FindBadNode<Size>(function);
 }
 
-// Words that follow "The volume property ".
+// The message continues "The volume property ".
 std::string DescribeError(const char* kind, const std::string& error, int component)
 {
   std::ostringstream text;
@@ -75,10 +75,10 @@ std::string DescribeError(const char* kind, const std::string& error, int compon
   return text.str();
 }
 
-// A component's functions, which may lack nodes.
+// The functions of a component, possibly without nodes.
 struct Functions
 {
-  vtkColorTransferFunction* Color = nullptr; // or
+  vtkColorTransferFunction* Color = nullptr; // or Gray
   vtkPiecewiseFunction* Gray = nullptr;
   vtkPiecewiseFunction* Opacity = nullptr;
 
@@ -95,7 +95,7 @@ struct Functions
     this->Opacity = property->GetScalarOpacity(component);
   }
 
-  // The kind of the first function that cannot be used, and why.
+  // Returns the kind and the error of the first invalid function.
   std::pair<const char*, std::string> FindError() const
   {
     const std::string ofColor =
@@ -153,7 +153,7 @@ LinearPieces MakeBoth(const Functions& functions)
     kinks, Tolerance);
 }
 
-// Without nodes where gradients have no effect.
+// `pieces` has no nodes if gradient opacity is off.
 bool ReadGradientOpacity(
   vtkVolumeProperty* property, int component, LinearPieces& pieces, std::string& error)
 {
@@ -342,8 +342,8 @@ int TransferFunctions::GetShadedComponent(size_t curve) const
                                            : this->NumberOfComponents - 1;
 }
 
-// The mixed colour of independent components is a quotient of linear functions: pieces are halved
-// until it is as good as linear.
+// The mixed colour of independent components is a quotient of linear functions. Pieces are halved
+// until it is nearly linear.
 template <typename Add>
 void TransferFunctions::AddPieces(const Segment& piece, int depth, const Add& add) const
 {
@@ -446,7 +446,7 @@ dvec4 TransferFunctions::MapCurve(
   return dvec4(dvec3(value), std::min(value.w, 1.0));
 }
 
-// Straight colours and opacities.
+// Returns straight colours and opacities of all curves.
 TransferFunctions::AllEnds TransferFunctions::EvaluateAll(const Segment& segment) const
 {
   AllEnds all;
@@ -463,7 +463,7 @@ TransferFunctions::AllEnds TransferFunctions::EvaluateAll(const Segment& segment
   return all;
 }
 
-// By the piece that the middle lies in, as the ends may be where pieces meet.
+// Uses the piece at the middle, because both ends may be at nodes.
 TransferFunctions::Ends TransferFunctions::EvaluateCurve(const Curve& curve, const Segment& segment)
 {
   const double begin = segment.Front[curve.Component];
@@ -476,7 +476,7 @@ TransferFunctions::Ends TransferFunctions::EvaluateCurve(const Curve& curve, con
   const size_t piece = curve.Pieces.FindPiece(0.5 * begin + 0.5 * end);
   const auto get = [&](double at)
   {
-    return max(curve.Pieces.Evaluate(piece, at), dvec4(0.0)); // rounding may be below
+    return max(curve.Pieces.Evaluate(piece, at), dvec4(0.0)); // rounding errors can be negative
   };
   return { { get(begin), get(end) } };
 }
@@ -490,8 +490,8 @@ TransferFunctions::Ends TransferFunctions::Mix(const AllEnds& all) const
   return this->Curves.size() <= 1 ? all[0] : this->MixIndependent(all);
 }
 
-// Where no component has any extinction, its share in the colour is the one that it has next to
-// there: what it has at the other end.
+// If no component has extinction at one end, the mixed colour uses the weights of the other end,
+// which are those of the limit.
 TransferFunctions::Ends TransferFunctions::MixIndependent(const AllEnds& all) const
 {
   dvec2 sums(0.0);

@@ -2,18 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   TransferFunctions
- * @brief   colour and extinction of scalars, as a vtkVolumeProperty gives them, along a ray
+ * @brief   colour and extinction along a ray, according to a vtkVolumeProperty
  *
- * The functions are taken as they evaluate themselves (colour space, midpoint, sharpness,
- * clamping), in linear pieces. A part of a ray along which the scalars are linear is cut wherever
- * one of them passes an end of a piece; on what is left colour and extinction count as linear.
+ * The functions are evaluated as in VTK (colour space, midpoint, sharpness, clamping) and
+ * approximated by linear pieces. A segment of a ray with linear scalars is cut at the nodes of
+ * these pieces. Colour and extinction are linear in between.
  *
- * Independent components: extinction is the sum of theirs, colour the mean by extinction, at every
- * place: pieces are short enough that this mean is linear along them. Two
- * dependent: colour by the first, extinction by the second. Four dependent: red, green, blue and
- * opacity, from 0 to 1. With 2D functions the last of dependent components counts alone.
+ * With independent components, extinction is the sum of the extinctions, and colour the mean of the
+ * colours, weighted by extinction. Pieces are short enough for this mean to be linear. With two
+ * dependent components, the first gives colour and the second extinction. Four dependent components
+ * are red, green, blue and opacity, in [0, 1]. 2D functions of dependent components only use the
+ * last component.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef TransferFunctions_h
 #define TransferFunctions_h
@@ -44,73 +45,73 @@ inline Scalars Interpolate(const Scalars& front, const Scalars& back, double sha
   return result;
 }
 
-/// What light does to each curve's colour: it is multiplied, and white is added. 1 and 0 for curves
-/// without a colour.
+/// Lighting of each curve: the factor for its colour, and the amount of white to add. 1 and 0 for
+/// curves without a colour.
 using Lights = std::array<dvec2, MaximumComponents>;
 
-/// A part of a ray along which the scalars are linear.
+/// A segment of a ray along which the scalars are linear.
 struct RELEVOFILTERSVOLUME_EXPORT Segment
 {
   Scalars Front;
   Scalars Back;
   double Length;
-  Scalars Steepness = {}; // lengths of the components' gradients
+  Scalars Steepness = {}; // gradient magnitudes of the components
   bool IsLit = false;
-  Lights FrontLights = {}; // linear between the ends, too
+  Lights FrontLights = {}; // also linear along the segment
   Lights BackLights = {};
 
-  /// Of shares of its length.
+  /// Returns the segment between two fractions of the length.
   Segment Cut(double begin, double end) const;
 };
 
 class RELEVOFILTERSVOLUME_EXPORT TransferFunctions
 {
 public:
-  /// A component's colour and opacity; of two dependent components the second has the opacity.
+  /// Functions of a component. For two dependent components, the second has the opacity.
   struct Curve
   {
     int Component;
     double UnitDistance;
-    LinearPieces Pieces;          // none if there is a 2D function
-    LinearPieces GradientOpacity; // in w; without nodes for none
+    LinearPieces Pieces;          // empty with a 2D function
+    LinearPieces GradientOpacity; // in w; without nodes if there is none
     TransferFunction2D Table;     // empty if there is none
   };
 
   /**
-   * false with words that follow "The volume property " where the functions cannot be used. Where a
-   * unit distance cannot be, it is taken as 1, and `warning` says so.
+   * Reads the functions. Returns false with an `error`, as a continuation of "The volume property
+   * ", if they are invalid. An invalid unit distance is replaced by 1 with a `warning`.
    */
   bool Read(
     vtkVolumeProperty* property, int numberOfComponents, std::string& error, std::string& warning);
 
-  /// The dependencies of Read() on a property.
+  /// Returns the dependencies of Read() on a property.
   static Dependencies FindDependencies(vtkVolumeProperty* property, int numberOfComponents);
 
-  /// Whether the scalars themselves are red, green, blue and opacity.
+  /// Whether the scalars are red, green, blue and opacity.
   bool AreColors() const { return this->Mode == Mixing::Four; }
   /// Whether colour and opacity come from two components.
   bool AreDependent() const { return this->Mode == Mixing::Two; }
   bool AreIndependent() const { return this->Mode == Mixing::Independent; }
   int GetNumberOfComponents() const { return this->NumberOfComponents; }
-  /// None if the scalars are colours.
+  /// Empty if the scalars are colours.
   const std::vector<Curve>& GetCurves() const { return this->Curves; }
   //@{
-  /// Of scalars that are colours.
+  /// Functions for scalars that are colours.
   double GetUnitDistance() const { return this->Direct.UnitDistance; }
   const LinearPieces& GetGradientOpacity() const { return this->Direct.GradientOpacity; }
   //@}
 
-  /// Whether the steepness of segments counts.
+  /// Whether gradient magnitudes of segments are used.
   bool NeedSteepness() const;
 
-  /// Whether what is seen of a segment follows from one scalar at each end, and the length.
+  /// Whether a segment depends on one scalar at each end and the length only.
   bool DependOnOneScalar() const { return this->Curves.size() == 1 && !this->NeedSteepness(); }
 
-  /// Of which component the gradients count for the colour of a curve, or of colours.
+  /// Returns the component whose gradients shade the colour of a curve, or the colours.
   int GetShadedComponent(size_t curve) const;
 
   //@{
-  /// What is seen of a segment: premultiplied.
+  /// Return the colour and alpha of a segment, premultiplied.
   dvec4 Integrate(const Segment& segment) const;
   dvec4 Integrate(const Scalars& front, const Scalars& back, double length) const
   {
@@ -118,22 +119,23 @@ public:
   }
   //@}
 
-  /// The integrals of colour times extinction, and of extinction: what nothing hides.
+  /// Returns the integrals of colour times extinction, and of extinction, without absorption.
   dvec4 Sum(const Segment& segment) const;
 
-  /// Where one of the functions may bend or jump: as shares of a segment, with 0 and 1.
+  /// Returns the fractions of a segment at which a function may have a kink or jump, including 0
+  /// and 1.
   std::vector<double> FindCuts(const Scalars& front, const Scalars& back) const;
 
-  /// Straight colour and extinction at the ends of a segment that no cut lies in.
+  /// Returns straight colour and extinction at the ends of a segment without cuts.
   std::array<dvec4, 2> Evaluate(const Segment& segment) const;
 
   /**
-   * Straight colour and opacity, whatever the length, of scalars; independent components mix by
-   * their opacities. At most opaque. The steepness counts for 2D functions only.
+   * Returns straight colour and opacity, at most 1, of scalars, independent of length. Independent
+   * components are mixed by opacity. Only 2D functions use the gradient magnitude.
    */
   dvec4 Map(const Scalars& scalars, const Scalars& steepness) const;
 
-  /// The same of one of the independent components alone.
+  /// Returns the same for a single independent component.
   dvec4 MapCurve(size_t curve, const Scalars& scalars, const Scalars& steepness) const;
 
 private:
@@ -152,8 +154,8 @@ private:
   Ends Mix(const AllEnds& all) const;
   Ends MixIndependent(const AllEnds& all) const;
   //@{
-  /// Calls add(ends, length) for each piece along which colour and extinction are linear, front to
-  /// back.
+  /// Calls add(ends, length), from front to back, for each piece along which colour and extinction
+  /// are linear.
   template <typename Add>
   void AddPieces(const Segment& piece, int depth, const Add& add) const;
   template <typename Add>
@@ -162,8 +164,8 @@ private:
 
   Mixing Mode = Mixing::Independent;
   int NumberOfComponents = 1;
-  std::vector<Curve> Curves; // of two dependent components one after the other
-  Curve Direct = {};         // of colours: all but the pieces
+  std::vector<Curve> Curves; // dependent components in order
+  Curve Direct = {};         // used for colours, without pieces
 };
 }
 

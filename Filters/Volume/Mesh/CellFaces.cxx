@@ -24,7 +24,7 @@ namespace relevo
 namespace
 {
 using Face = std::array<int, 4>;
-// Corners of a polygon that are far apart, in turn: many of the others may lie on one line.
+// Returns corners of a polygon that are far apart, because others may be collinear.
 Face FindShape(vtkCell* polygon)
 {
   std::vector<dvec3> points(polygon->GetNumberOfPoints());
@@ -97,7 +97,7 @@ void CellFaces::Add(vtkCell* cell)
   for (int i = 0; i < cell->GetNumberOfFaces(); ++i)
   {
     vtkCell* side = cell->GetFace(i);
-    // Corners come before the points of edges, and there are as many as edges.
+    // Corners precede the points of edges, and there are as many corners as edges.
     const int size = side->GetNumberOfEdges();
     std::vector<int> corners;
     for (int corner = 0; corner < size; ++corner)

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CellFaces
- * @brief   the faces of 3D cells, by the points at their corners
+ * @brief   the faces of 3D cells, described by their corner points
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CellFaces_h
 #define CellFaces_h
@@ -14,7 +14,7 @@
 
 #include <array>
 #include <cstddef>
-#include <string> // for faults
+#include <string> // for messages
 #include <unordered_map>
 #include <vector>
 
@@ -26,27 +26,27 @@ namespace relevo
 class RELEVOFILTERSVOLUME_EXPORT CellFaces
 {
 public:
-  /// Merged points, as ComputeMergedPoints() says which points coincide: these become one.
+  /// `mergedPoints` is the result of ComputeMergedPoints(). Coincident points get the same id.
   explicit CellFaces(std::vector<vtkIdType> mergedPoints = {});
 
-  /// Before the first cell.
+  /// Reserves memory. Call this before adding cells.
   void Reserve(size_t numberOfCells);
 
-  /// A tetrahedron, hexahedron, voxel, wedge or pyramid, linear or quadratic, by the ids of its
-  /// points; false for other types.
+  /// Adds a linear or quadratic tetrahedron, hexahedron, voxel, wedge or pyramid. Returns false for
+  /// other types.
   bool Add(int type, const vtkIdType* points);
 
-  /// Any 3D cell. Of curved faces the corners count.
+  /// Adds any 3D cell. Curved faces are represented by their corners.
   void Add(vtkCell* cell);
 
   size_t GetNumberOfCells() const { return this->Firsts.size() - 1; }
 
-  /// Cell after cell, and in turn around each face, counterclockwise where VTK's cells are seen
-  /// from outside. Of triangles the last corner is -1. Of polygons there are the lowest ids.
+  /// The faces of all cells. Corners are in cyclic order, counterclockwise from outside for valid
+  /// VTK cells. The last corner of a triangle is -1. Polygons have their lowest ids.
   std::vector<std::array<int, 4>> Faces;
-  /// Of faces that are polygons: corners by which to find their planes and centres.
+  /// For faces that are polygons, the corners that determine plane and centre.
   std::unordered_map<size_t, std::array<int, 4>> Polygons;
-  /// The first of each cell, and one more: how many there are.
+  /// The index of the first face of each cell, and the number of faces at the end.
   std::vector<size_t> Firsts = { 0 };
 
 private:
@@ -55,8 +55,8 @@ private:
   std::vector<vtkIdType> MergedPoints;
 };
 
-/// All 3D cells of a mesh without faults, and which they are. Points that coincide are one.
-/// `faults` are as CheckCells() describes them.
+/// Reads all valid 3D cells of a mesh and returns their ids in `cells`. Coincident points are
+/// merged. `errors` has the messages of CheckCells().
 RELEVOFILTERSVOLUME_EXPORT CellFaces ReadCellFaces(
   vtkDataSet* mesh, std::vector<vtkIdType>& cells, std::vector<std::string>& errors);
 }

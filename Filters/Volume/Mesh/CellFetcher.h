@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CellFetcher
- * @brief   the cells of a data set as VTK's objects
+ * @brief   safe access to the cells of a data set as vtkGenericCell
  *
- * Two faults of VTK's cells would damage memory:
- * - A vtkGenericCell must not become a Lagrange tetrahedron of 10 points after one of 15: VTK keeps
- *   tables of the latter and reads past their end.
- * - The faces of a Bézier wedge of degree 1 write weights past the end of an array. Only the points
- *   of cells and faces are used here, so that cells get no weights.
+ * Works around two bugs of VTK that corrupt memory:
  *
- * Private to the module's own sources.
+ * - A vtkGenericCell must not become a Lagrange tetrahedron of 10 points after one of 15: VTK
+ *   caches tables for the latter and reads past their end.
+ * - The faces of a Bézier wedge of degree 1 write weights past the end of an array. Because only
+ *   points of cells and faces are used here, cells get no weights.
+ *
+ * Private to the module.
  */
 #ifndef CellFetcher_h
 #define CellFetcher_h
@@ -37,7 +38,7 @@ public:
     }
   }
 
-  /// Valid until the next call. The cell must be sound.
+  /// Returns a cell, which must be valid. The pointer is valid until the next call.
   vtkGenericCell* Fetch(vtkIdType cell)
   {
     const bool isLagrange = this->Mesh->GetCellType(cell) == VTK_LAGRANGE_TETRAHEDRON;

@@ -17,7 +17,7 @@ namespace
 {
 using Face = std::array<int, 4>;
 
-// Of distances between centres, and of coordinates: nearer to a plane is on it.
+// Relative to the distance between centres, and to coordinates. Points nearer to a plane are on it.
 constexpr double FacePlaneMargin = 1e-12;
 constexpr double RoundingMargin = 1e-15;
 
@@ -44,7 +44,7 @@ bool HaveSameCorners(const Face& a, const Face& b)
   return HasCornersOf(a, b) && HasCornersOf(b, a);
 }
 
-// Whether it has three corners at different points.
+// Whether the face has at least three distinct corners.
 bool IsSurface(const Face& face)
 {
   std::array<int, 4> corners = face;
@@ -58,8 +58,8 @@ bool IsFinitePoint(const dvec3& point)
   return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
 }
 
-// Turns a plane to where the next cell, or outside, is: 1 or -1 for what that was, or 0 if this
-// cannot be said.
+// Orients a plane towards the next cell, or outwards. Returns 1 or -1 for its previous orientation,
+// or 0 if undetermined.
 int Orient(dvec4& plane, const dvec3& from, const dvec3& to)
 {
   const double height = dot(dvec3(plane), to - from);
@@ -89,13 +89,13 @@ private:
   void SetPlanes();
 
   const std::vector<dvec3>& Points;
-  std::vector<Face> Faces; // and seams, after those of cells
+  std::vector<Face> Faces; // of cells, followed by seams
   const std::vector<size_t> Firsts;
   const std::unordered_map<size_t, Face> Polygons;
   std::vector<int> CellsOfFaces;
   std::vector<dvec3> Centers;   // of cells
-  std::vector<int> LinkFaces;   // by which their planes are found
-  std::vector<int> BorderFaces; // likewise
+  std::vector<int> LinkFaces;   // faces that determine the planes of links
+  std::vector<int> BorderFaces; // faces that determine the planes of the border
   CellLinks Result;
 };
 
@@ -105,7 +105,7 @@ Linker::Linker(const std::vector<dvec3>& points, CellFaces&& cells)
   , Firsts(std::move(cells.Firsts))
   , Polygons(std::move(cells.Polygons))
 {
-  // Not a mean, for which one far point would do.
+  // Not a mean, which a single distant point would spoil.
   const auto origin = std::find_if(points.begin(), points.end(), IsFinitePoint);
   this->Result.Origin = origin != points.end() ? *origin : dvec3(0.0);
   this->CellsOfFaces.resize(this->Faces.size());
@@ -134,7 +134,7 @@ dvec3 Linker::GetCenter(size_t face) const
   return sum / static_cast<double>(size);
 }
 
-// Of a quadrilateral that is not plane, the one between its diagonals.
+// For a quadrilateral that is not planar, uses the plane that is parallel to both diagonals.
 dvec4 Linker::GetPlane(size_t face) const
 {
   const Face& shape = this->GetShape(face);
@@ -148,7 +148,7 @@ dvec4 Linker::GetPlane(size_t face) const
   return std::isfinite(plane.x + plane.y + plane.z + plane.w) ? plane : dvec4(0.0);
 }
 
-// Two faces of one cell at the same place, which only a cell has of which points coincide.
+// Removes pairs of faces with the same corners in one cell, which is degenerate.
 void Linker::RemoveFlatFaces()
 {
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Firsts.size()) - 1,
@@ -256,7 +256,8 @@ void Linker::SetPlanes()
       }
       votes += sum;
     });
-  // The rest turn as corners do: most say whether those of this mesh are seen from outside.
+  // Undetermined planes follow the order of corners. The majority of determined planes decides
+  // whether corners of this mesh are counterclockwise from outside.
   for (size_t i = 0; i < turns.size() && votes < 0; ++i)
   {
     dvec4& plane = i < links.size() ? links[i].Plane : border[i - links.size()].Plane;

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   3D cells on both sides of faces, and the faces' planes
+ * @file
+ * @brief   the 3D cells on both sides of each face, and the planes of the faces
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CellLinks_h
 #define CellLinks_h
@@ -16,10 +17,10 @@
 
 namespace relevo
 {
-/// Planes are (n, d) with n.x + d = 0 and |n| = 1; all 0 where a face has no area or is not finite.
+/// Planes are (n, d) with n.x + d = 0 and |n| = 1, or 0 if the face has no area or is not finite.
 struct CellLinks
 {
-  /// A face between two cells, or a part of it.
+  /// A face between two cells, or a part of one.
   struct Link
   {
     dvec4 Plane; // n points to the second cell
@@ -33,14 +34,14 @@ struct CellLinks
   };
   std::vector<Link> Links;
   std::vector<BorderFace> Border;
-  dvec3 Origin = dvec3(0.0); // of what planes and centres are relative to
+  dvec3 Origin = dvec3(0.0); // planes and centres are relative to this point
 };
 
 /**
- * Faces of three cells or more are at the border. Cells whose points coincide, so that two of their
- * faces have the same corners, are skipped: those beside them are linked. On which side of a face a
- * cell is follows from the centres of both or, where these do not say it, as between empty cells,
- * from the order of corners.
+ * Faces of three or more cells belong to the border. Degenerate cells, with two faces that have the
+ * same corners, are skipped, and their neighbours are linked. The orientation of a face follows
+ * from the centres of its two cells. If these are inconclusive, as for empty cells, it follows from
+ * the order of corners.
  */
 CellLinks LinkCells(const std::vector<dvec3>& points, CellFaces cells);
 }

@@ -15,7 +15,7 @@ namespace relevo
 {
 namespace
 {
-constexpr int None = std::numeric_limits<int>::max(); // comes after all points
+constexpr int None = std::numeric_limits<int>::max(); // sorts after all point ids
 
 void Order(int& a, int& b)
 {
@@ -25,7 +25,7 @@ void Order(int& a, int& b)
   b = high;
 }
 
-// The corners in order, each once, and then None.
+// Returns the distinct corners in ascending order, filled up with None.
 std::array<int, 4> SortCorners(const std::array<int, 4>& face)
 {
   int a = face[0];
@@ -45,7 +45,7 @@ std::array<int, 4> SortCorners(const std::array<int, 4>& face)
   return corners;
 }
 
-// A face, among those of the same lowest corner.
+// A face with a given lowest corner.
 struct Candidate
 {
   bool IsAt(const Candidate& other) const
@@ -65,7 +65,7 @@ struct Candidate
   int Face;
 };
 
-// How many places more than two have.
+// Returns the number of groups of more than two faces.
 size_t MatchCandidates(Candidate* begin, Candidate* end, std::vector<int>& others)
 {
   std::sort(begin, end);
@@ -93,7 +93,7 @@ FaceMatch MatchFaces(const std::vector<std::array<int, 4>>& faces, int numberOfP
 {
   FaceMatch match;
   match.Others.assign(faces.size(), -1);
-  // A counting sort by the lowest corners: those of point i are from firsts[i] to firsts[i + 1].
+  // Counting sort by lowest corner: faces of point i are from firsts[i] to firsts[i + 1].
   std::vector<int> lowest(faces.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(faces.size()),
     [&](vtkIdType begin, vtkIdType end)

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   which faces of 3D cells are the same face, seen from the two cells that share it
+ * @file
+ * @brief   matching of faces that two 3D cells share
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef FaceNeighbors_h
 #define FaceNeighbors_h
@@ -18,16 +19,18 @@ namespace relevo
 {
 struct FaceMatch
 {
-  /// For each face the number of the one at the same corners; -1 at the border.
+  /// For each face the index of the face with the same corners; -1 on the border.
   std::vector<int> Others;
-  /// Places where more than two faces have the same corners. These faces count as border.
+  /// Number of groups of more than two faces with the same corners. These faces are treated as
+  /// border.
   size_t NumberOfSharedByMore = 0;
 };
 
 /**
- * Faces by their corners: ids of points, less than numberOfPoints, in any order. Of a triangle the
- * last one is -1. A corner that repeats counts once, so that a quadrilateral may be a triangle;
- * what has less than three corners then matches nothing. Two faces of one cell match, too.
+ * Matches faces by their corners: point ids, less than numberOfPoints, in any order. The last
+ * corner of a triangle is -1. Repeated corners are ignored, so that a quadrilateral can match a
+ * triangle. Faces with less than three distinct corners match nothing. Two faces of the same cell
+ * can match.
  */
 RELEVOFILTERSVOLUME_EXPORT FaceMatch MatchFaces(
   const std::vector<std::array<int, 4>>& faces, int numberOfPoints);

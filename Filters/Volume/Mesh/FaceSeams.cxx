@@ -12,12 +12,12 @@ namespace relevo
 {
 namespace
 {
-// The cosine of how much two triangles bend at their common edge: more is no quadrilateral.
+// Cosine of the largest angle between two triangles that form a quadrilateral.
 constexpr double MinimumFlatness = 0.999;
-// Triangles at one edge, beyond which the mesh is not looked at there.
+// Maximum number of triangles at one edge; edges with more are ignored.
 constexpr size_t MaximumAtEdge = 8;
 
-// Of a triangle, from the lower to the higher corner.
+// An edge of a triangle, from the lower to the higher point id.
 struct Edge
 {
   bool IsAt(const Edge& other) const { return this->Low == other.Low && this->High == other.High; }
@@ -51,7 +51,7 @@ std::vector<Edge> GetEdges(
   return edges;
 }
 
-// Whether two triangles at an edge lie flat, on both sides of it.
+// Whether two triangles on opposite sides of an edge are coplanar.
 bool AreFlat(const std::vector<dvec3>& points, const Edge& a, const Edge& b)
 {
   const dvec3 along = points[a.High] - points[a.Low];

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   quadrilaterals of a mesh that the cells of both sides split differently
+ * @file
+ * @brief   quadrilaterals that the cells of both sides split differently
  *
- * By the other diagonal, or one side not at all: no face has the same corners as another.
+ * The two sides use different diagonals, or only one side is split. MatchFaces() finds no match
+ * then.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef FaceSeams_h
 #define FaceSeams_h
@@ -20,13 +22,13 @@ namespace relevo
 {
 struct FaceSeam
 {
-  /// In turn.
+  /// In cyclic order.
   std::array<int, 4> Corners;
-  /// Those of each side: two triangles, or a quadrilateral and -1.
+  /// The faces of each side: two triangles, or a quadrilateral and -1.
   std::array<std::array<int, 2>, 2> Faces;
 };
 
-/// Seams among some of the faces, such as those at the border: see MatchFaces().
+/// Finds seams among the given faces, such as those without a match; see MatchFaces().
 RELEVOFILTERSVOLUME_EXPORT std::vector<FaceSeam> FindSeams(const std::vector<dvec3>& points,
   const std::vector<std::array<int, 4>>& faces, const std::vector<int>& border);
 }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   which corners of a cell its faces have
+ * @brief   corners of the faces of VTK cell types
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef FaceTable_h
 #define FaceTable_h
@@ -15,14 +15,14 @@ namespace relevo
 {
 struct FaceTable
 {
-  /// Corners in turn, counterclockwise where VTK's cells are seen from outside; of triangles the
-  /// last one is -1.
+  /// Corners in cyclic order, counterclockwise from outside for valid VTK cells. The last corner of
+  /// a triangle is -1.
   const std::array<int, 4>* Faces;
   int NumberOfFaces;
 };
 
-/// Of tetrahedra, hexahedra, voxels, wedges and pyramids, linear or quadratic, whose corners come
-/// before points of edges; empty for other types.
+/// Returns the table of a linear or quadratic tetrahedron, hexahedron, voxel, wedge or pyramid,
+/// whose corners precede the points of edges. It is empty for other types.
 FaceTable FindFaceTable(int type);
 }
 

@@ -12,17 +12,17 @@ namespace relevo
 {
 namespace
 {
-// Of the eye's distance, or radians: faces seen so much from the side hide nothing.
+// Relative to the distance of the eye, or radians. Faces seen edge-on hide nothing.
 constexpr double SideMargin = 1e-12;
 
 enum : unsigned char
 {
   New,
-  Begun, // what is behind it is not all in the order
+  Begun, // some cells behind it are not in the order yet
   Done
 };
 
-// Positive in front of a plane, and 0 where it is seen from the side.
+// Positive in front of a plane, 0 if the plane is seen edge-on.
 double GetHeight(const dvec4& plane, const dvec4& eye)
 {
   const double height = dot(plane, eye);
@@ -30,7 +30,7 @@ double GetHeight(const dvec4& plane, const dvec4& eye)
   return std::abs(height) > SideMargin * reach ? height : 0.0;
 }
 
-// Grows with the distance from the eye.
+// Returns a value that increases with the distance from the eye.
 double GetDepth(const dvec3& point, const dvec4& eye)
 {
   const dvec3 towards = dvec3(eye) - point;
@@ -60,7 +60,7 @@ void VisibilityOrder::Build(const std::vector<dvec3>& points, CellFaces cells)
   }
 }
 
-// Each face is tested once, so that its cells never both hide the other.
+// Tests each face once, so that two cells never hide each other across it.
 void VisibilityOrder::FindHidden(const dvec4& eye)
 {
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Slots.size()),
@@ -76,7 +76,7 @@ void VisibilityOrder::FindHidden(const dvec4& eye)
     });
 }
 
-// Cells with faces of the border that the eye sees, the farthest first.
+// Returns cells with border faces that the eye sees, the farthest first.
 std::vector<int> VisibilityOrder::FindStarts(const dvec4& eye) const
 {
   std::vector<std::pair<double, int>> depths;
@@ -98,7 +98,7 @@ std::vector<int> VisibilityOrder::FindStarts(const dvec4& eye) const
   return starts;
 }
 
-// Adds a cell, after those that it hides.
+// Adds a cell after the cells that it hides.
 void VisibilityOrder::Visit(int start)
 {
   const auto begin = [this](int cell)
@@ -140,7 +140,7 @@ void VisibilityOrder::Visit(int start)
 
 const std::vector<int>& VisibilityOrder::Sort(const dvec4& eye)
 {
-  // The eye near the mesh, or a unit vector.
+  // Relative to the origin of the mesh, or normalized.
   dvec4 viewer = eye.w == 0.0 ? eye / length(dvec3(eye)) : eye / eye.w;
   viewer -= viewer.w * dvec4(this->Mesh.Origin, 0.0);
 
@@ -154,7 +154,7 @@ const std::vector<int>& VisibilityOrder::Sort(const dvec4& eye)
   {
     this->Visit(start);
   }
-  // Cells that the eye is in, or that no border leads to.
+  // Cells around the eye, and cells without a path from the border.
   for (int cell = 0; cell < numberOfCells; ++cell)
   {
     this->Visit(cell);

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   VisibilityOrder
- * @brief   3D cells of a mesh from back to front, by which cell hides which across their face
+ * @brief   sorts 3D cells from back to front by their common faces
  *
- * MPVO-NC: P. Williams, "Visibility Ordering Meshed Polyhedra", 1992. A cell comes after those
- * behind its faces. Depth-first searches start at faces of the border that the eye sees, the
- * farthest first, which is a guess where the mesh is not convex.
+ * Implements MPVO-NC: P. Williams, "Visibility Ordering Meshed Polyhedra", 1992. A cell comes after
+ * the cells behind its faces. Depth-first searches start at the border faces that the eye sees, the
+ * farthest first. This is a heuristic if the mesh is not convex.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef VisibilityOrder_h
 #define VisibilityOrder_h
@@ -29,17 +29,18 @@ class RELEVOFILTERSVOLUME_EXPORT VisibilityOrder
 {
 public:
   /**
-   * Once for a mesh. Points at one place have one id. Points that are not finite order nothing.
+   * Prepares a mesh. Coincident points must have one id. Cells with points that are not finite get
+   * any position in the order.
    */
   void Build(const std::vector<dvec3>& points, CellFaces cells);
 
   /**
-   * All cells, those that are hidden before those that hide them. The eye is a place (x, y, z, 1),
-   * or a direction towards a viewer far away (x, y, z, 0), in the points' coordinates.
+   * Returns all cells, each after the cells that it hides. The eye is a position (x, y, z, 1), or
+   * the direction to a viewer at infinity (x, y, z, 0), in the coordinates of the points.
    */
   const std::vector<int>& Sort(const dvec4& eye);
 
-  /// Of the last Sort(): faces whose order did not count, because it closed a cycle.
+  /// Returns the number of faces that the last Sort() ignored to break cycles.
   vtkIdType GetNumberOfCycles() const { return this->NumberOfCycles; }
 
 private:
@@ -48,11 +49,11 @@ private:
   void Visit(int start);
 
   CellLinks Mesh;
-  std::vector<std::array<int, 2>> Slots; // of each link, with its cells
-  std::vector<int> FirstSlots;           // of each cell, and the end
+  std::vector<std::array<int, 2>> Slots; // slots of the two cells of each link
+  std::vector<int> FirstSlots;           // first slot of each cell, and the number of slots
 
-  // Of the last Sort().
-  std::vector<int> Hidden; // by slots: which cell is behind the face, else -1
+  // Result and temporary data of the last Sort().
+  std::vector<int> Hidden; // for each slot the cell behind the face, or -1
   std::vector<unsigned char> Marks;
   std::vector<std::pair<int, int>> Stack; // cells and their next slots
   std::vector<int> Order;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   what is shown of a ray, by vtkVolumeMapper's numbers
+ * @brief   blend modes with the values of vtkVolumeMapper
  *
- * Private to the modules' own sources.
+ * Private to the modules.
  */
 #ifndef BlendMode_h
 #define BlendMode_h

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   Blending
- * @brief   from what a ray passes through to the colour of a pixel
+ * @brief   computes the colour of a pixel from the parts of its ray
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef Blending_h
 #define Blending_h
@@ -18,11 +18,11 @@
 
 namespace relevo
 {
-/// By vtkVolumeMapper's numbers.
 class Blending
 {
 public:
-  /// Composite and IsoSurface show the surfaces, IsoSurface nothing else. They are shaded, too.
+  /// Composite and IsoSurface draw the surfaces, which are shaded as well. IsoSurface draws nothing
+  /// else.
   Blending(const TransferFunctions& functions, BlendMode mode, const IsoSurfaces& surfaces,
     const Shading& shading)
     : Functions(functions)
@@ -33,7 +33,7 @@ public:
   {
   }
 
-  /// What of a ray is seen along its direction; premultiplied.
+  /// Returns the premultiplied colour of a ray.
   dvec4 Blend(const std::vector<RayPart>& parts, const dvec3& direction) const;
 
 private:

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ClippingPlanes
- * @brief   what planes leave of a ray: what is on the positive side of all of them
+ * @brief   clips rays to the positive side of all planes
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef ClippingPlanes_h
 #define ClippingPlanes_h
@@ -20,10 +20,10 @@ namespace relevo
 class ClippingPlanes
 {
 public:
-  /// Null for none.
+  /// `planes` may be null.
   explicit ClippingPlanes(vtkPlaneCollection* planes);
 
-  /// A length of 0 if nothing is left.
+  /// Returns a ray of length 0 if nothing remains.
   Ray Clip(const Ray& ray) const;
 
 private:

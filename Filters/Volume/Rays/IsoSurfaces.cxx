@@ -13,10 +13,9 @@ namespace relevo
 {
 namespace
 {
-// Of how far the ray has come: cells no farther apart touch.
+// Relative to the distance along the ray. Cells with a smaller gap are adjacent.
 constexpr double Touching = 1e-9;
-// Of the ray's largest scalar: cells whose corners have one value have it in between, but for
-// rounding.
+// Relative to the largest scalar of the ray: the rounding error in cells of constant value.
 constexpr double Rounding = 1e-12;
 
 size_t FindHeaviest(vtkVolumeProperty* property, size_t components)
@@ -66,7 +65,7 @@ std::string IsoSurfaces::DescribeMissing(vtkVolumeProperty* property, const Surf
   for (int i = 0; i < values->GetNumberOfContours(); ++i)
   {
     const double value = values->GetValue(i);
-    if (!(value >= data.Low && value <= data.High)) // so is NaN
+    if (!(value >= data.Low && value <= data.High)) // also false for NaN
     {
       missing << (count++ > 0 ? ", " : "") << value;
     }

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   IsoSurfaces
- * @brief   where a ray meets the isosurfaces of a volume
+ * @brief   intersects rays with the isosurfaces of a volume
  *
- * A scalar is on one side of a surface if it is less than its value, else on the other; a ray meets
- * the surface where the side changes inside a cell. So a border of cells that has the value counts
- * for one of them, and where the scalar has the value all along, nothing is met. The lowest value
- * has no surface, the highest only on faces that have it.
+ * A scalar is on one side of a surface if it is less than the isovalue, and on the other side
+ * otherwise. A ray hits the surface where the side changes inside of a cell. A face with the
+ * isovalue is therefore hit in one of its cells, and cells of constant value are not hit. The
+ * smallest scalar has no surface, and the largest only on faces that have this value.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef IsoSurfaces_h
 #define IsoSurfaces_h
@@ -27,11 +27,11 @@ namespace relevo
 struct IsoCrossing
 {
   size_t Part;
-  double Share; // of the part, from its front
+  double Share; // fraction of the part, from its front
   double Value;
 };
 
-/// The drawn data: values of cells, or of points in a range.
+/// The scalars that are drawn: cell scalars, or point scalars with their range.
 struct SurfaceData
 {
   bool AreOfCells;
@@ -42,36 +42,36 @@ struct SurfaceData
 class RELEVOFILTERSVOLUME_EXPORT IsoSurfaces
 {
 public:
-  /// Of the ray's largest scalar: cells that touch may differ so much, as floats of several blocks
-  /// do.
+  /// Relative to the largest scalar of the ray. Scalars of adjacent cells can differ by this much,
+  /// for example between blocks with float arrays.
   static constexpr double Same = 1e-6;
 
-  /// None.
+  /// No isosurfaces.
   IsoSurfaces() = default;
-  /// Of the property's values, those that are numbers.
+  /// The isovalues of the property, without NaN.
   IsoSurfaces(vtkVolumeProperty* property, const TransferFunctions& functions);
 
   /**
-   * Sentences on why some of the property's values, or all, have no surface; empty if all have.
-   * Values at the ends of the range have as much of one as vtkContourFilter finds.
+   * Returns sentences on why some or all isovalues have no surface, or "" if all have one. Values
+   * at the ends of the range have as much surface as vtkContourFilter finds.
    */
   static std::string DescribeMissing(vtkVolumeProperty* property, const SurfaceData& data);
 
-  /// Front to back.
+  /// Returns the hits from front to back.
   std::vector<IsoCrossing> Cross(const std::vector<RayPart>& parts) const;
 
-  /// Straight colour and opacity, and which of the functions' curves gives the colour.
+  /// Returns straight colour and opacity, and the index of the curve that provides the colour.
   dvec4 GetColor(
     const TransferFunctions& functions, const RayPart& part, const IsoCrossing& crossing) const;
   size_t GetCurve() const { return this->Curve; }
 
   /// In ascending order.
   const std::vector<double>& GetValues() const { return this->Values; }
-  /// Whose values these are.
+  /// The component of the isovalues.
   int GetComponent() const { return this->Component; }
 
 private:
-  // Between the ends of a part.
+  // Adds hits between the ends of a part.
   void Cross(const IsoCrossing& front, const IsoCrossing& back, double rounding,
     std::vector<IsoCrossing>& crossings) const;
 

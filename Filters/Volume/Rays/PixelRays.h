@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PixelRays
- * @brief   the rays of a camera through the centres of pixels, in world coordinates
+ * @brief   camera rays through pixel centres, in world coordinates
  *
- * From the camera's near plane to its far one.
+ * Rays start at the near plane of the camera and end at its far plane.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef PixelRays_h
 #define PixelRays_h
@@ -22,7 +22,7 @@ class PixelRays
 public:
   PixelRays(vtkCamera* camera, int width, int height);
 
-  /// Row 0 is the lowest.
+  /// Row 0 is at the bottom.
   Ray Make(int column, int row) const;
 
 private:

@@ -9,10 +9,10 @@ namespace relevo
 {
 namespace
 {
-// Of a component's largest value on the ray: cells that touch differ no more where they do.
+// Relative to the largest value on the ray: the rounding error between adjacent cells.
 constexpr double ValueRounding = 1e-12;
 
-// A place, or the mean of places.
+// The values at a position, or their mean.
 struct Sample
 {
   Scalars Values;
@@ -61,7 +61,7 @@ dvec4 BlendExtreme(
       }
       else if (farther > 0.0)
       {
-        // In a face, of the gradients of both cells that of the first one counts.
+        // On a face, the gradient of the first of the two cells is used.
         const bool isElsewhere = farther > ValueRounding * sizes[c];
         extreme.Values[c] = sample.Values[c];
         extreme.Steepness[c] = isElsewhere ? sample.Steepness[c] : extreme.Steepness[c];

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   rays of which one scalar is shown: an extreme, or the mean
+ * @brief   blend modes that map one scalar per ray: maximum, minimum and average
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef ScalarBlending_h
 #define ScalarBlending_h
@@ -16,14 +16,14 @@
 namespace relevo
 {
 /**
- * Of the highest scalar, with a sign of 1, or the lowest, with -1; premultiplied. Of each
- * independent component its own; of dependent ones all where the last, which has the opacity, is
- * extreme, and first so.
+ * Returns the premultiplied colour of the highest (sign 1) or lowest (sign -1) scalar. Each
+ * independent component has its extreme value. Dependent components are taken at the first position
+ * where the last component, the opacity, is extreme.
  */
 dvec4 BlendExtreme(
   const TransferFunctions& functions, const std::vector<RayPart>& parts, double sign);
 
-/// Of the mean by length of each component; premultiplied.
+/// Returns the premultiplied colour of the mean scalars by length.
 dvec4 BlendAverage(const TransferFunctions& functions, const std::vector<RayPart>& parts);
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   Shading
- * @brief   what a headlight does to the colours of a volume whose property is shaded
+ * @brief   lighting of a volume by a headlight
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef Shading_h
 #define Shading_h
@@ -20,20 +20,20 @@ namespace relevo
 class Shading
 {
 public:
-  /// Light comes along -toLight, of length 1, all over.
+  /// `toLight` is normalized. The light is directional.
   Shading(vtkVolumeProperty* property, const TransferFunctions& functions, const dvec3& toLight);
 
-  /// Whether there is a component that is shaded.
+  /// Whether any component is shaded.
   bool IsOn() const;
 
-  /// Of each curve of the functions, or of the colours, where components have these gradients.
+  /// Returns the lighting of each curve, or of the colours, for the given gradients.
   Lights GetLights(const Gradients& gradients, const dvec3& toEye) const;
 
 private:
   struct Material
   {
     bool IsShaded;
-    int Component; // whose gradients count
+    int Component; // component with the gradients
     dvec4 Factors; // ambient, diffuse, specular, specular power
   };
   std::vector<Material> Materials;

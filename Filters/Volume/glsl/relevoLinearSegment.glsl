@@ -1,11 +1,12 @@
-// The volume rendering integral over a segment of a ray along which colour and extinction are
-// linear. GLSL and C++: the including side says what Real, Real3 and Real4 are (float or double),
-// and gives linearSegmentPsi(). Colours are straight, results premultiplied.
+// The volume rendering integral over a segment of a ray with linear colour and extinction. GLSL and
+// C++: the including file defines Real, Real3 and Real4 (float or double) and linearSegmentPsi().
+// Colours are straight, results are premultiplied.
 //
 // K. Moreland, E. Angel, "A Fast High Accuracy Volume Renderer for Unstructured Data", IEEE
-// Symposium on Volume Visualization and Graphics 2004: I = I0 zeta + Cb (psi - zeta) + Cf (1 - psi).
+// Symposium on Volume Visualization and Graphics 2004: I = I0 zeta + Cb (psi - zeta) + Cf (1 -
+// psi).
 
-// Front and back: red, green, blue and extinction per length.
+// `front` and `back` are red, green, blue and extinction per length.
 RELEVO_FUNCTION Real4 linearSegment(Real4 front, Real4 back, Real span)
 {
   Real zeta = exp(-(front.w + back.w) * span / Real(2));
@@ -14,13 +15,13 @@ RELEVO_FUNCTION Real4 linearSegment(Real4 front, Real4 back, Real span)
     Real3(front) * (Real(1) - psi) + Real3(back) * (psi - zeta), Real(1) - zeta);
 }
 
-// What is seen of both, premultiplied.
+// Composites premultiplied colours.
 RELEVO_FUNCTION Real4 frontOverBack(Real4 front, Real4 back)
 {
   return front + (Real(1) - front.w) * back;
 }
 
-// The integrals of colour times extinction, and of extinction, which are quadratic and linear.
+// Returns the integrals of colour times extinction (quadratic) and of extinction (linear).
 RELEVO_FUNCTION Real4 linearSegmentSum(Real4 front, Real4 back, Real span)
 {
   Real3 first = Real3(front) * (Real(2) * front.w + back.w);

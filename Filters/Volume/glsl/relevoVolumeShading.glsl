@@ -1,11 +1,11 @@
-// What light makes of a colour inside a volume, where the scalar has a gradient. GLSL and C++: the
-// including side says what Real, Real2, Real3 and Real4 are (float or double). One white light;
-// both sides of a surface are lit alike.
+// Lighting of a colour inside of a volume by one white light, with the scalar gradient as a normal.
+// Both sides of a surface are lit in the same way. GLSL and C++: the including file defines Real,
+// Real2, Real3 and Real4 (float or double).
 //
 // B. T. Phong, "Illumination for Computer Generated Pictures", Communications of the ACM 18, 1975,
 // in the form of VTK's shaders for structured volumes.
 
-// Diffuse and specular factor. All directions have length 1.
+// Returns the diffuse and specular factors. All directions are normalized.
 RELEVO_FUNCTION Real2 phongFactors(Real3 normal, Real3 toLight, Real3 toEye, Real power)
 {
   Real facing = dot(normal, toLight);
@@ -14,9 +14,9 @@ RELEVO_FUNCTION Real2 phongFactors(Real3 normal, Real3 toLight, Real3 toEye, Rea
     abs(facing), facing != Real(0) && glance > Real(0) ? pow(glance, power) : Real(0));
 }
 
-// What a colour is multiplied by, and how much white is added. `material` has the factors of
-// ambient, diffuse and specular light and the specular power. Without a gradient there is no side,
-// and the colour stays as it is.
+// Returns the factor for the colour and the amount of white to add. `material` has the ambient,
+// diffuse and specular factors and the specular power. Without a gradient, the colour is not
+// changed.
 RELEVO_FUNCTION Real2 volumeLight(Real3 gradient, Real3 toLight, Real3 toEye, Real4 material)
 {
   Real steepness = length(gradient);
@@ -28,13 +28,13 @@ RELEVO_FUNCTION Real2 volumeLight(Real3 gradient, Real3 toLight, Real3 toEye, Re
   return Real2(material.x + material.y * factors.x, material.z * factors.y);
 }
 
-// A straight colour, lit.
+// Lights a straight colour.
 RELEVO_FUNCTION Real3 lightenColor(Real3 color, Real3 factor, Real3 added)
 {
   return min(color * factor + added, Real3(Real(1)));
 }
 
-// The same in white light.
+// Lights a straight colour with white light.
 RELEVO_FUNCTION Real3 lightenColor(Real3 color, Real2 light)
 {
   return lightenColor(color, Real3(light.x), Real3(light.y));
