@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The public classes of FiltersFlow, called in random order on random images and meshes: nothing
-// crashes, and LIC and masks are in their ranges.
+// Proves that random calls of the public classes of FiltersFlow, on random images and meshes,
+// neither crash nor give LIC values or masks out of range.
 #include "RelevoCheck.h"
 #include "RelevoFuzzImages.h"
 
@@ -93,11 +93,11 @@ private:
     }
   }
 
-  // More would take its time.
+  // Larger values only take longer.
   int Steps() { return this->D.Choose(std::vector<int>{ -3, 0, 1, 2, 5, 30 }); }
   double Share() { return this->D.Once(4) ? this->D.Number() : this->D.Share(); }
 
-  // What both filters have.
+  // Adds the calls that both filters share.
   template <typename Filter>
   void AddLICSettings(std::vector<Call>& calls, Filter* filter)
   {

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The noise images of vtkLICNoiseSource: distributions, grains, levels, impulses, seeds, tiles,
-// errors.
+// vtkLICNoiseSource promises: the noise follows the settings alone, tiles seamlessly, and does not
+// depend on the number of threads. Each setting has the documented effect, and values out of range
+// are errors.
 #include "RelevoCheck.h"
 #include "RelevoFlowImages.h"
 
@@ -22,7 +23,7 @@ RelevoGrey Run(vtkLICNoiseSource* source)
   return GreyOf(ValuesOf(source->GetOutput()), source->GetOutput()->GetDimensions()[0]);
 }
 
-// Of pixels that are (columns, rows) apart, around the borders.
+// Correlation of pixels that are `columns` and `rows` apart. Indices wrap around at the borders.
 double Correlation(const RelevoGrey& image, int columns, int rows)
 {
   const RelevoMoments moments = MomentsOf(image.Values);
@@ -47,17 +48,17 @@ void TestDistributions(RelevoCheck& check)
   CHECK_EQUAL(image->GetScalarType(), VTK_FLOAT);
   CHECK_EQUAL(image->GetNumberOfScalarComponents(), 1);
   CHECK_EQUAL(std::string(image->GetPointData()->GetScalars()->GetName()), "Noise");
-  // The mean is that of VTK's noise image.
+  // VTK's noise image has the same mean.
   CHECK_NEAR(MomentsOf(gaussian.Values).Mean, 0.329, 0.005);
   CHECK_NEAR(MomentsOf(gaussian.Values).StandardDeviation, 0.127, 0.003);
-  // Shares of a normal distribution within 1 and 2 deviations.
+  // A normal distribution has these shares within one and two standard deviations.
   for (const auto& expected : { std::array<double, 2>{ 1.0, 0.6827 }, { 2.0, 0.9545 } })
   {
     const auto within = std::count_if(gaussian.Values.begin(), gaussian.Values.end(),
       [&](double value) { return std::abs(value - 0.329) < expected[0] * 0.127; });
     CHECK_NEAR(within / 40000.0, expected[1], 0.015);
   }
-  // What a Gaussian filter of 1 leaves: exp(-d^2 / 4).
+  // A Gaussian filter with a standard deviation of 1 leaves the correlation exp(-d^2 / 4).
   CHECK_NEAR(Correlation(gaussian, 1, 0), 0.779, 0.03);
   CHECK_NEAR(Correlation(gaussian, 0, 1), 0.779, 0.03);
   CHECK_NEAR(Correlation(gaussian, 1, 1), 0.607, 0.03);
@@ -118,7 +119,7 @@ void TestPerlin(RelevoCheck& check)
   const RelevoGrey image = Run(source);
   CHECK_EQUAL(*std::min_element(image.Values.begin(), image.Values.end()), 0.0);
   CHECK_NEAR(*std::max_element(image.Values.begin(), image.Values.end()), 0.8, 1e-6);
-  // Smooth on the scale of its period, also around the borders.
+  // The noise is smooth on the scale of its period, also across the borders.
   CHECK_GREATER(Correlation(image, 2, 0), 0.8);
   CHECK_GREATER(Correlation(image, 0, 2), 0.8);
   CHECK_LESS(std::abs(Correlation(image, 64, 40)), 0.4);
@@ -132,7 +133,7 @@ void TestPerlin(RelevoCheck& check)
     inside += std::abs(image.At(i, 71) - image.At(i, 72)) / 256.0;
   }
   CHECK_LESS(acrossBorders, 2.0 * inside);
-  // Shorter periods have more detail; and any of them works.
+  // Shorter periods give more detail, and every period works.
   source->SetNoiseGrainSize(8);
   CHECK_LESS(Correlation(Run(source), 2, 0), 0.8);
   for (int grainSize : { 1, 2, 5, 100, 127 })
@@ -206,7 +207,7 @@ void TestSeeds(RelevoCheck& check)
           sum / images[i].Values.size() / (a.StandardDeviation * b.StandardDeviation), 0.0, 0.2);
       }
     }
-    // The same again, on any number of threads.
+    // The same seed gives the same noise with any number of threads.
     source->SetNoiseGeneratorSeed(1);
     const std::string backend = vtkSMPTools::GetBackend();
     for (const char* other : { "Sequential", "STDThread" })
@@ -220,8 +221,8 @@ void TestSeeds(RelevoCheck& check)
   }
 }
 
-// The numbers themselves, the same on all machines: pcg4d, written out in another language, has
-// them.
+// Compares single values with those of pcg4d, computed by an implementation in another language.
+// They are the same on every machine.
 void TestNumbers(RelevoCheck& check)
 {
   vtkNew<vtkLICNoiseSource> source;
@@ -251,7 +252,7 @@ void TestError(RelevoCheck& check, const Change& spoil, const char* words)
   CHECK_EQUAL(source->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
 }
 
-// Out of range: an error at once, and the noise stays as it was.
+// A value out of range is reported at once and leaves the noise unchanged.
 void TestRefusal(RelevoCheck& check, const Change& spoil, const char* words)
 {
   vtkNew<vtkLICNoiseSource> source;
@@ -311,7 +312,7 @@ void TestErrors(RelevoCheck& check)
     TestRefusal(
       check, [=](Source* s) { s->SetGaussianNoiseSmoothing(value); }, "Smoothing");
   }
-  // Settings that contradict one another: an error when the noise is made.
+  // Settings that contradict each other are reported when the noise is generated.
   for (int size : { 200, 201 })
   {
     TestError(

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkLICSettings: what it accepts and what not, and the filters that use it, alone or together.
+// vtkLICSettings promises: values out of range are errors that change nothing, and several mappers
+// and filters can share one object.
 #include "RelevoCheck.h"
 #include "RelevoFlowImages.h"
 #include "RelevoSurfaceLIC.h"
@@ -108,7 +109,7 @@ void TestRanges(RelevoCheck& check)
     }
   }
   settings->SetEnable(0);
-  settings->SetEnable(-7); // any number but 0 is on
+  settings->SetEnable(-7); // every number except 0 turns it on
   CHECK_EQUAL(settings->GetEnable(), 1);
 
   settings->SetMaskColor(0.1, 0.2, 1.0);
@@ -158,7 +159,7 @@ vtkSmartPointer<vtkImageData> MakeImage()
   return MakeFlowImage(30, 20, MakeUniformField(1.0, 2.0));
 }
 
-// By the filter's own setters or by its settings; together with another filter.
+// The filter's setters and a shared settings object give the same images.
 void TestImages(RelevoCheck& check)
 {
   vtkNew<vtkLineIntegralConvolution> a;
@@ -177,7 +178,7 @@ void TestImages(RelevoCheck& check)
   settings->SetPhase(0.25);
   settings->SetAntiAlias(1);
   settings->EnhancedLICOff();
-  settings->SetEnhanceContrastToBoth(); // there are no colours
+  settings->SetEnhanceContrastToBoth(); // an image has no colours to enhance
   CHECK(a->GetLICSettings()->GetNumberOfSteps() == 7 && b->GetNumberOfSteps() == 7);
   const auto after = RunLIC(a);
   CHECK(after != before && RunLIC(b) == after);
@@ -190,7 +191,7 @@ void TestImages(RelevoCheck& check)
   const auto shorter = RunLIC(a);
   CHECK(shorter != after && RunLIC(b) == shorter);
 
-  // An error is that of the object that was asked.
+  // Errors come from the object whose setter was called.
   RelevoErrors ofFilter(a);
   RelevoErrors ofSettings(settings);
   a->SetNumberOfSteps(0);
@@ -206,7 +207,7 @@ void TestImages(RelevoCheck& check)
   CHECK_EQUAL(RunLIC(a), before);
 }
 
-// An image of noise or other numbers, in place of the second input.
+// Other numbers in the settings' noise image can replace the second input.
 void TestNoise(RelevoCheck& check)
 {
   vtkNew<vtkLineIntegralConvolution> filter;
@@ -222,7 +223,8 @@ void TestNoise(RelevoCheck& check)
   CHECK_EQUAL(RunLIC(filter), before);
   filter->GetLICSettings()->SetNoiseGeneratorSeed(2);
   CHECK_NOT_EQUAL(RunLIC(filter), before);
-  filter->GetLICSettings()->GenerateNoiseTextureOff(); // always that of the defaults
+  // noise is then generated with default settings
+  filter->GetLICSettings()->GenerateNoiseTextureOff();
   CHECK_EQUAL(RunLIC(filter), before);
   filter->GetLICSettings()->GenerateNoiseTextureOn();
 
@@ -245,7 +247,7 @@ void TestSurfaces(RelevoCheck& check)
   a->SetGrainSize(0.125);
   const auto before = RelevoSurfaceLIC(a, mesh).Values;
 
-  // A step of the settings is a grain.
+  // One step of the settings is one grain of the noise.
   a->SetStepSize(0.0625);
   const auto half = RelevoSurfaceLIC(a, mesh).Values;
   a->SetStepSize(0.0);
@@ -253,7 +255,7 @@ void TestSurfaces(RelevoCheck& check)
   a->GetLICSettings()->SetStepSize(0.5);
   CHECK_EQUAL(RelevoSurfaceLIC(a, mesh).Values, half);
 
-  // Together with an image's filter.
+  // A filter for images shares the same settings.
   vtkNew<vtkLineIntegralConvolution> b;
   b->SetInputData(MakeImage());
   b->SetLICSettings(a->GetLICSettings());

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkLineIntegralConvolution without its second pass is the mean of the noise along streamlines:
-// against sums that are written out, exact circles, and streamlines by small steps through the
-// field itself.
+// vtkLineIntegralConvolution promises: without its second pass, each pixel is the mean of the noise
+// along its streamline. References are explicit sums, exact circles, and streamlines integrated in
+// small steps through the field.
 #include "RelevoCheck.h"
 #include "RelevoFlowImages.h"
 
@@ -26,7 +26,8 @@ bool IsInside(const Place& p)
   return p.X >= 0.0 && p.Y >= 0.0 && p.X < Columns && p.Y < Rows;
 }
 
-// Mean of the noise at places along(column, row, k), steps -n to n; it ends, each way, outside.
+// Mean of the noise at along(column, row, k) for k from -n to n. Each direction ends at the image's
+// border.
 template <typename Along>
 std::vector<double> MeanAlong(vtkImageData* noise, int n, Along&& along)
 {
@@ -66,7 +67,7 @@ vtkSmartPointer<vtkLineIntegralConvolution> MakePlain(vtkImageData* image, vtkIm
   return filter;
 }
 
-// Shares of pixels that differ by more than what one sample of 2 n + 1 can make of the mean.
+// Share of pixels that differ by more than one of the 2 n + 1 samples can change the mean.
 double ShareOfOthers(const std::vector<double>& a, const std::vector<double>& b, int n)
 {
   std::size_t others = 0;
@@ -87,7 +88,8 @@ double MeanDifference(const std::vector<double>& a, const std::vector<double>& b
   return sum / a.size();
 }
 
-// Straight along rows, columns and diagonals, by steps from centre to centre: the exact mean.
+// Along rows, columns and diagonals, steps lead from pixel centre to pixel centre, so the mean is
+// exact.
 void TestStraight(RelevoCheck& check)
 {
   const auto noise = MakeNoiseImage(Columns, Rows);
@@ -111,7 +113,7 @@ void TestStraight(RelevoCheck& check)
     const auto expected = MeanAlong(noise, c.Steps,
       [&](double x, double y, int k)
       {
-        // Centres, whatever the root of 2 is rounded to.
+        // Snaps to the pixel centre, however the square root of 2 is rounded.
         return Place{ std::floor(x + k * scale * c.V[0] + 1e-6 - 0.5) + 0.5,
           std::floor(y + k * scale * c.V[1] + 1e-6 - 0.5) + 0.5 };
       });
@@ -119,11 +121,11 @@ void TestStraight(RelevoCheck& check)
   }
 }
 
-// Around a point: exact circles.
+// The streamlines of a vortex are exact circles.
 void TestVortex(RelevoCheck& check)
 {
   const double centre[2] = { 70.3, 61.7 };
-  const auto noise = MakeNoiseImage(61, 47, 2); // repeated
+  const auto noise = MakeNoiseImage(61, 47, 2); // is repeated over the image
   auto filter = MakePlain(MakeFlowImage(Columns, Rows,
                             [&](double x, double y, double* v)
                             {
@@ -143,12 +145,12 @@ void TestVortex(RelevoCheck& check)
   const std::vector<double> lic = RunLIC(filter);
   std::cout << "vortex: mean difference " << MeanDifference(lic, expected) << ", others "
             << ShareOfOthers(lic, expected, 20) << "\n";
-  // Few samples fall into the next texel; more do close to the centre.
+  // Few samples fall into the neighbouring texel, except close to the centre.
   CHECK_LESS(MeanDifference(lic, expected), 1e-3);
   CHECK_LESS(ShareOfOthers(lic, expected, 20), 0.002);
 }
 
-// Cells of turning flow: streamlines of the field itself, in small steps of fourth order.
+// In a field of rotating cells, streamlines are integrated by fourth-order steps through the field.
 void TestCells(RelevoCheck& check)
 {
   const auto field = [](double x, double y, double* v)
@@ -188,7 +190,7 @@ void TestCells(RelevoCheck& check)
   CHECK_LESS(MeanDifference(lic, expected), 2e-3);
   CHECK_LESS(ShareOfOthers(lic, expected, 12), 0.01);
 
-  // The same on any number of threads.
+  // The number of threads does not change the result.
   const std::string backend = vtkSMPTools::GetBackend();
   for (const char* other : { "Sequential", "STDThread" })
   {

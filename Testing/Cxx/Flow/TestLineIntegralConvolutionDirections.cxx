@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines of vtkLineIntegralConvolution run as the field does, at its defaults and when the contrast
-// is enhanced, with the mean and the contrast of VTK's surface LIC.
+// Proves figures.md: the lines of vtkLineIntegralConvolution follow the field with default settings
+// and with enhanced contrast. Mean and contrast match VTK's surface LIC.
 #include "RelevoCheck.h"
 #include "RelevoFlowImages.h"
 
@@ -14,7 +14,7 @@ namespace
 constexpr int Columns = 512;
 constexpr int Rows = 384;
 
-// Places about (0, 0); the lower and the upper border at -1 and 1.
+// Coordinate relative to the image's centre. The lower and upper borders are at -1 and 1.
 double Place(double sample, int number)
 {
   return (sample - 0.5 * number) / (0.5 * Rows);
@@ -26,7 +26,7 @@ vtkSmartPointer<vtkImageData> MakeImage(const RelevoField& field)
     [&](double x, double y, double* v) { field(Place(x, Columns), Place(y, Rows), v); });
 }
 
-// Away from the border and from singular points.
+// Measures deviations away from borders and singular points.
 RelevoDeviations Measure(const std::vector<double>& lic, const RelevoNamedField& field)
 {
   return MeasureDeviations(RelevoOrientation(GreyOf(lic, Columns)),
@@ -44,7 +44,8 @@ RelevoDeviations Measure(const std::vector<double>& lic, const RelevoNamedField&
     });
 }
 
-// What vtkSurfaceLICMapper of ParaView 5.11 makes of the fields: standard deviations of the greys.
+// Standard deviations of the grey values that vtkSurfaceLICMapper of ParaView 5.11 gives for these
+// fields.
 const std::map<std::string, double> DeviationsOfVTK = { { "uniform", 0.0800 }, { "vortex", 0.0868 },
   { "saddle", 0.0861 }, { "dipole", 0.0883 } };
 }
@@ -64,7 +65,7 @@ int TestLineIntegralConvolutionDirections(int, char*[])
     CHECK_GREATER(deviations.Count, 100000);
     CHECK_LESS_EQUAL(deviations.Median, 1.5);
     CHECK_LESS_EQUAL(deviations.Percentile95, 4.5);
-    // Within 5 % of the surface LIC's of VTK at its defaults.
+    // The deviation is within 5 % of that of VTK's surface LIC with default settings.
     const double deviation = DeviationsOfVTK.at(field.Name);
     CHECK_NEAR(moments.Mean, 0.33, 0.05 * 0.33);
     CHECK_NEAR(moments.StandardDeviation, deviation, 0.05 * deviation);
@@ -75,7 +76,7 @@ int TestLineIntegralConvolutionDirections(int, char*[])
     CHECK_LESS_EQUAL(Measure(enhanced, field).Percentile95, 4.5);
     CHECK_GREATER(MomentsOf(enhanced).StandardDeviation, 1.5 * moments.StandardDeviation);
 
-    // The measure tells: across the field, lines are 90 degrees away.
+    // Negative control: compared with the perpendicular field, lines deviate by 90 degrees.
     RelevoNamedField across = field;
     across.Field = [&](double x, double y, double* v)
     {
@@ -87,7 +88,7 @@ int TestLineIntegralConvolutionDirections(int, char*[])
     CHECK_GREATER(Measure(lic, across).Median, 85.0);
   }
 
-  // Without its second pass: VTK's has 1.6 and 6 degrees.
+  // Without the second pass, VTK's deviations are 1.6 and 6 degrees.
   vtkNew<vtkLineIntegralConvolution> plain;
   const RelevoNamedField vortex = MakeNamedFields()[1];
   plain->SetInputData(MakeImage(vortex.Field));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkLineIntegralConvolution cannot convolve is an error of its own, in words that tell what
-// is wrong, with an empty output; once mended, it runs again.
+// vtkLineIntegralConvolution promises: input and settings that it cannot use give an error that
+// names the cause, and an empty output. After a correction the filter runs again.
 #include "RelevoBlocks.h"
 #include "RelevoCheck.h"
 #include "RelevoFlowImages.h"
@@ -35,7 +35,7 @@ bool Fails(vtkLineIntegralConvolution* filter, const std::string& words)
   return errors.Said(words) && empty;
 }
 
-// Out of range: said at once, and nothing changes.
+// A value out of range is reported at once and changes nothing.
 void TestSetting(RelevoCheck& check, const Change& spoil, const Change& mend, const char* words)
 {
   vtkNew<vtkLineIntegralConvolution> filter;
@@ -57,7 +57,7 @@ void TestSetting(RelevoCheck& check, const Change& spoil, const Change& mend, co
   CHECK(errors.None());
 }
 
-// In range, but not together with the others.
+// Each value is in range, but the combination is invalid.
 void TestSettingsTogether(
   RelevoCheck& check, const Change& spoil, const Change& mend, const char* words)
 {

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkLineIntegralConvolution takes: arrays of any type and layout, slices in any plane,
-// spacing and directions, noise of several types, one sample; and how its output lies.
+// vtkLineIntegralConvolution promises: it accepts vectors of every type and layout, slices in every
+// plane, spacing and direction matrices, and noise of several types. The output has the geometry of
+// the input.
 #include "RelevoCheck.h"
 #include "RelevoFlowImages.h"
 
@@ -20,7 +21,7 @@ namespace
 constexpr int Columns = 64;
 constexpr int Rows = 48;
 
-// Whole numbers, for all types of arrays.
+// Whole numbers, which arrays of every type can store.
 void Flow(double x, double y, double* v)
 {
   v[0] = std::floor(60.0 - 2.0 * y);
@@ -34,7 +35,7 @@ std::vector<double> RunOn(vtkImageData* image)
   return RunLIC(filter);
 }
 
-// A slice with the flow along two axes of space; of three components the third does not matter.
+// Makes a slice whose flow runs along two coordinate axes. The third component has no effect.
 vtkSmartPointer<vtkImageData> MakeSlice(int firstAxis, int secondAxis, int components)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -110,7 +111,7 @@ void TestChoice(RelevoCheck& check, const std::vector<double>& expected)
   image->GetPointData()->SetActiveVectors("Other");
   CHECK_EQUAL(RunOn(image), expectedOther);
 
-  // Neither active vectors nor a choice: the first that can be.
+  // Without active vectors or a selected array, the filter takes the first suitable array.
   const auto noise = MakeNoiseImage(Columns, Rows);
   vtkDataArray* scalars = noise->GetPointData()->GetScalars();
   scalars->SetName("First");
@@ -148,7 +149,7 @@ void TestPlanes(RelevoCheck& check, const std::vector<double>& expected)
 
 void TestGeometry(RelevoCheck& check, const std::vector<double>& expected)
 {
-  // Vectors in the units of the spacing.
+  // Here vectors are given in units of the spacing.
   const auto stretched = MakeFlowImage(Columns, Rows,
     [](double x, double y, double* v)
     {
@@ -159,7 +160,7 @@ void TestGeometry(RelevoCheck& check, const std::vector<double>& expected)
   stretched->SetSpacing(0.25, -8.0, 5.0);
   CHECK_EQUAL(RunOn(stretched), expected);
 
-  // Turned by 90 degrees about z: the image's first axis is y, its second -x.
+  // Rotated by 90 degrees about z: the image's first axis is y, and its second is -x.
   vtkNew<vtkMatrix3x3> turn;
   const double elements[9] = { 0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0 };
   turn->DeepCopy(elements);
@@ -189,7 +190,7 @@ void TestNoise(RelevoCheck& check, const std::vector<double>& expected)
   source->SetNoiseGeneratorSeed(2);
   CHECK_NOT_EQUAL(RunLIC(filter), expected);
 
-  // Of several types and components, and in another plane.
+  // Noise has several types and numbers of components, and may lie in another plane.
   for (int type : { VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT, VTK_DOUBLE, VTK_INT })
   {
     CHECK_CASE(type);
@@ -225,7 +226,7 @@ void TestSmallest(RelevoCheck& check)
   CHECK_EQUAL(ValuesOf(filter->GetOutput(), "LICMask"), std::vector<double>{ 0.0 });
 }
 
-// Extreme lengths of vectors and steps.
+// Extremely long and short vectors and steps work.
 void TestExtremes(RelevoCheck& check)
 {
   for (double scale : { 1e-300, 1e-30, 1e7 })
@@ -243,7 +244,7 @@ void TestExtremes(RelevoCheck& check)
     }
     image->GetPointData()->Initialize();
     image->GetPointData()->AddArray(vectors);
-    // Rounding moves few samples to the next texel.
+    // Rounding moves only a few samples to the neighbouring texel.
     vtkNew<vtkLineIntegralConvolution> filter;
     filter->EnhancedLICOff();
     filter->SetInputData(MakeFlowImage(Columns, Rows, Flow));
@@ -274,7 +275,7 @@ void TestExtremes(RelevoCheck& check)
   }
 }
 
-// Reports progress, and stops when told to.
+// The filter reports progress and stops when it is aborted.
 void TestProgress(RelevoCheck& check)
 {
   struct Reports

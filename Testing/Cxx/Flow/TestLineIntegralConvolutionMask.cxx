@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkLineIntegralConvolution masks, and that nothing else depends on what is stored there.
+// vtkLineIntegralConvolution promises: zero, short and missing vectors are masked, and the values
+// stored there affect no other pixel.
 #include "RelevoCheck.h"
 #include "RelevoFlowImages.h"
 
@@ -32,7 +33,7 @@ vtkSmartPointer<vtkImageData> MakeImage(double first, double second)
     });
 }
 
-// Masked in the block and nowhere else, where the noise stays.
+// Whether exactly the block is masked and shows the noise unchanged.
 bool IsMaskedInBlock(vtkImageData* lic, const std::vector<double>& noise)
 {
   const std::vector<double> values = ValuesOf(lic, "LIC");
@@ -77,7 +78,7 @@ void TestNoData(RelevoCheck& check)
     }
   }
 
-  // Nor on the noise under the mask.
+  // The noise under the mask has no effect either.
   vtkNew<vtkImageData> other;
   other->DeepCopy(noise);
   vtkDataArray* scalars = other->GetPointData()->GetScalars();
@@ -101,7 +102,8 @@ void TestNoData(RelevoCheck& check)
   CHECK(same);
 }
 
-// Lines end at the border of what is masked: means of fewer samples, and both sides alike.
+// Lines end at the border of the mask. Pixels there average fewer samples, and both sides behave
+// alike.
 void TestEnds(RelevoCheck& check)
 {
   constexpr int Length = 40;
@@ -134,7 +136,7 @@ void TestEnds(RelevoCheck& check)
 
 void TestSettings(RelevoCheck& check)
 {
-  // In units of the array, whatever the spacing.
+  // The threshold is in units of the array, whatever the spacing.
   const auto image = MakeFlowImage(60, 1, [](double x, double, double* v) { v[0] = x - 0.5; });
   image->SetSpacing(1e-3, 7.0, 1.0);
   vtkNew<vtkLineIntegralConvolution> filter;
@@ -152,7 +154,7 @@ void TestSettings(RelevoCheck& check)
     }
     CHECK(so);
   }
-  // Lines run through what is masked by its threshold.
+  // Lines pass through pixels that are masked only because their vectors are below the threshold.
   filter->SetMaskThreshold(-1.0);
   const std::vector<double> all = RunLIC(filter);
   filter->EnhancedLICOff();
@@ -167,9 +169,9 @@ void TestSettings(RelevoCheck& check)
   filter->SetNoDataMagnitude(20.0);
   RunLIC(filter);
   const std::vector<double> mask = ValuesOf(filter->GetOutput(), "LICMask");
-  CHECK_EQUAL(std::count(mask.begin(), mask.end(), 1.0), 41); // 0, 20 to 59
+  CHECK_EQUAL(std::count(mask.begin(), mask.end(), 1.0), 41); // pixels 0 and 20 to 59
 
-  // The third component counts as data, but not as length.
+  // The third component decides whether a value is missing, but it does not count for the length.
   const auto upward = MakeFlowImage(3, 1,
     [](double x, double, double* v)
     {
@@ -181,7 +183,7 @@ void TestSettings(RelevoCheck& check)
   RunLIC(flat);
   CHECK_EQUAL(ValuesOf(flat->GetOutput(), "LICMask"), (std::vector<double>{ 1.0, 0.0, 1.0 }));
 
-  // Blanked points.
+  // Blanked points are masked.
   const auto blanked = MakeFlowImage(5, 1, MakeUniformField(1.0, 0.0));
   blanked->AllocatePointGhostArray()->SetValue(3, vtkDataSetAttributes::HIDDENPOINT);
   flat->SetInputData(blanked);
@@ -189,7 +191,7 @@ void TestSettings(RelevoCheck& check)
   CHECK_EQUAL(
     ValuesOf(flat->GetOutput(), "LICMask"), (std::vector<double>{ 0.0, 0.0, 0.0, 1.0, 0.0 }));
 
-  // Nothing at all.
+  // An image without flow is masked everywhere.
   const auto noise = MakeNoiseImage(4, 4);
   flat->SetInputData(MakeFlowImage(4, 4, MakeUniformField(0.0, 0.0)));
   flat->SetNoiseData(noise);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkLineIntegralConvolution shows the way of the flow: by phase, in a loop, and by oriented lines.
+// Proves flow.md: Phase animates the streaks in a loop without a seam, and OrientedLIC shows the
+// direction of the flow.
 #include "RelevoCheck.h"
 #include "RelevoFlowImages.h"
 
@@ -28,7 +29,7 @@ double MeanDifference(const std::vector<double>& a, const std::vector<double>& b
   return sum;
 }
 
-// Those whose lines are not cut by borders.
+// Values of the pixels whose lines do not reach the border.
 std::vector<double> InnerValues(const RelevoGrey& image)
 {
   std::vector<double> values;
@@ -42,7 +43,7 @@ std::vector<double> InnerValues(const RelevoGrey& image)
   return values;
 }
 
-// Mean squared difference of an image and another one that is moved to the right, away from
+// Mean squared difference between an image and another one shifted to the right, away from the
 // borders.
 double DifferenceOfMoved(const RelevoGrey& image, const RelevoGrey& other, int columns)
 {
@@ -84,7 +85,7 @@ void TestPhase(RelevoCheck& check)
     CHECK_EQUAL(at(0.375), at(-0.625));
     CHECK_NOT_EQUAL(at(0.375), still);
 
-    // Smooth, around the loop and across its end.
+    // The animation is smooth within the loop and across its end.
     const double large = MeanDifference(at(0.5), still);
     for (double phase : { -0.005, 0.1, 0.249, 0.5, 0.745, 0.99 })
     {
@@ -94,7 +95,7 @@ void TestPhase(RelevoCheck& check)
   }
 }
 
-// In a loop of Period frames the pattern moves one sample downstream from each to the next.
+// In a loop of Period frames, the pattern moves one sample downstream per frame.
 void TestDirection(RelevoCheck& check)
 {
   for (bool enhanced : { false, true })
@@ -120,7 +121,7 @@ void TestDirection(RelevoCheck& check)
                   << moved << ", upstream " << movedBack << "\n";
         CHECK_LESS(moved, 0.4);
         CHECK_GREATER(movedBack, 2.0);
-        // No phase is paler than the others.
+        // All phases have the same mean and contrast.
         const RelevoMoments moments = MomentsOf(InnerValues(image));
         CHECK_NEAR(moments.Mean, still.Mean, 0.01);
         CHECK_NEAR(moments.StandardDeviation / still.StandardDeviation, 1.0, 0.1);
@@ -129,7 +130,7 @@ void TestDirection(RelevoCheck& check)
   }
 }
 
-// One dot becomes a line that is the brightest at its head, downstream.
+// A single dot becomes a line whose brightest end, the head, is downstream.
 void TestOrientedDot(RelevoCheck& check)
 {
   vtkNew<vtkImageData> dot;
@@ -146,7 +147,7 @@ void TestOrientedDot(RelevoCheck& check)
     filter->EnhancedLICOff();
     filter->OrientedLICOn();
     const std::vector<double> lic = RunLIC(filter);
-    // Weights grow linearly from the sample that is furthest downstream to that furthest upstream.
+    // Weights grow linearly from the sample furthest downstream to the one furthest upstream.
     const double sum = (2.0 * Steps + 1.0) * (Steps + 1.0);
     for (int k = -30; k <= 30 && CHECK_EQUAL(lic.size(), 101); ++k)
     {
@@ -158,7 +159,8 @@ void TestOrientedDot(RelevoCheck& check)
   }
 }
 
-// Sparse noise, both passes: brightness rises slowly downstream and falls abruptly after the heads.
+// With sparse noise and both passes, brightness rises slowly downstream and falls abruptly after
+// the heads.
 void TestOrientedImpulses(RelevoCheck& check)
 {
   vtkNew<vtkLICNoiseSource> noise;

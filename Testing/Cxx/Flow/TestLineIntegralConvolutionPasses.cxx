@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkLineIntegralConvolution does beside its convolution: second pass, contrast, smoothing.
+// vtkLineIntegralConvolution promises: the second pass, contrast enhancement and antialiasing work
+// as its settings describe.
 #include "RelevoCheck.h"
 #include "RelevoFlowImages.h"
 
@@ -36,7 +37,7 @@ vtkSmartPointer<vtkImageData> MakeImage(const RelevoGrey& grey)
   return image;
 }
 
-// Of an image in which an array "LICMask" is 0.
+// The mask stored in the array "LICMask" of an image.
 class Mask
 {
 public:
@@ -44,7 +45,7 @@ public:
     : Grey(GreyOf(ValuesOf(lic, "LICMask"), Columns))
   {
   }
-  // Whether all pixels within the distances are there and not masked.
+  // Whether no pixel within these distances is masked or outside the image.
   bool IsClear(int column, int row, int across, int along) const
   {
     bool clear = column >= across && row >= along && column + across < this->Grey.Columns &&
@@ -138,7 +139,7 @@ RelevoGrey RunGrey(vtkLineIntegralConvolution* filter)
   return GreyOf(RunLIC(filter), Columns);
 }
 
-// A second pass by a second filter.
+// A second filter computes the second pass for comparison.
 void TestSecondPass(RelevoCheck& check, bool contrast, int steps)
 {
   const auto noise = MakeNoiseImage(50, 50);
@@ -186,7 +187,7 @@ void TestFilters(RelevoCheck& check)
   CHECK_LESS(LargestDifference(RunLIC(filter), Stretch(expected, mask, 0.0, 0.0).Values), 1e-5);
 }
 
-// Nothing to stretch.
+// Constant noise has no contrast to stretch.
 void TestFlatNoise(RelevoCheck& check)
 {
   const auto noise = MakeNoiseImage(3, 3);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkLineIntegralConvolution: the longest images that floats have places for.
+// Proves limits.md: line integral convolution accepts images of up to 2^22 points along each side,
+// which float coordinates can still address.
 #include "RelevoCheck.h"
 #include "RelevoFlowImages.h"
 

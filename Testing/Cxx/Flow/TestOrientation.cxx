@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The tests' own measure of directions, on lines whose directions are known.
+// Proves that the tests measure directions correctly, using images of lines with known directions.
 #include "RelevoCheck.h"
 #include "RelevoOrientation.h"
 
@@ -12,7 +12,7 @@ namespace
 {
 constexpr int Size = 256;
 
-// Centred, in pixels.
+// Coordinate in pixels, relative to the image's centre.
 double Place(int pixel)
 {
   return pixel - 0.5 * (Size - 1);
@@ -31,7 +31,7 @@ RelevoGrey MakeImage(const std::function<double(double x, double y)>& value)
   return image;
 }
 
-// Lines of constant t, of random greys about two pixels wide.
+// Lines of constant t with random grey values, about two pixels wide.
 class Profile
 {
 public:
@@ -117,7 +117,7 @@ int TestOrientation(int, char*[])
   CHECK_LESS(around.Median, 0.1);
   CHECK_LESS(around.Percentile95, 0.5);
 
-  // No lines, no direction.
+  // Noise without lines has no direction.
   std::mt19937 random(3);
   const RelevoGrey noise = MakeImage([&](double, double) { return static_cast<double>(random()); });
   const RelevoDeviations none = Measure(noise,

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkSurfaceLineIntegralConvolution against means of its noise along lines that are known.
+// vtkSurfaceLineIntegralConvolution promises: each value is the mean of the noise along its
+// streamline. References are lines that are known exactly.
 #include "RelevoCheck.h"
 #include "RelevoSurfaceLIC.h"
 
@@ -25,7 +26,7 @@ using namespace RelevoVectors;
 
 constexpr double Grain = 0.05;
 
-// Noise at lattice points is independent and uniform, between them it is in between.
+// Noise is independent and uniform at lattice points, and interpolated between them.
 void CheckNoise(RelevoCheck& check)
 {
   const relevo::SolidNoise noise(0.5, 1);
@@ -69,7 +70,7 @@ void CheckNoise(RelevoCheck& check)
   }
 }
 
-// [-1/2, 1/2]^2, `normal` off the z axis; a field of one vector.
+// The square [-1/2, 1/2]^2 with a uniform field. `normal` tilts it away from the z axis.
 struct UniformPlane
 {
   UniformPlane()
@@ -136,7 +137,7 @@ void CheckUniform(RelevoCheck& check)
     CHECK_GREATER(spread, 0.1);
   };
   const auto box = [](int) { return 1.0; };
-  // Automatic: a grain.
+  // The automatic step is one grain.
   expect(Grain, 20, box, plane.Mesh);
   filter->NormalizeVectorsOff();
   expect(Grain, 20, box, plane.Mesh);
@@ -149,7 +150,7 @@ void CheckUniform(RelevoCheck& check)
   expect(
     0.01, 7, [](int k) { return 0.5 - 0.5 * k / 8.0; }, plane.Mesh);
   filter->OrientedLICOff();
-  // The same vectors of cells.
+  // The same vectors as cell data give the same result.
   auto ofCells = RelevoMeshes::Make();
   ofCells->CopyStructure(plane.Mesh);
   vtkNew<vtkDoubleArray> vectors;
@@ -164,7 +165,8 @@ void CheckUniform(RelevoCheck& check)
 
 double Correlate(const std::vector<float>& a, const std::vector<float>& b, int columns, int shift)
 {
-  // Of a at a column with b at one `shift` columns to the right, away from the border.
+  // Correlation of `a` at a column with `b` at the column `shift` to the right, away from the
+  // border.
   const int n = 41;
   double sums[5] = { 0, 0, 0, 0, 0 };
   int count = 0;
@@ -185,7 +187,7 @@ double Correlate(const std::vector<float>& a, const std::vector<float>& b, int c
     std::sqrt((sums[2] - sums[0] * sums[0] / count) * (sums[3] - sums[1] * sums[1] / count));
 }
 
-// The pattern goes downstream and comes back to where it was.
+// The pattern moves downstream and returns to its start after one period.
 void CheckPhase(RelevoCheck& check)
 {
   auto plane = RelevoMeshes::Plane(40, 40);
@@ -193,7 +195,7 @@ void CheckPhase(RelevoCheck& check)
   vtkNew<vtkSurfaceLineIntegralConvolution> filter;
   filter->SetGrainSize(Grain);
   filter->SetStepSize(0.5 / 40);
-  filter->SetNumberOfSteps(20); // a period of 61 steps, two in a column
+  filter->SetNumberOfSteps(20); // the period is 61 steps, with two steps per column
   const auto at = [&](double phase)
   {
     filter->SetPhase(phase);
@@ -208,7 +210,7 @@ void CheckPhase(RelevoCheck& check)
   const double upstream = Correlate(still, moved, 12, -2);
   CHECK_GREATER(downstream, 0.9);
   CHECK_GREATER(downstream, upstream + 0.05);
-  // No jump anywhere, also at the period's end.
+  // The pattern never jumps, not even at the end of the period.
   auto before = at(0.0);
   for (int i = 1; i <= 61; ++i)
   {
@@ -224,7 +226,7 @@ void CheckPhase(RelevoCheck& check)
 RelevoMeshes::Mesh SwirlingTorus()
 {
   auto torus = RelevoMeshes::Torus(40, 25);
-  torus->SetVerts(nullptr); // of triangles that closed up
+  torus->SetVerts(nullptr); // the vertices of collapsed triangles
   torus->SetLines(nullptr);
   AddVelocity(torus,
     [](const Vector& p) {
@@ -253,7 +255,7 @@ void CheckSameResult(RelevoCheck& check)
   CHECK_EQUAL(one.Mask, two.Mask);
   filter->SetNoiseGeneratorSeed(7);
   CHECK_NOT_EQUAL(RelevoSurfaceLIC(filter, torus).Values, one.Values);
-  // A mesh of twice the size has the same pattern, twice as large.
+  // A mesh of twice the size has the same pattern at twice the scale.
   filter->SetNoiseGeneratorSeed(1);
   filter->SetGrainSize(0.2);
   const double nowhere[3] = { 0, 0, 0 };
@@ -263,7 +265,7 @@ void CheckSameResult(RelevoCheck& check)
   CHECK_EQUAL(large.Values, one.Values);
 }
 
-// Lines cross where points coincide without being shared.
+// Lines cross seams where points coincide but are not shared.
 void CheckSeams(RelevoCheck& check)
 {
   auto torus = SwirlingTorus();
@@ -287,7 +289,7 @@ void CheckSeams(RelevoCheck& check)
   split->GetPointData()->SetVectors(vectors);
   CHECK_EQUAL(RelevoSurfaceLIC(filter, split).Values, expected);
 
-  // Two blocks, side by side.
+  // Two adjacent blocks join without a seam.
   const auto half = [](double left)
   {
     auto mesh = RelevoMeshes::Plane(20, 40);
@@ -346,7 +348,7 @@ void CheckContrast(RelevoCheck& check)
   }
 }
 
-// The input stays, and goes on to the output.
+// The input is not modified, and its data pass to the output.
 void CheckPassing(RelevoCheck& check)
 {
   auto mixed = RelevoMeshes::Mixed();
@@ -364,7 +366,7 @@ void CheckPassing(RelevoCheck& check)
   CHECK(vtkFloatArray::SafeDownCast(output->GetPointData()->GetScalars()));
   CHECK(vtkUnsignedCharArray::SafeDownCast(output->GetPointData()->GetArray("LICMask")));
   CHECK_EQUAL(vtkImageData::SafeDownCast(filter->GetOutputDataObject(1))->GetNumberOfPoints(), 0);
-  // A point of no polygon, one of lines alone.
+  // One of these points belongs to no cell, the other only to lines.
   CHECK(lic.Mask[23] == 1 && lic.Mask[22] == 1 && lic.Mask[0] == 0);
 }
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkSurfaceLineIntegralConvolution where there is no data, on odd meshes, and its errors.
+// Proves flow.md on missing data: vtkSurfaceLineIntegralConvolution masks zero and missing vectors,
+// works on degenerate meshes, and reports errors.
 #include "RelevoCheck.h"
 #include "RelevoSurfaceLIC.h"
 
@@ -33,7 +34,7 @@ vtkSmartPointer<vtkSurfaceLineIntegralConvolution> MakeFilter()
   return filter;
 }
 
-// A disk of values in the middle of a plane in whose place something else stands.
+// A plane whose central disk has `something` in place of the field's values.
 RelevoMeshes::Mesh PlaneWith(double something)
 {
   auto plane = RelevoMeshes::Plane(40, 40);
@@ -44,7 +45,7 @@ RelevoMeshes::Mesh PlaneWith(double something)
   return plane;
 }
 
-// The noise that stays where it is masked; nothing leaks out.
+// Masked points keep the noise, and the values stored there affect no other point.
 void CheckNoData(RelevoCheck& check)
 {
   const auto filter = MakeFilter();
@@ -81,7 +82,7 @@ void CheckNoData(RelevoCheck& check)
   const RelevoSurfaceLIC same(filter, PlaneWith(2e3));
   CHECK_EQUAL(same.Values, lic.Values);
   CHECK_EQUAL(same.Mask, lic.Mask);
-  // A line along y ends at the disk: what is beyond, and there, makes no difference.
+  // A line along y ends at the disk, so vectors inside the disk and beyond it have no effect.
   auto below = PlaneWith(1e4);
   auto changed = PlaneWith(1e4);
   for (vtkPolyData* mesh : { below.Get(), changed.Get() })
@@ -93,7 +94,7 @@ void CheckNoData(RelevoCheck& check)
       if (p[0] * p[0] + p[1] * p[1] >= 0.04)
       {
         const bool bends = p[1] > 0 && mesh == changed;
-        vectors->SetTuple3(point, bends ? 1 : 0, bends ? 0 : 1, 0); // equally long
+        vectors->SetTuple3(point, bends ? 1 : 0, bends ? 0 : 1, 0); // all have the same length
       }
     }
   }
@@ -134,7 +135,7 @@ void CheckThreshold(RelevoCheck& check)
   CHECK_EQUAL(countMasked(0.0), 21 * 41);
   CHECK_EQUAL(countMasked(0.26), 31 * 41);
   CHECK_EQUAL(countMasked(-1.0), 0);
-  // Lines run through what is masked by its length.
+  // Lines pass through points that are masked by the length of their vectors.
   filter->SetMaskThreshold(0.26);
   const RelevoSurfaceLIC masked(filter, plane);
   filter->SetMaskThreshold(0.0);
@@ -143,7 +144,7 @@ void CheckThreshold(RelevoCheck& check)
   {
     CHECK(masked.Mask[i] || masked.Values[i] == all.Values[i]);
   }
-  // Of cells: where all are masked.
+  // With cell data, a point is masked if all its cells are.
   auto ofCells = RelevoMeshes::Plane(10, 10);
   vtkNew<vtkIntArray> vectors;
   vectors->SetName("v");
@@ -198,7 +199,7 @@ void CheckOddMeshes(RelevoCheck& check)
   }
 }
 
-// Whether there is no output, and an error that says `words`.
+// Whether the output is empty and an error contains `words`.
 bool Fails(Filter* filter, vtkPolyData* mesh, const char* words)
 {
   RelevoErrors errors(filter);
@@ -207,7 +208,7 @@ bool Fails(Filter* filter, vtkPolyData* mesh, const char* words)
   return errors.Said(words) && lic.Values.empty() && filter->GetOutput()->GetNumberOfPoints() == 0;
 }
 
-// Whether a setting is an error at once, and changes nothing.
+// Whether a setting gives an error at once and changes nothing.
 bool Rejects(const std::function<void(Filter*)>& set, const char* words)
 {
   const auto plane = PlaneWith(1.0);
@@ -249,7 +250,7 @@ void CheckSettings(RelevoCheck& check)
 
 void CheckRange(RelevoCheck& check, Filter* filter, vtkPolyData* plane)
 {
-  filter->SetHighLICContrastEnhancementFactor(1.0); // nothing is left of the range
+  filter->SetHighLICContrastEnhancementFactor(1.0); // no range would remain
   CHECK(Fails(filter, plane, "High"));
   filter->SetHighLICContrastEnhancementFactor(0.0);
 }
@@ -310,7 +311,7 @@ void CheckNamedArrays(RelevoCheck& check, Filter* filter, vtkPolyData* plane)
   CHECK(RelevoSurfaceLIC(filter, plane).IsValid());
 }
 
-// Without a name it is the first array that can be, and no normals.
+// Without a name, the filter takes the first suitable array that does not contain normals.
 void CheckFirstArray(RelevoCheck& check)
 {
   auto plane = PlaneWith(1.0);
@@ -336,7 +337,7 @@ void CheckErrors(RelevoCheck& check)
   auto plane = PlaneWith(1.0);
   CheckRange(check, filter, plane);
   CheckInputs(check, filter, plane);
-  CheckNamedArrays(check, filter, plane); // after which the filter works
+  CheckNamedArrays(check, filter, plane); // checks too that the filter works again
   CheckFirstArray(check);
 }
 }

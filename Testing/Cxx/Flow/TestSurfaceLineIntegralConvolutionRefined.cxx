@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkSurfaceLineIntegralConvolution behind adaptive refinement by the field: closer to the result
-// on a dense mesh than on the coarse one, and than on one of uniform triangles, of which there are
-// more.
+// Proves flow.md: on a mesh refined where the vectors turn, vtkSurfaceLineIntegralConvolution is
+// closer to the result on a dense mesh than on the coarse mesh or on more triangles of equal size.
 #include "RelevoCheck.h"
 #include "RelevoSurfaceLIC.h"
 
@@ -26,7 +25,7 @@ using namespace RelevoVectors;
 
 constexpr int MaximumLevel = 3;
 
-// On the torus: along it, and in one place through all directions in waves.
+// The field runs along the torus. In one region it turns through all directions in waves.
 Vector Swirl(const Vector& p)
 {
   const double u = std::atan2(p[1], p[0]);
@@ -41,7 +40,7 @@ Vector Swirl(const Vector& p)
 RelevoMeshes::Mesh CoarseTorus()
 {
   auto torus = RelevoMeshes::Torus(40, 24);
-  torus->SetVerts(nullptr); // of triangles that closed up
+  torus->SetVerts(nullptr); // the vertices of collapsed triangles
   torus->SetLines(nullptr);
   AddVelocity(torus, Swirl);
   return torus;
@@ -55,7 +54,7 @@ vtkSmartPointer<vtkFieldVariationDepthTagMetric> MakeVariation()
   return metric;
 }
 
-// The field is known at all points, as of a simulation or a formula.
+// Evaluates the field at every point, as a simulation or a formula would.
 RelevoMeshes::Mesh Convolve(vtkPolyData* surface)
 {
   auto mesh = RelevoMeshes::Make();
@@ -70,8 +69,8 @@ RelevoMeshes::Mesh Convolve(vtkPolyData* surface)
   return mesh;
 }
 
-// How far the interpolated LIC of a mesh is from that of the dense one's points, relative to how
-// far that is from grey.
+// Distance of a mesh's interpolated LIC from that of the dense mesh, relative to the dense mesh's
+// contrast.
 double FindError(vtkPolyData* mesh, vtkPolyData* dense)
 {
   vtkNew<vtkCellLocator> locator;
@@ -133,7 +132,7 @@ void CheckCloser(RelevoCheck& check)
   CHECK_LESS(ofAdaptive, 0.5 * ofUniform);
 }
 
-// The whole recipe: the field, a region of interest, no side longer than 10 pixels.
+// A recipe combines field variation, a region of interest and a limit of 10 pixels for edges.
 void CheckRecipe(RelevoCheck& check)
 {
   auto torus = CoarseTorus();
@@ -149,7 +148,7 @@ void CheckRecipe(RelevoCheck& check)
   vtkNew<vtkPNTriangleSurface> surface;
   auto recipe = RelevoMeshes::MakeRecipe(MaximumLevel, surface);
   recipe->SetMetric(metric);
-  recipe->GeomorphingOff(); // segments of the same length
+  recipe->GeomorphingOff(); // all segments of an edge have the same length
   vtkNew<vtkCamera> camera;
   camera->SetPosition(0, 0, 6);
   vtkNew<vtkAdaptiveRefinementFilter> refine;
@@ -165,8 +164,8 @@ void CheckRecipe(RelevoCheck& check)
   filter->SetNumberOfSteps(3);
   filter->Update();
   CHECK(RelevoSurfaceLIC(filter->GetOutput()).IsValid());
-  // The longest side on the screen, of flat edges with an angle of view of 30 degrees, and what is
-  // in the two places of interest.
+  // The longest flat edge on the screen for a view angle of 30 degrees, and the numbers of
+  // triangles in the two regions of interest.
   const double pixels = 100.0 / std::tan(vtkMath::RadiansFromDegrees(15.0));
   double longest = 0.0;
   double longestInRegion = 0.0;
@@ -193,7 +192,7 @@ void CheckRecipe(RelevoCheck& check)
   }
   std::cout << output->GetNumberOfCells() << " triangles, their sides at most " << longest
             << " pixels long, " << longestInRegion << " in the region\n";
-  // sqrt(2) by the rule of levels per point, and what the surface bulges.
+  // Levels per point allow a factor of sqrt(2), and the curved surface lengthens edges slightly.
   CHECK_LESS(longest, 10.0 * std::sqrt(2.0) * 1.1);
   CHECK_GREATER(longestInRegion, 0.0);
   CHECK_LESS(longestInRegion, 0.35 / 8);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The texture of vtkSurfaceLineIntegralConvolution against its points.
+// vtkSurfaceLineIntegralConvolution promises a texture that shows the same LIC as its points.
 #include "RelevoCheck.h"
 #include "RelevoSurfaceLIC.h"
 
@@ -24,13 +24,13 @@ vtkImageData* GetTexture(vtkSurfaceLineIntegralConvolution* filter)
   return vtkImageData::SafeDownCast(filter->GetOutputDataObject(1));
 }
 
-// In [0, 255].
+// Returns a value in [0, 255].
 double GetTexel(vtkImageData* texture, int i, int j)
 {
   return texture->GetScalarComponentAsDouble(i, j, 0, 0);
 }
 
-// A plane whose points are the centres of texels.
+// On this plane, points lie at the centres of texels.
 void CheckPoints(RelevoCheck& check)
 {
   const int n = 33;
@@ -59,12 +59,12 @@ void CheckPoints(RelevoCheck& check)
       const double texel = GetTexel(texture, point % n, point / n);
       differ += std::abs(texel - 255.0 * lic.Values[point]) > 0.6;
     }
-    // Beside the swirl's centre all depends on the last digit.
+    // Next to the swirl's centre, the result depends on rounding.
     CHECK_LESS_EQUAL(differ, 1);
   }
 }
 
-// A coarse mesh has in its texture what a fine one has in its points, across its seam.
+// The texture of a coarse mesh equals the point values of a fine one, also across the seam.
 void CheckFineness(RelevoCheck& check)
 {
   const auto make = [](int n)
@@ -102,7 +102,7 @@ void CheckFineness(RelevoCheck& check)
   std::cout << "texture of 1104 triangles, points of " << fine->GetNumberOfCells() << ": differ by "
             << std::sqrt(squares / count) << ", deviate by " << std::sqrt(variance / count) << "\n";
   CHECK_LESS(squares, 0.15 * variance);
-  // The first and the last column lie on both sides of the seam.
+  // The first and last columns lie on the two sides of the seam.
   double across = 0.0;
   double along = 0.0;
   for (int j = 20; j < 172; ++j)
@@ -113,12 +113,12 @@ void CheckFineness(RelevoCheck& check)
   CHECK_LESS(across, 1.5 * along + 152.0);
 }
 
-// Texels of no triangle take a near one's value.
+// Texels that no triangle covers take a neighbour's value.
 void CheckBorder(RelevoCheck& check)
 {
   auto plane = RelevoMeshes::Plane(20, 20);
   AddVelocity(plane, Swirl);
-  // Half of the texture's width and height, in its middle.
+  // The triangles cover half of the texture's width and height, in its middle.
   RelevoMeshes::AddTextureCoordinates(plane,
     [](const double* p) {
       return std::array<double, 2>{ { 0.5 + 0.5 * p[0], 0.5 + 0.5 * p[1] } };
@@ -165,7 +165,7 @@ void CheckErrors(RelevoCheck& check)
     filter->Update();
     CHECK(errors.Said("No texel"));
   }
-  // Random coordinates overlap; texels have some triangle's value all the same.
+  // With random, overlapping coordinates each texel still has some triangle's value.
   RelevoMeshes::AddRandomTextureCoordinates(plane, 3);
   filter->Update();
   CHECK(errors.None());

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Streamlines of surfaces against ones that are known.
+// Proves that streamlines on surfaces follow curves that are known exactly: circles on spheres and
+// straight lines on planes.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 #include "RelevoVector.h"
@@ -23,7 +24,7 @@ using relevo::SurfaceVectors;
 
 constexpr double NoDataMagnitude = 1e8;
 
-// The vectors of a mesh; both stay.
+// A mesh with a vector array, which may have missing values.
 class Field
 {
 public:
@@ -33,7 +34,7 @@ public:
     RelevoMeshes::FillVectors(mesh, function, this->Array);
     this->Vectors = std::make_unique<SurfaceVectors>(mesh, this->Array, false, NoDataMagnitude);
   }
-  // One vector for each cell.
+  // Uses one vector per cell.
   Field(vtkPolyData* mesh, const std::vector<Vector>& vectors)
     : Mesh(mesh)
   {
@@ -45,7 +46,8 @@ public:
     this->Vectors = std::make_unique<SurfaceVectors>(mesh, this->Array, true, NoDataMagnitude);
   }
 
-  // Where a line from a point is after some steps; `done` says after how many.
+  // Returns where a line from a point is after some steps. `done` receives the number of steps
+  // taken.
   Vector Walk(
     vtkIdType point, bool forward, double step, int numberOfSteps, int* done = nullptr) const
   {
@@ -69,8 +71,8 @@ private:
   std::unique_ptr<SurfaceVectors> Vectors;
 };
 
-// Circles about an axis on the unit sphere, some of them great: the end points, at a length of 1,
-// are as far from the mesh's edges squared.
+// On the unit sphere, lines are circles about an axis. After a length of 1, the error is at most
+// the square of the mesh's edge length.
 void CheckCircles(RelevoCheck& check, int n)
 {
   const Vector axis = normalize({ { 0.3, -0.5, 0.8 } });
@@ -118,7 +120,7 @@ void CheckCircles(RelevoCheck& check, int n)
   CHECK_LESS(largest, 0.5 * edge * edge);
 }
 
-// Axes of a plane that is turned in space.
+// Axes of a plane that is rotated in space.
 struct Axes
 {
   Vector E1 = normalize({ { 0.6, 0.3, -0.5 } });
@@ -126,7 +128,7 @@ struct Axes
   Vector Normal = cross(this->E1, this->E2);
 };
 
-// One field for all of a square of side 1 about the origin: lines are straight.
+// A uniform field on a square of side 1 about the origin, whose streamlines are straight.
 class StraightField
 {
 public:
@@ -136,13 +138,13 @@ public:
     , Toward{ { std::cos(vtkMath::RadiansFromDegrees(degrees)),
         std::sin(vtkMath::RadiansFromDegrees(degrees)) } }
     , Policy(this->Toward[0] * axes.E1 + this->Toward[1] * axes.E2)
-    // What stands on the surface does not count.
+    // The part along the normal has no effect.
     , Lines(mesh,
         [this](const Vector& p) { return (2.0 + p[0]) * this->Policy + p[1] * this->Along.Normal; })
   {
   }
 
-  // A line from the point goes straight on, as far as the border.
+  // A line from the point is straight up to the border.
   void CheckLine(RelevoCheck& check, vtkIdType point) const
   {
     constexpr double Step = 0.03;
@@ -159,7 +161,7 @@ public:
     }
     if (most > 1e-6)
     {
-      // It ends at the border, and there it is.
+      // The line ends exactly at the border.
       const Vector border = this->Lines.Walk(point, true, Step, steps + 2, &done);
       CHECK(done == steps || std::abs(most - (steps + 1) * Step) < 1e-6);
       CHECK_LESS(length(border - (start + most * this->Policy)), 1e-6);
@@ -188,7 +190,7 @@ private:
   Field Lines;
 };
 
-// The quads of a mesh become triangles, by either diagonal, which wind either way.
+// Splits the quads of a mesh along either diagonal, with random winding.
 void SplitAtRandom(vtkPolyData* mesh)
 {
   std::mt19937 random(3);
@@ -228,8 +230,8 @@ void Tilt(vtkPolyData* mesh, const Axes& axes)
   mesh->SetPoints(points);
 }
 
-// Straight lines on a plane of random triangles, from all points, as far as the border; however its
-// triangles wind, and with points of their own.
+// On a plane of random triangles, lines from every point are straight up to the border. Neither
+// winding nor unshared points change this.
 void CheckPlane(RelevoCheck& check)
 {
   auto plane = RelevoMeshes::Plane(9, 7);
@@ -237,7 +239,7 @@ void CheckPlane(RelevoCheck& check)
   const Axes axes;
   Tilt(plane, axes);
   auto exploded = RelevoMeshes::Explode(plane);
-  // Along the edges as well: on the border as far as its end.
+  // Directions along the edges are included: such lines follow the border to its end.
   for (double degrees : { 0.0, 90.0, 37.0, 161.0, 254.0 })
   {
     CHECK_CASE(degrees);
@@ -252,7 +254,7 @@ void CheckPlane(RelevoCheck& check)
   }
 }
 
-// Two cells that meet on the y axis, with a vector each.
+// Two cells that meet on the y axis, each with one vector.
 RelevoMeshes::Mesh Roof()
 {
   return RelevoMeshes::FromTriangles(
@@ -260,32 +262,32 @@ RelevoMeshes::Mesh Roof()
     { { { 0, 1, 2 } }, { { 1, 0, 3 } } });
 }
 
-// Where both triangles of an edge send a line to it, it slides.
+// If both triangles of an edge lead a line towards it, the line slides along the edge.
 void CheckSliding(RelevoCheck& check)
 {
   int done;
   auto roof = Roof();
   const Field along(roof, { { { 2, 1, 1 } }, { { -1, 1, 0.5 } } });
-  Vector end = along.Walk(2, true, 0.1, 15, &done); // of the left corner
+  Vector end = along.Walk(2, true, 0.1, 15, &done); // starts at the left corner
   CHECK_EQUAL(done, 15);
-  // sqrt(5/6) of each 1 is up the slope, of length sqrt(1.25).
+  // The part sqrt(5/6) of the unit vector points up the slope, whose length is sqrt(1.25).
   const double slope = std::sqrt(1.25) * std::sqrt(6.0 / 5.0);
   CHECK_NEAR(end[0], 0.0, 1e-12);
   CHECK_NEAR(end[2], 0.0, 1e-12);
   CHECK_NEAR(end[1], slope * std::sqrt(1.0 / 6.0) + (1.5 - slope), 1e-9);
   along.Walk(2, true, 0.1, 50, &done);
   CHECK_LESS(done, 50);
-  // Head-on.
+  // These vectors point at each other, so the line stops at the edge.
   const Field against(roof, { { { 2, 0, 1 } }, { { -2, 0, 1 } } });
   end = against.Walk(2, true, 0.1, 50, &done);
   CHECK_EQUAL(done, static_cast<int>(std::sqrt(1.25) / 0.1));
   CHECK_NEAR(length(end), 0.0, 1e-9);
-  // Away from the edge nothing slides.
+  // These vectors lead away from the edge, so nothing slides.
   const Field apart(roof, { { { -2, 1, -1 } }, { { 1, 1, -0.5 } } });
   CHECK_GREATER(std::abs(apart.Walk(0, true, 0.1, 3)[0]), 0.1);
 }
 
-// What ends a line.
+// Lines end at missing and vanishing vectors.
 void CheckEnds(RelevoCheck& check)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -301,18 +303,19 @@ void CheckEnds(RelevoCheck& check)
     const Vector end = field.Walk(0, true, 0.01, 100, &done);
     CHECK(done == 50 || done == 49);
     CHECK_NEAR(end[0], 0.0, 1e-6);
-    field.Walk(20, true, 0.01, 100, &done); // in the midst of no data
+    field.Walk(20, true, 0.01, 100, &done); // starts inside missing data
     CHECK_EQUAL(done, 0);
   }
   const Field still(
-    strip, [&](const Vector& p) { return std::max(0.0, -p[0]) * right; }); // shorter and shorter
+    // vectors shrink to zero towards x = 0
+    strip, [&](const Vector& p) { return std::max(0.0, -p[0]) * right; });
   int done;
   CHECK_LESS(still.Walk(0, true, 0.01, 100, &done)[0], 1e-6);
   CHECK_LESS_EQUAL(done, 50);
   const Field none(strip, [&](const Vector&) { return Vector{}; });
   none.Walk(0, true, 0.01, 100, &done);
   CHECK_EQUAL(done, 0);
-  // Three triangles at an edge; one without area.
+  // An edge with three triangles, one of them without area.
   auto fin = Roof();
   fin->GetPoints()->InsertNextPoint(0, 0, 1);
   fin->GetPolys()->InsertNextCell({ 0, 1, 4 });
@@ -327,7 +330,7 @@ void CheckEnds(RelevoCheck& check)
   CHECK(done == 9 || done == 10);
 }
 
-// Whatever the mesh and its vectors, lines end or go on, and are somewhere.
+// On arbitrary meshes and vectors, lines stay on the mesh and their points stay finite.
 void CheckHostile(RelevoCheck& check)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

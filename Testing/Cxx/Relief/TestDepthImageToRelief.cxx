@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth images and z-buffers as reliefs: where texels lie, their colours and normals.
+// vtkDepthImageToRelief promises where the texels of a depth image or z-buffer lie, their colours
+// and their normals.
 #include "Data/Relief.h"
 #include "RelevoCheck.h"
 #include "RelevoReliefs.h"
@@ -34,7 +35,7 @@ vtkSmartPointer<vtkMatrix4x4> MakePose()
   return transform->GetMatrix();
 }
 
-// Millimetres, as cameras have them, with the first row on top or at the bottom.
+// Depths in millimetres, as from depth cameras, with the first row at the top or at the bottom.
 void TestPinhole(RelevoCheck& check)
 {
   const int width = 5;
@@ -64,7 +65,7 @@ void TestPinhole(RelevoCheck& check)
         CHECK_LESS(distance(RelevoGetPoint(relief, column, row), dvec3(place)), 1e-6);
       }
     }
-    // A change of the pose counts.
+    // A change of the pose takes effect.
     pose->SetElement(0, 3, 1000.0);
     CHECK_GREATER(RelevoGetPoint(RelevoReadRelief(check, filter), 0, 0).x, 900.0);
   }
@@ -83,7 +84,7 @@ void TestInvalidDepths(RelevoCheck& check)
     CHECK_EQUAL(std::isnan(relief.GetDepths()[i]), (i != 0 && i != 7));
   }
 
-  // The same of a z-buffer, of which 1 is the background; 0 is at the near plane.
+  // Missing depths of a z-buffer: 1 is the background, and 0 is at the near plane.
   const double values[] = { 0.0, 0.5, -0.1, NaN, 1.0, 1.1, Infinity, 0.25 };
   vtkNew<vtkCamera> camera;
   for (bool isParallel : { false, true })
@@ -101,7 +102,7 @@ void TestInvalidDepths(RelevoCheck& check)
   }
 }
 
-// What the camera's matrices project to the centres of pixels comes back.
+// Points that the camera's matrices project to pixel centres are reconstructed.
 void TestZBuffer(RelevoCheck& check)
 {
   const int width = 7;
@@ -136,7 +137,7 @@ void TestZBuffer(RelevoCheck& check)
         CHECK_LESS(distance(dvec3(view) / view.w, expected), 1e-6);
       }
     }
-    // Depths are along the camera's axis.
+    // Depths are measured along the camera's axis.
     const double difference = relief.GetDepths()[8] - relief.GetDepths()[0];
     dvec3 axis;
     camera->GetDirectionOfProjection(&axis.x);
@@ -183,7 +184,7 @@ void TestColors(RelevoCheck& check)
     }
   }
 
-  // A renderer's picture, with the z-buffer beside it.
+  // The picture of a renderer with the z-buffer as a second array.
   const auto picture = RelevoMakeImage(
     3, 2, VTK_UNSIGNED_CHAR, [](int, int) { return 7.0; }, 3);
   vtkNew<vtkFloatArray> buffer;
@@ -200,7 +201,7 @@ void TestColors(RelevoCheck& check)
   CHECK_EQUAL(relief.GetNumberOfValidTexels(), 6);
 }
 
-// Of a plane they are exact, whatever the projection, and look at the viewer.
+// Normals of a plane are exact in every projection and face the viewer.
 void TestNormals(RelevoCheck& check)
 {
   const dvec3 normal = normalize(dvec3(0.3, -0.4, -1.0));
@@ -242,7 +243,7 @@ void TestNormals(RelevoCheck& check)
   CHECK(!RelevoReadRelief(check, filter).GetNormals());
 }
 
-// One row, one column, one texel; extents that do not start at 0.
+// One row, one column, one texel, and extents that do not start at 0.
 void TestSizes(RelevoCheck& check)
 {
   const int sizes[][2] = { { 1, 6 }, { 6, 1 }, { 1, 1 } };

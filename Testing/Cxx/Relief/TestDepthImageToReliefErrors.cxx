@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth images that cannot become reliefs: one ErrorEvent each, and an empty output.
+// vtkDepthImageToRelief promises one ErrorEvent and an empty output for depth images that it cannot
+// use.
 #include "RelevoBlocks.h"
 #include "RelevoCheck.h"
 #include "RelevoReliefs.h"
@@ -39,7 +40,7 @@ void ExpectError(RelevoCheck& check, vtkDepthImageToRelief* filter, const char* 
   CHECK_EQUAL(filter->GetExecutive()->Update(), 0);
   CHECK(errors.Said(words));
   CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 0);
-  // And all is well once the input is.
+  // The filter works again after the input is corrected.
   filter->SetInputData(MakeDepths());
   filter->SetInputConnection(1, nullptr);
   filter->SetPose(nullptr);
@@ -49,7 +50,7 @@ void ExpectError(RelevoCheck& check, vtkDepthImageToRelief* filter, const char* 
   CHECK(errors.None() && filter->GetOutput()->GetNumberOfPoints() == 12);
 }
 
-// The named array is one of cells.
+// The named array is a cell array.
 void TestCellArray(RelevoCheck& check)
 {
   vtkNew<vtkFloatArray> ofCells;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Reliefs of z-buffers against vtkDepthImageToPointCloud.
+// Proves that reliefs of z-buffers agree with vtkDepthImageToPointCloud.
 #include "Data/Relief.h"
 #include "RelevoCheck.h"
 #include "RelevoReliefs.h"
@@ -15,8 +15,8 @@ namespace
 {
 using relevo::dvec3;
 
-// It has the outermost pixels at the edges of the view: its pixel of column i is at column
-// i width / (width - 1) - 0.5 of texels, whose centres are where OpenGL samples.
+// That filter places the outermost pixels at the edges of the view. Its pixel of column i lies at i
+// width / (width - 1) - 0.5 in texels, whose centres are where OpenGL samples.
 double GetTexel(int pixel, int size)
 {
   return static_cast<double>(pixel) * size / (size - 1) - 0.5;
@@ -36,14 +36,14 @@ void TestPlaces(RelevoCheck& check, vtkCamera* camera, vtkImageData* depths)
   relevo::Relief relief;
   CHECK(relief.Read(filter->GetOutput()).empty());
 
-  // The points of what is not background, in order.
+  // The output has the points that are not background, in order.
   vtkIdType point = 0;
   for (int row = 0; row < relief.GetHeight(); ++row)
   {
     for (int column = 0; column < relief.GetWidth(); ++column)
     {
       const double height = relief.GetTexelHeight(column, row);
-      if (height == height) // no NaN
+      if (height == height) // not NaN
       {
         dvec3 expected;
         cloud->GetOutput()->GetPoint(point++, &expected.x);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Height maps of images as reliefs: places, colours, normals, what has no data, errors.
+// vtkHeightMapToRelief promises texel positions, colours and normals of height maps from images,
+// missing data and errors.
 #include "Data/Relief.h"
 #include "RelevoBlocks.h"
 #include "RelevoCheck.h"
@@ -29,7 +30,7 @@ vtkSmartPointer<vtkHeightMap> MakeMap(int width, int height, const RelevoDepth& 
   return map;
 }
 
-// A texel is a unit, the middle of the map is at the origin, and z is the height.
+// A texel has the size of one unit, the centre of the map is at the origin, and z is the height.
 void TestPlaces(RelevoCheck& check)
 {
   const auto height = [](int column, int row) { return 100.0 + 7.0 * column - 3.0 * row; };
@@ -59,7 +60,7 @@ void TestPlaces(RelevoCheck& check)
   }
 }
 
-// More texels than samples are between the samples: the finer imagery as it is.
+// Additional texels interpolate between samples, and finer imagery is used unchanged.
 void TestTexels(RelevoCheck& check)
 {
   const auto ramp = [](int column, int row) { return 8.0 * column + row; };
@@ -84,7 +85,7 @@ void TestTexels(RelevoCheck& check)
   CHECK(errors.Said("TexelsPerSample must be in [1, 64], got 65."));
   CHECK_EQUAL(filter->GetTexelsPerSample(), 2);
 
-  // An abort leaves nothing, and is no error.
+  // After an abort the output is empty, without an error.
   filter->AddObserver(
     vtkCommand::ProgressEvent, filter.Get(), &vtkHeightMapToRelief::AbortExecuteOn);
   filter->Modified();
@@ -113,7 +114,8 @@ void TestNormals(RelevoCheck& check)
   CHECK(!RelevoReadRelief(check, filter).GetNormals());
 }
 
-// Grey without imagery; imagery of the same size as it is, larger by its means, smaller stretched.
+// Without imagery the relief is grey. Imagery of the same size is unchanged, larger imagery
+// averaged, smaller imagery interpolated.
 void TestColors(RelevoCheck& check)
 {
   vtkNew<vtkHeightMapToRelief> filter;

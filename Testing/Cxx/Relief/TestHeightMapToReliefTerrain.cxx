@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Reliefs of rasters lie where vtkTerrainSource puts them.
+// vtkHeightMapToRelief promises that reliefs of rasters lie where vtkTerrainSource puts them.
 #include "Data/Relief.h"
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
@@ -23,7 +23,8 @@ using relevo::dvec3;
 using relevo::dvec4;
 using relevo::Relief;
 
-// In metres, or feet, straight or turned, texels are the samples, to the bit, where they lie.
+// In metres or feet, north up or rotated, texels equal the samples, bit for bit, at their
+// positions.
 void TestPlanar(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const std::vector<double> transforms[] = { { 500000.0, 30.0, 0.0, 5200000.0, 0.0, -20.0 },
@@ -52,14 +53,14 @@ void TestPlanar(RelevoCheck& check, const RelevoTestFolders& folders)
         {
           const double height = source->GetHeightMap()->GetSample(column, row);
           const dvec3 point = RelevoGetPoint(relief, column, row);
-          if (!(point.z == point.z)) // a NaN
+          if (!(point.z == point.z)) // NaN
           {
             ++voids;
             continue;
           }
           dvec3 place;
           CHECK(source->TerrainToMap(&point.x, &place.x));
-          // Where that is in the file.
+          // The position in the file.
           const double x = place.x - transform[0];
           const double y = place.y - transform[3];
           const double area = transform[1] * transform[5] - transform[2] * transform[4];
@@ -70,12 +71,12 @@ void TestPlanar(RelevoCheck& check, const RelevoTestFolders& folders)
           CHECK(*unit || point.z == 2.0 * height);
         }
       }
-      CHECK_EQUAL(voids, 6); // one in each row
+      CHECK_EQUAL(voids, 6); // one per row
     }
   }
 }
 
-// What the mesh of the terrain has at its points, the relief has there, too.
+// Heights of the relief equal those of the terrain at the points of the mesh.
 void TestGeographic(RelevoCheck& check, const std::string& name, int voids, double worst)
 {
   vtkNew<vtkTerrainSource> source;
@@ -86,7 +87,7 @@ void TestGeographic(RelevoCheck& check, const std::string& name, int voids, doub
   const Relief relief = RelevoReadRelief(check, filter);
   vtkHeightMap* map = source->GetHeightMap();
 
-  // Each texel is on the terrain.
+  // Every texel lies on the terrain.
   double deviation = 0.0;
   vtkIdType outside = 0;
   double corners[2][3];
@@ -114,7 +115,7 @@ void TestGeographic(RelevoCheck& check, const std::string& name, int voids, doub
       const bool isInside = u > 0.0 && u < 1.0 && v > 0.0 && v < 1.0;
       const double z = RelevoGetPoint(relief, column, row).z;
       outside += isInside ? 0 : 1;
-      if (z == z) // no NaN
+      if (z == z) // not NaN
       {
         deviation = std::max(deviation, std::abs(z - map->GetHeight(u, v)));
       }
@@ -125,7 +126,7 @@ void TestGeographic(RelevoCheck& check, const std::string& name, int voids, doub
   const vtkIdType missing = relief.GetNumberOfTexels() - relief.GetNumberOfValidTexels();
   std::cout << name << ": " << outside << " texels outside, " << missing - outside
             << " without data, up to " << deviation << " m off\n";
-  // Narrower in the north than in the south, by the cosines of the latitudes.
+  // The relief is narrower in the north than in the south, by the cosines of the latitudes.
   const double radians = std::acos(-1.0) / 180.0;
   const double share =
     0.5 * (1.0 - std::cos(corners[1][1] * radians) / std::cos(corners[0][1] * radians));

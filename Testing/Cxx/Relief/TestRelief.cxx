@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Images read as reliefs: where texels lie, where the surface is open, and what is refused.
+// Proves where the texels of a relief lie, where its surface is open, and which images are errors.
 #include "Data/Relief.h"
 #include "Data/ReliefSides.h"
 #include "RelevoCheck.h"
@@ -64,7 +64,8 @@ void TestPlaces(RelevoCheck& check)
 
 void TestSides(RelevoCheck& check)
 {
-  // A step of 6 between columns 1 and 2, texels 2 wide: open where 3.5 texels are too far.
+  // Depth steps by 6 between columns 1 and 2, and texels are 2 wide, so the surface is open for a
+  // limit of 3.5 texels.
   dmat4 matrix(1.0);
   matrix[0][0] = 2.0;
   matrix[1][1] = 2.0;
@@ -89,7 +90,8 @@ void TestSides(RelevoCheck& check)
   }
 }
 
-// In perspective a wall that recedes by its depth's share is as stretched anywhere.
+// In perspective, a wall whose depth grows by a fixed share per texel is stretched equally
+// everywhere.
 void TestPerspectiveSides(RelevoCheck& check)
 {
   const dmat4 pinhole = RelevoPinhole(64, 2, 0.01);
@@ -99,7 +101,7 @@ void TestPerspectiveSides(RelevoCheck& check)
     Relief relief;
     CHECK(
       relief.Read(RelevoMakeRelief(64, 2, ReliefProjection::Perspective, pinhole, step)).empty());
-    // 0.05 farther, 0.01 aside: about 5 texels.
+    // The step is 0.05 in depth and 0.01 sideways, about 5 texels.
     CHECK_EQUAL((relevo::FindReliefSides(relief, 4.9)[31] & relevo::RightSide), 0);
     CHECK_NOT_EQUAL((relevo::FindReliefSides(relief, 5.3)[31] & relevo::RightSide), 0);
   }
@@ -143,7 +145,7 @@ void TestErrors(RelevoCheck& check)
   CHECK(Relief().Read(MakeFlat()).empty());
   CHECK(isRefused(image, "inverse"));
   image->GetFieldData()->GetArray("ReliefMatrix")->SetComponent(0, 0, 1e-12);
-  CHECK(Relief().Read(image).empty()); // small, not singular
+  CHECK(Relief().Read(image).empty()); // small, but not singular
   image = MakeFlat();
   image->GetPointData()->GetArray("Depth")->Fill(NaN);
   CHECK(isRefused(image, "finite"));

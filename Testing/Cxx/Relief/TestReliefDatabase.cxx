@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Databases of reliefs: what is written is read again, to the bit, and the table is Cinema's.
+// vtkReliefDatabaseWriter and vtkReliefDatabaseReader promise that reliefs are read back bit for
+// bit and that the table follows Cinema's Spec D.
 #include "Data/Relief.h"
 #include "RelevoCheck.h"
 #include "RelevoFiles.h"
@@ -69,7 +70,7 @@ void AddField(vtkImageData* image, const char* name, const ValueType& value)
   image->GetFieldData()->AddArray(array);
 }
 
-// Two reliefs and one in a block of its own, with all that reliefs may have.
+// Two reliefs and one in a nested block, with all arrays that reliefs may have.
 vtkSmartPointer<vtkMultiBlockDataSet> MakeReliefs()
 {
   const auto depth = [](int column, int row)
@@ -158,7 +159,7 @@ void TestTable(RelevoCheck& check, const std::string& folder)
   CHECK_EQUAL(std::memcmp(seen->GetVoidPointer(0), colors->GetVoidPointer(0), 60), 0);
 }
 
-// One relief, without a picture, over what there was.
+// One relief without colours replaces the previous database.
 void TestImage(RelevoCheck& check, const std::string& folder)
 {
   const auto reliefs = MakeReliefs();
@@ -175,7 +176,7 @@ void TestImage(RelevoCheck& check, const std::string& folder)
   CHECK(AreSame(RelevoGetImage(reader->GetOutput(), 0), RelevoGetImage(reliefs, 0)));
 }
 
-// Tables of others: line ends, quotes, a byte order mark, other columns of files.
+// Tables of other programs: line ends, quotes, a byte order mark, and other FILE columns.
 void TestTables(RelevoCheck& check, const std::string& folder)
 {
   const std::string tables[] = { "FILE\nrelief_0000.vti",

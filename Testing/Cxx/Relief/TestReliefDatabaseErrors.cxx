@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Incomplete databases: the error says what is missing, and the rest is read.
+// vtkReliefDatabaseReader promises an error that names what is missing in an incomplete database,
+// and reads the rest.
 #include "RelevoCheck.h"
 #include "RelevoFiles.h"
 #include "RelevoReliefFiles.h"
@@ -36,7 +37,7 @@ void WriteDatabase(RelevoCheck& check, const std::string& folder)
   CHECK_EQUAL(writer->Write(), 1);
 }
 
-// The error, and whether the second relief was read all the same.
+// Expects the error, and the second relief in the output.
 void ExpectError(RelevoCheck& check, const std::string& folder, const char* words)
 {
   vtkNew<vtkReliefDatabaseReader> reader;
@@ -100,7 +101,7 @@ void TestTables(RelevoCheck& check, const std::string& folder)
   CHECK_EQUAL(reader->CanReadFile(folder.c_str()), 0);
 }
 
-// One error for the whole table, and an empty output.
+// A damaged table gives one error and an empty output.
 void TestDamagedTables(RelevoCheck& check, const std::string& folder)
 {
   const std::string rows = "name,FILE\nleft,relief_0000.vti\n";
@@ -129,7 +130,7 @@ void TestDamagedTables(RelevoCheck& check, const std::string& folder)
   RelevoRemoveFile(folder + "/data.csv");
 }
 
-// CR alone ends lines, but not in quotes.
+// CR alone ends a line, except inside quotes.
 void TestLineEnds(RelevoCheck& check, const std::string& folder)
 {
   WriteDatabase(check, folder);
@@ -144,7 +145,7 @@ void TestLineEnds(RelevoCheck& check, const std::string& folder)
   CHECK(RelevoGetImage(reader->GetOutput(), 0) && RelevoGetImage(reader->GetOutput(), 1));
 }
 
-// One error for all rows, with the first one and their number.
+// One error reports all rows: the first one and their number.
 void TestManyRows(RelevoCheck& check, const std::string& folder)
 {
   WriteDatabase(check, folder);
@@ -208,7 +209,7 @@ void TestWriter(RelevoCheck& check, const std::string& folder)
   writer->SetInputData(vtkNew<vtkMultiBlockDataSet>());
   CHECK(writer->Write() == 0 && errors.Said("There are no reliefs to write."));
 
-  // What is no relief is left out.
+  // Blocks that are not reliefs are skipped.
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, vtkNew<vtkPolyData>());
   blocks->SetBlock(1, MakeRelief());
@@ -220,7 +221,7 @@ void TestWriter(RelevoCheck& check, const std::string& folder)
   reader->Update();
   CHECK(reader->GetOutput()->GetNumberOfBlocks() == 1 && RelevoGetImage(reader->GetOutput(), 0));
 
-  // A folder is in the way of each file.
+  // A folder with the name of each file prevents writing it.
   for (const char* name : { "/relief_0000.vti", "/relief_0000.png", "/data.csv" })
   {
     CHECK_CASE(name);

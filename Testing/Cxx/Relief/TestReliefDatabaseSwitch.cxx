@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A folder has the old database or the whole new one, and files of others stay as they are.
+// vtkReliefDatabaseWriter promises that a folder has either the old or the complete new database,
+// and that other files stay unchanged.
 #include "RelevoCheck.h"
 #include "RelevoFiles.h"
 #include "RelevoReliefFiles.h"
@@ -34,7 +35,7 @@ Files ReadFolder(const std::string& folder)
   return files;
 }
 
-// `count` reliefs of so many columns.
+// `count` reliefs with this many columns.
 vtkSmartPointer<vtkMultiBlockDataSet> MakeReliefs(unsigned int count, int columns)
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
@@ -74,7 +75,7 @@ bool Has(RelevoCheck& check, const std::string& folder, unsigned int count, int 
   return hasAll;
 }
 
-// Larger and smaller sets: no relief of the old one is left, and other files are.
+// Larger and smaller databases replace the old one completely. Other files stay.
 void TestSets(RelevoCheck& check, const std::string& folder)
 {
   std::string error;
@@ -93,7 +94,7 @@ void TestSets(RelevoCheck& check, const std::string& folder)
   }
 }
 
-// An interrupted write may have left numbers that are not from 0 on: they are from then on.
+// After an interrupted write, numbers may not start at 0. The next write starts at 0 again.
 void TestNumbers(RelevoCheck& check, const std::string& folder)
 {
   std::string error;
@@ -127,20 +128,20 @@ void TestForeignFiles(RelevoCheck& check, const std::string& folder)
     CHECK_NOT_EQUAL(error.find("It holds " + name + ", which is no part of a relief database."),
       std::string::npos);
   }
-  // A database of images that are no reliefs.
+  // A database of images that are not reliefs.
   RelevoWriteFile(folder + "/data.csv.in/data.csv", "name,FILE\nmine,z.vti\n");
   RelevoWriteFile(folder + "/data.csv.in/z.vti", "no relief");
   const Files before = ReadFolder(folder + "/data.csv.in");
   CHECK(!Write(folder + "/data.csv.in", MakeReliefs(2, 10), error));
   CHECK_EQUAL(ReadFolder(folder + "/data.csv.in"), before);
-  // A file left by SIGKILL does not count as foreign.
+  // A temporary file left by SIGKILL is not treated as foreign.
   const std::string left = folder + "/left";
   RelevoMakeFolder(left);
   RelevoWriteFile(left + "/.relief_0000.abcdefgh.part.vti", "half a relief");
   CHECK(Write(left, MakeReliefs(1, 10), error) && Has(check, left, 1, 10));
 }
 
-// The exit status of a process that writes with room for files of so many bytes.
+// Exit status of a process that writes with this limit for file sizes.
 int WriteWithLimit(const std::string& folder, vtkMultiBlockDataSet* reliefs, rlim_t limit)
 {
   const pid_t child = fork();
@@ -163,7 +164,8 @@ void TestFullDisk(RelevoCheck& check, const std::string& folder)
   const std::string old = folder + "/old";
   CHECK(Write(old, MakeReliefs(2, 10), error));
   const Files before = ReadFolder(old);
-  // Many short files and a long table, or few long files: no room for the one or the other.
+  // Many short files with a long table, or a few large files: the limit stops either the table or a
+  // file.
   const auto many = MakeReliefs(80, 1);
   const auto large = MakeReliefs(2, 400);
   const std::pair<vtkMultiBlockDataSet*, rlim_t> cases[] = { { many, 4500 }, { large, 5000 },

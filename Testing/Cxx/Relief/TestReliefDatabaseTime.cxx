@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Databases with several times: the pipeline's time chooses among the rows.
+// vtkReliefDatabaseReader promises that the pipeline's time selects rows of the table.
 #include "RelevoCheck.h"
 #include "RelevoFiles.h"
 #include "RelevoReliefFiles.h"
@@ -19,7 +19,7 @@ namespace
 {
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-// Reliefs of 1, 2, 3, ... columns at these times.
+// Writes reliefs with 1, 2, 3, ... columns at these times.
 void WriteDatabase(
   RelevoCheck& check, const std::string& folder, const char* name, const std::vector<double>& times)
 {
@@ -48,7 +48,7 @@ std::vector<double> GetSteps(vtkReliefDatabaseReader* reader)
   return std::vector<double>(steps, steps + information->Length(Pipeline::TIME_STEPS()));
 }
 
-// The columns of the reliefs that are read.
+// Columns of the reliefs that are read.
 std::vector<int> GetColumns(vtkReliefDatabaseReader* reader)
 {
   std::vector<int> columns;
@@ -93,7 +93,7 @@ void TestSteps(RelevoCheck& check, const std::string& folder)
   }
 }
 
-// Rows of no time belong to all; words are no times.
+// Rows without a time belong to every step. Text is not a time.
 void TestTables(RelevoCheck& check, const std::string& folder)
 {
   WriteDatabase(check, folder, "time", { 1.0, 2.0, 3.0 });
@@ -116,7 +116,7 @@ void TestTables(RelevoCheck& check, const std::string& folder)
     reader = read("time,FILE\n5,relief_0000.vti\n" + std::string(word) + ",relief_0001.vti\n");
     CHECK(GetSteps(reader).empty() && GetColumns(reader) == std::vector<int>({ 1, 2 }));
   }
-  // Another table without times takes them back.
+  // A new table without times removes the time steps.
   RelevoWriteFile(folder + "/data.csv", "time,FILE\n5,relief_0000.vti\n6,relief_0001.vti\n");
   reader->Modified();
   CHECK_EQUAL(GetSteps(reader).size(), 2);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Warped reliefs against lines cast at the bilinear surface, in double precision: what is seen
-// where, nothing missing, nothing beside.
+// vtkReliefWarper promises the relief as seen from a camera. Compared with rays cast at the
+// bilinear surface in double precision: each texel shows the visible point, none is missing, and
+// none is added.
 #include "RelevoCheck.h"
 #include "RelevoWarpReference.h"
 #include "RelevoWarpScenes.h"
@@ -48,8 +49,8 @@ std::string Describe(const RelevoWarpScene& scene, ReliefProjection projection, 
     std::to_string(view.X) + " " + std::to_string(view.Y);
 }
 
-// Whether the reference sees this point, or any if it has a NaN, within half a texel: where the
-// surface ends, it reaches to the nearest texel.
+// Whether the reference hits this point within half a texel, or any point if `point` is NaN. At its
+// border, the surface reaches to the nearest texel.
 bool IsAround(const RelevoWarpReference& reference, int column, int row, const dvec2& point)
 {
   for (double x : { -0.501, 0.0, 0.501 })
@@ -68,10 +69,10 @@ bool IsAround(const RelevoWarpReference& reference, int column, int row, const d
 
 struct Result
 {
-  int Seen = 0;    // texels where the reference sees the surface
-  int Missing = 0; // of them, those without
-  int Wrong = 0;   // of them, those with another point of the surface, by more than 0.25 texels
-  int Beside = 0;  // surface farther than half a texel from any
+  int Seen = 0;    // texels where the reference hits the surface
+  int Missing = 0; // those of them without surface
+  int Wrong = 0;   // those of them that show a point more than 0.25 texels away
+  int Beside = 0;  // texels that are more than half a texel away from the surface
 };
 
 Result Compare(const RelevoWarpReference& reference, vtkImageData* output)
@@ -121,7 +122,7 @@ void TestAgainstReference(RelevoCheck& check)
         warper->SetCamera(camera);
         warper->Update();
         const Result result = Compare(RelevoWarpReference(image, camera), warper->GetOutput());
-        // At folds a line that grazes the surface is as good as one that does not.
+        // At folds, a ray that grazes the surface may hit or miss it.
         const int few = scene.IsFolded ? result.Seen / 100 + 2 : 0;
         if (!CHECK(warper->CanWarp() && result.Seen > Width * Height / 8 && result.Missing <= few &&
               result.Wrong <= 4 * few && result.Beside <= few))
@@ -135,8 +136,7 @@ void TestAgainstReference(RelevoCheck& check)
   }
 }
 
-// Each single texel is seen, or one that is nearer at the same place, where its line meets the
-// plane.
+// Each single texel appears where its line meets the plane, unless a nearer one covers it.
 void TestSingleTexels(RelevoCheck& check)
 {
   const RelevoWarpScene scene = RelevoMakeWarpScenes(Width, Height).back();
@@ -184,7 +184,7 @@ void TestSingleTexels(RelevoCheck& check)
   }
 }
 
-// Rows too far apart for a surface between them: texels are seen, and nothing between them.
+// Rows that are too far apart for a surface between them: texels appear, but nothing between them.
 void TestRows(RelevoCheck& check)
 {
   const RelevoWarpScene scene{ "rows", [](int, int row) { return row % 2 == 0 ? 0.0 : -40.0; },
@@ -199,7 +199,7 @@ void TestRows(RelevoCheck& check)
     warper->SetCamera(camera);
     warper->Update();
     const RelevoWarpReference reference(image, camera);
-    std::vector<bool> isNear(image->GetNumberOfPoints(), false); // to a texel's place, by 0.501
+    std::vector<bool> isNear(image->GetNumberOfPoints(), false); // within 0.501 of a texel
     for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
     {
       const dvec2 place =
@@ -231,7 +231,7 @@ void TestRows(RelevoCheck& check)
   }
 }
 
-// From where the relief is seen from, the picture is the relief.
+// Seen from its original eye, the picture equals the relief.
 void TestIdentity(RelevoCheck& check)
 {
   for (const RelevoWarpScene& scene : RelevoMakeWarpScenes(Width, Height))
@@ -270,7 +270,7 @@ void TestIdentity(RelevoCheck& check)
   }
 }
 
-// The field arrays say where a texel of the output lies.
+// The field arrays give the position of each texel of the output.
 void TestPlaces(RelevoCheck& check)
 {
   const auto image = RelevoMakeWarpRelief(
@@ -299,7 +299,7 @@ void TestPlaces(RelevoCheck& check)
     relevo::Relief().Read(warper->GetOutput()).find("vtkReliefWarper"), std::string::npos);
 }
 
-// One line of texels, one texel.
+// Reliefs of one row, one column and one texel.
 void TestThin(RelevoCheck& check)
 {
   for (const auto& size : { relevo::ivec2(40, 1), relevo::ivec2(1, 40), relevo::ivec2(1, 1) })
@@ -308,7 +308,7 @@ void TestThin(RelevoCheck& check)
       relevo::dmat4(1.0), [](int, int) { return 10.0; });
     vtkNew<vtkReliefWarper> warper;
     warper->SetInputData(image);
-    // By 3 texels along the line, and a third aside.
+    // Moves by 3 texels along the line and a third across.
     auto camera = RelevoMakeWarpCamera(size.x, size.y, ReliefProjection::Parallel, true,
       size.x > 1 ? 18.0 : 2.0, size.x > 1 ? 2.0 : 18.0);
     const int shift = size.x * size.y > 1 ? 3 : 0;

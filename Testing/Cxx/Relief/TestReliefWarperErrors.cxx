@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkReliefWarper refuses, eyes from which there is no picture, and numbers of any size.
+// vtkReliefWarper promises an error for input that it cannot warp and for eyes without a picture.
+// Numbers of any size are handled.
 #include "RelevoBlocks.h"
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
@@ -86,7 +87,7 @@ void TestErrors(RelevoCheck& check)
     warper, 0, vtkNew<vtkPolyData>(), "The input is a vtkPolyData; a vtkImageData is needed."));
 }
 
-// In the plane and behind it; beside it all is well again.
+// The eye is in the plane, behind it, or beside it, where warping works again.
 void TestEyes(RelevoCheck& check)
 {
   for (ReliefProjection projection : { ReliefProjection::Parallel, ReliefProjection::Perspective })
@@ -115,14 +116,14 @@ void TestEyes(RelevoCheck& check)
         CHECK_EQUAL(warper->CanWarp(), (z < 0.0));
         CHECK_EQUAL((CountSeen(warper->GetOutput()) > 0), (z < 0.0));
         CHECK_EQUAL(warper->GetOutput()->GetNumberOfPoints(), Width * Height);
-        expected += z == 0.0 || z == 60.0; // once in a row
+        expected += z == 0.0 || z == 60.0; // once per row
         CHECK_EQUAL(warnings.Number, expected);
       }
     }
   }
 }
 
-// Pieces of the surface behind the eye, and depths on both sides of the plane.
+// Parts of the surface lie behind the eye, and depths on both sides of the plane.
 void TestBehindEye(RelevoCheck& check)
 {
   const auto image = RelevoMakeRelief(Width, Height, ReliefProjection::Parallel, relevo::dmat4(1.0),
@@ -138,7 +139,7 @@ void TestBehindEye(RelevoCheck& check)
   CHECK(CountSeen(warper->GetOutput()) > 20 && range[0] == 3.0 && range[1] == 3.0);
 }
 
-// The same picture in units of any size.
+// The picture does not depend on the unit of length.
 void TestUnits(RelevoCheck& check)
 {
   const auto image = MakeSlanted(ReliefProjection::Perspective);
@@ -159,7 +160,7 @@ void TestUnits(RelevoCheck& check)
   }
 }
 
-// Nothing crashes, nothing is seen that is not in the source.
+// Random numbers cause no crash and no value that the source does not contain.
 void TestAnyNumbers(RelevoCheck& check)
 {
   RelevoDice dice(7);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// All policies of vtkReliefWarper give the same bits, and the parallel one its pictures in time:
-// with cameras, settings and inputs that change while it warps.
+// vtkReliefWarper promises identical bits for all policies. The parallel policy follows changes of
+// cameras, settings and inputs while it warps.
 #include "RelevoCheck.h"
 #include "RelevoWarpScenes.h"
 #include "vtkReliefWarper.h"
@@ -60,7 +60,7 @@ vtkSmartPointer<vtkCamera> MakeCamera(double x, double y)
   return RelevoMakeWarpCamera(Width, Height, ReliefProjection::Parallel, false, x, y);
 }
 
-// What a warper of its own, which has never warped anything else, makes of it.
+// The result of a new warper.
 vtkSmartPointer<vtkImageData> WarpAlone(vtkImageData* image, vtkCamera* camera)
 {
   vtkNew<vtkReliefWarper> warper;
@@ -72,7 +72,7 @@ vtkSmartPointer<vtkImageData> WarpAlone(vtkImageData* image, vtkCamera* camera)
   return result;
 }
 
-// Until the worker has nothing to do any more.
+// Waits until the worker is idle.
 bool Finish(vtkReliefWarper* warper)
 {
   for (int i = 0; i < 20000 && warper->GetState() != vtkReliefWarper::FINAL; ++i)
@@ -102,7 +102,7 @@ void TestBits(RelevoCheck& check)
         for (int threads : { 0, 1, 2, 3, 4, 5, 6, 7, 64 })
         {
           warper->SetNumberOfThreads(threads);
-          // Elsewhere in between: nothing is left of what was before.
+          // Another view in between leaves no trace in the result.
           const int before = warper->GetNumberOfWarps();
           warper->SetCamera(MakeCamera(-5.0 * threads, 3.0));
           warper->Update();
@@ -120,7 +120,7 @@ void TestBits(RelevoCheck& check)
   }
 }
 
-// What others hold stays as it is, and nothing is warped twice.
+// Outputs that others hold are not modified, and nothing is warped twice.
 void TestOutputs(RelevoCheck& check)
 {
   const auto image = MakeImage("waves", ReliefProjection::Parallel);
@@ -143,11 +143,12 @@ void TestOutputs(RelevoCheck& check)
   camera->SetViewAngle(12.0);
   camera->Roll(30.0);
   warper->Update();
-  CHECK_EQUAL(warper->GetNumberOfWarps(), 2); // the eye is where it was
+  CHECK_EQUAL(warper->GetNumberOfWarps(), 2); // the eye has not moved
   warper->SetMaximumStretch(1.0);
   warper->Update();
   CHECK_EQUAL(warper->GetNumberOfWarps(), 3);
-  warper->SetPolicyToRowsAndColumns(); // the same bits, but to be measured
+  // gives the same bits, but warps again so that it can be timed
+  warper->SetPolicyToRowsAndColumns();
   warper->Update();
   CHECK_EQUAL(warper->GetNumberOfWarps(), 4);
 }
@@ -163,7 +164,7 @@ void TestParallel(RelevoCheck& check)
   warper->SetCamera(camera);
   warper->Update();
   CHECK(warper->GetState() == vtkReliefWarper::FINAL && AreSame(warper->GetOutput(), first));
-  // The last picture stays until there is another, of which GetMTime() tells.
+  // The last picture stays until a new one is ready, which GetMTime() shows.
   const double x = camera->GetPosition()[0];
   camera->SetPosition(x + 20.0, 5.0, -60.0);
   const auto second = WarpAlone(image, camera);
@@ -180,7 +181,7 @@ void TestParallel(RelevoCheck& check)
   warper->Update();
   CHECK(warper->GetState() == vtkReliefWarper::FINAL && AreSame(warper->GetOutput(), second));
   CHECK_EQUAL(warper->GetNumberOfWarps(), 2);
-  // The camera goes on while warps are under way, values of the input change in place.
+  // The camera moves during warps, and values of the input change in place.
   for (int i = 0; i < 200; ++i)
   {
     camera->SetPosition(x + 0.1 * i, 5.0, -60.0);
@@ -197,7 +198,7 @@ void TestParallel(RelevoCheck& check)
   image->GetPointData()->GetArray("Depth")->Modified();
   warper->Update();
   CHECK(Finish(warper) && AreSame(warper->GetOutput(), WarpAlone(image, camera)));
-  // Another size is waited for.
+  // After a change of size, the update waits for the new picture.
   const auto flat = RelevoMakeRelief(
     9, 5, ReliefProjection::Parallel, relevo::dmat4(1.0), [](int, int) { return 1.0; });
   camera->SetPosition(x, 6.0, -61.0);
@@ -206,7 +207,7 @@ void TestParallel(RelevoCheck& check)
   warper->Update();
   CHECK_EQUAL(warper->GetOutput()->GetNumberOfPoints(), 45);
   CHECK(Finish(warper));
-  // Other policies take over, and give back.
+  // Switches to other policies and back.
   warper->SetInputData(image);
   warper->Update();
   camera->SetPosition(x, 7.0, -61.0);
@@ -216,7 +217,7 @@ void TestParallel(RelevoCheck& check)
   CHECK(AreSame(warper->GetOutput(), WarpAlone(image, camera)));
 }
 
-// Destroyed at any time, with or without its input.
+// Destroys the warper at random times, with and without its input.
 void TestDestruction(RelevoCheck& check)
 {
   const auto camera = MakeCamera(0.0, 10.0);

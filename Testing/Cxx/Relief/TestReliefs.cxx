@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The reliefs of images and composite data sets, and what is said of blocks that are none.
+// Proves which reliefs are found in images and composite data sets, and which blocks are reported
+// as errors.
 #include "Data/Reliefs.h"
 #include "RelevoCheck.h"
 #include "RelevoReliefs.h"

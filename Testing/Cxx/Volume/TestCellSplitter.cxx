@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells of every linear kind, split: the tetrahedra fill the mesh, and those of cells that share a
-// face have the same triangles there.
+// Proves that linear cells of every kind are split into tetrahedra that fill the mesh, with the
+// same triangles on both sides of a shared face.
 #include "Cells/VolumeCells.h"
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
@@ -25,9 +25,9 @@ namespace
 using relevo::dvec3;
 using relevo::VolumeCells;
 
-constexpr int Size = 5;             // cubes each way
+constexpr int Size = 5;             // cubes per axis
 constexpr int Side = Size + 1;      // points
-constexpr double Jitter = 0.08;     // of the side of a cube
+constexpr double Jitter = 0.08;     // as a share of a cube's side
 constexpr int BorderTriangles = 12; // of a cube of side 1
 
 void Add(VolumeCells& cells, vtkDataSet* mesh)
@@ -38,7 +38,8 @@ void Add(VolumeCells& cells, vtkDataSet* mesh)
   cells.Add(mesh, scalars, false, {});
 }
 
-// How many triangles belong to one tetrahedron, by their places; 0 if one belongs to three.
+// The number of triangles that belong to one tetrahedron, by coordinates. Returns 0 if a triangle
+// belongs to three.
 size_t CountBorder(const VolumeCells& cells)
 {
   std::map<std::array<std::array<double, 3>, 3>, int> triangles;
@@ -94,7 +95,7 @@ void TestMixed(RelevoCheck& check)
   }
 }
 
-// The same cells, but hexahedra for polyhedra, by points in another order.
+// The same cells with points in another order. Polyhedra become hexahedra.
 vtkSmartPointer<vtkUnstructuredGrid> Renumber(vtkUnstructuredGrid* mesh)
 {
   RelevoDice dice(5);
@@ -129,7 +130,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Renumber(vtkUnstructuredGrid* mesh)
   return result;
 }
 
-// Blocks side by side, whose points have other numbers.
+// Adjacent blocks with different point ids.
 void TestBlocks(RelevoCheck& check)
 {
   VolumeCells cells;
@@ -140,7 +141,7 @@ void TestBlocks(RelevoCheck& check)
   const auto other = MakeMixedCells(Size, 1, Jitter);
   for (int n = 0; n < Side * Side; ++n)
   {
-    // The same places in the common face.
+    // The same point of the common face.
     double place[3];
     other->GetPoint(Size + Side * n, place);
     points->SetPoint(Side * n, place);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Faces at the same corners, against a map of sets of corners.
+// Proves that faces with the same corners are found as neighbours, compared with a map of corner
+// sets.
 #include "Mesh/FaceNeighbors.h"
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
@@ -64,7 +65,7 @@ Faces GetFaces(vtkUnstructuredGrid* tetrahedra)
   return faces;
 }
 
-// Few points, so that corners repeat, and cells share faces with several others.
+// Few points, so that corners repeat and cells share faces with several others.
 void TestRandom(RelevoCheck& check)
 {
   RelevoDice dice(1);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The integral over a segment along which colour and extinction are linear: closed forms where
-// there are some, and else the sum of many short segments.
+// Proves the integral over a segment with linear colour and extinction, compared with closed forms
+// or with the sum of many short segments.
 #include "Integral/LinearSegment.h"
 #include "RelevoCheck.h"
 
@@ -23,7 +23,7 @@ void TestPsi(RelevoCheck& check)
   for (double a : { 1e-9, 1e-3, 0.5, 3.0, 39.9, 40.1, 1e3, 1e9 })
   {
     CHECK_NEAR(linearSegmentPsi(a, a) * a / -std::expm1(-a), 1.0, 1e-13);
-    // exp(-a t^2 / 2)
+    // The integral of exp(-a t^2 / 2).
     const double gaussian = std::sqrt(Pi / (2.0 * a)) * std::erf(std::sqrt(0.5 * a));
     CHECK_NEAR(linearSegmentPsi(0.0, a) / gaussian, 1.0, 1e-13);
   }
@@ -32,7 +32,7 @@ void TestPsi(RelevoCheck& check)
   CHECK_NEAR(linearSegmentPsi(1e300, 0.0), 0.0, 1e-149);
 }
 
-// As sum of segments so short that colour and extinction are constant in them.
+// Sums segments so short that colour and extinction are constant in each.
 dvec4 Sum(const dvec4& front, const dvec4& back, double length)
 {
   const int count = 200000;
@@ -75,7 +75,7 @@ void TestSegments(RelevoCheck& check)
   CHECK_NEAR(slab.w, alpha, 1e-14);
 }
 
-// A segment is what its parts are, one over the other.
+// A segment equals its parts composited.
 void TestParts(RelevoCheck& check)
 {
   const dvec4 front(1.0, 0.2, 0.0, 4.0);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells along random rays come in the order of vtkMeshVisibilitySort: convex meshes, all kinds of
-// cells, parts that touch, cameras and model transforms.
+// vtkMeshVisibilitySort promises that cells along a ray come in visibility order. Tested with
+// random rays through convex meshes, all kinds of cells, parts that touch, cameras and model
+// transforms.
 #include "RelevoCheck.h"
 #include "RelevoVisibility.h"
 #include "vtkMeshVisibilitySort.h"
@@ -25,7 +26,7 @@ namespace
 constexpr int NumberOfRays = 60;
 using Mesh = vtkSmartPointer<vtkUnstructuredGrid>;
 
-// From outside and inside the mesh, and parallel.
+// Cameras outside and inside the mesh, and parallel projections.
 void CheckMesh(RelevoCheck& check, vtkDataSet* mesh, RelevoDice& dice, int numberOfViews = 3)
 {
   const RelevoConvexCells cells(mesh);
@@ -62,7 +63,7 @@ void CheckMesh(RelevoCheck& check, vtkDataSet* mesh, RelevoDice& dice, int numbe
   CHECK_GREATER(2 * numberOfPairs, numberOfViews * NumberOfRays);
 }
 
-// A box of uneven tetrahedra.
+// A box of tetrahedra with uneven sizes.
 Mesh MakeUneven(int n, RelevoDice& dice)
 {
   Mesh mesh = MakeTetrahedra(n, GetLinearField);
@@ -81,7 +82,7 @@ Mesh MakeUneven(int n, RelevoDice& dice)
   return mesh;
 }
 
-// Every cell with points of its own, and one in two turned inside out.
+// All cells have separate points, and every second cell is inside out.
 Mesh TakeApart(vtkUnstructuredGrid* mesh, RelevoDice& dice)
 {
   vtkNew<vtkPoints> points;
@@ -189,8 +190,8 @@ Mesh Move(vtkDataSet* mesh, const RelevoPoint& scale, const RelevoPoint& step)
   return moved;
 }
 
-// Slabs that touch, so flat that distances of faces do not order them. Their faces match, but the
-// diagonals do not, or there are none on one side.
+// Slabs that touch, so flat that distances of faces do not order them. Their faces match, but their
+// diagonals differ or exist on one side only.
 void TestSeams(RelevoCheck& check, RelevoDice& dice)
 {
   const auto cube = MakeTetrahedra(1, GetLinearField);
@@ -206,7 +207,7 @@ void TestSeams(RelevoCheck& check, RelevoDice& dice)
     20);
 }
 
-// Rays are those of the mesh's coordinates.
+// Rays are in the mesh's coordinates.
 void TestTransform(RelevoCheck& check, RelevoDice& dice)
 {
   const Mesh mesh = MakeUneven(4, dice);
@@ -242,7 +243,7 @@ void TestTransform(RelevoCheck& check, RelevoDice& dice)
     CHECK_EQUAL(pairs.Wrong, 0);
   }
 
-  // Oblique: the same as from another side.
+  // An oblique view equals the view from another side.
   sort->SetModelTransform(vtkNew<vtkMatrix4x4>());
   camera->SetFocalPoint(0.5, 1.0, 0.1);
   camera->SetPosition(0.5, 1.0, 9.0);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Order across gaps is a guess: how often it is wrong, in meshes with holes; and cells that hide
-// each other in a circle.
+// Proves limits.md on cell projection: the order across gaps may be wrong, which this test counts
+// in meshes with holes, and cells may form a cycle.
 #include "RelevoCheck.h"
 #include "RelevoVisibility.h"
 #include "vtkMeshVisibilitySort.h"
@@ -77,7 +77,7 @@ void TestHoles(RelevoCheck& check, RelevoDice& dice)
   CHECK_EQUAL(count("hollow cube", CutHoles(cube, isBall)).Wrong, 0);
   CHECK_EQUAL(count("trench", CutHoles(cube, isTrench)).Wrong, 0);
   CHECK_EQUAL(count("Delaunay", CutHoles(delaunay, isNowhere)).Wrong, 0);
-  // Across gaps between cells of all sizes and shapes.
+  // Gaps between cells of all sizes and shapes.
   const RelevoPairs hollow = count("hollow Delaunay", CutHoles(delaunay, isBall));
   CHECK_LESS(500 * hollow.Wrong, hollow.All);
   const RelevoPairs sponge = count("sponge", CutHoles(cube, isAnywhere));
@@ -86,7 +86,7 @@ void TestHoles(RelevoCheck& check, RelevoDice& dice)
   CHECK_LESS(30 * uneven.Wrong, uneven.All);
 }
 
-// Hexahedra around an axis, turned along it like the blades of a propeller.
+// Hexahedra around an axis, each twisted like a propeller blade.
 void TestCircle(RelevoCheck& check)
 {
   auto mesh = Mesh::New();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Traversals of vtkMeshVisibilitySort: directions, portions, changes of the input, and input that
-// is not as it should be.
+// vtkMeshVisibilitySort promises traversal in both directions and in portions. Changes of the input
+// take effect, and invalid cells do not affect the order of the others.
 #include "RelevoCheck.h"
 #include "RelevoVisibility.h"
 #include "vtkMeshVisibilitySort.h"
@@ -25,7 +25,7 @@ vtkSmartPointer<vtkCamera> MakeView()
   return MakeCamera({ { 3.0, 4.0, 5.0 } }, { { 0.5, 0.5, 0.5 } });
 }
 
-// Along the rays of MakeView().
+// Whether the order is correct along the rays of MakeView().
 bool IsRight(vtkDataSet* mesh, const std::vector<vtkIdType>& order)
 {
   RelevoDice dice(1);
@@ -33,7 +33,7 @@ bool IsRight(vtkDataSet* mesh, const std::vector<vtkIdType>& order)
     RelevoConvexCells(mesh).Compare(order, { { 3.0, 4.0, 5.0, 1.0 } }, 200, dice).Wrong == 0;
 }
 
-// So that ids are in no order from back to front.
+// Rotates the cube so that ids are not in visibility order.
 void Turn(vtkUnstructuredGrid* cube)
 {
   for (vtkIdType i = 0; i < cube->GetNumberOfPoints(); ++i)
@@ -75,7 +75,7 @@ void TestTraversals(RelevoCheck& check)
   CHECK_NOT_EQUAL(text.str().find("NumberOfCycles: 0"), std::string::npos);
 }
 
-// The input, in place or another one, and the camera.
+// Changes the input in place, replaces it, and changes the camera.
 void TestChanges(RelevoCheck& check)
 {
   const Mesh mesh = MakeTetrahedra(2, GetLinearField);
@@ -143,7 +143,8 @@ void TestNoCells(RelevoCheck& check)
   CHECK(errors.None());
 }
 
-// Cells without volume and with points that are not finite come, too, and the rest in order.
+// Cells without volume and with points that are not finite are included, and the others are in
+// order.
 void TestBadCells(RelevoCheck& check)
 {
   const Mesh mesh = MakeTetrahedra(3, GetLinearField);
@@ -173,7 +174,7 @@ void TestBadCells(RelevoCheck& check)
     order.end());
   CHECK(IsRight(good, order));
 
-  // Cameras that are of no use.
+  // Cameras that cannot be used.
   const auto camera = MakeView();
   sort->SetCamera(camera);
   camera->SetPosition(nan, infinity, 1e300);
@@ -184,7 +185,7 @@ void TestBadCells(RelevoCheck& check)
   CHECK(errors.None());
 }
 
-// Tetrahedra of which points coincide, between others: what is beside them is in order.
+// Tetrahedra with coincident points between others do not change the order of their neighbours.
 void TestCollapsedCells(RelevoCheck& check)
 {
   const Mesh cube = MakeTetrahedra(2, GetLinearField);
@@ -199,7 +200,7 @@ void TestCollapsedCells(RelevoCheck& check)
   const vtkIdType numberOfGood = mesh->GetNumberOfCells();
   for (vtkIdType i = 0; i < numberOfGood; ++i)
   {
-    // On each of its faces.
+    // Places one on each of its faces.
     cube->GetCellPoints(i, ids);
     for (vtkIdType corner = 0; corner < 4; ++corner)
     {
@@ -213,7 +214,7 @@ void TestCollapsedCells(RelevoCheck& check)
   sort->SetInput(mesh);
   for (int view = 0; view < 20; ++view)
   {
-    // Near one corner, so that distances of faces do not order the cells.
+    // The camera is close to one corner, so that distances of faces do not order the cells.
     const double x = 1.02 + 0.02 * view;
     sort->SetCamera(MakeCamera({ { x, x, 1.1 } }, { { 0.5, 0.5, 0.5 } }));
     std::vector<vtkIdType> order = Traverse(sort);
@@ -230,8 +231,8 @@ void TestCollapsedCells(RelevoCheck& check)
   }
 }
 
-// A pentagon that is split in another way from below than from above: two flat tetrahedra on each
-// other lie between, of which only the order of corners says what is up.
+// A pentagon that is split differently from below and from above. Two pairs of flat tetrahedra lie
+// between, whose orientation follows only from the order of their corners.
 void TestFlatCells(RelevoCheck& check)
 {
   const double fifth = 0.4 * std::acos(-1.0);
@@ -245,7 +246,7 @@ void TestFlatCells(RelevoCheck& check)
   points->InsertNextPoint(0.0, 0.0, 0.1);
   const std::vector<std::array<vtkIdType, 4>> cells = { { { 0, 2, 1, 5 } }, { { 0, 3, 2, 5 } },
     { { 0, 4, 3, 5 } }, { { 0, 1, 4, 6 } }, { { 1, 3, 4, 6 } }, { { 1, 2, 3, 6 } },
-    // From the diagonal 0 2 to 1 3, and from 0 3 to 1 4.
+    // They lead from the diagonal 0 2 to 1 3, and from 0 3 to 1 4.
     { { 2, 0, 1, 3 } }, { { 3, 0, 1, 4 } } };
   for (bool isInsideOut : { false, true })
   {

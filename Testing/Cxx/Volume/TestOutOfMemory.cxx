@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Without enough memory a sort and a filter report an error and have no output; with memory they
-// work.
+// Proves that sorting and ray casting report an error with an empty output if memory runs out, and
+// work again afterwards.
 #include "RelevoCheck.h"
 #include "RelevoMemory.h"
 #include "RelevoVisibility.h"
@@ -70,7 +70,7 @@ int TestOutOfMemory(int, char*[])
     return 125;
   }
   RelevoCheck check;
-  vtkSMPTools::SetBackend("Sequential"); // threads need stacks
+  vtkSMPTools::SetBackend("Sequential"); // threads need memory for their stacks
   TestSort(check);
   TestFilter(check);
   return check.GetResult();

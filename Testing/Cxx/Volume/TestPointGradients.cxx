@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Gradients at points: exact for a linear field in cells of every kind, the mean by volume where
-// cells disagree, and the same for a mesh in blocks.
+// Proves that gradients at points are exact for a linear field in cells of every kind,
+// volume-weighted means where cells differ, and the same for a mesh in blocks.
 #include "Cells/PointGradients.h"
 #include "Cells/VolumeCells.h"
 #include "RelevoCheck.h"
@@ -77,7 +77,7 @@ void TestLinear(RelevoCheck& check)
   }
 }
 
-// Inside a regular grid the mean is as good as for a quadratic field.
+// In a regular grid, the mean is exact even for a quadratic field.
 void TestQuadratic(RelevoCheck& check)
 {
   vtkNew<vtkImageData> image;
@@ -95,8 +95,8 @@ void TestQuadratic(RelevoCheck& check)
   }
 }
 
-// Two tetrahedra on a face, one three times as high as the other, of gradients 1 and 2 across it;
-// a hexahedron and a pyramid of other volumes.
+// Two tetrahedra share a face. One is three times as high as the other, and their gradients across
+// it are 1 and 2. A hexahedron and a pyramid have other volumes.
 void TestVolumes(RelevoCheck& check)
 {
   vtkNew<vtkUnstructuredGrid> mesh;
@@ -117,7 +117,7 @@ void TestVolumes(RelevoCheck& check)
   CHECK(IsNear(gradients[3][0], dvec3(0.0, 0.0, 1.0), 1e-12));
   CHECK(IsNear(gradients[4][0], dvec3(0.0, 0.0, 2.0), 1e-12));
 
-  // A cube with a pyramid of height 1 on it: volumes 1 and 1/3.
+  // A cube with a pyramid of height 1 on top: volumes 1 and 1/3.
   vtkNew<vtkUnstructuredGrid> house;
   vtkNew<vtkPoints> corners;
   for (int i = 0; i < 8; ++i)
@@ -134,7 +134,7 @@ void TestVolumes(RelevoCheck& check)
   SetField(house, [](const RelevoPoint& p) { return p[2] > 0.0 ? 5.0 * p[2] : p[2]; });
   CHECK(IsNear(Compute(house)[4][0], dvec3(0.0, 0.0, 2.0), 1e-12));
 
-  // Cells without scalars of points have no part, and leave none.
+  // Cells without point scalars contribute nothing.
   vtkNew<vtkDoubleArray> ids;
   ids->InsertNextValue(1.0);
   ids->InsertNextValue(2.0);
@@ -148,7 +148,7 @@ void TestVolumes(RelevoCheck& check)
   }
 }
 
-// Points of blocks at one place are one, if they have the same scalars.
+// Coincident points of blocks are merged if they have the same scalars.
 void TestBlocks(RelevoCheck& check)
 {
   const auto getBent = [](const RelevoPoint& p) { return std::abs(p[0] - 1.0) + p[1] * p[1]; };

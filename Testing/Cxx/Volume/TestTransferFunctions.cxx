@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What transfer functions show along a part of a ray: closed forms, and the sum of many short parts
-// in which the functions are asked one by one.
+// Proves volumes.md on transfer functions: they are evaluated as VTK does along a part of a ray.
+// Compared with closed forms and with sums of many short parts.
 #include "Integral/TransferFunctions.h"
 #include "RelevoCheck.h"
 
@@ -18,7 +18,7 @@ using relevo::dvec3;
 using relevo::dvec4;
 using relevo::Scalars;
 using relevo::TransferFunctions;
-using Optics = std::function<dvec4(const Scalars&)>; // straight colour, extinction
+using Optics = std::function<dvec4(const Scalars&)>; // straight colour and extinction
 
 TransferFunctions Read(RelevoCheck& check, vtkVolumeProperty* property, int components = 1)
 {
@@ -68,7 +68,7 @@ dvec4 GetOptics(vtkVolumeProperty* property, int component, double scalar)
   return result;
 }
 
-// Nodes 1e-4 apart: a spike whose area decides of what is seen.
+// Nodes 1e-4 apart form a spike whose area determines the result.
 void TestSpike(RelevoCheck& check)
 {
   vtkNew<vtkVolumeProperty> property;
@@ -82,7 +82,7 @@ void TestSpike(RelevoCheck& check)
   color->AddRGBPoint(0.6, 0.0, 0.0, 1.0);
   property->SetScalarOpacityUnitDistance(1e-4);
   const TransferFunctions functions = Read(check, property);
-  const double alpha = 1.0 - std::exp(-3.0); // a length of 3, through values 0 to 1
+  const double alpha = 1.0 - std::exp(-3.0); // a length of 3 with values from 0 to 1
   CheckSame(check, functions.Integrate({ 0.0 }, { 1.0 }, 3.0),
     dvec4(0.5 * alpha, 0.0, 0.5 * alpha, alpha), 3e-4);
   CHECK_NEAR(functions.Integrate({ 0.0 }, { 1.0 }, 3.0).w, alpha, 1e-12);
@@ -91,7 +91,7 @@ void TestSpike(RelevoCheck& check)
   CHECK_NEAR(functions.Integrate({ 0.5 }, { 0.5 }, 3e-4).w, alpha, 1e-8);
 }
 
-// Every way of vtkColorTransferFunction and vtkPiecewiseFunction to be no straight line.
+// Every feature of vtkColorTransferFunction and vtkPiecewiseFunction that makes it nonlinear.
 void TestCurves(RelevoCheck& check)
 {
   for (int space : { VTK_CTF_RGB, VTK_CTF_HSV, VTK_CTF_LAB, VTK_CTF_DIVERGING, VTK_CTF_STEP })
@@ -144,7 +144,7 @@ void FillComponents(vtkVolumeProperty* property, int components)
   }
 }
 
-// Colours mix by extinction at every place.
+// Colours of components are mixed by their extinctions.
 void TestIndependent(RelevoCheck& check)
 {
   for (int components : { 2, 3, 4 })
@@ -177,7 +177,7 @@ void TestIndependent(RelevoCheck& check)
       CheckSame(
         check, functions.Integrate(front, back, length), Sum(mixed, front, back, length), 1e-4);
     }
-    // The same scalars all along: the mean of colours.
+    // Constant scalars give the mean of the colours.
     const dvec4 here = functions.Integrate(back, back, 2.0);
     dvec4 mean(0.0);
     for (int i = 0; i < components; ++i)
@@ -188,14 +188,14 @@ void TestIndependent(RelevoCheck& check)
     const double alpha = 1.0 - std::exp(-2.0 * mean.w);
     CheckSame(check, here, dvec4(dvec3(mean) / mean.w * alpha, alpha), 1e-6);
   }
-  // Extinction that begins at the front: the colour is that of what begins.
+  // If extinction begins at the front, the colour is that of the component that begins there.
   vtkNew<vtkVolumeProperty> property;
   FillComponents(property, 2);
   const dvec4 seen = Read(check, property, 2).Integrate({ 0.3, 0.0 }, { 1.0, 0.0 }, 1.0);
   CHECK_NEAR(seen.x, seen.w, 1e-12);
 }
 
-// Nodes of several components at one place cut once.
+// Nodes of several components at the same value cut only once.
 void TestCuts(RelevoCheck& check)
 {
   vtkNew<vtkVolumeProperty> property;
@@ -229,8 +229,8 @@ void TestDependent(RelevoCheck& check)
     check, Read(check, property, 4).Integrate(first, last, 2.0), Sum(four, first, last, 2.0), 1e-6);
 }
 
-// Density 1 - r^2 in a ball of radius 1, on a chord at distance h from its centre: the depth is
-// int (1 - h^2 - t^2) dt = 4/3 (1 - h^2)^(3/2).
+// Density 1 - r^2 in a ball of radius 1. On a chord at distance h from the centre, the optical
+// depth is int (1 - h^2 - t^2) dt = 4/3 (1 - h^2)^(3/2).
 void TestChord(RelevoCheck& check)
 {
   vtkNew<vtkVolumeProperty> property;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The same segments of rays, integrated by vtkUnstructuredGridLinearRayIntegrator.
+// Proves that segments of rays have the same integrals as in
+// vtkUnstructuredGridLinearRayIntegrator.
 #include "Integral/TransferFunctions.h"
 #include "RelevoCheck.h"
 #include "RelevoDice.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of meshes of tetrahedra whose scalars are linear in space, against closed forms: along a
-// ray that is in the mesh from one place to another, colour and extinction are linear.
+// vtkVolumeRayCastFilter promises exact pictures of tetrahedra whose scalars are linear in space.
+// Colour and extinction are then linear along the ray inside the mesh, and closed forms exist.
 #include "RelevoCheck.h"
 #include "RelevoVolumes.h"
 
@@ -32,7 +32,8 @@ void CheckCube(
 
 void TestViews(RelevoCheck& check)
 {
-  // Oblique; wide and high pictures; so that rays run in faces; from inside; in a face of the mesh.
+  // Oblique views, wide and tall pictures, rays within faces, views from inside, and a camera in a
+  // face of the mesh.
   CheckCube(check, MakeCamera({ { 3.0, 2.0, 1.5 } }, { { 0.5, 0.5, 0.5 } }), 40, 30, 0.0, 1e-12);
   CheckCube(check, MakeCamera({ { -2.0, 0.3, 0.1 } }, { { 0.5, 0.4, 0.6 } }), 15, 40, 0.0, 1e-12);
   CheckCube(check, MakeCamera({ { 0.5, 0.5, 4.0 } }, { { 0.5, 0.5, 0.5 } }), 31, 31, 0.0, 1e-12);
@@ -40,18 +41,19 @@ void TestViews(RelevoCheck& check)
     check, MakeCamera({ { 0.4, 0.5, 0.6 } }, { { 3.0, 1.0, 0.0 } }, 80.0), 30, 30, 0.0, 1e-5);
   const auto parallel = MakeCamera({ { 0.5, 0.5, 4.0 } }, { { 0.5, 0.5, 0.5 } });
   parallel->ParallelProjectionOn();
-  parallel->SetParallelScale(29.0 / 60.0); // rays 1/30 apart, some in faces, none in the border
+  // rays 1/30 apart; some run within faces, none within the border
+  parallel->SetParallelScale(29.0 / 60.0);
   CheckCube(check, parallel, 29, 29, 0.0, 1e-12);
   parallel->SetPosition(2.0, 1.0, 3.0);
   CheckCube(check, parallel, 33, 20, 0.0, 1e-12);
-  // Far from the origin: the same, but for the rounding of coordinates.
+  // Far from the origin the picture is the same, up to the rounding of coordinates.
   const double far = 1e7;
   CheckCube(check,
     MakeCamera({ { far + 3.0, far + 2.0, far + 1.5 } }, { { far + 0.5, far + 0.5, far + 0.5 } }),
     40, 30, far, 1e-7);
 }
 
-// Nothing before the near plane or beyond the far one.
+// Nothing in front of the near plane or behind the far plane is visible.
 void TestClippingRange(RelevoCheck& check)
 {
   const auto camera = MakeCamera({ { 0.5, 0.5, 3.0 } }, { { 0.5, 0.5, 0.0 } });
@@ -66,8 +68,8 @@ void TestClippingRange(RelevoCheck& check)
   }
 }
 
-// Of a cube of 5^3 cubes the middle one and a corner are left out, in every way to leave out cells;
-// rays come out and enter again.
+// In a cube of 5^3 cells, the middle and one corner are removed in every way that VTK offers. Rays
+// leave and enter again.
 void TestHoles(RelevoCheck& check)
 {
   const auto camera = MakeCamera({ { 3.0, 2.0, 1.5 } }, { { 0.5, 0.5, 0.5 } });
@@ -127,7 +129,7 @@ void TestHoles(RelevoCheck& check)
   }
 }
 
-// A point without a scalar, and a blanked point, take their cells with them.
+// A point without a finite scalar and a blanked point remove their cells.
 void TestPoints(RelevoCheck& check)
 {
   const auto camera = MakeCamera({ { 3.0, 2.0, 1.5 } }, { { 0.5, 0.5, 0.5 } });
@@ -161,8 +163,8 @@ void TestPoints(RelevoCheck& check)
   CHECK_LESS(FindLargestDifference(Cast(whole, property, camera, 30, 30), expected), 1e-13);
 }
 
-// Blocks, which share no points, are one mesh whatever their order; so is a block of which a part
-// is there twice.
+// Blocks without shared points form one mesh in every order, and so does a block with duplicate
+// cells.
 void TestBlocks(RelevoCheck& check)
 {
   const auto camera = MakeCamera({ { 3.0, 2.0, 1.5 } }, { { 0.5, 0.5, 0.5 } });
@@ -191,7 +193,7 @@ void TestBlocks(RelevoCheck& check)
   CHECK_LESS(FindLargestDifference(Cast(blocks, property, camera, 30, 30), expected), 1e-12);
 }
 
-// Scalars of cells are constant in each, and chosen by name.
+// Cell scalars are constant in each cell and selected by name.
 void TestCellScalars(RelevoCheck& check)
 {
   const auto mesh = MakeTetrahedra(2, [](const RelevoPoint&) { return 0.3; });
@@ -211,7 +213,7 @@ void TestCellScalars(RelevoCheck& check)
   filter->SetVolumeProperty(MakeVolumeProperty(0.4, 1.5));
   filter->SetViewportSize(4, 4);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "layer");
-  const double front = 1.0 - std::exp(-0.5 * 1.5); // blue, over red
+  const double front = 1.0 - std::exp(-0.5 * 1.5); // blue in front of red
   const double back = 1.0 - std::exp(-0.5 * 0.4);
   for (const RelevoColor& color : Cast(filter))
   {
@@ -223,7 +225,7 @@ void TestCellScalars(RelevoCheck& check)
   CHECK_NEAR(Cast(filter)[5][3], 1.0 - std::exp(-0.4 - 0.3 * 1.1), 1e-12);
 }
 
-// What makes the filter run again.
+// The filter executes again only after changes.
 void TestChanges(RelevoCheck& check)
 {
   const auto camera = MakeCamera({ { 3.0, 2.0, 1.5 } }, { { 0.5, 0.5, 0.5 } });

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Blend modes and isosurfaces, against closed forms where the scalar is linear in space and else
-// against the sum of many samples of a ray.
+// vtkVolumeRayCastFilter promises blend modes and isosurfaces. Compared with closed forms for
+// linear scalars, and otherwise with sums of many samples along a ray.
 #include "RelevoCheck.h"
 #include "RelevoRaySum.h"
 
@@ -24,7 +24,7 @@ namespace
 using Filter = vtkVolumeRayCastFilter;
 constexpr int Size = 17;
 
-// A filter, and what it is compared with.
+// A filter, and the picture that it is compared with.
 struct Scene
 {
   explicit Scene(vtkDataObject* mesh, vtkSmartPointer<vtkVolumeProperty> property = nullptr)
@@ -86,10 +86,10 @@ void CheckScalars(
 void TestScalars(RelevoCheck& check)
 {
   CheckScalars(check, MakeTetrahedra(3, GetLinearField), GetLinearField, 1e-12);
-  CheckScalars(check, MakeVoxel(GetTrilinear), GetTrilinear, 1e-7); // of the samples
+  CheckScalars(check, MakeVoxel(GetTrilinear), GetTrilinear, 1e-7); // accuracy of the samples
 }
 
-// Opacities beyond 1 are 1; where there is nothing, nothing is seen.
+// Opacities above 1 are clamped. Without cells, nothing is visible.
 void TestOpaque(RelevoCheck& check)
 {
   Scene scene(MakeTetrahedra(2, [](const RelevoPoint&) { return 0.5; }));
@@ -162,7 +162,7 @@ void TestIsoSurfaces(RelevoCheck& check)
   sum = MakeSurfaces(voxel, GetTrilinear);
   CHECK_NEAR(voxel.Differs([&](const RelevoRay& ray) { return sum.Composite(ray); }), 0.0, 1e-9);
 
-  // In the volume: between what is in front and what is behind.
+  // The camera is inside the volume, between parts in front of it and behind it.
   Scene inside(MakeTetrahedra(3, GetLinearField));
   inside.SetValues({ 0.35, 0.6 });
   inside.Property->GetScalarOpacity()->AddPoint(0.35, 0.9);
@@ -175,12 +175,12 @@ void TestIsoSurfaces(RelevoCheck& check)
     return color;
   };
   const auto getInside = [&](const RelevoRay& ray) { return sum.Composite(ray); };
-  CHECK_NEAR(inside.Differs(getInside), 0.0, 2e-4); // of pieces that a surface is in
+  CHECK_NEAR(inside.Differs(getInside), 0.0, 2e-4); // accuracy of the steps that contain a surface
   inside.Cast->IsoSurfacesOff();
   CHECK_GREATER(inside.Differs(getInside), 0.1);
 }
 
-// A surface that is a border of cells is there once, and none where a scalar stays as it is.
+// A surface on the border of cells is drawn once. Constant scalars have no surface.
 void TestBorders(RelevoCheck& check)
 {
   const auto count = [&](const RelevoField& field, double value, vtkCamera* camera)
@@ -211,7 +211,7 @@ void TestBorders(RelevoCheck& check)
     CHECK_EQUAL(count([](const RelevoPoint& p) { return p[0] - 0.5; }, 0.0, camera), 1);
     CHECK_EQUAL(count([](const RelevoPoint& p) { return 0.1 * p[0]; }, 0.04, camera), 1);
     CHECK_EQUAL(count([](const RelevoPoint&) { return 0.3; }, 0.3, camera), 0);
-    // Up to the value, or down to it, and there to stay.
+    // The scalar rises or falls to the value and then stays there.
     CHECK_EQUAL(
       count([](const RelevoPoint& p) { return std::min(p[0], 0.5) * 0.7; }, 0.35, camera), 1);
     CHECK_EQUAL(count([](const RelevoPoint& p) { return std::abs(p[0] - 0.5); }, 0.25, camera), 2);
@@ -219,7 +219,7 @@ void TestBorders(RelevoCheck& check)
                   0.25, camera),
       0);
   }
-  // Blocks that meet at the value, one of which has it a bit lower.
+  // Blocks that meet at the isovalue, which is slightly lower in one of them.
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, MakeTetrahedra(2, [](const RelevoPoint& p) { return p[0]; }));
   const auto second = MakeTetrahedra(2, [](const RelevoPoint& p) { return 1.0 + p[0] - 1e-8; });
@@ -241,7 +241,7 @@ void TestBorders(RelevoCheck& check)
     }
   }
 
-  // Scalars of cells jump, and have no surfaces.
+  // Cell scalars are discontinuous and have no isosurfaces.
   const auto mesh = MakeTetrahedra(2, GetLinearField);
   vtkNew<vtkDoubleArray> ids;
   for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
@@ -256,7 +256,7 @@ void TestBorders(RelevoCheck& check)
   CHECK_EQUAL(scene.Differs([](const RelevoRay&) { return RelevoColor(); }), 0.0);
 }
 
-// Two components, the second of which is x.
+// A mesh with two components, the second of which is x.
 vtkSmartPointer<vtkUnstructuredGrid> MakeTwo()
 {
   auto mesh = MakeTetrahedra(3, GetLinearField);
@@ -291,7 +291,7 @@ void TestIndependent(RelevoCheck& check)
   scene.Property->GetScalarOpacity(1)->RemoveAllPoints();
   scene.Property->GetScalarOpacity(1)->AddPoint(0.0, 0.05);
   scene.Property->GetScalarOpacity(1)->AddPoint(1.0, 0.6);
-  scene.Property->SetScalarOpacityUnitDistance(1, 7.0); // is no matter
+  scene.Property->SetScalarOpacityUnitDistance(1, 7.0); // has no effect
   RelevoRaySum first;
   first.Scalar = GetLinearField;
   RelevoRaySum second;
@@ -312,7 +312,7 @@ void TestIndependent(RelevoCheck& check)
         }),
       0.0, 1e-5);
   }
-  // Isosurfaces: of the first, or that of more weight.
+  // Isosurfaces of the first component, or of the component with the larger weight.
   scene.SetValues({ 0.4 });
   scene.Cast->SetBlendModeToIsoSurface();
   RelevoRaySum surfaces = MakeSurfaces(scene, GetLinearField);
@@ -326,7 +326,7 @@ void TestIndependent(RelevoCheck& check)
   CHECK_NEAR(scene.Differs(get), 0.0, 1e-5);
 }
 
-// Where the second, the opacity, is extreme: at the ends of a ray.
+// With dependent components, the extreme of the second one, the opacity, is at the ends of a ray.
 void TestDependent(RelevoCheck& check)
 {
   Scene scene(MakeTwo());

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells by VTK's shape functions. Distorted as they may be, they give a linear field as it is; what
-// they make of other fields, and where they end, is that of many small tetrahedra in them.
+// vtkVolumeRayCastFilter promises cells by VTK's shape functions. Distorted cells reproduce a
+// linear field exactly; other fields and the cells' borders are compared with many small
+// tetrahedra.
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
 #include "RelevoVolumes.h"
@@ -21,7 +22,7 @@
 
 namespace
 {
-// A cube of side 1 of n^3 cubes, whose inner points are moved, filled with cells.
+// A cube of side 1 made of n^3 cells, whose inner points are displaced.
 class DistortedCube
 {
 public:
@@ -167,13 +168,13 @@ void TestDistorted(RelevoCheck& check)
   const auto inside = MakeCamera({ { 0.4, 0.5, 0.6 } }, { { 3.0, 1.0, 0.0 } }, 80.0);
   const auto along = MakeCamera({ { 0.5, 0.5, 4.0 } }, { { 0.5, 0.5, 0.5 } });
   along->ParallelProjectionOn();
-  along->SetParallelScale(11.0 / 24.0); // rays 1/12 apart, some in faces where they are flat
+  along->SetParallelScale(11.0 / 24.0); // rays 1/12 apart; some run within faces if these are flat
   for (const auto& filling : fillings)
   {
     const auto mesh = DistortedCube(3, filling.second).Fill(filling.first);
     CHECK_NEAR(FindLargestDifference(
                  Cast(mesh, property, oblique, 24, 18), MakeLinearPicture(oblique, 24, 18)),
-      0.0, 1e-5); // next to tops of pyramids, where shape functions are singular
+      0.0, 1e-5); // near the apex of pyramids, where shape functions are singular
     CHECK_NEAR(FindLargestDifference(
                  Cast(mesh, property, inside, 12, 12), MakeLinearPicture(inside, 12, 12)),
       0.0, 1e-5);
@@ -183,7 +184,7 @@ void TestDistorted(RelevoCheck& check)
   }
 }
 
-// The cell in many small tetrahedra.
+// The cell as many small tetrahedra.
 vtkSmartPointer<vtkUnstructuredGrid> Divide(vtkUnstructuredGrid* mesh)
 {
   vtkCell* cell = mesh->GetCell(0);
@@ -217,7 +218,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Divide(vtkUnstructuredGrid* mesh)
   return small;
 }
 
-// The scalar of a cell at a place, as VTK finds it; false outside.
+// Scalar of a cell at a point, as VTK evaluates it. Returns false outside.
 bool FindScalar(vtkUnstructuredGrid* mesh, const RelevoPoint& at, double& scalar)
 {
   vtkCell* cell = mesh->GetCell(0);
@@ -226,7 +227,7 @@ bool FindScalar(vtkUnstructuredGrid* mesh, const RelevoPoint& at, double& scalar
   double weights[10];
   double squared;
   int part;
-  // What VTK calls inside reaches a bit beyond.
+  // The region that VTK treats as inside is slightly larger.
   const int found = cell->EvaluatePosition(at.data(), nearest, part, parameters, squared, weights);
   const int type = cell->GetCellType();
   const double sum = type == VTK_WEDGE ? parameters[0] + parameters[1]
@@ -245,7 +246,7 @@ bool FindScalar(vtkUnstructuredGrid* mesh, const RelevoPoint& at, double& scalar
   return true;
 }
 
-// Many samples, with more and more next to where the ray enters and leaves.
+// Takes many samples, denser towards the ends of the ray's interval.
 bool FindExtremes(vtkUnstructuredGrid* mesh, const RelevoRay& ray, double extremes[2])
 {
   const int count = 500;
@@ -279,7 +280,7 @@ bool FindExtremes(vtkUnstructuredGrid* mesh, const RelevoRay& ray, double extrem
   return found;
 }
 
-// Opacity is the scalar. Where a ray grazes the cell, it may be missed.
+// Opacity is the scalar. A ray that grazes the cell may miss it.
 void CheckExtremes(RelevoCheck& check, vtkUnstructuredGrid* mesh, vtkCamera* camera)
 {
   const int size = 15;
@@ -299,7 +300,7 @@ void CheckExtremes(RelevoCheck& check, vtkUnstructuredGrid* mesh, vtkCamera* cam
     if (FindExtremes(mesh, RelevoRay(camera, i % size, i / size, size, size), extremes) &&
       highest[i][3] > 0.0)
     {
-      CHECK_NEAR(lowest[i][3], extremes[0], 4e-5); // as far as VTK finds places
+      CHECK_NEAR(lowest[i][3], extremes[0], 4e-5); // accuracy of VTK's search
       CHECK_NEAR(highest[i][3], extremes[1], 4e-5);
       ++compared;
     }
@@ -307,7 +308,7 @@ void CheckExtremes(RelevoCheck& check, vtkUnstructuredGrid* mesh, vtkCamera* cam
   CHECK_GREATER(compared, 20);
 }
 
-// One cell with random points and scalars: its border and its field are curved.
+// One cell with random points and scalars, so that its border and field are curved.
 void TestCurved(RelevoCheck& check)
 {
   RelevoDice dice(3);
@@ -338,7 +339,7 @@ void TestCurved(RelevoCheck& check)
     divided->SetVolumeProperty(property);
     divided->SetCamera(camera);
     divided->SetViewportSize(21, 21);
-    RelevoErrors warnings(divided); // of tetrahedra at tops and edges
+    RelevoErrors warnings(divided); // for degenerate tetrahedra at apexes and edges
     CHECK_NEAR(
       FindLargestDifference(Cast(mesh, property, camera, 21, 21), Cast(divided)), 0.0, 2e-3);
   };
@@ -360,7 +361,7 @@ void TestCurved(RelevoCheck& check)
     0.08);
 }
 
-// Split by VTK, which is no matter where faces are flat.
+// VTK may split the cell differently, which has no effect if faces are flat.
 void TestSplit(RelevoCheck& check)
 {
   const auto cube = DistortedCube(1, 0.0).Fill({ VTK_VOXEL });

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Clipping planes shorten rays: closed forms of what is left.
+// vtkVolumeRayCastFilter promises that clipping planes shorten rays. Compared with closed forms for
+// the rest.
 #include "RelevoCheck.h"
 #include "RelevoRaySum.h"
 
@@ -32,7 +33,7 @@ struct Scene
     this->Filter->SetViewportSize(Size, Size);
     this->Filter->SetBlendModeToAverageIntensity();
   }
-  // The mean scalar is that of the middle, which says where both ends are.
+  // The mean scalar is that at the middle of the ray, so it depends on both ends.
   double Differs()
   {
     const auto property = this->Filter->GetVolumeProperty();
@@ -56,7 +57,7 @@ vtkSmartPointer<vtkPlane> MakePlane(double x, double y, double z, const RelevoPo
   return plane;
 }
 
-// Where a point is on the positive side: by halving, not by the formula.
+// Finds the positive side of a plane by bisection, independent of the formula.
 void ClipBy(vtkPlane* plane, const RelevoRay& ray, double& begin, double& end)
 {
   const auto isIn = [&](double t) { return plane->EvaluateFunction(ray.At(t).data()) >= 0.0; };
@@ -98,7 +99,7 @@ void TestPlanes(RelevoCheck& check)
     ClipBy(second, ray, begin, end);
   };
   CHECK_NEAR(scene.Differs(), 0.0, 1e-9);
-  // A change of a plane counts.
+  // A change of a plane takes effect.
   second->SetNormal(0.0, 1.0, -0.9);
   CHECK_NEAR(scene.Differs(), 0.0, 1e-9);
   scene.Filter->RemoveClippingPlane(first);
@@ -106,7 +107,8 @@ void TestPlanes(RelevoCheck& check)
   scene.Sum.Clip = [&](const RelevoRay& ray, double& begin, double& end)
   { ClipBy(second, ray, begin, end); };
   CHECK_NEAR(scene.Differs(), 0.0, 1e-9);
-  // Behind, and in front: all, and nothing.
+  // The mesh lies on the plane's positive side and is kept, then on its negative side and is
+  // removed.
   second->SetOrigin(0.0, -9.0, 9.0);
   second->SetNormal(0.0, 1.0, 0.0);
   CHECK_NEAR(scene.Differs(), 0.0, 1e-9);
@@ -140,7 +142,7 @@ void TestSetting(RelevoCheck& check)
   scene.Sum.Clip = nullptr;
   CHECK_NEAR(scene.Differs(), 0.0, 1e-9);
 
-  // Planes of which the outside is positive.
+  // Planes that are positive on the outside.
   vtkNew<vtkPlanes> box;
   vtkNew<vtkPoints> origins;
   vtkNew<vtkDoubleArray> normals;

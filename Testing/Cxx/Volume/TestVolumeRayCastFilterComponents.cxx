@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Arrays of several components: vector modes against arrays of one component that hold the same,
-// and colours as they stand, from 0 to 1 and as bytes.
+// vtkVolumeRayCastFilter promises vector modes and direct colours. Vector modes are compared with
+// single-component arrays of the same values; colours are floats from 0 to 1 or bytes.
 #include "RelevoCheck.h"
 #include "RelevoVolumes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkVolumeRayCastFilter cannot draw is an error of its own, in words that tell what is wrong,
-// with an empty output; what it can leave out is one warning.
+// vtkVolumeRayCastFilter promises an error that names the cause and an empty output for input that
+// it cannot draw, and one warning for cells that it skips.
 #include "RelevoCheck.h"
 #include "RelevoVolumes.h"
 
@@ -48,7 +48,7 @@ struct Scene
     this->Filter->Update();
     return errors.Said(words) && this->Filter->GetOutput()->GetNumberOfPoints() == 0;
   }
-  // With an error.
+  // Draws the rest with an error.
   bool DrawsRest(const std::string& words)
   {
     RelevoErrors errors(this->Filter);
@@ -56,7 +56,7 @@ struct Scene
     return errors.Said(words) && picture.size() == 100 &&
       std::any_of(picture.begin(), picture.end(), [](const RelevoColor& c) { return c[3] > 0.01; });
   }
-  // With one warning, or none for an empty text.
+  // Draws with one warning, or with none if the text is empty.
   bool Draws(const std::string& warning)
   {
     RelevoErrors errors(this->Filter);
@@ -72,7 +72,7 @@ struct Scene
   }
 };
 
-// Cells that crashed, or went through in silence; nothing is left to draw.
+// Invalid cells that once crashed or were ignored silently. Nothing remains to draw.
 void TestCells(RelevoCheck& check)
 {
   const auto fails = [](int type, int points, const std::string& words, double degree = 0.0)
@@ -165,7 +165,7 @@ void TestArrays(RelevoCheck& check)
   CHECK(scene.Fails("3 components in one block and 1 in another"));
 }
 
-// Cells of points that do not exist are left out, with an error; the rest is drawn.
+// Cells with invalid point ids are skipped with an error, and the rest is drawn.
 void TestBroken(RelevoCheck& check)
 {
   for (const vtkIdType id : { vtkIdType(-1), vtkIdType(8), vtkIdType(1) << 40 })
@@ -198,7 +198,7 @@ void TestBroken(RelevoCheck& check)
   }
 }
 
-// A skin and a block without the array beside a solid one, which is seen as if it were alone.
+// A surface and a block without the array do not affect a solid block beside them.
 void TestBlocks(RelevoCheck& check)
 {
   Scene scene;
@@ -210,7 +210,7 @@ void TestBlocks(RelevoCheck& check)
     "Block 1 (\"skin\") has no 3D cells; it is left out. Block 3 (\"air\") has no array "
     "\"field\"; it is left out."));
   CHECK_LESS(FindLargestDifference(Cast(scene.Filter), alone), 1e-12);
-  // The array belongs to points in one block, to cells in the other.
+  // The array is point data in one block and cell data in another.
   auto* air = vtkDataSet::SafeDownCast(blocks->GetBlock(2));
   vtkNew<vtkDoubleArray> ofCells;
   ofCells->SetName("field");
@@ -260,7 +260,7 @@ void TestNotFinite(RelevoCheck& check)
   }
 }
 
-// Isosurfaces that cannot be there.
+// Isosurface settings that cannot be used.
 void TestSurfaces(RelevoCheck& check)
 {
   Scene scene;

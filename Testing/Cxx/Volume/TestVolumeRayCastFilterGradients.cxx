@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Gradient opacity and 2D transfer functions, against sums along rays of fields whose gradients are
-// known.
+// vtkVolumeRayCastFilter promises gradient opacity and 2D transfer functions. Compared with sums
+// along rays through fields with known gradients.
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
 #include "RelevoRaySum.h"
@@ -24,7 +24,7 @@ namespace
 constexpr int Size = 15;
 constexpr double Unit = 0.3;
 
-// A gradient of length 1 where x is below the middle, and of 3 beyond.
+// A field with gradient length 1 for x below the middle and 3 above it.
 double GetBent(const RelevoPoint& p)
 {
   return p[0] < 0.5 ? 0.5 * p[0] : 0.25 + 1.5 * (p[0] - 0.5);
@@ -88,13 +88,13 @@ void CheckGradientOpacity(RelevoCheck& check, vtkDataObject* mesh, const RelevoF
   CHECK_NEAR(scene.Differs(get), 0.0, tolerance);
   scene.Filter->SetBlendModeToAdditive();
   CHECK_NEAR(scene.Differs([&](const RelevoRay& ray) { return sum.Add(ray); }), 0.0, tolerance);
-  // Not where the opacity does not count by length.
+  // It has no effect in blend modes where opacity does not depend on length.
   scene.Filter->SetBlendModeToAverageIntensity();
   const auto average = Cast(scene.Filter);
   scene.Property->DisableGradientOpacityOn();
   CHECK_EQUAL(FindLargestDifference(Cast(scene.Filter), average), 0.0);
   scene.Filter->SetBlendModeToComposite();
-  CHECK_NEAR(scene.Differs(get), 0.0, tolerance); // of a constant 1
+  CHECK_NEAR(scene.Differs(get), 0.0, tolerance); // a constant factor of 1
 }
 
 void TestGradientOpacity(RelevoCheck& check)
@@ -102,7 +102,7 @@ void TestGradientOpacity(RelevoCheck& check)
   CheckGradientOpacity(check, MakeTetrahedra(2, GetBent), GetBent, GetBentSteepness, 1e-3);
   CheckGradientOpacity(check, MakeVoxel(GetTrilinear), GetTrilinear, GetTrilinearSteepness, 2e-4);
 
-  // Where the gradient is the same everywhere, exactly.
+  // If the gradient is constant, the result is exact.
   Scene scene(MakeTetrahedra(3, GetLinearField));
   scene.Property->SetGradientOpacity(MakeRamp());
   const auto picture = Cast(scene.Filter);
@@ -111,7 +111,7 @@ void TestGradientOpacity(RelevoCheck& check)
     MakeVolumeProperty(0.1, 0.9, Unit / factor), scene.Camera, Size, Size);
   CHECK_NEAR(FindLargestDifference(picture, expected), 0.0, 1e-12);
 
-  // Scalars of cells have none.
+  // Cell scalars have no gradients.
   const auto mesh = MakeTetrahedra(2, GetLinearField);
   vtkNew<vtkDoubleArray> ids;
   for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
@@ -127,7 +127,8 @@ void TestGradientOpacity(RelevoCheck& check)
     0.0, 1e-12);
 }
 
-// Each component has its own; of dependent ones the last, the opacity, has it.
+// Each independent component has its gradient opacity. For dependent components, that of the last
+// one, the opacity, is used.
 void TestComponents(RelevoCheck& check)
 {
   const auto mesh = MakeTetrahedra(6, GetBent);
@@ -156,7 +157,7 @@ void TestComponents(RelevoCheck& check)
     return RelevoColor{ { first[0] * a / (a + b), b / (a + b), first[2] * a / (a + b), a + b } };
   };
   CHECK_NEAR(scene.Differs([&](const RelevoRay& ray) { return sum.Composite(ray); }), 0.0,
-    3e-3); // as colours mix at ends
+    3e-3); // accuracy of mixed colours at the ends
   scene.Property->IndependentComponentsOff();
   scene.Property->SetGradientOpacity(0, MakeRamp());
   sum.Optics = [&](const RelevoRay&, const RelevoPoint& p)
@@ -169,7 +170,7 @@ void TestComponents(RelevoCheck& check)
   CHECK_NEAR(scene.Differs([&](const RelevoRay& ray) { return sum.Composite(ray); }), 0.0, 1e-3);
 }
 
-// Of 7 scalars and 5 lengths of gradients.
+// A table for 7 scalars and 5 gradient lengths.
 struct Table
 {
   Table()
@@ -209,7 +210,7 @@ void CheckTable(RelevoCheck& check, vtkDataObject* mesh, const RelevoField& fiel
 {
   Scene scene(mesh);
   const Table table;
-  scene.Property->SetGradientOpacity(MakeRamp()); // has no effect with it
+  scene.Property->SetGradientOpacity(MakeRamp()); // has no effect on a 2D transfer function
   scene.Property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
   scene.Property->SetTransferFunction2D(table.Image);
   scene.Property->GetRGBTransferFunction()->RemoveAllPoints();
@@ -232,7 +233,8 @@ void TestTables(RelevoCheck& check)
   CheckTable(check, MakeTetrahedra(2, GetBent), GetBent, GetBentSteepness, 2e-3);
   CheckTable(check, MakeVoxel(GetTrilinear), GetTrilinear, GetTrilinearSteepness, 2e-4);
 
-  // Of an extreme, and of an isosurface, where it is: beyond the bend, and before it.
+  // For extremes and isosurfaces, the gradient is taken at their position, in front of the bend or
+  // behind it.
   Scene scene(MakeTetrahedra(2, GetBent));
   scene.Camera->SetPosition(4.0, 0.5, 0.5);
   scene.Camera->SetViewAngle(10.0);
@@ -257,7 +259,7 @@ void TestTables(RelevoCheck& check)
   checkAll(table.Get(0.4, 1.5));
 }
 
-// Of dependent components the last one alone counts.
+// For dependent components, only the last one is used.
 void TestDependentTable(RelevoCheck& check)
 {
   const auto mesh = MakeTetrahedra(2, GetBent);
@@ -282,7 +284,7 @@ void TestDependentTable(RelevoCheck& check)
   CHECK_EQUAL(FindLargestDifference(cast(), expected), 0.0);
 }
 
-// Of colours the gradient is that of the opacity.
+// For direct colours, the gradient is that of the opacity.
 void TestColors(RelevoCheck& check)
 {
   const auto mesh = MakeTetrahedra(3, GetLinearField);
@@ -306,7 +308,7 @@ void TestColors(RelevoCheck& check)
   CHECK_NEAR(FindLargestDifference(Cast(scene.Filter), picture), 0.0, 1e-12);
 }
 
-// Three columns close together: what is between them decides of what is seen.
+// Three columns close together, so that the range between them determines the result.
 void TestColumns(RelevoCheck& check)
 {
   vtkNew<vtkImageData> image;
@@ -344,7 +346,7 @@ void TestErrors(RelevoCheck& check)
   CHECK(fails("gradient opacity function without nodes for component 0"));
   scene.Property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
   CHECK(fails("has no 2D transfer function for component 0; call SetTransferFunction2D()"));
-  // VTK checks images when they are set; they may change then.
+  // VTK checks images when they are set, but they may change later.
   vtkNew<vtkImageData> image;
   image->SetDimensions(2, 2, 1);
   image->AllocateScalars(VTK_FLOAT, 4);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Volumes and isosurfaces in the light of the camera, against sums along rays of fields whose
-// gradients are known.
+// vtkVolumeRayCastFilter promises volumes and isosurfaces shaded by a light at the camera. Compared
+// with sums along rays through fields with known gradients.
 #include "RelevoCheck.h"
 #include "RelevoRaySum.h"
 
@@ -53,7 +53,8 @@ struct Scene
       MakePicture(
         this->Camera, Size, Size, [&](const RelevoRay& ray) { return sum.Composite(ray); }));
   }
-  // Light goes where the camera looks. By the angle between the eye and the mirrored light.
+  // The light points where the camera looks. The specular term uses the angle between the eye and
+  // the mirrored light.
   RelevoColor Shade(
     RelevoColor color, const RelevoRay& ray, RelevoPoint gradient, int component = 0)
   {
@@ -101,7 +102,7 @@ struct Scene
   vtkSmartPointer<vtkCamera> Camera;
 };
 
-// Everywhere the same normal; from both sides, in parallel projection and with bright light.
+// A constant normal, seen from both sides, in parallel projection and with strong light.
 void TestPlanes(RelevoCheck& check)
 {
   Scene scene(MakeTetrahedra(3, GetLinearField));
@@ -112,7 +113,7 @@ void TestPlanes(RelevoCheck& check)
   scene.Camera->ParallelProjectionOn();
   scene.Camera->SetParallelScale(0.9);
   CHECK_NEAR(scene.Differs(sum), 0.0, 1e-6);
-  scene.SetMaterial(0, 1e6, 0.9, 0.9, 1.0); // no colour is more than 1
+  scene.SetMaterial(0, 1e6, 0.9, 0.9, 1.0); // clamps colours to 1
   CHECK_NEAR(scene.Differs(sum), 0.0, 1e-4);
   scene.SetMaterial(0, 0.2, 0.6, 0.3, 6.0);
   scene.Property->ShadeOff();
@@ -135,7 +136,7 @@ void TestIsoSurfaces(RelevoCheck& check)
   CHECK_GREATER(scene.Differs(sum), 0.1);
 }
 
-// Normals that turn, interpolated from those of points: the finer the mesh, the nearer.
+// Normals interpolated from points converge as the mesh gets finer.
 void TestSpheres(RelevoCheck& check)
 {
   const auto getField = [](const RelevoPoint& p)
@@ -160,11 +161,11 @@ void TestSpheres(RelevoCheck& check)
   RelevoRaySum sum = surface.MakeSum(getField, getGradient);
   sum.Optics = nullptr;
   sum.Values = { 0.5 };
-  surface.Camera->SetViewAngle(15.0); // away from where rays graze it
+  surface.Camera->SetViewAngle(15.0); // where rays do not graze the surface
   CHECK_NEAR(surface.Differs(sum), 0.0, 1e-2);
 }
 
-// Without a gradient colours stay as they are.
+// Without a gradient, colours are not shaded.
 void TestUnshaded(RelevoCheck& check)
 {
   const auto isSame = [](vtkDataObject* mesh)
@@ -185,7 +186,7 @@ void TestUnshaded(RelevoCheck& check)
   mesh->GetPointData()->Initialize();
   mesh->GetCellData()->SetScalars(ids);
   CHECK(isSame(mesh));
-  // Light has no part in other blend modes.
+  // Shading has no effect in other blend modes.
   Scene scene(MakeTetrahedra(2, GetLinearField));
   for (const int mode : { 1, 2, 3, 4 })
   {
@@ -198,8 +199,8 @@ void TestUnshaded(RelevoCheck& check)
   }
 }
 
-// Of two components each has a material and a gradient; of dependent ones the last has the
-// gradient.
+// Each of two independent components has a material and a gradient. For dependent components, the
+// gradient is that of the last one.
 void TestComponents(RelevoCheck& check)
 {
   const auto mesh = MakeTetrahedra(2, GetLinearField);

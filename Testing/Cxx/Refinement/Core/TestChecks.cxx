@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests' own checks print when they fail: both operands, and the names of the cases. It
-// compares by itself, since checks that do not work would tell nothing.
+// Proves that failed checks print both operands and the names of the cases. This test compares
+// results itself, because broken checks would not report anything.
 #include "RelevoCheck.h"
 
 #include <array>
@@ -25,7 +25,7 @@ enum class Color
   Green = 4
 };
 
-// What failures print while it lives.
+// Captures the messages of failed checks during its lifetime.
 class Printed
 {
 public:
@@ -37,7 +37,7 @@ public:
   Printed(const Printed&) = delete;
   void operator=(const Printed&) = delete;
 
-  // The lines so far, without the file and the line in it.
+  // The messages so far, without file and line number.
   std::string Get() const
   {
     std::string text;
@@ -153,7 +153,7 @@ bool TestCases()
     "[mesh \"torus\"] failed: 1 > 3\n");
 }
 
-// A pointer to a buffer that each call overwrites, as vtkPoints::GetPoint() returns.
+// Returns a pointer to a buffer that each call overwrites, like vtkPoints::GetPoint().
 const double* GetShared(int value)
 {
   static double buffer[1];

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Dependencies: whatever is added tells lists apart, and updates tell once.
+// Proves that relevo::Dependencies detects a change of every kind of value, and reports each change
+// once.
 #include "RelevoCheck.h"
 
 #include "Changes/Dependencies.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Levels, winding and pipeline of the refinement filter.
+// vtkAdaptiveRefinementFilter promises the recipe's levels, triangles that wind as their coarse
+// cell does, and an update only after a change.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 #include "RelevoWatertight.h"
@@ -57,7 +58,7 @@ Mesh makeTriangle()
   return FromTriangles({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } }, { { { 0, 1, 2 } } });
 }
 
-// [d, d, d] has 4^d triangles.
+// The pattern [d, d, d] has 4^d triangles.
 void testUniformLevels(RelevoCheck& check)
 {
   vtkNew<vtkAdaptiveRefinement> recipe;
@@ -78,7 +79,7 @@ void testUniformLevels(RelevoCheck& check)
     setTags(sphere, std::vector<double>(static_cast<size_t>(sphere->GetNumberOfPoints()), level));
     CHECK(refine(sphere, recipe)->GetNumberOfPolys() == n << 2 * level);
   }
-  // Level 0 is the mesh itself.
+  // Level 0 is the input mesh.
   recipe->SetMaximumLevel(0);
   Mesh same = refine(sphere, recipe);
   CHECK_EQUAL(same->GetNumberOfPoints(), sphere->GetNumberOfPoints());
@@ -100,7 +101,7 @@ void testUniformLevels(RelevoCheck& check)
   }
 }
 
-// Levels of the edge from (0, 0) to (1, 0), by the points on it.
+// Level of the edge from (0, 0) to (1, 0), from the number of points on it.
 void testEdgeLevels(RelevoCheck& check)
 {
   const double inf = std::numeric_limits<double>::infinity();
@@ -131,7 +132,7 @@ void testEdgeLevels(RelevoCheck& check)
       CHECK_EQUAL(points, (1 << rule.Level) + 1);
     }
   }
-  // Coincident points: the larger tag holds, whichever point has it.
+  // Coincident points use the larger of their tags, whichever point has it.
   for (int larger = 0; larger < 2; ++larger)
   {
     Mesh pair = FromTriangles({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 1, 0, 0 } },
@@ -148,7 +149,7 @@ void testEdgeLevels(RelevoCheck& check)
     }
     CHECK_EQUAL(diagonal, 2 * 9); // 8 segments from (3 + 2) / 2, on both sides
   }
-  // The array may be of any numeric type, and have any name.
+  // The array may have any numeric type and any name.
   Mesh triangle = makeTriangle();
   vtkNew<vtkIdTypeArray> integers;
   integers->SetName("Deep");
@@ -162,7 +163,7 @@ void testEdgeLevels(RelevoCheck& check)
   CHECK_EQUAL(refine(triangle, recipe)->GetNumberOfPolys(), 16);
 }
 
-// Normals of triangles of twice their area: summed up, and their lengths summed up.
+// Sums of triangle normals, whose length is twice the area, and of their lengths.
 struct Area
 {
   void Add(const double p[3][3])
@@ -176,7 +177,7 @@ struct Area
   double Sum = 0.0;
 };
 
-// Of the pieces of each coarse cell, which lie inside it.
+// Areas of the pieces of each coarse cell. All pieces lie inside it.
 std::vector<Area> getFineAreas(RelevoCheck& check, vtkPolyData* mesh, vtkPolyData* refined)
 {
   vtkDataArray* originals = refined->GetCellData()->GetArray("vtkOriginalCellIds");
@@ -211,7 +212,7 @@ std::vector<Area> getFineAreas(RelevoCheck& check, vtkPolyData* mesh, vtkPolyDat
   return areas;
 }
 
-// Of a coarse cell; of none that is no polygon or strip.
+// Area of a coarse cell; zero for cells that are neither polygons nor strips.
 Area getCoarseArea(vtkPolyData* mesh, vtkIdType cell)
 {
   vtkNew<vtkPolyData> one;
@@ -244,7 +245,7 @@ Area getCoarseArea(vtkPolyData* mesh, vtkIdType cell)
   return area;
 }
 
-// The pieces of each coarse cell make up its area, on its side, inside it.
+// The pieces of each coarse cell cover its area and face the same side.
 void testWinding(RelevoCheck& check)
 {
   vtkNew<vtkAdaptiveRefinement> recipe;
@@ -268,7 +269,7 @@ void testWinding(RelevoCheck& check)
   }
 }
 
-// A metric and a camera give what the tags of vtkDepthTagFilter give.
+// A metric with a camera gives the same levels as the tags of vtkDepthTagFilter.
 void testMetric(RelevoCheck& check)
 {
   Mesh sphere = Sphere(20, 16);
@@ -279,7 +280,7 @@ void testMetric(RelevoCheck& check)
   vtkNew<vtkAdaptiveRefinement> recipe;
   recipe->SetMaximumLevel(5);
   recipe->SetMetric(metric);
-  recipe->GeomorphingOff(); // as with an array
+  recipe->GeomorphingOff(); // an array of tags has no geomorphing either
   vtkNew<vtkAdaptiveRefinementFilter> filter;
   filter->SetInputData(sphere);
   filter->SetRefinement(recipe);
@@ -308,7 +309,7 @@ void testMetric(RelevoCheck& check)
   CHECK_EQUAL(filter->GetOutput()->GetNumberOfPolys(), sphere->GetNumberOfPolys());
 }
 
-// What is changed makes the filter run again; what is not does not.
+// The filter executes again only if something that it uses has changed.
 void testModified(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> heights;
@@ -362,7 +363,7 @@ void testModified(RelevoCheck& check)
   CHECK(!runs());
 }
 
-// The composite pipeline hands over one block at a time.
+// The composite pipeline passes one block at a time.
 void testBlocks(RelevoCheck& check)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -388,7 +389,7 @@ void testBlocks(RelevoCheck& check)
   CHECK(cube && cube->GetNumberOfPolys() == 12 * 16);
 }
 
-// Progress rises from 0 to 1, and an abort leaves nothing.
+// Progress rises from 0 to 1. After an abort the output is empty.
 void testProgress(RelevoCheck& check)
 {
   vtkNew<vtkAdaptiveRefinement> recipe;

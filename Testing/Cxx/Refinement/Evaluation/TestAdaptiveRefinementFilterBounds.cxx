@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Bounds of a mesh under a recipe hold all that the filter makes of it, and not much more.
+// Proves that the bounds of a mesh under a recipe contain the filter's output and are not much
+// larger.
 #include "RelevoCheck.h"
 #include "RelevoDisplacements.h"
 #include "RelevoSurfaces.h"
@@ -33,7 +34,7 @@ int TestAdaptiveRefinementFilterBounds(int, char*[])
       for (int displaced = 0; displaced < 4; ++displaced)
       {
         vtkNew<RelevoHeights> heights;
-        // Heights from -0.5 to 0.5 without and with an offset, so that both ends count.
+        // Heights from -0.5 to 0.5. The offset tests both ends of the range.
         std::mt19937 random(7);
         heights->Fill(20, 20, [&random](double, double) { return random() / 4294967296.0 - 0.5; });
         auto displacement = MakeDisplacement(
@@ -71,8 +72,8 @@ int TestAdaptiveRefinementFilterBounds(int, char*[])
           }
           margin = std::max({ margin, below, above });
         }
-        // No surface and no displacement: exact. Control points of slivers lie far out; where
-        // normals are not known, a displacement may go any way.
+        // Without a surface and a displacement the bounds are exact. Control points of slivers lie
+        // far outside, and unknown normals let a displacement point anywhere.
         const bool known = !surface.second || surface.second->HasInterpolatedNormals();
         const double slivers = surface.second && mesh.first == std::string("slivers") ? 0.1 : 0.0;
         const double most = slivers +

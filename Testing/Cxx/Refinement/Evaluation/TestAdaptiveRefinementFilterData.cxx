@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Point, cell and field data of refined meshes.
+// vtkAdaptiveRefinementFilter promises how it interpolates or copies point data, and that cell and
+// field data are kept.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
@@ -55,7 +56,7 @@ void addField(vtkPolyData* mesh, const char* name, int components)
   mesh->GetPointData()->AddArray(array);
 }
 
-// Arrays that hold, component by component, a field that is linear in space.
+// Arrays whose components are fields linear in space.
 const std::vector<const char*> LinearFields = { "double", "float", "int", "long", "colours",
   "vectors", "five", "apart", "apart integers" };
 
@@ -72,8 +73,8 @@ void addLinearFields(vtkPolyData* mesh)
   addField<vtkSOADataArrayTemplate<int>>(mesh, "apart integers", 2);
 }
 
-// Arrays that are not interpolated: words, bits, ids, ghosts, large integers, one without a name,
-// one that is too short.
+// Arrays that are not interpolated: strings, bits, ids, ghosts and large integers, one without a
+// name, and one that is too short.
 void addOtherPointArrays(vtkPolyData* mesh)
 {
   vtkNew<vtkStringArray> strings;
@@ -113,7 +114,7 @@ void addOtherPointArrays(vtkPolyData* mesh)
   data->AddArray(tooShort);
 }
 
-// The filter's output, after the warning about the array that is too short.
+// The filter's output, after its warning about the array that is too short.
 Mesh refineWithShortArray(RelevoCheck& check, vtkPolyData* mesh, vtkAdaptiveRefinement* recipe)
 {
   vtkNew<vtkAdaptiveRefinementFilter> filter;
@@ -163,7 +164,7 @@ vtkTypeInt64 getLarge(vtkPolyData* mesh, vtkIdType point)
   return static_cast<vtkTypeInt64Array*>(mesh->GetPointData()->GetArray("large"))->GetValue(point);
 }
 
-// The input's points come first, with all their digits; others take values of one of them.
+// The input's points come first with unchanged values. Other points take the value of one of them.
 void checkOtherPointArrays(RelevoCheck& check, vtkPolyData* mesh, vtkPolyData* refined)
 {
   vtkPointData* result = refined->GetPointData();
@@ -183,7 +184,7 @@ void checkOtherPointArrays(RelevoCheck& check, vtkPolyData* mesh, vtkPolyData* r
   }
 }
 
-// What arrays stand for, and what else they hold; ids and arrays that are too short are gone.
+// Attributes, names and lookup tables are kept. Ids and arrays that are too short are removed.
 void checkPointAttributes(RelevoCheck& check, vtkPolyData* refined, vtkLookupTable* lut)
 {
   vtkPointData* result = refined->GetPointData();
@@ -202,7 +203,7 @@ void checkPointAttributes(RelevoCheck& check, vtkPolyData* refined, vtkLookupTab
 
 void testPointData(RelevoCheck& check)
 {
-  // A cube from 0 to 4: the field is whole at its corners.
+  // On a cube from 0 to 4, the field has whole values at the corners.
   const double middle[3] = { 2, 2, 2 };
   Mesh mesh = Moved(Cube(), 4.0, middle, VTK_DOUBLE);
   AddTags(mesh, 3, 5);
@@ -224,7 +225,7 @@ void testPointData(RelevoCheck& check)
   checkPointAttributes(check, refined, lut);
 }
 
-// Normals are unit vectors, also where the given ones are of any length or unusable.
+// Normals are unit vectors, even if the input's have other lengths or are unusable.
 void testNormals(RelevoCheck& check)
 {
   vtkNew<vtkPNTriangleSurface> pn;
@@ -280,7 +281,7 @@ void testNormals(RelevoCheck& check)
       }
     }
   }
-  // Both sides of a sheet: normals cancel, yet there is one.
+  // On a two-sided sheet normals cancel, but a unit normal is still computed.
   Mesh sheet = FromTriangles(
     { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } }, { { { 0, 1, 2 } }, { { 0, 2, 1 } } });
   vtkNew<vtkAdaptiveRefinement> recipe;
@@ -293,7 +294,7 @@ void testNormals(RelevoCheck& check)
   }
 }
 
-// A value that is NaN stays with the faces around it.
+// A NaN value affects only the faces around its point.
 void testNaN(RelevoCheck& check)
 {
   Mesh plane = Plane(4, 4);
@@ -314,7 +315,7 @@ void testNaN(RelevoCheck& check)
   }
 }
 
-// One array of every kind, a value for each cell, and field data.
+// Adds an array of every kind with a value per cell, and field data.
 void addCellData(vtkPolyData* mesh)
 {
   vtkNew<vtkIntArray> integers;
@@ -361,7 +362,7 @@ void addCellData(vtkPolyData* mesh)
   mesh->GetFieldData()->AddArray(note);
 }
 
-// Every cell has the values of the one that it is a piece of, and each of those has pieces.
+// Every output cell has the values of its coarse cell, and every coarse cell has pieces.
 void checkPieces(RelevoCheck& check, vtkPolyData* refined, vtkIdTypeArray* ids, vtkIdType n)
 {
   vtkCellData* result = refined->GetCellData();
@@ -417,7 +418,7 @@ void testCellData(RelevoCheck& check)
   CHECK_EQUAL(line->GetNumberOfIds(), 3);
   CHECK_EQUAL(line->GetId(2), 2);
 
-  // Normals of flat cells do not describe what they become.
+  // Normals of flat cells are wrong for their refined pieces, so they are removed.
   mesh->GetCellData()->RemoveArray("short");
   vtkNew<vtkPNTriangleSurface> pn;
   recipe->SetSurface(pn);

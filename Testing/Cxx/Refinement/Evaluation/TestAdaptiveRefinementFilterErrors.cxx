@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Bad input: an error on the filter that says what is wrong, an empty output, no NaN.
+// vtkAdaptiveRefinementFilter promises an error that names the cause and an empty output for
+// unusable input. Its output never contains NaN.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
@@ -33,7 +34,7 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-// Gives what it is told to, or fails.
+// Returns the tags that a test gives it, or fails.
 class BadMetric : public vtkDepthTagMetric
 {
 public:
@@ -56,7 +57,7 @@ public:
   std::vector<float> Values;
 };
 
-// Runs a filter that must fail with these words, and leave nothing.
+// Runs a filter that must fail with these words and an empty output.
 void expectError(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter, const std::string& words)
 {
   RelevoErrors executive(filter->GetExecutive());
@@ -71,7 +72,7 @@ void expectError(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter, const 
   CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 0);
 }
 
-// Runs a filter that must come through, with finite points and normals.
+// Runs a filter that must succeed with finite points and normals.
 void expectSuccess(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
 {
   filter->Modified();
@@ -115,7 +116,7 @@ void testRecipe(RelevoCheck& check)
     CHECK(errors.Said("ViewportSize"));
     CHECK(filter->GetViewportSize()[0] == 300 && filter->GetViewportSize()[1] == 300);
   }
-  // After an error all is well again.
+  // The filter works again after an error.
   expectSuccess(check, filter);
   CHECK_GREATER(filter->GetOutput()->GetNumberOfPolys(), 0);
 }
@@ -242,7 +243,7 @@ void testDisplacement(RelevoCheck& check)
   uvs->SetComponent(5, 1, -1e30);
   uvs->Modified();
   expectSuccess(check, filter);
-  // Lines alone need no texture coordinates.
+  // Lines without faces need no texture coordinates.
   Mesh lines = Make();
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(0.0, 0.0, 0.0);
@@ -268,7 +269,7 @@ void testNoCells(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
   expectError(check, filter, "no cells");
 }
 
-// Cells without their points, of all four kinds.
+// Cells of all four kinds that refer to missing points.
 void testMissingPoints(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
 {
   for (int cells = 0; cells < 4; ++cells)
@@ -295,7 +296,7 @@ void testMissingPoints(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
   expectError(check, filter, "refers to point");
 }
 
-// Points that are not finite: their triangles are dropped, with a warning, and they too.
+// Triangles with points that are not finite are dropped with a warning, and so are the points.
 void testInfinitePoints(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
 {
   for (double bad : { NaN, Infinity, -Infinity, 1e300 })
@@ -312,7 +313,7 @@ void testInfinitePoints(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
     filter->SetInputData(mesh);
     if (bad == 1e300)
     {
-      // The middle is so far away that no point is within a float's reach of it.
+      // The centre is so far away that float coordinates relative to it overflow.
       expectError(check, filter, "farther than");
       continue;
     }
@@ -323,7 +324,7 @@ void testInfinitePoints(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
   }
 }
 
-// Degenerate cells are counted.
+// The warning counts degenerate cells.
 void testDegenerateCells(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
 {
   Mesh degenerate = Sphere(6, 5);
@@ -339,7 +340,7 @@ void testDegenerateCells(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter
     expectSuccess(check, filter);
     CHECK(errors.Warned("5 degenerate"));
   }
-  // Nothing but those: an empty mesh.
+  // A mesh of degenerate cells only gives an empty output.
   Mesh nothing = FromTriangles({ { { 0, 0, 0 } }, { { 1, 0, 0 } } }, { { { 0, 1, 1 } } });
   filter->SetInputData(nothing);
   {
@@ -350,7 +351,7 @@ void testDegenerateCells(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter
   }
 }
 
-// At the ends of what floats hold; slivers.
+// Meshes near the limits of the float range, and slivers.
 void testSizes(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
 {
   for (double scale : { 1e-30, 1e-18, 1e15, 1e25 })
@@ -361,7 +362,8 @@ void testSizes(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
     expectSuccess(check, filter);
     CHECK_GREATER(filter->GetOutput()->GetNumberOfPolys(), 0);
   }
-  // A sphere closed to rounding only, with slivers of 1e-17 at a pole; without normals, too.
+  // A sphere that is closed only up to rounding, with slivers of 1e-17 at a pole, with and without
+  // normals.
   vtkNew<vtkTexturedSphereSource> source;
   source->Update();
   filter->SetInputData(source->GetOutput());
@@ -382,13 +384,13 @@ void testNormals(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
   }
   filter->SetInputData(sphere);
   expectSuccess(check, filter);
-  // Fewer normals than points.
+  // Here the normals are fewer than the points.
   normals->SetNumberOfTuples(3);
   filter->SetInputData(sphere);
   expectSuccess(check, filter);
 }
 
-// A bad block does not take the others with it.
+// An invalid block does not affect the other blocks.
 void testBlocks(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -407,7 +409,7 @@ void testBlocks(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter)
   CHECK(second && second->GetNumberOfPolys() > 0);
 }
 
-// With all combinations of surface and displacement.
+// Tests all combinations of surface and displacement.
 void testMeshes(RelevoCheck& check)
 {
   vtkNew<vtkPNTriangleSurface> pn;

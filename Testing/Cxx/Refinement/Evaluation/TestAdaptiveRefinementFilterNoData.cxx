@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What stands for no data spreads as no data over the filter's output, and harms nothing else.
+// Proves surfaces.md on missing values: values interpolated from a missing one are missing too, and
+// all other values are unaffected.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
@@ -25,9 +26,9 @@ using namespace RelevoMeshes;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr vtkIdType Marked = 7; // the point without data
+constexpr vtkIdType Marked = 7; // the point with missing data
 
-// Around the z axis, 1 long but for the marked point's.
+// Unit vectors around the z axis, except at the marked point.
 template <typename Array>
 vtkSmartPointer<Array> AddVectors(
   vtkPolyData* mesh, const char* name, const std::array<double, 3>& marker, double length = 1.0)
@@ -47,7 +48,7 @@ vtkSmartPointer<Array> AddVectors(
   return array;
 }
 
-// Whether a tuple is the marker's, NaN all over, or no longer than `longest`.
+// Counts tuples that equal the marker, that are NaN, or that are no longer than `longest`.
 struct Counts
 {
   vtkIdType Markers = 0;
@@ -69,13 +70,13 @@ struct Counts
   }
 };
 
-// Points of the output that are neither the marked one nor away from its faces.
+// Output points in faces around the marked point, without that point.
 vtkIdType CountAround(vtkPolyData* input, vtkPolyData* output)
 {
   std::set<vtkIdType> points;
   vtkNew<vtkIdList> ids;
   vtkDataArray* cells = output->GetCellData()->GetArray("vtkOriginalCellIds");
-  vtkDataArray* share = output->GetPointData()->GetArray("Share"); // of the marked point
+  vtkDataArray* share = output->GetPointData()->GetArray("Share"); // weight of the marked point
   for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
   {
     input->GetCellPoints(static_cast<vtkIdType>(cells->GetTuple1(cell)), ids);
@@ -123,14 +124,14 @@ void TestVectors(RelevoCheck& check)
     for (const char* name : { "Float", "Double", "Apart" })
     {
       const Counts counts(output->GetPointData()->GetArray(name), marker, 1.0 + 1e-6);
-      CHECK_EQUAL(counts.Markers, 1); // the input's own point
+      CHECK_EQUAL(counts.Markers, 1); // the input's point
       CHECK_EQUAL(counts.None, around);
       CHECK_EQUAL(counts.False, 0);
     }
   }
 }
 
-// Whole numbers have no NaN: what stands for no data does so between points, too.
+// Integers have no NaN, so the marker also appears at points between.
 void TestWholeNumbers(RelevoCheck& check)
 {
   const std::array<double, 3> marker = { { -999999999.0, 0.0, 0.0 } };
@@ -147,7 +148,8 @@ void TestWholeNumbers(RelevoCheck& check)
   }
 }
 
-// Single numbers are data unless they are not finite; tuples of more components are what they are.
+// A single number is missing only if it is not finite. Tuples of six components have no
+// missing values.
 void TestNumbers(RelevoCheck& check)
 {
   Mesh mesh = MakeMesh();
@@ -193,7 +195,7 @@ bool IsSame(vtkDataArray* a, vtkDataArray* b)
     std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0), size) == 0;
 }
 
-// Where there are no such values, and in texture coordinates, nothing changes; the setting decides.
+// Without missing values, and for texture coordinates, nothing changes. NoDataMagnitude decides.
 void TestUnchanged(RelevoCheck& check)
 {
   Mesh mesh = Torus();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers beyond what floats leave room for: an error of the filter that says which, and never a
-// point or a normal that is not finite.
+// vtkAdaptiveRefinementFilter promises an error that names the value if numbers exceed the float
+// range. It never outputs a point or normal that is not finite.
 #include "RelevoCheck.h"
 #include "RelevoDisplacements.h"
 #include "RelevoTestMeshes.h"
@@ -45,7 +45,7 @@ struct Outcome
   bool Refused = false;
 };
 
-// Refines; `words` of the error, if there is to be one.
+// Refines. If `words` is not empty, an error with these words is expected.
 Outcome Run(RelevoCheck& check, vtkPolyData* mesh, vtkAdaptiveRefinement* recipe,
   const std::string& words, const std::string& what)
 {
@@ -113,7 +113,7 @@ void TestProcedural(RelevoCheck& check)
 {
   vtkNew<vtkProceduralSurface> surface;
   RelevoErrors errors(surface);
-  surface->SetAmplitude(1e39); // no float
+  surface->SetAmplitude(1e39); // exceeds the float range
   CHECK(errors.Said("Amplitude must be in [-3.40282e+38, 3.40282e+38], got") &&
     surface->GetAmplitude() < 1e39);
   surface->SetFrequency(1e31);
@@ -150,7 +150,7 @@ void TestCoordinates(RelevoCheck& check)
         const bool fits = scale < (isFlat ? 2e38 : 5e29);
         if (type == VTK_FLOAT && (scale > 2e38 || scale < 1e-45))
         {
-          continue; // infinite from the start, or all at one place
+          continue; // infinite from the start, or all points coincide
         }
         for (Mesh mesh : { Torus(), Explode(Sphere(6, 5)), Cone() })
         {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A face is hidden only where none of its refined triangles can be seen, and most that cannot be
-// seen are hidden.
+// Proves that face culling hides no face with a visible refined triangle, and that it hides most
+// faces that are out of view.
 #include "RelevoCheck.h"
 #include "RelevoDisplacements.h"
 #include "RelevoTestMeshes.h"
@@ -37,8 +37,8 @@ double Uniform(std::mt19937& random, double low, double high)
   return low + (high - low) * static_cast<double>(random()) / 4294967295.0;
 }
 
-// Whether a triangle has a part in the frustum's sides and faces the eye; by its points in clip
-// coordinates.
+// Whether a triangle, given in clip coordinates, reaches between the frustum's sides and faces the
+// eye.
 bool IsSeen(const double clip[3][4], bool anyFace)
 {
   for (int axis = 0; axis < 2; ++axis)
@@ -60,7 +60,7 @@ bool IsSeen(const double clip[3][4], bool anyFace)
   {
     return false;
   }
-  // The sign of this determinant is the winding's, also of a triangle that is partly behind.
+  // The sign of this determinant is the winding, even if the triangle is partly behind the eye.
   const auto at = [&clip](int i, int c) { return clip[i][c == 2 ? 3 : c]; };
   const double determinant = at(0, 0) * (at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1)) -
     at(0, 1) * (at(1, 0) * at(2, 2) - at(1, 2) * at(2, 0)) +
@@ -72,10 +72,10 @@ struct Counts
 {
   int Hidden = 0;
   int Unseen = 0;
-  int Wrong = 0; // hidden and seen
+  int Wrong = 0; // hidden although visible
 };
 
-// Looks at the mesh with a random camera.
+// Views the mesh from a random camera.
 Counts Look(vtkPolyData* input, vtkAdaptiveRefinement* recipe, std::mt19937& random, bool inside)
 {
   relevo::RefinementMesh mesh;
@@ -121,7 +121,7 @@ Counts Look(vtkPolyData* input, vtkAdaptiveRefinement* recipe, std::mt19937& ran
   vtkNew<vtkMatrix4x4> toClip;
   vtkMatrix4x4::Multiply4x4(
     camera->GetCompositeProjectionTransformMatrix(Aspect, -1, 1), placement->GetMatrix(), toClip);
-  // Faces are the input's cells, all triangles.
+  // All cells of the input are triangles, so faces and cells have the same numbers.
   std::vector<bool> seen(static_cast<size_t>(input->GetNumberOfCells()), false);
   vtkNew<vtkIdList> ids;
   for (vtkIdType t = 0; t < refined->GetNumberOfCells(); ++t)
@@ -174,7 +174,7 @@ int TestFaceCulling(int, char*[])
     vtkRefinementSurface* Surface;
     vtkDisplacement* Displacement;
     bool Closed;
-    double MinimumShare; // of the unseen faces that are to be hidden
+    double MinimumShare; // the smallest allowed share of invisible faces that are hidden
   };
   const Case cases[] = {
     { "sphere", Sphere(16, 12), nullptr, nullptr, true, 0.8 },
@@ -215,7 +215,7 @@ int TestFaceCulling(int, char*[])
     CHECK_GREATER_EQUAL(sum.Hidden, c.MinimumShare * sum.Unseen);
   }
 
-  // Cameras without a direction, flat placements: nothing is hidden.
+  // Nothing is hidden for cameras without a direction and flattening matrices.
   relevo::RefinementMesh mesh;
   vtkNew<vtkAdaptiveRefinement> recipe;
   CHECK(mesh.Build(Sphere(8, 6), recipe->GetSurface(), recipe->GetDisplacement()));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The public classes of FiltersRefinement, called in random order on random meshes: nothing
-// crashes, triangles have finite points, and what the locator finds exists.
+// Proves that random calls of the public classes of FiltersRefinement, on random meshes, never
+// crash. Points of triangles stay finite, and the locator finds existing cells.
 #include "RelevoCheck.h"
 #include "RelevoFuzzRecipe.h"
 #include "RelevoTestMeshes.h"
@@ -135,7 +135,7 @@ private:
             this->Locator->GenerateRepresentation(this->D.Whole(), surface);
           } } });
   }
-  // What is found is a cell of the mesh, at a place that is a number.
+  // The cell found must exist, and the point found must be finite.
   void CheckFound(vtkIdType cell, const double x[3])
   {
     vtkDataSet* mesh = this->Locator->GetDataSet();
@@ -196,7 +196,7 @@ private:
   vtkNew<vtkMatrix4x4> Matrix;
 };
 
-// An array of the same name takes the place of the normals, with more components.
+// An array with the name of the normals, but more components, replaces them.
 void TestReplacedNormals(RelevoCheck& check)
 {
   RelevoMeshes::Mesh mesh = RelevoMeshes::Sphere(8, 6);

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Geomorphing: while a camera moves by at most a pixel a frame, no point of the refined surface
-// jumps more than a quarter of a pixel, both frames seen by one camera. Without geomorphing some
-// do. Levels set per edge change faster, where an edge is seen from its end, and jumps are checked
-// to be a fraction of those. A sphere, a scanned mesh and real terrain, with levels from edge
-// lengths on the screen.
+// Proves guide.md on geomorphing: while a camera moves by at most a pixel per frame, no point of
+// the refined surface jumps more than a quarter of a pixel, with both frames seen from one camera.
+// Without geomorphing, some points jump further. Levels per edge change faster for edges seen
+// end-on; there, jumps must be a fraction of those without geomorphing. The meshes are a sphere, a
+// scan and real terrain, with levels from edge lengths on the screen.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
@@ -43,7 +43,7 @@ constexpr int NumberOfFrames = 12;
 
 using Pixel = std::array<double, 2>;
 
-// Where points of the world are seen.
+// Projects points of the world to the screen.
 class Viewer
 {
 public:
@@ -65,7 +65,7 @@ private:
   vtkNew<vtkMatrix4x4> Matrix;
 };
 
-// The farthest that a point of a mesh moves on the screen from one camera to another.
+// Largest motion of a mesh's points on the screen between two cameras.
 double GetMotion(vtkPolyData* mesh, vtkCamera* before, vtkCamera* after)
 {
   const Viewer from(before);
@@ -82,7 +82,7 @@ double GetMotion(vtkPolyData* mesh, vtkCamera* before, vtkCamera* after)
   return motion;
 }
 
-// The farthest that a vertex or a middle of a triangle lies from another surface, in pixels.
+// Largest distance of vertices and triangle centres from another surface, in pixels.
 double GetDistance(vtkPolyData* mesh, vtkPolyData* surface, vtkCamera* camera)
 {
   const Viewer viewer(camera);
@@ -126,7 +126,7 @@ double GetDistance(vtkPolyData* mesh, vtkPolyData* surface, vtkCamera* camera)
   return distance;
 }
 
-// Turns and approaches, by turns; `amount` 1 is a degree or so.
+// Rotates and approaches by turns. An `amount` of 1 is about one degree.
 void Move(vtkCamera* camera, int frame, double amount)
 {
   switch (frame % 3)
@@ -145,7 +145,7 @@ void Move(vtkCamera* camera, int frame, double amount)
   camera->OrthogonalizeViewUp();
 }
 
-// The largest jump on a flight, in pixels.
+// Largest jump during a flight, in pixels.
 double Fly(RelevoCheck& check, vtkPolyData* mesh, vtkAdaptiveRefinement* recipe, vtkCamera* start)
 {
   vtkNew<vtkCamera> camera;

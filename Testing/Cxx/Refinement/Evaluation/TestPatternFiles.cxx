@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Patterns that were read from a file refine every surface, and watertight; what they cannot do is
-// one error that says what to do.
+// vtkRefinementPatternTable promises: patterns read from a file refine every surface without
+// cracks. A feature that they do not support gives one error that says what to do.
 #include "RelevoCheck.h"
 #include "RelevoDisplacements.h"
 #include "RelevoPatternFiles.h"
@@ -116,9 +116,9 @@ void TestErrors(RelevoCheck& check, vtkRefinementPatternTable* table)
   recipe->GeomorphingOn();
   refines();
 
-  // Automatic geomorphing does without.
+  // Automatic geomorphing is turned off.
   vtkNew<vtkScreenEdgeDepthTagMetric> metric;
-  metric->SetReferenceLength(0.1); // all edges go to the highest level
+  metric->SetReferenceLength(0.1); // all edges get the highest level
   vtkNew<vtkCamera> camera;
   filter->SetCamera(camera);
   filter->SetViewportSize(400, 300);
@@ -132,7 +132,7 @@ void TestErrors(RelevoCheck& check, vtkRefinementPatternTable* table)
   CHECK_EQUAL(GetPlaces(filter->GetOutput()), GetPlaces(Refine(mesh, plain)));
 }
 
-// Patterns of a file go to its level.
+// Levels are limited to those in the file.
 void TestLevels(RelevoCheck& check, const std::string& fileName)
 {
   const auto recipe = MakeRecipe(6);

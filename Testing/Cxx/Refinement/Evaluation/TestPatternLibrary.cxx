@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// PatternLibrary: who shares a table shares its patterns, in several threads too; patterns and
-// families outlive tables and recipes, and nothing else keeps them. And MaximumLevel, which is the
-// recipe's.
+// Proves that recipes with the same table share its patterns, also between threads. Patterns and
+// families live as long as they are used and no longer. The recipe's MaximumLevel is independent of
+// the table's.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
@@ -57,18 +57,18 @@ void TestSharing(RelevoCheck& check)
     CHECK_EQUAL(table->GetMemorySize(), made);
   }
 
-  // Families share what they have in common.
+  // Families share the patterns that they have in common.
   const auto powers = table->GetLibrary()->GetFamily(Library::POWERS_OF_TWO);
   const auto whole = table->GetLibrary()->GetFamily(Library::WHOLE_NUMBERS);
   const int levels[] = { 2, 1, 0 };
   const int segments[] = { 4, 2, 1 };
   const auto keyOf = [](const int steps[3])
   { return 2 * vtkRefinementPatternTable::GetPatternIndex(steps[0], steps[1], steps[2]); };
-  const int steps[] = { 3, 1, 0 }; // of 4, 2 and 1 among the whole numbers
+  const int steps[] = { 3, 1, 0 }; // 4, 2 and 1 segments in the family of whole numbers
   const auto pattern = table->GetPatternOfSegments(segments[0], segments[1], segments[2]);
   CHECK_EQUAL(powers->GetPattern(keyOf(levels)), pattern);
   CHECK_EQUAL(whole->GetPattern(keyOf(steps)), pattern);
-  CHECK_EQUAL(powers->GetPattern(keyOf(levels) + 1), pattern); // turned over
+  CHECK_EQUAL(powers->GetPattern(keyOf(levels) + 1), pattern); // seen from the other side
   for (const auto kind : AllFamilies)
   {
     CHECK_EQUAL(table->GetLibrary()->GetFamily(kind), table->GetLibrary()->GetFamily(kind));
@@ -88,7 +88,7 @@ void TestLife(RelevoCheck& check)
     const auto before = *kept;
     table = nullptr;
     CHECK(library.expired());
-    // A family makes patterns still.
+    // A family can still create patterns.
     CHECK_GREATER(family->GetPattern(20)->GetNumberOfTriangles(), 0);
     CHECK_EQUAL(family->GetPattern(10), kept);
     family = nullptr;
@@ -101,7 +101,7 @@ void TestLife(RelevoCheck& check)
   }
 }
 
-// What was selected can be read when the recipe has gone.
+// A selection can be read after its recipe is deleted.
 void TestSelectionLife(RelevoCheck& check)
 {
   const Mesh input = Tagged(Sphere(9, 7), 4);
@@ -166,7 +166,7 @@ void TestPatternsInThreads(RelevoCheck& check)
   }
 }
 
-// Two filters in two threads, with one table.
+// Two filters in two threads use one table.
 void TestFiltersInThreads(RelevoCheck& check)
 {
   const Mesh mesh = Tagged(Sphere(15, 11), 5);
@@ -224,7 +224,7 @@ void TestMaximumLevel(RelevoCheck& check)
   RelevoErrors errors(first);
   first->SetPatternTable(table);
   second->SetPatternTable(table);
-  // A recipe's own, whatever the table's other recipes do.
+  // A recipe's MaximumLevel is independent of the table's other recipes.
   for (int level : { 0, 4, 1, 3 })
   {
     CHECK_CASE(level);
@@ -243,7 +243,7 @@ void TestMaximumLevel(RelevoCheck& check)
   first->SetMaximumLevel(-1);
   CHECK(errors.Said("MaximumLevel must be in [0, 4], got -1."));
   CHECK_EQUAL(first->GetMaximumLevel(), 3);
-  // No higher than the table.
+  // The table's MaximumLevel is the limit.
   const vtkMTimeType time = first->GetMTime();
   table->SetMaximumLevel(1);
   CHECK_EQUAL(first->GetMaximumLevel(), 1);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Recipes with the tables that they bring themselves: a pattern is made and kept once for all of
-// them, in several threads too, until the last of them goes.
+// Proves that recipes with their default tables share patterns: each pattern is created once, also
+// with several threads, and freed with its last user.
 #include "RelevoCheck.h"
 #include "RelevoPatternFiles.h"
 #include "RelevoTestMeshes.h"
@@ -23,7 +23,7 @@ using Library = relevo::PatternLibrary;
 using Pattern = std::shared_ptr<const relevo::RefinementPattern>;
 using Recipe = vtkSmartPointer<vtkAdaptiveRefinement>;
 
-// One pattern of each family.
+// Returns one pattern of each family.
 std::array<Pattern, 3> GetPatterns(vtkAdaptiveRefinement* recipe)
 {
   const Library& library = *recipe->GetPatternTable()->GetLibrary();
@@ -85,7 +85,7 @@ void TestThreads(RelevoCheck& check)
   }
 }
 
-// A file that one table reads is for the recipes of that table.
+// A file that one table reads affects only the recipes of that table.
 void TestFile(RelevoCheck& check, const std::string& fileName)
 {
   const Recipe reading = MakeRecipe(3);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What a recipe asks for and does not get is a warning, once: levels that a file of patterns does
-// not have, and geomorphing of whole numbers of segments. Why a height map cannot be read is in the
-// error of what refines.
+// vtkAdaptiveRefinement promises one warning for each setting that has no effect: levels that a
+// pattern file lacks, and geomorphing with whole numbers of segments. A height map that cannot be
+// read is an error of the filter.
 #include "RelevoCheck.h"
 #include "RelevoPatternFiles.h"
 #include "RelevoTestMeshes.h"
@@ -40,7 +40,7 @@ struct Subject
     this->Locator->BuildLocator();
     return this->Filter->GetOutput()->GetNumberOfPolys();
   }
-  // Whether filter and locator have warned so often, of that the last time.
+  // Whether filter and locator each warned this many times, the last time with these words.
   bool HaveWarned(int number, const std::string& words) const
   {
     return this->OfFilter.Number == number && this->OfLocator.Number == number &&
@@ -76,7 +76,7 @@ void TestLevels(RelevoCheck& check, const std::string& fileName)
   CHECK(errors.None());
 }
 
-// A table that nobody has told its level does not lower a recipe's, in either order.
+// A table whose level was never set does not lower that of a recipe, in either order.
 void TestPlainTable(RelevoCheck& check)
 {
   for (const bool levelFirst : { true, false })

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// relevo::RenderTimeBudget with machines whose frames take known times.
+// Proves figures.md on budgets: relevo::RenderTimeBudget settles close to the allowed time, tested
+// with simulated machines of known frame times.
 #include "RelevoCheck.h"
 
 #include "Evaluation/RenderTimeBudget.h"
@@ -14,14 +14,14 @@
 
 namespace
 {
-// Draws frames of a scene of so many triangles, fewer where a limit says so.
+// Simulates frames of a scene with this many triangles, or fewer if the budget limits them.
 class Machine
 {
 public:
-  double Fixed = 0.0;        // seconds of any frame
+  double Fixed = 0.0;        // seconds per frame
   double PerTriangle = 1e-7; // seconds
-  double Noise = 0.0;        // as a share
-  int Hiccup = 0;            // every so many frames one takes ten times as long
+  double Noise = 0.0;        // a share of the time
+  int Hiccup = 0;            // every so many frames, one takes ten times as long
   vtkIdType Scene = 1000000;
 
   void Draw(double allowed)
@@ -51,13 +51,14 @@ void TestEnoughTime(RelevoCheck& check)
   Machine machine;
   for (int i = 0; i < 20; ++i)
   {
-    machine.Draw(0.11); // 0.1 needed
+    machine.Draw(0.11); // the frame needs 0.1
     CHECK_EQUAL(machine.Limit, 0);
   }
   CHECK_NEAR(machine.Budget.GetSecondsPerTriangle(), 1e-7, 1e-12);
 }
 
-// Settles in a few frames at less than the time allowed, and stays; full detail comes back at once.
+// It settles within a few frames below the allowed time and stays there. Full detail returns at
+// once when time allows.
 void TestSettling(RelevoCheck& check, Machine machine)
 {
   for (const double allowed : { 0.05, 0.02 })
@@ -81,7 +82,7 @@ void TestSettling(RelevoCheck& check, Machine machine)
   CHECK_EQUAL(machine.Triangles, machine.Scene);
 }
 
-// On the way there is no swinging: from too many triangles they only become fewer.
+// It approaches without oscillation: if there are too many triangles, their number only falls.
 void TestOneWay(RelevoCheck& check)
 {
   for (const double fixed : { 0.0, 0.01, 0.03, 0.045 })
@@ -96,7 +97,7 @@ void TestOneWay(RelevoCheck& check)
       last = machine.Triangles;
     }
     CHECK_LESS_EQUAL(machine.Seconds, 0.05);
-    // With time to spare they only become more.
+    // If there is time to spare, their number only rises.
     for (int i = 0; i < 100; ++i)
     {
       machine.Draw(0.09);
@@ -107,7 +108,7 @@ void TestOneWay(RelevoCheck& check)
   }
 }
 
-// More than can be had: as few as possible, and back again.
+// If the time is too short for any number of triangles, it draws as few as possible, and recovers.
 void TestTooLittleTime(RelevoCheck& check)
 {
   Machine machine;
@@ -126,7 +127,7 @@ void TestNonsense(RelevoCheck& check)
 {
   relevo::RenderTimeBudget budget;
   CHECK_EQUAL(budget.FindLimit(0.1, 0), 0);
-  CHECK_EQUAL(budget.FindLimit(0.1, 77), 77); // nothing known: as it was
+  CHECK_EQUAL(budget.FindLimit(0.1, 77), 77); // without measurements, the number stays
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 5; ++i)

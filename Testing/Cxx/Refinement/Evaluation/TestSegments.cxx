@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// How many segments edges get: by either policy, with an offset, by tags of points or of edges.
+// vtkAdaptiveRefinement promises the number of segments of an edge for both policies, with an
+// offset, and for levels per point or per edge.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
@@ -69,7 +70,7 @@ double GetArea(vtkPolyData* mesh)
   return area;
 }
 
-// 2^tag to the nearest number that an edge may have, half up.
+// 2^tag, rounded half up to the nearest number that the policy allows.
 int GetWholeNumber(double tag)
 {
   const double wanted = std::exp2(tag);
@@ -97,7 +98,7 @@ void TestWholeNumbers(RelevoCheck& check)
     CHECK_NEAR(GetArea(refined), 0.5, 1e-6);
   }
   CHECK_EQUAL(last, 128);
-  // Whole levels are the same by either policy.
+  // Both policies agree for whole levels.
   for (int level = 0; level <= 7; ++level)
   {
     CHECK(CountSegments(Refine(MakeTriangle(level, level, 1.0), recipe)) == 1 << level);
@@ -124,7 +125,8 @@ void TestOffset(RelevoCheck& check)
   }
 }
 
-// The filter's triangles per cell are those of the patterns that vtkDepthTagFilter's levels name.
+// The filter creates as many triangles per cell as the patterns for the levels of vtkDepthTagFilter
+// have.
 void TestRules(RelevoCheck& check)
 {
   vtkNew<vtkCamera> camera;
@@ -180,7 +182,7 @@ void TestRules(RelevoCheck& check)
       }
     }
   }
-  // A point takes the largest level of its edges: edges of their own levels need less.
+  // A point takes the largest level of its edges, so levels per edge need fewer triangles.
   CHECK_LESS(counts[vtkDepthTagMetric::PER_EDGE], counts[vtkDepthTagMetric::PER_VERTEX]);
 }
 
@@ -202,7 +204,7 @@ void TestSettings(RelevoCheck& check)
   CHECK_EQUAL(recipe->GetLevelOffset(), 0.0);
 }
 
-// A face's pattern knows the segments of the face's sorted edges, however it lies there.
+// A face's pattern has the segments of its sorted edges, for every order of its corners.
 void TestFacePatterns(RelevoCheck& check)
 {
   vtkNew<vtkRefinementPatternTable> table;

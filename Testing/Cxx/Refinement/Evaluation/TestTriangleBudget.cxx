@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// relevo::TriangleBudget: the offset it finds against the counts of PatternSelection at the offset
-// and just above.
+// Proves guide.md on budgets: relevo::TriangleBudget finds the offset closest to the target.
+// PatternSelection gives the counts at the offset and just above it.
 #include "RelevoCheck.h"
 
 #include "Evaluation/EdgeTags.h"
@@ -99,15 +98,15 @@ vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe(int policy, int morphing, int 
   vtkNew<vtkScreenEdgeDepthTagMetric> metric;
   metric->SetReferenceLength(1.5);
   recipe->SetMetric(metric);
-  recipe->SetMaximumLevel(7); // no tag reaches it: where tags are cut off, many change at once
+  recipe->SetMaximumLevel(7); // no tag reaches it; many would change at once where tags are clamped
   recipe->SetSegmentPolicy(policy);
   recipe->SetGeomorphing(morphing);
   recipe->SetLevelRule(rule);
   return recipe;
 }
 
-// What the brief promises, for tags that are spread: no farther from the target than the tolerance,
-// and the same whatever the guess.
+// For distributed tags, the count is within the tolerance of the target, independent of the initial
+// guess.
 void TestSpreadTags(RelevoCheck& check, vtkAdaptiveRefinement* recipe, const std::string& name)
 {
   CHECK_CASE(name);
@@ -142,7 +141,8 @@ void TestSpreadTags(RelevoCheck& check, vtkAdaptiveRefinement* recipe, const std
   }
 }
 
-// Two plateaus that the target lies between: the lower one, to its end.
+// If the target lies between two plateaus, the budget chooses the end of the lower one, unless
+// the upper one is within the tolerance.
 void TestUniformTags(RelevoCheck& check)
 {
   auto mesh = MakePlane(5); // 50 faces
@@ -154,27 +154,27 @@ void TestUniformTags(RelevoCheck& check)
   Budget budget;
   const auto find = [&](vtkIdType target, double lowest = Lowest, double highest = Highest)
   { return budget.FindOffset({ part }, recipe->GetMaximumLevel(), target, lowest, highest); };
-  // From level 3 on at offset 0.25, from level 2 on at -0.75.
+  // Level 3 begins at offset 0.25, level 2 at -0.75.
   CHECK_NEAR(find(3000), 0.25, Step);
   CHECK_EQUAL(scene.Select(find(3000)), 800);
   CHECK_EQUAL(scene.Select(find(800)), 800);
   CHECK_EQUAL(scene.Select(find(799)), 800); // within the tolerance
   CHECK_EQUAL(scene.Select(find(3100)), 3200);
   CHECK_EQUAL(scene.Select(find(760)), 200);
-  // Out of reach.
+  // These targets cannot be reached.
   CHECK_NEAR(find(10), -1.75, Step);
   CHECK_EQUAL(scene.Select(find(10)), 50);
   CHECK_NEAR(find(1000000000), 2.25, Step);
   CHECK_EQUAL(scene.Select(find(1000000000)), 50 * 1024);
   CHECK_EQUAL(scene.Select(find(50 * 1024)), 50 * 1024);
-  // Bounds of the offset.
+  // The offset has bounds.
   CHECK_EQUAL(find(3000, Lowest, 0.0), 0.0);
   CHECK_NEAR(find(10, -1.0, 0.0), -1.0, Step);
   CHECK_EQUAL(find(1000000000, Lowest, 1.0), 1.0);
   CHECK_NEAR(find(300, Lowest, 0.0), -0.75, Step);
 }
 
-// Neither metric nor tags: MaximumLevel everywhere; nothing to refine at all.
+// Without metric and tags, all levels are MaximumLevel. One mesh has nothing to refine.
 void TestPlainRecipes(RelevoCheck& check)
 {
   auto mesh = MakePlane(5);
@@ -203,7 +203,8 @@ void TestPlainRecipes(RelevoCheck& check)
   CHECK(std::isfinite(budget.FindOffset({}, recipe->GetMaximumLevel(), 4000, Lowest, Highest)));
 }
 
-// The least offset that reaches a target, by trying all: random tags, some far out of range.
+// The result is the smallest offset that reaches the target, found by trying all. Tags are random,
+// some far out of range.
 void TestBruteForce(RelevoCheck& check)
 {
   std::mt19937 random(7);
@@ -237,7 +238,7 @@ void TestBruteForce(RelevoCheck& check)
   }
 }
 
-// Parts share the offset.
+// All parts share one offset.
 void TestParts(RelevoCheck& check)
 {
   auto recipe = MakeRecipe(0, 0, 0);
@@ -254,7 +255,7 @@ void TestParts(RelevoCheck& check)
   CHECK_NEAR(static_cast<double>(first.Select(offset) + second.Select(offset)), 40000.0, 400.0);
 }
 
-// Along a flight the offset moves by no more than the tag of any edge does.
+// During a flight, the offset changes no more than the tag of some edge.
 void TestFlight(RelevoCheck& check, vtkAdaptiveRefinement* recipe)
 {
   auto mesh = MakePlane(60);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The view of what refines and tags without a renderer: vtkAdaptiveRefinementFilter,
-// vtkRefinedCellLocator and vtkDepthTagFilter have the same settings, look at the camera and the
-// place of the mesh only for metrics that do, and put a moved mesh where its actor is.
+// vtkViewDependentAlgorithm promises: vtkAdaptiveRefinementFilter, vtkRefinedCellLocator and
+// vtkDepthTagFilter have the same view settings, depend on camera and matrix only if the metric
+// does, and apply the actor's matrix.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
@@ -26,7 +26,7 @@ namespace
 {
 using namespace RelevoMeshes;
 
-// The three, with one view.
+// The three classes with the same view.
 struct Subjects
 {
   Subjects()
@@ -56,7 +56,7 @@ struct Subjects
     this->Tagger->SetMetric(metric);
     this->Count([] {});
   }
-  // How many of the three do their work again after a change.
+  // How many of the three execute again after a change.
   int Count(const std::function<void()>& change)
   {
     const vtkMTimeType refined = this->Filter->GetOutput()->GetMTime();
@@ -111,7 +111,7 @@ void TestTimes(RelevoCheck& check)
   CHECK(subjects.Filter->GetMTime() == times[0] && subjects.Locator->GetMTime() == times[1]);
 }
 
-// The tags of a moved actor's mesh are those of the moved mesh.
+// The tags for an actor's matrix are those of the transformed mesh.
 void TestPlace(RelevoCheck& check)
 {
   Subjects subjects;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Refined meshes are closed to the bit wherever the coarse mesh is, and wind as it does: many kinds
-// of meshes, surfaces, displacements and random depth-tags.
+// vtkRefinementSurface promises: refined meshes are closed, bit for bit, wherever the coarse mesh
+// is, and keep its winding. Tests many meshes, surfaces and displacements with random depth-tags.
 #include "RelevoCheck.h"
 #include "RelevoSurfaces.h"
 #include "RelevoTestMeshes.h"
@@ -42,7 +42,7 @@ std::vector<Case> makeCases()
     { "tiny double", Moved(Explode(Sphere(7, 5)), 1e-12, none, VTK_DOUBLE) },
     { "huge", Moved(Cone(), 1e12, none, VTK_FLOAT) } };
 
-  // Normals that differ on the two sides of every edge.
+  // Normals differ between the two sides of every edge.
   Mesh split = Explode(Sphere(8, 6));
   PerturbNormals(split, 3, 0.8);
   cases.push_back({ "split normals", split });
@@ -50,7 +50,7 @@ std::vector<Case> makeCases()
   PerturbNormals(some, 4, 0.5);
   cases.push_back({ "normals split here and there", some });
 
-  // Degenerate triangles: twice the same point, points at one place, points on a line.
+  // Degenerate triangles have repeated, coincident or collinear points.
   Mesh degenerate = Sphere(8, 6);
   const vtkIdType twice[3] = { 4, 4, 5 };
   degenerate->GetPolys()->InsertNextCell(3, twice);
@@ -77,7 +77,7 @@ void run(RelevoCheck& check, const Case& mesh, vtkAdaptiveRefinement* recipe,
     mesh.Mesh->GetPointData()->RemoveArray("DepthTag");
   }
   vtkNew<vtkAdaptiveRefinementFilter> filter;
-  RelevoErrors errors(filter); // degenerate cells are warned of
+  RelevoErrors errors(filter); // degenerate cells give a warning
   filter->SetInputData(mesh.Mesh);
   filter->SetRefinement(recipe);
   filter->Update();
@@ -104,7 +104,7 @@ int TestWatertight(int, char*[])
     const double size = bounds[1] - bounds[0];
     for (const auto& surface : RelevoMakeSurfaces(size))
     {
-      // Displacements in all ways on one surface, in one way on the others.
+      // One surface is tested with all displacements, the others with some.
       const int step = surface.first == "PN, quadratic normals" ? 1 : 3;
       for (int displaced = 0; displaced < 5; displaced += step)
       {
@@ -126,7 +126,7 @@ int TestWatertight(int, char*[])
             name += " in a direction";
           }
           recipe->SetDisplacement(displacement);
-          // From 3 on: texture coordinates without any relation between points.
+          // From 3 on, texture coordinates of points are unrelated.
           if (displaced > 1 && (displaced > 2 || !given))
           {
             RelevoMeshes::AddRandomTextureCoordinates(mesh.Mesh, 17);
@@ -142,7 +142,7 @@ int TestWatertight(int, char*[])
     }
   }
 
-  // One face, every combination of levels.
+  // One face with every combination of levels.
   using namespace RelevoMeshes;
   for (int levels = 0; levels < 6 * 6 * 6; ++levels)
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Both faces of an edge compute the same bits for its points; for its normals too where the two
-// faces see the same normals at its ends, but for creases.
+// Proves that both faces of an edge compute its points bit for bit alike. Except at creases, so do
+// their normals if both faces have the same normals at its ends.
 #include "RelevoCheck.h"
 #include "RelevoSurfaces.h"
 #include "RelevoTestMeshes.h"
@@ -25,7 +25,7 @@ using relevo::EdgeCorners;
 using relevo::RefinementEvaluator;
 using relevo::RefinementMesh;
 
-// Weights at steps along an edge, its lower end first.
+// Weights along an edge, lower end first.
 std::vector<std::array<float, 2>> makeSteps()
 {
   std::vector<std::array<float, 2>> steps;
@@ -36,7 +36,7 @@ std::vector<std::array<float, 2>> makeSteps()
   return steps;
 }
 
-// Where the faces of an edge must see the same normals.
+// Edges whose faces must compute the same normals.
 enum SharedNormals
 {
   EVERYWHERE,
@@ -50,7 +50,7 @@ void compareFaces(RelevoCheck& check, vtkPolyData* input, vtkAdaptiveRefinement*
   RefinementMesh mesh;
   CHECK(mesh.Build(input, recipe->GetSurface(), recipe->GetDisplacement()));
   const RefinementEvaluator evaluator(mesh, recipe);
-  // By ends' places and step: the position's bytes; by ends' points too: the normal's.
+  // Bits of positions by merged ends and step, and bits of normals also by the ends' points.
   std::map<std::array<int, 3>, std::array<float, 3>> positions;
   std::map<std::array<int, 5>, std::array<float, 3>> normals;
   int compared = 0;
@@ -118,8 +118,8 @@ RelevoMeshes::Mesh makeBothZeros()
   return flat;
 }
 
-// Triangles at random among few places, several points at each: edges with any number of faces,
-// normals and charts of all kinds.
+// Random triangles between few merged points, each with several points. Edges have any number of
+// faces, and normals and texture coordinates vary.
 RelevoMeshes::Mesh makeSoup()
 {
   std::mt19937 random(12);
@@ -161,7 +161,7 @@ std::vector<std::pair<std::string, RelevoMeshes::Mesh>> makeMeshes()
     { "projected metres", Moved(split, 2000.0, utm, VTK_DOUBLE) } };
 }
 
-// Creases, and cusps alone.
+// Creases have different normals on both sides. Cusps alone share them.
 SharedNormals getSharedNormals(vtkRefinementSurface* surface)
 {
   auto* procedural = vtkProceduralSurface::SafeDownCast(surface);
@@ -171,7 +171,7 @@ SharedNormals getSharedNormals(vtkRefinementSurface* surface)
   return creased ? NOWHERE : (tagged ? INSIDE_EDGES : EVERYWHERE);
 }
 
-// None, a constant, heights along the normal and along a direction.
+// No displacement, a constant one, and heights along the normal and along a fixed direction.
 constexpr int NumberOfDisplacements = 4;
 vtkSmartPointer<vtkDisplacement> makeDisplacement(int kind, vtkHeightField* heights)
 {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Scanned and modelled meshes, refined and displaced, are closed to the bit where they were.
+// Proves that refined and displaced scans and models stay closed, bit for bit, where the coarse
+// mesh is.
 #include "RelevoCheck.h"
 #include "RelevoDisplacements.h"
 #include "RelevoTestMeshes.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A file is the old one or the whole new one: after errors, signals and races, behind links, with
-// its permissions.
+// Proves that a file always has either its old or its complete new content, after errors, signals
+// and races and for links. Permissions are kept.
 #include "Files/AtomicFile.h"
 #include "Files/WriteFile.h"
 #include "RelevoCheck.h"
@@ -42,7 +42,7 @@ mode_t GetMode(const std::string& fileName)
   return status.st_mode & 07777;
 }
 
-// The status that a child process ends with after the work.
+// Exit status of a child process that runs `work`.
 int RunChild(const std::function<void()>& work)
 {
   const pid_t child = fork();
@@ -77,7 +77,7 @@ void TestReplace(RelevoCheck& check, const std::string& folder)
   }
   CHECK(CountFiles(folder) == 1 && !AtomicFile::IsTemporary("a.txt"));
   {
-    AtomicFile file(name); // given up
+    AtomicFile file(name); // discarded without Commit()
     file.Append("x");
   }
   CHECK_EQUAL(RelevoReadFile(name), New);
@@ -106,7 +106,7 @@ void TestLinks(RelevoCheck& check, const std::string& folder)
   RelevoMakeFolder(folder + "/inside");
   const std::string file = folder + "/inside/file";
   const std::string link = folder + "/link";
-  fs::create_symlink("inside/file", link); // which leads nowhere yet
+  fs::create_symlink("inside/file", link); // dangling link
   fs::create_symlink("link", folder + "/chain");
   for (const std::string& name : { link, folder + "/chain" })
   {
@@ -132,12 +132,12 @@ void TestErrors(RelevoCheck& check, const std::string& folder)
   CHECK_EQUAL(AtomicFile::Write(folder + "/" + std::string(300, 'x'), Old), "File name too long");
   AtomicFile file(folder + "/file");
   CHECK(file.Append(New));
-  fs::remove(file.GetTemporaryName()); // as some of VTK's writers do when a disk is full
+  fs::remove(file.GetTemporaryName()); // as some of VTK's writers do on a full disk
   CHECK(!file.Commit() && file.GetError() == "No such file or directory");
   CHECK_EQUAL(RelevoReadFile(folder + "/file"), Old);
   if (geteuid() == 0)
   {
-    return; // may write everywhere
+    return; // this user may write everywhere
   }
   chmod((folder + "/file").c_str(), 0400);
   CHECK_EQUAL(AtomicFile::Write(folder + "/file", New), "Permission denied");
@@ -181,7 +181,7 @@ void TestDevices(RelevoCheck& check, const std::string& folder)
   CHECK_EQUAL(output, "before\nbytes\n");
 }
 
-// Files that are larger than the process may write; the signal of that does not end it.
+// Writes files beyond the process's size limit. The signal for this does not end the process.
 void TestFullDisk(RelevoCheck& check, const std::string& folder)
 {
   const std::string names[] = { folder + "/a.bin", folder + "/a.png", folder + "/a.vti" };
@@ -193,7 +193,7 @@ void TestFullDisk(RelevoCheck& check, const std::string& folder)
   image->SetDimensions(200, 200, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   auto* bytes = static_cast<unsigned char*>(image->GetScalarPointer());
-  unsigned int random = 1; // does not compress
+  unsigned int random = 1; // random bytes, which do not compress
   for (int i = 0; i < 3 * 200 * 200; ++i)
   {
     random = 1664525u * random + 1013904223u;
@@ -215,7 +215,7 @@ void TestFullDisk(RelevoCheck& check, const std::string& folder)
     [&]() { return relevo::WriteFile(names[2], xml.Get(), relevo::IsWholeXML); } };
   for (int i = 0; i < 3; ++i)
   {
-    for (rlim_t limit : { 1, 1000, 4096, 20000 }) // the file's end, too, is past a buffer
+    for (rlim_t limit : { 1, 1000, 4096, 20000 }) // the limit may also fall into the last buffer
     {
       const int status = RunChild(
         [&]()
@@ -262,7 +262,7 @@ void TestSignals(RelevoCheck& check, const std::string& folder)
   }
 }
 
-// The application's own handlers are called, and those by default are back in the end.
+// The application's signal handlers are called, and the default handlers are restored.
 void TestHandlers(RelevoCheck& check, const std::string& folder)
 {
   const std::string name = folder + "/a.txt";
@@ -278,7 +278,7 @@ void TestHandlers(RelevoCheck& check, const std::string& folder)
   }
   CHECK(std::signal(SIGTERM, SIG_DFL) != SIG_DFL && std::signal(SIGHUP, SIG_DFL) == SIG_IGN);
   CHECK_EQUAL(std::signal(SIGINT, SIG_DFL), SIG_DFL);
-  // A child that is ended leaves the files of its parent.
+  // A child process that ends does not remove its parent's files.
   AtomicFile file(name);
   file.Append(Old);
   const int status = RunChild([]() { raise(SIGTERM); });

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkRefinedCellLocator finds what VTK's own locator finds on the filter's output: where lines meet
-// it, on which cell, its nearest point. Lines through edges and vertices do not slip through.
+// vtkRefinedCellLocator promises the same intersections, cells and closest points as VTK's locator
+// on the filter's output. Lines through edges and vertices hit the surface.
 #include "RelevoCheck.h"
 #include "RelevoDisplacements.h"
 #include "RelevoSurfaces.h"
@@ -76,7 +76,7 @@ double Distance(const Point& a, const Point& b)
   return std::sqrt(vtkMath::Distance2BetweenPoints(a.data(), b.data()));
 }
 
-// A locator and the filter's mesh with VTK's.
+// The locator, and VTK's locator on the filter's output.
 struct Twins
 {
   Twins(vtkPolyData* mesh, vtkAdaptiveRefinement* recipe)
@@ -132,7 +132,7 @@ void Compare(RelevoCheck& check, const std::string& name, vtkPolyData* mesh,
     twins.Oracle->FindClosestPoint(from.data(), near2, cell2, subId, distance2);
     wrong += std::abs(std::sqrt(distance1) - std::sqrt(distance2)) < 1e-5 * length ? 0 : 1;
   }
-  // Two of a thousand lines may graze an edge within rounding.
+  // Two in a thousand lines may graze an edge within rounding.
   if (wrong > lines / 300 || hits < lines / 20)
   {
     check.Fail(__FILE__, __LINE__,
@@ -141,8 +141,8 @@ void Compare(RelevoCheck& check, const std::string& name, vtkPolyData* mesh,
   }
 }
 
-// Lines through the points and the middles of edges of a closed refined surface, from its inside:
-// each must meet it.
+// Lines from the inside of a closed refined surface through its points and edge midpoints must all
+// hit it.
 void CheckWatertight(RelevoCheck& check, vtkPolyData* mesh, vtkAdaptiveRefinement* recipe)
 {
   Twins twins(mesh, recipe);
@@ -180,7 +180,7 @@ void CheckWatertight(RelevoCheck& check, vtkPolyData* mesh, vtkAdaptiveRefinemen
   CHECK_EQUAL(slipped, 0);
 }
 
-// A sphere through PN triangles is found where a sphere is.
+// A sphere of PN triangles is hit close to the exact sphere.
 void CheckSphere(RelevoCheck& check)
 {
   Mesh mesh = Sphere(24, 18);
@@ -200,7 +200,7 @@ void CheckSphere(RelevoCheck& check)
   }
 }
 
-// Vertices, lines, tolerances, the ends of lines, lines along a surface.
+// Vertices, lines, tolerances, ends of lines, and lines within a surface.
 void CheckSpecialLines(RelevoCheck& check)
 {
   Mesh mesh = Mixed();
@@ -228,7 +228,7 @@ void CheckSpecialLines(RelevoCheck& check)
   CHECK_NEAR(found.X[0], -0.5, 1e-5);
   CHECK(!Shoot(locator, { { 0, 0, 1 } }, { { 0, 0, 1 } }).Hit);
 
-  // Cells near a box and a line.
+  // Cells close to a box and to a line.
   vtkNew<vtkIdList> cells;
   double box[6] = { 0.1, 0.2, 0.1, 0.2, -0.1, 0.1 };
   locator->FindCellsWithinBounds(box, cells);
@@ -246,7 +246,7 @@ void CheckSpecialLines(RelevoCheck& check)
   CHECK_EQUAL(refined->GetNumberOfCells(), 8 * 16);
 }
 
-// What changes is seen; what cannot be is said.
+// Changes take effect, and input that cannot be used is an error.
 void CheckChanges(RelevoCheck& check)
 {
   Mesh plane = Plane(4, 4);
@@ -274,7 +274,8 @@ void CheckChanges(RelevoCheck& check)
   CHECK_EQUAL(locator->FindClosestPointWithinRadius(x, 5.0, closest, cell, subId, distance2), 0);
   CHECK_EQUAL(locator->FindClosestPointWithinRadius(x, 7.0, closest, cell, subId, distance2), 1);
 
-  // Levels of a view: a curved surface is finer, so nearer to the sphere, where the camera is near.
+  // With a view-dependent metric, a curved surface is finer and closer to the sphere near the
+  // camera.
   Mesh sphere = Sphere(8, 6);
   vtkNew<vtkPNTriangleSurface> surface;
   const auto viewed = MakeRecipe(5, surface);
@@ -306,7 +307,7 @@ void CheckChanges(RelevoCheck& check)
   CHECK(errors.Said("ViewportSize must be at least 1 x 1 pixels"));
 }
 
-// Every point of a line, against a walk through all cells of the filter's mesh.
+// All intersections of a line, compared with a search through all cells of the filter's output.
 void CheckAllPoints(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> waves;
@@ -358,10 +359,10 @@ void CheckAllPoints(RelevoCheck& check)
     differing += same ? 0 : 1;
     most = std::max(most, static_cast<int>(points->GetNumberOfPoints()));
   }
-  CHECK_LESS_EQUAL(differing, 1); // through an edge within rounding
+  CHECK_LESS_EQUAL(differing, 1); // an edge may be missed within rounding
   CHECK_GREATER_EQUAL(most, 4);
 
-  // From inside, from outside, past it; and lists that are not wanted.
+  // Lines that start inside, start outside or miss, with null output lists.
   vtkNew<vtkRefinedCellLocator> ball;
   ball->SetDataSet(Sphere(12, 9));
   ball->SetRefinement(MakeRecipe(2));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkRefinedCellLocator, once built: several threads that query it at once find what one finds, and
-// build nothing. Built by force, it sees what nothing says.
+// vtkRefinedCellLocator promises: after BuildLocator(), concurrent queries give the results of one
+// thread and rebuild nothing. ForceBuildLocator() includes changes made without Modified().
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
 #include "RelevoTestMeshes.h"
@@ -28,7 +28,7 @@ struct Ray
   Point To;
 };
 
-// Where a ray meets the surface, all cells near it and in a box at its start, and what is nearest.
+// Intersections of a ray, cells close to it, cells in a box at its start, and the closest point.
 std::vector<double> Query(vtkRefinedCellLocator* locator, const Ray& ray)
 {
   const double tolerance = 1e-3;
@@ -89,7 +89,7 @@ std::vector<Ray> MakeRays(int count)
   return rays;
 }
 
-// Some points as vertices too, which are found without the search structure.
+// Some points are also vertices, which are found without the search structure.
 Mesh MakeInput()
 {
   Mesh mesh = Tagged(Sphere(15, 11), 3);
@@ -142,7 +142,7 @@ void TestThreads(RelevoCheck& check)
   CHECK_EQUAL(locator->GetBuildTime(), built);
 }
 
-// Vertices are looked at one by one: threads must not share the place of a point.
+// Vertices are tested one by one. Threads must not share a buffer for their points.
 void TestVertices(RelevoCheck& check)
 {
   const Mesh mesh = MakeInput();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The benchmark's coarse meshes: numbers of faces, winding, where they are closed, no slivers.
+// Proves that the benchmark's coarse meshes have the expected number of faces, a consistent winding
+// and no slivers, and that they are closed where expected.
 #include "BenchmarkMeshes.h"
 #include "RelevoCheck.h"
 
@@ -71,7 +72,7 @@ void CheckMesh(RelevoCheck& check, vtkPolyData* mesh, int faces, int openEdges)
     isOnce = isOnce && side.second == 1;
     open += sides.count({ side.first.second, side.first.first }) ? 0 : 1;
   }
-  CHECK(isOnce); // oriented, and two faces at most on an edge
+  CHECK(isOnce); // consistently oriented, with at most two faces per edge
   CHECK_EQUAL(open, openEdges);
   CHECK_GREATER(volume, 0.0);
   CHECK(normalsFollow);
@@ -87,7 +88,7 @@ int TestBenchmarkMeshes(int, char*[])
   CheckMesh(check, BenchmarkMeshes::MakePacMan(9, 5, 5), 110, 0);
   CheckMesh(check, BenchmarkMeshes::MakePacMan(16, 14, 7), 490, 0);
   CheckMesh(check, BenchmarkMeshes::MakeTorus(1.0, 0.4, 12, 8), 192, 0);
-  // Four roots of wings with four edges, one of the fin with three.
+  // The roots of four wings have four edges each, that of the fin three.
   CheckMesh(check, BenchmarkMeshes::MakeJet(), 303, 19);
   for (const double faces : { 8.0, 140.0, 2345.0 })
   {

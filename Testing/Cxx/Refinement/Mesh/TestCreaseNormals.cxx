@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkCreaseNormals: a mesh on the surface that fits it keeps its shape, by volume, bounds and
-// distance, stays closed, and has the data of the mesh that came in.
+// vtkCreaseNormals promises: with the surface that it chooses, a mesh keeps its shape (volume,
+// bounds and distance), stays closed and keeps its data.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 #include "RelevoWatertight.h"
@@ -35,7 +35,7 @@ namespace
 {
 using RelevoMeshes::Mesh;
 
-// Points and polygons of a source's output, coincident points merged; nothing else.
+// Points and polygons of a source's output, with coincident points merged and without data.
 Mesh takeShape(vtkAlgorithm* source)
 {
   vtkNew<vtkCleanPolyData> clean;
@@ -91,7 +91,7 @@ Mesh makeRoundedSlab()
   extrusion->SetInputData(profile);
   extrusion->SetExtrusionTypeToVectorExtrusion();
   extrusion->SetVector(0.0, 0.0, 3.0);
-  vtkNew<vtkTriangleFilter> triangles; // of strips
+  vtkNew<vtkTriangleFilter> triangles; // triangulates strips
   triangles->SetInputConnection(extrusion->GetOutputPort());
   return takeShape(triangles);
 }
@@ -128,7 +128,7 @@ Fitted fit(vtkPolyData* mesh, int level = 3)
   return result;
 }
 
-// The largest difference between the bounds of two meshes.
+// Largest difference between the bounds of two meshes.
 double compareBounds(vtkPolyData* a, vtkPolyData* b)
 {
   double boundsA[6];
@@ -160,14 +160,14 @@ void checkFlatSolids(RelevoCheck& check)
   CHECK_EQUAL(fit(solids[2]).NumberOfCreases, 30);
 }
 
-// Only bent parts become curved.
+// Only curved parts of a solid become curved.
 void checkRoundSolids(RelevoCheck& check)
 {
   const double pi = vtkMath::Pi();
   const Mesh sphere = makeSphere(40);
   const Fitted round = fit(sphere, 4);
   CHECK(!round.IsLinear && round.NumberOfCreases == 0);
-  const double ball = pi / 6.0; // of radius 0.5
+  const double ball = pi / 6.0; // a ball with a radius of 0.5
   CHECK_LESS(getVolume(sphere), 0.995 * ball);
   CHECK_NEAR(getVolume(round.Refined), ball, 0.001 * ball);
 
@@ -185,7 +185,7 @@ void checkRoundSolids(RelevoCheck& check)
   CHECK(RelevoWatertight::FindError(tube.Coarse, tube.Refined, 4).empty());
 }
 
-// Each point moved along the line from the centre, by up to a share of its distance.
+// Moves each point on the line to the centre by up to a share of its distance.
 void addNoise(vtkPolyData* mesh, double share)
 {
   vtkNew<vtkMinimalStandardRandomSequence> random;
@@ -199,7 +199,7 @@ void addNoise(vtkPolyData* mesh, double share)
   }
 }
 
-// Noise has no creases; a part that is as finely divided keeps its own.
+// Noise gives no creases, but a finely divided part keeps its creases.
 void checkNoise(RelevoCheck& check)
 {
   for (double share : { 0.01, 0.02 })
@@ -229,7 +229,7 @@ void checkNoise(RelevoCheck& check)
       stairs->GetPolys()->InsertCellPoint(stairs->GetPoints()->InsertNextPoint(corner.data()));
     }
   };
-  // Blocks of height 0 and 1, as a chessboard.
+  // Blocks with heights 0 and 1 in a chessboard pattern.
   const int size = 6;
   const auto height = [](int i, int j) { return (i + j) % 2 == 0 ? 1.0 : 0.0; };
   for (int j = 0; j < size; ++j)
@@ -256,7 +256,7 @@ void checkNoise(RelevoCheck& check)
     }
   }
   CHECK(fit(stairs).IsLinear);
-  // A finely divided tube, slightly noisy, keeps its rims.
+  // A finely divided tube with slight noise keeps its rims.
   vtkNew<vtkCylinderSource> source;
   source->SetResolution(60);
   const Mesh tube = takeShape(source);
@@ -264,7 +264,7 @@ void checkNoise(RelevoCheck& check)
   CHECK_GREATER_EQUAL(fit(tube).NumberOfCreases, 120);
 }
 
-// The tip of a cone has a normal that no side has: the sides stay straight.
+// No side of a cone can follow one normal at the tip, so its sides stay straight.
 void checkCone(RelevoCheck& check)
 {
   vtkNew<vtkConeSource> source;
@@ -277,14 +277,14 @@ void checkCone(RelevoCheck& check)
   {
     double x[3];
     cone.Refined->GetPoint(i, x);
-    // From x = -1, where the radius is 0.5, to the tip at x = 1.
+    // The radius falls from 0.5 at x = -1 to 0 at x = 1.
     largest = std::max(largest, std::hypot(x[1], x[2]) - 0.25 * (1.0 - x[0]));
   }
   CHECK_LESS(largest, 0.003);
   CHECK(RelevoWatertight::FindError(cone.Coarse, cone.Refined, 4).empty());
 }
 
-// The mesh's own normals count where its faces can follow them.
+// The mesh's normals are used where its faces can follow them.
 void checkGivenNormals(RelevoCheck& check)
 {
   vtkNew<vtkSphereSource> sphere; // 8 x 8 faces with normals
@@ -314,7 +314,7 @@ void checkGivenNormals(RelevoCheck& check)
   CHECK_NEAR(getVolume(flat.Refined), 8.0, 1e-5);
 }
 
-// Whether faces share points or not.
+// The result is the same whether faces share points or not.
 void checkCoincidentPoints(RelevoCheck& check)
 {
   for (const Mesh& mesh : { makeSphere(40), makeBlock(), makeRoundedSlab() })
@@ -332,7 +332,7 @@ void checkCoincidentPoints(RelevoCheck& check)
   }
 }
 
-// Vertices, lines, polygons and strips: points and data go along.
+// Vertices, lines, polygons and strips keep their points and data.
 void checkData(RelevoCheck& check)
 {
   const Mesh mesh = RelevoMeshes::Mixed();
@@ -408,7 +408,7 @@ void checkBadInput(RelevoCheck& check)
   CHECK_EQUAL(normals->GetOutput()->GetNumberOfCells(), 0);
   CHECK(!normals->GetFittingSurface());
 
-  // Nothing, no area, no number: no error, and no normal that is not finite.
+  // Empty meshes, faces without area and NaN points give no error and no normal that is not finite.
   normals->SetInputData(RelevoMeshes::Make());
   normals->Update();
   const double nan = vtkMath::Nan();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// relevo::ComputeMergedPoints against a map from coordinates to the first id.
+// Proves that relevo::ComputeMergedPoints gives the lowest id of equal coordinates, compared with a
+// map.
 #include "RelevoCheck.h"
 
 #include "Points/MergedPoints.h"
@@ -42,7 +43,7 @@ int TestMergedPoints(int, char*[])
     CHECK_EQUAL(relevo::ComputeMergedPoints(points), expected);
   }
 
-  // Distinct in the last bit only; 0 equals -0; NaN equals nothing.
+  // Points that differ in the last bit are distinct, 0 equals -0, and NaN equals nothing.
   const double nan = std::numeric_limits<double>::quiet_NaN();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

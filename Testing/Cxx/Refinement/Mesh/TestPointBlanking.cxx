@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Ghosts of points: which are hidden, and arrays that cannot say so. They end where their page
-// does: who reads on crashes.
+// Proves which points a ghost array hides and which arrays are ignored. The arrays end at the end
+// of a memory page, so that reading further crashes.
 #include "Mesh/PointBlanking.h"
 #include "RelevoCheck.h"
 #include "RelevoFuzz.h"

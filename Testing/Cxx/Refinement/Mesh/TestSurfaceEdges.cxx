@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// relevo::SurfaceEdges against the pairs of places found triangle by triangle.
+// Proves that relevo::SurfaceEdges finds the edges and their triangles, compared with pairs of
+// merged points collected triangle by triangle.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
@@ -16,7 +17,7 @@ namespace
 {
 using Pair = std::pair<vtkIdType, vtkIdType>;
 
-// Places by comparing all coordinates with all others.
+// Merges points by comparing coordinates exactly.
 std::vector<vtkIdType> FindPlaces(vtkPolyData* mesh)
 {
   std::map<std::array<double, 3>, vtkIdType> first;
@@ -31,7 +32,7 @@ std::vector<vtkIdType> FindPlaces(vtkPolyData* mesh)
   return places;
 }
 
-// The triangles of each edge, and how many of them pass it upwards.
+// The triangles of each edge, and how many of them traverse it upwards.
 struct Uses
 {
   int Triangles = 0;
@@ -109,7 +110,7 @@ void TestMesh(RelevoCheck& check, vtkPolyData* mesh)
     }
   }
 
-  // Tags of points: the largest around their place.
+  // The tag of a point is the largest of the coincident points.
   std::vector<float> tags(expected.size());
   std::vector<float> largest(n, 0.0f);
   for (int edge = 0; edge < edges.GetNumberOfEdges(); ++edge)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkCompositeDepthTagMetric: combinations by hand, its parts' times, cycles.
+// vtkCompositeDepthTagMetric promises the maximum, sum or product of its metrics, checked against
+// values computed by hand. Cycles are errors, and changes of a part take effect.
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 
@@ -14,7 +15,7 @@
 
 namespace
 {
-// The levels it is given, and a count of how often it was asked.
+// Returns given levels and counts its calls.
 class GivenLevels : public vtkDepthTagMetric
 {
 public:
@@ -34,7 +35,7 @@ public:
 };
 vtkStandardNewMacro(GivenLevels);
 
-// Two metrics that give levels to a triangle, and a composite for them.
+// Two metrics with given levels for a triangle, and a composite of both.
 struct Pair
 {
   Pair()
@@ -82,7 +83,8 @@ void TestModes(RelevoCheck& check, Pair& pair)
   CHECK_EQUAL(pair.GetTags(4), tags);
 }
 
-// What does not depend on the view is kept until something changes; the rest is not.
+// Tags of metrics that do not depend on the view are cached until something changes. Other tags are
+// not.
 void TestKept(RelevoCheck& check, Pair& pair)
 {
   vtkCompositeDepthTagMetric* metric = pair.Metric;
@@ -107,7 +109,7 @@ void TestKept(RelevoCheck& check, Pair& pair)
   CHECK_EQUAL(pair.First->Count, firstCount + 3);
 }
 
-// Real ones, and nested: never less than any part by the maximum, never more by the product.
+// With real and nested metrics, the maximum is never below any part, and the product never above.
 void TestNested(RelevoCheck& check)
 {
   std::mt19937 random(6);
@@ -147,7 +149,7 @@ void TestNested(RelevoCheck& check)
   CHECK(SurvivesOddMeshes(all));
 }
 
-// No metric, cycles, weights, modes; errors leave the metric as it was.
+// A composite without metrics, cycles, weights and modes. Errors leave the metric unchanged.
 void TestErrors(RelevoCheck& check, Pair& pair)
 {
   vtkCompositeDepthTagMetric* metric = pair.Metric;
@@ -174,12 +176,12 @@ void TestErrors(RelevoCheck& check, Pair& pair)
   CHECK(errors.Said("Mode") && metric->GetMode() == vtkCompositeDepthTagMetric::PRODUCT);
 }
 
-// A part that fails says why, and the composite which one it is.
+// A part that fails reports the cause, and the composite reports which part failed.
 void TestFailingPart(RelevoCheck& check, Pair& pair)
 {
   vtkCompositeDepthTagMetric* metric = pair.Metric;
   RelevoErrors errors(metric);
-  vtkNew<vtkDistanceDepthTagMetric> distance; // without a camera
+  vtkNew<vtkDistanceDepthTagMetric> distance; // fails without a camera
   metric->RemoveAllMetrics();
   CHECK_EQUAL(metric->GetNumberOfMetrics(), 0);
   metric->AddMetric(distance);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkCurvatureDepthTagMetric against values by hand and analytic surfaces.
+// vtkCurvatureDepthTagMetric promises levels by its formulae for Gaussian and mean curvature,
+// compared with values computed by hand and with analytic surfaces.
 #include "RelevoCheck.h"
 #include "RelevoCurvatures.h"
 #include "RelevoDisplacements.h"
@@ -46,7 +47,7 @@ namespace
 {
 using namespace RelevoCurvatures;
 
-// Four angles of 60 degrees and a third of four equilateral triangles at each point.
+// Each point has four angles of 60 degrees and a third of the area of four equilateral triangles.
 void TestOctahedron(RelevoCheck& check)
 {
   auto octahedron =
@@ -58,7 +59,7 @@ void TestOctahedron(RelevoCheck& check)
     LargestError(Gaussian(octahedron), [=](size_t) { return (2 * Pi / 3) / area; }), 0.0, 1e-12);
   CHECK_NEAR(LargestError(Mean(octahedron), [](size_t) { return 1.0; }), 0.0, 1e-12);
 
-  // Turned inside out: Gaussian stays, mean changes its sign.
+  // With reversed faces the Gaussian curvature stays, and the mean curvature changes its sign.
   octahedron->BuildCells();
   for (vtkIdType cell = 0; cell < 8; ++cell)
   {
@@ -67,8 +68,8 @@ void TestOctahedron(RelevoCheck& check)
   CHECK_NEAR(LargestError(Mean(octahedron), [](size_t) { return -1.0; }), 0.0, 1e-12);
 }
 
-// A flat pyramid, obtuse at its apex: half of each triangle is the apex's. The border takes the
-// apex's value.
+// A flat pyramid with obtuse angles at its apex, which owns half of each triangle. Border points
+// take the value of the apex.
 void TestPyramid(RelevoCheck& check)
 {
   const double h = 0.1;
@@ -79,7 +80,7 @@ void TestPyramid(RelevoCheck& check)
   const double angle = std::acos((-0.5 + h * h) / side);
   const double face = 0.5 * side * std::sin(angle);
   const double cotangent = std::cos(0.5 * (Pi - angle)) / std::sin(0.5 * (Pi - angle));
-  // Three edges, each seen by two base angles; the edges sum to (0, 0, 3 h).
+  // Each of the three edges is opposite to two base angles. The edges sum to (0, 0, 3 h).
   const double mean = 2 * cotangent * 3 * h / (4 * 1.5 * face);
   CHECK_NEAR(
     LargestError(Gaussian(pyramid), [=](size_t) { return (2 * Pi - 3 * angle) / (1.5 * face); }),
@@ -87,7 +88,7 @@ void TestPyramid(RelevoCheck& check)
   CHECK_NEAR(LargestError(Mean(pyramid), [=](size_t) { return mean; }), 0.0, 1e-12);
 }
 
-// A triangle's angle at its first corner, and that corner's part of its area.
+// A triangle's angle at its first corner, and the share of the area that belongs to this corner.
 struct Corner
 {
   explicit Corner(vtkCell* triangle)
@@ -121,12 +122,13 @@ struct Corner
   double Area;
 };
 
-// Obtuse elsewhere: a quarter of such a triangle. A saddle of four points around the middle.
+// Triangles that are obtuse at another corner contribute a quarter of their area. Four points form
+// a saddle around the middle point.
 void TestObtuse(RelevoCheck& check)
 {
   auto saddle = MakeMesh({ { 0, 0, 0 }, { 4, 0, 1 }, { 0, 1, -1 }, { -4, 0, 1 }, { 0, -1, -1 } },
     { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 }, { 0, 4, 1 } });
-  const double a = std::acos(-1.0 / std::sqrt(17.0 * 2.0)); // obtuse at the middle after all
+  const double a = std::acos(-1.0 / std::sqrt(17.0 * 2.0)); // this angle, at the middle, is obtuse
   const double triangle = 0.5 * std::sqrt(34.0) * std::sin(a);
   CHECK_NEAR(Gaussian(saddle)[0], (2 * Pi - 4 * a) / (2 * triangle), 1e-12);
   auto roof = MakeMesh({ { 0, 0, 1 }, { 1, 0, 0 }, { 1.2, 0.2, -3 }, { -1, 1, 0 }, { -1, -1, 0 } },
@@ -162,7 +164,7 @@ void TestAnalytic(RelevoCheck& check)
     previous[1] = mean;
   }
 
-  // A torus has every sign of Gaussian curvature; its seams are split points.
+  // A torus has Gaussian curvature of both signs. Its seams are split points.
   const double ring = 3.0;
   const double tube = 1.0;
   auto torus = MakeTorus(ring, tube, 180, 60);
@@ -180,7 +182,7 @@ void TestAnalytic(RelevoCheck& check)
   CHECK_LESS(gaussian, 0.005);
   CHECK_LESS(mean, 0.005);
 
-  // Borders: an open cylinder and half a sphere are curved up to their rims.
+  // On an open cylinder and a hemisphere, curvature reaches the border.
   auto cylinder = MakeGrid(90, 20,
     [](double u, double v, double x[3])
     {
@@ -201,7 +203,7 @@ void TestAnalytic(RelevoCheck& check)
   CHECK_NEAR(LargestError(Mean(cap), [](size_t) { return 1.0; }), 0.0, 0.05);
 }
 
-// Polygons, strips, split points and the order of cells do not matter.
+// Polygons, strips, split points and the order of cells do not change the result.
 void TestRepresentations(RelevoCheck& check)
 {
   auto torus = MakeTorus(3.0, 1.0, 30, 20);
@@ -233,7 +235,7 @@ void TestRepresentations(RelevoCheck& check)
   CHECK_NEAR(LargestDifference(Gaussian(strips), gaussian), 0.0, 1e-11);
   CHECK_NEAR(LargestDifference(Mean(strips), mean), 0.0, 1e-11);
 
-  // Every triangle with points of its own.
+  // All triangles have separate points.
   vtkNew<vtkPolyData> soup;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -255,8 +257,8 @@ void TestRepresentations(RelevoCheck& check)
   CHECK_NEAR(LargestDifference(Mean(soup), expected), 0.0, 1e-11);
 }
 
-// By default of Gaussian curvature: linear between the thresholds, clamped outside, for the
-// absolute value.
+// By default, levels follow the absolute Gaussian curvature: linear between the thresholds and
+// clamped outside.
 void TestThresholds(RelevoCheck& check)
 {
   vtkNew<vtkCurvatureDepthTagMetric> metric;
@@ -287,12 +289,12 @@ void TestThresholds(RelevoCheck& check)
   metric->ComputeCurvatures(torus, curvatures);
   CHECK_EQUAL(std::string(curvatures->GetName()), "Mean_Curvature");
   CHECK_NEAR(curvatures->GetValue(0), 0.625, 0.01);
-  metric->SetMaximumCurvature(0.1); // a step
+  metric->SetMaximumCurvature(0.1); // a step function
   CHECK(metric->ComputeTags(torus, view, 6, tags));
   CHECK_EQUAL(tags->GetRange()[0], 6.0);
 }
 
-// A sphere is curved everywhere, a plane nowhere, however it lies.
+// A sphere is curved everywhere and a plane nowhere, in every orientation.
 void TestAutomaticThresholds(RelevoCheck& check)
 {
   vtkNew<vtkCurvatureDepthTagMetric> metric; // thresholds of 0
@@ -320,13 +322,13 @@ void TestAutomaticThresholds(RelevoCheck& check)
     CHECK(tags->GetNumberOfTuples() == 201 * 101 && tags->GetRange()[1] < 0.5);
     CHECK(metric->ComputeTags(MakeSphere(10.0, 3), view, 7, tags));
     CHECK(tags->GetRange()[0] > 6.0 && tags->GetRange()[1] == 7.0);
-    // Only the few corners of a box are curved; the flat rest is left alone.
+    // A box is curved only at its few corners. Its flat faces stay coarse.
     CHECK(metric->ComputeTags(torus, view, 7, tags));
     CHECK(tags->GetRange()[0] < 3.5 && tags->GetRange()[1] == 7.0);
   }
 }
 
-// So many points have no level, and so many the highest.
+// Quantiles: given shares of the points have level 0 and the highest level.
 void TestQuantiles(RelevoCheck& check)
 {
   vtkNew<vtkCurvatureDepthTagMetric> metric;
@@ -369,7 +371,7 @@ void TestQuantiles(RelevoCheck& check)
   }
 }
 
-// What was computed for evaluators is kept until the mesh changes.
+// Results cached for evaluators are reused until the mesh changes.
 void TestKept(RelevoCheck& check)
 {
   vtkNew<vtkCurvatureDepthTagMetric> metric;
@@ -398,8 +400,8 @@ void TestBadInput(RelevoCheck& check)
   vtkNew<vtkFloatArray> tags;
   const relevo::RefinementView view;
 
-  // Repeated points, no area, an edge of three triangles, lone and broken points, cells of one and
-  // two points, and ids that do not exist.
+  // Repeated points, triangles without area, an edge with three triangles, unused points, NaN
+  // points, cells of one and two points, and invalid ids.
   auto broken = MakeMesh(
     { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 }, { 2, 0, 0 }, { nan, 0, 0 },
       { 0, infinity, 0 }, { 1e200, 1e200, 0 }, { 0, 0, 0 }, { 1e-200, 0, 0 }, { 0, 1e-200, 0 } },
@@ -423,7 +425,7 @@ void TestBadInput(RelevoCheck& check)
     CHECK_EQUAL(tags->GetValue(6), 0.0f);
     CHECK_EQUAL(tags->GetValue(7), 0.0f);
   }
-  // A triangle of no area inside a plane is no bump.
+  // A triangle without area within a plane does not add curvature.
   auto plane = MakeGrid(4, 4,
     [](double u, double v, double x[3])
     {
@@ -500,9 +502,9 @@ std::vector<float> GetTags(
   return UpdateTags(check, tags, mesh, recipe);
 }
 
-// Bumps between the points of a mesh, all of which are at height 0: four times as high on the right
-// as on the left, and none in the middle. What is four times as bent is as far from its triangles
-// with edges of half the length.
+// Height-map bumps between the points of a mesh, all at height 0: four times as high on the right
+// as on the left, none in the middle. Four times the curvature gives the same distance from
+// triangles with edges of half the length.
 void TestDisplaced(RelevoCheck& check)
 {
   const int squares = 16;
@@ -521,18 +523,18 @@ void TestDisplaced(RelevoCheck& check)
     for (int y = 2; y < squares - 1; ++y)
     {
       const float* row = &tags[static_cast<size_t>(y * (squares + 1))];
-      CHECK_NEAR(row[14], 5.0, 1e-3); // the most, which the automatic threshold takes
+      CHECK_NEAR(row[14], 5.0, 1e-3); // the largest value, which the automatic threshold selects
       CHECK_NEAR(row[2], 4.0, 0.05);
       CHECK_NEAR(row[8], 0.0, 0.0);
     }
   }
-  // The mesh by itself is flat.
+  // Without the displacement the mesh is flat.
   recipe->SetDisplacement(nullptr);
   const std::vector<float> flat = GetTags(check, mesh, recipe, vtkCurvatureDepthTagMetric::MEAN);
   CHECK_EQUAL(*std::max_element(flat.begin(), flat.end()), 0.0f);
 }
 
-// A composite of one metric has the metric's tags, also after the displacement has changed.
+// A composite of one metric has that metric's tags, even after the displacement changes.
 void TestComposite(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> heights;
@@ -563,8 +565,8 @@ void TestComposite(RelevoCheck& check)
   }
 }
 
-// The root mean square of the vertical distances of a refined mesh from heights that are bilinear
-// between their samples.
+// Root mean square of the vertical distance of a refined mesh from heights that are bilinear
+// between samples.
 double GetError(vtkPolyData* mesh, vtkHeightField* heights)
 {
   vtkDataArray* coordinates = mesh->GetPointData()->GetTCoords();
@@ -607,7 +609,8 @@ double GetError(vtkPolyData* mesh, vtkHeightField* heights)
   return std::sqrt(sum / area);
 }
 
-// Land that is rough at one end: with no more triangles it is nearer than by equal ones.
+// For terrain that is rough at one end, the metric gives a smaller error than uniform levels with
+// no fewer triangles.
 void TestError(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> heights;
@@ -636,7 +639,7 @@ void TestError(RelevoCheck& check)
   CHECK_LESS(errors[0], 0.9 * errors[1]);
 }
 
-// Pieces with a layer of ghosts have the levels of the whole.
+// Pieces with a layer of ghost cells have the same levels as the whole mesh.
 void TestPieces(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> heights;
@@ -644,7 +647,7 @@ void TestPieces(RelevoCheck& check)
   const auto whole = MakePlane(12);
   const auto recipe = MakeRecipe(heights, 4);
   auto* metric = vtkCurvatureDepthTagMetric::SafeDownCast(recipe->GetMetric());
-  metric->SetMaximumCurvature(200.0); // quantiles are exchanged elsewhere
+  metric->SetMaximumCurvature(200.0); // fixed, because automatic thresholds need all pieces
   const vtkIdType expected = RelevoMeshes::Refine(whole, recipe)->GetNumberOfPolys();
   vtkIdType sum = 0;
   for (const bool isRight : { false, true })

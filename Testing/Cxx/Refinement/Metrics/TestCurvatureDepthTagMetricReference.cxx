@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Curvatures of vtkCurvatureDepthTagMetric against those of vtkCurvatures.
+// Proves that curvatures of vtkCurvatureDepthTagMetric agree with those of vtkCurvatures.
 #include "RelevoCheck.h"
 #include "RelevoCurvatures.h"
 
@@ -21,7 +21,7 @@ namespace
 {
 using namespace RelevoCurvatures;
 
-// The bunny, or a sphere where there is none.
+// The bunny, or a sphere if the data are not available.
 vtkSmartPointer<vtkPolyData> ReadMesh()
 {
   const char* data = std::getenv("RELEVO_TEST_DATA");
@@ -41,7 +41,7 @@ vtkSmartPointer<vtkPolyData> ReadMesh()
   return mesh;
 }
 
-// Points of cells that are not on a border.
+// Points whose cells do not touch a border.
 std::vector<vtkIdType> FindInnerPoints(vtkPolyData* mesh)
 {
   vtkNew<vtkFeatureEdges> edges;
@@ -71,8 +71,8 @@ std::vector<vtkIdType> FindInnerPoints(vtkPolyData* mesh)
   return inner;
 }
 
-// vtkCurvatures divides the same angle defect by a third of the triangles' area; the mixed area
-// is between a quarter and half of each.
+// vtkCurvatures divides the same angle defect by a third of the triangles' area. The mixed area
+// lies between a quarter and a half of each triangle.
 void TestGaussian(RelevoCheck& check, vtkPolyData* mesh, const std::vector<vtkIdType>& inner)
 {
   vtkNew<vtkCurvatures> reference;
@@ -96,7 +96,8 @@ void TestGaussian(RelevoCheck& check, vtkPolyData* mesh, const std::vector<vtkId
   CHECK_EQUAL(within, inner.size());
 }
 
-// Its mean curvature comes from the angles between triangles: equal in the limit only.
+// vtkCurvatures computes mean curvature from angles between triangles, which agrees only in the
+// limit.
 void TestMean(RelevoCheck& check, vtkPolyData* mesh, const std::vector<vtkIdType>& inner)
 {
   vtkNew<vtkCurvatures> reference;

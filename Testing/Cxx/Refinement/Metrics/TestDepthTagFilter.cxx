@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkDepthTagFilter: levels by hand, what is passed through, when it runs again, errors.
+// vtkDepthTagFilter promises arrays of depth-tags and edge levels (compared with values computed by
+// hand), unchanged other data, updates after changes only, and errors.
 #include "RelevoCheck.h"
 
 #include "vtkCallbackCommand.h"
@@ -86,7 +87,7 @@ bool HasLevels(vtkDepthTagFilter* filter, vtkIdType cell, int first, int second,
 
 void TestEdgeRule(RelevoCheck& check)
 {
-  // Means 0.5, 1.5 and 1 round half up to 1, 2 and 1; edges are P1P2, P2P3, P3P1.
+  // The means 0.5, 1.5 and 1 are rounded half up to 1, 2 and 1. The edges are P1P2, P2P3 and P3P1.
   auto mesh =
     MakeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } }, { { 0, 1, 2 }, { 2, 1, 3 } });
   vtkNew<vtkDepthTagFilter> filter;
@@ -95,32 +96,32 @@ void TestEdgeRule(RelevoCheck& check)
   SetTags(mesh, { 0.0f, 1.0f, 2.0f, 7.0f });
   filter->Update();
   CHECK(HasLevels(filter, 0, 1, 2, 1));
-  CHECK(HasLevels(filter, 1, 2, 4, 5)); // means 1.5, 4, 4.5
-  // The edge that both share has one level, from either side.
+  CHECK(HasLevels(filter, 1, 2, 4, 5)); // means 1.5, 4 and 4.5
+  // Both triangles give the shared edge the same level.
   CHECK_EQUAL(Levels(filter)->GetValue(1), Levels(filter)->GetValue(3));
 
-  // Just below a half rounds down, to the last bit.
+  // The largest float below 0.5 is rounded down.
   const float below = std::nextafter(0.5f, 0.0f);
   SetTags(mesh, { below, below, below, 3.0f });
   filter->Update();
   CHECK(HasLevels(filter, 0, 0, 0, 0));
   CHECK(HasLevels(filter, 1, 0, 2, 2));
 
-  // The mean counts, clamped to [0, MaximumLevel]; a tag of the user's own may be outside.
+  // Only the mean is clamped to [0, MaximumLevel]. Your own tags may exceed this range.
   filter->SetMaximumLevel(3);
   SetTags(mesh, { -2.0f, 6.0f, 8.0f, -3.0f });
   filter->Update();
   CHECK_EQUAL(Tags(filter)->GetValue(0), -2.0f);
   CHECK_EQUAL(Tags(filter)->GetValue(2), 8.0f);
   CHECK(HasLevels(filter, 0, 2, 3, 3));
-  CHECK(HasLevels(filter, 1, 3, 2, 3)); // means 7, 1.5, 2.5
+  CHECK(HasLevels(filter, 1, 3, 2, 3)); // means 7, 1.5 and 2.5
   const float infinity = std::numeric_limits<float>::infinity();
   SetTags(mesh, { -infinity, -2.0f, infinity, 3e38f });
   filter->Update();
   CHECK(HasLevels(filter, 0, 0, 3, 0));
   CHECK(HasLevels(filter, 1, 3, 3, 3));
 
-  // Points at one place have one tag, the larger.
+  // Coincident points share the larger of their tags.
   auto split =
     MakeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { -0.0, 1, 0 }, { 1, 1, 0 } },
       { { 0, 1, 2 }, { 4, 3, 5 } });
@@ -139,7 +140,7 @@ void TestEdgeRule(RelevoCheck& check)
 
 void TestLevelRule(RelevoCheck& check)
 {
-  // 100 pixels for a unit; the edges are 0.8, 1 and 0.6 long: 3, 3.32 and 2.58 levels.
+  // One unit covers 100 pixels. The edges of length 0.8, 1 and 0.6 give 3, 3.32 and 2.58 levels.
   auto mesh = MakeMesh({ { 0, 0, 0 }, { 0.8, 0, 0 }, { 0, 0.6, 0 }, { 0, 0.6, 0 } },
     { { 0, 1, 2 }, { 1, 0, 3 }, { 2, 3, 2 } });
   vtkNew<vtkScreenEdgeDepthTagMetric> metric;
@@ -154,9 +155,9 @@ void TestLevelRule(RelevoCheck& check)
   filter->SetCamera(camera);
   filter->SetViewportSize(400, 400);
   CHECK_EQUAL(filter->GetLevelRule(), vtkDepthTagMetric::PER_VERTEX);
-  metric->SetReferenceLength(7.5); // 0.42 levels more
+  metric->SetReferenceLength(7.5); // adds 0.42 levels
   filter->Update();
-  CHECK(HasLevels(filter, 0, 4, 4, 4)); // tags 3.42, 3.74, 3.74
+  CHECK(HasLevels(filter, 0, 4, 4, 4)); // tags 3.42, 3.74 and 3.74
   filter->SetLevelRuleToPerEdge();
   filter->Update();
   CHECK(HasLevels(filter, 0, 3, 4, 3));
@@ -164,7 +165,7 @@ void TestLevelRule(RelevoCheck& check)
   CHECK(HasLevels(filter, 2, 0, 0, 0));
   CHECK_NEAR(Tags(filter)->GetValue(0), std::log2(80 / 7.5), 1e-5);
 
-  // Tags of the user's own are of points.
+  // An array of your own has one tag per point, so levels per edge do not apply.
   SetTags(mesh, { 1.0f, 3.0f, 5.0f, 5.0f });
   filter->SetMetric(nullptr);
   filter->Update();
@@ -222,7 +223,7 @@ void TestPassThrough(RelevoCheck& check)
   CHECK_EQUAL(output->GetFieldData()->GetArray("Field"), field.Get());
   CHECK_EQUAL(mesh->GetPointData()->GetArray("DepthTag"), nullptr);
 
-  // Tags 4, 2, 2, 4 - 2 sqrt(2).
+  // The tags are 4, 2, 2 and 4 - 2 sqrt(2).
   CHECK_NEAR(Tags(filter)->GetValue(0), 4.0, 1e-6);
   CHECK_NEAR(Tags(filter)->GetValue(1), 2.0, 1e-6);
   CHECK_NEAR(Tags(filter)->GetValue(3), 4.0 - 2.0 * std::sqrt(2.0), 1e-6);
@@ -235,7 +236,7 @@ void TestPassThrough(RelevoCheck& check)
   }
   CHECK(HasLevels(filter, 4, 3, 2, 3));
 
-  // A metric replaces tags that are there already.
+  // A metric replaces existing tags.
   vtkNew<vtkDepthTagFilter> second;
   second->SetInputData(output);
   second->SetMetric(metric);
@@ -278,7 +279,7 @@ void TestUpdates(RelevoCheck& check)
   filter->SetMaximumLevel(7);
   filter->Update();
   CHECK_EQUAL(runs, 4);
-  // What does not depend on the view does not run again when the camera moves.
+  // If the metric does not depend on the view, moving the camera does not execute the filter.
   filter->SetMetric(curvature);
   filter->Update();
   CHECK_EQUAL(runs, 5);
@@ -290,7 +291,7 @@ void TestUpdates(RelevoCheck& check)
   CHECK_EQUAL(runs, 6);
 }
 
-// What the filter says, and its executive once more.
+// Errors of the filter and of its executive.
 struct FilterErrors : RelevoErrors
 {
   explicit FilterErrors(vtkDepthTagFilter* filter)
@@ -307,7 +308,7 @@ void TestMetricErrors(RelevoCheck& check)
   filter->SetInputData(MakeTriangle());
   FilterErrors errors(filter);
 
-  // Neither metric nor array; a good run before leaves nothing behind.
+  // Without metric and array, the output is empty even after a successful run.
   vtkNew<vtkCurvatureDepthTagMetric> curvature;
   filter->SetMetric(curvature);
   filter->Update();
@@ -333,7 +334,7 @@ void TestMetricErrors(RelevoCheck& check)
   CHECK(errors.Said("SetCamera"));
   CHECK(IsEmpty(filter));
 
-  // A metric that fails says why, and the filter says that it failed.
+  // A metric that fails reports the cause, and the filter reports that the metric failed.
   curvature->SetMinimumCurvature(1.0);
   filter->SetMetric(curvature);
   {
@@ -345,7 +346,7 @@ void TestMetricErrors(RelevoCheck& check)
   CHECK(IsEmpty(filter));
 }
 
-// Tags of the user's own that are not one finite number per point.
+// Arrays of tags that are not one finite number per point.
 void TestTagErrors(RelevoCheck& check)
 {
   auto mesh = MakeTriangle();
@@ -381,7 +382,7 @@ void TestSettingErrors(RelevoCheck& check)
   CHECK(filter->GetViewportSize()[0] == 300 && filter->GetViewportSize()[1] == 300);
 }
 
-// Points that are not finite, points that are not there, nothing at all.
+// Points that are not finite, invalid ids, and empty meshes.
 void TestBrokenMeshes(RelevoCheck& check)
 {
   vtkNew<vtkCamera> camera;
@@ -404,12 +405,12 @@ void TestBrokenMeshes(RelevoCheck& check)
   CHECK_EQUAL(Tags(filter)->GetValue(1), 0.0f);
   CHECK(HasLevels(filter, 0, 3, 2, 5));
 
-  // An id that does not exist has no level.
+  // Cells with invalid ids have no levels.
   filter->SetInputData(MakeMesh({ { 0, 0, 0 } }, { { 0, 1, 2 }, { 0, -1, 0 } }));
   filter->Update();
   CHECK(HasLevels(filter, 0, -1, -1, -1) && HasLevels(filter, 1, -1, -1, -1));
 
-  // Nothing in, nothing out, but the arrays are there.
+  // An empty mesh gives an empty output with both arrays.
   vtkNew<vtkPolyData> empty;
   filter->SetInputData(empty);
   vtkNew<vtkCurvatureDepthTagMetric> curvature;
@@ -422,7 +423,7 @@ void TestBrokenMeshes(RelevoCheck& check)
     CHECK(Levels(filter) && Levels(filter)->GetNumberOfTuples() == 0);
   }
 
-  // A block that is no mesh.
+  // A block that is not a vtkPolyData.
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, vtkNew<vtkUnstructuredGrid>());
   filter->SetInputDataObject(blocks);

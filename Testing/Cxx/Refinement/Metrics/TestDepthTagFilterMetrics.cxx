@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Filters and metrics that give other than one number per point or edge; arrays that change from
-// points to cells.
+// vtkDepthTagFilter and vtkAdaptiveRefinementFilter promise an error for a metric that does not
+// return one number per point or edge. An array that moves from points to cells takes effect.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
@@ -26,7 +26,7 @@
 
 namespace
 {
-// As many triangles as points.
+// A mesh with as many triangles as points.
 RelevoMeshes::Mesh MakeTetrahedron()
 {
   return RelevoMeshes::FromTriangles(
@@ -34,7 +34,8 @@ RelevoMeshes::Mesh MakeTetrahedron()
     { { { 1, 2, 3 } }, { { 0, 3, 2 } }, { { 0, 1, 3 } }, { { 0, 2, 1 } } });
 }
 
-// What its members say for points and for edges; of these the mean of the points', when none.
+// Returns the given tags for points and for edges. Without tags for edges, it returns the means of
+// the points' tags.
 class GivenTags : public vtkDepthTagMetric
 {
 public:
@@ -73,7 +74,7 @@ public:
   std::vector<float> OfEdges;
 };
 
-// The same for points, by an evaluator that knows nothing of edges.
+// The same tags for points, from an evaluator without edge tags.
 class EvaluatedTags : public GivenTags
 {
 public:
@@ -100,7 +101,7 @@ public:
   }
 };
 
-// What a filter that runs says.
+// Returns the errors of a filter that executes.
 std::string Run(vtkPolyDataAlgorithm* filter)
 {
   std::string said;
@@ -113,7 +114,7 @@ std::string Run(vtkPolyDataAlgorithm* filter)
   return observer->GetError() ? observer->GetErrorMessage() : "";
 }
 
-// Both filters, by a rule.
+// Both filters, with the same level rule.
 class Filters
 {
 public:
@@ -128,7 +129,7 @@ public:
     this->Refine->SetRefinement(this->Recipe);
   }
 
-  // Each says this, and gives nothing.
+  // Whether both filters report these words and have an empty output.
   bool Say(const std::string& words)
   {
     return Run(this->Tag).find(words) != std::string::npos &&
@@ -209,7 +210,7 @@ void TestComposite(RelevoCheck& check)
   }
 }
 
-// The array changes from points to cells, and is otherwise the same.
+// The same array moves from points to cells.
 void TestMovedArray(RelevoCheck& check, int rule)
 {
   auto mesh = MakeTetrahedron();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Tags that the metrics give to edges: by hand, and from what is known of the edge alone.
+// vtkDepthTagMetric promises for PER_EDGE: the tag of an edge depends on that edge alone. Tags are
+// compared with values computed by hand.
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 
@@ -22,7 +23,7 @@
 
 namespace
 {
-// Levels of edges (a, b), by hand.
+// Levels of edges (a, b), computed by hand.
 class Edges
 {
 public:
@@ -42,7 +43,7 @@ public:
   relevo::SurfaceEdges Surface;
 };
 
-// The edges of point 0 are 0.8 and 0.6 long, that of 1 and 2 is 1.
+// The edges of point 0 have lengths 0.8 and 0.6; that between 1 and 2 has length 1.
 Edges MakeTriangle()
 {
   return Edges(RelevoMeshes::FromTriangles(
@@ -68,7 +69,7 @@ void AddValues(vtkPolyData* triangle)
   triangle->GetPointData()->AddArray(values);
 }
 
-// 100 pixels for a unit: each edge its own length.
+// One unit covers 100 pixels. The level follows from each edge's length.
 void TestScreenEdge(RelevoCheck& check)
 {
   const FrontView front;
@@ -79,7 +80,7 @@ void TestScreenEdge(RelevoCheck& check)
   CHECK_NEAR(triangle.GetTag(screenEdge, front.View, 6, 1, 2), std::log2(10.0), 1e-5);
 }
 
-// The nearer end.
+// The nearer end decides.
 void TestDistance(RelevoCheck& check)
 {
   const FrontView front;
@@ -91,7 +92,7 @@ void TestDistance(RelevoCheck& check)
     triangle.GetTag(distance, front.View, 6, 1, 2), 6.0 * (1.0 - std::sqrt(4.36) / 4.0), 1e-5);
 }
 
-// A ball that touches the middle of an edge and neither of its ends; a half space.
+// A ball that touches the middle of an edge and neither end, and a half space.
 void TestRegion(RelevoCheck& check)
 {
   const FrontView front;
@@ -100,7 +101,8 @@ void TestRegion(RelevoCheck& check)
   region->SetCenter(0.4, -0.2, 0);
   region->SetRadius(0.15);
   region->SetFallOff(0.1);
-  CHECK_NEAR(triangle.GetTag(region, front.View, 6, 0, 1), 3.0, 1e-5); // half of the fall-off away
+  // at half of the fall-off distance
+  CHECK_NEAR(triangle.GetTag(region, front.View, 6, 0, 1), 3.0, 1e-5);
   CHECK_EQUAL(triangle.GetTag(region, front.View, 6, 0, 2), 0.0f);
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(0.7, 0, 0);
@@ -110,7 +112,7 @@ void TestRegion(RelevoCheck& check)
   CHECK_EQUAL(triangle.GetTag(region, front.View, 6, 0, 2), 0.0f);
 }
 
-// The variation of an edge's own points.
+// Only the edge's two points count.
 void TestFieldVariation(RelevoCheck& check)
 {
   const FrontView front;
@@ -124,7 +126,8 @@ void TestFieldVariation(RelevoCheck& check)
   CHECK_NEAR(triangle.GetTag(field, front.View, 4, 1, 2), 3.0, 1e-5);
 }
 
-// The least cosine of the two ends; where one faces the eye and the other does not, the contour.
+// The smaller cosine of the two ends decides. If only one end faces the eye, the edge is on the
+// contour.
 void TestSilhouette(RelevoCheck& check)
 {
   const FrontView front;
@@ -141,10 +144,10 @@ void TestSilhouette(RelevoCheck& check)
   CHECK_EQUAL(triangle.GetTag(silhouette, front.View, 5, 0, 2), 5.0f);
   CHECK_EQUAL(triangle.GetTag(silhouette, front.View, 5, 1, 2), 5.0f);
   silhouette->SetCriterionToContour();
-  CHECK_EQUAL(triangle.GetTag(silhouette, front.View, 5, 0, 1), 5.0f); // the border
+  CHECK_EQUAL(triangle.GetTag(silhouette, front.View, 5, 0, 1), 5.0f); // on the border
 }
 
-// A ridge seen along the bisector of its triangles: no contour but the border.
+// A ridge seen along the bisector of its triangles. Only the border is on the contour.
 void TestContour(RelevoCheck& check)
 {
   const FrontView front;
@@ -157,12 +160,13 @@ void TestContour(RelevoCheck& check)
   CHECK_EQUAL(roof.GetTag(silhouette, front.View, 5, 0, 2), 5.0f);
 
   front.Camera->ParallelProjectionOff();
-  front.Camera->SetPosition(0, 0, 0); // the eye on the middle of the ridge
+  front.Camera->SetPosition(0, 0, 0); // the eye at the middle of the ridge
   front.Camera->SetFocalPoint(0, 0, -1);
   CHECK_EQUAL(roof.GetTag(silhouette, front.View, 5, 0, 1), 5.0f);
 }
 
-// The more bent end; both ends of the ridge are bent by 45 degrees, the others are flat.
+// The end with the larger bend decides. Both ends of the ridge are bent by 45 degrees, the other
+// points are flat.
 void TestViewDependent(RelevoCheck& check)
 {
   const FrontView front;
@@ -174,7 +178,7 @@ void TestViewDependent(RelevoCheck& check)
   CHECK_NEAR(roof.GetTag(viewDependent, front.View, 4, 0, 2), 2.0, 1e-5);
 }
 
-// Of the levels that the metrics give to the edge.
+// Combines the levels that the metrics give to the edge.
 void TestComposite(RelevoCheck& check)
 {
   const FrontView front;
@@ -198,14 +202,14 @@ void TestComposite(RelevoCheck& check)
     composite->SetModeToSum();
     CHECK_NEAR(
       triangle.GetTag(composite, front.View, 6, a, b), std::min(first + second, 6.0f), 1e-5);
-    // Tags of points are not mistaken for those of edges.
+    // Tags of points and tags of edges are not mixed up.
     const auto tags = TagsOf(composite, triangle.Mesh, front.View, 6);
     CHECK_EQUAL(tags.size(), 3);
     CHECK_NOT_EQUAL(tags, EdgeTagsOf(composite, triangle.Mesh, front.View, 6, triangle.Surface));
   }
 }
 
-// The mean of the two places' tags, the larger where points coincide.
+// By default, an edge has the mean of its points' tags. Coincident points use the larger tag.
 void TestDefault(RelevoCheck& check)
 {
   auto mesh = RelevoMeshes::Explode(RelevoMeshes::Sphere(9, 7));
@@ -237,8 +241,8 @@ void AddExtremes(vtkCellArray* cells, vtkFloatArray* values, const int places[2]
   cells->InsertNextCell(3, corners);
 }
 
-// A mesh of little but the triangles beside one edge gives that edge the same tag, if the metric
-// knows no more than the edge and the normals at its ends.
+// In a mesh of only the triangles at one edge, this edge keeps its tag if the metric depends only
+// on the edge and the normals at its ends.
 void TestAlone(RelevoCheck& check, vtkDepthTagMetric* metric, const relevo::RefinementView& view,
   bool keepTriangles)
 {
@@ -281,7 +285,7 @@ void TestAlone(RelevoCheck& check, vtkDepthTagMetric* metric, const relevo::Refi
   }
 }
 
-// All metrics that can, from random cameras.
+// Tests all metrics that support this, from random cameras.
 void TestAlone(RelevoCheck& check)
 {
   vtkNew<vtkCamera> camera;

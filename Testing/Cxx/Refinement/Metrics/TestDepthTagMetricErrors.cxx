@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What every metric makes of broken views and meshes: levels, or one error of its own and no tags,
-// and always the same for points and for edges.
+// vtkDepthTagMetric promises for unusable views and meshes either levels or one error without tags,
+// the same for points and for edges.
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 
@@ -32,7 +32,7 @@ struct Named
   vtkSmartPointer<vtkDepthTagMetric> Metric;
 };
 
-// One of every kind, with all its ways to measure.
+// One metric of every kind, with all its modes.
 std::vector<Named> MakeMetrics()
 {
   std::vector<Named> metrics;
@@ -79,7 +79,7 @@ std::vector<Named> MakeMetrics()
 
 RelevoMeshes::Mesh MakeMesh(float value)
 {
-  auto mesh = RelevoMeshes::Sphere(9, 7); // of a radius of 1/2 around the origin
+  auto mesh = RelevoMeshes::Sphere(9, 7); // a sphere with radius 1/2 around the origin
   vtkNew<vtkFloatArray> values;
   values->SetName("Values");
   values->SetNumberOfTuples(mesh->GetNumberOfPoints());
@@ -88,7 +88,7 @@ RelevoMeshes::Mesh MakeMesh(float value)
   return mesh;
 }
 
-// Levels for every metric but those named, which give an error that says `words`.
+// Expects levels from every metric except those named, which report `words`.
 void TestView(RelevoCheck& check, vtkPolyData* mesh, const relevo::RefinementView& view,
   const std::vector<std::string>& failing = {}, const std::string& words = "")
 {
@@ -96,7 +96,7 @@ void TestView(RelevoCheck& check, vtkPolyData* mesh, const relevo::RefinementVie
   for (const Named& named : MakeMetrics())
   {
     RelevoErrors errors(named.Metric);
-    std::vector<std::unique_ptr<RelevoErrors>> parts; // kept from being printed
+    std::vector<std::unique_ptr<RelevoErrors>> parts; // captures errors without printing them
     if (auto* composite = vtkCompositeDepthTagMetric::SafeDownCast(named.Metric))
     {
       for (int i = 0; i < composite->GetNumberOfMetrics(); ++i)
@@ -127,7 +127,7 @@ void TestView(RelevoCheck& check, vtkPolyData* mesh, const relevo::RefinementVie
   }
 }
 
-// A mesh, a camera that sees it, and what metrics make of them.
+// A mesh, a camera that sees it, and the expected results of the metrics.
 struct Scene
 {
   Scene() { this->View.Camera = this->Camera; }
@@ -145,8 +145,8 @@ struct Scene
 const double NaN = std::numeric_limits<double>::quiet_NaN();
 const std::vector<std::string> ViewDependent{ "distance", "pixels", "screen", "eye" };
 
-// The camera inside the mesh, on a vertex, in the middle of a face, on its focal point; far away
-// and close by; of any kind.
+// The camera is inside the mesh, on a vertex, on a face, at its focal point, far away, close, or of
+// another kind.
 void TestCameras(RelevoCheck& check, Scene& scene)
 {
   vtkCamera* camera = scene.Camera;
@@ -176,7 +176,7 @@ void TestCameras(RelevoCheck& check, Scene& scene)
     camera->SetClippingRange(1e-20, 1e20);
     scene.Expect(check);
     camera->SetClippingRange(0.01, 1000);
-    // No direction: distances do not need one.
+    // The camera has no direction. Distances do not need one.
     camera->SetFocalPoint(0, 0, 2);
     scene.Expect(check, { "screen", "eye" }, "no direction");
     camera->SetFocalPoint(NaN, 0, 0);
@@ -194,7 +194,7 @@ void TestCameras(RelevoCheck& check, Scene& scene)
   scene.View.Camera = camera;
 }
 
-// A viewport without an area.
+// The viewport has no area.
 void TestViewports(RelevoCheck& check, Scene& scene)
 {
   int* size = scene.View.ViewportSize;
@@ -209,7 +209,7 @@ void TestViewports(RelevoCheck& check, Scene& scene)
   }
 }
 
-// Matrices that flatten, mirror, blow up or are broken.
+// Matrices that flatten, mirror or scale extremely, and matrices with NaN.
 void TestMatrices(RelevoCheck& check, Scene& scene)
 {
   for (const std::array<double, 3>& scale :
@@ -227,7 +227,7 @@ void TestMatrices(RelevoCheck& check, Scene& scene)
   scene.View.ModelToWorld = nullptr;
 }
 
-// Meshes that are tiny, huge, far away; without an array, and with one of nothing but NaN.
+// Meshes that are tiny, huge or far away, without the array, or with an array of NaN only.
 void TestMeshes(RelevoCheck& check, Scene& scene)
 {
   for (double scale : { 1e-30, 1e-12, 1e12, 1e30 })
@@ -253,7 +253,7 @@ int TestDepthTagMetricErrors(int, char*[])
 {
   RelevoCheck check;
   Scene scene;
-  TestCameras(check, scene); // leaves the camera as the others want it
+  TestCameras(check, scene); // leaves the camera in the position that the other tests need
   TestViewports(check, scene);
   TestMatrices(check, scene);
   TestMeshes(check, scene);

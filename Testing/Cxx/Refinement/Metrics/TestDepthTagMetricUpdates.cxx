@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What the evaluators of metrics keep from frame to frame: after every change of mesh, view and
-// settings they give what metrics give that see it for the first time.
+// Proves that cached results of metric evaluators are correct: after every change of mesh, view and
+// settings, they equal those of new evaluators.
 #include "RelevoAllMetrics.h"
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
@@ -35,7 +35,7 @@ public:
     }
   }
 
-  // How many of the metrics gave other tags than last time.
+  // The number of metrics whose tags have changed since the last call.
   int Compare(RelevoCheck& check, vtkPolyData* mesh, const relevo::RefinementView& view)
   {
     const relevo::SurfaceEdges edges(mesh);
@@ -71,7 +71,7 @@ void AddValues(vtkPolyData* mesh, int seed)
   mesh->GetPointData()->AddArray(values);
 }
 
-// A point that no cell uses is not drawn, and changes no tag of those that are.
+// An unused point is not drawn and affects no tags of used points.
 void CheckUnusedPoints(RelevoCheck& check, const relevo::RefinementView& view)
 {
   auto mesh = RelevoMeshes::Sphere(9, 7);
@@ -112,7 +112,7 @@ int TestDepthTagMetricUpdates(int, char*[])
   CHECK_EQUAL(watch.Compare(check, mesh, view), all);
   CHECK_EQUAL(watch.Compare(check, mesh, view), 0);
 
-  // Of the view: all but curvature, field and region.
+  // The view affects all metrics except curvature, field variation and region.
   camera->SetPosition(1.1, 0.5, 2);
   CHECK_EQUAL(watch.Compare(check, mesh, view), 8);
   camera->ParallelProjectionOn();
@@ -120,9 +120,10 @@ int TestDepthTagMetricUpdates(int, char*[])
   camera->ParallelProjectionOff();
   watch.Compare(check, mesh, view);
   view.ViewportSize[1] = 500;
-  CHECK_EQUAL(watch.Compare(check, mesh, view), 3); // pixels, screen, and both in the sum
+  CHECK_EQUAL(watch.Compare(check, mesh, view), 3); // pixels, screen, and the sum of both
 
-  // The actor's matrix: turned, scaled, moved, stretched; nothing of the curvature and the field.
+  // Rotating, scaling, moving and stretching the actor does not affect curvature and field
+  // variation.
   vtkNew<vtkTransform> transform;
   view.ModelToWorld = transform->GetMatrix();
   transform->RotateY(40);
@@ -141,7 +142,7 @@ int TestDepthTagMetricUpdates(int, char*[])
   transform->Update();
   CHECK_GREATER_EQUAL(watch.Compare(check, mesh, view), 7);
 
-  // The mesh: its points, its normals, its values, its polygons, and another mesh.
+  // Changes the mesh's points, normals, values and polygons, and then the mesh.
   double x[3];
   mesh->GetPoint(3, x);
   for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
@@ -160,7 +161,7 @@ int TestDepthTagMetricUpdates(int, char*[])
   {
     normals->SetTuple3(0, 1, 2, 3);
     normals->Modified();
-    CHECK_EQUAL(watch.Compare(check, mesh, view), 2); // the silhouette, and the sum
+    CHECK_EQUAL(watch.Compare(check, mesh, view), 2); // the silhouette and the sum
     mesh->GetPointData()->SetNormals(nullptr);
     CHECK_EQUAL(watch.Compare(check, mesh, view), 2);
   }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkDistanceDepthTagMetric against levels by hand.
+// vtkDistanceDepthTagMetric promises levels by its formulae, compared with values computed by hand.
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 
@@ -36,7 +36,7 @@ vtkSmartPointer<vtkPolyData> MakePoints(
   return mesh;
 }
 
-// An equilateral triangle with sides of `side`, around the z axis at the height z.
+// An equilateral triangle with this side, around the z axis at height z.
 RelevoMeshes::Mesh MakeTriangle(double side, double z)
 {
   const double r = side / std::sqrt(3.0);
@@ -57,7 +57,8 @@ void TestProjectedSize(RelevoCheck& check)
   camera->SetFocalPoint(0, 0, -1);
   relevo::RefinementView view;
   view.Camera = camera;
-  // One level where the distance halves, from 8 on, up to the maximum at the camera itself.
+  // Each time the distance halves, from 8 on, the level rises by one, up to the maximum at the
+  // camera.
   auto points = MakePoints({ { 9, 0, 0 }, { 8, 0, 0 }, { 0, 6, 0 }, { 0, 0, 4 }, { 0, -2, 0 },
     { 0.3, 0, 0 }, { 0.01, 0, 0 }, { 0, 0, 0 } });
   auto tags = TagsOf(metric, points, view, 5);
@@ -67,8 +68,8 @@ void TestProjectedSize(RelevoCheck& check)
     CHECK_NEAR(tags[i], levels[i], 1e-6);
   }
 
-  // By the length of segments: a side of the mean length, seen from the front, has segments of
-  // ReferenceLength pixels, as vtkCamera projects it.
+  // With ReferenceLength, a side of the mean length, seen from the front, has segments of that many
+  // pixels, as projected by vtkCamera.
   metric->SetMaximumDistance(0.0);
   metric->SetReferenceLength(12.5);
   camera->SetClippingRange(0.01, 1000.0);
@@ -95,7 +96,7 @@ void TestProjectedSize(RelevoCheck& check)
         const double pixels = 0.5 * 500 * x[1] / x[3];
         tags = TagsOf(metric, triangle, view, 7);
         CHECK_NEAR(tags[0], std::max(0.0, std::log2(pixels / 12.5)), 1e-5);
-        // The same distance, linearly.
+        // The same distance with linear fall-off.
         metric->SetFallOffToLinear();
         CHECK_NEAR(
           TagsOf(metric, triangle, view, 7)[0], 7.0 * std::max(0.0, 1.0 - 12.5 / pixels), 1e-5);
@@ -104,7 +105,7 @@ void TestProjectedSize(RelevoCheck& check)
     }
   }
   view.ModelToWorld = nullptr;
-  // A mesh without sides has nothing to refine.
+  // A mesh without edges has nothing to refine.
   CHECK_EQUAL(TagsOf(metric, points, view, 5), std::vector<float>(8, 0.0f));
 
   RelevoErrors errors(metric);
@@ -138,7 +139,7 @@ void TestCentroids(RelevoCheck& check)
   for (int i = 0; i < 5; ++i)
   {
     PlaceAtRandom(camera, random);
-    // The nearest centroid of the triangles at a place, and beside an edge.
+    // The closest centroid among the triangles at a merged point, and among those at an edge.
     std::vector<double> ofMergedPoints(sphere->GetNumberOfPoints(), 0.0);
     std::vector<double> ofEdges(edges.GetNumberOfEdges(), 0.0);
     for (const auto& triangle : surface.GetTriangles())
@@ -208,7 +209,7 @@ vtkSmartPointer<vtkPolyData> MakeSixPoints()
     { { 0, 0, 0 }, { 0, 1, 0 }, { 1.5, 0, -2 }, { 0, 0, 5 }, { 7, 0, 0 }, { 3, 4, 0 } });
 }
 
-// MaximumLevel at the camera, 0 from MaximumDistance on, linear between.
+// MaximumLevel at the camera, 0 from MaximumDistance on, and linear between.
 void TestLinear(RelevoCheck& check)
 {
   Scene scene;
@@ -229,7 +230,7 @@ void TestLinear(RelevoCheck& check)
   CHECK_EQUAL(scene.Tags->GetValue(0), 0.0f);
 }
 
-// Distances are the world's: (1, 0, 0) goes to (2, 0, 3).
+// Distances are in world coordinates: (1, 0, 0) moves to (2, 0, 3).
 void TestWorld(RelevoCheck& check)
 {
   Scene scene;
@@ -242,7 +243,8 @@ void TestWorld(RelevoCheck& check)
   CHECK_NEAR(scene.Tags->GetValue(0), 4.0 * (1.0 - std::sqrt(13.0) / 5.0), 1e-6);
 }
 
-// Automatic: three diagonals of the box in world units, however the actor is turned.
+// The automatic distance is three diagonals of the bounding box in world units, whatever the
+// actor's orientation.
 void TestAutomatic(RelevoCheck& check)
 {
   Scene scene;
@@ -261,12 +263,12 @@ void TestAutomatic(RelevoCheck& check)
     CHECK_NEAR(scene.Tags->GetValue(0), 5.0 * (1.0 - 9.0 / 18.0), 1e-6);
   }
   scene.View.ModelToWorld = nullptr;
-  // One point has no extent: nothing to refine, nothing to divide by.
+  // A single point has no extent, which must not cause a division by zero.
   CHECK(scene.Compute(MakePoints({ { 1, 1, 1 } }), 5));
   CHECK_EQUAL(scene.Tags->GetValue(0), 0.0f);
 }
 
-// Points that are not finite get level 0 and do not disturb the others.
+// Points that are not finite get level 0 and do not affect others.
 void TestBrokenPoints(RelevoCheck& check)
 {
   Scene scene;
@@ -289,7 +291,7 @@ void TestBrokenPoints(RelevoCheck& check)
   }
 }
 
-// Far from the origin distances keep their digits; no points have no tags.
+// Far from the origin, distances stay accurate. A mesh without points has no tags.
 void TestFarAndEmpty(RelevoCheck& check)
 {
   Scene scene;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkFieldVariationDepthTagMetric against variations by hand.
+// vtkFieldVariationDepthTagMetric promises levels by the variation of an array, compared with
+// values computed by hand.
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 
@@ -34,7 +35,7 @@ void AddArray(vtkDataSetAttributes* data, int components, const std::vector<doub
   data->AddArray(array);
 }
 
-// Triangles (i, i + 1, i + 2): point i has edges to the two before and the two after.
+// Triangles (i, i + 1, i + 2): point i has edges to the two points before it and the two after it.
 RelevoMeshes::Mesh Strip()
 {
   return RelevoMeshes::FromTriangles({ { { 0, 0, 0 } }, { { 0, 1, 0 } }, { { 1, 0, 0 } },
@@ -73,7 +74,7 @@ struct Scene
   relevo::RefinementView View; // no camera is needed
 };
 
-// Relative to its range of 8.
+// The variation is relative to the array's range of 8.
 void TestScalar(RelevoCheck& check)
 {
   Scene scene;
@@ -85,7 +86,7 @@ void TestScalar(RelevoCheck& check)
   scene.Expect(check, { 0, 0, 4, 4, 4, 4 });
   scene.Metric->SetMinimumVariation(0.0);
   scene.Metric->SetMaximumVariation(1.0);
-  // Values that are not finite make no variation.
+  // Values that are not finite give no variation.
   AddArray<vtkDoubleArray>(scene.GetPointData(), 1, { 0, NaN, 1, Infinity, -Infinity, 4 });
   scene.Expect(check, { 1, 0, 1, 0, 0, 0 });
   AddArray<vtkDoubleArray>(scene.GetPointData(), 1, std::vector<double>(6, NaN));
@@ -96,17 +97,18 @@ void TestScalar(RelevoCheck& check)
   CHECK(AreLevels(scene.GetTags(4), 6, 4));
 }
 
-// The angle over 180 degrees, or the difference of lengths over the longest.
+// For vectors it is the angle over 180 degrees, or the difference of lengths over the largest
+// length.
 void TestVectors(RelevoCheck& check)
 {
   Scene scene;
   AddArray<vtkDoubleArray>(
     scene.GetPointData(), 3, { 8, 0, 0, 8, 0, 0, 8, 0, 0, 0, 8, 0, 0, 2, 0, 0, 0, 0 });
   scene.Expect(check, { 0, 2, 3, 4, 3, 4 });
-  // Opposite vectors; ones too short to have a direction; a NaN in one component.
+  // Opposite vectors, vectors too short to have a direction, and a NaN component.
   AddArray<vtkDoubleArray>(scene.GetPointData(), 2, { 1, 0, -1, 0, -1, 0, -1, NaN, 0, 1e-9, 0, 0 });
   scene.Expect(check, { 4, 4, 4, 0, 4, 0 });
-  // What stands for no data makes no variation and does not count as the longest.
+  // Missing values give no variation and do not count for the largest length.
   for (double sentinel : { -1e9, 1e20, 1e8, Infinity })
   {
     CHECK_CASE(sentinel);
@@ -118,7 +120,7 @@ void TestVectors(RelevoCheck& check)
   AddArray<vtkDoubleArray>(scene.GetPointData(), 2, { 1, 0, 1, 0, 1, 0, 1, 0, -1e9, 0, 1, 0 });
   scene.Expect(check, { 0, 0, 4, 4, 4, 4 });
   scene.Metric->SetNoDataMagnitude(1e8);
-  // Small angles keep their digits, in any dimension.
+  // Small angles stay accurate in any dimension.
   scene.Metric->SetMaximumVariation(1e-6);
   AddArray<vtkDoubleArray>(scene.GetPointData(), 4,
     { 1, 0, 0, 0, 1, 0, 0, 0.5e-6 * vtkMath::Pi(), 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0,
@@ -126,7 +128,7 @@ void TestVectors(RelevoCheck& check)
   scene.Expect(check, { 2, 2, 2, 2, 0, 0 });
 }
 
-// The jump over an edge between two cells, 0 over the border. Verts and lines come first.
+// For cell data it is the jump across an edge, and 0 at the border. Vertices and lines come first.
 void TestCells(RelevoCheck& check)
 {
   Scene scene;
@@ -138,7 +140,7 @@ void TestCells(RelevoCheck& check)
   scene.Mesh->SetVerts(verts);
   AddArray<vtkDoubleArray>(data, 1, { 9, 9, 9, 5, 1 });
   scene.Expect(check, { 0, 0, 2, 2, 2, 0 });
-  // The points' array wins.
+  // A point array takes precedence.
   AddArray<vtkIntArray>(scene.GetPointData(), 1, std::vector<double>(6, 1));
   scene.Expect(check, std::vector<double>(6, 0.0));
 }
@@ -157,7 +159,8 @@ RelevoMeshes::Mesh MakeParabola(double scale, double offset)
   return plane;
 }
 
-// Automatic: what 95 % of the edges do not exceed; the scale of the values does not matter.
+// The automatic threshold is the value that 95 % of the edges do not exceed. The scale of the
+// values has no influence.
 void TestAutomatic(RelevoCheck& check)
 {
   Scene scene;
@@ -169,12 +172,12 @@ void TestAutomatic(RelevoCheck& check)
     CHECK_NEAR(scaled[i], tags[i], 1e-3);
     if (i > 0 && i % 21)
     {
-      CHECK_GREATER_EQUAL(tags[i], tags[i - 1]); // steeper with x
+      CHECK_GREATER_EQUAL(tags[i], tags[i - 1]); // x increases the slope
     }
   }
   CHECK(tags[0] < 0.2f && tags[20] == 5.0f);
 
-  // Odd meshes, with an array.
+  // Degenerate meshes with an array.
   for (auto odd : { RelevoMeshes::Mixed(), RelevoMeshes::NonManifold(), RelevoMeshes::Strips() })
   {
     std::vector<double> values(odd->GetNumberOfCells());
@@ -204,7 +207,7 @@ void TestSettingErrors(RelevoCheck& check)
   }
 }
 
-// Thresholds that contradict one another, and arrays that are absent or unfit.
+// Thresholds that contradict each other, and arrays that are missing or cannot be used.
 void TestArrayErrors(RelevoCheck& check)
 {
   Scene scene;

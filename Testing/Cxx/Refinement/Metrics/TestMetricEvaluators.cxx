@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Evaluators of metrics: one for each mesh, owned by the filter; metrics without; composites whose
-// parts change; one recipe in two filters in two threads.
+// vtkDepthTagMetric promises that it can be shared: each filter has one evaluator per mesh. Tests
+// metrics without evaluators, composites whose parts change, and one recipe in two filters in two
+// threads.
 #include "RelevoAllMetrics.h"
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
@@ -38,7 +39,7 @@ vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe(vtkDepthTagMetric* metric)
   return recipe;
 }
 
-// A filter whose camera moves: the metric meets each of its meshes once.
+// When the camera moves, the metric prepares each mesh only once.
 template <typename Filter, typename Setter>
 void TestFilter(RelevoCheck& check, RelevoWatchedMetric* metric, const Setter& set)
 {
@@ -60,7 +61,7 @@ void TestFilter(RelevoCheck& check, RelevoWatchedMetric* metric, const Setter& s
     CHECK_EQUAL(metric->Preparations, side * side);
     CHECK_EQUAL(metric->Evaluations, frame * side * side);
   }
-  // A block that is gone takes what is known of it along; what is in its place is new.
+  // The evaluator of a removed block is deleted, and a new block gets a new one.
   blocks->SetBlock(2, RelevoMeshes::Cube());
   filter->Update();
   CHECK_EQUAL(metric->Evaluators, side * side + 1);
@@ -77,7 +78,7 @@ void TestFilters(RelevoCheck& check)
     check, other, [&](vtkDepthTagFilter* filter) { filter->SetMetric(other); });
 }
 
-// What filters know of meshes that they refine no more is forgotten, though the meshes live on.
+// Evaluators of meshes that a filter no longer refines are deleted, even if the meshes still exist.
 template <typename Filter, typename Setter>
 void TestMemory(RelevoCheck& check, RelevoWatchedMetric* metric, const Setter& set)
 {
@@ -96,7 +97,7 @@ void TestMemory(RelevoCheck& check, RelevoWatchedMetric* metric, const Setter& s
     CHECK_EQUAL(metric->Evaluators, i + 1);
     CHECK_LESS_EQUAL(metric->LivingEvaluators, 2);
   }
-  // Blocks that are kept elsewhere, when others take their place.
+  // Other blocks replace the first ones, which stay alive elsewhere.
   auto blocks = MakeWatchedBlocks(2);
   const auto others = MakeWatchedBlocks(2);
   filter->SetInputDataObject(blocks);
@@ -124,7 +125,7 @@ void TestMemory(RelevoCheck& check)
     check, metric, [&](vtkAdaptiveRefinementFilter* filter) { filter->SetRefinement(recipe); });
   CHECK_EQUAL(metric->LivingEvaluators, 0);
 
-  // Without a metric nothing is kept.
+  // Without a metric nothing is cached.
   vtkNew<vtkCamera> camera;
   vtkNew<vtkAdaptiveRefinementFilter> refine;
   refine->SetInputData(RelevoMeshes::Cube());
@@ -149,7 +150,7 @@ void TestMemory(RelevoCheck& check)
   CHECK_EQUAL(other->LivingEvaluators, 0);
 }
 
-// How often points are read when a filter runs for the first time and after its camera moved.
+// How often points are read in the first run and after the camera has moved.
 std::pair<long, long> CountReads(vtkDepthTagMetric* metric)
 {
   auto blocks = MakeWatchedBlocks(1);
@@ -168,7 +169,7 @@ std::pair<long, long> CountReads(vtkDepthTagMetric* metric)
   return { first, RelevoWatchedFloats::GetReads() };
 }
 
-// Curvature is not computed again when the filter runs again.
+// Curvature is not recomputed when the filter executes again.
 void TestCurvature(RelevoCheck& check)
 {
   vtkNew<RelevoWatchedMetric> plain;
@@ -179,7 +180,7 @@ void TestCurvature(RelevoCheck& check)
   CHECK_EQUAL(with.second, without.second);
 }
 
-// Too short, or nothing at all.
+// Returns too few tags or none.
 class NoTags : public vtkDepthTagMetric
 {
 public:
@@ -217,7 +218,7 @@ void TestErrors(RelevoCheck& check)
   CHECK(fewErrors.Said("gave 2 tags for"));
 }
 
-// A composite's evaluator follows it: weights, parts that come and go, parts of one metric.
+// The evaluator of a composite follows changes of weights and parts, and parts of the same metric.
 void TestComposite(RelevoCheck& check)
 {
   auto mesh = RelevoMeshes::Sphere(9, 7);
@@ -252,10 +253,7 @@ void TestComposite(RelevoCheck& check)
   compare();
 }
 
-//------------------------------------------------------------------------------
-// Threads
-
-// A filter with a mesh and a camera of its own, and what it gave.
+// A filter with a mesh, a camera and its result.
 class Runner
 {
 public:
@@ -322,8 +320,8 @@ void TestThreads(RelevoCheck& check, vtkDepthTagMetric* metric, int rule, int re
   CHECK(apart.first[0].first > 1000 && apart.second[0].first > 1000);
 }
 
-// A ball that can be asked by one thread at a time, as many functions of VTK, and tells whether it
-// was asked by two.
+// A ball that, like many implicit functions of VTK, only one thread may evaluate at a time. It
+// detects concurrent calls.
 class WatchedFunction : public vtkImplicitFunction
 {
 public:
@@ -363,7 +361,7 @@ void TestFunctionInThreads(RelevoCheck& check)
   }
   CHECK_EQUAL(watched->Overlaps, 0);
 
-  // One that writes a member when it is asked.
+  // This function modifies a member during evaluation.
   vtkNew<vtkImageData> image;
   image->SetDimensions(9, 9, 9);
   image->SetOrigin(-2, -2, -2);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkRegionDepthTagMetric against levels by hand.
+// vtkRegionDepthTagMetric promises levels by the distance from a ball or an implicit function,
+// compared with values computed by hand.
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 
@@ -51,7 +52,7 @@ struct Scene
   RelevoMeshes::Mesh Mesh = Line();
 };
 
-// A picked point.
+// The ball around a picked point.
 void TestBall(RelevoCheck& check)
 {
   Scene scene;
@@ -64,23 +65,23 @@ void TestBall(RelevoCheck& check)
     CHECK(i == 0 || tags[i] <= tags[i - 1]);
   }
   CHECK(tags[2] == 5.0f && tags[10] == 0.0f);
-  // In world coordinates.
+  // The region is in world coordinates.
   vtkNew<vtkTransform> transform;
   transform->Translate(1, 0, 0);
   transform->Scale(2, 2, 2);
   scene.View.ModelToWorld = transform->GetMatrix();
   CHECK_NEAR(scene.GetTags(5)[1], 5.0 * Smooth(1.0, 2.0), 1e-5);
   scene.View.ModelToWorld = nullptr;
-  // Automatic: a tenth of the diagonal of 3.
+  // The automatic fall-off is a tenth of the diagonal, which is 3.
   scene.Metric->SetFallOff(0.0);
   scene.Metric->SetCenter(0.1, 0, 0);
   CHECK_NEAR(scene.GetTags(5)[3], 5.0 * Smooth(0.15, 0.3), 1e-4);
-  // A region out of the mesh's reach.
+  // The region is too far from the mesh to have an effect.
   scene.Metric->SetCenter(50, 0, 0);
   CHECK_EQUAL(scene.GetTags(5), std::vector<float>(13, 0.0f));
 }
 
-// Functions: a plane, x <= 1, whose gradient may be of any length; a box.
+// Functions: the plane x <= 1 with gradients of any length, and a box.
 void TestFunctions(RelevoCheck& check)
 {
   Scene scene;
@@ -102,12 +103,13 @@ void TestFunctions(RelevoCheck& check)
   box->SetBounds(-1, 1, -1, 1, -1, 1);
   scene.Metric->SetImplicitFunction(box);
   CHECK_NEAR(scene.GetTags(4)[6], 4.0 * Smooth(0.5, 1.5), 1e-5);
-  // A sphere's function is no distance: to the first order it is, (r^2 - 1) / (2 r) for r - 1.
+  // A sphere's function is not a distance, but the first-order estimate is (r^2 - 1) / (2 r) for r
+  // - 1.
   vtkNew<vtkSphere> sphere;
   sphere->SetRadius(1.0);
   scene.Metric->SetImplicitFunction(sphere);
   CHECK_NEAR(scene.GetTags(4)[5], 4.0 * Smooth(0.225, 1.5), 1e-5);
-  // A plane without a normal: 0 is inside.
+  // A plane without a normal has the value 0 everywhere, so all points are inside.
   plane->SetNormal(0, 0, 0);
   scene.Metric->SetImplicitFunction(plane);
   CHECK(AreLevels(scene.GetTags(4), 13, 4));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkScreenEdgeDepthTagMetric against projected lengths by hand.
+// vtkScreenEdgeDepthTagMetric promises levels by the projected lengths of edges, compared with
+// values computed by hand.
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 
@@ -14,19 +15,20 @@ namespace
 {
 struct Scene : FrontView
 {
-  // A parallel projection has the same 100 pixels for a unit.
+  // In a parallel projection, too, one unit covers 100 pixels.
   Scene() { this->Camera->SetParallelScale(2.0); }
   std::vector<float> GetTags(vtkPolyData* mesh, int maximumLevel)
   {
     return TagsOf(this->Metric, mesh, this->View, maximumLevel);
   }
-  // Of the first point.
+  // The tag of the first point.
   float GetTag(vtkPolyData* mesh, int maximumLevel) { return this->GetTags(mesh, maximumLevel)[0]; }
 
   vtkNew<vtkScreenEdgeDepthTagMetric> Metric;
 };
 
-// The edges of point 0 are 0.8 and 0.6 long, that of 1 and 2 is 1; point 3 has none.
+// The edges of point 0 have lengths 0.8 and 0.6; that between 1 and 2 has length 1. Point 3 has no
+// edge.
 RelevoMeshes::Mesh MakeTriangle()
 {
   return RelevoMeshes::FromTriangles(
@@ -34,7 +36,7 @@ RelevoMeshes::Mesh MakeTriangle()
     { { { 0, 1, 2 } } });
 }
 
-// Such a triangle behind the eye.
+// The same triangle behind the eye.
 RelevoMeshes::Mesh MakeTriangleBehind()
 {
   return RelevoMeshes::FromTriangles(
@@ -59,7 +61,7 @@ void TestLengths(RelevoCheck& check)
   CHECK_EQUAL(scene.GetTags(mesh, 6)[1], 0.0f);
 }
 
-// The actor's matrix counts, and so does the size of the window.
+// The actor's matrix and the window's size take effect.
 void TestMatrixAndViewport(RelevoCheck& check)
 {
   Scene scene;
@@ -72,13 +74,13 @@ void TestMatrixAndViewport(RelevoCheck& check)
   scene.View.ViewportSize[0] = 1280;
   scene.View.ViewportSize[1] = 800;
   CHECK_NEAR(scene.GetTag(mesh, 6), 4.0, 1e-5);
-  scene.View.ViewportSize[0] = 200; // a narrow window has the scale of its height
+  scene.View.ViewportSize[0] = 200; // only the window's height decides the scale
   CHECK_NEAR(scene.GetTag(mesh, 6), 4.0, 1e-5);
 }
 
-// Spheres do not depend on where an edge points: seen from the side as long as the edge, else
-// length over distance; also behind the eye. (The ones of points 0 and 1, 0 and 2 are beside the
-// middle of the view.)
+// With SphereDiameter the level does not depend on the edge's direction: it is that of an edge seen
+// from the side, or length over distance, even behind the eye. The spheres of the edges from point
+// 0 to 1 and to 2 lie beside the centre of the view.
 void TestSpheres(RelevoCheck& check)
 {
   Scene scene;
@@ -104,7 +106,7 @@ void TestSpheres(RelevoCheck& check)
   CHECK(errors.Said("must be one of PROJECTED_LENGTH (0), SPHERE_DIAMETER (1)"));
 }
 
-// A height of 2 * 2 units in 400 pixels, also behind the eye.
+// A height of 2 * 2 units covers 400 pixels, even behind the eye.
 void TestParallel(RelevoCheck& check)
 {
   Scene scene;
@@ -113,20 +115,20 @@ void TestParallel(RelevoCheck& check)
   CHECK_NEAR(scene.GetTag(MakeTriangleBehind(), 6), 3.0, 1e-5);
 }
 
-// Nothing behind the eye, and edges cut at the near plane.
+// Edges behind the eye have no length. Others are clipped at the near plane.
 void TestPerspective(RelevoCheck& check)
 {
   Scene scene;
   CHECK_EQUAL(scene.GetTag(MakeTriangleBehind(), 6), 0.0f);
-  // Of the edge from 1 below the axis at the eye's depth to 1 below at depth 4, the part beyond
-  // depth 1 projects from 1 to 1/4 of half the height: 150 pixels.
+  // The edge leads from 1 below the axis at the eye's depth to 1 below it at depth 4. Its part
+  // beyond depth 1 projects to the range from 1 to 1/4 of half the height: 150 pixels.
   scene.Camera->SetClippingRange(1.0, 100.0);
   auto across = RelevoMeshes::FromTriangles(
     { { { 0, -1, 2 } }, { { 0, -1, -2 } }, { { 0, -1.001, 2 } } }, { { { 0, 1, 2 } } });
   scene.Metric->SetReferenceLength(0.01);
   CHECK_NEAR(std::exp2(scene.GetTag(across, 20)), 15000.0, 10.0);
   scene.Metric->SetReferenceLength(1.0);
-  // Through the eye itself, along the axis: a point on the screen.
+  // An edge through the eye along the axis projects to a single point.
   auto axis = RelevoMeshes::FromTriangles(
     { { { 0, 0, 4 } }, { { 0, 0, 0 } }, { { 0, 1e-9, 4 } } }, { { { 0, 1, 2 } } });
   CHECK(AreLevels(scene.GetTags(axis, 5), 3, 5));
@@ -145,7 +147,7 @@ void TestFarFromOrigin(RelevoCheck& check)
   CHECK_NEAR(scene.GetTag(far, 6), std::log2(7.5), 1e-4);
 }
 
-// For all lengths up to 2^7 segments, one pixel for a unit.
+// Tests all lengths up to 2^7 segments, with one pixel per unit.
 void TestLogarithm(RelevoCheck& check)
 {
   vtkNew<vtkScreenEdgeDepthTagMetric> metric;
@@ -170,8 +172,8 @@ void TestLogarithm(RelevoCheck& check)
   CHECK_EQUAL(last, 7.0f);
 }
 
-// Segments of the first edge of each face: at most sqrt(2) of the reference. Returns the edges that
-// are in front of the eye and do not have the highest level.
+// Segments of the first edge of each face have at most sqrt(2) times the reference length. Returns
+// the number of edges in front of the eye below the highest level.
 int CheckSegments(
   RelevoCheck& check, vtkCamera* camera, vtkPolyData* mesh, const std::vector<float>& tags)
 {
@@ -205,8 +207,8 @@ int CheckSegments(
   return edges;
 }
 
-// Properties over random cameras: segments of at most sqrt(2) of the reference, more pixels and a
-// shorter reference never give less.
+// With random cameras, segments have at most sqrt(2) times the reference length. More pixels and a
+// shorter reference length never give lower levels.
 void TestRandomCameras(RelevoCheck& check)
 {
   Scene scene;

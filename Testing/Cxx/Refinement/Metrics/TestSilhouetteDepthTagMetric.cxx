@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkSilhouetteDepthTagMetric against levels by hand, on open and closed surfaces.
+// vtkSilhouetteDepthTagMetric promises levels by normals or by the contour, compared with values
+// computed by hand on open and closed surfaces.
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 
@@ -32,14 +33,14 @@ struct Scene
   relevo::RefinementView View;
 };
 
-// With the normal +z.
+// A triangle with normal +z.
 RelevoMeshes::Mesh MakeTriangle()
 {
   return RelevoMeshes::FromTriangles(
     { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } }, { { { 0, 1, 2 } } });
 }
 
-// With normals of its own, of which zero and NaN do not count.
+// A triangle with point normals. Zero and NaN normals are ignored.
 RelevoMeshes::Mesh MakeTriangleWithNormals()
 {
   auto triangle = MakeTriangle();
@@ -52,7 +53,7 @@ RelevoMeshes::Mesh MakeTriangleWithNormals()
   return triangle;
 }
 
-// A triangle seen from its first corner's direction (0, s, c).
+// A triangle seen from the direction (0, s, c) of its first corner.
 void TestNormalAngle(RelevoCheck& check)
 {
   Scene scene;
@@ -78,7 +79,7 @@ void TestNormalAngle(RelevoCheck& check)
   }
 }
 
-// The mesh's own normals win.
+// The mesh's normals have precedence.
 void TestOwnNormals(RelevoCheck& check)
 {
   Scene scene;
@@ -94,20 +95,20 @@ void TestOwnNormals(RelevoCheck& check)
   CHECK_NEAR(scene.GetTags(triangle, 5)[0], 5.0 * (1.0 - 2.0 / std::sqrt(13.0)), 1e-5);
   scene.View.ModelToWorld = nullptr;
 
-  // The eye on a vertex.
+  // The eye is at a vertex.
   scene.Camera->SetFocalPoint(0, 0, -1);
   scene.Camera->SetPosition(0, 0, 0);
   CHECK_EQUAL(scene.GetTags(triangle, 5)[0], 5.0f);
   CHECK(SurvivesOddMeshes(scene.Metric));
 }
 
-// On a fine sphere seen from the distance D the contour is where the radius has the cosine 1 / D,
-// and nowhere else is the level higher.
+// On a fine sphere seen from distance D, the contour is where the radius has the cosine 1 / D.
+// Levels are highest there.
 void TestFineSphere(RelevoCheck& check)
 {
   Scene scene;
   auto sphere = RelevoMeshes::Sphere(64, 63);
-  scene.Camera->SetPosition(0, 0, 1.5); // of a radius of 1/2: D = 3
+  scene.Camera->SetPosition(0, 0, 1.5); // the radius is 1/2, so D = 3
   const auto tags = scene.GetTags(sphere, 5);
   for (vtkIdType point = 0; point < sphere->GetNumberOfPoints(); ++point)
   {
@@ -119,7 +120,7 @@ void TestFineSphere(RelevoCheck& check)
   }
 }
 
-// A triangle is nothing but border.
+// All edges of a single triangle are border edges.
 void TestBorder(RelevoCheck& check)
 {
   Scene scene;
@@ -129,7 +130,7 @@ void TestBorder(RelevoCheck& check)
   CHECK_EQUAL(scene.GetTags(MakeTriangleWithNormals(), 5), std::vector<float>(3, 5.0f));
 }
 
-// A tube of many sides around the y axis, and its contour seen across.
+// A tube with many sides around the y axis, and its contour seen from the side.
 struct TubeScene : Scene
 {
   TubeScene()
@@ -159,7 +160,7 @@ struct TubeScene : Scene
   std::vector<RelevoMeshes::Triangle> Triangles;
 };
 
-// Contour where a strip faces away, fading to 0 with the cosine over the width.
+// The contour is where a strip faces away. Levels fade to 0 with the cosine over the width.
 void TestTube(RelevoCheck& check)
 {
   TubeScene scene;
@@ -169,13 +170,13 @@ void TestTube(RelevoCheck& check)
   int faded = 0;
   for (int i = 0; i < sides; ++i)
   {
-    // The strips on the two sides have their normals half a step away.
+    // The normals of the strips on the two sides are half a step away.
     const double before = std::sin(2.0 * vtkMath::Pi() * (i - 0.5) / sides);
     const double after = std::sin(2.0 * vtkMath::Pi() * (i + 0.5) / sides);
     const double f = before * after <= 0.0 ? 0.0 : std::min(std::abs(before), std::abs(after));
-    // The diagonals lie in strips of one cosine, the edges across between two equal ones.
+    // Diagonals lie within strips of one cosine, the edges across between two equal strips.
     CHECK_NEAR(tags[3 * i + 1], 5.0 * std::max(0.0, 1.0 - f / 0.3), 1e-3);
-    CHECK_EQUAL(tags[3 * i], 5.0f); // the border
+    CHECK_EQUAL(tags[3 * i], 5.0f); // on the border
     contours += tags[3 * i + 1] == 5.0f;
     faded += tags[3 * i + 1] > 0.0f && tags[3 * i + 1] < 5.0f;
   }
@@ -183,7 +184,7 @@ void TestTube(RelevoCheck& check)
   CHECK_GREATER(faded, 4);
 }
 
-// Seams are no borders, and neither are triangles that wind against each other.
+// Seams and edges between triangles of opposite winding are not borders.
 void TestSeams(RelevoCheck& check)
 {
   TubeScene scene;
@@ -210,7 +211,7 @@ void TestSeams(RelevoCheck& check)
   CHECK(SurvivesOddMeshes(scene.Metric));
 }
 
-// A wider contour never gives less, over random cameras.
+// With random cameras, a wider contour never gives lower levels.
 void TestWidths(RelevoCheck& check)
 {
   Scene scene;

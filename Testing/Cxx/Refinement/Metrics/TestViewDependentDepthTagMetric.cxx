@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkViewDependentDepthTagMetric against levels by hand; monotone in spread and in the view.
+// vtkViewDependentDepthTagMetric promises levels by the spread of normals and the view direction,
+// compared with values computed by hand. Levels rise with both.
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 
@@ -12,7 +13,8 @@
 
 namespace
 {
-// An apex over a square, its faces sloping by `slope` radians: the spread of normals at point 0.
+// An apex over a square with faces of slope `slope` in radians, which is the spread of normals at
+// point 0.
 RelevoMeshes::Mesh Pyramid(double slope)
 {
   const double h = std::tan(slope);
@@ -39,7 +41,7 @@ struct Scene
   relevo::RefinementView View;
 };
 
-// Pyramids seen from all sides; the metric has no unit.
+// Pyramids seen from all sides, at several scales.
 void TestPyramids(RelevoCheck& check, Scene& scene, double weight, double scale)
 {
   float ofView = -1.0f;
@@ -92,7 +94,8 @@ void TestSpreadAndView(RelevoCheck& check)
   }
 }
 
-// Flat is flat from everywhere, and over random cameras a greater limit never gives more.
+// Flat meshes have level 0 in every view. With random cameras, a larger MaximumSpread never gives
+// higher levels.
 void TestRandomCameras(RelevoCheck& check)
 {
   Scene scene;
@@ -111,7 +114,7 @@ void TestRandomCameras(RelevoCheck& check)
     }
     const auto tags = scene.GetTags(sphere, 5);
     CHECK(AreLevels(tags, sphere->GetNumberOfPoints(), 5));
-    // Points that coincide are one point.
+    // Coincident points share their tag.
     const auto ofExploded = scene.GetTags(exploded, 5);
     for (vtkIdType cell = 0; cell < sphere->GetNumberOfCells(); ++cell)
     {
@@ -130,7 +133,7 @@ void TestRandomCameras(RelevoCheck& check)
   }
 }
 
-// The eye on the apex; a fold whose normals cancel out.
+// The eye at the apex, and a fold whose normals cancel.
 void TestOddMeshes(RelevoCheck& check)
 {
   Scene scene;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// NestedPattern: all 512 patterns are exact triangulations; for any tags of their levels no
-// triangle turns over; a surface is continuous where levels change, to which a pattern whose
-// vertices do not move is the control; and the points of an edge have the same bits in every face.
+// Proves guide.md on geomorphing with nested patterns: all 512 patterns are exact triangulations,
+// no tags flip a triangle, and faces compute the points of an edge bit for bit alike. The surface
+// is continuous where levels change; a pattern whose vertices do not move is the negative control.
 #include "RelevoCheck.h"
 #include "RelevoPatternCheck.h"
 
@@ -43,7 +43,7 @@ void ForEachLevels(int maximumLevel, Visitor&& visit)
   }
 }
 
-// All that are asked for, kept by one library.
+// All patterns of this test come from one library.
 const relevo::PatternLibrary& GetLibrary()
 {
   static const relevo::PatternLibrary library;
@@ -68,7 +68,7 @@ Levels Round(const Tags& tags, int maximumLevel)
   return levels;
 }
 
-// A pattern as its vertices stand for tags, in the plane of (v, w).
+// The vertices of a pattern for some tags, in the plane of (v, w).
 struct Sheet
 {
   Sheet(const Tags& tags, int maximumLevel)
@@ -76,7 +76,7 @@ struct Sheet
   {
   }
 
-  // The levels have a name, so that no compiler takes the pattern for a part of a temporary.
+  // The levels are a parameter so that compilers do not treat the pattern as part of a temporary.
   Sheet(const Tags& tags, int maximumLevel, const Levels& levels)
     : Pattern(GetPattern(levels))
   {
@@ -105,13 +105,13 @@ struct Sheet
   std::vector<float> Weights;
 };
 
-// Some function on the face, curved everywhere.
+// A function on the face that is curved everywhere.
 double Height(const Triple& p)
 {
   return std::sin(3.0 * p[1] + 1.0) * std::cos(2.0 * p[2]) + p[1] * p[2];
 }
 
-// The piecewise linear interpolation of Height() at a point.
+// Piecewise linear interpolation of Height() at a point.
 double Interpolate(const Sheet& sheet, const Triple& point)
 {
   double best = -1.0;
@@ -139,7 +139,7 @@ double Interpolate(const Sheet& sheet, const Triple& point)
   return height;
 }
 
-// The largest difference between two surfaces at points strewn over the face.
+// Largest difference between two surfaces at random points of the face.
 double Distance(const Sheet& one, const Sheet& other, int numberOfPoints, std::mt19937& random)
 {
   std::uniform_real_distribution<float> any(0.0f, 1.0f);
@@ -203,7 +203,7 @@ void TestThreads(RelevoCheck& check)
   }
 }
 
-// A tag that has this level: anywhere, or near one of the ends.
+// A random tag of this level, sometimes close to its ends.
 float RandomTag(int level, int maximumLevel, std::mt19937& random)
 {
   std::uniform_real_distribution<float> any(0.0f, 1.0f);
@@ -230,8 +230,8 @@ double ShortestSide(const Triple& a, const Triple& b, const Triple& c)
   return std::min({ distance(a, b), distance(b, c), distance(c, a) });
 }
 
-// No triangle turns over; together they cover the face once. A triangle is empty only if two of its
-// corners coincide, or nearly and rounding makes it so; else it would be a gap in a curved surface.
+// No triangle flips, and together they cover the face once. A triangle may be empty only if two
+// corners coincide up to rounding; any other empty triangle would be a gap in a curved surface.
 void CheckSheet(RelevoCheck& check, const Sheet& sheet)
 {
   double area = 0.0;
@@ -276,7 +276,7 @@ void TestOrientation(RelevoCheck& check)
     });
 }
 
-// Vertices stand at their own places where every level is complete.
+// When all levels are complete, vertices reach their final positions.
 void TestArrival(RelevoCheck& check)
 {
   for (int level = 0; level <= Highest; ++level)
@@ -301,7 +301,7 @@ void TestArrival(RelevoCheck& check)
   }
 }
 
-// Surfaces just below and above the places where levels change.
+// Surfaces just below and just above level changes are close.
 void TestContinuity(RelevoCheck& check)
 {
   std::mt19937 random(2);
@@ -338,7 +338,7 @@ void TestContinuity(RelevoCheck& check)
   CHECK_GREATER(control, 0.05);
 }
 
-// The weights of the points on an edge are those of its tag alone, whichever edge it is.
+// Weights of points on an edge depend only on the edge's tag, whichever edge of the face it is.
 void TestSharedEdges(RelevoCheck& check)
 {
   std::mt19937 random(3);
@@ -359,7 +359,7 @@ void TestSharedEdges(RelevoCheck& check)
       tags[edge] = tag;
       const Sheet sheet(tags, maximumLevel);
       std::vector<unsigned int> vertices = EdgeVertices(sheet.Pattern, edge);
-      if (edge == 2) // goes from corner 2 to corner 0
+      if (edge == 2) // leads from corner 2 to corner 0
       {
         std::reverse(vertices.begin(), vertices.end());
       }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Shape and number of the patterns' triangles, in the equilateral triangle, against SUAPT and
-// against what no triangulation can surpass.
+// vtkRefinementPatternTable promises the number of triangles and their smallest angles. In the
+// equilateral triangle, they are compared with SUAPT and with the theoretical optimum.
 #include "RelevoCheck.h"
 #include "RelevoPatternQuality.h"
 
@@ -27,7 +27,7 @@ double Degrees(double radians)
   return 180.0 / Pi * radians;
 }
 
-/// The smallest angle of each triangle, in degrees; degenerate triangles are left out.
+/// Smallest angle of each triangle in degrees. Degenerate triangles are skipped.
 std::vector<double> SmallestAngles(const relevo::RefinementPattern& pattern)
 {
   std::vector<double> angles;
@@ -41,8 +41,8 @@ std::vector<double> SmallestAngles(const relevo::RefinementPattern& pattern)
   return angles;
 }
 
-/// The largest angle that a triangulation can have at a corner whose edges' first points are at
-/// distances of this ratio: m triangles there have 60 degrees and m ratios of sides to share.
+/// Largest possible smallest angle at a corner whose edges' first points have distances of this
+/// ratio: m triangles share 60 degrees and m ratios of sides.
 double LargestPossibleAngle(double ratio)
 {
   double largest = 0.0;
@@ -70,7 +70,7 @@ double Mean(const std::vector<double>& values)
   return sum / values.size();
 }
 
-// Numbers of triangles by their smallest angle, in steps of 5 degrees.
+// Counts triangles by their smallest angle, in steps of 5 degrees.
 using Histogram = std::array<int, 12>;
 
 void AddAngles(Histogram& histogram, const std::vector<double>& angles)
@@ -81,7 +81,7 @@ void AddAngles(Histogram& histogram, const std::vector<double>& angles)
   }
 }
 
-// Of our patterns or of SUAPT's.
+// Quality of our patterns or of SUAPT's.
 struct Quality
 {
   void Add(int difference, const std::vector<double>& angles)
@@ -97,15 +97,15 @@ struct Quality
   Histogram Angles = {};
 };
 
-// What is gathered over all patterns.
+// Results over all patterns.
 struct Survey
 {
   Quality Ours;
   Quality Suapt;
-  // Triangles against the geometric and the arithmetic mean of the levels' uniform patterns.
+  // Triangles relative to the geometric and the arithmetic mean of the levels' uniform patterns.
   double Fewest = 10.0;
   double Most = 0.0;
-  // Seconds.
+  // In seconds.
   double Slowest = 0.0;
   double Total = 0.0;
 };
@@ -138,7 +138,7 @@ void TestPattern(
     return;
   }
 
-  // Between the geometric and the arithmetic mean of the levels' uniform patterns.
+  // The count lies between the geometric and the arithmetic mean of the uniform patterns.
   const double geometric = std::pow(4.0, (i + j + k) / 3.0);
   const double arithmetic = (std::pow(4.0, i) + std::pow(4.0, j) + std::pow(4.0, k)) / 3.0;
   survey.Fewest = std::min(survey.Fewest, pattern.GetNumberOfTriangles() / geometric);
@@ -148,7 +148,8 @@ void TestPattern(
   const int difference = i - k;
   survey.Ours.Add(difference, angles);
   survey.Suapt.Add(difference, suapt);
-  // Across one level SUAPT's halved equilateral triangles have the largest angle possible.
+  // For one level of difference, SUAPT's halved equilateral triangles have the largest possible
+  // angle.
   CHECK(difference == 1 ? Minimum(angles) > Minimum(suapt) - 0.1
                         : Minimum(angles) > 1.8 * Minimum(suapt));
   CHECK_GREATER(Minimum(angles), 0.8 * LargestPossibleAngle(1 << difference));
@@ -187,7 +188,7 @@ void Print(const Survey& survey, vtkRefinementPatternTable* table)
             << " ms for the slowest; memory: " << table->GetMemorySize() << " bytes\n";
 }
 
-// Measured 30.0, 20.0, 17.6, 13.9, 11.3, 9.3, 8.2 degrees.
+// The measured angles are 30.0, 20.0, 17.6, 13.9, 11.3, 9.3 and 8.2 degrees.
 void TestSurvey(RelevoCheck& check, const Survey& survey)
 {
   const Quality& ours = survey.Ours;

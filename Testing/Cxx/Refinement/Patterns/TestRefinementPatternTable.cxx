@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkRefinementPatternTable: patterns are exact triangulations, permutations fit the levels asked
-// for, files come back as they were and damaged ones are refused.
+// vtkRefinementPatternTable promises exact triangulations for all levels in any order. Files are
+// read back unchanged, and damaged files are errors.
 #include "RelevoCheck.h"
 #include "RelevoPatternCheck.h"
 
@@ -93,7 +93,7 @@ void TestPatterns(RelevoCheck& check)
   }
 }
 
-/// Number of points on each edge of a polydata in the triangle (0,0), (1,0), (0,1).
+/// Number of segments on each edge of the triangle (0, 0), (1, 0), (0, 1).
 std::array<int, 3> CountSegments(vtkPolyData* polyData)
 {
   std::array<int, 3> segments = { -1, -1, -1 };
@@ -146,7 +146,7 @@ void CheckPolyData(RelevoCheck& check, vtkPolyData* polyData)
 
 void TestPermutations(RelevoCheck& check)
 {
-  // The method's own examples (Lenz 2009, tab. 4.2).
+  // Examples of the method's publication (Lenz 2009, tab. 4.2).
   const struct
   {
     int Levels[3];
@@ -290,7 +290,7 @@ void TestFile(RelevoCheck& check, const std::string& fileName)
   CHECK(errors.None());
   CHECK_EQUAL(read->GetMaximumLevel(), 4);
   CHECK_GREATER(read->GetMTime(), time);
-  CHECK(IsSame(*former, copy)); // who refers to a pattern keeps it
+  CHECK(IsSame(*former, copy)); // a pattern lives as long as it is used
   ForEachLevels(4,
     [&](int i, int j, int k)
     {
@@ -299,7 +299,7 @@ void TestFile(RelevoCheck& check, const std::string& fileName)
     });
 }
 
-// The bytes of a good file, what becomes of them, and a table that must refuse that.
+// Modifies the bytes of a valid file. A table must report an error for the result.
 struct BadFiles
 {
   explicit BadFiles(const char* folder)
@@ -360,7 +360,7 @@ void TestWrongNumbers(RelevoCheck& check, BadFiles& files, const std::string& by
   refuses(40, 0x7f800000, "weights"); // infinity
   refuses(40, 0xbf800000, "weights"); // -1
   refuses(40, 0x3f000000, "weights"); // 0.5, 0, 0
-  refuses(76, 3, "does not exist");   // the first triangle's first index
+  refuses(76, 3, "does not exist");   // the first index of the first triangle
   refuses(76, 1, "degenerate");
 }
 
@@ -377,7 +377,7 @@ void TestFileNames(RelevoCheck& check, BadFiles& files)
     errors.Said("cannot be written"));
 }
 
-// Any other damage is refused, or leaves valid patterns (a shifted inner point).
+// Other damage is an error or leaves valid patterns, such as a shifted inner point.
 void TestRandomDamage(RelevoCheck& check, const BadFiles& files, const std::string& bytes)
 {
   std::uint32_t random = 1;
@@ -423,12 +423,12 @@ void TestBadVTP(RelevoCheck& check, BadFiles& files, const std::string& bytes)
   CHECK(!files.Table->Read(vtp.c_str()) && files.Errors.Said("RefinementPatterns.bad.vtp"));
 }
 
-// What cannot be read leaves the table as it was.
+// A file that cannot be read leaves the table unchanged.
 void TestBadFiles(RelevoCheck& check, const char* folder)
 {
   BadFiles files(folder);
   const std::string bytes = files.WriteGood(check, "/RefinementPatterns.good");
-  // Signature, version 1, MaximumLevel 2, ten patterns, the first of 1, 1, 1 segments.
+  // Signature, version 1, MaximumLevel 2, ten patterns, and a first pattern of 1, 1, 1 segments.
   const unsigned char head[] = { 'R', 'e', 'l', 'e', 'v', 'o', 'R', 'P', 1, 0, 0, 0, 2, 0, 0, 0, 10,
     0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 3, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0x80, 0x3f };
   CHECK_GREATER(bytes.size(), sizeof(head));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Displaced point = point + (Offset + Scale * height) * direction.
+// vtkDisplacement promises: the displaced point is point + (Offset + Scale * height) * direction.
+// At seams and split normals, both sides move together.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
@@ -22,7 +23,8 @@ using namespace RelevoMeshes;
 
 namespace
 {
-// Bilinear between texel centres at (i + 0.5) / n, clamped outside; row 0 at v = 0.
+// Bilinear interpolation between texel centres at (i + 0.5) / n, clamped outside. Row 0 is at v =
+// 0.
 double getHeight(vtkHeightField* heights, double u, double v)
 {
   int n[2];
@@ -72,7 +74,7 @@ void testHeights(RelevoCheck& check)
   CHECK_NEAR(reach[1], 1.0 - 2.0 * range[0], 1e-12);
 }
 
-// Against the same recipe without displacement: its points and unit normals.
+// The reference is the same recipe without displacement: its points and unit normals.
 void testFormula(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> heights;
@@ -139,14 +141,14 @@ void testFormula(RelevoCheck& check)
   }
 }
 
-// A seam: points 0 to 3 see the left half of the map, 4 to 7 the right half.
+// At a texture seam, points 0 to 3 see the left half of the map and points 4 to 7 the right half.
 void testSeam(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> heights;
   heights->FillRandom(32, 32, 8);
   for (bool swapped : { false, true })
   {
-    // Two squares side by side; the seam is x = 1, with points 1 2 or 4 7 on it.
+    // Two adjacent squares. The seam is at x = 1, with points 1, 2, 4 and 7 on it.
     std::vector<std::array<double, 3>> points = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } },
       { { 0, 1, 0 } }, { { 1, 0, 0 } }, { { 2, 0, 0 } }, { { 2, 1, 0 } }, { { 1, 1, 0 } } };
     std::vector<Triangle> triangles = { { { 0, 1, 2 } }, { { 0, 2, 3 } }, { { 4, 5, 6 } },
@@ -176,7 +178,7 @@ void testSeam(RelevoCheck& check)
       const double* p = refined->GetPoint(i);
       if (p[0] == 1.0)
       {
-        // The lower ids' texture coordinates.
+        // The point with the lower id provides the texture coordinates.
         CHECK_NEAR(p[2], getHeight(heights, 0.2, 0.1 + 0.8 * p[1]), 2e-6);
         ++onSeam;
       }
@@ -191,7 +193,8 @@ void testSeam(RelevoCheck& check)
   }
 }
 
-// Normals on the two sides of a texture seam often differ by rounding alone: that is no crease.
+// Normals on the two sides of a texture seam often differ only by rounding. Such an edge is not a
+// crease.
 void testRoundedNormals(RelevoCheck& check)
 {
   Mesh sphere = TexturedSphere(16, 12);
@@ -200,7 +203,7 @@ void testRoundedNormals(RelevoCheck& check)
   recipe->SetMaximumLevel(3);
   recipe->SetSurface(surface);
   vtkNew<vtkAdaptiveRefinementFilter> filter;
-  RelevoErrors errors(filter); // the poles are degenerate
+  RelevoErrors errors(filter); // the triangles at the poles are degenerate
   filter->SetInputData(sphere);
   filter->SetRefinement(recipe);
   filter->Update();
@@ -223,7 +226,7 @@ void testRoundedNormals(RelevoCheck& check)
   }
 }
 
-// Where normals are split, both sides move along the mean of them.
+// Where normals are split, both sides move along their mean.
 void testSplitNormals(RelevoCheck& check)
 {
   vtkNew<vtkDisplacement> displacement;
@@ -241,7 +244,7 @@ void testSplitNormals(RelevoCheck& check)
       CHECK_NEAR(refined->GetPoint(i)[c], grown * cube->GetPoint(i)[c], 1e-6);
     }
   }
-  // A loose vertex at a corner has no say.
+  // A vertex cell at a corner has no influence.
   Mesh withVertex = Make();
   withVertex->DeepCopy(cube);
   const vtkIdType vertex = withVertex->GetPoints()->InsertNextPoint(cube->GetPoint(0));
@@ -254,7 +257,7 @@ void testSplitNormals(RelevoCheck& check)
   CHECK_LESS(vtkMath::Distance2BetweenPoints(other->GetPoint(0), refined->GetPoint(0)), 1e-12);
 }
 
-// Vertices and lines stay where they are, also where they share points with faces that move.
+// Vertices and lines stay in place, even if they share points with faces that move.
 void testOtherCells(RelevoCheck& check)
 {
   Mesh mesh = Mixed();

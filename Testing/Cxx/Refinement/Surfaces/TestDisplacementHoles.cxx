@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Samples without data: triangles over them are left out, or filled by choice.
+// vtkDisplacement promises: triangles over samples without data are left out, or filled if you
+// choose so.
 #include "Evaluation/HoleFinder.h"
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
@@ -24,8 +25,8 @@ using namespace RelevoMeshes;
 
 namespace
 {
-// How surely a triangle of texel positions lies over a sample without data: positive if so,
-// negative if not, by a margin in texels.
+// Margin, in texels, by which a triangle of texel positions overlaps a sample without data. It is
+// negative if the triangle does not.
 double getOverlap(const double p[3][2], RelevoHeights* heights)
 {
   int n[2];
@@ -39,14 +40,14 @@ double getOverlap(const double p[3][2], RelevoHeights* heights)
       {
         continue;
       }
-      // Bilinear sampling at a vertex draws on the samples less than one texel away.
+      // Bilinear interpolation at a vertex uses the samples less than one texel away.
       for (int i = 0; i < 3; ++i)
       {
         const double cx = std::min(std::max(p[i][0], 0.0), n[0] - 1.0);
         const double cy = std::min(std::max(p[i][1], 0.0), n[1] - 1.0);
         overlap = std::max(overlap, std::min(1.0 - std::abs(cx - x), 1.0 - std::abs(cy - y)));
       }
-      // Inside: the same side of all edges.
+      // A sample is inside if it lies on the same side of all edges.
       double inside[2] = { 1e300, 1e300 };
       for (int i = 0; i < 3; ++i)
       {
@@ -107,7 +108,7 @@ void testAgainstSearch(RelevoCheck& check, Mesh mesh, vtkAdaptiveRefinement* rec
     getPositions(holed, cell, p);
     CHECK_LESS(getOverlap(p, heights), margin);
   }
-  // Every point is of use, and data go with it.
+  // Every point of the output is used, and its data are kept.
   std::vector<bool> used(static_cast<size_t>(holed->GetNumberOfPoints()), false);
   for (vtkIdType cell = 0; cell < holed->GetNumberOfCells(); ++cell)
   {
@@ -124,7 +125,7 @@ void testAgainstSearch(RelevoCheck& check, Mesh mesh, vtkAdaptiveRefinement* rec
   {
     CHECK_NEAR(holed->GetPointData()->GetArray("x")->GetTuple1(i), holed->GetPoint(i)[0], 1e-6);
   }
-  // The mapper counts as the filter does.
+  // The mapper uses the same count of triangles as the filter.
   relevo::RefinementMesh refinementMesh;
   CHECK(refinementMesh.Build(mesh, recipe->GetSurface(), recipe->GetDisplacement()));
   relevo::EdgeTags tags;
@@ -149,7 +150,7 @@ void addX(vtkPolyData* mesh)
   mesh->GetPointData()->AddArray(x);
 }
 
-// Heights, and a recipe that displaces by them.
+// A height field and a recipe that displaces by it.
 struct Scene
 {
   Scene()
@@ -164,7 +165,7 @@ struct Scene
   vtkNew<vtkAdaptiveRefinement> Recipe;
 };
 
-// Along the normal, at level 4.
+// Displaces along the normal at level 4.
 struct SquareScene : Scene
 {
   SquareScene()
@@ -175,7 +176,7 @@ struct SquareScene : Scene
   }
 };
 
-// With a skewed chart, so that no sample lies on an edge.
+// Texture coordinates are skewed so that no sample lies on an edge.
 Mesh makeSkewedPlane()
 {
   Mesh plane = Plane(3, 3);
@@ -201,7 +202,7 @@ Mesh makeChartedSphere()
   return sphere;
 }
 
-// Triangles larger and smaller than texels; holes inside, at the border, in a corner.
+// Random holes inside, at the border and in corners, for triangles larger and smaller than texels.
 void testRandomHoles(RelevoCheck& check)
 {
   Scene scene;
@@ -230,7 +231,7 @@ void testRandomHoles(RelevoCheck& check)
         Mesh holed = Refine(plane, scene.Recipe);
         if (holed->GetNumberOfCells() == 18 << 2 * level || holed->GetNumberOfCells() == 0)
         {
-          continue; // the hole lies beside the chart, or covers all
+          continue; // the hole lies outside the texture coordinates or covers all of them
         }
         testAgainstSearch(check, plane, scene.Recipe, scene.Heights, scene.Displacement);
       }
@@ -238,8 +239,8 @@ void testRandomHoles(RelevoCheck& check)
   }
 }
 
-// Fill keeps every triangle, and the surface stays closed; with holes it meets to the bit where it
-// is left: no edge is used thrice, or twice in one direction.
+// With Fill every triangle stays and the surface is closed. With holes the remaining triangles meet
+// exactly: no edge is used three times, or twice in the same direction.
 void testClosed(RelevoCheck& check)
 {
   SquareScene scene;
@@ -267,7 +268,7 @@ void testClosed(RelevoCheck& check)
   }
 }
 
-// No data at all: nothing is left but what is no triangle.
+// Without data, only vertices and lines remain.
 void testNoData(RelevoCheck& check)
 {
   SquareScene scene;
@@ -283,10 +284,10 @@ void testNoData(RelevoCheck& check)
   Mesh rest = Refine(mixed, scene.Recipe);
   CHECK_EQUAL(rest->GetNumberOfCells(), 3);
   CHECK_EQUAL(rest->GetNumberOfVerts(), 2);
-  CHECK_EQUAL(rest->GetNumberOfPoints(), 5); // 0, 1, 2, 22, 23
+  CHECK_EQUAL(rest->GetNumberOfPoints(), 5); // points 0, 1, 2, 22 and 23
 }
 
-// All the same texture coordinates: one sample decides.
+// If all texture coordinates are equal, one sample decides for the whole mesh.
 void testOneSample(RelevoCheck& check)
 {
   SquareScene scene;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Shading normals of displaced surfaces, against analytic ones, against those of the faces, and of
-// a mesh in pieces against the whole.
+// vtkDisplacement promises: shading normals follow the height gradient. Compared with analytic
+// normals, with normals of the refined faces, and between a mesh in pieces and the whole mesh.
 #include "RelevoCheck.h"
 #include "RelevoDisplacements.h"
 #include "RelevoTestMeshes.h"
@@ -40,7 +40,8 @@ double wave(double u, double v)
   return std::sin(Waves * u) * std::cos(Waves * v);
 }
 
-// Planes of any attitude with any affine texture coordinates, along the normal or a direction.
+// Planes of every orientation with affine texture coordinates, displaced along the normal or a
+// fixed direction.
 void testPlane(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> heights;
@@ -60,7 +61,7 @@ void testPlane(RelevoCheck& check)
     source->Update();
     Mesh mesh = Make();
     mesh->DeepCopy(source->GetOutput());
-    // u = A s + B t + C of the plane's own (s, t).
+    // Texture coordinates are u = A s + B t + C of the plane's coordinates (s, t).
     double uv[2][3];
     for (int i = 0; i < 2; ++i)
     {
@@ -116,7 +117,7 @@ void testPlane(RelevoCheck& check)
   }
 }
 
-// Constant heights: a sphere grows, its normals stay.
+// With constant heights a sphere grows and its normals stay.
 void testOffset(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> heights;
@@ -139,7 +140,7 @@ void testOffset(RelevoCheck& check)
   {
     const double* p = refined->GetPoint(i);
     CHECK_NEAR(vtkMath::Norm(p), 0.8, 2e-3);
-    // The PN triangle's quadratic normals are themselves off by about one degree here.
+    // The quadratic normals of PN triangles already deviate by about one degree here.
     CHECK_LESS(degreesBetween(p, refined->GetPointData()->GetNormals()->GetTuple(i)), 1.5);
   }
 }
@@ -150,7 +151,7 @@ struct Deviation
   double Largest = 0.0;
 };
 
-// Between the normals of the output and those of its faces, met at points.
+// Compares the output's normals with those of its faces, matched by point.
 Deviation compareWithFaces(vtkPolyData* refined, double margin)
 {
   vtkNew<vtkPolyDataNormals> faces;
@@ -169,7 +170,7 @@ Deviation compareWithFaces(vtkPolyData* refined, double margin)
     refined->GetPointData()->GetTCoords()->GetTuple(i, uv);
     if (uv[0] < margin || uv[0] > 1.0 - margin || uv[1] < margin || uv[1] > 1.0 - margin)
     {
-      continue; // seams and poles: faces of one side only
+      continue; // at seams and poles, faces lie on one side only
     }
     const double degrees = degreesBetween(refined->GetPointData()->GetNormals()->GetTuple(i),
       vtkPolyData::SafeDownCast(faces->GetOutputDataObject(0))
@@ -208,7 +209,7 @@ Vector getTorusPoint(double u, double v)
 
 using Shape = Vector (*)(double u, double v);
 
-// A grid over [0, 1]^2 with a seam; normals from differences.
+// A grid over [0, 1]^2 with a seam. Normals come from differences.
 Mesh makeGrid(Shape shape)
 {
   const int nu = 32;
@@ -250,7 +251,7 @@ Mesh makeGrid(Shape shape)
   return mesh;
 }
 
-// Bumps on spheres, cylinders and tori: normals follow them.
+// Normals follow bumps on spheres, cylinders and tori.
 void testBumps(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> heights;
@@ -270,7 +271,7 @@ void testBumps(RelevoCheck& check)
     const Deviation deviation = compareWithFaces(bumpy, 0.15);
     std::cout << shape.first << ": normals deviate by " << deviation.Mean << " degrees on average, "
               << deviation.Largest << " at most\n";
-    // What ignoring the heights would give.
+    // The error without the heights, for comparison.
     recipe->SetDisplacement(nullptr);
     Mesh plain = Refine(mesh, recipe);
     recipe->SetDisplacement(displacement);
@@ -285,7 +286,7 @@ void testBumps(RelevoCheck& check)
   }
 }
 
-// The edge of a map: no slope is lost or doubled where texels end.
+// At the edge of a map, no slope is lost or doubled.
 void testBorder(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> heights;
@@ -303,7 +304,7 @@ void testBorder(RelevoCheck& check)
   }
 }
 
-// Columns of a strip over x from first / 16 to last / 16, bent, with u going forth and back.
+// A bent strip over x from first / 16 to last / 16, whose texture coordinate u goes back and forth.
 Mesh makeStrip(int first, int last)
 {
   std::vector<Vector> points;
@@ -341,7 +342,7 @@ Mesh append(const std::vector<Mesh>& pieces)
   return all->GetOutput();
 }
 
-// A strip in pieces is displaced as the whole, with the same normals.
+// A strip in pieces is displaced like the whole strip, with the same normals.
 void testPieces(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> heights;
@@ -381,7 +382,7 @@ void testPieces(RelevoCheck& check)
           CHECK(found != normals.end() && found->second == normal);
         }
       }
-      // Here the ends of edges come in another order.
+      // In this strip, the ends of edges have the opposite order.
       const Mesh single = Refine(turned, recipe);
       CHECK_EQUAL(single->GetNumberOfCells(), expected->GetNumberOfCells());
       double farthest = 0.0;
@@ -404,7 +405,7 @@ void testPieces(RelevoCheck& check)
   }
 }
 
-// Two halves of a plane whose texture coordinates are mirror images: each side of the seam has its
+// The two halves of this plane have mirrored texture coordinates, so each side of the seam has its
 // own gradient.
 void testSeam(RelevoCheck& check)
 {
@@ -438,8 +439,8 @@ void testSeam(RelevoCheck& check)
   }
 }
 
-// Two sides of a roof whose texture coordinates go on over the ridge, with split normals: each has
-// its own gradient.
+// Texture coordinates continue over the ridge of a roof with split normals. Each side has its own
+// gradient.
 void testCrease(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> heights;
@@ -478,7 +479,7 @@ void testCrease(RelevoCheck& check)
     const double* x = flat->GetPoint(i);
     if (x[0] == 1.0 && x[2] == 0.0)
     {
-      continue; // the ridge
+      continue; // on the ridge
     }
     const bool isSecond = x[2] < 0.0;
     const Vector base = { { isSecond ? 1.0 : 0.0, 0.0, isSecond ? 0.0 : 1.0 } };

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The G1 surface against the quartic patch it stands for, computed here in double; its tangent
-// planes along edges and its normals by finite differences of its points.
+// vtkG1Surface promises: neighbouring patches share tangent planes along their edges. Points are
+// compared with the quartic patch of its documentation, computed in double; tangent planes and
+// normals with finite differences.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 #include "RelevoVector.h"
@@ -29,9 +30,9 @@ using relevo::EdgeCorners;
 
 namespace
 {
-constexpr double Epsilon = 1.0 / 128.0; // steps of finite differences
+constexpr double Epsilon = 1.0 / 128.0; // step of finite differences
 
-// A mesh's faces with a surface on them.
+// The faces of a mesh with a surface.
 class Patches
 {
 public:
@@ -46,7 +47,8 @@ public:
   Vector GetPoint(int face, const Vector& w) const { return this->Evaluate(face, w)[0]; }
   Vector GetNormal(int face, const Vector& w) const { return this->Evaluate(face, w)[1]; }
 
-  // Normal of the tangent plane by differences of points inside the face, pointing to `outside`.
+  // Normal of the tangent plane by differences of points inside the face. It points to the side of
+  // `outside`.
   Vector MeasureNormal(int face, const Vector& w, const Vector& outside) const
   {
     const Vector moves[2] = { { { -1.0, 1.0, 0.0 } }, { { -1.0, 0.0, 1.0 } } };
@@ -58,7 +60,7 @@ public:
     return this->Orient(cross(tangents[0], tangents[1]), outside);
   }
 
-  // The same on a face's edge, from this face's points alone.
+  // Normal on an edge of the face, computed from points of this face only.
   Vector MeasureEdgeNormal(int face, int edge, double t, const Vector& outside) const
   {
     Vector w = { { 0.0, 0.0, 0.0 } };
@@ -69,7 +71,7 @@ public:
     along[EdgeCorners[edge][0]] = -1.0;
     along[EdgeCorners[edge][1]] = 1.0;
     into[3 - EdgeCorners[edge][0] - EdgeCorners[edge][1]] = 1.0;
-    // One-sided, of third order.
+    // A one-sided difference of third order.
     Vector across = { { 0.0, 0.0, 0.0 } };
     const double factors[4] = { -11.0, 18.0, -9.0, 2.0 };
     for (int k = 0; k < 4; ++k)
@@ -79,7 +81,7 @@ public:
     return this->Orient(cross(this->GetDifference(face, w, along), across), outside);
   }
 
-  // Degrees between the two faces' tangent planes, the largest and the root of the mean square
+  // Angles in degrees between tangent planes of two faces: the largest and the root mean square
   // over all edges that two faces share with the same normals.
   void MeasureJumps(double& largest, double& mean) const
   {
@@ -154,21 +156,21 @@ struct QuarticPatch
   Vector P[3];
   Vector N[3];
 
-  // The cubic curve from corner i to j.
+  // Control points of the cubic curve from corner i to j.
   std::array<Vector, 4> getCurve(int i, int j) const
   {
     const Vector edge = this->P[j] - this->P[i];
     return { { this->P[i], this->P[i] + 1.0 / 3.0 * (edge - dot(edge, this->N[i]) * this->N[i]),
       this->P[j] - 1.0 / 3.0 * (edge - dot(edge, this->N[j]) * this->N[j]), this->P[j] } };
   }
-  // Control points of the curve as a quartic.
+  // Control points of the same curve, raised to degree 4.
   std::array<Vector, 5> getQuartic(int i, int j) const
   {
     const std::array<Vector, 4> c = this->getCurve(i, j);
     return { { c[0], 0.25 * c[0] + 0.75 * c[1], 0.5 * c[1] + 0.5 * c[2], 0.75 * c[2] + 0.25 * c[3],
       c[3] } };
   }
-  // The inner point near corner i that the edge to j asks for.
+  // The inner point near corner i that the edge to j requires.
   Vector getInner(int i, int j) const
   {
     const int k = 3 - i - j;
@@ -218,7 +220,7 @@ Mesh makeTriangle(const QuarticPatch& patch)
   return mesh;
 }
 
-// Random triangles with random normals.
+// Random triangles with random normals match the formula.
 void testFormula(RelevoCheck& check, vtkG1Surface* surface)
 {
   std::mt19937 random(9);
@@ -272,7 +274,7 @@ void testFormula(RelevoCheck& check, vtkG1Surface* surface)
   }
 }
 
-// A sphere with bumps and computed normals, on edges of many lengths.
+// A sphere with bumps, computed normals and edges of many lengths.
 Mesh makeBumpy()
 {
   Mesh mesh = Sphere(16, 12);
@@ -323,13 +325,13 @@ void testJumps(RelevoCheck& check, vtkG1Surface* surface)
     std::cout << mesh.first << ": normals jump by " << largest[0] << " degrees at most, " << mean[0]
               << " RMS (PN); " << largest[1] << ", " << mean[1] << " (G1)\n";
     CHECK_GREATER(largest[0], 5.0);
-    // Decimated scans have normals along edges, where the patch is kept tame.
+    // Decimated scans have normals along edges. There the patch avoids large bends instead.
     CHECK(largest[1] < 0.2 || mesh.first == "bunny");
     CHECK_LESS(mean[1], 0.02 * mean[0]);
   }
 }
 
-// Edges are those of PN triangles, to the bit.
+// Edges are identical to those of PN triangles, bit for bit.
 void testEdges(RelevoCheck& check, vtkG1Surface* surface)
 {
   vtkNew<vtkPNTriangleSurface> pn;
@@ -352,7 +354,7 @@ void testEdges(RelevoCheck& check, vtkG1Surface* surface)
   }
 }
 
-// Flat meshes and the faces of a cube, with its split normals, stay flat.
+// Flat meshes and the faces of a cube with split normals stay flat.
 void testPlanes(RelevoCheck& check, vtkG1Surface* surface)
 {
   vtkNew<vtkAdaptiveRefinement> recipe;
@@ -380,7 +382,7 @@ void testPlanes(RelevoCheck& check, vtkG1Surface* surface)
   }
 }
 
-// Normals that no surface has: along edges, opposite to each other, to the wrong side, none.
+// Normals that no surface has: along edges, opposite to each other, flipped, or zero.
 void testHostile(RelevoCheck& check, vtkG1Surface* surface)
 {
   const std::vector<Vector> directions = { { { 1, 0, 0 } }, { { -1, 0, 0 } }, { { 0, 1, 0 } },
@@ -411,14 +413,14 @@ void testHostile(RelevoCheck& check, vtkG1Surface* surface)
             const Vector w = { { i / 8.0, j / 8.0, (8 - i - j) / 8.0 } };
             const Vector normal = patches.GetNormal(0, w);
             const double distance = length(patches.GetPoint(0, w));
-            CHECK_LESS(distance, 6.0 * size); // so it is not NaN
+            CHECK_LESS(distance, 6.0 * size); // fails for NaN too
             CHECK_LESS(length(normal), 1.001);
           }
         }
       }
     }
   }
-  // Normals that vanish are computed; of these triangles too there are none.
+  // Normals of zero length are computed from faces, but degenerate triangles have none either.
   QuarticPatch none;
   none.P[0] = none.P[1] = none.P[2] = { { 0, 0, 0 } };
   none.P[1][0] = 1.0;

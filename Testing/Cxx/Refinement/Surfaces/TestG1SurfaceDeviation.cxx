@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// How far refined vtkG1Surface meshes are from the surfaces that they stand for.
+// Proves figures.md: refined vtkG1Surface meshes deviate from the sampled shapes as little as PN
+// triangles do.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 #include "RelevoVector.h"
@@ -17,7 +18,7 @@ using namespace RelevoVectors;
 
 namespace
 {
-// Largest and root mean square of the distance of a refined mesh's points from a surface.
+// Largest and root mean square distance of a refined mesh's points from a surface.
 struct Deviation
 {
   double Largest = 0.0;
@@ -53,7 +54,7 @@ double fromTorus(const Vector& p)
   return std::hypot(std::hypot(p[0], p[1]) - 1.0, p[2]) - 0.5;
 }
 
-// As near to known surfaces as PN triangles are.
+// Deviations from known surfaces are as small as those of PN triangles.
 void testDeviation(RelevoCheck& check, vtkG1Surface* surface)
 {
   vtkNew<vtkPNTriangleSurface> pn;
@@ -80,7 +81,7 @@ void testDeviation(RelevoCheck& check, vtkG1Surface* surface)
       CHECK_LESS(smooth.Largest, 0.2 * flat.Largest);
       CHECK_LESS(smooth.Largest, 1.01 * cubic.Largest);
       CHECK_LESS(smooth.Mean, cubic.Mean);
-      // Third order at least.
+      // Convergence has at least third order.
       CHECK(last == 0.0 || smooth.Mean < last / 8.0);
       last = smooth.Mean;
     }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// PN triangles against their closed formula, computed here in double, and on spheres and cubes.
+// vtkPNTriangleSurface promises the patch of Vlachos et al. It is compared with the closed formula,
+// computed in double, and checked on spheres and cubes.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 #include "RelevoVector.h"
@@ -19,7 +20,7 @@ using namespace RelevoVectors;
 
 namespace
 {
-// Vlachos et al. 2001, with w for P1, u for P2, v for P3.
+// Vlachos et al. 2001, with w for P1, u for P2 and v for P3.
 struct PNTriangle
 {
   Vector P[3];
@@ -74,7 +75,7 @@ Mesh refine(vtkPolyData* input, vtkRefinementSurface* surface, int level)
   return filter->GetOutput();
 }
 
-// Random triangles with random normals, corners in all orders of ids, random levels.
+// Random triangles with random normals, levels and orders of corner ids.
 void testFormula(RelevoCheck& check)
 {
   std::mt19937 random(9);
@@ -90,7 +91,7 @@ void testFormula(RelevoCheck& check)
       vtkNew<vtkFloatArray> normals;
       normals->SetNumberOfComponents(3);
       normals->SetNumberOfTuples(3);
-      vtkNew<vtkDoubleArray> weights; // of the cell's corners, in its own order
+      vtkNew<vtkDoubleArray> weights; // of the cell's corners, in the cell's order
       weights->SetName("weights");
       weights->SetNumberOfComponents(3);
       weights->SetNumberOfTuples(3);
@@ -156,7 +157,7 @@ void testSphere(RelevoCheck& check)
     Mesh linear = refine(sphere, nullptr, 3);
     Mesh pn = refine(sphere, surface, 3);
     CHECK_LESS(getDistance(pn), 0.2 * getDistance(linear));
-    // Third order at least.
+    // Convergence has at least third order.
     CHECK_LESS(getDistance(pn), last / 8.0);
     last = getDistance(pn);
     for (vtkIdType i = 0; i < pn->GetNumberOfPoints(); ++i)
@@ -169,7 +170,7 @@ void testSphere(RelevoCheck& check)
   }
 }
 
-// The normals of a cube are split: its faces stay flat, its edges straight and sharp.
+// A cube has split normals, so its faces stay flat and its edges straight and sharp.
 void testCube(RelevoCheck& check)
 {
   vtkNew<vtkPNTriangleSurface> surface;
@@ -185,7 +186,7 @@ void testCube(RelevoCheck& check)
     CHECK_NEAR(vtkMath::Dot(p, n), 0.5, 1e-6);
     CHECK_NEAR(std::max({ std::abs(n[0]), std::abs(n[1]), std::abs(n[2]) }), 1.0, 1e-6);
   }
-  // Without normals it is rounded, yet closed as before.
+  // Without normals the cube is rounded, but still closed.
   cube->GetPointData()->SetNormals(nullptr);
   Mesh rounded = refine(cube, surface, 4);
   double bounds[6];
@@ -193,7 +194,7 @@ void testCube(RelevoCheck& check)
   CHECK_GREATER(bounds[1], 0.55);
 }
 
-// A flat mesh stays flat, to the bit where its normals are exact.
+// A flat mesh stays flat, bit for bit if its normals are exact.
 void testPlane(RelevoCheck& check)
 {
   vtkNew<vtkPNTriangleSurface> surface;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Phong tessellation against its definition, the mean of projections on tangent planes, computed
-// here in double; blends by number and by array; what cannot be used.
+// vtkPhongSurface promises Phong tessellation: the mean of projections on tangent planes, computed
+// here in double. Alpha may be a number or an array; arrays that cannot be used are errors.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 #include "RelevoWatertight.h"
@@ -27,7 +27,7 @@ namespace
 {
 using Vector = std::array<double, 3>;
 
-// Boubekeur, Alexa 2008, section 3.
+// Boubekeur and Alexa 2008, section 3.
 Vector expected(vtkPolyData* mesh, const float w[3], double alpha)
 {
   Vector p{ { 0.0, 0.0, 0.0 } };
@@ -114,7 +114,7 @@ void testFormula(RelevoCheck& check)
     surface->SetAlpha(0.0);
     compare(check, mesh, surface, [](const float*) { return 0.0; });
 
-    // Of points; numbers beyond [0, 1] are clamped.
+    // Alpha per point, clamped to [0, 1].
     vtkNew<vtkFloatArray> alphas;
     alphas->SetName("alpha");
     alphas->InsertNextValue(0.25f);
@@ -126,7 +126,7 @@ void testFormula(RelevoCheck& check)
   }
 }
 
-// Coincident points have one blend, so that nothing opens.
+// Coincident points share one alpha, so no crack opens.
 void testSplitPoints(RelevoCheck& check)
 {
   Mesh mesh = Explode(Sphere(7, 5));
@@ -160,7 +160,7 @@ void testErrors(RelevoCheck& check)
     CHECK(errors.Said("Alpha"));
     CHECK_EQUAL(surface->GetAlpha(), 1.0);
   }
-  // Alpha is live; the name of an array is not.
+  // Alpha is a live parameter; the array's name is not.
   const vtkMTimeType prepared = surface->GetPreparationMTime();
   const vtkMTimeType time = surface->GetMTime();
   surface->SetAlpha(0.5);

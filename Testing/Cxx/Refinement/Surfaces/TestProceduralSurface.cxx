@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Procedural surfaces: fur against its formula, computed here in double; normals against the
-// surface's own differences; bases; functions of the user's own; what cannot be used.
+// vtkProceduralSurface promises fur by its formula, computed here in double. Normals match finite
+// differences, other base surfaces and functions work, and unusable settings are errors.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 #include "RelevoWatertight.h"
@@ -26,7 +26,7 @@ namespace
 {
 using Vector = std::array<double, 3>;
 
-// A function of positions, weights or neither that is finite.
+// A height function of positions, of weights, or with values that are not finite.
 class Bumps : public vtkProceduralSurface
 {
 public:
@@ -128,7 +128,7 @@ void testFur(RelevoCheck& check)
   }
 }
 
-// The angle, in degrees, between a normal and the one that differences of positions give.
+// Angle in degrees between a normal and the one from differences of positions.
 double angleToDifferences(const relevo::RefinementEvaluator& evaluator, const float w[3])
 {
   const float step = 1.0f / 1024.0f;
@@ -161,7 +161,7 @@ double angleToDifferences(const relevo::RefinementEvaluator& evaluator, const fl
 
 void testNormals(RelevoCheck& check)
 {
-  // The same normals at all corners, so that the direction does not turn.
+  // All corners have the same normal, so the direction is constant.
   const double normals[3][3] = { { -0.25, 0.25 / 3, 1 }, { -0.25, 0.25 / 3, 1 },
     { -0.25, 0.25 / 3, 1 } };
   Mesh mesh = triangle(normals);
@@ -186,7 +186,7 @@ void testNormals(RelevoCheck& check)
   }
 }
 
-// At amplitude 0 it is the base, whatever that is; bounds follow the amplitude.
+// At amplitude 0 it equals the base surface. Bounds follow the amplitude.
 void testBase(RelevoCheck& check)
 {
   Mesh mesh = Sphere(8, 6);
@@ -220,7 +220,7 @@ void testBase(RelevoCheck& check)
   CHECK_GREATER(fur->GetPreparationMTime(), prepared);
 }
 
-// Closed and finite whatever the function does.
+// The surface stays closed and finite for every function.
 void testFunctions(RelevoCheck& check)
 {
   for (Bumps::Kinds kind : { Bumps::WAVES, Bumps::WEIGHTS, Bumps::HUGE, Bumps::NOT_A_NUMBER })

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Scalar-tagged PN triangles: control points and normals computed by hand, creases and cusps on
-// several meshes.
+// vtkScalarTaggedSurface promises creases, cusps, tension and bias by its formulae. Control points
+// and normals are compared with values computed by hand; creases and cusps on several meshes.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 #include "RelevoVector.h"
@@ -51,7 +51,8 @@ void setTags(vtkPolyData* mesh, vtkIdType point, const Tags& tags)
   data->GetArray("Direction")->SetTuple(point, tags.Direction.data());
 }
 
-// The edge from the origin, whose normal is z, to (3, 0, -3): e . N = -3, across it (3, 0, 0).
+// The edge leads from the origin, with normal z, to (3, 0, -3). So e . N = -3, and its tangential
+// part is (3, 0, 0).
 struct EdgeCase
 {
   Tags At;
@@ -72,25 +73,25 @@ const EdgeCase EdgeCases[] = {
   { { 0, 0, -1, {} }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
   { { 1, 0, 0, {} }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
   { { 0.25, 0, 0, {} }, { { 1, 0, -0.25 } }, { { 0.25, 0, 1 } } },
-  // With directions: along the edge, across it, at 30, 45 and 60 degrees, of other lengths, with
-  // a part along the normal, and along the normal alone.
+  // The directions lie along the edge, across it, and at 30, 45 and 60 degrees; some have other
+  // lengths, a part along the normal, or only that part.
   { { 1, 0, 0, { { 2, 0, 0 } } }, { { 1, 0, 0 } }, { { 0, 0, 1 } } },
   { { 1, 0, 0, { { -3, 0, 0 } } }, { { 1, 0, 0 } }, { { 0, 0, 1 } } },
   { { 1, 0, 0, { { 1, 0, 5 } } }, { { 1, 0, 0 } }, { { 0, 0, 1 } } },
   { { 1, 0, 0, { { 0, 9, 0 } } }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
   { { 1, 0, 0, { { 0, 0, 7 } } }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
-  // s = 0.5; the slope is 0.5 x / |x|^2, x = (1/4, -C30 / 2, 0).
+  // Here s = 0.5, and the slope is 0.5 x / |x|^2 with x = (1/4, -C30 / 2, 0).
   { { 1, 0, 0, { { C30, 0.5, 0 } } }, { { 1, 0, -0.5 } }, { { 0.5, -C30, 1 } } },
   { { 1, 0, 0, { { 0.7, 0.7, 0 } } }, { { 1, 0, -1 } }, { { 1, -1, 1 } } },
   { { 1, 0, 0, { { 0.5, C30, 0 } } }, { { 1, 0, -1 } }, { { 1, -0.5 / C30, 1 } } },
-  // The other end's normal turned: (t . D) (Nj . D) / (1 + Ni . Nj) = 3 C30 0.6 C30 / 1.8 = 0.75,
-  // so that hx = -2.25, and again s = 0.5. It does not count without direction or across it.
+  // The other end's normal is rotated: (t . D) (Nj . D) / (1 + Ni . Nj) = 3 C30 0.6 C30 / 1.8 =
+  // 0.75, so hx = -2.25 and again s = 0.5. It has no effect without a direction or across it.
   { { 1, 0, 0, { { C30, 0.5, 0 } } }, { { 1, 0, -0.375 } }, { { 0.375, -0.75 * C30, 1 } },
     { { 0.6, 0, 0.8 } } },
   { { 1, 0, 0, { { 0, 1, 0 } } }, { { 1, 0, -1 } }, { { 1, 0, 1 } }, { { 0.6, 0, 0.8 } } },
   { { 1, 0, 0, {} }, { { 1, 0, -1 } }, { { 1, 0, 1 } }, { { 0.6, 0, 0.8 } } },
   { { 0.5, 0.5, 0.5, {} }, { { 0.5, 0, -0.125 } }, { { 0.25, 0, 1 } } },
-  // Beyond the ranges.
+  // These tags are out of range and are clamped.
   { { 7, 0, 0, {} }, { { 1, 0, -1 } }, { { 1, 0, 1 } } },
   { { -7, 0, 0, {} }, { { 1, 0, 0 } }, { { 0, 0, 1 } } },
   { { 0, 7, 0, {} }, { { 0, 0, 0 } }, { { 0, 0, 1 } } },
@@ -119,9 +120,9 @@ void testControlPoints(RelevoCheck& check)
     mesh->Modified();
     relevo::RefinementMesh prepared;
     CHECK(prepared.Build(mesh, recipe->GetSurface(), recipe->GetDisplacement()));
-    // Edge 0 goes from point 0 to point 1; the face's normals follow its nine edge vectors and its
-    // centre, that of corner 0 for edge 0 first. Where the edge is along the direction the face
-    // takes the normal of its other edge: not looked at here.
+    // Edge 0 leads from point 0 to point 1. The face's nine edge vectors and its centre come before
+    // its normals, and the first normal is that of corner 0 for edge 0. If the edge runs along the
+    // direction, the face takes the normal of its other edge, which is not checked here.
     const Vector control = toVector(&prepared.Vectors[0]);
     const Vector normal = toVector(&prepared.Vectors[3 * 10]);
     const bool along = one.At.Direction[0] > one.At.Direction[1] || one.At.Direction[0] < 0.0;
@@ -137,14 +138,14 @@ void testControlPoints(RelevoCheck& check)
         check.Fail(__FILE__, __LINE__, "case " + std::to_string(number));
       }
     }
-    // The other end keeps what it has without tags.
+    // The other end, which has no tags, is unchanged.
     const Vector otherControl = toVector(&prepared.Vectors[3]);
     CHECK_NEAR(dot(otherControl - Vector{ { 3, 0, -3 } }, one.OtherNormal), 0.0, 1e-6);
     ++number;
   }
 }
 
-// The roof z = -0.5 |x| over a grid: its ridge is the points with x = 0.
+// The roof z = -0.5 |x| over a grid. The points with x = 0 are its ridge.
 Mesh makeRoof()
 {
   std::vector<Vector> points;
@@ -175,7 +176,7 @@ Mesh makeTaggedRoof(double sharpness)
   return roof;
 }
 
-// How far refined points are from the roof, and normals from its sides'.
+// Distances of refined points from the roof, and deviations of normals from those of its sides.
 void getRoofErrors(vtkPolyData* refined, double& distance, double& deviation)
 {
   distance = deviation = 0.0;
@@ -218,7 +219,7 @@ void testRoof(RelevoCheck& check)
   getRoofErrors(sharp, distance, deviation);
   CHECK_LESS(distance, 1e-6);
   CHECK_LESS(deviation, 1e-5);
-  // Points of the ridge are there twice, with all their data.
+  // Points on the ridge exist twice, with the same data.
   CHECK_EQUAL(sharp->GetNumberOfPoints(), 65 * 65 + 65);
   CHECK(RelevoWatertight::FindError(roof, sharp, 4).empty());
   int ridge = 0;
@@ -231,7 +232,7 @@ void testRoof(RelevoCheck& check)
   }
   CHECK_EQUAL(ridge, 130);
 
-  // Half as sharp: in between.
+  // With half the sharpness, errors lie in between.
   Mesh half = Refine(makeTaggedRoof(0.5), recipe);
   getRoofErrors(half, distance, deviation);
   CHECK_GREATER(distance, 0.02);
@@ -239,7 +240,7 @@ void testRoof(RelevoCheck& check)
   CHECK_GREATER(deviation, 0.1);
   CHECK_LESS(deviation, 0.4);
 
-  // Every triangle with points of its own, directions of both senses.
+  // All triangles have separate points, and directions point both ways.
   Mesh open = Refine(roof, MakeRecipe(0, nullptr));
   vtkNew<vtkPNTriangleSurface> withNormals;
   open = Refine(roof, MakeRecipe(0, withNormals));
@@ -260,7 +261,7 @@ struct EdgeSample
   std::array<float, 3> Normal;
 };
 
-// By the two points of each edge: samples inside it by each of its faces.
+// Samples inside each edge, by each of its faces, with the edge's two points as key.
 std::map<std::pair<int, int>, std::vector<std::vector<EdgeSample>>> sampleEdges(
   const relevo::RefinementMesh& mesh, const relevo::RefinementEvaluator& evaluator)
 {
@@ -284,10 +285,10 @@ std::map<std::pair<int, int>, std::vector<std::vector<EdgeSample>>> sampleEdges(
   return edges;
 }
 
-// The equator of a sphere as a crease: normals jump across it by much and nowhere else at all.
+// The equator of a sphere is a crease: normals jump across it, and nowhere else.
 void testCrease(RelevoCheck& check)
 {
-  Mesh sphere = Sphere(12, 7); // an odd number of rings: one is the equator
+  Mesh sphere = Sphere(12, 7); // an odd number of rings, so that one is the equator
   std::vector<bool> onEquator;
   for (vtkIdType i = 0; i < sphere->GetNumberOfPoints(); ++i)
   {
@@ -317,7 +318,7 @@ void testCrease(RelevoCheck& check)
         CHECK_EQUAL(a.Normal, b.Normal);
         continue;
       }
-      // The faces' own planes at the equator are 30 degrees apart.
+      // The planes of faces at the equator meet at 30 degrees.
       const double jump = angle(toVector(a.Normal.data()), toVector(b.Normal.data()));
       CHECK_GREATER(jump, 20.0);
       CHECK_LESS(jump, 40.0);
@@ -325,7 +326,7 @@ void testCrease(RelevoCheck& check)
   }
   CHECK_EQUAL(creases, 12);
 
-  // Normals fit the refined triangles, up to what a corner of a triangle may differ from it.
+  // Normals fit the refined triangles, up to the angle between a triangle and its corners' normals.
   const Mesh refined = Refine(sphere, recipe);
   CHECK(RelevoWatertight::FindError(sphere, refined, 4).empty());
   vtkNew<vtkIdList> ids;
@@ -351,8 +352,8 @@ void testCrease(RelevoCheck& check)
   CHECK_LESS(most, 12.0);
 }
 
-// The tip of an octahedron's half, sharp without direction: the surface leaves it along the edges,
-// and normals are those of a cone. PN's tangents lie in a plane.
+// At the tip of half an octahedron, sharpness without a direction lets the surface leave along the
+// edges, and normals are those of a cone. The tangents of PN triangles lie in one plane.
 void testCusp(RelevoCheck& check)
 {
   for (bool sharp : { false, true })
@@ -370,7 +371,7 @@ void testCusp(RelevoCheck& check)
     const double pi = vtkMath::Pi();
     for (int face = 0; face < 4; ++face)
     {
-      // The tip is the last of the sorted corners; look at it along the first edge.
+      // The tip is the last of the sorted corners. It is evaluated close to the first edge.
       const float weights[3] = { 1.0f / 4096.0f, 0.0f, 4095.0f / 4096.0f };
       float position[3];
       float normal[3];
@@ -383,18 +384,18 @@ void testCusp(RelevoCheck& check)
     }
     CHECK_NEAR(std::abs(dot(cross(tangents[0], tangents[1]), tangents[2])),
       sharp ? std::sqrt(0.5) : 0.0, 0.01);
-    // Every face has a tip of its own, with its own normal.
+    // Each face has a separate point at the tip, with a separate normal.
     const Mesh refined = Refine(tent, recipe);
     CHECK_EQUAL(refined->GetNumberOfPoints(), 145 + (sharp ? 3 : 0));
     CHECK(RelevoWatertight::FindError(tent, refined, 3).empty());
   }
 }
 
-// A crease on a single point fades: at its neighbours' ends of the edges normals meet.
+// A crease at a single point fades: normals agree at the far ends of its edges.
 void testFading(RelevoCheck& check)
 {
   Mesh roof = makeRoof();
-  setTags(roof, 12, { 1, 0, 0, { { 0, 1, 0 } } }); // amid the ridge
+  setTags(roof, 12, { 1, 0, 0, { { 0, 1, 0 } } }); // inside the ridge
   vtkNew<vtkScalarTaggedSurface> surface;
   const auto recipe = MakeRecipe(4, surface);
   relevo::RefinementMesh mesh;
@@ -409,7 +410,7 @@ void testFading(RelevoCheck& check)
   CHECK_EQUAL(getJump(edges.at({ 17, 22 }), 7), 0.0);
 }
 
-// The corners of what is allowed, on a closed mesh.
+// Extreme values in the allowed range, on a closed mesh.
 void testExtremes(RelevoCheck& check)
 {
   vtkNew<vtkScalarTaggedSurface> surface;
@@ -420,7 +421,7 @@ void testExtremes(RelevoCheck& check)
     Mesh sphere = Sphere(6, 5);
     for (vtkIdType i = 0; i < sphere->GetNumberOfPoints(); ++i)
     {
-      // Every third point has none.
+      // Every third point has no tags.
       const double* p = sphere->GetPoint(i);
       setTags(sphere, i,
         i % 3 == 0 ? Tags()

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkScalarTaggedSurface says of arrays that it cannot use.
+// vtkScalarTaggedSurface promises an error that names the array for each array it cannot use.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
@@ -57,7 +57,7 @@ void testErrors(RelevoCheck& check)
   CHECK(fails("Direction", 3, -1, 0.5, ""));
   CHECK(fails("Direction", 1, -1, 0.5, " has 20 tuples of 1 components; 3"));
   CHECK(fails("Direction", 3, -1, nan, " is not finite at point 2"));
-  // Arrays that are not asked for may be anything.
+  // Arrays that are not used may contain anything.
   surface->SetDirectionArrayName(nullptr);
   CHECK_EQUAL(surface->GetDirectionArrayName(), std::string());
   CHECK(fails("Direction", 1, -1, nan, ""));
@@ -69,7 +69,7 @@ void testErrors(RelevoCheck& check)
   CHECK(fails("B", 1, 4, 0.0, " has 4 tuples"));
   surface->SetSharpnessArrayName("S");
   CHECK(fails("S", 1, 4, 0.0, " has 4 tuples"));
-  // Words where numbers should be.
+  // An array of strings is not numeric.
   Mesh sphere = Sphere(6, 5);
   vtkNew<vtkStringArray> words;
   words->SetName("S");

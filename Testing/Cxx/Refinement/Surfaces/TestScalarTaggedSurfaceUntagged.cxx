@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkScalarTaggedSurface without tags is vtkPNTriangleSurface.
+// vtkScalarTaggedSurface promises: without tags it equals vtkPNTriangleSurface, bit for bit.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
@@ -18,7 +18,7 @@ using namespace RelevoMeshes;
 
 namespace
 {
-// Bits of points, normals and triangles.
+// Compares points, normals and triangles bit by bit.
 bool areSame(vtkPolyData* a, vtkPolyData* b)
 {
   const auto sameBytes = [](vtkDataArray* l, vtkDataArray* r)
@@ -33,7 +33,7 @@ bool areSame(vtkPolyData* a, vtkPolyData* b)
     sameBytes(a->GetPolys()->GetConnectivityArray(), b->GetPolys()->GetConnectivityArray());
 }
 
-// Without tags, with zeros, and with directions and no sharpness: PN triangles.
+// PN triangles result without tags, with zero tags, and with directions but no sharpness.
 void testUntagged(RelevoCheck& check)
 {
   Mesh split = Explode(Sphere(8, 6));
@@ -68,7 +68,7 @@ void testUntagged(RelevoCheck& check)
       CHECK(areSame(Refine(zeros, recipe), refined));
       zeros->GetPointData()->GetArray("Direction")->Fill(1.0);
       CHECK(areSame(Refine(zeros, recipe), refined));
-      // The comparison can fail.
+      // Negative control: with tension, the results differ.
       zeros->GetPointData()->GetArray("Tension")->Fill(0.5);
       CHECK(!areSame(Refine(zeros, recipe), refined));
     }
