@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkSurfaceIntersectionFilter, called in random order on random meshes and recipes: nothing
-// crashes, what it says exists, and it says what a new filter would.
+// Proves that random calls of vtkSurfaceIntersectionFilter, on random meshes and recipes, never
+// crash, refer to existing cells, and give the result of a new filter.
 #include "RelevoCheck.h"
 #include "RelevoFuzzRecipe.h"
 #include "RelevoIntersections.h"
@@ -19,7 +19,7 @@ namespace
 using RelevoFuzz::Call;
 using RelevoFuzz::Dice;
 
-// Whether the ids are those of cells, or -1 of several.
+// Whether all ids are valid cells, or -1 for several cells.
 bool HasIds(vtkPolyData* output, const char* name, vtkPolyData* input)
 {
   vtkDataArray* ids = output->GetCellData()->GetArray(name);
@@ -34,7 +34,7 @@ bool HasIds(vtkPolyData* output, const char* name, vtkPolyData* input)
   return true;
 }
 
-// Whether an array is there with one filter if with the other, and says the same.
+// Whether both filters have the array with the same values, or neither has it.
 bool IsSameArray(vtkPolyData* mesh, vtkPolyData* other, const char* name)
 {
   vtkDataArray* own = mesh->GetCellData()->GetArray(name);

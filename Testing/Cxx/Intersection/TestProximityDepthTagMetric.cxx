@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkProximityDepthTagMetric against levels by hand and against all boxes one by one.
+// vtkProximityDepthTagMetric promises levels by the distance from boxes, compared with values
+// computed by hand and with a search through all boxes.
 #include "RelevoCheck.h"
 #include "RelevoMetricCheck.h"
 
@@ -20,7 +21,7 @@ const double NaN = std::nan("");
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 const Bounds UnitBox{ { 0, 1, 0, 1, 0, 1 } };
 
-// A triangle whose centroid is at x.
+// A triangle with its centroid at x.
 RelevoMeshes::Mesh MakeTriangle(double x)
 {
   return RelevoMeshes::FromTriangles(
@@ -47,10 +48,10 @@ void TestByHand(RelevoCheck& check)
   CHECK_NEAR(LevelAt(metric, -1.5), std::log2(24.0 - 23.0 * 0.75), 1e-5);
   CHECK_NEAR(LevelAt(metric, 2.999), std::log2(24.0 - 23.0 * 0.9995), 1e-4);
   CHECK_EQUAL(LevelAt(metric, 3.01), 0.0f);
-  // The recipe's limit.
+  // The recipe's MaximumLevel limits them.
   CHECK(LevelAt(metric, 0.5, 3) == 3.0f && LevelAt(metric, 2.0, 3) == 3.0f);
   CHECK_EQUAL(LevelAt(metric, 0.5, 7), 5.0f);
-  // The nearer of two, one of them flat.
+  // The nearer of two boxes decides. One of them is flat.
   const Bounds flat{ { 2.5, 2.5, -1, 1, -1, 1 } };
   metric->AddBox(flat.data());
   CHECK_EQUAL(metric->GetNumberOfBoxes(), 2);
@@ -80,7 +81,7 @@ double ExpectedLevel(const double x[3], const std::vector<Bounds>& boxes, double
                         : (nearest > distance ? 0.0 : std::log2(24.0 - 23.0 * nearest / distance));
 }
 
-// Points and edges have the largest level of their triangles, wherever the actor is.
+// Points and edges have the largest level of their triangles, for every actor matrix.
 void TestManyBoxes(RelevoCheck& check)
 {
   std::mt19937 random(5);

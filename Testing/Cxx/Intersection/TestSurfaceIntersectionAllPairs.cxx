@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// AllPairsOn(): every pair of cells that meet, once, against all pairs of triangles by separating
-// axes in whole numbers; of one mesh with itself, of polygons, and of coarse cells of a recipe.
+// vtkSurfaceIntersectionFilter promises with AllPairsOn() each pair of intersecting cells once.
+// Compared with separating axes in whole numbers for all pairs of triangles, also for
+// self-intersection, polygons, and coarse cells of a recipe.
 #include "RelevoCheck.h"
 #include "RelevoIntersections.h"
 #include "RelevoTestMeshes.h"
@@ -23,7 +24,7 @@ namespace
 {
 using Pairs = std::set<std::pair<vtkIdType, vtkIdType>>;
 
-// Fails where a pair is there twice or not in order.
+// Fails if a pair occurs twice or out of order.
 Pairs GetPairs(RelevoCheck& check, vtkSurfaceIntersectionFilter* filter)
 {
   filter->Update();
@@ -40,7 +41,7 @@ Pairs GetPairs(RelevoCheck& check, vtkSurfaceIntersectionFilter* filter)
   return pairs;
 }
 
-// Small coordinates: many triangles touch in a corner, along an edge, or are in one plane.
+// Coordinates are small, so many triangles touch in a corner, along an edge, or are coplanar.
 void TestWhole(RelevoCheck& check, RelevoDice& dice, int side, size_t& pairs, size_t& named)
 {
   const RelevoWholeMesh first(dice, side, 8, 12);
@@ -82,7 +83,7 @@ void TestWhole(RelevoCheck& check, RelevoDice& dice, int side, size_t& pairs, si
   CHECK_EQUAL(GetPairs(check, filter), expected);
 }
 
-// Two boxes that share a corner: three faces of each meet there, in one vertex.
+// Two boxes that share a corner: three faces of each meet at this vertex.
 void TestCorner(RelevoCheck& check)
 {
   vtkNew<vtkSurfaceIntersectionFilter> filter;
@@ -94,12 +95,12 @@ void TestCorner(RelevoCheck& check)
   filter->AllPairsOn();
   CHECK_EQUAL(GetPairs(check, filter).size(), 9);
   CHECK_EQUAL(filter->GetOutput(0)->GetNumberOfCells(), 1);
-  // Apart there are none, in arrays that are there.
+  // If the boxes are apart, the arrays are empty.
   filter->SetMatrix(1, RelevoMakeMotion({ 5.0, 0.0, 0.0 }, 0.0, { 0.0, 0.0, 1.0 }));
   CHECK(GetPairs(check, filter).empty());
 }
 
-// The coarse cells of a recipe: those of the flat mesh itself where it refines to the same surface.
+// The coarse cells of a recipe are those of the flat mesh if it refines to the same surface.
 void TestRecipe(RelevoCheck& check)
 {
   vtkNew<vtkAdaptiveRefinement> recipe;

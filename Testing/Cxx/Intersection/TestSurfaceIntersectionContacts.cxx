@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Distances of cells, and which are near or inside, against VTK's own functions for points and
-// segments.
+// vtkSurfaceIntersectionFilter promises distances of cells and which cells are near or inside,
+// compared with VTK's functions for points and segments.
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
 #include "RelevoIntersections.h"
@@ -106,10 +106,10 @@ void TestSpheres(RelevoCheck& check)
           CHECK_EQUAL(Get(output, "Distance", i), 0.0);
           continue;
         }
-        // VTK takes edges that are nearly parallel as parallel.
+        // VTK treats nearly parallel edges as parallel.
         CHECK_NEAR(Get(output, "Distance", i), distance, 1e-6);
         CHECK_LESS_EQUAL(Get(output, "Distance", i), distance + 1e-12);
-        // Between the other sphere's corners and its faces it may be either.
+        // Between the corners and the faces of the other sphere, either result is allowed.
         const double center[3] = { side == 0 ? x : 0.0, side == 0 ? 0.1 : 0.0,
           side == 0 ? 0.2 : 0.0 };
         const double radius = (side == 0 ? 2.5 : 1.0) *
@@ -125,7 +125,7 @@ void TestSpheres(RelevoCheck& check)
   CHECK_EQUAL(seen, (std::set<double>{ 0, 1, 2, 3 }));
 }
 
-// Boxes one in the other, in whole numbers: rays meet corners and edges.
+// Nested boxes with whole coordinates, so that rays hit corners and edges.
 void TestNested(RelevoCheck& check)
 {
   vtkNew<vtkAppendPolyData> shells;
@@ -150,7 +150,7 @@ void TestNested(RelevoCheck& check)
   }
   CHECK_EQUAL(Get(filter->GetOutput(2), "Distance", 0), 2.0);
   CHECK_EQUAL(Get(filter->GetOutput(2), "Distance", 6), 0.25);
-  // With the most that coordinates can be.
+  // Coordinates close to the largest double.
   filter->SetMatrix(0, RelevoMakeMotion({ 0, 0, 0 }, 0.0, { 0, 0, 1 }, 1e299));
   filter->SetMatrix(1, RelevoMakeMotion({ 0, 0, 0 }, 0.0, { 0, 0, 1 }, 1e299));
   filter->Update();
@@ -161,7 +161,7 @@ void TestNested(RelevoCheck& check)
   CHECK_NEAR(Get(filter->GetOutput(2), "Distance", 0) / 2e299, 1.0, 1e-14);
 }
 
-// What is not classified, and what cannot be.
+// Cells that are not classified, and surfaces that cannot be.
 void TestWithout(RelevoCheck& check)
 {
   auto sphere = RelevoMakeSphere(6, { 0, 0, 0 }, 0.5);
@@ -177,7 +177,7 @@ void TestWithout(RelevoCheck& check)
   CHECK_EQUAL(Get(filter->GetOutput(2), "Contact", 0), 3);
   CHECK_EQUAL(Get(filter->GetOutput(3), "Contact", 0), 0);
 
-  // Five sides of a box, and a face that is there twice.
+  // Five sides of a box, and a duplicate face.
   auto open = RelevoMakeBox(-1, 1);
   open->BuildCells();
   open->DeleteCell(5);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves of surfaces that cross: closed, the same for any number of threads and however the inputs
-// were moved, and with the pairs of cells that VTK's filters find.
+// vtkSurfaceIntersectionFilter promises closed curves that do not depend on the number of threads
+// or on the motion of both inputs. Pairs of cells are those of VTK's filters.
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
 #include "RelevoIntersections.h"
@@ -24,7 +24,7 @@ std::array<double, 3> MakeVector(RelevoDice& dice, double size)
   return { size * dice.Signed(), size * dice.Signed(), size * dice.Signed() };
 }
 
-// Each point is the end of an even number of segments.
+// Whether each point is the end of an even number of segments.
 bool IsClosed(vtkPolyData* curves)
 {
   std::vector<int> degrees(curves->GetNumberOfPoints(), 0);
@@ -54,7 +54,7 @@ void CheckJoined(RelevoCheck& check, vtkSurfaceIntersectionFilter* filter)
   CHECK_EQUAL(curves->GetNumberOfPoints(), numberOfPoints);
   auto components = vtkIdTypeArray::SafeDownCast(curves->GetCellData()->GetArray("ComponentId"));
   CHECK(components && components->GetNumberOfValues() == curves->GetNumberOfCells());
-  // Two convex surfaces: each curve is closed, and no two meet.
+  // For two convex surfaces, each curve is closed, and no two curves meet.
   for (vtkIdType i = 0; i < curves->GetNumberOfCells(); ++i)
   {
     vtkNew<vtkIdList> points;
@@ -111,8 +111,7 @@ void TestSpheres(RelevoCheck& check)
   CHECK_EQUAL(filter->GetNumberOfTreeBuilds(), 3);
 }
 
-// Octahedra that have four triangles in common, and the curve that bounds them and goes on from one
-// to the next.
+// Octahedra that share four triangles. The curve bounds these and continues from one to the next.
 void TestOctahedra(RelevoCheck& check)
 {
   std::vector<std::array<double, 3>> points{ { 2, 0, 0 }, { -2, 0, 0 }, { 0, 2, 0 }, { 0, -2, 0 },
@@ -183,7 +182,7 @@ void TestThreads(RelevoCheck& check)
     vtkSMPTools::Initialize(run < 2 ? 4 : 1);
     for (int i = 0; i < 2; ++i)
     {
-      // Box and sphere, and what is all the same.
+      // A box and a sphere, with settings that must not change the result.
       vtkNew<vtkSurfaceIntersectionFilter> filter;
       filter->SetInputData(0, first);
       filter->SetInputData(1, i == 0 ? second : first);

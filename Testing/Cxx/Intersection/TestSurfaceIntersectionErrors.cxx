@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What cannot be intersected: the error names the input, and the outputs are empty.
+// vtkSurfaceIntersectionFilter promises an error that names the input, and empty outputs, for
+// meshes that it cannot intersect.
 #include "RelevoCheck.h"
 #include "RelevoIntersections.h"
 
@@ -34,7 +35,7 @@ bool IsEmpty(vtkSurfaceIntersectionFilter* filter)
   return isEmpty;
 }
 
-// One of two boxes is spoiled; what was wrong does not stay.
+// Makes one of two boxes invalid. After a correction, the filter works again.
 void ExpectError(RelevoCheck& check, const std::function<void(vtkPolyData*, vtkMatrix4x4*)>& spoil,
   const std::string& words)
 {
@@ -139,8 +140,8 @@ void TestFlatTriangles(RelevoCheck& check)
   filter->SetInputData(1, other);
   filter->Update();
   const vtkIdType numberOfLines = filter->GetOutput()->GetNumberOfLines();
-  // A corner twice, three in a line, a point that coincides with another, and one without an area
-  // of those of a square.
+  // A repeated corner, three collinear points, a coincident point, and a face without area among
+  // those of a square.
   other->GetPoints()->InsertNextPoint(1.25, 0.5, 0.5);
   other->GetPoints()->InsertNextPoint(0.5, 0.5, 0.5);
   for (const std::vector<vtkIdType>& ids :
@@ -157,7 +158,7 @@ void TestFlatTriangles(RelevoCheck& check)
   vtkDataArray* distances = filter->GetOutput(3)->GetCellData()->GetArray("Distance");
   CHECK_EQUAL(distances->GetComponent(6, 0), -1.0);
   CHECK_EQUAL(distances->GetComponent(9, 0), 0.0);
-  // Nothing else.
+  // A mesh of degenerate faces only.
   auto line = RelevoMakePolygons({ { 0, 0, 0 }, { 1, 1, 1 }, { 2, 2, 2 } }, { { 0, 1, 2 } });
   for (int input = 0; input < 2; ++input)
   {
@@ -174,7 +175,7 @@ void TestFlatTriangles(RelevoCheck& check)
   CHECK(errors.Warned("Input 0 has 1 triangles without an area"));
 }
 
-// An abort leaves nothing, and is no error.
+// After an abort, the outputs are empty without an error.
 void TestAbort(RelevoCheck& check)
 {
   vtkNew<vtkSurfaceIntersectionFilter> filter;
@@ -192,7 +193,7 @@ void TestAbort(RelevoCheck& check)
   CHECK(errors.None() && !IsEmpty(filter));
 }
 
-// Exact as any others are.
+// Very large and very small coordinates are exact too.
 void TestLargeCoordinates(RelevoCheck& check)
 {
   for (double scale : { 1e300, 1.0, 1e-160, 1e-300 })

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Ghost cells meet nothing, flat or with a recipe: what a filter finds then is what it finds of all
-// cells, without those of the ghosts.
+// vtkSurfaceIntersectionFilter promises that ghost cells intersect nothing, with and without a
+// recipe. The result is that of all cells without those of the ghost cells.
 #include "RelevoCheck.h"
 #include "RelevoIntersections.h"
 
@@ -17,7 +17,7 @@
 
 namespace
 {
-// Flags that are all 0.
+// Adds flags that are all 0.
 vtkSmartPointer<vtkUnsignedCharArray> AddGhosts(vtkPolyData* mesh)
 {
   auto ghosts = vtkSmartPointer<vtkUnsignedCharArray>::New();
@@ -28,7 +28,7 @@ vtkSmartPointer<vtkUnsignedCharArray> AddGhosts(vtkPolyData* mesh)
   return ghosts;
 }
 
-// Where the middle points of segments lie: of those without a ghost's cell, or of all.
+// Midpoints of segments, without those of ghost cells or of all.
 std::set<std::array<double, 3>> GetMiddles(vtkPolyData* curves, vtkUnsignedCharArray* ghosts)
 {
   std::set<std::array<double, 3>> middles;
@@ -61,7 +61,7 @@ void TestMesh(RelevoCheck& check, vtkPolyData* mesh, vtkAdaptiveRefinement* reci
   curves->ShallowCopy(filter->GetOutput());
   const auto all = GetMiddles(curves, nullptr);
 
-  // Flags that are set in place count, and none of the hidden cells do.
+  // Flags that are changed in place take effect, and no hidden cell contributes.
   const vtkIdType cut =
     static_cast<vtkIdType>(curves->GetCellData()->GetArray("Input1CellID")->GetComponent(0, 0));
   for (vtkIdType i = 0; i < ghosts->GetNumberOfTuples(); ++i)

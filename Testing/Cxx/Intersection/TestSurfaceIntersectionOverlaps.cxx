@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Surfaces that only touch, and those that lie on each other.
+// vtkSurfaceIntersectionFilter promises correct results for surfaces that only touch or overlap.
 #include "RelevoCheck.h"
 #include "RelevoIntersections.h"
 
@@ -44,7 +44,7 @@ vtkSmartPointer<vtkPolyData> MakePlate(double low, double high, double z)
 void TestTouching(RelevoCheck& check)
 {
   auto plate = MakePlate(-4, 4, 0);
-  // Three faces around a corner that stands on the plate, on its diagonal and beside it.
+  // Three faces around a corner that touches the plate, on its diagonal and beside it.
   for (double x : { 1.0, 2.0 })
   {
     CHECK_CASE(x);
@@ -56,7 +56,7 @@ void TestTouching(RelevoCheck& check)
     result.GetCurves()->GetPoint(0, at);
     CHECK(at[0] == x && at[1] == 1.0 && at[2] == 0.0);
   }
-  // A roof that stands on its ridge: one segment, of two faces.
+  // A roof that touches with its ridge gives one segment of two faces.
   auto roof = RelevoMakePolygons(
     { { 1, 2, 0 }, { 3, 2, 0 }, { 2, 3, 1 }, { 2, 1, 1 } }, { { 0, 1, 2 }, { 1, 0, 3 } });
   Result ridge(plate, roof);
@@ -68,7 +68,7 @@ void TestTouching(RelevoCheck& check)
     { { 2, 1, 0 }, { 2, 3, 0 }, { 3, 2, -1 }, { 1, 2, -1 } }, { { 0, 1, 2 }, { 1, 0, 3 } });
   Result ridges(roof, across);
   CHECK(ridges.Has(1, 0, 0));
-  // Boxes that have a corner in common, and an edge.
+  // Boxes that share a corner, and boxes that share an edge.
   auto low = RelevoMakeBox(0, 1);
   auto high = RelevoMakeBox(1, 2);
   CHECK(Result(low, high).Has(1, 0, 0));
@@ -90,21 +90,21 @@ void TestOverlaps(RelevoCheck& check)
   }
   CHECK_EQUAL(
     result.Filter->GetOutput(2)->GetCellData()->GetArray("Contact")->GetComponent(0, 0), 2);
-  // The box's lid is the one cell that is free.
+  // Only the box's top cell is free.
   vtkDataArray* contacts = result.Filter->GetOutput(3)->GetCellData()->GetArray("Contact");
   for (vtkIdType i = 0; i < 6; ++i)
   {
     CHECK_EQUAL(contacts->GetComponent(i, 0), (i == 1 ? 0 : 2));
   }
 
-  // The same, and one within the other.
+  // Two equal boxes, and a smaller one inside a box.
   Result same(box, RelevoMakeBox(0, 2));
   CHECK_EQUAL(same.GetCurves()->GetNumberOfCells(), 0);
   CHECK_NEAR(RelevoMeasureArea(same.GetOverlaps()), 24.0, 1e-13);
   Result within(plate, MakePlate(-1, 1, 0));
   CHECK_NEAR(RelevoMeasureArea(within.GetOverlaps()), 4.0, 1e-14);
   CHECK(Result(plate, MakePlate(-1, 1, 1e-300)).Has(0, 0, 0));
-  // Plates that have an edge in common, and a part of one.
+  // Plates that share an edge, or a part of one.
   auto beside = RelevoMakePolygons(
     { { 3, -3, 0 }, { 5, -3, 0 }, { 5, 0, 0 }, { 3, 0, 0 } }, { { 0, 1, 2, 3 } });
   Result edge(plate, beside);
@@ -117,7 +117,7 @@ void TestOverlaps(RelevoCheck& check)
   CHECK_NEAR(RelevoMeasureArea(spheres.GetOverlaps()), RelevoMeasureArea(sphere), 1e-12);
 }
 
-// Triangles that are there twice meet others in the same segments.
+// Duplicate triangles give the same segments.
 void TestTwice(RelevoCheck& check)
 {
   auto box = RelevoMakeBox(-0.71, 0.73);
@@ -133,7 +133,8 @@ void TestTwice(RelevoCheck& check)
 
 void TestItself(RelevoCheck& check)
 {
-  // Two triangles on both sides of an edge, and on one; a box is fine.
+  // Two triangles on opposite sides of an edge, and on the same side. A box has no
+  // self-intersection.
   auto flat = RelevoMakePolygons(
     { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, -1, 0 } }, { { 0, 1, 2 }, { 1, 0, 3 } });
   CHECK(Result(flat, nullptr).Has(0, 0, 0));
@@ -143,7 +144,7 @@ void TestItself(RelevoCheck& check)
   CHECK_EQUAL(twice.GetOverlaps()->GetNumberOfPolys(), 1);
   CHECK_NEAR(RelevoMeasureArea(twice.GetOverlaps()), 2.0, 1e-15);
   CHECK(Result(RelevoMakeBox(0, 1), nullptr).Has(0, 0, 0));
-  // Points that coincide are one: a seam is no contact.
+  // Coincident points are merged, so a seam is not a contact.
   auto seam = RelevoMakePolygons(
     { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 1 } },
     { { 0, 1, 2 }, { 3, 5, 4 } });

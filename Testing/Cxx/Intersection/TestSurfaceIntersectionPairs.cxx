@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Which triangles of small meshes of whole coordinates meet: no pair too many, none too few. Many
-// touch in a corner, along an edge or are in one plane.
+// vtkSurfaceIntersectionFilter promises exactly the pairs of triangles that intersect, tested with
+// small meshes of whole coordinates. Many triangles touch in a corner, along an edge, or are
+// coplanar.
 #include "Mesh/MovedSurface.h"
 #include "Pairs/PairSearch.h"
 #include "RelevoCheck.h"
@@ -86,7 +87,7 @@ int TestSurfaceIntersectionPairs(int, char*[])
     TestTwoMeshes(check, dice, 3 + i % 6, two);
     TestOneMesh(check, dice, 3 + i % 6, one);
   }
-  // Neither all nor none.
+  // Both intersecting and separate pairs occur.
   CHECK(two > 50000 && two < 430000);
   CHECK_GREATER(one, 50000);
   CHECK_LESS(one, 320000);

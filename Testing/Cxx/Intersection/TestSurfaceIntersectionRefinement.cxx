@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Curved, displaced surfaces, refined where they can meet: against vtkAdaptiveRefinementFilter, and
-// how far the curves are from the surfaces.
+// Proves intersections.md: curved, displaced surfaces are refined where they can intersect. Results
+// are compared with vtkAdaptiveRefinementFilter, and curves with the exact surfaces.
 #include "RelevoCheck.h"
 #include "RelevoDisplacements.h"
 #include "RelevoIntersections.h"
@@ -31,14 +31,14 @@ using namespace RelevoMeshes;
 
 constexpr double Scale = 0.7; // of the sphere
 
-// A torus, and a sphere with waves on it, both curved, moved into its tube.
+// A torus, and a sphere with waves inside its tube. Both are curved.
 struct Scene
 {
   explicit Scene(int level, bool hasHoles = false)
   {
     vtkNew<vtkPNTriangleSurface> surface;
     vtkNew<RelevoHeights> heights;
-    // The same on both sides of the seam, and all around the poles.
+    // Heights are equal on both sides of the seam and around the poles.
     heights->Fill(64, 64,
       [](double u, double v)
       {
@@ -78,7 +78,7 @@ vtkIdType GetId(vtkPolyData* mesh, const char* array, vtkIdType cell)
   return static_cast<vtkIdType>(mesh->GetCellData()->GetArray(array)->GetComponent(cell, 0));
 }
 
-// The pairs of coarse cells that meet, by curves or overlaps of refined meshes.
+// Pairs of coarse cells that intersect, by the curves or overlaps of refined meshes.
 std::set<std::pair<vtkIdType, vtkIdType>> GetCoarsePairs(
   vtkPolyData* curves, vtkPolyData* first, vtkPolyData* second)
 {
@@ -94,7 +94,7 @@ std::set<std::pair<vtkIdType, vtkIdType>> GetCoarsePairs(
   return pairs;
 }
 
-// All levels at their highest: the meshes that vtkAdaptiveRefinementFilter makes.
+// With all levels at the maximum, the meshes equal those of vtkAdaptiveRefinementFilter.
 void TestTwin(RelevoCheck& check, bool hasHoles)
 {
   const Scene scene(3, hasHoles);
@@ -109,7 +109,7 @@ void TestTwin(RelevoCheck& check, bool hasHoles)
   }
   CHECK_LESS(filter->GetRefinedSurface(0)->GetNumberOfPolys(), refined[0]->GetNumberOfPolys() / 2);
   reference->SetMatrix(1, scene.Matrix);
-  RelevoErrors errors(reference); // of triangles without an area
+  RelevoErrors errors(reference); // triangles without area give a warning
   reference->Update();
   const double length = RelevoMeasureLength(reference->GetOutput());
   CHECK_GREATER(length, 1.0);
@@ -121,10 +121,11 @@ void TestTwin(RelevoCheck& check, bool hasHoles)
     CHECK_EQUAL(filter->GetOutput(2 + i)->GetNumberOfCells(), scene.Meshes[i]->GetNumberOfCells());
   }
 
-  // Distances are to the curved surface; coarse cells have the least of their triangles.
+  // Distances are measured to the curved surface. A coarse cell has the smallest distance of its
+  // triangles.
   filter->ClassifyOn();
   reference->ClassifyOn();
-  RelevoErrors warnings(filter); // that holes open a surface
+  RelevoErrors warnings(filter); // holes open a surface, which gives a warning
   filter->Update();
   reference->Update();
   for (int i = 0; i < 2; ++i)
@@ -185,7 +186,7 @@ void TestTolerance(RelevoCheck& check, int policy)
     filter->Update();
     for (const auto& recipe : scene.Recipes)
     {
-      recipe->SetSegmentPolicyToPowersOfTwo(); // of the locators
+      recipe->SetSegmentPolicyToPowersOfTwo(); // the locators need powers of two
     }
     vtkPolyData* curves = filter->GetOutput();
     CHECK_GREATER(curves->GetNumberOfLines(), 0);
@@ -209,7 +210,7 @@ void TestTolerance(RelevoCheck& check, int policy)
     CHECK_LESS_EQUAL(largest, tolerance);
     CHECK_GREATER(largest, tolerance / 20);
 
-    // Coarse where nothing meets; finer where it does, with a lower tolerance.
+    // Cells stay coarse where nothing intersects. Others get finer with a smaller tolerance.
     vtkPolyData* refined = filter->GetRefinedSurface(0);
     std::map<vtkIdType, int> numbers;
     for (vtkIdType cell = 0; cell < refined->GetNumberOfCells(); ++cell)
@@ -224,7 +225,7 @@ void TestTolerance(RelevoCheck& check, int policy)
   }
 }
 
-// What was asked before does not count, nor do other frames' metrics; what changes does.
+// Previous queries and metrics of other frames have no effect. Changes take effect.
 void TestMotion(RelevoCheck& check)
 {
   const Scene scene(5);
@@ -265,7 +266,7 @@ void TestMotion(RelevoCheck& check)
   CHECK(RelevoIsSameMesh(filter->GetOutput(), flat->GetOutput()));
 }
 
-// Twice as large, with twice the tolerance: as many triangles.
+// With twice the size and twice the tolerance, the number of triangles is the same.
 void TestScale(RelevoCheck& check)
 {
   const Scene scene(6);
@@ -286,7 +287,7 @@ void TestScale(RelevoCheck& check)
   CHECK_GREATER(number, 2 * scene.Meshes[1]->GetNumberOfCells());
 }
 
-// A tube that is thicker than its ring is wide meets itself, though its mesh does not.
+// A tube thicker than its ring intersects itself, although its coarse mesh does not.
 void TestSelf(RelevoCheck& check)
 {
   auto mesh = Torus();
@@ -325,7 +326,7 @@ void TestErrors(RelevoCheck& check)
   CHECK(errors.Warned("more than Tolerance"));
   CHECK_GREATER(filter->GetOutput()->GetNumberOfLines(), 0);
 
-  // Without texture coordinates the heights have no place.
+  // Without texture coordinates, the heights cannot be sampled.
   RelevoErrors executive(filter->GetExecutive());
   filter->SetInputData(1, RelevoMakeSphere(6, { 1, 0, 0 }, 0.5));
   filter->Update();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves of all kinds and degrees lie where VTK's own cells have them, with their data.
+// vtkAdaptiveCurveFilter promises curves of all kinds and degrees at the positions of VTK's cells,
+// with their data.
 #include "RelevoCheck.h"
 #include "RelevoCurves.h"
 #include "RelevoPatches.h"
@@ -28,7 +29,7 @@ namespace
 {
 constexpr int Level = 4;
 
-// One line of the filter's against VTK's formula: places and "Values".
+// Compares one line with VTK's formula: positions and "Values".
 void TestCell(RelevoCheck& check, vtkUnstructuredGrid* grid)
 {
   auto filter = RelevoNewCurveFilter(grid, Level);
@@ -66,7 +67,7 @@ void TestCell(RelevoCheck& check, vtkUnstructuredGrid* grid)
       CHECK_NEAR(values->GetComponent(ids->GetId(static_cast<vtkIdType>(i)), c), sum, 1e-12);
     }
   }
-  // Both ends exactly.
+  // Both ends are exact.
   for (int end = 0; end < 2; ++end)
   {
     RelevoPosition node;
@@ -88,7 +89,7 @@ void TestKinds(RelevoCheck& check)
   }
 }
 
-// Far from the origin, in floats: ends to the bit, all within a float's rounding.
+// Far from the origin, in floats, ends are exact and other points accurate to a float's rounding.
 void TestFloats(RelevoCheck& check)
 {
   auto grid = RelevoNewCell(VTK_BEZIER_CURVE, { 3, 0, 0 }, 0.4, true, 4);
@@ -113,7 +114,7 @@ void TestFloats(RelevoCheck& check)
   CHECK_EQUAL(node, places.back());
 }
 
-// A circle of NURBS is exactly round, and its arcs share their ends.
+// A NURBS circle is exactly round, and its arcs share their ends.
 void TestCircle(RelevoCheck& check)
 {
   auto source = RelevoMakeCircle().NewSource();
@@ -132,7 +133,8 @@ void TestCircle(RelevoCheck& check)
   }
 }
 
-// One line for each poly-line; segments of no length are left out; other cells are no curves.
+// Each poly-line gives one line. Segments of zero length are removed, and other cells are not
+// curves.
 void TestPolyLines(RelevoCheck& check)
 {
   vtkNew<vtkPoints> points;
@@ -163,13 +165,14 @@ void TestPolyLines(RelevoCheck& check)
   vtkPolyData* output = filter->GetOutput();
   CHECK_EQUAL(output->GetNumberOfCells(), 2);
   CHECK_EQUAL(output->GetNumberOfLines(), 2);
-  CHECK_EQUAL(RelevoGetCellPoints(output, 0).size(), 3 * 4 + 2); // two points at one place
+  CHECK_EQUAL(RelevoGetCellPoints(output, 0).size(), 3 * 4 + 2); // two points coincide
   CHECK_EQUAL(RelevoGetCellPoints(output, 0).back(), RelevoGetCellPoints(output, 1).front());
   CHECK_EQUAL(output->GetCellData()->GetArray("Ids")->GetComponent(0, 0), 8.0);
   CHECK_EQUAL(output->GetCellData()->GetArray("vtkOriginalCellIds")->GetComponent(1, 0), 2.0);
 }
 
-// Integers are rounded, strings are the nearest node's, no data spread, ids are gone.
+// Integers are rounded, strings come from the nearest node, missing values spread, and ids are
+// removed.
 void TestData(RelevoCheck& check)
 {
   auto grid = RelevoNewGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 2, 0, 0 } } });

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Bad input: an error that names the cell and the array; the other cells are drawn.
+// vtkAdaptiveCurveFilter promises an error that names cell and array for invalid cells, and the
+// other curves.
 #include "RelevoCheck.h"
 #include "RelevoCurves.h"
 
@@ -27,7 +28,7 @@ namespace
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
-// Twelve points, and a line that is as it should be.
+// Twelve points and a valid line.
 vtkSmartPointer<vtkUnstructuredGrid> MakeGrid()
 {
   std::vector<RelevoPosition> places;
@@ -48,7 +49,7 @@ void AddCell(vtkUnstructuredGrid* grid, int type, int number)
   grid->InsertNextCell(type, number, ids.data());
 }
 
-// One error, and the line alone is drawn.
+// Expects one error, and only the valid line in the output.
 void ExpectMeshError(RelevoCheck& check, vtkUnstructuredGrid* grid, const char* words)
 {
   auto filter = RelevoNewCurveFilter(grid, 2);
@@ -125,7 +126,7 @@ void TestPoints(RelevoCheck& check)
   }
 }
 
-// Empty output.
+// Expects an empty output.
 void ExpectError(RelevoCheck& check, vtkAdaptiveCurveFilter* filter, const char* words)
 {
   RelevoErrors errors(filter);
@@ -167,7 +168,7 @@ void TestWhole(RelevoCheck& check)
   ExpectError(check, RelevoNewCurveFilter(grid, 2), "None of the input's cells is a curve.");
 }
 
-// Blocks of other types are told of, and not looked at.
+// Blocks of other types give an error and are skipped.
 void TestBlocks(RelevoCheck& check)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -185,12 +186,12 @@ void TestBlocks(RelevoCheck& check)
   CHECK(second && second->GetNumberOfLines() == 1);
 }
 
-// What another piece draws, and what is at one place, is no fault.
+// Cells that another piece draws and curves without length are not errors.
 void TestLeftOut(RelevoCheck& check)
 {
   auto grid = MakeGrid();
   AddCell(grid, VTK_CUBIC_LINE, 4);
-  AddCell(grid, VTK_CUBIC_LINE, 2); // bad, but hidden
+  AddCell(grid, VTK_CUBIC_LINE, 2); // invalid, but hidden
   const std::array<vtkIdType, 3> same{ 5, 5, 5 };
   grid->InsertNextCell(VTK_QUADRATIC_EDGE, 3, same.data());
   vtkNew<vtkUnsignedCharArray> ghosts;

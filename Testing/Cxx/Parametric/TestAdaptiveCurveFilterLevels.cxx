@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// How many segments curves have: by arrays, by metrics at their control points, by the recipe.
+// vtkAdaptiveCurveFilter promises the number of segments of each curve, from arrays, from metrics
+// at the control points, and from the recipe.
 #include "RelevoCheck.h"
 #include "RelevoCurves.h"
 
@@ -25,7 +26,7 @@
 
 namespace
 {
-// A metric by hand: the tag is the x coordinate, in half levels.
+// The tag is the x coordinate, in half levels.
 class TagsOfPlaces : public vtkDepthTagMetric
 {
 public:
@@ -51,7 +52,7 @@ public:
 };
 vtkStandardNewMacro(TagsOfPlaces);
 
-// Two Bezier curves and a line: with largest x 5, 8 and 3.
+// Two Bézier curves and a line, whose largest x are 5, 8 and 3.
 vtkSmartPointer<vtkUnstructuredGrid> MakeCurves()
 {
   auto grid = RelevoNewGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 5, 1, 0 } }, { { 8, 2, 0 } },
@@ -84,7 +85,7 @@ void TestMetric(RelevoCheck& check)
   CHECK((CountSegments(filter) == std::array<int, 3>{ 8, 8, 8 }));
   vtkNew<TagsOfPlaces> metric;
   recipe->SetMetric(metric);
-  // Tags 2.5, 4 and 1.5: rounded half up, and cut off at 3.
+  // The tags 2.5, 4 and 1.5 are rounded half up and limited to 3.
   CHECK((CountSegments(filter) == std::array<int, 3>{ 8, 8, 4 }));
   CHECK(metric->NumberOfPoints == 9 && metric->NumberOfLines == 3 && !metric->HasWeights);
   recipe->SetMaximumLevel(7);
@@ -94,7 +95,7 @@ void TestMetric(RelevoCheck& check)
   // 2^1.25 = 2.38, 2^2.75 = 6.73, 2^0.25 = 1.19.
   recipe->SetSegmentPolicyToWholeNumbers();
   CHECK((CountSegments(filter) == std::array<int, 3>{ 2, 7, 1 }));
-  // 2^4.7 = 26.0, 2^6.2 = 73.5 (among multiples of 8), 2^3.7 = 13.0.
+  // 2^4.7 = 26.0, 2^6.2 = 73.5 (rounded to a multiple of 8), 2^3.7 = 13.0.
   recipe->SetLevelOffset(2.2);
   CHECK((CountSegments(filter) == std::array<int, 3>{ 26, 72, 13 }));
 }
@@ -113,7 +114,7 @@ void TestArray(RelevoCheck& check)
   vtkNew<TagsOfPlaces> metric;
   filter->GetRefinement()->SetMetric(metric);
   filter->GetRefinement()->SetDepthTagArrayName("Tags");
-  // The means of both ends: VTK has them first, so 1.5, 2 and 2.5.
+  // The means of both ends, which VTK stores first: 1.5, 2 and 2.5.
   const std::array<int, 3> segments = CountSegments(filter);
   CHECK((segments == std::array<int, 3>{ 4, 4, 8 }));
   CHECK_EQUAL(metric->NumberOfPoints, 0);
@@ -128,7 +129,7 @@ void TestArray(RelevoCheck& check)
   CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 
-// The camera counts in the input's own coordinates.
+// The camera is in the input's coordinates.
 void TestTimes(RelevoCheck& check)
 {
   auto filter = RelevoNewCurveFilter(MakeCurves(), 2);

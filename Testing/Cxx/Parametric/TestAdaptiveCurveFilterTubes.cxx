@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Tubes: at their radius from the curve, closed, not twisted, normals outwards; ribbons: as wide
-// from the camera.
+// vtkAdaptiveCurveFilter promises closed tubes of the given radius without twist, with normals
+// outwards, and ribbons of the same width that face the camera.
 #include "RelevoCheck.h"
 #include "RelevoCurves.h"
 
@@ -53,7 +53,7 @@ RelevoPosition GetDifference(const RelevoPosition& a, const RelevoPosition& b)
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
 }
 
-// Rings of a single tube against the points of its curve.
+// Compares the rings of a single tube with the points of its curve.
 void CheckRings(RelevoCheck& check, vtkPolyData* tube, vtkPolyData* line, int sides)
 {
   const std::vector<RelevoPosition> axis = RelevoGetCellPoints(line, 0);
@@ -81,7 +81,7 @@ void CheckRings(RelevoCheck& check, vtkPolyData* tube, vtkPolyData* line, int si
       }
     }
   }
-  // From ring to ring it turns as little as the curve does.
+  // The frame rotates from ring to ring no more than the curve.
   CHECK_GREATER(worst, 0.5);
 }
 
@@ -110,7 +110,7 @@ void TestSingleTubes(RelevoCheck& check)
   }
 }
 
-// Joined curves, with and without corners, and rings: one closed surface.
+// Joined curves, with and without corners, and rings form one closed surface.
 void TestJoinedTubes(RelevoCheck& check)
 {
   auto circle = RelevoMakeCircle().NewSource();
@@ -132,7 +132,7 @@ void TestJoinedTubes(RelevoCheck& check)
     const double length = grid == circle->GetOutput() ? 2.0 * vtkMath::Pi() : 10.0;
     CHECK_GREATER(RelevoGetVolume(tube), 0.8 * length * vtkMath::Pi() * Radius * Radius);
   }
-  // The torus of the circle.
+  // The circle becomes a torus.
   auto filter = RelevoNewCurveFilter(circle->GetOutput(), 6);
   filter->SetRepresentationToTubes();
   filter->SetRadius(0.25);
@@ -147,7 +147,8 @@ void TestJoinedTubes(RelevoCheck& check)
     RelevoGetVolume(filter->GetOutput()), 2.0 * vtkMath::Pi() * vtkMath::Pi() / 16.0, 0.01);
 }
 
-// A trefoil knot of cubics: followed all round, its frame has turned, which all curves share.
+// A trefoil knot of cubic curves. After one turn the frame has rotated, and all curves share this
+// rotation.
 void TestKnot(RelevoCheck& check)
 {
   constexpr int curves = 9;
@@ -186,7 +187,7 @@ void TestKnot(RelevoCheck& check)
   vtkPolyData* tube = filter->GetOutput();
   CHECK_EQUAL(tube->GetNumberOfPoints(), curves * 33 * sides);
   CHECK_EQUAL(RelevoCountOpenEdges(tube), 0);
-  // From ring to ring the sides turn about the curve, everywhere as little.
+  // The sides rotate equally from ring to ring.
   auto lines = RelevoNewCurveFilter(grid, 5);
   lines->Update();
   std::vector<double> turns;
@@ -208,7 +209,7 @@ void TestKnot(RelevoCheck& check)
   CHECK_LESS(*most - *least, 0.02);
 }
 
-// A cone: the radius by an array, normals that lean.
+// A cone: the radius comes from an array, and normals are tilted.
 void TestRadii(RelevoCheck& check)
 {
   auto grid = RelevoNewGrid({ { { 0, 0, 0 } }, { { 0, 0, 4 } }, { { 0, 0, 1 } } });
@@ -236,7 +237,7 @@ void TestRadii(RelevoCheck& check)
   }
 }
 
-// Control points that coincide at the ends leave a direction.
+// If control points coincide at an end, the curve still has a direction there.
 void TestCoincident(RelevoCheck& check)
 {
   auto grid = RelevoNewGrid({ { { 0, 0, 0 } }, { { 1, 1, 0 } } });

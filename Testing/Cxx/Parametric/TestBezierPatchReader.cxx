@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Patches of all degrees: VTK's own cells lie on what de Casteljau's construction gives.
+// vtkBezierPatchReader promises Bézier patches of all degrees as VTK's cells, compared with de
+// Casteljau's algorithm.
 #include "RelevoCheck.h"
 #include "RelevoFiles.h"
 #include "RelevoPatchFiles.h"
@@ -64,7 +65,7 @@ void TestDegrees(RelevoCheck& check, const std::string& name)
   CHECK_NEAR(RelevoGetPatchError(grid, patches), 0.0, 1e-14);
 }
 
-// What two patches have in common along a border is there once, also where 0 is -0.
+// Patches share their common borders, even if 0 and -0 are mixed.
 void TestBorders(RelevoCheck& check, const std::string& name)
 {
   std::mt19937 random(2);
@@ -74,8 +75,8 @@ void TestBorders(RelevoCheck& check, const std::string& name)
   left.Points[17][1] = 0.0;
   for (int k = 0; k <= 4; ++k)
   {
-    right.Points[k] = left.Points[15 + k];        // right's first row is left's last
-    turned.Points[6 * (4 - k)] = right.Points[k]; // and a column, turned round, of a third
+    right.Points[k] = left.Points[15 + k];        // right's first row equals left's last
+    turned.Points[6 * (4 - k)] = right.Points[k]; // and a column, reversed, of a third patch
   }
   right.Points[2][1] = -0.0;
   const std::vector<RelevoPatch> patches{ left, right, turned };
@@ -83,7 +84,7 @@ void TestBorders(RelevoCheck& check, const std::string& name)
   CHECK_EQUAL(grid->GetNumberOfPoints(), 20 + 15 + 30 - 10);
   CHECK_NEAR(RelevoGetPatchError(grid, patches), 0.0, 1e-14);
 
-  // Inside nothing is joined; a border that is one place is one point.
+  // Inner points are never merged. A border that collapses to a point is one point.
   RelevoPatch fold = MakePatch(random, 3, 3);
   fold.Points[5] = fold.Points[6];
   auto folded = Read(check, name, RelevoWritePatches({ fold }));
@@ -94,7 +95,7 @@ void TestBorders(RelevoCheck& check, const std::string& name)
   CHECK_NEAR(RelevoGetPatchError(folded, { fold }), 0.0, 1e-14);
 }
 
-// A comma as the decimal point, and marks between thousands, in C++'s streams.
+// A locale with decimal commas and thousands separators for C++ streams.
 class Punctuation : public std::numpunct<char>
 {
   char do_decimal_point() const override { return ','; }
@@ -108,7 +109,7 @@ void TestTexts(RelevoCheck& check, const std::string& name)
     { { 0.5, -1234.5, 2e-3 }, { 1, 0, 3 }, { 0, 1, 0 }, { 1, 1, 0.25 } } } };
   const std::locale before =
     std::locale::global(std::locale(std::locale::classic(), new Punctuation));
-  std::setlocale(LC_ALL, "de_DE.UTF-8"); // if it is there
+  std::setlocale(LC_ALL, "de_DE.UTF-8"); // if it is installed
   for (const char* text : {
          "1\n1 1\n0.5 -1234.5 2e-3\n1 0 3\n0 1 0\n1 1 0.25\n",
          "1 1 1 .5 -1.2345E3 0.2e-2 1. 0 3 0 1 0 1 1 0.25", // no line ends

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Damaged files of patches: the error names file, line and what is wrong; the output is empty.
+// vtkBezierPatchReader promises an error that names file, line and cause, and an empty output, for
+// damaged files.
 #include "RelevoCheck.h"
 #include "RelevoFiles.h"
 
@@ -27,7 +28,7 @@ void ExpectError(RelevoCheck& check, vtkBezierPatchReader* reader, const std::st
   CHECK_EQUAL(reader->GetOutput()->GetNumberOfPoints(), 0);
 }
 
-// The file with one text replaced by another.
+// Replaces one text of the file by another.
 void ExpectFileError(RelevoCheck& check, const std::string& name, const std::string& from,
   const std::string& to, const std::string& words)
 {

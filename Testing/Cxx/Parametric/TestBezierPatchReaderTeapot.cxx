@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The Utah teapot: its 32 patches as they are in the file, with their borders in common.
+// vtkBezierPatchReader promises the 32 patches of the Utah teapot as in the file, with shared
+// borders.
 #include "RelevoCheck.h"
 #include "RelevoPatchFiles.h"
 
@@ -15,7 +16,7 @@
 
 namespace
 {
-// What the patches enclose, by Gauss: negative with normals inwards.
+// Volume of the patches by Gauss's theorem. It is negative if normals point inwards.
 double GetVolume(vtkUnstructuredGrid* grid)
 {
   constexpr int steps = 20;
@@ -60,6 +61,6 @@ int TestBezierPatchReaderTeapot(int, char*[])
   CHECK_EQUAL(grid->GetCellData()->GetHigherOrderDegrees()->GetRange(0)[0], 3.0);
   CHECK_NEAR(RelevoGetPatchError(grid, RelevoReadPatches(file)), 0.0, 1e-14);
   CHECK_EQUAL(grid->GetNumberOfPoints(), 298); // of 512
-  CHECK_GREATER(GetVolume(grid), 20.0);        // as all normals point outwards
+  CHECK_GREATER(GetVolume(grid), 20.0);        // all normals point outwards
   return check.GetResult();
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Levels by control nets: vtkControlNetDepthTagMetric, and the distance to control points.
+// vtkControlNetDepthTagMetric promises levels by the angles of control nets.
+// vtkDistanceDepthTagMetric uses control points as well.
 #include "RelevoCheck.h"
 #include "RelevoPatches.h"
 
@@ -54,7 +55,7 @@ bool AreAll(const std::vector<double>& tags, double level)
   return !tags.empty();
 }
 
-// One patch, its control points moved by z = f(x, y): they are evenly spaced in the unit square.
+// One patch whose control points, evenly spaced in the unit square, have z = f(x, y).
 vtkSmartPointer<vtkPolyData> MakePatch(
   int type, int degree, const std::function<double(double, double)>& f)
 {
@@ -72,7 +73,7 @@ void TestAngles(RelevoCheck& check)
   vtkNew<vtkControlNetDepthTagMetric> metric;
   CHECK(!metric->IsViewDependent() && !metric->IsAbsolute());
   const auto flat = [](double x, double y) { return x + y; };
-  // A roof of 45 degrees on both sides: a right angle between them.
+  // A roof whose sides slope by 45 degrees and meet at a right angle.
   const auto roof = [](double x, double) { return std::abs(x - 0.5); };
   for (const int type : { VTK_BEZIER_QUADRILATERAL, VTK_BEZIER_TRIANGLE })
   {
@@ -90,7 +91,7 @@ void TestAngles(RelevoCheck& check)
     metric->SetMaximumAngle(80.0);
     CHECK(AreAll(GetTags(bent, metric, nullptr), 6.0));
   }
-  // Quads without area say nothing: the others still meet at a right angle.
+  // Quads without area are ignored; the others still meet at a right angle.
   const auto worn = MakePatch(VTK_BEZIER_QUADRILATERAL, 4, roof);
   vtkDataArray* points = worn->GetFieldData()->GetArray("PatchPoints");
   for (const vtkIdType i : { 1, 5, 6 })
@@ -106,7 +107,7 @@ void TestDistances(RelevoCheck& check)
   metric->SetMaximumDistance(8.0);
   metric->SetMeasureToControlPoints();
   CHECK_EQUAL(std::string(metric->GetMeasureAsString()), "ControlPoints");
-  // One control point, which the patch does not reach, comes within 2 of the camera.
+  // A single control point comes within 2 of the camera. The patch does not reach it.
   const auto peak = [](double x, double y) { return x == 0.5 && y == 0.5 ? 3.0 : 0.0; };
   const auto patch = MakePatch(VTK_BEZIER_QUADRILATERAL, 4, peak);
   vtkNew<vtkCamera> camera;
@@ -115,7 +116,7 @@ void TestDistances(RelevoCheck& check)
   CHECK(AreAll(GetTags(patch, metric, camera), 6.0 * (1.0 - 2.0 / 8.0)));
   metric->SetMeasureToVertices();
   CHECK_LESS(GetTags(patch, metric, camera)[0], 6.0 * (1.0 - 5.0 / 8.0));
-  // The points of a line are control points themselves.
+  // The points of a line are control points.
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(0.5, 0.5, 3.0);
   points->InsertNextPoint(0.5, 0.5, 1.0);
@@ -149,7 +150,7 @@ void TestErrors(RelevoCheck& check)
   CHECK(ofDistance.Said("There are no control points to measure to: the array Patches is missing"));
 }
 
-// Nothing is read where arrays do not fit.
+// Arrays of wrong sizes are not read.
 void TestArrays(RelevoCheck& check)
 {
   vtkNew<vtkControlNetDepthTagMetric> metric;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Hair: how many, where, which way; the same for any number of threads; bad input.
+// vtkHairSource promises the number, positions and directions of hairs, the same for any number of
+// threads, and errors.
 #include "RelevoCheck.h"
 #include "RelevoCurves.h"
 
@@ -40,7 +41,7 @@ vtkSmartPointer<vtkPolyData> MakeSurface()
   }
   vtkNew<vtkCellArray> polys;
   polys->InsertNextCell({ 0, 1, 2 });
-  polys->InsertNextCell({ 0, 3, 1 }); // looks down
+  polys->InsertNextCell({ 0, 3, 1 }); // faces down
   vtkNew<vtkCellArray> strips;
   strips->InsertNextCell({ 4, 5, 6, 7 });
   auto surface = vtkSmartPointer<vtkPolyData>::New();
@@ -72,7 +73,7 @@ std::array<RelevoPosition, 4> GetCurve(vtkUnstructuredGrid* grid, vtkIdType cell
   return { places[0], places[2], places[3], places[1] };
 }
 
-// Whether it is at or in the given cell of MakeSurface().
+// Whether a point is in the given cell of MakeSurface() or on its border.
 bool IsOnSurface(const RelevoPosition& place, vtkIdType cell)
 {
   const double e = 1e-12;
@@ -110,7 +111,7 @@ void TestRoots(RelevoCheck& check)
     ++numbers[cell];
     roots.insert(curve[0]);
     CHECK(IsOnSurface(curve[0], cell));
-    // Along the normal, 0.4 to 0.5 long, and down by a quarter of that.
+    // Hairs follow the normal, have lengths from 0.4 to 0.5 and sink by a quarter of their length.
     const int axis = cell == 2 ? 0 : 2;
     const double sign = cell == 1 ? -1.0 : 1.0;
     const double size = 3.0 * sign * (curve[1][axis] - curve[0][axis]);
@@ -122,11 +123,12 @@ void TestRoots(RelevoCheck& check)
     CHECK_NEAR(RelevoGetDistance(tip, curve[3]), 0.0, 1e-12);
   }
   CHECK_EQUAL(roots.size(), 604);
-  // Each has a share of the area: those of a cell are exact but for one at either end.
+  // Each hair has an equal share of the area. The number in each cell is exact up to one at both
+  // ends.
   CHECK_NEAR(numbers[0], 6.0 * 50.3, 1.5);
   CHECK_NEAR(numbers[1], 2.0 * 50.3, 1.5);
   CHECK_NEAR(numbers[2], 4.0 * 50.3, 1.5);
-  // Within a cell as well: a quarter of a triangle has a quarter of its hairs.
+  // Hairs are distributed evenly within a cell: a quarter of a triangle has a quarter of its hairs.
   int quarter = 0;
   for (const RelevoPosition& root : roots)
   {
@@ -135,7 +137,7 @@ void TestRoots(RelevoCheck& check)
   CHECK_NEAR(quarter, 75, 4 * 8); // four standard deviations
 }
 
-// As many cubics as the curl needs, joined in C1; the radius falls.
+// The curl determines the number of cubic curves, joined with C1 continuity. The radius decreases.
 void TestCurl(RelevoCheck& check)
 {
   for (double curl : { 0.25, 0.5, 0.75, 3.0 })
@@ -175,7 +177,8 @@ void TestCurl(RelevoCheck& check)
   }
 }
 
-// The least share of a hair's length that its root and tip are apart, by 100 chords of each cubic.
+// Smallest ratio between the distance from root to tip and the length, by 100 chords per cubic
+// curve.
 double GetStraightness(double curl)
 {
   const int cubics = std::max(1, static_cast<int>(std::ceil(2.0 * curl)));
@@ -209,7 +212,7 @@ double GetStraightness(double curl)
   return least;
 }
 
-// Curls are seen: one turn brings root and tip nearer by 7 percent.
+// One turn of curl brings root and tip 7 percent closer.
 void TestStraightness(RelevoCheck& check)
 {
   CHECK_NEAR(GetStraightness(0.0), 1.0, 1e-12);
@@ -249,7 +252,7 @@ void TestRepetition(RelevoCheck& check)
   CHECK(!AreSame(hairs[0], hairs[2]));
 }
 
-// The points' normals are taken, where they can be; ghosts have no hair.
+// Valid point normals are used. Ghost cells have no hairs.
 void TestNormals(RelevoCheck& check)
 {
   auto surface = MakeSurface();
@@ -277,13 +280,13 @@ void TestNormals(RelevoCheck& check)
     const std::array<RelevoPosition, 4> curve = GetCurve(hair, i);
     const bool isStrip =
       hair->GetCellData()->GetArray("vtkOriginalCellIds")->GetComponent(i, 0) == 2.0;
-    const int axis = isStrip ? 0 : 1; // the strip's normals are 0: its own is taken
+    const int axis = isStrip ? 0 : 1; // the strip's normals are 0, so that of its triangle is used
     CHECK_NEAR(
       RelevoGetDistance(curve[0], curve[3]), std::abs(curve[3][axis] - curve[0][axis]), 1e-12);
   }
 }
 
-// As tubes, hairs are closed, one by one.
+// As tubes, each hair is closed.
 void TestTubes(RelevoCheck& check)
 {
   auto source = NewSource(MakeSurface(), 1.0, 1.0);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// NURBS as Bézier cells: VTK's own cells lie on what Cox and de Boor's recursion gives.
+// vtkNURBSSource promises Bézier cells that equal the NURBS, compared with the Cox-de Boor
+// recursion.
 #include "RelevoCheck.h"
 #include "RelevoSplines.h"
 
@@ -24,7 +25,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Decompose(RelevoCheck& check, const RelevoS
   return source->GetOutput();
 }
 
-// The largest distance between the cells and the spline, inside spans and at both of their ends.
+// Largest distance between cells and spline, inside spans and at their ends.
 double GetError(vtkUnstructuredGrid* grid, const RelevoSpline& spline)
 {
   constexpr int steps = 7;
@@ -40,7 +41,7 @@ double GetError(vtkUnstructuredGrid* grid, const RelevoSpline& spline)
         const double b = k / (steps + 1) / static_cast<double>(steps);
         const double u = a < 1.0 ? first[0] + a * (first[1] - first[0]) : first[1];
         const double v = b < 1.0 ? second[0] + b * (second[1] - second[0]) : second[1];
-        // At a knot each side has its own value where the spline jumps.
+        // If the spline jumps at a knot, the two sides have different values.
         if ((a == 0.0 && b == 1.0) || (a == 1.0 && b == 0.0))
         {
           continue;
@@ -55,7 +56,7 @@ double GetError(vtkUnstructuredGrid* grid, const RelevoSpline& spline)
   return error;
 }
 
-// Clamped and not, with knots of every multiplicity, also where the curve jumps.
+// Clamped and unclamped, with knots of every multiplicity, including discontinuities.
 std::vector<std::vector<double>> MakeKnots(int p)
 {
   std::vector<double> bezier(p + 1, -2.0);
@@ -73,7 +74,7 @@ std::vector<std::vector<double>> MakeKnots(int p)
     multiple.insert(multiple.end(), times, knot);
   }
   multiple.insert(multiple.end(), p + 1, knot + 0.7);
-  std::vector<double> half(uniform.begin(), uniform.end() - 1); // clamped at one end alone
+  std::vector<double> half(uniform.begin(), uniform.end() - 1); // clamped at one end only
   half.insert(half.end(), p + 1, uniform.back());
   return { bezier, uniform, multiple, half };
 }
@@ -105,7 +106,7 @@ void TestSurfaces(RelevoCheck& check)
   std::mt19937 random(11);
   for (int p = 1; p <= 8; ++p)
   {
-    const int q = 1 + (3 * p) % 8; // each degree once, mostly another than p
+    const int q = 1 + (3 * p) % 8; // each degree once, usually different from p
     const auto first = MakeKnots(p);
     const auto second = MakeKnots(q);
     for (int i = 0; i < static_cast<int>(first.size()); ++i)
@@ -160,7 +161,7 @@ void TestTorus(RelevoCheck& check)
   CHECK_NEAR(error, 0.0, 1e-14);
 }
 
-// Neighbours have the same points along a border, however many knots were put in.
+// Neighbours share the points on their border, however many knots were inserted.
 void TestBorders(RelevoCheck& check)
 {
   std::mt19937 random(3);
@@ -171,16 +172,16 @@ void TestBorders(RelevoCheck& check)
       RelevoMakeRandomSpline(random, { 3, 3 }, { knots, knots }, isRational);
     auto grid = Decompose(check, spline);
     CHECK_EQUAL(grid->GetNumberOfCells(), 9);
-    CHECK_EQUAL(grid->GetNumberOfPoints(), 100); // 10 x 10, as each border is there once
+    CHECK_EQUAL(grid->GetNumberOfPoints(), 100); // 10 x 10 with shared borders
   }
-  // Where it jumps nothing is joined.
+  // At a discontinuity, points are not merged.
   const std::vector<double> jumping{ 0, 0, 1, 1, 2, 2 };
   const RelevoSpline jump =
     RelevoMakeRandomSpline(random, { 1, 3 }, { jumping, std::vector<double>() }, false);
   CHECK_EQUAL(Decompose(check, jump)->GetNumberOfPoints(), 4);
 }
 
-// Weights that are all 1 are none; others are there, all alike or not.
+// If all weights are 1, there is no array of weights.
 void TestWeights(RelevoCheck& check)
 {
   std::mt19937 random(5);
@@ -207,7 +208,7 @@ void TestWeights(RelevoCheck& check)
   CHECK_NEAR(error, 0.0, 1e-14);
 }
 
-// A curve that ends where it begins has one point there, unless their weights differ.
+// A closed curve has one common end point, unless the weights of its ends differ.
 void TestEnds(RelevoCheck& check)
 {
   RelevoSpline spline;
@@ -225,7 +226,7 @@ void TestEnds(RelevoCheck& check)
   }
 }
 
-// What arrays hold counts, not only which they are.
+// Changes of an array's values take effect.
 void TestTimes(RelevoCheck& check)
 {
   const RelevoSpline circle = RelevoMakeCircle();

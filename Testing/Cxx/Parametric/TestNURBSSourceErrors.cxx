@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What is no NURBS: the error says what is wrong, and the output is empty.
+// vtkNURBSSource promises an error that names the cause, and an empty output, for invalid NURBS.
 #include "RelevoCheck.h"
 #include "RelevoSplines.h"
 
@@ -15,7 +15,7 @@
 
 namespace
 {
-// A surface of 5 x 6 control points, degrees 2 and 3, with one thing changed.
+// A surface of 5 x 6 control points and degrees 2 and 3, with one invalid property.
 void ExpectError(
   RelevoCheck& check, const std::function<void(RelevoSpline&)>& spoil, const char* words)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkPatchErrorDepthTagMetric: what is refined by it deviates by no more than it was asked for,
-// whatever the degree, the weights, the placement and the patterns.
+// vtkPatchErrorDepthTagMetric promises that refined patches deviate by at most ScreenSpaceError,
+// for all degrees, weights, positions and patterns.
 #include "RelevoCheck.h"
 #include "RelevoPatchDistance.h"
 #include "RelevoPatches.h"
@@ -65,7 +65,7 @@ struct Scene
   vtkNew<vtkAdaptiveRefinementFilter> Filter;
 };
 
-// How much of what was asked for is used.
+// Largest deviation relative to the allowed one.
 double GetShare(Scene& scene, vtkPolyData* coarse)
 {
   const RelevoPatchDistance distance(coarse);
@@ -119,7 +119,7 @@ void TestUnevenWeights(RelevoCheck& check)
     }
     const auto patches = RelevoMakePatches(cell);
     const int perQuad = i % 2 == 0 ? 2 : 1;
-    if (scene.Refine(patches)->GetNumberOfPolys() < perQuad * 128 * 128) // not at its highest level
+    if (scene.Refine(patches)->GetNumberOfPolys() < perQuad * 128 * 128) // not at the highest level
     {
       ++reached;
       CHECK_LESS_EQUAL(GetShare(scene, patches), 1.0);
@@ -133,7 +133,7 @@ void TestViews(RelevoCheck& check)
   Scene scene;
   const auto patches =
     RelevoMakePatches(RelevoNewCell(VTK_BEZIER_QUADRILATERAL, { { 3, 3, 1 } }, 0.3));
-  // All patterns: also those that only have powers of two, and those that morph.
+  // Tests all patterns, including powers of two and nested patterns.
   CHECK_LESS_EQUAL(GetShare(scene, patches), 1.0);
   const vtkIdType whole = scene.Refine(patches)->GetNumberOfPolys();
   scene.Recipe->SetSegmentPolicyToPowersOfTwo();
@@ -151,7 +151,7 @@ void TestViews(RelevoCheck& check)
   CHECK_LESS_EQUAL(GetShare(scene, patches), 1.0);
   CHECK_GREATER(GetShare(scene, patches), 0.1);
   scene.Camera->ParallelProjectionOff();
-  // Finer where an error is smaller, or the camera nearer.
+  // A smaller error or a nearer camera gives finer triangles.
   scene.Metric->SetScreenSpaceError(0.125);
   const vtkIdType fine = scene.Refine(patches)->GetNumberOfPolys();
   CHECK_GREATER(fine, 3 * whole);
@@ -168,10 +168,11 @@ void TestViews(RelevoCheck& check)
   scene.Camera->SetPosition(0.5, 0.5, 0.0);
   scene.Camera->SetFocalPoint(0.5, 0.5, -1.0);
   scene.Recipe->SetMaximumLevel(4);
-  CHECK_EQUAL(scene.Refine(patches)->GetNumberOfPolys(), 512); // from within: all there is
+  // from within, all faces have the highest level
+  CHECK_EQUAL(scene.Refine(patches)->GetNumberOfPolys(), 512);
 }
 
-// Vertices of patterns that morph have arrived, however near to the next level a patch is.
+// Vertices of nested patterns have reached their positions, even just below the next level.
 void TestMorphing(RelevoCheck& check)
 {
   Scene scene;
@@ -190,7 +191,7 @@ void TestMorphing(RelevoCheck& check)
   CHECK_GREATER(most, 0.25);
 }
 
-// An actor that is twice as large needs what a viewport twice as large does.
+// Doubling an actor's size and doubling the viewport give the same levels.
 void TestPlacement(RelevoCheck& check)
 {
   const auto patches =
@@ -209,7 +210,7 @@ void TestPlacement(RelevoCheck& check)
   CHECK_EQUAL(one.Refine(patches)->GetNumberOfPolys(), two.Refine(patches)->GetNumberOfPolys());
 }
 
-// Quarter circles of radius 1: the angle of a chord is known.
+// Quarter circles of radius 1, for which the angle of a chord is known.
 void TestCurves(RelevoCheck& check)
 {
   vtkNew<vtkPoints> points;
@@ -249,12 +250,12 @@ void TestCurves(RelevoCheck& check)
   CHECK_EQUAL(tags->GetComponent(2, 0), tag);
   CHECK_EQUAL(tags->GetComponent(3, 0), 0.0);
   CHECK_EQUAL(tags->GetComponent(5, 0), 0.0);
-  // 300 pixels a unit; half a pixel needs a cosine of 1 - 1 / 600.
+  // With 300 pixels per unit, half a pixel requires a cosine of 1 - 1 / 600.
   const double least = 0.25 * std::acos(-1.0) / std::acos(1.0 - 1.0 / 600.0);
   CHECK_GREATER_EQUAL(std::exp2(tag), least);
   CHECK_LESS_EQUAL(std::exp2(tag), 1.5 * least);
 
-  // Curves that are not whole add nothing.
+  // Incomplete curves add nothing.
   for (vtkIdType stranger : { vtkIdType(-1), vtkIdType(6), vtkIdType(1) << 40 })
   {
     lines->InsertNextCell({ 3, stranger, 5 });
@@ -273,7 +274,7 @@ void TestCurves(RelevoCheck& check)
 
 using Curve = std::vector<std::array<double, 4>>; // coordinates and weights
 
-// Weights from 1 / range to range.
+// Random weights from 1 / range to range.
 Curve MakeRandomCurve(int degree, double range, std::mt19937& random)
 {
   std::uniform_real_distribution<double> share(0.0, 1.0);
@@ -286,7 +287,7 @@ Curve MakeRandomCurve(int degree, double range, std::mt19937& random)
   return curve;
 }
 
-// By de Casteljau's algorithm.
+// Evaluates by de Casteljau's algorithm.
 RelevoPosition Evaluate(const Curve& curve, double t)
 {
   Curve points = curve;
@@ -310,7 +311,7 @@ RelevoPosition Evaluate(const Curve& curve, double t)
   return { points[0][0] / points[0][3], points[0][1] / points[0][3], points[0][2] / points[0][3] };
 }
 
-// Of equal segments, at equal parameters.
+// Deviation of segments at equal parameter steps.
 double MeasureDeviation(const Curve& curve, int segments)
 {
   constexpr int parts = 8;
@@ -335,13 +336,13 @@ double MeasureDeviation(const Curve& curve, int segments)
   return most;
 }
 
-// Curves of all degrees, of which 40 segments deviate by no more than is asked for. Where weights
-// differ much, a bend may be shorter than a segment: then a bound that falls with the square of the
-// number of segments asks for more.
+// Curves of all degrees that 40 segments approximate within the allowed error. If weights differ
+// much, a bend may be shorter than a segment, and a bound that falls with the square of the number
+// of segments then requires more.
 void TestRationalCurves(RelevoCheck& check)
 {
   constexpr int enough = 40;
-  constexpr double pixels = 300.0; // in a unit
+  constexpr double pixels = 300.0; // per unit
   Scene scene;
   scene.Camera->ParallelProjectionOn();
   vtkNew<vtkDepthTagFilter> filter;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The Utah teapot within half a pixel, with fewer triangles than evenly cut cells need.
+// Proves patches.md: within half a pixel, the Utah teapot needs fewer triangles than with uniformly
+// split cells.
 #include "RelevoCheck.h"
 #include "RelevoPatchDistance.h"
 
@@ -25,9 +26,9 @@ namespace
 {
 constexpr double Pixels = 0.5;
 
-// Triangles of the least level of vtkDataSetSurfaceFilter, which cuts a bicubic cell into 3 *
-// 2^level parts each way, with which no part that is looked at is off. Its own triangles are not
-// taken: those at borders that are one point are off at levels at which no others are.
+// Number of triangles at the lowest sufficient level of vtkDataSetSurfaceFilter, which splits a
+// bicubic cell into 3 * 2^level parts per direction. The deviation is not measured on its
+// triangles, because those at collapsed borders deviate at levels where all others are sufficient.
 vtkIdType CountEvenTriangles(const RelevoPatchDistance& distance, vtkCamera* camera, int height)
 {
   for (int parts = 3; parts < 1000; parts *= 2)
@@ -43,7 +44,7 @@ vtkIdType CountEvenTriangles(const RelevoPatchDistance& distance, vtkCamera* cam
   return 0;
 }
 
-// Triangles of coarse ones that have any within the viewport, which is square: others are culled.
+// Triangles of coarse faces that reach into the square viewport; others are culled.
 vtkIdType CountSeenTriangles(vtkPolyData* refined, vtkCamera* camera)
 {
   vtkMatrix4x4* matrix = camera->GetCompositeProjectionTransformMatrix(1.0, -1.0, 1.0);
@@ -75,7 +76,7 @@ vtkIdType CountSeenTriangles(vtkPolyData* refined, vtkCamera* camera)
   return triangles;
 }
 
-// The geometric mean of ratios of triangles.
+// Geometric mean of the ratios of triangles.
 double CompareWindows(
   RelevoCheck& check, vtkPolyData* coarse, vtkCamera* camera, const RelevoPatchDistance& distance)
 {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Arrays of grids on their way to refined surfaces: types, values without data, weights far from 1.
+// vtkPatchSurfaceFilter promises arrays of the grid on refined surfaces: all types, missing values,
+// and weights far from 1.
 #include "RelevoCheck.h"
 #include "RelevoPatches.h"
 
@@ -35,7 +36,7 @@ vtkSmartPointer<vtkPolyData> Refine(vtkPolyData* mesh)
   return filter->GetOutput();
 }
 
-// A quadratic triangle has the values of these six nodes.
+// A quadratic triangle with the values of these six nodes.
 template <typename Array>
 vtkSmartPointer<vtkUnstructuredGrid> NewTriangle(const std::array<double, 6>& values)
 {
@@ -54,7 +55,8 @@ vtkSmartPointer<vtkUnstructuredGrid> NewTriangle(const std::array<double, 6>& va
   return grid;
 }
 
-// Integers are rounded, and end where their type does: a quadratic field goes beyond its nodes.
+// Integers are rounded and clamped to their type, because a quadratic field exceeds the values of
+// its nodes.
 template <typename Array>
 void TestIntegers(RelevoCheck& check, double lowest, double highest)
 {
@@ -86,7 +88,7 @@ void TestIntegers(RelevoCheck& check, double lowest, double highest)
   }
 }
 
-// What stands for no data is nowhere mixed with data; all texture coordinates are data.
+// Missing values never mix with others. Texture coordinates are never missing.
 void TestNoData(RelevoCheck& check)
 {
   auto grid = RelevoNewCell(VTK_LAGRANGE_QUADRILATERAL, { 3, 3, 1 }, 0.1);
@@ -124,7 +126,7 @@ void TestNoData(RelevoCheck& check)
   CHECK_EQUAL(without, 77); // all but the corners
 }
 
-// The grid's own field data are there still, and nothing of patches that it was not made of.
+// The grid's field data are kept, without arrays of other patches.
 void TestFieldData(RelevoCheck& check)
 {
   auto grid = RelevoNewCell(VTK_QUADRATIC_TRIANGLE, { 2, 2, 2 }, 0.1);
@@ -147,7 +149,7 @@ void TestFieldData(RelevoCheck& check)
   CHECK_EQUAL(Refine(mesh)->GetFieldData()->GetAbstractArray("Note"), note);
 }
 
-// A factor that all weights have in common changes nothing, also where floats have no room for it.
+// A common factor of all weights changes nothing, even beyond the float range.
 void TestWeights(RelevoCheck& check)
 {
   for (int type : { VTK_BEZIER_QUADRILATERAL, VTK_BEZIER_TRIANGLE })

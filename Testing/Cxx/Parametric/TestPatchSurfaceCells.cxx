@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells of several triangles, cells turned inside out, arrays that are carried on, a file of VTK's.
+// vtkPatchSurfaceFilter promises outward patches for polygons, polyhedra and inverted cells, copied
+// arrays, and the curved cells of a VTK file.
 #include "RelevoCheck.h"
 #include "RelevoPatches.h"
 
@@ -40,8 +41,7 @@ RelevoPosition Evaluate(vtkPolyData* mesh, int patch, double u, double v)
   return { x[0], x[1], x[2] };
 }
 
-// Of triangles of degree 1: their area, each positive if it turns as z does, and what they enclose
-// with the origin.
+// For triangles of degree 1: signed areas seen along z, and the volume enclosed with the origin.
 struct Sums
 {
   explicit Sums(vtkPolyData* mesh)
@@ -79,7 +79,7 @@ int CountInnerBorders(vtkPolyData* mesh)
 
 void TestPolygons(RelevoCheck& check)
 {
-  // An L, whose fan from any of its corners but two would leave it.
+  // An L-shape, which a fan from all but two of its corners would leave.
   auto grid =
     NewGrid({ { 2, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 }, { 0, 0, 0 }, { 2, 0, 0 } });
   const std::array<vtkIdType, 6> ids{ 0, 1, 2, 3, 4, 5 };
@@ -101,7 +101,7 @@ void TestPolygons(RelevoCheck& check)
   CHECK_EQUAL(CountInnerBorders(mesh), 0);
 }
 
-// A cube as a polyhedron with a hexahedron on top; both, and the cube inside out.
+// A cube as a polyhedron with a hexahedron on top, also with the cube inside out.
 void TestPolyhedra(RelevoCheck& check)
 {
   std::vector<RelevoPosition> places;
@@ -141,7 +141,7 @@ void TestPolyhedra(RelevoCheck& check)
   }
 }
 
-// A cell whose points are in an order that turns it inside out: its patches face outwards still.
+// The points of this cell are ordered inside out, but its patches face outwards.
 void TestTurned(RelevoCheck& check)
 {
   auto grid = NewGrid({ { 0, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 0, 0, 1 } });

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells that cannot be drawn: the error names the cell and what is wrong; the others are put out.
+// vtkPatchSurfaceFilter promises an error that names the cell and the cause for each invalid cell,
+// and outputs the others.
 #include "RelevoCheck.h"
 #include "RelevoPatches.h"
 
@@ -19,8 +20,7 @@
 
 namespace
 {
-// Two Bézier quadrilaterals of degrees 2 and 1 side by side, and what is to be wrong with the
-// second.
+// Two adjacent Bézier quadrilaterals of degrees 2 and 1. A test makes the second one invalid.
 struct Pair
 {
   Pair()
@@ -52,7 +52,7 @@ struct Pair
 
   void AddGood() { this->Add(VTK_BEZIER_QUADRILATERAL, { 2, 4, 9, 7, 3, 8 }); }
 
-  // One patch is left, and one error.
+  // Expects one patch and one error.
   void Expect(RelevoCheck& check, const std::string& words, int patches = 1)
   {
     vtkNew<vtkPatchSurfaceFilter> filter;
@@ -96,7 +96,7 @@ void TestCells(RelevoCheck& check)
   Pair none;
   none.Add(VTK_BEZIER_QUADRILATERAL, { 2, 4, 9, 7, 3, 8 }, 0, 0);
   none.Expect(check, "Cell 1");
-  // Degrees that do not fit, or that are no whole numbers from 1 to 8.
+  // Degrees that do not fit the cell or are not whole numbers from 1 to 8.
   for (double bad : { -1.0, 1e6, 2.5, nan, std::numeric_limits<double>::infinity() })
   {
     CHECK_CASE(bad);
@@ -149,7 +149,7 @@ void TestCells(RelevoCheck& check)
   CHECK_EQUAL(RelevoGetNumberOfPatches(filter->GetOutput()), 1);
 }
 
-// Cells of which lists are damaged.
+// Cells with damaged lists.
 void TestLists(RelevoCheck& check)
 {
   const std::array<vtkIdType, 4> ids{ 2, 4, 9, 7 };
@@ -165,7 +165,7 @@ void TestLists(RelevoCheck& check)
   const std::array<vtkIdType, 7> faces{ 3, 2, 4, 9, 2, 2, 9 };
   thin.Grid->InsertNextCell(VTK_POLYHEDRON, 4, ids.data(), 2, faces.data());
   thin.Expect(check, "its list of faces is not whole, or has a face of less than 3 points.");
-  // A point of a face that is not the cell's, no faces at all, and none that the grid keeps.
+  // A face with a point of another cell, a cell without faces, and a face list that is missing.
   Pair foreign;
   const std::array<vtkIdType, 16> others{ 3, 2, 4, 9, 3, 2, 9, 7, 3, 2, 7, 4, 3, 4, 9, 0 };
   foreign.Grid->InsertNextCell(VTK_POLYHEDRON, 4, ids.data(), 4, others.data());
@@ -173,7 +173,7 @@ void TestLists(RelevoCheck& check)
   Pair open;
   open.Grid->InsertNextCell(VTK_POLYHEDRON, 4, ids.data(), 0, others.data());
   open.Expect(check, "its list of faces is not whole");
-  // Offsets that run backwards, and too few types.
+  // Offsets that decrease, and too few types.
   for (double offset : { 3.0, -1.0, 1e12 })
   {
     CHECK_CASE(offset);
@@ -189,7 +189,7 @@ void TestLists(RelevoCheck& check)
   const vtkSmartPointer<vtkCellArray> cells = few.Grid->GetCells();
   few.Grid->SetCells(types, cells);
   few.Expect(check, "Cell 1 is left out: the grid's lists of types, offsets and points");
-  // One node is no degree at all.
+  // A single node does not define a degree.
   for (int type : { VTK_LAGRANGE_HEXAHEDRON, VTK_BEZIER_QUADRILATERAL, VTK_LAGRANGE_WEDGE })
   {
     CHECK_CASE(type);
@@ -199,7 +199,7 @@ void TestLists(RelevoCheck& check)
   }
   for (int type : { VTK_VERTEX, VTK_TRIANGLE })
   {
-    vtkNew<vtkUnstructuredGrid> grid; // has no points at all
+    vtkNew<vtkUnstructuredGrid> grid; // has no points
     grid->Allocate(1);
     grid->InsertNextCell(type, type == VTK_VERTEX ? 1 : 3, ids.data());
     vtkNew<vtkPatchSurfaceFilter> filter;
@@ -212,7 +212,7 @@ void TestLists(RelevoCheck& check)
   }
 }
 
-// Many of them, but one error for each fault.
+// Many invalid cells give one error per cause.
 void TestMany(RelevoCheck& check)
 {
   Pair pair;
@@ -228,7 +228,7 @@ void TestMany(RelevoCheck& check)
 void TestWarnings(RelevoCheck& check)
 {
   Pair pair;
-  pair.Add(VTK_TRIANGLE, { 0, 2, 4 }); // on one line
+  pair.Add(VTK_TRIANGLE, { 0, 2, 4 }); // collinear
   pair.Add(VTK_QUAD, { 3, 3, 3, 3 });
   vtkNew<vtkDoubleArray> few;
   few->SetName("Few");
@@ -249,7 +249,7 @@ void TestWarnings(RelevoCheck& check)
   CHECK(errors.None());
 }
 
-// A block of another type does not take the others with it.
+// A block of another type does not affect the other blocks.
 void TestBlocks(RelevoCheck& check)
 {
   Pair pair;
@@ -269,7 +269,7 @@ void TestBlocks(RelevoCheck& check)
   CHECK(last && RelevoGetNumberOfPatches(last) == 1);
 }
 
-// Points and lines are no fault; neither is nothing at all.
+// Points, lines and empty grids are not errors.
 void TestThin(RelevoCheck& check)
 {
   Pair pair;
@@ -288,7 +288,7 @@ void TestThin(RelevoCheck& check)
   CHECK(errors.None());
 }
 
-// Ghosts stay ghosts; what is hidden uncovers what is behind it.
+// Ghost cells stay ghost cells. Hidden cells expose the faces behind them.
 void TestGhosts(RelevoCheck& check)
 {
   auto grid = RelevoNewCell(VTK_HEXAHEDRON, { 1, 1, 1 }, 0.0);

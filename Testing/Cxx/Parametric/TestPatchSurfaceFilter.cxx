@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells of all kinds and degrees: patches are what VTK's own cells interpolate.
+// vtkPatchSurfaceFilter promises patches that equal VTK's interpolation, for cells of all kinds and
+// degrees.
 #include "RelevoCheck.h"
 #include "RelevoPatches.h"
 
@@ -18,7 +19,7 @@ double GetDeterminant(const RelevoPosition& a, const RelevoPosition& b, const Re
   return vtkMath::Determinant3x3(a.data(), b.data(), c.data());
 }
 
-// Sum over the patches of integral (x . n) dA / 3: positive if they face outwards.
+// Sum of the integrals of (x . n) dA / 3 over the patches. It is positive if they face outwards.
 double GetVolume(vtkPolyData* mesh)
 {
   constexpr int steps = 12;
@@ -91,7 +92,7 @@ void TestFixedDegrees(RelevoCheck& check)
   {
     TestCell(check, RelevoNewCell(kind.Type, { 2, 2, 2 }, 0.1, false, kind.Nodes), kind.Patches);
   }
-  // VTK takes these as parallel to the axes.
+  // VTK treats these cells as parallel to the axes.
   TestCell(check, RelevoNewCell(VTK_PIXEL, { 1, 1, 1 }, 0.0), 1);
   TestCell(check, RelevoNewCell(VTK_VOXEL, { 1, 1, 1 }, 0.0), 6);
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells side by side: inner faces are left out, and edges in common have the same bits.
+// vtkPatchSurfaceFilter promises that inner faces of adjacent cells are removed and that common
+// edges are equal, bit for bit.
 #include "RelevoCheck.h"
 #include "RelevoPatches.h"
 
@@ -59,7 +60,7 @@ std::vector<Curve> GetBorders(vtkPolyData* mesh, int patch)
   return borders;
 }
 
-// How many patches have each border.
+// Number of patches at each border.
 std::map<Curve, int> CountBorders(vtkPolyData* mesh)
 {
   std::map<Curve, int> counts;
@@ -79,7 +80,7 @@ RelevoPosition Bend(const RelevoPosition& x)
     x[2] + 0.05 * std::cos(x[0] + x[1]) };
 }
 
-// Cells of one kind in a unit cube, by the corners of each.
+// Cells of one kind in a unit cube, each by its corners.
 using Corners = std::vector<RelevoPosition>;
 
 std::vector<Corners> SplitCube(int shape)
@@ -107,7 +108,7 @@ std::vector<Corners> SplitCube(int shape)
   return result;
 }
 
-// Shape functions of the linear cell with so many corners.
+// Shape functions of the linear cell with this many corners.
 RelevoPosition Place(const Corners& corners, const double* pc)
 {
   const double r = pc[0];
@@ -141,7 +142,7 @@ RelevoPosition Place(const Corners& corners, const double* pc)
   return x;
 }
 
-// 3 x 3 x 3 cubes of cells of a type, bent.
+// 3 x 3 x 3 bent cubes of cells of one type.
 vtkSmartPointer<vtkUnstructuredGrid> NewBlock(int type, int degree, int shape, vtkIdType nodes)
 {
   const std::array<int, 3> degrees{ degree, degree, degree };
@@ -221,7 +222,7 @@ void TestBlocks(RelevoCheck& check)
   }
 }
 
-// Adds a cell whose nodes `common` are points that are there, in that order.
+// Adds a cell whose nodes `common` are existing points, in this order.
 void Join(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* other,
   const std::vector<vtkIdType>& nodes, const std::vector<vtkIdType>& common)
 {
@@ -248,7 +249,7 @@ std::vector<vtkIdType> GetTriangleEdge(int degree, int edge)
   return nodes;
 }
 
-// A Lagrange quadrilateral beside a triangle of the same degree, all ways round.
+// A Lagrange quadrilateral beside a triangle of the same degree, in all orientations.
 void TestDegrees(RelevoCheck& check)
 {
   for (int degree = 1; degree <= 8; ++degree)
@@ -277,7 +278,7 @@ void TestDegrees(RelevoCheck& check)
   }
 }
 
-// Quadratic cells of different kinds around an edge, one of them of degree 3 as a patch.
+// Quadratic cells of different kinds around an edge. One of them becomes a patch of degree 3.
 void TestQuadratic(RelevoCheck& check)
 {
   auto grid = RelevoNewCell(VTK_QUADRATIC_QUAD, { 2, 2, 2 }, 0.1);

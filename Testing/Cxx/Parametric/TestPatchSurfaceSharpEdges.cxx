@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Refined patches have a point for each normal that meets at a place, and one where normals agree.
+// vtkPatchSurface promises separate points for different normals at sharp edges, and shared points
+// where normals agree.
 #include "RelevoCheck.h"
 #include "RelevoCurves.h"
 #include "RelevoPatches.h"
@@ -31,9 +32,9 @@
 namespace
 {
 using Mesh = vtkSmartPointer<vtkPolyData>;
-constexpr double Tolerance = 1e-3; // of the lengths of normals' differences
+constexpr double Tolerance = 1e-3; // length of the difference of normals
 
-// Heights of 0.1, with a hole.
+// Heights of 0.1 with a hole.
 class HoledHeights : public vtkHeightField
 {
 public:
@@ -103,7 +104,7 @@ std::map<RelevoPosition, std::vector<vtkIdType>> GetMergedPoints(vtkPolyData* me
   return places;
 }
 
-// Points of one place differ by their normals alone. Returns the number of places.
+// Coincident points differ only in their normals. Returns the number of merged points.
 vtkIdType CheckCopies(RelevoCheck& check, vtkPolyData* refined)
 {
   const auto places = GetMergedPoints(refined);
@@ -131,7 +132,7 @@ vtkIdType CheckCopies(RelevoCheck& check, vtkPolyData* refined)
   return static_cast<vtkIdType>(places.size());
 }
 
-// How far the normals of a triangle's corners are from its own.
+// Deviation of the normals at a triangle's corners from its face normal.
 double GetDeviation(vtkPolyData* mesh)
 {
   double most = 0.0;
@@ -167,7 +168,7 @@ void AddRandomTags(vtkPolyData* mesh, int seed)
   mesh->GetPointData()->AddArray(tags);
 }
 
-// Flat sides: each normal is that of the side.
+// The sides are flat, so all normals are those of the sides.
 void TestBracket(RelevoCheck& check)
 {
   auto patches = RelevoMakePatches(RelevoNewBracket());
@@ -176,7 +177,7 @@ void TestBracket(RelevoCheck& check)
     const Mesh refined = Refine(check, patches, level, nullptr);
     CHECK_LESS(GetDeviation(refined), 1e-5);
     CHECK_EQUAL(RelevoCountOpenEdges(refined), 0);
-    // The sides are 14 squares, two of them in each of six planes but for an L of three.
+    // The sides are 14 squares: two in each of six planes, except for an L of three.
     const vtkIdType n = vtkIdType(1) << level;
     const vtkIdType square = (n + 1) * (n + 1);
     const vtkIdType two = (n + 1) * (2 * n + 1);
@@ -194,7 +195,7 @@ void TestBracket(RelevoCheck& check)
   }
 }
 
-// Curved sides, displaced ones, and holes.
+// Curved sides, displaced sides, and holes.
 void TestBent(RelevoCheck& check)
 {
   auto patches = RelevoMakePatches(RelevoNewBracket(0.15));
@@ -233,7 +234,7 @@ void TestBent(RelevoCheck& check)
   }
 }
 
-// Where patches join smoothly there is one point for each place.
+// Where patches join smoothly, points are shared.
 void TestSmooth(RelevoCheck& check)
 {
   auto source = RelevoMakeTorus(3.0, 1.0).NewSource();
@@ -278,7 +279,7 @@ Mesh Reverse(vtkPolyData* patches)
   return reversed;
 }
 
-// Normals that agree up to rounding are shared. The choice does not depend on the order.
+// Normals that agree up to rounding are shared, independent of the order.
 void TestOrder(RelevoCheck& check)
 {
   auto source = RelevoMakeTorus(3.0, 1.0).NewSource();

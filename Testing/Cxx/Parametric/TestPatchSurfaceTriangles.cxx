@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Coarse triangles of patches: closed borders, borders and diagonals that join the same places,
-// borders that are one place.
+// vtkPatchSurfaceFilter promises coarse triangles that cover each patch: for closed borders, for
+// borders and diagonals with the same ends, and for borders that collapse to a point.
 #include "RelevoCheck.h"
 #include "RelevoCurves.h"
 #include "RelevoPatches.h"
@@ -36,7 +36,7 @@ RelevoPosition GetPosition(vtkPolyData* mesh, vtkIdType point)
   return { x[0] + 0.0, x[1] + 0.0, x[2] + 0.0 };
 }
 
-// The corners of a triangle, as points and where its patch has them.
+// Corners of a triangle as points and as parameters of its patch.
 struct Triangle
 {
   Triangle(vtkPolyData* mesh, vtkIdType cell)
@@ -66,8 +66,8 @@ struct Triangle
   std::array<double, 3> V;
 };
 
-// Triangles cover their patches and have their corners there, and no two curves join two places,
-// but at a border that is one place.
+// Triangles cover their patches and agree with them at the corners. No two curves connect the same
+// merged points, except at a collapsed border.
 void CheckTriangles(RelevoCheck& check, vtkPolyData* mesh)
 {
   std::vector<double> areas(RelevoGetNumberOfPatches(mesh), 0.0);
@@ -118,7 +118,7 @@ void CheckTriangles(RelevoCheck& check, vtkPolyData* mesh)
 
 using Shape = std::function<RelevoPosition(double, double)>;
 
-// A Bézier quadrilateral whose control points are those of a function of u and v.
+// A Bézier quadrilateral whose control points are given by a function of u and v.
 void AddPatch(vtkUnstructuredGrid* grid, int p, int q, const Shape& shape)
 {
   const std::array<int, 2> order{ p, q };
@@ -150,7 +150,7 @@ vtkSmartPointer<vtkUnstructuredGrid> NewGrid()
   return grid;
 }
 
-// Closes to the bit.
+// Closes exactly.
 RelevoPosition GetLoop(double u)
 {
   const double angle = 2.0 * vtkMath::Pi() * (u == 1.0 ? 0.0 : u);
@@ -202,7 +202,7 @@ void TestClosed(RelevoCheck& check)
   }
 }
 
-// Sheets that have all four borders in common, arched by their inner control points.
+// Two sheets that share all four borders and are arched by their inner control points.
 void TestPillow(RelevoCheck& check)
 {
   auto grid = NewGrid();
@@ -221,7 +221,7 @@ void TestPillow(RelevoCheck& check)
   }
 }
 
-// Two quadratic triangles whose edges join the same corners along different arcs.
+// Two quadratic triangles whose edges connect the same corners along different arcs.
 void TestLens(RelevoCheck& check)
 {
   auto grid = NewGrid();
@@ -237,7 +237,7 @@ void TestLens(RelevoCheck& check)
     grid->InsertNextCell(VTK_QUADRATIC_TRIANGLE, 6, ids.data());
     grid->GetCellData()->GetHigherOrderDegrees()->InsertNextTuple3(2, 2, 2);
   }
-  vtkNew<vtkDoubleArray> values; // a coordinate: what splits have can be told
+  vtkNew<vtkDoubleArray> values; // a coordinate, which shows the values at split points
   values->SetName("X");
   for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
   {
@@ -255,7 +255,7 @@ void TestLens(RelevoCheck& check)
   }
 }
 
-// A cap of four patches around a pole, which are neighbours there by point ids, and a cone of one.
+// A cap of four patches around a pole, which are neighbours by point ids, and a cone of one patch.
 void TestPoles(RelevoCheck& check)
 {
   auto grid = NewGrid();
@@ -299,8 +299,8 @@ void TestPoles(RelevoCheck& check)
   CheckTriangles(check, mesh);
 }
 
-// Patches that meet themselves along a seam from pole to pole: a ball of a quadrilateral, and a
-// leaf of a triangle. They are closed surfaces, however finely they are cut.
+// Patches that meet themselves along a seam from pole to pole: a ball of one quadrilateral, and a
+// leaf of one triangle. Both are closed surfaces at every level.
 void TestSeams(RelevoCheck& check)
 {
   auto ball = NewGrid();
@@ -361,7 +361,8 @@ void TestTeapot(RelevoCheck& check)
   reader->SetFileName(name.c_str());
   reader->Update();
   auto mesh = RelevoMakePatches(reader->GetOutput());
-  // Handle and spout are rings of two patches each: six places along them are joined by two edges.
+  // Handle and spout are rings of two patches each, so six merged points along them are connected
+  // by two edges.
   CHECK_EQUAL(mesh->GetNumberOfCells(), 24 * 2 + 8 * 6);
   CHECK_EQUAL(RelevoGetNumberOfPatches(mesh), 32);
   CheckTriangles(check, mesh);
@@ -378,7 +379,7 @@ void TestTeapot(RelevoCheck& check)
   }
   CHECK_EQUAL(atPoles, 8);
 
-  // Three borders of those at a pole are split, four of others.
+  // At the poles three borders are split, elsewhere four.
   mesh = RelevoMakePatches(reader->GetOutput(), true);
   CHECK_EQUAL(mesh->GetNumberOfCells(), 24 * 8 + 8 * 7);
   CheckTriangles(check, mesh);

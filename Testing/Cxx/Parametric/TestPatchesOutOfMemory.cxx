@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Without enough memory sources, filters and readers report an error and have no output; with
-// memory they work.
+// Proves that sources, filters and readers report an error with an empty output if memory runs out,
+// and work again afterwards.
 #include "RelevoCheck.h"
 #include "RelevoMemory.h"
 
@@ -47,7 +47,7 @@ void ExpectError(RelevoCheck& check, vtkAlgorithm* algorithm, const char* words)
   CHECK_GREATER(count(), 0);
 }
 
-// n x n cells side by side.
+// n x n adjacent cells.
 vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(int n, bool areLines)
 {
   vtkNew<vtkPoints> points;
@@ -133,7 +133,7 @@ int TestPatchesOutOfMemory(int, char*[])
     return 125;
   }
   RelevoCheck check;
-  vtkSMPTools::SetBackend("Sequential"); // threads need stacks
+  vtkSMPTools::SetBackend("Sequential"); // threads need memory for their stacks
   TestFilters(check);
   TestSource(check);
   TestReader(check);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The public classes of FiltersTerrain, called in random order on random images and on small files,
-// whole and truncated: nothing crashes, heights are in their range, points are finite.
+// Proves that random calls of the public classes of FiltersTerrain, on random images and small
+// files, whole and truncated, never crash. Heights stay in their range, and points stay finite.
 #include "RelevoCheck.h"
 #include "RelevoFuzzImages.h"
 #include "RelevoRasterFiles.h"
@@ -21,7 +21,7 @@ namespace
 using RelevoFuzz::Call;
 using RelevoFuzz::Dice;
 
-// Names of what WriteFiles() has written, and of what is no such file.
+// Files that WriteFiles() has written, and names without a valid file.
 std::vector<std::string> Files = { "", "no such file.tif" };
 
 void WriteFiles(const RelevoTestFolders& folders)
@@ -60,7 +60,7 @@ void WriteFiles(const RelevoTestFolders& folders)
   }
 }
 
-// Rasters wherever random numbers put them.
+// Rasters with random georeferences.
 void WritePlaces(const RelevoTestFolders& folders)
 {
   Dice dice(11);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkGeographicVectors: where east and north point, by coordinate system.
+// vtkGeographicVectors promises vectors to the east and north in terrain coordinates, for every
+// kind of coordinate system.
 #include "RelevoCheck.h"
 #include "RelevoGeodesy.h"
 #include "RelevoGeographicMesh.h"
@@ -18,10 +19,10 @@ namespace
 {
 using Places = std::vector<std::array<double, 2>>;
 constexpr double Radians = 0.017453292519943295;
-// Components are kept as floats.
+// Components are stored as floats.
 constexpr double Precision = 3e-7;
 
-// The same vector at every place of a system whose coordinates at the origin are given.
+// The same vector at several points of a terrain with this coordinate system and origin.
 std::vector<std::array<double, 3>> Turn(const std::string& system, double originX, double originY,
   const Places& places, const std::vector<double>& vector, double exaggeration = 1.0)
 {
@@ -42,12 +43,12 @@ std::vector<std::array<double, 3>> Turn(const std::string& system, double origin
   return result;
 }
 
-double Azimuth(const std::array<double, 3>& vector) // radians, from y to x
+double Azimuth(const std::array<double, 3>& vector) // in radians, from y to x
 {
   return std::atan2(vector[0], vector[1]);
 }
 
-// Along the parallel and the meridian, as places in the frame go.
+// East and north follow the parallel and the meridian in the local frame.
 void TestTangentFrame(RelevoCheck& check)
 {
   const double longitude0 = 11.5;
@@ -78,7 +79,7 @@ void TestTangentFrame(RelevoCheck& check)
       CHECK_NEAR(std::hypot(turnedEast[0], turnedEast[1]), 4.0, 4.0 * Precision);
       CHECK_NEAR(std::hypot(turnedNorth[0], turnedNorth[1]), 3.0, 3.0 * Precision);
       CHECK(turnedEast[2] == 0.0 && turnedNorth[2] == 2.0);
-      // Some way to the east north is elsewhere: the meridians converge.
+      // Meridians converge, so far to the east north has another direction.
       if (dLongitude == 40.0)
       {
         minimumTurn = std::min(minimumTurn, std::abs(north));
@@ -86,7 +87,7 @@ void TestTangentFrame(RelevoCheck& check)
     }
   }
   CHECK_GREATER(minimumTurn, 0.3);
-  // Grads, about Paris, on the ellipsoid of Clarke 1880 (IGN): north-east, a grad to the east.
+  // Grads from Paris on the Clarke 1880 (IGN) ellipsoid: north-east, one grad to the east.
   const auto grads = [](double lon, double lat)
   {
     return RelevoEastNorthUp(
@@ -96,11 +97,12 @@ void TestTangentFrame(RelevoCheck& check)
   const auto there = grads(1.0, 53.0001);
   const auto turned = Turn("EPSG:4807", 0.0, 52.0, { { here[0], here[1] } }, { 0.0, 1.0 })[0];
   CHECK_NEAR(Azimuth(turned), std::atan2(there[0] - here[0], there[1] - here[1]), 1e-6);
-  // Beyond the horizon is nothing.
+  // Beyond the horizon, vectors are missing.
   CHECK(std::isnan(Turn("EPSG:4326", 11.5, 57.5, { { 7e6, 0.0 } }, { 1.0, 1.0 })[0][0]));
 }
 
-// Against GeographicLib's own convergence, and the sphere's tan(gamma) = tan(lambda) sin(phi).
+// Compared with GeographicLib's convergence, and on the sphere with tan(gamma) = tan(lambda)
+// sin(phi).
 void TestTransverseMercator(RelevoCheck& check)
 {
   for (const double dLongitude : { -3.0, -0.7, 0.0, 1.5, 2.9 })
@@ -119,14 +121,14 @@ void TestTransverseMercator(RelevoCheck& check)
       const auto turned =
         Turn(code, 500000.0, 5000000.0, { { x - 500000.0, y - 5000000.0 } }, { 3.0, 4.0, 1.0 })[0];
       CHECK_NEAR(std::hypot(turned[0], turned[1]), 5.0, 5.0 * Precision);
-      // The convergence is the azimuth of the grid's north.
+      // The convergence is the azimuth of grid north.
       const double expected = std::atan2(3.0, 4.0) - gamma * Radians;
       CHECK_NEAR(Azimuth(turned), expected, 1e-6);
       const double spherical =
         std::atan(std::tan(dLongitude * Radians) * std::sin(latitude * Radians));
       CHECK_NEAR(Azimuth(turned), std::atan2(3.0, 4.0) - spherical, 1e-6);
 
-      // In feet the same.
+      // Coordinates in feet give the same.
       const double foot = 1200.0 / 3937.0;
       const auto inFeet =
         Turn("+proj=utm +zone=33 +datum=WGS84 +units=us-ft" + std::string(isNorth ? "" : " +south"),
@@ -137,7 +139,7 @@ void TestTransverseMercator(RelevoCheck& check)
   }
 }
 
-// From above the pole every meridian is straight.
+// In a polar projection, meridians are straight.
 void TestPolarStereographic(RelevoCheck& check)
 {
   for (const double longitude : { -170.0, -45.0, 20.0, 135.0 })
@@ -158,7 +160,8 @@ void TestPolarStereographic(RelevoCheck& check)
   CHECK(std::isnan(pole[0]) && std::isnan(pole[1]) && std::isnan(pole[2]));
 }
 
-// Where a degree of longitude is drawn as long as one of latitude, north-east leans to the east.
+// Where a degree of longitude and one of latitude have the same length on the map, north-east leans
+// to the east.
 void TestPlateCarree(RelevoCheck& check)
 {
   const double a = 6371000.0;
@@ -172,7 +175,7 @@ void TestPlateCarree(RelevoCheck& check)
   CHECK_NEAR(turned[2], 2.0, 1e-6);
 }
 
-// The grid ends at the antimeridian: half a difference is there.
+// At the antimeridian, where the grid ends, differences are one-sided.
 void TestAntimeridian(RelevoCheck& check)
 {
   const double edge = 20037508.342789244; // of web Mercator, in metres
@@ -181,9 +184,9 @@ void TestAntimeridian(RelevoCheck& check)
   for (const auto& turned : Turn("EPSG:3857", 0.0, 0.0, places, { 2.0, 1.0 }))
   {
     CHECK_NEAR(turned[0], 2.0, 0.005);
-    CHECK_NEAR(turned[1], 1.0, 0.01); // web Mercator is not quite conformal
+    CHECK_NEAR(turned[1], 1.0, 0.01); // web Mercator is not exactly conformal
   }
-  // Where the projection ends there is nothing.
+  // Outside the projection's range, vectors are missing.
   const auto outside =
     Turn("+proj=ortho +R=6371000", 0.0, 0.0, { { 6.4e6, 0.0 }, { 0.0, 0.0 } }, { 2.0, 1.0 });
   CHECK(std::isnan(outside[0][0]) && std::abs(outside[1][0] - 2.0) < 1e-5);
@@ -199,7 +202,7 @@ void TestUnknownSystem(RelevoCheck& check)
   }
 }
 
-// The terrain's own system, origin and exaggeration.
+// Uses the terrain's coordinate system, origin and exaggeration.
 void TestTerrain(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   RelevoRaster raster;
@@ -250,7 +253,7 @@ void TestTerrain(RelevoCheck& check, const RelevoTestFolders& folders)
   filter->Update();
   CHECK_EQUAL(RelevoVectorOf(filter->GetOutput(), 0, "Turned")[2], 3.0);
 
-  // The mesh itself says where it lies.
+  // The mesh's field data contain its location.
   const auto known = RelevoVectorOf(filter->GetOutput(), 0, "Turned");
   filter->SetTerrain(nullptr);
   filter->SetExaggeration(3.0);
@@ -258,7 +261,7 @@ void TestTerrain(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_EQUAL(RelevoVectorOf(filter->GetOutput(), 0, "Turned"), known);
 }
 
-// Many points, over several parts and threads, as each alone.
+// Many points, in several blocks and threads, give the same as single points.
 void TestManyPoints(RelevoCheck& check)
 {
   Places places;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkGeographicVectors: what is wrong, said by the filter, with an empty output.
+// vtkGeographicVectors promises an error that names the cause and an empty output for input that it
+// cannot use.
 #include "RelevoBlocks.h"
 #include "RelevoCheck.h"
 #include "RelevoGeographicMesh.h"

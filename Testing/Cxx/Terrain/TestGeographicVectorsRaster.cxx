@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkGeographicVectors: vectors of the mesh and of an image, which of them, and no data.
+// vtkGeographicVectors promises which vectors it uses, those of the mesh or of an image, and how it
+// treats missing ones.
 #include "RelevoCheck.h"
 #include "RelevoGeographicMesh.h"
 
@@ -18,7 +19,7 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-// An image of 4 x 3 points with vectors (column, 10 row), at the places of texels.
+// An image of 4 x 3 points with vectors (column, 10 row) at texel centres.
 vtkSmartPointer<vtkImageData> MakeRaster()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -65,7 +66,7 @@ void TestBilinear(RelevoCheck& check)
   CHECK_NOT_EQUAL(filter->GetOutput()->GetPointData()->GetTCoords(), nullptr);
 }
 
-// A sample without data spoils what it has a weight in, and nothing else.
+// A missing sample affects only points that interpolate it.
 void TestNoDataInRaster(RelevoCheck& check)
 {
   const std::vector<std::vector<double>> coordinates = { { 0.375, 0.5 }, { 0.3, 0.5 },
@@ -92,7 +93,7 @@ void TestNoDataInRaster(RelevoCheck& check)
   filter->Update();
   CHECK(std::isnan(RelevoVectorOf(filter->GetOutput(), 0, "Raster")[0]));
   CHECK(!std::isnan(RelevoVectorOf(filter->GetOutput(), 3, "Raster")[0]));
-  // Large, yet data.
+  // This value is large, but valid.
   raster->GetPointData()->GetArray("Raster")->SetComponent(0, 0, -9.9e7);
   raster->GetPointData()->GetArray("Raster")->Modified();
   raster->Modified();
@@ -112,7 +113,7 @@ void TestMeshArrays(RelevoCheck& check)
   mesh->GetPointData()->AddArray(RelevoMakeArray(
     "Drift", { { 1.0, 2.0, 3.0 }, { 1.0, 1.0, 1e20 }, { 4.0, 5.0, 6.0 }, { 0.0, 0.0, -2.0 } }));
 
-  // The first array that can be.
+  // The first suitable array is used.
   vtkNew<vtkGeographicVectors> filter;
   filter->SetInputData(mesh);
   filter->Update();
@@ -126,9 +127,9 @@ void TestMeshArrays(RelevoCheck& check)
   CHECK(std::isnan(wind(2)[0]) && std::isnan(wind(2)[1]));
   CHECK((wind(3) == std::array<double, 3>{ 0.0, 0.0, 0.0 }));
   CHECK_EQUAL(
-    mesh->GetPointData()->GetArray("Wind")->GetNumberOfComponents(), 2); // the input's own
+    mesh->GetPointData()->GetArray("Wind")->GetNumberOfComponents(), 2); // the input's array
 
-  // The active vectors.
+  // The active vectors have precedence.
   mesh->GetPointData()->SetActiveVectors("Drift");
   filter->SetExaggeration(-2.0);
   filter->Update();
@@ -137,19 +138,19 @@ void TestMeshArrays(RelevoCheck& check)
   CHECK(std::isnan(drift(1)[0]));
   CHECK((drift(3) == std::array<double, 3>{ 0.0, 0.0, 4.0 }));
 
-  // The one that is chosen, of an image, of the mesh though there is an image.
+  // A selected array has precedence, in an image or, despite an image, in the mesh.
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Wind");
   filter->SetRasterData(MakeRaster());
   filter->Update();
   CHECK((wind(0) == std::array<double, 3>{ 1.0, 2.0, 0.0 }));
   CHECK(!filter->GetOutput()->GetPointData()->HasArray("Raster"));
   filter->SetInputArrayToProcess(0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Raster");
-  filter->SetOutputArrayName("Drift"); // replaces
+  filter->SetOutputArrayName("Drift"); // replaces the array
   filter->Update();
   CHECK_NEAR(drift(0)[0], 1.5, 1e-6);
   CHECK_NEAR(drift(0)[1], 10.0, 1e-6);
 
-  // By connections; the array without a name gets one.
+  // Uses connections. An array without a name gets a name.
   vtkNew<vtkGeographicVectors> connected;
   vtkNew<vtkTrivialProducer> image;
   const auto raster = MakeRaster();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkHeightMap: files that are none, and what is left after them.
+// vtkHeightMap promises an error that names file and cause for files that it cannot read, and no
+// heights of an earlier file.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
 
@@ -13,7 +14,7 @@
 
 namespace
 {
-// The error names the file and says why; nothing of an earlier success is left.
+// The error names the file and the cause, and the map has no heights.
 void ExpectError(
   RelevoCheck& check, vtkHeightMap* map, const std::string& name, const std::string& reason)
 {
@@ -31,7 +32,7 @@ void ExpectError(
   CHECK(map->GetHeight(0.5, 0.5) == 0.0 && !map->IsValid(0.5, 0.5));
 }
 
-// A map that reads a good file between the bad ones, and that file's raster.
+// A map that reads a valid file between invalid ones, and the raster of that file.
 struct Scene
 {
   Scene(RelevoCheck& check, const RelevoTestFolders& folders)
@@ -57,7 +58,7 @@ struct Scene
   vtkNew<vtkHeightMap> Map;
 };
 
-// Nothing, folders, text.
+// Missing files, folders and text.
 void TestNoImages(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
 {
   scene.ExpectGood(check);
@@ -78,7 +79,7 @@ void TestNoImages(RelevoCheck& check, const RelevoTestFolders& folders, Scene& s
   scene.ExpectGood(check);
 }
 
-// In all its layouts.
+// In all layouts.
 void TestTruncatedTIFF(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
 {
   RelevoRaster raster = scene.Raster;
@@ -102,7 +103,7 @@ void TestTruncatedTIFF(RelevoCheck& check, const RelevoTestFolders& folders, Sce
   }
 }
 
-// PNG, EXR, SRTM.
+// PNG, EXR and SRTM files.
 void TestTruncated(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
 {
   const std::string png = folders.File("HeightMapWhole.png");
@@ -122,7 +123,7 @@ void TestTruncated(RelevoCheck& check, const RelevoTestFolders& folders, Scene& 
   scene.ExpectGood(check);
 }
 
-// No georeference can be like this.
+// Georeferences cannot have complex values.
 void TestComplex(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
 {
   RelevoRaster complex = scene.Raster;
@@ -132,7 +133,7 @@ void TestComplex(RelevoCheck& check, const RelevoTestFolders& folders, Scene& sc
   ExpectError(check, scene.Map, name, "not supported");
 }
 
-// Headers that promise more than there is, or than any machine can hold.
+// Headers that declare more data than the file contains, or than a computer can store.
 void TestPromises(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
 {
   for (const char* size : { "rasterXSize=\"2000000000\" rasterYSize=\"1\"",
@@ -150,7 +151,7 @@ void TestPromises(RelevoCheck& check, const RelevoTestFolders& folders, Scene& s
   }
 }
 
-// Progress, and a stop that is no error and leaves the way open for the next try.
+// Reports progress. Aborting is not an error, and the next update works.
 void TestStop(RelevoCheck& check, Scene& scene)
 {
   double progress = 0.0;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkHeightMap: every format's samples, bit by bit, against what was written and what GDAL reads.
+// vtkHeightMap promises the samples of every format unchanged, compared bit for bit with the values
+// written and with GDAL.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
 
@@ -17,7 +18,7 @@
 
 namespace
 {
-// Samples with data equal, with the file's last row first.
+// Whether samples with data are equal. The file's last row comes first.
 bool SameSamples(vtkHeightMap* map, const RelevoRaster& raster)
 {
   const int* dimensions = map->GetDimensions();
@@ -71,7 +72,7 @@ void TestGeoTIFF(RelevoCheck& check, const RelevoTestFolders& folders)
       for (bool tiled : { false, true })
       {
         RelevoRaster raster;
-        raster.Width = 75; // neither one tile nor whole tiles
+        raster.Width = 75; // neither one tile nor a multiple of a tile
         raster.Height = 133;
         raster.Type = type;
         raster.Options = { std::string("COMPRESS=") + compression,
@@ -99,7 +100,7 @@ void TestGeoTIFF(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
-// Layouts beside the usual: odd numbers of bits, predictors, BigTIFF, the first of several bands.
+// Unusual layouts: odd numbers of bits, predictors, BigTIFF, and the first of several bands.
 void TestUnusualGeoTIFF(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   struct Case
@@ -141,7 +142,7 @@ void TestUnusualGeoTIFF(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
-// Blocks that were never written read as 0 (or as the no-data value).
+// Blocks that were never written have the value 0 or the no-data value.
 void TestSparseGeoTIFF(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   RelevoRaster raster;
@@ -201,7 +202,8 @@ void TestEXR(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
-// The format by its definition: 1201 x 1201 big-endian int16, north first, -32768 for voids.
+// Writes the format by its definition: 1201 x 1201 big-endian int16, north first, -32768 for
+// missing heights.
 void TestHGT(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   constexpr int size = 1201;
@@ -254,7 +256,7 @@ void TestUSGSDEM(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(map->GetRange()[0] == 100.0 && map->GetRange()[1] == 226.0);
 }
 
-// Heights are what the file says its samples mean.
+// Heights include the file's scale and offset.
 void TestScaleAndOffset(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   RelevoRaster raster;
@@ -275,7 +277,7 @@ void TestScaleAndOffset(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(map->HasNoData() && !map->GetValidity()[1 * 4 + 1]); // 5 as stored
 }
 
-// u runs east and v north, however the file is laid out.
+// u runs east and v north for every layout of the file.
 void TestOrientation(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const auto heightAt = [](double x, double y) { return 100.0 * x + y; };
@@ -310,7 +312,7 @@ void TestOrientation(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
-// 1 x 1 and 1 x N are maps like any other.
+// Rasters of one row, one column or one sample work.
 void TestThinRasters(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   for (const auto& size : { std::pair<int, int>{ 1, 1 }, { 1, 9 }, { 9, 1 } })

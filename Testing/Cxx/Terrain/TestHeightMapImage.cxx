@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkHeightMap::SetImageData: types, components, layout, modification, errors.
+// vtkHeightMap promises heights from images of all types and layouts, updates after changes, and
+// errors.
 #include "RelevoCheck.h"
 
 #include "vtkDataSetAttributes.h"
@@ -20,7 +21,7 @@ namespace
 vtkSmartPointer<vtkImageData> MakeImage(int type, int components)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetExtent(3, 6, -2, 0, 5, 5); // 4 x 3 x 1: where it lies does not matter
+  image->SetExtent(3, 6, -2, 0, 5, 5); // 4 x 3 x 1: the extent's origin has no effect
   image->AllocateScalars(type, components);
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
@@ -66,7 +67,7 @@ void TestTypes(RelevoCheck& check)
   }
 }
 
-// What heights come from an image, and that they follow it.
+// Heights come from the image and follow its changes.
 void TestImage(RelevoCheck& check, vtkHeightMap* map)
 {
   const auto image = MakeImage(VTK_DOUBLE, 1);
@@ -103,7 +104,7 @@ void TestBlankedPoints(RelevoCheck& check, vtkHeightMap* map)
   CHECK_NEAR(map->GetSample(1, 1), 105.0, 0.5);
 }
 
-// What cannot be heights.
+// Images that cannot be height maps.
 void TestUnfitImages(RelevoCheck& check, vtkHeightMap* map, RelevoErrors& errors)
 {
   const auto hasNaN = MakeImage(VTK_DOUBLE, 1);
@@ -134,7 +135,7 @@ void TestUnfitImages(RelevoCheck& check, vtkHeightMap* map, RelevoErrors& errors
   CHECK(!map->Update() && errors.Said("there are 3 tuples"));
 }
 
-// Without the image it is the file's turn again.
+// Without the image, the file is used again.
 void TestFileInstead(RelevoCheck& check, vtkHeightMap* map, RelevoErrors& errors)
 {
   map->SetImageData(nullptr);

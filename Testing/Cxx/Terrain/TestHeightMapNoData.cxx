@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkHeightMap: what counts as no data, and what stands in its place.
+// Proves terrain.md on missing heights: which samples have no data, and how holes are filled.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
 
@@ -27,7 +27,7 @@ RelevoRaster MakeRaster(GDALDataType type)
   return raster;
 }
 
-// Column and row of the file.
+// By column and row of the file.
 bool IsVoid(vtkHeightMap* map, int column, int row)
 {
   const int* dimensions = map->GetDimensions();
@@ -43,7 +43,7 @@ long NumberOfVoids(vtkHeightMap* map)
     : 0;
 }
 
-// Declared values are compared in the type of the samples.
+// The declared value is compared in the type of the samples.
 void TestDeclared(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   struct Case
@@ -89,14 +89,15 @@ void TestDeclared(RelevoCheck& check, const RelevoTestFolders& folders)
     if (one.Matches)
     {
       CHECK(map->GetRange()[0] == 10.0 && map->GetRange()[1] == 19.0);
-      CHECK_NEAR(map->GetSample(3, 2), 15.0, 1e-4); // a plane: the mean of its neighbours
+      // the mean of its neighbours, because heights form a plane
+      CHECK_NEAR(map->GetSample(3, 2), 15.0, 1e-4);
       CHECK(!map->IsValid(3.5 / 6, 2.5 / 5));
       CHECK(map->IsValid(0.5 / 6, 0.5 / 5));
     }
   }
 }
 
-// Set values add to the declared one, and can be taken back.
+// A value set by the user is used in addition to the declared one, and can be removed.
 void TestSetValue(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   RelevoRaster raster = MakeRaster(GDT_Float32);
@@ -110,7 +111,7 @@ void TestSetValue(RelevoCheck& check, const RelevoTestFolders& folders)
   map->SetFileName(name.c_str());
   CHECK(!map->Update());
   CHECK(errors.Said("1 of 30 heights are NaN or infinite, the first in column 2, row 0"));
-  CHECK(!map->Update()); // still: the error is told each time
+  CHECK(!map->Update()); // every update reports the error
   CHECK(errors.Said("SetNoDataValue"));
   CHECK(map->GetDimensions()[0] == 0 && !map->GetSamples());
   map->SetNoDataValue(NaN);
@@ -172,7 +173,8 @@ void TestAllVoid(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(errors.None() && !map->HasNoData() && !map->GetSamples());
 }
 
-// The fill: inside the range, near the plane around a hole, harmonic, the same for any threads.
+// Filled heights stay in the range, are close to a plane around a hole, harmonic, and independent
+// of the number of threads.
 void TestFill(RelevoCheck& check)
 {
   constexpr int n = 200;
@@ -210,8 +212,9 @@ void TestFill(RelevoCheck& check)
   }
   std::cout << "fill of a hole in a plane: deviation " << deviation << ", largest step " << step
             << "\n";
-  CHECK_LESS(deviation, 0.05 * 80.0 * std::sqrt(5.0)); // of the relief across the hole
-  CHECK_LESS(step, 2.0 * 2.0);                         // of the plane's own: no spikes, no cliffs
+  CHECK_LESS(deviation, 0.05 * 80.0 * std::sqrt(5.0)); // relative to the relief across the hole
+  // relative to the plane's slope: no spikes and no cliffs
+  CHECK_LESS(step, 2.0 * 2.0);
 
   vtkSMPTools::Initialize(1);
   vtkNew<vtkHeightMap> alone;
@@ -222,7 +225,7 @@ void TestFill(RelevoCheck& check)
   vtkSMPTools::Initialize();
 }
 
-// One valid sample decides everything.
+// A single valid sample fills the map.
 void TestSingleValid(RelevoCheck& check)
 {
   vtkNew<vtkImageData> image;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkHeightMap on real files, against GDAL and VTK's own DEM reader.
+// vtkHeightMap promises the heights of real files, compared with GDAL and VTK's DEM reader.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
 
@@ -22,7 +22,7 @@ struct RealFile
   int NumberOfVoids;
 };
 
-// Sizes and ranges as gdalinfo -mm tells them.
+// Sizes and ranges from gdalinfo -mm.
 const RealFile RealFiles[] = {
   { "N57E011.hgt", 1201, 1201, { -6.0, 163.0 }, 0 },
   { "SainteHelens.dem", 327, 468, { 682.0, 2543.0 }, 4151 },
@@ -75,11 +75,11 @@ void TestFile(RelevoCheck& check, const std::string& folder, const RealFile& fil
   CHECK_EQUAL(spikes, 0);
   CHECK_EQUAL(voids, file.NumberOfVoids);
   CHECK_EQUAL(map->HasNoData(), (voids > 0));
-  CHECK_NEAR(sampling, 0.0, 0.02); // single precision texture coordinates
+  CHECK_NEAR(sampling, 0.0, 0.02); // texture coordinates are floats
 }
 
-// The DEM's profiles as another reader of the format sees them. That one places each profile up to
-// a few rows off: each must be found whole, somewhere in its column.
+// Compares the DEM's profiles with VTK's reader, which shifts each profile by up to a few rows.
+// Each must appear completely in its column.
 void TestAgainstDEMReader(RelevoCheck& check, const std::string& folder)
 {
   const std::string name = folder + "SainteHelens.dem";

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkHeightMap: rasters larger than MaximumDimension are reduced, in place, without bias, and
-// within the memory of what is kept.
+// Proves terrain.md: rasters larger than MaximumDimension are reduced to means, without shift or
+// bias.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
 #include "RelevoWarnings.h"
@@ -34,7 +34,7 @@ RelevoRaster MakeNoise(int width, int height, GDALDataType type)
   return raster;
 }
 
-// The mean by area of a raster's texel, straight from the definition; NaN without data.
+// The area-weighted mean of a raster over one texel, by definition. NaN if there are no data.
 double Mean(const RelevoRaster& raster, const int size[2], int column, int row)
 {
   const double scale[2] = { static_cast<double>(raster.Width) / size[0],
@@ -63,7 +63,7 @@ double Mean(const RelevoRaster& raster, const int size[2], int column, int row)
   return area > 0.0 ? sum / area * raster.Scale.value_or(1.0) + raster.Offset.value_or(0.0) : NaN;
 }
 
-// Every height of the map, its row 0 being the file's last one.
+// Compares every height of the map, whose row 0 is the file's last row.
 void CheckMeans(RelevoCheck& check, vtkHeightMap* map, const RelevoRaster& raster,
   const int size[2], double tolerance)
 {
@@ -123,7 +123,7 @@ void TestLayouts(RelevoCheck& check, const RelevoTestFolders& folders)
         CHECK_NOT_EQUAL(warnings.Text.find(words), std::string::npos);
       }
       CheckMeans(check, map, raster, size, 2e-4);
-      // What is not too large is as it was, and told no word about.
+      // A raster that is not too large is unchanged and gives no warning.
       map->SetMaximumDimension(517);
       CHECK(map->Update() && map->GetDimensions()[1] == 303 && warnings.Number == 1);
       CHECK_EQUAL(map->GetSample(5, 302), raster.At(0, 5, 0));
@@ -131,7 +131,7 @@ void TestLayouts(RelevoCheck& check, const RelevoTestFolders& folders)
       CHECK(map->Update() && map->GetDimensions()[0] == 517 && warnings.Number == 1);
     }
   }
-  // Strips and columns.
+  // Thin rasters.
   for (const auto& shape : { std::pair<int, int>{ 1, 4321 }, { 4321, 1 }, { 4321, 3 } })
   {
     const RelevoRaster raster = MakeNoise(shape.first, shape.second, GDT_Int16);
@@ -147,7 +147,7 @@ void TestLayouts(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
-// No data, by whatever says so, is left out of the means.
+// Missing samples of every kind are left out of the means.
 void TestNoData(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const std::string name = folders.File("HeightMapReducedNoData.tif");
@@ -175,7 +175,7 @@ void TestNoData(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(raster.Write(name));
   verify(vtkNew<vtkHeightMap>());
 
-  // Scale and offset of the file.
+  // The file's scale and offset.
   raster.Scale = 0.5;
   raster.Offset = 70.0;
   CHECK(raster.Write(name));
@@ -183,7 +183,7 @@ void TestNoData(RelevoCheck& check, const RelevoTestFolders& folders)
   raster.Scale.reset();
   raster.Offset.reset();
 
-  // The user's value.
+  // The no-data value set by the user.
   raster.NoData.reset();
   CHECK(raster.Write(name));
   raster.NoData = -9999.0;
@@ -198,7 +198,7 @@ void TestNoData(RelevoCheck& check, const RelevoTestFolders& folders)
   vtkNew<vtkHeightMap> toldNaN;
   toldNaN->SetNoDataValue(NaN);
   verify(toldNaN);
-  // NaN that nobody declared is an error, as without reduction.
+  // NaN that is not declared as missing is an error, as without reduction.
   vtkNew<vtkHeightMap> notTold;
   RelevoErrors errors(notTold);
   notTold->SetMaximumDimension(40);
@@ -216,7 +216,7 @@ void TestNoData(RelevoCheck& check, const RelevoTestFolders& folders)
   verify(vtkNew<vtkHeightMap>());
 }
 
-// The same as gdal_translate -r average makes of the file.
+// The result equals that of gdal_translate -r average.
 void TestAgainstGDAL(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const std::string name = folders.File("HeightMapReducedGDAL.tif");
@@ -264,8 +264,8 @@ void TestAgainstGDAL(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
-// A plane stays the same plane, in files that run east, west, north or south: means are at the
-// centres of what they cover. The terrain's place is that of the whole raster.
+// A plane stays the same plane for files in all orientations: means lie at the centres of the areas
+// they cover. The terrain keeps the location of the whole raster.
 void TestRegistration(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const std::string name = folders.File("HeightMapReducedPlane.tif");
@@ -318,7 +318,7 @@ void TestRegistration(RelevoCheck& check, const RelevoTestFolders& folders)
     CHECK_NEAR(worst, 0.0, 1e-3);
   }
 
-  // From memory, without georeference: texels of the whole image are the unit.
+  // For an image in memory without georeference, texels of the full image are the unit.
   vtkNew<vtkImageData> image;
   image->SetDimensions(300, 100, 1);
   image->AllocateScalars(VTK_SHORT, 1);

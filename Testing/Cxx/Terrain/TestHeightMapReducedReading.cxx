@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkHeightMap: how large rasters are read that are reduced: from the level that is just large
-// enough, and within the memory of what is kept.
+// Proves terrain.md on large rasters: they are read from the smallest overview that suffices, and
+// only the reduced map is held in memory.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
 #include "RelevoWarnings.h"
@@ -18,8 +18,8 @@
 
 namespace
 {
-// What a file holds at a smaller size as well is read there: the whole, 5000 million heights, would
-// take minutes. The overview says other heights, to tell where they come from.
+// The overview is read: the full raster, 5000 million heights, would take minutes. The overview has
+// other heights, which shows that they come from it.
 void TestOverviews(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const std::string name = folders.File("HeightMapReducedOverviews.tif");
@@ -80,7 +80,7 @@ void TestOverviews(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
-// Mip levels of OpenEXR, which OpenImageIO reads.
+// Mip levels of OpenEXR, read by OpenImageIO.
 void TestMipLevels(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const std::string name = folders.File("HeightMapReducedMips.exr");
@@ -103,7 +103,7 @@ void TestMipLevels(RelevoCheck& check, const RelevoTestFolders& folders)
     }
   }
   CHECK(output->close());
-  output.reset(); // only now the file is whole
+  output.reset(); // completes the file
   vtkNew<vtkHeightMap> map;
   RelevoWarnings warnings(map);
   map->SetFileName(name.c_str());
@@ -112,7 +112,8 @@ void TestMipLevels(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(map->GetRange()[0] == 12.0 && map->GetRange()[1] == 12.0);
 }
 
-// Memory is that of what is kept: 200 million heights are read, 800 MB as floats.
+// Memory stays at that of the reduced map, although 200 million heights are read (800 MB as
+// floats).
 [[maybe_unused]] void TestMemory(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const auto peak = []
@@ -163,8 +164,8 @@ int TestHeightMapReducedReading(int argc, char* argv[])
 {
   const RelevoTestFolders folders(argc, argv);
   RelevoCheck check;
-#ifndef __SANITIZE_ADDRESS__  // which keeps freed memory for a while
-  TestMemory(check, folders); // first: later ones have had the memory already
+#ifndef __SANITIZE_ADDRESS__  // the sanitizer delays freeing memory
+  TestMemory(check, folders); // first, because later tests reuse freed memory
 #endif
   TestOverviews(check, folders);
   TestMipLevels(check, folders);

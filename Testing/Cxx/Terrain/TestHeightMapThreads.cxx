@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// One recipe with a height map that has not been read, in filters in two threads: it is read once.
+// Proves that a height map shared by filters in two threads is read once.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
 
@@ -18,7 +18,7 @@
 
 namespace
 {
-// Gives the other thread time to begin with the same.
+// Waits, so that the other thread starts reading too.
 class SlowReading : public vtkCommand
 {
 public:

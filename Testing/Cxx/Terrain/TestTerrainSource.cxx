@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkTerrainSource: where the mesh lies, how it is made, what it leaves out.
+// vtkTerrainSource promises where the mesh lies, how it is triangulated, and where it has holes.
 #include "RelevoCheck.h"
 #include "RelevoGeodesy.h"
 #include "RelevoRasterFiles.h"
@@ -46,8 +46,8 @@ vtkIdType FindPoint(vtkPolyData* mesh, double u, double v)
   return -1;
 }
 
-// Every mesh: triangles that face up, each inner edge used once in each direction, no point
-// unused, at z = 0, with normals up. Returns the total area.
+// Checks every mesh: triangles face up, each inner edge is used once in each direction, all points
+// are used and lie at z = 0, and normals point up. Returns the total area.
 double CheckMesh(RelevoCheck& check, vtkPolyData* mesh)
 {
   CHECK_EQUAL(mesh->GetNumberOfPolys(), mesh->GetNumberOfCells());
@@ -97,7 +97,7 @@ RelevoRaster MakeRaster(
   return RelevoRaster::MakeSlope(width, height, transform, coordinateSystem, 100.0);
 }
 
-// Of a raster that goes into a file, with that many squares along the longer side.
+// A source of this raster, written to a file, with this many squares along the longer side.
 vtkSmartPointer<vtkTerrainSource> MakeSource(
   RelevoCheck& check, const RelevoRaster& raster, const std::string& name, int resolution)
 {
@@ -131,10 +131,11 @@ void TestGeographic(RelevoCheck& check, const RelevoTestFolders& folders)
       std::abs(Coordinate(mesh, i, 1) - expected[1]) });
   }
   CHECK_NEAR(worst, 0.0, 0.01); // metres; texture coordinates and points are floats
-  // 0.8 degrees here are 62 km, 0.5 are 56 km: 16 squares along the longer side, 14 or 15 across.
+  // Here 0.8 degrees are 62 km and 0.5 degrees 56 km: 16 squares along the longer side, and 14 or
+  // 15 across.
   CHECK_EQUAL(mesh->GetNumberOfCells(), 2 * 16 * 14);
 
-  // Along the western edge, point by point, as a geodesic goes.
+  // The western edge, point by point, has the length of the geodesic.
   double geodesic = 0.0;
   GeographicLib::Geodesic::WGS84().Inverse(45.5, 10.0, 46.0, 10.0, geodesic);
   const vtkIdType south = FindPoint(mesh, 0.0, 0.0);
@@ -146,7 +147,7 @@ void TestGeographic(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_NEAR(chord / geodesic, 1.0, 1e-4);
 }
 
-// Another ellipsoid, and longitude and latitude in grads.
+// Another ellipsoid, with longitude and latitude in grads.
 void TestEllipsoid(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const RelevoRaster raster =
@@ -178,7 +179,7 @@ void TestProjected(RelevoCheck& check, const RelevoTestFolders& folders)
     std::string(OSRGetAuthorityCode(system, nullptr)) == "32633");
   OSRDestroySpatialReference(system);
 
-  // Never finer than the texels, never coarser than one square: no square at all is an error.
+  // The mesh is never finer than the texels. A resolution without squares is an error.
   source->SetResolution(100000);
   source->Update();
   CHECK_EQUAL(source->GetOutput()->GetNumberOfCells(), 2 * 100 * 60);
@@ -192,7 +193,7 @@ void TestProjected(RelevoCheck& check, const RelevoTestFolders& folders)
   CheckMesh(check, source->GetOutput());
 }
 
-// Feet become metres, along the ground and in height.
+// Feet are converted to metres, for coordinates and heights.
 void TestFeet(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   RelevoRaster raster =
@@ -211,7 +212,7 @@ void TestFeet(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_NEAR(bounds[1] - bounds[0], 2000.0 * foot, 1e-3);
   CHECK_NEAR(bounds[3] - bounds[2], 1000.0 * foot, 1e-3);
   CHECK_NEAR(source->GetDisplacement()->GetScale(), 3.0 * 0.3048, 1e-12);
-  CHECK_NEAR(source->GetOrigin()[0], 901000.0, 1e-6); // in the raster's own coordinates
+  CHECK_NEAR(source->GetOrigin()[0], 901000.0, 1e-6); // in the raster's coordinates
   source->SetExaggeration(2.0);
   CHECK_NEAR(source->GetDisplacement()->GetScale(), 2.0 * 0.3048, 1e-12);
 }
@@ -233,7 +234,7 @@ void TestWithoutGeoreference(RelevoCheck& check, const RelevoTestFolders& folder
   CHECK(std::string(source->GetCoordinateSystem()).empty());
   CHECK_EQUAL(source->GetImagery(), nullptr);
 
-  // The same from memory.
+  // The same image in memory.
   vtkNew<vtkImageData> image;
   image->SetDimensions(30, 20, 1);
   image->AllocateScalars(VTK_FLOAT, 1);
@@ -245,7 +246,8 @@ void TestWithoutGeoreference(RelevoCheck& check, const RelevoTestFolders& folder
   CHECK_EQUAL(fromImage->GetOutput()->GetLength(), source->GetOutput()->GetLength());
 }
 
-// Files that run south, west, or turned by a quarter: the same place on the earth, facing up.
+// Files with rows to the south, to the west or rotated by 90 degrees cover the same area and face
+// up.
 void TestOrientations(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const std::vector<std::vector<double>> transforms = {
@@ -275,13 +277,13 @@ void TestOrientations(RelevoCheck& check, const RelevoTestFolders& folders)
     CHECK_NEAR(source->GetHeightMap()->GetHeight(0.8, 0.2), 1640.0 + 2.0 * 1600.0, 0.1);
   }
 
-  // Columns to the north-east, rows to the south-east.
+  // Columns run to the north-east and rows to the south-east.
   RelevoRaster turned = MakeRaster(40, 20, { 1000.0, 6.0, 6.0, 2000.0, 6.0, -6.0 }, "EPSG:32633");
   turned.SetValues([](int, int column, int row) { return column - 3 * row; });
   const auto source = MakeSource(check, turned, folders.File("TerrainTurned.tif"), 8);
   vtkPolyData* mesh = source->GetOutput();
   CHECK_NEAR(CheckMesh(check, mesh), 800.0 * 72.0, 1.0);
-  // The file's first corner has u = 0, v = 1.
+  // The file's first corner has u = 0 and v = 1.
   const vtkIdType first = FindPoint(mesh, 0.0, 1.0);
   CHECK_GREATER_EQUAL(first, 0);
   CHECK_NEAR(Coordinate(mesh, first, 0), 1000.0 - (1000.0 + 6.0 * 20 + 6.0 * 10), 1e-3);
@@ -316,7 +318,7 @@ void TestNoData(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_EQUAL(source->GetDisplacement()->GetNoDataPolicy(), vtkDisplacement::FILL);
   CHECK_LESS(area, 0.9 * 640.0 * 640.0);
 
-  // Squares of the full mesh that the other lacks draw upon voids alone, and only those.
+  // Squares are left out exactly if they depend on missing samples only.
   std::set<std::pair<int, int>> kept;
   const auto squareOf = [](vtkPolyData* mesh, vtkIdType cell)
   {
@@ -345,7 +347,7 @@ void TestNoData(RelevoCheck& check, const RelevoTestFolders& folders)
   {
     for (int i = 0; i < 32; ++i)
     {
-      // A square of two texels draws upon those and one more on each side.
+      // A square of two texels depends on these and on one more on each side.
       bool onlyVoids = true;
       for (int v = 2 * j - 1; v <= 2 * j + 2; ++v)
       {
@@ -359,7 +361,7 @@ void TestNoData(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
-// A strip one texel wide, or a single texel, is a surface of that size.
+// A strip of one texel's width and a single texel are surfaces of that size.
 void TestThin(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   for (const auto& size : { std::pair<int, int>{ 1, 1 }, { 1, 12 }, { 12, 1 } })
@@ -404,7 +406,7 @@ void TestRecipe(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_EQUAL(source->GetDisplacement(), displacement);
   CHECK_EQUAL(displacement->GetScale(), 2.5);
   const vtkMTimeType before = source->GetOutput()->GetMTime();
-  source->Update(); // nothing changed, nothing runs
+  source->Update(); // nothing has changed, so it does not execute
   CHECK_EQUAL(source->GetOutput()->GetMTime(), before);
   source->SetNoDataValue(100.0); // the sample in the north-western corner
   source->Update();
@@ -424,17 +426,17 @@ void TestRealFiles(RelevoCheck& check, const RelevoTestFolders& folders)
   const auto& earth = GeographicLib::Geodesic::WGS84();
   double width = 0.0;
   double height = 0.0;
-  // gdalinfo: 152 x 187 pixels of 0.00275 x 0.00211 degrees from 105.9125 W, 40.553678 N.
+  // By gdalinfo, 152 x 187 pixels of 0.00275 x 0.00211 degrees from 105.9125 W, 40.553678 N.
   earth.Inverse(40.159108, -105.9125, 40.159108, -105.4945, width);
   earth.Inverse(40.159108, -105.7035, 40.553678, -105.7035, height);
   CHECK_NEAR((bounds[1] - bounds[0]) / width, 1.0, 1e-4);
-  CHECK_NEAR((bounds[3] - bounds[2]) / height, 1.0, 1e-3); // the edges curve
+  CHECK_NEAR((bounds[3] - bounds[2]) / height, 1.0, 1e-3); // the edges are curved
 
   source->SetFileName((folders.RealData + "SainteHelens.dem").c_str());
   source->Update();
   CHECK_GREATER(source->GetOutput()->GetNumberOfCells(), 0);
   source->GetOutput()->GetBounds(bounds);
-  // All four corners lie outside the quadrangle: nothing there within a coarse square.
+  // All four corners lie outside the quadrangle. The hole ends within one coarse square.
   CHECK(bounds[0] >= -0.5 * 327 * 30 && bounds[0] < -0.5 * 327 * 30 + 400.0);
   source->SetNoDataPolicyToFill();
   source->Update();

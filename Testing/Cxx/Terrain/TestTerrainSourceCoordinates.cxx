@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkTerrainSource::TerrainToMap and MapToTerrain, against PROJ: terrain coordinates of longitude
-// and latitude are the ellipsoid's orthographic projection.
+// Proves terrain.md: TerrainToMap() and MapToTerrain() agree with PROJ. Longitude and latitude use
+// the ellipsoid's orthographic projection.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
 
@@ -21,7 +21,7 @@
 
 namespace
 {
-// Between two coordinate systems by PROJ, longitude and easting first.
+// Converts between two coordinate systems by PROJ, longitude and easting first.
 class Transformation
 {
 public:
@@ -70,7 +70,7 @@ void Open(vtkTerrainSource* source, const RelevoRaster& raster, const std::strin
   source->Update();
 }
 
-// There and back, over what also on a continent lies within the horizon.
+// Converts there and back, in an area that is within the horizon even for a continent.
 void CheckThereAndBack(RelevoCheck& check, vtkTerrainSource* source, double tolerance)
 {
   double bounds[6];
@@ -95,7 +95,7 @@ void CheckThereAndBack(RelevoCheck& check, vtkTerrainSource* source, double tole
 
 void TestDegrees(RelevoCheck& check, const RelevoTestFolders& folders)
 {
-  // A country, a continent, and the far side of the date line counted from 0 to 360.
+  // A country, a continent, and the other side of the date line in longitudes from 0 to 360.
   for (const auto& transform :
     std::vector<std::vector<double>>{ { 10.0, 0.01, 0.0, 46.0, 0.0, -0.01 },
       { -60.0, 3.0, 0.0, 60.0, 0.0, -3.0 }, { 170.0, 1.0, 0.0, -30.0, 0.0, -0.5 } })
@@ -128,7 +128,7 @@ void TestDegrees(RelevoCheck& check, const RelevoTestFolders& folders)
         CHECK_EQUAL(again[2], 250.0);
       }
     }
-    CHECK_NEAR(worst, 0.0, 1e-4); // metres; the origin has six decimals for PROJ
+    CHECK_NEAR(worst, 0.0, 1e-4); // metres; PROJ gets the origin with six decimals
     CheckThereAndBack(check, source, 1e-5);
 
     double untouched[3] = { 7.0, 8.0, 9.0 };
@@ -161,10 +161,11 @@ void TestOtherUnits(RelevoCheck& check, const RelevoTestFolders& folders)
   const double corner[3] = { 2.4, 52.0, 0.0 };
   double terrain[3];
   CHECK(source->MapToTerrain(corner, terrain));
-  CHECK_NEAR(terrain[0], source->GetOutput()->GetBounds()[1], 100.0); // the north is narrower
+  // the northern edge is shorter
+  CHECK_NEAR(terrain[0], source->GetOutput()->GetBounds()[1], 100.0);
   CHECK_NEAR(terrain[1], source->GetOutput()->GetBounds()[3], 1.0);
 
-  // Feet, along the ground and up.
+  // Feet, for coordinates and heights.
   RelevoRaster feet = MakeRaster({ 900000.0, 100.0, 0.0, 200000.0, 0.0, -100.0 }, "EPSG:2263");
   feet.Unit = "ft";
   Open(source, feet, folders.File("CoordinatesFeet.tif"));
@@ -174,12 +175,12 @@ void TestOtherUnits(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_NEAR(map[2], 100.0, 1e-9);
   CheckThereAndBack(check, source, 1e-8);
 
-  // Texels.
+  // Texels without georeference.
   Open(source, MakeRaster({}, ""), folders.File("CoordinatesNone.tif"));
   CHECK(source->TerrainToMap(place, map));
   CHECK(map[0] == 320.0 && map[1] == -20.0 && map[2] == 30.48);
 
-  // From memory; flat.
+  // An image in memory, which has no georeference either.
   vtkNew<vtkImageData> image;
   image->SetDimensions(4, 6, 1);
   image->AllocateScalars(VTK_FLOAT, 1);
@@ -190,7 +191,7 @@ void TestOtherUnits(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(source->TerrainToMap(place, map));
   CHECK(map[0] == 302.0 && map[1] == -27.0 && map[2] == 0.0);
 
-  // Nothing of an earlier success is left.
+  // No result of an earlier file remains.
   RelevoErrors errors(source);
   RelevoErrors executive(source->GetExecutive());
   source->GetHeightMap()->SetImageData(nullptr);
@@ -199,7 +200,7 @@ void TestOtherUnits(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(errors.Said("nowhere.tif") && !source->TerrainToMap(place, map));
 }
 
-// Progress grows, says with what, and stops where it is told to.
+// Progress rises, names the current step and stops when aborted.
 void TestProgress(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   struct Record
@@ -254,7 +255,7 @@ void TestProgress(RelevoCheck& check, const RelevoTestFolders& folders)
     CHECK_EQUAL(source->GetImagery()->GetNumberOfPoints(), 0);
     if (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) && record.Shares.back() == 1.0)
     {
-      record.Shares.pop_back(); // VTK's pipeline says 1 in the end, aborted or not
+      record.Shares.pop_back(); // VTK's pipeline reports 1 at the end, aborted or not
     }
     CHECK(record.Shares.back() > stop && record.Shares.back() < 1.0);
   }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkTerrainSource: bad input gives an error of its own, an empty output and a failed request.
+// vtkTerrainSource promises an error, an empty output and a failed request for invalid input.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
 
@@ -16,7 +16,7 @@
 
 namespace
 {
-// A source that reads a good file between the bad ones, and that file's raster.
+// A source that reads a valid file between invalid ones, and the raster of that file.
 struct Scene
 {
   Scene(RelevoCheck& check, const RelevoTestFolders& folders)
@@ -52,7 +52,7 @@ struct Scene
   RelevoRaster Raster;
   vtkNew<vtkTerrainSource> Source;
   RelevoErrors Errors{ this->Source };
-  RelevoErrors Executive{ this->Source->GetExecutive() }; // it tells every failure once more
+  RelevoErrors Executive{ this->Source->GetExecutive() }; // repeats every error
 };
 
 void TestNoRasters(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
@@ -71,7 +71,7 @@ void TestNoRasters(RelevoCheck& check, const RelevoTestFolders& folders, Scene& 
   scene.Fails(check, folders.File("TerrainHalf.tif"), "TerrainHalf.tif");
 }
 
-// No data at all; NaN, which may stand for no data.
+// A raster without data, and NaN, which may be the no-data value.
 void TestHeights(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
 {
   RelevoRaster bad = scene.Raster;
@@ -88,7 +88,7 @@ void TestHeights(RelevoCheck& check, const RelevoTestFolders& folders, Scene& sc
   CHECK(scene.Source->GetExecutive()->Update() == 1 && scene.Errors.None());
 }
 
-// The whole earth does not lie on one tangent plane.
+// The whole earth does not fit onto one tangent plane.
 void TestPlaces(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
 {
   RelevoRaster bad = scene.Raster;
@@ -98,7 +98,7 @@ void TestPlaces(RelevoCheck& check, const RelevoTestFolders& folders, Scene& sce
   bad.CoordinateSystem = "EPSG:4978";
   CHECK(bad.Write(folders.File("TerrainGeocentric.tif")));
   scene.Fails(check, folders.File("TerrainGeocentric.tif"), "project it first");
-  // What headers tell is told before the heights are read, which are none here.
+  // Errors in headers are reported before heights are read, which these files lack.
   for (const char* name : { "TerrainEarth", "TerrainGeocentric" })
   {
     const std::string half = folders.File(std::string(name) + "Half.tif");
@@ -113,7 +113,7 @@ void TestPlaces(RelevoCheck& check, const RelevoTestFolders& folders, Scene& sce
   scene.Works(check);
 }
 
-// A stop is no error, and leaves nothing half done.
+// Aborting is not an error and leaves no partial result.
 void TestStop(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
 {
   vtkTerrainSource* source = scene.Source;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkTerrainSource::GetImagery: the right colour at the right place.
+// vtkTerrainSource promises imagery whose colours appear at the right coordinates.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
 
@@ -44,7 +44,7 @@ vtkImageData* Drape(
   return source->GetImagery();
 }
 
-// Whether the image is the picture's bands, pixel by pixel, with its last row first.
+// Whether the image has the picture's bands, pixel by pixel, with its last row first.
 bool SamePixels(vtkImageData* image, const RelevoRaster& picture, const std::array<int, 3>& bands)
 {
   int dimensions[3];
@@ -74,7 +74,7 @@ bool SamePixels(vtkImageData* image, const RelevoRaster& picture, const std::arr
   return true;
 }
 
-// On the terrain's own grid, and without georeference, the picture comes through untouched.
+// A picture on the terrain's grid or without georeference is unchanged.
 void TestSameGrid(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const std::string terrain = folders.File("ImageryTerrain.tif");
@@ -82,20 +82,20 @@ void TestSameGrid(RelevoCheck& check, const RelevoTestFolders& folders)
   const std::vector<double> utm = { 500000.0, 10.0, 0.0, 5000000.0, 0.0, -10.0 };
   vtkNew<vtkTerrainSource> source;
   RelevoErrors errors(source);
-  RelevoErrors executive(source->GetExecutive()); // it tells every failure once more
+  RelevoErrors executive(source->GetExecutive()); // repeats every error
 
   CHECK(RelevoRaster::MakeSlope(40, 30, utm, "EPSG:32633").Write(terrain));
   const RelevoRaster rgb = MakePicture(40, 30, 3, utm, "EPSG:32633");
   CHECK(rgb.Write(file));
   CHECK(SamePixels(Drape(source, terrain, file), rgb, { 0, 1, 2 }));
 
-  // A finer picture stays as fine.
+  // A finer picture keeps its resolution.
   const RelevoRaster fine =
     MakePicture(160, 120, 3, { 500000.0, 2.5, 0.0, 5000000.0, 0.0, -2.5 }, "EPSG:32633");
   CHECK(fine.Write(folders.File("ImageryFine.tif")));
   CHECK(SamePixels(Drape(source, terrain, folders.File("ImageryFine.tif")), fine, { 0, 1, 2 }));
 
-  // Six bands, in the order asked for.
+  // Six bands, in the requested order.
   const RelevoRaster six = MakePicture(40, 30, 6, utm, "EPSG:32633");
   CHECK(six.Write(folders.File("ImagerySix.tif")));
   CHECK(SamePixels(Drape(source, terrain, folders.File("ImagerySix.tif")), six, { 2, 1, 0 }));
@@ -107,25 +107,25 @@ void TestSameGrid(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_EQUAL(source->GetOutput()->GetNumberOfCells(), 0);
   source->SetImageryBands(0, 0, 0);
 
-  // One band is grey.
+  // A single band is grey.
   const RelevoRaster one = MakePicture(40, 30, 1, utm, "EPSG:32633");
   CHECK(one.Write(folders.File("ImageryOne.tif")));
   CHECK(SamePixels(Drape(source, terrain, folders.File("ImageryOne.tif")), one, { 0, 0, 0 }));
 
-  // Neither has a place on earth.
+  // Neither terrain nor picture has a georeference.
   const RelevoRaster plain = MakePicture(64, 32, 3, {}, "");
   CHECK(plain.Write(folders.File("Imagery.png"), "PNG"));
   CHECK(RelevoRaster::MakeSlope(40, 30, {}, "").Write(folders.File("ImageryPlain.tif")));
   CHECK(SamePixels(Drape(source, folders.File("ImageryPlain.tif"), folders.File("Imagery.png")),
     plain, { 0, 1, 2 }));
-  // Only the terrain has.
+  // Only the terrain has one.
   CHECK(SamePixels(Drape(source, terrain, folders.File("Imagery.png")), plain, { 0, 1, 2 }));
-  // Only the picture has.
+  // Only the picture has one.
   CHECK(SamePixels(Drape(source, folders.File("ImageryPlain.tif"), folders.File("ImagerySix.tif")),
     six, { 2, 1, 0 }));
   CHECK(errors.None());
 
-  // Bounded, and then averaged: the mean stays.
+  // Reduces the picture by averaging, which keeps the mean.
   source->SetMaximumImagerySize(16);
   vtkImageData* small =
     Drape(source, folders.File("ImageryPlain.tif"), folders.File("Imagery.png"));
@@ -146,7 +146,7 @@ void TestSameGrid(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_NEAR(mean, expected, 4.0);
 }
 
-// A picture in UTM over a terrain in degrees: colours tell longitude and latitude.
+// A picture in UTM over a terrain in degrees. Its colours encode longitude and latitude.
 void TestOtherCoordinateSystem(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   OGRSpatialReferenceH utm = OSRNewSpatialReference(nullptr);
@@ -157,7 +157,8 @@ void TestOtherCoordinateSystem(RelevoCheck& check, const RelevoTestFolders& fold
   OSRSetAxisMappingStrategy(degrees, OAMS_TRADITIONAL_GIS_ORDER);
   OGRCoordinateTransformationH toDegrees = OCTNewCoordinateTransformation(utm, degrees);
 
-  // The terrain: 14.0 to 14.2 east, 45.0 to 45.1 north. The picture covers all but its west.
+  // The terrain covers 14.0 to 14.2 east and 45.0 to 45.1 north. The picture covers it except in
+  // the west.
   const auto red = [](double longitude) { return (longitude - 13.9) / 0.4 * 250.0; };
   const auto green = [](double latitude) { return (latitude - 44.9) / 0.3 * 250.0; };
   RelevoRaster picture =
@@ -196,7 +197,7 @@ void TestOtherCoordinateSystem(RelevoCheck& check, const RelevoTestFolders& fold
   vtkImageData* image = Drape(source, terrainName, pictureName);
   int dimensions[3];
   image->GetDimensions(dimensions);
-  // About the picture's own resolution: 15.8 km by 11.1 km at 100 m.
+  // The resolution is close to the picture's: 15.8 km by 11.1 km at 100 m.
   CHECK_NEAR(dimensions[0], 158.0, 3.0);
   CHECK_NEAR(dimensions[1], 112.0, 3.0);
   double worst = 0.0;
@@ -208,7 +209,7 @@ void TestOtherCoordinateSystem(RelevoCheck& check, const RelevoTestFolders& fold
     {
       const double longitude = 14.0 + 0.2 * (i + 0.5) / dimensions[0];
       const double latitude = 45.0 + 0.1 * (j + 0.5) / dimensions[1];
-      // The picture's western border, 425 km east in zone 33, lies near 14.05 to 14.06 here.
+      // The picture's western border, 425 km east in zone 33, lies between 14.05 and 14.06 here.
       if (longitude > 14.07)
       {
         worst = std::max({ worst, std::abs(Color(image, i, j, 0) - red(longitude)),
@@ -230,7 +231,7 @@ void TestOtherCoordinateSystem(RelevoCheck& check, const RelevoTestFolders& fold
   CHECK_NEAR(worst, 0.0, 1.01); // rounded twice
 }
 
-// No data, transparency, palettes, wider types.
+// Missing data, transparency, palettes and wider types.
 void TestPixels(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const std::vector<double> utm = { 500000.0, 10.0, 0.0, 5000000.0, 0.0, -10.0 };
@@ -249,7 +250,7 @@ void TestPixels(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_EQUAL(Color(image, 6, 4, 0), 6);
   CHECK_EQUAL(Color(image, 6, 4, 2), 26);
   CHECK_EQUAL(Color(image, 6, 5, 1), 255);
-  CHECK_EQUAL(Color(image, 6, 5, 0), 6); // only one band says so
+  CHECK_EQUAL(Color(image, 6, 5, 0), 6); // only one band declares it
 
   RelevoRaster alpha = MakePicture(8, 8, 4, {}, "");
   alpha.SetValues(
@@ -270,7 +271,7 @@ void TestPixels(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_EQUAL(Color(image, 7, 0, 0), 255);
   CHECK_NEAR(Color(image, 3, 0, 1), 255.0 * 3.0 / 7.0, 1.0);
 
-  // An index of colours.
+  // A palette.
   GDALDatasetH palette = GDALCreate(GDALGetDriverByName("GTiff"),
     folders.File("ImageryPalette.tif").c_str(), 8, 8, 1, GDT_Byte, nullptr);
   GDALSetGeoTransform(palette, const_cast<double*>(utm.data()));
@@ -287,7 +288,7 @@ void TestPixels(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_EQUAL(Color(image, 4, 4, 2), 10);
 }
 
-// Settings of the relief leave the imagery as it is.
+// Settings of the heights do not change the imagery.
 void TestCache(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   vtkNew<vtkTerrainSource> source;
@@ -312,7 +313,7 @@ void TestErrors(RelevoCheck& check, const RelevoTestFolders& folders)
   const std::string terrain = folders.File("ImageryTerrain.tif");
   vtkNew<vtkTerrainSource> source;
   RelevoErrors errors(source);
-  RelevoErrors executive(source->GetExecutive()); // it tells every failure once more
+  RelevoErrors executive(source->GetExecutive()); // repeats every error
   const auto fails = [&](const std::string& picture, const std::string& reason)
   {
     vtkImageData* image = Drape(source, terrain, picture);
@@ -334,8 +335,8 @@ void TestErrors(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(errors.None() && source->GetOutput()->GetNumberOfCells() > 0);
 }
 
-// Real pictures: every tenth pixel against the file's own around the same longitude and latitude,
-// or the same easting and northing.
+// Real pictures: every tenth pixel is compared with the file's pixels around the same longitude and
+// latitude, or easting and northing.
 void TestRealFile(RelevoCheck& check, const std::string& terrainName,
   const std::string& pictureName, const std::array<int, 3>& bands)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkTerrainSource::GetImagery: pictures of more pixels than MaximumImagerySize are reduced in
-// place, from their overviews where they have any, with one warning.
+// Proves terrain.md: imagery larger than MaximumImagerySize is reduced without shift, from
+// overviews if the file has any, with one warning.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
 #include "RelevoWarnings.h"
@@ -35,7 +35,7 @@ std::string WriteTerrain(RelevoCheck& check, const RelevoTestFolders& folders)
   return name;
 }
 
-// Red says how far east, green how far north, whatever the size.
+// Red encodes the distance to the east and green that to the north, at every size.
 void TestReduced(RelevoCheck& check, const RelevoTestFolders& folders, const std::string& terrain)
 {
   for (const char* driver : { "GTiff", "PNG" })
@@ -94,7 +94,8 @@ void TestReduced(RelevoCheck& check, const RelevoTestFolders& folders, const std
   }
 }
 
-// 1800 million pixels, of which none is read: their overview is of another colour.
+// 1800 million pixels, which are not read. The overview has another colour, which shows that it is
+// used.
 void TestOverviews(RelevoCheck& check, const RelevoTestFolders& folders, const std::string& terrain)
 {
   const std::string name = folders.File("LargeImageryOverviews.tif");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A raster is opened once for its location and its heights: what replaces the file after that is
-// not seen. Errors and warnings are the same texts in the height map and in the source.
+// Proves that a raster is opened once for location and heights, so that replacing the file in
+// between has no effect. Messages of height map and source are equal.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
 #include "vtkCallbackCommand.h"
@@ -19,7 +19,7 @@ namespace
 constexpr double FirstCorner = 500000.0;
 constexpr double SecondCorner = 600000.0;
 
-// Two rasters of different size, place and heights; the second one goes where the first one was.
+// Two rasters with different sizes, locations and heights. The second replaces the first file.
 struct Files
 {
   std::string Name;
@@ -48,7 +48,7 @@ struct Files
   void Replace() const { std::filesystem::rename(this->Other, this->Name); }
 };
 
-// Whether all that the source gives is of the first raster.
+// Whether all results come from the first raster.
 void ExpectFirst(RelevoCheck& check, vtkTerrainSource* source)
 {
   CHECK_EQUAL(source->GetExecutive()->Update(), 1);
@@ -64,7 +64,7 @@ void TestOpenings(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const Files files(folders);
   {
-    // The source opens it, the height map reads it.
+    // The source opens the file, and the height map reads it.
     CHECK(files.Write());
     vtkNew<vtkTerrainSource> source;
     source->SetFileName(files.Name.c_str());
@@ -73,7 +73,7 @@ void TestOpenings(RelevoCheck& check, const RelevoTestFolders& folders)
     replacing->SetCallback(
       [](vtkObject* caller, unsigned long, void* client, void*)
       {
-        // The location is known, no height is read.
+        // The location is known, but no height has been read.
         if (static_cast<vtkTerrainSource*>(caller)->GetProgressText() &&
           std::filesystem::exists(static_cast<Files*>(client)->Other))
         {
@@ -85,7 +85,7 @@ void TestOpenings(RelevoCheck& check, const RelevoTestFolders& folders)
     CHECK(!std::filesystem::exists(files.Other));
   }
   {
-    // The height map opens it, the source takes the location from there.
+    // The height map opens the file, and the source takes the location from it.
     CHECK(files.Write());
     vtkNew<vtkTerrainSource> source;
     source->SetFileName(files.Name.c_str());
@@ -95,18 +95,18 @@ void TestOpenings(RelevoCheck& check, const RelevoTestFolders& folders)
     ExpectFirst(check, source);
   }
   {
-    // So it does when the heights were read before.
+    // The same after the heights were read.
     CHECK(files.Write());
     vtkNew<vtkTerrainSource> source;
     source->SetFileName(files.Name.c_str());
     CHECK(source->GetHeightMap()->Update());
     files.Replace();
     ExpectFirst(check, source);
-    // Another mesh of the same raster needs no file at all.
+    // Another mesh of the same raster does not need the file.
     std::filesystem::remove(files.Name);
     source->SetResolution(3);
     ExpectFirst(check, source);
-    // What says that the file has changed opens it.
+    // Modified() makes the source open the file again.
     CHECK(files.Write());
     files.Replace();
     source->GetHeightMap()->Modified();
@@ -116,7 +116,7 @@ void TestOpenings(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
-// Heights that are not kept are read by who asks for them, from the file as it then is.
+// Released heights are read again on demand, from the current file.
 void TestReleasedHeights(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const Files files(folders);
@@ -139,7 +139,7 @@ void TestReleasedHeights(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(source->GetOutput()->GetNumberOfCells() == 18 && !heights->GetSamples());
 }
 
-// A file that was missing is found by the next attempt.
+// The next update finds a file that was missing.
 void TestLateFile(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const Files files(folders);
@@ -156,7 +156,7 @@ void TestLateFile(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(errors.None());
 }
 
-// One sentence, in the object that failed and in the one that holds it.
+// The object that fails and the object that owns it report the same message.
 void TestMessages(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   vtkNew<vtkTerrainSource> source;
@@ -165,7 +165,7 @@ void TestMessages(RelevoCheck& check, const RelevoTestFolders& folders)
   {
     RelevoErrors errors(source);
     RelevoErrors executive(source->GetExecutive());
-    // A name that could be taken for the end of VTK's prefix.
+    // The name looks like the end of VTK's message prefix.
     source->SetFileName(folders.File("no (such): terrain.tif").c_str());
     source->Update();
     const std::string text = heights->GetErrorMessage();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines to real terrain, some through its holes, meet what VTK's locator finds on the refined mesh.
+// vtkRefinedCellLocator promises the intersections that VTK's locator finds on the refined mesh.
+// Tested with lines to real terrain, some through its holes.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
 
@@ -74,7 +75,7 @@ void TestFile(RelevoCheck& check, const std::string& name, bool hasHoles)
   const int lines = 2000;
   for (int i = 0; i < lines; ++i)
   {
-    // From above to below; every other one grazes.
+    // From above to below. Every second line grazes.
     double p1[3];
     double p2[3];
     for (int c = 0; c < 2; ++c)
@@ -95,7 +96,7 @@ void TestFile(RelevoCheck& check, const std::string& name, bool hasHoles)
           found.Cell == static_cast<vtkIdType>(ids->GetTuple1(expected.Cell))));
     wrong += same ? 0 : 1;
   }
-  CHECK_LESS_EQUAL(wrong, 2); // that graze a rim within rounding
+  CHECK_LESS_EQUAL(wrong, 2); // grazing a rim within rounding
   CHECK_GREATER(hits, lines / 4);
   CHECK_EQUAL((hits < 0.9 * lines), hasHoles); // a few leave at the rim
 }

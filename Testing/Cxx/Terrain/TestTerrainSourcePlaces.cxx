@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkTerrainSource and vtkGeographicVectors: georeferences and ellipsoids that no terrain can have.
+// vtkTerrainSource and vtkGeographicVectors promise errors for georeferences and ellipsoids that
+// are not possible.
 #include "RelevoCheck.h"
 #include "RelevoGeographicMesh.h"
 #include "RelevoRasterFiles.h"
@@ -46,10 +47,10 @@ void ExpectError(RelevoCheck& check, const std::string& name, const std::string&
 }
 
 const std::vector<std::vector<double>> HostileTransforms = {
-  { 0.0, 1e308, 0.0, 0.0, 0.0, -1e-300 },    // its width is not finite
-  { 0.0, 1e300, 0.0, 0.0, 0.0, -1e-290 },    // finite, and beyond floats
+  { 0.0, 1e308, 0.0, 0.0, 0.0, -1e-300 },    // the width is not finite
+  { 0.0, 1e300, 0.0, 0.0, 0.0, -1e-290 },    // finite, but beyond the float range
   { 1e305, 1e300, 0.0, -1e305, 0.0, -1e-3 }, //
-  { 1e300, 1.0, 0.0, 1e300, 0.0, -1.0 },     // doubles cannot tell its corners apart
+  { 1e300, 1.0, 0.0, 1e300, 0.0, -1.0 },     // doubles cannot distinguish the corners
   { 10.0, 1e-30, 0.0, 50.0, 0.0, -1e-30 },   //
 };
 
@@ -61,13 +62,13 @@ void TestTransforms(RelevoCheck& check, const RelevoTestFolders& folders)
   {
     for (const auto& transform : HostileTransforms)
     {
-      // All longitudes are on the earth.
+      // All longitudes are valid.
       const bool isOnEarth = system == std::string("EPSG:4326") && transform[1] > 1e200;
       CHECK(MakeRaster(transform, system).Write(name));
       isOnEarth ? ExpectError(check, name, "") : ExpectError(check, name, reason);
     }
   }
-  // All of it is the pole.
+  // All rows lie at the pole.
   CHECK(MakeRaster({ 10.0, 0.1, 0.0, 200.0, 0.0, -0.1 }, "EPSG:4326").Write(name));
   ExpectError(check, name, reason);
 
@@ -77,7 +78,7 @@ void TestTransforms(RelevoCheck& check, const RelevoTestFolders& folders)
   ExpectError(check, picture, reason);
 }
 
-// Imagery at such a place is an error, or is stretched over the terrain.
+// Imagery with such a georeference is an error or is stretched over the terrain.
 void TestImagery(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const std::string terrain = folders.File("TerrainPlacesGood.tif");
@@ -122,7 +123,7 @@ void TestEllipsoids(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
-// Places in an error are those of the overview that was read, and it says so.
+// Positions in an error refer to the overview that was read, and the error mentions it.
 void TestOverview(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   RelevoRaster raster = MakeRaster({}, "");

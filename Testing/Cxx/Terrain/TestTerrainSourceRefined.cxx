@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkTerrainSource with its displacement through the refinement filter: the relief itself.
+// vtkTerrainSource promises that its mesh, refined with its displacement, is the relief.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
 
@@ -21,7 +21,7 @@
 
 namespace
 {
-// Refines a terrain so far that every texel's centre is close to a point.
+// Refines until a point is close to the centre of every texel.
 vtkSmartPointer<vtkPolyData> Refine(vtkTerrainSource* source, int level)
 {
   vtkNew<vtkAdaptiveRefinement> recipe;
@@ -35,7 +35,7 @@ vtkSmartPointer<vtkPolyData> Refine(vtkTerrainSource* source, int level)
   return mesh;
 }
 
-// The largest deviation of z from exaggeration x height at the points' texture coordinates.
+// Largest deviation of z from exaggeration x height at the points' texture coordinates.
 double Deviation(vtkPolyData* mesh, vtkTerrainSource* source)
 {
   vtkDataArray* texture = mesh->GetPointData()->GetTCoords();
@@ -50,7 +50,7 @@ double Deviation(vtkPolyData* mesh, vtkTerrainSource* source)
   return worst;
 }
 
-// Triangles seen from above that do not face up.
+// Number of triangles that do not face up.
 int NumberOfOverhangs(vtkPolyData* mesh)
 {
   int count = 0;
@@ -69,7 +69,7 @@ int NumberOfOverhangs(vtkPolyData* mesh)
   return count;
 }
 
-// Where the terrain lies goes with the mesh: the raster's centre and its coordinate system.
+// The mesh's field data contain the raster's centre and coordinate system.
 void CheckPlace(RelevoCheck& check, vtkPolyData* mesh, vtkTerrainSource* source)
 {
   vtkFieldData* data = mesh->GetFieldData();
@@ -90,7 +90,7 @@ void CheckPlace(RelevoCheck& check, vtkPolyData* mesh, vtkTerrainSource* source)
   CHECK_EQUAL(system->GetValue(0), source->GetCoordinateSystem());
 }
 
-// A cone with a void beside it.
+// A cone beside missing data.
 void TestCone(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   RelevoRaster raster;

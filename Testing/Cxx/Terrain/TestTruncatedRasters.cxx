@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Files cut short are errors, as heights and as imagery: also those that GDAL fills up with zeros,
-// and those that libjpeg fills up with grey.
+// Proves that truncated files are errors for heights and imagery, even if GDAL fills the rest with
+// zeros or libjpeg with grey.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
 
@@ -42,8 +42,8 @@ bool Write(const std::string& fileName, const Format& format, int bands)
   return raster.Write(fileName, format.Driver);
 }
 
-// Asked for large parts of raw files, as it does by itself in version 3.10, GDAL reads beyond their
-// end. Writing can crash with it (3.6).
+// With this option, which GDAL 3.10 sets for large reads of raw files, GDAL reads beyond the end of
+// the file. Writing may then crash (3.6).
 class LargeReads
 {
 public:
@@ -52,14 +52,14 @@ public:
   LargeReads(const LargeReads&) = delete;
   void operator=(const LargeReads&) = delete;
 
-  // As the user of this thread has set it.
+  // Whether the option of this thread is still as the user set it.
   bool AreKept() const
   {
     return CPLGetThreadLocalConfigOption("GDAL_ONE_BIG_READ", "") == std::string("YES");
   }
 };
 
-// Whether the whole file is read, and its parts are errors that name it.
+// Whether the whole file is read, and truncated copies are errors that name the file.
 template <typename Reader>
 void TestParts(RelevoCheck& check, const std::string& name, const Format& format, int bands)
 {
@@ -96,7 +96,7 @@ struct ImageryReader
 {
   vtkNew<vtkTerrainSource> Source;
   RelevoErrors Errors{ this->Source };
-  RelevoErrors OfExecutive{ this->Source->GetExecutive() }; // it tells every failure once more
+  RelevoErrors OfExecutive{ this->Source->GetExecutive() }; // repeats every error
 
   bool Read(const std::string& name)
   {

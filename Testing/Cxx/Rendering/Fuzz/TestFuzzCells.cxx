@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Random unstructured grids, sound and not, through every class that takes them: nothing crashes or
-// hangs, no fault goes through in silence, and no sound cell is called faulty.
+// Proves that random unstructured grids, valid or not, crash or hang no class that accepts them.
+// Every invalid cell is reported, and no valid cell is.
 #include "RelevoCheck.h"
 #include "RelevoFuzz.h"
 #include "RelevoRandomGrid.h"
@@ -65,7 +65,7 @@ vtkSmartPointer<vtkAdaptiveRefinement> MakeRecipe()
   return recipe;
 }
 
-// Ends the process when it has computed for so long: what hangs.
+// Ends the process after this computing time, in case a class hangs.
 void LimitTime(int seconds)
 {
 #ifdef __unix__
@@ -76,14 +76,14 @@ void LimitTime(int seconds)
 #endif
 }
 
-// One in how many grids is drawn as well. Nearly all of the time goes into building shaders.
+// One in this many grids is drawn too. Most of the time is spent on building shaders.
 int GetDrawnShare()
 {
   const char* share = std::getenv("RELEVO_FUZZ_DRAWN");
   return share ? std::max(std::atoi(share), 1) : 1;
 }
 
-// The reports of an object about one grid.
+// The messages of an object about one grid.
 class Reports
 {
 public:
@@ -105,7 +105,7 @@ private:
   std::string Text;
 };
 
-// Windows and mappers of all runs: programs are built once.
+// Windows and mappers for all runs, so that programs are built once.
 struct Stage
 {
   Stage()
@@ -171,7 +171,7 @@ private:
   void TakeAll()
   {
     LimitTime(MaximumSeconds);
-    vtkObject::GlobalWarningDisplayOn(); // else there are no events
+    vtkObject::GlobalWarningDisplayOn(); // otherwise there are no events
     this->Sort();
     this->Cast();
     this->MakePatches();
@@ -187,7 +187,8 @@ private:
     LimitTime(0);
   }
 
-  // Points that are not finite are no fault to volumes, and those of other dimensions to nobody.
+  // For volumes, points that are not finite are not an error. Cells of other dimensions are never
+  // an error.
   void Judge(const char* name, const Reports& reports, bool takesInfinite)
   {
     const bool hasError = !this->Grid.GetError().empty();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkAdaptiveLICMapper and what VTK has around a mapper, called in random order on random inputs:
-// nothing crashes, and what the mapper says of itself makes sense.
+// Proves that random calls of vtkAdaptiveLICMapper and of VTK's classes around a mapper, with
+// random inputs, never crash, and that the mapper's counters stay consistent.
 #include "RelevoCheck.h"
 #include "RelevoFuzzImages.h"
 #include "RelevoFuzzMapper.h"

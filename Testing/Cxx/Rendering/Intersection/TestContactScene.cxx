@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkContactScene: pairs of moving actors, the boxes of their metrics, and curves as the filter's.
+// vtkContactScene promises the pairs of moving actors, the boxes of their metrics, and the curves
+// of vtkSurfaceIntersectionFilter.
 #include "RelevoCheck.h"
 #include "RelevoDisplacements.h"
 #include "RelevoIntersections.h"
@@ -30,7 +31,7 @@
 
 namespace
 {
-// Refined by a recipe without a metric.
+// An actor with a recipe without a metric.
 struct RefinedActor
 {
   explicit RefinedActor(vtkPolyData* mesh)
@@ -62,7 +63,7 @@ bool IsBox(vtkProximityDepthTagMetric* metric, int index, const std::array<doubl
   return isSame;
 }
 
-// Whether a block is what the filter makes of two actors as they are, or of their recipes.
+// Whether a block is the filter's result for two actors, or for their recipes.
 bool IsOfFilter(vtkContactScene* scene, unsigned int block, int first, int second)
 {
   vtkMultiBlockDataSet* contacts = scene->GetContacts();
@@ -120,7 +121,7 @@ void TestMotion(RelevoCheck& check)
     const double* b = second.Actor->GetBounds();
     CHECK(IsBox(actor->GetMetric(), 0, { { 0, reach, 0, b[3], 0, b[5] } }));
   }
-  // Nothing without motion.
+  // Without motion nothing changes.
   vtkMTimeType times[3] = { contacts->GetMTime(), first.GetMetric()->GetMTime(),
     second.Recipe->GetMTime() };
   scene->Update();
@@ -128,7 +129,8 @@ void TestMotion(RelevoCheck& check)
   CHECK_EQUAL(scene->GetNumberOfIntersections(), 0);
   CHECK(contacts->GetMTime() == times[0] && first.GetMetric()->GetMTime() == times[1]);
   CHECK_EQUAL(second.Recipe->GetMTime(), times[2]);
-  // Into the third, which the first does not meet; what has not moved stays.
+  // The second actor moves into the third, which the first does not touch. Results of actors that
+  // did not move are reused.
   third.Actor->SetPosition(-9.75, -9.75, -10.5);
   scene->Update();
   CHECK_EQUAL(scene->GetNumberOfCandidates(), 3);
@@ -155,7 +157,7 @@ void TestMotion(RelevoCheck& check)
   CHECK(first.GetMetric()->GetDistance() == 0.5 && errors.None());
 }
 
-// Boxes that meet where surfaces do not; the same pair when it touches.
+// The boxes intersect, but the surfaces do not. The pair stays the same when they touch.
 void TestCandidatesAlone(RelevoCheck& check)
 {
   RefinedActor first(RelevoMakeSphere(10, { { 0, 0, 0 } }, 1.0));
@@ -189,7 +191,7 @@ void TestCandidatesAlone(RelevoCheck& check)
   CHECK(scene->GetNumberOfIntersections() == 1 && IsOfFilter(scene, 0, 0, 1));
 }
 
-// What rests on another touches it.
+// An actor that rests on another touches it.
 void TestTouching(RelevoCheck& check)
 {
   RefinedActor first(RelevoMakeBox(0, 1));
@@ -206,8 +208,8 @@ void TestTouching(RelevoCheck& check)
   CHECK_EQUAL(scene->GetContacts()->GetNumberOfBlocks(), 0);
 }
 
-// Metrics of one's own, shared recipes, other mappers, and actors that leave.
-// Of what recipes make; their metrics, which change with every motion, do not count.
+// Custom metrics, shared recipes, other mappers, and removed actors. For contacts of refined
+// surfaces, the recipes' metrics, which change with every motion, have no effect.
 void TestRefinedContacts(RelevoCheck& check)
 {
   RefinedActor first(RelevoMeshes::Torus());
@@ -276,7 +278,8 @@ void TestMetrics(RelevoCheck& check)
   CHECK_EQUAL(scene->GetContacts()->GetNumberOfBlocks(), 6);
   CHECK_EQUAL(first.Recipe->GetMetric(), composite);
   CHECK_EQUAL(second.Recipe->GetMetric(), curvature);
-  // All pairs but that of the second and the plain one; that of the first and the third once.
+  // All pairs except that of the second and the plain actor. The pair of the first and the third
+  // occurs once.
   CHECK(own->GetNumberOfBoxes() == 5 && own->GetDistance() == 3.0);
   scene->RemoveActor(plain);
   scene->Update();
@@ -284,7 +287,7 @@ void TestMetrics(RelevoCheck& check)
   CHECK_EQUAL(own->GetNumberOfBoxes(), 3);
   CHECK_EQUAL(scene->GetNumberOfIntersections(), 0);
   CHECK_EQUAL(scene->GetContacts()->GetNumberOfBlocks(), 3);
-  // Numbers follow.
+  // The numbers follow after a removal.
   scene->RemoveActor(second.Actor);
   scene->Update();
   CHECK(scene->GetContacts()->GetNumberOfBlocks() == 1 && IsOfFilter(scene, 0, 0, 1));
@@ -319,7 +322,7 @@ void TestErrors(RelevoCheck& check)
   CHECK(errors.Said("Actors 0 and 1 cannot be intersected: "));
   CHECK_EQUAL(scene->GetContacts()->GetNumberOfBlocks(), 0);
   CHECK_EQUAL(scene->GetNumberOfCandidates(), 1);
-  // Once for all motions.
+  // One error for all motions.
   scene->Update();
   matrix->SetElement(0, 3, 0.8);
   scene->Update();
@@ -330,7 +333,7 @@ void TestErrors(RelevoCheck& check)
   matrix->Identity();
   scene->Update();
   CHECK(errors.None() && IsOfFilter(scene, 0, 0, 1));
-  // A warning, once for all motions.
+  // One warning for all motions.
   auto flat = RelevoMakePolygons(
     { { { 0, 0, 0 } }, { { 1, 1, 1 } }, { { 0, 1, 0.5 } } }, { { 0, 1, 2 }, { 0, 1, 1 } });
   second.Mapper->SetInputData(flat);
@@ -339,7 +342,7 @@ void TestErrors(RelevoCheck& check)
   second.Actor->SetPosition(0.1, 0, 0);
   scene->Update();
   CHECK(errors.None() && scene->GetNumberOfIntersections() == 1);
-  // Lines have a box, and no surface.
+  // Lines have a bounding box, but no surface.
   auto lines = RelevoMakeBox(0, 1);
   lines->SetLines(lines->GetPolys());
   lines->SetPolys(nullptr);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests run again with RELEVO_TEST_WINDOW=EGL: their windows are vtkEGLOffscreenRenderWindow. With
-// RELEVO_TEST_DEBUG_OUTPUT=1, too, what OpenGL has to say of errors and undefined behaviour is
-// printed, as "OpenGL says"; MESA_DEBUG=context has Mesa say all it knows.
+// Runs tests with vtkEGLOffscreenRenderWindow if RELEVO_TEST_WINDOW=EGL. If
+// RELEVO_TEST_DEBUG_OUTPUT=1 too, OpenGL's messages on errors and undefined behaviour are printed
+// with the prefix "OpenGL says". MESA_DEBUG=context makes Mesa report everything.
 #include "OpenGL/RelevoOpenGL.h"
 #include "vtkEGLOffscreenRenderWindow.h"
 #include "vtkNew.h"
@@ -13,13 +13,13 @@
 #include <cstring>
 #include <iostream>
 
-#ifndef VTK_FUTURE_CONST // from VTK 9.4 on
+#ifndef VTK_FUTURE_CONST // since VTK 9.4
 #define VTK_FUTURE_CONST
 #endif
 
 namespace
 {
-bool IsAsking = false; // for an error, to see whether it is told
+bool IsAsking = false; // raises an error to see whether it is reported
 bool IsTold = false;
 
 void GLAPIENTRY Tell(
@@ -46,7 +46,7 @@ void TurnDebugOutputOn()
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
     glDebugMessageCallback(Tell, nullptr);
     IsAsking = true;
-    glEnable(GL_NO_ERROR); // nothing that can be enabled
+    glEnable(GL_NO_ERROR); // not a valid capability
     glGetError();
     IsAsking = false;
   }
