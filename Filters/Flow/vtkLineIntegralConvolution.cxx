@@ -37,7 +37,7 @@ bool CanBeVectors(vtkDataArray* array, vtkIdType numberOfPoints)
     array->GetNumberOfTuples() == numberOfPoints;
 }
 
-// The first array that can be vectors; null if there is none.
+// Returns the first array that can be vectors, or null.
 vtkDataArray* FindDefaultVectors(vtkImageData* image)
 {
   vtkPointData* data = image->GetPointData();

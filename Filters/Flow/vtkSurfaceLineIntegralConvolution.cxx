@@ -54,7 +54,7 @@ double FindMeanEdge(const relevo::SurfaceVectors& vectors)
   return sum / std::max(vectors.GetEdges().GetNumberOfEdges(), 1);
 }
 
-// Of the values at points that are not masked.
+// Returns the range of values at points that are not masked.
 relevo::vec2 FindRange(vtkFloatArray* values, vtkUnsignedCharArray* mask)
 {
   relevo::vec2 range(1.0f, 0.0f);
@@ -69,7 +69,7 @@ relevo::vec2 FindRange(vtkFloatArray* values, vtkUnsignedCharArray* mask)
   return range;
 }
 
-// The texels of a texture that is asked for. Returns why there are none, as a sentence.
+// Creates the texels if a texture is requested. Returns an error as a sentence, or "".
 std::string MakeTexels(const int size[2], const relevo::SurfaceTriangles& surface,
   vtkPolyData* input, std::unique_ptr<relevo::SurfaceTexels>& texels)
 {
@@ -307,7 +307,7 @@ bool vtkSurfaceLineIntegralConvolution::ConvolveTexels(const relevo::SurfaceTexe
   return true;
 }
 
-// In parallel, a part at a time so that progress and abort come through.
+// Works in parallel. Splits the work into parts to report progress and check for an abort.
 bool vtkSurfaceLineIntegralConvolution::ForParts(vtkIdType size, double shareFrom, double shareTo,
   const std::function<void(vtkIdType, vtkIdType)>& work)
 {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ChosenNoise
- * @brief   the noise that vtkLICSettings choose: an image of the user's, a file, or generated
+ * @brief   the noise that vtkLICSettings select: an image, a file, or generated noise
  *
- * Private to the modules' own sources.
+ * Private to the modules.
  */
 #ifndef ChosenNoise_h
 #define ChosenNoise_h
@@ -24,14 +24,14 @@ class RELEVOFILTERSFLOW_EXPORT ChosenNoise
 {
 public:
   /**
-   * Has the texels that the settings choose; other settings than those of noise change nothing.
-   * False, with GetError() as a sentence, if they cannot be had; the next call tries again.
+   * Reads or generates the texels if settings of noise have changed. Returns false if that fails,
+   * with a sentence as GetError(). The next call tries again.
    */
   bool Update(vtkLICSettings* settings);
   const NoiseTexels& GetTexels() const { return this->Texels; }
   const std::string& GetError() const { return this->Error; }
 
-  /// How often there has been other noise.
+  /// Returns a number that changes with the noise.
   int GetVersion() const { return this->Version; }
 
 private:
@@ -39,7 +39,7 @@ private:
   bool ReadFile(const std::string& fileName);
   bool Generate(vtkLICSettings* settings);
 
-  Dependencies Sources; // of the texels; on nothing where there are none
+  Dependencies Sources; // dependencies of the texels; empty without texels
   int Version = 0;
   NoiseTexels Texels;
   std::string Error;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the setters of a class that has vtkLICSettings as a member LICSettings
+ * @brief   macros for the setters of classes with a member LICSettings
  *
- * Private to the modules' own sources.
+ * Private to the modules.
  */
 #ifndef ForwardedSettings_h
 #define ForwardedSettings_h
@@ -13,7 +13,7 @@
 #include "vtkLICSettings.h"
 #include "vtkSmartPointer.h"
 
-/// Have settings.
+/// Defines the setter and getter of the settings object.
 #define relevoLICSettingsMacro(holder)                                                        \
   void holder::SetLICSettings(vtkLICSettings* settings)                                       \
   {                                                                                           \
@@ -28,7 +28,7 @@
     return this->LICSettings;                                                                 \
   }
 
-/// Set and get one of the settings. An error is that of the object that was asked.
+/// Defines the setter and getter of a setting. `holder` reports the errors.
 #define relevoForwardMacro(holder, name, type)                                 \
   void holder::Set##name(type value)                                           \
   {                                                                            \
@@ -40,7 +40,7 @@
     return static_cast<type>(this->LICSettings->Get##name());                  \
   }
 
-/// EnhanceContrast of a class that has no colours.
+/// Defines SetEnhanceContrast() and its getter for a class without colours.
 #define relevoForwardGreyContrastMacro(holder)                                \
   void holder::SetEnhanceContrast(int mode)                                   \
   {                                                                           \

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  LICField
- * @brief   the shared convolution of one pixel over the samples of an image
+ * @brief   the convolution that shaders and C++ share, for a pixel of an image
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef LICField_h
 #define LICField_h
@@ -20,7 +20,7 @@ struct LICField
   vec2 licField(vec2 p) const
   {
     const bool inside = p.x >= 0.0f && p.y >= 0.0f && p.x < static_cast<float>(this->Columns) &&
-      p.y < static_cast<float>(this->Rows); // not so for NaN
+      p.y < static_cast<float>(this->Rows); // false for NaN
     if (!inside)
     {
       return vec2(0.0f);
@@ -45,8 +45,8 @@ struct LICField
 
   int Columns;
   int Rows;
-  const vec2* Vectors; // padded, as LICVectors has them
-  const float* Noise;  // of each sample
+  const vec2* Vectors; // padded, from LICVectors
+  const float* Noise;  // one per sample
 };
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  LICFilters
- * @brief   the shared filters of LIC images, over an image in memory
+ * @brief   the LIC image filters that shaders and C++ share, for an image in memory
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef LICFilters_h
 #define LICFilters_h
@@ -37,8 +37,8 @@ struct LICFilters
 #include "glsl/relevoLICFilters.glsl"
 
   const LICPlane& Plane;
-  const unsigned char* Mask; // of each sample, 0 or 1
-  const float* Values;       // of each sample
+  const unsigned char* Mask; // one per sample, 0 or 1
+  const float* Values;       // one per sample
 };
 }
 

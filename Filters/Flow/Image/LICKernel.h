@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the shared weights of line integral convolution, in C++
+ * @brief   the LIC weights that shaders and C++ share
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef LICKernel_h
 #define LICKernel_h
@@ -17,7 +17,7 @@ namespace relevo
 {
 #include "glsl/relevoLICKernel.glsl"
 
-/// A phase from 0 to below 1.
+/// Returns the fractional part of the phase, in [0, 1).
 inline float licWrapPhase(double phase)
 {
   const float wrapped = static_cast<float>(phase - std::floor(phase));

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  LICPassSettings
- * @brief   the settings of line integral convolution as its passes need them, on the CPU and the
- * GPU
+ * @brief   parameters of the LIC passes on CPU and GPU
  *
- * Private to the modules' own sources.
+ * Private to the modules.
  */
 #ifndef LICPassSettings_h
 #define LICPassSettings_h
@@ -19,13 +18,13 @@ class vtkLICSettings;
 
 namespace relevo
 {
-/// The kernel of these settings, with steps of this length in the units of what is convolved.
+/// Returns the kernel for steps of the given length, in pixels or other units of the positions.
 RELEVOFILTERSFLOW_EXPORT LICKernel MakeLICKernel(vtkLICSettings* settings, double stepSize);
 
 struct LICPassSettings
 {
   float NoiseMean;
-  LICKernel Kernel; // its StepSize for the vectors as LICVectors scales them
+  LICKernel Kernel; // StepSize is for scaled vectors, see LICVectors
   bool Enhanced;
   bool Stretched;
   vec2 StretchFactors;
@@ -33,15 +32,15 @@ struct LICPassSettings
 };
 
 /**
- * For noise of this mean, and vectors that come, where they are not normalised, as shares of the
- * longest of them.
+ * `longest` is the length of the longest vector, by which vectors are divided if they are not
+ * normalized.
  */
 RELEVOFILTERSFLOW_EXPORT LICPassSettings MakeLICPassSettings(
   vtkLICSettings* settings, double longest, float noiseMean);
 
 //@{
-/// Why the range of greys, or of the lightness of colours, cannot be stretched by these factors, as
-/// a sentence; empty if it can.
+/// Return why the contrast of the LIC, or of the lightness of colours, cannot be enhanced with
+/// these factors, as a sentence, or "".
 RELEVOFILTERSFLOW_EXPORT std::string FindContrastError(vtkLICSettings* settings);
 RELEVOFILTERSFLOW_EXPORT std::string FindColorContrastError(vtkLICSettings* settings);
 //@}

@@ -12,10 +12,10 @@
 
 namespace
 {
-// Of each pass, between which the watch is asked.
+// Parts of each pass, between which the watch is called.
 constexpr int NumberOfPortions = 16;
 
-// What a pass other than a convolution costs, in steps of a convolution.
+// Cost of a filter pass in steps of convolution.
 constexpr double FilterCost = 1.0;
 
 double Cost(const relevo::LICKernel& kernel)
@@ -61,7 +61,8 @@ bool LICPasses::Run(std::vector<float>& image, const Watch& watch)
   return running && (!stretched || this->Stretch(image, this->Settings.StretchFactors));
 }
 
-// Calls f(pixel) for the pixels that are not masked, and then has its results in the image.
+// Replaces pixels that are not masked by f(pixel). The image is not changed before all are
+// computed.
 template <typename Function>
 bool LICPasses::ReplaceUnmasked(std::vector<float>& image, double cost, Function&& f)
 {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   LICPasses
- * @brief   the passes that make a LIC image: convolve, sharpen, convolve again, smooth, stretch
+ * @brief   the passes that compute a LIC image: convolve, sharpen, convolve again, smooth, stretch
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef LICPasses_h
 #define LICPasses_h
@@ -22,15 +22,15 @@ class LICPasses
 {
 public:
   /**
-   * Is told the share of the work that is done, in [0, 1], and says whether to go on.
+   * Receives the progress from 0 to 1. Returns false to stop.
    */
   using Watch = std::function<bool(double share)>;
 
   LICPasses(const LICPlane& plane, const LICVectors& vectors, const LICPassSettings& settings);
 
   /**
-   * Turns the image, noise, into its LIC; it stays where it is masked. False if the watch stopped
-   * it: the image is of no use then.
+   * Replaces the noise in `image` by its LIC, except where it is masked. Returns false if the watch
+   * stopped it; the image is invalid then.
    */
   bool Run(std::vector<float>& image, const Watch& watch);
 
@@ -46,8 +46,8 @@ private:
   const LICVectors& Vectors;
   const LICPassSettings& Settings;
   Watch ProgressWatch;
-  double Done = 0.0;  // in convolved steps for each sample
-  double Total = 1.0; // the same of the whole
+  double Done = 0.0;  // steps of convolution per sample
+  double Total = 1.0; // total of Done
 };
 }
 

@@ -11,7 +11,7 @@ namespace relevo
 {
 namespace
 {
-// Floats tell the middle of a sample from its sides up to here.
+// Positions at the centres of samples are exact in float up to this size.
 constexpr int LargestSide = 1 << 22;
 }
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  LICPlane
- * @brief   the two axes that a flat image extends along
+ * @brief   the two axes of a flat image
  *
- * Sample (i, j) is the image's point i + Columns * j, whichever the axes are.
+ * Sample (i, j) is point i + Columns * j of the image for all axes.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef LICPlane_h
 #define LICPlane_h
@@ -21,8 +21,8 @@ namespace relevo
 {
 struct LICPlane
 {
-  /// Takes the first of XY, XZ and YZ that the image is flat in. False, and why, if it is empty,
-  /// flat in none of them or too large for places in floats.
+  /// Selects the first of XY, XZ and YZ in which the image is flat. Returns false with an `error`
+  /// if the image is empty, not flat, or too large for float positions.
   bool Find(vtkImageData* image, std::string& error);
 
   vtkIdType GetNumberOfSamples() const

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   the stretch of contrast, shared with shaders
+ * @file
+ * @brief   the contrast enhancement that shaders and C++ share
  */
 #ifndef LICStretch_h
 #define LICStretch_h

@@ -14,7 +14,7 @@
 
 namespace
 {
-// Turns tuples of vectors into samples of the image.
+// Converts vectors to units of samples.
 class SampleUnits
 {
 public:
@@ -30,7 +30,7 @@ public:
       this->Valid = this->Valid && std::isfinite(spacing[a]) && spacing[a] != 0.0;
       for (int c = 0; c < 3; ++c)
       {
-        // The image's directions are orthonormal: the inverse is the transpose.
+        // The direction matrix is orthonormal, so that its inverse is the transpose.
         this->Directions[axis][c] =
           numberOfComponents == 2 ? (c == axis ? 1.0 : 0.0) : direction[3 * c + a];
       }
@@ -39,7 +39,7 @@ public:
 
   bool IsValid() const { return this->Valid; }
 
-  // In the plane, in the array's units.
+  // Projects a vector to the plane, in units of the array.
   relevo::dvec2 Project(const double vector[3]) const
   {
     relevo::dvec2 projected;
@@ -67,7 +67,7 @@ bool IsFinite(const relevo::dvec2& v)
   return std::isfinite(v.x) && std::isfinite(v.y);
 }
 
-// Where the array says something.
+// Tests whether data is available.
 class Validity
 {
 public:

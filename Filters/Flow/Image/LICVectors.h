@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   LICVectors
- * @brief   the vectors of a flat image in units of its samples, and where they are masked
+ * @brief   the vectors of a flat image in samples, and their mask
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef LICVectors_h
 #define LICVectors_h
@@ -24,28 +24,28 @@ class LICVectors
 {
 public:
   /**
-   * Takes the vectors of a point array with 2 components, along the plane's axes, or 3, in the
-   * image's physical coordinates. Those with a component that is not finite or at least
-   * noDataMagnitude in absolute value, and those at blanked points, are no data. They and those in
-   * the plane that are no longer than the threshold, in the array's units, are masked. False, and
-   * why, if the image's spacing or directions cannot be.
+   * Reads a point array with 2 components, along the axes of the plane, or 3, in physical
+   * coordinates. Vectors are missing if a component is not finite or at least noDataMagnitude in
+   * absolute value, or the point is blanked. Missing vectors are masked, and so are vectors whose
+   * projection is not longer than the threshold, in units of the array. Returns false with an
+   * `error` if spacing or directions of the image are invalid.
    */
   bool Read(vtkImageData* image, vtkDataArray* array, const LICPlane& plane, double noDataMagnitude,
     double threshold, std::string& error);
 
   /**
-   * In samples, the longest of length 1; zero where there are no data. One more column and row on
-   * each side repeat the border.
+   * Returns the vectors in samples, divided by the longest length, and zero where missing. One more
+   * column and row on each side repeat the border.
    */
   const std::vector<vec2>& GetPadded() const { return this->Padded; }
 
   /**
-   * Of each sample, 0 or 1.
+   * Returns 0 or 1 for each sample.
    */
   const std::vector<unsigned char>& GetMask() const { return this->Mask; }
 
   /**
-   * The longest of the vectors, in samples; 0 if there is none.
+   * Returns the length of the longest vector in samples, or 0.
    */
   double GetLongest() const { return this->Longest; }
 

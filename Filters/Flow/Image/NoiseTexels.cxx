@@ -13,7 +13,7 @@ namespace relevo
 {
 namespace
 {
-// What makes [0, 1] of an array's values.
+// Returns the factor that maps the values of the array to [0, 1].
 double GetScale(vtkDataArray* array)
 {
   switch (array->GetDataType())

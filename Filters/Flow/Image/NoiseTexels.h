@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   NoiseTexels
- * @brief   an image of noise as line integral convolution takes it
+ * @brief   a noise image for line integral convolution
  *
- * Private to the modules' own sources.
+ * Private to the modules.
  */
 #ifndef NoiseTexels_h
 #define NoiseTexels_h
@@ -23,15 +23,16 @@ class RELEVOFILTERSFLOW_EXPORT NoiseTexels
 {
 public:
   LICPlane Plane;
-  std::vector<float> Values; // in [0, 1], of one sample after the other
+  std::vector<float> Values; // one per sample, in [0, 1]
 
   /**
-   * Takes the first component of a flat image's scalars: in [0, 1], or as shares of the largest
-   * unsigned char or unsigned short. False, and why as what follows "the noise", if it cannot.
+   * Reads the first component of the scalars of a flat image: in [0, 1], or in the full range of
+   * unsigned char or unsigned short. Returns false with an `error`, as a continuation of "the
+   * noise".
    */
   bool Read(vtkImageData* image, std::string& error);
 
-  /// Of all values; 0 for none.
+  /// Returns the mean of all values, 0 without values.
   float GetMean() const;
 };
 }

@@ -25,8 +25,8 @@ Image Enlarge(const Image& grains, int numberOfGrains, int size, int grainSize)
     });
 }
 
-// Of the standard normal distribution, as a sum of eight uniform numbers (Irwin and Hall): exact
-// operations, so that processors agree.
+// Approximates a standard normal number by the sum of eight uniform numbers (Irwin and Hall). All
+// operations are exact, so that the result does not depend on the processor.
 float MakeNormal(const relevo::uvec4& hash)
 {
   unsigned int sum = 0;
@@ -37,7 +37,7 @@ float MakeNormal(const relevo::uvec4& hash)
   return (static_cast<float>(sum) / 65536.0f - 4.0f) * 1.2247449f;
 }
 
-// Of a Gaussian filter that keeps the variance of independent numbers.
+// Returns the weights of a Gaussian filter that preserves the variance of independent numbers.
 Image MakeWeights(double standardDeviation)
 {
   const int reach = static_cast<int>(std::ceil(FilterReach * standardDeviation));
@@ -56,7 +56,8 @@ Image MakeWeights(double standardDeviation)
   return weights;
 }
 
-// Along the columns, around the border, and then turned: twice gives both directions.
+// Filters along columns, periodically, and transposes the image. Applying it twice filters both
+// directions.
 Image FilterAndTranspose(const Image& image, int size, const Image& weights)
 {
   const int reach = static_cast<int>(weights.size() / 2);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   square noise images with one random number for each grain, about [0, 1]
+ * @brief   square noise images with one random number per grain
  *
- * They are as NoiseImage has them, and tile. Private to the module's own sources.
+ * The images have the layout of MakeNoiseImage() and tile. Private to the module.
  */
 #ifndef GrainNoise_h
 #define GrainNoise_h
@@ -13,12 +13,12 @@
 
 namespace relevo
 {
-/// Independent numbers, uniform in [0, 1).
+/// Returns independent random numbers, uniform in [0, 1).
 std::vector<float> MakeUniformNoise(int size, int grainSize, int seed);
 
-/// Normally distributed numbers, with the mean and the standard deviation that the noise image of
-/// VTK's surface LIC has in its range; correlated as a Gaussian filter of standard deviation
-/// `smoothing`, in grains, makes independent ones.
+/// Returns normally distributed numbers with the mean and standard deviation of the noise of VTK's
+/// surface LIC, relative to its range. Their correlation is that of independent numbers after a
+/// Gaussian filter with standard deviation `smoothing`, in grains.
 std::vector<float> MakeGaussianNoise(int size, int grainSize, double smoothing, int seed);
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the shared random numbers of places, in C++
+ * @brief   the hashed random numbers that shaders and C++ share
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef NoiseHash_h
 #define NoiseHash_h
@@ -15,12 +15,12 @@ namespace relevo
 {
 #include "glsl/relevoNoiseHash.glsl"
 
-/// What a place of a noise image has random numbers for.
+/// Independent random numbers at the same position of a noise image.
 enum NoiseStreams : int
 {
   VALUE_STREAM,
   IMPULSE_STREAM,
-  OCTAVE_STREAMS // and the next ones
+  OCTAVE_STREAMS // one for each octave, starting here
 };
 
 inline uvec4 noiseHash(int column, int row, int stream, int seed)

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   square images of a function of columns and rows
+ * @brief   square images from a function of column and row
  *
- * Image (column, row) is element column + size * row. Private to the module's own sources.
+ * Pixel (column, row) is element column + size * row. Private to the module.
  */
 #ifndef NoiseImage_h
 #define NoiseImage_h
@@ -16,7 +16,7 @@
 
 namespace relevo
 {
-/// The image of f(column, row), which is called in parallel.
+/// Evaluates f(column, row) for all pixels, in parallel.
 template <typename Function>
 std::vector<float> MakeNoiseImage(int size, Function&& f)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   what the settings of noise may be
+ * @brief   ranges of the noise settings
  */
 #ifndef NoiseRanges_h
 #define NoiseRanges_h

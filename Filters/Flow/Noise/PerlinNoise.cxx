@@ -14,7 +14,7 @@ float Fade(float t)
   return t * t * t * (t * (6.0f * t - 15.0f) + 10.0f);
 }
 
-// The gradient of a lattice point times the offset from it: along an axis or a diagonal.
+// Returns the dot product of a random gradient, along an axis or a diagonal, and the offset.
 float Slope(const relevo::uvec4& hash, const relevo::vec2& offset)
 {
   constexpr float Root2 = 1.41421356f;
@@ -23,7 +23,7 @@ float Slope(const relevo::uvec4& hash, const relevo::vec2& offset)
   return hash.z & 1u ? x + y : Root2 * (hash.w & 1u ? x : y);
 }
 
-// Gradient noise at p, in units of a lattice that repeats after n points.
+// Returns gradient noise at p, on a lattice that repeats after n points.
 float GradientNoise(const relevo::vec2& p, int n, int octave, int seed)
 {
   const relevo::ivec2 cell(relevo::floor(p));
@@ -43,7 +43,7 @@ float GradientNoise(const relevo::vec2& p, int n, int octave, int seed)
     relevo::mix(corners[1][0], corners[1][1], fade), Fade(offset.y));
 }
 
-// Octaves of gradient noise, about 0.
+// Returns the sum of the octaves, with mean 0.
 float SumOctaves(int column, int row, int size, int period, int seed)
 {
   float sum = 0.0f;

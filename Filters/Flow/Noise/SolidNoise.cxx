@@ -12,7 +12,7 @@ namespace relevo
 
 float SolidNoise::GetValue(const double x[3]) const
 {
-  constexpr double Period = 1073741824.0; // of lattice points, which are ints
+  constexpr double Period = 1073741824.0; // lattice points are ints
   ivec3 cell;
   vec3 t;
   for (int i = 0; i < 3; ++i)

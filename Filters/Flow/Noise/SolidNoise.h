@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   SolidNoise
- * @brief   noise that fills space, for surfaces without a parametrization
+ * @brief   three-dimensional noise, for surfaces without texture coordinates
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef SolidNoise_h
 #define SolidNoise_h
@@ -13,11 +13,11 @@
 
 namespace relevo
 {
-/// The same at a place in space whatever the surface, the machine and its threads.
+/// The value at a position does not depend on the surface, the machine or the number of threads.
 class RELEVOFILTERSFLOW_EXPORT SolidNoise
 {
 public:
-  /// A grain, the distance of independent values, in the units of positions.
+  /// `grainSize` is the distance of independent values, in units of positions.
   SolidNoise(double grainSize, int seed)
     : GrainSize(grainSize)
     , Seed(seed)
@@ -26,7 +26,7 @@ public:
 
   static constexpr float Mean = 0.5f;
 
-  /// In [0, 1), at a finite position.
+  /// Returns a value in [0, 1) at a finite position.
   float GetValue(const double x[3]) const;
 
 private:

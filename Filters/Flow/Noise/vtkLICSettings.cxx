@@ -200,7 +200,7 @@ double vtkLICSettings::GetHighColorContrastEnhancementFactor() const
 }
 
 //------------------------------------------------------------------------------
-// Where there are no streaks
+// Mask
 
 void vtkLICSettings::SetMaskThreshold(double threshold)
 {

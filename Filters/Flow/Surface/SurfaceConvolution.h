@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   SurfaceConvolution
- * @brief   the line integral convolution of solid noise at one place of a surface
+ * @brief   line integral convolution of solid noise at a position on a surface
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef SurfaceConvolution_h
 #define SurfaceConvolution_h
@@ -21,14 +21,14 @@ namespace relevo
 class SurfaceConvolution
 {
 public:
-  /// The kernel's steps are those of SurfaceStreamline.
+  /// The steps of the kernel are those of SurfaceStreamline.
   SurfaceConvolution(
     const SurfaceVectors& vectors, const SolidNoise& noise, const LICKernel& kernel);
 
-  /// At a place of the surface's points.
+  /// Returns the LIC at a merged point.
   float GetValueAt(vtkIdType mergedPoint) const;
 
-  /// In a triangle.
+  /// Returns the LIC in a triangle.
   float GetValueInside(int triangle, const SurfaceVectors::Weights& weights) const;
 
 private:
@@ -38,7 +38,7 @@ private:
   const SurfaceVectors& Vectors;
   const SolidNoise& Noise;
   LICKernel Kernel;
-  /// Upstream and downstream, from the start on.
+  /// Weights upstream and downstream, from the start.
   std::array<std::vector<double>, 2> Weights;
 };
 }

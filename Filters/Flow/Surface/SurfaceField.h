@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  SurfaceField
- * @brief   which of a mesh's arrays are the vectors that a filter has been asked for
+ * @brief   selection of the vector array of a mesh
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef SurfaceField_h
 #define SurfaceField_h
@@ -21,13 +21,14 @@ struct SurfaceField
 {
   vtkDataArray* Vectors = nullptr;
   bool IsCellData = false;
-  /// Why there are no vectors, as what the input lacks.
+  /// The reason why there are no vectors, as the noun that is missing.
   std::string Error;
 };
 
 /**
- * `inputArray` is an algorithm's information of an input array. By its attribute, and not by a
- * name, an array that cannot be the vectors gives way to the first one that can.
+ * `inputArray` is the input array information of an algorithm. If it selects an attribute whose
+ * array cannot be vectors, the first suitable array is used. If it selects a name, no other array
+ * is used.
  */
 SurfaceField FindSurfaceField(vtkPolyData* mesh, vtkInformation* inputArray);
 }

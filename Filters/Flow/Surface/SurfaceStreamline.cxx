@@ -7,18 +7,18 @@
 
 namespace
 {
-// Of the longest vector: what is shorter has no direction.
+// Relative to the longest vector. Shorter vectors have no direction.
 constexpr double ShortestVector = 1e-8;
-// The sine of the angle to an edge below which a vector is along it.
+// Sine of the angle to an edge below which a vector is parallel to it.
 constexpr double EdgeTolerance = 1e-5;
-// The weight of another corner below which a place is a corner.
+// A position is at a corner if the other weights are smaller than this.
 constexpr double CornerTolerance = 1e-10;
-// Share of a step below which nothing has moved.
+// Fraction of a step below which a piece counts as idle.
 constexpr double MinimumProgress = 1e-10;
-// Pieces of a step, and those of them in a row that do not move: a line that needs more has no way.
+// Limits of the pieces of a step and of consecutive idle pieces. Lines that reach them end.
 constexpr int MaximumPieces = 1000;
 constexpr int MaximumIdlePieces = 32;
-// Share of an edge to slide along before looking at the triangles again.
+// Fraction of an edge to slide before the triangles are evaluated again.
 constexpr double SlideShare = 0.125;
 constexpr int MaximumHalvings = 8;
 
@@ -105,7 +105,8 @@ bool SurfaceStreamline::FindVelocity(int triangle, const Weights& weights, Weigh
   {
     rate *= this->Normalized ? this->Direction / length : this->Direction;
   }
-  // What is along an edge but for rounding stays on it; it would leave the surface at a border.
+  // A vector that is parallel to an edge except for rounding must stay on it, because it would
+  // leave the surface at a border.
   for (int corner = 0; corner < 3; ++corner)
   {
     if (weights[corner] == 0.0 && rates[corner] < 0.0 &&
@@ -120,7 +121,7 @@ bool SurfaceStreamline::FindVelocity(int triangle, const Weights& weights, Weigh
   return true;
 }
 
-// The rate of the way along the edge opposite to a corner, from its first end to its second.
+// Returns the speed along the edge opposite to a corner, from its first end to its second.
 double SurfaceStreamline::GetSpeedAlongEdge(int triangle, int corner, const Weights& rates) const
 {
   return rates[(corner + 2) % 3] + rates[corner] * this->Vectors->GetFoot(triangle, corner);
@@ -158,7 +159,7 @@ SurfaceStreamline::Exit SurfaceStreamline::FindExit(const Weights& rates) const
   return exit;
 }
 
-// Returns how much of the step is done.
+// Returns the part of the step that is done.
 double SurfaceStreamline::Move(const Weights& rates, double step, const Exit& exit)
 {
   const bool leaves = exit.Step <= step;
@@ -177,8 +178,8 @@ double SurfaceStreamline::Move(const Weights& rates, double step, const Exit& ex
   return done;
 }
 
-// One piece: to the edge that a straight line from here comes to, or less far. Sets `corner` to the
-// one opposite to the edge where it is then, or to -1.
+// Moves by one piece, at most to the edge that a straight line reaches. `corner` returns the corner
+// opposite to that edge, or -1 inside of the triangle.
 bool SurfaceStreamline::MoveInside(double& step, int& corner)
 {
   Weights rates;
@@ -207,7 +208,7 @@ bool SurfaceStreamline::MoveInside(double& step, int& corner)
       {
         break;
       }
-      // It bends back to the edge it comes from, after a shorter way.
+      // The line bends back to the edge that it starts from. Try a shorter piece.
       if (tries == MaximumHalvings)
       {
         corner = exit.Corner;
@@ -236,7 +237,7 @@ bool SurfaceStreamline::Cross(int corner, double& step)
   Weights rates;
   if (next < 0)
   {
-    // What is along the border stays on it.
+    // A line that is parallel to the border stays on it.
     return this->FindVelocity(this->Triangle, this->CurrentWeights, rates) && rates[corner] >= 0.0;
   }
   int third;
@@ -259,8 +260,8 @@ bool SurfaceStreamline::Cross(int corner, double& step)
   return true;
 }
 
-// The velocity along the edge opposite to a corner where both triangles send the place to it: the
-// mean of theirs of which nothing is across the edge.
+// Finds the velocity along the edge opposite to a corner if the vectors of both triangles point to
+// it: the weighted mean of both that has no component across the edge.
 bool SurfaceStreamline::FindSlide(
   int triangle, const Weights& weights, int corner, Weights& rates) const
 {
@@ -279,7 +280,7 @@ bool SurfaceStreamline::FindSlide(
   const double outOfOther = -others[third] * this->Vectors->GetHeight(next, third);
   const double sum = outOfMine + outOfOther;
   const double share = sum > 0.0 ? outOfOther / sum : 0.5;
-  // The other triangle may run along the edge the other way.
+  // The edge can have the opposite direction in the other triangle.
   const auto& corners = this->Vectors->GetTriangles().GetTriangles();
   const bool reverse = corners[triangle][(corner + 1) % 3] != corners[next][(third + 1) % 3];
   const double other = this->GetSpeedAlongEdge(next, third, others);
@@ -355,7 +356,7 @@ bool SurfaceStreamline::EnterAt(vtkIdType mergedPoint, double& step)
   return true;
 }
 
-// The surface's point where it is; -1 elsewhere.
+// Returns the merged point at the current position, or -1.
 vtkIdType SurfaceStreamline::FindCornerPoint() const
 {
   for (int corner = 0; corner < 3; ++corner)

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   SurfaceStreamline
- * @brief   a place that moves along the vectors of a surface, from triangle to triangle
+ * @brief   traces a streamline over the triangles of a surface
  *
- * In each triangle it goes by the midpoint rule, straight to the next edge or to the end of the
- * step, so that its error is that of the vectors' bending within a triangle. Where the triangles on
- * both sides of an edge send it to the edge, it slides along the edge. From a corner it goes on in
- * the triangle that its vector points into.
+ * In each triangle, the midpoint rule gives a straight line to the next edge or to the end of the
+ * step. The error is due to the bending of the field within a triangle. Where the vectors on both
+ * sides of an edge point to the edge, the line follows the edge. At a corner, it continues in the
+ * triangle that its vector points into.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef SurfaceStreamline_h
 #define SurfaceStreamline_h
@@ -25,8 +25,8 @@ public:
   using Weights = SurfaceVectors::Weights;
   using Vector = SurfaceVectors::Vector;
 
-  /// Downstream, or upstream if not `forward`. Steps are lengths, or, if not `normalized`, times in
-  /// which the longest vector goes its length 1.
+  /// Traces downstream, or upstream if not `forward`. Steps are lengths if `normalized`. Otherwise
+  /// they are times, where the speed is the vector divided by the length of the longest one.
   SurfaceStreamline(const SurfaceVectors& vectors, bool forward, bool normalized)
     : Vectors(&vectors)
     , Direction(forward ? 1.0 : -1.0)
@@ -34,20 +34,20 @@ public:
   {
   }
 
-  /// Begin at a place of the surface's points.
+  /// Starts at a merged point.
   void StartAt(vtkIdType mergedPoint) { this->StartPoint = mergedPoint; }
-  /// Begin in a triangle.
+  /// Starts in a triangle.
   void StartInside(int triangle, const Weights& weights);
 
-  /// Move on. False at the end of the line: where there is no vector or no way on. The line has
-  /// then gone as far as it could.
+  /// Moves by a step. Returns false at the end of the line, where the vector is zero or points out
+  /// of the surface. The position is then the end of the line.
   bool Advance(double step);
 
-  /// Where Advance() has come to.
+  /// Returns the current position.
   Vector GetPosition() const;
 
 private:
-  /// Where a straight line leaves the triangle.
+  /// The point where a straight line leaves the triangle.
   struct Exit
   {
     double Step;
@@ -71,7 +71,7 @@ private:
   double Direction; // 1 downstream, -1 upstream
   bool Normalized;
 
-  vtkIdType StartPoint = -1; // a place not yet left for a triangle
+  vtkIdType StartPoint = -1; // merged point at the start, before a triangle is entered
   int Triangle = -1;
   Weights CurrentWeights{};
 };

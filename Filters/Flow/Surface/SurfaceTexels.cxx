@@ -10,16 +10,16 @@
 
 namespace
 {
-// Twice the area of the triangle (a, b, p), positive to the left of the way from a to b.
+// Returns twice the area of the triangle (a, b, p), positive if p is to the left of a -> b.
 double GetDoubleArea(const double a[2], const double b[2], const double p[2])
 {
   return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
 }
 
-// A centre on a side but for the rounding of float texture coordinates is inside.
+// Accepts centres on a side despite rounding errors of float texture coordinates.
 constexpr double MinimumWeight = -1e-5;
 
-// Of a point by the corners of a triangle; false outside.
+// Computes the barycentric coordinates of a point. Returns false outside of the triangle.
 bool FindWeights(
   const double x[3], const double y[3], const double p[2], std::array<double, 3>& weights)
 {
@@ -37,7 +37,7 @@ bool FindWeights(
   for (double& weight : weights)
   {
     weight /= area;
-    if (!(weight >= MinimumWeight)) // not so for the NaN of a triangle without area
+    if (!(weight >= MinimumWeight)) // also true for the NaN of a triangle without area
     {
       return false;
     }
@@ -67,7 +67,7 @@ SurfaceTexels::SurfaceTexels(
   }
 }
 
-// In texels, from the centre of the first.
+// Computes the corners in texels, relative to the centre of the first texel.
 bool SurfaceTexels::GetCorners(int triangle, Corners& corners) const
 {
   bool finite = true;
@@ -124,8 +124,8 @@ SurfaceTexels::Weights SurfaceTexels::GetWeights(vtkIdType texel) const
   return weights;
 }
 
-// Two sweeps that hand on the nearest from neighbour to neighbour (Danielsson, "Euclidean Distance
-// Mapping", 1980).
+// Two sweeps propagate the nearest covered texel between neighbours (Danielsson, "Euclidean
+// Distance Mapping", 1980).
 std::vector<vtkIdType> SurfaceTexels::FindNearestCovered() const
 {
   const vtkIdType width = this->Size[0];
@@ -158,7 +158,7 @@ std::vector<vtkIdType> SurfaceTexels::FindNearestCovered() const
   };
   for (int sweep = 0; sweep < 2; ++sweep)
   {
-    const int back = sweep ? 1 : -1; // to the row before
+    const int back = sweep ? 1 : -1; // to the previous row of the sweep
     for (vtkIdType i = 0; i < height; ++i)
     {
       const vtkIdType y = sweep ? height - 1 - i : i;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   SurfaceTexels
- * @brief   where the texels of a texture lie on a surface
+ * @brief   positions of texels on a surface
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef SurfaceTexels_h
 #define SurfaceTexels_h
@@ -25,20 +25,21 @@ class SurfaceTexels
 public:
   using Weights = std::array<double, 3>;
 
-  /// The centres of texels lie at (i + 1/2) / size of the texture coordinates, which have at least
-  /// two components. Where triangles overlap, the first has the texel.
+  /// Texel centres are at (i + 1/2) / size in texture coordinates, which have at least two
+  /// components. Where triangles overlap, the first one gets the texel.
   SurfaceTexels(const int size[2], const SurfaceTriangles& surface, vtkDataArray* coordinates);
 
   vtkIdType GetNumberOfTexels() const { return static_cast<vtkIdType>(this->Triangles.size()); }
   vtkIdType GetNumberOfCoveredTexels() const { return this->NumberOfCoveredTexels; }
 
-  /// The triangle at a texel's centre; -1 without.
+  /// Returns the triangle at the centre of a texel, or -1.
   int GetTriangle(vtkIdType texel) const { return this->Triangles[texel]; }
 
-  /// Where in its triangle the centre of a covered texel lies.
+  /// Returns the barycentric coordinates of the centre of a covered texel.
   Weights GetWeights(vtkIdType texel) const;
 
-  /// For every texel one that is covered, and near: itself, or by way of neighbours' nearest.
+  /// Returns for each texel a covered texel nearby, which is approximately the nearest: each texel
+  /// compares the nearest texels of its neighbours.
   std::vector<vtkIdType> FindNearestCovered() const;
 
 private:

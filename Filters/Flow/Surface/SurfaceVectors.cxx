@@ -13,10 +13,10 @@
 
 namespace
 {
-// The sine of an angle of a triangle below which it is a line.
+// Sine of the angle below which a triangle is degenerate.
 constexpr double MinimumSine = 1e-10;
 
-// The corner of a triangle that is neither of two others.
+// Returns the corner of a triangle that is neither a nor b.
 int FindThirdCorner(const relevo::SurfaceTriangles::Triangle& triangle, vtkIdType a, vtkIdType b)
 {
   int corner = 0;
@@ -168,7 +168,7 @@ double SurfaceVectors::GetHeight(int triangle, int corner) const
 
 double SurfaceVectors::GetFoot(int triangle, int corner) const
 {
-  // Of the three sides, the one to the first end is opposite to the second.
+  // The side to the first end is opposite to the second end.
   const double toFirst = this->GetSquaredSide(triangle, (corner + 2) % 3);
   const double toSecond = this->GetSquaredSide(triangle, (corner + 1) % 3);
   const double side = this->GetSquaredSide(triangle, corner);

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   SurfaceVectors
- * @brief   the vectors of a mesh, along its triangles
+ * @brief   vectors on the triangles of a mesh
  *
- * In a triangle the vectors of its corners are interpolated linearly and projected on its plane, or
- * it has its cell's vector. A vector is held as the rates of the three weights (barycentric
- * coordinates) of a place that moves along with it: their sum is 0, and no projection is left to be
- * made.
+ * Point vectors are interpolated linearly and projected to the plane of the triangle. Cell vectors
+ * are projected. A vector is stored as the rates of change of the three barycentric coordinates
+ * (weights) of a point that moves with it. Their sum is 0, and no further projection is necessary.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef SurfaceVectors_h
 #define SurfaceVectors_h
@@ -33,49 +32,51 @@ public:
   using Weights = std::array<double, 3>;
   using Vector = std::array<double, 3>;
 
-  /// `vectors` has three components and a tuple for every point or cell of `mesh`, whose points
-  /// must stay.
+  /// `vectors` has three components and a tuple for each point or cell. The points of `mesh` must
+  /// not change.
   SurfaceVectors(vtkPolyData* mesh, vtkDataArray* vectors, bool isCellData, double noDataMagnitude);
 
   const SurfaceTriangles& GetTriangles() const { return this->Edges.GetTriangles(); }
   const SurfaceEdges& GetEdges() const { return this->Edges; }
 
-  /// The length of the longest vector; 0 without any.
+  /// Returns the length of the longest vector, or 0.
   double GetLongest() const { return this->Longest; }
 
-  /// Whether there is no data, or no area to walk on.
+  /// Whether data is missing at a corner, or the triangle has no area.
   bool IsBlocked(int triangle) const { return this->Facets[triangle].Blocked; }
 
-  /// The triangle beyond the edge that is opposite to a corner. -1 where the surface ends: at its
-  /// border, where more than two triangles meet, and where the next one is blocked.
+  /// Returns the triangle across the edge opposite to a corner. It is -1 at the border of the
+  /// surface, at edges of more than two triangles, and if that triangle is blocked.
   int GetNeighbor(int triangle, int corner) const
   {
     return this->Facets[triangle].Neighbors[corner];
   }
 
-  /// Relative to the longest vector.
+  /// Returns rates relative to the length of the longest vector.
   Weights GetRates(int triangle, const Weights& weights) const;
 
-  /// The length of a vector, given as rates.
+  /// Returns the length of a vector given by rates.
   double GetLength(int triangle, const Weights& rates) const;
 
   Vector GetPosition(int triangle, const Weights& weights) const;
 
-  /// The weights of a place on the edge opposite to a corner in the triangle beyond, which there
-  /// must be, and its corner `third` that is not on the edge.
+  /// Converts the weights of a point on the edge opposite to a corner to weights in the triangle
+  /// across that edge, which must exist. `third` returns the corner of that triangle that is not on
+  /// the edge.
   Weights GetNeighborWeights(int triangle, int corner, const Weights& weights, int& third) const;
 
-  /// The distance of a corner from the opposite edge.
+  /// Returns the distance of a corner from the opposite edge.
   double GetHeight(int triangle, int corner) const;
 
-  /// Where on the opposite edge the height stands: 0 at its first end, 1 at its second.
+  /// Returns the position of the perpendicular foot of a corner on the opposite edge: 0 at the
+  /// first end, 1 at the second.
   double GetFoot(int triangle, int corner) const;
 
 private:
   struct Facet
   {
     double Rates[3][2]; // at each corner, of the second and the third weight
-    double Metric[3];   // of the sides a, b from the first corner to the others: a.a, a.b, b.b
+    double Metric[3];   // dot products a.a, a.b, b.b of the sides a, b from the first corner
     int Neighbors[3];   // opposite to each corner
     bool Blocked;
   };
@@ -84,7 +85,7 @@ private:
   {
     return this->Points[this->GetTriangles().GetTriangles()[triangle][corner]];
   }
-  /// The squared length of the edge opposite to a corner.
+  /// Returns the squared length of the edge opposite to a corner.
   double GetSquaredSide(int triangle, int corner) const;
   void FindLongest(vtkDataArray* vectors, double noDataMagnitude);
   void SetRates(int triangle, vtkDataArray* vectors, bool isCellData, double noDataMagnitude);
@@ -96,7 +97,7 @@ private:
   double Longest = 0.0;
 };
 
-// Where most of the time of a streamline goes.
+// Inline because streamlines spend most of their time here.
 inline SurfaceVectors::Weights SurfaceVectors::GetRates(int triangle, const Weights& weights) const
 {
   const Facet& facet = this->Facets[triangle];

@@ -1,12 +1,15 @@
 // Line integral convolution of one pixel (Cabral and Leedom, Imaging Vector Fields Using Line
-// Integral Convolution, 1993): one source for the shaders and, through GLM, for C++.
+// Integral Convolution, 1993). Shaders and C++ (with GLM) share this source.
 //
-// Positions are in pixels from the lower left corner; centres lie at (i + 0.5, j + 0.5). The
-// including side provides relevoLICKernel.glsl and
+// Positions are in pixels from the lower left corner. Pixel centres are at (i + 0.5, j + 0.5). The
+// including file provides relevoLICKernel.glsl and
+//
 //   vec2 licField(vec2 p)   the vector at p, bilinear between centres; zero outside, and where the
-//                           nearest sample (in shaders: most of those around) is zero
+//                           nearest sample (in shaders: most samples around p) is zero
 //   float licNoise(vec2 p)  the noise at p
-// Vectors shorter than 1e-18 count as zero: scale fields so that the longest is about 1.
+//
+// Vectors shorter than 1e-18 are treated as zero. Scale fields so that the longest vector is about
+// 1.
 
 RELEVO_FUNCTION vec2 licVelocity(vec2 p, LICKernel kernel)
 {
@@ -15,8 +18,8 @@ RELEVO_FUNCTION vec2 licVelocity(vec2 p, LICKernel kernel)
   return speed > 1e-18f ? (kernel.Normalized ? v / speed : v) : vec2(0.0f);
 }
 
-// The sums of weighted noise and of weights along a streamline, one way, by the midpoint rule. It
-// ends where there is no vector, and takes nothing from there.
+// Returns the sums of weighted noise and of weights along a streamline in one direction, with the
+// midpoint rule. The line ends at zero vectors, without their noise.
 RELEVO_FUNCTION vec2 licWalk(vec2 start, float way, int reach, LICKernel kernel)
 {
   float h = way * kernel.StepSize;
@@ -36,7 +39,7 @@ RELEVO_FUNCTION vec2 licWalk(vec2 start, float way, int reach, LICKernel kernel)
   return sum;
 }
 
-// The noise convolved along the streamline through p.
+// Convolves the noise along the streamline through p.
 RELEVO_FUNCTION float licConvolve(vec2 p, LICKernel kernel)
 {
   float noise = licNoise(p);

@@ -1,11 +1,12 @@
-// What is done to a LIC image beside the convolution: one source for the shaders and C++.
+// Filters for LIC images. Shaders and C++ share this source.
 //
-// The including side provides
-//   float licValue(ivec2 pixel)    the image; any value outside it
-//   bool licIsMasked(ivec2 pixel)  whether there is no LIC at the pixel, or no image
+// The including file provides
+//
+//   float licValue(ivec2 pixel)    the image; any value outside of it
+//   bool licIsMasked(ivec2 pixel)  whether the pixel is masked or outside of the image
 
-// Edges sharpened: the pixel and its Laplacian (of its eight neighbours), within [0, 1]. Where a
-// neighbour is masked the pixel stays.
+// Sharpens edges: adds the Laplacian (of the eight neighbours) and clamps to [0, 1]. Pixels with a
+// masked neighbour are not changed.
 RELEVO_FUNCTION float licHighPass(ivec2 pixel)
 {
   float value = licValue(pixel);
@@ -23,8 +24,8 @@ RELEVO_FUNCTION float licHighPass(ivec2 pixel)
   return isMasked ? value : clamp(sum, 0.0f, 1.0f);
 }
 
-// Smoothed in one direction, (1, 0) or (0, 1): one half of a Gaussian of 3 x 3 pixels. Where a
-// neighbour is masked the pixel stays.
+// Smooths in one direction, (1, 0) or (0, 1), as half of a Gaussian of 3 x 3 pixels. Pixels with a
+// masked neighbour are not changed.
 RELEVO_FUNCTION float licSmooth(ivec2 pixel, ivec2 direction)
 {
   float value = licValue(pixel);

@@ -1,16 +1,17 @@
-// The weights of line integral convolution along a streamline, in an image or on a surface. GLSL and
-// C++.
+// The weights of line integral convolution along a streamline, in an image or on a surface. GLSL
+// and C++.
 
 struct LICKernel
 {
-  int Steps;       // each way
-  float StepSize;  // length of a step; where vectors are not normalised, of a vector of length 1
-  bool Normalized; // whether all vectors count as of length 1
-  bool Oriented;   // weights rise upstream: what flows down from a dot grows brighter to its head
-  float Phase;     // in [0, 1): how far the pattern has moved down the flow, in periods
+  int Steps;       // in each direction
+  float StepSize;  // length of a step; without normalization, for a vector of length 1
+  bool Normalized; // whether all vectors are normalized to length 1
+  bool Oriented;   // whether weights increase upstream, so that streaks get brighter downstream
+  float Phase;     // in [0, 1): how far the pattern has moved downstream, in periods
 };
 
-// Weight of the sample k steps downstream, under a box of 2 Steps + 1 samples around a centre.
+// Returns the weight of the sample k steps downstream in a box of 2 * Steps + 1 samples around a
+// centre.
 RELEVO_FUNCTION float licWindow(float k, float centre, LICKernel kernel)
 {
   float edge = float(kernel.Steps) + 1.0f;
@@ -18,23 +19,24 @@ RELEVO_FUNCTION float licWindow(float k, float centre, LICKernel kernel)
   return kernel.Oriented ? weight * clamp(0.5f - 0.5f * (k - centre) / edge, 0.0f, 1.0f) : weight;
 }
 
-// How many steps the pattern moves as the phase grows by 1: one and a half times the length of the
-// box. With less, the boxes of licWeight would touch and their pattern fade rather than move.
+// Number of steps that the pattern moves while the phase grows by 1: one and a half times the
+// length of the box. With a shorter period, the boxes of licWeight() would touch, and the pattern
+// would fade instead of moving.
 RELEVO_FUNCTION int licPeriod(LICKernel kernel)
 {
   return 3 * kernel.Steps + 1;
 }
 
-// The weights of the box that goes and of the one that comes: of one power, and changing evenly.
+// Weights of the disappearing and the appearing box. The sum of their squares is constant.
 RELEVO_FUNCTION vec2 licFade(LICKernel kernel)
 {
   float angle = 1.57079633f * kernel.Phase;
   return vec2(cos(angle), sin(angle));
 }
 
-// Weight of the sample k steps downstream. Two boxes, one period apart, slide upstream with the
-// phase, whence the pattern moves downstream, and fade into each other: phase 1 looks like phase 0,
-// which is one box around the pixel.
+// Returns the weight of the sample k steps downstream. Two boxes, one period apart, move upstream
+// with the phase, so that the pattern moves downstream, while one fades into the other. Phase 1
+// equals phase 0, which is a single box around the pixel.
 RELEVO_FUNCTION float licWeight(float k, LICKernel kernel)
 {
   float period = float(licPeriod(kernel));
@@ -44,7 +46,7 @@ RELEVO_FUNCTION float licWeight(float k, LICKernel kernel)
   return dot(licFade(kernel), windows);
 }
 
-// How many steps have a weight upstream, and downstream.
+// Number of steps with a weight, upstream and downstream.
 RELEVO_FUNCTION ivec2 licReach(LICKernel kernel)
 {
   int period = licPeriod(kernel);
@@ -54,8 +56,8 @@ RELEVO_FUNCTION ivec2 licReach(LICKernel kernel)
   return ivec2(upstream, downstream);
 }
 
-// The contrast that the two boxes lose in their mean given back to a convolved value: what is random
-// about the mean of the noise becomes as strong as at phase 0.
+// Restores the contrast that is lost by averaging the two boxes: deviations from the mean of the
+// noise are scaled to their strength at phase 0.
 RELEVO_FUNCTION float licRestoreContrast(float value, float mean, LICKernel kernel)
 {
   vec2 fade = licFade(kernel);
@@ -63,8 +65,8 @@ RELEVO_FUNCTION float licRestoreContrast(float value, float mean, LICKernel kern
   return kernel.Phase > 0.0f ? restored : value;
 }
 
-// The kernel of the second pass of enhanced convolution, over the sharpened result of the first: half
-// as long, and neither oriented nor moving, as its noise is already.
+// Returns the kernel for the second pass of enhanced convolution over the sharpened result of the
+// first pass. It is half as long. It is neither oriented nor moving, because its input already is.
 RELEVO_FUNCTION LICKernel licSecondKernel(LICKernel kernel)
 {
   kernel.Steps = max(kernel.Steps / 2, 1);

@@ -1,7 +1,7 @@
-// Contrast of line integral convolution, in an image or on a surface. GLSL and C++.
+// Contrast enhancement of line integral convolution, in an image or on a surface. GLSL and C++.
 
-// The histogram stretched: `range` has the least and the largest value, `factors` the shares of the
-// range that are cut off at the lower and at the upper end.
+// Stretches the histogram. `range` has the smallest and largest value, `factors` the fractions of
+// the range to cut off at both ends.
 RELEVO_FUNCTION float licStretch(float value, vec2 range, vec2 factors)
 {
   float width = range.y - range.x;

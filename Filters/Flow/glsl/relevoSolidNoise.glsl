@@ -1,12 +1,13 @@
-// Solid value noise: random numbers at the points of a lattice, smooth between them. GLSL and C++.
-// The including side provides relevoNoiseHash.glsl.
+// Solid value noise: random numbers at the points of a lattice with smooth interpolation. GLSL and
+// C++. The including file provides relevoNoiseHash.glsl.
 
 RELEVO_FUNCTION float solidLatticeValue(ivec3 point, int seed)
 {
   return noiseUniform(noiseHash(ivec4(point.x, point.y, point.z, seed)).x);
 }
 
-// In [0, 1). `cell` is the lattice point below, `t` the way from it to the next ones, in [0, 1].
+// Returns a value in [0, 1). `cell` is the lower lattice point, `t` in [0, 1] the position in the
+// cell.
 RELEVO_FUNCTION float solidNoise(ivec3 cell, vec3 t, int seed)
 {
   vec3 s = t * t * (3.0f - 2.0f * t);
