@@ -119,7 +119,6 @@ public:
    * overload without `tol` uses 0. It returns -1 if the line hits the back of the surface first,
    * which means that p1 is inside a closed surface, 1 if it hits the front, and 0 if it finds
    * nothing.
-   * from the front, 0 if there is none.
    */
   int IntersectWithLine(
     const double p1[3], const double p2[3], vtkPoints* points, vtkIdList* cellIds) override;

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   cell data of what is made of a data set's cells
- *
- * Private to the modules' own sources.
+ * @brief   copies cell data to cells that are created from a data set's cells
  */
 #ifndef CellDataCopy_h
 #define CellDataCopy_h
@@ -20,9 +18,9 @@ class vtkIdTypeArray;
 namespace relevo
 {
 /**
- * Gives each new cell the data of the input's cell that `originals` names, and these ids as
- * "vtkOriginalCellIds". Global ids become a plain array. Arrays too short for the input's cells are
- * left out: their names go to the end of `shortArrays`.
+ * Copy to each new cell the data of the input's cell in `originals`, and add these ids as
+ * "vtkOriginalCellIds". Global ids become an ordinary array. Arrays with fewer tuples than the
+ * input has cells are skipped, and their names are appended to `shortArrays`.
  */
 RELEVOFILTERSCORE_EXPORT void CopyCellData(vtkDataSet* input, vtkIdTypeArray* originals,
   bool keepNormals, vtkCellData* to, std::vector<std::string>& shortArrays);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   GhostCells
- * @brief   cells that another piece of the data set draws
+ * @brief   ghost cells that another piece of the data set draws
  *
- * Their vtkGhostType has vtkDataSetAttributes::DUPLICATECELL. They count as neighbours, but nothing
- * is drawn or made of them. Not wrapped: for the modules' own sources.
+ * These cells have vtkDataSetAttributes::DUPLICATECELL in vtkGhostType. They are used as neighbours
+ * but are neither drawn nor part of outputs.
  */
 #ifndef GhostCells_h
 #define GhostCells_h
@@ -23,7 +23,7 @@ class RELEVOFILTERSCORE_EXPORT GhostCells
 public:
   explicit GhostCells(vtkPolyData* mesh);
 
-  /// Whether there are any, among cells [first, end).
+  /// Whether there are any among the cells [first, end).
   bool AreAmong(vtkIdType first, vtkIdType end) const;
 
   bool Has(vtkIdType cell) const;
@@ -33,12 +33,12 @@ private:
 };
 
 /**
- * Give `output`, a shallow copy of `input`, vertices and lines of its own where some are ghosts:
- * these become cells without points, so that all cells keep their ids.
+ * Replace the vertices and lines of `output`, a shallow copy of `input`, if some are ghost cells.
+ * Ghost cells become cells without points, so that all cells keep their ids.
  */
 RELEVOFILTERSCORE_EXPORT void EmptyGhosts(vtkPolyData* input, vtkPolyData* output);
 
-/// The same of polygons and strips, for what has no use for neighbours.
+/// Does the same for polygons and strips, for algorithms that do not use neighbours.
 RELEVOFILTERSCORE_EXPORT void EmptyGhostFaces(vtkPolyData* input, vtkPolyData* output);
 }
 

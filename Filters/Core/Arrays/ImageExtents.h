@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   what filters of flat images tell the pipeline
- *
- * Private to Relevo's own sources.
+ * @brief   pipeline information for filters of 2D images
  */
 #ifndef ImageExtents_h
 #define ImageExtents_h
@@ -14,7 +12,7 @@
 
 namespace relevo
 {
-/// An output of width x height x 1 points, the first at the origin, 1 apart.
+/// Set the output to width x height x 1 points, with the first point at the origin and spacing 1.
 inline void SetImageSize(vtkInformation* output, int width, int height)
 {
   const int extent[6] = { 0, width - 1, 0, height - 1, 0, 0 };
@@ -25,7 +23,7 @@ inline void SetImageSize(vtkInformation* output, int width, int height)
   output->Set(vtkDataObject::SPACING(), spacing, 3);
 }
 
-/// Of an input, which may be nullptr, all that it has.
+/// Request the whole extent of an input, which may be nullptr.
 inline void RequestWholeExtent(vtkInformation* input)
 {
   if (input && input->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))

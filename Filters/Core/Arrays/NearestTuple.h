@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   computed values for arrays of any type
- *
- * Private to the modules' own sources.
+ * @brief   sets computed values in arrays of any type
  */
 #ifndef NearestTuple_h
 #define NearestTuple_h
@@ -16,11 +14,11 @@ class vtkDataArray;
 
 namespace relevo
 {
-/// Rather than numbers with fractions.
+/// Whether the array has integers rather than floating-point numbers.
 RELEVOFILTERSCORE_EXPORT bool HoldsIntegers(vtkDataArray* array);
 
-/// Sets a tuple as the array's type has it: see getNearestNumber(). Integers keep what they have
-/// where a value is NaN.
+/// Set a tuple to the nearest values of the array's type: see getNearestNumber(). Integers do not
+/// change where a value is NaN.
 RELEVOFILTERSCORE_EXPORT void SetNearestTuple(
   vtkDataArray* array, vtkIdType tuple, const double* values);
 }

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   which tuples of point data stand for "no data", and what they do to those between
+ * @brief   the tuples of point data that are missing values, and their effect on interpolation
  *
- * Between points there are data only where all the points that a value is interpolated from have
- * some. The rule is vtkAdaptiveRefinement::SetNoDataMagnitude()'s.
+ * An interpolated value is missing if one of the points that it is interpolated from has a missing
+ * value. vtkAdaptiveRefinement::SetNoDataMagnitude() describes the rule.
  */
 #ifndef NoDataTuples_h
 #define NoDataTuples_h
@@ -20,7 +20,7 @@ class vtkDataSetAttributes;
 
 namespace relevo
 {
-/// Normals, tangents and texture coordinates always count as data.
+/// Normals, tangents and texture coordinates are never missing values.
 RELEVOFILTERSCORE_EXPORT bool CanLackData(vtkDataSetAttributes* data, vtkDataArray* array);
 
 class RELEVOFILTERSCORE_EXPORT NoDataTuples
@@ -29,15 +29,15 @@ public:
   NoDataTuples() = default;
   NoDataTuples(vtkDataArray* array, double noDataMagnitude);
 
-  /// Whether all tuples are data.
+  /// Whether no tuple is missing.
   bool IsEmpty() const { return this->Marks.empty(); }
 
-  /// A byte per tuple, 1 for no data; empty when all are data.
+  /// One byte per tuple, 1 for missing values; empty if no tuple is missing.
   const std::vector<unsigned char>& GetMarks() const { return this->Marks; }
 
   /**
-   * The corner that has no data and the largest weight, -1 when all with a weight have some. The
-   * weights are no corner's alone.
+   * The corner with a missing value and the largest weight, or -1 if no corner with a weight has
+   * one. At least two weights are not 0.
    */
   int FindCorner(const int corners[3], const float weights[3]) const
   {

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   an array of a result that is like one of the input
- *
- * Private to the modules' own sources.
+ * @brief   creates an output array like an input array
  */
 #ifndef SimilarArray_h
 #define SimilarArray_h
@@ -18,13 +16,13 @@ class vtkDataSetAttributes;
 namespace relevo
 {
 /**
- * Add to `to` an array like `source` of `from` (type, name, components, part as attribute) with
- * room for numberOfTuples.
+ * Add an array to `to` with the type, name, components and attribute of `source` in `from`, and
+ * with numberOfTuples tuples.
  */
 RELEVOFILTERSCORE_EXPORT vtkAbstractArray* AddArrayLike(vtkDataSetAttributes* from,
   vtkAbstractArray* source, vtkDataSetAttributes* to, vtkIdType numberOfTuples);
 
-/// Whether values between those of an array mean something: not for strings, bits and ghost flags.
+/// Whether the array can be interpolated. Strings, bits and ghost flags cannot.
 RELEVOFILTERSCORE_EXPORT bool IsInterpolated(vtkAbstractArray* array);
 }
 

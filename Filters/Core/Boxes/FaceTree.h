@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   FaceTree
- * @brief   a bounding volume hierarchy over the faces, or the cells, of a mesh
+ * @brief   a bounding volume hierarchy over the faces or cells of a mesh
  *
- * A binary tree of boxes, split at the median of the longest axis. Faces are visited nearest box
- * first, and no longer once what was found is nearer than the boxes that are left.
- *
- * Private to the modules' own sources.
+ * This is a binary tree of boxes, split at the median of the longest axis. Faces are visited in
+ * order of the distance of their boxes. The visit ends when the nearest result is nearer than all
+ * remaining boxes.
  */
 #ifndef FaceTree_h
 #define FaceTree_h
@@ -26,30 +25,29 @@ struct FaceBox
   std::array<float, 3> High;
 };
 
-/// A segment that boxes are tested against: points Start + t Direction with t in [0, 1].
+/// A segment to intersect with boxes: the points Start + t Direction with t in [0, 1].
 struct RELEVOFILTERSCORE_EXPORT BoxSegment
 {
   BoxSegment(const double start[3], const double end[3], double margin);
-  /// Where the segment enters a box, widened by the margin; more than `last` where it does not
-  /// before that.
+  /// The parameter t where the segment enters a box that is enlarged by the margin. It is more than
+  /// `last` if the segment does not enter the box before `last`.
   double GetEntry(const FaceBox& box, double last) const;
 
   double Start[3];
-  double Inverse[3]; // of the direction
-  bool Still[3];     // directions of zero
+  double Inverse[3]; // 1 / direction
+  bool Still[3];     // components of the direction that are 0
   double Margin;
 };
 
 class RELEVOFILTERSCORE_EXPORT FaceTree
 {
 public:
-  /// Leaves have at most so many faces.
+  /// Build the tree with at most this number of faces per leaf.
   void Build(std::vector<FaceBox> boxes, int maximumPerLeaf = 4);
 
   /**
-   * Call visit(face) for faces whose boxes `getDistance` finds no farther than `nearest`, which
-   * visit may lower. getDistance(box, nearest) gives more than nearest for what need not be
-   * visited.
+   * Call visit(face) for the faces whose boxes are within `nearest`, which visit may reduce.
+   * getDistance(box, nearest) returns more than nearest for boxes to skip.
    */
   template <typename GetDistance, typename Visitor>
   void Visit(double& nearest, const GetDistance& getDistance, const Visitor& visit) const;
@@ -57,8 +55,9 @@ public:
   struct Node
   {
     FaceBox Box;
-    int First; // of its faces in the order; of an inner node the second child, the first follows it
-    int Count; // of faces; 0 for an inner node
+    int
+      First; // leaf: first face in the order; inner node: second child (the first follows the node)
+    int Count; // number of faces; 0 for inner nodes
   };
   const std::vector<Node>& GetNodes() const { return this->Nodes; }
   const std::vector<int>& GetOrder() const { return this->Order; }
@@ -86,7 +85,7 @@ void FaceTree::Visit(double& nearest, const GetDistance& getDistance, const Visi
     int Node;
     double Distance;
   };
-  std::array<Pending, 64> stack; // a median split of 2^31 faces is 31 deep
+  std::array<Pending, 64> stack; // the depth is 31 for 2^31 faces
   int size = 0;
   stack[size++] = { 0, getDistance(this->Nodes[0].Box, nearest) };
   while (size > 0)

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   which cells of a data set are sound, and what is wrong with the others
+ * @brief   checks the cells of a data set and describes faults
  *
- * Classes that take unstructured cells check them here first, and leave out those with faults.
- * VTK reads the lists of cells without checks, so nothing else may look at a cell before.
- *
- * Private to the modules' own sources.
+ * Classes for unstructured cells call these checks first and skip cells with faults. VTK reads the
+ * lists of cells without checks, so no cell may be read before.
  */
 #ifndef CellChecks_h
 #define CellChecks_h
@@ -32,21 +30,22 @@ enum class CellUse : unsigned char
 /// The cells that a class accepts.
 struct CellDemands
 {
-  /// Quadratic polygons and convex point sets too, which have no list of faces.
+  /// Accept quadratic polygons and convex point sets, which have no list of faces.
   bool TakesAllTypes = false;
-  /// Cells with points that are not finite, which the class counts itself.
+  /// Accept cells with non-finite points; the class counts them.
   bool TakesInfinitePoints = false;
-  /// Cells that are blanked.
+  /// Accept blanked cells.
   bool TakesHiddenCells = false;
 };
 
 struct CellChecks
 {
-  std::vector<CellUse> Uses; // for each cell
+  std::vector<CellUse> Uses; // per cell
   std::vector<std::string> Errors;
 };
 
-/// One sentence for each kind of fault, with its first cell and how many others there are.
+/// Check the cells. There is one error per kind of fault, with its first cell and the number of
+/// other cells.
 RELEVOFILTERSCORE_EXPORT CellChecks CheckCells(vtkDataSet* data, const CellDemands& demands = {});
 }
 

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the faces of VTK's cells, and where they have their nodes
- *
- * Private to the modules' own sources.
+ * @brief   the faces and nodes of VTK's cell types
  */
 #ifndef CellKind_h
 #define CellKind_h
@@ -41,8 +39,8 @@ enum class CellTopology
 enum class NodeKind
 {
   Corners,   // linear
-  Quadratic, // nodes in the middle of edges, maybe of faces
-  Lagrange,  // of any degree
+  Quadratic, // nodes at midpoints of edges, optionally of faces
+  Lagrange,  // any degree
   Bezier
 };
 
@@ -59,11 +57,11 @@ struct CellKind
 {
   CellTopology Shape = CellTopology::Unknown;
   NodeKind Nodes = NodeKind::Corners;
-  int NumberOfNodes = 0;          // 0 if it is not the same for all
-  int MinimumNodes = 0;           // of those without a fixed number or a degree
-  bool IsInPixelOrder = false;    // corners are those of VTK_PIXEL and VTK_VOXEL
-  int NumberOfEdgeNodes = 0;      // those of the shape's first edges
-  std::array<int, 6> FaceNodes{}; // the node in the middle of each face, 0 if there is none
+  int NumberOfNodes = 0;          // 0 if it varies
+  int MinimumNodes = 0;           // for types with neither a fixed number of nodes nor a degree
+  bool IsInPixelOrder = false;    // corners are ordered as in VTK_PIXEL and VTK_VOXEL
+  int NumberOfEdgeNodes = 0;      // on the first edges of the shape
+  std::array<int, 6> FaceNodes{}; // the node at the centre of each face; 0 if there is none
 
   bool IsSolid() const { return this->Shape >= CellTopology::Tetrahedron; }
   bool IsSurface() const
@@ -72,21 +70,22 @@ struct CellKind
   }
 };
 
-/// `nodes` of the cell: some of Lagrange's kinds are quadratic ones with nodes in their faces.
+/// `nodes` is the cell's number of nodes. Some Lagrange types with few nodes are quadratic cells
+/// with face nodes.
 RELEVOFILTERSCORE_EXPORT CellKind GetCellKind(int type, vtkIdType nodes);
 
-/// Whether all degrees of the shape are one.
+/// Whether the shape is a simplex, which has the same degree in all directions.
 constexpr bool IsSimplex(CellTopology shape)
 {
   return shape == CellTopology::Triangle || shape == CellTopology::Tetrahedron;
 }
 
-/// Of shapes that always have the same: 1 for a triangle.
+/// The number of faces of a shape with a fixed number; 1 for a triangle.
 RELEVOFILTERSCORE_EXPORT int GetNumberOfFaces(CellTopology shape);
 RELEVOFILTERSCORE_EXPORT FaceCorners GetFace(CellTopology shape, int face);
-/// The node in the middle of the edge between two corners, 0 if there is none.
+/// The node at the midpoint of the edge between two corners; 0 if there is none.
 RELEVOFILTERSCORE_EXPORT int GetEdgeNode(const CellKind& kind, int first, int second);
-/// Where a corner lies in the cell's parametric coordinates: 0 or 1.
+/// The parametric coordinates of a corner, each 0 or 1.
 RELEVOFILTERSCORE_EXPORT ivec3 GetCornerCoordinates(CellTopology shape, int corner);
 }
 

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the cells of a grid, one at a time, with their degrees and faces
- *
- * Private to the modules' own sources.
+ * @brief   reads the cells of a grid, one at a time, with their degrees and faces
  */
 #ifndef CellReader_h
 #define CellReader_h
@@ -21,40 +19,40 @@ class vtkUnstructuredGrid;
 
 namespace relevo
 {
-/// For one thread.
+/// Not thread-safe.
 class RELEVOFILTERSCORE_EXPORT CellReader
 {
 public:
   explicit CellReader(vtkUnstructuredGrid* grid);
   ~CellReader();
 
-  /// What follows is of this cell. False where the grid's lists of cells are too short or not in
-  /// order: then it has no nodes.
+  /// Read a cell, for the functions below. Returns false if the grid's lists of cells are too short
+  /// or out of order; the cell then has no nodes.
   bool Read(vtkIdType cell);
-  /// The same without faces, in less time.
+  /// Read a cell without its faces, which is faster.
   bool ReadNodes(vtkIdType cell);
 
   vtkIdType GetCell() const { return this->Cell; }
   const CellKind& GetKind() const { return this->Kind; }
   vtkIdType GetNumberOfNodes() const;
   vtkIdType GetNode(vtkIdType node) const;
-  /// Of Lagrange's and Bézier's kinds, in each direction; 0 if there is no degree with so many
-  /// nodes. A triangle's, tetrahedron's and wedge's first are the same.
+  /// The degrees of Lagrange and Bézier cells in each direction. They are 0 if no degree has this
+  /// number of nodes. The first degree of triangles, tetrahedra and wedges is repeated.
   ivec3 GetDegrees() const;
-  /// The grid's array has no degrees that VTK can read for this cell.
+  /// Whether the grid has an array of degrees, but VTK cannot read degrees for this cell from it.
   bool LacksDegrees() const;
-  /// A degree as the grid's array has it; as GetDegrees() if there is no array.
+  /// A degree in the grid's array. Without an array, the degree of GetDegrees().
   double GetGivenDegree(int direction) const;
 
-  /// Polygons have one, strips as many as they need; polyhedra none if their list of faces is not
-  /// whole.
-  /// They may have points that the cell does not list, or that do not exist.
+  /// The number of faces. Polygons have one face, strips one or more, and polyhedra none if their
+  /// list of faces is truncated. Faces of polyhedra may have points that the cell does not list or
+  /// that do not exist.
   int GetNumberOfFaces() const { return static_cast<int>(this->Faces.size()); }
-  /// The points at a face's corners, counter-clockwise from outside if IsInsideOut() is false.
+  /// The points at the corners of a face, counter-clockwise from outside if IsInsideOut() is false.
   const std::vector<vtkIdType>& GetCorners(int face) const { return this->Faces[face]; }
-  /// The nodes at these corners, but of polyhedra.
+  /// The nodes at these corners, except for polyhedra.
   FaceCorners GetFaceCorners(int face) const;
-  /// Whether the cell's faces, as they are numbered, enclose less than nothing.
+  /// Whether the faces, with their point order, enclose a negative volume.
   bool IsInsideOut() const;
 
 private:
@@ -70,7 +68,7 @@ private:
   std::vector<std::vector<vtkIdType>> Faces;
 };
 
-/// (degree + 1)^2 and the like.
+/// The number of nodes of a cell with these degrees, for example (degree + 1)^2.
 RELEVOFILTERSCORE_EXPORT vtkIdType GetNumberOfNodes(CellTopology shape, const ivec3& degrees);
 }
 

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   Dependencies
- * @brief   what something was made from, to tell whether it has to be made anew
+ * @brief   the values that a result was computed from, to find out whether it is out of date
  *
- * A list of numbers, texts, and objects with the time of what matters of them. What asks "has it
- * changed?" compares the list of now with the list of then, or, where it depends on a single time
- * stamp, compares that as it is. Objects are compared, never read.
+ * This is a list of numbers, strings and objects with their modification times. To find out whether
+ * a result is out of date, compare the list at the time of its computation with the current list. A
+ * result that depends on a single time can compare that time directly. Objects are compared by
+ * address and never read.
  */
 #ifndef Dependencies_h
 #define Dependencies_h
@@ -26,10 +27,10 @@ namespace relevo
 class RELEVOFILTERSCORE_EXPORT Dependencies
 {
 public:
-  /// On nothing, as what has not been made yet.
+  /// Empty: the result has not been computed yet.
   Dependencies() = default;
 
-  /// On these, see Add().
+  /// Create a list with these values, see Add().
   template <typename... T>
   static Dependencies On(const T&... values)
   {
@@ -40,7 +41,7 @@ public:
 
   //@{
   /**
-   * Add a number, as a time, a flag or an enumerator, by its bits; or a text.
+   * Add a number, such as a time, a flag or an enumerator, or a string.
    */
   template <typename T,
     std::enable_if_t<std::is_integral<T>::value || std::is_enum<T>::value, int> = 0>
@@ -53,21 +54,22 @@ public:
   void Add(const std::string& text);
   //@}
 
-  /// Add which object it is, or nullptr for none, and when what matters of it changed.
+  /// Add an object, which may be nullptr, with the time of its latest relevant change.
   void AddObject(const void* object, vtkMTimeType time)
   {
     this->Add(reinterpret_cast<std::size_t>(object));
     this->Add(time);
   }
 
-  /// Add an object, or nullptr for none, all of which matters.
+  /// Add an object, which may be nullptr, with its modification time.
   template <typename T>
   void AddObject(T* object)
   {
     this->AddObject(object, object ? object->GetMTime() : 0);
   }
 
-  /// Become those of now. Returns whether they are others; writes nothing where they are the same.
+  /// Replace the list by the current one. Returns whether they differ. If they are equal, nothing
+  /// is written.
   bool Update(Dependencies now)
   {
     const bool changed = *this != now;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   when something or one of its parts last changed
+ * @brief   the time of the latest change of an object or its parts
  */
 #ifndef LatestTime_h
 #define LatestTime_h
@@ -13,7 +13,7 @@
 
 namespace relevo
 {
-/// The latest of an object's own time and its parts'; a part may be nullptr.
+/// The latest modification time of an object and its parts. A part may be nullptr.
 inline vtkMTimeType GetLatestTime(vtkMTimeType own, std::initializer_list<vtkObject*> parts)
 {
   for (vtkObject* part : parts)

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   the errors of a reader or writer that another object uses, and tells of itself
- *
- * Private to Relevo's own sources.
+ * @brief   collects the errors of a reader or writer that another object uses and reports
  */
 #ifndef ErrorCollector_h
 #define ErrorCollector_h
@@ -15,7 +13,7 @@
 
 namespace relevo
 {
-/// An observer of ErrorEvents that appends them to a string.
+/// Create an observer of ErrorEvents that appends their messages to a string.
 inline vtkSmartPointer<vtkCallbackCommand> NewErrorCollector(std::string& errors)
 {
   auto command = vtkSmartPointer<vtkCallbackCommand>::New();

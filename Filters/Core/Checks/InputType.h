@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   whether inputs, and blocks of composite ones, are of a type that an algorithm takes
- *
- * Private to the modules' own sources.
+ * @brief   checks the types of inputs and of the blocks of composite inputs
  */
 #ifndef InputType_h
 #define InputType_h
@@ -20,17 +18,18 @@ class vtkInformationVector;
 
 namespace relevo
 {
-/// Whether the inputs of all ports are of a type that their port requires: VTK asks this of a whole
-/// data set, not of each block. Else an ErrorEvent of the algorithm.
+/// Check whether the inputs of all ports, and the blocks of composite inputs, have the required
+/// type. VTK checks only the whole data set. Reports an error of the algorithm if they do not.
 RELEVOFILTERSCORE_EXPORT bool CheckInputTypes(
   vtkAlgorithm* algorithm, vtkInformationVector** inputs);
 
-/// Whether the data are of a type that the port requires.
+/// Whether the data have a type that the port requires.
 RELEVOFILTERSCORE_EXPORT bool IsOfRequiredType(vtkDataObject* data, vtkInformation* port);
 
 /**
- * The words of an error where an input is not of a type that the port requires, or where blocks of
- * a composite one are not; empty otherwise. Mappers ask it: no executive checks their inputs.
+ * The message of the error if an input or blocks of a composite input do not have a type that the
+ * port requires, otherwise empty. Mappers use this function, because no executive checks their
+ * inputs.
  */
 RELEVOFILTERSCORE_EXPORT std::string FindTypeError(vtkDataObject* input, vtkInformation* port);
 }

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   LeftOutBlocks
- * @brief   names the blocks of a composite data set that are left out, and why
- *
- * Private to the modules' own sources.
+ * @brief   describes which blocks of a composite data set are skipped, and why
  */
 #ifndef LeftOutBlocks_h
 #define LeftOutBlocks_h
@@ -20,13 +18,13 @@ namespace relevo
 /// "Block N", followed by its name in brackets if it has one.
 RELEVOFILTERSCORE_EXPORT std::string GetBlockName(vtkCompositeDataIterator* leaf);
 
-/// One sentence for each of the first blocks, and one for all others.
+/// Creates one sentence for each of the first blocks and one for all others.
 class RELEVOFILTERSCORE_EXPORT LeftOutBlocks
 {
 public:
-  /// `lack` follows the block's name, as "has no 3D cells".
+  /// `lack` follows the name of the block, for example "has no 3D cells".
   void Add(const std::string& name, const std::string& lack);
-  /// Empty without blocks.
+  /// The sentences; empty if there are no blocks.
   std::string GetText() const;
 
 private:

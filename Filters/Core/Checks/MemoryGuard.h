@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   out of memory as an error like any other
- *
- * Private to the modules' own sources.
+ * @brief   reports lack of memory as an error
  */
 #ifndef MemoryGuard_h
 #define MemoryGuard_h
@@ -19,8 +17,8 @@
 
 namespace relevo
 {
-/// Whether the body finds the memory that it asks for. Sizes beyond what containers can hold count
-/// as memory that there is not.
+/// Run the body and return whether it gets the memory that it allocates. Sizes that containers do
+/// not support are treated as lack of memory.
 template <typename Body>
 bool FitsMemory(const Body& body)
 {
@@ -39,8 +37,8 @@ bool FitsMemory(const Body& body)
   }
 }
 
-/// The body's result; without enough memory false, after an ErrorEvent of the object. `purpose`
-/// follows "Not enough memory for ".
+/// Run the body and return its result. If memory runs out, reports an error of the object and
+/// returns false. `purpose` follows "Not enough memory for ".
 template <typename Body>
 bool RunWithinMemory(vtkObject* object, const char* purpose, const Body& body)
 {
@@ -53,7 +51,7 @@ bool RunWithinMemory(vtkObject* object, const char* purpose, const Body& body)
   return result;
 }
 
-/// The same of an algorithm's request, whose outputs become empty.
+/// Does the same for a request of an algorithm, and clears its outputs after an error.
 template <typename Body>
 int RequestWithinMemory(
   vtkAlgorithm* algorithm, vtkInformationVector* outputs, const char* purpose, const Body& body)

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   tells users that an array belongs to cells instead of points, or the other way round
- *
- * Private to the modules' own sources.
+ * @brief   finds an array of cells where one of points is required, or vice versa
  */
 #ifndef MisplacedArray_h
 #define MisplacedArray_h
@@ -21,15 +19,15 @@ namespace relevo
 /// Advice for the association that the array has: a sentence without its full stop, or "".
 using ArrayAdvice = std::function<std::string(int association)>;
 
-/// To convert the array, for classes that take arrays of one association.
+/// Advice to convert the array, for classes that use arrays of one association.
 RELEVOFILTERSCORE_EXPORT std::string AdviseConversion(int association);
-/// To call SetInputArrayToProcess() with the other association.
+/// Advice to call SetInputArrayToProcess() with the other association.
 RELEVOFILTERSCORE_EXPORT ArrayAdvice AdviseInputArray(const std::string& name);
 
 /**
- * `no point array "NAME", but a cell array of that name. ADVICE` or, for FIELD_ASSOCIATION_CELLS,
- * the other way round; empty if the data set has no array of that name, or only one of the
- * association that is asked for.
+ * Return `no point array "NAME", but a cell array of that name. ADVICE` or, for
+ * FIELD_ASSOCIATION_CELLS, the reverse. Returns an empty string if the data set has no array of
+ * that name, or only one with the required association.
  */
 RELEVOFILTERSCORE_EXPORT std::string DescribeMisplacedArray(vtkDataSet* data,
   const std::string& name, int association, const ArrayAdvice& advise = AdviseConversion);

@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   what a setter does with a value that is out of range: an ErrorEvent, and the old value
- *          is kept
- *
- * Private to Relevo's own sources.
+ * @brief   setters that report an error and keep the old value if a value is out of range
  */
 #ifndef SettingChecks_h
 #define SettingChecks_h
@@ -46,8 +43,8 @@ std::string DescribeRange(T lowest, T highest)
 }
 
 /**
- * Whether the value is in [lowest, highest], which NaN never is; else an ErrorEvent of the object.
- * `hint` is a sentence that follows the error's own.
+ * Return whether the value is in [lowest, highest], which is false for NaN. Otherwise reports an
+ * error of the object. `hint` is a sentence that follows the message.
  */
 template <typename T>
 bool CheckRange(
@@ -73,7 +70,7 @@ void SetInRange(vtkObject* object, const char* name, T& setting, T value, T lowe
   }
 }
 
-/// "must be one of HOLE (0), FILL (1)", by the names of 0, 1 and so on.
+/// "must be one of HOLE (0), FILL (1)", from the names of 0, 1 and so on.
 inline std::string DescribeChoices(std::initializer_list<const char*> names)
 {
   std::ostringstream text;
@@ -87,7 +84,8 @@ inline std::string DescribeChoices(std::initializer_list<const char*> names)
 }
 
 /**
- * Whether the value is one of 0, 1 and so on, which have these names; else an ErrorEvent.
+ * Return whether the value is a choice: 0, 1 and so on, in the order of `names`. Otherwise reports
+ * an error.
  */
 inline bool CheckChoice(
   vtkObject* object, const char* name, int value, std::initializer_list<const char*> names)
@@ -112,7 +110,7 @@ inline void SetChoice(vtkObject* object, const char* name, int& setting, int val
 }
 
 /**
- * Whether all components are in [lowest, highest]; else one ErrorEvent.
+ * Return whether all components are in [lowest, highest]. Otherwise reports one error.
  */
 template <std::size_t Size>
 bool CheckVector(vtkObject* object, const char* name, const std::array<double, Size>& values,
@@ -147,7 +145,7 @@ void SetVector(vtkObject* object, const char* name, double (&setting)[Size],
 }
 
 /**
- * Width and height of a picture in pixels, at least 1 each.
+ * Set the width and height of an image in pixels, each at least 1.
  */
 inline void SetPixelSize(
   vtkObject* object, const char* name, int (&setting)[2], int width, int height)
@@ -166,7 +164,8 @@ inline void SetPixelSize(
 }
 
 /**
- * A magnitude from which on a number stands for "no data": more than 0, infinity for none.
+ * Set the magnitude from which on numbers are missing values. It must be positive; infinity turns
+ * this off.
  */
 inline void SetNoDataMagnitude(vtkObject* object, double& setting, double magnitude)
 {

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   reports a problem once, not in every frame
- *
- * Private to Relevo's own sources.
+ * @brief   reports a problem once instead of in each frame
  */
 #ifndef ShouldReport_h
 #define ShouldReport_h
@@ -12,7 +10,7 @@
 
 namespace relevo
 {
-/// Whether a problem differs from the last one and is not empty; it becomes the last one.
+/// Whether a problem is not empty and differs from the last one, which it then replaces.
 inline bool ShouldReport(std::string& last, const std::string& error)
 {
   const bool isNew = error != last && !error.empty();

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  StageReport
- * @brief   the errors and warnings that a stage has its mapper report
+ * @brief   the errors and warnings of a stage, for its mapper to report
  *
- * A stage does not see its mapper, so it returns messages, each of them once. Private to the
- * modules.
+ * Stages do not have access to their mapper, so they return messages. Each message is returned
+ * once.
  */
 #ifndef StageReport_h
 #define StageReport_h
@@ -24,7 +24,7 @@ struct StageReport
   std::vector<std::string> Errors;
   std::vector<std::string> Warnings;
 
-  /// Invoke an ErrorEvent or a WarningEvent of the object for each of them.
+  /// Invoke an ErrorEvent or a WarningEvent of the object for each message.
   RELEVOFILTERSCORE_EXPORT void InvokeEvents(vtkObject* object) const;
 };
 }

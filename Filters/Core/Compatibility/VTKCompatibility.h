@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   what differs between the releases of VTK that Relevo builds with: 9.1 to 9.6
+ * @brief   differences between the VTK releases 9.1 to 9.6
  *
- * The loader of OpenGL's functions differs as well: RelevoOpenGL.h, as filters know no OpenGL.
+ * Differences in the loader of OpenGL functions are in RelevoOpenGL.h, because filters do not use
+ * OpenGL.
  */
 #ifndef VTKCompatibility_h
 #define VTKCompatibility_h
@@ -22,8 +23,8 @@
 namespace relevo
 {
 /**
- * Whether the algorithm is to stop: by its own flag and, since VTK 9.3, also because an algorithm
- * that it is part of or that it depends on was aborted.
+ * Whether the algorithm must stop. Since VTK 9.3, this includes the abort of an algorithm that it
+ * is part of or depends on.
  */
 inline bool IsAborted(vtkAlgorithm* algorithm)
 {
@@ -35,26 +36,26 @@ inline bool IsAborted(vtkAlgorithm* algorithm)
 }
 
 /**
- * Whether VTK's mapper draws the vertices of every representation, in picking as well, when they
- * are to be visible; up to VTK 9.4 it does so only together with the edges of surfaces.
+ * Whether VTK's mapper draws visible vertices in every representation and in picking. Up to VTK
+ * 9.4, it draws them only together with the edges of surfaces.
  */
 constexpr bool VerticesNeedNoEdges = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 5, 0);
 
 /**
- * Whether VTK's mapper, where it cannot build a program, asks the one before for its time, which
- * must not be missing then; from VTK 9.3 on it goes on with that one.
+ * Whether VTK's mapper reads the time of its last program if it cannot build a new one. That
+ * program must then exist. Since VTK 9.3, the mapper continues with the last program.
  */
 constexpr bool AsksLastProgram = VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0);
 
 /**
- * The vertex attribute that says where a texture of a lookup table has a point's colour.
+ * The vertex attribute with the texture coordinates for colours from a lookup table.
  */
 constexpr const char* ColorCoordinates =
   VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0) ? "colorTCoord" : "tcoord";
 
 /**
- * The points of a cell; false where the offsets leave the list of points. Unlike VTK's own
- * function, which trusts the offsets. May be called from several threads, each with its own list.
+ * Get the points of a cell. Returns false if the offsets are out of range, which VTK does not
+ * check. May be called from several threads with separate lists.
  */
 inline bool ReadCellPoints(vtkCellArray* cells, vtkIdType cell, vtkIdList* points)
 {
@@ -77,9 +78,9 @@ inline bool ReadCellPoints(vtkCellArray* cells, vtkIdType cell, vtkIdList* point
 }
 
 /**
- * The points at the corners of a polyhedron's faces; false where the grid's lists of faces are
- * broken, which VTK trusts. From VTK 9.4 on they are two vtkCellArrays. `scratch` is of the
- * caller's thread.
+ * Get the points at the corners of a polyhedron's faces. Returns false if the grid's lists of faces
+ * are invalid, which VTK does not check. Since VTK 9.4, they are two vtkCellArrays. Each thread
+ * needs a separate `scratch`.
  */
 inline bool ReadPolyhedronFaces(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* scratch,
   std::vector<std::vector<vtkIdType>>& faces)
@@ -106,7 +107,7 @@ inline bool ReadPolyhedronFaces(vtkUnstructuredGrid* grid, vtkIdType cell, vtkId
   {
     return false;
   }
-  // How many faces; of each face, how many points, and these.
+  // The number of faces, then for each face its number of points and these points.
   const vtkIdType end = stream->GetNumberOfValues();
   vtkIdType at = locations->GetValue(cell);
   if (at < 0 || at >= end)
@@ -131,7 +132,7 @@ inline bool ReadPolyhedronFaces(vtkUnstructuredGrid* grid, vtkIdType cell, vtkId
 
 namespace detail
 {
-// From VTK 9.6 on the types may be of another class, and the function is called otherwise.
+// Since VTK 9.6, the types may have another class, and the function has another name.
 template <typename Grid>
 auto CountCellTypes(Grid* grid, int) -> decltype(grid->GetCellTypes()->GetNumberOfTuples())
 {
@@ -146,7 +147,8 @@ vtkIdType CountCellTypes(Grid* grid, ...)
 }
 
 /**
- * How many cells have a type: as many as there are, unless the list is too short.
+ * The number of cells that have a type, which is less than the number of cells if the list is too
+ * short.
  */
 inline vtkIdType GetNumberOfCellTypes(vtkUnstructuredGrid* grid)
 {

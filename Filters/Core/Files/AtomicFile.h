@@ -2,27 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   AtomicFile
- * @brief   a file that replaces an old one only when it is complete
+ * @brief   a file that replaces an old file only when it is complete
  *
- * All writers of Relevo write through this class. The contents go into a temporary file in the
- * folder of the target, which Commit() renames onto the target:
+ * All writers of Relevo use this class. It writes to a temporary file in the folder of the target.
+ * Commit() renames it to the target:
  *
  *     AtomicFile file(fileName);
- *     file.Append(bytes); // or let a writer write into file.GetTemporaryName()
+ *     file.Append(bytes); // or let a writer write to file.GetTemporaryName()
  *     if (!file.Commit())
  *     {
  *       vtkErrorMacro("Cannot write " << fileName << ": " << file.GetError());
  *     }
  *
- * Until then, and after any error, the old file stays as it was. The destructor, SIGINT, SIGTERM
- * and SIGHUP remove the temporary file; SIGKILL leaves it (IsTemporary() knows its name).
+ * Until then, and after any error, the old file does not change. The destructor, SIGINT, SIGTERM
+ * and SIGHUP remove the temporary file. SIGKILL leaves it; IsTemporary() recognises its name.
  *
- * A symbolic link stays, and the file it leads to is replaced. The new file has the permissions of
- * the old one, and its owner where that is allowed. A hard link to the old file keeps the old
- * contents. Devices, pipes and /dev/stdout are not replaced: they get the bytes of the complete
- * file.
- *
- * Private to the modules' own sources.
+ * If the target is a symbolic link, the file that it points to is replaced. The new file gets the
+ * permissions of the old one, and its owner if possible. Hard links to the old file keep the old
+ * contents. Devices, pipes and /dev/stdout are not replaced: the complete contents are written to
+ * them.
  */
 #ifndef AtomicFile_h
 #define AtomicFile_h
@@ -43,44 +41,46 @@ public:
   AtomicFile(const AtomicFile&) = delete;
   void operator=(const AtomicFile&) = delete;
 
-  /// Why a file cannot be written, before the attempt; "" if it can. Makes no file.
+  /// Return why a file cannot be written, or "" if it can. Does not create a file.
   static std::string FindError(const std::string& fileName);
-  /// Write a whole file; why that failed, or "".
+  /// Write a whole file. Returns the error, or "".
   static std::string Write(const std::string& fileName, std::string_view bytes);
-  /// Whether a file of this name, without folder, is one that SIGKILL has left.
+  /// Whether a file of this name, without folder, may be one that SIGKILL left.
   static bool IsTemporary(const std::string& name);
 
-  /// Why the file cannot be written, in words that follow a colon; "" as long as it can.
+  /// Return why the file cannot be written, as a text to follow a colon, or "" if there is no
+  /// error.
   const std::string& GetError() const { return this->Error; }
 
   const std::string& GetFileName() const { return this->FileName; }
 
-  /// The absolute path of the temporary file, with the extension of the target. It is there, and
-  /// empty.
+  /// Return the absolute path of the temporary file, which has the extension of the target. The
+  /// file exists and is empty.
   const std::string& GetTemporaryName() const { return this->TemporaryName; }
 
-  /// Write bytes behind those written by this method before; false after an error.
+  /// Append bytes to those written by this method before. Returns false after an error.
   bool Append(std::string_view bytes);
 
   /**
-   * Give up, because a writer has failed or has left an incomplete file. The fault is that of the
-   * disk if it takes no more bytes, else the given reason.
+   * Abort because a writer failed or wrote an incomplete file. If the disk is full, this is the
+   * error. Otherwise, the given reason is.
    */
   void Fail(const std::string& reason = "");
 
   /**
-   * Bring the contents onto the disk, and close the temporary file. Commit() can only fail to
-   * rename after this: several files can be finished first and then replaced together.
+   * Flush the contents to the disk and close the temporary file. After this, Commit() can fail only
+   * in renaming. Several files can therefore be finished first and then replaced together.
    */
   bool Finish();
 
   enum class OldFile
   {
     Replace,
-    Keep ///< an error if there is one by now
+    Keep ///< an error if the file exists
   };
 
-  /// Finish, and replace the target; false, and the old file stays, after any error.
+  /// Finish the file and replace the target. Returns false after any error; the old file then
+  /// remains.
   bool Commit(OldFile oldFile = OldFile::Replace);
 
 private:
@@ -91,7 +91,7 @@ private:
   void RemoveTemporary();
 
   std::string FileName;
-  std::string Target; // FileName without symbolic links
+  std::string Target; // FileName with symbolic links resolved
   std::string TemporaryName;
   std::string Error;
   TemporaryFiles::Entry* Entry = nullptr;

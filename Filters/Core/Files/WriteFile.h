@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   files that VTK's writers write, as AtomicFile
+ * @brief   atomic files written by VTK's writers
  *
- * VTK's writers ignore some errors of full disks. Each writer comes with a check of what it wrote.
- *
- * Private to the modules' own sources.
+ * VTK's writers ignore some errors of full disks. A check of the written file is therefore required
+ * for each writer.
  */
 #ifndef WriteFile_h
 #define WriteFile_h
@@ -22,17 +21,17 @@
 
 namespace relevo
 {
-/// Whether a file, by its name, is as long and as well-formed as it has to be.
+/// Whether the file with this name has the required length and form.
 using FileCheck = std::function<bool(const std::string&)>;
 
-/// Whether a file ends as VTK's XML files do.
+/// Whether a file ends like a complete VTK XML file.
 RELEVOFILTERSCORE_EXPORT bool IsWholeXML(const std::string& fileName);
 
-/// The first error of a VTK writer, without VTK's heading and with the user's name of the file.
+/// The first error of a VTK writer, without VTK's prefix and with the file name that the user gave.
 RELEVOFILTERSCORE_EXPORT std::string GetWriterError(
   const std::string& errors, const AtomicFile& file);
 
-/// Run a VTK writer; its errors, none of which is printed.
+/// Run a VTK writer without printing errors, and return them.
 template <typename Writer>
 std::string RunWriter(Writer* writer)
 {
@@ -50,7 +49,7 @@ std::string RunWriter(Writer* writer)
     : errors;
 }
 
-/// Let a VTK writer write a file, and check that it is whole; false, with the file's fault, if not.
+/// Let a VTK writer write a file and check it. Returns false and sets the file's error on failure.
 template <typename Writer>
 bool WriteFile(AtomicFile& file, Writer* writer, const FileCheck& isWhole)
 {
@@ -67,7 +66,7 @@ bool WriteFile(AtomicFile& file, Writer* writer, const FileCheck& isWhole)
   return file.GetError().empty();
 }
 
-/// As above, and replace the old file; why that failed, or "".
+/// Write a file as above and replace the old one. Returns the error, or "".
 template <typename Writer>
 std::string WriteFile(const std::string& fileName, Writer* writer, const FileCheck& isWhole)
 {
@@ -77,7 +76,7 @@ std::string WriteFile(const std::string& fileName, Writer* writer, const FileChe
   return file.GetError();
 }
 
-/// Write what a vtkPNGWriter makes in memory: libpng prints errors of files.
+/// Write the memory result of a vtkPNGWriter to a file, because libpng prints file errors.
 template <typename Writer>
 bool WritePNG(AtomicFile& file, Writer* writer)
 {

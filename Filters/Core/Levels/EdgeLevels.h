@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   levels of edges from depth-tags, shared with shaders
+ * @brief   computes levels of edges from depth-tags, shared with shaders
  */
 #ifndef EdgeLevels_h
 #define EdgeLevels_h

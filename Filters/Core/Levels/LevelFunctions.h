@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   levels from measured values, shared with shaders
+ * @brief   computes levels from measured values, shared with shaders
  */
 #ifndef LevelFunctions_h
 #define LevelFunctions_h

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   tags of points and edges by the levels of the triangles at them
+ * @brief   computes tags of points and edges from the levels of adjacent triangles
  */
 #ifndef TriangleTags_h
 #define TriangleTags_h
@@ -15,11 +15,11 @@ namespace relevo
 class SurfaceEdges;
 class SurfaceTriangles;
 
-/// Give every point the largest level of the triangles at its place, and 0 where there is none.
+/// Set the tag of each point to the largest level of its triangles, or 0 if there are none.
 RELEVOFILTERSCORE_EXPORT void TagPointsByTriangles(
   const SurfaceTriangles& surface, const float* levels, vtkFloatArray* tags);
 
-/// Give every edge the largest level of the triangles beside it.
+/// Set the tag of each edge to the largest level of its triangles.
 RELEVOFILTERSCORE_EXPORT void TagEdgesByTriangles(
   const SurfaceEdges& edges, const float* levels, vtkFloatArray* tags);
 }

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the degrees that curves and patches may have
- *
- * Private to the modules' own sources.
+ * @brief   the supported degrees of curves and patches
  */
 #ifndef BezierDegree_h
 #define BezierDegree_h

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   permutations of a triangle's corners, and which corners its edges join
- *
- * Private to the modules.
+ * @brief   permutations of a triangle's corners, and the corners of its edges
  */
 #ifndef CornerOrder_h
 #define CornerOrder_h
@@ -15,12 +13,12 @@
 namespace relevo
 {
 /**
- * For a permutation code (0 to 5, as in relevoWeights.glsl): position j of the result takes
+ * The permutation for a code (0 to 5, as in relevoWeights.glsl): position j of the result is
  * element order[j] of the original.
  */
 RELEVOFILTERSCORE_EXPORT const std::array<int, 3>& GetCornerOrder(int code);
 
-/// Inverse of GetCornerOrder().
+/// The inverse of GetCornerOrder().
 RELEVOFILTERSCORE_EXPORT int GetCornerOrderCode(int first, int second, int third);
 
 /// The two sorted corners of each edge of a face.

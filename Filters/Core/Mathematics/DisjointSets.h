@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   DisjointSets
- * @brief   which of the numbers from 0 on belong together
- *
- * Private to the modules' own sources.
+ * @brief   union-find: disjoint sets of the numbers from 0 on
  */
 #ifndef DisjointSets_h
 #define DisjointSets_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   FiniteBox
- * @brief   the bounding box of points, of which coordinates that are not finite do not count
+ * @brief   the bounding box of points, ignoring non-finite coordinates
  */
 #ifndef FiniteBox_h
 #define FiniteBox_h

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   a computed value as an array's type has it
- *
- * Private to the modules' own sources.
+ * @brief   converts a computed value to an array's type
  */
 #ifndef NearestNumber_h
 #define NearestNumber_h
@@ -14,13 +12,13 @@
 
 namespace relevo
 {
-/// Integers are rounded, and end where their type does.
+/// Round to integers and clamp to the range of the type.
 template <typename T>
 T getNearestNumber(double value)
 {
   if constexpr (std::is_integral<T>::value)
   {
-    // The largest 64-bit integers have no double of their own: compare before converting.
+    // The largest 64-bit integers are not representable as doubles: compare before converting.
     const double rounded = std::round(value);
     if (rounded <= static_cast<double>(std::numeric_limits<T>::lowest()))
     {

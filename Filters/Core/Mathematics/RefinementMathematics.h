@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   lets C++ compile the GLSL files that the shaders include
+ * @brief   compiles the GLSL files of the shaders as C++
  *
- * Include this header, then include a file of glsl/ inside namespace relevo, or inside a class of
- * it that provides what the file asks for. Private to the modules' own sources.
+ * Include this header, then include a file from glsl/ in namespace relevo, or in a class of it that
+ * provides the functions that the file needs.
  */
 #ifndef RefinementMathematics_h
 #define RefinementMathematics_h
@@ -14,14 +14,14 @@
 
 /// Marks each function of a shared file: inline in C++, nothing in GLSL.
 #define RELEVO_FUNCTION [[maybe_unused]] inline
-/// Marks parameters that one of several functions of a name has no use for.
+/// Marks parameters that one of several overloads does not use.
 #define RELEVO_UNUSED [[maybe_unused]]
-/// GLSL's guarantee against contraction; C++ has it from -ffp-contract=off.
+/// Prevents contraction in GLSL. In C++, -ffp-contract=off does.
 #define precise
-/// Uniforms of a file included inside a class are the class's members.
+/// Uniforms of a file that is included in a class become members.
 #define uniform
 
-/// Where shared files are compiled: GLSL's types and functions are GLM's.
+/// Shared files use GLSL's types and functions, which GLM provides.
 namespace relevo
 {
 using namespace glm;

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   for private enumerations that number things as public ones do
- *
- * Private to the modules' own sources.
+ * @brief   checks that a private enumeration has the same numbers as a public one
  */
 #ifndef SameNumber_h
 #define SameNumber_h

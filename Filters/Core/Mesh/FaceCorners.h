@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  FaceCorners
- * @brief   what the shared surface functions ask of their including side, in C++
- *
- * Private to the modules' own sources.
+ * @brief   the C++ version of the functions that the shared surface functions require
  */
 #ifndef FaceCorners_h
 #define FaceCorners_h

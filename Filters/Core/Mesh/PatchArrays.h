@@ -2,27 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PatchArrays
- * @brief   the Bézier patches that a mesh carries, as vtkPatchSurfaceFilter writes them
+ * @brief   the Bézier patches stored with a mesh by vtkPatchSurfaceFilter
  *
- * Field arrays, one tuple per patch or control point:
- * - Patches: VTK_BEZIER_QUADRILATERAL or VTK_BEZIER_TRIANGLE, the degrees along u and v (1 to 8, of
- *   a triangle the same twice), the index of its first control point.
- * - PatchPoints: x, y, z, and the weight, which is more than 0; the coordinates are not multiplied
- *   with it. Of a quadrilateral of degrees p and q point j (p + 1) + i belongs to u^i v^j; of a
- *   triangle of degree p the rows j = 0 to p have the points i = 0 to p - j of
+ * The field arrays have one tuple per patch or control point:
+ * - Patches: VTK_BEZIER_QUADRILATERAL or VTK_BEZIER_TRIANGLE, the degrees along u and v (1 to 8;
+ *   equal for triangles), and the index of the first control point.
+ * - PatchPoints: x, y, z and the weight, which is positive. The coordinates are not multiplied by
+ *   the weight. For quadrilaterals of degrees p and q, point j (p + 1) + i belongs to u^i v^j. For
+ *   triangles of degree p, row j = 0 to p has the points i = 0 to p - j of
  *   u^i v^j (1 - u - v)^(p - i - j).
+ * - PatchInnerBorders (optional): borders that are not edges of their cell, for example where a
+ *   polygon is split into triangles. The bits are 1: v = 0, 2: u = 0, 4: v = 1 (quadrilaterals) or
+ *   u + v = 1 (triangles), and 8: u = 1.
+ * - PatchNodes:NAME, for point arrays NAME: their Bézier coefficients, in the same basis
  *
- * - PatchInnerBorders, if there is one: borders that are no edges of their cell, such as where a
- *   polygon is cut into triangles, a bit each: 1: v = 0, 2: u = 0, 4: v = 1 or, of a triangle,
- *   u + v = 1, 8: u = 1.
- *
- * - PatchNodes:NAME, for point arrays NAME: their Bézier coefficients, of the positions' own basis.
- *
- * Cell arrays, of the triangles that the mesh has for polygons:
+ * The cell arrays have one tuple per triangle of the mesh:
  * - PatchIds: the index of the patch.
- * - PatchCoordinates: u and v of the three corners in the polygon's own order.
- *
- * Private to Relevo's own sources.
+ * - PatchCoordinates: u and v of the three corners in the polygon's order.
  */
 #ifndef PatchArrays_h
 #define PatchArrays_h
@@ -67,23 +63,23 @@ struct Patch
 class RELEVOFILTERSCORE_EXPORT PatchArrays
 {
 public:
-  /// Whether a mesh has patches, valid or not.
+  /// Whether the mesh has patches, valid or not.
   static bool AreOn(vtkPolyData* mesh);
 
-  /// Take them away from a mesh whose triangles are no longer their parts.
+  /// Remove the patches from a mesh whose triangles no longer belong to them.
   static void Remove(vtkPolyData* mesh);
 
-  /// The coefficients of one of the mesh's point arrays; nullptr where there are none for each of
-  /// its components and control points.
+  /// Return the coefficients of a point array, or nullptr if they do not exist for all its
+  /// components and control points.
   static vtkDataArray* FindNodes(vtkPolyData* mesh, vtkAbstractArray* pointArray);
 
-  /// On the arrays and the triangles of a mesh.
+  /// The arrays and triangles of the mesh as dependencies.
   static Dependencies GetDependencies(vtkPolyData* mesh);
 
   /**
-   * Take a mesh's patches. False, with an error to show the user, where an array is missing or of
-   * another size, or a patch, a point or a triangle is not valid: then nothing may be asked. The
-   * arrays are kept, and must stay as they are.
+   * Read the patches of a mesh. Returns false and an error for the user if an array is missing or
+   * has the wrong size, or if a patch, point or triangle is invalid. Other functions must not be
+   * called then. The object keeps references to the arrays, which must not change.
    */
   bool Take(vtkPolyData* mesh, std::string& error);
 
@@ -103,7 +99,7 @@ public:
   }
 
   //@{
-  /// Of a cell of the mesh, which must be a polygon.
+  /// The patch of a cell, which must be a polygon.
   int GetPatchId(vtkIdType cell) const { return this->Ids->GetValue(cell); }
   vec2 GetCoordinates(vtkIdType cell, int corner) const
   {
@@ -120,7 +116,7 @@ private:
 
   vtkSmartPointer<vtkIdTypeArray> Patches;
   vtkSmartPointer<vtkDoubleArray> Points;
-  vtkSmartPointer<vtkIntArray> InnerBorders; // nullptr for none
+  vtkSmartPointer<vtkIntArray> InnerBorders; // nullptr if there are none
   vtkSmartPointer<vtkIntArray> Ids;
   vtkSmartPointer<vtkFloatArray> Coordinates;
 };

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PointBlanking
- * @brief   which points of a data set are hidden
+ * @brief   the hidden points of a data set
  *
- * As vtkImageData::IsPointVisible(), but an array of ghosts that has too few values for the points,
- * or more than one each, counts as none: VTK reads past its end. Private to the modules.
+ * This is vtkImageData::IsPointVisible() for any data set. A ghost array with too few values, or
+ * with more than one component, is ignored; VTK reads past its end.
  */
 #ifndef PointBlanking_h
 #define PointBlanking_h

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   GlobalSurfaceInfo
- * @brief   what a mesh is told of the surface that it is a piece of
+ * @brief   values of the whole surface that a mesh is a piece of
  *
- * A mesh that is told nothing is the whole.
+ * A mesh without this information is the whole surface.
  */
 #ifndef GlobalSurfaceInfo_h
 #define GlobalSurfaceInfo_h
@@ -20,11 +20,11 @@ namespace relevo
 {
 struct GlobalSurfaceInfo
 {
-  /// Of all points.
+  /// The box of all points.
   FiniteBox PointBox;
-  /// Of the corners of triangles; of all points where there are none.
+  /// The box of the triangles' corners, or of all points if there are no triangles.
   FiniteBox CornerBox;
-  /// Whether displacement goes along directions of its own, see RefinementMesh::Directions.
+  /// Whether displacement uses separate directions, see RefinementMesh::Directions.
   bool HasDirections = false;
   /// The numbers of metrics, see MetricEvaluator::ComputeNumbers().
   std::map<const vtkDepthTagMetric*, std::vector<double>> Numbers;

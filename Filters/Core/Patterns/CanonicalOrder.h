@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   levels in descending order, and what it takes to read a pattern in another one
+ * @brief   sorts levels in descending order and finds the permutation of the pattern
  *
- * vtkRefinementPatternTable shows the same to users.
+ * vtkRefinementPatternTable offers the same functions to users.
  */
 #ifndef CanonicalOrder_h
 #define CanonicalOrder_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  FacePattern
- * @brief   how a pattern lies on a face
+ * @brief   the pattern of a face and its orientation
  */
 #ifndef FacePattern_h
 #define FacePattern_h
@@ -15,17 +15,17 @@ struct RefinementPattern;
 struct RELEVOFILTERSCORE_EXPORT FacePattern
 {
   const RefinementPattern* Pattern;
-  /// Permutation from the pattern's vertices to the face's sorted corners (relevoWeights.glsl).
+  /// The permutation from the pattern's vertices to the face's sorted corners (relevoWeights.glsl).
   int Code;
-  /// Whether the pattern's triangles are turned over.
+  /// Whether the pattern's triangles are reversed.
   bool Mirrored;
-  /// Tags of the sorted edges (0,1), (1,2), (0,2) that vertices morph by, or nullptr.
+  /// Tags of the sorted edges (0,1), (1,2), (0,2) for morphing vertices, or nullptr.
   const float* MorphTags;
 
-  /// Weights of the face's sorted corners at a vertex of the pattern.
+  /// Get the weights of the face's sorted corners at a vertex of the pattern.
   void GetWeights(int vertex, float weights[3]) const;
 
-  /// Segments of the face's sorted edges (0,1), (1,2), (0,2).
+  /// Get the segments of the face's sorted edges (0,1), (1,2), (0,2).
   void GetEdgeSegments(int segments[3]) const;
 };
 }

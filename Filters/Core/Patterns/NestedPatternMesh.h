@@ -3,7 +3,7 @@
 /**
  * @brief   the triangles of a nested pattern
  *
- * Private to the module's own sources; see NestedPattern.
+ * See NestedPattern.
  */
 #ifndef NestedPatternMesh_h
 #define NestedPatternMesh_h
@@ -15,7 +15,7 @@
 namespace relevo
 {
 /**
- * The nested pattern of the levels of edges 01, 12 and 02, each in [0, 7].
+ * Return the nested pattern for the levels of the edges 01, 12 and 02, each in [0, 7].
  */
 PatternMesh MakeNestedMesh(const std::array<int, 3>& levels);
 }

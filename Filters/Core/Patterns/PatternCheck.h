@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   whether a pattern is what a refined face needs
- *
- * Private to the module's own sources.
+ * @brief   checks a pattern that was read from a file
  */
 #ifndef PatternCheck_h
 #define PatternCheck_h
@@ -12,8 +10,8 @@ namespace relevo
 {
 struct RefinementPattern;
 /**
- * What is wrong with a pattern that was read from a file (its lines aside), nullptr when it is a
- * conforming, counter-clockwise triangulation with exactly the border points of its segments.
+ * Return what is wrong with a pattern (without its lines), or nullptr if it is a conforming,
+ * counter-clockwise triangulation with exactly the border points of its segments.
  */
 const char* FindDefect(const RefinementPattern& pattern);
 }

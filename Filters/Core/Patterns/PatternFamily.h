@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PatternFamily
- * @brief   the patterns that faces choose from, and how they choose
+ * @brief   a set of patterns for faces, and the rule to choose one
  *
- * A family knows into how many segments an edge may be cut, its steps, and which pattern belongs to
- * the steps of a face's three edges. Faces that share a pattern and a winding share a key: they are
- * drawn together. Patterns are made when they are first asked for. All functions are safe to call
- * from several threads; choosing takes no lock, and a pattern that has been made none either.
- *
- * Not wrapped: for the modules' own sources.
+ * A family defines the allowed numbers of segments of an edge, its steps, and the pattern for the
+ * steps of a face's three edges. Faces with the same pattern and winding have the same key and are
+ * drawn together. Patterns are generated on first use. All functions are thread-safe. Choosing a
+ * pattern and getting one that exists take no lock.
  *
  * @sa PatternLibrary
  */
@@ -35,15 +33,15 @@ class RELEVOFILTERSCORE_EXPORT PatternFamily
 public:
   using Pattern = std::shared_ptr<const RefinementPattern>;
 
-  /// Gives the pattern for the steps of its edges 1, 2 and 3.
+  /// Returns the pattern for the steps of its edges 1, 2 and 3.
   using PatternMaker = std::function<Pattern(const std::array<unsigned char, 3>&)>;
 
   /// How a pattern is identified.
   enum Kinds
   {
-    /// The steps of its edges in descending order; it is permuted for others (Lenz 2009, 4.3).
+    /// The steps of its edges in descending order; other orders permute it (Lenz 2009, 4.3).
     CANONICAL,
-    /// The steps of the edges between sorted corners; its vertices morph (NestedPattern).
+    /// The steps of the edges between sorted corners; vertices morph (NestedPattern).
     MORPHING
   };
 
@@ -52,7 +50,7 @@ public:
   PatternFamily(const PatternFamily&) = delete;
   void operator=(const PatternFamily&) = delete;
 
-  /// When the family was made: no other has the same time.
+  /// The time when the family was created, which is unique.
   vtkMTimeType GetMTime() const { return this->MakeTime; }
 
   /// Whether vertices of the patterns morph with the tags of the edges.
@@ -65,8 +63,8 @@ public:
   int GetNumberOfKeys() const { return static_cast<int>(this->Keys.size()); }
 
   /**
-   * For a face, by RefinementFace::Order and the steps of its sorted edges (0,1), (1,2), (0,2):
-   * key << 3 | permutation code (relevoWeights.glsl).
+   * Return key << 3 | permutation code (relevoWeights.glsl) for a face, from RefinementFace::Order
+   * and the steps of its sorted edges (0,1), (1,2), (0,2).
    */
   unsigned int GetEntry(int order, int step01, int step12, int step02) const
   {
@@ -77,20 +75,20 @@ public:
   /// All entries, in the order of (order, step01, step12, step02).
   const std::vector<unsigned int>& GetEntries() const { return this->Entries; }
 
-  /// Whether the triangles of a key's pattern are turned over.
+  /// Whether the triangles of a key's pattern are reversed.
   static bool IsMirrored(int key) { return (key & 1) != 0; }
 
   /// Steps of the pattern's edges 1, 2, 3.
   const std::array<unsigned char, 3>& GetSteps(int key) const { return this->Keys[key]; }
 
-  /// The pattern of a key: the same one at every call.
+  /// The pattern of a key, the same object in each call.
   const Pattern& GetPattern(int key) const;
 
 private:
   void MakeKeys();
   void MakeEntries();
 
-  // Filled once; then it never changes.
+  // A pattern that is generated once and never changes.
   struct Place
   {
     std::once_flag Filled;
@@ -102,7 +100,7 @@ private:
   const PatternMaker Make;
   std::vector<std::array<unsigned char, 3>> Keys;
   std::vector<unsigned int> Entries;
-  mutable std::vector<Place> Places; // by key / 2: the two windings share a pattern
+  mutable std::vector<Place> Places; // by key / 2, because both windings share a pattern
   vtkTimeStamp MakeTime;
 };
 }

@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   where the points inside a graded pattern start
+ * @brief   the initial positions of the points inside a graded pattern
  *
- * At corners where edges of different segments meet, the tips of a fan of triangles; elsewhere the
- * points of regular grids, each grid where a size field that follows the border asks for its
- * spacing.
- *
- * Private to the module's own sources.
+ * Where edges with different segments meet, the points are the tips of a fan of triangles at the
+ * corner. Elsewhere, they are points of regular grids. The spacing of each grid follows a size
+ * field that is computed from the border.
  */
 #ifndef PatternInnerPoints_h
 #define PatternInnerPoints_h
@@ -19,8 +17,8 @@
 namespace relevo
 {
 /**
- * Points inside a pattern with these segments, in descending order; `border` are the points on its
- * border.
+ * Return the points inside a pattern with these segments, in descending order. `border` has the
+ * points on its border.
  */
 std::vector<PatternPoint> MakeInnerPoints(
   const int segments[3], const std::vector<PatternPoint>& border);

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PatternLibrary
- * @brief   hands out patterns by family
+ * @brief   provides patterns by family
  *
- * The families of one library share their patterns, and all who use a library share its families.
- * Libraries may have one PatternStore: they too share their patterns. A
- * library never changes, except that it makes patterns when they are first asked for: a
- * vtkRefinementPatternTable that reads a file takes another library. Patterns and families belong
- * to all who have a pointer to them, and outlive the library. Safe to call from several threads.
+ * The families of one library share its patterns. Libraries with the same PatternStore share its
+ * patterns too. A library never changes, except that it generates patterns on first use. A
+ * vtkRefinementPatternTable that reads a file creates a new library. Patterns and families are
+ * shared pointers and outlive the library. Thread-safe.
  */
 #ifndef PatternLibrary_h
 #define PatternLibrary_h
@@ -33,12 +32,13 @@ class RELEVOFILTERSCORE_EXPORT PatternLibrary
 public:
   using Pattern = std::shared_ptr<const RefinementPattern>;
 
-  /// The patterns that RefinementPatternGenerator and NestedPattern make, in a store of its own or
-  /// one that others have too.
+  /// Create a library of the patterns of RefinementPatternGenerator and NestedPattern, in a
+  /// separate or a shared store.
   PatternLibrary();
   explicit PatternLibrary(std::shared_ptr<PatternStore> store);
 
-  /// Those of a file: canonical patterns of all levels up to the highest.
+  /// Create a library of patterns from a file: the canonical patterns of all levels up to the
+  /// highest.
   PatternLibrary(
     std::string fileName, int highestLevel, std::vector<RefinementPattern>&& canonical);
 
@@ -46,10 +46,10 @@ public:
   PatternLibrary(const PatternLibrary&) = delete;
   void operator=(const PatternLibrary&) = delete;
 
-  /// When the library was made: no other has the same time.
+  /// The time when the library was created, which is unique.
   vtkMTimeType GetMTime() const { return this->MakeTime; }
 
-  /// The file that the patterns were read from; empty for none.
+  /// The file that the patterns were read from, or empty.
   const std::string& GetFileName() const { return this->FileName; }
 
   /// The highest level of an edge that all families have.
@@ -61,21 +61,21 @@ public:
     POWERS_OF_TWO,
     /// 1 to 16 segments, then 9 to 16 times 2, 4 and 8; canonical patterns, permuted.
     WHOLE_NUMBERS,
-    /// 2^level segments; patterns of the sorted corners whose vertices morph (NestedPattern).
+    /// 2^level segments; patterns for sorted corners whose vertices morph (NestedPattern).
     NESTED
   };
 
-  /// Why the library lacks a family, as a clause that says what to do; empty if it has it. There
-  /// are always POWERS_OF_TWO.
+  /// Return why a family is not available, as a clause with advice, or an empty string.
+  /// POWERS_OF_TWO is always available.
   std::string GetError(Families family) const;
 
-  /// nullptr where there is an obstacle.
+  /// Return a family, or nullptr if it is not available.
   std::shared_ptr<const PatternFamily> GetFamily(Families family) const;
 
-  /// The canonical pattern with segments 128 >= n1 >= n2 >= n3 >= 1 on its edges.
+  /// Return the canonical pattern with segments 128 >= n1 >= n2 >= n3 >= 1 on its edges.
   Pattern GetPatternOfSegments(int n1, int n2, int n3) const;
 
-  /// Bytes of the patterns made so far, all that are in the store.
+  /// The memory of all patterns in the store, in bytes.
   vtkTypeInt64 GetMemorySize() const;
 
 private:
@@ -83,7 +83,7 @@ private:
 
   static constexpr std::size_t NumberOfFamilies = 3;
 
-  std::string FileName; // empty for none
+  std::string FileName; // empty if there is none
   int HighestLevel;
   std::shared_ptr<PatternStore> Store;
   mutable std::array<std::once_flag, NumberOfFamilies> Flags;

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  PatternMesh
- * @brief   a pattern in the making, in integers
- *
- * Private to the module's own sources.
+ * @brief   a pattern under construction, in integers
  */
 #ifndef PatternMesh_h
 #define PatternMesh_h
@@ -18,18 +16,19 @@ namespace relevo
 {
 struct PatternMesh
 {
-  /// In units of 1 / WeightScale, those of the border first.
+  /// In units of 1 / WeightScale; border vertices come first.
   std::vector<PatternWeights> Vertices;
   std::vector<std::array<int, 3>> Triangles;
 };
 
 /**
- * The regular subdivision with n segments on each edge.
+ * Return the regular subdivision with n segments on each edge.
  */
 PatternMesh MakeRegularMesh(int n);
 
 /**
- * A Delaunay triangulation with these segments, not all the same, graded and smoothed.
+ * Return a graded and smoothed Delaunay triangulation with these segments, which must not be all
+ * equal.
  */
 PatternMesh MakeGradedMesh(const int segments[3]);
 }

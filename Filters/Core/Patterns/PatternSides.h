@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @brief   the sides of a pattern's triangles
- *
- * Private to the module's own sources.
  */
 #ifndef PatternSides_h
 #define PatternSides_h
@@ -18,22 +16,22 @@ struct RefinementPattern;
 using PatternSide = std::pair<unsigned int, unsigned int>;
 
 /**
- * The sides of all triangles, counter-clockwise around each, sorted.
+ * Return the sides of all triangles, counter-clockwise around each, sorted.
  */
 std::vector<PatternSide> SortedSides(const std::vector<unsigned int>& triangles);
 
 /**
- * The segments of edges 1, 2, 3, in order and direction.
+ * Return the segments of edges 1, 2, 3, in order and direction.
  */
 std::vector<PatternSide> BorderSides(const int segments[3]);
 
 /**
- * Whether sorted sides include this one.
+ * Whether sorted sides contain this one.
  */
 bool Contains(const std::vector<PatternSide>& sorted, PatternSide side);
 
 /**
- * Fill the lines of a pattern that has all the rest.
+ * Compute the lines of a pattern from its other data.
  */
 void MakeLines(RefinementPattern& pattern);
 }

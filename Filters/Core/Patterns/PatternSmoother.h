@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PatternSmoother
- * @brief   makes the smallest angles around the inner points of a triangulation larger
+ * @brief   increases the smallest angles around the inner points of a triangulation
  *
- * A point moves to where the worst triangle of its star is best (optimization-based smoothing,
- * Freitag and Ollivier-Gooch 1997), found by a pattern search on the grid of the inner points.
- *
- * Private to the module's own sources.
+ * Each point moves to the position where the worst triangle of its star is best (optimization-based
+ * smoothing, Freitag and Ollivier-Gooch 1997). A pattern search on the grid of inner points finds
+ * it.
  */
 #ifndef PatternSmoother_h
 #define PatternSmoother_h
@@ -22,13 +21,14 @@ namespace relevo
 class PatternSmoother
 {
 public:
-  /// Vertices before the first inner one are of the border and stay.
+  /// Vertices before the first inner one are on the border and do not move.
   PatternSmoother(PatternTriangulation& mesh, int firstInner);
 
-  /// Move points for as long as it helps.
+  /// Move points until there is no improvement.
   void Move();
 
-  /// Inner points without which the triangles around them would be better; no two are neighbours.
+  /// Find inner points whose removal would improve the triangles around them. No two are
+  /// neighbours.
   std::vector<bool> FindErrors();
 
 private:
@@ -38,7 +38,7 @@ private:
 
   PatternTriangulation& Mesh;
   int FirstInner;
-  std::vector<std::pair<int, int>> Star; // of the vertex at hand
+  std::vector<std::pair<int, int>> Star; // of the current vertex
 };
 }
 

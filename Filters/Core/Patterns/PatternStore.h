@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PatternStore
- * @brief   the patterns that have been made or read so far
+ * @brief   a cache of the patterns that were generated or read
  *
- * Patterns never change. Who has a pointer to one owns it too, so a store may go at any time. Safe
- * to call from several threads; none waits while another makes a pattern.
- *
- * Private to the module's own sources.
+ * Patterns never change. They are shared pointers, so a store can be deleted at any time.
+ * Thread-safe; no thread waits while another generates a pattern.
  */
 #ifndef PatternStore_h
 #define PatternStore_h
@@ -31,10 +29,10 @@ public:
 
   PatternStore() = default;
 
-  /// A store that has these canonical patterns.
+  /// Create a store with these canonical patterns.
   explicit PatternStore(std::vector<RefinementPattern>&& canonical);
 
-  /// The store of all who ask for it, kept as long as one of them keeps it.
+  /// Return the shared store, which exists as long as one of its users does.
   static std::shared_ptr<PatternStore> GetShared();
 
   /// See vtkRefinementPatternTable::GetPatternOfSegments(), for valid numbers.

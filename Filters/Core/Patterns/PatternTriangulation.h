@@ -4,11 +4,8 @@
  * @class   PatternTriangulation
  * @brief   a Delaunay triangulation of points in the triangle
  *
- * Made by inserting one point after the other and flipping edges until every circle is empty
- * (Lawson 1977), with exact predicates. Where four points lie on one circle, the order of insertion
- * decides.
- *
- * Private to the module's own sources.
+ * Points are inserted one by one, and edges are flipped until every circle is empty (Lawson 1977),
+ * with exact predicates. If four points lie on one circle, the order of insertion decides.
  */
 #ifndef PatternTriangulation_h
 #define PatternTriangulation_h
@@ -29,17 +26,18 @@ public:
     int Neighbor[3]; // opposite to the vertex; -1 outside
   };
 
-  /// The three corners.
+  /// Create the triangle of the three corners.
   PatternTriangulation();
 
-  /// Add a point inside or on the border, unless it is there already.
+  /// Add a point inside or on the border, unless it exists.
   void Insert(PatternPoint p);
 
-  /// Flip edges until the triangulation is Delaunay again, after points were moved in such a way
-  /// that no triangle turned over.
+  /// Flip edges until the triangulation is Delaunay again, after points have moved without flipping
+  /// a triangle.
   void MakeDelaunay();
 
-  /// Triangles around an inner vertex, counter-clockwise, as pairs of the other two vertices.
+  /// Get the triangles around an inner vertex, counter-clockwise, as pairs of the other two
+  /// vertices.
   void GetStar(int vertex, std::vector<std::pair<int, int>>& star) const;
 
   std::vector<PatternPoint> Points;
@@ -49,7 +47,7 @@ private:
   /// The triangles (a, b, c) and (d, c, b) at a side bc, and those across their other sides.
   struct Diamond
   {
-    int Other = -1; // (d, c, b); -1, as its D and neighbours, at the border
+    int Other = -1; // (d, c, b); at the border -1, as are D and the neighbours
     int A = -1, B = -1, C = -1, D = -1;
     int AcrossAB = -1, AcrossCA = -1;
     int AcrossBD = -1, AcrossDC = -1;
@@ -69,8 +67,9 @@ private:
   void Legalize();
   void LegalizeSide(int triangle, int side);
 
-  std::vector<int> TriangleOfVertex;         // some triangle at each vertex
-  std::vector<std::pair<int, int>> Suspects; // triangle, vertex opposite to the suspect side
+  std::vector<int> TriangleOfVertex; // one triangle at each vertex
+  std::vector<std::pair<int, int>>
+    Suspects; // triangle, and the vertex opposite to the side to check
 };
 }
 

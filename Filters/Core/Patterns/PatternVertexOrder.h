@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   an order of triangles and vertices that suits a cache of transformed vertices
- *
- * Private to the module's own sources.
+ * @brief   orders triangles and vertices for the cache of transformed vertices
  */
 #ifndef PatternVertexOrder_h
 #define PatternVertexOrder_h
@@ -13,8 +11,8 @@
 namespace relevo
 {
 /**
- * Put triangles in the order of Hilbert's curve, so that neighbours follow each other, and inner
- * vertices in the order of their first use.
+ * Sort triangles along the Hilbert curve, so that neighbours follow each other, and inner vertices
+ * by their first use.
  */
 void OrderForCache(PatternMesh& mesh, int numberOfBorderVertices);
 }

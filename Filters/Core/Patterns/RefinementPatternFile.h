@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   files of refinement patterns
+ * @brief   reads and writes files of refinement patterns
  *
- * Private to the module's own sources. vtkRefinementPatternTable::Write() describes the formats.
+ * vtkRefinementPatternTable::Write() describes the formats.
  */
 #ifndef RefinementPatternFile_h
 #define RefinementPatternFile_h
@@ -18,14 +18,13 @@ namespace relevo
 {
 /**
  * Write all canonical patterns for levels up to `maximumLevel`, in the order of their index.
- * Returns what went wrong, empty on success.
+ * Returns the error, or an empty string.
  */
 RELEVOFILTERSCORE_EXPORT std::string WritePatterns(
   const char* fileName, int maximumLevel, const RefinementPatterns& patterns);
 
 /**
- * Read what WritePatterns() wrote. Every pattern is checked. Returns what is wrong with the file,
- * empty on success.
+ * Read a file of WritePatterns() and check every pattern. Returns the error, or an empty string.
  */
 RELEVOFILTERSCORE_EXPORT std::string ReadPatterns(
   const char* fileName, int& maximumLevel, std::vector<RefinementPattern>& patterns);

@@ -1,16 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   makes the triangulation of a refinement pattern
+ * @brief   generates the triangulation of a refinement pattern
  *
- * Private to the module's own sources; see vtkRefinementPatternTable for what a pattern is.
+ * vtkRefinementPatternTable describes patterns. Equal numbers of segments give the regular
+ * subdivision. All others are a Delaunay triangulation in the equilateral triangle, graded by a
+ * size field that follows the segments of the border. Inner points are then moved to increase the
+ * smallest angle around each.
  *
- * Equal numbers of segments give the regular subdivision. All others are a Delaunay triangulation
- * in the equilateral triangle, graded by a size field that follows the segments of the border, and
- * then improved by moving the inner points so that the smallest angle around each grows.
- *
- * Everything that decides on topology is integer arithmetic, and the rest is correctly rounded,
- * so that every machine makes the same patterns.
+ * All decisions on topology use integer arithmetic, and other results are correctly rounded, so
+ * that all machines generate the same patterns.
  *
  * @sa PatternMesh PatternVertexOrder
  */
@@ -26,13 +25,13 @@
 namespace relevo
 {
 /**
- * The pattern with `n1 >= n2 >= n3` segments on edges 1, 2 and 3, each in
- * [1, MaximumNumberOfSegments].
+ * Return the pattern with `n1 >= n2 >= n3` segments on edges 1, 2 and 3, each in [1,
+ * MaximumNumberOfSegments].
  */
 RefinementPattern GeneratePattern(int n1, int n2, int n3);
 
 /**
- * The pattern that has a mesh, with these segments on its edges, in an order for drawing.
+ * Return the pattern for a mesh with these segments on its edges, in an order for drawing.
  */
 RefinementPattern MakePattern(const int segments[3], PatternMesh mesh);
 }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   SegmentSteps
- * @brief   into how many segments an edge may be cut
+ * @brief   the allowed numbers of segments of an edge
  *
- * The numbers of segments in ascending order, from 1. A step is a place in this order; of powers of
- * two it is the level.
+ * The numbers are in ascending order from 1. A step is an index into them. For powers of two, it is
+ * the level.
  */
 #ifndef SegmentSteps_h
 #define SegmentSteps_h
@@ -29,11 +29,12 @@ public:
   int GetNumberOfSteps() const { return static_cast<int>(this->Segments.size()); }
   int GetSegments(int step) const { return this->Segments[step]; }
 
-  /// The lowest step with at least so many segments; the last one where there are none.
+  /// The lowest step with at least this number of segments, or the last step.
   int FindStep(int segments) const;
 
-  /// Whether edges take any whole number of segments. The step of an edge whose tag lies in
-  /// [0, MaximumLevel] is then that of 2^tag segments, rounded half up; else it is its level.
+  /// Whether edges can have any whole number of segments. The step of an edge with a tag in
+  /// [0, MaximumLevel] is then that of 2^tag segments, rounded half up. Otherwise the step is the
+  /// level.
   bool AreWholeNumbers() const { return this->Whole; }
   static int GetWholeNumberStep(float tag);
 

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   TriangleCounts
- * @brief   how many triangles the patterns of a family have, as tables for loops over faces
- *
- * Private to the module's own sources.
+ * @brief   tables of the number of triangles of a family's patterns, for loops over faces
  */
 #ifndef TriangleCounts_h
 #define TriangleCounts_h
@@ -21,22 +19,23 @@ class RELEVOFILTERSCORE_EXPORT TriangleCounts
 {
 public:
   /**
-   * For edges up to a level. Makes the patterns, except of families of whole numbers: there are too
-   * many, and the counts are estimates.
+   * Create tables for edges up to a level. This generates the patterns, except for families of
+   * whole numbers, which have too many: their counts are estimates.
    */
   TriangleCounts(const PatternFamily& family, int maximumLevel);
 
   bool AreEstimates() const { return this->Estimates; }
 
-  /// Number of steps, the first of 1 segment, the last of 2^MaximumLevel.
+  /// Number of steps. The first has 1 segment, the last has 2^MaximumLevel.
   int GetNumberOfSteps() const { return static_cast<int>(this->MinimumTags.size()) - 1; }
 
-  /// By step: the tag from which on an edge takes it; infinity after the last step.
+  /// Per step, the lowest tag of edges with this step. The entry after the last step is infinity.
   const std::vector<float>& GetMinimumTags() const { return this->MinimumTags; }
 
   /**
-   * By (step01 * n + step12) * n + step02 for n steps. More segments never mean fewer triangles
-   * here: the few patterns that have fewer count as many as the largest of those below.
+   * Per index (step01 * n + step12) * n + step02 for n steps. More segments never have fewer
+   * triangles here: the few patterns that have fewer get the count of the largest pattern below
+   * them.
    */
   const std::vector<int>& GetTriangles() const { return this->Triangles; }
 

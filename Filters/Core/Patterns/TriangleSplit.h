@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   TriangleSplit
- * @brief   how many triangles progressive splitting makes (glsl/relevoSplit.glsl)
+ * @brief   counts the triangles of progressive splitting (glsl/relevoSplit.glsl)
  */
 #ifndef TriangleSplit_h
 #define TriangleSplit_h
@@ -25,8 +25,8 @@ public:
   using Counts = std::array<vtkIdType, HighestLevel + 1>;
 
   /**
-   * What becomes of a triangle with so many levels left on its edges (0,1), (1,2), (2,0), each at
-   * most HighestLevel. Kept for the next call.
+   * Return the counts for a triangle with these remaining levels of the edges (0,1), (1,2), (2,0),
+   * each at most HighestLevel. Results are cached.
    */
   const Counts& Count(const Levels& left);
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   LocalPoints
- * @brief   the points of a mesh as floats that keep the digits of large coordinates
+ * @brief   the points of a mesh as floats, without loss of precision for large coordinates
  *
- * Points that are floats stay as they are. Others become floats relative to the middle of the
- * finite ones, or of those of the whole surface that they are a piece of. The same place has the
- * same bits: there is no -0.
+ * Float points do not change. Other points become floats relative to the middle of the finite
+ * points, or of the points of the whole surface that they are a piece of. Coincident points have
+ * the same bits: there is no -0.
  */
 #ifndef LocalPoints_h
 #define LocalPoints_h
@@ -21,13 +21,14 @@ class vtkPoints;
 
 namespace relevo
 {
-/// The box of points; nullptr for none.
+/// The box of points, which may be nullptr.
 RELEVOFILTERSCORE_EXPORT FiniteBox MeasurePoints(vtkPoints* points);
 
 class RELEVOFILTERSCORE_EXPORT LocalPoints
 {
 public:
-  /// Take the points, nullptr for none. `whole` is the box of a surface that they are a piece of.
+  /// Set the points, which may be nullptr. `whole` is the box of the surface that they are a piece
+  /// of.
   void Build(vtkPoints* points, const FiniteBox* whole = nullptr);
 
   vtkIdType GetNumberOfPoints() const
@@ -35,7 +36,7 @@ public:
     return static_cast<vtkIdType>(this->Coordinates.size() / 3);
   }
 
-  /// Subtracted from the points before they became floats; zero for points that are floats.
+  /// The origin that is subtracted from the points before conversion; 0 for float points.
   double Origin[3] = { 0.0, 0.0, 0.0 };
   /// 3 floats per point.
   std::vector<float> Coordinates;

@@ -5,7 +5,6 @@
  *
  * Split normals and texture seams cause several point ids at the same coordinates. Values that must
  * not open cracks there (levels, displacement, curvature) are computed per merged point.
- * there (levels, displacement, curvature) is decided per place.
  */
 #ifndef MergedPoints_h
 #define MergedPoints_h

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   where a camera looks from, in the coordinates of what it looks at
- *
- * Private to the modules' own sources.
+ * @brief   the position of a camera in model coordinates
  */
 #ifndef CameraEye_h
 #define CameraEye_h
@@ -17,8 +15,9 @@ class vtkMatrix4x4;
 namespace relevo
 {
 /**
- * A place in homogeneous coordinates or, of a parallel projection, a
- * direction towards the viewer. By the camera's matrices: oblique and off-axis ones count.
+ * Return a point in homogeneous coordinates, or with a parallel projection a direction towards the
+ * viewer. The result uses the camera's matrices, so that oblique and off-axis projections are
+ * supported.
  */
 RELEVOFILTERSCORE_EXPORT dvec4 GetEye(vtkCamera* camera, vtkMatrix4x4* worldToModel);
 }

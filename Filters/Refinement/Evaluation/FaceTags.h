@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @brief   the tags of the edges of faces, wherever tags are kept
- *
- * Private to the module's own sources.
  */
 #ifndef FaceTags_h
 #define FaceTags_h

@@ -8,8 +8,6 @@
  * agree share a point, others have copies of it. Normals agree when they differ by at most 0.001
  * (the length of the difference of unit vectors, 0.06 degrees), or by a chain of such steps. What
  * agrees, and the normal that is shared, do not depend on the order of the faces.
- *
- * Private to the module's own sources.
  */
 #ifndef NormalSplits_h
 #define NormalSplits_h

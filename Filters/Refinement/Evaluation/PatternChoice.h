@@ -3,8 +3,6 @@
 /**
  * @file
  * @brief   the patterns of a mesh's faces by a recipe
- *
- * Private to the modules' own sources.
  */
 #ifndef PatternChoice_h
 #define PatternChoice_h

@@ -7,8 +7,6 @@
  * Numeric arrays keep their type: integers are rounded to nearest. What cannot be interpolated
  * (strings, bits, ghost flags) takes the value of the nearest corner; global and pedigree ids,
  * which name coarse points, are left out. Values that stand for no data give no data.
- *
- * Private to the module's own sources.
  */
 #ifndef PointDataInterpolation_h
 #define PointDataInterpolation_h

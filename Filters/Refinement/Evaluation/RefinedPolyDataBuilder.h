@@ -6,8 +6,6 @@
  *
  * The steps of vtkAdaptiveRefinementFilter once levels are selected: triangles, points and their
  * data, vertices and lines, cell data.
- *
- * Private to the module's own sources.
  */
 #ifndef RefinedPolyDataBuilder_h
 #define RefinedPolyDataBuilder_h

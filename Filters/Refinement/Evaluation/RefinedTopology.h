@@ -8,8 +8,6 @@
  * those inside each face, then copies of the former for faces that see other normals there. Edges
  * are shared as the input shares points; where points coincide without being shared, so do the
  * edges. Every point but a copy is evaluated by one face, its owner.
- *
- * Private to the module's own sources.
  */
 #ifndef RefinedTopology_h
 #define RefinedTopology_h

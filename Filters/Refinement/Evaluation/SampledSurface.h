@@ -8,8 +8,6 @@
  * edge. Each sample inside a face has the discrete curvature of the ring of samples around it. A
  * point of the mesh has the mean of the absolute curvatures of the faces at it, weighted by their
  * areas. So relief counts that lies between the mesh's points.
- *
- * Private to the modules' own sources.
  */
 #ifndef SampledSurface_h
 #define SampledSurface_h

@@ -3,8 +3,6 @@
 /**
  * @struct  SplitPoints
  * @brief   points of a refined mesh that several faces share and see with different normals
- *
- * Private to the module's own sources.
  */
 #ifndef SplitPoints_h
 #define SplitPoints_h

@@ -3,8 +3,6 @@
 /**
  * @class   SurfaceFields
  * @brief   point data that a surface knows better than by linear interpolation
- *
- * Private to the module's own sources.
  */
 #ifndef SurfaceFields_h
 #define SurfaceFields_h

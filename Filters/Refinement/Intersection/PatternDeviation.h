@@ -6,8 +6,6 @@
  *
  * Measured from points of the triangles to those of the surface that have the same weights: the
  * distance to the nearest point is no larger.
- *
- * Private to the module's own sources.
  */
 #ifndef PatternDeviation_h
 #define PatternDeviation_h

@@ -8,8 +8,6 @@
  * kept. An edge has the largest step of the faces at it that are wanted. Where the edges of a face
  * differ its triangles are others, and can be longer: the least of them rise until these are near
  * enough, too. So the steps depend on which faces are wanted, not on what was asked before.
- *
- * Private to the module's own sources.
  */
 #ifndef ToleranceSteps_h
 #define ToleranceSteps_h

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @brief   whether a mesh bounds bodies
- *
- * Private to the module's own sources.
  */
 #ifndef ClosedSurface_h
 #define ClosedSurface_h

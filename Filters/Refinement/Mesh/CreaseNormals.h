@@ -3,8 +3,6 @@
 /**
  * @class   CreaseNormals
  * @brief   a normal for each corner of a mesh's triangles, split where the mesh has creases
- *
- * Private to the module's own sources.
  */
 #ifndef CreaseNormals_h
 #define CreaseNormals_h

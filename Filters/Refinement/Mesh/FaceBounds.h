@@ -6,8 +6,6 @@
  *
  * Each face's points and positions (surfaces lie within their convex hull, or within the surface's
  * own reach of it), moved by up to the displacement's reach along the normals the face can have.
- *
- * Private to the modules.
  */
 #ifndef FaceBounds_h
 #define FaceBounds_h

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @brief   the displacement of one face: what relevoDisplacement.glsl asks of its including side
- *
- * Private to the module's own sources.
  */
 #ifndef FaceDisplacement_h
 #define FaceDisplacement_h

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @brief   which of several normals at one point are the same surface's
- *
- * Private to the module's own sources.
  */
 #ifndef NormalGroups_h
 #define NormalGroups_h

@@ -3,8 +3,6 @@
 /**
  * @brief   numbers of places and edges of a surface, of which neighbouring pieces have some in
  * common
- *
- * Private to the module.
  */
 #ifndef CollectOnce_h
 #define CollectOnce_h

@@ -7,8 +7,6 @@
  * The criterion CONTOUR of vtkSilhouetteDepthTagMetric. A triangle's cosine at any of its edges is
  * the height of the eye over its plane, the same for all three, over the eye's distance from the
  * edge. So a height is computed per triangle, and little is left per edge.
- *
- * Private to the module's own sources.
  */
 #ifndef ContourTags_h
 #define ContourTags_h

@@ -8,9 +8,9 @@
  * n the unit normal at the point, the criterion NORMAL_ANGLE, the default, is (Nellmeldin 2013,
  * "Desarrollo de algoritmos de teselacion adaptativa en GPU", eq. 13, after Boubekeur and Alexa
  * 2008):
- * and MaximumLevel where it is seen edge-on. The normals are the mesh's own point normals; where
- * there are none, or one is zero or not finite, the mean of the normals of the triangles at the
- * point, weighted by area. By the rule PER_EDGE an edge has the larger level of its two ends, and
+ *
+ *     level = MaximumLevel * (1 - |n . v|)
+ *
  * It is 0 where the surface faces the eye or faces away from it, and MaximumLevel where the surface
  * is seen edge-on. The normals are the point normals of the mesh. If there are none, or if one is
  * zero or not finite, the area-weighted mean normal of the triangles at the point is used. With the
@@ -23,9 +23,10 @@
  * differs from the paper, so that ContourWidth is the cosine of an angle. With n1 and n2 the unit
  * normals of the two triangles of an edge, v at its midpoint, f1 = n1 . v and f2 = n2 . v, the
  * level of the edge is
- * for every edge, and of a point, by the rule PER_VERTEX, the largest over its edges. An edge of
- * one triangle, or of more than two, is always a contour. Triangles that wind against each other
- * are treated as if they did not; points at the same coordinates are one point.
+ *
+ *     level = MaximumLevel                                           if f1 f2 <= 0
+ *     level = MaximumLevel * max(0, 1 - min(|f1|, |f2|) / ContourWidth)      otherwise
+ *
  *
  * With the rule PER_VERTEX, a point has the largest level of its edges. Edges of one triangle, or
  * of more than two, are always on the contour. Adjacent triangles with opposite winding are treated

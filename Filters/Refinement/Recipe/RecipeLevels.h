@@ -3,8 +3,6 @@
 /**
  * @file
  * @brief   where the levels and the patterns of a recipe come from
- *
- * Private to the modules' own sources.
  */
 #ifndef RecipeLevels_h
 #define RecipeLevels_h

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @brief   a cone that holds all normals of a Bezier triangle
- *
- * Private to the module's own sources.
  */
 #ifndef BezierNormalCone_h
 #define BezierNormalCone_h

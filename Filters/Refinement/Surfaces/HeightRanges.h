@@ -6,8 +6,6 @@
  *
  * A pyramid of ranges over blocks of 1, 2, 4, ... texels: a box is looked up in at most 3 x 3
  * blocks.
- *
- * Private to the module's own sources.
  */
 #ifndef HeightRanges_h
 #define HeightRanges_h

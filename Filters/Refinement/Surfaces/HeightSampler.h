@@ -3,8 +3,6 @@
 /**
  * @struct  HeightSampler
  * @brief   the shared height functions over an up-to-date vtkHeightField, or none
- *
- * Private to the module's own sources.
  */
 #ifndef HeightSampler_h
 #define HeightSampler_h

@@ -5,8 +5,6 @@
  *
  * A. Vlachos, J. Peters, C. Boyd, J. Mitchell, "Curved PN Triangles", I3D 2001. Edge vectors 0 and
  * 1 are the control points near an edge's first and second end, face vector 0 is the centre.
- *
- * Private to the module's own sources.
  */
 #ifndef PNPatch_h
 #define PNPatch_h

@@ -3,8 +3,6 @@
 /**
  * @file
  * @brief   the corners of a surface's face, as the shared surface functions ask for them
- *
- * Private to the module's own sources.
  */
 #ifndef SurfaceCorners_h
 #define SurfaceCorners_h

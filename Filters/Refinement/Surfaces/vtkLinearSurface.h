@@ -6,7 +6,6 @@
  *
  * Positions and normals are interpolated linearly (Lenz 2009, eq. 3.4). A recipe without a surface
  * uses this one.
- * recipe that names none.
  *
  * @sa vtkAdaptiveRefinement
  */
