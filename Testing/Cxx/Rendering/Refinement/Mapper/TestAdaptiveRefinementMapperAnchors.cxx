@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK's shaders are changed at anchors. One that is not there is an error that names it, and
-// nothing is drawn; where the actor's own shaders take one away, they decide.
+// Proves that the mapper edits VTK's shaders at anchors. A missing anchor is an error that names
+// it, and nothing is drawn, unless the actor's shader replacements removed it.
 #include "RelevoDisplacements.h"
 #include "RelevoOtherTemplates.h"
 #include "RelevoPicks.h"
@@ -150,7 +150,7 @@ void TestMissing(RelevoCheck& check, const Case& test)
     fail("another error, or none");
   }
 
-  // Once it is there again, all is as it was.
+  // When the anchor is back, everything works as before.
   Mapper::Renaming = {};
   scene.GetMapper(0)->Modified();
   if (test.Association >= 0 && SelectsNothing(scene, test.Association))
@@ -164,7 +164,7 @@ void TestMissing(RelevoCheck& check, const Case& test)
   }
 }
 
-// The actor's own shaders may do without.
+// Shader replacements of the actor may remove anchors.
 void TestOwnShaders(RelevoCheck& check)
 {
   RelevoScene scene(RelevoScene::Refining);
@@ -197,7 +197,7 @@ void TestOwnShaders(RelevoCheck& check)
   }
   CHECK(complaints.None());
 
-  // What they break is drawn again when they are mended.
+  // A broken replacement is drawn correctly after it is corrected.
   shaders->ClearAllShaderReplacements();
   scene.GetMapper(0)->SetColorModeToScalars();
   shaders->AddVertexShaderReplacement("void main()", true, "void first()", false);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkAdaptiveRefinementMapper tells between two frames is of the last one, whatever has become
-// of the recipe, the input and the heights that it drew. Worth the most under a sanitizer.
+// Proves that results requested between two frames describe the last frame, even if recipe, input
+// and heights have changed or been deleted since. Sanitizers make this test most useful.
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
@@ -44,7 +44,8 @@ struct Numbers
   }
 };
 
-// One scene, whose mapper is asked only after the change; its like is asked before.
+// A scene whose results are requested only after the change. A second scene requests them before
+// it.
 struct Frame
 {
   RelevoScene Scene{ RelevoScene::Refining };
@@ -150,7 +151,7 @@ void TestCases(RelevoCheck& check, int method, int device, bool hasHoles)
   CHECK_GREATER(before.UsedPatterns, 3);
   for (const Case& change : GetCases())
   {
-    Frame other(method, device, hasHoles); // counts for the first time when it is too late
+    Frame other(method, device, hasHoles); // requests its first count too late
     change.Make(other);
     const std::string name = std::string(change.Name) + ", method " + std::to_string(method) +
       (hasHoles ? ", with holes" : "") + (device == Mapper::SELECTION_DEVICE_GPU ? ", GPU" : "");
@@ -167,7 +168,7 @@ void TestCases(RelevoCheck& check, int method, int device, bool hasHoles)
   }
 }
 
-// A table that reads its patterns anew, in place of those that are drawn.
+// A table reads other patterns that replace those in use.
 void TestReadPatterns(RelevoCheck& check, const std::string& folder, int method)
 {
   const std::string file = folder + "/BetweenFrames.patterns";
@@ -182,7 +183,7 @@ void TestReadPatterns(RelevoCheck& check, const std::string& folder, int method)
   CHECK_EQUAL(Numbers(other.GetMapper()), before);
 }
 
-// Patterns that morph belong to the recipe's table, and stay with the frame when both have gone.
+// Nested patterns belong to the recipe's table, and live as long as the frame if both are deleted.
 void TestMorphing(RelevoCheck& check, int device)
 {
   Frame frame(Mapper::METHOD_ARKFPI, device, false);
@@ -205,7 +206,7 @@ void TestMorphing(RelevoCheck& check, int device)
   }
 }
 
-// The next frame counts what it draws.
+// The next frame reports what it draws.
 void TestNextFrame(RelevoCheck& check)
 {
   Frame frame(Mapper::METHOD_ARKFPI, Mapper::SELECTION_DEVICE_CPU, true);
@@ -219,8 +220,8 @@ void TestNextFrame(RelevoCheck& check)
   CHECK_EQUAL(frame.GetMapper()->GetNumberOfDrawnTriangles(), holed);
 }
 
-// The normals and spreads that a metric has for one mesh are gone when it is asked about another;
-// the levels on the graphics card are chosen again, of the same tags, for other patterns.
+// A metric's normals and spreads for one mesh are deleted when it evaluates another. The graphics
+// card selects levels again from the same tags, for other patterns.
 void TestMetricData(RelevoCheck& check)
 {
   Frame frame(Mapper::METHOD_ARKFPI, Mapper::SELECTION_DEVICE_GPU, false);

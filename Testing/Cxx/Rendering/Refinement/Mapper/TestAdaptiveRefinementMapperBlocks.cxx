@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The blocks of a composite input: what they report is heard, what they count is not lost, and all
-// sub-pieces are drawn.
+// Proves for composite input that errors of blocks are reported, that counters include all blocks,
+// and that all sub-pieces are drawn.
 #include "RelevoPieceSource.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
@@ -21,7 +21,7 @@ using namespace RelevoMeshes;
 using Mapper = vtkAdaptiveRefinementMapper;
 using Blocks = vtkSmartPointer<vtkMultiBlockDataSet>;
 
-// Keeps what is shown.
+// Stores the messages that are shown.
 class Shown : public vtkOutputWindow
 {
 public:
@@ -54,7 +54,7 @@ Blocks MakeBlocks(const std::vector<Mesh>& meshes)
   return blocks;
 }
 
-// Nobody observes the mapper: errors and warnings are shown, once for all blocks.
+// Without observers, errors and warnings are shown, once for all blocks.
 void TestOutputWindow(RelevoCheck& check)
 {
   vtkNew<Shown> shown;
@@ -91,7 +91,7 @@ void TestOutputWindow(RelevoCheck& check)
   vtkObject::GlobalWarningDisplayOn();
   CHECK(shown->Errors.empty());
 
-  // Who observes it is told, and nothing is shown.
+  // With an observer, they go to the observer and are not shown.
   RelevoErrors errors(mapper);
   mapper->SetRefinement(recipe);
   scene.Render();
@@ -126,7 +126,7 @@ struct Counts
   }
 };
 
-// A mesh that blocks take the place of, and the other way round.
+// Blocks replace a mesh, and a mesh replaces blocks.
 void TestReplaced(RelevoCheck& check, int device)
 {
   const Mesh mesh = Sphere(40, 30);
@@ -141,7 +141,7 @@ void TestReplaced(RelevoCheck& check, int device)
   const vtkTypeInt64 memory = mapper->GetGraphicsMemorySize();
   const Counts before(mapper);
 
-  // Bounds are asked between the frames; the numbers are still those of the last one.
+  // Bounds may be requested between frames. The counters still describe the last frame.
   mapper->SetInputDataObject(blocks);
   mapper->GetBounds();
   CHECK_EQUAL(mapper->GetNumberOfDrawnTriangles(), triangles);
@@ -165,7 +165,7 @@ void TestReplaced(RelevoCheck& check, int device)
   const Counts after(mapper);
   CHECK(after.IsAtLeast(before) && after.Selections > before.Selections);
 
-  // What goes away has been counted.
+  // The last frame has counted a block that is removed afterwards.
   blocks->RemoveBlock(1u);
   scene.Render();
   CHECK(Counts(mapper).IsAtLeast(after));
@@ -177,7 +177,7 @@ void TestReplaced(RelevoCheck& check, int device)
   CHECK(Counts(mapper).IsAtLeast(after));
 }
 
-// What cannot be drawn has no faces, nor such that are culled.
+// An input that cannot be drawn has no faces and no culled faces.
 void TestFailed(RelevoCheck& check, int device)
 {
   const Mesh mesh = Sphere(12, 9);
@@ -205,7 +205,7 @@ void TestFailed(RelevoCheck& check, int device)
 
 void TestSubPieces(RelevoCheck& check, RelevoComparison& comparison)
 {
-  // Two blocks in each piece, at a place of its own.
+  // Each piece has two blocks at separate positions.
   vtkNew<RelevoPieceSource<vtkMultiBlockDataSetAlgorithm>> source;
   source->Make = [&source](vtkInformation* request)
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// After a change the mapper draws what a new one would: nothing is left of what was taken away, and
-// what has failed is tried again once something has changed, not before.
+// Proves that after a change the mapper draws the same as a new mapper: nothing removed remains. A
+// failed step is retried only after a change.
 #include "RelevoDisplacements.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
@@ -34,7 +34,7 @@ constexpr const char* GoodFunction =
 constexpr const char* BadFunction =
   "float proceduralHeight(vec3 p, vec3 n, vec3 w) { return nonsense; }";
 
-// The errors of an object, each of which is asked for.
+// Collects the errors of an object, all of which a test must expect.
 class Errors
 {
 public:
@@ -52,7 +52,7 @@ public:
   Errors(const Errors&) = delete;
   void operator=(const Errors&) = delete;
 
-  // Whether these were all, in this order; forgets them.
+  // Whether exactly these errors were reported in this order. Clears them.
   bool Were(const std::vector<std::string>& words)
   {
     bool found = this->Texts.size() == words.size();
@@ -72,7 +72,8 @@ private:
   void Take(vtkObject*, unsigned long, void* text)
   {
     const std::string said = static_cast<const char*>(text);
-    if (said.find("Could not set shader program") == std::string::npos) // of VTK 9.6, besides
+    // an additional error of VTK 9.6
+    if (said.find("Could not set shader program") == std::string::npos)
     {
       this->Texts.push_back(said);
     }
@@ -88,7 +89,7 @@ RelevoPicture Draw(RelevoScene& scene)
   return RelevoPicture(scene.Window);
 }
 
-// What a new mapper draws.
+// The picture of a new mapper.
 RelevoPicture DrawAnew(RelevoScene& scene, const RelevoComparison::Builder& build)
 {
   RelevoScene other(RelevoScene::Refining);
@@ -97,7 +98,7 @@ RelevoPicture DrawAnew(RelevoScene& scene, const RelevoComparison::Builder& buil
   return Draw(other);
 }
 
-// Neither the holes nor the memory of a height map stay when the displacement goes.
+// When a displacement is removed, its holes and its memory are released.
 void TestDisplacement(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> heights;
@@ -124,8 +125,8 @@ void TestDisplacement(RelevoCheck& check)
   CHECK(errors.Were({}));
 }
 
-// DMR has no room for so many triangles: ARKFPI is used, until there are fewer. It draws none here,
-// for want of a shader: they would take too long.
+// DMR has no memory for so many triangles, so ARKFPI is used until there are fewer. Without a valid
+// shader it draws none here, because that would take too long.
 void TestRoom(RelevoCheck& check)
 {
   vtkNew<vtkProceduralSurface> surface;
@@ -142,7 +143,7 @@ void TestRoom(RelevoCheck& check)
   CHECK(errors.Were({ "The method DMR cannot be used: OpenGL has no room", "could not be built" }));
   CHECK_EQUAL(mapper->GetMethodInUse(), Mapper::METHOD_ARKFPI);
   scene.Render();
-  recipe->SetLevelOffset(0.5); // does not help
+  recipe->SetLevelOffset(0.5); // not sufficient
   scene.Render();
   CHECK(errors.Were({}));
   CHECK_EQUAL(mapper->GetMethodInUse(), Mapper::METHOD_ARKFPI);
@@ -164,7 +165,7 @@ void TestRoom(RelevoCheck& check)
   CHECK(errors.Were({}));
 }
 
-// A change that breaks the shaders is said each time, and nothing is drawn by others.
+// Each change that breaks the shaders is reported, and nothing is drawn with older shaders.
 void TestBroken(RelevoCheck& check, RelevoScene& scene, const std::function<void()>& breakThem,
   const std::function<void()>& mend)
 {
@@ -204,7 +205,7 @@ void TestShaders(RelevoCheck& check)
     [&] { shaders->AddVertexShaderReplacement(place, true, place + "\n", false); });
 }
 
-// A colour function is sampled as far as there are levels.
+// A colour function is sampled once per level.
 void TestColors(RelevoCheck& check)
 {
   vtkNew<vtkColorTransferFunction> function;
@@ -230,7 +231,7 @@ void TestColors(RelevoCheck& check)
   CHECK_EQUAL(deep.Colors, DrawAnew(scene, build).Colors);
 }
 
-// Where VTK moves and scales positions by the camera, what is refined moves with them.
+// VTK shifts and scales positions by the camera. Refined positions follow.
 void TestCamera(RelevoCheck& check, RelevoComparison& comparison)
 {
   vtkNew<vtkG1Surface> surface;
@@ -256,7 +257,7 @@ void TestCamera(RelevoCheck& check, RelevoComparison& comparison)
     twin.Renderer->ResetCameraClippingRange();
     scene.CopyCameras(twin);
   };
-  // From far away first: VTK takes another scale where it differs by a factor of more than 100.
+  // Starts far away: VTK chooses another scale if it differs by a factor of more than 100.
   place(1000.0);
   scene.Render();
   for (const double distance : { 1.0, 0.5 })
@@ -271,7 +272,7 @@ void TestCamera(RelevoCheck& check, RelevoComparison& comparison)
   }
 }
 
-// One level everywhere, by a shader that can be broken.
+// The same level everywhere, by a shader that a test can break.
 class Constant : public vtkDepthTagMetric
 {
 public:
@@ -304,7 +305,7 @@ private:
 };
 vtkStandardNewMacro(Constant);
 
-// A selection that the GPU cannot make is made on the CPU, until mesh or metric change.
+// If the graphics card cannot select levels, the CPU does, until the mesh or the metric changes.
 void TestSelection(RelevoCheck& check)
 {
   vtkNew<Constant> metric;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Bad input: vtkAdaptiveRefinementMapper says once what is wrong, draws nothing, and rendering
-// goes on; put right, it draws again.
+// Proves errors.md: for invalid input the mapper reports the cause once, draws nothing and does not
+// disturb rendering. After a correction it draws again.
 #include "RelevoDisplacements.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
@@ -32,7 +32,7 @@ using namespace RelevoMeshes;
 
 const double NaN = std::numeric_limits<double>::quiet_NaN();
 
-// Claims more samples than any texture holds, and has none.
+// Claims more samples than any texture can store, and has none.
 class HugeHeights : public vtkHeightField
 {
 public:
@@ -77,7 +77,7 @@ public:
   }
 };
 
-// A refining actor beside an ordinary one, which is drawn whatever happens to the other.
+// A refined actor next to an ordinary one, which must always be drawn.
 struct View
 {
   RelevoCheck& Check;
@@ -102,7 +102,7 @@ struct View
     this->Scene.Renderer->ResetCamera(bounds);
   }
 
-  // Pixels that are drawn in the upper half, where the refining actor is, and in the lower.
+  // Number of pixels drawn in the upper half, with the refined actor, and in the lower half.
   std::array<size_t, 2> Draw()
   {
     this->Scene.Render();
@@ -119,7 +119,7 @@ struct View
     return count;
   }
 
-  // An error with these words, nothing but the other actor drawn, silence from then on.
+  // Expects an error with these words, only the other actor, and no further messages.
   void TestFails(const std::string& words)
   {
     const auto drawn = this->Draw();
@@ -249,7 +249,7 @@ void TestMetric(RelevoCheck& check)
   view.TestWorks("metric");
 }
 
-// Nothing to draw is no error.
+// Empty input is not an error.
 void TestNothing(RelevoCheck& check)
 {
   vtkNew<vtkPolyData> nothing;
@@ -265,14 +265,14 @@ void TestNothing(RelevoCheck& check)
   verts->InsertNextCell({ 0, 1, 2, 3 });
   lone->SetVerts(verts);
   view.Scene.GetActor(0)->GetProperty()->SetPointSize(5);
-  CHECK_GREATER(view.Draw()[0], 0); // vertices alone
+  CHECK_GREATER(view.Draw()[0], 0); // vertices only
   vtkNew<vtkMultiBlockDataSet> blocks;
   view.Mapper->SetInputDataObject(blocks);
   CHECK_EQUAL(view.Draw()[0], 0);
   CHECK(view.Errors.None());
 }
 
-// Points that are no numbers, and cells without area: a warning, and the rest is drawn.
+// NaN points and cells without area give a warning, and the rest is drawn.
 void TestPoints(RelevoCheck& check)
 {
   Mesh mesh = Sphere(8, 6);
@@ -296,7 +296,7 @@ void TestPoints(RelevoCheck& check)
   CHECK_EQUAL(view.Mapper->GetNumberOfDrawnTriangles(), filter->GetOutput()->GetNumberOfPolys());
 }
 
-// Cells that refer to points that are not there.
+// Cells that refer to missing points.
 void TestCells(RelevoCheck& check)
 {
   Mesh mesh = Cube();
@@ -312,7 +312,7 @@ void TestCells(RelevoCheck& check)
   view.TestFails("cell 1 refers to point 99 of 24");
 }
 
-// Blocks: errors come from the mapper that the user holds; other blocks are drawn.
+// The user's mapper reports errors of blocks, and other blocks are drawn.
 void TestBlocks(RelevoCheck& check)
 {
   Mesh good = Cube();
@@ -333,7 +333,7 @@ void TestBlocks(RelevoCheck& check)
   CHECK(view.Errors.Said("No recipe"));
 }
 
-// Inputs and blocks that are no meshes.
+// Inputs and blocks of other types.
 void TestTypes(RelevoCheck& check)
 {
   const auto cube = Cube();

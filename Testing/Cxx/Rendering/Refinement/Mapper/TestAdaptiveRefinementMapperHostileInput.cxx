@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What VTK's mapper and pickers take for granted and do not check is an error, and does not reach
-// them: cells of points that do not exist, coloured, with edges and selected; arrays of too few
-// tuples; colours of five components; lookup tables without a range; cells of too few points.
+// Proves that input which VTK's mapper and pickers do not check is an error and never reaches them:
+// cells with invalid point ids, coloured, with edges or selected; arrays with too few tuples;
+// colours of five components; lookup tables without a range; and cells with too few points.
 #include "RelevoPicks.h"
 #include "RelevoTestMeshes.h"
 
@@ -37,7 +37,7 @@ vtkSmartPointer<vtkFloatArray> MakeArray(const char* name, int components, vtkId
   return array;
 }
 
-// Draws the mesh, without its colours, after this error.
+// Draws the mesh without colours after this error.
 void ExpectColorless(RelevoCheck& check, vtkPolyData* mesh, const std::string& error,
   const std::function<void(vtkMapper*)>& set = {})
 {
@@ -51,7 +51,7 @@ void ExpectColorless(RelevoCheck& check, vtkPolyData* mesh, const std::string& e
     scene.Render();
     CHECK(errors.Said(error));
     scene.Render();
-    CHECK(errors.None()); // said once
+    CHECK(errors.None()); // reported once
   }
   CHECK_GREATER(RelevoPicture(scene.Window).CountForeground(), 100);
 }
@@ -82,7 +82,7 @@ void TestColors(RelevoCheck& check)
     { mapper->SetScalarRange(0.0, std::numeric_limits<double>::infinity()); });
 }
 
-// Of the levels; and arrays that VTK would take without being asked.
+// Colours by level, and arrays that VTK uses automatically.
 void TestOthers(RelevoCheck& check)
 {
   Mesh mesh = Sphere(8, 6);
@@ -107,7 +107,7 @@ void TestOthers(RelevoCheck& check)
   scene.GetMapper(0)->SetLevelLookupTable(nullptr);
   mesh->Modified();
   scene.Render();
-  CHECK(errors.None()); // it was said of this array
+  CHECK(errors.None()); // already reported for this array
   mesh->GetCellData()->GetAbstractArray("Few")->SetName("Fewer");
   mesh->Modified();
   scene.Render();
@@ -115,7 +115,7 @@ void TestOthers(RelevoCheck& check)
   CHECK_GREATER(RelevoPicture(scene.Window).CountForeground(), 100);
 }
 
-// VTK's map of cells is not there where one has too few points, or what it has does not exist.
+// VTK's cell map is missing if a cell has too few points, or it refers to missing ones.
 void TestPicks(RelevoCheck& check)
 {
   for (bool isDrawn : { true, false })

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkAdaptiveRefinementMapper follows changes between renders: properties, input, recipe,
-// renderers, windows, released resources.
+// Proves that the mapper follows changes between frames: properties, input, recipe, renderers,
+// windows and released resources.
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 #include "RelevoTextures.h"
@@ -23,8 +23,7 @@ namespace
 using namespace RelevoMeshes;
 
 const RelevoTolerance Tight{ 1, 5e-7, 0 };
-// See TestAdaptiveRefinementMapperTwin; a scalar at the border of two colours of its table may take
-// the other one.
+// As in TestAdaptiveRefinementMapperTwin. A scalar at the border of two colours may get either.
 const RelevoTolerance Close{ 3, 2e-6, 30 };
 
 vtkProperty* GetProperty(RelevoScene& scene)
@@ -43,13 +42,13 @@ void SetScalars(vtkPolyData* mesh, int factor)
   mesh->GetPointData()->SetScalars(values);
 }
 
-// The input of the scene's first actor, whichever its mapper is.
+// Sets the input of the scene's first actor, for every kind of mapper.
 void SetInput(RelevoScene& scene, vtkPolyData* mesh)
 {
   vtkPolyDataMapper::SafeDownCast(scene.GetActor(0)->GetMapper())->SetInputData(mesh);
 }
 
-// Properties change one after the other on the same mapper.
+// Changes properties one after the other on the same mapper.
 void TestProperties(RelevoComparison& comparison)
 {
   comparison.Compare("Life.Properties", Tight,
@@ -73,13 +72,13 @@ void TestProperties(RelevoComparison& comparison)
         [](RelevoScene& s)
         {
           GetProperty(s)->VertexVisibilityOn();
-          s.GetActor(0)->GetMapper()->Modified(); // vtkPolyDataMapper does not notice
+          s.GetActor(0)->GetMapper()->Modified(); // vtkPolyDataMapper does not detect the change
         } },
       { "Flat",
         [](RelevoScene& s)
         {
           GetProperty(s)->EdgeVisibilityOff();
-          // Up to VTK 9.4 no edges means no vertices either.
+          // Up to VTK 9.4, vertices are not drawn if edges are off.
           GetProperty(s)->VertexVisibilityOff();
           GetProperty(s)->SetInterpolationToFlat();
         } },
@@ -94,7 +93,7 @@ void TestProperties(RelevoComparison& comparison)
         [](RelevoScene& s)
         {
           s.GetActor(0)->SetTexture(nullptr);
-          s.GetActor(0)->GetMapper()->Modified(); // vtkPolyDataMapper does not notice
+          s.GetActor(0)->GetMapper()->Modified(); // vtkPolyDataMapper does not detect the change
         } },
       { "Translucent", [](RelevoScene& s) { GetProperty(s)->SetOpacity(0.5); } },
       { "Peeled", [](RelevoScene& s) { s.Renderer->UseDepthPeelingOn(); } },
@@ -150,7 +149,7 @@ void TestInput(RelevoComparison& comparison)
       { "Cone", [&](RelevoScene& s) { SetInput(s, Cone()); } } });
 }
 
-// A recipe, and what it consists of.
+// A recipe and its parts.
 struct Parts
 {
   Parts()
@@ -162,7 +161,7 @@ struct Parts
     this->Recipe->SetMaximumLevel(0);
   }
 
-  // The recipe has all of them.
+  // Adds all parts to the recipe.
   void Join()
   {
     this->Recipe->SetMaximumLevel(4);
@@ -214,7 +213,7 @@ void TestRecipe(RelevoComparison& comparison, Parts& parts)
       { "Coarse", [&](RelevoScene&) { parts.Recipe->SetMaximumLevel(0); } } });
 }
 
-// Resources released between renders: of the actor, of the whole window.
+// Releases resources between frames: those of the actor and those of the window.
 void TestRelease(RelevoComparison& comparison, Parts& parts)
 {
   comparison.Compare("Life.Release", Close, [&](RelevoScene& s) { parts.AddTo(s); },
@@ -224,7 +223,7 @@ void TestRelease(RelevoComparison& comparison, Parts& parts)
       { "Resized", [](RelevoScene& s) { s.Window->SetSize(250, 200); } } });
 }
 
-// One mapper in two renderers with different cameras, levels that depend on the view.
+// One mapper in two renderers with different cameras and view-dependent levels.
 void TestRenderers(RelevoComparison& comparison, vtkRefinementSurface* surface)
 {
   vtkNew<vtkDistanceDepthTagMetric> metric;
@@ -256,7 +255,7 @@ void TestRenderers(RelevoComparison& comparison, vtkRefinementSurface* surface)
     { { "Moved", [](RelevoScene& s) { s.GetRenderers()[1]->GetActiveCamera()->Dolly(1.5); } } });
 }
 
-// One mapper in two windows by turns, then without the first.
+// One mapper in two windows by turns, then without the first window.
 void TestWindows(RelevoComparison& comparison, RelevoScene& scene, const RelevoPicture& expected)
 {
   {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Ordinary scenes say nothing.
+// Proves that ordinary scenes give no errors, warnings or other output.
 #include "RelevoDisplacements.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
@@ -24,7 +24,7 @@ namespace
 {
 using namespace RelevoMeshes;
 
-// Everything that VTK says, and what goes to standard error directly.
+// Captures VTK's messages and standard error.
 class Listener : public vtkOutputWindow
 {
 public:
@@ -43,7 +43,7 @@ protected:
 };
 vtkStandardNewMacro(Listener);
 
-// What drawing a scene three times, in several ways, says.
+// The messages while a scene is drawn three times in several ways.
 std::string Listen(const RelevoComparison::Builder& build)
 {
   vtkNew<Listener> listener;
@@ -53,7 +53,7 @@ std::string Listen(const RelevoComparison::Builder& build)
     build(scene);
     scene.ResetCameras();
     scene.Render();
-    scene.GetActor(0)->GetMapper()->SetScalarVisibility(false); // blocks take it over
+    scene.GetActor(0)->GetMapper()->SetScalarVisibility(false); // blocks inherit it
     scene.GetActor(0)->GetProperty()->SetRepresentationToWireframe();
     scene.Render();
     auto copy = vtk::TakeSmartPointer(scene.GetMapper(0)->NewInstance());
@@ -122,7 +122,7 @@ int TestAdaptiveRefinementMapperMessages(int, char*[])
     }
   }
 
-  // The actor's shaders are of all its blocks.
+  // The actor's shader replacements apply to all its blocks.
   RelevoScene scene(RelevoScene::Refining);
   vtkActor* actor = scene.Add(blocks, MakeRecipe(0));
   vtkShaderProperty* shaders = actor->GetShaderProperty();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Mappers, recipes and windows come and go, in any order: OpenGL has as many objects as before.
-// RELEVO_TEST_ROUNDS=500 does it so often, and prints the memory in use.
+// Proves that mappers, recipes and windows delete all their OpenGL objects, in every order of
+// deletion. RELEVO_TEST_ROUNDS=500 repeats this and prints the memory in use.
 #include "RelevoDisplacements.h"
 #include "RelevoMethods.h"
 #include "RelevoScene.h"
@@ -21,7 +21,7 @@ namespace
 using namespace RelevoMeshes;
 using Mapper = vtkAdaptiveRefinementMapper;
 
-// Objects of each kind that the current context has, by OpenGL's own account.
+// Numbers of objects of each kind in the current context, as OpenGL reports them.
 std::map<std::string, int> CountObjects()
 {
   std::map<std::string, int> counts;
@@ -52,7 +52,8 @@ vtkSmartPointer<vtkAdaptiveRefinement> MakeDisplacedRecipe()
   return recipe.Get();
 }
 
-// A mapper comes, is changed while it is shown, and goes: before its actor, after it, or shared.
+// A mapper is created, changed while it is shown, and deleted before its actor, after it, or while
+// it is shared.
 void DrawMapper(RelevoScene& scene, int method, int device, int round)
 {
   Mesh mesh = TexturedSphere(8, 6);
@@ -77,7 +78,7 @@ void DrawMapper(RelevoScene& scene, int method, int device, int round)
   scene.Window->Render();
   if (round % 3 == 0)
   {
-    actors[0]->SetMapper(nullptr); // in use by the other
+    actors[0]->SetMapper(nullptr); // the other actor uses it
     actors[1]->SetMapper(nullptr);
     mapper = nullptr;
   }
@@ -90,7 +91,8 @@ void DrawMapper(RelevoScene& scene, int method, int device, int round)
   scene.Renderer->RemoveActor(actors[1]);
 }
 
-// A window that shares its objects with the other comes and goes, before what it shows or after.
+// A window that shares its objects with another is created and deleted, before its contents or
+// after.
 void DrawWindow(RelevoScene& scene, int method, int round)
 {
   Mesh mesh = TexturedSphere(8, 6);
@@ -109,7 +111,7 @@ void DrawWindow(RelevoScene& scene, int method, int round)
   window->Render();
   if (round % 2 == 0)
   {
-    scene.Renderer->AddActor(actor); // the mapper moves on
+    scene.Renderer->AddActor(actor); // the mapper moves to the other window
     scene.Window->Render();
     window->Render();
     scene.Window->Render();
@@ -151,7 +153,7 @@ int TestAdaptiveRefinementMapperObjects(int, char*[])
         std::cout << " " << count.second << " " << count.first;
       }
       std::cout << std::endl;
-      // Programs that VTK keeps for later are there after the first six.
+      // From the seventh round on, VTK has cached all programs.
       if (round > 6)
       {
         CHECK_EQUAL(counts, before);

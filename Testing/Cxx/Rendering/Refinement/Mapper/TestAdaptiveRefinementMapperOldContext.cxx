@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// In a context older than OpenGL 3.3 vtkAdaptiveRefinementMapper says what it needs, once. Run with
-// MESA_GL_VERSION_OVERRIDE=3.2; skipped where the driver knows no such thing.
+// Proves limits.md: in a context older than OpenGL 3.3, the mapper reports its requirements once.
+// Run with MESA_GL_VERSION_OVERRIDE=3.2; skipped if the driver ignores it.
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The mapper asks the pipeline for the piece that it was told to draw, as vtkPolyDataMapper does,
-// and leaves out what is another piece's.
+// Proves that the mapper requests its piece from the pipeline, as vtkPolyDataMapper does, and draws
+// no ghost cells.
 #include "RelevoPieceSource.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
@@ -38,8 +38,8 @@ Request GetRequest(vtkInformation* info)
     vtkStreamingDemandDrivenPipeline::GetUpdateGhostLevel(info) } };
 }
 
-// The faces of a sphere whose number is the piece, modulo the number of pieces; with ghost levels
-// some more, as much smaller ones.
+// The faces of a sphere whose number modulo the number of pieces is the piece. With ghost levels,
+// there are additional, much smaller ones.
 Mesh MakePiece(const Request& request)
 {
   Mesh whole = Sphere(12, 9);
@@ -69,7 +69,7 @@ void SetPieces(vtkMultiBlockDataSet* output, const Request& request)
   output->SetBlock(2, Moved(MakePiece(request), 0.7, aside, VTK_FLOAT));
 }
 
-// Makes pieces, and remembers which it was asked for last.
+// Creates pieces and stores the last request.
 template <typename Base>
 class PieceAlgorithm : public RelevoPieceSource<Base>
 {
@@ -118,7 +118,8 @@ vtkSmartPointer<vtkAdaptiveRefinementMapper> NewMapper(int level)
   return mapper;
 }
 
-// Whichever asks first, bounds or picture, asks for the piece; a change of the piece counts.
+// The first request, for bounds or a picture, asks for the piece. A change of the piece takes
+// effect.
 template <typename Source>
 void TestRequests(RelevoCheck& check, RelevoComparison& comparison, const std::string& name)
 {
@@ -127,7 +128,7 @@ void TestRequests(RelevoCheck& check, RelevoComparison& comparison, const std::s
   mapper->SetInputConnection(source->GetOutputPort());
   View view(mapper);
 
-  vtkNew<PieceSource> twinSource; // pictures of single blocks only
+  vtkNew<PieceSource> twinSource; // only for pictures of single blocks
   vtkNew<vtkPolyDataMapper> twinMapper;
   twinMapper->SetInputConnection(twinSource->GetOutputPort());
   View twin(twinMapper);
@@ -172,7 +173,7 @@ void TestRequests(RelevoCheck& check, RelevoComparison& comparison, const std::s
     }
   }
 
-  // The first thing that a new mapper is asked for is a picture.
+  // The first request to a new mapper is for a picture.
   vtkNew<Source> other;
   auto next = NewMapper(1);
   next->SetInputConnection(other->GetOutputPort());
@@ -183,14 +184,14 @@ void TestRequests(RelevoCheck& check, RelevoComparison& comparison, const std::s
   first.Window->Render();
   CHECK((other->Last == Request{ { 2, 5, 1 } }));
 
-  // What a copy of a mapper draws: VTK copies the number of pieces, not the piece.
+  // A copied mapper: VTK copies the number of pieces, but not the piece.
   auto copy = NewMapper(0);
   copy->ShallowCopy(next);
   CHECK_EQUAL(copy->GetNumberOfPieces(), 5);
   CHECK_EQUAL(copy->GetGhostLevel(), 1);
 }
 
-// VTK's own source makes pieces of its own.
+// VTK's source creates pieces itself.
 void TestSphere(RelevoCheck& check, RelevoComparison& comparison)
 {
   for (int piece = 0; piece < 3; ++piece)
@@ -216,7 +217,7 @@ void TestSphere(RelevoCheck& check, RelevoComparison& comparison)
     CHECK_EQUAL(mapper->GetNumberOfDrawnTriangles(), source->GetOutput()->GetNumberOfPolys());
   }
 }
-// A mesh of all kinds of cells, some of them ghosts, and the same without these.
+// A mesh of all kinds of cells, some of them ghost cells, and the same mesh without these.
 Mesh WithGhosts(bool removed)
 {
   Mesh mesh = Mixed();
@@ -235,7 +236,7 @@ Mesh WithGhosts(bool removed)
   {
     for (vtkIdType i = 0; i < cells[kind]->GetNumberOfCells(); ++i)
     {
-      // Hidden cells and ghost points are drawn, as vtkPolyDataMapper draws them.
+      // Hidden cells and ghost points are drawn, as by vtkPolyDataMapper.
       const bool isGhost = values->GetNumberOfValues() % 3 == 0;
       ghosts->InsertNextValue(
         isGhost ? vtkDataSetAttributes::DUPLICATECELL : vtkDataSetAttributes::HIDDENCELL);
@@ -290,7 +291,7 @@ void TestGhosts(RelevoCheck& check, RelevoComparison& comparison)
       refining.CopyCameras(twin);
       refining.Render();
       RelevoTolerance tolerance;
-      // Lines may be drawn there or back, faces one after the other in another order.
+      // Lines may run in the opposite direction, and faces may be drawn in another order.
       tolerance.Pixels = representation == VTK_WIREFRAME ? 6 : level * 10;
       comparison.Compare("Ghosts." + std::to_string(representation) + "." + std::to_string(level),
         tolerance, RelevoPicture(refining.Window), RelevoPicture(twin.Window));
@@ -312,7 +313,7 @@ void TestGhosts(RelevoCheck& check, RelevoComparison& comparison)
   }
 }
 
-// Ghosts are neighbours: a part of a surface is curved as the whole is.
+// Ghost cells provide neighbours, so a part of a surface is curved like the whole.
 void TestGhostNeighbours(RelevoCheck& check)
 {
   vtkNew<vtkPNTriangleSurface> surface;

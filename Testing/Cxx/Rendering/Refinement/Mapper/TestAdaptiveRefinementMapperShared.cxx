@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// One mapper for several actors, renderers and windows draws for each of them what a mapper of its
-// own would.
+// Proves that a mapper shared by several actors, renderers and windows draws each of them like a
+// separate mapper.
 #include "RelevoMethods.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
@@ -30,7 +30,7 @@ using namespace RelevoMeshes;
 
 const RelevoTolerance Tight{ 1, 5e-7, 0 };
 
-// A sphere inside a polyline with vertices on it, with normals and texture coordinates.
+// A sphere inside a polyline with vertices, with normals and texture coordinates.
 Mesh MakeMesh()
 {
   Mesh mesh = TexturedSphere(9, 7);
@@ -55,7 +55,7 @@ Mesh MakeMesh()
   return mesh;
 }
 
-// What an actor can look like.
+// A combination of actor properties.
 struct Look
 {
   std::string Name;
@@ -120,8 +120,8 @@ std::vector<Look> MakeLooks()
       } } };
 }
 
-// Four actors of two looks, A and B: A alone on the left, B alone in the middle, where there are
-// two lights, both on the right.
+// Four actors with looks A and B: A on the left, B in the middle, where there are two lights, and
+// both on the right.
 class Scene : public RelevoScene
 {
 public:
@@ -168,7 +168,7 @@ public:
     }
   }
 
-  // Mappers that have not drawn yet.
+  // New mappers that have not drawn yet.
   void RenewMappers()
   {
     vtkSmartPointer<vtkMapper> last;
@@ -225,8 +225,8 @@ private:
   vtkDataObject* Data;
 };
 
-// Every two looks, with mappers that are new or have drawn other looks: what mappers of VTK's show
-// that are not shared.
+// Pairs of looks, with new mappers or mappers that have drawn other looks. The reference are
+// separate mappers of VTK.
 void TestLooks(RelevoComparison& comparison, const std::string& prefix, vtkPolyData* mesh,
   const std::vector<Look>& looks)
 {
@@ -240,7 +240,7 @@ void TestLooks(RelevoComparison& comparison, const std::string& prefix, vtkPolyD
     {
       const std::string name = prefix + looks[a].Name + "." + looks[b].Name;
       const bool isNew = (a + b) % 2 == 0;
-      // vtkPolyDataMapper does not notice that vertices are to be seen.
+      // vtkPolyDataMapper does not detect that vertices become visible.
       twin.RenewMappers();
       if (isNew)
       {
@@ -273,8 +273,8 @@ vtkSmartPointer<vtkAdaptiveRefinement> MakeViewRecipe()
   return recipe.Get();
 }
 
-// Refined, by every method and on both devices, polydata and blocks: what mappers show that are not
-// shared, to the bit.
+// Refined polydata and blocks, with every method and both selection devices, equal the pictures of
+// separate mappers bit for bit.
 void TestRefined(RelevoCheck& check, RelevoComparison& comparison)
 {
   const std::vector<Look> looks = MakeLooks();
@@ -305,7 +305,7 @@ void TestRefined(RelevoCheck& check, RelevoComparison& comparison)
       {
         if (device == Mapper::SELECTION_DEVICE_GPU && method != Mapper::METHOD_ARKFPI)
         {
-          continue; // not to be had
+          continue; // not available
         }
         for (const auto& pair : { std::array<std::string, 2>{ { "Surface", "Wireframe" } },
                std::array<std::string, 2>{ { "Flat", "Edges" } },
@@ -354,7 +354,7 @@ void TestRefined(RelevoCheck& check, RelevoComparison& comparison)
   }
 }
 
-// Windows by turns, in which two actors share their mapper; what is beside them stays as it is.
+// Windows by turns, in which two actors share their mapper. The other actors stay the same.
 void TestWindows(RelevoComparison& comparison)
 {
   const std::vector<Look> looks = MakeLooks();
@@ -369,7 +369,7 @@ void TestWindows(RelevoComparison& comparison)
     Scene second(RelevoScene::Refining, true, mesh, used);
     second.CopyCameras(first);
     second.SetLooks(looks[0], looks[1]);
-    // The middle one keeps its own.
+    // The middle actor keeps its mapper.
     for (size_t i : { 0, 2, 3 })
     {
       second.GetActor(i)->SetMapper(first.GetActor(0)->GetMapper());
@@ -394,7 +394,7 @@ int TestAdaptiveRefinementMapperShared(int argc, char* argv[])
     { looks.begin(),
       std::find_if(
         looks.begin(), looks.end(), [](const Look& look) { return look.Name == "Tubes"; }) });
-  // Where there are lines and vertices, VTK 9.1 hides edges of other faces.
+  // If there are lines and vertices, VTK 9.1 hides edges of other faces.
   looks.erase(looks.begin(), looks.begin() + 2);
   TestLooks(comparison, "Shared.", MakeMesh(), looks);
   TestRefined(check, comparison);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkAdaptiveRefinementMapper does anew, and when: levels, buffers, shaders; and what it
-// reports of a render.
+// Proves architecture.md: the mapper selects levels, uploads buffers and builds shaders only after
+// the changes that require it. Its counters describe the last frame.
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
@@ -20,7 +20,7 @@ namespace
 {
 using namespace RelevoMeshes;
 
-// Counts its own work.
+// Counts its buffer and shader builds.
 class CountingMapper : public vtkAdaptiveRefinementMapper
 {
 public:
@@ -66,7 +66,7 @@ struct View
     this->Renderer->AddActor(this->Actor);
     this->Renderer->ResetCamera();
   }
-  // Work since the last call, after a render.
+  // Renders, and stores the work since the last call.
   void Render()
   {
     const int buffers = this->Mapper->Buffers;
@@ -102,7 +102,7 @@ void TestFirstRender(RelevoCheck& check, View& view)
   CHECK_EQUAL(view.Selections, 1);
 }
 
-// A moving camera and live values need no work.
+// A moving camera and live parameters need no rebuild.
 void TestLiveValues(RelevoCheck& check, View& view, vtkDisplacement* displacement)
 {
   for (int i = 0; i < 3; ++i)
@@ -137,7 +137,7 @@ void TestLevelsAlone(RelevoCheck& check, View& view)
   CHECK_EQUAL(view.Shaders, 0);
 }
 
-// Passes draw many times, with levels chosen once.
+// Levels are selected once for all passes of a frame.
 void TestPasses(RelevoCheck& check, View& view)
 {
   view.Renderer->UseDepthPeelingOn();
@@ -149,7 +149,7 @@ void TestPasses(RelevoCheck& check, View& view)
   CHECK_EQUAL(view.Buffers, 0);
 }
 
-// So do selections.
+// The same for hardware selection.
 void TestSelection(RelevoCheck& check, View& view)
 {
   view.Actor->GetProperty()->SetOpacity(1);
@@ -165,7 +165,7 @@ void TestSelection(RelevoCheck& check, View& view)
   CHECK_EQUAL(view.Selections, 0);
 }
 
-// A direction instead of the normal is another shader; its value is live.
+// A fixed direction instead of the normal needs another shader, but its value is live.
 void TestDirection(RelevoCheck& check, View& view, vtkDisplacement* displacement)
 {
   displacement->SetDirection(0, 0, 1);
@@ -204,7 +204,7 @@ void TestDisplaced(RelevoCheck& check, vtkDisplacement* displacement)
   TestReport(check, view);
 }
 
-// Levels that depend on where the mesh stands, but not on the view.
+// Levels that depend on the actor's position, but not on the view.
 void TestLevelsByPlace(RelevoCheck& check)
 {
   vtkNew<vtkRegionDepthTagMetric> metric;
@@ -279,7 +279,7 @@ void TestOtherCamera(RelevoCheck& check, View& view)
   CHECK_EQUAL(view.Selections, 1);
 }
 
-// Depth peeling and selections see the same camera many times.
+// Depth peeling and selection use the same camera many times.
 void TestSameCamera(RelevoCheck& check, View& view)
 {
   view.Renderer->UseDepthPeelingOn();
@@ -289,7 +289,7 @@ void TestSameCamera(RelevoCheck& check, View& view)
   CHECK_EQUAL(view.Selections, 0);
 }
 
-// An array of the mesh's own wins, and no view matters any more.
+// An array of tags in the mesh has precedence and does not depend on the view.
 void TestOwnTags(RelevoCheck& check, View& view, vtkPolyData* mesh)
 {
   AddTags(mesh, 1, 3);
@@ -301,7 +301,7 @@ void TestOwnTags(RelevoCheck& check, View& view, vtkPolyData* mesh)
   CHECK(view.DidNothing());
 }
 
-// Levels that depend on the view.
+// View-dependent levels.
 void TestLevelsByView(RelevoCheck& check)
 {
   vtkNew<vtkDistanceDepthTagMetric> metric;
@@ -319,7 +319,7 @@ void TestLevelsByView(RelevoCheck& check)
   TestOwnTags(check, view, mesh);
 }
 
-// Several cameras in turn: each keeps its levels.
+// Levels are cached for several cameras.
 void TestSeveralCameras(RelevoCheck& check)
 {
   vtkNew<vtkDistanceDepthTagMetric> metric;
@@ -339,7 +339,7 @@ void TestSeveralCameras(RelevoCheck& check)
   second->GetActiveCamera()->Azimuth(20);
   view.Render();
   CHECK_EQUAL(view.Selections, 1);
-  // A camera that was touched, but is as it was.
+  // A camera that is modified without a change.
   second->GetActiveCamera()->Modified();
   view.Renderer->GetActiveCamera()->Azimuth(20);
   view.Renderer->GetActiveCamera()->Azimuth(-20);
@@ -348,7 +348,7 @@ void TestSeveralCameras(RelevoCheck& check)
   CHECK_EQUAL(view.Selections, 1);
 }
 
-// Memory: what the coarse mesh and one pattern take, whatever is drawn.
+// Memory is that of the coarse mesh and one pattern, however many triangles are drawn.
 void TestMemory(RelevoCheck& check, vtkDisplacement* displacement)
 {
   Mesh plane = Plane(50, 40);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What changes raises the mapper's modification time; what is sent to the graphics card, and which
-// shaders are written, depends on what it was.
+// Proves architecture.md: every change raises the mapper's modification time, and each kind of
+// change uploads only the buffers and builds only the shaders that it requires.
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
@@ -22,7 +22,7 @@ namespace
 {
 using namespace RelevoMeshes;
 
-// Tells when VTK last made its own buffers.
+// Detects when VTK last built its buffers.
 class Mapper : public vtkAdaptiveRefinementMapper
 {
 public:
@@ -42,10 +42,10 @@ enum Work
 {
   NOTHING,
   SHADERS,
-  MESH // and perhaps shaders
+  MESH // and shaders if necessary
 };
 
-// A scene of all parts that a recipe can have.
+// A scene with all parts that a recipe can have.
 struct Scene
 {
   explicit Scene(bool blocks)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// ShaderText: where main() ends, whatever else the text has.
+// Proves that ShaderText finds the end of main() in every text.
 #include "RelevoCheck.h"
 
 #include "Shaders/ShaderText.h"

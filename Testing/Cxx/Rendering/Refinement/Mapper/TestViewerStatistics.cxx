@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What relevo-view --stats costs: one frame more, and the same picture.
+// Proves viewer.md: relevo-view --stats draws one more frame, with the same picture.
 #include "RelevoCheck.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
@@ -18,7 +18,7 @@
 
 namespace
 {
-// A plane seen at an angle, with levels of the view.
+// A plane seen at an angle, with view-dependent levels.
 struct View
 {
   vtkNew<vtkAdaptiveRefinement> Recipe;
@@ -63,8 +63,7 @@ int TestViewerStatistics(int, char*[])
   const double angle = measured.Renderer->GetActiveCamera()->GetViewAngle();
   DrawWithStatistics(measured.Mapper, measured.Renderer, measured.Window, messages, stream);
   CHECK_EQUAL(measured.Frames, 2);
-  CHECK_EQUAL(
-    measured.Mapper->GetNumberOfSelections(), 2); // the second frame is no mere repetition
+  CHECK_EQUAL(measured.Mapper->GetNumberOfSelections(), 2); // the second frame selects levels again
   CHECK_EQUAL(measured.Renderer->GetActiveCamera()->GetViewAngle(), angle);
   CHECK_EQUAL(RelevoPicture(measured.Window).Colors, RelevoPicture(plain.Window).Colors);
   const std::string triangles =

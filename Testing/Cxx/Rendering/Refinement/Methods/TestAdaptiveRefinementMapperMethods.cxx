@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkAdaptiveRefinementMapper::SetMethod(): every method draws what ARKFPI draws.
+// Proves methods.md: every method draws the picture of ARKFPI, except where the page lists a
+// difference.
 #include "RelevoMethods.h"
 #include "RelevoPicks.h"
 #include "RelevoTestMeshes.h"
@@ -96,7 +97,7 @@ void TestSetting(RelevoCheck& check)
   CHECK_NOT_EQUAL(text.str().find("Method: Uniform"), std::string::npos);
 }
 
-// One draw call per face, the same picture to the bit.
+// ARK uses one draw call per face and gives the same picture, bit for bit.
 void TestARK(RelevoCheck& check, RelevoComparison& comparison)
 {
   for (int morphing : { 0, 1 })
@@ -124,8 +125,8 @@ void TestARK(RelevoCheck& check, RelevoComparison& comparison)
   }
 }
 
-// For the same triangles in another order. Where two share a pixel's depth the order of drawing
-// decides, and the order of a triangle's corners on the last bit.
+// For the same triangles in another order. If two triangles have the same depth at a pixel, the
+// order of drawing decides; the order of a triangle's corners affects the last bit.
 RelevoTolerance GetTolerance()
 {
   RelevoTolerance tolerance;
@@ -135,7 +136,7 @@ RelevoTolerance GetTolerance()
   return tolerance;
 }
 
-// With one level everywhere all methods have the same triangles.
+// If all levels are equal, all methods draw the same triangles.
 void TestEqualLevels(RelevoCheck& check, RelevoComparison& comparison)
 {
   const RelevoTolerance tolerance = GetTolerance();
@@ -198,8 +199,8 @@ void TestEqualLevels(RelevoCheck& check, RelevoComparison& comparison)
   }
 }
 
-// Back and forth: neither the mesh nor, once written, the levels are made again; what a method kept
-// on the GPU goes with it.
+// Switching methods does not prepare the mesh or upload levels again. The GPU memory of the
+// previous method is released.
 void TestSwitching(RelevoCheck& check, RelevoComparison& comparison)
 {
   Subject subject(Tagged(Noisy(4), 4, 4));
@@ -230,7 +231,7 @@ void TestSwitching(RelevoCheck& check, RelevoComparison& comparison)
   CHECK_EQUAL(builds, 1);
   CHECK_EQUAL(selections, 1);
 
-  // An unchanged view costs nothing, and a stream has 48 bytes per triangle.
+  // An unchanged view needs no work. A stream takes 48 bytes per triangle.
   subject.Draw(Mapper::METHOD_DMR);
   const vtkTypeInt64 withStream = mapper->GetGraphicsMemorySize();
   CHECK_GREATER(withStream, 48 * mapper->GetNumberOfDrawnTriangles());
@@ -249,7 +250,7 @@ void TestSwitching(RelevoCheck& check, RelevoComparison& comparison)
   }
 }
 
-// What a method cannot draw is drawn by ARKFPI.
+// ARKFPI replaces a method that cannot draw the scene.
 void TestSubstitute(RelevoCheck& check, RelevoComparison& comparison)
 {
   Subject subject(Tagged(Noisy(5), 5, 4));
@@ -279,14 +280,14 @@ void TestSubstitute(RelevoCheck& check, RelevoComparison& comparison)
   CHECK_EQUAL(mapper->GetMethodInUse(), Mapper::METHOD_ARKFPI);
   comparison.Compare("WholeNumbers", RelevoTolerance(), actual, expected);
   subject.Draw(Mapper::METHOD_DMR);
-  CHECK(errors.None()); // said once
+  CHECK(errors.None()); // reported once
   subject.Recipe->SetSegmentPolicyToPowersOfTwo();
   subject.Draw(Mapper::METHOD_DMR);
   CHECK(errors.None());
   CHECK_EQUAL(mapper->GetMethodInUse(), Mapper::METHOD_DMR);
 }
 
-// Methods that cannot morph draw the same rounded levels whether the recipe morphs or not.
+// Methods without geomorphing draw the same rounded levels whether the recipe morphs or not.
 void TestRounding(RelevoComparison& comparison)
 {
   Subject subject(Tagged(Noisy(7), 7, 4));
@@ -301,13 +302,13 @@ void TestRounding(RelevoComparison& comparison)
   }
 }
 
-// Nothing in sight, before and after something was.
+// Nothing is in view, before and after something was.
 void TestNothing(RelevoCheck& check, RelevoComparison& comparison)
 {
   Subject subject(Noisy(1));
   RelevoErrors errors(subject.GetMapper());
   vtkCamera* camera = subject.Scene.Renderer->GetActiveCamera();
-  subject.Scene.Renderer->GetCullers()->RemoveAllItems(); // of whole actors
+  subject.Scene.Renderer->GetCullers()->RemoveAllItems(); // they cull whole actors
   const RelevoPicture expected = subject.Draw(Mapper::METHOD_ARKFPI);
   for (int method : GetMethods())
   {
@@ -324,7 +325,7 @@ void TestNothing(RelevoCheck& check, RelevoComparison& comparison)
   CHECK(errors.None());
 }
 
-// Hardware selection gives the same cells and points.
+// Hardware selection finds the same cells and points.
 void TestPicking(RelevoCheck& check)
 {
   Subject subject(Mixed(), 3);
@@ -353,7 +354,7 @@ void TestPicking(RelevoCheck& check)
   }
 }
 
-// Blocks follow.
+// Blocks follow the method.
 void TestBlocks(RelevoCheck& check)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// GetNumberOfDrawnTriangles() of every method against what OpenGL counts.
+// vtkAdaptiveRefinementMapper promises GetNumberOfDrawnTriangles(), compared with OpenGL's count
+// for every method.
 #include "RelevoMethods.h"
 #include "RelevoPrimitiveCount.h"
 #include "RelevoTestMeshes.h"
@@ -19,7 +20,7 @@ using namespace RelevoMeshes;
 using namespace RelevoMethods;
 using namespace RelevoPrimitiveCount;
 
-// What SUAPT draws of triangles whose points have tags: 4 to the highest level of each.
+// Number of triangles that SUAPT draws: 4 to the power of the highest level of each face.
 vtkIdType CountSemiUniform(vtkPolyData* mesh)
 {
   vtkDataArray* tags = mesh->GetPointData()->GetArray("DepthTag");
@@ -51,7 +52,7 @@ int TestAdaptiveRefinementMapperMethodsCount(int, char*[])
     for (bool near : { false, true })
     {
       Mesh mesh = Sphere(12, 8);
-      // With 32 segments at least, no instance of a pattern has room for more than a face.
+      // With at least 32 segments, each instance of a pattern has one face.
       const int level = tagged ? 4 : 5;
       if (tagged)
       {
@@ -104,7 +105,7 @@ int TestAdaptiveRefinementMapperMethodsCount(int, char*[])
         }
         else if (method != Mapper::METHOD_ARKFPI)
         {
-          // Instances have room for more faces than there are left.
+          // The last instances may have unused slots for faces.
           CHECK(drawn <= counted && inView <= seen);
         }
         if (tagged && method == Mapper::METHOD_SUAPT)

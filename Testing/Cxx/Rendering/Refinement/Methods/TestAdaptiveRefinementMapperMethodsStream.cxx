@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The stream that the method DMR feeds back, read from the GPU: on the edges of faces it has the
-// points of vtkAdaptiveRefinementFilter, to the bit; inside it covers each face once.
+// Proves that the transform feedback stream of the method DMR has the points of
+// vtkAdaptiveRefinementFilter on edges, bit for bit, and covers each face once.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
@@ -39,21 +39,21 @@ bool IsOnBorder(const Weights& a, const Weights& b)
   return false;
 }
 
-// Twice the signed area, as a part of the face's.
+// Twice the signed area relative to the face's.
 double GetArea(const Weights& a, const Weights& b, const Weights& c)
 {
   return (static_cast<double>(b[1]) - a[1]) * (static_cast<double>(c[2]) - a[2]) -
     (static_cast<double>(c[1]) - a[1]) * (static_cast<double>(b[2]) - a[2]);
 }
 
-// What the stream has of one face.
+// The triangles of one face in the stream.
 struct Face
 {
   std::set<Weights> Border;
-  std::multiset<Segment> Inside; // each as its triangle runs along it
+  std::multiset<Segment> Inside; // each edge in the direction of its triangle
   double Area = 0.0;
-  bool Turned = false; // some triangle runs against the face's sorted corners, or has no area
-  bool Ahead = false;  // some runs with them
+  bool Turned = false; // some triangle has the opposite winding or no area
+  bool Ahead = false;  // some triangle has the face's winding
 
   void Add(const Weights corners[3])
   {
@@ -77,7 +77,7 @@ struct Face
     }
   }
 
-  // Whether each edge inside has a triangle on either side.
+  // Whether each inner edge has a triangle on both sides.
   bool IsConforming() const
   {
     return std::all_of(this->Inside.begin(), this->Inside.end(),
@@ -187,7 +187,7 @@ int TestAdaptiveRefinementMapperMethodsStream(int, char*[])
     AddTags(sphere, static_cast<unsigned int>(level), level);
     TestMesh(check, window, sphere, level, false);
   }
-  // Every triple of levels up to 3, and some of those up to 6.
+  // All triples of levels up to 3, and some up to 6.
   std::vector<std::array<double, 3>> points;
   std::vector<Triangle> triangles;
   for (vtkIdType i = 0; i < 1500; ++i)
@@ -201,7 +201,7 @@ int TestAdaptiveRefinementMapperMethodsStream(int, char*[])
   TestMesh(check, window, apart, 6, false);
   AddTags(apart, 8, 3);
   TestMesh(check, window, apart, 3, true);
-  // Without tags: the same level everywhere.
+  // Without tags, all levels are equal.
   TestMesh(check, window, Mixed(), 5, false);
   return check.GetResult();
 }

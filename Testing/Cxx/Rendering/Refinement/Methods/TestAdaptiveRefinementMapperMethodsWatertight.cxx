@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// No pixel shows a crack between faces of random levels, by any method (see RelevoLeaks.h).
+// Proves that no method shows a crack between faces of random levels (see RelevoLeaks.h).
 #include "RelevoDisplacements.h"
 #include "RelevoLeaks.h"
 #include "RelevoMethods.h"
@@ -46,7 +46,7 @@ void TestClosed(RelevoCheck& check, const std::string& name, Mesh mesh, bool who
   {
     if (wholeNumbers && method == Mapper::METHOD_DMR)
     {
-      continue; // halves edges
+      continue; // bisects edges
     }
     scene.GetMapper(0)->SetMethod(method);
     size_t covered = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Hardware tessellation as the method of vtkAdaptiveRefinementMapper. In a context older than
-// OpenGL 4.0 (MESA_GL_VERSION_OVERRIDE=3.3) only that it says so.
+// Proves methods.md on hardware tessellation. In a context older than OpenGL 4.0
+// (MESA_GL_VERSION_OVERRIDE=3.3), only its error is tested.
 #include "RelevoDisplacements.h"
 #include "RelevoMethods.h"
 #include "RelevoPicks.h"
@@ -39,11 +39,11 @@ void AddScalars(vtkPolyData* mesh)
   mesh->GetPointData()->SetScalars(values);
 }
 
-// All triangles of what is drawn, as OpenGL counts them.
+// Compares the triangle count with that of OpenGL.
 void CheckCount(RelevoCheck& check, RelevoScene& scene)
 {
   const vtkIdType count = RelevoPrimitiveCount::CountTriangles(scene);
-  scene.Render(); // the actor is back
+  scene.Render(); // the actor is visible again
   CHECK_GREATER(count, 0);
   CHECK_EQUAL(count, scene.GetMapper(0)->GetNumberOfDrawnTriangles());
 }
@@ -53,7 +53,7 @@ struct Tester
   RelevoCheck& check;
   RelevoComparison& Comparison;
 
-  // What a scene of one mesh looks like by ARKFPI and by the tessellator.
+  // Compares one scene drawn by ARKFPI and by hardware tessellation.
   void Compare(const std::string& name, const RelevoTolerance& tolerance,
     const RelevoComparison::Builder& build) const
   {
@@ -80,9 +80,9 @@ struct Tester
   }
 };
 
-// A plane face is the same whatever it is cut into.
+// A plane face looks the same however it is split.
 const RelevoTolerance Tight{ 1, 1e-6, 10 };
-// Points inside differ, and what lies between them: the more, the coarser.
+// Points inside faces differ, and so do the surfaces between them, most at coarse levels.
 const RelevoTolerance Fine{ 4, 1e-3, 200 };
 const RelevoTolerance Close{ 8, 5e-2, 900 };
 
@@ -183,7 +183,7 @@ void TestBlocks(const Tester& tester)
     });
 }
 
-// The tessellator draws no lines and points: ARKFPI does.
+// Lines and points are drawn by ARKFPI.
 void TestLinesAndPoints(RelevoCheck& check)
 {
   for (int representation : { VTK_WIREFRAME, VTK_POINTS })
@@ -201,7 +201,7 @@ void TestLinesAndPoints(RelevoCheck& check)
   }
 }
 
-// Edges of the refined triangles, where they are the same triangles.
+// Edges of refined triangles, for levels where both methods have the same triangles.
 void TestEdges(const Tester& tester)
 {
   tester.Compare("Edges", { 1, 1e-6, 10 },
@@ -213,7 +213,7 @@ void TestEdges(const Tester& tester)
     });
 }
 
-// Hardware selection gives the cells and points that it gives of ARKFPI.
+// Hardware selection finds the same cells and points as for ARKFPI.
 void TestSelection(RelevoCheck& check)
 {
   RelevoScene scene(RelevoScene::Refining);
@@ -240,14 +240,14 @@ void TestSelection(RelevoCheck& check)
     }
     std::cout << "Selection: " << wrong << " of " << hits << " pixels differ" << std::endl;
     CHECK_GREATER(hits, 100);
-    CHECK_LESS_EQUAL(wrong, 5); // at the rim
+    CHECK_LESS_EQUAL(wrong, 5); // along the silhouette
     CHECK_EQUAL(ids[0], ids[1]);
   }
 }
 
 void TestCounts(RelevoCheck& check)
 {
-  // By hand: one triangle; a fan of six; two rings; three.
+  // Counts by hand: one triangle, a fan of six, two rings, three rings.
   const int segments[][4] = { { 1, 1, 1, 1 }, { 2, 2, 2, 6 }, { 3, 3, 3, 13 }, { 4, 4, 4, 24 },
     { 4, 1, 2, 4 + 1 + 2 + 6 + 6 }, { 128, 64, 100, 6144 }, { 5, 1, 1, 7 + 9 + 3 * 4 + 1 } };
   for (const int* s : segments)
@@ -264,7 +264,7 @@ void TestCounts(RelevoCheck& check)
     scene.GetMapper(0)->SetMethodToHardwareTessellation();
     scene.ResetCameras();
     CheckCount(check, scene);
-    // Culled faces are counted apart.
+    // Culled faces are counted separately.
     const vtkIdType all = scene.GetMapper(0)->GetNumberOfDrawnTriangles();
     scene.Renderer->GetActiveCamera()->Zoom(8);
     scene.Render();
@@ -293,8 +293,7 @@ void TestMostSegments(RelevoCheck& check, RelevoComparison& comparison)
     "Tessellation.MaximumSegments", RelevoTolerance(), level7, RelevoPicture(scene.Window));
 }
 
-// Values that change live build nothing; released resources come back; windows do not disturb
-// each other.
+// Live parameters rebuild nothing, released resources are restored, and windows are independent.
 void TestLife(RelevoCheck& check, RelevoComparison& comparison)
 {
   vtkNew<RelevoHeights> rough;
@@ -342,7 +341,7 @@ void TestLife(RelevoCheck& check, RelevoComparison& comparison)
 
   CHECK_EQUAL(mapper->GetNumberOfDrawCalls(), 1);
 
-  // The same actor in the other window, and back.
+  // The same actor moves to the other window and back.
   const vtkSmartPointer<vtkActor> actor = scene.GetActor(0);
   scene.Renderer->RemoveActor(actor);
   scenes[1].Renderer->RemoveActor(scenes[1].GetActor(0));
@@ -362,7 +361,8 @@ void TestLife(RelevoCheck& check, RelevoComparison& comparison)
   CHECK(errors.None());
 }
 
-// The method cannot draw the scene: an error with these words, once, and the picture of ARKFPI.
+// Hardware tessellation cannot draw the scene: expects one error with these words and the picture
+// of ARKFPI.
 void ExpectARKFPI(RelevoCheck& check, RelevoComparison& comparison, const std::string& name,
   RelevoScene& scene, const std::string& words)
 {
@@ -383,7 +383,7 @@ void ExpectARKFPI(RelevoCheck& check, RelevoComparison& comparison, const std::s
   CHECK(errors.None());
 }
 
-// A shader of the user's that only works as a vertex shader: an error of the mapper, and ARKFPI.
+// A shader replacement that works only in a vertex shader gives an error and the picture of ARKFPI.
 void TestFailure(RelevoCheck& check, RelevoComparison& comparison)
 {
   RelevoScene scene(RelevoScene::Refining);
@@ -391,7 +391,7 @@ void TestFailure(RelevoCheck& check, RelevoComparison& comparison)
   actor->GetShaderProperty()->AddVertexShaderReplacement("//VTK::CustomEnd::Impl", true,
     "//VTK::CustomEnd::Impl\n  if (gl_InstanceID < 0) gl_Position = vec4(0.0);\n", false);
   ExpectARKFPI(check, comparison, "Failure", scene, "gl_InstanceID");
-  // Without the cause it works.
+  // Without the replacement it works.
   actor->GetShaderProperty()->ClearAllVertexShaderReplacements();
   RelevoErrors errors(scene.GetMapper(0));
   scene.Render();

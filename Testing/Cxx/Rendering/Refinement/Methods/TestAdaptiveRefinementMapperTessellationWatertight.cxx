@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Hardware tessellation leaves no cracks: shared points to the bit, no pixel to be seen through.
+// Proves methods.md: hardware tessellation leaves no cracks. Shared points agree bit for bit, and
+// no pixel shows the background.
 #include "RelevoDisplacements.h"
 #include "RelevoLeaks.h"
 #include "RelevoMethods.h"
@@ -21,7 +22,7 @@ namespace
 using namespace RelevoMeshes;
 using Mapper = vtkAdaptiveRefinementMapper;
 
-// The points that two faces share are those that ARKFPI and the filter have, to the bit.
+// Points shared by two faces equal those of ARKFPI and the filter, bit for bit.
 void TestPoints(RelevoCheck& check)
 {
   for (int kind = 0; kind < 4; ++kind)
@@ -49,7 +50,7 @@ void TestPoints(RelevoCheck& check)
     CHECK_EQUAL(scene.GetMapper(0)->GetMethodInUse(), Mapper::METHOD_HARDWARE_TESSELLATION);
     CHECK(errors.None());
 
-    // Of the filter: the face that a point belongs to, -1 for several.
+    // For the filter's points: the face they belong to, or -1 for several.
     std::vector<vtkIdType> owners(static_cast<size_t>(fine->GetNumberOfPoints()), -2);
     auto* cells = vtkIdTypeArray::SafeDownCast(fine->GetCellData()->GetArray("vtkOriginalCellIds"));
     vtkNew<vtkIdList> ids;
@@ -75,7 +76,7 @@ void TestPoints(RelevoCheck& check)
       double p[3];
       fine->GetPoint(i, p);
       const float x = static_cast<float>(p[0]);
-      // The vertices that ARKFPI has there.
+      // The vertices of ARKFPI at this point.
       size_t found = 0;
       for (auto near = expected.lower_bound({ { x - 1e-6f, -1e30f, -1e30f } });
            near != expected.end() && (*near)[0] <= x + 1e-6f; ++near)
@@ -131,8 +132,7 @@ void TestLeaks(RelevoCheck& check)
   }
 }
 
-// Every surface is closed where faces of several levels meet, and so is a corner with several
-// normals.
+// Surfaces are closed where faces of several levels meet, and at corners with several normals.
 void TestLeaksOfSurfaces(RelevoCheck& check)
 {
   for (const auto& kind : RelevoMakeSurfaces())

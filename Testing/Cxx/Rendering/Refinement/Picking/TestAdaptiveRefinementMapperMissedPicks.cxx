@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A picker that misses the bounds never asks for the input. Whoever asks the mapper for it then
-// gets the input itself, where its points are; the next pick finds the refined surface.
+// Proves that a picker that misses the bounds does not change the mapper's input. Other callers get
+// the coarse input at its points, and the next pick finds the refined surface.
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
@@ -15,7 +15,7 @@ namespace
 using namespace RelevoMeshes;
 using Mapper = vtkAdaptiveRefinementMapper;
 
-// A plane at height 0 that is drawn at height 3, seen from above.
+// A plane at height 0, drawn at height 3 and seen from above.
 struct Table
 {
   explicit Table(vtkDataObject* data)
@@ -47,7 +47,7 @@ std::vector<Miss> GetMisses()
     [](Table& table)
     {
       double bounds[6];
-      table.GetMapper()->GetBounds(bounds); // asked by a user, and nothing else
+      table.GetMapper()->GetBounds(bounds); // the only request, by a user
     } };
 }
 
@@ -76,7 +76,7 @@ void TestMesh(RelevoCheck& check)
   }
 }
 
-// What is asked before a pass, as the opacity of the blocks, leaves them what they draw.
+// Requests before a pass, for example for the opacity of blocks, do not change what is drawn.
 void TestBlocks(RelevoCheck& check)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;

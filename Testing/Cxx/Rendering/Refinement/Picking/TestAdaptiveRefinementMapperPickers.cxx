@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What each of VTK's pickers tells about a refined surface: cells and their coordinates, points,
-// blocks, textures, vertices and lines; before a frame, after changes, by all methods; and that
-// they still tell of others what they did.
+// Proves guide.md on picking: VTK's pickers return cells, coordinates, points, blocks, textures,
+// vertices and lines of the refined surface, before a frame, after changes and for all methods.
+// Other mappers are picked as before.
 #include "RelevoDisplacements.h"
 #include "RelevoMethods.h"
 #include "RelevoPickers.h"
@@ -35,7 +35,7 @@ namespace
 {
 using namespace RelevoMeshes;
 
-// A plane of 1 x 1 at height 0 that is drawn at height 3, textured.
+// A textured plane of 1 x 1 at height 0, drawn at height 3.
 struct Table
 {
   explicit Table(vtkDataObject* mesh, RelevoScene::KindType kind = RelevoScene::Refining)
@@ -59,8 +59,8 @@ double Distance(const double* a, const double* b)
   return std::sqrt(vtkMath::Distance2BetweenPoints(a, b));
 }
 
-// Cells and coordinates in them, of triangles, quads, larger polygons and strips: they lead to the
-// point that was picked. Vertices and lines are where they were.
+// Cells and parametric coordinates of triangles, quads, larger polygons and strips evaluate to the
+// picked point. Vertices and lines are not displaced.
 void CheckCells(RelevoCheck& check)
 {
   Mesh mesh = Mixed();
@@ -102,7 +102,7 @@ void CheckCells(RelevoCheck& check)
   {
     CHECK_GREATER(hits[id], 5);
   }
-  // A vertex by itself, by a generous tolerance.
+  // A single vertex, with a large tolerance.
   picker->SetTolerance(0.01);
   double* vertex = mesh->GetPoint(23);
   const auto display = RelevoPickers::ToDisplay(scene.Renderer, vertex[0], vertex[1], vertex[2]);
@@ -113,7 +113,7 @@ void CheckCells(RelevoCheck& check)
   CHECK_EQUAL(picker->GetDataSet()->GetCellType(8), mesh->GetCellType(8));
 }
 
-// Displaced, nothing is where the input is.
+// With a displacement, no point lies at its input position.
 void CheckPoints(RelevoCheck& check)
 {
   Mesh mesh = Plane(4, 4);
@@ -139,7 +139,7 @@ void CheckPoints(RelevoCheck& check)
   CHECK(cells->Pick(150, 150, 0.0, renderer));
   CHECK_NEAR(cells->GetPickPosition()[2], 3.0, 1e-6);
   CHECK_NEAR(cells->GetPickNormal()[2], 1.0, 1e-6);
-  // Bounds, and what the graphics card has drawn.
+  // Bounds, and the pixels drawn by the graphics card.
   vtkNew<vtkPicker> bounds;
   CHECK(bounds->Pick(150, 150, 0.0, renderer));
   CHECK_NEAR(bounds->GetPickPosition()[2], 3.0, 1e-6);
@@ -152,7 +152,7 @@ void CheckPoints(RelevoCheck& check)
   CHECK_NEAR(world->GetPickPosition()[2], 3.0, 1e-2);
   vtkNew<vtkAreaPicker> area;
   CHECK_EQUAL(area->AreaPick(140, 140, 160, 160, renderer), 1);
-  // The mapper's input is still its input.
+  // The mapper's input is unchanged.
   double ignored[6];
   table.Actor->GetMapper()->GetBounds(ignored);
   CHECK_EQUAL(
@@ -161,7 +161,7 @@ void CheckPoints(RelevoCheck& check)
   CHECK_EQUAL(table.Actor->GetMapper()->GetInputDataObject(0, 0), mesh);
 }
 
-// Changes are seen by the next pick, with a frame in between or without.
+// Changes take effect in the next pick, with or without a frame in between.
 void CheckChanges(RelevoCheck& check)
 {
   Mesh mesh = Plane(4, 4);
@@ -173,7 +173,7 @@ void CheckChanges(RelevoCheck& check)
     CHECK(picker->Pick(150, 150, 0.0, table.Scene.Renderer));
     CHECK_NEAR(picker->GetPickPosition()[2], height, 1e-6);
   };
-  heightOf(3.0); // never drawn
+  heightOf(3.0); // without a frame
   table.Displacement->SetOffset(-2.0);
   heightOf(-2.0);
   table.Scene.Render();
@@ -181,7 +181,7 @@ void CheckChanges(RelevoCheck& check)
   table.Displacement->SetOffset(1.0);
   heightOf(1.0);
   table.Scene.Render();
-  // Another recipe, whose levels depend on a view that has not been drawn.
+  // Another recipe with levels for a view that has not been drawn.
   {
     vtkNew<vtkDistanceDepthTagMetric> metric;
     auto recipe = MakeRecipe(3, nullptr, table.Displacement);
@@ -201,7 +201,7 @@ void CheckChanges(RelevoCheck& check)
   CHECK_GREATER(picker->GetPickPosition()[2], 1.1);
   table.Scene.GetMapper(0)->SetInputData(Plane(2, 2));
   heightOf(1.0);
-  // Degenerate cells, and points that are no numbers.
+  // Degenerate cells and NaN points.
   Mesh bad = Plane(4, 4);
   bad->GetPoints()->SetPoint(0, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
   for (int n = 0; n < 4; ++n)
@@ -258,7 +258,7 @@ void CheckBlocks(RelevoCheck& check)
   }
 }
 
-// The texel that is seen, on a surface and on its twin.
+// The visible texel, on the refined surface and on its twin.
 void CheckTextures(RelevoCheck& check)
 {
   vtkNew<vtkImageData> image;
@@ -302,7 +302,7 @@ void CheckTextures(RelevoCheck& check)
   CHECK_GREATER(hits, 30);
 }
 
-// All methods draw the same points of edges: they are picked alike, where they do not morph.
+// All methods draw the same points on edges, so picks agree if levels do not morph.
 void CheckMethods(RelevoCheck& check)
 {
   for (int method : RelevoMethods::GetMethods())
@@ -311,7 +311,7 @@ void CheckMethods(RelevoCheck& check)
     RelevoScene twin(RelevoScene::Twin);
     vtkNew<vtkPNTriangleSurface> surface;
     const auto recipe = MakeRecipe(4, surface);
-    // The uniform method has one level, the highest.
+    // The uniform method draws the highest level everywhere.
     Mesh mesh =
       method == RelevoMethods::Mapper::METHOD_UNIFORM ? Sphere(9, 7) : Tagged(Sphere(9, 7), 4);
     refining.Add(mesh, recipe);
@@ -327,7 +327,7 @@ void CheckMethods(RelevoCheck& check)
   }
 }
 
-// Clipping planes that are picked themselves, and other mappers, are VTK's own business.
+// VTK handles pickable clipping planes and other mappers.
 void CheckOthers(RelevoCheck& check)
 {
   RelevoScene refining(RelevoScene::Refining);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK's own vtkCellPicker finds the surface that is drawn: what it finds on a vtkPolyDataMapper of
-// the filter's output, for every kind of surface, level, input, camera and matrix.
+// Proves guide.md on picking: vtkCellPicker finds the same point as on a vtkPolyDataMapper of the
+// filter's output, for every surface, level, input, camera and matrix.
 #include "RelevoDisplacements.h"
 #include "RelevoPickers.h"
 #include "RelevoSurfaces.h"
@@ -170,7 +170,7 @@ void TestFarFromOrigin(Pairs& pairs)
     });
 }
 
-// What clipping planes take away is not hit, but what lies behind it.
+// Rays pass through clipped parts and hit the surface behind.
 void TestClipping(Pairs& pairs)
 {
   pairs.Compare("clipped",

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Pickers find the levels that were drawn: by a budget of triangles, chosen on the GPU; and no
-// ghost cells.
+// Proves guide.md on picking: pickers find the levels that were drawn, also if a triangle budget or
+// the graphics card chose them, and no ghost cells.
 #include "RelevoPickers.h"
 #include "RelevoTestMeshes.h"
 
@@ -18,7 +18,7 @@ namespace
 using namespace RelevoMeshes;
 using Mapper = vtkAdaptiveRefinementMapper;
 
-// The twin's filter is told the offset of levels that a budget has come to.
+// The twin's filter uses the level offset of the budget.
 void Compare(RelevoCheck& check, const std::string& name, const std::function<void(Mapper*)>& setUp,
   bool withOffset)
 {

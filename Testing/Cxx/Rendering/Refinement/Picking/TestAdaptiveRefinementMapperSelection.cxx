@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Hardware selection of what vtkAdaptiveRefinementMapper draws gives the input's cells and points,
-// pixel by pixel those that it gives of vtkPolyDataMapper's.
+// Proves guide.md on picking: hardware selection returns the input's cells and points, pixel by
+// pixel the same as for vtkPolyDataMapper.
 #include "RelevoDisplacements.h"
 #include "RelevoNamedMeshes.h"
 #include "RelevoPicks.h"
@@ -30,7 +30,7 @@ namespace
 using namespace RelevoMeshes;
 using namespace RelevoPicks;
 
-// What a selection of an area gives, as (actor, block, id).
+// The selection of an area as (actor, block, id).
 std::set<std::array<vtkIdType, 3>> SelectArea(
   RelevoScene& scene, int association, int xmin, int ymin, int xmax, int ymax)
 {
@@ -129,7 +129,7 @@ void CheckRepresentation(RelevoCheck& check, const NamedMesh& mesh, int represen
     });
   const std::string name =
     mesh.Name + " as " + pair.Twin.GetActor(0)->GetProperty()->GetRepresentationAsString();
-  // A strip's lines run the other way, so other pixels are nearest to them.
+  // Lines of strips run in the opposite direction, so other pixels are closest to them.
   const bool ordered = representation == VTK_SURFACE;
   const size_t tolerance = ordered ? 0 : 50;
   CheckHits(check, name + ", cells", SelectPixels(pair.Refining, Cells),
@@ -148,7 +148,7 @@ void CheckRepresentation(RelevoCheck& check, const NamedMesh& mesh, int represen
   }
 }
 
-// As vtkPolyDataMapper in every representation.
+// Equals vtkPolyDataMapper in every representation.
 void TestLevel0(RelevoCheck& check)
 {
   for (const NamedMesh& mesh : MakeNamedMeshes())
@@ -161,7 +161,7 @@ void TestLevel0(RelevoCheck& check)
   }
 }
 
-// The filter's cells know which of the input's they come from.
+// Maps the filter's cells to the input's.
 std::vector<Hit> ToCoarse(RelevoScene& twin, std::vector<Hit> hits)
 {
   for (Hit& hit : hits)
@@ -177,7 +177,7 @@ std::vector<Hit> ToCoarse(RelevoScene& twin, std::vector<Hit> hits)
   return hits;
 }
 
-// The input's points only, each where the filter's point of the same id is.
+// Only points of the input are found, each at the filter's point of the same id.
 void CheckPoints(RelevoCheck& check, const std::string& name, Pair& pair, vtkIdType numberOfPoints)
 {
   const std::vector<Hit> hits = SelectPixels(pair.Refining, Points);
@@ -227,14 +227,14 @@ void CheckRefined(RelevoCheck& check, const NamedMesh& mesh, const Recipes& reci
   Pair pair(
     [&](RelevoScene& s)
     {
-      // Lines stay where they are, also beside faces that are displaced; the filter's go along.
+      // Lines stay in place, even beside displaced faces. The filter's lines move with them.
       s.Add(tagged, mesh.Name == "Mixed" ? recipes.Curved : recipes.Displaced);
       vtkActor* second = s.Add(TexturedSphere(6, 5), recipes.Displaced);
       second->SetPosition(1, 0.2, 0.1);
       second->GetProperty()->SetPointSize(7);
     });
   const std::string name = mesh.Name + ", refined";
-  // A pixel at a rim may go to the neighbour; see TestAdaptiveRefinementMapperTwin.
+  // A pixel at a border may belong to the neighbour, see TestAdaptiveRefinementMapperTwin.
   CheckHits(check, name, SelectPixels(pair.Refining, Cells),
     ToCoarse(pair.Twin, SelectPixels(pair.Twin, Cells)), 10);
   CheckPoints(check, name, pair, tagged->GetNumberOfPoints());
@@ -248,7 +248,7 @@ void TestRefined(RelevoCheck& check, const Recipes& recipes)
   }
 }
 
-// Picking leaves no trace in the picture.
+// Picking does not change the picture.
 void CheckNoTrace(RelevoCheck& check, Pair& pair)
 {
   const RelevoPicture before(pair.Refining.Window);
@@ -258,7 +258,7 @@ void CheckNoTrace(RelevoCheck& check, Pair& pair)
   CHECK_EQUAL(after.CountForeground(), RelevoPicture(pair.Twin.Window).CountForeground());
 }
 
-// The flat index is the composite index; ids are the block's own.
+// The flat index is the composite index, and ids are those of the block.
 void TestBlocks(RelevoCheck& check, const Recipes& recipes)
 {
   const double aside[3] = { 1.1, 0.3, 0.0 };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Visibility, colour, opacity and pickability of blocks: pictures, bounds and selections of VTK's
-// own composite mapper at level 0, of the blocks as actors of their own at level 2; pickers; what
-// is told of frames; errors.
+// vtkBlockAttributesPolyDataMapper promises visibility, colour, opacity and pickability of blocks.
+// Pictures, bounds and selections equal VTK's composite mapper at level 0, and separate actors at
+// level 2. Pickers, counters and errors are tested too.
 #include "RelevoCompositeMapper.h"
 #include "RelevoPicks.h"
 #include "RelevoTestMeshes.h"
@@ -22,7 +22,7 @@
 
 namespace
 {
-// Whether VTK's own mapper lets colours of blocks win over scalars: up to 9.3 it does, 9.6 does
+// Whether colours of blocks override scalars in VTK's mapper: up to 9.3 they do, in 9.6 they do
 // not.
 constexpr bool ColorsWin = VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0);
 
@@ -39,7 +39,7 @@ Mesh Place(Mesh mesh, double x, double y)
   return vtkPolyData::SafeDownCast(heights->GetOutput());
 }
 
-// Flat indices: 0 all, 1 two spheres (2, 3), 4 nothing, 5 a cube behind the first.
+// Flat indices: 0 all, 1 two spheres (2, 3), 4 an empty block, 5 a cube behind the first.
 constexpr unsigned int All = 0;
 constexpr unsigned int Spheres = 1;
 constexpr unsigned int Left = 2;
@@ -73,7 +73,7 @@ void UsePeeling(RelevoScene& scene)
   scene.Window->SetAlphaBitPlanes(1);
 }
 
-// The same blocks in a refining mapper at level 0 and in VTK's.
+// The same blocks in a refining mapper at level 0 and in VTK's mapper.
 struct Twins
 {
   explicit Twins(Blocks& blocks)
@@ -194,7 +194,7 @@ void ComparePictures(RelevoCheck& check, RelevoComparison& comparison)
   CHECK_EQUAL(twins.Mapper->GetNumberOfBufferBuilds(), uploads);
 }
 
-// What the graphics card finds, and what VTK's other pickers do.
+// Hardware selection, and VTK's other pickers.
 void ComparePicks(RelevoCheck& check)
 {
   Blocks blocks;
@@ -210,14 +210,14 @@ void ComparePicks(RelevoCheck& check)
     twins.Expected.Render();
     const auto hits = select(twins.Refining);
     const auto expectedHits = select(twins.Expected);
-    int differing = 0; // on outlines, within rounding
+    int differing = 0; // on silhouettes, within rounding
     for (size_t i = 0; i < hits.size(); ++i)
     {
       differing += hits[i] == expectedHits[i] ? 0 : 1;
     }
     CHECK_LESS_EQUAL(differing, 3);
     CHECK_EQUAL(FindBlocks(hits), expected);
-    // A ray through the middle of each.
+    // A ray through the centre of each block.
     vtkRenderer* renderer = twins.Refining.Renderer;
     for (const auto& leaf : blocks.Leaves)
     {
@@ -245,12 +245,13 @@ void ComparePicks(RelevoCheck& check)
   attributes->SetBlockPickability(blocks.Data->GetBlock(0), false);
   attributes->SetBlockPickability(blocks.Leaves[Right], true);
   compare({ Right, Box });
-  CHECK_EQUAL(twins.Mapper->GetNumberOfDrawnTriangles(), triangles); // drawn all the same
+  // they are drawn although they cannot be picked
+  CHECK_EQUAL(twins.Mapper->GetNumberOfDrawnTriangles(), triangles);
   twins.Do([](auto* mapper) { mapper->SetBlockVisibility(Right, false); });
   compare({ Box });
 }
 
-// At level 2 each block is as an actor of its own, also where the actor is translucent.
+// At level 2, each block looks like a separate actor, also if the actor is translucent.
 void CompareActors(RelevoComparison& comparison, double opacity, const std::string& name)
 {
   struct Look
@@ -260,7 +261,7 @@ void CompareActors(RelevoComparison& comparison, double opacity, const std::stri
   };
   const std::map<unsigned int, Look> looks = {
     { Left, { { 1.0, 0.3, 0.2 }, 0.5 } }, { Right, { { 0.2, 0.8, 0.3 }, 1.0 } },
-    { Box, { { 0.9, 0.8, 0.7 }, opacity } }, // nothing of its own
+    { Box, { { 0.9, 0.8, 0.7 }, opacity } }, // without attributes of the block
   };
   Blocks blocks;
   vtkNew<vtkPNTriangleSurface> surface;
@@ -292,7 +293,7 @@ void CompareActors(RelevoComparison& comparison, double opacity, const std::stri
   apart.CopyCameras(together);
   together.Render();
   apart.Render();
-  // Depths are of what is opaque, which a translucent actor has not.
+  // Translucent actors write no depths.
   comparison.Compare("blocks." + name, { 2, opacity < 1.0 ? 1.0 : 1e-6, 5 },
     RelevoPicture(together.Window), RelevoPicture(apart.Window));
 }
@@ -326,13 +327,13 @@ void CheckSettings(RelevoCheck& check)
   scene.Render();
   CHECK_GREATER(RelevoPicture(scene.Window).CountForeground(), 1000);
 
-  // A copy looks alike.
+  // A copy looks the same.
   vtkNew<vtkAdaptiveRefinementMapper> copy;
   copy->ShallowCopy(mapper);
   CHECK_EQUAL(
     copy->GetCompositeDataDisplayAttributes(), mapper->GetCompositeDataDisplayAttributes());
 
-  // Index 0 of an input that is no tree; an input that is gone.
+  // Index 0 of an input without blocks, and of an input that was removed.
   mapper->SetInputDataObject(blocks.Leaves[Left]);
   mapper->SetBlockVisibility(All, false);
   scene.Render();

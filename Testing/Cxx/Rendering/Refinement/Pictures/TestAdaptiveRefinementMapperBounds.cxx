@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Bounds of vtkAdaptiveRefinementMapper contain what it draws and not much more; cameras see it
-// whole.
+// Proves that the bounds of the mapper contain everything it draws and are not much larger, and
+// that ResetCamera shows all of it.
 #include "RelevoDisplacements.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
@@ -18,7 +18,7 @@ namespace
 {
 using namespace RelevoMeshes;
 
-// The bounds of what the filter makes of the mesh are within the mapper's.
+// The filter's output lies within the mapper's bounds.
 void CheckContained(RelevoCheck& check, const std::string& name, vtkPolyData* mesh,
   vtkAdaptiveRefinement* recipe, vtkAdaptiveRefinementMapper* mapper)
 {
@@ -42,7 +42,7 @@ void CheckContained(RelevoCheck& check, const std::string& name, vtkPolyData* me
   }
 }
 
-// What ResetCamera shows has a rim of background on all sides.
+// ResetCamera leaves a margin of background on all sides.
 void CheckSeenWhole(RelevoCheck& check, const std::string& name, RelevoScene& scene)
 {
   for (int view = 0; view < 6; ++view)
@@ -109,7 +109,8 @@ void TestContained(RelevoCheck& check)
   CheckBounds(check, "mixed cells", Mixed(), MakeRecipe(3, surface, nullptr));
 }
 
-// Tight: a flat plane grows along its normal only, by exactly the reach.
+// The bounds are tight: a flat plane grows only along its normal, by exactly the largest
+// displacement.
 void TestTight(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> rough;
@@ -129,7 +130,7 @@ void TestTight(RelevoCheck& check)
   CHECK_NEAR(bounds[4], 10 * range[0] - 2, 1e-5);
   CHECK_NEAR(bounds[5], 10 * range[1] - 2, 1e-5);
 
-  // They follow changes at once.
+  // Bounds follow changes at once.
   displacement->SetScale(0);
   displacement->SetOffset(7);
   mapper->GetBounds(bounds);
@@ -148,7 +149,7 @@ void TestTight(RelevoCheck& check)
   CHECK_NEAR(bounds[5], 0.5, 1e-6);
 }
 
-// An offset sphere: within one part in a hundred.
+// For an offset sphere they are within one percent.
 void TestOffset(RelevoCheck& check)
 {
   vtkNew<vtkPNTriangleSurface> surface;
@@ -164,13 +165,13 @@ void TestOffset(RelevoCheck& check)
   }
 }
 
-// Vertices and lines beside the faces, and all blocks, are within.
+// Vertices and lines beside the faces, and all blocks, are included.
 void TestOtherCells(RelevoCheck& check)
 {
   vtkNew<vtkPNTriangleSurface> surface;
   vtkNew<vtkAdaptiveRefinementMapper> mapper;
   Mesh lone = Mixed();
-  lone->GetPoints()->SetPoint(23, 50, 0, 0); // a vertex's
+  lone->GetPoints()->SetPoint(23, 50, 0, 0); // a vertex
   mapper->SetInputDataObject(lone);
   mapper->SetRefinement(MakeRecipe(2, surface, nullptr));
   double bounds[6];
@@ -193,7 +194,7 @@ void TestOtherCells(RelevoCheck& check)
   CHECK(bounds[5] >= 1.5 && bounds[5] < 1.7);
 }
 
-// No input, no cells: no bounds, no crash.
+// Without input or cells there are no bounds, and nothing crashes.
 void TestNothing(RelevoCheck& check)
 {
   vtkNew<vtkAdaptiveRefinementMapper> mapper;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Faces coloured by level, pattern and tag: against the levels of vtkDepthTagFilter, tags worked
-// out here, and the colours that a legend of the same table shows.
+// Proves guide.md: SetColorModeToLevel(), SetColorModeToPattern() and SetColorModeToMetric() colour
+// faces by the levels of vtkDepthTagFilter, by tags computed here, and with the colours of the
+// legend.
 #include "RelevoFaceColors.h"
 
 #include "Mesh/SurfaceEdges.h"
@@ -28,7 +29,7 @@ namespace
 using namespace RelevoFaceColors;
 using namespace RelevoMeshes;
 
-// Levels as vtkDepthTagFilter gives them.
+// Levels from vtkDepthTagFilter.
 std::array<int, 3> GetLevels(View& view, vtkIdType face)
 {
   vtkNew<vtkDepthTagFilter> filter;
@@ -48,7 +49,7 @@ std::array<int, 3> GetLevels(View& view, vtkIdType face)
   return levels;
 }
 
-// Colours of the faces by the levels of their edges.
+// Compares colours of faces with the levels of their edges.
 void CheckFaces(RelevoCheck& check, View& view,
   const std::function<double(const std::array<int, 3>&)>& getValue, size_t atLeast)
 {
@@ -86,7 +87,7 @@ void TestLevels(RelevoCheck& check)
   view.Recipe->GeomorphingOff();
   CheckFaces(check, view, highest, 3);
 
-  // With scalars of its own, of either kind; with the camera elsewhere.
+  // With point or cell scalars, and with another camera.
   vtkNew<vtkFloatArray> values;
   for (vtkIdType i = 0; i < view.Plane->GetNumberOfCells(); ++i)
   {
@@ -103,7 +104,7 @@ void TestLevels(RelevoCheck& check)
   view.Mapper->SetInterpolateScalarsBeforeMapping(true);
   CheckFaces(check, view, highest, 3);
 
-  // A table of the user's.
+  // A custom lookup table.
   vtkNew<vtkColorTransferFunction> table;
   table->AddRGBPoint(0.0, 1.0, 0.0, 0.0);
   table->AddRGBPoint(MaximumLevel, 0.0, 1.0, 0.5);
@@ -142,7 +143,7 @@ void TestPatterns(RelevoCheck& check)
   CHECK_EQUAL(static_cast<int>(colors.size()), count);
 }
 
-// Edges of 2^tag segments, rounded: 12 segments are of level 4, as 16 are.
+// Edges with round(2^tag) segments: both 12 and 16 segments have level 4.
 void TestWholeNumbers(RelevoCheck& check)
 {
   for (float tag : { 0.0f, 1.0f, 1.6f, 2.3f, 3.0f, 3.6f, 4.0f })
@@ -171,7 +172,7 @@ void TestWholeNumbers(RelevoCheck& check)
   }
 }
 
-constexpr int Tolerance = 4; // of colours: a pixel's centre is not quite the point
+constexpr int Tolerance = 4; // of colours, because a pixel's centre is not exactly the point
 
 relevo::RefinementView GetEye(View& view)
 {
@@ -188,7 +189,7 @@ Color GetColorForTag(View& view, double tag)
     std::min(std::max(moved, 0.0), static_cast<double>(MaximumLevel)));
 }
 
-// Tags between the points of a face are linear.
+// Tags are interpolated linearly between the points of a face.
 void CheckTagsOfPoints(RelevoCheck& check, View& view)
 {
   view.Recipe->SetLevelRuleToPerVertex();
@@ -218,7 +219,7 @@ void CheckTagsOfPoints(RelevoCheck& check, View& view)
   CHECK_GREATER(points, 40);
 }
 
-// Half of an open edge's pixels show the background.
+// Half of the pixels on a border edge show the background.
 bool IsOpen(const relevo::SurfaceEdges& edges, int edge)
 {
   bool open = false;
@@ -227,7 +228,7 @@ bool IsOpen(const relevo::SurfaceEdges& edges, int edge)
   return open;
 }
 
-// Tags of edges hold along the edge.
+// Tags of edges are constant along the edge.
 void CheckTagsOfEdges(RelevoCheck& check, View& view)
 {
   view.Recipe->SetLevelRuleToPerEdge();
@@ -242,7 +243,7 @@ void CheckTagsOfEdges(RelevoCheck& check, View& view)
     {
       for (double t : { 0.3, 0.5, 0.7 })
       {
-        Weights w{ { 0.005, 0.005, 0.005 } }; // hardly inside
+        Weights w{ { 0.005, 0.005, 0.005 } }; // just inside the face
         w[e] = 0.995 * t;
         w[(e + 1) % 3] = 0.995 * (1.0 - t);
         vtkCell* cell = view.Plane->GetCell(f);
@@ -259,7 +260,7 @@ void CheckTagsOfEdges(RelevoCheck& check, View& view)
   CHECK_GREATER(points, 100);
 }
 
-// A budget's offset counts.
+// The offset of a budget takes effect.
 void CheckTagsOfBudget(RelevoCheck& check, View& view)
 {
   view.Recipe->SetLevelRuleToPerVertex();
@@ -275,7 +276,7 @@ void CheckTagsOfBudget(RelevoCheck& check, View& view)
   CHECK_EQUAL(view.Picture->Colors, colors);
 }
 
-// Neither metric nor array: the highest level.
+// Without metric and array, the level is the highest.
 void CheckTagsWithoutMetric(RelevoCheck& check, View& view)
 {
   view.Recipe->SetMetric(nullptr);
@@ -309,7 +310,7 @@ void TestTags(RelevoCheck& check)
   CheckTagsWithoutMetric(check, view);
 }
 
-// VTK's modes, and its own shading once more.
+// VTK's colour modes, and VTK's colours again.
 void TestModes(RelevoCheck& check)
 {
   View view;
@@ -342,7 +343,7 @@ void TestModes(RelevoCheck& check)
   static_cast<vtkMapper*>(view.Mapper)->SetColorModeToDefault();
   CHECK(isBack());
 
-  // Another mapper takes the mode over.
+  // ShallowCopy() copies the mode.
   view.Mapper->SetColorModeToLevel();
   vtkNew<vtkAdaptiveRefinementMapper> copy;
   copy->ShallowCopy(view.Mapper);
@@ -353,7 +354,7 @@ void TestModes(RelevoCheck& check)
   view.Render();
   CHECK_EQUAL(view.Picture->Colors, levels);
 
-  // The colours are lit and translucent as VTK's are.
+  // The colours are lit and translucent like VTK's.
   vtkNew<vtkLookupTable> grey;
   grey->SetNumberOfTableValues(1);
   grey->SetTableValue(0, 0.6, 0.6, 0.6);
@@ -374,7 +375,7 @@ void TestModes(RelevoCheck& check)
   }
 }
 
-// Only colours of the table are drawn: wireframe, edges, vertices, blocks; and those of a legend.
+// Only colours of the table and the legend are drawn: wireframe, edges, vertices and blocks.
 void TestPictures(RelevoCheck& check)
 {
   View view;
@@ -414,7 +415,7 @@ void TestPictures(RelevoCheck& check)
   CHECK(hasOnly(allowed));
   const size_t numberOfColors = view.GetColors().size();
 
-  // The legend alone has all of the picture's colours.
+  // The legend alone has all colours of the picture.
   vtkNew<vtkScalarBarActor> legend;
   legend->SetLookupTable(view.Mapper->GetLevelLookupTable());
   view.Renderer->AddViewProp(legend);
@@ -426,7 +427,7 @@ void TestPictures(RelevoCheck& check)
   CHECK(std::includes(shown.begin(), shown.end(), picture.begin(), picture.end()));
 }
 
-// Levels follow the camera without a new shader.
+// Colours by level follow the camera without a new shader.
 void TestCamera(RelevoCheck& check)
 {
   for (int mode : { 1, 2, 3 })

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Leaving out faces that cannot be seen changes no picture, in any pass.
+// Proves guide.md: culling faces that are not visible changes no picture, in any pass.
 #include "RelevoDisplacements.h"
 #include "RelevoScene.h"
 #include "RelevoShadows.h"
@@ -34,20 +34,20 @@ void Shade(vtkRenderer* renderer)
   vtkOpenGLRenderer::SafeDownCast(renderer)->SetPass(RelevoMakeShadowPass());
 }
 
-constexpr size_t Outline = 4;      // pixels where front and back are equally deep
-constexpr size_t OpenOutline = 12; // of a surface that shows its inside
+constexpr size_t Outline = 4;      // pixels where front and back have the same depth
+constexpr size_t OpenOutline = 12; // for a surface that shows its inside
 
 struct Tester
 {
   RelevoCheck& check;
   RelevoComparison& Comparison;
 
-  // Builds a scene twice: with all faces drawn, and without those that cannot be seen.
+  // Draws a scene twice, with all faces and with culling.
   void Compare(
     const std::string& name, size_t pixels, const RelevoComparison::Builder& build) const;
 
-  // A sphere as the change shows it, against vtkPolyDataMapper, which leaves nothing out. Returns
-  // how many faces are left out.
+  // A sphere after a change, compared with vtkPolyDataMapper, which culls nothing. Returns the
+  // number of culled faces.
   vtkIdType CompareOpened(const std::string& name, size_t pixels, vtkAdaptiveRefinement* recipe,
     const RelevoComparison::Builder& change) const;
 };
@@ -74,7 +74,7 @@ void Tester::Compare(
     all.Renderer->ResetCameraClippingRange();
     all.Render();
     culled.CopyCameras(all);
-    culled.Renderer->GetActiveCamera()->Modified(); // a copy alone is not drawn anew in all passes
+    culled.Renderer->GetActiveCamera()->Modified(); // otherwise some passes do not draw again
     culled.Render();
     RelevoTolerance tolerance;
     tolerance.Pixels = pixels;
@@ -197,7 +197,7 @@ void TestMovedVertices(const Tester& tester)
   tester.CompareOpened("MovedVertices", 0, nullptr,
     [](RelevoScene& s)
     {
-      // Mostly out of sight as it is, in sight by the actor's shader.
+      // The mesh is mostly out of view, but the actor's shader moves it into view.
       s.Renderer->GetActiveCamera()->SetViewAngle(20.0);
       s.GetActor(0)->SetPosition(-0.7, 0.0, 0.0);
       s.GetActor(0)->GetShaderProperty()->AddVertexShaderReplacement("//VTK::Normal::Impl", true,
@@ -223,7 +223,7 @@ void TestWide(const Tester& tester)
   }
 }
 
-// Where a closed surface shows its inside, or what is drawn reaches beyond the points of faces.
+// A closed surface shows its inside, or shaders draw beyond the points of faces.
 void TestOpened(const Tester& tester)
 {
   vtkNew<vtkPNTriangleSurface> curved;
@@ -276,7 +276,7 @@ void TestBacksHidden(const Tester& tester)
     });
 }
 
-// The backs of what is translucent are to be seen.
+// Back faces of translucent surfaces are visible.
 void TestTranslucent(const Tester& tester)
 {
   tester.Compare("Translucent", 0,
@@ -296,8 +296,8 @@ Mesh WithVectors(Mesh mesh)
   return mesh;
 }
 
-// VTK draws these with what is opaque, and yet there is something behind to be seen. They look by
-// the order that faces are drawn in: the mesh's, if the CPU selects.
+// VTK draws these actors as opaque, although surfaces behind them are visible. The picture depends
+// on the order of the faces, which is the mesh's if the CPU selects.
 void TestTranslucentVectors(const Tester& tester)
 {
   if (RelevoScene::GetSelectionDevice() != vtkAdaptiveRefinementMapper::SELECTION_DEVICE_GPU)
@@ -317,7 +317,7 @@ void TestTranslucentVectors(const Tester& tester)
   }
 }
 
-// Backs are to be seen of these as well.
+// Back faces of these are visible, too.
 void TestBacksSeen(const Tester& tester)
 {
   tester.Compare("Clipped", 0,
@@ -350,7 +350,7 @@ void TestMirrored(const Tester& tester)
     });
 }
 
-// What the camera does not see can throw shadows: the light is a camera of its own.
+// Faces out of view can cast shadows: the light has another camera.
 void TestShadows(const Tester& tester)
 {
   tester.Compare("Shadows", 30,

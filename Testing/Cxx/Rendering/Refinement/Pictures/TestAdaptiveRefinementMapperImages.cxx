@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures that vtkAdaptiveRefinementMapper draws, against baselines that were looked at. The other
-// tests compare with vtkPolyDataMapper; these hold what both have in common. A new picture is
-// written to the folder after -T; copied into Testing/Baseline it becomes the baseline.
+// Proves that the mapper's pictures equal baselines that were inspected. Other tests compare with
+// vtkPolyDataMapper and cannot detect faults that both share. New pictures are written to the
+// folder after -T; copy one into Testing/Baseline to make it the baseline.
 #include "RelevoDisplacements.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
@@ -26,8 +26,8 @@ namespace
 using namespace RelevoMeshes;
 using Compare = std::function<void(const std::string&, const RelevoComparison::Builder&)>;
 
-// Largest difference of two pictures after vtkImageDifference's allowance for shifted and
-// anti-aliased pixels, summed over the picture; VTK's own tests accept 10 to 15.
+// Allowed sum of differences after vtkImageDifference's tolerance for shifted and antialiased
+// pixels. VTK's tests accept 10 to 15.
 constexpr double Threshold = 10.0;
 
 void CompareWithBaseline(RelevoCheck& check, RelevoScene& scene, const std::string& name,

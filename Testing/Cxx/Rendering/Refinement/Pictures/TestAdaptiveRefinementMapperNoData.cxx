@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Scalars and vectors of which some stand for no data: coloured as vtkPolyDataMapper colours the
-// filter's output, and at level 0 as it colours the input. Numbers too large for floats: the error
-// of the filter, and nothing drawn.
+// Proves surfaces.md on missing values: scalars and vectors are coloured as vtkPolyDataMapper
+// colours the filter's output, or the input at level 0. Values beyond the float range give the
+// filter's error, and nothing is drawn.
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
@@ -23,8 +23,7 @@ using namespace RelevoMeshes;
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-// A refined vertex between two colours of the table may take the other one, see
-// TestAdaptiveRefinementMapperLife.
+// A refined vertex between two colours may get either, see TestAdaptiveRefinementMapperLife.
 const RelevoTolerance Close{ 3, 2e-6, 60 };
 
 Mesh MakeMesh(int components, const std::array<double, 3>& marker)
@@ -83,7 +82,7 @@ void TestColors(RelevoComparison& comparison)
       {
         if ((components == 1 && magnitude) || (components == 1 && m == 0))
         {
-          continue; // a single number is what it is
+          continue; // single numbers have no marker
         }
         for (bool interpolated : { false, true })
         {
@@ -100,7 +99,7 @@ void TestColors(RelevoComparison& comparison)
             };
           };
           comparison.Compare(name + "0", Close, build(0));
-          // Lengths by textures: TestInterpolated().
+          // TestInterpolated() tests magnitudes with textures.
           if (!(interpolated && magnitude))
           {
             comparison.Compare(name + "3", Close, build(3));
@@ -121,7 +120,7 @@ size_t CountColor(const RelevoPicture& picture, const std::array<unsigned char, 
   return count;
 }
 
-// Lengths as texture coordinates; the limit is followed.
+// Magnitudes as texture coordinates. NoDataMagnitude takes effect.
 void TestInterpolated(RelevoCheck& check)
 {
   for (double limit : { 1e8, Infinity })
@@ -167,7 +166,7 @@ void TestRange(RelevoCheck& check)
     scene.Render();
     CHECK(errors.Said(words));
     scene.Render();
-    CHECK(errors.None()); // said once
+    CHECK(errors.None()); // reported once
     CHECK_EQUAL(mapper->GetNumberOfDrawnTriangles(), 0);
     CHECK_EQUAL(RelevoPicture(scene.Window).CountForeground(), 0);
   };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Parametric surfaces as scripts draw them: curvature in hues, also where hues wrap; points whose
-// normals have no direction. At level 0 as vtkPolyDataMapper draws them, at level 2 as the
-// filter's.
+// Proves that parametric surfaces are drawn as vtkPolyDataMapper draws them at level 0, or the
+// filter's output at level 2: curvature in hues that may wrap around, and points with undefined
+// normals.
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
@@ -43,7 +43,7 @@ Mesh MakeCurvedTorus()
   return curvatures->GetOutput();
 }
 
-// Of the points, how many have a normal without a direction.
+// Number of points whose normal has no direction.
 vtkIdType CountMissingNormals(vtkPolyData* mesh)
 {
   vtkDataArray* normals = mesh->GetPointData()->GetNormals();
@@ -57,7 +57,7 @@ vtkIdType CountMissingNormals(vtkPolyData* mesh)
   return count;
 }
 
-// Of some points the normals are zero, of others no numbers.
+// Some normals are zero, and some are NaN.
 Mesh MakeSphereWithoutSomeNormals()
 {
   Mesh mesh = Sphere(9, 7);
@@ -119,7 +119,7 @@ int TestAdaptiveRefinementMapperParametric(int argc, char* argv[])
               << " points whose normal has no direction\n";
     CHECK_GREATER(CountMissingNormals(mesh.second), 0);
     auto recipe = MakeRecipe(2);
-    // The mapper's mesh follows a recipe that refines no more, and then again.
+    // The mapper's mesh follows a recipe that stops refining, and then refines again.
     comparison.Compare("Normals." + mesh.first, {},
       [&](RelevoScene& scene) { scene.Add(mesh.second, recipe); },
       { { "Again",

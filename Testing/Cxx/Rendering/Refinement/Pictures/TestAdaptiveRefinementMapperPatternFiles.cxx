@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Every surface drawn with the patterns of a file as the filter makes it, by every method and
-// device; tables that change between frames; what a file cannot do is one error.
+// vtkRefinementPatternTable promises that patterns of a file draw every surface as the filter
+// refines it, with every method and device. Tables may change between frames, and unsupported
+// features give one error.
 #include "RelevoCheck.h"
 #include "RelevoPatternFiles.h"
 #include "RelevoScene.h"
@@ -19,7 +20,7 @@ namespace
 using namespace RelevoMeshes;
 using Mapper = vtkAdaptiveRefinementMapper;
 
-// As TestAdaptiveRefinementMapperTwin has it.
+// As in TestAdaptiveRefinementMapperTwin.
 const RelevoTolerance Close{ 2, 2e-6, 10 };
 
 constexpr int FileLevel = 4;
@@ -31,7 +32,7 @@ Mesh MakeMesh()
   return mesh;
 }
 
-// Flat faces show triangles.
+// On flat faces, the triangles are visible.
 void TestTwins(RelevoComparison& comparison, vtkRefinementPatternTable* table)
 {
   for (const auto& surface : RelevoMakeSurfaces())
@@ -45,7 +46,7 @@ void TestTwins(RelevoComparison& comparison, vtkRefinementPatternTable* table)
   }
 }
 
-// A metric of the view, which draws with other patterns where they can morph.
+// A view-dependent metric, which uses nested patterns if it can morph.
 void TestViewDependent(RelevoComparison& comparison, vtkRefinementPatternTable* table)
 {
   vtkNew<vtkScreenEdgeDepthTagMetric> metric;
@@ -99,7 +100,7 @@ void TestErrors(RelevoCheck& check, vtkRefinementPatternTable* table)
   CHECK(errors.Said("GeomorphingOff()"));
   CHECK_EQUAL(scene.GetMapper(0)->GetNumberOfDrawnTriangles(), 0);
   scene.Render();
-  CHECK(errors.None()); // said once
+  CHECK(errors.None()); // reported once
   recipe->SetSegmentPolicyToWholeNumbers();
   scene.Render();
   CHECK(errors.Said("SetSegmentPolicyToPowersOfTwo()"));
@@ -111,7 +112,7 @@ void TestErrors(RelevoCheck& check, vtkRefinementPatternTable* table)
   CHECK_EQUAL(drawn, Refine(Sphere(9, 7), recipe)->GetNumberOfPolys());
 }
 
-// Levels that the file does not have are a warning, once.
+// Levels that the file lacks give one warning.
 void TestWarning(RelevoCheck& check, vtkRefinementPatternTable* table)
 {
   const auto recipe = MakeRecipe(FileLevel + 1);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// At level 0 vtkAdaptiveRefinementMapper draws what vtkPolyDataMapper draws: matrices, large
-// coordinates, cameras, viewports, multisampling, render passes.
+// Proves that at level 0 the mapper draws what vtkPolyDataMapper draws: matrices, large
+// coordinates, cameras, viewports, multisampling and render passes.
 #include "RelevoScene.h"
 #include "RelevoShadows.h"
 #include "RelevoTestMeshes.h"

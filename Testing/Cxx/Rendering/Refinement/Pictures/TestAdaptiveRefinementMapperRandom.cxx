@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Random scenes at level 0 against vtkPolyDataMapper, at level 2 against vtkPolyDataMapper with
-// what vtkAdaptiveRefinementFilter makes. RELEVO_SEEDS="first count" draws other scenes, one scene
-// is also described: RELEVO_SEEDS="17 1".
+// Proves that random scenes equal vtkPolyDataMapper's pictures: of the input at level 0, and of the
+// filter's output at level 2. RELEVO_SEEDS="first count" draws other scenes; a single scene is
+// described too: RELEVO_SEEDS="17 1".
 //
-// At level 0 nothing may differ. At level 2 a pixel here and there: where the border of a triangle
-// or the edge of a colour meets a pixel's centre, a point that is the same but for its last bit
-// falls to this side or that. Neither has wider differences; those are defects.
+// At level 0 pictures are equal. At level 2 single pixels may differ: if a triangle's border or a
+// colour's border passes through a pixel's centre, the last bit of a point decides. Wider
+// differences are defects.
 #include "RelevoRandomScene.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ public:
   {
     for (vtkRenderWindow* window : this->All)
     {
-      window->OffScreenRenderingOn(); // a new size holds at once
+      window->OffScreenRenderingOn(); // applies a new size at once
       window->SetMultiSamples(0);
       window->SetAlphaBitPlanes(1);
     }
@@ -38,7 +38,7 @@ private:
 
 struct Difference
 {
-  size_t Single = 0; // pixels that have an equal one beside them on two sides at least
+  size_t Single = 0; // pixels that equal a neighbour on at least two sides
   size_t Wide = 0;   // others
   int Largest = 0;
 };
@@ -74,7 +74,7 @@ Difference Compare(const RelevoPicture& a, const RelevoPicture& b, int tolerance
   return result;
 }
 
-// One scene, a few frames.
+// Draws a few frames of one scene.
 bool TestSeed(
   RelevoCheck& check, unsigned int seed, Windows& windows, const std::string& folder, bool describe)
 {
@@ -135,7 +135,7 @@ int TestAdaptiveRefinementMapperRandom(int argc, char* argv[])
   {
     if (!windows || seed % 25 == 0)
     {
-      windows = std::make_unique<Windows>(); // else windows keep their shaders
+      windows = std::make_unique<Windows>(); // windows cache their shaders
     }
     different += TestSeed(check, seed, *windows, comparison.GetFolder(), count == 1) ? 0 : 1;
   }

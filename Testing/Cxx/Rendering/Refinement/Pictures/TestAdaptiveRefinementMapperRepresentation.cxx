@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// At level 0 vtkAdaptiveRefinementMapper draws what vtkPolyDataMapper draws: representations,
-// edges, culling, translucency, clipping, all kinds of cells.
+// Proves that at level 0 the mapper draws what vtkPolyDataMapper draws: representations, edges,
+// culling, translucency, clipping and all kinds of cells.
 #include "RelevoNamedMeshes.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
@@ -18,7 +18,7 @@ using Compare = std::function<void(const std::string&, const RelevoComparison::B
 using ChangeActor = std::function<void(vtkActor*)>;
 using CompareActor = std::function<void(const std::string&, const ChangeActor&)>;
 
-// The mesh with cells of one kind only: 0 vertices and lines, 1 polygons, 2 strips.
+// The mesh with cells of one kind: 0 vertices and lines, 1 polygons, 2 strips.
 Mesh Part(vtkPolyData* mesh, int kind)
 {
   Mesh part = Make();
@@ -41,18 +41,18 @@ Mesh Part(vtkPolyData* mesh, int kind)
 
 const RelevoTolerance Tight{ 1, 5e-7, 0 };
 
-// A picture of an actor of the mesh that was changed.
+// Compares pictures of an actor of the mesh after a change.
 void CompareMesh(RelevoComparison& comparison, const NamedMesh& mesh, const std::string& name,
   const ChangeActor& change)
 {
-  // A strip's lines run the other way, so other pixels are nearest to them, and the tubes that
-  // VTK 9.3 and later lengthen by the direction end elsewhere.
+  // Lines of strips run in the opposite direction, so other pixels are closest to them. Tubes,
+  // which VTK 9.3 and later extend by the direction, end elsewhere.
   const RelevoTolerance lines{ 1, 1e-6, 60 };
   const bool ofStrips = mesh.Name == "Strips" || mesh.Name == "Mixed";
   comparison.Compare("Representation." + mesh.Name + "." + name, ofStrips ? lines : Tight,
     [&](RelevoScene& s)
     {
-      // vtkPolyDataMapper shows wrong edges where polygons are not the only cells: its twin
+      // vtkPolyDataMapper draws wrong edges if there are other cells besides polygons, so its twin
       // has an actor for each kind.
       const bool apart = s.Kind == RelevoScene::Twin && mesh.Name == "Mixed";
       for (int kind = 0; kind < (apart ? 3 : 1); ++kind)
@@ -243,7 +243,7 @@ void TestTranslucency(const Compare& compare)
     });
 }
 
-// Both ways to draw what is translucent.
+// Both ways to draw translucent surfaces.
 void TestPeeling(const Compare& compare)
 {
   for (bool peeling : { false, true })

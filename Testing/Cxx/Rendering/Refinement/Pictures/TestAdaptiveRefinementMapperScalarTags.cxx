@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The GPU draws scalar-tagged surfaces as the filter refines them: creases, cusps and all; without
-// tags the pictures of PN triangles, to the bit. Tags may change between frames.
+// vtkScalarTaggedSurface promises the same creases and cusps on the GPU as in the filter. Without
+// tags, pictures equal those of PN triangles, bit for bit. Tags may change between frames.
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
@@ -55,7 +55,7 @@ int TestAdaptiveRefinementMapperScalarTags(int argc, char* argv[])
   RelevoComparison comparison(check, argc, argv);
   vtkNew<vtkScalarTaggedSurface> surface;
   vtkNew<vtkPNTriangleSurface> pn;
-  // As of TestAdaptiveRefinementMapperTwin.
+  // As in TestAdaptiveRefinementMapperTwin.
   const RelevoTolerance close{ 2, 2e-6, 10 };
   const auto compare = [&](const std::string& name, const RelevoComparison::Builder& build,
                          const std::vector<RelevoComparison::Step>& steps = {})
@@ -100,7 +100,7 @@ int TestAdaptiveRefinementMapperScalarTags(int argc, char* argv[])
       { "NoDirection", [&](RelevoScene&) { surface->SetDirectionArrayName(""); } } });
   surface->SetDirectionArrayName("Direction");
 
-  // Without tags, and with zeros.
+  // Without tags, and with zero tags.
   for (bool zeros : { false, true })
   {
     for (Mesh mesh : { Sphere(9, 7), Cone() })
@@ -117,7 +117,7 @@ int TestAdaptiveRefinementMapperScalarTags(int argc, char* argv[])
     }
   }
 
-  // A bad array is an error of the mapper.
+  // An invalid array is an error of the mapper.
   Mesh mesh = Sphere(9, 7);
   AddScalarTags(mesh, "Tension", 2);
   RelevoScene scene(RelevoScene::Refining);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// At level 0 vtkAdaptiveRefinementMapper draws what vtkPolyDataMapper draws: lights, normals,
-// colours, textures.
+// Proves that at level 0 the mapper draws what vtkPolyDataMapper draws: lights, normals, colours
+// and textures.
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 #include "RelevoTextures.h"
@@ -65,7 +65,7 @@ void AddFieldScalars(vtkPolyData* mesh, vtkIdType count)
   mesh->GetFieldData()->AddArray(field);
 }
 
-// Colours of the points or of the cells.
+// Point or cell colours.
 Mesh WithColors(Mesh mesh, int components, bool ofCells)
 {
   vtkNew<vtkUnsignedCharArray> colors;
@@ -107,8 +107,8 @@ void AddLight(RelevoScene& scene, double x, double y, double z, double r, double
   scene.Renderer->AddLight(light);
 }
 
-// Nothing is interpolated in another order than vtkPolyDataMapper's: the last bit of a fragment's
-// value may differ, and with it the last bit of a colour; a depth has 24 bits.
+// Interpolation may have another order than vtkPolyDataMapper's, so the last bit of a colour may
+// differ. Depths have 24 bits.
 const RelevoTolerance Tight{ 1, 2e-7, 0 };
 
 void TestNormals(const Compare& compare)
@@ -155,7 +155,7 @@ void TestNormals(const Compare& compare)
     });
 }
 
-// Drawn as they are where nothing is refined, also after something was.
+// Normals are unchanged if nothing is refined, even after something was.
 void TestUnevenNormals(RelevoComparison& comparison)
 {
   comparison.Compare("Shading.UnevenNormals", Tight,
@@ -394,7 +394,7 @@ void TestFieldScalars(const Compare& compare)
     [](RelevoScene& s)
     {
       Mesh mesh = Strips();
-      // Per triangle of the strips, as VTK's strips take field data.
+      // Field data have one value per triangle of the strips, as VTK counts them.
       AddFieldScalars(mesh, 400);
       vtkMapper* mapper = s.Add(mesh)->GetMapper();
       mapper->SetScalarModeToUseFieldData();
@@ -431,7 +431,7 @@ void TestTextures(const Compare& compare)
     });
 }
 
-// Shaders that the user replaces.
+// Shader replacements of the user.
 void TestReplacedShaders(const Compare& compare)
 {
   compare("ReplacedFragmentShader",

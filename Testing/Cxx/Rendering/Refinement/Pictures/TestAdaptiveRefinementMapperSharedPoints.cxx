@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A displaced mesh in pieces is drawn as the whole, by every method, to the bit.
+// Proves surfaces.md: a displaced mesh in pieces is drawn like the whole, with every method, bit
+// for bit.
 #include "RelevoDisplacements.h"
 #include "RelevoMethods.h"
 #include "RelevoPictures.h"
@@ -18,7 +19,7 @@ using namespace RelevoMeshes;
 
 namespace
 {
-// Columns of a bent strip from first / 16 to last / 16, with u going forth and back.
+// A bent strip from first / 16 to last / 16, whose texture coordinate u goes back and forth.
 Mesh MakeStrip(int first, int last)
 {
   std::vector<std::array<double, 3>> points;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Every surface drawn as the filter makes it; what changes live changes the picture, rebuilds
-// nothing and stays equal to the filter's; functions of the user's own.
+// Proves surfaces.md: every surface is drawn as the filter refines it. Live parameters change the
+// picture without a rebuild, and your own GLSL functions work.
 #include "RelevoCheck.h"
 #include "RelevoDisplacements.h"
 #include "RelevoScene.h"
@@ -22,10 +22,10 @@ using namespace RelevoMeshes;
 
 namespace
 {
-// As TestAdaptiveRefinementMapperTwin has it.
+// As in TestAdaptiveRefinementMapperTwin.
 const RelevoTolerance Close{ 2, 2e-6, 10 };
 
-// Depth-tags, and tags for the surfaces that take some.
+// Adds depth-tags, and scalar tags for surfaces that use them.
 Mesh AllTagged(Mesh mesh, int level)
 {
   AddRandomScalarTags(mesh, 11);
@@ -75,7 +75,7 @@ void testTwins(RelevoComparison& comparison)
     });
 }
 
-// Draws twice, with a change in between that must be seen, and must cost no rebuild.
+// Draws twice with a change in between, which must be visible and rebuild nothing.
 void testLive(RelevoCheck& check, RelevoComparison& comparison)
 {
   vtkNew<RelevoHeights> heights;
@@ -131,14 +131,14 @@ void testLive(RelevoCheck& check, RelevoComparison& comparison)
       CHECK_GREATER_EQUAL(bounds[2 * c + 1], reached[2 * c + 1] - 1e-6);
     }
   }
-  // The counts can tell: what is prepared from the mesh is built anew.
+  // Negative control: another base surface requires a rebuild.
   fur->SetBaseSurface(nullptr);
   scene.Render();
   CHECK_EQUAL(mapper->GetNumberOfBufferBuilds(), buffers + 1);
   CHECK_EQUAL(mapper->GetNumberOfShaderBuilds(), shaders + 1);
 }
 
-// A function in GLSL against the same one evaluated by the filter.
+// A function in GLSL, and the same function in C++ for the filter.
 class Waves : public vtkProceduralSurface
 {
 public:
@@ -156,7 +156,7 @@ public:
   {
     this->Phase = phase;
     this->SetUniform("phase", phase);
-    this->SetUniform("colors", 1.0, 2.0, 3.0); // not in the shader: no harm
+    this->SetUniform("colors", 1.0, 2.0, 3.0); // a uniform that the shader does not use
   }
 
 protected:
@@ -174,7 +174,7 @@ vtkStandardNewMacro(Waves);
 
 void testFunction(RelevoComparison& comparison)
 {
-  // Differences of heights amplify the last bits: lights tell.
+  // Differences of heights amplify rounding errors, which affects lighting.
   RelevoTolerance lit = Close;
   lit.Color = 6;
   vtkNew<Waves> waves;
@@ -184,12 +184,12 @@ void testFunction(RelevoComparison& comparison)
   comparison.Compare("Surfaces.Function", lit,
     [&](RelevoScene& s) { s.Add(Tagged(Sphere(9, 7), 5), MakeRecipe(5, waves)); },
     { { "Phase", [&](RelevoScene&) { waves->SetPhase(1.5); } } });
-  // Normals that differ on both sides of each edge open nothing.
+  // Normals that differ on both sides of each edge open no cracks.
   comparison.Compare("Surfaces.Function.Cube", lit,
     [&](RelevoScene& s) { s.Add(Tagged(Cube(), 5), MakeRecipe(5, waves)); });
 }
 
-// A function that is no GLSL: said once, nothing is drawn, and the next function is.
+// Invalid GLSL is reported once and nothing is drawn. The next function works.
 void testBadFunction(RelevoCheck& check)
 {
   vtkNew<vtkProceduralSurface> surface;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// No pixel shows a crack in any of the surfaces, displaced along their normals too, and their faces
-// share points to the bit; normals are split everywhere or nowhere.
+// Proves surfaces.md: no surface opens a crack, with or without displacement. Faces share points
+// bit for bit, with split or shared normals.
 #include "RelevoCheck.h"
 #include "RelevoDisplacements.h"
 #include "RelevoLeaks.h"
@@ -21,7 +21,8 @@ using namespace RelevoMeshes;
 
 namespace
 {
-// Places that the shader puts vertices at: where faces disagree by a single bit, there are more.
+// Number of distinct vertex positions in the shader. If faces differed by a single bit, there would
+// be more.
 size_t CountPlaces(RelevoCheck& check, vtkPolyData* mesh, vtkAdaptiveRefinement* recipe)
 {
   RelevoScene scene(RelevoScene::Refining);
@@ -32,7 +33,7 @@ size_t CountPlaces(RelevoCheck& check, vtkPolyData* mesh, vtkAdaptiveRefinement*
   return capture.Capture(check, scene).size();
 }
 
-// Those of triangles: points of dropped faces alone are kept where they are.
+// Number of distinct positions of triangle corners. Points of dropped faces are not displaced.
 size_t CountPlaces(vtkPolyData* mesh)
 {
   std::set<std::array<float, 3>> places;
@@ -75,8 +76,8 @@ int TestAdaptiveRefinementMapperSurfacesWatertight(int, char*[])
         RelevoLeaks::AddWhite(scene, Tagged(mesh.second, 5), recipe);
         size_t covered = 0;
         const size_t leaks = RelevoLeaks::CountLeaks(scene, 12, covered);
-        // OpenGL may take the front of a sliver seen edge-on for its back; that the faces share
-        // their points is what CountPlaces() tells.
+        // OpenGL may treat the front of a sliver seen edge-on as its back. CountPlaces() proves
+        // that faces share their points.
         if (leaks > 1 || covered < 50000)
         {
           check.Fail(__FILE__, __LINE__,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Point scalars through every kind of table: at level 0 the colours of vtkPolyDataMapper, at level
-// 2 those it gives to the filter's points.
+// Proves that point scalars get the colours of vtkPolyDataMapper with every kind of lookup table:
+// for the input at level 0, and for the filter's output at level 2.
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
@@ -23,7 +23,7 @@ namespace
 using namespace RelevoMeshes;
 using Table = vtkSmartPointer<vtkScalarsToColors>;
 
-// A plane whose vectors run over the ranges of the tables below, and beyond.
+// A plane whose vectors cover the ranges of the tables below, and more.
 Mesh WithValues(vtkDataArray* values, int components)
 {
   Mesh mesh = Plane(6, 5);
@@ -51,7 +51,7 @@ Table MakeLookupTable(bool log, bool ends)
   table->SetUseAboveRangeColor(ends);
   table->SetBelowRangeColor(1.0, 0.0, 1.0, 0.8);
   table->SetAboveRangeColor(1.0, 1.0, 1.0, 0.6);
-  table->SetAlpha(0.5); // vtkMapper does not use it
+  table->SetAlpha(0.5); // vtkMapper ignores it
   table->Build();
   return table;
 }
@@ -75,7 +75,7 @@ Table MakeFunction(bool log)
   return function;
 }
 
-// Opacity goes on where colours end.
+// The opacity function extends beyond the colour function.
 Table MakeDiscretizable(bool discretized, bool withOpacity)
 {
   vtkNew<vtkDiscretizableColorTransferFunction> function;
@@ -99,8 +99,8 @@ struct Tester
 {
   RelevoComparison& Comparison;
 
-  // As the mesh is, and refined. Where a table has steps, a point on a step may go either way: that
-  // is a triangle of a few pixels.
+  // Compares level 0 and level 2. If a table has steps, a point on a step may get either colour,
+  // which affects a triangle of a few pixels.
   void Compare(const std::string& name, size_t pixels, const std::function<Mesh()>& makeMesh,
     vtkScalarsToColors* table, const std::function<void(vtkMapper*)>& set) const
   {
@@ -147,7 +147,7 @@ void TestNumbers(const Tester& tester)
       {
         for (int mode : { vtkScalarsToColors::MAGNITUDE, vtkScalarsToColors::COMPONENT })
         {
-          // Vectors of 9 also by one component.
+          // Vectors of 9 components, mapped by magnitude or by one component.
           const bool isLength = mode == vtkScalarsToColors::MAGNITUDE;
           if (components == 9 ? !isPlain : !isLength)
           {
@@ -177,7 +177,7 @@ void TestNumbers(const Tester& tester)
   }
 }
 
-// Whole numbers right on the steps of a table: no colour of theirs may be the neighbour's.
+// Whole numbers lie exactly on the steps of a table and must not get the neighbour's colour.
 void TestSteps(const Tester& tester)
 {
   vtkNew<vtkColorTransferFunction> function;
@@ -223,7 +223,7 @@ void TestOtherValues(const Tester& tester)
       "Whole" + suffix, byTexture ? 300 : 60,
       []
       {
-        vtkNew<vtkIntArray> values; // halves of which are rounded, to either side of zero
+        vtkNew<vtkIntArray> values; // halves of these values are rounded away from zero
         return WithValues(values, 1);
       },
       table, set);
@@ -256,7 +256,7 @@ void TestOtherValues(const Tester& tester)
       mapper->UseLookupTableScalarRangeOff();
       mapper->SetScalarRange(1e6, 1e6 + 0.01);
     });
-  // A function's range counts, not what stands for no data.
+  // The function's range applies, not that of the missing values.
   tester.Compare(
     "Outlier", 60,
     []
@@ -269,7 +269,7 @@ void TestOtherValues(const Tester& tester)
     MakeFunction(false), nothing);
 }
 
-// What has no values between its own takes the nearest point's.
+// Values that cannot be interpolated are taken from the nearest point.
 void TestNames(const Tester& tester)
 {
   vtkNew<vtkLookupTable> table;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkAdaptiveRefinementMapper draws what vtkPolyDataMapper draws of
-// vtkAdaptiveRefinementFilter's output, and as many triangles.
+// Proves guide.md: the mapper draws the same triangles as the filter, compared with the picture of
+// the filter's output in a vtkPolyDataMapper.
 #include "RelevoDisplacements.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
@@ -34,11 +34,11 @@ vtkSmartPointer<vtkTexture> Stripes()
   return texture;
 }
 
-// Points are the same up to the last bits of a float, so colours and depths of a pixel hardly
-// differ; but a pixel at the rim of a triangle may go to its neighbour, or to the background.
+// Points agree up to the last bits of a float, so colours and depths hardly differ. A pixel at a
+// triangle's border may show its neighbour or the background.
 const RelevoTolerance Close{ 2, 2e-6, 10 };
 
-// What the scenes are made of.
+// The parts of the scenes.
 struct Parts
 {
   RelevoComparison& Comparison;
@@ -150,7 +150,7 @@ void TestLook(const Parts& parts, const Surface& surface)
     });
 }
 
-// Vertices and lines of a refined mesh take the filter's normals.
+// Vertices and lines of a refined mesh use the filter's normals.
 void TestUnevenNormals(const Parts& parts)
 {
   for (bool someAreZero : { false, true })
@@ -356,7 +356,7 @@ void TestViews(const Parts& parts)
       { "FartherReach", [&](RelevoScene&) { distance->SetMaximumDistance(9); } } });
 }
 
-// Composite data: the twin's is one whole, so blocks do not touch.
+// Composite data. The twin is one mesh, so blocks must not touch.
 void TestBlocks(const Parts& parts)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -368,7 +368,7 @@ void TestBlocks(const Parts& parts)
     { s.Add(blocks, MakeRecipe(4, parts.Quadratic, MakeDisplacement(parts.Rough, 0.1))); });
 }
 
-// Without data: rims of holes go through pixels, not triangles.
+// Missing heights: borders of holes cut pixels, not triangles.
 void TestHoles(RelevoComparison& comparison)
 {
   vtkNew<RelevoHeights> holes;

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// No pixel shows a crack in what vtkAdaptiveRefinementMapper draws, and every triangle faces the
-// side its coarse triangle faces: of a closed surface, each pixel is covered by as many triangles
-// seen from the front as from the back, so the front faces alone and the back faces alone must
-// fill exactly the same pixels.
+// Proves that pictures of the mapper have no cracks and that triangles keep their winding. In each
+// pixel of a closed surface, as many triangles face the eye as face away, so front faces alone and
+// back faces alone cover exactly the same pixels.
 #include "RelevoDisplacements.h"
 #include "RelevoLeaks.h"
 #include "RelevoTestMeshes.h"
@@ -27,7 +26,7 @@ namespace
 using namespace RelevoLeaks;
 using namespace RelevoMeshes;
 
-// The triangles of the mesh read, with a cone over its boundary.
+// The mesh of the reader, closed by a cone over its boundary.
 Mesh Close(vtkAlgorithm* reader)
 {
   vtkNew<vtkTriangleFilter> triangles;
@@ -82,7 +81,7 @@ Mesh Close(vtkAlgorithm* reader)
   return mesh;
 }
 
-// What a mesh is refined to.
+// A surface, displacement and levels.
 struct Variant
 {
   bool Curved = false;
@@ -116,7 +115,7 @@ public:
     this->Rough->FillRandom(64, 64, 9);
   }
 
-  // Refines a closed mesh to each of the variants.
+  // Refines a closed mesh by each variant.
   void CheckClosed(const std::string& name, Mesh mesh, int views) const
   {
     if (!IsClosed(mesh))
@@ -163,8 +162,8 @@ private:
     const size_t leaks = CountLeaks(scene, views, covered);
     std::cout << name << variant.GetName() << ": " << leaks << " leaks in " << covered << " pixels"
               << std::endl;
-    // Vertices on their way make slivers, and OpenGL now and then takes the front of one for its
-    // back: the filter's mesh, which is closed to the bit, shows the same pixel.
+    // Moving vertices form slivers, and OpenGL sometimes treats the front of one as its back. The
+    // filter's mesh, which is closed bit for bit, shows the same pixels.
     const size_t slivers = variant.Morphing ? 2 : 0;
     this->check.That(
       leaks <= slivers && covered > 50000, "closed without leaks", __FILE__, __LINE__);
@@ -217,7 +216,7 @@ void TestReadMeshes(const Tester& tester)
   }
 }
 
-// The counter sees cracks: the halves of a sphere with different levels along their seam.
+// Negative control: the halves of a sphere with different levels along their seam show cracks.
 void TestCounter(RelevoCheck& check)
 {
   vtkNew<vtkPNTriangleSurface> surface;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// vtkAdaptiveRefinementMapper keeps to a number of triangles and to the time that VTK allots.
+// Proves guide.md on budgets: the mapper keeps the number of triangles near the target, and the
+// frame time near the time that VTK allots.
 #include "RelevoCheck.h"
 
 #include "vtkActor.h"
@@ -29,7 +29,7 @@
 
 namespace
 {
-// Hills, so that edges of all lengths are seen.
+// Hills, so that edges have different lengths on the screen.
 vtkSmartPointer<vtkPolyData> MakeHills(int resolution)
 {
   vtkNew<vtkPlaneSource> source;
@@ -62,11 +62,11 @@ struct View
     this->Renderer->AddActor(this->Actor);
     this->Metric->SetReferenceLength(0.5);
     this->Recipe->SetMetric(this->Metric);
-    this->Recipe->SetMaximumLevel(5); // no face may be much of a target
+    this->Recipe->SetMaximumLevel(5); // keeps single faces small compared with the target
     this->Mapper->SetRefinement(this->Recipe);
   }
 
-  // Low over the hills, turning.
+  // Flies low over the hills while turning.
   void Fly(double time)
   {
     vtkCamera* camera = this->Renderer->GetActiveCamera();
@@ -108,7 +108,7 @@ void TestFlight(RelevoCheck& check, int rule, int policy)
     CHECK_NEAR(
       static_cast<double>(view.Mapper->GetNumberOfDrawnTriangles()), target, 0.05 * target);
     const double offset = view.Mapper->GetLevelOffset();
-    // No jumps back and forth.
+    // The offset does not jump.
     if (i > 0)
     {
       CHECK_NEAR(offset, last, 0.5);
@@ -118,7 +118,7 @@ void TestFlight(RelevoCheck& check, int rule, int policy)
     last = offset;
   }
 
-  // A still camera: nothing is selected any more.
+  // With a still camera, levels are not selected again.
   const vtkIdType selections = view.Mapper->GetNumberOfSelections();
   CHECK_EQUAL(selections, frames);
   for (int i = 0; i < 5; ++i)
@@ -127,7 +127,7 @@ void TestFlight(RelevoCheck& check, int rule, int policy)
   }
   CHECK_EQUAL(view.Mapper->GetNumberOfSelections(), selections);
 
-  // The filter makes the same mesh.
+  // The filter creates the same mesh.
   const vtkIdType drawn = view.Mapper->GetNumberOfDrawnTriangles();
   const vtkIdType culled = view.Mapper->GetNumberOfCulledTriangles();
   view.Recipe->SetLevelOffset(view.Mapper->GetLevelOffset());
@@ -139,13 +139,13 @@ void TestFlight(RelevoCheck& check, int rule, int policy)
   filter->Update();
   CHECK(culled > 0 && filter->GetOutput()->GetNumberOfPolys() == drawn + culled);
 
-  // The recipe's own offset makes no difference to the sum.
+  // The recipe's offset does not change the sum of both.
   view.Render();
   CHECK_EQUAL(view.Mapper->GetNumberOfDrawnTriangles(), drawn);
   CHECK_NEAR(view.Mapper->GetLevelOffset(), 0.0, 1e-9);
 }
 
-// A target is a plain value, and goes away without a trace.
+// A target is a plain value; removing it restores the levels.
 void TestSetting(RelevoCheck& check)
 {
   View view;
@@ -206,8 +206,8 @@ void TestBlocks(RelevoCheck& check)
   CHECK_EQUAL(view.Mapper->GetLevelOffset(), 0.0);
 }
 
-// No machine draws a million pictures a second: the fewest triangles there are. For still pictures
-// all come back, at once.
+// No computer draws a million frames per second, so the number of triangles becomes minimal. For
+// still frames, full detail returns at once.
 void TestTime(RelevoCheck& check, vtkDataObject* data)
 {
   View view;
@@ -227,7 +227,7 @@ void TestTime(RelevoCheck& check, vtkDataObject* data)
   CHECK_EQUAL(view.Mapper->GetNumberOfDrawnTriangles(), coarse);
   CHECK_LESS(view.Mapper->GetLevelOffset(), 0.0);
 
-  // A still camera: it settles.
+  // With a still camera the levels settle.
   vtkIdType selections = view.Mapper->GetNumberOfSelections();
   for (int i = 0; i < 10; ++i)
   {
@@ -235,7 +235,7 @@ void TestTime(RelevoCheck& check, vtkDataObject* data)
   }
   CHECK_EQUAL(view.Mapper->GetNumberOfSelections(), selections);
 
-  // What is seen is picked.
+  // The visible surface is picked.
   vtkNew<vtkHardwareSelector> selector;
   selector->SetRenderer(view.Renderer);
   selector->SetArea(0, 0, 299, 199);
@@ -253,7 +253,7 @@ void TestTime(RelevoCheck& check, vtkDataObject* data)
   fly(4);
   CHECK_EQUAL(view.Mapper->GetNumberOfDrawnTriangles(), all);
 
-  // Whichever is less, and translucent surfaces in many passes.
+  // The smaller of both budgets is used. Translucent surfaces need many passes.
   view.Mapper->UseAllocatedRenderTimeOn();
   view.Mapper->SetTargetNumberOfTriangles(all / 2);
   view.Actor->GetProperty()->SetOpacity(0.5);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkAdaptiveRefinementMapper draws the same, and counts the same, wherever faces choose their
-// patterns; on the GPU, too, it does nothing twice.
+// Proves that level selection on the graphics card gives the same pictures and counts as on the
+// CPU, and does nothing twice.
 #include "RelevoDisplacements.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
@@ -36,7 +36,7 @@ void SetDevice(RelevoScene& scene, int device)
   }
 }
 
-// Draws a scene with both devices, from three places; then changes the device of a window.
+// Draws a scene with both devices from three positions, then changes the device in the same window.
 void Compare(RelevoCheck& check, RelevoComparison& comparison, const std::string& name,
   const RelevoComparison::Builder& build, int expectedDevice = Mapper::SELECTION_DEVICE_GPU)
 {
@@ -56,7 +56,7 @@ void Compare(RelevoCheck& check, RelevoComparison& comparison, const std::string
   {
     onCPU.Render();
     onGPU.CopyCameras(onCPU);
-    onGPU.Renderer->GetActiveCamera()->Modified(); // which a copy does not say
+    onGPU.Renderer->GetActiveCamera()->Modified(); // a copy does not call it
     onGPU.Render();
     compare(step);
     for (size_t i = 0; i < onCPU.GetNumberOfActors(); ++i)
@@ -80,7 +80,7 @@ void Compare(RelevoCheck& check, RelevoComparison& comparison, const std::string
   {
     onCPU.Render();
     onGPU.CopyCameras(onCPU);
-    onGPU.Renderer->GetActiveCamera()->Modified(); // which a copy does not say
+    onGPU.Renderer->GetActiveCamera()->Modified(); // a copy does not call it
     SetDevice(onGPU, device);
     onGPU.Render();
     compare(device == Mapper::SELECTION_DEVICE_CPU ? "OnCPU" : "Back");
@@ -112,7 +112,7 @@ void CheckSettings(RelevoCheck& check, Mapper* mapper, RelevoErrors& errors)
   CHECK_EQUAL(mapper->GetSelectionDevice(), RelevoScene::GetSelectionDevice());
 }
 
-// Said once; the CPU draws.
+// The error is reported once, and the CPU selects.
 void CheckWithoutCompute(RelevoCheck& check, RelevoScene& scene, RelevoErrors& errors)
 {
   Mapper* mapper = scene.GetMapper(0);
@@ -130,10 +130,10 @@ void CheckSelectedOnce(RelevoCheck& check, RelevoScene& scene)
   const vtkIdType selections = mapper->GetNumberOfSelections();
   scene.Render();
   CHECK_EQUAL(mapper->GetNumberOfSelections(), selections);
-  CHECK_GREATER(mapper->GetSelectionTime(), 0.0); // of the first picture
+  CHECK_GREATER(mapper->GetSelectionTime(), 0.0); // of the first frame
 }
 
-// What was not read before the GPU's memory is released cannot be known; after a render it is.
+// Counters that were not read before the GPU memory is released are unknown until the next frame.
 void CheckReleased(RelevoCheck& check, RelevoScene& scene)
 {
   Mapper* mapper = scene.GetMapper(0);
@@ -144,11 +144,11 @@ void CheckReleased(RelevoCheck& check, RelevoScene& scene)
   mapper->GetNumberOfDrawnTriangles();
   scene.Renderer->GetActiveCamera()->Azimuth(-20.0);
   scene.Render();
-  mapper->GetRefinement()->GeomorphingOff(); // these patterns are of the next picture
+  mapper->GetRefinement()->GeomorphingOff(); // these patterns belong to the next frame
   CHECK_EQUAL(mapper->GetNumberOfDrawnTriangles(), triangles);
 }
 
-// Whether the GPU can choose; if not, that the mapper says so.
+// Whether the graphics card can select. If not, the mapper must report it.
 bool TestDevice(RelevoCheck& check)
 {
   RelevoScene scene(RelevoScene::Refining);

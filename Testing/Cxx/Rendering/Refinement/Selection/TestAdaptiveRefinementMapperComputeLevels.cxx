@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Compute shaders choose for every face the pattern that PatternSelection chooses, and hide the
-// faces that FaceCulling hides.
+// Proves that compute shaders select the same patterns as PatternSelection and cull the same faces
+// as FaceCulling.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 
@@ -111,10 +111,11 @@ public:
     }
   }
 
-  /// Comparisons of metrics that the GPU evaluates.
+  /// Number of comparisons of metrics that the GPU evaluates.
   int NumberOfShaders = 0;
 
-  /// Of any comparison: where all faces take one pattern there is little to compare.
+  /// Maximum over all comparisons. If all faces had the same pattern, the comparison would prove
+  /// little.
   size_t MaximumGroups = 0;
 
 private:
@@ -160,10 +161,10 @@ private:
     }
     const vtkMTimeType updated = this->State.GetTime(0);
     CHECK(update());
-    CHECK_EQUAL(this->State.GetTime(0), updated); // nothing had changed
+    CHECK_EQUAL(this->State.GetTime(0), updated); // nothing has changed
   }
 
-  // Quotients and square roots may differ in their last bits: then a tag may be rounded to another
+  // Quotients and square roots may differ in the last bits, so that a tag is rounded to another
   // level.
   void CheckPatterns(const std::string& name, const relevo::RefinementMesh& mesh,
     const relevo::PatternSelection& selection, vtkAdaptiveRefinement* recipe, float tolerance)
@@ -202,7 +203,7 @@ private:
     const int drawn = std::accumulate(counts.begin(), counts.end(), 0);
     RelevoCheck& check = this->Check;
     CHECK_GREATER(numberOfHidden, 0);
-    // All but faces at the very border of the view.
+    // All faces except those at the border of the view.
     CHECK_LESS_EQUAL(std::abs(static_cast<int>(mesh.Faces.size()) - numberOfHidden - drawn), 2);
   }
 

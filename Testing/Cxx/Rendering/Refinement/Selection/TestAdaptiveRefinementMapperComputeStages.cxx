@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The compute shaders of selection against plain C++: patterns face by face, places, draw commands.
+// Proves that the compute shaders of selection give the same patterns, positions and draw commands
+// as plain C++.
 #include "RelevoCheck.h"
 
 #include "Compute/RefinementComputeSelector.h"
@@ -22,7 +23,7 @@ using relevo::RefinementComputeProgram;
 using relevo::RefinementComputeSelector;
 using relevo::RefinementComputeView;
 
-// Faces of random points, and a table of random entries.
+// Random faces, and a table with random entries.
 struct Case
 {
   int NumberOfFaces;
@@ -66,7 +67,7 @@ struct Case
     }
   }
 
-  // Level of the mean, rounded half up, in double precision.
+  // The level of the mean, rounded half up, in double precision.
   int GetLevel(double a, double b) const
   {
     return static_cast<int>(
@@ -112,7 +113,7 @@ void Check(RelevoCheck& check, vtkOpenGLRenderWindow* window, const Case& c,
   selector.Group(selection, nullptr, instances.GetHandle());
   RefinementComputeProgram::End();
 
-  // Patterns, face by face.
+  // The pattern of each face.
   const std::vector<unsigned int> entries = selection.ReadEntries();
   std::vector<int> counts(static_cast<size_t>(c.NumberOfKeys), 0);
   int wrong = 0;
@@ -124,7 +125,7 @@ void Check(RelevoCheck& check, vtkOpenGLRenderWindow* window, const Case& c,
   CHECK_EQUAL(wrong, 0);
   CHECK(std::equal(counts.begin(), counts.end(), selection.ReadCounts().begin()));
 
-  // Each command draws its key's faces, each once, with the key's pattern.
+  // Each command draws the faces of its key once, with the key's pattern.
   const auto commands = selection.ReadCommands(RefinementComputeView::TRIANGLES);
   const auto lines = selection.ReadCommands(RefinementComputeView::LINES);
   const auto placed = instances.Read<unsigned int>(static_cast<size_t>(c.NumberOfFaces));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Drawn triangles are those in view, and a target is spent on them alone.
+// Proves guide.md on budgets: GetNumberOfDrawnTriangles() counts triangles of faces in view, and
+// only these use the budget.
 #include "RelevoDisplacements.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
@@ -60,7 +60,7 @@ vtkSmartPointer<vtkAdaptiveRefinement> MakeFlatRecipe(int level, vtkDepthTagMetr
   return recipe;
 }
 
-// Over the first of two planes beside each other, of which only this one is in view.
+// Looks at the first of two adjacent planes; only this one is in view.
 void LookDown(RelevoScene& scene, double x)
 {
   vtkCamera* camera = scene.Renderer->GetActiveCamera();
@@ -69,7 +69,7 @@ void LookDown(RelevoScene& scene, double x)
   camera->SetClippingRange(0.1, 10.0);
 }
 
-// How many of the points a frustum holds, and how many lie beyond one and the same plane of it.
+// Counts points inside a frustum and beyond each of its planes.
 struct MergedPoints
 {
   int Points = 0;
@@ -90,15 +90,15 @@ struct MergedPoints
     this->Inside += isInside ? 1 : 0;
   }
 
-  // What is beyond no plane with all its points may still be out of view, so never drawn faces are
-  // those beyond one, and faces with a point inside are always drawn.
+  // Faces with all points beyond one plane are never drawn, and faces with a point inside always.
+  // Other faces may still be out of view.
   bool IsOutside() const
   {
     return std::find(this->Beyond, this->Beyond + 4, this->Points) != this->Beyond + 4;
   }
 };
 
-// The filter's mesh by coarse faces, against the mapper's counts.
+// Compares the mapper's counts with the filter's mesh, grouped by coarse face.
 void TestCounts(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> heights;
@@ -130,7 +130,7 @@ void TestCounts(RelevoCheck& check)
       vtkPolyData* refined = filter->GetOutput();
       auto* ids =
         vtkIdTypeArray::SafeDownCast(refined->GetCellData()->GetArray("vtkOriginalCellIds"));
-      // Two faces of a quad: by cell, which gives looser limits.
+      // The two faces of a quad are counted as one cell, which gives wider limits.
       std::vector<MergedPoints> cells(
         static_cast<size_t>(scene.GetMapper(0)->GetNumberOfCoarseFaces()));
       std::vector<vtkIdType> triangles(cells.size(), 0);
@@ -166,7 +166,8 @@ void TestCounts(RelevoCheck& check)
   }
 }
 
-// A mesh of which a part is in view, and one of that part alone, in a composite data set or not.
+// A mesh that is partly in view, and a mesh of that part only, as a data set or in a composite data
+// set.
 void TestTarget(RelevoCheck& check, RelevoComparison& comparison, int method, bool isComposite)
 {
   vtkNew<vtkDistanceDepthTagMetric> distance;
@@ -200,7 +201,7 @@ void TestTarget(RelevoCheck& check, RelevoComparison& comparison, int method, bo
       }
       Mapper* mapper = whole.GetMapper(0);
       const auto drawn = static_cast<double>(mapper->GetNumberOfDrawnTriangles());
-      if (method <= Mapper::METHOD_ARK) // whose triangles are counted
+      if (method <= Mapper::METHOD_ARK) // their triangles are counted
       {
         CHECK_NEAR(drawn, static_cast<double>(target), 0.05 * static_cast<double>(target));
         CHECK_GREATER(mapper->GetNumberOfCulledTriangles(), 0);
@@ -216,7 +217,7 @@ void TestTarget(RelevoCheck& check, RelevoComparison& comparison, int method, bo
   }
 }
 
-// Backs of closed surfaces are culled, and what is picked has the levels that are seen.
+// Back faces of closed surfaces are culled, and picking uses the visible levels.
 void TestBackFaces(RelevoCheck& check)
 {
   const auto recipe = MakeFlatRecipe(5, nullptr);
@@ -246,7 +247,8 @@ void TestBackFaces(RelevoCheck& check)
   CHECK_EQUAL(mapper->GetLevelOffset(), offset);
   CHECK_EQUAL(mapper->GetNumberOfSelections(), selections);
 
-  // Seen from within, through it, or by a method that draws them, backs count.
+  // Back faces count if they are visible from inside, through the surface, or by a method that
+  // draws them.
   scene.GetActor(0)->GetProperty()->SetOpacity(0.5);
   scene.Render();
   CHECK_LESS(mapper->GetLevelOffset(), offset);
@@ -259,13 +261,13 @@ void TestBackFaces(RelevoCheck& check)
   CHECK_NEAR(static_cast<double>(mapper->GetNumberOfDrawnTriangles()), target, 0.05 * target);
 }
 
-// Cameras of two renderers, each with a target of its own view; still ones select nothing.
+// Two renderers each use a target for their view. Still cameras select nothing.
 void TestViews(RelevoCheck& check)
 {
   vtkNew<RelevoHeights> heights;
   heights->FillRandom(64, 64, 5);
   const auto recipe = MakeFlatRecipe(5, nullptr);
-  vtkNew<vtkSphere> sphere; // no metric of the view
+  vtkNew<vtkSphere> sphere; // its metric does not depend on the view
   sphere->SetCenter(0.5, 0.5, 0.0);
   sphere->SetRadius(0.02);
   vtkNew<vtkRegionDepthTagMetric> metric;
@@ -291,7 +293,7 @@ void TestViews(RelevoCheck& check)
     other->GetActiveCamera()->SetViewAngle(25.0);
     other->GetActiveCamera()->SetClippingRange(0.01, 10.0);
     scene.Render();
-    CHECK_GREATER(mapper->GetLevelOffset(), alone); // of the last, a close-up
+    CHECK_GREATER(mapper->GetLevelOffset(), alone); // of the last view, a close-up
     if (each)
     {
       CHECK_NEAR(static_cast<double>(mapper->GetNumberOfDrawnTriangles()), 20000.0, 1000.0);

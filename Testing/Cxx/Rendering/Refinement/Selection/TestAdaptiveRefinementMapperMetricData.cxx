@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The data of a metric's shader: a change of evaluator or data is seen, a wrong size is an error.
+// Proves that a metric's shader gets its current data: changes of evaluator or data take effect,
+// and a wrong size is an error.
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
@@ -21,7 +22,8 @@ namespace
 {
 constexpr int MaximumLevel = 3;
 
-// The shader takes levels from the data; the CPU has the highest everywhere.
+// The shader takes levels from the data. The CPU uses the highest level everywhere, which shows who
+// evaluates.
 class DataMetric : public vtkDepthTagMetric
 {
 public:
@@ -95,7 +97,7 @@ std::unique_ptr<relevo::MetricEvaluator> DataMetric::NewEvaluator(
 
 void TestRule(RelevoCheck& check, RelevoScene& scene, int rule)
 {
-  auto sphere = RelevoMeshes::Sphere(7, 6); // of triangles
+  auto sphere = RelevoMeshes::Sphere(7, 6); // only triangles
   const vtkIdType points = sphere->GetNumberOfPoints();
   const vtkIdType faces = sphere->GetNumberOfPolys();
   vtkNew<DataMetric> metric;

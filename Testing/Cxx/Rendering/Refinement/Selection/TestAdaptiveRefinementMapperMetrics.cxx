@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkAdaptiveRefinementMapper with 64 blocks under a moving camera: what a metric computes of a
-// block it computes once, wherever levels are chosen, and the filter gives as many triangles.
+// Proves that for 64 blocks and a moving camera, a metric prepares each block only once on both
+// devices, and that the filter gives the same number of triangles.
 #include "RelevoMeshArrays.h"
 #include "RelevoScene.h"
 #include "RelevoWatched.h"
@@ -50,7 +50,7 @@ vtkIdType CountFilterTriangles(
   return triangles;
 }
 
-// Draws frames with a metric that is new to the mapper; then nothing of a mesh is looked at again.
+// Draws frames with a metric that is new to the mapper. Later frames must not read the meshes.
 void DrawFrames(
   RelevoCheck& check, RelevoScene& scene, vtkMultiBlockDataSet* blocks, vtkDepthTagMetric* metric)
 {
@@ -73,7 +73,7 @@ void DrawFrames(
     CountFilterTriangles(blocks, mapper->GetRefinement(), scene));
 }
 
-// The metrics of Relevo that know something of a mesh, and all of them as one.
+// Relevo's metrics that prepare data of a mesh, and a composite of all.
 void TestOwnMetrics(RelevoCheck& check, vtkMultiBlockDataSet* blocks, int device)
 {
   vtkNew<vtkCurvatureDepthTagMetric> curvature;
@@ -104,7 +104,7 @@ void TestOwnMetrics(RelevoCheck& check, vtkMultiBlockDataSet* blocks, int device
   scene.ResetCameras();
   scene.Render();
   scene.Render();
-  // Without a metric nothing more is read of the mesh; curvature reads it.
+  // Without a metric no more values are read. Curvature reads them.
   RelevoWatchedFloats::GetReads() = 0;
   scene.Render();
   CHECK_EQUAL(RelevoWatchedFloats::GetReads(), 0);
@@ -120,7 +120,7 @@ void TestOwnMetrics(RelevoCheck& check, vtkMultiBlockDataSet* blocks, int device
   DrawFrames(check, scene, blocks, all);
 }
 
-// A metric of one's own: an evaluator for each block, which meets one mesh.
+// A custom metric gets one evaluator per block, each with one mesh.
 void TestOneEvaluatorPerBlock(
   RelevoCheck& check, vtkMultiBlockDataSet* blocks, int device, int rule)
 {
@@ -137,7 +137,7 @@ void TestOneEvaluatorPerBlock(
     CHECK_EQUAL(metric->Evaluations, frame * NumberOfBlocks);
     scene.Renderer->GetActiveCamera()->Azimuth(7.0);
   }
-  // A block that has moved is new, the others are not; so is one with other colours.
+  // Only a block that has changed is prepared again, even if only its colours have changed.
   auto* moved = vtkPolyData::SafeDownCast(blocks->GetBlock(5));
   moved->GetPoints()->SetPoint(0, 0.1, 0.2, 0.3);
   moved->GetPoints()->Modified();
