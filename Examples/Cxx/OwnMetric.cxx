@@ -27,7 +27,7 @@ public:
 
   bool IsViewDependent() override { return false; }
 
-  // From level 0 at the bottom to the deepest level at the top.
+  // The depth-tag rises from 0 at the bottom to maximumLevel at the top.
   bool ComputeTags(vtkPolyData* mesh, const relevo::RefinementView&, int maximumLevel,
     vtkFloatArray* tags) override
   {

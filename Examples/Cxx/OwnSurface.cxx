@@ -35,8 +35,8 @@ public:
   bool NeedsNormals() override { return true; }
   double GetReach() override { return this->Height; }
 
-  // For the filter. Weights are those of the face's corners; on its border one is 0, and the point
-  // is the coarse edge's own.
+  // For the filter. The barycentric weights belong to the corners of the face. On the border of the
+  // face, one weight is 0, and the point lies on the coarse edge.
   void Evaluate(
     const Face& face, const float weights[3], float position[3], float normal[3]) override
   {
@@ -55,7 +55,7 @@ public:
     }
   }
 
-  // For the mapper: the same in GLSL.
+  // For the mapper: the same surface in GLSL.
   std::string GetShaderSource() override
   {
     return R"(
