@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of vtkAdaptiveRefinementMapper run again with RELEVO_TEST_LIC=1: a vtkAdaptiveLICMapper
-// whose LIC has no share in the colours has to pass them, too.
+// Runs tests of vtkAdaptiveRefinementMapper again if RELEVO_TEST_LIC=1, with a vtkAdaptiveLICMapper
+// whose LIC does not contribute to the colours.
 #include "RelevoLICVectors.h"
 
 #include <cstdlib>

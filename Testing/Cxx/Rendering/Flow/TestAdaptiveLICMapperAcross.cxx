@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Vectors that stand on the surface have no streaks in vtkAdaptiveLICMapper, at no pixel, and those
-// that lean over have them at all, with normals and without.
+// vtkAdaptiveLICMapper promises: vectors perpendicular to the surface have no streaks at any pixel,
+// and tilted vectors have them at all pixels, with and without normals.
 #include "RelevoSurfaceFields.h"
 
 #include "vtkPointData.h"

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What is gained: on coarse meshes, refined where the field varies, streaks of vtkAdaptiveLICMapper
-// are closer to those of a dense mesh, and to the field, than on the coarse mesh itself. Wind over
-// displaced terrain follows its slopes, and there is none over holes.
+// Proves flow.md: on coarse meshes refined where the field varies, streaks are closer to those of a
+// dense mesh, and to the field, than on the coarse mesh.
 #include "RelevoSurfaceFields.h"
 
 #include "vtkFieldVariationDepthTagMetric.h"
@@ -45,7 +44,7 @@ Result Draw(const Surface& surface, vtkPolyData* mesh, const RelevoSurfaceField&
   return { picture, mapper->GetNumberOfDrawnTriangles() };
 }
 
-// The angles between the streaks of two pictures.
+// Angles between the streaks of two pictures.
 RelevoDeviations MeasureAngles(const RelevoLICPicture& picture, const RelevoLICPicture& expected)
 {
   const RelevoOrientation orientation(expected.GetFilled());
@@ -78,7 +77,7 @@ void TestRefinement(
             << likeCoarse << "\n  refined, " << refined.Triangles << ": " << ofRefined << "; "
             << likeRefined << "\n";
   CHECK_LESS(refined.Triangles, dense.Triangles);
-  // What vectors of coarse points do not say, refinement cannot tell.
+  // Refinement cannot add detail that is not in the vectors of the coarse points.
   CHECK_LESS(ofRefined.Median, 0.95 * ofCoarse.Median);
   CHECK_LESS(ofRefined.Percentile95, 0.93 * ofCoarse.Percentile95);
   CHECK_LESS(1.0 - likeRefined.SSIM, 0.93 * (1.0 - likeCoarse.SSIM));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK's shaders are changed for the LIC at anchors. One that is not there is an error that names
-// it, and no wrong LIC.
+// Proves that the LIC mapper edits VTK's shaders at anchors. A missing anchor is an error that
+// names it, and no wrong LIC is drawn.
 #include "RelevoLICVectors.h"
 #include "RelevoOtherTemplates.h"
 #include "RelevoTestMeshes.h"

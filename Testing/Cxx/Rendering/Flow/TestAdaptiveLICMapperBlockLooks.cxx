@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Streaks follow the visibility and the opacity of blocks and surfaces, and the sub-piece that is
-// drawn.
+// Proves that streaks follow the visibility and opacity of blocks and surfaces, and the sub-piece
+// that is drawn.
 #include "RelevoLICScene.h"
 #include "RelevoPieceSource.h"
 
@@ -21,7 +21,7 @@ using namespace RelevoMeshes;
 constexpr int Width = 80;
 constexpr int Height = 60;
 
-// Covers pixels from a column on, at a depth.
+// Covers pixels from a column on, at a given depth.
 Mesh MakeStrip(int firstColumn, int columns, double z)
 {
   const Mesh mesh = MakePixelMesh(columns, Height, 4,
@@ -57,7 +57,7 @@ RelevoPicture Draw(RelevoLICScene& scene)
   return RelevoPicture(scene.Window);
 }
 
-// A block that reaches to the right border, and one before the left half.
+// A block that reaches to the right border, and one in front of the left half.
 struct Scene : public RelevoLICScene
 {
   static constexpr unsigned int Back = 1;
@@ -78,7 +78,7 @@ struct Scene : public RelevoLICScene
 
 using Change = std::function<void(Scene&)>;
 
-// What a mapper shows that has drawn nothing else.
+// The picture of a mapper that has drawn nothing else.
 RelevoPicture DrawAlone(const Change& change)
 {
   Scene scene;
@@ -86,7 +86,7 @@ RelevoPicture DrawAlone(const Change& change)
   return Draw(scene);
 }
 
-// Hidden and shown again, a block takes its streaks with it, and leaves the others theirs.
+// A block that is hidden and shown again takes its streaks along. Others keep theirs.
 void TestVisibility(RelevoCheck& check)
 {
   Scene scene;
@@ -113,13 +113,13 @@ void TestVisibility(RelevoCheck& check)
   CHECK(HasStreaks(front, 0) && !HasStreaks(front, 1));
   const RelevoPicture both = look([](Scene& s) { s.Mapper->RemoveBlockVisibilities(); }, 1);
   CHECK(HasStreaks(both, 0) && HasStreaks(both, 1));
-  // Colours do not matter.
+  // Colours of blocks have no effect.
   scene.Mapper->SetBlockColor(Scene::Front, 1.0, 0.5, 0.5);
   scene.Render();
   CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), convolutions);
 }
 
-// One image serves the opaque pass and the translucent one.
+// The opaque and the translucent pass share one LIC image.
 void TestOpacity(RelevoCheck& check)
 {
   Scene beside(Width / 2);
@@ -131,7 +131,7 @@ void TestOpacity(RelevoCheck& check)
     CHECK_EQUAL(beside.Mapper->GetNumberOfConvolutions(), 1);
   }
 
-  // What is clear hides no vectors.
+  // A fully transparent block does not hide vectors behind it.
   Scene scene;
   scene.Mapper->SetBlockOpacity(Scene::Front, 0.0);
   CHECK(HasStreaks(Draw(scene), 0));
@@ -140,7 +140,7 @@ void TestOpacity(RelevoCheck& check)
   CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 2);
 }
 
-// The same for the one mesh that is the input.
+// The same for a single mesh as input.
 void TestMesh(RelevoCheck& check)
 {
   RelevoLICScene scene(Width, Height);
@@ -157,7 +157,7 @@ void TestMesh(RelevoCheck& check)
   CHECK(HasStreaks(Draw(scene), 0));
 }
 
-// A table of colours of which the left half's is clear at first.
+// A lookup table whose left half is first transparent.
 void TestTable(RelevoCheck& check)
 {
   const Mesh mesh = MakeStrip(0, Width, 0.0);
@@ -184,7 +184,7 @@ void TestTable(RelevoCheck& check)
   CHECK(HasStreaks(Draw(scene), 0));
 }
 
-// An image of which the left half is clear at first.
+// A texture whose left half is first transparent.
 void TestTexture(RelevoCheck& check)
 {
   const Mesh mesh = MakeStrip(0, Width, 0.0);
@@ -220,7 +220,7 @@ void TestSubPieces(RelevoCheck& check)
 {
   RelevoLICScene scene(Width, Height);
   vtkAdaptiveLICMapper* mapper = scene.Add(vtkSmartPointer<vtkMultiBlockDataSet>::New());
-  // One half of the window in each of two pieces.
+  // Each of two pieces covers one half of the window.
   vtkNew<RelevoPieceSource<vtkMultiBlockDataSetAlgorithm>> source;
   source->Make = [&source](vtkInformation* request)
   {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A LIC on blocks: vectors of points, of cells, or none; nested and empty blocks.
+// vtkAdaptiveLICMapper promises streaks on composite data: blocks with point vectors, cell vectors
+// or none, nested blocks and empty blocks.
 #include "RelevoLICVectors.h"
 #include "RelevoPictures.h"
 #include "RelevoTestMeshes.h"
@@ -16,8 +17,8 @@ namespace
 {
 using namespace RelevoMeshes;
 
-constexpr int Size = 200; // pixels of a picture; a block has half of each
-constexpr int Reach = 16; // pixels that streamlines cross
+constexpr int Size = 200; // pixels of a picture; each block has half of it
+constexpr int Reach = 16; // length of streamlines in pixels
 
 vtkAdaptiveRefinementMapper* NewMapper(vtkDataObject*)
 {
@@ -29,7 +30,7 @@ vtkAdaptiveRefinementMapper* NewMapper(vtkDataObject*)
   return mapper;
 }
 
-// A square whose lower left corner is (x, y), of side 1.
+// A square of side 1 whose lower left corner is (x, y).
 Mesh Square(double x, double y)
 {
   const double offset[3] = { x + 0.5, y + 0.5, 0.0 };
@@ -84,7 +85,7 @@ struct View
   }
 };
 
-// The quarter of a picture, without a margin.
+// A quarter of a picture without a margin.
 RelevoPicture Quarter(const RelevoPicture& picture, int column, int row, int margin)
 {
   const int size = Size / 2 - 2 * margin;
@@ -92,7 +93,7 @@ RelevoPicture Quarter(const RelevoPicture& picture, int column, int row, int mar
     picture, column * Size / 2 + margin, row * Size / 2 + margin, size, size);
 }
 
-// Vectors of points, to the right; of cells, upwards; none; and nested, to the upper left.
+// Point vectors to the right, cell vectors upwards, none, and nested ones to the upper left.
 struct Blocks
 {
   const Mesh Points = WithPointVectors(Square(0, 0), 3, 0);
@@ -126,7 +127,7 @@ struct Blocks
   }
 };
 
-// One for all blocks.
+// One convolution serves all blocks.
 void TestConvolutions(RelevoCheck& check, Blocks& blocks)
 {
   CHECK(blocks.All.Errors.None());
@@ -135,7 +136,7 @@ void TestConvolutions(RelevoCheck& check, Blocks& blocks)
   CHECK_EQUAL(blocks.All.Mapper->GetNumberOfConvolutions(), 1);
 }
 
-// Each block is as if it were alone, away from its neighbours.
+// Away from its neighbours, each block looks like a single one.
 void TestNeighbours(RelevoCheck& check, RelevoComparison& comparison, const Blocks& blocks)
 {
   const struct
@@ -162,7 +163,8 @@ void TestBlockWithoutVectors(RelevoCheck& check, const Blocks& blocks, const Rel
   CHECK_EQUAL(Quarter(blocks.Picture, 0, 1, 2).Colors, Quarter(plain, 0, 1, 2).Colors);
 }
 
-// Streaks go with their block's vectors up to its border: neighbours differ less along them.
+// Up to the border, streaks follow their block's vectors: neighbouring pixels differ less along
+// them.
 void TestStreaks(RelevoCheck& check, const Blocks& blocks)
 {
   for (const int column : { 0, 1 })
@@ -195,7 +197,7 @@ void TestLostVectors(
     Quarter(blocks.Picture, 1, 1, Reach));
 }
 
-// Something else of their name is an error.
+// Another array of this name is an error.
 void TestReplacedVectors(
   RelevoCheck& check, RelevoComparison& comparison, Blocks& blocks, const RelevoPicture& plain)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// How vtkAdaptiveLICMapper combines its LIC with the colours of the surface: against the formulae,
-// from pictures of the LIC alone and of the colours alone.
+// vtkAdaptiveLICMapper promises how it combines the LIC with the surface's colours. The formulae
+// are applied to pictures of the LIC alone and of the colours alone.
 #include "RelevoLICView.h"
 #include "RelevoTestMeshes.h"
 
@@ -24,7 +24,7 @@ using Color = RelevoLICView::Color;
 Mesh Colored()
 {
   Mesh mesh = Torus();
-  mesh->SetLines(nullptr); // of its seams: no faces, no LIC
+  mesh->SetLines(nullptr); // lines of the seams, which have no LIC
   mesh->SetVerts(nullptr);
   vtkNew<vtkDoubleArray> values;
   values->SetName("Values");
@@ -52,7 +52,7 @@ double Lightness(const Color& c)
   return 0.5 * (*std::min_element(c.begin(), c.end()) + *std::max_element(c.begin(), c.end()));
 }
 
-// m and M of the low and the high factor become 0 and 1.
+// The low and high factors define m and M, which are mapped to 0 and 1.
 double Stretch(double value, const std::array<double, 2>& range, double low, double high)
 {
   const double width = range[1] - range[0];
@@ -61,7 +61,7 @@ double Stretch(double value, const std::array<double, 2>& range, double low, dou
   return vtkMath::ClampValue((value - from) / (to - from), 0.0, 1.0);
 }
 
-// Hue and saturation of a colour with another lightness.
+// A colour with the same hue and saturation, but another lightness.
 Color WithLightness(const Color& color, double lightness)
 {
   double hsl[3];
@@ -78,7 +78,7 @@ Color WithLightness(const Color& color, double lightness)
   return result;
 }
 
-// Where there is a surface with a LIC.
+// Whether the pixel shows a surface with LIC.
 bool HasLIC(const RelevoPicture& lic, size_t pixel)
 {
   return lic.Depths[pixel] < 1.0f && !RelevoLICView::IsMasked(RelevoLICView::At(lic, pixel));
@@ -94,7 +94,7 @@ size_t CountLIC(const RelevoPicture& lic)
   return count;
 }
 
-// Of pixels with a LIC.
+// Range over the pixels with LIC.
 std::array<double, 2> FindRange(
   const RelevoPicture& lic, const std::function<double(size_t)>& getValue)
 {
@@ -153,7 +153,7 @@ void TestMultiply(RelevoComparison& comparison, RelevoLICView& view)
   view.Mapper->SetMapModeBias(0.0);
 }
 
-// Lightness stretched, of either mode; the range is that of pixels with LIC.
+// Lightness is stretched in both modes, by the range over pixels with LIC.
 void TestLightnessContrast(
   RelevoComparison& comparison, RelevoLICView& view, int mode, double factor)
 {
@@ -242,7 +242,8 @@ void TestMasks(RelevoComparison& comparison)
   }
 }
 
-// A square of side 2 that fills the picture; vectors are 1 + x long, and slanted by 60 degrees.
+// A square of side 2 that fills the picture. Vectors have length 1 + x and are tilted by 60
+// degrees.
 RelevoLICView MakeSquareView()
 {
   Mesh mesh = Plane(8, 8);
@@ -259,7 +260,7 @@ RelevoLICView MakeSquareView()
   return view;
 }
 
-// The length of the vectors where the LIC begins.
+// The length of the vectors at the border of the LIC.
 double FindBorder(RelevoLICView& view)
 {
   const RelevoPicture lic = view.DrawLIC();
@@ -272,7 +273,7 @@ double FindBorder(RelevoLICView& view)
   return 0.01 * first;
 }
 
-// Masked by the length of vectors, or of their projections.
+// Pixels are masked by the length of vectors, or of their projections.
 void TestThreshold(RelevoCheck& check)
 {
   RelevoLICView view = MakeSquareView();

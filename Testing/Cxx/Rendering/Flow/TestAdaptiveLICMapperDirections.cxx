@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Streaks of vtkAdaptiveLICMapper run as the field does, seen on the screen: on a plane that faces
-// the camera, and on planes, spheres and tori in perspective, with the eye near them and off their
-// axes.
+// Proves flow.md: streaks follow the projected field on a plane that faces the camera, and in
+// perspective on planes, spheres and tori, also from close by and away from their axes.
 #include "RelevoSurfaceFields.h"
 
 #include <iostream>
@@ -36,7 +35,7 @@ void Expect(RelevoCheck& check, const std::string& name, const RelevoDeviations&
   CHECK_LESS_EQUAL(deviations.Percentile95, 5.0);
 }
 
-// Pixels are units: the field is its own projection.
+// One pixel is one unit, so the field equals its projection.
 void TestFacingPlane(RelevoCheck& check)
 {
   const auto place = [](double sample, int number)
@@ -91,8 +90,8 @@ void TestSurface(RelevoCheck& check, const std::string& name, vtkPolyData* mesh,
   }
 }
 
-// The same with the direction of the vector itself, as if all lines of sight were parallel, fails:
-// the test sees perspective.
+// Negative control: with the directions of a parallel projection the check fails, so it detects
+// perspective.
 void TestPerspective(RelevoCheck& check, vtkPolyData* mesh, const View& view)
 {
   const RelevoSurfaceField away = [](const Vector&) { return Vector{ { 0.0, 1.0, 0.0 } }; };

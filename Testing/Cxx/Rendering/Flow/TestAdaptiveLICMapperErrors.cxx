@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Bad input: vtkAdaptiveLICMapper says once what is wrong and draws the surface as
-// vtkAdaptiveRefinementMapper does; put right, it has a LIC again.
+// Proves errors.md: for invalid input vtkAdaptiveLICMapper reports the cause once and draws the
+// surface like vtkAdaptiveRefinementMapper. After a correction it draws streaks again.
 #include "RelevoLICVectors.h"
 #include "RelevoPictures.h"
 #include "RelevoTestMeshes.h"
@@ -30,7 +30,7 @@ constexpr int Cells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
 const double NaN = std::numeric_limits<double>::quiet_NaN();
 const double Infinity = std::numeric_limits<double>::infinity();
 
-// A mesh drawn with a LIC, and without by the class above.
+// A mesh drawn with a LIC, and by the superclass without.
 struct View
 {
   RelevoCheck& Check;
@@ -73,7 +73,7 @@ struct View
     return RelevoPicture(this->Plain.Window);
   }
 
-  // One error with these words, then silence; the surface is as ever.
+  // Expects one error with these words, no further messages, and the plain surface.
   void TestFails(const std::string& words)
   {
     const bool plain = Equal(this->Draw(), this->DrawPlain());
@@ -101,7 +101,7 @@ struct View
     }
   }
 
-  // Nothing to follow is no error.
+  // A field without streaks is not an error.
   void TestPlain(const std::string& what)
   {
     const bool plain = Equal(this->Draw(), this->DrawPlain());
@@ -141,7 +141,7 @@ vtkSmartPointer<vtkImageData> MakeNoise(int width, int height, int depth, double
   return image;
 }
 
-// Arrays that are not there.
+// Missing arrays.
 void TestMissingArrays(RelevoCheck& check, View& view, vtkPolyData* mesh)
 {
   view.TestShows("active vectors");
@@ -154,7 +154,7 @@ void TestMissingArrays(RelevoCheck& check, View& view, vtkPolyData* mesh)
   view.TestFails("no array of vectors");
   view.Mapper->SetInputArrayToProcess(0, 0, 0, Cells, "Wind");
   view.Draw();
-  CHECK(view.Errors.None()); // the same words
+  CHECK(view.Errors.None()); // the same error
   view.Mapper->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_NONE, "Flow");
   view.Draw();
   CHECK(view.Errors.None());
@@ -164,7 +164,7 @@ void TestMissingArrays(RelevoCheck& check, View& view, vtkPolyData* mesh)
                  "\"Flow\"). The surface has no LIC.");
 }
 
-// Arrays that are not vectors of the points.
+// Arrays that are not point vectors.
 void TestUnfitArrays(View& view, vtkPolyData* mesh)
 {
   const vtkIdType count = mesh->GetNumberOfPoints();
@@ -181,7 +181,7 @@ void TestUnfitArrays(View& view, vtkPolyData* mesh)
   view.TestFails("5 vectors for " + std::to_string(count) + " points");
 }
 
-// Of other types, of two components, of cells.
+// Vectors of other types, of two components, and of cells.
 void TestFitArrays(View& view, vtkPolyData* mesh)
 {
   const vtkIdType count = mesh->GetNumberOfPoints();
@@ -206,7 +206,7 @@ void TestArrays(RelevoCheck& check)
   TestFitArrays(view, mesh);
 }
 
-// Once for each input, and before the surface is drawn.
+// Reported once per input, before the surface is drawn.
 void TestTypes(RelevoCheck& check)
 {
   View view(check, MakeSphere());
@@ -223,7 +223,7 @@ void TestTypes(RelevoCheck& check)
   view.TestShows("a mesh after a table");
 }
 
-// Fields without anything to show.
+// Fields without streaks.
 void TestEmptyFields(RelevoCheck& check)
 {
   Mesh mesh = Sphere(12, 10);
@@ -264,7 +264,7 @@ void TestNormalVectors(RelevoCheck& check)
   view.TestPlain("normal vectors");
 }
 
-// Settings out of range change nothing.
+// Values out of range change nothing.
 void TestSettings(RelevoCheck& check)
 {
   Mesh mesh = MakeSphere();
@@ -326,7 +326,7 @@ void TestNoiseFiles(View& view, const std::string& folder)
 void TestNoiseImages(View& view)
 {
   vtkAdaptiveLICMapper* mapper = view.Mapper;
-  mapper->SetNoiseDataSet(MakeNoise(16, 16, 1, 0.5)); // goes before a file
+  mapper->SetNoiseDataSet(MakeNoise(16, 16, 1, 0.5)); // has precedence over a file
   view.TestShows("a noise image");
   vtkNew<vtkImageData> empty;
   mapper->SetNoiseDataSet(empty);
@@ -423,7 +423,7 @@ void TestNoMeshAndNoRecipe(RelevoCheck& check)
 int TestAdaptiveLICMapperErrors(int argc, char* argv[])
 {
   RelevoCheck check;
-  RelevoComparison comparison(check, argc, argv); // for its folder's arguments
+  RelevoComparison comparison(check, argc, argv); // reads the arguments with the folder
   TestArrays(check);
   TestTypes(check);
   TestEmptyFields(check);

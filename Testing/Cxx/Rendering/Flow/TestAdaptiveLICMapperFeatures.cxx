@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A LIC beside all else that a mapper does: half of the picture's colours are the LIC, half those
-// of the surface without it. Actors' matrices, picks, copies.
+// Proves that streaks work together with all other features of a mapper: half of each colour comes
+// from the LIC and half from the picture without it. Actor matrices, picks and copies are tested
+// too.
 #include "RelevoDisplacements.h"
 #include "RelevoLICView.h"
 #include "RelevoPicks.h"
@@ -73,7 +74,7 @@ vtkSmartPointer<vtkTexture> Stripes()
 
 using Change = std::function<void(RelevoLICView&)>;
 
-// Half LIC, half what is seen without.
+// Half of the LIC plus half of the picture without it.
 struct Features
 {
   RelevoCheck& Check;
@@ -237,7 +238,7 @@ struct Placement
   double Angle;
 };
 
-// As if the mesh, with its vectors, had been transformed.
+// The picture equals that of the transformed mesh with transformed vectors.
 void TestPlacement(RelevoComparison& comparison, const Placement& placement)
 {
   vtkNew<vtkTransform> transform;
@@ -273,12 +274,12 @@ void TestPlacement(RelevoComparison& comparison, const Placement& placement)
   assembled.Scene->CopyCameras(*baked.Scene);
   const RelevoPicture expected = baked.Draw();
   const std::string name = std::string("LICFeatures.") + placement.Name;
-  // Points differ by a rounding, and so may a streamline that passes the border of a texel.
+  // Points differ by rounding, and so may a streamline that passes the border of a texel.
   comparison.Compare(name, { 12, 1e-4, 150 }, moved.Draw(), expected);
   comparison.Compare(name + "Assembly", { 12, 1e-4, 150 }, assembled.Draw(), expected);
 }
 
-// Vectors turn with the actor.
+// Vectors rotate with the actor.
 void TestPlacements(RelevoComparison& comparison)
 {
   for (const Placement& placement :
@@ -290,7 +291,7 @@ void TestPlacements(RelevoComparison& comparison)
   }
 }
 
-// Props of several levels of detail hand their mapper to another actor.
+// Props with several levels of detail pass their mapper to another actor.
 void TestLevelOfDetail(RelevoComparison& comparison)
 {
   RelevoLICView view;
@@ -328,7 +329,7 @@ void TestPicks(RelevoCheck& check, RelevoComparison& comparison)
   }
 }
 
-// Copies; and the two meanings of a colour mode.
+// Copies, and the two meanings of a colour mode.
 void TestCopies(RelevoCheck& check, RelevoComparison& comparison)
 {
   Mesh mesh = WithScalars(Sphere(12, 10));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkAdaptiveLICMapper convolves once for all that changes what is convolved, and not for anything
-// else; a picture that is drawn again is the same to the bit.
+// Proves flow.md: vtkAdaptiveLICMapper convolves again exactly when the view, the data or a setting
+// changes. A repeated picture is the same, bit for bit.
 #include "RelevoSurfaceFields.h"
 
 #include "vtkAdaptiveLICMapper.h"
@@ -75,7 +75,7 @@ struct Change
   std::function<void(Scene&)> Make;
 };
 
-// All of them change the picture.
+// Each of these changes the picture.
 std::vector<Change> MakeChangesOfLIC()
 {
   using M = vtkAdaptiveLICMapper;
@@ -218,7 +218,7 @@ void Test(RelevoCheck& check, const Change& change, vtkIdType expected)
   CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 1 + expected);
 }
 
-// Masked places have a colour of their own.
+// Masked regions have a separate colour.
 void TestMaskColor(RelevoCheck& check)
 {
   Scene scene;
@@ -283,7 +283,7 @@ void TestLookupTable(RelevoCheck& check)
   CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 1);
 }
 
-// A budget of triangles finds its level from picture to picture, and comes to rest.
+// A triangle budget finds its levels over several frames and then stays.
 void TestBudget(RelevoCheck& check)
 {
   Scene scene;
@@ -304,7 +304,7 @@ void TestBudget(RelevoCheck& check)
   CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), convolutions);
 }
 
-// The range of colours' lightness is sought again, and nothing is convolved.
+// The range of lightness is computed again without a convolution.
 void TestColorRange(RelevoCheck& check)
 {
   Scene scene;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What is drawn over a LIC: edges, and translucent layers that have one too.
+// Proves limits.md on streaks and translucent layers, and that edges are drawn over the LIC.
 #include "RelevoLICView.h"
 #include "RelevoTestMeshes.h"
 
@@ -73,13 +73,13 @@ struct Layers
 
   void Compare(const std::string& name, const RelevoPicture& actual, RelevoPicture expected)
   {
-    expected.Depths = actual.Depths; // translucent layers have none
+    expected.Depths = actual.Depths; // translucent layers write no depths
     const std::string suffix = this->Peeling ? "Peeled" : "Blended";
     this->Comparison.Compare("LICLayers." + name + suffix, { 2, 0.0, 0 }, actual, expected);
   }
 };
 
-// Each mesh has its LIC: in front of an opaque layer, then of a translucent one.
+// Each mesh has a LIC, in front of an opaque layer and of a translucent one.
 void TestLayersOfMeshes(Layers& layers, int contrast)
 {
   RelevoLICView view;
@@ -100,7 +100,7 @@ void TestLayersOfMeshes(Layers& layers, int contrast)
   layers.Compare("OverLIC" + number, view.Draw(), Mix(behind, fore));
   if (!layers.Peeling)
   {
-    return; // several layers are blended in no order
+    return; // blending several layers has no defined order
   }
   back->GetProperty()->SetOpacity(0.5);
   front->VisibilityOff();
@@ -109,7 +109,7 @@ void TestLayersOfMeshes(Layers& layers, int contrast)
   layers.Compare("TwoLayers" + number, view.Draw(), Mix(translucent, fore));
 }
 
-// Of one mesh the layer in front has a LIC.
+// Of one mesh, only the front layer has a LIC.
 void TestLayersOfOneMesh(RelevoCheck& check, Layers& layers)
 {
   vtkNew<vtkAppendPolyData> append;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Noise that could not be had is tried again, and noise is made anew for what it is made from
-// alone; factors of contrast that do not fit together are an error where they are used.
+// Proves that noise which could not be read is tried again, and that noise is only generated again
+// if its settings change. Contrast factors that contradict each other are errors where they are
+// used.
 #include "RelevoLICScene.h"
 
 #include "vtkImageData.h"
@@ -53,7 +54,7 @@ void TestFile(RelevoCheck& check, const std::string& folder)
   scene.Render();
   CHECK(scene.Errors.Said("cannot be opened"));
   scene.Render();
-  CHECK(scene.Errors.None()); // said once
+  CHECK(scene.Errors.None()); // reported once
   CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 0);
   std::fclose(std::fopen(file.c_str(), "w"));
   scene.Render();
@@ -70,7 +71,7 @@ void TestFile(RelevoCheck& check, const std::string& folder)
   other.Mapper->SetNoiseDataSet(MakeNoise());
   CHECK_EQUAL(picture.Grey.Values, other.Render().Grey.Values);
 
-  // Read once.
+  // The file is read once.
   std::remove(file.c_str());
   scene.Mapper->SetNumberOfSteps(10);
   scene.Render();
@@ -82,7 +83,7 @@ void TestFile(RelevoCheck& check, const std::string& folder)
   CHECK_EQUAL(scene.Mapper->GetNumberOfConvolutions(), 2);
 }
 
-// The settings of generated noise count where it is generated.
+// Settings of generated noise have an effect only if noise is generated.
 void TestSeed(RelevoCheck& check)
 {
   Scene scene;
@@ -119,7 +120,7 @@ void TestContrast(RelevoCheck& check)
   CHECK(scene.Errors.None());
   CHECK_EQUAL(mapper->GetNumberOfConvolutions(), 1);
 
-  // Factors that are not used are not checked, as by vtkSurfaceLICMapper.
+  // Unused factors are not checked, as in vtkSurfaceLICMapper.
   mapper->SetHighLICContrastEnhancementFactor(0.6);
   mapper->SetHighColorContrastEnhancementFactor(0.5);
   mapper->SetEnhanceContrastToOff();

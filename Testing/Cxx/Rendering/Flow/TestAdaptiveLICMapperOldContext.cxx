@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkAdaptiveLICMapper in contexts that cannot all. Run with MESA_GL_VERSION_OVERRIDE=3.2, which
-// refinement says once is too old, and 3.3, which does for a LIC.
+// Proves limits.md: with MESA_GL_VERSION_OVERRIDE=3.2 the mapper reports once that the context is
+// too old. Version 3.3 is sufficient for streaks.
 #include "RelevoLICView.h"
 #include "RelevoTestMeshes.h"
 

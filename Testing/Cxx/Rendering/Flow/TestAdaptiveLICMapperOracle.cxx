@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// On a plane that faces the camera, each pixel a point of the mesh, vtkAdaptiveLICMapper shows what
-// vtkLineIntegralConvolution makes of an image of the same vectors.
+// Proves flow.md: on a plane that faces the camera, with one point per pixel, vtkAdaptiveLICMapper
+// gives the result of vtkLineIntegralConvolution for the same vectors.
 #include "RelevoLICScene.h"
 
 #include "vtkLICNoiseSource.h"
@@ -13,7 +13,7 @@ namespace
 constexpr int Columns = 256;
 constexpr int Rows = 192;
 
-// Fields of places about (0, 0), the lower and the upper border at -1 and 1.
+// Fields around (0, 0). The lower and upper borders are at -1 and 1.
 RelevoField InPixels(const RelevoField& field, double factor = 1.0)
 {
   return [=](double x, double y, double* v)
@@ -24,7 +24,7 @@ RelevoField InPixels(const RelevoField& field, double factor = 1.0)
   };
 }
 
-// A setting that both have under the same name.
+// A setting with the same name in both classes.
 struct Setting
 {
   std::string Name;
@@ -80,8 +80,8 @@ public:
     this->Name += ", " + setting.Name;
   }
 
-  // Of the pixels at most the given share may differ by more than rounding, and have LIC in one of
-  // the two only.
+  // At most the given share of pixels may differ by more than rounding, or have LIC in only one of
+  // both.
   void Compare(double different, double oneSided = 0.0)
   {
     RelevoGrey expected = GreyOf(RunLIC(this->Filter), Columns);
@@ -107,7 +107,7 @@ public:
   vtkNew<vtkLineIntegralConvolution> Filter;
 };
 
-// A float's last bits decide at texels' borders which noise is taken, and by what a streamline
+// At the borders of texels, a float's last bits decide which noise is used and how a streamline
 // passes a singular point.
 void TestSettings(RelevoCheck& check)
 {
@@ -118,8 +118,8 @@ void TestSettings(RelevoCheck& check)
     {
       Oracle oracle(check, field.Name, InPixels(field.Field));
       oracle.Set(setting);
-      // Long steps leap over the dipole's poles, and those of an animation have longer lines to do
-      // so.
+      // Long steps jump over the dipole's poles, and the longer lines of an animation do so more
+      // often.
       oracle.Compare(setting.Name == "not normalised" ? 0.15
           : setting.Name == "phase"                   ? 0.06
                                                       : 0.01);
@@ -127,8 +127,8 @@ void TestSettings(RelevoCheck& check)
   }
 }
 
-// Streamlines end at other places beside no-data: where the nearest sample has none, or half of the
-// bilinear weight.
+// Streamlines end at slightly different points beside missing data: where the nearest sample is
+// missing, or half of the bilinear weight.
 void TestNoData(RelevoCheck& check)
 {
   const double holes[3] = { -1e9, std::nan(""), 0.0 };
@@ -144,7 +144,7 @@ void TestNoData(RelevoCheck& check)
       }
     };
     Oracle oracle(check, "no-data " + std::to_string(hole), field);
-    // Where a zero lies exactly at a pixel's centre, rounding lets its neighbours in.
+    // If a zero lies exactly at a pixel's centre, rounding gives its neighbours a LIC.
     oracle.Compare(hole == 0.0 ? 0.06 : 0.01, hole == 0.0 ? 0.006 : 0.0);
   }
 }
@@ -172,7 +172,7 @@ void TestNoise(RelevoCheck& check)
   oracle.Compare(0.01);
 }
 
-// Linear fields are the same on a coarse mesh, and on that refined.
+// Linear fields are the same on a coarse mesh and on its refinement.
 void TestRefined(RelevoCheck& check)
 {
   Oracle coarse(check, "coarse saddle", InPixels(MakeNamedFields()[2].Field), 32);

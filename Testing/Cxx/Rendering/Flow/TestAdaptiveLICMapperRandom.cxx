@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Hostile meshes, fields, settings and cameras in random order: nothing crashes, and a scene that
-// is drawn again looks as it did.
+// Proves that hostile meshes, fields, settings and cameras in random order never crash, and that a
+// scene drawn again looks the same.
 #include "RelevoDice.h"
 #include "RelevoLICVectors.h"
 #include "RelevoTestMeshes.h"
@@ -25,7 +25,8 @@ using namespace RelevoMeshes;
 
 using Dice = RelevoDice;
 
-// Degenerate, collinear, far away, tiny, without normals, with lines and vertices.
+// Meshes that are degenerate, collinear, far away or tiny, without normals, or with lines and
+// vertices.
 Mesh MakeMesh(Dice& dice)
 {
   Mesh meshes[] = { Sphere(6, 5), Plane(3, 2), Cube(), Cone(), Strips(), Mixed(), NonManifold(),
@@ -143,7 +144,7 @@ int TestAdaptiveLICMapperRandom(int argc, char* argv[])
   unsigned int last = 40;
   for (int i = 1; i + 1 < argc; ++i)
   {
-    if (std::string(argv[i]) == "--seed") // one scene again
+    if (std::string(argv[i]) == "--seed") // repeats one scene
     {
       first = static_cast<unsigned int>(std::atoi(argv[i + 1]));
       last = first + 1;

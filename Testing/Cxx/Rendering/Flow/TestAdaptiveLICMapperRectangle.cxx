@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkAdaptiveLICMapper convolves the rectangle of the viewport that the surface's bounds cover: the
-// picture is the same as where they cover all of it.
+// Proves that convolving only the rectangle of the viewport that the surface's bounds cover gives
+// the same picture as the whole viewport.
 #include "RelevoSurfaceFields.h"
 
 #include "vtkAdaptiveLICMapper.h"
@@ -23,8 +23,7 @@ namespace
 constexpr int Width = 140;
 constexpr int Height = 100;
 
-// Two slivers far away on either side make the bounds cover the viewport, and are too small to be
-// seen.
+// Two invisible slivers far away on both sides make the bounds cover the viewport.
 RelevoMeshes::Mesh WithFarSlivers(vtkPolyData* mesh)
 {
   auto wide = RelevoMeshes::Make();
@@ -123,7 +122,7 @@ void Test(RelevoCheck& check, vtkPolyData* mesh, vtkPolyData* wide, const View& 
   std::size_t different = 0;
   for (std::size_t i = 0; i < pictures[0].Colors.size(); ++i)
   {
-    // Faces that the window's border cuts may differ in the last bits.
+    // Faces that the window's border clips may differ in the last bits.
     different += std::abs(pictures[0].Colors[i] - pictures[1].Colors[i]) > 2 ? 1 : 0;
   }
   std::cout << view.Name << ": " << streaks << " pixels of LIC, " << different

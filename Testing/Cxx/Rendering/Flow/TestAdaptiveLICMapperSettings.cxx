@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The settings of vtkAdaptiveLICMapper as one object: a program written for vtkSurfaceLICMapper,
-// mappers and blocks that share settings, what is uploaded and convolved when they change.
+// vtkLICSettings promises: programs for vtkSurfaceLICMapper run unchanged, and mappers and blocks
+// share settings. A change uploads and convolves only what it requires.
 #include "RelevoCheck.h"
 #include "RelevoLICScene.h"
 #include "RelevoLICVectors.h"
@@ -26,7 +26,7 @@ RelevoMeshes::Mesh MakeMesh()
   return mesh;
 }
 
-// As it stands in programs for VTK, which draws the mesh as it is.
+// Code from a program for VTK, which draws the unrefined mesh.
 template <typename SurfaceLICMapper>
 vtkSmartPointer<SurfaceLICMapper> MakeAsInVTK(vtkPolyData* mesh)
 {
@@ -146,7 +146,7 @@ void TestProgram(RelevoCheck& check)
   CHECK(!Equal(picture, plain));
 }
 
-// How scalars become colours is the mapper's, also through a pointer to a vtkMapper.
+// The colour mode for scalars is the mapper's, also through a pointer to vtkMapper.
 void TestColorModes(RelevoCheck& check)
 {
   vtkNew<vtkAdaptiveLICMapper> mapper;
@@ -167,7 +167,7 @@ void TestColorModes(RelevoCheck& check)
   CHECK_EQUAL(mapper->GetLICInterface()->GetColorMode(), vtkLICSettings::COLOR_MODE_BLEND);
 }
 
-// Two mappers with one object, in windows of their own: a change shows in both.
+// Two mappers in two windows share settings: a change affects both.
 void TestSharing(RelevoCheck& check)
 {
   const auto mesh = MakeMesh();
@@ -197,11 +197,11 @@ void TestSharing(RelevoCheck& check)
     last = picture;
   }
   CHECK_EQUAL(a.Mapper->GetNumberOfConvolutions(), b.Mapper->GetNumberOfConvolutions());
-  b.Mapper->SetLICSettings(nullptr); // new ones
+  b.Mapper->SetLICSettings(nullptr); // new settings
   CHECK(b.Mapper->GetLICSettings() && b.Mapper->GetLICSettings() != settings);
   CHECK(Equal(b.Draw(), before));
 
-  // Errors are those of the object that was asked.
+  // Errors come from the object whose setter was called.
   RelevoErrors ofMapper(a.Mapper);
   RelevoErrors ofSettings(settings);
   a.Mapper->SetStepSize(0.0);
@@ -213,7 +213,7 @@ void TestSharing(RelevoCheck& check)
   CHECK(ofSettings.Said("ColorMode must be one of BLEND (0), MAP (1), got 2.") && ofMapper.None());
 }
 
-// Nothing is uploaded or built again for what changes live, and convolved only for what shows.
+// Live settings upload and build nothing, and only settings that affect the LIC convolve again.
 void TestUploads(RelevoCheck& check)
 {
   View view(MakeMesh());
@@ -242,7 +242,7 @@ void TestUploads(RelevoCheck& check)
   mapper->SetNoiseGeneratorSeed(4);
   mapper->SetNumberOfSteps(9);
   mapper->SetNumberOfSteps(20);
-  draw(0); // as it was
+  draw(0); // the original setting
   mapper->SetLICIntensity(0.4);
   mapper->SetMaskIntensity(0.7);
   mapper->GetLICInterface()->SetColorModeToMap();
@@ -254,7 +254,7 @@ void TestUploads(RelevoCheck& check)
   CHECK_EQUAL(mapper->GetNumberOfConvolutions(), convolutions + 1);
 }
 
-// Blocks have the settings of the mapper whose they are; copies of mappers share theirs.
+// Blocks use the settings of their mapper, and copies of mappers share them.
 void TestBlocks(RelevoCheck& check)
 {
   const auto mesh = MakeMesh();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Wind over displaced terrain, by vtkAdaptiveLICMapper: it follows the slopes, and there is none
-// over holes.
+// Proves flow.md: wind over displaced terrain follows its slopes, and there are no streaks over
+// holes.
 #include "RelevoDisplacements.h"
 #include "RelevoSurfaceFields.h"
 
@@ -14,7 +14,7 @@ constexpr int Height = 360;
 constexpr double Relief = 0.06;
 using Vector = std::array<double, 3>;
 
-// Of the square [-0.5, 0.5]^2.
+// Heights over the square [-0.5, 0.5]^2.
 double HeightAt(double u, double v)
 {
   return std::sin(2.0 * vtkMath::Pi() * u + 0.4) * std::cos(3.0 * vtkMath::Pi() * v);
@@ -63,7 +63,7 @@ void TestSlopes(RelevoCheck& check)
   CHECK_GREATER(deviations.Count, 15000);
   CHECK_LESS_EQUAL(deviations.Median, 1.5);
   CHECK_LESS_EQUAL(deviations.Percentile95, 5.0);
-  // The relief makes a difference.
+  // Negative control: with the normals of a flat plane, deviations are larger.
   const RelevoDeviations flat = measure(NormalOfPlane);
   std::cout << "as if it were flat: " << flat << "\n";
   CHECK_GREATER(flat.Median, 4.0);
@@ -90,11 +90,11 @@ void TestHoles(RelevoCheck& check)
   {
     for (int column = 0; column < Width; ++column)
     {
-      // Among the centres of texels.
+      // Position in units of texels, relative to the first centre.
       const double x = size[0] * ((column + 0.5 - 0.5 * Width) / Height + 0.5) - 0.5;
       const double y = size[1] * ((row + 0.5) / Height) - 0.5;
-      int near = 0;   // texels without data, of the four around
-      int around = 0; // and of the sixteen, at which triangles end
+      int near = 0;   // missing texels among the nearest four
+      int around = 0; // missing texels among the nearest sixteen, where triangles end
       for (int i = 0; i < 16; ++i)
       {
         const int texelX = static_cast<int>(std::floor(x)) + i % 4 - 1;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkAdaptiveLICMapper shows the same on what it refines as on what vtkAdaptiveRefinementFilter has
-// refined: on every surface, over displaced terrain, with every method, whole or in blocks.
+// Proves that streaks on a mesh refined by the mapper equal those on the output of
+// vtkAdaptiveRefinementFilter, for every surface and method, over displaced terrain, and for
+// blocks.
 #include "RelevoDisplacements.h"
 #include "RelevoSurfaceFields.h"
 #include "RelevoSurfaces.h"
@@ -29,7 +30,7 @@ Mesh MakeTorus()
   return RelevoMeshes::Tagged(mesh, 3);
 }
 
-// A wind over the unit square, and its recipe for terrain.
+// Wind over the unit square, and its recipe for terrain.
 Mesh MakeWind(int resolution)
 {
   return WithField(RelevoMeshes::Plane(resolution, resolution),
@@ -82,7 +83,7 @@ void TestTerrain(RelevoCheck& check)
   Expect(check, "terrain", Draw(wind, recipe), Draw(RelevoMeshes::Refine(wind, recipe)), 0.01);
 }
 
-// Tags differ from point to point, but for methods of one level.
+// Tags differ from point to point, except for methods with one level.
 void TestMethods(RelevoCheck& check)
 {
   using M = vtkAdaptiveLICMapper;
@@ -100,13 +101,13 @@ void TestMethods(RelevoCheck& check)
     { "hardware tessellation", M::METHOD_HARDWARE_TESSELLATION } };
   for (const auto& method : methods)
   {
-    // The tessellator has other triangles at the middle of a face.
+    // Hardware tessellation has other triangles inside a face.
     Expect(check, method.first, Draw(torus, even, method.second), expected,
       method.second == M::METHOD_HARDWARE_TESSELLATION ? 0.04 : 0.01);
   }
 }
 
-// Every second face each.
+// Each block has every second face.
 vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(vtkPolyData* mesh)
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
@@ -136,7 +137,8 @@ void TestBlocks(RelevoCheck& check)
   Expect(check, "blocks", Draw(MakeBlocks(torus), recipe), Draw(torus, recipe), 0.01);
 }
 
-// Where the surface is flat and fields are linear levels do not matter: no seam between them.
+// If the surface is flat and fields are linear, levels have no effect and there is no seam between
+// them.
 void TestLevels(RelevoCheck& check)
 {
   const Mesh wind = MakeWind(6);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A LIC is the same in every viewport, window and pass of its size, and lives as long as they do.
+// Proves that the LIC is the same in every viewport, window and pass of the same size, and that it
+// survives changes of windows and mappers.
 #include "RelevoLICView.h"
 #include "RelevoPictures.h"
 #include "RelevoShadows.h"
@@ -41,7 +42,7 @@ std::array<double, 3> Other(const double* p)
   return { { p[2], 0.3 - p[0], p[1] } };
 }
 
-// The LIC alone, in a window of its own.
+// Draws only the LIC, in a separate window.
 struct View : public RelevoLICView
 {
   explicit View(const RelevoLICVectors::Field& field = RelevoLICVectors::Screw)
@@ -53,13 +54,13 @@ struct View : public RelevoLICView
   }
 };
 
-// The part of a larger window.
+// Crops a larger window.
 RelevoPicture Crop(const RelevoPicture& picture, int x, int y)
 {
   return Crop(picture, x, y, Width, Height);
 }
 
-// Mean and standard deviation of the greys that are not background.
+// Mean and standard deviation of the grey values without background.
 std::array<double, 2> GetMoments(const RelevoPicture& picture)
 {
   double sum = 0.0;
@@ -84,7 +85,7 @@ int FindBrightest(const RelevoPicture& picture)
   return *std::max_element(picture.Colors.begin(), picture.Colors.end());
 }
 
-// What windows show, against a window that shows nothing else.
+// Compares what windows show with a window that shows nothing else.
 struct Windows
 {
   explicit Windows(RelevoComparison& comparison)
@@ -108,7 +109,7 @@ struct Windows
   const RelevoPicture ExpectedOther = this->AloneOther.Draw();
 };
 
-// A viewport offset from the origin.
+// A viewport with an offset from the origin.
 void TestOffset(Windows& windows)
 {
   View view;
@@ -143,7 +144,7 @@ void TestSideBySide(RelevoCheck& check, Windows& windows, bool shared)
   CHECK_EQUAL(view.Mapper->GetNumberOfConvolutions(), (shared ? 2 : 1));
 }
 
-// Actors in one renderer, the halves of a picture: what one mapper draws for both.
+// One mapper draws two actors in one renderer, each in half of the picture.
 void TestSharedActors(Windows& windows)
 {
   View separate;
@@ -172,7 +173,7 @@ void MoveVectorsToCells(vtkPolyData* mesh)
   mesh->GetPointData()->RemoveArray("Flow");
 }
 
-// A surface with edges and a wireframe beside one that shows LIC alone.
+// A surface with edges and a wireframe, next to one that shows only the LIC.
 void AddLooks(View& view, vtkPolyData* mesh, bool isShared)
 {
   for (int i = 0; i < 3; ++i)
@@ -220,7 +221,7 @@ void TestSharedLooks(RelevoCheck& check, Windows& windows, bool ofCells)
   }
 }
 
-// One mapper in two windows, by turns.
+// One mapper in two windows by turns.
 void TestTwoWindows(Windows& windows)
 {
   View first;
@@ -261,7 +262,7 @@ void TestSizes(RelevoCheck& check, Windows& windows)
   windows.Compare("Reopened", view.Draw());
 }
 
-// Of one pixel, and of one row.
+// Windows of one pixel and of one row.
 void TestFewPixels(RelevoCheck& check)
 {
   View view;
@@ -276,7 +277,7 @@ void TestFewPixels(RelevoCheck& check)
     view.Draw();
   }
   CHECK(errors.None());
-  // A viewport that has no pixels.
+  // A viewport without pixels.
   view.Scene->Renderer->SetViewport(0, 0, 0, 0);
   view.Scene->Window->SetSize(30, 30);
   view.Draw();
@@ -298,7 +299,8 @@ void TestMultiSamples(RelevoCheck& check, Windows& windows)
   CHECK_LESS(different, smooth.Colors.size() / 20);
 }
 
-// In four tiles: as a whole but for streamlines that would cross their borders.
+// In four tiles the picture equals that of one window, except for streamlines across the tiles'
+// borders.
 void TestTiles(RelevoCheck& check, Windows& windows)
 {
   View view;
@@ -331,7 +333,7 @@ void TestTiles(RelevoCheck& check, Windows& windows)
   }
 }
 
-// Two eyes: each sees what its camera sees.
+// In stereo, each eye shows what its camera sees.
 void TestEyes(RelevoCheck& check, Windows& windows)
 {
   View view;
@@ -394,7 +396,7 @@ void TestRenderPasses(RelevoCheck& check, Windows& windows)
   CHECK_NEAR(GetMoments(open)[1], GetMoments(windows.Expected)[1], 3.0);
 }
 
-// Nothing is in the shade; cameras of lights have no part in the picture.
+// Nothing lies in shadow. The cameras of lights do not affect the picture.
 void TestShadows(Windows& windows)
 {
   View view;
@@ -409,7 +411,7 @@ void TestShadows(Windows& windows)
   windows.Compare("ShadowsAgain", view.Draw());
 }
 
-// The mapper goes before the window, and the window before the mapper.
+// Deletes the mapper before the window, and the window before the mapper.
 void TestLifetimes(RelevoCheck& check, Windows& windows)
 {
   RelevoLICView view;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Streaks of vtkSurfaceLineIntegralConvolution, drawn as point colours, run as the field does, seen
-// on the screen from two sides.
+// Proves flow.md: streaks of vtkSurfaceLineIntegralConvolution, drawn as point colours, follow the
+// field as seen from two sides.
 #include "RelevoSurfaceFields.h"
 
 #include "vtkLookupTable.h"
@@ -31,7 +31,7 @@ vtkSmartPointer<vtkActor> MakeGreyActor(vtkAlgorithmOutput* port)
   return actor;
 }
 
-// Every other field, from the first or the second on.
+// Tests every second field, beginning with the first or the second.
 void TestSurface(RelevoCheck& check, const std::string& name, vtkPolyData* mesh,
   const RelevoSurfaceField& normal, std::size_t first)
 {
@@ -58,7 +58,7 @@ void TestSurface(RelevoCheck& check, const std::string& name, vtkPolyData* mesh,
       std::cout << name << ", " << named.Name << ": " << deviations << "\n";
       CHECK_GREATER(deviations.Count, 15000);
       CHECK_LESS_EQUAL(deviations.Median, 2.5);
-      // Streaks that run together at a saddle's lines are finer than the mesh.
+      // At a saddle, converging streaks are finer than the mesh.
       CHECK(named.Name == "saddle" || deviations.Percentile95 <= 11.0);
     }
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkAdaptiveCurveMapper draws what vtkAdaptiveCurveFilter makes: lines, ribbons and tubes of all
-// kinds of curves, by both methods, colours and depths.
+// vtkAdaptiveCurveMapper promises the lines, ribbons and tubes of vtkAdaptiveCurveFilter for all
+// kinds of curves, with both methods: colours and depths agree.
 #include "RelevoCurveScene.h"
 
 #include "vtkDistanceDepthTagMetric.h"
@@ -22,7 +22,7 @@ const char* GetName(int representation)
                                          : "tubes";
 }
 
-// A segment has as many polygons as its representation says.
+// The representation determines the number of polygons per segment.
 vtkIdType CountSegments(vtkAdaptiveCurveFilter* filter)
 {
   vtkPolyData* output = filter->GetOutput();
@@ -34,7 +34,8 @@ vtkIdType CountSegments(vtkAdaptiveCurveFilter* filter)
   return segments;
 }
 
-// Lines are lit by the mapper, and the filter's have no normals: without light they are the same.
+// The mapper lights lines, but the filter's lines have no normals, so lighting is off for the
+// comparison.
 void Compare(RelevoComparison& comparison, RelevoCurveScene& scene, const std::string& name,
   const RelevoTolerance& tolerance)
 {
@@ -82,7 +83,7 @@ void TestKinds(RelevoComparison& comparison)
   }
 }
 
-// Different degrees and, by distance, different numbers of segments in one picture.
+// Different degrees, and different numbers of segments by distance, in one picture.
 void TestLevels(RelevoCheck& check, RelevoComparison& comparison)
 {
   const auto grid = RelevoMakeCurves(3);
@@ -147,7 +148,7 @@ void TestLooks(RelevoComparison& comparison)
   Compare(comparison, scene, "wide", { 2, 1e-6, 10 });
   property->SetRepresentationToPoints();
   property->SetPointSize(3.0f);
-  // Where points or lines lie in one place, as those of a tube and its cap, the order decides.
+  // Where points or lines coincide, as those of a tube and its cap, the order of drawing decides.
   Compare(comparison, scene, "points", { 3, 1e-6, 120 });
   property->SetLineWidth(1.0f);
   property->SetRepresentationToWireframe();
@@ -161,7 +162,7 @@ void TestLooks(RelevoComparison& comparison)
   Compare(comparison, scene, "translucent", { 3, 1e-6, 20 });
 }
 
-// OpenGL's tessellator chooses diagonals of its own.
+// OpenGL's tessellator may choose other diagonals.
 void TestTessellation(RelevoCheck& check, RelevoComparison& comparison)
 {
   RelevoCurveScene scene(RelevoMakeCurves(3));
@@ -182,7 +183,7 @@ void TestTessellation(RelevoCheck& check, RelevoComparison& comparison)
   CHECK_EQUAL(scene.Mapper->GetMethodInUse(), Mapper::METHOD_INSTANCING);
 }
 
-// Lit lines have the light of a surface that faces the eye.
+// Lit lines are shaded like a surface that faces the eye.
 void TestLitLines(RelevoCheck& check)
 {
   RelevoCurveScene scene(RelevoMakeCurves(3));

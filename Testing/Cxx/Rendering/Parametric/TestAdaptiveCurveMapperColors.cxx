@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Colours by scalars of points and cells: those that vtkPolyDataMapper gives the filter's output.
+// vtkAdaptiveCurveMapper promises the colours that vtkPolyDataMapper gives the filter's output, for
+// point and cell scalars.
 #include "RelevoCurveScene.h"
 
 #include "vtkCellData.h"
@@ -26,7 +27,7 @@ void Compare(RelevoComparison& comparison, RelevoCurveScene& scene, const std::s
   comparison.Compare(name, tolerance, actual, scene.DrawTwin());
 }
 
-// How many colours there are.
+// Number of different colours.
 size_t CountColors(const RelevoPicture& picture)
 {
   std::set<std::array<unsigned char, 3>> colors;
@@ -123,7 +124,7 @@ void TestSettings(RelevoCheck& check, RelevoComparison& comparison)
   CHECK_EQUAL(scene.Mapper->GetNumberOfShaderBuilds(), shaders);
 }
 
-// What has no values between its own: colours of the points are, by the curve's basis.
+// Categories cannot be interpolated, but colours of the points can, by the curve's basis.
 void TestCategories(RelevoCheck& check)
 {
   const auto curves = RelevoMakeCurves(2);
@@ -160,7 +161,7 @@ void TestCategories(RelevoCheck& check)
   CHECK_GREATER(blues, 20);
 }
 
-// Each block has the colours of its own cells.
+// Each block has the colours of its cells.
 void TestBlocks(RelevoCheck& check)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -192,7 +193,7 @@ void TestBlocks(RelevoCheck& check)
   CHECK_GREATER(greens, 100);
 }
 
-// A table whose colours are translucent, drawn in the translucent pass.
+// A translucent lookup table is drawn in the translucent pass.
 void TestOpacity(RelevoCheck& check, RelevoComparison& comparison)
 {
   RelevoCurveScene scene(RelevoMakeCurves(3));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Bad input is an error that is said once; what can be drawn is drawn, and good input afterwards.
+// vtkAdaptiveCurveMapper promises one error for invalid input. Valid curves are drawn, and so is
+// valid input afterwards.
 #include "RelevoCurveScene.h"
 
 #include "vtkCellData.h"
@@ -21,7 +22,7 @@ namespace
 {
 using Mapper = vtkAdaptiveCurveMapper;
 
-// Said in the first frame, and not in the next.
+// The error appears in the first frame, but not in the next.
 void ExpectError(RelevoCheck& check, RelevoCurveScene& scene, const char* words)
 {
   RelevoErrors errors(scene.Mapper);
@@ -82,7 +83,7 @@ void TestInput(RelevoCheck& check)
   scene.Mapper->RemoveAllInputs();
   {
     RelevoErrors errors(scene.Mapper);
-    scene.Mapper->Render(scene.Renderer, scene.Actor); // the renderer leaves it out
+    scene.Mapper->Render(scene.Renderer, scene.Actor); // the renderer skips it
     CHECK(errors.Said("There is no input."));
   }
   scene.Mapper->SetInputDataObject(RelevoMakeCurves(3));
@@ -173,7 +174,7 @@ void TestShaders(RelevoCheck& check)
   CHECK_GREATER(scene.Draw().CountForeground(), 0);
 }
 
-// Without OpenGL 4.0 instances are drawn, and an error says so.
+// Without OpenGL 4.0, instances are drawn and an error reports it.
 void TestMethod(RelevoCheck& check)
 {
   RelevoCurveScene scene(RelevoMakeCurves(3));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A vtkAdaptiveCurveMapper is a mapper like any other: culling, bounds, clipping planes, blocks,
-// selections, coordinates far away, windows that come and go.
+// vtkAdaptiveCurveMapper promises the features of other mappers: culling, bounds, clipping planes,
+// blocks, selections, large coordinates, and changes of windows.
 #include "RelevoCurveScene.h"
 #include "RelevoCurves.h"
 
@@ -61,8 +61,8 @@ void TestCulling(RelevoCheck& check)
   }
 }
 
-// Nothing is evaluated, uploaded or written anew because the same is drawn again, and levels alone
-// because the recipe has changed.
+// An unchanged scene evaluates, uploads and builds nothing. After a change of the recipe, only
+// levels are evaluated.
 void TestChanges(RelevoCheck& check)
 {
   const auto curves = RelevoMakeCurves(3);
@@ -86,7 +86,7 @@ void TestChanges(RelevoCheck& check)
   curves->GetPoints()->SetPoint(0, 0.0, 0.0, 3.0);
   curves->GetPoints()->Modified();
   CHECK_EQUAL(count()[1], 2);
-  // 4 control points of 3 floats, and a number for each curve that is drawn.
+  // 4 control points of 3 floats, and a number for each visible curve.
   const vtkTypeInt64 points = NumberOfCurves * 4 * 12;
   CHECK_GREATER_EQUAL(scene.Mapper->GetGraphicsMemorySize(), points);
   CHECK_LESS(scene.Mapper->GetGraphicsMemorySize(), points + NumberOfCurves * 4 + 8192);
@@ -134,7 +134,7 @@ void TestClipping(RelevoCheck& check, RelevoComparison& comparison)
   }
 }
 
-// Lines on a surface are in front of it, or behind it, as the mapper's own offset says.
+// The mapper's coincident offset draws lines on a surface in front of it or behind it.
 void TestCoincidentOffset(RelevoCheck& check)
 {
   const auto flat = RelevoMakeCurves(3);
@@ -170,7 +170,7 @@ void TestCoincidentOffset(RelevoCheck& check)
   vtkMapper::SetResolveCoincidentTopology(resolve);
 }
 
-// Large coordinates keep their digits.
+// Large coordinates keep their accuracy.
 void TestFarAway(RelevoComparison& comparison)
 {
   const auto near = RelevoMakeCurves(3);
@@ -192,7 +192,7 @@ void TestFarAway(RelevoComparison& comparison)
   comparison.Compare("far away", { 3, 1e-4, 60 }, second.Draw(), first.Draw());
 }
 
-// Each pixel of a curve finds its cell: the one that the twin's pixel has.
+// Each pixel of a curve selects its cell, the same as in the twin.
 void TestSelection(RelevoCheck& check, bool isTessellated)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -219,14 +219,14 @@ void TestSelection(RelevoCheck& check, bool isTessellated)
     CHECK_EQUAL(node->GetProperties()->Get(vtkSelectionNode::PROP()), scene.Actor);
     CHECK_EQUAL(node->GetProperties()->Get(vtkSelectionNode::COMPOSITE_INDEX()), 2);
     auto* ids = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
-    // All of them, but for those that others hide.
+    // All curves except those hidden by others.
     CHECK_GREATER(ids->GetNumberOfValues(), NumberOfCurves - 6);
     for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
     {
       CHECK_GREATER_EQUAL(ids->GetValue(i), 0);
       CHECK_LESS(ids->GetValue(i), NumberOfCurves);
     }
-    // The middle of a curve that nothing is in front of.
+    // The middle of a curve that is not hidden.
     double world[4] = { 0.0, 0.0, 0.0, 1.0 };
     int found = 0;
     for (vtkIdType cell = 0; cell < NumberOfCurves; ++cell)
@@ -250,7 +250,7 @@ void TestSelection(RelevoCheck& check, bool isTessellated)
   }
 }
 
-// Blocks are drawn as they are by themselves.
+// Blocks look the same as single inputs.
 void TestBlocks(RelevoCheck& check)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -273,7 +273,7 @@ void TestBlocks(RelevoCheck& check)
   CHECK(IsSame(alone.Draw(), one));
 }
 
-// A mapper that another window shows later, and one that was released, draw the same.
+// A mapper that moves to another window or was released draws the same picture.
 void TestWindows(RelevoCheck& check)
 {
   RelevoCurveScene scene(RelevoMakeCurves(3));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// At each pixel the colour of what VTK's own cell interpolates there: all kinds of cells, all
-// methods, each way from numbers to colours.
+// vtkAdaptivePatchMapper promises at each pixel the colour of the value that VTK's cell
+// interpolates there, for all kinds of cells, methods and colour mappings.
 #include "RelevoMethods.h"
 #include "RelevoPatchScene.h"
 
@@ -36,7 +36,7 @@ double GetLength(const RelevoPatchScene::Tuple& tuple)
   return std::sqrt(sum);
 }
 
-// Many colours, none far from the next.
+// Many similar colours.
 void SetSmoothTable(RelevoPatchScene& scene, double low, double high)
 {
   vtkNew<vtkLookupTable> table;
@@ -100,7 +100,7 @@ void TestMethods(RelevoCheck& check)
       }
       CHECK_LESS_EQUAL(others, MaximumOthers);
       CHECK_EQUAL(scene.Mapper->GetMethodInUse(), method);
-      // What is interpolated is another.
+      // Negative control: the interpolated picture differs.
       scene.Mapper->ExactScalarsOff();
       CHECK_GREATER(scene.GetShareOfOthers(grid, "Field", scene.ByTable(GetFirst)), 0.5);
       scene.Mapper->ExactScalarsOn();
@@ -168,12 +168,12 @@ void TestTables(RelevoCheck& check)
   vtkLookupTable::SafeDownCast(scene.Mapper->GetLookupTable())->SetScaleToLog10();
   scene.Mapper->GetLookupTable()->SetVectorModeToMagnitude();
   CHECK_LESS_EQUAL(scene.GetShareOfOthers(grid, "Vector", scene.ByTable(GetLength)), MaximumOthers);
-  // Whole numbers stay whole.
+  // Integers are rounded.
   SetSmoothTable(scene, 0.0, 20.0);
   scene.Mapper->SelectColorArray("Whole");
   const auto round = [](const RelevoPatchScene::Tuple& tuple) { return std::round(tuple[0]); };
   CHECK_LESS_EQUAL(scene.GetShareOfOthers(grid, "Whole", scene.ByTable(round)), MaximumOthers);
-  // A patch with a node of no data has none.
+  // A patch with a missing node value has no values.
   grid->GetPointData()->GetArray("Field")->SetComponent(7, 0, std::nan(""));
   grid->GetPointData()->GetArray("Field")->Modified();
   scene.Mapper->SelectColorArray("Field");
@@ -184,7 +184,7 @@ void TestTables(RelevoCheck& check)
   CHECK_EQUAL(scene.GetShareOfOthers(grid, "Field", blue), 0.0);
 }
 
-// Grids are drawn as blocks, too; what is neither a grid nor triangles is an error, once.
+// Blocks of grids are drawn, too. Input of another type gives one error.
 void TestTypes(RelevoCheck& check)
 {
   auto grid = RelevoNewFlatCell(VTK_LAGRANGE_QUADRILATERAL, { { 4, 3, 0 } }, 0.02);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Isolines and edges of cells: where they are, how wide, and that nothing else is drawn.
+// vtkAdaptivePatchMapper promises isolines and cell edges at their exact positions and widths, and
+// no other lines.
 #include "RelevoMethods.h"
 #include "RelevoPatchScene.h"
 
@@ -18,9 +19,9 @@
 
 namespace
 {
-constexpr double PixelsPerUnit = 250.0; // of a scene of size 1
+constexpr double PixelsPerUnit = 250.0; // for a scene of size 1
 
-// How much of a row of pixels of a white surface is black, in pixels.
+// Length of the black parts in a row of pixels of a white surface, in pixels.
 double GetBlack(const RelevoPicture& picture, int row, int from, int to)
 {
   double black = 0.0;
@@ -31,7 +32,7 @@ double GetBlack(const RelevoPicture& picture, int row, int from, int to)
   return black;
 }
 
-// Black where x is.
+// Whether the pixel at x is black.
 bool IsBlackAt(const RelevoPicture& picture, int row, double x)
 {
   const int pixel = static_cast<int>((x + 0.1) * PixelsPerUnit);
@@ -46,7 +47,7 @@ void SetWhite(RelevoPatchScene& scene)
   scene.Mapper->SetLookupTable(white);
 }
 
-// Field = r^2 on the unit square: vertical lines at square roots.
+// Field = r^2 on the unit square gives vertical lines at square roots.
 void TestIsolines(RelevoCheck& check, double offset, double width)
 {
   auto grid = RelevoNewFlatCell(VTK_BIQUADRATIC_QUAD, { { 2, 2, 0 } }, 0.0);
@@ -72,7 +73,7 @@ void TestIsolines(RelevoCheck& check, double offset, double width)
     CHECK_NEAR(GetBlack(picture, row, 40, 265), 3.0 * width, 0.15 * width);
   }
   scene.Mapper->SetIsolineColor(0.0, 1.0, 1.0);
-  CHECK_NEAR(GetBlack(scene.Draw(), 150, 40, 265), 3.0 * width, 0.15 * width); // of red
+  CHECK_NEAR(GetBlack(scene.Draw(), 150, 40, 265), 3.0 * width, 0.15 * width); // red lines
   for (int method : RelevoMethods::GetMethods())
   {
     scene.Mapper->SetMethod(method);
@@ -82,7 +83,7 @@ void TestIsolines(RelevoCheck& check, double offset, double width)
   CHECK_EQUAL(GetBlack(scene.Draw(), 150, 40, 265), 0.0);
 }
 
-// Values of cells have none; it is said once.
+// Cell values have no isolines, which is reported once.
 void TestIsolinesOfCells(RelevoCheck& check)
 {
   auto grid = RelevoNewFlatGrid(2, 2);
@@ -107,7 +108,7 @@ void TestIsolinesOfCells(RelevoCheck& check)
   CHECK(errors.None());
 }
 
-// Lines that no value is on; lines at the ends of the range are drawn.
+// No value lies on these isolines. Lines at the ends of the range are drawn.
 void TestIsolinesOutOfRange(RelevoCheck& check)
 {
   auto grid = RelevoNewFlatGrid(1, 1);
@@ -136,7 +137,7 @@ void TestIsolinesOutOfRange(RelevoCheck& check)
   }
 }
 
-// Field = x on the square turned on the screen: as wide across the line, whichever way it runs.
+// Field = x on a rotated square: the width across the line does not depend on its direction.
 void TestSlantedIsolines(RelevoCheck& check)
 {
   auto grid = RelevoNewFlatGrid(1, 1);
@@ -161,8 +162,8 @@ void TestEdges(RelevoCheck& check, int level)
   scene.Mapper->PatchEdgesOn();
   scene.Actor->GetProperty()->SetLineWidth(4.0f);
   const RelevoPicture picture = scene.Draw();
-  // Of an outer edge the inner half; of the one between the cells both halves; nothing else, no
-  // diagonal.
+  // An outer edge shows its inner half, the edge between the cells both halves. Diagonals are not
+  // drawn.
   CHECK_NEAR(GetBlack(picture, 60, 25, 275), 8.0, 0.2);
   CHECK_NEAR(GetBlack(picture, 60, 140, 160), 4.0, 0.1);
   CHECK_EQUAL(GetBlack(picture, 60, 30, 140), 0.0);
@@ -178,7 +179,7 @@ void TestEdges(RelevoCheck& check, int level)
   CHECK_EQUAL(scene.Draw().Colors, wires.Colors);
 }
 
-// All edges of a triangle, none of those that are one point.
+// All edges of a triangle, except those that collapse to a point.
 void TestTriangle(RelevoCheck& check)
 {
   auto grid = RelevoNewFlatCell(VTK_QUADRATIC_TRIANGLE, { { 2, 2, 0 } }, 0.0);
@@ -195,11 +196,11 @@ void TestTriangle(RelevoCheck& check)
   poleScene.Mapper->ScalarVisibilityOff();
   poleScene.Mapper->PatchEdgesOn();
   poleScene.Actor->GetProperty()->SetLineWidth(4.0f);
-  // A row of the triangle (0, 0), (1, 0), (1, 1) beside the pole: its two edges alone.
+  // A row of the triangle (0, 0), (1, 0), (1, 1) beside the pole has only its two edges.
   CHECK_NEAR(GetBlack(poleScene.Draw(), 225, 25, 275), 2.0 + 2.0 * std::sqrt(2.0), 0.55);
 }
 
-// Edges of polygons: of each the outer one alone, whichever triangles it has been cut into.
+// Only the outer edges of polygons are drawn, not those of their triangles.
 void TestPolygons(RelevoCheck& check)
 {
   vtkNew<vtkUnstructuredGrid> grid;

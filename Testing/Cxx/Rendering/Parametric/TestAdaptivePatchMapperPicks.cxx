@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Picks give the grid's cells and places in them: of grids, of patches, of blocks; from cells and
-// positions, too. What cannot be evaluated is told of once, and drawn as it was.
+// vtkAdaptivePatchMapper promises picks with the grid's cells and parametric coordinates, for
+// grids, patches and blocks. Cells that cannot be evaluated are reported once.
 #include "RelevoPatchScene.h"
 #include "RelevoPatches.h"
 
@@ -19,7 +19,7 @@
 
 namespace
 {
-// Pixels of a grid of 2 x 2 squares: each cell's r and s are x and y less its corner.
+// For a grid of 2 x 2 squares, a cell's r and s are x and y relative to its corner.
 void TestPicks(RelevoCheck& check, vtkDataObject* input)
 {
   RelevoPatchScene scene(input, 2.0);
@@ -30,7 +30,7 @@ void TestPicks(RelevoCheck& check, vtkDataObject* input)
   {
     for (int x = 31; x < 270; x += 14)
     {
-      // VTK's pickers take a pixel's lower left corner.
+      // VTK's pickers use the lower left corner of a pixel.
       picker->Pick(x + 0.5, y + 0.5, 0.0, scene.Renderer);
       double pcoords[3] = { -1.0, -1.0, -1.0 };
       const vtkIdType cell = scene.Mapper->GetPickedCell(picker, pcoords);
@@ -57,7 +57,7 @@ void TestPicks(RelevoCheck& check, vtkDataObject* input)
   CHECK_EQUAL(nothing[0], 7.0);
 }
 
-// Places of curved patches, which are found from positions alone.
+// Parametric coordinates on curved patches, found from positions only.
 void TestCurved(RelevoCheck& check, int type, bool isRational)
 {
   auto grid = RelevoNewCell(type, { { 3, 3, 0 } }, 0.05, isRational);
@@ -107,13 +107,13 @@ void TestErrors(RelevoCheck& check)
     CHECK_EQUAL(scene.Draw().Colors, interpolated.Colors);
     CHECK(errors.Said("the array PatchNodes:Field has 3 tuples of 1 components, not 25 of 1"));
     scene.Draw();
-    CHECK(errors.None()); // said once
+    CHECK(errors.None()); // reported once
     missing->GetFieldData()->AddArray(patches->GetFieldData()->GetArray("PatchNodes:Field"));
     missing->Modified();
     CHECK_NOT_EQUAL(scene.Draw().Colors, interpolated.Colors);
     CHECK(errors.None());
   }
-  // The filter's errors are the mapper's.
+  // The mapper reports the filter's errors.
   auto wrong = RelevoNewFlatGrid(1, 1);
   wrong->GetPoints()->SetPoint(0, std::nan(""), 0.0, 0.0);
   RelevoPatchScene scene(RelevoNewFlatGrid(1, 1));

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Refined patches: points and normals are those of the binomial formula and of round surfaces, at
-// poles too, and closed surfaces stay closed to the bit, displaced as well.
+// vtkPatchSurface promises points and normals of the patch itself, also at poles. They are compared
+// with the binomial formula and with round shapes. Closed surfaces stay closed bit for bit, with
+// and without displacement.
 #include "RelevoCheck.h"
 #include "RelevoDisplacements.h"
 #include "RelevoLeaks.h"
@@ -46,7 +47,8 @@ Mesh RefinePatches(
   return filter->GetOutput();
 }
 
-// Each point and normal by the binomial formula, at parameters that Lagrange's cells interpolate.
+// Compares each point and normal with the binomial formula, at parameters that Lagrange cells
+// interpolate.
 void TestPlaces(RelevoCheck& check, int type, const std::array<int, 3>& degrees)
 {
   auto grid = RelevoNewCell(type, degrees, 0.2 / std::max(degrees[0], degrees[1]));
@@ -101,7 +103,7 @@ void TestPlaces(RelevoCheck& check, int type, const std::array<int, 3>& degrees)
   CHECK_LESS_EQUAL(turned, 2e-4);
 }
 
-// The largest distances of points and normals from a torus, or with a radius of 0 a sphere.
+// Largest deviations of points and normals from a torus, or from a sphere if `radius` is 0.
 void TestRound(RelevoCheck& check, vtkPolyData* patches, double radius, double tube)
 {
   const Mesh refined = RefinePatches(check, patches, 4);
@@ -138,7 +140,7 @@ void TestClosed(RelevoCheck& check, const std::string& name, vtkPolyData* patche
   }
 }
 
-// Everything lies in the bounds that the mapper tells, displaced or not.
+// The bounds of the mapper contain all points, with and without displacement.
 void TestBounds(RelevoCheck& check, vtkPolyData* patches)
 {
   auto displacement = MakeDisplacement(nullptr, 1.0, 0.1);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkPolyDataMapper draws refined patches as vtkAdaptiveRefinementMapper does, sharp edges and all.
+// vtkPatchSurface promises the same picture from vtkAdaptiveRefinementMapper as from the filter's
+// output in a vtkPolyDataMapper, including sharp edges.
 #include "RelevoCheck.h"
 #include "RelevoDisplacements.h"
 #include "RelevoPatchMeshes.h"
@@ -18,7 +19,7 @@ int TestPatchSurfaceTwin(int argc, char* argv[])
 {
   RelevoCheck check;
   RelevoComparison comparison(check, argc, argv);
-  // As of TestAdaptiveRefinementMapperTwin.
+  // As in TestAdaptiveRefinementMapperTwin.
   const RelevoTolerance close{ 2, 2e-6, 10 };
   vtkNew<vtkPatchSurface> surface;
   vtkNew<RelevoHeights> heights;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// On the GPU no pixel shows a crack in closed surfaces of patches, by any method, displaced too.
+// vtkPatchSurface promises closed surfaces without cracks in the picture, for every method, with
+// and without displacement.
 #include "RelevoCheck.h"
 #include "RelevoDisplacements.h"
 #include "RelevoLeaks.h"

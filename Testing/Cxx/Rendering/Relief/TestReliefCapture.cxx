@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Captured points lie on the mesh, and colours are those of a window of the capture's size.
+// vtkReliefCapture promises points on the captured mesh, and the colours of a window of the
+// capture's size.
 #include "RelevoCaptureScene.h"
 
 #include "vtkCellLocator.h"
@@ -22,8 +23,8 @@ namespace
 {
 constexpr int Width = 160;
 constexpr int Height = 120;
-// OpenGL rounds the corners of triangles to 1/256 of a pixel; what that does to small and steep
-// ones is a little more.
+// OpenGL rounds triangle corners to 1/256 of a pixel. On small and steep triangles the effect is
+// slightly larger.
 constexpr double SubPixel = 0.01;
 
 struct View
@@ -58,7 +59,7 @@ const View Views[] = {
     } },
 };
 
-// nullptr without the data.
+// Returns nullptr if the data are not available.
 vtkSmartPointer<vtkPolyData> ReadCow()
 {
   const char* data = std::getenv("RELEVO_TEST_DATA");
@@ -69,13 +70,13 @@ vtkSmartPointer<vtkPolyData> ReadCow()
     return nullptr;
   }
   reader->SetFileName(name.c_str());
-  vtkNew<vtkTriangleFilter> triangles; // polygons need not be plane
+  vtkNew<vtkTriangleFilter> triangles; // its polygons may not be plane
   triangles->SetInputConnection(reader->GetOutputPort());
   triangles->Update();
   return triangles->GetOutput();
 }
 
-// How far, in widths of a texel, the farthest texel is from the mesh.
+// Largest distance of a texel from the mesh, in texel widths.
 double FindDistance(const std::vector<RelevoTexel>& texels, vtkPolyData* mesh)
 {
   vtkNew<vtkCellLocator> locator;
@@ -94,8 +95,8 @@ double FindDistance(const std::vector<RelevoTexel>& texels, vtkPolyData* mesh)
   return farthest;
 }
 
-// Texels that show another colour than the pixel there; those of pixels that show one of the two
-// only are counted apart.
+// Differences in colour between texels and pixels. Pixels that are covered in only one of both are
+// counted separately.
 struct Difference
 {
   int Largest = 0;
@@ -123,7 +124,8 @@ Difference CompareColors(const std::vector<RelevoTexel>& texels, const RelevoPic
   return difference;
 }
 
-// The centre of a texel as the renderer says where it is, in double.
+// Compares texels with the world coordinates of their centres, computed from the renderer in double
+// precision.
 void TestPlaces(RelevoCheck& check, vtkCamera* camera, const std::vector<RelevoTexel>& texels)
 {
   const double aspect = static_cast<double>(Width) / Height;
@@ -174,7 +176,7 @@ void TestMesh(RelevoCheck& check, vtkPolyData* mesh, const char* meshName)
   }
 }
 
-// A headlight stands where the capture's camera is.
+// A headlight is at the capture's camera.
 void TestHeadlight(RelevoCheck& check)
 {
   RelevoCaptureScene scene;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Cameras around what is visible, far from the origin, and inside of it; cropped reliefs.
+// vtkReliefCapture promises cameras around the visible props, far from the origin, and inside them,
+// and cropped reliefs.
 #include "RelevoCaptureScene.h"
 
 #include "vtkDataArray.h"
@@ -21,7 +22,7 @@ vtkImageData* GetRelief(RelevoCaptureScene& scene, unsigned int block)
   return vtkImageData::SafeDownCast(scene.Source->GetOutput()->GetBlock(block));
 }
 
-// How far the mesh's points are, at most, from the texels of all blocks; of every tenth one.
+// Largest distance of the mesh's points from the texels of all blocks. Takes every tenth texel.
 double FindGap(RelevoCaptureScene& scene, vtkPolyData* mesh, const Vector& offset)
 {
   std::vector<Vector> points;
@@ -48,7 +49,7 @@ double FindGap(RelevoCaptureScene& scene, vtkPolyData* mesh, const Vector& offse
   return gap;
 }
 
-// The direction that a relief's depths grow in.
+// The direction in which a relief's depths increase.
 Vector GetDirection(vtkImageData* relief)
 {
   vtkDataArray* m = relief->GetFieldData()->GetArray("ReliefMatrix");
@@ -82,13 +83,14 @@ void TestBox(RelevoCheck& check, const Vector& offset)
     relief->GetPointData()->GetArray("Depth")->GetRange(range);
     CHECK(range[0] > 0.0 && range[0] < 0.1 && range[1] < 2.5);
   }
-  // The ball is about 2.3 wide, a texel 0.018: points are seen by one of the six but for dents.
+  // The ball is about 2.3 wide and a texel 0.018. Except for dents, one of the six cameras sees
+  // each point.
   const double gap = FindGap(scene, ball, offset);
   std::cout << "box: no point is farther than " << gap << " from a texel\n";
   CHECK_LESS(gap, 0.04);
 }
 
-// Of what is flat four of the six see its edge, if anything.
+// Four of the six cameras see a flat mesh edge-on, if at all.
 void TestFlat(RelevoCheck& check)
 {
   RelevoCaptureScene scene;
@@ -108,7 +110,7 @@ void TestFlat(RelevoCheck& check)
   }
 }
 
-// Directions of depth of the sphere's cameras: as many, all different, evenly around.
+// Directions of the sphere's cameras: the requested number, all different, evenly distributed.
 void TestSphere(RelevoCheck& check)
 {
   const int numbers[] = { 12, 42, 162, 642 };
@@ -141,7 +143,8 @@ void TestSphere(RelevoCheck& check)
         closest = std::max(closest, dot(directions[i], directions[j]));
       }
     }
-    // Neighbours of an icosahedron's points are 63.4 degrees apart, then about half each time.
+    // Neighbouring points of an icosahedron are 63.4 degrees apart, and about half of that after
+    // each subdivision.
     CHECK_GREATER(std::acos(closest), 0.95 / (1 << level) / 1.2);
   }
   RelevoErrors errors(scene.Source);
@@ -152,7 +155,7 @@ void TestSphere(RelevoCheck& check)
   CHECK_EQUAL(scene.Source->GetNumberOfCameras(), 642);
 }
 
-// Half a world away the camera and the matrix are as exact as doubles are.
+// Far from the origin, camera and matrix are accurate to double precision.
 void TestFar(RelevoCheck& check, bool parallel)
 {
   const Vector offset{ { 1e6, -2e6, 5e5 } };
@@ -173,7 +176,7 @@ void TestFar(RelevoCheck& check, bool parallel)
   size_t others = 0;
   for (size_t i = 0, j = 0; i < far.size() && j < near.size(); ++i, ++j)
   {
-    // At the outline one of the two may have a texel more.
+    // At a silhouette, either of both may have an additional texel.
     const int at = 160 * far[i].Row + far[i].Column;
     while (j < near.size() && 160 * near[j].Row + near[j].Column < at)
     {
@@ -190,7 +193,7 @@ void TestFar(RelevoCheck& check, bool parallel)
   CHECK_LESS(largest, 0.01);
 }
 
-// The near plane is in front of the eye, the surface all around.
+// The near plane is in front of the eye, and the surface surrounds it.
 void TestInside(RelevoCheck& check)
 {
   RelevoCaptureScene scene;

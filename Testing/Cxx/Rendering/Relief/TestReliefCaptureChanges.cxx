@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The output is made anew when, and only when, something that it shows has changed.
+// vtkReliefCapture promises to capture again exactly when something visible has changed.
 #include "RelevoCaptureScene.h"
 
 #include "vtkAssembly.h"
@@ -18,7 +18,7 @@
 
 namespace
 {
-// How often the source has executed since it was asked last.
+// Number of executions since the last call.
 class Executions
 {
 public:
@@ -101,7 +101,7 @@ void TestChanges(RelevoCheck& check)
   step("same resolution", 0, [&]() { scene.Source->SetResolution(16, 16); });
 }
 
-// Drawn, an assembly moves its parts: that is no change.
+// Drawing an assembly moves its parts, which is not a change.
 void TestAssembly(RelevoCheck& check)
 {
   RelevoCaptureScene scene;
@@ -133,7 +133,7 @@ void TestAssembly(RelevoCheck& check)
   }
 }
 
-// The headlight that a renderer makes itself in its first frame is the one that captures have.
+// Captures use the headlight that a renderer creates in its first frame.
 void TestOwnLight(RelevoCheck& check)
 {
   RelevoCaptureScene scene;

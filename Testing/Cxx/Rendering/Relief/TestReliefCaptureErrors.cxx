@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What cannot be captured: errors, warnings, and what is left out.
+// vtkReliefCapture promises errors and warnings for scenes that it cannot capture, and for props
+// that it leaves out.
 #include "RelevoCaptureScene.h"
 #include "RelevoWarnings.h"
 
@@ -65,7 +66,7 @@ void TestErrors(RelevoCheck& check)
   CHECK_EQUAL(scene.Source->GetNumberOfCameras(), 6);
 }
 
-// The cameras that see something give reliefs, whatever the others do.
+// Cameras that see something give reliefs, whatever the others see.
 void TestCameras(RelevoCheck& check)
 {
   RelevoCaptureScene scene;
@@ -96,7 +97,7 @@ void TestCameras(RelevoCheck& check)
   CHECK(!output->GetBlock(0) && !output->GetBlock(1) && output->GetBlock(2));
 }
 
-// Of a volume that is there but draws nothing.
+// The mapper of a volume that has bounds but draws nothing.
 class BoxMapper : public vtkAbstractVolumeMapper
 {
 public:
@@ -120,7 +121,7 @@ void TestLeftOut(RelevoCheck& check)
   scene.Source->AddCamera(scene.GetCamera());
   const std::vector<RelevoTexel> alone = RelevoReadTexels(scene.Capture());
 
-  // In front of it, larger, and none of it captured.
+  // Larger volumes in front of the ball are not captured.
   for (int i = 0; i < 2; ++i)
   {
     vtkActor* pane = scene.Add(RelevoBumpyBall());
@@ -150,7 +151,7 @@ void TestLeftOut(RelevoCheck& check)
     CHECK_EQUAL(again[i].Point, alone[i].Point);
     CHECK(std::equal(again[i].Color, again[i].Color + 3, alone[i].Color));
   }
-  // Said once for as many.
+  // One message for all of them.
   scene.Source->Modified();
   scene.Source->Update();
   CHECK_EQUAL(warnings.Number, 1);
@@ -160,7 +161,7 @@ void TestLeftOut(RelevoCheck& check)
   CHECK_EQUAL(warnings.Number, 2);
 }
 
-// Where nothing was seen.
+// Texels where nothing is visible.
 void TestBackground(RelevoCheck& check)
 {
   RelevoCaptureScene scene;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Captured normals against those of the mesh, and of what gives none.
+// vtkReliefCapture promises normals, compared with those of the mesh, also for meshes without
+// normals.
 #include "RelevoCaptureScene.h"
 
 #include "vtkAdaptiveRefinement.h"
@@ -41,8 +42,8 @@ Vector GetNormal(vtkCell* triangle)
   return cross(corners[1] - corners[0], corners[2] - corners[0]);
 }
 
-// The angles, sorted, between texels' normals and those of the mesh in the world: of its points,
-// interpolated and then transformed, or of its triangles on the viewer's side.
+// Sorted angles between the texels' normals and those of the mesh in world coordinates: point
+// normals, interpolated and then transformed, or normals of the triangles on the viewer's side.
 std::vector<double> Compare(const std::vector<RelevoTexel>& texels, vtkPolyData* mesh,
   vtkCamera* camera, vtkDataArray* normals = nullptr, vtkLinearTransform* transform = nullptr)
 {
@@ -125,7 +126,7 @@ vtkSmartPointer<vtkPolyData> Reverse(vtkPolyData* mesh)
   return reverse->GetOutput();
 }
 
-// At the outline it may be the back that is closest.
+// At a silhouette, the closest point may be on the back.
 bool IsSmooth(const std::vector<double>& angles)
 {
   return angles[angles.size() * 99 / 100] < 0.01 &&
@@ -133,7 +134,7 @@ bool IsSmooth(const std::vector<double>& angles)
       angles.begin(), angles.end(), [](double angle) { return angle < 0.05 || angle > 179.95; });
 }
 
-// At edges of triangles the closest one may be the neighbour.
+// At edges, the closest triangle may be the neighbour.
 bool IsFlat(const std::vector<double>& angles)
 {
   return angles[angles.size() * 98 / 100] < 0.05;
@@ -152,7 +153,7 @@ void TestMeshes(RelevoCheck& check)
     [](vtkActor* actor) { actor->GetProperty()->SetInterpolationToFlat(); })));
 }
 
-// Stretched and turned: normals are those after the matrix.
+// With a matrix that stretches and rotates, normals are those after the transform.
 void TestStretched(RelevoCheck& check)
 {
   vtkNew<vtkTransform> transform;
@@ -174,7 +175,7 @@ void TestStretched(RelevoCheck& check)
   CHECK(IsSmooth(angles));
 }
 
-// Unlit, shaders have no normals: they are computed from depths.
+// Unlit shaders have no normals, so they are computed from depths.
 void TestFallback(RelevoCheck& check)
 {
   vtkNew<vtkPolyData> flat;
@@ -185,7 +186,7 @@ void TestFallback(RelevoCheck& check)
   CHECK_LESS(angles[angles.size() * 98 / 100], 40.0);
 }
 
-// What the GPU refines: a coarse ball becomes a round one.
+// With refinement on the GPU, a coarse ball becomes round.
 void TestRefined(RelevoCheck& check)
 {
   vtkNew<vtkAdaptiveRefinement> recipe;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Props of other kinds than one actor of one mesh: all that is seen is captured as it is seen.
+// vtkReliefCapture promises to capture every kind of opaque prop as it appears.
 #include "RelevoCaptureScene.h"
 #include "RelevoCompositeMapper.h"
 
@@ -27,7 +27,7 @@ namespace
 using namespace RelevoVectors;
 using Builder = std::function<void(RelevoCaptureScene&)>;
 
-// Colours of texels are those of a window of the capture's size, there where it shows something.
+// Colours of texels equal those of a window of the capture's size, wherever something is visible.
 std::vector<RelevoTexel> CompareWithWindow(
   RelevoCheck& check, const std::string& name, const Builder& build)
 {
@@ -141,7 +141,7 @@ void BuildLines(RelevoCaptureScene& scene)
   edges->GetProperty()->SetLineWidth(2.0);
 }
 
-// A relief is captured as what it is of.
+// Capturing a relief gives the captured object.
 void TestRelief(RelevoCheck& check)
 {
   RelevoCaptureScene first;

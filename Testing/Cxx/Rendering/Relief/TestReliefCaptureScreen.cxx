@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Captures leave what the window shows, its cameras and the mappers' buffers as they were.
+// vtkReliefCapture promises not to change the window's picture, its cameras or the mappers'
+// buffers.
 #include "RelevoCaptureScene.h"
 #include "RelevoPictures.h"
 
@@ -18,7 +19,7 @@
 
 namespace
 {
-// Counts how often it makes buffers.
+// Counts its buffer builds.
 class CountingMapper : public vtkOpenGLPolyDataMapper
 {
 public:
@@ -53,7 +54,7 @@ struct Stage : RelevoCaptureScene
     vtkActor* pane = this->Add(RelevoBumpyBall(20));
     pane->SetPosition(0.5, 0.0, 1.0);
     pane->GetProperty()->SetOpacity(0.4);
-    this->Other->AddActor(ball); // is in both
+    this->Other->AddActor(ball); // belongs to both renderers
     this->Window->AddRenderer(this->Other);
     vtkNew<vtkSphereSource> small;
     small->SetRadius(0.1);
@@ -79,7 +80,7 @@ struct Stage : RelevoCaptureScene
 void TestKept(RelevoCheck& check, int multiSamples, bool offScreen)
 {
   Stage stage(multiSamples, offScreen);
-  RelevoErrors warnings(stage.Source); // of what is translucent
+  RelevoErrors warnings(stage.Source); // warnings about translucent props
   stage.Window->Render();
   stage.Window->Render(); // the first frame resets cameras
   const RelevoPicture before(stage.Window);
@@ -110,7 +111,7 @@ void TestKept(RelevoCheck& check, int multiSamples, bool offScreen)
   CHECK_EQUAL(stage.Mapper->NumberOfBuilds, builds);
 }
 
-// In the middle of a frame, of what is being drawn.
+// Captures during a frame.
 void TestInsideFrame(RelevoCheck& check)
 {
   Stage stage(0, false);
@@ -136,7 +137,7 @@ void TestInsideFrame(RelevoCheck& check)
   CHECK(RelevoPictures::Equal(RelevoPicture(stage.Window), before));
 }
 
-// A window that was never drawn is initialized, and then as any other.
+// A window that was never drawn is initialized, and afterwards behaves like any other.
 void TestFirst(RelevoCheck& check)
 {
   const auto draw = [&](bool captures)
@@ -151,7 +152,7 @@ void TestFirst(RelevoCheck& check)
   CHECK(RelevoPictures::Equal(draw(true), draw(false)));
 }
 
-// Lights that the captures' cameras carry with them are copies.
+// The captures' cameras carry copies of the headlights.
 void TestLights(RelevoCheck& check)
 {
   RelevoCaptureScene scene;

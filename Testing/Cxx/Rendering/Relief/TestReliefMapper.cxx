@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Reliefs by vtkReliefMapper, against rays through them in double precision: which pixels are hit,
-// where, and how deep.
+// vtkReliefMapper promises the relief's surface from every view, compared with rays in double
+// precision: covered pixels, positions and depths.
 #include "RelevoCheck.h"
 #include "RelevoReliefScene.h"
 
@@ -54,7 +54,7 @@ void TestViews(RelevoCheck& check, vtkImageData* relief)
   }
 }
 
-// A camera at the middle of the surface and in front of it looks along it.
+// A camera in front of the surface's centre looks along the surface.
 void TestInside(RelevoCheck& check, vtkImageData* relief)
 {
   RelevoReliefScene scene(relief, 120, 90);
@@ -77,7 +77,7 @@ void TestInside(RelevoCheck& check, vtkImageData* relief)
   }
 }
 
-// As any other actor: moved, turned, with unequal scales, mirrored.
+// Actor matrices with translation, rotation, unequal scales and mirroring.
 void TestActorMatrix(RelevoCheck& check, vtkImageData* relief)
 {
   RelevoReliefScene scene(relief, 120, 90);
@@ -93,7 +93,7 @@ void TestActorMatrix(RelevoCheck& check, vtkImageData* relief)
   CHECK(result.IsRight());
 }
 
-// Moving the camera uploads nothing and writes no shader.
+// A moving camera uploads nothing and builds no shader.
 void TestBuilds(RelevoCheck& check, vtkImageData* relief)
 {
   RelevoReliefScene scene(relief, 120, 90);

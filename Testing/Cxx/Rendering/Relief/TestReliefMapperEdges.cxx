@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Captures of parts with sharp edges show no cracks along these, against the picture of the part.
+// vtkReliefMapper promises captures of parts with sharp edges without cracks, compared with the
+// picture of the part.
 #include "RelevoCaptureScene.h"
 #include "RelevoCheck.h"
 
@@ -48,7 +49,7 @@ vtkSmartPointer<vtkPolyData> MakeCube(double angle)
   return Split(cube, angle);
 }
 
-// An angle iron.
+// An angle bracket.
 vtkSmartPointer<vtkPolyData> MakeBracket()
 {
   const double corners[6][2] = { { 0, 0 }, { 2, 0 }, { 2, 0.4 }, { 0.4, 0.4 }, { 0.4, 1.5 },
@@ -73,8 +74,8 @@ vtkSmartPointer<vtkPolyData> MakeBracket()
 struct Differences
 {
   int Wrong = 0;   // another colour
-  int Missing = 0; // the background where the part is
-  int Beyond = 0;  // the other way round
+  int Missing = 0; // shows the background in place of the part
+  int Beyond = 0;  // shows the part in place of the background
 };
 
 Differences Compare(const RelevoPicture& part, const RelevoPicture& reliefs)
@@ -120,7 +121,7 @@ public:
     this->Renderer->AddActor(this->Reliefs);
   }
 
-  // Of four views, all together.
+  // Sums four views.
   Differences Draw()
   {
     Differences sum;
@@ -181,7 +182,7 @@ void TestPart(RelevoCheck& check, const char* name, vtkPolyData* mesh, bool isPe
               << before.Missing << ", beyond " << before.Beyond << "; filled " << after.Wrong
               << ", " << after.Missing << ", " << after.Beyond << "; memory "
               << scene.Mapper->GetGraphicsMemorySize() / double(memory) << "\n";
-    CHECK_GREATER(before.Wrong, 100); // the test sees cracks
+    CHECK_GREATER(before.Wrong, 100); // negative control: the test detects cracks
     CHECK_LESS(after.Wrong, 0.3 * before.Wrong);
     CHECK_LESS(after.Missing, 0.6 * before.Missing);
     CHECK_LESS_EQUAL(after.Beyond, 100);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkReliefMapper says of bad input, and that the rest is drawn.
+// Proves errors.md: vtkReliefMapper reports invalid input once and draws the rest.
 #include "RelevoCheck.h"
 #include "RelevoReliefScene.h"
 
@@ -46,7 +46,7 @@ void TestBlocks(RelevoCheck& check)
   CHECK_GREATER(CountDrawn(scene), 100);
   CHECK(errors.Said("Block 2: A relief needs the point array 'Depth'"));
   scene.Window->Render();
-  CHECK(errors.None()); // once
+  CHECK(errors.None()); // reported once
   blocks->SetBlock(1, MakeFlat(20, 20, std::numeric_limits<double>::quiet_NaN()));
   CHECK_GREATER(CountDrawn(scene), 100);
   CHECK(errors.Said("Block 2: No value of the point array 'Depth' is finite"));
@@ -68,7 +68,7 @@ void TestTypes(RelevoCheck& check)
   CHECK_EQUAL(CountDrawn(scene), 0);
   CHECK(errors.Said("A relief is a vtkImageData, not a vtkTable."));
   scene.Window->Render();
-  CHECK(errors.None()); // once
+  CHECK(errors.None()); // reported once
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, table);
   blocks->SetBlock(1, relief);
@@ -110,7 +110,7 @@ void TestTooLarge(RelevoCheck& check)
   scene.Window->Render();
   CHECK(errors.Said("Block 1: The image has 200000 x 2 points, more than the"));
   scene.Window->Render();
-  CHECK(errors.None()); // once
+  CHECK(errors.None()); // reported once
 }
 
 void TestSettings(RelevoCheck& check)
@@ -141,7 +141,7 @@ void TestSettings(RelevoCheck& check)
   CHECK(errors.None());
 }
 
-// Said once, not in every frame.
+// Reported once, not in every frame.
 void TestShaders(RelevoCheck& check)
 {
   RelevoReliefScene scene(MakeFlat(20, 20), 60, 40);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A vtkReliefMapper is a mapper like any other: colours, lights, opacity, clipping planes, culling,
-// bounds, selections, and what other actors hide.
+// vtkReliefMapper promises the features of other mappers: colours, lights, opacity, clipping
+// planes, culling, bounds, selections, and depth tests against other actors.
 #include "RelevoCheck.h"
 #include "RelevoReliefScene.h"
 
@@ -67,13 +67,13 @@ Color GetMiddle(const std::vector<Color>& colors)
   return colors[Height / 2 * Width + Width / 2];
 }
 
-// The colours of texels, interpolated, where rays meet the surface.
+// Interpolated colours of texels where rays hit the surface.
 void TestColors(RelevoCheck& check, Methods method)
 {
   const auto relief = MakeHills();
   RelevoReliefScene scene(relief, Width, Height);
   scene.Mapper->SetMethod(method);
-  scene.Actor->GetProperty()->SetColor(0.2, 0.3, 0.4); // the relief has its own
+  scene.Actor->GetProperty()->SetColor(0.2, 0.3, 0.4); // the relief has its own colours
   const std::vector<Color> colors = DrawColors(scene);
   const std::vector<RelevoReliefHit> hits = scene.Cast(relief);
   int number = 0;
@@ -94,7 +94,7 @@ void TestColors(RelevoCheck& check, Methods method)
   CHECK_LESS_EQUAL(wrong, number / 200);
 }
 
-// A plain relief is lit as a plain polydata is.
+// A plane relief is lit like a plane vtkPolyData.
 void TestLit(RelevoCheck& check, Methods method)
 {
   const auto relief = MakeFlat(1.0);
@@ -144,7 +144,7 @@ void TestOpacity(RelevoCheck& check)
       CHECK_EQUAL(GetMiddle(DrawColors(scene))[0], 200);
     }
   }
-  // By the colours' fourth component.
+  // Opacity is the colours' fourth component.
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetName("Color");
   colors->SetNumberOfComponents(4);
@@ -160,7 +160,7 @@ void TestClipping(RelevoCheck& check, Methods method)
   const auto relief = MakeHills();
   RelevoReliefScene scene(relief, Width, Height);
   scene.Mapper->SetMethod(method);
-  scene.GetCamera()->Azimuth(60.0); // so that hills behind those cut off come into sight
+  scene.GetCamera()->Azimuth(60.0); // shows hills behind the clipped ones
   scene.Renderer->ResetCameraClippingRange();
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(scene.Actor->GetCenter());
@@ -211,14 +211,14 @@ void TestBounds(RelevoCheck& check)
       const bool isInside = column >= 10 && column <= 20 && row >= 5 && row <= 9;
       return isInside || (column == 0 && row == 0) ? 3.0 + 0.1 * column : std::nan("");
     }));
-  const double expected[6] = { 1.0, 2.0, 0.5, 0.9, 0.4, 0.5 }; // a single texel is no surface
+  const double expected[6] = { 1.0, 2.0, 0.5, 0.9, 0.4, 0.5 }; // a single texel is not a surface
   for (int i = 0; i < 6; ++i)
   {
     CHECK_NEAR(mapper->GetBounds()[i], expected[i], 1e-6);
   }
 }
 
-// In a selection the ids are those of the image.
+// A selection returns ids of the image.
 void TestSelection(RelevoCheck& check, Methods method, bool points)
 {
   const auto relief = MakeHills();
@@ -255,7 +255,7 @@ void TestSelection(RelevoCheck& check, Methods method, bool points)
   CHECK_EQUAL(ids->GetValue(0), row * (points ? 48 : 47) + column);
 }
 
-// Dark where the surface itself is between a point and the lamp, as rays have it.
+// The surface is dark where it lies between a point and the light, as rays find it.
 void TestSelfShadow(RelevoCheck& check, Methods method, bool isPositional)
 {
   const auto relief = RelevoMakeRelief(60, 50, ReliefProjection::Parallel, RelevoSmallTexels(),
@@ -299,7 +299,7 @@ void TestSelfShadow(RelevoCheck& check, Methods method, bool isPositional)
   CHECK_LESS_EQUAL(wrong, dark / 20);
 }
 
-// VTK's own pickers find the same.
+// VTK's pickers find the same.
 void TestPickers(RelevoCheck& check, bool isComposite)
 {
   const auto relief = MakeHills();
@@ -335,7 +335,8 @@ void TestPickers(RelevoCheck& check, bool isComposite)
   CHECK_GREATER(number, 4);
 }
 
-// Two halves are as the whole, where they touch, too; another actor hides and is hidden.
+// Two halves look like the whole, also where they touch. Another actor hides the relief and is
+// hidden by it.
 void TestTogether(RelevoCheck& check, Methods method)
 {
   const auto whole =

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// All methods and searches of vtkReliefMapper, against rays in double precision, in moderate views.
+// Proves reliefs.md: all methods and searches of vtkReliefMapper agree with rays in double
+// precision, in moderate views.
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
 #include "RelevoReliefScene.h"
@@ -19,8 +20,8 @@ struct Policy
 {
   int Method;
   int Search;
-  double ShareHit;   // at least of the pixels that rays hit
-  double ShareRight; // at least of the hits, within half a texel
+  double ShareHit;   // smallest share of the pixels that rays hit
+  double ShareRight; // smallest share of the hits within half a texel
 };
 
 void TestWay(RelevoCheck& check, vtkImageData* relief, const Policy& way)
@@ -46,7 +47,7 @@ void TestWay(RelevoCheck& check, vtkImageData* relief, const Policy& way)
   CHECK(errors.None());
 }
 
-// Low hills, so that little lands beside the picture on the plane.
+// The hills are low, so that few points leave the picture on the plane.
 void TestWarp(RelevoCheck& check, ReliefProjection projection)
 {
   const bool isPerspective = projection == ReliefProjection::Perspective;
@@ -74,14 +75,15 @@ void TestWarp(RelevoCheck& check, ReliefProjection projection)
   scene.GetCamera()->Zoom(1.1);
   scene.Window->Render();
   CHECK_EQUAL(scene.Mapper->GetNumberOfWarps(), 3);
-  // From behind there is no such picture.
+  // Seen from behind, no warped picture exists.
   scene.GetCamera()->Azimuth(180.0);
   scene.Renderer->ResetCameraClippingRange();
   CHECK(scene.Compare(relief).IsRight());
   CHECK_EQUAL(scene.Mapper->GetMethodInUse(), vtkReliefMapper::METHOD_RAY_MARCH);
 }
 
-// The reliefs and the size of the window decide, not times: all frames are equal to the bit.
+// Reliefs and window size choose the method, not measured times, so all frames are equal, bit for
+// bit.
 void TestAutomatic(RelevoCheck& check, vtkImageData* relief, int width, int method)
 {
   RelevoReliefScene scene(relief, width, 3 * width / 4);
@@ -108,7 +110,7 @@ void TestAutomatic(RelevoCheck& check, vtkImageData* relief, int width, int meth
   CHECK_GREATER_EQUAL(scene.Compare(relief).GetShareRight(), 0.998);
 }
 
-// From within a valley, among bumps that rays skim: cones must not step over these.
+// In a valley between bumps that rays graze. Cone stepping must not skip them.
 void TestValley(RelevoCheck& check)
 {
   const auto relief = RelevoMakeRelief(97, 97, ReliefProjection::Parallel, relevo::dmat4(1.0),
@@ -136,7 +138,8 @@ void TestValley(RelevoCheck& check)
   }
 }
 
-// Rays and patterns, which have little in common, show the same from anywhere, inside and behind.
+// Ray casting and patterns share little code, and agree in every view, including from inside and
+// behind.
 void TestAgreement(RelevoCheck& check, vtkImageData* relief)
 {
   RelevoReliefScene scene(relief, 120, 90);
@@ -175,7 +178,7 @@ void TestAgreement(RelevoCheck& check, vtkImageData* relief)
   CHECK_LESS_EQUAL(different, number / 500);
 }
 
-// 10 bytes for a texel with colour and depth, and little for those without.
+// 10 bytes per texel with colour and depth, and few for texels without.
 void TestMemory(RelevoCheck& check)
 {
   const auto relief = RelevoMakeRelief(400, 400, ReliefProjection::Parallel, RelevoSmallTexels(),
@@ -210,7 +213,7 @@ int TestReliefMapperMethods(int, char*[])
     TestAutomatic(check, relief, 240, Mapper::METHOD_RAY_MARCH);
     TestAgreement(check, relief);
   }
-  // Without openings, of at most 32 x 32 x 2 triangles.
+  // A relief without openings, with at most 32 x 32 x 2 triangles.
   const auto closed =
     RelevoMakeRelief(33, 33, ReliefProjection::Parallel, RelevoSmallTexels(), RelevoHills);
   TestAutomatic(check, closed, 120, Mapper::METHOD_REFINEMENT);

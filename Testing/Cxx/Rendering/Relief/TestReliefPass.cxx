@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Frames that stand are the delegate's, those that move show reliefs with what goes on top of them.
+// vtkReliefPass promises: still frames are those of the delegate pass, and moving frames show
+// reliefs with all other props on top.
 #include "RelevoPassScene.h"
 #include "RelevoPictures.h"
 
@@ -32,7 +33,7 @@
 
 namespace
 {
-// Pixels whose colours differ by more than this.
+// Number of pixels whose colours differ by more than the tolerance.
 size_t CountOthers(const RelevoPicture& a, const RelevoPicture& b, int tolerance)
 {
   size_t count = 0;
@@ -55,7 +56,7 @@ void Keep(const RelevoPicture& picture, const std::string& name, char* argv[], i
   picture.Save(std::string(testing->GetTempDirectory()) + "/TestReliefPass-" + name + ".png");
 }
 
-// A translucent pane in front, and a mark in the plane of the window.
+// A translucent pane in front, and a mark in the window's plane.
 void AddOthers(RelevoPassScene& scene)
 {
   vtkNew<vtkPlaneSource> pane;
@@ -99,7 +100,7 @@ void TestStill(RelevoCheck& check)
   CHECK_EQUAL(CountOthers(scene.DrawStill(), before, 2), 0);
 }
 
-// At the place of the capture each texel is a pixel.
+// At the camera of the capture, each texel covers one pixel.
 void TestMoving(RelevoCheck& check, int argc, char* argv[])
 {
   for (bool parallel : { false, true })
@@ -114,7 +115,7 @@ void TestMoving(RelevoCheck& check, int argc, char* argv[])
     Keep(moving, parallel ? "moving-parallel" : "moving", argv, argc);
     const size_t others = CountOthers(moving, still, 8);
     std::cout << others << " pixels of the moving picture differ from the still one\n";
-    CHECK_LESS(others, 600); // of 30000: along outlines
+    CHECK_LESS(others, 600); // of 30000, along silhouettes
     CHECK(!RelevoPictures::Equal(moving, still));
 
     scene.GetCamera()->Azimuth(6.0);
@@ -126,7 +127,8 @@ void TestMoving(RelevoCheck& check, int argc, char* argv[])
   }
 }
 
-// Thin things have no surface for reliefs: they are drawn by themselves, alone and in assemblies.
+// Lines and points have no surface for reliefs, so they are drawn directly, alone and in
+// assemblies.
 void TestLines(RelevoCheck& check)
 {
   RelevoPassScene scene;
@@ -174,7 +176,7 @@ void TestLines(RelevoCheck& check)
   CHECK_EQUAL(others, 0);
 }
 
-// Draws nothing, and counts.
+// Draws nothing and counts its calls.
 class CountingMapper : public vtkAbstractVolumeMapper
 {
 public:
@@ -217,14 +219,14 @@ void TestWithoutProps(RelevoCheck& check)
   CHECK_EQUAL(scene.DrawMoving().CountForeground(), 0);
   CHECK_EQUAL(scene.Pass->GetNumberOfCaptures(), 1);
   RelevoErrors errors(scene.Pass);
-  AddOthers(scene); // nothing opaque
+  AddOthers(scene); // no opaque props
   const RelevoPicture still = scene.DrawStill();
   CHECK(RelevoPictures::Equal(scene.DrawMoving(), still));
   CHECK_EQUAL(scene.Pass->GetNumberOfCaptures(), 1);
   CHECK(errors.None());
 }
 
-// The props and cells that are seen in an area.
+// Props and cells visible in an area.
 std::set<std::pair<vtkProp*, vtkIdType>> Select(vtkRenderer* renderer)
 {
   vtkNew<vtkHardwareSelector> selector;
@@ -246,7 +248,7 @@ std::set<std::pair<vtkProp*, vtkIdType>> Select(vtkRenderer* renderer)
   return result;
 }
 
-// The scene's own props are what is selected, as without the pass.
+// Selections return the scene's props, as without the pass.
 void TestSelection(RelevoCheck& check)
 {
   RelevoPassScene scene;
@@ -260,7 +262,7 @@ void TestSelection(RelevoCheck& check)
   CHECK_EQUAL(Select(scene.Renderer), selected);
 }
 
-// Each renderer of a window, in its part of it.
+// Each renderer of a window, in its part.
 void TestParts(RelevoCheck& check)
 {
   RelevoPassScene scene;

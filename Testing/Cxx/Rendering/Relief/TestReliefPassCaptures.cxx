@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// When the pass captures anew, and how well it foresees holes.
+// Proves reliefs.md: the pass captures again at the documented angles and shares of holes, and
+// predicts holes as well as stated.
 #include "RelevoPassScene.h"
 
 #include "vtkActor2D.h"
@@ -20,7 +21,7 @@ namespace
 void TestAngle(RelevoCheck& check)
 {
   RelevoPassScene scene;
-  scene.Wall->VisibilityOff(); // no openings but those behind outlines
+  scene.Wall->VisibilityOff(); // leaves no openings except those behind silhouettes
   scene.Pass->SetMaximumHoleShare(1.0);
   CHECK_EQUAL(scene.CountCaptures(), 1);
   CHECK_EQUAL(scene.CountCaptures(), 0);
@@ -28,7 +29,7 @@ void TestAngle(RelevoCheck& check)
   CHECK_EQUAL(scene.CountCaptures(), 0);
   scene.GetCamera()->Azimuth(1.5);
   CHECK_EQUAL(scene.CountCaptures(), 1);
-  scene.GetCamera()->Azimuth(-1.5); // 14.5 from one, 1.5 from the other
+  scene.GetCamera()->Azimuth(-1.5); // 14.5 from one and 1.5 from the other
   CHECK_EQUAL(scene.CountCaptures(), 0);
   scene.GetCamera()->Azimuth(-20.0);
   CHECK_EQUAL(scene.CountCaptures(), 0);
@@ -44,7 +45,7 @@ void TestHoleShare(RelevoCheck& check)
   RelevoPassScene scene;
   CHECK_EQUAL(scene.CountCaptures(), 1);
   CHECK_LESS(scene.Pass->GetHoleShare(), 1e-3);
-  // Long before 15 degrees.
+  // Captures again long before 15 degrees.
   double turned = 0.0;
   while (turned < 15.0 && scene.CountCaptures() == 0)
   {
@@ -54,11 +55,11 @@ void TestHoleShare(RelevoCheck& check)
   std::cout << "captured anew after " << turned << " degrees\n";
   CHECK_GREATER(turned, 0.5);
   CHECK_LESS(turned, 6.0);
-  CHECK_LESS(scene.Pass->GetHoleShare(), 1e-3); // of the new one
-  // Back where the first capture was.
+  CHECK_LESS(scene.Pass->GetHoleShare(), 1e-3); // of the new capture
+  // Returns to the view of the first capture.
   scene.GetCamera()->Azimuth(-turned);
   CHECK_EQUAL(scene.CountCaptures(), 0);
-  // Nowhere above what is allowed.
+  // The share of holes stays below the limit.
   for (int i = 0; i < 12; ++i)
   {
     scene.GetCamera()->Azimuth(1.0);
@@ -68,11 +69,11 @@ void TestHoleShare(RelevoCheck& check)
   }
 }
 
-// What is predicted against what is there: one capture, from which the view turns away.
+// Compares prediction and measurement for one capture, from which the view turns away.
 void TestPrediction(RelevoCheck& check, bool parallel)
 {
   RelevoPassScene scene;
-  scene.Window->SetSize(800, 600); // outlines are a small share
+  scene.Window->SetSize(800, 600); // silhouettes are a small share
   scene.Pass->SetMaximumHoleShare(1.0);
   scene.Pass->SetMaximumAngle(180.0);
   scene.GetCamera()->SetParallelScale(3.5);
@@ -96,11 +97,11 @@ void TestPrediction(RelevoCheck& check, bool parallel)
   CHECK_EQUAL(scene.Pass->GetNumberOfCaptures(), 1);
 }
 
-// Two captures fill what is open in each of them.
+// Two captures fill each other's openings.
 void TestTogether(RelevoCheck& check)
 {
   RelevoPassScene scene;
-  scene.Window->SetSize(800, 600); // outlines are a small share
+  scene.Window->SetSize(800, 600); // silhouettes are a small share
   scene.Pass->SetMaximumAngle(180.0);
   scene.Pass->SetMaximumHoleShare(1.0);
   scene.GetCamera()->Azimuth(-5.0);
@@ -121,8 +122,9 @@ void TestTogether(RelevoCheck& check)
   CHECK_LESS(predictedOfTwo, 0.3 * predictedOfOne);
 }
 
-// Around many balls before a wall, and a text that changes: captures are made ahead of the motion,
-// so that at least a third of the frames need none. Or, with no holes allowed, hardly any are made.
+// An orbit around many balls in front of a wall, with a text that changes. Captures are made ahead
+// of the motion, so that at least a third of the frames need none. If no holes are allowed,
+// captures are hardly made.
 void TestOrbit(RelevoCheck& check, double step, double share, int maximumCaptures, int minimumShown)
 {
   RelevoPassScene scene;
@@ -154,7 +156,7 @@ void TestOrbit(RelevoCheck& check, double step, double share, int maximumCapture
   CHECK_GREATER_EQUAL(withoutCapture, minimumShown);
 }
 
-// Where the mesh changes in each frame captures do not pay.
+// If the mesh changes in each frame, captures do not pay off.
 void TestAnimation(RelevoCheck& check)
 {
   RelevoPassScene scene;
@@ -167,7 +169,7 @@ void TestAnimation(RelevoCheck& check)
   std::cout << "animation: " << scene.Pass->GetNumberOfCaptures() << " captures\n";
   CHECK_GREATER_EQUAL(scene.Pass->GetNumberOfCaptures(), 3);
   CHECK_LESS_EQUAL(scene.Pass->GetNumberOfCaptures(), 6);
-  // At rest again, after the pause at the latest.
+  // The animation has stopped, so captures return after the pause at the latest.
   for (int i = 0; i < 70; ++i)
   {
     scene.DrawMoving();
@@ -177,14 +179,14 @@ void TestAnimation(RelevoCheck& check)
   CHECK_EQUAL(scene.Pass->GetNumberOfReliefFrames(), before + 1);
 }
 
-// Beyond the sides of what was captured.
+// Views beyond the sides of the capture.
 void TestSides(RelevoCheck& check)
 {
   RelevoPassScene scene;
-  scene.GetCamera()->SetViewAngle(12.0); // the wall all around
+  scene.GetCamera()->SetViewAngle(12.0); // only the wall is visible
   CHECK_EQUAL(scene.CountCaptures(), 1);
   scene.GetCamera()->Yaw(0.5);
-  CHECK_EQUAL(scene.CountCaptures(), 0); // in the margin
+  CHECK_EQUAL(scene.CountCaptures(), 0); // within the margin
   scene.Pass->SetMaximumHoleShare(1.0);
   scene.GetCamera()->Yaw(5.0);
   const double actual = scene.FindHoles();
@@ -207,7 +209,7 @@ void TestCloser(RelevoCheck& check)
   scene.GetCamera()->Zoom(1.3);
   CHECK_EQUAL(scene.CountCaptures(), 1);
   scene.GetCamera()->Zoom(0.5);
-  CHECK_EQUAL(scene.CountCaptures(), 0); // by the first one
+  CHECK_EQUAL(scene.CountCaptures(), 0); // uses the first capture
 }
 
 void TestChanges(RelevoCheck& check)

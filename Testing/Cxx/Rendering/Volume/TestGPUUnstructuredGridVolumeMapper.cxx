@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of vtkGPUUnstructuredGridVolumeMapper against vtkVolumeRayCastFilter, whose own tests
-// compare it with closed forms and sums.
+// vtkGPUUnstructuredGridVolumeMapper promises the pictures of vtkVolumeRayCastFilter, which other
+// tests compare with closed forms and sums.
 #include "RelevoBusyVolumes.h"
 #include "RelevoCheck.h"
 #include "RelevoVolumeScene.h"
@@ -18,7 +18,7 @@
 
 namespace
 {
-// Inside the mesh, and looking out of it.
+// The camera is inside the mesh and looks out.
 void LookInside(vtkCamera* camera)
 {
   camera->SetPosition(0.2, 0.1, 0.0);
@@ -37,30 +37,30 @@ void TestViews(RelevoCheck& check)
   camera->ParallelProjectionOff();
   LookInside(camera);
   CHECK_LESS_EQUAL(scene.Compare(), 1.0);
-  // What the near and the far plane leave.
+  // The near and far planes clip the volume.
   camera->SetPosition(3.0, 1.0, 0.0);
   camera->SetFocalPoint(0.0, 0.0, 0.0);
   camera->SetViewAngle(40.0);
   camera->SetClippingRange(2.9, 3.3);
   CHECK_LESS_EQUAL(scene.Compare(), 1.0);
-  // A first frame that has found no entries before.
+  // A first frame without entries of an earlier one.
   RelevoVolumeScene inside(MakeBall(300), MakeBusyProperty(0.3));
   LookInside(inside.GetCamera());
   CHECK_LESS_EQUAL(inside.Compare(), 1.0);
 }
 
-// Rays that run in faces, along edges and through corners.
+// Rays within faces, along edges and through corners.
 void TestDegenerateRays(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeTetrahedra(6, GetWaves), MakeBusyProperty(0.3), 97, 97);
   LookAlongEdges(scene);
   const auto drawn = scene.Draw();
   const auto cast = scene.Cast();
-  // Off the outline, which one ray may take for inside and another for outside.
+  // Pixels on the silhouette are skipped: rays may hit or miss the mesh there.
   CHECK_NEAR(255.0 * FindLargestDifferenceInside(drawn, cast, 97, 26, 70), 0.0, 1.0);
 }
 
-// Parts that touch where their faces disagree, and those behind each other.
+// Parts that touch with different faces, and parts behind each other.
 void TestParts(RelevoCheck& check)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -82,7 +82,7 @@ void TestParts(RelevoCheck& check)
   CHECK_EQUAL(scene.GetMapper()->GetNumberOfDrawnCells(), 6 * (27 + 8 + 64));
 }
 
-// The same picture far from the origin, and moved, turned and stretched by a matrix.
+// The same picture far from the origin, and with a matrix that translates, rotates and stretches.
 void TestPlaces(RelevoCheck& check)
 {
   RelevoVolumeScene near(MakeBall(200), MakeBusyProperty(0.3));
@@ -110,8 +110,8 @@ void TestPlaces(RelevoCheck& check)
     0.0, 1.0);
 }
 
-// An opaque box in the volume: in its pixels the volume ends there.
-// What is drawn into the upper right of a window is what is drawn into a window of that size.
+// An opaque box in the volume ends the rays in its pixels. A viewport in the upper right shows the
+// same as a window of that size.
 void TestViewports(RelevoCheck& check)
 {
   const int size = 60;
@@ -157,7 +157,7 @@ void TestOpaqueProps(RelevoCheck& check)
   scene.GetRenderer()->AddActor(actor);
   scene.GetRenderer()->ResetCameraClippingRange();
   const auto drawn = scene.Draw();
-  // Over black it hides what is behind: the far plane does the same to the twin.
+  // Over a black background it hides what is behind, like a far plane for the twin.
   const double distance = 4.0 - 0.6;
   vtkNew<vtkCamera> cut;
   cut->DeepCopy(camera);

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Which arrays vtkGPUUnstructuredGridVolumeMapper draws by both methods, and their components,
-// against vtkVolumeRayCastFilter.
+// Proves volumes.md: both methods draw the same arrays and components as vtkVolumeRayCastFilter.
 #include "RelevoBusyVolumes.h"
 #include "RelevoCheck.h"
 #include "RelevoVolumeScene.h"
@@ -51,7 +50,8 @@ void TestComponents(RelevoCheck& check)
   }
 }
 
-// A ray's colour changes from one component's to the other's where extinctions cross, in one piece.
+// A ray's colour changes from one component to the other where their extinctions cross, within one
+// piece.
 void TestMixture(RelevoCheck& check)
 {
   const auto mesh = MakeTetrahedra(1, [](const RelevoPoint&) { return 0.0; });
@@ -84,7 +84,7 @@ void TestMixture(RelevoCheck& check)
   }
 }
 
-// Bytes are from 0 to 1 as colours, and as they are else.
+// Bytes used as colours are scaled to [0, 1], other bytes are not.
 void TestBytes(RelevoCheck& check)
 {
   const auto mesh = MakeBall(200);
@@ -142,7 +142,7 @@ void TestVectorModes(RelevoCheck& check)
   CHECK_GREATER(FindLargestDifference(scene.Draw(), component), 0.1);
 }
 
-// By all of VTK's ways to choose an array.
+// All of VTK's ways to select an array.
 void TestSelection(RelevoCheck& check)
 {
   const auto mesh = MakeBall(200);
@@ -179,7 +179,7 @@ void TestSelection(RelevoCheck& check)
   }
 }
 
-// Where a scalar is no number, nothing is seen. A block without the array is left out.
+// NaN scalars are invisible. A block without the array is skipped.
 void TestMissingScalars(RelevoCheck& check)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -202,7 +202,7 @@ void TestMissingScalars(RelevoCheck& check)
   CHECK(errors.Warned("Block 3 has no array \"field\"; it is left out."));
   const auto byName = [](vtkVolumeRayCastFilter* filter)
   { filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "field"); };
-  vtkObject::GlobalWarningDisplayOff(); // the filter's own
+  vtkObject::GlobalWarningDisplayOff(); // warnings of the filter
   CHECK_NEAR(scene.Compare(0.001, byName), 0.0, 1.0);
   vtkObject::GlobalWarningDisplayOn();
   CHECK_GREATER(scene.GetMapper()->GetNumberOfDrawnCells(), 0);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Blend modes, isosurfaces and clipping planes of vtkGPUUnstructuredGridVolumeMapper, by both
-// methods, against vtkVolumeRayCastFilter.
+// Proves volumes.md: blend modes, isosurfaces and clipping planes equal those of
+// vtkVolumeRayCastFilter, with both methods.
 #include "RelevoBusyVolumes.h"
 #include "RelevoCheck.h"
 #include "RelevoVolumeScene.h"
@@ -58,7 +58,7 @@ void TestModes(RelevoCheck& check)
   }
 }
 
-// What a field that is linear in space has along a ray, by its ends alone.
+// For a field linear in space, the ends of a ray determine the result.
 void TestLinearField(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeTetrahedra(3, GetLinearField), MakeLinearProperty(), 60, 50);
@@ -112,7 +112,7 @@ void TestIsoSurfaces(RelevoCheck& check)
   RelevoVolumeScene scene(MakeBall(300), MakeBusyProperty(0.3));
   vtkVolumeProperty* property = scene.GetVolume()->GetProperty();
   SetValues(property, { 0.7, 0.2, 0.35, 0.36 });
-  // Next to where a ray grazes a surface it may meet it twice, or not at all.
+  // A ray that grazes a surface may hit it twice or not at all.
   CHECK_NEAR(CompareSurfaces(scene, 0.0002), 0.0, 1.0);
   CHECK_NEAR(CompareMode(scene, 5, 0.0002), 0.0, 1.0);
   LookInside(scene.GetCamera());
@@ -123,7 +123,7 @@ void TestIsoSurfaces(RelevoCheck& check)
   CHECK_NEAR(CompareSurfaces(scene), 0.0, 1.0);
 }
 
-// The value is that of planes of corners, which cells have in common, and of the mesh's border.
+// The isovalue lies in planes of corners shared by cells, and on the mesh's border.
 void TestSurfacesInFaces(RelevoCheck& check)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -149,7 +149,7 @@ void TestSurfacesInFaces(RelevoCheck& check)
   CHECK_NEAR(CompareMode(scene, 5, 0.001), 0.0, 1.0);
 }
 
-// Scalars of cells have no surfaces, but all other modes.
+// Cell scalars have no isosurfaces, but support all other modes.
 void TestCellScalars(RelevoCheck& check)
 {
   vtkNew<vtkPointDataToCellData> toCells;
@@ -195,7 +195,7 @@ void TestClipping(RelevoCheck& check)
   CHECK_NEAR(compare(), 0.0, 1.0);
   LookInside(scene.GetCamera());
   CHECK_NEAR(compare(), 0.0, 1.0);
-  // Planes along the rays.
+  // Planes parallel to the rays.
   mapper->RemoveAllClippingPlanes();
   scene.GetCamera()->ParallelProjectionOn();
   scene.GetCamera()->SetPosition(0.0, 0.0, 4.0);
@@ -209,7 +209,7 @@ void TestClipping(RelevoCheck& check)
   CHECK_LESS_EQUAL(compare(), 1.0);
 }
 
-// In the world, while a matrix moves the volume, which is far from where its points are.
+// Clipping planes are in world coordinates, while a matrix moves the volume far from its points.
 void TestClippedPlaces(RelevoCheck& check)
 {
   RelevoVolumeScene near(MakeBall(200), MakeBusyProperty(0.3));
@@ -226,8 +226,8 @@ void TestClippedPlaces(RelevoCheck& check)
   CHECK_LESS_EQUAL(FindLargestDifference(near.Draw(), far.Draw()), 1.5 / 255.0);
 }
 
-// A translucent square in the middle of the volume: what is in front of it, the square, and what is
-// behind it.
+// A translucent square in the middle of the volume: the volume in front of it, the square, and the
+// volume behind it.
 void TestPeeling(RelevoCheck& check)
 {
   auto property = MakeVolumeProperty(0.2, 1.0, 0.4);
@@ -282,7 +282,7 @@ void TestPeeling(RelevoCheck& check)
         expected[i][c] += (1.0 - parts[0][i][3]) * (middle[c] + 0.5 * parts[1][i][c]);
       }
     }
-    // The square may hide a surface that it touches, or not.
+    // The square may hide a surface that it touches.
     CHECK_NEAR(RelevoVolumeScene::Compare(drawn, expected, 0.03), 0.0, 2.0);
   }
 }
@@ -305,7 +305,7 @@ void TestBadSettings(RelevoCheck& check)
   scene.Draw();
   CHECK(errors.Said("33 clipping planes; the first 32 are used"));
   scene.Draw();
-  CHECK(errors.None()); // once
+  CHECK(errors.None()); // reported once
 }
 }
 

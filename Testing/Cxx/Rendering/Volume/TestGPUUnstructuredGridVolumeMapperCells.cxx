@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells of every kind that vtkGPUUnstructuredGridVolumeMapper draws unsplit, or split, against
-// vtkVolumeRayCastFilter, which finds places and scalars by VTK's own shape functions.
+// Proves volumes.md on cells: cells of every kind, drawn directly or split, equal
+// vtkVolumeRayCastFilter, which uses VTK's shape functions.
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
 #include "RelevoVolumeScene.h"
@@ -93,7 +93,7 @@ void TestDistortedKinds(RelevoCheck& check)
     RelevoVolumeScene scene(MakeCells(type, 0.12), MakeProperty());
     CHECK_LESS_EQUAL(scene.Compare(), 3.0);
   }
-  // Where a ray only touches a curved face it is taken to stay on its side.
+  // A ray that only touches a curved face is treated as if it missed it.
   RelevoVolumeScene scene(MakeCells(VTK_QUADRATIC_TETRA, 0.03), MakeProperty());
   CHECK_LESS_EQUAL(scene.Compare(0.01), 3.0);
 }
@@ -128,7 +128,7 @@ void TestInside(RelevoCheck& check)
   CHECK_LESS_EQUAL(scene.Compare(), 3.0);
 }
 
-// One mesh of several kinds: rays go from curved cells to tetrahedra and back.
+// A mesh of several kinds: rays pass between curved cells and tetrahedra.
 void TestMixed(RelevoCheck& check)
 {
   vtkNew<vtkAppendFilter> append;
@@ -148,7 +148,7 @@ void TestMixed(RelevoCheck& check)
   CHECK_LESS_EQUAL(scene.Compare(), 3.0);
 }
 
-// Cells turned inside out are the same cells.
+// Inverted cells give the same picture.
 void TestMirrored(RelevoCheck& check)
 {
   for (int type : { VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID, VTK_QUADRATIC_TETRA })
@@ -185,7 +185,7 @@ void TestCellData(RelevoCheck& check)
   }
 }
 
-// What the scalar's gradient tells, and isosurfaces, in each kind of cell.
+// Gradients and isosurfaces in each kind of cell.
 void TestFeatures(RelevoCheck& check)
 {
   for (int type : { VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID, VTK_QUADRATIC_TETRA })
@@ -196,7 +196,7 @@ void TestFeatures(RelevoCheck& check)
     gradientOpacity->AddPoint(0.1, 0.0);
     gradientOpacity->AddPoint(0.6, 1.0);
     property->SetGradientOpacity(gradientOpacity);
-    // Near the top of a pyramid it may be anything.
+    // Near the apex of a pyramid, results may differ.
     CHECK_NEAR(scene.Compare(0.02), 0.0, 6.0);
     property->SetDisableGradientOpacity(1);
     property->ShadeOn();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What happens to a volume between two pictures: its data change, or something is selected.
+// Proves that a volume follows changes of its data and does not affect selections.
 #include "RelevoCheck.h"
 #include "RelevoVolumeScene.h"
 
@@ -27,7 +27,7 @@ void ChangeValues(vtkUnstructuredGrid* mesh)
   values->Modified();
 }
 
-// Also in a block, of which its data set does not tell.
+// Data may also change in a block, which its composite data set does not report.
 void TestData(RelevoCheck& check)
 {
   const auto mesh = MakeTetrahedra(3, GetLinearField);
@@ -46,7 +46,7 @@ void TestData(RelevoCheck& check)
   }
 }
 
-// A volume is not selected, and does not hide what is.
+// A volume cannot be selected and hides no selectable prop.
 void TestSelection(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeTetrahedra(3, GetLinearField), MakeLinearProperty(), 80, 80);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkGPUUnstructuredGridVolumeMapper counts, and what it does not build anew.
+// Proves the counters of vtkGPUUnstructuredGridVolumeMapper, and volumes.md: cameras and edited
+// functions build nothing.
 #include "RelevoCheck.h"
 #include "RelevoVolumeScene.h"
 
@@ -11,7 +12,7 @@
 
 namespace
 {
-// Each way to show the volume, and edits of its settings.
+// Draws the volume in all modes, with edited settings.
 void DrawAll(RelevoVolumeScene& scene, double edit)
 {
   vtkGPUUnstructuredGridVolumeMapper* mapper = scene.GetMapper();
@@ -55,7 +56,7 @@ void TestFeatures(RelevoCheck& check)
   const vtkTypeInt64 size = mapper->GetGraphicsMemorySize();
   DrawAll(scene, 0.0);
   CHECK_EQUAL(FindLargestDifference(scene.Draw(), before), 0.0);
-  // The mesh's again, with its gradients.
+  // The mesh is uploaded again with its gradients.
   CHECK_EQUAL(mapper->GetNumberOfBufferBuilds(), 2);
   CHECK_GREATER_EQUAL(mapper->GetGraphicsMemorySize(), size + 16 * 6 * 6 * 6 - 16);
   const vtkIdType shaders = mapper->GetNumberOfShaderBuilds();
@@ -99,7 +100,7 @@ int TestGPUUnstructuredGridVolumeMapperCounters(int, char*[])
   CHECK_EQUAL(mapper->GetNumberOfTableBuilds(), 0);
   CHECK_EQUAL(mapper->GetNumberOfShaderBuilds(), shaders);
 
-  // A new mesh does.
+  // A new mesh is uploaded.
   mesh->Modified();
   scene.Draw();
   CHECK_EQUAL(mapper->GetNumberOfBufferBuilds(), 2);

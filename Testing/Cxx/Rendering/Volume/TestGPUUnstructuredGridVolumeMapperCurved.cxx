@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells whose faces are not flat, from outside, along their axes and from inside: rays go through a
-// bulging face and back. Pyramids up to their tops. Against vtkVolumeRayCastFilter.
+// Proves volumes.md on curved cells: from outside, along their axes and from inside, the picture
+// equals vtkVolumeRayCastFilter. Rays pass a bulging face twice and reach the apex of pyramids.
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
 #include "RelevoVolumeScene.h"
@@ -18,10 +18,10 @@
 
 namespace
 {
-// Of the pixels, rays that graze the top of a bent pyramid.
+// Share of pixels whose rays graze the apex of a distorted pyramid.
 constexpr double Top = 0.001;
 
-// Blocks of cells, of points that are moved by up to `distortion`, with random scalars.
+// Blocks of cells with random scalars, whose points are moved by up to `distortion`.
 vtkSmartPointer<vtkUnstructuredGrid> MakeCells(
   int type, int blocks, double distortion, unsigned int seed, bool areOfCells = false)
 {
@@ -57,7 +57,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeCells(
   return mesh;
 }
 
-// One quadratic tetrahedron, the middles of whose edges are so far out.
+// A quadratic tetrahedron whose edge midpoints are moved outwards by `bulge`.
 vtkSmartPointer<vtkUnstructuredGrid> MakeBulging(double bulge)
 {
   const double corners[4][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
@@ -134,7 +134,7 @@ void TestBentFaces(RelevoCheck& check)
   CheckAround(check, MakeCells(VTK_QUADRATIC_TETRA, 2, 0.03, 1));
 }
 
-// A ray enters a mesh that is all but a cube once.
+// A ray enters a mesh that is almost a cube only once.
 void TestLayers(RelevoCheck& check)
 {
   for (int type : { VTK_HEXAHEDRON, VTK_WEDGE, VTK_QUADRATIC_TETRA })
@@ -146,7 +146,7 @@ void TestLayers(RelevoCheck& check)
   }
 }
 
-// Functions so steep that scalars along the ray have to be followed closely.
+// Functions so steep that they need small steps along the ray.
 vtkSmartPointer<vtkVolumeProperty> MakeSteepProperty()
 {
   auto property = MakeProperty();
@@ -174,7 +174,7 @@ void TestSteepFunctions(RelevoCheck& check)
   }
 }
 
-// Along the axes, where rays pass the tops of pyramids.
+// Along the axes, rays pass the apex of pyramids.
 void TestAxes(RelevoCheck& check)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -194,7 +194,7 @@ void TestAxes(RelevoCheck& check)
   }
 }
 
-// The eye is in a cell, and looks around.
+// The eye is in a cell and looks around.
 void TestInside(RelevoCheck& check)
 {
   for (int type : { VTK_HEXAHEDRON, VTK_PYRAMID, VTK_QUADRATIC_TETRA })

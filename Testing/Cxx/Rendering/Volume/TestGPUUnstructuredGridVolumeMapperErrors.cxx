@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkGPUUnstructuredGridVolumeMapper says of bad input, and that the rest is drawn.
+// Proves errors.md: vtkGPUUnstructuredGridVolumeMapper reports invalid input once and draws the
+// rest.
 #include "RelevoCheck.h"
 #include "RelevoVolumeScene.h"
 
@@ -40,7 +41,7 @@ void TestNothing(RelevoCheck& check)
   CHECK(IsBlack(scene.Draw()));
   CHECK(errors.Said("The input is a vtkTable; a vtkDataSet or a vtkCompositeDataSet is needed."));
   scene.Draw();
-  CHECK(errors.None()); // once
+  CHECK(errors.None()); // reported once
 }
 
 void TestArrays(RelevoCheck& check)
@@ -53,7 +54,7 @@ void TestArrays(RelevoCheck& check)
   CHECK(IsBlack(scene.Draw()));
   CHECK(errors.Said("has no array \"missing\"; choose an array by SelectScalarArray()"));
   scene.Draw();
-  CHECK(errors.None()); // once
+  CHECK(errors.None()); // reported once
   scene.GetMapper()->SelectScalarArray("field");
   CHECK(!IsBlack(scene.Draw()));
   CHECK(errors.None());
@@ -111,7 +112,7 @@ void TestCells(RelevoCheck& check)
   CHECK(!IsBlack(scene.Draw()));
   CHECK(errors.Warned("have no volume, or points that are not finite"));
   CHECK_LESS(scene.GetMapper()->GetNumberOfDrawnCells(), mesh->GetNumberOfCells());
-  // Once, also where the mesh is built anew.
+  // Reported once, even if the mesh is built again.
   scene.GetVolume()->GetProperty()->ShadeOn();
   scene.Draw();
   CHECK_EQUAL(scene.GetMapper()->GetNumberOfBufferBuilds(), 2);
@@ -121,7 +122,7 @@ void TestCells(RelevoCheck& check)
   vtkObject::GlobalWarningDisplayOn();
 }
 
-// Cells with too few nodes are left out, with an error that is said once.
+// Cells with too few nodes are skipped, with one error.
 void TestNodes(RelevoCheck& check)
 {
   for (const auto& [type, nodes] : { std::make_pair(int(VTK_LAGRANGE_HEXAHEDRON), 63),
@@ -168,7 +169,7 @@ void TestProperty(RelevoCheck& check)
   CHECK(errors.Warned("ScalarOpacityUnitDistance of 0"));
 }
 
-// Once, not in every frame; what is bad is not drawn.
+// Reported once, not in every frame. A volume with such a function is not drawn.
 void TestNotFinite(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeTetrahedra(2, GetLinearField), MakeLinearProperty());
@@ -180,7 +181,7 @@ void TestNotFinite(RelevoCheck& check)
   CHECK(errors.Said("scalar opacity function with a number that is not finite at node 1"));
   CHECK(IsBlack(scene.Draw()));
   CHECK(errors.None());
-  // Nor where something else changes: a material, or the data and their range.
+  // Other changes, of the material or of the data and their range, do not draw it either.
   scene.GetVolume()->GetProperty()->SetSpecular(0.3);
   CHECK(IsBlack(scene.Draw()));
   CHECK(errors.None());
@@ -209,7 +210,7 @@ void TestBlocks(RelevoCheck& check)
   CHECK(errors.Warned(
     "Block 1 (\"skin\") has no 3D cells; it is left out. Block 3 (\"air\") has no array "
     "\"field\"; it is left out."));
-  scene.GetVolume()->GetProperty()->ShadeOn(); // builds the mesh anew
+  scene.GetVolume()->GetProperty()->ShadeOn(); // builds the mesh again
   scene.Draw();
   CHECK_EQUAL(scene.GetMapper()->GetNumberOfBufferBuilds(), 2);
   CHECK(errors.None());
@@ -225,7 +226,7 @@ void TestBlocks(RelevoCheck& check)
   scene.GetMapper()->SetInputDataObject(others);
   CHECK_LESS_EQUAL(FindLargestDifference(scene.Draw(), drawn), 1.0 / 255.0);
   CHECK(errors.Said("Block 1 is a vtkTable; a vtkDataSet is needed; it is left out."));
-  scene.GetVolume()->GetProperty()->ShadeOn(); // builds the mesh anew
+  scene.GetVolume()->GetProperty()->ShadeOn(); // builds the mesh again
   scene.Draw();
   CHECK(errors.None());
   others->SetBlock(1, table);
@@ -262,7 +263,7 @@ void TestSurfaces(RelevoCheck& check)
   CHECK(errors.None());
 }
 
-// At the ends of the range there is as much of an isosurface as vtkContourFilter finds.
+// At the ends of the range, isosurfaces have the area of vtkContourFilter's.
 void TestExtremes(RelevoCheck& check)
 {
   const auto alongX = [](const RelevoPoint& at) { return at[0]; };
@@ -274,7 +275,7 @@ void TestExtremes(RelevoCheck& check)
     mesh->GetPointData()->GetScalars()->GetRange(range);
     RelevoVolumeScene scene(mesh, MakeLinearProperty());
     RelevoErrors errors(scene.GetMapper());
-    scene.GetMapper()->SetBlendMode(5); // isosurfaces alone
+    scene.GetMapper()->SetBlendMode(5); // only isosurfaces
     vtkContourValues* values = scene.GetVolume()->GetProperty()->GetIsoSurfaceValues();
     for (const double share : { 0.0, 0.5, 1.0 })
     {

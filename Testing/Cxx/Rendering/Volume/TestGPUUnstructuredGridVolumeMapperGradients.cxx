@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Gradient opacity and 2D transfer functions of vtkGPUUnstructuredGridVolumeMapper, by both
-// methods, against vtkVolumeRayCastFilter, whose own tests know the gradients.
+// Proves volumes.md: gradient opacity and 2D transfer functions equal those of
+// vtkVolumeRayCastFilter with both methods; other tests compare that filter with known gradients.
 #include "RelevoBusyVolumes.h"
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
@@ -36,7 +36,7 @@ vtkSmartPointer<vtkPiecewiseFunction> MakeRamp(double low)
   return ramp;
 }
 
-// Of 12 scalars and so many lengths of gradients.
+// A table for 12 scalars and this many gradient lengths.
 vtkSmartPointer<vtkImageData> MakeTable(int rows, int seed)
 {
   RelevoDice dice(seed);
@@ -69,7 +69,7 @@ void TestGradientOpacity(RelevoCheck& check)
   CHECK_NEAR(CompareMode(scene, 0), 0.0, 1.0);
   CHECK_GREATER(FindLargestDifference(before, scene.Draw()), 0.2);
   CHECK_NEAR(CompareMode(scene, 4), 0.0, 1.0);
-  // It has no effect where a scalar is mapped.
+  // It has no effect in modes that map a single scalar.
   CHECK_NEAR(CompareMode(scene, 1), 0.0, 1.0);
   CHECK_NEAR(CompareMode(scene, 3), 0.0, 1.0);
   scene.GetVolume()->GetProperty()->DisableGradientOpacityOn();
@@ -77,7 +77,7 @@ void TestGradientOpacity(RelevoCheck& check)
   CHECK_EQUAL(FindLargestDifference(before, scene.Draw()), 0.0);
 }
 
-// The gradient is the same everywhere: opacities are those of another unit distance.
+// The gradient is constant, so opacities equal those of another unit distance.
 void TestLinearField(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeTetrahedra(3, GetLinearField), MakeVolumeProperty(0.1, 0.9, 0.3));
@@ -90,7 +90,7 @@ void TestLinearField(RelevoCheck& check)
   CHECK_NEAR(255.0 * FindLargestDifference(drawn, scene.Draw()), 0.0, 1.0);
 }
 
-// Gradients are by lengths of the world, where the volume may be stretched.
+// Gradients are measured in world units, even if the volume is stretched.
 void TestMatrix(RelevoCheck& check)
 {
   const auto mesh = MakeBall(200);
@@ -130,7 +130,7 @@ void TestTables(RelevoCheck& check)
   scene.GetMapper()->IsoSurfacesOn();
   CHECK_NEAR(scene.Compare(0.0002, [](vtkVolumeRayCastFilter* filter) { filter->IsoSurfacesOn(); }),
     0.0, 1.0);
-  // An edit of a texel.
+  // Edits one texel.
   scene.GetMapper()->IsoSurfacesOff();
   vtkImageData* image = property->GetTransferFunction2D();
   for (int c = 0; c < 4; ++c)
@@ -141,8 +141,7 @@ void TestTables(RelevoCheck& check)
   CHECK_NEAR(scene.Compare(), 0.0, 1.0);
 }
 
-// Several components, independent or not, with functions of gradients, which scalars of cells have
-// not.
+// Several components, dependent or not, with gradient opacity, which has no effect on cell scalars.
 void TestComponents(RelevoCheck& check)
 {
   const auto mesh = MakeBall(200);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Pre-integration by vtkGPUUnstructuredGridVolumeMapper against vtkVolumeRayCastFilter, which is
-// exact.
+// Proves volumes.md on pre-integration, compared with the exact integrals of
+// vtkVolumeRayCastFilter.
 #include "RelevoCheck.h"
 #include "RelevoVolumeScene.h"
 
@@ -20,7 +20,7 @@ double GetField(const RelevoPoint& at)
   return 5.0 + 3.0 * std::sin(4.0 * at[0]) * std::cos(5.0 * at[1] + at[2]);
 }
 
-// Opaque enough for colours to depend on which scalar is in front.
+// Opaque enough that colours depend on which scalar is in front.
 vtkSmartPointer<vtkVolumeProperty> MakeSmoothProperty()
 {
   auto property = MakeVolumeProperty(0.0, 1.0, 0.3);
@@ -42,12 +42,12 @@ void TestTables(RelevoCheck& check)
   CHECK_EQUAL(scene.GetMapper()->GetNumberOfTableBuilds(), 0);
   scene.GetMapper()->SetIntegrationToPreIntegrated();
   CHECK_LESS_EQUAL(scene.Compare(0.01), 1.0);
-  CHECK_GREATER(FindLargestDifference(exact, scene.Draw()), 0.0); // not exact by another name
+  CHECK_GREATER(FindLargestDifference(exact, scene.Draw()), 0.0); // differs from exact integration
   CHECK_EQUAL(scene.GetMapper()->GetNumberOfTableBuilds(), 1);
   scene.GetMapper()->SetIntegrationToPreIntegrated2D();
   CHECK_LESS_EQUAL(scene.Compare(0.01), 2.0);
   CHECK_EQUAL(scene.GetMapper()->GetNumberOfTableBuilds(), 2);
-  // Materials are no functions.
+  // Materials do not change the functions.
   scene.GetVolume()->GetProperty()->SetSpecular(0.7);
   scene.Draw();
   CHECK_EQUAL(scene.GetMapper()->GetNumberOfTableBuilds(), 2);
@@ -55,8 +55,8 @@ void TestTables(RelevoCheck& check)
   CHECK_EQUAL(scene.GetMapper()->GetNumberOfBufferBuilds(), 1);
 }
 
-// What the 2D table has is right for one length; opacity, of a colour that is everywhere the same,
-// for all of them.
+// The 2D table is correct for one length only. With a constant colour, opacity is correct for all
+// lengths.
 void TestOneColor(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeTetrahedra(2, GetField), MakeSmoothProperty());
@@ -65,7 +65,7 @@ void TestOneColor(RelevoCheck& check)
   color->AddRGBPoint(0.0, 1.0, 0.5, 0.25);
   scene.GetMapper()->SetIntegrationToPreIntegrated2D();
   CHECK_LESS_EQUAL(scene.Compare(), 1.0);
-  // A table of few texels is blind to a narrow peak.
+  // A table with few texels misses a narrow peak.
   vtkPiecewiseFunction* opacity = scene.GetVolume()->GetProperty()->GetScalarOpacity();
   opacity->AddPoint(5.0, 0.0);
   opacity->AddPoint(5.1, 20.0);
@@ -76,7 +76,7 @@ void TestOneColor(RelevoCheck& check)
   CHECK_LESS_EQUAL(scene.Compare(0.01), 3.0);
 }
 
-// A long edge by the volume's matrix, and parts that are longer than any edge.
+// A matrix makes an edge long, and parts are longer than any edge.
 void TestLengths(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeTetrahedra(3, GetField), MakeSmoothProperty());
@@ -138,7 +138,7 @@ void TestLimits(RelevoCheck& check)
   CHECK_EQUAL(FindLargestDifference(exact, scene.Draw()), 0.0);
   CHECK(errors.Warned("Pre-integration takes one component"));
   scene.Draw();
-  CHECK(errors.None()); // once
+  CHECK(errors.None()); // reported once
   scene.GetMapper()->SetTableSize(1);
   CHECK(errors.Said("TableSize must be in [2, 256], got 1."));
   scene.GetMapper()->SetTableSize(257);
@@ -149,7 +149,7 @@ void TestLimits(RelevoCheck& check)
   CHECK_EQUAL(scene.GetMapper()->GetIntegration(), 1);
 }
 
-// Cells that have one scalar each.
+// Cells with one scalar each.
 void TestCellScalars(RelevoCheck& check)
 {
   vtkNew<vtkPointDataToCellData> toCells;

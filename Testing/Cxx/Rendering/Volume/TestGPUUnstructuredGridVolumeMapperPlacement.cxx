@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Volumes in viewports, layers, tiles and multisampled windows: the same colours wherever they are.
+// Proves that a volume has the same colours in every viewport, layer, tile and multisampled window.
 #include "RelevoCheck.h"
 #include "RelevoVolumeScene.h"
 
@@ -29,7 +29,7 @@ void TestMultiSamples(RelevoCheck& check)
   CHECK_LESS_EQUAL(FindLargestDifference(scene.Draw(), DrawAlone()), 1.0 / 255.0);
 }
 
-// The same volume once more, in the right half of a window.
+// The same volume in the right half of a window.
 void TestViewports(RelevoCheck& check)
 {
   const auto alone = DrawAlone();
@@ -58,7 +58,7 @@ void TestViewports(RelevoCheck& check)
   CHECK_NEAR(most, 0.0, 1.0 / 255.0);
 }
 
-// Over a lower layer, through which it shows.
+// In front of a lower layer that is visible through it.
 void TestLayers(RelevoCheck& check)
 {
   const auto alone = DrawAlone();

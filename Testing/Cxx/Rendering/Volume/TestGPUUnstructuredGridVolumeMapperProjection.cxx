@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Cell projection by vtkGPUUnstructuredGridVolumeMapper against vtkVolumeRayCastFilter.
+// Proves volumes.md: cell projection equals vtkVolumeRayCastFilter.
 #include "RelevoCheck.h"
 #include "RelevoVolumeScene.h"
 
@@ -29,13 +29,13 @@ void TestViews(RelevoCheck& check)
   camera->ParallelProjectionOn();
   CHECK_LESS_EQUAL(scene.Compare(), 1.0);
   camera->ParallelProjectionOff();
-  // Inside the mesh, and looking out of it.
+  // The camera is inside the mesh and looks out.
   camera->SetPosition(0.2, 0.1, 0.0);
   camera->SetFocalPoint(1.0, 0.5, 0.1);
   camera->SetViewAngle(70.0);
   camera->SetClippingRange(0.01, 10.0);
   CHECK_LESS_EQUAL(scene.Compare(), 1.0);
-  // What the near and the far plane leave.
+  // The near and far planes clip the volume.
   camera->SetPosition(3.0, 1.0, 0.0);
   camera->SetFocalPoint(0.0, 0.0, 0.0);
   camera->SetViewAngle(40.0);
@@ -43,7 +43,7 @@ void TestViews(RelevoCheck& check)
   CHECK_LESS_EQUAL(scene.Compare(), 1.0);
 }
 
-// Rays that run in faces, along edges and through corners: each belongs to cells of one side.
+// Rays within faces, along edges and through corners belong to cells of one side.
 void TestDegenerateRays(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeTetrahedra(6, GetWaves), MakeBusyProperty(0.3), 97, 97);
@@ -51,12 +51,11 @@ void TestDegenerateRays(RelevoCheck& check)
   const auto cast = scene.Draw();
   scene.GetMapper()->SetMethodToCellProjection();
   const auto projected = scene.Draw();
-  // Off the outline, which one ray may take for inside and another for outside.
+  // Pixels on the silhouette are skipped: rays may hit or miss the mesh there.
   CHECK_NEAR(255.0 * FindLargestDifferenceInside(projected, cast, 97, 26, 70), 0.0, 1.0);
 }
 
-// Without the cells whose middles are near to some places: hollow, and in a shape that is not
-// convex.
+// The mesh is hollow and not convex: cells with centres close to given points are removed.
 void TestHoles(RelevoCheck& check)
 {
   const auto mesh = MakeTetrahedra(8, GetWaves);
@@ -113,7 +112,7 @@ void TestComponents(RelevoCheck& check)
   CHECK_LESS_EQUAL(scene.Compare(), 1.0);
 }
 
-// Cells of plane faces and a linear field, which are the same after splitting.
+// Cells with plane faces and a linear field, which splitting does not change.
 void TestSplitCells(RelevoCheck& check)
 {
   vtkNew<vtkUnstructuredGrid> mesh;
@@ -140,7 +139,7 @@ void TestSplitCells(RelevoCheck& check)
   CHECK_EQUAL(scene.GetMapper()->GetNumberOfDrawnCells(), 8);
 }
 
-// What is opaque inside, and what lies behind the volume.
+// Opaque props inside and behind the volume.
 void TestOpaqueProps(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeBall(200), MakeBusyProperty(0.3));
@@ -162,7 +161,7 @@ void TestOpaqueProps(RelevoCheck& check)
   CHECK_LESS_EQUAL(FindLargestDifference(part, scene.Draw()), 1.5 / 255.0);
 }
 
-// Cells in which there is nothing to be seen are left out, and no others.
+// Exactly the invisible cells are skipped.
 void TestTransparentCells(RelevoCheck& check)
 {
   const auto property = MakeVolumeProperty(0.0, 1.0, 0.2);
@@ -180,7 +179,7 @@ void TestTransparentCells(RelevoCheck& check)
   }
 }
 
-// Parts in which nearly all light is absorbed within a small share of their length.
+// Parts that absorb nearly all light within a small share of their length.
 void TestOpaqueParts(RelevoCheck& check)
 {
   for (double unit : { 1e-2, 1e-4, 1e-9 })

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Cell projection of cells of all kinds, which are split: in a field that is linear in space
-// against vtkVolumeRayCastFilter, which does not split them, and where their faces are bent against
-// lengths of rays.
+// Proves volumes.md: cell projection splits cells of all kinds. With a linear field it equals
+// vtkVolumeRayCastFilter, which does not split; with bent faces, the lengths of rays are compared.
 #include "RelevoCheck.h"
 #include "RelevoMixedCells.h"
 #include "RelevoVolumeScene.h"
@@ -47,7 +46,7 @@ void TestLinearField(RelevoCheck& check)
   const auto compare = [&](int mode)
   {
     mapper->SetBlendMode(mode);
-    // At the outline one ray may find a cell that another one misses.
+    // On a silhouette, a ray may hit a cell that another one misses.
     return scene.Compare(0.0005,
       [=](vtkVolumeRayCastFilter* filter)
       {
@@ -72,8 +71,8 @@ void TestLinearField(RelevoCheck& check)
   CHECK_NEAR(compare(4), 0.0, 1.0);
 }
 
-// Cells whose faces are split alike leave no gaps and do not overlap: what is added up of all of
-// them is the length of the ray.
+// Faces are split alike on both sides, so there are no gaps and overlaps: the sum over all cells is
+// the length of the ray.
 void TestBentFaces(RelevoCheck& check)
 {
   const auto property = MakeVolumeProperty(1.0, 1.0, 2.0);

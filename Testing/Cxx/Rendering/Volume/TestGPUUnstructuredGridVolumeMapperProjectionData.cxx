@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Real meshes by both methods: the coarse post, of tetrahedra, also against vtkVolumeRayCastFilter;
-// and the can, whose values are those of cells, in parts that touch.
+// Proves volumes.md with real meshes and both methods: the tetrahedra of the coarse post, compared
+// also with vtkVolumeRayCastFilter, and the can with cell values and parts that touch.
 #include "RelevoCheck.h"
 #include "RelevoVolumeScene.h"
 
@@ -72,7 +72,7 @@ void TestCan(RelevoCheck& check, const std::string& folder)
 {
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   reader->SetFileName((folder + "can.vtu").c_str());
-  vtkObject::GlobalWarningDisplayOff(); // of keys that only another reader knows
+  vtkObject::GlobalWarningDisplayOff(); // warnings about keys of another reader
   reader->Update();
   vtkObject::GlobalWarningDisplayOn();
   vtkUnstructuredGrid* mesh = reader->GetOutput();

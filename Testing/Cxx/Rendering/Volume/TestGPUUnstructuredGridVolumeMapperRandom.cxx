@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkGPUUnstructuredGridVolumeMapper does by both methods, at random and together, against
-// vtkVolumeRayCastFilter.
+// Proves that random combinations of features equal vtkVolumeRayCastFilter with both methods.
 #include "RelevoBusyVolumes.h"
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
@@ -20,7 +19,7 @@
 
 namespace
 {
-// The last one has extremes in faces that the near plane cuts.
+// The last seed has extremes in faces that the near plane cuts.
 constexpr int Seeds[] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 71 };
 
 vtkSmartPointer<vtkDataObject> MakeMesh(RelevoDice& dice, int components)
@@ -36,7 +35,7 @@ vtkSmartPointer<vtkDataObject> MakeMesh(RelevoDice& dice, int components)
   }
   if (dice.Once(4))
   {
-    // Next to each other.
+    // Blocks next to each other.
     const auto cube = MakeTetrahedra(3, GetWaves, 0.62);
     cube->GetPointData()->SetScalars(MakeBusyArray(cube, components));
     auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
@@ -136,7 +135,7 @@ void TestScene(RelevoCheck& check, int seed)
   SetView(dice, scene);
   mapper->SetBlendMode(dice.Throw(6));
   mapper->SetIsoSurfaces(dice.Once(2));
-  // Next to where a ray grazes a surface it may meet it twice, or not at all.
+  // A ray that grazes a surface may hit it twice or not at all.
   const double apart = scene.Compare(0.003,
     [=](vtkVolumeRayCastFilter* filter)
     {

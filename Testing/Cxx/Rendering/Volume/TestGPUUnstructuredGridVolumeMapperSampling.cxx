@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// How many rays vtkGPUUnstructuredGridVolumeMapper casts, and how often they enter the mesh.
+// Proves volumes.md on sampling: how many rays are cast, and how often they enter the mesh.
 #include "RelevoCheck.h"
 #include "RelevoVolumeScene.h"
 
@@ -10,7 +10,7 @@
 
 namespace
 {
-// Coarser pictures are those of fewer rays, interpolated.
+// Coarser pictures interpolate between fewer rays.
 void TestDistances(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeTetrahedra(3, GetLinearField), MakeLinearProperty(), 120, 120);
@@ -18,9 +18,9 @@ void TestDistances(RelevoCheck& check)
   const auto fine = scene.Draw();
   mapper->SetImageSampleDistance(2.0);
   const auto coarse = scene.Draw();
-  CHECK_GREATER(FindLargestDifference(fine, coarse), 0.01); // at the outline
+  CHECK_GREATER(FindLargestDifference(fine, coarse), 0.01); // on the silhouette
   CHECK_NEAR(FindLargestDifferenceInside(fine, coarse, 120, 55, 64), 0.0, 2.0 / 255.0);
-  // As many rays as a window of half the size has.
+  // As many rays as in a window of half the size.
   RelevoVolumeScene small(MakeTetrahedra(3, GetLinearField), MakeLinearProperty(), 60, 60);
   const auto half = small.Draw();
   double apart = 0.0;
@@ -50,7 +50,8 @@ void TestDistances(RelevoCheck& check)
   CHECK_EQUAL(mapper->GetImageSampleDistance(), 1.0);
 }
 
-// No time at all makes it as coarse as it gets; enough time, as fine.
+// Without any time the sampling becomes as coarse as possible, with enough time as fine as
+// possible.
 void TestAdjusted(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeTetrahedra(3, GetLinearField), MakeLinearProperty(), 120, 120);
@@ -90,7 +91,7 @@ void TestLayers(RelevoCheck& check)
   scene.GetRenderer()->ResetCameraClippingRange();
   scene.Draw();
   CHECK_EQUAL(scene.GetMapper()->GetNumberOfLayers(), 3);
-  // In the middle one, one ahead.
+  // In the middle part, with one part ahead.
   camera->SetPosition(2.5, 0.5, 0.5);
   camera->SetFocalPoint(14.0, 0.5, 0.5);
   camera->SetClippingRange(0.01, 20.0);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Shading by vtkGPUUnstructuredGridVolumeMapper: with a headlight against vtkVolumeRayCastFilter,
-// with other lights against a field whose gradient is the same everywhere.
+// Proves volumes.md on shading: with a headlight it equals vtkVolumeRayCastFilter; other lights are
+// tested on a field with a constant gradient.
 #include "RelevoBusyVolumes.h"
 #include "RelevoCheck.h"
 #include "RelevoVolumeScene.h"
@@ -60,7 +60,7 @@ void TestHeadlight(RelevoCheck& check)
   CHECK_NEAR(CompareSurfaces(scene, 5, 0.0002), 0.0, 1.0);
   scene.GetMapper()->SetBlendModeToComposite();
   scene.GetMapper()->IsoSurfacesOff();
-  // Other modes are not lit.
+  // Other modes are not shaded.
   for (int mode = 1; mode <= 4; ++mode)
   {
     scene.GetMapper()->SetBlendMode(mode);
@@ -75,7 +75,7 @@ void TestHeadlight(RelevoCheck& check)
   CHECK_EQUAL(scene.GetMapper()->GetNumberOfBufferBuilds(), 1);
 }
 
-// Inside, in parallel, and where planes cut cells.
+// Views from inside, parallel projections, and planes that cut cells.
 void TestViews(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeBall(300), MakeShadedProperty());
@@ -116,7 +116,8 @@ void TestComponents(RelevoCheck& check)
   }
 }
 
-// What becomes of the linear field's first surface that a ray meets, whose normal is its gradient.
+// The lit colour of the first surface that a ray hits in a linear field, whose normal is the
+// gradient.
 struct LitPlane
 {
   RelevoPoint Normal;
@@ -142,8 +143,7 @@ struct LitPlane
   }
 };
 
-// An opaque isosurface of a linear field, under a coloured light that the camera does not carry:
-// far away, or near by.
+// An opaque isosurface of a linear field under a coloured scene light, far away or close.
 void TestSceneLights(RelevoCheck& check)
 {
   const auto property = MakeVolumeProperty(1.0, 1.0);
@@ -200,7 +200,7 @@ void TestSceneLights(RelevoCheck& check)
     }
     CHECK_NEAR(RelevoVolumeScene::Compare(drawn, expected, 0.002), 0.0, 1.0);
   }
-  // In the dark only ambient light is left.
+  // Without lights only ambient colour remains.
   light->SwitchOff();
   scene.GetRenderer()->AutomaticLightCreationOff();
   double most = 0.0;
@@ -211,7 +211,7 @@ void TestSceneLights(RelevoCheck& check)
   CHECK_NEAR(255.0 * most, 255.0 * 0.1, 1.0);
 }
 
-// Normals where a matrix stretches the volume.
+// Normals of a volume that a matrix stretches.
 void TestMatrix(RelevoCheck& check)
 {
   const auto mesh = MakeTetrahedra(3, GetLinearField);

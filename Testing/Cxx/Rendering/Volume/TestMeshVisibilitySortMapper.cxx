@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkProjectedTetrahedraMapper takes vtkMeshVisibilitySort: pictures of a convex mesh of even cells
-// are those that it draws in the order of their centres, and others in a wrong order.
+// vtkMeshVisibilitySort promises to work with vtkProjectedTetrahedraMapper: for a convex mesh of
+// even cells the picture equals that of sorting by centres. A wrong order is the negative control.
 #include "RelevoCheck.h"
 #include "RelevoVolumes.h"
 #include "vtkMeshVisibilitySort.h"
@@ -24,7 +24,7 @@ namespace
 {
 constexpr int Size = 200;
 
-// The negative control: the nearest cells first, whatever the mapper asks for.
+// Negative control: the nearest cells first, whatever direction the mapper requests.
 class WrongSort : public vtkCellCenterDepthSort
 {
 public:
@@ -57,7 +57,7 @@ vtkSmartPointer<vtkUnsignedCharArray> Draw(
   window->SetMultiSamples(0);
   window->SetSize(Size, Size);
   window->AddRenderer(renderer);
-  // The first frame of this mapper lacks the cells that GetNextCells() returns first.
+  // The first frame of VTK's mapper lacks the cells that GetNextCells() returns first.
   window->Render();
   window->Render();
   vtkNew<vtkUnsignedCharArray> pixels;
@@ -65,7 +65,7 @@ vtkSmartPointer<vtkUnsignedCharArray> Draw(
   return pixels;
 }
 
-// The mean over pixels that show something in either.
+// Mean difference over pixels that are covered in either picture.
 double Compare(vtkUnsignedCharArray* a, vtkUnsignedCharArray* b)
 {
   double sum = 0.0;
