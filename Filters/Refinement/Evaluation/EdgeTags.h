@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   EdgeTags
- * @brief   the tags that decide how deep each edge of a mesh is refined
+ * @brief   the tags that determine the level of each edge of a mesh
  *
- * The stage "tag" of a frame: from the input's own array or the recipe's metric, one tag per point
- * (an edge takes the mean of its two; points at one place count as one) or one per edge. Either
- * way the tag of an edge is the same in all its faces. Memory is kept from frame to frame. What is
- * known of the mesh itself is in a MetricCache, which the tags for several views may share.
+ * This is the tag stage of a frame. It computes tags from the input's array or the recipe's metric:
+ * one per point, where an edge takes the mean of its two merged points, or one per edge. The tag of
+ * an edge is therefore the same in all its faces. Memory is reused from frame to frame. Data of the
+ * mesh are in a MetricCache, which tags for several views can share.
  */
 #ifndef EdgeTags_h
 #define EdgeTags_h
@@ -38,7 +38,7 @@ class MetricCache;
 class RELEVOFILTERSREFINEMENT_EXPORT EdgeTags
 {
 public:
-  /// With a source of its own, or a shared one.
+  /// Create tags with a separate or a shared cache.
   EdgeTags();
   explicit EdgeTags(std::shared_ptr<MetricCache> source);
   ~EdgeTags();
@@ -48,53 +48,53 @@ public:
   enum Kinds
   {
     UNIFORM,   // MaximumLevel everywhere: the recipe has neither metric nor array
-    PER_POINT, // Values by point id
-    PER_EDGE   // Values by GetFaceEdges()
+    PER_POINT, // values by point id
+    PER_EDGE   // values by GetFaceEdges()
   };
 
   /**
-   * Evaluate. `mesh` is the input's; call Reset() when it has been built anew. Tags of metrics go
-   * up to `highest`, see GetHighestTag(). Returns false and fills `error` when the array or the
-   * metric cannot be used.
+   * Compute the tags. `mesh` is built from the input; call Reset() after it is rebuilt. Tags of
+   * metrics are at most `highest`, see GetHighestTag(). Returns false and sets `error` if the array
+   * or the metric cannot be used.
    */
   bool Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input, const RefinementMesh& mesh,
     const RefinementView& view, int highest, std::string& error);
-  /// The same where no budget moves levels.
+  /// Does the same without a triangle budget.
   bool Compute(vtkAdaptiveRefinement* recipe, vtkPolyData* input, const RefinementMesh& mesh,
     const RefinementView& view, std::string& error);
 
   /**
-   * The same for a GPU: a metric that shaders can evaluate is only described by GetShader(), and
-   * there are no values.
+   * Does the same for a GPU: if shaders can evaluate the metric, only GetShader() is set, and there
+   * are no values.
    */
   bool ComputeOrDescribe(vtkAdaptiveRefinement* recipe, vtkPolyData* input,
     const RefinementMesh& mesh, const RefinementView& view, std::string& error);
 
-  /// The metric to evaluate, by the rule of GetKind(); nullptr where there are values.
+  /// The metric to evaluate, with the rule of GetKind(); nullptr if there are values.
   const MetricShader* GetShader() const
   {
     return this->Shader.Source.empty() ? nullptr : &this->Shader;
   }
 
-  /// The edges of the mesh; per edge, and for metrics that only edges have tags of.
+  /// The edges of the mesh, for PER_EDGE and for metrics that tag only edges.
   const SurfaceEdges* GetEdges() const { return this->Edges.get(); }
 
-  /// Forget the faces.
+  /// Clear the data of the faces.
   void Reset();
 
   //@{
-  /// What the tags are computed from.
+  /// The cache that the tags are computed from.
   void SetSource(std::shared_ptr<MetricCache> source);
   const std::shared_ptr<MetricCache>& GetSource() const { return this->Source; }
   //@}
 
   Kinds GetKind() const { return this->Kind; }
 
-  /// Finite values.
+  /// The tags, which are finite.
   const float* GetValues() const;
   vtkIdType GetNumberOfValues() const;
 
-  /// For each face the indices of its edges (0,1), (1,2), (0,2); per edge only.
+  /// The indices of the edges (0,1), (1,2), (0,2) of each face; only for PER_EDGE.
   const std::vector<int>& GetFaceEdges() const { return this->FaceEdges; }
 
 private:

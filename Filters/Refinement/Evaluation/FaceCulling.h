@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   FaceCulling
- * @brief   which faces of a mesh a camera cannot see, whatever they are refined to
+ * @brief   finds the faces of a mesh that a camera cannot see at any refinement
  *
- * A face is hidden when the box that holds all its refined points lies outside the frustum, or
- * when it is part of a closed surface and every normal it can have faces away from the eye. Neither
- * is ever said of a face that could be seen.
+ * A face is hidden if the box of all its refined points is outside the frustum, or if it belongs to
+ * a closed surface and all its possible normals face away from the eye. The test is conservative:
+ * visible faces are never hidden.
  */
 #ifndef FaceCulling_h
 #define FaceCulling_h
@@ -25,28 +25,29 @@ class RefinementMesh;
 class RELEVOFILTERSREFINEMENT_EXPORT FaceCulling
 {
 public:
-  /// Take a mesh built with the recipe, whose height map must be up to date.
+  /// Set a mesh that was built with the recipe. The height map must be up to date.
   void Build(const RefinementMesh& mesh, vtkAdaptiveRefinement* recipe);
 
   /**
-   * Mark the faces that cannot be seen, a byte per face. With `hideBackFaces`, those too that face
-   * away from an eye outside the closed surface they belong to, all of which lies beyond the near
-   * plane. Returns how many are marked.
+   * Mark the faces that cannot be seen, one byte per face. `hideBackFaces` also marks faces that
+   * face away from the eye, if the eye is outside the closed surface and all of the surface is
+   * beyond the near plane. Returns the number of marked faces.
    */
   int FindHidden(
     const CullingView& view, bool hideBackFaces, std::vector<unsigned char>& hidden) const;
 
-  /// Whether faces that face away from a view are hidden, if they are to be.
+  /// Whether back faces are hidden in a view, if `hideBackFaces` is set.
   bool HidesBackFaces(const CullingView& view, bool hideBackFaces) const;
 
-  /// Whether the mesh is a closed surface, all of it turned outside, whose normals are bounded.
+  /// Whether the mesh is a closed surface, oriented outwards, whose normals are bounded.
   bool IsClosed() const { return this->Closed; }
 
-  /// Twelve floats per face: middle of the box, cosine of the cone of normals (0 for none); half
-  /// the box's sides, reach behind the middle along normals; axis of the cone, 0.
+  /// Twelve floats per face: the centre of the box, the cosine of the cone of normals (0 for none),
+  /// half the sides of the box, the reach behind the centre along normals, the axis of the cone,
+  /// and 0.
   const std::vector<float>& GetData() const { return this->Data; }
 
-  /// Whether the near plane cuts nothing of the whole mesh: the eye is outside then.
+  /// Whether the near plane clips nothing of the mesh. The eye is then outside.
   bool IsUncut(const CullingView& view) const;
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   the tags of the edges of faces, wherever tags are kept
+ * @brief   the tags of the edges of faces, for all kinds of tags
  */
 #ifndef FaceTags_h
 #define FaceTags_h
@@ -16,9 +16,9 @@
 namespace relevo
 {
 /**
- * Calls work(getTags) once; getTags(f, face, t) then gives the tags of the sorted edges (0,1),
- * (1,2), (0,2) of face f, neither moved nor clamped. A template so that the compiler has loops over
- * faces without a choice inside.
+ * Call work(getTags) once. getTags(f, face, t) gets the tags of the sorted edges (0,1), (1,2),
+ * (0,2) of face f, without offset and clamping. This is a template so that the compiler generates
+ * loops over faces without branches.
  */
 template <typename Work>
 void WithFaceTags(const EdgeTags& tags, int maximumLevel, const Work& work)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   the triangles of refined faces that a displacement with holes leaves out
+ * @brief   finds the triangles of refined faces that are removed because of missing heights
  */
 #ifndef HoleFinder_h
 #define HoleFinder_h
@@ -19,34 +19,35 @@ class PatternSelection;
 class RefinementMesh;
 struct FacePattern;
 
-/// Which samples of a height map have data, as they were when it was asked.
+/// Marks the valid samples of a height map at the time of the call.
 struct HeightValidity
 {
   int Dimensions[2] = { 0, 0 };
-  /// See vtkHeightField::GetValidity(); nullptr where nothing is left out.
+  /// See vtkHeightField::GetValidity(); nullptr if nothing is removed.
   std::shared_ptr<const unsigned char> Samples;
 };
 
 /**
- * What a displacement, or nullptr, leaves out. Its height map must be up to date.
+ * Return the samples whose triangles a displacement, which may be nullptr, removes. Its height map
+ * must be up to date.
  */
 RELEVOFILTERSREFINEMENT_EXPORT HeightValidity GetHoles(vtkDisplacement* displacement);
 
 /**
- * All methods may be called from several threads.
+ * All methods are thread-safe.
  */
 class RELEVOFILTERSREFINEMENT_EXPORT HoleFinder
 {
 public:
-  /// For a mesh that was built for such a height map, and that must outlive this. There are
-  /// samples.
+  /// Create a finder for a mesh that was built with this height map and outlives the finder.
+  /// `validity` must have samples.
   HoleFinder(const RefinementMesh& mesh, const HeightValidity& validity);
   ~HoleFinder();
 
   /**
-   * Mark the pattern's triangles that are left out on this face: those with a vertex whose height,
-   * or with a sample in them that, has no data. `out` holds a byte per triangle, 1 where left out.
-   * Returns how many there are.
+   * Mark the triangles of the pattern that are removed from this face: those with a missing height
+   * at a vertex, or with a missing sample inside. `out` has one byte per triangle, 1 for removed
+   * triangles. Returns the number of removed triangles.
    */
   int Find(int face, const FacePattern& pattern, unsigned char* out) const;
 
@@ -56,7 +57,7 @@ public:
   bool MayHave(int face) const;
 
   /**
-   * Whether the height at these weights has data.
+   * Whether the height at these weights is valid.
    */
   bool HasData(int face, const float weights[3]) const;
 
@@ -66,8 +67,8 @@ private:
 };
 
 /**
- * Number of triangles of a selection that are left out, on faces that are not hidden: `hidden` has
- * a byte per face, or is nullptr for none.
+ * Return the number of removed triangles of a selection on faces that are not hidden. `hidden` has
+ * one byte per face, or is nullptr if no face is hidden.
  */
 RELEVOFILTERSREFINEMENT_EXPORT vtkIdType CountHoles(const RefinementMesh& mesh,
   const PatternSelection& selection, const HeightValidity& validity,

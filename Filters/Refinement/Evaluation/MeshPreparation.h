@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   what is needed to refine a mesh: checked, prepared, levels chosen
+ * @brief   checks and prepares a mesh for refinement
  *
- * The mapper asks BuildMesh() when the mesh or the recipe's parts have changed, and FindError()
- * in every frame; the filter and the locator ask PrepareMesh() for both, and SelectPatterns().
- *
- * An obstacle is a clause that says why a mesh cannot be refined, here and in the functions called;
- * an error is what the user is shown.
+ * The mapper calls BuildMesh() when the mesh or the parts of the recipe have changed, and
+ * FindError() in each frame. The filter and the locator call PrepareMesh() for both, and
+ * SelectPatterns().
  */
 #ifndef MeshPreparation_h
 #define MeshPreparation_h
@@ -25,32 +23,32 @@ class RefinementMesh;
 struct GlobalSurfaceInfo;
 
 /**
- * Reads the displacement's height map and builds the mesh. False, with an error to show the user,
- * where that cannot be done. `keepNormals` and `whole`: as RefinementMesh::Build() has them.
+ * Update the displacement's height map and build the mesh. Returns false and an error for the user
+ * on failure. For `keepNormals` and `whole`, see RefinementMesh::Build().
  */
 RELEVOFILTERSREFINEMENT_EXPORT bool BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
   bool keepNormals, const GlobalSurfaceInfo* whole, RefinementMesh& mesh, std::string& error,
   std::string& warning);
 
 /**
- * Why a mesh that is built cannot be refined with the recipe's settings as they are now; empty
- * where it can.
+ * Return why a mesh that was built cannot be refined with the current settings of the recipe, or an
+ * empty string if it can.
  */
 RELEVOFILTERSREFINEMENT_EXPORT std::string FindError(vtkAdaptiveRefinement* recipe);
 
-/// The error that an obstacle makes; empty for none.
+/// Convert a reason to an error; empty for none.
 RELEVOFILTERSREFINEMENT_EXPORT std::string MakeError(const std::string& reason);
 
 /**
- * What the recipe asks for and does not get, as a warning to show the user. Empty for nothing, and
- * for what `last` says already; `last` becomes it.
+ * Return a warning for the user about settings of the recipe that have no effect. Returns an empty
+ * string if there are none or if the warning equals `last`, which is then updated.
  */
 RELEVOFILTERSREFINEMENT_EXPORT std::string FindNewWarning(
   vtkAdaptiveRefinement* recipe, std::string& last);
 
 /**
- * Build the mesh (a piece may have no cells) and check the recipe. False, with an error to show the
- * user, when the recipe cannot be applied.
+ * Build the mesh and check the recipe. A piece may have no cells. Returns false and an error for
+ * the user if the recipe cannot be applied.
  */
 RELEVOFILTERSREFINEMENT_EXPORT bool PrepareMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
   const GlobalSurfaceInfo* whole, RefinementMesh& mesh, std::string& error, std::string& warning);

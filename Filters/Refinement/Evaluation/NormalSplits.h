@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   NormalSplits
- * @brief   where the faces around a refined point give it different normals
+ * @brief   splits refined points whose faces have different normals
  *
- * A surface may give the faces around a point normals of their own: a crease. Faces whose normals
- * agree share a point, others have copies of it. Normals agree when they differ by at most 0.001
- * (the length of the difference of unit vectors, 0.06 degrees), or by a chain of such steps. What
- * agrees, and the normal that is shared, do not depend on the order of the faces.
+ * At a crease, the faces around a point have different normals. Faces whose normals match share a
+ * point, the others get copies. Normals match if they differ by at most 0.001 (the length of the
+ * difference of unit vectors, 0.06 degrees), or by a chain of such steps. The result does not
+ * depend on the order of the faces.
  */
 #ifndef NormalSplits_h
 #define NormalSplits_h
@@ -30,21 +30,21 @@ class RefinementMesh;
 class NormalSplits
 {
 public:
-  /// For points as a topology shares them; the surface may be nullptr.
+  /// Split the points of a topology. The surface may be nullptr.
   NormalSplits(const RefinementMesh& mesh, vtkRefinementSurface* surface,
     const RefinementEvaluator& evaluator, const RefinedTopology& topology,
     vtkIdType numberOfInputPoints);
 
   const SplitPoints& GetPoints() const { return this->Points; }
 
-  /// A point as the evaluator gave it for its owner.
+  /// A point as the evaluator computed it for its owner.
   struct Value
   {
     vec3 Position;
     vec3 Normal;
     bool IsKnown = false;
   };
-  /// By point; empty where no face splits normals.
+  /// Values by point; empty if no face splits normals.
   std::vector<Value> TakeValues() { return std::move(this->Values); }
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the patterns of a mesh's faces by a recipe
+ * @brief   selects the patterns of a mesh's faces according to a recipe
  */
 #ifndef PatternChoice_h
 #define PatternChoice_h
@@ -23,8 +23,8 @@ class PatternSelection;
 class RefinementMesh;
 
 /**
- * Select patterns for the faces of a mesh that PrepareMesh() has built, by tags from a source that
- * the caller owns. False, with an error to show the user, when the recipe cannot be applied.
+ * Select patterns for the faces of a mesh built by PrepareMesh(), from tags of a cache that the
+ * caller owns. Returns false and an error for the user if the recipe cannot be applied.
  */
 RELEVOFILTERSREFINEMENT_EXPORT bool SelectPatterns(vtkPolyData* input,
   vtkAdaptiveRefinement* recipe, const RefinementView& view, const RefinementMesh& mesh,

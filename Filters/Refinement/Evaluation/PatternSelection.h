@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PatternSelection
- * @brief   from tags of edges to groups of faces that share a pattern
+ * @brief   groups faces by pattern, from the tags of their edges
  *
- * The stages select and group of a frame (Lenz 2009, sections 4.4 and 4.5): the steps of a face's
- * edges choose its pattern, and the faces to be drawn are sorted by pattern.
+ * These are the select and group stages of a frame (Lenz 2009, sections 4.4 and 4.5). The steps of
+ * a face's edges determine its pattern, and the faces to draw are sorted by pattern.
  */
 #ifndef PatternSelection_h
 #define PatternSelection_h
@@ -31,7 +31,7 @@ class RefinementMesh;
 struct PatternGroup
 {
   std::shared_ptr<const RefinementPattern> Pattern;
-  /// Whether the pattern's triangles are turned over.
+  /// Whether the pattern's triangles are reversed.
   bool Mirrored;
   int Offset;
   int Count;
@@ -41,27 +41,27 @@ class RELEVOFILTERSREFINEMENT_EXPORT PatternSelection
 {
 public:
   /**
-   * Choose a pattern for every face, with edges of levels up to the maximum. `offset` is added to
+   * Select a pattern for each face, with levels of edges up to the maximum. `offset` is added to
    * the tags of all edges.
    */
   void Select(const RefinementMesh& mesh, const EdgeTags& tags, const PatternFamily& family,
     int maximumLevel, float offset = 0.0f);
 
   /**
-   * Take what was chosen elsewhere: the family's entry of each face and, if its patterns morph, the
-   * tags that vertices morph by.
+   * Set a selection that was computed elsewhere: the family's entry of each face and, if its
+   * patterns morph, the tags for morphing.
    */
   void Assign(
     const PatternFamily& family, std::vector<unsigned int> entries, std::vector<float> morphTags);
 
   /**
-   * Sort the faces by pattern, those of them that are not hidden: `hidden` has a byte per face, or
-   * is nullptr for none.
+   * Sort the faces that are not hidden by pattern. `hidden` has one byte per face, or is nullptr if
+   * no face is hidden.
    */
   void Group(const unsigned char* hidden = nullptr);
 
-  /// The grouped faces: face << 3 | permutation code (relevoWeights.glsl), sorted by group; by
-  /// face within a group.
+  /// The grouped faces: face << 3 | permutation code (relevoWeights.glsl), sorted by group, then by
+  /// face.
   std::vector<unsigned int> Instances;
   std::vector<PatternGroup> Groups;
 
@@ -77,11 +77,10 @@ public:
       this->MorphTags.empty() ? nullptr : &this->MorphTags[3 * static_cast<std::size_t>(face)] };
   }
 
-  /// Per face the tags of its edges (0,1), (1,2), (0,2) that its vertices morph by; empty where
-  /// they do not.
+  /// The tags of the edges (0,1), (1,2), (0,2) of each face for morphing; empty without morphing.
   const std::vector<float>& GetMorphTags() const { return this->MorphTags; }
 
-  /// Triangles of all faces, and of those grouped.
+  /// Number of triangles of all faces, and of the grouped faces.
   vtkIdType GetNumberOfTriangles() const { return this->NumberOfTriangles; }
   vtkIdType GetNumberOfGroupedTriangles() const;
 
@@ -91,14 +90,14 @@ private:
     int maximumLevel, const GetTags& getTags, const GetStep& getStep);
   void ResizeCounts(const PatternFamily& family);
   void CountFaces(const unsigned char* hidden);
-  /// Take the patterns in use.
+  /// Get the patterns in use.
   void FindPatterns(const PatternFamily& family);
 
-  std::vector<unsigned int> Entries; // per face, of the family
+  std::vector<unsigned int> Entries; // entry of the family per face
   std::vector<float> MorphTags;
-  RefinementPatterns Patterns;          // by key; nullptr where not in use
-  std::vector<std::vector<int>> Counts; // of faces per key, by chunk of faces
-  bool Counted = false;                 // all faces
+  RefinementPatterns Patterns;          // by key; nullptr if not in use
+  std::vector<std::vector<int>> Counts; // number of faces per key, by chunk of faces
+  bool Counted = false;                 // whether all faces are counted
   vtkIdType NumberOfTriangles = 0;
 };
 }

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PointDataInterpolation
- * @brief   point data of a refined mesh, interpolated linearly from its coarse one
+ * @brief   interpolates point data of the coarse mesh linearly to a refined mesh
  *
- * Numeric arrays keep their type: integers are rounded to nearest. What cannot be interpolated
- * (strings, bits, ghost flags) takes the value of the nearest corner; global and pedigree ids,
- * which name coarse points, are left out. Values that stand for no data give no data.
+ * Numeric arrays keep their type: integers are rounded. Strings, bits and ghost flags are copied
+ * from the nearest corner. Global and pedigree ids identify coarse points and are skipped.
+ * Interpolation with a missing value gives a missing value.
  */
 #ifndef PointDataInterpolation_h
 #define PointDataInterpolation_h
@@ -28,22 +28,22 @@ class PointDataInterpolation
 {
 public:
   /**
-   * Allocates in `to` an array of numberOfPoints tuples for each array of `from`, with the same
-   * name and the same part as attribute. Arrays too short for numberOfInputPoints are left out.
-   * For noDataMagnitude see NoDataTuples.
+   * Allocate in `to` an array of numberOfPoints tuples for each array of `from`, with the same name
+   * and attribute type. Arrays with fewer than numberOfInputPoints tuples are skipped. For
+   * noDataMagnitude, see NoDataTuples.
    */
   PointDataInterpolation(vtkPointData* from, vtkIdType numberOfInputPoints, vtkPointData* to,
     vtkIdType numberOfPoints, double noDataMagnitude);
   ~PointDataInterpolation();
 
-  /// Names of the arrays left out because they are too short.
+  /// Names of the arrays that are skipped because they are too short.
   const std::vector<std::string>& GetShortArrays() const { return this->ShortArrays; }
 
-  /// May be called from several threads for different points.
+  /// Can be called from several threads for different points.
   void Interpolate(const int corners[3], const std::vector<RefinedPoint>& points) const;
   void Copy(vtkIdType inputPoint, vtkIdType point) const;
 
-  /// The same for arrays that one thread alone may write.
+  /// Does the same for arrays that only one thread may write.
   bool HasSerialArrays() const { return !this->SerialArrays.empty(); }
   void InterpolateSerial(const int corners[3], const std::vector<RefinedPoint>& points) const;
   void CopySerial(vtkIdType inputPoint, vtkIdType point) const;

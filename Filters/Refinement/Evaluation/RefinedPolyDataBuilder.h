@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RefinedPolyDataBuilder
- * @brief   writes a refined mesh with all its data into a vtkPolyData
+ * @brief   writes a refined mesh and its data to a vtkPolyData
  *
- * The steps of vtkAdaptiveRefinementFilter once levels are selected: triangles, points and their
- * data, vertices and lines, cell data.
+ * It performs the steps of vtkAdaptiveRefinementFilter after the levels are selected: triangles,
+ * points and their data, vertices and lines, cell data.
  */
 #ifndef RefinedPolyDataBuilder_h
 #define RefinedPolyDataBuilder_h
@@ -37,8 +37,8 @@ class PointDataInterpolation;
 class SurfaceFields;
 
 /**
- * Calls `work` for ranges that make up all faces, perhaps in parallel; `share` of the whole task.
- * Returns false when it was stopped before the end.
+ * Calls `work` for ranges that cover all faces, possibly in parallel. `share` is the fraction of
+ * the whole task. Returns false if it was stopped.
  */
 using FaceLoop =
   std::function<bool(double share, const std::function<void(vtkIdType, vtkIdType)>& work)>;
@@ -51,28 +51,28 @@ public:
     const PatternSelection& selection, vtkAdaptiveRefinement* recipe, const FaceLoop& forFaces);
   ~RefinedPolyDataBuilder();
 
-  /// Fill an empty output; false when the loop was stopped, with the output left incomplete.
+  /// Fill an empty output. Returns false if the loop was stopped; the output is then incomplete.
   bool Build(vtkPolyData* output);
 
-  /// Names of arrays left out because they have too few tuples.
+  /// Names of the arrays that are skipped because they have too few tuples.
   const std::vector<std::string>& GetShortArrays() const { return this->ShortArrays; }
 
 private:
   bool CountTriangles();
   bool BuildTriangles();
   void NumberUsedPoints();
-  /// Build a point that is left out in place of the first of its copies that is not.
+  /// If a point is unused, build it in place of its first copy that is used.
   void ReplaceUnusedOriginals();
-  /// 0 for each of the input's points that a vertex or a line uses, else -1.
+  /// Returns 0 for each input point that a vertex or line uses, and -1 for the others.
   std::vector<vtkIdType> MarkPointsOfOtherCells() const;
-  /// Give vertices and lines points of their own where the displacement moves a face's.
+  /// Give vertices and lines separate points where the displacement moves a face's points.
   void SeparateOtherCells();
   bool BuildPoints(vtkPolyData* output);
   void BuildFacePoints(int face, std::vector<RefinedPoint>& points,
     const PointDataInterpolation& data, const SurfaceFields& fields);
-  /// The points that this face is to evaluate, under their ids in the output.
+  /// Get the points that this face evaluates, with their ids in the output.
   void GetPointsToBuild(int face, std::vector<RefinedPoint>& points) const;
-  /// Points that differ from another one by their normals alone, once that one is built.
+  /// Copy points that differ from another point only in their normal, after that point is built.
   void BuildCopies(vtkPointData* data);
   bool IsAtCorner(const int corners[3], const RefinedPoint& point, int nearest) const;
   void BuildOtherPoints(const PointDataInterpolation& data);
@@ -84,7 +84,7 @@ private:
   {
     return this->NewIds.empty() ? point : this->NewIds[static_cast<size_t>(point)];
   }
-  /// Copy vertices or lines, whose ids begin with `firstCell`, but for ghosts.
+  /// Copy vertices or lines, whose ids start with `firstCell`, without ghost cells.
   void CopyCells(vtkCellArray* from, vtkIdType firstCell, vtkCellArray* to);
 
   vtkPolyData* Input;
@@ -93,20 +93,20 @@ private:
   const FaceLoop& ForFaces;
   RefinedTopology Topology;
   RefinementEvaluator Evaluator;
-  std::vector<NormalSplits::Value> Values; // evaluated by now
-  std::unique_ptr<HoleFinder> Finder;      // null where there are no holes
+  std::vector<NormalSplits::Value> Values; // evaluated so far
+  std::unique_ptr<HoleFinder> Finder;      // nullptr if there are no holes
   std::vector<std::string> ShortArrays;
 
-  /// Per face its first triangle in the output, and one more for their number.
+  /// Index of the first output triangle per face, and the number of triangles at the end.
   std::vector<vtkIdType> FirstTriangles;
-  /// Per face a byte per triangle, 1 where left out; empty where there are no holes.
+  /// One byte per triangle of each face, 1 for removed triangles; empty if there are no holes.
   std::vector<std::vector<unsigned char>> Holes;
-  /// Ids of points in the output, -1 where left out; empty when all keep theirs.
+  /// Output ids of points, -1 for removed points; empty if all ids are unchanged.
   std::vector<vtkIdType> NewIds;
-  /// Ids in the output of the points of vertices and lines; empty when they share the faces'.
+  /// Output ids of the points of vertices and lines; empty if they share the faces' points.
   std::vector<vtkIdType> IdsOfOtherCells;
   vtkIdType NumberOfPoints = 0;
-  /// Ids in the input of the vertices and lines of the output.
+  /// Input ids of the vertices and lines of the output.
   std::vector<vtkIdType> OtherCells;
 
   vtkNew<vtkIdTypeArray> Connectivity;

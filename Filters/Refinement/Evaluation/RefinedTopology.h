@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RefinedTopology
- * @brief   how the patterns of a mesh's faces share points
+ * @brief   numbers the points of a refined mesh and shares them between faces
  *
- * Numbers the points of a refined mesh: the input's points, then the points inside each edge, then
- * those inside each face, then copies of the former for faces that see other normals there. Edges
- * are shared as the input shares points; where points coincide without being shared, so do the
- * edges. Every point but a copy is evaluated by one face, its owner.
+ * The order is: the input's points, the points inside each edge, the points inside each face, then
+ * copies for faces with other normals. Edges are shared if the input shares their points, not if
+ * points only coincide. One face, the owner, evaluates each point that is not a copy.
  */
 #ifndef RefinedTopology_h
 #define RefinedTopology_h
@@ -30,9 +29,9 @@ struct RefinedPoint
 {
   vtkIdType Id;
   float Weights[3];
-  vtkIdType Original; // the id before unused points are left out
+  vtkIdType Original; // the id before unused points are removed
 
-  /// The sorted corner that weighs most.
+  /// The sorted corner with the largest weight.
   int GetNearestCorner() const
   {
     const int first = this->Weights[1] > this->Weights[0] ? 1 : 0;
@@ -43,39 +42,39 @@ struct RefinedPoint
 class RefinedTopology
 {
 public:
-  /// Builds the mesh's edges. The mesh must outlive the topology.
+  /// Builds the edges of the mesh, which must outlive the topology.
   RefinedTopology(
     RefinementMesh& mesh, const PatternSelection& selection, vtkIdType numberOfInputPoints);
 
-  /// Give faces points of their own where they see other normals than the owner.
+  /// Add copies of points for faces whose normals differ from the owner's.
   void Split(const SplitPoints& splits);
 
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
   int GetNumberOfFaces() const { return static_cast<int>(this->Patterns.size()); }
   const FacePattern& GetPattern(int face) const { return this->Patterns[face]; }
-  /// Whether a face has this point of the input as a corner.
+  /// Whether this point of the input is a corner of a face.
   bool IsCorner(vtkIdType inputPoint) const { return this->PointOwners[inputPoint] >= 0; }
 
   //@{
-  /// Of an edge of a face (3 * face + edge): the number of points inside it; of an edge of the
-  /// mesh: the point that is `step` (1 and on) from its first end.
+  /// The number of points inside an edge of a face (3 * face + edge), and the point at `step`
+  /// (from 1) from the first end of an edge of the mesh.
   int GetNumberOfInnerPoints(int faceEdge) const;
   vtkIdType GetEdgePoint(int edge, int step) const
   {
     return this->FirstEdgePoints[static_cast<size_t>(edge)] + step - 1;
   }
   //@}
-  /// Weights at step 0, a face's sorted corner, or another step of its edge: 3 * face + corner or
-  /// edge.
+  /// The weights at step 0, which is a sorted corner (3 * face + corner), or at a step of an edge
+  /// (3 * face + edge).
   void GetWeights(int use, int step, float weights[3]) const;
 
-  /// A point that lies where another one does, with another normal.
+  /// A point with the position of another point and a different normal.
   struct PointCopy
   {
     vtkIdType Original;
     vec3 Normal;
   };
-  /// Those of the points from GetFirstCopy() on.
+  /// The points from GetFirstCopy() on.
   const std::vector<PointCopy>& GetCopies() const { return this->Copies; }
   vtkIdType GetFirstCopy() const
   {
@@ -85,11 +84,11 @@ public:
   /// The points of all pattern vertices of a face.
   void GetPoints(int face, std::vector<vtkIdType>& points) const;
 
-  /// The points that this face is the owner of, corners first.
+  /// The points that this face owns, corners first.
   void GetOwnedPoints(int face, std::vector<RefinedPoint>& points) const;
 
 private:
-  /// One of the pattern's edges on a face, from the pattern's corner i to i + 1.
+  /// An edge of the pattern on a face, from corner i of the pattern to corner i + 1.
   struct Edge
   {
     int Use; // 3 * face + sorted edge
@@ -99,7 +98,7 @@ private:
     int Segments;
   };
   Edge GetEdge(int face, int patternEdge) const;
-  /// The point that a face has at a step of a corner or an edge, see GetWeights().
+  /// The point of a face at a step of a corner or an edge, see GetWeights().
   vtkIdType GetPoint(int use, int step) const;
   vtkIdType GetCorner(int face, int sortedCorner) const
   {
@@ -113,13 +112,14 @@ private:
   std::vector<FacePattern> Patterns;
   std::vector<vtkIdType> FirstInnerPoints;
   std::vector<vtkIdType> FirstEdgePoints;
-  std::vector<int> PointOwners; // of the input's points
-  std::vector<int> EdgeOwners;  // as those of the mesh
+  std::vector<int> PointOwners; // per input point
+  std::vector<int> EdgeOwners;  // per edge of the mesh
 
   std::vector<PointCopy> Copies;
-  std::vector<vtkIdType> CornerCopies;    // by use, -1 for none; empty without copies
-  std::vector<vtkIdType> FirstEdgeCopies; // by use, into EdgeCopies; the same
-  std::vector<vtkIdType> EdgeCopies;      // the points inside an edge, copies or not
+  std::vector<vtkIdType> CornerCopies; // by use, -1 for none; empty without copies
+  std::vector<vtkIdType>
+    FirstEdgeCopies; // index into EdgeCopies by use, -1 for none; empty without copies
+  std::vector<vtkIdType> EdgeCopies; // all points inside an edge, copied or not
 
   vtkIdType NumberOfPoints = 0;
 };

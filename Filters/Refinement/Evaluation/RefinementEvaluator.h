@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RefinementEvaluator
- * @brief   points and normals of a refined mesh, on the CPU
+ * @brief   evaluates points and normals of a refined mesh on the CPU
  *
- * Evaluates the same functions as the shaders, at pattern vertices of prepared faces. All methods
- * may be called from several threads.
+ * It calls the same functions as the shaders, at pattern vertices of prepared faces. All methods
+ * are thread-safe.
  */
 #ifndef RefinementEvaluator_h
 #define RefinementEvaluator_h
@@ -24,14 +24,15 @@ class RELEVOFILTERSREFINEMENT_EXPORT RefinementEvaluator
 {
 public:
   /**
-   * For a mesh built with the recipe. Both must outlive the evaluator, and the displacement's
-   * height map must be up to date.
+   * Create an evaluator for a mesh that was built with the recipe. Both must outlive the evaluator,
+   * and the displacement's height map must be up to date.
    */
   RefinementEvaluator(const RefinementMesh& mesh, vtkAdaptiveRefinement* recipe);
   ~RefinementEvaluator();
 
   /**
-   * Position relative to the mesh's origin and unit normal (zero when the mesh has no normals).
+   * Get the position relative to the mesh's origin and the unit normal, which is 0 if the mesh has
+   * no normals.
    */
   void Evaluate(int face, const float weights[3], float position[3], float normal[3]) const;
 

@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RenderTimeBudget
- * @brief   how many triangles may be drawn in a given time, from the times of the latest frames
+ * @brief   limits the number of triangles for a given frame time, from the times of previous frames
  *
- * What a triangle costs is the median of five frames, so that single frames that took long count
- * for nothing. The frame that follows a change by more than a quarter in the number of triangles is
- * left out: patterns are made and sent then, and the GPU's time is that of the frame before.
+ * The cost of a triangle is the median of five frames, so that single slow frames have no effect.
+ * The frame after a change in the number of triangles by more than a quarter is skipped: it
+ * generates and uploads patterns, and its GPU time is that of the previous frame.
  *
- * A limit is set to what takes 85 % of the time allowed, and stands while it takes between 70 % and
- * 100 % by what is known: it follows the load and the scene, not the noise of the clock. A cost
- * that frames have whatever they draw makes smaller steps of the way there, never larger ones:
- * limits do not swing.
+ * A limit is set so that 85 % of the frame time is used, and it does not change while the estimate
+ * is between 70 % and 100 %. It follows the load and the scene, but not the noise of the clock. A
+ * constant cost per frame makes the steps towards the limit smaller, never larger, so that limits
+ * do not oscillate.
  *
- * More than 2 s are allowed for still pictures, which have no limit.
+ * A frame time of more than 2 s is that of still images, which have no limit.
  *
- * Knows no clock. Not wrapped: for the modules' own sources.
+ * This class does not measure times.
  */
 #ifndef RenderTimeBudget_h
 #define RenderTimeBudget_h
@@ -30,20 +30,20 @@ namespace relevo
 class RELEVOFILTERSREFINEMENT_EXPORT RenderTimeBudget
 {
 public:
-  /// A frame has drawn that many triangles in that many seconds.
+  /// Add the number of triangles and the time of a frame.
   void AddFrame(vtkIdType triangles, double seconds);
 
-  /// 0 as long as nothing is known.
+  /// 0 until the cost is known.
   double GetSecondsPerTriangle() const { return this->Cost; }
 
   /**
-   * The most triangles to draw in that many seconds, 0 for any number. `last` is what was said last
-   * for the same view.
+   * Return the highest number of triangles for this frame time, or 0 for no limit. `last` is the
+   * last result for the same view.
    */
   vtkIdType FindLimit(double seconds, vtkIdType last) const;
 
 private:
-  vtkIdType Triangles = 0; // of the last frame
+  vtkIdType Triangles = 0; // in the last frame
   std::vector<double> Costs;
   double Cost = 0.0;
 };

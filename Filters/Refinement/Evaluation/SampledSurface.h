@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   SampledSurface
- * @brief   the displaced surface of a recipe, by samples of the coarse faces
+ * @brief   the displaced surface of a recipe, sampled on the coarse faces
  *
- * Faces are sampled as finely as they are refined, with at least 4 and at most 16 segments on an
- * edge. Each sample inside a face has the discrete curvature of the ring of samples around it. A
- * point of the mesh has the mean of the absolute curvatures of the faces at it, weighted by their
- * areas. So relief counts that lies between the mesh's points.
+ * Faces are sampled at their finest refinement, with at least 4 and at most 16 segments per edge.
+ * Each sample inside a face has the discrete curvature of the ring of samples around it. A point of
+ * the mesh has the area-weighted mean of the absolute curvatures of its faces. Relief between the
+ * mesh's points is therefore included.
  */
 #ifndef SampledSurface_h
 #define SampledSurface_h
@@ -24,7 +24,8 @@ namespace relevo
 class RELEVOFILTERSREFINEMENT_EXPORT SampledSurface : public DisplacedSurface
 {
 public:
-  /// That of a recipe, which must outlive it; nullptr where no height map displaces the mesh.
+  /// Create the surface of a recipe, which must outlive it. Returns nullptr if there is no height
+  /// map.
   static std::shared_ptr<const SampledSurface> Make(vtkAdaptiveRefinement* recipe);
 
   explicit SampledSurface(vtkAdaptiveRefinement* recipe);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  SplitPoints
- * @brief   points of a refined mesh that several faces share and see with different normals
+ * @brief   points of a refined mesh that several faces share with different normals
  */
 #ifndef SplitPoints_h
 #define SplitPoints_h
@@ -16,25 +16,25 @@ namespace relevo
 {
 struct SplitPoints
 {
-  /// A face's normal at a point that needs a copy there.
+  /// The normal of a face at a point that needs a copy.
   struct Copy
   {
     vtkIdType Point;
-    int Use;  // 3 * face + sorted corner, or edge
-    int Step; // 0 for a corner; of points inside an edge 1 and on, from its first end
+    int Use;  // 3 * face + sorted corner or edge
+    int Step; // 0 for a corner; inside an edge, from 1 at its first end
     vec3 Normal;
   };
-  /// By point and use; equal normals share a copy.
+  /// Sorted by point and use. Equal normals share a copy.
   std::vector<Copy> Copies;
 
-  /// Which of its uses evaluates a corner or the points inside an edge.
+  /// The use that evaluates a corner or the points inside an edge.
   struct Owner
   {
     int Element; // input point or edge
     int Use;
   };
   //@{
-  /// Where it matters which one does: normals that agree can differ in their last digits.
+  /// Owners where the choice matters: matching normals can differ in their last digits.
   std::vector<Owner> PointOwners;
   std::vector<Owner> EdgeOwners;
   //@}

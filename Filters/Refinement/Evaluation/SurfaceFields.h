@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   SurfaceFields
- * @brief   point data that a surface knows better than by linear interpolation
+ * @brief   point data that a surface evaluates itself instead of linear interpolation
  */
 #ifndef SurfaceFields_h
 #define SurfaceFields_h
@@ -21,12 +21,12 @@ namespace relevo
 class SurfaceFields
 {
 public:
-  /// Fields of a mesh's point data for the arrays of the same names in `to`; the surface may be
-  /// nullptr. For noDataMagnitude see NoDataTuples.
+  /// Find the fields of a mesh's point data for the arrays with the same names in `to`. The surface
+  /// may be nullptr. For noDataMagnitude, see NoDataTuples.
   SurfaceFields(
     vtkRefinementSurface* surface, vtkPolyData* mesh, double noDataMagnitude, vtkPointData* to);
 
-  /// May be called from several threads for different points.
+  /// Can be called from several threads for different points.
   void Evaluate(
     const vtkRefinementSurface::Face& face, const std::vector<RefinedPoint>& points) const;
 

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   TriangleBudget
- * @brief   how much to add to the tags of all edges so that a wanted number of triangles comes out
+ * @brief   finds the offset of all tags that gives a target number of triangles
  *
- * The number of triangles rises with what is added, the offset, in steps: at the offset that lifts
- * an edge to its next number of segments, its faces take larger patterns. One pass over the faces
- * finds where in an interval of offsets the steps are, and how high, as a histogram; the sums of
- * its bins are the number of triangles by offset. The first interval lies around a guess, the next
- * ones beside it.
+ * The number of triangles increases with the offset in steps: at the offset where an edge gets its
+ * next number of segments, its faces get larger patterns. One pass over the faces computes a
+ * histogram of these steps in an interval of offsets. The cumulative sums of its bins are the
+ * number of triangles by offset. The first interval contains a guess, and the next intervals are
+ * adjacent.
  *
- * The offset is a function of the tags alone; the guess saves time and changes nothing. So nothing
- * can oscillate, and along a smooth flight the offset is as smooth as the tags.
+ * The offset depends only on the tags. The guess saves time and does not change the result.
+ * Therefore nothing oscillates, and during a smooth flight the offset is as smooth as the tags.
  */
 #ifndef TriangleBudget_h
 #define TriangleBudget_h
@@ -42,45 +42,46 @@ public:
   TriangleBudget(const TriangleBudget&) = delete;
   void operator=(const TriangleBudget&) = delete;
 
-  /// A mesh with tags that were computed for it. Several share a budget and an offset.
+  /// A mesh with its tags. Several parts share a budget and an offset.
   struct Part
   {
     const RefinementMesh* Mesh;
     const EdgeTags* Tags;
     std::shared_ptr<const PatternFamily> Family;
-    /// A byte per face, not 0 for those that do not count; nullptr where all count.
+    /// One byte per face, not 0 for faces that are not counted; nullptr if all are counted.
     const unsigned char* Hidden = nullptr;
   };
 
-  /// Offsets are found to this part of a level.
+  /// Offsets are multiples of 1 / Resolution of a level.
   static constexpr int Resolution = 1024;
 
-  /// How many triangles more than wanted may be taken, as a share, where that comes nearer.
+  /// The fraction by which the result may exceed the target, if that is nearer.
   static constexpr double Tolerance = 0.05;
 
   /**
-   * The offset in [lowest, highest], in levels, at which, with edges of levels up to the maximum,
-   * PatternSelection::Select() selects most nearly `target` triangles for all parts together: no
-   * more, or within the tolerance. Where so many faces change at one offset that this cannot be
-   * had, the offset just before, with fewer. Where the target is out of reach, the offset that just
-   * gives all or the least there are. Hidden faces do not count, faces over no-data do. Where other
-   * processes have `pieces`, theirs are counted too. Collective.
+   * Return the offset in [lowest, highest], in levels, at which PatternSelection::Select(), with
+   * levels of edges up to the maximum, selects the number of triangles nearest to `target` for all
+   * parts together. The number does not exceed the target by more than the tolerance. If too many
+   * faces change at one offset, the result is the offset just before, with fewer triangles. If the
+   * target is out of reach, the result is the offset that just gives the highest or lowest number.
+   * Hidden faces are not counted, faces over missing data are. `pieces` of other processes are
+   * counted too. Collective.
    */
   double FindOffset(const std::vector<Part>& parts, int maximumLevel, vtkIdType target,
     double lowest, double highest, double guess = 0.0,
     const PieceReduction& pieces = PieceReduction());
 
-  /// Triangles of all parts at an offset, less those of hidden faces, with all patterns that it
-  /// takes.
+  /// Return the number of triangles of all parts at an offset, without hidden faces. This generates
+  /// all patterns in use.
   static vtkIdType CountTriangles(const std::vector<Part>& parts, int maximumLevel, double offset);
 
 private:
   using Bins = std::vector<std::int64_t>;
   struct Interval
   {
-    int First; // number of an offset
+    int First; // number of the first offset
     int Width;
-    Bins Totals; // of triangles, by offset
+    Bins Totals; // triangles by offset
   };
   static double GetOffset(int number);
   static int GetNumber(double offset);
@@ -91,7 +92,7 @@ private:
   int FindNumber(const std::vector<Part>& parts, double target, int lowest, int highest, int guess,
     const PieceReduction& pieces);
 
-  std::map<vtkMTimeType, std::unique_ptr<TriangleCounts>> Counts; // of families, by their times
+  std::map<vtkMTimeType, std::unique_ptr<TriangleCounts>> Counts; // per family, by its time
   int MaximumLevel = 0;
 };
 }

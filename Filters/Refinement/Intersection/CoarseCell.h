@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  CoarseCell
- * @brief   the input's cell that a point of the refined surface was made of
+ * @brief   the input's cell that contains a point of the refined surface
  */
 #ifndef CoarseCell_h
 #define CoarseCell_h
@@ -20,9 +20,8 @@ class RefinementMesh;
 struct SurfaceHit;
 
 /**
- * The type of a cell, VTK_EMPTY_CELL where it has too few points for its kind; its points; and the
- * cell. As vtkPolyData has them, but for any cells, of which it takes only some, and from any
- * thread.
+ * Get the type of a cell (VTK_EMPTY_CELL if it has too few points), its points, or the cell. Unlike
+ * the methods of vtkPolyData, these accept cells that refinement skips and are thread-safe.
  */
 //@{
 RELEVOFILTERSREFINEMENT_EXPORT int GetCellType(vtkPolyData* input, vtkIdType cellId);
@@ -35,21 +34,21 @@ RELEVOFILTERSREFINEMENT_EXPORT void GetCell(
 struct RELEVOFILTERSREFINEMENT_EXPORT CoarseCell
 {
   vtkIdType CellId = -1;
-  /// The triangle of a strip, as VTK counts them; else the cell's own.
+  /// The triangle of a strip, in VTK's numbering. Otherwise, the sub-id of the cell.
   int SubId = 0;
-  /// In the cell, or in the strip's triangle, where the point was before it was moved.
+  /// In the cell, or in the triangle of the strip, at the point before displacement.
   double PCoords[3] = { 0.0, 0.0, 0.0 };
 
   /**
-   * Find the cell of a hit, and put it, or the strip's triangle, into `cell`.
+   * Find the cell of a hit and copy it, or the triangle of the strip, to `cell`.
    */
   CoarseCell(
     vtkPolyData* input, const RefinementMesh& mesh, const SurfaceHit& hit, vtkGenericCell* cell);
 };
 
 /**
- * Turn a flat cell, without changing its shape, so that it faces along a unit normal: pickers that
- * compute normals from a cell's points find this one.
+ * Reverse a flat cell, without changing its shape, so that it faces along a unit normal. Pickers
+ * that compute normals from a cell's points then find this normal.
  */
 RELEVOFILTERSREFINEMENT_EXPORT void TurnCell(vtkGenericCell* cell, const double normal[3]);
 }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PatternDeviation
- * @brief   how far the triangles of a refined face are from the surface
+ * @brief   the distance between the triangles of a refined face and the surface
  *
- * Measured from points of the triangles to those of the surface that have the same weights: the
- * distance to the nearest point is no larger.
+ * The distance is measured between points of the triangles and points of the surface with the same
+ * weights. The distance to the nearest point is not larger.
  */
 #ifndef PatternDeviation_h
 #define PatternDeviation_h
@@ -21,12 +21,12 @@ struct FacePattern;
 class PatternDeviation
 {
 public:
-  /// `holes` may be nullptr. Both must outlive this.
+  /// `holes` may be nullptr. Both must outlive this object.
   PatternDeviation(const RefinementEvaluator& evaluator, const HoleFinder* holes);
 
-  /// The largest distance, measured at the middle of each triangle and at points that cut each of
-  /// its sides into two parts or more, and the face's edges into `parts` or more. Points that are
-  /// not finite are left out.
+  /// Return the largest distance. It is measured at the middle of each triangle and at points that
+  /// divide each side into at least two parts, and the face's edges into at least `parts`.
+  /// Non-finite points are skipped.
   double Measure(int face, const FacePattern& pattern, int parts);
 
 private:

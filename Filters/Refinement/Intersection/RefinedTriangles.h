@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RefinedTriangles
- * @brief   the refined triangles of one coarse face at a time, to be met by lines
+ * @brief   the refined triangles of one coarse face at a time, for intersection with lines
  *
- * Places are relative to the mesh's origin. Private to the module's own sources.
+ * Points are relative to the mesh's origin.
  */
 #ifndef RefinedTriangles_h
 #define RefinedTriangles_h
@@ -24,8 +24,8 @@ class RefinementMesh;
 struct TrianglePoint
 {
   double Position[3];
-  double Normal[3];     // interpolated; zero where the mesh has none
-  double FlatNormal[3]; // the triangle's own, unit
+  double Normal[3];     // interpolated; 0 if the mesh has none
+  double FlatNormal[3]; // unit normal of the triangle
   double Weights[3];    // of the coarse face's sorted corners
 };
 
@@ -43,24 +43,24 @@ struct LineFrame
 class RefinedTriangles
 {
 public:
-  /// `holes` are nullptr where there are none. `normals` are the input's, of points, where the mesh
-  /// has kept none; or nullptr.
+  /// `holes` is nullptr if there are none. `normals` are the input's point normals if the mesh does
+  /// not have them, or nullptr.
   RefinedTriangles(const RefinementMesh& mesh, const RefinementEvaluator& evaluator,
     const HoleFinder* holes, const PatternSelection& selection, vtkDataArray* normals);
 
-  /// Take a face.
+  /// Refine a face for the functions below.
   void Refine(int face);
 
-  /// The first point where a line meets a triangle, if that is before `t`, which becomes its place
-  /// on the line.
+  /// Find the first intersection of a line with a triangle before `t`. `t` becomes its parameter on
+  /// the line.
   bool Intersect(const LineFrame& frame, double& t, TrianglePoint& point) const;
 
-  /// The same for the first place where the line passes a triangle within `tolerance`.
+  /// Does the same for the first point of the line within `tolerance` of a triangle.
   bool Approach(const double start[3], const double end[3], double tolerance, double& t,
     TrianglePoint& point) const;
 
-  /// The point nearest to a place, if nearer than the root of `distance2`, which becomes the
-  /// square of its distance.
+  /// Find the nearest point within the root of `distance2`. `distance2` becomes the square of its
+  /// distance.
   bool FindClosest(const double place[3], double& distance2, TrianglePoint& point) const;
 
 private:
@@ -78,9 +78,9 @@ private:
   std::vector<float> Points;
   std::vector<float> Normals;
   std::vector<float> Weights;
-  std::vector<unsigned char> Out; // triangles over no-data
+  std::vector<unsigned char> Out; // triangles over missing data
   const unsigned int* Triangles = nullptr;
-  bool Turned = false; // the triangles against the cell's sense
+  bool Turned = false; // whether the triangles are reversed relative to the cell
 };
 }
 

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ToleranceSteps
- * @brief   into how many segments edges are cut for faces to be as near to their surface as asked
+ * @brief   chooses the numbers of segments of edges so that faces are within a tolerance of their
+ * surface
  *
- * A face first gets the least step that would do if its three edges were alike, measured once and
- * kept. An edge has the largest step of the faces at it that are wanted. Where the edges of a face
- * differ its triangles are others, and can be longer: the least of them rise until these are near
- * enough, too. So the steps depend on which faces are wanted, not on what was asked before.
+ * For each face, the lowest sufficient step for three equal edges is measured once and cached. An
+ * edge gets the largest step of its requested faces. If the edges of a face differ, its triangles
+ * are different and can be longer. The lowest steps then increase until the triangles are within
+ * the tolerance too. The steps therefore depend only on the requested faces, not on previous calls.
  */
 #ifndef ToleranceSteps_h
 #define ToleranceSteps_h
@@ -32,22 +33,23 @@ class RefinementMesh;
 class ToleranceSteps
 {
 public:
-  /// Take a surface anew, and the edges of its faces; all of it must outlive this.
+  /// Set a new surface and the edges of its faces. All of it must outlive this object.
   void Take(const RefinementMesh& mesh, const RefinedSurface& surface,
     vtkAdaptiveRefinement* recipe, std::vector<int> faceEdges, int numberOfEdges);
 
-  /// Choose for the faces that are wanted, a byte for each. Returns how many of them deviate by
-  /// more than the tolerance though their edges have as many segments as can be, and the largest
-  /// deviation. With a tolerance of 0, all edges of these faces have as many, and none is told.
+  /// Choose steps for the faces marked in `areWanted`, one byte per face. Returns the number of
+  /// faces that deviate by more than the tolerance at the highest number of segments, and the
+  /// largest deviation. With a tolerance of 0, all edges of these faces get the highest number, and
+  /// the result is 0.
   std::pair<vtkIdType, double> Choose(
     const std::vector<unsigned char>& areWanted, double tolerance);
 
-  /// What was chosen, per edge.
+  /// The chosen step per edge.
   const std::vector<unsigned char>& GetEdgeSteps() const { return this->EdgeSteps; }
   FacePattern GetPattern(int face) const { return this->MakePattern(face, this->GetSteps(face)); }
 
 private:
-  using Steps = std::array<int, 3>; // of a face's sorted edges
+  using Steps = std::array<int, 3>; // for a face's sorted edges
 
   FacePattern MakePattern(int face, const Steps& steps) const;
   Steps GetSteps(int face) const;
@@ -68,7 +70,7 @@ private:
   std::vector<int> FaceEdges;
 
   double Tolerance = -1.0;
-  std::vector<signed char> OwnSteps; // per face; -1 where not known
+  std::vector<signed char> OwnSteps; // per face; -1 if not known
   std::vector<double> OwnDeviations;
   std::vector<unsigned char> EdgeSteps;
 };

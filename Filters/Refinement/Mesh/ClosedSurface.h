@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   whether a mesh bounds bodies
+ * @brief   tests whether a mesh is a closed surface
  */
 #ifndef ClosedSurface_h
 #define ClosedSurface_h
@@ -11,8 +11,9 @@ namespace relevo
 class RefinementMesh;
 
 /**
- * Whether every edge between places has exactly two faces, which wind alike, and every connected
- * part of the mesh encloses a positive volume: from outside, front faces hide all back faces.
+ * Return whether every edge between merged points has exactly two faces with the same winding, and
+ * every connected part of the mesh encloses a positive volume. Seen from outside, front faces then
+ * hide all back faces.
  */
 bool IsClosedOutwards(const RefinementMesh& mesh);
 }

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   FaceBounds
- * @brief   where the refined points of a face can lie
+ * @brief   bounds of the refined points of a face
  *
- * Each face's points and positions (surfaces lie within their convex hull, or within the surface's
- * own reach of it), moved by up to the displacement's reach along the normals the face can have.
+ * The bounds contain each face's points and positions (surfaces are within their convex hull or the
+ * surface's reach of it), moved by up to the displacement's reach along the possible normals of the
+ * face.
  */
 #ifndef FaceBounds_h
 #define FaceBounds_h
@@ -26,12 +27,12 @@ class RefinementMesh;
 class RELEVOFILTERSREFINEMENT_EXPORT FaceBounds
 {
 public:
-  /// With `heights`, those of the displacement's height map, boxes reach as far as the heights over
-  /// each face; else as far as all heights do.
+  /// With `heights`, the height ranges of the displacement's height map, boxes use the range over
+  /// each face. Otherwise they use the range of all heights.
   FaceBounds(const RefinementMesh& mesh, vtkRefinementSurface* surface,
     vtkDisplacement* displacement, const HeightRanges* heights = nullptr);
 
-  /// A box relative to the mesh's origin. May be called from several threads.
+  /// Get a box relative to the mesh's origin. Thread-safe.
   void GetBox(std::size_t face, double low[3], double high[3]) const;
 
 private:
@@ -55,7 +56,7 @@ private:
 };
 
 /**
- * Bounds of all that a surface and a displacement, which may be nullptr, can make of a mesh, in the
+ * Compute the bounds of a mesh with a surface and a displacement, which may be nullptr, in the
  * input's coordinates.
  */
 RELEVOFILTERSREFINEMENT_EXPORT void ComputeBounds(const RefinementMesh& mesh,

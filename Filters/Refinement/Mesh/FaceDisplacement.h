@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   the displacement of one face: what relevoDisplacement.glsl asks of its including side
+ * @brief   the displacement of one face: the functions that relevoDisplacement.glsl requires
  */
 #ifndef FaceDisplacement_h
 #define FaceDisplacement_h
@@ -16,13 +16,13 @@ namespace relevo
 {
 struct FaceDisplacement : HeightSampler
 {
-  /// For heights alone.
+  /// For heights only.
   FaceDisplacement(const RefinementMesh& mesh, const HeightSampler& heights)
     : HeightSampler(heights)
     , Mesh(mesh)
   {
   }
-  /// With a surface that has directions; nullptr for none.
+  /// For a surface with directions, or nullptr.
   FaceDisplacement(
     const RefinementMesh& mesh, vtkDisplacement* displacement, vtkRefinementSurface* surface)
     : HeightSampler(displacement->GetHeightMap())

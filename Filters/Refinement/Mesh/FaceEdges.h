@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   the edges between places that the faces of a mesh have
+ * @brief   the edges between merged points of the faces of a mesh
  */
 #ifndef FaceEdges_h
 #define FaceEdges_h
@@ -16,8 +16,8 @@ class RefinementMesh;
 class SurfaceEdges;
 
 /**
- * For each face the indices of its sorted edges (0,1), (1,2), (0,2) among `edges`, those of the
- * same mesh. An edge that is one point has the index of one that leads there.
+ * Return for each face the indices of its sorted edges (0,1), (1,2), (0,2) in `edges`, which must
+ * belong to the same mesh. A degenerate edge has the index of an edge at its point.
  */
 RELEVOFILTERSREFINEMENT_EXPORT std::vector<int> FindFaceEdges(
   const RefinementMesh& mesh, const SurfaceEdges& edges);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   the normals that a mesh comes with, which may lack a direction at some points
+ * @brief   the normals stored with a mesh, which may lack a direction at some points
  */
 #ifndef GivenNormals_h
 #define GivenNormals_h
@@ -15,7 +15,7 @@
 
 namespace relevo
 {
-/// Normals of all points, or null: an array that took another's name and place may have any size.
+/// Return the normals of all points, or nullptr if the array does not have their number.
 inline vtkDataArray* GetGivenNormals(vtkPolyData* mesh)
 {
   vtkDataArray* normals = mesh->GetPointData()->GetNormals();
@@ -25,8 +25,8 @@ inline vtkDataArray* GetGivenNormals(vtkPolyData* mesh)
     : nullptr;
 }
 
-/// Makes a unit vector of the normal at a point, and returns the length that it had. It is none
-/// where that is zero or not finite.
+/// Get the unit vector of the normal at a point and return its original length. If that is zero or
+/// not finite, there is no normal.
 inline double GetUnitNormal(vtkDataArray* normals, vtkIdType point, double normal[3])
 {
   normals->GetTuple(point, normal);
@@ -38,8 +38,8 @@ inline bool IsLengthOfNormal(double length)
   return std::isfinite(length) && length > 0.0;
 }
 
-/// Whether there are normals that a refined mesh cannot be drawn with: without a direction, or,
-/// where vertices and lines take them as they are, of another length than 1.
+/// Whether normals cannot be used for drawing a refined mesh: they have no direction, or vertices
+/// and lines use them unchanged and their length is not 1.
 inline bool NeedsUnitNormals(vtkPolyData* mesh)
 {
   constexpr double rounding = 1e-4;

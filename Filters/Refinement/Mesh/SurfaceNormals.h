@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   SurfaceNormals
- * @brief   the normals of a mesh's triangles, and of its places
+ * @brief   the normals of a mesh's triangles and merged points
  *
- * In the mesh's coordinates: an actor's matrix takes area vectors to the world by its cofactors,
- * see Placement::GetNormal().
+ * Normals are in the mesh's coordinates. The cofactors of the actor's matrix transform area vectors
+ * to world coordinates, see Placement::GetNormal().
  */
 #ifndef SurfaceNormals_h
 #define SurfaceNormals_h
@@ -24,9 +24,9 @@ public:
   explicit SurfaceNormals(std::shared_ptr<const SurfaceTriangles> triangles);
 
   const SurfaceTriangles& GetTriangles() const { return *this->Triangles; }
-  /// Per triangle its normal, twice as long as its area.
+  /// The normal of each triangle, with a length of twice its area.
   const std::vector<dvec3>& GetAreaVectors() const { return this->AreaVectors; }
-  /// The sum of the area vectors of the triangles at a place.
+  /// The sum of the area vectors of the triangles at a merged point.
   dvec3 GetAreaVectorAt(vtkIdType mergedPoint) const;
 
 private:

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   numbers of places and edges of a surface, of which neighbouring pieces have some in
- * common
+ * @brief   collects numbers of points and edges of a surface that neighbouring pieces may share
  */
 #ifndef CollectOnce_h
 #define CollectOnce_h
@@ -20,7 +19,7 @@ class SurfaceTriangles;
 std::uint64_t HashEdge(const SurfaceTriangles& surface, const int mergedPoints[2]);
 
 /**
- * Of the numbers of all pieces, one for each key. getKey(i) is that of values[i]. Collective.
+ * Return one number for each key, from all pieces. getKey(i) is the key of values[i]. Collective.
  */
 std::vector<double> CollectOnce(const PieceReduction& pieces, std::vector<double> values,
   const std::function<std::uint64_t(std::size_t)>& getKey);

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ContourTags
- * @brief   tags of edges by how near they are to the contour of a surface
+ * @brief   tags of edges from their distance to the contour of a surface
  *
- * The criterion CONTOUR of vtkSilhouetteDepthTagMetric. A triangle's cosine at any of its edges is
- * the height of the eye over its plane, the same for all three, over the eye's distance from the
- * edge. So a height is computed per triangle, and little is left per edge.
+ * This implements the criterion CONTOUR of vtkSilhouetteDepthTagMetric. The cosine of a triangle at
+ * one of its edges is the height of the eye above its plane, the same for all three edges, divided
+ * by the eye's distance from the edge. The height is computed once per triangle, which leaves
+ * little work per edge.
  */
 #ifndef ContourTags_h
 #define ContourTags_h
@@ -29,11 +30,11 @@ class SurfaceEdges;
 class ContourTags
 {
 public:
-  /// ComputeTags() of an evaluator whose GetShader() gives parameters 0 to 8 and, as 9.x, the
-  /// cosine at which levels end.
+  /// Implements ComputeTags() of an evaluator whose GetShader() sets parameters 0 to 8 and, in 9.x,
+  /// the cosine at which levels reach 0.
   bool TagPoints(
     MetricEvaluator& evaluator, const RefinementView& view, int maximumLevel, vtkFloatArray* tags);
-  /// ComputeEdgeTags().
+  /// Implements ComputeEdgeTags().
   bool TagEdges(
     MetricEvaluator& evaluator, const RefinementView& view, int maximumLevel, vtkFloatArray* tags);
 
@@ -44,10 +45,10 @@ private:
   void MeasureEdges(const SurfaceEdges& edges, vtkFloatArray* measures) const;
 
   MetricShader Shader;
-  std::vector<vec3> Offsets; // of points from the eye, in the world's axes
-  std::vector<vec3> Normals; // of triangles, of unit length in the world
+  std::vector<vec3> Offsets; // from the eye to points, along the world's axes
+  std::vector<vec3> Normals; // unit normals of triangles in world coordinates
   Dependencies NormalDependencies;
-  std::vector<float> Heights; // of the eye over triangles
+  std::vector<float> Heights; // of the eye above triangles
   vtkNew<vtkFloatArray> EdgeTags;
 };
 }

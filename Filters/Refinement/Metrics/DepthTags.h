@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   depth-tags that an array or a metric gives, checked
+ * @brief   reads depth-tags from an array or a metric and checks them
  */
 #ifndef DepthTags_h
 #define DepthTags_h
@@ -22,29 +22,29 @@ class MetricEvaluator;
 class SurfaceEdges;
 
 /**
- * Copy an array of depth-tags into `tags`, which has room for one per point. Returns false and sets
- * `error` when it holds no numbers, has not exactly one component and one tuple per point, or
- * holds a NaN. Values are limited only so far that the mean of any two is finite.
+ * Copy an array of depth-tags to `tags`, which has room for one per point. Returns false and sets
+ * `error` if it is not numeric, does not have one component and one tuple per point, or contains
+ * NaN. Values are only limited so that the mean of any two is finite.
  */
 RELEVOFILTERSREFINEMENT_EXPORT bool TakeDepthTags(
   vtkAbstractArray* array, vtkIdType numberOfPoints, float* tags, std::string& error);
 
 /**
  * Compute the depth-tags of the points of an evaluator's mesh, or of its edges (`perEdge`). Returns
- * false and sets `error` when the metric gives none, another number, or a NaN. Values are limited
- * as by TakeDepthTags().
+ * false and sets `error` if the metric fails, returns the wrong number of tags or returns NaN.
+ * Values are limited as in TakeDepthTags().
  */
 RELEVOFILTERSREFINEMENT_EXPORT bool ComputeDepthTags(MetricEvaluator& evaluator,
   const RefinementView& view, int maximumLevel, bool perEdge, vtkFloatArray* tags,
   std::string& error);
 
-/// The error where a metric returned false, after an ErrorEvent of its own.
+/// The error if a metric returned false after reporting an error.
 std::string GetNoTagsError(vtkDepthTagMetric* metric);
 
 /**
- * Give every edge the mean of the tags of its two places, the larger tags where points coincide.
- * The tags of points are united on the way. False, after an ErrorEvent of the metric that gave
- * them, if points have not one tag each.
+ * Set the tag of each edge to the mean of the tags of its two merged points, each with the largest
+ * tag of its coincident points. Modifies the tags of points. Returns false after reporting an error
+ * of the metric if there is not one tag per point.
  */
 bool TagEdgesByPoints(vtkDepthTagMetric* metric, const SurfaceEdges& edges,
   vtkFloatArray* pointTags, vtkFloatArray* tags);

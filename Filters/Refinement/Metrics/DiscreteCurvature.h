@@ -4,22 +4,22 @@
  * @struct  DiscreteCurvature
  * @brief   discrete Gaussian and mean curvature of a triangulated surface
  *
- * The operators of Meyer, Desbrun, Schroeder and Barr 2002 ("Discrete differential-geometry
- * operators for triangulated 2-manifolds"), with their mixed area (the Voronoi area, made safe for
- * obtuse triangles):
+ * These are the operators of Meyer, Desbrun, Schroeder and Barr 2002 ("Discrete
+ * differential-geometry operators for triangulated 2-manifolds") with their mixed area, a Voronoi
+ * area that is safe for obtuse triangles:
  *
  *     Gaussian  K = (2 pi - sum of the angles at the point) / A_mixed                      (eq. 9)
  *     mean      H = |sum over edges (cot a + cot b) (x_i - x_j)| / (4 A_mixed)             (eq. 8)
  *
- * H is positive where the surface bends away from its normal, as a sphere with outward normals
- * does. Polygons are taken as the fans (0, i, i + 1) that VTK's mappers draw, strips as their
- * triangles. Points that coincide are one point, so seams are no borders.
+ * H is positive where the surface bends away from its normal, as on a sphere with outward normals.
+ * Polygons are split into fans (0, i, i + 1), as VTK's mappers do, and strips into triangles.
+ * Coincident points are merged, so that seams are not borders.
  *
  * The operators need a closed ring of triangles. A point on a border, or on an edge of more than
- * two triangles, takes the mean of its neighbours, ring by ring from the nearest points that have
- * a closed ring; 0 where there are none. Triangles of no area keep their angles and add nothing
- * else; triangles with two corners at one place or with a corner that is not finite are no part of
- * the surface. A point of no triangle has curvature 0.
+ * two triangles, takes the mean of its neighbours, ring by ring from the nearest points with a
+ * closed ring, or 0 if there are none. Triangles without area contribute only their angles.
+ * Triangles with coincident or non-finite corners are skipped. Points without triangles have
+ * curvature 0.
  */
 #ifndef DiscreteCurvature_h
 #define DiscreteCurvature_h
@@ -35,17 +35,17 @@ class SurfaceTriangles;
 
 struct DiscreteCurvature
 {
-  /// Curvatures of every point of the surface's mesh, always finite.
+  /// Curvatures of all points of the surface's mesh, always finite.
   std::vector<double> Gaussian;
   std::vector<double> Mean;
-  /// Ids of the points of the surface, each place once.
+  /// Ids of the merged points of the surface.
   std::vector<vtkIdType> MergedPoints;
 };
 
 DiscreteCurvature ComputeDiscreteCurvature(const SurfaceTriangles& surface);
 
 /**
- * The curvatures of one point in a closed ring of triangles.
+ * Computes the curvatures of one point from a closed ring of triangles.
  */
 class RingCurvature
 {
@@ -55,7 +55,7 @@ public:
   {
   }
 
-  /// Add the triangle (point, p, q). All wind alike.
+  /// Add the triangle (point, p, q). All must have the same winding.
   void Add(const glm::dvec3& p, const glm::dvec3& q);
 
   //@{

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   DisplacedSurface
- * @brief   the surface to which a recipe displaces a coarse mesh, for metrics
+ * @brief   the displaced surface of a coarse mesh, for metrics
  *
- * RefinementView has it where a height map displaces the mesh. Private to the module's own sources.
+ * RefinementView refers to it if a height map displaces the mesh.
  */
 #ifndef DisplacedSurface_h
 #define DisplacedSurface_h
@@ -23,12 +23,12 @@ class DisplacedSurface
 public:
   virtual ~DisplacedSurface() = default;
 
-  /// Add what the surface depends on besides the mesh.
+  /// Add the dependencies of the surface, without the mesh.
   virtual void AddTo(Dependencies& dependencies) const = 0;
 
   /**
-   * The curvature at the points of a mesh, ghosts included. `whole` is what the mesh is a piece of,
-   * or nullptr. Where the mesh cannot be displaced, all values are 0.
+   * Compute the curvature at the points of a mesh, including ghost cells. `whole` is the surface
+   * that the mesh is a piece of, or nullptr. All values are 0 if the mesh cannot be displaced.
    */
   virtual DiscreteCurvature ComputeCurvature(
     vtkPolyData* mesh, const GlobalSurfaceInfo* whole) const = 0;

@@ -4,8 +4,8 @@
  * @class   FunctionEvaluator
  * @brief   evaluates the functions of a metric's MetricShader in C++
  *
- * Functions is a class that has MetricParameters as its base and includes the same files as the
- * shader, which subclasses give by GetShader(). Private to the module's own sources.
+ * Functions is a class derived from MetricParameters that includes the same files as the shader.
+ * Subclasses implement GetShader().
  */
 #ifndef FunctionEvaluator_h
 #define FunctionEvaluator_h
@@ -24,12 +24,12 @@
 #include <cstring> // for std::memcpy
 #include <vector>  // for members
 
-/// Marks what not all metrics need, as the shared files do.
+/// Marks functions that some metrics do not use, as the shared files do.
 #define RELEVO_UNUSED [[maybe_unused]]
 
 namespace relevo
 {
-/// What relevoMetricView.glsl asks of its including side.
+/// The parameters that relevoMetricView.glsl requires.
 struct MetricParameters
 {
   vec4 metricParameters[10];
@@ -59,7 +59,7 @@ public:
 protected:
   using MetricEvaluator::MetricEvaluator;
 
-  /// ComputeTags() of a metric that gives points tags of their own.
+  /// Implements ComputeTags() of a metric that tags points.
   bool TagPoints(const RefinementView& view, int maximumLevel, vtkFloatArray* tags)
   {
     if (!this->Describe(view, maximumLevel))
@@ -75,7 +75,7 @@ protected:
     return true;
   }
 
-  /// ComputeTags() of a metric that only edges have tags of: the largest at a point.
+  /// Implements ComputeTags() of a metric that tags only edges: the largest tag at a point.
   bool TagPointsByEdges(const RefinementView& view, int maximumLevel, vtkFloatArray* tags)
   {
     if (!this->Describe(view, maximumLevel))
@@ -120,7 +120,7 @@ private:
       });
   }
 
-  // Apart from the measuring, so that it is done for several at once.
+  // A separate step, so that several measures are converted at once.
   void TurnIntoTags(vtkFloatArray* measures) const
   {
     float* values = measures->GetPointer(0);
@@ -145,7 +145,7 @@ private:
     vtkSMPTools::For(0, points.GetNumberOfPoints(),
       [&, x, data](vtkIdType begin, vtkIdType end)
       {
-        // A copy: nothing that is written can be meant, so that it may stay in registers.
+        // A local copy cannot alias the output, so the compiler can keep it in registers.
         Functions functions(this->Shader);
         for (vtkIdType point = begin; point < end; ++point)
         {

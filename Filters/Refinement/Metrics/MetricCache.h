@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   MetricCache
- * @brief   what tags are computed from: a mesh's shape and a metric's evaluator for it
+ * @brief   caches a mesh's shape and a metric's evaluator for it
  *
- * Owned by what refines the mesh, a mapper's block or a filter, so that nothing is computed twice
- * from frame to frame. To be used by one thread at a time.
+ * A mapper's block or a filter owns the cache, so that nothing is recomputed from frame to frame.
+ * Not thread-safe.
  */
 #ifndef MetricCache_h
 #define MetricCache_h
@@ -36,18 +36,18 @@ public:
   void operator=(const MetricCache&) = delete;
 
   //@{
-  /// What meshes are pieces of, see MetricMesh::SetWhole().
+  /// The whole surface that meshes are pieces of, see MetricMesh::SetWhole().
   void SetWhole(std::shared_ptr<const GlobalSurfaceInfo> whole);
   const GlobalSurfaceInfo* GetWhole() const { return this->Whole.get(); }
   //@}
 
-  /// The shape of a mesh, as it is.
+  /// Update and return the shape of a mesh.
   MetricMesh& GetMesh(vtkPolyData* mesh);
 
-  /// The metric's evaluator for a mesh, as it is.
+  /// Update and return the metric's evaluator for a mesh.
   MetricEvaluator& GetEvaluator(vtkDepthTagMetric* metric, vtkPolyData* mesh);
 
-  /// Forget all that is known, where no metric is asked any more.
+  /// Clear the cache, when no metric is used any more.
   void Clear();
 
 private:
@@ -57,8 +57,8 @@ private:
 };
 
 /**
- * Those of the meshes that a filter meets: it is run for one block of a composite input after the
- * other. A source is dropped when its mesh is gone, or when the last update has not asked for it.
+ * The caches of the meshes of a filter, which processes the blocks of a composite input one by one.
+ * A cache is removed when its mesh is deleted or was not used in the last update.
  */
 class RELEVOFILTERSREFINEMENT_EXPORT TagSources
 {
@@ -68,7 +68,7 @@ public:
   TagSources(const TagSources&) = delete;
   void operator=(const TagSources&) = delete;
 
-  /// The source of a mesh, to be asked for while the filter runs.
+  /// Return the cache of a mesh. Call this only while the filter executes.
   const std::shared_ptr<MetricCache>& Find(vtkAlgorithm* filter, vtkPolyData* mesh);
 
   void Clear() { this->Sources.clear(); }
@@ -78,12 +78,12 @@ private:
   {
     std::shared_ptr<MetricCache> Source;
     vtkWeakPointer<vtkPolyData> Mesh;
-    vtkMTimeType Update = 0; // that asked for it last
+    vtkMTimeType Update = 0; // the last update that used it
   };
   void DropUnused();
 
   std::map<vtkPolyData*, Entry> Sources;
-  vtkMTimeType Update = 0; // the pipeline's time of it
+  vtkMTimeType Update = 0; // the time of the pipeline's current update
   vtkMTimeType LastUpdate = 0;
 };
 }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   what pieces of a surface, one on each process, must know of the whole
+ * @brief   exchanges values of the whole surface between its pieces, one on each process
  *
- * Collective: all processes call the same functions in the same order.
+ * The functions are collective: all processes call them in the same order.
  */
 #ifndef PieceAgreement_h
 #define PieceAgreement_h
@@ -23,22 +23,24 @@ struct GlobalSurfaceInfo;
 class PieceReduction;
 class MetricCache;
 
-/// What a piece is prepared by: the box of all points.
+/// Exchange the values for preparing a piece: the box of all points.
 RELEVOFILTERSREFINEMENT_EXPORT void AgreeOnPoints(
   vtkPolyData* piece, const PieceReduction& pieces, GlobalSurfaceInfo& whole);
 
 /**
- * What levels are chosen by, of a piece that is prepared or is empty. The metric may be nullptr.
- * whole.HasDirections is that of the piece before, and of any of them afterwards.
+ * Exchange the values for selecting levels. The piece is prepared or empty. The metric may be
+ * nullptr. whole.HasDirections is the piece's value on input, and true on output if it is true for
+ * a piece.
  */
 RELEVOFILTERSREFINEMENT_EXPORT void AgreeOnShape(vtkPolyData* piece, MetricCache& source,
   vtkDepthTagMetric* metric, const RefinementView& view, const PieceReduction& pieces,
   GlobalSurfaceInfo& whole);
 
 /**
- * Both, for a filter: `prepare` is called in between, with what the piece is prepared by, nullptr
- * where there are no other processes; it sets HasDirections and returns whether the piece is valid.
- * Tells the source, and returns what `prepare` did.
+ * Call both functions for a filter, and `prepare` in between, with the values for preparing the
+ * piece, or nullptr if there are no other processes. `prepare` sets HasDirections and returns
+ * whether the piece is valid. Sets the whole surface of `source` and returns the result of
+ * `prepare`.
  */
 RELEVOFILTERSREFINEMENT_EXPORT bool AgreeOnPiece(vtkMultiProcessController* controller,
   vtkPolyData* piece, MetricCache& source, vtkDepthTagMetric* metric, const RefinementView& view,

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   SurfaceShape
- * @brief   what metrics need to know of the points and cells of a mesh
+ * @brief   the data that metrics need of the points and cells of a mesh
  *
- * Each part is computed when it is first asked for. To be used by one thread at a time. A
- * MetricMesh hands out the parts that authors of metrics need, and GetShape() all of them to the
- * module's own metrics.
+ * Each part is computed on first use. Not thread-safe. MetricMesh provides the parts for authors of
+ * metrics, and GetShape() all parts for the module's metrics.
  */
 #ifndef SurfaceShape_h
 #define SurfaceShape_h
@@ -30,10 +29,10 @@ class MetricMesh;
 class RELEVOFILTERSREFINEMENT_EXPORT SurfaceShape
 {
 public:
-  /// The mesh's points and cells are referred to, and kept: they must stay as they are.
+  /// Holds references to the mesh's points and cells, which must not change.
   explicit SurfaceShape(vtkPolyData* mesh);
 
-  /// What the mesh is a piece of; nullptr where it is the whole.
+  /// The whole surface that the mesh is a piece of; nullptr if it is the whole.
   void SetWhole(std::shared_ptr<const GlobalSurfaceInfo> whole);
 
   const std::shared_ptr<const SurfaceTriangles>& GetTriangles();
@@ -42,11 +41,11 @@ public:
   const SurfaceNormals& GetNormals();
   const DiscreteCurvature& GetCurvature();
   //@{
-  /// Of the whole.
+  /// Boxes of the whole surface.
   const FiniteBox& GetPointBox() { return this->GetBoxes().PointBox; }
   const FiniteBox& GetCornerBox() { return this->GetBoxes().CornerBox; }
   //@}
-  /// Of the mesh itself.
+  /// Boxes of this mesh.
   const GlobalSurfaceInfo& GetOwnBoxes();
 
 private:
@@ -62,7 +61,7 @@ private:
   std::unique_ptr<DiscreteCurvature> Curvature;
 };
 
-/// The shape of a mesh as it was when it was last updated.
+/// The shape of a mesh at its last update.
 RELEVOFILTERSREFINEMENT_EXPORT SurfaceShape& GetShape(MetricMesh& mesh);
 }
 

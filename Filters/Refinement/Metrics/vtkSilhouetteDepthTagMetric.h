@@ -27,7 +27,6 @@
  *     level = MaximumLevel                                           if f1 f2 <= 0
  *     level = MaximumLevel * max(0, 1 - min(|f1|, |f2|) / ContourWidth)      otherwise
  *
- *
  * With the rule PER_VERTEX, a point has the largest level of its edges. Edges of one triangle, or
  * of more than two, are always on the contour. Adjacent triangles with opposite winding are treated
  * as if their winding matched. Coincident points are merged.

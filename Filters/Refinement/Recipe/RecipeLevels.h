@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   where the levels and the patterns of a recipe come from
+ * @brief   finds the source of levels and the patterns of a recipe
  */
 #ifndef RecipeLevels_h
 #define RecipeLevels_h
@@ -22,42 +22,42 @@ class vtkPolyData;
 namespace relevo
 {
 /**
- * Why the recipe's pattern table lacks the patterns that the recipe needs, as a clause that says
- * what to do; empty if it has them.
+ * Return why the recipe's pattern table does not have the required patterns, as a clause with
+ * advice, or an empty string if it does.
  */
 RELEVOFILTERSREFINEMENT_EXPORT std::string FindPatternError(vtkAdaptiveRefinement* recipe);
 
 /**
- * What the recipe asks of its patterns that they do not give, though they refine, as sentences that
- * say what to do; empty for nothing.
+ * Return the requirements of the recipe that its patterns do not meet, although they can refine, as
+ * sentences with advice. Returns an empty string if there are none.
  */
 RELEVOFILTERSREFINEMENT_EXPORT std::string FindPatternWarning(vtkAdaptiveRefinement* recipe);
 
 /**
- * The patterns that a recipe draws an input with; where there is an obstacle, others.
+ * Return the patterns of a recipe for an input, or substitutes if there is an error.
  */
 RELEVOFILTERSREFINEMENT_EXPORT std::shared_ptr<const PatternFamily> GetPatternFamily(
   vtkAdaptiveRefinement* recipe, vtkPolyData* input);
 
 /**
- * The patterns that a recipe draws with where it does not morph.
+ * Return the patterns of a recipe without morphing.
  */
 RELEVOFILTERSREFINEMENT_EXPORT std::shared_ptr<const PatternFamily> GetRoundedPatternFamily(
   vtkAdaptiveRefinement* recipe);
 
 /**
- * The level that a metric's tags are cut off at: MaximumLevel, but of an absolute metric more where
- * an offset, the recipe's or a budget's (`isMoved`), brings higher tags down.
+ * Return the level that a metric's tags are limited to. It is MaximumLevel, but higher for an
+ * absolute metric if an offset of the recipe or a budget (`isMoved`) may reduce tags.
  */
 RELEVOFILTERSREFINEMENT_EXPORT int GetHighestTag(vtkAdaptiveRefinement* recipe, bool isMoved);
 
 /**
- * The metric that gives the levels; nullptr where an array does, or nothing.
+ * Return the metric that provides the levels, or nullptr if there is an array or no metric.
  */
 RELEVOFILTERSREFINEMENT_EXPORT vtkDepthTagMetric* GetMetricInUse(
   vtkAdaptiveRefinement* recipe, vtkDataSet* input);
 
-/// The array that gives the levels; nullptr where the input has none of that name.
+/// Return the array that provides the levels, or nullptr if the input does not have it.
 RELEVOFILTERSREFINEMENT_EXPORT vtkAbstractArray* FindDepthTagArray(
   vtkAdaptiveRefinement* recipe, vtkDataSet* input);
 }

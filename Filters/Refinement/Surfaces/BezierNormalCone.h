@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   a cone that holds all normals of a Bezier triangle
+ * @brief   computes a cone that contains all normals of a Bezier triangle
  */
 #ifndef BezierNormalCone_h
 #define BezierNormalCone_h
@@ -13,8 +13,8 @@
 namespace relevo
 {
 /**
- * For vtkRefinementSurface::ComputeNormalCone(). `controlPoint` takes the powers of the weights of
- * corners 0, 1 and 2, whose sum is the degree.
+ * Implements vtkRefinementSurface::ComputeNormalCone(). The arguments of `controlPoint` are the
+ * powers of the weights of corners 0, 1 and 2. Their sum is the degree.
  */
 float ComputeBezierNormalCone(
   int degree, const std::function<vec3(int, int, int)>& controlPoint, float axis[3]);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   how large numbers may be so that nothing computed from them in floats overflows
+ * @brief   the range of numbers for which float computations do not overflow
  *
- * Both evaluators of a recipe ask, and say the same.
+ * Both evaluators of a recipe use it and report the same errors.
  */
 #ifndef FloatRange_h
 #define FloatRange_h
@@ -17,13 +17,13 @@ class vtkRefinementSurface;
 
 namespace relevo
 {
-/// The largest coordinate relative to a mesh's middle where faces are curved or displaced, and the
-/// largest displacement.
+/// The largest coordinate relative to the middle of a mesh if faces are curved or displaced, and
+/// the largest displacement.
 constexpr double LargestLength = 1e30;
 
 /**
- * Which of their numbers that change live moves points too far, as a clause; empty for none.
- * Its height map must be up to date.
+ * Return which of the live settings moves points too far, as a clause, or an empty string. The
+ * height map must be up to date.
  */
 RELEVOFILTERSREFINEMENT_EXPORT std::string FindRangeError(
   vtkRefinementSurface* surface, vtkDisplacement* displacement);

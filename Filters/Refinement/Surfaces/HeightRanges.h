@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   HeightRanges
- * @brief   the lowest and highest height over any box of texture coordinates
+ * @brief   the lowest and highest height over a box of texture coordinates
  *
- * A pyramid of ranges over blocks of 1, 2, 4, ... texels: a box is looked up in at most 3 x 3
+ * This is a pyramid of ranges over blocks of 1, 2, 4, ... texels. A query reads at most 3 x 3
  * blocks.
  */
 #ifndef HeightRanges_h
@@ -21,10 +21,10 @@ namespace relevo
 class HeightRanges
 {
 public:
-  /// The field must be up to date and outlive this; nullptr is a field of one sample, 0.
+  /// The field must be up to date and outlive this object. nullptr is a field with one sample, 0.
   explicit HeightRanges(vtkHeightField* field);
 
-  /// The range of all heights sampled in [low, high].
+  /// Get the range of all heights sampled in [low, high].
   void GetRange(vec2 low, vec2 high, float range[2]) const;
 
 private:
@@ -41,7 +41,7 @@ private:
   Range GetTexels(ivec2 from, ivec2 to) const;
 
   HeightSampler Sampler;
-  std::vector<Level> Levels; // of 2, 4, 8, ... texels
+  std::vector<Level> Levels; // for 2, 4, 8, ... texels
 };
 }
 

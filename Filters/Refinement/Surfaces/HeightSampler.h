@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  HeightSampler
- * @brief   the shared height functions over an up-to-date vtkHeightField, or none
+ * @brief   the shared height functions for an up-to-date vtkHeightField, or for none
  */
 #ifndef HeightSampler_h
 #define HeightSampler_h
@@ -13,10 +13,10 @@ namespace relevo
 {
 struct HeightSampler
 {
-  /// A field of one zero.
+  /// A field with one sample, 0.
   HeightSampler() = default;
 
-  /// Of a vtkHeightField, which samples itself by this struct. nullptr is a field of one zero.
+  /// Sample a vtkHeightField, which uses this struct itself. nullptr is a field with one sample, 0.
   template <typename Field>
   explicit HeightSampler(Field* field)
   {

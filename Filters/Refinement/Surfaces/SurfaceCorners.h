@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the corners of a surface's face, as the shared surface functions ask for them
+ * @brief   the corners of a surface's face, for the shared surface functions
  */
 #ifndef SurfaceCorners_h
 #define SurfaceCorners_h
