@@ -122,7 +122,7 @@ bool vtkAdaptiveCurveFilter::MakeStyle(vtkPointSet* input, relevo::CurveStyle& s
   return style.RadiusArray != nullptr;
 }
 
-// Says what is wrong with cells; false after an error where nothing is left.
+// Reports invalid cells. Returns false after an error if no curve is left.
 bool vtkAdaptiveCurveFilter::Check(vtkPointSet* input, const relevo::CurveMesh& mesh)
 {
   if (!mesh.GetError().empty())

@@ -47,7 +47,7 @@ int vtkBezierPatchReader::Read(vtkUnstructuredGrid* output)
     vtkErrorMacro("There is no file name: call SetFileName().");
     return 0;
   }
-  std::error_code unknown; // a pipe would block
+  std::error_code unknown; // only regular files, because opening a pipe would block
   std::ifstream file;
   if (std::filesystem::is_regular_file(this->FileName, unknown))
   {

@@ -43,10 +43,10 @@ private:
   bool ComputeLevels(int maximumLevel);
 
   vtkSmartPointer<vtkControlNetDepthTagMetric> Metric;
-  std::vector<float> Angles; // of patches, in degrees
+  std::vector<float> Angles; // one per patch, in degrees
   relevo::PatchArrays Patches;
   relevo::Dependencies AngleDependencies;
-  std::vector<float> Levels; // of triangles
+  std::vector<float> Levels; // one per triangle
 };
 
 bool ControlNetEvaluator::Update()

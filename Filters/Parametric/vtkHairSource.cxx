@@ -31,10 +31,10 @@ vtkStandardNewMacro(vtkHairSource);
 
 namespace
 {
-constexpr double MaximumHairs = 1e9; // beyond any memory
+constexpr double MaximumHairs = 1e9; // more than memory can hold
 constexpr double StrongestGravity = 1000.0;
 
-// The arrays of all hairs, with room for them.
+// The preallocated arrays of all hairs.
 struct Hairs
 {
   vtkNew<vtkPoints> Points;
@@ -71,7 +71,7 @@ struct Hairs
     }
     for (int i = 0; i < growth.GetNumberOfCurves(); ++i)
     {
-      // Both ends come first.
+      // VTK stores both ends first.
       const vtkIdType curve = hair * growth.GetNumberOfCurves() + i;
       const vtkIdType start = first + 3 * i;
       const std::array<vtkIdType, 4> points{ start, start + 3, start + 1, start + 2 };

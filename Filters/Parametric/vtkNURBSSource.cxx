@@ -23,7 +23,7 @@ vtkStandardNewMacro(vtkNURBSSource);
 
 namespace
 {
-// Rows of homogeneous points.
+// A net of homogeneous points, stored in rows.
 struct Net
 {
   std::size_t Width;
@@ -44,7 +44,7 @@ Net GetNet(vtkPoints* points, vtkDoubleArray* weights, int width)
   return net;
 }
 
-// Rows become columns, and are Bézier curves then.
+// Converts rows to Bézier curves and transposes the net.
 Net DecomposeRows(const Net& net, int degree, const std::vector<double>& knots)
 {
   const std::size_t height = net.Points.size() / net.Width;
@@ -67,7 +67,7 @@ Net DecomposeRows(const Net& net, int degree, const std::vector<double>& knots)
   return result;
 }
 
-// Weights may be too large or too small to compute with.
+// Fails if weights are too large or too small for the computations.
 bool IsFinite(const Net& net)
 {
   return std::all_of(net.Points.begin(), net.Points.end(),
@@ -79,14 +79,14 @@ bool IsFinite(const Net& net)
     });
 }
 
-// Weights of 1 may have become others in the last bit.
+// Resets weights that must be 1 but have rounding errors.
 relevo::dvec4 Project(const relevo::dvec4& point, bool isRational)
 {
   return isRational ? relevo::dvec4(relevo::dvec3(point) / point.w, point.w)
                     : relevo::dvec4(relevo::dvec3(point), 1.0);
 }
 
-// The control points of one cell.
+// Returns the control points of a cell.
 std::vector<relevo::dvec4> CopyPiece(
   const Net& net, std::size_t first, const relevo::ivec2& size, bool isRational)
 {

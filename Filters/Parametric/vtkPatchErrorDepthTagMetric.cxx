@@ -61,7 +61,7 @@ private:
   relevo::PatchDeviations Deviations;
   relevo::Dependencies DeviationDependencies;
   std::shared_ptr<const relevo::PatternExtents> Patterns;
-  std::vector<double> Limits; // of faces, in the mesh's units
+  std::vector<double> Limits; // one per face, in units of the mesh
   vtkNew<vtkFloatArray> EdgeLevels;
 };
 
@@ -71,7 +71,7 @@ bool PatchErrorEvaluator::Fail(const std::string& error)
   return false;
 }
 
-// What is known of the mesh.
+// Updates the view-independent data of the mesh.
 bool PatchErrorEvaluator::Update()
 {
   vtkPolyData* mesh = this->GetMesh().GetPolyData();

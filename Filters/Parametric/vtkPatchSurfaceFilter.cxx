@@ -97,7 +97,7 @@ int vtkPatchSurfaceFilter::RequestData(
 
 int vtkPatchSurfaceFilter::Convert(vtkUnstructuredGrid* input, vtkPolyData* output)
 {
-  relevo::PatchArrays::Remove(output); // of the input's field data
+  relevo::PatchArrays::Remove(output); // they come from the field data of the input
   if (input->GetNumberOfCells() < 1)
   {
     return 1;

@@ -81,7 +81,7 @@ void BezierCells::AddQuadrilateral(const ivec2& degrees, const std::vector<dvec4
 
 void BezierCells::AddCurve(int degree, const std::vector<dvec4>& points)
 {
-  // Both ends come first.
+  // VTK stores both ends first.
   std::vector<vtkIdType> ids{ this->AddPoint(points.front(), true),
     this->AddPoint(points.back(), true) };
   for (std::size_t i = 1; i + 1 < points.size(); ++i)

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   control points as VTK's Bézier cells
+ * @brief   creation of VTK Bézier cells from control points
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef BezierCells_h
 #define BezierCells_h
@@ -25,18 +25,18 @@ class vtkUnstructuredGrid;
 
 namespace relevo
 {
-/// Makes an unstructured grid, cell by cell.
+/// Builds an unstructured grid cell by cell.
 class BezierCells
 {
 public:
-  /// `grid` becomes empty, with points in double. Without `isRational` all weights are 1, and are
-  /// left out.
+  /// Clears `grid`, which gets double points. If not `isRational`, all weights are 1 and are not
+  /// stored.
   BezierCells(vtkUnstructuredGrid* grid, bool isRational);
 
-  /// Control points: x, y, z and the weight, those of the first direction follow one another.
-  /// Those of a border that equal those of another cell's, weights too, become one with them.
+  /// Adds a patch. Control points are x, y, z and weight, ordered along the first direction first.
+  /// Border points are merged with those of other cells if coordinates and weights are equal.
   void AddQuadrilateral(const ivec2& degrees, const std::vector<dvec4>& points);
-  /// The same of a curve, whose borders are its ends.
+  /// Adds a curve in the same way. Its end points are its border.
   void AddCurve(int degree, const std::vector<dvec4>& points);
 
 private:

@@ -15,7 +15,7 @@ namespace relevo
 {
 namespace
 {
-// The lowest three and the highest of its different corners.
+// The lowest three and the highest of the distinct corners.
 using FaceKey = std::array<vtkIdType, 4>;
 
 FaceKey GetKey(std::vector<vtkIdType> corners)
@@ -41,7 +41,7 @@ struct KeyedFace
   }
 };
 
-// Calls function(face) with each face of the cells of one use.
+// Calls function(face) for each face of cells with the given use.
 template <typename Function>
 void ForEachFace(vtkUnstructuredGrid* grid, const std::vector<CellUse>& uses, CellUse use,
   const Function& function)
@@ -65,7 +65,7 @@ void ForEachFace(vtkUnstructuredGrid* grid, const std::vector<CellUse>& uses, Ce
     });
 }
 
-// Faces of solid cells, those with the same lowest corner one after the other.
+// Hash table of the faces of 3D cells by lowest corner.
 class FaceTable
 {
 public:
@@ -81,7 +81,7 @@ public:
     {
       this->Ends[i] += this->Ends[i - 1];
     }
-    // Ends[i] is where those of point i start, and moves on to where they end.
+    // Ends[i] is the start of the faces of point i. Adding faces moves it to their end.
     this->Faces.resize(this->Ends.back());
     ForEachFace(grid, uses, CellUse::Solid,
       [&](const CellReader& cell, int face)
@@ -92,7 +92,7 @@ public:
       });
   }
 
-  // Calls function(face) with those that are there once.
+  // Calls function(face) for each face that occurs once.
   template <typename Function>
   void ForEachSingle(const Function& function)
   {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the faces of cells that no other cell has
+ * @brief   extraction of faces that belong to only one cell
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef BoundaryFaces_h
 #define BoundaryFaces_h
@@ -24,8 +24,8 @@ struct CellFace
   int Face;
 };
 
-/// All faces of surface cells, and those of solid cells whose corners are those of no other solid
-/// cell's; in the order of the cells.
+/// Returns all faces of 2D cells, and the faces of 3D cells that no other 3D cell shares, in the
+/// order of the cells. Faces are compared by their corners.
 std::vector<CellFace> FindBoundaryFaces(
   vtkUnstructuredGrid* grid, const std::vector<CellUse>& uses);
 }

@@ -15,7 +15,7 @@ namespace relevo
 {
 namespace
 {
-// One patch's values, while they become coefficients: all components of a node follow one another.
+// Converts the values of one patch to coefficients. All components of a node are stored together.
 class NetConverter
 {
 public:
@@ -39,7 +39,7 @@ public:
     }
   }
 
-  // Degrees of 2 become 3.
+  // Raises degree 2 to degree 3.
   void RaiseDegrees()
   {
     if (this->IsTriangle)
@@ -98,7 +98,8 @@ private:
     }
   }
 
-  // The node in the middle adds a multiple of the cubic Bernstein polynomial that is 2/9 there.
+  // The middle node adds a multiple of the cubic Bernstein polynomial, which has the value 2/9
+  // there.
   void ConvertBubble()
   {
     const std::vector<double> nodes = this->Values;
@@ -113,7 +114,7 @@ private:
     }
   }
 
-  // The same bits from either end, as in ConvertLagrangeToBezier().
+  // The result does not depend on the direction, to the bit, as in ConvertLagrangeToBezier().
   double RaiseOne(double near, double inner) const { return (near + 2.0 * inner) / 3.0; }
 
   void RaiseTriangle()
@@ -134,8 +135,8 @@ private:
     }
   }
 
-  // `curves` of 3 points, `step` points apart, become ones of 4. Those along u (a step of 1) start
-  // each behind the other's end, `rowStep` = 3; those along v start side by side.
+  // Raises `curves` from 3 points to 4. The points of a curve are `step` apart. Curves along u
+  // (step 1) are stored one after the other (rowStep 3), curves along v side by side.
   void RaiseDirection(int curves, int step, int rowStep)
   {
     const std::vector<double> old = this->Values;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   faces as Bézier patches
+ * @brief   conversion of faces to Bézier patches
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef ControlNets_h
 #define ControlNets_h
@@ -22,19 +22,19 @@ class ControlNets
 public:
   explicit ControlNets(NodeNets&& nodes);
 
-  /// If there is a triangle with a node in its middle, quadratic cells have its degree, 3: so
-  /// edges that they have in common are the same to the bit.
+  /// Returns the patches. If there is a triangle with a node in the middle, quadratic cells are
+  /// raised to its degree, 3, so that shared edges are bitwise identical.
   const std::vector<FacePatch>& GetPatches() const { return this->Patches; }
   vtkIdType GetNumberOfControlPoints() const { return this->NumberOfControlPoints; }
-  /// The point of the grid at a patch's corner.
+  /// Returns the grid point at a corner of a patch.
   vtkIdType GetCornerPoint(std::size_t patch, int corner) const;
 
-  /// Coefficients of a point array, all components of a control point following one another.
+  /// Returns the coefficients of a point array, with all components of each control point together.
   std::vector<double> Convert(vtkDataArray* array) const;
-  /// x, y, z, not multiplied with the weight, and the weight.
+  /// Returns x, y, z, not multiplied by the weight, and the weight.
   std::vector<dvec4> ConvertPoints(vtkUnstructuredGrid* grid) const;
 
-  /// Leaves out the patches for which `isKept` has 0.
+  /// Removes the patches whose `isKept` is 0.
   void Keep(const std::vector<unsigned char>& isKept);
 
 private:

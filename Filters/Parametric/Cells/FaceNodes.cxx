@@ -20,7 +20,7 @@ namespace relevo
 {
 namespace
 {
-// The number that VTK gives the node at these steps along the cell's parametric axes.
+// Returns VTK's index of the node at these steps along the parametric axes of the cell.
 vtkIdType GetNodeNumber(CellTopology shape, const ivec3& degrees, const ivec3& steps)
 {
   const std::array<int, 4> order{ degrees.x, degrees.y, degrees.z, 0 };
@@ -46,7 +46,7 @@ vtkIdType GetNodeNumber(CellTopology shape, const ivec3& degrees, const ivec3& s
   }
 }
 
-// Whether two of a polygon's points follow one another.
+// Whether two points of a polygon are adjacent.
 bool IsEdge(const std::vector<vtkIdType>& polygon, vtkIdType a, vtkIdType b)
 {
   for (std::size_t i = 0; i < polygon.size(); ++i)
@@ -120,7 +120,7 @@ private:
     this->Result.Nodes.insert(this->Result.Nodes.end(), { a, b, c });
   }
 
-  // One of a polygon's, of which some borders are no edges.
+  // Adds a triangle of a polygon, whose borders may be inside of the polygon.
   void AddPart(const std::vector<vtkIdType>& polygon, const std::array<vtkIdType, 3>& corners)
   {
     this->AddTriangle(corners[0], corners[1], corners[2]);
@@ -167,7 +167,7 @@ private:
 
   void AddLinear(const FaceCorners& corners)
   {
-    // Of a quadrilateral the rows (0, 1) and (3, 2).
+    // A quadrilateral has the rows (0, 1) and (3, 2).
     const std::array<int, 4> order{ 0, 1, corners.Size == 3 ? 2 : 3, 2 };
     this->AddNet(ivec2(1), corners.Size == 3, NodeBasis::Lagrange);
     for (int k = 0; k < corners.Size; ++k)

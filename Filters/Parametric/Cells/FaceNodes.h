@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the nodes of faces, in the order of a patch's control points
+ * @brief   nodes of faces in the order of control points
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef FaceNodes_h
 #define FaceNodes_h
@@ -19,17 +19,17 @@ namespace relevo
 enum class NodeBasis : unsigned char
 {
   Lagrange,
-  Serendipity, // biquadratic; the node in the middle stands for what the others make of it
-  Bubble,      // a quadratic triangle; one node more, last, is in its middle
+  Serendipity, // biquadratic; the middle node is computed from the others
+  Bubble,      // quadratic triangle with an additional middle node, which is last
   Bezier
 };
 
-/// A face, or a triangle of one.
+/// A face, or a triangle that is part of one.
 struct NodeNet
 {
   vtkIdType Cell;
-  vtkIdType First; // node, in NodeNets
-  ivec2 Degrees;   // of a triangle both the same
+  vtkIdType First; // index of the first node in NodeNets
+  ivec2 Degrees;   // both equal for a triangle
   bool IsTriangle;
   NodeBasis Basis;
   int InnerBorders = 0; // see PatchArrays
@@ -41,8 +41,8 @@ struct NodeNets
   std::vector<vtkIdType> Nodes;
 };
 
-/// Quadrilaterals' nodes are rows along u, triangles' rows j = 0 to degree of i = 0 to degree - j.
-/// u x v points out of solid cells.
+/// Collects the nodes of faces. Nodes of quadrilaterals are rows along u. Nodes of triangles are
+/// rows j = 0 to degree of i = 0 to degree - j. u x v points out of 3D cells.
 NodeNets CollectNodes(vtkUnstructuredGrid* grid, const std::vector<CellFace>& faces);
 }
 

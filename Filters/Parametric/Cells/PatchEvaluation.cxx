@@ -13,7 +13,7 @@ namespace relevo
 {
 namespace
 {
-// Homogeneous.
+// A homogeneous point with its derivatives.
 struct Derivatives
 {
   dvec4 Value;
@@ -21,7 +21,7 @@ struct Derivatives
   dvec4 V;
 };
 
-// U is the derivative.
+// Evaluates a curve; U is the derivative.
 Derivatives EvaluateHomogeneous(ControlPoints& points, double t)
 {
   const std::size_t degree = points.size() - 1;
@@ -87,7 +87,7 @@ dvec3 Project(const dvec4& point)
   return dvec3(point) / point.w;
 }
 
-// 0 where it cannot be told.
+// Returns 0 if the normal is undefined.
 dvec3 EvaluateRegularNormal(
   const FacePatch& patch, const ControlPoints& points, const dvec2& uv, double size)
 {
@@ -208,7 +208,7 @@ dvec3 EvaluateNormal(const FacePatch& patch, const ControlPoints& points, const 
   {
     return normal;
   }
-  // Extrapolated from two places near by.
+  // Extrapolate from two nearby points.
   constexpr double step = 1.0 / 1024.0;
   const dvec2 inwards = patch.GetMiddle() - uv;
   const dvec3 near = EvaluateRegularNormal(patch, points, uv + step * inwards, size);

@@ -4,7 +4,7 @@
  * @file
  * @brief   coarse triangles of patches
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CoarseMesh_h
 #define CoarseMesh_h
@@ -19,8 +19,8 @@ namespace relevo
 struct CoarsePoint
 {
   dvec3 Place;
-  vtkIdType GridPoint;   // a node at the place, or one near by
-  std::size_t Patch = 0; // where it is no node: in which patch
+  vtkIdType GridPoint;   // a node at this position, or a nearby one
+  std::size_t Patch = 0; // the patch of a point that is not a node
   dvec2 Coordinates{ 0.0 };
   bool IsNode = true;
 };
@@ -35,12 +35,10 @@ struct CoarseTriangle
 struct CoarseMesh
 {
   std::vector<CoarsePoint> Points;
-  std::vector<CoarseTriangle> Triangles; // in the order of the patches
-  std::vector<dvec3> Normals;            // for each point
+  std::vector<CoarseTriangle> Triangles; // ordered by patch
+  std::vector<dvec3> Normals;            // one per point
 };
 
-/// `points` are not multiplied with their weights, `homogeneous` are. Edges are split in
-/// `minimumPieces`, 1 or 2, or more.
 }
 
 #endif

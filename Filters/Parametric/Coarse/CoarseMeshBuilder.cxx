@@ -15,12 +15,12 @@ namespace relevo
 {
 namespace
 {
-// A point on a patch's border.
+// A point on the border of a patch.
 struct Vertex
 {
   vtkIdType Point;
   dvec2 Coordinates;
-  int Corner; // the nearest
+  int Corner; // the nearest one
 };
 
 class Builder
@@ -42,7 +42,7 @@ public:
   CoarseMesh Mesh;
 
 private:
-  // Points of the grid that are corners get numbers, in the grid's order.
+  // Numbers the grid points at corners in the order of the grid.
   void NumberCorners(vtkUnstructuredGrid* grid)
   {
     std::vector<vtkIdType> numbers(grid->GetNumberOfPoints(), -1);
@@ -94,7 +94,7 @@ private:
     return this->AddPoint(point);
   }
 
-  // Where the edge's points of split lie, so that no other point lies there.
+  // Places the points that split an edge so that they coincide with no other point.
   void SplitEdges()
   {
     const auto isSplit = [](const PatchEdge& edge) { return edge.Pieces > 1; };
@@ -162,8 +162,8 @@ private:
     return has;
   }
 
-  // Whether two borders of the patch are one, as the seam of a sphere: an inner place would be
-  // joined to places there twice.
+  // Whether two borders of the patch coincide, as at the seam of a sphere. An inner point would
+  // then be connected twice to the merged points on it.
   bool IntersectsItself(std::size_t patch) const
   {
     const std::array<PatchBorder, 4>& borders = this->Edges.Borders[patch];
@@ -179,9 +179,9 @@ private:
     return isRepeated;
   }
 
-  // The point at a corner of a patch. Where a border is collapsed both of its corners lie at one
-  // place; they are different points, each of them the one of the other border that ends there, so
-  // that neighbours around a pole have the same.
+  // Returns the point at a corner of a patch. The corners of a degenerate border coincide, but are
+  // different points. Each one belongs to the adjacent border that ends there, so that neighbours
+  // around a pole share it.
   vtkIdType GetCornerPoint(std::size_t patch, int corner)
   {
     const int size = this->Patches[patch].GetNumberOfCorners();
@@ -193,7 +193,7 @@ private:
     }
     const int other = isAfter ? corner : before;
     const PatchBorder border = this->Edges.Borders[patch][other];
-    // A patch that goes all the way round has the same border on both sides.
+    // A patch that surrounds the pole has the same border on both sides.
     const int round = isAfter ? (corner + size - 2) % size : -1;
     const bool isRound = isAfter && this->Edges.Borders[patch][round].Edge == border.Edge;
     return this->GetPole(
@@ -254,7 +254,8 @@ private:
     }
   }
 
-  // Around an inner point near each corner, so that none is joined to one place twice.
+  // Triangulates around an inner point near each corner, so that no inner point is connected twice
+  // to the same merged point.
   void AddRing(std::size_t patch, const std::vector<Vertex>& vertices)
   {
     const FacePatch& shape = this->Patches[patch];
@@ -335,11 +336,12 @@ private:
   const ControlNets& Nets;
   const std::vector<FacePatch>& Patches;
   const ControlPoints& Homogeneous;
-  std::vector<std::array<vtkIdType, 4>> Corners; // points
+  std::vector<std::array<vtkIdType, 4>> Corners; // point indices
   std::vector<CornerPoints> MergedPoints;
   PatchEdges Edges;
-  std::map<int, std::vector<std::pair<double, vtkIdType>>> Splits; // by edge: where, and points
-  std::map<std::array<vtkIdType, 3>, vtkIdType> Poles;             // by place and border
+  std::map<int, std::vector<std::pair<double, vtkIdType>>> Splits; // for each edge the parameters
+                                                                   // and points
+  std::map<std::array<vtkIdType, 3>, vtkIdType> Poles;             // by merged point and border
   std::set<vtkIdType> UsedPoles;
 };
 }

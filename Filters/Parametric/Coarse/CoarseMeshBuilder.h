@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   builds the coarse triangles of patches
+ * @brief   triangulation of patches
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CoarseMeshBuilder_h
 #define CoarseMeshBuilder_h
@@ -13,6 +13,8 @@
 
 namespace relevo
 {
+/// `points` are not multiplied by their weights, `homogeneous` are. Edges are split into at least
+/// `minimumPieces`, which is 1 or 2.
 CoarseMesh BuildCoarseMesh(const ControlNets& nets, const std::vector<dvec4>& points,
   const ControlPoints& homogeneous, vtkUnstructuredGrid* grid, int minimumPieces);
 }

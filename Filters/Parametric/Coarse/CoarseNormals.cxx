@@ -13,7 +13,7 @@ namespace relevo
 {
 namespace
 {
-// Whether a triangle before has the same corner of the same patch.
+// Whether an earlier triangle of the same patch has the same corner.
 bool IsRepeated(const std::vector<CoarseTriangle>& triangles, std::size_t index, int corner)
 {
   const CoarseTriangle& triangle = triangles[index];
@@ -85,7 +85,7 @@ void ComputeNormals(
   {
     const vtkIdType place = places[i];
     const double size = length(sums[place]);
-    // Patches that face each other have no mean.
+    // Opposite normals have no mean. Use the first one.
     mesh.Normals[i] = size > 1e-9 ? sums[place] / size : firsts[place];
   }
 }

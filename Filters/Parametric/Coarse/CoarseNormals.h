@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   normals where patches meet
+ * @brief   point normals of the coarse mesh
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CoarseNormals_h
 #define CoarseNormals_h
@@ -13,11 +13,11 @@
 
 namespace relevo
 {
-/// Fills mesh.Normals: at each place the mean of the unit normals that the patches have there.
+/// Sets mesh.Normals to the mean unit normal of the patches at each merged point.
 void ComputeNormals(
   const std::vector<FacePatch>& patches, const ControlPoints& homogeneous, CoarseMesh& mesh);
 
-/// For each point the lowest with the same coordinates.
+/// Returns for each point the lowest index of a coincident point.
 std::vector<vtkIdType> FindPlaces(const std::vector<CoarsePoint>& points);
 }
 

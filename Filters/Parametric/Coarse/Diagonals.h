@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   how quadrilaterals become two triangles each
+ * @brief   choice of the diagonals of quadrilaterals
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef Diagonals_h
 #define Diagonals_h
@@ -18,11 +18,11 @@ enum class Diagonal : unsigned char
   None,
   First,  // from corner 0 to corner 2
   Second, // from corner 1 to corner 3
-  Fixed   // the first, whatever it joins
+  Fixed   // the first, even if it duplicates an edge
 };
 
-/// Each First may become Second or None, so that no diagonal joins two places that an edge or
-/// another diagonal joins.
+/// Changes each First to Second or None if it would connect two merged points that an edge or
+/// another diagonal connects. `places` has the merged points of the corners.
 void ChooseDiagonals(const PatchEdges& edges, const std::vector<CornerPoints>& places,
   std::vector<Diagonal>& diagonals);
 }

@@ -35,7 +35,7 @@ ControlPoints GetBorderPoints(
   ControlPoints points;
   for (int point : patch.GetBorder(border))
   {
-    points.push_back(controlPoints[patch.FirstPoint + point] + dvec4(0.0)); // no -0
+    points.push_back(controlPoints[patch.FirstPoint + point] + dvec4(0.0)); // replaces -0 by 0
   }
   return points;
 }
@@ -112,7 +112,8 @@ std::vector<BorderCurve> DescribeBorders(const std::vector<FacePatch>& patches,
   return curves;
 }
 
-// Closed ones in four, and in two those whose ends another joins as well.
+// Closed edges are split into four pieces. Edges whose ends another edge connects are split into
+// two.
 void ChoosePieces(std::vector<PatchEdge>& edges, int least)
 {
   for (std::size_t i = 0; i < edges.size(); ++i)

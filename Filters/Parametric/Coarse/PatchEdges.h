@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the edges of patches: borders that are the same curve
+ * @brief   edges of patches: borders with the same curve
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef PatchEdges_h
 #define PatchEdges_h
@@ -16,15 +16,16 @@
 
 namespace relevo
 {
-/// One for each curve, whichever way round its patches have it.
+/// An edge for each distinct curve, in whichever direction its patches traverse it.
 struct PatchEdge
 {
-  std::array<vtkIdType, 2> Ends; // places, the lower one first
-  bool IsCollapsed;              // one place, all of it
-  int Pieces;                    // that it has to be split in, so that no other joins its ends
-  std::size_t Patch;             // one that has it
-  int Border;                    // there
-  bool IsReversed;               // this border starts at the edge's end
+  std::array<vtkIdType, 2> Ends; // merged points, the lower one first
+  bool IsCollapsed;              // degenerates to a point
+  int Pieces;                    // number of pieces to split it into, so that no other edge
+                                 // connects its ends
+  std::size_t Patch;             // one of its patches
+  int Border;                    // the border of that patch
+  bool IsReversed;               // whether this border starts at the end of the edge
 };
 
 struct PatchBorder
@@ -35,22 +36,22 @@ struct PatchBorder
 
 struct PatchEdges
 {
-  std::vector<PatchEdge> Edges; // by their ends
+  std::vector<PatchEdge> Edges; // sorted by ends
   std::vector<std::array<PatchBorder, 4>> Borders;
 
-  /// Whether an edge joins these places.
+  /// Whether an edge connects these merged points.
   bool AreJoined(const std::array<vtkIdType, 2>& ends) const;
 };
 
-/// The places of a patch's corners, by number.
+/// The merged points of the corners of a patch.
 using CornerPoints = std::array<vtkIdType, 4>;
 
-/// Control points are not multiplied with their weights. Edges are split in `minimumPieces` or
-/// more.
+/// Finds the edges. Control points are not multiplied by their weights. Edges are split into at
+/// least `minimumPieces`.
 PatchEdges FindPatchEdges(const std::vector<FacePatch>& patches, const ControlPoints& controlPoints,
   const std::vector<CornerPoints>& places, int minimumPieces);
 
-/// From its first end to its second; of homogeneous points, if these are.
+/// Returns the curve from the first end to the second, homogeneous if `controlPoints` are.
 ControlPoints GetCurve(
   const PatchEdge& edge, const std::vector<FacePatch>& patches, const ControlPoints& controlPoints);
 }

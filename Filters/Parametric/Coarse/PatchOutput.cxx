@@ -38,7 +38,7 @@ vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tupl
   return array;
 }
 
-// Returns the names of the grid's arrays that are too short.
+// Returns the names of grid arrays that are too short.
 std::vector<std::string> StoreTriangles(
   const ControlNets& nets, const CoarseMesh& mesh, vtkUnstructuredGrid* grid, vtkPolyData* output)
 {
@@ -100,7 +100,7 @@ vtkSmartPointer<vtkFloatArray> NewNormals(const CoarseMesh& mesh)
   return normals;
 }
 
-// Where there are some.
+// Stores inner borders if there are any.
 void StoreInnerBorders(const std::vector<FacePatch>& patches, vtkPolyData* output)
 {
   auto borders =
@@ -138,7 +138,7 @@ void StoreNets(const ControlNets& nets, const std::vector<dvec4>& points, vtkPol
   StoreInnerBorders(patches, output);
 }
 
-// Numbers that have a meaning between points.
+// Returns the arrays that can be interpolated between points.
 std::vector<vtkDataArray*> GetInterpolatedArrays(vtkUnstructuredGrid* grid)
 {
   vtkPointData* data = grid->GetPointData();
@@ -172,7 +172,7 @@ void StoreCoefficients(const ControlNets& nets, vtkUnstructuredGrid* grid, vtkPo
   }
 }
 
-// The sum of the coefficients of a patch, of which each counts its share.
+// Returns the weighted sum of the coefficients of a patch.
 void EvaluateTuple(vtkDataArray* coefficients, const FacePatch& patch,
   const std::vector<double>& shares, std::vector<double>& tuple)
 {
@@ -188,7 +188,7 @@ void EvaluateTuple(vtkDataArray* coefficients, const FacePatch& patch,
   }
 }
 
-// Where a point is no node, arrays have there what the patch's basis makes of its nodes.
+// Evaluates arrays at points that are not nodes.
 void EvaluateArrays(
   const ControlNets& nets, const ControlPoints& points, const CoarseMesh& mesh, vtkPolyData* output)
 {

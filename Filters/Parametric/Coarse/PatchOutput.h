@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   coarse triangles and their patches as VTK's arrays
+ * @brief   output of coarse triangles and patches as VTK arrays
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef PatchOutput_h
 #define PatchOutput_h
@@ -18,9 +18,9 @@ class vtkUnstructuredGrid;
 
 namespace relevo
 {
-/// What vtkPatchSurfaceFilter tells of its output. `points` are not multiplied with their weights,
-/// `homogeneous` are. Returns the names of cell arrays that are left out for being too short; those
-/// of points must be long enough.
+/// Stores the output described in vtkPatchSurfaceFilter. `points` are not multiplied by their
+/// weights, `homogeneous` are. Returns the names of cell arrays that are too short and are dropped.
+/// Point arrays must be long enough.
 std::vector<std::string> StorePatches(const ControlNets& nets, const std::vector<dvec4>& points,
   const ControlPoints& homogeneous, const CoarseMesh& mesh, vtkUnstructuredGrid* grid,
   vtkPolyData* output);

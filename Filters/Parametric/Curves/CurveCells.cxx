@@ -103,7 +103,7 @@ CurveCells::Kinds CurveCells::GetKind(vtkIdType cell) const
 void CurveCells::GetPoints(vtkIdType cell, Kinds kind, vtkIdList* points) const
 {
   ReadCellPoints(this->Cells, cell - this->FirstCell, points);
-  // Both ends come first.
+  // VTK stores both ends first.
   const vtkIdType number = points->GetNumberOfIds();
   if (kind == LINES || number < 3)
   {

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CurveCells
- * @brief   which cells of a data set are curves, and what is wrong with those that are not
+ * @brief   access to the cells of a data set that are curves, with validation
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CurveCells_h
 #define CurveCells_h
 
 #include "vtkType.h"
 
-#include <string> // for faults
+#include <string> // for messages
 
 class vtkCellArray;
 class vtkDataArray;
@@ -25,31 +25,30 @@ namespace relevo
 class CurveCells
 {
 public:
-  /// A vtkUnstructuredGrid or a vtkPolyData, which must live as long.
+  /// `input` is a vtkUnstructuredGrid or a vtkPolyData. It must outlive this object.
   explicit CurveCells(vtkPointSet* input);
 
-  /// Of all dimensions.
+  /// Returns the number of cells of all dimensions.
   vtkIdType GetNumberOfCells() const { return this->NumberOfCells; }
 
   enum Kinds
   {
-    NO_CURVE, // or another piece's, or blanked
-    LINES,    // a curve for each two points that follow one another
+    NO_CURVE, // also cells that are blanked or belong to another piece
+    LINES,    // a curve for each segment
     LAGRANGE,
     BEZIER,
     UNKNOWN
   };
   Kinds GetKind(vtkIdType cell) const;
 
-  /// Its points, in the order of the curve; none where the input's lists are broken. May be called
-  /// from several threads, each with its own list.
+  /// Returns the points in the order of the curve, or none if the input is corrupt. Can be called
+  /// from several threads with separate lists.
   void GetPoints(vtkIdType cell, Kinds kind, vtkIdList* points) const;
 
-  /// That of a point; 1 where cells of the kind have none.
+  /// Returns the weight of a point, 1 if cells of this kind have no weights.
   double GetWeight(Kinds kind, vtkIdType point) const;
 
-  /// What is wrong with the cell, whose points are these: words that follow "Cell n "; empty for
-  /// nothing.
+  /// Returns the error of a cell with these points, as a continuation of "Cell n ", or "".
   std::string FindError(vtkIdType cell, Kinds kind, vtkIdList* points) const;
 
 private:
@@ -58,11 +57,11 @@ private:
   std::string FindPointError(Kinds kind, vtkIdType point) const;
 
   vtkPointSet* Input;
-  vtkUnstructuredGrid* Grid; // nullptr of a vtkPolyData
+  vtkUnstructuredGrid* Grid; // nullptr for a vtkPolyData
   vtkCellArray* Cells = nullptr;
-  vtkIdType FirstCell = 0; // among the input's, of Cells
+  vtkIdType FirstCell = 0; // id of the first cell of Cells in the input
   vtkIdType NumberOfCells;
-  vtkIdType NumberOfTypes = 0; // of a vtkUnstructuredGrid
+  vtkIdType NumberOfTypes = 0; // for a vtkUnstructuredGrid
   vtkUnsignedCharArray* Ghosts;
   vtkDataArray* Degrees = nullptr;
   vtkDataArray* Weights = nullptr;

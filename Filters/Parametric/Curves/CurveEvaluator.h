@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CurveEvaluator
- * @brief   the functions that shaders evaluate curves by, in C++ and double precision
+ * @brief   the functions of curves that shaders and C++ share, in double precision
  *
- * Private to the modules' own sources.
+ * Private to the modules.
  */
 #ifndef CurveEvaluator_h
 #define CurveEvaluator_h
@@ -28,7 +28,7 @@ public:
   {
   }
 
-  /// Needed for frames: the curve's stations, one more than intervals; see CurveFrames.
+  /// Sets the stations of the curve, one more than intervals, for frames. See CurveFrames.
   void SetStations(int intervals, const dvec3* tangents, const dvec3* normals)
   {
     this->Intervals = intervals;
@@ -36,7 +36,8 @@ public:
     this->Normals = normals;
   }
 
-  /// Needed for values: the curve's own coefficients, up to 4 components of tuples of `stride`.
+  /// Sets the coefficients of the curve, for values: up to 4 components of tuples of `stride`
+  /// components.
   void SetCoefficients(const double* coefficients, int components, int stride)
   {
     this->Coefficients = coefficients;

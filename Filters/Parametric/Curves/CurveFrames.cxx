@@ -15,12 +15,13 @@ namespace relevo
 {
 namespace
 {
-constexpr int MaximumIntervals = 16; // more are of use to cusps alone, which nothing helps
+constexpr int MaximumIntervals = 16; // More intervals only help at cusps, which have no smooth
+                                     // frame anyway.
 constexpr int SamplesOfInterval = 8;
-// Cosine of half the angle that a joint turns by at most.
+// Cosine of half the largest angle between joined tangents.
 constexpr double SharpestJoint = 0.25;
 
-// Any vector across, of length 1.
+// Returns any perpendicular unit vector.
 dvec3 FindPerpendicular(const dvec3& v)
 {
   const dvec3 size = abs(v);
@@ -31,7 +32,7 @@ dvec3 FindPerpendicular(const dvec3& v)
   return normalize(axis - dot(axis, v) * v);
 }
 
-// Whether the curve keeps within a right angle of its direction at each station before.
+// Whether the tangent within each interval stays within a right angle of the tangent at its start.
 bool AreIntervalsShort(CurveEvaluator& curve, int intervals)
 {
   for (int station = 0; station < intervals; ++station)
@@ -62,7 +63,7 @@ int CountIntervals(CurveEvaluator& curve)
 }
 }
 
-// Which curves follow each other.
+// The predecessor and successor of each curve.
 struct CurveFrames::Joints
 {
   static constexpr vtkIdType None = -1;
@@ -179,7 +180,7 @@ void CurveFrames::FollowNormals(const CurveMesh& mesh, const Joints& joints)
 {
   const vtkIdType number = mesh.GetNumberOfCurves();
   std::fill(this->Normals.begin(), this->Normals.end(), dvec3(0.0));
-  // First from where nothing is joined; what then is left are rings.
+  // Start at curves without a predecessor. The remaining curves form rings.
   vtkSMPTools::For(0, number,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -229,7 +230,8 @@ void CurveFrames::FollowChain(const CurveMesh& mesh, const Joints& joints, vtkId
   } while (c != Joints::None && c != first);
 }
 
-// Followed all round, the frame has turned about its tangent: all stations take a share of that.
+// After a whole turn around a ring, the frame is rotated about its tangent. The rotation is
+// distributed over all stations.
 void CurveFrames::CloseRing(const Joints& joints, vtkIdType first)
 {
   int intervals = 0;

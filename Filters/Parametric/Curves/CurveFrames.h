@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CurveFrames
- * @brief   what ribbons and tubes along curves are across to: frames at stations of each curve
+ * @brief   frames at stations of curves, for ribbons and tubes
  *
- * See glsl/relevoCurveFrames.glsl, which finds the frames between. Where a curve begins at the
- * point that one other ends at, both have the same frame there, across to the mean of their
- * directions, unless they turn right round.
+ * glsl/relevoCurveFrames.glsl interpolates frames between stations. If a curve begins at the point
+ * where exactly one other curve ends, both have the same frame there, perpendicular to the mean of
+ * their directions, unless the angle between them is too sharp.
  *
- * Private to the modules' own sources.
+ * Private to the modules.
  */
 #ifndef CurveFrames_h
 #define CurveFrames_h
@@ -27,24 +27,24 @@ class CurveMesh;
 class RELEVOFILTERSPARAMETRIC_EXPORT CurveFrames
 {
 public:
-  /// Of a curve.
+  /// The stations of a curve.
   struct Stations
   {
-    vtkIdType First;  // of Intervals + 1 stations, at t = k / Intervals
+    vtkIdType First;  // of Intervals + 1 stations at t = k / Intervals
     int Intervals;    // a power of two
-    bool IsStartOpen; // whether no curve's end is joined here
+    bool IsStartOpen; // whether the start is not joined to the end of a curve
     bool IsEndOpen;
   };
 
   void Build(const CurveMesh& mesh);
 
-  /// Have a curve's evaluator use its frames.
+  /// Makes a curve's evaluator use its frames.
   void Set(CurveEvaluator& evaluator, vtkIdType curve) const;
 
-  /// By curve.
+  /// One per curve.
   const std::vector<Stations>& GetStations() const { return this->AllStations; }
   //@{
-  /// By station; of length 1, and across to each other.
+  /// One per station, normalized and orthogonal.
   const std::vector<dvec3>& GetTangents() const { return this->Tangents; }
   const std::vector<dvec3>& GetNormals() const { return this->Normals; }
   //@}

@@ -23,7 +23,7 @@ namespace relevo
 {
 namespace
 {
-// Calls work(cell, kind, its points) for all cells that may be curves, in parallel.
+// Calls work(cell, kind, points) for all cells that may be curves, in parallel.
 template <typename Work>
 void ForEachCurveCell(const CurveCells& cells, const Work& work)
 {
@@ -43,7 +43,7 @@ void ForEachCurveCell(const CurveCells& cells, const Work& work)
     });
 }
 
-// Calls work(first, size) for each curve of a cell, by where its points are in the list.
+// Calls work(first, size) with the range of points of each curve of a cell.
 template <typename Work>
 void ForEachCurve(CurveCells::Kinds kind, vtkIdList* points, const Work& work)
 {
@@ -73,7 +73,7 @@ bool IsDegenerate(vtkPointSet* input, vtkIdList* points, vtkIdType first, vtkIdT
   return i == first + size;
 }
 
-// Of a cell.
+// The numbers of a cell.
 struct CurveCounts
 {
   vtkIdType Curves = 0;
@@ -81,7 +81,7 @@ struct CurveCounts
   bool HasError = false;
 };
 
-// How many curves and control points each cell has; then where they begin.
+// Counts the curves and control points of each cell, and computes their offsets.
 class CurvePlaces
 {
 public:

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CurveMesh
- * @brief   the curves among the cells of a data set, as rational Bézier curves
+ * @brief   the curves of a data set as rational Bézier curves
  *
- * Private to the modules' own sources.
+ * Private to the modules.
  */
 #ifndef CurveMesh_h
 #define CurveMesh_h
@@ -31,43 +31,41 @@ public:
     vtkIdType FirstPoint; // of its Degree + 1 control points
     vtkIdType Cell;       // of the input
     int Degree;           // 1 to 8
-    /// Whether point data are given at its nodes, rather than as coefficients.
+    /// Whether point data are values at the nodes instead of coefficients.
     bool IsLagrange;
   };
 
   /**
-   * The curves of a vtkUnstructuredGrid or a vtkPolyData: lines, poly-lines (a curve of degree 1
-   * for each segment), quadratic edges, cubic lines, Lagrange and Bézier curves. Cells of other
-   * dimensions, blanked ones and those that another piece has are none. What is wrong with cells is
-   * in GetError(), curves whose control points are all at one place in GetWarning(); both are left
-   * out.
+   * Reads the curves of a vtkUnstructuredGrid or a vtkPolyData: lines, poly-lines (a curve of
+   * degree 1 for each segment), quadratic edges, cubic lines, Lagrange and Bézier curves. Cells of
+   * other dimensions, blanked cells and cells of other pieces are ignored. Invalid cells are
+   * skipped and reported by GetError(), curves whose control points all coincide by GetWarning().
    */
   void Build(vtkPointSet* input);
 
-  /// Sentences, the first cell named; empty for nothing.
+  /// Return sentences that name the first cell, or "".
   const std::string& GetError() const { return this->Error; }
   const std::string& GetWarning() const { return this->Warning; }
 
   const std::vector<Curve>& GetCurves() const { return this->Curves; }
   vtkIdType GetNumberOfCurves() const { return static_cast<vtkIdType>(this->Curves.size()); }
 
-  /// Control points: x, y, z, not multiplied with the weight, and the weight. Curves that share a
-  /// point of the input have the same bits there.
+  /// Returns control points: x, y, z, not multiplied by the weight, and the weight. Curves that
+  /// share an input point have bitwise identical control points there.
   const std::vector<dvec4>& GetPoints() const { return this->Points; }
   vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Points.size()); }
 
-  /// The input's point that each control point is made of, or first of all made of.
+  /// Returns for each control point the input point that it is, or mainly is, computed from.
   const std::vector<vtkIdType>& GetNodes() const { return this->Nodes; }
 
   /// Whether a weight differs from 1.
   bool IsRational() const { return this->Rational; }
 
-  /// Coefficients of a point array of the input, in the basis of the control points: a tuple for
-  /// each of them.
+  /// Computes the coefficients of a point array of the input, a tuple for each control point.
   std::vector<double> ComputeCoefficients(vtkDataArray* array) const;
 
-  /// The control polygons, as metrics see them: each curve has its own points and is a line cell;
-  /// with the attribute RationalWeights where a weight differs from 1.
+  /// Creates the control polygons for metrics: a line cell with separate points for each curve, and
+  /// the attribute RationalWeights if a weight differs from 1.
   vtkSmartPointer<vtkPolyData> NewControlPolygons() const;
 
 private:

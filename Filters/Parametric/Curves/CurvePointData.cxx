@@ -25,9 +25,9 @@ namespace relevo
 {
 namespace
 {
-constexpr int LargestGroup = 4; // components that are evaluated together
+constexpr int LargestGroup = 4; // number of components that are evaluated together
 
-// The node that a parameter is nearest to, were all equally spaced.
+// Returns the node nearest to a parameter, assuming equal spacing.
 vtkIdType GetNearestNode(const CurveMesh& mesh, vtkIdType c, double t)
 {
   const CurveMesh::Curve& curve = mesh.GetCurves()[c];
@@ -43,7 +43,7 @@ bool HasNoData(const CurveMesh& mesh, vtkIdType c, const NoDataTuples& noData)
       [&](vtkIdType node) { return noData.GetMarks()[node] != 0; });
 }
 
-// Evaluates one array.
+// Evaluates an array.
 struct ArrayEvaluation
 {
   const CurveMesh& Mesh;
@@ -99,7 +99,8 @@ struct ArrayEvaluation
       });
   }
 
-  // NaN between the ends, which keep their values; integers have none and take the nearest node's.
+  // Sets points between the ends to NaN. Ends keep their values. Integers, which have no NaN, are
+  // copied from the nearest node.
   template <typename ArrayT>
   void SpreadNoData(ArrayT* to, vtkIdType c) const
   {
@@ -121,7 +122,7 @@ struct ArrayEvaluation
   }
 };
 
-// In one thread, as strings and bits want it.
+// Single-threaded, because string and bit arrays are not thread-safe.
 void CopyNearest(
   vtkAbstractArray* from, const CurveMesh& mesh, const CurveRows& rows, vtkAbstractArray* to)
 {

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   point data of curves cut into segments, by each curve's own basis
+ * @file
+ * @brief   evaluation of point data at the points of tessellated curves
  *
- * Numeric arrays keep their type: integers are rounded. What has no values between (strings, bits,
- * ghost flags) takes that of the nearest node; global and pedigree ids, which name the input's
- * points, and weights are left out. A curve with a node that stands for no data has none between
- * its ends.
+ * Numeric arrays keep their type; integers are rounded. Strings, bits and ghost flags are copied
+ * from the nearest node. Global and pedigree ids, which identify input points, and weights are
+ * dropped. A curve with missing data at a node has no data between its ends.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CurvePointData_h
 #define CurvePointData_h
@@ -24,8 +24,8 @@ namespace relevo
 class CurveMesh;
 class CurveRows;
 
-/// Fills `to`. Names of arrays with too few tuples go to the end of `shortArrays`. Without
-/// `keepNormals` the input's normals are left out. For noDataMagnitude see NoDataTuples.
+/// Fills `to`. Appends the names of arrays with too few tuples to `shortArrays`. Without
+/// `keepNormals`, normals of the input are dropped. For noDataMagnitude, see NoDataTuples.
 void EvaluatePointData(vtkPointSet* input, const CurveMesh& mesh, const CurveRows& rows,
   bool keepNormals, double noDataMagnitude, vtkPointData* to,
   std::vector<std::string>& shortArrays);

@@ -42,7 +42,7 @@ CurveFrames MakeFrames(const CurveMesh& mesh, const CurveStyle& style)
   return frames;
 }
 
-// A row's points and normals.
+// Computes the points and normals of a row.
 class RowShape
 {
 public:
@@ -52,7 +52,8 @@ public:
   {
   }
 
-  // Calls work(i, position, normal) for each point of a row; `cap` as of CurveRows::ForEachRow().
+  // Calls work(i, position, normal) for each point of a row. For `cap`, see
+  // CurveRows::ForEachRow().
   template <typename Work>
   void Place(CurveEvaluator& curve, double t, int cap, const Work& work) const
   {
@@ -194,7 +195,7 @@ void CurvePolyDataBuilder::BuildPoints(vtkPolyData* output)
   }
 }
 
-// Curves of one cell are one line. Returns the input's cell of each.
+// Curves of one cell become one poly-line. Returns the input cell of each line.
 std::vector<vtkIdType> CurvePolyDataBuilder::BuildLines(vtkPolyData* output) const
 {
   std::vector<vtkIdType> cells;
@@ -228,7 +229,7 @@ std::vector<vtkIdType> CurvePolyDataBuilder::BuildLines(vtkPolyData* output) con
   return cells;
 }
 
-// For each curve where its triangles begin, and where the last one's end.
+// Returns the index of the first triangle of each curve, and the number of triangles.
 std::vector<vtkIdType> CurvePolyDataBuilder::CountTriangles() const
 {
   const int width = this->Rows.GetWidth();
@@ -244,8 +245,8 @@ std::vector<vtkIdType> CurvePolyDataBuilder::CountTriangles() const
   return first;
 }
 
-// Between two neighbours of all rows; the front is where `to` is to the right when one looks along
-// the curve.
+// Adds the strip between two points of each row. Its front is visible where `to` is to the right of
+// `from`, seen along the curve.
 vtkIdType* CurvePolyDataBuilder::AddStrip(vtkIdType curve, int from, int to, vtkIdType* next) const
 {
   for (int row = 0; row < this->Rows.GetSegments(curve); ++row)
@@ -269,7 +270,7 @@ vtkIdType* CurvePolyDataBuilder::AddCap(vtkIdType curve, int end, vtkIdType* nex
   return next;
 }
 
-// Returns the input's cell of each.
+// Returns the input cell of each triangle.
 std::vector<vtkIdType> CurvePolyDataBuilder::BuildTriangles(vtkPolyData* output) const
 {
   const std::vector<vtkIdType> first = this->CountTriangles();

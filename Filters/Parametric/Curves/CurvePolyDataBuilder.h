@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CurvePolyDataBuilder
- * @brief   curves cut into segments as lines, ribbons or tubes
+ * @brief   tessellation of curves to lines, ribbons or tubes
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CurvePolyDataBuilder_h
 #define CurvePolyDataBuilder_h
@@ -32,26 +32,26 @@ enum class CurveShape
   Tubes
 };
 
-/// What ribbons and tubes are made by.
+/// The shape of ribbons and tubes.
 struct CurveStyle
 {
   CurveShape Shape = CurveShape::Lines;
   double Radius = 0.0;
-  vtkDataArray* RadiusArray = nullptr; // of the input's points, in place of Radius
-  int NumberOfSides = 0;               // of tubes
-  dvec4 Eye = dvec4(0.0);              // of ribbons, as of GetEye(); w is 0 or 1
+  vtkDataArray* RadiusArray = nullptr; // point array of the input that replaces Radius
+  int NumberOfSides = 0;               // for tubes
+  dvec4 Eye = dvec4(0.0);              // for ribbons, see GetEye(); w is 0 or 1
 };
 
 class CurvePolyDataBuilder
 {
 public:
-  /// All must live as long.
+  /// All arguments must outlive this object.
   CurvePolyDataBuilder(vtkPointSet* input, const CurveMesh& mesh, const std::vector<int>& segments,
     const CurveStyle& style);
 
   void Build(double noDataMagnitude, vtkPolyData* output);
 
-  /// Names of the arrays that have too few tuples.
+  /// Returns the names of arrays with too few tuples.
   const std::vector<std::string>& GetShortArrays() const { return this->ShortArrays; }
 
 private:

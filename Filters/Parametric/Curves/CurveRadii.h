@@ -4,7 +4,7 @@
  * @file
  * @brief   radii of ribbons and tubes along curves
  *
- * Private to the modules' own sources.
+ * Private to the modules.
  */
 #ifndef CurveRadii_h
 #define CurveRadii_h
@@ -18,8 +18,8 @@ class vtkPointSet;
 
 namespace relevo
 {
-/// The point array of this name, with a radius for each point; nullptr, with an error to show the
-/// user, where it cannot be used.
+/// Returns the point array of this name, with a radius for each point, or nullptr with an `error`
+/// if it is invalid.
 RELEVOFILTERSPARAMETRIC_EXPORT vtkDataArray* FindCurveRadii(
   vtkPointSet* input, const std::string& name, std::string& error);
 }

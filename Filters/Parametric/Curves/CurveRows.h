@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CurveRows
- * @brief   where the points of curves cut into segments are among all
+ * @brief   layout of the points of tessellated curves
  *
- * A curve has a row of points, as many as it is wide, at each end of its segments. Where rows are
- * one point wide, curves that share an end share its point. A tube has one more row, its cap, where
- * nothing is joined.
+ * A curve has a row of points at each end of a segment. If rows consist of one point, curves that
+ * share an end share its point. A tube has an additional row, the cap, at each end that is not
+ * joined.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CurveRows_h
 #define CurveRows_h
@@ -26,7 +26,7 @@ class CurveMesh;
 class CurveRows
 {
 public:
-  /// Without frames there are no caps.
+  /// `frames` may be nullptr, for curves without caps.
   CurveRows(
     const CurveMesh& mesh, const std::vector<int>& segments, int width, const CurveFrames* frames);
 
@@ -34,7 +34,7 @@ public:
   int GetSegments(vtkIdType curve) const { return this->Segments[curve]; }
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
 
-  /// The first point of a row, 0 to the number of segments.
+  /// Returns the first point of a row, from 0 to the number of segments.
   vtkIdType GetRow(vtkIdType curve, int row) const
   {
     const Place& place = this->Places[curve];
@@ -43,13 +43,13 @@ public:
                     : (row == last ? place.Ends[1] : place.Inner + (row - 1) * this->Width);
   }
 
-  /// That of the start (0) or the end (1); -1 for no cap.
+  /// Returns the first point of the cap at the start (0) or end (1), or -1.
   vtkIdType GetCap(vtkIdType curve, int end) const { return this->Places[curve].Caps[end]; }
 
   /**
-   * Calls work(t, first point, cap) for each row of a curve that no other curve has as well;
-   * cap is -1 at the start's cap, 1 at the end's, else 0. May be called from several threads for
-   * different curves.
+   * Calls work(t, first point, cap) for each row that belongs to this curve only. `cap` is -1 for
+   * the cap at the start, 1 for the cap at the end, and 0 for other rows. Can be called from
+   * several threads for different curves.
    */
   template <typename Work>
   void ForEachRow(vtkIdType curve, const Work& work) const
@@ -58,7 +58,7 @@ public:
     const int segments = this->Segments[curve];
     for (int row = place.IsOwn[0] ? 0 : 1; row < segments + (place.IsOwn[1] ? 1 : 0); ++row)
     {
-      // Exactly 1 at the end.
+      // t is exactly 1 at the end.
       work(static_cast<double>(row) / segments, this->GetRow(curve, row), 0);
     }
     for (int end = 0; end < 2; ++end)

@@ -17,7 +17,7 @@ namespace relevo
 {
 namespace
 {
-// Gives each curve getTag(curve), in parallel.
+// Sets the tag of each curve to getTag(curve), in parallel.
 template <typename GetTag>
 void SetTags(const CurveMesh& mesh, std::vector<float>& tags, const GetTag& getTag)
 {

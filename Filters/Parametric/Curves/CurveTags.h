@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CurveTags
- * @brief   into how many segments a recipe cuts each curve
+ * @brief   levels and numbers of segments of curves, according to a recipe
  *
- * From the array of depth-tags of the input's points, the mean of a curve's two ends; else from the
- * metric, the largest tag of a curve's control points, see CurveMesh::NewControlPolygons(). What
- * metrics know of the curves is kept from frame to frame.
+ * The level is the mean of the depth-tags at both ends, if the input has a depth-tag array.
+ * Otherwise it is the largest tag that the metric gives the control points, see
+ * CurveMesh::NewControlPolygons(). Data of metrics about the curves is cached between frames.
  *
- * Private to the modules' own sources.
+ * Private to the modules.
  */
 #ifndef CurveTags_h
 #define CurveTags_h
@@ -37,18 +37,18 @@ public:
   CurveTags(const CurveTags&) = delete;
   void operator=(const CurveTags&) = delete;
 
-  /// Forget the curves, as when the mesh has been built anew.
+  /// Clears the cache. Call this when the mesh has been rebuilt.
   void Reset();
 
-  /// `mesh` is the input's. False, with an error to show the user, when the array or the metric
-  /// cannot be used.
+  /// `mesh` belongs to `input`. Returns false with an `error` if the array or the metric is
+  /// invalid.
   bool Compute(vtkAdaptiveRefinement* recipe, vtkPointSet* input, const CurveMesh& mesh,
     const RefinementView& view, std::string& error);
 
-  /// By curve; in [0, MaximumLevel], the recipe's offset added.
+  /// Returns a tag for each curve, in [0, MaximumLevel], with the recipe's offset added.
   const std::vector<float>& GetTags() const { return this->Tags; }
 
-  /// By curve.
+  /// Returns the number of segments of each curve.
   const std::vector<int>& GetSegments() const { return this->Segments; }
 
 private:

@@ -18,13 +18,15 @@ namespace relevo
 {
 namespace
 {
-constexpr double ThickestRadius = 0.01; // of a length of 1, at the root
-constexpr double ThinnestShare = 0.1;   // of that, at the tip
-constexpr double ShortestShare = 0.8;   // of the length
-constexpr double WidestCurl = 0.15;     // radius of the helix with many turns, of a length of 1
-constexpr double HalfWidthTurns = 0.25; // turns with which the helix has half of that radius
+constexpr double ThickestRadius = 0.01; // at the root, for a hair of length 1
+constexpr double ThinnestShare = 0.1;   // radius at the tip / radius at the root
+constexpr double ShortestShare = 0.8;   // shortest hair / Length
+constexpr double WidestCurl = 0.15;     // radius of the helix with many turns, for a hair of length
+                                        // 1
+constexpr double HalfWidthTurns = 0.25; // number of turns where the radius of the helix is half of
+                                        // that
 
-// Numbers that are thrown for a hair.
+// The random numbers of a hair.
 enum Throws
 {
   AREA,
@@ -34,7 +36,7 @@ enum Throws
   PHASE
 };
 
-// SplitMix64's finalizer (S. Vigna, "Further scramblings of Marsaglia's xorshift generators",
+// The finalizer of SplitMix64 (S. Vigna, "Further scramblings of Marsaglia's xorshift generators",
 // 2017).
 std::uint64_t Scramble(std::uint64_t x)
 {
@@ -76,9 +78,9 @@ struct Placed
   dvec3 Derivative;
 };
 
-// A hair of length 1 at the origin. It sinks with the square of the distance s from the root, and
-// winds in a helix of the radius Width (s (2 - s))^2: the hair leaves along the normal, and its
-// helix is nearly at full width from the middle on.
+// A hair of length 1 at the origin. Gravity displaces it by the square of the distance s from the
+// root. It winds in a helix of radius Width (s (2 - s))^2, so that it starts along the normal and
+// has almost its full width from the middle on.
 class Strand
 {
 public:
@@ -145,7 +147,7 @@ double HairGrowth::GetNumberOfHairs() const
   return std::floor(this->Settings.Density * this->GetArea() + 0.5);
 }
 
-// In [0, 1).
+// Returns a random number in [0, 1).
 double HairGrowth::Throw(vtkIdType hair, int which) const
 {
   constexpr std::uint64_t golden = 0x9e3779b97f4a7c15u;
@@ -169,12 +171,12 @@ dvec3 HairGrowth::GetNormal(vtkIdType triangle, const dvec3& weights) const
   return size > 0.0 && std::isfinite(size) ? sum / size : flat;
 }
 
-// Each hair has a share of the area of its own: no place is bare, none crowded.
+// Each hair has an equal share of the area, so that the density is uniform.
 HairGrowth::Root HairGrowth::FindRoot(vtkIdType hair) const
 {
   const double area = (static_cast<double>(hair) + this->Throw(hair, AREA)) /
     this->GetNumberOfHairs() * this->GetArea();
-  // The first one that ends beyond has an area.
+  // The first triangle whose prefix sum is greater has an area.
   auto found = std::upper_bound(this->Areas.begin(), this->Areas.end(), area);
   if (found == this->Areas.end())
   {
@@ -199,7 +201,7 @@ vtkIdType HairGrowth::Grow(vtkIdType hair, dvec3* points) const
   const double share = ShortestShare + (1.0 - ShortestShare) * this->Throw(hair, LENGTH);
   const double size = this->Settings.Length * share;
   const Strand strand(root.Normal, this->Settings, 2.0 * vtkMath::Pi() * this->Throw(hair, PHASE));
-  // Hermite's cubics, which are joined in C1.
+  // Cubic Hermite curves are C1 continuous at joints.
   const double third = 1.0 / (3.0 * this->Curves);
   for (int i = 0; i <= this->Curves; ++i)
   {

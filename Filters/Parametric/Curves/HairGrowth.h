@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   HairGrowth
- * @brief   where on a surface hairs grow, and the cubic Bézier curves that each is made of
+ * @brief   roots and cubic Bézier curves of hairs on a surface
  *
- * A hair depends on its number, the settings and the surface alone, so that threads may make them
- * in any order.
+ * A hair only depends on its number, the settings and the surface, so that hairs can be generated
+ * in parallel.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef HairGrowth_h
 #define HairGrowth_h
@@ -27,38 +27,38 @@ struct HairSettings
 {
   double Density;
   double Length;
-  double Curl; // turns
+  double Curl; // number of turns
   int Seed;
-  dvec3 Gravity; // how far the tip sinks, of a length of 1
+  dvec3 Gravity; // displacement of the tip of a hair of length 1
 };
 
 class HairGrowth
 {
 public:
-  /// The mesh must live as long.
+  /// `mesh` must outlive this object.
   HairGrowth(vtkPolyData* mesh, const HairSettings& settings);
 
-  /// Of triangles with an area, and how many others there are.
+  /// Return the area of the surface, and the number of triangles without area.
   double GetArea() const { return this->Areas.empty() ? 0.0 : this->Areas.back(); }
   vtkIdType GetNumberOfBadTriangles() const { return this->NumberOfBadTriangles; }
 
-  /// Density times area, rounded.
+  /// Returns density * area, rounded.
   double GetNumberOfHairs() const;
   int GetNumberOfCurves() const { return this->Curves; }
   int GetNumberOfPoints() const { return 3 * this->Curves + 1; }
 
-  /// The control points of one hair from its root, those of the joints once, and the input's cell
-  /// that it grows on.
+  /// Generates the control points of a hair from its root, without duplicates at joints. Returns
+  /// the input cell of the root.
   vtkIdType Grow(vtkIdType hair, dvec3* points) const;
 
-  /// The same for all hairs.
+  /// Returns the radius at a control point, the same for all hairs.
   double GetRadius(int point) const;
 
 private:
   struct Root
   {
     dvec3 Place;
-    dvec3 Normal; // of length 1
+    dvec3 Normal; // normalized
     vtkIdType Cell;
   };
   double Throw(vtkIdType hair, int which) const;
@@ -67,8 +67,8 @@ private:
 
   HairSettings Settings;
   SurfaceTriangles Triangles;
-  vtkDataArray* Normals;     // of points, or nullptr
-  std::vector<double> Areas; // of all triangles up to and with each
+  vtkDataArray* Normals;     // of points; may be nullptr
+  std::vector<double> Areas; // prefix sums of the areas of triangles
   vtkIdType NumberOfBadTriangles;
   int Curves;
 };

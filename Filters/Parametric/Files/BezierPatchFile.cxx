@@ -15,7 +15,7 @@ namespace
 {
 constexpr std::size_t LongestNumber = 1100; // all digits of any double, and a sign
 
-// Numbers with space between them. After the first fault it reads no more.
+// Reads numbers separated by white space. Stops at the first error.
 class NumberReader
 {
 public:
@@ -87,14 +87,14 @@ private:
     {
       if (this->Word.size() > LongestNumber)
       {
-        return true; // and Parse() fails
+        return true; // Parse() reports the error
       }
       this->Word += static_cast<char>(this->In.get());
     }
     return true;
   }
 
-  // Knows no locale. A plus is allowed, as in C.
+  // Independent of the locale. A leading plus is accepted, as in C.
   template <typename T>
   bool Parse(T& number) const
   {
@@ -105,7 +105,7 @@ private:
     return this->Word.size() <= LongestNumber && stop == end && error == std::errc();
   }
 
-  // What is no text may be long.
+  // Limits the length, because a binary file may have no white space.
   std::string GetQuote() const { return "'" + this->Word.substr(0, 80) + "'"; }
 
   void SetError(const std::string& what)
@@ -124,7 +124,7 @@ int ReadNumberOfPatches(NumberReader& reader)
   return reader.ReadInteger(" is no number of patches.", 0, std::numeric_limits<int>::max());
 }
 
-// The number of rows of control points tells the first of the file's two.
+// The second degree comes first in the file. It determines the number of rows of control points.
 ivec2 ReadDegrees(NumberReader& reader)
 {
   const int second = reader.ReadInteger(" is no degree: 1 to 8.", 1, LargestDegree);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   text files of Bézier patches (.bpt)
+ * @brief   reading of Bézier patches from text files (.bpt)
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef BezierPatchFile_h
 #define BezierPatchFile_h
@@ -20,13 +20,13 @@ namespace relevo
 struct BezierPatch
 {
   ivec2 Degrees;
-  std::vector<dvec4> Points; ///< in the order of AddQuadrilateral(), of weight 1
+  std::vector<dvec4> Points; ///< in the order of AddQuadrilateral(), with weight 1
 };
 
-/// All patches of a text; else what is wrong, "line N: ...".
+/// Reads all patches. Returns false with an `error` "line N: ...".
 bool ReadBezierPatches(std::istream& in, std::vector<BezierPatch>& patches, std::string& error);
 
-/// Whether a text begins as one of patches: their number and, if there are any, degrees.
+/// Whether a text starts with a number of patches and, if that is not 0, valid degrees.
 bool IsBezierPatchFile(std::istream& in);
 }
 

@@ -30,7 +30,7 @@ CurveForm<T> Multiply(const CurveForm<T>& a, const CurveForm<double>& b)
   return product;
 }
 
-// By the parameter t, with s = 1 - t.
+// Differentiates by the parameter t, with s = 1 - t.
 template <typename T>
 CurveForm<T> Differentiate(const CurveForm<T>& a)
 {
@@ -53,7 +53,7 @@ CurveForm<T> Subtract(CurveForm<T> a, const CurveForm<T>& b, double factor)
   return a;
 }
 
-// A part of the curve, with bounds for the curve's own |S''|.
+// A part of the curve with bounds for |S''| of the whole curve's parameter.
 class Piece
 {
 public:
@@ -73,7 +73,7 @@ public:
   }
 
   double GetMost() const { return this->Most; }
-  /// The larger |S''| of the two ends.
+  /// Returns the larger |S''| of both ends.
   double GetLeast() const { return this->Least; }
   bool operator<(const Piece& other) const { return this->Most < other.Most; }
 
@@ -109,7 +109,7 @@ private:
 
   void BoundRational()
   {
-    // Around the first point, and with weights of at most 1, so that no product overflows.
+    // Products cannot overflow relative to the first point and with weights of at most 1.
     const dvec3 origin = dvec3(this->Points[0]) / this->Points[0].w;
     double largestWeight = 0.0;
     for (const dvec4& point : this->Points)
@@ -160,7 +160,8 @@ private:
 double ComputeChordDeviation(const std::vector<dvec4>& curve)
 {
   constexpr int maximumSplits = 32;
-  constexpr double tolerance = 1.1; // the number of segments grows with the root
+  constexpr double tolerance = 1.1; // acceptable, because the number of segments grows with the
+                                    // square root
   constexpr double negligible = 1e-9;
 
   double size = 0.0;

@@ -15,8 +15,8 @@ namespace relevo
 {
 namespace
 {
-// Directions around half a turn; those between two of them are positive sums of both, so that the
-// form has to hold for each direction and for each two that follow one another.
+// Directions over half a turn. Directions between two of them are positive sums of both, so that it
+// is sufficient to test the form for each direction and for each pair of consecutive directions.
 constexpr int NumberOfDirections = 12;
 constexpr int NumberOfDemands = 2 * NumberOfDirections;
 using Directions = std::array<dvec3, NumberOfDirections + 1>;
@@ -38,14 +38,14 @@ const Directions& GetDirections()
   return directions;
 }
 
-// What a form must have at least, in a direction or along one of its own coordinates.
+// A lower bound for the form, in a direction or along a coordinate.
 struct Demand
 {
   dvec3 Row;
   double Least;
 };
 
-// The form of least sum that meets demands: it meets three of them with equality.
+// Returns the form with the smallest sum that meets the demands. It meets three with equality.
 dvec3 FindLeastForm(const std::vector<Demand>& demands, double slack)
 {
   dvec3 best(std::numeric_limits<double>::infinity());
@@ -75,7 +75,7 @@ dvec3 FindLeastForm(const std::vector<Demand>& demands, double slack)
   return best;
 }
 
-// A linear program of three unknowns, by the demands that are met least.
+// Solves a linear program of three unknowns by adding the most violated demands.
 dvec3 FitForm(const Demands& demands)
 {
   const double largest = *std::max_element(demands.begin(), demands.end());
@@ -113,14 +113,14 @@ dvec3 FitForm(const Demands& demands)
     }
     if (!(most > 2.0 * slack))
     {
-      // A little more than the slack, for directions have a length of 1.
+      // A little more than the slack, because directions are normalized.
       return largest * (max(form, dvec3(0.0)) + dvec3(4.0 * slack));
     }
     chosen.push_back(missed);
   }
 }
 
-// What derivatives of a piece demand of a form, `scale` times as long as its own.
+// Adds the demands of the derivatives of a part, `scale` times as long as the whole.
 void AddDemands(const TriangleForm& form, double scale, Demands& demands)
 {
   const SecondDerivatives derivatives(form);
@@ -135,8 +135,8 @@ void AddDemands(const TriangleForm& form, double scale, Demands& demands)
   }
 }
 
-// Nets of pieces are nearer to what they bound, the more so where weights differ. Products of high
-// degrees take long.
+// Nets of parts are closer bounds, especially if weights differ. Products of high degree are
+// expensive.
 int GetNumberOfSplits(const TriangleForm& form)
 {
   return form.IsRational() ? (form.GetDegree() > 6 ? 1 : 2) : (form.GetDegree() > 2 ? 1 : 0);
@@ -159,7 +159,7 @@ void AddPieces(const TriangleForm& form, int splits, double scale, Demands& dema
     piece[c] = corners[c];
     AddPieces(TriangleForm(form, piece), splits - 1, 2.0 * scale, demands);
   }
-  // Its coordinates run backwards, which lengths do not tell.
+  // The coordinates of this part are reversed, which does not affect lengths.
   AddPieces(TriangleForm(form, middles), splits - 1, 2.0 * scale, demands);
 }
 }

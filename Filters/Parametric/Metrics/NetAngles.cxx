@@ -14,7 +14,7 @@ namespace relevo
 {
 namespace
 {
-// 0 where one has no direction.
+// Returns 0 if a normal is degenerate.
 double GetAngle(const dvec3& a, const dvec3& b)
 {
   const bool isDegenerate = a == dvec3(0.0) || b == dvec3(0.0);
@@ -45,7 +45,7 @@ double MeasureQuads(const PatchArrays& patches, const Patch& patch)
   return largest;
 }
 
-// Each triangle that stands on its point shares its sides with those that stand on a side.
+// Each inverted triangle shares its sides with upright triangles.
 double MeasureTriangles(const PatchArrays& patches, const Patch& patch)
 {
   const int degree = patch.Degrees.x;

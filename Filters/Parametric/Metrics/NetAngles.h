@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   how much control nets are bent
+ * @brief   angles of control nets
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef NetAngles_h
 #define NetAngles_h
@@ -14,8 +14,8 @@ namespace relevo
 struct Patch;
 class PatchArrays;
 
-/// The largest angle, in degrees, between normals of two quads of a patch's control net, or of two
-/// triangles of a triangle's, that share a side; 0 where there are none.
+/// Returns the largest angle in degrees between the normals of adjacent quadrilaterals of the
+/// control net, or of adjacent triangles for a triangular patch; 0 if there are none.
 double ComputeNetAngle(const PatchArrays& patches, const Patch& patch);
 }
 

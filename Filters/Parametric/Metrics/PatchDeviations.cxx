@@ -23,7 +23,7 @@ namespace relevo
 {
 namespace
 {
-// Of homogeneous points relative to an origin.
+// Returns the box of homogeneous points relative to an origin.
 PointBox GetBox(const std::vector<dvec4>& points, const dvec3& origin)
 {
   PointBox box{ dvec3(points[0]) / points[0].w, dvec3(points[0]) / points[0].w };
@@ -42,7 +42,7 @@ bool ArePointsOf(vtkPolyData* mesh, vtkIdList* ids)
     [mesh](vtkIdType id) { return id >= 0 && id < mesh->GetNumberOfPoints(); });
 }
 
-// Homogeneous, relative to an origin; a weight that is missing is 0.
+// Returns homogeneous points relative to an origin. The weight is 0 if it is missing.
 std::vector<dvec4> GetControlPoints(vtkPolyData* mesh, vtkIdList* ids, const dvec3& origin)
 {
   vtkDataArray* weights = mesh->GetPointData()->GetRationalWeights();
@@ -110,7 +110,7 @@ bool PatchDeviations::BuildFaces(MetricMesh& mesh, std::string& error)
   return true;
 }
 
-// Triangles with two corners at one place are among them, which SurfaceTriangles leaves out.
+// Includes triangles with two coincident corners, which SurfaceTriangles omits.
 void PatchDeviations::FindFaces(MetricMesh& mesh, std::vector<vtkIdType>& cells)
 {
   const SurfaceEdges& edges = *mesh.GetEdges();

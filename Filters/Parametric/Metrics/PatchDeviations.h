@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PatchDeviations
- * @brief   what a mesh's patches and curves need, whatever they are seen from: computed once a mesh
+ * @brief   view-independent data for the screen-space error of patches and curves
  *
- * Private to the module's own sources.
+ * Computed once per mesh. Private to the module.
  */
 #ifndef PatchDeviations_h
 #define PatchDeviations_h
@@ -26,44 +26,45 @@ class PatchArrays;
 class SurfaceEdges;
 class SurfaceTriangles;
 
-/// A triangle of a patch.
+/// Data of a triangle of a patch.
 struct FaceDeviation
 {
   /// See ComputeDeviationForm().
   dvec3 Form{ 0.0 };
-  /// Of the triangle's own control points.
+  /// The box of the control points of the triangle.
   PointBox Box;
-  /// The mesh's edges opposite to the corners; an edge that is one place has that which leads
-  /// there.
+  /// The edges of the mesh opposite to the corners. For a degenerate edge, this is the edge that
+  /// leads to the point.
   std::array<int, 3> Edges{};
 };
 
-/// A curve between the points of a line cell.
+/// Data of a curve, which is a line cell of control points.
 struct CurveDeviation
 {
   /// See ComputeChordDeviation().
   double Chord = 0.0;
   PointBox Box;
-  /// Of the cell, among the mesh's lines.
+  /// Index of the cell among the lines of the mesh.
   vtkIdType Line = 0;
 };
 
 class PatchDeviations
 {
 public:
-  /// Of all triangles. False, with an error to show the user, where the mesh's patches are not
-  /// valid.
+  /// Computes the data of all triangles. Returns false with an `error` if the patches of the mesh
+  /// are invalid.
   bool BuildFaces(MetricMesh& mesh, std::string& error);
-  /// Of all lines, which are control polygons. False, with an error, where one has too many points.
+  /// Computes the data of all lines, which are control polygons. Returns false with an `error` if a
+  /// line has too many points.
   bool BuildCurves(vtkPolyData* mesh, std::string& error);
 
   const std::vector<FaceDeviation>& GetFaces() const { return this->Faces; }
   const std::vector<CurveDeviation>& GetCurves() const { return this->Curves; }
 
-  /// Per edge of the mesh, that of its own curve.
+  /// One per edge of the mesh, for the curve of the edge.
   const std::vector<double>& GetChords() const { return this->Chords; }
 
-  /// Calls f(face) for the index of each face at an edge.
+  /// Calls f(face) with the index of each face at an edge.
   template <typename Function>
   void ForEachFace(int edge, Function&& f) const
   {
@@ -80,7 +81,7 @@ private:
   std::vector<FaceDeviation> Faces;
   std::vector<CurveDeviation> Curves;
   std::vector<double> Chords;
-  std::vector<int> Starts; // into Uses, per edge
+  std::vector<int> Starts; // index into Uses for each edge
   std::vector<int> Uses;   // faces
 };
 }

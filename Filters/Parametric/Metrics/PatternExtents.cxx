@@ -13,7 +13,7 @@ namespace relevo
 {
 namespace
 {
-// The pattern's corner opposite to each of its edges, which have their steps in descending order.
+// The pattern corner opposite to each edge; edges have their steps in descending order.
 constexpr int OppositeCorners[3] = { 2, 0, 1 };
 
 bool IsCovered(const dvec3& a, const dvec3& b)
@@ -21,7 +21,7 @@ bool IsCovered(const dvec3& a, const dvec3& b)
   return a.x <= b.x && a.y <= b.y && a.z <= b.z;
 }
 
-// Those of a pattern that no other triangle covers.
+// Returns the squared ranges of the triangles that no other triangle dominates.
 std::vector<dvec3> FindLargest(const RefinementPattern& pattern)
 {
   std::vector<dvec3> squares;
@@ -92,7 +92,7 @@ double PatternExtents::Measure(const Steps& steps, const dvec3& form) const
   {
     turned[OppositeCorners[edge]] = form[corners[edge]];
   }
-  // Edges of equal steps may be either's.
+  // Edges with equal steps can be exchanged.
   dvec3 first = turned;
   dvec3 second = turned;
   if (descending[0] == descending[1])
@@ -131,8 +131,8 @@ std::vector<dvec3> PatternExtents::Compute(const Steps& descending) const
   {
     return find(descending);
   }
-  // Their triangles lie by the order of a face's corners, which is not looked at: the largest of
-  // all, in each direction.
+  // The order of the face's corners determines the orientation of these patterns, but is not known
+  // here. Use the maximum over all orders.
   double largest = 0.0;
   Steps steps = descending;
   std::sort(steps.begin(), steps.end());

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PatternExtents
- * @brief   how large the triangles of patterns are, in the directions of a face's corners
+ * @brief   sizes of the triangles of patterns, in barycentric coordinates
  *
- * Triangles of a pattern whose edges have n segments and more can be twice as long as 1 / n: a
- * bound must look at the pattern itself. Safe to call from several threads.
+ * In a pattern whose edges have at least n segments, triangles can be twice as long as 1 / n. A
+ * bound must therefore use the pattern itself. Thread-safe.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef PatternExtents_h
 #define PatternExtents_h
@@ -27,26 +27,26 @@ class PatternExtents
 public:
   using Steps = std::array<int, 3>;
 
-  /// Those of a family; nullptr for the whole numbers of segments of the patterns that Relevo
-  /// makes. All who ask for a family share them.
+  /// Returns the extents of a family, shared by all users. nullptr selects Relevo's generated
+  /// patterns with integer numbers of segments.
   static std::shared_ptr<const PatternExtents> Find(std::shared_ptr<const PatternFamily> family);
 
   explicit PatternExtents(std::shared_ptr<const PatternFamily> family);
 
   const SegmentSteps& GetSegmentSteps() const { return this->Family->GetSegmentSteps(); }
 
-  /// Whether vertices slide to their places while tags rise: see relevoMorph.glsl.
+  /// Whether vertices are morphed while tags increase; see relevoMorph.glsl.
   bool AreMorphing() const { return this->Family->IsMorphing(); }
 
-  /// The largest sum over corners c of form[c] times the square of what a triangle of the pattern
-  /// spans of the weight of c. steps[c] is that of the edge opposite to c.
+  /// Returns the maximum over the triangles of the pattern of the sum over corners c of form[c]
+  /// times the squared range of the weight of c. steps[c] is the step of the edge opposite to c.
   double Measure(const Steps& steps, const dvec3& form) const;
 
 private:
   struct Extents
   {
     std::once_flag Filled;
-    /// Squares, of the weights of pattern corners, that no other triangle has all larger.
+    /// Squared ranges by pattern corner, without those that another triangle dominates.
     std::vector<dvec3> Squares;
   };
 

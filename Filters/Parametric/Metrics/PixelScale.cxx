@@ -15,7 +15,7 @@ namespace relevo
 {
 namespace
 {
-// From the middle of the direction of view to the farthest corner of the viewport.
+// Returns the tangent of the angle from the viewing direction to the farthest viewport corner.
 double GetLargestTangent(const RefinementView& view)
 {
   const double tangent = std::tan(0.5 * vtkMath::RadiansFromDegrees(view.Camera->GetViewAngle()));
@@ -69,7 +69,7 @@ bool PixelScale::Check(const RefinementView& view, std::string& error)
   return true;
 }
 
-// From the eye, in the world; no more than it is.
+// Returns a lower bound of the distance from the eye in world coordinates.
 double PixelScale::GetDistance(const PointBox& box) const
 {
   const dvec3 off = max(max(box.Low - this->MeshEye, this->MeshEye - box.High), dvec3(0.0));
@@ -94,7 +94,7 @@ double PixelScale::GetPixels(const PointBox& box) const
     const dvec3 off = this->ToWorld.GetPoint(x) - this->View.GetPosition();
     const double z = dot(off, forward);
     depth = std::min(depth, z);
-    // Points of no larger tangent are a cone: all of the box is in that of its corners.
+    // Points with at most a given tangent form a cone. It is convex and contains the box.
     squaredTangent = std::max(squaredTangent, dot(off, off) / (z * z) - 1.0);
   }
   const double most = this->Tangent * this->Tangent;

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PixelScale
- * @brief   how many pixels a length of a mesh takes at most, where it is within the viewport
+ * @brief   largest number of pixels that a length of the mesh covers within the viewport
  *
- * At a depth z along the direction of view, and at a tangent t of the angle between this direction
- * and that from the eye, a length is no longer on the screen than sqrt(1 + t^2) / z times the
- * pixels of a length at depth 1.
+ * Let z be the depth along the viewing direction, and t the tangent of the angle from this
+ * direction. A length covers at most sqrt(1 + t^2) / z times its number of pixels at depth 1.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef PixelScale_h
 #define PixelScale_h
@@ -19,7 +18,7 @@
 
 namespace relevo
 {
-/// A box of control points, in the mesh's coordinates.
+/// A box of control points in mesh coordinates.
 struct PointBox
 {
   dvec3 Low{ 0.0 };
@@ -31,10 +30,11 @@ class PixelScale
 public:
   explicit PixelScale(const RefinementView& view);
 
-  /// False and sets error where the view cannot be used; then nothing may be asked.
+  /// Returns false with an `error` if the view is invalid. Other functions must not be called then.
   bool Check(const RefinementView& view, std::string& error);
 
-  /// Of a unit of the mesh anywhere in a box; infinity where the eye is inside.
+  /// Returns the pixels of a unit of the mesh within a box, or infinity if the eye is inside of the
+  /// box.
   double GetPixels(const PointBox& box) const;
 
 private:
@@ -42,10 +42,11 @@ private:
 
   Placement ToWorld;
   Eye View;
-  double Pixels = 0.0;  // of a unit of the world at a distance of 1; if parallel, anywhere
-  double Tangent = 0.0; // the largest in the viewport
+  double Pixels = 0.0;  // pixels of a world unit at distance 1, in parallel projection at any
+                        // distance
+  double Tangent = 0.0; // largest in the viewport
   double MinimumStretch = 0.0;
-  double MaximumStretch = 0.0; // of lengths by the placement
+  double MaximumStretch = 0.0; // largest scale factor of the placement
   dvec3 MeshEye{ 0.0 };
 };
 }

@@ -13,7 +13,7 @@ namespace relevo
 {
 namespace
 {
-// A homogeneous polynomial in barycentric coordinates: the coefficient at GetTriangleIndex(Degree,
+// A homogeneous polynomial in barycentric coordinates. The coefficient at GetTriangleIndex(Degree,
 // j, k) belongs to u^(Degree - j - k) v^j w^k.
 template <typename T>
 struct Form
@@ -57,7 +57,7 @@ Form<T> Multiply(const Form<T>& a, const Form<double>& b)
   return product;
 }
 
-// Along a coordinate, 1 or 2, at the first one's expense.
+// Differentiates by coordinate 1 or 2, while the first coordinate decreases.
 template <typename T>
 Form<T> Differentiate(const Form<T>& a, int coordinate)
 {
@@ -143,7 +143,7 @@ void SecondDerivatives::BuildPolynomial(const TriangleForm& form)
 
 void SecondDerivatives::BuildRational(const TriangleForm& form)
 {
-  // Around the first point, and with weights of at most 1, so that no product overflows.
+  // Products cannot overflow relative to the first point and with weights of at most 1.
   const int degree = form.GetDegree();
   const std::vector<dvec4>& points = form.GetPoints();
   const dvec3 origin = dvec3(points[0]) / points[0].w;
@@ -165,10 +165,10 @@ void SecondDerivatives::BuildRational(const TriangleForm& form)
       w.At(j, k) = point.w;
     }
   }
-  Form<double> square(2); // of the coordinates' sum, which is 1
+  Form<double> square(2); // square of the sum of coordinates, which is 1
   square.Coefficients = { 1.0, 2.0, 1.0, 2.0, 2.0, 1.0 };
   const Form<double> divisor = Multiply(Multiply(w, w), w);
-  // False only where weights differ so much that a product of them underflows.
+  // False only if weights differ so much that their product underflows.
   this->IsBounded = std::all_of(divisor.Coefficients.begin(), divisor.Coefficients.end(),
     [](double value) { return value > 0.0; });
   const Form<double> slopes[2] = { Differentiate(w, 1), Differentiate(w, 2) };

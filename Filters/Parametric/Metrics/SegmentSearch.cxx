@@ -13,9 +13,9 @@ namespace relevo
 {
 namespace
 {
-constexpr double MaximumSegments = 1e9; // beyond, a level is as good as another
+constexpr double MaximumSegments = 1e9; // limit beyond which levels make no difference
 
-// How many segments a deviation needs that falls with their square.
+// Returns the number of segments for a deviation that decreases with its square.
 double GetSegments(double deviation, double limit)
 {
   const double segments = deviation > 0.0 ? std::sqrt(deviation / limit) : 1.0;
@@ -50,8 +50,9 @@ public:
     }
   }
 
-  // Where the patterns end, levels go on as if errors fell as those of patterns all alike do. Of
-  // patterns that morph the last vertices arrive half a level later, and the next ones leave.
+  // Beyond the largest pattern, levels continue as if the error decreased quadratically. With
+  // geomorphing, half a level is added: vertices of the last step are then in their final position,
+  // and those of the next have not started to move.
   float GetLevel(int edge) const
   {
     const int step = this->EdgeSteps[edge];
@@ -94,7 +95,7 @@ private:
     return { { this->EdgeSteps[edges[0]], this->EdgeSteps[edges[1]], this->EdgeSteps[edges[2]] } };
   }
 
-  // How many times more these faces deviate than they may.
+  // Computes the factors by which faces exceed their limits.
   void Measure(const std::vector<int>& faces)
   {
     vtkSMPTools::For(0, static_cast<vtkIdType>(faces.size()),
@@ -111,8 +112,8 @@ private:
       });
   }
 
-  // Of faces that deviate too much, the edges of least steps go one step up. Returns those to be
-  // measured again.
+  // Raises the edges with the smallest step of faces that deviate too much. Returns the faces to
+  // measure again.
   std::vector<int> Raise(const std::vector<int>& faces)
   {
     std::vector<int> raised;
@@ -151,7 +152,7 @@ private:
   const SegmentSteps& Steps;
   const int HighestStep;
   std::vector<int> EdgeSteps;
-  std::vector<double> Excesses; // of faces, at least 1
+  std::vector<double> Excesses; // one per face, at least 1
 };
 }
 

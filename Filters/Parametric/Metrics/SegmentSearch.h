@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   numbers of segments with which no face deviates by more than it may
+ * @brief   search for numbers of segments that satisfy error limits
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef SegmentSearch_h
 #define SegmentSearch_h
@@ -16,14 +16,14 @@ namespace relevo
 class PatchDeviations;
 class PatternExtents;
 
-/// The level of a curve that may deviate by `limit`: log2 of a number of segments of the patterns,
-/// or more than they have.
+/// Returns the level of a curve that may deviate by `limit`: log2 of a number of segments of the
+/// patterns, or more than their maximum.
 float FindCurveLevel(const PatternExtents& patterns, double chord, double limit);
 
 /**
- * Levels of edges, of which none is more than the maximum, by what each face may deviate. Each edge
- * has what its own curve needs; then the least edges of faces whose patterns deviate too much get
- * more, until there are none or no more levels.
+ * Computes levels of edges, at most the maximum, from the error limits of the faces. Each edge
+ * starts with the number that its curve requires. Then, for faces that deviate too much, the edges
+ * with the fewest segments are raised, until there are no such faces or the maximum is reached.
  */
 void FindEdgeLevels(const PatchDeviations& deviations, const PatternExtents& patterns,
   const std::vector<double>& limits, int maximumLevel, float* levels);

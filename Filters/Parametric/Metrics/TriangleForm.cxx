@@ -12,10 +12,11 @@ namespace relevo
 {
 namespace
 {
-// A polynomial on a triangle, by its Bézier points.
+// A polynomial on a triangle, given by its Bézier points.
 using Polynomial = std::vector<dvec4>;
 
-// The sum of polynomials of a degree, each times a linear function given at the corners.
+// Returns the sum of polynomials of equal degree, each multiplied by a linear function, which is
+// given at the corners.
 Polynomial Blend(
   int degree, std::initializer_list<std::pair<const dvec3*, const Polynomial*>> terms)
 {
@@ -41,8 +42,8 @@ Polynomial Blend(
   return result;
 }
 
-// De Casteljau's algorithm on a row of polynomials of a degree, at a parameter that is a linear
-// function.
+// Applies de Casteljau's algorithm to a row of polynomials of equal degree, with a linear function
+// as the parameter.
 Polynomial BlendRow(std::vector<Polynomial> row, int degree, const dvec3& t)
 {
   const dvec3 s = dvec3(1.0) - t;
@@ -56,8 +57,8 @@ Polynomial BlendRow(std::vector<Polynomial> row, int degree, const dvec3& t)
   return std::move(row.front());
 }
 
-// The same on a triangle of points, in the order of GetTriangleIndex(), at three barycentric
-// coordinates.
+// Does the same for a triangle of points, in the order of GetTriangleIndex(), with linear functions
+// as barycentric coordinates.
 Polynomial BlendTriangle(const std::vector<dvec4>& points, int size, const dvec3 coordinates[3])
 {
   std::vector<Polynomial> net;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   TriangleForm
- * @brief   what a patch is over a triangle of its parameters, as a Bézier triangle of its own
+ * @brief   a patch restricted to a triangle of parameters, as a Bézier triangle
  *
- * A tensor product of degrees p and q has the degree p + q there. Control points are homogeneous:
- * coordinates times weight, and weight.
+ * A tensor product of degrees p and q becomes a triangle of degree p + q. Control points are
+ * homogeneous: coordinates times weight, and weight.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef TriangleForm_h
 #define TriangleForm_h
@@ -22,21 +22,21 @@ namespace relevo
 class TriangleForm
 {
 public:
-  /// Of a patch between three corners (u, v). Coordinates are relative to `origin`.
+  /// Restricts a patch to three corners (u, v). Coordinates are relative to `origin`.
   TriangleForm(
     const PatchArrays& patches, const Patch& patch, const dvec2 corners[3], const dvec3& origin);
 
-  /// Of another form between three of its points, by their barycentric coordinates.
+  /// Restricts another form to three corners in barycentric coordinates.
   TriangleForm(const TriangleForm& form, const dvec3 corners[3]);
 
   int GetDegree() const { return this->Degree; }
-  /// In the order of GetTriangleIndex(), by the exponents of the second corner and the third.
+  /// In the order of GetTriangleIndex(), by the exponents of the second and third corner.
   const std::vector<dvec4>& GetPoints() const { return this->Points; }
 
-  /// Whether control points have different weights.
+  /// Whether weights of control points differ.
   bool IsRational() const;
 
-  /// The control points on the edge opposite to a corner.
+  /// Returns the control points of the edge opposite to a corner.
   std::vector<dvec4> GetEdge(int corner) const;
 
 private:

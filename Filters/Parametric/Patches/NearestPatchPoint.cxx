@@ -14,7 +14,7 @@ namespace relevo
 {
 namespace
 {
-// Relative to the place, which keeps the digits of what is near it.
+// A patch relative to the position, for precision near it.
 struct PatchAround
 {
   PatchAround(const PatchArrays& patches, int number, const dvec3& place)
@@ -101,7 +101,7 @@ vec2 FindNearestPatchPoint(const PatchArrays& patches, int patch, const dvec3& p
     const float a = dot(at.ByU, at.ByU);
     const float b = dot(at.ByU, at.ByV);
     const float c = dot(at.ByV, at.ByV);
-    // At an edge that is one point one of the derivatives vanishes.
+    // At a degenerate edge one of the derivatives vanishes.
     const float damping = 1e-6f * (a + c);
     const float determinant = (a + damping) * (c + damping) - b * b;
     if (!(determinant > 0.0f))

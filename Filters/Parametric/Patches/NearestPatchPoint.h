@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   where a patch is nearest to a place
+ * @brief   search for the nearest point of a patch
  *
- * Private to Relevo's own sources.
+ * Private to Relevo.
  */
 #ifndef NearestPatchPoint_h
 #define NearestPatchPoint_h
@@ -17,8 +17,8 @@ namespace relevo
 class PatchArrays;
 
 /**
- * u and v of the patch's point that is nearest to a place: by the Gauss-Newton method from the
- * nearest of a grid of its points.
+ * Returns u and v of the point of a patch that is nearest to a position. Uses the Gauss-Newton
+ * method, starting at the nearest point of a grid.
  */
 RELEVOFILTERSPARAMETRIC_EXPORT vec2 FindNearestPatchPoint(
   const PatchArrays& patches, int patch, const dvec3& place);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  PatchField
- * @brief   a point array's coefficients, evaluated by the patches' basis in C++
+ * @brief   evaluation of point arrays in the basis of a patch, in C++
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef PatchField_h
 #define PatchField_h
@@ -16,7 +16,7 @@ class vtkDataArray;
 
 namespace relevo
 {
-/// Three components at a time, from `First` on.
+/// Evaluates three components at a time, starting at `First`.
 struct PatchField
 {
   vec4 patchPoint(int i) const;
@@ -24,7 +24,7 @@ struct PatchField
   const vtkRefinementSurface::Tables& Tables;
   vtkDataArray* Coefficients;
   int First;
-  dvec3 Origin; // less is lost
+  dvec3 Origin; // values are relative to it for precision
 
 #include "glsl/relevoPatch.glsl"
 };

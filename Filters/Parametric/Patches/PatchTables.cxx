@@ -21,10 +21,10 @@ namespace
 {
 constexpr int RecordsPerFace = 4;
 
-// A face's side on a border of its patch.
+// The side of a face on a border of its patch.
 struct BorderSide
 {
-  int Low; // places of its ends
+  int Low; // merged points at the ends
   int High;
   int Entry; // of the face
   int Edge;
@@ -141,7 +141,7 @@ private:
     records.resize(records.size() + 8, -1); // see LinkSides()
   }
 
-  // Whether all control points of a border are one.
+  // Whether a border degenerates to a point.
   bool IsPoint(const PatchFace::PatchShape& shape, int border)
   {
     const PatchFace::PatchBorder points = this->Functions.patchBorder(shape, border);
@@ -158,7 +158,7 @@ private:
     return true;
   }
 
-  // Whether weights differ: where they do not, they cancel out.
+  // Whether weights differ. Equal weights cancel out.
   bool IsRational(const Patch& patch) const
   {
     const double first = this->Patches.GetPoint(patch.FirstPoint).w;
@@ -172,7 +172,7 @@ private:
     return false;
   }
 
-  // Of all faces at a border the first two are known to each of them.
+  // All faces at a border get references to the first two of them.
   void LinkSides()
   {
     std::sort(this->Sides.begin(), this->Sides.end());

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the patches of a mesh as relevoPatchSurface.glsl looks them up
+ * @brief   tables of patches for relevoPatchSurface.glsl
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef PatchTables_h
 #define PatchTables_h

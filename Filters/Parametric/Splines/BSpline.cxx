@@ -10,7 +10,7 @@ namespace relevo
 {
 namespace
 {
-// A B-spline of a few points.
+// A B-spline with few points.
 struct Spline
 {
   int Degree;
@@ -18,7 +18,7 @@ struct Spline
   std::vector<dvec4> Points;
 };
 
-// Makes u a knot of multiplicity `degree`, if it is not one already.
+// Raises the knot u to multiplicity `degree`, if necessary.
 void InsertKnot(Spline& spline, double u)
 {
   const int p = spline.Degree;
@@ -40,7 +40,7 @@ void InsertKnot(Spline& spline, double u)
   }
 }
 
-// The part of a B-spline that a span depends on, from its first knot to its last.
+// Converts a span, using the part of the B-spline that influences it.
 std::vector<dvec4> DecomposeSpan(
   int p, int span, const std::vector<double>& knots, const std::vector<dvec4>& points)
 {
@@ -61,7 +61,7 @@ std::vector<dvec4> DecomposeIntoBezier(
   for (int span : FindSpans(knots, degree))
   {
     std::vector<dvec4> piece = DecomposeSpan(degree, span, knots, points);
-    // With a knot of multiplicity degree + 1 the curve may jump there.
+    // With a knot of multiplicity degree + 1, the curve may be discontinuous there.
     const bool isJoined = !pieces.empty() && knots[span - degree] < knots[span];
     piece.front() = isJoined ? pieces.back() : piece.front();
     pieces.insert(pieces.end(), piece.begin(), piece.end());

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   B-splines as Bézier curves, by knot insertion
+ * @brief   decomposition of B-splines into Bézier curves
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef BSpline_h
 #define BSpline_h
@@ -16,10 +16,10 @@
 namespace relevo
 {
 /**
- * The Bézier control points of each span (FindSpans()), degree + 1 for each, one span's after the
- * other's: Boehm's knot insertion up to multiplicity degree at both ends of the span (L. Piegl,
- * W. Tiller, "The NURBS Book", algorithm A5.1). Where two spans join their common point is the
- * same to the bit. Points may be homogeneous.
+ * Returns degree + 1 Bézier control points for each span of FindSpans(). Boehm's knot insertion
+ * raises the knots at both ends of the span to multiplicity degree (L. Piegl, W. Tiller, "The NURBS
+ * Book", algorithm A5.1). The common point of two joined spans is bitwise identical. Points may be
+ * homogeneous.
  */
 std::vector<dvec4> DecomposeIntoBezier(
   int degree, const std::vector<double>& knots, const std::vector<dvec4>& points);

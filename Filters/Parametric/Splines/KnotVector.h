@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   knots of a B-spline: whether they can be used, and the spans between them
+ * @brief   validation of B-spline knots and search for their spans
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef KnotVector_h
 #define KnotVector_h
@@ -14,11 +14,11 @@
 
 namespace relevo
 {
-/// What is wrong with the knots for so many control points; empty if nothing is.
+/// Returns the error of the knots for the given number of control points, or "".
 std::string FindKnotError(const std::vector<double>& knots, int degree, std::size_t points);
 
-/// Each k with knots[k] < knots[k + 1] where the curve is defined: from knots[degree] to the
-/// degree-th before the last.
+/// Returns each k with knots[k] < knots[k + 1] in the domain of the curve, which reaches from
+/// knots[degree] to knots[knots.size() - 1 - degree].
 std::vector<int> FindSpans(const std::vector<double>& knots, int degree);
 }
 

@@ -17,7 +17,7 @@ namespace
 using Integer = std::int64_t;
 using IntegerTable = std::array<std::array<Integer, LargestDegree + 1>, LargestDegree + 1>;
 
-// Binomial coefficients, and Stirling numbers of the first kind with their signs.
+// Binomial coefficients, and signed Stirling numbers of the first kind.
 struct Numbers
 {
   IntegerTable Binomial{};
@@ -45,9 +45,9 @@ Integer Power(Integer base, int exponent)
   return exponent == 0 ? 1 : base * Power(base, exponent - 1);
 }
 
-// What the forward differences of the nodes, (a, b) times along u and v, count in the Bézier
-// coefficient (i, j), times (degree!)^2, which makes it an integer. Newton's polynomials are
-// C(n u, a) C(n v, b); their powers of u and v have Bézier coefficients in closed form.
+// Factors of the forward differences of the nodes, (a, b) times along u and v, in the Bézier
+// coefficient (i, j), multiplied by (degree!)^2 to get integers. Newton's polynomials are C(n u, a)
+// C(n v, b). The Bézier coefficients of their powers of u and v have a closed form.
 IntegerTable GetDifferenceFactors(const Numbers& numbers, int degree, int i, int j)
 {
   IntegerTable factors{};
@@ -72,7 +72,7 @@ IntegerTable GetDifferenceFactors(const Numbers& numbers, int degree, int i, int
   return factors;
 }
 
-// What the node (x, y) counts in a coefficient: a quotient of integers, rounded once.
+// Factor of node (x, y) in a coefficient: a quotient of integers, rounded once.
 double GetNodeFactor(
   const Numbers& numbers, int degree, const IntegerTable& differences, int x, int y)
 {
@@ -89,7 +89,7 @@ double GetNodeFactor(
   return static_cast<double>(sum) / static_cast<double>(factorial * factorial);
 }
 
-// Of one degree, row by row.
+// The row-major matrices for a degree.
 struct Matrices
 {
   std::vector<double> Curve;
@@ -115,7 +115,7 @@ Matrices ComputeMatrices(int degree)
     }
   }
   const int size = (degree + 1) * (degree + 2) / 2;
-  for (int i = 0; i <= degree; ++i) // a triangle's edge depends on its own nodes alone
+  for (int i = 0; i <= degree; ++i) // the edge of a triangle only depends on its nodes
   {
     const auto row = matrices.Triangle.begin() + i * size;
     matrices.Curve.insert(matrices.Curve.end(), row, row + degree + 1);
@@ -154,7 +154,7 @@ void ConvertLagrangeToBezier(int degree, int components, double* values, std::pt
     }
     for (int k = 1; k < degree; ++k)
     {
-      // In pairs from both ends, so that the sum is the same from either.
+      // Added in pairs from both ends, so that the sum does not depend on the direction.
       const double* row = matrix + k * (degree + 1);
       double sum = degree % 2 == 0 ? row[degree / 2] * nodes[degree / 2] : 0.0;
       for (int i = 0; 2 * i < degree; ++i)

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   Bézier coefficients of what interpolates equally spaced nodes
+ * @brief   conversion of Lagrange nodes to Bézier coefficients
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef LagrangeToBezier_h
 #define LagrangeToBezier_h
@@ -14,15 +14,15 @@
 namespace relevo
 {
 /**
- * Replaces the degree + 1 nodes of a Lagrange curve, of any number of components each, by Bézier
- * coefficients. Nodes lie `stride` values apart. Both ends stay as they are, to the bit, and the
- * coefficients have the same bits from whichever end the nodes are given. Degrees 1 to 8.
+ * Replaces the degree + 1 nodes of a Lagrange curve of degree 1 to 8 by Bézier coefficients. Nodes
+ * have any number of components and are `stride` values apart. Both ends are not changed. Reversing
+ * the nodes reverses the coefficients, to the bit.
  */
 void ConvertLagrangeToBezier(int degree, int components, double* values, std::ptrdiff_t stride);
 
 /**
- * The same of a triangle's (degree + 1) (degree + 2) / 2 nodes, see GetTriangleIndex(). Its edges
- * have the bits of ConvertLagrangeToBezier().
+ * Does the same for the (degree + 1) (degree + 2) / 2 nodes of a triangle, see GetTriangleIndex().
+ * Its edges are bitwise identical to the results of ConvertLagrangeToBezier().
  */
 void ConvertLagrangeTriangleToBezier(int degree, int components, double* values);
 }

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   where a triangle's nodes and control points stand
+ * @brief   order of nodes and control points of triangles
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef TriangleIndex_h
 #define TriangleIndex_h
 
 namespace relevo
 {
-/// Rows j = 0 to degree of i = 0 to degree - j.
+/// Returns the index in rows j = 0 to degree of i = 0 to degree - j.
 constexpr int GetTriangleIndex(int degree, int i, int j)
 {
   return j * (degree + 1) - j * (j - 1) / 2 + i;

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   WeightScale
- * @brief   weights as floats, which have less room than the doubles that they come in
+ * @brief   scales double weights to the range of float
  *
- * A factor that all weights have in common cancels out; one that is a power of two leaves results
- * as they are, to the bit.
+ * A common factor of all weights cancels out. With a power of two, results are bitwise identical.
  *
- * Private to the modules' own sources.
+ * Private to the modules.
  */
 #ifndef WeightScale_h
 #define WeightScale_h
@@ -24,7 +23,7 @@ namespace relevo
 class WeightScale
 {
 public:
-  /// getPoint(i) is control point i, first to end - 1, its weight last.
+  /// getPoint(i) returns control point i, from first to end - 1, with the weight last.
   template <typename GetPoint>
   WeightScale(vtkIdType first, vtkIdType end, const GetPoint& getPoint)
   {
@@ -36,7 +35,7 @@ public:
     this->Exponent = largest > 0.0 ? std::ilogb(largest) : 0;
   }
 
-  /// More than 0, and 2 at most.
+  /// Returns a weight greater than 0 and at most 2.
   float GetWeight(const dvec4& point) const
   {
     const auto weight = static_cast<float>(std::ldexp(point.w, -this->Exponent));

@@ -1,20 +1,22 @@
-// A rational Bezier curve of any degree: points, tangents and values. GLSL and C++: the including
-// side says what Real, Real3 and Real4 are (float or double), and gives
+// Rational Bezier curves of any degree: points, tangents and values. GLSL and C++. The including
+// file defines Real, Real3 and Real4 (float or double), and
+//
 //   int curveDegree()          1 or more
-//   Real4 curvePoint(int i)    control point 0 to curveDegree(), not multiplied with its weight
-// A point is found as de Casteljau's last step does, between two points on a line that touches the
-// curve: two curves of one degree less, each by Horner's scheme (G. Farin, "Curves and Surfaces for
-// CAGD", 5th ed., 2002, section 5.4). All is relative to the first control point, which loses no
-// digits far from the origin.
+//   Real4 curvePoint(int i)    control point 0 to curveDegree(), not multiplied by its weight
+//
+// A point is computed as in the last step of de Casteljau's algorithm, between two points on a
+// tangent of the curve. They are points of two curves of one degree less, evaluated with Horner's
+// scheme (G. Farin, "Curves and Surfaces for CAGD", 5th ed., 2002, section 5.4). Coordinates are
+// relative to the first control point, for precision far from the origin.
 
-// Its ends, multiplied with their weights.
+// The two points on the tangent, multiplied by their weights.
 struct CurveLine
 {
   Real4 First;
   Real4 Last;
 };
 
-// A control point's offset from the first one, and its weight.
+// Offset of a control point from the first one, multiplied by its weight, and its weight.
 RELEVO_FUNCTION Real4 curveOffset(int i)
 {
   Real4 point = curvePoint(i);
@@ -46,7 +48,7 @@ RELEVO_FUNCTION CurveLine curveLine(Real t)
   return line;
 }
 
-// Exactly the first and the last control point at both ends.
+// Returns exactly the first or last control point at the ends.
 RELEVO_FUNCTION Real3 curvePosition(CurveLine line, Real t)
 {
   if (t == Real(1))
@@ -58,7 +60,8 @@ RELEVO_FUNCTION Real3 curvePosition(CurveLine line, Real t)
   return position;
 }
 
-// From control point `from` to the next one in steps of `step` that is elsewhere; zero without.
+// Returns the vector from control point `from` to the first distinct one in steps of `step`, or
+// zero.
 RELEVO_FUNCTION Real3 curveEndDirection(int from, int step)
 {
   Real3 end = Real3(curvePoint(from));
@@ -73,8 +76,8 @@ RELEVO_FUNCTION Real3 curveEndDirection(int from, int step)
   return Real3(Real(0));
 }
 
-// The direction of the curve, of length 1. Where control points coincide, that of its limit at an
-// end; where it stops inside, that of its chord.
+// Returns the unit tangent. If control points coincide, this is the limit at the ends, and the
+// direction of the chord at other points where the derivative vanishes.
 RELEVO_FUNCTION Real3 curveTangent(CurveLine line, Real t)
 {
   Real3 direction = Real3(line.Last) / line.Last.w - Real3(line.First) / line.First.w;
@@ -90,7 +93,7 @@ RELEVO_FUNCTION Real3 curveTangent(CurveLine line, Real t)
   {
     direction = Real3(curvePoint(curveDegree())) - Real3(curvePoint(0));
   }
-  // A chord that is closed leaves nothing better than where the curve begins.
+  // If the chord is closed, use the direction at the start.
   Real squared = dot(direction, direction);
   direction = squared > Real(0) ? direction : curveEndDirection(0, 1);
   return normalize(direction);

@@ -1,28 +1,30 @@
-// Ribbons and tubes along a curve. GLSL and C++: after relevoCurve.glsl, with
+// Frames of ribbons and tubes along a curve. GLSL and C++. Included after relevoCurve.glsl, with
+//
 //   int curveIntervals()             a power of two
 //   Real3 curveStationTangent(int k)
 //   Real3 curveStationNormal(int k)
-// A frame that does not turn about the tangent can only be followed along the curve (W. Wang, B.
-// Juttler, D. Zheng, Y. Liu, "Computation of Rotation Minimizing Frames", ACM Transactions on
-// Graphics 27(1), 2008). Where it has been followed to, at stations t = k / curveIntervals(), k = 0
-// to curveIntervals(), it is given (CurveFrames.h); between, those on both sides are turned the
-// shortest way and mixed. Curves that are joined have the same station there, to the bit.
+//
+// Rotation-minimizing frames can only be computed by following the curve (W. Wang, B. Juttler, D.
+// Zheng, Y. Liu, "Computation of Rotation Minimizing Frames", ACM Transactions on Graphics 27(1),
+// 2008). CurveFrames.h does so for stations t = k / curveIntervals(), k = 0 to curveIntervals(). In
+// between, the frames of both stations are rotated by the smallest rotation and interpolated.
+// Joined curves have bitwise identical stations at the joint.
 
 RELEVO_FUNCTION Real3 curvePerpendicular(Real3 v, Real3 tangent)
 {
   return normalize(v - dot(v, tangent) * tangent);
 }
 
-// A vector across the unit vector `from`, turned as `from` is when it becomes `to`.
+// Applies the smallest rotation from the unit vector `from` to `to` to a perpendicular vector.
 RELEVO_FUNCTION Real3 curveTurn(Real3 v, Real3 from, Real3 to)
 {
   Real cosine = Real(1) + dot(from, to);
-  // Turned right round, it is across as it is.
+  // For opposite directions, keep the perpendicular vector.
   Real3 turned = cosine > Real(1e-3) ? v - (dot(v, to) / cosine) * (from + to) : v;
   return curvePerpendicular(turned, to);
 }
 
-// The direction that ribbons and tubes are across to: where curves meet, the mean of both.
+// Returns the axis of ribbons and tubes: the tangent, or the mean tangent where curves meet.
 RELEVO_FUNCTION Real3 curveFrameTangent(CurveLine line, Real t)
 {
   if (t == Real(0) || t == Real(1))
@@ -32,7 +34,7 @@ RELEVO_FUNCTION Real3 curveFrameTangent(CurveLine line, Real t)
   return curveTangent(line, t);
 }
 
-// Across the frame's tangent, of length 1.
+// Returns a unit vector perpendicular to the frame's tangent.
 RELEVO_FUNCTION Real3 curveFrameNormal(Real3 tangent, Real t)
 {
   if (t == Real(0) || t == Real(1))
@@ -47,8 +49,9 @@ RELEVO_FUNCTION Real3 curveFrameNormal(Real3 tangent, Real t)
   return dot(sum, sum) > Real(1e-6) ? normalize(sum) : before;
 }
 
-// From the middle to the side of a ribbon that is seen in its whole width from where `toEye` leads
-// to, of any length; by the frame's normal where one looks along the curve.
+// Returns the direction from the middle of a ribbon to its side, for a ribbon that faces the eye.
+// `toEye` has any length. If the ribbon is seen along the curve, the frame's normal determines the
+// side.
 RELEVO_FUNCTION Real3 ribbonSide(Real3 tangent, Real3 normal, Real3 toEye)
 {
   Real3 side = cross(tangent, toEye);
@@ -57,20 +60,20 @@ RELEVO_FUNCTION Real3 ribbonSide(Real3 tangent, Real3 normal, Real3 toEye)
                                                    : cross(tangent, normal);
 }
 
-// The ribbon's own normal, towards the eye.
+// Returns the normal of a ribbon, towards the eye.
 RELEVO_FUNCTION Real3 ribbonNormal(Real3 tangent, Real3 side)
 {
   return cross(side, tangent);
 }
 
-// From the middle outwards; `angle` is the cosine and the sine of where around the tube.
+// Returns the direction outwards. `angle` has cosine and sine of the angle around the tube.
 RELEVO_FUNCTION Real3 tubeDirection(Real3 tangent, Real3 normal, Real2 angle)
 {
   precise Real3 direction = normal * angle.x + cross(tangent, normal) * angle.y;
   return direction;
 }
 
-// The normal of a tube whose radius changes by `slope` per length.
+// Returns the normal of a tube whose radius changes by `slope` per length.
 RELEVO_FUNCTION Real3 tubeNormal(Real3 tangent, Real3 direction, Real slope)
 {
   return normalize(direction - slope * tangent);

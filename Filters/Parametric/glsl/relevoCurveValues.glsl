@@ -1,7 +1,9 @@
-// Point data along a curve, by the curve's own basis. GLSL and C++: after relevoCurve.glsl, with
-//   Real4 curveValue(int i)    that of control point i, which the weight of curvePoint(i) goes with
+// Point data along a curve, in the basis of the curve. GLSL and C++. Included after
+// relevoCurve.glsl, with
+//
+//   Real4 curveValue(int i)    the value at control point i, with the weight of curvePoint(i)
 
-// The ends of the line that touches: those of curveLine(), multiplied with their weights.
+// Values at the two points of curveLine(), multiplied by their weights.
 struct CurveValueLine
 {
   Real4 First;
@@ -43,7 +45,7 @@ RELEVO_FUNCTION Real4 curveValueAt(CurveLine line, CurveValueLine values, Real t
   return sum / weight;
 }
 
-// How much values change per length of the curve; 0 where the curve stops.
+// Returns the change of values per length of the curve, or 0 where its derivative vanishes.
 RELEVO_FUNCTION Real4 curveSlope(CurveLine line, CurveValueLine values)
 {
   Real3 way = Real3(line.Last) / line.Last.w - Real3(line.First) / line.First.w;

@@ -1,25 +1,27 @@
-// Rational Bezier patches of any degree: a point and its derivatives.
+// Rational Bezier patches of any degree: points and derivatives.
 //
-// Quadrilaterals are tensor products, their control points those of v = 0 first, u = 0 first among
-// these; triangles have rows for each power j of v, in which the power of u rises. Bernstein
-// polynomials are summed as Horner's scheme does, each control point being read once; the last step
-// of de Casteljau's algorithm gives point and derivatives together (G. Farin, "Curves and Surfaces
-// for CAGD", 2002).
+// Quadrilaterals are tensor products with control points in rows along u, starting at v = 0.
+// Triangles have a row for each power j of v, with increasing powers of u. Bernstein polynomials
+// are summed with Horner's scheme, which reads each control point once. The last step of de
+// Casteljau's algorithm provides point and derivatives together (G. Farin, "Curves and Surfaces for
+// CAGD", 2002).
 //
-// The including side provides
+// The including file provides
+//
 //   vec4 patchPoint(int i)  control point i times its weight, and the weight
 
-const int patchUnit = 16384; // parts of it are corners of parts of patches
+const int patchUnit = 16384; // corners of sub-patches are multiples of 1 / patchUnit
 
 struct PatchShape
 {
   int First; // control point
   ivec2 Degrees;
-  bool IsTriangle; // its degree is Degrees.x
+  bool IsTriangle; // the degree is Degrees.x
 };
 
-// Of two numbers: first control point; degrees p | q << 4 | 256 for a triangle | the borders that are
-// one point or no edge of their cell, a bit each, << 9 | 8192 where weights differ.
+// Unpacks two numbers: the first control point, and p | q << 4 | 256 for a triangle | bits << 9 |
+// 8192 if weights differ. p and q are the degrees. There is a bit for each border that degenerates
+// to a point or is not an edge of its cell.
 RELEVO_FUNCTION PatchShape unpackShape(ivec2 record)
 {
   PatchShape shape;
@@ -29,7 +31,8 @@ RELEVO_FUNCTION PatchShape unpackShape(ivec2 record)
   return shape;
 }
 
-// Homogeneous, as the control points are. Of a triangle v and u grow at the third weight's cost.
+// Homogeneous, like the control points. In triangles, the third weight decreases as u or v
+// increases.
 struct PatchPoint
 {
   vec4 Point;
@@ -37,14 +40,15 @@ struct PatchPoint
   vec4 ByV;
 };
 
-// A row's polynomials of one degree less: of all its points but the last, and but the first.
+// The two polynomials of one degree less in a row: of all points except the last, and except the
+// first.
 struct PatchRow
 {
   vec4 Low;
   vec4 High;
 };
 
-// A polynomial of degree n + 1 is s Low + t High. s and t need not add up to 1.
+// The polynomial of degree n + 1 is s Low + t High. s and t need not add up to 1.
 RELEVO_FUNCTION PatchRow patchRow(int first, int n, float s, float t)
 {
   PatchRow row;
@@ -66,11 +70,11 @@ RELEVO_FUNCTION PatchPoint quadrilateralPoint(PatchShape shape, vec2 uv)
 {
   vec2 st = vec2(1.0f) - uv;
   int n = shape.Degrees.y - 1;
-  PatchRow low; // of all rows but the last
+  PatchRow low; // of all rows except the last
   PatchRow high;
   low.Low = low.High = high.Low = high.High = vec4(0.0f);
   float factor = 1.0f;
-  float last = 0.0f; // factor
+  float last = 0.0f; // previous factor
   for (int j = 0; j <= n + 1; ++j)
   {
     PatchRow row = patchRow(shape.First + j * (shape.Degrees.x + 1), shape.Degrees.x - 1, st.x, uv.x);
@@ -100,7 +104,7 @@ RELEVO_FUNCTION PatchPoint trianglePoint(PatchShape shape, vec2 uv)
 {
   float w = 1.0f - uv.x - uv.y;
   int n = shape.Degrees.x - 1;
-  vec4 byU = vec4(0.0f); // the polynomials of one degree less, towards each corner
+  vec4 byU = vec4(0.0f); // polynomials of one degree less, towards each corner
   vec4 byV = vec4(0.0f);
   vec4 byW = vec4(0.0f);
   int first = shape.First;
@@ -133,11 +137,11 @@ RELEVO_FUNCTION PatchPoint patchPointAt(PatchShape shape, vec2 uv)
   return quadrilateralPoint(shape, uv);
 }
 
-// The point alone, which costs less.
+// Evaluates the point only, which is faster.
 RELEVO_FUNCTION vec4 patchValueAt(PatchShape shape, vec2 uv)
 {
   float s = 1.0f - uv.x - (shape.IsTriangle ? uv.y : 0.0f);
-  float t = shape.IsTriangle ? 1.0f : 1.0f - uv.y; // rows of a triangle have all powers of it
+  float t = shape.IsTriangle ? 1.0f : 1.0f - uv.y; // rows of a triangle contain all powers of it
   int rows = shape.IsTriangle ? shape.Degrees.x : shape.Degrees.y;
   int n = shape.Degrees.x;
   int i = shape.First;
@@ -160,7 +164,7 @@ RELEVO_FUNCTION vec4 patchValueAt(PatchShape shape, vec2 uv)
   return sum;
 }
 
-// Control points along a border: that at k is First + k Step + k (k - 1) / 2 Growth.
+// Control points along a border. Point k is First + k Step + k (k - 1) / 2 Growth.
 struct PatchBorder
 {
   int Degree;
@@ -169,8 +173,8 @@ struct PatchBorder
   int Growth;
 };
 
-// The border that two corners of a part of the patch are on: -1 for none; else 0: v = 0, 1: u = 0,
-// 2: v = 1 or, of a triangle, u + v = 1; 3: u = 1.
+// Returns the border that contains both corners of a sub-patch, or -1. Borders are 0: v = 0; 1: u =
+// 0; 2: v = 1 or, for a triangle, u + v = 1; 3: u = 1.
 RELEVO_FUNCTION int findPatchBorder(PatchShape shape, ivec2 a, ivec2 b)
 {
   if (a.y == 0 && b.y == 0)
@@ -214,7 +218,7 @@ RELEVO_FUNCTION PatchBorder patchBorder(PatchShape shape, int border)
   return points;
 }
 
-// The parameter along a border, in the order of its control points.
+// Returns the parameter along a border, in the order of its control points.
 RELEVO_FUNCTION int alongPatchBorder(PatchShape shape, int border, ivec2 corner)
 {
   return border == 0 || (border == 2 && !shape.IsTriangle) ? corner.x : corner.y;
@@ -225,8 +229,8 @@ RELEVO_FUNCTION int patchBorderPoint(PatchBorder border, int k)
   return border.First + k * border.Step + k * (k - 1) / 2 * border.Growth;
 }
 
-// A point of a border at t, counted from its end if it is reversed: the same bits for all patches
-// that have the curve in common, whichever way each runs.
+// Evaluates a border at t, from its end if reversed. The result is bitwise identical for all
+// patches that share the curve in either direction.
 RELEVO_FUNCTION vec4 patchBorderPointAt(PatchBorder border, bool isReversed, float t)
 {
   float s = 1.0f - t;

@@ -1,17 +1,19 @@
-// Faces that are parts of Bezier patches: see vtkPatchSurface.
-// The including side provides relevoWeights.glsl, relevoPatch.glsl, the corners' functions of
-// vtkRefinementSurface.h and its tables:
+// Faces that are parts of Bezier patches; see vtkPatchSurface. The including file provides
+// relevoWeights.glsl, relevoPatch.glsl, the corner functions of vtkRefinementSurface.h and its
+// tables:
+//
 //   int tableEntry()           the face's first record
-//   int cornerOrder()          permutation from the face's own corners to the sorted ones
+//   int cornerOrder()          permutation from the face's corners to the sorted ones
 //   vec4 tablePoint(int i)     a control point and its weight
 //   ivec4 tableRecord(int i)   four per face:
-//     0: the patch, see unpackShape(); edges that are one point, a bit each
-//     1: the corners' u << 16 | v, in parts of patchUnit
-//     2, 3: for each edge a face at it, the same two for all around: record << 3 | edge << 1 | 1 if
-//        that face passes it from its higher place to the lower; -1 for none
-// Edge k joins the face's own corners k and k + 1.
+//     0: the patch, see unpackShape(); a bit for each edge that degenerates to a point
+//     1: the corners' u << 16 | v, in multiples of 1 / patchUnit
+//     2, 3: a face at each edge, the same two for all faces at it: record << 3 | edge << 1 | 1 if
+//        that face passes the edge from its higher merged point to the lower; -1 for none
+//
+// Edge k connects corners k and k + 1 of the face.
 
-vec3 patchOrigin = vec3(0.0f); // control points are taken relative to it: less is lost
+vec3 patchOrigin = vec3(0.0f); // control points are relative to it, for precision
 
 RELEVO_FUNCTION vec4 patchPoint(int i)
 {
@@ -22,9 +24,9 @@ RELEVO_FUNCTION vec4 patchPoint(int i)
 struct FacePatch
 {
   PatchShape Shape;
-  int PointEdges; // those that are one point, a bit each
+  int PointEdges; // a bit for each edge that degenerates to a point
   ivec3 Corners;  // of the sorted corners
-  ivec3 Order;    // the face's own corners that these are
+  ivec3 Order;    // corners of the face that these are
 };
 
 RELEVO_FUNCTION FacePatch facePatch()
@@ -49,14 +51,14 @@ RELEVO_FUNCTION vec2 cornerCoordinate(int corner)
   return vec2(unpackCorner(corner)) / float(patchUnit);
 }
 
-// The patch's parameters at weights of the sorted corners.
+// Interpolates the patch parameters with weights of the sorted corners.
 RELEVO_FUNCTION vec2 patchCoordinate(FacePatch face, vec3 w)
 {
   return weightedSum(cornerCoordinate(face.Corners.x), cornerCoordinate(face.Corners.y),
     cornerCoordinate(face.Corners.z), w);
 }
 
-// The sorted corner whose weight alone is not zero; -1 for none.
+// Returns the sorted corner with weight 1, or -1.
 RELEVO_FUNCTION int loneCorner(vec3 w)
 {
   if (w.y == 0.0f && w.z == 0.0f)
@@ -66,10 +68,10 @@ RELEVO_FUNCTION int loneCorner(vec3 w)
   return w.x != 0.0f ? -1 : (w.z == 0.0f ? 1 : (w.y == 0.0f ? 2 : -1));
 }
 
-// The edge that weights are on, between sorted corners.
+// The edge that contains the weights, between sorted corners.
 struct FaceEdge
 {
-  int Own; // the face's own edge; -1 for none
+  int Own; // edge of the face; -1 for none
   int Low;
   int High;
 };
@@ -102,7 +104,7 @@ RELEVO_FUNCTION vec3 borderPosition(PatchShape shape, int border, ivec2 ends, in
   return position;
 }
 
-// The last point inside a patch, which position and normal both ask for.
+// Cache of the last point inside of a patch, because position and normal both use it.
 int lastFirst = -1;
 vec2 lastCoordinate = vec2(0.0f);
 PatchPoint lastPoint;
@@ -150,7 +152,7 @@ RELEVO_FUNCTION vec3 surfacePosition(vec3 w)
   return position;
 }
 
-// The product of the derivatives, of unit length; zero where they do not span a plane.
+// Returns the normalized cross product of the derivatives; zero if they are parallel.
 RELEVO_FUNCTION vec3 normalInside(PatchShape shape, vec2 uv)
 {
   PatchPoint at = pointInside(shape, uv);
@@ -164,11 +166,12 @@ RELEVO_FUNCTION vec3 normalInside(PatchShape shape, vec2 uv)
     return vec3(0.0f);
   }
   vec3 normal = cross(byU / largest, byV / largest);
-  const float least = 1e-4f; // less is rounding
+  const float least = 1e-4f; // smaller values are rounding errors
   return dot(normal, normal) > least * least ? unitVector(normal) : vec3(0.0f);
 }
 
-// Where derivatives vanish, as at an edge that is one point: the limit from the patch's middle.
+// Returns the normal. Where derivatives vanish, as at a degenerate edge, this is the limit from the
+// interior of the patch.
 RELEVO_FUNCTION vec3 patchNormal(PatchShape shape, vec2 uv)
 {
   vec3 normal = normalInside(shape, uv);
@@ -191,7 +194,7 @@ RELEVO_FUNCTION vec3 surfaceNormal(vec3 w)
     : normal;
 }
 
-// The normal of one of the faces at an edge, at a weight of the edge's higher end.
+// Returns the normal of one of the faces at an edge, at a weight of the edge's higher end.
 RELEVO_FUNCTION vec3 normalOfFaceAt(int reference, float weight)
 {
   if (reference < 0)
@@ -208,8 +211,9 @@ RELEVO_FUNCTION vec3 normalOfFaceAt(int reference, float weight)
     descends ? mix(to, from, weight) : mix(from, to, weight));
 }
 
-// What displacement goes along: the normal; on edges between patches the mean of theirs, and at
-// corners that of all around, so that what is displaced stays closed.
+// Returns the direction of displacement: the normal. On edges between patches it is the mean
+// normal, and at corners the mean of all adjacent faces, so that the displaced surface has no
+// cracks.
 RELEVO_FUNCTION vec3 surfaceDirection(vec3 w)
 {
   int lone = loneCorner(w);

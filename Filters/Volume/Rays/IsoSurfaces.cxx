@@ -65,7 +65,7 @@ std::string IsoSurfaces::DescribeMissing(vtkVolumeProperty* property, const Surf
   for (int i = 0; i < values->GetNumberOfContours(); ++i)
   {
     const double value = values->GetValue(i);
-    if (!(value >= data.Low && value <= data.High)) // also false for NaN
+    if (!(value >= data.Low && value <= data.High)) // NaN is missing too
     {
       missing << (count++ > 0 ? ", " : "") << value;
     }
