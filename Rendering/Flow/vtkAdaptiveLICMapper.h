@@ -2,45 +2,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAdaptiveLICMapper
- * @brief   shows a vector field on the refined surface by line integral convolution
+ * @brief   shows a vector field on a refined surface by line integral convolution
  *
- * A vtkAdaptiveRefinementMapper whose surface carries streaks along a vector field: noise is
- * convolved along the streamlines on the screen (after Laramee, Jobard and Hauser, Image Space
- * Based Visualization of Unsteady Flow on Surfaces, 2003). Vectors go with the surface through
- * refinement and displacement and are projected on its tangent plane, pixel by pixel, then on the
- * screen. The settings are one object, vtkLICSettings, with the names and defaults of VTK's
- * vtkSurfaceLICInterface: GetLICInterface() returns it, and the setters here change it. Lengths are
- * in pixels of the window. The recipe is by default one of MaximumLevel 0: the mesh is drawn as it
- * is, as by VTK's vtkSurfaceLICMapper. To have levels follow the field, give the recipe a
- * vtkCompositeDepthTagMetric, mode MAXIMUM, of vtkFieldVariationDepthTagMetric and
- * vtkScreenEdgeDepthTagMetric, and MaximumLevel 3: field variation ignores the size on the screen,
- * and each further level quadruples the triangles where it is high.
+ * This vtkAdaptiveRefinementMapper draws streaks along a vector field on its surface. Noise is
+ * convolved along the streamlines in screen space (after Laramee, Jobard and Hauser, Image Space
+ * Based Visualization of Unsteady Flow on Surfaces, 2003). The vectors follow the surface through
+ * refinement and displacement. At each pixel they are projected onto the tangent plane and then
+ * onto the screen. The settings are one object, vtkLICSettings, with the names and defaults of
+ * VTK's vtkSurfaceLICInterface. GetLICInterface() returns it, and the setters of this class change
+ * it. Lengths are in pixels of the window.
  *
- * The vectors are chosen by SetInputArrayToProcess(0, 0, 0, association, name): an array of three
- * components, or of two (x and y), of points (interpolated linearly) or of cells (constant in each
- * cell); by default the active vectors, of points if there are any. Where there is nothing to
- * follow the surface is drawn without streaks, see SetMaskThreshold(): no-data (not finite, or a
- * component of at least NoDataMagnitude), zero, and vectors that are perpendicular to the surface.
+ * The default recipe has MaximumLevel 0: the mesh is drawn unrefined, as by VTK's
+ * vtkSurfaceLICMapper. To make levels follow the field, set MaximumLevel 3 and a
+ * vtkCompositeDepthTagMetric of mode MAXIMUM that combines vtkFieldVariationDepthTagMetric and
+ * vtkScreenEdgeDepthTagMetric. Field variation ignores the size on the screen, so each further
+ * level quadruples the triangles where the variation is high.
  *
- * The streaks are combined with the colours that the surface has otherwise, lit: a white actor
- * without lighting and LICIntensity 1 shows the grey LIC itself. Opacity, depth peeling, clipping
- * planes, textures, representations and picking are those of any other mapper. Where several layers
- * show through each other, the one in front has streaks. Wireframes and points have none;
- * edges are drawn over streaks. In a picture that a window draws in parts (vtkWindowToImageFilter
- * with a scale) the noise goes on from part to part, but streamlines end at their borders.
+ * SetInputArrayToProcess(0, 0, 0, association, name) selects the vectors: an array with three
+ * components, or with two (x and y), of points (interpolated linearly) or of cells (constant in
+ * each cell). The default is the active vectors, of points if there are any. The surface is drawn
+ * without streaks where vectors are missing (not finite, or with a component of at least
+ * NoDataMagnitude), zero, or perpendicular to the surface; see SetMaskThreshold().
  *
- * The convolution is kept until the camera, the viewport, the actor's place, the input, the recipe
- * or the settings change; GetNumberOfConvolutions() counts. It costs memory for the viewport: about
- * 36 bytes a pixel, 52 with the contrast of colours enhanced, see GetGraphicsMemorySize().
+ * The streaks are combined with the surface's lit colours. A white actor without lighting and with
+ * LICIntensity 1 shows the grey LIC itself. Opacity, depth peeling, clipping planes, textures,
+ * representations and picking work as with other mappers. Where several translucent layers overlap,
+ * the front layer has streaks. Wireframes and points have no streaks; edges are drawn over streaks.
+ * If a window is captured in tiles (vtkWindowToImageFilter with a scale), the noise continues from
+ * tile to tile, but streamlines end at tile borders.
  *
- * Recommended where colours encode data: SetColorModeToMultiply(), SetEnhanceContrastToLIC() and
+ * The convolution is cached until the camera, the viewport, the actor's matrix, the input, the
+ * recipe or the settings change; GetNumberOfConvolutions() counts the convolutions. It needs about
+ * 36 bytes per pixel of the viewport, 52 if the contrast of colours is enhanced; see
+ * GetGraphicsMemorySize().
+ *
+ * If colours encode data, use SetColorModeToMultiply(), SetEnhanceContrastToLIC() and
  * SetMapModeBias(0.3).
  *
- * Needs textures of floating point numbers that can be drawn to (OpenGL 3.0). Errors (ErrorEvent of
- * this object; the surface is drawn without streaks): no vectors, another number of components,
- * nothing but no-data, noise that cannot be made or read, low and high factors of a contrast in use
- * whose sum is 1 or more, an older OpenGL. A setting out of its range is an error and changes
- * nothing.
+ * Requires floating-point colour attachments (OpenGL 3.0). These are errors (ErrorEvent of this
+ * object): no vectors, a wrong number of components, an array without any valid vector, noise that
+ * cannot be generated or read, a low and a high contrast factor in use whose sum is 1 or more, and
+ * an older OpenGL. The surface is then drawn without streaks. A setting out of its range is an
+ * error and changes nothing.
  *
  * @sa vtkLICSettings vtkLineIntegralConvolution vtkSurfaceLineIntegralConvolution
  * vtkFieldVariationDepthTagMetric
@@ -72,10 +75,10 @@ public:
 
   //@{
   /**
-   * All settings of the streaks; never nullptr: a nullptr gives the mapper new ones with their
-   * defaults. Several mappers and filters can share an object, and ShallowCopy() shares it. They
-   * are part of the mapper: its GetMTime() counts them. GetLICInterface() is what
-   * vtkSurfaceLICMapper calls it.
+   * Set the settings of the streaks. nullptr creates new settings with default values, so that Get
+   * never returns nullptr. Several mappers and filters can share the object, and ShallowCopy()
+   * shares it. The mapper's GetMTime() includes the settings. GetLICInterface() has the name that
+   * vtkSurfaceLICMapper uses.
    */
   void SetLICSettings(vtkLICSettings* settings);
   vtkLICSettings* GetLICSettings() const;
@@ -84,7 +87,7 @@ public:
 
   //@{
   /**
-   * Whether there are streaks at all, on by default. See vtkLICSettings.
+   * Set whether streaks are drawn. On by default. See vtkLICSettings.
    */
   void SetEnable(int enable);
   int GetEnable();
@@ -93,8 +96,9 @@ public:
 
   //@{
   /**
-   * Streamlines: how many steps each way (default 20) of how many pixels (default 1), all equally
-   * long (on) or as long as vectors. See vtkLICSettings.
+   * Set the number of steps along a streamline in each direction (default 20), the length of a step
+   * in pixels (default 1), and whether all steps are equally long (on, the default) or proportional
+   * to the vectors (off). See vtkLICSettings.
    */
   void SetNumberOfSteps(int steps);
   int GetNumberOfSteps();
@@ -107,8 +111,9 @@ public:
 
   //@{
   /**
-   * Whether noise is convolved twice (on), streaks have heads (off), and how far they have moved,
-   * in loops (0). See vtkLICSettings.
+   * Set whether noise is convolved twice (default on), whether streaks have heads that show the
+   * direction (default off), and how far the pattern has moved along the flow, in loops (default
+   * 0). See vtkLICSettings.
    */
   void SetEnhancedLIC(int enhanced);
   int GetEnhancedLIC();
@@ -130,9 +135,10 @@ public:
 
   //@{
   /**
-   * Whether the range of greys (1), of the lightness of colours (3) or of both (4) is stretched; by
-   * default of neither (0). The factors are the shares of the range that are cut off at its ends,
-   * default 0. AntiAlias: how often the LIC is smoothed, default 0. See vtkLICSettings.
+   * Set whether the range of greys (1), of the lightness of colours (3) or of both (4) is
+   * stretched. The default is neither (0). The factors are the fractions of the range that are cut
+   * off at its two ends; the default is 0. AntiAlias is the number of smoothing passes; the default
+   * is 0. See vtkLICSettings.
    */
   void SetEnhanceContrast(int mode);
   int GetEnhanceContrast();
@@ -155,9 +161,10 @@ public:
 
   //@{
   /**
-   * Where there are no streaks: for vectors at most MaskThreshold long (0), or projected on the
-   * surface (off), and for no-data, of NoDataMagnitude (1e8) or more. MaskIntensity (0) is
-   * MaskColor's share of the colour there. See vtkLICSettings.
+   * Set where no streaks are drawn: for vectors of length MaskThreshold (default 0) or less,
+   * measured on the surface if MaskOnSurface is on (default off), and for vectors with a component
+   * of NoDataMagnitude (default 1e8) or more. MaskIntensity (default 0) is the fraction of
+   * MaskColor there. See vtkLICSettings.
    */
   void SetMaskThreshold(double threshold);
   double GetMaskThreshold();
@@ -177,11 +184,11 @@ public:
 
   //@{
   /**
-   * How the LIC is combined with the surface's colours: blended, with LICIntensity (0.8) as its
-   * share (the default), or multiplied with them, after MapModeBias (0) has been added; "map" is
-   * VTK's word for that. The setting itself is ColorMode of GetLICInterface(). SetColorMode() of
-   * the mapper, SetColorModeToDefault() and its like are vtkMapper's, and about how scalars become
-   * colours.
+   * Set how the LIC is combined with the surface's colours. Blend (the default) mixes them, with
+   * LICIntensity (default 0.8) as the fraction of the LIC. Multiply multiplies them, after
+   * MapModeBias (default 0) has been added to the LIC; Map is VTK's name for the same mode. The
+   * mode is ColorMode of GetLICInterface(). This mapper's SetColorMode(), SetColorModeToDefault()
+   * and so on are those of vtkMapper: they set how scalars are mapped to colours.
    */
   void SetColorModeToBlend();
   void SetColorModeToMultiply();
@@ -194,8 +201,8 @@ public:
 
   //@{
   /**
-   * An image, or an image file, to use as noise; both nullptr, the default, for generated noise.
-   * See vtkLICSettings.
+   * Set an image, or an image file, to use as noise. Both are nullptr by default: the noise is
+   * generated. See vtkLICSettings.
    */
   void SetNoiseDataSet(vtkImageData* image);
   vtkImageData* GetNoiseDataSet();
@@ -212,7 +219,7 @@ public:
 
   //@{
   /**
-   * The noise that vtkLICNoiseSource generates. See vtkLICSettings for ranges and defaults.
+   * Set the noise that vtkLICNoiseSource generates. See vtkLICSettings for ranges and defaults.
    */
   void SetGenerateNoiseTexture(int generate);
   int GetGenerateNoiseTexture();
@@ -243,21 +250,22 @@ public:
   vtkMTimeType GetMTime() override;
 
   /**
-   * How often noise has been convolved since the mapper was made, for all renderers and actors.
-   * Several cameras, as vtkWindowToImageFilter makes copies, are several views.
+   * Return how often noise has been convolved since the mapper was created, for all renderers and
+   * actors. Each camera counts separately, including the copies that vtkWindowToImageFilter makes.
    */
   vtkGetMacro(NumberOfConvolutions, vtkIdType);
 
   //@{
   /**
-   * For processes that draw one picture together, each its part of the surface: their controller,
-   * which a representation of the plugin for ParaView sets; nullptr, the default, or one of a
-   * single process where this process draws all. Streaks then go on from process to process, if all
-   * of them call PrepareParallelFrame() before each picture, in the same order and with the same
-   * settings, camera and size of the viewport, those that have nothing to draw, too. It composites
-   * the vectors by depth and convolves them as far as this process needs them, unless nothing has
-   * changed on any process. An error of one process leaves all without streaks; a part that has no
-   * array of vectors is drawn without.
+   * Set the controller of the processes that draw an image together, each with a part of the
+   * surface. With nullptr (the default) or a controller of one process, this process draws alone.
+   * The representation of the ParaView plugin sets it.
+   *
+   * Streaks continue across processes if all processes call PrepareParallelFrame() before each
+   * image, in the same order and with the same settings, camera and viewport size. Processes that
+   * draw nothing must call it, too. It composites the vectors by depth and convolves the region
+   * that this process needs, unless nothing has changed on any process. If one process has an
+   * error, no process draws streaks. A part without the array of vectors is drawn without streaks.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
@@ -265,7 +273,7 @@ public:
   //@}
 
   /**
-   * With the images of the size of the viewport.
+   * Return the number of bytes on the GPU, including images of the viewport's size.
    */
   vtkTypeInt64 GetGraphicsMemorySize() override;
 

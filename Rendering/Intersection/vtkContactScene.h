@@ -2,30 +2,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkContactScene
- * @brief   which of some moving actors may meet, and where they do
+ * @brief   finds which moving actors may touch, and where they do
  *
- * Call Update() when actors may have moved, such as before each frame. It looks at actors wherever
- * their matrices put them, visible or not, in two steps:
+ * Call Update() when actors may have moved, such as before each frame. It processes actors at the
+ * position of their matrices, visible or not, in two steps:
  *
- * Candidates: pairs of actors whose world boxes, those of their mappers' bounds, meet. The boxes
- * that two have in common are kept in the vtkProximityDepthTagMetric of their recipes, so that
- * faces in them are refined most. It is the metric of the recipe of a vtkAdaptiveRefinementMapper,
- * or one that this metric, a vtkCompositeDepthTagMetric, is made of; a recipe without a metric gets
- * one, with Distance. Recipes with another metric stay as they are, and actors with another mapper
- * only are what others meet. Actors that share a recipe share its boxes. The metrics' own boxes are
- * replaced, and removed when an actor leaves the scene.
+ * Candidates are pairs of actors whose bounding boxes overlap in world coordinates. The boxes are
+ * those of their mappers' bounds. The intersection of two boxes is set in the
+ * vtkProximityDepthTagMetric of the actors' recipes, so that faces inside it get the highest level.
+ * That metric is the one of a vtkAdaptiveRefinementMapper's recipe, or a part of its
+ * vtkCompositeDepthTagMetric. A recipe without a metric gets one, with Distance. Recipes with other
+ * metrics do not change. Actors with other mappers do not change either, but other actors can meet
+ * them. Actors that share a recipe share its boxes. The scene replaces the metrics' boxes, and
+ * removes them when an actor leaves the scene.
  *
- * Contacts, with ExactContacts: the curves where the surfaces of candidates meet, decided exactly
- * by a vtkSurfaceIntersectionFilter for each pair, which is kept, so that its trees survive motion.
- * Surfaces are the polygons and strips of the mapper's input, a vtkPolyData, as they are; or, with
- * RefinedContacts, what the mapper's recipe makes of them. Actors whose input has none, such as
- * lines or blocks, have boxes alone.
+ * Contacts, with ExactContacts, are the curves where the surfaces of candidates intersect. A
+ * vtkSurfaceIntersectionFilter per pair computes them exactly. The filter is cached, so that its
+ * trees are reused while actors move. Surfaces are the polygons and strips of the mapper's
+ * vtkPolyData or, with RefinedContacts, the surface that the mapper's recipe makes of them. Actors
+ * whose input has no surface, such as lines or blocks, only have boxes.
  *
- * Only pairs of actors that have moved, or whose input has changed, are intersected anew.
+ * Only pairs with an actor that has moved or whose input has changed are intersected again.
  *
- * Actors whose bounds or matrix are not finite meet nothing. Where surfaces cannot be intersected,
- * as those of a singular matrix, an ErrorEvent names the two and says why, once, and they have no
- * contact; so does a warning of what is left out of an input.
+ * Actors with bounds or a matrix that are not finite meet nothing. If surfaces cannot be
+ * intersected, for example because of a singular matrix, one ErrorEvent names the two actors and
+ * the reason, and they have no contact. A warning reports which cells of an input are ignored.
  *
  * @sa vtkSurfaceIntersectionFilter vtkProximityDepthTagMetric vtkAdaptiveRefinementMapper
  */
@@ -50,8 +51,9 @@ public:
 
   //@{
   /**
-   * The actors, in the order in which they were added, counted from 0. None (nullptr), and one that
-   * is there already, are errors and add nothing; one that is not there is none to remove.
+   * Add, remove or return actors, in the order in which they were added, counted from 0. Adding
+   * nullptr or an actor twice is an error and adds nothing. Removing an actor that is not in the
+   * scene does nothing.
    */
   void AddActor(vtkActor* actor);
   void RemoveActor(vtkActor* actor);
@@ -62,8 +64,9 @@ public:
 
   //@{
   /**
-   * Distance of the metrics that the scene makes, in world units, at least 0, default 0; see
-   * vtkProximityDepthTagMetric::SetDistance(). Another value is an error and changes nothing.
+   * Set Distance of the metrics that the scene creates, in world units, at least 0, default 0; see
+   * vtkProximityDepthTagMetric::SetDistance(). A value out of range is an error and changes
+   * nothing.
    */
   void SetDistance(double distance);
   vtkGetMacro(Distance, double);
@@ -71,7 +74,8 @@ public:
 
   //@{
   /**
-   * Whether Update() computes where candidates meet; default on. Without, there are no contacts.
+   * Set whether Update() computes where candidates intersect. On by default. Off, there are no
+   * contacts.
    */
   vtkSetMacro(ExactContacts, bool);
   vtkGetMacro(ExactContacts, bool);
@@ -80,8 +84,9 @@ public:
 
   //@{
   /**
-   * Whether contacts are those of the curved, displaced surfaces that recipes make, refined to
-   * Tolerance where they may meet, see vtkSurfaceIntersectionFilter::SetRefinement(); default off.
+   * Set whether contacts are computed on the curved, displaced surfaces of the recipes, refined to
+   * Tolerance where they may intersect; see vtkSurfaceIntersectionFilter::SetRefinement(). Off by
+   * default.
    */
   vtkSetMacro(RefinedContacts, bool);
   vtkGetMacro(RefinedContacts, bool);
@@ -90,33 +95,35 @@ public:
 
   //@{
   /**
-   * In world units, at least 0, default 0: as fine as recipes allow; see
-   * vtkSurfaceIntersectionFilter::SetTolerance(). Another value is an error and changes nothing.
+   * Set the tolerance of refined contacts in world units, at least 0. The default, 0, refines as
+   * far as the recipes allow; see vtkSurfaceIntersectionFilter::SetTolerance(). A value out of
+   * range is an error and changes nothing.
    */
   void SetTolerance(double tolerance);
   vtkGetMacro(Tolerance, double);
   //@}
 
   /**
-   * Look at the actors as they are.
+   * Find candidates and contacts for the current state of the actors.
    */
   void Update();
 
   /**
-   * The contacts of the last Update(): a block for each pair of actors that touch, by their
-   * numbers: output 0 of vtkSurfaceIntersectionFilter, in world coordinates, with the field array
-   * "Actors" (vtkIntArray, the numbers of the two, the lower first), which the block's name says,
-   * too. Always the same object, modified when a contact changes.
+   * Return the contacts of the last Update(): one block per pair of touching actors, ordered by
+   * their indices. A block is output 0 of vtkSurfaceIntersectionFilter in world coordinates, with
+   * the field array "Actors" (vtkIntArray, the indices of both actors, the lower first). The
+   * block's name contains the indices, too. The returned object is always the same; it is modified
+   * when a contact changes.
    */
   vtkMultiBlockDataSet* GetContacts();
 
   /**
-   * Pairs of actors whose boxes meet, in the last Update().
+   * Return the number of pairs of actors whose boxes overlapped in the last Update().
    */
   vtkGetMacro(NumberOfCandidates, int);
 
   /**
-   * Pairs of actors that the last Update() intersected.
+   * Return the number of pairs of actors that the last Update() intersected.
    */
   vtkGetMacro(NumberOfIntersections, int);
 

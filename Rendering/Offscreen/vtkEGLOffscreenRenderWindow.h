@@ -4,15 +4,15 @@
  * @class   vtkEGLOffscreenRenderWindow
  * @brief   a render window that needs no display
  *
- * Draws into memory through an EGL context of its own, on the first device that offers OpenGL 3.2
- * core: a graphics card where there is one, else Mesa's software renderer. Use it like any
- * vtkRenderWindow, for pictures (vtkWindowToImageFilter) and measurements.
+ * Draws into memory through an EGL context, on the first device that offers OpenGL 3.2 core: a
+ * graphics card if there is one, otherwise Mesa's software renderer. Use it like any
+ * vtkRenderWindow, for screenshots (vtkWindowToImageFilter) and measurements.
  *
- * OpenGL allows a thread either such windows or windows on a display at a time: delete the ones
- * before drawing with the others. Otherwise an ErrorEvent says so.
+ * OpenGL allows a thread to use either such windows or windows on a display at a time. Delete the
+ * windows of one kind before you draw with the other; otherwise an ErrorEvent reports it.
  *
- * VTK packages built for X11, such as Debian's, have no such window; VTK 9.4 and later choose one
- * by themselves when there is no display.
+ * VTK packages built for X11, such as Debian's, have no off-screen window of this kind. VTK 9.4 and
+ * later choose one automatically when there is no display.
  *
  * @sa vtkRenderWindow vtkWindowToImageFilter
  */
@@ -33,13 +33,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Create the context, when there is none yet. An ErrorEvent says why there can be none.
+   * Create the context if there is none yet. If it cannot be created, an ErrorEvent reports the
+   * reason.
    */
   void Initialize() override;
 
   //@{
   /**
-   * The window is always off-screen and its context its own.
+   * These methods are overridden because the window is always off-screen and owns its context.
    */
   void MakeCurrent() override;
   bool IsCurrent() override;
@@ -53,12 +54,12 @@ public:
   //@}
 
   /**
-   * Whether a context with OpenGL 3.2 core can be had: 1 or 0.
+   * Return 1 if a context with OpenGL 3.2 core can be created, otherwise 0.
    */
   int SupportsOpenGL() override;
 
   /**
-   * Whether the context draws on the machine itself: always 1.
+   * Return whether the context draws on the local machine: always 1.
    */
   vtkTypeBool IsDirect() override;
 

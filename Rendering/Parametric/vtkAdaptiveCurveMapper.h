@@ -2,31 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAdaptiveCurveMapper
- * @brief   draws curves of any degree, cut every frame into as many segments as the eye needs
+ * @brief   draws curves of any degree, split in each frame into as many segments as the view needs
  *
- * The twin of vtkAdaptiveCurveFilter on the graphics card: same cells, same settings, same segments
- * and points, and nothing but control points is stored. Input: a vtkUnstructuredGrid or a
- * vtkPolyData, of which line cells of all kinds are drawn (lines, poly-lines, quadratic edges,
- * cubic lines, Lagrange and Bézier curves of degree 1 to 8, rational ones too), or a composite data
- * set of such. The recipe says how many segments a curve gets: SetDepthTagArrayName(), SetMetric(),
- * SetMaximumLevel(), SetLevelOffset() and SetSegmentPolicy() count.
+ * This mapper generates on the GPU the segments and points that vtkAdaptiveCurveFilter generates on
+ * the CPU, from the same cells and settings. It stores only control points. The input is a
+ * vtkUnstructuredGrid, a vtkPolyData, or a composite data set of them. Line cells of all types are
+ * drawn: lines, poly-lines, quadratic edges, cubic lines, and Lagrange and Bézier curves of degree
+ * 1 to 8, including rational ones. The recipe sets the number of segments of a curve with
+ * SetDepthTagArrayName(), SetMetric(), SetMaximumLevel(), SetLevelOffset() and SetSegmentPolicy();
+ * its other settings have no effect.
  *
  * Lights, clipping planes, opacity, depth peeling, line width, representations, render passes and
- * selections of cells work as with vtkPolyDataMapper. Lines are lit by the normal across the curve
- * that the eye sees most of, as VTK lights lines that have normals: vtkProperty::LightingOff() or
- * SetInterpolationToFlat() shows their colour as it is. Arrays of points are evaluated by the
- * curve's own basis and then mapped to colours, at the ends of segments or, with
- * InterpolateScalarsBeforeMapping, between them. Colours of categories and direct colours of points
- * are evaluated by that basis themselves. Hardware selection finds cells, and no points; VTK's
+ * selection of cells work as with vtkPolyDataMapper. Lines are lit with the normal across the curve
+ * that faces the camera most, as VTK lights lines with normals. vtkProperty::LightingOff() or
+ * SetInterpolationToFlat() shows their unlit colour. Point arrays are evaluated with the curve's
+ * basis and then mapped to colours, at the ends of segments or, with
+ * InterpolateScalarsBeforeMapping, between them. For categories and direct colours, the basis is
+ * applied to the colours of the points. Hardware selection returns cells, but no points. VTK's
  * pickers intersect the input's cells.
  *
- * Curves that lie outside the view are not drawn. Levels are evaluated again only when the input,
- * the recipe or, for view-dependent metrics, the view has changed. GetBounds() has the control
- * points and the radius in it, and so all that is drawn.
+ * Curves outside the view are culled. Levels are evaluated again only when the input, the recipe
+ * or, for view-dependent metrics, the view has changed. GetBounds() contains the control points and
+ * the radius, and therefore everything that is drawn.
  *
- * Needs OpenGL 3.3. Errors (ErrorEvent of this object; what can be drawn is drawn): no recipe,
- * cells and arrays that vtkAdaptiveCurveFilter calls errors, scalars that cannot be mapped, more
- * control points than OpenGL can hold.
+ * Requires OpenGL 3.3. These are errors (ErrorEvent of this object): no recipe, cells and arrays
+ * that are errors for vtkAdaptiveCurveFilter, scalars that cannot be mapped, and more control
+ * points than OpenGL can hold. Curves that can be drawn are still drawn.
  *
  * @sa vtkAdaptiveCurveFilter vtkAdaptiveRefinement vtkHairSource
  */
@@ -51,13 +52,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The curves; SetInputDataObject() takes a composite data set, too.
+   * Set the curves. To set a composite data set, use SetInputDataObject().
    */
   void SetInputData(vtkPointSet* curves);
 
   //@{
   /**
-   * How many segments curves get. Required.
+   * Set the recipe, which gives the number of segments of each curve. Required.
    */
   void SetRefinement(vtkAdaptiveRefinement* refinement);
   vtkAdaptiveRefinement* GetRefinement();
@@ -71,12 +72,12 @@ public:
 
   //@{
   /**
-   * How segments are made. METHOD_INSTANCING (0, the default): curves of the same number of
-   * segments are drawn by one instanced call. METHOD_HARDWARE_TESSELLATION (1): by the tessellator
-   * of OpenGL 4.0, of lines as isolines; a curve has at most 64 segments, 60 as a tube. Without
-   * OpenGL 4.0 an error says so once, and instances are drawn; they are, too, where tubes and
-   * ribbons are shown as wireframes and where curves are shown as points. Another value is an error
-   * and changes nothing.
+   * Set how segments are generated. METHOD_INSTANCING (0, the default): one instanced call draws
+   * all curves with the same number of segments. METHOD_HARDWARE_TESSELLATION (1): the tessellator
+   * of OpenGL 4.0, with isolines for lines. A curve then has at most 64 segments, 60 as a tube.
+   * Without OpenGL 4.0, one error is reported and instancing draws. Instancing also draws
+   * wireframes of tubes and ribbons, and points. A value out of range is an error and changes
+   * nothing.
    */
   void SetMethod(int method);
   vtkGetMacro(Method, int);
@@ -84,7 +85,7 @@ public:
   void SetMethodToHardwareTessellation() { this->SetMethod(METHOD_HARDWARE_TESSELLATION); }
   //@}
 
-  /// The method of the last render; of a composite data set, of its last block.
+  /// Return the method of the last render; for a composite data set, the method of its last block.
   int GetMethodInUse();
 
   enum RepresentationType
@@ -96,9 +97,10 @@ public:
 
   //@{
   /**
-   * What curves become, as of vtkAdaptiveCurveFilter: LINES (0, the default), as wide as the
-   * actor's vtkProperty has it; RIBBONS (1), flat, whose whole width faces the camera; TUBES (2),
-   * closed where no other curve goes on. Another value is an error and changes nothing.
+   * Set the shape of the curves, as in vtkAdaptiveCurveFilter. LINES (0, the default) have the
+   * width of the actor's vtkProperty. RIBBONS (1) are flat and always face the camera with their
+   * whole width. TUBES (2) are closed at ends where no other curve continues. A value out of range
+   * is an error and changes nothing.
    */
   void SetRepresentation(int representation);
   vtkGetMacro(Representation, int);
@@ -109,7 +111,8 @@ public:
 
   //@{
   /**
-   * Half the width of ribbons and tubes, in the input's units; at least 0, default 0.5.
+   * Set half the width of ribbons and tubes, in units of the input; at least 0, default 0.5. A
+   * value out of range is an error and changes nothing.
    */
   void SetRadius(double radius);
   vtkGetMacro(Radius, double);
@@ -117,8 +120,8 @@ public:
 
   //@{
   /**
-   * A point array of one component that has the radii in place of SetRadius(); "", the default, for
-   * none.
+   * Set the name of a point array with one component that contains radii, which replace
+   * SetRadius(). The default, "", uses no array.
    */
   void SetRadiusArrayName(const char* name);
   const char* GetRadiusArrayName() { return this->RadiusArrayName.c_str(); }
@@ -126,7 +129,8 @@ public:
 
   //@{
   /**
-   * Sides of a tube, 3 to 64; default 8.
+   * Set the number of sides of a tube, 3 to 64; default 8. A value out of range is an error and
+   * changes nothing.
    */
   void SetNumberOfSides(int sides);
   vtkGetMacro(NumberOfSides, int);
@@ -134,8 +138,7 @@ public:
 
   //@{
   /**
-   * Whether curves are left out that lie outside the view; on by default. The picture stays the
-   * same.
+   * Set whether curves outside the view are culled. On by default. The image does not change.
    */
   void SetFrustumCulling(bool culling);
   vtkGetMacro(FrustumCulling, bool);
@@ -144,9 +147,9 @@ public:
 
   //@{
   /**
-   * Segments of the curves that the last render drew, and of those that it left out because they
-   * lie outside the view. Together they are as many as vtkAdaptiveCurveFilter makes for the same
-   * recipe and camera. All curves, and those of them that were left out.
+   * Return the number of segments that the last render drew and culled, and the number of all
+   * curves and of culled curves. The drawn and culled segments together are as many as
+   * vtkAdaptiveCurveFilter generates for the same recipe and camera.
    */
   vtkIdType GetNumberOfDrawnSegments();
   vtkIdType GetNumberOfCulledSegments();
@@ -154,20 +157,20 @@ public:
   vtkIdType GetNumberOfCulledCurves();
   //@}
 
-  /// Draw calls of the last render.
+  /// Return the number of draw calls of the last render.
   int GetNumberOfDrawCalls();
 
   //@{
   /**
-   * How often levels have been evaluated, something was uploaded, and shaders were written, since
-   * the mapper was made. The latter two do not happen because the camera moves.
+   * Return how often levels have been evaluated, data uploaded and shaders built since the mapper
+   * was created. A moving camera increases neither the number of uploads nor that of shaders.
    */
   vtkIdType GetNumberOfSelections();
   vtkIdType GetNumberOfBufferBuilds();
   vtkIdType GetNumberOfShaderBuilds();
   //@}
 
-  /// Bytes that the curves take on the graphics card.
+  /// Return the number of bytes that the curves take on the GPU.
   vtkTypeInt64 GetGraphicsMemorySize();
 
   void Render(vtkRenderer* renderer, vtkActor* actor) override;
@@ -175,21 +178,22 @@ public:
 
   //@{
   /**
-   * Of all that is drawn.
+   * Return bounds that contain everything that is drawn.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
   //@}
 
   //@{
-  /// Of a composite data set, all blocks are translucent where one is.
+  /// Return whether there is opaque or translucent geometry. If one block of a composite data set
+  /// is translucent, all blocks are drawn as translucent.
   bool HasOpaqueGeometry() override;
   bool HasTranslucentPolygonalGeometry() override;
   //@}
 
   bool GetSupportsSelection() override { return true; }
   void ShallowCopy(vtkAbstractMapper* mapper) override;
-  /// Includes the times of the recipe with all its parts.
+  /// Includes the modification times of the recipe and of all its parts.
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -210,7 +214,7 @@ private:
   vtkAdaptiveCurveMapper(const vtkAdaptiveCurveMapper&) = delete;
   void operator=(const vtkAdaptiveCurveMapper&) = delete;
 
-  /// Reads the input again if it has changed.
+  /// Update the curves if the input has changed.
   void UpdateCurves();
   void RenderCurves(vtkRenderer* renderer, vtkActor* actor);
 

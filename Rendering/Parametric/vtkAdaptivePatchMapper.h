@@ -2,27 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAdaptivePatchMapper
- * @brief   draws curved cells as they are: their surface refined, their fields exact at every pixel
+ * @brief   draws curved cells with a refined surface and fields evaluated at every pixel
  *
- * A vtkAdaptiveRefinementMapper of a vtkUnstructuredGrid, or of the triangles that
- * vtkPatchSurfaceFilter makes of one, each a part of a Bézier patch. Scalars of points are
- * evaluated at every pixel by the cell's own basis, whatever the refinement, and then coloured as
- * VTK does: by the lookup table, its vector component or magnitude, or as the colours that they
- * are; with InterpolateScalarsBeforeMapping or without. This holds for all methods and
- * representations.
+ * This vtkAdaptiveRefinementMapper draws a vtkUnstructuredGrid, or the triangles that
+ * vtkPatchSurfaceFilter generates from one. Each triangle is a part of a Bézier patch. Point
+ * scalars are evaluated at every pixel with the cell's own basis, independently of the refinement,
+ * and then coloured like in VTK: by the lookup table with a vector component or the magnitude, or
+ * as direct colours; with InterpolateScalarsBeforeMapping or without. This applies to all methods
+ * and representations.
  *
- * The recipe is by default one of a vtkPatchSurface, vtkPatchErrorDepthTagMetric (half a pixel),
- * LevelRule PER_EDGE, SegmentPolicy WHOLE_NUMBERS and MaximumLevel 7. With another surface, for
- * scalars that the input has no coefficients of ("PatchNodes:NAME" in its field data), for those
- * of cells and of fields, categories (vtkScalarsToColors::IndexedLookup), names and bits, colours
- * are as of vtkAdaptiveRefinementMapper, and there are no isolines. Where a patch has no data
- * (NaN; of vectors also NoDataMagnitude of the recipe) at one of its nodes, it has none anywhere.
- * Blocks of a composite data set are drawn likewise, each with its own coefficients; colours of
- * blocks replace those of scalars.
+ * The default recipe has a vtkPatchSurface, vtkPatchErrorDepthTagMetric (half a pixel), LevelRule
+ * PER_EDGE, SegmentPolicy WHOLE_NUMBERS and MaximumLevel 7. Colours are those of
+ * vtkAdaptiveRefinementMapper, without isolines, in these cases: another surface; scalars without
+ * coefficients in the input ("PatchNodes:NAME" in the field data); cell and field scalars;
+ * categories (vtkScalarsToColors::IndexedLookup), strings and bits. If one node of a patch has no
+ * data (NaN, or for vectors NoDataMagnitude of the recipe), the whole patch has none. Blocks of a
+ * composite data set are drawn the same, each with its coefficients; colours of blocks replace
+ * those of scalars.
  *
- * Errors, beside those of vtkAdaptiveRefinementMapper: coefficients of another size than the
- * control points have, or that do not fit on the graphics card. The surface is then drawn as
- * without them.
+ * In addition to the errors of vtkAdaptiveRefinementMapper, these are errors: coefficients whose
+ * number differs from that of the control points, and coefficients that do not fit on the GPU. The
+ * surface is then drawn as if there were no coefficients.
  *
  * @sa vtkPatchSurfaceFilter vtkPatchSurface vtkAdaptiveRefinementMapper
  */
@@ -47,8 +47,8 @@ public:
 
   //@{
   /**
-   * Whether scalars are evaluated at every pixel, on by default; off, they are interpolated between
-   * the corners of the coarse triangles, as vtkAdaptiveRefinementMapper does.
+   * Set whether scalars are evaluated at every pixel. On by default. Off, they are interpolated
+   * between the corners of the coarse triangles, as by vtkAdaptiveRefinementMapper.
    */
   void SetExactScalars(bool exact);
   vtkGetMacro(ExactScalars, bool);
@@ -57,11 +57,12 @@ public:
 
   //@{
   /**
-   * Isolines of the number that colours are looked up by: at all multiples of the spacing, in the
-   * data's own units; 0, the default, for none. They are those of the exact field: without
-   * ExactScalars there are none, nor of direct colours, nor in wireframes or points. They are as
-   * wide on the screen everywhere: IsolineWidth in pixels, default 1. Both are at least 0 and no
-   * more than a float holds. Lines are not lit.
+   * Set the spacing of isolines, in units of the data, and their width, in pixels. Isolines are
+   * drawn at all multiples of the spacing, of the value that the lookup table maps. The default
+   * spacing, 0, draws none. The default width is 1 and is constant on the screen. Isolines are
+   * those of the exact field: there are none without ExactScalars, for direct colours, in
+   * wireframes or in points. Isolines are not lit. Both values are at least 0 and finite as a
+   * float; a value out of range is an error and changes nothing.
    */
   void SetIsolineSpacing(double spacing);
   vtkGetMacro(IsolineSpacing, double);
@@ -71,7 +72,8 @@ public:
 
   //@{
   /**
-   * The isolines' colour: red, green, blue, each in [0, 1]; black by default.
+   * Set the colour of isolines: red, green and blue, each in [0, 1]. The default is black. A value
+   * out of range is an error and changes nothing.
    */
   void SetIsolineColor(double red, double green, double blue);
   void SetIsolineColor(const double color[3])
@@ -83,10 +85,10 @@ public:
 
   //@{
   /**
-   * Whether the edges of cells are drawn, and no others; off by default. They have the property's
-   * LineWidth, in pixels, and EdgeColor, whatever the refinement; each of two neighbours draws its
-   * half. Edges that are one point are not drawn, nor any in wireframes or points, nor what cuts a
-   * polygon into triangles.
+   * Set whether the edges of cells are drawn. Off by default. They have the property's LineWidth,
+   * in pixels, and EdgeColor, independently of the refinement. Each of two neighbours draws its
+   * half. Degenerate edges and the edges that split polygons into triangles are not drawn.
+   * Wireframes and points show no edges of cells.
    */
   void SetPatchEdges(bool edges);
   vtkGetMacro(PatchEdges, bool);
@@ -95,9 +97,9 @@ public:
 
   //@{
   /**
-   * The grid to draw, or the triangles that vtkPatchSurfaceFilter has made of one. Of a grid the
-   * mapper makes them itself, when the grid has changed; its errors are the mapper's. A grid's
-   * blocks are not taken: give those to the filter.
+   * Set the grid, or the triangles that vtkPatchSurfaceFilter has generated from one. The mapper
+   * itself generates the triangles of a grid when the grid has changed, and reports the filter's
+   * errors. A composite data set of grids is not supported: use the filter.
    */
   void SetInputData(vtkUnstructuredGrid* grid);
   void SetInputData(vtkPolyData* patches);
@@ -105,21 +107,22 @@ public:
 
   //@{
   /**
-   * Where on the grid a pick is: returns the grid's cell ("vtkOriginalCellIds"), and the place's
-   * parametric coordinates in it; of a solid cell u and v of its face's patch. The third one is 0.
-   * -1, and nothing is set, where nothing of a patch has been picked.
+   * Return the grid's cell at a pick ("vtkOriginalCellIds"), and the parametric coordinates in it.
+   * For a 3D cell, the coordinates are u and v of its face's patch. The third coordinate is 0. If
+   * no patch was picked, -1 is returned and pcoords is unchanged.
    *
-   * The first is for vtkCellPicker after Pick(), and exact for the refined surface. The second is
-   * for what else finds a cell of the input, as vtkHardwareSelector, and a position near it, in the
-   * input's own coordinates: it finds the nearest point of the cell's patch. `patches` is the block
-   * of a composite input, nullptr where there are no blocks.
+   * The first method works with vtkCellPicker after Pick() and is exact for the refined surface.
+   * The second method works with other selections of a cell of the input, such as
+   * vtkHardwareSelector, and a position near it in the input's coordinates. It finds the nearest
+   * point of the cell's patch. `patches` is the block of a composite input, or nullptr for an input
+   * without blocks.
    */
   vtkIdType GetPickedCell(vtkCellPicker* picker, double pcoords[3]);
   vtkIdType GetPickedCell(
     vtkIdType cellId, const double position[3], double pcoords[3], vtkPolyData* patches = nullptr);
   //@}
 
-  /// With the coefficients of the scalars.
+  /// Return the number of bytes on the GPU, including the coefficients of the scalars.
   vtkTypeInt64 GetGraphicsMemorySize() override;
 
   void RenderPieceStart(vtkRenderer* ren, vtkActor* act) override;
@@ -146,7 +149,7 @@ private:
   void CopyPatchSettings(vtkAdaptivePatchMapper* other);
   void UpdateField(vtkRenderer* ren);
   void UploadField(vtkRenderer* ren);
-  /// The scalars of points that VTK colours by; nullptr for none.
+  /// Return the point scalars that VTK maps to colours; nullptr for none.
   vtkDataArray* FindMappedScalars();
   void ReportMissingIsolines();
 

@@ -2,51 +2,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAdaptiveRefinementMapper
- * @brief   a polydata mapper that refines every frame on the GPU and stores nothing refined
+ * @brief   a polydata mapper that refines a coarse surface on the GPU in each frame
  *
- * Draws a coarse surface as its recipe says: each coarse triangle takes a pattern, the triangles
- * that share a base pattern are drawn by one instanced call, and the vertex shader maps the
- * pattern's points onto the surface and displaces them. This is Lenz's adaptive refinement kernel
- * with fewer patterns and instancing (ARKFPI, 2009). SetMethod() offers others for comparison, such
- * as dynamic mesh refinement (DMR) and semi-uniform adaptive patch tessellation (SUAPT). Everything
- * else is vtkOpenGLPolyDataMapper: lights, textures, lookup tables, opacity, clipping planes,
- * representations, selection. At level 0 without displacement the picture is the same.
+ * Draws a coarse surface refined by a recipe (vtkAdaptiveRefinement) and stores no refined mesh.
+ * Each coarse triangle is assigned a refinement pattern. One instanced draw call draws all
+ * triangles that share a base pattern, and the vertex shader places the pattern's points on the
+ * surface and displaces them. This method is Lenz's adaptive refinement kernel with fewer patterns
+ * and instancing (ARKFPI, 2009). SetMethod() offers other methods for comparison, such as dynamic
+ * mesh refinement (DMR) and semi-uniform adaptive patch tessellation (SUAPT). Lights, textures,
+ * lookup tables, opacity, clipping planes, representations and selection are those of
+ * vtkOpenGLPolyDataMapper. At level 0 without displacement the image is the same as VTK's.
  *
- * Input: a vtkPolyData, or a composite data set (vtkMultiBlockDataSet) whose vtkPolyData leaves are
- * drawn, see vtkBlockAttributesPolyDataMapper for how each looks. Polygons are cut into fans;
- * vertices and lines are drawn as they are. Scalars and texture coordinates are interpolated over
- * the refined surface, and coloured as InterpolateScalarsBeforeMapping says. Integers stay
- * integers; strings and bits are those of the nearest point. Where scalars are categories
- * (vtkScalarsToColors::IndexedLookup), colours of points are interpolated instead, because there is
- * no category between two others. Hardware selection returns the input's cells and points.
- * Translucent faces need depth peeling: faces are drawn pattern by pattern, not back to front.
- * Visible vertices (vtkProperty) are drawn once for each face: translucent ones look denser than
- * vtkPolyDataMapper's.
+ * The input is a vtkPolyData, or a composite data set (vtkMultiBlockDataSet) with vtkPolyData
+ * leaves; vtkBlockAttributesPolyDataMapper sets how each block looks. Polygons are split into
+ * triangle fans. Vertices and lines are drawn unrefined. Scalars and texture coordinates are
+ * interpolated over the refined surface and coloured as InterpolateScalarsBeforeMapping requests.
+ * Interpolated integers stay integers; strings and bits take the value of the nearest point. For
+ * categorical scalars (vtkScalarsToColors::IndexedLookup) the point colours are interpolated
+ * instead, because there is no category between two others. Hardware selection returns the input's
+ * cells and points. Translucent faces need depth peeling, because faces are drawn pattern by
+ * pattern and not from back to front. Visible vertices (vtkProperty) are drawn once per face, so
+ * translucent ones look denser than with vtkPolyDataMapper.
  *
- * SetPiece(), SetNumberOfPieces() and SetGhostLevel() ask the pipeline for a piece. Cells whose
- * vtkGhostType says that another piece draws them (DUPLICATECELL) are not drawn; vtkPolyDataMapper
- * draws them. GetBounds() contains everything that the surface and the displacement can reach.
+ * SetPiece(), SetNumberOfPieces() and SetGhostLevel() request a piece from the pipeline. Cells that
+ * another piece draws (DUPLICATECELL in vtkGhostType) are not drawn, whereas vtkPolyDataMapper
+ * draws them. GetBounds() contains all positions that the surface and the displacement can reach.
  *
- * Levels are evaluated again only when the mesh, the recipe or, for view-dependent metrics, the
- * camera, the actor's matrix or the viewport changed. The displacement's scale, offset and
- * direction change live, and so do the surface's own numbers, as vtkPhongSurface::SetAlpha().
+ * Levels are evaluated again only when the mesh or the recipe changes and, for view-dependent
+ * metrics, when the camera, the actor's matrix or the viewport changes. Changes of the
+ * displacement's scale, offset and direction and of surface parameters such as
+ * vtkPhongSurface::SetAlpha() rebuild neither buffers nor shaders.
  *
- * VTK's pickers find the surface that is drawn: vtkCellPicker its nearest point, with the normal,
- * the input's cell and point, parametric and texture coordinates of that cell, and the block;
- * vtkPointPicker the input's points where the surface has them; vtkPicker its bounds. They use the
- * levels of the last frame. Before the first frame they use what the recipe gives without a view:
- * MaximumLevel where the metric depends on the view. Picked are the triangles of ARKFPI; those of
- * DMR, SUAPT and hardware tessellation differ from them inside a face, but not on its edges. The
- * GLSL of a vtkProceduralSurface does not affect picking. The data set that vtkCellPicker returns
- * has the input's cells and arrays, but is not the input itself, and normals are not an active
- * attribute of it. Locators that are added to the picker are ignored; none is needed. Subclasses of
- * VTK's pickers find the same; any other picker, which calls vtkMapper::GetInput(), gets the input.
+ * VTK's pickers pick the refined surface. vtkCellPicker returns the nearest point with its normal,
+ * the input's cell and point, the parametric and texture coordinates in that cell, and the block.
+ * vtkPointPicker returns the input's points at their position on the surface. vtkPicker uses the
+ * bounds. Pickers use the levels of the last frame. Before the first frame they use the levels of
+ * the recipe without a view: MaximumLevel if the metric depends on the view. Picking intersects the
+ * triangles of ARKFPI; the triangles of DMR, SUAPT and hardware tessellation differ from them
+ * inside a face, but not on its edges. The GLSL of a vtkProceduralSurface does not affect picking.
+ * The data set that vtkCellPicker returns has the input's cells and arrays, but is not the input
+ * itself, and its normals are not an active attribute. Locators added to the picker are ignored;
+ * none is needed. Subclasses of VTK's pickers behave the same. Other pickers that call
+ * vtkMapper::GetInput() get the input.
  *
- * Needs OpenGL 3.3 with ARB_texture_buffer_object_rgb32; with OpenGL 4.3 faces can choose their
- * patterns on the GPU (see SetSelectionDevice()). Errors (ErrorEvent of this object; the surface is
- * then not drawn, and rendering continues): no recipe, an older OpenGL, depth-tags or texture
- * coordinates that cannot be used, a metric or height map that fails, a mesh or height map larger
- * than OpenGL can hold.
+ * Requires OpenGL 3.3 with ARB_texture_buffer_object_rgb32. With OpenGL 4.3 the GPU can select the
+ * patterns, see SetSelectionDevice(). These are errors (ErrorEvent of this object): no recipe, an
+ * older OpenGL, depth-tags or texture coordinates that cannot be used, a metric or height map that
+ * fails, and a mesh or height map larger than OpenGL can hold. The surface is then not drawn, and
+ * rendering continues.
  *
  * @sa vtkAdaptiveRefinement vtkAdaptiveRefinementFilter
  */
@@ -86,7 +89,7 @@ public:
 
   //@{
   /**
-   * What to refine to. Required.
+   * Set the recipe: the levels, the surface and the displacement. Required.
    */
   void SetRefinement(vtkAdaptiveRefinement* refinement);
   vtkAdaptiveRefinement* GetRefinement();
@@ -94,8 +97,8 @@ public:
 
   //@{
   /**
-   * Whether coarse faces are left out, on by default, if nothing that surface and displacement can
-   * make of them lies in the frustum of the pass's camera. The picture stays the same.
+   * Set whether coarse faces are culled whose refined, displaced surface lies outside the camera's
+   * frustum. On by default. The image does not change.
    */
   void SetFrustumCulling(bool culling);
   vtkGetMacro(FrustumCulling, bool);
@@ -104,11 +107,12 @@ public:
 
   //@{
   /**
-   * Whether coarse faces that face away from the camera are left out where they cannot be seen; on
-   * by default. This holds for closed surfaces whose faces wind outwards, seen from outside; linear
-   * or of PN or Phong triangles, without displacement; opaque, with VTK's own shaders; and not
-   * clipped, not even by the near plane. Needs FrustumCulling. At most a few pixels of the outline
-   * differ, where front and back have the same depth.
+   * Set whether coarse faces that face away from the camera are culled. On by default. Back faces
+   * are culled only if they cannot be visible: the surface is closed, its faces wind outwards and
+   * it is seen from outside; it is linear or made of PN or Phong triangles without displacement; it
+   * is opaque and uses VTK's own shaders; and nothing clips it, including the near plane. Requires
+   * FrustumCulling. A few pixels of the silhouette may differ where front and back faces have the
+   * same depth.
    */
   void SetBackFaceCulling(bool culling);
   vtkGetMacro(BackFaceCulling, bool);
@@ -116,7 +120,7 @@ public:
   //@}
 
   /**
-   * How refined faces are drawn.
+   * The methods that draw refined faces.
    */
   enum Methods
   {
@@ -130,47 +134,50 @@ public:
 
   //@{
   /**
-   * METHOD_ARKFPI (0, the default): one instanced draw call for all faces that share a base pattern
-   * (Lenz 2009).
+   * Set the method that draws refined faces. The default is METHOD_ARKFPI.
    *
-   * METHOD_ARK (1), the adaptive refinement kernel: one draw call per face, with the face's number,
-   * permutation and tags from the CPU (Boubekeur and Schlick, A Flexible Kernel for Adaptive Mesh
-   * Refinement on GPU, 2008). Same vertices, order and picture as ARKFPI, to the bit. Back faces
-   * are not culled: there are as many draw calls as coarse faces in the frustum.
+   * METHOD_ARKFPI (0): one instanced draw call for all faces that share a base pattern (Lenz 2009).
+   *
+   * METHOD_ARK (1), the adaptive refinement kernel: one draw call per face; the CPU passes the
+   * face's index, permutation and tags (Boubekeur and Schlick, A Flexible Kernel for Adaptive Mesh
+   * Refinement on GPU, 2008). Vertices, order and image are bit-identical to ARKFPI. Back faces are
+   * not culled: there are as many draw calls as coarse faces in the frustum.
    *
    * METHOD_DMR (2), dynamic mesh refinement: in each pass a geometry shader splits the triangles
-   * whose edges have levels left, and transform feedback passes them on to the next pass (Lorenz
-   * and Doellner, Dynamic Mesh Refinement on GPU using Geometry Shaders, 2008). An edge is cut at
-   * its middle. A new edge between two middles has the mean of the two edges' levels less one; one
-   * between a middle and a corner has half of the edge's level. A pass makes at most four triangles
-   * of one, so level d takes d passes. The refined triangles stay on the GPU, 48 bytes each, until
-   * the levels or the visible faces change. Edges can have powers of two of segments only.
+   * whose edges have levels left, and transform feedback passes the result on to the next pass
+   * (Lorenz and Doellner, Dynamic Mesh Refinement on GPU using Geometry Shaders, 2008). An edge is
+   * split at its midpoint. A new edge between two midpoints gets the mean of the two edges' levels
+   * minus one; a new edge between a midpoint and a corner gets half of the edge's level. A pass
+   * splits one triangle into at most four, so level d takes d passes. The refined triangles stay on
+   * the GPU, 48 bytes each, until the levels or the visible faces change. The number of segments
+   * per edge is a power of two.
    *
-   * METHOD_SUAPT (3), semi-uniform adaptive patch tessellation: each face has the uniform pattern
-   * of its highest edge, instanced, and the shader moves the vertices on its coarser edges to the
-   * points of these edges (as compared in Lenz 2009), which leaves triangles without area.
+   * METHOD_SUAPT (3), semi-uniform adaptive patch tessellation: each face is drawn, instanced, with
+   * the uniform pattern of its finest edge. The shader moves the vertices on coarser edges to the
+   * points of those edges (as compared in Lenz 2009), which leaves degenerate triangles.
    *
    * METHOD_HARDWARE_TESSELLATION (4): one patch per face, which the tessellator of OpenGL 4.0
-   * divides. Edges have at most 64 segments: level 7 is drawn as level 6. There are about 1.5 n^2
-   * well shaped triangles, n the segments of the finest edge. Edges can have any whole number of
-   * segments. One draw call; software OpenGL takes one for each 65535 vertices. A vertex
-   * shader that the actor's vtkShaderProperty changes runs in the tessellation evaluation stage; if
-   * it cannot run there, that is an error and ARKFPI draws until that shader or the method changes.
+   * subdivides. An edge has at most 64 segments, so level 7 is drawn as level 6. A face has about
+   * 1.5 n^2 well-shaped triangles, where n is the number of segments of its finest edge. An edge
+   * can have any whole number of segments. There is one draw call; software OpenGL needs one per
+   * 65535 vertices. A vertex shader that the actor's vtkShaderProperty changes runs in the
+   * tessellation evaluation stage. If it cannot run there, an error is reported and ARKFPI draws
+   * until that shader or the method changes.
    *
-   * METHOD_UNIFORM (5): all faces have the uniform pattern of the highest level of any edge of the
-   * mesh, instanced (after Boubekeur and Schlick, Generic Mesh Refinement on GPU, 2005).
+   * METHOD_UNIFORM (5): all faces are drawn, instanced, with the uniform pattern of the finest edge
+   * of the mesh (after Boubekeur and Schlick, Generic Mesh Refinement on GPU, 2005).
    *
-   * All methods but METHOD_UNIFORM put the same points on edges of the same levels, and all draw
-   * surfaces without cracks. Only ARKFPI draws what the GPU has selected; the others select on the
-   * CPU whatever SetSelectionDevice() says. ARKFPI and ARK can morph
-   * (vtkAdaptiveRefinement::SetGeomorphing()); the others draw rounded levels. What DMR and
-   * hardware tessellation cannot draw is drawn by ARKFPI: wireframes, points, visible vertices and
-   * picking of points. Faces coloured by level or pattern show what their edges ask for; under
-   * SUAPT and UNIFORM they show the uniform pattern. Targets and time budgets
-   * (SetTargetNumberOfTriangles()) count ARKFPI's triangles. Where OpenGL lacks what a method
-   * needs, or room for it, or it cannot draw such levels, an error says so once and ARKFPI draws.
+   * All methods except METHOD_UNIFORM place the same points on edges of the same level, and all
+   * draw surfaces without cracks. Only ARKFPI draws faces that the GPU has selected; the others
+   * select on the CPU and ignore SetSelectionDevice(). ARKFPI and ARK can morph
+   * (vtkAdaptiveRefinement::SetGeomorphing()); the others draw rounded levels. DMR and hardware
+   * tessellation fall back to ARKFPI for wireframes, points, visible vertices and picking of
+   * points. Faces coloured by level or pattern show the levels that their edges request; with SUAPT
+   * and UNIFORM they show the uniform pattern. Targets and time budgets
+   * (SetTargetNumberOfTriangles()) count ARKFPI's triangles. If OpenGL does not support a method,
+   * lacks memory for it, or cannot draw the levels with it, one error is reported and ARKFPI draws.
    *
-   * A change does not upload the mesh again. Another value is an error and changes nothing.
+   * A change does not upload the mesh again. A value out of range is an error and changes nothing.
    */
   void SetMethod(int method);
   vtkGetMacro(Method, int);
@@ -182,11 +189,12 @@ public:
   void SetMethodToUniform() { this->SetMethod(METHOD_UNIFORM); }
   //@}
 
-  /// The method that the last render used; for a composite data set, that of its last part.
+  /// Return the method that the last render used; for a composite data set, the method of its last
+  /// block.
   int GetMethodInUse();
 
   /**
-   * Where faces choose their patterns and are sorted by them.
+   * The processors that select patterns and sort faces by them.
    */
   enum SelectionDevices
   {
@@ -197,22 +205,25 @@ public:
 
   //@{
   /**
-   * SELECTION_DEVICE_CPU (1): on the CPU, with as many threads as vtkSMPTools has.
-   * SELECTION_DEVICE_GPU (2): in compute shaders, which feed indirect draws; nothing is read back
-   * but statistics when they are asked for. Needs OpenGL 4.3: without it, an error says so once and
-   * the CPU does it. SELECTION_DEVICE_AUTOMATIC (0, the default): on the GPU where there is OpenGL
-   * 4.3, unless OpenGL itself runs on the CPU (llvmpipe, softpipe, swr), where that is slower.
-   * Another value is an error and changes nothing.
+   * Set the processor that selects the faces' patterns and sorts the faces by pattern. A value out
+   * of range is an error and changes nothing.
    *
-   * View-dependent metrics that have a shader (distance, screen edges, silhouettes by the angle of
-   * normals, view-dependent) are evaluated on the GPU, too; tags of other metrics are uploaded. For
-   * the same depth-tags both devices give the same levels. Depth-tags are the same as far as the
-   * driver rounds quotients and square roots as IEEE 754 demands; where it does not, an edge whose
-   * tag is halfway between two levels may get the other one. The GPU draws the faces of a pattern
-   * in no defined order. It loads all patterns up to MaximumLevel with the first picture.
+   * SELECTION_DEVICE_CPU (1): the CPU, with the threads of vtkSMPTools. SELECTION_DEVICE_GPU (2):
+   * compute shaders that feed indirect draw calls; only statistics are read back, and only on
+   * request. Requires OpenGL 4.3; without it, one error is reported and the CPU selects.
+   * SELECTION_DEVICE_AUTOMATIC (0, the default): the GPU if OpenGL 4.3 is available, except if
+   * OpenGL itself runs on the CPU (llvmpipe, softpipe, swr), where that is slower.
    *
-   * The CPU always selects whole numbers of segments (vtkAdaptiveRefinement::SetSegmentPolicy()),
-   * and where tags are needed: for a target or time budget, and colours of the metric.
+   * View-dependent metrics with a shader (distance, screen edges, silhouettes by the angle of
+   * normals, view-dependent) are evaluated on the GPU, too; the tags of other metrics are uploaded.
+   * Equal depth-tags give equal levels on both processors. Depth-tags are equal if the driver
+   * rounds divisions and square roots according to IEEE 754. Otherwise, an edge whose tag is
+   * halfway between two levels may get the other level. With the GPU, the faces of a pattern are
+   * drawn in undefined order, and the first frame uploads all patterns up to MaximumLevel.
+   *
+   * The CPU always selects for whole numbers of segments
+   * (vtkAdaptiveRefinement::SetSegmentPolicy()), for a target or time budget, and for colours of
+   * the metric.
    */
   void SetSelectionDevice(int device);
   vtkGetMacro(SelectionDevice, int);
@@ -222,23 +233,25 @@ public:
   //@}
 
   /**
-   * What the last render used: SELECTION_DEVICE_CPU or SELECTION_DEVICE_GPU; for a composite data
-   * set, the GPU if any of its parts used it.
+   * Return the processor that the last render used: SELECTION_DEVICE_CPU or SELECTION_DEVICE_GPU.
+   * For a composite data set, return the GPU if any of its blocks used it.
    */
   int GetSelectionDeviceInUse();
 
   //@{
   /**
-   * How many triangles to draw; 0, the default, for as many as the recipe gives. Otherwise each
-   * selection adds the same offset to all levels, the one that brings GetNumberOfDrawnTriangles()
-   * nearest to the target: within 5 % where that is possible. Culled faces do not count: close-ups
-   * spend the target on what they show. Triangles over no-data count. All blocks of a composite
-   * input share the target. Levels depend on the view and the target alone, not on earlier frames,
-   * so they do not oscillate. Where many edges have the same
-   * level before rounding, as at the ends of a metric's range, their faces change together and the
-   * result may stay below the target: choose a metric that asks for about as many triangles. Edges
-   * beside and behind the eye, endless to vtkScreenEdgeDepthTagMetric, are such edges too. A
-   * negative value is an error and changes nothing.
+   * Set the number of triangles to draw. The default, 0, draws as many as the recipe gives.
+   * Otherwise, each selection adds one offset to all levels, chosen so that
+   * GetNumberOfDrawnTriangles() is as close to the target as possible, within 5 % where the levels
+   * allow it. Culled faces do not count, so close-ups spend the target on visible faces. Triangles
+   * over no data count. All blocks of a composite input share the target. Levels depend on the view
+   * and the target alone, not on earlier frames, so they do not oscillate.
+   *
+   * If many edges have the same level before rounding, for example at the ends of a metric's range,
+   * their faces change together and the result may stay below the target. In this case, choose a
+   * metric that requests about as many triangles. Edges beside and behind the camera have infinite
+   * length for vtkScreenEdgeDepthTagMetric and behave the same. A negative value is an error and
+   * changes nothing.
    */
   void SetTargetNumberOfTriangles(vtkIdType triangles);
   vtkIdType GetTargetNumberOfTriangles();
@@ -246,13 +259,14 @@ public:
 
   //@{
   /**
-   * Whether a frame may take no longer than the time VTK allots to the actor, on by default:
-   * vtkProp::GetAllocatedRenderTime() in seconds, its share of 1 / DesiredUpdateRate of the window,
-   * or of its renderer's time where that is less. Interaction styles and ParaView ask for 15 frames
-   * a second while the mouse is down, and for almost no frame rate otherwise. If a frame would take
-   * longer, judging by the latest ones, levels are lowered so that it takes 85 % of the time, and
-   * raised again when there is clearly time: with a still camera they settle within a few frames.
-   * Counted is drawing this mapper's surface, on the CPU and the GPU.
+   * Set whether levels are lowered if a frame would take longer than the time VTK allots to the
+   * actor (vtkProp::GetAllocatedRenderTime(), in seconds). On by default. That time is the actor's
+   * share of 1 / DesiredUpdateRate of the window, or of the renderer's time if that is less.
+   * Interactor styles and ParaView request 15 frames per second while the mouse button is down, and
+   * almost no frame rate otherwise. The time of a frame is predicted from the latest frames. Levels
+   * are lowered so that a frame takes 85 % of the allotted time, and raised again when there is
+   * clearly time to spare. With a still camera they settle within a few frames. The CPU and GPU
+   * time to draw this mapper's surface counts.
    */
   void SetUseAllocatedRenderTime(bool use);
   vtkGetMacro(UseAllocatedRenderTime, bool);
@@ -260,23 +274,23 @@ public:
   //@}
 
   /**
-   * Collective, before a frame is drawn: the mappers of several processes, each of which has a
-   * piece of every block, with a layer of ghost cells, agree on what their levels and points have
-   * in common: one offset for target and time, the quantiles and ranges of metrics, and the place
-   * that coordinates are taken relative to. All processes call it, whatever they have. Without a
-   * controller (nullptr), or with one process, this mapper is on its own, the default.
+   * Make the mappers of several processes agree before a frame is drawn. Each process has a piece
+   * of every block, with a layer of ghost cells. The processes share one level offset for target
+   * and time, the quantiles and ranges of metrics, and the point that coordinates are relative to.
+   * This call is collective: all processes make it, including those with no data. Without a
+   * controller (nullptr, the default) or with one process, the mapper uses its local data only.
    */
   void AgreeWithProcesses(vtkMultiProcessController* controller, vtkRenderer* ren, vtkActor* act);
 
   /**
-   * What the target or the allotted time has added to the recipe's LevelOffset in the last render,
-   * in levels; 0 for none. vtkAdaptiveRefinementFilter makes the same mesh by a recipe whose
-   * LevelOffset is the sum of both.
+   * Return the offset, in levels, that the target or the allotted time has added to the recipe's
+   * LevelOffset in the last render; 0 if there was none. vtkAdaptiveRefinementFilter generates the
+   * same mesh from a recipe whose LevelOffset is the sum of both.
    */
   double GetLevelOffset();
 
   /**
-   * What the refined faces are coloured by.
+   * The values that colours of refined faces can show.
    */
   enum RefinementColorModes
   {
@@ -288,14 +302,16 @@ public:
 
   //@{
   /**
-   * What the refined faces are coloured by: scalars or the actor's colour, as VTK does (the
-   * default); the highest level of each coarse face's edges (log2 of segments, rounded up); the
-   * base pattern of each coarse face; or the tags that decide on the levels, in [0, MaximumLevel]:
-   * linear between points or, where levels are set per edge, blended so that an edge shows its own
-   * tag. Lights, textures and opacity of the actor remain.
+   * Set the values that colour the refined faces. Scalars (the default): scalars or the actor's
+   * colour, as in VTK. Level: the highest level of the coarse face's edges (log2 of the segments,
+   * rounded up). Pattern: the base pattern of the coarse face. Metric: the tags that determine the
+   * levels, in [0, MaximumLevel], interpolated linearly between points or, with levels per edge,
+   * blended so that each edge shows its tag. The actor's lighting, textures and opacity still
+   * apply.
    *
    * VTK's own modes (SetColorModeToDefault(), SetColorModeToMapScalars(),
-   * SetColorModeToDirectScalars()) colour by scalars again; GetColorMode() is always VTK's.
+   * SetColorModeToDirectScalars()) return to colours of scalars. GetColorMode() always returns
+   * VTK's mode.
    */
   void SetColorModeToScalars() { this->SetRefinementColorMode(COLOR_BY_SCALARS); }
   void SetColorModeToLevel() { this->SetRefinementColorMode(COLOR_BY_LEVEL); }
@@ -307,12 +323,12 @@ public:
 
   //@{
   /**
-   * The colours of levels (mapped from 0, 1, ..., MaximumLevel), of patterns (mapped from
-   * vtkRefinementPatternTable::GetPatternIndex(); where edges take any whole number of segments,
-   * with the positions of these numbers in the sequence 1, 2, ..., 16, 18, 20, ... for levels) or
-   * of tags. The table's opacity is not used. By default, and after nullptr, a table that follows
-   * the mode and the recipe: viridis, or distinct colours for patterns. It is annotated, so a
-   * vtkScalarBarActor of this table is a legend.
+   * Set the lookup table for colours of levels, patterns or tags. Levels map the values 0, 1, ...,
+   * MaximumLevel. Patterns map vtkRefinementPatternTable::GetPatternIndex() of their levels; with
+   * whole numbers of segments, its arguments are the indices of these numbers in the sequence 1, 2,
+   * ..., 16, 18, 20, .... The table's opacity is not used. By default, and after nullptr, the
+   * mapper uses a table that follows the mode and the recipe: viridis, or distinct colours for
+   * patterns. This table is annotated, so a vtkScalarBarActor can show it as a legend.
    */
   void SetLevelLookupTable(vtkScalarsToColors* table);
   vtkScalarsToColors* GetLevelLookupTable();
@@ -320,9 +336,10 @@ public:
 
   //@{
   /**
-   * Triangles of the surface that the last render has drawn, and those of culled faces. With ARKFPI
-   * and ARK both together are as many as vtkAdaptiveRefinementFilter gives for the same recipe and
-   * camera; with the other methods, what they make of the same levels, also over no-data.
+   * Return the number of triangles of the surface that the last render drew, and that of the culled
+   * faces. With ARKFPI and ARK the sum equals the number of triangles that
+   * vtkAdaptiveRefinementFilter generates for the same recipe and camera. The other methods return
+   * the number that they generate from the same levels, including triangles over no data.
    */
   vtkIdType GetNumberOfDrawnTriangles();
   vtkIdType GetNumberOfCulledTriangles();
@@ -330,8 +347,8 @@ public:
 
   //@{
   /**
-   * Coarse triangles of the last render, 0 if nothing could be drawn, and those of them that it
-   * left out because they could not be seen.
+   * Return the number of coarse triangles in the last render, 0 if nothing could be drawn, and the
+   * number of those that were culled.
    */
   vtkIdType GetNumberOfCoarseFaces();
   vtkIdType GetNumberOfCulledFaces();
@@ -339,8 +356,8 @@ public:
 
   //@{
   /**
-   * Draw calls of the last render for refined faces (an indirect call is one), and base patterns
-   * that its levels ask for: those that ARKFPI and ARK draw.
+   * Return the number of draw calls of the last render for refined faces (an indirect call counts
+   * once), and the number of base patterns that its levels use. ARKFPI and ARK draw these patterns.
    */
   int GetNumberOfDrawCalls();
   int GetNumberOfUsedPatterns();
@@ -348,9 +365,9 @@ public:
 
   //@{
   /**
-   * How often levels have been evaluated, the coarse mesh uploaded and shaders written, since the
-   * mapper was made. The latter two do not grow with the values that change live: a displacement's
-   * scale, offset and direction, and the surface's own numbers.
+   * Return how often levels have been evaluated, the coarse mesh uploaded and shaders built since
+   * the mapper was created. Changes of a displacement's scale, offset and direction and of surface
+   * parameters increase neither the number of uploads nor that of shaders.
    */
   vtkIdType GetNumberOfSelections();
   vtkIdType GetNumberOfBufferBuilds();
@@ -358,29 +375,32 @@ public:
   //@}
 
   /**
-   * Seconds the last evaluation of levels took, without the upload; on the GPU, to submit it.
+   * Return the time of the last evaluation of levels in seconds, without the upload. On the GPU it
+   * is the time to submit the evaluation.
    */
   double GetSelectionTime();
 
-  /// Bytes on the GPU: coarse buffers (VTK's own included), patterns and height textures.
+  /// Return the number of bytes on the GPU: coarse buffers (including VTK's), patterns and height
+  /// textures.
   virtual vtkTypeInt64 GetGraphicsMemorySize();
 
   //@{
-  /// A composite data set can have both: each block is drawn in its own pass.
+  /// Return whether there is opaque or translucent geometry. A composite data set can have both;
+  /// each block is drawn in its own pass.
   bool HasOpaqueGeometry() override;
   bool HasTranslucentPolygonalGeometry() override;
   //@}
 
   //@{
   /**
-   * Bounds of what is drawn: surface and displacement enlarge them by what they can reach.
+   * Return the bounds of all positions that the surface and the displacement can reach.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override;
   //@}
 
   //@{
-  /// The input, if it is a vtkPolyData, and whatever it is: never what pickers get in its place.
+  /// Return the input: as vtkPolyData, or of any type. Pickers get the picked surface instead.
   vtkPolyData* GetInput();
   vtkDataSet* GetInputAsDataSet();
   vtkDataObject* GetInputDataObject(int port, int connection);
@@ -388,8 +408,9 @@ public:
 
   using vtkOpenGLPolyDataMapper::MapScalars;
   /**
-   * As vtkMapper's. An array that VTK cannot map (too few tuples, or unmapped with more components
-   * than a colour has) is an error, and there are no colours.
+   * Map the scalars to colours like vtkMapper. If VTK cannot map the array (too few tuples, or
+   * unmapped with more components than a colour has), an error is reported and the surface is drawn
+   * without these colours.
    */
   vtkUnsignedCharArray* MapScalars(vtkDataSet* input, double alpha, int& cellFlag) override;
 
@@ -399,7 +420,8 @@ public:
   void RenderPieceFinish(vtkRenderer* ren, vtkActor* act) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   void ShallowCopy(vtkAbstractMapper* mapper) override;
-  /// Includes the times of the recipe with all its parts, and of the table of levels.
+  /// Includes the modification times of the recipe, of all its parts, and of the lookup table of
+  /// levels.
   vtkMTimeType GetMTime() override;
   void ProcessSelectorPixelBuffers(
     vtkHardwareSelector* sel, std::vector<unsigned int>& pixeloffsets, vtkProp* prop) override;
@@ -409,7 +431,8 @@ protected:
   ~vtkAdaptiveRefinementMapper() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  /// What to draw in place of an input that a subclass takes, too, whenever it is asked for.
+  /// Return the data object to draw instead of an input. Subclasses override it to accept other
+  /// types.
   virtual vtkDataObject* ConvertInput(vtkDataObject* input) { return input; }
   void ComputeBounds() override;
   bool GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
@@ -425,9 +448,9 @@ protected:
 
   //@{
   /**
-   * For subclasses that draw the refined faces once more, with a shader of their own.
-   * AddFaceHelper() makes a helper of this mapper; DrawFaces() draws the faces with it, within
-   * RenderPieceDraw() and if IsDrawable(). IsFaceHelper(): whether a helper draws refined faces.
+   * These methods let subclasses draw the refined faces again with another shader. AddFaceHelper()
+   * creates a helper of this mapper. DrawFaces() draws the faces with it, within RenderPieceDraw()
+   * and if IsDrawable() is true. IsFaceHelper() returns whether a helper draws refined faces.
    */
   vtkOpenGLHelper* AddFaceHelper();
   bool IsFaceHelper(const vtkOpenGLHelper* helper) const;
@@ -435,18 +458,19 @@ protected:
   bool IsDrawable() const;
   //@}
 
-  /// For subclasses that add to the vertex shader of a helper's faces: they fill in the extension.
-  /// Shaders are written anew when it has changed.
+  /// Fill in the extension of a helper's vertex shader, in subclasses. Shaders are rebuilt when the
+  /// extension changes.
   virtual void ExtendShaders(const vtkOpenGLHelper*, relevo::ShaderExtension&);
 
-  /// One pass over the input: of a composite data set, the blocks that belong to the pass.
+  /// Draw the input in one pass; of a composite data set, draw the blocks that belong to the pass.
   virtual void RenderRefined(vtkRenderer* ren, vtkActor* act);
 
   //@{
   /**
-   * The mappers of a composite input's blocks are of the class of this one. UpdateBlocks() has one
-   * for each, with the settings that ShallowCopy() copies; it runs before they draw. Whether
-   * RenderRefined() draws all visible blocks, whatever the pass is: by default it does not.
+   * The mappers of a composite input's blocks have the class of this one. UpdateBlocks() creates
+   * one for each block, with the settings that ShallowCopy() copies, before the blocks draw.
+   * DrawsAllBlocks() returns whether RenderRefined() draws all visible blocks in every pass; the
+   * default is false.
    */
   void UpdateBlocks() override;
   void ForEachBlock(const std::function<void(vtkAdaptiveRefinementMapper*)>& work) const;
@@ -460,15 +484,16 @@ private:
   struct vtkInternals;
 
   bool IsComposite();
-  /// Whether a composite input has blocks that are translucent, or such that are not.
+  /// Return whether a composite input has translucent blocks, or opaque ones.
   bool HasBlocks(bool translucent);
   void RenderBlocks(vtkRenderer* ren, vtkActor* act);
-  /// Whether the input is of a type that the mapper takes; an error, once for each input, where it
-  /// is not, or where one of its blocks is not.
+  /// Return whether the mapper supports the type of the input and of its blocks. If not, report an
+  /// error once per input.
   bool CheckInputType();
-  /// Of the input before, when it has blocks now.
+  /// Release the mesh of the previous input if the new one has blocks.
   void ReleaseMesh(vtkRenderer* ren);
-  /// What the last render drew: this mapper, or those of its blocks.
+  /// Call a function for each mapper that drew in the last render: this mapper, or those of its
+  /// blocks.
   void ForEachPart(const std::function<void(vtkAdaptiveRefinementMapper*)>& work);
   vtkIdType CountTrianglesOfPass(bool isSlow);
   vtkIdType SumOverParts(const std::function<vtkIdType(vtkInternals&)>& count);
@@ -477,14 +502,14 @@ private:
   std::map<unsigned int, relevo::ProcessAgreementPart> FindParts();
 
   //@{
-  /// What VTK's pickers get in place of the input.
+  /// The data that VTK's pickers get instead of the input.
   vtkDataObject* ReplaceInput(vtkDataObject* input);
   bool IsPickable();
   vtkPolyData* GetPickedData(bool isAsked);
   //@}
 
   //@{
-  /// Stages of a frame, in this order.
+  /// The stages of a frame, in this order.
   bool UpdateMesh();
   void ChooseMethod(vtkRenderer* ren, vtkActor* act);
   void UpdateBudget(
@@ -498,22 +523,22 @@ private:
   void ReadSelection();
   //@}
 
-  /// Report what a stage has found; returns whether the frame can go on.
+  /// Report the errors and warnings of a stage. Return whether the frame can continue.
   bool Report(const relevo::StageResult& result);
 
-  /// What the camera sees; nullptr to draw all faces.
+  /// Return the view for culling, or nullptr to draw all faces.
   std::unique_ptr<relevo::CullingView> MakeCullingView(vtkRenderer* ren, vtkActor* act);
-  /// Whether back faces of closed surfaces are culled in this pass, and whether they are in the
-  /// passes that show the surface.
+  /// HidesBackFaces() returns whether back faces of closed surfaces are culled in this pass, and
+  /// CanHideBackFaces() whether they are culled in passes that show the surface.
   bool HidesBackFaces(vtkRenderer* ren, vtkActor* act);
   bool CanHideBackFaces(vtkActor* act);
 
-  /// Several actors and renderers that share the mapper have shaders of their own.
+  /// Activate the shaders of this actor and renderer, because several of them can share the mapper.
   void UseShaderVariant(vtkRenderer* ren, vtkActor* act);
-  /// Shift and scale a piece as the whole.
+  /// Use the shift and scale of the whole data for a piece.
   void BuildBufferObjectsOfPiece(vtkRenderer* ren, vtkActor* act);
   vtkAbstractArray* GetScalarsToInterpolate();
-  /// Whether VTK's own mapper would draw the vertices of faces.
+  /// Return whether VTK's own mapper would draw the vertices of faces.
   static bool AreVerticesDrawn(vtkProperty* property, vtkHardwareSelector* selector);
   void SetRefinementColorMode(RefinementColorModes mode);
   void CopySettings(vtkAdaptiveRefinementMapper* other);

@@ -2,38 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkReliefCapture
- * @brief   reliefs of what a renderer shows: colours, depths and normals, as cameras see them
+ * @brief   captures reliefs of a renderer's scene: colours, depths and normals
  *
- * Each camera's relief is a block of the output, a vtkImageData of the resolution's n x m x 1
- * points: point arrays "Color" (unsigned char, red, green, blue, as drawn with the renderer's
- * lights), "Depth" (float, NaN where nothing is) and "Normals" (float, unit vectors in the world),
- * field arrays "ReliefProjection" (0 parallel, 1 perspective) and "ReliefMatrix" (16 doubles M, by
- * rows). The texel of column c, row r, whose centre is at whole numbers, shows the point M (c, r,
- * d, 1) of the world at its depth d, in perspective M (c d, r d, d, 1). A block whose camera sees
- * nothing is nullptr. vtkReliefMapper shows reliefs from near views
- * (M. M. Oliveira, G. Bishop, D. McAllister, "Relief Texture Mapping", 2000).
+ * Each block of the output is the relief of one camera, a vtkImageData of n x m x 1 points, where n
+ * x m is the resolution. Its point arrays are "Color" (unsigned char; red, green, blue under the
+ * renderer's lights), "Depth" (float, NaN where the texel is empty) and "Normals" (float, unit
+ * vectors in world coordinates). Its field arrays are "ReliefProjection" (0 parallel, 1
+ * perspective) and "ReliefMatrix" (16 doubles M, by rows). A texel's column c and row r are whole
+ * numbers at its centre. A texel at depth d shows the world position M (c, r, d, 1), in perspective
+ * M (c d, r d, d, 1). A block is nullptr if its camera sees nothing. vtkReliefMapper draws reliefs
+ * from nearby views (M. M. Oliveira, G. Bishop, D. McAllister, "Relief Texture Mapping", 2000).
  *
- * It draws in the renderer's own window and OpenGL context, into a framebuffer of its own: mappers
- * keep their buffers, and neither what the window shows nor its cameras change. A texel shows one
- * surface: there are no multisamples. What is captured is the renderer's visible props with
- * opaque geometry. Translucent ones and volumes have no one depth and are left out, with a warning
- * that says how many; props without bounds, as annotations, are left out, too. Shadows, ambient
- * occlusion and a renderer's render pass are not drawn.
+ * The capture draws into a framebuffer in the renderer's window and OpenGL context. Mappers keep
+ * their buffers, and the window's image and its cameras do not change. A texel shows one surface:
+ * there is no multisampling. The renderer's visible props with opaque geometry are captured.
+ * Translucent props and volumes have no single depth: they are left out, and a warning reports
+ * their number. Props without bounds, such as annotations, are left out, too. Shadows, ambient
+ * occlusion and a renderer's render pass are not captured.
  *
- * Colours are those under the lights as they stand for the capture's camera: a headlight, which
- * renderers without lights have, is where that camera is, and highlights are those seen from there.
- * From elsewhere both differ. Where that matters use lights of the scene
- * (vtkLight::SetLightTypeToSceneLight()) and little specular, or vtkReliefMapper's lit shading.
+ * Colours are lit for the capture's camera. A headlight, which renderers without lights have, is at
+ * that camera, and highlights are those that it sees. Both differ from other views. To avoid this,
+ * use scene lights (vtkLight::SetLightTypeToSceneLight()) and little specular, or the lit shading
+ * of vtkReliefMapper.
  *
- * Normals are those that vtkPolyDataMapper and mappers derived from it light the surface with, on
- * the side that is seen; of other props they are computed from depths.
+ * For vtkPolyDataMapper and mappers derived from it, the normals are those that light the visible
+ * side of the surface. For other props they are computed from depths.
  *
- * The output is made anew when a prop, its data, a light of the renderer or a given camera changed.
- * A prop that shows this output is to be invisible during Update().
+ * The output is updated when a prop, its data, a light of the renderer or a given camera changes. A
+ * prop that shows this output must be invisible during Update().
  *
- * An error, and no output: no renderer, no window, no cameras, nothing to be seen, a resolution
- * beyond what OpenGL can draw to. A camera whose matrices have no inverse is an error, too; the
- * other blocks are there then.
+ * These are errors without output: no renderer, no window, no cameras, an empty scene, and a
+ * resolution that OpenGL cannot draw to. A camera whose matrices are singular is an error, too; the
+ * other blocks are valid then.
  *
  * @sa vtkReliefMapper, vtkReliefPass
  */
@@ -57,8 +57,9 @@ public:
 
   //@{
   /**
-   * What is captured. The renderer is not kept alive by this object, which may be part of what it
-   * draws. It must be in a vtkRenderWindow, which is initialized if it was not yet.
+   * Set the renderer to capture. This object does not hold a reference to the renderer, because it
+   * may be part of the renderer's scene. The renderer must be in a vtkRenderWindow, which is
+   * initialized if necessary.
    */
   void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();
@@ -66,7 +67,8 @@ public:
 
   //@{
   /**
-   * Columns and rows of each relief, or both at once; default 1024 x 1024.
+   * Set the number of columns and rows of each relief. The default is 1024 x 1024. Values less than
+   * 1 are an error and change nothing.
    */
   void SetResolution(int columns, int rows);
   void SetResolution(int size) { this->SetResolution(size, size); }
@@ -75,33 +77,36 @@ public:
 
   //@{
   /**
-   * Cameras to capture from, in place of those of SetCamerasToBox() or SetCamerasToSphere(): in
-   * parallel or perspective, through their own matrices, whatever they are. Only the clipping range
-   * does not count: it is fitted to what is visible.
+   * Add a camera to capture from; the cameras of SetCamerasToBox() or SetCamerasToSphere() are then
+   * not used. Parallel and perspective cameras work, including those with explicit matrices. The
+   * clipping range is ignored: it is fitted to the visible scene. nullptr is an error and adds
+   * nothing.
    */
   void AddCamera(vtkCamera* camera);
   void RemoveAllCameras();
   //@}
 
   /**
-   * Parallel cameras along x, -x, y, -y, z and -z, each fitted to the bounds of what is captured:
-   * the default.
+   * Use six parallel cameras along x, -x, y, -y, z and -z, each fitted to the bounds of the
+   * captured props. This is the default.
    */
   void SetCamerasToBox();
 
   /**
-   * Parallel cameras that look at the middle from the points of an icosahedron, fitted as above.
-   * Level 0: its 12 points; each level, up to 3, splits its faces in four: 42, 162, 642.
+   * Use parallel cameras at the points of an icosahedron that look at its centre, fitted to the
+   * bounds of the captured props. Level 0 has 12 cameras; each level, up to 3, splits the
+   * icosahedron's faces in four: 42, 162, 642 cameras. A level out of range is an error and changes
+   * nothing.
    */
   void SetCamerasToSphere(int level);
 
-  /// Of the output's blocks, now.
+  /// Return the number of cameras, which is the number of blocks of the output.
   int GetNumberOfCameras();
 
   //@{
   /**
-   * Whether rows and columns at the sides where nothing is seen are left out of the reliefs, which
-   * are then smaller than the resolution; off by default.
+   * Set whether empty rows and columns at the sides are cropped. Reliefs are then smaller than the
+   * resolution. Off by default.
    */
   vtkSetMacro(Cropping, bool);
   vtkGetMacro(Cropping, bool);
@@ -110,7 +115,7 @@ public:
 
   //@{
   /**
-   * Whether there are normals, 12 bytes a texel; on by default.
+   * Set whether normals are captured, which takes 12 bytes per texel. On by default.
    */
   vtkSetMacro(CaptureNormals, bool);
   vtkGetMacro(CaptureNormals, bool);
@@ -118,7 +123,7 @@ public:
   //@}
 
   /**
-   * Includes changes of the cameras and of what the renderer shows.
+   * Includes changes of the cameras and of the renderer's scene.
    */
   vtkMTimeType GetMTime() override;
 

@@ -2,26 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkReliefMapper
- * @brief   draws reliefs: pictures with depth, from every near view
+ * @brief   draws reliefs, which are images with depth, from nearby views
  *
- * A relief is a vtkImageData with the point arrays "Color" (unsigned char, 3 or 4 components: the
- * fourth is the opacity) and "Depth" (float, NaN where nothing was seen), if wanted "Normals"
+ * A relief is a vtkImageData with the point arrays "Color" (unsigned char, 3 or 4 components; the
+ * fourth is the opacity) and "Depth" (float, NaN where the texel is empty), optionally "Normals"
  * (float, 3 components), and the field arrays "ReliefProjection" (0 parallel, 1 perspective) and
- * "ReliefMatrix" (16 doubles, by rows). The input is one, or a composite data set of many. Between
- * four texels the surface is bilinear; it is open where one of them is not valid or neighbours are
- * farther apart than MaximumStretch.
+ * "ReliefMatrix" (16 doubles, by rows). The input is a relief or a composite data set of reliefs.
+ * The surface is bilinear between four texels. It is open where one of them is not valid or where
+ * neighbours are farther apart than MaximumStretch.
  *
- * The cost of a frame depends on how many pixels and texels are seen, not on the scene that the
- * relief is of. Each pixel's ray is followed to the surface; depths are true, so that reliefs and
- * other actors hide one another, and silhouettes are cut out.
+ * The time per frame depends on the number of visible pixels and texels, not on the captured scene.
+ * A ray per pixel is traced to the surface. The depths are correct, so reliefs and other actors
+ * occlude one another, and silhouettes are cut out.
  *
  * Opacity, clipping planes, depth peeling, selections and render passes work as with
- * vtkPolyDataMapper. In a translucent surface four layers of each piece of 16 x 16 texels are seen.
- * In a vtkHardwareSelector's selection the ids of points and cells are those of the image. The
- * representation is always surface; scalars, textures and edges have no effect.
+ * vtkPolyDataMapper. A translucent surface shows four layers of each tile of 16 x 16 texels. A
+ * vtkHardwareSelector returns the point and cell ids of the image. The representation is always
+ * surface; scalars, textures and edges have no effect.
  *
- * Input that is no relief is an error that names its block; the other blocks are drawn. An image
- * of one row or column has no surface, which is no error.
+ * An input that is not a relief is an error that names its block; the other blocks are drawn. An
+ * image of one row or column has no surface, which is not an error.
  *
  * @sa vtkReliefWarper
  */
@@ -44,7 +44,7 @@ public:
 
   //@{
   /**
-   * A relief; SetInputDataObject() takes a composite data set of reliefs, too.
+   * Set a relief. To set a composite data set of reliefs, use SetInputDataObject().
    */
   void SetInputData(vtkImageData* relief);
   //@}
@@ -59,15 +59,17 @@ public:
 
   //@{
   /**
-   * How the surface is drawn. WARP (0): vtkReliefWarper's picture on the relief's plane, with true
-   * depths; warped when the eye has moved. Where the eye is in the plane or behind it, rays are
-   * followed. RAY_MARCH (1): each pixel's ray is followed through the relief, see SetSearch().
-   * REFINEMENT (2): by Relevo's patterns, displaced by the depths, as fine
-   * as the surface and the screen need: triangles are within a quarter of a texel of the surface,
-   * or of a pixel where that is more; fragments where the surface is open are cut out.
-   * AUTOMATIC (3, default): REFINEMENT if the surface is nowhere open, as that of a height map, and
-   * has at most two triangles to a pixel of the renderer; else RAY_MARCH. The reliefs and the size
-   * of the renderer decide: frames of an unchanged scene are equal to the bit.
+   * Set how the surface is drawn. A value out of range is an error and changes nothing.
+   *
+   * WARP (0): vtkReliefWarper's image, drawn on the relief's plane with correct depths. It is
+   * warped again when the camera has moved. If the camera is in the plane or behind it, rays are
+   * traced. RAY_MARCH (1): a ray per pixel is traced through the relief, see SetSearch().
+   * REFINEMENT (2): Relevo's patterns, displaced by the depths and refined to the surface and the
+   * screen: triangles deviate from the surface by at most a quarter of a texel, or of a pixel if
+   * that is larger. Fragments where the surface is open are discarded. AUTOMATIC (3, the default):
+   * REFINEMENT if the surface is nowhere open, for example a height map, and has at most two
+   * triangles per pixel of the renderer; otherwise RAY_MARCH. The choice depends on the reliefs and
+   * the renderer's size only, so frames of an unchanged scene are bit-identical.
    */
   void SetMethod(int method);
   vtkGetMacro(Method, int);
@@ -87,13 +89,16 @@ public:
 
   //@{
   /**
-   * How RAY_MARCH finds where a ray meets the surface. LINEAR_BINARY (0): steps of a texel, then
-   * bisection (F. Policarpo, M. Oliveira, J. Comba, 2005); LINEAR_SECANT (1): the secant in place
-   * of bisection. Both miss what is thinner than a step. RELAXED_CONES (2): steps to the border of
-   * cones that a ray meets the surface in at most once (F. Policarpo, M. Oliveira, 2007), then
-   * bisection; the cones are computed once, some seconds for a million texels, and rays from
-   * behind take even steps. MAXIMUM_MIPMAP (3, default): by least and largest heights (A. Tevs, I.
-   * Ihrke, H.-P. Seidel, 2008), then exactly in each quad; misses nothing.
+   * Set how RAY_MARCH finds the intersection of a ray and the surface. A value out of range is an
+   * error and changes nothing.
+   *
+   * LINEAR_BINARY (0): steps of one texel, then bisection (F. Policarpo, M. Oliveira, J. Comba,
+   * 2005). LINEAR_SECANT (1): the same with the secant method instead of bisection. Both miss
+   * features thinner than a step. RELAXED_CONES (2): steps to the border of cones in which a ray
+   * intersects the surface at most once (F. Policarpo, M. Oliveira, 2007), then bisection. The
+   * cones are computed once, in some seconds for a million texels. Rays from behind use uniform
+   * steps. MAXIMUM_MIPMAP (3, the default): a traversal of minimum and maximum heights (A. Tevs, I.
+   * Ihrke, H.-P. Seidel, 2008), then an exact intersection with each quad. It misses nothing.
    */
   void SetSearch(int search);
   vtkGetMacro(Search, int);
@@ -111,10 +116,10 @@ public:
 
   //@{
   /**
-   * How colours are shown. CAPTURED (0, default): as they are in the relief; light that was on the
-   * scene when it was captured stays. LIT (1): in the light of the renderer's lamps and the actor's
-   * vtkProperty, as the colours of a surface; with the relief's Normals, and where it has none with
-   * those of the surface.
+   * Set how the surface is shaded. CAPTURED (0, the default) shows the relief's colours, including
+   * the light at the time of the capture. LIT (1) lights these colours with the renderer's lights
+   * and the actor's vtkProperty. It uses the relief's Normals if there are any, otherwise those of
+   * the surface. A value out of range is an error and changes nothing.
    */
   void SetShading(int shading);
   vtkGetMacro(Shading, int);
@@ -124,8 +129,8 @@ public:
 
   //@{
   /**
-   * Whether a relief's surface throws shadows on itself where it is LIT, from the first lamp of the
-   * renderer that is on; off by default. Other actors and other reliefs throw none on it.
+   * Set whether the surface of a LIT relief casts shadows on itself, from the first light of the
+   * renderer that is on. Off by default. Other actors and other reliefs cast no shadow on it.
    */
   void SetSelfShadow(bool on);
   vtkGetMacro(SelfShadow, bool);
@@ -134,8 +139,8 @@ public:
 
   //@{
   /**
-   * The surface is open between neighbours that are farther apart than so many times the width of a
-   * texel there; at least 0, default 8.
+   * Set the distance between neighbours above which the surface is open, as a multiple of the local
+   * texel width; at least 0, default 8. A value out of range is an error and changes nothing.
    */
   void SetMaximumStretch(double stretch);
   vtkGetMacro(MaximumStretch, double);
@@ -143,10 +148,10 @@ public:
 
   //@{
   /**
-   * Whether each of several reliefs is continued beyond its outlines, by a texel and far enough
-   * behind its surface that other reliefs hide it; on by default. Without it cracks show along
-   * sharp edges: a relief ends at the centres of its last texels. One relief alone, translucent
-   * actors and faces that a relief's viewer saw at more than 60 degrees are not continued.
+   * Set whether each of several reliefs is extended beyond its boundary by a texel, far enough
+   * behind its surface that other reliefs hide the extension. On by default. Off, cracks appear
+   * along sharp edges, because a relief ends at the centres of its last texels. A single relief,
+   * translucent actors and faces that the capture saw at more than 60 degrees are not extended.
    */
   vtkSetMacro(FillCracks, bool);
   vtkGetMacro(FillCracks, bool);
@@ -154,25 +159,25 @@ public:
   //@}
 
   /**
-   * The method that drew the last frame, not AUTOMATIC; of several reliefs the last one's. Before
-   * the first frame RAY_MARCH.
+   * Return the method that drew the last frame, not AUTOMATIC; for several reliefs, the method of
+   * the last one. Before the first frame, it is RAY_MARCH.
    */
   int GetMethodInUse();
 
   /**
-   * How often METHOD_WARP has warped a relief.
+   * Return how often METHOD_WARP has warped a relief.
    */
   vtkIdType GetNumberOfWarps();
 
   /**
-   * Bytes that the reliefs take on the graphics card.
+   * Return the number of bytes that the reliefs take on the GPU.
    */
   vtkTypeInt64 GetGraphicsMemorySize();
 
   //@{
   /**
-   * How often something was uploaded, and shaders were written, since the mapper was made. Neither
-   * happens because the camera moves.
+   * Return how often data have been uploaded and shaders built since the mapper was created. A
+   * moving camera increases neither.
    */
   vtkIdType GetNumberOfBufferBuilds();
   vtkIdType GetNumberOfShaderBuilds();
@@ -183,14 +188,14 @@ public:
 
   //@{
   /**
-   * Of the surface.
+   * Return the bounds of the surface.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override;
   //@}
 
   /**
-   * The input. VTK's pickers are given the surface in its place, with the ids of the image.
+   * Return the input. VTK's pickers get the surface instead, with the ids of the image.
    */
   vtkDataObject* GetInputDataObject(int port, int connection);
 
@@ -216,7 +221,7 @@ private:
   vtkReliefMapper(const vtkReliefMapper&) = delete;
   void operator=(const vtkReliefMapper&) = delete;
 
-  /// Reads the input again if it has changed.
+  /// Update the reliefs if the input has changed.
   void UpdateReliefs(vtkDataObject* input);
   void RenderReliefs(vtkRenderer* renderer, vtkActor* actor);
   vtkDataObject* ReplaceInput(vtkDataObject* input);

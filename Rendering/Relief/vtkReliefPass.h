@@ -2,42 +2,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkReliefPass
- * @brief   shows reliefs in place of what is opaque while the view moves
+ * @brief   shows reliefs instead of opaque props while the view moves
  *
- * While the window asks for at least 1 frame per second (vtkRenderWindow::DesiredUpdateRate, which
- * interactors raise as long as the mouse moves the camera) the renderer's opaque props are not
- * drawn but shown by vtkReliefMapper from captures of the last views: the cost of a frame does not
- * depend on them. Translucent props, volumes, lines and points (props that are not, in all parts,
- * surfaces) and props without bounds are drawn by the delegate as ever. Other frames are the
- * delegate's alone, to the bit.
+ * The pass shows reliefs while the window requests at least 1 frame per second
+ * (vtkRenderWindow::DesiredUpdateRate, which interactors raise as long as the mouse moves the
+ * camera). The renderer's opaque props are then not drawn: vtkReliefMapper shows captures of the
+ * last views, so the time per frame does not depend on the props. The delegate draws translucent
+ * props, volumes, props with lines or points, and props without bounds. It also draws all other
+ * frames, which are bit-identical to its own.
  *
- * A capture sees a little more than the view, at one texel a pixel. Up to four are kept, which
- * complete one another. There is a new one, which takes as long as a frame of the props and a
- * little more,
+ * A capture covers slightly more than the view, with one texel per pixel. Up to four captures are
+ * kept and complement one another. A new capture, which takes slightly longer than a frame of the
+ * props, is made in these cases:
  *
- * - when the predicted share of holes is more than MaximumHoleShare: where neighbouring texels move
- *   apart by so much that the surface behind them would be seen, in all of the captures, or where
- *   the view leaves what was captured;
- * - when the direction of view is farther than MaximumAngle from that of each capture;
- * - when a texel would be wider than two pixels;
- * - when a prop, its data, visibility or looks, or a light of the renderer changed: the others are
- *   dropped then.
+ * - The predicted fraction of holes exceeds MaximumHoleShare. Holes appear where neighbouring
+ *   texels move so far apart, in all captures, that the surface behind them would be visible, and
+ *   where the view leaves the captured region.
+ * - The view direction differs by more than MaximumAngle from that of each capture.
+ * - A texel would be wider than two pixels.
+ * - A prop, its data, visibility or appearance, or a light of the renderer has changed. The other
+ *   captures are then dropped.
  *
- * While the view moves, a new capture is made ahead of it, by steps as the last one: one, or up to
- * 8 that turn by at most a third of MaximumAngle. Frames then lie between two captures. A frame
- * that the captures do not show well enough then is drawn by the delegate. When three
- * captures in a row each served one frame alone, they only cost time: the delegate draws the next
- * 8 frames that need a capture, 16 after the next such capture, and so on up to 64.
+ * While the view moves, captures are made ahead of it by extrapolating its last step: one step, or
+ * up to 8 that rotate by at most a third of MaximumAngle. Frames then lie between two captures. If
+ * the captures do not show a frame well enough, the delegate draws it. When three captures in a row
+ * have each served a single frame, they only cost time: the delegate then draws the next 8 frames
+ * that need a capture, 16 after the next such capture, and so on up to 64.
  *
- * What comes into sight behind an outline with nothing beyond it is not predicted; MaximumAngle
- * bounds it. Colours are those of the captures, see vtkReliefCapture: a headlight stays where it
- * was.
+ * Surfaces that appear behind a silhouette against the background cannot be predicted; MaximumAngle
+ * limits the error. Colours are those of the captures, see vtkReliefCapture: a headlight stays at
+ * its captured position.
  *
- * A prop with opaque and translucent parts is shown by reliefs and drawn by the delegate. With
- * nothing opaque in view the delegate draws all. A vtkHardwareSelector selects the props
+ * A prop with opaque and translucent parts is shown by reliefs and drawn by the delegate. If no
+ * opaque prop is in view, the delegate draws everything. A vtkHardwareSelector selects the props
  * themselves.
  *
- * vtkRenderer::SetPass() it, one for each renderer.
+ * Pass one instance to vtkRenderer::SetPass() of each renderer.
  *
  * @sa vtkReliefCapture, vtkReliefMapper
  */
@@ -58,9 +58,9 @@ public:
 
   //@{
   /**
-   * What draws still frames, and all that reliefs do not show: a pass with a camera, as a
-   * vtkCameraPass or vtkRenderStepsPass. nullptr, the default, for a vtkRenderStepsPass: lights,
-   * opaque, translucent, volumetric and overlay pass.
+   * Set the pass that draws still frames and all props that reliefs do not show. It must set up the
+   * camera, for example a vtkCameraPass or vtkRenderStepsPass. With nullptr (the default), a
+   * vtkRenderStepsPass draws lights and the opaque, translucent, volumetric and overlay passes.
    */
   virtual void SetDelegatePass(vtkRenderPass* pass);
   vtkGetObjectMacro(DelegatePass, vtkRenderPass);
@@ -68,8 +68,8 @@ public:
 
   //@{
   /**
-   * From which share of holes on, of the pixels that show an opaque prop, there is a new capture; 0
-   * to 1, default 0.005.
+   * Set the fraction of holes above which a new capture is made, relative to the pixels that show
+   * an opaque prop; 0 to 1, default 0.005. A value out of range is an error and changes nothing.
    */
   void SetMaximumHoleShare(double share);
   vtkGetMacro(MaximumHoleShare, double);
@@ -77,20 +77,22 @@ public:
 
   //@{
   /**
-   * Degrees between the direction of view and that of the nearest capture from which on there is a
-   * new one; 0 to 180, default 15.
+   * Set the angle, in degrees, between the view direction and that of the nearest capture above
+   * which a new capture is made; 0 to 180, default 15. A value out of range is an error and changes
+   * nothing.
    */
   void SetMaximumAngle(double angle);
   vtkGetMacro(MaximumAngle, double);
   //@}
 
-  /// How many captures were made since the pass was.
+  /// Return the number of captures since the pass was created.
   vtkIdType GetNumberOfCaptures();
 
-  /// How many frames were shown by reliefs since the pass was made.
+  /// Return the number of frames shown by reliefs since the pass was created.
   vtkIdType GetNumberOfReliefFrames();
 
-  /// The share of holes that is predicted for the last frame that showed reliefs; 0 before.
+  /// Return the predicted fraction of holes in the last frame that showed reliefs; 0 before the
+  /// first.
   double GetHoleShare();
 
   void Render(const vtkRenderState* state) override;

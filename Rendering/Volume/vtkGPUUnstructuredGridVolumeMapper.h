@@ -4,33 +4,33 @@
  * @class   vtkGPUUnstructuredGridVolumeMapper
  * @brief   volume rendering of unstructured meshes on the GPU
  *
- * Shows the inside of a mesh by its scalars, as vtkVolume and vtkVolumeProperty describe it. Each
- * pixel's ray walks from cell to cell, in as many entries as the mesh has there (M. Weiler et al.,
- * "Hardware-Based Ray Casting for Tetrahedral Meshes", 2003), and the volume rendering integral is
- * exact: parts of the ray are cut wherever a transfer function bends (R. Espinha, PUC-Rio, 2005),
- * and in between colour and extinction are linear (K. Moreland, E. Angel, 2004). No table depends
- * on the transfer functions: they can be edited while the volume is shown.
+ * Draws the interior of a mesh by its scalars, using vtkVolume and vtkVolumeProperty. A ray per
+ * pixel traverses the mesh from cell to cell and can enter the mesh several times (M. Weiler et
+ * al., "Hardware-Based Ray Casting for Tetrahedral Meshes", 2003). The volume rendering integral is
+ * exact: rays are split at every node of a transfer function (R. Espinha, PUC-Rio, 2005), and
+ * colour and extinction are linear in between (K. Moreland, E. Angel, 2004). No table depends on
+ * the transfer functions, so you can edit them interactively.
  *
- * What is drawn is what vtkVolumeRayCastFilter computes on the CPU, whose doc comment says which
- * meshes, arrays and functions are taken, how extinction follows from ScalarOpacity and
- * ScalarOpacityUnitDistance (an opacity of 1 is not opaque), and what is an error. Scalars are
- * chosen as in VTK's mappers: SetScalarMode...(), SelectScalarArray(). InterpolationType has no
- * effect: scalars of points are always interpolated.
+ * The image is the one that vtkVolumeRayCastFilter computes on the CPU. The doc comment of that
+ * class lists supported meshes, arrays and transfer functions, explains how extinction follows from
+ * ScalarOpacity and ScalarOpacityUnitDistance (an opacity of 1 is not opaque), and lists the
+ * errors. Select scalars as in VTK's mappers, with SetScalarMode...() and SelectScalarArray().
+ * InterpolationType has no effect: point scalars are always interpolated.
  *
- * With ShadeOn all lights of the renderer that are on shine: directional ones along their
- * direction, positional ones from their place, in their diffuse and specular colours times their
- * intensity. Cones and attenuation have no effect, and nothing throws a shadow. With a renderer's
- * own headlight this is what vtkVolumeRayCastFilter shows. The first shaded picture of a mesh
- * uploads gradients at its points, 16 bytes for each and each component.
+ * With ShadeOn, all lights of the renderer that are on are used: directional lights along their
+ * direction and positional lights from their position, in their diffuse and specular colours times
+ * their intensity. Cones and attenuation have no effect, and there are no shadows. With a
+ * renderer's default headlight, the image is that of vtkVolumeRayCastFilter. The first shaded frame
+ * of a mesh uploads gradients at its points, 16 bytes per point and component.
  *
- * AddClippingPlane() and the like: planes in world coordinates, whose positive side stays; at most
- * 32, more are an error.
+ * AddClippingPlane() and related methods set clipping planes in world coordinates. The positive
+ * side of each plane is kept. More than 32 planes are an error.
  *
- * Opaque props hide what is behind them. Translucent ones mix with the volume if the renderer has
- * UseDepthPeeling and UseDepthPeelingForVolumes on.
+ * Opaque props hide the volume behind them. Translucent props are blended with the volume if the
+ * renderer has UseDepthPeeling and UseDepthPeelingForVolumes on.
  *
- * Needs OpenGL 3.2. Where the mesh does not fit into the buffer textures of the graphics card there
- * is an error, and nothing is drawn.
+ * Requires OpenGL 3.2. If the mesh does not fit into the buffer textures of the GPU, an error is
+ * reported and nothing is drawn.
  *
  * @sa vtkVolumeRayCastFilter, vtkVolumeProperty
  */
@@ -58,8 +58,8 @@ public:
 
   //@{
   /**
-   * The mesh: any vtkDataSet of 3D cells, or by SetInputDataObject() a vtkMultiBlockDataSet or
-   * vtkPartitionedDataSet(Collection), whose blocks are one mesh.
+   * Set the mesh: a vtkDataSet of 3D cells. To set a vtkMultiBlockDataSet or
+   * vtkPartitionedDataSet(Collection), use SetInputDataObject(). Its blocks form one mesh.
    */
   void SetInputData(vtkUnstructuredGridBase* mesh) override;
   void SetInputData(vtkDataSet* mesh) override;
@@ -74,10 +74,10 @@ public:
 
   //@{
   /**
-   * What of an array of several components is drawn, with the functions of component 0 of the
-   * property: MAGNITUDE (0), the length of each tuple; COMPONENT (1), the one that VectorComponent
-   * says; DISABLED (-1, the default), all components, or the length if the property has a colour
-   * function in MAGNITUDE mode.
+   * Set which value of an array with several components is drawn, with the functions of component 0
+   * of the property. MAGNITUDE (0): the length of each tuple. COMPONENT (1): the component
+   * VectorComponent. DISABLED (-1, the default): all components, or the magnitude if the property
+   * has a colour function in MAGNITUDE mode. A value out of range is an error and changes nothing.
    */
   void SetVectorMode(int mode);
   vtkGetMacro(VectorMode, int);
@@ -85,13 +85,15 @@ public:
 
   //@{
   /**
-   * Which component is drawn, with VectorMode COMPONENT: 0 to 3, default 0.
+   * Set the component that is drawn with VectorMode COMPONENT: 0 to 3, default 0. A value out of
+   * range is an error and changes nothing.
    */
   void SetVectorComponent(int component);
   vtkGetMacro(VectorComponent, int);
   //@}
 
-  /// As those of vtkVolumeMapper. COMPOSITE_BLEND and MAXIMUM_INTENSITY_BLEND are inherited.
+  /// The further blend modes of vtkVolumeMapper. COMPOSITE_BLEND and MAXIMUM_INTENSITY_BLEND are
+  /// inherited.
   enum FurtherBlendModes
   {
     MINIMUM_INTENSITY_BLEND = 2,
@@ -102,12 +104,13 @@ public:
 
   //@{
   /**
-   * What is shown of a ray, by vtkVolumeMapper's numbers; default COMPOSITE_BLEND (0). Maximum (1)
-   * and minimum (2): the highest or lowest scalar inside the mesh, exactly so; average (3): the
-   * mean by length; additive (4): what nothing hides; isosurface (5): the property's
-   * IsoSurfaceValues. The doc comment of vtkVolumeRayCastFilter::SetBlendMode() says what they
-   * mean. Where translucent props are mixed with the volume by depth peeling, modes 1 to 4 show
-   * what is between the props' layers.
+   * Set how the values along a ray are combined, with the numbers of vtkVolumeMapper. The default
+   * is composite (0). Maximum (1) and minimum (2) show the exact highest or lowest scalar inside
+   * the mesh. Average (3) shows the mean scalar along the ray. Additive (4) adds without occlusion.
+   * Isosurface (5) shows the property's IsoSurfaceValues. See
+   * vtkVolumeRayCastFilter::SetBlendMode() for definitions. If depth peeling blends translucent
+   * props with the volume, modes 1 to 4 show each interval between the props' layers. A value out
+   * of range is an error and changes nothing.
    */
   void SetBlendMode(int mode) override;
   void SetBlendModeToMinimumIntensity() { this->SetBlendMode(MINIMUM_INTENSITY_BLEND); }
@@ -118,8 +121,8 @@ public:
 
   //@{
   /**
-   * Whether the property's IsoSurfaceValues are drawn inside the volume, with composite blending;
-   * default off. See vtkVolumeRayCastFilter::SetIsoSurfaces().
+   * Set whether the property's IsoSurfaceValues are drawn inside the volume, with composite
+   * blending. Off by default. See vtkVolumeRayCastFilter::SetIsoSurfaces().
    */
   vtkSetMacro(IsoSurfaces, bool);
   vtkGetMacro(IsoSurfaces, bool);
@@ -134,15 +137,18 @@ public:
 
   //@{
   /**
-   * How the volume is drawn; default RAY_CASTING (0). CELL_PROJECTION (1) sorts the cells from back
-   * to front, in each frame whose camera has moved, by their common faces (as vtkMeshVisibilitySort
-   * does), and draws one after the other what pixels see of it (M. Weiler et al., "Hardware-Based
-   * View-Independent Cell Projection", 2003). The picture is the same where such an order exists;
-   * where cells hide each other in a cycle, or the mesh has parts or hollows that no common faces
-   * order, it may be wrong, and where cells overlap, both count. All cells are split into
-   * tetrahedra, as vtkVolumeRayCastFilter says, common faces alike. It takes 20 bytes a tetrahedron
-   * more on the GPU. All features are those of RAY_CASTING but ImageSampleDistance. For render
-   * passes (UseDepthPeelingForVolumes) rays are cast.
+   * Set how the volume is drawn. The default is RAY_CASTING (0). A value out of range is an error
+   * and changes nothing.
+   *
+   * CELL_PROJECTION (1) sorts the cells from back to front by their common faces (as
+   * vtkMeshVisibilitySort does) in each frame whose camera has moved, and draws one after the other
+   * (M. Weiler et al., "Hardware-Based View-Independent Cell Projection", 2003). The image is the
+   * same as with ray casting if a visibility order exists. It may be wrong if cells hide each other
+   * in a cycle, or if the mesh has separate parts or cavities that no common faces order. Where
+   * cells overlap, both are drawn. All cells are split into tetrahedra, as described in
+   * vtkVolumeRayCastFilter, with matching splits of common faces. This takes 20 further bytes per
+   * tetrahedron on the GPU. All features of RAY_CASTING are supported except ImageSampleDistance.
+   * With UseDepthPeelingForVolumes, rays are cast instead.
    */
   void SetMethod(int method);
   vtkGetMacro(Method, int);
@@ -159,19 +165,21 @@ public:
 
   //@{
   /**
-   * How the volume rendering integral of the part of a ray inside a cell is found with composite
-   * blending; default EXACT (0). PRE_INTEGRATED (1) looks it up in a 3D table over the scalars at
-   * both ends and the length, up to the longest edge of a cell (S. Roettger, M. Kraus, T. Ertl,
-   * "Hardware-Accelerated Volume and Isosurface Rendering Based on Cell-Projection", 2000).
-   * PRE_INTEGRATED_2D (2) leaves out the length (S. Guthe et al., "High-Quality Unstructured Volume
-   * Rendering on the PC Platform", 2002): opacity follows from the mean extinction,
-   * 1 - exp(-extinction * length), as it does exactly; colour counts as the mean that is seen of a
-   * length of half the longest edge, times opacity.
+   * Set how the volume rendering integral of a ray's segment in a cell is computed with composite
+   * blending. The default is EXACT (0). A value out of range is an error and changes nothing.
    *
-   * Tables take no cuts and are faster where functions have many nodes, but are blind to what is
-   * smaller than their steps, and computed anew when the functions, the range of the scalars or the
-   * scale of the volume's matrix change. They are for one component, without gradients and
-   * shading: else EXACT stands in, with a warning.
+   * PRE_INTEGRATED (1) looks it up in a 3D table over the scalars at both ends and the length, up
+   * to the longest edge of a cell (S. Roettger, M. Kraus, T. Ertl, "Hardware-Accelerated Volume and
+   * Isosurface Rendering Based on Cell-Projection", 2000). PRE_INTEGRATED_2D (2) uses a table
+   * without the length (S. Guthe et al., "High-Quality Unstructured Volume Rendering on the PC
+   * Platform", 2002). Its opacity follows from the mean extinction, 1 - exp(-extinction * length),
+   * like the exact opacity. Its colour is the mean visible colour of a segment of half the longest
+   * edge, times opacity.
+   *
+   * Tables need no splits at nodes and are faster for functions with many nodes, but they miss
+   * features smaller than their steps. They are recomputed when the functions, the range of the
+   * scalars or the scale of the volume's matrix change. They support one component, without
+   * gradients and shading; otherwise a warning is reported and EXACT is used.
    */
   void SetIntegration(int integration);
   vtkGetMacro(Integration, int);
@@ -182,8 +190,9 @@ public:
 
   //@{
   /**
-   * Texels of pre-integration's tables each way: 2 to 256, default 128. A 3D table takes 16 bytes a
-   * texel, 32 MiB for 128.
+   * Set the number of texels of pre-integration tables along each axis: 2 to 256, default 128. A 3D
+   * table takes 16 bytes per texel, 32 MiB for 128. A value out of range is an error and changes
+   * nothing.
    */
   void SetTableSize(int size);
   vtkGetMacro(TableSize, int);
@@ -191,9 +200,10 @@ public:
 
   //@{
   /**
-   * A ray each so many pixels, in both directions, when rays are cast: 0.1 to 100, default 1. Above
-   * 1 drawing is faster and colours are interpolated in between; below 1 it is smoother. Has no
-   * effect where translucent props mix with the volume.
+   * Set the distance between cast rays in both directions, in pixels: 0.1 to 100, default 1. Above
+   * 1, drawing is faster and colours are interpolated in between; below 1, the image is smoother.
+   * It has no effect if translucent props are blended with the volume. A value out of range is an
+   * error and changes nothing.
    */
   void SetImageSampleDistance(double distance);
   vtkGetMacro(ImageSampleDistance, double);
@@ -201,9 +211,10 @@ public:
 
   //@{
   /**
-   * Whether the distance follows from the time that the volume has (vtkProp::
-   * SetAllocatedRenderTime(), of a window's or interactor's DesiredUpdateRate) and the time that
-   * the last picture took: from 1 to 10 pixels, whatever ImageSampleDistance says. Default off.
+   * Set whether the sample distance is adapted to the time allotted to the volume
+   * (vtkProp::SetAllocatedRenderTime(), from DesiredUpdateRate of a window or interactor) and the
+   * time of the last frame. It then ranges from 1 to 10 pixels and replaces ImageSampleDistance.
+   * Off by default.
    */
   vtkSetMacro(AutoAdjustSampleDistances, bool);
   vtkGetMacro(AutoAdjustSampleDistances, bool);
@@ -212,11 +223,13 @@ public:
 
   //@{
   /**
-   * What the last render had to do with: the input's 3D cells that are not ghost, blanked, empty or
-   * without scalars; how often rays enter the mesh, at most of all pixels' (asking for it draws,
-   * and waits for the graphics card); bytes of mesh and tables on the GPU; how often, since the
-   * mapper was made, the mesh was uploaded, a shader was built and a table was computed. Cameras
-   * and edits of the property build none of them, but for the tables of pre-integration.
+   * Return statistics of the last render. GetNumberOfDrawnCells(): the 3D cells of the input,
+   * without ghost, blanked and empty cells and cells without scalars. GetNumberOfLayers(): the
+   * maximum over all pixels of how often a ray enters the mesh; this call draws and waits for the
+   * GPU. GetGraphicsMemorySize(): the bytes of the mesh and the tables on the GPU. The other three
+   * return how often the mesh has been uploaded, a shader built and a table computed since the
+   * mapper was created. Cameras and edits of the property do not increase them, except for the
+   * tables of pre-integration.
    */
   vtkIdType GetNumberOfDrawnCells();
   int GetNumberOfLayers();
@@ -227,7 +240,7 @@ public:
   //@}
 
   //@{
-  /// Of all blocks.
+  /// Return the bounds of all blocks.
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->vtkAbstractMapper3D::GetBounds(bounds); }
   //@}

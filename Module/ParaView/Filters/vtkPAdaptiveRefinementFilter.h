@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPAdaptiveRefinementFilter
- * @brief   vtkAdaptiveRefinementFilter for surfaces whose pieces several processes have
+ * @brief   vtkAdaptiveRefinementFilter for surfaces distributed over several processes
  *
- * The refined pieces of all processes fit together to the bit, and are together what one process
- * makes of the whole. Input and output are a vtkPolyData or a tree of them. All processes update
- * the filter; pieces may be empty. Ghosts are exchanged. Points and cells come in the order of
- * where they lie, whatever the order of the input; "vtkOriginalCellIds" are ids of the process's
- * own input.
+ * The refined pieces of all processes fit together bit by bit. Together they equal the result of
+ * one process for the whole surface. Input and output are a vtkPolyData or a tree of them. All
+ * processes must update the filter; pieces may be empty. Ghost cells are exchanged. Points and
+ * cells are sorted by position, independently of the order of the input. "vtkOriginalCellIds" are
+ * ids of the local input.
  *
- * The controller is the global one at first.
+ * The default controller is the global one.
  */
 #ifndef vtkPAdaptiveRefinementFilter_h
 #define vtkPAdaptiveRefinementFilter_h
@@ -37,7 +37,8 @@ public:
 
   //@{
   /**
-   * Set them of the recipe. Without a recipe it is an error, and changes nothing.
+   * Set the metric, surface or displacement of the recipe. Without a recipe, this is an error and
+   * changes nothing.
    */
   void SetMetric(vtkDepthTagMetric* metric);
   void SetSurface(vtkRefinementSurface* surface);
@@ -57,7 +58,7 @@ protected:
     vtkInformationVector* outputVector) override;
 
 private:
-  bool HasRecipe(); // false after an ErrorEvent
+  bool HasRecipe(); // reports an ErrorEvent if it is false
 
   std::unique_ptr<relevo::PieceFilter> Pieces;
 

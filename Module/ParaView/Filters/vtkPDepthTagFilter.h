@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPDepthTagFilter
- * @brief   vtkDepthTagFilter for surfaces whose pieces several processes have
+ * @brief   vtkDepthTagFilter for surfaces distributed over several processes
  *
- * The tags are those that one process would give to the whole. Input and output are a vtkPolyData
- * or a tree of them. All processes update the filter; pieces may be empty. Points that no cell
- * uses, or only ghosts, have the tag 0.
+ * The tags equal those that one process computes for the whole surface. Input and output are a
+ * vtkPolyData or a tree of them. All processes must update the filter; pieces may be empty. Points
+ * that are used by no cell, or only by ghost cells, have the tag 0.
  *
- * The controller is the global one at first.
+ * The default controller is the global one.
  */
 #ifndef vtkPDepthTagFilter_h
 #define vtkPDepthTagFilter_h

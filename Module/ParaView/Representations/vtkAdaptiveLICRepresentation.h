@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAdaptiveLICRepresentation
- * @brief   draws the surface of any data set with a vtkAdaptiveLICMapper
+ * @brief   draws the surface of a data set with a vtkAdaptiveLICMapper
  *
- * Where several processes draw the parts of a picture, their streaks go on across the borders. In
- * tiled displays and caves they end there.
+ * If several processes draw parts of an image, streaks continue across their borders. In tiled
+ * displays and caves, streaks end at the borders.
  *
  * @sa vtkAdaptiveLICMapper
  */
@@ -42,10 +42,10 @@ private:
   void PrepareParallelFrame();
   void EndPicture();
 
-  vtkPVRenderView* RenderView = nullptr; // that it is in
+  vtkPVRenderView* RenderView = nullptr; // the view that contains this representation
   unsigned long StartTag = 0;
   unsigned long EndTag = 0;
-  bool IsTogether = false; // the picture being drawn
+  bool IsTogether = false; // whether all processes draw the current image together
 };
 
 #endif

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAdaptiveRefinementRepresentation
- * @brief   draws the surface of any data set with a vtkAdaptiveRefinementMapper
+ * @brief   draws the surface of a data set with a vtkAdaptiveRefinementMapper
  *
- * A representation of ParaView like its Surface: colours, textures, opacity, edges, transforms,
- * blocks and selection are those of vtkGeometryRepresentationWithFaces. The mapper is given by
- * SetMapper(), with the recipe that it draws by; it may be a vtkAdaptiveLICMapper. The view gets
- * the bounds of the refined, displaced surface. Nothing is decimated while the view moves: the
- * mapper draws fewer triangles instead, by the time that the view allows.
+ * This representation works like ParaView's Surface: colours, textures, opacity, edges, transforms,
+ * blocks and selection are those of vtkGeometryRepresentationWithFaces. SetMapper() sets the
+ * mapper, which has the recipe and may be a vtkAdaptiveLICMapper. The view gets the bounds of the
+ * refined, displaced surface. There is no decimation while the view moves: the mapper draws fewer
+ * triangles instead, within the time that the view allots.
  *
  * @sa vtkAdaptiveRefinementMapper vtkAdaptiveLICMapper vtkAdaptiveRefinement
  */
@@ -33,9 +33,9 @@ public:
 
   //@{
   /**
-   * What draws, a mapper of this representation's own. None (nullptr) is an error and changes
-   * nothing. The default is a vtkAdaptiveRefinementMapper without a recipe, which draws the mesh as
-   * it is.
+   * Set the mapper that draws. It must not be shared with other representations. nullptr is an
+   * error and changes nothing. The default is a vtkAdaptiveRefinementMapper without a recipe, which
+   * draws the mesh unrefined.
    */
   void SetMapper(vtkAdaptiveRefinementMapper* mapper);
   vtkAdaptiveRefinementMapper* GetMapper();
@@ -43,27 +43,28 @@ public:
 
   //@{
   /**
-   * What colours show: the scalars (0, the default), levels (1), patterns (2) or the metric (3);
-   * see vtkAdaptiveRefinementMapper::RefinementColorModes. Another value is an error and changes
-   * nothing.
+   * Set the values that colours show: the scalars (0, the default), levels (1), patterns (2) or the
+   * metric (3); see vtkAdaptiveRefinementMapper::RefinementColorModes. A value out of range is an
+   * error and changes nothing.
    */
   void SetRefinementColorMode(int mode);
   vtkGetMacro(RefinementColorMode, int);
   //@}
 
   /**
-   * Does nothing: there is no decimated surface.
+   * Does nothing, because there is no decimated surface.
    */
   void SetSuppressLOD(bool suppress) override;
 
   /**
-   * Names of the arrays of ids that selections are told in; nullptr for ParaView's own.
+   * Set the names of the id arrays that selections refer to; nullptr for ParaView's own.
    */
   void SetArrayIdNames(const char* pointArray, const char* cellArray) override;
 
   /**
-   * Collective over the processes that have the data: each gets the faces around its own, which are
-   * not drawn, because levels and curved surfaces at the border depend on them.
+   * Update the data, collectively over the processes that have them. Each process gets the faces
+   * around its own as ghost faces, which are not drawn, because levels and curved surfaces at the
+   * border depend on them.
    */
   void Update() override;
   using Superclass::Update;
@@ -91,10 +92,10 @@ private:
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 
-  // Measures what will be drawn, before it is where the mapper draws.
+  // This mapper computes the bounds before the data reach the process that draws.
   vtkNew<vtkAdaptiveRefinementMapper> Measure;
-  vtkNew<vtkAdaptiveRefinementMapper> Unused; // stands for the mapper where the base sets it
-  vtkMTimeType AttributesTime = 0;            // of the data whose blocks' attributes the mapper has
+  vtkNew<vtkAdaptiveRefinementMapper> Unused; // replaces the mapper where the base class sets it
+  vtkMTimeType AttributesTime = 0;            // of the data whose block attributes the mapper has
   int RefinementColorMode = 0;
 };
 

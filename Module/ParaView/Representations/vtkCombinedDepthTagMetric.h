@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkCombinedDepthTagMetric
- * @brief   up to three depth-tag metrics as one, by single values
+ * @brief   a vtkCompositeDepthTagMetric of up to three metrics, for ParaView's properties
  *
- * A vtkCompositeDepthTagMetric as ParaView sets it. Without any metric it is an error when tags are
- * computed.
+ * ParaView sets each metric and each weight by a property. Computing tags without a metric is an
+ * error.
  *
  * @sa vtkCompositeDepthTagMetric
  */
@@ -26,7 +26,7 @@ public:
 
   //@{
   /**
-   * The metrics; nullptr, the default, for none.
+   * Set the metrics. The default is nullptr, which is no metric.
    */
   void SetFirst(vtkDepthTagMetric* metric) { this->SetPart(0, metric); }
   void SetSecond(vtkDepthTagMetric* metric) { this->SetPart(1, metric); }
@@ -35,7 +35,8 @@ public:
 
   //@{
   /**
-   * Their weights, from 0 to 1e6, default 1. Another value is an error and changes nothing.
+   * Set the weights of the metrics, from 0 to 1e6, default 1. A value out of range is an error and
+   * changes nothing.
    */
   void SetFirstWeight(double weight) { this->SetWeight(0, weight); }
   double GetFirstWeight() { return this->Weights[0]; }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeightMapDisplacement
- * @brief   a displacement with a height map of its own, by the name of its file
+ * @brief   a displacement with a height map that is read from a file
  *
- * As ParaView sets it, by single values. Without a file the surface is moved by Offset alone.
+ * ParaView sets each value by a property. Without a file, only Offset displaces the surface.
  *
  * @sa vtkDisplacement vtkHeightMap
  */
@@ -26,7 +26,7 @@ public:
 
   //@{
   /**
-   * The raster of heights; nullptr or empty, the default, for none.
+   * Set the file of the height map. nullptr or an empty name (the default) uses no height map.
    */
   void SetHeightMapFileName(VTK_FILEPATH const char* name);
   VTK_FILEPATH const char* GetHeightMapFileName();
@@ -34,7 +34,8 @@ public:
 
   //@{
   /**
-   * Larger rasters are read at a reduced size, see vtkHeightMap::SetMaximumDimension().
+   * Set the maximum dimension. Larger rasters are read at a reduced size, see
+   * vtkHeightMap::SetMaximumDimension().
    */
   void SetMaximumDimension(int dimension);
   int GetMaximumDimension();
@@ -42,9 +43,9 @@ public:
 
   //@{
   /**
-   * Whether the surface is moved along its normals, the default; else along FixedDirection, (0, 0,
-   * 1) by default, of any length. A direction that is zero or not finite is an error and changes
-   * nothing.
+   * Set whether the surface is displaced along its normals. On by default. Off, it is displaced
+   * along FixedDirection, which may have any length and is (0, 0, 1) by default. A zero or
+   * non-finite direction is an error and changes nothing.
    */
   void SetAlongNormals(bool along);
   vtkGetMacro(AlongNormals, bool);
@@ -53,8 +54,8 @@ public:
   //@}
 
   /**
-   * Prints no error: what draws or refines says in one why the raster cannot be read. Observers get
-   * the ErrorEvent.
+   * Update without printing errors. The mapper or filter reports why a raster cannot be read;
+   * observers get the ErrorEvent.
    */
   bool Update() override;
 

@@ -4,21 +4,21 @@
  * @class   vtkBlockAttributesPolyDataMapper
  * @brief   visibility, colour, opacity and pickability of the blocks of a composite input
  *
- * Has the methods of vtkCompositePolyDataMapper and vtkCompositePolyDataMapper2 that choose how the
- * blocks of a composite data set look, with their names and meaning: a block is named by its flat
- * index, or is a key of a vtkCompositeDataDisplayAttributes, and what it has no value for comes
- * from the block that it is in and in the end from the actor. A colour replaces the actor's ambient
- * and diffuse colour and those of scalars, an opacity the actor's. Blocks that are not visible do
- * not count for the bounds. Blocks that are not pickable are drawn, but neither hardware selection
- * nor VTK's pickers find them.
+ * Provides the methods of vtkCompositePolyDataMapper and vtkCompositePolyDataMapper2 that set how
+ * the blocks of a composite data set look, with the same names and meaning. A block is identified
+ * by its flat index, or it is a key of a vtkCompositeDataDisplayAttributes. A block without a value
+ * inherits it from its parent block and finally from the actor. A colour replaces the actor's
+ * ambient and diffuse colour and the colours of scalars; an opacity replaces the actor's. Invisible
+ * blocks are not part of the bounds. Blocks that are not pickable are drawn, but neither hardware
+ * selection nor VTK's pickers find them.
  *
- * Changes are seen in the next frame, and cost no rebuild of buffers or shaders.
+ * Changes take effect in the next frame and do not rebuild buffers or shaders.
  *
- * Unlike VTK's, the methods work before SetCompositeDataDisplayAttributes() has been called; what
- * no value has been set for is visible, white and of opacity 1; and a block that is opaque by its
- * own opacity is drawn also where its actor is translucent.
+ * There are three differences from VTK. The methods work before SetCompositeDataDisplayAttributes()
+ * has been called. Blocks without a value are returned as visible, white and of opacity 1. A block
+ * with its own opacity of 1 is drawn as opaque even if the actor is translucent.
  *
- * Has no New(): vtkAdaptiveRefinementMapper is one.
+ * This class is abstract and has no New(); vtkAdaptiveRefinementMapper derives from it.
  *
  * @sa vtkAdaptiveRefinementMapper vtkCompositeDataDisplayAttributes
  */
@@ -50,8 +50,8 @@ public:
 
   //@{
   /**
-   * How blocks look; none by default. The methods below read and write it, and make one where there
-   * is none. Pickability is set on it alone (SetBlockPickability()).
+   * Set the display attributes of blocks; none by default. The methods below read and write them,
+   * and create them if necessary. Set pickability directly on them (SetBlockPickability()).
    */
   void SetCompositeDataDisplayAttributes(vtkCompositeDataDisplayAttributes* attributes);
   vtkCompositeDataDisplayAttributes* GetCompositeDataDisplayAttributes();
@@ -59,9 +59,9 @@ public:
 
   //@{
   /**
-   * Whether a block is drawn, by its flat index: 0 is the input itself, its blocks follow depth
-   * first. The input must be up to date (Update()). Setting an index that the input does not have
-   * is an error and changes nothing.
+   * Set whether a block is drawn, by its flat index: 0 is the input itself; its blocks follow in
+   * depth-first order. The input must be up to date (Update()). An index that the input does not
+   * have is an error and changes nothing.
    */
   void SetBlockVisibility(unsigned int index, bool visible);
   bool GetBlockVisibility(unsigned int index);
@@ -71,8 +71,8 @@ public:
 
   //@{
   /**
-   * The colour of a block, by its flat index: red, green, blue, in [0, 1]. Another value is an
-   * error and changes nothing.
+   * Set the colour of a block, by its flat index: red, green and blue, in [0, 1]. A value out of
+   * range is an error and changes nothing.
    */
   void SetBlockColor(unsigned int index, const double color[3]);
   void SetBlockColor(unsigned int index, double r, double g, double b)
@@ -88,8 +88,8 @@ public:
 
   //@{
   /**
-   * The opacity of a block, by its flat index, in [0, 1]. Another value is an error and changes
-   * nothing.
+   * Set the opacity of a block, by its flat index, in [0, 1]. A value out of range is an error and
+   * changes nothing.
    */
   void SetBlockOpacity(unsigned int index, double opacity);
   double GetBlockOpacity(unsigned int index);
@@ -98,12 +98,12 @@ public:
   //@}
 
   /**
-   * Includes the time of the attributes.
+   * Includes the modification time of the attributes.
    */
   vtkMTimeType GetMTime() override;
 
   /**
-   * As VTK's own setters do: what VTK keeps on the graphics card is made anew.
+   * Set the modification time. VTK rebuilds its data on the GPU, as after VTK's own setters.
    */
   void Modified() override;
 
@@ -116,11 +116,11 @@ protected:
 
   //@{
   /**
-   * VTK's mapper compares GetMTime() with when it made buffers, textures and shaders. What they do
-   * not depend on must not have them made anew, so as long as VTK asks it is told GetBuildMTime():
-   * when Modified() was called, or the lookup table or clipping planes changed. Setters whose value
-   * is read in every frame call SettingModified() in place of Modified(), and SetLive() does where
-   * it changes the value.
+   * VTK's mapper compares GetMTime() with the time at which it built buffers, textures and shaders.
+   * Settings that these do not depend on must not cause a rebuild. While VTK compares, GetMTime()
+   * therefore returns GetBuildMTime(): the time of the last Modified(), or of the last change of
+   * the lookup table or clipping planes. Setters whose value is read in every frame call
+   * SettingModified() instead of Modified(). SetLive() does so if the value changes.
    */
   void SettingModified();
   template <typename Value>
@@ -133,7 +133,7 @@ protected:
     }
   }
   vtkMTimeType GetBuildMTime() const;
-  vtkTimeStamp BuildTime; // of Modified()
+  vtkTimeStamp BuildTime; // of the last Modified()
   bool IsAskedByVTK() const { return this->NumberOfQuestions > 0; }
   bool GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
   void BuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
@@ -146,25 +146,25 @@ protected:
     vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
 
   /**
-   * Have a mapper for each block of a composite input.
+   * Update the mappers of the blocks of a composite input, one for each block.
    */
   virtual void UpdateBlocks() = 0;
 
   //@{
   /**
-   * The display attributes of the one data set that this mapper draws: its own, or those that the
-   * mapper sets whose block it is.
+   * The display attributes of the data set that this mapper draws. If the mapper draws a block, the
+   * mapper of the composite input sets them.
    */
   const relevo::BlockAttributes& GetBlockAttributes();
   void SetBlockAttributes(const relevo::BlockAttributes& attributes);
   //@}
 
   /**
-   * What VTK's text lacks of the shaders that are being written; see relevo::ShaderText.
+   * The anchors that VTK's source lacks in the shaders being built; see relevo::ShaderText.
    */
   std::set<std::string> MissingAnchors;
 
-  /// The input, whoever asks: pickers are told another.
+  /// Return the input itself, although pickers get another data object.
   vtkDataObject* GetTrueInput();
 
 private:
@@ -172,7 +172,8 @@ private:
   void operator=(const vtkBlockAttributesPolyDataMapper&) = delete;
 
   vtkDataObject* FindBlock(unsigned int index);
-  /// An error where there is no such block; else makes the attributes.
+  /// Create the attributes and return the block. If there is no block with this index, report an
+  /// error and return nullptr.
   vtkDataObject* FindBlockToSet(unsigned int index);
 
   vtkSmartPointer<vtkCompositeDataDisplayAttributes> CompositeAttributes;
@@ -180,7 +181,7 @@ private:
   double ColorResult[3] = { 1.0, 1.0, 1.0 };
 
   class Question;
-  int NumberOfQuestions = 0; // of VTK's that are being answered
+  int NumberOfQuestions = 0; // of VTK's comparisons that are in progress
 };
 
 #endif
