@@ -18,7 +18,8 @@ void CopyCellData(vtkDataSet* input, vtkIdTypeArray* originals, bool keepNormals
   std::vector<std::string>& shortArrays)
 {
   constexpr const char* name = "vtkOriginalCellIds";
-  // Ids that stand for one cell no longer do so; nor are there degrees where cells are flat.
+  // Several new cells can have the same global id, so ids become ordinary arrays. The new cells are
+  // linear and have no degrees.
   vtkNew<vtkCellData> from;
   from->ShallowCopy(input->GetCellData());
   from->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);

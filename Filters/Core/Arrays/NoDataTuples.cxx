@@ -23,9 +23,9 @@ NoDataTuples::NoDataTuples(vtkDataArray* array, double noDataMagnitude)
   const bool isVector = components == 2 || components == 3;
   if (components != 1 && !isVector)
   {
-    return; // components are what they are
+    return; // arrays with other numbers of components have no missing values
   }
-  // Infinity is no number below itself.
+  // Infinity is not less than infinity, so infinite numbers are missing values.
   const double limit = isVector ? noDataMagnitude : std::numeric_limits<double>::infinity();
   this->Marks.resize(static_cast<std::size_t>(array->GetNumberOfTuples()));
   std::atomic<bool> any(false);

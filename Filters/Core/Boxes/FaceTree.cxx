@@ -51,7 +51,7 @@ double BoxSegment::GetEntry(const FaceBox& box, double last) const
     const double a = low * this->Inverse[c];
     const double b = high * this->Inverse[c];
     entry = std::max(entry, std::min(a, b));
-    // A rounded quotient must not miss the box.
+    // Rounding of the quotient must not miss the box.
     exit = std::min(exit, std::max(a, b) * (1.0 + 8.0 * std::numeric_limits<double>::epsilon()));
   }
   return entry <= exit ? entry : never;

@@ -40,10 +40,10 @@ enum class CellError : unsigned char
   Degree,
   Point,
   Weight,
-  Number // of kinds
+  Number // number of kinds
 };
 
-// The results of checking the grid's points.
+// The results of checking the points of the grid.
 struct PointChecks
 {
   std::vector<unsigned char> IsBadPoint;
@@ -82,7 +82,8 @@ bool IsPolyhedron(const CellReader& cell)
   return cell.GetKind().Shape == CellTopology::Polyhedron;
 }
 
-// The first of a cell's points that is so. A polyhedron's faces have points of their own.
+// Finds the first point of a cell for which the predicate is true. Faces of a polyhedron can have
+// additional points.
 template <typename IsSo>
 std::optional<vtkIdType> FindPoint(const CellReader& cell, const IsSo& isSo)
 {
@@ -116,7 +117,7 @@ std::optional<vtkIdType> FindStrangePoint(const CellReader& cell, const PointChe
   return FindPoint(cell, [=](vtkIdType point) { return point < 0 || point >= number; });
 }
 
-// The point of a polyhedron's face that the cell itself does not list.
+// Finds a point of a polyhedron's face that the cell does not list.
 std::optional<vtkIdType> FindUnlistedPoint(const CellReader& cell)
 {
   std::vector<vtkIdType> own;
@@ -155,13 +156,14 @@ bool HasRightFaces(const CellReader& cell)
   return areRight;
 }
 
-// How many degrees cells of a shape have.
+// The number of degrees of cells of a shape.
 int GetNumberOfDegrees(CellTopology shape)
 {
   return shape == CellTopology::Triangle || shape == CellTopology::Quadrilateral ? 2 : 3;
 }
 
-// A wedge's first two degrees are one; simplices have one degree, which they need not tell.
+// The first two degrees of a wedge must be equal. Simplices have one degree, which the grid may
+// omit.
 bool HasRightDegrees(const CellReader& cell)
 {
   const CellTopology shape = cell.GetKind().Shape;
@@ -180,7 +182,7 @@ bool HasRightDegrees(const CellReader& cell)
   return isRight;
 }
 
-// Lagrange's cells with nodes in the middle of faces are quadratic.
+// Lagrange cells with nodes at the centres of faces are quadratic.
 bool IsQuadraticLagrange(int type, const CellKind& kind)
 {
   return kind.Nodes == NodeKind::Quadratic && type >= VTK_LAGRANGE_CURVE;
@@ -198,7 +200,7 @@ bool IsOfSecondDegree(const CellReader& cell)
   return isRight;
 }
 
-// Checks the cells of a grid, each thread with its own reader.
+// Checks the cells of a grid. Each thread has a separate reader.
 class GridChecks
 {
 public:
@@ -211,7 +213,7 @@ public:
   {
   }
 
-  // Hidden cells are as if they were not there.
+  // Hidden cells are ignored.
   bool IsHidden(vtkIdType cell) const
   {
     return this->Ghosts && cell < this->Ghosts->GetNumberOfTuples() &&
@@ -255,7 +257,7 @@ private:
   CellError FindShapeError(const CellReader& cell) const
   {
     const CellKind& kind = cell.GetKind();
-    // No degree has such a number of nodes.
+    // No degree has this number of nodes.
     const bool hasNoDegree =
       cell.GetDegrees() == ivec3(0) && (IsSimplex(kind.Shape) || !this->HasDegrees);
     const bool hasWrongDegrees = IsOfAnyDegree(kind) && !hasNoDegree && !HasRightDegrees(cell);
@@ -410,7 +412,7 @@ std::string GridChecks::Describe(vtkIdType id, CellError error) const
   return text.str();
 }
 
-// The sentence of each kind of fault.
+// Returns one sentence for each kind of fault.
 template <typename Describe>
 std::vector<std::string> DescribeErrors(
   const std::vector<CellError>& errors, const Describe& describe)
@@ -461,7 +463,7 @@ CellChecks CheckGrid(vtkUnstructuredGrid* grid, const CellDemands& demands)
   return checks;
 }
 
-// Structured data, and others that tell of their cells by functions alone. Their types fit.
+// For structured data, and other data sets without lists of cells. Their cell types are valid.
 CellChecks CheckIds(vtkDataSet* data)
 {
   const vtkIdType points = data->GetNumberOfPoints();

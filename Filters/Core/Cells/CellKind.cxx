@@ -10,7 +10,7 @@ namespace relevo
 {
 namespace
 {
-// Edges are in the order of the nodes in their middles, which follow the corners.
+// Edges are in the order of their midpoint nodes, which follow the corners.
 struct Topology
 {
   int NumberOfCorners = 0;

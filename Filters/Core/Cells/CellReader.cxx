@@ -17,7 +17,7 @@ namespace
 {
 constexpr std::array<int, 8> PixelOrder{ 0, 1, 3, 2, 4, 5, 7, 6 };
 
-// Degrees that the grid does not tell of.
+// The degree of a cell for which the grid stores none.
 int FindUniformDegree(CellTopology shape, vtkIdType nodes)
 {
   int degree = 1;
@@ -85,7 +85,7 @@ vtkIdType CellReader::GetNode(vtkIdType node) const
   return this->Nodes->GetId(node);
 }
 
-// Simplices have the degree that their number of nodes says.
+// The degree of simplices follows from their number of nodes.
 ivec3 CellReader::GetDegrees() const
 {
   const CellTopology shape = this->Kind.Shape;

@@ -18,7 +18,7 @@ namespace
 {
 const std::string Composite = "vtkCompositeDataSet";
 
-// "CLASS; a CLASS or a CLASS is needed". Blocks are never composite.
+// Returns "CLASS; a CLASS or a CLASS is needed". Blocks are never composite.
 std::string DescribeType(vtkDataObject* data, vtkInformation* port, bool isBlock)
 {
   vtkInformationStringVectorKey* required = vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE();

@@ -29,7 +29,7 @@ std::string Describe(int error)
 struct WriteTarget
 {
   std::string Error;
-  std::string FileName; // absolute, and no symbolic link
+  std::string FileName; // absolute, without symbolic links
   bool IsDevice = false;
   bool IsThere = false;
 };
@@ -39,7 +39,7 @@ fs::path GetFolder(const fs::path& file)
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-// Links such as /dev/stdout lead to open files, which cannot be replaced.
+// Links such as /dev/stdout point to open files, which cannot be replaced.
 bool IsOpenFile(const fs::path& file)
 {
   std::error_code unknown;
@@ -49,7 +49,7 @@ bool IsOpenFile(const fs::path& file)
 
 void FollowLinks(WriteTarget& target)
 {
-  constexpr int maximumLinks = 40; // as Linux follows
+  constexpr int maximumLinks = 40; // the limit of Linux
   fs::path file = target.FileName;
   std::error_code unknown;
   for (int i = 0; i < maximumLinks; ++i)
@@ -63,12 +63,12 @@ void FollowLinks(WriteTarget& target)
     {
       break;
     }
-    file = GetFolder(file) / fs::read_symlink(file, unknown); // which may be absolute
+    file = GetFolder(file) / fs::read_symlink(file, unknown); // the link may be absolute
   }
   target.FileName = file.string();
 }
 
-// Why the target cannot be replaced or made, "" if it can.
+// Returns why the target cannot be replaced or created, or "" if it can.
 std::string FindTargetError(WriteTarget& target)
 {
   const std::string folder = GetFolder(target.FileName).string();
@@ -115,7 +115,7 @@ WriteTarget FindTarget(const std::string& fileName)
 
 std::string MakeTemporaryName(const std::string& fileName, const fs::path& folder)
 {
-  constexpr std::size_t longestStem = 60; // bytes; the name has to fit into NAME_MAX
+  constexpr std::size_t longestStem = 60; // bytes; the name must fit into NAME_MAX
   constexpr std::size_t longestExtension = 20;
   const fs::path name = fs::path(fileName).filename();
   std::string stem = name.stem().string();
@@ -123,7 +123,7 @@ std::string MakeTemporaryName(const std::string& fileName, const fs::path& folde
   if (stem.size() > longestStem)
   {
     std::size_t end = longestStem;
-    while (end > 0 && (stem[end] & 0xC0) == 0x80) // within a character of UTF-8
+    while (end > 0 && (stem[end] & 0xC0) == 0x80) // inside a UTF-8 character
     {
       --end;
     }
@@ -154,7 +154,7 @@ int WriteBytes(int descriptor, std::string_view bytes)
   return 0;
 }
 
-// File systems that cannot synchronize say EINVAL or ENOTSUP.
+// File systems that cannot synchronize return EINVAL or ENOTSUP.
 int Synchronize(int descriptor)
 {
   return fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno;
@@ -172,10 +172,10 @@ int RenameToNew(const char* from, const char* to)
   {
     return EEXIST;
   }
-  return std::rename(from, to) == 0 ? 0 : errno; // a file system without hard links
+  return std::rename(from, to) == 0 ? 0 : errno; // the file system has no hard links
 }
 
-// The file's new name is on the disk, too; if that fails, the file itself is whole all the same.
+// Flushes the file's new name to the disk. If this fails, the file itself is still complete.
 void SynchronizeFolder(const std::string& fileName)
 {
   const int folder = open(GetFolder(fileName).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -260,7 +260,7 @@ void AtomicFile::Fail(const std::string& reason)
   {
     return;
   }
-  // More than a disk has left in the last block of the file.
+  // This is more than the free part of the last block of the file.
   const std::string bytes(1 << 16, '\0');
   const off_t end = lseek(this->Descriptor, 0, SEEK_END);
   const int error = end < 0 ? errno : WriteBytes(this->Descriptor, bytes);
@@ -286,7 +286,8 @@ void AtomicFile::KeepAttributes()
   {
     return;
   }
-  // Only root can give files away; a group can be one of several of the user.
+  // Only root can change the owner of a file. Users can change its group to another of their
+  // groups.
   const bool isOwned = old.st_uid == made.st_uid && old.st_gid == made.st_gid;
   if (!isOwned && fchown(this->Descriptor, old.st_uid, old.st_gid) != 0 &&
     fchown(this->Descriptor, static_cast<uid_t>(-1), old.st_gid) != 0)
@@ -308,7 +309,8 @@ bool AtomicFile::Finish()
   {
     return this->FailWithError(errno);
   }
-  if (written.st_ino != made.st_ino || written.st_dev != made.st_dev) // a writer made it anew
+  if (written.st_ino != made.st_ino ||
+    written.st_dev != made.st_dev) // a writer has replaced the file
   {
     close(this->Descriptor);
     this->Descriptor = open(this->TemporaryName.c_str(), O_RDWR | O_CLOEXEC);

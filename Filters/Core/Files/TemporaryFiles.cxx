@@ -15,7 +15,7 @@ namespace relevo
 struct TemporaryFiles::Entry
 {
   char FileName[PATH_MAX];
-  pid_t Process = 0; // a forked child leaves the files of its parent alone
+  pid_t Process = 0; // a forked child must not remove the files of its parent
   std::atomic<bool> IsThere{ false };
   Entry* Next = nullptr;
 };
@@ -26,7 +26,7 @@ using Entry = TemporaryFiles::Entry;
 
 constexpr int HandledSignals[] = { SIGINT, SIGTERM, SIGHUP };
 
-std::mutex Mutex; // of changes of all that follows
+std::mutex Mutex; // locked while the following variables change
 std::atomic<Entry*> First{ nullptr };
 int NumberOfFiles = 0;
 
@@ -48,7 +48,7 @@ void RemoveFiles(int signal)
 
 using Handler = void (*)(int);
 
-// Replace the action of a signal if it is the expected one.
+// Replaces the action of a signal if it is the expected one.
 void Exchange(int signal, Handler expected, Handler handler)
 {
   struct sigaction action;

@@ -9,7 +9,7 @@ namespace relevo
 {
 namespace
 {
-// White space may follow.
+// White space may follow the ending.
 bool EndsWith(const std::string& fileName, const std::string& ending)
 {
   std::ifstream file(fileName, std::ios::binary | std::ios::ate);
@@ -31,7 +31,8 @@ bool IsWholeXML(const std::string& fileName)
 
 std::string GetWriterError(const std::string& errors, const AtomicFile& file)
 {
-  const std::string heading = "): "; // ERROR: In FILE, line N, CLASS (ADDRESS): MESSAGE
+  const std::string heading =
+    "): "; // the format is ERROR: In FILE, line N, CLASS (ADDRESS): MESSAGE
   const std::size_t begin = errors.find(heading);
   std::string error = begin == std::string::npos ? errors : errors.substr(begin + heading.size());
   error.resize(std::min(error.find('\n'), error.size()));

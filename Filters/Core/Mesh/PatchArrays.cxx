@@ -17,7 +17,7 @@ namespace relevo
 {
 namespace
 {
-// In the order of a tuple of the array Patches.
+// The components of the array Patches.
 enum Record
 {
   KIND,
@@ -30,8 +30,8 @@ enum Record
 constexpr int PointSize = 4;
 constexpr int CoordinatesSize = 6;
 
-// The array as one of its type, a copy if it is of another; null with an error where it is missing
-// or of another size. Any number of tuples will do where that is -1.
+// Returns the array, converted if it has another type. Returns nullptr and an error if it is
+// missing or has the wrong size. Accepts any number of tuples if `tuples` is -1.
 template <typename Array>
 vtkSmartPointer<Array> TakeArray(
   vtkFieldData* data, const char* name, int components, vtkIdType tuples, std::string& error)
@@ -204,7 +204,7 @@ bool PatchArrays::CheckPoints(std::string& error) const
   for (vtkIdType i = 0; i < this->GetNumberOfPoints(); ++i)
   {
     const double* x = this->Points->GetPointer(PointSize * i);
-    // A sum of finite numbers may overflow.
+    // A sum of finite numbers could overflow.
     if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]) ||
       !std::isfinite(x[3]) || !(x[3] > 0.0))
     {

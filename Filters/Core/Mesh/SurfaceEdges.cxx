@@ -8,12 +8,12 @@
 
 namespace
 {
-// A side of a triangle, among those that have its lower place.
+// A side of a triangle, stored with its lower merged point.
 struct Side
 {
-  int High; // its other place
+  int High; // the higher merged point
   int Triangle;
-  bool Descending; // the triangle passes it from the higher place to the lower
+  bool Descending; // whether the triangle runs from the higher point to the lower
 
   bool operator<(const Side& other) const
   {
@@ -21,7 +21,7 @@ struct Side
   }
 };
 
-// Counts become starts: element i of the result is the sum of all counts before i.
+// Converts counts to offsets: element i of the result is the sum of all counts before i.
 void Accumulate(std::vector<int>& counts)
 {
   int sum = 0;
@@ -32,8 +32,9 @@ void Accumulate(std::vector<int>& counts)
   }
 }
 
-// All sides by their lower place, from starts[place] to starts[place + 1], in order: those of an
-// edge follow each other. Dealt out by place first, which takes a tenth of the time of a sort.
+// Returns all sides by their lower merged point, from starts[point] to starts[point + 1], sorted so
+// that the sides of an edge are adjacent. Bucketing by point first takes a tenth of the time of a
+// sort.
 std::vector<Side> MakeSides(
   const std::vector<relevo::SurfaceTriangles::Triangle>& triangles, std::vector<int>& starts)
 {

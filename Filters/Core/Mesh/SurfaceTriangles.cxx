@@ -12,7 +12,7 @@
 
 namespace
 {
-// Calls f(size, points) for every cell.
+// Calls f(size, points) for each cell.
 template <typename Function>
 void ForEachCell(vtkCellArray* cells, Function&& f)
 {

@@ -28,7 +28,8 @@ void FacePattern::GetWeights(int vertex, float weights[3]) const
 
 void FacePattern::GetEdgeSegments(int segments[3]) const
 {
-  // The pattern's edge i lacks its corner i + 2, the sorted edge e the corner e + 2.
+  // The pattern's edge i is opposite to its corner i + 2, and the sorted edge e to the corner e +
+  // 2.
   const auto& order = GetCornerOrder(this->Code);
   for (int e = 0; e < 3; ++e)
   {

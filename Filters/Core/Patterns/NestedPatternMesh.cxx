@@ -11,11 +11,11 @@ namespace
 {
 using namespace relevo;
 
-/// The finest grid has 2^7 steps, and every place is one of its.
+/// The finest grid has 2^7 steps and contains all vertices.
 constexpr int FinestLevel = 7;
 constexpr int Size = 1 << FinestLevel;
 
-/// (s, y) of relevoMorph.glsl.
+/// The coordinates (s, y) of relevoMorph.glsl.
 struct Place
 {
   int S;
@@ -33,8 +33,8 @@ constexpr int RoundDown(int coordinate, int level)
 }
 
 /**
- * The mesh is that of the finest of its levels, with each vertex that is not there yet put onto the
- * one that it will come from, and without the triangles that this makes empty.
+ * Builds the mesh of the finest of its levels. Vertices that do not exist yet are merged into the
+ * vertex that they start from, and the degenerate triangles are removed.
  */
 class NestedMeshMaker
 {
@@ -55,7 +55,7 @@ public:
   PatternMesh Mesh;
 
 private:
-  /// The first level with vertices inside.
+  /// The first level with inner vertices.
   static constexpr int FirstInner = 2;
 
   void AddBorderVertices()
@@ -67,7 +67,7 @@ private:
     }
   }
 
-  /// The triangles that have a side or a corner on an edge.
+  /// Add the triangles that have a side or a corner on an edge.
   void AddStrips()
   {
     const int level = std::max(this->Highest, FirstInner);
@@ -119,7 +119,7 @@ private:
     }
   }
 
-  /// The vertex at a place, of whatever level.
+  /// Return the vertex at a position, of any level.
   int GetVertex(Place place)
   {
     place = this->GetOrigin(place);
@@ -142,7 +142,8 @@ private:
     return static_cast<std::size_t>(place.S * (Size + 1) + place.Y);
   }
 
-  /// Where relevoMorph.glsl has a vertex when the tags are those where the levels begin.
+  /// Return the position that relevoMorph.glsl computes for a vertex at the lowest tags of the
+  /// levels.
   Place GetOrigin(Place place) const
   {
     if (place.Y == 0)
@@ -164,8 +165,8 @@ private:
     return this->Highest < FirstInner ? this->GetFirstOrigin({ s, y }) : Place{ s, y };
   }
 
-  /// The same for the inner vertices of level 2 when no edge has this level. Where edges 01 and 02
-  /// both have a middle, one vertex is left, between the two.
+  /// Does the same for the inner vertices of level 2 if no edge has this level. If edges 01 and 02
+  /// both have a midpoint, one vertex remains between the two.
   Place GetFirstOrigin(Place place) const
   {
     constexpr int Half = Size / 2;
@@ -183,7 +184,7 @@ private:
   std::array<int, 3> Levels;
   int Highest;
   int Inner;
-  /// The number of the vertex at each place, -1 where there is none yet.
+  /// The number of the vertex at each position; -1 if there is none yet.
   std::vector<int> Numbers;
 };
 }

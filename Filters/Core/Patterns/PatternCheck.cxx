@@ -16,7 +16,8 @@ namespace
 {
 using namespace relevo;
 
-/// Weights as integers, or false when they are not multiples of 1 / WeightScale that sum to 1.
+/// Converts weights to integers. Returns false if they are not multiples of 1 / WeightScale with
+/// sum 1.
 bool GetExactWeights(const float* weights, PatternWeights& exact)
 {
   for (int i = 0; i < 3; ++i)
@@ -35,7 +36,7 @@ bool GetExactWeights(const float* weights, PatternWeights& exact)
   return exact[0] + exact[1] + exact[2] == WeightScale;
 }
 
-/// Checks the vertices and gives their points, in units of 1 / WeightScale.
+/// Checks the vertices and returns their points, in units of 1 / WeightScale.
 const char* FindDefectOfVertices(
   const RefinementPattern& pattern, std::vector<PatternPoint>& points)
 {
@@ -59,7 +60,7 @@ const char* FindDefectOfVertices(
   return nullptr;
 }
 
-/// Checks each triangle, and their area together.
+/// Checks each triangle and the total area.
 const char* FindDefectOfTriangles(
   const std::vector<unsigned int>& triangles, const std::vector<PatternPoint>& points)
 {
@@ -82,7 +83,7 @@ const char* FindDefectOfTriangles(
   return area == WeightScale * WeightScale ? nullptr : "its triangles overlap or leave a gap";
 }
 
-/// Checks that each side is used once, and its opposite as well unless it is of the border.
+/// Checks that each side is used once, and its opposite too unless it is on the border.
 const char* FindDefectOfSides(const RefinementPattern& pattern)
 {
   const auto sides = SortedSides(pattern.Triangles);

@@ -11,11 +11,11 @@ namespace relevo
 {
 namespace
 {
-// Key and permutation code of canonical patterns.
+// Returns the key and permutation code of canonical patterns.
 unsigned int MakeCanonicalEntry(int order, int step01, int step12, int step02)
 {
-  // Sorted corner j is the cell's corner corners[j]; the edge that lacks sorted corner j is known
-  // by its step lacking[j], and the cell's edge i lacks its corner i + 2.
+  // Sorted corner j is the cell's corner corners[j]. The edge opposite to sorted corner j has the
+  // step lacking[j], and the cell's edge i is opposite to its corner i + 2.
   const auto& corners = GetCornerOrder(order);
   const int lacking[3] = { step12, step02, step01 };
   int steps[3];

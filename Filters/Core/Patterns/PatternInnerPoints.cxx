@@ -12,36 +12,38 @@ namespace
 {
 using namespace relevo;
 
-// Percentages and angles below are of all patterns of levels 0 to 7 together.
+// Percentages and angles below are for all patterns of levels 0 to 7 together.
 
-/// How fast the distance between points may grow with the distance from a finer edge. With 0.2
-/// there are 26 % more triangles but no larger smallest angles; with 0.6, 80 % more triangles have
-/// an angle below 30 degrees.
+/// The growth of the distance between points with the distance from a finer edge. A value of 0.2
+/// gives 26 % more triangles but no larger smallest angles. A value of 0.6 gives 80 % more
+/// triangles with an angle below 30 degrees.
 constexpr double Gradation = 0.3;
 
-/// How near points of grids may come to other points, in wanted distances. From 0.6 to 0.8 smallest
-/// angles are the same; with 0.9 there are 35 % fewer triangles, but patterns across one level fall
-/// from 30 to 19 degrees.
+/// The smallest distance of grid points from other points, relative to the size field. Values from
+/// 0.6 to 0.8 give the same smallest angles. A value of 0.9 gives 35 % fewer triangles, but
+/// patterns across one level fall from 30 to 19 degrees.
 constexpr double Separation = 0.72;
 
-/// The same for the tips of fans, which are near each other by design: with 0.4 some are left out,
-/// and the smallest angle across seven levels falls from 8.2 to 7.0 degrees.
+/// The smallest distance for the tips of fans, which are close to each other by construction. A
+/// value of 0.4 skips some, and the smallest angle across seven levels falls from 8.2 to 7.0
+/// degrees.
 constexpr double TipSeparation = 0.25;
 
-/// A regular grid is used up to wanted distances of sqrt(2) spacings; from there on the next, whose
-/// spacing is about twice as large.
+/// A regular grid is used up to sizes of sqrt(2) times its spacing. The next grid, with about twice
+/// the spacing, follows.
 constexpr double LargestSpacingRatio = 1.42;
 
-/// The most sectors of a corner's fan: as many as the finest edge has doublings.
+/// The highest number of sectors of a corner's fan, which is the number of doublings on the finest
+/// edge.
 constexpr int MaximumNumberOfSectors = 7;
 static_assert(MaximumNumberOfSegments == 1 << MaximumNumberOfSectors);
 
-/// 2 cos(60 degrees / k), as std::cos may differ from machine to machine.
+/// 2 cos(60 degrees / k). std::cos may differ between machines.
 constexpr double TwoCosines[MaximumNumberOfSectors + 1] = { 0.0, 1.0, 1.7320508075688772,
   1.8793852415718169, 1.9318516525781366, 1.9562952014676114, 1.9696155060244161,
   1.9776616524502590 };
 
-/// The distance between neighbouring points that the border asks for inside.
+/// The distance between neighbouring inner points, computed from the border.
 class SizeField
 {
 public:
@@ -53,8 +55,8 @@ public:
     }
   }
 
-  /// Near an edge its segments' length; inside their mean, weighted by inverse distances, but never
-  /// more than the gradation allows.
+  /// The size is the segment length near an edge. Inside, it is the mean of these lengths weighted
+  /// by inverse distances, limited by the gradation.
   double operator()(PatternPoint p) const
   {
     const double v = static_cast<double>(p.V) / GridScale;
@@ -76,7 +78,7 @@ private:
   double Length[3];
 };
 
-/// Points in buckets, to ask for the neighbourhood of a place.
+/// Points in buckets, for neighbourhood queries.
 class PointBuckets
 {
 public:
@@ -91,12 +93,13 @@ public:
     this->Buckets[this->Bucket(p.W) * this->Resolution + this->Bucket(p.V)].push_back(p);
   }
 
-  /// Whether some point is nearer to p than a distance (in units of the triangle's side).
+  /// Whether a point is nearer to p than a distance (in units of the triangle's side).
   bool IsNear(PatternPoint p, double distance) const
   {
     const double limit = distance * GridScale;
     const double squaredLimit = limit * limit;
-    const std::int64_t reach = static_cast<std::int64_t>(limit / TriangleHeight) + 1; // in a weight
+    const std::int64_t reach =
+      static_cast<std::int64_t>(limit / TriangleHeight) + 1; // in terms of a weight
     for (int j = this->Bucket(p.W - reach); j <= this->Bucket(p.W + reach); ++j)
     {
       for (int i = this->Bucket(p.V - reach); i <= this->Bucket(p.V + reach); ++i)
@@ -124,7 +127,7 @@ private:
   std::vector<std::vector<PatternPoint>> Buckets;
 };
 
-/// The nearest point where an inner point may lie.
+/// The nearest allowed position of an inner point.
 PatternPoint Snapped(double v, double w)
 {
   const double steps = static_cast<double>(GridScale / InnerStep);
@@ -137,8 +140,8 @@ bool IsInside(PatternPoint p)
   return p.V > 0 && p.W > 0 && p.V + p.W < GridScale;
 }
 
-/// The k-th root of x >= 1, by Newton's method from above, as std::pow may differ from machine to
-/// machine.
+/// The k-th root of x >= 1, computed by Newton's method from above. std::pow may differ between
+/// machines.
 double Root(double x, int k)
 {
   double root = x;
@@ -158,9 +161,9 @@ double Root(double x, int k)
   }
 }
 
-/// The triangles at a corner where a fine and a coarse edge meet. Spokes from the corner cut its 60
-/// degrees into equal sectors, each spoke about twice as long as the one before: the smallest angle
-/// is then about the largest that the two edges allow.
+/// The triangles at a corner where a fine and a coarse edge meet. Spokes from the corner divide its
+/// 60 degrees into equal sectors. Each spoke is about twice as long as the previous one. The
+/// smallest angle is then close to the largest that the two edges allow.
 class CornerFan
 {
 public:
@@ -218,7 +221,7 @@ public:
     return false;
   }
 
-  /// Ends of the spokes, counter-clockwise; the first and the last are on the edges.
+  /// Ends of the spokes, counter-clockwise. The first and the last are on the edges.
   std::vector<PatternPoint> Tips;
 
 private:
@@ -263,7 +266,7 @@ std::vector<PatternPoint> MakeInnerPoints(
     return std::any_of(
       fans.begin(), fans.end(), [&](const CornerFan& fan) { return fan.Contains(p); });
   };
-  // No distance is smaller than the spacing of the first grid.
+  // No size is smaller than the spacing of the first grid.
   for (int n = segments[0]; n > 1; n = (n + 1) / 2)
   {
     const double spacing = 1.0 / n;

@@ -14,8 +14,8 @@ namespace
 {
 using namespace relevo;
 
-/// The number, in the pattern's order, of the vertex at v = i / n, w = j / n in the regular grid of
-/// n segments; inner vertices by rows.
+/// The number, in the order of the pattern, of the vertex at v = i / n, w = j / n in the regular
+/// grid of n segments. Inner vertices are ordered by rows.
 int RegularVertex(int n, int i, int j)
 {
   const int k = n - i - j;
@@ -49,7 +49,7 @@ int RegularVertex(int n, int i, int j)
 
 PatternTriangulation TriangulateBorder(const int segments[3])
 {
-  PatternTriangulation triangulation; // has the corners
+  PatternTriangulation triangulation; // contains the corners
   const auto border = MakeBorderVertices(segments, GridScale);
   for (std::size_t i = 3; i < border.size(); ++i)
   {
@@ -58,12 +58,12 @@ PatternTriangulation TriangulateBorder(const int segments[3])
   return triangulation;
 }
 
-/// Smooth the triangulation of a border with points inside, and again without those in the way.
+/// Smooths the triangulation of a border with inner points, and again without obstructing points.
 PatternTriangulation TriangulateInside(const int segments[3], const PatternTriangulation& border)
 {
   const std::size_t firstInner = border.Points.size();
   std::vector<PatternPoint> inner = MakeInnerPoints(segments, border.Points);
-  for (;;) // ends, as each round starts with fewer points
+  for (;;) // ends because each round starts with fewer points
   {
     PatternTriangulation triangulation = border;
     for (const PatternPoint& p : inner)

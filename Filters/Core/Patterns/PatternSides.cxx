@@ -53,7 +53,7 @@ void MakeLines(RefinementPattern& pattern)
   {
     pattern.Lines.insert(pattern.Lines.end(), { a, b });
   }
-  // A side inside comes twice, once in each direction; one of the border only once.
+  // An inner side occurs twice, once in each direction. A border side occurs once.
   const auto sides = SortedSides(pattern.Triangles);
   for (const auto& [a, b] : sides)
   {

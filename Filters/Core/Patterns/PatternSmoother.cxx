@@ -12,11 +12,11 @@ using namespace relevo;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// Some patterns would take 120 sweeps, but their smallest angle no longer grows.
+/// Some patterns would take 120 sweeps, but their smallest angle does not grow further.
 constexpr int MaximumNumberOfSweeps = 24;
 
-/// A star whose smallest angle is at least 38 degrees stays: sqrt(3) times the cotangent. To ask
-/// for more takes longer and gives no pattern a larger smallest angle.
+/// Stars whose smallest angle is at least 38 degrees are not moved: sqrt(3) times the cotangent. A
+/// higher value takes longer and does not increase the smallest angle of any pattern.
 constexpr double GoodBadness = 1.2799 * 1.7320508075688772;
 
 /// To the six nearest points of a triangular grid.
@@ -64,8 +64,8 @@ std::vector<bool> PatternSmoother::FindErrors()
   return errors;
 }
 
-/// Largest badness of the triangles between p and the sides of the star; at least the limit when
-/// it gets there.
+/// The largest badness of the triangles between p and the sides of the star, or any value of at
+/// least the limit.
 double PatternSmoother::StarBadness(PatternPoint p, double limit) const
 {
   double badness = 0.0;
@@ -108,7 +108,7 @@ bool PatternSmoother::IsError(int vertex) const
   return false;
 }
 
-/// Try the middle of the star's corners, then ever smaller steps. Returns whether one was better.
+/// Try the centre of the star's corners, then decreasing steps. Returns whether one was better.
 bool PatternSmoother::MoveVertex(int vertex)
 {
   this->Mesh.GetStar(vertex, this->Star);
@@ -142,8 +142,8 @@ bool PatternSmoother::MoveVertex(int vertex)
   const std::int64_t divisor = static_cast<std::int64_t>(this->Star.size()) * InnerStep;
   attempt({ DivideRounded(sum.V, divisor) * InnerStep, DivideRounded(sum.W, divisor) * InnerStep });
 
-  // The first step is between 1/8 and 1/4 of the distance to the nearest corner; from shorter ones
-  // the search ends in worse places.
+  // The first step is between 1/8 and 1/4 of the distance to the nearest corner. Shorter first
+  // steps end at worse positions.
   std::int64_t step = InnerStep;
   while (64 * step * step < shortest)
   {

@@ -47,7 +47,7 @@ PatternStore::Pattern PatternStore::Get(const Key& key, const Make& make)
     }
   }
   const auto made = std::make_shared<const RefinementPattern>(make());
-  // The first one stays where several threads have made it.
+  // If several threads have generated it, the first one is stored.
   const std::unique_lock<std::shared_mutex> lock(this->Mutex);
   return this->Patterns.emplace(key, made).first->second;
 }

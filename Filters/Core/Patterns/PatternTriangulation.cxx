@@ -13,7 +13,8 @@ PatternTriangulation::PatternTriangulation()
   this->TriangleOfVertex = { 0, 0, 0 };
 }
 
-/// The triangle of p, by walking towards it: in a Delaunay triangulation no walk comes full circle.
+/// Finds the triangle of p by walking towards it. In a Delaunay triangulation, walks have no
+/// cycles.
 int PatternTriangulation::Locate(PatternPoint p) const
 {
   int t = static_cast<int>(this->Triangles.size()) - 1; // near the last point
@@ -35,7 +36,7 @@ int PatternTriangulation::Locate(PatternPoint p) const
   return t;
 }
 
-/// -1 when the triangle has no such vertex.
+/// Returns -1 if the triangle does not have the vertex.
 int PatternTriangulation::IndexOf(int triangle, int vertex) const
 {
   const int* vertices = this->Triangles[triangle].Vertex;
@@ -49,7 +50,7 @@ int PatternTriangulation::IndexOfNeighbor(int triangle, int neighbor) const
   return neighbors[0] == neighbor ? 0 : neighbors[1] == neighbor ? 1 : 2;
 }
 
-/// Give a triangle its vertices and, opposite to each, its neighbours.
+/// Sets a triangle's vertices and the neighbours opposite to them.
 void PatternTriangulation::Set(int triangle, int a, int b, int c, int na, int nb, int nc)
 {
   this->Triangles[triangle] = { { a, b, c }, { na, nb, nc } };
@@ -58,7 +59,7 @@ void PatternTriangulation::Set(int triangle, int a, int b, int c, int na, int nb
   this->TriangleOfVertex[c] = triangle;
 }
 
-/// Tell a triangle that its neighbour has another index.
+/// Updates the index of a triangle's neighbour.
 void PatternTriangulation::Link(int triangle, int former, int current)
 {
   if (triangle >= 0)
@@ -100,7 +101,7 @@ void PatternTriangulation::Insert(PatternPoint p)
   this->Legalize();
 }
 
-/// Replace a triangle by the three between its sides and a vertex inside.
+/// Replaces a triangle by the three between its sides and a vertex inside.
 void PatternTriangulation::SplitTriangle(int t, int vertex)
 {
   const Triangle old = this->Triangles[t];
@@ -138,7 +139,7 @@ PatternTriangulation::Diamond PatternTriangulation::GetDiamond(int t, int side) 
   return diamond;
 }
 
-/// Halve the one or two triangles at a side, at a vertex on it.
+/// Splits the one or two triangles at a side at a vertex on the side.
 void PatternTriangulation::SplitSide(int t, int side, int vertex)
 {
   const Diamond q = this->GetDiamond(t, side);
@@ -163,7 +164,7 @@ void PatternTriangulation::SplitSide(int t, int side, int vertex)
   this->Suspects.push_back({ o1, vertex });
 }
 
-/// Replace a side by the other diagonal of its two triangles when the circles ask for that.
+/// Replaces a side by the other diagonal of its two triangles if the circle test requires it.
 void PatternTriangulation::LegalizeSide(int t, int side)
 {
   const Diamond q = this->GetDiamond(t, side);
@@ -191,7 +192,7 @@ void PatternTriangulation::Legalize()
     const auto [triangle, vertex] = this->Suspects.back();
     this->Suspects.pop_back();
     const int side = this->IndexOf(triangle, vertex);
-    if (side >= 0) // no flip has taken the vertex away since
+    if (side >= 0) // the vertex still belongs to the triangle after other flips
     {
       this->LegalizeSide(triangle, side);
     }

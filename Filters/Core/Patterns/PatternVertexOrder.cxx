@@ -10,7 +10,7 @@ namespace
 {
 using namespace relevo;
 
-/// Position of a cell on Hilbert's curve through a grid of 2^bits cells a side.
+/// The position of a cell on the Hilbert curve through a grid of 2^bits x 2^bits cells.
 std::uint32_t HilbertIndex(std::uint32_t x, std::uint32_t y, int bits)
 {
   std::uint32_t index = 0;
@@ -34,8 +34,8 @@ std::uint32_t HilbertIndex(std::uint32_t x, std::uint32_t y, int bits)
 
 void OrderTriangles(PatternMesh& mesh)
 {
-  constexpr int Bits = 12; // cells much smaller than the finest triangles, 1/128 wide
-  constexpr std::int64_t Cell = 3 * WeightScale >> Bits; // of the sum of three corners
+  constexpr int Bits = 12; // cells much smaller than the finest triangles, which are 1/128 wide
+  constexpr std::int64_t Cell = 3 * WeightScale >> Bits; // in sums of three corners
   std::vector<std::pair<std::uint32_t, std::array<int, 3>>> order;
   order.reserve(mesh.Triangles.size());
   for (const auto& triangle : mesh.Triangles)

@@ -74,7 +74,8 @@ public:
   std::string Bytes = Magic;
 };
 
-/// Takes little-endian numbers from a string of bytes; zeros, and IsGood() false, past its end.
+/// Reads little-endian numbers from a string of bytes. Past its end, numbers are 0 and IsGood() is
+/// false.
 class ByteReader
 {
 public:
@@ -135,13 +136,13 @@ std::string Name(const relevo::RefinementPattern& pattern)
     std::to_string(n[2]) + " segments";
 }
 
-/// Whether MaximumLevel is one that a table can have.
+/// Whether a table can have this MaximumLevel.
 bool IsLevel(std::int64_t level)
 {
   return level >= 0 && level <= relevo::HighestLevel;
 }
 
-/// All patterns for levels up to a maximum, with nothing but their segments.
+/// Creates all patterns for levels up to a maximum, with only their segments.
 std::vector<relevo::RefinementPattern> MakeEmptyPatterns(int maximumLevel)
 {
   std::vector<relevo::RefinementPattern> patterns;
@@ -348,7 +349,7 @@ std::string ReadVTP(
   patterns = MakeEmptyPatterns(maximumLevel);
   const int count = static_cast<int>(patterns.size());
 
-  // Points and cells of a pattern follow each other, but need not be contiguous.
+  // Points and cells of a pattern are in order, but need not be contiguous.
   const vtkIdType numberOfPoints = polyData->GetNumberOfPoints();
   std::vector<unsigned int> vertexOfPoint(numberOfPoints);
   for (vtkIdType p = 0; p < numberOfPoints; ++p)

@@ -12,7 +12,7 @@ namespace relevo
 {
 namespace
 {
-constexpr int SmallSegments = 16; // up to here every whole number
+constexpr int SmallSegments = 16; // all whole numbers up to this are steps
 }
 
 SegmentSteps SegmentSteps::MakePowersOfTwo(int highestLevel)

@@ -14,8 +14,8 @@ namespace relevo
 {
 namespace
 {
-// The triangles of a pattern by its segments: exact where they are equal, else mostly within 20 %;
-// sums over many faces are within 10 %.
+// The number of triangles of a pattern. It is exact for equal segments and otherwise mostly within
+// 20 %. Sums over many faces are within 10 %.
 int EstimateTriangles(int a, int b, int c)
 {
   const double mean = (a + b + c) / 3.0;
@@ -30,7 +30,7 @@ std::vector<float> MakeMinimumTags(const SegmentSteps& steps, int maximumLevel)
   {
     const double low = steps.GetSegments(step - 1);
     const double high = steps.GetSegments(step);
-    // Levels are rounded as levels, whole numbers of segments as numbers.
+    // For powers of two, the level is rounded; for whole numbers, the number of segments is.
     tags.push_back(static_cast<float>(
       steps.AreWholeNumbers() ? std::log2(0.5 * (low + high)) : 0.5 * std::log2(low * high)));
   }
@@ -61,7 +61,7 @@ TriangleCounts::TriangleCounts(const PatternFamily& family, int maximumLevel)
       }
     });
 
-  // The largest of those below, one edge after the other.
+  // Propagate the maximum of lower steps, one edge after the other.
   for (const int stride : { 1, n, n * n })
   {
     for (int i = 0; i < static_cast<int>(this->Triangles.size()); ++i)

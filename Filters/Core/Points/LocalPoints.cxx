@@ -49,7 +49,7 @@ void LocalPoints::Build(vtkPoints* points, const FiniteBox* whole)
         data->GetTuple(i, point);
         for (int c = 0; c < 3; ++c)
         {
-          // Adding zero makes -0 a plain 0.
+          // Adding 0 converts -0 to 0.
           this->Coordinates[3 * i + c] = static_cast<float>(point[c] - this->Origin[c]) + 0.0f;
         }
       }

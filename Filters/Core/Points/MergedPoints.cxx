@@ -17,8 +17,8 @@
 
 namespace
 {
-// Points are first dealt out to buckets by their hash, so that buckets can be searched in parallel,
-// each with a hash table that fits the cache.
+// Points are first sorted into buckets by their hash, so that buckets can be searched in parallel,
+// each with a hash table that fits into the cache.
 constexpr int BucketBits = 8;
 constexpr int NumberOfBuckets = 1 << BucketBits;
 
@@ -73,7 +73,7 @@ struct PlacesWorker
         }
       });
 
-    // Counting sort into buckets; ids ascend within each.
+    // Counting sort into buckets. Ids are ascending within each.
     std::array<vtkIdType, NumberOfBuckets + 1> starts{};
     for (std::uint64_t hash : hashes)
     {

@@ -10,7 +10,7 @@
 
 namespace relevo
 {
-// The point that the camera projects to a depth alone.
+// The eye is the point that the camera projects to (0, 0, 1, 0).
 dvec4 GetEye(vtkCamera* camera, vtkMatrix4x4* worldToModel)
 {
   dvec4 eye(0.0, 0.0, 1.0, 0.0);
@@ -22,7 +22,7 @@ dvec4 GetEye(vtkCamera* camera, vtkMatrix4x4* worldToModel)
     inverse->MultiplyPoint(&eye.x, &eye.x);
   }
   worldToModel->MultiplyPoint(&eye.x, &eye.x);
-  // Depth grows away from the viewer.
+  // Depth increases away from the viewer.
   return eye.w == 0.0 ? -eye : eye;
 }
 }

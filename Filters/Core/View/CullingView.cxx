@@ -14,7 +14,7 @@ namespace relevo
 {
 namespace
 {
-// The point (x, y, z, w) that lies on three planes: their cross product.
+// The point (x, y, z, w) on three planes: their cross product.
 dvec4 Intersect(const dvec4& a, const dvec4& b, const dvec4& c)
 {
   const auto minor = [&](int i, int j, int k)
@@ -38,7 +38,8 @@ CullingView::CullingView(vtkCamera* camera, double aspect, vtkMatrix4x4* modelTo
   const dmat4 rows = transpose(toClip);
   const dvec4 right = rows[3] * (1.0 + margins[0]);
   const dvec4 upper = rows[3] * (1.0 + margins[1]);
-  // Not the near and far planes: VTK may clamp depths. The last plane goes through the eye.
+  // The near and far planes are not used, because VTK may clamp depths. The last plane contains the
+  // eye.
   const dvec4 planes[NumberOfPlanes] = { right + rows[0], right - rows[0], upper + rows[1],
     upper - rows[1], rows[3] };
   this->Parallel = dvec3(rows[3]) == dvec3(0.0);
@@ -60,7 +61,7 @@ CullingView::CullingView(vtkCamera* camera, double aspect, vtkMatrix4x4* modelTo
     this->Valid = this->Valid && std::isfinite(this->Near[c]);
   }
 
-  // From the matrix, not from the camera's position: views may be sheared, transformed or stereo.
+  // This uses the matrix, not the camera's position: views may be sheared, transformed or stereo.
   const dvec4 point = Intersect(Normalize(planes[0]), Normalize(planes[2]),
     this->Parallel ? dvec4(0.0, 0.0, 0.0, 1.0) : Normalize(rows[3]));
   const dvec3 towardsEye = dvec3(point) * (dot(dvec3(rows[2]), dvec3(point)) < 0.0 ? 1.0 : -1.0);

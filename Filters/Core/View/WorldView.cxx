@@ -39,7 +39,8 @@ double GetPixelsAtUnitDistance(const RefinementView& view)
 Placement::Placement(const RefinementView& view)
   : ModelToWorld(MakeMatrix(view.ModelToWorld))
 {
-  // The cofactors are the inverse transpose times the determinant, and always there.
+  // The cofactors are the inverse transpose times the determinant, and exist for singular matrices
+  // too.
   const dmat3 linear(this->ModelToWorld);
   this->NormalToWorld =
     dmat3(cross(linear[1], linear[2]), cross(linear[2], linear[0]), cross(linear[0], linear[1]));
@@ -110,7 +111,7 @@ bool Eye::Set(const RefinementView& view, std::string& error)
     error = "The camera's position or focal point is not finite";
     return false;
   }
-  // Scaled first: VTK keeps focal points as close as 1e-20.
+  // Scaling comes first: VTK keeps focal points as close as 1e-20.
   const dvec3 back = this->Position - focalPoint;
   const double scale = std::max({ std::abs(back.x), std::abs(back.y), std::abs(back.z) });
   this->Backwards = scale > 0.0 ? UnitOrZero(back / scale) : dvec3(0.0);

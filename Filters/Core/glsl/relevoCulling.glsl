@@ -1,17 +1,17 @@
 // Tests for faces that a camera cannot see. GLSL and C++.
 
-// Whether a box (its middle and half its sides) lies wholly beyond a plane, whose positive side is
-// inside.
+// Whether a box (its centre and half its sides) is completely outside a plane, whose positive side
+// is inside.
 RELEVO_FUNCTION bool isBoxBeyond(vec3 middle, vec3 halfSides, vec4 plane)
 {
   vec3 normal = vec3(plane);
   return dot(normal, middle) + dot(abs(normal), halfSides) + plane.w < 0.0f;
 }
 
-// Whether all normals within a cone face away from the eye. `toEye` is the vector from the middle of
-// a box to the eye, and no point of the face lies further behind the middle than `reach` along any
-// normal; with a parallel camera any vector towards it, and a reach of 0. A cosine of no more than 0
-// bounds nothing.
+// Whether all normals in a cone face away from the eye. `toEye` is the vector from the centre of a
+// box to the eye. No point of the face is further behind the centre than `reach` along any normal.
+// With a parallel camera, `toEye` is any vector towards it and `reach` is 0. A cosine of 0 or less
+// does not bound the normals.
 RELEVO_FUNCTION bool facesAway(vec3 axis, float cosine, vec3 toEye, float reach)
 {
   if (!(cosine > 0.0f))
@@ -22,7 +22,7 @@ RELEVO_FUNCTION bool facesAway(vec3 axis, float cosine, vec3 toEye, float reach)
   float along = dot(axis, toEye);
   float across = sqrt(max(dot(toEye, toEye) - along * along, 0.0f));
   float sine = sqrt(max(1.0f - cosine * cosine, 0.0f));
-  // A face that is seen nearly edge-on can still cover pixels of its own.
+  // A face that is seen nearly edge-on can still cover pixels.
   float edgeOn = 0.1f * length(toEye);
   return along < 0.0f && along * cosine + across * sine < -reach - edgeOn;
 }

@@ -1,10 +1,10 @@
-// Height sampling: one source for the shaders and, through GLM, for C++.
+// Height sampling, shared by the shaders and, through GLM, C++.
 //
-// The including side provides
-//   float heightTexel(ivec2 texel)  the sample at a texel inside the map
-//   float validTexel(ivec2 texel)   1 where that sample has data, 0 where it holds a fill
-//   ivec2 heightSize()              the number of texels
-// Texel centres lie at (i + 0.5) / n; heights are bilinear between them and clamped outside.
+// The including code provides
+//     float heightTexel(ivec2 texel)  the sample at a texel inside the map
+//     float validTexel(ivec2 texel)   1 if that sample is valid, 0 if it is missing
+//     ivec2 heightSize()              the number of texels
+// Texel centres are at (i + 0.5) / n. Heights are bilinear between them and clamped outside.
 
 // Position in texels, clamped to the outermost centres.
 RELEVO_FUNCTION vec2 heightPosition(vec2 uv)
@@ -22,7 +22,7 @@ RELEVO_FUNCTION float heightBetween(ivec2 a, vec2 t)
 }
 
 // Height at uv and its gradient per unit of u and v: (height, d/du, d/dv). The gradient is bilinear
-// between the texels' central differences (one-sided at the border), hence continuous.
+// between the texels' central differences (one-sided at the border) and therefore continuous.
 RELEVO_FUNCTION vec3 heightAndGradientAt(vec2 uv)
 {
   ivec2 last = heightSize() - ivec2(1);
@@ -50,7 +50,7 @@ RELEVO_FUNCTION vec3 heightAndGradientAt(vec2 uv)
   return vec3(mix(mix(h00, h10, t.x), mix(h01, h11, t.x), t.y), gradient.x, gradient.y);
 }
 
-// Whether every sample with a weight in the height at uv has data.
+// Whether every sample with a weight in the height at uv is valid.
 RELEVO_FUNCTION bool heightValid(vec2 uv)
 {
   vec2 position = heightPosition(uv);

@@ -1,6 +1,6 @@
-// Depth-tags from measured values: level in [0, maximumLevel]. GLSL and C++.
-// A measurement that is NaN or too large gives a finite level all the same. The formulas of metrics
-// that are evaluated for every frame stand in files of their own, see relevoMetricView.glsl.
+// Depth-tags from measured values: levels in [0, maximumLevel]. GLSL and C++. NaN and very large
+// values give finite levels too. View-dependent metrics have separate files, see
+// relevoMetricView.glsl.
 
 // Rises linearly from 0 at `low` and below to maximumLevel at `high` and above.
 RELEVO_FUNCTION float rangeLevel(float x, float low, float high, int maximumLevel)
@@ -12,9 +12,9 @@ RELEVO_FUNCTION float rangeLevel(float x, float low, float high, int maximumLeve
   return x < high ? float(maximumLevel) * ((x - low) / (high - low)) : float(maximumLevel);
 }
 
-// The square of the cosine by which the triangles of an edge are turned from the contour: 0 where
-// one faces the eye and the other away, and at the eye itself. The heights are those of the eye
-// over their planes.
+// The square of the cosine by which the triangles of an edge are turned away from the contour. It
+// is 0 if one faces the eye and the other faces away, and at the eye itself. The heights are those
+// of the eye above their planes.
 RELEVO_FUNCTION float contourMeasure(float height1, float height2, float squaredDistance)
 {
   float height = min(abs(height1), abs(height2));
@@ -44,9 +44,9 @@ RELEVO_FUNCTION float regionLevel(float distance, float fallOff, int maximumLeve
   return float(maximumLevel) * (t * t * (3.0f - 2.0f * t));
 }
 
-// Levels of several metrics as one, taken in one after the other, beginning with 0 for the largest
-// and the sum, and with maximumLevel for the product. The product is of the fractions of
-// maximumLevel, each to the power of its weight.
+// Combine the levels of several metrics one by one, starting with 0 for the maximum and the sum,
+// and with maximumLevel for the product. The product multiplies the fractions of maximumLevel, each
+// to the power of its weight.
 RELEVO_FUNCTION float largestLevel(float level, float part, float weight, int maximumLevel)
 {
   return min(max(level, weight * part), float(maximumLevel));

@@ -1,21 +1,20 @@
-// Geomorphing: where the vertices of a nested pattern (NestedPattern.h) stand for the fractional
-// levels of a face's edges. GLSL and C++.
+// Geomorphing: the positions of the vertices of a nested pattern (NestedPattern.h) for the
+// fractional levels of a face's edges. GLSL and C++.
 //
-// Places (s, y) = 128 (w1 + w2, w2), for the weights w0, w1, w2 of the sorted corners, lie on a
+// Positions (s, y) = 128 (w1 + w2, w2), for the weights w0, w1, w2 of the sorted corners, lie on a
 // square grid: edge 01 is y = 0, edge 12 is s = 128, edge 02 is s = y. A vertex of level q, the
-// level of the coarsest grid that has it, has steps of 2^(7-q). It moves from a place that the
-// coarser grid has to its own while the tag that it follows goes from q - 0.5, where levels are
-// rounded up to q, to q + 0.5. A vertex on an edge follows the tag of this edge, by operations that
-// are the same, to the bit, on all three edges; the others follow tags that do not depend on the
-// vertex.
+// level of the coarsest grid that contains it, has steps of 2^(7-q). It moves from a vertex of the
+// coarser grid to its own position while its tag goes from q - 0.5, where levels are rounded up to
+// q, to q + 0.5. A vertex on an edge uses the tag of this edge, with bitwise equal operations on
+// all three edges. Other vertices use tags that do not depend on the vertex.
 
-// How much of its way a vertex has gone.
+// The fraction of its path that a vertex has moved.
 RELEVO_FUNCTION float morphFraction(float tag, float level)
 {
   return clamp(tag - (level - 0.5f), 0.0f, 1.0f);
 }
 
-// The tag of the grid inside: the middle one of the edges, at most 1 above the lowest.
+// The tag of the inner grid: the median of the edges' tags, at most 1 above the lowest.
 RELEVO_FUNCTION float morphInnerTag(vec3 tags)
 {
   float lowest = min(min(tags.x, tags.y), tags.z);
@@ -30,15 +29,15 @@ RELEVO_FUNCTION vec2 morphSlide(vec2 origin, vec2 place, float fraction)
   return current;
 }
 
-// A vertex on an edge comes from its neighbour of the coarser grid on the side of the lower corner.
+// A vertex on an edge starts at its neighbour in the coarser grid, towards the lower corner.
 RELEVO_FUNCTION vec2 morphOnEdge(ivec2 place, int unit, float tag, float level)
 {
   ivec2 origin = place & -2 * unit;
   return morphSlide(vec2(origin), vec2(place), morphFraction(tag, level));
 }
 
-// An inner vertex comes from an inner vertex of the coarser grid, so never from an edge, whose tag
-// may be another.
+// An inner vertex starts at an inner vertex of the coarser grid and never at an edge, whose tag may
+// differ.
 RELEVO_FUNCTION vec2 morphInside(ivec2 place, int unit, vec3 tags, float level)
 {
   int coarse = 2 * unit;
@@ -48,10 +47,11 @@ RELEVO_FUNCTION vec2 morphInside(ivec2 place, int unit, vec3 tags, float level)
   return morphSlide(vec2(origin), vec2(place), morphFraction(morphInnerTag(tags), level));
 }
 
-// The three inner vertices of level 2, the first ones, are there as soon as any edge has this
-// level. They come from a point on the line between the middles of edges 01 and 02: it moves from
-// the one to the other as the latter arrives, because the quadrangle beside this line changes its
-// diagonal. (96, 32) leaves the middle of edge 12 instead, for where it would be otherwise.
+// The three inner vertices of level 2 appear as soon as any edge has this level. They start at a
+// point on the line between the midpoints of edges 01 and 02. This point moves from one midpoint to
+// the other as the latter arrives, because the quadrangle next to this line changes its diagonal.
+// (96, 32) starts at the midpoint of edge 12 instead, or at the position that this midpoint would
+// have.
 RELEVO_FUNCTION vec2 morphFirstInside(ivec2 place, vec3 tags)
 {
   vec3 arrived = vec3(morphFraction(tags.x, 1.0f), morphFraction(tags.y, 1.0f),
@@ -69,13 +69,13 @@ RELEVO_FUNCTION vec2 morphFirstInside(ivec2 place, vec3 tags)
   return place.x == 96 && place.y == 32 ? morphSlide(middle12, current, fraction) : current;
 }
 
-// Weights of the sorted corners for a vertex of a nested pattern. `vertex` has the pattern's exact
-// weights, `tags` are those of the edges 01, 12 and 02, by morphTag().
+// Weights of the sorted corners at a vertex of a nested pattern. `vertex` has the pattern's exact
+// weights. `tags` are the results of morphTag() for the edges 01, 12 and 02.
 RELEVO_FUNCTION vec3 morphWeights(vec3 vertex, vec3 tags)
 {
   ivec2 place = ivec2(128.0f * vec2(vertex.y + vertex.z, vertex.z));
   int bits = place.x | place.y;
-  int unit = bits & -bits; // steps of the vertex's own grid
+  int unit = bits & -bits; // steps of the vertex's grid
   if (unit == 0 || unit == 128)
   {
     return vertex; // a corner

@@ -1,13 +1,13 @@
-// How a triangle is split until none of its edges has levels left: one step. GLSL and C++.
+// One step of splitting a triangle until no edge has levels left. GLSL and C++.
 //
-// Every edge that has levels left is cut at its middle; its halves have one less. What joins two
-// middles gets the mean of the two edges' levels, rounded down, less one, as if the ends of edges
-// had depth-tags. What joins a middle and the corner opposite gets half of the edge's levels,
-// rounded down. The edges that a triangle shares with others are cut the same in both; the largest
-// number of levels falls by one with each step.
+// Every edge with levels left is split at its midpoint, and the halves have one level less. A new
+// edge between two midpoints gets the mean of the two edges' levels, rounded down, minus one, as if
+// the ends of edges had depth-tags. A new edge between a midpoint and the opposite corner gets half
+// the levels of the split edge, rounded down. Shared edges are split in the same way in both
+// triangles. The largest number of levels decreases by one in each step.
 //
-// Corners of parts: 0, 1, 2 are the triangle's, 3, 4, 5 the middles of its edges (0,1), (1,2),
-// (2,0). All edges are in this order, and all parts wind as the triangle does.
+// Corners 0, 1, 2 of parts are those of the triangle. 3, 4, 5 are the midpoints of its edges (0,1),
+// (1,2), (2,0). All edges are in this order, and all parts have the winding of the triangle.
 
 struct SplitPart
 {
@@ -33,7 +33,7 @@ RELEVO_FUNCTION int splitJoin(int a, int b)
   return (a + b) / 2 - 1;
 }
 
-// Parts of a triangle whose first edge is cut, if one is, or whose last edge is not, if two are.
+// Parts of a triangle whose first edge is split, if one is, or whose last edge is not, if two are.
 RELEVO_FUNCTION SplitPart splitTurned(ivec3 left, int part)
 {
   int a = left.x;
@@ -48,8 +48,8 @@ RELEVO_FUNCTION SplitPart splitTurned(ivec3 left, int part)
   }
   if (b > 0)
   {
-    // Of the four corners left, the middle of the edge with more levels is joined to the other end
-    // of the edge that is not cut.
+    // The midpoint of the edge with more levels is connected to the other end of the edge that is
+    // not split.
     int join = splitJoin(a, b);
     int across = max(a, b) / 2;
     return part == 0 ? makeSplitPart(3, 1, 4, a - 1, b - 1, join)
@@ -66,7 +66,7 @@ RELEVO_FUNCTION SplitPart splitTurned(ivec3 left, int part)
   return makeSplitPart(0, 1, 2, a, b, c);
 }
 
-// The part of this number, below splitCount().
+// The part with this number, which is less than splitCount().
 RELEVO_FUNCTION SplitPart splitPart(ivec3 left, int part)
 {
   int turn = 0;

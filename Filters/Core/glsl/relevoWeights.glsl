@@ -1,12 +1,11 @@
-// Barycentric weights of a face's corners, sorted by place: one source for the shaders and for C++.
+// Barycentric weights of a face's corners, sorted by merged point. Shared by the shaders and C++.
 //
-// Corners are sorted so that the two ends of an edge come in the same order in every face that
-// shares it, and sums run over the sorted corners from left to right. On an edge the term of the
-// corner opposite is an exact zero, which leaves a sum unchanged wherever it stands: both faces
-// compute the same bits.
+// Corners are sorted so that the two ends of an edge are in the same order in all its faces. Sums
+// run over the sorted corners from left to right. On an edge, the term of the opposite corner is
+// exactly 0 and does not change a sum at any position. Both faces therefore compute the same bits.
 
-// Weights of the sorted corners from a pattern vertex (u, v, w). Codes 0 to 5 name the
-// permutations: the lowest bit swaps u and v, then the other two rotate to the left by 0, 1 or 2.
+// Weights of the sorted corners from a pattern vertex (u, v, w). Codes 0 to 5 are the permutations:
+// the lowest bit swaps u and v, then the other two bits rotate to the left by 0, 1 or 2.
 RELEVO_FUNCTION vec3 permuteWeights(vec3 uvw, int code)
 {
   vec3 w = (code & 1) != 0 ? vec3(uvw.y, uvw.x, uvw.z) : uvw;
@@ -37,8 +36,8 @@ RELEVO_FUNCTION vec4 weightedSum(vec4 a, vec4 b, vec4 c, vec3 w)
   return sum;
 }
 
-// The unit vector of v, or the zero vector where v is zero or not finite. Scaled first: the squares
-// of small or large components are beyond a float.
+// The unit vector of v, or 0 if v is zero or not finite. It is scaled first, because the squares of
+// small or large components are out of the range of float.
 RELEVO_FUNCTION vec3 unitVector(vec3 v)
 {
   float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
