@@ -124,7 +124,8 @@ bool vtkAdaptiveRefinementFilter::Refine(vtkPolyData* input, vtkPolyData* output
   {
     return false;
   }
-  // Work on the faces in parallel, a part at a time so that progress and abort come through.
+  // Process the faces in parallel, in parts, so that progress is reported and the filter can be
+  // aborted.
   double progress = 0.1;
   const vtkIdType numberOfFaces = static_cast<vtkIdType>(mesh.Faces.size());
   const relevo::FaceLoop forFaces =

@@ -24,7 +24,7 @@
 
 namespace
 {
-// The mesh with a point for each different normal at its points.
+// The mesh with one point for each different normal at its points.
 class SplitMesh
 {
 public:
@@ -55,7 +55,7 @@ public:
   }
 
 private:
-  // The point with the normal at a triangle's corner.
+  // Returns the point with the normal at a triangle's corner.
   vtkIdType FindPoint(vtkIdType triangle, int corner)
   {
     const double rounding = 1e-5;
@@ -84,7 +84,7 @@ private:
     return copy;
   }
 
-  // Polygons keep their corners, also those that no triangle has.
+  // Polygons keep all corners, including those that no triangle has.
   void SplitPolygons(vtkCellArray* polygons)
   {
     const relevo::SurfaceTriangles& triangles = this->Normals.GetTriangles();
@@ -122,7 +122,7 @@ private:
     this->FirstStripTriangle = triangle;
   }
 
-  // The strips' triangles; returns the cells that they are of.
+  // Adds the strips' triangles and returns their cells.
   std::vector<vtkIdType> AddStrips(vtkCellArray* polygons)
   {
     const relevo::SurfaceTriangles& triangles = this->Normals.GetTriangles();
@@ -157,7 +157,7 @@ private:
       const vtkIdType source = this->Sources[i];
       points->SetPoint(i, this->Input->GetPoint(source));
       data->CopyData(this->Input->GetPointData(), source, i);
-      // Points that no face uses keep theirs.
+      // Points that no face uses keep their normals.
       const bool isUsed = i >= this->Input->GetNumberOfPoints() || this->Copies[i] >= 0;
       normals->SetTuple(i, given && !isUsed ? given->GetTuple(i) : &this->OutputNormals[i][0]);
     }
@@ -190,14 +190,14 @@ private:
 
   vtkPolyData* Input;
   const relevo::CreaseNormals& Normals;
-  std::vector<vtkIdType> Copies;  // per point of the input: itself once a corner has it, else -1
-  std::vector<vtkIdType> Next;    // per point: another copy of the same
-  std::vector<vtkIdType> Sources; // per point: the input's
+  std::vector<vtkIdType> Copies;  // per input point: itself if a corner uses it, else -1
+  std::vector<vtkIdType> Next;    // per point: another copy of the same point
+  std::vector<vtkIdType> Sources; // per point: the input point
   std::vector<relevo::dvec3> OutputNormals;
   vtkIdType FirstStripTriangle = 0;
 };
 
-// Whether all cells refer to points that are there.
+// Whether all cells refer to existing points.
 bool HasAllPoints(vtkPolyData* mesh, vtkIdType& cell, vtkIdType& point)
 {
   cell = 0;

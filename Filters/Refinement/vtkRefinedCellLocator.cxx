@@ -49,10 +49,11 @@ struct vtkRefinedCellLocator::vtkInternals
   relevo::RefinedSurface Surface;
   relevo::Dependencies MeshDependencies;
   bool Valid = false;
-  std::string Warning; // that was warned of
+  std::string Warning; // the last warning, to report each one once
 
-  // What the surface was made of. Queries in several threads compare it: they may not write.
-  const vtkDataSet* Input = nullptr; // to compare, never read
+  // The state that the surface was built from. Queries in several threads compare it and must not
+  // write it.
+  const vtkDataSet* Input = nullptr; // only compared, never read
   vtkMTimeType InputTime = 0;
   vtkMTimeType SettingsTime = 0;
 
@@ -68,14 +69,14 @@ struct vtkRefinedCellLocator::vtkInternals
     vtkBoundingBox box;
     for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
     {
-      double point[3]; // GetPoint(id) alone has one place for all threads
+      double point[3]; // GetPoint(id) returns a buffer that all threads share
       input->GetPoint(points->GetId(i), point);
       box.AddPoint(point);
     }
     return box;
   }
 
-  // Append each cell once of the faces that are visited.
+  // Appends each cell of the visited faces once.
   template <typename VisitFaces>
   void AppendCells(vtkIdList* cells, const VisitFaces& visitFaces) const
   {
@@ -166,7 +167,7 @@ bool vtkRefinedCellLocator::UpdateSurface()
   {
     const auto prepare = [&] { return this->Prepare(input); };
     data.Valid = relevo::RunWithinMemory(this, "the surface of the mesh", prepare);
-    if (!data.Valid) // half made, to be tried anew
+    if (!data.Valid) // incomplete; try again next time
     {
       data.Mesh = relevo::RefinementMesh();
       data.MeshDependencies.Clear();
@@ -190,7 +191,7 @@ bool vtkRefinedCellLocator::Prepare(vtkPolyData* input)
     valid = relevo::PrepareMesh(input, this->Refinement, nullptr, data.Mesh, error, warning);
     if (!valid)
     {
-      data.Mesh = relevo::RefinementMesh(); // half made, to be tried anew
+      data.Mesh = relevo::RefinementMesh(); // incomplete; try again next time
       data.MeshDependencies.Clear();
     }
     data.MeshTime.Modified();
@@ -253,7 +254,7 @@ void vtkRefinedCellLocator::GenerateRepresentation(int, vtkPolyData* pd)
 }
 
 //------------------------------------------------------------------------------
-// Questions
+// Queries
 
 int vtkRefinedCellLocator::IntersectWithLine(const double p1[3], const double p2[3], double tol,
   double& t, double x[3], double pcoords[3], int& subId, vtkIdType& cellId, vtkGenericCell* cell)
@@ -322,7 +323,7 @@ int vtkRefinedCellLocator::FindHits(
   {
     hits.push_back(near);
   }
-  std::multimap<double, std::pair<const double*, vtkIdType>> found; // by place on the line
+  std::multimap<double, std::pair<const double*, vtkIdType>> found; // by parameter on the line
   for (const relevo::SurfaceHit& hit : hits)
   {
     found.insert({ hit.T, { hit.Position, data.Mesh.Faces[hit.Face].Cell } });

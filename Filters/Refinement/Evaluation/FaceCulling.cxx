@@ -27,7 +27,7 @@ namespace
 {
 constexpr size_t Stride = 12; // floats per face
 
-// As a share of the size of a mesh: boxes and planes are kept as floats.
+// Relative to the size of a mesh, because boxes and planes are stored as floats.
 constexpr double Tolerance = 1e-6;
 
 vec3 Load(const float* v)
@@ -40,7 +40,7 @@ void FaceCulling::Build(const RefinementMesh& mesh, vtkAdaptiveRefinement* recip
 {
   this->Data.assign(Stride * mesh.Faces.size(), 0.0f);
   this->BuildBoxes(mesh, recipe);
-  // How displaced faces are turned is not known.
+  // The orientation of displaced faces is not known.
   this->Closed = !recipe->GetDisplacement() && IsClosedOutwards(mesh);
   if (this->Closed)
   {
@@ -100,7 +100,8 @@ void FaceCulling::BuildCones(const RefinementMesh& mesh, vtkAdaptiveRefinement* 
         {
           std::transform(axis, axis + 3, axis, std::negate<float>());
         }
-        // How far points lie behind the middle, along any normal of the cone.
+        // The reach is the largest distance of points behind the centre along any normal of the
+        // cone.
         const vec3 middle = Load(data);
         float reach = std::numeric_limits<float>::lowest();
         const auto extend = [&](const float* point)
@@ -128,7 +129,7 @@ bool FaceCulling::IsUncut(const CullingView& view) const
 {
   const vec3 middle = 0.5f * (Load(this->Low) + Load(this->High));
   const vec3 halfSides = 0.5f * (Load(this->High) - Load(this->Low));
-  // The box lies wholly on the other side of the plane turned over.
+  // The box must be completely on the other side of the reversed plane.
   return isBoxBeyond(
     middle, halfSides, vec4(-view.Near[0], -view.Near[1], -view.Near[2], -view.Near[3]));
 }

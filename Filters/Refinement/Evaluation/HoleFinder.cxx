@@ -40,9 +40,10 @@ HeightValidity GetHoles(vtkDisplacement* displacement)
 
 struct HoleFinder::Internals
 {
-  HeightValidity Validity;          // which Heights refers to
-  mutable FaceDisplacement Heights; // shared functions change nothing, but do not say so
-  // The samples without data below and left of each texel, to tell whether a box contains any.
+  HeightValidity Validity;          // Heights refers to it
+  mutable FaceDisplacement Heights; // the shared functions are not const, but change nothing
+  // The number of missing samples below and left of each texel, to find out whether a box contains
+  // any.
   std::vector<int> Sums;
 
   int CountTexels(ivec2 low, ivec2 high) const
@@ -54,7 +55,7 @@ struct HoleFinder::Internals
       sum(low.x, low.y);
   }
 
-  // Whether the texels around a box of texture coordinates may include one without data.
+  // Whether the texels around a box of texture coordinates may include a missing one.
   bool HasAny(vec2 low, vec2 high) const
   {
     const ivec2 last = this->Heights.heightSize() - ivec2(1);
@@ -148,7 +149,7 @@ int HoleFinder::Find(int face, const FacePattern& facePattern, unsigned char* ou
     {
       hole = data.HasAny(
         min(min(uvs[v[0]], uvs[v[1]]), uvs[v[2]]), max(max(uvs[v[0]], uvs[v[1]]), uvs[v[2]]));
-      // The box is larger than the triangle: look at the samples inside.
+      // The box is larger than the triangle, so check the samples inside.
       if (hole)
       {
         const vec2 a = displaced.heightPosition(uvs[v[0]]);

@@ -21,18 +21,18 @@ namespace
 {
 constexpr float NormalTolerance = 1e-3f;
 
-// An order of normals; zero, which is none, comes last.
+// Orders normals. Zero vectors come last, because they are no normals.
 bool IsLess(const vec3& a, const vec3& b)
 {
   const auto key = [](const vec3& n) { return std::make_tuple(n == vec3(0.0f), n.x, n.y, n.z); };
   return key(a) < key(b);
 }
 
-// The uses of some points, or edges, by faces: those of one element follow one another.
+// The uses of points or edges by faces, sorted by element.
 class Uses
 {
 public:
-  // Those of the elements that are marked. `getElement` takes a use.
+  // Collects the uses of the marked elements. `getElement` returns the element of a use.
   template <typename GetElement>
   Uses(const std::vector<char>& marks, size_t numberOfUses, const GetElement& getElement)
     : Starts(marks.size() + 1, 0)
@@ -71,7 +71,7 @@ private:
 };
 }
 
-// Looks at elements, one after the other.
+// Processes one element at a time.
 class NormalSplits::Visitor
 {
 public:
@@ -103,7 +103,7 @@ public:
     {
       return;
     }
-    // Creases are rare: few points tell where there is none.
+    // Creases are rare, and a few points are enough to exclude one.
     constexpr int samples = 3;
     std::vector<int>& steps = this->Steps;
     steps.clear();
@@ -140,7 +140,7 @@ public:
   SplitPoints Points;
 
 private:
-  // The normals of all uses, a row for each step.
+  // Evaluates the normals of all uses, one row per step.
   void Evaluate(const int* uses, size_t numberOfUses, const std::vector<int>& steps)
   {
     this->Rows.resize(steps.size());
@@ -163,7 +163,7 @@ private:
     }
   }
 
-  // Whether all uses' normals agree in each row.
+  // Whether the normals of all uses match in each row.
   bool IsSmooth()
   {
     return std::all_of(this->Rows.begin(), this->Rows.end(),
@@ -175,7 +175,7 @@ private:
       });
   }
 
-  // The use with the least sequence of normals.
+  // Returns the use with the lowest sequence of normals.
   size_t FindOwner(size_t numberOfUses) const
   {
     const auto isLess = [this](size_t a, size_t b)
@@ -197,8 +197,8 @@ private:
     return owner;
   }
 
-  // Each point is visited once, so that threads do not meet. Normals that are not finite, which are
-  // zero by now, are evaluated anew.
+  // Each point is visited once, so that threads do not conflict. Non-finite normals, which are 0
+  // here, are evaluated again later.
   void Keep(vtkIdType point, size_t row, size_t owner)
   {
     const vec3& normal = this->Rows[row][owner];
@@ -208,7 +208,7 @@ private:
     }
   }
 
-  // Add copies for the uses whose normals do not agree with the owner's.
+  // Adds copies for the uses whose normals do not match the owner's.
   void Divide(
     const int* uses, size_t owner, int step, const std::vector<vec3>& normals, vtkIdType point)
   {
@@ -221,7 +221,7 @@ private:
     }
     for (size_t u = 0; u < normals.size(); ++u)
     {
-      // A face without a normal takes the owner's.
+      // A face without a normal uses the owner's.
       if (this->Groups[u] != this->Groups[owner] && normals[u] != vec3(0.0f))
       {
         this->Points.Copies.push_back(
@@ -235,7 +235,7 @@ private:
   std::vector<Value>* Values = nullptr;
   std::vector<int> Steps;
   std::vector<std::vector<vec3>> Rows;
-  std::vector<std::vector<vec3>> Positions; // likewise
+  std::vector<std::vector<vec3>> Positions; // one row per step
   std::vector<vtkIdType> Groups;
   std::vector<vec3> Least;
 };

@@ -14,7 +14,8 @@ namespace relevo
 {
 namespace
 {
-// Faces are counted and scattered in chunks, in parallel; a chunk must be worth its counters.
+// Faces are counted and scattered in parallel chunks, which must be large enough for their
+// counters.
 vtkIdType GetNumberOfChunks(vtkIdType numberOfFaces, int numberOfKeys)
 {
   const vtkIdType least = std::max(4096, 2 * numberOfKeys);
@@ -66,7 +67,7 @@ void PatternSelection::SelectFaces(const RefinementMesh& mesh, const PatternFami
         ++counts[entry >> 3];
         if (morphing)
         {
-          // One by one: a copy of all three waits for each of them to be stored.
+          // Assigning all three at once would stall on the store of each.
           float* morphTags = allMorphTags + 3 * f;
           morphTags[0] = morphTag(tags[0], maximumLevel);
           morphTags[1] = morphTag(tags[1], maximumLevel);

@@ -31,7 +31,7 @@ public:
 
 namespace
 {
-// Where both arrays lie in memory as one run of values.
+// For two arrays with contiguous memory.
 template <typename T>
 class TypedPair : public PointDataInterpolation::ArrayPair
 {
@@ -63,7 +63,7 @@ public:
       }
       for (int c = 0; c < this->NumberOfComponents; ++c)
       {
-        // A corner without weight must not count even where it is NaN.
+        // A corner with weight 0 must be ignored even if its value is NaN.
         double sum = 0.0;
         for (int i = 0; i < 3; ++i)
         {
@@ -82,7 +82,7 @@ public:
 private:
   const T* GetFrom(vtkIdType point) const { return this->From + point * this->NumberOfComponents; }
 
-  // Integers have no NaN: the corner's value for "no data" is used here too.
+  // Integers have no NaN, so the corner's missing value is copied.
   void SpreadNoData(vtkIdType corner, T* to, std::true_type) const
   {
     std::copy_n(this->GetFrom(corner), this->NumberOfComponents, to);
@@ -112,14 +112,14 @@ struct MakeTypedPair
         to->GetNumberOfComponents(), std::move(this->NoData)));
     }
   }
-  // Other layouts go the general way.
+  // Other memory layouts use GeneralPair.
   template <typename ArrayT>
   void operator()(ArrayT*, vtkDataArray*)
   {
   }
 };
 
-// Any other numeric array.
+// For all other numeric arrays.
 class GeneralPair : public PointDataInterpolation::ArrayPair
 {
 public:

@@ -80,7 +80,7 @@ bool RefinedPolyDataBuilder::Build(vtkPolyData* output)
   {
     return false;
   }
-  // Holes and ghosts leave points that nothing uses; points that are not finite are of no use.
+  // Holes and ghost cells leave unused points. Non-finite points cannot be used.
   const auto isFinite = [](float x) { return std::isfinite(x); };
   const vtkIdType numberOfCells = this->Input->GetNumberOfCells();
   if (this->Finder || numberOfCells == 0 || GhostCells(this->Input).AreAmong(0, numberOfCells) ||
@@ -236,7 +236,7 @@ bool RefinedPolyDataBuilder::BuildPoints(vtkPolyData* output)
   this->Points->SetDataType(isFloat || !this->Input->GetPoints() ? VTK_FLOAT : VTK_DOUBLE);
   this->Points->SetNumberOfPoints(this->NumberOfPoints);
 
-  vtkNew<vtkPointData> inputData; // what is interpolated: all but the normals evaluated here
+  vtkNew<vtkPointData> inputData; // interpolated data: all except the normals, which are evaluated
   inputData->ShallowCopy(this->Input->GetPointData());
   if (!this->Mesh.Normals.empty())
   {
@@ -295,7 +295,7 @@ void RefinedPolyDataBuilder::GetPointsToBuild(int face, std::vector<RefinedPoint
   }
 }
 
-// Also on an edge of patches that is one point.
+// This includes a degenerate edge of a patch.
 bool RefinedPolyDataBuilder::IsAtCorner(
   const int corners[3], const RefinedPoint& point, int nearest) const
 {
@@ -333,8 +333,8 @@ void RefinedPolyDataBuilder::BuildFacePoints(int face, std::vector<RefinedPoint>
     const int nearest = point.GetNearestCorner();
     if (!moved && this->IsAtCorner(corners, point, nearest))
     {
-      // Surfaces pass through the coarse points: keep all their digits. Adding zero makes -0 a
-      // plain 0, as in evaluated points.
+      // Surfaces interpolate the coarse points: keep all their digits. Adding 0 converts -0 to 0,
+      // as in evaluated points.
       this->Input->GetPoint(corners[nearest], place);
       for (double& coordinate : place)
       {
@@ -382,7 +382,7 @@ void RefinedPolyDataBuilder::BuildCopies(vtkPointData* data)
   }
 }
 
-// Points that no face moves: those of vertices and lines, and unused ones.
+// These are the points of vertices and lines, and unused points. Faces do not move them.
 void RefinedPolyDataBuilder::BuildOtherPoints(const PointDataInterpolation& data)
 {
   for (vtkIdType i = 0; i < this->Input->GetNumberOfPoints(); ++i)
@@ -462,7 +462,7 @@ void RefinedPolyDataBuilder::BuildCells(vtkPolyData* output)
 
 void RefinedPolyDataBuilder::BuildCellData(vtkPolyData* output)
 {
-  // Cells in their order: vertices, lines, triangles.
+  // The order of cells is vertices, lines, triangles.
   const vtkIdType others = static_cast<vtkIdType>(this->OtherCells.size());
   const vtkIdType numberOfCells = others + this->GetNumberOfTriangles();
   vtkNew<vtkIdTypeArray> originals;
@@ -475,7 +475,7 @@ void RefinedPolyDataBuilder::BuildCellData(vtkPolyData* output)
       static_cast<vtkIdType>(this->Mesh.Faces[f].Cell));
   }
 
-  // Normals of flat coarse cells are not those of what they were refined to.
+  // The normals of flat coarse cells are not those of curved refined cells.
   vtkRefinementSurface* surface = this->Recipe->GetSurface();
   const bool keepNormals =
     !this->Recipe->GetDisplacement() && !(surface && surface->NeedsNormals());

@@ -12,7 +12,7 @@ namespace relevo
 {
 namespace
 {
-// Where a pattern's corners and edges come to lie under a permutation code.
+// The positions of a pattern's corners and edges under a permutation code.
 struct Placement
 {
   explicit Placement(int code)
@@ -105,12 +105,12 @@ void RefinedTopology::Split(const SplitPoints& splits)
   }
   this->CornerCopies.assign(3 * this->Patterns.size(), -1);
   this->FirstEdgeCopies.assign(3 * this->Patterns.size(), -1);
-  auto first = seen.begin(); // of those at a point
+  auto first = seen.begin(); // first copy at the current point
   for (auto copy = first; copy != seen.end(); ++copy)
   {
     first = copy->Point == first->Point ? first : copy;
     const size_t use = static_cast<size_t>(copy->Use);
-    // A face before may have the same normal here.
+    // A previous face may have the same normal here.
     const auto same = std::find_if(
       first, copy, [&](const SplitPoints::Copy& other) { return other.Normal == copy->Normal; });
     vtkIdType id = this->NumberOfPoints;

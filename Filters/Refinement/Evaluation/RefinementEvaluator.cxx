@@ -58,7 +58,7 @@ void RefinementEvaluator::Evaluate(
   n = unitVector(n);
   for (int c = 0; c < 3; ++c)
   {
-    // -0 would be other bits for the same place or normal.
+    // -0 would give different bits for the same point or normal.
     position[c] += 0.0f;
     normal[c] = n[c] + 0.0f;
   }

@@ -10,10 +10,10 @@ namespace relevo
 namespace
 {
 constexpr size_t NumberOfFrames = 5;
-constexpr double Change = 0.25; // in triangles, that makes what was known worthless
-constexpr double Goal = 0.85;   // of the time allowed
-constexpr double Least = 0.7;   // of the time allowed, for a limit to stand
-constexpr double Still = 2.0;   // seconds: nobody moves pictures so slowly
+constexpr double Change = 0.25; // relative change in triangles that invalidates earlier frames
+constexpr double Goal = 0.85;   // fraction of the frame time
+constexpr double Least = 0.7;   // lowest fraction of the frame time at which a limit is kept
+constexpr double Still = 2.0;   // seconds; slower frames are still images
 }
 
 void RenderTimeBudget::AddFrame(vtkIdType triangles, double seconds)
@@ -35,7 +35,7 @@ void RenderTimeBudget::AddFrame(vtkIdType triangles, double seconds)
     this->Costs.erase(this->Costs.begin());
   }
   this->Costs.push_back(seconds / count);
-  // Of a few costs the smaller ones count; a single one only when nothing else is known.
+  // With few costs, the smaller ones are used. A single one is used only if there is no other.
   if (this->Costs.size() > 1 || !(this->Cost > 0.0))
   {
     std::vector<double> sorted = this->Costs;

@@ -25,10 +25,10 @@ namespace relevo
 {
 namespace
 {
-constexpr int LowestLevel = 2; // a lattice with points inside
+constexpr int LowestLevel = 2; // the lowest level of a lattice with inner points
 constexpr int HighestLevel = 4;
 
-// Samples of a face: points (i, j) of a triangle's lattice, i and j from 0 and at most n together.
+// Samples of a face: points (i, j) of a triangular lattice with i, j >= 0 and i + j <= n.
 class FaceLattice
 {
 public:
@@ -56,10 +56,10 @@ public:
     }
   }
 
-  // The means of the absolute curvatures at the points inside.
+  // Computes the means of the absolute curvatures at the inner points.
   void Measure(double& gaussian, double& mean) const
   {
-    // In this order neighbours are beside each other.
+    // In this order, adjacent entries are neighbours.
     constexpr int ring[6][2] = { { 1, 0 }, { 0, 1 }, { -1, 1 }, { -1, 0 }, { 0, -1 }, { 1, -1 } };
     gaussian = 0.0;
     mean = 0.0;
@@ -160,11 +160,11 @@ DiscreteCurvature SampledSurface::ComputeCurvature(
   DiscreteCurvature result;
   result.Gaussian.assign(n, 0.0);
   result.Mean.assign(n, 0.0);
-  vtkNew<vtkPolyData> all; // with its ghosts
+  vtkNew<vtkPolyData> all; // including ghost cells
   all->ShallowCopy(input);
   all->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   RefinementMesh mesh;
-  std::string error; // said by what refines the mesh
+  std::string error; // the filter or mapper reports it
   std::string warning;
   if (!BuildMesh(all, this->Recipe, false, whole, mesh, error, warning))
   {

@@ -15,8 +15,8 @@ namespace relevo
 {
 namespace
 {
-// Those that stand for no data become NaN, and with them all of their patches: nodes are mixed in
-// the coefficients.
+// Replaces missing values by NaN. This makes the field NaN in their whole patches, because each
+// coefficient mixes several nodes.
 void MarkNoData(double noDataMagnitude, vtkSmartPointer<vtkDataArray>& coefficients)
 {
   const NoDataTuples noData(coefficients, noDataMagnitude);
@@ -69,7 +69,7 @@ void SurfaceFields::Evaluate(
     {
       if (point.Weights[point.GetNearestCorner()] == 1.0f)
       {
-        continue; // corners have their own
+        continue; // corners have exact values
       }
       this->Surface->EvaluateField(face, point.Weights, field.Coefficients, tuple.data());
       SetNearestTuple(field.Values, point.Id, tuple.data());

@@ -19,7 +19,8 @@ namespace relevo
 {
 namespace
 {
-// Adds what `work` adds for each face that counts, in parallel. `sums` has the size it needs.
+// Calls `work` in parallel for each face that is not hidden, and sums the results. `sums` must have
+// its final size.
 template <typename Sums, typename Work>
 void SumOverFaces(const TriangleBudget::Part& part, Sums& sums, const Work& work)
 {
@@ -43,7 +44,7 @@ void SumOverFaces(const TriangleBudget::Part& part, Sums& sums, const Work& work
   }
 }
 
-// Whole numbers, which doubles have room for.
+// The numbers are integers that are exact in doubles.
 void AddPieces(std::vector<std::int64_t>& numbers, const PieceReduction& pieces)
 {
   std::vector<double> sums(numbers.begin(), numbers.end());
@@ -59,7 +60,7 @@ int GetStep(const PatternFamily& family, float tag, int maximumLevel)
   return family.AreWholeNumbers() ? SegmentSteps::GetWholeNumberStep(clamped) : levelOfTag(clamped);
 }
 
-// Follows the patterns of one face as an offset rises from that of bin 0.
+// Tracks the pattern of one face while the offset rises from that of bin 0.
 class RisingFace
 {
 public:
@@ -79,7 +80,7 @@ public:
 
   int GetNumberOfTriangles() const { return this->Triangles[this->Pattern]; }
 
-  // Levels to the next change, which Rise() makes.
+  // The change in offset to the next step, which Rise() performs.
   float GetNext() const { return std::min({ this->Next[0], this->Next[1], this->Next[2] }); }
   void Rise()
   {
@@ -105,7 +106,7 @@ private:
 TriangleBudget::TriangleBudget() = default;
 TriangleBudget::~TriangleBudget() = default;
 
-// Between multiples of 1 / Resolution: tags that are such multiples change well before or after.
+// These offsets lie between multiples of 1 / Resolution, because tags are often such multiples.
 double TriangleBudget::GetOffset(int number)
 {
   return (number + 0.5) / Resolution;
@@ -198,7 +199,7 @@ int TriangleBudget::FindNumber(const std::vector<Part>& parts, double target, in
   {
     return std::max(lowest, std::min(0, highest));
   }
-  // Whether the wanted offset is at or above one that gives this number of triangles.
+  // Whether the result is at or above an offset with this number of triangles.
   const auto isBelow = [&](std::int64_t triangles)
   {
     const auto count = static_cast<double>(triangles);
@@ -226,7 +227,7 @@ int TriangleBudget::FindNumber(const std::vector<Part>& parts, double target, in
     }
     else if (isBelow(interval.Totals.back()) && interval.First + interval.Width < highest)
     {
-      rising = true; // and never back, should rounding have made a difference of a face
+      rising = true; // do not reverse if rounding changes the number by one face
       interval.First += interval.Width;
       interval.Width = width;
     }
@@ -262,7 +263,7 @@ double TriangleBudget::FindOffset(const std::vector<Part>& parts, int maximumLev
   }
   pieces.TakeLargest(estimates);
 
-  // Where counts are estimates: aim again, with what is known of their error.
+  // If counts are estimates, correct the target by their error and repeat.
   constexpr int tries = 4;
   constexpr double goodEnough = 0.02;
   const auto wanted = static_cast<double>(target);

@@ -19,7 +19,7 @@ namespace relevo
 {
 namespace
 {
-// Where a cell is: cells are numbered through vertices, lines, polygons and strips.
+// Finds a cell by its id. Ids run through vertices, lines, polygons and strips.
 struct CellPosition
 {
   CellPosition(vtkPolyData* input, vtkIdType cellId)
@@ -43,10 +43,10 @@ struct CellPosition
   };
   int Kind = VERTICES;
   vtkCellArray* Cells;
-  vtkIdType Id; // among them
+  vtkIdType Id; // within this array
 };
 
-// The triangle of a strip that a face was made of, with its points in VTK's order.
+// Extracts the triangle of a strip that a face was created from, with its points in VTK's order.
 void ExtractTriangle(const RefinementFace& face, vtkGenericCell* cell, int& subId)
 {
   vtkIdType ids[3];
@@ -176,7 +176,7 @@ void TurnCell(vtkGenericCell* cell, const double normal[3])
   {
     return;
   }
-  // Two reflections: the first turns the cell over, the second brings it to where it is to face.
+  // Two reflections rotate the cell: the first reverses it, the second aligns it with the normal.
   double between[3];
   vtkMath::Add(facing, normal, between);
   if (vtkMath::Normalize(between) < 1e-6)

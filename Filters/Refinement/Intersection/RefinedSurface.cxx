@@ -28,7 +28,7 @@ namespace relevo
 {
 namespace
 {
-// A box that holds all a face's points, however these are rounded.
+// A box that contains all points of a face, regardless of their rounding.
 FaceBox MakeBox(const FaceBounds& bounds, size_t face)
 {
   constexpr float most = std::numeric_limits<float>::max();
@@ -41,7 +41,7 @@ FaceBox MakeBox(const FaceBounds& bounds, size_t face)
     const double margin = 1e-6 * (std::abs(low[c]) + std::abs(high[c]) + high[c] - low[c]);
     low[c] -= margin;
     high[c] += margin;
-    // Bounds that are NaN contain everything.
+    // Bounds that are NaN give an infinite box.
     box.Low[c] = low[c] > -most ? static_cast<float>(std::min<double>(low[c], most)) : -most;
     box.High[c] = high[c] < most ? static_cast<float>(std::max<double>(high[c], -most)) : most;
   }
@@ -67,10 +67,10 @@ struct RefinedSurface::Internals
   std::array<vtkMTimeType, 5> Times{};
   vtkTimeStamp Time;
   vtkMTimeType HeightsTime = 0;
-  vtkHeightField* Field = nullptr; // to compare, never read
+  vtkHeightField* Field = nullptr; // only compared, never read
   std::unique_ptr<HeightRanges> Heights;
   std::unique_ptr<RefinementEvaluator> Evaluator;
-  std::unique_ptr<HoleFinder> Holes; // where there can be any
+  std::unique_ptr<HoleFinder> Holes; // nullptr if there can be none
   FaceTree Tree;
 
   void UpdateHeights(vtkDisplacement* displacement);
@@ -185,7 +185,7 @@ bool RefinedSurface::Intersect(const PatternSelection& selection, const double s
   const std::array<double, 3> from = data.ToLocal(start);
   const std::array<double, 3> to = data.ToLocal(end);
   hit.Face = -1;
-  hit.T = std::nextafter(1.0, 2.0); // the line's end is part of it
+  hit.T = std::nextafter(1.0, 2.0); // includes the end of the line
   TrianglePoint best;
   RefinedTriangles triangles(
     *data.Mesh, *data.Evaluator, data.Holes.get(), selection, data.Normals);
@@ -220,7 +220,8 @@ bool RefinedSurface::Intersect(const PatternSelection& selection, const double s
 void RefinedSurface::IntersectAll(const PatternSelection& selection, const double start[3],
   const double end[3], std::vector<SurfaceHit>& hits) const
 {
-  // As far apart, in lengths of the line, are two hits; what is nearer is an edge's two faces.
+  // The smallest distance between two hits, relative to the length of the line. Closer hits are on
+  // the common edge of two faces.
   constexpr double apart = 1e-7;
   const Internals& data = *this->Data;
   const std::array<double, 3> from = data.ToLocal(start);
@@ -232,7 +233,7 @@ void RefinedSurface::IntersectAll(const PatternSelection& selection, const doubl
     [&](int face)
     {
       triangles.Refine(face);
-      // A displaced face can be met several times: continue behind each.
+      // A displaced face can have several intersections: continue behind each.
       for (double passed = 0.0; passed < 1.0; passed = hits.back().T + apart)
       {
         std::array<double, 3> next;

@@ -45,8 +45,8 @@ struct Vector
   }
 };
 
-// Shares of the corners in the triangle's point nearest to p (Ericson, Real-Time Collision
-// Detection, 2005, section 5.1.5).
+// Computes the barycentric weights of the point of a triangle that is nearest to p (Ericson,
+// Real-Time Collision Detection, 2005, section 5.1.5).
 void FindNearestShares(
   const Vector& p, const Vector& a, const Vector& b, const Vector& c, double shares[3])
 {
@@ -168,7 +168,7 @@ void RefinedTriangles::Refine(int face)
   }
 }
 
-// Nothing bends the input's normals.
+// The input's normals are interpolated linearly.
 void RefinedTriangles::InterpolateNormals(int face)
 {
   double corners[3][3];
@@ -240,7 +240,7 @@ bool RefinedTriangles::Intersect(const LineFrame& frame, double& t, TrianglePoin
       frame.Transform(&this->Points[3 * static_cast<size_t>(vertices[0])], a);
       frame.Transform(&this->Points[3 * static_cast<size_t>(vertices[1])], b);
       frame.Transform(&this->Points[3 * static_cast<size_t>(vertices[2])], c);
-      // From the other side of an edge its sign is the opposite, to the bit.
+      // From the other side of an edge, these have exactly the opposite sign.
       const double u = c[0] * b[1] - c[1] * b[0];
       const double v = a[0] * c[1] - a[1] * c[0];
       const double w = b[0] * a[1] - b[1] * a[0];

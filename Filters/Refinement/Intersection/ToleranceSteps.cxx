@@ -20,8 +20,8 @@ namespace relevo
 {
 namespace
 {
-// Parts of a face's edge between the points that are looked at: surfaces are smooth, heights are
-// so between their texels.
+// The number of parts of a face's edge between measured points. Surfaces are smooth, and heights
+// are smooth between their texels.
 constexpr int MinimumParts = 16;
 }
 
@@ -79,7 +79,7 @@ int ToleranceSteps::CountParts(int face) const
                                      : this->MaximumParts;
 }
 
-// Deviations of smooth surfaces go by the square of the segments' length.
+// The deviation of smooth surfaces is proportional to the square of the segments' length.
 int ToleranceSteps::GetNextStep(int step, double deviation) const
 {
   const SegmentSteps& steps = this->Family->GetSegmentSteps();
@@ -176,7 +176,8 @@ bool ToleranceSteps::Raise(const std::vector<int>& faces, const std::vector<doub
 std::pair<vtkIdType, double> ToleranceSteps::Choose(
   const std::vector<unsigned char>& areWanted, double tolerance)
 {
-  if (!(std::abs(tolerance - this->Tolerance) <= 1e-9 * tolerance)) // rotations round
+  if (!(std::abs(tolerance - this->Tolerance) <=
+        1e-9 * tolerance)) // tolerates rounding by rotations
   {
     this->Tolerance = tolerance;
     this->OwnSteps.assign(areWanted.size(), -1);

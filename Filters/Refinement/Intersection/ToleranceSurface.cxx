@@ -34,7 +34,7 @@ namespace relevo
 {
 namespace
 {
-/// What triangles depend on. The recipe's metric may change with every frame.
+/// The dependencies of the triangles. The recipe's metric may change in each frame and is not one.
 struct ToleranceSources
 {
   ToleranceSources(vtkPolyData* mesh, vtkAdaptiveRefinement* recipe)
@@ -62,7 +62,7 @@ struct ToleranceSources
   std::shared_ptr<const PatternFamily> Family;
   int MaximumLevel;
   vtkMTimeType Time;
-  // Cells that are inserted do not change a vtkCellArray's time.
+  // Inserting cells does not change the modification time of a vtkCellArray.
   vtkIdType NumberOfPoints;
   vtkIdType NumberOfCells;
 };
@@ -70,7 +70,7 @@ struct ToleranceSources
 
 struct ToleranceSurface::Internals
 {
-  std::unique_ptr<ToleranceSources> Taken; // nullptr where nothing is
+  std::unique_ptr<ToleranceSources> Taken; // nullptr if no mesh is set
   RefinementMesh Mesh;
   RefinedSurface Surface;
   ToleranceSteps Steps;

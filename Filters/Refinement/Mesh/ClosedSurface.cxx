@@ -14,13 +14,13 @@ namespace relevo
 {
 namespace
 {
-// A side of a face, by the places it joins.
+// A side of a face between two merged points.
 struct Side
 {
   int Low;
   int High;
   int Face;
-  bool Forwards; // the face passes it from the lower place to the higher
+  bool Forwards; // whether the face runs from the lower point to the higher
 
   bool operator<(const Side& other) const
   {
@@ -36,7 +36,8 @@ std::vector<Side> GetSortedSides(const RefinementMesh& mesh)
     const RefinementFace& face = mesh.Faces[f];
     for (size_t e = 0; e < 3; ++e)
     {
-      // Sorted corners 0 1 2 in the cell's sense: edges 0 1 and 1 2 forwards, 0 2 backwards.
+      // If the sorted corners 0 1 2 are in the order of the cell, edges 0 1 and 1 2 are forwards, 0
+      // 2 is backwards.
       sides[3 * f + e] = { mesh.GetMergedPoint(face.Corners[EdgeCorners[e][0]]),
         mesh.GetMergedPoint(face.Corners[EdgeCorners[e][1]]), static_cast<int>(f),
         (e < 2) != face.IsTurned() };

@@ -20,7 +20,7 @@ namespace relevo
 {
 namespace
 {
-constexpr double FlatAngle = 1e-3; // radians; rounding of points leaves less
+constexpr double FlatAngle = 1e-3; // radians; rounding of points causes smaller angles
 
 double getAngle(const dvec3& a, const dvec3& b)
 {
@@ -33,7 +33,7 @@ dvec3 getUnit(const dvec3& vector)
   return size > 0.0 && std::isfinite(size) ? vector / size : dvec3(0.0);
 }
 
-// Of a point, or zero where the mesh comes without one.
+// Returns the mesh's normal at a point, or 0 if there is none.
 dvec3 getGiven(vtkDataArray* normals, vtkIdType point)
 {
   dvec3 normal(0.0);
@@ -62,14 +62,14 @@ CreaseNormals::CreaseNormals(vtkPolyData* mesh, double featureAngle, bool keepCo
     std::transform(polygons.begin(), polygons.end(), this->Normals.begin(), getUnit);
   }
   this->CountCreases(edges);
-  this->Curved = this->Curved && !isNoisy; // curved faces would bulge by the noise
+  this->Curved = this->Curved && !isNoisy; // the noise would make curved faces bulge
 }
 
 vtkIdType CreaseNormals::ChooseNormals(
   vtkPolyData* mesh, double featureAngle, DisjointSets& corners, const std::vector<dvec3>& polygons)
 {
   const auto numberOfCorners = static_cast<vtkIdType>(polygons.size());
-  // Weighted by area, so that a large flat face beside the narrow ones of a fillet stays flat.
+  // Weighting by area keeps a large flat face next to the narrow faces of a fillet flat.
   std::vector<dvec3> sums(polygons.size(), dvec3(0.0));
   for (vtkIdType corner = 0; corner < numberOfCorners; ++corner)
   {
@@ -81,7 +81,7 @@ vtkIdType CreaseNormals::ChooseNormals(
   for (vtkIdType corner = 0; corner < numberOfCorners; ++corner)
   {
     const dvec3 own = getUnit(polygons[corner]);
-    // One that leans too far would bend the face away from its own plane, as at the tip of a cone.
+    // A larger angle would bend the face away from its plane, as at the tip of a cone.
     const auto fits = [&](const dvec3& normal)
     { return dot(normal, normal) > 0.0 && getAngle(normal, own) <= featureAngle; };
     const vtkIdType point = this->Triangles->GetPoints(corner / 3)[corner % 3];
@@ -98,9 +98,9 @@ bool CreaseNormals::AreCreasesNoise(const SurfaceEdges& edges, double featureAng
   const double nearby = 1.5;
   const auto& triangles = this->Triangles->GetTriangles();
   vtkIdType numberOfBends = 0;
-  vtkIdType numberOfNearBends = 0; // a little less than the feature angle
+  vtkIdType numberOfNearBends = 0; // slightly less than the feature angle
   vtkIdType numberOfCreases = 0;
-  std::map<vtkIdType, std::array<int, 2>> creases; // at a place: ridges, valleys
+  std::map<vtkIdType, std::array<int, 2>> creases; // at a merged point: ridges, valleys
   for (const SurfaceEdgeSides& sides : edges.GetSides())
   {
     const vtkIdType a = sides.Triangles[0];
@@ -116,7 +116,7 @@ bool CreaseNormals::AreCreasesNoise(const SurfaceEdges& edges, double featureAng
     {
       ++numberOfCreases;
       const auto& mergedPoints = edges.GetEdges()[sides.Edge].MergedPoints;
-      // The corner of b beyond the edge is above a's plane in a valley.
+      // In a valley, the opposite corner of b is above the plane of a.
       const SurfaceTriangles::Triangle& corners = triangles[b];
       const vtkIdType beyond =
         corners[0] + corners[1] + corners[2] - mergedPoints[0] - mergedPoints[1];

@@ -65,7 +65,7 @@ const float* FaceBounds::GetVectors(std::size_t face) const
     : &this->Mesh.Vectors[3 * static_cast<std::size_t>(this->Mesh.VectorsPerFace) * face];
 }
 
-// Least and largest displacement of a face's points.
+// Gets the smallest and largest displacement of a face's points.
 void FaceBounds::GetReach(std::size_t face, double reach[2]) const
 {
   std::copy_n(this->Reach, 2, reach);
@@ -94,7 +94,7 @@ void FaceBounds::GetReach(std::size_t face, double reach[2]) const
   reach[1] = std::max(ends[0], ends[1]);
 }
 
-// Least and largest component of the directions a face's points can move in.
+// Gets the smallest and largest component of the directions in which a face's points can move.
 void FaceBounds::GetMoves(std::size_t face, double moves[3][2]) const
 {
   if (!this->AlongNormal)
@@ -114,8 +114,8 @@ void FaceBounds::GetMoves(std::size_t face, double moves[3][2]) const
     }
     return;
   }
-  // Normals are convex combinations of these, made unit: no longer than 1 over the least length a
-  // combination can have.
+  // Normals are normalised convex combinations of these vectors. Their components are at most those
+  // of the vectors, divided by the smallest length of a combination.
   std::vector<const float*> normals;
   for (int corner : this->Mesh.Faces[face].Corners)
   {

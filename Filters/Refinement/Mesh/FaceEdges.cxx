@@ -22,7 +22,7 @@ std::vector<int> FindFaceEdges(const RefinementMesh& mesh, const SurfaceEdges& e
         {
           const int a = mesh.GetMergedPoint(corners[EdgeCorners[e][0]]);
           const int b = mesh.GetMergedPoint(corners[EdgeCorners[e][1]]);
-          // An edge that is one point is as deep as those that lead there.
+          // A degenerate edge has the level of the edges at its point.
           const int other =
             a != b ? b : mesh.GetMergedPoint(corners[3 - EdgeCorners[e][0] - EdgeCorners[e][1]]);
           faceEdges[3 * f + e] = static_cast<int>(edges.FindEdge(a, other));

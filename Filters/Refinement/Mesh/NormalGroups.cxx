@@ -30,7 +30,7 @@ void GroupNormals(const std::vector<vec3>& normals, float tolerance, std::vector
   {
     return;
   }
-  // Sorted along the axis of the largest extent, only near neighbours need to be compared.
+  // After sorting along the axis of the largest extent, only neighbours need to be compared.
   const int axis =
     extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
   std::vector<vtkIdType> order(normals.size());

@@ -68,11 +68,11 @@ double angle(const Vector& a, const Vector& b)
   return std::atan2(std::sqrt(dot(c, c)), dot(a, b));
 }
 
-// Unit normals that differ by less are equal up to rounding.
+// Unit normals with a smaller difference are equal up to rounding.
 constexpr float NormalRounding = 1e-5f;
 
-// The numbers 0 to n - 1 in the order of their keys (arrays of ints); equal keys keep theirs.
-// Counts by the keys' first elements, which are below `limit`: few share each.
+// Sorts the numbers 0 to n - 1 by their keys (arrays of ints). The sort is stable. It starts with a
+// counting sort by the first elements of the keys, which are below `limit` and rarely equal.
 template <typename GetKey>
 std::vector<int> sortByKey(size_t n, int limit, const GetKey& getKey)
 {
@@ -182,7 +182,7 @@ void RefinementMesh::RemoveGhosts(vtkPolyData* input)
   {
     return;
   }
-  // Keeps the numbers that belong to the faces that stay: `each` per face.
+  // Removes the numbers of removed faces. There are `each` per face.
   const auto keep = [&](auto& numbers, size_t each)
   {
     auto next = numbers.begin();
@@ -198,7 +198,7 @@ void RefinementMesh::RemoveGhosts(vtkPolyData* input)
   keep(this->Vectors, 3 * static_cast<size_t>(this->VectorsPerFace));
   keep(this->Seams, 9);
   keep(this->TableEntries, 1);
-  this->FaceMergedEdges.clear(); // has done its work
+  this->FaceMergedEdges.clear(); // no longer needed
   this->Faces.erase(std::remove_if(this->Faces.begin(), this->Faces.end(),
                       [&](const RefinementFace& face) { return ghosts.Has(face.Cell); }),
     this->Faces.end());
@@ -234,7 +234,7 @@ bool RefinementMesh::BuildValues(vtkPolyData* input, vtkRefinementSurface* surfa
   {
     return true;
   }
-  // One value per place: the mean over the points that faces use.
+  // Each merged point gets one value: the mean over its points that faces use.
   std::vector<char> isCorner(n, 0);
   for (const RefinementFace& face : this->Faces)
   {
@@ -281,7 +281,7 @@ bool RefinementMesh::BuildTables(vtkPolyData* input, vtkRefinementSurface* surfa
   {
     this->TableEntries.push_back(this->Tables.Entries[static_cast<size_t>(face.Cell)]);
   }
-  this->Tables.Entries = {}; // done with
+  this->Tables.Entries = {}; // no longer needed
   return true;
 }
 
@@ -403,7 +403,7 @@ void RefinementMesh::BuildFaces(vtkPolyData* input)
     for (int i = 0; i < 3; ++i)
     {
       face.Corners[i] = static_cast<int>(ids[order[i]]);
-      // The cell's own edge i joins its corners i and i + 1: it lacks corner i + 2.
+      // The cell's edge i joins its corners i and i + 1: it is opposite to corner i + 2.
       const int lacking = 3 - order[EdgeCorners[i][0]] - order[EdgeCorners[i][1]];
       face.HiddenEdges |= hidden[(lacking + 1) % 3] ? 1 << i : 0;
     }
@@ -540,13 +540,13 @@ void RefinementMesh::BuildNormals(vtkPolyData* input)
   }
 }
 
-// Normals that are zero so far: those of the faces around, weighted by the angle at the place,
-// whatever the triangulation (Thuermer and Wuethrich 1998).
+// Replaces normals of zero by those of the adjacent faces, weighted by the angle at the point,
+// which does not depend on the triangulation (Thuermer and Wuethrich 1998).
 void RefinementMesh::ComputeMissingNormals()
 {
   const size_t n = static_cast<size_t>(this->NumberOfPoints);
   std::vector<double> sums(3 * n, 0.0);
-  std::vector<double> firsts(3 * n, 0.0); // for places where the faces cancel each other
+  std::vector<double> firsts(3 * n, 0.0); // for points where the faces cancel out
   for (const RefinementFace& face : this->Faces)
   {
     const auto& order = GetCornerOrder(face.Order);
@@ -589,12 +589,12 @@ void RefinementMesh::ComputeMissingNormals()
   }
 }
 
-// One direction per place: where faces see different normals, their mean. Normals that differ by
-// rounding alone, as on the two sides of many texture seams, are made one.
+// There is one direction per merged point. If its faces have different normals, it is their mean.
+// Normals that differ only by rounding, as on both sides of many texture seams, are made equal.
 void RefinementMesh::BuildDirections()
 {
   const size_t n = static_cast<size_t>(this->NumberOfPoints);
-  std::vector<size_t> first(n, n); // corner of each place
+  std::vector<size_t> first(n, n); // a corner at each merged point
   std::vector<char> isCorner(n, 0);
   for (const RefinementFace& face : this->Faces)
   {
@@ -606,7 +606,7 @@ void RefinementMesh::BuildDirections()
       isCorner[point] = 1;
     }
   }
-  std::vector<char> isSplit(n, 0); // per place
+  std::vector<char> isSplit(n, 0); // per merged point
   for (size_t i = 0; i < n; ++i)
   {
     const size_t mergedPoint = static_cast<size_t>(this->MergedPoints[i]);
@@ -648,8 +648,8 @@ void RefinementMesh::BuildDirections()
   this->Directions.swap(directions);
 }
 
-// Gradients of texture coordinates do not depend on how points are shared: coincident points are
-// one but where texture coordinates have a seam or normals a crease.
+// Gradients of texture coordinates must not depend on how points are shared. Coincident points are
+// therefore merged, except at seams of texture coordinates and creases of normals.
 std::vector<size_t> RefinementMesh::FindFramePoints() const
 {
   std::vector<size_t> framePoints(static_cast<size_t>(this->NumberOfPoints));
@@ -658,7 +658,7 @@ std::vector<size_t> RefinementMesh::FindFramePoints() const
   {
     return framePoints;
   }
-  std::vector<char> isShared(framePoints.size(), 0); // per place
+  std::vector<char> isShared(framePoints.size(), 0); // per merged point
   for (size_t i = 0; i < framePoints.size(); ++i)
   {
     const size_t mergedPoint = static_cast<size_t>(this->MergedPoints[i]);
@@ -721,7 +721,7 @@ void RefinementMesh::BuildFrames(bool alongNormal)
     for (int i = 0; i < 3; ++i)
     {
       const size_t point = static_cast<size_t>(face.Corners[i]);
-      // The gradient of a corner's barycentric weight.
+      // This is the gradient of a corner's barycentric weight.
       const Vector gradient = cross(normal, subtract(p[(i + 2) % 3], p[(i + 1) % 3]));
       for (int c = 0; c < 3; ++c)
       {
@@ -773,7 +773,7 @@ void RefinementMesh::DropLoneFaces()
     return { this->GetMergedPoint(face.Corners[0]), this->GetMergedPoint(face.Corners[1]),
       this->GetMergedPoint(face.Corners[2]) };
   };
-  // Sorted: those at one place follow one another.
+  // Corners are sorted, so coincident corners are adjacent.
   const auto isCollapsed = [&](const RefinementFace& face)
   {
     const std::array<int, 3> mergedPoints = getMergedPoints(face);
@@ -804,7 +804,7 @@ void RefinementMesh::DropLoneFaces()
 
 void RefinementMesh::BuildMergedEdges()
 {
-  using Key = std::array<int, 4>; // places, points
+  using Key = std::array<int, 4>; // merged points, points
   const auto getKey = [this](int faceEdge)
   {
     const int* corners = this->Faces[faceEdge / 3].Corners;
@@ -836,7 +836,7 @@ void RefinementMesh::BuildMergedEdges()
 
 void RefinementMesh::BuildSeams()
 {
-  // The lowest point of each place that a face uses.
+  // Find the lowest point of each merged point that a face uses.
   std::vector<int> first(static_cast<size_t>(this->NumberOfPoints), this->NumberOfPoints);
   for (const RefinementFace& face : this->Faces)
   {
@@ -902,7 +902,7 @@ void RefinementMesh::BuildVectors(vtkRefinementSurface* surface)
           const int pairs = this->MergedEdgeOffsets[id + 1] - this->MergedEdgeOffsets[id];
           if (pairs > 1)
           {
-            // The mean over all sides, summed in the same order by each of them.
+            // The mean over all sides is summed in the same order by each of them.
             std::fill_n(edge, 3 * positions, 0.0f);
             for (int k = 0; k < pairs; ++k)
             {

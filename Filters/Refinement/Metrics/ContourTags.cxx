@@ -69,7 +69,7 @@ void ContourTags::MeasureEdges(const SurfaceEdges& edges, vtkFloatArray* measure
   relevo::TagEdges(edges, measures,
     [=, &edges](int edge) mutable
     {
-      float squaredDistance = 1.0f; // heights are cosines already
+      float squaredDistance = 1.0f; // heights are already cosines
       if (!parallel)
       {
         const int* mergedPoints = edges.GetEdges()[edge].MergedPoints;

@@ -18,19 +18,19 @@ enum class Ring : unsigned char
 {
   None,   // no triangle
   Open,   // triangles, but no closed ring
-  Queued, // open, its value about to be taken from its neighbours
-  Known   // has its value
+  Queued, // open, about to get a value from its neighbours
+  Known   // has a value
 };
 
-// A triangle as one of its corners sees it.
+// A triangle, relative to one of its corners.
 struct Corner
 {
   double Angle = 0.0;
   double MixedArea = 0.0;
   dvec3 Laplacian{ 0.0, 0.0, 0.0 };
-  dvec3 Normal{ 0.0, 0.0, 0.0 }; // twice the area long
+  dvec3 Normal{ 0.0, 0.0, 0.0 }; // length is twice the area
 
-  // The corner is at x, the triangle (x, p, q).
+  // The corner is at x, the triangle is (x, p, q).
   Corner(const dvec3& x, const dvec3& p, const dvec3& q)
   {
     const dvec3 toP = p - x;
@@ -65,7 +65,7 @@ struct Corner
   }
 };
 
-// Whether every edge at the place has exactly two triangles. `neighbours` is scratch space.
+// Whether every edge at the merged point has exactly two triangles. `neighbours` is scratch space.
 bool HasClosedRing(const relevo::SurfaceTriangles& surface, vtkIdType mergedPoint,
   std::vector<vtkIdType>& neighbours)
 {
@@ -94,7 +94,7 @@ double FiniteOrZero(double x)
   return std::isfinite(x) ? x : 0.0;
 }
 
-// Curvatures of all places, from the middle of the surface to its border.
+// Computes the curvatures of all merged points, from the middle of the surface to its border.
 class Curvatures
 {
 public:
@@ -106,7 +106,7 @@ public:
   {
   }
 
-  // Where triangles close a ring. `neighbours` is scratch space.
+  // Computes the curvature if the triangles form a closed ring. `neighbours` is scratch space.
   void Measure(vtkIdType mergedPoint, std::vector<vtkIdType>& neighbours)
   {
     if (this->Surface.GetNumberOfTriangles(mergedPoint) == 0)
@@ -137,8 +137,8 @@ public:
     }
   }
 
-  // Open rings take the mean of the neighbours that have a value already, from those beside the
-  // measured ones outwards.
+  // Sets points with open rings to the mean of the neighbours that have a value, from the measured
+  // points outwards.
   void Spread()
   {
     std::vector<vtkIdType> front;

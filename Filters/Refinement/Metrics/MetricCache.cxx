@@ -59,7 +59,7 @@ TagSources::~TagSources() = default;
 
 const std::shared_ptr<MetricCache>& TagSources::Find(vtkAlgorithm* filter, vtkPolyData* mesh)
 {
-  // The same for all blocks of an update, and another for the next one.
+  // This time is equal for all blocks of an update and changes with the next update.
   auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(filter->GetExecutive());
   const vtkMTimeType update = pipeline ? pipeline->GetPipelineMTime() : 0;
   const bool isNext = update != this->Update;

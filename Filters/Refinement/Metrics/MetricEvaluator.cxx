@@ -17,7 +17,7 @@ namespace relevo
 {
 namespace
 {
-// Of a metric that keeps nothing.
+// The evaluator of a metric that caches nothing.
 class PlainEvaluator : public MetricEvaluator
 {
 public:

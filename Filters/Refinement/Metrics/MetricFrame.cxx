@@ -6,7 +6,7 @@
 
 namespace
 {
-// Beyond, a flat matrix has been inverted.
+// A larger value comes from the inverse of a singular matrix.
 constexpr double FarthestCamera = 1e30;
 }
 
@@ -22,7 +22,7 @@ MetricFrame::MetricFrame(MetricShader& shader, const Placement& placement, const
   dvec3 camera = dvec3(inverse(placement.ModelToWorld) * dvec4(eye, 1.0)) - start;
   if (!(dot(camera, camera) < FarthestCamera))
   {
-    // Any point will do: the matrices have the rest of the way.
+    // Any point is suitable, because the matrices contain the remaining translation.
     camera = dvec3(0.0);
   }
   const dvec3 high(vec3(camera.x, camera.y, camera.z));

@@ -19,7 +19,7 @@ namespace relevo
 {
 namespace
 {
-// The box of a piece becomes that of the whole.
+// Extends the box of a piece to that of the whole surface.
 void Unite(FiniteBox& box, const PieceReduction& pieces)
 {
   std::vector<double> limits;
@@ -79,7 +79,7 @@ bool AgreeOnPiece(vtkMultiProcessController* controller, vtkPolyData* piece, Met
   bool valid = prepare(&whole);
   const bool hasDirections = whole.HasDirections;
   vtkNew<vtkPolyData> empty;
-  MetricCache none; // what is known of an invalid mesh is not to be asked for
+  MetricCache none; // the cache of an invalid mesh must not be used
   AgreeOnShape(valid ? piece : empty.Get(), valid ? source : none, metric, view, pieces, whole);
   source.SetWhole(std::make_shared<GlobalSurfaceInfo>(whole));
   if (valid && whole.HasDirections != hasDirections)

@@ -30,7 +30,7 @@ constexpr double LargestWeight = 1e6;
 class Part
 {
 public:
-  // Be that of a metric, which may be another than last time.
+  // Sets the metric, which may differ from the last one.
   void SetMetric(vtkDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
   {
     if (!this->Evaluator || this->Evaluator->GetMetric() != metric)
@@ -40,7 +40,7 @@ public:
     }
   }
 
-  // Compute tags, unless they are there.
+  // Computes the tags if they are out of date.
   bool Update(
     const relevo::RefinementView& view, int maximumLevel, bool perEdge, std::string& error)
   {
@@ -74,7 +74,7 @@ public:
 private:
   std::unique_ptr<relevo::MetricEvaluator> Evaluator;
   vtkSmartPointer<vtkFloatArray> Tags = vtkSmartPointer<vtkFloatArray>::New();
-  relevo::Dependencies TagDependencies; // but for the view
+  relevo::Dependencies TagDependencies; // except the view
 };
 
 class CompositeEvaluator : public relevo::MetricEvaluator
@@ -118,7 +118,7 @@ private:
   void CombineParts(float start, vtkFloatArray* tags, Function&& f);
 
   vtkSmartPointer<vtkCompositeDepthTagMetric> Metric;
-  std::shared_ptr<relevo::MetricMesh> Mesh; // of all parts
+  std::shared_ptr<relevo::MetricMesh> Mesh; // shared by all parts
   std::vector<Part> Parts;
 };
 

@@ -37,7 +37,7 @@ const std::vector<double>& GetValues(const relevo::DiscreteCurvature& curvature,
   return type == vtkCurvatureDepthTagMetric::MEAN ? curvature.Mean : curvature.Gaussian;
 }
 
-// The thresholds when nothing else is asked for, of places of a mean area.
+// Computes the automatic thresholds from the curvatures of points with a mean area.
 std::vector<double> GetAutomaticThresholds(
   std::vector<double> magnitudes, double areaOfPlace, int type, const double quantiles[2])
 {
@@ -62,9 +62,9 @@ std::vector<double> GetAutomaticThresholds(
   return thresholds;
 }
 
-// The level at which a surface of that curvature is as far from its triangles as one of the high
-// curvature is at the highest level: their distance goes with the curvature and with the square of
-// the length of an edge. A Gaussian curvature is the product of two.
+// The level at which a surface of this curvature has the same distance from its triangles as a
+// surface of the high curvature at the highest level. The distance is proportional to the curvature
+// and to the square of the edge length. A Gaussian curvature is a product of two curvatures.
 float GetDisplacedLevel(float x, float low, float high, int maximumLevel, int type)
 {
   if (!(x > low))
@@ -130,7 +130,7 @@ public:
   }
 
 protected:
-  // The automatic thresholds.
+  // Computes the automatic thresholds.
   std::vector<double> ComputeNumbers(
     const relevo::RefinementView& view, const relevo::PieceReduction& pieces) override
   {
@@ -172,7 +172,7 @@ protected:
   }
 
 private:
-  // Of the surface that the mesh is refined to where heights displace it, else of the mesh.
+  // Returns the curvature of the displaced surface if there is one, otherwise that of the mesh.
   const relevo::DiscreteCurvature& GetCurvature(const relevo::RefinementView& view)
   {
     if (!view.Displaced)
@@ -192,7 +192,7 @@ private:
     return this->Displaced;
   }
 
-  // Of what is no ghost.
+  // Ignores ghost cells.
   double GetArea()
   {
     const relevo::SurfaceNormals& normals = relevo::GetShape(this->GetMesh()).GetNormals();

@@ -41,7 +41,7 @@ namespace
 const char* const DepthTagName = "DepthTag";
 const char* const EdgeLevelsName = "EdgeLevels";
 
-// Sets levels, three for every cell, of triangles to f(a, b) for their edges' points.
+// Sets the levels of triangles, three per cell, to f(a, b) for the points of their edges.
 template <typename Function>
 void SetEdgeLevels(vtkPolyData* mesh, vtkIntArray* edgeLevels, Function&& f)
 {

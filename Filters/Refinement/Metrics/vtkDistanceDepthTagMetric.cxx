@@ -40,18 +40,18 @@ using glm::dmat3;
 using glm::dvec3;
 using relevo::DistanceFunctions;
 
-// In units of the bounding box's diagonal; a camera that shows a whole mesh (vtkRenderer's
-// ResetCamera) is about two of them away.
+// In units of the bounding box's diagonal. A camera that shows a whole mesh (vtkRenderer's
+// ResetCamera) is about two diagonals away.
 constexpr double AutomaticDistance = 3.0;
 constexpr double ShortestReference = 0.01; // pixels
 constexpr double LongestReference = 1e6;
 
-// The lengths of the sides of a mesh's triangles, but for a scale, kept until the mesh or its shape
+// The lengths of the sides of a mesh's triangles, up to a scale, cached until the mesh or its shape
 // changes.
 class SideLengths
 {
 public:
-  // Their sum and number.
+  // Returns their sum and number.
   const std::vector<double>& Get(relevo::MetricMesh& mesh, const relevo::Placement& placement)
   {
     const bool changed = this->LengthDependencies.Update(relevo::Dependencies::On(mesh.GetTime()));
@@ -89,7 +89,7 @@ private:
   }
 
   std::vector<double> Lengths{ 0.0, 0.0 };
-  relevo::Dependencies LengthDependencies; // but for the shape, which is compared with a tolerance
+  relevo::Dependencies LengthDependencies; // except the shape, which is compared with a tolerance
   dmat3 Shape{ 0.0 };
 };
 
@@ -111,7 +111,7 @@ public:
     const relevo::RefinementView& view, int maximumLevel, vtkFloatArray* tags) override;
 
 protected:
-  // The mean length of the sides of triangles, but for a scale.
+  // Computes the mean length of the triangles' sides, up to a scale.
   std::vector<double> ComputeNumbers(
     const relevo::RefinementView& view, const relevo::PieceReduction& pieces) override
   {
@@ -131,7 +131,7 @@ private:
   {
     return this->Metric->GetMeasure() == vtkDistanceDepthTagMetric::CONTROL_POINTS;
   }
-  // Rather than the mesh's points, which control polygons have as control points.
+  // Otherwise points are measured, which are the control points of control polygons.
   bool MeasuresTriangles()
   {
     vtkPolyData* mesh = this->GetMesh().GetPolyData();
@@ -269,7 +269,7 @@ bool DistanceEvaluator::UpdatePatches()
   return true;
 }
 
-// A patch is as deep as its nearest control point.
+// All triangles of a patch have the level of its nearest control point.
 void DistanceEvaluator::LevelPatches(const relevo::MetricShader& shader)
 {
   const double* start = relevo::GetShape(this->GetMesh()).GetPoints().Origin;

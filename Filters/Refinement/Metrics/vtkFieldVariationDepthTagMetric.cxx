@@ -36,9 +36,9 @@ namespace
 {
 constexpr double AutomaticQuantile = 0.95;
 constexpr double SmallestAutomaticMaximum = 1e-6;
-constexpr double ShortestDirection = 1e-6; // of the longest vector
+constexpr double ShortestDirection = 1e-6; // relative to the longest vector
 
-// The tuples of an array as doubles, and how much two of them differ.
+// The tuples of an array as doubles, and their differences.
 class Field
 {
 public:
@@ -63,8 +63,8 @@ public:
     }
   }
 
-  // The least, with its sign turned, and the largest of the tuples of a surface's points or cells:
-  // what is not drawn does not count.
+  // Returns the smallest value, negated, and the largest value of the points or cells of a surface.
+  // Other points and cells are not drawn and therefore ignored.
   std::vector<double> GetLimits(const relevo::SurfaceTriangles& surface, bool ofCells) const
   {
     double lowest = VTK_DOUBLE_MAX;
@@ -88,7 +88,7 @@ public:
     return { -lowest, highest };
   }
 
-  // By the limits of the whole surface.
+  // Sets the extent from the limits of the whole surface.
   void SetExtent(const std::vector<double>& limits)
   {
     this->Extent = this->NumberOfComponents == 1 ? limits[1] + limits[0] : limits[1];
@@ -117,8 +117,8 @@ private:
     }
     const double* a = this->Values.data() + i * this->NumberOfComponents;
     const double* b = this->Values.data() + j * this->NumberOfComponents;
-    // Accurate at all angles, in any dimension: half the angle has the tangent |a - b| / |a + b| of
-    // the unit vectors a and b.
+    // This is accurate at all angles, in any dimension: with unit vectors a and b, half the angle
+    // has the tangent |a - b| / |a + b|.
     double difference = 0.0;
     double sum = 0.0;
     for (int c = 0; c < this->NumberOfComponents; ++c)
@@ -133,7 +133,7 @@ private:
 
   int NumberOfComponents;
   std::vector<double> Values;
-  std::vector<double> Lengths; // with their sign, for scalars
+  std::vector<double> Lengths; // signed for scalars
   double Extent = 0.0;
 };
 
@@ -149,7 +149,7 @@ double GetAutomaticMaximum(std::vector<double> variations)
   return std::max(*quantile, SmallestAutomaticMaximum);
 }
 
-// Of every edge.
+// Computes the variation of each edge.
 std::vector<double> ComputeVariations(
   const relevo::SurfaceEdges& edges, const Field& field, bool ofCells)
 {
@@ -181,7 +181,7 @@ std::vector<double> ComputeVariations(
   return variations;
 }
 
-// Where a mesh has the array of a name.
+// Finds the array of a name in the points or cells of a mesh.
 struct FoundArray
 {
   vtkDataArray* Array = nullptr;
@@ -232,7 +232,7 @@ public:
   }
 
 protected:
-  // The limits of the field and the variation of the highest level.
+  // Computes the limits of the field and the variation of the highest level.
   std::vector<double> ComputeNumbers(
     const relevo::RefinementView& view, const relevo::PieceReduction& pieces) override;
 
@@ -245,7 +245,7 @@ private:
   std::vector<int> FindOwnEdges();
 
   vtkSmartPointer<vtkFieldVariationDepthTagMetric> Metric;
-  std::vector<double> Limits; // of the mesh's own field
+  std::vector<double> Limits; // of this mesh's field
   relevo::Dependencies LimitDependencies;
   std::vector<double> Variations; // of edges
   relevo::Dependencies VariationDependencies;
@@ -340,7 +340,7 @@ void FieldVariationEvaluator::UpdateVariations(
   }
 }
 
-// Those of faces that are no ghosts.
+// Returns the edges of faces that are not ghost cells.
 std::vector<int> FieldVariationEvaluator::FindOwnEdges()
 {
   const relevo::SurfaceEdges& edges = *this->GetMesh().GetEdges();

@@ -29,9 +29,9 @@ namespace
 {
 using glm::dvec3;
 
-constexpr double AutomaticFallOff = 0.1; // of the bounding box's diagonal
+constexpr double AutomaticFallOff = 0.1; // relative to the bounding box's diagonal
 
-// NaN where nothing is known.
+// Returns NaN if the distance is not known.
 double GetDistance(vtkImplicitFunction* function, dvec3 x)
 {
   const double value = function->FunctionValue(&x[0]);
@@ -44,7 +44,7 @@ double GetDistance(vtkImplicitFunction* function, dvec3 x)
   return value / glm::length(gradient);
 }
 
-// The region of a metric, and the levels of points of a mesh by their distance from it.
+// The region of a metric, which computes levels from the distance of points.
 class Region
 {
 public:
@@ -70,14 +70,14 @@ public:
       distance = this->Function ? GetDistance(this->Function, x)
                                 : std::max(glm::distance(x, this->Center) - this->Radius, 0.0);
     }
-    // In fall-offs: neither leaves the range of floats.
+    // Distances are in units of FallOff, so that they are in the range of floats.
     return relevo::regionLevel(
       static_cast<float>(distance > 0.0 ? std::min(distance / this->FallOff, 2.0) : distance), 1.0f,
       maximumLevel);
   }
 
-  // Calls f(begin, end) for parts of n things. A function of VTK's is asked by one thread at a
-  // time: some of them write members when they are evaluated.
+  // Calls f(begin, end) for ranges of n items. Only one thread at a time evaluates a VTK function,
+  // because some functions write members during evaluation.
   template <typename Work>
   void For(vtkIdType n, Work&& f) const
   {
@@ -119,7 +119,7 @@ public:
 
 private:
   vtkSmartPointer<vtkRegionDepthTagMetric> Metric;
-  std::mutex& FunctionMutex; // the metric's
+  std::mutex& FunctionMutex; // of the metric
 };
 
 bool RegionEvaluator::ComputeTags(

@@ -35,7 +35,7 @@ using glm::dmat4;
 constexpr double ShortestReference = 0.01;
 constexpr double LongestReference = 1e6;
 
-// Where the rows of a matrix go.
+// The rows of a matrix.
 enum Rows
 {
   X,
@@ -44,7 +44,8 @@ enum Rows
   W
 };
 
-// From the world to rows as relevoScreenEdgeMetric.glsl wants them, x and y in `pixels`.
+// Returns the matrix from world coordinates to the rows of relevoScreenEdgeMetric.glsl, with x and
+// y in `pixels`.
 dmat4 MakeScreenMatrix(vtkCamera* camera, const int size[2], double pixels)
 {
   const double aspect = static_cast<double>(size[0]) / size[1];
@@ -61,7 +62,7 @@ dmat4 MakeScreenMatrix(vtkCamera* camera, const int size[2], double pixels)
   return matrix;
 }
 
-// Units of such a matrix's x and y that a unit of the world takes at a distance of 1.
+// The length of a world unit at a distance of 1, in units of the x and y of this matrix.
 double GetScale(const dmat4& screen)
 {
   const dmat4 rows = glm::transpose(screen);
@@ -109,7 +110,7 @@ bool ScreenEdgeEvaluator::CheckView(const relevo::RefinementView& view, relevo::
     return false;
   }
   const glm::dmat3 directions(relevo::MakeMatrix(view.Camera->GetViewTransformMatrix()));
-  // 1 unless the camera is broken or its view sheared.
+  // The determinant is 1 unless the camera is invalid or its view is sheared.
   if (!(std::abs(glm::determinant(directions)) > 1e-9))
   {
     vtkErrorWithObjectMacro(this->Metric.Get(),
@@ -140,7 +141,7 @@ bool ScreenEdgeEvaluator::GetShader(const relevo::RefinementView& view, int maxi
     frame.SetOwn(0.0);
     return true;
   }
-  // In units of the mesh, so that squares are within the range of floats.
+  // Units of the mesh keep squares in the range of floats.
   const double unit = placement.GetDiagonal(relevo::GetShape(this->GetMesh()).GetPointBox());
   const double scale = GetScale(screen) * (view.Camera->GetParallelProjection() ? unit : 1.0);
   frame.SetUnit(unit);

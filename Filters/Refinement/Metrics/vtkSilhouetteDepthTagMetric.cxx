@@ -39,8 +39,8 @@ using glm::dvec3;
 
 constexpr double NarrowestContour = 0.001;
 
-// The normals of points, as relevoSilhouetteMetric.glsl wants them: the mesh's own, or those of the
-// triangles around where there are none.
+// The normals of points for relevoSilhouetteMetric.glsl: those of the mesh, or those of the
+// adjacent triangles if there are none.
 class PointNormals
 {
 public:

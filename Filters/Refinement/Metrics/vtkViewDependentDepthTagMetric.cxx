@@ -40,14 +40,14 @@ using glm::dvec3;
 
 constexpr double SmallestSpread = 0.01; // degrees
 
-// The angle in radians; a zero vector is at the greatest angle from every other.
+// The angle in radians. A zero vector has the largest angle to all others.
 double AngleBetween(const dvec3& a, const dvec3& b)
 {
   return a == dvec3(0.0) ? vtkMath::Pi()
                          : std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-// Mean normals and spreads of points, as relevoViewDependentMetric.glsl wants them.
+// Mean normals and spreads of points for relevoViewDependentMetric.glsl.
 class Spreads
 {
 public:
@@ -89,7 +89,7 @@ private:
       });
   }
 
-  // In the world's coordinates.
+  // In world coordinates.
   static double GetSpread(const relevo::SurfaceNormals& surface, vtkIdType place, const dvec3& mean,
     const relevo::Placement& placement)
   {
@@ -108,7 +108,7 @@ private:
   }
 
   std::shared_ptr<const std::vector<float>> Data;
-  relevo::Dependencies DataDependencies; // but for the shape, which is compared with a tolerance
+  relevo::Dependencies DataDependencies; // except the shape, which is compared with a tolerance
   dmat3 Shape{ 0.0 };
 };
 

@@ -14,7 +14,7 @@ float ComputeBezierNormalCone(
   int degree, const std::function<vec3(int, int, int)>& controlPoint, float axis[3])
 {
   // The patch's tangents along two sides are convex combinations of the differences of control
-  // points, and its normals positive ones of their products.
+  // points. Its normals are positive combinations of their cross products.
   std::vector<vec3> along;
   std::vector<vec3> across;
   for (int i = 0; i < degree; ++i)
@@ -47,7 +47,7 @@ float ComputeBezierNormalCone(
     }
   }
   store(mean, axis);
-  // Flat triangles between points of the patch are turned a little more than the patch.
+  // Flat triangles between points of the patch have a slightly larger angle than the patch.
   constexpr float margin = 0.05f;
   return cosine > margin ? std::cos(std::acos(std::min(cosine, 1.0f)) + margin) : 0.0f;
 }

@@ -32,11 +32,11 @@ std::string FindRangeError(vtkRefinementSurface* surface, vtkDisplacement* displ
   {
     displacement->GetHeightMap()->GetRange(range);
   }
-  // A map without valid heights may turn its range over.
+  // The range of a map without valid heights may be reversed.
   const double highest =
     range[0] > range[1] ? 0.0 : std::max(std::abs(range[0]), std::abs(range[1]));
   const double scale = std::abs(displacement->GetScale());
-  // Neither by itself, nor where one takes the other back.
+  // Each term is limited separately, so that they cannot cancel.
   if (!(scale * highest <= LargestLength) || !(scale <= std::numeric_limits<float>::max()) ||
     !(std::abs(displacement->GetOffset()) <= LargestLength))
   {

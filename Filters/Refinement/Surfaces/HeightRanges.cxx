@@ -68,8 +68,8 @@ HeightRanges::Range HeightRanges::GetTexels(ivec2 from, ivec2 to) const
 
 void HeightRanges::GetRange(vec2 low, vec2 high, float range[2]) const
 {
-  HeightSampler sampler = this->Sampler; // whose functions are those of shaders: not const
-  // A texel more on each side: coordinates between the corners' are rounded.
+  HeightSampler sampler = this->Sampler; // a copy, because its shader functions are not const
+  // One more texel on each side covers the rounding of coordinates between the corners.
   const ivec2 last = sampler.heightSize() - ivec2(1);
   ivec2 from = max(ivec2(floor(sampler.heightPosition(low))) - ivec2(1), ivec2(0));
   ivec2 to = min(ivec2(ceil(sampler.heightPosition(high))) + ivec2(1), last);

@@ -31,7 +31,7 @@ dvec3 unit(const dvec3& v)
   return length > 0.0 ? v / length : dvec3(0.0);
 }
 
-// Some unit vector perpendicular to v.
+// Returns a unit vector perpendicular to v.
 dvec3 perpendicular(const dvec3& v)
 {
   const dvec3 a = abs(v);
@@ -40,8 +40,8 @@ dvec3 perpendicular(const dvec3& v)
     cross(v, least == a.x ? dvec3(1, 0, 0) : (least == a.y ? dvec3(0, 1, 0) : dvec3(0, 0, 1))));
 }
 
-// What both faces of an edge know of it: its curve's derivative, but for a factor of 3, and the
-// field across it, as points of quadratic Bezier curves.
+// The data that both faces of an edge share: the derivative of its curve, up to a factor of 3, and
+// the field across it, as points of quadratic Bezier curves.
 struct Ribbon
 {
   Ribbon(const dvec3 curve[4], const dvec3& normalA, const dvec3& normalB)
@@ -53,9 +53,9 @@ struct Ribbon
     }
     this->Across[0] = this->GetAcross(normalA, this->Along[0]);
     this->Across[2] = this->GetAcross(normalB, this->Along[2]);
-    constexpr double opposite = 1e-3; // the length of the sum of unit vectors
+    constexpr double opposite = 1e-3; // length of the sum of unit vectors
     const dvec3 sum = this->Across[0] + this->Across[2];
-    // Half a turn: one way or the other.
+    // For opposite vectors, either perpendicular is suitable.
     this->Across[1] =
       length(sum) > opposite ? unit(sum) : unit(cross(this->Chord, this->Across[0]));
   }
@@ -63,7 +63,7 @@ struct Ribbon
   // The unit vector across the edge's direction in the plane perpendicular to the normal.
   dvec3 GetAcross(const dvec3& normal, const dvec3& along) const
   {
-    // Where the curve leaves its end along the normal, its direction is no guide.
+    // If the curve leaves its end along the normal, its direction cannot be used.
     const double least = 1e-3 * length(this->Chord);
     for (const dvec3& direction : { along, this->Along[1], this->Chord })
     {
@@ -76,10 +76,11 @@ struct Ribbon
     return perpendicular(normal);
   }
 
-  // A vector's parts along (l) and across (m) the edge at one of its ends (0 or 2).
+  // The components of a vector along (l) and across (m) the edge at one of its ends (0 or 2).
   dvec2 Split(const dvec3& v, int end) const
   {
-    constexpr double small = 0.01; // of the chord: the curve leaves its end along the normal
+    constexpr double small =
+      0.01; // relative to the chord: the curve leaves its end along the normal
     const double least = small * length(this->Chord);
     const double squared = std::max(dot(this->Along[end], this->Along[end]), least * least);
     return { squared > 0.0 ? dot(v, this->Along[end]) / squared : 0.0, dot(v, this->Across[end]) };
@@ -90,7 +91,7 @@ struct Ribbon
   dvec3 Across[3];
 };
 
-// A face's cubic edges.
+// The cubic edges of a face.
 struct Net
 {
   explicit Net(const SurfaceCorners& corners)
@@ -117,7 +118,8 @@ struct Net
     return Ribbon(curve, this->Normals[a], this->Normals[b]);
   }
 
-  // The centre points, near a and near b, with which the patch has the ribbon's tangent planes.
+  // Computes the centre points near a and near b for which the patch has the tangent planes of the
+  // ribbon.
   void GetInnerPoints(int a, int b, const Ribbon& ribbon, dvec3 inner[2]) const
   {
     const int c = 3 - a - b;
@@ -134,7 +136,7 @@ struct Net
     const dvec3* x = ribbon.Across;
     const dvec3 nearA = (2.0 * (atA.x * w[1] + atA.y * x[1]) + atB.x * w[0] + atB.y * x[0]) / 3.0;
     const dvec3 nearB = (2.0 * (atB.x * w[1] + atB.y * x[1]) + atA.x * w[2] + atA.y * x[2]) / 3.0;
-    // A cubic patch's centre counts half in the inner points of the quartic one.
+    // The centre of a cubic patch has half the weight in the inner points of the quartic patch.
     inner[0] = edge[1] + edge[2] + 2.0 * nearA - 0.5 * (this->Near[a][b] + this->Near[a][c]);
     inner[1] = edge[2] + edge[3] + 2.0 * nearB - 0.5 * (this->Near[b][a] + this->Near[b][c]);
     for (int k = 0; k < 2; ++k)
@@ -143,10 +145,10 @@ struct Net
     }
   }
 
-  // Not too far from where PN triangles have the centre point.
+  // Limits the distance from the centre point of PN triangles.
   dvec3 Limit(const dvec3& inner) const
   {
-    constexpr double farthest = 0.5; // of the longest edge
+    constexpr double farthest = 0.5; // relative to the longest edge
     const dvec3 offset = inner - this->Centre;
     const double most = farthest * this->Longest;
     return length(offset) > most ? this->Centre + most * unit(offset) : inner;
@@ -156,7 +158,7 @@ struct Net
   dvec3 Normals[3];
   dvec3 Centre;
   double Longest = 0.0;
-  dvec3 Near[3][3]; // the control point beside a corner on the edge to another
+  dvec3 Near[3][3]; // the control point near a corner on the edge to another corner
 };
 }
 }

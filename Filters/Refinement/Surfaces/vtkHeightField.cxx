@@ -16,7 +16,7 @@ double vtkHeightField::GetHeight(double u, double v)
   {
     return 0.0;
   }
-  // As heightPosition(), but in doubles: floats would be off by a ten thousandth of a texel.
+  // This is heightPosition() in doubles. Floats would have an error of a ten-thousandth of a texel.
   relevo::HeightSampler sampler(this);
   const glm::dvec2 size(sampler.heightSize());
   const glm::dvec2 position =

@@ -18,10 +18,10 @@
 
 namespace relevo
 {
-// What shaders need for meshes with creases does for all.
+// Shaders for meshes with creases also work without creases.
 #define RELEVO_DIRECTIONS
 
-// With one blend for the mesh, and with one per point.
+// The variants with one Alpha for the mesh, and with one per point.
 struct PhongTriangle : SurfaceCorners
 {
 #include "glsl/relevoNormalLinear.glsl"
@@ -89,7 +89,7 @@ void vtkPhongSurface::ComputeEdgeVectors(const Corner& from, const Corner& to, f
   const glm::vec3 b = SurfaceCorners::load(to.Point);
   const glm::vec3 na = SurfaceCorners::load(from.Normal);
   const glm::vec3 nb = SurfaceCorners::load(to.Normal);
-  // The mean of each end projected on the tangent plane of the other.
+  // The mean of each end projected to the tangent plane of the other.
   const glm::vec3 edge = b - a;
   relevo::store(
     0.5f * (a + b) + 0.5f * (glm::dot(edge, nb) * nb - glm::dot(edge, na) * na), vectors);

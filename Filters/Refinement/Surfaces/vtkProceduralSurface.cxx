@@ -20,7 +20,7 @@ namespace relevo
 {
 #include "glsl/relevoDisplacedNormal.glsl"
 
-// The base surface at one place.
+// The base surface at one point.
 struct ProceduralBase : SurfaceCorners
 {
 #include "glsl/relevoProceduralValues.glsl"
@@ -67,7 +67,7 @@ struct ProceduralFace : ProceduralBase
 
 namespace
 {
-// Both are floats in shaders; phases of the largest frequency are.
+// Both are floats in shaders. The phases of the highest frequency are in their range too.
 constexpr double LargestFloat = std::numeric_limits<float>::max();
 constexpr double HighestFrequency = 1e30;
 }

@@ -20,7 +20,7 @@ namespace
 {
 constexpr int VectorsPerEdge = 3;
 
-// Where a point's values have each tag.
+// The position of each tag in a point's values.
 enum TagOffset
 {
   SHARPNESS,
@@ -35,12 +35,12 @@ struct TaggedNormals : QuadraticNormalSum
 #include "glsl/relevoNormalTagged.glsl"
 };
 
-// How an edge leaves one of its ends.
+// The tangent and normal of an edge at one of its ends.
 struct EdgeEnd
 {
   vec3 Tangent;
   vec3 Normal;
-  /// How far the edge runs along a sharp end's direction, from 0 to 1.
+  /// How far the edge runs along the direction of a sharp end, from 0 to 1.
   float Along;
 };
 
@@ -57,7 +57,7 @@ EdgeEnd leaveEnd(const vec3& edge, const vec3& normal, const vec3& otherNormal, 
   {
     return { slack * tangent, normal, 0.0f };
   }
-  // Lengths in units of the edge's: squares of any edge's length are within a float then.
+  // Lengths are relative to the edge, so that squares are in the range of floats.
   const vec3 chord = unitVector(edge);
   const float height = dot(chord, normal);
   const vec3 flat = chord - height * normal;
@@ -73,7 +73,7 @@ EdgeEnd leaveEnd(const vec3& edge, const vec3& normal, const vec3& otherNormal, 
   const float asideHeight = height +
     dot(flat, axis) * dot(otherNormal, axis) / std::max(1.0f + dot(normal, otherNormal), opposite);
 
-  // Zero, as |flat|, where the edge goes along the normal.
+  // This is 0, as is |flat|, if the edge runs along the normal.
   const float room = std::max(asideSquared, 0.5f * flatSquared);
   const float share = room > 0.0f ? asideSquared / room : 1.0f; // 1 - a
   const float bend = 1.0f + tags[BIAS];
@@ -88,7 +88,7 @@ EdgeEnd leaveEnd(const vec3& edge, const vec3& normal, const vec3& otherNormal, 
   return end;
 }
 
-// The two edges of a sorted corner, to the lower and to the higher of the others.
+// The two edges at a sorted corner, to the lower and to the higher of the other corners.
 struct CornerEdges
 {
   int Edges[2];
@@ -182,8 +182,8 @@ bool vtkScalarTaggedSurface::GetPointValues(vtkPolyData* mesh, float* values, st
     clampTo(tags[SHARPNESS], 0.0f);
     clampTo(tags[TENSION], -1.0f);
     clampTo(tags[BIAS], -1.0f);
-    // One of the two senses, so that opposite ones do not cancel in a mean of coincident points;
-    // which one turns across a plane that directions seldom lie in.
+    // Choose one of the two signs, so that opposite directions do not cancel in the mean of
+    // coincident points. The sign changes across a plane that contains few typical directions.
     const vec3 half(0.53f, 0.29f, 0.80f);
     vec3 direction = unitVector(SurfaceCorners::load(tags + DIRECTION));
     direction *= dot(direction, half) < 0.0f ? -1.0f : 1.0f;

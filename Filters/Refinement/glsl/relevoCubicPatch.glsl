@@ -1,9 +1,9 @@
-// A cubic Bezier triangle whose centre point b111 is given with each point.
-// The including side provides, corners sorted,
+// A cubic Bezier triangle whose centre point b111 is an argument. The including code provides, with
+// sorted corners,
 //   vec3 cornerPoint(int i)           b300, b030, b003
 //   vec3 edgeVector(int edge, int k)  edge 0 = corners 0 1, 1 = corners 1 2, 2 = corners 0 2;
 //                                     k = 0 the control point near the first corner, 1 the other
-// Terms run in the order of their corners (see relevoWeights.glsl).
+// Terms are in the order of their corners (see relevoWeights.glsl).
 
 RELEVO_FUNCTION vec3 cubicPatch(vec3 w, vec3 centre)
 {

@@ -1,7 +1,7 @@
 // Displacement by heights: S = B + h D, with h = offset + scale * height and D a unit direction.
-// One source for the shaders and for C++.
+// Shared by the shaders and C++.
 //
-// The including side provides relevoHeight.glsl, relevoWeights.glsl, relevoDisplacedNormal.glsl and
+// The including code provides relevoHeight.glsl, relevoWeights.glsl, relevoDisplacedNormal.glsl and
 //   float displacementScale(), float displacementOffset()
 //   bool displacementAlongNormal()       whether D is the normal
 //   vec3 displacementDirection(vec3 w, vec3 unitNormal)  D
@@ -16,8 +16,9 @@ struct DisplacedPoint
   vec3 Normal; // of the displaced surface, not normalised
 };
 
-// The points whose texture coordinates a height at w is sampled with: the face's own inside; on the
-// border those that all faces around agree on, so that a seam point has one height.
+// The points whose texture coordinates are used for the height at w. Inside a face, they are its
+// corners. On the border, all adjacent faces use the same points, so that a point on a seam has one
+// height.
 RELEVO_FUNCTION ivec3 heightPoints(vec3 w)
 {
   ivec3 points = ivec3(cornerId(0), cornerId(1), cornerId(2));

@@ -1,6 +1,6 @@
-// Fur (Lenz 2009, fig. 5.14): g sin(u f pi) sin(v f pi) sin(w f pi), g the mean cosine between the
-// corners' normals. Zero on the borders.
-// The including side provides vec3 cornerNormal(int).
+// Fur (Lenz 2009, fig. 5.14): g sin(u f pi) sin(v f pi) sin(w f pi), where g is the mean cosine of
+// the angles between the corners' normals. It is 0 on the borders. The including code provides vec3
+// cornerNormal(int).
 
 const float proceduralPi = 3.14159265358979f;
 

@@ -1,18 +1,19 @@
-// A triangular patch with the tangent planes of its neighbours along its edges: a cubic Bezier
-// triangle whose centre point goes, with the point looked for, from the one that an edge asks for
-// to that of another (Gregory 1974; Walton and Meek 1996).
-// The including side provides relevoCubicPatch.glsl and vec3 faceVector(int k): what edge k / 2
-// asks for near its first (k even) or second corner (k odd). Edges as for relevoCubicPatch.glsl.
+// A triangular patch with continuous tangent planes across its edges: a cubic Bezier triangle whose
+// centre point is blended, depending on the position, between the inner points of the edges
+// (Gregory 1974; Walton and Meek 1996). The including code provides relevoCubicPatch.glsl and vec3
+// faceVector(int k): the inner point of edge k / 2 near its first (k even) or second corner (k
+// odd). Edges are numbered as in relevoCubicPatch.glsl.
 
-// What two edges ask for near the corner between them. The weights are those of the corners that
-// the edges lead to: where one is zero, on the edge to the other, that edge alone counts.
+// Blends the inner points of two edges near their common corner. The weights are those of the
+// corners at the other ends of the edges. If one is zero, the position is on the other edge and
+// only that edge is used.
 RELEVO_FUNCTION vec3 blendInnerPoints(vec3 a, vec3 b, float weightA, float weightB)
 {
   float sum = weightA + weightB;
   return sum > 0.0f ? (a * weightA + b * weightB) / sum : a;
 }
 
-// The same for each corner.
+// The inner point near each corner.
 RELEVO_FUNCTION vec3 innerPoint0(vec3 w)
 {
   return blendInnerPoints(faceVector(0), faceVector(4), w.y, w.z);

@@ -1,10 +1,10 @@
-// The gradient of any height function by differences. Steps do not depend on the face, so that both
-// sides of an edge get the same.
-// The including side provides float proceduralHeight(vec3 position, vec3 normal, vec3 weights).
+// The gradient of any height function by finite differences. Steps do not depend on the face, so
+// that both sides of an edge get the same gradient. The including code provides float
+// proceduralHeight(vec3 position, vec3 normal, vec3 weights).
 
 RELEVO_FUNCTION HeightGradient proceduralGradient(vec3 position, vec3 normal, vec3 w)
 {
-  // Features are taken to be no narrower than they are high; floats must tell positions apart.
+  // Features are assumed to be at least as wide as high, and steps must be representable as floats.
   vec3 size = abs(position);
   float span = max(0.02f * abs(relevoAmplitude), 2e-5f * max(max(size.x, size.y), size.z));
   float height = proceduralHeight(position, normal, w);

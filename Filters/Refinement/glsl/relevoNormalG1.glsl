@@ -1,17 +1,18 @@
-// Normals of the patch of relevoG1Triangle.glsl, not normalised: on edges those of the tangent
-// planes that both faces share, from the edge's own data; inside the product of the derivatives.
-// The including side provides what relevoG1Triangle.glsl asks for, vec3 surfaceScale(),
+// Normals of the patch in relevoG1Triangle.glsl, not normalised. On edges, they are those of the
+// shared tangent planes, computed from data of the edge. Inside, they are the cross product of the
+// derivatives. The including code provides the requirements of relevoG1Triangle.glsl, vec3
+// surfaceScale(),
 //   vec3 cornerNormal(int)
 //   vec3 edgeVector(edge, 2 to 4)  the Bezier points of the field A across the edge
 
-// Where the patch has no normal to speak of: that of the corners.
+// Replaces a normal that is too short, by that of the corners.
 RELEVO_FUNCTION vec3 normalOr(vec3 normal, vec3 instead, float least)
 {
   float largest = max(max(abs(normal.x), abs(normal.y)), abs(normal.z));
   return largest > least ? normal : instead;
 }
 
-// Amid the edge from sorted corner `first` to `second`, at weights s and t.
+// On the edge from sorted corner `first` to `second`, at weights s and t.
 RELEVO_FUNCTION vec3 edgeNormal(int edge, int first, int second, float s, float t)
 {
   float ss = s * s;
@@ -32,7 +33,8 @@ RELEVO_FUNCTION vec3 edgeNormal(int edge, int first, int second, float s, float 
 
 RELEVO_FUNCTION vec3 innerNormal(vec3 w)
 {
-  // Relative to a corner: the differences of points far away lose less.
+  // Points are relative to a corner, so that differences of points far from the origin keep their
+  // precision.
   vec3 origin = cornerPoint(0);
   vec3 b030 = cornerPoint(1) - origin;
   vec3 b003 = cornerPoint(2) - origin;
@@ -47,7 +49,7 @@ RELEVO_FUNCTION vec3 innerNormal(vec3 w)
   vec3 c2 = innerPoint2(w) - origin;
   vec3 b111 = weightedSum(c0, c1, c2, w);
 
-  // The centre's derivatives by each weight.
+  // The centre's derivatives with respect to each weight.
   float x = w.x / (w.y + w.z);
   float y = w.y / (w.x + w.z);
   float z = w.z / (w.x + w.y);
@@ -55,8 +57,8 @@ RELEVO_FUNCTION vec3 innerNormal(vec3 w)
   vec3 by1 = c1 + (faceVector(0) - origin - c0) * x + (faceVector(3) - origin - c2) * z;
   vec3 by2 = c2 + (faceVector(4) - origin - c0) * x + (faceVector(2) - origin - c1) * y;
 
-  // The last three points of de Casteljau's algorithm: their differences are the derivatives of the
-  // cubic patch with this centre, but for a factor of 3.
+  // The last three points of de Casteljau's algorithm. Their differences are the derivatives of the
+  // cubic patch with this centre, up to a factor of 3.
   vec3 squares = w * w;
   vec3 products = 2.0f * vec3(w.x * w.y, w.y * w.z, w.x * w.z); // 01, 12, 02
   vec3 last0 = b210 * products.x + b201 * products.z + b120 * squares.y + b111 * products.y +
@@ -72,7 +74,7 @@ RELEVO_FUNCTION vec3 innerNormal(vec3 w)
   vec3 normal =
     cross(unitVector(tangent1 / surfaceScale()), unitVector(tangent2 / surfaceScale()));
   vec3 interpolated = weightedSum(cornerNormal(0), cornerNormal(1), cornerNormal(2), w);
-  normal = normalOr(normal, interpolated, 1e-6f); // less is rounding
+  normal = normalOr(normal, interpolated, 1e-6f); // smaller values are rounding errors
   return dot(normal, interpolated) < 0.0f ? -normal : normal;
 }
 
@@ -82,7 +84,7 @@ RELEVO_FUNCTION vec3 surfaceNormal(vec3 w)
   {
     return innerNormal(w);
   }
-  // One call for all three edges, so that compilers treat them alike.
+  // One call for all three edges, so that compilers generate the same operations.
   int edge = w.z == 0.0f ? 0 : (w.x == 0.0f ? 1 : 2);
   int first = edge == 1 ? 1 : 0;
   int second = edge == 0 ? 1 : 2;

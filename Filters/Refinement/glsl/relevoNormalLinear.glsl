@@ -1,5 +1,5 @@
-// Normals interpolated linearly, not normalised.
-// The including side provides vec3 cornerNormal(int), corners sorted.
+// Normals interpolated linearly, not normalised. The including code provides vec3
+// cornerNormal(int), with sorted corners.
 
 RELEVO_FUNCTION vec3 surfaceNormal(vec3 w)
 {

@@ -1,7 +1,6 @@
-// The PN triangle's quadratic normals, not normalised: they follow the inflections that linear
-// ones lose.
-// The including side provides vec3 cornerNormal(int), corners sorted, and quadraticNormal() of
-// relevoNormalQuadraticSum.glsl.
+// Quadratic normals of PN triangles, not normalised. They show inflections that linear normals
+// miss. The including code provides vec3 cornerNormal(int), with sorted corners, and
+// quadraticNormal() of relevoNormalQuadraticSum.glsl.
 
 RELEVO_FUNCTION vec3 surfaceNormal(vec3 w)
 {

@@ -1,6 +1,6 @@
-// A quadratic normal, not normalised, from one normal per corner and one amid each edge (Vlachos,
-// Peters, Boyd, Mitchell 2001).
-// The including side provides edgeVector(edge, 2), the normal amid an edge, corners sorted.
+// A quadratic normal, not normalised, from one normal per corner and one at the midpoint of each
+// edge (Vlachos, Peters, Boyd, Mitchell 2001). The including code provides edgeVector(edge, 2), the
+// normal at the midpoint of an edge, with sorted corners.
 
 RELEVO_FUNCTION vec3 quadraticNormal(vec3 n0, vec3 n1, vec3 n2, vec3 w)
 {

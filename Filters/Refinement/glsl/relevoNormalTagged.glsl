@@ -1,11 +1,11 @@
-// The scalar-tagged surface's quadratic normals, not normalised: each corner has a normal for each
-// of its two edges.
-// The including side provides faceVector(1 + 2 i) and faceVector(2 + 2 i), the normals of sorted
-// corner i for its edges to the lower and to the higher of the other corners, and quadraticNormal()
-// of relevoNormalQuadraticSum.glsl.
+// Quadratic normals of the scalar-tagged surface, not normalised. Each corner has a normal for each
+// of its two edges. The including code provides faceVector(1 + 2 i) and faceVector(2 + 2 i), the
+// normals of sorted corner i for its edges to the lower and the higher of the other corners, and
+// quadraticNormal() of relevoNormalQuadraticSum.glsl.
 
-// A corner's normal by the weights of the lower and the higher of the other corners. It starts from
-// the nearer edge's: on both edges, and where both normals are the same, it is exact.
+// A corner's normal for the weights of the lower and the higher of the other corners. Interpolation
+// starts at the normal of the nearer edge, so that it is exact on both edges and where both normals
+// are equal.
 RELEVO_FUNCTION vec3 normalBetweenEdges(int corner, float low, float high)
 {
   vec3 a = faceVector(1 + 2 * corner);

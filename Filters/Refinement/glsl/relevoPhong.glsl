@@ -1,15 +1,16 @@
-// Phong tessellation (Boubekeur, Alexa 2008): the point p of the plane triangle goes part of its way
-// to p*, the mean, by the weights, of its projections on the corners' tangent planes.
+// Phong tessellation (Boubekeur, Alexa 2008): the point p of the plane triangle moves towards p*,
+// the weighted mean of its projections to the corners' tangent planes.
 //
-// Where faces see different normals at a point (RELEVO_DIRECTIONS), edges are shared: as a quadratic
-// Bezier patch, p* - p = 2 sum w_i w_j (b_ij - (P_i + P_j) / 2), with the mean of both sides' b.
-// Elsewhere that is the definition, which fetches three vectors less: a tenth of a vertex's time.
+// If faces have different normals at a point (RELEVO_DIRECTIONS), edges are shared by evaluating a
+// quadratic Bezier patch, p* - p = 2 sum w_i w_j (b_ij - (P_i + P_j) / 2), with the mean of both
+// sides' b. Otherwise the definition is used, which reads three vectors less: a tenth of a vertex's
+// time.
 //
-// The including side provides, corners sorted,
+// The including code provides, with sorted corners,
 //   vec3 cornerPoint(int i), vec3 cornerNormal(int i), vec3 surfaceScale()
 //   vec3 edgeVector(int edge, 0)  b: edge 0 = corners 0 1, 1 = corners 1 2, 2 = corners 0 2
-//   float phongAlpha(vec3 w)      the part of the way
-// Terms run in the order of their corners (see relevoWeights.glsl).
+//   float phongAlpha(vec3 w)      the fraction of the way
+// Terms are in the order of their corners (see relevoWeights.glsl).
 
 RELEVO_FUNCTION vec3 surfacePosition(vec3 w)
 {

@@ -1,4 +1,4 @@
-// Phong tessellation's blend as one number for the mesh.
+// Alpha of Phong tessellation as one number for the mesh.
 
 uniform float relevoPhongAlpha;
 

@@ -1,4 +1,4 @@
-// Phong tessellation's blend interpolated from a number per point.
+// Alpha of Phong tessellation, interpolated from one number per point.
 
 RELEVO_FUNCTION float phongAlpha(vec3 w)
 {

@@ -1,9 +1,10 @@
-// What the functions of a procedural surface have in common.
+// Definitions shared by the functions of a procedural surface.
 
 uniform float relevoAmplitude;
 uniform float relevoFrequency;
 
-// The derivatives of a height: by the position in the mesh's coordinates, and by each weight alone.
+// The derivatives of a height: with respect to the position in the mesh's coordinates, and to each
+// weight.
 struct HeightGradient
 {
   vec3 ByPosition;

@@ -1,9 +1,10 @@
-// vtkDistanceDepthTagMetric. GLSL and C++, see relevoMetricView.glsl.
-// The unit of vectors from the eye is the distance of level 0. metricParameters[9].x: whether the
-// level falls with the projected size.
+// vtkDistanceDepthTagMetric. GLSL and C++, see relevoMetricView.glsl. Vectors from the eye are in
+// units of the distance of level 0. metricParameters[9].x: whether the level falls with the
+// projected size.
 
-// At a distance given by its square: linearly from the maximum level at 0 to 0 at 1 and beyond
-// (Nellmeldin 2013, eq. 1), or by 1 where the distance doubles, up to 0 at 1.
+// The level at a distance, given its square: linear from the maximum level at 0 to 0 at 1 and
+// beyond (Nellmeldin 2013, eq. 1), or one level less for each doubling of the distance, down to 0
+// at 1.
 RELEVO_FUNCTION float distanceLevel(float squared)
 {
   if (!(squared < 1.0f))

@@ -1,12 +1,12 @@
-// What view-dependent metrics share. GLSL and C++.
+// Functions shared by view-dependent metrics. GLSL and C++.
 //
-// The including side provides vec4 metricParameters[10], see MetricShader.h:
-//   0, 1        where the camera is, in the mesh's coordinates relative to the points' origin, as
-//               the sum of two floats; w of 0: the maximum level; w of 1: 1 for a parallel camera
-//   2 to 4      rows: from there to a point in the world's axes, in a unit of the metric's choice
-//   5           unit vector against the direction of a parallel camera, in the world's axes
-//   6 to 8      rows: normals of the mesh to the world's axes
-//   9           what the metric has besides
+// The including code provides vec4 metricParameters[10], see MetricShader.h:
+//     0, 1        the camera's position in the mesh's coordinates, relative to the points' origin, as
+//                 the sum of two floats; w of 0: the maximum level; w of 1: 1 for a parallel camera
+//     2 to 4      rows: from there to a point along the world's axes, in units of the metric
+//     5           unit vector opposite to the direction of a parallel camera, along the world's axes
+//     6 to 8      rows: from normals of the mesh to the world's axes
+//     9           additional values of the metric
 
 #ifndef RELEVO_UNUSED
 #define RELEVO_UNUSED
@@ -25,13 +25,13 @@ RELEVO_FUNCTION vec3 metricXYZ(vec4 v)
   return vec3(v.x, v.y, v.z);
 }
 
-// A level in [0, maximum level], also where the measurement failed.
+// A level in [0, maximum level], also if the measurement failed.
 RELEVO_FUNCTION float metricLevel(float level)
 {
   return level > 0.0f ? min(level, metricParameters[0].w) : 0.0f;
 }
 
-// The vector from the camera to a point, exact to its own rounding however far the origin is.
+// The vector from the camera to a point, exact up to rounding, at any distance from the origin.
 RELEVO_FUNCTION vec3 metricOffset(vec3 x)
 {
   precise vec3 offset = x - metricXYZ(metricParameters[0]);
@@ -39,7 +39,7 @@ RELEVO_FUNCTION vec3 metricOffset(vec3 x)
   return offset;
 }
 
-// A row of four times (offset, 1).
+// The dot product of a row and (offset, 1).
 RELEVO_FUNCTION float metricRow(int row, vec3 offset)
 {
   precise float sum = metricDot(metricXYZ(metricParameters[row]), offset);
@@ -53,7 +53,7 @@ RELEVO_FUNCTION vec3 metricFromEye(vec3 x)
   return vec3(metricRow(2, offset), metricRow(3, offset), metricRow(4, offset));
 }
 
-// Cosine of the angle between a normal of the mesh and the view; 0 at the eye, or without a normal.
+// Cosine of the angle between a normal of the mesh and the view; 0 at the eye or without a normal.
 RELEVO_FUNCTION float metricCosine(vec3 x, vec3 meshNormal)
 {
   vec3 normal = vec3(metricDot(metricXYZ(metricParameters[6]), meshNormal),
@@ -65,8 +65,8 @@ RELEVO_FUNCTION float metricCosine(vec3 x, vec3 meshNormal)
   return squares > 0.0f ? cosine : 0.0f;
 }
 
-// The logarithm to base 2 of a positive number, with an error of 4e-7; exact for powers of 2,
-// monotone, and the same bits on all processors.
+// The base-2 logarithm of a positive number, with an error of 4e-7. It is exact for powers of 2,
+// monotone, and bitwise equal on all processors.
 RELEVO_FUNCTION float metricLog2(float x)
 {
   int bits = floatBitsToInt(x);

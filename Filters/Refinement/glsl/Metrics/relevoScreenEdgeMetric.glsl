@@ -1,13 +1,14 @@
-// vtkScreenEdgeDepthTagMetric. GLSL and C++, see relevoMetricView.glsl. metricParameters[9].x says
-// what is measured: 0 for the edge, else for its sphere the square of its diameter in lengths of
-// segments, for a diameter of 1 at a distance of 1 (or anywhere, for a parallel camera).
+// vtkScreenEdgeDepthTagMetric. GLSL and C++, see relevoMetricView.glsl. metricParameters[9].x is 0
+// to measure the edge. To measure its sphere, it is the square of the diameter in segment lengths
+// for a diameter of 1 at a distance of 1 (or at any distance, for a parallel camera).
 //
-// For edges metricParameters[2] to [5] are rows to clip coordinates: x and y in lengths of segments
-// when divided by the last, and the distance beyond the near plane (1 for a parallel camera, which
-// cuts nothing).
+// For edges, metricParameters[2] to [5] are rows of the matrix to clip coordinates: x and y, which
+// are in segment lengths after division by the last, and the distance beyond the near plane (1 for
+// a parallel camera, which clips nothing).
 
-// For spheres the vector from the eye. Else (position on the screen, distance beyond the near plane,
-// divisor); (x, y) not divided where a point is not beyond the near plane.
+// The value for spheres is the vector from the eye. The value for edges is (position on the screen,
+// distance beyond the near plane, divisor), where (x, y) is not divided if the point is not beyond
+// the near plane.
 RELEVO_FUNCTION vec4 metricValue(vec3 x, RELEVO_UNUSED vec4 datum)
 {
   if (metricParameters[9].x > 0.0f)
@@ -26,7 +27,7 @@ RELEVO_FUNCTION vec4 metricValue(vec3 x, RELEVO_UNUSED vec4 datum)
   return clip;
 }
 
-// Where an edge from a point beyond the near plane to one that is not crosses the plane.
+// The intersection with the near plane of an edge from a point beyond it to a point that is not.
 RELEVO_FUNCTION vec2 metricCrossing(vec4 beyond, vec4 other)
 {
   precise float t = beyond.z / (beyond.z - other.z);
@@ -37,8 +38,8 @@ RELEVO_FUNCTION vec2 metricCrossing(vec4 beyond, vec4 other)
   return crossing;
 }
 
-// The square of the diameter of the sphere that has the edge as a diameter; an eye inside of it is
-// taken to be on it.
+// The square of the diameter of the sphere around the edge. An eye inside the sphere is moved to
+// its surface.
 RELEVO_FUNCTION float metricSphere(vec3 a, vec3 b)
 {
   precise vec3 d = b - a;
@@ -77,8 +78,8 @@ RELEVO_FUNCTION float metricEdgeMeasure(vec4 a, vec4 b)
   return squared;
 }
 
-// Levels that cut the length into segments: the logarithm of the tessellation level
-// max(1, length / length of a segment) (Nellmeldin 2013, eq. 2).
+// The level that splits the length into segments: the logarithm of the tessellation level max(1,
+// length / length of a segment) (Nellmeldin 2013, eq. 2).
 RELEVO_FUNCTION float metricTag(float measure)
 {
   return min(0.5f * metricLog2(max(1.0f, measure)), metricParameters[0].w);

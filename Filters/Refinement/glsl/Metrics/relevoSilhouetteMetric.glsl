@@ -1,9 +1,9 @@
-// vtkSilhouetteDepthTagMetric by the angle of normals. GLSL and C++, see relevoMetricView.glsl.
-// datum: a normal of the mesh, and 1, or 0 where there is none.
+// vtkSilhouetteDepthTagMetric with the criterion NORMAL_ANGLE. GLSL and C++, see
+// relevoMetricView.glsl. datum: a normal of the mesh, and 1, or 0 if there is none.
 
-// (level, whether it faces the eye, whether it faces away, 0). The level rises from 0 where the
-// normal points to the eye or away from it to the maximum level where it is perpendicular to the
-// view (Nellmeldin 2013, eq. 13).
+// (level, whether it faces the eye, whether it faces away, 0). The level rises from 0, where the
+// normal points towards or away from the eye, to the maximum level, where it is perpendicular to
+// the view (Nellmeldin 2013, eq. 13).
 RELEVO_FUNCTION vec4 metricValue(vec3 x, vec4 datum)
 {
   float cosine = metricCosine(x, metricXYZ(datum));

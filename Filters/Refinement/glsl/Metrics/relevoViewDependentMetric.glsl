@@ -1,9 +1,7 @@
-// vtkViewDependentDepthTagMetric. GLSL and C++, see relevoMetricView.glsl.
-// datum: the mean normal, and the spread of normals over the maximum spread.
-// metricParameters[9].x: the weight of being seen edge-on.
+// vtkViewDependentDepthTagMetric. GLSL and C++, see relevoMetricView.glsl. datum: the mean normal,
+// and the spread of normals divided by the maximum spread. metricParameters[9].x: EdgeOnWeight.
 
-// (level, 0, 0, 0). The level rises with the spread of normals and with how much edge-on they are
-// seen.
+// (level, 0, 0, 0). The level rises with the spread of normals and towards edge-on views.
 RELEVO_FUNCTION vec4 metricValue(vec3 x, vec4 datum)
 {
   float edgeOn = 1.0f - min(abs(metricCosine(x, metricXYZ(datum))), 1.0f);
