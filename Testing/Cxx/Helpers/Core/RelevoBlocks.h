@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Blocks of composite inputs, whose types VTK does not check.
+// Checks inputs whose blocks have a type that VTK does not check.
 #ifndef RelevoBlocks_h
 #define RelevoBlocks_h
 
@@ -9,8 +9,8 @@
 class vtkAlgorithm;
 class vtkDataObject;
 
-// Whether an algorithm whose input of this port is a composite data set with one block says
-// `words`, and has no points as output.
+// Whether an algorithm reports `words` and has an output without points if the input of this port
+// is a composite data set with one block.
 bool RelevoRefusesBlock(
   vtkAlgorithm* algorithm, int port, vtkDataObject* block, const std::string& words);
 

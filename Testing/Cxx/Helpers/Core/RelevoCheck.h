@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks that report where they fail and go on. In a test: RelevoCheck check; CHECK(...); ...;
-// return check.GetResult(); A failure prints both operands and the names of the cases it is in:
+// Checks that report failures and continue. In a test: RelevoCheck check; CHECK(...); ...; return
+// check.GetResult(); A failure prints both operands and the names of the enclosing cases:
 //   TestX.cxx:12: [mesh "torus", level 2] failed: cells == 4 (3 == 4)
 #ifndef RelevoCheck_h
 #define RelevoCheck_h
@@ -25,14 +25,15 @@ public:
   bool That(bool condition, const char* text, const char* file, int line);
   bool Near(
     double value, double expected, double tolerance, const char* text, const char* file, int line);
-  // An operand. Numbers are copied: both operands may be read from one buffer, as with GetPoint().
+  // An operand. Numbers are copied, because both operands may point to the same buffer, as with
+  // GetPoint().
   template <class T>
   static std::conditional_t<std::is_scalar<T>::value, T, const T&> Value(const T& value)
   {
     return value;
   }
 
-  // Whether the values are in the relation: one of <functional>, such as std::less<>.
+  // Whether the relation, for example std::less<>, holds for both values.
   template <class Relation, class A, class B>
   bool Compare(
     const A& a, const B& b, const char* text, const char* sign, const char* file, int line)
@@ -46,7 +47,7 @@ public:
   int GetResult() const { return this->Failures ? EXIT_FAILURE : EXIT_SUCCESS; }
 
 private:
-  // Numbers are converted as the operator does, without a warning of their signs.
+  // Compares numbers as the operator does, without a warning about signs.
   template <class Relation, class A, class B>
   static bool Holds(const A& a, const B& b)
   {
@@ -68,7 +69,7 @@ private:
   std::vector<std::string> Cases;
 };
 
-// Names what is checked as long as it lives: CHECK_CASE(level) prints "level 2".
+// Names a case during its lifetime: CHECK_CASE(level) prints "level 2".
 class RelevoCase
 {
 public:
@@ -86,7 +87,7 @@ private:
   RelevoCheck& Check;
 };
 
-// Catches the errors of an object as long as it lives, so that they are not printed.
+// Captures the errors of an object during its lifetime, so that they are not printed.
 class RelevoErrors
 {
 public:
@@ -95,9 +96,9 @@ public:
   RelevoErrors(const RelevoErrors&) = delete;
   void operator=(const RelevoErrors&) = delete;
 
-  // Whether there was an error that says `words`, and forgets it.
+  // Whether an error contains `words`. Clears the errors.
   bool Said(const std::string& words);
-  // Whether there was a warning that says `words`, and forgets it.
+  // Whether a warning contains `words`. Clears the warnings.
   bool Warned(const std::string& words);
   bool None() const { return !this->Observer->GetError() && !this->Observer->GetWarning(); }
 

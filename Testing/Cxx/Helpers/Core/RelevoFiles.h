@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Folders and files that tests write.
+// Folders and files written by tests.
 #ifndef RelevoFiles_h
 #define RelevoFiles_h
 
 #include <string>
 
-/// An empty folder of this name in the one that a test may write into (-T).
+/// Creates an empty folder with this name in the test's output folder (-T).
 std::string RelevoMakeFolder(int argc, char* argv[], const std::string& name);
 void RelevoMakeFolder(const std::string& name);
 

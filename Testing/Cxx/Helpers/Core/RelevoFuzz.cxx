@@ -107,7 +107,7 @@ void AddArrays(Dice& dice, vtkDataSetAttributes* data, vtkIdType size)
     const std::string name = dice.Choose(names);
     if (name == "vtkGhostType" && !vtkUnsignedCharArray::SafeDownCast(array))
     {
-      continue; // VTK itself takes for granted what it is
+      continue; // VTK does not check its own types
     }
     array->SetName(name.empty() ? nullptr : name.c_str());
     data->AddArray(array);
@@ -164,7 +164,7 @@ vtkSmartPointer<vtkPolyData> MakeMesh(Dice& dice)
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
   if (dice.Once(25))
   {
-    return mesh; // nothing at all
+    return mesh; // an empty mesh
   }
   vtkNew<vtkPoints> points;
   points->SetDataType(dice.Once(3) ? VTK_DOUBLE : VTK_FLOAT);

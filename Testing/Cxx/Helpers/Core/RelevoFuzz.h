@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Random calls of the public API on random meshes, good and hostile. A test makes a fixed number of
-// runs; RELEVO_FUZZ_RUNS asks for another, RELEVO_FUZZ_FIRST for other seeds, and
-// RELEVO_FUZZ_VERBOSE names the calls, of which the last is the one that crashed.
+// Random calls of the public API on random meshes, valid and hostile. A test makes a fixed number
+// of runs. RELEVO_FUZZ_RUNS sets another number, RELEVO_FUZZ_FIRST the first seed, and
+// RELEVO_FUZZ_VERBOSE prints the calls, so that the last one printed is the one that crashed.
 #ifndef RelevoFuzz_h
 #define RelevoFuzz_h
 
@@ -31,7 +31,7 @@ class Dice
 {
 public:
   explicit Dice(unsigned int seed);
-  // 0 to sides - 1.
+  // Returns 0 to sides - 1.
   int Throw(int sides) { return static_cast<int>(this->Random() % static_cast<unsigned>(sides)); }
   bool Once(int in) { return this->Throw(in) == 0; }
   double Share() { return this->Random() / 4294967296.0; }
@@ -40,7 +40,7 @@ public:
   {
     return from[static_cast<size_t>(this->Throw(static_cast<int>(from.size())))];
   }
-  // Mostly of a sensible size, and now and then not.
+  // Mostly a number of ordinary size, sometimes an extreme one.
   double Number();
   int Whole() { return this->Once(6) ? this->Choose(Whole_) : this->Throw(6) - 1; }
 
@@ -50,8 +50,8 @@ private:
     std::numeric_limits<int>::lowest() };
 };
 
-// Moves the values to where a page ends that nothing may follow: who reads past the end crashes,
-// whether or not a sanitizer has seen its code.
+// Moves the values to the end of a memory page that is followed by an inaccessible one. Reading
+// past the end crashes, with or without a sanitizer.
 template <typename Array>
 void Fence(Array* array, size_t bytes)
 {
@@ -90,17 +90,17 @@ vtkSmartPointer<vtkAbstractArray> MakeArray(Dice& dice, vtkIdType size);
 
 void AddArrays(Dice& dice, vtkDataSetAttributes* data, vtkIdType size);
 
-// Of an array that a mesh may have.
+// The name of an array that a mesh may have.
 std::string ChooseName(Dice& dice);
 
 vtkSmartPointer<vtkCellArray> MakeCells(
   Dice& dice, int most, int longest, vtkIdType numberOfPoints, bool dangling);
 
 // Duplicate and non-finite points, polygons of 0 to 8 points, strips, lines, vertices, arrays of
-// any type and length, at times cells of points that do not exist.
+// every type and length, and sometimes cells with invalid point ids.
 vtkSmartPointer<vtkPolyData> MakeMesh(Dice& dice);
 
-// Whether polygons have points that are numbers only.
+// Whether all points of polygons are finite.
 bool IsFinite(vtkPolyData* mesh);
 
 struct Call
@@ -111,7 +111,7 @@ struct Call
 
 int GetNumber(const char* variable, int otherwise);
 
-// A run is a new Machine(dice), and calls that its GetCalls() lists, in random order.
+// A run creates a Machine(dice) and makes the calls listed by its GetCalls() in random order.
 template <typename Machine>
 int Run(int runs, int callsPerRun, int& made)
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Random images, good and hostile.
+// Random images, valid and hostile.
 #ifndef RelevoFuzzImages_h
 #define RelevoFuzzImages_h
 
@@ -10,7 +10,7 @@
 
 namespace RelevoFuzz
 {
-// Of 0 to 16 points a side, mostly flat, in any plane, with arrays as a mesh has them.
+// 0 to 16 points per side, mostly flat, in any plane, with arrays like those of meshes.
 vtkSmartPointer<vtkImageData> MakeImage(Dice& dice);
 }
 

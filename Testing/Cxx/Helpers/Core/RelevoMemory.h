@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Takes memory away, so that what needs more than so many bytes fails.
+// Limits memory, so that larger allocations fail.
 #ifndef RelevoMemory_h
 #define RelevoMemory_h
 
@@ -11,16 +11,16 @@
 #include <unistd.h>
 #endif
 
-// As long as it lives, and only where it can: see Works().
+// Active during its lifetime, if Works() returns true.
 class RelevoMemoryLimit
 {
 public:
-  // Beyond what the process has.
+  // Allows this many bytes in addition to the memory in use.
   explicit RelevoMemoryLimit(long bytes)
   {
 #ifdef __linux__
     malloc_trim(0);
-    mallopt(M_MMAP_THRESHOLD, 16384); // what is freed goes back at once
+    mallopt(M_MMAP_THRESHOLD, 16384); // returns freed memory to the system at once
     long pages = 0;
     std::ifstream("/proc/self/statm") >> pages;
     getrlimit(RLIMIT_AS, &this->Before);
@@ -40,7 +40,7 @@ public:
   RelevoMemoryLimit(const RelevoMemoryLimit&) = delete;
   void operator=(const RelevoMemoryLimit&) = delete;
 
-  // Not with sanitizers, which need room of their own.
+  // Returns false with sanitizers, which need additional memory.
   static constexpr bool Works()
   {
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Values as a failed check prints them. What is neither a number, a text, a pointer nor a range of
-// those is printed as "?". The texts are made in the source, so that a check compiles fast.
+// Prints values for failed checks. Values that are not numbers, strings, pointers or ranges of
+// these are printed as "?". The source file does the formatting, so that checks compile fast.
 #ifndef RelevoPrinted_h
 #define RelevoPrinted_h
 
@@ -16,7 +16,7 @@ namespace relevoPrinted
 {
 std::string Signed(long long value);
 std::string Unsigned(unsigned long long value);
-// In the fewest digits that are that number.
+// Prints the fewest digits that identify the number.
 std::string Number(double value);
 std::string Text(const std::string& value);
 std::string Text(const char* value);

@@ -47,7 +47,7 @@ const std::vector<FixedType>& GetFixedTypes()
   return types;
 }
 
-// Of how many points there are at least.
+// Types with at least this many points.
 const std::vector<FixedType>& GetOpenTypes()
 {
   static const std::vector<FixedType> types = { { VTK_POLY_VERTEX, 0, 1 }, { VTK_POLY_LINE, 1, 2 },
@@ -71,7 +71,7 @@ bool IsOfDegree(int type)
   return type >= VTK_LAGRANGE_CURVE && type <= VTK_BEZIER_PYRAMID;
 }
 
-// Whose degrees the number of points does not tell.
+// Whether the number of points does not determine the degrees.
 bool NeedsDegrees(int type)
 {
   return type == VTK_LAGRANGE_QUADRILATERAL || type == VTK_LAGRANGE_HEXAHEDRON ||
@@ -116,7 +116,7 @@ RandomGrid::RandomGrid(Dice& dice)
   const int number = 1 + dice.Throw(dice.Once(4) ? 200 : 30);
   for (int i = 0; i < number; ++i)
   {
-    // On a lattice, so that points coincide and cells are flat or share faces, or anywhere.
+    // Either on a lattice, so that points coincide and cells are flat or share faces, or anywhere.
     const auto place = [&] { return dice.Once(3) ? dice.Share() : 0.25 * dice.Throw(5); };
     this->Points->InsertNextPoint(place(), place(), place());
     this->Weights->InsertNextValue(0.5 + dice.Share());
@@ -192,7 +192,7 @@ RandomGrid::Cell RandomGrid::MakeCell()
     n[1] = n[0];
     n[2] = isWedge ? n[2] : n[0];
   }
-  // A wedge of 21 nodes is VTK's quadratic one.
+  // VTK's quadratic wedge has 21 nodes.
   if (isWedge && CountPoints(type.Type, n) == 21)
   {
     n = { { 1, 1, 1 } };
@@ -205,7 +205,7 @@ RandomGrid::Cell RandomGrid::MakeCell()
     { { static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2]) } } };
 }
 
-// A tetrahedron, whose points differ.
+// A tetrahedron with different points.
 void RandomGrid::AddPolyhedron()
 {
   const vtkIdType number = this->Points->GetNumberOfPoints();
@@ -226,7 +226,7 @@ void RandomGrid::Insert(const Cell& cell)
 {
   if (cell.Type == VTK_POLYHEDRON)
   {
-    return; // put in with its faces
+    return; // was added with its faces
   }
   this->Grid->InsertNextCell(
     cell.Type, static_cast<vtkIdType>(cell.Points.size()), cell.Points.data());
@@ -255,7 +255,7 @@ void RandomGrid::SpoilCell(Cell& cell)
     }
     case 1:
     {
-      // Never as many as another degree has, nor as many as open types may have.
+      // Avoids numbers of points that fit another degree or a type of any size.
       const bool isOpen = cell.Type == VTK_POLY_VERTEX || cell.Type == VTK_POLY_LINE ||
         cell.Type == VTK_POLYGON || cell.Type == VTK_TRIANGLE_STRIP ||
         cell.Type == VTK_LAGRANGE_CURVE || cell.Type == VTK_BEZIER_CURVE;
@@ -293,7 +293,7 @@ void RandomGrid::SpoilCell(Cell& cell)
       const std::vector<int> unknown = { 43, 50, 52, 66, VTK_LAGRANGE_PYRAMID, VTK_BEZIER_PYRAMID,
         120, 255 };
       cell.Type = this->D.Choose(unknown);
-      this->Dimension = 4; // nobody's
+      this->Dimension = 4; // belongs to no dimension
       this->Error = "an unknown type";
       return;
     }
@@ -387,7 +387,7 @@ void RandomGrid::SpoilPoint(bool isWeight)
       this->Weights->Resize(point);
     }
     this->IsPointError = false;
-    this->IsSure = cell.Dimension > 1; // surfaces and volumes have no use for curves
+    this->IsSure = cell.Dimension > 1; // classes for surfaces and volumes ignore curves
     this->Error = "a weight of a cell of type " + std::to_string(cell.Type);
     return;
   }
@@ -404,7 +404,7 @@ void RandomGrid::SpoilLists()
   vtkDataArray* offsets = this->Grid->GetCells()->GetOffsetsArray();
   const vtkIdType size = this->Grid->GetCells()->GetConnectivityArray()->GetNumberOfTuples();
   const std::vector<double> strange = { -5.0, static_cast<double>(size) + 1.0, 1e12 };
-  // VTK's SetCells() takes the points of polyhedra for faces.
+  // VTK's SetCells() would take the points of polyhedra for faces.
   const bool hasPolyhedra = std::any_of(this->Cells.begin(), this->Cells.end(),
     [](const Cell& cell) { return cell.Type == VTK_POLYHEDRON; });
   if (this->D.Once(3) && !hasPolyhedra)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Random unstructured grids of all types of cells, sound ones and such with a known fault.
+// Random unstructured grids with all types of cells, valid or with a known error.
 #ifndef RelevoRandomGrid_h
 #define RelevoRandomGrid_h
 
@@ -25,12 +25,11 @@ public:
 
   vtkUnstructuredGrid* Get() { return this->Grid; }
 
-  // The fault in words for messages; empty for a sound grid.
+  // The error as text for messages; empty for a valid grid.
   const std::string& GetError() const { return this->Error; }
-  // Whether all who take the grid have to report the fault: it is none of those that may be sound
-  // by chance.
+  // Whether every class must report the error. Some errors may accidentally give a valid grid.
   bool IsCertain() const { return this->IsSure; }
-  // Whether the fault is a point or a weight that is not finite, of a cell of this dimension.
+  // Whether the error is a point or a weight that is not finite, in a cell of this dimension.
   bool IsOfPoints() const { return this->IsPointError; }
   int GetDimension() const { return this->Dimension; }
   bool HasDimension(int dimension) const;
@@ -60,13 +59,13 @@ private:
   vtkNew<vtkPoints> Points;
   vtkNew<vtkDoubleArray> Degrees;
   vtkNew<vtkDoubleArray> Weights;
-  std::vector<Cell> Cells; // sound or not, as they were put in
+  std::vector<Cell> Cells; // as they were added, valid or not
   bool HasDegrees;
   bool HasWeights;
   std::string Error;
   bool IsSure = true;
   bool IsPointError = false;
-  int Dimension = -1; // of the cell with the fault, if it is one cell's
+  int Dimension = -1; // of the invalid cell, if the error belongs to a single cell
 };
 }
 

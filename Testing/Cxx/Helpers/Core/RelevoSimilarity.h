@@ -8,12 +8,12 @@
 #include <cstddef>
 #include <vector>
 
-// Two windows' moments; greys are from 0 to 1.
+// Moments of two windows with grey values from 0 to 1.
 class RelevoSimilarity
 {
 public:
   void Add(double a, double b);
-  // 1 for equal windows.
+  // Returns 1 for equal windows.
   double Get() const;
 
 private:
@@ -25,8 +25,8 @@ private:
   double Products = 0.0;
 };
 
-// The mean over all windows of 7 x 7 pixels of two pictures, RGB bytes row by row. The grey is that
-// of ITU-R BT.601.
+// Mean over all windows of 7 x 7 pixels of two pictures, given as RGB bytes row by row. Grey values
+// follow ITU-R BT.601.
 double RelevoMeanSimilarity(
   const std::vector<unsigned char>& a, const std::vector<unsigned char>& b, int columns, int rows);
 

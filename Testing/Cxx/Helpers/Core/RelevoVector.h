@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Vectors in double, in which tests compute what the library should.
+// Vectors in double precision, with which tests compute expected results.
 #ifndef RelevoVector_h
 #define RelevoVector_h
 
@@ -51,7 +51,7 @@ inline Vector normalize(Vector a)
   return a;
 }
 
-// Degrees.
+// In degrees.
 inline double angle(const Vector& a, const Vector& b)
 {
   return vtkMath::DegreesFromRadians(std::atan2(length(cross(a, b)), dot(a, b)));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The warnings of an object, counted.
+// Counts the warnings of an object.
 #ifndef RelevoWarnings_h
 #define RelevoWarnings_h
 
@@ -8,7 +8,7 @@
 
 #include <string>
 
-// Lives at least as long as the object warns; none of the warnings is printed.
+// Must live at least as long as the object issues warnings. The warnings are not printed.
 class RelevoWarnings
 {
 public:

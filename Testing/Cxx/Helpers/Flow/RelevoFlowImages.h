@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Images of vector fields and of noise, for the tests of line integral convolution.
+// Images of vector fields and of noise for the tests of line integral convolution.
 #ifndef RelevoFlowImages_h
 #define RelevoFlowImages_h
 
@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-// A vector at a place; images have places in samples, their first sample at (0.5, 0.5).
+// The vector at a position. Image positions are in samples; the first sample is at (0.5, 0.5).
 using RelevoField = std::function<void(double x, double y, double* vector)>;
 
-// Fields of places about (0, 0), with their singular points inside the circle of radius 1.
+// Fields around (0, 0) whose singular points lie within the circle of radius 1.
 struct RelevoNamedField
 {
   std::string Name;
@@ -27,7 +27,7 @@ struct RelevoNamedField
 
 std::vector<RelevoNamedField> MakeNamedFields();
 
-// An image with the vectors (vx, vy, 0) as its active vectors "Flow".
+// An image with the active vectors "Flow", (vx, vy, 0).
 vtkSmartPointer<vtkImageData> MakeFlowImage(int columns, int rows, const RelevoField& field);
 
 RelevoField MakeUniformField(double vx, double vy);
@@ -35,10 +35,10 @@ RelevoField MakeUniformField(double vx, double vy);
 // Uniform noise in [0, 1].
 vtkSmartPointer<vtkImageData> MakeNoiseImage(int columns, int rows, unsigned int seed = 1);
 
-// The values of an image's array, by default of its scalars; empty if there is none.
+// Values of an image's array, or of its scalars without a name. Empty if there is no such array.
 std::vector<double> ValuesOf(vtkImageData* image, const char* name = nullptr);
 
-// The result of a filter, empty if it has none.
+// The filter's result; empty if there is none.
 std::vector<double> RunLIC(vtkLineIntegralConvolution* filter);
 
 RelevoGrey GreyOf(const std::vector<double>& values, int columns);

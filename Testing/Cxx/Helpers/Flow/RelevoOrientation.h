@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Which way the lines of a grey image run, by its structure tensor (Bigun and Granlund, 1987), and
-// how far that is from where a field points.
+// Measures the directions of lines in a grey image by its structure tensor (Bigun and Granlund,
+// 1987), and their deviation from a field.
 #ifndef RelevoOrientation_h
 #define RelevoOrientation_h
 
@@ -13,7 +13,8 @@
 #include <ostream>
 #include <vector>
 
-// An image of real numbers; (column, row) from the lower left corner, rows one after the other.
+// An image of real numbers. (column, row) counts from the lower left corner, and rows follow each
+// other.
 struct RelevoGrey
 {
   RelevoGrey(int columns, int rows);
@@ -28,18 +29,18 @@ struct RelevoGrey
 class RelevoOrientation
 {
 public:
-  // Scales, in pixels: standard deviations of the Gaussians whose derivatives are the gradients,
-  // and of the one that smooths the tensor.
+  // Scales in pixels: standard deviations of the Gaussians for the gradients and for smoothing the
+  // tensor.
   explicit RelevoOrientation(
     const RelevoGrey& image, double gradientScale = 1.0, double tensorScale = 3.0);
 
   int GetColumns() const { return this->XX.Columns; }
   int GetRows() const { return this->XX.Rows; }
 
-  // Along the lines, in radians from the x axis, modulo pi.
+  // Direction of the lines in radians from the x axis, modulo pi.
   double GetAngle(int column, int row) const;
 
-  // 1 where all gradients are parallel, 0 where none is more frequent than another.
+  // Returns 1 if all gradients are parallel, and 0 if no direction dominates.
   double GetCoherence(int column, int row) const;
 
 private:
@@ -47,7 +48,7 @@ private:
 
   static std::vector<double> GaussianDerivative(double scale);
 
-  // Correlated with weights along (stepX, stepY); the border goes on as it is.
+  // Correlates with weights along (stepX, stepY). Values beyond the border repeat the border.
   static RelevoGrey Filter(
     const RelevoGrey& image, const std::vector<double>& weights, int stepX, int stepY);
   static RelevoGrey FilterRows(const RelevoGrey& image, const std::vector<double>& weights);
@@ -58,7 +59,7 @@ private:
   RelevoGrey XY;
 };
 
-// Angles between lines and vectors, in degrees, in [0, 90].
+// Angles between lines and vectors in degrees, in [0, 90].
 struct RelevoDeviations
 {
   double Median = 90.0;
@@ -68,7 +69,7 @@ struct RelevoDeviations
 
 std::ostream& operator<<(std::ostream& os, const RelevoDeviations& deviations);
 
-// Of the pixels for which field(column, row, vector) is true; it sets the vector there, two
+// Measures pixels for which field(column, row, vector) returns true. The field sets the vector, two
 // doubles.
 template <typename Field>
 RelevoDeviations MeasureDeviations(const RelevoOrientation& orientation, Field&& field)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests of vtkSurfaceLineIntegralConvolution share.
+// Helpers for the tests of vtkSurfaceLineIntegralConvolution.
 #ifndef RelevoSurfaceLIC_h
 #define RelevoSurfaceLIC_h
 
@@ -12,17 +12,17 @@
 #include <functional>
 #include <vector>
 
-// A point array "Velocity", the active vectors.
+// Adds the point array "Velocity" as active vectors.
 void AddVelocity(vtkPolyData* mesh,
   const std::function<RelevoVectors::Vector(const RelevoVectors::Vector&)>& function);
 
-// The output's arrays; empty when there is none.
+// Arrays of the output; empty if there is none.
 struct RelevoSurfaceLIC
 {
   explicit RelevoSurfaceLIC(vtkPolyData* output);
   RelevoSurfaceLIC(vtkSurfaceLineIntegralConvolution* filter, vtkPolyData* mesh);
 
-  // Finite, and in [0, 1].
+  // Whether all values are finite and in [0, 1].
   bool IsValid() const;
 
   std::vector<float> Values;

@@ -46,7 +46,7 @@ std::vector<Vector> GetEdges(const std::vector<Vector>& p)
   return edges;
 }
 
-// How far one is beyond the other along an axis; below 0 where their ranges overlap.
+// Gap between the projections on an axis; negative if they overlap.
 std::int64_t GetGap(const Vector& axis, const std::vector<Vector>& a, const std::vector<Vector>& b)
 {
   const auto getRange = [&axis](const std::vector<Vector>& points)
@@ -63,8 +63,9 @@ std::int64_t GetGap(const Vector& axis, const std::vector<Vector>& a, const std:
   return std::max(bRange[0] - aRange[1], aRange[0] - bRange[1]);
 }
 
-// Where convex hulls do not meet, a facet of their Minkowski difference separates them from each
-// other: along an edge of each, the plane of one or, if both are in one plane, an edge in it.
+// If convex hulls do not intersect, a facet of their Minkowski difference separates them. It is
+// parallel to an edge of each, to the plane of one, or, if both are coplanar, to an edge within the
+// plane.
 std::vector<Vector> GetAxes(const std::vector<Vector>& a, const std::vector<Vector>& b)
 {
   const Vector normals[2] = { GetNormal(a), GetNormal(b) };
@@ -176,7 +177,7 @@ bool RelevoMeetBeyond(const RelevoWholeMesh& mesh, int first, int second)
   const auto bCorners = mesh.GetCorners(second);
   if (shared.size() == 2)
   {
-    // In one plane, and on the same side of the edge.
+    // Coplanar, and on the same side of the edge.
     const Vector edge = Subtract(mesh.Points[shared[1]], mesh.Points[shared[0]]);
     const Vector own = Cross(edge, Subtract(mesh.Points[others[0][0]], mesh.Points[shared[0]]));
     const Vector other = Cross(edge, Subtract(mesh.Points[others[1][0]], mesh.Points[shared[0]]));
@@ -184,7 +185,8 @@ bool RelevoMeetBeyond(const RelevoWholeMesh& mesh, int first, int second)
   }
   if (shared.size() == 1)
   {
-    // From the shared corner through any other point they go on until one ends, at its far edge.
+    // From the shared corner through any other common point, both continue until one ends at its
+    // opposite edge.
     const auto getEdge = [&mesh](const std::vector<int>& ends) {
       return std::vector<Vector>{ mesh.Points[ends[0]], mesh.Points[ends[1]] };
     };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Grids of line cells, and what vtkAdaptiveCurveFilter makes of them.
+// Grids of line cells, and the output of vtkAdaptiveCurveFilter for them.
 #ifndef RelevoCurves_h
 #define RelevoCurves_h
 
@@ -14,20 +14,20 @@
 
 class vtkAdaptiveCurveFilter;
 
-/// Points in double without cells.
+/// Points in double precision, without cells.
 vtkSmartPointer<vtkUnstructuredGrid> RelevoNewGrid(const std::vector<RelevoPosition>& points);
 
-/// A filter of a recipe of its own, whose MaximumLevel is `level` and which has no metric.
+/// A filter whose recipe has MaximumLevel `level` and no metric.
 vtkSmartPointer<vtkAdaptiveCurveFilter> RelevoNewCurveFilter(vtkDataObject* input, int level);
 
 /// The points of a polygon or a line.
 std::vector<RelevoPosition> RelevoGetCellPoints(vtkPolyData* mesh, vtkIdType cell);
 
-/// Where points of equal coordinates are one: how many edges have no partner that runs the other
-/// way. 0 for closed surfaces that are wound alike.
+/// Number of edges without a partner in the opposite direction, after merging coincident points. It
+/// is 0 for closed surfaces of consistent winding.
 int RelevoCountOpenEdges(vtkPolyData* mesh);
 
-/// Positive where the triangles look outwards.
+/// Positive if the triangles face outwards.
 double RelevoGetVolume(vtkPolyData* mesh);
 
 #endif

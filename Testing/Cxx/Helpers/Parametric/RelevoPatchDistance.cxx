@@ -45,7 +45,7 @@ vtkSmartPointer<vtkPolyData> RelevoPatchDistance::Cut(int parts) const
     {
       for (int i = 0; i <= parts; ++i)
       {
-        // A triangle is a square of which a side is one point.
+        // A triangle is a square with one side collapsed to a point.
         const double v = j / static_cast<double>(parts);
         const double width = RelevoIsTriangle(this->Mesh, patch) ? 1.0 - v : 1.0;
         const double u = width * i / static_cast<double>(parts);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// How far points are from the patches of a mesh, and how many pixels that is.
+// Measures distances of points from the patches of a mesh, in model units and in pixels.
 #ifndef RelevoPatchDistance_h
 #define RelevoPatchDistance_h
 
@@ -12,23 +12,24 @@
 class vtkCamera;
 class vtkDataSet;
 
-/// From above and aside, all of it in the picture, as a renderer's ResetCamera() has it.
+/// Looks from above and aside and shows everything, like a renderer's ResetCamera().
 void RelevoLookAt(vtkDataSet* data, vtkCamera* camera);
 
 class RelevoPatchDistance
 {
 public:
-  /// Of the patches that a mesh carries, by their definition, cut into so many parts each way.
+  /// Evaluates the patches of a mesh by their definition and splits them into this many parts per
+  /// direction.
   explicit RelevoPatchDistance(vtkPolyData* mesh, int parts = 96);
 
-  /// All patches in so many parts each way, of two triangles each.
+  /// All patches with this many parts per direction, each of two triangles.
   vtkSmartPointer<vtkPolyData> Cut(int parts) const;
 
-  /// From a point to the nearest triangle of the parts.
+  /// Distance of a point from the nearest triangle of the parts.
   double Measure(const RelevoPosition& x) const;
 
-  /// The largest such distance of middles of triangles and of their edges, in pixels of a viewport
-  /// of this height, each at its own depth; of one triangle in every `stride`.
+  /// Largest distance of the centres of triangles and of their edges, in pixels of a viewport of
+  /// this height at each point's depth. Measures one triangle in every `stride`.
   double MeasurePixels(vtkPolyData* refined, vtkCamera* camera, int height, int stride = 1) const;
 
 private:

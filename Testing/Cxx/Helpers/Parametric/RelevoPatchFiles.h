@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Files of Bézier patches, and their surfaces by de Casteljau's construction.
+// Files of Bézier patches, evaluated by de Casteljau's algorithm.
 #ifndef RelevoPatchFiles_h
 #define RelevoPatchFiles_h
 
@@ -18,12 +18,11 @@ struct RelevoPatch
   RelevoPosition Evaluate(double u, double v) const;
 };
 
-/// As VTK's streams read numbers; the text is one without faults.
+/// Reads numbers like VTK's streams. The text must be valid.
 std::vector<RelevoPatch> RelevoReadPatches(std::istream& text);
 std::string RelevoWritePatches(const std::vector<RelevoPatch>& patches);
 
-/// The largest distance between the cells and the patches that they are made of: a cell's first
-/// direction leads along the rows.
+/// Largest distance between the cells and their patches. A cell's first direction follows the rows.
 double RelevoGetPatchError(vtkUnstructuredGrid* grid, const std::vector<RelevoPatch>& patches);
 
 #endif

@@ -43,7 +43,7 @@ std::array<vtkIdType, 4> GetRecord(vtkPolyData* mesh, int patch)
   return record;
 }
 
-// What each control point counts, without weights.
+// Factors of the control points, without weights.
 std::vector<double> GetFactors(const std::array<vtkIdType, 4>& record, double u, double v)
 {
   const int p = static_cast<int>(record[1]);
@@ -95,7 +95,7 @@ Places GetCorners(vtkPolyData* mesh, int patch)
   return corners;
 }
 
-// Where the cell has these places, as corners, in its parametric coordinates.
+// Finds the parametric coordinates of these corners in the cell.
 bool FindCorners(vtkCell* cell, const Places& corners, Places& parametric)
 {
   parametric.clear();
@@ -117,14 +117,15 @@ bool FindCorners(vtkCell* cell, const Places& corners, Places& parametric)
   return parametric.size() == corners.size();
 }
 
-// A pyramid's formula is singular, a prism's not that of its faces.
+// VTK's formula is singular for a pyramid, and for a prism it differs from that of its faces.
 bool HasOwnFormula(int type)
 {
   return type != VTK_PYRAMID && type != VTK_QUADRATIC_PYRAMID && type != VTK_TRIQUADRATIC_PYRAMID &&
     type != VTK_PENTAGONAL_PRISM && type != VTK_HEXAGONAL_PRISM;
 }
 
-// The cell, its face, or `triangle`, that has a formula for a patch with these corners.
+// Returns the cell, its face, or `triangle`: whichever has a formula for a patch with these
+// corners.
 vtkCell* FindReference(
   vtkCell* cell, vtkTriangle* triangle, const Places& corners, Places& parametric)
 {
@@ -172,7 +173,7 @@ RelevoPosition Mix(const Places& corners, double u, double v)
   return mean;
 }
 
-// VTK's own value at a place of the patch.
+// VTK's value at a point of the patch.
 std::vector<double> GetReference(vtkUnstructuredGrid* grid, vtkCell* cell,
   const RelevoPosition& parametric, const std::string& name)
 {
@@ -217,7 +218,7 @@ vtkSmartPointer<vtkUnstructuredGrid> RelevoNewBracket(double bend)
     }
     return point->second;
   };
-  // From one corner of a cube to the opposite one along three of its edges.
+  // Paths from one corner of a cube to the opposite one along three edges.
   constexpr int ways[6][3] = { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 0, 1 }, { 0, 2, 1 }, { 1, 0, 2 },
     { 2, 1, 0 } };
   constexpr int edges[6][2] = { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 1, 3 }, { 2, 3 } };

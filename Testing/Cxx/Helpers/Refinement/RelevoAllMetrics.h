@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth-tag metrics of every kind, with the ways to measure that differ most.
+// Depth-tag metrics of every kind, in their most different modes.
 #ifndef RelevoAllMetrics_h
 #define RelevoAllMetrics_h
 
@@ -9,10 +9,10 @@
 
 #include <vector>
 
-// All but vtkCompositeDepthTagMetric; the variation is that of the array of this name.
+// All metrics except vtkCompositeDepthTagMetric. Field variation uses the array of this name.
 std::vector<vtkSmartPointer<vtkDepthTagMetric>> RelevoMakeAllMetrics(const char* arrayName);
 
-// A composite of them: the sum of their levels, each with the same weight.
+// A composite that sums their levels with equal weights.
 vtkSmartPointer<vtkDepthTagMetric> RelevoMakeSum(
   const std::vector<vtkSmartPointer<vtkDepthTagMetric>>& metrics, double weight);
 

@@ -96,7 +96,7 @@ Mesh MakeSphere(double radius, int subdivisions)
     points->InsertNextPoint(x);
   }
   mesh->SetPoints(points);
-  // VTK's icosahedron faces inwards in 9.1, outwards in 9.6.
+  // VTK's icosahedron faces inwards in 9.1 and outwards in 9.6.
   double normal[3];
   vtkPolygon::ComputeNormal(mesh->GetCell(0)->GetPoints(), normal);
   vtkNew<vtkReverseSense> outwards;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Meshes whose curvature is known, and what vtkCurvatureDepthTagMetric says of it.
+// Meshes of known curvature, and their values by vtkCurvatureDepthTagMetric.
 #ifndef RelevoCurvatures_h
 #define RelevoCurvatures_h
 
@@ -20,11 +20,12 @@ const double Pi = vtkMath::Pi();
 Mesh MakeMesh(std::initializer_list<std::vector<double>> coordinates,
   std::initializer_list<std::vector<vtkIdType>> polygons);
 
-// A grid of columns x rows quads over [0, 1]^2; closed meshes repeat the points of their seams.
+// A grid of columns x rows quads over [0, 1]^2. Closed meshes have duplicate points along their
+// seams.
 Mesh MakeGrid(
   int columns, int rows, const std::function<void(double u, double v, double x[3])>& map);
 
-// The seams' points are the same to the bit.
+// Points along the seams are equal, bit for bit.
 Mesh MakeTorus(double ringRadius, double radius, int columns, int rows);
 
 Mesh MakeSphere(double radius, int subdivisions);

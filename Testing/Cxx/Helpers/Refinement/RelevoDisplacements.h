@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Displacements that tests give their recipes.
+// Displacements for the recipes of tests.
 #ifndef RelevoDisplacements_h
 #define RelevoDisplacements_h
 
@@ -10,7 +10,7 @@
 
 namespace RelevoMeshes
 {
-// Along the normals; without heights by the offset alone.
+// Displaces along the normals. Without heights, only by the offset.
 vtkSmartPointer<vtkDisplacement> MakeDisplacement(
   vtkHeightField* heights, double scale, double offset = 0.0);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A recipe with every metric and every surface there is, and random calls of them all.
+// A recipe with every metric and surface, and random calls of all of them.
 #ifndef RelevoFuzzRecipe_h
 #define RelevoFuzzRecipe_h
 
@@ -37,7 +37,7 @@ class RecipeCalls
 public:
   explicit RecipeCalls(Dice& dice);
 
-  // Another recipe takes the place of the last.
+  // Replaces the recipe by another one.
   void Renew();
   vtkAdaptiveRefinement* Get() { return this->Recipe; }
   vtkDepthTagMetric* ChooseMetric() { return this->D.Choose(this->GetMetrics()); }

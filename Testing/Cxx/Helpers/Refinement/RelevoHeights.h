@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Heights that are displaced by in tests.
+// Height fields for tests.
 #ifndef RelevoHeights_h
 #define RelevoHeights_h
 
@@ -18,7 +18,7 @@ public:
 
   void Fill(int width, int height, const std::function<double(double, double)>& function);
   void FillRandom(int width, int height, unsigned int seed);
-  // Declare the samples for which the function holds to be without data.
+  // Marks the samples for which the function returns true as missing.
   void Punch(const std::function<bool(int, int)>& isHole);
 
   void FillWaves();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Arrays of points that tests give their meshes: depth-tags, texture coordinates, vectors, scalar
-// tags, other normals.
+// Point arrays for test meshes: depth-tags, texture coordinates, vectors, scalar tags and modified
+// normals.
 #ifndef RelevoMeshArrays_h
 #define RelevoMeshArrays_h
 
@@ -23,26 +23,26 @@ Mesh Tagged(Mesh mesh, int level);
 void AddTextureCoordinates(
   vtkPolyData* mesh, const std::function<std::array<double, 2>(const double*)>& function);
 
-// A tuple of `vectors` for every point, by its place.
+// Fills `vectors` with a tuple for every point, by its position.
 void FillVectors(vtkPolyData* mesh,
   const std::function<std::array<double, 3>(const std::array<double, 3>&)>& function,
   vtkDataArray* vectors);
 
-// Texture coordinates in [0, 1]^2 that have nothing to do with each other: every point its chart.
+// Independent random texture coordinates in [0, 1]^2 for every point.
 void AddRandomTextureCoordinates(vtkPolyData* mesh, unsigned int seed);
 
-// The mesh with such coordinates.
+// The mesh with independent random texture coordinates.
 Mesh Textured(Mesh mesh);
 
 // An array for vtkScalarTaggedSurface, all zero.
 vtkSmartPointer<vtkFloatArray> AddScalarTags(
   vtkPolyData* mesh, const char* name, int components = 1);
 
-// Tags of any kind at two points in three, some beyond their range; half of the sharp ones have a
+// Random tags for two of three points, some out of range. Half of the sharp points have a
 // direction.
 void AddRandomScalarTags(vtkPolyData* mesh, unsigned int seed);
 
-// Unit normals in the outer half space of the given ones, or of the faces.
+// Unit normals in the half space of the existing normals or of the faces' normals.
 void PerturbNormals(vtkPolyData* mesh, unsigned int seed, double amount);
 }
 

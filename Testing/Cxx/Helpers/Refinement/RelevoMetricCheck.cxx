@@ -8,7 +8,7 @@
 
 namespace
 {
-// The tags, or none where they could not be computed.
+// The tags, or none if they could not be computed.
 std::vector<float> Take(bool computed, vtkFloatArray* tags)
 {
   const float* values = tags->GetPointer(0);
@@ -112,7 +112,7 @@ bool SurvivesOddMeshes(vtkDepthTagMetric* metric)
       PlaceAtRandom(camera, random);
       if (i % 2 && mesh->GetNumberOfPoints() > 2)
       {
-        camera->SetPosition(mesh->GetPoint(2)); // the eye on a vertex
+        camera->SetPosition(mesh->GetPoint(2)); // the eye at a vertex
       }
       if (!AreLevels(TagsOf(metric, mesh, view, 5), mesh->GetNumberOfPoints(), 5) ||
         !AreLevels(EdgeTagsOf(metric, mesh, view, 5, edges), edges.GetNumberOfEdges(), 5))

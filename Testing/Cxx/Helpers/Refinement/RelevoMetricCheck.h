@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests of depth-tag metrics share.
+// Helpers for the tests of depth-tag metrics.
 #ifndef RelevoMetricCheck_h
 #define RelevoMetricCheck_h
 
@@ -17,21 +17,21 @@
 #include <random>
 #include <vector>
 
-// The tags, or none when the metric gave none.
+// The tags, or none if the metric fails.
 std::vector<float> TagsOf(vtkDepthTagMetric* metric, vtkPolyData* mesh,
   const relevo::RefinementView& view, int maximumLevel);
 
-// The tags of edges, or none when the metric gave none.
+// The tags of edges, or none if the metric fails.
 std::vector<float> EdgeTagsOf(vtkDepthTagMetric* metric, vtkPolyData* mesh,
   const relevo::RefinementView& view, int maximumLevel, const relevo::SurfaceEdges& edges);
 
-// A metric as mappers and filters ask it, which keep its evaluator.
+// Evaluates a metric like mappers and filters do, with a cached evaluator.
 class KeptMetric
 {
 public:
   explicit KeptMetric(vtkDepthTagMetric* metric);
 
-  // The tags, or none when the metric gave none.
+  // The tags, or none if the metric fails.
   std::vector<float> GetTags(
     vtkPolyData* mesh, const relevo::RefinementView& view, int maximumLevel);
   std::vector<float> GetEdgeTags(
@@ -42,8 +42,8 @@ private:
   relevo::MetricCache Source;
 };
 
-// A camera at (0, 0, 2) that looks at the origin: 90 degrees and 400 pixels of height, there 100
-// pixels for a unit.
+// A camera at (0, 0, 2) that looks at the origin, with a view angle of 90 degrees and a height of
+// 400 pixels: 100 pixels per unit at the origin.
 struct FrontView
 {
   FrontView();
@@ -59,10 +59,10 @@ bool AreLevels(const std::vector<float>& tags, vtkIdType number, int maximumLeve
 // In [-1, 1].
 double Random(std::mt19937& random);
 
-// Around the unit sphere, sometimes within it.
+// Places the camera around the unit sphere, sometimes inside.
 void PlaceAtRandom(vtkCamera* camera, std::mt19937& random);
 
-// Every broken mesh and camera gives levels or an error, and hangs nowhere.
+// Whether every degenerate mesh and camera gives levels or an error without hanging.
 bool SurvivesOddMeshes(vtkDepthTagMetric* metric);
 
 #endif

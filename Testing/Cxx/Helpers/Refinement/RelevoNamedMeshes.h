@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Meshes of every kind of cells, for tests that all of them must pass.
+// Meshes of every kind of cells, for tests that run on all of them.
 #ifndef RelevoNamedMeshes_h
 #define RelevoNamedMeshes_h
 

@@ -96,7 +96,8 @@ void CheckTriangles(RelevoCheck& check, const relevo::RefinementPattern& pattern
   CHECK(positive);
   CHECK_EQUAL(area, 1.0);
 
-  // Conforming: what is used in one direction only is the border, segment by segment.
+  // In a conforming triangulation, the sides used in one direction only form the border, segment by
+  // segment.
   std::set<Side> open;
   std::set<Side> undirected;
   bool once = true;

@@ -24,7 +24,7 @@ bool WriteShifted(const std::string& fileName, int level)
   std::string bytes{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
   file.close();
 
-  // See vtkRefinementPatternTable::Write().
+  // The format is described at vtkRefinementPatternTable::Write().
   std::size_t place = 20;
   const auto read = [&]
   {

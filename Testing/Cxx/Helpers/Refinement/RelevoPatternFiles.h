@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A file of patterns that are not those of the library: their inner vertices stand elsewhere.
+// A file of patterns that differ from the library's in the positions of inner vertices.
 #ifndef RelevoPatternFiles_h
 #define RelevoPatternFiles_h
 
@@ -8,10 +8,11 @@
 
 namespace RelevoPatternFiles
 {
-// How far inner vertices are moved, from corner 3 to corner 2: less than any triangle is high.
+// Inner vertices move by this much from corner 3 towards corner 2, which is less than the height of
+// any triangle.
 constexpr float Shift = 1.0f / 128.0f;
 
-// Patterns up to a level, at most 4. Returns whether the file could be written.
+// Writes patterns up to a level of at most 4. Returns whether this succeeded.
 bool WriteShifted(const std::string& fileName, int level);
 }
 

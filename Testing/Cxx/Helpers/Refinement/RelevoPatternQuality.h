@@ -13,19 +13,19 @@ namespace RelevoPatternQuality
 {
 struct Shape
 {
-  double Area;          // of the whole triangle's
+  double Area;          // relative to the whole triangle
   double SmallestAngle; // degrees
-  double Aspect;        // longest side to smallest height, 1.15 at best
+  double Aspect;        // longest side over smallest height, at best 1.15
 
-  /// Whether corners coincide or are on one line.
+  /// Whether corners coincide or are collinear.
   bool IsDegenerate() const { return this->Area < 1e-12; }
 };
 
-/// Of each triangle. Areas count from the weights, positive if counter-clockwise.
+/// Shape of each triangle. Areas are computed from the weights, positive if counter-clockwise.
 std::vector<Shape> GetShapes(const relevo::RefinementPattern& pattern);
 
-/// SUAPT (Lenz 2009, section 5): the uniform pattern of the highest of levels i >= j >= k, with
-/// each border vertex moved to the nearest point of its edge's own level.
+/// SUAPT (Lenz 2009, section 5): the uniform pattern of the highest of the levels i >= j >= k, with
+/// each border vertex moved to the nearest point of its edge's level.
 relevo::RefinementPattern MakeSuaptPattern(vtkRefinementPatternTable* table, const int levels[3]);
 }
 

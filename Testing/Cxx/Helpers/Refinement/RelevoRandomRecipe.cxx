@@ -207,7 +207,7 @@ void Machine::ShuffleCamera(Dice& dice)
     eye[c] = dice.Between(-3.0, 3.0);
     focus[c] = dice.Between(-1.0, 1.0);
   }
-  if (dice.Once(10)) // on a point of the mesh
+  if (dice.Once(10)) // at a point of the mesh
   {
     this->Input->GetPoint(dice.Choose(3), eye);
   }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Random meshes and recipes of every kind, for tests of what holds of all of them.
+// Random meshes and recipes of every kind, for tests of invariants.
 #ifndef RelevoRandomRecipe_h
 #define RelevoRandomRecipe_h
 
@@ -38,12 +38,12 @@ class Dice
 {
 public:
   explicit Dice(unsigned int seed);
-  // 0 to n - 1.
+  // Returns 0 to n - 1.
   int Choose(int n) { return static_cast<int>(this->Engine() % static_cast<unsigned int>(n)); }
-  // One time in n.
+  // Returns true once in n times.
   bool Once(int n) { return this->Choose(n) == 0; }
   double Between(double low, double high);
-  // From low to high, as likely small as large.
+  // From low to high, with a uniform logarithm.
   double Scale(double low, double high);
 
 private:
@@ -55,14 +55,14 @@ Point RandomPoint(Dice& dice, bool onLattice);
 vtkSmartPointer<vtkFloatArray> RandomArray(
   Dice& dice, const char* name, vtkIdType size, double low, double high, int oneNaNIn);
 
-// Faces between some points. Either they share these, or each has points of its own there, so that
-// their edges meet by place alone.
+// Random faces between some points. They either share the points, or each face has separate
+// coincident points.
 Mesh RandomFaces(Dice& dice);
 
-// "Corner" tells the points of the mesh from all that refinement adds.
+// The array "Corner" distinguishes the mesh's points from points added by refinement.
 Mesh RandomMesh(Dice& dice);
 
-// A filter whose recipe, camera and input are set at random, again and again.
+// A filter whose recipe, camera and input are repeatedly set at random.
 class Machine
 {
 public:
@@ -70,7 +70,7 @@ public:
 
   void Shuffle(Dice& dice);
 
-  // Whether it worked.
+  // Whether it succeeded.
   bool Run();
 
   vtkNew<vtkAdaptiveRefinement> Recipe;

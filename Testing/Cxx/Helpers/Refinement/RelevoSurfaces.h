@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Every surface, for tests that all of them must pass.
+// Every surface, for tests that run on all of them.
 #ifndef RelevoSurfaces_h
 #define RelevoSurfaces_h
 
@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-// A null pointer stands for no surface, which is linear. `size` is the length of a mesh, which a
-// procedural surface's amplitude goes by; RelevoMeshes::AddRandomScalarTags() gives the mesh what
-// scalar-tagged surfaces take.
+// A null pointer means no surface, which is linear. `size` is the length of the mesh, to which a
+// procedural surface's amplitude is proportional. RelevoMeshes::AddRandomScalarTags() adds the
+// arrays for scalar-tagged surfaces.
 std::vector<std::pair<std::string, vtkSmartPointer<vtkRefinementSurface>>> RelevoMakeSurfaces(
   double size = 1.0);
 

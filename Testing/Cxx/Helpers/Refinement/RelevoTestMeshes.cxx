@@ -147,7 +147,7 @@ Mesh TexturedSphere(int theta, int phi)
   source->Update();
   Mesh mesh = Make();
   mesh->DeepCopy(source->GetOutput());
-  // The source closes its seam to rounding only.
+  // The source closes its seam only up to rounding.
   for (int j = 0; j <= phi; ++j)
   {
     double p[3];

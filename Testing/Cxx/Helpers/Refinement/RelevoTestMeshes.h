@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Meshes that the tests share, and what the filter makes of them.
+// Meshes for tests, and their refinement by the filter.
 #ifndef RelevoTestMeshes_h
 #define RelevoTestMeshes_h
 
@@ -31,28 +31,28 @@ Mesh Refine(vtkPolyData* input, vtkAdaptiveRefinement* recipe);
 Mesh FromTriangles(
   const std::vector<std::array<double, 3>>& points, const std::vector<Triangle>& triangles);
 
-// Every triangle with points of its own: nothing but coincident points.
+// Gives all triangles separate points, so that points only coincide.
 Mesh Explode(vtkPolyData* mesh);
 
 Mesh Sphere(int theta, int phi);
 
-// Of radii 1 and 0.5 about the z axis, with its exact normals.
+// Radii 1 and 0.5 about the z axis, with exact normals.
 Mesh Torus(int u = 14, int v = 9);
 
-// With a texture seam: two points per place where u is 0 and 1, many at the poles.
+// With a texture seam: two coincident points where u is 0 and 1, and many at the poles.
 Mesh TexturedSphere(int theta, int phi);
 
 Mesh Plane(int nx, int ny);
 
-// 24 points: split normals and texture coordinates; quads.
+// 24 points with split normals and texture coordinates; quads.
 Mesh Cube();
 
-// A polygonal base and slanted sides, normals split at its rim.
+// A polygonal base with slanted sides. Normals are split at the rim.
 Mesh Cone();
 
 Mesh Strips();
 
-// Three and four faces on an edge, a bow-tie vertex, a face of the wrong orientation.
+// Edges with three and four faces, a bow-tie vertex, and a face of opposite winding.
 Mesh NonManifold();
 
 Mesh Moebius();
@@ -60,13 +60,13 @@ Mesh Moebius();
 // Long thin triangles in all directions around a fan.
 Mesh Slivers();
 
-// Vertices, lines, a triangle, a quad, a hexagon and a strip, some sharing points.
+// Vertices, lines, a triangle, a quad, a hexagon and a strip, some with shared points.
 Mesh Mixed();
 
-// The same mesh with every point moved, in double coordinates if `dataType` says so.
+// The mesh with scaled and translated points of this data type.
 Mesh Moved(vtkPolyData* mesh, double scale, const double offset[3], int dataType);
 
-// A flat grid with points at 0 and -0 by turns.
+// A flat grid with alternating points at 0 and -0.
 Mesh NegativeZeros();
 }
 

@@ -12,7 +12,7 @@
 
 namespace RelevoMeshes
 {
-// The same mesh with normals of different lengths; with `someAreZero` also of none.
+// The mesh with normals of different lengths, some zero if `someAreZero`.
 inline Mesh WithUnevenNormals(vtkPolyData* mesh, bool someAreZero)
 {
   Mesh result = Make();
@@ -22,7 +22,7 @@ inline Mesh WithUnevenNormals(vtkPolyData* mesh, bool someAreZero)
   normals->SetNumberOfComponents(3);
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
-    // Along a line both direction and length change: those of the sum depend on the lengths.
+    // Direction and length change along a line, so the direction of a sum depends on the lengths.
     const double angle = 1.1 * static_cast<double>(i);
     const double length = someAreZero && i % 5 == 2 ? 0.0 : 0.1 + 0.8 * (i % 3);
     normals->InsertNextTuple3(length * std::sin(angle), 0.1 * length, length * std::cos(angle));

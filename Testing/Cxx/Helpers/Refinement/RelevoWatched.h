@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Meshes and a metric that tell what is done with them.
+// Meshes and a metric that count how they are used.
 #ifndef RelevoWatched_h
 #define RelevoWatched_h
 
@@ -14,7 +14,7 @@
 #include <atomic>
 #include <memory>
 
-// Counts how often tuples of any of them are read one by one, as points are by GetPoint().
+// Counts calls that read single tuples of such arrays, like GetPoint().
 class RelevoWatchedFloats : public vtkFloatArray
 {
 public:
@@ -27,11 +27,11 @@ public:
   static std::atomic<long>& GetReads();
 };
 
-// Spheres in a square, 64 unless told otherwise, whose points are watched.
+// Spheres in a square of side x side, whose points count reads.
 vtkSmartPointer<vtkMultiBlockDataSet> MakeWatchedBlocks(int side = 8);
 
-// Levels that fall with the distance from the camera to the middle of the mesh, which its
-// evaluators keep.
+// Levels that decrease with the distance from the camera to the centre of the mesh, which
+// evaluators cache.
 class RelevoWatchedMetric : public vtkDepthTagMetric
 {
 public:
@@ -44,7 +44,7 @@ public:
 
   std::atomic<int> Evaluators{ 0 };
   std::atomic<int> LivingEvaluators{ 0 };
-  // How often an evaluator met a mesh that was new to it, and how often one gave tags.
+  // Number of evaluators that got a new mesh, and number of evaluations.
   std::atomic<int> Preparations{ 0 };
   std::atomic<int> Evaluations{ 0 };
 };

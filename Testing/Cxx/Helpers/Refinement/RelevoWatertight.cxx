@@ -79,8 +79,7 @@ int GetLevel(const std::vector<double>& tags, vtkIdType a, vtkIdType b, int maxi
 
 namespace
 {
-// A coarse mesh and a fine one: what the first asks of the second. Each step is empty when all is
-// well, else what is wrong.
+// Compares a coarse and a fine mesh. Each step returns an error message, which is empty on success.
 class Comparison
 {
 public:
@@ -101,12 +100,13 @@ public:
     }
   }
 
-  // Every place is one point of the fine mesh.
+  // Every merged coarse point must be one point of the fine mesh.
   std::string FindCorners();
   std::string FindFineEdges(vtkPolyData* fine, bool morphing);
-  // Edges that are not used once in each direction must be pieces of such coarse edges.
+  // Edges that are not used once in each direction must be pieces of coarse edges with the same
+  // uses.
   std::string CompareOpenEdges();
-  // Nothing is missing or double: Euler's V - E + F is the same before and after.
+  // Nothing is missing or duplicated: Euler's V - E + F is the same before and after.
   std::string CompareEuler() const;
 
 private:
@@ -116,10 +116,10 @@ private:
   std::vector<vtkIdType> MergedPoints; // of coarse points
   std::vector<vtkIdType> Welded;       // of fine points
   std::vector<std::array<vtkIdType, 3>> CoarseTriangles;
-  std::vector<double> Tags; // of places
+  std::vector<double> Tags; // of merged points
   int MaximumLevel;
 
-  std::map<vtkIdType, vtkIdType> Corners; // place to welded fine point
+  std::map<vtkIdType, vtkIdType> Corners; // from merged coarse point to welded fine point
   std::set<vtkIdType> IsCorner;
   EdgeUses CoarseEdges;
 
@@ -185,7 +185,7 @@ Uses Comparison::GetFineUses(vtkIdType from, vtkIdType to)
   return from < to ? uses : Uses(uses.second, uses.first);
 }
 
-// Whether that many open edges with these uses lead from one corner by way of `next` to the other.
+// Whether this many open edges with these uses lead from one corner via `next` to the other.
 bool Comparison::HasPath(
   vtkIdType from, vtkIdType next, vtkIdType to, int segments, const Uses& uses)
 {

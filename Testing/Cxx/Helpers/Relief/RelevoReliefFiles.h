@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What tests read of databases of reliefs.
+// Reads parts of relief databases for tests.
 #ifndef RelevoReliefFiles_h
 #define RelevoReliefFiles_h
 

@@ -71,7 +71,7 @@ bool RelevoReliefRays::AreJoined(int column, int row, int otherColumn, int other
     length(this->GetPoint(column, row, nearer), this->GetPoint(otherColumn, otherRow, nearer));
 }
 
-// Homogeneous column, row and what is bilinear.
+// Homogeneous column and row, and the value that is bilinear.
 RelevoReliefRays::Four RelevoReliefRays::ToTexel(const Four& world) const
 {
   Four texel;
@@ -96,7 +96,7 @@ std::vector<RelevoReliefHit> RelevoReliefRays::CastAll(
   const Four b = this->ToTexel({ { direction[0], direction[1], direction[2], 0.0 } });
   std::vector<RelevoReliefHit> hits;
   const auto at = [&](int i, double t) { return a[i] + t * b[i]; };
-  // The ray as a line over the texels: quads all on one side of it are not met.
+  // The ray as a line over the texels. Quads entirely on one side are missed.
   const Vector line = { { a[1] * b[3] - a[3] * b[1], a[3] * b[0] - a[0] * b[3],
     a[0] * b[1] - a[1] * b[0] } };
   const double reach = 0.5 * (std::abs(line[0]) + std::abs(line[1])) +
@@ -116,7 +116,7 @@ std::vector<RelevoReliefHit> RelevoReliefRays::CastAll(
     const double right = height(1, 0) - first;
     const double up = height(0, 1) - first;
     const double twist = first - height(1, 0) - height(0, 1) + height(1, 1);
-    // Of degree 2, so that three values have the polynomial.
+    // Of degree 2, so three values determine the polynomial.
     const auto value = [&](double t)
     {
       const double weight = at(3, t);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Where rays meet a relief's surface, by its definition alone, in double precision: every ray is
-// tried with every quad. Shares no code with what it is compared to.
+// Intersections of rays with a relief's surface by its definition, in double precision: every ray
+// is tested with every quad. Shares no code with the library.
 #ifndef RelevoReliefRays_h
 #define RelevoReliefRays_h
 
@@ -26,15 +26,15 @@ class RelevoReliefRays
 public:
   explicit RelevoReliefRays(vtkImageData* relief, double maximumStretch = 8.0);
 
-  // The first point of the surface from `least` to `most` along the ray.
+  // First point of the surface on the ray from `least` to `most`.
   RelevoReliefHit Cast(const RelevoVectors::Vector& origin, const RelevoVectors::Vector& direction,
     double least, double most) const;
 
-  // All of them, in their order.
+  // All intersections, in order.
   std::vector<RelevoReliefHit> CastAll(const RelevoVectors::Vector& origin,
     const RelevoVectors::Vector& direction, double least, double most) const;
 
-  // Column and row of a point of the world.
+  // Column and row of a point in world coordinates.
   std::array<double, 2> Find(const RelevoVectors::Vector& point) const;
 
 private:
@@ -51,7 +51,7 @@ private:
   double Matrix[16];
   double Inverse[16];
   std::vector<double> Depths;
-  std::vector<std::array<int, 2>> Quads; // that are there
+  std::vector<std::array<int, 2>> Quads; // valid ones
 };
 
 #endif

@@ -13,25 +13,25 @@
 class vtkImageAlgorithm;
 class vtkImageData;
 
-/// A texel's depth; NaN for none.
+/// A texel's depth; NaN if it has none.
 using RelevoDepth = std::function<double(int column, int row)>;
 
-/// A relief of these depths; colours tell columns (red) and rows (green) from 0 to 255.
+/// A relief with these depths. Colours encode columns (red) and rows (green) from 0 to 255.
 vtkSmartPointer<vtkImageData> RelevoMakeRelief(int width, int height,
   relevo::ReliefProjection projection, const relevo::dmat4& matrix, const RelevoDepth& depth);
 
-/// An image of this type, the same number in each of its components.
+/// An image of this type with the same value in each component.
 vtkSmartPointer<vtkImageData> RelevoMakeImage(
   int width, int height, int type, const RelevoDepth& value, int components = 1);
 
-/// What a filter makes of its input, which must be a relief, and no error.
+/// The output of a filter, which must be a relief, without an error.
 relevo::Relief RelevoReadRelief(RelevoCheck& check, vtkImageAlgorithm* filter);
 
-/// Of the world, at a texel.
+/// World coordinates of a texel.
 relevo::dvec3 RelevoGetPoint(const relevo::Relief& relief, int column, int row);
 
-/// A camera without lens: texels of this size at depth 1 look along +z from the origin, the middle
-/// of the image straight ahead.
+/// A pinhole camera at the origin that looks along +z. Texels have this size at depth 1, and the
+/// image is centred.
 relevo::dmat4 RelevoPinhole(int width, int height, double texel);
 
 #endif

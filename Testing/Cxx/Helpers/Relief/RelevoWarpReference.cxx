@@ -52,7 +52,7 @@ dvec2 RelevoWarpReference::Project(int column, int row) const
 
 dvec3 RelevoWarpReference::Cast(double column, double row) const
 {
-  // Straight in texel space: two of its points say where it is at any height.
+  // The line is straight in texel space, so two of its points determine it.
   const dvec2 range = this->Relief.GetHeightRange();
   const double low = range.x - 1.0;
   const double high = range.y + 1.0;
@@ -79,7 +79,7 @@ void RelevoWarpReference::CastQuad(
   constexpr double slack = 1e-9;
   const auto height = [&](int right, int up)
   { return this->Relief.GetTexelHeight(column + right, row + up); };
-  // h = a + b x + c y + d x y with x = px + qx h, y = py + qy h.
+  // h = a + b x + c y + d x y with x = px + qx h and y = py + qy h.
   const double a = height(0, 0);
   const double b = height(1, 0) - a;
   const double c = height(0, 1) - a;
@@ -105,7 +105,8 @@ void RelevoWarpReference::CastQuad(
   {
     const double x = px + slope.x * h;
     const double y = py + slope.y * h;
-    // In front of the eye is where the plane is: homogeneous, on the same side of the eye.
+    // A point is in front of the eye if it is on the plane's side of it, in homogeneous
+    // coordinates.
     const double eye = this->Eye.z - h * this->Eye.w;
     const double plane = this->Eye.z - this->Relief.GetPlane() * this->Eye.w;
     const bool isHit =

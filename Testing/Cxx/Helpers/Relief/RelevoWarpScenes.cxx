@@ -13,7 +13,7 @@
 namespace
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Distance = 60.0; // of a perspective relief's plane from its eye
+constexpr double Distance = 60.0; // from the eye to the plane of a perspective relief
 }
 
 std::vector<RelevoWarpScene> RelevoMakeWarpScenes(int width, int height)

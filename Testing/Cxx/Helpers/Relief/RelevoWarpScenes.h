@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Reliefs and cameras to warp with.
+// Reliefs and cameras for warping.
 #ifndef RelevoWarpScenes_h
 #define RelevoWarpScenes_h
 
@@ -14,24 +14,24 @@
 struct RelevoWarpScene
 {
   std::string Name;
-  RelevoDepth Depth; // of a parallel relief; of a perspective one, 60 more
-  bool IsFolded;     // whether moderate views see folds
+  RelevoDepth Depth; // of a parallel relief; a perspective one is 60 deeper
+  bool IsFolded;     // whether moderate views show folds
 };
 
-/// Plain, bumpy, stepped, folded, with holes, of single texels.
+/// Flat, bumpy, stepped and folded reliefs, one with holes, and one of single texels.
 std::vector<RelevoWarpScene> RelevoMakeWarpScenes(int width, int height);
 
-/// In the world a parallel relief's texels are 1 wide and its depths are along z, sheared a bit; a
-/// perspective one is seen from the origin along z, 60 away.
+/// A parallel relief has texels 1 wide and depths along z, slightly sheared. A perspective one is
+/// seen from the origin along z, at a distance of 60.
 vtkSmartPointer<vtkImageData> RelevoMakeWarpRelief(
   const RelevoWarpScene& scene, int width, int height, relevo::ReliefProjection projection);
 
-/// Looks at the middle of such a relief, from x and y aside; x = y = 0 is where the relief is seen
-/// from.
+/// Looks at the centre of such a relief, displaced by x and y. With x = y = 0 it is at the relief's
+/// eye.
 vtkSmartPointer<vtkCamera> RelevoMakeWarpCamera(
   int width, int height, relevo::ReliefProjection projection, bool isParallel, double x, double y);
 
-/// Adds normals of unit length that differ from texel to texel.
+/// Adds unit normals that differ from texel to texel.
 void RelevoAddWarpNormals(vtkImageData* image);
 
 #endif

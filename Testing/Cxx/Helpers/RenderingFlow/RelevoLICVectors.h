@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Vectors for test meshes, and mappers that show them.
+// Vectors for test meshes, and mappers that draw them.
 #ifndef RelevoLICVectors_h
 #define RelevoLICVectors_h
 
@@ -16,20 +16,20 @@ namespace RelevoLICVectors
 {
 using Field = std::function<std::array<double, 3>(const double*)>;
 
-// A screw about the z axis, never zero near the origin.
+// A screw motion about the z axis, nonzero near the origin.
 std::array<double, 3> Screw(const double* p);
 
-// Active vectors of points, by their place.
+// Adds active point vectors by position.
 void AddVectors(vtkPolyData* mesh, const Field& field = Screw, const char* name = "Flow");
 
-// Of all blocks that have none.
+// Adds vectors to all blocks without any.
 void AddVectors(vtkDataObject* data);
 
-// For RelevoScene::NewMapper: a LIC that is made but has no share in the colours.
+// For RelevoScene::NewMapper: a LIC that is computed, but does not contribute to the colours.
 vtkAdaptiveRefinementMapper* NewInvisible(vtkDataObject* data);
 
-// For RelevoScene::NewMapper: the LIC with enhancements off, so that it is the same where nothing
-// differs nearby.
+// For RelevoScene::NewMapper: the LIC without enhancements, so that it depends only on its
+// surroundings.
 vtkAdaptiveRefinementMapper* NewVisible(vtkDataObject* data);
 
 vtkAdaptiveLICMapper* GetMapper(vtkActor* actor);

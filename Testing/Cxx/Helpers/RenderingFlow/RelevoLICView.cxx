@@ -94,7 +94,7 @@ bool RelevoLICView::Compare(RelevoComparison& comparison, const std::string& nam
                                    : color;
     for (int c = 0; c < 3; ++c)
     {
-      // What is too bright to be seen is mixed all the same.
+      // Colours above the displayable range are mixed before they are clamped.
       expected.Colors[3 * i + c] = color[c] < 1.0
         ? static_cast<unsigned char>(std::lround(255.0 * vtkMath::ClampValue(result[c], 0.0, 1.0)))
         : actual.Colors[3 * i + c];

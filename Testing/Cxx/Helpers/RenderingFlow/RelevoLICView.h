@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A scene drawn with its LIC alone, with its colours alone, and with both.
+// A scene drawn with its LIC only, its colours only, and both.
 #ifndef RelevoLICView_h
 #define RelevoLICView_h
 
@@ -14,25 +14,25 @@
 struct RelevoLICView
 {
   using Color = std::array<double, 3>;
-  // What becomes of a colour of the surface and the LIC there.
+  // Combines a colour of the surface with the LIC.
   using Formula = std::function<Color(const Color& color, double lic)>;
 
   RelevoLICView();
 
-  // The actor whose LIC is looked at.
+  // Returns the actor whose LIC is tested.
   vtkActor* Add(vtkDataObject* mesh, vtkAdaptiveRefinement* recipe = nullptr);
 
-  // Along the z axis without perspective, at what is up to `scale` away from it in x and y.
+  // Looks along the z axis in parallel projection at coordinates up to `scale`.
   void LookDown(double scale, int pixels);
 
   RelevoPicture Draw();
 
   RelevoPicture DrawColors();
 
-  // Grey; red where it is masked.
+  // Grey values; masked pixels are red.
   RelevoPicture DrawLIC();
 
-  // Draw the view, and compare with what the formulae make of LIC and colours.
+  // Draws the view and compares it with the formula applied to LIC and colours.
   bool Compare(RelevoComparison& comparison, const std::string& name,
     const RelevoTolerance& tolerance, const Formula& formula, const Formula& ofMasked = nullptr);
 

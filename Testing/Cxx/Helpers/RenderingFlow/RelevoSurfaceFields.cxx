@@ -133,7 +133,7 @@ RelevoDeviations MeasureStreaks(const RelevoLICPicture& picture, vtkRenderer* re
   const RelevoScreen screen(renderer);
   double eye[3];
   renderer->GetActiveCamera()->GetPosition(eye);
-  constexpr int Margin = 8; // where the orientation knows of the border
+  constexpr int Margin = 8; // where the border affects the orientation
   return MeasureDeviations(RelevoOrientation(picture.GetFilled()),
     [&](int column, int row, double* vector)
     {

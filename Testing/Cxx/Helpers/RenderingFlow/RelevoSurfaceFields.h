@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Vector fields on planes, spheres and tori by formulae, and how they run on the screen.
+// Vector fields on planes, spheres and tori by formulae, and their projections to the screen.
 #ifndef RelevoSurfaceFields_h
 #define RelevoSurfaceFields_h
 
@@ -8,7 +8,7 @@
 
 #include "vtkMatrix4x4.h"
 
-// A vector, or a normal, at a place of the surface.
+// A vector or a normal at a point of the surface.
 using RelevoSurfaceField = std::function<std::array<double, 3>(const std::array<double, 3>&)>;
 
 struct RelevoNamedSurfaceField
@@ -23,10 +23,10 @@ std::array<double, 3> NormalOfSphere(const std::array<double, 3>& p);
 // Of the torus of RelevoMeshes.
 std::array<double, 3> NormalOfTorus(const std::array<double, 3>& p);
 
-// What is left of the field on the surface.
+// The tangential part of the field.
 RelevoSurfaceField TangentOf(const RelevoSurfaceField& field, const RelevoSurfaceField& normal);
 
-// Tangent to a surface with these normals, about the size of the unit sphere.
+// Fields tangential to a surface with these normals, about the size of the unit sphere.
 std::vector<RelevoNamedSurfaceField> MakeSurfaceFields(const RelevoSurfaceField& normal);
 
 // The mesh with the field as its active vectors "Flow".
@@ -35,16 +35,16 @@ RelevoMeshes::Mesh WithField(vtkPolyData* mesh, const RelevoSurfaceField& field)
 // The mesh with unit normals by a formula.
 RelevoMeshes::Mesh WithNormals(vtkPolyData* mesh, const RelevoSurfaceField& normal);
 
-// Between the world and pixels, in double.
+// Converts between world coordinates and pixels in double precision.
 class RelevoScreen
 {
 public:
   explicit RelevoScreen(vtkRenderer* renderer);
 
-  // What is seen at the centre of a pixel, by its depth.
+  // The point visible at a pixel's centre, from its depth.
   std::array<double, 3> Find(int column, int row, double depth) const;
 
-  // How a point moves over the screen that starts with this velocity.
+  // The motion on the screen of a point with this velocity.
   void Project(
     const std::array<double, 3>& place, const std::array<double, 3>& velocity, double* v) const;
 
@@ -56,8 +56,8 @@ private:
   vtkNew<vtkMatrix4x4> ToWorld;
 };
 
-// The streaks of a picture against a field, where the surface with these normals is not seen at a
-// grazing angle and the field is not next to zero. Actors have to be where their meshes are.
+// Deviations of a picture's streaks from a field, where the surface is not seen at a grazing angle
+// and the field is not close to zero. Actors must have identity matrices.
 RelevoDeviations MeasureStreaks(const RelevoLICPicture& picture, vtkRenderer* renderer,
   const RelevoSurfaceField& field, const RelevoSurfaceField& normal);
 

@@ -62,7 +62,7 @@ vtkSmartPointer<vtkUnstructuredGrid> RelevoMakeCurves(int degree, bool isLagrang
   std::vector<RelevoPosition> places;
   std::vector<std::vector<vtkIdType>> cells;
   const double step = 0.7 / degree;
-  const double aside = isLagrange ? 0.5 * step / degree : step; // nodes make more of it
+  const double aside = isLagrange ? 0.5 * step / degree : step; // nodes amplify it
   for (int chain = 0; chain < NumberOfChains; ++chain)
   {
     RelevoPosition place{ across(random), across(random), 0.0 };
@@ -80,7 +80,7 @@ vtkSmartPointer<vtkUnstructuredGrid> RelevoMakeCurves(int degree, bool isLagrang
           places.push_back(place);
         }
       }
-      // VTK's order: both ends come first.
+      // VTK stores both ends first.
       points.insert(points.begin() + 1, points.back());
       points.pop_back();
       cells.push_back(points);

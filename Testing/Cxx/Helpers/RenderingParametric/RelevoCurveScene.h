@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves in a window, drawn by vtkAdaptiveCurveMapper or, what vtkAdaptiveCurveFilter makes of
-// them, by vtkPolyDataMapper.
+// Curves drawn by vtkAdaptiveCurveMapper, or the output of vtkAdaptiveCurveFilter drawn by
+// vtkPolyDataMapper.
 #ifndef RelevoCurveScene_h
 #define RelevoCurveScene_h
 
@@ -12,18 +12,18 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkUnstructuredGrid.h"
 
-/// Curves of a degree by chance, Bézier's or Lagrange's, some that go on where others end; with the
-/// point arrays "Values", "Radii", "Vectors" and "Colors" and the cell array "Numbers".
+/// Random curves of one degree, Bézier or Lagrange, some of them joined. Point arrays are "Values",
+/// "Radii", "Vectors" and "Colors", the cell array is "Numbers".
 vtkSmartPointer<vtkUnstructuredGrid> RelevoMakeCurves(
   int degree, bool isLagrange = false, bool isRational = false);
 
 class RelevoCurveScene
 {
 public:
-  /// Black behind, no multisamples; the recipe has level 4 and no metric.
+  /// A black background without multisampling. The recipe has level 4 and no metric.
   explicit RelevoCurveScene(vtkDataObject* curves, int width = 200, int height = 160);
 
-  /// By the mapper, and by its twin, both with the mapper's settings as they are now.
+  /// Pictures of the mapper and of its twin, both with the mapper's current settings.
   RelevoPicture Draw();
   RelevoPicture DrawTwin();
 

@@ -19,7 +19,7 @@ namespace
 {
 using Profile = std::vector<std::array<double, 2>>; // distance from the axis, height
 
-// A profile of quarters of circles, turned about the z axis.
+// Rotates a profile of quarter circles about the z axis.
 vtkSmartPointer<vtkPolyData> Turn(const Profile& profile)
 {
   const Profile circle = { { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } }, { { -1, 1 } }, { { -1, 0 } },

@@ -42,7 +42,7 @@ void AddArray(vtkUnstructuredGrid* grid, vtkDataArray* array, const char* name, 
   grid->GetPointData()->AddArray(array);
 }
 
-// Where a flat cell has a place, by Newton's method; the weights of its nodes there.
+// Finds a point in a flat cell by Newton's method, and the weights of its nodes.
 bool FindPlace(vtkCell* cell, const std::array<double, 2>& place, std::vector<double>& weights)
 {
   constexpr double step = 1e-5;
@@ -190,7 +190,7 @@ double RelevoPatchScene::GetShareOfOthers(
   int others = 0;
   for (int y = 0; y < Width; ++y)
   {
-    // A quarter of the pixels, of all columns: VTK takes long to find places in cells.
+    // Tests a quarter of the pixels in all columns, because VTK is slow to find points in cells.
     for (int x = 2 * y % 4 + y / 2 % 2; x < Width; x += 4)
     {
       const std::array<double, 2> place = this->GetPosition(x, y);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Flat curved cells seen from above, drawn by vtkAdaptivePatchMapper, and what VTK's own cells have
+// Flat curved cells seen from above, drawn by vtkAdaptivePatchMapper, and the values of VTK's cells
 // at each pixel.
 #ifndef RelevoPatchScene_h
 #define RelevoPatchScene_h
@@ -20,9 +20,9 @@
 #include <functional>
 #include <vector>
 
-// One cell over the unit square in the plane z = 0, its inner nodes moved by up to a share of its
-// size. Point arrays: "Field" (1 component, in about [-1, 1]), "Vector" (3), "Long" (5), "Color" (3
-// bytes), "Whole" (int, in [0, 20]).
+// One cell over the unit square at z = 0, whose inner nodes are moved by up to a share of its size.
+// Point arrays are "Field" (1 component, about [-1, 1]), "Vector" (3), "Long" (5), "Color" (3
+// bytes) and "Whole" (int, [0, 20]).
 vtkSmartPointer<vtkUnstructuredGrid> RelevoNewFlatCell(
   int type, const std::array<int, 3>& degrees, double share, bool isRational = false);
 
@@ -32,25 +32,25 @@ vtkSmartPointer<vtkUnstructuredGrid> RelevoNewFlatGrid(int n, int m);
 class RelevoPatchScene
 {
 public:
-  // 300 x 300 pixels that show [-0.1, 1.1] x [-0.1, 1.1] or, of another size, as much around it.
-  // The background is magenta; there are no lights.
+  // 300 x 300 pixels that show [-0.1, 1.1] x [-0.1, 1.1], or the same margin around another size.
+  // The background is magenta, and there are no lights.
   explicit RelevoPatchScene(vtkDataObject* input, double size = 1.0);
 
   RelevoPicture Draw();
 
-  // Where the center of a pixel is.
+  // Coordinates of a pixel's centre.
   std::array<double, 2> GetPosition(int x, int y) const;
 
   using Tuple = std::vector<double>;
   using Color = std::array<double, 3>;
 
-  // The share of a quarter of a cell's pixels whose colour differs by more than 2 / 255 from
-  // `toColor`, of the tuple that VTK's cell interpolates there; pixels at its borders are left out.
-  // At least 1000 pixels are compared, else it is 1.
+  // Share of pixels whose colour differs by more than 2 / 255 from `toColor` of the tuple that
+  // VTK's cell interpolates. Tests a quarter of the pixels and skips those at borders. Returns 1 if
+  // fewer than 1000 pixels were compared.
   double GetShareOfOthers(vtkUnstructuredGrid* grid, const char* array,
     const std::function<Color(const Tuple&)>& toColor);
 
-  // By the mapper's table.
+  // Uses the mapper's lookup table.
   std::function<Color(const Tuple&)> ByTable(const std::function<double(const Tuple&)>& number);
 
   vtkNew<vtkRenderWindow> Window;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK's mapper of polygonal blocks with attributes of their own, by the name of each release.
+// VTK's mapper of composite polydata with block attributes, whose name depends on the release.
 #ifndef RelevoCompositeMapper_h
 #define RelevoCompositeMapper_h
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Faces whose colours can be told apart, and are looked up in the picture.
+// Finds the colours of single faces in a picture.
 #ifndef RelevoFaceColors_h
 #define RelevoFaceColors_h
 
@@ -27,7 +27,7 @@ Color GetColor(vtkScalarsToColors* table, double value);
 
 bool IsNear(const Color& a, const Color& b, int tolerance);
 
-// A plane without lights, seen askew from near by, with levels by distance.
+// A plane without lights, seen at an angle from close by, with levels by distance.
 struct View
 {
   vtkNew<vtkRenderWindow> Window;
@@ -43,7 +43,7 @@ struct View
 
   void Render();
 
-  // The colour at a point of a face; false where the face is too small to tell.
+  // The colour at a point of a face. Returns false if the face is too small on the screen.
   bool GetColorAt(vtkIdType face, const Weights& weights, Color& color);
 
   std::set<Color> GetColors() const;

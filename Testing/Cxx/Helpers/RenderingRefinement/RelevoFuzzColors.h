@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Lookup tables, colour functions and textures, good and hostile.
+// Lookup tables, colour functions and textures, valid and hostile.
 #ifndef RelevoFuzzColors_h
 #define RelevoFuzzColors_h
 
@@ -11,14 +11,14 @@
 
 namespace RelevoFuzz
 {
-// Of 0 to 1000 colours, linear or logarithmic, of any range.
+// 0 to 1000 colours, linear or logarithmic, with any range.
 vtkSmartPointer<vtkScalarsToColors> MakeLookupTable(Dice& dice);
 
 vtkSmartPointer<vtkScalarsToColors> MakeColorFunction(Dice& dice);
 
 vtkSmartPointer<vtkScalarsToColors> MakeTable(Dice& dice);
 
-// Of 1 to 4 components, flat or a line of pixels, at times none.
+// 1 to 4 components, an image, a line of pixels or sometimes empty.
 vtkSmartPointer<vtkTexture> MakeTexture(Dice& dice);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Random calls of a mapper that refines, and of all that VTK has around one: two mappers, three
-// actors that share them, two windows.
+// Random calls of a refining mapper and of VTK's classes around it: two mappers, three actors that
+// share them, and two windows.
 #ifndef RelevoFuzzMapper_h
 #define RelevoFuzzMapper_h
 
@@ -53,7 +53,7 @@ public:
     this->AddMapperCalls(calls);
     this->AddActorCalls(calls);
     this->AddViewCalls(calls);
-    // As often as the others together change something that it shows.
+    // Draws as often as the other calls together change something visible.
     for (size_t i = calls.size() / 4; i > 0; --i)
     {
       calls.push_back({ "render", [this] { this->Render(this->ChooseView()); } });
@@ -117,7 +117,7 @@ protected:
     return blocks;
   }
 
-  // What a mapper says of itself makes sense.
+  // The mapper's counters must be consistent.
   void Ask(Mapper* mapper)
   {
     if (mapper->GetNumberOfDrawnTriangles() < 0 || mapper->GetNumberOfCulledTriangles() < 0 ||

@@ -110,7 +110,7 @@ void Stage::AddActorCalls(std::vector<Call>& calls)
       { "shader",
         [this]
         {
-          // One that compiles: VTK's own lines crash where it does not.
+          // The replacement must compile: otherwise VTK's own lines crash.
           vtkShaderProperty* shader = this->ChooseActor()->GetShaderProperty();
           this->D.Once(2) ? shader->ClearAllShaderReplacements()
                           : shader->AddFragmentShaderReplacement(
@@ -169,7 +169,7 @@ void Stage::Pick()
   View& view = this->ChooseView();
   if (!view.IsDrawn)
   {
-    this->Render(view); // VTK picks in a window that is there
+    this->Render(view); // VTK needs an initialized window to pick
   }
   vtkNew<vtkCellPicker> cells;
   vtkNew<vtkPointPicker> points;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Random calls of what VTK has around a mapper: three actors in two windows, pickers, selections.
+// Random calls of VTK's classes around a mapper: three actors in two windows, pickers and
+// selections.
 #ifndef RelevoFuzzStage_h
 #define RelevoFuzzStage_h
 

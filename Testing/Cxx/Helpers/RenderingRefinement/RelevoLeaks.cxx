@@ -46,7 +46,7 @@ size_t CountLeaks(RelevoScene& scene, int views, size_t& covered)
     vtkMath::Cross(out, side, across);
     vtkMath::Normalize(across);
     vtkCamera* camera = scene.Renderer->GetActiveCamera();
-    // Beside the middle, where the surface bends away.
+    // Looks beside the centre, where the surface bends away.
     const double aside = view % 2 ? 0.6 : 0.0;
     for (int i = 0; i < 3; ++i)
     {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The methods of vtkAdaptiveRefinementMapper that tests go through. Hardware tessellation has other
-// triangles, and a test of its own.
+// The methods of vtkAdaptiveRefinementMapper that tests iterate over. Hardware tessellation has
+// other triangles and separate tests.
 #ifndef RelevoMethods_h
 #define RelevoMethods_h
 
@@ -17,7 +17,7 @@ std::vector<int> GetMethods();
 
 const char* GetName(int method);
 
-// Whether the context can do METHOD_HARDWARE_TESSELLATION.
+// Whether the context supports METHOD_HARDWARE_TESSELLATION.
 bool HasTessellation();
 }
 

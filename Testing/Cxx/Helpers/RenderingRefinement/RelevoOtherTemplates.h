@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Mappers under which VTK's shaders read otherwise than they do, as in another release.
+// Mappers that see modified shader templates, as another release of VTK may have.
 #ifndef RelevoOtherTemplates_h
 #define RelevoOtherTemplates_h
 
@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-// What is renamed in which stage.
+// Text to rename, by shader stage.
 struct RelevoRenaming
 {
   vtkShader::Type Stage = vtkShader::Unknown;
@@ -25,7 +25,7 @@ struct RelevoRenaming
   std::string To;
 };
 
-// Text of the templates, and of what VTK has put into them, is renamed.
+// Renames text of the templates and of code that VTK inserted.
 template <typename Mapper>
 class RelevoOtherTemplates : public Mapper
 {
@@ -33,7 +33,7 @@ public:
   vtkTemplateTypeMacro(RelevoOtherTemplates, Mapper);
   static RelevoOtherTemplates* New() { VTK_STANDARD_NEW_BODY(RelevoOtherTemplates); }
 
-  inline static RelevoRenaming Renaming; // of all
+  inline static RelevoRenaming Renaming; // applies to all instances
 
 protected:
   using Shaders = std::map<vtkShader::Type, vtkShader*>;
@@ -74,7 +74,7 @@ private:
   }
 };
 
-// What a mapper's errors say, and that nothing else says anything.
+// Captures the errors of mappers, and checks that nothing else is reported.
 class RelevoComplaints
 {
 public:
@@ -87,7 +87,7 @@ public:
   RelevoComplaints(const RelevoComplaints&) = delete;
   void operator=(const RelevoComplaints&) = delete;
 
-  // Whether one error was all, and said what a stage lacks; forgets it.
+  // Whether there was exactly one error, which names this stage and anchor. Clears the errors.
   bool IsMissing(const std::string& stage, const std::string& anchor)
   {
     const bool found = this->Texts.size() == 1 && this->Others->Text.empty() &&

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What hardware selection finds at each pixel of a scene.
+// The results of hardware selection at each pixel of a scene.
 #ifndef RelevoPicks_h
 #define RelevoPicks_h
 
@@ -12,7 +12,7 @@
 
 namespace RelevoPicks
 {
-// What is at each pixel: actor, composite index, id; all -1 for nothing.
+// Actor, composite index and id at a pixel, all -1 for the background.
 struct Hit
 {
   int Actor = -1;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures as a whole and in parts.
+// Compares and crops pictures.
 #ifndef RelevoPictures_h
 #define RelevoPictures_h
 
@@ -8,7 +8,7 @@
 
 namespace RelevoPictures
 {
-// To the bit.
+// Compares bit for bit.
 bool Equal(const RelevoPicture& a, const RelevoPicture& b);
 
 // The part whose lower left pixel is (x, y).

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A source that can make pieces: an algorithm, as vtkPolyDataAlgorithm, without an input.
+// A source that supports pieces: an algorithm like vtkPolyDataAlgorithm, without an input.
 #ifndef RelevoPieceSource_h
 #define RelevoPieceSource_h
 
@@ -18,7 +18,7 @@ public:
   static RelevoPieceSource* New() { VTK_STANDARD_NEW_BODY(RelevoPieceSource); }
   vtkTemplateTypeMacro(RelevoPieceSource, Base);
 
-  // Fills GetOutput() with the piece that the output's information asks for.
+  // Fills GetOutput() with the piece that the output's information requests.
   std::function<void(vtkInformation*)> Make;
 
 protected:

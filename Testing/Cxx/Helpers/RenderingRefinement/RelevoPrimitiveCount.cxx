@@ -22,7 +22,7 @@ vtkIdType CountPrimitives(RelevoScene& scene)
 
 vtkIdType CountTriangles(RelevoScene& scene)
 {
-  scene.Render(); // all is made that a change takes
+  scene.Render(); // completes all updates after a change
   const vtkIdType all = CountPrimitives(scene);
   scene.GetActor(0)->VisibilityOff();
   const vtkIdType others = CountPrimitives(scene);

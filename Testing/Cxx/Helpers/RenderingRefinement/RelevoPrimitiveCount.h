@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// How many primitives OpenGL itself makes of what is drawn.
+// Counts primitives by OpenGL queries.
 #ifndef RelevoPrimitiveCount_h
 #define RelevoPrimitiveCount_h
 
@@ -8,10 +8,10 @@
 
 namespace RelevoPrimitiveCount
 {
-// Primitives of one render.
+// Primitives of one frame.
 vtkIdType CountPrimitives(RelevoScene& scene);
 
-// Those of the first actor, which draws triangles only.
+// Triangles of the first actor, which draws only triangles.
 vtkIdType CountTriangles(RelevoScene& scene);
 }
 

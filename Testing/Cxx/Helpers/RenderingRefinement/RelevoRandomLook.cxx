@@ -45,26 +45,26 @@ void FillProperty(const Choice& choice, vtkProperty* property, bool anyOrder)
   property->SetSpecularPower(1.0 + 20.0 * dice.Share());
   property->SetLighting(dice.Throw(5) != 0);
   property->SetInterpolation(dice.Throw(3));
-  // Translucent vertices look denser where faces share them: one is drawn for each.
+  // Translucent vertices that faces share look denser, because one is drawn per face.
   property->SetOpacity(
     property->GetVertexVisibility() || dice.Throw(4) ? 1.0 : 0.2 + 0.7 * dice.Share());
-  // OpenGL may draw a line there as other pixels than the line back, and refined edges need not
-  // run as the filter's do; and the filter's triangles have diagonals that polygons have not.
+  // OpenGL may draw a line with other pixels than the reversed line, and refined edges may have the
+  // opposite direction. The filter's triangles also have diagonals, which polygons do not.
   const bool hasLines = choice.Level == 0 && !anyOrder;
   const bool hasPoints = !anyOrder && !limits.HasTies;
   property->SetRepresentation(dice.Throw(4) ? VTK_SURFACE
       : hasLines && dice.Throw(2)           ? VTK_WIREFRAME
       : hasPoints                           ? VTK_POINTS
                                             : VTK_SURFACE);
-  // Where lines or points that overlap let through what is behind them, their order and number
-  // show. VTK 9.1 draws other edges where a mesh has vertices or lines, too.
+  // If translucent lines or points overlap, their order and number are visible. VTK 9.1 draws other
+  // edges if a mesh also has vertices or lines.
   const bool isOpaque = property->GetOpacity() == 1.0 && !limits.IsTranslucent;
   property->SetRepresentation(isOpaque ? property->GetRepresentation() : VTK_SURFACE);
   property->SetEdgeVisibility(dice.Once(5) && !limits.HasOtherCells && isOpaque && hasLines);
   property->SetEdgeColor(0.1, 0.1, dice.Share());
   property->SetLineWidth(dice.Throw(2) && isOpaque ? 3.0f : 1.0f);
   property->SetPointSize(dice.Throw(2) ? 1.0f : 5.0f);
-  // Where edges are tubes, VTK's shaders need lights: it crashes without.
+  // If edges are drawn as tubes, VTK's shaders crash without lights.
   property->SetRenderLinesAsTubes(
     dice.Once(8) && (property->GetLighting() || !property->GetEdgeVisibility()));
   property->SetRenderPointsAsSpheres(dice.Once(8));

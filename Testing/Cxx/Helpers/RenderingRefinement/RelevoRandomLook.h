@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Random properties, places and textures of actors, and cameras, for RelevoRandomScene.h.
+// Random properties, positions and textures of actors, and random cameras, for RelevoRandomScene.h.
 #ifndef RelevoRandomLook_h
 #define RelevoRandomLook_h
 
@@ -17,7 +17,8 @@ namespace RelevoRandomLook
 {
 using RelevoRandomMapping::Choice;
 
-// What is drawn in one place: an actor, or the twin's for each block, of the same property.
+// What is drawn at one position: an actor, or in the twin one actor per block with the same
+// property.
 struct Look
 {
   std::vector<vtkSmartPointer<vtkActor>> Actors;
@@ -27,14 +28,14 @@ struct Look
 
 void AddTexture(const Choice& choice, const Look& look);
 
-// With `anyOrder` faces are drawn in another order than VTK's: where they overlap at one depth, as
-// their lines and points do, others are seen.
+// With `anyOrder`, faces are drawn in another order than VTK's. Where faces, lines or points
+// overlap at the same depth, others are visible.
 void FillProperty(const Choice& choice, vtkProperty* property, bool anyOrder);
 
 void PlaceActors(const Choice& choice, const Look& look, bool always);
 
-// From outside, from near by, from inside, or cut by the near plane. The numbers do not depend on
-// bounds, which the two kinds of mapper need not agree on.
+// From outside, close by or inside, or clipped by the near plane. The numbers do not depend on
+// bounds, which may differ between the mappers.
 void PlaceCamera(const Choice& choice, vtkCamera* camera);
 }
 

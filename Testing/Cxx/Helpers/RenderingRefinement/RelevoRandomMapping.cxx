@@ -169,12 +169,12 @@ vtkSmartPointer<vtkScalarsToColors> MakeCategories(const Choice& choice)
 vtkSmartPointer<vtkScalarsToColors> MakeTable(const Choice& choice)
 {
   RelevoDice& dice = choice.Dice;
-  // Between two categories there is none: the mapper has a blend of colours, the filter a number.
+  // Categories cannot be interpolated: the mapper blends colours, the filter numbers.
   const int kind = dice.Throw(choice.Level > 0 ? 6 : 7);
   auto table = kind < 4 ? MakeLookupTable(choice)
     : kind < 6          ? MakeFunction(choice)
                         : MakeCategories(choice);
-  // Between points whose vectors are beyond the range, colours of vectors are not linear.
+  // Colours of vectors are not linear between points whose vectors are out of range.
   const int mode = dice.Throw(choice.Level > 0 ? 2 : 3);
   table->SetVectorMode(mode == 0 ? vtkScalarsToColors::MAGNITUDE
       : mode == 1                ? vtkScalarsToColors::COMPONENT
@@ -221,7 +221,7 @@ void AddColorSettings(const Choice& choice, std::vector<Setting>& settings)
   const bool tableRange = dice.Throw(2);
   const double low = 3.0 * dice.Share();
   const bool interpolates = dice.Once(3);
-  // Of numbers that are no colours, VTK takes the remainder: not what lies between two of them.
+  // For values that are not colours, VTK takes the remainder, which cannot be interpolated.
   const bool direct = dice.Once(6) && choice.Level == 0;
   settings.push_back(
     [=](vtkPolyDataMapper* m)
@@ -232,13 +232,13 @@ void AddColorSettings(const Choice& choice, std::vector<Setting>& settings)
       m->SetInterpolateScalarsBeforeMapping(interpolates);
       m->SetColorMode(direct ? VTK_COLOR_MODE_DIRECT_SCALARS : VTK_COLOR_MODE_DEFAULT);
     });
-  // Field data are per cell of the coarse mesh: the filter's has other cells.
+  // Field data belong to cells of the coarse mesh, and the filter has other cells.
   const int mode = dice.Throw(choice.Level > 0 ? 5 : 6);
   choice.Limits.HasTies = choice.Limits.HasTies ||
     (isVisible && mode != VTK_SCALAR_MODE_USE_POINT_DATA &&
       mode != VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
   const int component = dice.Throw(4) - 1;
-  const bool byName = dice.Throw(2) || choice.Level > 0; // the filter numbers arrays anew
+  const bool byName = dice.Throw(2) || choice.Level > 0; // the filter changes the order of arrays
   settings.push_back(
     [=](vtkPolyDataMapper* m)
     {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Random scalars, tables of colours and settings of mappers, for RelevoRandomScene.h.
+// Random scalars, lookup tables and mapper settings for RelevoRandomScene.h.
 #ifndef RelevoRandomMapping_h
 #define RelevoRandomMapping_h
 
@@ -16,16 +16,16 @@
 
 namespace RelevoRandomMapping
 {
-// A setting, to be given to every mapper that draws the same.
+// A setting for every mapper that draws the same.
 using Setting = std::function<void(vtkPolyDataMapper*)>;
 
-// What some of a scene's choices leave to others.
+// Limits that some choices of a scene set for others.
 struct Limits
 {
-  bool IsTranslucent = false; // by a table
-  bool HasOtherCells = false; // than faces
-  // At level 2 faces are drawn in another order than the filter's. Of points that faces share, the
-  // last one drawn is seen: are they of different colours or normals?
+  bool IsTranslucent = false; // by a lookup table
+  bool HasOtherCells = false; // cells that are not faces
+  // At level 2, faces are drawn in another order than the filter's, and the last point drawn at a
+  // shared position is visible. Tells whether such points have different colours or normals.
   bool HasTies = false;
 };
 
@@ -39,7 +39,7 @@ struct Choice
 
 vtkSmartPointer<vtkDataArray> MakeNumbers(RelevoDice& dice);
 
-// Values in [-2, 12], whole numbers or not; smooth over the points or not.
+// Values in [-2, 12], integers or not, smooth over the points or not.
 vtkSmartPointer<vtkDataArray> MakeScalars(
   const Choice& choice, vtkPolyData* mesh, vtkIdType count, bool ofPoints);
 
@@ -47,12 +47,12 @@ vtkSmartPointer<vtkScalarsToColors> MakeLookupTable(const Choice& choice);
 
 vtkSmartPointer<vtkScalarsToColors> MakeFunction(const Choice& choice);
 
-// A colour for each of some whole numbers, in turn, and none for others.
+// A colour for each of some integers, in turn, and none for others.
 vtkSmartPointer<vtkScalarsToColors> MakeCategories(const Choice& choice);
 
 vtkSmartPointer<vtkScalarsToColors> MakeTable(const Choice& choice);
 
-// Scalars of the mesh; which of them count is the mapper's choice.
+// Adds scalars to the mesh. The mapper selects among them.
 void AddScalars(const Choice& choice, vtkPolyData* mesh);
 
 void AddColorSettings(const Choice& choice, std::vector<Setting>& settings);

@@ -79,7 +79,7 @@ void RelevoRandomScene::Change()
       this->Windows.front()->SetSize(50 + this->Dice.Throw(60), 40 + this->Dice.Throw(50));
       for (vtkRenderer* each : this->Renderers)
       {
-        each->GetActiveCamera()->Modified(); // VTK 9.1 may keep the matrices of the old aspect
+        each->GetActiveCamera()->Modified(); // VTK 9.1 may keep matrices of the previous aspect
       }
       break;
     case 1:
@@ -144,7 +144,7 @@ void RelevoRandomScene::AddRenderers(vtkRenderWindow* window)
   auto add = [this, window](double xmin, double xmax, int layer)
   {
     auto renderer = vtkSmartPointer<vtkRenderer>::New();
-    vtkNew<vtkCamera> camera; // not from a reset of its own
+    vtkNew<vtkCamera> camera; // prevents an automatic reset
     renderer->SetActiveCamera(camera);
     renderer->SetViewport(xmin, 0.0, xmax, 1.0);
     renderer->SetLayer(layer);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes made of random actors, mappers, properties, cameras, renderers and windows: the same for
-// the same seed, once with refining mappers and once with vtkPolyDataMapper.
+// Scenes of random actors, mappers, properties, cameras, renderers and windows. The same seed gives
+// the same scene with refining mappers and with vtkPolyDataMapper.
 #ifndef RelevoRandomScene_h
 #define RelevoRandomScene_h
 
@@ -14,8 +14,8 @@
 class RelevoRandomScene
 {
 public:
-  // Renderers are added to the first window, or to both, and leave them with the scene. What is
-  // made is written down.
+  // Adds renderers to the first window or to both. They are removed with the scene. The contents
+  // are logged.
   RelevoRandomScene(unsigned int seed, RelevoScene::KindType kind,
     const std::vector<vtkRenderWindow*>& windows, std::ostream& log);
   ~RelevoRandomScene();
@@ -29,7 +29,7 @@ public:
   // In the order of the last frames.
   const std::vector<vtkRenderWindow*>& GetWindows() const { return this->Windows; }
 
-  // Something else, before the next frame.
+  // Changes something before the next frame.
   void Change();
 
 private:
@@ -37,7 +37,7 @@ private:
 
   using Look = RelevoRandomLook::Look;
 
-  // A mesh or blocks. One mapper for all looks; the twin has one for each actor.
+  // A mesh or blocks. All looks share one mapper; the twin has a mapper per actor.
   struct Group
   {
     std::vector<Look> Looks;
@@ -51,10 +51,10 @@ private:
 
   void FillProperty(const Group& group, const Look& look);
 
-  // Once and for all: VTK goes on drawing vertices that are no longer visible.
+  // Turns vertices on for good: VTK continues to draw vertices that are turned off.
   void AddVertices(const Group& group, const Look& look);
 
-  // Two looks of one mesh are never in one place.
+  // Two looks of one mesh never have the same position.
   void PlaceActors(const Group& group, const Look& look);
 
   void AddRenderers(vtkRenderWindow* window);
@@ -73,7 +73,7 @@ private:
   void AddTwins(Group& group, const std::vector<Mesh>& meshes, vtkAdaptiveRefinement* recipe,
     int numberOfLooks);
 
-  // The mappers go round: a refining one is shared by all looks.
+  // Distributes the mappers. All looks share a refining mapper.
   void AddLooks(Group& group, int count);
 
   void Apply(Group& group, const std::vector<RelevoRandomMapping::Setting>& settings);

@@ -81,7 +81,8 @@ vtkActor* RelevoScene::Add(
   if (this->Kind == Refining)
   {
     auto mapper = vtk::TakeSmartPointer(NewMapper(mesh));
-    mapper->BackFaceCullingOff(); // single pixels may differ: TestAdaptiveRefinementMapperCulling
+    // single pixels may differ, see TestAdaptiveRefinementMapperCulling
+    mapper->BackFaceCullingOff();
     vtkSmartPointer<vtkAdaptiveRefinement> used = recipe;
     if (!used)
     {
@@ -268,7 +269,7 @@ bool RelevoComparison::Compare(const std::string& name, const RelevoTolerance& t
   {
     return this->Check.Fail(__FILE__, __LINE__, name + ": pictures of different size");
   }
-  // Other methods start a triangle at another corner, which leaves the last bits open.
+  // Other methods start a triangle at another corner, which may change the last bits.
   const bool isExact = RelevoScene::GetMethod() == vtkAdaptiveRefinementMapper::METHOD_ARKFPI;
   const double depthTolerance = tolerance.Depth + (isExact ? 0.0 : 2e-6);
   const size_t maximumPixels = tolerance.Pixels + (isExact ? 0 : 2);

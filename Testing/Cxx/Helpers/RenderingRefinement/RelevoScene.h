@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The same scene drawn by vtkAdaptiveRefinementMapper and by vtkPolyDataMapper, to compare.
+// Compares the same scene drawn by vtkAdaptiveRefinementMapper and by vtkPolyDataMapper.
 #ifndef RelevoScene_h
 #define RelevoScene_h
 
@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-// What a window shows.
+// The picture of a window.
 struct RelevoPicture
 {
   int Size[2] = { 0, 0 };
@@ -35,13 +35,14 @@ struct RelevoPicture
 
   size_t GetNumberOfPixels() const { return this->Depths.size(); }
 
-  // Pixels of another colour than the lower left one.
+  // Number of pixels whose colour differs from the lower left pixel.
   size_t CountForeground() const;
 
   void Save(const std::string& fileName) const;
 };
 
-// How far two pictures may differ: pixels whose colour or depth differ by more are counted.
+// Allowed differences between two pictures: pixels whose colour or depth differ by more are
+// counted.
 struct RelevoTolerance
 {
   int Color = 0;
@@ -49,8 +50,8 @@ struct RelevoTolerance
   size_t Pixels = 0;
 };
 
-// A window with renderers whose actors are refining (their mapper is a
-// vtkAdaptiveRefinementMapper) or their twins (a vtkPolyDataMapper).
+// A window whose actors are either refining (with a vtkAdaptiveRefinementMapper) or their twins
+// (with a vtkPolyDataMapper).
 class RelevoScene
 {
 public:
@@ -62,30 +63,29 @@ public:
 
   explicit RelevoScene(KindType kind);
 
-  // An actor of the mesh. Without a recipe its mapper refines to level 0, and the twin's draws the
-  // coarse mesh; with one, the twin's draws what vtkAdaptiveRefinementFilter makes of the mesh.
+  // Adds an actor of the mesh. Without a recipe, its mapper refines to level 0, and the twin draws
+  // the coarse mesh. With a recipe, the twin draws the output of vtkAdaptiveRefinementFilter.
   vtkActor* Add(vtkDataObject* mesh, vtkAdaptiveRefinement* recipe = nullptr);
   vtkActor* Add(
     vtkRenderer* renderer, vtkDataObject* mesh, vtkAdaptiveRefinement* recipe = nullptr);
 
-  // The mapper of a refining actor. Tests of other modules run again with a subclass.
+  // Creates the mapper of a refining actor. Other modules run tests again with a subclass.
   inline static vtkAdaptiveRefinementMapper* (*NewMapper)(vtkDataObject*) = [](vtkDataObject*)
   { return vtkAdaptiveRefinementMapper::New(); };
 
-  // Where faces choose their patterns: tests run again with RELEVO_TEST_SELECTION_DEVICE=2, for
-  // the GPU.
+  // Where levels are selected. Tests run again with RELEVO_TEST_SELECTION_DEVICE=2 for the GPU.
   static int GetSelectionDevice();
 
-  // How faces are drawn: tests run again with RELEVO_TEST_METHOD=4, for hardware tessellation.
+  // How faces are drawn. Tests run again with RELEVO_TEST_METHOD=4 for hardware tessellation.
   static int GetMethod();
 
   vtkRenderer* AddRenderer(double xmin, double ymin, double xmax, double ymax);
   const std::vector<vtkRenderer*>& GetRenderers() const { return this->Renderers; }
 
-  // What the mappers find out by themselves.
+  // Updates what the mappers update automatically.
   void UpdateFilters();
 
-  // See everything, from the side that MoveCamera says.
+  // Shows everything, from the side set by MoveCamera.
   void ResetCameras();
 
   void CopyCameras(const RelevoScene& other);
@@ -99,7 +99,7 @@ public:
   vtkActor* GetActor(size_t i) { return this->Actors[i]; }
   vtkAdaptiveRefinementMapper* GetMapper(size_t i);
 
-  // All polydata of a composite data set in one.
+  // Appends all polydata of a composite data set.
   static vtkSmartPointer<vtkPolyData> Append(vtkDataObject* data);
 
   const KindType Kind;
@@ -122,7 +122,7 @@ private:
     Filters;
 };
 
-// Draws scenes twice and compares the pictures; keeps both and their difference when they differ.
+// Draws scenes twice and compares the pictures. If they differ, it saves both and their difference.
 class RelevoComparison
 {
 public:
@@ -132,18 +132,18 @@ public:
 
   bool Fail(const std::string& text) { return this->Check.Fail(__FILE__, __LINE__, text); }
 
-  // To write into.
+  // The output folder.
   const std::string& GetFolder() const { return this->Folder; }
 
-  // A change of a scene that was drawn already.
+  // A change of a scene that was already drawn.
   struct Step
   {
     std::string Name;
     Builder Change;
   };
 
-  // Draw the scene with refining mappers and with their twins, from the same cameras; then again
-  // after each step.
+  // Draws the scene with refining mappers and with their twins from the same cameras, again after
+  // each step.
   bool Compare(const std::string& name, const RelevoTolerance& tolerance, const Builder& build,
     const std::vector<Step>& steps = {});
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Textures for actors of tests.
+// Textures for the actors of tests.
 #ifndef RelevoTextures_h
 #define RelevoTextures_h
 
@@ -14,11 +14,11 @@ namespace RelevoTextures
 {
 using Texel = std::array<int, 4>;
 
-// Of as many of the texels' components as is said.
+// Uses this many of the texels' components.
 vtkSmartPointer<vtkTexture> Make(
   int width, int height, int components, const std::function<Texel(int x, int y)>& getTexel);
 
-// 8 x 8 texels, next to each other of quite other colours.
+// 8 x 8 texels; neighbouring texels have very different colours.
 vtkSmartPointer<vtkTexture> MakeMotley();
 }
 

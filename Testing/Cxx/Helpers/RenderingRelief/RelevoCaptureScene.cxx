@@ -45,7 +45,7 @@ vtkActor* RelevoCaptureScene::Add(vtkPolyData* mesh)
 
 void RelevoCaptureScene::ResetCamera()
 {
-  // A window that was not drawn yet has no certain size for vtkRenderer::ResetCamera().
+  // Before its first frame, a window has no reliable size for vtkRenderer::ResetCamera().
   const vtkBoundingBox box(this->Renderer->ComputeVisiblePropBounds());
   double middle[3];
   box.GetCenter(middle);

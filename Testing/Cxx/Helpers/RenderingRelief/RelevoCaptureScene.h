@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A window that is captured, and what the reliefs say, read by the words of their format alone.
+// A window to capture, and its reliefs, read by their documented format only.
 #ifndef RelevoCaptureScene_h
 #define RelevoCaptureScene_h
 
@@ -13,18 +13,18 @@
 
 class vtkImageData;
 
-// A texel that shows something.
+// A texel with a surface.
 struct RelevoTexel
 {
   int Column;
   int Row;
   RelevoVectors::Vector Point; // in the world
-  double Width;                // of the texel there
+  double Width;                // of the texel at this point
   unsigned char Color[3];
-  RelevoVectors::Vector Normal; // 0 without normals
+  RelevoVectors::Vector Normal; // zero without normals
 };
 
-// A window without multisamples and a renderer whose only light is of the scene.
+// A window without multisampling and a renderer whose only light is a scene light.
 class RelevoCaptureScene
 {
 public:
@@ -32,14 +32,14 @@ public:
 
   vtkActor* Add(vtkPolyData* mesh);
 
-  // The renderer's camera, which sees all from an oblique direction.
+  // The renderer's camera, which shows everything from an oblique direction.
   vtkCamera* GetCamera() { return this->Renderer->GetActiveCamera(); }
   void ResetCamera();
 
-  // A block of what is captured now; nullptr if there is none.
+  // Captures and returns a block of the output, or nullptr.
   vtkImageData* Capture(unsigned int block = 0);
 
-  // What a window of this size shows from the camera.
+  // The picture of a window of this size from the camera.
   RelevoPicture Draw(vtkCamera* camera, int width, int height);
 
   vtkNew<vtkRenderWindow> Window;
@@ -49,7 +49,7 @@ public:
 
 std::vector<RelevoTexel> RelevoReadTexels(vtkImageData* relief);
 
-// A ball with bumps, its triangles flat or smooth.
+// A ball with bumps and flat or smooth triangles.
 vtkSmartPointer<vtkPolyData> RelevoBumpyBall(int resolution = 60);
 
 #endif

@@ -13,14 +13,15 @@ class RelevoPassScene : public RelevoCaptureScene
 public:
   RelevoPassScene();
 
-  // What is shown while the camera moves, and when it stands.
+  // Pictures while the camera moves, and while it stands still.
   RelevoPicture DrawMoving();
   RelevoPicture DrawStill();
 
-  // The share of pixels of the still picture's objects that the moving one shows behind them.
+  // Share of the pixels of the still picture's objects where the moving picture shows something
+  // behind them.
   double FindHoles();
 
-  // Captures that a frame makes.
+  // Number of captures that a frame makes.
   vtkIdType CountCaptures();
 
   vtkActor* Wall = nullptr;

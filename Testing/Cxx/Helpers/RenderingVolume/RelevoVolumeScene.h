@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A window that shows a volume by vtkGPUUnstructuredGridVolumeMapper, to compare with what
-// vtkVolumeRayCastFilter makes of the same.
+// A window that shows a volume by vtkGPUUnstructuredGridVolumeMapper, compared with
+// vtkVolumeRayCastFilter.
 #ifndef RelevoVolumeScene_h
 #define RelevoVolumeScene_h
 
@@ -17,13 +17,13 @@
 class RelevoVolumeScene
 {
 public:
-  // Black behind, no multisampling; an oblique camera that sees all.
+  // A black background without multisampling, and an oblique camera that shows everything.
   RelevoVolumeScene(
     vtkDataObject* mesh, vtkVolumeProperty* property, int width = 160, int height = 120);
 
-  // Of the mappers of scenes to come; rays are cast by default.
+  // The method of mappers in new scenes. By default rays are cast.
   static void SetMethod(int method) { Method = method; }
-  // Test twice, with rays and with cell projection.
+  // Runs the test with ray casting and with cell projection.
   static void ForBothMethods(const std::function<void()>& test);
 
   vtkGPUUnstructuredGridVolumeMapper* GetMapper() { return this->Mapper; }
@@ -35,16 +35,16 @@ public:
   // Row after row, premultiplied over black, without alpha.
   std::vector<RelevoColor> Draw();
 
-  // The same by the filter, whose further settings are given.
+  // The same picture by the filter, with additional settings.
   std::vector<RelevoColor> Cast(
     const std::function<void(vtkVolumeRayCastFilter*)>& set = [](vtkVolumeRayCastFilter*) {});
 
-  // How far the two are apart, in parts of 255: at all pixels but this share of them.
+  // Largest difference in units of 1/255, without this share of the pixels.
   double Compare(
     double share = 0.0,
     const std::function<void(vtkVolumeRayCastFilter*)>& set = [](vtkVolumeRayCastFilter*) {});
 
-  // The same of a picture that was drawn and one that was cast.
+  // The same for two given pictures.
   static double Compare(const std::vector<RelevoColor>& drawn, const std::vector<RelevoColor>& cast,
     double share = 0.0);
 
@@ -56,8 +56,8 @@ private:
   vtkNew<vtkRenderWindow> Window;
 };
 
-// In parallel, at a cube from 0 to 1 in a window of 97 x 97 pixels: rays are 1/48 apart, so that
-// those in columns and rows 25 to 71 hit the cube, and some run along its cells' edges.
+// A parallel view of a cube from 0 to 1 in a window of 97 x 97 pixels. Rays are 1/48 apart: those
+// in columns and rows 25 to 71 hit the cube, and some run along edges of cells.
 void LookAlongEdges(RelevoVolumeScene& scene);
 
 #endif

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Where places of the earth lie in terrain coordinates, for tests.
+// Terrain coordinates of points on the earth, for tests.
 #ifndef RelevoGeodesy_h
 #define RelevoGeodesy_h
 
 #include <array>
 #include <cmath>
 
-// East, north, up of a point on the ellipsoid about another one, from the textbook.
+// East, north and up of a point on the ellipsoid relative to another one, by the textbook formula.
 inline std::array<double, 3> RelevoEastNorthUp(double longitude, double latitude, double longitude0,
   double latitude0, double a = 6378137.0, double f = 1.0 / 298.257223563)
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Raster files that tests write with GDAL, and what GDAL reads back.
+// Writes raster files with GDAL and reads them back.
 #ifndef RelevoRasterFiles_h
 #define RelevoRasterFiles_h
 
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-// What a test is given: where to write, and where the larger real data lie ("" when absent).
+// A test's folders: for output, and with the larger real data ("" if not available).
 struct RelevoTestFolders
 {
   std::string Output = ".";
@@ -30,7 +30,7 @@ struct RelevoRaster
   GDALDataType Type = GDT_Float32;
   std::vector<double> Values; // band by band, row 0 of the file first
   std::vector<double> Transform;
-  std::string CoordinateSystem; // as OSRSetFromUserInput takes it
+  std::string CoordinateSystem; // as OSRSetFromUserInput() accepts it
   std::vector<std::string> Options;
   std::optional<double> NoData;
   std::optional<double> Scale;
@@ -41,7 +41,7 @@ struct RelevoRaster
   double At(int band, int column, int row) const;
 
   template <typename Function>
-  void SetValues(Function value) // of band, column and row
+  void SetValues(Function value) // by band, column and row
   {
     this->Values.clear();
     for (int band = 0; band < this->NumberOfBands; ++band)
@@ -58,15 +58,15 @@ struct RelevoRaster
 
   bool Write(const std::string& fileName, const char* driver = "GTiff") const;
 
-  // Heights of whole metres that rise by one with every column and row, from that in the first.
+  // Integer heights in metres that rise by one with every column and row.
   static RelevoRaster MakeSlope(int width, int height, const std::vector<double>& transform,
     const std::string& coordinateSystem, double first = 0.0);
 
-  // The first band as GDAL sees it.
+  // The first band as GDAL reads it.
   static RelevoRaster Read(const std::string& fileName);
 };
 
-// The first `share` of a file's bytes.
+// Copies the first `share` of a file's bytes.
 void RelevoTruncate(const std::string& from, const std::string& to, double share);
 
 #endif

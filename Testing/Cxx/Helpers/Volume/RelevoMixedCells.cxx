@@ -14,7 +14,7 @@ namespace
 {
 using Corners = std::array<vtkIdType, 8>;
 
-// Of so many points each way.
+// A cube with this many points per axis.
 Corners GetCube(int i, int j, int k, int side)
 {
   const vtkIdType low = i + side * (j + side * k);
@@ -23,7 +23,7 @@ Corners GetCube(int i, int j, int k, int side)
     high + side } };
 }
 
-// The same hexahedron by other corners first.
+// The same hexahedron with another first corner.
 Corners Turn(Corners cube, RelevoDice& dice)
 {
   constexpr Corners turns[2] = { { { 1, 2, 3, 0, 5, 6, 7, 4 } }, { { 3, 2, 6, 7, 0, 1, 5, 4 } } };

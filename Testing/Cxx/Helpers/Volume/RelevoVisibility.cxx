@@ -19,10 +19,10 @@
 
 namespace
 {
-// Of the mesh's diagonal: parts of rays that are shorter do not count.
+// Relative to the mesh's diagonal. Shorter parts of rays are ignored.
 constexpr double Shortest = 1e-8;
 
-// Through the corners of a face, whose edges are straight; corners may lie on one line.
+// A plane through the corners of a face with straight edges. Corners may be collinear.
 std::array<double, 4> MakePlane(vtkCell* face, const RelevoPoint& inside)
 {
   std::vector<RelevoPoint> corners(face->GetNumberOfEdges());
@@ -119,7 +119,7 @@ RelevoConvexCells::RelevoConvexCells(vtkDataSet* mesh)
   }
 }
 
-// From 0 at the beginning to 1 at the end.
+// Parts with parameters from 0 at the beginning to 1 at the end.
 std::vector<RelevoConvexCells::Part> RelevoConvexCells::Cross(
   const RelevoPoint& begin, const RelevoPoint& end) const
 {
@@ -181,7 +181,7 @@ RelevoPairs RelevoConvexCells::Compare(const std::vector<vtkIdType>& cells,
     const double step = std::sqrt(vtkMath::Distance2BetweenPoints(begin.data(), end.data()));
     for (size_t i = 1; i < parts.size(); ++i)
     {
-      // Where cells overlap, neither is the first.
+      // Overlapping cells have no order.
       if ((parts[i].Begin - parts[i - 1].End) * step > -Shortest * this->Diagonal)
       {
         pairs.All++;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether cells come in the order in which rays cross them, by geometry alone.
+// Checks by geometry that cells are in the order in which rays pass through them.
 #ifndef RelevoVisibility_h
 #define RelevoVisibility_h
 
@@ -17,24 +17,24 @@
 // All cells of a traversal.
 std::vector<vtkIdType> Traverse(vtkVisibilitySort* sort);
 
-// Whether these are all 3D cells of a mesh, each once, and no others.
+// Whether these are exactly the 3D cells of a mesh, each once.
 bool IsEachOnce(vtkDataSet* mesh, const std::vector<vtkIdType>& cells);
 
-// Cells that follow each other along rays, and how many of them are in the wrong order.
+// Number of pairs of consecutive cells along rays, and how many are in the wrong order.
 struct RelevoPairs
 {
   vtkIdType All = 0;
   vtkIdType Wrong = 0;
 };
 
-// Convex 3D cells with flat faces, as pieces of space between planes.
+// Convex 3D cells with flat faces, represented by planes.
 class RelevoConvexCells
 {
 public:
   explicit RelevoConvexCells(vtkDataSet* mesh);
 
-  // Random rays through the mesh's bounds. The eye is (x, y, z, 1), or (x, y, z, 0) far away in
-  // this direction, in the mesh's coordinates; cells are from back to front.
+  // Casts random rays through the mesh's bounds. The eye is (x, y, z, 1), or (x, y, z, 0) at
+  // infinity, in the mesh's coordinates. Cells are ordered back to front.
   RelevoPairs Compare(const std::vector<vtkIdType>& cells, const std::array<double, 4>& eye,
     int numberOfRays, RelevoDice& dice) const;
 
@@ -53,14 +53,14 @@ private:
   };
   std::vector<Part> Cross(const RelevoPoint& begin, const RelevoPoint& end) const;
 
-  std::vector<Cell> Cells; // of other dimensions: without planes
+  std::vector<Cell> Cells; // cells of other dimensions have no planes
   RelevoPoint Low;
   RelevoPoint High;
   double Diagonal;
 };
 
-// Looks at a mesh of such cells from several sides, counts and prints. There, vtkMeshVisibilitySort
-// returns each cell once, and finds no circles.
+// Views a mesh of such cells from several sides, counts and prints. vtkMeshVisibilitySort must
+// return each cell once and find no cycles.
 RelevoPairs CountPairs(RelevoCheck& check, const std::string& name, vtkUnstructuredGrid* mesh,
   RelevoDice& dice, int numberOfRays);
 

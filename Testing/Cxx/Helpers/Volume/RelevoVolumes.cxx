@@ -22,7 +22,7 @@ namespace
 {
 using relevo::dvec4;
 
-// Of the linear field's property, at a place of the cube that begins at low.
+// Colour and extinction of the linear field at a point of the cube that begins at `low`.
 dvec4 GetOptics(const RelevoRay& ray, double t, double low)
 {
   const RelevoPoint p = ray.At(t);
@@ -77,7 +77,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeTetrahedra(int n, const RelevoField& fi
   auto mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
   mesh->SetPoints(points);
   mesh->GetPointData()->SetScalars(scalars);
-  // From corner 0 to 7, along one axis after the other in each of their 6 orders.
+  // From corner 0 to corner 7, along the three axes in each of their 6 orders.
   const int steps[6][2] = { { 1, 3 }, { 1, 5 }, { 2, 3 }, { 2, 6 }, { 4, 5 }, { 4, 6 } };
   for (int cube = 0; cube < n * n * n; ++cube)
   {
@@ -193,7 +193,7 @@ double FindLargestDifference(const std::vector<RelevoColor>& a, const std::vecto
     for (int c = 0; c < 4; ++c)
     {
       const double difference = std::abs(a[i][c] - b[i][c]);
-      largest = difference <= largest ? largest : difference; // NaN counts
+      largest = difference <= largest ? largest : difference; // also detects NaN
     }
   }
   return largest;

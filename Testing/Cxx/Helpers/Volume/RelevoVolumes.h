@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Meshes of 3D cells, volume properties, and pictures that vtkVolumeRayCastFilter makes of them.
+// Meshes of 3D cells, volume properties, and pictures by vtkVolumeRayCastFilter.
 #ifndef RelevoVolumes_h
 #define RelevoVolumes_h
 
@@ -20,48 +20,49 @@ using RelevoPoint = std::array<double, 3>;
 using RelevoColor = std::array<double, 4>;
 using RelevoField = std::function<double(const RelevoPoint&)>;
 
-// A cube from `low` to low + 1, of n^3 cubes of 6 tetrahedra each, with point scalars "field".
+// A cube from `low` to low + 1 of n^3 cubes with 6 tetrahedra each, and the point scalars "field".
 vtkSmartPointer<vtkUnstructuredGrid> MakeTetrahedra(
   int n, const RelevoField& field, double low = 0.0);
 
-// Beside a mesh, block "solid", a surface, "skin", and "air", whose array has another name.
+// Blocks: the mesh as "solid", a surface "skin", and "air", whose array has another name.
 vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocksToLeaveOut(vtkUnstructuredGrid* solid);
 
-// One voxel from 0 to 1, and a field that is not linear in it.
+// One voxel from 0 to 1 with a field that is not linear in it.
 double GetTrilinear(const RelevoPoint& at);
 vtkSmartPointer<vtkImageData> MakeVoxel(const RelevoField& field);
 
-// Red at 0 to blue at 1, opacity from first to last in between.
+// Red at 0 to blue at 1, with opacity from first to last.
 vtkSmartPointer<vtkVolumeProperty> MakeVolumeProperty(
   double first, double last, double unitDistance = 1.0);
 
 vtkSmartPointer<vtkCamera> MakeCamera(
   const RelevoPoint& position, const RelevoPoint& focalPoint, double angle = 30.0);
 
-// Row after row; empty where the filter had an error.
+// Row after row; empty if the filter reports an error.
 std::vector<RelevoColor> Cast(vtkVolumeRayCastFilter* filter);
 std::vector<RelevoColor> Cast(
   vtkDataObject* mesh, vtkVolumeProperty* property, vtkCamera* camera, int width, int height);
 
 double FindLargestDifference(const std::vector<RelevoColor>& a, const std::vector<RelevoColor>& b);
-// The same of red, green and blue in columns and rows from first to last, of pictures so wide.
+// The same for red, green and blue in columns and rows from first to last, for pictures of this
+// width.
 double FindLargestDifferenceInside(const std::vector<RelevoColor>& a,
   const std::vector<RelevoColor>& b, int width, int first, int last);
 
-// A field that is linear in space, from 0 to 1 in a cube of side 1, a property for it, and what is
-// seen of such a cube: along a ray colour and extinction are linear.
+// A field that is linear in space, from 0 to 1 in a unit cube, a property for it, and the exact
+// picture: colour and extinction are linear along a ray.
 double GetLinearField(const RelevoPoint& at);
 vtkSmartPointer<vtkVolumeProperty> MakeLinearProperty();
 std::vector<RelevoColor> MakeLinearPicture(
   vtkCamera* camera, int width, int height, double low = 0.0);
 
-// The ray through a pixel, by the camera's angles rather than matrices.
+// The ray through a pixel, from the camera's angles rather than matrices.
 struct RelevoRay
 {
   RelevoRay(vtkCamera* camera, int column, int row, int width, int height);
 
   RelevoPoint At(double t) const;
-  // Where it is inside a box of equal sides: false where it misses. Not before t = 0.
+  // The part of the ray inside a cube, not before t = 0. Returns false if the ray misses it.
   bool CutBox(double low, double high, double& begin, double& end) const;
 
   RelevoPoint Origin;

@@ -121,7 +121,7 @@ void TestLeftOut(RelevoCheck& check)
   scene.Source->AddCamera(scene.GetCamera());
   const std::vector<RelevoTexel> alone = RelevoReadTexels(scene.Capture());
 
-  // Larger volumes in front of the ball are not captured.
+  // Larger, translucent balls around it are not captured.
   for (int i = 0; i < 2; ++i)
   {
     vtkActor* pane = scene.Add(RelevoBumpyBall());

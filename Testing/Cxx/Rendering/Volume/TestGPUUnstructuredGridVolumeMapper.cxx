@@ -110,8 +110,7 @@ void TestPlaces(RelevoCheck& check)
     0.0, 1.0);
 }
 
-// An opaque box in the volume ends the rays in its pixels. A viewport in the upper right shows the
-// same as a window of that size.
+// A viewport in the upper right shows the same as a window of that size.
 void TestViewports(RelevoCheck& check)
 {
   const int size = 60;
