@@ -72,7 +72,7 @@ private:
   vtkSmartPointer<vtkProximityDepthTagMetric> Metric;
   relevo::BoxTree Tree;
   vtkMTimeType TreeTime = 0;
-  std::vector<float> Levels; // of triangles
+  std::vector<float> Levels; // one per triangle
 };
 
 void ProximityEvaluator::BuildTree()
@@ -133,7 +133,7 @@ vtkSmartPointer<vtkLookupTable> MakeTable()
   table->SetTableRange(0.0, LevelInside);
   for (int i = 0; i < NumberOfColors; ++i)
   {
-    // Of the lowest of the levels that have this colour.
+    // The lowest of the levels that have this colour.
     const double level = LevelInside * i / NumberOfColors;
     const double t = level / highest;
     const double* fixed = i == 0 ? blue : (t > 1.0 ? red : nullptr);

@@ -45,11 +45,11 @@ struct vtkSurfaceIntersectionFilter::Internals
 
   relevo::MovedSurface Own[2];
   std::shared_ptr<relevo::MovedSurface> Shared[2];
-  relevo::MovedSurface* Sides[2]; // one of these
+  relevo::MovedSurface* Sides[2]; // each is one of these
   relevo::CurvedSurface Curved[2];
   bool IsSelf = false;
 
-  // Faces of a curved surface that may meet the other one.
+  // Returns the faces of a curved surface that may intersect the other surface.
   std::vector<unsigned char> FindCandidates(int side, bool isOtherCurved) const
   {
     const relevo::BoxTree& own = this->Curved[side].GetTree();
@@ -104,7 +104,8 @@ void vtkSurfaceIntersectionFilter::SetRefinement(int input, vtkAdaptiveRefinemen
   if (this->IsInput(input) && this->Refinements[input] != refinement)
   {
     this->Refinements[input] = refinement;
-    this->Surfaces->Own[input].Clear(); // what was refined may become an input, with its own cells
+    this->Surfaces->Own[input].Clear(); // the refined mesh may be the next input, with other cell
+                                        // ids
     this->Modified();
   }
 }
@@ -232,7 +233,7 @@ bool vtkSurfaceIntersectionFilter::RefineInput(int side)
   relevo::Motion motion;
   motion.Set(this->Matrices[side]);
   const double stretch = motion.GetLargestStretch();
-  // A tiny stretch must not make it infinite.
+  // A very small stretch must not result in infinity.
   const double tolerance = std::min(this->Tolerance / stretch, relevo::LargestDouble);
   const std::pair<vtkIdType, double> warning = curved.GetSurface().Refine(areWanted, tolerance);
   if (warning.first > 0)

@@ -44,7 +44,7 @@ std::string DescribeSize(vtkImageData* image)
     std::to_string(size[2]);
 }
 
-// A depth for each texel, of its column, row and sample.
+// Computes a depth for each texel from column, row and sample.
 template <class ToDepth>
 vtkSmartPointer<vtkFloatArray> MakeDepths(vtkDataArray* samples, int width, const ToDepth& toDepth)
 {
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkFloatArray> MakeDepths(vtkDataArray* samples, int width, cons
   return depths;
 }
 
-// Within floats, so that what is valid as a double stays so.
+// Returns a depth in the range of float, or no depth.
 float ToValidDepth(double depth)
 {
   using Limits = std::numeric_limits<float>;
@@ -149,7 +149,7 @@ int vtkDepthImageToRelief::RequestInformation(
   return 1;
 }
 
-// Of both images, all that they have.
+// Requests the whole of both images.
 int vtkDepthImageToRelief::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
@@ -260,7 +260,7 @@ std::string vtkDepthImageToRelief::AddPinholeDepths(vtkDataArray* samples, vtkIm
   output->GetPointData()->AddArray(MakeDepths(samples, size[0],
     [this](int, int, double sample) { return ToValidDepth(sample * this->DepthScale); }));
 
-  // From the image's rows to those that count from the top.
+  // Converts rows of the image to rows from the top.
   const double step = this->BottomRowFirst ? -1.0 : 1.0;
   const double first = this->BottomRowFirst ? size[1] - 1.0 : 0.0;
   relevo::dmat4 toCamera(1.0);
@@ -318,7 +318,7 @@ std::string vtkDepthImageToRelief::AddColors(
       std::to_string(colors->GetNumberOfTuples()) + " colours for " + DescribeSize(input) +
       " depths; each depth has one.";
   }
-  // With the depths in an array of their own, a renderer's picture is beside them.
+  // If depths are in a separate array, the scalars are the rendered colours.
   const bool isPicture = this->Camera && colors && colors != samples &&
     colors->GetNumberOfTuples() == samples->GetNumberOfTuples();
   if (!colorInput && !isPicture)

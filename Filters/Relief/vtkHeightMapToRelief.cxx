@@ -35,9 +35,10 @@ vtkStandardNewMacro(vtkHeightMapToRelief);
 namespace
 {
 constexpr double LargestExaggeration = VTK_FLOAT_MAX;
-constexpr int MaximumTexels = 64; // along a sample
+constexpr int MaximumTexels = 64; // per sample and direction
 
-// NaN without data; nothing if it is not to go on, which is asked with the share that is done.
+// Returns heights, NaN where data is missing. Returns an empty vector if `goesOn`, which receives
+// the progress, returns false.
 std::vector<double> ReadTexels(vtkHeightField* heights, const relevo::TerrainTexels& texels,
   const int texelSize[2], const std::function<bool(double)>& goesOn)
 {
@@ -48,7 +49,7 @@ std::vector<double> ReadTexels(vtkHeightField* heights, const relevo::TerrainTex
   const auto getHeight = [&](int column, int row)
   {
     const auto uv = texels.GetParameters(column, row);
-    // The sample that the texel lies in.
+    // The sample that contains the texel.
     const int i = uv ? std::min(static_cast<int>(uv->x * size[0]), size[0] - 1) : -1;
     const int j = uv ? std::min(static_cast<int>(uv->y * size[1]), size[1] - 1) : -1;
     const std::size_t sample = static_cast<std::size_t>(j) * size[0] + i;
@@ -81,7 +82,7 @@ std::vector<double> ReadTexels(vtkHeightField* heights, const relevo::TerrainTex
   return result;
 }
 
-// Downwards from the highest place, which becomes the relief's plane.
+// Returns depths below the highest point, which defines the relief's plane.
 vtkSmartPointer<vtkFloatArray> MakeDepths(
   const std::vector<double>& heights, double top, double scale)
 {
@@ -98,7 +99,7 @@ double FindTop(const std::vector<double>& heights, double scale)
   double top = -std::numeric_limits<double>::infinity();
   for (double height : heights)
   {
-    top = height == height ? std::max(top, scale * height) : top; // no NaN
+    top = height == height ? std::max(top, scale * height) : top; // ignores NaN
   }
   return std::isfinite(top) ? top : 0.0;
 }
@@ -191,7 +192,7 @@ std::string vtkHeightMapToRelief::ReadHeights()
   return "";
 }
 
-// The heights tell the size, so they are read here.
+// The size depends on the heights, so they are read here.
 int vtkHeightMapToRelief::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
@@ -209,7 +210,7 @@ int vtkHeightMapToRelief::RequestInformation(
   return 1;
 }
 
-// Of the imagery, all that it has.
+// Requests the whole imagery.
 int vtkHeightMapToRelief::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {

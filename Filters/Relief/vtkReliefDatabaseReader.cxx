@@ -32,7 +32,7 @@ void SetName(vtkMultiBlockDataSet* blocks, unsigned int block, const std::string
   }
 }
 
-// The relief of a row; nullptr, and what is wrong, if it has none.
+// Reads the relief of a row. Returns nullptr with an `error` if that fails.
 vtkSmartPointer<vtkImageData> ReadRow(
   const relevo::ReliefTable& table, std::size_t row, std::string& error)
 {
@@ -50,7 +50,7 @@ vtkSmartPointer<vtkImageData> ReadRow(
   return image;
 }
 
-// The last time that is not later than the one asked for, else the first.
+// Returns the last time that is not later than the requested one, or the first.
 double ChooseTime(const std::vector<double>& times, double asked)
 {
   const auto later = std::upper_bound(times.begin(), times.end(), asked);
@@ -140,7 +140,7 @@ bool vtkReliefDatabaseReader::ReadReliefs(vtkInformationVector* outputVector)
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector);
   output->Initialize();
   const relevo::ReliefTable table(this->FileName);
-  if (!table.GetError().empty()) // by now
+  if (!table.GetError().empty()) // it may have changed since RequestInformation()
   {
     vtkErrorMacro(<< table.GetError());
     return false;

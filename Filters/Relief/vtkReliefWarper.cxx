@@ -34,8 +34,8 @@ vtkCxxSetSmartPointerMacro(vtkReliefWarper, Camera, vtkCamera);
 
 namespace
 {
-// Where nothing but position and focal point count, the very same eye for the same two: what else
-// changes of a camera then asks for no new warp.
+// If only position and focal point matter, the eye is computed from these alone, so that other
+// changes of the camera do not cause another warp.
 relevo::dvec4 FindEye(vtkCamera* camera)
 {
   const double* shear = camera->GetViewShear();
@@ -60,31 +60,31 @@ relevo::dvec4 FindEye(vtkCamera* camera)
 class vtkReliefWarper::Internals
 {
 public:
-  // What is asked for.
+  // The requested input and settings.
   std::shared_ptr<const relevo::WarpSource> Source;
-  vtkSmartPointer<vtkImageData> Input; // that the source was made from, so that its address stays
+  vtkSmartPointer<vtkImageData> Input; // input of the source; the reference keeps its address valid
   vtkMTimeType InputTime = 0;
   double Stretch = 0.0;
-  vtkMTimeType WarpedSettings = 0; // the modification time of the filter that was warped last
+  vtkMTimeType WarpedSettings = 0; // modification time of the filter at the last warp
   bool IsWarned = false;
 
   relevo::WarpedImage Shown;
-  relevo::WarpedImage Next; // of the worker, while that is busy
-  bool IsNextOpen = false;  // begun and not taken
+  relevo::WarpedImage Next; // output of the worker while it is busy
+  bool IsNextOpen = false;  // started, but not shown yet
   std::atomic<bool> IsNextWarped{ false };
   relevo::WarpPasses Passes;
 
   std::atomic<int> NumberOfWarps{ 0 };
   std::atomic<double> WarpTime{ 0.0 };
-  vtkTimeStamp LookTime;     // when last a finished picture was there to be taken
-  relevo::WarpWorker Worker; // the first to go
+  vtkTimeStamp LookTime;     // last time at which a finished image was available
+  relevo::WarpWorker Worker; // last member, so that it is destroyed first
 
   relevo::WarpCoefficients GetCoefficients(vtkCamera* camera) const
   {
     return relevo::GetWarpCoefficients(this->Source->GetRelief(), FindEye(camera));
   }
 
-  // By the thread that warps.
+  // Called by the thread that warps.
   void Warp(relevo::WarpedImage& image)
   {
     const auto start = std::chrono::steady_clock::now();
@@ -123,7 +123,7 @@ public:
     this->IsNextOpen = false;
   }
 
-  // So that another can warp.
+  // Waits for the worker, so that another thread can warp.
   void Stop()
   {
     this->Worker.Wait();
@@ -188,8 +188,8 @@ bool vtkReliefWarper::CanWarp()
   return this->Own->Source && this->Camera && this->Own->GetCoefficients(this->Camera).IsUsable;
 }
 
-// The worker may finish at any time, also while RequestData() runs: until the picture is taken, it
-// is newer than what there is.
+// The worker can finish at any time, even during RequestData(). The modification time increases
+// until the finished image is shown.
 vtkMTimeType vtkReliefWarper::GetMTime()
 {
   if (this->Own->IsFinished())
@@ -200,7 +200,7 @@ vtkMTimeType vtkReliefWarper::GetMTime()
     this->Own->LookTime.GetMTime());
 }
 
-// Of the relief, all that there is.
+// Requests the whole relief.
 int vtkReliefWarper::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
@@ -275,7 +275,7 @@ void vtkReliefWarper::Warp(vtkImageData* output)
     vtkWarningMacro("The eye is in the relief's plane or behind it: nothing can be warped.");
   }
   own.IsWarned = !coefficients.IsUsable;
-  // A change of settings warps again, one of the camera only where it makes a difference.
+  // A change of settings always requires a warp, a change of the camera only if it has an effect.
   const vtkMTimeType settings = this->vtkObject::GetMTime();
   const auto isShown = [&]()
   { return own.WarpedSettings == settings && own.Shown.Shows(own.Source, coefficients); };
@@ -299,7 +299,7 @@ void vtkReliefWarper::Warp(vtkImageData* output)
       {
         own.Stop();
       }
-    } while (isToWait); // again, if what was under way is of another size
+    } while (isToWait); // repeat if the image in progress has another size
   }
   else
   {

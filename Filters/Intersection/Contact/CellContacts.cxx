@@ -51,7 +51,8 @@ void CellContacts::MeasureDistances(const MovedSurface& other, double nearDistan
     {
       vtkIdType nearest = -1;
       vtkIdType cell = -1;
-      double square = Box::Infinity; // the least so far of the cell, which may have many triangles
+      double square = Box::Infinity; // smallest value of the cell so far, which may have several
+                                     // triangles
       for (vtkIdType t = first; t < last; ++t)
       {
         if (this->Surface.GetCell(t) != cell)
@@ -91,7 +92,7 @@ void CellContacts::MeasureDistances(const MovedSurface& other, double nearDistan
 
 void CellContacts::FindInside(const MovedSurface& other)
 {
-  // What hangs together without a cut is on one side.
+  // Connected triangles without a cut are on the same side.
   DisjointSets parts(this->Surface.GetNumberOfPoints());
   const vtkIdType number = this->Surface.GetNumberOfTriangles();
   for (vtkIdType t = 0; t < number; ++t)

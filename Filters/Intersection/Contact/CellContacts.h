@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CellContacts
- * @brief   how the cells of a surface are to another
+ * @brief   classification of the cells of a surface by their contact with another surface
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CellContacts_h
 #define CellContacts_h
@@ -31,17 +31,17 @@ public:
     Inside
   };
 
-  /// Of a mesh of so many cells, which has the surface.
+  /// `numberOfCells` is the number of cells of the mesh of the surface.
   CellContacts(const MovedSurface& surface, vtkIdType numberOfCells);
 
-  /// Cells of triangles that are the side, 0 or 1, of a pair are cut.
+  /// Marks the cells of triangles at side 0 or 1 of the pairs as cut.
   void MarkCut(const std::vector<IntersectingPair>& pairs, int side);
-  /// Distances to another surface; what is nearer than a distance is near.
+  /// Measures the distances to another surface. Marks cells below nearDistance as near.
   void MeasureDistances(const MovedSurface& other, double nearDistance);
-  /// What is inside of another surface, which is closed.
+  /// Marks cells inside of another surface, which must be closed.
   void FindInside(const MovedSurface& other);
 
-  /// Give a mesh the cell array `Contact` and, if distances were measured, `Distance`.
+  /// Adds the cell array "Contact" and, if distances were measured, "Distance" to a mesh.
   void AddArrays(vtkPolyData* mesh) const;
 
 private:

@@ -18,7 +18,7 @@ enum class Crossing
   Unclear // through an edge, or along the triangle
 };
 
-// The segment p q, of which neither end is in the triangle.
+// Tests the segment p q. Neither end is in the triangle.
 Crossing Cross(const double p[3], const double q[3], const std::array<const double*, 3>& triangle)
 {
   const int pSide = Orient3D(triangle[0], triangle[1], triangle[2], p);
@@ -31,7 +31,7 @@ Crossing Cross(const double p[3], const double q[3], const std::array<const doub
   {
     return Crossing::None;
   }
-  bool hasSide[3] = {}; // right, on and left of the line
+  bool hasSide[3] = {}; // right of, on and left of the line
   for (int i = 0; i < 3; ++i)
   {
     hasSide[1 + Orient3D(p, q, triangle[i], triangle[(i + 1) % 3])] = true;
@@ -43,7 +43,7 @@ Crossing Cross(const double p[3], const double q[3], const std::array<const doub
   return hasSide[1] ? Crossing::Unclear : Crossing::Proper;
 }
 
-// Whether the segment p q crosses the surface, and says with -1 that it cannot tell.
+// Returns the parity of crossings of the segment p q, or -1 if undetermined.
 int CountParity(const double p[3], const double q[3], const MovedSurface& surface)
 {
   const BoxTree& tree = surface.GetTree();
@@ -93,7 +93,8 @@ bool IsInside(const double point[3], const MovedSurface& surface)
   {
     return false;
   }
-  // Rays nearly along x, another one if one meets an edge. They end beyond the surface.
+  // Rays are nearly parallel to x and end beyond the surface. Another ray is used if one hits an
+  // edge.
   std::mt19937 random(1);
   int parity = -1;
   for (int attempt = 0; attempt < 100 && parity < 0; ++attempt)

@@ -23,7 +23,7 @@ double GetSquare(const dvec3& v)
   return dot(v, v);
 }
 
-// C. Ericson, "Real-Time Collision Detection" (2005), 5.1.9: between segments p q and a b.
+// Between segments p q and a b: C. Ericson, "Real-Time Collision Detection" (2005), 5.1.9.
 double GetSegmentSquare(const dvec3& p, const dvec3& q, const dvec3& a, const dvec3& b)
 {
   const dvec3 d = q - p;
@@ -45,8 +45,8 @@ double GetSegmentSquare(const dvec3& p, const dvec3& q, const dvec3& a, const dv
   return GetSquare(r + s * d - t * e);
 }
 
-// From a point to the inside of a triangle where it is above or below it, else infinite: edges are
-// measured for themselves.
+// From a point to the interior of a triangle if it projects to it, otherwise infinity. Edges are
+// measured separately.
 double GetFaceSquare(const dvec3& point, const Corners& triangle)
 {
   const dvec3& a = triangle.Points[0];
@@ -89,7 +89,7 @@ double GetBoxSquare(const Box& a, const Box& b, double unit)
     const double gap = std::max({ a.Low[c] - b.High[c], b.Low[c] - a.High[c], 0.0 }) * unit;
     square += gap * gap;
   }
-  // Rounding must not hide what is as near.
+  // Rounding errors must not exclude boxes at the same distance.
   return square * (1.0 - 1e-12);
 }
 
@@ -131,7 +131,7 @@ SurfaceDistance::SurfaceDistance(const MovedSurface& from, const MovedSurface& t
 {
   const double reach = std::max(GetReach(from.GetTree().GetNodes().front().Bounds),
     GetReach(to.GetTree().GetNodes().front().Bounds));
-  // Of tiny ones the inverse would be infinite.
+  // Avoids infinity for very small surfaces.
   this->Unit = std::ldexp(1.0, std::min(-std::ilogb(reach), 1000));
 }
 
@@ -139,8 +139,9 @@ double SurfaceDistance::Square(vtkIdType triangle, vtkIdType other) const
 {
   const double square = GetTriangleSquare(
     GetCorners(this->From, triangle, this->Unit), GetCorners(this->To, other, this->Unit));
-  // Rounding, of a triangle of 1e38 say, may end below the distance of the boxes. It must not: the
-  // search skips by boxes, and the order in which it looks must not matter.
+  // Rounding errors, for example for a triangle of size 1e38, can make this smaller than the
+  // distance of the boxes. The larger one is used, because the search skips boxes by their
+  // distance, and its order must not affect the result.
   return std::max(
     square, GetBoxSquare(GetBox(this->From, triangle), GetBox(this->To, other), this->Unit));
 }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   SurfaceDistance
- * @brief   how far triangles are from a surface that they do not meet
+ * @brief   distances of triangles from a surface that they do not intersect
  *
- * Lengths are measured in a power of two near the size of the coordinates, so that squares neither
- * overflow nor vanish.
+ * Lengths are scaled by a power of two, according to the size of the coordinates, so that squares
+ * neither overflow nor underflow.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef SurfaceDistance_h
 #define SurfaceDistance_h
@@ -21,13 +21,13 @@ class MovedSurface;
 class SurfaceDistance
 {
 public:
-  /// Of triangles of one surface to the other, which has triangles with an area.
+  /// Measures from triangles of `from` to those of `to`, which must have a triangle with an area.
   SurfaceDistance(const MovedSurface& from, const MovedSurface& to);
 
-  /// Lower the square of a distance to that of a triangle, where this is less. `nearest`: a
-  /// triangle of the other surface that may be near, -1 for none; becomes one that is nearer.
+  /// Lowers `square` to the squared distance of a triangle if that is smaller. `nearest` is a
+  /// triangle of the other surface that is possibly near, or -1, and returns the nearest one found.
   void Lower(vtkIdType triangle, vtkIdType& nearest, double& square) const;
-  /// The distance that has such a square.
+  /// Returns the distance for such a square.
   double GetLength(double square) const;
 
 private:

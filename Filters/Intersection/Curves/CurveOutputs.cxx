@@ -20,7 +20,7 @@ namespace relevo
 {
 namespace
 {
-// Cells with ids of the inputs' cells, and those of the points that they use.
+// Cells with the ids of the intersecting cells, and their points.
 class Cells
 {
 public:
@@ -91,7 +91,7 @@ private:
   vtkNew<vtkIdTypeArray> CellIds[2];
 };
 
-// The ids that all of a line's segments have, else -1.
+// Returns the ids if all segments of a line have the same, otherwise -1.
 std::array<vtkIdType, 2> GetCommonIds(
   const Cells& cells, const JoinedLine& line, const CurveSegments& segments)
 {
@@ -116,7 +116,7 @@ void AddJoinedLines(const CurveSegments& segments, vtkIdType numberOfPoints, Cel
   const std::vector<vtkIdType> components = FindComponents(joined, numberOfPoints);
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName("ComponentId");
-  // Vertices are the first cells, but the last components.
+  // Vertices are the first cells, but have the last components.
   vtkIdType next = 0;
   for (vtkIdType component : components)
   {

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   curves and overlaps as VTK's cells
+ * @file
+ * @brief   output of intersection curves and overlaps as VTK cells
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CurveOutputs_h
 #define CurveOutputs_h
@@ -15,8 +16,8 @@ class vtkPolyData;
 namespace relevo
 {
 /**
- * Fill `curves` with what the pairs have in common in points and segments, these joined if asked
- * for, and `overlaps` with polygons.
+ * Fills `curves` with points and segments of the intersections, which are optionally joined, and
+ * `overlaps` with polygons.
  */
 void MakeCurves(const MovedSurface& first, const MovedSurface& second,
   const std::vector<IntersectingPair>& pairs, bool joinSegments, vtkPolyData* curves,

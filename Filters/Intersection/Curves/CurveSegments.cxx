@@ -30,7 +30,7 @@ CurveSegments::CurveSegments(
   const std::vector<IntersectingPair>& pairs, const IntersectionPoints& points)
 {
   std::vector<unsigned char> areUsed(points.GetNumberOfPoints(), 0);
-  // How many polygons have such a side; far more where a segment has been taken.
+  // Number of polygons with a side; much larger if the segment has been added.
   constexpr int taken = 1 << 20;
   std::unordered_map<Ends, int, EndsHash> sides;
   for (std::size_t p = 0; p < pairs.size(); ++p)

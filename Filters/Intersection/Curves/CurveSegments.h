@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CurveSegments
- * @brief   the points, segments and polygons that two surfaces have in common, each of them once
+ * @brief   points, segments and polygons of the intersection of two surfaces, without duplicates
  *
- * What several pairs of triangles have in common is taken of the first of them. Segments with
- * polygons on both sides, and points at the end of a segment or at the corner of a polygon, are
- * parts of these, and left out.
+ * If several pairs of triangles have the same intersection, the first pair is used. Segments with
+ * polygons on both sides, and points at the end of a segment or the corner of a polygon, are
+ * omitted.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CurveSegments_h
 #define CurveSegments_h
@@ -40,7 +40,7 @@ struct CurveSegments
 
   std::vector<Touch> Touches;
   std::vector<Segment> Segments;
-  std::vector<std::size_t> Overlaps; // pairs whose triangles have a polygon in common
+  std::vector<std::size_t> Overlaps; // pairs of triangles that intersect in a polygon
 };
 }
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   IntersectionPoints
- * @brief   the points where surfaces meet, each of them once
+ * @brief   points of the intersection of two surfaces, without duplicates
  *
- * A point is known by the parts of the surfaces that it is in: a place, an edge or a triangle of
- * each, known by their places. So a triangle that is there twice counts once. Its coordinates are a
+ * A point is identified by the vertex, edge or triangle of each surface that contains it. These are
+ * identified by their merged points, so that duplicate triangles have no effect. Coordinates are a
  * quotient that is computed exactly and rounded once.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef IntersectionPoints_h
 #define IntersectionPoints_h
@@ -30,22 +30,22 @@ public:
     const std::vector<IntersectingPair>& pairs);
 
   vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Uses.size()); }
-  /// The point of a pair's corner.
+  /// Returns the point at a corner of the intersection of a pair.
   vtkIdType GetId(std::size_t pair, int corner) const
   {
     return this->Ids[this->Firsts[pair] + corner];
   }
-  /// Compute the coordinates of a point.
+  /// Computes the coordinates of a point.
   void Compute(vtkIdType point, double x[3]) const;
 
 private:
-  // By which pair and corner a point was found first.
+  // The pair and corner where a point was found first.
   struct Use
   {
     std::size_t Pair;
     int Corner;
   };
-  // The places of a corner, an edge or a triangle, in order; -1 for those that are too many.
+  // The sorted merged points of a corner, an edge or a triangle, filled up with -1.
   using Part = std::array<vtkIdType, 3>;
 
   Part GetPart(const MovedSurface& surface, vtkIdType triangle, TrianglePart part) const;
@@ -53,8 +53,8 @@ private:
   const MovedSurface* Surfaces[2];
   const std::vector<IntersectingPair>& Pairs;
   std::vector<Use> Uses;
-  std::vector<std::size_t> Firsts; // per pair
-  std::vector<vtkIdType> Ids;      // per corner of a pair
+  std::vector<std::size_t> Firsts; // one per pair
+  std::vector<vtkIdType> Ids;      // one per corner of a pair
 };
 }
 

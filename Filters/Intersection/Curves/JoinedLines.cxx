@@ -39,7 +39,7 @@ public:
   std::vector<JoinedLine> Join()
   {
     std::vector<JoinedLine> lines;
-    // Closed lines are what is left.
+    // Segments that remain after the open lines form closed lines.
     for (const bool isClosed : { false, true })
     {
       for (std::size_t s = 0; s < this->Segments.size(); ++s)
@@ -85,7 +85,7 @@ private:
   }
 
   const std::vector<CurveSegments::Segment>& Segments;
-  std::vector<std::size_t> Starts; // into Uses, per point
+  std::vector<std::size_t> Starts; // index into Uses for each point
   std::vector<std::size_t> Uses;   // segments
   std::vector<unsigned char> AreTaken;
 };

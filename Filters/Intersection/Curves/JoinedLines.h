@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   segments joined into lines that are as long as can be
+ * @file
+ * @brief   joining of segments to lines of maximum length
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef JoinedLines_h
 #define JoinedLines_h
@@ -14,19 +15,20 @@ namespace relevo
 {
 struct JoinedLine
 {
-  std::vector<vtkIdType> Points; // of a closed one the first is also the last
+  std::vector<vtkIdType> Points; // for a closed line, the last point is the first
   std::vector<std::size_t> Segments;
 };
 
 /**
- * Lines end where not just two segments meet, and where there is no such point they are closed.
- * Points are counted from 0 to `numberOfPoints`.
+ * Lines end where other than two segments meet. Lines without such a point are closed. Point ids
+ * are less than `numberOfPoints`.
  */
 std::vector<JoinedLine> JoinSegments(
   const std::vector<CurveSegments::Segment>& segments, vtkIdType numberOfPoints);
 
 /**
- * For each line the connected component of the curves that it is of, counted from 0 in their order.
+ * Returns for each line the index of its connected component, numbered from 0 in the order of the
+ * lines.
  */
 std::vector<vtkIdType> FindComponents(
   const std::vector<JoinedLine>& lines, vtkIdType numberOfPoints);

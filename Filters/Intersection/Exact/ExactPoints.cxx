@@ -11,7 +11,7 @@ namespace relevo
 {
 namespace
 {
-// numerator / denominator * 2^exponent, rounded to nearest.
+// Returns numerator / denominator * 2^exponent, rounded to nearest.
 double RoundQuotient(const BigInteger& numerator, const BigInteger& denominator, int exponent)
 {
   if (numerator.is_zero())
@@ -20,7 +20,7 @@ double RoundQuotient(const BigInteger& numerator, const BigInteger& denominator,
   }
   BigInteger n = abs(numerator);
   BigInteger d = abs(denominator);
-  // A quotient of 64 bits or one more, of which the last also tells whether there is a remainder.
+  // The quotient has 64 or 65 bits. The last bit is set if there is a remainder.
   const int shift = 64 - (static_cast<int>(msb(n)) - static_cast<int>(msb(d)));
   if (shift > 0)
   {
@@ -45,7 +45,7 @@ double RoundQuotient(const BigInteger& numerator, const BigInteger& denominator,
   return (numerator.sign() < 0) == (denominator.sign() < 0) ? size : -size;
 }
 
-// p and q are on different sides, `pSide` and `qSide` away in any unit.
+// p and q are on different sides, at the distances `pSide` and `qSide` in any unit.
 void Interpolate(
   const ScaledPoints& points, const BigInteger& pSide, const BigInteger& qSide, double x[3])
 {
@@ -78,7 +78,7 @@ void CrossLine(
 {
   const ScaledPoints points{ p, q, a, b };
   const BigPoint ab = Subtract(points[3], points[2]);
-  // Along an axis along which the lines are not parallel.
+  // Find an axis in whose projection the lines are not parallel.
   BigInteger pSide, qSide;
   for (int axis = 0; axis < 3 && pSide == qSide; ++axis)
   {

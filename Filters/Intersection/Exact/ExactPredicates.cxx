@@ -16,7 +16,7 @@ namespace
 constexpr double Rounding = 0.5 * std::numeric_limits<double>::epsilon();
 constexpr double Bound3D = (7.0 + 56.0 * Rounding) * Rounding;
 constexpr double Bound2D = (3.0 + 16.0 * Rounding) * Rounding;
-// Far more than what products lose when they become too small for a double.
+// Much larger than the error of products that underflow.
 constexpr double Underflow = 1e-300;
 
 int GetSign(double value)
@@ -55,7 +55,7 @@ int Orient3D(const double a[3], const double b[3], const double c[3], const doub
   const double permanent = (std::abs(bxcy) + std::abs(cxby)) * std::abs(az) +
     (std::abs(cxay) + std::abs(axcy)) * std::abs(bz) +
     (std::abs(axby) + std::abs(bxay)) * std::abs(cz);
-  // Not so for what is infinite or NaN.
+  // False for infinity and NaN.
   if (std::abs(determinant) > Bound3D * permanent + Underflow * (1.0 + heights))
   {
     return -GetSign(determinant);
@@ -95,7 +95,7 @@ int FindAxis(const double a[3], const double b[3], const double c[3])
     const int v = (axis + 2) % 3;
     areas[axis] = std::abs((b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]));
   }
-  // Areas may be wrong, or not finite; what is tried first is a guess only.
+  // Areas may be inaccurate or not finite. They only determine the order of attempts.
   const int guess = static_cast<int>(std::max_element(areas.begin(), areas.end()) - areas.begin());
   for (int i = 0; i < 3; ++i)
   {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ScaledPoints
- * @brief   points in double as integers of any length, all times one power of two
+ * @brief   double points as integers of arbitrary length, scaled by a power of two
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef ScaledPoints_h
 #define ScaledPoints_h
@@ -26,7 +26,7 @@ using BigPoint = std::array<BigInteger, 3>;
 class ScaledPoints
 {
 public:
-  /// At most 5 points, of finite coordinates.
+  /// At most 5 points with finite coordinates.
   explicit ScaledPoints(std::initializer_list<const double*> points)
   {
     std::array<Number, 15> numbers;
@@ -56,11 +56,11 @@ public:
 
   const BigPoint& operator[](int point) const { return this->Points[point]; }
 
-  /// Coordinates are the integers times 2 to this.
+  /// Coordinates are the integers times 2 to the power of this exponent.
   int GetExponent() const { return this->Exponent; }
 
 private:
-  // Mantissa times 2 to the exponent, as small a mantissa as can be.
+  // Mantissa times 2 to the power of the exponent, with the smallest possible mantissa.
   struct Number
   {
     Number() = default;
@@ -89,7 +89,7 @@ inline BigPoint Subtract(const BigPoint& a, const BigPoint& b)
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
 }
 
-/// The component of the cross product along an axis.
+/// Returns the component of the cross product along an axis.
 inline BigInteger Cross(const BigPoint& a, const BigPoint& b, int axis)
 {
   const int u = (axis + 1) % 3;

@@ -76,7 +76,7 @@ void BoxTree::Fit(const std::vector<Box>& boxes)
         this->Boxes[i] = boxes[this->Items[i]];
       }
     });
-  // Children come after their parents.
+  // Children follow their parents.
   for (std::size_t n = this->Nodes.size(); n-- > 0;)
   {
     Node& node = this->Nodes[n];
@@ -95,7 +95,7 @@ void BoxTree::Fit(const std::vector<Box>& boxes)
 
 bool BoxTree::Intersects(const Box& box) const
 {
-  // Halves are equal, so that a tree of all boxes in memory is not as deep as that.
+  // The tree is balanced, so that this depth is sufficient for any number of boxes.
   std::array<vtkIdType, 128> stack;
   int size = 0;
   if (!this->Nodes.empty())

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   BoxTree
- * @brief   a bounding volume hierarchy in double, whose boxes can follow what moves
+ * @brief   a bounding volume hierarchy in double precision for moving items
  *
- * A binary tree, split at the median of the longest axis. When the items have moved, Fit() takes
- * their new boxes, and the tree stays as it is: bounds are exact, whatever the motion.
+ * A binary tree that is split at the median of the longest axis. When items have moved, Fit()
+ * updates the boxes, but not the structure of the tree. Bounds are exact after any motion.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef BoxTree_h
 #define BoxTree_h
@@ -60,22 +60,23 @@ public:
   struct Node
   {
     Box Bounds;
-    vtkIdType First; // position of its items; of an inner node the second child, the first follows
-    vtkIdType Count; // of items; 0 for an inner node
+    vtkIdType First; // position of the items; for an inner node the second child, the first child
+                     // follows the node
+    vtkIdType Count; // number of items; 0 for an inner node
   };
 
-  /// Sort items with these boxes into a tree.
+  /// Builds a tree of items with these boxes.
   void Build(const std::vector<Box>& boxes);
-  /// Take new boxes, of the same items.
+  /// Updates the boxes of the same items.
   void Fit(const std::vector<Box>& boxes);
 
   std::size_t GetNumberOfItems() const { return this->Items.size(); }
   const std::vector<Node>& GetNodes() const { return this->Nodes; }
-  /// The item at a position.
+  /// Returns the item at a position.
   vtkIdType GetItem(vtkIdType position) const { return this->Items[position]; }
   const Box& GetBox(vtkIdType position) const { return this->Boxes[position]; }
 
-  /// Whether a box meets that of any item.
+  /// Whether a box intersects the box of any item.
   bool Intersects(const Box& box) const;
 
 private:
@@ -83,7 +84,7 @@ private:
 
   std::vector<Node> Nodes;
   std::vector<vtkIdType> Items;
-  std::vector<Box> Boxes; // of items, by position
+  std::vector<Box> Boxes; // by position
 };
 }
 

@@ -4,9 +4,9 @@
  * @class   CurvedSurface
  * @brief   a moving surface that is refined to a tolerance where it may intersect another one
  *
- * The boxes of its faces are the items of a tree, which follows the motion.
+ * The items of the tree are the boxes of faces, which move with the surface.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CurvedSurface_h
 #define CurvedSurface_h
@@ -26,11 +26,11 @@ public:
   bool Take(
     vtkPolyData* mesh, vtkAdaptiveRefinement* recipe, std::string& error, std::string& warning);
 
-  /// Move the boxes of faces, which are the items of the tree.
+  /// Moves the boxes of the faces.
   void Move(const Motion& motion);
   const BoxTree& GetTree() const { return this->Tree; }
 
-  /// The surface where the mesh lies, not moved.
+  /// Returns the surface without the motion.
   ToleranceSurface& GetSurface() { return this->Surface; }
 
 private:

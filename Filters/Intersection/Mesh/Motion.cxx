@@ -15,7 +15,7 @@ namespace relevo
 {
 namespace
 {
-// Exactly 0 or not: the determinant of the linear part.
+// Whether the determinant of the linear part is exactly 0.
 bool IsSingular(const std::array<double, 16>& m)
 {
   const double origin[3] = { 0.0, 0.0, 0.0 };
@@ -70,7 +70,7 @@ Box Motion::MoveBox(const Box& box) const
   }
   for (int c = 0; c < 3; ++c)
   {
-    // Points of the box are rounded on their way, too.
+    // Includes the rounding errors of points in the box.
     const double margin = 8.0 * std::numeric_limits<double>::epsilon() *
       std::max(std::abs(moved.Low[c]), std::abs(moved.High[c]));
     moved.Low[c] -= margin;

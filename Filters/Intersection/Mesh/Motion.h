@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   Motion
- * @brief   the affine matrix that moves a surface
+ * @brief   an affine transform of a surface
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef Motion_h
 #define Motion_h
@@ -23,13 +23,14 @@ struct Box;
 class RELEVOFILTERSINTERSECTION_EXPORT Motion
 {
 public:
-  /// Take a matrix, nullptr for identity. Returns what is wrong with it, as "has a singular
-  /// matrix", or nothing.
+  /// Sets the matrix; nullptr is the identity. Returns an error, such as "has a singular matrix",
+  /// or "".
   std::string Set(vtkMatrix4x4* matrix);
 
   bool operator==(const Motion& other) const { return this->Elements == other.Elements; }
 
-  /// As VTK's transforms have it, so that a mesh moved by them meets in the same places.
+  /// Computes in the same order as VTK's transforms, so that a mesh transformed by these has
+  /// bitwise identical points.
   void Move(const double x[3], double moved[3]) const
   {
     const std::array<double, 16>& m = this->Elements;
@@ -39,10 +40,10 @@ public:
     }
   }
 
-  /// A box around all that a box becomes.
+  /// Returns a box that contains the transformed box.
   Box MoveBox(const Box& box) const;
 
-  /// The factor by which the longest length grows.
+  /// Returns the largest factor by which a length grows.
   double GetLargestStretch() const;
 
 private:

@@ -36,7 +36,7 @@ vtkAbstractArray* GetGhosts(vtkPolyData* mesh)
   return mesh->GetCellData()->GetAbstractArray(vtkDataSetAttributes::GhostArrayName());
 }
 
-// Cells that are inserted do not change a vtkCellArray's time.
+// The sizes are included because inserting cells does not modify the time of a vtkCellArray.
 std::array<vtkMTimeType, 4> GetState(vtkPolyData* mesh)
 {
   vtkPoints* points = mesh->GetPoints();
@@ -50,7 +50,7 @@ std::array<vtkMTimeType, 4> GetState(vtkPolyData* mesh)
     static_cast<vtkMTimeType>(sizes[2]) };
 }
 
-// What is wrong with the cells, or nothing.
+// Returns an error of the cells, or "".
 std::string CheckCells(vtkPolyData* mesh, vtkCellArray* cells, vtkIdType first)
 {
   auto cell = vtk::TakeSmartPointer(cells->NewIterator());
@@ -77,7 +77,7 @@ std::string CheckCells(vtkPolyData* mesh, vtkCellArray* cells, vtkIdType first)
   return {};
 }
 
-// Triangles of polygons and strips, also those with two corners at one place.
+// Counts the triangles of polygons and strips, including those with two coincident corners.
 vtkIdType CountTriangles(vtkCellArray* cells)
 {
   vtkIdType number = 0;
@@ -196,7 +196,7 @@ std::string MovedSurface::Move(const Motion& motion)
     return {};
   }
   const bool isFirst = !this->IsMoved;
-  this->IsMoved = false; // until all has gone well
+  this->IsMoved = false; // in case of an error
   if (!this->MovePoints(motion))
   {
     this->Clear();

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   MovedSurface
- * @brief   the triangles of a mesh, moved by a matrix, with a tree of boxes that is kept
+ * @brief   the triangles of a mesh, transformed by a matrix, with a cached tree of boxes
  *
- * Points that coincide in the mesh are one place, named by its lowest point id. The tree is built
- * once and follows the matrix.
+ * Coincident points are merged to the lowest point id. The tree is built once and updated when the
+ * matrix changes.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef MovedSurface_h
 #define MovedSurface_h
@@ -32,7 +32,7 @@ namespace relevo
 {
 class SurfaceTriangles;
 
-/// What is wrong with a mesh's polygons and strips, as "has no polygons", or nothing.
+/// Returns an error of the polygons and strips, such as "has no polygons", or "".
 std::string CheckSurface(vtkPolyData* mesh);
 
 class RELEVOFILTERSINTERSECTION_EXPORT MovedSurface
@@ -43,37 +43,37 @@ public:
   MovedSurface();
   ~MovedSurface();
 
-  /// Whether the mesh has the points, polygons, strips and ghosts that were taken, unchanged.
+  /// Whether the points, polygons, strips and ghost cells of the mesh are unchanged since Take().
   bool IsOf(vtkPolyData* mesh) const;
-  /// Take a mesh without its ghost cells, and the ids to give its cells; none for their own.
-  /// Returns what CheckSurface() has.
+  /// Takes a mesh without its ghost cells. `cells` replaces the cell ids if it is not empty.
+  /// Returns the error of CheckSurface(), or "".
   std::string Take(vtkPolyData* mesh, std::vector<vtkIdType> cells = {});
-  /// Move it from where it was taken. Returns what is wrong then, or nothing.
+  /// Transforms the mesh from its original position. Returns an error, or "".
   std::string Move(const Motion& motion);
-  /// Forget all.
+  /// Releases the mesh and all data.
   void Clear();
 
   vtkIdType GetNumberOfTriangles() const;
-  /// The places of the corners.
+  /// Returns the merged points of the corners.
   const Triangle& GetCorners(vtkIdType triangle) const;
   vtkIdType GetCell(vtkIdType triangle) const;
   vtkIdType GetNumberOfPoints() const;
-  /// Where a place, or another point of a triangle, is now.
+  /// Returns the transformed coordinates of a merged point, or another point of a triangle.
   const double* GetPoint(vtkIdType point) const { return &this->Moved[3 * point]; }
   std::array<const double*, 3> GetPoints(vtkIdType triangle) const;
-  /// Whether the triangle has an area now; others are in the tree as well.
+  /// Whether the transformed triangle has an area. Triangles without area are in the tree too.
   bool HasArea(vtkIdType triangle) const { return this->Areas[triangle] != 0; }
-  /// How many triangles have none, or two corners at one place.
+  /// Returns the number of triangles without area, including those with two coincident corners.
   vtkIdType GetNumberOfFlatTriangles() const { return this->NumberOfFlatTriangles; }
-  /// Whether any has an area.
+  /// Whether any triangle has an area.
   bool HasFaces() const
   {
     return this->NumberOfFlatTriangles <
       this->GetNumberOfTriangles() + this->NumberOfCollapsedTriangles;
   }
-  /// The items are triangles.
+  /// The items of the tree are triangles.
   const BoxTree& GetTree() const { return this->Tree; }
-  /// Whether each edge between places is of exactly two triangles.
+  /// Whether each edge between merged points has exactly two triangles.
   bool IsClosed() const;
 
 private:
@@ -84,19 +84,19 @@ private:
   vtkSmartPointer<vtkCellArray> Polygons;
   vtkSmartPointer<vtkCellArray> Strips;
   vtkSmartPointer<vtkAbstractArray> Ghosts;
-  std::array<vtkMTimeType, 4> State{}; // the latest of their times, and their sizes
+  std::array<vtkMTimeType, 4> State{}; // latest modification time, and sizes
   std::vector<vtkIdType> Cells;
   std::unique_ptr<SurfaceTriangles> Triangles;
   vtkIdType NumberOfCollapsedTriangles = 0;
-  std::vector<unsigned char> AreUsed; // per point, whether it is a corner
+  std::vector<unsigned char> AreUsed; // one per point, whether it is a corner
 
   Motion Current;
-  bool IsMoved = false; // by it
+  bool IsMoved = false; // whether Current is applied
   std::vector<double> Moved;
   std::vector<unsigned char> Areas;
   vtkIdType NumberOfFlatTriangles = 0;
   BoxTree Tree;
-  mutable int Closed = -1; // not known yet
+  mutable int Closed = -1; // -1 if unknown
 };
 }
 

@@ -14,7 +14,7 @@ namespace
 {
 constexpr double Beyond = 2.0;
 
-// Measured in `reach`, whose square may leave the range of doubles.
+// Divides lengths by `reach`, whose square may overflow or underflow.
 double GetSquare(const Box& box, const double point[3], double reach)
 {
   double square = 0.0;
@@ -39,7 +39,7 @@ double GetBoxDistance(const BoxTree& tree, const double point[3], double reach)
     return Beyond;
   }
   double nearest = Beyond * Beyond;
-  // Halves are equal, so that a tree of all boxes in memory is not as deep as that.
+  // The tree is balanced, so that this depth is sufficient for any number of boxes.
   vtkIdType stack[128];
   int size = 0;
   stack[size++] = 0;

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   how far a point is from the nearest of many boxes
+ * @file
+ * @brief   distance of a point from the nearest of many boxes
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef NearestBox_h
 #define NearestBox_h
@@ -12,8 +13,8 @@ namespace relevo
 {
 class BoxTree;
 
-/// The distance over `reach`, at least 0, up to 1; 2 for all that is beyond, or has a coordinate
-/// that is not finite. 0 in a box, its border being a part of it.
+/// Returns distance / reach, from 0 in or on a box to 1, or 2 if the distance is larger or a
+/// coordinate is not finite. `reach` is at least 0.
 double GetBoxDistance(const BoxTree& tree, const double point[3], double reach);
 }
 

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   all pairs of cells that meet, of pairs of their triangles
+ * @file
+ * @brief   pairs of intersecting cells, from pairs of triangles
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CellPairs_h
 #define CellPairs_h
@@ -19,8 +20,8 @@ namespace relevo
 class MovedSurface;
 
 /**
- * Adds the arrays AllInput0CellID and AllInput1CellID: each pair once, sorted. Of a surface with
- * itself the lower id comes first.
+ * Adds the arrays AllInput0CellID and AllInput1CellID with the distinct pairs, sorted. For the
+ * self-intersection of a surface, the lower id comes first.
  */
 void AddCellPairs(const MovedSurface& first, const MovedSurface& second,
   const std::vector<IntersectingPair>& pairs, vtkFieldData* data);

@@ -6,7 +6,7 @@ namespace relevo
 {
 TrianglePart FindPart(const std::array<int, 3>& sides)
 {
-  // Per set of the edges whose lines the point is on; it is not on all three.
+  // Indexed by the set of edges whose lines contain the point. No point is on all three.
   static constexpr TrianglePart parts[8] = { Interior, 3, 4, 1, 5, 0, 2, Outside };
   int on = 0;
   for (int i = 0; i < 3; ++i)

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  CommonPoints
- * @brief   points that two triangles have in common, named by the parts that they are in
+ * @brief   the intersection of two triangles, as parts of both
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CommonPoints_h
 #define CommonPoints_h
@@ -15,8 +15,8 @@ namespace relevo
 {
 using TrianglePoints = std::array<const double*, 3>;
 
-/// The smallest part of a triangle that a point is in: a corner 0 to 2, an edge 3 to 5 (3 + i goes
-/// from corner i to the next), or the interior.
+/// The smallest part of a triangle that contains a point: a corner 0 to 2, an edge 3 to 5 (3 + i
+/// leads from corner i to the next), or the interior.
 using TrianglePart = signed char;
 constexpr TrianglePart Interior = 6;
 constexpr TrianglePart Outside = -1;
@@ -30,7 +30,7 @@ inline bool IsEdge(TrianglePart part)
   return part >= 3 && part < Interior;
 }
 
-/// A point that is in a part of each of two triangles.
+/// A point in a part of each of two triangles.
 struct CommonPoint
 {
   TrianglePart Parts[2];
@@ -41,14 +41,14 @@ struct CommonPoint
   }
 };
 
-/// The corners of what two triangles have in common: none, 1 of a point, 2 of a segment, or 3 to 6
-/// of a polygon that winds as the first triangle does.
+/// The corners of the intersection of two triangles: none, 1 for a point, 2 for a segment, or 3 to
+/// 6 for a polygon with the orientation of the first triangle.
 struct CommonPoints
 {
   std::array<CommonPoint, 6> Points;
   int Count = 0;
 
-  /// Unless it is there.
+  /// Adds a point if it is new.
   void Add(TrianglePart first, TrianglePart second)
   {
     const CommonPoint point{ { first, second } };
@@ -64,8 +64,8 @@ struct CommonPoints
 };
 
 /**
- * The part of a triangle that a point is in, by the sides of its edges that the point is on: all 1
- * inside.
+ * Returns the part of a triangle that contains a point, given the side of each edge that the point
+ * is on: 1 is inside.
  */
 TrianglePart FindPart(const std::array<int, 3>& sides);
 }

@@ -10,7 +10,7 @@ namespace relevo
 {
 namespace
 {
-// Two triangles, seen so that each winds to the left.
+// Two triangles in a projection where each is oriented to the left.
 class PlanarPair
 {
 public:
@@ -70,7 +70,7 @@ public:
   }
 
 private:
-  // Whether an edge has the other triangle strictly beyond it.
+  // Whether the other triangle is strictly outside of an edge.
   bool AreApart() const
   {
     for (const auto& edges : this->Sides)
@@ -86,14 +86,14 @@ private:
     return false;
   }
 
-  // Where a triangle's corner is in the other.
+  // Returns the part of the other triangle that contains a corner.
   TrianglePart FindCorner(int side, int corner) const
   {
     const auto& edges = this->Sides[1 - side];
     return FindPart({ edges[0][corner], edges[1][corner], edges[2][corner] });
   }
 
-  // Whether a point is on an edge, 0 to 2 of a, 3 to 5 of b.
+  // Whether a point is on an edge: 0 to 2 of a, 3 to 5 of b.
   static bool IsOn(const CommonPoint& point, int edge)
   {
     const TrianglePart part = point.Parts[edge / 3];
@@ -101,7 +101,8 @@ private:
     return part == own || part == (own + 1) % 3 || part == 3 + own;
   }
 
-  // -1 if a point begins what b leaves of an edge of a, 1 if it ends it, 0 if that is not plain.
+  // Returns -1 if the point is the start of the part of an edge of a inside of b, 1 if it is the
+  // end, and 0 if undetermined.
   int GetEnd(const CommonPoint& point, int edge) const
   {
     if (IsCorner(point.Parts[0]))
@@ -111,7 +112,7 @@ private:
     return IsEdge(point.Parts[1]) ? this->Sides[1][point.Parts[1] - 3][edge] : 0;
   }
 
-  // Whether p comes before q on an edge of a.
+  // Whether p precedes q on an edge of a.
   bool IsBefore(const CommonPoint& p, const CommonPoint& q, int edge) const
   {
     const int pEnd = this->GetEnd(p, edge);
@@ -133,12 +134,12 @@ private:
     return (pAt[c] < qAt[c]) == (from[c] < to[c]);
   }
 
-  // A polygon's corners in the order of its border: the next is the other one on a common edge.
+  // Sorts the corners of a polygon along its border: consecutive corners share an edge.
   CommonPoints Sort(const CommonPoints& common) const
   {
     int neighbors[6][2];
     int degrees[6] = {};
-    int start[2] = { -1, -1 }; // a side of which the direction is known
+    int start[2] = { -1, -1 }; // a side with a known direction
     for (int edge = 0; edge < 6; ++edge)
     {
       int on[2];
@@ -180,19 +181,19 @@ private:
     return sorted;
   }
 
-  // Whether the polygon's border, winding as a does, goes from p to q.
+  // Whether the border of the polygon, oriented like a, leads from p to q.
   bool IsForward(const CommonPoint& p, const CommonPoint& q, int edge) const
   {
     if (edge < 3)
     {
       return this->IsBefore(p, q, edge);
     }
-    // No edge of a is part of the border: it is that of b.
+    // Without an edge of a, the border is that of b.
     return (p.Parts[1] == edge - 3) == this->AreTurnedAlike;
   }
 
   TrianglePoints Triangles[2];
-  // On which side of a triangle's edge the other's corner is.
+  // Sides of a triangle's edges that the corners of the other are on.
   std::array<std::array<std::array<int, 3>, 3>, 2> Sides;
   bool AreTurnedAlike;
 };

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   what two triangles in one plane have in common
+ * @file
+ * @brief   intersection of two coplanar triangles
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CoplanarPair_h
 #define CoplanarPair_h
@@ -12,7 +13,7 @@
 
 namespace relevo
 {
-/// The part of a triangle that a point in its plane is in.
+/// Returns the part of a triangle that contains a point of its plane.
 TrianglePart FindPartInPlane(const double point[3], const TrianglePoints& triangle);
 
 /// See IntersectTriangles().

@@ -61,7 +61,7 @@ private:
     return this->Second.GetTree().GetNodes()[pair.second];
   }
 
-  // Pairs of nodes that threads share, however many they are.
+  // Returns pairs of nodes to distribute to threads. They do not depend on the number of threads.
   std::vector<NodePair> MakeTasks() const
   {
     constexpr std::size_t enough = 512;
@@ -94,7 +94,7 @@ private:
     return this->GetFirst(pair).Count > 0 && this->GetSecond(pair).Count > 0;
   }
 
-  // Adds those pairs of children whose boxes meet.
+  // Adds the pairs of children whose boxes intersect.
   void Split(const NodePair& pair, std::vector<NodePair>& pairs) const
   {
     const BoxTree::Node& first = this->GetFirst(pair);
@@ -190,7 +190,7 @@ private:
     }
   }
 
-  // Whether two triangles of a surface share an edge and are not in one plane: most that touch.
+  // Whether two triangles share an edge and are not coplanar, which is the most common case.
   bool AreOnlyNeighbors(vtkIdType first, vtkIdType second) const
   {
     const auto& a = this->First.GetCorners(first);
@@ -208,7 +208,7 @@ private:
       Orient3D(points[0], points[1], points[2], this->First.GetPoint(b[own])) != 0;
   }
 
-  // Whether all that they have in common is a corner or an edge that they share.
+  // Whether the intersection is only a shared corner or edge.
   bool IsShared(const IntersectingPair& pair) const
   {
     const CommonPoints& common = pair.Common;

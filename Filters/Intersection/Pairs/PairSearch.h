@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   all pairs of triangles of two surfaces, or of one with itself, that meet
+ * @file
+ * @brief   search for all intersecting pairs of triangles of two surfaces, or of one surface
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef PairSearch_h
 #define PairSearch_h
@@ -31,8 +32,8 @@ struct IntersectingPair
 };
 
 /**
- * Sorted by triangles, those without an area left out. If both surfaces are the same object, the
- * first triangle is before the second, and the corner or the edge that they share is nothing.
+ * Returns sorted pairs of triangles with an area. If both surfaces are the same object, the first
+ * triangle precedes the second, and the shared corner or edge of adjacent triangles is ignored.
  */
 RELEVOFILTERSINTERSECTION_EXPORT std::vector<IntersectingPair> FindMeetingPairs(
   const MovedSurface& first, const MovedSurface& second);

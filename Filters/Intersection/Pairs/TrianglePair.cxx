@@ -26,7 +26,7 @@ bool AreAllOnOneSide(const Sides& sides)
   return sides[0] != 0 && sides[0] == sides[1] && sides[0] == sides[2];
 }
 
-// The part of a triangle that the line p q goes through, which is not in its plane.
+// Returns the part of a triangle that the line p q intersects. The line is not in its plane.
 TrianglePart FindCrossing(const double p[3], const double q[3], const TrianglePoints& triangle)
 {
   Sides sides;
@@ -40,8 +40,8 @@ TrianglePart FindCrossing(const double p[3], const double q[3], const TrianglePo
   return FindPart({ inside * sides[0], inside * sides[1], inside * sides[2] });
 }
 
-// Calls add(part of the triangle, part of the other) for corners and edges of a triangle that meet
-// the other, not in its plane; `sides` are those of the corners.
+// Calls add(part of the triangle, part of the other) for corners and edges of a triangle that
+// intersect the other triangle and are not in its plane. `sides` are the sides of the corners.
 template <typename Function>
 void MeetBorder(
   const TrianglePoints& triangle, const Sides& sides, const TrianglePoints& other, Function&& add)

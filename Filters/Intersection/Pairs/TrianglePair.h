@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   where two triangles meet, told by their corners, edges and interiors
+ * @file
+ * @brief   intersection of two triangles, described by corners, edges and interiors
  *
- * What two triangles have in common is convex: nothing, a point, a segment or, of coplanar ones, a
- * polygon. Each of its corners is where a corner, edge or the interior of one triangle meets such a
- * part of the other, so that it is named without being computed, and by all triangles alike that
- * have these parts in common.
+ * The intersection is convex: empty, a point, a segment or, for coplanar triangles, a polygon. Each
+ * of its corners is the intersection of a corner, edge or interior of one triangle with a part of
+ * the other. This identifies the point without computing it, and identically for all triangles that
+ * share these parts.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef TrianglePair_h
 #define TrianglePair_h
@@ -17,9 +18,8 @@
 
 namespace relevo
 {
-/// The points of a triangle's corners; it has an area.
 /**
- * What two triangles have in common, decided exactly.
+ * Computes the intersection with exact decisions. Both triangles must have an area.
  */
 CommonPoints IntersectTriangles(const TrianglePoints& a, const TrianglePoints& b);
 }

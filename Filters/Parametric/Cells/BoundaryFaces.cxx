@@ -65,7 +65,7 @@ void ForEachFace(vtkUnstructuredGrid* grid, const std::vector<CellUse>& uses, Ce
     });
 }
 
-// Hash table of the faces of 3D cells by lowest corner.
+// The faces of 3D cells, grouped by lowest corner.
 class FaceTable
 {
 public:

@@ -53,7 +53,7 @@ CurveForm<T> Subtract(CurveForm<T> a, const CurveForm<T>& b, double factor)
   return a;
 }
 
-// A part of the curve with bounds for |S''| of the whole curve's parameter.
+// A part of the curve, with bounds of |S''| in the parameter of the whole curve.
 class Piece
 {
 public:

@@ -18,7 +18,7 @@ namespace relevo
 {
 namespace
 {
-// From (c, r, w, 1) to (c, r, 1, w), which is (c d, r d, d, 1) but for the factor d.
+// Maps (c, r, w, 1) to (c, r, 1, w), which is (c d, r d, d, 1) divided by d.
 dmat4 GetSwap()
 {
   dmat4 swap(1.0);
@@ -39,8 +39,8 @@ bool IsFinite(const dmat4& matrix)
   return true;
 }
 
-// Scaled so that the largest number of each column and then of each row is 1: the inverse of a
-// matrix is then told from that of a singular one, whatever the units.
+// Scales columns and then rows by their largest elements before the test, so that it does not
+// depend on units.
 bool IsSingular(const dmat4& matrix)
 {
   dmat4 scaled = matrix;
@@ -61,7 +61,7 @@ bool IsSingular(const dmat4& matrix)
   return !(std::abs(determinant(scaled)) > 1e-14);
 }
 
-// The array if it has this many components for each texel, or null.
+// Returns the array if its numbers of components and tuples are correct, or null.
 template <class ArrayType>
 ArrayType* FindArray(vtkImageData* image, const char* name, int least, int most)
 {

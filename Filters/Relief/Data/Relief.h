@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   Relief
- * @brief   a checked view of an image that is a relief: colours and depths seen by one camera
+ * @brief   validated access to a relief: an image with colours and depths seen from a camera
  *
  * A relief is a vtkImageData of n x m x 1 points with the point arrays "Color" (unsigned char, 3 or
- * 4 components), "Depth" (float, NaN where nothing was seen) and, if wanted, "Normals" (float, 3
- * components, world), and the field arrays "ReliefProjection" (0 parallel, 1 perspective) and
- * "ReliefMatrix" (16 doubles, by rows).
+ * 4 components), "Depth" (float, NaN without surface) and optionally "Normals" (float, 3
+ * components, world coordinates), and the field arrays "ReliefProjection" (0 parallel, 1
+ * perspective) and "ReliefMatrix" (16 doubles, row-major).
  *
- * Everything else is computed in texel space (c, r, w): column, row, and a height w that is the
- * depth d in parallel projection, 1 / d in perspective. There the surface between four texels is
- * bilinear in both, and one matrix, TexelToWorld, takes it to the world: ReliefMatrix times (c, r,
- * d, 1) and ReliefMatrix times (c d, r d, d, 1) are, but for a factor, this matrix times (c, r, w,
- * 1). Straight lines stay straight. Private to the modules' own sources.
+ * All computations use texel space (c, r, w): column, row, and a height w, which is the depth d in
+ * parallel projection and 1 / d in perspective. In this space, the surface between four texels is
+ * bilinear for both projections, and the matrix TexelToWorld transforms it to the world:
+ * ReliefMatrix * (c, r, d, 1) and ReliefMatrix * (c d, r d, d, 1) are multiples of TexelToWorld *
+ * (c, r, w, 1). Straight lines remain straight. Private to the modules.
  */
 #ifndef Relief_h
 #define Relief_h
@@ -41,13 +41,13 @@ public:
   static const char* GetNormalsName() { return "Normals"; }
   static const char* GetProjectionName() { return "ReliefProjection"; }
   static const char* GetMatrixName() { return "ReliefMatrix"; }
-  /// The field array that tells what vtkReliefWarper makes of a relief from one.
+  /// The field array that distinguishes outputs of vtkReliefWarper from reliefs.
   static const char* GetWarpName() { return "ReliefWarp"; }
 
-  /// Gives an image the field arrays of a relief.
+  /// Adds the field arrays of a relief to an image.
   static void Describe(vtkImageData* image, ReliefProjection projection, const dmat4& matrix);
 
-  /// Checks an image and refers to its arrays; what is wrong with it, or "".
+  /// Validates an image and refers to its arrays. Returns an error, or "".
   std::string Read(vtkImageData* image);
 
   int GetWidth() const { return this->Width; }
@@ -58,27 +58,27 @@ public:
   bool IsPerspective() const { return this->Projection == ReliefProjection::Perspective; }
   vtkImageData* GetImage() const { return this->Image; }
 
-  /// Row after row, GetNumberOfColorComponents() to a texel.
+  /// Returns the colours in rows, with GetNumberOfColorComponents() bytes per texel.
   const unsigned char* GetColors() const { return this->Colors; }
   int GetNumberOfColorComponents() const { return this->NumberOfColorComponents; }
   const float* GetDepths() const { return this->Depths; }
-  /// nullptr where there are none.
+  /// Returns nullptr without normals.
   const float* GetNormals() const { return this->Normals; }
 
-  /// Smallest and largest of the valid depths.
+  /// Returns the smallest and largest valid depth.
   const dvec2& GetDepthRange() const { return this->DepthRange; }
-  /// Smallest and largest of the valid heights.
+  /// Returns the smallest and largest valid height.
   dvec2 GetHeightRange() const;
-  /// The height of the relief's plane: of depth 0, in perspective of the nearest valid texel.
+  /// Returns the height of the relief's plane: depth 0, in perspective the nearest valid texel.
   double GetPlane() const;
 
-  /// From texel space to the world, and back; homogeneous.
+  /// Homogeneous matrices between texel space and world.
   const dmat4& GetTexelToWorld() const { return this->TexelToWorld; }
   const dmat4& GetWorldToTexel() const { return this->WorldToTexel; }
 
   double ToHeight(double depth) const { return this->IsPerspective() ? 1.0 / depth : depth; }
   double ToDepth(double height) const { return this->IsPerspective() ? 1.0 / height : height; }
-  /// NaN where nothing was seen.
+  /// Returns NaN without surface.
   double GetTexelHeight(int column, int row) const;
   dvec3 GetWorldPoint(double column, double row, double height) const;
 

@@ -15,7 +15,7 @@ namespace relevo
 {
 namespace
 {
-// What stands for white, or 0 for types that are no colours.
+// Returns the value of white, or 0 for types that are not supported.
 double GetWhite(int type)
 {
   switch (type)

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the colours of reliefs: of other types, or of depths alone
+ * @brief   conversion of arrays and depths to colours of reliefs
  *
- * Private to the modules' own sources.
+ * Private to the modules.
  */
 #ifndef ReliefColors_h
 #define ReliefColors_h
@@ -21,20 +21,22 @@ class vtkUnsignedCharArray;
 namespace relevo
 {
 /**
- * Colours of 1 to 4 components (grey, grey and opacity, RGB, RGBA) as 3 or 4 bytes each: unsigned
- * char as they are, unsigned short from 0 to 65535, float and double from 0 to 1. nullptr, and what
- * is wrong with them in `fault`, for others.
+ * Converts colours of 1 to 4 components (grey, grey and opacity, RGB, RGBA) to 3 or 4 bytes.
+ * unsigned char is used unchanged, unsigned short ranges from 0 to 65535, float and double from 0
+ * to 1. Returns nullptr with an `error` for other colours.
  */
 vtkSmartPointer<vtkUnsignedCharArray> ConvertColors(vtkDataArray* colors, std::string& error);
 
-/// Colours on the unit square, sampled by texels of some size.
+/// Samples colours on the unit square for texels of a given size.
 class ColorSampler
 {
 public:
-  /// The colours of a picture of this size, row 0 at v = 0; and how many texels look at it.
+  /// `size` is the size of the image with the colours, with row 0 at v = 0. `texels` is the number
+  /// of texels that sample it in each direction.
   ColorSampler(vtkUnsignedCharArray* colors, const int size[2], const int texels[2]);
 
-  /// The mean of a texel around (u, v), bilinear between the centres of pixels.
+  /// Computes the mean over a texel around (u, v), with bilinear interpolation between pixel
+  /// centres.
   void Sample(const dvec2& uv, unsigned char* color) const;
 
 private:
@@ -43,10 +45,10 @@ private:
   vtkSmartPointer<vtkUnsignedCharArray> Colors;
   const ivec2 Size;
   const dvec2 Texels;
-  ivec2 Steps; // places in a texel, along u and v
+  ivec2 Steps; // samples per texel, along u and v
 };
 
-/// Grey: white is nearest, dark grey farthest, black where nothing was seen.
+/// Returns grey values: white is nearest, dark grey farthest, black is no surface.
 vtkSmartPointer<vtkUnsignedCharArray> MakeDepthColors(vtkFloatArray* depths);
 }
 

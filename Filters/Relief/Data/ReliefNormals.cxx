@@ -21,11 +21,11 @@ public:
   {
   }
 
-  // The plane that touches the surface, by its four coefficients, looks as its normal does.
+  // Returns the normal of the tangent plane, which is transformed by its four coefficients.
   dvec3 GetNormal(int column, int row) const
   {
     const double height = this->TheRelief.GetTexelHeight(column, row);
-    if (!(height == height)) // a NaN
+    if (!(height == height)) // NaN
     {
       return dvec3(0.0);
     }
@@ -33,7 +33,8 @@ public:
     const double across = this->GetSlope(column, row, UpperSide, 0, 1);
     const dvec4 plane(-along, -across, 1.0, along * column + across * row - height);
     const dvec3 normal = normalize(dvec3(this->PlanesToWorld * plane));
-    // Heights grow towards the viewer in perspective, else away; a place may be mirrored in w.
+    // Heights increase towards the viewer in perspective, and away from the viewer otherwise. A
+    // negative w reverses this.
     const double place = (this->TheRelief.GetTexelToWorld() * dvec4(column, row, height, 1.0)).w;
     return (place > 0.0) == this->TheRelief.IsPerspective() ? normal : -normal;
   }

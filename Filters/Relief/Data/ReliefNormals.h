@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   normals of a relief, from its depths
+ * @brief   computation of normals from the depths of a relief
  *
- * Private to the modules' own sources.
+ * Private to the modules.
  */
 #ifndef ReliefNormals_h
 #define ReliefNormals_h
@@ -19,9 +19,9 @@ namespace relevo
 class Relief;
 
 /**
- * Unit normals in the world, on the viewer's side: by central differences in texel space, where
- * planes are linear, so that those of planes are exact; by the one difference there is beside an
- * open side, of single texels towards the viewer. 0 where nothing was seen.
+ * Computes unit normals in world coordinates, on the viewer's side. Central differences in texel
+ * space, where planes are linear, are exact for planes. Beside an open side, one-sided differences
+ * are used. Normals of isolated texels point to the viewer. Texels without surface have 0.
  */
 RELEVOFILTERSRELIEF_EXPORT vtkSmartPointer<vtkFloatArray> ComputeReliefNormals(
   const Relief& relief);

@@ -23,11 +23,11 @@ public:
   {
     const double first = this->TheRelief.GetTexelHeight(column, row);
     const double second = this->TheRelief.GetTexelHeight(column + right, row + up);
-    if (!(first == first && second == second)) // a NaN
+    if (!(first == first && second == second)) // one is NaN
     {
       return false;
     }
-    // Depth grows away from the viewer, the height of a perspective the other way.
+    // Depth increases away from the viewer, the height of a perspective towards the viewer.
     const double nearer = this->TheRelief.IsPerspective() ? max(first, second) : min(first, second);
     const auto point = [&](int steps, double height)
     { return this->TheRelief.GetWorldPoint(column + steps * right, row + steps * up, height); };

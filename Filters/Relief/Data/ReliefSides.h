@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   where the surface of a relief is open
+ * @brief   detection of gaps in the surface of a relief
  *
- * Private to the modules' own sources.
+ * Private to the modules.
  */
 #ifndef ReliefSides_h
 #define ReliefSides_h
@@ -17,10 +17,10 @@ namespace relevo
 {
 class Relief;
 
-/// From how many widths of a texel on the surface is open, unless a setting says otherwise.
+/// The default of the stretch, in texel widths, beyond which the surface is open.
 constexpr double DefaultMaximumStretch = 8.0;
 
-/// What is joined to a texel, as bits.
+/// Bits for the connections of a texel.
 enum ReliefSide : unsigned char
 {
   RightSide = 1, ///< the texel in the next column
@@ -29,9 +29,9 @@ enum ReliefSide : unsigned char
 };
 
 /**
- * For each texel its ReliefSide bits, row after row. Two neighbours are joined where both are valid
- * and no farther apart in the world than maximumStretch times the width of a texel: what the two
- * would be apart at the nearer one's depth. A quad is there where its four sides are joined.
+ * Returns the ReliefSide bits of all texels in rows. Two adjacent texels are connected if both are
+ * valid and their distance in the world is at most maximumStretch times the width of a texel, at
+ * the depth of the nearer one. A quad exists if its four sides are connected.
  */
 RELEVOFILTERSRELIEF_EXPORT std::vector<unsigned char> FindReliefSides(
   const Relief& relief, double maximumStretch);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the reliefs of a data object: an image, or the blocks of a composite data set
+ * @brief   access to the reliefs of an image or a composite data set
  *
- * Private to the modules' own sources.
+ * Private to the modules.
  */
 #ifndef Reliefs_h
 #define Reliefs_h
@@ -21,19 +21,19 @@ namespace relevo
 {
 struct RELEVOFILTERSRELIEF_EXPORT ReliefBlock
 {
-  /// As vtkCompositeDataSet counts blocks; 0 of an image by itself.
+  /// Flat index of vtkCompositeDataSet; 0 for an image.
   unsigned int FlatIndex = 0;
-  /// What the composite data set calls it, or "".
+  /// Name of the block, or "".
   std::string Name;
   Relief Data;
-  /// Why it is no relief, with the block that it is about, for an ErrorEvent; or "".
+  /// Why the block is not a relief, as an error message with the name of the block, or "".
   std::string Error;
 
-  /// A sentence about the block, for an ErrorEvent.
+  /// Adds the name of the block to a sentence, for an error message.
   std::string Describe(const std::string& sentence) const;
 };
 
-/// A block for the image, or for each leaf of a composite data set that is not empty.
+/// Reads the image, or each leaf of a composite data set that is not empty.
 RELEVOFILTERSRELIEF_EXPORT std::vector<ReliefBlock> ReadReliefs(vtkDataObject* input);
 }
 

@@ -29,7 +29,7 @@ TerrainTexels::TerrainTexels(const TerrainFrame& frame, const int size[2], int t
       corner, GetPosition(frame, 1.0, 0.0) - corner, GetPosition(frame, 0.0, 1.0) - corner);
     return;
   }
-  constexpr int steps = 256; // along each side
+  constexpr int steps = 256; // samples along each side
   dvec2 low = corner;
   dvec2 high = corner;
   for (int i = 0; i <= steps; ++i)

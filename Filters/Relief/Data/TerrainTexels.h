@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   TerrainTexels
- * @brief   the texels of a relief that looks down on a terrain
+ * @brief   texels of a relief of a terrain, seen from above
  *
- * Where the raster's coordinates are lengths, texels are its samples. Longitude and latitude make
- * no regular grid in terrain coordinates: there texels are one, along x and y, over all of the
- * raster.
+ * For planar coordinates, texels are the samples of the raster. Samples in longitude and latitude
+ * are not on a regular grid in terrain coordinates. In this case, texels are a regular grid in x
+ * and y that covers the raster.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef TerrainTexels_h
 #define TerrainTexels_h
@@ -24,14 +24,14 @@ class TerrainFrame;
 class TerrainTexels
 {
 public:
-  /// The frame must outlive this. Of the samples' width and height, and texels along a sample.
+  /// `frame` must outlive this object. `size` is the number of samples in each direction.
   TerrainTexels(const TerrainFrame& frame, const int size[2], int texelsPerSample);
 
   /// Whether texels are samples.
   bool AreSamples() const { return this->Samples; }
-  /// The texture coordinates, u east and v north, of a texel's centre; none outside the raster.
+  /// Returns u (east) and v (north) at the centre of a texel, or none outside of the raster.
   std::optional<dvec2> GetParameters(int column, int row) const;
-  /// From (column, row, z, 1) to terrain coordinates.
+  /// Returns the matrix from (column, row, z, 1) to terrain coordinates.
   const dmat4& GetMatrix() const { return this->Matrix; }
 
 private:
@@ -39,7 +39,7 @@ private:
 
   const TerrainFrame& Frame;
   const dvec2 Size;
-  const bool Regular; // whether the samples are a grid on the ground
+  const bool Regular; // whether samples are on a regular grid in terrain coordinates
   const bool Samples;
   dmat4 Matrix = dmat4(1.0);
 };

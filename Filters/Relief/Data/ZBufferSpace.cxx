@@ -11,7 +11,7 @@ namespace relevo
 {
 namespace
 {
-// From the centres of pixels, and from [0, 1], to [-1, 1].
+// Maps pixel centres, and z in [0, 1], to [-1, 1].
 dmat4 GetPixelToView(int width, int height)
 {
   dmat4 matrix(1.0);
@@ -43,7 +43,7 @@ ZBufferSpace::ZBufferSpace(vtkCamera* camera, int width, int height)
   }
   else
   {
-    // What is at z in a pixel has, before it is divided by it, the depth as its last coordinate.
+    // The last homogeneous coordinate, before the division, is proportional to 1 / depth.
     this->Projection = ReliefProjection::Perspective;
     this->ToHeight = GetRow(this->PixelToWorld, 3);
   }
@@ -82,7 +82,7 @@ dmat4 ZBufferSpace::GetMatrix(double offset) const
   {
     matrix[3] += offset * matrix[2];
   }
-  // It is affine but for rounding.
+  // The matrix is affine except for rounding errors.
   for (int i = 0; i < 4; ++i)
   {
     matrix[i].w = i == 3 ? 1.0 : 0.0;

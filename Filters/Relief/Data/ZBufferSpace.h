@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ZBufferSpace
- * @brief   the pixels and z-buffer values of a camera as a relief's texels and depths
+ * @brief   conversion of pixels and z-buffer values to texels and depths of a relief
  *
- * Pixels are at their centres, z is 0 at the near plane and 1 at the far one. By the camera's
- * matrices: oblique, off-axis and explicit projections count. The depth of a perspective is the
- * distance along the camera's axis, that of a parallel projection, too, less an offset.
+ * Pixels are at their centres. z is 0 at the near plane and 1 at the far plane. The matrices of the
+ * camera are used, so that oblique, off-axis and explicit projections are supported. Depths are
+ * distances along the axis of the camera. In parallel projection an offset is subtracted.
  *
- * Private to the modules' own sources.
+ * Private to the modules.
  */
 #ifndef ZBufferSpace_h
 #define ZBufferSpace_h
@@ -25,18 +25,19 @@ class RELEVOFILTERSRELIEF_EXPORT ZBufferSpace
 public:
   ZBufferSpace(vtkCamera* camera, int width, int height);
 
-  /// Whether the camera maps space to pixels at all.
+  /// Whether the projection of the camera is invertible.
   bool IsRegular() const;
   ReliefProjection GetProjection() const { return this->Projection; }
-  /// Before the offset.
+  /// Returns the depth without the offset.
   double GetDepth(int column, int row, double z) const;
-  /// The ReliefMatrix; the offset is what is taken from the depths of a parallel projection.
+  /// Returns the ReliefMatrix. `offset` is subtracted from depths of a parallel projection.
   dmat4 GetMatrix(double offset) const;
 
 private:
   ReliefProjection Projection;
   dmat4 PixelToWorld; // from (column, row, z, 1)
-  dvec4 ToHeight;     // from (column, row, z, 1): 1 / depth in perspective, else depth
+  dvec4 ToHeight;     // from (column, row, z, 1) to 1 / depth in perspective, otherwise to the
+                      // depth
 };
 }
 

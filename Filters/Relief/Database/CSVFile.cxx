@@ -15,7 +15,7 @@ class Parser
 public:
   explicit Parser(const std::string& text)
     : Text(text)
-    , Place(text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0) // a byte order mark
+    , Place(text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0) // skips a byte order mark
   {
   }
 
@@ -56,7 +56,7 @@ private:
     }
   }
 
-  // Up to the comma or line end after it.
+  // Parses up to the next comma or line end.
   std::string ParseField()
   {
     std::string field;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   comma separated values, as RFC 4180 has them
+ * @brief   reading and writing of comma-separated values according to RFC 4180
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef CSVFile_h
 #define CSVFile_h
@@ -16,19 +16,18 @@ namespace relevo
 {
 struct CSVRow
 {
-  int Line = 1; ///< of the text, where the row begins
+  int Line = 1; ///< line of the text where the row begins
   std::vector<std::string> Fields;
 };
 
-/// The rows of a text, without empty lines. Lines end with LF, CR LF or CR. Fields in quotes may
-/// have commas, line ends and doubled quotes. The fault says what is wrong, and in which line, or
-/// is "".
+/// Parses the rows of a text, without empty lines. Lines end with LF, CR LF or CR. Quoted fields
+/// may contain commas, line ends and doubled quotes. `error` is a message with the line, or "".
 std::vector<CSVRow> ParseCSV(const std::string& text, std::string& error);
 
-/// A row with its line end; fields are quoted where they have to be.
+/// Formats a row with its line end, and quotes fields if necessary.
 std::string FormatCSV(const std::vector<std::string>& fields);
 
-/// A short text that is read as the same number, whatever the locale.
+/// Formats a number so that it is read back exactly, independent of the locale.
 std::string FormatNumber(double number);
 }
 

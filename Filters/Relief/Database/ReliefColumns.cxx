@@ -35,7 +35,7 @@ bool Has(const ReliefParameters& parameters, const std::string& name)
     [&](const auto& parameter) { return parameter.first == name; });
 }
 
-// As seen at the middle of the texels; depths grow away from the viewer.
+// The view at the middle of the texels. Depths increase away from the viewer.
 void AddView(ReliefParameters& parameters, const Relief& relief)
 {
   const double column = 0.5 * (relief.GetWidth() - 1);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the columns of a database of reliefs, as Cinema's Spec D has them
+ * @brief   columns of a database of reliefs, according to Cinema's Spec D
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef ReliefColumns_h
 #define ReliefColumns_h
@@ -17,28 +17,30 @@ namespace relevo
 {
 struct ReliefBlock;
 
-/// The table of a database, in its folder.
+/// The name of the table in the folder of a database.
 constexpr const char* DatabaseTable = "data.csv";
-/// What the names of columns with files begin with.
+/// The prefix of names of columns with files.
 constexpr const char* FileColumn = "FILE";
 
-/// Names of columns and what a relief has there, in their order.
+/// Names of columns with the values of a relief, in order.
 using ReliefParameters = std::vector<std::pair<std::string, std::string>>;
 
 /**
- * name; projection, 0 or 1; columns and rows; the share of texels with a surface; position, the eye
- * or the middle of the relief's plane; direction, that it looks in, and up, along its columns; and
- * each field array of one number or text. None is of files.
+ * Returns the columns of a relief that are not files: name; projection, 0 or 1; columns and rows;
+ * the fraction of texels with a surface; position, the eye or the middle of the relief's plane;
+ * viewing direction; up, the direction of texel columns; and each field array of one number or
+ * text.
  */
 ReliefParameters GetReliefParameters(const ReliefBlock& block);
 
-/// The names of all columns, those of files last, and then a row for each relief.
+/// Returns the names of all columns, with files last, followed by a row for each relief.
 std::vector<std::vector<std::string>> MakeTable(const std::vector<ReliefParameters>& reliefs);
 
-/// The column of a row whose name begins with FILE and that has the name of a .vti file, or -1.
+/// Returns the first column whose name begins with FILE and that has the name of a .vti file, or
+/// -1.
 int FindReliefFile(const std::vector<std::string>& names, const std::vector<std::string>& row);
 
-/// The folder of a database that is named by its folder or its table.
+/// Returns the folder of a database, given the name of its folder or table.
 std::string GetDatabaseFolder(const std::string& fileName);
 }
 

@@ -28,8 +28,8 @@ namespace relevo
 {
 namespace
 {
-// A texel has at least three bytes of colour and four of depth, and compression makes of a byte no
-// more than about 7000 (LZMA).
+// A texel has at least three bytes of colour and four of depth. A compressed byte expands to at
+// most about 7000 bytes (LZMA).
 constexpr double MaximumTexelsPerByte = 1000.0;
 
 double GetNumberOfTexels(const int extent[6])
@@ -42,10 +42,11 @@ double GetNumberOfTexels(const int extent[6])
   return number;
 }
 
-// VTK's writers crash if there is no memory for their buffers. Throws std::bad_alloc before that.
+// VTK's writers crash if memory for their buffers is insufficient. Throws std::bad_alloc before
+// that.
 void CheckMemory(std::size_t bytes)
 {
-  constexpr std::size_t buffers = 1 << 22; // and those of the libraries that compress
+  constexpr std::size_t buffers = 1 << 22; // including those of compression libraries
   void* volatile memory = std::malloc(buffers + bytes);
   if (!memory)
   {
@@ -57,7 +58,7 @@ void CheckMemory(std::size_t bytes)
 
 bool WriteReliefFile(const Relief& relief, AtomicFile& file)
 {
-  CheckMemory(0); // it compresses block by block
+  CheckMemory(0); // data is compressed in blocks
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetInputData(relief.GetImage());
   writer->SetDataModeToAppended();
@@ -72,7 +73,7 @@ bool WriteReliefPicture(const Relief& relief, AtomicFile& file)
   picture->SetDimensions(relief.GetWidth(), relief.GetHeight(), 1);
   vtkPointData* data = relief.GetImage()->GetPointData();
   vtkDataArray* colors = data->GetArray(Relief::GetColorName());
-  CheckMemory(2 * static_cast<std::size_t>(colors->GetNumberOfValues())); // file and its copy
+  CheckMemory(2 * static_cast<std::size_t>(colors->GetNumberOfValues())); // the file and a copy
   picture->GetPointData()->SetScalars(colors);
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(picture);

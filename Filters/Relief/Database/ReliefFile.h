@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   a relief's .vti file, and its picture
+ * @brief   reading and writing of the .vti file of a relief, and writing of its image
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef ReliefFile_h
 #define ReliefFile_h
@@ -21,12 +21,12 @@ class AtomicFile;
 class Relief;
 
 //@{
-/// Whether it was written; else the file has the fault.
+/// Write a file. Return false if that fails, with the error in `file`.
 bool WriteReliefFile(const Relief& relief, AtomicFile& file);
 bool WriteReliefPicture(const Relief& relief, AtomicFile& file);
 //@}
 
-/// The relief of a .vti file; nullptr, and why in `fault`, if there is none.
+/// Reads a relief from a .vti file. Returns nullptr with an `error` if that fails.
 vtkSmartPointer<vtkImageData> ReadReliefFile(const std::string& fileName, std::string& error);
 }
 

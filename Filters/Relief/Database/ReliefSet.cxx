@@ -22,7 +22,7 @@ namespace
 {
 constexpr const char* FilePrefix = "relief_";
 
-// "relief_0000.vti"
+// Returns a name such as "relief_0000.vti".
 std::string MakeFileName(std::size_t number, const std::string& extension)
 {
   std::string digits = std::to_string(number);
@@ -30,7 +30,7 @@ std::string MakeFileName(std::size_t number, const std::string& extension)
   return FilePrefix + digits + extension;
 }
 
-// The number of a file that is called as those of a database are, or -1.
+// Returns the number in the name of a database file, or -1 for other files.
 long FindNumber(const fs::path& name)
 {
   const std::string stem = name.stem().string();
@@ -43,7 +43,7 @@ long FindNumber(const fs::path& name)
   return isOurs ? std::stol(digits) : -1;
 }
 
-// A table that vtkReliefDatabaseWriter has made, or one with a relief.
+// Whether the table was written by vtkReliefDatabaseWriter or contains a relief.
 bool IsDatabase(const std::string& folder)
 {
   const ReliefTable table(folder);
@@ -68,7 +68,7 @@ bool IsDatabase(const std::string& folder)
   return false;
 }
 
-// A file that is not left of an interrupted write: the table, if there is one; or "".
+// Returns a file that is not a leftover of an interrupted write, preferably the table, or "".
 std::string FindForeignFile(const std::string& folder)
 {
   std::error_code unknown;
@@ -85,8 +85,8 @@ std::string FindForeignFile(const std::string& folder)
   return found;
 }
 
-// The first of as many numbers in a row that no file has: 0, or so high that Renumber() can start
-// from 0 once the old files have gone.
+// Returns the first of `count` consecutive free numbers: 0, or a number that is large enough for
+// Renumber() to start from 0 when the old files have been removed.
 std::size_t FindFreeNumbers(const fs::path& folder, std::size_t count)
 {
   long highest = -1;
@@ -211,7 +211,7 @@ bool ReliefSet::Commit()
   return true;
 }
 
-// All or none. A signal meanwhile removes those that have been renamed.
+// Renames all files or none. A signal handler removes renamed files meanwhile.
 bool ReliefSet::RenameFiles()
 {
   std::vector<std::string> names;
@@ -277,8 +277,8 @@ bool ReliefSet::LinkFiles(std::size_t to)
   return true;
 }
 
-// Reliefs are counted from 0 again, if the file system has hard links: the files get their new
-// names before the table has them.
+// Renumbers the reliefs from 0 if the file system has hard links, so that files have their new
+// names before the table refers to them.
 void ReliefSet::Renumber()
 {
   if (this->FirstNumber == 0 || FindFreeNumbers(this->Folder, this->Reliefs.size()) != 0)

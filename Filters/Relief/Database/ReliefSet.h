@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ReliefSet
- * @brief   the files of a new database, which replace those of the old one together
+ * @brief   writes the files of a database, which replaces an old one atomically
  *
- * A folder has the old database until Commit() renames the new table onto the old one, and then the
- * new database: at every moment each row of the table has its file. Until Commit() the new files
- * have temporary names.
+ * New files have temporary names until Commit(). The folder contains the old database until
+ * Commit() renames the new table to the name of the old one. At any moment, all rows of the table
+ * have their files.
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef ReliefSet_h
 #define ReliefSet_h
@@ -28,21 +28,21 @@ struct ReliefBlock;
 class ReliefSet
 {
 public:
-  /// In a folder, which is made if there is none, of up to as many reliefs.
+  /// Creates the folder if necessary, for up to maximumReliefs reliefs.
   ReliefSet(const std::string& folder, std::size_t maximumReliefs, bool hasPictures);
-  /// Remove what was not committed.
+  /// Removes files that were not committed.
   ~ReliefSet();
   ReliefSet(const ReliefSet&) = delete;
   void operator=(const ReliefSet&) = delete;
 
-  /// Why there cannot be a database in the folder, a sentence, or "". A folder has to be empty, or
-  /// to have a database of reliefs.
+  /// Returns why a database cannot be written to the folder, as a sentence, or "". A folder must be
+  /// empty or contain a database of reliefs.
   const std::string& GetError() const { return this->Error; }
 
-  /// Write the files of a relief; false, with the fault, if that failed.
+  /// Writes the files of a relief. Returns false with GetError() if that fails.
   bool Add(const ReliefBlock& block);
 
-  /// Replace the old database; false, with the fault, if that failed.
+  /// Replaces the old database. Returns false with GetError() if that fails.
   bool Commit();
 
 private:
@@ -59,8 +59,8 @@ private:
   std::string Error;
   bool IsFolderNew = false;
   std::size_t FirstNumber = 0;
-  std::vector<ReliefParameters> Reliefs; // without their files
-  std::deque<AtomicFile> Files;          // as many as extensions for each relief
+  std::vector<ReliefParameters> Reliefs; // without the columns of files
+  std::deque<AtomicFile> Files;          // one per extension and relief
 };
 }
 

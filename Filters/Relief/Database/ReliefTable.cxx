@@ -20,7 +20,7 @@ namespace relevo
 {
 namespace
 {
-// "time" as in Cinema's databases, or VTK's "TimeValue".
+// Accepts "time" of Cinema's databases and VTK's "TimeValue".
 bool IsTimeColumn(std::string name)
 {
   std::transform(name.begin(), name.end(), name.begin(),
@@ -135,7 +135,7 @@ std::vector<std::optional<double>> ReliefTable::FindTimes() const
     times.push_back(ReadNumber(text));
     if (!text.empty() && !times.back())
     {
-      return {}; // words, such as names of seasons
+      return {}; // other text, such as names of seasons
     }
   }
   return times;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ReliefTable
- * @brief   the table of a database of reliefs, as it is read
+ * @brief   reads the table of a database of reliefs
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef ReliefTable_h
 #define ReliefTable_h
@@ -20,23 +20,23 @@ namespace relevo
 class ReliefTable
 {
 public:
-  /// Read the table in the folder of a database, which is named by the folder or the table.
+  /// Reads the table, given the name of its folder or of the table.
   explicit ReliefTable(const std::string& fileName);
 
   const std::string& GetFileName() const { return this->FileName; }
-  /// Why there is no table, a sentence that begins with its name; or "".
+  /// Returns why the table cannot be read, as a sentence that begins with its name, or "".
   const std::string& GetError() const { return this->Error; }
 
   std::size_t GetNumberOfRows() const { return this->Rows.size(); }
   int GetLine(std::size_t row) const { return this->Rows[row].Line; }
-  /// The name of a row's relief, or "".
+  /// Returns the name of the relief in a row, or "".
   std::string GetName(std::size_t row) const;
-  /// The path of the .vti file of a row. If it has none, the fault says why.
+  /// Returns the path of the .vti file in a row. `error` returns why there is none, or "".
   std::string FindFile(std::size_t row, std::string& error) const;
 
-  /// The times of the rows, each once and sorted; none if no column has times.
+  /// Returns the distinct times of all rows, sorted; empty if no column has times.
   std::vector<double> GetTimes() const;
-  /// Whether a row is of this time, or of all.
+  /// Whether a row belongs to this time or to all times.
   bool IsOfTime(std::size_t row, double time) const;
 
 private:
@@ -48,7 +48,7 @@ private:
   std::string Error;
   std::vector<std::string> Names;
   std::vector<CSVRow> Rows;
-  std::vector<std::optional<double>> Times; // of the rows, or empty
+  std::vector<std::optional<double>> Times; // one per row, or empty
 };
 }
 

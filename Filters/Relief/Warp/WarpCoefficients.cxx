@@ -11,7 +11,7 @@ namespace relevo
 {
 WarpCoefficients GetWarpCoefficients(const Relief& relief, const dvec4& eye)
 {
-  // From this many texels on a shift is one along the plane.
+  // Larger shifts, in texels, are parallel to the plane.
   constexpr double farthest = 1e9;
 
   WarpCoefficients result;
@@ -24,7 +24,7 @@ WarpCoefficients GetWarpCoefficients(const Relief& relief, const dvec4& eye)
 
   const dvec4 middle = relief.GetTexelToWorld() *
     dvec4(0.5 * (relief.GetWidth() - 1), 0.5 * (relief.GetHeight() - 1), result.Plane, 1.0);
-  // Heights of a perspective grow towards the viewer, depths the other way.
+  // Heights increase towards the viewer in perspective, and away from the viewer otherwise.
   const bool isPositive = (distance > 0.0) == (middle.w > 0.0);
   const dvec2 range = abs(relief.GetHeightRange() - result.Plane);
   const double largest = std::max(range.x, range.y);

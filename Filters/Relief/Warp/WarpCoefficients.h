@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the two numbers to each axis that 3D image warping onto the relief's plane comes to
+ * @brief   coefficients of 3D image warping to the plane of a relief
  *
- * Private to the modules' own sources.
+ * Private to the modules.
  */
 #ifndef WarpCoefficients_h
 #define WarpCoefficients_h
@@ -17,10 +17,10 @@ namespace relevo
 class Relief;
 
 /**
- * The line from the eye to the point (c, r, w) of texel space meets the relief's plane at column
- * (c + K1 h) / (1 + K3 h) and row (r + K2 h) / (1 + K3 h), with h = w - Plane. Where 1 + K3 h is
- * not more than 0, the point is behind the eye. M. Oliveira, "Relief Texture Mapping", University
- * of North Carolina, 2000.
+ * The line from the eye through the point (c, r, w) of texel space intersects the plane of the
+ * relief at column (c + K1 h) / (1 + K3 h) and row (r + K2 h) / (1 + K3 h), with h = w - Plane. The
+ * point is behind the eye if 1 + K3 h is not positive. M. Oliveira, "Relief Texture Mapping",
+ * University of North Carolina, 2000.
  */
 struct WarpCoefficients
 {
@@ -28,7 +28,7 @@ struct WarpCoefficients
   double K2 = 0.0;
   double K3 = 0.0;
   double Plane = 0.0;
-  /// False where the eye is in the plane or behind it: no line leads from it to the plane.
+  /// False if the eye is in the plane or behind it.
   bool IsUsable = false;
 
   bool operator==(const WarpCoefficients& other) const
@@ -38,7 +38,7 @@ struct WarpCoefficients
   }
 };
 
-/// For an eye in the world, as GetEye() gives it.
+/// `eye` is in world coordinates, see GetEye().
 RELEVOFILTERSRELIEF_EXPORT WarpCoefficients GetWarpCoefficients(
   const Relief& relief, const dvec4& eye);
 }

@@ -11,13 +11,13 @@ namespace relevo
 {
 namespace
 {
-// Corners of a quad, as bits: in the next column, in the next row.
+// Bits for the corners of a quad: in the next column, in the next row.
 constexpr int NextColumn = 1;
 constexpr int NextRow = 2;
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
-// Whole numbers between two, both included: who is at one is seen.
+// Returns the integers between two numbers, including both.
 inline WholeNumbers GetPassed(double first, double second, int end)
 {
   WholeNumbers passed(std::min(first, second), std::max(first, second), 0, end);
@@ -95,8 +95,8 @@ inline void WarpColumns::Join(int row, int position, const WarpRow& lower, const
   }
 }
 
-// Where the surface ends, it reaches to the nearest whole position, as in the first pass. `other`
-// is where the next row comes to lie, NaN if that is not joined.
+// At borders, the surface extends to the nearest integer position, as in the first pass. `other` is
+// the position of the next row, or NaN if it is not connected.
 inline void WarpColumns::DrawEnd(int row, int position, const WarpRow& lower, double other)
 {
   const WarpRow::Sample& sample = lower.Samples[position];
@@ -117,7 +117,7 @@ inline void WarpColumns::DrawEnd(int row, int position, const WarpRow& lower, do
     { row, 0.0f, sample.Column, sample.Fraction, sample.Column, 0.0f, sample.Height });
 }
 
-// All of the surface at the positions that samples are not enough for.
+// Draws the whole surface at positions where samples are not sufficient.
 inline void WarpColumns::WarpFolds(
   int row, const WarpRow& lower, const WarpRow& upper, const WarpStrip& strip, int first, int end)
 {
@@ -143,10 +143,10 @@ inline void WarpColumns::WarpFolds(
   }
 }
 
-// The lines in which a quad lies at a position of a row: from one side that is crossed to another.
+// Draws the intersection lines of a quad with a position of a row.
 inline void WarpColumns::Cut(int row, int column, int position, const double corners[4])
 {
-  // In order around the quad.
+  // In cyclic order.
   constexpr int sides[4][2] = { { 0, NextColumn }, { NextColumn, NextColumn | NextRow },
     { NextColumn | NextRow, NextRow }, { NextRow, 0 } };
   End ends[4];
@@ -165,7 +165,7 @@ inline void WarpColumns::Cut(int row, int column, int position, const double cor
   }
   else if (number == 4)
   {
-    // Where all sides are crossed, the lines keep to the sides of the middle that it tells.
+    // If all four sides are intersected, the sign at the middle decides how to connect them.
     double middle = 0.0;
     for (int corner = 0; corner < 4; ++corner)
     {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   WarpColumns
- * @brief   the second pass of a warp: along columns, one row of the source after the other
+ * @brief   second pass of a warp: along columns, for one row of the source after the other
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef WarpColumns_h
 #define WarpColumns_h
@@ -24,20 +24,20 @@ class WarpColumns
 public:
   WarpColumns(const WarpSource& source, const WarpCoefficients& coefficients, WarpPicture& picture);
 
-  /// Columns from `first` to before `end`; `isJoined` tells of each position whether the surface
-  /// there comes from the row before, and then from this row.
+  /// Warps the columns [first, end). For each position, `isJoined` is whether the surface continues
+  /// from the previous row, and returns whether it continues to the next.
   void Warp(int row, const WarpRow& lower, const WarpRow& upper, const WarpStrip& strip,
     unsigned char* isJoined, int first, int end);
-  /// The same for the last row.
+  /// Warps the last row.
   void WarpLast(int row, const WarpRow& lower, const unsigned char* isJoined, int first, int end);
 
 private:
-  // Where the surface crosses a side of a quad, or a sample.
+  // The intersection of the surface with a side of a quad, or a sample.
   struct End
   {
     double Height;
-    double Place;      // in the column
-    float Fraction[2]; // of the column, of the row
+    double Place;      // position in the column
+    float Fraction[2]; // between columns, and between rows
   };
 
   void Join(int row, int position, const WarpRow& lower, const WarpRow& upper);

@@ -29,7 +29,7 @@ void WarpPasses::Allocate(const WarpSource& source, Policy way, int numberOfThre
     band.Rows[1].Allocate(width);
     band.Strip.Allocate(width);
     band.IsJoined.resize(width);
-    if (i > 0) // the first draws into the result
+    if (i > 0) // the first band draws to the result
     {
       band.Picture.Allocate(source.GetRelief());
     }
@@ -89,7 +89,7 @@ void WarpPasses::WarpRows(const WarpSource& source, const WarpCoefficients& coef
   }
   if (first > 0)
   {
-    // How the band before hands over: nothing of it is drawn twice.
+    // Repeat the end of the previous band, so that nothing is drawn twice.
     lower->Warp(source, coefficients, first - 1);
     upper->Warp(source, coefficients, first);
     band.Strip.Compare(source, first - 1, *lower, *upper);
@@ -176,8 +176,8 @@ void WarpPasses::WarpRowsAndColumns(
     });
 }
 
-// Parts of 0 to number - 1 by whichever thread has time: there may be fewer than asked for, by
-// vtkMultiThreader::SetGlobalMaximumNumberOfThreads().
+// Executes parts of the range [0, number) in any available thread. There may be fewer threads than
+// requested, because of vtkMultiThreader::SetGlobalMaximumNumberOfThreads().
 void WarpPasses::RunAll(
   int number, int step, const std::function<void(int first, int end)>& work) const
 {

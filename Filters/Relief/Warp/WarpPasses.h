@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   WarpPasses
- * @brief   both passes of a warp, in one thread or several, with the same result to the bit
+ * @brief   both passes of a warp, with one or several threads and bitwise identical results
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef WarpPasses_h
 #define WarpPasses_h
@@ -26,19 +26,19 @@ public:
   enum class Policy
   {
     OneThread,
-    /// Each thread has a band of the source's rows and a picture, which are then merged.
+    /// Each thread warps a band of rows to a separate image. The images are merged.
     Bands,
-    /// Threads share the rows of the first pass, then the columns of the second.
+    /// Threads share the rows of the first pass, and then the columns of the second.
     RowsAndColumns
   };
 
-  /// Memory for warps of a source; the only one to need some.
+  /// Allocates the memory for warps of a source. Warp() needs no other memory.
   void Allocate(const WarpSource& source, Policy way, int numberOfThreads);
-  /// Does not wait, and throws nothing.
+  /// Warps the source. Does not throw.
   void Warp(const WarpSource& source, const WarpCoefficients& coefficients, WarpPicture& picture);
 
 private:
-  // What a thread needs for rows one after the other.
+  // The temporary data of a thread for consecutive rows.
   struct Band
   {
     WarpRow Rows[2];

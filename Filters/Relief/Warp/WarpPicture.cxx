@@ -12,7 +12,7 @@ namespace relevo
 {
 namespace
 {
-// The texels around a place and how much each counts.
+// The texels around a point and their weights.
 struct Neighbors
 {
   Neighbors(const WarpSource& source, const WarpPlace& place)
@@ -31,7 +31,7 @@ struct Neighbors
       this->Weights[3] * value[components * this->Indices[3]];
   }
 
-  // Weights of which 1 is 65536, for bytes.
+  // Returns fixed-point weights for bytes, where 65536 is 1.
   void GetWholeWeights(unsigned int weights[4]) const
   {
     for (int i = 0; i < 4; ++i)
@@ -118,7 +118,7 @@ void WarpPicture::Draw(const WarpSource& source, int column, int row, const Warp
   }
   const size_t index = source.GetIndex(column, row);
   const auto depth = static_cast<float>(source.GetRelief().ToDepth(place.Height));
-  if (!(depth >= this->Depths[index])) // also where that is NaN
+  if (!(depth >= this->Depths[index])) // also true if the old depth is NaN
   {
     this->Depths[index] = depth;
     this->DrawColor(source, index, place);
@@ -178,7 +178,7 @@ void WarpPicture::Merge(const WarpPicture& other, int row)
     this->Copy(other, first, this->Width);
     return;
   }
-  // As long runs as there are.
+  // Copy runs that are as long as possible.
   const auto isNearer = [&](size_t index)
   {
     return other.Depths[index] == other.Depths[index] &&

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   WarpPicture
- * @brief   what a warp draws into: the nearest surface at each texel of the relief's plane
+ * @brief   output of a warp: the nearest surface at each texel of the relief's plane
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef WarpPicture_h
 #define WarpPicture_h
@@ -17,11 +17,11 @@ namespace relevo
 class Relief;
 class WarpSource;
 
-/// A place of the source's surface, between four of its texels.
+/// A point of the source's surface, between four texels.
 struct WarpPlace
 {
   int Row;
-  float Fraction;  // of the way to the next row
+  float Fraction;  // fraction towards the next row
   int LowerColumn; // in the row
   float LowerFraction;
   int UpperColumn; // in the next row
@@ -32,19 +32,19 @@ struct WarpPlace
 class WarpPicture
 {
 public:
-  /// Arrays of the size of a relief; normals may be nullptr.
+  /// Sets arrays of the size of the relief. `normals` may be nullptr.
   void SetArrays(float* depths, unsigned char* colors, float* normals);
-  /// Arrays of its own, unless it has some.
+  /// Allocates arrays if none are set.
   void Allocate(const Relief& relief);
 
   void Begin(const Relief& relief);
-  /// Empties a row, which Draw() does as well when it first meets it.
+  /// Clears a row. Draw() does this too, when it draws to the row for the first time.
   void Clear(int row);
   void Draw(const WarpSource& source, int column, int row, const WarpPlace& place);
 
-  /// Takes from another picture what is nearer: where depths are equal, this one's stays.
+  /// Copies nearer texels from another image. At equal depth, this image keeps its texel.
   void Merge(const WarpPicture& other, int row);
-  /// Where nothing was seen, colours and normals are 0.
+  /// Sets colours and normals to 0 where there is no surface.
   void Finish(int row);
 
 private:

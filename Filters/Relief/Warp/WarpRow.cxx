@@ -13,7 +13,7 @@ namespace relevo
 namespace
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-// Positions beyond are as good as none.
+// Positions farther away are ignored.
 constexpr double Farthest = 1e15;
 constexpr WarpRow::Sample NoSample = { 0.0, -1, 0.0f };
 
@@ -23,8 +23,8 @@ bool IsNumber(double value)
 }
 }
 
-// What only this file calls is inline, so that the compiler may take it into the loops also where
-// a shared library's functions can be replaced from outside.
+// Functions that are only called in this file are inline, so that they are inlined in loops even if
+// symbols of a shared library can be interposed.
 void WarpRow::Allocate(int width)
 {
   this->Columns.resize(width);
@@ -64,7 +64,7 @@ inline void WarpRow::FindSamples(
   const double* heights = source.GetHeights(row);
   const unsigned char* sides = source.GetSides(row);
   const int width = source.GetWidth();
-  bool isJoined[2] = { false, false }; // to the texel before, to the one after
+  bool isJoined[2] = { false, false }; // to the previous and the next texel
   for (int column = 0; column < width; ++column)
   {
     isJoined[0] = isJoined[1];
@@ -82,7 +82,7 @@ inline void WarpRow::FindSamples(
   }
 }
 
-// All whole positions that the segment from a texel to the next one passes.
+// Adds samples at all integer positions between a texel and the next.
 inline void WarpRow::Join(
   const WarpSource& source, const WarpCoefficients& coefficients, const double* heights, int column)
 {
@@ -102,8 +102,8 @@ inline void WarpRow::Join(
   }
 }
 
-// Where a row of joined texels ends, it reaches to the nearest whole position, so that also a
-// single texel is seen; where it folds, the fold may be at one.
+// At the end of connected texels, the surface extends to the nearest integer position, so that
+// isolated texels are visible. A fold may also be at an integer position.
 inline void WarpRow::End(const WarpSource& source, double height, int column, bool isJoined[2])
 {
   const double place = this->Columns[column];
@@ -171,7 +171,7 @@ void WarpStrip::Compare(
   for (int column = 0; column < width; ++column)
   {
     this->Folded[column] = lower.Folded[column] | upper.Folded[column];
-    // A sum with a NaN is one.
+    // The sum is NaN if a term is.
     this->Quads[column] = (sides[column] & Quad) &&
       IsNumber(lower.Columns[column] + lower.Columns[column + 1] + upper.Columns[column] +
         upper.Columns[column + 1]);
@@ -208,9 +208,9 @@ inline void WarpStrip::Open(double first, double second)
   }
 }
 
-// The line on the surface that comes to lie at this position leads from one sample to the other:
-// it does where what is between them in the one row lies on one side of the position, in the other
-// row on the other.
+// Two samples are connected if the intersection of the surface with this position leads from one to
+// the other: the surface between them is on one side of the position in one row, and on the other
+// side in the other row.
 bool WarpStrip::AreJoined(
   const WarpSource& source, int row, const WarpRow& lower, const WarpRow& upper, int position) const
 {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the first pass of a warp: along a row, and what it leaves between two rows
+ * @brief   first pass of a warp: along rows, and the connections between two rows
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef WarpRow_h
 #define WarpRow_h
@@ -17,14 +17,14 @@ namespace relevo
 class WarpSource;
 struct WarpCoefficients;
 
-/// The first whole number that is not less, of one that an int holds.
+/// Rounds up a number in the range of int.
 inline int CeilToInt(double value)
 {
   const int whole = static_cast<int>(value);
   return whole + (value > whole ? 1 : 0);
 }
 
-/// Whole numbers in [lowest, highest), at least `first` and less than `end`.
+/// The integers in [lowest, highest) and [first, end).
 struct WholeNumbers
 {
   WholeNumbers(double lowest, double highest, int first, int end)
@@ -37,8 +37,8 @@ struct WholeNumbers
 };
 
 /**
- * How far along a segment a place is. Lengths are from it to both ends, in the plane of the relief;
- * weights, 1 + K3 h there.
+ * Returns the fraction of a point on a segment. `first` and `second` are its distances from both
+ * ends in the plane of the relief, the weights are 1 + K3 h at the ends.
  */
 inline double FindFraction(double first, double second, double firstWeight, double secondWeight)
 {
@@ -53,18 +53,18 @@ struct WarpRow
   struct Sample
   {
     double Height;
-    int Column; // of the source, -1 where there is no surface
+    int Column; // of the source; -1 without surface
     float Fraction;
 
     bool IsValid() const { return this->Column >= 0; }
     bool IsAtColumn() const { return this->Fraction == 0.0f; }
-    /// The first column that is not left of the place.
+    /// Returns the first column that is not left of the point.
     int GetNextColumn() const { return this->Column + (this->IsAtColumn() ? 0 : 1); }
   };
 
-  std::vector<double> Columns;       // where texels come to lie, NaN for those not seen
-  std::vector<Sample> Samples;       // nearest surface at each whole position
-  std::vector<double> Rows;          // where samples come to lie in the second pass
+  std::vector<double> Columns;       // positions of the texels; NaN if not visible
+  std::vector<Sample> Samples;       // nearest surface at each integer position
+  std::vector<double> Rows;          // positions of the samples in the second pass
   std::vector<unsigned char> Folded; // whether the surface passes a position more than once
 
   void Allocate(int width);
@@ -80,12 +80,12 @@ private:
   void Put(const WarpSource& source, int position, const Sample& sample);
 };
 
-/// Between a row and the next one.
+/// The surface between a row and the next.
 struct WarpStrip
 {
-  std::vector<unsigned char> Quads; // whether the surface between four texels is seen
-  /// Positions where the surface passes a row more than once or has an open side: a sample of one
-  /// row and one of the next are not all that it has there.
+  std::vector<unsigned char> Quads; // whether the surface between four texels is visible
+  /// Positions where the surface passes a row more than once or has an open side. Here, connecting
+  /// the samples of both rows is not sufficient.
   std::vector<unsigned char> Folded;
   int FirstFolded = 0;
   int EndFolded = 0;

@@ -31,13 +31,13 @@ void CopyArrays(vtkFieldData* from, vtkFieldData* to, std::initializer_list<cons
   }
 }
 
-// Sides that no quad has are not joined by any surface: nothing is drawn between their texels.
+// Opens sides without a quad, because no surface is drawn between their texels.
 void OpenSidesWithoutQuads(std::vector<unsigned char>& sides, int width)
 {
   const std::size_t columns = width;
   for (std::size_t i = 0; i < sides.size(); ++i)
   {
-    // There is no quad in the last column, which is before the first one of the next row.
+    // There is no quad in the last column, which precedes the first column of the next row.
     const bool isBelow = i >= columns && (sides[i - columns] & Quad);
     const bool isLeft = i > 0 && (sides[i - 1] & Quad);
     const bool isQuad = (sides[i] & Quad) != 0;
@@ -71,7 +71,7 @@ std::string WarpSource::Read(vtkImageData* image, double maximumStretch)
     {
       for (int row = static_cast<int>(begin); row < end; ++row)
       {
-        // A texel without surface is looked at, no more.
+        // Texels without surface only cost a test.
         double work = 0.1 * width;
         for (int column = 0; column < width; ++column)
         {

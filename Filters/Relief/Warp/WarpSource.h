@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   WarpSource
- * @brief   what warps of a relief read: prepared once, unchanged ever after
+ * @brief   immutable input of the warps of a relief
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef WarpSource_h
 #define WarpSource_h
@@ -20,17 +20,16 @@ namespace relevo
 class WarpSource
 {
 public:
-  /// What is wrong with the image, or "". Its values are copied: it may change while they are
-  /// warped.
+  /// Copies the image, so that it may change while it is warped. Returns an error, or "".
   std::string Read(vtkImageData* image, double maximumStretch);
 
   const Relief& GetRelief() const { return this->TheRelief; }
   int GetWidth() const { return this->TheRelief.GetWidth(); }
   int GetHeight() const { return this->TheRelief.GetHeight(); }
 
-  /// Of a row's texels; NaN for none.
+  /// Returns the heights of a row; NaN without surface.
   const double* GetHeights(int row) const { return this->Heights.data() + this->GetIndex(0, row); }
-  /// ReliefSide bits of a row's texels.
+  /// Returns the ReliefSide bits of a row.
   const unsigned char* GetSides(int row) const
   {
     return this->Sides.data() + this->GetIndex(0, row);
@@ -40,16 +39,16 @@ public:
     return static_cast<size_t>(row) * this->GetWidth() + column;
   }
 
-  /// Whether one height is nearer to the viewer than another.
+  /// Whether a height is nearer to the viewer than another.
   bool IsNearer(double height, double other) const
   {
     return this->TheRelief.IsPerspective() ? height > other : height < other;
   }
 
-  /// Whether the surface goes on to all sides of a place in a row, at or right of a column.
+  /// Whether a point in a row, at or right of a column, is surrounded by surface.
   bool IsInside(int column, int row, bool isAtColumn) const;
 
-  /// Rows before this one take this share of the work of warping all.
+  /// Returns the row up to which the given fraction of the work is done.
   int FindRow(double share) const;
 
 private:
@@ -61,7 +60,7 @@ private:
   Relief TheRelief;
   std::vector<double> Heights;
   std::vector<unsigned char> Sides;
-  std::vector<double> Work; // of all rows up to one
+  std::vector<double> Work; // prefix sums of the work per row
 };
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   WarpWorker
- * @brief   a thread that does one thing after the other, and sleeps in between
+ * @brief   a thread that executes tasks in order, and sleeps between them
  *
- * All but the work itself is called by one thread. Private to the module's own sources.
+ * All functions must be called from the same thread. Private to the module.
  */
 #ifndef WarpWorker_h
 #define WarpWorker_h
@@ -20,12 +20,12 @@ class WarpWorker
 {
 public:
   WarpWorker() = default;
-  /// Waits for the work at hand.
+  /// Waits for the current task.
   ~WarpWorker();
   WarpWorker(const WarpWorker&) = delete;
   void operator=(const WarpWorker&) = delete;
 
-  /// Work that throws nothing, as soon as what is at hand is done.
+  /// Executes a task after the current one. It must not throw.
   void Start(std::function<void()> work);
   void Wait() const;
 
@@ -34,7 +34,7 @@ private:
 
   mutable std::mutex Mutex;
   mutable std::condition_variable Changed;
-  std::function<void()> Work; // while there is some
+  std::function<void()> Work; // empty without a task
   bool IsToEnd = false;
   std::thread Thread;
 };

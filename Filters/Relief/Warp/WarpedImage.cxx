@@ -14,7 +14,7 @@ namespace relevo
 {
 namespace
 {
-// An array of this size that nobody else refers to.
+// Creates an array of this size, unless there is one that nobody else references.
 template <class ArrayType>
 void MakeArray(
   vtkSmartPointer<ArrayType>& array, const char* name, int components, vtkIdType tuples)
@@ -33,7 +33,7 @@ void MakeArray(
 void WarpedImage::Prepare(
   const std::shared_ptr<const WarpSource>& source, const WarpCoefficients& coefficients)
 {
-  this->Source = nullptr; // until there is memory
+  this->Source = nullptr; // in case allocation fails
   const Relief& relief = source->GetRelief();
   const vtkIdType texels = relief.GetNumberOfTexels();
   MakeArray(this->Depths, Relief::GetDepthName(), 1, texels);
@@ -64,7 +64,7 @@ void WarpedImage::CopyTo(vtkImageData* image) const
   vtkImageData* input = this->Source->GetRelief().GetImage();
   image->Initialize();
   image->CopyStructure(input);
-  // The values have changed under the same arrays.
+  // The arrays are the same, but their values have changed.
   for (vtkDataArray* array : { static_cast<vtkDataArray*>(this->Colors),
          static_cast<vtkDataArray*>(this->Depths), static_cast<vtkDataArray*>(this->Normals) })
   {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   WarpedImage
- * @brief   the image that a warp makes, and what it was made from
+ * @brief   the image that a warp produces, with its inputs
  *
- * Private to the module's own sources.
+ * Private to the module.
  */
 #ifndef WarpedImage_h
 #define WarpedImage_h
@@ -27,7 +27,7 @@ class WarpSource;
 class WarpedImage
 {
 public:
-  /// Makes the picture ready to be warped into. Arrays that others hold are left to them.
+  /// Prepares the image for a warp. Arrays that others reference are replaced, not overwritten.
   void Prepare(
     const std::shared_ptr<const WarpSource>& source, const WarpCoefficients& coefficients);
 
@@ -41,9 +41,9 @@ public:
   WarpPicture& GetPicture() { return this->Picture; }
   const WarpSource& GetSource() const { return *this->Source; }
   const WarpCoefficients& GetCoefficients() const { return this->Coefficients; }
-  /// Whose arrays the picture is drawn into.
+  /// Copies the result, sharing the arrays.
   void CopyTo(vtkImageData* image) const;
-  /// Forgets what it shows.
+  /// Marks the image as empty.
   void Reset() { this->Source = nullptr; }
 
 private:
