@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Streaks around a sphere, drawn without a display. Prints how often they were convolved.
+ * Draws streaks around a sphere without a display. Prints how often they were convolved.
  */
 #include "vtkActor.h"
 #include "vtkAdaptiveLICMapper.h"

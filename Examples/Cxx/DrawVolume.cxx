@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The inside of a mesh of tetrahedra, drawn without a display, and the same by the filter on the
- * CPU. Prints what the pixel in the middle is by both.
+ * Renders the volume of a mesh of tetrahedra without a display, and with the filter on the CPU.
+ * Prints the middle pixel of both.
  */
 #include "vtkCamera.h"
 #include "vtkCellType.h"
@@ -47,7 +47,7 @@ int main()
   vtkNew<vtkVolumeProperty> property;
   property->SetColor(color);
   property->SetScalarOpacity(opacity);
-  property->SetScalarOpacityUnitDistance(1.0); // an opacity of 1 lets 37 % through that
+  property->SetScalarOpacityUnitDistance(1.0); // at opacity 1, 37 % of the light passes this length
 
   vtkNew<vtkGPUUnstructuredGridVolumeMapper> mapper;
   mapper->SetInputData(mesh);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A metric of one's own that depends on the view: deep where the surface is seen edge-on. It needs
- * the normals of the mesh, which its evaluator computes once and not for every view. Prints how
- * many triangles a sphere becomes from near and far.
+ * Example of a custom, view-dependent metric: high levels where the surface is seen edge-on. It
+ * needs the mesh's normals, which its evaluator computes once rather than for every view. Prints
+ * the number of triangles of a sphere seen from near and from far.
  */
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
@@ -40,7 +40,8 @@ public:
   std::unique_ptr<relevo::MetricEvaluator> NewEvaluator(
     const std::shared_ptr<relevo::MetricMesh>& mesh) override;
 
-  // Levels rise with this power of the sine between normal and view.
+  // Levels are proportional to this power of the sine of the angle between normal and view
+  // direction.
   double Power = 4.0;
 };
 
@@ -84,7 +85,7 @@ public:
   }
 
 private:
-  // Of points, from the triangles around them.
+  // Computes point normals from the triangles around the points.
   void UpdateNormals()
   {
     relevo::MetricMesh& mesh = this->GetMesh();
@@ -95,7 +96,7 @@ private:
     this->NormalsTime = mesh.GetTime();
     const relevo::SurfaceTriangles& surface = *mesh.GetTriangles();
     this->Normals.assign(surface.GetNumberOfPoints(), { 0.0, 0.0, 0.0 });
-    for (const auto& triangle : surface.GetTriangles()) // whose corners are places
+    for (const auto& triangle : surface.GetTriangles()) // its corners are merged points
     {
       double points[3][3];
       for (int corner = 0; corner < 3; ++corner)
@@ -114,7 +115,8 @@ private:
     }
     for (vtkIdType i = 0; i < surface.GetNumberOfPoints(); ++i)
     {
-      this->Normals[i] = this->Normals[surface.GetMergedPoint(i)]; // the lowest point there
+      // the merged point has the lowest id
+      this->Normals[i] = this->Normals[surface.GetMergedPoint(i)];
       vtkMath::Normalize(this->Normals[i].data());
     }
   }
@@ -148,7 +150,7 @@ int main()
   refine->SetRefinement(recipe);
   refine->SetCamera(camera);
 
-  // From close by less of the sphere is seen edge-on.
+  // From close by, less of the sphere is seen edge-on.
   vtkIdType triangles[2];
   for (int i = 0; i < 2; ++i)
   {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A metric of one's own: deep where z is large. Prints how many triangles the halves of a sphere
- * become.
+ * Example of a custom metric: high levels where z is large. Prints the number of triangles in both
+ * halves of a sphere.
  */
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"

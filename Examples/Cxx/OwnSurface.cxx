@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A surface of one's own: pillows, highest in the middle of each coarse triangle. Prints how high
- * the filter and the mapper make one.
+ * Example of a custom surface: pillows that are highest in the middle of each coarse triangle.
+ * Prints the height of one in the filter and in the mapper.
  */
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
@@ -87,7 +87,7 @@ vtkStandardNewMacro(PillowSurface);
 
 int main()
 {
-  vtkNew<vtkPlaneSource> plane; // one square, at z = 0
+  vtkNew<vtkPlaneSource> plane; // one square at z = 0
   vtkNew<PillowSurface> surface;
   vtkNew<vtkAdaptiveRefinement> recipe;
   recipe->SetSurface(surface);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A coarse sphere, refined to curved PN triangles. Prints how far the coarse and the refined mesh
- * are from the true sphere's area.
+ * Refines a coarse sphere with curved PN triangles. Prints how much the areas of the coarse and the
+ * refined mesh differ from the sphere's.
  */
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementFilter.h"
@@ -20,7 +20,7 @@
 
 namespace
 {
-// How much of the sphere's area a mesh misses, in percent.
+// The area that a mesh lacks compared with the sphere, in percent.
 double MissingArea(vtkPolyData* mesh, double radius)
 {
   double area = 0.0;
@@ -59,7 +59,7 @@ int main()
             << " % of the sphere's area\n"
             << "refined: " << fine->GetNumberOfCells() << " triangles miss " << after << " %\n";
 
-  // Level 3 makes 4^3 triangles of one, and curved ones must come much closer to the sphere.
+  // At level 3, one triangle becomes 4^3. Curved triangles must be much closer to the sphere.
   const bool isRefined =
     fine->GetNumberOfCells() == 64 * coarse->GetNumberOfCells() && std::abs(after) < 0.2 * before;
   return isRefined ? EXIT_SUCCESS : EXIT_FAILURE;

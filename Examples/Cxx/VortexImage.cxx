@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The streaks of a vortex, as an image: no window, no OpenGL. Prints how much the values differ
- * along the streaks and across them.
+ * Computes an image of a vortex's streaks without a window or OpenGL. Prints the differences of
+ * values along and across the streaks.
  */
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -33,7 +33,7 @@ int main()
   convolution->SetInputData(vortex);
   convolution->Update();
 
-  // To the right of the centre the vectors run along the columns.
+  // To the right of the centre, the vectors run along the columns.
   vtkImageData* image = convolution->GetOutput();
   double along = 0.0;
   double across = 0.0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   draws a height map or a mesh: in a window, or into a picture
+ * @brief   draws a height map or a mesh in a window or to a picture
  */
 #include "Files/ViewerFile.h"
 #include "Files/ViewerPicture.h"

@@ -27,7 +27,7 @@ vtkSmartPointer<vtkDataObject> ReadExodusBlocks(
   {
     reader->SetAllArrayStatus(type, 1);
   }
-  // The first of several, which VTK reads if it is not told otherwise.
+  // Reads the first time step explicitly.
   const int steps = reader->GetNumberOfTimeSteps();
   vtkInformation* information = reader->GetOutputInformation(0);
   if (steps > 1 && information->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS()))

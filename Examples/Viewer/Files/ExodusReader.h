@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   reads the blocks in an Exodus II file, or their surface
+ * @brief   reads the blocks of an Exodus II file, or their surface
  */
 #ifndef ExodusReader_h
 #define ExodusReader_h
@@ -14,11 +14,11 @@ class vtkDataObject;
 class vtkPolyData;
 class ViewerMessages;
 
-/// The first time step, with the arrays of nodes and elements.
+/// Reads the first time step with the arrays of nodes and elements.
 vtkSmartPointer<vtkDataObject> ReadExodusBlocks(
   const std::string& fileName, ViewerMessages& messages);
 
-/// The surface of the same.
+/// Reads the surface of the blocks.
 vtkSmartPointer<vtkPolyData> ReadExodus(const std::string& fileName, ViewerMessages& messages);
 
 #endif

@@ -20,7 +20,7 @@
 
 namespace
 {
-// The last bytes of a file, without white space after them.
+// The last bytes of a file, without trailing white space.
 std::string ReadEnd(const std::string& fileName, std::streamoff number)
 {
   std::ifstream file(fileName, std::ios::binary);
@@ -43,7 +43,7 @@ void CheckXML(const std::string& fileName, ViewerMessages&)
   }
 }
 
-// VTK's reader passes over pieces that it cannot read.
+// VTK's reader skips pieces that it cannot read.
 void CheckPieces(const std::string& fileName, ViewerMessages& messages)
 {
   CheckXML(fileName, messages);
@@ -83,7 +83,7 @@ bool IsText(const std::string& begin)
     begin.find('\0') == std::string::npos;
 }
 
-// Some programs write a wrong number of triangles, but all of them write whole triangles.
+// Some programs write a wrong number of triangles, but always complete ones.
 void CheckSTL(const std::string& fileName, ViewerMessages& messages)
 {
   constexpr long long header = 84;

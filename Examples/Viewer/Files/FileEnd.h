@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   finds files that are cut short where VTK's readers do not
+ * @brief   finds truncated files that VTK's readers accept
  */
 #ifndef FileEnd_h
 #define FileEnd_h
@@ -11,13 +11,13 @@
 class ViewerMessages;
 
 /**
- * Throws ViewerError if the file ends before its header or its format says: .ply, .stl,
- * classic netCDF (.ex2, .nc), and VTK's XML files, with the pieces of .pvtu files; or if faces of
- * an .obj file refer to what is not there. Other formats pass.
+ * Throws ViewerError if the file is shorter than its header or its format says: .ply, .stl, classic
+ * netCDF (.ex2, .nc), and VTK's XML files with the pieces of .pvtu files. Also throws if faces of
+ * an .obj file refer to missing points. Other formats are not checked.
  */
 void CheckFileEnd(const std::string& fileName, ViewerMessages& messages);
 
-/// The same of rasters, with the name of the file in the error. Files that are not there pass.
+/// Checks rasters in the same way. The error names the file. Missing files pass.
 void CheckRasterEnd(const std::string& fileName, ViewerMessages& messages);
 
 #endif

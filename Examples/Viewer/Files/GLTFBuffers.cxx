@@ -14,7 +14,7 @@ namespace
 constexpr std::uint32_t Magic = 0x46546C67;  // "glTF"
 constexpr std::uint32_t Binary = 0x004E4942; // "BIN"
 
-// Little-endian, as the numbers of .glb files are.
+// Numbers in .glb files are little-endian.
 std::uint32_t ReadNumber(std::istream& file)
 {
   std::array<unsigned char, 4> bytes{};

@@ -11,18 +11,18 @@
 
 struct GLTFBuffer
 {
-  std::string URI;          // empty for the binary part of a .glb file
-  long long ByteLength = 0; // declared
+  std::string URI;          // empty for the binary chunk of a .glb file
+  long long ByteLength = 0; // as declared
 };
 
 /**
- * From the text of the array "buffers", JSON; empty where it is not. Pictures and coordinates may
- * be in it, so that strings are megabytes long.
+ * Parses the JSON text of the array "buffers". Returns an empty list for invalid text. Buffers may
+ * be embedded in the text, so strings may have megabytes.
  */
 std::vector<GLTFBuffer> ParseGLTFBuffers(const std::string& text);
 
 /**
- * The bytes of the binary part of a .glb file; 0 where there is none.
+ * Number of bytes in the binary chunk of a .glb file, 0 if there is none.
  */
 long long GetGLBLength(const std::string& fileName);
 

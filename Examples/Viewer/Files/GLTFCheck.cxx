@@ -57,7 +57,7 @@ private:
     Require(IsIn(index, this->Model.Accessors),
       user + " refers to accessor " + std::to_string(index) + " of " +
         std::to_string(this->Model.Accessors.size()));
-    // VTK would write sparse values to whatever places the file names.
+    // VTK would write sparse values to any index in the file.
     Require(!this->Model.Accessors[index].IsSparse,
       user + " refers to accessor " + std::to_string(index) + ", which is sparse");
   }
@@ -71,7 +71,7 @@ private:
       GLTFBuffer& buffer = this->Buffers[i];
       if (buffer.URI.empty())
       {
-        // The binary part of the file, and nothing for others.
+        // Only the first buffer may use the binary chunk.
         buffer.ByteLength = i == 0 ? GetGLBLength(this->Model.FileName) : 0;
       }
       else if (buffer.URI.find("data:") != 0)
@@ -110,7 +110,7 @@ private:
       const std::string name = "accessor " + std::to_string(i);
       if (accessor.BufferView < 0)
       {
-        continue; // zeros
+        continue; // contains zeros
       }
       Require(IsIn(accessor.BufferView, this->Model.BufferViews),
         name + " refers to buffer view " + std::to_string(accessor.BufferView) + " of " +
@@ -204,7 +204,7 @@ private:
     }
   }
 
-  // Trees: no node has two parents, nor itself among its ancestors.
+  // Nodes form trees: no node has two parents or is its own ancestor.
   void CheckNodes()
   {
     std::vector<bool> isVisited(this->Model.Nodes.size(), false);

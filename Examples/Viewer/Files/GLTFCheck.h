@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   whether a glTF file is one that VTK's reader can take
+ * @brief   checks that VTK's reader can safely read a glTF file
  */
 #ifndef GLTFCheck_h
 #define GLTFCheck_h
@@ -9,8 +9,8 @@
 #include <string>
 
 /**
- * Throws ViewerError where a file is missing, or where what one part of the scene says of another
- * is not so: VTK's reader does not look, and reads whatever there is in memory.
+ * Throws ViewerError if a referenced file is missing or if parts of the scene refer to each other
+ * incorrectly. VTK's reader does not check this and reads arbitrary memory.
  */
 void CheckGLTF(const std::string& fileName);
 

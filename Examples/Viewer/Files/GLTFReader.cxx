@@ -27,14 +27,14 @@
 
 namespace
 {
-// A primitive: triangles of one material.
+// A primitive: triangles with one material.
 struct Part
 {
   vtkSmartPointer<vtkPolyData> Mesh;
   bool IsMirrored;
 };
 
-// VTK's reader tells the matrix of a node with the first of its primitives.
+// VTK's reader stores the matrix of a node with the node's first primitive.
 bool IsMirroring(vtkMultiBlockDataSet* blocks)
 {
   for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
@@ -70,7 +70,7 @@ void FindParts(vtkMultiBlockDataSet* blocks, std::vector<Part>& parts)
   }
 }
 
-// What glTF's colours, which are linear, are on a screen.
+// Converts glTF's linear colours to sRGB.
 unsigned char ToByte(double linear)
 {
   const double c = std::clamp(linear, 0.0, 1.0);
@@ -101,7 +101,7 @@ bool HasColors(const Part& part)
   return GetPointColors(part.Mesh) || *std::min_element(color.begin(), color.end()) < 1.0;
 }
 
-// The material's times the points'.
+// The product of the material's and the points' colours.
 vtkSmartPointer<vtkUnsignedCharArray> MakeColors(vtkPolyData* mesh)
 {
   const std::array<double, 3> material = GetMaterialColor(mesh);
@@ -121,7 +121,7 @@ vtkSmartPointer<vtkUnsignedCharArray> MakeColors(vtkPolyData* mesh)
   return colors;
 }
 
-// Triangles and strips alone, which face as the scene's do, with or without colours.
+// Triangles and strips only, with the winding of the scene, with or without colours.
 vtkSmartPointer<vtkPolyData> MakeMesh(const Part& part, bool hasColors)
 {
   vtkNew<vtkPolyData> mesh;
@@ -138,7 +138,7 @@ vtkSmartPointer<vtkPolyData> MakeMesh(const Part& part, bool hasColors)
   {
     return mesh;
   }
-  vtkNew<vtkTriangleFilter> triangles; // a strip backwards may face as before
+  vtkNew<vtkTriangleFilter> triangles; // reversing a strip does not always reverse its faces
   triangles->SetInputData(mesh);
   vtkNew<vtkReverseSense> reversed;
   reversed->SetInputConnection(triangles->GetOutputPort());
@@ -166,7 +166,7 @@ vtkSmartPointer<vtkPolyData> ReadGLTF(const std::string& fileName, ViewerMessage
   messages.Observe(append);
   for (const Part& part : parts)
   {
-    CheckCorners(part.Mesh); // after the next line they would be points of other parts
+    CheckCorners(part.Mesh); // AppendPolyData would turn invalid ids into points of other parts
     append->AddInputData(MakeMesh(part, hasColors));
   }
   if (!parts.empty())

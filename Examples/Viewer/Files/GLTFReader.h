@@ -14,9 +14,9 @@ class vtkPolyData;
 class ViewerMessages;
 
 /**
- * The triangles of the default scene, of all its nodes where they stand, facing as they do in the
- * scene. Where materials or points have colours, the scalars are these: "Color", bytes in sRGB.
- * Pictures of materials are left out.
+ * Returns the triangles of the default scene with the transforms of its nodes. Winding is that of
+ * the scene. If materials or points have colours, they are the scalars "Color", bytes in sRGB.
+ * Textures are ignored.
  */
 vtkSmartPointer<vtkPolyData> ReadGLTF(const std::string& fileName, ViewerMessages& messages);
 

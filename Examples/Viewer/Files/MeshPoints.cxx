@@ -39,7 +39,7 @@ std::array<vtkCellArray*, 4> GetCells(vtkPolyData* mesh)
   return { { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() } };
 }
 
-// Calls f(number of corners, their points) for every cell.
+// Calls f(number of corners, their point ids) for every cell.
 template <typename Function>
 void ForEachCell(vtkCellArray* cells, Function&& f)
 {
@@ -53,7 +53,7 @@ void ForEachCell(vtkCellArray* cells, Function&& f)
   }
 }
 
-// New ids of the points, in their order.
+// New ids of the used points, in the same order.
 Ids NumberUsedPoints(vtkPolyData* mesh)
 {
   Ids numbers(static_cast<size_t>(mesh->GetNumberOfPoints()), Unused);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   the points that the cells of a mesh refer to
+ * @brief   checks and removes points of a mesh
  */
 #ifndef MeshPoints_h
 #define MeshPoints_h
@@ -11,12 +11,12 @@
 class vtkPointSet;
 class vtkPolyData;
 
-/// Throws ViewerError where a cell of a vtkPolyData or vtkUnstructuredGrid refers to a point that
-/// is not there: VTK's filters do not look.
+/// Throws ViewerError if a cell of a vtkPolyData or vtkUnstructuredGrid refers to a missing point.
+/// VTK's filters do not check this.
 void CheckCorners(vtkPointSet* mesh);
 
-/// The mesh without points that no cell uses, and without their data: nothing that is not drawn
-/// takes part in bounds and ranges. The mesh itself where all are used.
+/// Returns the mesh without unused points and their data, so that they do not affect bounds and
+/// ranges. Returns the mesh itself if all points are used.
 vtkSmartPointer<vtkPolyData> DropUnusedPoints(vtkPolyData* mesh);
 
 #endif

@@ -80,7 +80,7 @@ Mesh TakeSurface(vtkDataSet* data, ViewerMessages& messages)
   return surface->GetOutput();
 }
 
-// The surface of a data set, which may be one itself.
+// Returns the surface of a data set, which may itself be one.
 Mesh TakeSurface(vtkDataSet* data, MeshCells cells, ViewerMessages& messages)
 {
   if (auto* mesh = vtkPolyData::SafeDownCast(data))
@@ -109,7 +109,7 @@ const std::map<std::string, ReaderFunction>& GetReaders()
     { ".glb", ReadGLTF },
     { ".gltf", ReadGLTF },
     { ".obj", Read<vtkOBJReader> },
-#if __has_include("vtkOFFReader.h") // VTK 9.4 and later
+#if __has_include("vtkOFFReader.h") // since VTK 9.4
     { ".off", Read<vtkOFFReader> },
 #endif
     { ".ply", Read<vtkPLYReader> },
@@ -133,7 +133,7 @@ SurfaceMesh ReadFormat(const std::string& fileName, MeshCells cells, ViewerMessa
     {
       throw ViewerError("cannot read " + fileName + ": it has no data set with points and cells");
     }
-    // Of an Exodus file the reader returns the surface.
+    // For an Exodus file, the reader returns the surface.
     const bool isOfCells = extension == ".ex2" || !vtkPolyData::SafeDownCast(data);
     return { TakeSurface(data, cells, messages), isOfCells };
   }
@@ -164,7 +164,7 @@ void CheckPoints(vtkPolyData* mesh, const std::string& fileName)
 bool IsMeshFile(const std::string& fileName)
 {
   const std::string extension = GetExtension(fileName);
-  // Meshes, whether or not this VTK reads them.
+  // Includes meshes that this version of VTK cannot read.
   return GetReaders().count(extension) > 0 || extension == ".ex2" || extension == ".off";
 }
 

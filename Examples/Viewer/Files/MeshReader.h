@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   reads the surface in a mesh file
+ * @brief   reads the surface of a mesh file
  */
 #ifndef MeshReader_h
 #define MeshReader_h
@@ -13,21 +13,21 @@
 class vtkPolyData;
 class ViewerMessages;
 
-/// By the name: an extension of a mesh's file, also where this VTK reads none of that kind.
+/// Whether the name has the extension of a mesh format, even if this version of VTK cannot read it.
 bool IsMeshFile(const std::string& fileName);
 
-/// What can be read, as ".ply, .stl or .vtp files".
+/// The supported formats, as in ".ply, .stl or .vtp files".
 std::string GetMeshFormats();
 
-/// What is made of an unstructured grid.
+/// The surface of an unstructured grid.
 enum class MeshCells
 {
-  Flat,   // its outer surface in flat polygons
-  Curved, // if some cells are curved, their patches; else flat polygons
-  Patches // patches, whatever its cells
+  Flat,   // the outer surface in flat polygons
+  Curved, // patches if some cells are curved, otherwise flat polygons
+  Patches // patches for all cells
 };
 
-/// A surface, and whether it is that of cells, which say themselves how they are curved.
+/// A surface, and whether it comes from cells, which define their curvature.
 struct SurfaceMesh
 {
   vtkSmartPointer<vtkPolyData> Data;
@@ -35,9 +35,9 @@ struct SurfaceMesh
 };
 
 /**
- * The polygons and strips of a file; of another data set than polygonal ones in a .bpt, .vtk, .vtu,
- * .pvtu or .ex2 file its outer surface. Throws ViewerError where there are none, where a point is
- * not finite, or where a cell refers to a point that is not there.
+ * Reads the polygons and strips of a file. For other data sets in a .bpt, .vtk, .vtu, .pvtu or .ex2
+ * file, returns the outer surface. Throws ViewerError if there are none, if a point is not finite,
+ * or if a cell refers to a missing point.
  */
 SurfaceMesh ReadMesh(const std::string& fileName, MeshCells cells, ViewerMessages& messages);
 

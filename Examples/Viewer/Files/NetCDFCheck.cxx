@@ -12,7 +12,7 @@
 
 namespace
 {
-constexpr int Alignment = 4; // names and values are padded to as many bytes
+constexpr int Alignment = 4; // names and values are padded to a multiple of this
 
 // The header of the formats CDF-1, CDF-2 (64-bit offsets) and CDF-5 (64-bit data).
 class Header
@@ -41,12 +41,12 @@ public:
     double size = this->FixedEnd;
     if (this->RecordSize > 0.0 && !isStreaming)
     {
-      // Padded unless there is one variable alone.
+      // Records are padded unless there is only one variable.
       const double record =
         this->NumberOfRecordVariables > 1 ? this->RecordSize : this->UnpaddedRecordSize;
       size = std::max(size, this->RecordBegin + records * record);
     }
-    // Some programs leave out the padding of the last value.
+    // Some programs omit the padding of the last value.
     if (size >= this->FileSize + Alignment)
     {
       throw ViewerError("the file is cut short: its header says " +
@@ -76,7 +76,7 @@ private:
     return value;
   }
 
-  // A size; also the number of entries of a list, which take four bytes each at least.
+  // Reads a size, or the number of entries in a list, each of which takes at least four bytes.
   double ReadNumber() { return this->ReadBytes(this->Version == 5 ? 8 : 4); }
 
   std::size_t ReadCount()
@@ -105,7 +105,7 @@ private:
 
   double GetTypeSize(double type) const
   {
-    // From 1 on: byte, char, short, int, float, double, ubyte, ushort, uint, int64, uint64.
+    // Starting at 1: byte, char, short, int, float, double, ubyte, ushort, uint, int64, uint64.
     static const double sizes[] = { 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8 };
     if (type < 1.0 || type > 11.0)
     {
@@ -164,7 +164,7 @@ private:
     }
     this->SkipAttributes();
     const double size = values * this->GetTypeSize(this->ReadBytes(4));
-    this->ReadNumber(); // the size, which does not hold for large variables
+    this->ReadNumber(); // the size, which is wrong for large variables
     const double begin = this->ReadBytes(this->Version == 1 ? 4 : 8);
     if (!isRecord)
     {

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   whether a classic netCDF file, such as most Exodus files, has all that its header says
+ * @brief   checks that a classic netCDF file, such as most Exodus files, is complete
  */
 #ifndef NetCDFCheck_h
 #define NetCDFCheck_h
 
 #include <string>
 
-/// Throws ViewerError: the netCDF library reads zeros beyond the end of a file. Files of other
-/// formats pass, such as netCDF-4.
+/// Throws ViewerError for a truncated file: the netCDF library would read zeros beyond its end.
+/// Other formats, such as netCDF-4, pass.
 void CheckNetCDF(const std::string& fileName);
 
 #endif

@@ -12,7 +12,7 @@
 
 namespace
 {
-// The lists that the numbers of a corner such as 1/2/3 refer to, in this order.
+// The lists that the numbers in a corner such as 1/2/3 refer to, in this order.
 enum Kind
 {
   Points,
@@ -65,7 +65,7 @@ private:
     }
   }
 
-  // Anything but numbers and slashes is left to VTK's reader, which reports it.
+  // Ignores other text, which VTK's reader reports.
   void ReadCorners(const char* text, long long line)
   {
     for (int kind = Points; *text != '\0';)
@@ -98,7 +98,7 @@ private:
     }
   }
 
-  // Negative indices count back from the line.
+  // Negative indices count backwards from this line.
   void AddIndex(long long index, int kind, long long line)
   {
     if (index == 0 || index < -this->Counts[kind])

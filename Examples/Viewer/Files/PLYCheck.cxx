@@ -17,8 +17,8 @@ namespace
 {
 struct Property
 {
-  int Size = 0;      // in bytes, of an item of a list
-  int CountSize = 0; // in bytes; 0 if it is no list
+  int Size = 0;      // in bytes, of a list's items
+  int CountSize = 0; // in bytes, 0 if it is not a list
 };
 
 struct Element
@@ -90,7 +90,7 @@ private:
       hasFormat ? "its header has no end: the file is cut short" : "its header names no format");
   }
 
-  // Whether it names the format.
+  // Returns whether the line names the format.
   bool ReadHeaderLine(const std::string& keyword, std::istream& words)
   {
     std::string word;
@@ -136,7 +136,7 @@ private:
       " of '" + element.Name + "', and there are " + std::to_string(number));
   }
 
-  // Whether there are so many.
+  // Returns whether the file has this many bytes left.
   bool Skip(long long bytes)
   {
     if (bytes < 0 || bytes > this->Left)
@@ -148,7 +148,7 @@ private:
     return true;
   }
 
-  // -1 if the file ends.
+  // Returns -1 at the end of the file.
   long long ReadCount(int size)
   {
     unsigned char bytes[8] = {};
@@ -196,7 +196,7 @@ private:
     }
   }
 
-  // VTK reads a line for each.
+  // VTK reads one line per item.
   void CheckLines(const Element& element)
   {
     std::string line;
@@ -238,7 +238,7 @@ private:
   }
 
   std::ifstream File;
-  long long Left; // bytes
+  long long Left; // in bytes
   bool IsText = false;
   bool IsBigEndian = false;
   std::vector<Element> Elements;

@@ -13,7 +13,7 @@
 
 namespace
 {
-// The node on a line, and what is wrong with it: "" for nothing.
+// Reads the node of a line. Returns an error message, or an empty string.
 std::string ReadNode(const std::string& line, TransferNode& node)
 {
   std::vector<double> numbers;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   transfer functions in text files
+ * @brief   reads transfer functions from text files
  */
 #ifndef TransferFile_h
 #define TransferFile_h
@@ -17,8 +17,8 @@ struct TransferNode
   double Opacity;              // 0 to 1
 };
 
-/// A node on each line, `value red green blue opacity`, by rising values; after # and on empty
-/// lines there is none. Throws ViewerError, with the line's number.
+/// Reads one node per line, `value red green blue opacity`, with increasing values. Text after #
+/// and empty lines are ignored. Throws ViewerError with the line's number.
 std::vector<TransferNode> ReadTransferFile(const std::string& fileName);
 
 #endif

@@ -28,14 +28,14 @@ void SetBinary(vtkSTLWriter* writer)
   writer->SetFileTypeToBinary();
 }
 
-// The others are binary by default, or text by definition.
+// Other writers are binary by default, or their format is text.
 void SetBinary(vtkAlgorithm*)
 {
 }
 
-// VTK's writers do not notice every full disk: each check looks at what was written.
+// VTK's writers do not detect every full disk, so the written files are checked.
 
-// As long as its header says.
+// The file has the length that its header gives.
 bool IsWhole(vtkPLYWriter*, vtkPolyData* mesh, const std::string& fileName)
 {
   const std::map<std::string, int> sizes = { { "float", 4 }, { "int", 4 }, { "uchar", 1 } };
@@ -67,7 +67,7 @@ bool IsWhole(vtkPLYWriter*, vtkPolyData* mesh, const std::string& fileName)
   return file && file.tellg() - header >= size;
 }
 
-// One line for each point, polygon and line; the last of them is whole.
+// One line per point, polygon and line. The last line must be complete.
 bool IsWhole(vtkOBJWriter*, vtkPolyData* mesh, const std::string& fileName)
 {
   std::map<std::string, vtkIdType> counts;
@@ -83,7 +83,7 @@ bool IsWhole(vtkOBJWriter*, vtkPolyData* mesh, const std::string& fileName)
     counts["l"] == mesh->GetNumberOfLines();
 }
 
-// A header, and 50 bytes for each triangle, which the header counts.
+// A header with the number of triangles, and 50 bytes per triangle.
 bool IsWhole(vtkSTLWriter*, vtkPolyData*, const std::string& fileName)
 {
   std::ifstream file(fileName, std::ios::binary);
@@ -104,7 +104,7 @@ bool IsWhole(vtkXMLPolyDataWriter*, vtkPolyData*, const std::string& fileName)
   return relevo::IsWholeXML(fileName);
 }
 
-// Why it was not written, or "".
+// Returns an error message, or an empty string.
 template <typename Writer>
 std::string Write(vtkPolyData* mesh, const std::string& fileName, ViewerMessages& messages)
 {

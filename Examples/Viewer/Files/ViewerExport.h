@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   writes a mesh in the format that its file's name asks for
+ * @brief   writes a mesh in the format of its file name
  */
 #ifndef ViewerExport_h
 #define ViewerExport_h
@@ -12,10 +12,10 @@
 class vtkPolyData;
 class ViewerMessages;
 
-/// The extensions that there are writers for, with their dots.
+/// The supported extensions, with their dots.
 std::vector<std::string> GetExportExtensions();
 
-/// Throws ViewerError.
+/// Throws ViewerError if the file cannot be written.
 void WriteMesh(vtkPolyData* mesh, const std::string& fileName, ViewerMessages& messages);
 
 #endif

@@ -13,7 +13,7 @@
 //------------------------------------------------------------------------------
 std::string FindReadError(const std::string& fileName)
 {
-  // A pipe would block when it is opened; a device may never end.
+  // Opening a pipe would block, and a device may never end.
   std::error_code unknown;
   const auto status = std::filesystem::status(fileName, unknown);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))

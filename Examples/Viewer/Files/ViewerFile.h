@@ -1,28 +1,27 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   what kind of file a name means, and whether it can be read or written at all
+ * @brief   checks the names of files before they are read or written
  */
 #ifndef ViewerFile_h
 #define ViewerFile_h
 
 #include <string>
 
-/// The name's extension with its dot, in lower case; empty when there is none.
+/// The name's extension in lower case with its dot, or an empty string.
 std::string GetExtension(const std::string& fileName);
 
-/// Why there is nothing to read, "" where there is.
+/// Why the file cannot be read, or an empty string.
 std::string FindReadError(const std::string& fileName);
 
-/// VTK's readers differ in what they say of a file that is not there or has nothing in it: this
-/// throws ViewerError.
+/// Throws ViewerError if the file is missing or empty. VTK's readers report this differently.
 void CheckFile(const std::string& fileName);
 
-/// Whether there is something in it.
+/// Whether the file can be read and is not empty.
 bool CanRead(const std::string& fileName);
 
-/// Nor does anyone want to wait for what cannot be written: throws ViewerError where a file can
-/// neither be made nor replaced. Makes none.
+/// Throws ViewerError if a file can be neither created nor replaced, before long work is done in
+/// vain. Creates no file.
 void CheckOutput(const std::string& fileName);
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   what a window shows, as a file
+ * @brief   saves the picture of a window
  */
 #ifndef ViewerPicture_h
 #define ViewerPicture_h
@@ -13,7 +13,7 @@
 class vtkRenderWindow;
 class ViewerMessages;
 
-/// Writes a PNG; throws ViewerError.
+/// Writes a PNG file. Throws ViewerError on failure.
 void WritePicture(vtkRenderWindow* window, const std::string& fileName, ViewerMessages& messages,
   relevo::AtomicFile::OldFile oldFile = relevo::AtomicFile::OldFile::Replace);
 

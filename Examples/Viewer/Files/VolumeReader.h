@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   reads the cells in a mesh file, not only their surface
+ * @brief   reads all cells of a mesh file, not only their surface
  */
 #ifndef VolumeReader_h
 #define VolumeReader_h
@@ -13,10 +13,10 @@
 class vtkDataObject;
 class ViewerMessages;
 
-/// What can be read, as ".vtk or .vtu files".
+/// The supported formats, as in ".vtk or .vtu files".
 std::string GetVolumeFormats();
 
-/// A vtkDataSet, or a composite data set of some. Throws ViewerError where there are no cells.
+/// Returns a vtkDataSet or a composite data set. Throws ViewerError if there are no cells.
 vtkSmartPointer<vtkDataObject> ReadVolume(const std::string& fileName, ViewerMessages& messages);
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   the unit of an array's values, where a file gives it
+ * @brief   the unit of an array's values, if the file contains it
  */
 #ifndef ArrayUnit_h
 #define ArrayUnit_h
@@ -10,7 +10,7 @@
 
 class vtkDataArray;
 
-/// vtkDataArray::UNITS_LABEL() of the array, "" for none.
+/// vtkDataArray::UNITS_LABEL() of the array, or an empty string.
 std::string GetArrayUnit(vtkDataArray* array);
 
 #endif

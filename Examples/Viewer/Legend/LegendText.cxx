@@ -14,14 +14,14 @@ const char* const Ellipsis = "...";
 
 std::string ToText(double value, int decimals)
 {
-  // No -0, and no rounding noise of a zero.
+  // Avoids -0 and rounding noise close to zero.
   const double shown = std::abs(value) < 0.5 * std::pow(10.0, -decimals) ? 0.0 : value;
   std::ostringstream text;
   text << std::fixed << std::setprecision(decimals) << shown;
   return text.str();
 }
 
-// With fewer decimals, too, the values are as exact as numbers of their size are.
+// Whether the values keep their accuracy with fewer decimals.
 bool IsExact(const std::vector<double>& values, int decimals, double largest)
 {
   const double unit = std::pow(10.0, -decimals);
@@ -30,7 +30,7 @@ bool IsExact(const std::vector<double>& values, int decimals, double largest)
     { return std::abs(value - unit * std::round(value / unit)) <= 1e-9 * largest; });
 }
 
-// Each with the space after it.
+// Each word includes the space after it.
 std::vector<std::string> SplitIntoWords(const std::string& text)
 {
   std::vector<std::string> words(1);
@@ -51,7 +51,7 @@ std::string TrimEnd(const std::string& text)
   return last == std::string::npos ? "" : text.substr(0, last + 1);
 }
 
-// The length of a text without its last character, in UTF-8.
+// The length of a UTF-8 text without its last character.
 std::size_t GetShorterLength(const std::string& text)
 {
   std::size_t length = text.size() - 1;
@@ -82,7 +82,7 @@ LegendLabels MakeLegendLabels(const double range[2], int number)
     legend.Labels.push_back({ range[0], text.str() });
     return legend;
   }
-  // Three digits, and neighbours differ by two.
+  // Three digits, and neighbours that differ by at least two.
   const double step = (range[1] - range[0]) / (number - 1);
   const int first = isPlain ? exponent : 0;
   int decimals = std::max(2 - first, static_cast<int>(std::ceil(1.0 - std::log10(step / scale))));
@@ -130,7 +130,7 @@ WrappedText WrapText(const std::string& text, double limit, int most,
       {
         part.resize(GetShorterLength(part));
       }
-      // Signs that join words come before the middle of words.
+      // Prefers to break after joining characters.
       const std::size_t joint = part.find_last_of("_-/:;,.");
       isAtWords = isAtWords && joint != std::string::npos;
       part.resize(joint == std::string::npos ? part.size() : joint + 1);

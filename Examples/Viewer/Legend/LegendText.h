@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   the words and numbers of a legend
+ * @brief   the labels and titles of a legend
  */
 #ifndef LegendText_h
 #define LegendText_h
@@ -19,23 +19,24 @@ struct LegendLabel
 struct LegendLabels
 {
   std::vector<LegendLabel> Labels; // from the lowest value to the highest
-  std::string Factor;              // of all labels, "" for 1
+  std::string Factor;              // common factor of the labels, "" for 1
 };
 
-/// Evenly spaced numbers of a range, all with as many decimals; one if the range is a point.
+/// Evenly spaced numbers of a range with equal numbers of decimals. Returns one label if the range
+/// is a point.
 LegendLabels MakeLegendLabels(const double range[2], int number);
 
-/// The title, with its unit where that is known and the title does not end with one.
+/// The title with its unit, if it is known and the title does not already end with one.
 std::string MakeLegendTitle(const std::string& name, const std::string& unit);
 
 /**
- * Lines of a text that are no wider than a limit, broken between words if possible and in words if
- * not. Of more lines than `most` the rest is left out, with an ellipsis.
+ * Lines of a text no wider than a limit, broken between words if possible, otherwise within words.
+ * After `most` lines the rest is replaced by an ellipsis.
  */
 struct WrappedText
 {
-  std::string Text; // lines
-  bool IsAtWords;   // no word was broken, and nothing was left out
+  std::string Text; // the lines
+  bool IsAtWords;   // no word was broken, and nothing was omitted
 };
 WrappedText WrapText(const std::string& text, double limit, int most,
   const std::function<double(const std::string&)>& getWidth);

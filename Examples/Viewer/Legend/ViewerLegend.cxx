@@ -26,14 +26,14 @@
 
 namespace
 {
-// Pixels.
+// In pixels.
 const int SmallestSize[2] = { 240, 180 };
 const int BarWidth = 20;
 const int HighestBar = 200;
 const int LowestBar = 60;
 const int RowHeight = 20;  // of an indexed table
 const int LowestRow = 12;  // of an indexed table
-const int LabelPitch = 18; // least distance of labels
+const int LabelPitch = 18; // smallest distance of labels
 const int Gap = 6;
 const int FontSize = 14;
 const int NarrowestTitle = 110;
@@ -41,7 +41,7 @@ const double TitleShare = 0.14; // of the picture's width
 const int FewLines = 4;
 const int MaximumLines = 6;
 const double GroundOpacity = 0.4;
-const int Dots = 72; // per inch, as VTK's windows have them
+const int Dots = 72; // per inch, VTK's default
 
 void SetLook(vtkTextProperty* text)
 {
@@ -108,7 +108,7 @@ void ViewerLegend::LayOut(const int size[2])
   vtkTextRenderer::GetInstance()->GetBoundingBox(
     this->Title->GetTextProperty(), this->Title->GetInput(), box, Dots);
   const int titleHeight = box[3] - box[2] + 1;
-  // Labels at the ends reach beyond the bar by half their height.
+  // The labels at the ends extend beyond the bar by half their height.
   const int overhang = this->Table->GetIndexedLookup() ? 0 : FontSize / 2;
   const int top = size[1] - margin - titleHeight - Gap - overhang;
   const int height = this->GetBarHeight(top - margin - overhang);
@@ -200,7 +200,7 @@ std::vector<ViewerLegend::Row> ViewerLegend::GetRows(int barHeight)
     return rows;
   }
   const double* range = this->Table->GetRange();
-  // Fewer labels where a bar is short, still evenly spaced.
+  // A short bar has fewer labels, still evenly spaced.
   const int most = barHeight / LabelPitch + 1;
   int number = std::min(this->NumberOfLabels, most);
   while (number > 2 && (this->NumberOfLabels - 1) % (number - 1) != 0)
@@ -244,7 +244,7 @@ void ViewerLegend::DrawGround(const int size[2])
 //------------------------------------------------------------------------------
 void ViewerLegend::DrawBar(int left, int bottom, int height)
 {
-  // A rectangle for each row of pixels.
+  // One rectangle per row of pixels.
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> quads;
   vtkNew<vtkUnsignedCharArray> colors;

@@ -28,21 +28,21 @@ class vtkTextProperty;
 class ViewerLegend
 {
 public:
-  /// Labels are numbers of the table's range, or its annotations if it has an indexed lookup.
+  /// Labels are numbers of the table's range, or its annotations if it uses indexed lookup.
   ViewerLegend(
     vtkRenderer* renderer, vtkScalarsToColors* table, const std::string& title, int numberOfLabels);
   ~ViewerLegend();
   ViewerLegend(const ViewerLegend&) = delete;
   void operator=(const ViewerLegend&) = delete;
 
-  /// Width and height of the corner that the legend covers in a picture of that size, in pixels;
-  /// 0 if there is no room for a legend.
+  /// Width and height in pixels of the corner that the legend covers in a picture of this size; 0
+  /// if there is no room for it.
   std::array<int, 2> GetCorner(const int size[2]);
 
 private:
-  struct Row // a label beside its place on the bar
+  struct Row // a label beside its position on the bar
   {
-    double Position; // 0 to 1, up the bar
+    double Position; // 0 to 1, upwards
     std::string Text;
   };
   void OnStart(vtkObject* caller, unsigned long event, void* data);
@@ -63,7 +63,7 @@ private:
   int Size[2] = { 0, 0 };
   std::array<int, 2> Corner = { { 0, 0 } };
   vtkNew<vtkPolyData> GroundShape;
-  vtkNew<vtkActor2D> Ground; // to read the words on, whatever is behind
+  vtkNew<vtkActor2D> Ground; // background that keeps the text readable
   vtkNew<vtkPolyData> BarShape;
   vtkNew<vtkActor2D> Bar;
   vtkSmartPointer<vtkTextActor> Title;

@@ -16,7 +16,7 @@
 
 namespace
 {
-// What places a picture, whatever it shows.
+// Options for the view and the picture, valid for all inputs.
 const std::set<std::string> OfAll = { "--center", "--no-legend", "--output", "--size", "--stats",
   "--up", "--view", "--zoom" };
 
@@ -59,7 +59,7 @@ private:
     }
   }
 
-  // By its name, any other file is a height map.
+  // Files with other extensions are height maps.
   void RequireMesh(const std::vector<std::string>& names)
   {
     this->RequirePartner(names, this->Options.IsMesh,
@@ -101,7 +101,7 @@ private:
     }
   }
 
-  // Two meshes are drawn as they are.
+  // Two meshes are drawn unrefined.
   void CheckContact()
   {
     const bool hasOther = !this->Options.Against.empty();
@@ -118,7 +118,7 @@ private:
     }
   }
 
-  // Reliefs have no surface to refine, and their light is that of when they were captured.
+  // Reliefs have no surface to refine, and their light was captured.
   void CheckRelief()
   {
     const ViewerOptions& options = this->Options;
@@ -157,7 +157,7 @@ private:
       options.GetSurface() == Surface::Procedural, "--surface procedural");
   }
 
-  // Whether the file has curved cells is not known yet.
+  // The file has not been read, so it may or may not have curved cells.
   void CheckPatches()
   {
     const ViewerOptions& options = this->Options;
@@ -225,7 +225,7 @@ private:
     }
   }
 
-  // A height map's may have two coordinates.
+  // For a height map, two coordinates are enough.
   void ReadPlaces()
   {
     ViewerOptions& options = this->Options;

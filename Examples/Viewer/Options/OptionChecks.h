@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   which options go together
+ * @brief   checks which options can be combined
  */
 #ifndef OptionChecks_h
 #define OptionChecks_h
@@ -12,8 +12,8 @@
 
 struct ViewerOptions;
 
-/// Throws UsageError where options that were given, with their values, do not go together; reads
-/// those whose values depend on others.
+/// Throws UsageError if the given options, with their values, cannot be combined. Reads options
+/// whose values depend on others.
 void CheckOptions(ViewerOptions& options, const std::map<std::string, std::string>& given);
 
 #endif

@@ -43,12 +43,12 @@ using Flags = std::map<std::string, std::function<void()>>;
 using Setter = std::function<void(const std::string& option, const std::string& value)>;
 using Settings = std::map<std::string, Setter>;
 
-// Places, when it is known what FILE is: CheckOptions() reads them.
+// CheckOptions() reads positions later, when the kind of FILE is known.
 void ReadLater(const std::string&, const std::string&)
 {
 }
 
-// Reads options one by one, then checks what goes with what.
+// Reads the options one by one, then checks their combinations.
 class Parser
 {
 public:
@@ -455,7 +455,7 @@ private:
     this->Options.Input = argument;
   }
 
-  // Returns how many of the next arguments it has used up.
+  // Returns the number of following arguments that it has used.
   int ReadOption(const std::string& argument, const char* next)
   {
     const auto flag = this->AllFlags.find(argument);
@@ -501,7 +501,7 @@ private:
       this->AllSettings.count(argument.substr(0, argument.find('='))) > 0;
   }
 
-  // An array may follow --volume where FILE came before.
+  // If FILE came before, an array may follow --volume.
   int ReadVolumeArray(const char* next)
   {
     if (this->Options.Input.empty() || !next || next[0] == '-')

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   UsageError
- * @brief   the exception for wrong arguments of the command line
+ * @brief   the exception for invalid arguments of the command line
  *
- * Its message names the option and says what to give instead.
+ * Its message names the option and says which values are valid.
  */
 #ifndef UsageError_h
 #define UsageError_h

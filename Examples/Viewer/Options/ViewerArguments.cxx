@@ -22,7 +22,7 @@ UsageError BadValue(const std::string& option, const std::string& what, const st
   return UsageError(option + " needs " + what + ", not '" + text + "'");
 }
 
-// What stands between commas.
+// Splits a text at commas.
 std::vector<std::string> Split(const std::string& text)
 {
   std::vector<std::string> parts;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   what the values of options are: numbers, words, lists
+ * @brief   parses values of options: numbers, words and lists
  *
- * All throw UsageError, with the option's name and the value in it.
+ * All functions throw UsageError with the option and its value.
  */
 #ifndef ViewerArguments_h
 #define ViewerArguments_h
@@ -17,51 +17,51 @@
 #include <utility>
 #include <vector>
 
-/// Finite.
+/// A finite number.
 double ToNumber(const std::string& option, const std::string& text);
 
-/// A value that a raster may hold: a finite number, nan, inf or -inf.
+/// A value that a raster can contain: a finite number, nan, inf or -inf.
 double ToSample(const std::string& option, const std::string& text);
 
 double ToPositiveNumber(const std::string& option, const std::string& text);
 
-/// From `lowest` to `highest`.
+/// A number from `lowest` to `highest`.
 double ToNumber(const std::string& option, const std::string& text, double lowest, double highest);
 
 int ToInteger(const std::string& option, const std::string& text, int lowest, int highest);
 
-/// Numbers between commas, as many as the form, say X,Y,Z, has words.
+/// Numbers separated by commas, as many as the form, for example X,Y,Z, has words.
 std::vector<double> ToNumbers(
   const std::string& option, const std::string& text, const std::string& form);
 
-/// Numbers between commas, one or more.
+/// One or more numbers separated by commas.
 std::vector<double> ToList(const std::string& option, const std::string& text);
 
-/// X,Y,Z,NX,NY,NZ: a place and a normal that has a direction.
+/// X,Y,Z,NX,NY,NZ: a point and a nonzero normal.
 std::vector<double> ToPlane(const std::string& option, const std::string& text);
 
-/// AZIMUTH,ELEVATION in degrees, the elevation no more than the highest up or down.
+/// AZIMUTH,ELEVATION in degrees. The elevation is at most the given one, upwards or downwards.
 std::array<double, 2> ToDirection(
   const std::string& option, const std::string& text, double highest);
 
-/// Longitude and latitude of `86.925E,27.988N`, in either order; nothing if no part has such a
-/// letter.
+/// Longitude and latitude of `86.925E,27.988N`, in either order. Returns nothing if no part has
+/// such a letter.
 std::optional<std::array<double, 2>> ToDegrees(const std::string& option, const std::string& text);
 
-/// X,Y,Z or, on height maps, X,Y.
+/// X,Y,Z, or X,Y for height maps.
 std::vector<double> ToPlace(const std::string& option, const std::string& text, bool isOnMesh);
 
-/// WIDTHxHEIGHT
+/// WIDTHxHEIGHT in pixels.
 void ToSize(const std::string& option, const std::string& text, int size[2]);
 
-/// Three whole numbers above 0.
+/// Three positive integers.
 void ToBands(const std::string& option, const std::string& text, int bands[3]);
 
-/// A file name with one of the extensions, say .png.
+/// A file name with one of the extensions, for example .png.
 std::string ToFileName(
   const std::string& option, const std::string& text, const std::vector<std::string>& extensions);
 
-/// What a word stands for.
+/// The value that belongs to a word.
 template <typename T>
 T ToChoice(const std::string& option, const std::string& text,
   const std::vector<std::pair<std::string, T>>& choices)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   what relevo-view is asked to do
+ * @brief   the options of relevo-view
  */
 #ifndef ViewerOptions_h
 #define ViewerOptions_h
@@ -38,7 +38,7 @@ struct ViewerOptions
   };
   enum class ColorType
   {
-    Own, // of the terrain or the mesh
+    Own, // the colours of the terrain or the mesh
     Level,
     Pattern,
     Metric
@@ -61,22 +61,22 @@ struct ViewerOptions
   bool IsMesh = false;
   bool IsDatabase = false;
 
-  // What the surface is.
+  // The surface.
   std::optional<SurfaceType> Surface;
-  std::optional<double> Alpha;     // of Phong
-  std::optional<double> Amplitude; // of Procedural
-  std::optional<double> Frequency; // of Procedural
+  std::optional<double> Alpha;     // for Phong
+  std::optional<double> Amplitude; // for Procedural
+  std::optional<double> Frequency; // for Procedural
   std::string Imagery;
   bool FillNoData = false;
-  std::optional<double> NoDataValue; // NaN for NaN
+  std::optional<double> NoDataValue; // may be NaN
 
-  // Terrain alone.
-  int ImageryBands[3] = { 0, 0, 0 }; // as vtkTerrainSource has them
+  // Only for terrain.
+  int ImageryBands[3] = { 0, 0, 0 }; // as in vtkTerrainSource
   bool Stretch = false;
   std::optional<double> Exaggeration;
   std::optional<int> Resolution;
 
-  // Meshes alone.
+  // Only for meshes.
   std::string Heights;
   std::optional<double> Scale;
   std::optional<double> Offset;
@@ -85,59 +85,59 @@ struct ViewerOptions
   std::optional<double> FeatureAngle; // degrees
   int UpAxis = 1;                     // 0 for x, 1 for y, 2 for z
 
-  // Curved cells, of meshes alone.
+  // Curved cells of meshes.
   std::optional<double> Error; // pixels
   int Isolines = 0;
   bool PatchEdges = false;
   int Hairs = 0;
 
-  // Streaks along vectors, of meshes alone; none without an array.
+  // Streaks along vectors of meshes. Without an array there are none.
   std::string Vectors;
   std::optional<int> LICSteps;
   std::optional<double> LICStepSize; // pixels
-  std::optional<int> LICContrast;    // of vtkLICSettings
-  std::optional<int> LICMode;        // of vtkLICSettings
+  std::optional<int> LICContrast;    // as in vtkLICSettings
+  std::optional<int> LICMode;        // as in vtkLICSettings
   std::optional<double> LICIntensity;
   double LICPhase = 0.0;
 
-  // Volumes, of meshes alone.
+  // Volumes of meshes.
   bool IsVolume = false;
   std::string VolumeArray; // empty: the active scalars
   std::string Transfer;
   std::optional<double> UnitDistance;
   std::vector<double> IsoSurfaces;
-  std::optional<std::vector<double>> Clip; // place, normal
-  int VolumeMethod = 0;                    // of vtkGPUUnstructuredGridVolumeMapper
-  int Integration = 0;                     // of vtkGPUUnstructuredGridVolumeMapper
-  int BlendMode = 0;                       // of vtkGPUUnstructuredGridVolumeMapper
+  std::optional<std::vector<double>> Clip; // point, normal
+  int VolumeMethod = 0;                    // as in vtkGPUUnstructuredGridVolumeMapper
+  int Integration = 0;                     // as in vtkGPUUnstructuredGridVolumeMapper
+  int BlendMode = 0;                       // as in vtkGPUUnstructuredGridVolumeMapper
 
-  // Where two meshes meet.
-  std::string Against; // a mesh
+  // Intersection of two meshes.
+  std::string Against; // the other mesh
   std::optional<double> ContactDistance;
 
-  // Reliefs: how the surface is captured, and how the captures are drawn.
+  // Reliefs: how the surface is captured, and how captures are drawn.
   std::optional<ReliefType> Relief;
-  std::string Capture;             // a folder to write captures to
-  std::optional<int> ReliefMethod; // of vtkReliefMapper
-  std::optional<int> ReliefSearch; // of vtkReliefMapper
+  std::string Capture;             // output folder for captures
+  std::optional<int> ReliefMethod; // as in vtkReliefMapper
+  std::optional<int> ReliefSearch; // as in vtkReliefMapper
 
-  // The level of detail.
+  // Levels of detail.
   std::optional<int> MaximumLevel;
   std::optional<int> UniformLevel;
   std::optional<MetricType> Metric;
-  std::optional<double> Pixels;              // of ScreenEdge
-  std::optional<double> Reach;               // of Distance
+  std::optional<double> Pixels;              // for ScreenEdge
+  std::optional<double> Reach;               // for Distance
   std::optional<std::vector<double>> Region; // centre (x, y, for meshes z), radius
-  int Method = 0;                            // of vtkAdaptiveRefinementMapper
+  int Method = 0;                            // as in vtkAdaptiveRefinementMapper
   bool PerEdge = false;
   std::optional<bool> WholeSegments;
   bool Geomorphing = true;
-  int Budget = 0; // triangles; 0 for as many as it takes
+  int Budget = 0; // triangles; 0 for no limit
 
-  // What is shown and written.
+  // View and output.
   std::optional<std::array<double, 2>> View;          // azimuth, elevation in degrees
-  std::optional<std::vector<double>> Center;          // x, y, z; of terrain also x, y
-  std::optional<std::array<double, 2>> CenterDegrees; // of terrain, instead: longitude, latitude
+  std::optional<std::vector<double>> Center;          // x, y, z; for terrain also x, y
+  std::optional<std::array<double, 2>> CenterDegrees; // for terrain: longitude, latitude
   double Zoom = 1.0;
   std::optional<std::array<double, 2>> Light; // azimuth, elevation in degrees
   ColorType Color = ColorType::Own;
@@ -151,7 +151,7 @@ struct ViewerOptions
   bool Version = false;
 
   bool IsTerrain() const { return !this->IsMesh && !this->IsDatabase; }
-  /// Whether curved cells are asked for; a file that has some is drawn so if nothing else is.
+  /// Whether curved cells are requested. By default, a file that contains some is drawn this way.
   bool IsPatch() const { return this->Surface == SurfaceType::Patch; }
   bool AsksForPatches() const { return this->IsPatch() || this->PatchEdges || this->Isolines > 0; }
   MetricType GetMetric() const
@@ -159,7 +159,7 @@ struct ViewerOptions
     const MetricType ofMeshes = this->IsPatch() ? MetricType::Error : MetricType::ScreenEdge;
     return this->Metric.value_or(this->IsMesh ? ofMeshes : MetricType::Distance);
   }
-  /// Whether it is the streaks' vectors that say where to refine.
+  /// Whether the vectors of the streaks determine where to refine.
   bool IsFlowMetric() const { return !this->Vectors.empty() && !this->Metric; }
   SurfaceType GetSurface() const
   {

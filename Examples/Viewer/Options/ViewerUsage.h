@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the help that relevo-view prints, and that its window shows
+ * @brief   the help texts of relevo-view and of its window
  */
 #ifndef ViewerUsage_h
 #define ViewerUsage_h

@@ -11,7 +11,7 @@
 
 namespace
 {
-// Arrays that the program makes itself, or that say nothing as colours.
+// Excludes arrays that the program creates and those that make no sense as colours.
 bool IsShown(vtkDataSetAttributes* data, vtkDataArray* array)
 {
   const std::set<std::string> others = { vtkDataSetAttributes::GhostArrayName(),

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   the arrays of a mesh that can colour it, as messages and legends name them
+ * @brief   names of a mesh's arrays in messages and legends
  */
 #ifndef ArrayNames_h
 #define ArrayNames_h
@@ -10,7 +10,7 @@
 
 class vtkPolyData;
 
-/// "'a' of points, 'b' of cells with 3 components", "" for none.
+/// "'a' of points, 'b' of cells with 3 components", or an empty string.
 std::string ListArrays(vtkPolyData* mesh);
 
 /// The title of an array in legends: its name, or "name (magnitude)" for several components.

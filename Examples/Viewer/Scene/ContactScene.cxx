@@ -83,7 +83,8 @@ vtkIdType CountComponents(vtkPolyData* curves)
     : 0;
 }
 
-// A face of a curved cell may be several triangles: it is cut, near or inside if one of them is.
+// Counts the faces of curved cells, each of which may have several triangles: a face is cut, near
+// or inside if one of its triangles is.
 vtkIdType CountFaces(vtkPolyData* mesh, int contact)
 {
   vtkDataArray* contacts = mesh->GetCellData()->GetArray("Contact");
@@ -99,7 +100,7 @@ vtkIdType CountFaces(vtkPolyData* mesh, int contact)
   return static_cast<vtkIdType>(faces.size());
 }
 
-// Cells without an area have none, -1.
+// Cells without area have the distance -1.
 double FindLeastDistance(vtkPolyData* mesh)
 {
   vtkDataArray* distances = mesh->GetCellData()->GetArray("Distance");

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ContactScene
- * @brief   two meshes, and where they meet
+ * @brief   two meshes and their intersection
  */
 #ifndef ContactScene_h
 #define ContactScene_h
@@ -19,18 +19,18 @@ class vtkMapper;
 class ContactScene : public ViewerScene
 {
 public:
-  /// Reads the files and intersects them; throws ViewerError.
+  /// Reads the files and intersects them. Throws ViewerError.
   ContactScene(const ViewerOptions& options, ViewerMessages& messages);
   ~ContactScene() override;
 
-  /// What was found, on stdout.
+  /// Prints the results on stdout.
   void Report() override;
   std::string Describe(const double[3], double) override { return ""; }
   void Draw(vtkRenderWindow* window) override;
 
 private:
   void ReadMeshes();
-  /// With curved cells it is their surfaces that are intersected.
+  /// For curved cells, the curved surfaces are intersected.
   void RefineCurvedMeshes();
   void AddMeshes();
   vtkSmartPointer<vtkMapper> MakeMapper(int mesh);
@@ -38,7 +38,7 @@ private:
 
   vtkNew<vtkSurfaceIntersectionFilter> Filter;
   vtkSmartPointer<vtkPolyData> Meshes[2];
-  vtkSmartPointer<vtkAdaptiveRefinement> Recipes[2]; // of curved cells, else nullptr
+  vtkSmartPointer<vtkAdaptiveRefinement> Recipes[2]; // for curved cells, otherwise nullptr
 };
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   pictures and tables of colours for meshes
+ * @brief   pictures and lookup tables for meshes
  */
 #ifndef MeshColours_h
 #define MeshColours_h
@@ -14,10 +14,10 @@ class vtkImageData;
 class vtkScalarsToColors;
 class ViewerMessages;
 
-/// A PNG, JPEG, TIFF or BMP; throws ViewerError.
+/// Reads a PNG, JPEG, TIFF or BMP file. Throws ViewerError.
 vtkSmartPointer<vtkImageData> ReadImage(const std::string& fileName, ViewerMessages& messages);
 
-/// From dark violet to yellow, in even steps to the eye; of vectors by their lengths.
+/// A perceptually uniform table from dark violet to yellow. Vectors are mapped by magnitude.
 vtkSmartPointer<vtkScalarsToColors> MakeColours(const double range[2]);
 
 #endif

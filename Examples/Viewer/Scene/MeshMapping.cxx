@@ -51,7 +51,7 @@ void MapToSphere(const Box& box, const double point[3], int up, double uv[2])
 
 void MapToPlane(const Box& box, const double point[3], int thinnest, double uv[2])
 {
-  // The first of the two other axes, in the order x, y, z, runs to the right.
+  // The first of the two other axes, in the order x, y, z, points to the right.
   const int right = thinnest == 0 ? 1 : 0;
   uv[0] = box.GetShare(point, right);
   uv[1] = box.GetShare(point, 3 - thinnest - right);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   texture coordinates for meshes that have none
+ * @brief   adds texture coordinates to meshes
  */
 #ifndef MeshMapping_h
 #define MeshMapping_h
@@ -10,10 +10,9 @@ class vtkPolyData;
 struct ViewerOptions;
 
 /**
- * Lays pictures around the mesh, from pole to pole of the up axis through the middle of its
- * bounding box, or on it as it is seen along the axis that it is thinnest along. Around it means
- * once over the near half and back, mirrored, over the far one: a picture repeats itself nowhere
- * else, and meets itself without a seam.
+ * Wraps a picture around the mesh, from pole to pole of the up axis through the centre of its
+ * bounding box, or projects it along the thinnest axis. Wrapped pictures cover the near half and,
+ * mirrored, the far half, so that they have no seam.
  */
 void AddTextureCoordinates(vtkPolyData* mesh, const ViewerOptions& options);
 

@@ -21,7 +21,7 @@ MeshProbe::MeshProbe(
 {
   this->Locator->SetDataSet(mesh);
   this->Locator->SetRefinement(recipe);
-  // Said when the mesh was drawn.
+  // These warnings were shown when the mesh was drawn.
   this->Locator->AddObserver(vtkCommand::WarningEvent, this, &MeshProbe::Ignore);
 }
 
@@ -35,7 +35,7 @@ vtkIdType MeshProbe::FindFace(
   vtkCamera* camera = renderer->GetActiveCamera();
   this->Locator->SetCamera(camera);
   this->Locator->SetViewportSize(renderer->GetSize());
-  const double depths = 1e-3; // what a pixel's depth may be off by, of the distance
+  const double depths = 1e-3; // possible error of a pixel's depth, relative to the distance
   double start[3];
   double end[3];
   for (int i = 0; i < 3; ++i)
@@ -56,7 +56,7 @@ vtkIdType MeshProbe::FindFace(
     cell->EvaluateLocation(part, inCell, point, weights);
     return face;
   }
-  // Seen edge-on.
+  // The face is seen edge-on.
   double distance2;
   double nearest[3];
   this->Locator->FindClosestPoint(place, nearest, cell, face, part, distance2);

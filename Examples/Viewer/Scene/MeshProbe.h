@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   MeshProbe
- * @brief   values of a mesh's array at places of the refined surface
+ * @brief   values of a mesh's array at points of the refined surface
  */
 #ifndef MeshProbe_h
 #define MeshProbe_h
@@ -23,16 +23,16 @@ class vtkRenderer;
 class MeshProbe
 {
 public:
-  /// An array of the mesh's points or cells, and what the mesh is refined to.
+  /// Takes an array of the mesh's points or cells, and the mesh's recipe.
   MeshProbe(vtkPolyData* mesh, vtkAdaptiveRefinement* recipe, vtkDataArray* array, bool isOfPoints);
   ~MeshProbe();
 
-  /// All components, of the face that the renderer's camera sees at a place; none where there is
-  /// no face.
+  /// All components at a point of the face that the renderer's camera sees. Empty if there is no
+  /// face.
   std::vector<double> GetValue(const double place[3], vtkRenderer* renderer);
 
 private:
-  /// The coarse cell seen at a place, -1 for none, and its points' shares.
+  /// The visible coarse cell at a point, or -1, and the weights of its points.
   vtkIdType FindFace(
     const double place[3], vtkRenderer* renderer, vtkGenericCell* cell, double* weights);
   void Ignore(vtkObject*, unsigned long, void*) {}

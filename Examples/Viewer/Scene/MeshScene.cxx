@@ -72,7 +72,7 @@ double GetMeanEdgeLength(vtkPolyData* mesh)
   return number > 0 ? sum / number : 0.0;
 }
 
-// A surface, for its polygons, with what else there is to fit into the view.
+// The surface's polygons, and all other points that must fit into the view.
 vtkSmartPointer<vtkPolyData> WithPoints(vtkPolyData* surface, vtkDataObject* others)
 {
   vtkPoints* added = vtkPointSet::SafeDownCast(others)->GetPoints();
@@ -105,7 +105,7 @@ MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
     this->Renderer->AddActor(this->Hair);
     seen = WithPoints(seen, this->Hair->GetMapper()->GetInputDataObject(0, 0));
   }
-  // From above the viewer's left shoulder, and a little from the right and from behind.
+  // From above the viewer's left shoulder, with a second light from the right and behind.
   const int up = options.UpAxis;
   this->SetLights(
     { { { 250.0, 45.0, up }, 0.95 }, { { 150.0, 15.0, up }, 0.45 }, { { 10.0, 40.0, up }, 0.30 } });
@@ -145,7 +145,7 @@ void MeshScene::TakePatches()
   if (hasPatches)
   {
     this->Options.Surface = ViewerOptions::SurfaceType::Patch;
-    this->Options.FeatureAngle.reset(); // cells have normals of their own
+    this->Options.FeatureAngle.reset(); // cells define their normals
     this->Options.PerEdge |= this->Options.GetMetric() == ViewerOptions::MetricType::Error;
   }
 }
@@ -156,10 +156,10 @@ void MeshScene::ChooseSurface(bool isOfCells)
   const bool isOpen = !this->Options.Surface;
   if (isOpen && isOfCells)
   {
-    // Linear cells are flat: nothing says that their sides are anything else.
+    // Linear cells are flat, and nothing indicates that they should be curved.
     this->Options.Surface = ViewerOptions::SurfaceType::Linear;
   }
-  // Other surfaces take normals as they are.
+  // For other surfaces, normals are used unchanged.
   if (this->Options.IsPatch() || (this->Options.Surface && !this->Options.FeatureAngle))
   {
     return;
@@ -243,7 +243,7 @@ void MeshScene::ChooseVectors()
   this->Vectors = FindVectors(this->Options, this->Mesh, isOfPoints);
   MarkNoData(this->Vectors);
   SetVectorArray(this->Mapper, this->Vectors, isOfPoints);
-  // The lengths of vectors are what one asks next.
+  // Colours by the vectors' lengths are most useful with streaks.
   if (this->Options.Array.empty())
   {
     this->ArrayName = this->Options.Vectors;
@@ -282,7 +282,7 @@ void MeshScene::ReadHeights()
   }
   else
   {
-    // A relief that can be seen, its lowest place on the surface.
+    // The default scale makes heights visible, and puts the lowest point on the surface.
     const double relief = range[1] - range[0];
     const double scale = relief > 0.0 ? 0.05 * this->Mesh->GetLength() / relief : 0.0;
     this->Displacement->SetScale(scale);
@@ -302,7 +302,7 @@ void MeshScene::ReadHeights()
 //------------------------------------------------------------------------------
 bool MeshScene::IsAsItIs() const
 {
-  // More triangles in the same planes show nothing new, unless levels are what is to be seen.
+  // More triangles in the same plane do not change the picture, except for colours by level.
   const ViewerOptions& options = this->Options;
   const bool hasLevels = options.Metric || options.Pixels || options.Budget > 0 ||
     options.WholeSegments || options.PerEdge || options.Color != ViewerOptions::ColorType::Own;
@@ -317,18 +317,19 @@ int MeshScene::GetDefaultLevel()
   {
     return 0;
   }
-  // Levels of edges and errors on the screen end by themselves.
+  // Levels by edge length or error on the screen are limited anyway.
   using Metric = ViewerOptions::MetricType;
   const Metric metric = this->Options.GetMetric();
   if ((metric == Metric::ScreenEdge || metric == Metric::Error) && !this->Options.IsFlowMetric())
   {
     return 7;
   }
-  // Else down to about the same length, for an edge as the mesh has them and the whole in view.
+  // Otherwise choose edges of about the same length for a typical edge when the whole mesh is
+  // visible.
   const double pixels = this->Options.Zoom *
     std::max(this->Options.Size[0], this->Options.Size[1]) * GetMeanEdgeLength(this->Mesh) /
     this->Mesh->GetLength();
-  if (!(pixels > 0.0)) // NaN where all points are at one place
+  if (!(pixels > 0.0)) // NaN if all points coincide
   {
     return 0;
   }
@@ -362,7 +363,7 @@ void MeshScene::SetColours()
     property->SetColor(1.0, 1.0, 1.0);
     this->SetTexture(ReadImage(this->Options.Imagery, this->Messages));
   }
-  // A picture says more than scalars that nobody asked for.
+  // A picture has precedence over scalars that were not requested.
   else if (!this->ArrayName.empty())
   {
     this->SetArrayColours();
@@ -386,7 +387,7 @@ void MeshScene::SetArrayColours()
                       : this->Mapper->SetScalarModeToUseCellFieldData();
   this->Mapper->SelectColorArray(this->ArrayName.c_str());
   this->Mapper->ScalarVisibilityOn();
-  // Bytes of three components are colours already.
+  // Bytes with three or more components are colours.
   if (array->GetDataType() == VTK_UNSIGNED_CHAR && array->GetNumberOfComponents() >= 3)
   {
     return;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   MeshScene
- * @brief   a mesh on a curved surface, moved by a height map, in the colours of an array or a
+ * @brief   a mesh with a surface, optionally displaced by a height map, coloured by an array or a
  * picture
  */
 #ifndef MeshScene_h
@@ -21,12 +21,12 @@ class vtkDisplacement;
 class MeshScene : public SurfaceScene
 {
 public:
-  /// Reads the files; throws ViewerError.
+  /// Reads the files. Throws ViewerError.
   MeshScene(const ViewerOptions& options, ViewerMessages& messages);
   ~MeshScene() override;
 
-  /// On stdout: the surface, where the options leave it open and it is not the mesh's own shape;
-  /// the arrays of a mesh that is drawn without.
+  /// Prints on stdout: the surface, if the options leave it open and it is not the mesh's shape,
+  /// and the arrays of a mesh drawn without one.
   void Report() override;
   std::string Describe(const double point[3], double resolution) override;
 
@@ -37,7 +37,7 @@ private:
   void ReadHeights();
   void ChooseArray();
   void ChooseVectors();
-  /// Whether refinement would not change the picture, and is not asked for.
+  /// Whether refinement would not change the picture and is not requested.
   bool IsAsItIs() const;
   int GetDefaultLevel();
   vtkSmartPointer<vtkDepthTagMetric> MakeMeshMetric();
@@ -48,13 +48,13 @@ private:
   vtkSmartPointer<vtkPolyData> GetSurface();
 
   vtkNew<vtkDisplacement> Displacement;
-  std::string CurvedBy; // what Report() says of the surface
-  // The array that colours the mesh: empty for none, and whether its numbers are of points.
+  std::string CurvedBy; // the reason for the surface, for Report()
+  // The array that colours the mesh, or an empty string, and whether it is a point array.
   std::string ArrayName;
   bool HasPointArray = false;
-  std::unique_ptr<MeshProbe> Probe; // of that array, from the first question on
-  vtkSmartPointer<vtkActor> Hair;   // nullptr for none
-  // Vectors of the streaks; nullptr for none.
+  std::unique_ptr<MeshProbe> Probe; // created at the first query
+  vtkSmartPointer<vtkActor> Hair;   // nullptr without hair
+  // Vectors of the streaks, or nullptr.
   vtkSmartPointer<vtkDataArray> Vectors;
 };
 

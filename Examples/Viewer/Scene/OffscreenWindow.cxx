@@ -15,10 +15,10 @@
 
 namespace
 {
-// That of every graphics card with OpenGL 3.3: making a context to ask costs time.
+// All graphics cards with OpenGL 3.3 support this, so no context is needed to query the limit.
 const int SmallestTextureLimit = 8192;
 
-// 0 when the file cannot be opened; reading it reports why.
+// Returns 0 if the file cannot be opened; reading it reports the cause.
 int GetLongerSide(vtkHeightMap* raster)
 {
   if (!raster->UpdateInformation())
@@ -36,7 +36,7 @@ int GetLongerSide(const char* fileName)
   return GetLongerSide(raster);
 }
 
-// 0 without OpenGL; drawing reports that.
+// Returns 0 without OpenGL; drawing reports this.
 int GetTextureLimit()
 {
   const auto window = NewOffscreenWindow();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   OpenGL without a display, and what it can hold
+ * @brief   OpenGL without a display, and its limits
  */
 #ifndef OffscreenWindow_h
 #define OffscreenWindow_h
@@ -14,8 +14,9 @@ class vtkRenderWindow;
 vtkSmartPointer<vtkRenderWindow> NewOffscreenWindow();
 
 /**
- * Lowers the height map's MaximumDimension to what a texture of this OpenGL can have, where it or a
- * picture over it, by its file name or "", is larger than what all have.
+ * If the height map or the picture over it (by file name, or "") is larger than all OpenGL
+ * implementations support, limits the height map's MaximumDimension to the size of a texture of
+ * this one.
  */
 void FitIntoTexture(vtkHeightMap* heights, const char* picture);
 

@@ -16,11 +16,11 @@ class vtkRenderWindow;
 class vtkRenderer;
 struct ViewerOptions;
 
-/// Drawn as the options say.
+/// Makes an actor that draws the reliefs as the options say.
 vtkSmartPointer<vtkActor> MakeReliefActor(
   vtkMultiBlockDataSet* reliefs, const ViewerOptions& options, ViewerMessages& messages);
 
-/// A frame, with its costs on stdout where the options ask for them; throws ViewerError.
+/// Draws a frame, and prints statistics on stdout if the options request them. Throws ViewerError.
 void DrawReliefs(vtkActor* actor, vtkRenderer* renderer, vtkRenderWindow* window,
   const ViewerOptions& options, ViewerMessages& messages);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   reliefs of what a scene shows, in its place
+ * @brief   replaces a scene by reliefs of it
  */
 #ifndef ReliefCaptures_h
 #define ReliefCaptures_h
@@ -12,8 +12,8 @@ class vtkRenderWindow;
 class vtkRenderer;
 struct ViewerOptions;
 
-/// Captures what the renderer has drawn, writes the captures and draws them in its place, each
-/// where the options ask for it; throws ViewerError.
+/// Captures the picture of the renderer, writes the captures and draws them in place of the scene,
+/// each if the options request it. Throws ViewerError.
 void ShowReliefs(vtkRenderer* renderer, vtkRenderWindow* window, const ViewerOptions& options,
   ViewerMessages& messages);
 

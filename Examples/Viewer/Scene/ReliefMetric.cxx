@@ -10,7 +10,7 @@
 
 namespace
 {
-// Tags of points and edges of the relief are those of the mesh: it has them in the same order.
+// Computes tags for the displaced mesh, which has the same points and edges in the same order.
 class ReliefEvaluator : public relevo::MetricEvaluator
 {
 public:
@@ -34,7 +34,7 @@ public:
   }
 
 private:
-  // That of the metric for the relief.
+  // The metric's evaluator for the displaced mesh.
   relevo::MetricEvaluator& Update()
   {
     this->Relief->Update(this->Metric->GetRelief());

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ReliefMetric
- * @brief   a metric that looks at a terrain as it is displaced
+ * @brief   evaluates a metric on the displaced terrain
  *
- * The coarse mesh of a terrain is flat, for its relief is in the displacement. Curvature, outline
- * and lengths on the screen are those of the same mesh with its points on the relief.
+ * The coarse mesh of a terrain is flat, because heights are in the displacement. This class
+ * evaluates curvature, silhouette and lengths on the screen on the same mesh with displaced points.
  */
 #ifndef ReliefMetric_h
 #define ReliefMetric_h
@@ -23,7 +23,7 @@ public:
   void SetMetric(vtkDepthTagMetric* metric);
   vtkDepthTagMetric* GetMetric() { return this->Metric; }
 
-  /// The relief, with the points and cells of the mesh that will be refined.
+  /// Sets the displaced mesh, with the points and cells of the mesh to refine.
   void SetRelief(vtkPolyData* relief);
   vtkPolyData* GetRelief() { return this->Relief; }
 

@@ -16,7 +16,7 @@ class vtkActor;
 class ReliefScene : public ViewerScene
 {
 public:
-  /// Reads the files; throws ViewerError.
+  /// Reads the files. Throws ViewerError.
   ReliefScene(const ViewerOptions& options, ViewerMessages& messages);
   ~ReliefScene() override;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   makes the scene that the options ask for
+ * @brief   creates the scene for the options
  */
 #ifndef SceneFactory_h
 #define SceneFactory_h
@@ -13,7 +13,7 @@ class ViewerMessages;
 class ViewerScene;
 struct ViewerOptions;
 
-/// Read the files and return the scene. Throws ViewerError.
+/// Reads the files and returns the scene. Throws ViewerError.
 std::unique_ptr<ViewerScene> MakeScene(const ViewerOptions& options, ViewerMessages& messages);
 
 #endif

@@ -122,7 +122,7 @@ void SurfaceScene::SetCamera(vtkPolyData* surface, const ViewerDirection& defaul
   }
   else if (this->Options.Zoom != 1.0)
   {
-    // Nearer to the surface, not into it.
+    // Moves closer to the surface, but not into it.
     FocusOnSurface(this->Renderer, surface);
   }
   this->Zoom();
@@ -137,7 +137,7 @@ void SurfaceScene::Export(const std::string& fileName)
   filter->SetRefinement(this->Recipe);
   filter->SetCamera(this->Renderer->GetActiveCamera());
   filter->SetViewportSize(this->Options.Size[0], this->Options.Size[1]);
-  // Nothing moves in a file: every vertex in its own place.
+  // A file has no animation, so vertices get their final positions.
   const int geomorphing = this->Recipe->GetGeomorphing();
   this->Recipe->GeomorphingOff();
   filter->Update();

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   SurfaceScene
- * @brief   a surface that is refined, and its recipe
+ * @brief   a refined surface and its recipe
  *
- * What height maps and meshes have in common; subclasses read them and say how they look.
+ * The common part of height maps and meshes. Subclasses read the files and set colours.
  */
 #ifndef SurfaceScene_h
 #define SurfaceScene_h
@@ -33,11 +33,11 @@ protected:
 
   /// Refines and draws this->Mesh.
   void Show(int maximumLevel, vtkDepthTagMetric* metric);
-  /// Drapes an image, with nothing beyond its borders.
+  /// Drapes an image over the mesh. Nothing is repeated beyond its borders.
   void SetTexture(vtkImageData* image);
-  /// Colours of levels, patterns or metric, where the options ask for them.
+  /// Sets colours by level, pattern or metric if the options request them.
   void SetLevelColours();
-  /// Shows all of a surface, or the centre and zoom that the options ask for.
+  /// Shows the whole surface, or the centre and zoom of the options.
   void SetCamera(vtkPolyData* surface, const ViewerDirection& defaultDirection,
     const std::optional<std::array<double, 3>>& centre);
 
@@ -47,7 +47,7 @@ protected:
   vtkNew<vtkActor> Actor;
 
 private:
-  /// What else a refined mesh shall have in a file.
+  /// Adds arrays to a refined mesh before it is written.
   virtual void AddExportedData(vtkPolyData*) {}
   void SetRecipe(int maximumLevel, vtkDepthTagMetric* metric);
 };

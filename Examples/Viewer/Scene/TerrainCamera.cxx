@@ -16,7 +16,7 @@
 namespace
 {
 const double Margin = 0.02; // of the distance to the focal point
-// The ground around the camera is sampled: between samples it may be nearer than these.
+// The ground is sampled around the camera. Between samples it may be nearer.
 const int Rings = 8;
 const int Directions = 32;
 const double Safety = 0.3;
@@ -92,7 +92,7 @@ void TerrainCamera::MoveOut(vtkCamera* camera)
   double turned[3] = { position[0], position[1], position[2] };
   if (!this->TurnUp(focus, turned, margin))
   {
-    // It looks at something below the ground.
+    // The focal point is below the ground.
     std::copy_n(position, 3, turned);
     this->GetGround(turned[0], turned[1], turned[2]);
     turned[2] += margin;
@@ -118,7 +118,7 @@ double TerrainCamera::GetMinimumDistance(vtkCamera* camera)
     }
   };
   measure(nearest[0], nearest[1]);
-  // Points nearer than that are not farther to the side.
+  // Points nearer than this distance are not farther to the side either.
   const double reach = least;
   for (int i = 0; i < Rings * Directions; ++i)
   {

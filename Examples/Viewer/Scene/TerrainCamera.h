@@ -4,8 +4,8 @@
  * @class   TerrainCamera
  * @brief   a camera that stays above the ground
  *
- * Where it would be in the ground it turns up about its focal point, so that what it looks at stays
- * as large as it was.
+ * If the camera would be below the ground, it turns upwards around its focal point, so that the
+ * scale of the view stays.
  */
 #ifndef TerrainCamera_h
 #define TerrainCamera_h
@@ -18,7 +18,7 @@ class vtkDisplacement;
 class TerrainCamera : public ViewerCamera
 {
 public:
-  /// The ground near the camera is drawn at one of the levels.
+  /// The ground near the camera is drawn at one of these levels.
   TerrainCamera(vtkRenderer* renderer, TerrainProbe& probe, vtkDisplacement* displacement,
     int lowestLevel, int highestLevel);
 
@@ -27,11 +27,11 @@ protected:
   double GetMinimumDistance(vtkCamera* camera) override;
 
 private:
-  /// The ground's z; false beside the terrain and in its holes.
+  /// Gets the ground's z. Returns false outside the terrain and in holes.
   bool GetGround(double x, double y, double& z);
-  /// Whether a position is `margin` above the ground, or there is none.
+  /// Whether a position is at least `margin` above the ground, or there is no ground.
   bool IsClear(const double position[3], double margin);
-  /// Turns up until it is clear; false if it never is.
+  /// Turns upwards until the position is clear. Returns false if it never is.
   bool TurnUp(const double focus[3], double position[3], double margin);
 
   TerrainProbe& Probe;

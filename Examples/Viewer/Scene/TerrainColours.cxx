@@ -18,7 +18,7 @@ vtkSmartPointer<vtkScalarsToColors> MakeHeightColours(const double range[2])
 {
   const double colours[][3] = { { 0.27, 0.47, 0.29 }, { 0.53, 0.64, 0.39 }, { 0.83, 0.79, 0.55 },
     { 0.70, 0.55, 0.37 }, { 0.58, 0.49, 0.44 }, { 0.97, 0.97, 0.97 } };
-  // A plain has the lowest colour.
+  // A plain gets the lowest colour.
   const double extent = range[1] > range[0] ? range[1] - range[0] : 1.0;
   auto tint = vtkSmartPointer<vtkColorTransferFunction>::New();
   for (int i = 0; i < 6; ++i)

@@ -70,7 +70,7 @@ bool TerrainProbe::GetHeight(double x, double y, double& height)
 //------------------------------------------------------------------------------
 bool TerrainProbe::GetTexel(const Coordinates& uv, double& height) const
 {
-  const double reach = 0.1; // of a texel: digits that were rounded
+  const double reach = 0.1; // of a texel, for rounded coordinates
   int size[2];
   this->Heights->GetDimensions(size);
   int texel[2];
@@ -140,8 +140,8 @@ double TerrainProbe::GetDrawnHeight(const Corners& corners, int level) const
     rest[i] = segments * corners.Weights[i] - lowest[i];
     missing -= lowest[i];
   }
-  // Of a triangle that is the coarse one in small, corner i has one more of weight i; of one that
-  // is turned around, one more of the two others.
+  // In a triangle similar to the coarse one, corner i has one more of weight i; in an inverted
+  // triangle, the two other weights have one more.
   const bool isTurned = missing > 1.5;
   double height = 0.0;
   for (int corner = 0; corner < 3; ++corner)

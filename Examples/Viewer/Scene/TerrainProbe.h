@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   TerrainProbe
- * @brief   heights of a terrain by its own x and y
+ * @brief   heights of a terrain at its x and y
  */
 #ifndef TerrainProbe_h
 #define TerrainProbe_h
@@ -20,20 +20,20 @@ class vtkStaticCellLocator;
 class TerrainProbe
 {
 public:
-  /// The flat mesh, with texture coordinates, and the heights over them.
+  /// Takes the flat mesh with texture coordinates, and its heights.
   TerrainProbe(vtkPolyData* mesh, vtkHeightField* heights);
   ~TerrainProbe();
 
-  /// The raster's height; false where there is no terrain, or no data.
+  /// Gets the raster's height. Returns false outside the terrain and for missing data.
   bool GetHeight(double x, double y, double& height);
-  /// The heights that the surface may be drawn at: the raster's, and those between the corners of
-  /// the triangles that each of the levels splits the mesh into. Empty where there is no terrain.
+  /// The heights at which the surface may be drawn: the raster's, and those interpolated in the
+  /// triangles of each level. Empty outside the terrain.
   std::vector<double> GetDrawnHeights(double x, double y, int lowestLevel, int highestLevel);
-  /// Moves x and y to the nearest place of the mesh.
+  /// Moves x and y to the nearest point of the mesh.
   void MoveOnto(double place[2]);
 
 private:
-  /// The corners' texture coordinates and weights of the triangle at a place; false for none.
+  /// Texture coordinates, and the coordinates and weights at the corners of a triangle.
   using Coordinates = std::array<double, 2>;
   struct Corners
   {
@@ -42,7 +42,7 @@ private:
     Coordinates Interpolate(const double weights[3]) const;
   };
   bool FindTriangle(double x, double y, Corners& corners);
-  /// The height at the middle of a texel with data, if that is near.
+  /// Gets the height at the centre of a nearby texel with data.
   bool GetTexel(const Coordinates& uv, double& height) const;
   double GetHeight(const Corners& corners, const double weights[3]) const;
   double GetDrawnHeight(const Corners& corners, int level) const;

@@ -63,9 +63,9 @@ TerrainScene::TerrainScene(const ViewerOptions& options, ViewerMessages& message
   this->Show(options.MaximumLevel.value_or(this->GetDefaultLevel()), this->MakeReliefMetric());
   this->SetColours();
   this->SetLevelColours();
-  // From the north-west, as on maps, and a little from the other side.
+  // Light from the north-west, as on maps, and weaker light from the other side.
   this->SetLights({ { { 315.0, 40.0, Up }, 1.0 }, { { 160.0, 50.0, Up }, 0.35 } });
-  // From a little west of south.
+  // The camera is slightly west of south.
   this->SetCamera(this->DisplacedMesh, { 192.0, 38.0, Up }, this->GetCentre());
   this->KeepAboveGround();
 }
@@ -109,7 +109,7 @@ void TerrainScene::ReadTerrain()
     this->Source->Update();
   }
   this->CheckReading();
-  // Without the corners of faces that were left out.
+  // Removes the corners of faces that were left out.
   this->Mesh->ShallowCopy(DropUnusedPoints(this->Source->GetOutput()));
   if (this->Mesh->GetNumberOfCells() == 0)
   {
@@ -139,8 +139,8 @@ void TerrainScene::CheckReading()
 //------------------------------------------------------------------------------
 void TerrainScene::CheckExaggeration()
 {
-  // Higher than that it is a needle, with nothing to see on it.
-  const double maximumHeights = 100.0; // for one width
+  // A higher terrain would be a needle without visible detail.
+  const double maximumHeights = 100.0; // per width
   double bounds[6];
   this->Mesh->GetBounds(bounds);
   const double width = std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
@@ -148,7 +148,7 @@ void TerrainScene::CheckExaggeration()
   this->Source->GetHeightMap()->GetRange(range);
   const double relief =
     std::abs(this->Source->GetDisplacement()->GetScale()) * (range[1] - range[0]);
-  // Still higher are numbers that stand for no data.
+  // Larger values are missing-data markers.
   const double highestHeights = 1e6;
   if (!this->Options.Exaggeration && !*this->Source->GetCoordinateSystem() &&
     relief < highestHeights * width)
@@ -172,13 +172,13 @@ void TerrainScene::CheckExaggeration()
 //------------------------------------------------------------------------------
 void TerrainScene::ChooseExaggeration(double heights, double width)
 {
-  const double maximumHeights = 1.0; // for one width
+  const double maximumHeights = 1.0; // per width
   const double chosenHeights = 0.2;
   if (heights <= maximumHeights * width)
   {
     return;
   }
-  // Two digits, for people to read and to change.
+  // Two digits are easy to read and to change.
   std::ostringstream digits;
   digits << std::setprecision(2) << chosenHeights * width / heights;
   this->Source->SetExaggeration(std::stod(digits.str()));
@@ -236,7 +236,7 @@ std::string TerrainScene::ExplainReading(const std::string& text)
     return "Cannot read " + this->Options.Input +
       ": GDAL cannot read it as a raster. If it is an Exodus file, rename it to .ex2.";
   }
-  // A mesh, perhaps, in a format that has no reader here. Damaged rasters are recognised.
+  // Possibly a mesh format without a reader. Damaged rasters are recognized.
   return text.find("recogni") != std::string::npos
     ? text + " Meshes are read from " + GetMeshFormats() + "."
     : text;
@@ -282,7 +282,7 @@ void TerrainScene::MakeDisplacedMesh()
     points->SetPoint(i, point);
   }
   this->DisplacedMesh->SetPoints(points);
-  this->DisplacedMesh->GetPointData()->SetNormals(nullptr); // those of the flat mesh
+  this->DisplacedMesh->GetPointData()->SetNormals(nullptr); // of the flat mesh
 }
 
 //------------------------------------------------------------------------------
@@ -294,7 +294,7 @@ void TerrainScene::AddExportedData(vtkPolyData* mesh)
 //------------------------------------------------------------------------------
 void TerrainScene::KeepAboveGround()
 {
-  // These metrics have the finest triangles where the camera is near, or ones that morph to them.
+  // These metrics give the highest levels near the camera, or levels that morph to them.
   using Metric = ViewerOptions::MetricType;
   const Metric metric = this->Options.GetMetric();
   const bool isFine =
@@ -309,7 +309,8 @@ void TerrainScene::KeepAboveGround()
 //------------------------------------------------------------------------------
 int TerrainScene::GetDefaultLevel()
 {
-  // As fine as the height map; a picture that nobody can walk into needs nothing below its pixels.
+  // The level of the height map's spacing. A picture that cannot be navigated needs nothing finer
+  // than its pixels.
   int size[2];
   this->Source->GetHeightMap()->GetDimensions(size);
   const int texels = std::max(size[0], size[1]);
@@ -322,7 +323,7 @@ int TerrainScene::GetDefaultLevel()
     segments = static_cast<int>(std::min<double>(segments, std::ceil(pixels)));
   }
   int level = static_cast<int>(std::ceil(std::log2(static_cast<double>(segments) / squares)));
-  // Only what touches the camera gets the full level of the distance metric.
+  // The distance metric gives the highest level only to edges that touch the camera.
   if (this->Options.GetMetric() == ViewerOptions::MetricType::Distance)
   {
     ++level;
@@ -337,7 +338,7 @@ vtkSmartPointer<vtkDepthTagMetric> TerrainScene::MakeReliefMetric()
   this->Messages.Observe(own);
   if (own->IsDisplacementDependent())
   {
-    return own; // looks at the relief by itself
+    return own; // evaluates the displaced surface
   }
   auto metric = vtkSmartPointer<ReliefMetric>::New();
   metric->SetMetric(own);
@@ -365,7 +366,7 @@ void TerrainScene::SetColours()
   }
   this->SetTexture(image);
 
-  // A photograph has shadows of its own.
+  // Photographs contain shadows.
   vtkProperty* property = this->Actor->GetProperty();
   property->SetAmbient(isPhotograph ? 0.30 : 0.15);
   property->SetDiffuse(isPhotograph ? 0.80 : 0.85);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   TerrainScene
- * @brief   a height map, with its imagery or in the colours of its heights
+ * @brief   a height map with its imagery, or coloured by height
  */
 #ifndef TerrainScene_h
 #define TerrainScene_h
@@ -17,7 +17,7 @@ class vtkTerrainSource;
 class TerrainScene : public SurfaceScene
 {
 public:
-  /// Reads the files; throws ViewerError.
+  /// Reads the files. Throws ViewerError.
   TerrainScene(const ViewerOptions& options, ViewerMessages& messages);
   ~TerrainScene() override;
 
@@ -31,31 +31,31 @@ private:
   void CheckReading();
   std::string ExplainReading(const std::string& text);
   void CheckExaggeration();
-  /// Heights and coordinates of different kinds, such as grey levels over texels, need a factor.
+  /// Heights and coordinates with different units, such as grey levels over texels, need a factor.
   void ChooseExaggeration(double heights, double width);
-  /// Whether coordinates count texels: there is no georeference.
+  /// Whether coordinates are texels, because there is no georeference.
   bool CountsTexels();
   void CheckBudget();
-  /// The raster's heights, in its unit, at the mesh's texture coordinates.
+  /// Adds the raster's heights, in its unit, at the mesh's texture coordinates.
   void AddHeights(vtkPolyData* mesh);
   void MakeDisplacedMesh();
   void KeepAboveGround();
   int GetDefaultLevel();
   vtkSmartPointer<vtkDepthTagMetric> MakeReliefMetric();
   void SetColours();
-  /// Of the raster's heights; "" where it is not known.
+  /// Unit of the raster's heights, or an empty string if unknown.
   std::string GetHeightUnit();
   std::optional<std::array<double, 3>> GetCentre();
-  /// Whether numbers for --center look like a longitude and a latitude.
+  /// Whether the numbers of --center look like a longitude and a latitude.
   bool IsInRaster(double longitude, double latitude);
   std::array<double, 3> FindDegrees(const std::array<double, 2>& degrees);
   std::array<double, 3> FindGround(double x, double y, const std::string& text);
 
   vtkNew<vtkTerrainSource> Source;
-  // The coarse mesh as the displacement moves it: what the camera and the metrics look at.
+  // The displaced coarse mesh, which the camera and the metrics use.
   vtkNew<vtkPolyData> DisplacedMesh;
   std::unique_ptr<TerrainProbe> Probe;
-  std::string ExaggeratedBy; // what is reported of the exaggeration
+  std::string ExaggeratedBy; // reason for the exaggeration, for the report
 };
 
 #endif

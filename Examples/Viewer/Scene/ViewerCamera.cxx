@@ -58,7 +58,7 @@ void ViewerCamera::OnClippingRange(vtkObject*, unsigned long, void*)
   {
     return;
   }
-  // A point in a corner of the picture has a depth smaller than its distance.
+  // In a corner of the picture, a point's depth is smaller than its distance.
   const double tangent = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
   const double depth = this->GetMinimumDistance(camera) /
     std::hypot(1.0, std::hypot(tangent, tangent * this->Renderer->GetTiledAspectRatio()));

@@ -4,8 +4,8 @@
  * @class   ViewerCamera
  * @brief   keeps the camera out of surfaces, and the near plane in front of them
  *
- * VTK's near plane is a fixed share of the far plane's distance: in close views of something large
- * it cuts away what is near.
+ * VTK's near plane is at a fixed fraction of the far plane's distance. In close views of large
+ * objects it would clip near parts.
  */
 #ifndef ViewerCamera_h
 #define ViewerCamera_h
@@ -19,18 +19,18 @@ class vtkRenderer;
 class ViewerCamera
 {
 public:
-  /// Before each frame, until it is destroyed.
+  /// Observes the renderer before each frame, until it is destroyed.
   explicit ViewerCamera(vtkRenderer* renderer);
   virtual ~ViewerCamera();
   ViewerCamera(const ViewerCamera&) = delete;
   void operator=(const ViewerCamera&) = delete;
 
-  /// Moves the camera of the renderer, if it has to be, and sets its clipping range.
+  /// Moves the renderer's camera if necessary, and sets its clipping range.
   void Update();
 
 protected:
   virtual void MoveOut(vtkCamera*) {}
-  /// A distance that nothing visible is nearer to the camera than.
+  /// A lower bound for the distance of visible points from the camera.
   virtual double GetMinimumDistance(vtkCamera* camera);
 
 private:
@@ -39,7 +39,7 @@ private:
 
   vtkRenderer* Renderer;
   unsigned long Tags[2];
-  vtkMTimeType CameraTime = 0; // when it was last as it has to be
+  vtkMTimeType CameraTime = 0; // when it was last updated
 };
 
 #endif

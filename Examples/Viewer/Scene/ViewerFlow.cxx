@@ -25,14 +25,14 @@
 namespace
 {
 const double LongestSide = 10.0; // pixels
-const double Brightness = 0.3;   // of multiplied streaks, whose mean is no more than 0.4
+const double Brightness = 0.3;   // for multiplied streaks, whose mean is at most 0.4
 
 bool HasVectors(vtkDataArray* array)
 {
   return array && (array->GetNumberOfComponents() == 2 || array->GetNumberOfComponents() == 3);
 }
 
-// False for no data; a missing third component is 0.
+// Returns false for missing data. A missing third component is 0.
 bool GetVector(vtkDataArray* vectors, vtkIdType i, double noData, double vector[3])
 {
   vector[2] = 0.0;
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkAdaptiveRefinementMapper> MakeMapper(const ViewerOptions& opt
 {
   if (options.Vectors.empty())
   {
-    return vtkSmartPointer<vtkAdaptivePatchMapper>::New(); // of patches, or as its superclass
+    return vtkSmartPointer<vtkAdaptivePatchMapper>::New(); // also draws meshes without patches
   }
   vtkNew<vtkAdaptiveLICMapper> mapper;
   vtkLICSettings* lic = mapper->GetLICInterface();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   streaks along a mesh's vectors
+ * @brief   streaks along the vectors of a mesh
  */
 #ifndef ViewerFlow_h
 #define ViewerFlow_h
@@ -14,25 +14,25 @@ class vtkDepthTagMetric;
 class vtkPolyData;
 struct ViewerOptions;
 
-/// One that shows streaks, where the options ask for them.
+/// Creates a mapper, which shows streaks if the options request them.
 vtkSmartPointer<vtkAdaptiveRefinementMapper> MakeMapper(const ViewerOptions& options);
 
 /**
- * The vectors that the options name, of the mesh's points if they have them, else of its cells.
- * Throws ViewerError, with those that there are, where there are none of that name.
+ * The vectors named by the options, of points if possible, otherwise of cells. If there are none,
+ * throws ViewerError with the names of the existing ones.
  */
 vtkDataArray* FindVectors(const ViewerOptions& options, vtkPolyData* mesh, bool& isOfPoints);
 
-/// Has the mapper follow them.
+/// Selects the mapper's vectors.
 void SetVectorArray(vtkAdaptiveRefinementMapper* mapper, vtkDataArray* vectors, bool isOfPoints);
 
-/// Has NaN stand for no data, so that points without data look as the surface between them does.
+/// Replaces missing values by NaN, so that points without data look like the surface around them.
 void MarkNoData(vtkDataArray* vectors);
 
-/// The smallest and the largest length, of vectors that are data.
+/// The smallest and largest length of vectors that are not missing.
 void GetLengthRange(vtkDataArray* vectors, double range[2]);
 
-/// Deepest where the vectors vary, and no side of a triangle long on the screen.
+/// Highest levels where the vectors vary, and a limit for the length of edges on the screen.
 vtkSmartPointer<vtkDepthTagMetric> MakeFlowMetric(const ViewerOptions& options);
 
 #endif

@@ -13,7 +13,7 @@ class vtkPolyData;
 class ViewerMessages;
 struct ViewerOptions;
 
-/// As many hairs as the options ask for; throws ViewerError where the surface has no area.
+/// Adds the number of hairs in the options. Throws ViewerError if the surface has no area.
 vtkSmartPointer<vtkActor> GrowHair(
   const ViewerOptions& options, vtkPolyData* surface, ViewerMessages& messages);
 

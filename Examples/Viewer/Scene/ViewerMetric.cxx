@@ -40,13 +40,13 @@ Metric MakeScreenEdge(const ViewerOptions& options)
   metric->SetReferenceLength(options.Pixels.value_or(ViewerOptions::DefaultPixels));
   if (options.IsMesh)
   {
-    // What bulges above an edge that is seen end-on is seen in full.
+    // A bulge above an edge that is seen end-on is fully visible.
     metric->SetMeasureToSphereDiameter();
   }
   return metric.Get();
 }
 
-// Mean curvature, for the Gaussian one is blind to straight ridges and valleys.
+// Uses the mean curvature, because the Gaussian curvature of straight ridges and valleys is 0.
 Metric MakeCurvature()
 {
   vtkNew<vtkCurvatureDepthTagMetric> metric;
@@ -74,7 +74,7 @@ Metric MakeFieldVariation(const ViewerOptions& options, const std::string& array
   return metric.Get();
 }
 
-// On a terrain a place is one whatever the height.
+// On a terrain, the region extends over all heights.
 vtkSmartPointer<vtkImplicitFunction> MakeRegionFunction(
   const ViewerOptions& options, const double centre[3], double radius)
 {
@@ -92,7 +92,7 @@ vtkSmartPointer<vtkImplicitFunction> MakeRegionFunction(
   return cylinder.Get();
 }
 
-// Around a place; by default a terrain's middle, or a mesh's first point, which is on its surface.
+// The default centre is a terrain's centre, or a mesh's first point, which lies on its surface.
 Metric MakeRegion(const ViewerOptions& options, vtkPolyData* mesh)
 {
   double bounds[6];

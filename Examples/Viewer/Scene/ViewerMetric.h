@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   the metric that the options ask for
+ * @brief   the metric of the options
  */
 #ifndef ViewerMetric_h
 #define ViewerMetric_h
@@ -15,8 +15,8 @@ class vtkPolyData;
 struct ViewerOptions;
 
 /**
- * A metric that looks at `mesh`; the array of points' numbers is that of the field. Throws
- * ViewerError where there is none though it is needed.
+ * Creates a metric for `mesh`. Field variation uses the point array `array`. Throws ViewerError if
+ * the metric needs an array and there is none.
  */
 vtkSmartPointer<vtkDepthTagMetric> MakeMetric(
   const ViewerOptions& options, vtkPolyData* mesh, const std::string& arrayName);

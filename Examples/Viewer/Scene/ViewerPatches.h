@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   curved cells as they are
+ * @brief   curved cells
  */
 #ifndef ViewerPatches_h
 #define ViewerPatches_h
@@ -16,14 +16,14 @@ struct ViewerOptions;
 /// Whether the mesh's triangles are parts of curved cells.
 bool HasPatches(vtkPolyData* mesh);
 
-/// Deepest where triangles would be far from the cells' shape.
+/// Highest levels where triangles would deviate most from the cells' shape.
 vtkSmartPointer<vtkDepthTagMetric> MakeErrorMetric(const ViewerOptions& options);
 
-/// Lines of equal value, where the options ask for them, of an array with this range.
+/// Shows isolines of an array with this range if the options request them.
 void ShowIsolines(
   const ViewerOptions& options, vtkAdaptiveRefinementMapper* mapper, const double range[2]);
 
-/// The cells' edges, where the options ask for them.
+/// Shows the cells' edges if the options request them.
 void ShowPatchEdges(const ViewerOptions& options, vtkAdaptiveRefinementMapper* mapper);
 
 #endif

@@ -46,7 +46,8 @@ void ViewerScene::FitView(vtkPoints* points, const ViewerDirection& defaultDirec
   if (this->Options.View)
   {
     direction.Azimuth = (*this->Options.View)[0];
-    // Straight up and down, by less than a pixel not quite: up in the picture is the azimuth's way.
+    // Avoids exactly vertical views by less than a pixel, so that the azimuth points upwards in the
+    // picture.
     direction.Elevation = std::clamp((*this->Options.View)[1], -89.9999, 89.9999);
   }
   ViewerPicture picture;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ViewerScene
- * @brief   something to look at, its light and the view of it
+ * @brief   a scene with its lights and view
  */
 #ifndef ViewerScene_h
 #define ViewerScene_h
@@ -35,40 +35,41 @@ public:
   /// The unit of lengths, "m" or "".
   virtual std::string GetUnit() { return ""; }
 
-  /// Where a point of a surface is and what is there, in lines; lengths as exact as the
-  /// resolution. "" where there are no surfaces.
+  /// Position and values at a point of a surface, as lines of text. Lengths are rounded to the
+  /// resolution. Empty if there are no surfaces.
   virtual std::string Describe(const double point[3], double resolution) = 0;
 
-  /// What a key of the window has changed, "" for nothing.
+  /// Handles a key of the window. Returns a description of the change, or an empty string.
   virtual std::string Change(char) { return ""; }
 
-  /// Writes the refined mesh as it is seen, where there is one; throws ViewerError.
+  /// Writes the visible refined mesh, if there is one. Throws ViewerError.
   virtual void Export(const std::string&) {}
 
-  /// What was found in the files, on stdout, where that was asked for.
+  /// Prints information about the files on stdout if the options request it.
   virtual void Report() {}
 
-  /// The first frame, with its costs on stdout where the options ask for them; throws ViewerError.
+  /// Draws the first frame, and prints statistics on stdout if the options request them. Throws
+  /// ViewerError.
   virtual void Draw(vtkRenderWindow* window) = 0;
 
 protected:
   ViewerScene(const ViewerOptions& options, ViewerMessages& messages);
 
-  /// The unit is "" where it is not known.
+  /// The unit is an empty string if unknown.
   void AddLegend(vtkScalarsToColors* table, const std::string& name, const std::string& unit,
     int numberOfLabels);
-  /// Shows all points beside the legend, from the direction that the options give, else the
-  /// default.
+  /// Shows all points beside the legend, from the direction of the options or the default one.
   void FitView(vtkPoints* points, const ViewerDirection& defaultDirection);
-  /// Lamps for what has no vertical of its own, and all of its bounds, or what the options ask for.
+  /// Sets the view of these bounds, with default lights or those of the options, for scenes without
+  /// a vertical direction.
   void SetView(const double bounds[6]);
-  /// As near as the options ask for.
+  /// Applies the zoom of the options.
   void Zoom();
-  /// Light from the direction that the options give, else the first of the lamps; the others keep
-  /// their azimuths from it.
+  /// Adds lights. The first lamp takes the direction of the options, if given; the others keep
+  /// their azimuths relative to it.
   void SetLights(std::vector<ViewerLamp> lamps);
 
-  ViewerOptions Options; // and what a file decides where they say nothing
+  ViewerOptions Options; // including choices that a file makes if they are not set
   ViewerMessages& Messages;
   vtkNew<vtkRenderer> Renderer;
   std::unique_ptr<ViewerCamera> Camera; // of the renderer

@@ -16,8 +16,8 @@
 //------------------------------------------------------------------------------
 double MeasureFrame(vtkRenderer* renderer, vtkRenderWindow* window, ViewerMessages& messages)
 {
-  // The first frame makes buffers and shaders. It has hardly another camera than the second, which
-  // chooses levels anew and is the one that stays.
+  // The first frame builds buffers and shaders. Its camera differs slightly, so that the second
+  // frame selects levels again. The picture of the second frame remains.
   vtkCamera* camera = renderer->GetActiveCamera();
   const double angle = camera->GetViewAngle();
   camera->SetViewAngle(angle * (1.0 + 1e-6));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   what the frames of a scene cost
+ * @brief   statistics of frames
  */
 #ifndef ViewerStatistics_h
 #define ViewerStatistics_h
@@ -13,13 +13,13 @@ class vtkRenderer;
 class vtkRenderWindow;
 class ViewerMessages;
 
-/// Draws, once more for a frame that has nothing to make any more, and returns the milliseconds of
-/// that; throws ViewerError.
+/// Draws twice and returns the time of the second frame in milliseconds, which builds nothing.
+/// Throws ViewerError.
 double MeasureFrame(vtkRenderer* renderer, vtkRenderWindow* window, ViewerMessages& messages);
 
 /**
- * Draws, once more for the time of a frame that has nothing to make any more, and prints what it
- * costs; throws ViewerError.
+ * Draws twice, measures the second frame, which builds nothing, and prints statistics. Throws
+ * ViewerError.
  */
 void DrawWithStatistics(vtkAdaptiveRefinementMapper* mapper, vtkRenderer* renderer,
   vtkRenderWindow* window, ViewerMessages& messages, std::ostream& stream);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   the surface that the options ask for
+ * @brief   the surface of the options
  */
 #ifndef ViewerSurface_h
 #define ViewerSurface_h
@@ -11,7 +11,7 @@
 class vtkRefinementSurface;
 struct ViewerOptions;
 
-/// For a mesh whose bounding box has that diagonal.
+/// For a mesh whose bounding box has this diagonal.
 vtkSmartPointer<vtkRefinementSurface> MakeSurface(const ViewerOptions& options, double diagonal);
 
 #endif

@@ -20,10 +20,10 @@ namespace
 {
 const double Filled = 0.94; // of the picture's sides
 
-// Along the camera's right, up and forward.
+// Along the camera's right, up and forward directions.
 using Vector = std::array<double, 3>;
 
-// Where the camera is nearest, with all points in a window at distance 1 from it: left, right,
+// The nearest camera position for which all points lie in a window at distance 1: left, right,
 // bottom and top.
 Vector GetEye(const std::vector<Vector>& points, const std::array<double, 4>& window)
 {
@@ -35,7 +35,7 @@ Vector GetEye(const std::vector<Vector>& points, const std::array<double, 4>& wi
   {
     middle[i] = 0.5 * (window[2 * i] + window[2 * i + 1]);
     const double half = 0.5 * Filled * (window[2 * i + 1] - window[2 * i]);
-    // A point (x, z) is between two planes of the view: |x - X - middle (z - Z)| <= half (z - Z).
+    // A point (x, z) lies between two planes of the view: |x - X - middle (z - Z)| <= half (z - Z).
     double upper = -std::numeric_limits<double>::infinity();
     double lower = upper;
     for (const Vector& point : points)
@@ -54,8 +54,8 @@ Vector GetEye(const std::vector<Vector>& points, const std::array<double, 4>& wi
   return eye;
 }
 
-// Whether a line through (x, y), at distance 1 from the camera, separates the points from what is
-// to the left and above.
+// Whether a line through (x, y), at distance 1 from the camera, separates the points from the upper
+// left corner.
 bool IsOutOfCorner(const std::vector<Vector>& points, const Vector& eye, double x, double y)
 {
   const int steps = 30;
@@ -136,7 +136,7 @@ void FitCamera(vtkRenderer* renderer, vtkPoints* points, const ViewerDirection& 
     2.0 * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle())) / picture.Size[1];
   const double width = picture.Size[0] * pixel;
   const double height = picture.Size[1] * pixel;
-  // The corner's lower right end, from the picture's middle.
+  // The lower right end of the corner, relative to the picture's centre.
   const double x = picture.Corner[0] * pixel - 0.5 * width;
   const double y = 0.5 * height - picture.Corner[1] * pixel;
   Vector eye = GetEye(turned, { { -0.5 * width, 0.5 * width, -0.5 * height, 0.5 * height } });

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   where camera and lights stand
+ * @brief   directions of cameras and lights
  *
- * Directions are given as on maps: an azimuth in degrees, clockwise from north, and an elevation
- * above the horizon. East, north and up are x, y, z where z points up, x, -z, y where y does, and
- * y, z, x where x does.
+ * Directions are an azimuth in degrees, clockwise from north, and an elevation above the horizon.
+ * East, north and up are x, y, z if z points up; x, -z, y if y does; and y, z, x if x does.
  */
 #ifndef ViewerView_h
 #define ViewerView_h
@@ -22,11 +21,11 @@ struct ViewerDirection
   double Elevation;
   int UpAxis; // 0 for x, 1 for y, 2 for z
 
-  /// The unit vector to there.
+  /// The unit vector in this direction.
   std::array<double, 3> GetVector() const;
 };
 
-/// Sunlight from there.
+/// Sunlight from a direction.
 struct ViewerLamp
 {
   ViewerDirection From;
@@ -39,20 +38,21 @@ void AddLight(vtkRenderer* renderer, const ViewerLamp& lamp);
 struct ViewerPicture
 {
   std::array<int, 2> Size;
-  std::array<int, 2> Corner = { { 0, 0 } }; // upper left, where something else is
+  std::array<int, 2> Corner = { { 0, 0 } }; // upper left corner that is occupied
 };
 
 /**
- * The nearest place in that direction from which all points are in the picture, with a margin, and
- * none of a surface through them is in the picture's corner.
+ * Moves the camera to the nearest position in this direction from which all points are visible,
+ * with a margin, and outside the occupied corner.
  */
 void FitCamera(vtkRenderer* renderer, vtkPoints* points, const ViewerDirection& from,
   const ViewerPicture& picture);
 
-/// Brings a place into the middle of the picture: the camera moves, and does not turn.
+/// Moves the camera without turning it so that a point is in the centre of the picture.
 void MoveFocus(vtkRenderer* renderer, const std::array<double, 3>& place);
 
-/// The camera's focal point is where its middle line first meets the surface, if it does.
+/// Sets the focal point to the first intersection of the view direction with the surface, if there
+/// is one.
 void FocusOnSurface(vtkRenderer* renderer, vtkPolyData* surface);
 
 #endif

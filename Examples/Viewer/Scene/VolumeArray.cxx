@@ -28,7 +28,7 @@ namespace
 {
 const std::size_t Parts = 10; // between quantiles
 
-// Arrays of all blocks' points, then those of cells.
+// Point data of all blocks, then their cell data.
 std::vector<std::vector<vtkDataSetAttributes*>> GetAttributes(vtkDataObject* data)
 {
   std::vector<std::vector<vtkDataSetAttributes*>> attributes(2);
@@ -40,7 +40,7 @@ std::vector<std::vector<vtkDataSetAttributes*>> GetAttributes(vtkDataObject* dat
   return attributes;
 }
 
-// Of numbers that say something: no ids, no ghosts.
+// Names of numeric arrays, without ids and ghost flags.
 std::vector<std::string> GetNames(const std::vector<vtkDataSetAttributes*>& blocks)
 {
   std::vector<std::string> names;
@@ -81,7 +81,7 @@ bool HasArray(const std::vector<vtkDataSetAttributes*>& blocks, const std::strin
     [&](vtkDataSetAttributes* block) { return block->GetArray(name.c_str()) != nullptr; });
 }
 
-// The name of the active scalars, "" for none; those without a name get one.
+// The name of the active scalars, or an empty string. Unnamed scalars get a name.
 std::string GetActiveScalars(const std::vector<vtkDataSetAttributes*>& blocks)
 {
   for (vtkDataSetAttributes* block : blocks)
@@ -172,7 +172,8 @@ void GetRange(vtkDataObject* data, VolumeArray& array)
   }
   if (!(array.Range[0] < array.Range[1]))
   {
-    // A constant, or nothing finite: a range around it that numbers of its size can have.
+    // For a constant or without finite values, takes a range of representable numbers around the
+    // value.
     const double middle = array.Range[0] == array.Range[1] ? array.Range[0] : 0.0;
     const double reach = std::max(1e-3 * std::abs(middle), 1e-6);
     array.Range[0] = middle - reach;

@@ -18,19 +18,19 @@ struct ViewerOptions;
 struct VolumeArray
 {
   std::string Name;
-  std::string Unit; // "" where it is not known
+  std::string Unit; // "" if unknown
   bool IsOfPoints;
-  bool IsVector;   // shown by its length
+  bool IsVector;   // shown by its magnitude
   double Range[2]; // of the finite values of all blocks, never empty; only 3D cells count
-  // As many values are between each and the next; none if nothing is finite. Of a sample of them.
+  // Quantiles of a sample of the values; empty if no value is finite.
   std::vector<double> Quantiles;
 };
 
-/// Whether a cell is 3D: others are not drawn.
+/// Whether a cell is 3D. Other cells are not drawn.
 bool IsVolumeCell(vtkDataSet* block, vtkIdType cell);
 
-/// The array that the options name, of points if there is one, else of cells; by default the
-/// active scalars, or the first array. Throws ViewerError, with those that there are.
+/// The array named by the options, of points if possible, otherwise of cells. By default the active
+/// scalars or the first array. Throws ViewerError with the names of the existing arrays.
 VolumeArray FindVolumeArray(const ViewerOptions& options, vtkDataObject* data);
 
 #endif

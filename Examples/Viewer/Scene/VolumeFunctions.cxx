@@ -22,13 +22,13 @@
 namespace
 {
 const int Nodes = 9;
-const double LowestShare = 0.03; // of the highest opacity, at the lowest value
-const double Depth = 20.0;       // optical, of a diagonal of the highest value
+const double LowestShare = 0.03; // opacity at the lowest value, relative to the highest
+const double Depth = 20.0;       // optical depth of a diagonal at the highest value
 const double OpacityOfOneValue = 0.8;
 const double MinimumThickness = 1e-3; // of the diagonal
 const double PeakWidth = 2e-4;        // of the range
 
-// How many of the values are below one, 0 to 1; of equal quantiles the last counts.
+// Share of values below each value, 0 to 1. Of equal quantiles the last one is used.
 std::map<double, double> GetRanks(const VolumeArray& array)
 {
   std::map<double, double> ranks = { { array.Range[0], 0.0 }, { array.Range[1], 1.0 } };
@@ -51,7 +51,7 @@ double Interpolate(const std::map<double, double>& ranks, double value)
   return before->second + t * (after->second - before->second);
 }
 
-// Between the nodes before and after it.
+// Interpolates between the nodes before and after the value.
 TransferNode Interpolate(const std::vector<TransferNode>& nodes, double value)
 {
   const auto after = std::lower_bound(nodes.begin(), nodes.end(), value,
@@ -79,12 +79,12 @@ std::vector<TransferNode> MakeTransferNodes(
   using Mapper = vtkVolumeMapper;
   const bool isByLength =
     options.BlendMode == Mapper::COMPOSITE_BLEND || options.BlendMode == Mapper::ADDITIVE_BLEND;
-  // What is added up soon is white.
+  // Additive blending saturates early.
   const double depth = options.BlendMode == Mapper::ADDITIVE_BLEND ? 0.2 * Depth : Depth;
-  const double cube = 2.0 / 3.0 / std::sqrt(3.0); // how thick it is
+  const double cube = 2.0 / 3.0 / std::sqrt(3.0); // mean chord of a cube, relative to its diagonal
   const double thinness =
     thickness > 0.0 ? std::max(cube / std::max(thickness, MinimumThickness), 1.0) : 1.0;
-  // Coarse blocks are no more opaque than 1. Thin parts have few cells, however fine they are.
+  // Coarse blocks have at most opacity 1. Thin parts have few cells, however fine these are.
   const double highest = std::min(depth * thinness / cellsOfSide, thinness * thinness);
   const std::map<double, double> ranks = GetRanks(array);
   std::set<double> values;
@@ -103,7 +103,7 @@ std::vector<TransferNode> MakeTransferNodes(
     TransferNode node;
     node.Value = value;
     colours->GetColor(value, node.Color.data());
-    // High values show what there is, ranks that there is something, whatever the outliers.
+    // Values show the distribution; ranks show every part despite outliers.
     const double share = (value - array.Range[0]) / (array.Range[1] - array.Range[0]);
     const double rank = Interpolate(ranks, value);
     const double height = 0.7 * share * share + 0.3 * rank * rank;
@@ -122,7 +122,7 @@ std::vector<TransferNode> AddPeaks(
   const std::vector<TransferNode> plain = nodes;
   for (double value : values)
   {
-    // Nothing else lies in the peak.
+    // Removes other nodes within the peak.
     nodes.erase(std::remove_if(nodes.begin(), nodes.end(),
                   [=](const TransferNode& node)
                   { return node.Value >= value - reach && node.Value <= value + reach; }),

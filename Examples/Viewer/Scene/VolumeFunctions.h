@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   transfer functions of a volume: of a file, or made for an array
+ * @brief   transfer functions of a volume, from a file or computed for an array
  */
 #ifndef VolumeFunctions_h
 #define VolumeFunctions_h
@@ -16,20 +16,20 @@ struct ViewerOptions;
 struct VolumeArray;
 
 /**
- * Functions over an array's range that show something of any data: the colours of meshes, and
- * opacities that rise with the values and their ranks, the lower the more cells there are along
- * a side, and the higher the thinner the mesh is: the mean length of lines through it, as a share
- * of its diagonal, 0 if it is not known. They may be above 1. Where opacity does not count by
- * length it is the same for all values.
+ * Computes functions over an array's range that suit most data: the colours of meshes, and
+ * opacities that increase with the values and their ranks. Opacities decrease with the number of
+ * cells along a side, and increase the thinner the mesh is: its mean chord as a share of its
+ * diagonal, 0 if unknown. They may exceed 1. In blend modes where opacity does not depend on
+ * length, it is constant.
  */
 std::vector<TransferNode> MakeTransferNodes(
   const ViewerOptions& options, const VolumeArray& array, double cellsOfSide, double thickness);
 
-/// Has opacity peak at values, so narrowly that only isosurfaces see it.
+/// Adds opacity peaks at the values, so narrow that only isosurfaces show them.
 std::vector<TransferNode> AddPeaks(
   std::vector<TransferNode> nodes, const std::vector<double>& values, double opacity);
 
-/// Colours, and opacities times a factor that makes none more than 1.
+/// Sets colours and opacities, multiplied by a factor and clamped to 1.
 void SetTransferNodes(
   vtkVolumeProperty* property, const std::vector<TransferNode>& nodes, double factor);
 

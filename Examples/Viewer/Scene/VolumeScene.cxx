@@ -30,7 +30,7 @@
 
 namespace
 {
-const double Step = 0.02; // of the range, of the extent along a normal
+const double Step = 0.02; // of the range, or of the extent along a normal
 const double OpacityStep = 1.25;
 const double PeakOpacity = 0.6; // of isosurfaces by default
 
@@ -66,7 +66,7 @@ std::string Join(const std::vector<double>& numbers)
 VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
   : ViewerScene(options, messages)
 {
-  // Paler than the sky, for what is translucent.
+  // A light background suits translucent volumes.
   this->Renderer->SetBackground(0.98, 0.98, 0.98);
   this->Renderer->SetBackground2(0.84, 0.87, 0.91);
   const auto data = ReadVolume(options.Input, messages);
@@ -236,7 +236,7 @@ void VolumeScene::MoveCut(double share)
 {
   if (!this->Cut)
   {
-    // From the side that the camera is at, along the axis that it looks along most.
+    // The clipping plane starts on the camera's side, along the axis closest to the view direction.
     const double* direction = this->Renderer->GetActiveCamera()->GetDirectionOfProjection();
     int axis = 0;
     for (int i = 1; i < 3; ++i)
@@ -252,7 +252,7 @@ void VolumeScene::MoveCut(double share)
     this->Cut->SetNormal(normal);
     this->Mapper->AddClippingPlane(this->Cut);
   }
-  // By a share of what there is to cut.
+  // Moves by a share of the mesh's extent along the normal.
   const double* normal = this->Cut->GetNormal();
   double extent = 0.0;
   for (int i = 0; i < 3; ++i)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   VolumeScene
- * @brief   the inside of a mesh by an array's values, with isosurfaces and a cut
+ * @brief   a volume coloured by an array, with isosurfaces and a clipping plane
  */
 #ifndef VolumeScene_h
 #define VolumeScene_h
@@ -24,7 +24,7 @@ class vtkVolumeProperty;
 class VolumeScene : public ViewerScene
 {
 public:
-  /// Reads the files; throws ViewerError.
+  /// Reads the files. Throws ViewerError.
   VolumeScene(const ViewerOptions& options, ViewerMessages& messages);
   ~VolumeScene() override;
 
@@ -48,7 +48,7 @@ private:
   double Bounds[6];
   double Diagonal = 0.0;
   std::vector<TransferNode> Nodes;
-  double OpacityFactor = 1.0; // where opacity does not count by length
+  double OpacityFactor = 1.0; // for blend modes where opacity does not depend on length
   std::vector<double> IsoSurfaces;
   vtkSmartPointer<vtkPlane> Cut; // nullptr for none
 };

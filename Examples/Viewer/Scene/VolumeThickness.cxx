@@ -26,7 +26,7 @@ const vtkIdType SampleSize = 20000;
 using Faces = std::vector<std::vector<int>>;
 using Vector = std::array<double, 3>;
 
-// The faces of a cell by its corners, which come first among its points; none for other types.
+// The faces of a cell by its corners, which are its first points. Empty for other types.
 const Faces& GetFaces(int type)
 {
   static const Faces none;
@@ -103,7 +103,7 @@ struct Sums
   double Surface = 0.0;
 };
 
-// The faces of a cell that no other 3D cell has add to the surface.
+// Faces that belong to a single 3D cell add to the surface.
 void AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, double weight, Sums& sums)
 {
   const Faces& faces = GetFaces(grid->GetCellType(cell));
@@ -157,7 +157,7 @@ void AddCell(vtkUnstructuredGrid* grid, vtkIdType cell, double weight, Sums& sum
   }
 }
 
-// A sample without a pattern, for cells may be numbered along rows.
+// Samples at random, because cells may be numbered along rows.
 void AddSample(vtkUnstructuredGrid* grid, vtkIdType numberOfAllCells, Sums& sums)
 {
   const vtkIdType number = grid->GetNumberOfCells();
@@ -198,7 +198,7 @@ double GetMeanChord(vtkDataObject* data)
       AddSample(grid, number, sums);
     }
   }
-  // Faces between blocks are no surface: the mean is no less than of lines that meet the bounds.
+  // Faces between blocks are not surface, so the mean chord is at least that of the bounding box.
   double lengths[3] = { 0.0, 0.0, 0.0 };
   if (box.IsValid())
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   how thick a mesh of 3D cells is
+ * @brief   the thickness of a mesh of 3D cells
  */
 #ifndef VolumeThickness_h
 #define VolumeThickness_h
@@ -9,9 +9,9 @@
 class vtkDataObject;
 
 /**
- * The mean length of lines through the mesh, estimated from a sample of its cells: four times the
- * volume divided by the surface (Cauchy). Cells count as linear. 0 if no cells of the sample are
- * tetrahedra, hexahedra, wedges or pyramids.
+ * The mean length of chords through the mesh, estimated from a sample of its cells: four times the
+ * volume divided by the surface area (Cauchy). Cells are treated as linear. Returns 0 if the sample
+ * has no tetrahedra, hexahedra, wedges or pyramids.
  */
 double GetMeanChord(vtkDataObject* data);
 

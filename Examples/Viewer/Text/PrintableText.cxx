@@ -10,7 +10,7 @@ namespace
 struct Character
 {
   std::uint32_t Code = 0;
-  std::size_t Length = 0; // in bytes; 0 if they are not UTF-8
+  std::size_t Length = 0; // in bytes; 0 for invalid UTF-8
 };
 
 Character Decode(const std::string& text, std::size_t place)

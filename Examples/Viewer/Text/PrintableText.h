@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   names, values and contents of files as text that a terminal only shows
+ * @brief   makes text from files safe to print in a terminal
  */
 #ifndef PrintableText_h
 #define PrintableText_h
@@ -9,9 +9,10 @@
 #include <string>
 
 /**
- * Escape line ends (`\n`), other control characters and bytes that are not UTF-8 (`\x1b`), and the
- * characters of Unicode that break lines or reverse their direction (`\u202e`). The result is one
- * line that cannot command a terminal. Other text is not changed.
+ * Escapes line ends (`
+ * `), other control characters and bytes that are not UTF-8 (`\x1b`), and Unicode characters that
+ * break lines or reverse their direction (`\u202e`). The result is one line without terminal
+ * commands. Other text is unchanged.
  */
 std::string ToPrintable(const std::string& text);
 

@@ -31,12 +31,12 @@ constexpr bool IsSanitized = __has_feature(address_sanitizer) || __has_feature(t
 constexpr bool IsSanitized = false;
 #endif
 
-// Without progress, a reader of a file of 100 MiB is given 120 seconds.
+// The time without progress, which is 120 seconds for a file of 100 MiB.
 constexpr int MinimumSeconds = 20;
 constexpr double SecondsPerMiB = 1.0;
 constexpr double MinimumProgress = 0.01;
 
-// Made before it is needed: a handler may only write and end.
+// Prepared in advance, because a handler may only write and exit.
 struct LastLine
 {
   char Text[4096] = {};
@@ -54,7 +54,7 @@ struct LastLine
 
   [[noreturn]] void WriteAndExit() const
   {
-    // Several threads may crash.
+    // Several threads may crash at once.
     static std::atomic_flag isWriting = ATOMIC_FLAG_INIT;
     while (isWriting.test_and_set())
     {
@@ -64,14 +64,14 @@ struct LastLine
                                  "                    \r";
     if (isatty(STDIN_FILENO) || isatty(STDOUT_FILENO) || isatty(STDERR_FILENO))
     {
-      WriteToStandardError(blanks, sizeof(blanks) - 1); // over the progress
+      WriteToStandardError(blanks, sizeof(blanks) - 1); // clears the progress line
     }
     WriteToStandardError(this->Text, this->Length + 1);
     _exit(1);
   }
 };
 
-// Signal handlers have no other place to look.
+// Signal handlers can only use a global variable.
 LastLine CrashLine;
 LastLine HangLine;
 std::atomic<bool> IsReading{ false };
@@ -110,7 +110,7 @@ int GetSeconds(const std::vector<std::string>& fileNames)
   return MinimumSeconds + static_cast<int>(std::min(size / 1048576.0 * SecondsPerMiB, 1e8));
 }
 
-// The number after a name, or alone, in a file of the kernel's.
+// Reads the number after a name, or the only number, from a file of the kernel.
 double ReadNumber(const char* fileName, const std::string& name)
 {
   std::ifstream file(fileName);
@@ -127,7 +127,7 @@ double ReadNumber(const char* fileName, const std::string& name)
   return std::numeric_limits<double>::infinity();
 }
 
-// Bytes that this process can still get: of the machine, and of its container.
+// Bytes that this process can still allocate, by the limits of machine and container.
 double GetAvailableMemory()
 {
   const char* const machine = "/proc/meminfo";
@@ -150,11 +150,11 @@ void InstallCrashHandlers(const std::string& input)
 {
   if (IsSanitized)
   {
-    return; // the sanitizer says more
+    return; // the sanitizer's report is better
   }
   CrashLine.Set(MakeLine("the program crashed while it drew " + input +
     "; please report this, with the file and the options"));
-  // The stack may be what is used up.
+  // The crash may be a stack overflow, so handlers need another stack.
   static char stack[65536];
   stack_t alternative = {};
   alternative.ss_sp = stack;
@@ -167,7 +167,7 @@ void InstallCrashHandlers(const std::string& input)
   {
     sigaction(signal, &action, nullptr);
   }
-  std::set_terminate([] { std::abort(); }); // without words of its own
+  std::set_terminate([] { std::abort(); }); // prevents the default message
   std::atexit(EndAfterExit);
 }
 
@@ -246,7 +246,7 @@ void ReadingGuard::LimitMemory()
 //------------------------------------------------------------------------------
 void ReadingGuard::Watch()
 {
-  // Seconds are counted one by one: those in which the program is stopped do not count.
+  // Counts single seconds, so that time during which the program is stopped is excluded.
   std::unique_lock<std::mutex> lock(this->Mutex);
   while (!this->Done.wait_for(lock, std::chrono::seconds(1), [this] { return this->IsDone; }))
   {

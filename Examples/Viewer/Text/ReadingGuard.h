@@ -4,15 +4,14 @@
  * @class   ReadingGuard
  * @brief   ends the program with one line if a damaged file makes its reader crash or hang
  *
- * The readers of VTK and of the libraries below it trust their files. While an object of this class
- * exists, these end the program with exit code 1 and a line that names the file: a crash, an
- * uncaught exception, a call of exit(), and no progress for a time. Memory is limited to what the
- * machine has left, so that a file that asks for more gets std::bad_alloc.
+ * Readers of VTK and of other libraries trust their files. While an object of this class exists,
+ * the following events end the program with exit code 1 and a line that names the file: a crash, an
+ * uncaught exception, a call of exit(), and a long time without progress. Memory is limited to what
+ * the machine has left, so that larger requests throw std::bad_alloc.
  *
- * Signal handlers do this in the program itself. A child process could do no more for the user, but
- * would have to read each file a second time, or copy what it has read to its parent. It would also
- * have to be a new program: some libraries that VTK loads start threads at once, and a fork without
- * them hangs when it ends.
+ * Signal handlers do this in the process itself. A child process would have to read each file a
+ * second time or copy its data to the parent. It would also have to be a new program, because some
+ * libraries start threads when VTK loads them, and a forked process without these hangs at its end.
  */
 #ifndef ReadingGuard_h
 #define ReadingGuard_h
@@ -26,22 +25,22 @@
 #include <thread>
 #include <vector>
 
-/// From here on a crash ends the program with exit code 1 and a line that names the input, too.
+/// From now on, a crash ends the program with exit code 1 and a line that names the input.
 void InstallCrashHandlers(const std::string& input);
 
 class ReadingGuard
 {
 public:
-  /// While these are read. Guards are not nested.
+  /// Guards the reading of these files. Guards cannot be nested.
   explicit ReadingGuard(const std::vector<std::string>& fileNames);
   ~ReadingGuard();
   ReadingGuard(const ReadingGuard&) = delete;
   void operator=(const ReadingGuard&) = delete;
 
-  /// Another algorithm starts.
+  /// Starts a new measurement for another algorithm.
   static void RestartProgress();
 
-  /// A share in [0, 1] of its work: one that is larger than before is a sign of life.
+  /// Reports the share of work done, in [0, 1]. Only an increase counts as progress.
   static void ReportProgress(double share);
 
 private:

@@ -11,7 +11,7 @@
 
 namespace
 {
-// Where stderr leads; a duplicate while libraries are muted. Signal handlers read it.
+// The program's stderr, which is a duplicate while libraries are muted. Signal handlers read it.
 std::atomic<int> OwnError{ STDERR_FILENO };
 }
 

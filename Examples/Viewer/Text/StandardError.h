@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   what the program writes to stderr, apart from what libraries write there
+ * @brief   separates the program's output on stderr from that of libraries
  */
 #ifndef StandardError_h
 #define StandardError_h
@@ -9,15 +9,16 @@
 #include <cstddef>
 #include <string>
 
-/// Writes a line `relevo-view: KIND: TEXT`, whatever characters the text has.
+/// Writes a line `relevo-view: KIND: TEXT`. All characters of the text are made printable.
 void WriteMessage(const std::string& kind, const std::string& text);
 
-/// Writes the text as it is. A signal handler may call this.
+/// Writes the text unchanged. A signal handler may call this.
 void WriteToStandardError(const char* text, std::size_t length);
 
 /**
- * Libraries write to stderr what the program's own message says better: libpng, HDF5, the C library
- * before it aborts. While an object of this class exists, only the functions above reach stderr.
+ * Suppresses what libraries write to stderr (libpng, HDF5, the C library before it aborts), because
+ * the program's messages are better. While an object of this class exists, only the functions above
+ * write to stderr.
  */
 class StandardErrorMute
 {

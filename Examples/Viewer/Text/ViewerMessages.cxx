@@ -36,7 +36,7 @@ void AddHandler(vtkObject* object, unsigned long event, const Handler& handler)
   object->AddObserver(event, command);
 }
 
-// Replaces the library's setters by the program's options in a message.
+// Replaces the library's setters by the viewer's options.
 std::string NameOptions(std::string text)
 {
   const std::pair<const char*, const char*> phrases[] = {
@@ -57,7 +57,10 @@ std::string NameOptions(std::string text)
   return text;
 }
 
-// "ERROR: In file, line n\nvtkClass (0x...): text\n\n" -> "text"
+// "ERROR: In file, line n
+// vtkClass (0x...): text
+//
+// " -> "text"
 std::string GetText(const void* callData)
 {
   std::string text = static_cast<const char*>(callData);
@@ -67,7 +70,7 @@ std::string GetText(const void* callData)
     text.erase(0, address + 3);
   }
   text.erase(text.find_last_not_of(" \n") + 1);
-  // VTK ends lines after sentences. Line ends within names stay, to be escaped.
+  // Removes VTK's line ends after sentences. Those within names stay and are escaped.
   for (std::size_t end = text.find('\n', 1); end != std::string::npos;
        end = text.find('\n', end + 1))
   {
@@ -76,7 +79,7 @@ std::string GetText(const void* callData)
   return NameOptions(text);
 }
 
-// Messages of the objects that nobody observes, such as the helpers of VTK's readers.
+// Collects messages of objects without observers, such as helpers of VTK's readers.
 class SilentWindow : public vtkOutputWindow
 {
 public:
@@ -94,7 +97,7 @@ public:
   void DisplayWarningText(const char*) override {}
   void DisplayGenericWarningText(const char* text) override
   {
-    // Readers of VTK's legacy files only warn of a file that ends too early.
+    // Readers of legacy files only warn about a truncated file.
     if (std::strstr(text, "Error reading"))
     {
       this->DisplayErrorText(text);
@@ -148,7 +151,7 @@ std::string ViewerMessages::TakeText(const void* callData) const
   std::string text = GetText(callData);
   for (const auto& name : this->Names)
   {
-    // Words start a sentence or are within one.
+    // The term may start a sentence or be within one.
     const std::string start(1, static_cast<char>(std::toupper(name.first.front())));
     for (const std::string& words : { name.first, start + name.first.substr(1) })
     {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ViewerMessages
- * @brief   errors, warnings and progress of VTK objects, as a command-line program tells them
+ * @brief   errors, warnings and progress of VTK objects, as messages of a command-line program
  */
 #ifndef ViewerMessages_h
 #define ViewerMessages_h
@@ -17,44 +17,44 @@
 
 class vtkObject;
 
-/// Bad input or output: what is wrong with it.
+/// Invalid input or output. The text is the cause.
 struct ViewerError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-/// Of files that are too large, or say that they are.
+/// For files that are too large, or whose headers declare too much.
 constexpr const char* NoMemory =
   "not enough memory; the file is damaged, or too large for this machine";
 
 class ViewerMessages
 {
 public:
-  /// VTK's objects that nobody observes say nothing from here on.
+  /// From now on, VTK objects without observers print nothing.
   ViewerMessages();
 
   /**
-   * Collect the errors of an object and pass its warnings on, each once.
+   * Collects the errors of an object and shows its warnings, each once.
    */
   void Observe(vtkObject* object);
 
   /**
-   * As above, and show how far the object's work is, in its own words where it has some.
+   * Also shows the object's progress, with its progress text if it has one.
    */
   void Observe(vtkObject* object, const std::string& work);
 
   /**
-   * Show the progress of an object alone, whose errors the caller collects.
+   * Shows only the progress of an object. The caller collects its errors.
    */
   void ObserveProgress(vtkObject* object, const std::string& work);
 
   /**
-   * Throw the errors of an object as ViewerError where they happen.
+   * Throws the errors of an object as ViewerError at once.
    */
   void ThrowErrorsOf(vtkObject* object);
 
   /**
-   * Of messages from here on: the user's name for what VTK's objects call otherwise, as "input 0".
+   * Replaces a term of VTK's messages, such as "input 0", by the user's name for it from now on.
    */
   void Name(const std::string& words, const std::string& name);
 
@@ -65,22 +65,22 @@ public:
 
   //@{
   /**
-   * Before and after files are read: the second throws also for the first error of an object that
-   * nobody observes. VTK's readers have helpers whose errors they pass over.
+   * Call these before and after files are read. The second also throws for the first error of an
+   * object without observers: VTK's readers ignore errors of their helpers.
    */
   void StartReading();
   void CheckReading();
   //@}
 
   /**
-   * Shows a warning, once. Until ShowWarnings() is called it is kept: it is of no use before an
-   * error, which is the one line that the program ends with.
+   * Shows a warning once. Until ShowWarnings() is called, warnings are stored, because the program
+   * prints only one line if an error follows.
    */
   void Warn(const std::string& text);
   void ShowWarnings();
 
   /**
-   * Keeps a note about a file, less than a warning, until ShowNotes() prints it on stdout.
+   * Stores a note about a file, less than a warning, which ShowNotes() prints on stdout.
    */
   void Tell(const std::string& text);
   void ShowNotes();
@@ -94,7 +94,7 @@ private:
   std::string FirstError;
   std::vector<std::string> Notes;
   std::vector<std::pair<std::string, std::string>> Names;
-  std::set<std::string> Warnings; // shown or kept
+  std::set<std::string> Warnings; // shown or stored
   ViewerProgress Progress;
 };
 

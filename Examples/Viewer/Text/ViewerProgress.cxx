@@ -23,7 +23,7 @@ ViewerProgress::~ViewerProgress()
 void ViewerProgress::Show(const std::string& work)
 {
   this->Work = work;
-  this->LastTime = {}; // its first share is shown at once
+  this->LastTime = {}; // shows the first share at once
   this->Write(work);
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ViewerProgress
- * @brief   how far work is, in one line of a terminal that is gone in the end
+ * @brief   shows progress in one line of a terminal, which is cleared at the end
  *
- * The terminal is stderr; where that is none, nothing is written.
+ * The terminal is stderr. If stderr is not a terminal, nothing is written.
  */
 #ifndef ViewerProgress_h
 #define ViewerProgress_h
@@ -18,13 +18,13 @@ public:
   ViewerProgress();
   ~ViewerProgress();
 
-  /// In place of the line before.
+  /// Replaces the previous line.
   void Show(const std::string& work);
 
-  /// With a share in [0, 1] of the work; ten times a second is often enough.
+  /// Shows a share of work in [0, 1], at most ten times per second.
   void Show(const std::string& work, double share);
 
-  /// Before anything else is written.
+  /// Call this before other output is written.
   void Clear();
 
 private:
@@ -32,7 +32,7 @@ private:
 
   const bool IsTerminal;
   std::string Work;
-  std::size_t Length = 0; // of the line that is seen
+  std::size_t Length = 0; // of the visible line
   std::chrono::steady_clock::time_point LastTime;
 };
 

@@ -29,7 +29,7 @@ std::string FormatNumber(double number, double resolution)
   const int most = 12;
   const double digits = resolution > 0.0 ? std::ceil(-std::log10(resolution)) : most;
   const int decimals = static_cast<int>(std::min<double>(std::max(digits, 0.0), most));
-  // No -0.
+  // Avoids -0.
   const double unit = std::pow(10.0, -decimals);
   std::ostringstream stream;
   stream << std::fixed << std::setprecision(decimals)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   words and numbers, in messages and over a picture
+ * @brief   texts and numbers in messages and over a picture
  */
 #ifndef ViewerText_h
 #define ViewerText_h
@@ -13,10 +13,10 @@
 
 class vtkTextActor;
 
-/// Dark letters on a light ground, to be read over anything; hidden.
+/// Dark letters on a light background, readable over every picture. Hidden at first.
 vtkSmartPointer<vtkTextActor> MakeText();
 
-/// With as many digits as differences of that size are worth.
+/// Formats a number with as many digits as differences of this size need.
 std::string FormatNumber(double number, double resolution);
 
 /// "a, b or c"

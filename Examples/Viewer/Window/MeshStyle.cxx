@@ -10,7 +10,7 @@ vtkStandardNewMacro(MeshStyle);
 //------------------------------------------------------------------------------
 void MeshStyle::OnChar()
 {
-  // VTK's 3 switches to red and blue pictures.
+  // VTK's key 3 switches to red and blue stereo.
   if (this->Interactor->GetKeyCode() != '3')
   {
     this->Superclass::OnChar();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   MeshStyle
- * @brief   turns as VTK's trackball style does, without its stereo mode
+ * @brief   VTK's trackball style without its stereo mode
  */
 #ifndef MeshStyle_h
 #define MeshStyle_h

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   observers that are called while the mouse is dragged, too
+ * @brief   observers that are also called while the mouse is dragged
  *
- * In a drag VTK's interactor styles keep the events that they handle to themselves: those of the
- * mouse, keys and timers. Only passive observers are called then.
+ * During a drag, VTK's interactor styles consume mouse, key and timer events. Only passive
+ * observers are still called.
  */
 #ifndef PassiveObserver_h
 #define PassiveObserver_h

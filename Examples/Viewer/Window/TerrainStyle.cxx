@@ -12,7 +12,7 @@ vtkStandardNewMacro(TerrainStyle);
 //------------------------------------------------------------------------------
 void TerrainStyle::OnChar()
 {
-  // VTK's 3 switches to red and blue pictures.
+  // VTK's key 3 switches to red and blue stereo.
   if (this->Interactor->GetKeyCode() != '3')
   {
     this->Superclass::OnChar();

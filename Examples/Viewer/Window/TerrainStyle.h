@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   TerrainStyle
- * @brief   turns about the vertical as VTK's terrain style does, with the wheel and shift as
- * everywhere, without VTK's stereo mode
+ * @brief   rotates about the vertical axis like VTK's terrain style, with the usual actions of
+ * wheel and shift, and without VTK's stereo mode
  */
 #ifndef TerrainStyle_h
 #define TerrainStyle_h

@@ -11,7 +11,7 @@
 namespace
 {
 const unsigned long Delay = 1; // milliseconds
-// Events that come all the time do not put a frame off for ever.
+// A continuous stream of events must not postpone a frame forever.
 const int MaximumDelays = 10;
 }
 
@@ -61,14 +61,14 @@ void ViewerFrames::OnTimer(int timer)
   {
     return;
   }
-  // VTK 9.1 looks at timers after every event, also if more events wait.
+  // VTK 9.1 handles timers after every event, even if more events wait.
   if (this->Requests > this->Handled && this->Delays < MaximumDelays)
   {
     ++this->Delays;
     this->StartTimer();
     return;
   }
-  // VTK destroys the timer itself.
+  // VTK destroys the timer.
   this->Draw();
 }
 

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ViewerFrames
- * @brief   draws a frame when the events that wait have been handled
+ * @brief   draws a frame after all waiting events
  *
- * VTK draws a frame for every event that changes the view. If frames take long, events queue up:
- * the view lags behind the mouse, and so do keys. Here all requests since the last frame share one.
+ * VTK draws a frame for every event that changes the view. If frames are slow, events queue up, and
+ * the view lags behind the mouse and the keys. Here, all requests since the last frame share one
+ * frame.
  */
 #ifndef ViewerFrames_h
 #define ViewerFrames_h
@@ -15,12 +16,12 @@ class vtkRenderWindowInteractor;
 class ViewerFrames
 {
 public:
-  /// Takes over the interactor's Render(). Is there until the interactor has ended.
+  /// Replaces the interactor's Render(). Must live until the interactor has ended.
   explicit ViewerFrames(vtkRenderWindowInteractor* interactor);
 
-  /// Whether a frame was requested and not drawn yet.
+  /// Whether a requested frame has not been drawn yet.
   bool IsPending() const { return this->Timer > 0; }
-  /// Draws it.
+  /// Draws a requested frame now.
   void Flush();
 
 private:
@@ -32,7 +33,7 @@ private:
   vtkRenderWindowInteractor* Interactor;
   int Timer = 0;    // of the interactor; 0 for none
   int Requests = 0; // since the last frame
-  int Handled = 0;  // requests when the timer was started
+  int Handled = 0;  // number of requests when the timer was started
   int Delays = 0;   // since the last frame
 };
 

@@ -18,7 +18,7 @@ ViewerHelp::ViewerHelp(vtkRenderWindowInteractor* interactor, vtkRenderer* rende
   : Text(MakeText())
 {
   this->Text->SetInput(GetWindowUsage());
-  this->Text->GetTextProperty()->SetFontFamilyToCourier(); // columns
+  this->Text->GetTextProperty()->SetFontFamilyToCourier(); // aligns the columns
   this->Text->GetTextProperty()->SetBackgroundOpacity(0.9);
   renderer->AddViewProp(this->Text);
   interactor->AddObserver(vtkCommand::KeyPressEvent, this, &ViewerHelp::OnKey);

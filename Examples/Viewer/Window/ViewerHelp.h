@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ViewerHelp
- * @brief   what mouse and keys do, over the picture and away again with h
+ * @brief   shows or hides the mouse actions and keys over the picture with h
  */
 #ifndef ViewerHelp_h
 #define ViewerHelp_h
@@ -18,7 +18,7 @@ class vtkTextActor;
 class ViewerHelp
 {
 public:
-  /// Is there until the interactor has ended.
+  /// Must live until the interactor has ended.
   ViewerHelp(vtkRenderWindowInteractor* interactor, vtkRenderer* renderer);
   ~ViewerHelp();
 

@@ -14,7 +14,7 @@ class ViewerScene;
 class ViewerKeys
 {
 public:
-  /// Is there until the interactor has ended.
+  /// Must live until the interactor has ended.
   ViewerKeys(vtkRenderWindowInteractor* interactor, ViewerScene& scene);
 
 private:

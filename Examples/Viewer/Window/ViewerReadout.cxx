@@ -27,8 +27,8 @@ const int ReadoutMargin = 10;    // pixels
 const unsigned long Delay = 100; // milliseconds
 const double FastFrame = 0.05;   // seconds
 
-// What was drawn last in a pixel, by its depth: the refined and displaced surface, at the cost of
-// reading one pixel. False for nothing.
+// Finds the visible point in a pixel from its depth, which includes refinement and displacement and
+// costs reading one pixel. Returns false for the background.
 bool GetDrawnPoint(vtkRenderer* renderer, const int pixel[2], double point[3])
 {
   const int* size = renderer->GetSize();
@@ -37,7 +37,7 @@ bool GetDrawnPoint(vtkRenderer* renderer, const int pixel[2], double point[3])
     return false;
   }
   const double depth = renderer->GetZ(pixel[0], pixel[1]);
-  // Words over the picture are at 0, the sky is at 1.
+  // Texts over the picture have depth 0, the background has depth 1.
   if (!(depth > 0.0 && depth < 1.0))
   {
     return false;
@@ -56,7 +56,7 @@ bool GetDrawnPoint(vtkRenderer* renderer, const int pixel[2], double point[3])
   return std::isfinite(point[0] + point[1] + point[2]);
 }
 
-// The length of a pixel there.
+// The length that a pixel covers at this point.
 double GetResolution(vtkRenderer* renderer, const double point[3])
 {
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -128,7 +128,7 @@ void ViewerReadout::OnTimer(int timer)
   this->Timer = 0;
   if (this->Frames.IsPending())
   {
-    return; // The frame starts the timer again.
+    return; // The next frame starts the timer again.
   }
   const std::string text = this->Describe();
   const bool isShown = !text.empty();

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ViewerReadout
- * @brief   what is under the mouse: in the lower left corner, and with c on standard output
+ * @brief   shows values under the mouse in the lower left corner, and prints them with c
  *
- * It follows the mouse and the view, in drags too. If frames are slow, it waits until both rest,
- * because it needs a frame of its own.
+ * It follows the mouse and the view, also during drags. If frames are slow, it waits until both
+ * rest, because it needs an additional frame.
  */
 #ifndef ViewerReadout_h
 #define ViewerReadout_h
@@ -24,7 +24,7 @@ class ViewerScene;
 class ViewerReadout
 {
 public:
-  /// Is there until the interactor has ended.
+  /// Must live until the interactor has ended.
   ViewerReadout(vtkRenderWindowInteractor* interactor, ViewerFrames& frames, ViewerScene& scene);
   ~ViewerReadout();
 
@@ -35,14 +35,14 @@ private:
   void OnFrame(vtkObject* caller, unsigned long event, void* data);
   void OnTimer(int timer);
   void OnKey(vtkObject* caller, unsigned long event, void* data);
-  /// Empty where there is nothing.
+  /// Empty if there is nothing under the mouse.
   std::string Describe();
 
   vtkRenderWindowInteractor* Interactor;
   ViewerFrames& Frames;
   ViewerScene& Scene;
   vtkSmartPointer<vtkTextActor> Text;
-  int Timer = 0; // of the interactor, until the next update; 0 for none
+  int Timer = 0; // of the interactor until the next update; 0 for none
 };
 
 #endif

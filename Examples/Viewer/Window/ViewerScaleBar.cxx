@@ -21,7 +21,7 @@
 
 namespace
 {
-// Pixels.
+// In pixels.
 const int ScaleBarMargin = 16;
 const int Tick = 5;
 const double LongestShare = 0.2; // of the picture's width

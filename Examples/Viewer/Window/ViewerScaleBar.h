@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ViewerScaleBar
- * @brief   a bar of a round length, as long as things are across the picture where the camera looks
+ * @brief   a bar with a round length at the scale of the camera's focal point
  */
 #ifndef ViewerScaleBar_h
 #define ViewerScaleBar_h
@@ -19,17 +19,18 @@ class vtkPoints;
 class vtkRenderer;
 class vtkTextActor;
 
-/// The length at the camera's focal point that is as long as a pixel of a picture of that height.
+/// The length at the camera's focal point that one pixel covers in a picture of this height.
 double GetPixelLength(vtkCamera* camera, int height);
 
-/// The largest of 1, 2 and 5 times a power of ten that is no more than a length above 0.
+/// The largest number of the form 1, 2 or 5 times a power of ten that does not exceed a positive
+/// length.
 double GetRoundLength(double longest);
 
 class ViewerScaleBar
 {
 public:
-  /// In the lower right corner. Lengths in metres ("m") or in a unit without a name (""). Is
-  /// there until the renderer has drawn its last frame.
+  /// Shows the bar in the lower right corner, in metres ("m") or in an unnamed unit (""). Must live
+  /// until the renderer's last frame.
   ViewerScaleBar(vtkRenderer* renderer, const std::string& unit);
   ~ViewerScaleBar();
 

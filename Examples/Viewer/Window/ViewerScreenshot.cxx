@@ -48,7 +48,7 @@ void ViewerScreenshot::OnKey(vtkObject* caller, unsigned long, void*)
   }
   catch (const ViewerError& error)
   {
-    // The window stays.
+    // The window stays open.
     WriteMessage("warning", error.what());
   }
 }
@@ -65,7 +65,7 @@ void ViewerScreenshot::Write(vtkRenderWindow* window, const std::string& fileNam
     {
       words->SetVisibility(hasWords);
     }
-    // Without words the frame stays off the screen.
+    // If texts are hidden for the picture, the frame must not appear on the screen.
     window->SetSwapBuffers(hasWords);
     window->Render();
   };
@@ -76,7 +76,7 @@ void ViewerScreenshot::Write(vtkRenderWindow* window, const std::string& fileNam
   std::exception_ptr error;
   try
   {
-    // Another window may have taken the name by now.
+    // Another window may have created the file in the meantime.
     WritePicture(window, fileName, this->Messages, relevo::AtomicFile::OldFile::Keep);
   }
   catch (const ViewerError&)

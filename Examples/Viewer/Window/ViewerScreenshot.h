@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ViewerScreenshot
- * @brief   saves a picture of the scene into a new file with i
+ * @brief   saves a picture of the scene to a new file with i
  */
 #ifndef ViewerScreenshot_h
 #define ViewerScreenshot_h
@@ -20,9 +20,9 @@ class vtkProp;
 class ViewerScreenshot
 {
 public:
-  /// Files are named after the input, in the folder that the program was called from, and numbered:
-  /// none is overwritten. Their names go to standard output. Props that are words of the window are
-  /// not in the pictures. Is there until the interactor has ended.
+  /// Files are numbered and named after the input, in the current folder, and no file is
+  /// overwritten. Their names are printed on standard output. Texts of the window are left out.
+  /// Must live until the interactor has ended.
   ViewerScreenshot(vtkRenderWindowInteractor* interactor, ViewerFrames& frames,
     const std::string& input, const std::vector<vtkProp*>& words, ViewerMessages& messages);
 

@@ -28,20 +28,20 @@
 namespace
 {
 /**
- * A connection to the display, by a window that is never shown. It stays open until the program's
- * own window is closed: some X servers reset when their last client leaves, and then refuse the
- * next one. The program's own window cannot be asked for its screen before it has an interactor: it
- * would own the connection, and close it while VTK 9.1's interactor still uses it.
+ * A connection to the display by a window that is never shown. It stays open until the program's
+ * window is closed, because some X servers reset when their last client disconnects, and then
+ * refuse the next one. The program's window cannot query the screen before it has an interactor: it
+ * would own the connection and close it while VTK 9.1's interactor still uses it.
  */
 class DisplayConnection
 {
 public:
   explicit DisplayConnection(ViewerMessages& messages)
   {
-    // Errors end the program at once, for VTK ends it after its message that it cannot connect.
+    // Errors end the program at once, because VTK would exit after its message.
     messages.ThrowErrorsOf(this->Window);
     this->Window->GetScreenSize();
-    // VTK 9.4 and later make a window without display of it instead.
+    // VTK 9.4 and later create a window without a display instead.
     if (!this->Window->GetShowWindow())
     {
       throw ViewerError("cannot reach DISPLAY=" + std::string(std::getenv("DISPLAY")) +
@@ -53,15 +53,14 @@ private:
   vtkNew<vtkRenderWindow> Window;
 };
 
-// A terrain has a vertical; a mesh is turned in the hand.
+// A terrain has a vertical axis, a mesh rotates freely.
 vtkSmartPointer<vtkInteractorStyle> MakeStyle(bool isTerrain)
 {
   return vtkSmartPointer<vtkInteractorStyle>::Take(
     isTerrain ? static_cast<vtkInteractorStyle*>(TerrainStyle::New()) : MeshStyle::New());
 }
 
-// Events that wait are those of a window that will be gone: the X server ends programs that ask
-// where the mouse is in it.
+// Removes waiting events of a closed window: the X server ends programs that query the mouse in it.
 void Leave(vtkObject* caller, unsigned long, void*, void*)
 {
   auto* interactor = static_cast<vtkRenderWindowInteractor*>(caller);

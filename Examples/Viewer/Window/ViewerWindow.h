@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   a scene in a window, to be turned and asked
+ * @brief   shows a scene in an interactive window
  */
 #ifndef ViewerWindow_h
 #define ViewerWindow_h
@@ -10,10 +10,10 @@ struct ViewerOptions;
 class ViewerMessages;
 class ViewerScene;
 
-/// Whether DISPLAY names one.
+/// Whether DISPLAY names a display.
 bool HasDisplay();
 
-/// Shows the scene until the window is closed; throws ViewerError.
+/// Shows the scene until the window is closed. Throws ViewerError.
 void ShowWindow(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& messages);
 
 #endif
