@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkAdaptiveRefinementFilter
- * @brief   refine a coarse surface on the CPU, as a recipe describes
+ * @brief   refine a coarse surface on the CPU according to a recipe
  *
  * This filter creates the same triangles as vtkAdaptiveRefinementMapper for the same recipe. Points
  * agree to float accuracy. The output is a vtkPolyData that you can save, measure and filter
@@ -31,8 +31,8 @@
  * normals are removed if the surface is curved or displaced. Global cell ids become an ordinary
  * array.
  *
- * If a displacement has holes, triangles over missing data are removed. Unused points are then
- * removed too, and also if some points are not finite.
+ * If a displacement has holes, triangles over missing data are removed. In that case, and if some
+ * points are not finite, unused points are removed too.
  *
  * Ghost cells that duplicate cells of another piece (DUPLICATECELL) are used as neighbours. They
  * are not part of the output, nor are points that only they use.

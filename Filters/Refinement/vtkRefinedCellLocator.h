@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkRefinedCellLocator
- * @brief   intersect lines with a refined surface and find its nearest points, without refining all
- * of it
+ * @brief   find intersections and nearest points of a refined surface without building it
  *
  * This cell locator takes a coarse vtkPolyData, see SetDataSet(), and searches its refined and
  * displaced surface. Results lie on the surface that vtkAdaptiveRefinementFilter would create. Cell
@@ -139,7 +138,7 @@ public:
   /**
    * Find the point of the refined surface, or of vertices and lines, that is nearest to x, with its
    * squared distance and its coarse cell. The cell id is -1 if nothing is found. `inside` is 1 if
-   * the point is not on the border of its coarse cell.
+   * the point is not on the border of its coarse triangle. Polygons are split into triangles.
    */
   void FindClosestPoint(const double x[3], double closestPoint[3], vtkGenericCell* cell,
     vtkIdType& cellId, int& subId, double& dist2) override;

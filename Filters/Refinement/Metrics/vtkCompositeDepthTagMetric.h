@@ -20,8 +20,6 @@
  *
  * Computing tags fails with an error if there are no metrics or if one of them fails.
  *
- * Errors when tags are computed: no metrics; a metric that fails, after its own error.
- *
  * @sa vtkDepthTagFilter vtkAdaptiveRefinement vtkDepthTagMetric
  */
 #ifndef vtkCompositeDepthTagMetric_h

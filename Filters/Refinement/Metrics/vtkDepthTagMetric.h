@@ -101,10 +101,10 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * Fill `tags` with one level per edge of `mesh`, in the order of `edges`, each finite and in [0,
-   * maximumLevel]. A tag must depend only on its edge. `edges` must be the edges of `mesh`. Returns
-   * false after reporting an error. The default implementation uses an evaluator, or else the mean
-   * of the tags of the edge's two merged points.
+   * Fill `tags` with one level per edge of `mesh`, in the order of `edges`, each finite and in
+   * [0, maximumLevel]. A tag must depend only on its edge. `edges` must be the edges of `mesh`.
+   * Returns false after reporting an error. The default implementation uses an evaluator, or else
+   * the mean of the tags of the edge's two merged points.
    */
   virtual bool ComputeEdgeTags(vtkPolyData* mesh, const relevo::RefinementView& view,
     int maximumLevel, const relevo::SurfaceEdges& edges, vtkFloatArray* tags);

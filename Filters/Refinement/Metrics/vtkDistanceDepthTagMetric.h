@@ -30,10 +30,10 @@
  * of the viewport. The view angle is also used with a parallel camera, although its image does not
  * shrink with the distance.
  *
- * Measure selects the points that x is measured to. With CENTROIDS, x is measured to the centroids
- * of the triangles (polygons are split into fans), and a point has the largest level of its
- * triangles. With the rule PER_EDGE, an edge has the level of its nearer end or of its nearer
- * triangle.
+ * Measure selects the points that x is measured to. With VERTICES, they are the points of the mesh.
+ * With CENTROIDS, they are the centroids of the triangles (polygons are split into fans), and a
+ * point has the largest level of its triangles. With the rule PER_EDGE, an edge has the level of
+ * its nearer end or of its nearer triangle.
  *
  * CONTROL_POINTS is for surfaces from vtkPatchSurfaceFilter. All triangles of a patch use the
  * smallest distance to its control points, as in Nellmeldin 2013 for curves, and points and edges
@@ -122,7 +122,7 @@ public:
    * Set the distance from the camera beyond which nothing is refined, in world units. With 0, the
    * default, it is derived from ReferenceLength. If that is 0 too, it is three times the diagonal
    * of the faces' bounding box in world units, so that a view of the whole mesh is refined
-   * moderately and close-ups are refined more. Negative and infinite values are rejected with an
+   * moderately and close-ups are refined more. Negative and non-finite values are rejected with an
    * error.
    */
   void SetMaximumDistance(double distance);

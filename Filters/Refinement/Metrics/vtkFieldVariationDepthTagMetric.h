@@ -58,8 +58,9 @@ public:
 
   //@{
   /**
-   * Set the variation up to which the level is 0, in [0, 1]. The default is 0. Values out of range
-   * are rejected with an error. A minimum above the maximum is an error when tags are computed.
+   * Set the variation at and below which the level is 0, in [0, 1]. The default is 0. Values out of
+   * range are rejected with an error. A minimum above the maximum is an error when tags are
+   * computed.
    */
   void SetMinimumVariation(double variation);
   vtkGetMacro(MinimumVariation, double);
@@ -67,9 +68,9 @@ public:
 
   //@{
   /**
-   * Set the variation from which on the level is MaximumLevel, in [0, 1]. The default is 0. If both
-   * thresholds are 0, the maximum is automatic: 95 % of the edges do not exceed it, and it is at
-   * least 1e-6. Values out of range are rejected with an error.
+   * Set the variation at and above which the level is MaximumLevel, in [0, 1]. The default is 0. If
+   * both thresholds are 0, the maximum is automatic: 95 % of the edges do not exceed it, and it is
+   * at least 1e-6. Values out of range are rejected with an error.
    */
   void SetMaximumVariation(double variation);
   vtkGetMacro(MaximumVariation, double);
@@ -77,9 +78,9 @@ public:
 
   //@{
   /**
-   * Set the magnitude from which on vectors are missing values ("no data"): a vector is a missing
-   * value if a component has at least this absolute value. The default is 1e8. Arrays of one
-   * component are not affected. Values of 0 or less are rejected with an error.
+   * Set the magnitude at and above which vectors are missing values ("no data"): a vector is a
+   * missing value if a component has at least this absolute value. The default is 1e8. Arrays of
+   * one component are not affected. Values of 0 or less are rejected with an error.
    */
   void SetNoDataMagnitude(double magnitude);
   vtkGetMacro(NoDataMagnitude, double);

@@ -68,7 +68,7 @@ public:
   //@{
   /**
    * Set the radius of the ball, in world units. The default is 0: there is no ball. Negative and
-   * infinite values are rejected with an error.
+   * non-finite values are rejected with an error.
    */
   void SetRadius(double radius);
   vtkGetMacro(Radius, double);
@@ -77,7 +77,7 @@ public:
   //@{
   /**
    * Set the distance from the region at which the level reaches 0, in world units. The default of 0
-   * means a tenth of the diagonal of the faces' bounding box. Negative and infinite values are
+   * means a tenth of the diagonal of the faces' bounding box. Negative and non-finite values are
    * rejected with an error.
    */
   void SetFallOff(double distance);

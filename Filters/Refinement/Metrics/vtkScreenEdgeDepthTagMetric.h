@@ -21,8 +21,8 @@
  * a perspective camera, edges are first clipped at the near plane. With a parallel camera, edges
  * are not clipped. Points without triangles have level 0.
  *
- * With SetMeasureToSphereDiameter(), d is the projected diameter of the sphere around the edge: |b
- * - a| / |m| times the pixels of a unit length at distance 1, with m the vector from the eye to the
+ * With SetMeasureToSphereDiameter(), d is the projected diameter of the sphere around the edge: the
+ * pixels of a unit length at distance 1, times |b - a| / |m|, with m the vector from the eye to the
  * edge's midpoint. With a parallel camera, it is the length in pixels of the edge seen from the
  * side. Edges seen end-on, where displaced or curved points may rise, are then refined too, which
  * matters most with the rule PER_EDGE. Edges beside or behind the eye have a finite d, which

@@ -48,8 +48,8 @@ public:
 
   //@{
   /**
-   * Set the spread of normals from which on a silhouette has MaximumLevel, in degrees, 0.01 to 180.
-   * The default is 30. Values out of range are rejected with an error.
+   * Set the spread of normals at and above which a silhouette has MaximumLevel, in degrees, 0.01 to
+   * 180. The default is 30. Values out of range are rejected with an error.
    */
   void SetMaximumSpread(double degrees);
   vtkGetMacro(MaximumSpread, double);

@@ -4,9 +4,9 @@
  * @class   vtkRefinementPatternSource
  * @brief   show one refinement pattern as polygonal data
  *
- * The output is that of vtkRefinementPatternTable::GetPattern() for Levels: points at (u, v, w) ->
- * (v, w, 0), counter-clockwise triangles, and the barycentric coordinates in the point array
- * "Barycentrics" (three float components).
+ * The output is that of vtkRefinementPatternTable::GetPattern() for Levels: points at
+ * (u, v, w) -> (v, w, 0), counter-clockwise triangles, and the barycentric coordinates in the point
+ * array "Barycentrics" (three float components).
  *
  * @sa vtkRefinementPatternTable
  */
@@ -28,9 +28,9 @@ public:
 
   //@{
   /**
-   * Set the levels of the edges P1P2, P2P3 and P3P1, in any order, each 0 to 7. The default is (0,
-   * 0, 0), the undivided triangle. Levels out of range are rejected with an error. A level above
-   * the table's MaximumLevel is an error in the update.
+   * Set the levels of the edges P1P2, P2P3 and P3P1, in any order, each 0 to 7. The default is
+   * (0, 0, 0), the undivided triangle. Levels out of range are rejected with an error. A level
+   * above the table's MaximumLevel is an error in the update.
    */
   void SetLevels(int i, int j, int k);
   void SetLevels(const int levels[3]) { this->SetLevels(levels[0], levels[1], levels[2]); }

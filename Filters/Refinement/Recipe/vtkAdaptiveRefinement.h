@@ -164,9 +164,9 @@ public:
 
   //@{
   /**
-   * Set the magnitude from which on vectors are missing values ("no data"). A vector, which is a
-   * tuple of 2 or 3 components, is a missing value if a component has at least this absolute value,
-   * as in (-1e9, 0, 0). The default is 1e8. Infinity turns this off. Values of 0 or less are
+   * Set the magnitude at and above which vectors are missing values ("no data"). A vector, which is
+   * a tuple of 2 or 3 components, is a missing value if a component has at least this absolute
+   * value, as in (-1e9, 0, 0). The default is 1e8. Infinity turns this off. Values of 0 or less are
    * rejected with an error. Non-finite vectors and numbers are always missing values. If one of the
    * points that point data are interpolated from has a missing value, the result is NaN, or in
    * integer arrays the value of the nearest of these points. Input points keep their values.

@@ -10,10 +10,10 @@
  * rebuilt. Shading normals follow the height gradient.
  *
  * If there is a height map, the mesh must have texture coordinates. Missing point normals are
- * computed if they are needed. At a texture seam, both sides use the height of the corner with
- * the lower point id. At split normals, both sides move along the mean normal. A mesh
- * with split normals is displaced along linearly interpolated normals everywhere, even if the
- * surface has quadratic normals.
+ * computed if they are needed. At a texture seam, both sides use the height of the corner with the
+ * lower point id. At split normals, both sides move along the mean normal. A mesh with split
+ * normals is displaced along linearly interpolated normals everywhere, even if the surface has
+ * quadratic normals.
  *
  * @sa vtkHeightField vtkHeightMap vtkAdaptiveRefinement
  */

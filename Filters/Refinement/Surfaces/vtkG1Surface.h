@@ -10,13 +10,13 @@
  *
  * The curves of the edges are those of vtkPNTriangleSurface. Along an edge from P0 to P1, let W(t)
  * be the curve's derivative, a quadratic Bezier curve with points W0, W1, W2. Let A(t) be the
- * quadratic Bezier curve with points A0 = N0 x W0 / |N0 x W0|, A2 = N1 x W2 / |N1 x W2| and A1 =
- * (A0 + A2) / |A0 + A2|. The patch's derivative across the edge is l(t) W(t) + m(t) A(t), where l
- * and m are linear and match the curves of the other two edges at the ends. The tangent plane
- * therefore depends only on the edge. Each edge determines two inner points of a quartic patch. The
- * two inner points near a corner, from different edges, are blended with w1 / (w1 + w2) and w2 /
- * (w1 + w2), where w1 and w2 are the weights of the corners at the other ends of these edges
- * (Gregory's rational blending).
+ * quadratic Bezier curve with points A0 = N0 x W0 / |N0 x W0|, A2 = N1 x W2 / |N1 x W2| and
+ * A1 = (A0 + A2) / |A0 + A2|. The patch's derivative across the edge is l(t) W(t) + m(t) A(t),
+ * where l and m are linear and match the curves of the other two edges at the ends. The tangent
+ * plane therefore depends only on the edge. Each edge determines two inner points of a quartic
+ * patch. The two inner points near a corner, from different edges, are blended with w1 / (w1 + w2)
+ * and w2 / (w1 + w2), where w1 and w2 are the weights of the corners at the other ends of these
+ * edges (Gregory's rational blending).
  *
  * Sources: D. Walton, D. Meek, "A triangular G1 patch from boundary curves", Computer-Aided Design
  * 28, 1996. C. Fuenfzig, K. Mueller, D. Hansford, G. Farin, "PNG1 triangles for tangent plane

@@ -5,11 +5,12 @@
  * @brief   Phong tessellation: a quadratic patch per coarse triangle, cheaper than PN triangles
  *
  * Source: T. Boubekeur, M. Alexa, "Phong Tessellation", SIGGRAPH Asia 2008. A point p of the plane
- * triangle is projected to the tangent planes of the three corners: p_i = p - ((p - P_i) . N_i)
- * N_i. With p* the mean of the projections, weighted by the barycentric weights, the point of the
- * surface is p + Alpha (p* - p). Normals are interpolated linearly. The surface interpolates the
- * coarse points and is closed along creases, where the patches of both sides share one border. It
- * is less smooth than the cubic patches of vtkPNTriangleSurface: silhouettes show the coarse edges.
+ * triangle is projected to the tangent planes of the three corners:
+ * p_i = p - ((p - P_i) . N_i) N_i. With p* the mean of the projections, weighted by the barycentric
+ * weights, the point of the surface is p + Alpha (p* - p). Normals are interpolated linearly. The
+ * surface interpolates the coarse points and is closed along creases, where the patches of both
+ * sides share one border. It is less smooth than the cubic patches of vtkPNTriangleSurface:
+ * silhouettes show the coarse edges.
  *
  * The point normals of the input are used. Missing normals are computed from the faces.
  *

@@ -72,7 +72,7 @@ public:
   virtual int GetNumberOfPointValues() { return 0; }
 
   /**
-   * Return how many of these values, from the first on, the shader uses, 0 to 4.
+   * Return how many of these values the shader uses, starting with the first, 0 to 4.
    */
   virtual int GetNumberOfShaderValues() { return 0; }
 

@@ -22,13 +22,13 @@
  * - Sharpness in [0, 1] moves the edge back towards its chord, with s = sigma (1 - a). Without a
  *   direction, a = 0, hx = h and x = t, and a sharpness of 1 makes the point the tip of a cone (a
  *   cusp). With a direction, D is the unit vector of Delta's part perpendicular to Ni, and
- *   x = t - (t . D) D is the part of t perpendicular to D. The share a = max(0, 1 - 2 |x|^2 /
- * |t|^2) measures how far the edge runs along Delta: 1 for an edge along Delta, 0 for an angle of
- * 45 degrees or more. hx = h + (t . D) (Nj . D) / max(1 + Ni . Nj, 0.1) is the edge's height minus
- *   the height of a circular arc along Delta that turns as the normals do. Edges along Delta
- *   therefore stay smooth, while the others meet at an angle, as on the two sides of a roof: a
- *   crease. To make a long crease, tag a line of points with the direction of the line. The crease
- *   of a single point fades towards its neighbours.
+ *   x = t - (t . D) D is the part of t perpendicular to D. The share
+ *   a = max(0, 1 - 2 |x|^2 / |t|^2) measures how far the edge runs along Delta: 1 for an edge along
+ *   Delta, 0 for an angle of 45 degrees or more. hx = h + (t . D) (Nj . D) / max(1 + Ni . Nj, 0.1)
+ *   is the edge's height minus the height of a circular arc along Delta that turns as the normals
+ *   do. Edges along Delta therefore stay smooth, while the others meet at an angle, as on the two
+ *   sides of a roof: a crease. To make a long crease, tag a line of points with the direction of
+ *   the line. The crease of a single point fades towards its neighbours.
  *
  * The centre of a patch is computed from the edges as in PN triangles. Normals are quadratic as in
  * PN triangles, from one normal per edge at each corner. This normal is perpendicular to T and,

@@ -1,12 +1,12 @@
 // Functions shared by view-dependent metrics. GLSL and C++.
 //
 // The including code provides vec4 metricParameters[10], see MetricShader.h:
-//     0, 1        the camera's position in the mesh's coordinates, relative to the points' origin, as
-//                 the sum of two floats; w of 0: the maximum level; w of 1: 1 for a parallel camera
-//     2 to 4      rows: from there to a point along the world's axes, in units of the metric
-//     5           unit vector opposite to the direction of a parallel camera, along the world's axes
-//     6 to 8      rows: from normals of the mesh to the world's axes
-//     9           additional values of the metric
+//   0, 1        the camera's position in the mesh's coordinates, relative to the points' origin, as
+//               the sum of two floats; w of 0: the maximum level; w of 1: 1 for a parallel camera
+//   2 to 4      rows: from there to a point along the world's axes, in units of the metric
+//   5           unit vector opposite to the direction of a parallel camera, along the world's axes
+//   6 to 8      rows: from normals of the mesh to the world's axes
+//   9           additional values of the metric
 
 #ifndef RELEVO_UNUSED
 #define RELEVO_UNUSED
