@@ -55,8 +55,7 @@ public:
   struct Node
   {
     FaceBox Box;
-    int
-      First; // leaf: first face in the order; inner node: second child (the first follows the node)
+    int First; // leaf: first face in the order; inner node: second child (the first one follows)
     int Count; // number of faces; 0 for inner nodes
   };
   const std::vector<Node>& GetNodes() const { return this->Nodes; }

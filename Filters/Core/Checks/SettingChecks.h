@@ -164,8 +164,8 @@ inline void SetPixelSize(
 }
 
 /**
- * Set the magnitude from which on numbers are missing values. It must be positive; infinity turns
- * this off.
+ * Set the magnitude at and above which numbers are missing values. It must be positive; infinity
+ * turns this off.
  */
 inline void SetNoDataMagnitude(vtkObject* object, double& setting, double magnitude)
 {

@@ -15,7 +15,7 @@ namespace relevo
 {
 /**
  * While there are temporary files, SIGINT, SIGTERM and SIGHUP remove them before they end the
- * process. From the first file on, SIGXFSZ is ignored, so that writing fails with an error: a
+ * process. Once a file has been added, SIGXFSZ is ignored, so that writing fails with an error: a
  * writer may flush data long after its file is gone. Only signals with their default action are
  * handled, so that the application's handlers remain. Thread-safe.
  */

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   DisjointSets
- * @brief   union-find: disjoint sets of the numbers from 0 on
+ * @brief   union-find: disjoint sets of the numbers 0, 1, 2, ...
  */
 #ifndef DisjointSets_h
 #define DisjointSets_h

@@ -14,7 +14,7 @@
  * - PatchInnerBorders (optional): borders that are not edges of their cell, for example where a
  *   polygon is split into triangles. The bits are 1: v = 0, 2: u = 0, 4: v = 1 (quadrilaterals) or
  *   u + v = 1 (triangles), and 8: u = 1.
- * - PatchNodes:NAME, for point arrays NAME: their Bézier coefficients, in the same basis
+ * - PatchNodes:NAME, for point arrays NAME: their Bézier coefficients, in the same basis.
  *
  * The cell arrays have one tuple per triangle of the mesh:
  * - PatchIds: the index of the patch.

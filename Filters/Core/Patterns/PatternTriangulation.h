@@ -67,9 +67,8 @@ private:
   void Legalize();
   void LegalizeSide(int triangle, int side);
 
-  std::vector<int> TriangleOfVertex; // one triangle at each vertex
-  std::vector<std::pair<int, int>>
-    Suspects; // triangle, and the vertex opposite to the side to check
+  std::vector<int> TriangleOfVertex;         // one triangle at each vertex
+  std::vector<std::pair<int, int>> Suspects; // triangle, vertex opposite to the side to check
 };
 }
 

@@ -25,8 +25,8 @@
 namespace relevo
 {
 /**
- * Return the pattern with `n1 >= n2 >= n3` segments on edges 1, 2 and 3, each in [1,
- * MaximumNumberOfSegments].
+ * Return the pattern with `n1 >= n2 >= n3` segments on edges 1, 2 and 3, each in
+ * [1, MaximumNumberOfSegments].
  */
 RefinementPattern GeneratePattern(int n1, int n2, int n3);
 

@@ -118,7 +118,7 @@ private:
   std::vector<PointCopy> Copies;
   std::vector<vtkIdType> CornerCopies; // by use, -1 for none; empty without copies
   std::vector<vtkIdType>
-    FirstEdgeCopies; // index into EdgeCopies by use, -1 for none; empty without copies
+    FirstEdgeCopies;                 // by use, into EdgeCopies; -1 for none; empty without copies
   std::vector<vtkIdType> EdgeCopies; // all points inside an edge, copied or not
 
   vtkIdType NumberOfPoints = 0;

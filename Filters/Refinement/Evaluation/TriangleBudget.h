@@ -52,7 +52,7 @@ public:
     const unsigned char* Hidden = nullptr;
   };
 
-  /// Offsets are multiples of 1 / Resolution of a level.
+  /// Offsets are found with a precision of 1 / Resolution levels.
   static constexpr int Resolution = 1024;
 
   /// The fraction by which the result may exceed the target, if that is nearer.

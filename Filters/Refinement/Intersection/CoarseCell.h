@@ -21,7 +21,7 @@ struct SurfaceHit;
 
 /**
  * Get the type of a cell (VTK_EMPTY_CELL if it has too few points), its points, or the cell. Unlike
- * the methods of vtkPolyData, these accept cells that refinement skips and are thread-safe.
+ * the methods of vtkPolyData, these functions accept cells of any type and are thread-safe.
  */
 //@{
 RELEVOFILTERSREFINEMENT_EXPORT int GetCellType(vtkPolyData* input, vtkIdType cellId);

@@ -58,7 +58,6 @@ public:
 
   /// The metric, which lives at least as long as its evaluators.
   vtkDepthTagMetric* GetMetric() const { return this->Metric; }
-  /// The mesh, as it is.
   MetricMesh& GetMesh() const { return *this->Mesh; }
 
 protected:

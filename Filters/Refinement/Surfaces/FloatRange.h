@@ -22,8 +22,8 @@ namespace relevo
 constexpr double LargestLength = 1e30;
 
 /**
- * Return which of the live settings moves points too far, as a clause, or an empty string. The
- * height map must be up to date.
+ * Return which of the settings that are shader uniforms moves points too far, as a clause, or an
+ * empty string. The height map must be up to date.
  */
 RELEVOFILTERSREFINEMENT_EXPORT std::string FindRangeError(
   vtkRefinementSurface* surface, vtkDisplacement* displacement);

@@ -29,7 +29,7 @@ public:
 
   /**
    * Compute the vectors of the face: first the positions, then the normals. The vectors of the
-   * face's edges are known. Write to `edgeNormals` to replace their normals in this face.
+   * face's edges have been computed. Write to `edgeNormals` to replace their normals in this face.
    */
   virtual void ComputeFaceVectors(const SurfaceFace&, float*, float* /*edgeNormals*/[3]) {}
 
