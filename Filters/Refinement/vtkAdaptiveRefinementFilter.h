@@ -10,8 +10,9 @@
  *
  * The input is a vtkPolyData with polygons of any size and triangle strips. Polygons are split into
  * triangle fans, as VTK's mappers do. Vertices and lines are passed through unchanged. Where a
- * displacement moves a face's points, vertices and lines get separate points. Triangles with
- * coincident corners or non-finite coordinates are skipped, and a warning gives their number.
+ * displacement moves a face's points, vertices and lines get separate points. Polygons with fewer
+ * than three points and triangles with coincident corners or non-finite coordinates are skipped,
+ * and a warning gives their number.
  *
  * The output triangles keep the winding of their coarse cells. Input points come first. Triangles
  * share points where the input's cells do. If the surface has several normals at a point (sharp

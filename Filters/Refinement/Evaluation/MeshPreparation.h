@@ -41,7 +41,7 @@ RELEVOFILTERSREFINEMENT_EXPORT std::string MakeError(const std::string& reason);
 
 /**
  * Return a warning for the user about settings of the recipe that have no effect. Returns an empty
- * string if there are none or if the warning equals `last`, which is then updated.
+ * string if there are none or if the warning equals `last`. `last` is set to the current warning.
  */
 RELEVOFILTERSREFINEMENT_EXPORT std::string FindNewWarning(
   vtkAdaptiveRefinement* recipe, std::string& last);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the time of the latest change of a view, as far as a metric depends on it
+ * @brief   the time when the view of a metric last changed
  */
 #ifndef ViewTime_h
 #define ViewTime_h

@@ -89,8 +89,8 @@ public:
   //@{
   /**
    * Set the absolute curvature at and below which the level is 0, in units of the mesh (Gaussian
-   * 1/length^2, mean 1/length). The default is 0. Negative and non-finite values are rejected with
-   * an error. A minimum above the maximum is an error when tags are computed.
+   * 1/length^2, mean 1/length). The default is 0. Values that are negative or not finite as floats
+   * are rejected with an error. A minimum above the maximum is an error when tags are computed.
    */
   void SetMinimumCurvature(double curvature);
   vtkGetMacro(MinimumCurvature, double);
@@ -99,8 +99,8 @@ public:
   //@{
   /**
    * Set the absolute curvature at and above which the level is MaximumLevel, in units of the mesh
-   * (Gaussian 1/length^2, mean 1/length). Negative and non-finite values are rejected with an
-   * error.
+   * (Gaussian 1/length^2, mean 1/length). Values that are negative or not finite as floats are
+   * rejected with an error.
    *
    * The default is 0. If both thresholds are 0, they are computed from Quantiles.
    */

@@ -122,8 +122,8 @@ public:
    * Set the distance from the camera beyond which nothing is refined, in world units. With 0, the
    * default, it is derived from ReferenceLength. If that is 0 too, it is three times the diagonal
    * of the faces' bounding box in world units, so that a view of the whole mesh is refined
-   * moderately and close-ups are refined more. Negative and non-finite values are rejected with an
-   * error.
+   * moderately and close-ups are refined more. Values that are negative or not finite as floats are
+   * rejected with an error.
    */
   void SetMaximumDistance(double distance);
   vtkGetMacro(MaximumDistance, double);

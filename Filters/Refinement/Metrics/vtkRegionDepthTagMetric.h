@@ -67,8 +67,8 @@ public:
 
   //@{
   /**
-   * Set the radius of the ball, in world units. The default is 0: there is no ball. Negative and
-   * non-finite values are rejected with an error.
+   * Set the radius of the ball, in world units. The default is 0: there is no ball. Values that are
+   * negative or not finite as floats are rejected with an error.
    */
   void SetRadius(double radius);
   vtkGetMacro(Radius, double);
@@ -77,8 +77,8 @@ public:
   //@{
   /**
    * Set the distance from the region at which the level reaches 0, in world units. The default of 0
-   * means a tenth of the diagonal of the faces' bounding box. Negative and non-finite values are
-   * rejected with an error.
+   * means a tenth of the diagonal of the faces' bounding box. Values that are negative or not
+   * finite as floats are rejected with an error.
    */
   void SetFallOff(double distance);
   vtkGetMacro(FallOff, double);

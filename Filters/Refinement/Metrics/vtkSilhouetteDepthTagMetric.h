@@ -14,8 +14,8 @@
  * It is 0 where the surface faces the eye or faces away from it, and MaximumLevel where the surface
  * is seen edge-on. The normals are the point normals of the mesh. If there are none, or if one is
  * zero or not finite, the area-weighted mean normal of the triangles at the point is used. With the
- * rule PER_EDGE, an edge has the larger level of its two ends, and MaximumLevel if only one of them
- * faces the eye.
+ * rule PER_EDGE, an edge has the larger level of its two ends, and MaximumLevel if one of them
+ * faces the eye and the other faces away.
  *
  * The criterion CONTOUR follows the silhouetteness of edges by Dyken, Reimers and Seland 2008
  * ("Real-time GPU silhouette refinement using adaptively blended Bezier patches"): 1 where one
