@@ -21,7 +21,7 @@
  * borders of blocks. Vectors are interpolated linearly in each triangle and projected to its plane.
  * Streamlines end at the border of the surface, at edges of more than two triangles, at triangles
  * without area or with missing data at a corner, where vectors are zero or perpendicular to the
- * surface, and where vectors point at each other across an edge.
+ * surface, and where the vectors on both sides of an edge are opposite.
  *
  * Output 0 is the input with two point arrays: "LIC" (float, in [0, 1]), the active scalars, and
  * "LICMask" (unsigned char), which is 1 where "LIC" is unfiltered noise and 0 elsewhere. A point is

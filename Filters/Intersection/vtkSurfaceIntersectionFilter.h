@@ -121,10 +121,10 @@ public:
   //@{
   /**
    * Set whether segments are joined to poly-lines of maximum length; off by default. A poly-line
-   * ends where other than two segments meet. The last point of a closed poly-line is its first
-   * point. Output 0 then has the cell array "ComponentId" (vtkIdTypeArray), which numbers connected
-   * curves and vertices from 0. Cell ids are -1 if the segments of a poly-line belong to different
-   * cells.
+   * ends at points that do not have exactly two segments. The last point of a closed poly-line is
+   * its first point. Output 0 then has the cell array "ComponentId" (vtkIdTypeArray), which numbers
+   * connected curves and vertices from 0. Cell ids are -1 if the segments of a poly-line belong to
+   * different cells.
    */
   vtkSetMacro(JoinSegments, bool);
   vtkGetMacro(JoinSegments, bool);

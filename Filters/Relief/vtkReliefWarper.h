@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkReliefWarper
- * @brief   warp a relief to a picture on its plane that looks correct from a camera
+ * @brief   warp a relief to an image on its plane that looks correct from a camera
  *
  * Each texel moves to the intersection of the relief's plane with the line from the eye through the
  * texel's point, so that a single textured quad draws the relief (M. Oliveira, G. Bishop, D.
@@ -12,7 +12,7 @@
  * rows first, then columns. Each pass is exact at integer positions of the surface. The nearest
  * surface is visible; at equal depth, that of the lower row, then of the lower column. Connected
  * surfaces have no pinholes. Borders extend to the nearest integer position, so that isolated
- * texels remain. Surfaces behind a fold of one row can be lost where their own row folds.
+ * texels remain. Surfaces behind a fold of one row can be lost where their row folds too.
  *
  * Input: a relief, which is a vtkImageData with the point arrays "Color" (unsigned char, 3 or 4
  * components), "Depth" (float, NaN without surface) and optionally "Normals" (float, 3 components),
@@ -28,7 +28,7 @@
  *
  * The result depends on the position of the eye, in parallel projection on the viewing direction.
  * Rotating the camera about its position and zooming need no new warp. If the eye is in the plane
- * or behind it, all depths are NaN, and the first time a warning is issued; see CanWarp().
+ * or behind it, all depths are NaN, and a warning is issued when this begins; see CanWarp().
  *
  * The filter reports an error and produces an empty output if there is no camera, the input is not
  * a relief, or memory is insufficient.
@@ -78,16 +78,15 @@ public:
 
   //@{
   /**
-   * Set how to distribute the work. All policies produce bitwise identical pictures.
+   * Set how to distribute the work. All policies produce bitwise identical images.
    *
    * - Sequential (0, default): in Update().
-   * - Parallel (1): in a separate thread, while the last picture is drawn. Update() only waits for
-   *   the first picture of the given dimensions. Otherwise it takes the latest finished picture,
-   *   and starts the next one if something has changed. GetMTime() increases when a picture is
-   *   finished: call Update() until GetState() is FINAL. The input may change meanwhile.
+   * - Parallel (1): in a separate thread, while the last image is drawn. Update() only waits for
+   *   the first image of the given dimensions. Otherwise it takes the latest finished image, and
+   *   starts the next one if something has changed. GetMTime() increases when an image is finished:
+   *   call Update() until GetState() is FINAL. The input may change meanwhile.
    * - Multi-threaded (2): in Update(), with NumberOfThreads threads. Each thread warps a band of
-   *   rows to a separate picture; the pictures are merged. This needs memory for one picture per
-   *   thread.
+   *   rows to a separate image; the images are merged. This needs memory for one image per thread.
    * - Rows and columns (3): in Update(), threads share the rows of the first pass and then the
    *   columns of the second. The result of the first pass needs about 35 bytes per texel.
    */
@@ -112,8 +111,8 @@ public:
   {
     INITIAL, ///< before the first warp
     WARPING, ///< the thread of the parallel policy is warping
-    WAITING, ///< a finished picture waits for the next Update()
-    FINAL    ///< the output is up to date
+    WAITING, ///< a finished image waits for the next Update()
+    FINAL    ///< the output shows the state at the last Update()
   };
 
   /// Return the state, a StateType. All policies except PARALLEL go from INITIAL to FINAL.
@@ -125,10 +124,10 @@ public:
   double GetWarpTime();
 
   /// Return whether the camera is in front of the plane of the last input. If not, Update()
-  /// produces a picture without surface. Returns false before the first Update().
+  /// produces an image without surface. Returns false before the first Update().
   bool CanWarp();
 
-  /// Include the modification time of the camera. Increases while a finished picture is WAITING.
+  /// Include the modification time of the camera. It increases while a finished image is WAITING.
   vtkMTimeType GetMTime() override;
 
 protected:

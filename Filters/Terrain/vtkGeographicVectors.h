@@ -40,7 +40,7 @@
  *
  * The filter reports an error and produces an empty output if
  *
- * - the array does not exist, has other than 2 or 3 components, or a wrong number of tuples;
+ * - the array does not exist, or has a wrong number of components (not 2 or 3) or tuples;
  * - there is an image, but the mesh has no texture coordinates, or the image is not n x m x 1
  *   points;
  * - the coordinate system is geocentric or unknown to GDAL (without GDAL, all are unknown);

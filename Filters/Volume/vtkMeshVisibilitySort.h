@@ -12,10 +12,10 @@
  * which compares cell centres, is wrong for cells of different sizes or shapes.
  *
  * The input is a vtkDataSet. Each 3D cell is returned exactly once, including ghost, blanked and
- * empty cells. Other cells are not returned. Two faces are common if their corners coincide,
- * whatever their point ids, even if the diagonals of a quadrilateral differ between the two sides
- * or only one side has a diagonal. Faces that are not flat are replaced by their mean planes, and
- * curved faces by their corners.
+ * empty cells. Other cells are not returned. Two faces are common if their corners coincide. Their
+ * point ids may differ. A quadrilateral may also have different diagonals on the two sides, or a
+ * diagonal on one side only. Faces that are not flat are replaced by their mean planes, and curved
+ * faces by their corners.
  *
  * The order is correct for a convex mesh of convex cells without visibility cycles, even if the
  * camera is inside the mesh. It is not guaranteed across gaps, where a mesh is concave, hollow or

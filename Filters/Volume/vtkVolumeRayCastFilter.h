@@ -171,10 +171,10 @@ public:
    *
    * - Composite (0, default): absorption and emission, see above.
    * - Maximum (1) and minimum (2): the exact highest or lowest scalar along the ray, also within
-   *   cells. Alpha is the opacity of this scalar, at most 1, whatever the length of the ray. Each
-   *   independent component has its extreme value, and the components are mixed by opacity.
-   *   Dependent components are taken at the position where the last component, the opacity, is
-   *   extreme.
+   *   cells. Alpha is the opacity of this scalar, at most 1. It does not depend on the length of
+   *   the ray. Each independent component has its extreme value, and the components are mixed by
+   *   opacity. Dependent components are taken at the position where the last component, the
+   *   opacity, is extreme.
    * - Average (3): the mean scalar by length, with alpha as above.
    * - Additive (4): the integral of colour times extinction, and the integral of extinction as
    *   alpha, each at most 1.
@@ -194,11 +194,10 @@ public:
   /**
    * Set whether composite blending also draws the IsoSurfaceValues of the property (by VTK's
    * default one value, 0) inside of the volume; off by default. The alpha of a surface is the
-   * opacity of its value, at most 1, whatever the length of the ray. If a face between two cells
-   * has the value, it is drawn once. There is no surface in cells of constant value and for cell
-   * data. For independent components, surfaces are those of the first component with the largest
-   * ComponentWeight. For 2 dependent components they are those of the first, which also gives the
-   * opacity; for 4, those of the last.
+   * opacity of its value, at most 1. If a face between two cells has the value, it is drawn once.
+   * There is no surface in cells of constant value and for cell data. For independent components,
+   * surfaces are those of the first component with the largest ComponentWeight. For 2 dependent
+   * components they are those of the first, which also gives the opacity; for 4, those of the last.
    */
   vtkSetMacro(IsoSurfaces, bool);
   vtkGetMacro(IsoSurfaces, bool);

@@ -20,8 +20,8 @@ struct JoinedLine
 };
 
 /**
- * Lines end where other than two segments meet. Lines without such a point are closed. Point ids
- * are less than `numberOfPoints`.
+ * Lines end at points that do not have exactly two segments. Lines without such a point are closed.
+ * Point ids are less than `numberOfPoints`.
  */
 std::vector<JoinedLine> JoinSegments(
   const std::vector<CurveSegments::Segment>& segments, vtkIdType numberOfPoints);
