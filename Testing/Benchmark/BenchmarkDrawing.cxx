@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// What geomorphing costs and what culling saves: frames with and without, in turn.
+// Measures what geomorphing costs and what culling saves: frames with and without them, in turn.
 #include "BenchmarkMeasure.h"
 #include "BenchmarkReport.h"
 #include "BenchmarkSurface.h"
@@ -35,7 +34,7 @@ struct Comparison
   std::string Name;
   vtkSmartPointer<vtkPolyData> Mesh;
   bool IsTerrain;
-  // Turns off, for the second way, what the first has.
+  // Turns off the feature for the second way.
   std::function<void(vtkAdaptiveRefinementMapper*)> TurnOff;
 };
 
@@ -62,9 +61,9 @@ void Compare(const Comparison& comparison, int maximumLevel, int rounds, Benchma
   view.LookAt(comparison.Mesh->GetBounds());
   if (comparison.IsTerrain)
   {
-    view.GetRenderer()->GetActiveCamera()->Zoom(3.0); // part of it is in sight
+    view.GetRenderer()->GetActiveCamera()->Zoom(3.0); // so that only part of it is in view
   }
-  for (int round = -1; round < rounds; ++round) // the first is not counted
+  for (int round = -1; round < rounds; ++round) // the first round is not counted
   {
     view.MoveCamera();
     for (Policy& way : ways)

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// A flight over hills with a budget of triangles: how near it is kept, how the levels move, and
-// what finding the offset costs. Nothing is drawn.
+// Measures a flight over hills with a triangle budget: how closely the budget is kept, how the
+// levels change, and what finding the offset costs. Nothing is drawn.
 #include "BenchmarkMeasure.h"
 #include "BenchmarkReport.h"
 #include "BenchmarkSurface.h"
@@ -26,7 +25,7 @@
 
 namespace
 {
-// Along the hills of BenchmarkSurface, swaying, from the first to the last frame: time 0 to 1.
+// Flies over the hills of BenchmarkSurface, swaying, from time 0 to 1.
 void Fly(vtkCamera* camera, double time)
 {
   const double x = 0.5 + 2.5 * time;
@@ -39,7 +38,7 @@ void Fly(vtkCamera* camera, double time)
 
 struct FlightResult
 {
-  double Deviation = 0.0;                // largest, as a share of the target
+  double Deviation = 0.0;                // the largest, as a share of the target
   double Step = 0.0;                     // largest change of the offset, in levels
   std::vector<double> Tag, Find, Select; // seconds
 };

@@ -24,14 +24,14 @@ namespace
 {
 using Vector = std::array<double, 3>;
 using Field = std::function<Vector(const Vector&)>;
-// The z of the surface at a place, and of its unit normal there; not finite beside it.
+// z of the surface at (x, y) and z of its unit normal there; not finite outside the surface.
 using Surface = std::function<std::array<double, 2>(double, double)>;
 
 constexpr double TorusRadius = 0.65;
 constexpr double TubeRadius = 0.3;
 
-// What is closer to a singular point, to the border of the plane or, by the normal's z, to the
-// outline is not compared.
+// Excludes the surroundings of singular points, of the plane's border and, by the normal's z, of
+// the silhouette.
 constexpr double SingularRadius = 0.06;
 constexpr double PlaneHalf = 0.95;
 constexpr double SmallestNormal = 0.5;
@@ -166,7 +166,7 @@ FlowScene BenchmarkFlow::MakeDipole(int resolution)
 
 FlowScene BenchmarkFlow::MakeSphere(int resolution)
 {
-  // Around an axis that shows a pole.
+  // A pole of this axis is visible.
   const Vector axis{ 0.3, 0.5, 0.81 };
   const auto field = [=](const Vector& p)
   {
@@ -185,7 +185,7 @@ FlowScene BenchmarkFlow::MakeSphere(int resolution)
 
 FlowScene BenchmarkFlow::MakeTorus(int resolution)
 {
-  // As fast around the tube as around the axis.
+  // The field moves as fast around the tube as around the axis.
   const auto field = [](const Vector& p)
   {
     const double r = std::hypot(p[0], p[1]);

@@ -34,7 +34,7 @@ BenchmarkFrames::BenchmarkFrames(BenchmarkView& view, const std::vector<vtkProp*
   {
     view.GetRenderer()->AddViewProp(prop);
   }
-  // Drivers compile shaders once more when another prop has left another state.
+  // Drivers compile shaders again if another prop has left another state.
   this->DrawFirst({});
   this->DrawFirst({});
 }

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   BenchmarkFrames
- * @brief   times of several mappers' frames, drawn in turn from the same places
+ * @brief   frame times of several mappers, drawn in turn from the same positions
  *
- * In each round the camera moves on, and every mapper, or prop, draws one frame alone, in an order
- * that changes: a frame takes longer after a large one of another mapper. Frames of a round are
- * compared with one another, so that what else the machine does falls out of the ratios.
+ * In each round the camera moves, and every mapper or prop draws one frame alone. The order
+ * changes, because a frame takes longer after another mapper's large one. Ratios compare frames of
+ * the same round, so that the load of other programs cancels.
  */
 #ifndef BenchmarkFrames_h
 #define BenchmarkFrames_h
@@ -24,29 +24,29 @@ class vtkProp;
 class BenchmarkFrames
 {
 public:
-  /// Draws each mapper once, to warm up, and calls `onFirst` with its number after its frame.
+  /// Draws each mapper once to warm up, and calls `onFirst` with its number after its frame.
   BenchmarkFrames(BenchmarkView& view, const std::vector<vtkMapper*>& mappers,
     const std::function<void(size_t)>& onFirst = {});
-  /// The same for props, twice.
+  /// The same for props, drawn twice.
   BenchmarkFrames(BenchmarkView& view, const std::vector<vtkProp*>& props);
-  /// Takes the mappers out of the view.
+  /// Removes the mappers from the view.
   ~BenchmarkFrames();
   BenchmarkFrames(const BenchmarkFrames&) = delete;
   void operator=(const BenchmarkFrames&) = delete;
 
-  /// That many rounds; a mapper stays out of those after its frames have taken the seconds, but
-  /// not of the first `minimum`.
+  /// Measures this many rounds. A mapper takes part until its frames have used `seconds`, but at
+  /// least in the first `minimum` rounds.
   void Measure(int rounds, int minimum = 1, double seconds = 1e9);
-  /// By how many degrees the camera turns in a round: 0.5 unless set.
+  /// The angle in degrees that the camera turns per round, 0.5 by default.
   void SetTurn(double degrees) { this->Turn = degrees; }
 
-  /// Milliseconds. NaN where nothing was measured.
+  /// Milliseconds, or NaN without measurements.
   double GetMedian(size_t mapper) const;
   double GetMinimum(size_t mapper) const;
   double GetMaximum(size_t mapper) const;
-  /// Of a mapper's frames to those of another, in the rounds of both.
+  /// Median ratio of a mapper's frames to those of another, over the rounds of both.
   double GetRatio(size_t mapper, size_t reference) const;
-  /// The same in GetProcessorSeconds().
+  /// The same ratio for GetProcessorSeconds().
   double GetProcessorRatio(size_t mapper, size_t reference) const;
 
 private:
@@ -60,7 +60,7 @@ private:
   std::vector<double> Get(size_t mapper, double Frame::*figure) const;
 
   BenchmarkView& View;
-  std::mt19937 Random; // of one seed
+  std::mt19937 Random; // with a fixed seed
   double Turn = 0.5;
   std::vector<vtkSmartPointer<vtkProp>> Props;
   std::vector<std::vector<Frame>> Frames; // of each mapper

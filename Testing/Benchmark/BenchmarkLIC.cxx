@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Line integral convolution on surfaces: what it costs and how it looks, beside the surface LIC of
-// ParaView's VTK where there is one.
+// Measures line integral convolution on surfaces: cost and quality, compared with the surface LIC
+// of ParaView's VTK if it is available.
 #include "BenchmarkFlow.h"
 #include "BenchmarkLICContest.h"
 #include "BenchmarkLICPicture.h"
@@ -28,7 +27,7 @@ namespace
 {
 using Contest = BenchmarkLICContest;
 
-// Frames of each way, one in each round.
+// The frames of each way, one per round.
 class Rounds
 {
 public:
@@ -44,7 +43,7 @@ public:
     return ::GetMedian(times);
   }
 
-  // What one way takes more than another, round by round.
+  // The difference between two ways, round by round.
   std::vector<double> Subtract(
     Contest::Policy way, Contest::Policy other, double LICFrame::*figure) const
   {
@@ -56,14 +55,15 @@ public:
     return differences;
   }
 
-  // Of the whole LIC, the frame less the one without, to VTK's.
+  // The ratio to VTK of the whole LIC: the frame time minus that without LIC.
   double GetRatio(double LICFrame::*figure) const
   {
     return GetMedianRatio(this->Subtract(Contest::LIC, Contest::PLAIN, figure),
       this->Subtract(Contest::VTK_LIC, Contest::VTK_PLAIN, figure));
   }
 
-  // It goes with the number of steps: with one, the two passes still have two of all their steps.
+  // The convolution is proportional to the number of steps. With one step, the two passes still
+  // take two of them.
   std::vector<double> GetConvolutions(double LICFrame::*figure) const
   {
     const int steps = LICSettings().NumberOfSteps + LICSettings().NumberOfSteps / 2;
@@ -75,7 +75,7 @@ public:
     return convolutions;
   }
 
-  // What the LIC takes beside the convolution, of the frame, in processor time.
+  // The share of the LIC without the convolution in the frame, in processor time.
   double GetRestPercent() const
   {
     const auto whole = this->Subtract(Contest::LIC, Contest::PLAIN, &LICFrame::Processor);
@@ -135,7 +135,7 @@ void MeasureFrames(
   }
   for (const Contest::Policy way : ways)
   {
-    contest.Draw(way); // to warm up
+    contest.Draw(way); // warms up
   }
   Rounds moving;
   Rounds still;
@@ -164,19 +164,19 @@ void MeasureFrames(
   }
 }
 
-// What both draw, and how.
+// The settings for both.
 struct Setup
 {
   const char* Name = "";
-  bool HasNoise = true; // that both are given; else each has its own
+  bool HasNoise = true; // if both get the same noise; otherwise each uses its default
   LICSettings Ours = {};
   LICSettings VTKs = {};
 };
 
 std::vector<Setup> MakeSetups()
 {
-  // VTK's step is sqrt(1 / width^2 + 1 / height^2) long in texture coordinates, in which it
-  // normalises the vectors: 1.25 to 1.67 pixels of a window of 4 to 3.
+  // VTK's step has the length sqrt(1 / width^2 + 1 / height^2) in texture coordinates, in which it
+  // normalizes the vectors: 1.25 to 1.67 pixels in a window of 4 to 3.
   const double longStep = 1.45;
   LICSettings onePass;
   onePass.EnhancedLIC = 0;
@@ -220,7 +220,8 @@ void MeasurePicture(const FlowScene& scene, const Setup& setup, const BenchmarkO
   }
 }
 
-// noise.png of RELEVO_TEST_DATA, else our own: grey bytes, so that it goes into a file as it is.
+// noise.png of RELEVO_TEST_DATA, or else our noise as grey bytes, so that a file can store it
+// exactly.
 vtkSmartPointer<vtkImageData> MakeNoise()
 {
   auto noise = vtkSmartPointer<vtkImageData>::New();
@@ -306,7 +307,7 @@ void RunLIC(const BenchmarkOptions& options, const AddTable& addTable)
     const bool isFirst = &scene == &compared.front();
     for (const Setup& setup : MakeSetups())
     {
-      // All settings for the first scene, the defaults for the others.
+      // Measures all settings for the first scene, and the defaults for the others.
       if (isFirst || !setup.HasNoise)
       {
         MeasurePicture(scene, setup, options, noise, tables);

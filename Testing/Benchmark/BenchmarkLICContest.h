@@ -4,8 +4,8 @@
  * @class   BenchmarkLICContest
  * @brief   a mesh with vectors, drawn by vtkAdaptiveLICMapper and by VTK's surface LIC
  *
- * Neither refines, so both draw the same triangles. The actors are white and have no light: the
- * picture is the grey of the LIC.
+ * Neither refines, so both draw the same triangles. The actors are white and unlit, so the picture
+ * shows the grey values of the LIC.
  */
 #ifndef BenchmarkLICContest_h
 #define BenchmarkLICContest_h
@@ -29,12 +29,12 @@ public:
   {
     PLAIN,     // the refinement mapper, without LIC
     LIC,       // vtkAdaptiveLICMapper
-    LIC_SHORT, // with one step each way
+    LIC_SHORT, // with one step in each direction
     VTK_PLAIN, // vtkPolyDataMapper
     VTK_LIC    // vtkSurfaceLICMapper
   };
 
-  /// Without noise each has its own.
+  /// Without noise, each uses its default noise.
   BenchmarkLICContest(const BenchmarkOptions& options, const FlowScene& scene, vtkImageData* noise,
     const LICSettings& settings, const LICSettings& vtkSettings);
   ~BenchmarkLICContest();
@@ -45,7 +45,7 @@ public:
   BenchmarkLICRival& GetRival() { return this->Rival; }
   vtkCamera* GetCamera();
 
-  /// A frame from where the view's camera is.
+  /// Draws a frame from the view's camera.
   LICFrame Draw(Policy way);
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   figures of a picture of grey LIC
+ * @brief   quality measures of a LIC picture
  */
 #ifndef BenchmarkLICPicture_h
 #define BenchmarkLICPicture_h
@@ -11,10 +11,9 @@
 
 struct FlowScene;
 
-/// Mean and standard deviation of the grey, in [0, 1], then median and 95th percentile of the
-/// angles between the lines and the field, in degrees, where the scene has a direction. The
-/// picture, RGB bytes, is seen as FlowScene::LookAlongZ() shows it; NaN where it is not of that
-/// size.
+/// Mean and standard deviation of the grey values in [0, 1], then median and 95th percentile of the
+/// angles between lines and field in degrees, if the scene has a direction. The picture, RGB bytes,
+/// must be a view of FlowScene::LookAlongZ(). NaN if its size differs.
 std::vector<double> GetPictureFigures(
   const FlowScene& scene, int width, int height, const std::vector<unsigned char>& picture);
 

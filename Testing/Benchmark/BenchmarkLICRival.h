@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   BenchmarkLICRival
- * @brief   the surface LIC of ParaView's VTK, drawn by a program of its own
+ * @brief   the surface LIC of ParaView's VTK, drawn by a separate program
  */
 #ifndef BenchmarkLICRival_h
 #define BenchmarkLICRival_h
@@ -20,7 +20,7 @@ class vtkImageData;
 class vtkPolyData;
 struct BenchmarkOptions;
 
-/// Under the names that both mappers have.
+/// The names are those of both mappers.
 struct LICSettings
 {
   int NumberOfSteps = 20;
@@ -39,23 +39,23 @@ struct LICFrame
 class BenchmarkLICRival
 {
 public:
-  /// Of a mesh with the vectors FlowScene::VectorsName, in a window of that size. Without noise its
-  /// own noise.
+  /// For a mesh with the vectors FlowScene::VectorsName, in a window of this size. Without noise,
+  /// VTK's default noise is used.
   BenchmarkLICRival(const BenchmarkOptions& options, vtkPolyData* mesh, int width, int height,
     vtkImageData* noise, const LICSettings& settings);
   ~BenchmarkLICRival();
 
-  /// Empty where it does not run; then times are NaN and pictures empty.
+  /// Empty if the program does not run. Times are then NaN, and pictures empty.
   const std::string& GetRenderer() const { return this->Renderer; }
 
   void SetCamera(vtkCamera* camera);
   LICFrame Draw(bool hasLIC);
 
-  /// The picture of the last frame: RGB, bytes.
+  /// The picture of the last frame as RGB bytes.
   std::vector<unsigned char> GetPicture();
 
 private:
-  std::filesystem::path Folder; // of files for the program
+  std::filesystem::path Folder; // contains files for the program
   std::unique_ptr<BenchmarkRival> Program;
   std::string Renderer;
 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   depth-tags of a coarse mesh that refine it to a wanted number of triangles
+ * @brief   depth-tags that refine a coarse mesh to a given number of triangles
  */
 #ifndef BenchmarkLevels_h
 #define BenchmarkLevels_h
@@ -14,20 +14,21 @@ class vtkPolyData;
 
 namespace BenchmarkLevels
 {
-/// The point array "DepthTag" of the mesh, added where it is not there.
+/// The point array "DepthTag" of the mesh, which is added if it is missing.
 vtkFloatArray* GetTags(vtkPolyData* mesh);
 
 /**
- * Call setTags() with a number in [low, high], which must change the mesh's tags so that levels
- * grow with it, and leave the tags at the number that takes the mesh nearest to the wanted
- * triangles. Returns how many there are then, by the linear recipe with levels up to the highest.
+ * Calls setTags() with numbers in [low, high], which must change the mesh's tags so that levels
+ * increase with the number, and keeps the tags whose triangles are closest to `triangles`. Returns
+ * their number, for a linear recipe with the highest MaximumLevel.
  */
 double FindTags(vtkPolyData* mesh, double triangles, double low, double high,
   const std::function<void(double)>& setTags);
 
 /**
- * Random tags by one seed, uniform over a range of levels that begins at 0, and where that is not
- * enough over one that ends at the highest level; the range is FindTags()'s. Returns the same.
+ * Random tags with a fixed seed, uniform over a range of levels that begins at 0. If this is not
+ * enough, the range ends at the highest level. FindTags() finds the range. Returns the number of
+ * triangles.
  */
 double SetRandomTags(vtkPolyData* mesh, double triangles);
 }

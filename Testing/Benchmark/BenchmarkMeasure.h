@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   clock, statistics and the process's own memory
+ * @brief   clock, statistics and memory of the process
  */
 #ifndef BenchmarkMeasure_h
 #define BenchmarkMeasure_h
@@ -22,15 +22,15 @@ private:
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
 
-/// Seconds that all cores together have spent on this process: what other programs do on them
-/// hardly counts. NaN where the system does not tell.
+/// Seconds that all cores have spent on this process, which other programs hardly affect. NaN if
+/// the system does not provide it.
 double GetProcessorSeconds();
 
-/// NaN for no values.
+/// NaN without values.
 double GetMedian(std::vector<double> values);
 
-/// Median of values[i] / references[i], as far as there are both: what was measured one after the
-/// other is compared.
+/// Median of values[i] / references[i] over their common length: compares measurements made one
+/// after the other.
 double GetMedianRatio(const std::vector<double>& values, const std::vector<double>& references);
 
 struct ResidentMemory
@@ -38,7 +38,7 @@ struct ResidentMemory
   double Current = 0.0; // bytes
   double Peak = 0.0;
 };
-/// Of this process, from Linux's /proc; NaN elsewhere.
+/// Memory of this process from Linux's /proc; NaN on other systems.
 ResidentMemory GetResidentMemory();
 
 #endif

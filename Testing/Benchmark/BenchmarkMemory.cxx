@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Resident memory, each way in a process of its own. A software renderer's graphics memory is
-// resident, too.
+// Measures resident memory of each way in a separate process. It includes the graphics memory of a
+// software renderer.
 #include "BenchmarkMeasure.h"
 #include "BenchmarkReport.h"
 #include "BenchmarkSurface.h"
@@ -17,7 +16,7 @@
 
 #include <cstdlib>
 
-// static|refined FACES TRIANGLES -> growth and peak, in bytes
+// static|refined FACES TRIANGLES -> growth and peak in bytes
 std::vector<double> MeasureMemory(const std::vector<std::string>& arguments)
 {
   const bool isStatic = arguments.at(0) == "static";

@@ -25,7 +25,7 @@ namespace
 using Point = std::array<double, 3>;
 using Loop = std::vector<vtkIdType>;
 
-// Points and triangles, in the order they are added.
+// Points and triangles in the order in which they are added.
 class Builder
 {
 public:
@@ -46,14 +46,14 @@ public:
     this->Polys->InsertNextCell({ a, b, c });
   }
 
-  // Two triangles for the quadrangle a b c d.
+  // Two triangles for the quadrilateral a b c d.
   void AddQuad(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d)
   {
     this->AddTriangle(a, b, c);
     this->AddTriangle(a, c, d);
   }
 
-  // Between two chains with as many points; closed ones are joined at their ends.
+  // A band between two chains with equal numbers of points. Closed chains are joined at their ends.
   void AddBand(const Loop& below, const Loop& above, bool isClosed)
   {
     const size_t n = below.size();
@@ -120,15 +120,15 @@ void SetNormals(vtkPolyData* mesh, const GetNormal& getNormal)
   mesh->GetPointData()->SetNormals(normals);
 }
 
-// On the unit sphere about the z axis; colatitude 0 is the north pole.
+// A point of the unit sphere about the z axis. Colatitude 0 is the north pole.
 Point GetSpherePoint(double longitude, double colatitude)
 {
   return { { std::sin(colatitude) * std::cos(longitude), std::sin(colatitude) * std::sin(longitude),
     std::cos(colatitude) } };
 }
 
-// The side of the mouth between a meridian and the axis, both from north to south and without the
-// poles: the next triangle goes to the chain whose next point is higher.
+// A side of the mouth between a meridian and the axis, both from north to south without the poles.
+// The next triangle takes the chain whose next point is higher.
 void AddMouthSide(Builder& builder, const Loop& meridian, const std::vector<double>& meridianZ,
   const Loop& axis, const std::vector<double>& axisZ, vtkIdType north, vtkIdType south,
   bool isTurned)
@@ -156,8 +156,8 @@ void AddMouthSide(Builder& builder, const Loop& meridian, const std::vector<doub
   add(meridian[m], south, axis[a]);
 }
 
-// A tapered body through cross-sections with as many points each, open at the first and with a lid
-// on the last. Sections go counter-clockwise when seen from the last.
+// A tapered body through cross-sections with equal numbers of points, open at the first one and
+// closed at the last. Sections are counter-clockwise when seen from the last.
 void AddShell(Builder& builder, const std::vector<std::vector<Point>>& sections)
 {
   Loop below;
@@ -173,7 +173,7 @@ void AddShell(Builder& builder, const std::vector<std::vector<Point>>& sections)
   builder.AddFan(below[0], Loop(below.begin() + 1, below.end()), false);
 }
 
-// A wing along +y or, mirrored, along -y: a rhombic profile that moves and shrinks with the span.
+// A wing along +y or, mirrored, along -y: a rhombic profile that moves and shrinks along the span.
 struct Wing
 {
   Point Root; // leading edge
@@ -248,8 +248,8 @@ vtkSmartPointer<vtkPolyData> BenchmarkMeshes::MakeSphere(int sectors, int rings)
 
 vtkSmartPointer<vtkPolyData> BenchmarkMeshes::MakeSphere(double faces)
 {
-  // Cells as wide at the equator as they are high would take twice as many sectors as rings; the
-  // rows near the poles are narrower.
+  // Square cells at the equator would take twice as many sectors as rings, but the rows near the
+  // poles are narrower.
   const int rings = std::max(1, static_cast<int>(std::sqrt(faces / 3.0)));
   return MakeSphere(std::max(3, static_cast<int>(std::ceil(0.5 * faces / rings))), rings);
 }
@@ -333,7 +333,7 @@ vtkSmartPointer<vtkPolyData> BenchmarkMeshes::MakePacMan(int sectors, int rings,
 
 vtkSmartPointer<vtkPolyData> BenchmarkMeshes::MakeJet()
 {
-  // Along x from the tail, at 0, to the nose; z is up.
+  // Along x from the tail at 0 to the nose; z is up.
   Builder builder;
   const int sectors = 8;
   const std::vector<std::array<double, 2>> fuselage = { { { 0.03, 0.055 } }, { { 0.08, 0.065 } },
@@ -373,7 +373,7 @@ vtkSmartPointer<vtkPolyData> BenchmarkMeshes::MakeJet()
     AddWing(builder, wing, isMirrored);
     AddWing(builder, tailPlane, isMirrored);
   }
-  // The fin, sharp in front.
+  // The fin has a sharp leading edge.
   AddShell(builder,
     { { { { 0.26, 0.0, 0.03 } }, { { 0.08, 0.02, 0.03 } }, { { 0.08, -0.02, 0.03 } } },
       { { { 0.09, 0.0, 0.26 } }, { { 0.02, 0.01, 0.26 } }, { { 0.02, -0.01, 0.26 } } } });

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// The mapper's methods against each other, with the meshes, the numbers of triangles and the gains
-// of Lenz 2009, table 5.1 and the text of chapter 5.
+// Compares the mapper's methods, with the meshes, numbers of triangles and gains of Lenz 2009,
+// table 5.1 and chapter 5.
 #include "BenchmarkFrames.h"
 #include "BenchmarkLevels.h"
 #include "BenchmarkMeshes.h"
@@ -52,10 +51,10 @@ const Method Methods[] = {
 struct Row
 {
   const char* Mesh;
-  double Triangles; // to be had, about
-  double Gain;      // of ARKFPI over ARK, as published, %
+  double Triangles; // approximate number to draw
+  double Gain;      // published gain of ARKFPI over ARK, %
 };
-// The published meshes and rows; "bunny" and "fur" share a mesh.
+// The published meshes and rows. "bunny" and "fur" share a mesh.
 const Row Rows[] = { { "sphere1", 25312, 79.2 }, { "sphere1", 11006, 140.5 },
   { "sphere1", 8848, 191.8 }, { "sphere2", 4758, 283.8 }, { "sphere2", 8856, 222.0 },
   { "sphere2", 16476, 289.9 }, { "pacman1", 73094, 156.5 }, { "pacman1", 25154, 261.5 },
@@ -65,7 +64,7 @@ const Row Rows[] = { { "sphere1", 25312, 79.2 }, { "sphere1", 11006, 140.5 },
   { "pacman2", 98146, 471.4 }, { "pacman2", 521536, 66.7 }, { "bunny", 380000, 555.6 },
   { "fur", 380000, 1144.4 } };
 
-// As the name says; a sphere in the bunny's place, and another name, where there is no bunny.
+// The mesh of this name. Without the bunny's file, it is a sphere with another name.
 vtkSmartPointer<vtkPolyData> MakeMesh(std::string& name)
 {
   if (name == "sphere1")
@@ -131,7 +130,7 @@ void Measure(const Row& row, const Size& size, const BenchmarkOptions& options,
     mapper->SetInputData(mesh);
     mapper->SetRefinement(recipe);
     (mapper->*method.Choose)();
-    // Every face is drawn, and nothing is selected anew as the camera moves.
+    // All faces are drawn, and moving the camera does not select levels again.
     mapper->FrustumCullingOff();
     drawn.push_back(mapper);
   }
@@ -235,7 +234,7 @@ std::vector<BenchmarkTable::Column> MakeWorkColumns()
 
 void RunMethods(const BenchmarkOptions& options, const AddTable& addTable)
 {
-  // In a small picture, vertices and draw calls weigh more than pixels.
+  // In a small picture, vertices and draw calls have more weight than pixels.
   for (const Size& size : { Size{ 1024, 768 }, Size{ 160, 120 } })
   {
     const std::string pixels = std::to_string(size.Width) + " x " + std::to_string(size.Height);
@@ -244,7 +243,7 @@ void RunMethods(const BenchmarkOptions& options, const AddTable& addTable)
     BenchmarkTable work("methods-work", "Methods of drawing: what they draw", MakeWorkColumns());
     for (const Row& row : Rows)
     {
-      // All meshes, but of each the row with the fewest triangles.
+      // All meshes, each with the row of the fewest triangles.
       const bool isQuick = row.Triangles < 5000 && &row != &Rows[9];
       if (!options.Quick || isQuick)
       {

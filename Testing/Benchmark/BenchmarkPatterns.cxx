@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// The triangles that methods divide a face into, where the levels of its edges differ.
+// Measures the triangles into which methods split a face whose edges have different levels.
 #include "BenchmarkMeasure.h"
 #include "BenchmarkReport.h"
 #include "Benchmarks.h"
@@ -31,7 +30,7 @@ using RelevoPatternQuality::Shape;
 
 using Place = std::array<float, 3>;
 
-// DMR's triangles, corners of each its own.
+// DMR's triangles with separate corners.
 class SplitPattern
 {
 public:
@@ -74,16 +73,16 @@ private:
   relevo::RefinementPattern Pattern;
 };
 
-// Of all patterns whose highest and lowest level differ by as much.
+// Over all patterns with the same difference between highest and lowest level.
 struct Statistics
 {
   int Patterns = 0;
   int Triangles = 0;
   int Degenerate = 0;
   double SmallestAngle = 180.0;
-  std::vector<double> BorderAngles;  // smallest of each triangle that touches the border
-  std::vector<double> BorderAspects; // its longest side to its smallest height
-  std::vector<double> Steps;         // larger area to smaller, across each inner side
+  std::vector<double> BorderAngles;  // smallest angle of each triangle at the border
+  std::vector<double> BorderAspects; // its longest side over its smallest height
+  std::vector<double> Steps;         // larger over smaller area across each inner side
 };
 
 void Add(const relevo::RefinementPattern& pattern, Statistics& statistics)
@@ -91,7 +90,7 @@ void Add(const relevo::RefinementPattern& pattern, Statistics& statistics)
   const std::vector<Shape> shapes = RelevoPatternQuality::GetShapes(pattern);
   ++statistics.Patterns;
   statistics.Triangles += static_cast<int>(shapes.size());
-  // Sides by the places of their ends: snapped vertices coincide.
+  // Sides by the positions of their ends, because snapped vertices coincide.
   std::map<std::pair<Place, Place>, double> areas;
   for (size_t t = 0; t < shapes.size(); ++t)
   {
@@ -179,7 +178,7 @@ void RunPatterns(const BenchmarkOptions&, const AddTable& addTable)
       for (int k = 0; k <= j; ++k)
       {
         const int levels[3] = { i, j, k };
-        if (i > 0) // the undivided triangle is nobody's merit
+        if (i > 0) // the unsplit triangle says nothing about a method
         {
           Add(*patterns->GetPatternOfSegments(1 << i, 1 << j, 1 << k), statistics[0][i - k]);
           Add(RelevoPatternQuality::MakeSuaptPattern(patterns, levels), statistics[1][i - k]);

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Phong tessellation against PN triangles over the published numbers of triangles.
+// Compares Phong tessellation with PN triangles for the published numbers of triangles.
 #include "BenchmarkFrames.h"
 #include "BenchmarkMeshes.h"
 #include "BenchmarkReport.h"
@@ -26,7 +25,7 @@ struct Row
 {
   const char* Model;
   double Triangles; // millions
-  double Phong, PN; // frames per second, as published
+  double Phong, PN; // published frames per second
 };
 const Row Rows[] = { { "person", 0.103, 82, 54 }, { "person", 0.616, 65, 43 },
   { "person", 1.33, 51, 33 }, { "person", 2.46, 31, 20 }, { "person", 3.80, 22, 14 },
@@ -70,7 +69,7 @@ void Measure(const Row& row, const BenchmarkOptions& options, BenchmarkTable& ta
     MakeMapper(mesh, linear) };
   const std::vector<vtkMapper*> drawn(mappers.begin(), mappers.end());
   std::vector<double> figures;
-  // In view, and out of it.
+  // In view and out of view.
   for (const bool isAway : { false, true })
   {
     BenchmarkView view(160, 120);

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// How long VTK's pickers take on the mapper's refined surface, and the locator for one line.
+// Measures VTK's pickers on the mapper's refined surface, and the locator for a line.
 #include "BenchmarkMeasure.h"
 #include "BenchmarkReport.h"
 #include "BenchmarkSurface.h"
@@ -27,7 +26,7 @@
 
 namespace
 {
-// Milliseconds of processor time of each call; `move` runs before each, untimed.
+// Milliseconds of processor time per call. `move` runs before each call and is not timed.
 struct Times
 {
   Times(
@@ -127,7 +126,7 @@ void MeasurePicks(int numberOfFaces, bool quick, BenchmarkTable& table)
           t, place, pcoords, subId, cellId, cell);
       }));
 
-  // The coarse mesh alone, as VTK picks it.
+  // The coarse mesh, as VTK picks it.
   vtkNew<vtkPolyDataMapper> flat;
   flat->SetInputData(mesh);
   BenchmarkView flatView;

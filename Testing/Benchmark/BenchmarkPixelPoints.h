@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   BenchmarkPixelPoints
- * @brief   where in the world the pixels of a view are
+ * @brief   world coordinates of a view's pixels
  */
 #ifndef BenchmarkPixelPoints_h
 #define BenchmarkPixelPoints_h
@@ -17,11 +17,12 @@ class vtkMatrix4x4;
 class BenchmarkPixelPoints
 {
 public:
-  /// As its camera is now.
+  /// Uses the camera's current state.
   explicit BenchmarkPixelPoints(BenchmarkView& view);
   ~BenchmarkPixelPoints();
 
-  /// The centre of a pixel, counted row after row, at a depth of the z-buffer.
+  /// World coordinates of a pixel's centre at a depth of the z-buffer. Pixels are counted row by
+  /// row.
   std::array<double, 3> Get(int pixel, double depth) const;
 
   int GetNumberOfPixels() const { return this->Width * this->Height; }

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// The CPU's own work in small parts, measured by Google Benchmark.
+// Measures single steps on the CPU with Google Benchmark.
 #include "BenchmarkMeasure.h"
 #include "BenchmarkReport.h"
 #include "BenchmarkSurface.h"
@@ -24,7 +23,7 @@
 
 namespace
 {
-// Every pattern of levels up to the given one, in a new table.
+// Creates all patterns up to the given level in a new table.
 void MakePatterns(benchmark::State& state, int level)
 {
   int64_t triangles = 0;
@@ -45,7 +44,7 @@ void MakePatterns(benchmark::State& state, int level)
   state.SetItemsProcessed(triangles);
 }
 
-// From depth-tags to groups.
+// From depth-tags to groups of faces.
 void Select(benchmark::State& state, BenchmarkSurface& surface)
 {
   auto recipe = BenchmarkSurface::MakeLinearRecipe();
@@ -66,13 +65,13 @@ void Select(benchmark::State& state, BenchmarkSurface& surface)
     static_cast<int64_t>(state.iterations()) * static_cast<int64_t>(mesh.Faces.size()));
 }
 
-// The refined mesh, from tags to polydata.
+// From tags to the refined vtkPolyData.
 void Refine(benchmark::State& state, BenchmarkSurface& surface, vtkAdaptiveRefinement* recipe)
 {
   vtkNew<vtkAdaptiveRefinementFilter> filter;
   filter->SetInputData(surface.GetMesh());
   filter->SetRefinement(recipe);
-  filter->Update(); // makes the patterns
+  filter->Update(); // creates the patterns
   for (auto _ : state)
   {
     filter->Modified();
@@ -87,7 +86,7 @@ std::string GetName(BenchmarkSurface& surface)
   return std::to_string(surface.GetMesh()->GetNumberOfPolys()) + " faces";
 }
 
-/// Runs as rows of a table.
+/// Reports runs as rows of a table.
 class Reporter : public benchmark::BenchmarkReporter
 {
 public:

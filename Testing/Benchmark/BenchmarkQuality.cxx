@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// How near surfaces over a coarse mesh come to what the mesh was made from: distances, normals,
-// and how smooth they are across its edges.
+// Measures how closely surfaces over a coarse mesh approximate the original: distances, normals,
+// and smoothness across its edges.
 #include "BenchmarkMeshes.h"
 #include "BenchmarkReport.h"
 #include "Benchmarks.h"
@@ -34,7 +33,7 @@ namespace
 {
 using namespace RelevoVectors;
 
-// A point of the true surface, and its unit normal there.
+// A point of the true surface with its unit normal.
 struct Sample
 {
   Vector Point;
@@ -47,7 +46,7 @@ struct Scene
   vtkSmartPointer<vtkPolyData> Coarse;
   int Level; // of every edge
   std::function<Sample(const Vector&)> FindClosest;
-  std::vector<Sample> Samples; // over the whole true surface
+  std::vector<Sample> Samples; // distributed over the true surface
 };
 
 Vector GetPoint(vtkPolyData* mesh, vtkIdType point)
@@ -64,7 +63,7 @@ Vector GetNormal(vtkPolyData* mesh, vtkIdType point)
   return result;
 }
 
-// Calls visit() with pairs of parameters in [0, 1), evenly.
+// Calls visit() with evenly distributed pairs of parameters in [0, 1).
 void VisitParameters(int count, const std::function<void(double, double)>& visit)
 {
   for (int i = 0; i < count; ++i)
@@ -87,7 +86,7 @@ Scene MakeSphere(int count)
   VisitParameters(count,
     [&scene](double u, double v)
     {
-      // Evenly by area.
+      // Uniform by area.
       const double z = 2.0 * v - 1.0;
       const double radius = std::sqrt(1.0 - z * z);
       const double angle = 2.0 * vtkMath::Pi() * u;
@@ -152,14 +151,14 @@ Scene MakeBunny(vtkPolyData* bunny, int faces)
     sample.Normal = normalize(sample.Normal);
     return sample;
   };
-  // As the others': corners on the true surface, with its normals.
+  // As for the other scenes, corners lie on the true surface and have its normals.
   for (vtkIdType i = 0; i < scene.Coarse->GetNumberOfPoints(); ++i)
   {
     const Sample sample = scene.FindClosest(GetPoint(scene.Coarse, i));
     scene.Coarse->GetPoints()->SetPoint(i, sample.Point.data());
     scene.Coarse->GetPointData()->GetNormals()->SetTuple(i, sample.Normal.data());
   }
-  // Those of its points that faces use.
+  // Only points that faces use.
   std::vector<char> isUsed(static_cast<size_t>(dense->GetNumberOfPoints()), 0);
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < dense->GetNumberOfCells(); ++cell)
@@ -180,7 +179,7 @@ Scene MakeBunny(vtkPolyData* bunny, int faces)
   return scene;
 }
 
-// Largest, mean and root mean square of what is added.
+// Maximum, mean and root mean square of the values.
 struct Statistics
 {
   double Largest = 0.0;
@@ -202,9 +201,9 @@ struct Statistics
 struct Errors
 {
   Statistics Forth;   // distances of the refined surface from the true one
-  Statistics Back;    // and the other way
-  Statistics Normals; // degrees, of the refined points' normals, which shade
-  Statistics Facets;  // degrees, of the triangles' own
+  Statistics Back;    // distances of the true surface from the refined one
+  Statistics Normals; // degrees, between shading normals of refined points and the true ones
+  Statistics Facets;  // degrees, between face normals of the triangles and the true ones
 };
 
 Errors Compare(const Scene& scene, vtkPolyData* refined)
@@ -244,8 +243,8 @@ Errors Compare(const Scene& scene, vtkPolyData* refined)
   return errors;
 }
 
-// The surface's own normal at a point of a face's edge, up to its sign: by differences, one-sided
-// across the edge, that are exact for cubics.
+// The surface's normal at a point of a face's edge, up to its sign. Differences, one-sided across
+// the edge, are exact for cubics.
 Vector GetBorderNormal(
   const relevo::RefinementEvaluator& evaluator, int face, int edge, double along)
 {
@@ -263,7 +262,7 @@ Vector GetBorderNormal(
     return Vector{ { position[0], position[1], position[2] } };
   };
   const double step = 1.0 / 16.0;
-  const double inwardStep = 1.0 / 256.0; // exact weights; positions are floats
+  const double inwardStep = 1.0 / 256.0; // gives exact weights; positions are floats
   const Vector tangent = evaluate(along - 2.0 * step, 0.0) - evaluate(along + 2.0 * step, 0.0) +
     8.0 * (evaluate(along + step, 0.0) - evaluate(along - step, 0.0));
   const Vector inwards = -11.0 * evaluate(along, 0.0) + 18.0 * evaluate(along, inwardStep) +
@@ -271,7 +270,7 @@ Vector GetBorderNormal(
   return cross(tangent, inwards);
 }
 
-// Angles between the surface's normals of the two faces at points of coarse edges, in degrees.
+// Angles in degrees between the normals of two faces at points of coarse edges.
 Statistics MeasureJumps(vtkPolyData* coarse, vtkAdaptiveRefinement* recipe)
 {
   relevo::RefinementMesh mesh;
@@ -293,7 +292,7 @@ Statistics MeasureJumps(vtkPolyData* coarse, vtkAdaptiveRefinement* recipe)
       {
         normals[s] = GetBorderNormal(evaluator, sides[s] / 3, sides[s] % 3, k / 16.0);
       }
-      // The two look inwards from opposite sides.
+      // The two faces look inwards from opposite sides.
       jumps.Add(180.0 - angle(normals[0], normals[1]));
     }
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   BenchmarkReport
- * @brief   tables of results: Markdown as soon as a table is complete, JSON for all of them
+ * @brief   tables of results: Markdown for each complete table, JSON for all
  */
 #ifndef BenchmarkReport_h
 #define BenchmarkReport_h
@@ -16,7 +16,7 @@
 class BenchmarkTable
 {
 public:
-  /// A number, or words. NaN means "not measured": a dash, and null in JSON.
+  /// A number or text. NaN means "not measured": a dash in Markdown, null in JSON.
   using Value = std::variant<double, std::string>;
 
   struct Column
@@ -28,10 +28,10 @@ public:
 
   BenchmarkTable(std::string name, std::string title, std::vector<Column> columns);
 
-  /// As many values as there are columns.
+  /// The row must have one value per column.
   void AddRow(std::vector<Value> row);
   size_t GetNumberOfRows() const { return this->Rows.size(); }
-  /// A remark below the table.
+  /// Adds a remark below the table.
   void AddNote(std::string note) { this->Notes.push_back(std::move(note)); }
 
   void WriteMarkdown(std::ostream& os) const;
@@ -48,11 +48,11 @@ private:
 class BenchmarkReport
 {
 public:
-  /// A fact about the machine or the build.
+  /// Adds a fact about the machine or the build.
   void AddFact(const std::string& name, const std::string& value);
   void WriteFacts(std::ostream& os) const;
 
-  /// Keep a complete table, and print it.
+  /// Stores a complete table and prints it.
   void Add(const BenchmarkTable& table, std::ostream& os);
 
   void WriteJson(std::ostream& os) const;

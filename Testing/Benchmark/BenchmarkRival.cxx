@@ -49,7 +49,7 @@ BenchmarkRival::~BenchmarkRival()
 std::string BenchmarkRival::Ask(const std::string& line)
 {
   const std::string question = line + '\n';
-  // No signal where the program has ended.
+  // Avoids SIGPIPE if the program has ended.
   if (this->Process < 0 ||
     send(this->Socket, question.data(), question.size(), MSG_NOSIGNAL) !=
       static_cast<ssize_t>(question.size()))

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   BenchmarkRival
- * @brief   a program of its own that is asked line by line, and answers each with one line
+ * @brief   a separate program that answers each line of text with one line
  *
- * So another version of VTK can draw in turn with this one.
+ * This way another version of VTK can draw in turn with this one.
  */
 #ifndef BenchmarkRival_h
 #define BenchmarkRival_h
@@ -16,16 +16,16 @@
 class BenchmarkRival
 {
 public:
-  /// The program and its arguments; what it writes on stderr goes to this program's.
+  /// Starts the program with its arguments. Its stderr is this program's.
   explicit BenchmarkRival(const std::vector<std::string>& command);
-  /// Closes its input and waits until it has ended.
+  /// Closes its input and waits until it ends.
   ~BenchmarkRival();
   BenchmarkRival(const BenchmarkRival&) = delete;
   void operator=(const BenchmarkRival&) = delete;
 
-  /// The answer; empty when the program does not run any more.
+  /// The answer; empty if the program has ended.
   std::string Ask(const std::string& line);
-  /// The numbers of the answer.
+  /// The numbers in the answer.
   std::vector<double> AskNumbers(const std::string& line);
 
 private:

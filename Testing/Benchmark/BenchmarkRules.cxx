@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// How many triangles the rules for levels take for the same error on the screen.
+// Compares the numbers of triangles that the level rules need for the same error on the screen.
 #include "BenchmarkMeshes.h"
 #include "BenchmarkReport.h"
 #include "BenchmarkSurface.h"
@@ -48,7 +47,7 @@ vtkSmartPointer<vtkCamera> MakeCamera(
   return camera;
 }
 
-// Displaced hills, seen from low above.
+// Displaced hills, seen from slightly above.
 Scene MakeTerrain(int numberOfFaces)
 {
   Scene scene{ "terrain", vtkSmartPointer<vtkPolyData>::New(),
@@ -66,7 +65,7 @@ Scene MakeTerrain(int numberOfFaces)
   return scene;
 }
 
-// The bunny, coarsened, as PN triangles, from four sides; empty without the file.
+// The bunny, coarsened, with PN triangles, from four sides; empty if the file is missing.
 Scene MakeBunny(int numberOfFaces)
 {
   Scene scene{ "bunny", nullptr, BenchmarkSurface::MakePNRecipe(), {} };
@@ -100,7 +99,7 @@ vtkSmartPointer<vtkPolyData> Refine(const Scene& scene, vtkCamera* camera)
   return filter->GetOutput();
 }
 
-// In pixels; false outside the picture.
+// In pixels. Returns false outside the picture.
 bool Project(vtkMatrix4x4* matrix, const double point[3], double pixel[2])
 {
   const double in[4] = { point[0], point[1], point[2], 1.0 };
@@ -114,11 +113,11 @@ bool Project(vtkMatrix4x4* matrix, const double point[3], double pixel[2])
 struct Error
 {
   double Triangles = 0.0;
-  double Share95 = 0.0; // pixels: 95 % of the points in the picture are nearer
+  double Share95 = 0.0; // pixels: 95 % of the points in the picture have a smaller distance
   double Largest = 0.0;
 };
 
-// How far points of the true surface are from the refined one, over all cameras.
+// Distances of the true surface's points from the refined one, over all cameras.
 Error Measure(const Scene& scene, vtkPolyData* truth)
 {
   std::vector<double> distances;
@@ -160,7 +159,8 @@ Error Measure(const Scene& scene, vtkPolyData* truth)
   return error;
 }
 
-// Triangles at an error, between measurements, by logarithms; NaN outside of them.
+// The number of triangles for an error, interpolated logarithmically between measurements; NaN
+// outside them.
 double GetTriangles(const std::vector<Error>& errors, double Error::*measure, double at)
 {
   for (size_t i = 0; i + 1 < errors.size(); ++i)

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Tag, select and group in the mapper, with a metric that follows the camera.
+// Measures tagging, selection and grouping in the mapper, with a view-dependent metric.
 #include "BenchmarkMeasure.h"
 #include "BenchmarkReport.h"
 #include "BenchmarkSurface.h"

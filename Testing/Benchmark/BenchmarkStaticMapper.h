@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   BenchmarkStaticMapper
- * @brief   VTK's own mapper, asked for the bytes of its buffers
+ * @brief   VTK's mapper with the size of its buffers in bytes
  */
 #ifndef BenchmarkStaticMapper_h
 #define BenchmarkStaticMapper_h

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Frames of the mapper against the identical triangles as a static mesh in VTK's mapper. Both are
-// drawn in turn, in one window and from the same places, and the frames of a turn are compared with
-// one another: what else the machine does then falls out of the ratios.
+// Compares frames of the mapper with the same triangles as a static mesh in VTK's mapper. Both are
+// drawn in turn in one window from the same positions. Ratios compare frames of the same turn, so
+// that the load of other programs cancels.
 #include "BenchmarkFrames.h"
 #include "BenchmarkMeasure.h"
 #include "BenchmarkReport.h"
@@ -46,7 +45,7 @@ vtkSmartPointer<vtkAdaptiveRefinementMapper> MakeMapper(
   return mapper;
 }
 
-/// Seconds until a mapper's first picture, in a window of its own, with the input ready.
+/// Seconds until a mapper's first picture in a separate window. The input is up to date.
 double TimeFirstFrame(vtkMapper* mapper, const double bounds[6])
 {
   BenchmarkView view;
@@ -90,8 +89,8 @@ BenchmarkTable MakeStartTable()
       { "memory_pn_mb", "PN, MB", 2 }, { "memory_displaced_mb", "PN + displacement, MB", 2 } });
 }
 
-/// Milliseconds of rounds, in turn, as frames are; new mappers and recipes, so that patterns are
-/// made anew.
+/// Milliseconds of rounds, measured in turn like frames. New mappers and recipes are used, so that
+/// patterns are created again.
 struct FirstFrames
 {
   FirstFrames(BenchmarkSurface& surface, const double bounds[6], int rounds)
@@ -108,7 +107,7 @@ struct FirstFrames
           MakeMapper(surface.GetMesh(), BenchmarkSurface::MakeLinearRecipe()), bounds));
     }
   }
-  std::vector<double> Making; // of A's mesh
+  std::vector<double> Making; // creating A's mesh
   std::vector<double> Fixed;  // A
   std::vector<double> Whole;  // both
   std::vector<double> Ours;   // B

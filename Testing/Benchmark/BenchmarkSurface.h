@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   BenchmarkSurface
- * @brief   a wavy coarse surface with depth-tags that refine it to a wanted number of triangles
+ * @brief   a wavy coarse surface with depth-tags that refine it to a given number of triangles
  *
  * A grid over 4 x 3 units with analytic normals, texture coordinates and the point array
- * "DepthTag", which swings about a mean, with noise, so that tens of patterns are in use.
+ * "DepthTag". Tags oscillate around a mean, with noise, so that many patterns are used.
  */
 #ifndef BenchmarkSurface_h
 #define BenchmarkSurface_h
@@ -19,18 +19,18 @@ class vtkPolyData;
 class BenchmarkSurface
 {
 public:
-  /// About that many faces and triangles.
+  /// The numbers of faces and triangles are approximate.
   BenchmarkSurface(int numberOfFaces, double numberOfTriangles);
   ~BenchmarkSurface();
 
   vtkPolyData* GetMesh() { return this->Mesh; }
 
-  /// Recipes over the mesh: linear, PN triangles, PN triangles displaced by heights.
+  /// Recipes for the mesh: linear, PN triangles, and PN triangles displaced by heights.
   static vtkSmartPointer<vtkAdaptiveRefinement> MakeLinearRecipe();
   static vtkSmartPointer<vtkAdaptiveRefinement> MakePNRecipe();
   static vtkSmartPointer<vtkAdaptiveRefinement> MakeDisplacedRecipe();
 
-  /// The refined triangles with normals and nothing else, as the CPU filter gives them.
+  /// The refined triangles with normals only, from the CPU filter.
   vtkSmartPointer<vtkPolyData> MakeRefinedMesh();
 
 private:

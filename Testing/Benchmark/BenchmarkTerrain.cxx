@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// A raster as terrain: Relevo against what VTK offers for it. Each way runs in a process of its
-// own, from the file to the picture.
+// Compares Relevo with VTK's classes for drawing a raster as terrain. Each way runs in a separate
+// process from the file to the picture.
 #include "BenchmarkMeasure.h"
 #include "BenchmarkReport.h"
 #include "BenchmarkView.h"
@@ -51,7 +50,7 @@ short GetHeight(int i, int j)
   return static_cast<short>(std::lround(height));
 }
 
-// An uncompressed TIFF of int16: VTK's writer has unsigned ones only.
+// Writes an uncompressed TIFF of int16, which VTK's writer does not support.
 void WriteHeightMap(const std::string& fileName, int size)
 {
   std::ofstream file(fileName, std::ios::binary);
@@ -69,7 +68,7 @@ void WriteHeightMap(const std::string& fileName, int size)
     { 258, 16 },              // bits per sample
     { 259, 1 },               // no compression
     { 262, 1 },               // black is zero
-    { 273, 256 },             // where the samples begin
+    { 273, 256 },             // offset of the samples
     { 277, 1 },               // samples per pixel
     { 278, side },            // rows per strip
     { 279, 2 * side * side }, // bytes
@@ -188,7 +187,8 @@ std::vector<double> MeasureRelevo(const std::string& fileName, bool allTexels)
   mapper->SetInputConnection(source->GetOutputPort());
   mapper->SetRefinement(recipe);
   const Pictures pictures = Draw(view, mapper, stopwatch);
-  const ResidentMemory after = GetResidentMemory(); // counting triangles over holes may take more
+  // before triangles over holes are counted, which may take more memory
+  const ResidentMemory after = GetResidentMemory();
   auto result = GetResult(0, pictures, before);
   result[0] = static_cast<double>(mapper->GetNumberOfDrawnTriangles());
   result[3] = after.Peak - before.Current;
@@ -197,7 +197,7 @@ std::vector<double> MeasureRelevo(const std::string& fileName, bool allTexels)
 }
 }
 
-// vtk|adaptive|full FILE -> triangles, seconds to the first picture, seconds a frame, growth of
+// vtk|adaptive|full FILE -> triangles, seconds to the first picture, seconds per frame, growth of
 // resident memory at its peak and at the end
 std::vector<double> MeasureTerrain(const std::vector<std::string>& arguments)
 {

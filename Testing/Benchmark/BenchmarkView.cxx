@@ -60,7 +60,7 @@ void BenchmarkView::LookAt(const double bounds[6])
 
 void BenchmarkView::LookAway()
 {
-  // VTK would not draw what is not in sight.
+  // VTK would skip props out of view.
   this->Renderer->GetCullers()->RemoveAllItems();
   this->Renderer->GetActiveCamera()->Yaw(180.0);
 }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   BenchmarkView
- * @brief   a window with one renderer, and the clock that frames are timed with
+ * @brief   a window with one renderer, and the clock for its frames
  *
- * 1024 x 768 pixels, unless told otherwise, without multisampling; the context is made, and one
- * empty frame drawn, before anything is measured.
+ * By default 1024 x 768 pixels without multisampling. Before measurements, the context is created
+ * and an empty frame is drawn.
  */
 #ifndef BenchmarkView_h
 #define BenchmarkView_h
@@ -29,25 +29,25 @@ public:
   BenchmarkView(const BenchmarkView&) = delete;
   void operator=(const BenchmarkView&) = delete;
 
-  /// A visible actor for the mapper.
+  /// Adds a visible actor for the mapper.
   vtkSmartPointer<vtkActor> AddActor(vtkMapper* mapper);
 
-  /// Look at bounds obliquely from above, so that they fill the view.
+  /// Looks at bounds obliquely from above, so that they fill the view.
   void LookAt(const double bounds[6]);
-  /// Look the other way, so that nothing is in the picture.
+  /// Looks in the opposite direction, so that nothing is visible.
   void LookAway();
-  /// Turn the camera a little around what it looks at.
+  /// Turns the camera slightly around its focal point.
   void MoveCamera(double degrees = 0.5);
 
-  /// Seconds of wall clock from the call to the finished picture.
+  /// Wall clock seconds from the call to the finished picture.
   double TimeFrame();
 
-  /// The picture of the last frame: RGB, bytes.
+  /// The picture of the last frame as RGB bytes.
   std::vector<unsigned char> GetPicture();
-  /// Its depths, 1 where nothing is.
+  /// The depths of the last frame, 1 for the background.
   std::vector<float> GetDepths();
 
-  /// Its name, OpenGL's version, and whether it is hardware or software.
+  /// The renderer's name, OpenGL's version, and whether it is hardware or software.
   std::string GetOpenGLRenderer();
   vtkRenderer* GetRenderer() { return this->Renderer; }
   int GetWidth() const { return this->Width; }

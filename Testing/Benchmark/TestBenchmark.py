@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The benchmark runs with tiny sizes and writes complete, valid JSON. How fast is not asked."""
+"""Proves that the benchmark runs with tiny sizes and writes complete, valid JSON. Its speed is not
+tested."""
 import json
 import os
 import resource
@@ -26,7 +27,7 @@ class TestBenchmark(unittest.TestCase):
             return result.stdout, json.loads(output.read_text(encoding="utf-8"))
 
     def run_with_error(self, code, *arguments, **settings):
-        """The one line that the program ends with."""
+        """The single line of the program's error."""
         result = subprocess.run([PROGRAM, "--quick", *arguments], capture_output=True, text=True,
                                 **settings)
         self.assertEqual(result.returncode, code, result.stderr)
@@ -37,7 +38,7 @@ class TestBenchmark(unittest.TestCase):
         return errors[0]
 
     def test_bad_arguments(self):
-        """Named at once, without characters that command a terminal."""
+        """The error names the argument with escaped control characters."""
         self.assertIn(r"'\x1b[2J\n'", self.run_with_error(2, "\x1b[2J\n"))
         self.assertIn("'--output'", self.run_with_error(2, "--output"))
         self.assertIn("'--quick'", self.run_with_error(2, "--", "rules", "--quick"))
@@ -46,7 +47,7 @@ class TestBenchmark(unittest.TestCase):
                       self.run_with_error(1, "--output", "/no\nfolder/a.json"))
 
     def test_full_disk(self):
-        """The old report stays."""
+        """A failure keeps the previous report."""
         with tempfile.TemporaryDirectory() as folder:
             output = Path(folder) / "a.json"
             output.write_text("old")
@@ -70,7 +71,7 @@ class TestBenchmark(unittest.TestCase):
         for table in report["tables"]:
             self.assertIn("## " + table["title"], markdown)
             for row in table["rows"]:
-                # Some rules reach errors that the reference does not.
+                # Some rules have smaller errors than the reference.
                 values = [value for key, value in row.items() if not key.startswith("ratio_")]
                 self.assertNotIn(None, values, table["name"])
         self.check_methods(tables)
@@ -176,7 +177,7 @@ class TestBenchmark(unittest.TestCase):
         self.assertGreater(exact["meeting"], exact["crossing"])
         for key in ("crashes", "hangs", "too_many", "too_few", "too_few_crossing"):
             self.assertEqual(exact[key], 0, key)
-        for row in tables.get("intersections-times", []):  # with the bunny
+        for row in tables.get("intersections-times", []):  # only if the bunny is available
             self.assertGreater(row["ratio"], 0.0)
         most, _, none = tables["intersections-scene"]
         self.assertGreater(most["triangles"], none["triangles"])

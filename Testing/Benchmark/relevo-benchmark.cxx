@@ -86,7 +86,7 @@ const std::vector<Measurement> Measurements = {
 
 std::string ProgramPath;
 
-// The arguments that a process of its own is called with, before the measurement's.
+// Arguments of a separate process, before those of the measurement.
 const std::string MeasureOption = "--measure";
 
 int Measure(const std::vector<std::string>& arguments)
@@ -135,7 +135,7 @@ bool IsBenchmark(const std::string& name)
 
 struct Arguments
 {
-  // False, with the argument, where there is one that is not known. After "--" all are names.
+  // Returns false with the first unknown argument. After "--", all arguments are names.
   bool Parse(int argc, char* argv[])
   {
     bool areNames = false;
@@ -197,7 +197,7 @@ bool CanRead(const std::string& file)
   return true;
 }
 
-// Before hours of measuring.
+// Checks this before hours of measurements.
 bool CanWrite(const std::string& file)
 {
   const std::string error = file.empty() ? "" : relevo::AtomicFile::FindError(file);
@@ -208,7 +208,7 @@ bool CanWrite(const std::string& file)
   return error.empty();
 }
 
-// All where none is named.
+// All benchmarks if none is named.
 std::vector<Benchmark> ChooseBenchmarks(const std::vector<std::string>& names)
 {
   std::vector<Benchmark> chosen;
@@ -219,7 +219,7 @@ std::vector<Benchmark> ChooseBenchmarks(const std::vector<std::string>& names)
   return chosen;
 }
 
-// For the shell.
+// Quotes a name for the shell.
 std::string Quote(const std::string& text)
 {
   std::string quoted = "'";

@@ -2,19 +2,19 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Sets up, builds and runs the benchmark: Markdown on stdout, JSON in the build folder. Arguments
-# go to relevo-benchmark; without a NAME everything is measured.
+# Sets up, builds and runs the benchmark. Prints Markdown and writes JSON to the build folder.
+# Arguments are passed to relevo-benchmark. Without a NAME everything is measured.
 #
 #   bash Testing/Benchmark/run.sh [--quick | --full] [--height-map FILE] [--paraview PREFIX]
 #        [--output FILE.json] [--] [NAME...]
 #
-# NAME is one of those that --help lists. --quick shows that everything runs, --full takes sizes
-# and repetitions that are for graphics cards. RELEVO_TEST_DATA names a folder of larger real data.
-# --paraview names a folder that ParaView/fetch.sh has filled: lic compares with its VTK.
-# The NAME paraview, alone, measures the plugin that Module/ParaView/build.sh has built.
+# --help lists the NAMEs. --quick only shows that everything runs. --full uses sizes and repetitions
+# for graphics cards. RELEVO_TEST_DATA names a folder with larger real data. --paraview names a
+# folder filled by ParaView/fetch.sh; lic then compares with its VTK. The NAME paraview, alone,
+# measures the plugin that Module/ParaView/build.sh has built.
 #
-# The build folder can be copied to another machine with the same VTK, whatever the path: there
-# run bin/relevo-benchmark of the copy. It needs no display (EGL), and names the renderer.
+# You can copy the build folder to any path on another machine with the same VTK and run the copy's
+# bin/relevo-benchmark. It needs no display (EGL) and prints the renderer's name.
 set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -25,7 +25,7 @@ build_dir=${RELEVO_BUILD_DIR:-$source_dir/build}
 
 bash "$source_dir/Module/build.sh" --benchmark >&2
 
-# A build without the display-less window needs an X server.
+# A build without EGL needs an X server.
 display=()
 if [ -z "${DISPLAY:-}" ] && command -v xvfb-run >/dev/null; then
   display=(xvfb-run -a -s "-noreset -screen 0 1280x1024x24")

@@ -26,7 +26,7 @@ namespace
 {
 constexpr int NumberOfObjects = 8;
 
-// Rings and balls at the corners of a cube; neighbours are in each other.
+// Rings and balls at the corners of a cube. Neighbours intersect.
 class Objects
 {
 public:
@@ -59,7 +59,7 @@ public:
     view.LookAt(bounds);
   }
 
-  // Each turns about an axis of its own, and sways.
+  // Each object rotates about its axis and sways.
   void Move(int frame)
   {
     for (int i = 0; i < NumberOfObjects; ++i)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   moving objects in a vtkContactScene: what it takes of a frame
+ * @brief   moving objects in a vtkContactScene: its share of the frame time
  */
 #ifndef BenchmarkContacts_h
 #define BenchmarkContacts_h

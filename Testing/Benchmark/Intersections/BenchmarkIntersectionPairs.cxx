@@ -67,7 +67,7 @@ BenchmarkWorker::Figures MeasurePair(Policy::Kind kind, int number)
 
 std::vector<double> MeasureIntersectionPairs(const std::vector<std::string>& arguments)
 {
-  vtkObject::GlobalWarningDisplayOff(); // of what is not closed, or has edges of many triangles
+  vtkObject::GlobalWarningDisplayOff(); // warnings about open meshes and edges with many triangles
   const auto kind = static_cast<Policy::Kind>(std::atoi(arguments.at(1).c_str()));
   const BenchmarkWorker worker(std::atoi(arguments.at(2).c_str()), 2,
     [kind](int number) { return MeasurePair(kind, number); });

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   small meshes of whole coordinates: triangles that meet, against exact arithmetic
+ * @brief   small meshes with whole coordinates: intersecting triangles, compared with exact
+ * arithmetic
  */
 #ifndef BenchmarkIntersectionPairs_h
 #define BenchmarkIntersectionPairs_h

@@ -21,7 +21,7 @@ namespace
 using Policy = BenchmarkIntersectionWay;
 constexpr std::array<Policy::Kind, 3> Ways = { Policy::Exact, Policy::Lines, Policy::Collisions };
 
-// Without what a mesh builds when it is used.
+// Copies a mesh without the structures that it builds when it is used.
 vtkSmartPointer<vtkPolyData> Renew(vtkPolyData* mesh)
 {
   auto renewed = vtkSmartPointer<vtkPolyData>::New();
@@ -40,7 +40,7 @@ struct Contest
     this->Motion->RotateY(20.0);
   }
 
-  // All in turn, from the meshes and after moves.
+  // Measures all ways in turn, for new meshes and after moves.
   void Run(int rounds, int moves)
   {
     for (int round = 0; round < rounds; ++round)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   a large mesh against itself moved, beside VTK's filters
+ * @brief   a large mesh intersected with its moved copy, compared with VTK's filters
  */
 #ifndef BenchmarkIntersectionTimes_h
 #define BenchmarkIntersectionTimes_h

@@ -21,7 +21,7 @@ namespace
 {
 using Policy = BenchmarkIntersectionWay;
 
-// The cells of a mesh that two points are in.
+// The cells of a mesh that contain both points.
 std::vector<vtkIdType> FindCells(vtkPolyData* mesh, const double ends[2][3])
 {
   const auto isNear = [](vtkCell* cell, const double x[3])
@@ -131,7 +131,7 @@ BenchmarkIntersectionWay::Pairs BenchmarkIntersectionWay::GetPairs() const
   pairs = RelevoGetCellPairs(this->Filter->GetOutput());
   if (auto* exact = vtkSurfaceIntersectionFilter::SafeDownCast(this->Filter))
   {
-    // Curves have a segment once, whatever the number of pairs that have it in common.
+    // A curve has each segment once, however many pairs share it.
     pairs.merge(RelevoGetCellPairs(exact->GetOutput(1)));
     relevo::MovedSurface surfaces[2];
     relevo::Motion motions[2];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   BenchmarkIntersectionWay
- * @brief   the filters that find where two surfaces meet
+ * @brief   the filters that intersect two surfaces
  */
 #ifndef BenchmarkIntersectionWay_h
 #define BenchmarkIntersectionWay_h
@@ -31,21 +31,22 @@ public:
   };
   using Pairs = std::set<std::pair<vtkIdType, vtkIdType>>;
 
-  /// Of meshes of triangles that are shared with no other way, or have not been used.
+  /// The triangle meshes must not be shared with other ways, or must not have been used.
   BenchmarkIntersectionWay(Kind kind, vtkPolyData* first, vtkPolyData* second);
   ~BenchmarkIntersectionWay();
 
   static std::string GetName(Kind kind);
 
-  /// The second mesh. vtkIntersectionPolyDataFilter gets a moved copy, which takes no time.
+  /// Moves the second mesh. vtkIntersectionPolyDataFilter gets a moved copy, whose creation is not
+  /// timed.
   void Move(vtkMatrix4x4* matrix);
   void Update();
-  /// What was found: segments, or contacts.
+  /// Number of segments or contacts found.
   vtkIdType GetNumberOfSegments() const;
-  /// The triangles that are said to meet.
+  /// The triangles reported as intersecting.
   Pairs GetPairs() const;
-  /// All in which a whole line of vtkIntersectionPolyDataFilter's is, up to 0.001: a line that
-  /// several pairs have in common has the ids of one.
+  /// All pairs that contain a whole line of vtkIntersectionPolyDataFilter, up to 0.001: a line
+  /// shared by several pairs has the ids of one.
   Pairs GetUnnamedPairs() const;
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Where surfaces meet: against exact whole numbers and VTK's filters, and in a moving scene.
+// Compares surface intersection with exact integer arithmetic and VTK's filters, and measures a
+// moving scene.
 #include "BenchmarkContacts.h"
 #include "BenchmarkIntersectionPairs.h"
 #include "BenchmarkIntersectionTimes.h"

@@ -12,7 +12,7 @@
 
 namespace
 {
-// Neither files of crashes nor all of the memory.
+// Disables core files and limits memory.
 void SetLimits()
 {
   const rlimit none{ 0, 0 };

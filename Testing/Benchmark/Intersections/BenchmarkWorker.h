@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   work that may crash or hang, item by item in a process of its own
+ * @brief   runs work that may crash or hang, item by item, in a separate process
  */
 #ifndef BenchmarkWorker_h
 #define BenchmarkWorker_h
@@ -14,12 +14,12 @@ struct BenchmarkWorker
 {
   using Figures = std::array<double, 6>;
 
-  /// Does the items 0 to number - 1, each by a call that returns figures. They run one after the
-  /// other in a child process; after a crash, or an item that takes longer than so many seconds,
-  /// another child goes on with the next one. The calling process must have no threads.
+  /// Runs the items 0 to number - 1 by calls that return figures, one after the other in a child
+  /// process. After a crash, or after an item takes longer than `seconds`, another child continues
+  /// with the next item. The calling process must not have threads.
   BenchmarkWorker(int number, unsigned int seconds, const std::function<Figures(int)>& work);
 
-  Figures Sums{}; // over the items that were finished
+  Figures Sums{}; // over the completed items
   int Finished = 0;
   int Crashes = 0;
   int Hangs = 0;

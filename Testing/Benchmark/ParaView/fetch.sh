@@ -2,15 +2,15 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Unpacks Debian's ParaView, whose VTK has the surface LIC that Debian's own VTK lacks, into a folder
-# of its own, with the libraries of Debian's that it needs and the machine has not. Nothing is
-# installed: the packages conflict with those of VTK.
+# Unpacks Debian's ParaView, whose VTK has the surface LIC that Debian's VTK lacks, and the libraries
+# that it needs into a separate folder. Nothing is installed, because the packages conflict with
+# those of VTK.
 #
 #   bash Testing/Benchmark/ParaView/fetch.sh PREFIX [PACKAGE...]
 #
-# PACKAGEs are unpacked besides, as paraview-dev for Module/ParaView/build.sh.
+# Additional PACKAGEs are unpacked too, for example paraview-dev for Module/ParaView/build.sh.
 #
-# Leaves PREFIX/bin/paraview-python: Python with ParaView's modules. Then
+# Creates PREFIX/bin/paraview-python, which is Python with ParaView's modules. Then run
 # relevo-benchmark --paraview PREFIX lic
 set -euo pipefail
 
@@ -24,20 +24,20 @@ packages_dir=$(mktemp -d)
 trap 'rm -rf "$packages_dir"' EXIT
 
 packages=(paraview python3-paraview "${@:2}")
-# What would be installed along with them, if it were.
+# Lists the packages that an installation would add.
 mapfile -t libraries < <(apt-get --simulate install --no-install-recommends "${packages[@]}" |
   sed -n 's/^Inst \(lib[^ ]*\) .*/\1/p' | grep -v -e '-dev$')
 (cd "$packages_dir" && apt-get download "${packages[@]}" "${libraries[@]}")
 for package in "$packages_dir"/*.deb; do
   dpkg -x "$package" "$prefix"
 done
-# Debian renames the modules of Python, but ParaView's files for CMake know the names from before.
+# Debian renames the Python modules, but ParaView's CMake files use the original names.
 find "$prefix/usr/lib/python3" -name '*.cpython-*.so' -print0 |
   while IFS= read -r -d '' module; do
     ln -sf "${module##*/}" "${module%%.cpython-*}.so"
   done
 
-# It finds its folder by its own place, so PREFIX may move.
+# The script finds its folder relative to itself, so PREFIX may be moved.
 cat >"$prefix/bin/paraview-python.part" <<'EOF'
 #!/bin/sh
 prefix=$(cd "$(dirname "$0")/.." && pwd)

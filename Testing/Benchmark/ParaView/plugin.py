@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measures the plugin for ParaView; run.sh beside this file says in which order.
+"""Measures the plugin for ParaView. run.sh in this folder shows the order of the calls.
 
     [mpirun -n RANKS] pvbatch plugin.py ranks FILE.npz
     [mpirun -n RANKS] pvbatch plugin.py meshes FILE.npz
@@ -38,7 +38,7 @@ LEVEL_0 = {"MaximumLevel": 0, "Metric": "None"}
 
 
 def median_ms(actions, frames=5):
-    """Of actions that are done in turn; the first round does not count."""
+    """Times actions in turn. The first round is not counted."""
     times = {name: [] for name in actions}
     for frame in range(frames + 1):
         for name, action in actions.items():
@@ -59,22 +59,22 @@ def look_from(view, position):
 
 
 def isosurface(half=60):
-    """Of a cube of that many cells from its middle to a side."""
+    """An isosurface of a cube with this many cells from its centre to a side."""
     wavelet = simple.Wavelet(WholeExtent=3 * [-half, half])
     return simple.Contour(Input=wavelet, ContourBy=["POINTS", "RTData"], Isosurfaces=[150])
 
 
 def shown_in_view(source, representation=REFINED, **properties):
-    """What is shown, and its view, whose camera may be moved."""
+    """Shows a surface and returns it with its view, whose camera may be moved."""
     view = relevo.view((1280, 800))
     view.UseFXAA = 0
     shown = relevo.show(source, view, representation, **properties)
-    simple.Render(view)  # the first frame of a session moves the camera
+    simple.Render(view)  # ParaView moves the camera in the first frame of a session
     return shown, view
 
 
 def over_ranks(operation, number):
-    """Collective: MAX_OP, MIN_OP or SUM_OP."""
+    """Reduces a value over all ranks with MAX_OP, MIN_OP or SUM_OP."""
     result = vtkDoubleArray()
     result.SetNumberOfValues(1)
     vtkMultiProcessController.GetGlobalController().AllReduce(
@@ -90,7 +90,7 @@ def refined_actor(view):
 
 
 def ranks(path):
-    """Pictures against those of one rank, and frames while the camera moves."""
+    """Compares pictures with those of one rank, and measures frames while the camera moves."""
     contour = isosurface()
     looks = {
         "Surface": (SURFACE, {}),
@@ -121,7 +121,7 @@ def ranks(path):
 
 
 def meshes(path):
-    """The refined pieces of all ranks together against the mesh of one rank."""
+    """Compares the refined pieces of all ranks with the mesh of one rank."""
     contour = isosurface(30)
     contour.UpdatePipeline()
     mesh = simple.AdaptiveRefinement(
@@ -145,7 +145,7 @@ def meshes(path):
 
 
 def agreement():
-    """What ranks tell each other before each frame, while the camera moves."""
+    """Measures the communication before each frame while the camera moves."""
     contour = isosurface()
     contour.UpdatePipeline()
     faces = contour.GetDataInformation().GetNumberOfCells()
@@ -161,7 +161,7 @@ def agreement():
         def note_time(*_, moments=moments):
             moments.append(time.perf_counter())
 
-        for priority in -0.9, -1.1:  # its own is -1
+        for priority in -0.9, -1.1:  # the filter's priority is -1
             renderer.AddObserver("StartEvent", note_time, priority)
 
         def move(frame, view=view):
@@ -175,17 +175,17 @@ def agreement():
 
 
 def interactive(*seconds):
-    """Frames that are asked to take so long, while the camera moves around a sphere. At level 0 they
-    take the least time possible. There are no cracks where all ranks have one offset of levels."""
+    """Limits the frame time while the camera moves around a sphere. Level 0 takes the least
+    possible time. All ranks must use the same level offset, so that there are no cracks."""
     sphere = simple.Sphere(ThetaResolution=1000, PhiResolution=1001)
     shown, view = shown_in_view(sphere, **LEVEL_0)
     renderer = view.GetClientSideObject().GetRenderer()
-    allowed = [1 / 15]  # what ParaView asks for
+    allowed = [1 / 15]  # ParaView's default
 
     def give_time(*_):
         renderer.SetAllocatedRenderTime(allowed[-1])
 
-    # On all ranks, before they agree on levels.
+    # Runs on all ranks before they agree on levels.
     renderer.AddObserver("StartEvent", give_time, -0.5)
 
     def move(frame):
@@ -210,7 +210,7 @@ def interactive(*seconds):
 
 
 def plain():
-    """Frames of ParaView's view and of a window of VTK's with the same mapper, in turn."""
+    """Measures frames of ParaView's view and of a VTK window with the same mapper, in turn."""
     for name, source, properties in (
         ("Level 0", isosurface(), LEVEL_0),
         ("Refined", isosurface(), CURVED),
@@ -255,7 +255,7 @@ def plain():
 
 
 def displaced(path):
-    """512 x 512 heights, scaled anew or seen from elsewhere in every frame."""
+    """Measures 512 x 512 heights that are scaled or seen from another side in every frame."""
     simple.LoadPlugin(relevo.find_plugin("EmbossingRepresentations"), remote=False, ns=globals())
     y, x = numpy.mgrid[:512, :512] / 511 - 0.5
     waves = (numpy.sin(12 * x) * numpy.cos(9 * y) + 1) / 2
@@ -299,7 +299,8 @@ def displaced(path):
 
 
 def raster(way, path):
-    """From a file of 4096 x 4096 heights, which `raster write` makes, to the first picture."""
+    """Measures the time from a file of 4096 x 4096 heights, created by `raster write`, to the first
+    picture."""
     if way == "write":
         relevo.write_heights(path, 4097)
         return

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Measures the plugin for ParaView that Module/ParaView/build.sh has built: Markdown on stdout.
+# Measures the plugin for ParaView that Module/ParaView/build.sh has built. Prints Markdown.
 #
 #   bash Testing/Benchmark/run.sh paraview
 set -euo pipefail

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws a mesh with VTK's own surface LIC, and without, as it is told on the standard input.
+"""Draws a mesh with and without VTK's surface LIC, as requested on the standard input.
 
     surface-lic.py MESH.vtp ARRAY WIDTH HEIGHT NOISE.png [SETTING=VALUE...]
 
-It runs with the VTK of ParaView, which is on PYTHONPATH and LD_LIBRARY_PATH. An empty name for the
-noise means VTK's own. Settings are those of vtkSurfaceLICInterface. Each line on the standard
-input gets one line on the standard output:
+It runs with ParaView's VTK, which must be on PYTHONPATH and LD_LIBRARY_PATH. An empty name for the
+noise selects VTK's default noise. Settings are those of vtkSurfaceLICInterface. Each line on the
+standard input gets one line on the standard output:
 
     renderer                        the name of the OpenGL renderer
     camera POSITION FOCALPOINT VIEWUP IS_PARALLEL SCALE ANGLE    "ok"; 12 numbers
@@ -57,7 +57,7 @@ class Scene:
         actor = vtkActor()
         actor.SetMapper(mapper)
         actor.VisibilityOff()
-        # White without light; LightingOff would leave variables of VTK's LIC shader unset.
+        # White and unlit. LightingOff would leave variables of VTK's LIC shader unset.
         surface = actor.GetProperty()
         surface.SetColor(1.0, 1.0, 1.0)
         surface.SetAmbient(1.0)

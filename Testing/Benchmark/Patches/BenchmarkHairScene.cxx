@@ -41,7 +41,7 @@ public:
   {
     vtkNew<vtkIdList> ids;
     grid->GetCellPoints(cell, ids);
-    const int order[] = { 0, 3, 1, 2 }; // VTK has the ends first
+    const int order[] = { 0, 3, 1, 2 }; // VTK stores the ends first
     for (int i = 0; i < 4; ++i)
     {
       grid->GetPoint(ids->GetId(i), this->Points[order[i]].GetData());
@@ -55,7 +55,7 @@ public:
       this->Points[2] * (3.0 * s * t * t) + this->Points[3] * (t * t * t);
   }
 
-  // From a point, to the chord of its segment.
+  // The distance of a point from the chord of its segment.
   double Measure(const vtkVector3d& point, int segment, int segments) const
   {
     const vtkVector3d first = this->Evaluate(segment / static_cast<double>(segments));
@@ -67,7 +67,7 @@ private:
   std::array<vtkVector3d, 4> Points;
 };
 
-// Pixels of a unit of length at a point; 0 out of view.
+// Pixels per unit of length at a point; 0 out of view.
 class PixelScale
 {
 public:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   BenchmarkHairScene
- * @brief   hair on the bunny, or a sphere, cut evenly or by its error on the screen
+ * @brief   hair on the bunny or a sphere, split uniformly or by its error on the screen
  */
 #ifndef BenchmarkHairScene_h
 #define BenchmarkHairScene_h
@@ -18,19 +18,19 @@ class vtkUnstructuredGrid;
 class BenchmarkHairScene
 {
 public:
-  /// About that many, each one cubic Bézier curve.
+  /// The approximate number of hairs. Each is one cubic Bézier curve.
   explicit BenchmarkHairScene(int hairs);
   ~BenchmarkHairScene();
 
   vtkUnstructuredGrid* GetHairs() const { return this->Hairs; }
 
-  /// The segments of each hair, for half a pixel, by vtkAdaptiveCurveFilter.
+  /// The segments of each hair for an error of half a pixel, by vtkAdaptiveCurveFilter.
   std::vector<int> CountSegments(BenchmarkView& view) const;
 
-  /// The largest distance in pixels of hairs in view from their chords.
+  /// The largest distance in pixels between visible hairs and their chords.
   double MeasureError(BenchmarkView& view, const std::vector<int>& segments) const;
 
-  /// Poly-lines of so many segments each, points in floats.
+  /// Poly-lines with this many segments each. Points are floats.
   vtkSmartPointer<vtkPolyData> Cut(int segments) const;
 
 private:

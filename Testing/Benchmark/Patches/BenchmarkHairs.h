@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   hair as curves, against evenly cut lines
+ * @brief   hair as curves, compared with uniformly split lines
  */
 #ifndef BenchmarkHairs_h
 #define BenchmarkHairs_h
 
 #include "Benchmarks.h"
 
-/// Memory, frames and segments of equal error.
+/// Adds memory, frames and segments for equal errors.
 void AddHairs(const BenchmarkOptions& options, const AddTable& addTable);
 
 #endif

@@ -25,7 +25,7 @@ const std::array<Policy::Kind, 3> Ways = { Policy::Linear, Policy::Exact, Policy
 
 struct FirstPictures
 {
-  // In turn.
+  // Measures the ways in turn.
   FirstPictures(int side, int rounds)
   {
     for (int round = 0; round < rounds; ++round)

@@ -9,7 +9,7 @@
 
 #include "Benchmarks.h"
 
-/// Cubic hexahedra as patches against vtkDataSetSurfaceFilter with vtkPolyDataMapper.
+/// Compares cubic hexahedra as patches with vtkDataSetSurfaceFilter and vtkPolyDataMapper.
 void AddPatchFrames(const BenchmarkOptions& options, const AddTable& addTable);
 
 /// WAY SIDE -> seconds from the grid to the first picture, bytes of meshes and buffers

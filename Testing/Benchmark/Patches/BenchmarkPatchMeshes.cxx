@@ -33,7 +33,7 @@ namespace
 {
 constexpr int Degree = 3;
 
-// From the cube of -1 to 1: twisted, with waves three cells long.
+// Deforms the cube of -1 to 1: twisted, with waves three cells long.
 std::array<double, 3> Bend(const std::array<double, 3>& x, int side)
 {
   const double cell = 2.0 / side;

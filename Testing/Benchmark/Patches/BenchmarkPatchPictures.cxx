@@ -42,7 +42,7 @@ Picture Draw(BenchmarkView& view, vtkMapper* mapper)
   return picture;
 }
 
-// Whether nothing is drawn at a pixel, or beside it.
+// Whether a pixel or one of its neighbours is background.
 bool IsOutline(BenchmarkView& view, const Picture& picture, int pixel)
 {
   for (int y = -1; y <= 1; ++y)
@@ -64,7 +64,7 @@ bool IsOutline(BenchmarkView& view, const Picture& picture, int pixel)
 
 struct Reference
 {
-  std::vector<int> Pixels; // whose rays meet a cell
+  std::vector<int> Pixels; // their rays hit a cell
   std::vector<unsigned char> Colors;
   double Tried = 0.0; // pixels
 };
@@ -97,7 +97,7 @@ Reference FindColors(
 
 struct Agreement
 {
-  double Near = 0.0; // of the reference's pixels, those within 2 of 255
+  double Near = 0.0; // share of the reference's pixels within 2 of 255
   double Quantile = 0.0;
   double Largest = 0.0;
 };

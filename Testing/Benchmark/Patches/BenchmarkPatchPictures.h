@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   pictures of a field of curved cells
+ * @brief   pictures of a field on curved cells
  */
 #ifndef BenchmarkPatchPictures_h
 #define BenchmarkPatchPictures_h
 
 #include "Benchmarks.h"
 
-/// Colours of pixels against vtkCell's own interpolation where their rays meet the cells.
+/// Compares colours of pixels with vtkCell's interpolation where their rays hit the cells.
 void AddPatchPictures(const BenchmarkOptions& options, const AddTable& addTable);
 
 #endif

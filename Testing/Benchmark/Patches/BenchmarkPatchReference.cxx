@@ -17,7 +17,7 @@
 namespace
 {
 constexpr int NodesOfCell = 64;
-// How far out of a face a hit may be, of its width: neighbours go on.
+// Tolerance for hits outside a face, relative to its width, where its neighbours continue.
 constexpr double Outside = 0.02;
 }
 
@@ -53,7 +53,7 @@ BenchmarkPatchReference::Hit BenchmarkPatchReference::MeetFace(
   {
     constexpr double difference = 1e-6;
     const Place x = this->Evaluate(place, weights);
-    double columns[3][3]; // of the derivatives
+    double columns[3][3]; // the derivatives
     double rest[3];
     for (int c = 0; c < 3; ++c)
     {

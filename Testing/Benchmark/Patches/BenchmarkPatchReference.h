@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   BenchmarkPatchReference
- * @brief   scalars where rays meet the faces of cells, by vtkCell's own formulas
+ * @brief   scalars where rays hit the faces of cells, by vtkCell's formulas
  */
 #ifndef BenchmarkPatchReference_h
 #define BenchmarkPatchReference_h
@@ -22,12 +22,12 @@ class BenchmarkPatchReference
 public:
   using Place = std::array<double, 3>;
 
-  /// Of BenchmarkPatchMeshes::MakeHexahedra(), whose outer faces count.
+  /// For the outer faces of BenchmarkPatchMeshes::MakeHexahedra().
   explicit BenchmarkPatchReference(vtkUnstructuredGrid* grid);
   ~BenchmarkPatchReference();
 
-  /// Where the ray from `eye` through `point` meets a cell at the node nearest to `point`, by
-  /// Newton's method; NaN where it meets none.
+  /// The scalar where the ray from `eye` through `point` hits a cell at the node closest to
+  /// `point`, by Newton's method. NaN if it misses.
   double FindValue(const Place& eye, const Place& point);
 
 private:

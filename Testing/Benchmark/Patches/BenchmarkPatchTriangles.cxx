@@ -28,7 +28,7 @@ namespace
 {
 constexpr double Pixels = 0.5;
 constexpr int LastLevel = 8;                   // of vtkDataSetSurfaceFilter: 9.4 M triangles
-constexpr vtkIdType MeasuredTriangles = 60000; // of a mesh with more, about so many are measured
+constexpr vtkIdType MeasuredTriangles = 60000; // about this many are measured in larger meshes
 
 int GetHeight(int width)
 {
@@ -45,7 +45,7 @@ vtkSmartPointer<vtkCamera> MakeCamera(vtkDataSet* data, double zoom)
   return camera;
 }
 
-// For each point the planes of the frustum that it is outside of, a bit each.
+// For each point, a bit for each frustum plane that it lies outside of.
 std::vector<unsigned char> FindOutside(vtkPolyData* mesh, vtkCamera* camera)
 {
   vtkMatrix4x4* matrix = camera->GetCompositeProjectionTransformMatrix(4.0 / 3.0, -1.0, 1.0);
@@ -96,8 +96,8 @@ struct View
     this->Shown->SetPolys(triangles);
   }
 
-  vtkNew<vtkPolyData> Shown; // without triangles that are outside of a plane
-  double Unculled = 0.0;     // triangles but those of patches that are, and so are culled
+  vtkNew<vtkPolyData> Shown; // without triangles outside of a plane
+  double Unculled = 0.0;     // triangles without those of patches outside, which are culled
 };
 
 struct Triangles
@@ -105,7 +105,7 @@ struct Triangles
   double All = 0.0;
   double Unculled = 0.0;
   double InView = 0.0;
-  double Error = 0.0; // pixels, of those in view
+  double Error = 0.0; // pixels, for visible triangles
 };
 
 class Contest
@@ -140,7 +140,7 @@ public:
     return this->Measure(filter->GetOutput(), width);
   }
 
-  // Of the level from `level` on that suffices, which is then in `level`.
+  // Finds the lowest sufficient level from `level` on and stores it in `level`.
   Triangles MeasureEven(int width, int& level)
   {
     Triangles even;

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   how many triangles half a pixel takes
+ * @brief   number of triangles for an error of half a pixel
  */
 #ifndef BenchmarkPatchTriangles_h
 #define BenchmarkPatchTriangles_h
 
 #include "Benchmarks.h"
 
-/// The teapot's, in windows of several sizes, against those of vtkDataSetSurfaceFilter's least
-/// sufficient level; of all of it and at tenfold zoom.
+/// Compares the teapot's triangles in windows of several sizes with vtkDataSetSurfaceFilter at its
+/// lowest sufficient level, for the whole teapot and at tenfold zoom.
 void AddPatchTriangles(const BenchmarkOptions& options, const AddTable& addTable);
 
 #endif

@@ -33,7 +33,7 @@ BenchmarkPatchWay::BenchmarkPatchWay(Kind kind, vtkUnstructuredGrid* grid)
     mapper->SetExactScalars(kind == Exact);
     this->Mapper = mapper;
   }
-  // Steps of colours that are no larger than one of 255.
+  // Steps between colours are at most 1/255.
   vtkNew<vtkLookupTable> table;
   table->SetNumberOfTableValues(1024);
   this->Mapper->SetLookupTable(table);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   BenchmarkPatchWay
- * @brief   from a grid of curved cells to what draws its scalars
+ * @brief   the pipeline from a grid of curved cells to its picture
  */
 #ifndef BenchmarkPatchWay_h
 #define BenchmarkPatchWay_h
@@ -26,7 +26,7 @@ public:
   };
   static constexpr int EvenLevel = 4;
 
-  /// Patches to half a pixel.
+  /// Patches have an error of half a pixel.
   BenchmarkPatchWay(Kind kind, vtkUnstructuredGrid* grid);
   ~BenchmarkPatchWay();
 
@@ -34,7 +34,7 @@ public:
 
   vtkMapper* GetMapper() const { return this->Mapper; }
 
-  /// After a frame.
+  /// Valid after a frame.
   double GetNumberOfTriangles() const;
   /// Bytes of the mapper's input and of its buffers, after a frame.
   double GetMemorySize() const;

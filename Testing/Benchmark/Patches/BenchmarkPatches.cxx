@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Curved cells and hair against VTK's even cuts.
+// Compares curved cells and hair with VTK's uniform subdivision.
 #include "BenchmarkHairs.h"
 #include "BenchmarkPatchFrames.h"
 #include "BenchmarkPatchPictures.h"

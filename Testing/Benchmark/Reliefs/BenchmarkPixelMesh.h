@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the rival of a relief: a mesh of its pixels
+ * @brief   a mesh of a relief's pixels, for comparison
  */
 #ifndef BenchmarkPixelMesh_h
 #define BenchmarkPixelMesh_h
@@ -15,11 +15,11 @@ class vtkActor;
 class vtkImageData;
 class vtkPolyData;
 
-/// A point for each valid texel, two triangles wherever the relief has a surface between four.
+/// A point for each valid texel, and two triangles between four texels with a connected surface.
 vtkSmartPointer<vtkPolyData> MakePixelMesh(
   const std::vector<vtkSmartPointer<vtkImageData>>& reliefs);
 
-/// Drawn as captured: colours without light.
+/// Drawn with the captured colours, unlit.
 vtkSmartPointer<vtkActor> MakePixelMeshActor(vtkPolyData* mesh);
 
 #endif

@@ -25,9 +25,9 @@ using RelevoVectors::operator-;
 
 struct Shares
 {
-  double Right = 0.0;  // of the pixels that the rays hit
-  double Missed = 0.0; // of them
-  double Extra = 0.0;  // pixels without hit, to them
+  double Right = 0.0;  // share of the pixels that rays hit
+  double Missed = 0.0; // of these
+  double Extra = 0.0;  // pixels without a hit, relative to these
 };
 
 Shares Compare(const RelevoReliefRays& rays, const std::vector<RelevoReliefHit>& hits,

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   pixels of reliefs against rays in double precision
+ * @brief   pixels of reliefs, compared with rays in double precision
  */
 #ifndef BenchmarkReliefAccuracy_h
 #define BenchmarkReliefAccuracy_h
 
 #include "Benchmarks.h"
 
-/// Shares of pixels that are right within half a texel, for all ways.
+/// Adds the shares of pixels that are correct within half a texel, for all ways.
 void AddReliefAccuracy(const BenchmarkOptions& options, const AddTable& addTable);
 
 #endif

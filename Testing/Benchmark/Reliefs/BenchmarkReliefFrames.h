@@ -9,10 +9,10 @@
 
 #include "Benchmarks.h"
 
-/// Frames of four captures against those of what they show, for all ways.
+/// Compares frames of four captures with frames of the captured scene, for all ways.
 void AddReliefFrames(const BenchmarkOptions& options, const AddTable& addTable);
 
-/// Resident memory against that of a mesh of pixels.
+/// Compares resident memory with that of a mesh of pixels.
 void AddReliefMemory(const BenchmarkOptions& options, const AddTable& addTable);
 
 /// reliefs|pixels SIZE -> bytes by which the process has grown, and valid texels

@@ -27,7 +27,7 @@ struct ViewAngles
 {
   double Azimuth;
   double Elevation;
-  double FromCapture; // to the nearest one
+  double FromCapture; // from the nearest one
 };
 const ViewAngles Views[] = { { 0.0, 0.0, 0.0 }, { 5.0, 0.0, 5.0 }, { 10.0, 0.0, 10.0 },
   { 27.0, 7.0, 9.9 }, { -14.0, -8.0, 10.0 }, { 0.0, 10.0, 10.0 } };
@@ -48,7 +48,7 @@ Picture Draw(BenchmarkView& view, vtkProp* prop)
   return picture;
 }
 
-// Whether one of the captures saw a point of the world: it lies within two texels of the relief.
+// Whether a point of the world was captured: it lies within two texels of a relief.
 bool IsSeen(const std::vector<relevo::Relief>& reliefs, const relevo::dvec4& world)
 {
   for (const relevo::Relief& relief : reliefs)
@@ -72,7 +72,7 @@ bool IsSeen(const std::vector<relevo::Relief>& reliefs, const relevo::dvec4& wor
   return false;
 }
 
-// The share of the object's pixels that captures saw, but the picture does not show.
+// Share of the object's captured pixels that the picture does not show.
 double GetHoles(BenchmarkView& view, const std::vector<relevo::Relief>& reliefs,
   const Picture& object, const Picture& picture)
 {

@@ -29,7 +29,7 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 
-// Of the ring: around it by u, around its tube by v, from 0 to 1.
+// A point of the ring: u from 0 to 1 runs around it, v around its tube.
 vtkVector3d GetPoint(double u, double v)
 {
   const double a = 2.0 * Pi * u;
@@ -104,7 +104,7 @@ void BenchmarkReliefScene::SetUp(BenchmarkView& view) const
   vtkNew<vtkLight> lamp;
   lamp->SetLightTypeToSceneLight();
   lamp->SetPosition(2.0, -3.0, 5.0);
-  view.GetRenderer()->RemoveAllLights(); // its headlight
+  view.GetRenderer()->RemoveAllLights(); // the headlight
   view.GetRenderer()->AddLight(lamp);
   view.LookAt(this->Mesh->GetBounds());
 }
@@ -121,7 +121,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> BenchmarkReliefScene::Capture(
     vtkNew<vtkCamera> camera;
     camera->DeepCopy(view.GetRenderer()->GetActiveCamera());
     camera->Azimuth(angle);
-    // The view is wider than high, a relief is not: texels are about as large as pixels.
+    // The view is wider than high, but a relief is square: texels are about as large as pixels.
     camera->UseHorizontalViewAngleOn();
     camera->SetViewAngle(30.0);
     capture->AddCamera(camera);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   ways to draw reliefs: vtkReliefMapper's methods and searches
+ * @brief   ways to draw reliefs: the methods and searches of vtkReliefMapper
  */
 #ifndef BenchmarkReliefWay_h
 #define BenchmarkReliefWay_h

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Reliefs against the meshes that they show, and how fast they are warped.
+// Compares reliefs with the captured meshes, and measures warps.
 #include "BenchmarkReliefAccuracy.h"
 #include "BenchmarkReliefFrames.h"
 #include "BenchmarkReliefPictures.h"

@@ -31,7 +31,7 @@ constexpr double Step = 0.02;
 
 struct Speed
 {
-  double Frames; // a second
+  double Frames; // per second
   double Warps;
 };
 
@@ -71,7 +71,7 @@ public:
     this->View.TimeFrame();
   }
 
-  // Frames for that long.
+  // Draws frames for this many seconds.
   Speed Measure(double seconds)
   {
     const auto warps = this->Warper->GetNumberOfWarps();
@@ -112,7 +112,7 @@ void AddSample(
     for (int policy = 0; policy < 3; ++policy)
     {
       WarpedQuad quad(relief, size, Policies[policy]);
-      quad.Draw(); // the first reads the relief
+      quad.Draw(); // the first frame reads the relief
       const Speed speed = quad.Measure(seconds);
       frames[policy].push_back(speed.Frames);
       warps[policy].push_back(speed.Warps);

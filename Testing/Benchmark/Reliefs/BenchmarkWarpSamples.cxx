@@ -22,7 +22,7 @@ double GetTerrain(double x, double y)
   return isVoid ? NaN : 0.07 + height;
 }
 
-// Of 9 x 9 columns with round heads in front of a wall that is open here and there.
+// 9 x 9 columns with round heads in front of a wall with openings.
 double GetColumns(double x, double y)
 {
   const double across = 9.0 * x - std::floor(9.0 * x) - 0.5;
@@ -35,7 +35,7 @@ double GetColumns(double x, double y)
   return across * across + up * up > 0.36 ? NaN : 0.12;
 }
 
-// A bumpy object that fills 54 % of the picture.
+// A bumpy object that covers 54 % of the picture.
 double GetObject(double x, double y)
 {
   const double squared = 0.172 - x * x - y * y;

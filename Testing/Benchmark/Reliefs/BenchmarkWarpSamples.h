@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   reliefs to warp, made at run time
+ * @brief   reliefs to warp, created at run time
  */
 #ifndef BenchmarkWarpSamples_h
 #define BenchmarkWarpSamples_h
@@ -17,17 +17,17 @@ class vtkImageData;
 struct BenchmarkWarpSample
 {
   const char* Name;
-  double (*Depth)(double x, double y); // in widths of the picture, at places from -0.5 to 0.5
-  double Published;                    // multi-threaded to sequential
+  double (*Depth)(double x, double y); // in picture widths, for coordinates from -0.5 to 0.5
+  double Published;                    // published speedup of multi-threaded over sequential
 };
 
-/// With under 1, about 5 and about 46 % of texels without surface.
+/// Samples in which under 1, about 5 and about 46 % of the texels have no surface.
 const std::vector<BenchmarkWarpSample>& GetWarpSamples();
 
 /// A parallel relief of size x size texels, with normals.
 vtkSmartPointer<vtkImageData> MakeRelief(const BenchmarkWarpSample& sample, int size);
 
-/// Looks at its middle from some 15 to 20 degrees aside; steps may be fractions.
+/// Looks at its centre from 15 to 20 degrees aside. Steps may be fractions.
 void MoveCamera(vtkCamera* camera, int size, double step);
 
 #endif

@@ -52,7 +52,7 @@ void AddSample(const BenchmarkWarpSample& sample, int size, int rounds, Benchmar
   vtkNew<vtkCamera> camera;
   vtkNew<vtkReliefWarper> warpers[4];
   Times times[4];
-  for (int round = -1; round < rounds; ++round) // the first reads the relief
+  for (int round = -1; round < rounds; ++round) // the first round reads the relief
   {
     MoveCamera(camera, size, round);
     for (int policy = 0; policy < 4; ++policy)

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   warps a second by the policies of vtkReliefWarper
+ * @brief   warps per second with the policies of vtkReliefWarper
  */
 #ifndef BenchmarkWarps_h
 #define BenchmarkWarps_h
 
 #include "Benchmarks.h"
 
-/// Samples with under 1, about 5 and about 46 % of texels without surface, of 256 and 1024 texels a
-/// side.
+/// Samples in which under 1, about 5 and about 46 % of the texels have no surface, with 256 and
+/// 1024 texels per side.
 void AddWarps(const BenchmarkOptions& options, const AddTable& addTable);
 
 #endif

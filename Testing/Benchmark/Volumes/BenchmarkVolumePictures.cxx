@@ -33,7 +33,7 @@ struct Errors
   double Quantile;
 };
 
-// Off the outline of the reference.
+// Excludes the reference's silhouette.
 Errors Compare(const std::vector<unsigned char>& picture, const VolumePicture& reference)
 {
   std::vector<double> errors;
@@ -63,7 +63,7 @@ struct Shot
     this->Property = scene.MakeProperty(this->Mesh, Nodes);
     this->View.LookAt(this->Mesh->GetBounds());
     this->View.MoveCamera(20.0);
-    // Blending bytes would add errors of its own.
+    // A black background avoids the rounding errors of blended bytes.
     this->SetBackground(0.0);
   }
 
@@ -74,7 +74,7 @@ struct Shot
     const auto volume = MakeVolume(way, this->Mesh, this->Property);
     this->View.GetRenderer()->AddViewProp(volume);
     this->View.TimeFrame();
-    this->View.TimeFrame(); // the first one of vtkProjectedTetrahedraMapper lacks cells
+    this->View.TimeFrame(); // the first frame of vtkProjectedTetrahedraMapper lacks cells
     std::vector<unsigned char> picture = this->View.GetPicture();
     this->View.GetRenderer()->RemoveViewProp(volume);
     return picture;
@@ -87,7 +87,7 @@ struct Shot
       this->View.GetWidth(), renderer->GetBackground());
   }
 
-  // By the filter, in whose picture pixels without mesh have no alpha.
+  // By the filter, in whose picture the background has alpha 0.
   VolumePicture MakeFiltered()
   {
     vtkRenderer* renderer = this->View.GetRenderer();
@@ -133,7 +133,7 @@ void AddScene(const std::string& name, int size, BenchmarkTable& table)
   {
     return;
   }
-  shot.Draw(VolumeWay::Exact); // so that the camera is that of the pictures
+  shot.Draw(VolumeWay::Exact); // sets the camera of the pictures
   const VolumePicture reference = shot.MakeReference();
   for (const VolumeWay way : { VolumeWay::Exact, VolumeWay::PreIntegrated, VolumeWay::Projection,
          VolumeWay::VTKLinear, VolumeWay::VTKProjected })

@@ -18,7 +18,7 @@
 
 namespace
 {
-constexpr int Steps = 64; // of a ray in a tetrahedron
+constexpr int Steps = 64; // per ray and tetrahedron
 
 using Vector = std::array<double, 3>;
 
@@ -43,7 +43,7 @@ Vector Normalize(const Vector& a)
   return { a[0] / length, a[1] / length, a[2] / length };
 }
 
-// Pixels of a square picture as directions from the eye.
+// Directions from the eye through the pixels of a square picture.
 struct Eye
 {
   Eye(vtkCamera* camera, int size)
@@ -60,7 +60,7 @@ struct Eye
     this->Up = Cross(this->Right, this->Forward);
   }
 
-  // In pixels, whose middles are at halves.
+  // In pixels, whose centres are at halves.
   std::array<double, 2> Project(const Vector& point) const
   {
     const Vector seen = Subtract(point, this->Position);
@@ -103,11 +103,11 @@ struct Tetrahedron
   std::array<double, 4> Scalars;
 };
 
-// An empty part where the ray misses it.
+// Returns an empty part if the ray misses.
 Part Intersect(const Tetrahedron& cell, const Vector& origin, const Vector& direction)
 {
   Part part{ 0.0, 1e300, 0.0, 0.0 };
-  std::array<double, 4> heights; // of the origin above each face, 1 at the corner that it faces
+  std::array<double, 4> heights; // of the origin above each face, 1 at the opposite corner
   std::array<double, 4> slopes;
   for (int k = 0; k < 4; ++k)
   {
@@ -139,7 +139,7 @@ Part Intersect(const Tetrahedron& cell, const Vector& origin, const Vector& dire
   return part;
 }
 
-// Colour and extinction over the scalar: straight lines between nodes.
+// Colour and extinction as piecewise linear functions of the scalar.
 class Functions
 {
 public:
@@ -151,7 +151,7 @@ public:
     {
       double color[6];
       double opacity[4];
-      colors->GetNodeValue(i, color); // at the opacities' scalars, as MakeProperty() has it
+      colors->GetNodeValue(i, color); // at the opacities' scalars, as in MakeProperty()
       opacities->GetNodeValue(i, opacity);
       this->Scalars.push_back(opacity[0]);
       this->Values.push_back(
@@ -235,7 +235,7 @@ std::vector<std::vector<Part>> FindParts(vtkUnstructuredGrid* mesh, const Eye& e
       for (int i = low[0]; i < high[0]; ++i)
       {
         const Part part = Intersect(cell, eye.Position, eye.GetDirection(i, j));
-        // False, too, where an empty cell has no heights.
+        // Also false if a degenerate cell has no heights.
         if (part.End > part.Begin && std::isfinite(part.First + part.Last))
         {
           parts[static_cast<size_t>(j) * eye.Size + i].push_back(part);

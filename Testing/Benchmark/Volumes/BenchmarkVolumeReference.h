@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   a picture of tetrahedra in double precision, that shares nothing with the project
+ * @brief   a picture of tetrahedra in double precision that shares no code with the library
  *
- * Slow and simple: all tetrahedra against the rays of all pixels of their bounds, by planes; parts
- * of a ray by their distance; each in many even steps, whose middles count.
+ * Slow and simple: intersects all tetrahedra with the rays of all pixels in their bounds by planes,
+ * sorts the parts of a ray by distance, and integrates each in many equal steps by the midpoint
+ * rule.
  */
 #ifndef BenchmarkVolumeReference_h
 #define BenchmarkVolumeReference_h
@@ -18,11 +19,11 @@ class vtkVolumeProperty;
 
 struct VolumePicture
 {
-  std::vector<double> RGB;     // 0 to 1, row 0 the lowest
-  std::vector<bool> IsOutline; // pixels with mesh next to ones without
+  std::vector<double> RGB;     // 0 to 1, row 0 is the lowest
+  std::vector<bool> IsOutline; // covered pixels next to background
 };
 
-/// `mesh`: tetrahedra with scalars of points, all in front of the camera, which is in perspective.
+/// `mesh` has tetrahedra with point scalars, all in front of the perspective camera.
 VolumePicture MakeVolumeReference(vtkUnstructuredGrid* mesh, vtkVolumeProperty* property,
   vtkCamera* camera, int size, const double background[3]);
 

@@ -24,7 +24,7 @@
 
 namespace
 {
-// PLOT3D, big-endian: numbers of 4 bytes.
+// PLOT3D, big-endian numbers of 4 bytes.
 template <typename T>
 std::vector<T> Read(std::istream& stream, size_t size)
 {
@@ -56,7 +56,7 @@ vtkSmartPointer<vtkStructuredGrid> ReadGrid(
   const size_t size = static_cast<size_t>(dimensions[0]) * dimensions[1] * dimensions[2];
   const std::vector<float> coordinates = Read<float>(xyz, 3 * size);
   const std::vector<int> blanks = Read<int>(xyz, hasBlanks ? size : 0);
-  Read<int>(q, 3 + 4); // dimensions, and conditions of the flow
+  Read<int>(q, 3 + 4); // dimensions and flow conditions
   const std::vector<float> flow = Read<float>(q, 5 * size);
   auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
   grid->SetDimensions(dimensions.data());
@@ -141,7 +141,7 @@ vtkSmartPointer<vtkUnstructuredGrid> BenchmarkVolumeScene::MakeMesh(Split split)
     filter->Update();
     return filter->GetOutput();
   }
-  // Around the diagonal from 0 to 6, so that neighbours agree.
+  // Around the diagonal from 0 to 6, so that faces match.
   const int six[6][4] = { { 0, 1, 2, 6 }, { 0, 2, 3, 6 }, { 0, 3, 7, 6 }, { 0, 7, 4, 6 },
     { 0, 4, 5, 6 }, { 0, 5, 1, 6 } };
   auto mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -181,7 +181,7 @@ vtkSmartPointer<vtkVolumeProperty> BenchmarkVolumeScene::MakeProperty(
   for (int i = 0; i < nodes; ++i)
   {
     const double x = static_cast<double>(i) / (nodes - 1);
-    // Up and down, so that every node bends the functions.
+    // Alternates, so that the functions bend at every node.
     const double jump = i % 2 == 0 ? 0.1 : -0.1;
     const double turn = 2.0 * vtkMath::Pi() * x;
     colors->AddRGBPoint(this->GetScalar(x), 0.5 + 0.4 * std::cos(turn) + jump,

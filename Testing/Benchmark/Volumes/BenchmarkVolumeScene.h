@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   BenchmarkVolumeScene
- * @brief   a structured grid, its cells split in some way, and a look for its scalars
+ * @brief   a structured grid, ways to split its cells, and transfer functions for its scalars
  */
 #ifndef BenchmarkVolumeScene_h
 #define BenchmarkVolumeScene_h
@@ -20,15 +20,15 @@ class BenchmarkVolumeScene
 public:
   enum Split
   {
-    FIVE, // tetrahedra of a cell, by vtkDataSetTriangleFilter
+    FIVE, // tetrahedra per cell, by vtkDataSetTriangleFilter
     SIX,
     UNSPLIT // hexahedra
   };
 
   /**
-   * "fin" and "post", the blunt fin by its density and the oxygen post by its momentum along x,
-   * from RELEVO_TEST_DATA; "grid N", N x N x N cubes, and "bent N", the same bent. No grid where
-   * files are missing.
+   * "fin" and "post" are the blunt fin by density and the oxygen post by momentum along x, from
+   * RELEVO_TEST_DATA; "grid N" has N x N x N cubes, and "bent N" the same, bent. There is no grid
+   * if files are missing.
    */
   explicit BenchmarkVolumeScene(const std::string& name);
   ~BenchmarkVolumeScene();
@@ -37,10 +37,10 @@ public:
   bool IsEmpty() const;
 
   vtkSmartPointer<vtkUnstructuredGrid> MakeMesh(Split split) const;
-  /// Functions with so many nodes, evenly spaced, and a unit distance of three mean cells of the
+  /// Functions with this many evenly spaced nodes, and a unit distance of three mean cells of the
   /// mesh.
   vtkSmartPointer<vtkVolumeProperty> MakeProperty(vtkUnstructuredGrid* mesh, int nodes) const;
-  /// At that part of the scalars' range.
+  /// The scalar at this share of the range.
   double GetScalar(double part) const;
 
   /// Moves a node in the middle of the opacities, as a user would.
@@ -48,7 +48,7 @@ public:
 
 private:
   std::string Name;
-  vtkSmartPointer<vtkStructuredGrid> Grid; // with active scalars of points
+  vtkSmartPointer<vtkStructuredGrid> Grid; // with active point scalars
   double Range[2] = { 0.0, 1.0 };
 };
 

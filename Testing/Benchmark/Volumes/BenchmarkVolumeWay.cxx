@@ -30,7 +30,7 @@ vtkSmartPointer<vtkUnstructuredGridVolumeMapper> MakeRelevo(VolumeWay way)
 vtkSmartPointer<vtkUnstructuredGridVolumeMapper> MakeRayCast(VolumeWay way)
 {
   auto mapper = vtkSmartPointer<vtkUnstructuredGridVolumeRayCastMapper>::New();
-  // A ray for every pixel.
+  // One ray per pixel.
   mapper->AutoAdjustSampleDistancesOff();
   if (way == VolumeWay::VTKLinear)
   {

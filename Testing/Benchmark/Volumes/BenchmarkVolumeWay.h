@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   ways to draw a volume of cells: Relevo's and VTK's
+ * @brief   Relevo's and VTK's ways to draw a volume of cells
  */
 #ifndef BenchmarkVolumeWay_h
 #define BenchmarkVolumeWay_h
@@ -20,7 +20,7 @@ enum class VolumeWay
   PreIntegrated,
   Projection,
   VTKLinear,
-  VTKDefault, // may crash: for a process of its own
+  VTKDefault, // may crash, so it needs a separate process
   VTKProjected
 };
 

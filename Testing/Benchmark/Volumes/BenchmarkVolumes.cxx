@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Volumes of cells: frames, first pictures, edits and sorts against VTK's.
+// Compares volumes of cells with VTK's: frames, first pictures, edits and sorting.
 #include "BenchmarkFrames.h"
 #include "BenchmarkMeasure.h"
 #include "BenchmarkReport.h"
@@ -31,14 +30,14 @@ namespace
 {
 constexpr int Nodes = 11;
 constexpr int ManyNodes = 255;
-constexpr double Turn = 7.0; // degrees from frame to frame
+constexpr double Turn = 7.0; // degrees per frame
 
 struct Effort
 {
   int Size; // of the picture
   int Rounds;
   int Minimum;
-  double Seconds; // of a mapper, as BenchmarkFrames::Measure() takes them
+  double Seconds; // per mapper, as for BenchmarkFrames::Measure()
   int FirstPictures;
 };
 
@@ -69,7 +68,7 @@ struct Pair
   double Milliseconds;
   double Against;
   double Ratio;
-  double ProcessorRatio = std::numeric_limits<double>::quiet_NaN(); // of frames alone
+  double ProcessorRatio = std::numeric_limits<double>::quiet_NaN(); // only for frames
 };
 
 Pair GetPair(const BenchmarkFrames& frames, size_t prop, size_t against)
@@ -90,7 +89,7 @@ void AddRow(BenchmarkTable& table, const Case& which, const std::string& measure
     pair.Milliseconds, against, pair.Against, pair.Ratio, pair.ProcessorRatio, asked });
 }
 
-// Frames of all ways that do not crash.
+// Adds frames of all ways that do not crash.
 void AddFrames(
   const BenchmarkVolumeScene& scene, const Case& which, const Effort& effort, BenchmarkTable& table)
 {
@@ -204,7 +203,7 @@ void AddSorts(const Case& which, const Effort& effort, BenchmarkTable& table)
     sort->SetCamera(view.GetRenderer()->GetActiveCamera());
     sort->SetDirectionToBackToFront();
     sort->SetMaxCellsReturned(1000);
-    TimeSort(sort); // what depends on the mesh alone
+    TimeSort(sort); // computes what depends only on the mesh
   }
   for (int i = 0; i < effort.Rounds; ++i)
   {
@@ -218,7 +217,7 @@ void AddSorts(const Case& which, const Effort& effort, BenchmarkTable& table)
     GetPair(seconds[0], seconds[1]), 1.0);
 }
 
-// Frames after an edit against frames without one, in turn.
+// Frames after an edit and without one, in turn.
 void AddEdits(
   const BenchmarkVolumeScene& scene, const Case& which, const Effort& effort, BenchmarkTable& table)
 {
@@ -251,12 +250,12 @@ void AddEdits(
     [&](double part) { property->GetIsoSurfaceValues()->SetValue(0, scene.GetScalar(part)); });
 }
 
-// Hexahedra as they are against their tetrahedra.
+// Hexahedra compared with their tetrahedra.
 void AddUnsplit(const BenchmarkVolumeScene& scene, const Case& split, const Effort& effort,
   BenchmarkTable& table, BenchmarkTable& memory)
 {
   const Case unsplit(scene, BenchmarkVolumeScene::UNSPLIT);
-  // The same look.
+  // The same volume property for both.
   const vtkSmartPointer<vtkVolume> volumes[] = { MakeVolume(
                                                    VolumeWay::Exact, unsplit.Mesh, split.Property),
     MakeVolume(VolumeWay::Exact, split.Mesh, split.Property) };
@@ -278,11 +277,12 @@ void AddUnsplit(const BenchmarkVolumeScene& scene, const Case& split, const Effo
     1e-6 * bytes[0], tetrahedra, 1e-6 * bytes[1], bytes[0] / bytes[1], 0.8 });
 }
 
-// Frames a second as published, on a GeForce 6800 GT: from and to.
+// Published frames per second on a GeForce 6800 GT: lowest and highest.
 struct Published
 {
   const char* Scene;
-  const char* Frames[4]; // exact by 10 and by 255 linear segments, pre-integrated, cell projection
+  // exact with 10 and with 255 linear segments, pre-integrated, cell projection
+  const char* Frames[4];
 };
 const Published PublishedFrames[] = {
   { "grid 16", { "6.2-9.1", "2.0-5.8", "8.5-11.6", "14.5-21.3" } },
@@ -354,7 +354,7 @@ void AddScene(const std::string& name, const BenchmarkOptions& options, Benchmar
   const Effort effort = GetEffort(options);
   for (const auto split : { BenchmarkVolumeScene::FIVE, BenchmarkVolumeScene::SIX })
   {
-    // Six are in the table of what is published.
+    // The table of published figures already contains six.
     if (split == BenchmarkVolumeScene::SIX && !options.Full)
     {
       continue;
