@@ -2,16 +2,17 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Builds Relevo into build/: installs what is missing (Debian, Ubuntu), configures, compiles, and
-# leaves build/env.sh to source. Running it again does only what has to be done anew.
+# Builds Relevo into build/. On Debian and Ubuntu it first installs missing packages. Then it
+# configures and compiles, and writes build/env.sh for you to source. Later runs build only what has
+# changed.
 #
-#   bash Module/build.sh [--testing] [--benchmark] [--no-install] [CMake's own arguments...]
+#   bash Module/build.sh [--testing] [--benchmark] [--no-install] [CMake arguments...]
 #
-#   --testing      build the tests, and install what they need
-#   --benchmark    build the benchmark, and install what it needs
-#   --no-install   leave the machine's packages alone
+#   --testing      build the tests, and install the packages that they need
+#   --benchmark    build the benchmark, and install the packages that it needs
+#   --no-install   do not install packages
 #
-# RELEVO_BUILD_DIR is the folder to build in (default: build beside README.md).
+# RELEVO_BUILD_DIR sets the build folder (default: build, beside README.md).
 set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -73,4 +74,4 @@ fi
 cmake -S "$source_dir" -B "$build_dir" "${cmake_arguments[@]}"
 cmake --build "$build_dir" --parallel "$(nproc)"
 
-echo "build.sh: built; now:  . $build_dir/env.sh"
+echo "build.sh: the build is complete. To use it, run:  . $build_dir/env.sh"

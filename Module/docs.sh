@@ -2,14 +2,15 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Makes the reference of all public classes by Doxygen, and installs it where it is missing (Debian,
-# Ubuntu). Warnings are errors. The last line is the path of its first page.
+# Makes the reference of all public classes with Doxygen. On Debian and Ubuntu it first installs
+# Doxygen if it is missing. Warnings are errors. The last line of the output is the path of the
+# first page.
 #
 #   bash Module/docs.sh [--no-install]
 #
-#   --no-install   leave the machine's packages alone
+#   --no-install   do not install packages
 #
-# It is written below RELEVO_BUILD_DIR (default: build beside README.md).
+# The pages are in RELEVO_BUILD_DIR (default: build, beside README.md).
 set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -30,8 +31,8 @@ cd "$source_dir"
 output=$build_dir/Documentation
 rm -rf "$output"
 mkdir -p "$output"
-# Public headers are those of classes named and derived as VTK's, and those that the modules'
-# CMakeLists.txt name as installed for authors of classes of their own.
+# Public headers declare classes with VTK's type macros, or CMakeLists.txt of a module lists them in
+# author_headers, for authors of metrics and surfaces.
 headers=$(grep -rlE --include='vtk*.h' 'vtk(Abstract)?TypeMacro\(' Filters Rendering | sort)
 for list in Filters/*/CMakeLists.txt; do
   folder=$(dirname "$list")

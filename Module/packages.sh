@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Debian's and Ubuntu's packages, for the scripts that source this file.
+# Installs packages of Debian and Ubuntu, for the scripts that source this file.
 # shellcheck shell=bash disable=SC2034
 
-# What a build needs, VTK apart, one package a line; a|b where releases of Debian and Ubuntu name it differently.
+# Packages that a build needs besides VTK, one per line. a|b lists names of different releases.
 build_packages="
 ca-certificates
 cmake
@@ -32,7 +32,7 @@ as_root() {
   elif command -v sudo >/dev/null; then
     sudo "$@"
   else
-    echo "${0##*/}: error: installing packages needs root or sudo: $*" >&2
+    echo "${0##*/}: error: run this command as root, or install sudo: $*" >&2
     exit 1
   fi
 }
@@ -41,7 +41,7 @@ is_installed() {
   [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
 
-# The first of the alternatives a|b that is installed or, failing that, can be.
+# Prints the first of the alternatives a|b for which the command $2 succeeds.
 choose() {
   local name
   for name in ${1//|/ }; do
@@ -57,11 +57,11 @@ is_available() {
   [ -n "$(apt-cache policy "$1" 2>/dev/null | sed -n '/Candidate: (none)/d; /Candidate:/p')" ]
 }
 
-# Installs those packages that are missing; a|b where releases name one differently.
+# Installs the missing ones of the packages. An argument a|b lists alternative names.
 install_packages() {
   local missing=() wanted=() alternatives name
   if ! command -v apt-get >/dev/null; then
-    echo "${0##*/}: there is no apt-get: install these packages, or what they contain, yourself: $*"
+    echo "${0##*/}: this system has no apt-get. Install these packages, or equivalent ones: $*"
     return 0
   fi
   for alternatives in "$@"; do
@@ -74,7 +74,7 @@ install_packages() {
   as_root apt-get update
   for alternatives in "${missing[@]}"; do
     if ! name=$(choose "$alternatives" is_available); then
-      echo "${0##*/}: error: this release has no package ${alternatives//|/ or }" >&2
+      echo "${0##*/}: error: this release has no package named ${alternatives//|/ or }" >&2
       exit 1
     fi
     wanted+=("$name")

@@ -2,18 +2,19 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Builds Relevo and the plugin for ParaView and runs their tests on other releases of Debian, and so
-# with other versions of VTK and ParaView: each in a folder of its own that debootstrap fills. Needs root; running it again reuses the folder.
+# Builds and tests Relevo and the plugin for ParaView on other releases of Debian, with their
+# versions of VTK and ParaView. debootstrap installs each release in a folder, and later runs reuse
+# it. The script needs root.
 #
-#   bash Testing/matrix.sh [12|13|sid]... [-- arguments of ctest...]
+#   bash Testing/matrix.sh [12|13|sid]... [-- ctest arguments...]
 #
 #   12     VTK 9.1, ParaView 5.11
 #   13     VTK 9.3, ParaView 5.13
 #   sid    VTK 9.6, ParaView 6.1, or later
 #
-# Without a release it runs all three. RELEVO_MATRIX_DIR is where the folders go (default:
-# build-matrix); RELEVO_TEST_DATA is a folder of larger real data, as for Testing/run.sh.
-# It closes with one line for each release, and exits with 0 only if the tests passed on all.
+# Without arguments it runs all three releases. RELEVO_MATRIX_DIR contains the folders (default:
+# build-matrix). RELEVO_TEST_DATA names a folder of larger real data, as for Testing/run.sh. The
+# output ends with one line per release. The exit code is 0 only if the tests passed on all of them.
 set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -23,7 +24,7 @@ declare -A suites=([12]=bookworm [13]=trixie [sid]=sid)
 releases=()
 while [ $# -gt 0 ] && [ "$1" != -- ]; do
   if [ -z "${suites[$1]:-}" ]; then
-    echo "matrix.sh: error: no release named $1; there are 12, 13 and sid" >&2
+    echo "matrix.sh: error: unknown release $1; use 12, 13 or sid" >&2
     exit 2
   fi
   releases+=("$1")
@@ -36,17 +37,17 @@ if [ ${#releases[@]} -eq 0 ]; then
   releases=(12 13 sid)
 fi
 if [ "$(id -u)" -ne 0 ]; then
-  echo "matrix.sh: error: this needs root, to install packages into a folder and to enter it" >&2
+  echo "matrix.sh: error: run this as root; debootstrap and chroot need it" >&2
   exit 1
 fi
 for program in debootstrap unshare; do
   if ! command -v "$program" >/dev/null; then
-    echo "matrix.sh: error: there is no $program; apt-get install debootstrap util-linux" >&2
+    echo "matrix.sh: error: there is no $program; run: apt-get install debootstrap util-linux" >&2
     exit 1
   fi
 done
 
-# Fills the folder $2 with the release $1. What broke off half-way is done again.
+# Installs the release $1 in the folder $2. An interrupted installation starts again.
 install_release() {
   if [ ! -e "$2/installed" ]; then
     rm -rf "$2"
@@ -57,7 +58,7 @@ install_release() {
   mkdir -p "$2/root/source" "$2/root/data" "$2/root/build"
 }
 
-# Runs the tests in the folder $1. The mounts go with the process that made them.
+# Runs the tests in the folder $1. The mounts end with the process that made them.
 run_tests() {
   root=$1/root data=$2 source=$source_dir unshare --mount bash -euc '
     mount --bind -o ro "$source" "$root/source"

@@ -2,12 +2,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Sets up, builds and runs every test; closes with ctest's summary, and exits with 0 only if all
-# passed. Arguments go to ctest:
+# Builds and runs all tests. The output ends with ctest's summary. The exit code is 0 only if all
+# tests passed. Arguments are passed to ctest:
 #
 #   bash Testing/run.sh [-R NAME] [-L Filters|Rendering|Python|Project] [...]
 #
-# RELEVO_TEST_DATA is a folder of larger real data; tests that need it are skipped without it.
+# RELEVO_TEST_DATA names a folder of larger real data. Tests that need it are skipped without it.
 set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -19,7 +19,7 @@ if [ -n "${RELEVO_TEST_DATA:-}" ]; then
 fi
 bash "$source_dir/Module/build.sh" --testing --benchmark -DRELEVO_WERROR=ON "${data[@]}"
 
-# One X server for all: windows that open and close in one process want -noreset.
+# All tests share an X server. Without -noreset it would reset when the last window closes.
 display=()
 if [ -z "${DISPLAY:-}" ]; then
   display=(xvfb-run -a -s "-noreset -screen 0 1280x1024x24")
@@ -31,9 +31,9 @@ mkdir -p "${log%/*}"
 result=0
 "${display[@]}" ctest --output-on-failure --parallel "$(nproc)" "$@" | tee "$log" || result=$?
 
-# Where the time went, and the summary once more.
+# The summary comes last, because the list of tests is long.
 echo
-echo "Set-up and build took $built s, tests $((SECONDS - built)) s. The slowest tests:"
+echo "The build took $built s, the tests $((SECONDS - built)) s. The slowest tests:"
 sed -n 's/^"\(.*\)" time elapsed: \(.*\)/  \2  \1/p' Testing/Temporary/LastTest.log |
   sort -r | head -n 15
 echo

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Compiles, without output, what the build does not.
+"""Compile headers and sources as the build does not, without output files.
 
-headers: every installed header alone, so that none leans on what others include or on what is not
-         installed; and installed are public headers and what authors need, nothing else.
-sources: the C++ sources with another compiler, warnings being errors: all but three of four tests,
-         which look alike. Those of the modules are compiled without precompiled headers, so that
-         they include what they use.
+headers: compile each installed header alone, so that it includes what it uses from installed files.
+         Also check that only public headers and those for authors are installed.
+sources: compile the C++ sources with another compiler and -Werror, but only every fourth test,
+         because tests are similar. Sources of modules are compiled without precompiled headers, so
+         that they include what they use.
 """
 
 import argparse
@@ -26,14 +26,14 @@ WARNINGS = ["-Wall", "-Wextra", "-Werror", "-fsyntax-only"]
 
 
 def get_sources(path, build):
-    """The file itself, or the sources that a file of a unity build includes."""
+    """Return the file, or the sources that a file of a unity build includes."""
     if build in path.parents and path.name.startswith("unity_"):
         return [pathlib.Path(name) for name in re.findall(r'#include "(.*)"', path.read_text())]
     return [path]
 
 
 def compile_commands(build, source):
-    """Flags of each of the project's own sources: path to list of arguments."""
+    """Map each source of the project to its list of compiler flags."""
     flags = {}
     for entry in json.loads((build / "compile_commands.json").read_text()):
         arguments = iter(shlex.split(entry["command"]))
@@ -49,7 +49,7 @@ def compile_commands(build, source):
     return flags
 
 
-# Beside the public classes: what metrics, surfaces and methods of one's own need.
+# Installed besides the public classes, for authors of metrics, surfaces and methods.
 AUTHORS_HEADERS = {
     "Points/MergedPoints.h",
     "View/RefinementView.h",
@@ -74,15 +74,15 @@ AUTHORS_HEADERS = {
 
 
 def installed_headers(folder, flags):
-    """Each installed header with flags that find VTK's and the installed ones, and no others."""
-    arguments = max(flags.values(), key=len)  # of the source that needs most of VTK
+    """Yield each installed header with flags that find only VTK and the installed headers."""
+    arguments = max(flags.values(), key=len)  # the source that needs most of VTK has the most flags
     found = [argument for argument in arguments if not argument.startswith(("-I", "-D"))]
     for header in sorted(folder.rglob("*.h")):
         yield header, ["-I", str(folder), *found]
 
 
 def is_public(folder, name):
-    """Whether an installed header is of a public class, or one that others need."""
+    """Return whether an installed header belongs to a public class, to a module or to authors."""
     text = (folder / name).read_text(encoding="utf-8")
     return (
         f"TypeMacro({pathlib.PurePath(name).stem}," in text
@@ -93,17 +93,17 @@ def is_public(folder, name):
 
 
 def get_sources_to_compile(flags):
-    """All sources but three of four tests; what tests share is among them."""
+    """Return all sources, but only every fourth test."""
     tests = sorted(path for path in flags if re.match(r"Test.*\.cxx", path.name))
     left_out = set(tests) - set(tests[::4])
     return [path for path in flags if path not in left_out]
 
 
 def precompile(compiler, source, flags, folder):
-    """VTK's headers, in which most of the time goes, compiled for tests, examples and benchmark.
+    """Precompile VTK's headers, which take most of the time, for tests, examples and benchmark.
 
-    Those sources and the arguments to add to theirs; none where the compiler is not clang. Sources
-    with other flags, such as those of a shared library, cannot use the headers.
+    Return the arguments to add for each source that can use them: a source with the same flags, if
+    the compiler is clang.
     """
     if "clang" not in pathlib.Path(compiler).name:
         return {}
@@ -128,10 +128,10 @@ def main():
     parser.add_argument("--source", type=pathlib.Path, required=True)
     parser.add_argument("--build", type=pathlib.Path, required=True)
     parser.add_argument("--compiler", required=True)
-    parser.add_argument("--headers", type=pathlib.Path, help="where they are installed")
+    parser.add_argument("--headers", type=pathlib.Path, help="the folder of installed headers")
     options = parser.parse_args()
     if not shutil.which(options.compiler):
-        print("skipped: no", options.compiler)
+        print("skipped:", options.compiler, "is not installed")
         return SKIPPED
 
     flags = compile_commands(options.build, options.source)
@@ -144,14 +144,14 @@ def main():
             (path, flags[path] + precompiled.get(path, [])) for path in get_sources_to_compile(flags)
         ]
     if not jobs:
-        print("nothing to compile: is there a compile_commands.json?")
+        print("nothing to compile: check compile_commands.json and the installed headers")
         return 1
 
     def run(job):
         path, arguments = job
         command = [options.compiler, *arguments, *WARNINGS, "-x", "c++"]
         if options.what == "headers":
-            # Included rather than compiled itself, which would warn of headers as main files.
+            # Compiling a header as the main file would cause warnings, so include it.
             return path, subprocess.run(
                 [*command, "-"], input=f'#include "{path}"\n', capture_output=True, text=True
             )
@@ -162,16 +162,16 @@ def main():
         names = {path.relative_to(options.headers).as_posix() for path, _ in jobs}
         for name in sorted(name for name in names if not is_public(options.headers, name)):
             failures += 1
-            print(f"{name}: is installed, and neither public nor for authors")
+            print(f"{name}: is installed, but is neither public nor in AUTHORS_HEADERS")
         for name in sorted(AUTHORS_HEADERS - names):
             failures += 1
-            print(f"{name}: is not installed, though authors need it")
+            print(f"{name}: is in AUTHORS_HEADERS, but not installed")
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for path, result in pool.map(run, jobs):
             if result.returncode != 0:
                 failures += 1
                 print(f"{path}:\n{result.stderr}")
-    print(f"{len(jobs)} {options.what}, {failures} faults")
+    print(f"{len(jobs)} {options.what}, {failures} failures")
     return 1 if failures else 0
 
 

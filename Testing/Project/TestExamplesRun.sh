@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-# Examples/run.sh: paths relative to the caller, the picture's path last, relevo-view's exit codes.
+# Examples/run.sh takes paths relative to the caller, prints the path of the picture last, and has
+# the exit codes of relevo-view.
 #   TestExamplesRun.sh SOURCE BUILD FOLDER
 set -euo pipefail
 source=$1 build=$2 folder=$3
@@ -11,7 +12,7 @@ unset DISPLAY
 rm -rf "$folder"
 mkdir -p "$folder/here"
 cd "$folder/here"
-# A height map that needs no other program: 4 x 3 grey pixels.
+# A PGM file needs no other program: 4 x 3 grey pixels.
 printf 'P5 4 3 255\n\001\002\003\004\005\006\007\010\011\012\013\014' >heights.pgm
 
 check() {
@@ -19,23 +20,23 @@ check() {
   shift 2
   output=$(bash "$source/Examples/run.sh" "$@" 2>errors) || code=$?
   if [ "$code" -ne "$expected" ]; then
-    echo "run.sh $*: left with $code, not $expected"
+    echo "run.sh $*: the exit code is $code, not $expected"
     cat errors
     exit 1
   fi
   if [ -n "$wanted" ] && [ "$(tail -n 1 <<<"$output")" != "$wanted" ]; then
-    echo "run.sh $*: the last line is not $wanted but: $(tail -n 1 <<<"$output")"
+    echo "run.sh $*: the last line is $(tail -n 1 <<<"$output"), not $wanted"
     exit 1
   fi
   if [ -n "$wanted" ] && [ "$(head -c 4 "$wanted" | tail -c 3)" != PNG ]; then
-    echo "run.sh $*: $wanted is no picture"
+    echo "run.sh $*: $wanted is not a PNG file"
     exit 1
   fi
 }
 check 0 "$folder/here/out.png" heights.pgm --size 64x48 --output out.png
 check 0 "$folder/out.png" --output=../out.png --size 64x48 --wireframe --stats heights.pgm
 printf '1\n1 1\n0 0 0 1 0 0\n0 1 0 1 1 1\n' >patch.bpt
-# Every option without a value: what follows it is no value of it.
+# No option without a value takes the next argument as its value.
 for flag in $("$build/bin/relevo-view" --help | sed -nE 's/^  (--[a-z-]+)  .*/\1/p'); do
   case $flag in --help | --version) continue ;; esac
   file=heights.pgm
@@ -51,7 +52,7 @@ cp heights.pgm ./-s.pgm
 check 0 "$folder/here/-o.png" --size 64x48 --output ./-o.png -- -s.pgm
 rm -f "$build/relevo-view.png"
 check 0 "$build/relevo-view.png" --size 64x48 -- -s.pgm
-# Names that could command a terminal, or forge the last line.
+# File names must not control the terminal or forge the last line.
 name=$'a\e[2J\n.png'
 check 0 "" heights.pgm --size 64x48 --output "$name"
 test -s "$name"

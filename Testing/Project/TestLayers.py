@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The layers of the modules' sources, as Module/Documentation/architecture.md draws them.
+"""Check the layers of the modules' sources; Module/Documentation/architecture.md shows them.
 
-An include never goes to a higher layer or to a private header of another module. Classes do not
-depend on each other in circles. A module's root holds public classes only, and private files are
-not called vtk*. Headers differ from VTK's in name and include guard. Functions stay small, also in
-tests.
+A file includes no header of a higher layer and no private header of another module. Classes do not
+depend on each other in circles. A module's root has only public classes, and private files are not
+named vtk*. Names and include guards of headers differ from VTK's. Functions have at most
+LONGEST_FUNCTION lines, also in tests.
 
     TestLayers.py SOURCE VTK_INCLUDE_FOLDER...
 """
@@ -14,8 +14,8 @@ import pathlib
 import re
 import sys
 
-# The modules from the bottom up, and the folders of each from the bottom up. A module's own folder,
-# with the public classes that its users start from, is above its folders.
+# Modules, and the folders of each module, from the lowest layer to the highest. The module's root,
+# with the public classes, is above its folders.
 LAYERS = {
     "Filters/Core": ["Compatibility", "Mathematics", "Changes", "Checks", "View", "Arrays", "Points",
                      "Parallel", "Files", "Cells", "Mesh", "Boxes", "Levels", "Patterns"],
@@ -39,8 +39,8 @@ LAYERS = {
     "Rendering/Relief": ["View", "Buffers", "Shaders", "Drawing", "Capture"],
     "Examples/Viewer": ["Text", "Files", "Options", "Legend", "Scene", "Window"],
 }
-MODULES = list(LAYERS)  # no module includes one that comes after it
-# A metric makes its evaluators, and an evaluator reads the settings of its metric.
+MODULES = list(LAYERS)  # a module includes no later one
+# Allowed circles: a metric makes evaluators, and an evaluator reads the settings of its metric.
 MUTUAL = {
     "Filters/Refinement: Metrics/DepthTags, Metrics/MetricEvaluator, vtkDepthTagMetric",
 }
@@ -49,24 +49,24 @@ NO_FUNCTION = re.compile(r"(inline |typedef )*(namespace|class|struct|union|enum
 
 
 def is_public(header):
-    """Whether a header at a module's root declares the class that it is named after."""
+    """Return whether a header declares a VTK class of its name."""
     return header.exists() and f"TypeMacro({header.stem}," in header.read_text(encoding="utf-8")
 
 
 def is_of_public_class(path):
-    """A file that is called as a public class is."""
+    """Return whether a file belongs to a public class or is the main program of the viewer."""
     return is_public(path.with_suffix(".h")) or path.stem == "relevo-view"
 
 
 def is_slice(path):
-    """A source without a header of its name: a part of another file's class."""
+    """Return whether a source has no header of its name, so that it is a part of another class."""
     return path.suffix == ".cxx" and not (
         path.with_suffix(".h").exists() or path.stem == "relevo-view"
     )
 
 
 def find_unlisted(source):
-    """Modules that LAYERS does not have, so that nothing looks at them."""
+    """Find modules that are missing in LAYERS and would not be checked."""
     for top in ("Filters", "Rendering"):
         for path in sorted((source / top).rglob("vtk.module")):
             module = path.parent.relative_to(source).as_posix()
@@ -75,17 +75,17 @@ def find_unlisted(source):
 
 
 def installed_for_authors(source, module):
-    """The headers that a module installs beside those of its public classes."""
+    """Return the headers that a module installs besides those of its public classes."""
     lists = (source / module / "CMakeLists.txt").read_text(encoding="utf-8")
     found = re.search(r"^set\(author_headers\n(.*?)\)", lists, re.MULTILINE | re.DOTALL)
     return set(found.group(1).split()) if found else set()
 
 
 def may_include(module, other, name, installed):
-    """Whether a module may include a header of another one.
+    """Return whether a module may include a header of another one.
 
-    Public classes and installed headers are there for everyone, those of Core for all modules, and
-    those of Filters/X for Rendering/X, its twin.
+    Any module may include public and installed headers and those of the Core modules. Rendering/X
+    may include headers of Filters/X.
     """
     folder, idea = module.split("/")
     return (
@@ -97,9 +97,9 @@ def may_include(module, other, name, installed):
 
 
 def functions(text):
-    """Where the functions of a formatted source start, and how many lines their braces enclose."""
+    """Yield the first line and the number of lines of each function in a formatted source."""
     lines = text.splitlines()
-    opened = []  # (indentation, line, whether a function), the innermost last
+    opened = []  # open braces: (indentation, line, whether it is a function), the innermost last
     for number, line in enumerate(lines):
         indentation = len(line) - len(line.lstrip())
         if line.strip() == "{":
@@ -117,7 +117,7 @@ def functions(text):
 
 
 def find_large(source):
-    """Functions of too many lines."""
+    """Find functions that are too long."""
     for top in ("Filters", "Rendering", "Examples", "Testing"):
         for path in sorted((source / top).rglob("*")):
             if path.suffix in (".cxx", ".h"):
@@ -131,15 +131,14 @@ def find_large(source):
 
 
 def includes(path):
-    """What a file includes, as it names it."""
+    """Return the names in the #include lines of a file."""
     return re.findall(r'#include [<"]([^>"]+)', path.read_text(encoding="utf-8"))
 
 
 def find_circles(files):
-    """Classes that depend on each other, directly or by others, through their headers or sources.
+    """Find classes, each a header and its source, that depend on each other, also indirectly.
 
-    They are the strongly connected components of the graph of includes, found with Tarjan's
-    algorithm. A class is a header with its source.
+    Tarjan's algorithm finds the strongly connected components of the graph of includes.
     """
     graph = {}
     for name, (path, module, _) in files.items():
@@ -175,7 +174,7 @@ def find_circles(files):
 def main():
     source = pathlib.Path(sys.argv[1])
     faults = list(find_unlisted(source))
-    files = {}  # as includes name it: (module, layer)
+    files = {}  # name in #include lines: (path, module, layer)
     for module, layers in LAYERS.items():
         for path in sorted((source / module).rglob("*")):
             if path.suffix not in (".h", ".cxx"):
@@ -184,35 +183,35 @@ def main():
             layer = len(layers)
             if len(inside.parts) > 1:
                 if inside.parts[0] not in layers:
-                    faults.append(f"{module}/{inside}: {inside.parts[0]} is no layer")
+                    faults.append(f"{module}/{inside}: {inside.parts[0]} is not in LAYERS")
                     continue
                 layer = layers.index(inside.parts[0])
             if len(inside.parts) == 1 or path.stem.startswith("vtk"):
                 if not is_of_public_class(path):
-                    faults.append(f"{module}/{inside}: only public classes are called vtk... and "
-                                  "lie beside the module's folders")
-                name = inside.name  # as includes name it
+                    faults.append(f"{module}/{inside}: only public classes may be named vtk... or "
+                                  "lie at the module's root")
+                name = inside.name
             else:
                 name = inside.as_posix()
             if is_slice(path):
-                faults.append(f"{module}/{inside}: has no header of its name; a class is in one .h "
-                              "and one .cxx")
+                faults.append(f"{module}/{inside}: has no header of its name; put each class in "
+                              "one .h and one .cxx")
             if name in files:
-                faults.append(f"{module}/{inside}: another module has it too")
+                faults.append(f"{module}/{inside}: another module has a file of this name")
             files[name] = (path, module, layer)
 
     installed = {module: installed_for_authors(source, module) for module in MODULES}
     for name, (path, module, layer) in files.items():
         for include in includes(path):
             if ".." in pathlib.PurePath(include).parts:
-                faults.append(f"{module}/{name}: names {include} from where it lies")
+                faults.append(f"{module}/{name}: includes {include} by a path with ..")
             if include not in files or pathlib.PurePath(include).stem == path.stem:
                 continue
             _, other, below = files[include]
             if MODULES.index(other) > MODULES.index(module) or other == module and below > layer:
-                faults.append(f"{module}/{name}: climbs to {include}")
+                faults.append(f"{module}/{name}: includes {include} of a higher layer")
             if other != module and not may_include(module, other, include, installed[other]):
-                faults.append(f"{module}/{name}: {include} is private to {other}")
+                faults.append(f"{module}/{name}: includes {include}, which is private to {other}")
     faults += find_circles(files)
     faults += find_large(source)
     number_of_functions = sum(
@@ -225,21 +224,21 @@ def main():
         for path in folder.rglob("*.h"):
             text = path.read_text(errors="replace")
             guards.update(re.findall(r"^#ifndef (\w+)", text, re.MULTILINE))
-            if path.parent == folder:  # those below are included with their folder's name
+            if path.parent == folder:  # others are included with the name of their folder
                 theirs.add(path.name)
-    own = {}  # include guards: classes of the same name would be one to the linker
+    own = {}  # include guards; two classes of the same name would clash in the linker
     for name, (path, module, _) in files.items():
         if path.suffix != ".h":
             continue
         guard = re.search(r"^#ifndef (\w+)", path.read_text(encoding="utf-8"), re.MULTILINE)
         if path.name in theirs:
-            faults.append(f"{module}/{name}: VTK has a {path.name}")
+            faults.append(f"{module}/{name}: VTK also has a header {path.name}")
         if not guard or guard.group(1) != path.stem + "_h":
-            faults.append(f"{module}/{name}: its include guard is not {path.stem}_h")
+            faults.append(f"{module}/{name}: the include guard must be {path.stem}_h")
         elif guard.group(1) in guards:
-            faults.append(f"{module}/{name}: VTK has an include guard {guard.group(1)}")
+            faults.append(f"{module}/{name}: VTK also has the include guard {guard.group(1)}")
         elif guard.group(1) in own:
-            faults.append(f"{module}/{name}: {own[guard.group(1)]} has this name, too")
+            faults.append(f"{module}/{name}: {own[guard.group(1)]} has the same name")
         else:
             own[guard.group(1)] = f"{module}/{name}"
 

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Markdown pages: links and pictures exist, README.md is short, quoted code and messages are true.
+"""Check the Markdown pages: links, pictures, quoted code, messages, and the length of README.md.
 
-TestPages.py SOURCE          of the project
-TestPages.py FOLDER --links  of an installed copy: links, pictures and quoted code alone
+TestPages.py SOURCE          check the pages of the project
+TestPages.py FOLDER --links  check only links, pictures and quoted code of an installed copy
 """
 
 import pathlib
@@ -11,7 +11,7 @@ import re
 import subprocess
 import sys
 
-MOST_WORDS = 900  # of README.md
+MOST_WORDS = 900  # in README.md
 LARGEST_PICTURE = 600000  # bytes
 
 problems = []
@@ -36,7 +36,7 @@ def find_pages(source):
 
 
 def without_code(text):
-    """The text without fenced and indented blocks and without code spans, line by line."""
+    """Return the text without code blocks and code spans."""
     lines = []
     fenced = False
     for line in text.splitlines():
@@ -48,7 +48,7 @@ def without_code(text):
 
 
 def get_anchors(page):
-    """As GitHub makes them: lower case, spaces become hyphens, punctuation goes."""
+    """Return GitHub's anchors: lower case, hyphens for spaces, no punctuation."""
     anchors = set()
     fenced = False
     for line in page.read_text().splitlines():
@@ -61,7 +61,7 @@ def get_anchors(page):
 
 
 def get_links(text):
-    """Targets of [text](target) and ![text](target), also of pictures within links."""
+    """Return the targets of links and pictures, including pictures within links."""
     return [match[1].replace("\n", "") for match in re.finditer(r"\]\(([^)\s]+)\)", text)]
 
 
@@ -83,32 +83,32 @@ def check_links(source, page):
 
 
 def check_quotes(source, page):
-    """Each block of C++ or CMake is in the file that the line before it links to."""
+    """Check that each block of C++ or CMake quotes the file that the line before it links to."""
     text = page.read_text()
     for match in re.finditer(r"\]\(([^)\s]+)\):\n\n```(?:cpp|cmake)\n(.*?)```", text, re.S):
         quoted = (page.parent / match[1]).read_text()
         if match[2] not in quoted:
-            report(page.relative_to(source), f"the code quoted from {match[1]} is not there")
+            report(page.relative_to(source), f"{match[1]} does not contain the quoted code")
     for language in re.findall(r"^```(\w+)$", text, re.M):
         if language not in ("cmake", "cpp", "mermaid", "python"):
-            report(page.relative_to(source), f"no test reads blocks of {language}")
+            report(page.relative_to(source), f"no test checks code blocks of {language}")
     blocks = len(re.findall(r"^```(?:cpp|cmake)$", text, re.M))
     quotes = len(re.findall(r"\]\([^)\s]+\):\n\n```(?:cpp|cmake)\n", text))
     if blocks != quotes:
-        report(page.relative_to(source), "C++ or CMake without a link to the file it is from")
+        report(page.relative_to(source), "a block of C++ or CMake follows no link to its file")
 
 
 def check_files(source, page):
-    """Each source that a page names is there, in whatever folder."""
+    """Check that each source that the page names exists in some folder."""
     folders = ("Examples", "Filters", "Module", "Rendering", "Testing")
     names = {path.name for folder in folders for path in (source / folder).rglob("*")}
     for name in set(re.findall(r"\b\w+\.(?:cxx|glsl|h)\b", page.read_text())):
         if name not in names:
-            report(page.relative_to(source), f"there is no file {name}")
+            report(page.relative_to(source), f"names {name}, which does not exist")
 
 
 def check_options(source, page):
-    """The page has the options that relevo-view --help has."""
+    """Check that the page and relevo-view --help list the same options."""
     options = r"(?<![\w-])--[a-z][a-z-]+"
     usage = (source / "Examples/Viewer/Options/ViewerUsage.cxx").read_text()
     told = set(re.findall(rf"^  ({options})", usage, re.M))
@@ -119,7 +119,7 @@ def check_options(source, page):
 
 
 def get_strings(source):
-    """What the sources' string literals say; literals that follow one another are one."""
+    """Return the string literals of the sources, with adjacent literals joined."""
     literal = r'"(?:[^"\\\n]|\\.)*"'
     texts = []
     for folder in ("Filters", "Rendering", "Module/ParaView", "Examples/Viewer"):
@@ -132,7 +132,7 @@ def get_strings(source):
 
 
 def check_messages(source, page):
-    """Of each message in a table of errors.md, its longest part is in a string of the sources."""
+    """Check that the longest part of each message in the tables is in a string of the sources."""
     strings = get_strings(source)
     count = 0
     for row in re.findall(r"^\| (`.*?`) \|", page.read_text(), re.M):
@@ -141,9 +141,9 @@ def check_messages(source, page):
             longest = max((part.strip(" .:'") for part in parts), key=len)
             count += 1
             if len(longest) < 8 or longest not in strings:
-                report(page.relative_to(source), f"no source says {longest!r}")
+                report(page.relative_to(source), f"no string in the sources contains {longest!r}")
     if count < 60:
-        report(page.relative_to(source), f"only {count} messages")
+        report(page.relative_to(source), f"has only {count} messages")
 
 
 def finish(summary):
@@ -168,10 +168,10 @@ def main():
     readme = (source / "README.md").read_text()
     words = len(readme.split())
     if words > MOST_WORDS:
-        report("README.md", f"{words} words, more than {MOST_WORDS}")
+        report("README.md", f"has {words} words, more than {MOST_WORDS}")
     for page in documentation.glob("*.md"):
         if f"Module/Documentation/{page.name}" not in get_links(readme):
-            report("README.md", f"no link to {page.name}")
+            report("README.md", f"has no link to {page.name}")
     for picture in (*documentation.glob("*.png"), *documentation.glob("*.jpg")):
         if not any(picture.name in page.read_text() for page in pages):
             report(picture.relative_to(source), "no page shows it")

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every shader that the mappers' tests build, through glslangValidator, the reference compiler.
+"""Validate the shaders that the mappers' tests build with glslangValidator, the reference compiler.
 
 TestShaders.py OUTPUT PROGRAM TEST [PROGRAM TEST]...
 
-Mesa writes the programs that the tests link, VTK's included, and the validator takes each stage on
-its own. Shaders of GLSL below 4.0 are taken twice, as OpenGL with ARB_gpu_shader5 has them and
-without: the validator knows `precise` from 4.0 on only.
+Mesa writes all programs that the tests link, including VTK's. The validator checks each stage
+separately. It checks shaders of GLSL below 4.0 twice, with and without ARB_gpu_shader5, because it
+supports `precise` only from 4.0 on.
 """
 
 import collections
@@ -40,7 +40,7 @@ def variants(source):
     if version >= 400 or "GL_ARB_gpu_shader5" not in source:
         return {"": source}
     return {
-        # VTK's own preamble defines this name for the version that it wrote.
+        # VTK's preamble defines this name for older versions only.
         "with ARB_gpu_shader5": re.sub(
             r"#version \d+", "#version 400\n#define texelFetchBuffer texelFetch", source
         ),
@@ -49,7 +49,7 @@ def variants(source):
 
 
 def problems(source, stage, folder):
-    """What the validator has against it."""
+    """Return the errors and warnings of the validator."""
     handle, name = tempfile.mkstemp("." + STAGES[stage], dir=folder)
     with open(handle, "w", encoding="utf-8") as file:
         file.write(source)
@@ -62,7 +62,7 @@ def problems(source, stage, folder):
         check=False,
     )
     lines = [line.replace(name, "") for line in result.stdout.splitlines()]
-    # It accepts all of the extension that is used.
+    # The validator supports the parts of the extension that the shaders use.
     known = "extension is only partially supported: GL_ARB_gpu_shader5"
     found = [
         line for line in lines if line.startswith(("ERROR:", "WARNING:")) and known not in line
@@ -72,7 +72,7 @@ def problems(source, stage, folder):
 
 def main(arguments):
     if not shutil.which("glslangValidator"):
-        print("skipped: no glslangValidator")
+        print("skipped: glslangValidator is not installed")
         return 125
     output = os.path.abspath(arguments[0])
     programs = os.path.join(output, "programs")
@@ -80,7 +80,7 @@ def main(arguments):
     os.makedirs(programs)
     for program, test in zip(arguments[1::2], arguments[2::2]):
         environment = dict(os.environ, MESA_SHADER_CAPTURE_PATH=programs)
-        # Whether the test passes is its own business.
+        # CTest runs this test separately, so its result does not matter here.
         subprocess.run(
             [program, test, "-T", output], env=environment, stdout=subprocess.DEVNULL, check=False
         )
@@ -107,7 +107,7 @@ def main(arguments):
     for (owner, stage), count in sorted(counts.items()):
         print(f"{owner}: {count} {stage} shaders")
     if not any(owner == "Relevo" for owner, _ in counts):
-        print("skipped: not Mesa, which writes shaders for MESA_SHADER_CAPTURE_PATH")
+        print("skipped: only Mesa writes shaders for MESA_SHADER_CAPTURE_PATH")
         return 125
     return 1 if failed else 0
 

@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-# Every C++ file follows .clang-format.
+# All C++ files follow .clang-format.
 set -euo pipefail
 cd "$1"
 if ! command -v clang-format >/dev/null; then
-  echo "skipped: no clang-format"
+  echo "skipped: clang-format is not installed"
   exit 125
 fi
-# Releases of clang-format differ in what they make of one style; Debian 12's decides.
+# Releases of clang-format format differently. The test uses that of Debian 12.
 if ! clang-format --version | grep -q 'version 14\.'; then
-  echo "skipped: not clang-format 14"
+  echo "skipped: clang-format is not version 14"
   exit 125
 fi
 if git rev-parse --is-inside-work-tree >/dev/null 2>&1; then

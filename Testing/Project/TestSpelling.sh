@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-# No file has a misspelled word.
+# codespell finds no misspelled word.
 set -euo pipefail
 cd "$1"
 if ! command -v codespell >/dev/null || ! git rev-parse --is-inside-work-tree >/dev/null 2>&1; then
-  echo "skipped: codespell and a git checkout are needed"
+  echo "skipped: codespell or a git checkout is missing"
   exit 125
 fi
 git ls-files -z ':!*.png' ':!*.jpg' ':!*.vtp' | xargs -0 codespell

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-# No file names a folder of somebody's machine, a mirror of packages, is large, or lies at the top
-# without belonging there, as what a test has written may.
+# No tracked file is larger than 1 MB, or contains a path of a developer's machine or a package
+# mirror. The top folder has only the listed files.
 set -euo pipefail
 cd "$1"
 if ! git rev-parse --is-inside-work-tree >/dev/null 2>&1; then
@@ -15,7 +15,7 @@ report() {
   failed=1
 }
 
-# Written so that this file does not match itself.
+# Brackets keep these expressions from matching this file.
 folders='(^|[^A-Za-z0-9_.}~-])/(home|root|work|tmp|Users|mnt|media)/[A-Za-z0-9]'
 hosts='https?://[a-z0-9.-]*(deb[.]debian|snapshot[.]debian|archive[.]ubuntu|pypi|pythonhosted|npmjs|crates[.]io|proxy[.]golang)'
 while IFS= read -r -d '' file; do
@@ -23,22 +23,22 @@ while IFS= read -r -d '' file; do
     continue
   fi
   if [ "$(stat -c %s "$file")" -gt 1000000 ]; then
-    report "$file: larger than 1 MB"
+    report "$file: is larger than 1 MB"
   fi
   if grep -InE "$folders|$hosts" "$file" /dev/null; then
-    report "$file: a path or host that is not everybody's"
+    report "$file: contains a local path or a package mirror"
   fi
   case ${file%%/*} in
     .ci | .clang-format | .clang-tidy | .codespellrc | .editorconfig | .gitattributes | .github) ;;
     .gitignore | .pre-commit-config.yaml | CHANGELOG.md | CITATION.cff) ;;
     CMakeLists.txt | CMakePresets.json | CODE_OF_CONDUCT.md | SECURITY.md) ;;
     CONTRIBUTING.md | Data | Examples | Filters | LICENSE | Module | README.md | Rendering | Testing) ;;
-    *) report "$file: not of the top folder" ;;
+    *) report "$file: is not listed for the top folder in TestTrackedFiles.sh" ;;
   esac
   case $file in
     *.h | *.cxx)
       if ! grep -q 'SPDX-License-Identifier: BSD-3-Clause' "$file"; then
-        report "$file: no SPDX-License-Identifier"
+        report "$file: has no SPDX-License-Identifier"
       fi
       ;;
   esac
