@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSurfaceIntersectionFilter
- * @brief   intersect two surfaces, or a surface with itself, with exact decisions
+ * @brief   intersect two surfaces, or a surface with itself, with exact predicates
  *
  * Inputs 0 and 1: vtkPolyData, each transformed by a matrix, see SetMatrix(). Polygons are split
  * into fans (0, i, i + 1), as in VTK's mappers, and strips into triangles. Vertices, lines and

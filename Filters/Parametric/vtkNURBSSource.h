@@ -7,8 +7,8 @@
  * Degrees, knots, control points and weights define a curve or surface as in L. Piegl, W. Tiller,
  * "The NURBS Book", 1997. Knot insertion decomposes it, exact except for rounding, into one Bézier
  * cell per span between distinct knots. Knots may be unclamped: with n control points of degree p,
- * the curve goes from knot p to knot n (counted from 0). The multiplicity of an inner knot is at
- * most p + 1, where the curve may be discontinuous.
+ * the curve goes from knot p to knot n (counted from 0). Inner knots have a multiplicity of at most
+ * p + 1. With p + 1, the curve may be discontinuous there.
  *
  * The output is a vtkUnstructuredGrid of VTK_BEZIER_QUADRILATERAL cells, or of VTK_BEZIER_CURVE
  * cells if the second dimension is 1. Cells are ordered along the first direction. Points are

@@ -4,13 +4,13 @@
  * @class   vtkPatchErrorDepthTagMetric
  * @brief   refine patches and curves to a screen-space error
  *
- * The metric requires a mesh of vtkPatchSurfaceFilter and the rule PER_EDGE of vtkDepthTagMetric.
- * The level of an edge is log2 of the number of segments. It is chosen among those of the recipe's
+ * The metric requires a mesh of vtkPatchSurfaceFilter. With the rule PER_EDGE of vtkDepthTagMetric,
+ * the level of an edge is log2 of the number of segments. It is chosen among those of the recipe's
  * patterns so that no triangle of the adjacent faces deviates from the patch by more than
  * ScreenSpaceError, unless MaximumLevel is reached. With geomorphing, half a level is added, so
- * that the vertices are in their final position. This is a bound, also for rational patches. It
- * limits the distance between points of triangle and patch with the same parameters. The distance
- * to the nearest point of the patch is not larger.
+ * that the vertices are in their final position. ScreenSpaceError is a bound, also for rational
+ * patches. It limits the distance between points of triangle and patch with the same parameters.
+ * The distance to the nearest point of the patch is not larger.
  *
  * For the curve C of an edge with n equal segments, the deviation is at most
  *
@@ -39,8 +39,8 @@
  * viewport, a the view angle of the camera, z the smallest depth of the control points of the face
  * along the viewing direction, and t their largest angle from this direction within the viewport.
  * With a horizontal view angle, h is the width. With a parallel camera, the number is h / (2
- * ParallelScale). If the camera is inside of the control points, edges have MaximumLevel. The
- * largest and the smallest scale factor of the actor's matrix are included.
+ * ParallelScale). If the camera is inside of the bounding box of the control points, edges have
+ * MaximumLevel. The largest and the smallest scale factor of the actor's matrix are included.
  *
  * With the rule PER_VERTEX, points have the largest level of their edges. Edges are then at least
  * as fine as with PER_EDGE, but the interior is not checked. LevelOffset, triangle budgets and time

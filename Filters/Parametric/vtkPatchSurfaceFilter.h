@@ -17,9 +17,9 @@
  *   the grid, with integers rounded, and "Normals" (float), the mean of the exact normals of the
  *   patches at a point.
  * - Triangles: two for a quadrilateral and one for a triangle, unless an edge must be split. A
- *   triangle with one corner point is split into four, and triangles between the same two points
- *   into two each. Cell arrays are those of the grid, "vtkOriginalCellIds" (vtkIdType), the grid's
- *   cell, "PatchIds" (int), the patch, and "PatchCoordinates" (float, 6 components), u and v of the
+ *   closed edge is split into four pieces, and edges between the same two points into two pieces
+ *   each. Cell arrays are those of the grid, "vtkOriginalCellIds" (vtkIdType), the grid's cell,
+ *   "PatchIds" (int), the patch, and "PatchCoordinates" (float, 6 components), u and v of the
  *   corners. If a border degenerates to a point, as at the lid of the teapot, a triangle can have
  *   two coincident corners.
  * - Field data are those of the grid and the following arrays. "Patches" (vtkIdType, 4 components)

@@ -19,9 +19,10 @@
  *
  * Samples have the positions of vtkTerrainSource: in metres, x east, y north, relative to the
  * centre of the raster, or one unit per sample without georeference; z = height * Exaggeration.
- * Each sample is a texel, except for longitude and latitude, where samples are not on a regular
- * grid of the ground. There, heights are interpolated on a regular grid in x and y that covers the
- * whole raster. A texel without data in its sample, or outside of the raster, has no surface.
+ * With TexelsPerSample 1, each sample is a texel, except for longitude and latitude, where samples
+ * are not on a regular grid of the ground. There, heights are interpolated on a regular grid in x
+ * and y that covers the whole raster. A texel without data in its sample, or outside of the raster,
+ * has no surface.
  *
  * ProgressEvent reports the progress. An observer can call AbortExecuteOn() to stop, with an empty
  * output and no error.

@@ -25,7 +25,7 @@
  * Transfer functions are evaluated as VTK does, including colour space, midpoint, sharpness and
  * clamping. Rays are split at the nodes of these functions (R. Espinha, "Visualizacao volumetrica
  * interativa de malhas nao-estruturadas utilizando placas graficas programaveis", PUC-Rio, 2005),
- * and each piece is integrated exactly (K. Moreland, E. Angel, "A Fast High Accuracy Volume
+ * and each piece is integrated analytically (K. Moreland, E. Angel, "A Fast High Accuracy Volume
  * Renderer for Unstructured Data", 2004). The interpolation type and the label maps of the property
  * are ignored.
  *
