@@ -1,9 +1,8 @@
-# Compiler settings shared by every target of the project. A compiler gets no flag that it does not
-# know.
+# Compiler settings shared by all targets. Flags that the compiler does not support are left out.
 
 include(CheckCXXCompilerFlag)
 
-# relevo_add_known_flags(<list> <flag>...) appends the flags that the compiler knows to the list.
+# relevo_add_known_flags(<list> <flag>...) appends the flags that the compiler supports to the list.
 function (relevo_add_known_flags list)
   set(flags ${${list}})
   foreach (flag IN LISTS ARGN)
@@ -16,7 +15,7 @@ function (relevo_add_known_flags list)
   set("${list}" "${flags}" PARENT_SCOPE)
 endfunction ()
 
-# Contracting a*b+c would give shared edges different bits on their two sides.
+# Fused multiply-adds (a*b+c) would give a shared edge different bits on its two sides.
 set(relevo_flags)
 if (MSVC)
   relevo_add_known_flags(relevo_flags /fp:precise)
@@ -31,13 +30,13 @@ if (RELEVO_SANITIZE)
   check_cxx_compiler_flag("-fsanitize=${RELEVO_SANITIZE}" ${can_sanitize})
   unset(CMAKE_REQUIRED_LINK_OPTIONS)
   if (NOT ${can_sanitize})
-    message(FATAL_ERROR "The compiler does not know -fsanitize=${RELEVO_SANITIZE}: "
-      "set RELEVO_SANITIZE to sanitizers that it knows, for example address,undefined.")
+    message(FATAL_ERROR "The compiler does not support -fsanitize=${RELEVO_SANITIZE}. "
+      "Set RELEVO_SANITIZE to supported sanitizers, for example address,undefined.")
   endif ()
-  # -g1: reports name functions and lines, and the build takes a third less.
+  # With -g1, reports name functions and lines, and the build takes a third less time than with -g.
   add_compile_options(-fsanitize=${RELEVO_SANITIZE} -fno-omit-frame-pointer -g1)
   add_link_options(-fsanitize=${RELEVO_SANITIZE})
-  # A module calls its own copies of inline functions, not those of a test that has fewer checks.
+  # Modules must call their copies of inline functions, because those in tests have fewer checks.
   include(CheckLinkerFlag)
   check_linker_flag(CXX "-Wl,-Bsymbolic-functions" relevo_can_bind_functions)
   if (relevo_can_bind_functions)
@@ -45,8 +44,8 @@ if (RELEVO_SANITIZE)
   endif ()
 endif ()
 
-# Flags of the tests' own sources, which compile in half the time with them. The processor finds null
-# pointers, and the address sanitizer objects that are too small; modules are checked for all.
+# With these flags the sources of tests compile in half the time. Tests can do without these checks:
+# a null pointer crashes anyway, and the address sanitizer finds objects that are too small.
 set(relevo_test_flags)
 if (RELEVO_SANITIZE MATCHES "undefined")
   set(relevo_test_flags -fno-sanitize=null,alignment,object-size,vptr)
@@ -65,14 +64,14 @@ if (RELEVO_WERROR AND MSVC)
 elseif (RELEVO_WERROR)
   relevo_add_known_flags(relevo_warning_flags -Werror)
   if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # From version 14 on, g++'s optimiser warns of impossible sizes in vtkSMPThreadLocal and std::vector<bool>.
+    # g++ 14 and later warn about impossible sizes in vtkSMPThreadLocal and std::vector<bool>.
     relevo_add_known_flags(relevo_warning_flags
       -Wno-error=array-bounds -Wno-error=stringop-overflow)
   endif ()
 endif ()
 
 # Compilers spend most of their time on VTK's headers. Precompiled headers and unity builds (several
-# sources in one file) read them less often. A compiler cache works better without both.
+# sources in one file) read them less often. A compiler cache works better without either.
 set(shorten_by_default ON)
 if (CMAKE_CXX_COMPILER_LAUNCHER)
   set(shorten_by_default OFF)
@@ -81,13 +80,13 @@ option(RELEVO_PRECOMPILE_HEADERS "Precompile the headers that most sources inclu
   ${shorten_by_default})
 option(RELEVO_UNITY_BUILD "Compile several sources of a module at once" ${shorten_by_default})
 
-# Libraries that hold nothing but the precompiled headers: one for the modules, whose code does not
-# depend on its position, one for executables and the static libraries of tests. The headers take
-# longer to compile than a module's source, so each target of the two kinds uses one of them again.
+# The headers take longer to compile than a source of a module, so all targets share two libraries
+# of precompiled headers: one for position-independent code (modules), the other for executables and
+# the static libraries of tests.
 if (RELEVO_PRECOMPILE_HEADERS)
   set(relevo_precompiled_source "${CMAKE_CURRENT_BINARY_DIR}/RelevoPrecompiled.cxx")
   file(CONFIGURE OUTPUT "${relevo_precompiled_source}"
-    CONTENT "// The headers are compiled for this.\n")
+    CONTENT "// CMake needs a source to compile the headers.\n")
   foreach (relevo_library IN ITEMS RelevoPrecompiledModules RelevoPrecompiledExecutables)
     add_library(${relevo_library} OBJECT "${relevo_precompiled_source}")
     target_link_libraries(${relevo_library} PRIVATE VTK::CommonDataModel VTK::CommonExecutionModel)
@@ -97,7 +96,7 @@ if (RELEVO_PRECOMPILE_HEADERS)
   set_target_properties(RelevoPrecompiledModules PROPERTIES POSITION_INDEPENDENT_CODE ON)
 endif ()
 
-# relevo_precompile_headers(<target>): where that is wanted.
+# relevo_precompile_headers(<target>) makes the target use the precompiled headers, if enabled.
 function (relevo_precompile_headers target)
   if (NOT RELEVO_PRECOMPILE_HEADERS)
     return()
@@ -111,28 +110,30 @@ function (relevo_precompile_headers target)
   endif ()
 endfunction ()
 
-# relevo_shorten_build(<target>): precompiled headers and unity builds. Sources of such a target have
-# different names in their anonymous namespaces, so this is not for tests.
+# relevo_shorten_build(<target>) enables precompiled headers and a unity build. The sources of such
+# a target need different names in their anonymous namespaces, so tests do not use it.
 function (relevo_shorten_build target)
   relevo_precompile_headers("${target}")
   if (RELEVO_UNITY_BUILD)
     set_target_properties("${target}" PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
     if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-      # g++ takes included sources for headers, where anonymous namespaces would be a mistake.
+      # g++ treats included sources as headers and warns about their anonymous namespaces.
       target_compile_options("${target}" PRIVATE
         "$<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage>")
     endif ()
   endif ()
 endfunction ()
 
-# relevo_enable_warnings(<target>): for a module. Generated wrappers are other targets.
+# relevo_enable_warnings(<target>) enables warnings for a module, but not for its generated
+# wrappers.
 function (relevo_enable_warnings target)
   target_compile_options("${target}" PRIVATE
     "$<$<COMPILE_LANGUAGE:CXX>:${relevo_warning_flags}>")
 endfunction ()
 
-# relevo_add_public_folders(<target> <folder>...): folders of a module with headers of public
-# classes, which installed headers keep beside those of the module's own folder.
+# relevo_add_public_folders(<target> <folder>...) adds folders with public headers to the include
+# path. Users include these headers without the folder, because all public headers are installed
+# together.
 function (relevo_add_public_folders target)
   foreach (folder IN LISTS ARGN)
     target_include_directories("${target}" PUBLIC

@@ -1,9 +1,8 @@
-# What find_package(Relevo) needs, from the build tree as from an installed one:
-#   RelevoConfig.cmake, its version file, and beside them the targets and module properties that
-#   vtk_module_build writes.
+# Writes RelevoConfig.cmake and its version file, for find_package(Relevo) in the build tree and in
+# an installation. vtk_module_build writes the targets and module properties beside them.
 include(CMakePackageConfigHelpers)
 
-# Static libraries leave it to their users to link what they need.
+# Users of static libraries must link their dependencies.
 set(relevo_link_dependencies)
 set(relevo_find_modules)
 if (NOT BUILD_SHARED_LIBS)
@@ -39,9 +38,9 @@ install(
   DESTINATION "${relevo_cmake_destination}"
   COMPONENT   development)
 
-# Users source it, in the build tree or an installed one; both may be moved.
+# Users source env.sh. It works in a build tree or an installation, also after these are moved.
 set(relevo_env_purpose
-  "puts Relevo's programs and, for ${Python3_EXECUTABLE}, `import relevo` on the paths")
+  "adds Relevo's programs to PATH and its package for ${Python3_EXECUTABLE} to PYTHONPATH")
 string(CONFIGURE [[
   PATH="$relevo_prefix/@CMAKE_INSTALL_BINDIR@${PATH:+:$PATH}"
   PYTHONPATH="$relevo_prefix/@RELEVO_PYTHON_DESTINATION@${PYTHONPATH:+:$PYTHONPATH}"
@@ -61,7 +60,7 @@ install(
   DESTINATION "${relevo_env_destination}"
   COMPONENT   runtime)
 
-# A project that Relevo is a part of has its own pages, beside which Relevo's licence lies.
+# A project that includes Relevo installs its pages, and Relevo adds only the licence.
 if (NOT relevo_is_whole)
   install(
     FILES       "${PROJECT_SOURCE_DIR}/LICENSE"
@@ -70,7 +69,7 @@ if (NOT relevo_is_whole)
   return ()
 endif ()
 
-# README.md and the pages, with the examples and pictures that they link to.
+# Pages are installed with the examples and pictures that they link to.
 install(
   FILES
     "${PROJECT_SOURCE_DIR}/CHANGELOG.md"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Compiled once for each of the larger targets, see RelevoCompiler.cmake. Sources include what they
-// use all the same.
+// RelevoCompiler.cmake compiles these headers for all targets. Sources still include what they use,
+// because they must compile without precompiled headers.
 #ifndef RelevoPrecompiled_h
 #define RelevoPrecompiled_h
 

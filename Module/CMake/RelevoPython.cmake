@@ -1,6 +1,6 @@
-# Finds the Python that the VTK in use was built for, before VTK looks for one: the first python3 in
-# PATH may be a different one, without vtkmodules or with those of another VTK. Sets
-# Python3_EXECUTABLE, in the cache where that is Relevo's own.
+# Finds the Python that VTK was built for, and sets Python3_EXECUTABLE before VTK looks for a
+# Python. The first python3 in PATH may have no vtkmodules, or those of another VTK. The cache entry
+# is set only if Relevo is the top-level project.
 
 if (NOT Python3_EXECUTABLE)
   foreach (candidate IN ITEMS "${VTK_PREFIX_PATH}/bin/python3" python3 /usr/bin/python3)
@@ -18,9 +18,9 @@ print(vtkVersion.GetVTKVersion(), sys.executable, sep=';')"
     list(GET found 0 version)
     list(GET found 1 executable)
     if (NOT version VERSION_EQUAL VTK_VERSION)
-      message(STATUS "${executable} has VTK ${version}, not ${VTK_VERSION}: it is not used")
+      message(STATUS "${executable} is not used: it has VTK ${version}, not ${VTK_VERSION}")
     elseif (relevo_is_whole)
-      set(Python3_EXECUTABLE "${executable}" CACHE FILEPATH "The Python of the VTK in use")
+      set(Python3_EXECUTABLE "${executable}" CACHE FILEPATH "The Python that VTK was built for")
       break ()
     else ()
       set(Python3_EXECUTABLE "${executable}")

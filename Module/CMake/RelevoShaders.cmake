@@ -1,7 +1,7 @@
 # relevo_embed_shaders(<out-sources> FILES a.glsl b.glsl ...)
 #
-# Embeds GLSL files as C strings named after the files. Headers land in the
-# current binary folder and are private to the module.
+# Embeds GLSL files as C strings named after the files. Their headers are in the current binary
+# folder and private to the module.
 include("${VTK_DIR}/vtkEncodeString.cmake")
 function (relevo_embed_shaders out)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "FILES")

@@ -5,12 +5,13 @@
 #   [REPEATED [<folder>/]<TestName>...]
 #   [LABELS <label>...])
 #
-# One executable for all tests of a module, one CTest test for each but for those of other modules,
-# REPEATED, which relevo_repeat_cxx_tests runs. HELPERS are of Testing/Cxx/Helpers. TestName.cxx holds
+# Builds one executable for all tests of a module and adds a CTest test for each of TESTS. REPEATED
+# are tests of other modules, which relevo_repeat_cxx_tests adds. HELPERS are libraries of
+# Testing/Cxx/Helpers. TestName.cxx defines
 #   int TestName(int argc, char* argv[])
-# and returns EXIT_SUCCESS, EXIT_FAILURE, or 125 to skip when something it needs is missing. Arguments and
-# environment follow VTK's own tests:
-#   -D <folder of test data in the repository>   -T <folder to write into>
+# which returns EXIT_SUCCESS, EXIT_FAILURE, or 125 to skip the test if a requirement is missing.
+# Arguments and environment are those of VTK's tests:
+#   -D <folder of test data in the repository>   -T <output folder>
 #   -V <baseline image>                          RELEVO_TEST_DATA: folder of larger real data
 function (relevo_add_cxx_tests executable)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "TESTS;REPEATED;HELPERS;LIBRARIES;LABELS")
@@ -19,7 +20,7 @@ function (relevo_add_cxx_tests executable)
   endif ()
   set(sources ${arg_TESTS} ${arg_REPEATED})
   list(TRANSFORM sources APPEND ".cxx")
-  # The test driver calls functions, which are named without folders.
+  # The test driver calls functions, whose names have no folders.
   set(functions ${sources})
   list(TRANSFORM functions REPLACE "^.*/" "")
   create_test_sourcelist(driver "${executable}.cxx" ${functions})
@@ -38,7 +39,7 @@ endfunction ()
 
 # relevo_add_cxx_test(<executable> <TestName> <name> [<label>...])
 #
-# TestName of the executable as a CTest test of that name.
+# Adds TestName of the executable as the CTest test <name>.
 function (relevo_add_cxx_test executable test name)
   add_test(
     NAME    "${name}"
@@ -52,7 +53,7 @@ endfunction ()
 # relevo_repeat_cxx_tests(<executable> SUFFIX <suffix> ENVIRONMENT <NAME=value>...
 #   TESTS [<folder>/]<TestName>... [LABELS <label>...])
 #
-# The same tests once more, as TestName<suffix>, in another environment.
+# Adds the tests again as TestName<suffix>, with an environment.
 function (relevo_repeat_cxx_tests executable)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "SUFFIX" "ENVIRONMENT;TESTS;LABELS")
   foreach (test IN LISTS arg_TESTS)
@@ -64,7 +65,7 @@ endfunction ()
 
 # relevo_add_python_tests(TESTS <TestName>... [LABELS <label>...])
 #
-# TestName.py is plain unittest; it exits with 125 to skip.
+# Adds TestName.py, which uses unittest and exits with 125 to skip the test.
 function (relevo_add_python_tests)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "" "TESTS;LABELS")
   foreach (test IN LISTS arg_TESTS)

@@ -1,6 +1,6 @@
-# FindGeographicLib: GeographicLib_FOUND and the target GeographicLib::GeographicLib.
+# Sets GeographicLib_FOUND and defines the target GeographicLib::GeographicLib.
 #
-# Distributions ship GeographicLib with or without a package configuration, the library under one of
+# Some distributions ship GeographicLib without a package configuration, and the library has one of
 # two names.
 find_package(GeographicLib CONFIG QUIET)
 if (GeographicLib_FOUND AND NOT TARGET GeographicLib::GeographicLib)

@@ -1,12 +1,12 @@
-# The raster and geodesy libraries of Relevo::FiltersTerrain:
+# Finds the raster and geodesy libraries of Relevo::FiltersTerrain, and sets:
 #   relevo_terrain_libraries  targets to link
-#   relevo_has_gdal           1 or 0, by RELEVO_USE_GDAL
+#   relevo_has_gdal           1 if GDAL is used, otherwise 0 (see RELEVO_USE_GDAL)
 list(APPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}")
 find_package(GeographicLib REQUIRED)
 find_package(OpenImageIO REQUIRED)
 set(relevo_terrain_libraries GeographicLib::GeographicLib OpenImageIO::OpenImageIO)
 
-# Debian's target names include folders of packages that it does not depend on.
+# On Debian, the target names include folders of packages that it does not depend on.
 get_target_property(relevo_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
 foreach (folder IN LISTS relevo_includes)
   if (IS_ABSOLUTE "${folder}" AND NOT EXISTS "${folder}")
