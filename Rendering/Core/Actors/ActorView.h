@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   what a renderer sees of an actor
+ * @brief   properties of an actor in a renderer's view
  *
  * Private to the modules.
  */
@@ -21,11 +21,11 @@ namespace relevo
 {
 RELEVORENDERINGCORE_EXPORT RefinementView MakeActorView(vtkRenderer* ren, vtkActor* act);
 
-/// How far lines and points of a width in pixels reach to the sides and up and down, as shares of
-/// half the view's width and height.
+/// Return how far lines and points of a width in pixels extend horizontally and vertically, as
+/// fractions of half the view's width and height.
 RELEVORENDERINGCORE_EXPORT std::array<double, 2> GetViewMargins(vtkRenderer* ren, double width);
 
-/// Whether the actor has shaders of its own, or parts of them, that write vertices.
+/// Return whether the actor has its own vertex shader code, or parts of it.
 RELEVORENDERINGCORE_EXPORT bool MovesVertices(vtkActor* act);
 }
 

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * The part of a shader variant's key that comes from the actor and the renderer.
+ * @file The part of a shader variant's key that comes from the actor and the renderer.
  *
- * vtkOpenGLPolyDataMapper writes shaders for the actor that it draws, and writes them anew when the
- * actor's property has changed since, not when it draws another actor. Of a mapper that several
- * actors or renderers share, each variant has programs of its own. Private to the modules.
+ * vtkOpenGLPolyDataMapper writes shaders for the actor that it draws. It writes them again when the
+ * actor's property has changed, but not when it draws another actor. If several actors or renderers
+ * share a mapper, each variant has its own programs. Private to the modules.
  */
 #ifndef ShaderVariantKey_h
 #define ShaderVariantKey_h
@@ -24,17 +23,18 @@ class vtkTexture;
 
 namespace relevo
 {
-/// A texture and the name that shaders know it by.
+/// A texture and its name in shaders.
 using NamedTexture = std::pair<vtkTexture*, std::string>;
 
 /**
- * All of an actor and of a renderer that decides how shaders read, but for what
- * vtkOpenGLPolyDataMapper notices itself: values that change are in, the times of changes are not.
+ * Return all properties of an actor and a renderer that affect the shaders' source, except for
+ * those that vtkOpenGLPolyDataMapper checks itself. The key contains values, not modification
+ * times.
  */
 RELEVORENDERINGCORE_EXPORT Dependencies GetShaderVariantKey(
   vtkRenderer* ren, vtkActor* act, const std::vector<NamedTexture>& textures);
 
-/// Whether the actor has fragment shader text of its own.
+/// Return whether the actor has its own fragment shader code.
 RELEVORENDERINGCORE_EXPORT bool HasOwnFragments(vtkActor* act);
 }
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   which arrays of a mesh VTK's mapper can take
+ * @brief   removes arrays that VTK's mapper cannot use from a mesh
  *
- * It assumes that an array has a tuple for each point or cell, and reads past its end
- * where there are fewer. Private to the modules.
+ * VTK's mapper assumes that an array has a tuple for each point or cell, and reads past the end of
+ * shorter arrays. Private to the modules.
  */
 #ifndef UsableArrays_h
 #define UsableArrays_h
@@ -21,9 +21,8 @@ class vtkPolyData;
 
 namespace relevo
 {
-/// Takes arrays of points and cells that have too few tuples from a mesh, and the roles of normals,
-/// tangents and texture coordinates from arrays whose number of components is none of theirs.
-/// Returns what to tell users, empty where all arrays are left.
+/// Remove point and cell arrays with too few tuples from a mesh, and the attribute types normals,
+/// tangents and texture coordinates from arrays with a wrong number of components.
 RELEVORENDERINGCORE_EXPORT std::string RemoveUnusableArrays(vtkPolyData* mesh);
 
 /// The values that a mapper colours by.

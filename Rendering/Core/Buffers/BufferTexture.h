@@ -4,7 +4,7 @@
  * @class   BufferTexture
  * @brief   an array on the GPU that shaders read as a buffer texture
  *
- * Owns its data, or aliases a vertex buffer of VTK's so that coarse data are not stored twice.
+ * It owns its data, or aliases a vertex buffer of VTK so that coarse data are not stored twice.
  * Private to the module.
  */
 #ifndef BufferTexture_h
@@ -37,8 +37,8 @@ public:
 
   //@{
   /**
-   * Store values in texels of the given number of components. False when there are more texels
-   * than a buffer texture may have, or the texture cannot be made.
+   * Store values in texels of the given number of components. Return false if there are more texels
+   * than a buffer texture may have, or if the texture cannot be created.
    */
   bool Upload(vtkOpenGLRenderWindow* window, const std::vector<float>& values, int components);
   bool Upload(vtkOpenGLRenderWindow* window, const std::vector<int>& values, int components);
@@ -48,34 +48,33 @@ public:
 
   //@{
   /**
-   * Take room for texels that compute shaders write; what is there is kept if it is as large.
+   * Allocate texels that compute shaders write. The content is kept if the size is the same.
    */
   bool ReserveIntegers(vtkOpenGLRenderWindow* window, size_t texels);
   bool ReserveFloats(vtkOpenGLRenderWindow* window, size_t texels, int components);
   //@}
 
-  /// OpenGL's name of the buffer it owns; 0 for none.
+  /// Return OpenGL's name of the owned buffer; 0 for none.
   unsigned int GetHandle() const;
 
   /**
-   * Read a vertex buffer of VTK's (floats, or unsigned bytes as fractions), as it was uploaded
-   * last.
+   * Read the last upload of VTK's vertex buffer (floats, or unsigned bytes as fractions).
    */
   bool Alias(vtkOpenGLRenderWindow* window, vtkOpenGLVertexBufferObject* buffer);
 
   /**
-   * Make the texture current and set the sampler uniform, if the program uses it.
+   * Activate the texture and set the sampler uniform, if the program uses it.
    */
   void Activate(vtkShaderProgram* program, const std::string& sampler);
   void Deactivate();
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
-  /// Bytes of the data it owns.
+  /// Return the number of bytes of the owned data.
   vtkTypeInt64 GetMemorySize() const { return this->MemorySize; }
   bool IsEmpty() const { return this->Texture == nullptr; }
 
-  /// The message when a mesh does not fit, with the limit of the current context.
+  /// Return the message for a mesh that does not fit, with the limit of the current context.
   static std::string GetTooLarge();
 
 private:

@@ -21,8 +21,8 @@ class RELEVORENDERINGCORE_EXPORT ColorTable
 {
 public:
   /**
-   * Sample a table where values are to be looked up. The shader's values are less `bias` (0 for
-   * tables of logarithms).
+   * Sample a lookup table. `bias` (0 for logarithmic tables) is subtracted from the values in the
+   * shader.
    */
   bool Upload(vtkOpenGLRenderWindow* window, vtkScalarsToColors* table, double bias,
     const double dataRange[2], bool whole = false);
@@ -35,18 +35,19 @@ public:
     this->Colors.ReleaseGraphicsResources(window);
   }
 
-  /// Whether colours change with the logarithm of values.
+  /// Return whether colours depend on the logarithm of values.
   static bool IsLogarithmic(vtkScalarsToColors* table);
 
-  /// Why VTK cannot look up values in a table of this range, empty where it can: it does not check.
+  /// Return why VTK cannot look up values in a table of this range, or an empty string; VTK does
+  /// not check it.
   static std::string FindError(vtkScalarsToColors* table, const double range[2]);
 
-  /// The colour and opacity of a value, in [0, 1].
+  /// Return the colour and opacity of a value, in [0, 1].
   static std::array<float, 4> GetColor(vtkScalarsToColors* table, double value);
 
 private:
-  /// Set what is sampled: NumberOfColors between Ends. Whole numbers each have their own colour,
-  /// unless there are too many: a function may change right at one.
+  /// Choose the samples: NumberOfColors between Ends. Each whole number gets its own colour unless
+  /// there are too many, because a function may have a step at a whole number.
   bool ChooseWhole(const double dataRange[2]);
   void ChooseSamples(vtkScalarsToColors* table, const double dataRange[2]);
 

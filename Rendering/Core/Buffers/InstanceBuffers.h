@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   InstanceBuffers
- * @brief   which faces are drawn, and how their patterns lie on them, on the GPU
+ * @brief   the faces to draw and the permutations of their patterns, on the GPU
  *
- * Each of several views has a slot, from 0 on; the one made or uploaded last is drawn.
- * Private to the modules.
+ * Each of several views has a slot, counted from 0. The slot that was allocated or uploaded last is
+ * drawn. Private to the modules.
  */
 #ifndef InstanceBuffers_h
 #define InstanceBuffers_h
@@ -22,31 +22,31 @@ class RELEVORENDERINGCORE_EXPORT InstanceBuffers
 {
 public:
   /**
-   * Upload instances (face << 3 | permutation code) that were made at `time`, if that is new. False
-   * when the GPU cannot hold them, here and below.
+   * Upload instances (face << 3 | permutation code) that were generated at `time`, if that has
+   * changed. All methods return false if the GPU cannot hold the data.
    */
   bool Upload(vtkOpenGLRenderWindow* window, int slot, const std::vector<unsigned int>& instances,
     vtkMTimeType time);
 
   /**
-   * Upload three morph tags for each face, or none, into the slot that Upload() took last, if
-   * `time` is new.
+   * Upload three morph tags per face, or none, into the slot of the last Upload(), if `time` has
+   * changed.
    */
   bool UploadMorphTags(
     vtkOpenGLRenderWindow* window, const std::vector<float>& tags, vtkMTimeType time);
 
   /**
-   * Make room for a selection of this number of faces, which compute shaders fill in.
+   * Allocate a selection of this number of faces, which compute shaders fill in.
    */
   bool Reserve(vtkOpenGLRenderWindow* window, int slot, size_t faces, bool morphing);
 
   //@{
-  /// OpenGL's names of the buffers to draw; 0 for none.
+  /// Return OpenGL's names of the buffers to draw; 0 for none.
   unsigned int GetInstances() const { return this->Current->Instances.GetHandle(); }
   unsigned int GetMorphTags() const { return this->Current->MorphTags.GetHandle(); }
   //@}
 
-  /// Whether vertices of the selection to draw slide with the tags of the edges.
+  /// Return whether vertices of the selection to draw morph with the tags of the edges.
   bool IsMorphing() const { return this->Current && !this->Current->MorphTags.IsEmpty(); }
 
   void Activate(vtkShaderProgram* program);

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PatternRanges
- * @brief   the indices of patterns in one buffer on the GPU, and where each pattern lies in it
+ * @brief   the indices of all patterns in one buffer on the GPU, and the range of each pattern
  *
  * Patterns are appended when they are first needed. Small ones are repeated, so that one instance
- * can draw several faces or curves: instances of few vertices cost more than their vertices.
- * Private to the modules.
+ * draws several faces or curves, because instances of few vertices are slow. Private to the
+ * modules.
  */
 #ifndef PatternRanges_h
 #define PatternRanges_h
@@ -31,7 +31,7 @@ struct PatternRange
   int NumberOfIndices = 0; // of one copy
 };
 
-/// Copies of a pattern that make an instance large enough.
+/// Return the number of copies of a pattern that make an instance large enough.
 inline int CountPatternCopies(int numberOfVertices)
 {
   constexpr int verticesPerInstance = 512;
@@ -47,8 +47,8 @@ public:
   PatternRanges() { this->Buffer->SetType(vtkOpenGLBufferObject::ElementArrayBuffer); }
 
   /**
-   * The range of a pattern. That of a new one is made by calling append(indices, vertex) for each
-   * copy, whose first vertex is `vertex`, counted from the range's first.
+   * Return the range of a pattern. For a new pattern, append(indices, vertex) is called for each
+   * copy; `vertex` is the copy's first vertex, counted from the first of the range.
    */
   template <typename Append>
   const PatternRange& Require(
@@ -74,19 +74,19 @@ public:
     return this->All[key] = range;
   }
 
-  /// By key.
+  /// Return the ranges by key.
   const Ranges& GetRanges() const { return this->All; }
   bool IsEmpty() const { return this->All.empty(); }
 
-  /// Where a range's indices start in the buffer, as OpenGL's draw calls take it.
+  /// Return the offset of a range's indices in the buffer, as an argument of OpenGL's draw calls.
   static const void* GetOffset(const PatternRange& range)
   {
     return reinterpret_cast<const void*>(static_cast<size_t>(range.FirstIndex) * sizeof(Index));
   }
 
-  /// Whether the GPU has all indices.
+  /// Return whether all indices have been uploaded.
   bool IsUploaded() const { return this->NumberUploaded == this->Indices.size(); }
-  /// Upload what has been appended. False where OpenGL has no room for it.
+  /// Upload the indices appended since the last upload. Return false if OpenGL lacks memory.
   bool Upload()
   {
     if (!this->IsUploaded())
@@ -107,14 +107,14 @@ public:
     return static_cast<vtkTypeInt64>(this->NumberUploaded * sizeof(Index));
   }
 
-  /// The ranges stay; the next upload is of all of them.
+  /// Release the buffer. The ranges stay, and the next upload contains all of them.
   void ReleaseGraphicsResources()
   {
     this->Buffer->ReleaseGraphicsResources();
     this->NumberUploaded = 0;
   }
 
-  /// Forget all patterns.
+  /// Remove all patterns.
   void Clear()
   {
     this->All.clear();

@@ -4,9 +4,9 @@
  * @class   VertexColors
  * @brief   point scalars and their lookup table on the GPU
  *
- * VTK colours the coarse points and interpolates colours; over a refined surface scalars are
- * interpolated first and each refined point is coloured, as a mapper of the refined mesh would. The
- * coarse points themselves keep the colours that VTK gives them. Private to the modules.
+ * VTK maps the scalars of coarse points to colours and interpolates the colours. On a refined
+ * surface, scalars are interpolated first and then mapped at each refined point, as by a mapper of
+ * the refined mesh. Coarse points keep VTK's colours. Private to the modules.
  */
 #ifndef VertexColors_h
 #define VertexColors_h
@@ -22,31 +22,31 @@ class vtkScalarsToColors;
 
 namespace relevo
 {
-/// How points between the coarse ones come to the colours of scalars.
+/// How points between the coarse ones get their colours of scalars.
 enum ScalarKind
 {
   BY_VTK,     // VTK's colours or texture coordinates are interpolated
   BY_VALUE,   // values are interpolated and looked up
-  BY_TEXTURE, // values are interpolated, and give the place in VTK's texture of the table
-  BY_NEAREST  // from the nearest corner
+  BY_TEXTURE, // values are interpolated and become VTK's texture coordinate in the table
+  BY_NEAREST  // the nearest corner's colour is used
 };
 
 class RELEVORENDERINGCORE_EXPORT VertexColors
 {
 public:
   /**
-   * Take point scalars that are mapped through a lookup table (not direct colours). `component` is
-   * that of vtkMapper, -1 to leave the choice to the table. `byTexture` says that VTK colours by a
-   * texture. For noDataMagnitude see NoDataTuples. `type` is what they are coefficients of, if they
-   * are some. False when they do not fit on the GPU.
+   * Upload point scalars that are mapped by a lookup table (not direct colours). `component` is
+   * that of vtkMapper; -1 uses that of the table. `byTexture` means that VTK colours by a texture.
+   * For noDataMagnitude see NoDataTuples. `type` is the type of the values, if the scalars are
+   * their coefficients. Return false if they do not fit on the GPU.
    */
   bool Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* scalars, vtkScalarsToColors* table,
     int component, bool byTexture, double noDataMagnitude, int type = VTK_VOID);
 
   ScalarKind GetKind() const { return this->Kind; }
-  /// Whether some of the values stand for no data.
+  /// Return whether some of the values are no data.
   bool HasNoData() const { return this->Kind != BY_VTK && !this->NoData.IsEmpty(); }
-  /// The number that has been subtracted from all values.
+  /// Return the number that has been subtracted from all values.
   double GetBias() const { return this->Bias; }
   void Clear() { this->Kind = BY_VTK; }
 
@@ -56,7 +56,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  /// Components first, first + 1, ...: a number, or a vector whose length counts.
+  /// Upload `count` components from `first` on: a number, or a vector of which the length is used.
   bool UploadValues(vtkOpenGLRenderWindow* window, vtkDataArray* scalars, int first, int count,
     bool isLength, double range[2]);
   bool UploadNoData(vtkOpenGLRenderWindow* window, vtkDataArray* scalars, double noDataMagnitude);

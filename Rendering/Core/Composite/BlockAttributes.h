@@ -4,7 +4,7 @@
  * @struct  BlockAttributes
  * @brief   the display attributes of a block of a composite data set
  *
- * From vtkCompositeDataDisplayAttributes. Private to the modules.
+ * They come from vtkCompositeDataDisplayAttributes. Private to the modules.
  */
 #ifndef BlockAttributes_h
 #define BlockAttributes_h
@@ -18,7 +18,8 @@ class vtkDataObject;
 
 namespace relevo
 {
-/// The attributes of a block, its own or those of blocks that contain it; the actor has the rest.
+/// The attributes of a block, its own or those inherited from blocks that contain it. For the
+/// others, the actor's apply.
 struct BlockAttributes
 {
   bool Visible = true;
@@ -31,15 +32,15 @@ struct BlockAttributes
   bool IsTranslucent() const { return this->HasOpacity && this->Opacity < 1.0; }
 };
 
-/// By the flat index of a leaf.
+/// The attributes of leaves by flat index.
 using AttributesOfBlocks = std::map<unsigned int, BlockAttributes>;
 
-/// The attributes of all leaves of a tree, or of the one data object that the input is; none where
-/// there are no display attributes.
+/// Return the attributes of all leaves of a tree, or of the input if it is a single data object;
+/// empty without display attributes.
 RELEVORENDERINGCORE_EXPORT AttributesOfBlocks GetAttributesOfBlocks(
   vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* input);
 
-/// Those of a leaf; the default one where it has none.
+/// Return the attributes of a leaf, or the default ones.
 inline BlockAttributes FindAttributes(const AttributesOfBlocks& blocks, unsigned int flatIndex)
 {
   const auto block = blocks.find(flatIndex);
@@ -47,8 +48,8 @@ inline BlockAttributes FindAttributes(const AttributesOfBlocks& blocks, unsigned
 }
 
 /**
- * The data object with a flat index: 0 is the input itself, a tree's nodes follow depth first.
- * False when there is no such index; an empty block is nullptr.
+ * Find the data object with a flat index: 0 is the input itself; a tree's nodes follow in
+ * depth-first order. Return false if there is no such index. An empty block is nullptr.
  */
 RELEVORENDERINGCORE_EXPORT bool FindBlock(
   vtkDataObject* input, unsigned int flatIndex, vtkDataObject*& block);

@@ -24,23 +24,25 @@ namespace relevo
 {
 struct DataLeaf
 {
-  unsigned int FlatIndex = 0; // 0 of an input that is not composite
+  unsigned int FlatIndex = 0; // 0 for an input that is not composite
   vtkDataObject* Data = nullptr;
 
-  /// The start of messages about the leaf: its index, or nothing where it is the only one.
+  /// Return the start of messages about the leaf: its index, or nothing if the input is not
+  /// composite.
   std::string GetPrefix() const
   {
     return this->FlatIndex == 0 ? "" : "Block " + std::to_string(this->FlatIndex) + ": ";
   }
 };
 
-/// The leaves that are not empty, in the order of their indices; none without an input.
+/// Return the leaves that are not empty, ordered by index; none without an input.
 RELEVORENDERINGCORE_EXPORT std::vector<DataLeaf> FindDataLeaves(vtkDataObject* input);
 
-/// On the input and all its leaves.
+/// Return dependencies on the input and all its leaves.
 RELEVORENDERINGCORE_EXPORT Dependencies GetLeafDependencies(vtkDataObject* input);
 
-/// A composite data set of the same structure, with replace(flat index) in place of each leaf.
+/// Return a composite data set of the same structure, with each leaf replaced by replace(flat
+/// index).
 RELEVORENDERINGCORE_EXPORT vtkSmartPointer<vtkCompositeDataSet> ReplaceLeaves(
   vtkCompositeDataSet* composite, const std::function<vtkDataObject*(unsigned int)>& replace);
 }

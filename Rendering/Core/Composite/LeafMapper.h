@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   LeafMapper
- * @brief   the leaves of a mapper's input by flat index, each with what draws it
+ * @brief   the leaves of a mapper's input by flat index, with the painters that draw them
  *
- * `Leaf` is what a mapper stores of one leaf. It has a type Painter of reference-counted objects,
- * and GetPainters(), which returns a vector of pointers to those that draw the leaf. A painter has
- * a type Counts, whose numbers only grow and can be added by +=, GetCounts(), GetMemorySize() and
- * ReleaseGraphicsResources(). Copies of a leaf share its painters. Private to the modules.
+ * `Leaf` is the data that a mapper stores of one leaf. It has a type Painter of reference-counted
+ * objects, and GetPainters(), which returns a vector of pointers to those that draw the leaf. A
+ * painter has a type Counts, whose numbers only grow and can be added by +=, GetCounts(),
+ * GetMemorySize() and ReleaseGraphicsResources(). Copies of a leaf share its painters. Private to
+ * the modules.
  */
 #ifndef LeafMapper_h
 #define LeafMapper_h
@@ -34,9 +35,9 @@ public:
   using Leaves = std::map<unsigned int, Leaf>;
 
   /**
-   * Call update(item, leaf) for each item, which has a FlatIndex; the leaf is the one that had this
-   * index, or a new one. Painters that are no longer in use release their resources in the window.
-   * An exception leaves everything as it was.
+   * Call update(item, leaf) for each item, which has a FlatIndex. The leaf is the previous one with
+   * this index, or a new one. Painters that are no longer in use release their resources in the
+   * window. An exception leaves everything unchanged.
    */
   template <typename Items, typename UpdateLeaf>
   void Update(const Items& items, vtkWindow* window, const UpdateLeaf& update)
@@ -63,7 +64,8 @@ public:
     this->Current.swap(leaves);
   }
 
-  /// Keep a painter's counts and release its resources, before it goes; nothing happens to nullptr.
+  /// Add a painter's counts to the retired ones and release its resources, before it is deleted;
+  /// nullptr is ignored.
   void Retire(Painter* painter, vtkWindow* window)
   {
     if (painter)
@@ -74,7 +76,7 @@ public:
   }
 
   /**
-   * Call draw(leaf) for all leaves as one prop. In a selection each reports its flat index as
+   * Call draw(leaf) for all leaves as one prop. In a selection, each leaf has its flat index as
    * composite index.
    */
   template <typename DrawLeaf>
@@ -97,7 +99,7 @@ public:
 
   std::vector<Painter*> GetPainters() const { return FindPainters(this->Current); }
 
-  /// The sum of getNumber(leaf).
+  /// Return the sum of getNumber(leaf).
   template <typename GetNumber>
   vtkIdType Sum(const GetNumber& getNumber) const
   {
@@ -109,7 +111,7 @@ public:
     return sum;
   }
 
-  /// Of all painters that there are and have been.
+  /// Return the counts of all current and former painters.
   Counts GetCounts() const
   {
     Counts counts = this->Retired;
@@ -151,7 +153,7 @@ private:
   }
 
   Leaves Current;
-  Counts Retired; // of painters that are gone
+  Counts Retired; // of deleted painters
 };
 }
 

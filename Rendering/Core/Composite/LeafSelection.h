@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   LeafSelection
- * @brief   tells a renderer's hardware selector which leaf of a prop is drawn, if it selects
+ * @brief   passes the index of the leaf being drawn to a renderer's hardware selector
  *
- * Private to the modules.
+ * Without a selection, nothing happens. Private to the modules.
  */
 #ifndef LeafSelection_h
 #define LeafSelection_h
@@ -19,13 +19,13 @@ namespace relevo
 class RELEVORENDERINGCORE_EXPORT LeafSelection
 {
 public:
-  /// The prop is drawn as long as the object lives.
+  /// Begin the prop; the destructor ends it.
   explicit LeafSelection(vtkRenderer* renderer);
   ~LeafSelection();
   LeafSelection(const LeafSelection&) = delete;
   void operator=(const LeafSelection&) = delete;
 
-  /// Before a leaf is drawn.
+  /// Set the index before a leaf is drawn.
   void Begin(unsigned int flatIndex);
 
 private:

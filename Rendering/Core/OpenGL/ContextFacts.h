@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   what is to be known of the context that is current
+ * @brief   properties of the current OpenGL context
  *
  * Private to the modules.
  */
@@ -15,14 +15,14 @@
 
 namespace relevo
 {
-/// OpenGL's name of what draws.
+/// Return the name of the OpenGL renderer.
 RELEVORENDERINGCORE_EXPORT std::string GetOpenGLRenderer();
 
-/// Whether a GPU draws, rather than a program on the CPU.
+/// Return whether the renderer is a GPU, and not software on the CPU.
 RELEVORENDERINGCORE_EXPORT bool IsHardwareRenderer();
 
-/// Whether shaders can read buffers by three floats: ARB_texture_buffer_object_rgb32, which is part
-/// of OpenGL 4.0.
+/// Return whether shaders can read buffer textures with three floats per texel:
+/// ARB_texture_buffer_object_rgb32, which is part of OpenGL 4.0.
 RELEVORENDERINGCORE_EXPORT bool HasBuffersOfThreeFloats();
 }
 

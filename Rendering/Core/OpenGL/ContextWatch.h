@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ContextWatch
- * @brief   has a mapper's resources released in the context that they are in, before that goes
+ * @brief   releases a mapper's resources in their context before the context is destroyed
  *
- * VTK keeps the callbacks that windows call to itself; a texture object has one. Private to the
+ * VTK does not expose the callbacks that windows call; a texture object has one. Private to the
  * module.
  */
 #ifndef ContextWatch_h
@@ -23,13 +23,13 @@ public:
   static ContextWatch* New();
   vtkTypeMacro(ContextWatch, vtkTextureObject);
 
-  /// Called with the window whose context is current then: before another one is set, before the
-  /// window finalizes its context, and by Release().
+  /// The function that releases resources in the window, whose context is current. It is called
+  /// before another window is set, before the window finalizes its context, and by Release().
   std::function<void(vtkWindow*)> OnRelease;
 
   /**
-   * Make the context of SetContext() current for a call of OnRelease. False, without a call, if
-   * that has been released already, or is being released.
+   * Make the context of SetContext() current and call OnRelease. Return false, without a call, if
+   * the resources have been released already or are being released.
    */
   bool Release();
 

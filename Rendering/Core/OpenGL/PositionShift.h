@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   how VTK's mapper is told what to take from positions and to multiply them with
+ * @brief   sets the shift and scale that VTK's mapper applies to positions
  *
  * Private to the modules.
  */
@@ -19,7 +19,8 @@ class vtkRenderer;
 
 namespace relevo
 {
-/// Before the mapper builds its buffers of these points by MANUAL_SHIFT_SCALE.
+/// Set the shift and scale before the mapper builds its buffers of these points with
+/// MANUAL_SHIFT_SCALE.
 RELEVORENDERINGCORE_EXPORT void ShiftPositions(vtkOpenGLVertexBufferObjectGroup* buffers,
   vtkDataArray* points, vtkRenderer* ren, const std::vector<double>& shift,
   const std::vector<double>& scale);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the OpenGL entry points, by whichever loader this VTK has (GLEW, from 9.4 on glad)
+ * @brief   includes the OpenGL functions of VTK's loader (GLEW, or glad from VTK 9.4 on)
  *
- * Both know OpenGL 4.5; a function that the context does not have is a null pointer.
+ * Both support OpenGL 4.5. A function that the context does not support is a null pointer.
  */
 #ifndef RelevoOpenGL_h
 #define RelevoOpenGL_h

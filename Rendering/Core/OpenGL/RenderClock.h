@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RenderClock
- * @brief   how long drawing takes, on the CPU and on the GPU, without waiting for either
+ * @brief   measures the time to draw on the CPU and on the GPU, without waiting for either
  *
- * The GPU gives its time when it is done, mostly a frame later: the time of the latest that is
- * known is added. Software renderers draw on the CPU partly while commands are given and partly
- * afterwards, in what they call the GPU's time: the sum is right there, too, and for a graphics
- * card more than enough.
+ * The GPU reports its time when it has finished, usually one frame later, so the latest known time
+ * is added. Software renderers draw on the CPU, partly while commands are submitted and partly in
+ * the time that they report as the GPU's. The sum is right for them, too; for a graphics card it is
+ * an upper bound.
  */
 #ifndef RenderClock_h
 #define RenderClock_h
@@ -21,7 +21,7 @@ class RELEVORENDERINGCORE_EXPORT RenderClock
 {
 public:
   void Start();
-  /// Seconds.
+  /// Return the time in seconds.
   double Stop();
 
   void ReleaseGraphicsResources();

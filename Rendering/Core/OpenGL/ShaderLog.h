@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   compiles and links shaders that VTK knows nothing of, and says what is wrong with them
+ * @brief   compiles and links shaders outside VTK's shader classes, and reports their errors
  */
 #ifndef ShaderLog_h
 #define ShaderLog_h
@@ -14,14 +14,14 @@
 namespace relevo
 {
 /**
- * A compiled shader of a stage (GL_VERTEX_SHADER, ...); 0, with an error that names it by `name`,
- * when it does not compile.
+ * Compile a shader of a stage (GL_VERTEX_SHADER, ...). If it does not compile, return 0 and set an
+ * error that contains `name`.
  */
 RELEVORENDERINGCORE_EXPORT unsigned int CompileShader(
   unsigned int stage, const char* name, const std::string& source, std::string& error);
 
 /**
- * Link the shaders attached to a program. False, with an error, when they do not fit.
+ * Link the shaders attached to a program. If they do not link, return false and set an error.
  */
 RELEVORENDERINGCORE_EXPORT bool LinkProgram(
   unsigned int program, const char* name, std::string& error);

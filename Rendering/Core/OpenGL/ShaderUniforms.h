@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   GLM's vectors and matrices as uniforms; MakeMatrix() of WorldView.h makes them of VTK's
+ * @brief   sets uniforms from GLM's vectors and matrices
  *
- * Nothing happens where the program does not use the uniform. Private to the modules' own sources.
+ * MakeMatrix() of WorldView.h converts VTK's matrices. Uniforms that the program does not use are
+ * ignored. Private to the modules.
  */
 #ifndef ShaderUniforms_h
 #define ShaderUniforms_h

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   VertexAttribute
- * @brief   an attribute of the vertex array in use, for as long as the object lives
+ * @brief   an attribute of the current vertex array, enabled as long as the object lives
  *
  * VTK's vertex array does not support integers, and leaves attributes enabled for programs that
- * have others in their places. Private to the module.
+ * have other attributes at the same locations. Private to the module.
  */
 #ifndef VertexAttribute_h
 #define VertexAttribute_h
@@ -21,7 +21,7 @@ namespace relevo
 class RELEVORENDERINGCORE_EXPORT VertexAttribute
 {
 public:
-  /// The types of its components; both have four bytes.
+  /// The types of components; both have four bytes.
   enum Types
   {
     FLOAT,
@@ -29,8 +29,8 @@ public:
   };
 
   /**
-   * Where in the buffer the attribute is: from `offset` on, every `stride` bytes (0: without gaps),
-   * and whether it is one per instance.
+   * The layout of the attribute in the buffer: it starts at `offset` and repeats every `stride`
+   * bytes (0 for no gaps). It can advance once per instance.
    */
   struct Layout
   {
@@ -41,7 +41,8 @@ public:
     bool IsPerInstance = false;
   };
 
-  /// Feed it from the buffer of this name. Nothing happens if the program has no such attribute.
+  /// Feed the attribute of this name from a buffer. If the program has no such attribute, nothing
+  /// happens.
   VertexAttribute(
     vtkShaderProgram* program, const char* name, unsigned int buffer, const Layout& layout);
   ~VertexAttribute();

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ScreenPass
- * @brief   one triangle that covers the viewport, for programs that compute each pixel
+ * @brief   draws a triangle that covers the viewport, for programs that compute each pixel
  *
- * Unlike a vtkOpenGLQuadHelper it owns no program and has no vertex buffer: the programs of one
- * mapper share it, and a triangle has no diagonal where pixels are computed twice. Private to the
- * modules.
+ * Unlike vtkOpenGLQuadHelper, this class owns no program and has no vertex buffer. All programs of
+ * a mapper share it, and a triangle has no diagonal along which pixels are computed twice. Private
+ * to the modules.
  */
 #ifndef ScreenPass_h
 #define ScreenPass_h
@@ -27,19 +27,20 @@ public:
   ScreenPass(const ScreenPass&) = delete;
   void operator=(const ScreenPass&) = delete;
 
-  /// The source of the vertex shader that programs must have.
+  /// Return the source of the vertex shader that programs must have.
   static const char* GetVertexShader();
 
-  /// Draw the bare triangle, which another vertex array object may already be bound for.
+  /// Draw the triangle without binding a vertex array object; the caller may have bound one.
   static void DrawTriangle();
 
-  /// By the program that is in use.
+  /// Draw with the current program.
   void Draw();
 
-  /// Likewise, over the window's pixels by premultiplied alpha, without depths.
+  /// Draw with the current program over the window's pixels, blended by premultiplied alpha,
+  /// without depths.
   void DrawOver(vtkOpenGLRenderWindow* window);
 
-  /// Render passes may set its attributes.
+  /// Return the vertex array, whose attributes render passes may set.
   vtkOpenGLVertexArrayObject* GetVertices() const { return this->Vertices; }
 
   void ReleaseGraphicsResources();

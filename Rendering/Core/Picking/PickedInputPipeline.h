@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PickedInputPipeline
- * @brief   the executive of a mapper that gives pickers another input: what is drawn
+ * @brief   the executive of a mapper that replaces the input for pickers by the drawn surface
  *
  * Private to the modules.
  */
@@ -21,7 +21,8 @@ class RELEVORENDERINGCORE_EXPORT PickedInputPipeline : public vtkCompositeDataPi
 public:
   static PickedInputPipeline* New();
 
-  /// Called with the input and gives what to tell instead; for as long as there is an algorithm.
+  /// The function that returns the replacement of an input. It is called as long as there is an
+  /// algorithm.
   std::function<vtkDataObject*(vtkDataObject*)> Replace;
 
   using vtkCompositeDataPipeline::GetInputData;

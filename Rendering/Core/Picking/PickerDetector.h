@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PickerDetector
- * @brief   tells whether it is a picker that asks a mapper for its input
+ * @brief   detects whether a picker requests a mapper's input
  *
- * VTK's pickers intersect a mapper's input by themselves, and say nothing about it that a mapper
- * could override. What they ask beforehand gives them away: GetBounds(double[6]), which VTK calls
- * nowhere else, and then, with nothing in between, the input; where it is composite, once more.
- * vtkPicker asks for the center first, and with it for GetBounds(). A picker that misses the bounds
- * leaves the question open: pickers ask a vtkMapper, so the mapper's own class answers all that its
- * users ask of it by the input itself.
+ * VTK's pickers intersect a mapper's input themselves, without a method that a mapper could
+ * override. They can be detected by the calls before: GetBounds(double[6]), which VTK does not call
+ * elsewhere, immediately followed by a request for the input, twice if it is composite. vtkPicker
+ * first calls GetCenter(), which calls GetBounds(). A picker that does not call GetBounds() is not
+ * detected. Pickers call methods of vtkMapper; the methods of the mapper's own class, which its
+ * users call, always return the input itself.
  */
 #ifndef PickerDetector_h
 #define PickerDetector_h
@@ -19,7 +19,7 @@ namespace relevo
 class PickerDetector
 {
 public:
-  /// GetBounds(double[6]); anything that pickers do not ask.
+  /// Record a call of GetBounds(double[6]), or of another method, which pickers do not call.
   void AskBounds() { this->Last = BOUNDS; }
   void AskOther() { this->Last = OTHER; }
 
@@ -29,7 +29,7 @@ public:
     PICKER_OF_BOUNDS, // vtkPicker
     PICKER_OF_PARTS   // vtkCellPicker, vtkPointPicker
   };
-  /// The input: who asks for it.
+  /// Return who requests the input.
   Askers AskInput(bool isComposite)
   {
     const Question last = this->Last;
@@ -51,7 +51,8 @@ private:
   Question Last = OTHER;
 };
 
-/// GetBounds(), for as long as it takes: what the mapper then asks for itself is no picker's.
+/// Guards the mapper's own call of GetBounds(), so that requests inside it do not count as a
+/// picker's.
 class OwnBoundsQuestion
 {
 public:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   what a subclass of a refining mapper adds to its vertex shader
+ * @brief   the code that a subclass of a refining mapper adds to the vertex shader
  *
  * Private to the modules.
  */
@@ -16,19 +16,19 @@
 
 namespace relevo
 {
-/// The statements run when the vertex is made: vertexMC, relevoNormal (unit, zero without normals),
-/// relevoVertexWeights (of the sorted corners) and all attributes are set.
+/// The statements run when the vertex is complete: vertexMC, relevoNormal (unit length, or zero
+/// without normals), relevoVertexWeights (of the sorted corners) and all attributes are set.
 struct ShaderExtension
 {
-  /// From the mapper: whether vertices have normals.
+  /// Whether vertices have normals; the mapper sets it.
   bool HasNormals = false;
 
   std::vector<ShaderVarying> Varyings;
   std::string Declarations;
   std::string Statements;
-  /// Distinguishes what the subclass writes into other places of the shaders.
+  /// The key distinguishes the code that the subclass writes elsewhere in the shaders.
   std::string Key;
-  /// Whether fragments have their colours from the subclass, so that vertices need none of scalars.
+  /// Whether the subclass colours fragments, so that vertices need no colours of scalars.
   bool HasOwnColors = false;
 };
 }

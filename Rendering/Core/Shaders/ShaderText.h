@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ShaderText
- * @brief   the text of one shader while it is changed, at places that VTK's text must have
+ * @brief   edits the source of a shader at anchors that VTK's source must contain
  *
- * A place is named by an anchor, text that stands there: a mark of VTK's templates
- * ("//VTK::Light::Impl") or a piece of GLSL. An anchor that is not found is remembered, and nothing
- * changes: VTK's templates differ from release to release, and a shader that lacks what it should
- * have got must not draw. Where an anchor may be absent, If...() is called. Private to the modules
- * and their tests.
+ * An anchor is a piece of text: a tag of VTK's templates ("//VTK::Light::Impl") or a piece of GLSL.
+ * If an anchor is not found, the source does not change and the anchor is recorded, because VTK's
+ * templates differ from release to release, and an incomplete shader must not draw. The methods
+ * If...() accept a missing anchor. Private to the modules and their tests.
  */
 #ifndef ShaderText_h
 #define ShaderText_h
@@ -22,14 +21,14 @@
 
 namespace relevo
 {
-/// Anchors that shaders lack, each with its stage, as in: vertex shader: "void main(".
+/// The missing anchors of shaders, each with its stage, for example: vertex shader: "void main(".
 using MissingAnchors = std::set<std::string>;
 
 class RELEVORENDERINGCORE_EXPORT ShaderText
 {
 public:
   /**
-   * The text of a shader, which takes it back when this object goes. Anchors that are not found are
+   * Take the source of a shader. The destructor writes it back. Anchors that are not found are
    * added to `missing`.
    */
   ShaderText(vtkShader* shader, MissingAnchors& missing);
@@ -44,7 +43,8 @@ public:
 
   //@{
   /**
-   * Put text in place of an anchor wherever it stands, or before or after the first.
+   * Replace all occurrences of an anchor by a text, or insert a text before or after its first
+   * occurrence.
    */
   void Replace(const std::string& anchor, const std::string& text);
   void InsertBefore(const std::string& anchor, const std::string& text);
@@ -53,7 +53,7 @@ public:
 
   //@{
   /**
-   * The same with an anchor that may be absent.
+   * Do the same with an anchor that may be missing.
    */
   void IfReplace(const std::string& anchor, const std::string& text);
   void IfInsertAfter(const std::string& anchor, const std::string& text);
@@ -61,8 +61,8 @@ public:
 
   //@{
   /**
-   * Put text after the version, which is VTK's mark or a directive of the user's; before the first
-   * main(); where its body starts; and where it ends.
+   * Insert a text after the version (VTK's tag or the user's directive), before the first main(),
+   * at the start of its body, or at its end.
    */
   void InsertAfterVersion(const std::string& text);
   void InsertBeforeMain(const std::string& text);
@@ -70,13 +70,13 @@ public:
   void InsertAtEnd(const std::string& text);
   //@}
 
-  /// Remember that an anchor was not found.
+  /// Record that an anchor was not found.
   void Miss(const std::string& anchor);
 
 private:
-  /// Where an anchor starts; npos, and it is remembered, if it is not there.
+  /// Return the position of an anchor. If it is missing, record it and return npos.
   size_t Find(const std::string& anchor);
-  /// Where the brace that opens the body of main() stands.
+  /// Return the position of the opening brace of main().
   size_t FindBody();
 
   vtkShader* Shader;
@@ -85,19 +85,19 @@ private:
 };
 
 /**
- * Insert text that changes the colours which VTK has given a fragment. An actor's own text may
- * replace VTK's: then it decides on colours, and nothing is missed.
+ * Insert a text that changes the colours which VTK has computed for a fragment. If an actor's own
+ * source replaces VTK's, that source sets the colours, and missing anchors are accepted.
  */
 RELEVORENDERINGCORE_EXPORT void InsertColors(
   ShaderText& fragment, bool ownFragments, const std::string& text);
 
-/// Declares what has no `precise`, for the start of a shader.
+/// Return a definition for contexts that do not support `precise`, for the start of a shader.
 RELEVORENDERINGCORE_EXPORT const char* GetPreciseExtension();
 
-/// An error message: which anchors this release of VTK lacks, and what to do.
+/// Return an error message that lists the anchors that this release of VTK lacks, and a remedy.
 RELEVORENDERINGCORE_EXPORT std::string DescribeMissing(const MissingAnchors& missing);
 
-/// Have shaders compile and leave no pixel.
+/// Replace shaders by ones that compile and discard all pixels.
 RELEVORENDERINGCORE_EXPORT void DrawNothing(std::map<vtkShader::Type, vtkShader*>& shaders);
 }
 

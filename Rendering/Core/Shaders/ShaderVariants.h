@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ShaderVariants
- * @brief   the programs of something that draws by VTK's shaders: one per variant
+ * @brief   the programs of a mapper that draws with VTK's shaders, one for each variant
  *
  * A vtkOpenGLPolyDataMapper calls this class from the methods that it overrides. A program is built
- * when VTK asks for it or its key has changed. Shaders that lack an anchor draw nothing; a program
+ * when VTK requests it or its key has changed. Shaders that lack an anchor draw nothing. A program
  * that cannot be built is tried again when its sources have changed. Private to the modules.
  */
 #ifndef ShaderVariants_h
@@ -41,36 +41,37 @@ public:
   vtkOpenGLHelper& GetHelper(int variant = 0) { return this->Variants[variant].Helper; }
 
   /**
-   * Have a program ready: update() calls vtkOpenGLPolyDataMapper::UpdateShaders(). `sources` are
-   * all that the program is built from. False if there is none.
+   * Prepare a program. update() calls vtkOpenGLPolyDataMapper::UpdateShaders(). `sources` are all
+   * dependencies of the program. Return false if there is no program.
    */
   bool Update(
     vtkOpenGLHelper& helper, const Dependencies& sources, const std::function<void()>& update);
 
   /**
-   * In GetNeedToRebuildShaders(): whether a program is to be built, because VTK needs it or the key
-   * is another. The last program is gone then.
+   * Return whether to build a program, in GetNeedToRebuildShaders(): VTK needs it or the key has
+   * changed. This discards the last program.
    */
   bool NeedsBuild(vtkOpenGLHelper& helper, bool isNeededByVTK, const Dependencies& key);
-  /// The key of a program that is built in place of the one that was asked for.
+  /// Set the key of a program that is built instead of the requested one.
   void SetKey(const vtkOpenGLHelper& helper, const Dependencies& key);
 
   /**
-   * In BuildShaders(): build() calls that of the superclass.
+   * Build the shaders, in BuildShaders(). build() calls the method of the superclass.
    */
   void Build(Shaders& shaders, const std::function<void()>& build);
 
   /**
-   * In GetNeedToRebuildShaders(), for a program with stages that VTK does not write: build(shaders)
-   * writes VTK's three shaders, and link(shaders) returns the program, or nullptr if it cannot be
-   * built. False if VTK is to build its own, which draws nothing where anchors are missing.
+   * Build a program with stages that VTK does not write, in GetNeedToRebuildShaders().
+   * build(shaders) writes VTK's three shaders. link(shaders) returns the program, or nullptr if it
+   * cannot be built. Return false if VTK must build its own program, which draws nothing if anchors
+   * are missing.
    */
   bool BuildWithStages(vtkOpenGLHelper& helper, const std::function<void(Shaders&)>& build,
     const std::function<vtkShaderProgram*(Shaders&)>& link);
 
-  /// Anchors that the shaders of this build lack.
+  /// Return the anchors that the shaders being built lack.
   MissingAnchors& GetMissing() { return this->Missing; }
-  /// The error of the shaders that were built last, or "".
+  /// Return the error of the shaders that were built last, or "".
   const std::string& GetError() const { return this->Error; }
   vtkIdType GetNumberOfBuilds() const { return this->NumberOfBuilds; }
 

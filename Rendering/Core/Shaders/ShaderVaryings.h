@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   values that go from the vertex shader to the fragments
+ * @brief   values that the vertex shader passes to the fragment shader
  *
  * Private to the modules.
  */
@@ -18,8 +18,9 @@ namespace relevo
 {
 class ShaderText;
 
-/// A value that the vertex shader passes to the fragments, through a geometry shader if there is
-/// one. VTK's naming: NameVSOutput, which it turns into NameGSOutput after a geometry shader.
+/// A value that the vertex shader passes to the fragment shader, through a geometry shader if there
+/// is one. By VTK's convention its name is NameVSOutput, which VTK replaces by NameGSOutput after a
+/// geometry shader.
 struct ShaderVarying
 {
   std::string Qualifier; // "flat " or nothing
@@ -27,11 +28,11 @@ struct ShaderVarying
   std::string Name;
 };
 
-/// Declarations of a vertex shader's ("out") or a fragment shader's ("in").
+/// Return declarations for a vertex shader ("out") or a fragment shader ("in").
 RELEVORENDERINGCORE_EXPORT std::string DeclareVaryings(
   const char* direction, const std::vector<ShaderVarying>& varyings);
 
-/// Has VTK's geometry shader pass them on.
+/// Make VTK's geometry shader pass the values on.
 RELEVORENDERINGCORE_EXPORT void PassOnVaryings(
   const std::vector<ShaderVarying>& varyings, ShaderText& geometry);
 }

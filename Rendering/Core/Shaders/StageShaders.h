@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   StageShaders
- * @brief   a vertex, a geometry and a fragment shader to be filled, as VTK's mappers fill theirs
+ * @brief   an empty vertex, geometry and fragment shader, as VTK's mappers fill in
  *
  * Private to the modules.
  */
@@ -24,7 +24,7 @@ public:
   StageShaders(const StageShaders&) = delete;
   void operator=(const StageShaders&) = delete;
 
-  /// They live as long as this object.
+  /// Return the shaders, which live as long as this object.
   std::map<vtkShader::Type, vtkShader*>& Get() { return this->Shaders; }
 
 private:

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   TessellationPrograms
- * @brief   shader programs with tessellation stages, for every release of VTK
+ * @brief   shader programs with tessellation stages, for all supported releases of VTK
  *
- * VTK's vertex shader, once it takes its vertex from a patch, becomes the tessellation evaluation
- * shader: what it hands on feeds VTK's geometry or fragment shader as before. VTK's own shaders
- * know tessellation stages only from 9.4 on; here they are attached to a program that VTK's shader
- * cache then binds like any other. Private to the modules.
+ * VTK's vertex shader becomes the tessellation evaluation shader after it has been changed to take
+ * its vertex from a patch. Its output feeds VTK's geometry or fragment shader as before. VTK
+ * supports tessellation stages only from 9.4 on; here they are attached to a program that VTK's
+ * shader cache binds like any other. Private to the modules.
  */
 #ifndef TessellationPrograms_h
 #define TessellationPrograms_h
@@ -35,14 +35,14 @@ public:
   TessellationPrograms(const TessellationPrograms&) = delete;
   void operator=(const TessellationPrograms&) = delete;
 
-  /// Whether the context, which must be current, has these stages.
+  /// Return whether the current context supports these stages.
   static bool AreSupported();
 
   /**
-   * The program of these finished shaders, whose "vertex shader" is the tessellation evaluation
-   * shader; `vertex` and `control` are sources of the stages before it, without #version. Linked,
-   * not bound: the window's cache does that. It lives until resources are released. nullptr, with
-   * GetError(), when it cannot be built.
+   * Return the program of finished shaders whose "vertex shader" is the tessellation evaluation
+   * shader. `vertex` and `control` are the sources of the stages before it, without #version. The
+   * program is linked but not bound: the window's cache binds it. It lives until resources are
+   * released. If it cannot be built, return nullptr and set GetError().
    */
   vtkShaderProgram* Build(vtkOpenGLRenderWindow* window, const std::string& vertex,
     const std::string& control, const std::map<vtkShader::Type, vtkShader*>& shaders);

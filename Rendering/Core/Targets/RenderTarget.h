@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RenderTarget
- * @brief   textures to draw to instead of the window, with their framebuffer
+ * @brief   textures as render targets, with their framebuffer
  *
- * Keeps its textures until another size or other formats are needed. Private to the modules.
+ * The textures are cached until another size or other formats are needed. Private to the modules.
  */
 #ifndef RenderTarget_h
 #define RenderTarget_h
@@ -37,7 +37,7 @@ enum class BlendOperation
   Minimum
 };
 
-/// Whether the depth decides.
+/// Return whether the operation depends on the depth.
 inline bool IsExtremum(BlendOperation operation)
 {
   return operation == BlendOperation::Maximum || operation == BlendOperation::Minimum;
@@ -51,12 +51,12 @@ public:
   RenderTarget(const RenderTarget&) = delete;
   void operator=(const RenderTarget&) = delete;
 
-  /// Of one texture.
+  /// The format of one texture.
   struct Format
   {
     int Components = 4;
     int Type = VTK_FLOAT;
-    bool IsSRGB = false; // of bytes
+    bool IsSRGB = false; // for bytes
     bool operator==(const Format& other) const
     {
       return this->Components == other.Components && this->Type == other.Type &&
@@ -64,13 +64,13 @@ public:
     }
   };
 
-  /// With BlendOperation Maximum and Minimum, pixels have this value where nothing is drawn.
+  /// The value of empty pixels with BlendOperation Maximum and Minimum.
   static constexpr float Empty = -1.0f;
 
   //@{
   /**
-   * Allocate the textures, and bind them as framebuffer; End() binds what was bound before. Depths
-   * are floats. Returns false, without binding, if the textures cannot be allocated.
+   * Allocate the textures and bind their framebuffer; End() restores the previous binding. Depths
+   * are floats. Return false, without binding, if the textures cannot be allocated.
    */
   bool Begin(vtkOpenGLRenderWindow* window, int width, int height,
     const std::vector<Format>& formats, bool hasDepth = false);
@@ -78,14 +78,14 @@ public:
   //@}
 
   /**
-   * Between Begin() and End(): clear all textures, and call what draws vertices without attributes
-   * by the program that is in use. The rest of OpenGL's state is restored. With a channel from 0 to
-   * 3, only that is written.
+   * Clear all textures and call a function that draws vertices without attributes by the current
+   * program, between Begin() and End(). The rest of OpenGL's state is restored. With a channel from
+   * 0 to 3, only that channel is written.
    */
   void Draw(BlendOperation operation, const std::function<void()>& draw, int channel = -1);
 
   //@{
-  /// Have a sampler read a texture, if the program has the sampler and the target the texture.
+  /// Bind a texture to a sampler, if the program has the sampler and the target the texture.
   void Activate(vtkShaderProgram* program, const std::string& sampler, size_t texture = 0);
   void Deactivate();
   //@}
@@ -93,7 +93,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
   //@{
-  /// nullptr if there is none.
+  /// Return the texture, or nullptr if there is none.
   vtkTextureObject* GetTexture(size_t texture = 0) const;
   vtkOpenGLFramebufferObject* GetFramebuffer() const;
   //@}

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RendererLights
- * @brief   a renderer's lights that are on, in numbers
+ * @brief   the parameters of a renderer's lights that are on
  *
- * Without cones and attenuation. Private to the modules.
+ * Cones and attenuation are ignored. Private to the modules.
  */
 #ifndef RendererLights_h
 #define RendererLights_h
@@ -20,17 +20,17 @@ namespace relevo
 {
 struct RendererLight
 {
-  /// In world coordinates: a positional light's point, or the unit vector towards a directional
-  /// light with 0.
+  /// World coordinates: the position of a positional light, or the unit vector towards a
+  /// directional light with w = 0.
   dvec4 Position;
-  dvec3 Diffuse; // times the intensity, as Specular
+  dvec3 Diffuse; // multiplied by the intensity, like Specular
   dvec3 Specular;
 };
 
 class RELEVORENDERINGCORE_EXPORT RendererLights
 {
 public:
-  /// In the renderer's order.
+  /// Collect the lights in the renderer's order.
   explicit RendererLights(vtkRenderer* renderer);
 
   bool IsEmpty() const { return this->Lights.empty(); }

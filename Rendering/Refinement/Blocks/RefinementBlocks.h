@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RefinementBlocks
- * @brief   the leaves of a composite input, each drawn by a mapper of its own
+ * @brief   the leaves of a composite input, with one mapper for each
  */
 #ifndef RefinementBlocks_h
 #define RefinementBlocks_h
@@ -35,37 +35,38 @@ public:
 
   struct Source
   {
-    /// The mapper whose blocks these are: they copy its settings, and their errors are its own.
+    /// The mapper of the composite input. The blocks copy its settings, and it reports their
+    /// errors.
     vtkBlockAttributesPolyDataMapper* Parent;
     vtkCompositeDataSet* Input;
-    /// When a setting that VTK's buffers depend on last changed.
+    /// Returns when a setting that VTK's buffers depend on last changed.
     std::function<vtkMTimeType()> GetBuildTime;
     std::function<void(vtkBlockAttributesPolyDataMapper*, const BlockAttributes&)> SetAttributes;
   };
   /**
-   * Have one mapper per polydata leaf, with the parent's settings.
+   * Create one mapper per polydata leaf, with the parent's settings.
    */
   void Update(const Source& source);
 
   /**
-   * Draw the leaves of the pass, opaque or translucent ones, or all of them. In a selection each
-   * reports its flat index as composite index.
+   * Draw the leaves of the pass (opaque or translucent ones), or all leaves. In a selection, each
+   * leaf has its flat index as composite index.
    */
   void Render(vtkRenderer* ren, vtkActor* act, bool drawsAll);
 
-  /// Whether Render() is at work: the blocks are to stay as they are.
+  /// Return whether Render() is running; the blocks must not change then.
   bool IsRendering() const { return this->Rendering; }
 
   /**
-   * Turn drawn ids into cell ids, leaf by leaf.
+   * Convert drawn ids to cell ids, leaf by leaf.
    */
   void ProcessSelectorPixelBuffers(
     vtkHardwareSelector* selector, const std::vector<unsigned int>& pixels, vtkProp* prop);
 
-  /// The mapper of the leaf with a flat index; nullptr where there is none.
+  /// Return the mapper of the leaf with a flat index; nullptr if there is none.
   vtkBlockAttributesPolyDataMapper* Find(unsigned int flatIndex) const;
 
-  /// Of the leaves that are drawn.
+  /// Return the flat indices of the drawn leaves, or call a function for their mappers.
   std::vector<unsigned int> GetFlatIndices() const;
   void ForEach(const std::function<void(vtkBlockAttributesPolyDataMapper*)>& work) const;
   void Clear();
@@ -73,23 +74,23 @@ public:
 
   /// Whether the last render has drawn blocks.
   bool AreDrawn = false;
-  /// When the settings changed that the blocks have been given.
+  /// When the settings of the blocks changed.
   vtkMTimeType SettingsTime = 0;
-  /// Of blocks that are gone.
+  /// The counts of removed blocks.
   vtkIdType NumberOfBufferBuilds = 0;
   vtkIdType NumberOfShaderBuilds = 0;
 
-  /// Called with the mapper of a leaf that is gone, before it is deleted.
+  /// The function that is called with the mapper of a removed leaf, before the mapper is deleted.
   std::function<void(vtkBlockAttributesPolyDataMapper*)> OnRemove;
 
 private:
-  /// Report what a block says as the parent's, unless another block has said the same.
+  /// Report a block's message as the parent's, unless another block has reported the same.
   void Forward(vtkBlockAttributesPolyDataMapper* block, unsigned long event);
   void UpdateAttributes(const Source& source);
 
   std::map<unsigned int, vtkSmartPointer<vtkBlockAttributesPolyDataMapper>>
     Mappers;                   // by flat index
-  vtkMTimeType ParentTime = 0; // that the mappers were copied at
+  vtkMTimeType ParentTime = 0; // when the parent's settings were copied
   bool Rendering = false;
   vtkBlockAttributesPolyDataMapper* Parent = nullptr;
   std::set<std::string> Messages; // of blocks since the last update

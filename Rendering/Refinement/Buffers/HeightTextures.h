@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   HeightTextures
- * @brief   the height map of a displacement on the GPU: samples, and where there are some
+ * @brief   the height map of a displacement on the GPU: samples and their validity
  *
  * Private to the module.
  */
@@ -33,13 +33,13 @@ public:
   void operator=(const HeightTextures&) = delete;
 
   /**
-   * Upload the heights of a displacement if they changed, zero everywhere where it has no height
-   * map; without a displacement (nullptr) there are none. False, with GetError(), when the GPU
+   * Upload the heights of a displacement if they have changed. Without a height map they are zero;
+   * without a displacement (nullptr) there are none. Return false and set GetError() if the GPU
    * cannot hold them.
    */
   bool Upload(vtkOpenGLRenderWindow* window, vtkDisplacement* displacement);
 
-  /// Whether some samples are no data.
+  /// Return whether some samples are no data.
   bool HasValidity() const { return this->Validity != nullptr; }
 
   void Activate(vtkShaderProgram* program);

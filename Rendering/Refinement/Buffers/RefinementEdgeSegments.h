@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RefinementEdgeSegments
- * @brief   into how many segments each edge of each face is cut, on the GPU
+ * @brief   the number of segments of each face's edges, on the GPU
  *
- * For methods that are not made of patterns. Of several views, each in a slot from 0 on; the one
- * that was uploaded last is drawn. Private to the module.
+ * Methods without patterns use it. Each of several views has a slot, counted from 0; the slot that
+ * was uploaded last is drawn. Private to the module.
  */
 #ifndef RefinementEdgeSegments_h
 #define RefinementEdgeSegments_h
@@ -23,15 +23,15 @@ class RefinementEdgeSegments
 {
 public:
   /**
-   * Upload those of a selection, if they are new. False when the GPU cannot hold them.
+   * Upload the numbers of a selection, if they are new. Return false if the GPU cannot hold them.
    */
   bool Upload(vtkOpenGLRenderWindow* window, int slot, const RefinementMesh& mesh,
     const ViewSelection& selection);
 
   /**
-   * For a shader's usamplerBuffer relevoEdgeSegments: one texel per face, n01 | n12 << 8 |
-   * n02 << 16 | turned << 24 for the segments of the sorted edges; turned is 1 where the sorted
-   * corners run against the cell's sense.
+   * Bind the numbers to a shader's usamplerBuffer relevoEdgeSegments: one texel per face, n01 | n12
+   * << 8 | n02 << 16 | turned << 24 for the segments of the sorted edges; turned is 1 if the order
+   * of the sorted corners is opposite to the cell's orientation.
    */
   void Activate(vtkShaderProgram* program);
   void Deactivate();

@@ -4,9 +4,9 @@
  * @class   RefinementFaceColors
  * @brief   colours of faces by level, by pattern or by tag, on the GPU
  *
- * Level and pattern are the same all over a face: vertices know the number of their pattern or of
- * their face, and a table has a colour for each. Tags are interpolated and looked up per fragment.
- * Nothing here depends on which faces are drawn. Private to the module.
+ * Level and pattern are constant on a face: vertices have the index of their pattern or of their
+ * face, and a table has a colour for each. Tags are interpolated and mapped per fragment. The
+ * buffers do not depend on which faces are drawn. Private to the module.
  */
 #ifndef RefinementFaceColors_h
 #define RefinementFaceColors_h
@@ -29,21 +29,21 @@ class RefinementFaceColors
 {
 public:
   /**
-   * Have the colours of these patterns; by level, or by pattern (of whole numbers of segments, or
+   * Upload the colours of these patterns by level, or by pattern (for whole numbers of segments, or
    * powers of two).
    */
   bool UploadPatterns(vtkOpenGLRenderWindow* window, int mode, bool wholeNumbers,
     const RefinementPatternBuffer& patterns, vtkScalarsToColors* table);
 
   /**
-   * The same face by face, for vertices that belong to no pattern on the GPU: of the pattern that
-   * each face's levels ask for.
+   * Upload the same per face, for vertices without patterns on the GPU: the colour of the pattern
+   * that the face's levels request.
    */
   bool UploadFaces(vtkOpenGLRenderWindow* window, int mode, bool wholeNumbers,
     const ViewSelection& selection, vtkScalarsToColors* table);
 
   /**
-   * Have the tags of a selection; `offset` is added to them, and they end at `highest`.
+   * Upload the tags of a selection; `offset` is added to them, and they are clamped to `highest`.
    */
   bool UploadTags(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh,
     const ViewSelection& selection, double offset, int highest, vtkScalarsToColors* table);
@@ -64,7 +64,7 @@ private:
   float Offset = 0.0f;
   float Highest = 0.0f;
 
-  // What the buffers were made of.
+  // The dependencies of the buffers.
   Dependencies ColorDependencies;
   Dependencies TagDependencies;
   Dependencies TableDependencies;

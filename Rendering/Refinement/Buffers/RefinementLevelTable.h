@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RefinementLevelTable
- * @brief   the lookup table that shows levels, patterns or tags unless the user has one
+ * @brief   the default lookup table for levels, patterns or tags
  */
 #ifndef RefinementLevelTable_h
 #define RefinementLevelTable_h
@@ -25,17 +25,18 @@ public:
   ~RefinementLevelTable();
 
   /**
-   * The table for a RefinementColorMode: a colour and an annotation per level or pattern, or a
-   * range for tags.
+   * Return the table for a RefinementColorMode: a colour and an annotation per level or pattern, or
+   * a range for tags.
    */
   vtkLookupTable* Get(int mode, bool wholeNumbers, int maximumLevel);
 
   /**
-   * What a table maps for a face of this pattern: its highest level, or the pattern's index.
+   * Return the value that a table maps for a face of this pattern: its highest level, or the
+   * pattern's index.
    */
   static double GetValue(int mode, bool wholeNumbers, const RefinementPattern& pattern);
 
-  /// The lowest level, of 2^level segments, with at least so many.
+  /// Return the lowest level whose 2^level segments are at least this number.
   static int GetLevel(int segments);
 
 private:

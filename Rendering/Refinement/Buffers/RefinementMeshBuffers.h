@@ -39,40 +39,40 @@ public:
   void operator=(const RefinementMeshBuffers&) = delete;
 
   /**
-   * Upload the mesh, prepared for the surface (nullptr for none), but for its faces. `positions` is
-   * VTK's vertexMC, whose shift and scale the surface's vectors must share. False, with GetError(),
-   * when the GPU cannot hold it.
+   * Upload the mesh, prepared for the surface (or nullptr), without its faces. `positions` is VTK's
+   * vertexMC; the surface's vectors must use its shift and scale. Return false and set GetError()
+   * if the GPU cannot hold the mesh.
    */
   bool UploadMesh(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh,
     vtkRefinementSurface* surface, vtkOpenGLVertexBufferObject* positions);
 
   /**
-   * Take the mesh's faces of a representation (see vtkProperty). False when they have not been
+   * Use the mesh's faces of a representation (see vtkProperty). Return false if they have not been
    * uploaded since the mesh was.
    */
   bool UseFaces(int representation);
 
   /**
-   * Upload the mesh's faces of a representation, and take them. `primitives` gives, per face, the
-   * id that VTK would have drawn it with. False, with GetError(), when the GPU cannot hold them.
+   * Upload and use the mesh's faces of a representation. `primitives` contains, per face, VTK's
+   * primitive id. Return false and set GetError() if the GPU cannot hold them.
    */
   bool UploadFaces(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh,
     const std::vector<int>& primitives, int representation);
 
-  /// OpenGL's name of the faces' buffer; 0 for none.
+  /// Return OpenGL's name of the faces' buffer; 0 for none.
   unsigned int GetFaces() const { return this->Faces ? this->Faces->GetHandle() : 0; }
 
   /// Alias VTK's vertex buffers for the attributes that the refining shaders read.
   bool AliasAttributes(vtkOpenGLRenderWindow* window, vtkOpenGLVertexBufferObjectGroup* vbos,
     const std::vector<std::string>& attributes);
 
-  /// Fill in what the shaders depend on.
+  /// Set the options that depend on the mesh.
   void FillOptions(const RefinementMesh& mesh, RefinementShaderOptions& options) const;
 
   void Activate(vtkShaderProgram* program);
   void Deactivate();
 
-  /// Set the uniforms that change live.
+  /// Set the uniforms that change without a rebuild.
   void SetUniforms(vtkShaderProgram* program, vtkAdaptiveRefinement* recipe) const;
 
   vtkTypeInt64 GetMemorySize() const;
@@ -81,7 +81,7 @@ public:
 
 private:
   std::map<int, BufferTexture> FacesOfRepresentations;
-  BufferTexture* Faces = nullptr; // one of them
+  BufferTexture* Faces = nullptr; // one of the members below
   BufferTexture Points;
   BufferTexture PointData;
   BufferTexture Vectors;
@@ -97,11 +97,11 @@ private:
     vtkOpenGLRenderWindow* window, const RefinementMesh& mesh, vtkRefinementSurface* surface);
   bool UploadSeams(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh);
   bool UploadTables(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh);
-  /// What the faces share, whichever representation they are drawn in.
+  /// Return the buffers that all representations share.
   std::array<BufferTexture*, 7> GetBuffers();
   float GetVertexCoordinate(const RefinementMesh& mesh, float x, size_t axis) const;
 
-  // Of VTK's vertexMC: (p - shift) * scale.
+  // The shift and scale of VTK's vertexMC: (p - shift) * scale.
   double PositionShift[3] = { 0.0, 0.0, 0.0 };
   double PositionScale[3] = { 1.0, 1.0, 1.0 };
   int ShaderValues = 0;

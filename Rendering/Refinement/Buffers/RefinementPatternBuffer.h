@@ -4,9 +4,9 @@
  * @class   RefinementPatternBuffer
  * @brief   the patterns in use, on the GPU
  *
- * Vertices, triangles of both windings and lines of every pattern a selection has needed so far,
- * in three buffers; patterns are appended when they are first needed. Private to the module and its
- * tests.
+ * Three buffers contain the vertices, the triangles of both windings and the lines of all patterns
+ * that selections have used. Patterns are appended when they are first needed. Private to the
+ * module and its tests.
  */
 #ifndef RefinementPatternBuffer_h
 #define RefinementPatternBuffer_h
@@ -35,39 +35,38 @@ public:
   RefinementPatternBuffer(const RefinementPatternBuffer&) = delete;
   void operator=(const RefinementPatternBuffer&) = delete;
 
-  /// Where a pattern lies in the buffers. Small patterns are repeated, so that one instance can
-  /// draw several faces: instances of few vertices cost more than their vertices.
+  /// The range of a pattern in the buffers. Small patterns are repeated, so that one instance draws
+  /// several faces, because instances of few vertices are slow.
   struct Range
   {
     int Copies = 1;
     int FirstVertex = 0;
-    int NumberOfVertices = 0; // of one copy, as all numbers here
-    int FirstIndex = 0;       // triangles of all copies; those of all mirrored copies follow
+    int NumberOfVertices = 0; // of one copy, like the numbers below
+    int FirstIndex = 0;       // triangles of all copies, followed by those of all mirrored copies
     int NumberOfIndices = 0;
     int FirstLineVertex = 0;
     int NumberOfLineVertices = 0;
   };
 
   /**
-   * Have all patterns of these groups, which are of a library, and their lines if asked for, on the
-   * GPU.
+   * Upload all patterns of these groups from a library, with their lines on request.
    */
   void Load(const PatternLibrary& library, const std::vector<PatternGroup>& groups, bool withLines);
 
   const Range& GetRange(const PatternGroup& group) const;
 
-  /// The patterns on the GPU, by number, at most 65536.
+  /// Return the patterns on the GPU, by number; there are at most 65536.
   const RefinementPatterns& GetPatterns() const { return this->Patterns; }
 
-  /// (u, v, w, number of the copy + number of the pattern / 65536) of each vertex.
+  /// Return the buffer of vertices: (u, v, w, index of the copy + number of the pattern / 65536).
   vtkOpenGLBufferObject* GetVertices() { return this->VertexBuffer; }
-  /// Unsigned short indices relative to a pattern's first vertex.
+  /// Return the buffer of unsigned short indices relative to a pattern's first vertex.
   vtkOpenGLBufferObject* GetTriangles() { return this->TriangleBuffer; }
-  /// (u, v, w, e + number of the pattern / 65536) of each line's ends: e = 1, 2, 3 for lines on the
-  /// pattern's edge e, else 0.
+  /// Return the buffer of line ends: (u, v, w, e + number of the pattern / 65536), where e is 1, 2
+  /// or 3 for lines on the pattern's edge e, otherwise 0.
   vtkOpenGLBufferObject* GetLines() { return this->LineBuffer; }
 
-  /// When the buffers last changed.
+  /// Return when the buffers last changed.
   vtkMTimeType GetUploadTime() const { return this->UploadTime; }
 
   vtkTypeInt64 GetMemorySize() const;
@@ -75,7 +74,7 @@ public:
 
 private:
   //@{
-  /// Add a pattern of that number, over 65536, to the buffers, and to its range where it lies.
+  /// Append a pattern with this number, divided by 65536, to the buffers, and set its range.
   void AppendVertices(const RefinementPattern& pattern, float number, Range& range);
   void AppendTriangles(const RefinementPattern& pattern, Range& range);
   void AppendLines(const RefinementPattern& pattern, float number, Range& range);

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RefinementStream
- * @brief   the refined triangles of a selection, made and kept on the GPU
+ * @brief   the refined triangles of a selection, generated and stored on the GPU
  *
- * After Lorenz and Doellner, Dynamic Mesh Refinement on GPU using Geometry Shaders (2008): a
- * geometry shader splits triangles once where edges have levels left, and transform feedback hands
- * its triangles to the next pass, from one buffer to another. What is split how is the rule of
- * relevoSplit.glsl; C++ counts by the same rule, so that the buffers are just as large as they must
- * be and nothing is asked of the GPU. Private to the module and its tests.
+ * After Lorenz and Doellner, Dynamic Mesh Refinement on GPU using Geometry Shaders (2008): in each
+ * pass a geometry shader splits the triangles whose edges have levels left, and transform feedback
+ * writes the result to the buffer that the next pass reads. relevoSplit.glsl defines the split. C++
+ * counts triangles by the same rule, so that the buffers have the exact size and nothing is read
+ * back from the GPU. Private to the module and its tests.
  */
 #ifndef RefinementStream_h
 #define RefinementStream_h
@@ -28,16 +28,16 @@ class RefinementMesh;
 class ViewSelection;
 struct FaceSums;
 
-/// A vertex of a triangle: three in a row are one.
+/// A vertex of a triangle; three consecutive vertices are a triangle.
 struct RefinementStreamVertex
 {
-  /// The weights of the face's sorted corners; exact.
+  /// The exact weights of the face's sorted corners.
   float Weights[3];
-  /// face << 3 | levels left of the edge to the triangle's next vertex.
+  /// face << 3 | levels left on the edge to the triangle's next vertex.
   unsigned int Face;
 };
 
-/// The pass that RefinementStream repeats.
+/// The program of a pass, which RefinementStream repeats.
 class RELEVORENDERINGREFINEMENT_EXPORT RefinementSplitProgram
 {
 public:
@@ -45,10 +45,10 @@ public:
   RefinementSplitProgram(const RefinementSplitProgram&) = delete;
   void operator=(const RefinementSplitProgram&) = delete;
 
-  /// Compile if need be. False when OpenGL does not accept it.
+  /// Compile the program, unless that has been done. Return false if OpenGL does not accept it.
   bool Build(std::string& error);
 
-  /// Split the triangles in one buffer into another, which has room for them.
+  /// Split the triangles in one buffer into another, which must be large enough.
   void Run(unsigned int source, vtkIdType triangles, unsigned int target) const;
 
   void ReleaseGraphicsResources();
@@ -66,18 +66,19 @@ public:
   void operator=(const RefinementStream&) = delete;
 
   /**
-   * Refine the faces to be drawn to the levels of their edges, which have powers of two of
-   * segments. False, with an error, when OpenGL has no room for the triangles.
+   * Refine the drawn faces to the levels of their edges, whose segments are powers of two. Return
+   * false and set an error if OpenGL lacks memory for the triangles.
    */
   bool Refine(vtkOpenGLRenderWindow* window, const RefinementMesh& mesh,
     const PatternSelection& selection, RefinementSplitProgram& program, std::string& error);
 
   vtkIdType GetNumberOfTriangles() const { return this->NumberOfTriangles; }
 
-  /// What Refine() makes of the faces that are drawn, and would make of those that are culled.
+  /// Return the number of triangles that Refine() generates from the drawn faces, and that it would
+  /// generate from the culled ones.
   static FaceSums CountTriangles(const RefinementMesh& mesh, const ViewSelection& selection);
 
-  /// OpenGL's name of the buffer of RefinementStreamVertex, three per triangle.
+  /// Return OpenGL's name of the buffer of RefinementStreamVertex, three per triangle.
   unsigned int GetHandle() const { return this->Handle; }
 
   /// Wait for the GPU and copy.

@@ -28,8 +28,8 @@ public:
 
   //@{
   /**
-   * Take room for that many bytes, at least one value's, with undefined contents; or store values.
-   * False when shaders of this context cannot access that many.
+   * Allocate this number of bytes, at least for one value, with undefined content; or store values.
+   * Return false if shaders of this context cannot access that many bytes.
    */
   bool Resize(std::size_t bytes);
   template <typename T>
@@ -40,12 +40,12 @@ public:
   bool Upload(const void* values, std::size_t bytes);
   //@}
 
-  /// Set all to zero.
+  /// Set all bytes to zero.
   void Clear();
 
   //@{
   /**
-   * Copy `number` values from the GPU, from the one with the index `first` on. Waits for it.
+   * Wait for the GPU and copy `number` values from index `first` on.
    */
   template <typename T>
   std::vector<T> Read(std::size_t number, std::size_t first = 0) const
@@ -57,10 +57,10 @@ public:
   static void ReadBuffer(unsigned int handle, std::size_t offset, void* values, std::size_t bytes);
   //@}
 
-  /// What to say when something does not fit, with the limit of the current context.
+  /// Return the message for data that do not fit, with the limit of the current context.
   static std::string GetTooLarge(const std::string& what = "the mesh");
 
-  /// OpenGL's name of the buffer; 0 for none.
+  /// Return OpenGL's name of the buffer; 0 for none.
   unsigned int GetHandle() const { return this->Handle; }
   vtkTypeInt64 GetMemorySize() const { return this->Size; }
   void ReleaseGraphicsResources();

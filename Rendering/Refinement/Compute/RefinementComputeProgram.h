@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RefinementComputeProgram
- * @brief   a compute shader: built, given its buffers and uniforms, and run
+ * @brief   a compute shader with its buffers and uniforms
  *
- * VTK before 9.4 has no compute stage. Needs a current context with OpenGL 4.3. Run it between
- * Begin() and End(), which leave OpenGL as VTK believes it to be. Private to the module and
- * its tests.
+ * VTK before 9.4 does not support compute shaders. Needs a current context with OpenGL 4.3. Run the
+ * program between Begin() and End(), which restore the state that VTK assumes. Private to the
+ * module and its tests.
  */
 #ifndef RefinementComputeProgram_h
 #define RefinementComputeProgram_h
@@ -26,40 +26,40 @@ public:
   RefinementComputeProgram(const RefinementComputeProgram&) = delete;
   void operator=(const RefinementComputeProgram&) = delete;
 
-  /// Invocations of a work group; relevoComputeCS.glsl repeats it.
+  /// The number of invocations per work group, the same as in relevoComputeCS.glsl.
   static constexpr int GroupSize = 256;
 
-  /// Whether the current context has OpenGL 4.3, and VTK's loader its functions.
+  /// Return whether the current context supports OpenGL 4.3, and VTK's loader its functions.
   static bool IsSupported();
 
   /**
-   * Compile and link `source`, preceded by relevoComputeCS.glsl, unless it is what was built last.
-   * False, with GetError(), when OpenGL does not accept it.
+   * Compile and link `source`, preceded by relevoComputeCS.glsl, unless it was built last. Return
+   * false and set GetError() if OpenGL does not accept it.
    */
   bool Build(const std::string& source);
   bool IsBuilt() const { return this->Handle != 0; }
   const std::string& GetError() const { return this->Error; }
 
-  /// Take VTK's program out of use.
+  /// Release VTK's current program.
   static void Begin(vtkOpenGLRenderWindow* window);
-  /// Unbind what programs have used.
+  /// Unbind the buffers and the program.
   static void End();
 
-  /// Make current, with the buffers of these names at bindings 0, 1, ...
+  /// Make the program current, with the buffers of these names at bindings 0, 1, ...
   void Use(std::initializer_list<unsigned int> buffers);
 
   //@{
   /**
-   * Set a uniform of the program in use; one that it does not have is ignored.
+   * Set a uniform of the current program; unknown names are ignored.
    */
   void SetUniform(const char* name, int value);
   void SetUniform(const char* name, float value);
   void SetUniform(const char* name, const float* values, int components, int count = 1);
   //@}
 
-  /// Run once for each of that many elements, then have its results seen by programs after it.
+  /// Run once per element, and make the results visible to subsequent programs.
   void Dispatch(int elements);
-  /// The same with one work group.
+  /// Do the same with one work group.
   void DispatchGroup();
 
   void ReleaseGraphicsResources();

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RefinementComputeSelector
- * @brief   PatternSelection in compute shaders, that ends in draw commands
+ * @brief   selects patterns in compute shaders and writes draw commands
  *
- * The stages select and group of a frame on the GPU: tags go in; out come the faces sorted by
- * pattern and the commands of indirect draws. Nothing comes back. Faces get the patterns that
- * PatternSelection gives them for the same tags. Within a pattern the order of the faces is
- * undefined, and a face at the very border of what a camera sees may be hidden by one and not by
- * the other.
+ * These are the stages "select" and "group" of a frame on the GPU. The input is tags; the output is
+ * the faces sorted by pattern and the commands of indirect draws. Nothing is read back. Faces get
+ * the same patterns as from PatternSelection for the same tags. The order of faces within a pattern
+ * is undefined. A face exactly on the border of the frustum may be hidden by only one of the two.
  *
- * Needs a current context with OpenGL 4.3; Select() and Group() are called between
+ * Needs a current context with OpenGL 4.3. Select() and Group() are called between
  * RefinementComputeProgram::Begin() and End(). Private to the module and its tests.
  */
 #ifndef RefinementComputeSelector_h
@@ -35,20 +34,20 @@ public:
   RefinementComputeSelector(const RefinementComputeSelector&) = delete;
   void operator=(const RefinementComputeSelector&) = delete;
 
-  /// Take a mesh: RefinementFace::Order of each face.
+  /// Upload a mesh: RefinementFace::Order of each face.
   bool UploadOrders(const std::vector<unsigned char>& orders);
 
-  /// Take what decides which faces are hidden: FaceCulling::GetData().
+  /// Upload the data for culling: FaceCulling::GetData().
   bool UploadCulling(const std::vector<float>& data);
 
   /**
-   * Where a key's pattern lies in the buffers that are drawn from; RelevoPattern of
+   * The ranges of a key's pattern in the buffers to draw from; the same as RelevoPattern of
    * relevoScanCS.glsl.
    */
   struct Pattern
   {
     unsigned int Copies;
-    unsigned int NumberOfIndices; // of one copy, as all numbers here
+    unsigned int NumberOfIndices; // of one copy, like the numbers below
     unsigned int FirstIndex;
     unsigned int FirstVertex;
     unsigned int NumberOfVertices;
@@ -57,49 +56,51 @@ public:
   };
 
   /**
-   * Take the patterns to choose from, by key, and the `table` that chooses: for
+   * Upload the patterns to select from, by key, and the `table` that selects. For
    * RefinementFace::Order and the levels, 0 to `maximumLevel`, of the sorted edges (0,1), (1,2),
-   * (0,2) it has key << 3 | permutation code. With `morphing` faces also get the tags that vertices
-   * morph by.
+   * (0,2) it contains key << 3 | permutation code. With `morphing`, faces also get the tags for
+   * morphing vertices.
    */
   bool UploadPatterns(const std::vector<Pattern>& patterns, const std::vector<unsigned int>& table,
     int maximumLevel, bool morphing);
 
-  /// What tags belong to; the values are those of relevoSelectCS.glsl.
+  /// What a tag belongs to; the values are those of relevoSelectCS.glsl.
   enum TagKinds
   {
-    UNIFORM = 0,   // nothing: all edges have the highest level
-    PER_POINT = 1, // an element is a point, and an edge has the mean of its two
-    PER_EDGE = 2   // an element is an edge
+    UNIFORM = 0,   // no tags: all edges have the highest level
+    PER_POINT = 1, // a point; an edge has the mean of its two points
+    PER_EDGE = 2   // an edge
   };
 
   struct Tags
   {
     TagKinds Kind;
-    unsigned int Values;   // buffer of floats, by element
-    unsigned int Elements; // buffer of each face's points, sorted by place, or edges (0,1), (1,2),
-    int Stride;            // (0,2), as the first three of so many integers
-    float Offset;          // added to the tags of all edges
+    unsigned int Values; // buffer of floats, one per element
+    // buffer of each face's points, in sorted order, or edges (0,1), (1,2), (0,2),
+    unsigned int Elements;
+    int Stride;   // which are the first three of this number of integers
+    float Offset; // added to the tags of all edges
   };
 
   /**
-   * Choose each face's pattern. Morph tags go to the buffer `morphTags`, three floats a face.
+   * Select each face's pattern. Morph tags are written to the buffer `morphTags`, three floats per
+   * face.
    */
   bool Select(RefinementComputeView& view, const Tags& tags, unsigned int morphTags);
 
-  /// A camera as CullingView has it.
+  /// A camera, with the data of CullingView.
   struct Camera
   {
     static constexpr int NumberOfPlanes = 5;
     float Planes[NumberOfPlanes][4];
     float Eye[3];
     bool Parallel;
-    bool HidesBackFaces; // whether faces that face away are hidden
+    bool HidesBackFaces; // whether faces that face away from the camera are hidden
   };
 
   /**
-   * Sort the faces, those not hidden from the camera if there is one, into the buffer `instances`:
-   * face << 3 | permutation code.
+   * Sort the visible faces into the buffer `instances`: face << 3 | permutation code. Without a
+   * camera, all faces are visible.
    */
   void Group(RefinementComputeView& view, const Camera* camera, unsigned int instances);
 

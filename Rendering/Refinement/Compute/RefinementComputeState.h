@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RefinementComputeState
- * @brief   a mapper's selections on the GPU, kept until something changes
+ * @brief   the cached selections of a mapper on the GPU
  *
- * What ViewSelection does on the CPU once tags are known: faces choose their patterns anew when
- * their tags changed, and are grouped anew when their patterns or the camera changed. Needs a
- * current context with OpenGL 4.3. Private to the module and its
+ * Does on the GPU what ViewSelection does on the CPU after tags have been evaluated: faces select
+ * patterns again when their tags have changed, and are grouped again when their patterns or the
+ * camera have changed. Needs a current context with OpenGL 4.3. Private to the module and its
  * tests.
  */
 #ifndef RefinementComputeState_h
@@ -40,15 +40,15 @@ struct CullingView;
 class RELEVORENDERINGREFINEMENT_EXPORT RefinementComputeState
 {
 public:
-  /// Whether faces can choose from these patterns on the GPU: not from whole numbers of segments,
-  /// whose tables are too large.
+  /// Return whether the GPU can select from these patterns. It cannot for whole numbers of
+  /// segments, whose tables are too large.
   static bool CanChooseFrom(const PatternFamily& family);
 
   //@{
   /**
-   * Take the mesh, what hides its faces, and the patterns that they can choose, of a library and of
-   * levels up to the maximum, all of which are loaded; each if it has changed. False, with
-   * GetError(), when the GPU cannot hold it.
+   * Upload the mesh, the data for culling, and the patterns to select from, each if it has changed.
+   * The patterns are all those of a library and of levels up to the maximum. Return false and set
+   * GetError() if the GPU cannot hold the data.
    */
   bool UpdateMesh(const RefinementMesh& mesh, vtkMTimeType time);
   bool UpdateCulling(const FaceCulling& culling, vtkMTimeType time);
@@ -57,35 +57,35 @@ public:
     RefinementPatternBuffer& patterns, bool withLines);
   //@}
 
-  /// Buffers that shaders draw from.
+  /// The buffers that shaders read and write.
   struct Targets
   {
-    unsigned int Faces;     // read: sorted corners of each face, and one more integer
-    unsigned int Instances; // written, one integer a face
-    unsigned int MorphTags; // written where vertices morph, three floats a face
+    unsigned int Faces;     // read: sorted corners of each face and one more integer
+    unsigned int Instances; // written: one integer per face
+    unsigned int MorphTags; // written if vertices morph: three floats per face
   };
 
   /**
-   * Bring the selection in a slot up to date. `tags`, values or what evaluates them, are those of
-   * the time `levelsTime`, and `offset` is added; `camera` is nullptr to draw all faces, and with
-   * `hideBackFaces` faces that face away from it are hidden. False, with GetError(), when the GPU
-   * cannot hold it.
+   * Update the selection in a slot. `tags` are values or their evaluator, valid since `levelsTime`;
+   * `offset` is added to them. If `camera` is nullptr, all faces are drawn. `hideBackFaces` hides
+   * faces that face away from the camera. Return false and set GetError() if the GPU cannot hold
+   * the selection.
    */
   bool UpdateView(vtkOpenGLRenderWindow* window, int slot, const EdgeTags& tags, float offset,
     vtkMTimeType levelsTime, const CullingView* camera, bool hideBackFaces, const Targets& targets);
 
-  /// The patterns that faces choose from; nullptr for none yet.
+  /// Return the patterns to select from, or nullptr if there are none yet.
   const PatternFamily* GetFamily() const { return this->Family.get(); }
 
-  /// The view in a slot that has been updated.
+  /// Return the view in a slot that has been updated.
   RefinementComputeView& GetView(int slot) { return this->Views[slot].Selection; }
-  /// When what is in a slot last changed; 0 where nothing is.
+  /// Return when a slot last changed, or 0 for an empty slot.
   vtkMTimeType GetTime(int slot) const;
 
   //@{
   /**
-   * Wait for the GPU and copy: the entry of the family that each face has chosen; a byte per face,
-   * 1 where it is culled; how many faces are drawn of each key.
+   * Wait for the GPU and copy: for each face, the entry of the family that it has selected; for
+   * each face a byte, 1 if it is culled; for each key, the number of drawn faces.
    */
   std::vector<unsigned int> ReadEntries(int slot);
   std::vector<unsigned char> ReadHidden(int slot);
@@ -111,14 +111,14 @@ private:
 
   RefinementComputeSelector Selector;
   RefinementComputeTags Tags;
-  RefinementComputeBuffer Values; // of tags that the CPU has evaluated
+  RefinementComputeBuffer Values; // tags evaluated on the CPU
   RefinementComputeBuffer FaceEdges;
   std::map<int, View> Views;
 
   vtkMTimeType MeshTime = 0;
-  vtkMTimeType FaceEdgesTime = 0; // of their mesh
+  vtkMTimeType FaceEdgesTime = 0; // of the mesh of FaceEdges
   vtkMTimeType CullingTime = 0;
-  std::vector<int> Keys; // of the family, those in use
+  std::vector<int> Keys; // keys of the family that are in use
   std::shared_ptr<const PatternFamily> Family;
   Dependencies PatternDependencies;
   bool WithLines = false;

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RefinementComputeTags
- * @brief   the tags of a metric, evaluated in compute shaders
+ * @brief   evaluates the tags of a metric in compute shaders
  *
- * The stage "tag" of a frame on the GPU, for metrics that are functions of a shader (MetricShader),
- * by either rule. The same functions in the same order as on the CPU: tags differ at most where the
- * driver's quotients and square roots are not rounded as IEEE 754 demands.
+ * This is the stage "tag" of a frame on the GPU, for metrics that are functions of a shader
+ * (MetricShader), per point or per edge. The functions are the same as on the CPU and run in the
+ * same order. Tags differ only if the driver does not round divisions and square roots according to
+ * IEEE 754.
  *
- * Needs a current context with OpenGL 4.3; Evaluate() is called between
+ * Needs a current context with OpenGL 4.3. Evaluate() is called between
  * RefinementComputeProgram::Begin() and End(). Private to the module.
  */
 #ifndef RefinementComputeTags_h
@@ -35,20 +36,20 @@ public:
   RefinementComputeTags(const RefinementComputeTags&) = delete;
   void operator=(const RefinementComputeTags&) = delete;
 
-  /// Take a mesh, which has changed; then edges are to be taken again.
+  /// Upload a mesh that has changed; its edges must be uploaded again afterwards.
   bool UploadMesh(const RefinementMesh& mesh);
 
-  /// Take the mesh's edges, if they are not there yet.
+  /// Upload the mesh's edges, unless that has been done.
   bool UploadEdges(const SurfaceEdges& edges);
 
   /**
-   * Tag every edge, or else every point, points at one place alike. Edges are needed for the former
-   * and for metrics that do not tag points. False, with GetError(), when a shader does not compile
-   * or the GPU cannot hold the tags.
+   * Tag each edge, or each point with equal tags for merged points. Edges are needed for the former
+   * and for metrics that do not tag points. Return false and set GetError() if a shader does not
+   * compile or the GPU cannot hold the tags.
    */
   bool Evaluate(const MetricShader& shader, bool perEdge);
 
-  /// Buffer of the tags.
+  /// Return the buffer of the tags.
   unsigned int GetTags() const { return this->Tags.GetHandle(); }
 
   vtkTypeInt64 GetMemorySize() const;
@@ -66,9 +67,10 @@ private:
   bool Fail(const std::string& error);
 
   int NumberOfPoints = 0;
-  int NumberOfEdges = -1; // not taken yet
+  int NumberOfEdges = -1; // -1 before the upload
   bool HasMergedPoints = false;
-  std::shared_ptr<const std::vector<float>> UploadedData; // kept, so that no other has its address
+  // owned so that no other data can get its address
+  std::shared_ptr<const std::vector<float>> UploadedData;
   RefinementComputeProgram PointProgram;
   RefinementComputeProgram ValueProgram;
   RefinementComputeProgram EdgeProgram;

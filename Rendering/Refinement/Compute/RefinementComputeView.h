@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RefinementComputeView
- * @brief   what RefinementComputeSelector has found for one view, on the GPU, ready to be drawn
+ * @brief   the result of RefinementComputeSelector for one view, on the GPU, ready to be drawn
  *
  * Needs a current context with OpenGL 4.3. Private to the module and its tests.
  */
@@ -24,10 +24,10 @@ public:
   RefinementComputeView(const RefinementComputeView&) = delete;
   void operator=(const RefinementComputeView&) = delete;
 
-  /// Take room. False when shaders of this context cannot reach so much.
+  /// Allocate the buffers. Return false if shaders of this context cannot access that many bytes.
   bool Resize(int numberOfFaces, int numberOfKeys);
 
-  /// How patterns are drawn; all but triangles without copies.
+  /// The primitives of patterns. All except triangles are drawn without copies.
   enum Primitives
   {
     TRIANGLES,
@@ -37,20 +37,21 @@ public:
   };
 
   /**
-   * Draw all faces. The vertex array in use has the patterns and, per instance, GetMembers().
+   * Draw all faces. The current vertex array has the patterns and, per instance, GetMembers().
    */
   void Draw(Primitives primitives) const;
 
   /**
-   * Buffer with each instance's faces: number of the first among the sorted faces, how many.
+   * Return the buffer of each instance's faces: the index of the first among the sorted faces, and
+   * the number of faces.
    */
   unsigned int GetMembers(Primitives primitives);
 
   //@{
   /**
-   * Wait for the GPU and copy: each face's key << 3 | permutation code; its rank among the faces of
-   * its key, or NotDrawn; how many faces of each key are drawn; the commands by key, as OpenGL
-   * defines them.
+   * Wait for the GPU and copy: for each face, key << 3 | permutation code; for each face, its rank
+   * among the faces of its key, or NotDrawn; for each key, the number of drawn faces; for each key,
+   * the draw commands as OpenGL defines them.
    */
   std::vector<unsigned int> ReadEntries() const;
   static constexpr unsigned int NotDrawn = 0xffffffffu; // as in relevoGroupCS.glsl
@@ -71,10 +72,10 @@ private:
   int NumberOfKeys = 0;
   RefinementComputeBuffer Entries;
   RefinementComputeBuffer Counts;
-  RefinementComputeBuffer Ranks; // of a face among those of its key
+  RefinementComputeBuffer Ranks; // rank of a face among those of its key
   RefinementComputeBuffer Groups;
   RefinementComputeBuffer Members;
-  RefinementComputeBuffer Singles; // members of what is drawn without copies, made when needed
+  RefinementComputeBuffer Singles; // members for drawing without copies, created on demand
   RefinementComputeBuffer Triangles;
   RefinementComputeBuffer Others;
 };

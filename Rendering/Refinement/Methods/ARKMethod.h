@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ARKMethod
- * @brief   a draw call for every face, after the adaptive refinement kernel
+ * @brief   draws each face with one draw call: the adaptive refinement kernel
  *
- * Boubekeur and Schlick, A Flexible Kernel for Adaptive Mesh Refinement on GPU (2008). The same
- * vertices as ARKFPI's in the same order, so that the pictures are the same to the bit: what
- * differs is that the CPU submits each element. Private to the module.
+ * Boubekeur and Schlick, A Flexible Kernel for Adaptive Mesh Refinement on GPU (2008). The vertices
+ * and their order are those of ARKFPI, so that images are bit-identical. The only difference is
+ * that the CPU submits each face. Private to the module.
  */
 #ifndef ARKMethod_h
 #define ARKMethod_h

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   DMRMethod
- * @brief   dynamic mesh refinement: the stream that a geometry shader has fed back (Lorenz and
- * Doellner 2008)
+ * @brief   dynamic mesh refinement with a geometry shader and transform feedback
  *
- * Refined once per selection (RefinementStream), then drawn as plain triangles. Private to the
- * module.
+ * After Lorenz and Doellner (2008). The mesh is refined once per selection (RefinementStream) and
+ * then drawn as triangles. Private to the module.
  */
 #ifndef DMRMethod_h
 #define DMRMethod_h

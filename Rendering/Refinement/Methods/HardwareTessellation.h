@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   HardwareTessellation
- * @brief   faces as patches that OpenGL's tessellator cuts up
+ * @brief   draws faces as patches that OpenGL's tessellator subdivides
  *
- * One draw call for all faces, each of them a patch; where OpenGL runs on the CPU several, because
- * Mesa counts the vertices of one in 16 bits. The tessellation control shader asks for as
- * many segments on each edge as the selection has, and inside for as many as on the edge that has
- * most; the evaluation shader is VTK's refining vertex shader.
+ * One draw call draws all faces, each as a patch. If OpenGL runs on the CPU, several calls are
+ * needed, because Mesa counts the vertices of a call in 16 bits. The tessellation control shader
+ * sets the outer levels to the segments of the edges, and the inner level to the largest of them.
+ * The evaluation shader is VTK's refining vertex shader.
  *
- * Inside, the largest number makes the best triangles. An equilateral face whose edges agree or
- * differ by one level has no angle below 30 degrees; the mean, two thirds of the largest and other
- * rules leave slivers below 7 degrees there, the smallest and the middle one angles of 19 degrees.
- * It costs: with n segments at most on an edge the tessellator makes about 1.5 n^2 triangles, where
- * a pattern has n^2 at most.
+ * The largest inner level gives the best triangles. An equilateral face whose edges agree or differ
+ * by one level has no angle below 30 degrees. The mean, two thirds of the largest and other rules
+ * leave slivers below 7 degrees; the smallest and the middle number leave angles of 19 degrees. The
+ * price: with at most n segments on an edge the tessellator generates about 1.5 n^2 triangles,
+ * while a pattern has at most n^2.
  *
- * Points on edges are moved to the exact fractions that patterns have, whatever the tessellator
- * makes of them, so that faces share them to the bit. Private to the module and its tests.
+ * Points on edges are moved from the tessellator's coordinates to the exact fractions that patterns
+ * have, so that neighbouring faces share them bit by bit. Private to the module and its tests.
  */
 #ifndef HardwareTessellation_h
 #define HardwareTessellation_h
@@ -31,15 +31,16 @@ namespace relevo
 class RELEVORENDERINGREFINEMENT_EXPORT HardwareTessellation : public RefinementMethod
 {
 public:
-  /// The most segments that every OpenGL can cut an edge into. Edges of more have so many.
+  /// The number of segments per edge that every OpenGL supports. Finer edges get this number.
   static constexpr int MaximumSegments = 64;
 
   /**
-   * Triangles that OpenGL makes of a triangular patch with equal spacing (OpenGL 4.0 core profile,
-   * section 2.12.2), for the segments of its edges and the rule for the inside above.
+   * Return the number of triangles that OpenGL generates from a triangular patch with equal spacing
+   * (OpenGL 4.0 core profile, section 2.12.2), for the segments of its edges and the inner level
+   * described above.
    */
   static vtkIdType CountTriangles(const int segments[3]);
-  /// The vertices of these triangles.
+  /// Return the number of vertices of these triangles.
   static vtkIdType CountVertices(const int segments[3]);
 
   std::string GetMissing() const override;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   makes the methods by which a mapper can draw
+ * @brief   creates the methods that a mapper can draw with
  *
  * Private to the module.
  */
@@ -15,7 +15,7 @@
 
 namespace relevo
 {
-/// A method by its number among RefinementMethod::Methods; ARKFPI for others.
+/// Create a method by its number in RefinementMethod::Methods; ARKFPI for other numbers.
 std::unique_ptr<RefinementMethod> NewMethod(int method);
 }
 

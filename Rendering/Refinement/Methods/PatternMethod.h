@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PatternMethod
- * @brief   what methods share whose vertices are those of patterns (RefinementPatternBuffer)
+ * @brief   the base of methods whose vertices are those of patterns (RefinementPatternBuffer)
  */
 #ifndef PatternMethod_h
 #define PatternMethod_h
@@ -19,7 +19,8 @@ class PatternMethod : public RefinementMethod
 {
 protected:
   /**
-   * The patterns' vertices and triangles in the vertex array in use, as long as the object lives.
+   * Binds the patterns' vertices and triangles to the current vertex array, as long as the object
+   * lives.
    */
   class BoundPatterns
   {
@@ -34,13 +35,13 @@ protected:
   };
 
   /**
-   * Draw instances of a pattern. Triangles are those of that many copies.
+   * Draw instances of a pattern. Triangles are those of this number of copies.
    */
   static void DrawPattern(const RefinementPatternBuffer::Range& range, bool mirrored,
     Primitives primitives, int copies, int instances);
 
   /**
-   * Draw groups of instances, each by one call.
+   * Draw groups of instances, with one call each.
    */
   static int DrawGroups(const RefinementDrawing& drawing, vtkShaderProgram* program,
     Primitives primitives, const std::vector<PatternGroup>& groups);

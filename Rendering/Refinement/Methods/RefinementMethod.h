@@ -4,10 +4,10 @@
  * @class   RefinementMethod
  * @brief   how a mapper draws refined faces
  *
- * One subclass for each of vtkAdaptiveRefinementMapper::Methods. A method says in GLSL how a vertex
- * comes to its face and to its weights there, has on the GPU what that takes, and makes the draw
- * calls; all that comes after the weights is the same under every method. Whatever it keeps on the
- * GPU is made anew only when the selection changed. Private to the module.
+ * There is one subclass for each of vtkAdaptiveRefinementMapper::Methods. A method provides the
+ * GLSL that assigns a vertex to its face and computes its weights there, the buffers for it, and
+ * the draw calls. All methods share the code after the weights. Buffers are rebuilt only when the
+ * selection has changed. Private to the module.
  */
 #ifndef RefinementMethod_h
 #define RefinementMethod_h
@@ -34,15 +34,15 @@ class ViewSelection;
 struct FaceSums;
 struct RefinementShaderOptions;
 
-/// What is drawn, and what the methods of a mapper share.
+/// The faces to draw, and the data that a mapper's methods share.
 struct RefinementDrawing
 {
   vtkOpenGLRenderWindow* Window;
   const RefinementMesh* Mesh;
   const ViewSelection* Selection;
-  /// Where the view's selection is kept, in [0, RefinementState::MaximumViews).
+  /// The slot of the view's selection, in [0, RefinementState::MaximumViews).
   int Slot;
-  /// What the GPU has selected; nullptr where the CPU has.
+  /// The selection of the GPU; nullptr if the CPU has selected.
   RefinementComputeView* ComputeView;
   /// The patterns; nullptr without a recipe.
   const PatternLibrary* Library;
@@ -61,7 +61,7 @@ public:
   RefinementMethod(const RefinementMethod&) = delete;
   void operator=(const RefinementMethod&) = delete;
 
-  /// The numbers of vtkAdaptiveRefinementMapper::Methods.
+  /// The values of vtkAdaptiveRefinementMapper::Methods.
   enum Methods
   {
     ARKFPI = 0,
@@ -73,16 +73,18 @@ public:
   };
   static const char* GetName(int method);
 
-  /// What the current context lacks for it, as a clause ("OpenGL 4.0"); empty for nothing.
+  /// Return the feature that the current context lacks for the method ("OpenGL 4.0"); empty for
+  /// none.
   virtual std::string GetMissing() const { return {}; }
 
-  /// Why it cannot draw such levels, as a clause ("it halves edges ..."); empty if it can.
+  /// Return why the method cannot draw these levels, as a clause ("it halves edges ..."); empty if
+  /// it can.
   virtual std::string FindError(const PatternFamily&) const { return {}; }
 
-  /// Whether it draws these primitives, with its own picture of a wireframe.
+  /// Return whether the method draws these primitives, with its own triangles in a wireframe.
   virtual bool CanDraw(Primitives) const { return true; }
 
-  /// How it draws the levels of edges: as they are, rounded, or the highest of all.
+  /// How the method draws the levels of edges: unchanged, rounded, or the highest of all.
   enum class DrawnLevels
   {
     MORPHED,
@@ -91,29 +93,30 @@ public:
   };
   virtual DrawnLevels GetDrawnLevels() const { return DrawnLevels::ROUNDED; }
 
-  /// Whether it can draw what compute shaders have selected.
+  /// Return whether the method can draw a selection of compute shaders.
   virtual bool TakesComputeSelection() const { return false; }
 
-  /// Whether vertices belong to patterns on the GPU. Colours of faces are those of the patterns
-  /// then, else they are given face by face.
+  /// Return whether vertices belong to patterns on the GPU. Colours of faces are then those of the
+  /// patterns; otherwise they are set per face.
   virtual bool HasPatterns() const { return true; }
 
   /**
-   * Have on the GPU what a drawing takes. False, with GetError(), when it cannot be had.
+   * Upload the data of a drawing. Return false and set GetError() if it fails.
    */
   virtual bool Upload(const RefinementDrawing& drawing) = 0;
   const std::string& GetError() const { return this->Error; }
 
-  /// Fill in what the shaders depend on.
+  /// Set the options that depend on the method.
   virtual void FillOptions(
     const RefinementDrawing& drawing, RefinementShaderOptions& options) const = 0;
 
-  /// Whether its shaders run in stages that VTK's programs do not have: BuildProgram() makes them.
+  /// Return whether the method's shaders run in stages that VTK's programs do not have.
+  /// BuildProgram() then builds them.
   virtual bool HasStages() const { return false; }
 
   /**
-   * The program of VTK's finished shaders with the method's own stages, linked. It lives until
-   * resources are released. nullptr, with GetError(), when it cannot be built.
+   * Return the linked program of VTK's finished shaders with the method's own stages. It lives
+   * until resources are released. If it cannot be built, return nullptr and set GetError().
    */
   virtual vtkShaderProgram* BuildProgram(
     const RefinementDrawing&, const std::map<vtkShader::Type, vtkShader*>&)
@@ -122,29 +125,29 @@ public:
   }
 
   /**
-   * Draw what was uploaded, with the program and a vertex array that are in use. Returns the number
-   * of draw calls.
+   * Draw the uploaded data with the current program and vertex array. Return the number of draw
+   * calls.
    */
   virtual int Draw(
     const RefinementDrawing& drawing, vtkShaderProgram* program, Primitives primitives) = 0;
 
   /**
-   * Count the triangles that Draw() draws, and would draw of the culled faces, where they are
-   * others than those of vtkAdaptiveRefinementFilter; else false.
+   * Count the triangles of Draw(), and those of the culled faces. Return false if the numbers are
+   * those of vtkAdaptiveRefinementFilter.
    */
   virtual bool CountTriangles(const RefinementDrawing&, FaceSums&) const { return false; }
 
-  /// Bytes on the GPU, beside what the methods share.
+  /// Return the number of bytes on the GPU, without the shared data.
   virtual vtkTypeInt64 GetMemorySize() const { return 0; }
   virtual void ReleaseGraphicsResources(vtkWindow*) {}
 
 protected:
   RefinementMethod();
 
-  /// Upload what has changed of the selection. False when the GPU cannot hold it.
+  /// Upload the parts of the selection that have changed. Return false if the GPU cannot hold it.
   static bool UploadInstances(const RefinementDrawing& drawing);
 
-  /// Say that the mesh does not fit into buffer textures; returns false.
+  /// Set the error that the mesh does not fit into buffer textures, and return false.
   bool FailForSize();
 
   std::string Error;

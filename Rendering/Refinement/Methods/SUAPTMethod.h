@@ -4,9 +4,9 @@
  * @class   SUAPTMethod
  * @brief   semi-uniform adaptive patches: uniform patterns, snapped to coarser edges in the shader
  *
- * Each face is drawn by the uniform pattern of its highest edge, instanced; the vertices on its
- * other edges move to where these have points (compared in Lenz 2009). What that leaves without
- * area is drawn all the same. Private to the module.
+ * Each face is drawn, instanced, with the uniform pattern of its finest edge. The vertices on its
+ * other edges move to the points of those edges (compared in Lenz 2009). The degenerate triangles
+ * that this leaves are drawn. Private to the module.
  */
 #ifndef SUAPTMethod_h
 #define SUAPTMethod_h

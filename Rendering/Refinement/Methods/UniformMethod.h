@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   UniformMethod
- * @brief   every face by the uniform pattern of the highest level, instanced
+ * @brief   draws each face with the uniform pattern of the highest level, instanced
  *
- * After Boubekeur and Schlick, Generic Mesh Refinement on GPU (2005), with instances in place of
+ * After Boubekeur and Schlick, Generic Mesh Refinement on GPU (2005), with instances instead of
  * draw calls. Private to the module.
  */
 #ifndef UniformMethod_h
@@ -32,8 +32,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
-  /// Segments on each edge of the pattern that a face takes; `most` is what any edge of the mesh
-  /// asks for.
+  /// Return the number of segments per edge of a face's pattern; `most` is the largest number of
+  /// any edge of the mesh.
   virtual int GetSegments(const PatternSelection& selection, int face, int most) const;
 
 private:

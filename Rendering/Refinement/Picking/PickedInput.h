@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PickedInput
- * @brief   gives pickers the refined surface where they ask a mapper for its input
+ * @brief   gives pickers the refined surface when they request a mapper's input
  *
  * Private to the module.
  */
@@ -38,21 +38,21 @@ public:
   {
     vtkPolyData* Input;
     vtkAdaptiveRefinement* Recipe;
-    /// With a valid mesh.
+    /// The state with a valid mesh.
     RefinementState* State;
-    /// How the method in use draws levels.
+    /// How the current method draws levels.
     PickedLevels::Kinds Kind;
   };
   /**
-   * The refined surface; empty where the recipe cannot be applied. `isAsked` says that a picker
-   * intersects it next.
+   * Return the refined surface; it is empty if the recipe cannot be applied. `isAsked` means that a
+   * picker intersects it next.
    */
   vtkPolyData* Get(const Source& source, bool isAsked);
 
-  /// What cannot be picked.
+  /// Return a surface that cannot be picked.
   vtkPolyData* GetEmpty() { return this->Empty; }
 
-  /// A composite data set with getLeaf(flat index) in place of its leaves.
+  /// Return a composite data set with getLeaf(flat index) instead of its leaves.
   vtkDataObject* GetComposite(
     vtkCompositeDataSet* input, const std::function<vtkPolyData*(unsigned int)>& getLeaf);
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PickedLevels
- * @brief   the patterns that pickers find a mapper's faces refined to
+ * @brief   the patterns of a mapper's faces for pickers
  *
- * Those that were drawn last, as far as the method drew these: rounded where it does not morph, and
- * all of the highest level where it draws nothing else. Where nothing has been drawn since mesh or
- * levels changed, what the recipe asks for; of metrics of the view, whose camera is not known then,
- * MaximumLevel everywhere.
+ * They are the patterns that were drawn last, with the levels of the method: rounded if it does not
+ * morph, and all of the highest level if it draws only that one. If nothing has been drawn since
+ * the mesh or the levels changed, the recipe's levels are used. For view-dependent metrics, whose
+ * camera is not known then, this is MaximumLevel everywhere.
  */
 #ifndef PickedLevels_h
 #define PickedLevels_h
@@ -31,8 +31,8 @@ public:
   using Kinds = RefinementMethod::DrawnLevels;
 
   /**
-   * For a mesh of the input, built at `meshTime`, and what was drawn last. nullptr when the recipe
-   * cannot be applied.
+   * Return the patterns for a mesh of the input, built at `meshTime`, and the selection that was
+   * drawn last. Return nullptr if the recipe cannot be applied.
    */
   const PatternSelection* Get(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
     const RefinementMesh& mesh, vtkMTimeType meshTime, const ViewSelection& drawn, Kinds kind);

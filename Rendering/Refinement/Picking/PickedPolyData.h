@@ -2,20 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PickedPolyData
- * @brief   what VTK's pickers see of a mapper in place of its input
+ * @brief   the data that VTK's pickers get instead of a mapper's input
  *
- * Has the input's cells and arrays. After Ask() it answers the questions of one picker as if it
- * were the refined surface:
+ * It has the input's cells and arrays. After Ask() it answers the calls of one picker as if it were
+ * the refined surface:
  *
- * - vtkCellPicker tries the line on cell after cell. The first face that is asked for finds where
- *   the line meets the refined surface, and hands the answer out when its coarse cell has its turn;
- *   all others are empty. Until then this is no vtkPolyData, as of other data sets vtkCellPicker
- *   tries only what clipping planes leave of a line. The cell that it takes in the end to compute
- *   weights and a normal from is the coarse one, turned to face as the refined surface does; for
- *   that, normals are not an active attribute here.
- * - vtkPointPicker counts the points first, and then sees them where the refined surface has them.
+ * - vtkCellPicker intersects the line with cell after cell. The first call for a face computes the
+ *   intersection of the line and the refined surface. This is returned when its coarse cell is
+ *   tested; all other cells return none. Until then the data set is not a vtkPolyData, because
+ *   vtkCellPicker clips the line by clipping planes only for other data sets. Finally, the picker
+ *   computes weights and a normal from the coarse cell, which is rotated to the normal of the
+ *   refined surface. To make it do so, normals are not an active attribute here.
+ * - vtkPointPicker first requests the number of points, and then gets their positions on the
+ *   refined surface.
  *
- * After that it is like any other vtkPolyData. Private to the module.
+ * Afterwards it is an ordinary vtkPolyData. Private to the module.
  */
 #ifndef PickedPolyData_h
 #define PickedPolyData_h
@@ -33,7 +34,7 @@ namespace relevo
 class PatternSelection;
 class RefinementMesh;
 
-/// What is asked; all must outlive the picker's questions.
+/// The surface to pick. All members must outlive the picker's calls.
 struct PickedSurface
 {
   vtkPolyData* Input;
@@ -48,11 +49,11 @@ class PickedPolyData : public vtkPolyData
 public:
   static PickedPolyData* New();
 
-  /// Have the cells, arrays and bounds of a surface; be ready for the questions of a picker.
+  /// Take copies the cells, arrays and bounds of a surface; Ask prepares for the calls of a picker.
   void Take(const PickedSurface& surface);
   void Ask();
 
-  /// The answer that a face's cell gives to the line of a picker. Used by the cells handed out.
+  /// Return a cell's intersection with the line of a picker. The cells given to pickers call it.
   int Answer(const double start[3], const double end[3], double tolerance, double& t,
     double position[3], double pcoords[3], int& subId);
 
@@ -74,7 +75,7 @@ private:
   {
     NOT_ASKED,
     ASKED,
-    HIT_KNOWN, // until the picker has been through all cells
+    HIT_KNOWN, // until the picker has tested all cells
     ALL_TRIED,
     POINTS_MOVED
   };
@@ -89,10 +90,10 @@ private:
   PickedSurface Asked{};
   vtkIdType FirstFaceCell = 0;
   vtkIdType LastCell = -1;
-  vtkIdType CellId = -1; // the face's that is asked
+  vtkIdType CellId = -1; // of the face being tested
   vtkIdType HitCellId = -1;
   SurfaceHit Hit;
-  vtkNew<vtkGenericCell> HitCell; // turned
+  vtkNew<vtkGenericCell> HitCell; // rotated cell
   int HitSubId = 0;
   double HitPCoords[3] = { 0.0, 0.0, 0.0 };
   Dependencies SourceDependencies;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   turns the shaders of VTK's polydata mapper into refining ones
+ * @brief   changes the shaders of VTK's polydata mapper into refining shaders
  *
- * VTK writes its vertex shader in terms of attributes (vertexMC, normalMC, scalarColor, ...). Here
- * they become plain globals, set at the start of main() from the pattern vertex and the coarse
- * face; VTK's lighting, colouring, clipping, peeling and picking code then works unchanged.
- * Private to the module.
+ * VTK's vertex shader uses attributes (vertexMC, normalMC, scalarColor, ...). Here they become
+ * globals, which are computed at the start of main() from the pattern vertex and the coarse face.
+ * VTK's code for lighting, colours, clipping, peeling and picking then works unchanged. Private to
+ * the module.
  */
 #ifndef RefinementShader_h
 #define RefinementShader_h
@@ -22,26 +22,26 @@
 
 namespace relevo
 {
-/// What VTK has written shaders for.
+/// The purpose of VTK's shaders.
 struct ShaderPurpose
 {
   bool HasLines = false;        // to draw a wireframe
   bool HasEdges = false;        // VTK's geometry shader shows the edges of faces
   bool HasPointIds = false;     // a selection asks for points
   bool HasCellIds = false;      // a selection asks for cells
-  bool HasOwnFragments = false; // the actor's own text may have replaced what VTK says of fragments
+  bool HasOwnFragments = false; // the actor's own source may have replaced VTK's code for fragments
 };
 
 /**
- * Rewrite finished shaders of VTK's. Returns the names of the vertex attributes that the vertex
- * shader now reads from the samplers GetAttributeSampler(name).
+ * Change VTK's finished shaders. Return the names of the vertex attributes that the vertex shader
+ * now reads from the samplers GetAttributeSampler(name).
  */
 std::vector<std::string> RefineShaders(const RefinementShaderOptions& options,
   const ShaderPurpose& purpose, std::map<vtkShader::Type, vtkShader*>& shaders,
   MissingAnchors& missing);
 
 /**
- * Keep a place for the colours of faces, before VTK writes its own.
+ * Insert an anchor for the colours of faces, before VTK writes its own.
  */
 void MarkColors(const RefinementShaderOptions& options, const ShaderPurpose& purpose,
   std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing);

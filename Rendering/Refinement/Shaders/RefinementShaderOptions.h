@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   what the shaders of a refining mapper depend on
+ * @brief   the options of a refining mapper's shaders
  *
  * Private to the module.
  */
@@ -16,7 +16,7 @@
 
 namespace relevo
 {
-/// What faces are coloured by; the numbers of vtkAdaptiveRefinementMapper::RefinementColorModes.
+/// The values that colour faces, as in vtkAdaptiveRefinementMapper::RefinementColorModes.
 enum RefinementColorMode
 {
   COLOR_BY_SCALARS = 0,
@@ -25,16 +25,16 @@ enum RefinementColorMode
   COLOR_BY_METRIC = 3
 };
 
-/// What the shaders depend on.
+/// The options that the shaders depend on.
 struct RefinementShaderOptions
 {
-  /// How a vertex comes to its face, see relevoFaceVS.glsl; from the method.
+  /// How a vertex is assigned to its face, see relevoFaceVS.glsl. The method sets it.
   std::string PlacementSource;
   /// The surface's functions; see vtkRefinementSurface::GetShaderSource().
   std::string SurfaceSource;
   int VectorsPerEdge = 0;
   int VectorsPerFace = 0;
-  /// Texels per point, and which of them hold its direction and its values.
+  /// Texels per point, and the texels of its direction and its values.
   int PointStride = 1;
   int PointDirection = 1;
   int PointValues = 1;
@@ -42,23 +42,23 @@ struct RefinementShaderOptions
   bool HasDisplacement = false;
   bool AlongNormal = false;
   bool HasDirections = false;
-  /// What the surface has.
+  /// Properties of the surface.
   bool HasSurfaceDirections = false;
   bool HasTables = false;
   bool HasSeams = false;
   bool HasHoles = false;
-  /// Whether vertices slide with the tags of the edges.
+  /// Whether vertices morph with the tags of the edges.
   bool IsMorphing = false;
-  /// Whether draws are indirect, and each instance brings its faces along.
+  /// Whether draws are indirect, with the faces of each instance in the buffer.
   bool IsIndirect = false;
   ScalarKind Scalars = BY_VTK;
-  /// Whether some scalars stand for no data.
+  /// Whether some scalars are no data.
   bool HasNoData = false;
-  /// What faces are coloured by, a RefinementColorMode.
+  /// The values that colour faces, a RefinementColorMode.
   int ColorMode = COLOR_BY_SCALARS;
   ShaderExtension Extension;
 
-  /// Everything above, to compare.
+  /// Return a key of all options, for comparison.
   Dependencies GetKey() const;
 };
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   what of an actor's mesh can be culled
+ * @brief   whether faces of an actor can be culled
  *
  * Private to the module.
  */
@@ -20,16 +20,17 @@ namespace relevo
 class RefinementMesh;
 struct CullingView;
 
-/// The part of a mesh that a camera sees; nullptr where the actor's own shaders move vertices.
+/// Return the camera's view of a mesh; nullptr if the actor's own shaders move vertices.
 std::unique_ptr<CullingView> MakeCullingView(
   vtkRenderer* renderer, vtkActor* actor, const RefinementMesh& mesh);
 
-/// Whether an actor has nothing that shows the back faces of its closed surface.
+/// Return whether no setting of the actor shows the back faces of its closed surface.
 bool HidesBackFaces(vtkActor* actor);
 
 /**
- * Whether colours that VTK calls opaque are translucent, as those of vectors of four components.
- * VTK draws them with its opaque surfaces, and yet shows what is behind.
+ * Return whether colours that VTK treats as opaque are translucent, such as those of vectors with
+ * four components. VTK draws them with the opaque surfaces, although they show the geometry behind
+ * them.
  */
 bool AreTranslucent(vtkUnsignedCharArray* colors);
 }

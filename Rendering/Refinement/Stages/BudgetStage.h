@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   BudgetStage
- * @brief   keeps a mapper's frames to a number of triangles and to the time that VTK allots
+ * @brief   keeps a mapper's frames near a number of triangles and within the time that VTK allots
  *
- * It measures the passes, and finds what LevelBudget adds to all levels. Private to the module.
+ * It measures the passes and finds the offset that LevelBudget adds to all levels. Private to the
+ * module.
  */
 #ifndef BudgetStage_h
 #define BudgetStage_h
@@ -26,29 +27,29 @@ class PieceReduction;
 class BudgetStage
 {
 public:
-  /// The number of triangles to draw, which the user can change; 0 for none.
+  /// Return the target number of triangles, which the user can change; 0 for none.
   vtkIdType& GetTarget() { return this->Budget.Target; }
 
   struct Input
   {
     vtkRenderer* Renderer;
     vtkActor* Actor;
-    /// Whether frames may take no longer than VTK allots.
+    /// Whether frames must keep to the time that VTK allots.
     bool UsesAllocatedTime;
-    /// Several processes, before a frame; nullptr in a pass of one process.
+    /// The reduction over several processes, before a frame; nullptr in a pass of one process.
     const PieceReduction* Pieces;
   };
   /**
-   * Turn to a view. Returns whether there is a budget, in any process.
+   * Begin a view. Return whether there is a budget in any process.
    */
   bool Begin(const Input& input);
 
-  /// The offset, in levels, for all parts of the view.
+  /// Return the offset, in levels, for all parts of the view.
   double FindOffset(const std::vector<LevelBudget::Part>& parts, vtkAdaptiveRefinement* recipe,
     const PieceReduction* pieces);
 
   /**
-   * Measure a pass: call draw(), and then countTriangles(isSlow), which tells that the pass took
+   * Measure a pass: call draw(), then countTriangles(isSlow). isSlow means that the pass took
    * longer than allotted.
    */
   void Measure(vtkRenderer* renderer, vtkActor* actor, const std::function<void()>& draw,

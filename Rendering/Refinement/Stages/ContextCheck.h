@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ContextCheck
- * @brief   what the OpenGL context of a mapper can do
+ * @brief   checks the capabilities of a mapper's OpenGL context
  *
  * Private to the module.
  */
@@ -13,7 +13,7 @@
 
 namespace relevo
 {
-/// Where faces choose their patterns; the numbers of
+/// The processor that selects patterns; the values are those of
 /// vtkAdaptiveRefinementMapper::SelectionDevices.
 enum SelectionDevice
 {
@@ -25,12 +25,12 @@ enum SelectionDevice
 class ContextCheck
 {
 public:
-  /// Look at the context that is current, unless that has been done.
+  /// Check the current context, unless that has been done.
   StageResult Update(int selectionDevice);
-  /// Look again, with the next update.
+  /// Check again in the next update.
   void Reset() { this->IsChecked = false; }
 
-  /// Whether the context can select on the device that was asked for.
+  /// Return whether the context can select on the requested processor.
   bool CanCompute() const { return this->HasCompute; }
 
 private:

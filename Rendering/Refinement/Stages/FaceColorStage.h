@@ -25,21 +25,21 @@ public:
   struct Input
   {
     vtkOpenGLRenderWindow* Window;
-    /// A RefinementColorMode; with COLOR_BY_SCALARS nothing is uploaded.
+    /// A RefinementColorMode. With COLOR_BY_SCALARS nothing is uploaded.
     int Mode;
     vtkAdaptiveRefinement* Recipe;
-    /// Levels that are added to the recipe's own offset.
+    /// The offset that is added to the recipe's offset.
     double LevelOffset;
     const RefinementMesh* Mesh;
     const ViewSelection* Selection;
-    /// The patterns that vertices belong to; nullptr where colours are given face by face.
+    /// The patterns that vertices belong to; nullptr if colours are per face.
     const RefinementPatternBuffer* Patterns;
     /// The user's table, or GetDefaultTable(), which the user can change, too.
     vtkScalarsToColors* Table;
   };
   StageResult Update(const Input& input);
 
-  /// The default table of a mode; `recipe` may be nullptr.
+  /// Return the default table of a mode; `recipe` may be nullptr.
   vtkScalarsToColors* GetDefaultTable(int mode, vtkAdaptiveRefinement* recipe);
 
   void Activate(vtkShaderProgram* program) { this->Colors.Activate(program); }
@@ -52,7 +52,7 @@ private:
 
   RefinementFaceColors Colors;
   RefinementLevelTable DefaultTable;
-  std::string TableError; // that was reported last, as the other
+  std::string TableError; // error that was reported last, like the next
   std::string SizeError;
 };
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   InputCheck
- * @brief   whether a mapper takes the type of its input, reported once for each input
+ * @brief   checks the type of a mapper's input and reports an error once per input
  *
  * Private to the module.
  */
@@ -21,12 +21,12 @@ namespace relevo
 class InputCheck
 {
 public:
-  /// An input, nullptr for none, of a port.
+  /// Check the input of a port; nullptr is no input.
   StageResult Update(vtkDataObject* input, vtkInformation* port);
 
 private:
-  vtkDataObject* Input = nullptr; // to compare, never read
-  std::string Error;              // that was reported last
+  vtkDataObject* Input = nullptr; // for comparison; it is not dereferenced
+  std::string Error;              // error that was reported last
 };
 }
 

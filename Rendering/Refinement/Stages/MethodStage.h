@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   MethodStage
- * @brief   the methods that a mapper has drawn with, and the one of this frame
+ * @brief   the methods that a mapper has used, and the one for the current frame
  *
- * Where the method that the user has set is not available, METHOD_ARKFPI draws. Private to the
- * module.
+ * If the method that the user has set is not available, METHOD_ARKFPI draws. Private to the module.
  */
 #ifndef MethodStage_h
 #define MethodStage_h
@@ -32,34 +31,34 @@ public:
 
   struct Input
   {
-    /// The one that the user has set, a RefinementMethod::Methods.
+    /// The method that the user has set, one of RefinementMethod::Methods.
     int Method;
     const PatternFamily* Family;
-    /// Whether its shaders could not be built.
+    /// Whether the shaders of the method could not be built.
     bool HasFailedShaders;
-    /// The primitives that faces are drawn as, and whether their vertices are drawn, too.
+    /// The primitives of faces, and whether their vertices are drawn, too.
     Primitives Faces;
     bool HasVertices;
   };
 
-  /// Choose the method of this frame.
+  /// Choose the method for this frame.
   StageResult Choose(const Input& input);
 
-  /// The method of this frame, and its number.
+  /// Return the method for this frame, and its number.
   RefinementMethod& Get();
   int GetNumber() const { return this->InUse; }
   bool IsDefault() const { return this->InUse == RefinementMethod::ARKFPI; }
 
-  /// The rest of this frame is drawn by METHOD_ARKFPI.
+  /// Draw the rest of this frame with METHOD_ARKFPI.
   void FallBackToDefaultMethod() { this->InUse = RefinementMethod::ARKFPI; }
 
-  /// The error message: why the method that the user has set is not available.
+  /// Return the error message for a method that is not available.
   std::string DescribeUnavailable(const std::string& error) const;
 
-  /// Release the buffers of methods that are not in use. Returns their numbers.
+  /// Release the buffers of methods that are not in use, and return their numbers.
   std::vector<int> ReleaseUnused(vtkWindow* window);
 
-  /// Report a problem again.
+  /// Forget the reported error, so that it is reported again.
   void ForgetError() { this->Error.clear(); }
 
   vtkTypeInt64 GetMemorySize() const;
@@ -69,7 +68,7 @@ private:
   std::map<int, std::unique_ptr<RefinementMethod>> Methods;
   int Wanted = RefinementMethod::ARKFPI;
   int InUse = RefinementMethod::ARKFPI;
-  std::string Error; // that was reported last
+  std::string Error; // error that was reported last
 };
 }
 

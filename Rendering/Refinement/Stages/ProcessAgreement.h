@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ProcessAgreement
- * @brief   what the mappers of several processes agree on, each with pieces of the same surfaces
+ * @brief   the data that mappers of several processes share, each with pieces of the same surfaces
  *
- * Collective: all processes call it in the same order, whatever they have. Private to the module.
+ * Collective: all processes call it in the same order, including those without pieces. Private to
+ * the module.
  */
 #ifndef ProcessAgreement_h
 #define ProcessAgreement_h
@@ -24,36 +25,37 @@ namespace relevo
 class PieceReduction;
 class RefinementState;
 
-/// A piece that this process has.
+/// A piece of this process.
 struct ProcessAgreementPart
 {
   vtkPolyData* Input;
   RefinementState* State;
-  /// Prepares the mesh; whether it is valid.
+  /// Prepares the mesh and returns whether it is valid.
   std::function<bool()> UpdateMesh;
 };
 
 class ProcessAgreement
 {
 public:
-  /// By flat index.
+  /// Parts by flat index.
   using Parts = std::map<unsigned int, ProcessAgreementPart>;
 
-  /// Whether there are several processes. Without a controller (nullptr) there are not.
+  /// Set the controller. Return whether there are several processes; without a controller (nullptr)
+  /// there is one.
   bool SetController(vtkMultiProcessController* controller);
   bool IsActive() const { return this->Active; }
-  /// Whether nothing has been agreed on.
+  /// Return whether no data are shared.
   bool IsEmpty() const { return this->WholeDependencies.IsEmpty(); }
 
-  /// Agree on what the pieces are parts of, if something has changed in any process.
+  /// Update the shared data of the surfaces, if something has changed in any process.
   void Update(vtkAdaptiveRefinement* recipe, RefinementView view, const Parts& parts,
     const PieceReduction& pieces);
 
-  /// Each part is the whole.
+  /// Treat each part as a whole surface.
   void Clear(const Parts& parts);
 
 private:
-  bool Active = false; // before each frame
+  bool Active = false; // as of the last frame's start
   Dependencies WholeDependencies;
 };
 }

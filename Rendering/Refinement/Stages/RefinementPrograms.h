@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RefinementPrograms
- * @brief   what draws refined faces: the helpers of a mapper, and their programs for each variant
+ * @brief   the helpers of a mapper that draw refined faces, with their programs for each variant
  *
- * Several actors and renderers can share a mapper, and their shaders differ: see ShaderVariantKey.
- * All helpers, VTK's included, have the programs of the variant in use; those of the others are
- * stored here. Private to the module.
+ * Several actors and renderers can share a mapper, but their shaders differ: see ShaderVariantKey.
+ * All helpers, including VTK's, have the programs of the current variant; the programs of the
+ * others are stored here. Private to the module.
  */
 #ifndef RefinementPrograms_h
 #define RefinementPrograms_h
@@ -37,7 +37,7 @@ class RefinementPrograms
 public:
   using Shaders = std::map<vtkShader::Type, vtkShader*>;
 
-  /// The two are VTK's types of primitives.
+  /// The arguments are VTK's types of primitives.
   RefinementPrograms(int triangles, int vertices);
   ~RefinementPrograms();
   RefinementPrograms(const RefinementPrograms&) = delete;
@@ -45,8 +45,8 @@ public:
 
   //@{
   /**
-   * What draws refined faces, and their vertices when those are visible, and more of the former,
-   * for subclasses.
+   * Return the helpers that draw refined faces and their visible vertices, and further helpers of
+   * faces for subclasses.
    */
   vtkOpenGLHelper& GetFaces() { return this->Faces; }
   vtkOpenGLHelper& GetVertices() { return this->Vertices; }
@@ -56,47 +56,47 @@ public:
 
   bool UsesVariant(const Dependencies& key) const { return this->VariantKey == key; }
   /**
-   * Have all helpers, and VTK's own, use the programs of another variant. `swap` exchanges what
-   * else VTK knows of them for what it is given, which is empty for a new variant.
+   * Make all helpers, including VTK's, use the programs of another variant. `swap` exchanges the
+   * remaining state of VTK's mapper with its argument, which is empty for a new variant.
    */
   void UseVariant(const Dependencies& key, const std::vector<vtkOpenGLHelper*>& helpersOfVTK,
     const std::function<void(std::shared_ptr<void>&)>& swap, vtkWindow* window);
 
   //@{
   /**
-   * The options of a helper's shaders in this frame: change the options, then call
-   * UpdateKey().
+   * Return the options of a helper's shaders in this frame. Call UpdateKey() after changing them.
    */
   RefinementShaderOptions& GetOptions(const vtkOpenGLHelper* helper);
   void UpdateKey(const vtkOpenGLHelper* helper);
   //@}
-  /// Fill in what a recipe's surface and displacement are.
+  /// Set the options that depend on a recipe's surface and displacement.
   void FillOptions(vtkAdaptiveRefinement* recipe, RefinementShaderOptions& options) const;
 
   //@{
   /**
-   * Around vtkOpenGLPolyDataMapper::UpdateShaders(): false where the shaders cannot be built, and
-   * nothing of them has changed. `sources` are those that are not in the options.
+   * Call these before and after vtkOpenGLPolyDataMapper::UpdateShaders(). CanUpdate() returns false
+   * if the shaders cannot be built and their sources have not changed. `sources` are those that are
+   * not in the options.
    */
   bool CanUpdate(const vtkOpenGLHelper& helper, const Dependencies& sources);
   StageResult CheckUpdated(const vtkOpenGLHelper& helper);
   //@}
 
   /**
-   * In GetNeedToRebuildShaders(), for a helper of faces: whether its shaders are to be built,
-   * because VTK needs it or the key is another. The last program is gone then.
+   * Return whether to build the shaders of a helper of faces, in GetNeedToRebuildShaders(): VTK
+   * needs it or the key has changed. This discards the last program.
    */
   bool NeedsBuild(vtkOpenGLHelper& helper, bool isNeededByVTK);
 
   /**
-   * In GetNeedToRebuildShaders(), for a method that links programs with stages of its own:
-   * build(shaders) writes VTK's three shaders, and link(shaders) returns the program, nullptr if it
-   * cannot be built.
+   * Build a program for a method with its own stages, in GetNeedToRebuildShaders(). build(shaders)
+   * writes VTK's three shaders. link(shaders) returns the program, or nullptr if it cannot be
+   * built.
    */
   enum class Built
   {
-    PROGRAM, // VTK's shader cache binds it like any other
-    NOTHING, // VTK's shader cache has a program for shaders that lack anchors
+    PROGRAM, // VTK's shader cache can bind the program
+    NOTHING, // VTK's shader cache has an empty program, because anchors are missing
     FAILED
   };
   Built BuildWithStages(vtkOpenGLHelper& helper, int method,
@@ -104,14 +104,15 @@ public:
     const std::function<vtkShaderProgram*(Shaders&)>& link);
 
   /**
-   * In BuildShaders(), once they are written: a helper's shaders that lack anchors draw nothing.
+   * Check the shaders of a helper, in BuildShaders(), after they have been written. Shaders that
+   * lack anchors draw nothing.
    */
   StageResult Finish(const vtkOpenGLHelper* helper, Shaders& shaders, const MissingAnchors& missing,
     bool isSelecting);
 
   //@{
   /**
-   * In ReplaceShaderValues(), for a helper of faces, before and after VTK writes.
+   * Change the shaders of a helper of faces, in ReplaceShaderValues(), before and after VTK does.
    */
   void Mark(const vtkOpenGLHelper* helper, const ShaderPurpose& purpose, Shaders& shaders,
     MissingAnchors& missing);
@@ -119,24 +120,24 @@ public:
     MissingAnchors& missing);
   //@}
 
-  /// The attributes that a helper's shaders read from buffers.
+  /// Return the attributes that a helper's shaders read from buffers.
   const std::vector<std::string>& GetAttributes(const vtkOpenGLHelper* helper);
-  /// Whether a helper has a program that draws.
+  /// Return whether a helper has a program that draws.
   bool Draws(const vtkOpenGLHelper& helper);
-  /// Whether shaders without ids have drawn in the pass of a selection; false the next time.
+  /// Return whether shaders without ids have drawn in the pass of a selection, and reset this.
   bool TakeLackOfIds();
 
   //@{
   /**
-   * Whether a method's own stages could not be built from these sources, of the recipe and the
-   * actor, for the variant in use.
+   * Set or return whether a method's own stages could not be built for the current variant from
+   * these sources of the recipe and the actor.
    */
   void SetFailedSources(vtkAdaptiveRefinement* recipe, vtkActor* actor);
   bool HasFailed(vtkAdaptiveRefinement* recipe, vtkActor* actor);
   void ForgetFailures();
   //@}
 
-  /// No program of a method's own is used any more.
+  /// Forget the programs with a method's own stages.
   void ForgetMethod(int method);
 
   vtkIdType GetNumberOfBuilds() const { return this->NumberOfBuilds; }
@@ -146,12 +147,12 @@ private:
   struct State
   {
     RefinementShaderOptions Options;
-    Dependencies Key;       // of these
-    bool HasNewKey = false; // since the last frame
-    Dependencies Sources;   // of the rest
-    bool HasFailed = false; // to be built
+    Dependencies Key;       // of the options
+    bool HasNewKey = false; // new since the last frame
+    Dependencies Sources;   // the other sources
+    bool HasFailed = false; // the build has failed
     std::vector<std::string> Attributes;
-    int Method = -1; // that has linked the program; -1 for VTK's shader cache
+    int Method = -1; // the method that has linked the program; -1 for VTK's shader cache
     bool DrawsNothing = false;
   };
   struct Variant
@@ -169,20 +170,20 @@ private:
   vtkOpenGLHelper Faces;
   vtkOpenGLHelper Vertices;
   std::vector<std::unique_ptr<vtkOpenGLHelper>> MoreFaces;
-  std::vector<vtkOpenGLHelper*> Helpers = { &this->Faces, &this->Vertices }; // all
+  std::vector<vtkOpenGLHelper*> Helpers = { &this->Faces, &this->Vertices }; // all helpers
 
-  // Of the variant in use.
+  // The states of the current variant.
   std::map<const vtkOpenGLHelper*, State> States;
   Dependencies FailedSources;
 
-  std::map<Dependencies, Variant> Variants; // the others
+  std::map<Dependencies, Variant> Variants; // the other variants
   Dependencies VariantKey;
   unsigned long NumberOfUses = 0;
 
   vtkNew<vtkShaderProgram> NoProgram;
-  vtkNew<vtkLinearSurface> Linear; // where the recipe has no surface
-  std::string Error;               // that was reported last
-  bool LacksIds = false;           // in the pass of a selection that has begun
+  vtkNew<vtkLinearSurface> Linear; // used if the recipe has no surface
+  std::string Error;               // error that was reported last
+  bool LacksIds = false;           // in the current pass of a selection
   vtkIdType NumberOfBuilds = 0;
 };
 }

@@ -4,9 +4,9 @@
  * @class   SelectionStage
  * @brief   prepares a mesh, evaluates its levels and selects the faces to draw, on the CPU or GPU
  *
- * RefinementState has what the CPU computes, RefinementComputeState what the GPU does. Where
- * selection on the GPU fails, the CPU does it until the mesh, the patterns or the metric change.
- * Private to the module.
+ * RefinementState has the results of the CPU, RefinementComputeState those of the GPU. If selection
+ * on the GPU fails, the CPU selects until the mesh, the patterns or the metric change. Private to
+ * the module.
  */
 #ifndef SelectionStage_h
 #define SelectionStage_h
@@ -36,7 +36,7 @@ public:
   RefinementState& GetState() { return this->State; }
   const RefinementState& GetState() const { return this->State; }
 
-  /// The messages of the last update of the state.
+  /// Return the messages of the last update of the state.
   StageResult TakeResult(bool isValid);
   /// Prepare the mesh of an input.
   StageResult UpdateMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe);
@@ -59,36 +59,37 @@ public:
     bool HasLines;
     /// A SelectionDevice; failures of SELECTION_DEVICE_GPU are errors.
     int Device;
-    /// Whether context, method and colours can do with a selection on the GPU.
+    /// Whether the context, the method and the colours support selection on the GPU.
     bool CanCompute;
   };
 
-  /// Add a prepared mesh to those that share a budget, if its tags can be used.
+  /// Add a prepared mesh to the parts that share a budget, if its tags can be used.
   void AddBudgetPart(const ViewInput& input, std::vector<LevelBudget::Part>& parts);
 
   /**
-   * Choose the device, and update the selection of a view as far as the CPU does it.
+   * Choose the processor, and run the CPU's part of the selection of a view.
    */
   StageResult Update(const Input& input);
 
   /**
-   * Have the GPU do the rest, or the CPU if that fails. Does nothing if the CPU has done it all.
+   * Run the rest on the GPU, or on the CPU if the GPU fails. If the CPU has done everything,
+   * nothing happens.
    */
   StageResult UpdateOnGPU(const Input& input, UploadStage& upload);
 
-  /// Whether the GPU has selected what is drawn.
+  /// Return whether the GPU has selected the drawn faces.
   bool IsOnGPU() const { return this->OnGPU; }
   void SetOnCPU() { this->OnGPU = false; }
-  /// What the GPU has selected; nullptr where the CPU has.
+  /// Return the selection of the GPU; nullptr if the CPU has selected.
   RefinementComputeView* GetComputeView();
 
-  /// Copy what the GPU has selected to the state, if it has changed. `window` may be nullptr.
+  /// Copy the selection of the GPU to the state, if it has changed. `window` may be nullptr.
   void ReadBack(vtkOpenGLRenderWindow* window, const InstanceBuffers& instances);
 
-  /// Base patterns of the faces that are drawn, after ReadBack().
+  /// Return the number of base patterns of the drawn faces, after ReadBack().
   int CountUsedPatterns() const;
 
-  /// Seconds that the last selection took.
+  /// Return the seconds of the last selection.
   double GetSeconds() const;
 
   vtkTypeInt64 GetMemorySize() const { return this->Compute.GetMemorySize(); }
@@ -97,17 +98,17 @@ public:
 private:
   StageResult UpdateState(const Input& input);
   bool Select(const Input& input, UploadStage& upload, std::string& error);
-  /// What a selection on the GPU is made from, besides the view.
+  /// Return the dependencies of a selection on the GPU, without the view.
   Dependencies GetSources(const Input& input) const;
 
   RefinementState State;
   RefinementComputeState Compute;
   bool OnGPU = false;
   Dependencies FailedSources;
-  std::string Error; // that was reported last
+  std::string Error; // error that was reported last
   double ComputeSeconds = 0.0;
-  vtkMTimeType ReadTime = 0;    // of what was read back
-  int NumberOfUsedPatterns = 0; // of that
+  vtkMTimeType ReadTime = 0;    // time of the selection that was read back
+  int NumberOfUsedPatterns = 0; // in that selection
 };
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  StageResult
- * @brief   what a stage of a mapper gives: whether the frame can go on, and what to report
+ * @brief   the result of a mapper's stage: whether the frame can continue, and what to report
  *
  * Private to the module.
  */

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   UploadStage
- * @brief   what a mapper has on the GPU of its mesh, its height map and the faces that it draws
+ * @brief   the GPU buffers of a mapper's mesh, height map and drawn faces
  *
- * Everything stays there until something that it was made from changes. Private to the module.
+ * Each is uploaded again only when its dependencies change. Private to the module.
  */
 #ifndef UploadStage_h
 #define UploadStage_h
@@ -38,19 +38,19 @@ struct RefinementDrawing;
 class UploadStage
 {
 public:
-  /// A mesh, and what VTK's mapper has uploaded of it.
+  /// A mesh, and the buffers of VTK's mapper.
   struct MeshInput
   {
     vtkOpenGLRenderWindow* Window;
-    /// nullptr where it is not valid.
+    /// nullptr if the mesh is not valid.
     const RefinementMesh* Mesh;
     vtkMTimeType MeshTime;
-    /// Of the mapper's settings that VTK's buffers depend on.
+    /// The modification time of the settings that VTK's buffers depend on.
     vtkMTimeType BuildTime;
-    /// VTK's vertexMC; nullptr for none.
+    /// VTK's vertexMC, or nullptr.
     vtkOpenGLVertexBufferObject* Positions;
     vtkAdaptiveRefinement* Recipe;
-    /// Scalars of points that colours are interpolated by; nullptr for none. For the rest see
+    /// Point scalars that are interpolated for colours, or nullptr. For the other members see
     /// VertexColors.
     vtkAbstractArray* Scalars;
     vtkScalarsToColors* Table;
@@ -59,45 +59,45 @@ public:
     /// See vtkProperty.
     int Representation;
     vtkIdType NumberOfCells;
-    /// Of this representation.
+    /// The cell map of this representation.
     vtkOpenGLCellToVTKCellMap* CellMap;
   };
 
   /**
-   * Whether UploadMesh() is to be called although VTK's own buffers are up to date.
+   * Return whether to call UploadMesh() although VTK's buffers are up to date.
    */
   bool NeedsMesh(
     vtkMTimeType meshTime, vtkMTimeType buildTime, vtkOpenGLVertexBufferObject* positions) const;
 
   /**
-   * Upload what has changed of the mesh, after VTK has uploaded its own buffers.
+   * Upload the parts of the mesh that have changed, after VTK has uploaded its buffers.
    */
   StageResult UploadMesh(const MeshInput& input);
   bool IsMeshValid() const { return this->Valid; }
 
-  /// Upload the heights of a displacement, or none for nullptr, if they have changed.
+  /// Upload the heights of a displacement if they have changed; nullptr has no heights.
   StageResult UploadHeights(vtkOpenGLRenderWindow* window, vtkDisplacement* displacement);
 
   /**
-   * Upload the faces that are drawn and what the method in use takes. Falls back to the default
-   * method if the GPU cannot hold that.
+   * Upload the drawn faces and the data of the current method. If the GPU cannot hold them, the
+   * default method is used.
    */
   StageResult UploadSelection(MethodStage& methods, const RefinementDrawing& drawing);
-  /// Try again what this method has failed to upload.
+  /// Try failed uploads of this method again.
   void ForgetFailures(int method);
 
   RefinementPatternBuffer& GetPatterns() { return this->Patterns; }
   InstanceBuffers& GetInstances() { return this->Instances; }
   const VertexColors& GetColors() const { return this->Colors; }
-  /// The buffers that compute shaders draw from and write to.
+  /// Return the buffers that compute shaders read and write.
   RefinementComputeState::Targets GetTargets() const;
 
-  /// Fill in what the shaders depend on.
+  /// Set the options that depend on the buffers.
   void FillOptions(const RefinementMesh& mesh, RefinementShaderOptions& options) const;
 
   /**
-   * Have a program read the buffers, and VTK's for the attributes that refining shaders read from
-   * them; with the uniforms that change live.
+   * Bind the buffers to a program, VTK's buffers for the attributes that refining shaders read from
+   * them, and set the uniforms that change without a rebuild.
    */
   void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program,
     vtkOpenGLVertexBufferObjectGroup* vbos, const std::vector<std::string>& attributes,
@@ -121,8 +121,8 @@ private:
   vtkTimeStamp UploadTime;
   Dependencies UploadDependencies;
   bool Valid = false;
-  std::string HeightError; // that was reported last
-  /// By method and by view: what could not be uploaded. It is not tried again.
+  std::string HeightError; // error that was reported last
+  /// Failed uploads by method and by view. They are not tried again.
   std::map<int, std::map<int, Dependencies>> FailedUploads;
   vtkIdType NumberOfBuilds = 0;
 };

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   LevelBudget
- * @brief   what a mapper adds to the levels of its meshes to keep to numbers of triangles and times
+ * @brief   the level offset with which a mapper's meshes meet a number of triangles or a time limit
  *
- * Works only when something changed: the tags of a view, the faces that are culled, the target, or
- * the limit that the allowed time sets. CPU side only. Private to the module.
+ * The offset is computed again only when the tags of a view, the culled faces, the target or the
+ * time limit have changed. It runs on the CPU. Private to the module.
  */
 #ifndef LevelBudget_h
 #define LevelBudget_h
@@ -25,7 +25,7 @@ class PieceReduction;
 class LevelBudget
 {
 public:
-  /// A mesh with the tags of a view and the faces that are culled, and when these were found.
+  /// A mesh with the tags of a view and the culled faces, and their modification times.
   struct Part
   {
     TriangleBudget::Part Mesh;
@@ -33,24 +33,24 @@ public:
     vtkMTimeType SightTime;
   };
 
-  /// Wanted number of triangles, 0 for none.
+  /// The target number of triangles, 0 for none.
   vtkIdType Target = 0;
 
   /**
-   * A pass has drawn the meshes; all passes of a frame are added up. `first` tells that a frame
-   * begins.
+   * Add the triangles and the time of a pass; all passes of a frame are added up. `first` starts a
+   * frame.
    */
   void AddPass(bool first, vtkIdType triangles, double seconds);
 
   /**
-   * Turn to a view, known by its camera. `seconds` is the time allowed, 0 for any, negative to keep
-   * the limit that was found last for this view. Returns whether there is anything to keep to.
+   * Switch to a view, identified by its camera. `seconds` is the allowed time, 0 for no limit,
+   * negative for the last limit of this view. Return whether there is a target or a limit.
    */
   bool SetView(const vtkCamera* camera, double seconds);
 
   /**
-   * The offset, in levels, to be added to the recipe's own, for all parts of the view: of several
-   * processes, the one that all can keep to. Collective.
+   * Return the offset, in levels, to add to the recipe's offset for all parts of the view. With
+   * several processes it is the same for all. Collective.
    */
   double FindOffset(
     const std::vector<Part>& parts, vtkAdaptiveRefinement* recipe, const PieceReduction& pieces);
@@ -58,15 +58,15 @@ public:
 private:
   struct View
   {
-    const vtkCamera* Camera = nullptr; // to compare, never read
+    const vtkCamera* Camera = nullptr; // for comparison; it is not dereferenced
     Dependencies State;
-    double Offset = 0.0; // with the recipe's own
+    double Offset = 0.0; // including the recipe's
     vtkIdType Limit = 0;
   };
 
   TriangleBudget Triangles;
   RenderTimeBudget Times;
-  std::vector<View> Views; // the present one last
+  std::vector<View> Views; // the current one is last
   vtkIdType FrameTriangles = 0;
   double FrameSeconds = 0.0;
 };

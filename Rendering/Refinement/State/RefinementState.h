@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RefinementState
- * @brief   what a mapper has computed of its input and recipe: mesh, bounds, levels
+ * @brief   the mesh, bounds and levels that a mapper computes from its input and recipe
  *
- * Each is made anew only when something it depends on has changed; an error is reported once,
- * when it is made. CPU side only. Private to the module.
+ * Each result is computed again only when one of its dependencies has changed. An error is reported
+ * once, when the result is computed. It runs on the CPU. Private to the module.
  */
 #ifndef RefinementState_h
 #define RefinementState_h
@@ -39,16 +39,17 @@ public:
   RefinementState();
   ~RefinementState();
 
-  /// What the mesh is a piece of; nullptr, the default, where it is the whole.
+  /// Set the information on the whole surface that the mesh is a piece of. nullptr, the default,
+  /// means that the mesh is the whole surface.
   void SetWhole(std::shared_ptr<const GlobalSurfaceInfo> whole);
   const std::shared_ptr<const GlobalSurfaceInfo>& GetWhole() const { return this->Whole; }
 
-  /// The metric's evaluator for the mesh.
+  /// Return the cached evaluator of the metric for the mesh.
   MetricCache& GetMetricCache() { return *this->Cache; }
 
   /**
-   * Prepare the mesh. False when the recipe cannot be applied to the input, its numbers are too
-   * large, or its pattern table lacks the patterns.
+   * Prepare the mesh. Return false if the recipe cannot be applied to the input, its coordinates
+   * are too large, or its pattern table lacks patterns.
    */
   bool UpdateMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
   {
@@ -56,36 +57,35 @@ public:
   }
 
   /**
-   * Evaluate the tags for a view, for a valid mesh. False when they cannot be used.
+   * Evaluate the tags for a view and a valid mesh. Return false if they cannot be used.
    */
   bool UpdateTags(
     vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementView& view, bool onGPU);
 
-  /// Whether a budget moves levels, and what it adds to the tags of all edges beside the recipe's
-  /// own offset.
+  /// Whether a budget changes the levels, and the offset that it adds to the recipe's offset.
   bool IsBudgeted = false;
   double LevelOffset = 0.0;
 
   /**
-   * Find the faces that are culled, for valid tags: those that `culling` does not see and, with
-   * `hideBackFaces`, back faces of closed surfaces; none for nullptr.
+   * Find the culled faces for valid tags: faces outside `culling` and, with `hideBackFaces`, back
+   * faces of closed surfaces. With nullptr, no face is culled.
    */
   void UpdateSight(vtkAdaptiveRefinement* recipe, const CullingView* culling, bool hideBackFaces);
 
   /**
-   * Evaluate levels and group faces, for a valid mesh. False when depth-tags cannot be used. Of
-   * several views (passes with cameras of their own, several renderers or actors) the latest are
-   * kept. For `culling` and `hideBackFaces` see UpdateSight(). With `onGPU` only tags are
-   * evaluated: the GPU does the rest.
+   * Evaluate the levels of a valid mesh and group its faces. Return false if depth-tags cannot be
+   * used. The results of the latest views are cached (passes with separate cameras, several
+   * renderers or actors). For `culling` and `hideBackFaces` see UpdateSight(). With `onGPU` only
+   * tags are evaluated, and the GPU does the rest.
    */
   bool UpdateSelection(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
     const RefinementView& view, const CullingView* culling, bool hideBackFaces, bool onGPU);
 
-  /// What of the mesh is out of sight, and when it was made.
+  /// Return the data for culling, and their modification time.
   const FaceCulling& GetCulling(vtkAdaptiveRefinement* recipe);
   vtkMTimeType GetCullingTime() const { return this->CullingTime; }
 
-  /// Evaluate levels anew, with the next update.
+  /// Make the levels out of date.
   void ForgetLevels();
 
   /// See ViewSelection::Assign().
@@ -96,38 +96,40 @@ public:
   }
 
   /**
-   * Bounds of all that is drawn, for a valid mesh: refined faces, vertices and lines.
+   * Compute the bounds of everything that is drawn for a valid mesh: refined faces, vertices and
+   * lines.
    */
   void GetBounds(vtkAdaptiveRefinement* recipe, double bounds[6]);
 
   //@{
   /**
-   * What the last update had to say, once; empty for nothing.
+   * Return the error or warning of the last update, once; empty for none.
    */
   std::string TakeError();
   std::string TakeWarning();
   //@}
 
-  /// Forget the mesh and its views; GetNumberOfSelections() counts on.
+  /// Remove the mesh and its views. GetNumberOfSelections() is not reset.
   void Clear();
-  /// Whether there has been an input since then.
+  /// Return whether there has been an input since the last Clear().
   bool HasMesh() const { return !this->MeshDependencies.IsEmpty(); }
 
   const RefinementMesh& GetMesh() const { return *this->Mesh; }
   bool IsMeshValid() const { return this->MeshValid; }
   vtkMTimeType GetMeshTime() const { return this->MeshTime; }
 
-  /// What VTK can take of the input: nothing but points until a mesh is prepared. With normals
-  /// where they had to be computed and ghosts emptied: see EmptyGhosts().
+  /// Return the input without cells that VTK cannot use; before a mesh is prepared it has only
+  /// points. Missing normals have been computed and ghost cells emptied, see EmptyGhosts().
   vtkPolyData* GetPreparedInput() { return this->PreparedInput; }
 
-  /// The selection of the last view.
+  /// Return the selection of the last view.
   const ViewSelection& GetSelection() const { return *this->Current; }
-  /// Where that view is kept, in [0, MaximumViews).
+  /// Return the slot of that view, in [0, MaximumViews).
   int GetSelectionSlot() const { return static_cast<int>(this->Current - this->Views.data()); }
   static constexpr int MaximumViews = 4;
 
-  /// Triangles of the selection, less those over no-data, as they were when it was made.
+  /// Return the number of triangles of the selection, without those over no data, at the time of
+  /// the selection.
   FaceSums CountTriangles() { return this->Current->CountTriangles(); }
 
   vtkIdType GetNumberOfSelections() const { return this->NumberOfSelections; }
@@ -147,11 +149,11 @@ private:
   std::shared_ptr<const GlobalSurfaceInfo> Whole;
   vtkTimeStamp WholeTime;
   std::shared_ptr<MetricCache> Cache;
-  // Shared with the views that it was drawn in.
+  // Shared with the views that were drawn with this mesh.
   std::shared_ptr<const RefinementMesh> Mesh = std::make_shared<RefinementMesh>();
   Dependencies MeshDependencies;
   bool MeshValid = false;
-  bool NeedsUnitNormals = false; // of the input
+  bool NeedsUnitNormals = false; // whether the input needs unit normals
   vtkTimeStamp MeshTime;
   vtkNew<vtkPolyData> PreparedInput;
 
@@ -166,7 +168,7 @@ private:
 
   struct View
   {
-    // To compare, never read.
+    // For comparison; they are not dereferenced.
     const vtkCamera* Camera = nullptr;
     const vtkMatrix4x4* ModelToWorld = nullptr;
     vtkTypeUInt64 LastUse = 0;
@@ -179,7 +181,7 @@ private:
 
   std::string Error;
   std::string Warning;
-  // That were reported last.
+  // The errors that were reported last.
   std::string ArrayError;
   std::string RecipeError;
   std::string PatternError;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ViewSelection
- * @brief   the levels of a mesh for one view, and the faces to draw, kept until something changes
+ * @brief   the cached levels of a mesh for one view, and the faces to draw
  *
- * Tags are evaluated anew when the mesh, the recipe or, for view-dependent metrics, the view
- * changed, and levels when the tags or what is added to them changed; faces are grouped anew when
- * their levels or the faces in view changed. CPU side only.
- * Private to the module.
+ * Tags are evaluated again when the mesh, the recipe or, for view-dependent metrics, the view has
+ * changed. Levels are evaluated again when the tags or their offset have changed. Faces are grouped
+ * again when their levels or the visible faces have changed. It runs on the CPU. Private to the
+ * module.
  */
 #ifndef ViewSelection_h
 #define ViewSelection_h
@@ -34,31 +34,31 @@ struct RefinementView;
 class RefinementMesh;
 class MetricCache;
 
-/// What a mapper draws.
+/// The input of a mapper.
 struct SelectionInput
 {
   vtkPolyData* Input;
   vtkAdaptiveRefinement* Recipe;
   std::shared_ptr<const RefinementMesh> Mesh;
   vtkMTimeType MeshTime;
-  /// When what is known of the whole changed that the mesh is a piece of.
+  /// When the information on the whole surface has changed, if the mesh is a piece.
   vtkMTimeType WholeTime;
   /// See GetHighestTag().
   int HighestTag;
 };
 
-/// Which faces are culled.
+/// The input for culling.
 struct CullingInput
 {
-  /// nullptr where all faces are drawn.
+  /// nullptr if all faces are drawn.
   const FaceCulling* Culling;
   vtkMTimeType CullingTime;
   const CullingView* View;
-  /// Whether back faces of closed surfaces are culled too.
+  /// Whether back faces of closed surfaces are culled, too.
   bool HidesBackFaces;
 };
 
-/// A sum over the faces that are drawn, and one over those that are culled.
+/// The sums over the drawn faces and over the culled faces.
 struct FaceSums
 {
   vtkIdType Drawn = 0;
@@ -68,50 +68,51 @@ struct FaceSums
 class ViewSelection
 {
 public:
-  /// Compute tags from what other views share.
+  /// Share the cached evaluator of the metric with other views.
   void SetMetricCache(std::shared_ptr<MetricCache> cache)
   {
     this->Tags.SetSource(std::move(cache));
   }
 
   /**
-   * Evaluate tags if need be, or leave it to the GPU `onGPU`, see EdgeTags::ComputeOrDescribe().
-   * False, with an error the first time, when they cannot be used.
+   * Evaluate the tags if they are out of date, or leave it to the GPU if `onGPU` is true, see
+   * EdgeTags::ComputeOrDescribe(). If they cannot be used, return false and set an error the first
+   * time.
    */
   bool UpdateTags(
     const SelectionInput& input, const RefinementView& view, bool onGPU, std::string& error);
 
   const EdgeTags& GetTags() const { return this->Tags; }
-  /// When the tags last changed.
+  /// Return when the tags last changed.
   vtkMTimeType GetTagsTime() const { return this->TagsTime; }
 
   /**
-   * Choose levels if need be, for valid tags. `offset` is added to the recipe's own. Returns
-   * whether they are new. With `onGPU` the GPU does the choosing.
+   * Select levels for valid tags, if they are out of date. `offset` is added to the recipe's
+   * offset. Return whether they are new. With `onGPU`, the GPU selects.
    */
   bool UpdateLevels(const SelectionInput& input, double offset, bool onGPU);
 
   /**
-   * Find the faces that are culled if need be.
+   * Find the culled faces, if they are out of date.
    */
   void UpdateSight(const CullingInput& culling);
-  /// A byte per face, not 0 for those that are culled; nullptr where all are drawn.
+  /// Return one byte per face, not 0 for culled faces; nullptr if all faces are drawn.
   const unsigned char* GetHidden() const
   {
     return this->NumberOfHiddenFaces > 0 ? this->Hidden.data() : nullptr;
   }
-  /// When the culled faces last changed.
+  /// Return when the culled faces last changed.
   vtkMTimeType GetSightTime() const { return this->SightTime; }
 
   /**
-   * Group the faces that are drawn if need be, for valid levels.
+   * Group the drawn faces for valid levels, if the groups are out of date.
    */
   void UpdateGroups(const CullingInput& culling);
 
-  /// Know what displacement leaves out of the triangles, since a time.
+  /// Set the holes of the displacement, valid since a time; they reduce the number of triangles.
   void SetHoles(const HeightValidity& holes, vtkMTimeType time);
 
-  /// Evaluate all anew, with the next update.
+  /// Make all results out of date.
   void Forget()
   {
     this->TagDependencies.Clear();
@@ -120,28 +121,28 @@ public:
 
   const PatternSelection& GetSelection() const { return this->Selection; }
 
-  /// Take over what the GPU has chosen for each face, see PatternSelection::Assign(), and which
-  /// faces it has culled.
+  /// Store the patterns that the GPU has selected for each face, see PatternSelection::Assign(),
+  /// and the faces that it has culled.
   void Assign(const PatternFamily& family, std::vector<unsigned int> entries,
     std::vector<float> morphTags, std::vector<unsigned char> hidden);
 
-  /// The mesh that levels were chosen for, even if its input has changed since.
+  /// Return the mesh that the levels belong to, even if its input has changed since.
   const RefinementMesh& GetMesh() const;
 
-  /// When the levels and the groups last changed.
+  /// Return when the levels and the groups last changed.
   vtkMTimeType GetLevelsTime() const { return this->LevelsTime; }
   vtkMTimeType GetGroupsTime() const { return this->GroupsTime; }
 
-  /// Seconds the last evaluation and the last grouping took.
+  /// Return the seconds of the last evaluation and grouping.
   double GetSeconds() const
   {
     return this->TagsSeconds + this->LevelsSeconds + this->SightSeconds + this->GroupsSeconds;
   }
 
-  /// Faces that were culled.
+  /// Return the number of culled faces.
   int GetNumberOfHiddenFaces() const { return this->NumberOfHiddenFaces; }
 
-  /// The sums of getNumber(face).
+  /// Return the sums of getNumber(face).
   template <typename GetNumber>
   FaceSums SumOverFaces(const GetNumber& getNumber) const
   {
@@ -154,7 +155,7 @@ public:
     return sums;
   }
 
-  /// Triangles of the faces, less those over no-data.
+  /// Return the number of triangles, without those over no data.
   FaceSums CountTriangles();
 
 private:
@@ -168,7 +169,7 @@ private:
   Dependencies LevelDependencies;
   Dependencies GroupDependencies;
   Dependencies SightDependencies;
-  bool Valid = false; // tags
+  bool Valid = false; // whether the tags are valid
   vtkTimeStamp TagsTime;
   vtkTimeStamp SightTime;
   vtkTimeStamp LevelsTime;
