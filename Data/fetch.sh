@@ -2,18 +2,18 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Makes real relief and the satellite image that goes with it available, out of Debian's (Ubuntu's)
-# package archive: the package is downloaded and unpacked, not installed. Needs no root.
+# Makes a height map and its satellite image available. It downloads and unpacks a package of Debian
+# or Ubuntu, without installing it and without root.
 #
 #   bash Data/fetch.sh [FOLDER]
 #
-# FOLDER keeps the files (default: data/ in the build folder, which is build/ or RELEVO_BUILD_DIR).
-# Running it again finds them there, without a network. Standard output is
+# FOLDER gets the files (default: data/ in the build folder, which is build/ or RELEVO_BUILD_DIR).
+# Later runs find them there and need no network. Standard output is only
 #
 #   RELIEF=path of the height map
 #   IMAGERY=path of the image
 #
-# and nothing else; exit code 1, with the reason on standard error, when they cannot be had.
+# If the files are not available, the exit code is 1, and standard error has the reason.
 set -euo pipefail
 
 case ${1:-} in
@@ -41,31 +41,32 @@ folder=$(cd "$folder" && pwd)
 if [ ! -s "$folder/$relief" ] || [ ! -s "$folder/$imagery" ]; then
   for tool in apt-get dpkg-deb; do
     command -v "$tool" >/dev/null ||
-      fail "$tool is missing: this needs Debian or Ubuntu; name a height map of your own instead"
+      fail "there is no $tool: downloading needs Debian or Ubuntu; use your own height map instead"
   done
   work=$(mktemp -d "$folder/fetch.XXXXXX")
   trap 'rm -rf "$work"' EXIT
 
-  # Root hands downloads to the user _apt, who may not write here.
+  # As root, apt-get would download as the user _apt, who cannot write to this folder.
   download() {
     (cd "$work" && apt-get -qq -o APT::Sandbox::User= "$@" download "$package") \
       >"$work/log" 2>&1
   }
   echo "Downloading $package ..." >&2
   if ! download; then
-    # No package lists, or old ones: new ones in a place of our own, which anybody may write.
+    # The package lists may be missing or old. Download new ones to a folder that any user can
+    # write.
     mkdir -p "$work/state/lists/partial" "$work/cache/archives/partial"
     own_lists=(-o "Dir::State::lists=$work/state/lists" -o "Dir::Cache=$work/cache")
     echo "Updating the list of packages ..." >&2
     apt-get -qq -o APT::Sandbox::User= "${own_lists[@]}" update >"$work/log" 2>&1 || true
     download "${own_lists[@]}" || {
       cat "$work/log" >&2
-      fail "apt-get cannot download $package (no network?); name a height map of your own instead"
+      fail "apt-get cannot download $package; check the network, or use your own height map instead"
     }
   fi
-  dpkg-deb -x "$work/$package"_*.deb "$work/root" || fail "$package cannot be unpacked"
+  dpkg-deb -x "$work/$package"_*.deb "$work/root" || fail "cannot unpack $package"
   for file in "$relief" "$imagery"; do
-    [ -s "$work/root/$inside/$file" ] || fail "$package no longer holds $inside/$file"
+    [ -s "$work/root/$inside/$file" ] || fail "$package does not contain $inside/$file"
     mv "$work/root/$inside/$file" "$folder/$file"
   done
 fi

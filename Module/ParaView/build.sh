@@ -2,18 +2,19 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Builds the plugin for ParaView into build-paraview/: installs what is missing (Debian, Ubuntu),
-# takes the ParaView that is installed or unpacks Debian's into the build folder, where it does not
-# get in the way of VTK's own packages, compiles, and leaves build-paraview/env.sh to source. After
-# that paraview, pvserver, pvbatch and pvpython load the plugin Relevo themselves.
+# Builds the plugin for ParaView into build-paraview/. On Debian and Ubuntu it first installs
+# missing packages. It uses the installed ParaView. If there is none, it unpacks Debian's into the
+# build folder, because Debian's packages of ParaView and VTK conflict. Then it compiles, and writes
+# build-paraview/env.sh for you to source. After that, paraview, pvserver, pvbatch and pvpython load
+# the plugin.
 #
-#   bash Module/ParaView/build.sh [--no-install] [CMake's own arguments...]
+#   bash Module/ParaView/build.sh [--no-install] [CMake arguments...]
 #
-#   --no-install   leave the machine's packages alone
+#   --no-install   do not install packages
 #
-# RELEVO_PARAVIEW_BUILD_DIR is the folder to build in (default: build-paraview beside README.md).
-# ParaView_DIR, of the environment or as CMake's argument -DParaView_DIR=..., names another ParaView,
-# 5.11 or later.
+# RELEVO_PARAVIEW_BUILD_DIR sets the build folder (default: build-paraview, beside README.md). To
+# use another ParaView, 5.11 or later, set ParaView_DIR in the environment or pass
+# -DParaView_DIR=...
 set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -34,8 +35,8 @@ for argument in "$@"; do
   esac
 done
 
-# What ParaView's VTK is compiled with and runs with. VTK's own packages would bring it, but in most
-# releases would also remove an installed ParaView.
+# Packages that ParaView's VTK needs. They are dependencies of VTK's packages, but in most releases
+# installing those would remove ParaView.
 paraview_packages="
 libdouble-conversion-dev
 libeigen3-dev
@@ -55,8 +56,8 @@ if [ $install = yes ]; then
   fi
 fi
 
-# An installed one, or one of Debian's packages that are unpacked and not installed. Debian 13 and
-# later install files for CMake that name modules of Python which are not there.
+# Use the installed ParaView, or unpack Debian's. In Debian 13 and later, CMake files of an
+# installed ParaView name Python modules that do not exist.
 if [ -z "${ParaView_DIR:-}" ]; then
   prefix=/usr
   if ! is_installed paraview-dev ||
@@ -81,4 +82,4 @@ cmake -S "$source_dir" -B "$build_dir" -DRELEVO_BUILD_PARAVIEW=ON -DRELEVO_WRAP_
   -DRELEVO_BUILD_EXAMPLES=OFF -DParaView_DIR="$ParaView_DIR" "${cmake_arguments[@]}"
 cmake --build "$build_dir" --parallel "$(nproc)"
 
-echo "build.sh: built; now:  . $build_dir/env.sh"
+echo "build.sh: the build is complete. To use it, run:  . $build_dir/env.sh"

@@ -2,21 +2,21 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Runs the tests of the plugin for ParaView that Module/ParaView/build.sh has built. Exits with 0 if
-# all passed, with 125 if there is no plugin.
+# Tests the plugin for ParaView that Module/ParaView/build.sh has built. The exit code is 0 if all
+# tests passed and 125 if there is no plugin.
 #
 #   bash Testing/ParaView/run.sh [--no-install] [NAME...]
 #
-#   --no-install   leave the machine's packages alone
+#   --no-install   do not install packages
 #
-# RELEVO_PARAVIEW_BUILD_DIR is the folder it was built in (default: build-paraview beside README.md),
-# RELEVO_BUILD_DIR that of the Python package, for TestPackage (default: build).
+# RELEVO_PARAVIEW_BUILD_DIR is the build folder of the plugin (default: build-paraview, beside
+# README.md). RELEVO_BUILD_DIR is that of the Python package, for TestPackage (default: build).
 set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build_dir=${RELEVO_PARAVIEW_BUILD_DIR:-$source_dir/build-paraview}
 if [ ! -f "$build_dir/env.sh" ]; then
-  echo "skipped: there is no plugin; bash Module/ParaView/build.sh builds it"
+  echo "skipped: there is no plugin; to build it, run: bash Module/ParaView/build.sh"
   exit 125
 fi
 if [ "${1:-}" = --no-install ]; then
@@ -36,8 +36,8 @@ if [ -z "${DISPLAY:-}" ]; then
   exec xvfb-run -a -s "-noreset -screen 0 1280x1024x24" bash "${BASH_SOURCE[0]}" --no-install "$@"
 fi
 
-# Tests on several ranks run one after the other, and beside them those on one: ranks that wait for
-# each other slow down all that has no processor of its own.
+# Tests on several ranks run one after the other, in parallel with those on one rank. Ranks that
+# wait for each other occupy a processor, so more tests at once would be slower.
 names_of_ranks=() names=()
 if [ $# -eq 0 ]; then
   set -- TestRanks TestFilterRanks TestTranslucent TestLICRanks TestSelection TestLooks TestBadInput \
@@ -52,7 +52,7 @@ for name in "$@"; do
   fi
 done
 
-# In a container Open MPI is asked to run as root, and on more ranks than there are processors.
+# In a container Open MPI must run as root, and with more ranks than processors.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 work_dir=$(mktemp -d)
 trap 'rm -rf "$work_dir"' EXIT
