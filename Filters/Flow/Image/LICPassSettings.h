@@ -32,8 +32,8 @@ struct LICPassSettings
 };
 
 /**
- * `longest` is the length of the longest vector, by which vectors are divided if they are not
- * normalized.
+ * `longest` is the length of the longest vector. Without normalization, the passes use vectors that
+ * are divided by it.
  */
 RELEVOFILTERSFLOW_EXPORT LICPassSettings MakeLICPassSettings(
   vtkLICSettings* settings, double longest, float noiseMean);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CurvedScalars
- * @brief   splits a ray where scalars are not linear into parts where they are
+ * @brief   splits a ray into parts along which scalars are nearly linear
  *
  * Private to the module.
  */

@@ -18,8 +18,7 @@ namespace relevo
 {
 class VolumeCells;
 
-/// Returns for each point the first coincident point with the same scalars, which may be the point
-/// itself.
+/// Returns for each point the first coincident point, or the point itself if the scalars differ.
 RELEVOFILTERSVOLUME_EXPORT std::vector<vtkIdType> FindMergedPoints(const VolumeCells& cells);
 }
 
