@@ -36,14 +36,14 @@ STYLES = "Adaptive Refinement", "Surface"
 
 
 def find_plugin(name):
-    """The file of one of ParaView's own plugins, or None."""
+    """The file of one of ParaView's plugins, or None."""
     prefix = pathlib.Path(paraview.__file__).parents[4]
     return next(map(str, prefix.glob(f"lib*/**/plugins/{name}/{name}.so")), None)
 
 
 def define_filter(name, of_class, properties):
-    """Makes a class of filters known to all ranks, and returns what makes one. Each property is None
-    at first; it can also be the plugin's proxy of that group and name."""
+    """Registers a class of filters on all ranks. Returns a function that creates one. Each property
+    is None at first, and may also be the plugin's proxy of this group and name."""
     made = {__name__: None}
     text = "".join(PROPERTY.format(each, *properties[each]) for each in properties)
     with tempfile.TemporaryDirectory() as folder:
@@ -68,7 +68,7 @@ def view(size=(300, 200)):
 
 
 def show(source, in_view, representation="Adaptive Refinement", **properties):
-    """Shows a source in one grey, as `representation` with these properties."""
+    """Shows a source in grey as `representation` with these properties."""
     result = simple.Show(source, in_view)
     result.Representation = representation
     result.ColorArrayName = ["POINTS", ""]
@@ -77,7 +77,7 @@ def show(source, in_view, representation="Adaptive Refinement", **properties):
 
 
 def set_properties(proxy, properties):
-    """By the names of ParaView 5.11, which later versions know when they are asked to."""
+    """Uses the property names of ParaView 5.11, which later versions accept on request."""
     version = paraview.compatibility
     version.major, version.minor = 5, 11
     for name, value in properties.items():
@@ -86,13 +86,13 @@ def set_properties(proxy, properties):
 
 
 def picture(of_view):
-    """What a view shows: rows x columns x 3 unsigned bytes, the lowest row first."""
+    """The picture of a view: rows x columns x 3 unsigned bytes, lowest row first."""
     simple.Render(of_view)
     return pixels(of_view.CaptureWindow(1))
 
 
 def drawn(view):
-    """What the latest frame of a view was; nothing is drawn anew."""
+    """The latest frame of a view, without a new one."""
     grabber = vtkWindowToImageFilter()
     grabber.SetInput(view.GetRenderWindow())
     grabber.ShouldRerenderOff()
@@ -102,23 +102,23 @@ def drawn(view):
 
 
 def pixels(image):
-    """Rows x columns x 3 unsigned bytes, the lowest row first."""
+    """Rows x columns x 3 unsigned bytes, lowest row first."""
     columns, rows, _ = image.GetDimensions()
     return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, columns, -1)[..., :3].copy()
 
 
 def differing(one, other, tolerance=2):
-    """How many pixels differ by more than `tolerance` of 255 in some component."""
+    """Number of pixels that differ by more than `tolerance` of 255 in some component."""
     return int((numpy.abs(one.astype(int) - other).max(axis=2) > tolerance).sum())
 
 
 def foreground(of_picture):
-    """How many pixels do not have the colour of the lower left corner."""
+    """Number of pixels whose colour differs from the lower left corner."""
     return differing(of_picture, numpy.broadcast_to(of_picture[0, 0], of_picture.shape), 0)
 
 
 def statistic(view, name):
-    """A number that the mapper of the last surface shown prints."""
+    """A counter of the mapper of the last surface shown."""
     actors = list(view.GetClientSideObject().GetRenderer().GetActors())
     texts = [str(actor.GetMapper()) for actor in actors if actor.GetVisibility()]
     return int(re.findall(rf"\b{name}: (\d+)", "".join(texts))[-1])
@@ -130,7 +130,7 @@ def copy_camera(source, target):
 
 
 def write_heights(path, size=33):
-    """A hill in the middle of a raster of 16 bits."""
+    """A hill in the middle of a 16-bit raster."""
     middle = (size - 1) / 2
     row, column = numpy.mgrid[:size, :size] - middle
     heights = 10 * numpy.clip(1 - numpy.hypot(row, column) / middle, 0, None)
@@ -138,7 +138,7 @@ def write_heights(path, size=33):
 
 
 def write_png(path, values):
-    """Rows x columns, or rows x columns x components; the lowest row first."""
+    """Rows x columns, or rows x columns x components, lowest row first."""
     image = vtkImageData()
     image.SetDimensions(values.shape[1], values.shape[0], 1)
     components = values.shape[2] if values.ndim > 2 else 1
@@ -182,7 +182,8 @@ def corners(source, names):
 
 
 def in_order(triangles):
-    """Each with its smallest corner first, and they in order: whoever has them, and as what."""
+    """Sorts triangles and their corners, so that the result does not depend on ranks and cell
+    types."""
     corner = numpy.unique(triangles.reshape(-1, triangles.shape[2]), axis=0, return_inverse=True)[1]
     first = corner.reshape(-1, 3).argmin(axis=1)
     turns = (first[:, None] + numpy.arange(3)) % 3
@@ -192,7 +193,7 @@ def in_order(triangles):
 
 
 def count_open_edges(triangles):
-    """Edges that a single triangle has, by coordinates."""
+    """Number of edges with a single triangle, by coordinates."""
     points = triangles[:, :, :3].reshape(-1, 3)
     ids = numpy.unique(points, axis=0, return_inverse=True)[1].reshape(-1, 3)
     edges = numpy.sort(numpy.concatenate([ids[:, [0, 1]], ids[:, [1, 2]], ids[:, [2, 0]]]), axis=1)
@@ -201,7 +202,7 @@ def count_open_edges(triangles):
 
 @contextlib.contextmanager
 def messages():
-    """What is told meanwhile: a function that gives the text."""
+    """Captures messages. Returns a function that returns their text."""
     window, previous = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
     vtkOutputWindow.SetInstance(window)
     try:
@@ -211,13 +212,13 @@ def messages():
 
 
 def compare_with_one_rank(path, pictures, limits):
-    """On one rank writes pictures to a file, and returns how many show next to nothing or what
-    another shows; on several compares them with those, and returns how many differ at more pixels
-    than they may."""
+    """On one rank, writes pictures to a file and returns the number of pictures that are almost
+    empty or equal another one. On several ranks, compares with this file and returns the number of
+    pictures with too many different pixels."""
     ranks = vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
     if ranks == 1:
         numpy.savez(path, **pictures)
-        # Not sum(): a programmable source puts functions of that name among Python's own.
+        # Not sum(): a programmable source replaces the built-in function by another of this name.
         empty = [name for name, picture in pictures.items() if foreground(picture) < 1000]
         alike = [
             pair
@@ -236,7 +237,7 @@ def compare_with_one_rank(path, pictures, limits):
 
 
 def clear():
-    """Deletes views first: ParaView 5.11 does not end well after ResetSession() with two windows."""
+    """Deletes views first: ParaView 5.11 may crash after ResetSession() with two windows."""
     for each in simple.GetViews():
         simple.Delete(each)
     for each in list(simple.GetSources().values()):
@@ -248,13 +249,13 @@ class TestCase(unittest.TestCase):
         clear()
 
     def assert_same_picture(self, one, other, pixels=0):
-        """Two views show the same, but for some pixels, and not nothing."""
+        """Two views show the same, except for some pixels, and are not empty."""
         expected = picture(other)
         self.assertGreater(foreground(expected), 1000)
         self.assertLessEqual(differing(picture(one), expected), pixels)
 
     def compare(self, source, pixels=0, twin=None, prepare=None, styles=STYLES, **properties):
-        """The picture of Adaptive Refinement with these properties against that of Surface."""
+        """Compares pictures of Adaptive Refinement with these properties and of Surface."""
         views = view(), view()
         refined = show(source, views[0], styles[0], **properties)
         surface = show(twin or source, views[1], styles[1])
@@ -268,7 +269,7 @@ class TestCase(unittest.TestCase):
 
 
 def main():
-    """Runs the tests of the calling script; the exit status tells whether they passed."""
+    """Runs the tests of the calling script. The exit status is 0 if they pass."""
     result = unittest.main(argv=["test"], exit=False, verbosity=2).result
-    if not result.wasSuccessful():  # else pvbatch ends MPI
+    if not result.wasSuccessful():  # otherwise pvbatch ends MPI
         raise SystemExit(1)

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bad input is told once, not in every frame; the rest of the scene is drawn, and nothing hangs.
+"""Proves paraview.md: invalid input is reported once, not in every frame. The rest of the scene is
+drawn, and no rank hangs.
 
-The tests run scenes in processes of their own: pvbatch TestBadInput.py SCENE...
-"""
+The tests run scenes in separate processes: pvbatch TestBadInput.py SCENE..."""
 
 import os
 import re
@@ -55,7 +55,7 @@ points.SetPoint(3, float("nan"), 0, 0)
 output.VTKObject.SetPoints(points)
 """
 
-# Not what MPI has set for this process: others would take themselves for parts of it.
+# Without the variables that MPI has set for this process; other processes would otherwise join it.
 ENVIRONMENT = {
     name: value
     for name, value in os.environ.items()
@@ -82,7 +82,7 @@ def show_variation(view, source):
 SCENES = {
     "good": lambda view: relevo.show(sphere(), view),
     "no file": lambda view: show_displaced(view, sphere(), "/nowhere/heights.png"),
-    # Relative: only rank 0 runs in the folder that has it.
+    # A relative path: only rank 0 runs in the folder with this file.
     "file": lambda view: show_displaced(
         view, simple.TextureMaptoSphere(Input=sphere()), "heights.png"
     ),
@@ -97,7 +97,7 @@ SCENES = {
 
 
 def draw(name):
-    """A good sphere beside what is wrong; two frames, each from elsewhere."""
+    """A valid sphere beside the invalid object, in two frames from different positions."""
     relevo.clear()
     view = relevo.view()
     relevo.show(simple.Sphere(Center=[1.5, 0, 0]), view, "Surface")
@@ -120,7 +120,7 @@ class TestBadInput(relevo.TestCase):
         relevo.write_heights(os.path.join(self.folder, "heights.png"))
 
     def run_scenes(self, names, ranks=1, **environment):
-        """The errors and warnings of each scene, and the pixels of what was bad."""
+        """The errors and warnings of each scene, and the pixels of the invalid object."""
         command = ["mpirun", "--oversubscribe"]
         for folder in (self.folder, "/")[:ranks]:
             command += ["-n", "1", "--wdir", folder, "pvbatch", os.path.abspath(__file__), *names, ":"]
@@ -133,7 +133,7 @@ class TestBadInput(relevo.TestCase):
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,
-            timeout=180,  # none hangs, but the machine may be busy
+            timeout=180,  # no run hangs, but the machine may be busy
         )
         self.assertEqual(result.returncode, 0, result.stdout)
         scenes = result.stdout.split("drawn: ")
@@ -146,7 +146,8 @@ class TestBadInput(relevo.TestCase):
         return found
 
     def assert_told(self, found, *words):
-        """One message for each of `words`, in this order; returns the pixels of what was bad."""
+        """Expects one message for each of `words`, in this order. Returns the pixels of the invalid
+        object."""
         messages, bad = found
         self.assertEqual(len(messages), len(words), messages)
         for message, expected in zip(messages, words):
@@ -167,7 +168,7 @@ class TestBadInput(relevo.TestCase):
         self.assertGreater(self.assert_told(found["good"]), 2000)
 
     def test_one_of_two_processes(self):
-        """It tells, and the other one draws its part."""
+        """The rank with the invalid array reports it, and the other one draws its part."""
         short = 'Array "Short" has too few tuples and is left out.'
         words = {
             "file": ["Cannot read heights.png: the file does not exist."],
@@ -214,12 +215,13 @@ class TestBadInput(relevo.TestCase):
         command = ["pvpython", os.path.abspath(__file__), "good"]
         messages, bad = self.read_scenes(["good"], command, {"RELEVO_PORT": port})["good"]
         self.assertEqual(bad, 0)
-        self.assertEqual(len(messages), 2)  # of the client, and of the server
+        self.assertEqual(len(messages), 2)  # one of the client and one of the server
         for message in messages:
             self.assertIn("No representation was found with Name: Adaptive Refinement", message)
 
     def test_states_of_other_versions(self):
-        """Properties that a state file has not have their defaults; unknown ones are ignored."""
+        """Properties that are missing in a state file have their defaults, and unknown ones are
+        ignored."""
         view = relevo.view()
         relevo.show(sphere(), view, MaximumLevel=2, Metric="Curvature", Surface="PN Triangles")
         relevo.picture(view)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the page says to those who come from Warp By Scalar, Extrusion Surface and Surface LIC."""
+"""Proves paraview.md on replacing Warp By Scalar, Extrusion Surface and Surface LIC."""
 
 import glob
 import os
@@ -19,7 +19,7 @@ def points(source):
 
 class TestEquivalents(relevo.TestCase):
     def test_warp_by_scalar(self):
-        """The same places over the centres of the raster's texels."""
+        """Points at texel centres have the same positions."""
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "heights.png")
             heights = numpy.random.default_rng(1).integers(0, 1000, (17, 17))
@@ -46,7 +46,7 @@ class TestEquivalents(relevo.TestCase):
                     self.assertLess(abs(found[number] - expected).max(), 1e-4)
 
     def test_extrusion_surface(self):
-        """A sphere of length 1 that grows by 20 percent of it."""
+        """A sphere of length 1 is displaced by 20 percent of it."""
         plugin = relevo.find_plugin("EmbossingRepresentations")
         if not plugin:
             self.skipTest("this ParaView has no Extrusion Surface")
@@ -66,7 +66,7 @@ class TestEquivalents(relevo.TestCase):
         shown[1].Displacement = "Height Map"
         shown[1].Displacement.Offset = 0.2
         for view in views:
-            relevo.picture(view)  # the first frame of a session moves the camera
+            relevo.picture(view)  # ParaView moves the camera in the first frame of a session
         simple.ResetCamera(views[2])
         for view in views[1::-1]:
             relevo.copy_camera(views[2], view)
@@ -75,7 +75,7 @@ class TestEquivalents(relevo.TestCase):
             self.assert_same_picture(view, views[2], 100)
 
     def test_surface_lic(self):
-        """All its settings are there, but for these."""
+        """All its settings are available, except for these."""
         shown = relevo.show(simple.Sphere(), relevo.view()).SMProxy
         groups = map(shown.GetPropertyGroup, range(shown.GetNumberOfPropertyGroups()))
         names = {

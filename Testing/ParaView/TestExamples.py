@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The examples run without files of the user's, and draw something."""
+"""Proves that the examples for ParaView run without files of the user and draw something."""
 
 import os
 import pathlib

@@ -1,10 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Filters on several ranks make what they make on one, to the bit. The first run, on one rank, writes
-that to a file:
+"""Proves paraview.md: filters give the same result on several ranks as on one, bit for bit. The
+first run, on one rank, writes its results to a file:
 
-mpirun -n RANKS pvbatch TestFilterRanks.py FILE.npz
-"""
+mpirun -n RANKS pvbatch TestFilterRanks.py FILE.npz"""
 
 import sys
 
@@ -60,7 +59,7 @@ for cell in range(output.GetNumberOfCells()):
 output.GetCellData().AddArray(ids)
 """
 
-# Two on the first rank, one on each other.
+# Two pieces on the first rank, one on each other.
 PIECES = """
 from vtkmodules.vtkCommonDataModel import vtkMultiPieceDataSet
 from vtkmodules.vtkFiltersSources import vtkSphereSource
@@ -91,7 +90,7 @@ def make_sources():
     sources = {}
     for name, (source, _, _) in TestRanks.make_sources().items():
         if name == "without normals":
-            source = simple.Calculator(  # what ParaView distributes has points of type double
+            source = simple.Calculator(  # ParaView redistributes points as doubles
                 Input=simple.ExtractSurface(Input=source),
                 CoordinateResults=1,
                 Function="coords",
@@ -117,16 +116,16 @@ def make_all():
 
 
 def tagged_corners(tags):
-    """Like relevo.corners(), with tags and the levels of edges; of triangles alone."""
+    """Like relevo.corners(), with tags and edge levels, for triangles only."""
     results = []
-    # As a block: ParaView 6 loses cell data where it puts pieces together one of which is empty.
+    # As a block: ParaView 6 loses cell data when it merges pieces one of which is empty.
     for mesh in relevo.leaves(simple.GroupDatasets(Input=[tags])):
         points = vtk_to_numpy(mesh.GetPoints().GetData())
         tag = vtk_to_numpy(mesh.GetPointData().GetArray("DepthTag"))
         levels = mesh.GetCellData().GetArray("EdgeLevels")
         mesh.BuildCells()
         for cell in range(mesh.GetNumberOfCells()):
-            if mesh.GetCellType(cell) == 5:  # a triangle
+            if mesh.GetCellType(cell) == 5:  # triangles
                 ids = [mesh.GetCell(cell).GetPointId(i) for i in range(3)]
                 results.append(
                     numpy.column_stack([points[ids], tag[ids], levels.GetTuple3(cell)])
@@ -135,7 +134,7 @@ def tagged_corners(tags):
 
 
 def count_wrong_ids():
-    """Refined cells whose vtkOriginalCellIds are not the ids that they had on their rank."""
+    """Refined cells whose vtkOriginalCellIds differ from the ids on their rank."""
     source = TestRanks.make_sources()["scattered"][0]
     numbered = simple.ProgrammableFilter(
         Input=source, OutputDataSetType="vtkPolyData", Script=WITH_IDS
@@ -148,8 +147,8 @@ def count_wrong_ids():
 
 
 def goes_on_after_an_error():
-    """Where an array is missing on one rank, that rank alone has no output, and does not wait for the
-    others when the pipeline is updated again."""
+    """If an array is missing on one rank, only this rank has an empty output, and it does not wait
+    for the others in the next update."""
     source = TestRanks.make_sources()["contour"][0]
     broken = simple.ProgrammableFilter(
         Input=source, OutputDataSetType="vtkPolyData", Script=WITHOUT_FIELD
@@ -164,7 +163,7 @@ def goes_on_after_an_error():
 
 
 def goes_on_alone():
-    """Without a controller, a rank that has several pieces does not wait for others."""
+    """Without a controller, a rank with several pieces does not wait for others."""
     properties = {"Metric": ("metrics", "RegionDepthTagMetric"), "Controller": ("surfaces", "None")}
     make = relevo.define_filter("DepthTagsAlone", "vtkPDepthTagFilter", properties)
     source = simple.ProgrammableSource(OutputDataSetType="vtkMultiblockDataSet", Script=PIECES)
@@ -195,5 +194,5 @@ def main(path):
 
 if __name__ == "__main__":
     status = main(sys.argv[1])
-    if status:  # else pvbatch ends MPI
+    if status:  # otherwise pvbatch ends MPI
         sys.exit(status)

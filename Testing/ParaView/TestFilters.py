@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The filters and the source of the menu Relevo."""
+"""Proves paraview.md on the filters and the source of the menu Relevo."""
 
 import math
 import os
@@ -13,7 +13,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 import RelevoParaView as relevo
 
 
-# A good triangle, and one that refers to a point that is not there.
+# A valid triangle, and one that refers to a missing point.
 MISSING_POINT = """
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray
@@ -47,7 +47,7 @@ def point_values(source, name):
 
 class TestFilters(relevo.TestCase):
     def assert_streaks(self, values, axis):
-        """Neighbours are alike along the axis, and unlike across."""
+        """Neighbours are similar along the axis and differ across it."""
         along, across = (numpy.abs(numpy.diff(values, axis=each)).mean() for each in (axis, 1 - axis))
         self.assertLess(along, 0.5 * across)
 
@@ -66,7 +66,7 @@ class TestFilters(relevo.TestCase):
             self.assertTrue(proxy.GetDocumentation().GetShortHelp(), name)
 
     def test_arrays_of_the_input(self):
-        """Are listed, and chosen, by filters and representations alike."""
+        """Filters and representations offer the same choices."""
         source = simple.Elevation(Input=simple.Sphere(Center=[5, 6, 7]))
         source.UpdatePipeline()
         shown = relevo.show(source, relevo.view())
@@ -88,12 +88,12 @@ class TestFilters(relevo.TestCase):
             self.assertEqual(holder.Surface.AlphaArrayName, "")
 
     def test_streaks_on_surfaces(self):
-        """Around an axis: alike along the circles, unlike from one to the next."""
+        """Around an axis, values are similar along circles and differ between them."""
         sphere = simple.Sphere(ThetaResolution=60, PhiResolution=60)
         flow = with_vectors(sphere, "iHat*coordsY-jHat*coordsX")
         streaks = simple.SurfaceLineIntegralConvolution(Input=flow)
         self.assertEqual(list(streaks.Vectors), ["POINTS", "Flow"])
-        values = point_values(streaks, "LIC")[2:].reshape(60, 58)  # poles, then meridians
+        values = point_values(streaks, "LIC")[2:].reshape(60, 58)  # poles first, then meridians
         self.assert_streaks(values, 0)
 
     def test_streaks_of_images(self):
@@ -103,19 +103,19 @@ class TestFilters(relevo.TestCase):
         self.assert_streaks(values, 1)
 
     def test_geographic_vectors(self):
-        """North on UTM's zone 33, some way east of 15 E."""
+        """North in UTM zone 33, east of 15 E."""
         north = with_vectors(simple.Plane(), "jHat+2*kHat")
         turned = simple.GeographicVectors(Input=north, CoordinateSystem="EPSG:32633")
         turned.Origin = [660000.0, 5592500.0, 0.0]
         turned.Exaggeration = 3.0
         x, y, z = point_values(turned, "Flow")[0]
-        # Convergence of the meridian that is 2.254 degrees east, at 50.46 degrees north.
+        # Convergence of the meridian 2.254 degrees east at 50.46 degrees north.
         convergence = math.atan(math.tan(math.radians(2.254)) * math.sin(math.radians(50.46)))
         self.assertAlmostEqual(math.atan2(x, y), -convergence, delta=2e-4)
         self.assertAlmostEqual(z, 6.0, places=5)
 
     def test_refinement(self):
-        """4^level triangles for each face, also for blocks."""
+        """Each face gives 4^level triangles, also in blocks."""
         sphere = simple.Sphere(ThetaResolution=8, PhiResolution=6)
         blocks = simple.GroupDatasets(Input=[sphere, simple.Sphere(Center=[2, 0, 0])])
         for source in sphere, blocks:
@@ -127,7 +127,7 @@ class TestFilters(relevo.TestCase):
                 self.assertEqual(mesh.GetDataInformation().GetNumberOfCells(), faces * 4**level)
 
     def test_settings_act(self):
-        """Those of what is chosen, too."""
+        """Properties of the chosen proxies take effect."""
         mesh = simple.AdaptiveRefinement(Input=simple.Sphere(), Metric="Region")
 
         def changes(proxy, name, value):
@@ -147,7 +147,7 @@ class TestFilters(relevo.TestCase):
         self.assertTrue(changes(mesh.Displacement, "Offset", 0.5))
 
     def test_depth_tags(self):
-        """What the filter tags, refinement without a metric takes up."""
+        """The refinement filter without a metric uses the tags of the tag filter."""
         sphere = simple.Sphere(ThetaResolution=16, PhiResolution=12)
         deformed = simple.Transform(Input=sphere)
         deformed.Transform.Scale = [1, 1, 3]
@@ -164,7 +164,7 @@ class TestFilters(relevo.TestCase):
         self.assertEqual(*counts)
 
     def test_cells_without_points(self):
-        """What there is of a mesh is tagged; what refers to missing points cannot be refined."""
+        """Valid faces are tagged. Faces with missing points cannot be refined."""
         for point in 3, -1, 10**9:
             source = simple.ProgrammableSource(
                 OutputDataSetType="vtkPolyData", Script=MISSING_POINT.format(point=point)
@@ -194,7 +194,7 @@ class TestFilters(relevo.TestCase):
         self.assertEqual(mesh.GetDataInformation().GetNumberOfCells(), 0)
 
     def test_direction_of_displacement(self):
-        """One that is none is refused, also while the surface is moved along its normals."""
+        """A zero direction is an error, even if displacement follows the normals."""
         mesh = simple.AdaptiveRefinement(Input=simple.Sphere(), Displacement="Height Map")
         mesh.Displacement.Offset = 1.0
         with relevo.messages() as told:
@@ -207,7 +207,7 @@ class TestFilters(relevo.TestCase):
         self.assertGreater(bounds[4], 0.4)
 
     def test_composite_metric(self):
-        """The larger level of two metrics."""
+        """A composite takes the larger level of two metrics."""
         sphere = simple.Elevation(Input=simple.Sphere(ThetaResolution=16, PhiResolution=12))
         tags = simple.DepthTags(Input=sphere, MaximumLevel=5, Metric="Variation of an Array")
         tags.Metric.ArrayName = "Elevation"
@@ -226,7 +226,7 @@ class TestFilters(relevo.TestCase):
         self.assertGreater(abs(first - expected).max(), 0.1)
 
     def test_terrain(self):
-        """A coarse mesh, which the displacement lifts."""
+        """The source gives a coarse mesh, which the displacement lifts."""
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "heights.png")
             relevo.write_heights(path)

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Streaks go on across the borders of ranks. The first run, on one rank, writes the pictures to a file:
+"""Proves paraview.md: streaks continue across the borders of ranks. The first run, on one rank,
+writes the pictures to a file:
 
-mpirun -n RANKS pvbatch TestLICRanks.py FILE.npz
-"""
+mpirun -n RANKS pvbatch TestLICRanks.py FILE.npz"""
 
 import sys
 
@@ -13,7 +13,7 @@ from paraview.modules.vtkRemotingCore import vtkProcessModule
 import RelevoParaView as relevo
 
 RANKS = vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
-# Faces at random: one on the first of several ranks, none on the second.
+# Random faces: one on the first of several ranks, none on the second.
 PIECE = """
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
@@ -38,7 +38,7 @@ own = faces[owners % RANKS == RANK]
 cells = vtkCellArray()
 cells.SetCells(len(own), numpy_to_vtkIdTypeArray(own.ravel(), deep=1))
 mesh.SetPolys(cells)
-clean = vtkCleanPolyData() # of points that other ranks have
+clean = vtkCleanPolyData() # removes points that only other ranks use
 clean.PointMergingOff()
 clean.SetInputData(mesh)
 clean.Update()
@@ -51,7 +51,7 @@ RANK, RANKS = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
 """
 # Pixels of 60000 that may differ.
 LIMITS = {"Streaks": 10, "Ranges": 10, "Close": 20}
-# What depends on the vectors and colours of all ranks.
+# Settings that depend on the vectors and colours of all ranks.
 RANGES = {
     "EnhanceContrast": "LIC and Color",
     "LICIntensity": 0.6,
@@ -62,14 +62,14 @@ RANGES = {
 
 
 def pieces(missing=-1):
-    """A surface in parts; the rank `missing` has no vectors."""
+    """A surface in parts. The rank `missing` has no vectors."""
     return simple.ProgrammableSource(
         Script=f"{RANK}MISSING = {missing}\n{PIECE}", OutputDataSetType="vtkPolyData"
     )
 
 
 def bricks():
-    """A surface cut into compact parts."""
+    """A surface split into compact parts."""
     flow = simple.Calculator(Input=simple.Wavelet(), ResultArrayName="Flow")
     flow.Function = "iHat*(coordsY+coordsZ)-jHat*coordsX+kHat*(3+coordsX)"
     return simple.Contour(Input=flow, ContourBy=["POINTS", "RTData"], Isosurfaces=[150])
@@ -81,18 +81,18 @@ def look_from(view, x):
 
 
 def show(source, **properties):
-    """A view of streaks, and its picture."""
+    """A view of streaks and its picture."""
     view = relevo.view()
     vectors = {"SelectInputVectors": ["POINTS", "Flow"]}
     relevo.show(source, view, "Adaptive LIC", MaximumLevel=0, Metric="None", **vectors, **properties)
     look_from(view, 25)
-    relevo.picture(view)  # the first frame of a session moves the camera
+    relevo.picture(view)  # ParaView moves the camera in the first frame of a session
     look_from(view, 25)
     return view, relevo.picture(view)
 
 
 def count_convolutions(view):
-    """How often noise is convolved for the same picture again, and for two others."""
+    """Number of convolutions for a repeated picture and for two others."""
     counts = [relevo.statistic(view, "NumberOfConvolutions")]
     for x in 25, 24, 23:
         look_from(view, x)
@@ -110,10 +110,10 @@ def main(path):
     view, pictures["Ranges"] = show(pieces(), **RANGES)
     simple.Delete(view)
     view, _ = show(bricks())
-    look_from(view, 4)  # IceT leaves out ranks with nothing in view
+    look_from(view, 4)  # IceT skips ranks with nothing in view
     pictures["Close"] = relevo.picture(view)
     simple.Delete(view)
-    # A rank without vectors does not keep the others waiting.
+    # Other ranks do not wait for a rank without vectors.
     view, picture = show(pieces(missing=2))
     simple.Delete(view)
     failed = relevo.compare_with_one_rank(path, pictures, LIMITS)
@@ -122,5 +122,5 @@ def main(path):
 
 if __name__ == "__main__":
     status = main(sys.argv[1])
-    if status:  # else pvbatch ends MPI
+    if status:  # otherwise pvbatch ends MPI
         sys.exit(status)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What ParaView can make a surface look like: Adaptive Refinement does as Surface does."""
+"""Proves paraview.md: Adaptive Refinement supports the display properties of Surface."""
 
 import os
 import tempfile
@@ -32,18 +32,18 @@ add(output.GetFieldData(), "Field", numpy.array([0.3]))
 
 
 def with_arrays(source):
-    """Numbers, vectors, colours and numbers with NaN, of points and cells, and field data."""
+    """Scalars, vectors, colours and scalars with NaN, as point and cell data, and field data."""
     return simple.ProgrammableFilter(Input=source, Script=ARRAYS, CopyArrays=1)
 
 
 def write_noise(path, size=16):
-    """A picture that has its own colour in each pixel."""
+    """A picture with random pixels."""
     colours = 255 * numpy.random.RandomState(2).rand(size, size, 3)
     relevo.write_png(path, colours.astype(numpy.uint8))
 
 
 def coloured(*array, table=None, opacity=None, **properties):
-    """Colours by an array: ColorBy()'s arguments, and settings of the colour map."""
+    """Colours by an array: arguments of ColorBy() and settings of the colour map."""
 
     def prepare(representation):
         simple.ColorBy(representation, array)
@@ -96,7 +96,7 @@ STYLES = {
 
 class TestLooks(relevo.TestCase):
     def compare_looks(self, source, looks):
-        """Each look against the same of Surface, from which it must differ without it."""
+        """Compares each property with Surface, whose picture must change with it."""
         views = relevo.view(), relevo.view()
         shown = relevo.show(source, views[1], "Surface")
         simple.ResetCamera(views[1])
@@ -117,7 +117,7 @@ class TestLooks(relevo.TestCase):
         self.compare_looks(with_arrays(sphere()), COLOURS)
 
     def test_nan(self):
-        """Triangles at points that are NaN: but for pixels beside these points."""
+        """Triangles at NaN points, except for pixels beside these points."""
         prepare = coloured("POINTS", "Holes", table={"NanColor": [1, 0, 1]})
         self.compare(with_arrays(sphere()), 50, prepare=prepare, MaximumLevel=0, Metric="None")
 
@@ -149,7 +149,7 @@ class TestLooks(relevo.TestCase):
             self.compare_looks(mapped, looks)
 
     def test_terrain_with_photo(self):
-        """As the mesh that the filter makes of the same terrain."""
+        """Compares with the filter's mesh of the same terrain."""
         with tempfile.TemporaryDirectory() as folder:
             heights, photo = (os.path.join(folder, name) for name in ("heights.png", "photo.png"))
             relevo.write_heights(heights)
@@ -171,7 +171,7 @@ class TestLooks(relevo.TestCase):
             self.compare(terrain, 20, mesh, prepare, MaximumLevel=3, Metric="None")
 
     def test_edges_wireframe_and_points(self):
-        """Of the mesh, and of what it is refined to, which the filter makes."""
+        """Properties of the mesh, and of its refinement by the filter."""
         mesh = simple.AdaptiveRefinement(Input=sphere(), MaximumLevel=2, Metric="None")
         thick = {"LineWidth": 3, "PointSize": 6, "EdgeColor": [1, 0, 0]}
         for own, style in STYLES.items():

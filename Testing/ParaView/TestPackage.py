@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python package beside the plugin, where ParaView uses the VTK that is installed."""
+"""Proves that the Python package works beside the plugin if ParaView uses the installed VTK."""
 
 import os
 
@@ -10,7 +10,7 @@ import RelevoParaView as relevo_tests
 
 
 def libraries(part):
-    """Those that the process has loaded whose names have this part."""
+    """Loaded libraries whose names contain this text."""
     with open("/proc/self/maps") as maps:
         paths = {line.split()[-1] for line in maps if part in line}
     return sorted(os.path.basename(path).split(".so")[0] for path in paths)
@@ -27,13 +27,13 @@ class TestPackage(relevo_tests.TestCase):
         self.relevo = relevo
 
     def test_one_set_of_libraries(self):
-        """Whichever was loaded first."""
+        """Each library is loaded once, whichever is imported first."""
         names = [name.split("-")[0] for name in libraries("/libRelevo")]
         self.assertIn("libRelevoFiltersRefinement", names)
         self.assertEqual(len(names), len(set(names)))
 
     def test_one_set_of_classes(self):
-        """What the plugin makes is of the package's classes."""
+        """Objects created by the plugin are instances of the package's classes."""
         tags = simple.DepthTags(Input=relevo_tests.sphere())
         tags.UpdatePipeline()
         self.assertIsInstance(tags.GetClientSideObject(), self.relevo.vtkDepthTagFilter)

@@ -1,9 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Properties of the plugin's proxies have the defaults and the ranges of the classes.
+"""Proves that properties of the plugin's proxies have the defaults and ranges of the classes.
 
-A copy of every proxy has a property more for each, which asks the class for the value.
-"""
+A copy of every proxy has an additional information property for each, which queries the class."""
 
 import glob
 import os
@@ -18,8 +17,8 @@ import RelevoParaView as relevo
 PROXIES = os.path.join(os.path.dirname(__file__), "..", "..", "Module", "ParaView", "Proxies")
 GROUP = "relevo_test"
 SURFACE_LIC = "vtkLICSettings"  # has the defaults of ParaView's Surface LIC instead,
-NOT_KEPT = ("vtkTerrainSource", "KeepHeights")  # as displacements read heights themselves
-OWN_SETTINGS = {"OrientedLIC", "Phase", "NoDataMagnitude"}  # but for these
+NOT_KEPT = ("vtkTerrainSource", "KeepHeights")  # displacements read heights themselves
+OWN_SETTINGS = {"OrientedLIC", "Phase", "NoDataMagnitude"}  # exceptions
 PAIR = "TextureSize"  # both numbers are 0, or neither
 
 
@@ -39,7 +38,7 @@ def getter(element):
 
 
 def write_proxies(properties, path):
-    """For each class one proxy with getters alone, and one with setters, too."""
+    """For each class one proxy with getters only, and one with setters too."""
     root = ElementTree.Element("ServerManagerConfiguration")
     group = ElementTree.SubElement(root, "ProxyGroup", name=GROUP)
     for name, elements in properties.items():
@@ -65,7 +64,7 @@ def values(of_property):
 
 
 def ends(element):
-    """What to try: which component, a value, and whether it is in the domain."""
+    """Values to test: the component, a value, and whether it is in the domain."""
     domain = element.find("IntRangeDomain")
     if domain is None:
         domain = element.find("DoubleRangeDomain")
@@ -91,7 +90,7 @@ class TestProperties(relevo.TestCase):
             simple.LoadPlugin(path, remote=False, ns=globals())
 
     def setUp(self):
-        vtkObject.GlobalWarningDisplayOff()  # values that are refused are errors
+        vtkObject.GlobalWarningDisplayOff()  # values out of range are errors
 
     def tearDown(self):
         vtkObject.GlobalWarningDisplayOn()
@@ -122,7 +121,7 @@ class TestProperties(relevo.TestCase):
         self.assertGreater(count, 60)
 
     def test_surface_lic(self):
-        """Its settings have the same defaults in Adaptive LIC."""
+        """Adaptive LIC has the settings and defaults of Surface LIC."""
         theirs = relevo.show(simple.Sphere(), relevo.view(), "Surface LIC").SMProxy
         for each in self.properties[SURFACE_LIC].values():
             if each.get("name") not in OWN_SETTINGS:
@@ -131,7 +130,7 @@ class TestProperties(relevo.TestCase):
                 self.assertEqual(list(map(float, known)), given, each.get("name"))
 
     def test_ranges(self):
-        """The classes take the ends of a range, and nothing beyond."""
+        """The classes accept the ends of a range and nothing beyond."""
         count = 0
         for name, elements in self.properties.items():
             for each in elements.values():

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Several ranks show what one shows. The first run, on one rank, writes the pictures to a file:
+"""Proves paraview.md: several ranks show the same as one. The first run, on one rank, writes the
+pictures to a file:
 
-mpirun -n RANKS pvbatch TestRanks.py FILE.npz
-"""
+mpirun -n RANKS pvbatch TestRanks.py FILE.npz"""
 
 import sys
 
@@ -12,10 +12,11 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
 import RelevoParaView as relevo
 
-# Of the 30000 of a picture. ParaView's own Surface differs, too, where ranks are blended.
+# Of the 30000 pixels of a picture. ParaView's Surface differs too if ranks are blended.
 MOST_PIXELS = 4
 
-# Polygons, a strip, lines and a vertex, dealt out to ranks as cards are. Some have one cell or none.
+# Polygons, a strip, lines and a vertex, distributed over the ranks. Some ranks have one cell or
+# none.
 SCATTERED = """
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray
@@ -57,7 +58,7 @@ output.SetStrips(strips)
 
 
 def make_sources():
-    """Each with where the camera stands and where it looks."""
+    """Each source with the camera's position and focal point."""
     wavelet = simple.Wavelet()
     contour = simple.Contour(Input=wavelet, ContourBy=["POINTS", "RTData"], Isosurfaces=[150])
     field = simple.Calculator(
@@ -88,7 +89,7 @@ PLAIN = {
 
 
 def curved(surface="PN Triangles", **properties):
-    """What differs from PLAIN; dictionaries are properties of what is chosen."""
+    """Differences from PLAIN. Dictionaries are properties of the chosen proxies."""
     return {
         "MaximumLevel": 4,
         "Metric": "Edge Length on Screen",
@@ -154,7 +155,7 @@ def draw_all():
     for name, (source, position, focal_point) in make_sources().items():
         view = relevo.view((200, 150))
         shown = relevo.show(source, view)
-        simple.Render(view)  # the first frame of a session moves the camera
+        simple.Render(view)  # ParaView moves the camera in the first frame of a session
         view.CameraPosition = position
         view.CameraFocalPoint = focal_point
         for case, properties in CASES[name].items():
@@ -165,7 +166,7 @@ def draw_all():
 
 
 def count_triangles():
-    """Of a still picture, and of a moving one, of which several ranks draw fewer pixels."""
+    """Pictures of still and interactive frames; several ranks draw the latter with fewer pixels."""
     view = relevo.view((200, 150))
     relevo.show(
         relevo.sphere(),
@@ -176,7 +177,7 @@ def count_triangles():
     )
     counts = []
     for render in simple.Render, lambda each: each.InteractiveRender():
-        render(view)  # the first frame of a session moves the camera
+        render(view)  # ParaView moves the camera in the first frame of a session
         render(view)
         counts.append(relevo.statistic(view, "NumberOfDrawnTriangles"))
     simple.Delete(view)
@@ -184,7 +185,7 @@ def count_triangles():
 
 
 def keeps_projection():
-    """A camera that has a projection of its own, while the view moves."""
+    """A camera with an explicit projection matrix, in interactive frames."""
     view = relevo.view((200, 150))
     relevo.show(relevo.sphere(), view)
     simple.Render(view)
@@ -214,5 +215,5 @@ def main(path):
 
 if __name__ == "__main__":
     status = main(sys.argv[1])
-    if status:  # else pvbatch ends MPI
+    if status:  # otherwise pvbatch ends MPI
         sys.exit(status)

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The representation Adaptive Refinement: like Surface, and like the filter's mesh."""
+"""Proves paraview.md: the representation Adaptive Refinement equals Surface, and the filter's mesh.
+"""
 
 import os
 import tempfile
@@ -13,7 +14,7 @@ from RelevoParaView import sphere
 
 class TestRepresentation(relevo.TestCase):
     def test_every_data_set(self):
-        """With a surface: level 0 is Surface to the pixel."""
+        """With a curved surface; at level 0 it equals Surface exactly."""
         wavelet = simple.Wavelet(WholeExtent=[0, 6, 0, 5, 0, 4])
         kinds = {
             "image": wavelet,
@@ -41,7 +42,7 @@ class TestRepresentation(relevo.TestCase):
                 self.compare(sphere(), prepare=prepare, MaximumLevel=0, Metric="None")
 
     def test_colours(self):
-        """Of points and of cells."""
+        """Colours by point and cell arrays."""
         points = simple.Elevation(Input=sphere())
         cells = simple.PointDatatoCellData(Input=points)
         for source, association in (points, "POINTS"), (cells, "CELLS"):
@@ -62,7 +63,7 @@ class TestRepresentation(relevo.TestCase):
                 )
 
     def test_bounds_of_what_is_displaced(self):
-        """A view is reset to what the displacement can reach."""
+        """Resetting a view includes the largest displacement."""
         view = relevo.view()
         shown = relevo.show(sphere(), view, Metric="None", Displacement="Height Map")
         shown.Displacement.Offset = 2.0
@@ -113,7 +114,7 @@ class TestRepresentation(relevo.TestCase):
                 self.compare(blocks, prepare=prepare, MaximumLevel=0, Metric="None")
 
     def test_selection(self):
-        """Cells by a rectangle have the ids that Surface gives."""
+        """A rectangle selects cells with the same ids as in Surface."""
         found = []
         for representation in "Surface", "Adaptive Refinement":
             view = relevo.view()
@@ -129,7 +130,7 @@ class TestRepresentation(relevo.TestCase):
         self.assertEqual(*found)
 
     def test_streaks(self):
-        """Adaptive LIC shows streaks, and takes the settings of Surface LIC and of the recipe."""
+        """Adaptive LIC shows streaks, with the settings of Surface LIC and of the recipe."""
         flow = simple.Calculator(Input=sphere(), ResultArrayName="Flow")
         flow.Function = "iHat*coordsY-jHat*coordsX+kHat"
         view = relevo.view()
@@ -151,9 +152,9 @@ class TestRepresentation(relevo.TestCase):
             self.assertGreater(relevo.differing(*pictures[-2:]), 20, name)
 
     def test_panel(self):
-        """It has the settings of streaks for Surface LIC and for Adaptive LIC."""
+        """The proxy has the settings of streaks for Surface LIC and for Adaptive LIC."""
         proxy = relevo.show(sphere(), relevo.view()).SMProxy
-        groups = {}  # the last one of a property counts
+        groups = {}  # the last entry of a property is used
         for group in map(proxy.GetPropertyGroup, range(proxy.GetNumberOfPropertyGroups())):
             for i in range(group.GetNumberOfProperties()):
                 groups[group.GetPropertyName(i)] = group

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is selected on Adaptive Refinement has the ids, blocks and processes that Surface gives."""
+"""Proves paraview.md: selections on Adaptive Refinement have the ids, blocks and processes of
+Surface."""
 
 from paraview import servermanager, simple
 
@@ -19,7 +20,7 @@ SELECTIONS = {
 
 
 def selected(source):
-    """What a source's selection consists of, without the number of its proxy."""
+    """The contents of a source's selection, without the number of its proxy."""
     selection = servermanager._getPyProxy(source.GetSelectionInput(0))
     names = ("IDs", "Frustum", "Blocks", "BlockSelectors")
     return [
@@ -57,7 +58,7 @@ class TestSelection(relevo.TestCase):
                 self.assertEqual(refined[name], selection)
 
     def test_mesh(self):
-        """The coarse cells and points, whatever they are refined to."""
+        """Selects coarse cells and points at every level."""
         self.compare_selections(sphere(), [name for name in SELECTIONS if name != "blocks"], 2)
 
     def test_volume(self):

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Settings act live; undo, redo and a trace restore the picture."""
+"""Proves paraview.md: settings take effect at once, and undo, redo and traces restore the picture.
+"""
 
 import os
 import tempfile
@@ -15,14 +16,14 @@ from RelevoParaView import sphere
 
 @contextmanager
 def traced(proxy):
-    """What the panel's properties do while a trace is recorded."""
+    """Changes properties like the panel while a trace is recorded."""
     item = smtrace.PropertiesModified(proxy.SMProxy)
     yield
     item.finalize()
 
 
 class Undo:
-    """Records changes, as the application's buttons Undo and Redo do."""
+    """Records changes like the application's buttons Undo and Redo."""
 
     def __init__(self):
         self.stack = vtkSMUndoStack()
@@ -57,7 +58,7 @@ class TestSettings(relevo.TestCase):
         shown.Displacement.Scale = 0.02
 
     def changes(self, shown):
-        """Some of each kind: values, choices, and values of what was chosen."""
+        """Some settings of each kind: values, choices, and values of chosen proxies."""
 
         def sets(name, value, of=None):
             return lambda: setattr(getattr(shown, of) if of else shown, name, value)
@@ -83,7 +84,7 @@ class TestSettings(relevo.TestCase):
         return view, shown
 
     def test_nothing_is_uploaded_again(self):
-        """For what changes live."""
+        """Live settings."""
         view, shown = self.scene()
         self.displace(shown)
         shown.Surface = "Phong Tessellation"
@@ -102,7 +103,7 @@ class TestSettings(relevo.TestCase):
             setattr(proxy, name, value)
             pictures.append(relevo.picture(view))
             self.assertEqual(relevo.statistic(view, "NumberOfBufferBuilds"), builds, name)
-            if name != "FixedDirection":  # while points are moved along their normals
+            if name != "FixedDirection":  # while displacement follows the normals
                 self.assertGreater(relevo.differing(*pictures[-2:], 0), 20, name)
 
     def test_undo(self):

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Data that change with time, animations with cached geometry, and other views of a source."""
+"""Proves paraview.md on data that change with time, animations with cached geometry, and several
+views of a source."""
 
 import os
 import tempfile
@@ -33,7 +34,7 @@ def sphere(radius, x=0):
     return source.GetOutput()
 """
 SHRINKING = TIME + "output.ShallowCopy(sphere(3 - time))"
-# One sphere; two; a box, and nothing beside it.
+# One sphere, two spheres, and a single box.
 BLOCKS = (
     TIME
     + """
@@ -72,7 +73,7 @@ class TestTime(relevo.TestCase):
         self.assert_same_picture(*views)
 
     def test_blocks_that_change(self):
-        """In number, kind and shape."""
+        """Blocks change in number, kind and shape."""
         views = self.pair(series(BLOCKS, "vtkMultiblockDataSet"))
         scene = simple.GetAnimationScene()
         scene.UpdateAnimationUsingDataTimeSteps()
@@ -93,7 +94,8 @@ class TestTime(relevo.TestCase):
         self.assert_alike(views)
 
     def test_cached_geometry(self):
-        """Played again, the same pictures, from the cache and with the bounds of their time."""
+        """A second playback gives the same pictures from the cache, with the bounds of their time.
+        """
         source = series(SHRINKING, "vtkPolyData")
         view = relevo.view()
         relevo.show(source, view, MaximumLevel=0, Metric="None")
@@ -101,7 +103,7 @@ class TestTime(relevo.TestCase):
         scene = simple.GetAnimationScene()
         scene.UpdateAnimationUsingDataTimeSteps()
         scene.PlayMode = "Snap To TimeSteps"
-        relevo.picture(view)  # the first frame of a session moves the camera
+        relevo.picture(view)  # ParaView moves the camera in the first frame of a session
         view.CameraPosition = [0, 0, 12]
         view.CameraFocalPoint = [0, 0, 0]
         pictures = []
@@ -121,7 +123,7 @@ class TestTime(relevo.TestCase):
 
 class TestViews(relevo.TestCase):
     def test_second_view(self):
-        """Views of one source have recipes of their own."""
+        """Each view of a source has a separate recipe."""
         source = sphere()
         views = relevo.view(), relevo.view(), relevo.view()
         for view, surface in zip(views, ("None", "PN Triangles", "PN Triangles")):
@@ -133,7 +135,8 @@ class TestViews(relevo.TestCase):
         self.assertGreater(relevo.differing(*map(relevo.picture, views[:2])), 100)
 
     def test_interaction(self):
-        """Nothing is decimated, as Surface is; what takes too long is refined less."""
+        """Interactive frames are not decimated like Surface; if they take too long, levels are
+        reduced."""
         source = simple.Sphere(ThetaResolution=60, PhiResolution=40)
         decimated = {}
         for representation in "Surface", "Adaptive Refinement":
@@ -152,7 +155,7 @@ class TestViews(relevo.TestCase):
         self.assertEqual(decimated["Adaptive Refinement"], 0)
         shown.MaximumLevel = 5
         triangles = []
-        # Two frames, as the first one tells how long it takes; then one, and two.
+        # Two frames, because the first one measures the time; then one, and two.
         for render in relevo.picture, lambda each: each.InteractiveRender(), relevo.picture:
             render(view)
             triangles.append(relevo.statistic(view, "NumberOfDrawnTriangles"))
@@ -160,13 +163,14 @@ class TestViews(relevo.TestCase):
         self.assertEqual(triangles[2], triangles[0])
 
     def test_large_screenshot(self):
-        """Larger than the window: drawn in tiles, with the levels of a window of that size."""
+        """A picture larger than the window is drawn in tiles, with the levels of a window of that
+        size."""
         size = [900, 600]
         pictures = []
         for view in relevo.view(), relevo.view(size):
             shown = relevo.show(sphere(), view, MaximumLevel=5, Surface="PN Triangles")
             shown.RefinementColorMode = "Level"
-            relevo.picture(view)  # the first frame of a session moves the camera
+            relevo.picture(view)  # ParaView moves the camera in the first frame of a session
             view.CameraPosition = [0, 0, 2.5]
             view.CameraFocalPoint = [0, 0, 0]
             relevo.picture(view)

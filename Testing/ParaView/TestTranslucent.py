@@ -1,10 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Several ranks blend translucent surfaces as one does. The first run, on one rank, writes the
-pictures to a file:
+"""Proves paraview.md: several ranks blend translucent surfaces like one. The first run, on one
+rank, writes the pictures to a file:
 
-mpirun -n RANKS pvbatch TestTranslucent.py FILE.npz
-"""
+mpirun -n RANKS pvbatch TestTranslucent.py FILE.npz"""
 
 import os
 import sys
@@ -20,7 +19,7 @@ CAMERA = {"CameraPosition": [2, 1.5, 2.5], "CameraFocalPoint": [0, 0, 0], "Camer
 
 
 def draw(view, *shown, changes=()):
-    """Shows (source, representation, opacity, properties), then makes changes to the last."""
+    """Shows (source, representation, opacity, properties), then changes the last one."""
     representations = []
     for source, style, opacity, properties in shown:
         last = relevo.show(source, view, style, Opacity=opacity)
@@ -53,7 +52,7 @@ def draw_all(raster):
     )
     waves.Transform.Scale = [0.1] * 3
     plane = simple.Plane(Origin=[0, -0.5, -0.5], Point1=[0, 0.5, -0.5], Point2=[0, -0.5, 0.5])
-    plane.XResolution = plane.YResolution = 4  # on the first rank alone, and flat
+    plane.XResolution = plane.YResolution = 4  # flat, and on the first rank only
     blocks = simple.GroupDatasets(Input=[ball, plane])
     hill = {"Displacement.HeightMapFileName": raster, "Displacement.Scale": 0.06}
     curvature = {"Metric.MinimumCurvature": 0.1, "Metric.MaximumCurvature": 5, "Geomorphing": "Off"}
@@ -71,8 +70,8 @@ def draw_all(raster):
     }
     changes = [("Opacity", 1), ("Opacity", 0.4), ("Visibility", 0), ("Visibility", 1)]
     view = relevo.view((200, 150))
-    view.UseFXAA = 0  # blurs edges before ranks are blended with the background
-    draw(view, surface)  # the first frame of a session moves the camera
+    view.UseFXAA = 0  # it would blur edges before ranks are blended with the background
+    draw(view, surface)  # ParaView moves the camera in the first frame of a session
     relevo.set_properties(view, CAMERA)
     pictures = {name: draw(view, *shown) for name, shown in cases.items()}
     pictures["Changes"] = draw(view, refined(ball, **PN), changes=changes)
@@ -90,5 +89,5 @@ def main(path):
 
 if __name__ == "__main__":
     status = main(sys.argv[1])
-    if status:  # else pvbatch ends MPI
+    if status:  # otherwise pvbatch ends MPI
         sys.exit(status)

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What objects say of errors."""
+"""Collects error messages of objects."""
 
 
 def catch_errors(item):
-    """The messages of an object's ErrorEvents, from now on."""
+    """Returns a list that receives the messages of an object's ErrorEvents from now on."""
     messages = []
 
     def catch(caller, event, message):

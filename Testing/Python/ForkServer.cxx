@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
+// Loading libraries takes most of the time of a short run of relevo-view. When this library is
+// preloaded (LD_PRELOAD), it waits for requests at the point where main() would start, and forks a
+// process that runs main() for each.
 //
-// Most of the time of a short run of relevo-view is spent loading libraries. Preloaded into it
-// (LD_PRELOAD), this library waits for requests where main() would start, and forks a process that
-// runs main() for each.
-//
-// The socket is the descriptor that RELEVO_FORK_SERVER names. After one byte, "ready", each request
-// is a message with the descriptors for standard output and error; its text is the folder, the
-// number of arguments, the arguments and the environment, each with a NUL behind it. Answers are
-// the process and, when it has ended, its status, each an int.
+// The environment variable RELEVO_FORK_SERVER contains the descriptor of the socket. After one
+// byte, "ready", each request is a message with the descriptors for standard output and error. Its
+// text has the folder, the number of arguments, the arguments and the environment, each terminated
+// by NUL. The answers are the process id and, when the process has ended, its status, each an int.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -49,7 +48,7 @@ struct Request
     return true;
   }
 
-  // The strings up to a number of them, from a place on.
+  // Takes this many strings, starting at a position.
   std::vector<char*> Take(std::size_t& place, std::size_t number)
   {
     std::vector<char*> strings;
@@ -75,7 +74,7 @@ struct Request
   const int code = chdir(head[0]) == 0
     ? ProgramMain(static_cast<int>(arguments.size()) - 1, arguments.data(), environ)
     : 126;
-  // Not exit(): libraries may wait for threads that the fork has not taken along.
+  // Not exit(): libraries may wait for threads that do not exist after the fork.
   std::fflush(nullptr);
   _exit(code);
 }

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs of a program that are forked from one process with its libraries: see ForkServer.cxx."""
+"""Runs a program by forking one process that has loaded its libraries: see ForkServer.cxx."""
 
 import os
 import pathlib
@@ -14,7 +14,7 @@ LIBRARY = pathlib.Path(os.environ["RELEVO_BINARY_DIR"]) / "Testing/Python/Relevo
 
 
 class ForkedProgram:
-    """A program's runs, one after the other."""
+    """Runs of a program, one after the other."""
 
     def __init__(self, program):
         self.program = str(program)
@@ -37,7 +37,7 @@ class ForkedProgram:
             )
         if ours.recv(1):
             self.socket = ours
-        else:  # a sanitizer wants to be the first library
+        else:  # a sanitizer must be the first library
             ours.close()
             self.server.wait()
 
@@ -48,7 +48,7 @@ class ForkedProgram:
             self.server.wait()
 
     def start(self, arguments, folder, environment, outputs):
-        """Its process. Ask finish() for the exit code."""
+        """Starts a process and returns its id. finish() returns the exit code."""
         strings = [
             os.fspath(folder),
             str(1 + len(arguments)),
@@ -64,7 +64,8 @@ class ForkedProgram:
         return os.waitstatus_to_exitcode(struct.unpack("i", self.socket.recv(4))[0])
 
     def run(self, arguments, folder, environment, largest_file=resource.RLIM_INFINITY):
-        """As subprocess.run() with capture_output and text. Files have up to so many bytes."""
+        """Like subprocess.run() with capture_output and text. `largest_file` limits files in
+        bytes."""
         command = [self.program, *arguments]
         limits = (largest_file, resource.getrlimit(resource.RLIMIT_FSIZE)[1])
         if not self.socket:

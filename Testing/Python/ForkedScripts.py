@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Python scripts in processes that are forked from one that has imported relevo."""
+"""Runs Python scripts in processes forked from one that has imported relevo."""
 
 import json
 import os
@@ -12,11 +12,11 @@ import sys
 import tempfile
 import traceback
 
-import relevo  # noqa: F401, each script needs it
+import relevo  # noqa: F401, imported once for all scripts
 
 
 class ForkedScripts:
-    """Make it before anything draws: threads of a graphics driver do not go along with a fork."""
+    """Create it before anything is drawn: threads of a graphics driver do not survive a fork."""
 
     def __init__(self):
         self.socket, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
@@ -43,7 +43,7 @@ class ForkedScripts:
                 code = self.run_here(json.loads(message), outputs)
                 sys.stdout.flush()
                 sys.stderr.flush()
-                # Not exit(): libraries may wait for threads that the fork has not taken along.
+                # Not exit(): libraries may wait for threads that do not exist after the fork.
                 os._exit(code or 0)
             for output in outputs:
                 os.close(output)
@@ -52,7 +52,7 @@ class ForkedScripts:
 
     @staticmethod
     def run_here(request, outputs):
-        """As the interpreter would; the exit code."""
+        """Runs a script like the interpreter. Returns the exit code."""
         for number, output in enumerate(outputs):
             os.dup2(output, 1 + number)
         os.chdir(request["folder"])
@@ -75,7 +75,8 @@ class ForkedScripts:
         return 0
 
     def run(self, arguments, folder, program=""):
-        """A script with arguments, or a program's text: as subprocess.run() with its outputs."""
+        """Runs a script with arguments, or the text of a program. Returns the same as
+        subprocess.run()."""
         request = {
             "folder": str(folder),
             "arguments": [str(argument) for argument in arguments],

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What an animated GIF file holds, for the tests: GIF89a with one palette, read by the standard."""
+"""Reads animated GIF files (GIF89a with one palette) by the standard."""
 
 import struct
 
 
 class GifFile:
-    """size; palette, bytes of red, green, blue; frames, bytes of indices from the top row down;
-    delays in seconds; repetitions, 0 for ever."""
+    """Contents of a file: size; palette as bytes of red, green and blue; frames as bytes of
+    indices, top row first; delays in seconds; repetitions, 0 for endless."""
 
     def __init__(self, path):
         self.data = path.read_bytes()
@@ -47,7 +47,7 @@ class GifFile:
         bits = self.take(1)[0]
         code = int.from_bytes(b"".join(self.take_blocks()), "little")
         clear, words, length, last, pixels = 1 << bits, [], bits + 1, None, bytearray()
-        stream = bin(code)[:1:-1]  # the first bit first
+        stream = bin(code)[:1:-1]  # the first bit comes first
         place = 0
         while True:
             number = int(stream[place : place + length][::-1] or "0", 2)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkAdaptiveLICMapper from Python: names and defaults of VTK's surface LIC, arrays, errors,
-a window without a display."""
+"""Proves flow.md from Python: vtkAdaptiveLICMapper has the names and defaults of VTK's surface LIC.
+Arrays, errors and windows without a display are tested too."""
 
 import sys
 import unittest
@@ -25,7 +25,7 @@ from vtkmodules.vtkRenderingCore import (
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  makes render windows
 
-# As vtkSurfaceLICInterface has them; the noise's are vtkLICNoiseSource's.
+# The defaults of vtkSurfaceLICInterface; those of the noise are from vtkLICNoiseSource.
 DEFAULTS = {
     "Enable": 1,
     "NumberOfSteps": 20,
@@ -96,7 +96,7 @@ CHANGED = {
 
 
 def sphere():
-    """A sphere with vectors "Flow" that turn about the z axis."""
+    """A sphere with the vectors "Flow" around the z axis."""
     source = vtkSphereSource()
     source.SetThetaResolution(16)
     source.SetPhiResolution(12)
@@ -114,7 +114,7 @@ def add_vectors(mesh, values):
 
 
 class View:
-    """A window with one white actor without lighting, which shows the LIC alone."""
+    """A window with one white, unlit actor, which shows only the LIC."""
 
     def __init__(self, mesh, window=None):
         self.mapper = relevo.vtkAdaptiveLICMapper()
@@ -135,7 +135,7 @@ class View:
         self.renderer.ResetCamera()
 
     def draw(self):
-        """The middle of the picture, greys in [0, 255]; checks that they are grey."""
+        """The middle of the picture as grey values in [0, 255], which must be grey."""
         self.window.Render()
         grab = vtkWindowToImageFilter()
         grab.SetInput(self.window)
@@ -186,7 +186,7 @@ class TestAdaptiveLICMapper(unittest.TestCase):
     def test_direction(self):
         mesh = sphere()
         view = View(mesh)
-        for axis in (0, 1):  # on the screen x is to the right, y is up
+        for axis in (0, 1):  # on the screen x points to the right and y upwards
             values = numpy.zeros((mesh.GetNumberOfPoints(), 3))
             values[:, axis] = 1.0
             add_vectors(mesh, values)
@@ -205,7 +205,7 @@ class TestAdaptiveLICMapper(unittest.TestCase):
         self.assertLess(abs(view.draw() - 64).max(), 2)
 
     def test_no_data(self):
-        """Marks of no-data look alike, and nothing is taken from them."""
+        """All markers of missing data give the same picture, and their values are not used."""
         mesh = sphere()
         good = vtk_to_numpy(mesh.GetPointData().GetVectors()).copy()
         view = View(mesh)
@@ -217,7 +217,7 @@ class TestAdaptiveLICMapper(unittest.TestCase):
             pictures.append(view.draw())
         for picture in pictures[1:]:
             self.assertTrue((picture == pictures[0]).all())
-        self.assertGreater((pictures[0] == 255).mean(), 0.1)  # the actor's white
+        self.assertGreater((pictures[0] == 255).mean(), 0.1)  # the actor is white
 
     def test_errors(self):
         mesh = sphere()

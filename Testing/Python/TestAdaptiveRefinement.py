@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The recipe and its filter from Python: settings, output, errors by observer, doc strings."""
+"""Proves guide.md from Python: settings and output of recipe and filter, errors by observer, and
+docstrings."""
 
 import math
 import unittest
@@ -64,7 +65,7 @@ class TestAdaptiveRefinement(unittest.TestCase):
         mesh = make(vtkPlaneSource())
         add_tags(mesh, [0, 1, 2, 3])
         output = self.refine(mesh)
-        # Edges on the border: means 0.5, 1, 2, 2.5 are levels 1, 1, 2, 3.
+        # Edges on the border: the means 0.5, 1, 2 and 2.5 are the levels 1, 1, 2 and 3.
         bottom = [i for i in range(output.GetNumberOfPoints())
                   if output.GetPoint(i)[1] == -0.5]
         top = [i for i in range(output.GetNumberOfPoints()) if output.GetPoint(i)[1] == 0.5]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The mapper from Python: settings, statistics, errors, a picture."""
+"""Proves guide.md from Python: settings, statistics, errors and a picture of the mapper."""
 
 import sys
 import unittest
@@ -52,7 +52,7 @@ class View:
         self.renderer.ResetCamera()
 
     def draw(self):
-        """Pixels that are not black."""
+        """Number of pixels that are not black."""
         self.window.Render()
         grab = vtkWindowToImageFilter()
         grab.SetInput(self.window)
@@ -74,7 +74,7 @@ class TestAdaptiveRefinementMapper(unittest.TestCase):
         self.assertEqual(
             drawn + mapper.GetNumberOfCulledTriangles(), mesh.GetNumberOfPolys() * 64
         )
-        self.assertLess(drawn, mesh.GetNumberOfPolys() * 64)  # not its back
+        self.assertLess(drawn, mesh.GetNumberOfPolys() * 64)  # back faces are culled
         self.assertEqual(mapper.GetNumberOfCoarseFaces(), mesh.GetNumberOfPolys())
         self.assertEqual(mapper.GetNumberOfSelections(), 1)
         self.assertEqual(mapper.GetNumberOfUsedPatterns(), 1)

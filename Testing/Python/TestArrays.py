@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""relevo.arrays: heights and images from numpy, refined meshes and images to numpy."""
+"""Proves guide.md: relevo.arrays converts numpy arrays to heights and images, and refined meshes
+and images to numpy arrays."""
 
 import sys
 import unittest
@@ -36,7 +37,8 @@ class TestArrays(unittest.TestCase):
                 self.assertEqual(tuple(made.GetDimensions()), heights.shape[::-1])
 
     def test_byte_orders_and_widths(self):
-        """Numbers as files have them: of .hgt, FITS, netCDF; halves; wider than doubles."""
+        """Number types of files (.hgt, FITS, netCDF), half precision, and types wider than double.
+        """
         for dtype in ("<i2", ">i2", ">u4", "<f4", ">f4", ">f8", "<f2", ">f2", "longdouble"):
             values = numpy.array([[1, 2, 3], [258, 5, 6]], dtype=dtype)
             self.assertEqual(tuple(arrays.height_map(values).GetRange()), (1.0, 258.0), dtype)
@@ -85,7 +87,7 @@ class TestArrays(unittest.TestCase):
         self.assertFalse(arrays.height_map(marked).HasNoData())
 
     def test_masked_arrays(self):
-        """As rasterio and netCDF4 give them."""
+        """Array types of rasterio and netCDF4."""
         for dtype in ("int16", "uint8", ">i4", "float32", "float16", "float64"):
             values = numpy.array([[1, 99], [2, 3]], dtype=dtype)
             masked = numpy.ma.masked_equal(values, 99)

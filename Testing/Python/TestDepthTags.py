@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Depth-tags from Python: every setting, the arrays, errors by observer, doc strings."""
+"""vtkDepthTagFilter promises, from Python: every setting, the arrays, errors by observer, and
+docstrings."""
 
 import math
 import sys
@@ -14,7 +15,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 
 def make_square(points=((0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0))):
-    """Two triangles over four points."""
+    """Two triangles with four points."""
     mesh = vtkPolyData()
     coordinates = vtkPoints()
     for point in points:
@@ -46,7 +47,7 @@ class Errors:
             item.AddObserver("ErrorEvent", catch)
 
     def take(self):
-        """The text of the errors so far, which are then forgotten."""
+        """Returns the text of the errors so far and clears it."""
         text = "".join(self.messages)
         self.messages.clear()
         return text
@@ -75,11 +76,11 @@ class TestDepthTags(unittest.TestCase):
         levels = values(output.GetPointData().GetArray("DepthTag"))
         for (level,), expected in zip(levels, (4, 3, 3, 4 - math.sqrt(2))):
             self.assertAlmostEqual(level, expected, places=6)
-        # Means 3.5, 3, 3.5 and 3, 2.79, 2.79.
+        # The means are 3.5, 3, 3.5 and 3, 2.79, 2.79.
         self.assertEqual(
             values(output.GetCellData().GetArray("EdgeLevels")), [(4, 3, 4), (3, 3, 3)])
 
-        # Per edge, the nearer end's tag.
+        # Per edge, the tag of the nearer end.
         self.assertEqual(tags.GetLevelRule(), relevo.vtkDepthTagMetric.PER_VERTEX)
         tags.SetLevelRuleToPerEdge()
         self.assertEqual(tags.GetLevelRule(), relevo.vtkDepthTagMetric.PER_EDGE)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkEGLOffscreenRenderWindow draws what VTK's own window draws."""
+"""vtkEGLOffscreenRenderWindow promises the same pictures as VTK's window."""
 
 import os
 import sys
@@ -72,7 +72,7 @@ class TestEGLOffscreenRenderWindow(unittest.TestCase):
             window = vtkRenderWindow()
             window.SetOffScreenRendering(1)
             theirs = show(window, make_renderer(opacity))
-            del window  # one kind of window at a time
+            del window  # both kinds of windows cannot be used at the same time
             self.assert_same(own, theirs)
 
     @unittest.skipUnless(os.environ.get("DISPLAY"), "no display")

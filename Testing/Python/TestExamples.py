@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python examples run, and draw something; the pages show what they hold."""
+"""Proves that the Python examples run and draw something, and that the pages show their results."""
 
 import atexit
 import errno
@@ -27,7 +27,7 @@ from GifFile import GifFile
 SOURCE = pathlib.Path(os.environ["RELEVO_SOURCE_DIR"])
 FLOW = pathlib.Path(os.environ.get("RELEVO_TEST_DATA", ""), "flow")
 VOLUME = FLOW.parent / "volume"
-# README.md and the pages, one after the other.
+# README.md and all pages.
 PAGES = "\n".join(
     page.read_text()
     for page in (SOURCE / "README.md", *sorted((SOURCE / "Module/Documentation").glob("*.md")))
@@ -60,7 +60,7 @@ def read_picture(path):
 
 
 def mean_of_blocks(picture, side=20):
-    """Colours without detail: how these are differs with noise and graphics card."""
+    """Mean colours of blocks, because details depend on noise and graphics card."""
     shrink = vtkImageShrink3D()
     shrink.SetInputData(picture)
     shrink.SetShrinkFactors(side, side, 1)
@@ -93,7 +93,7 @@ class TestExamples(unittest.TestCase):
             self.assertGreater(len(shades), 10)
 
     def test_names(self):
-        """With a hyphen after --; characters that could command a terminal are escaped."""
+        """File names with a hyphen need --. Control characters in messages are escaped."""
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             write_heights(folder / "-l.png", lambda i, j: 20)
@@ -118,7 +118,7 @@ class TestExamples(unittest.TestCase):
             self.assertEqual(reader.GetOutput().GetDimensions(), (1200, 420, 1))
 
     def assert_kept(self, file, kept):
-        """The picture is the one that is kept, but for noise."""
+        """Compares a picture with the stored one, except for noise."""
         pictures = [mean_of_blocks(read_picture(path)) for path in (file, kept)]
         self.assertEqual(*map(len, pictures))
         differences = [max(abs(a - b) for a, b in zip(*colours)) for colours in zip(*pictures)]
@@ -177,7 +177,7 @@ class TestExamples(unittest.TestCase):
             self.assertIn("screen-edge", run.stderr)
 
     def test_surfaces(self):
-        """Each figure is drawn, and the one that is kept is in a page."""
+        """Each figure can be drawn, and a page shows the stored one."""
         names = [path.stem for path in (SOURCE / "Examples/Python/surfaces").glob("*.png")]
         self.assertEqual(set(names), {"surfaces", "inflections", "fur", "parts", "relief"})
         for name in names:
@@ -196,7 +196,7 @@ class TestExamples(unittest.TestCase):
                 kept.Update()
                 size = picture.GetDimensions()
                 self.assertEqual(size, kept.GetOutput().GetDimensions())
-                # Panels of all columns have something in their middle third.
+                # Panels of all columns show something in their middle third.
                 row = size[1] // 4
                 for column in range(2):
                     shades = {
@@ -229,7 +229,7 @@ class TestExamples(unittest.TestCase):
             self.assertIn("Examples/Python/objectspace.png", PAGES)
 
     def test_wind(self):
-        """Around a cone that rises through the lid."""
+        """The flow goes around a cone that rises through the lid."""
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
 
@@ -259,7 +259,7 @@ class TestExamples(unittest.TestCase):
         self.assertIn("Examples/Python/wind.png", PAGES)
 
     def test_flow_around_a_cylinder(self):
-        """The wind of wind.py in a layer with a hole, against the potential flow around it."""
+        """Compares the wind of wind.py in a layer with a hole with the potential flow around it."""
         sys.path.append(str(SOURCE / "Examples/Python"))
         import numpy
         import wind
@@ -280,7 +280,7 @@ class TestExamples(unittest.TestCase):
         self.assertLess(numpy.abs(expected[beside]).min(), 0.5 * wind.SPEED)
 
     def test_flow_loop(self):
-        """All frames differ, the last from the first no more than neighbours do."""
+        """All frames differ, and the last and first differ no more than neighbours."""
         with tempfile.TemporaryDirectory() as name:
             run = self.run_example("flowloop.py", name, "out.gif", "6")
             self.assertEqual((run.returncode, run.stderr), (0, ""))
@@ -300,7 +300,7 @@ class TestExamples(unittest.TestCase):
         self.assertIn("Examples/Python/flowloop.gif", PAGES)
 
     def test_flow(self):
-        """Each figure is drawn, and is the one that is kept, but for noise."""
+        """Each figure can be drawn and equals the stored one, except for noise."""
         files = {
             "plane": "SurfaceVectors.vtk",
             "disk": "disk_out_ref_surface.vtp",
@@ -332,7 +332,8 @@ class TestExamples(unittest.TestCase):
                 self.assertIn("oriented", run.stderr)
 
     def test_volumes(self):
-        """Each figure is drawn of a generated mesh, and of real data is the one that is kept."""
+        """Each figure can be drawn for a generated mesh, and for real data equals the stored one.
+        """
         files = {
             "fin": ["bluntfinxyz.bin", "bluntfinq.bin"],
             "post": ["postxyz.bin", "postq.bin"],
@@ -362,7 +363,7 @@ class TestExamples(unittest.TestCase):
                 self.assertIn("reactor", run.stderr)
 
     def test_reliefs(self):
-        """Each figure is drawn of generated data, and of real data is the one that is kept."""
+        """Each figure can be drawn for generated data, and for real data equals the stored one."""
         files = {
             "box": ("box", "mesh/bunny.ply"),
             "teapot": ("box", "mesh/teapot.g"),
@@ -390,7 +391,7 @@ class TestExamples(unittest.TestCase):
             self.assertIn("holes", run.stderr)
 
     def test_patches_and_curves(self):
-        """Each figure is drawn of generated cells, and of real data is the one that is kept."""
+        """Each figure can be drawn for generated cells, and for real data equals the stored one."""
         figures = {
             "teapot": ("patches.py", "mesh/teapot.bpt"),
             "torus": ("patches.py", None),
@@ -421,7 +422,8 @@ class TestExamples(unittest.TestCase):
                 self.assertIn("NAME one of", run.stderr)
 
     def test_contacts(self):
-        """Each figure is drawn of generated meshes, and of real ones is the one that is kept."""
+        """Each figure can be drawn for generated meshes, and for real meshes equals the stored one.
+        """
         meshes = [str(FLOW.parent / "mesh" / name) for name in ("bunny.ply", "teapot.g")]
         folder_of_kept = SOURCE / "Examples/Python/contact"
         kept_names = {"candidates.png", "displaced.png", "distance.png", "motion.gif"}
@@ -448,7 +450,8 @@ class TestExamples(unittest.TestCase):
             kept = GifFile(folder_of_kept / "motion.gif")
             self.assertIn("Examples/Python/contact/motion.gif", PAGES)
             self.assertEqual((len(kept.frames), kept.size), (len(made.frames), made.size))
-            # There and back: but for the first and the middle one each frame is there twice.
+            # The animation runs forwards and backwards: all frames except the first and the middle
+            # one occur twice.
             for loop in (made, kept):
                 self.assertEqual(len(set(loop.frames)), len(loop.frames) // 2 + 1)
             for arguments in (["ball", "out.png"], ["distance"], ["motion", "out.gif", "a.ply"]):
@@ -457,7 +460,7 @@ class TestExamples(unittest.TestCase):
                 self.assertIn("candidates", run.stderr)
 
     def test_flow_of_the_page(self):
-        """What the page on flow has to paste draws streaks, and so does what comes from VTK's mapper."""
+        """The programs of flow.md draw streaks, and so does the program for VTK's mapper."""
         page = (SOURCE / "Module/Documentation/flow.md").read_text()
         pasted = [part.split("```")[0] for part in page.split("```python\n")[1:]]
         names = {}
@@ -495,7 +498,7 @@ class TestExamples(unittest.TestCase):
         self.assertEqual(counts[flat], coarse.GetOutput().GetNumberOfCells())
         self.assertEqual(counts[refined], 64 * counts[flat])
         self.assertGreater(counts[fine], counts[flat])
-        # Not many for each coarse face, whatever the vectors do.
+        # The number per coarse face is limited for all vectors.
         self.assertLessEqual(counts[fine], 64 * counts[flat])
 
 

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""relevo.files: a file is the old one or the whole new one, on full disks and after signals."""
+"""relevo.files promises that a file has either the old or the complete new content, also on full
+disks and after signals."""
 
 import os
 import pathlib
@@ -20,7 +21,7 @@ OLD, NEW = b"old", bytes(20000)
 
 
 def make_image():
-    """With noise, so that it stays large."""
+    """An image with noise, so that it does not compress."""
     image = vtkImageData()
     image.SetDimensions(90, 60, 1)
     image.AllocateScalars(VTK_UNSIGNED_CHAR, 3)
@@ -75,7 +76,7 @@ class TestFiles(unittest.TestCase):
         self.assert_left(OLD)
 
     def test_signals(self):
-        """While the new file is there under its temporary name."""
+        """Sends the signal while the new file has its temporary name."""
         program = (
             "import os, signal, sys\n"
             "from relevo import files\n"

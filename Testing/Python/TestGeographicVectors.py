@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkGeographicVectors from Python: a terrain and its wind, rasters, errors, doc strings."""
+"""Proves flow.md from Python: vtkGeographicVectors for a terrain with wind and for rasters, errors,
+and docstrings."""
 
 import math
 import os
@@ -38,7 +39,7 @@ class TestGeographicVectors(unittest.TestCase):
             self.assertIn(words, relevo.vtkGeographicVectors.__doc__)
 
     def test_raster(self):
-        """A west wind of the image, over a terrain without georeference."""
+        """An image of west wind over a terrain without georeference."""
         heights = vtkImageData()
         heights.SetDimensions(8, 6, 1)
         heights.GetPointData().SetScalars(make_array("Heights", [(0.0,)] * 48))
@@ -59,7 +60,7 @@ class TestGeographicVectors(unittest.TestCase):
         self.assertEqual(result.GetNumberOfComponents(), 3)
         for i in range(mesh.GetNumberOfPoints()):
             u, v = mesh.GetPointData().GetTCoords().GetTuple2(i)
-            if u > 0.25 and v > 0.25:  # the north-eastern sample has a weight
+            if u > 0.25 and v > 0.25:  # the north-eastern sample contributes
                 self.assertTrue(all(map(math.isnan, result.GetTuple3(i))))
             else:
                 self.assertEqual(result.GetTuple3(i), (2.0, 0.0, 0.0))
@@ -82,7 +83,7 @@ class TestGeographicVectors(unittest.TestCase):
         self.assertEqual(vectors.GetOutput().GetNumberOfPoints(), 0)
 
     def test_real_relief(self):
-        """The wind of the south on UTM blows along the meridians."""
+        """South wind on UTM follows the meridians."""
         if not (RELIEF / "SainteHelens.dem").exists():
             self.skipTest("no relief in RELEVO_TEST_DATA")
         terrain = relevo.vtkTerrainSource()
@@ -105,7 +106,7 @@ class TestGeographicVectors(unittest.TestCase):
             x, y, z = mesh.GetPointData().GetVectors().GetTuple3(i)
             self.assertAlmostEqual(math.hypot(x, y), 10.0, places=5)
             self.assertEqual(z, 1.0)
-            # UTM's zone 10, about 123 W: the crater is at 122.188 W, 46.2 N; 77 km a degree.
+            # UTM zone 10, about 123 W: the crater is at 122.188 W, 46.2 N, and a degree has 77 km.
             east = 562710.0 + mesh.GetPoint(i)[0] - 500000.0
             longitude = math.radians(east / 0.9996 / 111320.0 / math.cos(math.radians(46.19)))
             convergence = math.atan(math.tan(longitude) * math.sin(math.radians(46.19)))

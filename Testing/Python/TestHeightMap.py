@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkHeightMap from Python: files, images, no data, errors by observer, doc strings."""
+"""Proves terrain.md from Python: vtkHeightMap with files, images and missing data, errors by
+observer, and docstrings."""
 
 import math
 import os
@@ -20,7 +21,7 @@ RELIEF = pathlib.Path(os.environ.get("RELEVO_TEST_DATA", ""), "relief")
 
 
 def make_image(width, height, value, scalar_type=VTK_FLOAT):
-    """An image whose scalar at column i, row j is value(i, j)."""
+    """An image whose scalar at column i and row j is value(i, j)."""
     image = vtkImageData()
     image.SetDimensions(width, height, 1)
     image.AllocateScalars(scalar_type, 1)
@@ -41,7 +42,7 @@ class TestHeightMap(unittest.TestCase):
         return pathlib.Path(self.folder.name, name)
 
     def write_png(self, name="heights.png"):
-        """16 bits; VTK writes the image's first row last, at the bottom of the picture."""
+        """Writes 16 bits. VTK writes the image's first row last, at the bottom of the picture."""
         writer = vtkPNGWriter()
         writer.SetInputData(make_image(7, 5, lambda i, j: 1000 * j + i, VTK_UNSIGNED_SHORT))
         writer.SetFileName(str(self.path(name)))
@@ -69,7 +70,7 @@ class TestHeightMap(unittest.TestCase):
                 self.assertEqual(heights.GetSample(i, j), 1000 * j + i)
                 self.assertAlmostEqual(
                     heights.GetHeight((i + 0.5) / 7, (j + 0.5) / 5), 1000 * j + i, delta=0.01)
-        # Bilinear between texel centres, constant beyond the outermost.
+        # Bilinear between texel centres, and constant outside the outermost ones.
         self.assertAlmostEqual(heights.GetHeight(1.0 / 7, 1.0 / 5), 500.5, delta=0.01)
         self.assertEqual(heights.GetHeight(0.0, 0.0), 0.0)
         self.assertEqual(heights.GetHeight(-3.0, 0.0), 0.0)
@@ -182,7 +183,7 @@ class TestHeightMap(unittest.TestCase):
         self.assertEqual(heights.GetDimensions(), (1201, 1201))
         self.assertEqual(heights.GetRange(), (263.0, 4371.0))
         self.assertTrue(heights.HasNoData())
-        # Mount Adams, 46.2024 N 121.4909 W, 3743 m, and the plain of the Yakima, to its east.
+        # Mount Adams, 46.2024 N 121.4909 W, 3743 m, and the Yakima plain to its east.
         summit = max(
             heights.GetHeight(0.5091 + du / 1201, 0.2024 + dv / 1201)
             for du in range(-5, 6) for dv in range(-5, 6))

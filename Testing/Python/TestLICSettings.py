@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkLICSettings from Python: all that VTK's vtkSurfaceLICInterface has, ranges, sharing, and a
-script for vtkSurfaceLICMapper."""
+"""vtkLICSettings promises, from Python: the complete interface of VTK's vtkSurfaceLICInterface,
+ranges, sharing, and scripts for vtkSurfaceLICMapper."""
 
 import math
 import sys
@@ -26,7 +26,8 @@ if not hasattr(relevo, "vtkAdaptiveLICMapper"):
 
 import vtkmodules.vtkRenderingOpenGL2  # noqa: E402,F401  makes render windows
 
-# Of vtkSurfaceLICInterface in VTK 9.1: defaults, what has ...On() and ...Off(), constants.
+# From vtkSurfaceLICInterface in VTK 9.1: defaults, switches with ...On() and ...Off(), and
+# constants.
 DEFAULTS = {
     "Enable": 1,
     "NumberOfSteps": 20,
@@ -76,7 +77,7 @@ CONSTANTS = {
     "COMPOSITE_BALANCED": 2,
     "COMPOSITE_AUTO": 3,
 }
-# No settings: VTK's mapper and its stages call them.
+# Not settings: VTK's mapper and its stages call these.
 STAGES = ("SetHasVectors", "GetHasVectors", "GetCommunicator", "GetGlobalMinMax")
 
 BAD = {
@@ -106,7 +107,7 @@ BAD = {
 }
 ONLY_OF_SETTINGS = {"ColorMode": (-1, 2), "CompositeStrategy": (-1, 4)}
 
-# As it stands in programs for VTK.
+# A script for VTK.
 SCRIPT = """
 mapper = vtkSurfaceLICMapper()
 mapper.SetInputData(mesh)
@@ -148,7 +149,7 @@ lic.SetCompositeStrategy(lic.COMPOSITE_BALANCED)
 
 
 def make_mesh():
-    """A sphere with vectors "Flow" that turn about the z axis."""
+    """A sphere with the vectors "Flow" around the z axis."""
     sphere = vtkSphereSource()
     sphere.SetThetaResolution(16)
     sphere.SetPhiResolution(12)
@@ -162,7 +163,7 @@ def make_mesh():
 
 
 def draw(mapper):
-    """The bytes of a picture."""
+    """The picture as bytes."""
     actor = vtkActor()
     actor.SetMapper(mapper)
     renderer = vtkRenderer()
@@ -183,7 +184,7 @@ def draw(mapper):
 
 class TestLICSettings(unittest.TestCase):
     def test_all_of_vtk(self):
-        """What a script can set and get there."""
+        """Everything that a script can set and get in VTK."""
         settings = relevo.vtkLICSettings()
         for name, value in {**DEFAULTS, **OTHER_DEFAULTS, **ADDED}.items():
             self.assertEqual(getattr(settings, "Get" + name)(), value, name)
@@ -197,7 +198,7 @@ class TestLICSettings(unittest.TestCase):
             self.assertEqual(getattr(settings, name), value, name)
 
     def test_against_vtk(self):
-        """The same by introspection, where VTK has it."""
+        """The same by introspection, if VTK has the class."""
         try:
             from vtkmodules.vtkRenderingLICOpenGL2 import vtkSurfaceLICInterface
         except ImportError:
@@ -209,12 +210,12 @@ class TestLICSettings(unittest.TestCase):
                 self.assertEqual(getattr(ours, name, None), getattr(theirs, name), name)
             elif name.startswith(("Set", "Get")) or name.endswith(("On", "Off")):
                 self.assertTrue(hasattr(ours, name), name)
-            # VTK gives the image that it has of its own for no NoiseDataSet.
+            # Without NoiseDataSet, VTK returns its default image.
             if name.startswith("Get") and name[3:] not in (*OTHER_DEFAULTS, "NoiseDataSet"):
                 self.assertEqual(getattr(ours, name)(), getattr(theirs, name)(), name)
 
     def test_ranges(self):
-        """Out of range: one error, of the object that was asked, and the old value stays."""
+        """A value out of range gives one error of the object called, and the old value stays."""
         mapper = relevo.vtkAdaptiveLICMapper()
         for holder, bad in (
             (relevo.vtkLICSettings(), {**BAD, **ONLY_OF_SETTINGS}),
@@ -241,7 +242,8 @@ class TestLICSettings(unittest.TestCase):
             self.assertGreater(count, 15)
 
     def test_script(self):
-        """For vtkSurfaceLICMapper, the class's name changed: as by the mapper's own setters."""
+        """A script for vtkSurfaceLICMapper with only the class name changed gives the same picture
+        as the mapper's setters."""
         mesh = make_mesh()
         names = {"mesh": mesh, "vtkSurfaceLICMapper": relevo.vtkAdaptiveLICMapper}
         exec(SCRIPT, names)
@@ -289,7 +291,7 @@ class TestLICSettings(unittest.TestCase):
         noise.Modified()
         for holder, time in zip(holders, times):
             self.assertGreater(holder.GetMTime(), time)
-            holder.SetLICSettings(None)  # new ones
+            holder.SetLICSettings(None)  # new settings
             self.assertIsNot(holder.GetLICSettings(), settings)
             self.assertEqual(holder.GetNumberOfSteps(), 20)
         copy = relevo.vtkLICSettings()

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkLineIntegralConvolution and vtkLICNoiseSource from Python, against sums in numpy."""
+"""Proves flow.md from Python: vtkLineIntegralConvolution and vtkLICNoiseSource, compared with sums
+in numpy."""
 
 import sys
 import unittest
@@ -36,7 +37,7 @@ def make_noise(**settings):
 
 
 def running_mean(values, reach):
-    """Means of up to 2 reach + 1 values in rows, of fewer at their ends."""
+    """Means of up to 2 reach + 1 values in each row, fewer at its ends."""
     columns = values.shape[1]
     sums = numpy.cumsum(numpy.pad(values.astype(float), ((0, 0), (1, 0))), axis=1)
     first = numpy.maximum(numpy.arange(columns) - reach, 0)
@@ -51,7 +52,7 @@ def blur(values, reach=4, times=3):
 
 
 def line_angles(values):
-    """Of the structure tensor, in radians, modulo pi."""
+    """Directions from the structure tensor, in radians, modulo pi."""
     gy, gx = numpy.gradient(blur(values, 1, 2))
     return 0.5 * numpy.arctan2(2 * blur(gx * gy), blur(gx * gx - gy * gy)) + 0.5 * numpy.pi
 

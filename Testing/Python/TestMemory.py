@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What does not fit into memory is an error, and the program goes on."""
+"""Proves that data that do not fit into memory give an error, and that the program continues."""
 
 import contextlib
 import ctypes
@@ -22,14 +22,14 @@ STATUS = pathlib.Path("/proc/self/status")
 if not STATUS.exists():
     print("skipped: how much memory is in use is not known")
     sys.exit(125)
-# What is freed goes back at once.
+# Freed memory returns to the system at once.
 MMAP_THRESHOLD = -3
 ctypes.CDLL(None).mallopt(MMAP_THRESHOLD, 16384)
 
 
 @contextlib.contextmanager
 def little_memory(size):
-    """So many more bytes of address space."""
+    """Limits the address space to this many additional bytes."""
     old = resource.getrlimit(resource.RLIMIT_AS)
     in_use = 1024 * int(re.search(r"VmSize:\s+(\d+)", STATUS.read_text())[1])
     resource.setrlimit(resource.RLIMIT_AS, (in_use + size, old[1]))
@@ -52,7 +52,7 @@ def make_image(width, height, scalar_type, components=1):
 
 class TestMemory(unittest.TestCase):
     def test_imagery(self):
-        """12 GiB of it, of a small picture in a large terrain."""
+        """Requires 12 GiB for a small picture in a large terrain."""
         with tempfile.TemporaryDirectory() as folder:
             for name, step in (("terrain", 100.0), ("imagery", 0.001)):
                 writer = vtkPNGWriter()
@@ -99,7 +99,7 @@ class TestMemory(unittest.TestCase):
         self.assertEqual(streaks.GetOutput().GetNumberOfPoints(), 1600)
 
     def test_databases(self):
-        """A database is read and written, or that is an error; nothing is left of it."""
+        """Reading and writing a database succeeds or gives an error, and leaves nothing behind."""
         image = make_image(400, 300, VTK_FLOAT)
         camera = relevo.vtkDepthImageToRelief()
         camera.SetIntrinsics(300, 300, 199.5, 149.5)
@@ -118,7 +118,7 @@ class TestMemory(unittest.TestCase):
                 writer.SetFileName(str(database))
                 self.assertEqual(writer.Write(), 1)
                 old = {path.name for path in database.iterdir()}
-                reader.GetOutput().Initialize()  # its memory does not help
+                reader.GetOutput().Initialize()  # releases its memory
                 reader.Modified()
                 writer.Modified()
                 errors.clear()

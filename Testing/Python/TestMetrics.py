@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Depth-tag metrics from Python: settings, levels through the filters, errors, doc strings."""
+"""Proves guide.md from Python: settings of the depth-tag metrics, levels through the filters,
+errors, and docstrings."""
 
 import math
 import sys
@@ -31,7 +32,7 @@ def make_triangle():
 
 
 def make_camera():
-    """A camera that shows a length of 1 in the plane z = 0 as a quarter of its height."""
+    """A camera that shows a length of 1 in the plane z = 0 as a quarter of the picture's height."""
     camera = vtkCamera()
     camera.SetPosition(0, 0, 2)
     camera.SetFocalPoint(0, 0, 0)
@@ -40,7 +41,7 @@ def make_camera():
 
 
 def levels(metric, mesh, maximum_level=5):
-    """The tags that vtkDepthTagFilter writes for a view of 640 x 400 pixels."""
+    """The tags of vtkDepthTagFilter for a view of 640 x 400 pixels."""
     tags = relevo.vtkDepthTagFilter()
     tags.SetInputData(mesh)
     tags.SetMetric(metric)
@@ -74,7 +75,7 @@ class Errors:
         item.AddObserver("ErrorEvent", catch)
 
     def take(self):
-        """The text of the errors so far, which are then forgotten."""
+        """Returns the text of the errors so far and clears it."""
         text = "".join(self.messages)
         self.messages.clear()
         return text

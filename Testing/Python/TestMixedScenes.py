@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A refined surface beside a volume and an image slice: drawn and picked as what the filter makes of
-it with vtkPolyDataMapper."""
+"""Proves that a refined surface beside a volume and an image slice is drawn and picked like the
+filter's output in a vtkPolyDataMapper."""
 
 import contextlib
 import unittest
@@ -95,7 +95,7 @@ class Scene:
         return vtk_to_numpy(pixels).reshape(SIZE, SIZE, 3).astype(int)
 
     def number(self, prop):
-        """Of a prop that was picked, -1 for none."""
+        """The index of a picked prop, or -1."""
         return self.props.index(prop) if prop else -1
 
     def input_cell(self, cell):
@@ -104,7 +104,8 @@ class Scene:
 
 
 def make_scenes(level):
-    """Of the mapper, and of VTK's with what the filter makes; at level 0 with the input itself."""
+    """One scene with the mapper, and one with VTK's mapper and the filter's output, or the input at
+    level 0."""
     source = vtkSphereSource()
     source.SetThetaResolution(10)
     source.SetPhiResolution(8)
@@ -138,7 +139,8 @@ class TestMixedScenes(unittest.TestCase):
         cls.scenes = None
 
     def compare(self, pick, places, least):
-        """The same of both scenes, nearly everywhere: at an outline a pixel may go to either."""
+        """Both scenes agree almost everywhere: on a silhouette, a pixel may belong to either prop.
+        """
         for refining, twin in self.scenes:
             found = [pick(refining, place) for place in places]
             expected = [pick(twin, place) for place in places]
@@ -154,14 +156,14 @@ class TestMixedScenes(unittest.TestCase):
             picture, expected = refining.picture(), twin.picture()
             differing = (abs(picture - expected) > 3).any(axis=2).sum()
             self.assertLessEqual(differing, 3)
-            # The surface, the ball and the stripes are all seen.
+            # The surface, the ball and the stripes are all visible.
             for prop in twin.props:
                 prop.VisibilityOff()
                 twin.window.Render()
                 hidden = (abs(twin.picture() - expected) > 3).any(axis=2).sum()
                 self.assertGreater(hidden, 300)
                 prop.VisibilityOn()
-            # Nothing is left of the last frame.
+            # Nothing remains of the last frame.
             refining.window.Render()
             self.assertTrue((refining.picture() == picture).all())
 
@@ -222,7 +224,7 @@ class TestMixedScenes(unittest.TestCase):
             yield pick
         finally:
             for picker in pickers.values():
-                picker.SetRenderer(None)  # it crashes where the window goes first
+                picker.SetRenderer(None)  # otherwise it crashes if the window is deleted first
 
     def test_scene_picker_cells(self):
         with self.scene_picking(points=False) as pick:

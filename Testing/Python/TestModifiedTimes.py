@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Setters raise the modification time when they change something, and only then."""
+"""Proves that setters raise the modification time exactly when they change something."""
 
 import unittest
 
@@ -10,7 +10,7 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkCompositeDataDisplayAttributes
 from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLPolyDataMapper
 
-# For each setter two values that differ from each other and from the default.
+# For each setter two different values that also differ from the default.
 VALUES = {
     "SetRefinement": [(relevo.vtkAdaptiveRefinement(),) for _ in range(2)],
     "SetLevelLookupTable": [(vtkLookupTable(),) for _ in range(2)],
@@ -28,7 +28,7 @@ VALUES = {
     "SetUseAllocatedRenderTime": [(False,), (True,)],
 }
 
-# Choices that are setters of their own, in an order in which each is another than the last.
+# Setters without arguments, in an order in which each changes the value.
 CHOICES = [
     "SetColorModeToLevel",
     "SetColorModeToPattern",

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""`import relevo` gives every class, each with the documentation of its header."""
+"""Proves that `import relevo` provides every class with the documentation of its header."""
 
 import importlib.util
 import os
@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonCore import vtkObjectBase
 
 
 def wrapped_headers():
-    """Headers of the classes in the modules that were built: name to text."""
+    """Headers of the classes in all modules that were built, as name to text."""
     source = pathlib.Path(os.environ["RELEVO_SOURCE_DIR"])
     headers = {}
     for folder in (*source.glob("Filters/*/"), *source.glob("Rendering/*/")):
@@ -30,7 +30,7 @@ def wrapped_headers():
 
 class TestPackage(unittest.TestCase):
     def test_version(self):
-        """That of the project."""
+        """The version is that of the project."""
         self.assertEqual(relevo.__version__, os.environ["RELEVO_VERSION"])
 
     def test_every_class_is_there(self):
@@ -55,10 +55,10 @@ class TestPackage(unittest.TestCase):
             for method, value in vars(cls).items():
                 if method.startswith("_") or not callable(value) or isinstance(value, type):
                     continue
-                # VTK's own words, of methods that every class overrides, are in the superclass.
+                # VTK documents methods that every class overrides in the superclass.
                 if any(hasattr(base, method) for base in cls.__bases__):
                     continue
-                # Signatures, an empty line, the header's words.
+                # Signatures, an empty line, and the header's text.
                 if not (value.__doc__ or "").partition("\n\n")[2].strip():
                     missing.append(f"{name}.{method}")
         self.assertEqual(missing, [])

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python programs in README.md and in the pages of Module/Documentation run, off-screen.
+"""Proves that the Python programs in README.md and in the pages of Module/Documentation run
+off-screen.
 
-A block that follows the line <!-- continues --> goes on from the one before it in its page. Each
-program runs by itself, in a folder with my-dem.tif and my-mesh.ply.
-"""
+A block after the line <!-- continues --> continues the previous block of its page. Each program
+runs separately, in a folder with my-dem.tif and my-mesh.ply."""
 
 import atexit
 import os
@@ -32,7 +32,7 @@ atexit.register(SCRIPTS.close)
 
 
 def read_programs(page):
-    """Pairs of a line number and a text: the longest chains of blocks that continue one another."""
+    """Pairs of a line number and a text: the longest chains of blocks that continue each other."""
     text = page.read_text()
     programs = []
     for match in re.finditer(r"(<!-- continues -->\n)?```python\n(.*?)```", text, re.S):
@@ -73,13 +73,13 @@ class TestPagePrograms(unittest.TestCase):
                     with tempfile.TemporaryDirectory() as folder:
                         write_inputs(pathlib.Path(folder))
                         run = SCRIPTS.run(["-c"], folder, program)
-                        # VTK writes its errors to standard error, and goes on.
+                        # VTK writes its errors to standard error and continues.
                         self.assertEqual((run.returncode, run.stderr), (0, ""), run.stdout)
                 count += 1
         self.assertGreater(count, 6)
 
     def test_first_program(self):
-        """What README.md begins with is the example terrain.py, and draws a terrain."""
+        """The first program of README.md is the example terrain.py, which draws a terrain."""
         (_, program), *_ = read_programs(SOURCE / "README.md")
         example = (SOURCE / "Examples/Python/terrain.py").read_text().splitlines()
         names = {'"my-dem.tif"': "heightmap", '"my-dem.png"': "picture"}

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bézier cells of files and of NURBS, as VTK's own filters have them."""
+"""Proves patches.md from Python: Bézier cells of files and of NURBS have the shape that VTK's
+filters give them."""
 
 import math
 import pathlib
@@ -42,7 +43,7 @@ def evaluate(grid, cell, u, v):
 
 
 def make_circle():
-    """Of two cubic halves, with 1, 1/3, 1/3, 1 as weights."""
+    """A circle of two cubic halves with the weights 1, 1/3, 1/3, 1."""
     source = relevo.vtkNURBSSource()
     source.SetKnots(0, doubles([0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2]))
     source.SetDimensions(7, 1)
@@ -64,7 +65,7 @@ class TestNURBS(unittest.TestCase):
                 self.assertAlmostEqual(math.hypot(*evaluate(grid, cell, u, 0.0)), 1.0, delta=1e-14)
 
     def test_kept_in_a_file(self):
-        """VTK's own file format keeps what the cells need."""
+        """VTK's file format stores everything that the cells need."""
         source = make_circle()
         with tempfile.TemporaryDirectory() as folder:
             name = str(pathlib.Path(folder, "circle.vtu"))
@@ -108,7 +109,7 @@ class TestPatchFiles(unittest.TestCase):
         grid = self.reader.GetOutput()
         self.assertEqual(grid.GetCellType(0), VTK_BEZIER_QUADRILATERAL)
         self.assertEqual(vtk_to_numpy(grid.GetCellData().GetHigherOrderDegrees()).tolist(), [[2, 1, 0]])
-        # Of a height linear in y and quadratic in x.
+        # The height is linear in y and quadratic in x.
         self.assertTrue(numpy.allclose(evaluate(grid, 0, 0.5, 0.25), (1.0, 0.5, 0.75 * 0.5), atol=1e-15))
         surface = vtkDataSetSurfaceFilter()
         surface.SetInputConnection(self.reader.GetOutputPort())

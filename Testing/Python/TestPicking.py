@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""VTK's own pickers, from Python, on refined and displaced surfaces."""
+"""Proves guide.md from Python: VTK's pickers work on refined and displaced surfaces."""
 
-# Before relevo: pickers need nothing of it.
+# Imported before relevo: pickers do not depend on it.
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkCellPicker, vtkPointPicker, vtkPropPicker, vtkRenderer, vtkRenderWindow)
 
@@ -19,7 +19,7 @@ import relevo
 
 
 def show(mesh, recipe):
-    """A renderer of a window that shows a refined mesh from above."""
+    """The renderer of a window that shows a refined mesh from above."""
     mapper = relevo.vtkAdaptiveRefinementMapper()
     mapper.SetInputData(mesh)
     mapper.SetRefinement(recipe)

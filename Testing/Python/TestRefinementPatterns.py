@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Refinement patterns from Python: levels, permutations, files, errors."""
+"""vtkRefinementPatternTable promises, from Python: levels, permutations, files and errors."""
 
 import itertools
 import os
@@ -27,7 +27,7 @@ def collect_errors(algorithm):
 
 
 def segments(pattern):
-    """Segments of the edges P1P2, P2P3, P3P1, from the points on them."""
+    """Segments of the edges P1P2, P2P3 and P3P1, from the points on them."""
     points = [pattern.GetPoint(p) for p in range(pattern.GetNumberOfPoints())]
     return tuple(
         sum(on_edge) - 1
@@ -66,7 +66,7 @@ class TestRefinementPatterns(unittest.TestCase):
             self.assertEqual(canonical, sorted(levels, reverse=True))
             permutation = [0, 0, 0]
             Table.GetPermutation(swaps, permutation)
-            # Edge e of the element, from corner e to the next, is this edge of the pattern.
+            # Edge e of the element, from corner e to the next one, is this edge of the pattern.
             edges = {frozenset((0, 1)): 0, frozenset((1, 2)): 1, frozenset((2, 0)): 2}
             for edge in range(3):
                 ends = frozenset((permutation[edge], permutation[(edge + 1) % 3]))

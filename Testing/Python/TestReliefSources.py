@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reliefs from numpy arrays, from renderings and from height maps, and databases of them."""
+"""Proves reliefs.md from Python: reliefs of numpy arrays, renderings and height maps, and
+databases."""
 
 import pathlib
 import sys
@@ -21,7 +22,7 @@ from vtkmodules.vtkRenderingCore import (
 
 
 def points_of(relief):
-    """The places of all texels, shape (rows, columns, 3), by the definition of a relief."""
+    """Positions of all texels, shape (rows, columns, 3), by the definition of a relief."""
     depths = arrays.samples(relief, "Depth").astype(float)
     matrix = numpy.array([relief.GetFieldData().GetArray("ReliefMatrix").GetValue(i) for i in range(16)])
     rows, columns = numpy.indices(depths.shape)
@@ -75,7 +76,8 @@ class Sphere:
 
 class TestDepthImages(unittest.TestCase):
     def test_camera(self):
-        """Millimetres of a depth camera, the first row on top, as they come from its driver."""
+        """Depths of a depth camera in millimetres, first row at the top, as its driver delivers
+        them."""
         rng = numpy.random.default_rng(3)
         depths = rng.integers(500, 3000, (6, 8), dtype=numpy.uint16)
         depths[2, 3] = 0
@@ -99,14 +101,14 @@ class TestDepthImages(unittest.TestCase):
         numpy.testing.assert_allclose(points_of(relief), expected, atol=1e-6)
         numpy.testing.assert_array_equal(arrays.samples(relief, "Color"), colors)
         self.assertEqual(arrays.samples(relief, "Normals").shape, (6, 8, 3))
-        # The same picture as VTK's readers give it, turned over.
+        # The same picture as VTK's readers deliver it, flipped.
         filter.SetInputData(arrays.image(depths[::-1]))
         filter.BottomRowFirstOn()
         filter.Update()
         numpy.testing.assert_allclose(points_of(filter.GetOutput())[::-1], expected, atol=1e-6)
 
     def test_renderings(self):
-        """The texels of a rendering are on what it shows, in both projections."""
+        """The texels of a rendering lie on the rendered sphere, in both projections."""
         for parallel in (False, True):
             scene = Sphere(parallel)
             relief = relevo.vtkDepthImageToRelief()
@@ -119,12 +121,12 @@ class TestDepthImages(unittest.TestCase):
             self.assertGreater(numpy.count_nonzero(seen), 5000)
             outwards = points[seen] - Sphere.CENTER
             distances = numpy.linalg.norm(outwards, axis=1)
-            # The mesh's triangles, and 24 bits of depth.
+            # The mesh's triangles and 24-bit depths limit the accuracy.
             self.assertLess(numpy.abs(distances - Sphere.RADIUS).max(), 1e-3)
             colors = arrays.samples(relief.GetOutput(), "Color")
             self.assertGreater(colors[seen][:, 0].min(), 0)
             self.assertEqual(colors[~seen].max(), 0)
-            # Normals of the smooth sphere, away from its outline.
+            # Normals of the smooth sphere, away from its silhouette.
             normals = arrays.samples(relief.GetOutput(), "Normals")[seen]
             cosines = numpy.sum(normals * outwards, axis=1) / distances
             self.assertGreater(numpy.median(cosines), 0.999)

@@ -1,11 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""One policy for settings, in every class: a value out of range is one ErrorEvent and changes nothing.
+"""Proves for every class: a setting out of range gives one ErrorEvent and changes nothing.
 
-Walks all setters of numbers of all public classes. After each call either the getter returns the value
-that was given, or there was one ErrorEvent and it returns the value from before. NaN is never taken
-where the documentation does not say what it means.
-"""
+Calls all setters of numbers in all public classes. After each call, either the getter returns the
+new value, or there was one ErrorEvent and it returns the old one. NaN is never accepted unless the
+documentation gives it a meaning."""
 
 import itertools
 import math
@@ -22,7 +21,7 @@ from ErrorMessages import catch_errors
 INTEGERS = {"int": 2**31, "vtkIdType": 2**63}
 REALS = ("double", "float")
 
-# Setters that mean something else by their value.
+# Setters whose value is not simply stored.
 OTHERS = {
     "vtkDisplacement.SetDirection": "the direction is made a unit vector",
     "vtkAdaptiveRefinementMapper.SetColorMode": "VTK's, which takes any number",
@@ -30,12 +29,12 @@ OTHERS = {
     "vtkReliefCapture.SetCamerasToSphere": "a choice: GetNumberOfCameras() says how many they are",
     "vtkReliefCapture.SetResolution": "one number stands for both",
 }
-# Switches that are integers, as vtkSurfaceLICInterface has them: all but 0 is on.
+# Integer switches of vtkSurfaceLICInterface: every value except 0 turns them on.
 SWITCHES = ("Enable", "NormalizeVectors", "EnhancedLIC", "OrientedLIC", "MaskOnSurface", "GenerateNoiseTexture")
 
 
 def make_objects():
-    """One object of each class that has any."""
+    """One object of each class that has setters."""
     for name in sorted(dir(relevo)):
         kind = getattr(relevo, name)
         if name.startswith("vtk") and isinstance(kind, type):
@@ -46,7 +45,7 @@ def make_objects():
 
 
 def get_signatures(setter):
-    """The types of the parameters, of each overload that takes numbers alone."""
+    """Parameter types of each overload that takes only numbers."""
     for parameters in re.findall(r"C\+\+: .*?\bSet\w+\(([^)]*)\)", setter.__doc__):
         types = []
         for parameter in parameters.split(","):
@@ -59,7 +58,7 @@ def get_signatures(setter):
 
 
 def get_values(kind, documentation):
-    """The extremes of a type, and what is at and beside the numbers that the documentation names."""
+    """The extremes of a type, and values at and beside the numbers in the documentation."""
     named = {float(number) for number in re.findall(r"-?\b\d+(?:\.\d+)?(?:e\d+)?\b", documentation)}
     if kind in INTEGERS:
         limit = INTEGERS[kind]
@@ -132,7 +131,7 @@ class TestSettings(unittest.TestCase):
         self.assertTrue(all(hasattr(getattr(relevo, key.split(".")[0]), key.split(".")[1]) for key in OTHERS))
 
     def test_ranges(self):
-        """Both outcomes are there: what is documented is taken, what is beyond is refused."""
+        """Negative control: documented values are accepted, and others are errors."""
         surface = relevo.vtkPhongSurface()
         errors = catch_errors(surface)
         for value in (0.0, 0.25, 1.0):
@@ -192,7 +191,7 @@ class TestSettings(unittest.TestCase):
         self.assertEqual(len(errors), 6)
 
     def test_weights(self):
-        """What is added with a number out of range is not added."""
+        """Adding an item with a number out of range adds nothing."""
         composite = relevo.vtkCompositeDepthTagMetric()
         errors = catch_errors(composite)
         for weight in (math.nan, math.inf, -1e-6, 1.000001e6):

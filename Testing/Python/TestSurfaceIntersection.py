@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where two triangles meet, point by point, against clipping in fractions."""
+"""Proves intersections.md: the intersection of two triangles is exact, compared point by point with
+clipping in fractions."""
 
 import random
 import sys
@@ -29,7 +30,7 @@ def get_normal(triangle):
 
 
 def clip(polygon, normal, at):
-    """What of a convex polygon, or a segment or point, is not beyond a plane."""
+    """The part of a convex polygon, segment or point that is not beyond a plane."""
     sides = [dot(normal, subtract(point, at)) for point in polygon]
     clipped = []
     for i, point in enumerate(polygon):
@@ -42,7 +43,7 @@ def clip(polygon, normal, at):
 
 
 def intersect(a, b):
-    """The corners of what two triangles have in common, rounded once."""
+    """Corners of the intersection of two triangles, rounded once."""
     a = [tuple(map(Fraction, point)) for point in a]
     b = [tuple(map(Fraction, point)) for point in b]
     normal = get_normal(b)
@@ -82,13 +83,13 @@ def random_whole(dice, side):
 
 
 def random_wild(dice):
-    """Coordinates of all sizes, some of them equal."""
+    """Coordinates of all magnitudes, some of them equal."""
     return tuple(dice.choice((0.0, dice.uniform(-1, 1) * 2.0 ** dice.randint(-1000, 990), dice.uniform(-1, 1)))
                  for _ in range(3))
 
 
 def random_near(dice):
-    """Far out, so that rounding decides."""
+    """Coordinates far from the origin, where rounding has most effect."""
     return tuple(1e8 + dice.randrange(5) * 2.0 ** -26 for _ in range(3))
 
 
@@ -101,7 +102,7 @@ def random_triangle(dice, make):
 
 class TestSurfaceIntersection(unittest.TestCase):
     def check(self, a, b):
-        """Returns how many corners there are."""
+        """Returns the number of corners."""
         intersection = make_filter(a, b)
         intersection.Update()
         curves, overlaps = intersection.GetOutput(0), intersection.GetOutput(1)
@@ -118,7 +119,7 @@ class TestSurfaceIntersection(unittest.TestCase):
         return len(expected)
 
     def check_winding(self, triangle, points, ids):
-        """As the triangle, and convex, but for what rounding did."""
+        """The polygon has the triangle's winding and is convex, up to rounding."""
         corners = [tuple(map(Fraction, points[ids.GetId(i)])) for i in range(ids.GetNumberOfIds())]
         normal = get_normal([tuple(map(Fraction, point)) for point in triangle])
         size = dot(normal, normal)
@@ -141,7 +142,7 @@ class TestSurfaceIntersection(unittest.TestCase):
 
     def test_coplanar(self):
         self.check_many(lambda dice: (float(dice.randrange(6)), float(dice.randrange(6)), 1.0), 1500, range(7))
-        # In a slanted plane.
+        # In an oblique plane.
         self.check_many(lambda dice: (x := float(dice.randrange(6)), y := float(dice.randrange(6)), 2 * x - 3 * y),
                         1000, range(6))
 

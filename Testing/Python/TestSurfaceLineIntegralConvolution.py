@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkSurfaceLineIntegralConvolution from Python: outputs, settings, refinement, errors, doc string."""
+"""Proves flow.md from Python: outputs and settings of vtkSurfaceLineIntegralConvolution,
+refinement, errors, and the docstring."""
 
 import math
 import unittest
@@ -12,7 +13,8 @@ from vtkmodules.vtkFiltersSources import vtkPlaneSource
 
 
 def make_plane(vector, resolution=30):
-    """[-1/2, 1/2]^2 with vectors "v" and texture coordinates whose texels' centres are the points."""
+    """The square [-1/2, 1/2]^2 with the vectors "v". Its texture coordinates put the points at
+    texel centres."""
     source = vtkPlaneSource()
     source.SetResolution(resolution, resolution)
     source.Update()
@@ -82,7 +84,7 @@ class TestSurfaceLineIntegralConvolution(unittest.TestCase):
         self.assertNotEqual(at(0), at(0.5))
 
     def test_refined(self):
-        """Behind the refinement filter, by the array's name."""
+        """After the refinement filter, with an array selected by name."""
         metric = relevo.vtkFieldVariationDepthTagMetric()
         metric.SetArrayName("v")
         recipe = relevo.vtkAdaptiveRefinement()
@@ -110,13 +112,13 @@ class TestSurfaceLineIntegralConvolution(unittest.TestCase):
             for name, value in setting.items():
                 before = getattr(lic, "Get" + name)()
                 getattr(lic, "Set" + name)(value)
-                self.assertEqual(errors, [1])  # said at once, and kept as it was
+                self.assertEqual(errors, [1])  # reported at once; the old value stays
                 self.assertEqual(getattr(lic, "Get" + name)(), before)
             lic.Update()
             self.assertEqual(errors, [1])
             self.assertEqual(lic.GetOutput().GetNumberOfPoints(), plane.GetNumberOfPoints())
         lic.SetLowLICContrastEnhancementFactor(0.5)
-        lic.SetHighLICContrastEnhancementFactor(0.5)  # nothing is left of the range
+        lic.SetHighLICContrastEnhancementFactor(0.5)  # no range would remain
         lic.Update()
         self.assertEqual(errors, [1, 1])
         self.assertEqual(lic.GetOutput().GetNumberOfPoints(), 0)

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkTerrainSource from Python: the mesh, the displacement, imagery, errors, doc strings."""
+"""Proves terrain.md from Python: mesh, displacement and imagery of vtkTerrainSource, errors, and
+docstrings."""
 
 import math
 import os
@@ -92,7 +93,7 @@ class TestTerrainSource(unittest.TestCase):
         self.assertFalse(source.GeographicToTerrain((25, 7, 2), place))
 
     def test_no_file(self):
-        """The advice is a method of the source."""
+        """The error recommends a method that the source has."""
         source = relevo.vtkTerrainSource()
         errors = catch_errors(source)
         source.Update()
@@ -168,7 +169,7 @@ class TestTerrainSource(unittest.TestCase):
         self.assertAlmostEqual(y, 40.5536780696 - 93.5 * 0.00211, places=8)
         self.assertEqual(z, 0.0)
         bounds = source.GetOutput().GetBounds()
-        # A degree is 111.2 km of latitude here, 85.1 km of longitude.
+        # A degree of latitude is 111.2 km here, and one of longitude 85.1 km.
         self.assertAlmostEqual(bounds[3] - bounds[2], 187 * 0.00211 * 111.05e3, delta=100)
         self.assertAlmostEqual(bounds[1] - bounds[0], 152 * 0.00275 * 85.17e3, delta=150)
         width, height, _ = source.GetImagery().GetDimensions()

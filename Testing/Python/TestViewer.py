@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""relevo-view: exit codes and messages, pictures without a display, exported meshes."""
+"""Proves viewer.md: exit codes, messages, pictures without a display, and exported meshes of
+relevo-view."""
 
 import math
 import os
@@ -56,7 +57,7 @@ class TestViewer(ViewerProgram):
         return reader.GetOutput()
 
     def test_help(self):
-        """Two spaces after options without a value, as Examples/run.sh counts on."""
+        """Options without a value are followed by two spaces, which Examples/run.sh relies on."""
         usage = self.view("--help").stdout
         self.assertIn("--exaggeration", usage)
         flags = set(re.findall(r"^  (--[a-z-]+)  ", usage, re.MULTILINE))
@@ -122,7 +123,7 @@ class TestViewer(ViewerProgram):
             text=True,
         )
         self.assertEqual(run.returncode, 1, run.stderr)
-        # VTK's warning may come first, of 9.4 and later.
+        # VTK 9.4 and later may print a warning first.
         self.assertRegex(run.stderr, r"(?m)^relevo-view: error: .+DISPLAY=no-such-host.+\n\Z")
 
     def test_picture_without_display(self):
@@ -133,7 +134,7 @@ class TestViewer(ViewerProgram):
             for i in range(0, 320, 10):
                 colours.add(tuple(image.GetScalarComponentAsFloat(i, j, 0, c) for c in range(3)))
         self.assertGreater(len(colours), 50)
-        # The camera fits: the sky is at the left and right border, the terrain in the middle.
+        # The view fits: the left and right borders show sky, the middle shows terrain.
         for i in (0, 319):
             for j in range(0, 200, 10):
                 sky = [image.GetScalarComponentAsFloat(i, j, 0, c) for c in range(3)]
@@ -148,7 +149,7 @@ class TestViewer(ViewerProgram):
             text=True,
         )
         try:
-            # The statistics come once the window has drawn; then it stays open.
+            # Statistics appear when the window has drawn. It stays open.
             self.assertTrue(any("frame time" in window.stdout.readline() for _ in range(9)))
             with self.assertRaises(subprocess.TimeoutExpired):
                 window.wait(1)
@@ -214,7 +215,7 @@ class TestViewer(ViewerProgram):
         self.assertGreater(int(lines["draw calls"]), 0)
         self.assertGreater(float(lines["graphics memory"].removesuffix(" MiB")), 0.0)
         self.assertGreater(float(lines["frame time"].removesuffix(" ms")), 0.0)
-        # It is the same picture without.
+        # The picture is the same without the option.
         self.view(self.heights, "--max-level", "2", "--output", "plain.png", "--size=200x100")
         pictures = [(self.folder / name).read_bytes() for name in ("s.png", "plain.png")]
         self.assertEqual(*pictures)
@@ -254,7 +255,7 @@ class TestViewer(ViewerProgram):
             self.assertLess(abs(count - 20000), 1000)
 
     def test_export_of_a_region(self):
-        """Around the place asked for the mesh is finest."""
+        """The mesh is finest around the region's centre."""
         mesh = self.mesh(
             "--metric=region", "--region=12,8,2", "--max-level=3", "--resolution=6"
         )
@@ -271,7 +272,8 @@ class TestViewer(ViewerProgram):
         self.assertNotEqual(powers, whole)
 
     def test_export_has_no_geomorphing(self):
-        """The same mesh with and without: in a file every vertex is in its own place."""
+        """The mesh is the same with and without geomorphing: in a file, vertices have their final
+        positions."""
         meshes = [
             self.mesh("--metric=screen-edge", "--resolution=6", *arguments)
             for arguments in ((), ("--no-geomorphing",))
@@ -283,7 +285,7 @@ class TestViewer(ViewerProgram):
         )
 
     def test_colors(self):
-        """A legend beside the terrain; its colours are those of the mode."""
+        """A legend beside the terrain has the colours of the mode."""
         common = ("--size", "480x300", "--max-level", "2", "--resolution", "12")
         colors = {}
         for mode in ("level", "pattern", "metric"):
@@ -293,7 +295,7 @@ class TestViewer(ViewerProgram):
                 for i in range(4, 45)
                 for j in range(300)
             }
-        # Viridis' ends in the legends of levels and metric: violet and yellow.
+        # The ends of Viridis, violet and yellow, appear in the legends of levels and metric.
         for mode in ("level", "metric"):
             self.assertTrue(any(r < 80 and g < 20 and b < 110 for r, g, b in colors[mode]), mode)
             self.assertTrue(any(r > 230 and g > 200 and b < 80 for r, g, b in colors[mode]), mode)
@@ -303,7 +305,7 @@ class TestViewer(ViewerProgram):
     def test_export_is_the_displaced_terrain(self):
         mesh = self.mesh("--exaggeration", "2", "--max-level", "3")
         bounds = mesh.GetBounds()
-        # Without georeference a texel is a unit, and the origin is the centre.
+        # Without georeference one texel is one unit, and the origin is the centre.
         for bound, expected in zip(bounds, (-24, 24, -16, 16)):
             self.assertAlmostEqual(bound, expected, places=3)
         self.assertAlmostEqual(bounds[4], 0.0, delta=1.0)

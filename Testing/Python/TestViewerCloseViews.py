@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Close views of terrain in relevo-view: the camera is above the ground, and nothing is cut away.
+"""Proves viewer.md for close views of terrain: the camera stays above the ground, and nothing is
+clipped.
 
-Pictures are compared with rays cast through the bilinear heights. They and the camera are computed
-here anew, from the heights and the options. Where the camera would be in the ground, what holds for
-every view of a height field from above it is checked: below ground there is ground.
-"""
+Pictures are compared with rays through the bilinear heights. Rays and camera are computed here from
+heights and options. If the camera would be in the ground, the test checks a property of every view
+from above a height field: below ground there is ground."""
 
 import itertools
 import math
@@ -30,11 +30,11 @@ SIZE = (80, 60)
 COLUMNS, ROWS = 96, 64
 FILLED = 0.94  # of the picture, without a legend
 ANGLE = math.radians(30)
-DARK = 40  # lighter than the underside, with light from above
+DARK = 40  # brighter than the underside when lit from above
 
 
 def make_heights():
-    """Hills and valleys, a ridge and a cliff; whole numbers."""
+    """Hills and valleys, a ridge and a cliff, in whole numbers."""
     x, y = numpy.meshgrid(numpy.arange(COLUMNS) / COLUMNS, numpy.arange(ROWS) / COLUMNS)
     heights = 60 + 40 * numpy.sin(9 * x + 4 * y) * numpy.cos(11 * y) + 15 * numpy.sin(40 * x)
     heights += 60 * numpy.exp(-(((x - 0.3) / 0.04) ** 2)) + 40 * (x > 0.75)
@@ -45,7 +45,7 @@ HEIGHTS = make_heights()
 
 
 def interpolate(x, y):
-    """Bilinear, at the terrain's own x and y; NaN beside it."""
+    """Bilinear heights at the terrain's x and y; NaN outside."""
     u = numpy.clip(x + COLUMNS / 2 - 0.5, 0, COLUMNS - 1)
     v = numpy.clip(y + ROWS / 2 - 0.5, 0, ROWS - 1)
     i = numpy.minimum(u.astype(int), COLUMNS - 2)
@@ -58,7 +58,7 @@ def interpolate(x, y):
 
 
 def get_axes(azimuth, elevation):
-    """The direction to the camera, right and up."""
+    """The directions to the camera, to the right and upwards."""
     a, e = math.radians(azimuth), math.radians(elevation)
     back = numpy.array(
         [math.sin(a) * math.cos(e), math.cos(a) * math.cos(e), math.sin(e)]
@@ -69,7 +69,7 @@ def get_axes(azimuth, elevation):
 
 
 def get_distance(points, axes):
-    """From the camera that shows all points to the middle of their bounding box."""
+    """Distance from the camera that shows all points to the centre of their bounding box."""
     back, right, up = axes
     tangents = FILLED * math.tan(ANGLE / 2) * numpy.array([SIZE[0] / SIZE[1], 1])
     depths = points @ -back
@@ -83,14 +83,14 @@ def get_distance(points, axes):
 
 
 def cast(position, axes, scale, nearest):
-    """Whether the rays through the pixels' centres meet the ground; the lowest row first."""
+    """Whether the rays through the pixels' centres hit the ground, lowest row first."""
     back, right, up = axes
     x, y = (
         (2 * (numpy.arange(n) + 0.5) / n - 1) * math.tan(ANGLE / 2) * n / SIZE[1] for n in SIZE
     )
     rays = x[None, :, None] * right + y[:, None, None] * up - back
     met = numpy.zeros(rays.shape[:2], bool)
-    before = numpy.full(met.shape, numpy.nan)  # above the ground, NaN beside it
+    before = numpy.full(met.shape, numpy.nan)  # height above the ground, NaN outside
     for depth in numpy.geomspace(nearest, 400, 600):
         point = position + depth * rays
         above = point[..., 2] - scale * interpolate(point[..., 0], point[..., 1])
@@ -120,7 +120,7 @@ class TestViewerCloseViews(ViewerProgram):
         writer.Write()
 
     def picture(self, *arguments):
-        """True where there is ground; and the share of it that is dark."""
+        """True where there is ground, and the share of it that is dark."""
         self.view(
             self.file, "--output=p.png", "--size={}x{}".format(*SIZE), "--no-legend",
             "--light=0,90", *arguments
@@ -154,7 +154,7 @@ class TestViewerCloseViews(ViewerProgram):
                 height = scale * interpolate(numpy.array(x), numpy.array(y))
                 position = numpy.array([x, y, height]) + distance * axes[0]
                 below = scale * interpolate(position[0], position[1])
-                if not math.isnan(below):  # from beside the terrain its underside may be seen
+                if not math.isnan(below):  # from outside the terrain, its underside may be visible
                     self.assertLess(dark, 0.03)
                     self.assert_no_gaps(ground)
                 if not position[2] < below + 0.02 * distance:
@@ -170,7 +170,7 @@ class TestViewerCloseViews(ViewerProgram):
             self.assertTrue(first.size == 0 or column[: first[-1]].all())
 
     def assert_same(self, ground, expected):
-        """But for a pixel along the outlines."""
+        """Ignores one pixel along silhouettes."""
         near = expected.copy()
         sure = expected.copy()
         for axis in (0, 1):
@@ -181,7 +181,7 @@ class TestViewerCloseViews(ViewerProgram):
         self.assertLess(wrong.sum(), 0.005 * wrong.size)
 
     def test_coarse_terrain(self):
-        """Above what is drawn, which is flatter than the heights."""
+        """The camera stays above the drawn surface, which is flatter than the heights."""
         for arguments in (("--level=0", "--resolution=6"), ("--level=2", "--resolution=3")):
             for zoom in (20, 200):
                 for at in ("-20,3", "25,12"):
@@ -194,7 +194,7 @@ class TestViewerCloseViews(ViewerProgram):
                         self.assertLess(dark, 0.03)
 
     def test_exaggeration(self):
-        """Of a needle nothing is seen; the message says what is possible."""
+        """Nothing of a needle is visible; the message gives the possible range."""
         for value in ("1e9", "-1e9"):
             self.assert_error(
                 1, ["rough.png", f"--exaggeration {float(value):.3g}", "as high as"], self.file,

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""relevo-view --against: what is printed and drawn of two meshes that meet, errors."""
+"""Proves viewer.md on relevo-view --against: output and picture of two intersecting meshes, and
+errors."""
 
 import math
 import re
@@ -24,7 +25,7 @@ def write_box(folder, name, low, high):
 
 
 def write_bore(folder):
-    """A tube of 8 quadratic cells, its axis y, from -1 to 1."""
+    """A tube of 8 quadratic cells around the y axis, from -1 to 1."""
     grid = vtkUnstructuredGrid()
     grid.SetPoints(vtkPoints())
     for y in (-1, 0, 1):
@@ -71,7 +72,7 @@ class TestViewerContact(ViewerProgram):
         write_box(cls.folder, "d.vtp", 0.5, 2)
 
     def found(self, *arguments):
-        """The numbers that are printed, by their names."""
+        """The printed numbers by name."""
         lines = self.view(*arguments).stdout.splitlines()
         return {
             line.split(":")[0]: tuple(map(float, re.findall(r"\d[\d.e+-]*", line)))
@@ -79,7 +80,7 @@ class TestViewerContact(ViewerProgram):
         }
 
     def test_curves(self):
-        """One closed curve, a hexagon of edges of length 1."""
+        """One closed curve, a hexagon with edges of length 1."""
         found = self.found("a.vtp", "--against", "b.vtp")
         self.assertEqual(set(found), {"cut faces", "curves", "overlap area"})
         self.assertEqual(found["curves"], (1, 6))
@@ -87,7 +88,7 @@ class TestViewerContact(ViewerProgram):
         self.assertEqual(found["cut faces"], (3, 3))
 
     def test_overlap(self):
-        """Three faces of the smaller box lie in those of the other."""
+        """Three faces of the smaller box lie in faces of the other."""
         found = self.found("a.vtp", "--against=d.vtp")
         self.assertAlmostEqual(found["overlap area"][0], 3 * 1.5**2)
 
@@ -102,8 +103,9 @@ class TestViewerContact(ViewerProgram):
         self.assertEqual((found["least distance"], found["faces inside"]), ((0,), (0, 0)))
 
     def test_curved_cells(self):
-        """A bore of radius 1, of 8 quadratic cells whose chords are 0.924 from the axis: a pin of 0.99
-        does not meet it, the ends of one of 1.02 do all around. Messages name files."""
+        """A bore of radius 1 has 8 quadratic cells whose chords are 0.924 from the axis. A pin of
+        0.99 does not touch it; both ends of a pin of 1.02 intersect it all around. Messages name
+        files."""
         write_bore(self.folder)
         for radius in (0.99, 1.02):
             write_pin(self.folder, "pin.vtp", radius)
@@ -118,7 +120,7 @@ class TestViewerContact(ViewerProgram):
                 else:
                     self.assertEqual(found["cut faces"][0], 8)
                     self.assertEqual(found["curves"][0], 2)
-                    # Parabolas through points of a circle are up to 0.0008 from it.
+                    # Parabolas through points of a circle deviate by up to 0.0008.
                     self.assertAlmostEqual(found["curves"][1], 4 * math.pi, delta=0.01)
                     self.assertGreater(red, 100)
         write_pin(self.folder, "pin.vtp", 0.99)

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""relevo-view with damaged files: one line and exit code 1, whatever VTK's readers do with them.
-Pipes, devices and folders in place of files; names and contents that could command a terminal."""
+"""Proves that relevo-view gives one line and exit code 1 for damaged files, whatever VTK's readers
+do with them, and for pipes, devices and folders. Names and contents cannot send commands to a
+terminal."""
 
 import os
 import struct
@@ -81,7 +82,7 @@ class TestViewerDamaged(ViewerProgram):
         )
 
     def cut(self, name, content, sizes, *arguments):
-        """Each is an error that names the file."""
+        """Each truncated file is an error that names the file."""
         for size in sizes:
             (self.folder / name).write_bytes(content[:size])
             run = self.view(name, *arguments, *EXPORT, code=1)
@@ -89,7 +90,7 @@ class TestViewerDamaged(ViewerProgram):
             self.assertIn(name, run.stderr, size)
 
     def test_no_regular_files(self):
-        """At once, also where a device has no end."""
+        """Fails at once, even for an endless device."""
         for name in ("a.tif", "a.vtp", "a.bpt", "a.ply"):
             (self.folder / name).symlink_to("pipe")
             self.assert_error(1, [name, "not a regular file"], name, *EXPORT)
@@ -110,7 +111,7 @@ class TestViewerDamaged(ViewerProgram):
                           "--output=o.png")
 
     def test_pieces(self):
-        """Of a .pvtu file. VTK's reader passes over those that it cannot read."""
+        """Pieces of a .pvtu file. VTK's reader skips those that it cannot read."""
         whole = self.write_data("whole.vtu", vtkXMLUnstructuredGridWriter, tetrahedron())
         piece = self.folder / "piece.vtu"
         (self.folder / "pieces.pvtu").write_text(
@@ -135,7 +136,7 @@ class TestViewerDamaged(ViewerProgram):
         self.view("pieces.pvtu", *EXPORT)
 
     def test_waiting(self):
-        """For a pipe that nobody writes into; GDAL's reader never comes back."""
+        """Nobody writes into this pipe, so GDAL's reader never returns."""
         self.assertEqual(self.waiting.wait(60), 1)
         self.assertEqual(
             self.waiting.stderr.read(),
@@ -169,7 +170,7 @@ class TestViewerDamaged(ViewerProgram):
         self.cut("a.stl", content, (60, len(content) - 1))
         text = self.write_data("text.stl", vtkSTLWriter, sphere())
         self.cut("text.stl", text, (len(text) // 2,))
-        # Some programs count wrong.
+        # Some programs write a wrong count.
         (self.folder / "b.stl").write_bytes(content[:80] + struct.pack("<I", 0) + content[84:])
         run = subprocess.run([str(PROGRAM), "b.stl", *EXPORT], cwd=self.folder,
                              capture_output=True, text=True)
@@ -201,7 +202,7 @@ class TestViewerDamaged(ViewerProgram):
         self.cut("a.ex2", content, (len(content) // 4, len(content) - 20))
 
     def test_obj(self):
-        """VTK's reader writes beyond its arrays where corners refer to what is not there."""
+        """VTK's reader writes beyond its arrays if corners refer to missing points."""
         head = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvn 0 0 1\n"
         for corners, words in (
             ("1/1/1 2/2/1 3/3/1", "line 7 refers to the texture coordinate 3, and there are 2"),
@@ -221,7 +222,7 @@ class TestViewerDamaged(ViewerProgram):
             self.view("a.obj", *EXPORT)
 
     def test_legacy(self):
-        """Where the data of an array end early; VTK's reader passes over it."""
+        """The data of an array are truncated, which VTK's reader ignores."""
         for name, writer, data, kind in (
             ("a.vtk", vtkPolyDataWriter, sphere(), "ASCII"),
             ("b.vtk", vtkPolyDataWriter, sphere(), "Binary"),
@@ -244,7 +245,7 @@ class TestViewerDamaged(ViewerProgram):
                 self.cut("x" + name, content, (len(content) // 2, len(content) - 8))
 
     def test_crash(self):
-        """Of VTK's reader: of a line with a slash, of a number of bytes beyond the data."""
+        """Crashes of VTK's reader: a line with a slash, and more bytes than the data have."""
         for line in ("f 1/ 2/ 3/", "f //1 //2 //3", "f a b c", "l 1"):
             (self.folder / "a.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + line + "\n")
             run = subprocess.run([str(PROGRAM), "a.obj", *EXPORT], cwd=self.folder,
@@ -257,7 +258,7 @@ class TestViewerDamaged(ViewerProgram):
         self.assert_error(1, ["cannot read a.vtk"], "a.vtk", *EXPORT)
 
     def test_memory(self):
-        """More than this machine has, or than a limit allows."""
+        """Requires more memory than this machine has, or than a limit allows."""
         (self.folder / "huge.vtk").write_text(
             "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 999999999999 float\n0 0 0\n")
         self.assert_error(1, ["huge.vtk"], "huge.vtk", *EXPORT)
@@ -268,7 +269,8 @@ class TestViewerDamaged(ViewerProgram):
         self.assert_error(1, ["huge.vtu"], "huge.vtu", *EXPORT)
 
     def test_terminals(self):
-        """Control characters are escaped, so that a message stays one line and commands nothing."""
+        """Control characters are escaped, so that a message stays one line without terminal
+        commands."""
         name = "a\x1b]0;x\x07\nrelevo-view: b\x7f.ply"
         escaped = r"a\x1b]0;x\x07\nrelevo-view: b\x7f.ply"
         self.assert_error(1, [escaped], name, *EXPORT)
@@ -284,7 +286,7 @@ class TestViewerDamaged(ViewerProgram):
             run = subprocess.run([str(PROGRAM), given + b".ply", *EXPORT], cwd=self.folder,
                                  capture_output=True)
             self.assertIn(shown + b".ply", run.stderr)
-        # What VTK's readers quote of a file.
+        # Text of a file that VTK's readers quote.
         (self.folder / "a.vtk").write_bytes(
             b"# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\n\x1b[2J 3 float\n")
         self.assert_error(1, [r"\x1b[2"], "a.vtk", *EXPORT)
@@ -306,7 +308,7 @@ class TestViewerDamaged(ViewerProgram):
         self.assert_error(1, ["cannot read --x.vtp"], *EXPORT, "--", "--x.vtp")
 
     def test_words(self):
-        """One message for one cause, in the words of the options."""
+        """Each cause has one message, which names options."""
         heights = bytearray(b"II*\0" + bytes(4))
         (self.folder / "mug.e").write_bytes(bytes(heights))
         self.assert_error(1, ["mug.e", "If it is an Exodus file, rename it to .ex2"], "mug.e", *EXPORT)
@@ -328,7 +330,7 @@ class TestViewerDamaged(ViewerProgram):
                           "--metric=curvature")
 
     def test_interrupt(self):
-        """Ends the program, also while it reads."""
+        """Ctrl-C ends the program, also while it reads."""
         with self.start("waits.vrt") as run:
             with self.assertRaises(subprocess.TimeoutExpired):
                 run.wait(2)

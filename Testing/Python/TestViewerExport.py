@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What relevo-view --export keeps of a terrain, read back by VTK; binary files."""
+"""Proves viewer.md on relevo-view --export: a terrain's arrays and location, read back by VTK, and
+binary files."""
 
 import os
 import pathlib
@@ -34,7 +35,7 @@ class TestViewerExport(ViewerProgram):
         return reader.GetOutput()
 
     def assert_terrain(self, mesh, file, exaggeration):
-        """It has the place of the source's terrain, and the heights of its height map."""
+        """The mesh has the location of the source's terrain and the heights of its height map."""
         source = relevo.vtkTerrainSource()
         source.SetFileName(str(file))
         source.Update()
@@ -61,7 +62,7 @@ class TestViewerExport(ViewerProgram):
             )
             self.assertEqual(mesh.GetNumberOfCells(), 2 * 6 * 4 * 16)
             source = self.assert_terrain(mesh, self.heights, exaggeration)
-            # Texels, without georeference.
+            # Texels without georeference.
             self.assertEqual(source.GetOrigin(), (COLUMNS / 2, ROWS / 2, 0))
             self.assertGreater(mesh.GetPointData().GetArray("Height").GetRange()[1], 150)
 

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What relevo-view writes is the old file or the whole new one: on full disks and after signals.
+"""Proves viewer.md: files written by relevo-view have either the old or the complete new content,
+also on full disks and after signals.
 
-RELEVO_TEST_MOMENTS=50 sends each signal at that many moments for every kind of file.
-"""
+RELEVO_TEST_MOMENTS=50 sends each signal at this many moments for every kind of file."""
 
 import errno
 import os
@@ -21,7 +21,7 @@ from ViewerScenes import write_sphere
 
 MOMENTS = int(os.environ.get("RELEVO_TEST_MOMENTS", "1"))
 OLD = b"old"
-FILES = {  # of more than 12 kB
+FILES = {  # more than 12 kB each
     ".obj": ("--export", "--level=1"),
     ".ply": ("--export", "--level=2"),
     ".stl": ("--export", "--level=2"),
@@ -31,7 +31,7 @@ FILES = {  # of more than 12 kB
 
 
 def is_temporary(name):
-    """A file that SIGKILL may leave."""
+    """Whether SIGKILL may leave such a file."""
     return name.startswith(".") and ".part" in name
 
 
@@ -64,7 +64,7 @@ class TestViewerFiles(ViewerProgram):
             path.unlink()
 
     def test_full_disk(self):
-        """As above, on a small disk of its own; the second file would fit without the first."""
+        """The same on a small disk, where the second file would fit without the first."""
         folder = self.folder / "disk"
         folder.mkdir()
         mount = ["mount", "-t", "tmpfs", "-o", "size=8k", "tmpfs", str(folder)]
@@ -98,7 +98,7 @@ class TestViewerFiles(ViewerProgram):
                         stdout=subprocess.DEVNULL,
                         stderr=subprocess.DEVNULL,
                     ) as process:
-                        # Most of the time goes by before there is anything to write.
+                        # Most of the time passes before anything is written.
                         time.sleep(duration * random.uniform(0.3, 1.0))
                         process.send_signal(number)
                         self.assertIn(process.wait(60), (0, -number))
@@ -122,7 +122,7 @@ class TestViewerFiles(ViewerProgram):
             )
 
     def read_reliefs(self, folder):
-        """How many reliefs there are; all of them are whole."""
+        """The number of reliefs, all of which must be complete."""
         reader = relevo.vtkReliefDatabaseReader()
         errors = []
         reader.AddObserver("ErrorEvent", lambda caller, event: errors.append(event))
@@ -132,7 +132,7 @@ class TestViewerFiles(ViewerProgram):
         return reader.GetOutput().GetNumberOfBlocks()
 
     def test_captures(self):
-        """A folder has the old captures, or all of the new ones."""
+        """A folder has the old captures or all of the new ones."""
         folder = self.folder / "captures"
         old, new = ("--relief=box",), ("--relief=view",)
         capture = [str(PROGRAM), str(self.sphere), f"--capture={folder}"]
@@ -171,7 +171,7 @@ class TestViewerFiles(ViewerProgram):
             f"captures: {3 * MOMENTS} signals, {number_of_old} times the old ones, "
             f"{3 * MOMENTS - number_of_old} times the new ones"
         )
-        run(new)  # once more, and nothing is left of those before
+        run(new)  # the next run removes all remains
         self.assertEqual(len(list(folder.iterdir())), 3)
 
     def test_captures_in_other_folders(self):

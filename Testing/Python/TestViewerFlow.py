@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""relevo-view --lic: streaks along vectors of points and of cells, their settings, errors."""
+"""Proves viewer.md on relevo-view --lic: streaks along point and cell vectors, settings, and
+errors."""
 
 import math
 import os
@@ -17,7 +18,7 @@ from ViewerProgram import ViewerProgram
 
 FLOW = pathlib.Path(os.environ.get("RELEVO_TEST_DATA") or "/nonexistent", "flow")
 CELLS = 8
-# Facing the plane, the pictures' middles being in it; streaks alone.
+# Faces the plane so that the picture's centre lies in it. Only the streaks are visible.
 FRONT = ("--view=180,0", "--size=200x150")
 GREY = (*FRONT, "--lic-intensity=1")
 
@@ -34,7 +35,7 @@ def make_array(name, values):
 class TestViewerFlow(ViewerProgram):
     @classmethod
     def setUpClass(cls):
-        """A plane with vectors along x and along y, of points and of cells, and a vortex."""
+        """A plane with vectors along x and y as point and cell data, and a vortex."""
         super().setUpClass()
         plane = vtkPolyData()
         plane.SetPoints(vtkPoints())
@@ -67,7 +68,7 @@ class TestViewerFlow(ViewerProgram):
         writer.Write()
 
     def pixels(self, *arguments, file=None, part=(60, 140, 35, 115)):
-        """Green, row by row, of a part of the picture."""
+        """The green component of a part of the picture, row by row."""
         self.view(file or self.file, "--output=flow.png", *arguments)
         reader = vtkPNGReader()
         reader.SetFileName(str(self.folder / "flow.png"))
@@ -86,7 +87,7 @@ class TestViewerFlow(ViewerProgram):
         return mean, math.sqrt(sum((value - mean) ** 2 for value in values) / len(values))
 
     def likeness(self, rows, dx, dy):
-        """The correlation of the pixels with those dx and dy away."""
+        """The correlation of the pixels with those shifted by dx and dy."""
         mean, deviation = self.spread(rows)
         products = [
             (rows[j][i] - mean) * (rows[j + dy][i + dx] - mean)
@@ -96,7 +97,8 @@ class TestViewerFlow(ViewerProgram):
         return sum(products) / len(products) / deviation**2
 
     def test_directions(self):
-        """Pixels along the vectors are alike, others are not; points', cells', two components."""
+        """Pixels along the vectors are similar, others are not, for point data, cell data and two
+        components."""
         for name, along, across in (
             ("East", (4, 0), (0, 4)),
             ("North", (0, 4), (4, 0)),
@@ -108,7 +110,7 @@ class TestViewerFlow(ViewerProgram):
             self.assertLess(self.likeness(rows, *across), 0.3, name)
 
     def test_steps(self):
-        """Longer streaks, of more or of longer steps."""
+        """More or longer steps give longer streaks."""
         likeness = [
             self.likeness(self.pixels(*GREY, "--lic=East", *settings), 10, 0)
             for settings in (("--lic-steps=3",), ("--lic-steps=20",), ("--lic-steps=3", "--lic-step-size=5"))
@@ -133,7 +135,8 @@ class TestViewerFlow(ViewerProgram):
         self.assertGreater(deviations[3], 1.1 * deviations[0])
 
     def test_colours(self):
-        """By the vectors' lengths, unless another array is named; blended, or as lightness."""
+        """Colours follow the vectors' lengths unless another array is named; both colour modes
+        work."""
         plain = self.spread(self.pixels(*FRONT, "--array=East"))
         none = self.spread(self.pixels(*FRONT, "--lic=East", "--lic-intensity=0"))
         self.assertAlmostEqual(none[0], plain[0], delta=1)
@@ -149,7 +152,7 @@ class TestViewerFlow(ViewerProgram):
             self.assertEqual(left < middle, left_is_dark)
 
     def test_no_data(self):
-        """No streaks, nor bare noise, where there are sentinels, or as good as nothing."""
+        """Missing and very short vectors give neither streaks nor noise."""
         for name in ("Marked", "Faint"):
             rows = self.pixels(*GREY, "--lic", name)
             self.assertGreater(self.spread([row[:30] for row in rows])[1], 10, name)

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""relevo-view with scenes and volumes: .gltf and .glb, .vtu, .off; formats that nothing reads."""
+"""Proves viewer.md on formats: .gltf and .glb, .vtu and .off files, and formats without a reader.
+"""
 
 import base64
 import json
@@ -24,14 +25,14 @@ DATA = pathlib.Path(os.environ.get("RELEVO_TEST_DATA") or "/nonexistent")
 FLOAT, UNSIGNED_SHORT = 5126, 5123
 TRIANGLES, TRIANGLE_STRIP = 4, 5
 CUBE = [(i & 1, i >> 1 & 1, i >> 2) for i in range(8)]
-# Seen from outside counter-clockwise.
+# Counter-clockwise seen from outside.
 CUBE_FACES = [0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4] + [
     2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5,
 ]
 
 
 class Scene:
-    """A glTF document that grows."""
+    """Builds a glTF document step by step."""
 
     def __init__(self):
         self.data = b""
@@ -47,7 +48,7 @@ class Scene:
         return len(self.document[key]) - 1
 
     def add_values(self, values, target):
-        """Of an accessor: tuples of floats, or indices."""
+        """Adds an accessor for tuples of floats or for indices."""
         is_vector = isinstance(values[0], tuple)
         flat = [x for value in values for x in value] if is_vector else values
         part = struct.pack(f"<{len(flat)}{'f' if is_vector else 'H'}", *flat)
@@ -105,7 +106,7 @@ class Scene:
 
 
 def sparse(indices, values):
-    """One value, by the buffer views of its index and of itself."""
+    """A sparse accessor with one value: the buffer views of its index and of the value."""
     return {
         "count": 1,
         "indices": {"bufferView": indices, "componentType": UNSIGNED_SHORT},
@@ -114,7 +115,7 @@ def sparse(indices, values):
 
 
 def volume(mesh):
-    """Above 0 where the triangles of a closed mesh face out."""
+    """Positive if the triangles of a closed mesh face outwards."""
     total = 0
     for i in range(mesh.GetNumberOfCells()):
         ids = mesh.GetCell(i).GetPointIds()
@@ -160,7 +161,7 @@ class TestViewerFormats(ViewerProgram):
             self.assertAlmostEqual(one, other, places=5)
 
     def colors(self, mesh):
-        """Of the points, by their places."""
+        """Colours of the points, by position."""
         array = mesh.GetPointData().GetArray("Color")
         self.assertEqual(array.GetNumberOfComponents(), 3)
         return {
@@ -169,7 +170,7 @@ class TestViewerFormats(ViewerProgram):
         }
 
     def test_transforms(self):
-        """A cube in a node that is turned by 90 degrees about z, in one that is moved and scaled."""
+        """A cube in a node rotated by 90 degrees about z, inside one that is moved and scaled."""
         scene = Scene()
         half = math.sqrt(0.5)
         inner = scene.add_node(
@@ -184,7 +185,7 @@ class TestViewerFormats(ViewerProgram):
             self.assertIsNone(mesh.GetPointData().GetArray("Color"))
 
     def test_primitives_and_colours(self):
-        """Of materials and of points, both, and neither; strips are triangles."""
+        """Colours of materials, of points, of both, and of neither. Strips become triangles."""
         scene = Scene()
         square = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)]
         strip = scene.primitive(square, [0, 1, 2, 3], TRIANGLE_STRIP, color=[1, 0.2159, 0, 1])
@@ -207,7 +208,7 @@ class TestViewerFormats(ViewerProgram):
         self.view(file, "--output=p.png", "--size=64x48")
 
     def test_mirrored_nodes(self):
-        """They face out too, as glTF wants it, whether triangles or strips."""
+        """Mirrored triangles and strips face outwards too, as glTF requires."""
         scene = Scene()
         strip = [0, 2, 1, 3, 7, 2, 6, 0, 4, 1, 5, 7, 4, 6]  # around a cube
         for x, primitive in (
@@ -221,7 +222,7 @@ class TestViewerFormats(ViewerProgram):
         self.assertAlmostEqual(volume(mesh), 6, places=4)
 
     def test_bad_scenes(self):
-        """Cut short, or parts that refer to what is not there."""
+        """Truncated files, and parts that refer to missing ones."""
         scene = Scene()
         scene.add_node(scene.primitive(CUBE, CUBE_FACES))
         good = scene.write(self.folder / "good.glb").read_bytes()
@@ -267,13 +268,13 @@ class TestViewerFormats(ViewerProgram):
         beyond = Scene()
         beyond.add_node(beyond.primitive(CUBE[:3], [0, 1, 9]))
         beyond.write(self.folder / "beyond.gltf")
-        # VTK 9.6 finds it itself, and does not say what it found.
+        # VTK 9.6 detects this itself, but does not report what it found.
         version = vtkVersion().GetVTKMajorVersion(), vtkVersion().GetVTKMinorVersion()
         words = "point 9 of 3" if version < (9, 6) else "cannot read beyond.gltf"
         self.assert_error(1, [words], "beyond.gltf", "--output=n.png")
 
     def test_corners_that_do_not_exist(self):
-        """Whatever is asked of the mesh first."""
+        """Invalid references are found before the mesh is used."""
         points = ["v 0 0 0", "v 1 0 0", "v 0 1 0"]
         (self.folder / "beyond.obj").write_text("\n".join(points + ["f 1 2 3", "f 1 2 70000001\n"]))
         grid = vtkUnstructuredGrid()
@@ -295,14 +296,15 @@ class TestViewerFormats(ViewerProgram):
                 self.assert_error(1, [name, words], name, "--output=n.png", *more)
 
     def test_one_place(self):
-        """A mesh whose points are all the same."""
+        """A mesh whose points all coincide."""
         (self.folder / "place.obj").write_text(3 * "v 1 1 1\n" + "f 1 2 3\n")
         for more in ([], ["--metric=curvature"]):
             run = self.view("place.obj", "--output=n.png", *more, code=1)
             self.assertIn("error: place.obj: ", run.stderr)
 
     def test_buffers_that_are_too_short(self):
-        """For the views of them: in a .glb file, in a data URI, in a file beside it."""
+        """Buffers that are too short for their views: in a .glb file, in a data URI and in a
+        separate file."""
         scene = Scene()
         scene.add_node(scene.primitive(CUBE, CUBE_FACES))
         whole = scene.data
@@ -320,7 +322,7 @@ class TestViewerFormats(ViewerProgram):
         self.assert_error(1, ["beside.bin is cut short"], "beside.gltf", "--output=n.png")
 
     def test_large_data_uri(self):
-        """Of hundreds of kilobytes."""
+        """A data URI of hundreds of kilobytes."""
         size = 120
         points = [(i, j, 0.0) for j in range(size) for i in range(size)]
         corners = [j * size + i for j in range(size - 1) for i in range(size - 1)]
@@ -331,12 +333,12 @@ class TestViewerFormats(ViewerProgram):
         self.assertEqual(mesh.GetNumberOfCells(), len(corners))
 
     def test_volume(self):
-        """Its surface; the array of the points goes along."""
+        """The surface of a .vtu file, with its point array."""
         grid = vtkUnstructuredGrid()
         points = vtkPoints()
         for corner in CUBE:
             points.InsertNextPoint(corner)
-        points.InsertNextPoint(9, 9, 9)  # of no cell
+        points.InsertNextPoint(9, 9, 9)  # an unused point
         grid.SetPoints(points)
         grid.InsertNextCell(VTK_HEXAHEDRON, 8, (0, 1, 3, 2, 4, 5, 7, 6))
         writer = vtkXMLUnstructuredGridWriter()
@@ -359,7 +361,7 @@ class TestViewerFormats(ViewerProgram):
         self.view(file, "--array=DISPL", "--output=p.png", "--size=64x48")
 
     def test_off(self):
-        """Where VTK reads it; else the error says what can be read."""
+        """.off files, if VTK reads them. Otherwise the error lists the supported formats."""
         (self.folder / "a.off").write_text("OFF\n3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
         if hasattr(vtkmodules.vtkIOGeometry, "vtkOFFReader"):
             self.assertEqual(self.export("a.off").GetNumberOfCells(), 1)
@@ -369,12 +371,12 @@ class TestViewerFormats(ViewerProgram):
             )
 
     def test_other_formats(self):
-        """What no reader knows might be a mesh: the error says which there are."""
+        """A file that no reader recognizes might be a mesh, so the error lists the mesh formats."""
         formats = [".glb", ".gltf", ".obj", ".ply", ".stl", ".vtk", ".vtp or .vtu files"]
         for name in ("a.dae", "a", "a.tif"):
             (self.folder / name).write_text("neither heights nor a mesh\n")
             self.assert_error(1, ["Cannot read " + name, *formats], name, "--output=n.png")
-        # Not where it is something else that is wrong.
+        # Not for other causes.
         (self.folder / "empty.dae").write_text("")
         for name in ("empty.dae", "missing.dae"):
             run = self.view(name, "--output=n.png", code=1)
@@ -382,7 +384,7 @@ class TestViewerFormats(ViewerProgram):
             self.assertNotIn(".gltf", run.stderr)
 
     def test_time_steps(self):
-        """Of several steps the first is drawn, which is said."""
+        """Of several time steps the first one is drawn, and a note says so."""
         try:
             from vtkmodules.vtkIOExodus import vtkExodusIIWriter
         except ImportError:

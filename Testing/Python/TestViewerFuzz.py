@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""relevo-view with files of each format, damaged at random: a picture or a mesh, or one line.
+"""Proves that relevo-view, for randomly damaged files of each format, gives a picture, a mesh or
+one line of error.
 
-The seed is fixed. RELEVO_TEST_FUZZ=SEED,NUMBER makes another NUMBER of files of each.
-"""
+The seed is fixed. RELEVO_TEST_FUZZ=SEED,NUMBER creates another NUMBER of files of each."""
 
 import os
 import random
@@ -25,7 +25,7 @@ SEED, NUMBER = map(int, os.environ.get("RELEVO_TEST_FUZZ", "1,4").split(","))
 EXPORT = ("--export=e.vtp", "--level=0")
 DRAW = ("--output=o.png", "--size=32x24")
 WORDS = (b"-1", b"0", b"99999999999", b"nan", b"1e308", b"\xff\xff\xff\xff", b"<", b'"', b"\n", b"")
-# Other formats have no end, or bytes behind their data.
+# Other formats have no defined end, or may have bytes after their data.
 HAVE_ENDS = (".ex2", ".glb", ".gltf", ".pgm", ".ply", ".pvtu", ".vtk", ".vtp", ".vtu")
 
 
@@ -74,7 +74,7 @@ class TestViewerFuzz(ViewerProgram):
         cls.write_data("m.vtu", vtkXMLUnstructuredGridWriter, tetrahedron())
 
     def damage(self, name, *arguments, number=NUMBER):
-        """Draws or exports with the file damaged, and cut."""
+        """Draws or exports a damaged and a truncated file."""
         path = self.folder / name
         whole = path.read_bytes()
         arguments = arguments or (name, *EXPORT)
@@ -163,7 +163,7 @@ class TestViewerFuzz(ViewerProgram):
             self.damage("a.asc")
 
     def test_drawings(self):
-        """What is only read to draw. A frame takes a quarter of a second."""
+        """Files that are only read for drawing. A frame takes a quarter of a second."""
         for name, writer in (("i.png", vtkPNGWriter), ("i.jpg", vtkJPEGWriter),
                              ("i.tif", vtkTIFFWriter), ("i.bmp", vtkBMPWriter)):
             self.write_data(name, writer, image(3))

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Legends of relevo-view's pictures: whole words, units, even labels, beside what they explain."""
+"""Proves viewer.md on legends: complete words, units, even labels, and no overlap with the scene.
+"""
 
 import sys
 import unittest
@@ -16,7 +17,7 @@ from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 from vtkmodules.vtkRenderingCore import vtkTextProperty, vtkTextRenderer
-import vtkmodules.vtkRenderingFreeType  # noqa: F401: draws the words
+import vtkmodules.vtkRenderingFreeType  # noqa: F401: draws texts
 
 from ViewerPictures import read_picture
 from ViewerProgram import ViewerProgram
@@ -27,7 +28,7 @@ UTM = 'LOCAL_CS["metres",UNIT["metre",1],AXIS["Easting",EAST],AXIS["Northing",NO
 
 
 def draw_words(words, size):
-    """The opacity of words as VTK draws them, the highest row first."""
+    """The opacity of a text as VTK draws it, top row first."""
     look = vtkTextProperty()
     look.SetFontSize(size)
     image = vtkImageData()
@@ -42,21 +43,21 @@ def draw_words(words, size):
 
 
 class Picture:
-    """Rows of pixels, the highest first."""
+    """Rows of pixels, top row first."""
 
     def __init__(self, name):
         self.pixels = numpy.array(read_picture(name), dtype=float)[::-1]
         dark = self.pixels.max(axis=2)
-        # Words are almost black on what is light.
+        # Text is almost black on a light background.
         ink = numpy.clip((200.0 - dark) / 150.0, 0.0, 1.0)
         self.ink = ink[:, :220].astype(numpy.float32)
 
     def find(self, words):
-        """Left, top, right and bottom of words that are in the picture in full, or None."""
+        """Left, top, right and bottom of a text that is completely visible, or None."""
         for size in (14, 12, 10):
             mask = draw_words(words, size)
             windows = numpy.lib.stride_tricks.sliding_window_view(self.ink, mask.shape)
-            # In letters it is dark, and one pixel around them it is not.
+            # Letters are dark, and the pixels around them are not.
             letters, gaps = mask > 0.75, mask < 0.05
             inside = numpy.zeros(windows.shape[:2])
             outside = numpy.zeros(windows.shape[:2])
@@ -100,7 +101,7 @@ class TestViewerLegend(ViewerProgram):
         return boxes
 
     def test_long_titles(self):
-        """All words, in pictures of any size, of meshes and volumes."""
+        """All words are visible, in pictures of every size, of meshes and volumes."""
         cube = make_cube()
         count = cube.GetNumberOfPoints()
         cube.GetPointData().AddArray(make_array(STRESS, [(float(i),) for i in range(count)]))
@@ -116,7 +117,7 @@ class TestViewerLegend(ViewerProgram):
                     self.assert_shows(picture, "Equivalent", "(von-Mises)", "Stress")
 
     def test_title_of_one_long_word(self):
-        """It is broken where it has to be, and not cut."""
+        """A long word is broken where necessary and never cut off."""
         scene = self.write_sphere("Displacementmagnitudeofthenode_at_rest", 0.0, 1.0)
         picture = self.picture(*scene)
         self.assert_shows(picture, "Displacement", "rest")
@@ -129,7 +130,7 @@ class TestViewerLegend(ViewerProgram):
         self.assert_shows(picture, "Pattern", "(2, 2, 2)", "(0, 0, 0)")
 
     def test_units(self):
-        """Of a file's array, once; of heights in metres."""
+        """The unit in a file's array appears once, and heights are in metres."""
         self.assert_shows(self.picture(*self.write_sphere("Flux", 0.0, 1.0, "kW")), "Flux [kW]")
         picture = self.picture(*self.write_sphere("Flux [kW]", 0.0, 1.0, "kW"))
         self.assert_shows(picture, "Flux [kW]")
@@ -142,7 +143,7 @@ class TestViewerLegend(ViewerProgram):
         self.assert_shows(self.picture("m.asc"), "Height [m]")
 
     def test_labels(self):
-        """As many decimals for all, and one exponent."""
+        """All labels have the same number of decimals and one exponent."""
         for low, high, shown, missing in (
             (0.0, 7.02e-5, ("7.02", "3.51", "0.00"), "7.02e-05"),
             (-3e8, 1.4e8, ("1.4", "-0.8", "-3.0"), "1.4e+08"),
@@ -158,18 +159,18 @@ class TestViewerLegend(ViewerProgram):
                     self.assert_shows(picture, factor)
 
     def test_nothing_is_covered(self):
-        """The sphere is yellow; where the words are and around them it is not."""
+        """The sphere is yellow, and the area of the text and around it is not."""
         scene = self.write_sphere(STRESS, 0.0, 1.0)
         for size in ((320, 240), (640, 480), (300, 500), (900, 300)):
             with self.subTest(size=size):
                 picture = self.picture(*scene, size=size)
                 yellow = picture.pixels[:, :, 1] > picture.pixels[:, :, 2] + 20.0
-                bar = 36  # columns at the left, with yellow of its own
+                bar = 36  # columns at the left, which contain yellow, too
                 boxes = self.assert_shows(picture, "(von-Mises)", "1.00", "0.00")
                 right = max(box[2] for box in boxes)
                 bottom = max(box[3] for box in boxes)
                 self.assertFalse(yellow[: bottom + 3, bar : right + 3].any())
-                # It is in the picture in full, and as large as it can be.
+                # The sphere is completely visible and as large as possible.
                 self.assertFalse(yellow[:, -1].any() or yellow[0, bar:].any() or yellow[-1].any())
                 columns = numpy.flatnonzero(yellow[:, bar:].any(axis=0))
                 rows = numpy.flatnonzero(yellow[:, bar:].any(axis=1))
@@ -178,7 +179,7 @@ class TestViewerLegend(ViewerProgram):
                 )
 
     def test_zoom_and_center_are_kept(self):
-        """The place that is asked for is in the middle, whatever the legend covers."""
+        """The requested point is in the centre, whatever the legend covers."""
         scene = self.write_sphere(STRESS, 0.0, 1.0)
         picture = self.picture(*scene, "--center=0,0,0", "--zoom=0.3", "--view=180,0")
         yellow = picture.pixels[:, 60:, 1] > picture.pixels[:, 60:, 2] + 20.0

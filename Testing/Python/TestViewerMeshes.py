@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""relevo-view with meshes: formats, surfaces, methods, heights, pictures, arrays, errors."""
+"""Proves viewer.md on meshes: formats, surfaces, methods, heights, pictures, arrays, and errors."""
 
 import itertools
 import math
@@ -89,7 +89,7 @@ class TestViewerMeshes(ViewerProgram):
         return read(name)
 
     def pixels(self, *arguments, file=None):
-        """RGB of a picture's pixels that are not sky, which is blue."""
+        """RGB of all pixels except the sky, which is blue."""
         self.view(file or self.file, "--output", "p.png", "--size=160x100", *arguments)
         reader = vtkPNGReader()
         reader.SetFileName(str(self.folder / "p.png"))
@@ -108,7 +108,7 @@ class TestViewerMeshes(ViewerProgram):
         return [math.dist(mesh.GetPoint(i), (0, 0, 0)) for i in range(mesh.GetNumberOfPoints())]
 
     def test_formats(self):
-        """Every format goes in and comes out, in the mesh's own coordinates."""
+        """Every format can be read and written, in the mesh's coordinates."""
         for extension in WRITERS:
             file = self.write(self.sphere, "in" + extension)
             mesh = self.export("--surface=linear", "--level=1", file=file)
@@ -121,7 +121,7 @@ class TestViewerMeshes(ViewerProgram):
             self.assertAlmostEqual(max(self.radii(mesh)), 0.5, places=2)
 
     def test_surface_of_a_volume(self):
-        """A .vtk file may hold any data set: its surface is drawn."""
+        """A .vtk file may contain any data set, whose surface is drawn."""
         image = vtkImageData()
         image.SetDimensions(3, 3, 3)
         writer = vtkDataSetWriter()
@@ -132,7 +132,8 @@ class TestViewerMeshes(ViewerProgram):
         self.assertEqual(mesh.GetNumberOfCells(), 6 * 4 * 2)
 
     def test_surfaces(self):
-        """All go through the sphere's points but fur; the curved ones lie nearer to it."""
+        """All surfaces except fur contain the sphere's points. Curved ones are closer to the
+        sphere."""
         inside, outside = {}, {}
         for surface in SURFACES:
             mesh = self.export("--surface", surface, "--level=2")
@@ -163,7 +164,7 @@ class TestViewerMeshes(ViewerProgram):
         self.assertNotEqual(*waves)
 
     def test_tags(self):
-        """Without tags as PN triangles; a sharp vertex has straight edges to its neighbours."""
+        """Without tags, the surface equals PN triangles. A sharp vertex has straight edges."""
         meshes = [self.export("--surface", surface, "--level=2") for surface in ("pn", "st")]
         self.assertEqual(*([mesh.GetPoint(i) for i in range(mesh.GetNumberOfPoints())] for mesh in meshes))
         tagged = vtkPolyData()
@@ -177,7 +178,7 @@ class TestViewerMeshes(ViewerProgram):
         self.assertLess(min(self.radii(sharp)), min(self.radii(meshes[0])) - 0.001)
 
     def test_methods(self):
-        """All draw the same sphere, each in its own number of calls."""
+        """All methods draw the same sphere with different numbers of calls."""
         calls = {}
         pictures = {}
         for method in METHODS:
@@ -194,7 +195,7 @@ class TestViewerMeshes(ViewerProgram):
             self.assertLess(differences, 0.01 * len(pixels), method)
 
     def test_heights(self):
-        """A height map of one height everywhere moves the sphere out by as much, along normals."""
+        """A constant height map moves the sphere outwards along its normals by this height."""
         flat = self.write_image("flat.png", lambda i, j, c: 10)
         for arguments, radius in (
             (("--scale=0.01",), 0.6),
@@ -206,7 +207,7 @@ class TestViewerMeshes(ViewerProgram):
                 self.assertAlmostEqual(distance, radius, delta=0.01)
 
     def test_default_relief(self):
-        """A twentieth of the diagonal, upwards from the surface, whatever the heights' unit."""
+        """Heights cover a twentieth of the diagonal, upwards from the surface, in every unit."""
         for name, low, high in (("low.png", 0, 15), ("high.png", 200, 215)):
             ramp = self.write_image(name, lambda i, j, c: low + (high - low) * j / 15)
             radii = self.radii(
@@ -216,7 +217,8 @@ class TestViewerMeshes(ViewerProgram):
             self.assertAlmostEqual(max(radii), 0.5 + 0.05 * self.sphere.GetLength(), delta=0.005)
 
     def test_mapping(self):
-        """Around: v from the pole below to the one above. From the side: along the box."""
+        """Wrapped around, v runs from the lower to the upper pole. Projected, it follows the
+        bounding box."""
         ramp = self.write_image("ramp.png", lambda i, j, c: 16 * j)
         mesh = self.export(
             "--height", ramp, "--scale=0.001", "--surface=pn", "--level=1", "--up=z"
@@ -231,7 +233,7 @@ class TestViewerMeshes(ViewerProgram):
         disc.SetNumberOfSides(12)
         disc.GeneratePolylineOff()
         disc.Update()
-        file = self.write(disc.GetOutput(), "disc.vtp")  # facing z
+        file = self.write(disc.GetOutput(), "disc.vtp")  # faces z
         common = ("--height", ramp, "--scale=0.001", "--surface=linear", "--level=3")
         mesh = self.export(*common, file=file)
         for i in range(mesh.GetNumberOfPoints()):
@@ -247,7 +249,8 @@ class TestViewerMeshes(ViewerProgram):
         self.assertGreater(sum(r > 3 * g and r > 3 * b for r, g, b in seen), 1500)
 
     def test_arrays(self):
-        """The scalars or --array, with a legend: viridis from the lowest to the highest."""
+        """The scalars or --array are shown with a legend: Viridis from the lowest to the highest
+        value."""
         plain = self.pixels("--view=205,0", "--up=z")
         coloured = self.pixels("--view=205,0", "--up=z", "--array=Latitude")
         for pixels, expected in ((plain, False), (coloured, True)):
@@ -262,7 +265,7 @@ class TestViewerMeshes(ViewerProgram):
             self.assertNotIn("arrays:", self.view(self.file, chosen, *out).stdout)
 
     def test_title_of_magnitudes(self):
-        """The legend of vectors is that of their lengths, by name too."""
+        """Vectors are coloured by length, with or without a name."""
         pictures = []
         for name, components in (("Stress", 3), ("Stress (magnitude)", 1), ("Stress", 1)):
             values = vtkDoubleArray()
@@ -285,7 +288,7 @@ class TestViewerMeshes(ViewerProgram):
         self.assertGreater(different[1], 50)
 
     def test_flat_faces_as_they_are(self):
-        """What is flat is not refined, but where levels are asked for."""
+        """Flat meshes are not refined, unless levels are to be shown."""
         faces = self.sphere.GetNumberOfCells()
         self.assertEqual(self.export("--surface=linear").GetNumberOfCells(), faces)
         drawn = self.statistic("drawn triangles", self.file, "--surface=linear")
@@ -307,7 +310,7 @@ class TestViewerMeshes(ViewerProgram):
         self.assertGreater(sum(z > 0.3 for z in heights), 5 * sum(z < -0.3 for z in heights))
 
     def test_default_is_a_length_on_the_screen(self):
-        """Larger pictures get more triangles, longer segments fewer."""
+        """Larger pictures give more triangles, longer segments fewer."""
         curved = "drawn triangles", self.file, "--surface=pn"
         small = self.statistic(*curved)
         fine = self.statistic(*curved, "--pixels=2")
@@ -316,9 +319,8 @@ class TestViewerMeshes(ViewerProgram):
         self.assertGreater(small, 2 * coarse)
 
     def test_feature_angle(self):
-        """A cube's shared corners: PN triangles are round without, and edges kept with it; closed
-        either way.
-        """
+        """A cube with shared corners becomes round with PN triangles, and keeps its edges with
+        --feature-angle. It is closed in both cases."""
         cube = vtkPolyData()
         points = vtkPoints()
         for i in range(8):
@@ -344,7 +346,8 @@ class TestViewerMeshes(ViewerProgram):
         self.assertEqual(edges.GetOutput().GetNumberOfCells(), 0)
 
     def test_default_surface(self):
-        """Cells and creases keep the shape of the data; what is smooth is curved, which is told."""
+        """Cells and creases keep the shape of the data. Smooth meshes are curved, and a note says
+        so."""
         beam = vtkUnstructuredGrid()
         beam.SetPoints(vtkPoints())
         for k, j, i in itertools.product(range(2), range(3), range(5)):
@@ -392,8 +395,8 @@ class TestViewerMeshes(ViewerProgram):
         return properties.GetVolume()
 
     def count_differences(self, file):
-        """Pixels in which the picture is not that of the data's own faces, whose picture at level 0
-        is that of vtkPolyDataMapper."""
+        """Number of pixels that differ from the data's faces, which vtkPolyDataMapper draws like
+        the mapper at level 0."""
         pictures = [
             self.pixels(*arguments, file=file) for arguments in ((), ("--surface=linear", "--level=0"))
         ]
@@ -452,7 +455,7 @@ class TestViewerMeshes(ViewerProgram):
         self.assertFalse((self.folder / "never.png").exists())
 
     def assert_error_last(self, name, *arguments, words=()):
-        """Exit code 1 and one line of error; warnings may come before it."""
+        """Exit code 1 and one line of error, possibly after warnings."""
         run = self.view(name, *arguments, code=1)
         lines = run.stderr.splitlines()
         self.assertTrue(all(line.startswith("relevo-view: warning: ") for line in lines[:-1]), lines)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""relevo-view with curved cells, isolines and hair."""
+"""Proves viewer.md on curved cells, isolines and hair."""
 
 import math
 import unittest
@@ -18,7 +18,7 @@ from ViewerPictures import read_picture
 from ViewerProgram import ViewerProgram
 from ViewerScenes import write_sphere
 
-# A dome over the unit square, 1 high in the middle of its control net.
+# A dome over the unit square. The middle of its control net has height 1.
 DOME = "1\n2 2\n" + "\n".join(
     f"{x / 2} {y / 2} {1.0 if x == y == 1 else 0.0}" for y in range(3) for x in range(3)
 )
@@ -67,7 +67,7 @@ class TestViewerPatches(ViewerProgram):
         return reader.GetOutput()
 
     def test_shape(self):
-        """Exported points are on the cells, whose height and border are known."""
+        """Exported points lie on the cells, whose height and border are known."""
         dome = self.export("dome.bpt", "--error=0.1")
         highest = max(dome.GetPoint(i)[2] for i in range(dome.GetNumberOfPoints()))
         self.assertAlmostEqual(highest, 0.25, 2)
@@ -83,7 +83,7 @@ class TestViewerPatches(ViewerProgram):
             self.assertAlmostEqual(right.GetValue(i), curved.GetPoint(i)[0], 6)
 
     def test_error(self):
-        """Smaller errors and nearer views take more triangles; segments are what is asked for."""
+        """Smaller errors and nearer views need more triangles. The segments requested are used."""
         counts = [self.statistic("triangles", "dome.bpt", f"--error={e}") for e in (4, 1, 0.25)]
         self.assertLess(counts[0], counts[1])
         self.assertLess(counts[1], counts[2])
@@ -97,7 +97,7 @@ class TestViewerPatches(ViewerProgram):
             self.assertGreater(self.statistic("triangles", "dome.bpt", f"--metric={metric}"), 1)
 
     def test_lines(self):
-        """Edges and isolines darken the surface, more of them more of it."""
+        """Edges and isolines darken the surface in proportion to their number."""
         plain = self.picture("flat.vtu", "--surface=patch")
 
         def count_darker(*arguments):
@@ -117,7 +117,7 @@ class TestViewerPatches(ViewerProgram):
         hairy = self.picture(self.sphere, "--hair=4000")
         changed = sum(a != b for r, s in zip(bald, hairy) for a, b in zip(r, s))
         self.assertGreater(changed, 1000)
-        # All of it is in view: none at the edges of the picture.
+        # Everything is in view: the picture's borders show none of it.
         for drawn, empty in ((hairy, bald), (zip(*hairy), zip(*bald))):
             rows, others = list(drawn), list(empty)
             self.assertEqual((rows[0], rows[-1]), (others[0], others[-1]))

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""relevo-view --relief: captures in place of surfaces, folders of reliefs, errors."""
+"""Proves viewer.md on relevo-view --relief: captures in place of surfaces, folders of reliefs, and
+errors."""
 
 import unittest
 
@@ -23,7 +24,7 @@ class TestViewerRelief(ViewerProgram):
         return read_picture(self.folder / "p.png")
 
     def assert_like(self, picture, expected, share):
-        """Most pixels where the expected picture has surface are of about the same colour."""
+        """Most pixels that show the surface in the expected picture have about the same colour."""
         surface = same = 0
         for row, expected_row in zip(picture, expected):
             for pixel, other in zip(row, expected_row):

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""relevo-view in a terminal: progress while it works, nothing of it in the end, errors in one line.
-Its version. Outputs that cannot be written, before anything is read."""
+"""Proves viewer.md: in a terminal, relevo-view shows progress that is cleared at the end, and
+errors in one line. The version and outputs that cannot be written are tested too; the latter are
+reported before anything is read."""
 
 import os
 import pty
@@ -17,7 +18,7 @@ from ViewerProgram import PROGRAM, ViewerProgram
 
 
 def screen(written):
-    """The lines that a terminal shows of what has been written to it."""
+    """The lines that a terminal shows after this output."""
     lines = [""]
     column = 0
     for letter in written:
@@ -44,7 +45,7 @@ class TestViewerTerminal(ViewerProgram):
         (cls.folder / "picture.ppm").write_bytes(b"P6 4 4 255\n" + bytes(range(48)))
 
     def watch(self, *arguments, code=0):
-        """What is written to a terminal."""
+        """The output to a terminal."""
         terminal, end = pty.openpty()
         environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
         with subprocess.Popen(
@@ -55,14 +56,14 @@ class TestViewerTerminal(ViewerProgram):
             try:
                 while part := os.read(terminal, 4096):
                     written += part
-            except OSError:  # how a terminal ends
+            except OSError:  # the end of a terminal's output
                 pass
         os.close(terminal)
         self.assertEqual(run.returncode, code, written)
         return written.decode()
 
     def assert_progress(self, words, *arguments):
-        """These, in their order, and nothing that stays."""
+        """Expects these texts in this order, and nothing that remains."""
         written = self.watch(*arguments)
         self.assertRegex(written, ".*".join(words))
         self.assertEqual(screen(written), [""])
@@ -81,7 +82,7 @@ class TestViewerTerminal(ViewerProgram):
             [r"\rreading", r"\rrefining \d+ %", r"\rwriting"],
             "sphere.vtp", "--level=2", "--export=e.vtp",
         )
-        # Heights that are read in several parts.
+        # These heights are read in several parts.
         (self.folder / "large.pgm").write_bytes(b"P5 2048 3000 255\n" + bytes(2048 * 3000))
         self.assert_progress(
             [r"\rreading", r"\rreading heights \d+ %", r"\rrefining", r"\rwriting"],
@@ -89,7 +90,7 @@ class TestViewerTerminal(ViewerProgram):
         )
 
     def test_errors_are_whole_lines(self):
-        """Also where the work has begun, and after warnings."""
+        """Errors after the work has started and after warnings."""
         (self.folder / "cut.pgm").write_bytes(b"P5 8 8 255\n12345")
         (self.folder / "cut.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n")
         for name in ("cut.pgm", "cut.obj", "missing.vtp"):
@@ -112,7 +113,7 @@ class TestViewerTerminal(ViewerProgram):
         self.view("missing.tif", "--version")
 
     def test_disk_is_full(self):
-        """What there is no room for is an error, for each format and however much fits."""
+        """A full disk gives an error, for each format and every amount of free space."""
         if os.path.exists("/dev/full"):
             for extension in (".ply", ".obj", ".stl", ".vtp"):
                 name = "full" + extension
@@ -123,7 +124,7 @@ class TestViewerTerminal(ViewerProgram):
         for extension in (".ply", ".obj", ".stl", ".vtp"):
             self.view("sphere.vtp", "--export=whole" + extension, "--level=1")
             name = "large" + extension
-            # 4 blocks of 512 or 1024 bytes; without the signal, writing fails
+            # 4 blocks of 512 or 1024 bytes. Without the signal, writing fails.
             run = subprocess.run(
                 ["sh", "-c", "trap '' XFSZ; ulimit -f 4; exec \"$@\"", "sh", str(PROGRAM),
                  "sphere.vtp", "--export=" + name, "--level=4"],
@@ -133,7 +134,7 @@ class TestViewerTerminal(ViewerProgram):
             self.assertIn(name, run.stderr)
 
     def test_output_comes_first(self):
-        """Its error is told before that of the input: nothing has been read."""
+        """The output's error comes before the input's: nothing has been read."""
         (self.folder / "file").write_text("")
         (self.folder / "folder.png").mkdir()
         (self.folder / "folder.vtp").mkdir()
@@ -150,7 +151,7 @@ class TestViewerTerminal(ViewerProgram):
                     "missing.tif", option, name + extension,
                 )
         self.assert_error(1, ["cannot write nowhere"], "sphere.vtp", "--export=nowhere/a.stl")
-        # What could be written has not been touched.
+        # Outputs that could be written are unchanged.
         kept = self.folder / "kept.png"
         kept.write_text("kept")
         self.assert_error(1, ["missing.tif"], "missing.tif", "--output=kept.png")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""relevo-view: what stands for no data, and height maps and pictures larger than a texture."""
+"""Proves viewer.md on terrain: missing data, and height maps and pictures larger than a texture."""
 
 import math
 import os
@@ -26,7 +26,7 @@ GEOGRAPHIC = (
 
 
 def write(writer, name, samples):
-    """An array of rows x columns (x bands), the top row first, as a file."""
+    """Writes an array of rows x columns (x bands), top row first."""
     image = vtkImageData()
     image.SetDimensions(samples.shape[1], samples.shape[0], 1)
     rows = numpy.ascontiguousarray(samples[::-1]).reshape(samples.shape[0] * samples.shape[1], -1)
@@ -67,7 +67,8 @@ class TestViewerTerrain(ViewerProgram):
         return reader.GetOutput()
 
     def assert_hole(self, mesh, lowest):
-        """In the middle of 96 x 64 there is nothing, and nothing is as low as what stands for it."""
+        """The middle of the 96 x 64 heights has a hole, and no point is as low as the missing-data
+        marker."""
         self.assertGreater(mesh.GetNumberOfCells(), 100)
         self.assertGreater(mesh.GetBounds()[4], lowest)
         for i in range(mesh.GetNumberOfPoints()):
@@ -86,7 +87,7 @@ class TestViewerTerrain(ViewerProgram):
         self.assertEqual(filled.GetNumberOfCells(), whole.GetNumberOfCells())
         self.assertGreater(filled.GetBounds()[4], 49)
 
-        # From above, the sky shows through, and the terrain is around.
+        # From above, the sky is visible through the hole, and terrain around it.
         image = self.picture(self.heights, "--no-data-value", "9", "--level=1")
         for column, is_sky in ((160, True), (110, False)):
             red, _, blue = (image.GetScalarComponentAsFloat(column, 100, 0, c) for c in range(3))
@@ -131,7 +132,7 @@ class TestViewerTerrain(ViewerProgram):
         self.assertLess(hole.GetNumberOfCells(), whole.GetNumberOfCells())
 
     def draw(self, *arguments):
-        """Draws and exports; what is said on stderr, and the mesh's bounds."""
+        """Draws and exports. Returns the output on stderr and the mesh's bounds."""
         run = subprocess.run(
             [str(PROGRAM), *map(str, arguments), "--output=l.png", "--export=l.vtp", "--level=0"],
             cwd=self.folder,
@@ -146,13 +147,14 @@ class TestViewerTerrain(ViewerProgram):
         return run.stderr, reader.GetOutput().GetBounds()
 
     def ramp(self, highest, sides=(40, 30)):
-        """Texels without georeference, from 0 in the west to the highest in the east."""
+        """Texels without georeference, from 0 in the west to the highest value in the east."""
         columns = numpy.linspace(0, highest, sides[0]).astype(numpy.uint16)
         samples = numpy.tile(columns, (sides[1], 1))
         return write(vtkPNGWriter(), self.folder / f"ramp{highest}.png", samples)
 
     def test_heights_of_another_unit(self):
-        """Higher than wide without a coordinate system: an exaggeration is chosen and told."""
+        """Heights larger than the width, without a coordinate system: an exaggeration is chosen and
+        reported."""
         name = self.ramp(65535)
         run = self.view(name, "--export=r.vtp", "--level=0")
         self.assertRegex(
@@ -160,16 +162,16 @@ class TestViewerTerrain(ViewerProgram):
         )
         mesh = self.export(name, "--level=0")
         self.assertAlmostEqual(mesh.GetBounds()[5], 0.00012 * 65535, delta=0.01)
-        # What is asked for is done, if it is not a needle.
+        # A requested exaggeration is used unless the terrain becomes a needle.
         run = self.view(name, "--export=r.vtp", "--level=0", "--exaggeration=0.01")
         self.assertEqual(run.stdout, "")
         words = ["--exaggeration 1 ", "100 times", "--no-data-value"]
         self.assert_error(1, words, name, "--output=never.png", "--exaggeration=1")
-        # As high as wide is a relief.
+        # A terrain as high as it is wide is acceptable.
         self.assertEqual(self.view(self.ramp(38), "--export=r.vtp", "--level=0").stdout, "")
 
     def test_map_view(self):
-        """From straight above, up is where the camera has its back turned to: north at 180."""
+        """Seen from straight above, the azimuth points upwards: at 180, north is at the top."""
         name = self.ramp(10)
         colours = {}
         for view in ("180,90", "180,89.5", "0,90", "90,90"):
@@ -190,11 +192,11 @@ class TestViewerTerrain(ViewerProgram):
         numpy.testing.assert_allclose(colours["180,90"], colours["180,89.5"], atol=12)
         numpy.testing.assert_allclose(colours["0,90"][:2], [east, west], atol=15)
         bottom, top = colours["90,90"][2:]
-        self.assertGreater(bottom[0], top[0] + 30)  # as the east is redder than the west
+        self.assertGreater(bottom[0], top[0] + 30)  # the east is redder than the west
         self.assert_error(2, ["--view", "-90 to 90"], name, "--view=0,91", "--output=never.png")
 
     def test_small_budget(self):
-        """Fewer triangles than the coarse ones cannot be drawn."""
+        """A budget below the number of coarse triangles is an error."""
         run = self.run_program(
             self.ramp(10), "--budget=500", "--resolution=20", "--output=b.png", "--size=80x60"
         )
@@ -206,7 +208,7 @@ class TestViewerTerrain(ViewerProgram):
         self.view(self.ramp(10), "--budget=600", "--resolution=20", "--output=b.png", "--size=80x60")
 
     def test_options_in_messages(self):
-        """Not the library's setters."""
+        """Messages name the viewer's options, not the library's setters."""
         samples = numpy.where(self.samples == 9, numpy.nan, self.samples).astype(numpy.float32)
         name = write(vtkTIFFWriter(), self.folder / "nan2.tif", samples)
         self.assert_error(1, ["with --no-data-value"], name, "--output", "never.png")
@@ -215,7 +217,7 @@ class TestViewerTerrain(ViewerProgram):
         self.assert_error(1, ["-3.4e+38", "--no-data-value"], name, "--output", "never.png")
 
     def grid(self, name, corner, side, samples):
-        """An ASCII grid, which has a georeference but no coordinate system; needs GDAL."""
+        """Writes an ASCII grid, which has a georeference but no coordinate system. Needs GDAL."""
         rows = "\n".join(" ".join(map(str, row)) for row in samples)
         path = self.folder / name
         path.write_text(
@@ -230,7 +232,7 @@ class TestViewerTerrain(ViewerProgram):
         self.folder.joinpath(name).with_suffix(".prj").write_text(system)
 
     def test_around_the_pole(self):
-        """All longitudes: triangles with area, and an outline that is a parallel."""
+        """For all longitudes, triangles have area, and the border is a parallel."""
         samples = [[10] * 360 for _ in range(4)]
         name = self.grid("pole.asc", (-180, 86), 1, samples)
         self.declare("pole.asc", GEOGRAPHIC)
@@ -241,14 +243,15 @@ class TestViewerTerrain(ViewerProgram):
         areas.Update()
         area = areas.GetOutput().GetCellData().GetArray("Area")
         self.assertGreater(area.GetRange()[0], 1e6)
-        # That of the cap north of 86 degrees, on a plane that touches at 88 degrees.
+        # The area of the cap north of 86 degrees, on a plane that touches at 88 degrees.
         total = sum(area.GetValue(i) for i in range(area.GetNumberOfTuples()))
         radius = 6399593.6  # of curvature at the pole
         cap = math.pi * (radius * math.sin(math.radians(4))) ** 2
         self.assertAlmostEqual(total / cap, 1, delta=0.01)
 
     def test_doubtful_coordinates(self):
-        """Degrees without a system, and projections that make lengths too long, are told."""
+        """Degrees without a coordinate system, and projections that lengthen distances, give a
+        warning."""
         degrees = self.grid("degrees.asc", (10, 50), 0.01, [[1, 2, 3], [2, 3, 4]])
         run = self.run_program(degrees, "--export=d.vtp", "--level=0")
         self.assertRegex(run.stderr, r"\A[^\n]*degrees[^\n]*gdal_edit.py -a_srs EPSG:4326[^\n]*\n\Z")
@@ -262,7 +265,7 @@ class TestViewerTerrain(ViewerProgram):
             'PARAMETER["central_meridian",0],PARAMETER["scale_factor",1],'
             'PARAMETER["false_easting",0],PARAMETER["false_northing",0],UNIT["metre",1]]'
         )
-        # At 60 degrees north; at 16 degrees lengths are 4 % too long.
+        # At 60 degrees north; at 16 degrees, lengths are 4 % too long.
         for north, factor in ((8362700, "2"), (1790000, None)):
             name = self.grid(f"{north}.asc", (0, north), 100, [[1, 2, 3], [2, 3, 4]])
             self.declare(f"{north}.asc", mercator)
@@ -274,7 +277,7 @@ class TestViewerTerrain(ViewerProgram):
                 self.assertEqual(run.stderr, "")
 
     def test_rasters_in_containers(self):
-        """Directories of a TIFF file have names that GDAL gives them."""
+        """GDAL names the directories of a TIFF file."""
         self.grid("any.asc", (10, 50), 1, [[1, 2, 3], [2, 3, 4]])  # skips without GDAL
         samples = numpy.tile(numpy.arange(12, dtype=numpy.uint8), (8, 1))
         name = write(vtkTIFFWriter(), self.folder / "in.tif", samples)
@@ -290,7 +293,7 @@ class TestViewerTerrain(ViewerProgram):
         self.assert_error(1, ["not a regular file"], pipe, "--output=never.png")
 
     def test_container(self):
-        """One with several variables names them."""
+        """For a file with several variables, the error lists them."""
         name = self.netcdf("two.nc", ("first", "second"))
         run = self.run_program(name, "--export=c.vtp", "--level=0")
         if "container" not in run.stderr:
@@ -302,7 +305,7 @@ class TestViewerTerrain(ViewerProgram):
             self.view(text, "--export=c.vtp", "--level=0")
 
     def netcdf(self, name, variables):
-        """A classic file of variables of 4 x 5 bytes."""
+        """A classic netCDF file with variables of 4 x 5 bytes."""
         word = struct.Struct(">I").pack
 
         def text(value):
@@ -326,7 +329,7 @@ class TestViewerTerrain(ViewerProgram):
         return path
 
     def test_center_of_a_texel(self):
-        """Of one without neighbours, with the digits of its middle rounded."""
+        """The height of a sample without neighbours, with rounded coordinates of its centre."""
         samples = numpy.full((9, 9), -9999)
         samples[2, 3] = 500
         samples[5:, :] = 400
@@ -340,7 +343,7 @@ class TestViewerTerrain(ViewerProgram):
         self.assert_error(1, ["has no height"], name, "--center", away, "--output=never.png")
 
     def test_larger_than_a_texture(self):
-        """One warning, and the place of the whole."""
+        """A reduced raster gives one warning and keeps the location of the whole."""
         columns = numpy.arange(20000)
         samples = numpy.tile((columns // 10).astype(numpy.uint16), (250, 1))
         name = write(vtkPNGWriter(), self.folder / "large.png", samples)

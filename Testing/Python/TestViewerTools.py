@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What relevo-view's window tells: place, height and value under the mouse, scale, help, pictures."""
+"""Proves viewer.md on the window: position, height and value under the mouse, scale bar, help and
+screenshots."""
 
 import math
 import os
@@ -21,7 +22,7 @@ MIDDLE = (WIDTH // 2, HEIGHT // 2)
 
 
 def numbers(line):
-    """x, y, Latitude and so on, by their names; several for vectors."""
+    """x, y, Latitude and other values by name, several for vectors."""
     found = {}
     for name, values in re.findall(r"([A-Za-z]+)((?: -?[\d.e+-]+)+)", line.split(": ", 1)[1]):
         values = [float(value) for value in values.split()]
@@ -30,7 +31,7 @@ def numbers(line):
 
 
 def count_light(picture):
-    """As the ground of the help is."""
+    """Number of pixels with the colour of the help's background."""
     return sum(min(colour) > 215 for row in picture for colour in row)
 
 
@@ -48,7 +49,7 @@ class TestViewerTools(ViewerProgram):
         super().tearDownClass()
 
     def window(self, *arguments):
-        """With the mouse in its sky."""
+        """Starts with the mouse in the sky."""
         window = Window(self.display, self.folder, *arguments, f"--size={WIDTH}x{HEIGHT}")
         window.move(WIDTH - 2, 2)
         return window
@@ -58,7 +59,7 @@ class TestViewerTools(ViewerProgram):
         self.assertEqual(window.leave(), (0, ""))
 
     def under_mouse(self, window, x, y):
-        """What c prints with the mouse at a pixel."""
+        """The output of c with the mouse at a pixel."""
         window.move(x, y)
         window.key("c")
         return window.expect("here: ")
@@ -69,7 +70,8 @@ class TestViewerTools(ViewerProgram):
         return read_picture(self.folder / name)
 
     def test_readout_of_terrain(self):
-        """The place in the middle is the one asked for; heights are the hill's, not exaggerated."""
+        """The point in the centre is the requested one, and heights are the hill's, without
+        exaggeration."""
         window = self.window(
             self.heights, "--center=8,5", "--zoom=1.5", "--exaggeration=1.5", "--view=200,30"
         )
@@ -89,7 +91,7 @@ class TestViewerTools(ViewerProgram):
         self.close(window)
 
     def test_readout_of_mesh(self):
-        """On the curved surface, with the value of the array that colours it."""
+        """The point lies on the curved surface, with the value of the array that colours it."""
         window = self.window(self.mesh, "--array=Latitude", "--up=z", "--surface=pn")
         for x, y in (MIDDLE, (130, 100), (180, 150)):
             here = numbers(self.under_mouse(window, x, y))
@@ -103,7 +105,8 @@ class TestViewerTools(ViewerProgram):
         self.close(window)
 
     def test_readout_of_displaced_mesh(self):
-        """The value is of the face that is seen, not of the one that is nearest: inside out."""
+        """On a mesh that is inside out, the value is that of the visible face, not of the closest
+        one."""
         window = self.window(
             self.mesh, "--array=Latitude", "--up=z", "--height", self.heights, "--scale=1e-6",
             "--offset=-1", "--surface=linear")
@@ -119,13 +122,14 @@ class TestViewerTools(ViewerProgram):
             self.skipTest("no RELEVO_TEST_DATA")
         window = self.window(file, "--center=0,0", "--zoom=8")
         here = numbers(self.under_mouse(window, *MIDDLE))
-        # It covers 5.74167 to 6.53333 degrees east and 49.44167 to 50.19167 degrees north.
+        # The raster covers 5.74167 to 6.53333 degrees east and 49.44167 to 50.19167 degrees north.
         self.assertAlmostEqual(here["longitude"], 6.1375, delta=0.002)
         self.assertAlmostEqual(here["latitude"], 49.81667, delta=0.002)
         self.close(window)
 
     def test_readout_in_picture(self):
-        """Where the mouse rests on the surface words come up in the corner, and go in the sky."""
+        """Values appear in the corner when the mouse rests on the surface, and disappear in the
+        sky."""
 
         def count_dark():
             corner = [row[:120] for row in window.screen()[8:40]]
@@ -140,7 +144,8 @@ class TestViewerTools(ViewerProgram):
         self.close(window)
 
     def test_readout_after_drag(self):
-        """It tells what is under the mouse now, with the button down and when it is released."""
+        """The readout shows what is under the mouse now, while the button is down and after it is
+        released."""
 
         def corner():
             return [row[:200] for row in window.screen()[8:40]]
@@ -161,7 +166,8 @@ class TestViewerTools(ViewerProgram):
         self.close(window)
 
     def test_scale_bar(self):
-        """1, 2 or 5 times a power of ten, measured by a disc of diameter 1 in the focal plane."""
+        """The scale bar is 1, 2 or 5 times a power of ten, compared with a disc of diameter 1 in
+        the focal plane."""
         disc = vtkRegularPolygonSource()
         disc.SetNumberOfSides(60)
         disc.GeneratePolylineOff()
@@ -182,12 +188,12 @@ class TestViewerTools(ViewerProgram):
             )
 
     def test_help(self):
-        """Comes with h and goes with it."""
+        """The help appears and disappears with h."""
         window = self.window(self.mesh)
         before = self.picture(window)
         window.key("h")
         self.wait_for_help(window)
-        # What is under the words is not told.
+        # Nothing is reported under the help text.
         self.assertEqual(self.under_mouse(window, *MIDDLE), "here: nothing")
         window.move(WIDTH - 2, 2)
         window.key("h")
@@ -202,7 +208,7 @@ class TestViewerTools(ViewerProgram):
         wait(lambda: count_light(window.screen()) > 0.2 * WIDTH * HEIGHT, "the help")
 
     def test_pictures_without_words(self):
-        """Neither help nor readout are in a picture; both are on the screen again afterwards."""
+        """A screenshot shows neither help nor readout. Both reappear on the screen."""
         window = self.window(self.mesh, "--array=Latitude", "--no-legend")
         before = self.picture(window)
         window.move(*MIDDLE)
@@ -220,7 +226,7 @@ class TestViewerTools(ViewerProgram):
         self.close(window)
 
     def test_pictures(self):
-        """As large as the window, of what it shows, into new files."""
+        """Screenshots have the window's size and contents, and go to new files."""
         own = self.folder / "sphere-2.png"
         own.write_text("mine")
         for file in self.folder.glob("sphere-*.png"):
@@ -240,7 +246,7 @@ class TestViewerTools(ViewerProgram):
         self.close(window)
 
     def test_picture_that_cannot_be_written(self):
-        """A warning; the window stays."""
+        """An error gives a warning, and the window stays open."""
         folder = self.folder / "gone"
         folder.mkdir()
         window = Window(self.display, folder, self.mesh)

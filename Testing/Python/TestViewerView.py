@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""relevo-view's camera, lights and legend: what is in the picture, and where."""
+"""Proves viewer.md on camera, lights and legend: what is visible, and where."""
 
 import math
 import subprocess
@@ -34,7 +34,7 @@ class TestViewerView(ViewerProgram):
         cls.mesh = write_sphere(cls.folder)
 
     def picture(self, *arguments, size=SIZE):
-        """Rows of (red, green, blue), the lowest first."""
+        """Rows of (red, green, blue), lowest first."""
         self.view(*arguments, size, "--output=view.png")
         return read_picture(self.folder / "view.png")
 
@@ -43,14 +43,14 @@ class TestViewerView(ViewerProgram):
         return sum(values) / len(values)
 
     def assert_fits(self, picture):
-        """As large as it can be, and in the middle."""
+        """The scene is as large as possible and centred."""
         left, right, low, high = find(picture, is_surface)
         self.assertAlmostEqual(left + right, WIDTH - 1, delta=4)
         self.assertAlmostEqual(low + high, HEIGHT - 1, delta=4)
         self.assertGreater(max((right - left) / WIDTH, (high - low) / HEIGHT), 0.88)
 
     def write_dot(self, x, y):
-        """A picture of the hill's size, white but for a red dot at a place of the terrain."""
+        """A white picture of the hill's size with a red dot at a point of the terrain."""
         image = vtkImageData()
         image.SetDimensions(240, 160, 1)
         image.AllocateScalars(VTK_UNSIGNED_CHAR, 3)
@@ -68,7 +68,7 @@ class TestViewerView(ViewerProgram):
         return self.folder / "dot.png"
 
     def test_center_of_terrain(self):
-        """The place asked for is in the middle, on a slope too; zoom brings it nearer."""
+        """The requested point is in the centre, also on a slope, and zoom brings it closer."""
         x, y = 3.0, -2.0
 
         def is_dot(r, g, b):
@@ -83,20 +83,20 @@ class TestViewerView(ViewerProgram):
             self.assertAlmostEqual(0.5 * (low + high), 0.5 * (HEIGHT - 1), delta=1.5)
             widths[zoom] = right - left + 1
         self.assertAlmostEqual(widths[4] / widths[1], 4, delta=1)
-        # With a height of its own: another part of the picture.
+        # With a height, another part of the picture is in the centre.
         high_up = self.picture(*common, f"--center={x},{y},30")
         _, _, low, high = find(high_up, is_dot)
         self.assertLess(high, 0.4 * HEIGHT)
 
     def test_center_of_mesh(self):
-        """The pole of a sphere seen from its side: half of the picture is sky."""
+        """The pole of a sphere seen from the side: half of the picture is sky."""
         picture = self.picture(self.mesh, "--up=z", "--view=0,0", "--center=0,0,0.5", "--zoom=1.5")
         _, _, low, high = find(picture, is_surface)
         self.assertEqual(low, 0)
         self.assertAlmostEqual(high, 0.5 * HEIGHT, delta=3)
 
     def test_zoom(self):
-        """Of what is in the middle, without falling into it."""
+        """Zoom magnifies the centre without entering the surface."""
         whole = find(self.picture(self.mesh, "--view=0,0"), is_surface)
         half = find(self.picture(self.mesh, "--view=0,0", "--zoom=0.5"), is_surface)
         self.assertAlmostEqual((whole[1] - whole[0]) / (half[1] - half[0]), 2, delta=0.3)
@@ -105,7 +105,7 @@ class TestViewerView(ViewerProgram):
             self.assertEqual(find(picture, is_surface), (0, WIDTH - 1, 0, HEIGHT - 1))
 
     def test_light(self):
-        """The side that faces the light is brighter, whatever the side."""
+        """The side that faces the light is brighter, for every side."""
         left, right = range(40, 70), range(90, 120)
         rows = range(40, 80)
         for scene, light, lit, dark in (
@@ -122,7 +122,7 @@ class TestViewerView(ViewerProgram):
             )
 
     def test_unused_points_of_mesh(self):
-        """Points that no cell uses do not count: neither for the view nor for anything else."""
+        """Unused points affect neither the view nor anything else."""
         sphere = make_sphere()
         more = vtkPolyData()
         more.DeepCopy(sphere)
@@ -160,10 +160,10 @@ class TestViewerView(ViewerProgram):
         writer.Write()
 
     def test_height_legend(self):
-        """Beside a terrain in the colours of its heights: from green to white; none where not."""
+        """A terrain coloured by height has a legend from green to white; others have none."""
 
         def bar(*arguments):
-            """What is at the left of a picture that has room for one."""
+            """The left part of a picture with room for a legend."""
             picture = self.picture(self.heights, *arguments, size="--size=300x300")
             return [colour for row in picture for colour in row[5:9]]
 
@@ -206,7 +206,7 @@ class TestViewerView(ViewerProgram):
         )
 
     def write_grid(self, name, corner, size, system):
-        """A hill of 11 x 11 heights, in a coordinate system."""
+        """A hill of 11 x 11 heights in a coordinate system."""
         rows = [" ".join(str(99 - i * i - j * j) for i in range(-5, 6)) for j in range(-5, 6)]
         (self.folder / f"{name}.asc").write_text(
             f"ncols 11\nnrows 11\nxllcorner {corner[0]}\nyllcorner {corner[1]}\ncellsize {size}\n"
@@ -227,7 +227,7 @@ class TestViewerView(ViewerProgram):
         expected = self.picture(degrees, f"--center={x!r},{y!r}", "--zoom=4")
         for center in ("86.902E,27.904N", "27.904n,86.902e", "-86.902W,-27.904S"):
             self.assertEqual(self.picture(degrees, f"--center={center}", "--zoom=4"), expected)
-        # As metres they are near the middle: a warning shows both forms.
+        # In metres they are close to the centre: a warning shows both forms.
         run = subprocess.run(
             [str(PROGRAM), degrees, "--center=86.902,27.904", SIZE, "--output=view.png"],
             cwd=self.folder, capture_output=True, text=True)

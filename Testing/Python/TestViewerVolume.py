@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""relevo-view --volume: arrays, transfer functions, settings, errors."""
+"""Proves viewer.md on relevo-view --volume: arrays, transfer functions, settings, and errors."""
 
 import math
 import os
@@ -29,7 +29,7 @@ PIECES = """<VTKFile type="PUnstructuredGrid" version="0.1"><PUnstructuredGrid G
 <PPoints><PDataArray type="Float32" NumberOfComponents="3"/></PPoints>
 <Piece Source="cube.vtu"/></PUnstructuredGrid></VTKFile>
 """
-# Facing the cube, x to the left: the camera stands at -z.
+# Faces the cube with x to the left: the camera is at -z.
 FRONT = ("--view=0,0", "--size=120x90", "--no-legend")
 
 
@@ -59,14 +59,15 @@ class TestViewerVolume(ViewerProgram):
         return "--transfer=t.txt"
 
     def test_transfer_and_unit_distance(self):
-        """Of a constant the light that passes the cube is exp(-opacity * side / unit distance)."""
+        """For a constant, the share of light that passes the cube is exp(-opacity * side / unit
+        distance)."""
         empty = self.picture("--volume", "Flat", self.transfer("0 1 0 0 0\n9 1 0 0 0\n"))
         red = "# as it is\n0 1 0 0 0.5 # dark\n\n9\t1 0 0 0.5\n"
         for distance in (0.5, 2.0):
             drawn = self.picture(
                 "--volume", "Flat", self.transfer(red), f"--unit-distance={distance}"
             )
-            # The middle looks along z, through a side's length or little more.
+            # The central ray follows z through one side's length or slightly more.
             passed = math.exp(-0.5 / distance)
             behind, seen = empty[45][60], drawn[45][60]
             self.assertAlmostEqual(seen[1], passed * behind[1], delta=2)
@@ -77,7 +78,7 @@ class TestViewerVolume(ViewerProgram):
         self.assertAlmostEqual(drawn[45][60][1], passed * behind[1], delta=2)
 
     def test_arrays(self):
-        """The active scalars, others by name, of cells, vectors by length; before and after FILE."""
+        """Active scalars, named arrays, cell data and vectors by length, before and after FILE."""
         step = self.transfer("0.499 1 0 0 0\n0.501 1 0 0 1\n")
         left = self.picture("--volume", step, "--unit-distance=0.02")
         self.assertLess(left[45][45][1], 10)
@@ -93,10 +94,10 @@ class TestViewerVolume(ViewerProgram):
         self.assertGreater(low[60][60][1], 100)
         ring = self.picture("--volume", "Around", step, "--unit-distance=0.02")
         self.assertGreater(ring[45][60][1], 100)  # in the middle vectors are short
-        self.assertLess(min(row[35][1] for row in ring[15:30]), 60)  # in a corner long
+        self.assertLess(min(row[35][1] for row in ring[15:30]), 60)  # in a corner they are long
 
     def test_default_functions(self):
-        """Something is seen of whatever array, and nothing is altogether opaque."""
+        """Every array gives a visible volume that is not completely opaque."""
         empty = self.picture("--volume", self.transfer("0 0 0 0 0\n1 0 0 0 0\n"))
         for name in ("Left", "Flat", "Around", "Spike", "Low"):
             drawn = self.picture("--volume", name)
@@ -111,11 +112,11 @@ class TestViewerVolume(ViewerProgram):
         pictures = [self.picture("--volume", file=self.folder / f"cube.{e}") for e in ("vtu", "vtk", "pvtu")]
         self.assertEqual(pictures[0], pictures[1])
         self.assertEqual(pictures[0], pictures[2])
-        # Without --volume its surface.
+        # Without --volume, the surface is drawn.
         self.assertNotEqual(pictures[2], self.picture(file=self.folder / "cube.pvtu"))
 
     def write_block(self, name, heights):
-        """Hexahedra over the unit square, in as many pieces of each side as there are layers."""
+        """Hexahedra over the unit square, with as many cells per side as layers."""
         grid = vtkUnstructuredGrid()
         grid.SetPoints(vtkPoints())
         size = 10
@@ -136,7 +137,7 @@ class TestViewerVolume(ViewerProgram):
         return write(self.folder, name, grid, vtkXMLUnstructuredGridWriter())
 
     def test_opacity_fits_thickness(self):
-        """A plate is as visible as a block, through which one still sees."""
+        """A plate is as visible as a block, which is still translucent."""
         passed = {}
         for name, heights in (
             ("plate.vtu", (0.0, 0.025, 0.05)),
@@ -149,7 +150,7 @@ class TestViewerVolume(ViewerProgram):
             nothing = self.transfer("0 0 0 0 0\n1 0 0 0 0\n")
             self.view(file, *arguments, "--output=e.png", nothing)
             seen, behind = (read_picture(self.folder / name)[60][60] for name in ("f.png", "e.png"))
-            # The colour of values in the middle has little red.
+            # The colour of medium values has little red.
             passed[name] = seen[0] / behind[0]
         for name, share in passed.items():
             self.assertLess(share, 0.5, name)
@@ -165,7 +166,7 @@ class TestViewerVolume(ViewerProgram):
         self.assertNotEqual(with_legend, read_picture(self.folder / "l.png"))
 
     def test_methods_and_integration(self):
-        """They differ in how they compute the picture, hardly in the picture."""
+        """The methods compute the picture differently, but it is almost the same."""
         exact = self.picture("--volume")
         for settings in (
             ["--volume-method=ray", "--integration=exact"],
@@ -180,13 +181,13 @@ class TestViewerVolume(ViewerProgram):
                 for rows in zip(exact, drawn)
                 for colours in zip(*rows)
             )
-            # But for the outline.
+            # Ignores the silhouette.
             most = apart[int(0.98 * len(apart))]
             self.assertLessEqual(most, 12 if "--integration=pre2d" in settings else 3, settings)
             self.assertEqual(drawn == exact, "--integration=exact" in settings, settings)
 
     def test_clip(self):
-        """What is on the normal's side stays, here x > 0.7, which is to the left."""
+        """The part on the normal's side remains: x > 0.7, on the left."""
         red = self.transfer("0 1 0 0 1\n9 1 0 0 1\n")
         settings = ("--volume", "Flat", red, "--unit-distance=0.05")
         drawn = self.picture(*settings, "--clip=0.7,0,0,2,0,0")
@@ -197,7 +198,7 @@ class TestViewerVolume(ViewerProgram):
         self.assertLess(turned[45][60][1], 10)
 
     def test_blend(self):
-        """Along x, where the values go from 0 to 1, which is how red they are."""
+        """Blend modes along x, where the values, and so the reds, run from 0 to 1."""
         red = self.transfer("0 0 0 0 1\n1 1 0 0 1\n")
         for name, value in (("maximum", 1.0), ("minimum", 0.0), ("average", 0.5)):
             drawn = self.picture("--volume", red, "--blend", name, "--view=90,0")
@@ -209,7 +210,7 @@ class TestViewerVolume(ViewerProgram):
         self.assertAlmostEqual(added[45][60][0], 0.75 * behind[0] + 0.05 * 255, delta=3)
 
     def test_isosurfaces(self):
-        """Seen along x: planes that are as the function says of their values, lit or not."""
+        """Seen along x, isosurfaces are planes coloured by the transfer function, shaded or not."""
         clear = self.transfer("0 1 0 0 0\n0.249 1 0 0 0\n0.25 1 0 0 1\n0.251 1 0 0 0\n1 0 1 0 0\n")
         settings = ("--volume", clear, "--view=90,0", "--unit-distance=10")
         nothing = self.picture(*settings)
@@ -218,7 +219,7 @@ class TestViewerVolume(ViewerProgram):
         self.assertGreater(drawn[45][60][0], 80)
         self.assertGreater(nothing[45][60][1], 100)
         self.assertEqual(nothing, self.picture(*settings, "--isosurfaces=0.5"))
-        # Without a file and without values something is seen as well.
+        # Without a file and without values, isosurfaces are visible, too.
         solid = self.transfer("0 1 0 0 1\n1 1 0 0 1\n")
         alone = self.picture("--volume", solid, "--blend=isosurface", "--view=90,0")
         self.assertLess(alone[45][60][1], 60)
@@ -261,7 +262,7 @@ class TestViewerVolume(ViewerProgram):
         self.assertFalse((self.folder / "n.png").exists())
 
     def test_cells_that_are_not_drawn(self):
-        """A triangle beside the tetrahedra does not widen the range; alone it is an error."""
+        """A triangle beside the tetrahedra does not extend the range. Alone it is an error."""
         plain = make_cube()
         outlier = make_cube()
         outlier.InsertNextCell(VTK_TRIANGLE, 3, (0, 1, 6))

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""relevo-view's window, with keys and a mouse: how it is left, its frames, keys that change volumes."""
+"""Proves viewer.md on relevo-view's window with keys and mouse: closing it, its frames, and keys
+for volumes."""
 
 import unittest
 
@@ -9,7 +10,7 @@ from ViewerScenes import write_cube, write_hill, write_sphere
 from ViewerWindow import Display, Window
 
 SIZE = "--size=300x200"
-SLOW = ("--surface=pn", "--level=6")  # some 10^5 triangles
+SLOW = ("--surface=pn", "--level=6")  # about 10^5 triangles
 
 
 class TestViewerWindow(ViewerProgram):
@@ -33,14 +34,15 @@ class TestViewerWindow(ViewerProgram):
         return [word for x in range(9) for word in ("mousemove", "--window", id, 20 * x, 50)]
 
     def test_leaving(self):
-        """However it is left, with the mouse in it or not: exit code 0, nothing on stderr."""
+        """However the window is closed, with the mouse inside or outside: exit code 0 and no output
+        on stderr."""
         for scene in ((self.heights,), (self.mesh,), (self.mesh, "--lic=Around"), (self.volume, "--volume")):
             for way in ("q", "e", "close button"):
                 with self.subTest(scene=scene, way=way):
                     window = self.window(*scene)
                     window.move(150, 100)
                     if way == "q":
-                        # The mouse moves on.
+                        # The mouse continues to move.
                         self.display.do("key", way, *self.moves(window.id))
                     if way == "close button":
                         window.click_close_button()
@@ -49,7 +51,7 @@ class TestViewerWindow(ViewerProgram):
                     self.assertEqual(window.leave(), (0, ""))
 
     def test_first_connection_lasts(self):
-        """The X server always has a client, so that it has no reason to reset."""
+        """Another client stays connected, so that the X server does not reset."""
         display = Display(terminates=True)
         self.addCleanup(display.stop)
         window = Window(display, self.folder, self.mesh, SIZE)
@@ -57,7 +59,7 @@ class TestViewerWindow(ViewerProgram):
         self.assertEqual(window.leave(), (0, ""))
 
     def test_events_share_frames(self):
-        """Of forty turns of the wheel at once most are not drawn on their own."""
+        """Most of forty turns of the wheel at once share a frame."""
         window = self.window(self.mesh, *SLOW)
         window.move(150, 100)
         frames = [window.pixels()]
@@ -73,7 +75,7 @@ class TestViewerWindow(ViewerProgram):
         self.assertEqual(window.leave(), (0, ""))
 
     def test_stereo(self):
-        """VTK's key for red and blue pictures does nothing."""
+        """VTK's key for red and blue stereo has no effect."""
         for scene in ((self.heights,), (self.mesh,)):
             window = self.window(*scene)
             window.move(298, 2)
@@ -86,7 +88,7 @@ class TestViewerWindow(ViewerProgram):
             self.assertEqual(window.leave(), (0, ""))
 
     def test_keys_of_volumes(self):
-        """Each prints the option that repeats what it did."""
+        """Each key prints the option that repeats its action."""
         window = self.window(self.volume, "--volume", "--unit-distance=2")
         for key, option, *numbers in (
             ("plus", "--unit-distance", 1.6),

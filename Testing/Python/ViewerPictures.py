@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of relevo-view, for the tests of it."""
+"""Reads pictures of relevo-view for tests."""
 
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 
 def read_picture(name):
-    """Rows of (red, green, blue), the lowest first."""
+    """Rows of (red, green, blue), lowest first."""
     reader = vtkPNGReader()
     reader.SetFileName(str(name))
     reader.Update()
@@ -23,7 +23,7 @@ def read_picture(name):
 
 
 def find(picture, is_shown):
-    """Left, right, lowest and highest pixel of some kind, told from red, green and blue."""
+    """Left, right, lowest and highest pixel for which a function of red, green and blue is true."""
     pixels = [
         (i, j)
         for j, row in enumerate(picture)
@@ -35,10 +35,10 @@ def find(picture, is_shown):
 
 
 def is_surface(red, green, blue):
-    """Not the sky, which is blue."""
+    """Whether a pixel is not sky, which is blue."""
     return blue < red + 10
 
 
 def is_dark(red, green, blue):
-    """As letters and lines over the picture are."""
+    """Whether a pixel has the colour of text and lines over the picture."""
     return max(red, green, blue) < 60

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs relevo-view, for the tests of it."""
+"""Runs relevo-view for tests."""
 
 import atexit
 import os
@@ -21,7 +21,7 @@ atexit.register(FORKED.close)
 
 
 class ViewerProgram(unittest.TestCase):
-    """A folder for files, the program in it, and its errors."""
+    """A folder for files, runs of the program in it, and its errors."""
 
     @classmethod
     def setUpClass(cls):
@@ -30,7 +30,7 @@ class ViewerProgram(unittest.TestCase):
 
     @classmethod
     def write_data(cls, name, kind, data, *calls):
-        """A file in the folder, by a writer after these calls; its bytes."""
+        """Writes a file in the folder, after these calls of the writer. Returns its bytes."""
         writer = kind()
         for call in calls:
             getattr(writer, call)()
@@ -64,6 +64,6 @@ class ViewerProgram(unittest.TestCase):
         self.assertEqual(run.stdout, "")
 
     def statistic(self, name, *arguments):
-        """A whole number that --stats prints, of a small picture."""
+        """An integer in the output of --stats for a small picture."""
         run = self.view(*arguments, "--stats", "--output", "s.png", "--size=160x100")
         return int(re.search(rf"{name}: (\d+)", run.stdout)[1])

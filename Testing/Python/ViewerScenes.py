@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Small files for the tests of relevo-view: a hill as a height map, a sphere as a mesh,
-a cube of tetrahedra."""
+"""Small files for the tests of relevo-view: a height map of a hill, a sphere, and a cube of
+tetrahedra."""
 
 import math
 
@@ -15,7 +15,7 @@ CUBES = 4  # along a side of the cube
 
 
 def hill(x, y):
-    """Height in the unit square: one hill, its top in the north-east."""
+    """Height in the unit square: one hill with its top in the north-east."""
     return 30.0 * math.exp(-12.0 * ((x - 0.65) ** 2 + (y - 0.65) ** 2))
 
 
@@ -45,9 +45,7 @@ def write_mesh(folder, name, mesh):
 
 
 def make_sphere():
-    """
-    Radius 0.5, with the arrays of points Latitude (z) and Around, vectors about the z axis.
-    """
+    """Radius 0.5, with the point arrays Latitude (z) and Around, vectors about the z axis."""
     source = vtkSphereSource()
     source.SetThetaResolution(10)
     source.SetPhiResolution(8)
@@ -83,8 +81,9 @@ def make_array(name, values):
 
 
 def make_cube():
-    """The unit cube in tetrahedra: of points Left (x), Around (vectors), Flat (a constant) and Spike
-    (x, but for one point that is far higher), of cells Low (1 in the lower half, else 0)."""
+    """The unit cube in tetrahedra with the point arrays Left (x), Around (vectors), Flat (constant)
+    and Spike (x, except for one much higher value), and the cell array Low (1 in the lower half,
+    otherwise 0)."""
     grid = vtkUnstructuredGrid()
     grid.SetPoints(vtkPoints())
     size = CUBES + 1
@@ -97,7 +96,7 @@ def make_cube():
         for j in range(CUBES):
             for i in range(CUBES):
                 a = (k * size + j) * size + i
-                # Around the diagonal, by the orders of steps along the axes.
+                # Around the diagonal, with steps along the axes in each order.
                 for first, second in ((0, 1), (1, 2), (2, 0), (1, 0), (2, 1), (0, 2)):
                     steps = (1, size, size * size)
                     b = a + steps[first]

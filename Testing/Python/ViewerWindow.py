@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A window of relevo-view on an X server of its own, with keys and a mouse by xdotool."""
+"""A window of relevo-view on a separate X server, with keys and mouse by xdotool."""
 
 import ctypes
 import os
@@ -13,7 +13,7 @@ import time
 
 from ViewerProgram import PROGRAM
 
-SECONDS = 60  # that a window may take for anything
+SECONDS = 60  # limit for every action of a window
 
 for tool in ("Xvfb", "xdotool"):
     if not shutil.which(tool):
@@ -22,7 +22,7 @@ for tool in ("Xvfb", "xdotool"):
 
 
 def wait(condition, what):
-    """The first true value of a condition."""
+    """Returns the first true value of a condition."""
     end = time.monotonic() + SECONDS
     while True:
         value = condition()
@@ -34,11 +34,10 @@ def wait(condition, what):
 
 
 class Display:
-    """An X server without a window manager; nobody else's windows, keys and mouse are on it.
+    """An X server without a window manager, so that no other windows, keys or mice interfere.
 
-    Xvfb resets by default when its last client leaves, and may then refuse the next one. A server
-    that terminates instead refuses it every time.
-    """
+    Xvfb resets by default when its last client disconnects, and may then refuse the next one. A
+    server that terminates instead always refuses it."""
 
     def __init__(self, size="1024x768", terminates=False):
         reader, writer = os.pipe()
@@ -58,7 +57,7 @@ class Display:
         self.server.wait()
 
     def do(self, *arguments):
-        """What an xdotool command prints; "" where it fails."""
+        """The output of an xdotool command, or "" if it fails."""
         run = subprocess.run(
             ["xdotool", *map(str, arguments)],
             env=self.environment,
@@ -69,7 +68,7 @@ class Display:
 
 
 class Window:
-    """relevo-view in a window that has drawn and has the keyboard."""
+    """relevo-view in a window that has drawn and has the keyboard focus."""
 
     def __init__(self, display, folder, *arguments):
         self.display = display
@@ -109,18 +108,18 @@ class Window:
         self.display.do("key", name)
 
     def move(self, x, y):
-        """The mouse to a pixel, counted from the top left."""
+        """Moves the mouse to a pixel, counted from the top left."""
         self.display.do("mousemove", "--window", self.id, x, y)
 
     def pixels(self):
-        """What the screen shows of it, as bytes."""
+        """The window's pixels on the screen, as bytes."""
         return read_screen(self.display.name, int(self.id))[0]
 
     def screen(self):
-        """The same as rows of (red, green, blue), the lowest first."""
+        """The same as rows of (red, green, blue), lowest first."""
         data, line = read_screen(self.display.name, int(self.id))
         rows = [data[start : start + line] for start in range(0, len(data), line)]
-        # Blue, green, red and nothing.
+        # Blue, green, red and an unused byte.
         return [list(zip(row[2::4], row[1::4], row[0::4])) for row in reversed(rows)]
 
     def press(self):
@@ -130,7 +129,7 @@ class Window:
         self.display.do("mouseup", 1)
 
     def click_close_button(self):
-        """What a window manager sends then."""
+        """Sends the message with which a window manager closes a window."""
         send_delete_window(self.display.name, int(self.id))
 
     def leave(self):
@@ -160,7 +159,7 @@ class ClientMessage(ctypes.Structure):
 
 
 class Image(ctypes.Structure):
-    """The beginning of an XImage."""
+    """The first members of an XImage."""
 
     _fields_ = [
         ("width", ctypes.c_int),
@@ -174,7 +173,7 @@ class Image(ctypes.Structure):
 
 
 def read_screen(display_name, window):
-    """Bytes of a window's pixels, and how many a line has."""
+    """A window's pixels as bytes, and the number of bytes per line."""
     x11 = ctypes.CDLL("libX11.so.6")
     x11.XOpenDisplay.restype = ctypes.c_void_p
     x11.XGetImage.restype = ctypes.POINTER(Image)
@@ -194,7 +193,7 @@ def read_screen(display_name, window):
 
 
 def send_delete_window(display_name, window):
-    """WM_DELETE_WINDOW, by the rules of the ICCCM."""
+    """Sends WM_DELETE_WINDOW as the ICCCM specifies."""
     x11 = ctypes.CDLL("libX11.so.6")
     x11.XOpenDisplay.restype = ctypes.c_void_p
     x11.XInternAtom.restype = ctypes.c_ulong

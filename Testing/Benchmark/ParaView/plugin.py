@@ -161,7 +161,7 @@ def agreement():
         def note_time(*_, moments=moments):
             moments.append(time.perf_counter())
 
-        for priority in -0.9, -1.1:  # the filter's priority is -1
+        for priority in -0.9, -1.1:  # Relevo's observer has -1
             renderer.AddObserver("StartEvent", note_time, priority)
 
         def move(frame, view=view):
