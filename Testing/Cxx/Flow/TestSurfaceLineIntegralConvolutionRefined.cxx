@@ -122,7 +122,7 @@ void CheckCloser(RelevoCheck& check)
   const double ofCoarse = FindError(coarse, dense);
   const double ofAdaptive = FindError(adaptive, dense);
   const double ofUniform = FindError(uniform, dense);
-  std::cout << "coarse, " << coarse->GetNumberOfCells() << " triangles: off by " << ofCoarse
+  std::cout << "coarse, " << coarse->GetNumberOfCells() << " triangles: error " << ofCoarse
             << "\nadaptive, " << adaptive->GetNumberOfCells() << ": " << ofAdaptive << "\nuniform, "
             << uniform->GetNumberOfCells() << ": " << ofUniform << "\ndense, "
             << dense->GetNumberOfCells() << "\n";
@@ -190,8 +190,8 @@ void CheckRecipe(RelevoCheck& check)
       }
     }
   }
-  std::cout << output->GetNumberOfCells() << " triangles, their sides at most " << longest
-            << " pixels long, " << longestInRegion << " in the region\n";
+  std::cout << output->GetNumberOfCells() << " triangles, edges of at most " << longest
+            << " pixels, " << longestInRegion << " in the region\n";
   // Levels per point allow a factor of sqrt(2), and the curved surface lengthens edges slightly.
   CHECK_LESS(longest, 10.0 * std::sqrt(2.0) * 1.1);
   CHECK_GREATER(longestInRegion, 0.0);

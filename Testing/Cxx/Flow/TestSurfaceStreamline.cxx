@@ -113,8 +113,8 @@ void CheckCircles(RelevoCheck& check, int n)
       ++lines;
     }
   }
-  std::cout << sphere->GetNumberOfCells() << " triangles, " << lines << " lines: off by "
-            << sum / lines << " on the mean, at most " << largest << "\n";
+  std::cout << sphere->GetNumberOfCells() << " triangles, " << lines << " lines: error "
+            << sum / lines << " on average, at most " << largest << "\n";
   CHECK_GREATER(lines, n * n);
   CHECK_LESS(sum / lines, 0.25 * edge * edge);
   CHECK_LESS(largest, 0.5 * edge * edge);

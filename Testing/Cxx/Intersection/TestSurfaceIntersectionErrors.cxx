@@ -60,7 +60,7 @@ void ExpectError(RelevoCheck& check, const std::function<void(vtkPolyData*, vtkM
       const std::string expected = "Input " + std::to_string(input) + " " + words;
       if (!errors.Said(expected))
       {
-        check.Fail(__FILE__, __LINE__, "not said: " + expected);
+        check.Fail(__FILE__, __LINE__, "no error with: " + expected);
       }
       CHECK(IsEmpty(filter));
     }

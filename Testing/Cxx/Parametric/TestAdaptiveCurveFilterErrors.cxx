@@ -57,7 +57,7 @@ void ExpectMeshError(RelevoCheck& check, vtkUnstructuredGrid* grid, const char* 
   CHECK_EQUAL(filter->GetExecutive()->Update(), 1);
   if (!errors.Said(words))
   {
-    check.Fail(__FILE__, __LINE__, std::string("not said: ") + words);
+    check.Fail(__FILE__, __LINE__, std::string("no error with: ") + words);
   }
   CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 1);
   CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 5);
@@ -134,7 +134,7 @@ void ExpectError(RelevoCheck& check, vtkAdaptiveCurveFilter* filter, const char*
   CHECK_EQUAL(filter->GetExecutive()->Update(), 0);
   if (!errors.Said(words))
   {
-    check.Fail(__FILE__, __LINE__, std::string("not said: ") + words);
+    check.Fail(__FILE__, __LINE__, std::string("no error with: ") + words);
   }
   CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 0);
 }

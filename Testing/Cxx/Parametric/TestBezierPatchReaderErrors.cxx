@@ -22,7 +22,7 @@ void ExpectError(RelevoCheck& check, vtkBezierPatchReader* reader, const std::st
   CHECK_EQUAL(reader->GetExecutive()->Update(), 0);
   if (!errors.Said(words))
   {
-    check.Fail(__FILE__, __LINE__, "not said: " + words);
+    check.Fail(__FILE__, __LINE__, "no error with: " + words);
   }
   CHECK_EQUAL(reader->GetOutput()->GetNumberOfCells(), 0);
   CHECK_EQUAL(reader->GetOutput()->GetNumberOfPoints(), 0);

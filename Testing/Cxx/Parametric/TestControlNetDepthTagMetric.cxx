@@ -165,7 +165,7 @@ void TestArrays(RelevoCheck& check)
     GetTags(mesh, metric, nullptr);
     if (!errors.Said(words))
     {
-      check.Fail(__FILE__, __LINE__, std::string("not said: ") + words);
+      check.Fail(__FILE__, __LINE__, std::string("no error with: ") + words);
     }
   };
   spoil("Patches", 0, 0, VTK_QUAD, "patch 0 is neither");

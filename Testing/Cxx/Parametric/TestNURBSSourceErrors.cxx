@@ -32,7 +32,7 @@ void ExpectError(
   CHECK_EQUAL(source->GetExecutive()->Update(), 0);
   if (!errors.Said(words))
   {
-    check.Fail(__FILE__, __LINE__, std::string("not said: ") + words);
+    check.Fail(__FILE__, __LINE__, std::string("no error with: ") + words);
   }
   CHECK_EQUAL(source->GetOutput()->GetNumberOfCells(), 0);
   CHECK_EQUAL(source->GetOutput()->GetNumberOfPoints(), 0);

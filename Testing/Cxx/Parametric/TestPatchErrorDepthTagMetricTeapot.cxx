@@ -102,8 +102,8 @@ double CompareWindows(
     const int stride = static_cast<int>(filter->GetOutput()->GetNumberOfPolys() / 8000) | 1;
     const double error = distance.MeasurePixels(filter->GetOutput(), camera, width, stride);
     const auto even = static_cast<double>(CountEvenTriangles(distance, camera, width));
-    std::cout << width << " pixels: " << triangles << " triangles, off by " << error
-              << " pixels; evenly " << even << ", ratio " << triangles / even << "\n";
+    std::cout << width << " pixels: " << triangles << " triangles, error " << error
+              << " pixels; uniform " << even << ", ratio " << triangles / even << "\n";
     CHECK_LESS_EQUAL(error, Pixels);
     CHECK_GREATER(error, 0.1 * Pixels);
     logarithms += std::log(triangles / even);

@@ -62,7 +62,7 @@ struct Pair
     CHECK_EQUAL(RelevoGetNumberOfPatches(filter->GetOutput()), patches);
     if (!errors.Said(words))
     {
-      check.Fail(__FILE__, __LINE__, "not said: " + words);
+      check.Fail(__FILE__, __LINE__, "no error with: " + words);
     }
     CHECK(errors.None());
   }

@@ -125,7 +125,7 @@ void TestGeographic(RelevoCheck& check, const std::string& name, int voids, doub
   CHECK_NEAR(deviation, 0.0, worst);
   const vtkIdType missing = relief.GetNumberOfTexels() - relief.GetNumberOfValidTexels();
   std::cout << name << ": " << outside << " texels outside, " << missing - outside
-            << " without data, up to " << deviation << " m off\n";
+            << " without data, deviation up to " << deviation << " m\n";
   // The relief is narrower in the north than in the south, by the cosines of the latitudes.
   const double radians = std::acos(-1.0) / 180.0;
   const double share =

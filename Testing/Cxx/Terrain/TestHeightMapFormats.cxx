@@ -36,7 +36,7 @@ bool SameSamples(vtkHeightMap* map, const RelevoRaster& raster)
       if (valid && map->GetSamples()[index] != static_cast<float>(raster.At(0, column, row)))
       {
         std::cerr << "column " << column << ", row " << row << ": " << map->GetSamples()[index]
-                  << " in place of " << raster.At(0, column, row) << "\n";
+                  << ", expected " << raster.At(0, column, row) << "\n";
         return false;
       }
     }
@@ -238,7 +238,7 @@ void TestUSGSDEM(RelevoCheck& check, const RelevoTestFolders& folders)
   GDALDriverH driver = GDALGetDriverByName("USGSDEM");
   if (!driver || !GDALGetMetadataItem(driver, GDAL_DCAP_CREATECOPY, nullptr))
   {
-    std::cout << "this GDAL does not write USGS DEM: not tested\n";
+    std::cout << "This GDAL does not write USGS DEM: not tested.\n";
     return;
   }
   RelevoRaster raster;

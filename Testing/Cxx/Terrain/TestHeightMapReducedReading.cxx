@@ -144,7 +144,7 @@ void TestMipLevels(RelevoCheck& check, const RelevoTestFolders& folders)
   GDALClose(dataset);
   if (peak() < 0)
   {
-    std::cout << "no /proc/self/status: memory is not tested\n";
+    std::cout << "No /proc/self/status: memory is not tested.\n";
     return;
   }
   vtkNew<vtkHeightMap> map;

@@ -471,7 +471,7 @@ int TestTerrainSource(int argc, char* argv[])
   TestRecipe(check, folders);
   if (folders.RealData.empty())
   {
-    std::cout << "No relief in RELEVO_TEST_DATA: only files of the test's own.\n";
+    std::cout << "No relief in RELEVO_TEST_DATA: only generated files are tested.\n";
   }
   else
   {

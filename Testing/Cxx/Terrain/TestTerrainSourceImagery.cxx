@@ -65,7 +65,7 @@ bool SamePixels(vtkImageData* image, const RelevoRaster& picture, const std::arr
         if (color != picture.At(bands[c], column, row))
         {
           std::cerr << "column " << column << ", row " << row << ", component " << c << ": "
-                    << color << " in place of " << picture.At(bands[c], column, row) << "\n";
+                    << color << ", expected " << picture.At(bands[c], column, row) << "\n";
           return false;
         }
       }

@@ -62,7 +62,7 @@ std::ostream& operator<<(std::ostream& os, const RelevoLikeness& likeness)
 {
   return os << "SSIM " << likeness.SSIM << ", mean difference " << likeness.MeanDifference << ", "
             << likeness.Different << " of " << likeness.Count << " pixels differ, "
-            << likeness.OneSided << " are LIC in one only";
+            << likeness.OneSided << " have LIC in one picture only";
 }
 
 RelevoLikeness CompareLIC(const RelevoGrey& a, const RelevoGrey& b)

@@ -103,7 +103,7 @@ bool RelevoLICView::Compare(RelevoComparison& comparison, const std::string& nam
   const size_t least = colors.GetNumberOfPixels() / 20;
   if (shown < least || (ofMasked && masked < least))
   {
-    return comparison.Fail(name + ": too little to see");
+    return comparison.Fail(name + ": the picture is almost empty");
   }
   return comparison.Compare(name, tolerance, actual, expected);
 }

@@ -267,7 +267,7 @@ bool RelevoComparison::Compare(const std::string& name, const RelevoTolerance& t
 {
   if (actual.Size[0] != expected.Size[0] || actual.Size[1] != expected.Size[1])
   {
-    return this->Check.Fail(__FILE__, __LINE__, name + ": pictures of different size");
+    return this->Check.Fail(__FILE__, __LINE__, name + ": pictures have different sizes");
   }
   // Other methods start a triangle at another corner, which may change the last bits.
   const bool isExact = RelevoScene::GetMethod() == vtkAdaptiveRefinementMapper::METHOD_ARKFPI;
@@ -302,7 +302,7 @@ bool RelevoComparison::Compare(const std::string& name, const RelevoTolerance& t
   // Empty pictures would always agree.
   if (expected.CountForeground() < expected.GetNumberOfPixels() / 1000)
   {
-    return this->Check.Fail(__FILE__, __LINE__, name + ": there is next to nothing to see");
+    return this->Check.Fail(__FILE__, __LINE__, name + ": the picture is almost empty");
   }
   if (pixels <= maximumPixels)
   {
@@ -328,7 +328,7 @@ bool RelevoComparison::CompareNow(const std::string& name, const RelevoTolerance
     refining.CountTriangles() != twin.CountTriangles())
   {
     std::ostringstream text;
-    text << name << ": " << refining.CountTriangles() << " triangles drawn, the filter's are "
+    text << name << ": " << refining.CountTriangles() << " triangles drawn, the filter has "
          << twin.CountTriangles();
     same = this->Check.Fail(__FILE__, __LINE__, text.str());
   }

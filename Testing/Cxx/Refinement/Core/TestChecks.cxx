@@ -60,7 +60,7 @@ bool IsSame(const std::string& printed, const std::string& expected)
 {
   if (printed != expected)
   {
-    std::cerr << "failures print\n" << printed << "and not\n" << expected;
+    std::cerr << "failed checks print\n" << printed << "but should print\n" << expected;
   }
   return printed == expected;
 }

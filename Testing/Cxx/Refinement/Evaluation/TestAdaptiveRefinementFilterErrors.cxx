@@ -66,7 +66,7 @@ void expectError(RelevoCheck& check, vtkAdaptiveRefinementFilter* filter, const 
   const int result = filter->GetExecutive()->Update();
   if (result != 0 || !errors.Said(words))
   {
-    check.Fail(__FILE__, __LINE__, "no error that says: " + words);
+    check.Fail(__FILE__, __LINE__, "no error with: " + words);
   }
   CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 0);
   CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 0);

@@ -69,7 +69,7 @@ Outcome Run(RelevoCheck& check, vtkPolyData* mesh, vtkAdaptiveRefinement* recipe
   }
   if (!words.empty() && !errors.Said(words))
   {
-    check.Fail(__FILE__, __LINE__, what + ": not \"" + words + "\"");
+    check.Fail(__FILE__, __LINE__, what + ": no error with \"" + words + "\"");
   }
   return outcome;
 }

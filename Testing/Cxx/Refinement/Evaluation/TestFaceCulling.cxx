@@ -208,8 +208,8 @@ int TestFaceCulling(int, char*[])
       sum.Unseen += counts.Unseen;
       sum.Wrong += counts.Wrong;
     }
-    std::cout << c.Name << ": " << sum.Hidden << " faces hidden of " << sum.Unseen
-              << " that are not seen\n";
+    std::cout << c.Name << ": " << sum.Hidden << " faces culled of " << sum.Unseen
+              << " that are not visible\n";
     CHECK_EQUAL(sum.Wrong, 0);
     CHECK_LESS_EQUAL(sum.Hidden, sum.Unseen);
     CHECK_GREATER_EQUAL(sum.Hidden, c.MinimumShare * sum.Unseen);

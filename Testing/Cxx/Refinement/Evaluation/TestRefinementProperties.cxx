@@ -304,7 +304,7 @@ int TestRefinementProperties(int, char*[])
       check.Fail(__FILE__, __LINE__, "case " + std::to_string(i) + ": " + error);
     }
   }
-  std::cout << numberOfTriangles << " triangles; " << numberOfFailures << " cases refused\n";
+  std::cout << numberOfTriangles << " triangles; " << numberOfFailures << " cases with errors\n";
   CHECK_GREATER(numberOfTriangles, 10 * NumberOfCases);
   CHECK_GREATER(numberOfFailures, 0);
   CHECK_LESS(numberOfFailures, NumberOfCases / 10);

@@ -633,8 +633,8 @@ void TestError(RelevoCheck& check)
   const auto plain = MakeRecipe(heights, 0);
   const auto equal = RelevoMeshes::Refine(MakePlane(even), plain);
   const double errors[2] = { GetError(refined, heights), GetError(equal, heights) };
-  std::cout << refined->GetNumberOfPolys() << " triangles by curvature, off by " << errors[0]
-            << "; " << equal->GetNumberOfPolys() << " equal ones by " << errors[1] << std::endl;
+  std::cout << refined->GetNumberOfPolys() << " triangles by curvature, error " << errors[0] << "; "
+            << equal->GetNumberOfPolys() << " of equal size, error " << errors[1] << std::endl;
   CHECK_LESS_EQUAL(refined->GetNumberOfPolys(), equal->GetNumberOfPolys());
   CHECK_LESS(errors[0], 0.9 * errors[1]);
 }

@@ -182,8 +182,8 @@ void Print(const Survey& survey, vtkRefinementPatternTable* table)
   {
     std::cout << " " << count;
   }
-  std::cout << "\n\nTriangles against the geometric mean of 4^level: at least " << survey.Fewest
-            << "; against the arithmetic mean: at most " << survey.Most
+  std::cout << "\n\nTriangles relative to the geometric mean of 4^level: at least " << survey.Fewest
+            << "; to the arithmetic mean: at most " << survey.Most
             << "\nTime: " << 1e3 * survey.Total << " ms for all patterns, " << 1e3 * survey.Slowest
             << " ms for the slowest; memory: " << table->GetMemorySize() << " bytes\n";
 }

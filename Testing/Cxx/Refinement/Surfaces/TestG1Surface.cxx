@@ -322,8 +322,8 @@ void testJumps(RelevoCheck& check, vtkG1Surface* surface)
     double mean[2];
     pnPatches.MeasureJumps(largest[0], mean[0]);
     g1Patches.MeasureJumps(largest[1], mean[1]);
-    std::cout << mesh.first << ": normals jump by " << largest[0] << " degrees at most, " << mean[0]
-              << " RMS (PN); " << largest[1] << ", " << mean[1] << " (G1)\n";
+    std::cout << mesh.first << ": normals differ by " << largest[0] << " degrees at most, "
+              << mean[0] << " RMS (PN); " << largest[1] << ", " << mean[1] << " (G1)\n";
     CHECK_GREATER(largest[0], 5.0);
     // Decimated scans have normals along edges. There the patch avoids large bends instead.
     CHECK(largest[1] < 0.2 || mesh.first == "bunny");

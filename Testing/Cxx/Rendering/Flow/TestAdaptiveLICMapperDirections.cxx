@@ -110,7 +110,7 @@ void TestPerspective(RelevoCheck& check, vtkPolyData* mesh, const View& view)
       vector[1] = toView->GetElement(1, 1);
       return picture.HasLIC(column, row, 8);
     });
-  std::cout << "as if in parallel: " << parallel << "\n";
+  std::cout << "as in parallel projection: " << parallel << "\n";
   CHECK_GREATER(parallel.Median, 5.0);
 }
 }

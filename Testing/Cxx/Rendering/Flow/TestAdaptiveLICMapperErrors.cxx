@@ -86,7 +86,7 @@ struct View
     if (!plain || !still || !said || !quiet)
     {
       this->Check.Fail(__FILE__, __LINE__,
-        "\"" + words + "\"" + (said ? "" : ": not said") + (quiet ? "" : ": said again") +
+        "\"" + words + "\"" + (said ? "" : ": not reported") + (quiet ? "" : ": reported again") +
           (plain && still ? "" : ": not the plain surface"));
     }
   }
@@ -276,7 +276,7 @@ void TestSettings(RelevoCheck& check)
     set();
     if (!view.Errors.Said(words) || !Equal(view.Draw(), picture))
     {
-      check.Fail(__FILE__, __LINE__, words + ": accepted");
+      check.Fail(__FILE__, __LINE__, words + ": no error");
     }
   };
   testSetting("NumberOfSteps", [&]() { mapper->SetNumberOfSteps(0); });

@@ -65,7 +65,7 @@ void TestSlopes(RelevoCheck& check)
   CHECK_LESS_EQUAL(deviations.Percentile95, 5.0);
   // Negative control: with the normals of a flat plane, deviations are larger.
   const RelevoDeviations flat = measure(NormalOfPlane);
-  std::cout << "as if it were flat: " << flat << "\n";
+  std::cout << "with flat normals: " << flat << "\n";
   CHECK_GREATER(flat.Median, 4.0);
 }
 

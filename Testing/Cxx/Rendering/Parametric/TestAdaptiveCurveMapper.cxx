@@ -48,14 +48,14 @@ void Compare(RelevoComparison& comparison, RelevoCurveScene& scene, const std::s
     const std::string both = name + " " + GetName(representation);
     if (expected.CountForeground() < 150)
     {
-      comparison.Fail(both + ": nothing to see");
+      comparison.Fail(both + ": the picture is empty");
     }
     comparison.Compare(both, tolerance, actual, expected);
     if (representation == Mapper::LINES &&
       scene.Mapper->GetNumberOfDrawnSegments() + scene.Mapper->GetNumberOfCulledSegments() !=
         CountSegments(scene.Filter))
     {
-      comparison.Fail(both + ": another number of segments");
+      comparison.Fail(both + ": wrong number of segments");
     }
   }
 }

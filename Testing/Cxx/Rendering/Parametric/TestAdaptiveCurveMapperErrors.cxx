@@ -29,7 +29,7 @@ void ExpectError(RelevoCheck& check, RelevoCurveScene& scene, const char* words)
   scene.Draw();
   if (!errors.Said(words))
   {
-    check.Fail(__FILE__, __LINE__, std::string("not said: ") + words);
+    check.Fail(__FILE__, __LINE__, std::string("no error with: ") + words);
   }
   scene.Draw();
   CHECK(errors.None());

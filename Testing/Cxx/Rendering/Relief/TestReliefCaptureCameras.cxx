@@ -86,7 +86,7 @@ void TestBox(RelevoCheck& check, const Vector& offset)
   // The ball is about 2.3 wide and a texel 0.018. Except for dents, one of the six cameras sees
   // each point.
   const double gap = FindGap(scene, ball, offset);
-  std::cout << "box: no point is farther than " << gap << " from a texel\n";
+  std::cout << "box: largest distance of a point " << gap << " from the nearest texel\n";
   CHECK_LESS(gap, 0.04);
 }
 
@@ -188,7 +188,7 @@ void TestFar(RelevoCheck& check, bool parallel)
       largest = std::max(largest, std::sqrt(dot(apart, apart)));
     }
   }
-  std::cout << "far away: " << largest << " off, " << others << " texels at other places\n";
+  std::cout << "far from the origin: error " << largest << ", " << others << " texels differ\n";
   CHECK_LESS(others, 5);
   CHECK_LESS(largest, 0.01);
 }

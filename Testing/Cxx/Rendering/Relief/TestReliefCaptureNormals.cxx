@@ -108,7 +108,7 @@ std::vector<double> CompareMesh(
   {
     if (!(std::abs(dot(texel.Normal, texel.Normal) - 1.0) < 1e-5))
     {
-      check.Fail(__FILE__, __LINE__, std::string(name) + ": a normal is not of length 1");
+      check.Fail(__FILE__, __LINE__, std::string(name) + ": a normal does not have length 1");
       break;
     }
   }

@@ -56,7 +56,7 @@ std::vector<RelevoTexel> CompareWithWindow(
   std::cout << name << ": " << texels.size() << " texels, " << others << " of other colours\n";
   if (texels.size() < 500 || texels.size() != shown || others > 0 || !hasNormals)
   {
-    check.Fail(__FILE__, __LINE__, name + ": the capture is not the picture");
+    check.Fail(__FILE__, __LINE__, name + ": the capture differs from the picture");
   }
   return texels;
 }

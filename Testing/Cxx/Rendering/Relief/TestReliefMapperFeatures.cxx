@@ -117,7 +117,7 @@ void TestLit(RelevoCheck& check, Methods method)
   scene.Actor->SetMapper(mapper);
   scene.Actor->GetProperty()->SetColor(180.0 / 255.0, 180.0 / 255.0, 180.0 / 255.0);
   const Color expected = GetMiddle(DrawColors(scene));
-  std::cout << "lit by method " << method << ": " << lit[0] << ", not " << expected[0] << "\n";
+  std::cout << "lit by method " << method << ": " << lit[0] << ", expected " << expected[0] << "\n";
   CHECK(expected[0] > 50 && expected[0] < 175);
   CHECK_NEAR(lit[0], expected[0], 2);
   scene.Actor->SetMapper(scene.Mapper);

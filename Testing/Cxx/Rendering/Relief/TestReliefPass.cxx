@@ -171,7 +171,7 @@ void TestLines(RelevoCheck& check)
       others += !isSame(moving);
     }
   }
-  std::cout << number << " pixels of lines, " << others << " are other ones\n";
+  std::cout << number << " pixels of lines, " << others << " differ\n";
   CHECK_GREATER(number, 500);
   CHECK_EQUAL(others, 0);
 }

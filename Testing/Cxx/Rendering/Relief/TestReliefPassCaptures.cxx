@@ -52,7 +52,7 @@ void TestHoleShare(RelevoCheck& check)
     turned += 0.25;
     scene.GetCamera()->Azimuth(0.25);
   }
-  std::cout << "captured anew after " << turned << " degrees\n";
+  std::cout << "captured again after " << turned << " degrees\n";
   CHECK_GREATER(turned, 0.5);
   CHECK_LESS(turned, 6.0);
   CHECK_LESS(scene.Pass->GetHoleShare(), 1e-3); // of the new capture

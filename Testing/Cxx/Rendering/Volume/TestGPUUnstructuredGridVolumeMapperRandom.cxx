@@ -146,7 +146,7 @@ void TestScene(RelevoCheck& check, int seed)
   CHECK_NEAR(apart, 0.0, 1.0);
   if (!(apart <= 1.0))
   {
-    std::cerr << "in the scene of seed " << seed << "\n";
+    std::cerr << "in the scene with seed " << seed << "\n";
   }
 }
 }

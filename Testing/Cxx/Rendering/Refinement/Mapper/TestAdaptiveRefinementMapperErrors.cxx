@@ -133,8 +133,9 @@ struct View
     if (!said || !quiet || !nothing || drawn[1] == 0 || again[1] == 0)
     {
       std::ostringstream text;
-      text << "\"" << words << "\"" << (said ? "" : ": not said") << (quiet ? "" : ": said again")
-           << (nothing ? "" : ": something is drawn") << (drawn[1] ? "" : ": no other actor");
+      text << "\"" << words << "\"" << (said ? "" : ": not reported")
+           << (quiet ? "" : ": reported again") << (nothing ? "" : ": something is drawn")
+           << (drawn[1] ? "" : ": no other actor");
       this->Check.Fail(__FILE__, __LINE__, text.str());
     }
   }

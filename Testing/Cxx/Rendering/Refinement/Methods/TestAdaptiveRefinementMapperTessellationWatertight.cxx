@@ -90,7 +90,7 @@ void TestPoints(RelevoCheck& check)
       lost += found == 0 ? 1 : 0;
     }
     std::cout << (curved ? "PN" : "Linear") << (whole ? ", whole numbers" : "") << ": " << shared
-              << " shared points, " << lost << " not found, " << moved << " elsewhere" << std::endl;
+              << " shared points, " << lost << " not found, " << moved << " moved" << std::endl;
     CHECK_GREATER(shared, 500);
     CHECK_EQUAL(lost, 0);
     CHECK_EQUAL(moved, 0);

@@ -86,7 +86,7 @@ void CheckHits(RelevoCheck& check, const std::string& name, const std::vector<Hi
     if (!(hits[i] == expected[i]) && wrong++ == tolerance)
     {
       std::ostringstream text;
-      text << name << ": pixel " << i << " is of actor " << hits[i].Actor << ", block "
+      text << name << ": pixel " << i << " has actor " << hits[i].Actor << ", block "
            << hits[i].Block << ", id " << hits[i].Id << ", not " << expected[i].Actor << ", "
            << expected[i].Block << ", " << expected[i].Id;
       check.Fail(__FILE__, __LINE__, text.str());

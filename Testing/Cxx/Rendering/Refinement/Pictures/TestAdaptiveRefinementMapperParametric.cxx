@@ -116,7 +116,7 @@ int TestAdaptiveRefinementMapperParametric(int argc, char* argv[])
   for (const auto& mesh : meshes)
   {
     std::cout << mesh.first << " has " << CountMissingNormals(mesh.second)
-              << " points whose normal has no direction\n";
+              << " points with undefined normals\n";
     CHECK_GREATER(CountMissingNormals(mesh.second), 0);
     auto recipe = MakeRecipe(2);
     // The mapper's mesh follows a recipe that stops refining, and then refines again.

@@ -244,7 +244,7 @@ void TestCounter(RelevoCheck& check)
   }
   size_t covered = 0;
   const size_t cracks = CountLeaks(cracked, 10, covered);
-  std::cout << "Levels that do not agree: " << cracks << " leaks" << std::endl;
+  std::cout << "Different levels along the seam: " << cracks << " leaks" << std::endl;
   CHECK_GREATER(cracks, 100);
 }
 }
