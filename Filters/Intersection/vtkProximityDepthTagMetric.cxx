@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkProximityDepthTagMetric.h"
 
+#include "Boxes/BoxTree.h"
 #include "Checks/SettingChecks.h"
 #include "Levels/TriangleTags.h"
-#include "Mesh/BoxTree.h"
 #include "Mesh/NearestBox.h"
 #include "Mesh/SurfaceTriangles.h"
 #include "Metrics/MetricEvaluator.h"
@@ -70,7 +70,7 @@ private:
   void ComputeLevels(const relevo::RefinementView& view, int maximumLevel);
 
   vtkSmartPointer<vtkProximityDepthTagMetric> Metric;
-  relevo::BoxTree Tree;
+  relevo::DoubleBoxTree Tree;
   vtkMTimeType TreeTime = 0;
   std::vector<float> Levels; // one per triangle
 };
@@ -81,7 +81,7 @@ void ProximityEvaluator::BuildTree()
   {
     return;
   }
-  std::vector<relevo::Box> boxes(static_cast<std::size_t>(this->Metric->GetNumberOfBoxes()));
+  std::vector<relevo::DoubleBox> boxes(static_cast<std::size_t>(this->Metric->GetNumberOfBoxes()));
   for (std::size_t i = 0; i < boxes.size(); ++i)
   {
     double bounds[6];

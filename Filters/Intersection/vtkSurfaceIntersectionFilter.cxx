@@ -52,10 +52,10 @@ struct vtkSurfaceIntersectionFilter::Internals
   // Returns the faces of a curved surface that may intersect the other surface.
   std::vector<unsigned char> FindCandidates(int side, bool isOtherCurved) const
   {
-    const relevo::BoxTree& own = this->Curved[side].GetTree();
-    const relevo::BoxTree& other =
+    const relevo::DoubleBoxTree& own = this->Curved[side].GetTree();
+    const relevo::DoubleBoxTree& other =
       isOtherCurved ? this->Curved[1 - side].GetTree() : this->Sides[1 - side]->GetTree();
-    const auto number = static_cast<vtkIdType>(own.GetNumberOfItems());
+    const auto number = static_cast<vtkIdType>(own.GetItems().size());
     std::vector<unsigned char> meet(number);
     vtkSMPTools::For(0, number,
       [&](vtkIdType first, vtkIdType last)
@@ -228,7 +228,7 @@ bool vtkSurfaceIntersectionFilter::RefineInput(int side)
   relevo::CurvedSurface& curved = this->Surfaces->Curved[side];
   const bool needsAll = this->Surfaces->IsSelf || this->Classify;
   const std::vector<unsigned char> areWanted = needsAll
-    ? std::vector<unsigned char>(curved.GetTree().GetNumberOfItems(), 1)
+    ? std::vector<unsigned char>(curved.GetTree().GetItems().size(), 1)
     : this->Surfaces->FindCandidates(side, this->Refinements[1 - side] != nullptr);
   relevo::Motion motion;
   motion.Set(this->Matrices[side]);

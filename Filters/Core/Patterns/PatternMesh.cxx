@@ -72,16 +72,16 @@ PatternTriangulation TriangulateInside(const int segments[3], const PatternTrian
     }
     PatternSmoother smoother(triangulation, static_cast<int>(firstInner));
     smoother.Move();
-    const std::vector<bool> errors = smoother.FindErrors();
+    const std::vector<bool> superfluous = smoother.FindSuperfluousPoints();
     inner.clear();
-    for (std::size_t i = firstInner; i < errors.size(); ++i)
+    for (std::size_t i = firstInner; i < superfluous.size(); ++i)
     {
-      if (!errors[i])
+      if (!superfluous[i])
       {
         inner.push_back(triangulation.Points[i]);
       }
     }
-    if (firstInner + inner.size() == errors.size())
+    if (firstInner + inner.size() == superfluous.size())
     {
       return triangulation;
     }

@@ -50,18 +50,18 @@ void PatternSmoother::Move()
   }
 }
 
-std::vector<bool> PatternSmoother::FindErrors()
+std::vector<bool> PatternSmoother::FindSuperfluousPoints()
 {
   const int numberOfPoints = static_cast<int>(this->Mesh.Points.size());
-  std::vector<bool> errors(numberOfPoints, false);
+  std::vector<bool> superfluous(numberOfPoints, false);
   for (int v = this->FirstInner; v < numberOfPoints; ++v)
   {
     this->Mesh.GetStar(v, this->Star);
-    errors[v] = this->IsError(v) &&
+    superfluous[v] = this->IsSuperfluous(v) &&
       std::none_of(this->Star.begin(), this->Star.end(),
-        [&](const std::pair<int, int>& side) { return errors[side.first]; });
+        [&](const std::pair<int, int>& side) { return superfluous[side.first]; });
   }
-  return errors;
+  return superfluous;
 }
 
 /// The largest badness of the triangles between p and the sides of the star, or any value of at
@@ -81,7 +81,7 @@ double PatternSmoother::StarBadness(PatternPoint p, double limit) const
 }
 
 /// Whether the star's triangles can be replaced by better ones that meet at one of its corners.
-bool PatternSmoother::IsError(int vertex) const
+bool PatternSmoother::IsSuperfluous(int vertex) const
 {
   const double limit = this->StarBadness(this->Mesh.Points[vertex], Infinity);
   if (limit <= GoodBadness)

@@ -29,11 +29,11 @@ public:
 
   /// Find inner points whose removal would improve the triangles around them. No two are
   /// neighbours.
-  std::vector<bool> FindErrors();
+  std::vector<bool> FindSuperfluousPoints();
 
 private:
   double StarBadness(PatternPoint p, double limit) const;
-  bool IsError(int vertex) const;
+  bool IsSuperfluous(int vertex) const;
   bool MoveVertex(int vertex);
 
   PatternTriangulation& Mesh;

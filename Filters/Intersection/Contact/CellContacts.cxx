@@ -51,14 +51,14 @@ void CellContacts::MeasureDistances(const MovedSurface& other, double nearDistan
     {
       vtkIdType nearest = -1;
       vtkIdType cell = -1;
-      double square = Box::Infinity; // smallest value of the cell so far, which may have several
-                                     // triangles
+      double square = DoubleBox::Infinity; // smallest value of the cell so far, which may have
+                                           // several triangles
       for (vtkIdType t = first; t < last; ++t)
       {
         if (this->Surface.GetCell(t) != cell)
         {
           cell = this->Surface.GetCell(t);
-          square = Box::Infinity;
+          square = DoubleBox::Infinity;
         }
         if (this->Surface.HasArea(t) && !this->IsCut(t))
         {

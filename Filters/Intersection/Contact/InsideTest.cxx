@@ -46,8 +46,8 @@ Crossing Cross(const double p[3], const double q[3], const std::array<const doub
 // Returns the parity of crossings of the segment p q, or -1 if undetermined.
 int CountParity(const double p[3], const double q[3], const MovedSurface& surface)
 {
-  const BoxTree& tree = surface.GetTree();
-  Box box;
+  const DoubleBoxTree& tree = surface.GetTree();
+  DoubleBox box;
   box.Add(p);
   box.Add(q);
   int parity = 0;
@@ -56,7 +56,7 @@ int CountParity(const double p[3], const double q[3], const MovedSurface& surfac
   {
     const vtkIdType index = stack.back();
     stack.pop_back();
-    const BoxTree::Node& node = tree.GetNodes()[index];
+    const DoubleBoxTree::Node& node = tree.GetNodes()[index];
     if (!node.Bounds.Intersects(box))
     {
       continue;
@@ -86,8 +86,8 @@ int CountParity(const double p[3], const double q[3], const MovedSurface& surfac
 
 bool IsInside(const double point[3], const MovedSurface& surface)
 {
-  const Box& bounds = surface.GetTree().GetNodes().front().Bounds;
-  Box place;
+  const DoubleBox& bounds = surface.GetTree().GetNodes().front().Bounds;
+  DoubleBox place;
   place.Add(point);
   if (!place.Intersects(bounds))
   {

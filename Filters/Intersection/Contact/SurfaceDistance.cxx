@@ -57,17 +57,17 @@ double GetFaceSquare(const dvec3& point, const Corners& triangle)
     const dvec3 inwards = cross(normal, triangle.Points[(i + 1) % 3] - from);
     if (!(dot(inwards, point - from) >= 0.0))
     {
-      return Box::Infinity;
+      return DoubleBox::Infinity;
     }
   }
   const double height = dot(normal, point - a);
   const double square = height * height / GetSquare(normal);
-  return std::isfinite(square) ? square : Box::Infinity;
+  return std::isfinite(square) ? square : DoubleBox::Infinity;
 }
 
 double GetTriangleSquare(const Corners& a, const Corners& b)
 {
-  double square = Box::Infinity;
+  double square = DoubleBox::Infinity;
   for (int i = 0; i < 3; ++i)
   {
     for (int j = 0; j < 3; ++j)
@@ -81,7 +81,7 @@ double GetTriangleSquare(const Corners& a, const Corners& b)
   return square;
 }
 
-double GetBoxSquare(const Box& a, const Box& b, double unit)
+double GetBoxSquare(const DoubleBox& a, const DoubleBox& b, double unit)
 {
   double square = 0.0;
   for (int c = 0; c < 3; ++c)
@@ -93,9 +93,9 @@ double GetBoxSquare(const Box& a, const Box& b, double unit)
   return square * (1.0 - 1e-12);
 }
 
-Box GetBox(const MovedSurface& surface, vtkIdType triangle)
+DoubleBox GetBox(const MovedSurface& surface, vtkIdType triangle)
 {
-  Box box;
+  DoubleBox box;
   for (const double* point : surface.GetPoints(triangle))
   {
     box.Add(point);
@@ -114,7 +114,7 @@ Corners GetCorners(const MovedSurface& surface, vtkIdType triangle, double unit)
   return corners;
 }
 
-double GetReach(const Box& box)
+double GetReach(const DoubleBox& box)
 {
   double reach = 0.0;
   for (int c = 0; c < 3; ++c)
@@ -153,8 +153,8 @@ double SurfaceDistance::GetLength(double square) const
 
 void SurfaceDistance::Lower(vtkIdType triangle, vtkIdType& nearest, double& square) const
 {
-  const BoxTree& tree = this->To.GetTree();
-  const Box box = GetBox(this->From, triangle);
+  const DoubleBoxTree& tree = this->To.GetTree();
+  const DoubleBox box = GetBox(this->From, triangle);
   if (nearest >= 0)
   {
     square = std::min(square, this->Square(triangle, nearest));
@@ -168,7 +168,7 @@ void SurfaceDistance::Lower(vtkIdType triangle, vtkIdType& nearest, double& squa
     {
       continue;
     }
-    const BoxTree::Node& node = tree.GetNodes()[top.first];
+    const DoubleBoxTree::Node& node = tree.GetNodes()[top.first];
     for (vtkIdType i = node.First; i < node.First + node.Count; ++i)
     {
       const vtkIdType other = tree.GetItem(i);

@@ -24,13 +24,13 @@ void CurvedSurface::Move(const Motion& motion)
   {
     return;
   }
-  std::vector<Box> boxes(static_cast<std::size_t>(this->Surface.GetNumberOfFaces()));
+  std::vector<DoubleBox> boxes(static_cast<std::size_t>(this->Surface.GetNumberOfFaces()));
   vtkSMPTools::For(0, static_cast<vtkIdType>(boxes.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType face = begin; face < end; ++face)
       {
-        Box box;
+        DoubleBox box;
         this->Surface.GetFaceBounds(static_cast<int>(face), box.Low.data(), box.High.data());
         boxes[face] = motion.MoveBox(box);
       }

@@ -11,8 +11,8 @@
 #ifndef CurvedSurface_h
 #define CurvedSurface_h
 
+#include "Boxes/BoxTree.h"                 // for members
 #include "Intersection/ToleranceSurface.h" // for members
-#include "Mesh/BoxTree.h"                  // for members
 #include "Mesh/Motion.h"                   // for members
 
 #include <string> // for errors
@@ -28,7 +28,7 @@ public:
 
   /// Moves the boxes of the faces.
   void Move(const Motion& motion);
-  const BoxTree& GetTree() const { return this->Tree; }
+  const DoubleBoxTree& GetTree() const { return this->Tree; }
 
   /// Returns the surface without the motion.
   ToleranceSurface& GetSurface() { return this->Surface; }
@@ -37,7 +37,7 @@ private:
   ToleranceSurface Surface;
   Motion Current;
   bool IsMoved = false;
-  BoxTree Tree;
+  DoubleBoxTree Tree;
 };
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/Motion.h"
 
+#include "Boxes/BoxTree.h"
 #include "Exact/ExactPredicates.h"
-#include "Mesh/BoxTree.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 
@@ -49,9 +49,9 @@ std::string Motion::Set(vtkMatrix4x4* matrix)
   return {};
 }
 
-Box Motion::MoveBox(const Box& box) const
+DoubleBox Motion::MoveBox(const DoubleBox& box) const
 {
-  Box moved;
+  DoubleBox moved;
   for (int corner = 0; corner < 8; ++corner)
   {
     double x[3];
@@ -63,7 +63,7 @@ Box Motion::MoveBox(const Box& box) const
     this->Move(x, y);
     if (!std::isfinite(y[0]) || !std::isfinite(y[1]) || !std::isfinite(y[2]))
     {
-      constexpr double all = Box::Infinity;
+      constexpr double all = DoubleBox::Infinity;
       return { { { -all, -all, -all } }, { { all, all, all } } };
     }
     moved.Add(y);

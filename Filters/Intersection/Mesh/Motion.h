@@ -9,6 +9,7 @@
 #ifndef Motion_h
 #define Motion_h
 
+#include "Boxes/BoundingBox.h"
 #include "RelevoFiltersIntersectionModule.h" // for export macro
 
 #include <array>  // for members
@@ -18,8 +19,6 @@ class vtkMatrix4x4;
 
 namespace relevo
 {
-struct Box;
-
 class RELEVOFILTERSINTERSECTION_EXPORT Motion
 {
 public:
@@ -41,7 +40,7 @@ public:
   }
 
   /// Returns a box that contains the transformed box.
-  Box MoveBox(const Box& box) const;
+  BoundingBox<double> MoveBox(const BoundingBox<double>& box) const;
 
   /// Returns the largest factor by which a length grows.
   double GetLargestStretch() const;

@@ -172,9 +172,9 @@ bool MovedSurface::MovePoints(const Motion& motion)
   return isInRange;
 }
 
-std::vector<Box> MovedSurface::MeasureTriangles() const
+std::vector<DoubleBox> MovedSurface::MeasureTriangles() const
 {
-  std::vector<Box> boxes(this->GetNumberOfTriangles());
+  std::vector<DoubleBox> boxes(this->GetNumberOfTriangles());
   vtkSMPTools::For(0, this->GetNumberOfTriangles(),
     [&](vtkIdType first, vtkIdType last)
     {

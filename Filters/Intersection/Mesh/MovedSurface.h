@@ -12,7 +12,7 @@
 #ifndef MovedSurface_h
 #define MovedSurface_h
 
-#include "Mesh/BoxTree.h"
+#include "Boxes/BoxTree.h"
 #include "Mesh/Motion.h"
 #include "RelevoFiltersIntersectionModule.h" // for export macro
 #include "vtkSmartPointer.h"                 // for members
@@ -72,13 +72,13 @@ public:
       this->GetNumberOfTriangles() + this->NumberOfCollapsedTriangles;
   }
   /// The items of the tree are triangles.
-  const BoxTree& GetTree() const { return this->Tree; }
+  const DoubleBoxTree& GetTree() const { return this->Tree; }
   /// Whether each edge between merged points has exactly two triangles.
   bool IsClosed() const;
 
 private:
   bool MovePoints(const Motion& motion);
-  std::vector<Box> MeasureTriangles() const;
+  std::vector<DoubleBox> MeasureTriangles() const;
 
   vtkSmartPointer<vtkPoints> Points;
   vtkSmartPointer<vtkCellArray> Polygons;
@@ -95,7 +95,7 @@ private:
   std::vector<double> Moved;
   std::vector<unsigned char> Areas;
   vtkIdType NumberOfFlatTriangles = 0;
-  BoxTree Tree;
+  DoubleBoxTree Tree;
   mutable int Closed = -1; // -1 if unknown
 };
 }

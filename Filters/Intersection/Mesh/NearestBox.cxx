@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/NearestBox.h"
 
-#include "Mesh/BoxTree.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -15,7 +13,7 @@ namespace
 constexpr double Beyond = 2.0;
 
 // Divides lengths by `reach`, whose square may overflow or underflow.
-double GetSquare(const Box& box, const double point[3], double reach)
+double GetSquare(const DoubleBox& box, const double point[3], double reach)
 {
   double square = 0.0;
   for (int c = 0; c < 3; ++c)
@@ -30,9 +28,9 @@ double GetSquare(const Box& box, const double point[3], double reach)
 }
 }
 
-double GetBoxDistance(const BoxTree& tree, const double point[3], double reach)
+double GetBoxDistance(const DoubleBoxTree& tree, const double point[3], double reach)
 {
-  const std::vector<BoxTree::Node>& nodes = tree.GetNodes();
+  const std::vector<DoubleBoxTree::Node>& nodes = tree.GetNodes();
   if (nodes.empty() || !std::isfinite(point[0]) || !std::isfinite(point[1]) ||
     !std::isfinite(point[2]))
   {
@@ -46,7 +44,7 @@ double GetBoxDistance(const BoxTree& tree, const double point[3], double reach)
   while (size > 0)
   {
     const vtkIdType n = stack[--size];
-    const BoxTree::Node& node = nodes[n];
+    const DoubleBoxTree::Node& node = nodes[n];
     const double square = GetSquare(node.Bounds, point, reach);
     if (!(square <= 1.0) || square >= nearest)
     {

@@ -9,13 +9,13 @@
 #ifndef NearestBox_h
 #define NearestBox_h
 
+#include "Boxes/BoxTree.h"
+
 namespace relevo
 {
-class BoxTree;
-
 /// Returns distance / reach, from 0 in or on a box to 1, or 2 if the distance is larger or a
 /// coordinate is not finite. `reach` is at least 0.
-double GetBoxDistance(const BoxTree& tree, const double point[3], double reach);
+double GetBoxDistance(const DoubleBoxTree& tree, const double point[3], double reach);
 }
 
 #endif

@@ -52,11 +52,11 @@ public:
   }
 
 private:
-  const BoxTree::Node& GetFirst(const NodePair& pair) const
+  const DoubleBoxTree::Node& GetFirst(const NodePair& pair) const
   {
     return this->First.GetTree().GetNodes()[pair.first];
   }
-  const BoxTree::Node& GetSecond(const NodePair& pair) const
+  const DoubleBoxTree::Node& GetSecond(const NodePair& pair) const
   {
     return this->Second.GetTree().GetNodes()[pair.second];
   }
@@ -97,8 +97,8 @@ private:
   // Adds the pairs of children whose boxes intersect.
   void Split(const NodePair& pair, std::vector<NodePair>& pairs) const
   {
-    const BoxTree::Node& first = this->GetFirst(pair);
-    const BoxTree::Node& second = this->GetSecond(pair);
+    const DoubleBoxTree::Node& first = this->GetFirst(pair);
+    const DoubleBoxTree::Node& second = this->GetSecond(pair);
     if (this->IsSelf && pair.first == pair.second)
     {
       pairs.emplace_back(pair.first + 1, pair.first + 1);
@@ -148,10 +148,10 @@ private:
 
   void VisitLeaves(const NodePair& pair, std::vector<IntersectingPair>& found) const
   {
-    const BoxTree& firstTree = this->First.GetTree();
-    const BoxTree& secondTree = this->Second.GetTree();
-    const BoxTree::Node& first = this->GetFirst(pair);
-    const BoxTree::Node& second = this->GetSecond(pair);
+    const DoubleBoxTree& firstTree = this->First.GetTree();
+    const DoubleBoxTree& secondTree = this->Second.GetTree();
+    const DoubleBoxTree::Node& first = this->GetFirst(pair);
+    const DoubleBoxTree::Node& second = this->GetSecond(pair);
     const bool isSameLeaf = this->IsSelf && pair.first == pair.second;
     for (vtkIdType i = first.First; i < first.First + first.Count; ++i)
     {

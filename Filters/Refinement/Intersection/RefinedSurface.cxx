@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Intersection/RefinedSurface.h"
 
-#include "Boxes/FaceTree.h"
+#include "Boxes/BoxSegment.h"
+#include "Boxes/BoxTree.h"
 #include "Evaluation/HoleFinder.h"
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/RefinementEvaluator.h"
@@ -29,13 +30,13 @@ namespace relevo
 namespace
 {
 // A box that contains all points of a face, regardless of their rounding.
-FaceBox MakeBox(const FaceBounds& bounds, size_t face)
+FloatBox MakeBox(const FaceBounds& bounds, size_t face)
 {
   constexpr float most = std::numeric_limits<float>::max();
   double low[3];
   double high[3];
   bounds.GetBox(face, low, high);
-  FaceBox box;
+  FloatBox box;
   for (int c = 0; c < 3; ++c)
   {
     const double margin = 1e-6 * (std::abs(low[c]) + std::abs(high[c]) + high[c] - low[c]);
@@ -48,7 +49,7 @@ FaceBox MakeBox(const FaceBounds& bounds, size_t face)
   return box;
 }
 
-double GetDistance2(const FaceBox& box, const double place[3])
+double GetDistance2(const FloatBox& box, const double place[3])
 {
   double distance2 = 0.0;
   for (int c = 0; c < 3; ++c)
@@ -71,7 +72,8 @@ struct RefinedSurface::Internals
   std::unique_ptr<HeightRanges> Heights;
   std::unique_ptr<RefinementEvaluator> Evaluator;
   std::unique_ptr<HoleFinder> Holes; // nullptr if there can be none
-  FaceTree Tree;
+  FloatBoxTree Tree;
+  std::vector<int> Positions; // in the tree, of faces
 
   void UpdateHeights(vtkDisplacement* displacement);
   void BuildTree(vtkAdaptiveRefinement* recipe);
@@ -106,7 +108,7 @@ void RefinedSurface::Internals::BuildTree(vtkAdaptiveRefinement* recipe)
 {
   const FaceBounds bounds(
     *this->Mesh, recipe->GetSurface(), recipe->GetDisplacement(), this->Heights.get());
-  std::vector<FaceBox> boxes(this->Mesh->Faces.size());
+  std::vector<FloatBox> boxes(this->Mesh->Faces.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(boxes.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -115,7 +117,12 @@ void RefinedSurface::Internals::BuildTree(vtkAdaptiveRefinement* recipe)
         boxes[face] = MakeBox(bounds, static_cast<size_t>(face));
       }
     });
-  this->Tree.Build(std::move(boxes));
+  this->Tree.Build(boxes);
+  this->Positions.resize(boxes.size());
+  for (size_t position = 0; position < boxes.size(); ++position)
+  {
+    this->Positions[this->Tree.GetItem(static_cast<int>(position))] = static_cast<int>(position);
+  }
 }
 
 void RefinedSurface::Update(const RefinementMesh& mesh, vtkMTimeType meshTime,
@@ -159,9 +166,9 @@ const HoleFinder* RefinedSurface::GetHoles() const
   return this->Data->Holes.get();
 }
 
-const FaceBox& RefinedSurface::GetBox(int face) const
+const BoundingBox<float>& RefinedSurface::GetBox(int face) const
 {
-  return this->Data->Tree.GetBox(face);
+  return this->Data->Tree.GetBox(this->Data->Positions[face]);
 }
 
 void RefinedSurface::Internals::Complete(const TrianglePoint& point, SurfaceHit& hit) const
@@ -193,7 +200,7 @@ bool RefinedSurface::Intersect(const PatternSelection& selection, const double s
   {
     const BoxSegment segment(from.data(), to.data(), margin);
     data.Tree.Visit(
-      hit.T, [&segment](const FaceBox& box, double last) { return segment.GetEntry(box, last); },
+      hit.T, [&segment](const FloatBox& box, double last) { return segment.GetEntry(box, last); },
       [&](int face)
       {
         triangles.Refine(face);
@@ -272,7 +279,7 @@ bool RefinedSurface::FindClosest(const PatternSelection& selection, const double
   RefinedTriangles triangles(
     *data.Mesh, *data.Evaluator, data.Holes.get(), selection, data.Normals);
   data.Tree.Visit(
-    distance2, [&local](const FaceBox& box, double) { return GetDistance2(box, local.data()); },
+    distance2, [&local](const FloatBox& box, double) { return GetDistance2(box, local.data()); },
     [&](int face)
     {
       triangles.Refine(face);
@@ -307,7 +314,7 @@ void RefinedSurface::ForEachFaceInBounds(
   double nearest = 0.0;
   data.Tree.Visit(
     nearest,
-    [&](const FaceBox& box, double)
+    [&](const FloatBox& box, double)
     {
       bool apart = false;
       for (int c = 0; c < 3; ++c)
@@ -330,6 +337,6 @@ void RefinedSurface::ForEachFaceOnLine(const double start[3], const double end[3
   const BoxSegment segment(from.data(), to.data(), tolerance);
   double last = 1.0;
   data.Tree.Visit(
-    last, [&segment](const FaceBox& box, double t) { return segment.GetEntry(box, t); }, visit);
+    last, [&segment](const FloatBox& box, double t) { return segment.GetEntry(box, t); }, visit);
 }
 }

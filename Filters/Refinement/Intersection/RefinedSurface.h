@@ -12,6 +12,7 @@
 #ifndef RefinedSurface_h
 #define RefinedSurface_h
 
+#include "Boxes/BoundingBox.h"
 #include "RelevoFiltersRefinementModule.h" // for export macro
 #include "vtkType.h"                       // for vtkMTimeType
 
@@ -24,7 +25,6 @@ class vtkDataArray;
 
 namespace relevo
 {
-struct FaceBox;
 class HoleFinder;
 class PatternSelection;
 class RefinementEvaluator;
@@ -68,7 +68,7 @@ public:
   /// points of a face, relative to the mesh's origin.
   const RefinementEvaluator& GetEvaluator() const;
   const HoleFinder* GetHoles() const;
-  const FaceBox& GetBox(int face) const;
+  const BoundingBox<float>& GetBox(int face) const;
   //@}
 
   //@{

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Intersection/ToleranceSurface.h"
 
-#include "Boxes/FaceTree.h"
+#include "Boxes/BoxTree.h"
 #include "Changes/LatestTime.h"
 #include "Evaluation/HoleFinder.h"
 #include "Evaluation/MeshPreparation.h"
@@ -120,7 +120,7 @@ int ToleranceSurface::GetNumberOfFaces() const
 
 void ToleranceSurface::GetFaceBounds(int face, double low[3], double high[3]) const
 {
-  const FaceBox& local = this->Data->Surface.GetBox(face);
+  const FloatBox& local = this->Data->Surface.GetBox(face);
   for (int c = 0; c < 3; ++c)
   {
     low[c] = this->Data->Mesh.Origin[c] + local.Low[c];

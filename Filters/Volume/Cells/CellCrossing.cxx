@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/CellCrossing.h"
+#include "Boxes/BoxSegment.h"
 
 #include "Cells/CurvedScalars.h"
 #include "Cells/PointGradients.h"
@@ -24,7 +25,7 @@ void AddWeighed(const Scalars& scalars, double weight, Scalars& sum)
   }
 }
 
-FaceBox GetBox(const VolumeCells& cells, const VolumeCells::Cell& cell)
+FloatBox GetBox(const VolumeCells& cells, const VolumeCells::Cell& cell)
 {
   dvec3 low;
   dvec3 high;
@@ -38,7 +39,7 @@ FaceBox GetBox(const VolumeCells& cells, const VolumeCells::Cell& cell)
     low = min(min(corners[0], corners[1]), min(corners[2], corners[3]));
     high = max(max(corners[0], corners[1]), max(corners[2], corners[3]));
   }
-  FaceBox rounded;
+  FloatBox rounded;
   for (int c = 0; c < 3; ++c)
   {
     rounded.Low[c] = static_cast<float>(low[c]);
@@ -57,13 +58,13 @@ CellCrossing::CellCrossing(VolumeCells& cells, bool withSteepness, bool withGrad
   {
     this->PointGradients = ComputePointGradients(cells);
   }
-  std::vector<FaceBox> boxes;
+  std::vector<FloatBox> boxes;
   boxes.reserve(cells.GetCells().size());
   for (const VolumeCells::Cell& cell : cells.GetCells())
   {
     boxes.push_back(GetBox(cells, cell));
   }
-  this->Tree.Build(std::move(boxes));
+  this->Tree.Build(boxes);
 }
 
 void CellCrossing::CrossTetrahedron(
@@ -194,7 +195,7 @@ std::vector<RayPart> CellCrossing::Cross(const Ray& ray) const
   std::vector<RayPart> parts;
   double last = 1.0;
   this->Tree.Visit(
-    last, [&](const FaceBox& box, double nearest) { return segment.GetEntry(box, nearest); },
+    last, [&](const FloatBox& box, double nearest) { return segment.GetEntry(box, nearest); },
     [&](int index)
     {
       const VolumeCells::Cell& cell = this->Cells.GetCells()[index];

@@ -9,7 +9,7 @@
 #ifndef CellCrossing_h
 #define CellCrossing_h
 
-#include "Boxes/FaceTree.h"
+#include "Boxes/BoxTree.h"
 #include "Cells/Ray.h"
 #include "Cells/VolumeCells.h"
 
@@ -41,7 +41,7 @@ private:
   const VolumeCells& Cells;
   bool HasSteepness;
   std::vector<Gradients> PointGradients; // empty if not requested
-  FaceTree Tree;
+  FloatBoxTree Tree;
 };
 }
 

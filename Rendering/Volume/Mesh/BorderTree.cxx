@@ -5,26 +5,26 @@
 namespace relevo
 {
 // What follows a missed node is what follows its parent, but for first children: their sibling.
-std::vector<float> FlattenTree(const FaceTree& tree, float margin)
+std::vector<float> FlattenTree(const FloatBoxTree& tree, float margin)
 {
-  const std::vector<FaceTree::Node>& nodes = tree.GetNodes();
+  const std::vector<FloatBoxTree::Node>& nodes = tree.GetNodes();
   std::vector<int> next(nodes.size(), static_cast<int>(nodes.size()));
   std::vector<float> flat;
   flat.reserve(8 * nodes.size());
   for (size_t i = 0; i < nodes.size(); ++i)
   {
-    const FaceTree::Node& node = nodes[i];
+    const FloatBoxTree::Node& node = nodes[i];
     if (node.Count == 0)
     {
       next[i + 1] = node.First;
       next[node.First] = next[i];
     }
-    for (float low : node.Box.Low)
+    for (float low : node.Bounds.Low)
     {
       flat.push_back(low - margin);
     }
     flat.push_back(static_cast<float>(node.Count == 0 ? next[i] : node.First));
-    for (float high : node.Box.High)
+    for (float high : node.Bounds.High)
     {
       flat.push_back(high + margin);
     }

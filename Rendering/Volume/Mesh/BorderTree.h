@@ -9,7 +9,7 @@
 #ifndef BorderTree_h
 #define BorderTree_h
 
-#include "Boxes/FaceTree.h"
+#include "Boxes/BoxTree.h"
 
 #include <vector>
 
@@ -22,7 +22,7 @@ namespace relevo
  * after the last one the number of nodes. Boxes are widened by the margin. Numbers are whole, and
  * exact up to 2^24.
  */
-std::vector<float> FlattenTree(const FaceTree& tree, float margin);
+std::vector<float> FlattenTree(const FloatBoxTree& tree, float margin);
 }
 
 #endif

@@ -66,7 +66,7 @@ private:
   bool IsFlat(const VolumeCells::Cell& cell) const;
   std::uint32_t& GetBehind(size_t face);
   dvec3 GetPoint(std::uint32_t point) const;
-  FaceBox GetBox(size_t face) const;
+  FloatBox GetBox(size_t face) const;
   void AddBorderFace(size_t face);
 
   const VolumeCells& Cells;
@@ -369,7 +369,7 @@ dvec3 RayCastMeshBuilder::GetPoint(std::uint32_t point) const
 }
 
 // Of a face of a curved cell, that of the whole cell's: quadratic faces leave their corners' box.
-FaceBox RayCastMeshBuilder::GetBox(size_t face) const
+FloatBox RayCastMeshBuilder::GetBox(size_t face) const
 {
   FiniteBox box;
   const auto add = [&](const dvec3& point) { box.Add(&point.x); };
@@ -396,7 +396,7 @@ FaceBox RayCastMeshBuilder::GetBox(size_t face) const
       }
     }
   }
-  FaceBox rounded;
+  FloatBox rounded;
   for (int c = 0; c < 3; ++c)
   {
     const double half = 0.5 * box.GetSide(c);
@@ -439,16 +439,16 @@ void RayCastMeshBuilder::AddBorderFace(size_t face)
 
 void RayCastMeshBuilder::BuildBorder()
 {
-  std::vector<FaceBox> boxes;
+  std::vector<FloatBox> boxes;
   boxes.reserve(this->Border.size());
   for (size_t face : this->Border)
   {
     boxes.push_back(this->GetBox(face));
   }
-  FaceTree tree;
-  tree.Build(std::move(boxes), MaximumFacesPerLeaf);
+  FloatBoxTree tree;
+  tree.Build(boxes, MaximumFacesPerLeaf);
   this->Mesh.BorderTree = FlattenTree(tree, TreeMargin);
-  for (int i : tree.GetOrder())
+  for (int i : tree.GetItems())
   {
     this->AddBorderFace(this->Border[i]);
   }
