@@ -5,8 +5,8 @@
 headers: compile each installed header alone, so that it includes what it uses from installed files.
          Also check that only public headers and those for authors are installed.
 sources: compile the C++ sources with another compiler and -Werror, but only every fourth test,
-         because tests are similar. Sources of modules are compiled without precompiled headers, so
-         that they include what they use.
+         because tests are similar. Every fourth source of the modules is compiled without
+         precompiled headers, so that it includes what it uses.
 """
 
 import argparse
@@ -100,26 +100,30 @@ def get_sources_to_compile(flags):
 
 
 def precompile(compiler, source, flags, folder):
-    """Precompile VTK's headers, which take most of the time, for tests, examples and benchmark.
+    """Precompile VTK's headers, which take most of the time, once for each set of language flags.
 
-    Return the arguments to add for each source that can use them: a source with the same flags, if
-    the compiler is clang.
+    Return the arguments to add for each source that can use them, if the compiler is clang.
     """
     if "clang" not in pathlib.Path(compiler).name:
         return {}
+    modules = sorted(p for p in flags if p.relative_to(source).parts[0] in ("Filters", "Rendering"))
+    alone = set(modules[::4])
     users = {}
     for path in flags:
-        if path.relative_to(source).parts[0] in ("Examples", "Testing"):
+        if path not in alone:
             language = tuple(flag for flag in flags[path] if flag.startswith(("-f", "-std")))
             users.setdefault(language, []).append(path)
-    if not users:
-        return {}
-    most = max(users.values(), key=len)
-    arguments = [flag for flag in flags[most[0]] if not flag.startswith(("-I", "-D"))]
-    compiled = str(pathlib.Path(folder) / "headers.pch")
     header = str(source / "Module/CMake/RelevoPrecompiled.h")
-    subprocess.run([compiler, *arguments, "-x", "c++-header", header, "-o", compiled], check=True)
-    return {path: ["-include-pch", compiled] for path in most}
+    result = {}
+    for number, paths in enumerate(users.values()):
+        compiled = str(pathlib.Path(folder) / f"headers{number}.pch")
+        first = max((flags[path] for path in paths), key=len)  # finds most of VTK
+        arguments = [flag for flag in first if not flag.startswith(("-I", "-D"))]
+        subprocess.run(
+            [compiler, *arguments, "-x", "c++-header", header, "-o", compiled], check=True
+        )
+        result.update({path: ["-include-pch", compiled] for path in paths})
+    return result
 
 
 def main():

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/CellCrossing.h"
-#include "Boxes/BoxSegment.h"
 
+#include "Boxes/BoxSegment.h"
 #include "Cells/CurvedScalars.h"
 #include "Cells/PointGradients.h"
 
