@@ -19,39 +19,10 @@ namespace
 // has 4 million columns.
 constexpr int MaximumWidth = 1 << 26;
 
-// Returns why a file cannot be a raster without opening it, or "".
-std::string findFileError(const std::string& fileName)
-{
-  namespace fs = std::filesystem;
-  if (fileName.rfind("/vsi", 0) == 0)
-  {
-    return ""; // a virtual file of GDAL
-  }
-  std::error_code failure;
-  const fs::path path = fs::u8path(FindContainer(fileName));
-  if (!fs::exists(path, failure))
-  {
-    return "the file does not exist";
-  }
-  if (fs::is_directory(path, failure))
-  {
-    return "it is a folder";
-  }
-  if (!fs::is_regular_file(path, failure))
-  {
-    return "it is not a regular file"; // reading a pipe or a device might never end
-  }
-  if (fs::file_size(path, failure) == 0)
-  {
-    return "the file is empty";
-  }
-  return "";
-}
-
 // Opens a file with the appropriate library.
 std::unique_ptr<Raster> openAny(const std::string& fileName, std::string& error)
 {
-  error = findFileError(fileName);
+  error = FindRasterFileError(fileName);
   if (!error.empty())
   {
     return nullptr;
@@ -114,6 +85,34 @@ std::string FindContainer(const std::string& name)
     }
   }
   return name;
+}
+
+std::string FindRasterFileError(const std::string& fileName)
+{
+  namespace fs = std::filesystem;
+  if (fileName.rfind("/vsi", 0) == 0)
+  {
+    return ""; // a virtual file of GDAL
+  }
+  std::error_code failure;
+  const fs::path path = fs::u8path(FindContainer(fileName));
+  if (!fs::exists(path, failure))
+  {
+    return "the file does not exist";
+  }
+  if (fs::is_directory(path, failure))
+  {
+    return "it is a folder";
+  }
+  if (!fs::is_regular_file(path, failure))
+  {
+    return "it is not a regular file"; // reading a pipe or a device might never end
+  }
+  if (fs::file_size(path, failure) == 0)
+  {
+    return "the file is empty";
+  }
+  return "";
 }
 
 std::unique_ptr<Raster> OpenRaster(const std::string& fileName, std::string& error)

@@ -22,6 +22,9 @@ namespace relevo
  */
 std::string FindContainer(const std::string& name);
 
+/// Why a file cannot be a raster, without opening it with a library; "" if it may be one.
+std::string FindRasterFileError(const std::string& fileName);
+
 /**
  * Opens a file. Returns nullptr with an `error` if that fails.
  *

@@ -1,0 +1,308 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pyramid/PyramidFile.h"
+
+#include "Geodesy/GDALSession.h"
+#include "Raster/GDALRaster.h"
+#include "Raster/RasterFile.h"
+#include "Raster/RawFile.h"
+#include "vtkType.h"
+
+#include <cpl_vsi.h>
+#include <gdal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <type_traits>
+#include <utility>
+
+namespace relevo
+{
+namespace
+{
+// GDAL caches the blocks that it has read in memory that no limit of ours counts. A handle drops
+// them after this many bytes.
+constexpr double MaximumCachedBytes = 32.0 * 1024 * 1024;
+
+bool FitsIntoFloat(int type)
+{
+  return type == VTK_UNSIGNED_CHAR || type == VTK_SIGNED_CHAR || type == VTK_SHORT ||
+    type == VTK_UNSIGNED_SHORT || type == VTK_FLOAT;
+}
+
+// The no-data value as it is stored: a declared -3.4e38 is the float nearest to it.
+double GetStoredValue(double noData, int type)
+{
+  if (type != VTK_FLOAT || !std::isfinite(noData))
+  {
+    return noData;
+  }
+  constexpr double largest = std::numeric_limits<float>::max();
+  return static_cast<float>(std::clamp(noData, -largest, largest));
+}
+}
+
+struct PyramidFile::Handle
+{
+  GDALDatasetPointer Dataset;
+  std::vector<GDALRasterBandH> Bands; // by level
+  double CachedBytes = 0.0;
+
+  // Blocks that a window touches.
+  void Count(const SampleWindow& window)
+  {
+    const GDALRasterBandH band = this->Bands[window.Level];
+    int width = 1;
+    int height = 1;
+    GDALGetBlockSize(band, &width, &height);
+    const auto blocks = [](int first, int size, int block)
+    { return static_cast<double>((first + size - 1) / block - first / block + 1); };
+    this->CachedBytes += blocks(window.Column, window.Width, std::max(1, width)) *
+      blocks(window.Row, window.Height, std::max(1, height)) * width * height *
+      (GDALGetDataTypeSizeBits(GDALGetRasterDataType(band)) / 8.0);
+    if (this->CachedBytes > MaximumCachedBytes)
+    {
+      GDALFlushCache(this->Dataset.get());
+      this->CachedBytes = 0.0;
+    }
+  }
+};
+
+// A handle for as long as a thread reads.
+class PyramidFile::Lease
+{
+public:
+  Lease(const PyramidFile& file, std::string& error)
+    : File(file)
+  {
+    {
+      const std::lock_guard<std::mutex> lock(file.Mutex);
+      if (!file.Free.empty())
+      {
+        this->Owned = std::move(file.Free.back());
+        file.Free.pop_back();
+      }
+    }
+    if (!this->Owned)
+    {
+      this->Owned = file.NewHandle(error);
+    }
+  }
+  ~Lease()
+  {
+    if (this->Owned)
+    {
+      const std::lock_guard<std::mutex> lock(this->File.Mutex);
+      this->File.Free.push_back(std::move(this->Owned));
+    }
+  }
+  Lease(const Lease&) = delete;
+  void operator=(const Lease&) = delete;
+
+  Handle* Get() const { return this->Owned.get(); }
+
+private:
+  const PyramidFile& File;
+  std::unique_ptr<Handle> Owned;
+};
+
+PyramidFile::PyramidFile() = default;
+
+PyramidFile::~PyramidFile()
+{
+  GDALSession session; // collects what GDAL reports while it closes the file
+  this->Free.clear();
+}
+
+std::unique_ptr<PyramidFile> PyramidFile::Open(const std::string& fileName, std::string& error)
+{
+  std::unique_ptr<PyramidFile> file(new PyramidFile);
+  file->FileName = fileName;
+  {
+    error = FindRasterFileError(fileName);
+    const std::unique_ptr<GDALRaster> raster =
+      error.empty() ? GDALRaster::Open(fileName, error) : nullptr;
+    if (!raster)
+    {
+      return nullptr;
+    }
+    file->Description = raster->Describe();
+  }
+  file->IsFloat = FitsIntoFloat(file->Description.Type);
+
+  GDALSession session;
+  GDALDatasetPointer dataset(
+    GDALOpenEx(fileName.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
+  if (!dataset)
+  {
+    error = session.Messages("GDAL cannot open it");
+    return nullptr;
+  }
+  error = FindTruncation(dataset.get());
+  if (!error.empty())
+  {
+    return nullptr;
+  }
+  const GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
+  int blockWidth = 1;
+  int blockHeight = 1;
+  GDALGetBlockSize(band, &blockWidth, &blockHeight);
+  file->IsStoredInRows = blockWidth >= GDALGetRasterBandXSize(band) && blockWidth > blockHeight;
+  std::vector<std::pair<std::array<int, 2>, int>> levels = {
+    { { { GDALGetRasterBandXSize(band), GDALGetRasterBandYSize(band) } }, -1 }
+  };
+  for (int i = 0; i < GDALGetOverviewCount(band); ++i)
+  {
+    const GDALRasterBandH overview = GDALGetOverview(band, i);
+    if (overview && GDALGetRasterDataType(overview) == GDALGetRasterDataType(band))
+    {
+      levels.push_back(
+        { { { GDALGetRasterBandXSize(overview), GDALGetRasterBandYSize(overview) } }, i });
+    }
+  }
+  std::stable_sort(levels.begin() + 1, levels.end(),
+    [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (const auto& [size, number] : levels)
+  {
+    const bool isFirst = file->Sizes.empty();
+    const bool isSmaller = !isFirst && size[0] <= file->Sizes.back()[0] &&
+      size[1] <= file->Sizes.back()[1] && size != file->Sizes.back();
+    if (isFirst || (isSmaller && size[0] > 0 && size[1] > 0))
+    {
+      file->Sizes.push_back(size);
+      file->Overviews.push_back(number);
+    }
+  }
+  return file;
+}
+
+std::unique_ptr<PyramidFile::Handle> PyramidFile::NewHandle(std::string& error) const
+{
+  GDALSession session;
+  auto handle = std::make_unique<Handle>();
+  handle->Dataset.reset(GDALOpenEx(
+    this->FileName.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
+  if (!handle->Dataset)
+  {
+    error = session.Messages("GDAL cannot open it");
+    return nullptr;
+  }
+  const GDALRasterBandH band = GDALGetRasterBand(handle->Dataset.get(), 1);
+  for (std::size_t level = 0; level < this->Sizes.size(); ++level)
+  {
+    const int number = this->Overviews[level];
+    const GDALRasterBandH found = number < 0 ? band : GDALGetOverview(band, number);
+    if (!found || GDALGetRasterBandXSize(found) != this->Sizes[level][0] ||
+      GDALGetRasterBandYSize(found) != this->Sizes[level][1])
+    {
+      error = "the file has changed since it was opened";
+      return nullptr;
+    }
+    handle->Bands.push_back(found);
+  }
+  return handle;
+}
+
+template <typename T>
+bool PyramidFile::ReadAs(const SampleWindow& window, T* samples, std::string& error) const
+{
+  const Lease lease(*this, error);
+  Handle* handle = lease.Get();
+  if (!handle)
+  {
+    return false;
+  }
+  GDALSession session;
+  handle->Count(window);
+  constexpr GDALDataType type = std::is_same<T, float>::value ? GDT_Float32 : GDT_Float64;
+  const GDALRasterBandH band = handle->Bands[window.Level];
+  const CPLErr result = GDALRasterIO(band, GF_Read, window.Column, window.Row, window.Width,
+    window.Height, samples, window.Width, window.Height, type, 0, 0);
+  const std::size_t n = window.GetNumberOfSamples();
+  std::vector<unsigned char> mask(this->Description.HasMask ? n : 0);
+  const bool hasMask = mask.empty() ||
+    GDALRasterIO(GDALGetMaskBand(band), GF_Read, window.Column, window.Row, window.Width,
+      window.Height, mask.data(), window.Width, window.Height, GDT_Byte, 0, 0) == CE_None;
+  if (result != CE_None || !hasMask || session.HasErrors())
+  {
+    std::ostringstream place;
+    place << "GDAL cannot read the " << window.Width << " x " << window.Height
+          << " samples from column " << window.Column << ", row " << window.Row << " of level "
+          << window.Level;
+    error = session.Messages(place.str());
+    return false;
+  }
+  constexpr T missing = std::numeric_limits<T>::quiet_NaN();
+  const bool hasNoData = this->Description.NoData.has_value();
+  const T noData = hasNoData
+    ? static_cast<T>(GetStoredValue(*this->Description.NoData, this->Description.Type))
+    : missing;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const bool isMissing = (hasNoData && samples[i] == noData) || (!mask.empty() && mask[i] == 0) ||
+      !std::isfinite(samples[i]);
+    samples[i] = isMissing ? missing : samples[i];
+  }
+  return true;
+}
+
+bool PyramidFile::Read(const SampleWindow& window, double* samples, std::string& error) const
+{
+  return this->ReadAs(window, samples, error);
+}
+
+bool PyramidFile::Read(const SampleWindow& window, float* samples, std::string& error) const
+{
+  return this->ReadAs(window, samples, error);
+}
+
+bool PyramidFile::IsAbsent(const SampleWindow& window) const
+{
+  std::string ignored; // the read that follows reports it
+  const Lease lease(*this, ignored);
+  if (!lease.Get())
+  {
+    return false;
+  }
+  GDALSession session;
+  const int status = GDALGetDataCoverageStatus(lease.Get()->Bands[window.Level], window.Column,
+    window.Row, window.Width, window.Height, GDAL_DATA_COVERAGE_STATUS_DATA, nullptr);
+  return (status & (GDAL_DATA_COVERAGE_STATUS_DATA | GDAL_DATA_COVERAGE_STATUS_UNIMPLEMENTED)) == 0;
+}
+
+double PyramidFile::GetAbsentSample() const
+{
+  return this->Description.NoData || this->Description.HasMask
+    ? std::numeric_limits<double>::quiet_NaN()
+    : 0.0;
+}
+
+std::string PyramidFile::GetSignature() const
+{
+  std::ostringstream text;
+  text.precision(17);
+  VSIStatBufL status;
+  if (VSIStatL(FindContainer(this->FileName).c_str(), &status) == 0)
+  {
+    text << status.st_size << ' ' << status.st_mtime;
+#ifdef __linux__
+    text << '.' << status.st_mtim.tv_nsec << ' ' << status.st_ino;
+#endif
+  }
+  const RasterDescription& contents = this->Description;
+  text << ' ' << contents.Type << ' ' << contents.NoData.value_or(0.0) << ' '
+       << contents.NoData.has_value() << ' ' << contents.HasMask;
+  for (const std::array<int, 2>& size : this->Sizes)
+  {
+    text << ' ' << size[0] << 'x' << size[1];
+  }
+  // Overviews can lie in a file of their own.
+  if (VSIStatL((this->FileName + ".ovr").c_str(), &status) == 0)
+  {
+    text << ' ' << status.st_size << ' ' << status.st_mtime;
+  }
+  return text.str();
+}
+}

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   PyramidFile
+ * @brief   a raster and its overviews, read in rectangles by any number of threads
+ *
+ * GDAL reads the samples. Level 0 is the full resolution; the overviews follow in order of falling
+ * size. A GDAL dataset belongs to one thread at a time, so each thread gets one of its own.
+ *
+ * Private to the module; only in builds with RELEVO_USE_GDAL.
+ */
+#ifndef PyramidFile_h
+#define PyramidFile_h
+
+#include "Pyramid/SampleWindow.h"
+#include "Raster/RasterDescription.h"
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace relevo
+{
+class PyramidFile
+{
+public:
+  /// Open a raster by any name that GDAL knows. Returns nullptr and sets `error` on failure.
+  static std::unique_ptr<PyramidFile> Open(const std::string& fileName, std::string& error);
+  ~PyramidFile();
+  PyramidFile(const PyramidFile&) = delete;
+  void operator=(const PyramidFile&) = delete;
+
+  const RasterDescription& Describe() const { return this->Description; }
+  int GetNumberOfLevels() const { return static_cast<int>(this->Sizes.size()); }
+  /// Columns and rows of a level.
+  const std::array<int, 2>& GetSize(int level) const { return this->Sizes[level]; }
+
+  /// Whether the file stores whole rows rather than tiles.
+  bool HasRowBlocks() const { return this->IsStoredInRows; }
+  /// Whether all samples fit into floats.
+  bool HasFloatSamples() const { return this->IsFloat; }
+
+  //@{
+  /**
+   * Read samples as stored, without scale and offset, row by row; NaN where data are missing.
+   * Returns false and sets `error` on failure. Thread-safe.
+   */
+  bool Read(const SampleWindow& window, double* samples, std::string& error) const;
+  bool Read(const SampleWindow& window, float* samples, std::string& error) const;
+  //@}
+
+  /**
+   * Whether the file stores no samples of a window, which then all equal GetAbsentSample().
+   * Thread-safe.
+   */
+  bool IsAbsent(const SampleWindow& window) const;
+  /// The value of samples that a sparse file does not store: NaN, or 0 without a no-data value.
+  double GetAbsentSample() const;
+
+  /// A text that changes when the file does: its size, its time, and the sizes of its levels.
+  std::string GetSignature() const;
+
+private:
+  struct Handle;
+  class Lease;
+
+  PyramidFile();
+  std::unique_ptr<Handle> NewHandle(std::string& error) const;
+  template <typename T>
+  bool ReadAs(const SampleWindow& window, T* samples, std::string& error) const;
+
+  std::string FileName;
+  RasterDescription Description;
+  std::vector<std::array<int, 2>> Sizes;
+  std::vector<int> Overviews; // GDAL's numbers of the levels; -1 for level 0
+  bool IsStoredInRows = false;
+  bool IsFloat = false;
+
+  mutable std::mutex Mutex;
+  mutable std::vector<std::unique_ptr<Handle>> Free; // handles that no thread uses
+};
+}
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   PyramidIndex
+ * @brief   what is known of the tiles of a raster pyramid without reading them
+ *
+ * Tiles have TileSize x TileSize samples, fewer at the right and lower border. Values are those of
+ * stored samples, without scale and offset, and are rounded so that they stay bounds. A tile
+ * without a record has absent samples alone; see PyramidFile::GetAbsentSample().
+ *
+ * Private to the module.
+ */
+#ifndef PyramidIndex_h
+#define PyramidIndex_h
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace relevo
+{
+class PyramidIndex
+{
+public:
+  static constexpr int TileSize = 256;
+  static constexpr float Infinity = std::numeric_limits<float>::infinity();
+
+  struct Record
+  {
+    float Minimum; // of stored samples; more than Maximum if none has data
+    float Maximum;
+    float Deviation; // from full resolution, at most
+  };
+
+  explicit PyramidIndex(const std::vector<std::array<int, 2>>& sizes = {});
+
+  /// nullptr for a tile without a record.
+  const Record* Find(int level, int column, int row) const;
+
+  //@{
+  /**
+   * Extend the record of a tile, which is made if there is none. A deviation is that of any point
+   * of the tile.
+   */
+  void AddRange(int level, int column, int row, double minimum, double maximum);
+  void AddDeviation(int level, int column, int row, double deviation);
+  //@}
+
+  /// Note that tiles, or parts of them, have absent samples of this value. NaN has no effect.
+  void AddAbsent(double sample);
+
+  /// The largest deviation of all tiles of a level.
+  double GetMaximumDeviation(int level) const;
+  /// The range of the samples of a level; false if none has data.
+  bool GetRange(int level, double range[2]) const;
+
+  /// Read a file that Write() has written for a raster of this signature; false if it is not one.
+  bool Read(const std::string& fileName, const std::string& signature);
+  /// Write a file, or replace it. Returns why that failed, or "".
+  std::string Write(const std::string& fileName, const std::string& signature) const;
+
+private:
+  std::uint64_t GetKey(int column, int row) const
+  {
+    return static_cast<std::uint64_t>(row) << 32 | static_cast<std::uint32_t>(column);
+  }
+
+  std::vector<std::unordered_map<std::uint64_t, Record>> Levels;
+  Record Absent{ Infinity, -Infinity, 0.0f }; // of what is not stored
+};
+}
+
+#endif

@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pyramid/PyramidIndexBuilder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <thread>
+
+namespace relevo
+{
+namespace
+{
+constexpr int SamplesPerBlock = 1 << 20;
+
+// Where the corners lie along one axis: between two samples of each of the two levels.
+struct Corner
+{
+  int Fine[2]; // positions in the windows
+  int Coarse[2];
+  double FineWeight; // of the second sample
+  double CoarseWeight;
+  int FirstTile; // of the coarse level; both, for a point on the border between two
+  int LastTile;
+};
+
+// The corners from sample `first` to sample `last` of level 0.
+std::vector<Corner> FindCorners(
+  int fineFirst, int fineLast, int fineSize, int coarseFirst, int coarseLast, int coarseSize)
+{
+  const double ratio = static_cast<double>(fineSize) / coarseSize;
+  std::vector<std::pair<double, double>> places; // x in fine samples, u in coarse ones
+  for (int x = fineFirst; x <= fineLast; ++x)
+  {
+    places.emplace_back(x, std::clamp((x + 0.5) / ratio - 0.5, 0.0, coarseSize - 1.0));
+  }
+  for (int u = coarseFirst; u <= coarseLast; ++u)
+  {
+    const double x = (u + 0.5) * ratio - 0.5;
+    if (x > fineFirst && x < fineLast)
+    {
+      places.emplace_back(x, u);
+    }
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<Corner> corners;
+  corners.reserve(places.size());
+  const auto split = [](double position, int first, int samples[2], double& weight)
+  {
+    const double floor = std::floor(position);
+    weight = position - floor;
+    samples[0] = static_cast<int>(floor) - first;
+    samples[1] = samples[0] + (weight > 0.0 ? 1 : 0); // a sample of weight 0 may lack data
+  };
+  for (const auto& [x, u] : places)
+  {
+    Corner corner;
+    split(x, fineFirst, corner.Fine, corner.FineWeight);
+    split(u, coarseFirst, corner.Coarse, corner.CoarseWeight);
+    const int sample = static_cast<int>(std::floor(u));
+    corner.LastTile = sample / PyramidIndex::TileSize;
+    corner.FirstTile =
+      u == sample && sample > 0 ? (sample - 1) / PyramidIndex::TileSize : corner.LastTile;
+    corners.push_back(corner);
+  }
+  return corners;
+}
+
+double Interpolate(double a, double b, double weight)
+{
+  return weight > 0.0 ? a + weight * (b - a) : a;
+}
+}
+
+PyramidIndexBuilder::PyramidIndexBuilder(const PyramidFile& file, const std::atomic<bool>& abort)
+  : File(file)
+  , Abort(abort)
+{
+}
+
+void PyramidIndexBuilder::ChooseBlockSize()
+{
+  // Files that store whole rows are read in whole rows.
+  const RasterDescription& contents = this->File.Describe();
+  const std::array<int, 2>& size = this->File.GetSize(0);
+  const int width = this->File.HasRowBlocks() ? 1 << 16 : 1 << 10;
+  this->BlockSize[0] = std::min(size[0], width);
+  this->BlockSize[1] = std::clamp(SamplesPerBlock / this->BlockSize[0], 1, std::max(1, size[1]));
+  if (this->BlockSize[1] < contents.RowsPerBlock)
+  {
+    this->BlockSize[1] = std::min(contents.RowsPerBlock, 4 * this->BlockSize[1]);
+  }
+}
+
+SampleWindow PyramidIndexBuilder::GetLevelWindow(const SampleWindow& block, int level) const
+{
+  const auto find = [&](int axis, int first, int count, int& begin, int& number)
+  {
+    const int size = this->File.GetSize(level)[axis];
+    const double ratio = static_cast<double>(this->File.GetSize(0)[axis]) / size;
+    const auto clampSample = [size](double u) { return std::clamp(u, 0.0, size - 1.0); };
+    begin = static_cast<int>(std::floor(clampSample((first + 0.5) / ratio - 0.5)));
+    const int end = static_cast<int>(std::ceil(clampSample((first + count - 0.5) / ratio - 0.5)));
+    number = end - begin + 1;
+  };
+  SampleWindow window;
+  window.Level = level;
+  find(0, block.Column, block.Width, window.Column, window.Width);
+  find(1, block.Row, block.Height, window.Row, window.Height);
+  return window;
+}
+
+bool PyramidIndexBuilder::IsAbsent(const SampleWindow& block) const
+{
+  for (int level = 0; level < this->File.GetNumberOfLevels(); ++level)
+  {
+    if (!this->File.IsAbsent(level == 0 ? block : this->GetLevelWindow(block, level)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void PyramidIndexBuilder::CollectBlocks(const SampleWindow& part)
+{
+  if (this->Abort)
+  {
+    return;
+  }
+  const std::array<int, 2>& size = this->File.GetSize(0);
+  SampleWindow block = part;
+  block.Width += part.Column + part.Width < size[0] ? 1 : 0;
+  block.Height += part.Row + part.Height < size[1] ? 1 : 0;
+  if (this->IsAbsent(block))
+  {
+    this->Index->AddAbsent(this->File.GetAbsentSample());
+    return;
+  }
+  const int columns = (part.Width + this->BlockSize[0] - 1) / this->BlockSize[0];
+  const int rows = (part.Height + this->BlockSize[1] - 1) / this->BlockSize[1];
+  if (columns * static_cast<long long>(rows) <= 1)
+  {
+    this->Blocks.push_back(block);
+    return;
+  }
+  SampleWindow first = part;
+  SampleWindow second = part;
+  if (columns > rows)
+  {
+    first.Width = (columns / 2) * this->BlockSize[0];
+    second.Column += first.Width;
+    second.Width -= first.Width;
+  }
+  else
+  {
+    first.Height = (rows / 2) * this->BlockSize[1];
+    second.Row += first.Height;
+    second.Height -= first.Height;
+  }
+  this->CollectBlocks(first);
+  this->CollectBlocks(second);
+}
+
+bool PyramidIndexBuilder::Build(int numberOfThreads, PyramidIndex& index, std::string& error)
+{
+  this->Index = &index;
+  this->ChooseBlockSize();
+  SampleWindow all;
+  all.Width = this->File.GetSize(0)[0];
+  all.Height = this->File.GetSize(0)[1];
+  this->CollectBlocks(all);
+  this->NumberOfBlocks = this->Blocks.size();
+  std::vector<std::thread> threads;
+  for (int i = 1; i < numberOfThreads; ++i)
+  {
+    threads.emplace_back([this]() { this->Work(); });
+  }
+  this->Work();
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  error = this->Error;
+  return error.empty() && !this->Abort;
+}
+
+double PyramidIndexBuilder::GetProgress() const
+{
+  const std::size_t number = this->NumberOfBlocks;
+  return number == 0 ? 0.0 : static_cast<double>(this->Done) / static_cast<double>(number);
+}
+
+void PyramidIndexBuilder::Work()
+{
+  for (std::size_t i = this->Next++; i < this->Blocks.size() && !this->Abort; i = this->Next++)
+  {
+    std::string error;
+    try
+    {
+      this->MeasureBlock(this->Blocks[i], error);
+    }
+    catch (const std::bad_alloc&)
+    {
+      error = "there is not enough memory to index the raster";
+    }
+    if (!error.empty())
+    {
+      const std::lock_guard<std::mutex> lock(this->Mutex);
+      this->Error = this->Error.empty() ? error : this->Error;
+      this->Next = this->Blocks.size();
+      return;
+    }
+    ++this->Done;
+  }
+}
+
+bool PyramidIndexBuilder::MeasureBlock(const SampleWindow& block, std::string& error)
+{
+  std::vector<double> fine(block.GetNumberOfSamples());
+  if (!this->File.Read(block, fine.data(), error))
+  {
+    return false;
+  }
+  this->MeasureRange(block, fine);
+  std::vector<double> coarse;
+  for (int level = 1; level < this->File.GetNumberOfLevels() && !this->Abort; ++level)
+  {
+    const SampleWindow window = this->GetLevelWindow(block, level);
+    coarse.resize(window.GetNumberOfSamples());
+    if (!this->File.Read(window, coarse.data(), error))
+    {
+      return false;
+    }
+    this->MeasureRange(window, coarse);
+    this->MeasureDeviation(block, fine, window, coarse);
+  }
+  return true;
+}
+
+void PyramidIndexBuilder::MeasureRange(
+  const SampleWindow& window, const std::vector<double>& samples)
+{
+  constexpr int size = PyramidIndex::TileSize;
+  const int lastColumn = window.Column + window.Width;
+  const int lastRow = window.Row + window.Height;
+  for (int tileRow = window.Row / size; tileRow * size < lastRow; ++tileRow)
+  {
+    for (int tileColumn = window.Column / size; tileColumn * size < lastColumn; ++tileColumn)
+    {
+      double minimum = std::numeric_limits<double>::infinity();
+      double maximum = -minimum;
+      for (int y = std::max(tileRow * size, window.Row);
+           y < std::min((tileRow + 1) * size, lastRow); ++y)
+      {
+        const double* row = &samples[static_cast<std::size_t>(y - window.Row) * window.Width];
+        const int begin = std::max(tileColumn * size, window.Column) - window.Column;
+        const int end = std::min((tileColumn + 1) * size, lastColumn) - window.Column;
+        for (int x = begin; x < end; ++x)
+        {
+          minimum = row[x] < minimum ? row[x] : minimum; // false for NaN
+          maximum = row[x] > maximum ? row[x] : maximum;
+        }
+      }
+      const std::lock_guard<std::mutex> lock(this->Mutex);
+      this->Index->AddRange(window.Level, tileColumn, tileRow, minimum, maximum);
+    }
+  }
+}
+
+void PyramidIndexBuilder::MeasureDeviation(const SampleWindow& block,
+  const std::vector<double>& fine, const SampleWindow& window, const std::vector<double>& coarse)
+{
+  const std::array<int, 2>& fineSize = this->File.GetSize(0);
+  const std::array<int, 2>& coarseSize = this->File.GetSize(window.Level);
+  const std::vector<Corner> columns = FindCorners(block.Column, block.Column + block.Width - 1,
+    fineSize[0], window.Column, window.Column + window.Width - 1, coarseSize[0]);
+  const std::vector<Corner> rows = FindCorners(block.Row, block.Row + block.Height - 1, fineSize[1],
+    window.Row, window.Row + window.Height - 1, coarseSize[1]);
+  const int firstTileColumn = columns.front().FirstTile;
+  const int firstTileRow = rows.front().FirstTile;
+  const int tileColumns = columns.back().LastTile - firstTileColumn + 1;
+  const int tileRows = rows.back().LastTile - firstTileRow + 1;
+  std::vector<double> largest(static_cast<std::size_t>(tileColumns) * tileRows, -1.0);
+  std::vector<double> fineRow(block.Width);
+  std::vector<double> coarseRow(window.Width);
+  for (const Corner& row : rows)
+  {
+    const auto interpolateRow = [](const std::vector<double>& samples, const int pair[2],
+                                  double weight, std::vector<double>& result)
+    {
+      const double* first = &samples[pair[0] * result.size()];
+      const double* second = &samples[pair[1] * result.size()];
+      for (std::size_t i = 0; i < result.size(); ++i)
+      {
+        result[i] = Interpolate(first[i], second[i], weight);
+      }
+    };
+    interpolateRow(fine, row.Fine, row.FineWeight, fineRow);
+    interpolateRow(coarse, row.Coarse, row.CoarseWeight, coarseRow);
+    double* first = &largest[static_cast<std::size_t>(row.FirstTile - firstTileRow) * tileColumns];
+    double* second = &largest[static_cast<std::size_t>(row.LastTile - firstTileRow) * tileColumns];
+    for (const Corner& column : columns)
+    {
+      const double difference = std::abs(
+        Interpolate(fineRow[column.Fine[0]], fineRow[column.Fine[1]], column.FineWeight) -
+        Interpolate(coarseRow[column.Coarse[0]], coarseRow[column.Coarse[1]], column.CoarseWeight));
+      for (double* tiles : { first, second })
+      {
+        for (int tile : { column.FirstTile, column.LastTile })
+        {
+          double& known = tiles[tile - firstTileColumn];
+          known = difference > known ? difference : known; // false for NaN
+        }
+      }
+    }
+  }
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  for (int row = 0; row < tileRows; ++row)
+  {
+    for (int column = 0; column < tileColumns; ++column)
+    {
+      const double deviation = largest[static_cast<std::size_t>(row) * tileColumns + column];
+      if (deviation >= 0.0)
+      {
+        this->Index->AddDeviation(
+          window.Level, firstTileColumn + column, firstTileRow + row, deviation);
+      }
+    }
+  }
+}
+}

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   PyramidIndexBuilder
+ * @brief   measures the tiles of a raster pyramid: ranges, and deviations from full resolution
+ *
+ * The surface of a level is bilinear between the centers of its samples, and constant beyond the
+ * outermost ones. Levels are registered by the ratio of their sizes. On each rectangle between the
+ * lines of samples of both levels, the difference of two such surfaces is bilinear, too, so that it
+ * is largest at a corner. The builder evaluates all corners; the deviations are exact. Points where
+ * either surface has no data do not count.
+ *
+ * Work and memory are proportional to what a sparse file stores. The result is the same for any
+ * number of threads.
+ *
+ * Private to the module; only in builds with RELEVO_USE_GDAL.
+ */
+#ifndef PyramidIndexBuilder_h
+#define PyramidIndexBuilder_h
+
+#include "Pyramid/PyramidFile.h"
+#include "Pyramid/PyramidIndex.h"
+
+#include <array>
+#include <atomic>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace relevo
+{
+class PyramidIndexBuilder
+{
+public:
+  PyramidIndexBuilder(const PyramidFile& file, const std::atomic<bool>& abort);
+
+  /**
+   * Fill in the index with this many threads. Returns false after an abort or, with the first
+   * error, if the raster cannot be read.
+   */
+  bool Build(int numberOfThreads, PyramidIndex& index, std::string& error);
+
+  /// The fraction of the work that is done. Thread-safe.
+  double GetProgress() const;
+
+private:
+  void CollectBlocks(const SampleWindow& part);
+  SampleWindow GetLevelWindow(const SampleWindow& block, int level) const;
+  bool IsAbsent(const SampleWindow& block) const;
+  void ChooseBlockSize();
+  void Work();
+  bool MeasureBlock(const SampleWindow& block, std::string& error);
+  void MeasureRange(const SampleWindow& window, const std::vector<double>& samples);
+  void MeasureDeviation(const SampleWindow& block, const std::vector<double>& fine,
+    const SampleWindow& window, const std::vector<double>& coarse);
+
+  const PyramidFile& File;
+  const std::atomic<bool>& Abort;
+  std::array<int, 2> BlockSize{ { 1, 1 } };
+  std::vector<SampleWindow> Blocks; // of level 0; each has a column and a row of the next
+  std::atomic<std::size_t> NumberOfBlocks{ 0 }; // 0 until all are collected
+  std::atomic<std::size_t> Next{ 0 };
+  std::atomic<std::size_t> Done{ 0 };
+  std::mutex Mutex; // of what follows
+  PyramidIndex* Index = nullptr;
+  std::string Error;
+};
+}
+
+#endif

@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pyramid/RasterPyramid.h"
+
+#include "Pyramid/PyramidIndexBuilder.h"
+#include "Raster/RasterFile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+#include <vector>
+
+namespace relevo
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+constexpr char IndexExtension[] = ".relevo-index";
+
+// At the center of a sample, other samples do not contribute in spite of rounded coordinates.
+constexpr double SnapDistance = 1e-6;
+
+// The folder for caches of the freedesktop.org specification; "" without a home.
+std::string FindCacheFolder()
+{
+  const char* folder = std::getenv("XDG_CACHE_HOME");
+  if (folder && folder[0] == '/')
+  {
+    return std::string(folder) + "/relevo";
+  }
+  const char* home = std::getenv("HOME");
+  return home && home[0] != '\0' ? std::string(home) + "/.cache/relevo" : "";
+}
+
+// A file in a cache folder, for rasters of equal names in different folders, too.
+std::string MakeCacheFileName(const std::string& folder, const std::string& rasterName)
+{
+  std::error_code failure;
+  const fs::path path = fs::u8path(rasterName);
+  const fs::path absolute = fs::exists(path, failure) ? fs::canonical(path, failure) : path;
+  std::uint64_t hash = 14695981039346656037u; // FNV-1a
+  for (const char c : absolute.u8string())
+  {
+    hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  }
+  std::ostringstream name;
+  name << folder << '/' << path.stem().u8string() << '-' << std::hex << std::setw(16)
+       << std::setfill('0') << hash << IndexExtension;
+  return name.str();
+}
+
+bool IsFile(const std::string& name)
+{
+  std::error_code failure;
+  return fs::is_regular_file(fs::u8path(name), failure);
+}
+
+std::vector<std::array<int, 2>> GetSizes(const PyramidFile& file)
+{
+  std::vector<std::array<int, 2>> sizes;
+  for (int level = 0; level < file.GetNumberOfLevels(); ++level)
+  {
+    sizes.push_back(file.GetSize(level));
+  }
+  return sizes;
+}
+}
+
+RasterPyramid::RasterPyramid() = default;
+
+RasterPyramid::~RasterPyramid()
+{
+  this->Abort = true;
+  if (this->Thread.joinable())
+  {
+    this->Thread.join();
+  }
+}
+
+std::unique_ptr<RasterPyramid> RasterPyramid::Open(
+  const std::string& fileName, const std::string& cacheFolder, std::string& error)
+{
+  std::unique_ptr<RasterPyramid> pyramid(new RasterPyramid);
+  pyramid->FileName = fileName;
+  pyramid->File = PyramidFile::Open(fileName, error);
+  if (!pyramid->File)
+  {
+    return nullptr;
+  }
+  pyramid->Signature = pyramid->File->GetSignature();
+  pyramid->StartIndex(cacheFolder);
+  return pyramid;
+}
+
+std::array<int, 2> RasterPyramid::GetNumberOfTiles(int level) const
+{
+  const std::array<int, 2>& size = this->File->GetSize(level);
+  constexpr int tile = PyramidIndex::TileSize;
+  return { { (size[0] + tile - 1) / tile, (size[1] + tile - 1) / tile } };
+}
+
+TileCache::TilePointer RasterPyramid::GetTile(int level, int column, int row, std::string& error)
+{
+  return this->Cache.Get(level, column, row,
+    [&]() -> TileCache::TilePointer
+    {
+      constexpr int size = PyramidIndex::TileSize;
+      auto tile = std::make_shared<PyramidTile>();
+      SampleWindow& window = tile->Window;
+      window.Level = level;
+      window.Column = column * size;
+      window.Row = row * size;
+      window.Width = std::min(size, this->File->GetSize(level)[0] - window.Column);
+      window.Height = std::min(size, this->File->GetSize(level)[1] - window.Row);
+      bool isRead = false;
+      if (this->File->HasFloatSamples())
+      {
+        tile->Floats.resize(window.GetNumberOfSamples());
+        isRead = this->File->Read(window, tile->Floats.data(), error);
+      }
+      else
+      {
+        tile->Doubles.resize(window.GetNumberOfSamples());
+        isRead = this->File->Read(window, tile->Doubles.data(), error);
+      }
+      return isRead ? tile : nullptr;
+    });
+}
+
+bool RasterPyramid::Interpolate(double column, double row, double& value, std::string& error)
+{
+  const std::array<int, 2>& size = this->File->GetSize(0);
+  const auto snap = [](double position, int number)
+  {
+    const double nearest = std::round(position);
+    return std::clamp(
+      std::abs(position - nearest) < SnapDistance ? nearest : position, 0.0, number - 1.0);
+  };
+  const double x = snap(column, size[0]);
+  const double y = snap(row, size[1]);
+  const int first[2] = { static_cast<int>(x), static_cast<int>(y) };
+  const double weights[2] = { x - first[0], y - first[1] };
+  value = 0.0;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const int i = corner % 2;
+    const int j = corner / 2;
+    const double weight =
+      (i == 1 ? weights[0] : 1.0 - weights[0]) * (j == 1 ? weights[1] : 1.0 - weights[1]);
+    if (weight == 0.0)
+    {
+      continue; // the sample may lack data, or lie outside
+    }
+    constexpr int tileSize = PyramidIndex::TileSize;
+    const int c = first[0] + i;
+    const int r = first[1] + j;
+    const TileCache::TilePointer tile = this->GetTile(0, c / tileSize, r / tileSize, error);
+    if (!tile)
+    {
+      value = std::numeric_limits<double>::quiet_NaN();
+      return false;
+    }
+    value += weight * tile->GetSample(c, r);
+  }
+  return true;
+}
+
+void RasterPyramid::StartIndex(const std::string& cacheFolder)
+{
+  this->Index = PyramidIndex(GetSizes(*this->File));
+  const std::string folder = cacheFolder.empty() ? FindCacheFolder() : cacheFolder;
+  if (cacheFolder.empty() && FindContainer(this->FileName) == this->FileName &&
+    IsFile(this->FileName))
+  {
+    this->IndexFileNames[0] = this->FileName + IndexExtension;
+  }
+  if (!folder.empty())
+  {
+    this->IndexFileNames[1] = MakeCacheFileName(folder, this->FileName);
+  }
+  for (const std::string& name : this->IndexFileNames)
+  {
+    if (!name.empty() && this->Index.Read(name, this->Signature))
+    {
+      this->IsComplete = true;
+      this->HasEnded = true;
+      return;
+    }
+  }
+  this->Index = PyramidIndex(GetSizes(*this->File));
+  this->Builder = std::make_unique<PyramidIndexBuilder>(*this->File, this->Abort);
+  this->Thread = std::thread([this]() { this->BuildIndex(); });
+}
+
+void RasterPyramid::BuildIndex()
+{
+  std::string error;
+  const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  if (this->Builder->Build(threads, this->Index, error))
+  {
+    this->IsComplete = true;
+    for (const std::string& name : this->IndexFileNames)
+    {
+      std::error_code failure;
+      if (!name.empty())
+      {
+        fs::create_directories(fs::u8path(name).parent_path(), failure);
+        if (this->Index.Write(name, this->Signature).empty())
+        {
+          break;
+        }
+      }
+    }
+  }
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Error = error;
+  this->HasEnded = true;
+  this->Ended.notify_all();
+}
+
+double RasterPyramid::GetProgress() const
+{
+  return this->IsComplete || !this->Builder ? 1.0 : this->Builder->GetProgress();
+}
+
+std::string RasterPyramid::GetIndexError() const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->HasEnded ? this->Error : "";
+}
+}

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   RasterPyramid
+ * @brief   an open raster pyramid: its file, its cached tiles, and its index
+ *
+ * The index is read from a file beside the raster or in a cache folder. If there is none, or it
+ * belongs to another state of the raster, threads build it in the background and write it there. An
+ * index that cannot be written is used all the same.
+ *
+ * Private to the module; only in builds with RELEVO_USE_GDAL.
+ */
+#ifndef RasterPyramid_h
+#define RasterPyramid_h
+
+#include "Pyramid/PyramidFile.h"
+#include "Pyramid/PyramidIndex.h"
+#include "Pyramid/TileCache.h"
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace relevo
+{
+class PyramidIndexBuilder;
+
+class RasterPyramid
+{
+public:
+  /// Returns nullptr and sets `error` if the raster cannot be opened.
+  static std::unique_ptr<RasterPyramid> Open(
+    const std::string& fileName, const std::string& cacheFolder, std::string& error);
+  /// Stops a build of the index.
+  ~RasterPyramid();
+  RasterPyramid(const RasterPyramid&) = delete;
+  void operator=(const RasterPyramid&) = delete;
+
+  const PyramidFile& GetFile() const { return *this->File; }
+  const std::string& GetSignature() const { return this->Signature; }
+  TileCache& GetCache() { return this->Cache; }
+
+  /// The columns and rows of tiles of a level.
+  std::array<int, 2> GetNumberOfTiles(int level) const;
+
+  /// A tile, from the cache or the file; nullptr and `error` on failure. Thread-safe.
+  TileCache::TilePointer GetTile(int level, int column, int row, std::string& error);
+
+  /**
+   * Interpolate the samples of level 0 bilinearly, at a column and row that are whole numbers at
+   * the centers of samples. Beyond the outermost centers the surface is constant. NaN if a sample
+   * that contributes has no data. Returns false and sets `error` on failure. Thread-safe.
+   */
+  bool Interpolate(double column, double row, double& value, std::string& error);
+
+  //@{
+  /// Whether the index is complete; it does not change afterwards.
+  bool IsIndexComplete() const { return this->IsComplete; }
+  const PyramidIndex& GetIndex() const { return this->Index; }
+  /// The fraction of the index that is built.
+  double GetProgress() const;
+  //@}
+  /// Wait for the index until `isAborted` returns true. Returns "" or the error of the build.
+  template <typename Function>
+  std::string WaitForIndex(const Function& isAborted);
+  /// The error of the build; "" while it runs, and if there is none.
+  std::string GetIndexError() const;
+
+private:
+  RasterPyramid();
+  void StartIndex(const std::string& cacheFolder);
+  void BuildIndex();
+
+  std::string FileName;
+  std::string Signature;
+  std::unique_ptr<PyramidFile> File;
+  TileCache Cache;
+
+  PyramidIndex Index;
+  std::string IndexFileNames[2]; // where to write it: the second, where the first cannot be written
+  std::unique_ptr<PyramidIndexBuilder> Builder;
+  std::thread Thread;
+  std::atomic<bool> Abort{ false };
+  std::atomic<bool> IsComplete{ false };
+  mutable std::mutex Mutex; // of what follows
+  std::condition_variable Ended;
+  bool HasEnded = false;
+  std::string Error;
+};
+
+template <typename Function>
+std::string RasterPyramid::WaitForIndex(const Function& isAborted)
+{
+  std::unique_lock<std::mutex> lock(this->Mutex);
+  while (!this->HasEnded)
+  {
+    this->Ended.wait_for(lock, std::chrono::milliseconds(50));
+    lock.unlock();
+    if (isAborted())
+    {
+      return "";
+    }
+    lock.lock();
+  }
+  return this->Error;
+}
+}
+
+#endif

@@ -1,0 +1,435 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTerrainPyramid.h"
+
+#include "Checks/SettingChecks.h"
+#include "Geodesy/Georeference.h"
+#include "vtkCommand.h"
+#include "vtkDoubleArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkSMPTools.h"
+#if RELEVO_HAS_GDAL
+#include "Pyramid/RasterPyramid.h"
+#else
+namespace relevo
+{
+class RasterPyramid
+{
+};
+}
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr vtkTypeInt64 MinimumLimit = 1 << 20;
+
+// Coordinates at the border of the raster are inside in spite of rounding.
+constexpr double BorderTolerance = 1e-9;
+}
+
+vtkStandardNewMacro(vtkTerrainPyramid);
+
+//------------------------------------------------------------------------------
+vtkTerrainPyramid::vtkTerrainPyramid()
+  : FileName(nullptr)
+  , CacheDirectory(nullptr)
+  , MemoryLimit(vtkTypeInt64(1) << 28)
+  , AbortExecute(false)
+  , HasReportedIndex(false)
+  , Dimensions{ 0, 0 }
+  , Range{ 0.0, 0.0 }
+  , EstimatedRange{ 0.0, 0.0 }
+{
+}
+
+//------------------------------------------------------------------------------
+vtkTerrainPyramid::~vtkTerrainPyramid()
+{
+  delete[] this->FileName;
+  delete[] this->CacheDirectory;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainPyramid::SetMemoryLimit(vtkTypeInt64 bytes)
+{
+  if (bytes < MinimumLimit)
+  {
+    vtkErrorMacro(<< "MemoryLimit must be at least " << MinimumLimit << ", got " << bytes << ".");
+    return;
+  }
+  if (bytes == this->MemoryLimit)
+  {
+    return;
+  }
+  this->MemoryLimit = bytes;
+#if RELEVO_HAS_GDAL
+  if (this->Pyramid)
+  {
+    this->Pyramid->GetCache().SetLimit(static_cast<std::size_t>(bytes));
+  }
+#endif
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainPyramid::Report(const std::string& error)
+{
+  this->ErrorMessage = error;
+  vtkErrorMacro(<< error);
+  return false;
+}
+
+//------------------------------------------------------------------------------
+double* vtkTerrainPyramid::GetRange()
+{
+  this->GetRange(this->Range);
+  return this->Range;
+}
+
+#if RELEVO_HAS_GDAL
+//------------------------------------------------------------------------------
+bool vtkTerrainPyramid::Update()
+{
+  const std::string name = this->FileName ? this->FileName : "";
+  const std::string folder = this->CacheDirectory ? this->CacheDirectory : "";
+  const bool isOpen = this->Pyramid && name == this->OpenedName &&
+    folder == this->OpenedCacheDirectory &&
+    this->Pyramid->GetFile().GetSignature() == this->Pyramid->GetSignature();
+  if (!isOpen)
+  {
+    this->Pyramid.reset();
+    std::fill_n(this->Dimensions, 2, 0);
+    std::fill_n(this->EstimatedRange, 2, 0.0);
+    this->HasReportedIndex = false;
+    this->ErrorMessage.clear();
+    if (name.empty())
+    {
+      return this->Report("There is no raster to open: call SetFileName().");
+    }
+    std::string error;
+    this->Pyramid = relevo::RasterPyramid::Open(name, folder, error);
+    if (!this->Pyramid)
+    {
+      return this->Report("Cannot open " + name + ": " + error + ".");
+    }
+    this->OpenedName = name;
+    this->OpenedCacheDirectory = folder;
+    this->Pyramid->GetCache().SetLimit(static_cast<std::size_t>(this->MemoryLimit));
+    const std::array<int, 2>& size = this->Pyramid->GetFile().GetSize(0);
+    std::copy(size.begin(), size.end(), this->Dimensions);
+    this->EstimateRange();
+    this->Modified();
+  }
+  const std::string error = this->Pyramid->GetIndexError();
+  if (!error.empty() && !this->HasReportedIndex)
+  {
+    this->HasReportedIndex = true;
+    return this->Report("Cannot read " + name + ": " + error + ".");
+  }
+  return error.empty();
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainPyramid::EstimateRange()
+{
+  const relevo::PyramidFile& file = this->Pyramid->GetFile();
+  const int level = file.GetNumberOfLevels() - 1;
+  const std::array<int, 2>& size = file.GetSize(level);
+  // A small level as a whole, of a large one some samples.
+  constexpr int windows = 8;
+  constexpr int windowSize = 16;
+  std::vector<relevo::SampleWindow> parts;
+  const bool isSmall = static_cast<double>(size[0]) * size[1] <= 1 << 20;
+  if (isSmall)
+  {
+    parts.push_back({ level, 0, 0, size[0], size[1] });
+  }
+  for (int i = 0; !isSmall && i < windows * windows; ++i)
+  {
+    const double at[2] = { (i % windows + 0.5) / windows, (i / windows + 0.5) / windows };
+    relevo::SampleWindow part;
+    part.Level = level;
+    part.Width = std::min(windowSize, size[0]);
+    part.Height = std::min(windowSize, size[1]);
+    part.Column = static_cast<int>(at[0] * (size[0] - part.Width));
+    part.Row = static_cast<int>(at[1] * (size[1] - part.Height));
+    parts.push_back(part);
+  }
+  double range[2] = { std::numeric_limits<double>::infinity(),
+    -std::numeric_limits<double>::infinity() };
+  for (const relevo::SampleWindow& part : parts)
+  {
+    std::vector<double> samples(part.GetNumberOfSamples());
+    std::string ignored; // the index or a query reports it
+    if (file.Read(part, samples.data(), ignored))
+    {
+      for (const double sample : samples)
+      {
+        range[0] = sample < range[0] ? sample : range[0];
+        range[1] = sample > range[1] ? sample : range[1];
+      }
+    }
+  }
+  const relevo::RasterDescription& contents = file.Describe();
+  for (int i = 0; i < 2; ++i)
+  {
+    this->EstimatedRange[i] =
+      range[0] <= range[1] ? contents.Scale * range[i] + contents.Offset : 0.0;
+  }
+  std::sort(this->EstimatedRange, this->EstimatedRange + 2);
+}
+
+//------------------------------------------------------------------------------
+int vtkTerrainPyramid::GetNumberOfLevels()
+{
+  return this->Pyramid ? this->Pyramid->GetFile().GetNumberOfLevels() : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainPyramid::GetLevelDimensions(int level, int dimensions[2])
+{
+  std::fill_n(dimensions, 2, 0);
+  if (level >= 0 && level < this->GetNumberOfLevels())
+  {
+    const std::array<int, 2>& size = this->Pyramid->GetFile().GetSize(level);
+    std::copy(size.begin(), size.end(), dimensions);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainPyramid::GetRange(double range[2])
+{
+  std::copy_n(this->EstimatedRange, 2, range);
+  double samples[2];
+  if (this->IsErrorKnown() && this->Pyramid->GetIndex().GetRange(0, samples))
+  {
+    const relevo::RasterDescription& contents = this->Pyramid->GetFile().Describe();
+    for (int i = 0; i < 2; ++i)
+    {
+      range[i] = contents.Scale * samples[i] + contents.Offset;
+    }
+    std::sort(range, range + 2);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainPyramid::IsErrorKnown()
+{
+  return this->Pyramid && this->Pyramid->IsIndexComplete();
+}
+
+//------------------------------------------------------------------------------
+double vtkTerrainPyramid::GetIndexProgress()
+{
+  return this->Pyramid ? this->Pyramid->GetProgress() : 0.0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainPyramid::WaitForIndex()
+{
+  if (!this->Pyramid)
+  {
+    return this->Report("There is no index to wait for: call Update() first.");
+  }
+  this->AbortExecute = false;
+  const std::string error = this->Pyramid->WaitForIndex(
+    [this]()
+    {
+      double progress = this->Pyramid->GetProgress();
+      this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+      return this->AbortExecute;
+    });
+  if (!error.empty() && !this->HasReportedIndex)
+  {
+    this->HasReportedIndex = true;
+    return this->Report("Cannot read " + this->OpenedName + ": " + error + ".");
+  }
+  return this->IsErrorKnown();
+}
+
+//------------------------------------------------------------------------------
+double vtkTerrainPyramid::GetMaximumError(int level)
+{
+  if (!this->IsErrorKnown() || level < 0 || level >= this->GetNumberOfLevels())
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  return std::abs(this->Pyramid->GetFile().Describe().Scale) *
+    this->Pyramid->GetIndex().GetMaximumDeviation(level);
+}
+
+//------------------------------------------------------------------------------
+double vtkTerrainPyramid::Evaluate(double x, double y, std::string& error)
+{
+  const relevo::RasterDescription& contents = this->Pyramid->GetFile().Describe();
+  const relevo::Georeference& location = contents.Location;
+  const auto isInside = [](const std::array<double, 2>& uv)
+  {
+    return std::all_of(uv.begin(), uv.end(),
+      [](double c) { return c >= -BorderTolerance && c <= 1.0 + BorderTolerance; });
+  };
+  std::array<double, 2> uv = location.Parameters({ { x, y } });
+  if (location.System == relevo::Georeference::Kind::Geographic)
+  {
+    const double turn = 360.0 / location.Unit;
+    for (const double shift : { turn, -turn })
+    {
+      uv = isInside(uv) ? uv : location.Parameters({ { x + shift, y } });
+    }
+  }
+  if (!isInside(uv))
+  {
+    return NaN;
+  }
+  const double u = location.FlipColumns ? 1.0 - uv[0] : uv[0];
+  const double v = location.FlipRows ? 1.0 - uv[1] : uv[1];
+  double sample = NaN;
+  this->Pyramid->Interpolate(u * contents.Width - 0.5, v * contents.Height - 0.5, sample, error);
+  return contents.Scale * sample + contents.Offset;
+}
+
+//------------------------------------------------------------------------------
+double vtkTerrainPyramid::GetElevation(double x, double y)
+{
+  if (!this->Pyramid)
+  {
+    this->Report("There is no raster to read heights from: call Update() first.");
+    return NaN;
+  }
+  std::string error;
+  const double height = this->Evaluate(x, y, error);
+  if (!error.empty())
+  {
+    this->Report("Cannot read " + this->OpenedName + ": " + error + ".");
+  }
+  return height;
+}
+
+//------------------------------------------------------------------------------
+vtkDoubleArray* vtkTerrainPyramid::GetElevations(vtkDoubleArray* points)
+{
+  if (!this->Pyramid || !points || points->GetNumberOfComponents() != 2)
+  {
+    this->Report(!this->Pyramid ? "There is no raster to read heights from: call Update() first."
+                                : "GetElevations() needs an array of 2 components, x and y.");
+    return nullptr;
+  }
+  vtkDoubleArray* heights = vtkDoubleArray::New();
+  heights->SetName("Elevation");
+  heights->SetNumberOfTuples(points->GetNumberOfTuples());
+  std::mutex mutex;
+  std::string first;
+  vtkSMPTools::For(0, points->GetNumberOfTuples(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        std::string error;
+        heights->SetValue(i,
+          this->Evaluate(points->GetTypedComponent(i, 0), points->GetTypedComponent(i, 1), error));
+        if (!error.empty())
+        {
+          const std::lock_guard<std::mutex> lock(mutex);
+          first = first.empty() ? error : first;
+        }
+      }
+    });
+  if (!first.empty())
+  {
+    this->Report("Cannot read " + this->OpenedName + ": " + first + ".");
+  }
+  return heights;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkTerrainPyramid::GetResidentMemorySize()
+{
+  return this->Pyramid ? static_cast<vtkTypeInt64>(this->Pyramid->GetCache().GetMemorySize()) : 0;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTerrainPyramid::GetCoordinateSystem()
+{
+  return this->Pyramid ? this->Pyramid->GetFile().Describe().Location.WKT.c_str() : "";
+}
+#else
+// Without GDAL there is never a raster.
+bool vtkTerrainPyramid::Update()
+{
+  return this->Report("This build of Relevo is without GDAL, which reads the raster.");
+}
+void vtkTerrainPyramid::EstimateRange()
+{
+}
+int vtkTerrainPyramid::GetNumberOfLevels()
+{
+  return 0;
+}
+void vtkTerrainPyramid::GetLevelDimensions(int, int dimensions[2])
+{
+  std::fill_n(dimensions, 2, 0);
+}
+void vtkTerrainPyramid::GetRange(double range[2])
+{
+  std::fill_n(range, 2, 0.0);
+}
+bool vtkTerrainPyramid::IsErrorKnown()
+{
+  return false;
+}
+double vtkTerrainPyramid::GetIndexProgress()
+{
+  return 0.0;
+}
+bool vtkTerrainPyramid::WaitForIndex()
+{
+  return this->Update();
+}
+double vtkTerrainPyramid::GetMaximumError(int)
+{
+  return std::numeric_limits<double>::infinity();
+}
+double vtkTerrainPyramid::Evaluate(double, double, std::string&)
+{
+  return NaN;
+}
+double vtkTerrainPyramid::GetElevation(double, double)
+{
+  this->Update();
+  return NaN;
+}
+vtkDoubleArray* vtkTerrainPyramid::GetElevations(vtkDoubleArray*)
+{
+  this->Update();
+  return nullptr;
+}
+vtkTypeInt64 vtkTerrainPyramid::GetResidentMemorySize()
+{
+  return 0;
+}
+const char* vtkTerrainPyramid::GetCoordinateSystem()
+{
+  return "";
+}
+#endif
+
+//------------------------------------------------------------------------------
+void vtkTerrainPyramid::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "CacheDirectory: " << (this->CacheDirectory ? this->CacheDirectory : "(none)")
+     << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "AbortExecute: " << this->AbortExecute << "\n";
+  os << indent << "Dimensions: " << this->Dimensions[0] << " x " << this->Dimensions[1] << "\n";
+  os << indent << "NumberOfLevels: " << this->GetNumberOfLevels() << "\n";
+  os << indent << "IsErrorKnown: " << this->IsErrorKnown() << "\n";
+}

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTerrainPyramid
+ * @brief   a height raster of any size, read tile by tile
+ *
+ * SetFileName() takes any name that GDAL knows: a file, a VRT, a variable such as
+ * NETCDF:file.nc:elevation, or a file in one of GDAL's virtual file systems (/vsizip/, /vsicurl/).
+ * The first band is read, and its scale and offset are applied. A raster has up to 2^20 samples per
+ * side. Update() reads the header only. Tiles of 256 x 256 samples are read when they are needed
+ * and cached within a limit of memory. The file is never written to.
+ *
+ * Level 0 is the full resolution. The overviews of the file are the other levels. A raster without
+ * overviews has one level.
+ *
+ * An index stores the range of each tile and the largest deviation of its surface from that of the
+ * full resolution. Both surfaces are bilinear between the centers of samples. The index is a file
+ * beside the raster, with the extension .relevo-index, or, if that folder is read-only, in
+ * $XDG_CACHE_HOME/relevo (by default ~/.cache/relevo). Its size is less than 0.1 % of the samples'.
+ * If it does not exist, or if the raster has changed, Update() starts threads that build it in the
+ * background. IsErrorKnown() tells whether it is complete, and WaitForIndex() waits for it.
+ *
+ * A sample has no data if it equals the no-data value of the file, if the mask of the file excludes
+ * it, or if it is NaN or infinite.
+ *
+ * Errors (ErrorEvent; Update() returns false): no file name; a file that is missing, empty,
+ * truncated or not a raster; a build without GDAL.
+ *
+ * Queries can be made by several threads at once, but not during Update() or a setter.
+ *
+ * @sa vtkHeightMap vtkTerrainSource
+ */
+#ifndef vtkTerrainPyramid_h
+#define vtkTerrainPyramid_h
+
+#include "RelevoFiltersTerrainModule.h" // for export macro
+#include "vtkObject.h"
+
+#include <memory> // for members
+#include <mutex>  // for messages
+#include <string> // for messages
+
+class vtkDoubleArray;
+namespace relevo
+{
+class RasterPyramid;
+}
+
+class RELEVOFILTERSTERRAIN_EXPORT vtkTerrainPyramid : public vtkObject
+{
+public:
+  static vtkTerrainPyramid* New();
+  vtkTypeMacro(vtkTerrainPyramid, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  //@{
+  /**
+   * Set the name of the raster.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  //@}
+
+  //@{
+  /**
+   * Set the folder for the file of the index; it is created if it does not exist. By default,
+   * nullptr, the file is beside the raster or in the user's cache folder.
+   */
+  vtkSetFilePathMacro(CacheDirectory);
+  vtkGetFilePathMacro(CacheDirectory);
+  //@}
+
+  //@{
+  /**
+   * Set the maximum memory of cached tiles in bytes, at least 2^20; default 2^28. Another value is
+   * an error and changes nothing.
+   */
+  virtual void SetMemoryLimit(vtkTypeInt64 bytes);
+  vtkGetMacro(MemoryLimit, vtkTypeInt64);
+  //@}
+
+  /**
+   * Open the raster, or open it again if the name or the file has changed, and start to build its
+   * index if necessary. Returns false after an error. An error of the background build is reported
+   * by the next call, once.
+   */
+  bool Update();
+
+  //@{
+  /**
+   * Get the number of columns and rows of level 0; (0, 0) before a successful Update().
+   */
+  vtkGetVector2Macro(Dimensions, int);
+  //@}
+
+  /// Return the number of levels; 0 before a successful Update().
+  int GetNumberOfLevels();
+
+  //@{
+  /**
+   * Get the number of columns and rows of a level; (0, 0) for a level that does not exist.
+   */
+  void GetLevelDimensions(int level, int dimensions[2]);
+  //@}
+
+  //@{
+  /**
+   * Get the smallest and largest height. As long as IsErrorKnown() is false, this is an estimate
+   * from few samples. (0, 0) if there are no data, and before a successful Update().
+   */
+  void GetRange(double range[2]);
+  double* GetRange() VTK_SIZEHINT(2);
+  //@}
+
+  /// Return whether the index is complete, so that GetMaximumError() is finite.
+  bool IsErrorKnown();
+
+  /// Return the fraction of the index that is complete, from 0 to 1.
+  double GetIndexProgress();
+
+  /**
+   * Wait until the index is complete. Returns false after an error, and without one after
+   * AbortExecuteOn(). ProgressEvent reports the fraction that is complete.
+   */
+  bool WaitForIndex();
+
+  //@{
+  /**
+   * Stop a running WaitForIndex(). The index is built nevertheless.
+   */
+  vtkSetMacro(AbortExecute, bool);
+  vtkGetMacro(AbortExecute, bool);
+  vtkBooleanMacro(AbortExecute, bool);
+  //@}
+
+  /**
+   * Return the largest vertical distance between the surface of a level and that of level 0, in the
+   * unit of the heights, over all points where both have data. Infinity if IsErrorKnown() is false
+   * or the level does not exist.
+   */
+  double GetMaximumError(int level);
+
+  /**
+   * Return the height at a point, bilinear between the centers of the samples of level 0. x and y
+   * are coordinates in the raster's own system: longitude and latitude in degrees if that is
+   * geographic, where x and x + 360 are the same; columns from the left and rows from the bottom
+   * border if the raster has no georeference. NaN outside of the raster and where a contributing
+   * sample has no data. Reports an error if the samples cannot be read.
+   */
+  double GetElevation(double x, double y);
+
+  /**
+   * Return the heights at points, one tuple (x, y) each, as GetElevation(). The caller owns the new
+   * array. nullptr after an error: an array that is missing or does not have two components.
+   */
+  VTK_NEWINSTANCE vtkDoubleArray* GetElevations(vtkDoubleArray* points);
+
+  /// Return the bytes of memory that cached tiles use.
+  vtkTypeInt64 GetResidentMemorySize();
+
+  /// Return the coordinate system as WKT; "" if there is none.
+  const char* GetCoordinateSystem();
+
+  /// Return the message of the last ErrorEvent, without class and line; "" if there was none.
+  const char* GetErrorMessage() { return this->ErrorMessage.c_str(); }
+
+protected:
+  vtkTerrainPyramid();
+  ~vtkTerrainPyramid() override;
+
+  char* FileName;
+  char* CacheDirectory;
+  vtkTypeInt64 MemoryLimit;
+  bool AbortExecute;
+
+private:
+  vtkTerrainPyramid(const vtkTerrainPyramid&) = delete;
+  void operator=(const vtkTerrainPyramid&) = delete;
+
+  bool Report(const std::string& error);
+  double Evaluate(double x, double y, std::string& error);
+  void EstimateRange();
+
+  std::unique_ptr<relevo::RasterPyramid> Pyramid;
+  std::string OpenedName;
+  std::string OpenedCacheDirectory;
+  std::string ErrorMessage;
+  bool HasReportedIndex;
+  int Dimensions[2];
+  double Range[2];
+  double EstimatedRange[2];
+};
+
+#endif

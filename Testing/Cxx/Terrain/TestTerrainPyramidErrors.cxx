@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkTerrainPyramid reports bad rasters and bad calls as errors, and answers with NaN or infinity.
+#include "RelevoCheck.h"
+#include "RelevoRasterFiles.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkTerrainPyramid.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace
+{
+void ExpectError(
+  RelevoCheck& check, vtkTerrainPyramid* pyramid, const std::string& name, const char* reason)
+{
+  CHECK_CASE(name);
+  RelevoErrors errors(pyramid);
+  pyramid->SetFileName(name.c_str());
+  CHECK(!pyramid->Update());
+  CHECK(errors.Said(reason));
+  CHECK_EQUAL(pyramid->GetDimensions()[0], 0);
+  CHECK_EQUAL(pyramid->GetNumberOfLevels(), 0);
+  CHECK(!pyramid->IsErrorKnown());
+  CHECK(std::isinf(pyramid->GetMaximumError(0)));
+  CHECK(std::isnan(pyramid->GetElevation(0.0, 0.0)));
+  CHECK_EQUAL(std::string(pyramid->GetCoordinateSystem()), std::string());
+}
+
+void TestFiles(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  vtkNew<vtkTerrainPyramid> pyramid;
+  {
+    RelevoErrors errors(pyramid);
+    CHECK(!pyramid->Update());
+    CHECK(errors.Said("call SetFileName()"));
+    CHECK(!pyramid->WaitForIndex());
+    CHECK(errors.Said("call Update() first"));
+  }
+  const std::string text = folders.File("TerrainPyramidText.txt");
+  std::ofstream(text) << "no raster\n";
+  const std::string empty = folders.File("TerrainPyramidEmpty.tif");
+  std::ofstream(empty) << "";
+  ExpectError(check, pyramid, folders.File("TerrainPyramidMissing.tif"), "does not exist");
+  ExpectError(check, pyramid, folders.Output, "folder");
+  ExpectError(check, pyramid, text, "TerrainPyramidText.txt");
+  ExpectError(check, pyramid, empty, "empty");
+}
+
+// A file that is known to be truncated is not opened. What can be read of a compressed one is read;
+// the rest is one error.
+void TestTruncated(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  const std::string whole = folders.File("TerrainPyramidWhole.tif");
+  const std::string cut = folders.File("TerrainPyramidCut.tif");
+  RelevoRaster raster = RelevoRaster::MakeSlope(600, 600, {}, "");
+  raster.Type = GDT_Int16;
+  CHECK(raster.Write(whole));
+  RelevoTruncate(whole, cut, 0.6);
+  vtkNew<vtkTerrainPyramid> pyramid;
+  ExpectError(check, pyramid, cut, "cut short");
+
+  raster.Options = { "COMPRESS=DEFLATE" };
+  CHECK(raster.Write(whole));
+  RelevoTruncate(whole, cut, 0.6);
+  std::filesystem::remove(cut + ".relevo-index");
+  RelevoErrors errors(pyramid);
+  pyramid->SetFileName(cut.c_str());
+  pyramid->Update();
+  CHECK(!pyramid->WaitForIndex());
+  CHECK(errors.Said("TerrainPyramidCut.tif"));
+  CHECK(!pyramid->IsErrorKnown());
+  CHECK(std::isinf(pyramid->GetMaximumError(0)));
+  CHECK(errors.None()); // no second report
+  CHECK(!pyramid->Update());
+  CHECK(!pyramid->WaitForIndex());
+  CHECK(errors.None());
+  CHECK_EQUAL(pyramid->GetElevation(10.5, 599.5), raster.At(0, 10, 0));
+  CHECK(errors.None());
+  CHECK(std::isnan(pyramid->GetElevation(10.5, 0.5)));
+  CHECK(errors.Said("TerrainPyramidCut.tif"));
+  CHECK(!std::filesystem::exists(cut + ".relevo-index"));
+}
+
+void TestCalls(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  const std::string name = folders.File("TerrainPyramidCalls.tif");
+  CHECK(RelevoRaster::MakeSlope(40, 30, {}, "").Write(name));
+  vtkNew<vtkTerrainPyramid> pyramid;
+  RelevoErrors errors(pyramid);
+  pyramid->SetMemoryLimit(1000);
+  CHECK(errors.Said("MemoryLimit must be at least 1048576, got 1000."));
+  CHECK_EQUAL(pyramid->GetMemoryLimit(), vtkTypeInt64(1) << 28);
+  vtkNew<vtkDoubleArray> points;
+  CHECK(!pyramid->GetElevations(points));
+  CHECK(errors.Said("call Update() first"));
+  pyramid->SetFileName(name.c_str());
+  CHECK(pyramid->Update());
+  CHECK(!pyramid->GetElevations(nullptr));
+  CHECK(errors.Said("2 components"));
+  points->SetNumberOfComponents(3);
+  CHECK(!pyramid->GetElevations(points));
+  CHECK(errors.Said("2 components"));
+  int dimensions[2] = { 1, 1 };
+  pyramid->GetLevelDimensions(1, dimensions);
+  CHECK_EQUAL(dimensions[0], 0);
+  CHECK(std::isinf(pyramid->GetMaximumError(1)));
+  CHECK(std::isinf(pyramid->GetMaximumError(-1)));
+  CHECK(errors.None());
+}
+
+// A raster without any data, and one of a single sample.
+void TestExtremes(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  const std::string name = folders.File("TerrainPyramidExtremes.tif");
+  RelevoRaster raster = RelevoRaster::MakeSlope(300, 20, {}, "");
+  raster.NoData = 5.0;
+  raster.SetValues([](int, int, int) { return 5.0; });
+  CHECK(raster.Write(name));
+  vtkNew<vtkTerrainPyramid> pyramid;
+  RelevoErrors errors(pyramid);
+  pyramid->SetFileName(name.c_str());
+  CHECK(pyramid->Update());
+  CHECK(pyramid->WaitForIndex());
+  CHECK_EQUAL(pyramid->GetRange()[0], 0.0);
+  CHECK_EQUAL(pyramid->GetRange()[1], 0.0);
+  CHECK(std::isnan(pyramid->GetElevation(3.5, 3.5)));
+
+  CHECK(RelevoRaster::MakeSlope(1, 1, {}, "", 7.0).Write(name));
+  CHECK(pyramid->Update());
+  CHECK(pyramid->WaitForIndex());
+  CHECK_EQUAL(pyramid->GetRange()[1], 7.0);
+  CHECK_EQUAL(pyramid->GetElevation(0.1, 0.9), 7.0);
+  CHECK(errors.None());
+}
+}
+
+int TestTerrainPyramidErrors(int argc, char* argv[])
+{
+  RelevoCheck check;
+  const RelevoTestFolders folders(argc, argv);
+  TestFiles(check, folders);
+  TestTruncated(check, folders);
+  TestCalls(check, folders);
+  TestExtremes(check, folders);
+  return check.GetResult();
+}
