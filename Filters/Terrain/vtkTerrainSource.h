@@ -24,8 +24,8 @@
  * The points lie exactly on the map. Between points the map is linear. A raster that is one texel
  * wide or high produces a strip of that width.
  *
- * Where data is missing, the policy Hole (default) omits coarse faces without any valid sample, and
- * the displacement omits refined triangles without data. The policy Fill keeps all faces, with
+ * Where there is no data, the policy Hole (default) omits coarse faces without any valid sample,
+ * and the displacement omits refined triangles without data. The policy Fill keeps all faces, with
  * heights interpolated from the surroundings.
  *
  * GetImagery() returns an image for vtkTexture (use EdgeClampOn() and InterpolateOn()). It is

@@ -56,7 +56,7 @@ class TestTerrainSource(unittest.TestCase):
         self.assertEqual(source.GetCoordinateSystem(), "")
         self.assertIs(source.GetDisplacement().GetHeightMap(), source.GetHeightMap())
         self.assertEqual(source.GetDisplacement().GetDirection(), (0.0, 0.0, 1.0))
-        for words in ("metres", "imagery", "No data", "Errors"):
+        for words in ("metres", "imagery", "no data", "error"):
             self.assertIn(words.lower(), relevo.vtkTerrainSource.__doc__.lower())
 
     def test_mesh(self):
