@@ -28,6 +28,7 @@ doxygen
 gdal-bin
 git
 glslang-tools
+python3-proselint
 shellcheck
 xauth
 xdotool
