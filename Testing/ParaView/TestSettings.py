@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Proves paraview.md: settings take effect at once, and undo, redo and traces restore the picture.
-"""
+"""Proves that settings of the plugin take effect at once, and that undo, redo and traces restore
+the picture."""
 
 import os
 import tempfile

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Proves paraview.md on data that change with time, animations with cached geometry, and several
-views of a source."""
+"""Proves that Adaptive Refinement follows data that change with time, animations with cached
+geometry, and several views of a source."""
 
 import os
 import tempfile

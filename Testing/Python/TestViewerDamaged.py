@@ -1,8 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Proves that relevo-view gives one line and exit code 1 for damaged files, whatever VTK's readers
-do with them, and for pipes, devices and folders. Names and contents cannot send commands to a
-terminal."""
+"""Proves viewer.md: a damaged file gives one line and exit code 1, whatever VTK's readers do with
+it, and so do pipes, devices and folders. Names and contents cannot send commands to a terminal."""
 
 import os
 import struct

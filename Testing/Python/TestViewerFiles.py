@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Proves viewer.md: files written by relevo-view have either the old or the complete new content,
+"""Proves that files written by relevo-view have either the old or the complete new content,
 also on full disks and after signals.
 
 RELEVO_TEST_MOMENTS=50 sends each signal at this many moments for every kind of file."""

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Proves viewer.md: in a terminal, relevo-view shows progress that is cleared at the end, and
-errors in one line. The version and outputs that cannot be written are tested too; the latter are
-reported before anything is read."""
+"""Proves that relevo-view shows progress in a terminal and clears it at the end, and that errors
+are one line. The version and outputs that cannot be written are tested too; the latter are reported
+before anything is read."""
 
 import os
 import pty

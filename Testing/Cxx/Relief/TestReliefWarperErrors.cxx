@@ -87,7 +87,7 @@ void TestErrors(RelevoCheck& check)
     warper, 0, vtkNew<vtkPolyData>(), "The input is a vtkPolyData; a vtkImageData is needed."));
 }
 
-// The eye is in the plane, behind it, or beside it, where warping works again.
+// An eye in the plane or behind it has no picture. In front of the plane, warping works again.
 void TestEyes(RelevoCheck& check)
 {
   for (ReliefProjection projection : { ReliefProjection::Parallel, ReliefProjection::Perspective })
@@ -116,7 +116,7 @@ void TestEyes(RelevoCheck& check)
         CHECK_EQUAL(warper->CanWarp(), (z < 0.0));
         CHECK_EQUAL((CountSeen(warper->GetOutput()) > 0), (z < 0.0));
         CHECK_EQUAL(warper->GetOutput()->GetNumberOfPoints(), Width * Height);
-        expected += z == 0.0 || z == 60.0; // once per row
+        expected += z == 0.0 || z == 60.0; // one warning for consecutive positions
         CHECK_EQUAL(warnings.Number, expected);
       }
     }

@@ -123,7 +123,7 @@ void TestTruncated(RelevoCheck& check, const RelevoTestFolders& folders, Scene& 
   scene.ExpectGood(check);
 }
 
-// Georeferences cannot have complex values.
+// Rasters of complex numbers are not supported.
 void TestComplex(RelevoCheck& check, const RelevoTestFolders& folders, Scene& scene)
 {
   RelevoRaster complex = scene.Raster;

@@ -231,7 +231,7 @@ void TestCollapsedCells(RelevoCheck& check)
   }
 }
 
-// A pentagon that is split differently from below and from above. Two pairs of flat tetrahedra lie
+// A pentagon that is split differently from below and from above. Two stacked flat tetrahedra lie
 // between, whose orientation follows only from the order of their corners.
 void TestFlatCells(RelevoCheck& check)
 {

@@ -177,7 +177,7 @@ void TestIndependent(RelevoCheck& check)
       CheckSame(
         check, functions.Integrate(front, back, length), Sum(mixed, front, back, length), 1e-4);
     }
-    // Constant scalars give the mean of the colours.
+    // Constant scalars give the mean of the colours, weighted by extinction.
     const dvec4 here = functions.Integrate(back, back, 2.0);
     dvec4 mean(0.0);
     for (int i = 0; i < components; ++i)

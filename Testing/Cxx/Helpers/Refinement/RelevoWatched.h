@@ -44,7 +44,7 @@ public:
 
   std::atomic<int> Evaluators{ 0 };
   std::atomic<int> LivingEvaluators{ 0 };
-  // Number of evaluators that got a new mesh, and number of evaluations.
+  // Number of times an evaluator prepared a new mesh, and number of evaluations.
   std::atomic<int> Preparations{ 0 };
   std::atomic<int> Evaluations{ 0 };
 };

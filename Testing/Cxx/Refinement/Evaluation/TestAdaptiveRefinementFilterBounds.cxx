@@ -34,7 +34,8 @@ int TestAdaptiveRefinementFilterBounds(int, char*[])
       for (int displaced = 0; displaced < 4; ++displaced)
       {
         vtkNew<RelevoHeights> heights;
-        // Heights from -0.5 to 0.5. The offset tests both ends of the range.
+        // Heights from -0.5 to 0.5. A negative scale with an offset tests the other end of the
+        // range.
         std::mt19937 random(7);
         heights->Fill(20, 20, [&random](double, double) { return random() / 4294967296.0 - 0.5; });
         auto displacement = MakeDisplacement(

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Proves that recipes with the same table share its patterns, also between threads. Patterns and
-// families live as long as they are used and no longer. The recipe's MaximumLevel is independent of
-// the table's.
+// families live as long as they are used and no longer. Each recipe has a MaximumLevel, which the
+// table's limits.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Proves figures.md on budgets: relevo::RenderTimeBudget settles close to the allowed time, tested
-// with simulated machines of known frame times.
+// Proves guide.md on budgets: relevo::RenderTimeBudget keeps the frame time close to the allotted
+// time, tested with simulated machines of known frame times.
 #include "RelevoCheck.h"
 
 #include "Evaluation/RenderTimeBudget.h"

@@ -359,7 +359,7 @@ void CheckAllPoints(RelevoCheck& check)
     differing += same ? 0 : 1;
     most = std::max(most, static_cast<int>(points->GetNumberOfPoints()));
   }
-  CHECK_LESS_EQUAL(differing, 1); // an edge may be missed within rounding
+  CHECK_LESS_EQUAL(differing, 1); // a line through an edge may differ by rounding
   CHECK_GREATER_EQUAL(most, 4);
 
   // Lines that start inside, start outside or miss, with null output lists.

@@ -68,8 +68,8 @@ void TestOctahedron(RelevoCheck& check)
   CHECK_NEAR(LargestError(Mean(octahedron), [](size_t) { return -1.0; }), 0.0, 1e-12);
 }
 
-// A flat pyramid with obtuse angles at its apex, which owns half of each triangle. Border points
-// take the value of the apex.
+// A flat pyramid with obtuse angles at its apex. Half of each triangle's area belongs to the apex,
+// and border points take its value.
 void TestPyramid(RelevoCheck& check)
 {
   const double h = 0.1;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Proves figures.md: refined vtkG1Surface meshes deviate from the sampled shapes as little as PN
-// triangles do.
+// Proves that refined vtkG1Surface meshes deviate from the sampled shapes as little as PN triangles
+// do, see the table in figures.md.
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"
 #include "RelevoVector.h"

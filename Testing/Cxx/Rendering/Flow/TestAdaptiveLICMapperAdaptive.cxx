@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Proves flow.md: on coarse meshes refined where the field varies, streaks are closer to those of a
+// Proves that on coarse meshes refined where the field varies, streaks are closer to those of a
 // dense mesh, and to the field, than on the coarse mesh.
 #include "RelevoSurfaceFields.h"
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Proves flow.md: streaks follow the projected field on a plane that faces the camera, and in
-// perspective on planes, spheres and tori, also from close by and away from their axes.
+// vtkAdaptiveLICMapper promises: streaks follow the projected field on a plane that faces the
+// camera, and in perspective on planes, spheres and tori, also from close by and away from their
+// axes.
 #include "RelevoSurfaceFields.h"
 
 #include <iostream>

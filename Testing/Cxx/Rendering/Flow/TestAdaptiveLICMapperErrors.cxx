@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Proves errors.md: for invalid input vtkAdaptiveLICMapper reports the cause once and draws the
-// surface like vtkAdaptiveRefinementMapper. After a correction it draws streaks again.
+// Proves that for invalid input vtkAdaptiveLICMapper reports the cause once and draws the surface
+// like vtkAdaptiveRefinementMapper. After a correction it draws streaks again.
 #include "RelevoLICVectors.h"
 #include "RelevoPictures.h"
 #include "RelevoTestMeshes.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Proves flow.md: on a plane that faces the camera, with one point per pixel, vtkAdaptiveLICMapper
+// Proves that on a plane that faces the camera, with one point per pixel, vtkAdaptiveLICMapper
 // gives the result of vtkLineIntegralConvolution for the same vectors.
 #include "RelevoLICScene.h"
 

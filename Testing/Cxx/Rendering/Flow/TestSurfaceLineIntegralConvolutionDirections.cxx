@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Proves flow.md: streaks of vtkSurfaceLineIntegralConvolution, drawn as point colours, follow the
+// Proves that streaks of vtkSurfaceLineIntegralConvolution, drawn as point colours, follow the
 // field as seen from two sides.
 #include "RelevoSurfaceFields.h"
 

@@ -187,8 +187,7 @@ private:
     LimitTime(0);
   }
 
-  // For volumes, points that are not finite are not an error. Cells of other dimensions are never
-  // an error.
+  // Points that are not finite are not an error for volumes, nor in cells that a class ignores.
   void Judge(const char* name, const Reports& reports, bool takesInfinite)
   {
     const bool hasError = !this->Grid.GetError().empty();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Proves errors.md: vtkReliefMapper reports invalid input once and draws the rest.
+// Proves that vtkReliefMapper reports invalid input once and draws the rest.
 #include "RelevoCheck.h"
 #include "RelevoReliefScene.h"
 

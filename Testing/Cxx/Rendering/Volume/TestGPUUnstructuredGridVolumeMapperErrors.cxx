@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Proves errors.md: vtkGPUUnstructuredGridVolumeMapper reports invalid input once and draws the
-// rest.
+// Proves that vtkGPUUnstructuredGridVolumeMapper reports invalid input once and draws the rest.
 #include "RelevoCheck.h"
 #include "RelevoVolumeScene.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Proves errors.md: for invalid input the mapper reports the cause once, draws nothing and does not
+// Proves that for invalid input the mapper reports the cause once, draws nothing and does not
 // disturb rendering. After a correction it draws again.
 #include "RelevoDisplacements.h"
 #include "RelevoScene.h"

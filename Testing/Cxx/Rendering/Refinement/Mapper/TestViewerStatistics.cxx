@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Proves viewer.md: relevo-view --stats draws one more frame, with the same picture.
+// Proves that relevo-view --stats draws one more frame, with the same picture.
 #include "RelevoCheck.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"

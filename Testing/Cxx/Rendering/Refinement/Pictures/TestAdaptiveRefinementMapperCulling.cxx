@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Proves guide.md: culling faces that are not visible changes no picture, in any pass.
+// Proves that culling faces that are not visible (guide.md) changes no picture, in any pass.
 #include "RelevoDisplacements.h"
 #include "RelevoScene.h"
 #include "RelevoShadows.h"
