@@ -115,7 +115,7 @@ private:
     }
     for (vtkIdType i = 0; i < surface.GetNumberOfPoints(); ++i)
     {
-      // the merged point has the lowest id
+      // The merged point is the one with the lowest id.
       this->Normals[i] = this->Normals[surface.GetMergedPoint(i)];
       vtkMath::Normalize(this->Normals[i].data());
     }

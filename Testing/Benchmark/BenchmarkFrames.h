@@ -63,7 +63,7 @@ private:
   std::mt19937 Random; // with a fixed seed
   double Turn = 0.5;
   std::vector<vtkSmartPointer<vtkProp>> Props;
-  std::vector<std::vector<Frame>> Frames; // of each mapper
+  std::vector<std::vector<Frame>> Frames; // one list per mapper
 };
 
 #endif

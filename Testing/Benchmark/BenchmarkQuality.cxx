@@ -44,7 +44,7 @@ struct Scene
 {
   std::string Name;
   vtkSmartPointer<vtkPolyData> Coarse;
-  int Level; // of every edge
+  int Level; // the level of every edge
   std::function<Sample(const Vector&)> FindClosest;
   std::vector<Sample> Samples; // distributed over the true surface
 };

@@ -187,7 +187,7 @@ std::vector<double> MeasureRelevo(const std::string& fileName, bool allTexels)
   mapper->SetInputConnection(source->GetOutputPort());
   mapper->SetRefinement(recipe);
   const Pictures pictures = Draw(view, mapper, stopwatch);
-  // before triangles over holes are counted, which may take more memory
+  // Measured before triangles over holes are counted, which may take more memory.
   const ResidentMemory after = GetResidentMemory();
   auto result = GetResult(0, pictures, before);
   result[0] = static_cast<double>(mapper->GetNumberOfDrawnTriangles());

@@ -16,9 +16,9 @@ import RelevoParaView as relevo
 
 PROXIES = os.path.join(os.path.dirname(__file__), "..", "..", "Module", "ParaView", "Proxies")
 GROUP = "relevo_test"
-SURFACE_LIC = "vtkLICSettings"  # has the defaults of ParaView's Surface LIC instead,
+SURFACE_LIC = "vtkLICSettings"  # has Surface LIC's defaults, except for OWN_SETTINGS
 NOT_KEPT = ("vtkTerrainSource", "KeepHeights")  # displacements read heights themselves
-OWN_SETTINGS = {"OrientedLIC", "Phase", "NoDataMagnitude"}  # exceptions
+OWN_SETTINGS = {"OrientedLIC", "Phase", "NoDataMagnitude"}
 PAIR = "TextureSize"  # both numbers are 0, or neither
 
 

@@ -28,7 +28,7 @@ from ViewerProgram import ViewerProgram
 
 SIZE = (80, 60)
 COLUMNS, ROWS = 96, 64
-FILLED = 0.94  # of the picture, without a legend
+FILLED = 0.94  # share of the picture without a legend
 ANGLE = math.radians(30)
 DARK = 40  # brighter than the underside when lit from above
 

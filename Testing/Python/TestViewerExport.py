@@ -72,7 +72,7 @@ class TestViewerExport(ViewerProgram):
             self.skipTest("no relief in RELEVO_TEST_DATA")
         mesh = self.export(file, "g.vtp", "--exaggeration=2", "--level=1", "--resolution=12")
         source = self.assert_terrain(mesh, file, 2)
-        if source.GetCoordinateSystem():  # with GDAL
+        if source.GetCoordinateSystem():  # needs GDAL
             self.assertIn("WGS 84", source.GetCoordinateSystem())
             longitude, latitude, _ = source.GetOrigin()
             self.assertTrue(5.7 < longitude < 6.6 and 49.4 < latitude < 50.2)

@@ -159,7 +159,7 @@ class TestViewerFuzz(ViewerProgram):
         (self.folder / "a.asc").write_text(
             f"ncols 8\nnrows 8\nxllcorner 0\nyllcorner 0\ncellsize 1\n{rows}\n"
         )
-        if self.run_program("a.asc", *EXPORT).returncode == 0:  # with GDAL
+        if self.run_program("a.asc", *EXPORT).returncode == 0:  # needs GDAL
             self.damage("a.asc")
 
     def test_drawings(self):

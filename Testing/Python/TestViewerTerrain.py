@@ -245,7 +245,7 @@ class TestViewerTerrain(ViewerProgram):
         self.assertGreater(area.GetRange()[0], 1e6)
         # The area of the cap north of 86 degrees, on a plane that touches at 88 degrees.
         total = sum(area.GetValue(i) for i in range(area.GetNumberOfTuples()))
-        radius = 6399593.6  # of curvature at the pole
+        radius = 6399593.6  # radius of curvature at the pole
         cap = math.pi * (radius * math.sin(math.radians(4))) ** 2
         self.assertAlmostEqual(total / cap, 1, delta=0.01)
 

@@ -23,7 +23,7 @@ UTM = (f'PROJCS["UTM33N",{GEOGRAPHIC},PROJECTION["Transverse_Mercator"],'
        'PARAMETER["latitude_of_origin",0],PARAMETER["central_meridian",15],'
        'PARAMETER["scale_factor",0.9996],PARAMETER["false_easting",500000],'
        'PARAMETER["false_northing",0],UNIT["Meter",1]]')
-TOP = (48 * 0.65 - 24, 32 * 0.65 - 16)  # of the hill
+TOP = (48 * 0.65 - 24, 32 * 0.65 - 16)  # top of the hill
 
 
 class TestViewerView(ViewerProgram):

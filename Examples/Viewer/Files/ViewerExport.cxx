@@ -40,7 +40,7 @@ bool IsWhole(vtkPLYWriter*, vtkPolyData* mesh, const std::string& fileName)
 {
   const std::map<std::string, int> sizes = { { "float", 4 }, { "int", 4 }, { "uchar", 1 } };
   std::ifstream file(fileName, std::ios::binary);
-  std::streamoff count = 0; // of the element whose properties follow
+  std::streamoff count = 0; // number of elements whose properties follow
   std::streamoff size = 0;
   std::string line;
   while (std::getline(file, line) && line != "end_header")

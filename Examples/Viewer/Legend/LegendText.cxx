@@ -9,7 +9,7 @@
 
 namespace
 {
-const int MaximumDigits = 15; // of a double
+const int MaximumDigits = 15; // significant digits of a double
 const char* const Ellipsis = "...";
 
 std::string ToText(double value, int decimals)

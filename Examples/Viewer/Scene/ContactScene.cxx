@@ -39,7 +39,7 @@ namespace
 {
 using Filter = vtkSurfaceIntersectionFilter;
 
-const double TubeRadius = 0.0015; // of the diagonal
+const double TubeRadius = 0.0015; // relative to the diagonal
 
 double MeasureLength(vtkPolyData* curves)
 {

@@ -15,7 +15,7 @@
 
 namespace
 {
-const double Margin = 0.02; // of the distance to the focal point
+const double Margin = 0.02; // relative to the distance to the focal point
 // The ground is sampled around the camera. Between samples it may be nearer.
 const int Rings = 8;
 const int Directions = 32;

@@ -70,7 +70,7 @@ bool TerrainProbe::GetHeight(double x, double y, double& height)
 //------------------------------------------------------------------------------
 bool TerrainProbe::GetTexel(const Coordinates& uv, double& height) const
 {
-  const double reach = 0.1; // of a texel, for rounded coordinates
+  const double reach = 0.1; // texels, for rounded coordinates
   int size[2];
   this->Heights->GetDimensions(size);
   int texel[2];

@@ -282,7 +282,7 @@ void TerrainScene::MakeDisplacedMesh()
     points->SetPoint(i, point);
   }
   this->DisplacedMesh->SetPoints(points);
-  this->DisplacedMesh->GetPointData()->SetNormals(nullptr); // of the flat mesh
+  this->DisplacedMesh->GetPointData()->SetNormals(nullptr); // they belong to the flat mesh
 }
 
 //------------------------------------------------------------------------------

@@ -64,7 +64,8 @@ void ViewerCamera::OnClippingRange(vtkObject*, unsigned long, void*)
     std::hypot(1.0, std::hypot(tangent, tangent * this->Renderer->GetTiledAspectRatio()));
   double range[2];
   camera->GetClippingRange(range);
-  const double minimumShare = 1e-7; // of the far plane's distance: depth buffers have 24 bits
+  // Relative to the far plane's distance, because depth buffers have 24 bits.
+  const double minimumShare = 1e-7;
   const double nearest = std::max(depth, minimumShare * range[1]);
   if (nearest < range[0])
   {

@@ -20,8 +20,8 @@
 
 namespace
 {
-const double Length = 0.05; // of the diagonal
-const double Droop = 0.25;  // of the length
+const double Length = 0.05; // relative to the diagonal
+const double Droop = 0.25;  // relative to the length
 
 double GetArea(vtkPolyData* surface)
 {

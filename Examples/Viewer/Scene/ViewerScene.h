@@ -72,7 +72,7 @@ protected:
   ViewerOptions Options; // including choices that a file makes if they are not set
   ViewerMessages& Messages;
   vtkNew<vtkRenderer> Renderer;
-  std::unique_ptr<ViewerCamera> Camera; // of the renderer
+  std::unique_ptr<ViewerCamera> Camera; // moves the renderer's camera
 
 private:
   std::unique_ptr<ViewerLegend> Legend;

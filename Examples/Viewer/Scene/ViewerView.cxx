@@ -18,7 +18,7 @@
 
 namespace
 {
-const double Filled = 0.94; // of the picture's sides
+const double Filled = 0.94; // share of the picture's sides
 
 // Along the camera's right, up and forward directions.
 using Vector = std::array<double, 3>;

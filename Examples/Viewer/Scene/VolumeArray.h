@@ -21,7 +21,7 @@ struct VolumeArray
   std::string Unit; // "" if unknown
   bool IsOfPoints;
   bool IsVector;   // shown by its magnitude
-  double Range[2]; // of the finite values of all blocks, never empty; only 3D cells count
+  double Range[2]; // range of the finite values of all blocks, never empty; only 3D cells count
   // Quantiles of a sample of the values; empty if no value is finite.
   std::vector<double> Quantiles;
 };

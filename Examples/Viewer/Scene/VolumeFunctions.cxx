@@ -25,8 +25,8 @@ const int Nodes = 9;
 const double LowestShare = 0.03; // opacity at the lowest value, relative to the highest
 const double Depth = 20.0;       // optical depth of a diagonal at the highest value
 const double OpacityOfOneValue = 0.8;
-const double MinimumThickness = 1e-3; // of the diagonal
-const double PeakWidth = 2e-4;        // of the range
+const double MinimumThickness = 1e-3; // relative to the diagonal
+const double PeakWidth = 2e-4;        // relative to the range
 
 // Share of values below each value, 0 to 1. Of equal quantiles the last one is used.
 std::map<double, double> GetRanks(const VolumeArray& array)

@@ -30,9 +30,9 @@
 
 namespace
 {
-const double Step = 0.02; // of the range, or of the extent along a normal
+const double Step = 0.02; // share of the range, or of the extent along a normal
 const double OpacityStep = 1.25;
-const double PeakOpacity = 0.6; // of isosurfaces by default
+const double PeakOpacity = 0.6; // default for isosurfaces
 
 void CheckCells(const std::string& fileName, vtkDataObject* data)
 {

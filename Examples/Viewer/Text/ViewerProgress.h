@@ -32,7 +32,7 @@ private:
 
   const bool IsTerminal;
   std::string Work;
-  std::size_t Length = 0; // of the visible line
+  std::size_t Length = 0; // length of the visible line
   std::chrono::steady_clock::time_point LastTime;
 };
 

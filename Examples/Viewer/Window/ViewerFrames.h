@@ -31,7 +31,7 @@ private:
   void StartTimer();
 
   vtkRenderWindowInteractor* Interactor;
-  int Timer = 0;    // of the interactor; 0 for none
+  int Timer = 0;    // the interactor's timer; 0 for none
   int Requests = 0; // since the last frame
   int Handled = 0;  // number of requests when the timer was started
   int Delays = 0;   // since the last frame

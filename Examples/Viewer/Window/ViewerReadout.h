@@ -42,7 +42,7 @@ private:
   ViewerFrames& Frames;
   ViewerScene& Scene;
   vtkSmartPointer<vtkTextActor> Text;
-  int Timer = 0; // of the interactor until the next update; 0 for none
+  int Timer = 0; // the interactor's timer until the next update; 0 for none
 };
 
 #endif

@@ -24,7 +24,7 @@ namespace
 // In pixels.
 const int ScaleBarMargin = 16;
 const int Tick = 5;
-const double LongestShare = 0.2; // of the picture's width
+const double LongestShare = 0.2; // relative to the picture's width
 }
 
 //------------------------------------------------------------------------------

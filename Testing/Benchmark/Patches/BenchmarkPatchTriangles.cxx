@@ -27,7 +27,7 @@
 namespace
 {
 constexpr double Pixels = 0.5;
-constexpr int LastLevel = 8;                   // of vtkDataSetSurfaceFilter: 9.4 M triangles
+constexpr int LastLevel = 8;                   // vtkDataSetSurfaceFilter then gives 9.4 M triangles
 constexpr vtkIdType MeasuredTriangles = 60000; // about this many are measured in larger meshes
 
 int GetHeight(int width)

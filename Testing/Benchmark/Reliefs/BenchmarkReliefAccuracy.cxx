@@ -26,7 +26,7 @@ using RelevoVectors::operator-;
 struct Shares
 {
   double Right = 0.0;  // share of the pixels that rays hit
-  double Missed = 0.0; // of these
+  double Missed = 0.0; // share of these
   double Extra = 0.0;  // pixels without a hit, relative to these
 };
 

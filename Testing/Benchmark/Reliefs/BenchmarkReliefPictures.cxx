@@ -27,7 +27,7 @@ struct ViewAngles
 {
   double Azimuth;
   double Elevation;
-  double FromCapture; // from the nearest one
+  double FromCapture; // angle from the nearest one
 };
 const ViewAngles Views[] = { { 0.0, 0.0, 0.0 }, { 5.0, 0.0, 5.0 }, { 10.0, 0.0, 10.0 },
   { 27.0, 7.0, 9.9 }, { -14.0, -8.0, 10.0 }, { 0.0, 10.0, 10.0 } };

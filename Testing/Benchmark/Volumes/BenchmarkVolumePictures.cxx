@@ -29,7 +29,7 @@ constexpr int Nodes = 11;
 
 struct Errors
 {
-  double Largest; // of 255
+  double Largest; // in units of 1/255
   double Quantile;
 };
 

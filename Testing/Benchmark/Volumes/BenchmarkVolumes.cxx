@@ -34,7 +34,7 @@ constexpr double Turn = 7.0; // degrees per frame
 
 struct Effort
 {
-  int Size; // of the picture
+  int Size; // pixels per side of the picture
   int Rounds;
   int Minimum;
   double Seconds; // per mapper, as for BenchmarkFrames::Measure()
@@ -281,7 +281,7 @@ void AddUnsplit(const BenchmarkVolumeScene& scene, const Case& split, const Effo
 struct Published
 {
   const char* Scene;
-  // exact with 10 and with 255 linear segments, pre-integrated, cell projection
+  // Exact with 10 and with 255 linear segments, pre-integrated, and cell projection.
   const char* Frames[4];
 };
 const Published PublishedFrames[] = {

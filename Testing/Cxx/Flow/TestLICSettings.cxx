@@ -223,7 +223,7 @@ void TestNoise(RelevoCheck& check)
   CHECK_EQUAL(RunLIC(filter), before);
   filter->GetLICSettings()->SetNoiseGeneratorSeed(2);
   CHECK_NOT_EQUAL(RunLIC(filter), before);
-  // noise is then generated with default settings
+  // Noise is then generated with default settings.
   filter->GetLICSettings()->GenerateNoiseTextureOff();
   CHECK_EQUAL(RunLIC(filter), before);
   filter->GetLICSettings()->GenerateNoiseTextureOn();

@@ -306,9 +306,8 @@ void CheckEnds(RelevoCheck& check)
     field.Walk(20, true, 0.01, 100, &done); // starts inside missing data
     CHECK_EQUAL(done, 0);
   }
-  const Field still(
-    // vectors shrink to zero towards x = 0
-    strip, [&](const Vector& p) { return std::max(0.0, -p[0]) * right; });
+  // These vectors shrink to zero towards x = 0.
+  const Field still(strip, [&](const Vector& p) { return std::max(0.0, -p[0]) * right; });
   int done;
   CHECK_LESS(still.Walk(0, true, 0.01, 100, &done)[0], 1e-6);
   CHECK_LESS_EQUAL(done, 50);

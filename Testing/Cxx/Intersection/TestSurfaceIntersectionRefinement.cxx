@@ -29,7 +29,7 @@ namespace
 {
 using namespace RelevoMeshes;
 
-constexpr double Scale = 0.7; // of the sphere
+constexpr double Scale = 0.7; // scale of the sphere
 
 // A torus, and a sphere with waves inside its tube. Both are curved.
 struct Scene

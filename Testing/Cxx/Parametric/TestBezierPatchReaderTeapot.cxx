@@ -60,7 +60,7 @@ int TestBezierPatchReaderTeapot(int, char*[])
   CHECK_EQUAL(grid->GetNumberOfCells(), 32);
   CHECK_EQUAL(grid->GetCellData()->GetHigherOrderDegrees()->GetRange(0)[0], 3.0);
   CHECK_NEAR(RelevoGetPatchError(grid, RelevoReadPatches(file)), 0.0, 1e-14);
-  CHECK_EQUAL(grid->GetNumberOfPoints(), 298); // of 512
+  CHECK_EQUAL(grid->GetNumberOfPoints(), 298); // instead of 512
   CHECK_GREATER(GetVolume(grid), 20.0);        // all normals point outwards
   return check.GetResult();
 }

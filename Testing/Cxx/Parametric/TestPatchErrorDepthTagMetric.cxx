@@ -168,7 +168,7 @@ void TestViews(RelevoCheck& check)
   scene.Camera->SetPosition(0.5, 0.5, 0.0);
   scene.Camera->SetFocalPoint(0.5, 0.5, -1.0);
   scene.Recipe->SetMaximumLevel(4);
-  // from within, all faces have the highest level
+  // From within, all faces have the highest level.
   CHECK_EQUAL(scene.Refine(patches)->GetNumberOfPolys(), 512);
 }
 

@@ -271,7 +271,7 @@ void TestPoles(RelevoCheck& check)
   auto mesh = RelevoMakePatches(grid);
   CHECK_EQUAL(mesh->GetNumberOfCells(), 8);
   CheckTriangles(check, mesh);
-  std::map<vtkIdType, std::set<int>> patches; // of each point at the pole
+  std::map<vtkIdType, std::set<int>> patches; // by point at the pole
   for (vtkIdType cell = 0; cell < 8; ++cell)
   {
     const Triangle triangle(mesh, cell);

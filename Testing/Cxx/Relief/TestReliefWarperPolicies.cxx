@@ -147,7 +147,7 @@ void TestOutputs(RelevoCheck& check)
   warper->SetMaximumStretch(1.0);
   warper->Update();
   CHECK_EQUAL(warper->GetNumberOfWarps(), 3);
-  // gives the same bits, but warps again so that it can be timed
+  // Gives the same bits, but warps again so that it can be timed.
   warper->SetPolicyToRowsAndColumns();
   warper->Update();
   CHECK_EQUAL(warper->GetNumberOfWarps(), 4);

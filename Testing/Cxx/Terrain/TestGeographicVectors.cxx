@@ -178,7 +178,7 @@ void TestPlateCarree(RelevoCheck& check)
 // At the antimeridian, where the grid ends, differences are one-sided.
 void TestAntimeridian(RelevoCheck& check)
 {
-  const double edge = 20037508.342789244; // of web Mercator, in metres
+  const double edge = 20037508.342789244; // border of web Mercator in metres
   const Places places = { { -edge, 5e6 }, { -edge + 10.0, 5e6 }, { edge - 10.0, 5e6 },
     { edge, 5e6 } };
   for (const auto& turned : Turn("EPSG:3857", 0.0, 0.0, places, { 2.0, 1.0 }))

@@ -89,7 +89,7 @@ void TestDeclared(RelevoCheck& check, const RelevoTestFolders& folders)
     if (one.Matches)
     {
       CHECK(map->GetRange()[0] == 10.0 && map->GetRange()[1] == 19.0);
-      // the mean of its neighbours, because heights form a plane
+      // The mean of its neighbours, because heights form a plane.
       CHECK_NEAR(map->GetSample(3, 2), 15.0, 1e-4);
       CHECK(!map->IsValid(3.5 / 6, 2.5 / 5));
       CHECK(map->IsValid(0.5 / 6, 0.5 / 5));
@@ -213,7 +213,7 @@ void TestFill(RelevoCheck& check)
   std::cout << "fill of a hole in a plane: deviation " << deviation << ", largest step " << step
             << "\n";
   CHECK_LESS(deviation, 0.05 * 80.0 * std::sqrt(5.0)); // relative to the relief across the hole
-  // relative to the plane's slope: no spikes and no cliffs
+  // Relative to the plane's slope: no spikes and no cliffs.
   CHECK_LESS(step, 2.0 * 2.0);
 
   vtkSMPTools::Initialize(1);

@@ -196,7 +196,7 @@ void TestMemoryLimit(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(raster.Write(name));
   vtkNew<vtkTerrainPyramid> pyramid;
   pyramid->SetFileName(name.c_str());
-  constexpr vtkTypeInt64 limit = 2 << 20; // of 24 MiB
+  constexpr vtkTypeInt64 limit = 2 << 20; // the raster has 24 MiB
   pyramid->SetMemoryLimit(limit);
   CHECK(pyramid->Update());
   vtkTypeInt64 largest = 0;
@@ -216,7 +216,7 @@ void TestMemoryLimit(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_LESS_EQUAL(pyramid->GetResidentMemorySize(), 1 << 20);
 }
 
-// A pixel of real data that GDAL reads, too.
+// A pixel of real data, compared with GDAL.
 void TestRealData(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const std::string name = folders.RealData + "mt_rainier_90m.tif";

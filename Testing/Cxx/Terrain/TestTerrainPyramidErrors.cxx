@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkTerrainPyramid reports bad rasters and bad calls as errors, and answers with NaN or infinity.
+// vtkTerrainPyramid promises errors for invalid rasters and calls, and returns NaN or infinity for
+// them.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
 
@@ -50,8 +51,8 @@ void TestFiles(RelevoCheck& check, const RelevoTestFolders& folders)
   ExpectError(check, pyramid, empty, "empty");
 }
 
-// A file that is known to be truncated is not opened. What can be read of a compressed one is read;
-// the rest is one error.
+// A file that is known to be truncated is not opened. A compressed file is read as far as possible,
+// and the rest is one error.
 void TestTruncated(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const std::string whole = folders.File("TerrainPyramidWhole.tif");

@@ -264,7 +264,7 @@ void TestFile(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_NEAR(getError(false), 2.0 * error, 3.0);
 }
 
-// The folder that is asked for, which need not exist.
+// The index goes to the requested folder, which is created if necessary.
 void TestCacheDirectory(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const std::string name = folders.File("TerrainPyramidCached.tif");
@@ -281,7 +281,7 @@ void TestCacheDirectory(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_EQUAL(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
 }
 
-// A large raster of which few tiles are stored: so is its index.
+// Of a large raster only few tiles are stored, and so is its index.
 void TestSparse(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   for (const bool hasNoData : { true, false })

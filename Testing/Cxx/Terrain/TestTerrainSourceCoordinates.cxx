@@ -161,7 +161,7 @@ void TestOtherUnits(RelevoCheck& check, const RelevoTestFolders& folders)
   const double corner[3] = { 2.4, 52.0, 0.0 };
   double terrain[3];
   CHECK(source->MapToTerrain(corner, terrain));
-  // the northern edge is shorter
+  // The northern edge is shorter.
   CHECK_NEAR(terrain[0], source->GetOutput()->GetBounds()[1], 100.0);
   CHECK_NEAR(terrain[1], source->GetOutput()->GetBounds()[3], 1.0);
 

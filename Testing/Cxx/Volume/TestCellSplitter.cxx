@@ -28,7 +28,7 @@ using relevo::VolumeCells;
 constexpr int Size = 5;             // cubes per axis
 constexpr int Side = Size + 1;      // points
 constexpr double Jitter = 0.08;     // as a share of a cube's side
-constexpr int BorderTriangles = 12; // of a cube of side 1
+constexpr int BorderTriangles = 12; // a cube of side 1 has this many
 
 void Add(VolumeCells& cells, vtkDataSet* mesh)
 {

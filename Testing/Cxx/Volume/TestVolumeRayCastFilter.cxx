@@ -41,7 +41,7 @@ void TestViews(RelevoCheck& check)
     check, MakeCamera({ { 0.4, 0.5, 0.6 } }, { { 3.0, 1.0, 0.0 } }, 80.0), 30, 30, 0.0, 1e-5);
   const auto parallel = MakeCamera({ { 0.5, 0.5, 4.0 } }, { { 0.5, 0.5, 0.5 } });
   parallel->ParallelProjectionOn();
-  // rays 1/30 apart; some run within faces, none within the border
+  // Rays are 1/30 apart. Some run within faces, none within the border.
   parallel->SetParallelScale(29.0 / 60.0);
   CheckCube(check, parallel, 29, 29, 0.0, 1e-12);
   parallel->SetPosition(2.0, 1.0, 3.0);

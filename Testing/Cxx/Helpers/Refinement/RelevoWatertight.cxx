@@ -113,10 +113,10 @@ private:
   Uses GetFineUses(vtkIdType from, vtkIdType to);
   bool HasPath(vtkIdType from, vtkIdType next, vtkIdType to, int segments, const Uses& uses);
 
-  std::vector<vtkIdType> MergedPoints; // of coarse points
-  std::vector<vtkIdType> Welded;       // of fine points
+  std::vector<vtkIdType> MergedPoints; // by coarse point
+  std::vector<vtkIdType> Welded;       // by fine point
   std::vector<std::array<vtkIdType, 3>> CoarseTriangles;
-  std::vector<double> Tags; // of merged points
+  std::vector<double> Tags; // by merged point
   int MaximumLevel;
 
   std::map<vtkIdType, vtkIdType> Corners; // from merged coarse point to welded fine point

@@ -14,7 +14,7 @@
 struct RelevoWarpScene
 {
   std::string Name;
-  RelevoDepth Depth; // of a parallel relief; a perspective one is 60 deeper
+  RelevoDepth Depth; // for a parallel relief; a perspective one is 60 deeper
   bool IsFolded;     // whether moderate views show folds
 };
 

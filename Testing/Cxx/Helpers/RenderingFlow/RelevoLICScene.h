@@ -33,8 +33,8 @@ struct RelevoLICPicture
 struct RelevoLikeness
 {
   double SSIM = 0.0;           // 1 for equal pictures
-  double MeanDifference = 1.0; // of absolute values
-  std::size_t Count = 0;       // of pixels
+  double MeanDifference = 1.0; // mean absolute difference
+  std::size_t Count = 0;       // number of pixels
   std::size_t OneSided = 0;    // pixels where only one picture has LIC
   std::size_t Different = 0;   // pixels that differ by more than the rounding of 8 bits
 };

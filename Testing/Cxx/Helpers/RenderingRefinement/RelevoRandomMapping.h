@@ -22,7 +22,7 @@ using Setting = std::function<void(vtkPolyDataMapper*)>;
 // Limits that some choices of a scene set for others.
 struct Limits
 {
-  bool IsTranslucent = false; // by a lookup table
+  bool IsTranslucent = false; // because of a lookup table
   bool HasOtherCells = false; // cells that are not faces
   // At level 2, faces are drawn in another order than the filter's, and the last point drawn at a
   // shared position is visible. Tells whether such points have different colours or normals.

@@ -81,7 +81,7 @@ vtkActor* RelevoScene::Add(
   if (this->Kind == Refining)
   {
     auto mapper = vtk::TakeSmartPointer(NewMapper(mesh));
-    // single pixels may differ, see TestAdaptiveRefinementMapperCulling
+    // Single pixels may differ, see TestAdaptiveRefinementMapperCulling.
     mapper->BackFaceCullingOff();
     vtkSmartPointer<vtkAdaptiveRefinement> used = recipe;
     if (!used)

@@ -19,7 +19,7 @@ struct RelevoTexel
   int Column;
   int Row;
   RelevoVectors::Vector Point; // in the world
-  double Width;                // of the texel at this point
+  double Width;                // the texel's width at this point
   unsigned char Color[3];
   RelevoVectors::Vector Normal; // zero without normals
 };
@@ -44,7 +44,7 @@ public:
 
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkReliefCapture> Source; // of the renderer
+  vtkNew<vtkReliefCapture> Source; // captures the renderer
 };
 
 std::vector<RelevoTexel> RelevoReadTexels(vtkImageData* relief);

@@ -21,7 +21,7 @@ class vtkImageData;
 // Result of a comparison, pixel by pixel.
 struct RelevoReliefComparison
 {
-  int NumberOfHits = 0;   // of the rays
+  int NumberOfHits = 0;   // pixels that the rays hit
   int NumberOfMisses = 0; // pixels that only the picture or only the ray hits
   int NumberOfWrong = 0;  // further than the tolerance from the ray's hit
   int NumberFar = 0;      // depths that differ by more than the tolerance

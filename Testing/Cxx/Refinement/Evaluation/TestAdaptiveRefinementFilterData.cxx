@@ -300,7 +300,7 @@ void testNaN(RelevoCheck& check)
   Mesh plane = Plane(4, 4);
   addField<vtkFloatArray>(plane, "field", 1);
   plane->GetPointData()->GetArray("field")->SetTuple1(
-    12, std::numeric_limits<double>::quiet_NaN()); // at (0, 0)
+    12, std::numeric_limits<double>::quiet_NaN()); // the point (0, 0)
   vtkNew<vtkAdaptiveRefinement> recipe;
   recipe->SetMaximumLevel(2);
   Mesh refined = Refine(plane, recipe);

@@ -39,7 +39,7 @@ public:
   relevo::RenderTimeBudget Budget;
   vtkIdType Limit = 0;
   vtkIdType Triangles = 0;
-  double Seconds = 0.0; // without noise
+  double Seconds = 0.0; // frame time without noise
 
 private:
   int Frame = 0;

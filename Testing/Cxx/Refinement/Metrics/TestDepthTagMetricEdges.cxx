@@ -101,7 +101,7 @@ void TestRegion(RelevoCheck& check)
   region->SetCenter(0.4, -0.2, 0);
   region->SetRadius(0.15);
   region->SetFallOff(0.1);
-  // at half of the fall-off distance
+  // The ball is at half of the fall-off distance.
   CHECK_NEAR(triangle.GetTag(region, front.View, 6, 0, 1), 3.0, 1e-5);
   CHECK_EQUAL(triangle.GetTag(region, front.View, 6, 0, 2), 0.0f);
   vtkNew<vtkPlane> plane;

@@ -91,7 +91,7 @@ void testFormula(RelevoCheck& check)
       vtkNew<vtkFloatArray> normals;
       normals->SetNumberOfComponents(3);
       normals->SetNumberOfTuples(3);
-      vtkNew<vtkDoubleArray> weights; // of the cell's corners, in the cell's order
+      vtkNew<vtkDoubleArray> weights; // one per corner of the cell, in the cell's order
       weights->SetName("weights");
       weights->SetNumberOfComponents(3);
       weights->SetNumberOfTuples(3);

@@ -56,8 +56,8 @@ void setTags(vtkPolyData* mesh, vtkIdType point, const Tags& tags)
 struct EdgeCase
 {
   Tags At;
-  Vector Control; // near the origin
-  Vector Normal;  // at the origin for this edge, of any length
+  Vector Control; // control point near the origin
+  Vector Normal;  // normal at the origin for this edge, of any length
   Vector OtherNormal = { { 0, 0, 1 } };
 };
 

@@ -45,7 +45,7 @@ namespace
 using RelevoFuzz::Call;
 using RelevoFuzz::Dice;
 
-constexpr int Size = 24; // of pictures
+constexpr int Size = 24; // pixels per side of a picture
 constexpr int MaximumSeconds = 60;
 
 vtkSmartPointer<vtkCamera> MakeCamera()

@@ -115,7 +115,7 @@ void TestMoving(RelevoCheck& check, int argc, char* argv[])
     Keep(moving, parallel ? "moving-parallel" : "moving", argv, argc);
     const size_t others = CountOthers(moving, still, 8);
     std::cout << others << " pixels of the moving picture differ from the still one\n";
-    CHECK_LESS(others, 600); // of 30000, along silhouettes
+    CHECK_LESS(others, 600); // among 30000 pixels, along silhouettes
     CHECK(!RelevoPictures::Equal(moving, still));
 
     scene.GetCamera()->Azimuth(6.0);

@@ -55,7 +55,7 @@ void TestHoleShare(RelevoCheck& check)
   std::cout << "captured again after " << turned << " degrees\n";
   CHECK_GREATER(turned, 0.5);
   CHECK_LESS(turned, 6.0);
-  CHECK_LESS(scene.Pass->GetHoleShare(), 1e-3); // of the new capture
+  CHECK_LESS(scene.Pass->GetHoleShare(), 1e-3); // the share of the new capture
   // Returns to the view of the first capture.
   scene.GetCamera()->Azimuth(-turned);
   CHECK_EQUAL(scene.CountCaptures(), 0);

@@ -121,7 +121,7 @@ void TestComponents(RelevoCheck& check)
 struct LitPlane
 {
   RelevoPoint Normal;
-  RelevoColor Color; // of the surface
+  RelevoColor Color; // colour of the surface
 
   RelevoColor Light(const RelevoPoint& toLight, const RelevoPoint& toEye, const double diffuse[3],
     const double specular[3]) const

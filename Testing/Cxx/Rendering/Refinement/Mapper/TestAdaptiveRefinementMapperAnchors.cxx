@@ -28,7 +28,7 @@ struct Case
   std::string To;
   std::string Anchor;
   RelevoComparison::Builder Build;
-  int Association = -1; // of a selection
+  int Association = -1; // field association of a selection
 };
 
 vtkShader::Type GetStage(const std::string& name)

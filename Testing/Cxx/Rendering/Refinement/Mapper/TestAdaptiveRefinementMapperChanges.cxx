@@ -72,7 +72,7 @@ private:
   void Take(vtkObject*, unsigned long, void* text)
   {
     const std::string said = static_cast<const char*>(text);
-    // an additional error of VTK 9.6
+    // VTK 9.6 reports this additional error.
     if (said.find("Could not set shader program") == std::string::npos)
     {
       this->Texts.push_back(said);

@@ -245,7 +245,7 @@ void ComparePicks(RelevoCheck& check)
   attributes->SetBlockPickability(blocks.Data->GetBlock(0), false);
   attributes->SetBlockPickability(blocks.Leaves[Right], true);
   compare({ Right, Box });
-  // they are drawn although they cannot be picked
+  // They are drawn although they cannot be picked.
   CHECK_EQUAL(twins.Mapper->GetNumberOfDrawnTriangles(), triangles);
   twins.Do([](auto* mapper) { mapper->SetBlockVisibility(Right, false); });
   compare({ Box });

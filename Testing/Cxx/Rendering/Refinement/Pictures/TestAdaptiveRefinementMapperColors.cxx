@@ -172,7 +172,7 @@ void TestWholeNumbers(RelevoCheck& check)
   }
 }
 
-constexpr int Tolerance = 4; // of colours, because a pixel's centre is not exactly the point
+constexpr int Tolerance = 4; // because a pixel's centre is not exactly the point
 
 relevo::RefinementView GetEye(View& view)
 {

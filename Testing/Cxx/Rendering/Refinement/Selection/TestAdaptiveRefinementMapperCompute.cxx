@@ -130,7 +130,7 @@ void CheckSelectedOnce(RelevoCheck& check, RelevoScene& scene)
   const vtkIdType selections = mapper->GetNumberOfSelections();
   scene.Render();
   CHECK_EQUAL(mapper->GetNumberOfSelections(), selections);
-  CHECK_GREATER(mapper->GetSelectionTime(), 0.0); // of the first frame
+  CHECK_GREATER(mapper->GetSelectionTime(), 0.0); // the time of the first frame
 }
 
 // Counters that were not read before the GPU memory is released are unknown until the next frame.

@@ -293,7 +293,7 @@ void TestViews(RelevoCheck& check)
     other->GetActiveCamera()->SetViewAngle(25.0);
     other->GetActiveCamera()->SetClippingRange(0.01, 10.0);
     scene.Render();
-    CHECK_GREATER(mapper->GetLevelOffset(), alone); // of the last view, a close-up
+    CHECK_GREATER(mapper->GetLevelOffset(), alone); // the offset of the last view, a close-up
     if (each)
     {
       CHECK_NEAR(static_cast<double>(mapper->GetNumberOfDrawnTriangles()), 20000.0, 1000.0);
