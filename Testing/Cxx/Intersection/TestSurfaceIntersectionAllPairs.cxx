@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkSurfaceIntersectionFilter promises with AllPairsOn() each pair of intersecting cells once.
-// Compared with separating axes in whole numbers for all pairs of triangles, also for
+// vtkSurfaceIntersectionFilter promises with AllPairsOn() each pair of intersecting cells once. The
+// references are separating axes in whole numbers for all pairs of triangles, also for
 // self-intersection, polygons, and coarse cells of a recipe.
 #include "RelevoCheck.h"
 #include "RelevoIntersections.h"

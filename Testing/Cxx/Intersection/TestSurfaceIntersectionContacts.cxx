@@ -150,7 +150,7 @@ void TestNested(RelevoCheck& check)
   }
   CHECK_EQUAL(Get(filter->GetOutput(2), "Distance", 0), 2.0);
   CHECK_EQUAL(Get(filter->GetOutput(2), "Distance", 6), 0.25);
-  // Coordinates close to the largest double.
+  // The matrices bring coordinates close to the largest double.
   filter->SetMatrix(0, RelevoMakeMotion({ 0, 0, 0 }, 0.0, { 0, 0, 1 }, 1e299));
   filter->SetMatrix(1, RelevoMakeMotion({ 0, 0, 0 }, 0.0, { 0, 0, 1 }, 1e299));
   filter->Update();

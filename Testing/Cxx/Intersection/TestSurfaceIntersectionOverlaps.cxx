@@ -63,12 +63,12 @@ void TestTouching(RelevoCheck& check)
   CHECK(ridge.Has(0, 2, 0)); // on both sides of the plate's diagonal
   CHECK_EQUAL(ridge.GetCurves()->GetNumberOfPoints(), 3);
   CHECK_NEAR(RelevoMeasureLength(ridge.GetCurves()), 2.0, 1e-15);
-  // Ridges that cross.
+  // These ridges cross.
   auto across = RelevoMakePolygons(
     { { 2, 1, 0 }, { 2, 3, 0 }, { 3, 2, -1 }, { 1, 2, -1 } }, { { 0, 1, 2 }, { 1, 0, 3 } });
   Result ridges(roof, across);
   CHECK(ridges.Has(1, 0, 0));
-  // Boxes that share a corner, and boxes that share an edge.
+  // These boxes share a corner or an edge.
   auto low = RelevoMakeBox(0, 1);
   auto high = RelevoMakeBox(1, 2);
   CHECK(Result(low, high).Has(1, 0, 0));
@@ -76,7 +76,7 @@ void TestTouching(RelevoCheck& check)
 
 void TestOverlaps(RelevoCheck& check)
 {
-  // A box on a plate.
+  // This box stands on a plate.
   auto plate = MakePlate(-3, 3, 0);
   auto box = RelevoMakeBox(0, 2);
   Result result(plate, box);
@@ -104,7 +104,7 @@ void TestOverlaps(RelevoCheck& check)
   Result within(plate, MakePlate(-1, 1, 0));
   CHECK_NEAR(RelevoMeasureArea(within.GetOverlaps()), 4.0, 1e-14);
   CHECK(Result(plate, MakePlate(-1, 1, 1e-300)).Has(0, 0, 0));
-  // Plates that share an edge, or a part of one.
+  // These plates share an edge, or a part of one.
   auto beside = RelevoMakePolygons(
     { { 3, -3, 0 }, { 5, -3, 0 }, { 5, 0, 0 }, { 3, 0, 0 } }, { { 0, 1, 2, 3 } });
   Result edge(plate, beside);

@@ -99,7 +99,7 @@ void TestDegrees(RelevoCheck& check)
   }
 }
 
-// Weights from 0.1 to 10.
+// Weights vary from 0.1 to 10.
 void TestUnevenWeights(RelevoCheck& check)
 {
   Scene scene;

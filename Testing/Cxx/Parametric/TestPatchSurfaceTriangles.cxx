@@ -150,7 +150,7 @@ vtkSmartPointer<vtkUnstructuredGrid> NewGrid()
   return grid;
 }
 
-// Closes exactly.
+// The loop closes exactly.
 RelevoPosition GetLoop(double u)
 {
   const double angle = 2.0 * vtkMath::Pi() * (u == 1.0 ? 0.0 : u);

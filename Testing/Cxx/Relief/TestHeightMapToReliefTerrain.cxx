@@ -60,7 +60,7 @@ void TestPlanar(RelevoCheck& check, const RelevoTestFolders& folders)
           }
           dvec3 place;
           CHECK(source->TerrainToMap(&point.x, &place.x));
-          // The position in the file.
+          // This is the position in the file.
           const double x = place.x - transform[0];
           const double y = place.y - transform[3];
           const double area = transform[1] * transform[5] - transform[2] * transform[4];

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkReliefWarper promises the relief as seen from a camera. Compared with rays cast at the
+// vtkReliefWarper promises the relief as seen from a camera. The references are rays cast at the
 // bilinear surface in double precision: each texel shows the visible point, none is missing, and
 // none is added.
 #include "RelevoCheck.h"
@@ -299,7 +299,7 @@ void TestPlaces(RelevoCheck& check)
     relevo::Relief().Read(warper->GetOutput()).find("vtkReliefWarper"), std::string::npos);
 }
 
-// Reliefs of one row, one column and one texel.
+// Reliefs may have one row, one column or one texel.
 void TestThin(RelevoCheck& check)
 {
   for (const auto& size : { relevo::ivec2(40, 1), relevo::ivec2(1, 40), relevo::ivec2(1, 1) })

@@ -87,7 +87,8 @@ void TestTangentFrame(RelevoCheck& check)
     }
   }
   CHECK_GREATER(minimumTurn, 0.3);
-  // Grads from Paris on the Clarke 1880 (IGN) ellipsoid: north-east, one grad to the east.
+  // Coordinates are grads from Paris on the Clarke 1880 (IGN) ellipsoid. The vector points
+  // north-east, one grad to the east.
   const auto grads = [](double lon, double lat)
   {
     return RelevoEastNorthUp(
@@ -101,7 +102,7 @@ void TestTangentFrame(RelevoCheck& check)
   CHECK(std::isnan(Turn("EPSG:4326", 11.5, 57.5, { { 7e6, 0.0 } }, { 1.0, 1.0 })[0][0]));
 }
 
-// Compared with GeographicLib's convergence, and on the sphere with tan(gamma) = tan(lambda)
+// The references are GeographicLib's convergence and, on the sphere, tan(gamma) = tan(lambda)
 // sin(phi).
 void TestTransverseMercator(RelevoCheck& check)
 {

@@ -44,7 +44,7 @@ bool SameSamples(vtkHeightMap* map, const RelevoRaster& raster)
   return true;
 }
 
-// Values that a wrong type, sign, byte order or normalization would change.
+// A wrong type, sign, byte order or normalization would change these values.
 void SetTypicalValues(RelevoRaster& raster)
 {
   const bool isSigned = raster.Type != GDT_Byte && raster.Type != GDT_UInt16;

@@ -27,7 +27,7 @@ RelevoRaster MakeRaster(GDALDataType type)
   return raster;
 }
 
-// By column and row of the file.
+// Column and row are those of the file.
 bool IsVoid(vtkHeightMap* map, int column, int row)
 {
   const int* dimensions = map->GetDimensions();

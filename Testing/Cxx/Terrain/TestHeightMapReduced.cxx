@@ -175,7 +175,7 @@ void TestNoData(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(raster.Write(name));
   verify(vtkNew<vtkHeightMap>());
 
-  // The file's scale and offset.
+  // The file declares scale and offset.
   raster.Scale = 0.5;
   raster.Offset = 70.0;
   CHECK(raster.Write(name));
@@ -183,7 +183,7 @@ void TestNoData(RelevoCheck& check, const RelevoTestFolders& folders)
   raster.Scale.reset();
   raster.Offset.reset();
 
-  // The no-data value set by the user.
+  // The user sets the no-data value.
   raster.NoData.reset();
   CHECK(raster.Write(name));
   raster.NoData = -9999.0;
@@ -191,7 +191,7 @@ void TestNoData(RelevoCheck& check, const RelevoTestFolders& folders)
   told->SetNoDataValue(-9999.0);
   verify(told);
 
-  // NaN.
+  // NaN is missing.
   raster.NoData.reset();
   std::replace(raster.Values.begin(), raster.Values.end(), -9999.0, NaN);
   CHECK(raster.Write(name));
@@ -206,7 +206,7 @@ void TestNoData(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(!notTold->Update() && errors.Said("of 30000 heights are NaN"));
   CHECK_EQUAL(notTold->GetFullDimensions()[0], 0);
 
-  // A mask.
+  // A mask marks missing samples.
   for (double& value : raster.Values)
   {
     raster.Mask.push_back(std::isnan(value) ? 0 : 255);

@@ -234,7 +234,7 @@ void TestWithoutGeoreference(RelevoCheck& check, const RelevoTestFolders& folder
   CHECK(std::string(source->GetCoordinateSystem()).empty());
   CHECK_EQUAL(source->GetImagery(), nullptr);
 
-  // The same image in memory.
+  // The same image in memory gives the same terrain.
   vtkNew<vtkImageData> image;
   image->SetDimensions(30, 20, 1);
   image->AllocateScalars(VTK_FLOAT, 1);

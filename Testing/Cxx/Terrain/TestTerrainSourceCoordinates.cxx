@@ -153,7 +153,7 @@ void TestOtherUnits(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(!source->TerrainToMap(place, map) && !source->MapToTerrain(place, map));
   CHECK(!source->IsGeographic());
 
-  // Grads on another ellipsoid.
+  // Coordinates are grads on another ellipsoid.
   Open(source, MakeRaster({ 2.0, 0.01, 0.0, 52.0, 0.0, -0.01 }, "EPSG:4807"),
     folders.File("CoordinatesGrads.tif"));
   CHECK(source->IsGeographic());
@@ -175,7 +175,7 @@ void TestOtherUnits(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_NEAR(map[2], 100.0, 1e-9);
   CheckThereAndBack(check, source, 1e-8);
 
-  // Texels without georeference.
+  // Without georeference, coordinates are texels.
   Open(source, MakeRaster({}, ""), folders.File("CoordinatesNone.tif"));
   CHECK(source->TerrainToMap(place, map));
   CHECK(map[0] == 320.0 && map[1] == -20.0 && map[2] == 30.48);

@@ -271,7 +271,7 @@ void TestPixels(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_EQUAL(Color(image, 7, 0, 0), 255);
   CHECK_NEAR(Color(image, 3, 0, 1), 255.0 * 3.0 / 7.0, 1.0);
 
-  // A palette.
+  // A palette is converted to colours.
   GDALDatasetH palette = GDALCreate(GDALGetDriverByName("GTiff"),
     folders.File("ImageryPalette.tif").c_str(), 8, 8, 1, GDT_Byte, nullptr);
   GDALSetGeoTransform(palette, const_cast<double*>(utm.data()));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkRefinedCellLocator promises the intersections that VTK's locator finds on the refined mesh.
-// Tested with lines to real terrain, some through its holes.
+// The test uses lines to real terrain, some of them through its holes.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
 

@@ -90,7 +90,7 @@ void CheckPlace(RelevoCheck& check, vtkPolyData* mesh, vtkTerrainSource* source)
   CHECK_EQUAL(system->GetValue(0), source->GetCoordinateSystem());
 }
 
-// A cone beside missing data.
+// A cone has missing data beside it.
 void TestCone(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   RelevoRaster raster;

@@ -141,7 +141,7 @@ void TestBlocks(RelevoCheck& check)
   const auto other = MakeMixedCells(Size, 1, Jitter);
   for (int n = 0; n < Side * Side; ++n)
   {
-    // The same point of the common face.
+    // Both blocks have this point on the common face.
     double place[3];
     other->GetPoint(Size + Side * n, place);
     points->SetPoint(Side * n, place);

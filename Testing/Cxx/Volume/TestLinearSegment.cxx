@@ -65,7 +65,7 @@ void TestSegments(RelevoCheck& check)
     }
     CHECK_NEAR(exact.w, 1.0 - std::exp(-0.625 * (end.first + end.second)), 1e-15);
   }
-  // A slab of one colour.
+  // A slab has one colour.
   const dvec4 slab =
     relevo::linearSegment(dvec4(0.25, 0.5, 1.0, 3.0), dvec4(0.25, 0.5, 1.0, 3.0), 0.5);
   const double alpha = 1.0 - std::exp(-1.5);

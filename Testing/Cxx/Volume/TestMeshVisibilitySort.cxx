@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkMeshVisibilitySort promises that cells along a ray come in visibility order. Tested with
-// random rays through convex meshes, all kinds of cells, parts that touch, cameras and model
-// transforms.
+// vtkMeshVisibilitySort promises that cells along a ray come in visibility order. The test casts
+// random rays through convex meshes, all kinds of cells and parts that touch, for several cameras
+// and model transforms.
 #include "RelevoCheck.h"
 #include "RelevoVisibility.h"
 #include "vtkMeshVisibilitySort.h"

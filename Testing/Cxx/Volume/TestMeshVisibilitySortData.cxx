@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkMeshVisibilitySort promises visibility order. Tested with random rays through real meshes:
+// vtkMeshVisibilitySort promises visibility order. The test casts random rays through real meshes:
 // concave ones, with empty cells, and with parts that touch but share no points.
 #include "RelevoCheck.h"
 #include "RelevoVisibility.h"

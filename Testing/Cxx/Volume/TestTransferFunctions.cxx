@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Proves volumes.md on transfer functions: they are evaluated as VTK does along a part of a ray.
-// Compared with closed forms and with sums of many short parts.
+// The references are closed forms and sums of many short parts.
 #include "Integral/TransferFunctions.h"
 #include "RelevoCheck.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkVolumeRayCastFilter promises blend modes and isosurfaces. Compared with closed forms for
-// linear scalars, and otherwise with sums of many samples along a ray.
+// vtkVolumeRayCastFilter promises blend modes and isosurfaces. The references are closed forms for
+// linear scalars, and otherwise sums of many samples along a ray.
 #include "RelevoCheck.h"
 #include "RelevoRaySum.h"
 
@@ -312,7 +312,7 @@ void TestIndependent(RelevoCheck& check)
         }),
       0.0, 1e-5);
   }
-  // Isosurfaces of the first component, or of the component with the larger weight.
+  // An isosurface belongs to the first component, or to the component with the larger weight.
   scene.SetValues({ 0.4 });
   scene.Cast->SetBlendModeToIsoSurface();
   RelevoRaySum surfaces = MakeSurfaces(scene, GetLinearField);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkVolumeRayCastFilter promises that clipping planes shorten rays. Compared with closed forms for
-// the rest.
+// vtkVolumeRayCastFilter promises that clipping planes shorten rays. The reference is the closed
+// form for the remaining part.
 #include "RelevoCheck.h"
 #include "RelevoRaySum.h"
 

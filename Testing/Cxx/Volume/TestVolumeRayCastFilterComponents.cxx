@@ -76,7 +76,7 @@ void TestVectorModes(RelevoCheck& check)
   CHECK_EQUAL(filter->GetVectorComponent(), 3);
 }
 
-// Red, green, blue and opacity.
+// The components are red, green, blue and opacity.
 void TestColors(RelevoCheck& check)
 {
   const auto mesh = MakeTetrahedra(2, [](const RelevoPoint&) { return 0.0; });

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkVolumeRayCastFilter promises a result that does not depend on the order of cells or on blocks.
-// Tested with real meshes, whose pictures are saved for inspection.
+// The test uses real meshes and saves their pictures for inspection.
 #include "RelevoCheck.h"
 #include "RelevoVolumes.h"
 
@@ -31,7 +31,7 @@ void Write(const std::vector<RelevoColor>& picture, const std::string& file)
   {
     for (int c = 0; c < 3; ++c)
     {
-      // Composited over white.
+      // The picture is composited over white.
       *bytes++ = static_cast<unsigned char>(255.0 * (color[c] + 1.0 - color[3]) + 0.5);
     }
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkVolumeRayCastFilter promises gradient opacity and 2D transfer functions. Compared with sums
-// along rays through fields with known gradients.
+// vtkVolumeRayCastFilter promises gradient opacity and 2D transfer functions. The references are
+// sums along rays through fields with known gradients.
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
 #include "RelevoRaySum.h"

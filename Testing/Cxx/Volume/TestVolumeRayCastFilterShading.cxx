@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkVolumeRayCastFilter promises volumes and isosurfaces shaded by a light at the camera. Compared
-// with sums along rays through fields with known gradients.
+// vtkVolumeRayCastFilter promises volumes and isosurfaces shaded by a light at the camera. The
+// references are sums along rays through fields with known gradients.
 #include "RelevoCheck.h"
 #include "RelevoRaySum.h"
 

@@ -76,7 +76,7 @@ double Distance(const Point& a, const Point& b)
   return std::sqrt(vtkMath::Distance2BetweenPoints(a.data(), b.data()));
 }
 
-// The locator, and VTK's locator on the filter's output.
+// Holds the locator, and VTK's locator on the filter's output.
 struct Twins
 {
   Twins(vtkPolyData* mesh, vtkAdaptiveRefinement* recipe)
@@ -228,7 +228,7 @@ void CheckSpecialLines(RelevoCheck& check)
   CHECK_NEAR(found.X[0], -0.5, 1e-5);
   CHECK(!Shoot(locator, { { 0, 0, 1 } }, { { 0, 0, 1 } }).Hit);
 
-  // Cells close to a box and to a line.
+  // The lists contain the cells close to a box and to a line.
   vtkNew<vtkIdList> cells;
   double box[6] = { 0.1, 0.2, 0.1, 0.2, -0.1, 0.1 };
   locator->FindCellsWithinBounds(box, cells);

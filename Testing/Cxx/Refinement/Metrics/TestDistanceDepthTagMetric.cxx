@@ -96,7 +96,7 @@ void TestProjectedSize(RelevoCheck& check)
         const double pixels = 0.5 * 500 * x[1] / x[3];
         tags = TagsOf(metric, triangle, view, 7);
         CHECK_NEAR(tags[0], std::max(0.0, std::log2(pixels / 12.5)), 1e-5);
-        // The same distance with linear fall-off.
+        // The same distance has another level with linear fall-off.
         metric->SetFallOffToLinear();
         CHECK_NEAR(
           TagsOf(metric, triangle, view, 7)[0], 7.0 * std::max(0.0, 1.0 - 12.5 / pixels), 1e-5);
@@ -209,7 +209,7 @@ vtkSmartPointer<vtkPolyData> MakeSixPoints()
     { { 0, 0, 0 }, { 0, 1, 0 }, { 1.5, 0, -2 }, { 0, 0, 5 }, { 7, 0, 0 }, { 3, 4, 0 } });
 }
 
-// MaximumLevel at the camera, 0 from MaximumDistance on, and linear between.
+// Levels are MaximumLevel at the camera, 0 from MaximumDistance on, and linear between.
 void TestLinear(RelevoCheck& check)
 {
   Scene scene;

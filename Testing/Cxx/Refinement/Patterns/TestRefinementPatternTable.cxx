@@ -146,7 +146,7 @@ void CheckPolyData(RelevoCheck& check, vtkPolyData* polyData)
 
 void TestPermutations(RelevoCheck& check)
 {
-  // Examples of the method's publication (Lenz 2009, tab. 4.2).
+  // These examples are from the method's publication (Lenz 2009, tab. 4.2).
   const struct
   {
     int Levels[3];

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkDisplacement promises: shading normals follow the height gradient. Compared with analytic
-// normals, with normals of the refined faces, and between a mesh in pieces and the whole mesh.
+// vtkDisplacement promises: shading normals follow the height gradient. The test compares them with
+// analytic normals and with normals of the refined faces, and a mesh in pieces with the whole mesh.
 #include "RelevoCheck.h"
 #include "RelevoDisplacements.h"
 #include "RelevoTestMeshes.h"

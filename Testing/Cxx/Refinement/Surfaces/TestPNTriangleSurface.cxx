@@ -20,7 +20,7 @@ using namespace RelevoVectors;
 
 namespace
 {
-// Vlachos et al. 2001, with w for P1, u for P2 and v for P3.
+// The formula is that of Vlachos et al. 2001, with w for P1, u for P2 and v for P3.
 struct PNTriangle
 {
   Vector P[3];

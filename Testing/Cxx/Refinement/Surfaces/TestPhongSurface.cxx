@@ -27,7 +27,7 @@ namespace
 {
 using Vector = std::array<double, 3>;
 
-// Boubekeur and Alexa 2008, section 3.
+// The formula is that of Boubekeur and Alexa 2008, section 3.
 Vector expected(vtkPolyData* mesh, const float w[3], double alpha)
 {
   Vector p{ { 0.0, 0.0, 0.0 } };

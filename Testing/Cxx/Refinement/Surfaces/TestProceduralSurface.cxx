@@ -101,7 +101,7 @@ void testFur(RelevoCheck& check)
       mesh->GetPoint(i, p[i]);
       mesh->GetPointData()->GetNormals()->GetTuple(i, n[i]);
     }
-    // Lenz 2009, fig. 5.14.
+    // The formula is in Lenz 2009, fig. 5.14.
     const double g =
       (vtkMath::Dot(n[0], n[1]) + vtkMath::Dot(n[1], n[2]) + vtkMath::Dot(n[2], n[0])) / 3.0;
     for (const auto& w : { std::array<float, 3>{ { 1, 0, 0 } }, { { 0.25f, 0.75f, 0 } },

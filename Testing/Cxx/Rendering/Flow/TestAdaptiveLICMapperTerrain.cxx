@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkAdaptiveLICMapper promises: vectors follow the displaced surface, and there are no streaks
-// over holes. Tested with wind over terrain.
+// over holes. The test uses wind over terrain.
 #include "RelevoDisplacements.h"
 #include "RelevoSurfaceFields.h"
 

@@ -109,7 +109,7 @@ struct Windows
   const RelevoPicture ExpectedOther = this->AloneOther.Draw();
 };
 
-// A viewport with an offset from the origin.
+// The viewport has an offset from the origin.
 void TestOffset(Windows& windows)
 {
   View view;
@@ -262,7 +262,7 @@ void TestSizes(RelevoCheck& check, Windows& windows)
   windows.Compare("Reopened", view.Draw());
 }
 
-// Windows of one pixel and of one row.
+// Windows may have one pixel or one row.
 void TestFewPixels(RelevoCheck& check)
 {
   View view;

@@ -138,7 +138,7 @@ void TestMotion(RelevoCheck& check)
   CHECK_EQUAL(contacts->GetNumberOfBlocks(), 3);
   CHECK_EQUAL(first.GetNumberOfBoxes(), 2);
   CHECK(IsOfFilter(scene, 0, 0, 1) && IsOfFilter(scene, 1, 0, 2) && IsOfFilter(scene, 2, 1, 2));
-  // All kinds of motion.
+  // Every kind of motion takes effect.
   second.Actor->RotateWXYZ(33, 1, 2, 3);
   second.Actor->SetScale(1.1, 0.9, 1.0);
   vtkNew<vtkMatrix4x4> user;
@@ -180,7 +180,7 @@ void TestCandidatesAlone(RelevoCheck& check)
   scene->ExactContactsOn();
   scene->Update();
   CHECK(scene->GetNumberOfIntersections() == 1 && IsOfFilter(scene, 0, 0, 1));
-  // Another input.
+  // Another input takes effect.
   auto box = RelevoMakeBox(0, 1);
   second.Mapper->SetInputData(box);
   scene->Update();

@@ -19,7 +19,7 @@ int TestPatchSurfaceTwin(int argc, char* argv[])
 {
   RelevoCheck check;
   RelevoComparison comparison(check, argc, argv);
-  // As in TestAdaptiveRefinementMapperTwin.
+  // The tolerance is that of TestAdaptiveRefinementMapperTwin.
   const RelevoTolerance close{ 2, 2e-6, 10 };
   vtkNew<vtkPatchSurface> surface;
   vtkNew<RelevoHeights> heights;

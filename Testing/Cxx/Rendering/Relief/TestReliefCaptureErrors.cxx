@@ -151,7 +151,7 @@ void TestLeftOut(RelevoCheck& check)
     CHECK_EQUAL(again[i].Point, alone[i].Point);
     CHECK(std::equal(again[i].Color, again[i].Color + 3, alone[i].Color));
   }
-  // One message for all of them.
+  // One message reports all of them.
   scene.Source->Modified();
   scene.Source->Update();
   CHECK_EQUAL(warnings.Number, 1);

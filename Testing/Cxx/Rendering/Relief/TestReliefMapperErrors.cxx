@@ -141,7 +141,7 @@ void TestSettings(RelevoCheck& check)
   CHECK(errors.None());
 }
 
-// Reported once, not in every frame.
+// The error is reported once, not in every frame.
 void TestShaders(RelevoCheck& check)
 {
   RelevoReliefScene scene(MakeFlat(20, 20), 60, 40);

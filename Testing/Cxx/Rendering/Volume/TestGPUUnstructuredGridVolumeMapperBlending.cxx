@@ -226,8 +226,8 @@ void TestClippedPlaces(RelevoCheck& check)
   CHECK_LESS_EQUAL(FindLargestDifference(near.Draw(), far.Draw()), 1.5 / 255.0);
 }
 
-// A translucent square in the middle of the volume: the volume in front of it, the square, and the
-// volume behind it.
+// A translucent square lies in the middle of the volume. The picture shows the volume in front of
+// it, the square, and the volume behind it.
 void TestPeeling(RelevoCheck& check)
 {
   auto property = MakeVolumeProperty(0.2, 1.0, 0.4);

@@ -116,7 +116,7 @@ void TestVoxels(RelevoCheck& check)
   CHECK_LESS_EQUAL(scene.Compare(), 3.0);
 }
 
-// From the inside.
+// The camera is inside the mesh.
 void TestInside(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeCells(VTK_HEXAHEDRON, 0.1), MakeProperty());

@@ -149,7 +149,7 @@ void TestLimits(RelevoCheck& check)
   CHECK_EQUAL(scene.GetMapper()->GetIntegration(), 1);
 }
 
-// Cells with one scalar each.
+// These cells have one scalar each.
 void TestCellScalars(RelevoCheck& check)
 {
   vtkNew<vtkPointDataToCellData> toCells;

@@ -154,7 +154,7 @@ void TestOpaqueProps(RelevoCheck& check)
   const auto cast = scene.Draw();
   scene.GetMapper()->SetMethodToCellProjection();
   CHECK_LESS_EQUAL(FindLargestDifference(cast, scene.Draw()), 1.5 / 255.0);
-  // In a part of the window.
+  // The viewport is a part of the window.
   scene.GetRenderer()->SetViewport(0.3, 0.2, 0.9, 0.7);
   const auto part = scene.Draw();
   scene.GetMapper()->SetMethodToRayCasting();
@@ -179,7 +179,7 @@ void TestTransparentCells(RelevoCheck& check)
   }
 }
 
-// Parts that absorb nearly all light within a small share of their length.
+// These parts absorb nearly all light within a small share of their length.
 void TestOpaqueParts(RelevoCheck& check)
 {
   for (double unit : { 1e-2, 1e-4, 1e-9 })

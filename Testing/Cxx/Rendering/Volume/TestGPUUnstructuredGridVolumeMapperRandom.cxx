@@ -35,7 +35,7 @@ vtkSmartPointer<vtkDataObject> MakeMesh(RelevoDice& dice, int components)
   }
   if (dice.Once(4))
   {
-    // Blocks next to each other.
+    // The blocks lie next to each other.
     const auto cube = MakeTetrahedra(3, GetWaves, 0.62);
     cube->GetPointData()->SetScalars(MakeBusyArray(cube, components));
     auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();

@@ -91,7 +91,7 @@ void TestLayers(RelevoCheck& check)
   scene.GetRenderer()->ResetCameraClippingRange();
   scene.Draw();
   CHECK_EQUAL(scene.GetMapper()->GetNumberOfLayers(), 3);
-  // In the middle part, with one part ahead.
+  // The camera is in the middle part and sees one part ahead.
   camera->SetPosition(2.5, 0.5, 0.5);
   camera->SetFocalPoint(14.0, 0.5, 0.5);
   camera->SetClippingRange(0.01, 20.0);

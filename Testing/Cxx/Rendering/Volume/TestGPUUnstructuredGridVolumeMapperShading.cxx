@@ -237,7 +237,7 @@ void TestMatrix(RelevoCheck& check)
     0.0, 1.0);
 }
 
-// Coordinates far from the origin.
+// Coordinates lie far from the origin.
 void TestFar(RelevoCheck& check)
 {
   const auto property = MakeShadedProperty();

@@ -225,7 +225,7 @@ private:
   vtkDataObject* Data;
 };
 
-// Pairs of looks, with new mappers or mappers that have drawn other looks. The reference are
+// Pairs of looks, with new mappers or mappers that have drawn other looks. The references are
 // separate mappers of VTK.
 void TestLooks(RelevoComparison& comparison, const std::string& prefix, vtkPolyData* mesh,
   const std::vector<Look>& looks)

@@ -149,7 +149,7 @@ void TestPasses(RelevoCheck& check, View& view)
   CHECK_EQUAL(view.Buffers, 0);
 }
 
-// The same for hardware selection.
+// Hardware selection uses the same levels, too.
 void TestSelection(RelevoCheck& check, View& view)
 {
   view.Actor->GetProperty()->SetOpacity(1);
@@ -204,7 +204,7 @@ void TestDisplaced(RelevoCheck& check, vtkDisplacement* displacement)
   TestReport(check, view);
 }
 
-// Levels that depend on the actor's position, but not on the view.
+// These levels depend on the actor's position, but not on the view.
 void TestLevelsByPlace(RelevoCheck& check)
 {
   vtkNew<vtkRegionDepthTagMetric> metric;

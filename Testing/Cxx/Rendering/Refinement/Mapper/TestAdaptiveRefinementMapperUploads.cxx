@@ -134,7 +134,7 @@ void Test(RelevoCheck& check, const Change& change, bool blocks)
 const std::vector<Change>& GetChanges()
 {
   static const std::vector<Change> changes = {
-    // Settings of the mapper.
+    // These are settings of the mapper.
     { "FrustumCulling", NOTHING, [](Scene& s) { s.GetMapper()->FrustumCullingOff(); } },
     { "BackFaceCulling", NOTHING, [](Scene& s) { s.GetMapper()->BackFaceCullingOn(); } },
     { "UseAllocatedRenderTime", NOTHING,
@@ -149,7 +149,7 @@ const std::vector<Change>& GetChanges()
     { "a colour", NOTHING, [](Scene& s) { s.GetMapper()->SetBlockColor(0, 1.0, 0.0, 0.0); } },
     { "ScalarVisibility", MESH, [](Scene& s) { s.GetMapper()->ScalarVisibilityOff(); } },
     { "Modified", MESH, [](Scene& s) { s.GetMapper()->Modified(); } },
-    // The recipe and its parts.
+    // These belong to the recipe and its parts.
     { "LevelOffset", NOTHING, [](Scene& s) { s.Recipe->SetLevelOffset(0.5); } },
     { "MaximumLevel", NOTHING, [](Scene& s) { s.Recipe->SetMaximumLevel(3); } },
     { "pattern table", NOTHING, [](Scene& s) { s.Recipe->GetPatternTable()->SetMaximumLevel(1); } },

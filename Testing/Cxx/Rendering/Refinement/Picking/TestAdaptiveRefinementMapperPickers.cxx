@@ -102,7 +102,7 @@ void CheckCells(RelevoCheck& check)
   {
     CHECK_GREATER(hits[id], 5);
   }
-  // A single vertex, with a large tolerance.
+  // A large tolerance finds a single vertex.
   picker->SetTolerance(0.01);
   double* vertex = mesh->GetPoint(23);
   const auto display = RelevoPickers::ToDisplay(scene.Renderer, vertex[0], vertex[1], vertex[2]);

@@ -217,7 +217,7 @@ void ComparePicks(RelevoCheck& check)
     }
     CHECK_LESS_EQUAL(differing, 3);
     CHECK_EQUAL(FindBlocks(hits), expected);
-    // A ray through the centre of each block.
+    // A ray passes through the centre of each block.
     vtkRenderer* renderer = twins.Refining.Renderer;
     for (const auto& leaf : blocks.Leaves)
     {

@@ -104,7 +104,7 @@ void TestLevels(RelevoCheck& check)
   view.Mapper->SetInterpolateScalarsBeforeMapping(true);
   CheckFaces(check, view, highest, 3);
 
-  // A custom lookup table.
+  // A custom lookup table works, too.
   vtkNew<vtkColorTransferFunction> table;
   table->AddRGBPoint(0.0, 1.0, 0.0, 0.0);
   table->AddRGBPoint(MaximumLevel, 0.0, 1.0, 0.5);

@@ -20,7 +20,7 @@ namespace
 using namespace RelevoMeshes;
 using Mapper = vtkAdaptiveRefinementMapper;
 
-// As in TestAdaptiveRefinementMapperTwin.
+// The tolerance is that of TestAdaptiveRefinementMapperTwin.
 const RelevoTolerance Close{ 2, 2e-6, 10 };
 
 constexpr int FileLevel = 4;

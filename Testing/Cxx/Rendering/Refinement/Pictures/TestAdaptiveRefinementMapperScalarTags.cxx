@@ -55,7 +55,7 @@ int TestAdaptiveRefinementMapperScalarTags(int argc, char* argv[])
   RelevoComparison comparison(check, argc, argv);
   vtkNew<vtkScalarTaggedSurface> surface;
   vtkNew<vtkPNTriangleSurface> pn;
-  // As in TestAdaptiveRefinementMapperTwin.
+  // The tolerance is that of TestAdaptiveRefinementMapperTwin.
   const RelevoTolerance close{ 2, 2e-6, 10 };
   const auto compare = [&](const std::string& name, const RelevoComparison::Builder& build,
                          const std::vector<RelevoComparison::Step>& steps = {})
@@ -80,7 +80,7 @@ int TestAdaptiveRefinementMapperScalarTags(int argc, char* argv[])
     [&](RelevoScene& s)
     { s.Add(ScalarTagged(TexturedSphere(9, 7), 5), MakeRecipe(5, surface, displacement)); });
 
-  // Tags that change.
+  // These tags change between frames.
   Mesh changing = Creased();
   compare("Changing", [&](RelevoScene& s) { s.Add(changing, MakeRecipe(5, surface)); },
     { { "Soft",

@@ -22,7 +22,7 @@ using namespace RelevoMeshes;
 
 namespace
 {
-// As in TestAdaptiveRefinementMapperTwin.
+// The tolerance is that of TestAdaptiveRefinementMapperTwin.
 const RelevoTolerance Close{ 2, 2e-6, 10 };
 
 // Adds depth-tags, and scalar tags for surfaces that use them.
@@ -138,7 +138,7 @@ void testLive(RelevoCheck& check, RelevoComparison& comparison)
   CHECK_EQUAL(mapper->GetNumberOfShaderBuilds(), shaders + 1);
 }
 
-// A function in GLSL, and the same function in C++ for the filter.
+// Has the function in GLSL, and in C++ for the filter.
 class Waves : public vtkProceduralSurface
 {
 public:

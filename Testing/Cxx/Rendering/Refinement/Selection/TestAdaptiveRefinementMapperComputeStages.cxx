@@ -113,7 +113,7 @@ void Check(RelevoCheck& check, vtkOpenGLRenderWindow* window, const Case& c,
   selector.Group(selection, nullptr, instances.GetHandle());
   RefinementComputeProgram::End();
 
-  // The pattern of each face.
+  // The shader selects the pattern of each face.
   const std::vector<unsigned int> entries = selection.ReadEntries();
   std::vector<int> counts(static_cast<size_t>(c.NumberOfKeys), 0);
   int wrong = 0;
