@@ -164,7 +164,7 @@ void CheckRecipe(RelevoCheck& check)
   filter->SetNumberOfSteps(3);
   filter->Update();
   CHECK(RelevoSurfaceLIC(filter->GetOutput()).IsValid());
-  // The longest flat edge on the screen for a view angle of 30 degrees, and the numbers of
+  // Measures the longest flat edge on the screen for a view angle of 30 degrees, and counts
   // triangles in the two regions of interest.
   const double pixels = 100.0 / std::tan(vtkMath::RadiansFromDegrees(15.0));
   double longest = 0.0;

@@ -314,7 +314,7 @@ void CheckEnds(RelevoCheck& check)
   const Field none(strip, [&](const Vector&) { return Vector{}; });
   none.Walk(0, true, 0.01, 100, &done);
   CHECK_EQUAL(done, 0);
-  // An edge with three triangles, one of them without area.
+  // This edge has three triangles, one of them without area.
   auto fin = Roof();
   fin->GetPoints()->InsertNextPoint(0, 0, 1);
   fin->GetPolys()->InsertNextCell({ 0, 1, 4 });

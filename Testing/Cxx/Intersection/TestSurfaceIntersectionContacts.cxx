@@ -177,7 +177,7 @@ void TestWithout(RelevoCheck& check)
   CHECK_EQUAL(Get(filter->GetOutput(2), "Contact", 0), 3);
   CHECK_EQUAL(Get(filter->GetOutput(3), "Contact", 0), 0);
 
-  // Five sides of a box, and a duplicate face.
+  // The mesh has five sides of a box, and a duplicate face.
   auto open = RelevoMakeBox(-1, 1);
   open->BuildCells();
   open->DeleteCell(5);

@@ -140,8 +140,8 @@ void TestFlatTriangles(RelevoCheck& check)
   filter->SetInputData(1, other);
   filter->Update();
   const vtkIdType numberOfLines = filter->GetOutput()->GetNumberOfLines();
-  // A repeated corner, three collinear points, a coincident point, and a face without area among
-  // those of a square.
+  // The mesh has a repeated corner, three collinear points, a coincident point, and a face without
+  // area among those of a square.
   other->GetPoints()->InsertNextPoint(1.25, 0.5, 0.5);
   other->GetPoints()->InsertNextPoint(0.5, 0.5, 0.5);
   for (const std::vector<vtkIdType>& ids :
@@ -158,7 +158,7 @@ void TestFlatTriangles(RelevoCheck& check)
   vtkDataArray* distances = filter->GetOutput(3)->GetCellData()->GetArray("Distance");
   CHECK_EQUAL(distances->GetComponent(6, 0), -1.0);
   CHECK_EQUAL(distances->GetComponent(9, 0), 0.0);
-  // A mesh of degenerate faces only.
+  // The mesh has only degenerate faces.
   auto line = RelevoMakePolygons({ { 0, 0, 0 }, { 1, 1, 1 }, { 2, 2, 2 } }, { { 0, 1, 2 } });
   for (int input = 0; input < 2; ++input)
   {

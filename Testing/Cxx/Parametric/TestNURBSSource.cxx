@@ -147,7 +147,7 @@ void TestTorus(RelevoCheck& check)
   constexpr double tube = 0.5;
   const RelevoSpline torus = RelevoMakeTorus(radius, tube);
   auto grid = Decompose(check, torus);
-  // Closed in both directions.
+  // The torus is closed in both directions.
   CHECK(grid->GetNumberOfCells() == 16 && grid->GetNumberOfPoints() == 64);
   double error = 0.0;
   for (vtkIdType cell = 0; cell < 16; ++cell)

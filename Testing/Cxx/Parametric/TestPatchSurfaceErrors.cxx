@@ -173,7 +173,7 @@ void TestLists(RelevoCheck& check)
   Pair open;
   open.Grid->InsertNextCell(VTK_POLYHEDRON, 4, ids.data(), 0, others.data());
   open.Expect(check, "its list of faces is not whole");
-  // Offsets that decrease, and too few types.
+  // Offsets decrease, and types are too few.
   for (double offset : { 3.0, -1.0, 1e12 })
   {
     CHECK_CASE(offset);

@@ -184,7 +184,7 @@ void TestColors(RelevoCheck& check)
     }
   }
 
-  // The picture of a renderer with the z-buffer as a second array.
+  // The picture of a renderer may have the z-buffer as a second array.
   const auto picture = RelevoMakeImage(
     3, 2, VTK_UNSIGNED_CHAR, [](int, int) { return 7.0; }, 3);
   vtkNew<vtkFloatArray> buffer;

@@ -82,7 +82,7 @@ void TestImage(RelevoCheck& check, vtkHeightMap* map)
   image->GetPointData()->GetScalars()->Modified();
   CHECK(map->Update() && map->GetSample(0, 0) == -7.0 && map->GetSamplesMTime() > before);
 
-  // Structure of arrays.
+  // The array is a structure of arrays.
   vtkNew<vtkSOADataArrayTemplate<float>> soa;
   soa->SetNumberOfComponents(2);
   soa->SetNumberOfTuples(12);

@@ -131,7 +131,7 @@ void TestLayouts(RelevoCheck& check, const RelevoTestFolders& folders)
       CHECK(map->Update() && map->GetDimensions()[0] == 517 && warnings.Number == 1);
     }
   }
-  // Thin rasters.
+  // Thin rasters keep at least one texel along their shorter side.
   for (const auto& shape : { std::pair<int, int>{ 1, 4321 }, { 4321, 1 }, { 4321, 3 } })
   {
     const RelevoRaster raster = MakeNoise(shape.first, shape.second, GDT_Int16);

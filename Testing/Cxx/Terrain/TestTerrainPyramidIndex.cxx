@@ -254,7 +254,7 @@ void TestFile(RelevoCheck& check, const RelevoTestFolders& folders)
     CHECK_EQUAL(getError(false), error);
   }
 
-  // Another raster of the same size under the same name.
+  // Another raster of the same size has the same name.
   for (double& value : raster.Values)
   {
     value *= 2.0;

@@ -426,7 +426,8 @@ void TestRealFiles(RelevoCheck& check, const RelevoTestFolders& folders)
   const auto& earth = GeographicLib::Geodesic::WGS84();
   double width = 0.0;
   double height = 0.0;
-  // By gdalinfo, 152 x 187 pixels of 0.00275 x 0.00211 degrees from 105.9125 W, 40.553678 N.
+  // By gdalinfo, the raster has 152 x 187 pixels of 0.00275 x 0.00211 degrees from 105.9125 W,
+  // 40.553678 N.
   earth.Inverse(40.159108, -105.9125, 40.159108, -105.4945, width);
   earth.Inverse(40.159108, -105.7035, 40.553678, -105.7035, height);
   CHECK_NEAR((bounds[1] - bounds[0]) / width, 1.0, 1e-4);

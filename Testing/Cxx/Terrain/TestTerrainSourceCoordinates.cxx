@@ -95,7 +95,8 @@ void CheckThereAndBack(RelevoCheck& check, vtkTerrainSource* source, double tole
 
 void TestDegrees(RelevoCheck& check, const RelevoTestFolders& folders)
 {
-  // A country, a continent, and the other side of the date line in longitudes from 0 to 360.
+  // The rasters cover a country, a continent, and the other side of the date line in longitudes
+  // from 0 to 360.
   for (const auto& transform :
     std::vector<std::vector<double>>{ { 10.0, 0.01, 0.0, 46.0, 0.0, -0.01 },
       { -60.0, 3.0, 0.0, 60.0, 0.0, -3.0 }, { 170.0, 1.0, 0.0, -30.0, 0.0, -0.5 } })
@@ -165,7 +166,7 @@ void TestOtherUnits(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_NEAR(terrain[0], source->GetOutput()->GetBounds()[1], 100.0);
   CHECK_NEAR(terrain[1], source->GetOutput()->GetBounds()[3], 1.0);
 
-  // Feet, for coordinates and heights.
+  // Coordinates and heights are in feet.
   RelevoRaster feet = MakeRaster({ 900000.0, 100.0, 0.0, 200000.0, 0.0, -100.0 }, "EPSG:2263");
   feet.Unit = "ft";
   Open(source, feet, folders.File("CoordinatesFeet.tif"));

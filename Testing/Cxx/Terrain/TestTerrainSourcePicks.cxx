@@ -75,7 +75,7 @@ void TestFile(RelevoCheck& check, const std::string& name, bool hasHoles)
   const int lines = 2000;
   for (int i = 0; i < lines; ++i)
   {
-    // From above to below. Every second line grazes.
+    // Lines lead from above to below. Every second line grazes.
     double p1[3];
     double p2[3];
     for (int c = 0; c < 2; ++c)

@@ -77,7 +77,7 @@ void TestHoles(RelevoCheck& check, RelevoDice& dice)
   CHECK_EQUAL(count("hollow cube", CutHoles(cube, isBall)).Wrong, 0);
   CHECK_EQUAL(count("trench", CutHoles(cube, isTrench)).Wrong, 0);
   CHECK_EQUAL(count("Delaunay", CutHoles(delaunay, isNowhere)).Wrong, 0);
-  // Gaps between cells of all sizes and shapes.
+  // Gaps lie between cells of all sizes and shapes.
   const RelevoPairs hollow = count("hollow Delaunay", CutHoles(delaunay, isBall));
   CHECK_LESS(500 * hollow.Wrong, hollow.All);
   const RelevoPairs sponge = count("sponge", CutHoles(cube, isAnywhere));

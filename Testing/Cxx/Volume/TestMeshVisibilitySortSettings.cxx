@@ -200,7 +200,7 @@ void TestCollapsedCells(RelevoCheck& check)
   const vtkIdType numberOfGood = mesh->GetNumberOfCells();
   for (vtkIdType i = 0; i < numberOfGood; ++i)
   {
-    // Places one on each of its faces.
+    // Places a flat tetrahedron on each of its faces.
     cube->GetCellPoints(i, ids);
     for (vtkIdType corner = 0; corner < 4; ++corner)
     {
@@ -246,7 +246,7 @@ void TestFlatCells(RelevoCheck& check)
   points->InsertNextPoint(0.0, 0.0, 0.1);
   const std::vector<std::array<vtkIdType, 4>> cells = { { { 0, 2, 1, 5 } }, { { 0, 3, 2, 5 } },
     { { 0, 4, 3, 5 } }, { { 0, 1, 4, 6 } }, { { 1, 3, 4, 6 } }, { { 1, 2, 3, 6 } },
-    // They lead from the diagonal 0 2 to 1 3, and from 0 3 to 1 4.
+    // The flat cells lead from the diagonal 0 2 to 1 3, and from 0 3 to 1 4.
     { { 2, 0, 1, 3 } }, { { 3, 0, 1, 4 } } };
   for (bool isInsideOut : { false, true })
   {

@@ -117,7 +117,7 @@ void TestVolumes(RelevoCheck& check)
   CHECK(IsNear(gradients[3][0], dvec3(0.0, 0.0, 1.0), 1e-12));
   CHECK(IsNear(gradients[4][0], dvec3(0.0, 0.0, 2.0), 1e-12));
 
-  // A cube with a pyramid of height 1 on top: volumes 1 and 1/3.
+  // A cube has a pyramid of height 1 on top. The volumes are 1 and 1/3.
   vtkNew<vtkUnstructuredGrid> house;
   vtkNew<vtkPoints> corners;
   for (int i = 0; i < 8; ++i)

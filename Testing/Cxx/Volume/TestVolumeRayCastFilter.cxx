@@ -32,8 +32,8 @@ void CheckCube(
 
 void TestViews(RelevoCheck& check)
 {
-  // Oblique views, wide and tall pictures, rays within faces, views from inside, and a camera in a
-  // face of the mesh.
+  // Cameras include oblique views, wide and tall pictures, rays within faces, views from inside,
+  // and a position in a face of the mesh.
   CheckCube(check, MakeCamera({ { 3.0, 2.0, 1.5 } }, { { 0.5, 0.5, 0.5 } }), 40, 30, 0.0, 1e-12);
   CheckCube(check, MakeCamera({ { -2.0, 0.3, 0.1 } }, { { 0.5, 0.4, 0.6 } }), 15, 40, 0.0, 1e-12);
   CheckCube(check, MakeCamera({ { 0.5, 0.5, 4.0 } }, { { 0.5, 0.5, 0.5 } }), 31, 31, 0.0, 1e-12);

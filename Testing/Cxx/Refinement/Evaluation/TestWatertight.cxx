@@ -142,7 +142,7 @@ int TestWatertight(int, char*[])
     }
   }
 
-  // One face with every combination of levels.
+  // One face gets every combination of levels.
   using namespace RelevoMeshes;
   for (int levels = 0; levels < 6 * 6 * 6; ++levels)
   {

@@ -229,7 +229,7 @@ void checkNoise(RelevoCheck& check)
       stairs->GetPolys()->InsertCellPoint(stairs->GetPoints()->InsertNextPoint(corner.data()));
     }
   };
-  // Blocks with heights 0 and 1 in a chessboard pattern.
+  // The blocks form a chessboard with heights 0 and 1.
   const int size = 6;
   const auto height = [](int i, int j) { return (i + j) % 2 == 0 ? 1.0 : 0.0; };
   for (int j = 0; j < size; ++j)

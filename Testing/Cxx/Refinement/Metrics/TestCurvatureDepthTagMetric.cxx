@@ -400,8 +400,8 @@ void TestBadInput(RelevoCheck& check)
   vtkNew<vtkFloatArray> tags;
   const relevo::RefinementView view;
 
-  // Repeated points, triangles without area, an edge with three triangles, unused points, NaN
-  // points, cells of one and two points, and invalid ids.
+  // The mesh has repeated points, triangles without area, an edge with three triangles, unused
+  // points, NaN points, cells of one and two points, and invalid ids.
   auto broken = MakeMesh(
     { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 }, { 2, 0, 0 }, { nan, 0, 0 },
       { 0, infinity, 0 }, { 1e200, 1e200, 0 }, { 0, 0, 0 }, { 1e-200, 0, 0 }, { 0, 1e-200, 0 } },

@@ -139,7 +139,8 @@ void TestCentroids(RelevoCheck& check)
   for (int i = 0; i < 5; ++i)
   {
     PlaceAtRandom(camera, random);
-    // The closest centroid among the triangles at a merged point, and among those at an edge.
+    // The level follows the closest centroid among the triangles at a merged point, or among those
+    // at an edge.
     std::vector<double> ofMergedPoints(sphere->GetNumberOfPoints(), 0.0);
     std::vector<double> ofEdges(edges.GetNumberOfEdges(), 0.0);
     for (const auto& triangle : surface.GetTriangles())

@@ -177,7 +177,7 @@ void TestAutomatic(RelevoCheck& check)
   }
   CHECK(tags[0] < 0.2f && tags[20] == 5.0f);
 
-  // Degenerate meshes with an array.
+  // Degenerate meshes with an array give levels, too.
   for (auto odd : { RelevoMeshes::Mixed(), RelevoMeshes::NonManifold(), RelevoMeshes::Strips() })
   {
     std::vector<double> values(odd->GetNumberOfCells());

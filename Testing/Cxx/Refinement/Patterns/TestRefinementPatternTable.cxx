@@ -224,7 +224,7 @@ void TestLevels(RelevoCheck& check)
   CHECK_EQUAL(table->GetMemorySize(), 0);
   table->GetPattern(3, 3, 3, polyData);
   const vtkTypeInt64 size = table->GetMemorySize();
-  // 45 vertices, 64 triangles and 108 lines.
+  // The pattern has 45 vertices, 64 triangles and 108 lines.
   CHECK(size >= 45 * 12 + 64 * 12 + 108 * 8 && size < 2 * (45 * 12 + 64 * 12 + 108 * 8));
   table->GetPattern(3, 3, 2, polyData);
   CHECK_GREATER(table->GetMemorySize(), size);
@@ -428,7 +428,8 @@ void TestBadFiles(RelevoCheck& check, const char* folder)
 {
   BadFiles files(folder);
   const std::string bytes = files.WriteGood(check, "/RefinementPatterns.good");
-  // Signature, version 1, MaximumLevel 2, ten patterns, and a first pattern of 1, 1, 1 segments.
+  // The bytes are the signature, version 1, MaximumLevel 2, ten patterns, and a first pattern of 1,
+  // 1, 1 segments.
   const unsigned char head[] = { 'R', 'e', 'l', 'e', 'v', 'o', 'R', 'P', 1, 0, 0, 0, 2, 0, 0, 0, 10,
     0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 3, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0x80, 0x3f };
   CHECK_GREATER(bytes.size(), sizeof(head));

@@ -271,7 +271,7 @@ void testBumps(RelevoCheck& check)
     const Deviation deviation = compareWithFaces(bumpy, 0.15);
     std::cout << shape.first << ": normals deviate by " << deviation.Mean << " degrees on average, "
               << deviation.Largest << " at most\n";
-    // The error without the heights, for comparison.
+    // This is the error without the heights, for comparison.
     recipe->SetDisplacement(nullptr);
     Mesh plain = Refine(mesh, recipe);
     recipe->SetDisplacement(displacement);

@@ -71,7 +71,7 @@ public:
     along[EdgeCorners[edge][0]] = -1.0;
     along[EdgeCorners[edge][1]] = 1.0;
     into[3 - EdgeCorners[edge][0] - EdgeCorners[edge][1]] = 1.0;
-    // A one-sided difference of third order.
+    // The difference is one-sided and of third order.
     Vector across = { { 0.0, 0.0, 0.0 } };
     const double factors[4] = { -11.0, 18.0, -9.0, 2.0 };
     for (int k = 0; k < 4; ++k)

@@ -114,7 +114,7 @@ void testFormula(RelevoCheck& check)
     surface->SetAlpha(0.0);
     compare(check, mesh, surface, [](const float*) { return 0.0; });
 
-    // Alpha per point, clamped to [0, 1].
+    // Alpha per point is clamped to [0, 1].
     vtkNew<vtkFloatArray> alphas;
     alphas->SetName("alpha");
     alphas->InsertNextValue(0.25f);

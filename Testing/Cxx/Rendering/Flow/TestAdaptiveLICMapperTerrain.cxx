@@ -90,7 +90,7 @@ void TestHoles(RelevoCheck& check)
   {
     for (int column = 0; column < Width; ++column)
     {
-      // Position in units of texels, relative to the first centre.
+      // The position is in units of texels, relative to the first centre.
       const double x = size[0] * ((column + 0.5 - 0.5 * Width) / Height + 0.5) - 0.5;
       const double y = size[1] * ((row + 0.5) / Height) - 0.5;
       int near = 0;   // missing texels among the nearest four

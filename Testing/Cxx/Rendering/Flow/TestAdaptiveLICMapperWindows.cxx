@@ -277,7 +277,7 @@ void TestFewPixels(RelevoCheck& check)
     view.Draw();
   }
   CHECK(errors.None());
-  // A viewport without pixels.
+  // A viewport without pixels is not an error.
   view.Scene->Renderer->SetViewport(0, 0, 0, 0);
   view.Scene->Window->SetSize(30, 30);
   view.Draw();

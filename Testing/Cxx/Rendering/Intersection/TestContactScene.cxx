@@ -278,8 +278,8 @@ void TestMetrics(RelevoCheck& check)
   CHECK_EQUAL(scene->GetContacts()->GetNumberOfBlocks(), 6);
   CHECK_EQUAL(first.Recipe->GetMetric(), composite);
   CHECK_EQUAL(second.Recipe->GetMetric(), curvature);
-  // All pairs except that of the second and the plain actor. The pair of the first and the third
-  // occurs once.
+  // The boxes belong to all pairs except that of the second and the plain actor. The pair of the
+  // first and the third occurs once.
   CHECK(own->GetNumberOfBoxes() == 5 && own->GetDistance() == 3.0);
   scene->RemoveActor(plain);
   scene->Update();
@@ -322,7 +322,7 @@ void TestErrors(RelevoCheck& check)
   CHECK(errors.Said("Actors 0 and 1 cannot be intersected: "));
   CHECK_EQUAL(scene->GetContacts()->GetNumberOfBlocks(), 0);
   CHECK_EQUAL(scene->GetNumberOfCandidates(), 1);
-  // One error for all motions.
+  // The error is reported once for all motions.
   scene->Update();
   matrix->SetElement(0, 3, 0.8);
   scene->Update();
@@ -333,7 +333,7 @@ void TestErrors(RelevoCheck& check)
   matrix->Identity();
   scene->Update();
   CHECK(errors.None() && IsOfFilter(scene, 0, 0, 1));
-  // One warning for all motions.
+  // The warning is issued once for all motions.
   auto flat = RelevoMakePolygons(
     { { { 0, 0, 0 } }, { { 1, 1, 1 } }, { { 0, 1, 0.5 } } }, { { 0, 1, 2 }, { 0, 1, 1 } });
   second.Mapper->SetInputData(flat);

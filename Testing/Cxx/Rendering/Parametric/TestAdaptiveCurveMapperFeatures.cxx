@@ -86,7 +86,7 @@ void TestChanges(RelevoCheck& check)
   curves->GetPoints()->SetPoint(0, 0.0, 0.0, 3.0);
   curves->GetPoints()->Modified();
   CHECK_EQUAL(count()[1], 2);
-  // 4 control points of 3 floats, and a number for each visible curve.
+  // Memory includes 4 control points of 3 floats, and a number for each visible curve.
   const vtkTypeInt64 points = NumberOfCurves * 4 * 12;
   CHECK_GREATER_EQUAL(scene.Mapper->GetGraphicsMemorySize(), points);
   CHECK_LESS(scene.Mapper->GetGraphicsMemorySize(), points + NumberOfCurves * 4 + 8192);
@@ -219,7 +219,7 @@ void TestSelection(RelevoCheck& check, bool isTessellated)
     CHECK_EQUAL(node->GetProperties()->Get(vtkSelectionNode::PROP()), scene.Actor);
     CHECK_EQUAL(node->GetProperties()->Get(vtkSelectionNode::COMPOSITE_INDEX()), 2);
     auto* ids = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
-    // All curves except those hidden by others.
+    // All curves except those hidden by others are selected.
     CHECK_GREATER(ids->GetNumberOfValues(), NumberOfCurves - 6);
     for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
     {

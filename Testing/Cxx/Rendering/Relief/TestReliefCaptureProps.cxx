@@ -167,7 +167,7 @@ void TestRelief(RelevoCheck& check)
     const Vector unit = (1.0 / radius) * x;
     const double expected =
       1.0 + 0.15 * std::sin(5.0 * unit[0]) * std::cos(4.0 * unit[1] - 3.0 * unit[2]);
-    // Triangles of 6 degrees, texels of 0.03.
+    // Triangles span 6 degrees, and texels are 0.03 wide.
     if (!CHECK_NEAR(radius, expected, 0.03))
     {
       return;

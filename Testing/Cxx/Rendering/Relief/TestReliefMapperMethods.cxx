@@ -213,7 +213,7 @@ int TestReliefMapperMethods(int, char*[])
     TestAutomatic(check, relief, 240, Mapper::METHOD_RAY_MARCH);
     TestAgreement(check, relief);
   }
-  // A relief without openings, with at most 32 x 32 x 2 triangles.
+  // This relief has no openings, and at most 32 x 32 x 2 triangles.
   const auto closed =
     RelevoMakeRelief(33, 33, ReliefProjection::Parallel, RelevoSmallTexels(), RelevoHills);
   TestAutomatic(check, closed, 120, Mapper::METHOD_REFINEMENT);

@@ -45,7 +45,7 @@ void TestHoleShare(RelevoCheck& check)
   RelevoPassScene scene;
   CHECK_EQUAL(scene.CountCaptures(), 1);
   CHECK_LESS(scene.Pass->GetHoleShare(), 1e-3);
-  // Captures again long before 15 degrees.
+  // The pass captures again long before 15 degrees.
   double turned = 0.0;
   while (turned < 15.0 && scene.CountCaptures() == 0)
   {

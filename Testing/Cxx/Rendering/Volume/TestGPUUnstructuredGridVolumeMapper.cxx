@@ -43,7 +43,7 @@ void TestViews(RelevoCheck& check)
   camera->SetViewAngle(40.0);
   camera->SetClippingRange(2.9, 3.3);
   CHECK_LESS_EQUAL(scene.Compare(), 1.0);
-  // A first frame without entries of an earlier one.
+  // The first frame has no entries of an earlier one.
   RelevoVolumeScene inside(MakeBall(300), MakeBusyProperty(0.3));
   LookInside(inside.GetCamera());
   CHECK_LESS_EQUAL(inside.Compare(), 1.0);

@@ -195,7 +195,7 @@ void TestClipping(RelevoCheck& check)
   CHECK_NEAR(compare(), 0.0, 1.0);
   LookInside(scene.GetCamera());
   CHECK_NEAR(compare(), 0.0, 1.0);
-  // Planes parallel to the rays.
+  // Planes may be parallel to the rays.
   mapper->RemoveAllClippingPlanes();
   scene.GetCamera()->ParallelProjectionOn();
   scene.GetCamera()->SetPosition(0.0, 0.0, 4.0);

@@ -130,7 +130,7 @@ void TestTables(RelevoCheck& check)
   scene.GetMapper()->IsoSurfacesOn();
   CHECK_NEAR(scene.Compare(0.0002, [](vtkVolumeRayCastFilter* filter) { filter->IsoSurfacesOn(); }),
     0.0, 1.0);
-  // Edits one texel.
+  // An edit of one texel takes effect.
   scene.GetMapper()->IsoSurfacesOff();
   vtkImageData* image = property->GetTransferFunction2D();
   for (int c = 0; c < 4; ++c)

@@ -20,7 +20,7 @@ void TestDistances(RelevoCheck& check)
   const auto coarse = scene.Draw();
   CHECK_GREATER(FindLargestDifference(fine, coarse), 0.01); // on the silhouette
   CHECK_NEAR(FindLargestDifferenceInside(fine, coarse, 120, 55, 64), 0.0, 2.0 / 255.0);
-  // As many rays as in a window of half the size.
+  // There are as many rays as in a window of half the size.
   RelevoVolumeScene small(MakeTetrahedra(3, GetLinearField), MakeLinearProperty(), 60, 60);
   const auto half = small.Draw();
   double apart = 0.0;

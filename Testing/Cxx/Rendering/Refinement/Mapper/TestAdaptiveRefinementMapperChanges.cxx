@@ -148,7 +148,7 @@ void TestRoom(RelevoCheck& check)
   CHECK(errors.Were({}));
   CHECK_EQUAL(mapper->GetMethodInUse(), Mapper::METHOD_ARKFPI);
 
-  // Fewer triangles, or another method.
+  // With fewer triangles DMR is used again, and with another method nothing is reported.
   surface->SetShaderFunction(GoodFunction);
   recipe->SetLevelOffset(0.0);
   recipe->SetMaximumLevel(1);

@@ -187,7 +187,7 @@ int TestAdaptiveRefinementMapperMethodsStream(int, char*[])
     AddTags(sphere, static_cast<unsigned int>(level), level);
     TestMesh(check, window, sphere, level, false);
   }
-  // All triples of levels up to 3, and some up to 6.
+  // The mesh has all triples of levels up to 3, and some up to 6.
   std::vector<std::array<double, 3>> points;
   std::vector<Triangle> triangles;
   for (vtkIdType i = 0; i < 1500; ++i)

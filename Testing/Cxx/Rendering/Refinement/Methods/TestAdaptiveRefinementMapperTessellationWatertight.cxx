@@ -76,7 +76,7 @@ void TestPoints(RelevoCheck& check)
       double p[3];
       fine->GetPoint(i, p);
       const float x = static_cast<float>(p[0]);
-      // The vertices of ARKFPI at this point.
+      // ARKFPI has these vertices at this point.
       size_t found = 0;
       for (auto near = expected.lower_bound({ { x - 1e-6f, -1e30f, -1e30f } });
            near != expected.end() && (*near)[0] <= x + 1e-6f; ++near)

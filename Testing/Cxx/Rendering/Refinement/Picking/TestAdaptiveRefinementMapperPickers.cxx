@@ -139,7 +139,7 @@ void CheckPoints(RelevoCheck& check)
   CHECK(cells->Pick(150, 150, 0.0, renderer));
   CHECK_NEAR(cells->GetPickPosition()[2], 3.0, 1e-6);
   CHECK_NEAR(cells->GetPickNormal()[2], 1.0, 1e-6);
-  // Bounds, and the pixels drawn by the graphics card.
+  // Other pickers use bounds, or the pixels drawn by the graphics card.
   vtkNew<vtkPicker> bounds;
   CHECK(bounds->Pick(150, 150, 0.0, renderer));
   CHECK_NEAR(bounds->GetPickPosition()[2], 3.0, 1e-6);
@@ -201,7 +201,7 @@ void CheckChanges(RelevoCheck& check)
   CHECK_GREATER(picker->GetPickPosition()[2], 1.1);
   table.Scene.GetMapper(0)->SetInputData(Plane(2, 2));
   heightOf(1.0);
-  // Degenerate cells and NaN points.
+  // Degenerate cells and NaN points do not disturb picks.
   Mesh bad = Plane(4, 4);
   bad->GetPoints()->SetPoint(0, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
   for (int n = 0; n < 4; ++n)

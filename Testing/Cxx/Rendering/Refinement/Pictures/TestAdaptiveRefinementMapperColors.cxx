@@ -87,7 +87,7 @@ void TestLevels(RelevoCheck& check)
   view.Recipe->GeomorphingOff();
   CheckFaces(check, view, highest, 3);
 
-  // With point or cell scalars, and with another camera.
+  // Point or cell scalars and another camera do not change this.
   vtkNew<vtkFloatArray> values;
   for (vtkIdType i = 0; i < view.Plane->GetNumberOfCells(); ++i)
   {

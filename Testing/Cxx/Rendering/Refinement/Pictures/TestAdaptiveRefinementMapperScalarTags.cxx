@@ -100,7 +100,7 @@ int TestAdaptiveRefinementMapperScalarTags(int argc, char* argv[])
       { "NoDirection", [&](RelevoScene&) { surface->SetDirectionArrayName(""); } } });
   surface->SetDirectionArrayName("Direction");
 
-  // Without tags, and with zero tags.
+  // The mesh has no tags, or zero tags.
   for (bool zeros : { false, true })
   {
     for (Mesh mesh : { Sphere(9, 7), Cone() })

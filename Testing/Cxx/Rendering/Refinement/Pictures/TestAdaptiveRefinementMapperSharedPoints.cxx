@@ -65,7 +65,7 @@ int TestAdaptiveRefinementMapperSharedPoints(int, char*[])
   }
   for (int method : methods)
   {
-    // Flat at level 0, curved at level 3.
+    // The strip is flat at level 0 and curved at level 3.
     for (int level : { 0, 3 })
     {
       CHECK_CASE(level);

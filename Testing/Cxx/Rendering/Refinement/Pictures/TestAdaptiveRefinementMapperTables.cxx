@@ -147,7 +147,7 @@ void TestNumbers(const Tester& tester)
       {
         for (int mode : { vtkScalarsToColors::MAGNITUDE, vtkScalarsToColors::COMPONENT })
         {
-          // Vectors of 9 components, mapped by magnitude or by one component.
+          // Vectors of 9 components are mapped by magnitude or by one component.
           const bool isLength = mode == vtkScalarsToColors::MAGNITUDE;
           if (components == 9 ? !isPlain : !isLength)
           {

@@ -203,7 +203,7 @@ private:
     const int drawn = std::accumulate(counts.begin(), counts.end(), 0);
     RelevoCheck& check = this->Check;
     CHECK_GREATER(numberOfHidden, 0);
-    // All faces except those at the border of the view.
+    // All faces agree, except those at the border of the view.
     CHECK_LESS_EQUAL(std::abs(static_cast<int>(mesh.Faces.size()) - numberOfHidden - drawn), 2);
   }
 
