@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   LICMeshVectors
- * @brief   the vectors of one mesh on the GPU, without what is no-data
+ * @brief   the vectors of one mesh on the GPU, without no-data values
  *
  * Private to the module's own sources.
  */
@@ -34,32 +34,32 @@ namespace relevo
 class LICMeshVectors
 {
 public:
-  /// Take the array that find() returns, if the dependencies are others.
+  /// Use the array that find() returns, if the dependencies have changed.
   void Update(const Dependencies& dependencies, const std::function<LICArray()>& find,
     double noDataMagnitude);
 
-  /// Whether there is something to draw.
+  /// Return whether there are no vectors to draw.
   bool IsEmpty() const { return !this->Prepared; }
-  /// Whether the vectors on the GPU are of cells.
+  /// Return whether the vectors on the GPU are of cells.
   bool AreOfCells() const { return !this->Cells.IsEmpty(); }
   bool HasPointNormals() const { return this->PointNormals; }
 
-  /// Give VTK's buffers the vectors of points, and normals of points for surfaces without their
-  /// own.
+  /// Add the vectors of points to VTK's buffers, and normals of points for surfaces without
+  /// normals.
   void CacheArrays(
     vtkOpenGLVertexBufferObjectGroup* buffers, vtkPolyData* input, vtkRenderer* renderer);
-  /// Upload the vectors of cells, if they have changed; false, and there are none, if they do not
-  /// fit.
+  /// Upload the vectors of cells, if they have changed. If they do not fit, return false; there are
+  /// no vectors then.
   bool UploadCells(vtkOpenGLRenderWindow* window, vtkOpenGLCellToVTKCellMap* cells);
 
-  /// The view that vectors are drawn in.
+  /// The view for which vectors are drawn.
   struct View
   {
     vtkRenderer* Renderer;
     vtkActor* Actor;
-    vtkMatrix4x4* FromShifted; // of positions in VTK's buffers; nullptr where they are not shifted
+    vtkMatrix4x4* FromShifted; // for positions in VTK's buffers; nullptr without a shift
     vtkLICSettings* Settings;
-    double Longest; // of all vectors of the picture
+    double Longest; // of all vectors of the image
   };
   void SetUniforms(vtkShaderProgram* program, const View& view);
   void Deactivate() { this->Cells.Deactivate(); }
@@ -72,8 +72,8 @@ private:
 
   Dependencies PreparedDependencies;
   bool ArePreparedOfCells = false;
-  vtkSmartPointer<vtkFloatArray> Prepared; // nullptr for none
-  double Unit = 1.0;                       // of the vectors on the GPU, which then are about 1 long
+  vtkSmartPointer<vtkFloatArray> Prepared; // nullptr for no vectors
+  double Unit = 1.0; // of the vectors on the GPU, whose length is then about 1
   bool PointNormals = false;
   BufferTexture Cells; // vectors of VTK's primitives; empty for vectors of points
   Dependencies CellDependencies;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  LICArray
- * @brief   a mapper's array of vectors: checked, and without what is no-data
+ * @brief   a mapper's array of vectors: validated, and without no-data values
  *
  * Private to the module's own sources.
  */
@@ -23,18 +23,18 @@ struct LICArray
 {
   vtkDataArray* Array = nullptr;
   bool IsOfCells = false;
-  /// Why the array cannot be used, as a sentence; empty if it can or there is none.
+  /// Why the array cannot be used, as a sentence; empty if it can or if there is none.
   std::string Error;
 
   /**
-   * Check what an algorithm's SetInputArrayToProcess(0, ...) has chosen.
+   * Check the array that an algorithm's SetInputArrayToProcess(0, ...) has selected.
    */
   static LICArray Check(vtkDataArray* chosen, int association, vtkPolyData* input);
 
-  /// Length of the longest vector that is data; -1 for none.
+  /// Return the length of the longest valid vector; -1 if there is none.
   double FindLongest(double noDataMagnitude) const;
 
-  /// Four components: the vector in units of `unit` and 1, or zeros for no-data.
+  /// Return an array of four components: the vector in units of `unit` and 1, or zeros for no data.
   vtkSmartPointer<vtkFloatArray> Prepare(double noDataMagnitude, double unit) const;
 };
 }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   what leaves holes in a surface: colours that are clear, where VTK draws nothing
+ * @brief   dependencies of holes in a surface: transparent colours, where VTK draws nothing
  *
- * Other colours and opacities do not matter to the streaks. Private to the module.
+ * Other colours and opacities do not affect the streaks. Private to the module.
  */
 #ifndef LICHoles_h
 #define LICHoles_h
@@ -16,7 +16,7 @@ namespace relevo
 {
 class Dependencies;
 
-/// Add the table of colours, and the textures with their images, as far as they can be clear.
+/// Add the lookup table and the textures with their images, if they can be transparent.
 void AddHoles(Dependencies& dependencies, vtkActor* act, vtkScalarsToColors* table);
 }
 

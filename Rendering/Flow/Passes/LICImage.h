@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   LICImage
- * @brief   makes the LIC of a screen's vectors on the GPU
+ * @brief   computes the LIC of a screen's vectors on the GPU
  *
- * The passes of vtkLineIntegralConvolution, from the same sources. Private to the module's own
+ * The passes and their sources are those of vtkLineIntegralConvolution. Private to the module's own
  * sources.
  */
 #ifndef LICImage_h
@@ -41,7 +41,7 @@ struct LICColoring
 class LICImage
 {
 public:
-  /// What makes the range, (least, largest), of this image that of a whole that it is a part of.
+  /// Extends the range (smallest, largest) of this image to that of the whole image.
   using RangeMerger = std::function<void(float range[2])>;
 
   LICImage();
@@ -50,26 +50,27 @@ public:
   void operator=(const LICImage&) = delete;
 
   /**
-   * Convolve noise along the screen's vectors into its image. `merge`, if it is there, is called
-   * CountRanges() times. False, with GetError(), when a program or a texture cannot be had.
+   * Convolve noise along the screen's vectors into its image. `merge`, if set, is called
+   * CountRanges() times. Return false and set GetError() if a program or a texture cannot be
+   * created.
    */
   bool Convolve(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
     LICScreen& screen, vtkTextureObject* noise, const LICPassSettings& settings,
     const RangeMerger& merge);
   static int CountRanges(const LICPassSettings& settings);
 
-  /// How far, in pixels, the passes after the first look around a pixel.
+  /// Return the radius, in pixels, that the passes after the first read around a pixel.
   static int FindReach(const LICPassSettings& settings);
 
   /**
-   * The range of the lightness of the screen's colours with its LIC; calls `merge` once. False as
-   * above.
+   * Compute the range of the lightness of the screen's colours with its LIC. `merge` is called
+   * once. Return false on an error, like Convolve().
    */
   bool FindColorRange(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
     LICScreen& screen, const LICColoring& coloring, const RangeMerger& merge);
 
   //@{
-  /// As sentences: what failed, and that a texture did.
+  /// Return the error as a sentence, and the error of a texture.
   const char* GetError() const { return this->Error; }
   static const char* GetTextureError();
   //@}
@@ -85,7 +86,7 @@ private:
     CONTRAST,
     NumberOfFilters
   };
-  struct Work; // one call's
+  struct Work; // the work of one call
 
   bool ApplyConvolution(
     Work& work, const LICKernel& kernel, float noiseMean, vtkTextureObject* noise, bool isTiled);
@@ -96,9 +97,9 @@ private:
 
   std::unique_ptr<LICPass> ConvolvePass;
   std::unique_ptr<LICPass> FilterPasses[NumberOfFilters];
-  std::unique_ptr<LICPass> RangePass;      // of an image
-  std::unique_ptr<LICPass> ColorRangePass; // of colours with an image
-  std::unique_ptr<LICPass> ReducePass;     // of ranges
+  std::unique_ptr<LICPass> RangePass;      // range of an image
+  std::unique_ptr<LICPass> ColorRangePass; // range of colours with an image
+  std::unique_ptr<LICPass> ReducePass;     // reduction of ranges
   vtkSmartPointer<vtkTextureObject> Spare;
   const char* Error = "";
 };

@@ -31,16 +31,17 @@ public:
   void operator=(const LICNoise&) = delete;
 
   /**
-   * Have the noise that the settings choose. False, with GetError() as a sentence, if that fails.
+   * Update the noise that the settings choose. If that fails, return false and set GetError() to a
+   * sentence.
    */
   bool Update(vtkLICSettings* settings) { return this->Chosen.Update(settings); }
   const std::string& GetError() const { return this->Chosen.GetError(); }
 
-  /// Of the noise, after Update().
+  /// Return the mean and the version of the noise, after Update().
   float GetMean() const { return this->Chosen.GetTexels().GetMean(); }
   int GetVersion() const { return this->Chosen.GetVersion(); }
 
-  /// The noise as a texture of one float; nullptr if it cannot be made.
+  /// Return the noise as a texture of one float; nullptr if it cannot be created.
   vtkTextureObject* GetTexture(vtkOpenGLRenderWindow* window);
   void ReleaseGraphicsResources(vtkWindow* window);
   vtkTypeInt64 GetMemorySize() const;

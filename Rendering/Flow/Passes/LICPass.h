@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   LICPass
- * @brief   one program that runs over all pixels of an image
+ * @brief   a program that runs over all pixels of an image
  *
  * Private to the module's own sources.
  */
@@ -23,20 +23,20 @@ namespace relevo
 class LICPass
 {
 public:
-  /// Functions of a fragment shader, and the expression of a vec4 that is its result.
+  /// The arguments are functions of a fragment shader, and the vec4 expression of its result.
   LICPass(const std::string& functions, const std::string& result);
   ~LICPass();
   LICPass(const LICPass&) = delete;
   void operator=(const LICPass&) = delete;
 
-  /// The program, in use; nullptr when it cannot be built.
+  /// Return the program and make it current; nullptr if it cannot be built.
   vtkShaderProgram* Begin(vtkOpenGLRenderWindow* window);
 
-  /// Have a sampler of the program read a texture, until that is deactivated.
+  /// Bind a texture to a sampler of the program, until it is deactivated.
   static void Read(vtkShaderProgram* program, const char* sampler, vtkTextureObject* texture);
 
-  /// Run it over the target, which takes the place of the framebuffer's colours, or over a
-  /// rectangle of it, lower left corner and size: the rest of the target is zero then.
+  /// Run the program over the target, which replaces the framebuffer's colours, or over a rectangle
+  /// of it, given by its lower left corner and size. The rest of the target is set to zero.
   void Draw(vtkOpenGLFramebufferObject* framebuffer, vtkTextureObject* target,
     const int* rectangle = nullptr);
 
@@ -44,12 +44,11 @@ public:
 
 private:
   std::string Source;
-  vtkShaderProgram* Program = nullptr; // of the window's cache
+  vtkShaderProgram* Program = nullptr; // owned by the window's cache
   ScreenPass Screen;
 };
 
-/// A texture of floats, one or more a pixel, that can be drawn to; nullptr if there is none to be
-/// had.
+/// Create a texture of one or more floats per pixel as a render target; nullptr if that fails.
 vtkTextureObject* NewFloatTexture(
   vtkOpenGLRenderWindow* window, int width, int height, int components, bool linear);
 }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   LICProcesses
- * @brief   what processes that draw one picture together tell each other about its streaks
+ * @brief   the exchange of streaks between processes that draw one image together
  *
- * Every method is called by all processes, in the same order, and gives all the same. Private to
- * the module's own sources.
+ * All processes call each method in the same order and get the same result. Private to the module's
+ * own sources.
  */
 #ifndef LICProcesses_h
 #define LICProcesses_h
@@ -24,16 +24,17 @@ public:
   {
   }
 
-  /// The largest of each value.
+  /// Replace each value by its maximum over all processes.
   void Maximize(std::vector<double>& values) const;
 
-  /// The range that has all ranges in it: (least, largest) of each process.
+  /// Replace a range (smallest, largest) by the union of the ranges of all processes.
   void MergeRange(float range[2]) const;
 
   /**
-   * The nearest of the vectors that processes have drawn, as relevoLICVectorsFS.glsl makes them:
-   * four numbers a pixel, of a rectangle of each process's own (lower left corner and size), which
-   * becomes one that has all of them in it. Of equally near ones those of the first process.
+   * Composite the vectors of all processes by depth, in the format of relevoLICVectorsFS.glsl with
+   * four floats per pixel. Each process passes its own rectangle (lower left corner and size),
+   * which is replaced by one that contains all. At equal depths, the vectors of the first process
+   * are used.
    */
   void Composite(int rectangle[4], std::vector<float>& vectors) const;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   how the shaders of a refined surface draw its vectors, and show their LIC
+ * @brief   changes the shaders of a refined surface to draw its vectors, or to show their LIC
  *
  * Private to the module's own sources.
  */
@@ -22,24 +22,25 @@ struct LICShaderOptions
   enum Purposes
   {
     NONE,
-    VECTORS, // the surface's vectors become an image
-    IMAGE    // the surface shows their LIC
+    VECTORS, // draw the surface's vectors into an image
+    IMAGE    // show their LIC on the surface
   };
   Purposes Purpose = NONE;
   bool StretchesColors = false;
-  bool AreOfCells = false;      // the vectors
-  bool HasNormals = false;      // the refined surface, or its points
-  bool HasPointNormals = false; // its points
+  bool AreOfCells = false;      // whether vectors are of cells
+  bool HasNormals = false;      // whether the refined surface or its points have normals
+  bool HasPointNormals = false; // whether its points have normals
 };
 
-/// Has vertices give fragments what they need.
+/// Make vertices pass the values that fragments need.
 void ExtendLICShaders(const LICShaderOptions& options, ShaderExtension& extension);
 
-/// Before VTK puts its text into the templates.
+/// Change the templates before VTK does.
 void PrepareLICShaders(const LICShaderOptions& options,
   std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing);
 
-/// Afterwards. `needsEdges`: VTK is to have written edges, which are drawn over streaks.
+/// Change the shaders after VTK. `needsEdges` means that VTK must have written edges, which are
+/// drawn over streaks.
 void FinishLICShaders(const LICShaderOptions& options, bool needsEdges,
   std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing);
 }

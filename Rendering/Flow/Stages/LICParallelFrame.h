@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   LICParallelFrame
- * @brief   the streaks of a picture that several processes draw together
+ * @brief   the streaks of an image that several processes draw together
  *
- * All processes come to each exchange, whatever they have to show and whatever fails. Private to
- * the module's own sources.
+ * All processes take part in each exchange, including those that show nothing or have failed.
+ * Private to the module's own sources.
  */
 #ifndef LICParallelFrame_h
 #define LICParallelFrame_h
@@ -37,13 +37,13 @@ public:
 
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController() const;
-  /// Whether there are other processes.
+  /// Return whether there are other processes.
   bool IsUsed() const;
 
   /// The contribution of this process to the frame.
   struct Contribution
   {
-    LICScreen* Screen = nullptr; // if there are to be streaks
+    LICScreen* Screen = nullptr; // nullptr without streaks
     bool IsChanged = false;
     std::vector<float> Vectors;
     std::string Error;
@@ -54,26 +54,27 @@ public:
   {
     /// Find the screen, unless the mapper shows no streaks.
     std::function<void(Contribution&)> Prepare;
-    /// Draw the screen's vectors, and read them back.
+    /// Draw the screen's vectors and read them back.
     std::function<void(Contribution&)> DrawVectors;
-    /// Make the screen's image; an error, or "".
+    /// Compute the screen's image; return an error, or "".
     std::function<std::string(LICScreen&, bool convolve, const LICImage::RangeMerger&)> DrawImage;
-    /// How often DrawImage() merges ranges, and how many pixels around what is seen it needs.
+    /// Return how often DrawImage() merges ranges, and the number of pixels that it needs around
+    /// the visible region.
     std::function<int(bool convolve)> CountRanges;
     std::function<int()> FindReach;
-    /// The screen has been drawn: its sources are those of now.
+    /// Mark the screen as up to date after drawing.
     std::function<void(LICScreen&)> Finish;
     bool StretchesColors;
   };
 
   /**
    * Draw the LIC of the vectors of all processes into this process's screen, unless nothing has
-   * changed. `field` learns about the vectors of the others. Returns what is wrong, as a sentence;
+   * changed. The facts of the other processes are set in `field`. Return the error as a sentence,
    * or "".
    */
   std::string Run(vtkRenderer* ren, vtkActor* act, LICVectorField& field, const Steps& steps);
 
-  /// All screens are gone.
+  /// Forget the screen after all screens have been removed.
   void ForgetScreen();
 
 private:

@@ -4,8 +4,7 @@
  * @class   LICScreenDrawer
  * @brief   draws the vectors of a screen and their LIC
  *
- * OpenGL's state and the framebuffer in use are what they were when a method returns. Private to
- * the module's own sources.
+ * Methods restore OpenGL's state and the current framebuffer. Private to the module's own sources.
  */
 #ifndef LICScreenDrawer_h
 #define LICScreenDrawer_h
@@ -42,28 +41,29 @@ public:
     LICColoring GetColoring() const;
   };
 
-  /// Have the noise of the settings. What is wrong with them, as a sentence; or "". The same below.
+  /// Update the noise of the settings. Return the error as a sentence, or ""; the methods below do
+  /// the same.
   std::string CheckSettings(vtkLICSettings* settings);
-  /// Add what is convolved: not how it is combined with colours.
+  /// Add the dependencies of the convolution, without those of combining it with colours.
   void AddTo(Dependencies& dependencies, const Parameters& parameters) const;
-  /// How far, in pixels, the image looks around what is seen.
+  /// Return the number of pixels that the image needs around the visible region.
   int FindReach(const Parameters& parameters) const;
 
-  /// Have textures of the size of the viewport that is set.
+  /// Allocate textures of the size of the current viewport.
   std::string Allocate(vtkRenderer* ren, LICScreen& screen, bool withColors);
 
   /**
-   * Draw the surface's vectors: draw() draws them, without the actor's render passes.
-   * finish(framebuffer) is called when the screen's textures have them.
+   * Draw the surface's vectors. draw() draws them without the actor's render passes.
+   * finish(framebuffer) is called when the screen's textures contain them.
    */
   std::string DrawVectors(vtkRenderer* ren, vtkActor* act, LICScreen& screen,
     const std::function<void()>& draw,
     const std::function<void(vtkOpenGLFramebufferObject*)>& finish);
 
-  /// Make the LIC of the vectors, if `convolve`, and the range of colours that are stretched.
+  /// Compute the LIC of the vectors if `convolve` is true, and the range of colours to stretch.
   std::string DrawImage(vtkRenderer* ren, LICScreen& screen, const Parameters& parameters,
     bool convolve, const LICImage::RangeMerger& merge);
-  /// How often `merge` is called then.
+  /// Return how often DrawImage() calls `merge`.
   int CountRanges(const Parameters& parameters, bool convolve) const;
   vtkIdType GetNumberOfConvolutions() const { return this->NumberOfConvolutions; }
 

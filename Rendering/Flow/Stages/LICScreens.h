@@ -25,9 +25,9 @@ namespace relevo
 class LICScreens
 {
 public:
-  /// That of a view; a new one may take the place of the one that has not been used for longest.
+  /// Return the screen of a view. A new screen may replace the least recently used one.
   LICScreen& Get(vtkRenderer* ren, vtkActor* act);
-  /// nullptr if the view has none with an image.
+  /// Return the screen of a view, or nullptr if there is none with an image.
   LICScreen* Find(vtkRenderer* ren, vtkActor* act);
 
   vtkTypeInt64 GetMemorySize() const;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   LICVectorField
- * @brief   what there is to show of the vectors of all blocks
+ * @brief   the properties of the vectors of all blocks
  *
  * Private to the module's own sources.
  */
@@ -26,7 +26,7 @@ struct LICVectorFacts
   bool HasFaces = false;
   bool HasArray = false;
   double Longest = -1.0; // negative if there is none
-  std::string Error;     // of an array
+  std::string Error;     // error of an array
 };
 
 class LICVectorField
@@ -38,20 +38,20 @@ public:
     vtkMTimeType BuildTime;
     double NoDataMagnitude;
     std::function<LICArray(vtkPolyData*)> FindArray;
-    /// The array of the name that is wanted, if the association is another; or "".
+    /// Returns the array with the requested name but another association, or "".
     std::function<std::string(vtkPolyData*)> DescribeMisplaced;
   };
 
-  /// Look at the meshes again if something has changed.
+  /// Check the meshes again if something has changed.
   void Update(const Input& input);
-  /// Of this process.
+  /// Return the facts of this process.
   const LICVectorFacts& GetOwn() const { return this->Own; }
 
-  /// Of all processes that draw the picture.
+  /// Set the facts of all processes that draw the image.
   void SetAll(const LICVectorFacts& facts) { this->All = facts; }
   double GetLongest() const { return this->All.Longest; }
 
-  /// Why no process can show streaks, as a sentence; or "".
+  /// Return why no process can show streaks, as a sentence; or "".
   std::string FindError() const;
 
 private:

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RenderHook
- * @brief   something that a mapper does in place of drawing when VTK has it render
+ * @brief   work that a mapper does instead of drawing when VTK renders it
  *
- * Only VTK's Render() updates a mapper's pipeline piece by piece and makes its context the one in
- * use. Work that needs both before a picture begins goes this way. Private to the module's own
- * sources.
+ * Only VTK's Render() updates a mapper's pipeline piece by piece and makes its context current.
+ * Work that needs both before an image begins uses this class. Private to the module's own sources.
  */
 #ifndef RenderHook_h
 #define RenderHook_h
@@ -25,7 +24,7 @@ class RenderHook
 public:
   using Work = std::function<void(vtkRenderer*, vtkActor*)>;
 
-  /// Have an actor render a mapper, which calls Run() where it would draw.
+  /// Make an actor render a mapper, which calls Run() instead of drawing.
   void RenderInstead(vtkRenderer* ren, vtkActor* act, vtkMapper* mapper, const Work& work)
   {
     this->Current = &work;
@@ -33,7 +32,7 @@ public:
     this->Current = nullptr;
   }
 
-  /// Do the work; false where there is none, and the mapper is to draw.
+  /// Do the work. Return false if there is none, so that the mapper must draw.
   bool Run(vtkRenderer* ren, vtkActor* act) const
   {
     if (this->Current)

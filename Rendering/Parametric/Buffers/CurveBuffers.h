@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CurveBuffers
- * @brief   control points of curves, and what else there is of them, on the GPU
+ * @brief   control points of curves, their radii, frames and cells, on the GPU
  *
  * Private to the module.
  */
@@ -25,19 +25,19 @@ class CurveMesh;
 class CurveBuffers
 {
 public:
-  /// Take the curves, relative to a place. False where they do not fit, here and below.
+  /// Upload the curves, relative to an origin. All methods return false if the data do not fit.
   bool Upload(vtkOpenGLRenderWindow* window, const CurveMesh& curves, const dvec3& origin);
 
-  /// Radii at control points; none where all curves have the same.
+  /// Upload radii at control points, or none if all curves have the same.
   bool UploadRadii(vtkOpenGLRenderWindow* window, const std::vector<double>& radii);
 
-  /// What ribbons and tubes are across to.
+  /// Upload the frames that orient ribbons and tubes.
   bool UploadFrames(vtkOpenGLRenderWindow* window, const CurveFrames& frames);
 
-  /// Numbers of cells, for selections. What is there stays.
+  /// Upload ids of cells for selections, unless that has been done.
   bool UploadCells(vtkOpenGLRenderWindow* window, const CurveMesh& curves);
 
-  /// The degree that all curves have; 0 where they differ.
+  /// Return the degree of all curves; 0 if they differ.
   int GetDegree() const { return this->Degree; }
   bool IsRational() const { return this->Rational; }
   bool HasRadii() const { return !this->Radii.IsEmpty(); }
@@ -48,12 +48,12 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  BufferTexture Points; // three numbers each, or four where weights differ
-  BufferTexture Curves; // first control point << 3 | degree - 1, where degrees differ
+  BufferTexture Points; // three floats each, or four if weights differ
+  BufferTexture Curves; // first control point << 3 | degree - 1, if degrees differ
   BufferTexture Cells;
   BufferTexture Radii;
-  BufferTexture Frames;   // by curve, see relevoCurveTables.glsl
-  BufferTexture Stations; // tangent and normal of each
+  BufferTexture Frames;   // per curve, see relevoCurveTables.glsl
+  BufferTexture Stations; // tangent and normal at each station
   int Degree = 0;
   bool Rational = false;
 };

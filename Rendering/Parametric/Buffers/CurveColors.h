@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CurveColors
- * @brief   colours of curves, or values to look them up by, on the GPU
+ * @brief   the colours of curves, or values to map to colours, on the GPU
  *
  * Private to the module.
  */
@@ -26,14 +26,14 @@ class CurveMesh;
 class CurveColors
 {
 public:
-  /// Have none.
+  /// Remove the colours.
   void Clear(vtkWindow* window);
 
   //@{
   /**
-   * Take colours of four components by cell or by point, or values of points; `component` is that
-   * of vtkMapper. False where they do not fit. Values that cannot be looked up by the shader give
-   * ACTOR.
+   * Upload colours of four components by cell or by point, or values of points. `component` is that
+   * of vtkMapper. Return false if they do not fit. If the shader cannot map the values, the
+   * colouring is ACTOR.
    */
   bool UploadCells(
     vtkOpenGLRenderWindow* window, const CurveMesh& curves, vtkUnsignedCharArray* colors);

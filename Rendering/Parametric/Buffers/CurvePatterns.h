@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CurvePatterns
- * @brief   how the vertices of curves of a number of segments are joined, on the GPU
+ * @brief   the indices of curves by their number of segments, on the GPU
  *
- * A curve of n segments has n + 1 rings of as many vertices as it has sides: 1 for a line, 2 for a
- * ribbon, 3 or more for a tube. Vertices are nothing but their numbers, ring after ring; patterns
- * are appended when they are first needed. Private to the module.
+ * A curve of n segments has n + 1 rings of vertices, with one vertex per side: 1 for a line, 2 for
+ * a ribbon, 3 or more for a tube. A vertex is an index, counted ring by ring. Patterns are appended
+ * when they are first needed. Private to the module.
  */
 #ifndef CurvePatterns_h
 #define CurvePatterns_h
@@ -23,7 +23,7 @@ class CurvePatterns
   using Patterns = PatternRanges<int, unsigned short>;
 
 public:
-  /// What primitives are made of the vertices.
+  /// The primitives of the vertices.
   enum Primitives
   {
     POINTS,
@@ -31,14 +31,14 @@ public:
     TRIANGLES
   };
 
-  /// What all patterns have in common. Those of others are forgotten.
+  /// Set the properties of all patterns; patterns with other properties are removed.
   void SetShape(Primitives primitives, int sides);
 
-  /// Of a curve of so many segments.
+  /// Return the range of a curve with this number of segments.
   const PatternRange& GetRange(int segments);
   static const void* GetOffset(const PatternRange& range) { return Patterns::GetOffset(range); }
 
-  /// Upload what has been added, and bind the indices, unsigned shorts.
+  /// Upload the appended patterns, and bind the indices (unsigned shorts).
   void Bind();
   void Release() { this->Ranges.Release(); }
 

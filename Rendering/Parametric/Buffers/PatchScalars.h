@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PatchScalars
- * @brief   what patches are coloured by, as coefficients of their control points, on the GPU
+ * @brief   the scalars of patches as coefficients of their control points, on the GPU
  *
  * Private to the module.
  */
@@ -30,22 +30,23 @@ public:
   struct Source
   {
     vtkPolyData* Mesh;
-    vtkDataArray* Scalars; // of points
+    vtkDataArray* Scalars; // point scalars
     bool AreColors;
     vtkScalarsToColors* Table;
-    int Component; // vtkMapper's, -1 to leave the choice to the table
+    int Component; // that of vtkMapper; -1 uses that of the table
     bool ByTexture;
     double NoDataMagnitude; // see NoDataTuples
   };
 
-  /// Take the coefficients of scalars, if there are some. False when they do not fit on the GPU.
+  /// Upload the coefficients of scalars, if there are any. Return false if they do not fit on the
+  /// GPU.
   bool Upload(vtkOpenGLRenderWindow* window, const Source& source);
 
-  /// The error of the coefficients of scalars, as a sentence; or "".
+  /// Return the error of the coefficients of scalars, as a sentence; or "".
   static std::string DescribeMisfit(vtkPolyData* mesh, vtkDataArray* scalars);
 
   PatchColoring GetColoring() const { return this->Coloring; }
-  /// What has been subtracted from numbers.
+  /// Return the number that has been subtracted from the values.
   double GetBias() const { return this->Numbers.GetBias(); }
 
   void Activate(vtkShaderProgram* program);

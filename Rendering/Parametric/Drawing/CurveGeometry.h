@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CurveGeometry
- * @brief   the curves of one data set with their radii, what a view shows of them, and their
- *          buffers on the GPU
+ * @brief   the curves of a data set with their radii, their selection for a view, and their buffers
  *
  * Private to the module.
  */
@@ -34,42 +33,44 @@ namespace relevo
 class CurveGeometry
 {
 public:
-  /// Take a data set. False if it is the one that is there, and has not changed.
+  /// Set a data set. Return false if it is the current one and has not changed.
   bool SetCurves(vtkPointSet* input);
   vtkPointSet* GetInput() const { return this->Input; }
   const CurveMesh& GetMesh() const { return this->Mesh; }
-  /// The origin of the control points on the GPU.
+  /// Return the origin of the control points on the GPU.
   const dvec3& GetOrigin() const { return this->Origin; }
 
-  /// The shape that curves are drawn as.
+  /// The shape of the curves.
   struct Shape
   {
-    int Sides = 1; // 1: lines, 2: ribbons, else tubes
+    int Sides = 1; // 1: lines, 2: ribbons, more: tubes
     double Radius = 0.0;
     std::string RadiusArrayName;
   };
-  /// After SetCurves(): false if the curves have this shape already.
+  /// Set the shape, after SetCurves(). Return false if it has not changed.
   bool SetShape(const Shape& shape);
   int GetSides() const { return this->Current.Sides; }
-  /// The error of the array of radii, with which nothing can be drawn; or "".
+  /// Return the error of the array of radii, or "". With an error nothing can be drawn.
   const std::string& GetRadiusError() const { return this->RadiusError; }
 
-  /// Of all that is drawn; not initialized where there is nothing to draw.
+  /// Compute the bounds of everything that is drawn; they are uninitialized if there is nothing to
+  /// draw.
   void GetBounds(double bounds[6]) const;
 
-  /// Choose the curves and their segments for a view. What is wrong with the recipe, or "".
+  /// Select the curves and their segments for a view. Return the error of the recipe, or "".
   std::string Select(
     vtkAdaptiveRefinement* recipe, vtkRenderer* renderer, vtkActor* actor, bool isCulled);
   const CurveSelection& GetSelection() const { return this->Selection; }
 
-  /// Upload what has changed; `withCells` also the numbers of cells. False where there is no room.
+  /// Upload the data that have changed; `withCells` includes ids of cells. Return false if OpenGL
+  /// lacks memory.
   bool Upload(vtkOpenGLRenderWindow* window, bool withCells);
   const CurveBuffers& GetBuffers() const { return this->Buffers; }
   vtkIdType GetNumberOfUploads() const { return this->NumberOfUploads; }
   vtkTypeInt64 GetMemorySize() const;
 
   //@{
-  /// Give programs the curves, and those of them that are drawn.
+  /// Bind the curves, or the indices of the drawn curves, to programs.
   void Activate(vtkShaderProgram* program);
   void ActivateInstances(vtkShaderProgram* program) { this->Instances.Activate(program); }
   void Deactivate();
@@ -81,10 +82,10 @@ private:
   Dependencies InputSource;
   CurveMesh Mesh;
   FiniteBox PointBox;
-  dvec3 Origin = dvec3(0.0); // its middle
+  dvec3 Origin = dvec3(0.0); // the centre of the curves
   Dependencies ShapeSource;
   Shape Current;
-  std::vector<double> Radii; // at control points; one for all of them
+  std::vector<double> Radii; // at control points; a single radius applies to all
   std::string RadiusError;
 
   CurveSelection Selection;

@@ -4,8 +4,8 @@
  * @class   CurvePainter
  * @brief   draws the curves of one data set as VTK's mapper draws a polydata
  *
- * Lights, clipping planes, opacity, render passes and selections are VTK's: where its shaders read
- * a vertex, they are given one of a curve. Private to the module.
+ * Lights, clipping planes, opacity, render passes and selections are VTK's: its shaders get a
+ * vertex of a curve instead of a vertex of the mesh. Private to the module.
  */
 #ifndef CurvePainter_h
 #define CurvePainter_h
@@ -35,36 +35,37 @@ public:
   static CurvePainter* New();
   vtkTypeMacro(CurvePainter, vtkOpenGLPolyDataMapper);
 
-  /// Take a data set. False if it is the one that is there, and has not changed.
+  /// Set a data set. Return false if it is the current one and has not changed.
   bool SetCurves(vtkPointSet* input);
-  /// After SetCurves(). What is wrong with the array of radii, or ""; nothing is to be drawn then.
+  /// Set the shape, after SetCurves(). Return the error of the array of radii, or ""; with an error
+  /// nothing can be drawn.
   std::string SetShape(const CurveGeometry::Shape& shape);
-  /// With what is wrong with cells.
+  /// Return the curves, including the errors of cells.
   const CurveMesh& GetMesh() const { return this->Geometry.GetMesh(); }
 
-  /// Not initialized where there is nothing to draw.
+  /// Compute the bounds; they are uninitialized if there is nothing to draw.
   void GetCurveBounds(double bounds[6]) const { this->Geometry.GetBounds(bounds); }
 
-  /// How to draw.
+  /// The settings for drawing.
   struct Settings
   {
     vtkAdaptiveRefinement* Recipe = nullptr;
-    vtkMapper* Scalars = nullptr; // what colours by
+    vtkMapper* Scalars = nullptr; // the mapper with the settings of scalars
     bool IsTessellated = false;
     bool IsCulled = true;
   };
-  /// Before RenderPiece(): have what a view shows on the GPU. What is wrong, or "".
+  /// Upload the data of a view, before RenderPiece(). Return the error, or "".
   std::string Prepare(vtkRenderer* renderer, vtkActor* actor, const Settings& settings);
 
   //@{
-  /// After it: what is wrong with colours, the shaders or tessellation, or "".
+  /// Return the error of colours, the shaders or tessellation, or "", after RenderPiece().
   const std::string& GetColorError() const { return this->ColorError; }
   const std::string& GetShaderError() const { return this->Variants.GetError(); }
   const std::string& GetTessellationError() const { return this->TessellationError; }
   //@}
   bool IsTessellated() const { return this->Options.IsTessellated; }
 
-  /// What the largest ids are that are drawn for a selection.
+  /// Report the largest ids that a selection draws.
   void AnnounceIds(vtkHardwareSelector* selector) const;
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -77,7 +78,7 @@ public:
   int GetNumberOfDrawCalls() const { return this->NumberOfDrawCalls; }
   vtkTypeInt64 GetMemorySize() const;
 
-  /// How often things have been done.
+  /// How often levels have been evaluated, data uploaded and shaders built.
   struct Counts
   {
     vtkIdType Selections = 0;
@@ -113,10 +114,10 @@ private:
   bool BuildStages(vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor);
   void DrawInstances(unsigned int mode);
   void DrawPatches();
-  int GetMaximumSegments() const; // of a curve
+  int GetMaximumSegments() const; // per curve
 
   CurveGeometry Geometry;
-  vtkNew<vtkPolyData> Box; // VTK's mapper wants points
+  vtkNew<vtkPolyData> Box; // VTK's mapper needs points
   CurveColors Colors;
   Dependencies ColorSource;
   std::string ColorError;
@@ -126,7 +127,7 @@ private:
   ShaderVariants Variants;
   TessellationPrograms Programs;
   std::string TessellationError;
-  Dependencies FailedStages; // of tessellation shaders that could not be built
+  Dependencies FailedStages; // tessellation shaders that could not be built
   int NumberOfDrawCalls = 0;
 };
 }

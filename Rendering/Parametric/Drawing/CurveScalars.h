@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   what a mapper colours curves by
+ * @brief   uploads the scalars that colour a mapper's curves
  *
  * Private to the module.
  */
@@ -22,12 +22,12 @@ namespace relevo
 class CurveColors;
 class CurveMesh;
 
-/// All that colours depend on beside the input.
+/// Return the dependencies of colours, without the input.
 Dependencies GetScalarSettings(vtkMapper* mapper);
 
 /**
- * Has colours as a mapper is set to, of an input with these curves. Returns what is wrong, "" for
- * nothing.
+ * Upload colours according to a mapper's settings, for an input with these curves. Return the
+ * error, or "".
  */
 std::string UploadScalars(vtkOpenGLRenderWindow* window, vtkMapper* mapper, vtkDataSet* input,
   const CurveMesh& curves, CurveColors& colors);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   where on its grid a pick of the triangles of patches is
+ * @brief   maps a pick of a patch's triangle to its grid
  *
  * Private to the module.
  */
@@ -17,9 +17,9 @@ namespace relevo
 {
 //@{
 /**
- * The grid's cell of a triangle, and the coordinates on its patch: of a place in the triangle by
- * parametric coordinates, or of the patch's point that is nearest to a position. -1, and nothing is
- * set, where the mesh has no patch there.
+ * Return the grid's cell of a triangle, and the coordinates on its patch: of a point in the
+ * triangle with parametric coordinates, or of the patch's point that is nearest to a position. If
+ * the mesh has no patch there, -1 is returned and nothing is set.
  */
 vtkIdType FindPickedPatch(
   vtkPolyData* mesh, vtkIdType triangle, const double place[2], double pcoords[3]);

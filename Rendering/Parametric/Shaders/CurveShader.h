@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   how VTK's shaders become those of curves
+ * @brief   changes VTK's shaders into shaders of curves
  *
  * Private to the module.
  */
@@ -17,23 +17,23 @@
 
 namespace relevo
 {
-/// What curves are coloured by.
+/// The source of the curves' colours.
 enum class CurveColoring
 {
   ACTOR,
   CELLS,              // a colour for each curve
-  POINTS,             // colours of points, by the curve's basis
-  VALUES,             // values by the curve's basis, looked up at the ends of segments
-  VALUES_OF_FRAGMENTS // and interpolated between them before they are looked up
+  POINTS,             // colours of points, evaluated with the curve's basis
+  VALUES,             // values evaluated with the curve's basis, mapped at the ends of segments
+  VALUES_OF_FRAGMENTS // the same, interpolated between the ends before they are mapped
 };
 
-/// What shaders of curves differ in.
+/// The options of shaders of curves.
 struct CurveShaderOptions
 {
-  int Sides = 1;  // 1: lines, 2: ribbons, else tubes
-  int Degree = 0; // of all curves; 0 where they differ
+  int Sides = 1;  // 1: lines, 2: ribbons, more: tubes
+  int Degree = 0; // of all curves; 0 if they differ
   bool IsRational = false;
-  bool HasRadii = false; // not of lines
+  bool HasRadii = false; // false for lines
   bool IsTessellated = false;
   bool HasCells = false; // a selection asks for cells
   CurveColoring Coloring = CurveColoring::ACTOR;
@@ -41,18 +41,18 @@ struct CurveShaderOptions
   Dependencies GetKey() const;
 };
 
-/// Rings of vertices that a curve has beside those at the ends of its segments.
+/// Return the number of rings of vertices in addition to those at the ends of a curve's segments.
 int GetMoreRings(int sides);
 
-/// Before VTK puts its text into the templates. `ownFragments`: see HasOwnFragments().
+/// Change the templates before VTK does. `ownFragments`: see HasOwnFragments().
 void PrepareCurveShaders(const CurveShaderOptions& options, bool ownFragments,
   std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing);
 
-/// Afterwards.
+/// Change the shaders after VTK.
 void FinishCurveShaders(const CurveShaderOptions& options,
   std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing);
 
-/// The tessellation control shader, without its version.
+/// Return the tessellation control shader, without its version.
 std::string GetCurveControlShader(const CurveShaderOptions& options);
 }
 

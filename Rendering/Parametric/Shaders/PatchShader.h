@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   how the shaders of a refined surface show fields and lines of patches at every pixel
+ * @brief   changes the shaders of a refined surface to evaluate patches at every pixel
  *
  * Private to the module.
  */
@@ -20,17 +20,17 @@ struct ShaderExtension;
 /// How coefficients become colours.
 enum class PatchColoring
 {
-  NONE,    // there are none
-  TABLE,   // the number is looked up
-  TEXTURE, // VTK's texture of the table has them
-  COLORS   // they are colours
+  NONE,    // there are no coefficients
+  TABLE,   // the value is mapped by a lookup table
+  TEXTURE, // the value is mapped by VTK's texture of the table
+  COLORS   // the coefficients are colours
 };
 
-/// What fragments show of patches.
+/// The options of the shaders.
 struct PatchShaderOptions
 {
   PatchColoring Coloring = PatchColoring::NONE;
-  bool HasIsolines = false; // not of COLORS
+  bool HasIsolines = false; // false for COLORS
   bool HasEdges = false;
 
   bool HasColors() const { return this->Coloring != PatchColoring::NONE; }
@@ -38,14 +38,14 @@ struct PatchShaderOptions
   bool IsEmpty() const { return !this->HasColors() && !this->HasEdges; }
 };
 
-/// Has vertices give fragments their patch, and where on it they are.
+/// Make vertices pass their patch and the coordinates on it.
 void ExtendPatchShaders(const PatchShaderOptions& options, ShaderExtension& extension);
 
-/// Before VTK puts its text into the templates. `ownFragments`: see HasOwnFragments().
+/// Change the templates before VTK does. `ownFragments`: see HasOwnFragments().
 void PreparePatchShaders(const PatchShaderOptions& options, bool ownFragments,
   std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing);
 
-/// Afterwards.
+/// Change the shaders after VTK.
 void FinishPatchShaders(const PatchShaderOptions& options,
   std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing);
 }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CurveSelection
- * @brief   which curves a view shows, grouped by their numbers of segments
+ * @brief   the curves that a view shows, grouped by their number of segments
  *
- * Evaluated anew when the curves, the recipe or what matters of the view have changed. Private to
- * the module.
+ * It is evaluated again only when the curves, the recipe or, if it matters, the view have changed.
+ * Private to the module.
  */
 #ifndef CurveSelection_h
 #define CurveSelection_h
@@ -31,7 +31,7 @@ class CurveMesh;
 class CurveSelection
 {
 public:
-  /// Curves of the same number of segments, and where they lie among the members.
+  /// Curves with the same number of segments, and their range in the members.
   struct Group
   {
     int Segments;
@@ -39,30 +39,31 @@ public:
     int Count;
   };
 
-  /// Take the curves of an input; both live on. SetReaches() follows.
+  /// Set the curves of an input; both must outlive this object. Call SetReaches() next.
   void SetCurves(vtkPointSet* input, const CurveMesh& curves);
 
   /**
-   * How far what is drawn of the curves reaches to all sides: by control point or, if there is one
-   * number only, everywhere. `origin` is what a CullingView is relative to.
+   * Set how far the drawn curves extend in all directions: per control point, or one number for
+   * all. `origin` is the origin of the CullingView.
    */
   void SetReaches(const std::vector<double>& reaches, const dvec3& origin);
 
   /**
-   * Choose for a view; `culling` is nullptr where all curves are drawn. False with an error if the
-   * recipe cannot be evaluated.
+   * Select curves for a view. If `culling` is nullptr, all curves are drawn. Return false and set
+   * an error if the recipe cannot be evaluated.
    */
   bool Update(vtkAdaptiveRefinement* recipe, const RefinementView& view, const CullingView* culling,
     std::string& error);
 
   const std::vector<Group>& GetGroups() const { return this->Groups; }
-  /// Numbers of curves, group by group.
+  /// Return the indices of curves, group by group.
   const std::vector<unsigned int>& GetMembers() const { return this->Members; }
-  /// When the groups were made.
+  /// Return when the groups were made.
   vtkMTimeType GetGroupsTime() const { return this->GroupsTime; }
 
   //@{
-  /// Of the drawn curves, and of the hidden ones, if none has more than `most`.
+  /// Return the number of segments of the drawn and of the hidden curves, with at most `most` per
+  /// curve.
   vtkIdType CountDrawnSegments(int most) const;
   vtkIdType CountHiddenSegments(int most) const;
   //@}
@@ -70,7 +71,7 @@ public:
   {
     return static_cast<vtkIdType>(this->Tags.GetSegments().size() - this->Members.size());
   }
-  /// How often levels have been evaluated.
+  /// Return how often levels have been evaluated.
   vtkIdType GetNumberOfEvaluations() const { return this->NumberOfEvaluations; }
 
 private:
@@ -82,9 +83,9 @@ private:
   vtkPointSet* Input = nullptr;
   const CurveMesh* Curves = nullptr;
   CurveTags Tags;
-  std::vector<vec3> Boxes; // the middle and half the sides of each
+  std::vector<vec3> Boxes; // the centre and half the extent of each curve
   Dependencies TagDependencies;
-  std::string Error; // of the tags
+  std::string Error; // error of the tags
   vtkTimeStamp CurvesTime;
   vtkTimeStamp BoxesTime;
   vtkTimeStamp SegmentsTime;

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   for each texel a cone above it in which no ray meets the surface more than once that
- *          goes away from the relief's viewer, wherever it starts
+ * @brief   the relaxed cones of a relief
+ *
+ * There is a cone above each texel. A ray that goes away from the relief's viewer intersects the
+ * surface at most once inside a cone, wherever the ray starts.
  *
  * F. Policarpo, M. Oliveira, "Relaxed Cone Stepping for Relief Mapping", 2007. Private to the
  * module.
@@ -17,10 +19,11 @@ namespace relevo
 {
 class ReliefTiles;
 
-/// Cones are right to this many texels from their axis, and within the tile.
+/// Cones are correct up to this number of texels from their axis, and within the tile.
 constexpr int ConeRadius = 8;
 
-/// For each texel of the textures r / (1 + r) of 255, where a cone is r wide at height 1.
+/// Return, for each texel of the textures, r / (1 + r) scaled to 255, where r is the cone's radius
+/// at height 1.
 std::vector<unsigned char> MakeReliefCones(const ReliefTiles& tiles);
 }
 

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ReliefPatterns
- * @brief   the patterns that halves of a relief's tiles are drawn by, each edge as finely as both
- *          its sides need it
+ * @brief   the patterns that draw halves of a relief's tiles, with matching edges
  *
- * Private to the module.
+ * Each edge is as fine as both its sides need. Private to the module.
  */
 #ifndef ReliefPatterns_h
 #define ReliefPatterns_h
@@ -30,14 +29,15 @@ class ReliefView;
 class ReliefPatterns
 {
 public:
-  /// Which patterns are drawn: triangles stay within a quarter of a texel of the surface, or of a
-  /// pixel where that is more. false where OpenGL has no room for them.
+  /// Select the patterns. Triangles deviate from the surface by at most a quarter of a texel, or of
+  /// a pixel if that is larger. Return false if OpenGL lacks memory.
   bool Select(vtkOpenGLRenderWindow* window, const ReliefTiles& tiles, const ReliefView& view);
 
-  /// That are drawn of all tiles where texels are no smaller than pixels, but for levels' borders.
+  /// Return the number of triangles for all tiles if texels are at least as large as pixels,
+  /// without the transitions between levels.
   static double CountTriangles(const ReliefTiles& tiles);
 
-  /// With the program that SetUniforms() was called for.
+  /// Draw with the program for which SetUniforms() was called.
   void Draw(vtkShaderProgram* program);
   void Deactivate();
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -51,7 +51,7 @@ private:
   void MakePatterns();
   void AddHalf(unsigned int half, const Levels& levels);
 
-  PatternRanges<Levels, unsigned int> Patterns; // by levels that do not rise
+  PatternRanges<Levels, unsigned int> Patterns; // by levels in descending order
   std::map<Levels, std::vector<unsigned int>> InstancesOfPatterns;
   std::vector<float> VertexValues;
   BufferTexture Vertices;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   textures of values without mipmaps, one to a texel
+ * @brief   textures without mipmaps, with one value per texel
  *
  * Private to the module.
  */
@@ -23,7 +23,7 @@ namespace relevo
 vtkSmartPointer<vtkTextureObject> MakeReliefTexture(
   vtkOpenGLRenderWindow* window, const ivec2& size, const void* values, int components, int type);
 
-/// Where there is a texture and the program has such a sampler.
+/// Activate a texture, if it exists and the program has this sampler.
 void ActivateReliefTexture(
   vtkShaderProgram* program, vtkTextureObject* texture, const char* sampler);
 }

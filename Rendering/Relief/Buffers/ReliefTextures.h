@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ReliefTextures
- * @brief   the tiles of a relief on the graphics card
+ * @brief   the tiles of a relief on the GPU
  *
  * Private to the module.
  */
@@ -24,15 +24,15 @@ class ReliefTiles;
 class ReliefTextures
 {
 public:
-  /// The largest number of texels along a side of this context's textures.
+  /// Return the largest size of this context's textures, in texels.
   static int GetLargestSize();
 
-  /// false where OpenGL does not have room for them.
+  /// Upload the tiles. Return false if OpenGL lacks memory.
   bool Upload(vtkOpenGLRenderWindow* window, const ReliefTiles& tiles);
 
-  /// The cones of MakeReliefCones(), too.
+  /// Upload the cones of MakeReliefCones().
   bool UploadCones(vtkOpenGLRenderWindow* window, const ReliefTiles& tiles);
-  /// And the grid of tiles, for shadows.
+  /// Upload the grid of tiles, for shadows.
   bool UploadGrid(vtkOpenGLRenderWindow* window, const ReliefTiles& tiles);
   bool HasGrid() const { return !this->Grid.IsEmpty(); }
   bool HasCones() const { return this->Cones != nullptr; }
@@ -43,7 +43,7 @@ public:
 
   int GetNumberOfTiles() const { return this->NumberOfTiles; }
   bool HasNormals() const { return this->Normals != nullptr; }
-  /// Bytes.
+  /// Return the number of bytes.
   vtkTypeInt64 GetMemorySize() const;
 
 private:

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ReliefTiles
- * @brief   a relief cut into square tiles, those without surface left out
+ * @brief   a relief divided into square tiles; tiles without surface are omitted
  *
- * Coordinates are those of texel space moved and scaled: (c - c0, r - r0, s (w - w0)), with (c0,
- * r0, w0) near the middle, s such that all three are about as long in the world there, and of the
- * sign that has the third grow away from the viewer of the relief. Private to the module.
+ * Coordinates are those of texel space, moved and scaled: (c - c0, r - r0, s (w - w0)). (c0, r0,
+ * w0) is near the centre. s makes all three units about equally long in world coordinates there,
+ * and its sign makes the third coordinate grow away from the viewer of the relief. Private to the
+ * module.
  */
 #ifndef ReliefTiles_h
 #define ReliefTiles_h
@@ -22,61 +23,68 @@ class Relief;
 class ReliefTiles
 {
 public:
-  /// Quads along a tile's side; the shaders have it, too. Neighbours share their border's texels.
+  /// The number of quads along a tile's side, the same as in the shaders. Neighbours share the
+  /// texels of their border.
   static constexpr int Size = 16;
   static constexpr int Texels = Size + 1;
-  /// Quads along the side of a cell, and cells along that of a tile.
+  /// The number of quads along a cell's side, and of cells along a tile's side.
   static constexpr int CellSize = 8;
   static constexpr int Cells = Size / CellSize;
 
-  /// sides: of FindReliefSides().
+  /// The sides are those of FindReliefSides().
   void Cut(const Relief& relief, const std::vector<unsigned char>& sides);
 
   int GetNumberOfTiles() const { return static_cast<int>(this->Places.size()); }
 
-  /// From the tiles' coordinates to the world; of points of the surface the fourth is positive.
+  /// Return the matrix from coordinates of the tiles to the world; points of the surface have a
+  /// positive fourth coordinate.
   const dmat4& GetToWorld() const { return this->ToWorld; }
-  /// A height of texel space in these coordinates, and that of a depth.
+  /// Convert a height of texel space to these coordinates, or a depth to a height.
   double ToScaled(double height) const { return this->HeightScale * (height - this->HeightOffset); }
   double ToHeight(double depth) const
   {
-    return this->ToScaled(this->HeightScale < 0.0 ? 1.0 / depth : depth); // as in perspective
+    // in perspective, the inverse depth
+    return this->ToScaled(this->HeightScale < 0.0 ? 1.0 / depth : depth);
   }
   double GetHeightScale() const { return this->HeightScale; }
-  /// Of c = r = 0.
+  /// Return the column and row at c = r = 0.
   const ivec2& GetFirst() const { return this->First; }
-  /// Of the surface, in the world: least and largest x, y, z. least > largest where there is none.
+  /// Return the bounds of the surface in world coordinates; minimum > maximum if there is no
+  /// surface.
   const double* GetBounds() const { return this->Bounds; }
 
-  /// Whether a texel of the surface has a colour that is.
+  /// Return whether a texel of the surface has a translucent colour.
   bool IsTranslucent() const { return this->Translucent; }
 
-  /// For each tile: first column and row, least and largest height.
+  /// Return, for each tile, the first column and row, and the smallest and largest height.
   const std::vector<vec4>& GetPlaces() const { return this->Places; }
-  /// For each tile 8 numbers, of two rows of quads each: bit (r % 2) 16 + c for a quad there.
+  /// Return, for each tile, 8 integers for two rows of quads each: bit (r % 2) 16 + c is set if
+  /// there is a quad.
   const std::vector<unsigned int>& GetQuads() const { return this->Quads; }
-  /// For each cell of each tile least and largest height; least > largest for no surface.
+  /// Return, for each cell of each tile, the smallest and largest height; smallest > largest for no
+  /// surface.
   const std::vector<float>& GetRanges() const { return this->Ranges; }
 
-  /// Quads along the sides of half a tile's triangles are Size / 2^level: levels 0 to this.
+  /// The highest level. At a level, triangles of half a tile have Size / 2^level quads along a
+  /// side.
   static constexpr int HighestLevel = 4;
-  /// How far triangles of lower levels are from the surface: for each tile that of levels 0, 1...;
-  /// infinite where quads are not there, for which the highest is needed.
+  /// Return, for each tile and each level 0, 1..., the deviation of the triangles from the surface.
+  /// It is infinite for tiles with missing quads, which need the highest level.
   const std::vector<float>& GetDeviations() const { return this->Deviations; }
-  /// The tile beside another, to the right and above, or -1; for each tile.
+  /// Return, for each tile, the tiles to the right and above, or -1.
   const std::vector<ivec2>& GetNeighbors() const { return this->Neighbors; }
 
-  /// Squares of Size x Size quads, row after row, and the numbers of tiles in them, or -1.
+  /// Return squares of Size x Size quads, row by row, with the indices of their tiles, or -1.
   const ivec2& GetGridSize() const { return this->GridSize; }
   const std::vector<int>& GetGrid() const { return this->Grid; }
 
-  /// Textures that have a tile after the other, row after row.
+  /// Return the layout of textures, which contain the tiles row by row.
   int GetTilesPerRow() const { return this->TilesPerRow; }
   ivec2 GetTextureSize() const;
   const std::vector<float>& GetHeights() const { return this->Heights; }
-  /// Four to a texel; opaque where the relief has three.
+  /// Return four components per texel; texels are opaque if the relief has three.
   const std::vector<unsigned char>& GetColors() const { return this->Colors; }
-  /// On an octahedron, two to a texel; empty where the relief has none.
+  /// Return octahedral normals, two components per texel; empty if the relief has none.
   const std::vector<unsigned short>& GetNormals() const { return this->Normals; }
 
 private:

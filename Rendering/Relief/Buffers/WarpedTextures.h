@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   WarpedTextures
- * @brief   what vtkReliefWarper makes of a relief for the eye, as textures on the relief's plane
+ * @brief   the images of vtkReliefWarper for the camera, as textures on the relief's plane
  *
  * Private to the module.
  */
@@ -37,7 +37,8 @@ public:
 
   void SetRelief(vtkImageData* image, double maximumStretch);
 
-  /// Warps if the eye has moved. false where the eye does not see the plane, or there is no room.
+  /// Warp the relief if the camera has moved. Return false if the camera does not see the plane, or
+  /// if OpenGL lacks memory.
   bool Update(vtkRenderer* renderer, vtkActor* actor, const ReliefTiles& tiles);
 
   void Activate(vtkShaderProgram* program, const ReliefTiles& tiles);
@@ -53,7 +54,7 @@ private:
   bool Upload(vtkOpenGLRenderWindow* window, const ReliefTiles& tiles);
 
   vtkNew<vtkReliefWarper> Warper;
-  vtkNew<vtkCamera> Eye; // of the renderer's camera, in the actor's coordinates
+  vtkNew<vtkCamera> Eye; // the renderer's camera, in coordinates of the actor
   int UploadedWarp = 0;
   dvec4 Coefficients = dvec4(0.0); // k1, k2, k3 and the height of the plane
   ivec2 Size = ivec2(0);

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CaptureAhead
- * @brief   where the next capture is best made, and whether one is worth its time
+ * @brief   predicts the view of the next capture, and whether a capture saves time
  *
- * A view that turns by a few degrees from frame to frame leaves each capture at once. Captures that
- * are a frame ahead of the motion serve this frame, between two captures, and the next one. Where
- * even these are of use for one frame alone, frames are drawn without captures for a while. Private
- * to the module.
+ * A view that rotates by a few degrees from frame to frame leaves each capture at once. A capture
+ * one frame ahead of the motion serves this frame, which lies between two captures, and the next
+ * one. If even such captures serve a single frame, frames are drawn without captures for a while.
+ * Private to the module.
  */
 #ifndef CaptureAhead_h
 #define CaptureAhead_h
@@ -21,30 +21,30 @@ namespace relevo
 class CaptureAhead
 {
 public:
-  /// Of the frame that is drawn now; frames follow one another.
+  /// Set the camera of the current frame; frames follow one another.
   void MoveTo(vtkCamera* camera);
-  /// Where the view stands still.
+  /// Stop the motion.
   void Stop() { this->NumberOfFrames = 0; }
 
-  /// Moves a camera as far as the last two frames' views are apart: from the last one to where the
-  /// next one is expected. Whether it moves.
+  /// Move a camera by the motion between the last two frames, to the expected view of the next one.
+  /// Return whether there is any motion.
   bool Advance(vtkCamera* camera) const;
 
-  /// Whether a capture may be made in this frame, which needs one.
+  /// Return whether a capture may be made in this frame, which needs one.
   bool IsWorthwhile();
-  /// A capture was made.
+  /// Record a capture.
   void AddCapture() { this->NumberOfShownFrames = 0; }
-  /// The frame shows captures.
+  /// Record a frame that shows captures.
   void AddShownFrame() { ++this->NumberOfShownFrames; }
 
 private:
-  dmat4 FromView = dmat4(1.0); // of the last frame
-  dmat4 Motion = dmat4(1.0);   // in the world, since the one before
-  int NumberOfFrames = 0;      // up to 2
+  dmat4 FromView = dmat4(1.0); // view of the last frame
+  dmat4 Motion = dmat4(1.0);   // in world coordinates, between the last two frames
+  int NumberOfFrames = 0;      // at most 2
   int NumberOfShownFrames = 2; // since the last capture
-  int NumberOfLosses = 0;      // captures in a row that fewer than two frames showed
+  int NumberOfLosses = 0;      // successive captures that served fewer than two frames
   int Pause = 0;               // frames without captures after the last losses
-  int FramesLeft = 0;          // of the pause
+  int FramesLeft = 0;          // frames left of the pause
 };
 }
 

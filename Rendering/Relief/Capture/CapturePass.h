@@ -4,9 +4,9 @@
  * @class   CapturePass
  * @brief   draws opaque props into a CaptureTarget, with normals and depths of full precision
  *
- * Shaders of VTK's polydata mappers and of what derives from them write these; other props leave
- * them out. Stays the same object from capture to capture, so that mappers keep their shaders.
- * Private to the module.
+ * The shaders of VTK's polydata mappers and of derived mappers write normals and depths; other
+ * props do not. The object stays the same from capture to capture, so that mappers keep their
+ * shaders. Private to the module.
  */
 #ifndef CapturePass_h
 #define CapturePass_h
@@ -28,10 +28,10 @@ public:
   static CapturePass* New();
   vtkTypeMacro(CapturePass, vtkOpenGLRenderPass);
 
-  /// By the renderer's camera.
+  /// Draw with the renderer's camera.
   void Draw(CaptureRenderer* renderer, std::vector<vtkProp*>& props, CaptureTarget& target);
 
-  /// As part of Draw().
+  /// Render as a part of Draw().
   void Render(const vtkRenderState* state) override;
 
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,

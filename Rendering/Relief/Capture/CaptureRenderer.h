@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CaptureRenderer
- * @brief   draws what another renderer shows, in its window's context, at a size of its own
+ * @brief   draws the scene of another renderer in its window's context, at another size
  *
- * It is not in the window's list, and has a camera and copies of the lights of its own, so that
- * nothing of the other renderer changes. Private to the module.
+ * It is not in the window's list of renderers, and has its own camera and copies of the lights, so
+ * that the other renderer does not change. Private to the module.
  */
 #ifndef CaptureRenderer_h
 #define CaptureRenderer_h
@@ -20,16 +20,16 @@ public:
   static CaptureRenderer* New();
   vtkTypeMacro(CaptureRenderer, vtkOpenGLRenderer);
 
-  /// Take the window, the lights and the ambient light of another renderer.
+  /// Copy the window, the lights and the ambient light of another renderer.
   void Follow(vtkRenderer* renderer);
-  /// Pixels.
+  /// Set the size in pixels.
   void SetCaptureSize(int width, int height);
-  /// Lights that follow the camera stand where this one's camera is.
+  /// Move lights that follow the camera to the camera of this renderer.
   void PlaceLights();
 
   //@{
   /**
-   * Those of the capture: the window's do not matter.
+   * These are the size and origin of the capture, not of the window.
    */
   int* GetSize() override;
   int* GetOrigin() override;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CaptureTarget
- * @brief   a framebuffer that reliefs are captured in, and what was drawn to it
+ * @brief   a framebuffer for captures, and its pixels
  *
- * Colours of 8 bits as a window's, depths of 32 bits, and as floats normals and depths that shaders
- * write. Has no multisamples: a pixel shows one surface. Private to the module.
+ * It has colours of 8 bits like a window, depths of 32 bits, and normals and depths that shaders
+ * write as floats. There is no multisampling: a pixel shows one surface. Private to the module.
  */
 #ifndef CaptureTarget_h
 #define CaptureTarget_h
@@ -19,15 +19,15 @@ class vtkOpenGLRenderWindow;
 
 namespace relevo
 {
-/// What was drawn, row after row from below.
+/// The pixels that were drawn, row by row from the bottom.
 struct CapturedPixels
 {
   int Width = 0;
   int Height = 0;
   std::vector<unsigned char> Colors; ///< red, green, blue
   std::vector<float> ZBuffer;        ///< from 0 at the near plane to 1 at the far one
-  std::vector<float> Normals;        ///< in the camera's space, and 1; 0 where a shader wrote none
-  std::vector<float> Depths;         ///< 1 / gl_FragCoord.w or 0, and gl_FragDepth, by a shader
+  std::vector<float> Normals; ///< in camera coordinates, and 1; all 0 if no shader wrote a normal
+  std::vector<float> Depths;  ///< 1 / gl_FragCoord.w or 0, and gl_FragDepth, written by a shader
 };
 
 class CaptureTarget
@@ -36,19 +36,19 @@ public:
   /// Colours, normals and depths.
   static constexpr int NumberOfDrawBuffers = 3;
 
-  /// In the context of the window, which is current; what OpenGL cannot do, or "".
+  /// Allocate the framebuffer in the current context of the window. Return the error, or "".
   std::string Allocate(vtkOpenGLRenderWindow* window, int width, int height);
 
   //@{
   /**
-   * What is drawn in between comes here, to an empty framebuffer, with OpenGL in the state that
-   * VTK draws opaque props in; what was before Begin() is restored.
+   * Between these calls, OpenGL draws to this framebuffer, which is cleared, in the state in which
+   * VTK draws opaque props. End() restores the previous state.
    */
   void Begin();
   void End();
   //@}
 
-  /// How many of the draw buffers shaders write to.
+  /// Set the number of draw buffers that shaders write to.
   void ActivateDrawBuffers(int number);
   void Read(CapturedPixels& pixels);
 

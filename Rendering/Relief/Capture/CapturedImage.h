@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   a relief of what was captured
+ * @brief   converts captured pixels to a relief
  *
  * Private to the module.
  */
@@ -19,7 +19,8 @@ namespace relevo
 struct CapturedPixels;
 struct FittedCamera;
 
-/// nullptr if nothing was drawn. Cropped: without rows and columns at the sides where nothing was.
+/// Return the relief, or nullptr if nothing was drawn. Cropped reliefs have no empty rows and
+/// columns at the sides.
 vtkSmartPointer<vtkImageData> MakeCapturedImage(
   const CapturedPixels& pixels, const FittedCamera& camera, bool withNormals, bool cropped);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   cameras that captures are made with
+ * @brief   the cameras of captures
  *
  * Private to the module.
  */
@@ -20,34 +20,36 @@ namespace relevo
 {
 struct FittedCamera
 {
-  /// Sees what the other sees in a picture of this many pixels, by an explicit projection; nullptr
-  /// if none of the corners is in front of it.
+  /// A camera with the same view, in an image of this size, with an explicit projection; nullptr if
+  /// all corners are behind it.
   vtkSmartPointer<vtkCamera> Camera;
-  /// Whether there is no such camera as its matrices have no inverse.
+  /// Whether there is no such camera because its matrices are singular.
   bool IsSingular = false;
-  /// Depths of the near and far plane, which are close around the corners.
+  /// Depths of the near and far plane, which fit the corners closely.
   dvec2 Range = dvec2(0.0);
 };
 
 /**
- * The corners are those of what is to be seen. The least share of the far plane's depth that the
- * near plane of a perspective has is vtkRenderer's NearClippingPlaneTolerance; 0 for its default.
+ * Fit a camera to the corners of the visible scene. The smallest ratio of the near to the far
+ * plane's depth in perspective is vtkRenderer's NearClippingPlaneTolerance; 0 uses its default.
  */
 FittedCamera FitCamera(vtkCamera* camera, int width, int height, const std::vector<dvec3>& corners,
   double nearClippingPlaneTolerance);
 
-/// Sees what the other sees in a picture of this many pixels, and a margin of more pixels around.
+/// Return a camera with the same view in an image of this size, plus a margin of pixels around it.
 vtkSmartPointer<vtkCamera> WidenCamera(
   vtkCamera* camera, int width, int height, const ivec2& margin);
 
-/// In parallel, along a direction; the corners fill the picture but for a pixel at its sides.
+/// Return a parallel camera along a direction; the corners fill the image except for one pixel at
+/// its sides.
 vtkSmartPointer<vtkCamera> MakeCameraAlong(
   const dvec3& direction, int width, int height, const std::vector<dvec3>& corners);
 
-/// Along x, -x, y, -y, z, -z.
+/// Return the directions along x, -x, y, -y, z, -z.
 std::vector<dvec3> GetBoxDirections();
 
-/// From the points of an icosahedron whose faces were split in four so often to its middle.
+/// Return the directions to the centre from the points of an icosahedron, whose faces are split in
+/// four `level` times.
 std::vector<dvec3> GetSphereDirections(int level);
 }
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ReliefGaps
- * @brief   foresees where a captured relief comes open, seen from elsewhere
+ * @brief   predicts where holes open in a captured relief in another view
  *
- * Neighbouring texels that are not joined move apart in other views, by what their projections say;
- * so do the sides of what was captured and those of the view. Behind a silhouette with nothing
- * beyond it there is nothing to foresee. Private to the module.
+ * Neighbouring texels that are not connected move apart in other views, as computed from their
+ * projections. So do the borders of the captured region and of the view. Surfaces behind a
+ * silhouette against the background cannot be predicted. Private to the module.
  */
 #ifndef ReliefGaps_h
 #define ReliefGaps_h
@@ -19,23 +19,23 @@ namespace relevo
 {
 class Relief;
 
-/// Of a view in cells of CellSize x CellSize pixels, how many pixels are shown, and how many open.
+/// The number of shown and of open pixels of a view, in cells of CellSize x CellSize pixels.
 struct GapMap
 {
   static constexpr int CellSize = 8;
 
-  /// Pixels.
+  /// The size is in pixels.
   GapMap(int width, int height);
 
   int Width;
   int Height;
   std::vector<double> Shown;
   std::vector<double> Open;
-  /// The median of what is shown, in pixels; infinity if nothing is.
+  /// The median width of the shown texels, in pixels; infinity if there are none.
   double TexelWidth;
 
   bool Contains(const dvec2& pixel) const;
-  /// At a pixel; outside of the view nothing counts.
+  /// Add an area at a pixel; areas outside the view are ignored.
   void AddShown(const dvec2& pixel, double area) { this->Add(this->Shown, pixel, area); }
   void AddOpen(const dvec2& pixel, double area) { this->Add(this->Open, pixel, area); }
 
@@ -46,10 +46,10 @@ private:
 class ReliefGaps
 {
 public:
-  /// The sides are those that FindReliefSides() finds.
+  /// The sides are those of FindReliefSides().
   ReliefGaps(const Relief& relief, const std::vector<unsigned char>& sides);
 
-  /// In the view that this matrix is of, from the world to clip coordinates.
+  /// Return the map of a view, given by its matrix from world to clip coordinates.
   GapMap Find(const dmat4& worldToClip, int width, int height) const;
 
 private:
@@ -62,10 +62,10 @@ private:
   struct Pair
   {
     Texel First;
-    Texel Second; // on the other side of the opening
+    Texel Second; // on the far side of the opening
     bool IsUpwards;
   };
-  struct Side // of the relief, where what was captured goes on
+  struct Side // a border texel of the relief beyond which the captured surface continues
   {
     Texel From;
     dvec2 Outwards;
@@ -77,12 +77,12 @@ private:
   void AddBorder(const Relief& relief, int column, int row, int right, int up);
 
   dmat4 TexelToWorld;
-  std::vector<Texel> Samples; // some of the valid texels, SampleStep apart
+  std::vector<Texel> Samples; // a subset of the valid texels, SampleStep apart
   std::vector<Pair> Pairs;
   std::vector<Side> Sides;
 };
 
-/// The share of what is shown that is open in all of the maps, which are of one view.
+/// Return the fraction of the shown area that is open in all maps of one view.
 double FindHoleShare(const std::vector<GapMap>& maps);
 }
 

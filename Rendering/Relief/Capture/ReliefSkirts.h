@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   what goes on behind the outlines of a relief
+ * @brief   extends a relief behind its silhouettes
  *
  * The surface ends at the centres of the last texels on both sides of an opening, which leaves a
  * texel between them that shows neither. Private to the module.
@@ -21,9 +21,9 @@ namespace relevo
 class Relief;
 
 /**
- * A relief of what is on the far sides of openings, and of its continuation behind the near sides:
- * plane, in the colour of the outline, for as many texels as bridge the opening. nullptr where
- * there are no openings. The sides are those that FindReliefSides() finds.
+ * Return a relief of the far sides of openings and their planar extension behind the near sides, in
+ * the colour of the silhouette, for as many texels as bridge the opening. Return nullptr if there
+ * are no openings. The sides are those of FindReliefSides().
  */
 vtkSmartPointer<vtkImageData> MakeReliefSkirts(
   const Relief& relief, const std::vector<unsigned char>& sides);

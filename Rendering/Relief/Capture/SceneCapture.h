@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   SceneCapture
- * @brief   captures what a renderer shows, camera by camera
+ * @brief   captures a renderer's scene, camera by camera
  *
  * Private to the module.
  */
@@ -30,17 +30,17 @@ namespace relevo
 class SceneCapture
 {
 public:
-  /// Readies captures of this many texels in the renderer's window; what is wrong, or "". End()
-  /// releases what they need, the shaders excepted.
+  /// Prepare captures of this size in the renderer's window. Return the error, or "". End()
+  /// releases the resources except for the shaders.
   std::string Begin(vtkRenderer* renderer, SceneParts parts, int width, int height);
   void End();
 
-  /// Of the renderer, since Begin().
+  /// Return the renderer's props, since Begin().
   const SceneProps& GetProps() const { return this->Props; }
 
-  /// nullptr if the camera sees nothing.
+  /// Return the relief, or nullptr if the camera sees nothing.
   vtkSmartPointer<vtkImageData> CaptureFrom(vtkCamera* camera, bool withNormals, bool cropped);
-  /// Whether that was because the last camera's matrices have no inverse.
+  /// Return whether there was no relief because the last camera's matrices were singular.
   bool WasSingular() const { return this->IsSingular; }
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   what of a renderer's props can be captured
+ * @brief   the props of a renderer that can be captured
  *
  * Private to the module.
  */
@@ -20,16 +20,16 @@ namespace relevo
 {
 struct SceneProps
 {
-  /// Visible, with opaque parts and finite bounds.
+  /// Visible props with opaque geometry and finite bounds.
   std::vector<vtkProp*> Opaque;
-  /// Corners of the bounds of each of them, in the world.
+  /// The corners of the bounds of each of them, in world coordinates.
   std::vector<dvec3> Corners;
-  /// Visible ones that have translucent parts, and volumes.
+  /// The number of visible props with translucent geometry, and of volumes.
   int NumberOfTranslucent = 0;
   int NumberOfVolumes = 0;
 };
 
-/// What of a scene is looked for.
+/// The props to look for.
 enum class SceneParts
 {
   All,

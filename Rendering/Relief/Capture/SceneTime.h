@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   SceneTime
- * @brief   when what a renderer's props look like last changed
+ * @brief   when the appearance of a renderer's props last changed
  *
- * Lights that follow the camera are moved whenever it is drawn: their places do not count, and nor
- * does the camera. Private to the module.
+ * The positions of lights that follow the camera are ignored, because they change in each frame.
+ * The camera is ignored, too. Private to the module.
  */
 #ifndef SceneTime_h
 #define SceneTime_h
@@ -20,7 +20,8 @@ namespace relevo
 class SceneTime
 {
 public:
-  /// Looks at props, their data, and lights; nullptr if the renderer is gone.
+  /// Check the props, their data and the lights, and return the time. The renderer may be nullptr
+  /// if it has been deleted.
   vtkMTimeType Find(vtkRenderer* renderer);
 
 private:
@@ -28,7 +29,7 @@ private:
   vtkTimeStamp LightsChanged;
   Dependencies Assemblies;
   vtkTimeStamp AssembliesChanged;
-  bool IsFinding = false; // a prop may show what this is the time of
+  bool IsFinding = false; // guards against recursion through a prop that shows the output
 };
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the surface of a relief as VTK's pickers can intersect it
+ * @brief   the surface of a relief for VTK's pickers
  *
  * Private to the module.
  */
@@ -17,7 +17,8 @@ namespace relevo
 {
 class Relief;
 
-/// Points and cells have the ids of the image's; cells where the surface is open are blank.
+/// Return the surface. Points and cells have the ids of the image; cells where the surface is open
+/// are blanked.
 vtkSmartPointer<vtkStructuredGrid> MakePickedRelief(const Relief& relief, double maximumStretch);
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ReliefLeaves
- * @brief   the reliefs of a mapper's input, each with what draws its surface and its rims
+ * @brief   the reliefs of a mapper's input, with the painters of their surfaces and rims
  *
  * Private to the module.
  */
@@ -32,12 +32,12 @@ struct ReliefLeaf
   std::vector<ReliefPainter*> GetPainters() const;
 
   ReliefBlock Relief;
-  vtkSmartPointer<ReliefPainter> Surface; // nullptr of what never was a relief
+  vtkSmartPointer<ReliefPainter> Surface; // nullptr before there was a valid relief
   vtkSmartPointer<ReliefPainter> Rims;    // nullptr for none
   Dependencies Source;
   std::string Error;                         // reported last
-  std::string ShaderError;                   // likewise
-  vtkSmartPointer<vtkStructuredGrid> Picked; // the surface, when a picker has asked for it
+  std::string ShaderError;                   // reported last
+  vtkSmartPointer<vtkStructuredGrid> Picked; // the surface, after a picker has requested it
 };
 
 class ReliefLeaves : public LeafMapper<ReliefLeaf>
@@ -49,16 +49,17 @@ public:
     bool HasRims = false;
   };
 
-  /// Read the input again if it has changed. Blocks that are no reliefs are reported once.
+  /// Update the reliefs if the input has changed. Blocks that are not reliefs are reported once.
   void Update(vtkDataObject* input, const Settings& settings, vtkWindow* window,
     const std::function<void(const std::string&)>& report);
 
   void AddBounds(vtkBoundingBox& box);
   bool AreTranslucent();
-  /// That REFINEMENT draws of all reliefs.
+  /// Return the number of triangles that REFINEMENT draws for all reliefs.
   double CountTriangles();
 
-  /// What pickers intersect: the surface, or all of them; nothing where none is drawn.
+  /// Return the data that pickers intersect: the surface or surfaces, or an empty one if nothing is
+  /// drawn.
   vtkDataObject* GetPicked(vtkDataObject* input);
 
 private:

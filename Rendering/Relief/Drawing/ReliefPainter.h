@@ -4,8 +4,8 @@
  * @class   ReliefPainter
  * @brief   draws one relief as VTK's mapper draws a polydata
  *
- * Lights, clipping planes, opacity, render passes and selections are VTK's: their shaders are given
- * the point of the surface where they expect a fragment. Private to the module.
+ * Lights, clipping planes, opacity, render passes and selections are VTK's: its shaders get a point
+ * of the relief's surface instead of a fragment of the mesh. Private to the module.
  */
 #ifndef ReliefPainter_h
 #define ReliefPainter_h
@@ -34,7 +34,7 @@ public:
   static ReliefPainter* New();
   vtkTypeMacro(ReliefPainter, vtkOpenGLPolyDataMapper);
 
-  /// What the mapper is asked to draw.
+  /// The settings of the mapper.
   struct Settings
   {
     ReliefShaderOptions::Methods Method = ReliefShaderOptions::RAY_MARCH;
@@ -42,26 +42,28 @@ public:
     bool IsLit = false;
     bool IsShadowed = false;
     bool Yields = false;
-    bool IsRim = false; // of MakeReliefRims()
+    bool IsRim = false; // whether the relief is of MakeReliefRims()
   };
 
-  /// Takes a relief. What can be told of it without OpenGL is there at once.
+  /// Set a relief, and compute everything that does not need OpenGL.
   void SetRelief(const Relief& relief, double maximumStretch);
-  /// What is wrong with the shaders that were built last, or "".
+  /// Return the error of the shaders that were built last, or "".
   const std::string& GetShaderError() const { return this->Variants.GetError(); }
 
   const double* GetSurfaceBounds() const { return this->SurfaceBounds; }
   bool IsTranslucent() const { return this->Tiles.IsTranslucent(); }
-  /// That REFINEMENT draws of all of the surface, where texels are no smaller than pixels; infinite
-  /// where the surface is open, whose outlines rays find more exactly.
+  /// Return the number of triangles that REFINEMENT draws for the whole surface if texels are at
+  /// least as large as pixels. It is infinite if the surface is open, because rays find its
+  /// silhouettes more exactly.
   double GetNumberOfTriangles() const { return this->NumberOfTriangles; }
 
-  /// Before RenderPiece(): has textures of the relief. What is wrong, or "".
+  /// Upload the textures of the relief, before RenderPiece(). Return the error, or "".
   std::string Prepare(vtkRenderer* renderer, vtkActor* actor, const Settings& settings);
-  /// After it: the method that draws, which is not WARP where the eye does not see the plane.
+  /// Return the method that draws, after RenderPiece(). It is not WARP if the camera does not see
+  /// the plane.
   ReliefShaderOptions::Methods GetMethod() const { return this->Current.Method; }
 
-  /// What the largest ids are that are drawn for a selection.
+  /// Report the largest ids that a selection draws.
   void AnnounceIds(vtkHardwareSelector* selector) const;
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -73,7 +75,7 @@ public:
     return this->Textures.GetMemorySize() + this->Patterns.GetMemorySize() +
       this->Warped.GetMemorySize();
   }
-  /// How often things have been done.
+  /// How often data have been uploaded and shaders built.
   struct Counts
   {
     vtkIdType BufferBuilds = 0;
@@ -117,14 +119,14 @@ private:
   ivec2 Size = ivec2(0);
   double SurfaceBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   double NumberOfTriangles = 0.0;
-  vtkNew<vtkPolyData> Box; // VTK's mapper wants points
+  vtkNew<vtkPolyData> Box; // VTK's mapper needs points
   ReliefTextures Textures;
   bool NeedsUpload = false;
   ReliefPatterns Patterns;
   WarpedTextures Warped;
-  double Plane = 0.0; // the relief's, in the tiles' coordinates
+  double Plane = 0.0; // the relief's plane, in coordinates of the tiles
   ShaderVariants Variants{ ReliefShaderOptions::NUMBER_OF_METHODS }; // by method
-  int NumberOfLayers = 1;                                            // drawn at most of a tile
+  int NumberOfLayers = 1;                                            // drawn per tile, at most
   vtkIdType NumberOfBufferBuilds = 0;
 };
 }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   continues reliefs beyond their outlines to the sharp edges that others show
+ * @brief   extends reliefs beyond their boundaries to sharp edges that other reliefs show
  *
- * The surface ends at the centres of its last texels. Where two reliefs show the two faces of a
- * sharp edge, both end up to a texel before the edge, and leave a crack. Private to the module.
+ * The surface ends at the centres of its last texels. If two reliefs show the two faces of a sharp
+ * edge, both end up to a texel before the edge, which leaves a crack. Private to the module.
  */
 #ifndef ReliefRims_h
 #define ReliefRims_h
@@ -20,25 +20,25 @@ namespace relevo
 {
 class Relief;
 
-/// Widths of a texel between neighbours on a face that is seen at 60 degrees.
+/// The distance of neighbours, in texel widths, on a face that is seen at 60 degrees.
 constexpr double RimStretch = 2.0;
 
-/// A relief and what FindReliefSides() finds of it with at most RimStretch.
+/// A relief, and its sides from FindReliefSides() with at most RimStretch.
 struct RimSource
 {
   const Relief* Surface;
   std::vector<unsigned char> Sides;
 };
 
-/// Texels that the image of the rims has more at each side.
+/// The number of texels that the image of the rims has in addition at each side.
 constexpr int RimMargin = 1;
 
 /**
- * A relief of the outermost texels of one of the sources and of their plane continuation by a
- * texel, where it saw nothing or something farther, and another source has a face at an angle near
- * there. The fourth component of the colours is at least a half before that face. Faces that the
- * viewer of the relief saw at more than 60 degrees are left to others, which show them better.
- * nullptr where there is no such edge.
+ * Return a relief of the outermost texels of one of the sources and of their planar extension by
+ * one texel. Texels are extended where the relief saw nothing or something farther, and another
+ * source has a face at an angle nearby. The fourth component of the colours is at least a half in
+ * front of that face. Faces that the capture saw at more than 60 degrees are not extended, because
+ * other reliefs show them better. Return nullptr if there is no such edge.
  */
 vtkSmartPointer<vtkImageData> MakeReliefRims(const std::vector<RimSource>& sources, size_t index);
 }

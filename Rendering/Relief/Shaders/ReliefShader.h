@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   how VTK's shaders become those of a relief
+ * @brief   changes VTK's shaders into shaders of reliefs
  *
  * Private to the module.
  */
@@ -16,10 +16,10 @@
 
 namespace relevo
 {
-/// What shaders of reliefs differ in.
+/// The options of shaders of reliefs.
 struct ReliefShaderOptions
 {
-  /// Numbered as vtkReliefMapper does.
+  /// The methods, numbered as in vtkReliefMapper.
   enum Methods
   {
     WARP,
@@ -28,7 +28,7 @@ struct ReliefShaderOptions
     NUMBER_OF_METHODS
   };
   Methods Method = RAY_MARCH;
-  /// Of RAY_MARCH, numbered likewise.
+  /// The searches of RAY_MARCH, numbered as in vtkReliefMapper.
   enum Searches
   {
     LINEAR_BINARY,
@@ -38,12 +38,12 @@ struct ReliefShaderOptions
   };
   int Search = MAXIMUM_MIPMAP;
   bool IsLit = false;
-  bool IsShadowed = false; // by itself, from the first lamp
-  bool Yields = false;     // to other reliefs of the same surface
-  bool IsRim = false;      // behind all of them
+  bool IsShadowed = false; // shadows on itself from the first light
+  bool Yields = false;     // hidden by other reliefs of the same surface
+  bool IsRim = false;      // behind all reliefs
   bool HasNormals = false;
-  int NumberOfPlanes = 0; // that cut rays off
-  /// What ids are drawn for a selection.
+  int NumberOfPlanes = 0; // planes that clip rays
+  /// The ids that a selection draws.
   enum Ids
   {
     NO_IDS,
@@ -55,11 +55,11 @@ struct ReliefShaderOptions
   std::string GetKey() const;
 };
 
-/// Before VTK puts its text into the templates.
+/// Change the templates before VTK does.
 void PrepareReliefShaders(const ReliefShaderOptions& options,
   std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing);
 
-/// Afterwards.
+/// Change the shaders after VTK.
 void FinishReliefShaders(const ReliefShaderOptions& options,
   std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ReliefView
- * @brief   where a relief is seen: the uniforms of relevoReliefRay.glsl and relevoReliefVS.glsl
+ * @brief   the view of a relief: the uniforms of relevoReliefRay.glsl and relevoReliefVS.glsl
  *
  * Private to the module.
  */
@@ -22,27 +22,30 @@ namespace relevo
 class ReliefView
 {
 public:
-  /// toModel: from the tiles' coordinates to the actor's.
+  /// toModel is the matrix from coordinates of the tiles to the actor's.
   ReliefView(vtkRenderer* renderer, vtkActor* actor, const dmat4& toModel);
 
-  /// A plane of the world whose positive side stays: what dot(plane, point) is there.
+  /// Add a clipping plane in world coordinates; the positive side of dot(plane, point) is kept.
   void AddClippingPlane(const dvec4& plane);
 
-  /// That cut rays off; near and far are two of them.
+  /// Return the number of planes that clip rays, including near and far.
   int GetNumberOfPlanes() const { return static_cast<int>(this->Planes.size()); }
 
   void SetUniforms(vtkShaderProgram* program) const;
 
-  /// Of relevoReliefShadow.glsl: the first lamp that is on. false for none.
+  /// Set the uniforms of relevoReliefShadow.glsl for the first light that is on. Return false if
+  /// there is none.
   bool SetLamp(vtkShaderProgram* program, vtkRenderer* renderer) const;
 
-  /// Whether planes of this height are seen as the relief's own viewer sees them.
+  /// Return whether planes of this height are seen from the same side as by the relief's viewer.
   bool SeesFront(double height) const;
 
-  /// false for a box that is out of sight or cut off as a whole; true also for some that are.
+  /// Return false for a box that is completely outside the view or clipped. Some such boxes return
+  /// true.
   bool MaySee(const dvec3& low, const dvec3& high) const;
 
-  /// Pixels that a step of 1 in any direction covers at most; 0 behind the eye.
+  /// Return the largest number of pixels that a step of length 1 at a point covers; 0 behind the
+  /// camera.
   double GetPixels(const dvec3& point) const;
 
 private:
@@ -50,8 +53,8 @@ private:
   dmat4 ToView;
   dmat4 ToClip;
   dvec4 Viewport;            // x, y, width, height in pixels
-  std::vector<dvec4> Planes; // of the tiles' coordinates
-  std::vector<dvec4> Sides;  // of the view, likewise
+  std::vector<dvec4> Planes; // in coordinates of the tiles
+  std::vector<dvec4> Sides;  // the frustum's side planes, in coordinates of the tiles
 };
 }
 
