@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ActorPair
- * @brief   where the surfaces of two actors meet, computed anew when one has moved
+ * @brief   the intersection of two actors' surfaces, updated when one of them has moved
  */
 #ifndef ActorPair_h
 #define ActorPair_h
@@ -24,14 +24,14 @@ class ActorPair
 public:
   ActorPair();
 
-  /// Look at actors that have surfaces, refined by their recipes or not; whether they were
-  /// intersected.
+  /// Update the intersection of actors that have surfaces, refined by their recipes or not. Return
+  /// whether they were intersected.
   bool Update(const SceneActor& first, const SceneActor& second, bool isRefined, double tolerance);
 
-  /// Another object whenever they were intersected; nullptr where they do not touch.
+  /// Return the curves, a new object after each intersection; nullptr if the surfaces do not touch.
   const vtkSmartPointer<vtkPolyData>& GetCurves() const { return this->Curves; }
   //@{
-  /// Of the last intersection, when they are others than before.
+  /// Return the messages of the last intersection, if they differ from the previous ones.
   const std::string& GetNewErrors() const { return this->NewErrors; }
   const std::string& GetNewWarnings() const { return this->NewWarnings; }
   //@}

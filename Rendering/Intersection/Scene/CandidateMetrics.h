@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CandidateMetrics
- * @brief   the metrics that have the boxes of actors that may meet
+ * @brief   the metrics that get the boxes of actors that may touch
  */
 #ifndef CandidateMetrics_h
 #define CandidateMetrics_h
@@ -20,12 +20,12 @@ namespace relevo
 class CandidateMetrics
 {
 public:
-  /// No boxes yet. Metrics that are made have this distance.
+  /// Start without boxes. Created metrics get this distance.
   void Begin(double distance);
-  /// An actor whose metric is to be kept, made where there can be one and none is.
+  /// Add an actor, and create its metric if it has none and can have one.
   void AddActor(vtkActor* actor);
   void AddBox(vtkActor* actor, const Bounds& box);
-  /// Give the metrics their boxes, and those of actors that are gone none.
+  /// Set the boxes of the metrics, and remove those of removed actors.
   void End();
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   SceneActor
- * @brief   where an actor is, and the surface that it shows
+ * @brief   the position of an actor, and its surface
  */
 #ifndef SceneActor_h
 #define SceneActor_h
@@ -28,7 +28,7 @@ using Bounds = std::array<double, 6>;
 bool HaveCommonBox(const Bounds& a, const Bounds& b);
 Bounds GetCommonBox(const Bounds& a, const Bounds& b);
 
-/// The recipe of an actor's mapper; nullptr where that has none.
+/// Return the recipe of an actor's mapper; nullptr if it has none.
 vtkAdaptiveRefinement* FindRecipe(vtkActor* actor);
 
 class SceneActor
@@ -38,18 +38,18 @@ public:
 
   vtkActor* GetActor() const { return this->Actor; }
 
-  /// Look at the actor as it is.
+  /// Update to the current state of the actor.
   void Update();
 
-  /// Whether there is a finite one.
+  /// Return whether there is a finite box.
   bool HasBox() const { return this->IsPlaced; }
-  /// In the world; what is within rounding of it belongs to it.
+  /// Return the box in world coordinates, enlarged by rounding errors.
   const Bounds& GetBox() const { return this->Box; }
-  /// Always the same object, modified when the actor has moved.
+  /// Return the matrix, which is always the same object and modified when the actor has moved.
   vtkMatrix4x4* GetMatrix() const { return this->Matrix; }
-  /// The mapper's input, nullptr where it is no vtkPolyData with polygons or strips.
+  /// Return the mapper's input; nullptr if it is not a vtkPolyData with polygons or strips.
   vtkPolyData* GetSurface() const { return this->Surface; }
-  /// Its triangles where the actor is, for all that intersect it.
+  /// Return the transformed triangles, shared by all that intersect them.
   const std::shared_ptr<MovedSurface>& GetTriangles() const { return this->Triangles; }
 
 private:

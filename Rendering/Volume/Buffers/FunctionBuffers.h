@@ -21,9 +21,9 @@ class FunctionBuffers
 {
 public:
   /**
-   * For scalars that are low + size * what the mesh has, and places that are radius * what it has,
-   * so that gradients are size / radius * what it has. false when it does not fit into this
-   * OpenGL's buffer textures.
+   * Upload the functions. Scalars are low + size * the mesh's scalars, and lengths are radius * the
+   * mesh's, so gradients are size / radius * the mesh's. Return false if they do not fit into the
+   * buffer textures of this OpenGL.
    */
   bool Upload(vtkOpenGLRenderWindow* window, const TransferFunctions& functions, const Scalars& low,
     const Scalars& size, double radius);
@@ -42,8 +42,8 @@ private:
   void AddGradientOpacity(const LinearPieces& pieces, double steepness);
 
   BufferTexture Pieces;
-  std::vector<float> Texels; // of the pieces, until they are uploaded
-  // Pieces: the first, and their number less one.
+  std::vector<float> Texels; // of the pieces, before the upload
+  // The ranges of pieces: the first piece, and the number of pieces minus one.
   struct Ranges
   {
     std::vector<int> First;
@@ -52,9 +52,9 @@ private:
   };
   Ranges Curves;
   Ranges Gradients;
-  std::vector<float> Rows; // of 2D functions, 3 each
+  std::vector<float> Rows; // of 2D functions, 3 floats each
   std::vector<float> UnitDistances;
-  // Of scalars that are colours.
+  // The range of scalars that are colours.
   float ColorLow[MaximumComponents] = {};
   float ColorSize[MaximumComponents] = {};
 };

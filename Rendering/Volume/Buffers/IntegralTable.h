@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   IntegralTable
- * @brief   the volume rendering integral of parts of a ray, tabulated for pre-integration
+ * @brief   a table of the volume rendering integral over ray segments, for pre-integration
  *
- * By the scalar in front, the one at the back, and the length, of parts that are no longer than
- * what is given; or, in 2D, by the scalars alone: see relevoVolumePreIntegrated.glsl. Private to
- * the module.
+ * The parameters are the scalars at the front and the back, and the length up to a maximum; in 2D
+ * the scalars alone: see relevoVolumePreIntegrated.glsl. Private to the module.
  */
 #ifndef IntegralTable_h
 #define IntegralTable_h
@@ -28,21 +27,22 @@ class IntegralTable
 public:
   struct Settings
   {
-    int Size = 0; // each way
+    int Size = 0; // texels per axis
     bool Is2D = false;
-    double Longest = 0.0;   // world length
-    double ScalarLow = 0.0; // scalars are low + size * what the mesh has
+    double Longest = 0.0;   // maximum length in world units
+    double ScalarLow = 0.0; // scalars are low + size * the mesh's scalars
     double ScalarSize = 1.0;
   };
 
   IntegralTable();
   ~IntegralTable();
 
-  /// Functions of one component, without gradients. false where the texture cannot be made.
+  /// Compute and upload the table for functions of one component, without gradients. Return false
+  /// if the texture cannot be created.
   bool Upload(
     vtkOpenGLRenderWindow* window, const TransferFunctions& functions, const Settings& settings);
 
-  /// Whether it is one of such settings, up to rounding.
+  /// Return whether the table has these settings, up to rounding.
   bool Has(const Settings& settings) const;
 
   void Activate(vtkShaderProgram* program);

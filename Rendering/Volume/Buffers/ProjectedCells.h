@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ProjectedCells
- * @brief   the corners of tetrahedra on the GPU, and the order in which they are drawn
+ * @brief   the corners of tetrahedra on the GPU, and their visibility order
  *
  * Private to the module.
  */
@@ -19,11 +19,11 @@ struct RayCastMesh;
 class ProjectedCells
 {
 public:
-  /// A mesh of tetrahedra with corners. false when it does not fit into this OpenGL's buffer
-  /// textures.
+  /// Upload a mesh of tetrahedra with corners. Return false if it does not fit into the buffer
+  /// textures of this OpenGL.
   bool Upload(vtkOpenGLRenderWindow* window, const RayCastMesh& mesh);
 
-  /// From back to front as seen from an eye, as of VisibilityOrder, in the mesh's coordinates.
+  /// Sort the cells from back to front for an eye in the mesh's coordinates, as in VisibilityOrder.
   bool Sort(vtkOpenGLRenderWindow* window, const dvec4& eye);
 
   bool HasOrder() const { return this->Eye != dvec4(0.0); }
@@ -43,7 +43,7 @@ private:
   BufferTexture Order;
   VisibilityOrder Visibility;
   int NumberOfCells = 0;
-  dvec4 Eye = dvec4(0.0); // of the last order; 0 for none
+  dvec4 Eye = dvec4(0.0); // eye of the last order; 0 for none
 };
 }
 

@@ -19,11 +19,12 @@ namespace relevo
 class SurfaceBuffer
 {
 public:
-  /// For scalars that are low + size * what the mesh has. false when it does not fit.
+  /// Upload the isosurfaces for scalars that are low + size * the mesh's scalars. Return false if
+  /// they do not fit.
   bool Upload(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property,
     const TransferFunctions& functions, const Scalars& low, const Scalars& size);
 
-  /// Whose values these are.
+  /// Return the component of the isovalues.
   int GetComponent() const { return this->Component; }
 
   void Activate(vtkShaderProgram* program);
@@ -39,7 +40,7 @@ private:
   int NumberOfValues = 0;
   int Component = 0;
   int Curve = 0;
-  float Same = 0.0f; // scalars of cells that touch may differ so much
+  float Same = 0.0f; // tolerance between scalars of adjacent cells
 };
 }
 

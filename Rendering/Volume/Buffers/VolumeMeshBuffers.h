@@ -20,17 +20,17 @@ struct RayCastMesh;
 class VolumeMeshBuffers
 {
 public:
-  /// false when it does not fit into this OpenGL's buffer textures.
+  /// Upload a mesh. Return false if it does not fit into the buffer textures of this OpenGL.
   bool Upload(vtkOpenGLRenderWindow* window, const RayCastMesh& mesh);
 
-  /// Make them current, and set their samplers and sizes.
+  /// Activate the textures, and set their samplers and sizes.
   void Activate(vtkShaderProgram* program);
   void Deactivate();
   void ReleaseGraphicsResources(vtkWindow* window);
 
   int GetNumberOfBorderFaces() const { return this->NumberOfBorderFaces; }
 
-  /// Bytes.
+  /// Return the number of bytes.
   vtkTypeInt64 GetMemorySize() const;
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   a tree of boxes that a shader goes through without a stack
+ * @brief   a bounding volume hierarchy that a shader traverses without a stack
  *
  * Private to the modules' own sources.
  */
@@ -16,11 +16,11 @@
 namespace relevo
 {
 /**
- * The nodes of a tree, depth first, as eight floats each: the box's low corner; of an inner node
- * the node that follows when the box is missed, of a leaf its first face in the tree's order; the
- * high corner; the number of faces, 0 for an inner node. After a leaf follows the next node, and
- * after the last one the number of nodes. Boxes are widened by the margin. Numbers are whole, and
- * exact up to 2^24.
+ * Return the nodes of a tree in depth-first order, with eight floats each: the box's minimum
+ * corner; for an inner node the node that follows if the box is missed, for a leaf its first face
+ * in the tree's order; the maximum corner; the number of faces, 0 for an inner node. A leaf is
+ * followed by the next node, the last leaf by the number of nodes. Boxes are enlarged by the
+ * margin. Indices are whole numbers, exact up to 2^24.
  */
 std::vector<float> FlattenTree(const FloatBoxTree& tree, float margin);
 }

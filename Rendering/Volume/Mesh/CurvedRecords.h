@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   which points and faces cells that stay unsplit have in a RayCastMesh
+ * @brief   the points and faces of unsplit cells in a RayCastMesh
  *
- * Private to the module's own sources.
+ * Private to the modules' own sources.
  */
 #ifndef CurvedRecords_h
 #define CurvedRecords_h
@@ -16,14 +16,15 @@
 
 namespace relevo
 {
-/// Of the points of each kind of cell, those that are the corners of its record; or the same cell
-/// as seen in a mirror.
+/// Return the indices of the cell's points that are the corners of its record, for each kind of
+/// cell; or those of its mirror image.
 const std::vector<int>& GetRecord(const CellShape& shape, bool isMirrored);
 
-/// The corners of the faces of a record.
+/// Return the corners of the faces of a record.
 std::vector<std::array<int, 4>> GetRecordFaces(bool isQuadratic);
 
-/// Whether a face has three corners; those of wedges and pyramids may be an edge or a point.
+/// Return whether a face has three distinct corners. Faces of wedges and pyramids may be
+/// degenerate.
 bool IsFace(std::array<int, 4> face);
 }
 

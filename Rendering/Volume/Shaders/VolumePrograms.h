@@ -4,8 +4,7 @@
  * @class   VolumePrograms
  * @brief   the programs of a volume mapper in one context
  *
- * The text of a shader is composed when its options are asked for the first time. Private to the
- * module.
+ * The source of a shader is composed when its options are first requested. Private to the module.
  */
 #ifndef VolumePrograms_h
 #define VolumePrograms_h
@@ -27,13 +26,13 @@ class RenderPasses;
 
 enum class VolumeShader
 {
-  Entries,     // where rays enter the mesh, by drawing its border
-  EntryCounts, // the same by looking for it
+  Entries,     // find where rays enter the mesh, by drawing its border
+  EntryCounts, // find the same by a search
   Rays,
-  RayLimits,  // between which depths cells are projected
-  Projection, // of cells
-  Finish,     // makes a picture of what projected cells stored
-  Picture     // shows a picture
+  RayLimits,  // depth limits of cell projection
+  Projection, // project cells
+  Finish,     // convert the data of projected cells to an image
+  Picture     // show an image
 };
 
 class VolumePrograms
@@ -41,11 +40,11 @@ class VolumePrograms
 public:
   static constexpr const char* Error = "This OpenGL cannot build the shader.";
 
-  /// A program, in use; nullptr if it cannot be built, which is not tried again.
+  /// Return a program and make it current; nullptr if it cannot be built, which is not tried again.
   vtkShaderProgram* Ready(
     vtkOpenGLRenderWindow* window, VolumeShader shader, const VolumeShaderOptions& options);
 
-  /// That of rays, as the render passes change it.
+  /// Return the program of rays, as the render passes change it.
   vtkShaderProgram* ReadyRays(
     vtkOpenGLRenderWindow* window, const VolumeShaderOptions& options, const RenderPasses& passes);
 
@@ -56,8 +55,8 @@ private:
   using Sources = std::pair<std::string, std::string>; // of vertex and fragment shader
   vtkShaderProgram* Build(vtkOpenGLRenderWindow* window, const Sources& sources);
 
-  std::map<Dependencies, vtkShaderProgram*> Programs; // of the window's cache, as all
-  /// Different options may give the same text, as may render passes, which change in each frame.
+  std::map<Dependencies, vtkShaderProgram*> Programs; // all are owned by the window's cache
+  /// Different options may give the same source. So may render passes, which change in each frame.
   std::map<Sources, vtkShaderProgram*> Built;
   std::map<Dependencies, std::string> RayShaders; // before render passes change them
   vtkIdType NumberOfBuilds = 0;

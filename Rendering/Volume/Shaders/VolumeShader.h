@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the text of the shaders
+ * @brief   the source of the shaders
  *
  * Private to the module.
  */
@@ -22,40 +22,40 @@ struct VolumeShaderOptions
   int NumberOfCurves = 1;
   bool AreDependent = false;
   bool HasCellScalars = false;
-  int FirstComponent = 0; // of the curves
-  bool HasTables = false; // 2D functions
+  int FirstComponent = 0; // index of the curves' first component
+  bool HasTables = false; // for 2D functions
   bool HasGradientOpacity = false;
   bool HasSurfaces = false;
   bool IsClipped = false;
-  /// Components whose colours are lit; 0 without shading.
+  /// The number of components with lit colours; 0 without shading.
   int NumberOfMaterials = 0;
   int FirstMaterial = 0; // its component
   int NumberOfLights = 0;
-  /// Dimensions of the table of pre-integration; 0 for none.
+  /// The dimensions of the pre-integration table; 0 for none.
   int PreIntegrated = 0;
   bool HasTetrahedra = true;
   bool HasCurvedCells = false;
   bool HasQuadraticCells = false;
   bool HasPyramids = false;
-  bool HasFoldedFaces = false; // from some directions
-  /// Of cell projection: whether the near plane may cut cells.
+  bool HasFoldedFaces = false; // some faces are front and back faces at once
+  /// Whether the near plane may clip projected cells.
   bool IsCutByNear = false;
 };
 
 //@{
-/// Of the pass that tells where rays enter.
+/// Return the shaders of the pass that finds where rays enter.
 std::string MakeEntriesVertexShader(const VolumeShaderOptions& options);
 std::string MakeEntriesShader(const VolumeShaderOptions& options);
-/// The same by looking for them, over the viewport.
+/// Return the shader that finds the entries by a search, over the viewport.
 std::string MakeCountShader(const VolumeShaderOptions& options);
 //@}
 
-/// Of the ray caster, with VTK's anchors for render passes in it.
+/// Return the shader of the ray caster, with VTK's anchors for render passes.
 std::string MakeRayCastShader(const VolumeShaderOptions& options);
 
 //@{
-/// Of cell projection: first of what cells ask of rays, then of them, last of what puts their
-/// picture into the window, or makes one of what they have stored in its place.
+/// Return the shaders of cell projection: for the depth limits of rays, for the cells, and for
+/// drawing their image to the window or converting stored data to an image.
 std::string MakeLimitsShader(const VolumeShaderOptions& options);
 std::string MakeProjectionVertexShader(const VolumeShaderOptions& options);
 std::string MakeProjectionShader(const VolumeShaderOptions& options);

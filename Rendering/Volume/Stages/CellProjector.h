@@ -24,8 +24,8 @@ struct VolumeFrame;
 class CellProjector
 {
 public:
-  /// Sort and draw the cells. Returns what is wrong, or "". The target then has a picture, or what
-  /// the program VolumeShader::Finish makes one of, see IsStored().
+  /// Sort and draw the cells. Return the error, or "". The target then contains an image, or data
+  /// that the program VolumeShader::Finish converts to one, see IsStored().
   std::string Draw(const VolumeFrame& frame);
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -34,7 +34,7 @@ private:
   std::string RenderRayLimits(const VolumeFrame& frame);
   bool DrawCells(const VolumeFrame& frame, vtkShaderProgram* program);
 
-  RenderTarget Limits; // where each ray is seen, once for all cells
+  RenderTarget Limits; // depth limits of each ray, drawn once for all cells
   QuadBatches Quads;
 };
 }

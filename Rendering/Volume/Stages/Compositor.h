@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   Compositor
- * @brief   the stage that reads the frame's depths, chooses the pixels and adds the picture
+ * @brief   the stage that reads the depths, chooses the resolution and composites the image
  *
  * Private to the module.
  */
@@ -25,25 +25,25 @@ struct VolumeFrame;
 
 struct SamplingRequest
 {
-  double Distance;      // a ray each so many pixels,
-  bool IsAutomatic;     // or as many as
-  double AllocatedTime; // this allows, in seconds
+  double Distance;      // distance of rays in pixels
+  bool IsAutomatic;     // whether the distance follows from
+  double AllocatedTime; // the allotted time in seconds
 };
 
 class Compositor
 {
 public:
-  /// Copy the depths of opaque props in the viewport. Returns what is wrong, or "".
+  /// Copy the depths of opaque props in the viewport. Return the error, or "".
   std::string ReadDepths(vtkOpenGLRenderWindow* window, const std::array<int, 4>& viewport);
 
-  /// How many pixels rays are cast for.
+  /// Return the number of rays per row and column.
   std::array<int, 2> ChooseSize(const std::array<int, 4>& viewport, const SamplingRequest& request);
 
-  /// The seconds that the frame took, for the next one's size.
+  /// Set the seconds that the frame took, which determine the next resolution.
   void SetTime(double seconds);
 
-  /// Add what has been drawn to the target to the window, by a program that reads it. Returns what
-  /// is wrong, or "".
+  /// Composite the target's content onto the window, with a program that reads it. Return the
+  /// error, or "".
   std::string Add(const VolumeFrame& frame, VolumeShader shader);
 
   OpaqueDepth& GetDepth() { return this->Depth; }
@@ -56,8 +56,8 @@ private:
   OpaqueDepth Depth;
   RenderTarget Target;
   ScreenPass Screen;
-  double SampleDistance = 1.0; // in use
-  double WholeTime = 0.0;      // seconds that a ray for each pixel takes
+  double SampleDistance = 1.0; // in use, in pixels
+  double WholeTime = 0.0;      // seconds for one ray per pixel
 };
 }
 

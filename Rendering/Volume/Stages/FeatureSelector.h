@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   FeatureSelector
- * @brief   the stage that finds what shaders have to do, and the planes and lights that they need
+ * @brief   the stage that determines the features of shaders, with their planes and lights
  *
  * Private to the module.
  */
@@ -35,7 +35,7 @@ struct FeatureRequest
   const dmat4& MeshToWorld;
   BlendMode Blending;
   bool HasSurfaces;    // isosurfaces inside the volume, with composite blending
-  int TableDimensions; // of pre-integration, 0 for none
+  int TableDimensions; // of the pre-integration table, 0 for none
 };
 
 struct VolumeFeatures
@@ -48,7 +48,8 @@ struct VolumeFeatures
 class FeatureSelector
 {
 public:
-  /// Find the features of this frame. What the request asks for in vain is reported once.
+  /// Determine the features of this frame. Requested features that are not available are reported
+  /// once.
   void Update(const FeatureRequest& request, StageReport& report);
 
   const VolumeFeatures& GetFeatures() const { return this->Features; }
@@ -59,7 +60,7 @@ private:
   void FindTable(const FeatureRequest& request, StageReport& report);
 
   VolumeFeatures Features;
-  // As reported.
+  // The messages, as reported.
   std::string MissingSurfaces;
   std::string PlaneError;
   std::string TableError;

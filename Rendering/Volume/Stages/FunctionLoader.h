@@ -4,8 +4,8 @@
  * @class   FunctionLoader
  * @brief   the stage that reads the functions of a volume property and uploads them
  *
- * Changes of the property that do not touch its functions, as those of materials, read nothing.
- * Private to the module.
+ * Other changes of the property, such as those of materials, do not read the functions. Private to
+ * the module.
  */
 #ifndef FunctionLoader_h
 #define FunctionLoader_h
@@ -31,23 +31,23 @@ struct FunctionRequest
   vtkOpenGLRenderWindow* Window;
   vtkVolumeProperty* Property;
   int NumberOfComponents;
-  const RayCastMesh& Mesh; // has the ranges of the scalars
+  const RayCastMesh& Mesh; // for the ranges of the scalars
 };
 
-/// What is read, and what is on the GPU.
+/// The functions, and their buffers on the GPU.
 struct VolumeFunctions
 {
   TransferFunctions Functions;
   FunctionBuffers Buffers;
   SurfaceBuffer Surfaces;
-  vtkIdType Version = 0; // counts how often functions were read
+  vtkIdType Version = 0; // the number of times functions were read
 };
 
 class FunctionLoader
 {
 public:
-  /// Read and upload the functions if they, or the scalars' ranges, have changed. Returns whether
-  /// they can be used. What is wrong with them is reported once, whatever else changes.
+  /// Read and upload the functions if they or the scalars' ranges have changed. Return whether they
+  /// can be used. An error in them is reported once.
   bool Update(const FunctionRequest& request, StageReport& report);
 
   VolumeFunctions& GetFunctions() { return this->Functions; }
@@ -60,9 +60,9 @@ private:
 
   VolumeFunctions Functions;
   Dependencies Known;
-  Dependencies Reported; // functions
+  Dependencies Reported; // reported functions
   std::string Error;     // as reported
-  std::string Warning;   // likewise
+  std::string Warning;   // as reported
 };
 }
 

@@ -33,21 +33,21 @@ struct MeshRequest
 {
   vtkOpenGLRenderWindow* Window;
   vtkDataObject* Input;
-  vtkInformation* Port; // has the types that the input may be of
+  vtkInformation* Port; // types that the input may have
   ScalarChoice Choice;
   //@{
-  /// As of vtkAbstractMapper; the name is empty for none.
+  /// The settings of vtkAbstractMapper; the name may be empty.
   int ScalarMode;
   int ArrayAccessMode;
   int ArrayId;
   std::string ArrayName;
   //@}
-  bool AreIndependent; // of components
+  bool AreIndependent; // whether components are independent
   bool IsShaded;
   bool HasCorners; // for cell projection
 };
 
-/// What is on the GPU.
+/// The mesh on the GPU.
 struct VolumeMesh
 {
   RayCastMesh Layout; // without its arrays
@@ -62,8 +62,8 @@ struct VolumeMesh
 class MeshLoader
 {
 public:
-  /// Load the mesh if the request has changed. Returns whether there is something to draw. What
-  /// failed is tried again, and reported again, when the request changes.
+  /// Load the mesh if the request has changed. Return whether there is anything to draw. A failed
+  /// load is repeated and reported again when the request changes.
   bool Update(const MeshRequest& request, StageReport& report);
 
   bool IsReady() const { return this->HasMesh && this->NumberOfDrawnCells > 0; }
@@ -86,14 +86,14 @@ private:
   VolumeMesh Mesh;
   Dependencies Known;
   bool HasMesh = false;
-  bool HasGradients = false; // as of the last build, whatever the scalars
+  bool HasGradients = false; // as in the last build, whether or not scalars allow them
   vtkIdType NumberOfDrawnCells = 0;
   vtkIdType NumberOfBuilds = 0;
 
-  /// The mesh whose cells have been reported: settings that rebuild it report nothing again.
+  /// The mesh whose cells have been reported. Settings that rebuild it do not repeat the report.
   Dependencies Reported;
-  std::string LeftOut;                   // blocks, as reported
-  vtkDataObject* CheckedInput = nullptr; // never followed
+  std::string LeftOut;                   // ignored blocks, as reported
+  vtkDataObject* CheckedInput = nullptr; // not dereferenced
   std::string TypeError;                 // as reported
 };
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RayCaster
- * @brief   the stage that casts a ray for each pixel
+ * @brief   the stage that casts rays
  *
  * Private to the module.
  */
@@ -23,11 +23,12 @@ struct VolumeFrame;
 class RayCaster
 {
 public:
-  /// Draw over the window's viewport, or, if another number of pixels is to be sampled, to the
-  /// frame's target. Returns what is wrong, or "".
+  /// Draw over the window's viewport or, with another number of rays, to the frame's target. Return
+  /// the error, or "".
   std::string Draw(const VolumeFrame& frame, const std::array<int, 2>& size);
 
-  /// The most border faces that a pixel's ray enters through; draws them, and waits for the GPU.
+  /// Return the maximum number of border faces through which a pixel's ray enters. This call draws
+  /// and waits for the GPU.
   int CountLayers(const VolumeFrame& frame);
 
   void ReleaseGraphicsResources(vtkWindow* window);

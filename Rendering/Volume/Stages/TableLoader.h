@@ -31,8 +31,8 @@ struct TableRequest
 class TableLoader
 {
 public:
-  /// Compute and upload the table if it is needed and there is none of these functions and
-  /// settings. Returns false if there is no room for it, which is reported, and tried, once.
+  /// Compute and upload the table, if it is needed and out of date. If it does not fit, return
+  /// false; this is tried and reported once.
   bool Update(const TableRequest& request, StageReport& report);
 
   IntegralTable& GetTable() { return this->Table; }
@@ -43,8 +43,8 @@ public:
 
 private:
   IntegralTable Table;
-  Dependencies Known;  // functions
-  Dependencies Failed; // functions and settings
+  Dependencies Known;  // functions of the table
+  Dependencies Failed; // functions and settings that failed
   vtkIdType NumberOfBuilds = 0;
 };
 }

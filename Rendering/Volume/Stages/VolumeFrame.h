@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  VolumeFrame
- * @brief   what the stages that draw get
+ * @brief   the input of the stages that draw
  *
  * Private to the module.
  */
@@ -40,14 +40,14 @@ struct VolumeFrame
   IntegralTable& Table;
   VolumePrograms& Programs;
   OpaqueDepth& Depth;
-  RenderTarget& Target; // to draw to instead of the window
+  RenderTarget& Target; // replaces the window's framebuffer
   ScreenPass& Screen;
 
-  /// How the pixels of another viewport see the mesh.
+  /// Return the view of the mesh from another viewport.
   RayView GetView(const std::array<int, 4>& viewport) const;
 
   //@{
-  /// Have a program read all data of the volume; it is in use.
+  /// Bind all data of the volume to the current program.
   void Activate(vtkShaderProgram* program) const;
   void Deactivate() const;
   //@}

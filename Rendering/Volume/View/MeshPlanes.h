@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   MeshPlanes
- * @brief   a mapper's clipping planes as the rays of a mesh see them
+ * @brief   a mapper's clipping planes in the coordinates of a mesh
  *
- * Computed in double precision relative to the mesh, which may lie anywhere. Private to the module.
+ * They are computed in double precision relative to the mesh, which may be far from the origin.
+ * Private to the module.
  */
 #ifndef MeshPlanes_h
 #define MeshPlanes_h
@@ -23,7 +24,8 @@ class MeshPlanes
 public:
   static constexpr int MaximumPlanes = 32;
 
-  /// Null for none. Of more planes than there can be, the first ones; then false.
+  /// Compute the planes; nullptr has none. If there are too many, use the first ones and return
+  /// false.
   bool Compute(vtkPlaneCollection* planes, const dmat4& meshToWorld);
 
   bool IsEmpty() const { return this->Planes.empty(); }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   OpaqueDepth
- * @brief   a copy of the depths that have been drawn in the viewport, as a texture
+ * @brief   a copy of the viewport's depths as a texture
  *
  * Private to the module.
  */
@@ -25,8 +25,8 @@ public:
   OpaqueDepth();
   ~OpaqueDepth();
 
-  /// From the framebuffer in use, multisampled or not: lower left corner and size. false if the
-  /// depths cannot be read.
+  /// Copy the depths of the current framebuffer, multisampled or not. The viewport is the lower
+  /// left corner and size. Return false if the depths cannot be read.
   bool Copy(vtkOpenGLRenderWindow* window, const int viewport[4]);
 
   void Activate(vtkShaderProgram* program);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   QuadBatches
- * @brief   draws quads of four vertices each that have no attributes but their number
+ * @brief   draws quads of four vertices whose only attribute is their index
  *
  * Private to the module.
  */
@@ -21,14 +21,14 @@ public:
   QuadBatches();
   ~QuadBatches();
 
-  /// By the program that is in use, with a vertex array object bound.
+  /// Draw with the current program and vertex array object.
   void Draw(int numberOfQuads);
   void ReleaseGraphicsResources();
 
 private:
   bool Bind();
 
-  vtkSmartPointer<vtkOpenGLBufferObject> Corners; // of one batch
+  vtkSmartPointer<vtkOpenGLBufferObject> Corners; // corners of one batch
 };
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RayEntries
- * @brief   for each pixel how many border faces its ray enters through, and which
+ * @brief   the number and the identity of the border faces where each pixel's ray enters
  *
- * All border faces are drawn, each pixel tests those near to it, and adds up. Private to the
+ * All border faces are drawn; each pixel tests the faces near it and accumulates. Private to the
  * module.
  */
 #ifndef RayEntries_h
@@ -18,20 +18,20 @@ namespace relevo
 class RayEntries
 {
 public:
-  /// Bind the target, of so many pixels; Draw() or DrawCounts() ends that. false if it cannot be
-  /// allocated.
+  /// Bind the target of this size; Draw() or DrawCounts() restores the framebuffer. Return false if
+  /// it cannot be allocated.
   bool Begin(vtkOpenGLRenderWindow* window, int width, int height)
   {
     return this->Target.Begin(window, width, height, { { 2 } });
   }
-  /// With the program of MakeEntriesShader(), whose uniforms are set.
+  /// Draw with the program of MakeEntriesShader(), whose uniforms are set.
   void Draw(int numberOfFaces);
 
-  /// The same with that of MakeCountShader().
+  /// Draw with the program of MakeCountShader().
   void DrawCounts();
 
-  /// A sampler needs a texture, also where it is not read: beside buffer textures in its unit
-  /// OpenGL draws nothing.
+  /// Activate the texture. The sampler needs one even if it is not read: OpenGL draws nothing if
+  /// its texture unit has a buffer texture.
   void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
   {
     if (!this->Target.GetTexture() && this->Begin(window, 1, 1))
@@ -43,7 +43,7 @@ public:
   void Deactivate() { this->Target.Deactivate(); }
   void ReleaseGraphicsResources(vtkWindow* window);
 
-  /// The most entries of any pixel; waits for the GPU.
+  /// Return the maximum number of entries of a pixel. This call waits for the GPU.
   int ReadMaximum();
 
 private:

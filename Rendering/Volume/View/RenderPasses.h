@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RenderPasses
- * @brief   render passes that change how a volume is drawn, as depth peeling does
+ * @brief   render passes that change the shaders of a volume, such as depth peeling
  *
  * Private to the module.
  */
@@ -23,9 +23,9 @@ namespace relevo
 class RenderPasses
 {
 public:
-  /// None.
+  /// No render passes.
   RenderPasses() = default;
-  /// Those of the prop, which ask for its mapper.
+  /// The render passes of the prop, which require its mapper.
   RenderPasses(vtkAbstractMapper* mapper, vtkProp* prop);
 
   bool IsEmpty() const { return this->Passes.empty(); }

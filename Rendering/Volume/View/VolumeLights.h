@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   VolumeLights
- * @brief   a renderer's lights, and what they do to the colours of a volume
+ * @brief   a renderer's lights and the materials of a volume
  *
  * Private to the module.
  */
@@ -22,10 +22,10 @@ namespace relevo
 class VolumeLights
 {
 public:
-  /// Of as many components, whose colours are lit. Those that are not shaded are not changed.
+  /// Read the materials of this number of components. Colours of unshaded components do not change.
   void ReadMaterials(vtkVolumeProperty* property, int numberOfMaterials);
 
-  /// Lights that are on.
+  /// Read the lights that are on.
   void ReadLights(vtkRenderer* renderer, const dmat4& meshToWorld);
 
   int GetNumberOfLights() const { return static_cast<int>(this->Positions.size() / 4); }
