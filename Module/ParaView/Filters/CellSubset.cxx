@@ -18,7 +18,7 @@ vtkSmartPointer<vtkPolyData> ExtractCells(vtkPolyData* mesh, const std::vector<b
   auto cells = vtkSmartPointer<vtkPolyData>::New();
   cells->ShallowCopy(mesh);
   const char* ghosts = vtkDataSetAttributes::GhostArrayName();
-  const char* held = "relevo::GhostType"; // while VTK is told by vtkGhostType what to leave out
+  const char* held = "relevo::GhostType"; // vtkGhostType marks the cells to remove meanwhile
   const auto rename = [&cells](const char* from, const char* to)
   {
     vtkCellData* data = cells->GetCellData();

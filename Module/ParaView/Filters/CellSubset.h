@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   some of the cells of a mesh
+ * @brief   extracts and appends cells of meshes
  *
  * Not wrapped: for the sources of the plugin.
  */
@@ -17,15 +17,15 @@ class vtkPolyData;
 
 namespace relevo
 {
-/// The cells that are kept, their points, and the data of both, vtkGhostType among them.
+/// Return the kept cells, their points, and the data of both, including vtkGhostType.
 RELEVOPARAVIEWFILTERS_EXPORT vtkSmartPointer<vtkPolyData> ExtractCells(
   vtkPolyData* mesh, const std::vector<bool>& kept);
 
-/// What is left of meshes put together, with the field data of the first; nullptr for none.
+/// Append the non-empty meshes, with the field data of the first; nullptr if there are none.
 RELEVOPARAVIEWFILTERS_EXPORT vtkSmartPointer<vtkPolyData> AppendMeshes(
   const std::vector<vtkSmartPointer<vtkPolyData>>& meshes);
 
-/// Say of each cell what vtkDataSetAttributes::CellGhostTypes it has.
+/// Set the vtkDataSetAttributes::CellGhostTypes of each cell.
 RELEVOPARAVIEWFILTERS_EXPORT void SetGhostTypes(
   vtkPolyData* mesh, const std::vector<unsigned char>& types);
 }

@@ -23,14 +23,14 @@ namespace relevo
 {
 namespace
 {
-// Numbers that can be compared.
+// Return a value that can be compared, also for NaN.
 double GetNumber(vtkDataArray* array, vtkIdType id, int component)
 {
   const double value = array->GetComponent(id, component);
   return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
 }
 
-// The ids 0 to n - 1 by a comparison, equal ones as they are.
+// Return the ids 0 to n - 1, sorted stably by a comparison.
 template <typename Less>
 std::vector<vtkIdType> SortIds(vtkIdType n, const Less& less)
 {
@@ -84,7 +84,7 @@ void Rearrange(Attributes* data, const std::vector<vtkIdType>& order)
   data->ShallowCopy(sorted);
 }
 
-// Cells with the new ids of their points; in the order of these, if asked for.
+// The cells with the new ids of their points, sorted by these on request.
 class RenumberedCells
 {
 public:
@@ -126,7 +126,7 @@ public:
     return cells;
   }
 
-  // The former cell of each.
+  // Return the former id of each cell.
   const std::vector<vtkIdType>& GetOrder() const { return this->Order; }
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   points and faces in an order that depends on where they lie alone
+ * @brief   sorts points and faces so that their order depends on positions alone
  *
  * Not wrapped: for the sources of the plugin.
  */
@@ -15,9 +15,9 @@ class vtkPolyData;
 namespace relevo
 {
 /**
- * Sort the points of a mesh by their coordinates (those at one place by their texture coordinates,
- * then their normals), and its polygons by their points, which stay in their order. Other cells
- * stay where they are.
+ * Sort the points of a mesh by coordinates (coincident points by texture coordinates, then by
+ * normals), and its polygons by their points. The order of points in a polygon, and other cells, do
+ * not change.
  */
 RELEVOPARAVIEWFILTERS_EXPORT void SortByPosition(vtkPolyData* mesh);
 }

@@ -41,8 +41,8 @@ struct Leaf
 };
 using Surface = std::vector<Leaf>;
 
-// The leaves of a tree; where there is a mesh, it is replaced by what is to become the piece.
-// Ghosts are left out where there will be others.
+// Return the leaves of a tree. Meshes are replaced by the future pieces. Ghosts are removed if new
+// ones will be added.
 std::vector<Surface> FindSurfaces(vtkDataObjectTree* tree, bool hasProcesses)
 {
   std::vector<Surface> surfaces;
@@ -68,11 +68,11 @@ std::vector<Surface> FindSurfaces(vtkDataObjectTree* tree, bool hasProcesses)
   return surfaces;
 }
 
-// Calls f(leaf, parent, node) for the tree that the surfaces were found in.
+// Calls f(leaf, parent, node) for the tree in which the surfaces were found.
 template <typename Function>
 void ForEachNode(vtkDataObjectTree* tree, std::vector<Surface>& surfaces, Function&& f)
 {
-  std::size_t surface = 0; // and one more
+  std::size_t surface = 0; // counted from 1
   std::size_t leaf = 0;
   ForEachLeaf(
     tree,
@@ -85,7 +85,7 @@ void ForEachNode(vtkDataObjectTree* tree, std::vector<Surface>& surfaces, Functi
     { f(surfaces[surface - 1][leaf++], parent, node); });
 }
 
-// All processes get as many surfaces, of as many leaves each.
+// Give all processes the same number of surfaces and leaves.
 void MakeEven(std::vector<Surface>& surfaces, const PieceReduction& pieces)
 {
   std::vector<double> number(1, static_cast<double>(surfaces.size()));
@@ -167,7 +167,7 @@ void PieceFilter::RunPieces(vtkInformationVector** inputVector, vtkInformationVe
     [](Leaf& leaf, vtkDataObjectTree*, vtkDataObjectTreeIterator* node)
     {
       auto made = vtkPolyData::SafeDownCast(node->GetCurrentDataObject());
-      if (made && made->GetNumberOfCells() > 0) // else it may have lost its arrays
+      if (made && made->GetNumberOfCells() > 0) // an empty mesh may have lost its arrays
       {
         leaf.Piece = made;
       }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   PieceFilter
- * @brief   makes a filter of one surface a filter of the pieces that several processes have
+ * @brief   applies a filter for one surface to pieces that are distributed over several processes
  *
  * The input is a vtkPolyData or a tree of data sets, and so is the output.
  *
@@ -32,22 +32,23 @@ public:
 
   static void FillInput(vtkInformation* info);
   static void FillOutput(vtkInformation* info);
-  /// Make an output of the type of the input.
+  /// Create an output of the input's type.
   static bool MakeOutput(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
   /**
-   * What makes an output of a piece, which has ghosts, the array CellIds, and an order of its own:
-   * see SurfacePieces. `own` is the piece as the input has it, but for ghosts of other processes;
-   * nullptr where this process has none and only takes part in what is collective.
+   * Computes the output of a piece, which has ghosts and the array CellIds, and is sorted: see
+   * SurfacePieces. `own` is the piece as in the input, except for ghosts of other processes. It is
+   * nullptr if this process has none and only takes part in collective calls.
    */
   using Work = std::function<void(vtkPolyData* own, vtkPolyData* piece, vtkPolyData* output)>;
 
   /**
    * Call `work` for all pieces, on all processes in the same order. Collective. Without a
-   * controller (nullptr) this process has all pieces. An error leaves its output empty and is no
-   * failure of the filter: the pipeline would then run it again on one process alone. Without
-   * enough memory for `purpose` all outputs are empty, after an ErrorEvent of the filter; but
-   * several processes end with std::bad_alloc, because the others would wait for one that gives up.
+   * controller (nullptr) this process has all pieces. An error leaves its output empty and is not a
+   * failure of the filter, because the pipeline would then run it again on one process alone. If
+   * memory is insufficient for `purpose`, all outputs are empty and the filter reports an
+   * ErrorEvent. With several processes, std::bad_alloc ends them, because the others would wait for
+   * the process that gives up.
    */
   void Run(vtkAlgorithm* filter, const char* purpose, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector, vtkMultiProcessController* controller, const Work& work);

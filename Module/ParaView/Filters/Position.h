@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   where points lie, to find in one mesh what lies at a place in another
+ * @brief   positions of points, to identify points of different meshes
  *
- * Pieces of processes have no ids of points in common.
+ * Pieces of different processes share no point ids.
  *
  * Private to the module.
  */
@@ -18,16 +18,17 @@
 
 namespace relevo
 {
-/// Coordinates, a key for std::map and std::set; 0 equals -0.
+/// The coordinates, a key for std::map and std::set; 0 equals -0.
 using Position = std::array<double, 3>;
 
-/// Whether a mesh has a point that a cell refers to.
+/// Return whether a mesh has a point that a cell refers to.
 inline bool HasPoint(vtkPolyData* mesh, vtkIdType point)
 {
   return point >= 0 && point < mesh->GetNumberOfPoints();
 }
 
-/// Where a point lies: false if there is none, or it has a coordinate that is not finite.
+/// Get the position of a point. Return false if there is no point, or if its coordinates are not
+/// finite.
 inline bool GetPosition(vtkPolyData* mesh, vtkIdType point, Position& position)
 {
   if (!HasPoint(mesh, point))

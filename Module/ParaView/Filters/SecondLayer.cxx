@@ -49,7 +49,7 @@ void ForEachCorner(vtkPolyData* mesh, Function&& f)
   }
 }
 
-// Where ghosts have corners, and the piece itself none.
+// Return the positions of corners of ghosts that are not corners of the piece itself.
 Positions FindOuterPositions(vtkPolyData* piece)
 {
   const GhostCells ghosts(piece);
@@ -73,7 +73,7 @@ Positions FindOuterPositions(vtkPolyData* piece)
   return outer;
 }
 
-// All processes get those of each process's pieces.
+// Send the positions of each process's pieces to all processes.
 std::vector<std::vector<Positions>> ShareOuterPositions(
   const Pieces& pieces, const PieceReduction& processes)
 {
@@ -103,7 +103,7 @@ std::vector<std::vector<Positions>> ShareOuterPositions(
   return all;
 }
 
-// The faces that have corners there.
+// Return the faces with corners at these positions.
 vtkSmartPointer<vtkPolyData> FindFaces(const Pieces& own, const Positions& positions)
 {
   Pieces found;
@@ -141,7 +141,7 @@ vtkIdTypeArray* GetFaceIds(vtkPolyData* mesh)
   return vtkIdTypeArray::SafeDownCast(mesh->GetCellData()->GetAbstractArray(FaceIds));
 }
 
-// Gives data, for a number of tuples, all arrays that others have.
+// Add all arrays of other data, for a number of tuples.
 void AddArraysOf(vtkDataSetAttributes* others, vtkDataSetAttributes* data, vtkIdType number)
 {
   for (int i = 0; i < others->GetNumberOfArrays(); ++i)
@@ -160,7 +160,7 @@ void AddArraysOf(vtkDataSetAttributes* others, vtkDataSetAttributes* data, vtkId
       data->AddArray(array);
     }
   }
-  // All say the same of what they are.
+  // All processes must agree on the active attributes.
   for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
   {
     vtkAbstractArray* attribute = others->GetAbstractAttribute(type);
@@ -168,7 +168,7 @@ void AddArraysOf(vtkDataSetAttributes* others, vtkDataSetAttributes* data, vtkId
   }
 }
 
-// Adds, as ghosts, faces that the piece does not have.
+// Add faces that the piece lacks, as ghosts.
 void AddMissing(const Pieces& faces, vtkSmartPointer<vtkPolyData>& piece)
 {
   std::set<vtkIdType> known;
@@ -238,7 +238,7 @@ void CompleteSecondLayer(const Pieces& own, Pieces& pieces, vtkMultiProcessContr
   const std::vector<std::vector<Positions>> outer = ShareOuterPositions(pieces, *processes);
   for (std::size_t process = 0; process < outer.size(); ++process)
   {
-    // A block for each of its pieces.
+    // The message has a block for each of the process's pieces.
     auto message = vtkSmartPointer<vtkMultiBlockDataSet>::New();
     message->SetNumberOfBlocks(static_cast<unsigned int>(outer[process].size()));
     for (std::size_t i = 0; i < outer[process].size(); ++i)

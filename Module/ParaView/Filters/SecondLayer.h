@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   the second layer of ghost faces, where it is further away than a neighbouring piece
+ * @brief   the second layer of ghost faces, if it is in a piece that is not a neighbour
  *
- * vtkGhostCellsGenerator gives a piece the faces around it from pieces that touch it. The faces
- * around those may be of pieces that do not, where pieces are scattered.
+ * vtkGhostCellsGenerator adds faces around a piece from pieces that touch it. With scattered
+ * pieces, the faces around those may be in pieces that do not touch it.
  *
  * Private to the module.
  */
@@ -20,17 +20,16 @@ class vtkPolyData;
 
 namespace relevo
 {
-/// A cell array that tells all faces of all processes from each other.
+/// A cell array with unique ids of all faces of all processes.
 constexpr const char* FaceIds = "relevo::FaceIds";
 
-/// Add it to the pieces of this process, and change nothing else of them. Collective.
+/// Add FaceIds to the pieces of this process, and change nothing else. Collective.
 void AddFaceIds(
   const std::vector<vtkSmartPointer<vtkPolyData>>& own, vtkMultiProcessController* controller);
 
 /**
- * Give pieces with ghosts the faces that are missing around them, whichever process has them.
- * `own` are the same pieces without ghosts; all have FaceIds. Collective; the controller may be
- * nullptr.
+ * Add the missing faces around pieces with ghosts from all processes. `own` are the same pieces
+ * without ghosts; all have FaceIds. Collective; the controller may be nullptr.
  */
 void CompleteSecondLayer(const std::vector<vtkSmartPointer<vtkPolyData>>& own,
   std::vector<vtkSmartPointer<vtkPolyData>>& pieces, vtkMultiProcessController* controller);

@@ -17,8 +17,9 @@
 namespace relevo
 {
 /**
- * Call f(tree, iterator at one of its leaves) for all leaves, and start() before each surface:
- * partitions are pieces of one, any other leaf is a surface of its own. A nullptr has none.
+ * Call f(tree, iterator at one of its leaves) for all leaves, and start() before each surface.
+ * Partitions are pieces of one surface; any other leaf is a separate surface. nullptr has no
+ * leaves.
  */
 template <typename Start, typename Function>
 void ForEachLeaf(vtkDataObjectTree* tree, Start&& start, Function&& f)

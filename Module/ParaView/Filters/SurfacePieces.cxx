@@ -46,7 +46,8 @@ vtkIdType CountCellsBeforeFaces(vtkPolyData* mesh)
   return mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
 }
 
-// The faces of a mesh as polygons: vtkGhostCellsGenerator mixes up the cell data of other cells.
+// Return the faces of a mesh as polygons, because vtkGhostCellsGenerator assigns wrong cell data to
+// other cells.
 vtkSmartPointer<vtkPolyData> ExtractFaces(vtkPolyData* mesh)
 {
   auto faces = vtkSmartPointer<vtkPolyData>::New();
@@ -58,7 +59,7 @@ vtkSmartPointer<vtkPolyData> ExtractFaces(vtkPolyData* mesh)
   }
   vtkNew<vtkCellArray> polygons;
   polygons->DeepCopy(mesh->GetPolys());
-  vtkNew<vtkIdList> cells; // of the mesh, for each polygon
+  vtkNew<vtkIdList> cells; // cell of the mesh for each polygon
   for (vtkIdType i = 0; i < polygons->GetNumberOfCells(); ++i)
   {
     cells->InsertNextId(first + i);
@@ -91,7 +92,7 @@ vtkSmartPointer<vtkPolyData> ExtractFaces(vtkPolyData* mesh)
   return faces;
 }
 
-// Gives a mesh of faces the vertices and lines of the mesh that they were extracted from.
+// Add vertices and lines of a mesh to the faces that were extracted from it.
 void AddVerticesAndLines(vtkPolyData* faces, vtkPolyData* mesh)
 {
   const vtkIdType first = CountCellsBeforeFaces(mesh);
@@ -124,7 +125,7 @@ void AddVerticesAndLines(vtkPolyData* faces, vtkPolyData* mesh)
   ofFaces->ShallowCopy(all);
 }
 
-// Points at borders have got the data of another process; but its ids are not those of this one.
+// Points at borders have the data of another process, whose ids differ from those of this process.
 void KeepPointIds(vtkPolyData* faces, vtkPolyData* mesh)
 {
   const char* name = "vtkOriginalPointIds";
@@ -136,15 +137,15 @@ void KeepPointIds(vtkPolyData* faces, vtkPolyData* mesh)
   }
 }
 
-// Pieces of one surface, and the leaves of the tree that they come from.
+// The pieces of one surface, and their leaves in the tree.
 struct Surface
 {
   vtkSmartPointer<vtkPartitionedDataSet> Pieces = vtkSmartPointer<vtkPartitionedDataSet>::New();
-  std::vector<vtkPolyData*> Leaves; // nullptr where there is nothing to exchange
+  std::vector<vtkPolyData*> Leaves; // nullptr for nothing to exchange
 
   void AddLeaf(vtkPolyData* mesh)
   {
-    // What is not sound the mapper gets as it is, and says so.
+    // The mapper gets invalid meshes unchanged, and reports the error.
     mesh = mesh && IsSound(mesh) ? mesh : nullptr;
     this->Pieces->SetPartition(static_cast<unsigned int>(this->Leaves.size()),
       mesh ? ExtractFaces(mesh).Get() : vtkNew<vtkPolyData>().Get());
@@ -152,8 +153,8 @@ struct Surface
   }
 };
 
-// Two layers: what is computed at the border depends on the normals and curvatures of the points
-// around it, and these on the faces around them.
+// Values at the border depend on the normals and curvatures of the points around it, and these on
+// the faces around those points. Hence two layers are needed.
 constexpr int NumberOfLayers = 2;
 
 void AddGhosts(vtkPartitionedDataSet* pieces, vtkMultiProcessController* controller)
@@ -165,12 +166,13 @@ void AddGhosts(vtkPartitionedDataSet* pieces, vtkMultiProcessController* control
   }
   AddFaceIds(own, controller);
   vtkNew<vtkGhostCellsGenerator> generator;
-  generator->SetController(controller); // else processes that have no others would wait for them
+  // a default controller would make processes wait for each other
+  generator->SetController(controller);
   generator->SetInputData(pieces);
   generator->BuildIfRequiredOff();
   generator->SetNumberOfGhostLayers(NumberOfLayers);
   generator->Update();
-  // A piece that the generator gives nothing for stays without ghosts.
+  // A piece for which the generator returns nothing stays without ghosts.
   auto made = vtkPartitionedDataSet::SafeDownCast(generator->GetOutputDataObject(0));
   std::vector<vtkSmartPointer<vtkPolyData>> all;
   for (unsigned int i = 0; i < pieces->GetNumberOfPartitions(); ++i)
@@ -188,7 +190,7 @@ void AddGhosts(vtkPartitionedDataSet* pieces, vtkMultiProcessController* control
   }
 }
 
-// When each part of a mesh was last changed, and which it is.
+// Add the modification times and addresses of all parts of a mesh.
 void AddTimes(vtkPolyData* mesh, std::vector<vtkMTimeType>& times)
 {
   const auto add = [&times](vtkObject* object)
@@ -236,7 +238,7 @@ bool IsSound(vtkPolyData* mesh)
     HasArraysOfLength(mesh->GetCellData(), mesh->GetNumberOfCells());
 }
 
-// Returns whether they are others than last time.
+// Return whether the surfaces differ from the last call.
 bool SurfacePieces::FindOwn(vtkDataObjectTree* tree)
 {
   Leaves own;
@@ -245,7 +247,7 @@ bool SurfacePieces::FindOwn(vtkDataObjectTree* tree)
     [&](vtkDataObjectTree*, vtkDataObjectTreeIterator* leaf)
     {
       auto mesh = vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject());
-      // Where the tree has not been made anew, it has what was made.
+      // If the tree has not been recreated, it contains the replaced surfaces.
       const std::size_t i = own.size();
       const bool isMade = mesh && i < this->Made.size() && this->Made[i] == mesh;
       own.emplace_back(isMade ? this->Own[i].Get() : mesh);
@@ -270,7 +272,7 @@ void SurfacePieces::Make(vtkDataObjectTree* tree, vtkMultiProcessController* con
     [&](vtkDataObjectTree*, vtkDataObjectTreeIterator*) { surfaces.back().AddLeaf(*own++); });
   if (controller)
   {
-    // Where processes have other trees, they still take part in all exchanges.
+    // Processes whose trees differ still take part in all exchanges.
     const int number = static_cast<int>(surfaces.size());
     int most = number;
     controller->AllReduce(&number, &most, 1, vtkCommunicator::MAX_OP);

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   SurfacePieces
- * @brief   the surfaces of a data set as every number of processes draws them alike
+ * @brief   surfaces of a data set whose results do not depend on the number of processes
  *
- * Each piece gets the faces around it that other processes, or other partitions of the data set,
- * have: their vtkGhostType has vtkDataSetAttributes::DUPLICATECELL. Strips become triangles. Points
- * and faces are sorted by where they lie, so that what is computed in their order comes out the
- * same, to the bit, whoever has them.
+ * Each piece gets the surrounding faces of other processes, or of other partitions of the data set.
+ * Their vtkGhostType has vtkDataSetAttributes::DUPLICATECELL. Strips become triangles. Points and
+ * faces are sorted by position, so that results that depend on their order are bit-identical on all
+ * processes.
  */
 #ifndef SurfacePieces_h
 #define SurfacePieces_h
@@ -24,16 +24,16 @@ class vtkPolyData;
 
 namespace relevo
 {
-/// Whether all cells have their points, and all cells and points their data.
+/// Return whether all cells have their points, and all cells and points their data.
 RELEVOPARAVIEWFILTERS_EXPORT bool IsSound(vtkPolyData* mesh);
 
 class RELEVOPARAVIEWFILTERS_EXPORT SurfacePieces
 {
 public:
   /**
-   * Replace the surfaces of a tree. Those that are made stay the same objects until the data of
-   * some process change. Collective: every process calls it, with a tree of the same blocks, which
-   * may be empty or nullptr.
+   * Replace the surfaces of a tree. The new surfaces stay the same objects until the data of a
+   * process change. Collective: every process calls this method with a tree of the same blocks,
+   * which may be empty or nullptr.
    */
   void Update(vtkDataObjectTree* tree, vtkMultiProcessController* controller);
 
@@ -43,8 +43,8 @@ private:
   bool FindOwn(vtkDataObjectTree* tree);
   void Make(vtkDataObjectTree* tree, vtkMultiProcessController* controller);
 
-  Leaves Own;  // as the tree has had them
-  Leaves Made; // of them
+  Leaves Own;  // as they were in the tree
+  Leaves Made; // from Own
   std::vector<vtkMTimeType> OwnTimes;
 };
 }

@@ -20,7 +20,7 @@
 
 namespace
 {
-// From ids of the piece's cells, which the cells still have, to the input's.
+// Convert the ids of the piece's cells, which its cells still have, to ids of the input.
 void SetOriginalIds(vtkPolyData* output)
 {
   vtkCellData* data = output->GetCellData();
@@ -33,7 +33,7 @@ void SetOriginalIds(vtkPolyData* output)
   }
 }
 
-// What was a ghost of others is the process's own mesh now.
+// Ghosts of other processes are now part of this process's mesh.
 void RemoveFlag(vtkDataSetAttributes* data, unsigned char flag)
 {
   const char* name = vtkDataSetAttributes::GhostArrayName();

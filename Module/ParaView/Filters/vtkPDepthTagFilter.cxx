@@ -24,7 +24,7 @@
 
 namespace
 {
-// Ids of the points of a mesh; those at one place have the first one's.
+// Ids of the merged points of a mesh: each point has the id of the first point at its position.
 class Places
 {
 public:
@@ -40,7 +40,7 @@ public:
     }
   }
 
-  // That of a point of any mesh; -1 where there is none.
+  // Return the merged point of a point of any mesh; -1 if there is none.
   vtkIdType Find(vtkPolyData* mesh, vtkIdType point) const
   {
     relevo::Position position;
@@ -56,8 +56,8 @@ private:
   std::map<relevo::Position, vtkIdType> Ids;
 };
 
-// Calls f(triangle, i, edge) for the i-th edge of all triangles that have their points, by the
-// places of its ends.
+// Call f(triangle, i, edge) for the i-th edge of all triangles with valid points; the edge is given
+// by the merged points of its ends.
 template <typename Function>
 void ForEachEdge(vtkPolyData* mesh, const Places& places, Function&& f)
 {
@@ -78,7 +78,7 @@ void ForEachEdge(vtkPolyData* mesh, const Places& places, Function&& f)
   }
 }
 
-// From a piece with ghosts and an order of its own to what it was made of.
+// Copy the tags of a piece with ghosts, in its order, to the original piece.
 void CopyTags(vtkPolyData* piece, vtkPolyData* own)
 {
   const Places places(piece);

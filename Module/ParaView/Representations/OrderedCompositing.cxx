@@ -59,7 +59,7 @@ Dependencies GetSources(vtkDataObject* delivered, vtkAdaptiveRefinement* recipe,
 void OrderedCompositing::GiveSpace(
   vtkInformation* inInfo, vtkPVDataRepresentation* representation, const double bounds[6])
 {
-  // The data themselves are not redistributed by the view.
+  // The view does not redistribute the data themselves.
   vtkPVRenderView::SetOrderedCompositingConfiguration(
     inInfo, representation, vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
 
@@ -80,7 +80,7 @@ void OrderedCompositing::GiveSpace(
     corners->SetPoints(points);
     corners->SetVerts(cells);
   }
-  constexpr int port = 1; // what is drawn is at port 0
+  constexpr int port = 1; // port 0 has the data to draw
   constexpr unsigned long size = 1;
   vtkPVView::SetPiece(inInfo, representation, corners, size, port);
   vtkPVRenderView::SetOrderedCompositingConfiguration(
@@ -117,7 +117,7 @@ vtkDataObject* OrderedCompositing::Update(vtkPVRenderView* view, vtkDataObject* 
   controller->AllReduce(&own, &any, 1, vtkCommunicator::MAX_OP);
   if (any)
   {
-    this->Delivered = delivered; // so that no other takes its place in memory
+    this->Delivered = delivered; // owned so that no other object gets its address
     this->Gathered = GatherRegionFaces(
       vtkDataObjectTree::SafeDownCast(delivered), recipe, matrix, this->Regions, controller);
   }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   OrderedCompositing
- * @brief   has each process draw a surface in its own part of space
+ * @brief   makes each process draw the surface in its own region of space
  *
- * Where something in a view is translucent, ParaView blends the pictures of processes in the order
- * of boxes of space. Its own way to get all surfaces into these boxes would cut coarse faces and
- * not know where the refined ones lie. Here a process gets the coarse faces that can reach its box
- * from the others, whole, and draws what of them lies in it.
+ * If a prop in a view is translucent, ParaView blends the images of processes in the order of boxes
+ * of space. Its redistribution of surfaces into these boxes would cut coarse faces and does not
+ * know the refined ones. Here, a process gets from the others the whole coarse faces that can reach
+ * its box, and draws the part inside it.
  *
  * Private to the module.
  */
@@ -34,32 +34,32 @@ class OrderedCompositing
 {
 public:
   /**
-   * Tell the view which part of space is to be shared among processes: that of the data, and a
-   * little around these bounds, without which ParaView cannot order boxes of flat data, and aborts
-   * on some.
+   * Set the region of space that the view distributes over the processes: the region of the data,
+   * slightly enlarged. Without the enlargement, ParaView cannot order boxes of flat data, and
+   * aborts for some.
    */
   static void GiveSpace(
     vtkInformation* inInfo, vtkPVDataRepresentation* representation, const double bounds[6]);
 
   /**
-   * The data that this process draws in a view, of the delivered ones of all: these themselves
-   * where nothing needs an order. Faces are exchanged if the data, the boxes, the matrix or where
-   * the recipe puts points have changed on any process. Collective.
+   * Return the data that this process draws in a view. If no order is needed, these are the
+   * delivered data. Faces are exchanged if the data, the boxes, the matrix or the recipe's
+   * positions have changed on any process. Collective.
    */
   vtkDataObject* Update(vtkPVRenderView* view, vtkDataObject* delivered,
     vtkAdaptiveRefinement* recipe, vtkMatrix4x4* matrix);
 
-  /// Have a mapper draw only what lies in this process's box.
+  /// Make a mapper draw only inside this process's box.
   void Clip(vtkAbstractMapper* mapper);
 
 private:
   void SetRegions(std::vector<vtkBoundingBox> regions);
 
-  std::vector<vtkBoundingBox> Regions; // of the processes; empty where nothing needs an order
-  bool IsClipped = true;               // by the regions as they are now
+  std::vector<vtkBoundingBox> Regions; // of the processes; empty if no order is needed
+  bool IsClipped = true;               // by the current regions
   vtkSmartPointer<vtkDataObject> Delivered;
   vtkSmartPointer<vtkDataObject> Gathered;
-  Dependencies Sources; // of what was gathered
+  Dependencies Sources; // of the gathered faces
 };
 }
 

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ReducedProjection
- * @brief   has a view's camera project as it will in a frame that several processes draw
+ * @brief   sets the projection that a view's camera has in a frame of several processes
  *
- * ParaView draws smaller pictures while the view moves: IceT has the camera project to a corner of
- * the window, and so must what is prepared for it. Lasts as long as the object; then the camera has
- * the projection that it had.
+ * ParaView draws smaller images while the view moves: IceT makes the camera project to a corner of
+ * the window, so preparations must do the same. The destructor restores the camera's projection.
  *
  * Private to the module.
  */
@@ -30,8 +29,8 @@ public:
   void operator=(const ReducedProjection&) = delete;
 
 private:
-  vtkCamera* Camera = nullptr; // nullptr where the picture has its full size
-  // What the camera had.
+  vtkCamera* Camera = nullptr; // nullptr if the image has its full size
+  // The camera's previous projection.
   vtkSmartPointer<vtkMatrix4x4> Explicit;
   bool UsesExplicit = false;
 };

@@ -29,10 +29,10 @@ namespace relevo
 {
 namespace
 {
-constexpr double Nothing = -VTK_DOUBLE_MAX; // high side of a box without points
+constexpr double Nothing = -VTK_DOUBLE_MAX; // upper side of a box without points
 
-// A leaf, and where its cells are and what can be made of them, in world coordinates; ghosts are
-// nowhere.
+// A leaf, and the bounds of its coarse and refined cells in world coordinates. Ghosts have empty
+// bounds.
 struct Leaf
 {
   vtkSmartPointer<vtkPolyData> Mesh;
@@ -77,7 +77,7 @@ void ComputeBoxes(vtkAdaptiveRefinement* recipe, vtkMatrix4x4* matrix, Leaf& lea
   }
   leaf.Refined = leaf.Coarse;
   RefinementMesh mesh;
-  // What cannot be refined is not drawn: its mapper says why.
+  // A mesh that cannot be refined is not drawn; its mapper reports why.
   if (recipe && mesh.Build(leaf.Mesh, recipe->GetSurface(), recipe->GetDisplacement()))
   {
     const FaceBounds reach(mesh, recipe->GetSurface(), recipe->GetDisplacement());
@@ -96,7 +96,7 @@ void ComputeBoxes(vtkAdaptiveRefinement* recipe, vtkMatrix4x4* matrix, Leaf& lea
   }
 }
 
-// What can be cut of a mesh: nullptr if cells lack points.
+// Return a mesh that can be cut; nullptr if cells lack points.
 vtkSmartPointer<vtkPolyData> FindUsable(vtkPolyData* mesh)
 {
   if (IsSound(mesh))
@@ -143,12 +143,12 @@ std::vector<Surface> FindSurfaces(
   return surfaces;
 }
 
-// Around the coarse cells that are drawn in each region, whoever has them: it touches all their
-// neighbours.
+// Compute bounds of the coarse cells of all processes that are drawn in each region. All their
+// neighbours touch these bounds.
 std::vector<vtkBoundingBox> ComputeHulls(const std::vector<Surface>& surfaces,
   const std::vector<vtkBoundingBox>& regions, vtkMultiProcessController* controller)
 {
-  std::vector<double> own(6 * regions.size(), Nothing); // negative low sides, and high ones
+  std::vector<double> own(6 * regions.size(), Nothing); // negated lower sides, and upper sides
   for (std::size_t region = 0; region < regions.size(); ++region)
   {
     vtkBoundingBox hull;
@@ -185,7 +185,7 @@ std::vector<vtkBoundingBox> ComputeHulls(const std::vector<Surface>& surfaces,
   return hulls;
 }
 
-// The cells that a region needs.
+// Return the cells that a region needs.
 vtkSmartPointer<vtkPolyData> ExtractNeeded(
   const Leaf& leaf, const vtkBoundingBox& region, const vtkBoundingBox& hull)
 {
@@ -207,7 +207,7 @@ vtkSmartPointer<vtkPolyData> ExtractNeeded(
   return ExtractCells(mesh, needed);
 }
 
-// What a region needs of this process's surfaces, a block each.
+// Return the cells of this process's surfaces that a region needs, one block per surface.
 vtkSmartPointer<vtkMultiBlockDataSet> MakeMessage(
   const std::vector<Surface>& surfaces, const vtkBoundingBox& region, const vtkBoundingBox& hull)
 {
@@ -229,7 +229,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> MakeMessage(
   return message;
 }
 
-// The surfaces of all processes' messages, in the order of the processes.
+// Merge the surfaces of all processes' messages, in the order of the processes.
 std::vector<vtkSmartPointer<vtkPolyData>> Unite(
   const std::vector<vtkSmartPointer<vtkDataObject>>& messages)
 {
@@ -258,7 +258,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> Unite(
   return surfaces;
 }
 
-// Surfaces that have no piece on this process get one, without a data set.
+// Add an empty piece to surfaces that have none on this process.
 void AddFirstPieces(vtkDataObjectTree* tree)
 {
   if (auto pieces = vtkMultiPieceDataSet::SafeDownCast(tree))
@@ -283,7 +283,7 @@ void AddFirstPieces(vtkDataObjectTree* tree)
   }
 }
 
-// A tree like another, with these surfaces.
+// Return a tree of the same structure with these surfaces.
 vtkSmartPointer<vtkDataObjectTree> MakeTree(
   vtkDataObjectTree* like, const std::vector<vtkSmartPointer<vtkPolyData>>& surfaces)
 {
@@ -313,7 +313,7 @@ vtkSmartPointer<vtkDataObjectTree> MakeTree(
       parent->SetDataSet(leaf, has ? surfaces[surface - 1] : vtkSmartPointer<vtkPolyData>());
       isFirst = false;
     });
-  // Blocks that this process does not know.
+  // Add blocks that are missing on this process.
   auto blocks = vtkMultiBlockDataSet::SafeDownCast(tree);
   for (; blocks && surface < surfaces.size(); ++surface)
   {

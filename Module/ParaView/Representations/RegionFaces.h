@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   the faces that a process needs to draw its part of space
+ * @brief   the faces that a process needs to draw its region of space
  *
  * Private to the module.
  */
@@ -21,15 +21,15 @@ class vtkMultiProcessController;
 namespace relevo
 {
 /**
- * The cells of all processes of which anything that the recipe can make may lie in this process's
- * region, whole, and as ghosts (vtkGhostType has vtkDataSetAttributes::DUPLICATECELL) at least the
- * faces around them. They come in the same order on all processes. Regions are those of all
- * processes, in world coordinates; an invalid one gets nothing. The matrix leads from the data's
- * coordinates to the world.
+ * Return the whole cells of all processes whose refined surface may lie in this process's region,
+ * and at least the faces around them as ghosts (vtkGhostType has
+ * vtkDataSetAttributes::DUPLICATECELL). Their order is the same on all processes. Regions are those
+ * of all processes, in world coordinates; an invalid region gets no cells. The matrix transforms
+ * the data to world coordinates.
  *
- * `tree` has a process's own cells, and the ghosts around them; it stays as it is. Each surface's
- * cells are in its first leaf then. Collective: every process calls it, with a tree of the same
- * blocks, which may be empty or nullptr. nullptr if the data cannot be sent.
+ * `tree` has the process's own cells and the ghosts around them; it does not change. In the result,
+ * each surface's cells are in its first leaf. Collective: every process calls it with a tree of the
+ * same blocks, which may be empty or nullptr. Return nullptr if the data cannot be sent.
  */
 vtkSmartPointer<vtkDataObjectTree> GatherRegionFaces(vtkDataObjectTree* tree,
   vtkAdaptiveRefinement* recipe, vtkMatrix4x4* matrix, const std::vector<vtkBoundingBox>& regions,

@@ -12,14 +12,15 @@ namespace
 using Boxes = std::vector<vtkBoundingBox>;
 using Indices = std::vector<std::size_t>;
 
-// A plane across an axis, with the first `Below` of the boxes, sorted along it, on its lower side.
+// A plane perpendicular to an axis, with the first `Below` of the boxes, sorted along it, on its
+// lower side.
 struct Cut
 {
   int Axis = -1;
   std::size_t Below = 0;
   double Position = 0.0;
-  double Gap = 0.0;     // between the boxes of both sides, negative where they overlap
-  double Centers = 0.0; // distance of the centres beside it
+  double Gap = 0.0;     // between the boxes of both sides, negative if they overlap
+  double Centers = 0.0; // distance of the centres next to it
 
   bool IsBetterThan(const Cut& other) const
   {
@@ -40,7 +41,7 @@ void Sort(const Boxes& boxes, int axis, Indices& indices)
     { return GetCenter(boxes[a], axis) < GetCenter(boxes[b], axis); });
 }
 
-// Without an axis where all boxes are in one place.
+// Return the best cut; it has no axis if all boxes coincide.
 Cut FindCut(const Boxes& boxes, Indices& indices)
 {
   Cut best;
@@ -67,7 +68,7 @@ Cut FindCut(const Boxes& boxes, Indices& indices)
   return best;
 }
 
-// `all` is around all boxes.
+// `all` contains all boxes.
 void Share(const Boxes& boxes, const vtkBoundingBox& all, Indices indices,
   const vtkBoundingBox& space, Boxes& regions)
 {

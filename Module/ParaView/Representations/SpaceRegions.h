@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   which process draws which part of space
+ * @brief   assigns a region of space to each process
  *
  * Private to the module.
  */
@@ -15,13 +15,13 @@
 namespace relevo
 {
 /**
- * Boxes that share all of space, one for each of `boxes`, grown until they meet; outer sides are at
- * VTK_DOUBLE_MAX. Planes that leave whole boxes on both sides part them, as those of a k-d tree do;
- * where there are none, boxes that overlap are cut. Who has no box, or one in the same place as
- * another, may get none (an invalid one).
+ * Return boxes that partition space, one for each of `boxes`, grown until they touch; outer sides
+ * are at VTK_DOUBLE_MAX. Like in a k-d tree, planes separate the boxes if they leave whole boxes on
+ * both sides; otherwise overlapping boxes are cut. A missing box, or one that coincides with
+ * another, may get an invalid region.
  *
- * Where boxes meet, they part a little beside: faces like to lie in such planes, and would belong
- * to both sides.
+ * Where boxes touch, the plane is moved slightly away, because faces often lie in such planes and
+ * would belong to both sides.
  */
 std::vector<vtkBoundingBox> ShareSpace(const std::vector<vtkBoundingBox>& boxes);
 }

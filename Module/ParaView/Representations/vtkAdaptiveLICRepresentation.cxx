@@ -31,8 +31,8 @@ bool vtkAdaptiveLICRepresentation::AddToView(vtkView* view)
     return false;
   }
   this->RenderView = vtkPVRenderView::SafeDownCast(view);
-  // After ParaView has given all processes the camera, and before any draws: IceT leaves out those
-  // that have nothing in view.
+  // The observer runs after ParaView has sent the camera to all processes, and before any of them
+  // draws, because IceT does not call processes with nothing in view.
   this->StartTag = this->RenderView->GetRenderer()->AddObserver(
     vtkCommand::StartEvent, this, &vtkAdaptiveLICRepresentation::PrepareParallelFrame, -1.0f);
   this->EndTag = this->RenderView->GetRenderWindow()->AddObserver(
@@ -42,7 +42,7 @@ bool vtkAdaptiveLICRepresentation::AddToView(vtkView* view)
 
 bool vtkAdaptiveLICRepresentation::RemoveFromView(vtkView* view)
 {
-  // Not what is left of the view in its destructor, and not another one.
+  // The view may be in its destructor, or be another one.
   auto renderView = vtkPVRenderView::SafeDownCast(view);
   if (renderView && renderView == this->RenderView)
   {

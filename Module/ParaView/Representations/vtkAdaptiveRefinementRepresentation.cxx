@@ -32,9 +32,10 @@ vtkStandardNewMacro(vtkAdaptiveRefinementRepresentation);
 vtkAdaptiveRefinementRepresentation::vtkAdaptiveRefinementRepresentation()
   : Internals(new vtkInternals)
 {
-  // The base draws a decimated surface with a mapper of its own while the view moves.
+  // The base class would draw a decimated surface with its own mapper while the view moves.
   this->SuppressLOD = true;
-  // Else vtkPVLODActor has a new one for each picture, and shaders are made anew.
+  // Without these calls, vtkPVLODActor creates a shader property in each frame, and shaders are
+  // rebuilt.
   this->Actor->GetShaderProperty();
   this->BackfaceActor->GetShaderProperty();
   vtkNew<vtkAdaptiveRefinementMapper> mapper;
@@ -54,7 +55,8 @@ void vtkAdaptiveRefinementRepresentation::SetMapper(vtkAdaptiveRefinementMapper*
   {
     return;
   }
-  // ParaView's window would show progress, and take the OpenGL context, in the midst of drawing.
+  // ParaView's window would show the progress, and make its OpenGL context current, while the
+  // mapper draws.
   mapper->RemoveObservers(vtkCommand::ProgressEvent);
   mapper->SetProcessIdArrayName("vtkProcessId");
   mapper->SetCompositeIdArrayName("vtkCompositeIndex");
@@ -68,7 +70,7 @@ void vtkAdaptiveRefinementRepresentation::SetMapper(vtkAdaptiveRefinementMapper*
   this->Actor->SetMapper(mapper);
   this->BackfaceActor->SetMapper(mapper);
   this->SetArrayIdNames(nullptr, nullptr);
-  this->Internals->Order = relevo::OrderedCompositing(); // else it would not clip the new mapper
+  this->Internals->Order = relevo::OrderedCompositing(); // a new object, which clips the new mapper
   this->BlockAttrChanged = true;
   this->Modified();
 }
@@ -92,7 +94,7 @@ void vtkAdaptiveRefinementRepresentation::SetRefinementColorMode(int mode)
   }
 }
 
-// The base's settings make it the scalars again.
+// The base class's settings reset the mode to scalars.
 void vtkAdaptiveRefinementRepresentation::ApplyColorMode()
 {
   vtkAdaptiveRefinementMapper* mapper = this->GetMapper();
@@ -138,7 +140,8 @@ bool vtkAdaptiveRefinementRepresentation::AddToView(vtkView* view)
   {
     return false;
   }
-  // After the processes have got the camera, on all that draw, whether they see anything or not.
+  // The observer runs after the processes have received the camera, on all processes that draw,
+  // even if they see nothing.
   constexpr float afterSynchronization = -1.0f;
   this->Internals->StartTag =
     vtkPVRenderView::SafeDownCast(view)->GetRenderer()->AddObserver(vtkCommand::StartEvent, this,
@@ -203,8 +206,8 @@ int vtkAdaptiveRefinementRepresentation::RequestRender(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
   const bool attributesChanged = this->BlockAttrChanged;
-  // The base has its mapper draw what was delivered. If that is not what is to be drawn, this would
-  // build all buffers anew in each frame.
+  // The base class sets the delivered data as its mapper's input. If these are not the data to
+  // draw, this would rebuild all buffers in each frame.
   vtkMapper* mapper = this->Mapper;
   this->Mapper = this->Unused;
   const int result = this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
@@ -224,7 +227,7 @@ int vtkAdaptiveRefinementRepresentation::RequestRender(
   mapper->SetInputDataObject(data);
   this->UpdateColoringParameters();
   this->ApplyColorMode();
-  // The base does this for VTK's composite mapper alone.
+  // The base class does this only for VTK's composite mapper.
   if (data && (attributesChanged || this->AttributesTime != data->GetMTime()))
   {
     this->PopulateBlockAttributes(this->GetMapper()->GetCompositeDataDisplayAttributes(), data);
@@ -235,14 +238,15 @@ int vtkAdaptiveRefinementRepresentation::RequestRender(
 
 void vtkAdaptiveRefinementRepresentation::GiveBounds(vtkInformation* inInfo)
 {
-  // What the view shows: in an animation it may be cached, and the pipeline be at another time.
+  // These are the data of the view. In an animation they may be cached, while the pipeline is at
+  // another time.
   vtkDataObject* data = vtkPVView::GetPiece(inInfo, this);
   this->Measure->SetRefinement(this->GetMapper()->GetRefinement());
   this->Measure->SetInputDataObject(data);
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   this->PopulateBlockAttributes(attributes, data);
   this->Measure->SetCompositeDataDisplayAttributes(attributes);
-  // What is wrong with the recipe, the mapper says when it draws.
+  // The mapper reports errors of the recipe when it draws.
   const int display = vtkObject::GetGlobalWarningDisplay();
   vtkObject::GlobalWarningDisplayOff();
   this->Measure->GetBounds(this->VisibleDataBounds);

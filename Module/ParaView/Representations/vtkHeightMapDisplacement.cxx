@@ -66,7 +66,7 @@ void vtkHeightMapDisplacement::SetFixedDirection(double x, double y, double z)
 
 bool vtkHeightMapDisplacement::Update()
 {
-  // VTK prints no error that has an observer.
+  // VTK does not print errors that have an observer.
   vtkNew<vtkCallbackCommand> quiet;
   quiet->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
   const unsigned long ofMap = this->Map->AddObserver(vtkCommand::ErrorEvent, quiet);

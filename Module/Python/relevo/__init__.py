@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Adaptive surface refinement on the GPU, for VTK.
 
-Every class of Relevo, as C++ has it: `relevo.vtkAdaptiveRefinementMapper`, `relevo.vtkHeightMap`.
-`relevo.arrays` moves heights and refined meshes to and from numpy.
+The package has all wrapped classes of Relevo with their C++ names, for example
+`relevo.vtkAdaptiveRefinementMapper` and `relevo.vtkHeightMap`. `relevo.arrays` converts heights,
+refined meshes and images from and to numpy arrays.
 """
 
 import importlib as _importlib
@@ -13,7 +14,7 @@ from .version import __version__
 
 __all__ = []
 for _module in sorted(module.name for module in _pkgutil.iter_modules(__path__)):
-    # The extension modules; which of them there are depends on how Relevo was built.
+    # The extension modules depend on the options of the build.
     if not _module.startswith("Relevo"):
         continue
     for _name, _value in vars(_importlib.import_module("." + _module, __name__)).items():

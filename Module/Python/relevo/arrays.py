@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Heights and images from numpy arrays; refined meshes and images as numpy arrays."""
+"""Conversion of heights, refined meshes and images from and to numpy arrays."""
 
 import numpy
 from vtkmodules.util.numpy_support import create_vtk_array, get_vtk_array_type, vtk_to_numpy
@@ -10,9 +10,9 @@ import relevo
 
 
 def _real_numbers(values, name):
-    """An array as VTK takes it: in the machine's byte order, of float or double if not whole.
+    """Return an array of a type that VTK supports, in the machine's byte order.
 
-    Masked values become NaN.
+    Numbers that are not integers become float or double. Masked values become NaN.
     """
     if values is None:
         raise TypeError(f"{name} must be an array of real numbers, not None")
@@ -34,31 +34,30 @@ def _check_type(value, kind, name):
 
 
 def _copy(values):
-    """A VTK array with a copy, of 1 or 2 dimensions.
+    """Return a VTK array with a copy of an array of 1 or 2 dimensions.
 
-    numpy allocates it: without enough memory that is a MemoryError, and VTK would end the program.
+    numpy allocates the copy, so that insufficient memory raises a MemoryError. VTK would abort.
     """
     copy = numpy.array(values, order="C")
     result = create_vtk_array(get_vtk_array_type(copy.dtype))
     result.SetNumberOfComponents(copy.shape[1] if copy.ndim == 2 else 1)
     result.SetVoidArray(copy.reshape(-1), copy.size, 1)
-    result._numpy_reference = copy  # lives as long as the VTK array
+    result._numpy_reference = copy  # must live as long as the VTK array
     return result
 
 
 def height_map(heights, no_data=float("nan")):
-    """A vtkHeightMap of a two-dimensional array.
+    """Create a vtkHeightMap from a two-dimensional array.
 
-    heights: any real numbers in any byte order, shape (rows, columns), row 0 the northern one, as
-        rasters come from files; at least 2 x 2. The array is copied. Masked values (numpy.ma) have
+    heights: real numbers of any type and byte order, of shape (rows, columns), at least 2 x 2. Row 0
+        is the northernmost, as in raster files. The array is copied. Masked values (numpy.ma) are
         no data.
-    no_data: the value that stands for "no data" (default: NaN).
+    no_data: the value of samples without data (default: NaN).
 
-    Raises ValueError for another shape, other values, and when no sample has data; TypeError for
-    None.
+    Raises ValueError for other shapes or values and if no sample has data, and TypeError for None.
     """
     if heights is not None and numpy.ma.is_masked(heights):
-        # NaN then stands for all: not every type of numbers can hold no_data.
+        # NaN replaces no_data, because not every type can represent no_data.
         heights = numpy.ma.masked_where(heights == no_data, heights)
         no_data = float("nan")
     heights = _real_numbers(heights, "heights")
@@ -69,12 +68,12 @@ def height_map(heights, no_data=float("nan")):
         raise ValueError(f"heights must be at least 2 x 2, not {rows} x {columns}")
     image = vtkImageData()
     image.SetDimensions(columns, rows, 1)
-    # VTK's row 0 is the southern one.
+    # Row 0 is the southernmost in VTK.
     image.GetPointData().SetScalars(_copy(heights[::-1].ravel()))
     result = relevo.vtkHeightMap()
     result.SetImageData(image)
     result.SetNoDataValue(no_data)
-    observer = result.AddObserver("ErrorEvent", lambda caller, event: None)  # raised, not printed
+    observer = result.AddObserver("ErrorEvent", lambda caller, event: None)  # suppresses printing
     updated = result.Update()
     result.RemoveObserver(observer)
     if not updated:
@@ -83,11 +82,11 @@ def height_map(heights, no_data=float("nan")):
 
 
 def triangles(mesh):
-    """Points, float (n, 3), and triangles, integer (m, 3), of a refined mesh (vtkPolyData).
+    """Return the points, float (n, 3), and triangles, integer (m, 3), of a refined vtkPolyData.
 
-    The arrays share the mesh's memory where VTK's own layout allows.
+    The arrays share the mesh's memory if VTK's memory layout allows it.
 
-    Raises ValueError when the mesh has other polygons than triangles, TypeError when it is no
+    Raises ValueError if the mesh has polygons that are not triangles, and TypeError if it is not a
     vtkPolyData.
     """
     _check_type(mesh, vtkPolyData, "mesh")
@@ -101,15 +100,15 @@ def triangles(mesh):
 
 
 def image(values, name="Values", spacing=(1.0, 1.0)):
-    """A flat vtkImageData with a point array, for vtkLineIntegralConvolution and its noise.
+    """Create a flat vtkImageData with a point array, for vtkLineIntegralConvolution and its noise.
 
-    values: any real numbers in any byte order, shape (rows, columns), which become the active
-        scalars, or (rows, columns, components); row 0 is the lowest in y, as VTK has it. The array
-        is copied. Masked values (numpy.ma) become NaN.
-    name: the array's name.
-    spacing: distances of columns and of rows.
+    values: real numbers of any type and byte order, of shape (rows, columns), which become the
+        active scalars, or (rows, columns, components). Row 0 has the smallest y, as in VTK. The
+        array is copied. Masked values (numpy.ma) become NaN.
+    name: the name of the array.
+    spacing: the distances between columns and between rows.
 
-    Raises ValueError for another shape, other values or an empty array, TypeError for None.
+    Raises ValueError for other shapes or values or an empty array, and TypeError for None.
     """
     values = _real_numbers(values, "values")
     if values.ndim not in (2, 3) or not values.size:
@@ -129,12 +128,14 @@ def image(values, name="Values", spacing=(1.0, 1.0)):
 
 
 def samples(image, name=None):
-    """A point array of a flat vtkImageData, shape (rows, columns) or (rows, columns, components).
+    """Return a point array of a flat vtkImageData.
 
-    name: the array's name (default: the active scalars). Row 0 is the lowest. The result shares the
-    image's memory where VTK's own layout allows.
+    The result has the shape (rows, columns) or (rows, columns, components). Row 0 has the smallest
+    coordinate. The result shares the image's memory if VTK's memory layout allows it.
 
-    Raises ValueError when the image has no such array or is not flat, TypeError when it is no
+    name: the name of the array (default: the active scalars).
+
+    Raises ValueError if the image has no such array or is not flat, and TypeError if it is not a
     vtkImageData.
     """
     _check_type(image, vtkImageData, "image")

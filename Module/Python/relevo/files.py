@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files that replace old ones only when they are complete."""
+"""Writes files that replace old ones only when they are complete."""
 
 import contextlib
 import os
@@ -16,7 +16,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
 
 @contextlib.contextmanager
 def _removed_by_signals(name):
-    """Signals that would end the process at once remove the file before they do."""
+    """Remove the file before a signal ends the process."""
 
     def remove(number, _):
         with contextlib.suppress(FileNotFoundError):
@@ -37,21 +37,21 @@ def _removed_by_signals(name):
 
 
 def write(path, contents):
-    """Write bytes, or a text as UTF-8, into a file.
+    """Write bytes, or a text as UTF-8, to a file.
 
-    The contents go into a temporary file in the same folder, which is renamed onto the file when all
-    is on the disk. After an error (OSError) or a signal the old file stays as it was; SIGKILL may
-    leave the temporary file. A symbolic link stays, and the file it leads to is replaced; devices
-    and pipes get the contents.
+    The contents are written to a temporary file in the same folder, which is renamed when it is
+    complete on the disk. An error (OSError) or a signal leaves the old file unchanged; SIGKILL may
+    leave the temporary file. For a symbolic link, its target is replaced. Devices and pipes are
+    written directly.
     """
     contents = contents.encode() if isinstance(contents, str) else contents
     target = pathlib.Path(path).resolve()
     if target.exists() and not target.is_file():
-        target.write_bytes(contents)  # a device; of a folder an error
+        target.write_bytes(contents)  # a device; a folder raises an error
         return
     mode = None
     if target.exists():
-        with open(target, "ab"):  # an error if it must not be written
+        with open(target, "ab"):  # raises an error if it is read-only
             mode = stat.S_IMODE(target.stat().st_mode)
     part = target.with_name(f".{target.stem[:40]}.{secrets.token_hex(4)}.part{target.suffix[:20]}")
     with _removed_by_signals(part):
@@ -70,9 +70,12 @@ def write(path, contents):
 
 
 def write_picture(path, source, quality=95):
-    """Write a vtkRenderWindow, which is rendered, or a vtkImageData as PNG or JPEG, by the extension.
+    """Write a vtkRenderWindow, which is rendered, or a vtkImageData as a PNG or JPEG file.
 
-    The file is replaced as write() does it. The quality, of 100, is that of JPEG.
+    The extension of the path sets the format. The file is replaced as by write(). The quality
+    applies to JPEG, from 0 to 100.
+
+    Raises ValueError for another extension and if there is no image.
     """
     writers = {".png": vtkPNGWriter, ".jpg": vtkJPEGWriter, ".jpeg": vtkJPEGWriter}
     extension = pathlib.Path(path).suffix.lower()
