@@ -58,22 +58,22 @@ struct vtkAdaptiveLICMapper::vtkInternals
   {
   }
 
-  // A block of a composite input draws into what its root has, and shows that.
+  // The mapper whose screens a block of a composite input uses.
   vtkAdaptiveLICMapper* Root;
   vtkOpenGLHelper* VectorHelper = nullptr; // draws the vectors of this mapper's polydata
   relevo::LICMeshVectors Vectors;
-  bool HasNormals = false;      // for VectorHelper, on the refined surface
+  bool HasNormals = false;      // of the refined surface, for VectorHelper
   double NoDataMagnitude = 0.0; // of the buffers
 
-  // The stages of a root.
+  // The stages of a root mapper.
   relevo::LICVectorField Field;
   relevo::LICScreens Screens;
   relevo::LICScreenDrawer Drawer;
   relevo::LICParallelFrame Parallel;
   relevo::RenderHook Hook;
-  relevo::LICScreen* Screen = nullptr; // that the surface shows now; nullptr for none
-  bool IsDrawingVectors = false;       // now
-  std::string Error;                   // reported last
+  relevo::LICScreen* Screen = nullptr; // shown on the surface; nullptr for none
+  bool IsDrawingVectors = false;       // during DrawVectors()
+  std::string Error;                   // error that was reported last
 
   using Mesh = std::pair<vtkPolyData*, relevo::BlockAttributes>;
   std::vector<Mesh> FindMeshes() const;
@@ -90,7 +90,7 @@ struct vtkAdaptiveLICMapper::vtkInternals
 
   void Prepare(vtkRenderer* ren, vtkActor* act);
   //@{
-  /// Have a screen with the LIC; what hinders, as a sentence.
+  /// Update the screen and its LIC. Return the error as a sentence, or "".
   std::string UpdateScreen(vtkRenderer* ren, vtkActor* act);
   std::string DrawVectors(
     vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen, std::vector<float>* vectors);
@@ -100,7 +100,7 @@ struct vtkAdaptiveLICMapper::vtkInternals
   void SetBounds(vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen);
   void Report(const std::string& error);
 
-  /// This process's part of a picture that several draw.
+  /// Contribute this process's part of an image that several processes draw.
   void Contribute(
     vtkRenderer* ren, vtkActor* act, relevo::LICParallelFrame::Contribution& contribution);
 
@@ -206,7 +206,7 @@ relevoForwardMacro(vtkAdaptiveLICMapper, ImpulseNoiseBackgroundValue, double);
 relevoForwardMacro(vtkAdaptiveLICMapper, NoiseGeneratorSeed, int);
 
 //------------------------------------------------------------------------------
-// What there is to show
+// The vectors to show
 
 relevo::LICArray vtkAdaptiveLICMapper::FindArray(vtkPolyData* input)
 {
@@ -325,7 +325,7 @@ void vtkAdaptiveLICMapper::vtkInternals::Prepare(vtkRenderer* ren, vtkActor* act
   }
   if (this->Parallel.IsUsed())
   {
-    this->Screen = this->Screens.Find(ren, act); // that PrepareParallelFrame() has drawn
+    this->Screen = this->Screens.Find(ren, act); // PrepareParallelFrame() has drawn it
     return;
   }
   this->UpdateField();
@@ -369,7 +369,7 @@ std::string vtkAdaptiveLICMapper::vtkInternals::UpdateScreen(vtkRenderer* ren, v
     }
     if (error.empty())
     {
-      screen.Sources = this->GetScreenSources(ren, act, screen); // with the levels drawn
+      screen.Sources = this->GetScreenSources(ren, act, screen); // now includes the drawn levels
     }
   }
   this->Screen = error.empty() ? &screen : nullptr;
@@ -409,7 +409,8 @@ std::string vtkAdaptiveLICMapper::vtkInternals::DrawImage(vtkRenderer* ren,
 void vtkAdaptiveLICMapper::vtkInternals::SetBounds(
   vtkRenderer* ren, vtkActor* act, relevo::LICScreen& screen)
 {
-  // Those of the actor are of the first sub-piece, and have the pipeline make it again.
+  // The actor's bounds are those of the first sub-piece, and computing them would run the pipeline
+  // again.
   this->Root->ComputeBounds();
   vtkNew<vtkMatrix4x4> project;
   vtkMatrix4x4::Multiply4x4(ren->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
@@ -419,7 +420,7 @@ void vtkAdaptiveLICMapper::vtkInternals::SetBounds(
 }
 
 //------------------------------------------------------------------------------
-// Pictures that several processes draw
+// Images that several processes draw
 
 void vtkAdaptiveLICMapper::SetController(vtkMultiProcessController* controller)
 {
@@ -461,7 +462,7 @@ void vtkAdaptiveLICMapper::PrepareParallelFrame(vtkRenderer* ren, vtkActor* act)
   {
     return;
   }
-  // As when the picture is drawn, which has not begun.
+  // These steps are the same as in a frame, which has not begun.
   vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow());
   int viewport[4];
   ren->GetTiledSizeAndOrigin(viewport + 2, viewport + 3, viewport, viewport + 1);
@@ -470,7 +471,7 @@ void vtkAdaptiveLICMapper::PrepareParallelFrame(vtkRenderer* ren, vtkActor* act)
   vtkOpenGLRenderer::SafeDownCast(ren)->UpdateLights();
 
   using Contribution = relevo::LICParallelFrame::Contribution;
-  vtkActor* drawn = act; // that VTK has the mapper draw for the actor
+  vtkActor* drawn = act; // the actor that VTK passes to the mapper
   relevo::LICParallelFrame::Steps steps;
   steps.Prepare = [&](Contribution& contribution)
   {
@@ -514,7 +515,7 @@ void vtkAdaptiveLICMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
   if (lic.NoDataMagnitude != this->GetNoDataMagnitude())
   {
     lic.NoDataMagnitude = this->GetNoDataMagnitude();
-    this->BuildTime.Modified(); // buffers are without no-data
+    this->BuildTime.Modified(); // buffers contain no no-data values
   }
   if (lic.Hook.Run(ren, act))
   {
@@ -542,7 +543,7 @@ void vtkAdaptiveLICMapper::UpdateBlocks()
 
 bool vtkAdaptiveLICMapper::DrawsAllBlocks() const
 {
-  // One image holds the streaks of opaque and translucent blocks.
+  // One image contains the streaks of opaque and translucent blocks.
   return this->LIC->IsDrawingVectors;
 }
 
@@ -610,7 +611,7 @@ void vtkAdaptiveLICMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
   lic.Vectors.CacheArrays(this->VBOs, input, ren);
   this->Superclass::BuildBufferObjects(ren, act);
 
-  // Other representations show none.
+  // Other representations show no streaks.
   if (act->GetProperty()->GetRepresentation() == VTK_SURFACE &&
     !lic.Vectors.UploadCells(
       vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()), this->CellCellMap))

@@ -82,7 +82,7 @@ vtkStandardNewMacro(vtkAdaptiveRefinementMapper);
 
 namespace
 {
-// Private code numbers methods and colour modes as the mapper does.
+// Private code uses the mapper's numbers of methods and colour modes.
 using Mapper = vtkAdaptiveRefinementMapper;
 using Method = relevo::RefinementMethod;
 static_assert(relevo::HaveSameNumber(Mapper::METHOD_ARKFPI, Method::ARKFPI), "ARKFPI");
@@ -127,7 +127,7 @@ bool FollowsCamera(int shiftScaleMethod)
 
 struct vtkAdaptiveRefinementMapper::vtkInternals
 {
-  // Stages.
+  // The stages of a frame.
   vtkNew<relevo::ContextWatch> Context;
   relevo::ContextCheck ContextCheck;
   relevo::InputCheck InputCheck;
@@ -140,7 +140,7 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   relevo::RefinementBlocks Blocks;
   relevo::ProcessAgreement Processes;
 
-  relevo::BudgetStage Budget; // of a composite input, for all blocks
+  relevo::BudgetStage Budget; // shared by all blocks of a composite input
   bool IsBlock = false;
 
   struct Frame
@@ -150,12 +150,12 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
     int NumberOfDrawCalls = 0;
   };
   Frame LastFrame;
-  std::string ColorError;        // that was reported last
-  bool HasVertexIndices = false; // VTK's own, of visible vertices
+  std::string ColorError;        // error that was reported last
+  bool HasVertexIndices = false; // VTK's indices of visible vertices
 
   vtkOpenGLRenderWindow* GetWindow() const { return this->Context->GetContext(); }
   relevo::RefinementState& GetState() { return this->Selection.GetState(); }
-  /// Without a recipe there is nothing to upload, only to count.
+  /// Without a recipe, the drawing can be counted, but not uploaded.
   relevo::RefinementDrawing GetDrawing(vtkAdaptiveRefinement* recipe);
   relevo::FaceSums CountTriangles();
 };
@@ -167,7 +167,7 @@ vtkAdaptiveRefinementMapper::vtkAdaptiveRefinementMapper()
   { this->ReleaseGraphicsResources(window); };
   this->Internals->Blocks.OnRemove = [this](vtkBlockAttributesPolyDataMapper* block)
   { this->AddCounts(static_cast<vtkAdaptiveRefinementMapper*>(block)); };
-  vtkNew<relevo::PickedInputPipeline> pipeline; // VTK's pickers get what is drawn
+  vtkNew<relevo::PickedInputPipeline> pipeline; // VTK's pickers get the drawn surface
   pipeline->Replace = [this](vtkDataObject* input)
   { return this->ReplaceInput(this->ConvertInput(input)); };
   this->SetExecutive(pipeline);
@@ -175,7 +175,8 @@ vtkAdaptiveRefinementMapper::vtkAdaptiveRefinementMapper()
 
 vtkAdaptiveRefinementMapper::~vtkAdaptiveRefinementMapper()
 {
-  // While virtual calls still reach this class, and in the context of the window.
+  // The resources are released here, while virtual calls still reach this class, in the context of
+  // the window.
   this->ReleaseGraphicsResources(nullptr);
 }
 
@@ -210,8 +211,8 @@ void vtkAdaptiveRefinementMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetProcessIdArrayName(other->GetProcessIdArrayName());
     this->SetCellIdArrayName(other->GetCellIdArrayName());
   }
-  // Not the superclass's: VTK 9.1 warns of its own deprecated methods there, and has the copy's
-  // actor lose its vtkShaderProperty. Sets VTK's colour mode.
+  // The superclass's method is not called: VTK 9.1 warns about its own deprecated methods there,
+  // and the copy's actor loses its vtkShaderProperty. This call sets VTK's colour mode.
   this->vtkPolyDataMapper::ShallowCopy(mapper);
   if (vtkAdaptiveRefinementMapper* other = vtkAdaptiveRefinementMapper::SafeDownCast(mapper))
   {
@@ -227,7 +228,7 @@ void vtkAdaptiveRefinementMapper::ReleaseGraphicsResources(vtkWindow* window)
   vtkInternals& data = *this->Internals;
   if (data.Context->Release())
   {
-    return; // came back to this method, from within the context that the resources belong to
+    return; // a recursive call, in the context that owns the resources
   }
   this->Superclass::ReleaseGraphicsResources(window);
   data.Upload.ReleaseGraphicsResources(window);
@@ -251,7 +252,8 @@ void vtkAdaptiveRefinementMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
   {
     this->ReleaseMesh(ren);
   }
-  // Releases what is in the context of another window, which some windows leave current then.
+  // This releases resources in the context of another window. Some windows leave that context
+  // current.
   data.Context->SetContext(vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()));
   data.Picking.GetDetector().AskOther();
   const auto draw = [&]
@@ -274,7 +276,7 @@ void vtkAdaptiveRefinementMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
   }
 }
 
-// What the GPU selects is read back only where the timer shows that the pass is slow.
+// The GPU's selection is read back only if the timer shows that the pass is slow.
 vtkIdType vtkAdaptiveRefinementMapper::CountTrianglesOfPass(bool isSlow)
 {
   vtkIdType triangles = 0;
@@ -302,7 +304,7 @@ void vtkAdaptiveRefinementMapper::RenderRefined(vtkRenderer* ren, vtkActor* act)
     const relevo::BlockAttributes& attributes = this->GetBlockAttributes();
     if (ren->GetSelector() && !(attributes.Visible && attributes.Pickable))
     {
-      return; // what is told of the last frame stays
+      return; // the statistics of the last frame stay
     }
     data.LastFrame = {};
     data.Selection.SetOnCPU();
@@ -418,7 +420,7 @@ void vtkAdaptiveRefinementMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* ac
   }
   vtkProperty* property = act->GetProperty();
   this->DrawingSelection = false;
-  this->PrimitiveIDOffset = 0; // faces bring their ids along
+  this->PrimitiveIDOffset = 0; // faces have their own ids
   this->DrawingVertices = false;
   this->DrawFaces(this->Internals->Programs.GetFaces(), ren, act);
   if (AreVerticesDrawn(property, ren->GetSelector()))
@@ -561,7 +563,7 @@ void vtkAdaptiveRefinementMapper::ComputeBounds()
   data.Blocks.Clear();
   if (!this->CheckInputType() || !this->UpdateMesh())
   {
-    // Bounds of the points alone: vtkPolyData does not check what cells refer to.
+    // The bounds of the points are used, because vtkPolyData does not check the point ids of cells.
     vtkPoints* points = this->GetInput() ? this->GetInput()->GetPoints() : nullptr;
     vtkMath::UninitializeBounds(this->Bounds);
     if (points && points->GetNumberOfPoints() > 0)
@@ -609,7 +611,7 @@ void vtkAdaptiveRefinementMapper::ChooseMethod(vtkRenderer* ren, vtkActor* act)
   for (int method : data.Methods.ReleaseUnused(ren->GetRenderWindow()))
   {
     data.Programs.ForgetMethod(method);
-    if (method != METHOD_ARKFPI) // which all others fall back to
+    if (method != METHOD_ARKFPI) // all other methods fall back to it
     {
       data.Upload.ForgetFailures(method);
     }
@@ -629,8 +631,8 @@ void vtkAdaptiveRefinementMapper::FallBackToDefaultMethod(vtkActor* act)
 //------------------------------------------------------------------------------
 // The coarse mesh on the GPU
 
-// VTK shifts and scales positions by the box of the mesh. Those of a piece are shifted and scaled
-// by the box of the whole, so that other pieces have the same bits at the border.
+// VTK shifts and scales positions by the bounding box of the mesh. A piece uses the box of the
+// whole surface, so that positions at its border are bit-identical to those of other pieces.
 void vtkAdaptiveRefinementMapper::BuildBufferObjectsOfPiece(vtkRenderer* ren, vtkActor* act)
 {
   const relevo::FiniteBox& box = this->Internals->GetState().GetWhole()->PointBox;
@@ -665,7 +667,7 @@ bool vtkAdaptiveRefinementMapper::GetNeedToRebuildBufferObjects(vtkRenderer* ren
 
 void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
 {
-  // VTK comes here for every actor whose property is another than the last one's, too.
+  // VTK also calls this for each actor whose property differs from that of the last actor.
   vtkInternals& data = *this->Internals;
   vtkPolyData* input = this->CurrentInput;
   if (data.GetState().GetWhole() && input->GetNumberOfPoints() > 0 &&
@@ -723,7 +725,7 @@ vtkUnsignedCharArray* vtkAdaptiveRefinementMapper::MapScalars(
   return this->Superclass::MapScalars(error.empty() ? input : colorless, alpha, cellFlag);
 }
 
-// The values that vertices between coarse points are coloured by; nullptr for none.
+// Return the values that colour vertices between coarse points; nullptr for none.
 vtkAbstractArray* vtkAdaptiveRefinementMapper::GetScalarsToInterpolate()
 {
   if (this->VBOs->GetNumberOfComponents("scalarColor") == 0 && !this->ColorCoordinates)
@@ -740,12 +742,12 @@ vtkAbstractArray* vtkAdaptiveRefinementMapper::GetScalarsToInterpolate()
 
 void vtkAdaptiveRefinementMapper::BuildIBO(vtkRenderer* ren, vtkActor* act, vtkPolyData* poly)
 {
-  // Faces are drawn from patterns: VTK needs indices of vertices and lines only.
+  // Patterns draw the faces, so VTK needs only the indices of vertices and lines.
   vtkNew<vtkPolyData> others;
   others->ShallowCopy(poly);
   others->SetPolys(nullptr);
   others->SetStrips(nullptr);
-  // VTK does not notice that vertices are to be seen, or no longer.
+  // VTK does not detect a change of the vertices' visibility.
   const bool withVertices = act->GetProperty()->GetVertexVisibility() != 0;
   if (this->Internals->HasVertexIndices != withVertices)
   {
@@ -757,8 +759,8 @@ void vtkAdaptiveRefinementMapper::BuildIBO(vtkRenderer* ren, vtkActor* act, vtkP
   {
     this->Primitives[PrimitiveVertices].IBO->IndexCount = 0;
   }
-  // From VTK 9.3 on the flags of edges to draw start with places for vertices and lines. They are
-  // about faces, whose shader has flags of its own.
+  // From VTK 9.3 on, the flags of visible edges begin with entries for vertices and lines. They
+  // apply to faces, whose shader has its own flags.
   this->EdgeValues.clear();
 }
 
@@ -899,7 +901,7 @@ void vtkAdaptiveRefinementMapper::SetMapperShaderParameters(
 }
 
 //------------------------------------------------------------------------------
-// Blocks of a composite input, each of which has a mapper of its own
+// Blocks of a composite input, with one mapper each
 
 bool vtkAdaptiveRefinementMapper::IsComposite()
 {
@@ -913,7 +915,7 @@ bool vtkAdaptiveRefinementMapper::CheckInputType()
     this->Report(data.InputCheck.Update(this->GetTrueInput(), this->GetInputPortInformation(0)));
   if (!isValid)
   {
-    data.LastFrame = {}; // the renderer leaves out what has no bounds
+    data.LastFrame = {}; // the renderer skips props without bounds
   }
   return isValid;
 }
@@ -924,11 +926,11 @@ bool vtkAdaptiveRefinementMapper::HasBlocks(bool translucent)
   {
     return false;
   }
-  // While blocks draw, they are those of the (sub-)piece that is drawn.
+  // While blocks draw, they belong to the current (sub-)piece.
   const bool isRendering = this->Internals->Blocks.IsRendering();
   if (!isRendering && !this->GetInput())
   {
-    this->Update(); // asked before it is drawn
+    this->Update(); // called before the first frame
   }
   bool found = false;
   if (this->IsComposite())
@@ -1059,7 +1061,7 @@ void vtkAdaptiveRefinementMapper::AgreeWithProcesses(
   this->UpdateBudget(ren, act, &pieces);
 }
 
-// This mapper or those of its blocks.
+// The part of this mapper, or those of its blocks.
 relevo::ProcessAgreement::Parts vtkAdaptiveRefinementMapper::FindParts()
 {
   relevo::ProcessAgreement::Parts parts;
@@ -1103,7 +1105,7 @@ void vtkAdaptiveRefinementMapper::ProcessSelectorPixelBuffers(
 {
   if (this->Internals->Programs.TakeLackOfIds())
   {
-    // What other passes have drawn would be found with ids of 0.
+    // Pixels of other passes would be found with ids of 0.
     unsigned char* actors = sel->GetPixelBuffer(vtkHardwareSelector::ACTOR_PASS);
     for (unsigned int pixel : pixeloffsets)
     {
@@ -1121,7 +1123,7 @@ void vtkAdaptiveRefinementMapper::ProcessSelectorPixelBuffers(
 }
 
 //------------------------------------------------------------------------------
-// What VTK's pickers find
+// Picking
 
 vtkPolyData* vtkAdaptiveRefinementMapper::GetInput()
 {
@@ -1192,7 +1194,7 @@ vtkPolyData* vtkAdaptiveRefinementMapper::GetPickedData(bool isAsked)
   }
   if (!this->UpdateMesh() || input->GetNumberOfPoints() == 0)
   {
-    return data.Picking.GetEmpty(); // as there is nothing to be seen
+    return data.Picking.GetEmpty(); // nothing is visible
   }
   this->ReadSelection();
   return data.Picking.Get(
@@ -1343,7 +1345,7 @@ vtkIdType vtkAdaptiveRefinementMapper::SumOverParts(
 
 relevo::FaceSums vtkAdaptiveRefinementMapper::vtkInternals::CountTriangles()
 {
-  // For the last frame: the recipe and the input may have changed since.
+  // This counts the last frame, because the recipe and the input may have changed since.
   relevo::FaceSums sums;
   const bool isCounted = this->Methods.Get().CountTriangles(this->GetDrawing(nullptr), sums);
   return isCounted ? sums : this->GetState().CountTriangles();
@@ -1394,7 +1396,7 @@ vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfCulledFaces()
 }
 
 //------------------------------------------------------------------------------
-// Statistics since the mapper was made
+// Statistics since the mapper was created
 
 vtkIdType vtkAdaptiveRefinementMapper::GetNumberOfSelections()
 {

@@ -49,9 +49,9 @@ def _copy(values):
 def height_map(heights, no_data=float("nan")):
     """Create a vtkHeightMap from a two-dimensional array.
 
-    heights: real numbers of any type and byte order, of shape (rows, columns), at least 2 x 2. Row 0
-        is the northernmost, as in raster files. The array is copied. Masked values (numpy.ma) are
-        no data.
+    heights: real numbers of any type and byte order, of shape (rows, columns), at least 2 x 2.
+        Row 0 is the northernmost, as in raster files. The array is copied. Masked values
+        (numpy.ma) are no data.
     no_data: the value of samples without data (default: NaN).
 
     Raises ValueError for other shapes or values and if no sample has data, and TypeError for None.

@@ -13,7 +13,8 @@ namespace relevo
 {
 namespace
 {
-// Pixels that the camera sees: of a picture drawn in tiles those of one, as the camera is zoomed.
+// Return the size of the camera's image in pixels: in a tiled image that of one tile, because the
+// camera is zoomed.
 std::array<int, 2> GetSize(vtkRenderer* ren)
 {
   const int* size = ren->GetSize();

@@ -28,10 +28,10 @@ void AddProperty(Dependencies& key, vtkProperty* property)
   {
     key.Add(value);
   }
-  key.Add(width); // wider lines than OpenGL has come from a geometry shader
+  key.Add(width); // a geometry shader draws lines wider than OpenGL supports
 }
 
-// Most actors have nothing of their own there.
+// Most actors have no shader code of their own.
 const void* GetOwnShader(vtkShaderProperty* shader)
 {
   const bool isOwn = shader->HasVertexShaderCode() || shader->HasGeometryShaderCode() ||
@@ -42,7 +42,7 @@ const void* GetOwnShader(vtkShaderProperty* shader)
   return isOwn ? shader : nullptr;
 }
 
-// Render passes come and go, and VTK compares them.
+// Render passes change often, and VTK compares them.
 const void* GetOwnKeys(vtkInformation* keys)
 {
   const int passes = keys && keys->Has(vtkOpenGLRenderPass::RenderPasses()) ? 1 : 0;
@@ -55,7 +55,7 @@ Dependencies GetShaderVariantKey(
 {
   Dependencies key;
   AddProperty(key, act->GetProperty());
-  // An object that takes the place of a deleted one is newer than the shaders, and VTK sees that.
+  // An object that replaces a deleted one is newer than the shaders, which VTK detects.
   key.AddObject(GetOwnShader(act->GetShaderProperty()), act->GetBackfaceProperty() ? 1 : 0);
   key.AddObject(GetOwnKeys(act->GetPropertyKeys()), textures.size());
   for (const NamedTexture& texture : textures)

@@ -97,7 +97,7 @@ bool BufferTexture::Alias(vtkOpenGLRenderWindow* window, vtkOpenGLVertexBufferOb
   const vtkMTimeType time = buffer->GetUploadTime();
   if (this->Texture && this->AliasTime == time)
   {
-    return true; // no two uploads have the same time
+    return true; // uploads have unique times
   }
   const bool bytes = buffer->GetDataType() == VTK_UNSIGNED_CHAR;
   // Rows of bytes are padded to four.
@@ -120,10 +120,11 @@ bool BufferTexture::CreateTexture(vtkOpenGLRenderWindow* window, size_t texels, 
     this->Texture = vtkSmartPointer<vtkTextureObject>::New();
   }
   this->Texture->SetContext(window);
-  this->Texture->ResetFormatAndType(); // those of other numbers of components would stay
+  // otherwise the format of another number of components would stay
+  this->Texture->ResetFormatAndType();
   if (integerFormat)
   {
-    // VTK would choose a float format.
+    // VTK would choose a float format by default.
     this->Texture->SetInternalFormat(integerInternalFormat);
     this->Texture->SetFormat(integerFormat);
   }

@@ -22,10 +22,10 @@ namespace relevo
 {
 namespace
 {
-// For a function, which has no number of colours of its own.
+// The number of samples of a function, which has no number of colours.
 constexpr int Samples = 8192;
 
-// Colours of a lookup table, each the same all over its part of the range; 0 for a function.
+// Return the number of colours of a lookup table, each constant in its interval; 0 for a function.
 int CountSteps(vtkScalarsToColors* table)
 {
   auto* function = vtkDiscretizableColorTransferFunction::SafeDownCast(table);
@@ -45,8 +45,8 @@ vtkPiecewiseFunction* GetOpacityFunction(vtkScalarsToColors* table)
 
 std::vector<float> GetColors(vtkScalarsToColors* table, vtkDoubleArray* values)
 {
-  table->Build(); // a table has no colours before
-  // As vtkMapper has it: the table's own alpha does not count, the opacity of its colours does.
+  table->Build(); // colours are not computed before
+  // As in vtkMapper, the table's alpha is ignored, but not the opacity of its colours.
   const double alpha = table->GetAlpha();
   table->SetAlpha(1.0);
   auto bytes = vtk::TakeSmartPointer(
@@ -125,7 +125,7 @@ void ColorTable::ChooseSamples(vtkScalarsToColors* table, const double dataRange
   }
   if (steps == 0)
   {
-    // All of them where there are data and the function changes.
+    // Include all whole numbers where there are data and the function changes.
     const double low = std::max(reach[0], dataRange[0]);
     const double high = std::min(reach[1], dataRange[1]);
     this->Ends[0] = low < high ? low : reach[0];
@@ -133,7 +133,8 @@ void ColorTable::ChooseSamples(vtkScalarsToColors* table, const double dataRange
   }
   else if (GetOpacityFunction(table) && !this->Log && this->Ends[0] < this->Ends[1])
   {
-    // Several in each step, and some steps more to either side, where opacity still changes.
+    // Use several samples per interval, and further intervals on both sides where the opacity still
+    // changes.
     const double step = (this->Ends[1] - this->Ends[0]) / steps;
     const double below = std::min(std::ceil((this->Ends[0] - reach[0]) / step), 16384.0);
     const double above = std::min(std::ceil((reach[1] - this->Ends[1]) / step), 16384.0);
@@ -147,7 +148,7 @@ void ColorTable::ChooseSamples(vtkScalarsToColors* table, const double dataRange
 bool ColorTable::Upload(vtkOpenGLRenderWindow* window, vtkScalarsToColors* table, double bias,
   const double dataRange[2], bool whole)
 {
-  table->Build(); // for its range
+  table->Build(); // computes the range
   this->Log = IsLogarithmic(table);
   const bool wholeSamples = whole && this->ChooseWhole(dataRange);
   if (!wholeSamples)
@@ -165,7 +166,7 @@ bool ColorTable::Upload(vtkOpenGLRenderWindow* window, vtkScalarsToColors* table
   this->Span =
     static_cast<float>(std::max<double>(ends[1] - ends[0], std::numeric_limits<float>::min()));
 
-  // Sampled amid each part.
+  // Sample the centre of each interval.
   vtkNew<vtkDoubleArray> values;
   for (int i = 0; i < this->NumberOfColors; ++i)
   {
@@ -173,7 +174,7 @@ bool ColorTable::Upload(vtkOpenGLRenderWindow* window, vtkScalarsToColors* table
     values->InsertNextValue(
       this->Log ? std::pow(10.0, value) : (wholeSamples ? std::round(value) : value));
   }
-  // Next to the ends, where the table continues; or far out, beyond all it has.
+  // Sample next to the ends if the table continues there, otherwise far beyond its range.
   const double span = std::max(this->Ends[1] - this->Ends[0], 1e-3 * std::abs(this->Ends[0]));
   const double out = span > 0.0 ? span : 1.0;
   const bool ends0 = dataRange[0] < this->Ends[0];

@@ -42,7 +42,7 @@ bool InstanceBuffers::UploadMorphTags(
 bool InstanceBuffers::Reserve(vtkOpenGLRenderWindow* window, int slot, size_t faces, bool morphing)
 {
   this->Current = &this->Slots[slot];
-  this->Current->GroupsTime = 0; // no longer what Upload() has put there
+  this->Current->GroupsTime = 0; // the data of Upload() are overwritten
   this->Current->LevelsTime = 0;
   if (!morphing)
   {

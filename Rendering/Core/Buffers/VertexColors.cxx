@@ -18,11 +18,11 @@ namespace relevo
 {
 namespace
 {
-// Which components make the number that is looked up.
+// The components of the value that is mapped.
 struct Choice
 {
   int First = 0;
-  int Count = 1; // 0: the table's mapping is not a function of one number
+  int Count = 1; // 0: the mapping is not a function of one value
   bool IsLength = false;
 };
 
@@ -84,7 +84,7 @@ bool VertexColors::Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* scala
   }
   const double* tableRange = table->GetRange();
   const bool isLog = ColorTable::IsLogarithmic(table);
-  // For categories, and for logarithms of negative numbers, VTK's own colours are used.
+  // VTK's colours are used for categories and for logarithms of negative numbers.
   if (table->GetIndexedLookup() || (table->UsingLogScale() && !(tableRange[0] > 0.0)))
   {
     return true;
@@ -98,7 +98,7 @@ bool VertexColors::Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* scala
   }
   type = type == VTK_VOID ? numbers->GetDataType() : type;
   this->AreIntegers = type != VTK_FLOAT && type != VTK_DOUBLE;
-  // Differences to the minimum keep the digits of narrow ranges far from zero.
+  // Subtracting the minimum keeps the precision of narrow ranges far from zero.
   this->Bias = choice.IsLength || isLog ? 0.0 : tableRange[0];
   if (this->AreIntegers)
   {
@@ -148,7 +148,7 @@ bool VertexColors::UploadValues(vtkOpenGLRenderWindow* window, vtkDataArray* sca
   }
   if (isLength)
   {
-    // Between points a vector can be shorter than at any of them.
+    // An interpolated vector can be shorter than at all points.
     range[0] = 0.0;
     range[1] = std::sqrt(largest);
   }
@@ -157,7 +157,8 @@ bool VertexColors::UploadValues(vtkOpenGLRenderWindow* window, vtkDataArray* sca
 
 void VertexColors::SetCoordinates(vtkScalarsToColors* table)
 {
-  // As vtkMapper has it: a texel more at either end, for the colours below and above the range.
+  // As in vtkMapper, there is one more texel at both ends for the colours below and above the
+  // range.
   double range[2] = { table->GetRange()[0], table->GetRange()[1] };
   const bool isLog = table->UsingLogScale() != 0;
   if (isLog)

@@ -10,8 +10,8 @@ namespace relevo
 {
 namespace
 {
-// Calls enter(object, index, context) for every node, depth first, with what the call for the node
-// above has made of the context.
+// Call enter(object, index, context) for every node in depth-first order. The context is the result
+// of the call for the parent node.
 template <typename Context, typename Enter>
 void Visit(vtkDataObject* object, unsigned int& nextIndex, Context context, const Enter& enter)
 {

@@ -31,7 +31,7 @@ void LeafSelection::Begin(unsigned int flatIndex)
   if (this->Selector &&
     this->Selector->GetCurrentPass() == vtkHardwareSelector::COMPOSITE_INDEX_PASS)
   {
-    // An input that is not composite has the index that VTK gives to the only block.
+    // An input that is not composite has VTK's index of a single block.
     this->Selector->RenderCompositeIndex(std::max(flatIndex, 1u));
   }
 }

@@ -53,7 +53,7 @@ bool HasBuffersOfThreeFloats()
 {
   GLint major = 0;
   glGetIntegerv(GL_MAJOR_VERSION, &major);
-  // Mesa's softpipe has them, but reads other texels than asked for.
+  // Mesa's softpipe supports them, but reads wrong texels.
   return (major > 3 || HasExtension("GL_ARB_texture_buffer_object_rgb32")) &&
     GetOpenGLRenderer() != "softpipe";
 }

@@ -15,7 +15,7 @@ bool ContextWatch::Release()
     return false;
   }
   this->HasReleased = false;
-  // Comes back to the virtual method below through VTK's callback, if there is a context.
+  // If there is a context, VTK's callback calls the virtual method below.
   this->vtkTextureObject::ReleaseGraphicsResources(nullptr);
   return this->HasReleased;
 }

@@ -12,7 +12,7 @@ namespace relevo
 void ShiftPositions(vtkOpenGLVertexBufferObjectGroup* buffers, vtkDataArray* points,
   vtkRenderer* ren, const std::vector<double>& shift, const std::vector<double>& scale)
 {
-  // The buffer that VTK will use, and nothing to fill it with yet.
+  // This creates the buffer that VTK will use, without filling it.
   buffers->CacheDataArray("vertexMC", points, ren, VTK_FLOAT);
   vtkOpenGLVertexBufferObject* positions = buffers->GetVBO("vertexMC");
   buffers->ClearAllDataArrays();
@@ -20,7 +20,7 @@ void ShiftPositions(vtkOpenGLVertexBufferObjectGroup* buffers, vtkDataArray* poi
   positions->SetScale(scale);
   if (positions->GetUploadTime() < positions->GetMTime())
   {
-    positions->UploadDataArray(points); // VTK would not, where the points are as they were
+    positions->UploadDataArray(points); // VTK does not upload unchanged points
   }
 }
 }

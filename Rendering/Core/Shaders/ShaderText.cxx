@@ -26,7 +26,8 @@ const char* GetStageName(vtkShader::Type stage)
   }
 }
 
-// The brace that closes the one at a place; those in comments do not count.
+// Return the position of the brace that closes the one at a position; braces in comments are
+// skipped.
 size_t FindClosingBrace(const std::string& text, size_t place)
 {
   int depth = 0;

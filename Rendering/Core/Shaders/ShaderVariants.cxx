@@ -36,7 +36,7 @@ bool ShaderVariants::Update(
 {
   if (!helper.Program && sources == this->FailedSources)
   {
-    return false; // reported already
+    return false; // already reported
   }
   update();
   if (!helper.Program)
@@ -56,7 +56,7 @@ bool ShaderVariants::NeedsBuild(
   {
     return false;
   }
-  // One of other sources must not draw in place of one that cannot be built.
+  // A program of other sources must not be used instead of one that failed to build.
   helper.Program = AsksLastProgram ? this->NoProgram.Get() : nullptr;
   return true;
 }
@@ -82,13 +82,13 @@ bool ShaderVariants::BuildWithStages(vtkOpenGLHelper& helper,
   build(shaders);
   if (!this->Error.empty())
   {
-    return false; // reported by the caller; VTK's shader cache has a program for them
+    return false; // the caller reports it; VTK's shader cache has a program for these shaders
   }
   vtkShaderProgram* program = link(shaders);
   if (program)
   {
     helper.Program = program;
-    helper.VAO->ReleaseGraphicsResources(); // of the attributes of another program
+    helper.VAO->ReleaseGraphicsResources(); // it has the attributes of another program
     helper.ShaderSourceTime.Modified();
   }
   return program != nullptr;

@@ -22,10 +22,10 @@ namespace relevo
 {
 namespace
 {
-// GLSL of OpenGL 4.0, the first with tessellation stages.
+// The GLSL version of OpenGL 4.0, the first with tessellation stages.
 constexpr int MinimumVersion = 400;
 
-// Swallows errors: they are reported by whoever wanted the program.
+// Suppresses errors, which the caller reports.
 class Silence : public vtkCommand
 {
 public:
@@ -42,7 +42,7 @@ public:
   std::string ControlSource;
   std::string EvaluationSource;
 
-  // Why it could not be built.
+  // Return why the program could not be built.
   std::string FindError()
   {
     for (vtkShader* shader :
@@ -80,14 +80,14 @@ private:
     if (shader)
     {
       glAttachShader(static_cast<GLuint>(this->Handle), shader);
-      glDeleteShader(shader); // once the program is gone
+      glDeleteShader(shader); // deleted together with the program
     }
     return shader != 0;
   }
 };
 vtkStandardNewMacro(TessellationProgram);
 
-// A program that is released lets go of whichever is in use, and VTK's cache must know.
+// Releasing a program unbinds the current one, which VTK's shader cache must know.
 void LetGo(vtkWindow* window)
 {
   if (vtkOpenGLRenderWindow* current = vtkOpenGLRenderWindow::SafeDownCast(window))
@@ -96,7 +96,7 @@ void LetGo(vtkWindow* window)
   }
 }
 
-// Takes the place of the version that VTK has chosen, if that is too old.
+// Replace the version that VTK has chosen, if it is too old.
 std::string GetVersion(std::string& evaluation)
 {
   const std::string directive = "#version ";
@@ -113,8 +113,8 @@ std::string GetVersion(std::string& evaluation)
 }
 }
 
-// VTK's own cache resolves the marks that are left in the shaders; here it makes programs of
-// another kind of them, and leaves it to the window's to bind them.
+// VTK's cache resolves the remaining anchors in the shaders. This cache builds another kind of
+// program from them, which the window's cache binds.
 class TessellationProgramCache : public vtkOpenGLShaderCache
 {
 public:
@@ -125,10 +125,10 @@ public:
   std::string VertexSource;
   std::string ControlSource;
 
-  // By the sources of their stages.
+  // Programs by the sources of their stages.
   std::map<std::vector<std::string>, vtkSmartPointer<TessellationProgram>> Programs;
 
-  // Give up the last program; returns why it could not be built.
+  // Remove the last program, and return why it could not be built.
   std::string TakeFailure()
   {
     const auto last = this->Programs.find(this->LastKey);
@@ -200,7 +200,7 @@ vtkShaderProgram* TessellationPrograms::Build(vtkOpenGLRenderWindow* window,
   this->Error.clear();
   if (program)
   {
-    program->RemoveObservers(vtkCommand::ErrorEvent); // from now on errors are reported
+    program->RemoveObservers(vtkCommand::ErrorEvent); // errors are reported from now on
   }
   else
   {

@@ -98,7 +98,7 @@ void RenderTarget::End()
   this->Framebuffer->GetContext()->GetState()->PopFramebufferBindings();
 }
 
-// By the write masks that the operation has set.
+// The write masks of the operation apply.
 void RenderTarget::Clear(BlendOperation operation)
 {
   const float value = IsExtremum(operation) ? Empty : 0.0f;

@@ -16,7 +16,7 @@ dvec3 ToVector(const double values[3])
   return dvec3(values[0], values[1], values[2]);
 }
 
-// A light at its focal point shines from where VTK's default light is.
+// A light at its focal point gets the direction of VTK's default light.
 dvec3 GetDirection(const dvec3& away)
 {
   return length(away) > 0.0 ? normalize(away) : dvec3(0.0, 0.0, 1.0);

@@ -36,7 +36,7 @@ void LICMeshVectors::Update(
   const LICArray vectors = find();
   this->ArePreparedOfCells = vectors.IsOfCells;
   const double longest = vectors.FindLongest(noDataMagnitude);
-  // A power of two: the shaders' numbers are the same to the bit, whatever else a mapper draws.
+  // With a power of two, the shaders' values are bit-identical for all vectors of the image.
   this->Unit = longest > 0.0 ? std::exp2(std::ceil(std::log2(longest))) : 1.0;
   this->Prepared = vectors.Array ? vectors.Prepare(noDataMagnitude, this->Unit) : nullptr;
 }
@@ -46,7 +46,7 @@ void LICMeshVectors::CacheArrays(
 {
   buffers->CacheDataArray("relevoLICVector",
     this->ArePreparedOfCells ? nullptr : this->Prepared.Get(), renderer, VTK_FLOAT);
-  // Linear surfaces have none of their own; VTK's depend on lights.
+  // Linear surfaces have no normals, and VTK's normals depend on lights.
   vtkDataArray* normals = this->Prepared ? input->GetPointData()->GetNormals() : nullptr;
   this->PointNormals = normals && normals->GetNumberOfComponents() == 3 &&
     normals->GetNumberOfTuples() == input->GetNumberOfPoints();
@@ -98,7 +98,7 @@ void LICMeshVectors::SetMatrices(vtkShaderProgram* program, const View& view)
   {
     for (int j = 0; j < 3; ++j)
     {
-      normals[i][j] = inverse[i][j]; // GLM's are stored by columns: this is the transposed one
+      normals[i][j] = inverse[i][j]; // GLM stores matrices by columns, so this transposes
     }
   }
   SetMatrix(program, "relevoLICDirections", dmat3(MakeMatrix(modelView)));

@@ -18,7 +18,7 @@ namespace relevo
 {
 namespace
 {
-// False for no-data; a missing third component is 0.
+// Return false for no data. A missing third component is 0.
 template <typename Tuple>
 bool GetVector(const Tuple& tuple, double noDataMagnitude, double vector[3])
 {

@@ -16,7 +16,7 @@ namespace
 void AddTexture(Dependencies& dependencies, vtkTexture* texture)
 {
   vtkImageData* image = texture ? texture->GetInput() : nullptr;
-  if (image && image->GetNumberOfScalarComponents() % 2 == 0) // the last is the opacity
+  if (image && image->GetNumberOfScalarComponents() % 2 == 0) // the last component is the opacity
   {
     dependencies.AddObject(texture);
     dependencies.AddObject(image);

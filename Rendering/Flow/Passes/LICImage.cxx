@@ -75,7 +75,7 @@ struct LICImage::Work
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   }
 
-  // A pass over the viewport; nullptr when it cannot be built.
+  // Begin a pass over the viewport; return nullptr if its program cannot be built.
   vtkShaderProgram* Begin(LICPass& pass)
   {
     vtkShaderProgram* program = pass.Begin(this->Window);
@@ -184,7 +184,8 @@ int LICImage::CountRanges(const LICPassSettings& settings)
 
 int LICImage::FindReach(const LICPassSettings& settings)
 {
-  // No vector is longer than 1. One pixel more is for sharpening, one for interpolation.
+  // Vectors have at most length 1. One more pixel is needed for sharpening, and one for
+  // interpolation.
   const LICKernel second = licSecondKernel(settings.Kernel);
   const double length = std::min(1.0 * second.Steps * second.StepSize, 1e6);
   return settings.NumberOfSmoothings +

@@ -23,7 +23,7 @@ vtkTextureObject* LICNoise::GetTexture(vtkOpenGLRenderWindow* window)
     this->Texture->SetWrapT(vtkTextureObject::Repeat);
     this->TextureVersion = this->GetVersion();
     const NoiseTexels& texels = this->Chosen.GetTexels();
-    // Create2DFromRaw() only reads.
+    // Create2DFromRaw() does not write to its argument.
     if (!this->Texture->Create2DFromRaw(static_cast<unsigned int>(texels.Plane.Columns),
           static_cast<unsigned int>(texels.Plane.Rows), 1, VTK_FLOAT,
           const_cast<float*>(texels.Values.data())))

@@ -15,8 +15,8 @@ namespace relevo
 {
 namespace
 {
-// What is less is nearer: the bits of the mark's depth, then the process; and, since only the
-// directions are sent, what else there is to a vector.
+// Smaller numbers are nearer: the bits of the depth in the flags, then the process. The remaining
+// bits complete the vector, because only directions are sent separately.
 constexpr vtkTypeInt64 Nothing = VTK_TYPE_INT64_MAX;
 constexpr vtkTypeInt64 IsMasked = 1;
 constexpr vtkTypeInt64 HasDirection = 2;

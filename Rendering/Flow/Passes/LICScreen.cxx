@@ -74,10 +74,10 @@ void LICScreen::SetBounds(const double bounds[6], vtkMatrix4x4* project)
   {
     const int size = this->Viewport[2 + i];
     int first = 0;
-    int last = size; // one past it
+    int last = size; // one past the last pixel
     if (isInFront)
     {
-      // With a pixel on either side for rounding.
+      // One pixel is added on both sides for rounding.
       const auto toPixel = [size](double place)
       { return 0.5 * (std::min(std::max(place, -1.0), 1.0) + 1.0) * size; };
       first = std::max(static_cast<int>(std::floor(toPixel(low[i]))) - 1, 0);

@@ -87,13 +87,13 @@ void FinishLICShaders(const LICShaderOptions& options, bool needsEdges,
     return;
   }
   ShaderText fragment(shaders[vtkShader::Fragment], missing);
-  // VTK has mixed the edges that it shows into the colour by then.
+  // VTK has blended visible edges into the colour before.
   const std::string edges = "float emix";
   if (!fragment.Has(edges) && needsEdges)
   {
     fragment.Miss(edges);
   }
-  fragment.InsertBeforeMain(GetFragmentFunctions(options) + // behind the varyings
+  fragment.InsertBeforeMain(GetFragmentFunctions(options) + // after the varyings
     (fragment.Has(edges) ? "#define RELEVO_LIC(color) mix(relevoLICFragment(color), color, emix)\n"
                          : "#define RELEVO_LIC(color) relevoLICFragment(color)\n"));
 }

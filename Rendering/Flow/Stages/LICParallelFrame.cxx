@@ -72,7 +72,7 @@ bool LICParallelFrame::Agree(
     FACES,
     ARRAY,
     LONGEST,
-    SAME // from here on, in pairs: values, and the values negative
+    SAME // first of the values that must agree, in pairs: the value and its negative
   };
   Contribution& local = *this->Local;
   std::vector<double> values(SAME + 6, -VTK_DOUBLE_MAX);
@@ -103,7 +103,7 @@ bool LICParallelFrame::Agree(
       error = "The processes have different sizes of the viewport, or settings.";
     }
   }
-  // One reports for all.
+  // One process reports for all.
   if (values[PROBLEM] <= 0.0 && this->Controller->GetLocalProcessId() == 0)
   {
     local.Error = error;
@@ -119,7 +119,7 @@ bool LICParallelFrame::Agree(
 void LICParallelFrame::Draw(const Steps& steps, bool changed)
 {
   Contribution& local = *this->Local;
-  LICScreen*& screen = local.Screen; // releases on the way forget it
+  LICScreen*& screen = local.Screen; // forgotten if its resources are released meanwhile
   const LICProcesses processes(this->Controller);
   if (screen)
   {

@@ -24,12 +24,12 @@ namespace relevo
 {
 namespace
 {
-// Where what is drawn starts in the renderer's viewport, in pixels: not at its corner where a
-// window draws a picture larger than itself in parts, as for vtkWindowToImageFilter.
+// Find the origin of the drawn region in the renderer's viewport, in pixels. It differs from (0, 0)
+// if a window draws an image in tiles, as for vtkWindowToImageFilter.
 void FindPartOrigin(vtkRenderer* ren, int origin[2])
 {
   vtkRenderWindow* window = ren->GetRenderWindow();
-  const int* size = window->GetSize(); // of the whole picture
+  const int* size = window->GetSize(); // size of the whole image
   for (int i = 0; i < 2; ++i)
   {
     const double first = std::max(0.0, window->GetTileViewport()[i] - ren->GetViewport()[i]);
@@ -37,8 +37,8 @@ void FindPartOrigin(vtkRenderer* ren, int origin[2])
   }
 }
 
-// Takes the render passes from an actor as long as it lives. They are about what is seen, and some
-// set draw buffers of their own whenever the actor is drawn.
+// Removes the render passes from an actor as long as the object lives. They apply to the visible
+// image, and some set draw buffers whenever the actor is drawn.
 class WithoutRenderPasses
 {
 public:
@@ -70,7 +70,7 @@ private:
   std::vector<vtkSmartPointer<vtkObjectBase>> Passes;
 };
 
-// Keeps what the window draws to, and how, from what is drawn to textures meanwhile.
+// Saves the window's framebuffer and state, and restores them after drawing to textures.
 class DrawingToTextures
 {
 public:
@@ -109,7 +109,7 @@ LICColoring LICScreenDrawer::Parameters::GetColoring() const
 
 std::string LICScreenDrawer::CheckSettings(vtkLICSettings* settings)
 {
-  // Factors that are not used may be any, as for vtkSurfaceLICMapper.
+  // Factors that are not used may be invalid, as in vtkSurfaceLICMapper.
   std::string error = settings->EnhancesLICContrast() ? FindContrastError(settings) : std::string();
   if (error.empty() && settings->EnhancesColorContrast())
   {

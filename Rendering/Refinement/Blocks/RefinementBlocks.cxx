@@ -21,7 +21,7 @@ namespace relevo
 {
 namespace
 {
-// What VTK's macros were given: they put the file and the address of the object before it.
+// Return the argument of VTK's macros, without the file and the object's address before it.
 std::string GetMessage(const std::string& text)
 {
   const size_t colon = text.find("): ");
@@ -62,7 +62,7 @@ void RefinementBlocks::Update(const Source& source)
     if (changed || isNew)
     {
       mapper->ShallowCopy(parent);
-      // The piece is the parent's: what it was given is drawn.
+      // The parent has requested the piece; its blocks are drawn completely.
       mapper->SetNumberOfPieces(1);
       mapper->SetNumberOfSubPieces(1);
       mapper->SetGhostLevel(0);
@@ -84,7 +84,7 @@ void RefinementBlocks::Update(const Source& source)
     block = this->Mappers.erase(block);
   }
   this->UpdateAttributes(source);
-  this->ParentTime = source.GetBuildTime(); // copying may have made its lookup table
+  this->ParentTime = source.GetBuildTime(); // copying may have created its lookup table
 }
 
 void RefinementBlocks::Clear()
@@ -108,7 +108,8 @@ void RefinementBlocks::Forward(vtkBlockAttributesPolyDataMapper* block, unsigned
       {
         return;
       }
-      // As VTK's macros do: to the observers, or to the output window where there are none.
+      // Like VTK's macros, this calls the observers, or prints to the output window if there are
+      // none.
       if (self->Parent->HasObserver(id))
       {
         self->Parent->InvokeEvent(id, data);
@@ -141,7 +142,7 @@ void RefinementBlocks::Render(vtkRenderer* ren, vtkActor* act, bool drawsAll)
   this->Rendering = true;
   {
     LeafSelection selection(ren);
-    // An actor that is drawn in both passes has blocks for either.
+    // If an actor is drawn in both passes, each pass draws its blocks.
     const bool drawnTwice = !drawsAll && !ren->GetSelector() && act->HasOpaqueGeometry() &&
       act->HasTranslucentPolygonalGeometry();
     const bool translucent = act->IsRenderingTranslucentPolygonalGeometry() != 0;

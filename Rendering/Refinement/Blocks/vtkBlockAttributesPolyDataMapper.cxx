@@ -27,7 +27,7 @@ void Remove(
   if (block)
   {
     (attributes->*remove)(block);
-    attributes->Modified(); // VTK 9.1 forgets it
+    attributes->Modified(); // VTK 9.1 does not do this
   }
 }
 
@@ -68,7 +68,7 @@ vtkBlockAttributesPolyDataMapper::GetCompositeDataDisplayAttributes()
 //------------------------------------------------------------------------------
 // Times
 
-// VTK asks as long as it lives.
+// VTK compares times as long as the object lives.
 class vtkBlockAttributesPolyDataMapper::Question
 {
 public:
@@ -264,14 +264,14 @@ void vtkBlockAttributesPolyDataMapper::RemoveBlockOpacities()
 }
 
 //------------------------------------------------------------------------------
-// What is drawn
+// Drawing
 
 const relevo::BlockAttributes& vtkBlockAttributesPolyDataMapper::GetBlockAttributes()
 {
-  // A mapper of a block has no attributes, but a parent that has said.
+  // The mapper of a block has no attributes; its parent has set them.
   if (this->CompositeAttributes)
   {
-    // The attributes of a composite input have no index.
+    // The attributes of a composite input itself have no index.
     *this->DisplayAttributes = relevo::FindAttributes(
       relevo::GetAttributesOfBlocks(this->CompositeAttributes, this->GetTrueInput()), 0);
   }
@@ -288,7 +288,7 @@ void vtkBlockAttributesPolyDataMapper::ReplaceShaderColor(
 {
   if (!ren->GetSelector())
   {
-    // In all programs: a colour that comes and goes needs no other.
+    // All programs contain this code, so that setting or removing a colour does not rebuild them.
     relevo::ShaderText fragment(shaders[vtkShader::Fragment], this->MissingAnchors);
     relevo::InsertColors(fragment, relevo::HasOwnFragments(act),
       "\n  if (relevoBlockColored)\n"

@@ -16,7 +16,7 @@ namespace relevo
 {
 namespace
 {
-// Per point, or per face and sorted edge.
+// Return tags per point, or per face and sorted edge.
 std::vector<float> GetTags(const RefinementMesh& mesh, const EdgeTags& tags, float highest)
 {
   if (tags.GetKind() == EdgeTags::PER_POINT)

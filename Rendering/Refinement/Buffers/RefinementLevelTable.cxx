@@ -17,7 +17,8 @@ namespace relevo
 {
 namespace
 {
-// Every eighth of matplotlib's viridis (public domain): even steps to the eye, in grey as well.
+// Every eighth colour of matplotlib's viridis (public domain): perceptually uniform, in grey as
+// well.
 constexpr int NumberOfAnchors = 9;
 constexpr double Viridis[NumberOfAnchors][3] = { { 0.267, 0.005, 0.329 }, { 0.278, 0.176, 0.482 },
   { 0.231, 0.322, 0.545 }, { 0.173, 0.446, 0.557 }, { 0.129, 0.565, 0.552 },
@@ -36,7 +37,7 @@ std::array<double, 3> GetViridis(double t)
   return color;
 }
 
-// Colours that follow each other differ: hues by the golden ratio, in three tones.
+// Return distinct colours for successive indices: hues by the golden ratio, in three tones.
 std::array<double, 3> GetCategory(int i)
 {
   constexpr double Tones[3][2] = { { 0.65, 0.90 }, { 0.40, 0.98 }, { 0.80, 0.60 } };
@@ -52,7 +53,7 @@ void SetColor(vtkLookupTable* table, int i, const std::array<double, 3>& color)
   table->SetTableValue(i, color[0], color[1], color[2], 1.0);
 }
 
-// As the table of patterns names them: by levels or, where edges take any number, by segments.
+// Return the name in the pattern table: by levels or, for whole numbers of segments, by segments.
 std::string GetName(const SegmentSteps& steps, int i, int j, int k)
 {
   const auto number = [&steps](int step)

@@ -18,7 +18,7 @@ namespace relevo
 {
 namespace
 {
-// Where a point's texels are: normal and u; frame of u, frame of v; direction; values.
+// The layout of a point's texels: normal and u; frame of u, frame of v; direction; values.
 struct PointLayout
 {
   PointLayout(const RefinementMesh& mesh, int shaderValues)
@@ -91,7 +91,7 @@ bool RefinementMeshBuffers::UploadSeams(vtkOpenGLRenderWindow* window, const Ref
   return this->Seams.Upload(window, mesh.Seams, 1);
 }
 
-// From the mesh's points to where VTK's vertices are.
+// Transform a coordinate from the mesh's points to VTK's vertices.
 float RefinementMeshBuffers::GetVertexCoordinate(
   const RefinementMesh& mesh, float x, size_t axis) const
 {
@@ -214,7 +214,7 @@ bool RefinementMeshBuffers::UploadVectors(
     this->Vectors.ReleaseGraphicsResources(window);
     return true;
   }
-  // Positions move to where VTK's vertices are; normals stay.
+  // Positions are transformed to VTK's vertices; normals do not change.
   std::vector<float> vectors = mesh.Vectors;
   const int perEdge = mesh.VectorsPerEdge;
   std::vector<bool> isPosition(static_cast<size_t>(mesh.VectorsPerFace));

@@ -13,7 +13,7 @@ namespace relevo
 {
 namespace
 {
-// How many vertices an instance should have at least.
+// The minimum number of vertices per instance.
 constexpr int VerticesPerInstance = 512;
 }
 
@@ -113,7 +113,7 @@ void RefinementPatternBuffer::Load(
     }
     changed = true;
     const RefinementPattern& pattern = *group.Pattern;
-    // A float holds both parts exactly.
+    // A float represents both parts exactly.
     const float number = static_cast<float>(this->Patterns.size()) / 65536.0f;
     this->Patterns.push_back(group.Pattern);
     Range range;

@@ -28,7 +28,7 @@ namespace
 {
 using Vertex = RefinementStreamVertex;
 
-// Where the shader's attributes are.
+// The locations of the shader's attributes.
 enum Attributes : GLuint
 {
   WEIGHTS,
@@ -87,7 +87,7 @@ bool RefinementSplitProgram::Build(std::string& error)
     if (shader)
     {
       glAttachShader(this->Handle, shader);
-      glDeleteShader(shader); // once the program is gone
+      glDeleteShader(shader); // deleted together with the program
     }
   }
   glBindAttribLocation(this->Handle, WEIGHTS, "relevoWeights");
@@ -192,7 +192,7 @@ bool RefinementStream::Refine(vtkOpenGLRenderWindow* window, const RefinementMes
   window->GetShaderCache()->ReleaseCurrentShader();
   for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
   {
-    // Not of what follows. A lost context has no end of them.
+    // This clears earlier errors. A lost context reports errors without end.
   }
   this->Handle = MakeBuffer(counts[0], vertices.data());
   for (int step = 1; step <= steps && glGetError() == GL_NO_ERROR; ++step)

@@ -10,7 +10,7 @@ namespace relevo
 {
 namespace
 {
-// A binding that VTK leaves alone.
+// VTK does not use this binding.
 constexpr GLenum Target = GL_COPY_WRITE_BUFFER;
 
 GLint64 GetMaximumBytes()

@@ -14,9 +14,9 @@ namespace relevo
 {
 namespace
 {
-// As many as every OpenGL 4.3 allows a compute shader.
+// The number of buffers that every OpenGL 4.3 supports in a compute shader.
 constexpr GLuint MaximumBuffers = 8;
-// And as many work groups along one axis.
+// The number of work groups along one axis that every OpenGL 4.3 supports.
 constexpr int MaximumGroups = 65535;
 }
 
@@ -46,7 +46,7 @@ bool RefinementComputeProgram::Build(const std::string& source)
   }
   this->Handle = glCreateProgram();
   glAttachShader(this->Handle, shader);
-  glDeleteShader(shader); // once the program is gone
+  glDeleteShader(shader); // deleted together with the program
   if (!LinkProgram(this->Handle, "compute", this->Error))
   {
     this->ReleaseGraphicsResources();
@@ -68,7 +68,7 @@ void RefinementComputeProgram::End()
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, 0);
   }
   glUseProgram(0);
-  // What draws read next, as vertices, textures or commands, or what is asked for later.
+  // Draw calls read the results as vertices, textures or commands, or they are read back later.
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT |
     GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }

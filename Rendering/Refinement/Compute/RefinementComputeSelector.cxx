@@ -45,7 +45,7 @@ bool RefinementComputeSelector::BuildPrograms()
 bool RefinementComputeSelector::UploadOrders(const std::vector<unsigned char>& orders)
 {
   this->NumberOfFaces = static_cast<int>(orders.size());
-  std::vector<unsigned char> padded = orders; // to whole integers
+  std::vector<unsigned char> padded = orders; // padded to whole integers
   padded.resize((orders.size() + 3) / 4 * 4, 0);
   return this->Orders.Upload(padded) || this->Fail(RefinementComputeBuffer::GetTooLarge());
 }

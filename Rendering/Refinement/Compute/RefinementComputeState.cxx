@@ -19,7 +19,7 @@ namespace relevo
 {
 namespace
 {
-// The steps of powers of two are levels.
+// For powers of two, steps are levels.
 bool IsWithin(const std::array<unsigned char, 3>& steps, int maximumLevel)
 {
   return *std::max_element(steps.begin(), steps.end()) <= maximumLevel;
@@ -51,7 +51,8 @@ RefinementComputeSelector::Pattern MakePattern(
   return pattern;
 }
 
-// The family's table, of levels up to the highest, with keys replaced by their places in `keys`.
+// Return the family's table of levels up to the highest, with keys replaced by their indices in
+// `keys`.
 std::vector<unsigned int> MakeTable(
   const PatternFamily& family, const std::vector<int>& keys, int maximumLevel)
 {
@@ -78,7 +79,7 @@ std::vector<unsigned int> MakeTable(
   return table;
 }
 
-// All that decides what a camera sees.
+// Return all dependencies of a camera's view.
 Dependencies GetSight(const CullingView* view, bool hideBackFaces)
 {
   Dependencies sight;

@@ -122,7 +122,7 @@ bool RefinementComputeTags::MeasurePoints(const MetricShader& shader)
 
 bool RefinementComputeTags::MeasureEdges(const MetricShader& shader, bool perEdge)
 {
-  // Without data of their own points at one place have one value.
+  // Without separate data, merged points have one value.
   const bool united = this->HasMergedPoints && shader.Data;
   RefinementComputeBuffer& target = perEdge ? this->Tags : this->Measures;
   if (!this->Build(this->ValueProgram, shader, relevoValuesCS) ||

@@ -10,7 +10,7 @@ namespace relevo
 {
 namespace
 {
-// In integers, as relevoGroupCS.glsl and OpenGL define them.
+// The sizes in integers, as in relevoGroupCS.glsl and OpenGL.
 constexpr size_t GroupSize = 4;
 constexpr size_t ElementsCommandSize = 5;
 constexpr size_t ArraysCommandSize = 4;

@@ -17,7 +17,7 @@ bool ARKFPIMethod::Upload(const RefinementDrawing& drawing)
 {
   if (drawing.ComputeView)
   {
-    return true; // all of it is there
+    return true; // everything is uploaded
   }
   drawing.Patterns->Load(
     *drawing.Library, drawing.Selection->GetSelection().Groups, drawing.HasLines);

@@ -33,7 +33,7 @@ int ARKMethod::Draw(
 {
   const PatternSelection& selection = drawing.Selection->GetSelection();
   const std::vector<float>& tags = selection.GetMorphTags();
-  // Looked up once: one draw call per face is slow enough without the names.
+  // The locations are looked up once, because one draw call per face is slow enough.
   const GLuint handle = static_cast<GLuint>(program->GetHandle());
   const GLint element = glGetUniformLocation(handle, "relevoElement");
   const GLint elementTags = glGetUniformLocation(handle, "relevoElementTags");

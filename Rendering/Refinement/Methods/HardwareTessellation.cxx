@@ -32,11 +32,11 @@ void Limit(const int segments[3], int limited[3])
   }
 }
 
-// Which faces are drawn together: those up to each of these.
+// Return the ends of the groups of faces that are drawn together.
 std::vector<GLint> FindEnds(const std::vector<PatternGroup>& groups)
 {
-  // Mesa's tessellator on the CPU counts the vertices of a call in 16 bits, and has faces missing
-  // from there on.
+  // Mesa's tessellator on the CPU counts the vertices of a call in 16 bits, and further faces are
+  // missing.
   const vtkIdType most = IsHardwareRenderer() ? std::numeric_limits<vtkIdType>::max() : 65535;
   std::vector<GLint> ends;
   GLint end = 0;
@@ -74,9 +74,9 @@ vtkIdType HardwareTessellation::CountTriangles(const int segments[3])
   {
     return 1;
   }
-  // Rings from the outside in: between the m segments of a ring's side and the n of the next
-  // ring's lie m + n triangles, and n is two less than the ring would have. What is left is a point
-  // or one triangle.
+  // Count rings from the outside to the centre. Between the m segments of a ring's side and the n
+  // of the next ring's there are m + n triangles, and the number decreases by two from ring to
+  // ring. A point or a triangle remains.
   vtkIdType triangles = outer[0] + outer[1] + outer[2] + 3 * (inner - 2);
   for (inner -= 2; inner > 1; inner -= 2)
   {
@@ -89,7 +89,8 @@ vtkIdType HardwareTessellation::CountVertices(const int segments[3])
 {
   int outer[3];
   Limit(segments, outer);
-  // By Euler: the triangles have three sides each, of which all but the border's are shared.
+  // This follows from Euler's formula: triangles have three sides, which are shared except on the
+  // border.
   return 1 + (CountTriangles(segments) + outer[0] + outer[1] + outer[2]) / 2;
 }
 

@@ -44,7 +44,7 @@ void PatternMethod::DrawPattern(const RefinementPatternBuffer::Range& range, boo
   }
   else
   {
-    // Picking is for coarse points: a pattern's corners come first.
+    // Picking needs the coarse points only: a pattern's corners come first.
     glDrawArraysInstanced(GL_POINTS, range.FirstVertex,
       primitives == Primitives::CORNERS ? 3 : range.NumberOfVertices, instances);
   }
@@ -53,13 +53,13 @@ void PatternMethod::DrawPattern(const RefinementPatternBuffer::Range& range, boo
 int PatternMethod::DrawGroups(const RefinementDrawing& drawing, vtkShaderProgram* program,
   Primitives primitives, const std::vector<PatternGroup>& groups)
 {
-  // Looked up once: names take longer than small groups.
+  // The location is cached, because its lookup takes longer than drawing small groups.
   const GLint location =
     glGetUniformLocation(static_cast<GLuint>(program->GetHandle()), "relevoGroup");
   for (const PatternGroup& group : groups)
   {
     const auto& range = drawing.Patterns->GetRange(group);
-    // As many instances as it takes, each of as many copies as it takes.
+    // Draw as many instances as needed, each with as many copies as possible.
     const int most = primitives == Primitives::TRIANGLES ? range.Copies : 1;
     const int instances = (group.Count + most - 1) / most;
     const int copies = (group.Count + instances - 1) / instances;

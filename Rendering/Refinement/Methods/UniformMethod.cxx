@@ -40,7 +40,7 @@ void UniformMethod::Group(const RefinementDrawing& drawing, std::vector<unsigned
 {
   const PatternSelection& selection = drawing.Selection->GetSelection();
   const int most = GetMaximumSegments(selection);
-  // A uniform pattern is the same in any order of the corners, but for the winding.
+  // A uniform pattern is the same for all orders of the corners, except for the winding.
   std::vector<std::vector<unsigned int>> faces(2 * (static_cast<size_t>(most) + 1));
   for (unsigned int instance : selection.Instances)
   {

@@ -52,7 +52,7 @@ bool PickedLevels::SelectAnew(vtkPolyData* input, vtkAdaptiveRefinement* recipe,
     this->Assign(recipe, mesh, [recipe](int, int) { return 1 << recipe->GetMaximumLevel(); });
     return true;
   }
-  std::string error; // said when the surface is drawn
+  std::string error; // reported when the surface is drawn
   return SelectPatterns(
     input, recipe, RefinementView(), mesh, drawn.GetTags().GetSource(), this->Own, error);
 }

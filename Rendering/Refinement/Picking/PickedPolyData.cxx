@@ -17,7 +17,8 @@
 
 namespace relevo
 {
-// What a picker gets for a face, inside its own vtkGenericCell: it answers one line, and is gone.
+// The cell that a picker gets for a face, inside its vtkGenericCell. It answers one line and is
+// then deleted.
 class PickedPolyData::FaceCell : public vtkEmptyCell
 {
 public:
@@ -30,7 +31,7 @@ public:
     Slot::Get(cell) = this;
   }
 
-  // No type, so that vtkGenericCell::SetCellType() replaces it.
+  // The cell has no type, so that vtkGenericCell::SetCellType() replaces it.
   int GetCellType() override { return -1; }
 
   int IntersectWithLine(const double p1[3], const double p2[3], double tol, double& t, double x[3],
@@ -42,7 +43,7 @@ public:
   }
 
 private:
-  // The cell that a generic one stands for: it can be chosen by type only, but for subclasses.
+  // Gives access to the cell inside a generic cell, which can otherwise be set by type only.
   struct Slot : vtkGenericCell
   {
     static vtkCell*& Get(vtkGenericCell* cell) { return cell->*(&Slot::Cell); }
@@ -102,9 +103,9 @@ int PickedPolyData::GetCellType(vtkIdType cellId)
   const bool isTried = this->State == ASKED || this->State == HIT_KNOWN;
   if ((isTried && this->IsFace(cellId)) || (this->State == ALL_TRIED && cellId == this->HitCellId))
   {
-    return VTK_TRIANGLE; // no strip, whose triangles pickers take apart
+    return VTK_TRIANGLE; // not a strip, which pickers split into triangles
   }
-  // Another cell is asked for again: it is nearer.
+  // If another cell is requested afterwards, it is nearer.
   this->State = this->State == ALL_TRIED ? NOT_ASKED : this->State;
   return relevo::GetCellType(this, cellId);
 }
@@ -136,11 +137,12 @@ void PickedPolyData::GetCell(vtkIdType cellId, vtkGenericCell* cell)
   }
   else
   {
-    relevo::GetCell(this, cellId, cell); // unlike VTK's own, of cells of too few points, too
+    // unlike VTK's method, this supports cells with too few points
+    relevo::GetCell(this, cellId, cell);
   }
 }
 
-// The cell that is asked has given its answer.
+// The tested cell has returned its intersection.
 void PickedPolyData::EndCell()
 {
   this->State = this->CellId == this->LastCell ? ALL_TRIED : HIT_KNOWN;
@@ -194,7 +196,7 @@ void PickedPolyData::MovePoints()
   {
     this->MovedPoints->SetDataType(given->GetDataType());
     this->MovedPoints->DeepCopy(given);
-    // Out of reach where there is no surface: VTK takes points that are NaN for near ones.
+    // Points without surface are moved out of reach, because VTK treats NaN as near.
     const double nowhere[3] = { VTK_FLOAT_MAX, VTK_FLOAT_MAX, VTK_FLOAT_MAX };
     for (vtkIdType point = 0; point < given->GetNumberOfPoints(); ++point)
     {

@@ -29,12 +29,12 @@ namespace relevo
 {
 namespace
 {
-// Where colours of faces replace VTK's own, in the fragment shader.
+// The anchor in the fragment shader at which colours of faces replace VTK's.
 constexpr const char* ColorMark = "//Relevo::Color::Impl";
-// Where VTK writes, in the geometry shader, which sides to show.
+// The anchor in the geometry shader at which VTK selects the visible edges.
 constexpr const char* EdgeMark = "//VTK::Edges::Impl";
 
-// What scalars make of an attribute; coarse points keep what VTK gave them.
+// Return the statement that computes an attribute from scalars; coarse points keep VTK's values.
 std::string GetScalarStatement(
   ScalarKind kind, const std::string& attribute, const std::string& sampler)
 {
@@ -93,13 +93,13 @@ std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool 
   return text.str();
 }
 
-// Attributes that vertices no longer have of their own.
+// Attributes that are replaced by globals.
 struct TakenAttributes
 {
   std::vector<std::string> Names;
-  std::string Samplers;   // declarations of where they are read from
+  std::string Samplers;   // declarations of the samplers that replace the attributes
   std::string Fetches;    // statements that read them
-  bool HasNormal = false; // set by the refined surface
+  bool HasNormal = false; // the refined surface sets it
 };
 
 std::string GetFetch(
@@ -115,7 +115,7 @@ std::string GetFetch(
        << GetScalarStatement(options.Scalars, name, sampler);
   if (name == "normalMC")
   {
-    // Unit normals, as the filter's, unless the mesh is drawn as it is.
+    // Normals are normalized like the filter's, unless the mesh is drawn unrefined.
     text << "  if (relevoUnitNormals == 1) { normalMC = unitVector(weightedSum("
          << "unitVector(texelFetch(" << sampler << ", relevoFace.x).xyz), "
          << "unitVector(texelFetch(" << sampler << ", relevoFace.y).xyz), "
@@ -124,7 +124,7 @@ std::string GetFetch(
   return text.str();
 }
 
-// Have the attributes that VTK declares be plain globals.
+// Replace the attributes that VTK declares by globals.
 TakenAttributes TakeAttributes(const RefinementShaderOptions& options, ShaderText& vertex)
 {
   TakenAttributes taken;
@@ -161,7 +161,7 @@ TakenAttributes TakeAttributes(const RefinementShaderOptions& options, ShaderTex
   {
     vertex.Miss("in vec4 vertexMC;");
   }
-  // One that is declared in another way would be read as if vertices had it.
+  // An attribute with another declaration would be read per vertex.
   const std::regex other("(^|\\n)[ \\t]*((layout *\\([^)\\n]*\\)|\\w+)[ \\t]+)*(in|attribute)[ \\t]"
                          "[^;()\\n]*;");
   if (hasPosition && std::regex_search(text, other))
@@ -197,7 +197,7 @@ std::vector<ShaderVarying> GetVaryings(const RefinementShaderOptions& options, b
   return varyings;
 }
 
-// All functions that relevoRefine() needs, and itself.
+// Return all functions that relevoRefine() needs, and relevoRefine() itself.
 std::string GetVertexFunctions(const RefinementShaderOptions& options,
   const std::vector<ShaderVarying>& varyings, const TakenAttributes& attributes)
 {
@@ -224,7 +224,8 @@ std::string GetVertexFunctions(const RefinementShaderOptions& options,
        << "void relevoSetAttributes(vec3 w)\n{\n"
        << attributes.Fetches << "}\n"
        << options.Extension.Declarations
-       << "void relevoExtend();\n" // after what it reads is set: compilers warn by the text
+       // declared after its inputs, because compilers warn in the order of the source
+       << "void relevoExtend();\n"
        << relevoRefineVS << "void relevoExtend()\n{\n"
        << options.Extension.Statements << "}\n";
   return text.str();
@@ -245,12 +246,12 @@ std::vector<std::string> RefineVertexShader(const RefinementShaderOptions& optio
   }
   else
   {
-    vertex.IfReplace("gl_VertexID", "relevoPointId"); // the actor's own text may say it
+    vertex.IfReplace("gl_VertexID", "relevoPointId"); // the actor's own code may use it
   }
   return attributes.Names;
 }
 
-// Passes on what the fragments need.
+// Pass on the values that fragments need.
 void RefineGeometryShader(
   bool edges, const std::vector<ShaderVarying>& varyings, ShaderText& geometry)
 {
@@ -265,7 +266,7 @@ void RefineGeometryShader(
   }
 }
 
-// Knows coarse primitives and colours of faces, and leaves holes.
+// Use ids of coarse primitives and colours of faces, and discard holes.
 void RefineFragmentShader(const RefinementShaderOptions& options, const ShaderPurpose& purpose,
   const std::vector<ShaderVarying>& varyings, ShaderText& fragment)
 {
@@ -273,7 +274,7 @@ void RefineFragmentShader(const RefinementShaderOptions& options, const ShaderPu
   if (options.ColorMode != COLOR_BY_SCALARS)
   {
     declarations += std::string(relevoColorTable) + relevoFaceColorsFS;
-    fragment.IfReplace(ColorMark, // as far as MarkColors() has found a place for it
+    fragment.IfReplace(ColorMark, // only if MarkColors() has inserted it
       "vec3 relevoFragment = relevoFragmentColor();\n"
       "  ambientColor = ambientIntensity * relevoFragment;\n"
       "  diffuseColor = diffuseIntensity * relevoFragment;\n"
@@ -288,7 +289,7 @@ void RefineFragmentShader(const RefinementShaderOptions& options, const ShaderPu
       "discard;\n");
   }
   fragment.InsertBeforeMain(declarations);
-  // Cells are asked for by selections, and by colours and normals of cells.
+  // Selections, and colours and normals of cells, use the cell id.
   const std::string cell = "gl_PrimitiveID + PrimitiveIDOffset";
   if (purpose.HasCellIds || fragment.Has("(textureC,") || fragment.Has("(textureN,"))
   {

@@ -40,7 +40,7 @@ std::unique_ptr<CullingView> MakeCullingView(
   {
     return nullptr;
   }
-  // Lines and points are drawn wider than they are.
+  // Lines and points have a width in pixels.
   vtkProperty* property = actor->GetProperty();
   double width = 0.0;
   if (property->GetRepresentation() != VTK_SURFACE || property->GetVertexVisibility())

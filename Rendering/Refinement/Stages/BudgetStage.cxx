@@ -12,20 +12,20 @@ namespace relevo
 {
 namespace
 {
-// Whether VTK has not drawn the actor yet in this frame.
+// Return whether VTK has not yet drawn the actor in this frame.
 bool IsFirstPass(vtkActor* actor)
 {
   return actor->GetEstimatedRenderTime() == 0.0;
 }
 
-// In seconds. An actor within an actor, as vtkLODActor has, is allotted no time of its own.
+// Return the time in seconds. An actor inside another, as in vtkLODActor, has no allotted time.
 double GetAllocatedTime(vtkRenderer* renderer, vtkActor* actor)
 {
   return std::min(actor->GetAllocatedRenderTime(), renderer->GetAllocatedRenderTime());
 }
 
-// Negative to keep the limit that was found last. What has been seen is picked, and later passes
-// show what the first has shown. Before a frame, the actor has not been allotted its time yet.
+// Return a negative time to keep the last limit. Picking uses what has been drawn, and later passes
+// draw the same as the first. Before a frame, the actor has no allotted time yet.
 double GetTime(const BudgetStage::Input& input)
 {
   return !input.UsesAllocatedTime              ? 0.0

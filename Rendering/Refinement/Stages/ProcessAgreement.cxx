@@ -22,7 +22,8 @@ namespace relevo
 {
 namespace
 {
-// What a piece, nullptr where this process has none, and those of other processes are together.
+// Share the data of the whole surface, of which `part` is this process's piece; nullptr if it has
+// none.
 void AgreeOnWhole(vtkAdaptiveRefinement* recipe, const ProcessAgreementPart* part,
   const RefinementView& view, const PieceReduction& pieces)
 {

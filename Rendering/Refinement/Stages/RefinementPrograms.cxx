@@ -21,7 +21,7 @@ namespace
 {
 constexpr size_t MaximumVariants = 32;
 
-// All but the indices, which depend on the mesh and the representation.
+// Swap everything except the indices, which depend on the mesh and the representation.
 void SwapPrograms(vtkOpenGLHelper& a, vtkOpenGLHelper& b)
 {
   std::swap(a.Program, b.Program);
@@ -183,7 +183,7 @@ RefinementPrograms::Built RefinementPrograms::BuildWithStages(vtkOpenGLHelper& h
     return Built::FAILED;
   }
   helper.Program = program;
-  helper.VAO->ReleaseGraphicsResources(); // of the attributes of another program
+  helper.VAO->ReleaseGraphicsResources(); // it has the attributes of another program
   helper.ShaderSourceTime.Modified();
   this->States[&helper].Method = method;
   return Built::PROGRAM;

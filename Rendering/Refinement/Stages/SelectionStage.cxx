@@ -156,7 +156,7 @@ void SelectionStage::ReadBack(vtkOpenGLRenderWindow* window, const InstanceBuffe
     std::move(morphTags), this->Compute.ReadHidden(slot));
   const std::vector<int> counts = this->Compute.ReadCounts(slot);
   window->PopContext();
-  // Two keys share a pattern, of which one turns it over.
+  // Two keys share a pattern; one of them mirrors it.
   this->NumberOfUsedPatterns = 0;
   for (size_t key = 0; key + 1 < counts.size(); key += 2)
   {
@@ -191,7 +191,7 @@ void SelectionStage::ReleaseGraphicsResources()
   this->Compute.ReleaseGraphicsResources();
   if (this->OnGPU)
   {
-    this->State.ForgetLevels(); // what a metric gave for the GPU may be gone
+    this->State.ForgetLevels(); // the metric's data for the GPU may be out of date
   }
 }
 }

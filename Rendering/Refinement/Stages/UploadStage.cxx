@@ -16,7 +16,8 @@ namespace relevo
 {
 namespace
 {
-// Not when VTK has uploaded the positions: that is later for each actor, though nothing moved.
+// The time of VTK's upload is not included: with several actors it changes although the positions
+// do not.
 Dependencies GetUploadDependencies(
   vtkMTimeType meshTime, vtkMTimeType buildTime, vtkOpenGLVertexBufferObject* positions)
 {
@@ -42,7 +43,7 @@ std::string DescribeUndrawable(const std::string& error)
 bool UploadStage::NeedsMesh(
   vtkMTimeType meshTime, vtkMTimeType buildTime, vtkOpenGLVertexBufferObject* positions) const
 {
-  // With a shift and scale by the camera VTK moves the positions without asking.
+  // With a shift and scale by the camera, VTK moves the positions in its buffer.
   const bool moved = this->Valid && positions &&
     this->UploadDependencies != GetUploadDependencies(meshTime, buildTime, positions);
   return moved || this->UploadTime < meshTime;
@@ -93,7 +94,7 @@ bool UploadStage::UploadFaces(const MeshInput& input)
   {
     return true;
   }
-  // The ids that VTK would draw cells with: they index its cell textures and its selections.
+  // VTK's primitive ids of cells: indices of its cell textures and selections.
   std::vector<int> primitiveOfCell(static_cast<size_t>(input.NumberOfCells), 0);
   for (size_t i = input.CellMap->GetSize(); i-- > 0;)
   {
@@ -172,7 +173,7 @@ void UploadStage::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* prog
   vtkOpenGLVertexBufferObjectGroup* vbos, const std::vector<std::string>& attributes,
   vtkAdaptiveRefinement* recipe)
 {
-  // Another actor may have had VTK take buffers away and bring them back.
+  // VTK may have removed and restored buffers for another actor.
   this->Buffers.AliasAttributes(window, vbos, attributes);
   this->Buffers.Activate(program);
   this->Heights.Activate(program);

@@ -66,7 +66,7 @@ double LevelBudget::FindOffset(
   if (changed[0] > 0.0)
   {
     view.State = state;
-    // A limit of time takes levels away, if next to nothing, and never adds any.
+    // A time limit lowers levels by at least a small amount, and never raises them.
     double offset = this->Target > 0 ? recipe->GetLevelOffsetMaxValue()
                                      : recipe->GetLevelOffset() - 0.5 / TriangleBudget::Resolution;
     const auto keepTo = [&](vtkIdType triangles, const PieceReduction& counted)
@@ -78,7 +78,7 @@ double LevelBudget::FindOffset(
       }
     };
     keepTo(this->Target, pieces);
-    keepTo(view.Limit, PieceReduction()); // each process has its own time
+    keepTo(view.Limit, PieceReduction()); // each process has its own time limit
     std::vector<double> negated(1, -offset);
     pieces.TakeLargest(negated);
     view.Offset = -negated[0];

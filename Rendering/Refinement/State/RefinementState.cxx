@@ -104,7 +104,8 @@ void RefinementState::SetWhole(std::shared_ptr<const GlobalSurfaceInfo> whole)
 
 bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
 {
-  // Only what the prepared mesh depends on: not the displacement's live values.
+  // The dependencies of the prepared mesh do not include displacement values that change without a
+  // rebuild.
   Dependencies dependencies;
   dependencies.AddObject(input);
   dependencies.AddObject(recipe, 0);
@@ -121,9 +122,9 @@ bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recip
     dependencies.AddObject(surface, surface ? surface->GetPreparationMTime() : 0);
     dependencies.AddObject(displacement, displacement && displacement->IsAlongNormal() ? 1 : 0);
     dependencies.AddObject(displacement ? displacement->GetHeightMap() : nullptr);
-    dependencies.Add(recipe->GetNoDataMagnitude()); // of the colours of its points
+    dependencies.Add(recipe->GetNoDataMagnitude()); // affects the colours of its points
   }
-  // Normals as the filter would make them, where a mesh is refined.
+  // Refined meshes get the normals that the filter would compute.
   const bool refines = recipe && recipe->GetMaximumLevel() > 0;
   const auto withNormals = [&]
   {
@@ -141,7 +142,7 @@ bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recip
   this->MeshTime.Modified();
   const auto mesh = std::make_shared<RefinementMesh>();
   this->Mesh = mesh;
-  // Without cells: VTK's mapper does not check what they refer to.
+  // The cells are removed, because VTK's mapper does not check their point ids.
   this->PreparedInput->Initialize();
   this->PreparedInput->SetPoints(input->GetPoints());
   if (!relevo::BuildMesh(input, recipe, refines && this->NeedsUnitNormals, this->Whole.get(), *mesh,
@@ -151,7 +152,8 @@ bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recip
   }
   this->PreparedInput->ShallowCopy(input);
   const std::string unusable = RemoveUnusableArrays(this->PreparedInput);
-  if (ShouldReport(this->ArrayError, unusable)) // once, though the mesh may change in every frame
+  // reported once, although the mesh may change in each frame
+  if (ShouldReport(this->ArrayError, unusable))
   {
     this->Warn(unusable);
   }
@@ -168,7 +170,7 @@ bool RefinementState::BuildMesh(vtkPolyData* input, vtkAdaptiveRefinement* recip
 
 void RefinementState::GetBounds(vtkAdaptiveRefinement* recipe, double bounds[6])
 {
-  vtkPolyData* input = this->PreparedInput; // without vertices and lines that are ghosts
+  vtkPolyData* input = this->PreparedInput; // without ghost vertices and lines
   Dependencies dependencies;
   dependencies.AddObject(recipe->GetDisplacement());
   dependencies.AddObject(recipe->GetSurface());
@@ -219,7 +221,7 @@ SelectionInput RefinementState::GetSelectionInput(
 ViewSelection& RefinementState::FindView(
   vtkPolyData* input, vtkAdaptiveRefinement* recipe, const RefinementView& view)
 {
-  // A budget depends on what the view sees.
+  // A budget depends on the view.
   vtkDepthTagMetric* metric = GetMetricInUse(recipe, input);
   const bool seesCamera = this->IsBudgeted || (metric && metric->IsViewDependent());
   const bool seesPlacement = this->IsBudgeted || (metric && metric->IsPlacementDependent());

@@ -111,7 +111,7 @@ void ViewSelection::Assign(const PatternFamily& family, std::vector<unsigned int
   this->Hidden = std::move(hidden);
   this->NumberOfHiddenFaces =
     static_cast<int>(this->Hidden.size() - std::count(this->Hidden.begin(), this->Hidden.end(), 0));
-  this->SightDependencies.Clear(); // the CPU may see others at the very border
+  this->SightDependencies.Clear(); // the CPU may cull other faces exactly on the border
   this->AreTrianglesCounted = false;
 }
 
@@ -162,7 +162,8 @@ FaceSums ViewSelection::CountTriangles()
     this->AreTrianglesCounted = true;
     this->NumbersOfTriangles = this->SumOverFaces([this](int face)
       { return this->Selection.GetFacePattern(face).Pattern->GetNumberOfTriangles(); });
-    // Fragments over no-data are discarded; what the filter leaves out is counted when asked for.
+    // Fragments over no data are discarded; the triangles that the filter omits are counted on
+    // demand.
     const vtkIdType holes = CountHoles(*this->Mesh, this->Selection, this->Holes);
     const vtkIdType drawnHoles = this->GetHidden()
       ? CountHoles(*this->Mesh, this->Selection, this->Holes, this->GetHidden())
