@@ -27,7 +27,7 @@ namespace
 using ActorList = std::vector<std::unique_ptr<relevo::SceneActor>>;
 using Pair = std::pair<int, int>;
 
-// Where two touch, by the actors' numbers.
+// The intersection of two actors, with their indices.
 struct Contact
 {
   bool operator==(const Contact& other) const
@@ -39,7 +39,7 @@ struct Contact
   vtkSmartPointer<vtkPolyData> Curves;
 };
 
-// By a sweep along x.
+// Find the pairs by a sweep along x.
 std::vector<Pair> FindCandidates(const ActorList& actors)
 {
   std::vector<int> order;

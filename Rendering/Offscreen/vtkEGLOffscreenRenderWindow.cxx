@@ -14,8 +14,8 @@
 
 namespace
 {
-// Displays to try, best first: every device (graphics cards come before Mesa's software device),
-// Mesa without any window system, and what the environment's default is.
+// Return the displays to try, best first: every device (graphics cards come before Mesa's software
+// device), Mesa without a window system, and the default of the environment.
 std::vector<EGLDisplay> CandidateDisplays()
 {
   std::vector<EGLDisplay> displays;
@@ -45,7 +45,7 @@ std::vector<EGLDisplay> CandidateDisplays()
 
 struct vtkEGLOffscreenRenderWindow::EGLContextHolder
 {
-  // A context that is current in this thread.
+  // The context that is current in this thread.
   struct Current
   {
     EGLDisplay Display = eglGetCurrentDisplay();
@@ -59,7 +59,7 @@ struct vtkEGLOffscreenRenderWindow::EGLContextHolder
   EGLSurface Surface = EGL_NO_SURFACE;
   EGLContext Context = EGL_NO_CONTEXT;
 
-  // The display is shared by all windows of the process, and stays.
+  // The display is not terminated, because all windows of the process share it.
   ~EGLContextHolder()
   {
     if (this->Context == eglGetCurrentContext())
@@ -97,7 +97,7 @@ struct vtkEGLOffscreenRenderWindow::EGLContextHolder
     {
       return false;
     }
-    // VTK draws into framebuffers of its own, so the surface may be the smallest there is.
+    // VTK draws into its own framebuffers, so the smallest surface suffices.
     const EGLint size[] = { EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE };
     this->Display = display;
     this->Surface = eglCreatePbufferSurface(display, config, size);
@@ -130,7 +130,7 @@ vtkEGLOffscreenRenderWindow::vtkEGLOffscreenRenderWindow()
 //------------------------------------------------------------------------------
 vtkEGLOffscreenRenderWindow::~vtkEGLOffscreenRenderWindow()
 {
-  // While the context still exists: renderers free what they own in it.
+  // The context must still exist, because renderers release their resources in it.
   this->MakeCurrent();
   this->Finalize();
   vtkCollectionSimpleIterator iterator;
@@ -243,8 +243,8 @@ void vtkEGLOffscreenRenderWindow::Finalize()
 //------------------------------------------------------------------------------
 void vtkEGLOffscreenRenderWindow::OpenGLInit()
 {
-  // The direct superclass saves OpenGL's state first, which no one else has touched here, and
-  // which needs the function pointers that are loaded only now.
+  // The direct superclass would first save OpenGL's state. No other code has changed it here, and
+  // saving needs the function pointers that are loaded by this call.
   this->MakeCurrent();
   this->vtkOpenGLRenderWindow::OpenGLInit();
 }
@@ -255,7 +255,8 @@ void vtkEGLOffscreenRenderWindow::OpenGLInitContext()
 #ifdef GLEW_OK
   if (!this->Initialized)
   {
-    // GLEW built for X11 loads every pointer, then misses GLX, which nobody needs here.
+    // GLEW built for X11 loads all function pointers, and then reports that GLX is missing, which
+    // is not needed here.
     const GLenum result = glewInit();
     this->GlewInitValid = result == GLEW_OK || result == GLEW_ERROR_NO_GLX_DISPLAY;
     if (!this->GlewInitValid || !GLEW_VERSION_3_2)

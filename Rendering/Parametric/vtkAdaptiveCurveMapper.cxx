@@ -31,7 +31,7 @@
 
 namespace
 {
-// A data set of the input.
+// A data set of the input, with its painter.
 struct CurveLeaf
 {
   using Painter = relevo::CurvePainter;
@@ -40,7 +40,7 @@ struct CurveLeaf
     return std::vector<relevo::CurvePainter*>(this->Curves ? 1 : 0, this->Curves.Get());
   }
 
-  // What can be wrong with it.
+  // The kinds of errors of a data set.
   enum Kinds
   {
     CELLS,
@@ -50,14 +50,14 @@ struct CurveLeaf
     SHADERS,
     NUMBER_OF_KINDS
   };
-  vtkSmartPointer<relevo::CurvePainter> Curves; // nullptr of what has no curves
+  vtkSmartPointer<relevo::CurvePainter> Curves; // nullptr if the input has no curves
   std::string Prefix;                           // of messages
   std::string Errors[NUMBER_OF_KINDS];          // reported last
-  std::string Warning;                          // likewise
+  std::string Warning;                          // reported last
   bool IsDrawn = false;                         // in the last render
 };
 
-// An error, unless the last one of that kind is the same.
+// Report an error, unless the last one of that kind is the same.
 void ReportLeaf(
   vtkAdaptiveCurveMapper* self, CurveLeaf& leaf, CurveLeaf::Kinds kind, const std::string& error)
 {
@@ -81,7 +81,7 @@ std::string FindCellError(vtkPointSet* input, const relevo::CurveMesh& mesh)
   return hasNone ? "None of the input's cells is a curve." : mesh.GetError();
 }
 
-// Beside those of all mappers.
+// Copy the offsets of this mapper, in addition to those of all mappers.
 void CopyCoincidentOffsets(vtkMapper* from, vtkMapper* to)
 {
   double factor = 0.0;
@@ -99,11 +99,11 @@ struct vtkAdaptiveCurveMapper::vtkInternals
 {
   relevo::LeafMapper<CurveLeaf> Leaves;
   vtkNew<relevo::ContextWatch> Context;
-  std::string Error; // of all leaves, reported last
+  std::string Error; // error of all leaves, reported last
   std::string TessellationError;
   int MethodInUse = METHOD_INSTANCING;
 
-  // The sum of getNumber(painter) for the leaves that the last render drew.
+  // Return the sum of getNumber(painter) over the leaves that the last render drew.
   template <typename Number>
   vtkIdType SumOfFrame(const Number& getNumber) const
   {
@@ -125,7 +125,8 @@ vtkAdaptiveCurveMapper::vtkAdaptiveCurveMapper()
 
 vtkAdaptiveCurveMapper::~vtkAdaptiveCurveMapper()
 {
-  // While virtual calls still reach this class, and in the context of the window.
+  // The resources are released here, while virtual calls still reach this class, in the context of
+  // the window.
   this->ReleaseGraphicsResources(nullptr);
 }
 
@@ -253,7 +254,7 @@ double* vtkAdaptiveCurveMapper::GetBounds()
   {
     double bounds[6];
     painter->GetCurveBounds(bounds);
-    box.AddBounds(bounds); // which must be initialized to count
+    box.AddBounds(bounds); // ignored if not initialized
   }
   if (box.IsValid())
   {
@@ -330,7 +331,7 @@ void vtkAdaptiveCurveMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   }
   if (error.empty())
   {
-    // Releases what is in the context of another window.
+    // This releases resources in the context of another window.
     data.Context->SetContext(vtkOpenGLRenderWindow::SafeDownCast(window));
     relevo::RunWithinMemory(this, "the curves",
       [&]
@@ -394,7 +395,7 @@ void vtkAdaptiveCurveMapper::ReleaseGraphicsResources(vtkWindow* window)
   vtkInternals& data = *this->Internals;
   if (data.Context->Release())
   {
-    return; // came back to this method, from within the context that the resources belong to
+    return; // a recursive call, in the context that owns the resources
   }
   this->Superclass::ReleaseGraphicsResources(window);
   data.Leaves.ReleaseGraphicsResources(window);

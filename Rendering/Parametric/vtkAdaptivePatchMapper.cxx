@@ -41,9 +41,9 @@ vtkStandardNewMacro(vtkAdaptivePatchMapper);
 
 namespace
 {
-constexpr double LargestLength = VTK_FLOAT_MAX; // shaders take floats
+constexpr double LargestLength = VTK_FLOAT_MAX; // shaders use floats
 
-// Why there are no isolines of an input; empty where there are some, or it has no such scalars.
+// Return why an input has no isolines; empty if it has some, or has no such scalars.
 std::string DescribeMissingIsolines(
   vtkPolyData* input, vtkAbstractArray* scalars, bool areOfCells, double spacing, bool areExact)
 {
@@ -55,7 +55,7 @@ std::string DescribeMissingIsolines(
             "vtkCellDataToPointData.";
     return text.str();
   }
-  // Coefficients enclose the values, but not those of lengths.
+  // The range of coefficients contains that of the values, but not for the lengths of vectors.
   vtkDataArray* nodes = relevo::PatchArrays::FindNodes(input, scalars);
   if (!nodes || !areExact || nodes->GetNumberOfComponents() != 1)
   {
@@ -79,14 +79,14 @@ struct vtkAdaptivePatchMapper::vtkInternals
   relevo::PatchScalars Scalars;
   relevo::Dependencies FieldDependencies;
   std::string FieldError;   // reported last
-  std::string IsolineError; // likewise
+  std::string IsolineError; // reported last
 
-  // Of an input that is a grid.
+  // Used if the input is a grid.
   vtkNew<vtkPatchSurfaceFilter> Filter;
   relevo::Dependencies GridDependencies;
 
-  bool IsSurface = false;             // of the actor that is drawn
-  relevo::PatchShaderOptions Options; // of the shaders that are being written
+  bool IsSurface = false;             // whether the drawn actor is shown as a surface
+  relevo::PatchShaderOptions Options; // of the shaders being built
 };
 
 vtkAdaptivePatchMapper::vtkAdaptivePatchMapper()
@@ -355,7 +355,8 @@ void vtkAdaptivePatchMapper::SetMapperShaderParameters(
   data.Scalars.Activate(program);
   if (program->IsUniformUsed("relevoIsolines"))
   {
-    // Numbers are less the bias; multiples of the spacing stay exact far from zero.
+    // The bias is subtracted from the values. Its remainder keeps multiples of the spacing exact
+    // far from zero.
     const float isolines[3] = { static_cast<float>(this->IsolineSpacing),
       static_cast<float>(std::fmod(data.Scalars.GetBias(), this->IsolineSpacing)),
       static_cast<float>(this->IsolineWidth) };

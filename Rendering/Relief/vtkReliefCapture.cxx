@@ -26,7 +26,7 @@
 
 namespace
 {
-constexpr int Given = -2; // levels of the sphere are 0 and more
+constexpr int Given = -2; // levels of the sphere are at least 0
 constexpr int Box = -1;
 constexpr int HighestLevel = 3;
 }
@@ -35,11 +35,12 @@ class vtkReliefCapture::vtkInternals
 {
 public:
   vtkWeakPointer<vtkRenderer> Renderer;
-  std::vector<vtkSmartPointer<vtkCamera>> Cameras; // those given
+  std::vector<vtkSmartPointer<vtkCamera>> Cameras; // cameras that the user has added
   int Level = Box;
   relevo::SceneTime Scene;
   relevo::SceneCapture Capture;
-  std::pair<int, int> LeftOut{ 0, 0 }; // translucent props, volumes: of the last warning
+  // numbers of translucent props and volumes in the last warning
+  std::pair<int, int> LeftOut{ 0, 0 };
 
   std::vector<vtkSmartPointer<vtkCamera>> MakeCameras(
     const int resolution[2], const std::vector<relevo::dvec3>& corners) const
@@ -57,7 +58,7 @@ public:
     return cameras;
   }
 
-  // Once for as many.
+  // Warn once for the same numbers.
   void WarnOfOthers(vtkReliefCapture* capture, const relevo::SceneProps& scene)
   {
     const std::pair<int, int> now(scene.NumberOfTranslucent, scene.NumberOfVolumes);

@@ -26,11 +26,11 @@
 
 namespace
 {
-// Private code numbers methods and searches as the mapper does.
+// Private code uses the mapper's numbers of methods and searches.
 using Mapper = vtkReliefMapper;
 using Options = relevo::ReliefShaderOptions;
 
-// With more triangles to a pixel following rays is the faster method.
+// With more triangles per pixel, tracing rays is faster.
 constexpr double TrianglesPerPixel = 2.0;
 
 static_assert(relevo::HaveSameNumber(Mapper::METHOD_WARP, Options::WARP), "warp");
@@ -68,7 +68,8 @@ vtkReliefMapper::vtkReliefMapper()
 
 vtkReliefMapper::~vtkReliefMapper()
 {
-  // While virtual calls still reach this class, and in the context of the window.
+  // The resources are released here, while virtual calls still reach this class, in the context of
+  // the window.
   this->ReleaseGraphicsResources(nullptr);
 }
 
@@ -160,7 +161,7 @@ void vtkReliefMapper::GetBounds(double bounds[6])
 
 bool vtkReliefMapper::HasTranslucentPolygonalGeometry()
 {
-  this->GetBounds(); // which reads the input
+  this->GetBounds(); // updates the bounds from the input
   return this->Internals->Reliefs.AreTranslucent();
 }
 
@@ -170,7 +171,7 @@ bool vtkReliefMapper::HasOpaqueGeometry()
 }
 
 //------------------------------------------------------------------------------
-// What VTK's pickers find
+// Picking
 
 vtkDataObject* vtkReliefMapper::GetInputDataObject(int port, int connection)
 {
@@ -210,7 +211,7 @@ void vtkReliefMapper::Render(vtkRenderer* renderer, vtkActor* actor)
     this->GetInputAlgorithm()->Update();
   }
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
-  // Releases what is in the context of another window.
+  // This releases resources in the context of another window.
   this->Internals->Context->SetContext(vtkOpenGLRenderWindow::SafeDownCast(window));
   relevo::RunWithinMemory(this, "the reliefs",
     [&]
@@ -222,7 +223,8 @@ void vtkReliefMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   this->UpdateProgress(1.0);
 }
 
-// By counts alone: an unchanged scene is drawn alike in all frames, passes and programs.
+// The choice depends on counts alone, so that an unchanged scene is drawn the same in all frames,
+// passes and processes.
 int vtkReliefMapper::ChooseMethod(vtkRenderer* renderer)
 {
   if (this->Method != METHOD_AUTOMATIC)
@@ -246,7 +248,7 @@ void vtkReliefMapper::RenderReliefs(vtkRenderer* renderer, vtkActor* actor)
   settings.Yields = data.Reliefs.GetLeaves().size() > 1;
   relevo::ReliefPainter::Settings rims = settings;
   rims.IsRim = true;
-  rims.IsShadowed = false; // only the block's own surface could
+  rims.IsShadowed = false; // only the block's own surface could cast shadows
   rims.Method = settings.Method == Options::WARP ? Options::RAY_MARCH : settings.Method;
   const auto draw = [&](relevo::ReliefPainter* painter, std::string& lastError)
   {
@@ -279,7 +281,7 @@ void vtkReliefMapper::RenderReliefs(vtkRenderer* renderer, vtkActor* actor)
       }
       draw(leaf.Surface, leaf.ShaderError);
       data.MethodInUse = leaf.Surface->GetMethod();
-      // Behind what is translucent nothing hides them.
+      // Behind translucent surfaces, rims would be visible.
       if (leaf.Rims && !actor->IsRenderingTranslucentPolygonalGeometry() &&
         leaf.Rims->Prepare(renderer, actor, rims).empty())
       {
@@ -293,7 +295,7 @@ void vtkReliefMapper::ReleaseGraphicsResources(vtkWindow* window)
   vtkInternals& data = *this->Internals;
   if (data.Context->Release())
   {
-    return; // came back to this method, from within the context that the resources belong to
+    return; // a recursive call, in the context that owns the resources
   }
   this->Superclass::ReleaseGraphicsResources(window);
   data.Reliefs.ReleaseGraphicsResources(window);

@@ -43,10 +43,10 @@
 namespace
 {
 constexpr size_t MaximumReliefs = 4;
-constexpr int MaximumSteps = 8;     // that captures are ahead
+constexpr int MaximumSteps = 8;     // steps by which captures are ahead of the view
 constexpr double WidestTexel = 2.0; // pixels
 
-// What a renderer's camera sees, in the pixels that are drawn.
+// A renderer's view, with its size in pixels.
 struct View
 {
   explicit View(const vtkRenderState* state)
@@ -82,20 +82,20 @@ struct View
   relevo::dvec3 Direction;
 };
 
-// Degrees between unit vectors.
+// Return the angle between unit vectors, in degrees.
 double GetAngle(const relevo::dvec3& a, const relevo::dvec3& b)
 {
   return vtkMath::DegreesFromRadians(2.0 * std::asin(std::min(0.5 * distance(a, b), 1.0)));
 }
 
-// A capture, and what shows it.
+// A capture, and its mapper and actor.
 struct ShownRelief
 {
-  // Without a method that has to be prepared or measured for each capture.
+  // This method needs no preparation or measurement for each capture.
   ShownRelief()
   {
     this->Mapper->SetMethodToRayMarch();
-    this->Mapper->FillCracksOff(); // skirts do
+    this->Mapper->FillCracksOff(); // skirts fill them
     this->Actor->SetMapper(this->Mapper);
   }
 
@@ -129,17 +129,17 @@ class vtkReliefPass::vtkInternals
 {
 public:
   std::array<ShownRelief, MaximumReliefs> Reliefs;
-  size_t Next = 0; // to be replaced
+  size_t Next = 0; // index of the next capture to replace
   relevo::SceneCapture Capture;
   relevo::SceneTime Scene;
   vtkMTimeType CapturedTime = 0;
   vtkNew<vtkRenderStepsPass> Steps;
   relevo::CaptureAhead Ahead;
-  bool IsAhead = false; // the last capture, of the view that it was made for
+  bool IsAhead = false; // whether the last capture is ahead of the view for which it was made
   vtkIdType NumberOfCaptures = 0;
   vtkIdType NumberOfReliefFrames = 0;
-  double HoleShare = 0.0; // of the last frame that reliefs show
-  std::string Error;      // of the last capture
+  double HoleShare = 0.0; // in the last frame with reliefs
+  std::string Error;      // error of the last capture
 
   void DropAll()
   {
@@ -150,7 +150,7 @@ public:
     }
   }
 
-  // Also finds the share of holes.
+  // Return whether the captures show a view well enough, and compute the fraction of holes.
   bool Suffices(
     const View& view, double maximumAngle, double maximumHoleShare, double& holeShare) const
   {
@@ -171,7 +171,7 @@ public:
       texel <= WidestTexel;
   }
 
-  // Of the view, or from where the next one is expected. What is wrong, or "".
+  // Capture the view, or the view that is expected next. Return the error, or "".
   std::string CaptureView(vtkRenderer* renderer, const View& view, double maximumAngle)
   {
     const relevo::ivec2 margin(view.Width / 8 + 1, view.Height / 8 + 1);
@@ -256,7 +256,7 @@ void vtkReliefPass::Render(const vtkRenderState* state)
   vtkRenderer* renderer = state->GetRenderer();
   if (vtkHardwareSelector* selector = renderer->GetSelector())
   {
-    // As renderers without a pass; those with one leave selections to it.
+    // Renderers without a pass select like this; those with a pass leave selection to it.
     renderer->GetActiveCamera()->Render(renderer);
     selector->Render(renderer, state->GetPropArray(), state->GetPropArrayCount());
     return;
@@ -308,7 +308,7 @@ void vtkReliefPass::RenderDelegate(const vtkRenderState* state)
   this->NumberOfRenderedProps = pass->GetNumberOfRenderedProps();
 }
 
-// Whether there are reliefs of what the view shows, without too many holes.
+// Return whether there are reliefs of the view without too many holes.
 bool vtkReliefPass::UpdateReliefs(const vtkRenderState* state)
 {
   vtkInternals& data = *this->Internals;
@@ -338,7 +338,7 @@ bool vtkReliefPass::UpdateReliefs(const vtkRenderState* state)
   return suffice;
 }
 
-// Whether there is a new relief.
+// Make a new capture. Return whether there is a new relief.
 bool vtkReliefPass::Capture(const vtkRenderState* state)
 {
   vtkInternals& data = *this->Internals;

@@ -38,7 +38,7 @@
 
 namespace
 {
-// Whether gradients at points may be needed.
+// Return whether gradients at points may be needed.
 bool IsShaded(vtkVolumeProperty* property)
 {
   bool isShaded = false;
@@ -139,7 +139,7 @@ double* vtkGPUUnstructuredGridVolumeMapper::GetBounds()
 
 void vtkGPUUnstructuredGridVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
-  // Colours of a volume would be taken for the numbers of what is selected behind it.
+  // The volume's colours would be read as ids of the props behind it.
   if (renderer->GetSelector())
   {
     return;
@@ -327,7 +327,7 @@ void vtkGPUUnstructuredGridVolumeMapper::SetIntegration(int integration)
     { "EXACT", "PRE_INTEGRATED", "PRE_INTEGRATED_2D" });
 }
 
-// OpenGL has 3D textures of 256 each way at least.
+// All supported OpenGL versions have 3D textures of at least 256 texels per axis.
 void vtkGPUUnstructuredGridVolumeMapper::SetTableSize(int size)
 {
   relevo::SetInRange(this, "TableSize", this->TableSize, size, 2, 256);
@@ -343,7 +343,7 @@ vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfDrawnCells()
   return this->Internals->Mesh.GetNumberOfDrawnCells();
 }
 
-// Drawn as the last render drew them, when somebody wants to know.
+// The layers are drawn on request, with the view of the last render.
 int vtkGPUUnstructuredGridVolumeMapper::GetNumberOfLayers()
 {
   vtkInternals& data = *this->Internals;

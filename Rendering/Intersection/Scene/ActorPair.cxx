@@ -17,7 +17,7 @@ namespace relevo
 {
 namespace
 {
-// nullptr where the input itself is the surface.
+// Return nullptr if the input itself is the surface.
 vtkAdaptiveRefinement* FindCurvedRecipe(const SceneActor& actor)
 {
   vtkAdaptiveRefinement* recipe = FindRecipe(actor.GetActor());
@@ -29,7 +29,7 @@ ActorPair::ActorPair()
 {
   this->Filter->AddObserver(vtkCommand::ErrorEvent, NewErrorCollector(this->Errors));
   this->Filter->AddObserver(vtkCommand::WarningEvent, NewErrorCollector(this->Warnings));
-  // That of the filter says why.
+  // The filter's own error reports the reason.
   this->Filter->GetExecutive()->AddObserver(
     vtkCommand::ErrorEvent, NewErrorCollector(this->Ignored));
 }
@@ -47,7 +47,7 @@ bool ActorPair::Update(
     recipes[i] = isRefined ? FindCurvedRecipe(*actors[i]) : nullptr;
     if (recipes[i])
     {
-      // All but its metric, which changes with every motion.
+      // The metric is excluded, because it changes with every motion.
       now.AddObject(recipes[i]->GetSurface());
       now.AddObject(recipes[i]->GetDisplacement());
       now.AddObject(recipes[i]->GetPatternTable());

@@ -88,7 +88,7 @@ void CandidateMetrics::AddBox(vtkActor* actor, const Bounds& box)
     return;
   }
   std::vector<Bounds>& boxes = this->Boxes[found->second];
-  // Once where both actors have the metric.
+  // The box is added once if both actors have the same metric.
   if (boxes.empty() || boxes.back() != box)
   {
     boxes.push_back(box);

@@ -17,7 +17,7 @@ namespace relevo
 {
 namespace
 {
-// Of coordinates: more than a product with a matrix is off by.
+// Relative to coordinates; larger than the rounding error of a product with a matrix.
 constexpr double Rounding = 1e-14;
 
 vtkPolyData* FindSurface(vtkMapper* mapper)
@@ -76,7 +76,7 @@ void SceneActor::Update()
   {
     this->Matrix->DeepCopy(now);
   }
-  // Brings the input up to date.
+  // This call updates the input.
   this->IsPlaced = this->TakeBox(mapper->GetBounds());
   this->Surface = FindSurface(mapper);
 }

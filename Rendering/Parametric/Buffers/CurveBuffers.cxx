@@ -16,7 +16,7 @@ namespace relevo
 {
 namespace
 {
-// Of a point.
+// Return the number of floats per point.
 int GetComponents(bool isRational)
 {
   return isRational || !HasBuffersOfThreeFloats() ? 4 : 3;

@@ -30,7 +30,7 @@ bool CurveColors::UploadCells(
   packed.reserve(curves.GetCurves().size());
   for (const CurveMesh::Curve& curve : curves.GetCurves())
   {
-    // One for all, if it is of field data.
+    // Field data may have one colour for all.
     const unsigned char* color =
       colors->GetPointer(4 * std::min(curve.Cell, colors->GetNumberOfTuples() - 1));
     packed.push_back(static_cast<unsigned int>(color[0]) |

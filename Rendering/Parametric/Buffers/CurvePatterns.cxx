@@ -34,9 +34,9 @@ void CurvePatterns::Append(
       indices.push_back(static_cast<unsigned short>(firstVertex + vertex));
     }
   };
-  // A tube's last side is next to its first one.
+  // A tube's last side is adjacent to its first.
   const int strips = this->Sides > 2 ? this->Sides : this->Sides - 1;
-  // The middles of a tube's caps are nothing to be seen by themselves.
+  // The centres of a tube's caps are not drawn as points.
   const int skipped = this->Sides > 2 && this->Shape != TRIANGLES ? 1 : 0;
   const int last = segments - skipped;
   for (int ring = skipped; ring <= last; ++ring)

@@ -23,7 +23,7 @@ namespace relevo
 {
 namespace
 {
-// A patch has no values where one of its nodes has none.
+// If one of its nodes has no data, a patch has none.
 vtkSmartPointer<vtkDataArray> WithoutNoData(
   vtkPolyData* mesh, vtkDataArray* nodes, double noDataMagnitude)
 {
@@ -98,7 +98,7 @@ bool PatchScalars::UploadColors(vtkOpenGLRenderWindow* window, vtkDataArray* nod
   const bool isReal = type == VTK_FLOAT || type == VTK_DOUBLE;
   if ((!isReal && type != VTK_UNSIGNED_CHAR) || components < 1 || components > 4)
   {
-    return true; // VTK's own colours of the corners do
+    return true; // VTK's colours of the corners are used
   }
   std::vector<float> colors(4 * static_cast<size_t>(nodes->GetNumberOfTuples()));
   double tuple[4];

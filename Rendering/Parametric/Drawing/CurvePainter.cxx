@@ -34,7 +34,7 @@ namespace relevo
 {
 namespace
 {
-// The most segments that every OpenGL's tessellator makes.
+// The number of segments that every OpenGL's tessellator supports.
 constexpr int MaximumTessellated = 64;
 
 CurvePatterns::Primitives GetPlainPrimitives(int sides)
@@ -114,7 +114,7 @@ void CurvePainter::UpdateBox()
   {
     this->Box->GetPoints()->InsertNextPoint(bounds[0], bounds[2], bounds[4]);
     this->Box->GetPoints()->InsertNextPoint(bounds[1], bounds[3], bounds[5]);
-    vtkNew<vtkFloatArray> normals; // VTK lights lines that have some
+    vtkNew<vtkFloatArray> normals; // VTK lights lines only if they have normals
     normals->SetNumberOfComponents(3);
     normals->SetNumberOfTuples(2);
     normals->Fill(0.0);
@@ -123,7 +123,7 @@ void CurvePainter::UpdateBox()
 }
 
 //------------------------------------------------------------------------------
-// What a view shows
+// Selection for a view
 
 std::string CurvePainter::Prepare(vtkRenderer* renderer, vtkActor* actor, const Settings& settings)
 {
@@ -160,7 +160,7 @@ void CurvePainter::UpdateColors(vtkOpenGLRenderWindow* window, vtkMapper* scalar
   {
     this->ColorError = UploadScalars(
       window, scalars, this->Geometry.GetInput(), this->Geometry.GetMesh(), this->Colors);
-    this->ColorSource = GetScalarSettings(scalars); // mapping sets the table's range
+    this->ColorSource = GetScalarSettings(scalars); // after mapping, which sets the table's range
     if (!this->ColorError.empty())
     {
       this->Colors.Clear(window);
@@ -210,7 +210,7 @@ void CurvePainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     window->GetState()->vtkglLineWidth(actor->GetProperty()->GetLineWidth());
   }
-  helper.VAO->Bind(); // VTK releases it when the program is another
+  helper.VAO->Bind(); // VTK releases it when the program changes
   this->Geometry.ActivateInstances(helper.Program);
   if (this->Options.IsTessellated)
   {
@@ -237,7 +237,7 @@ void CurvePainter::DrawInstances(unsigned int mode)
   this->Patterns.Bind();
   for (const CurveSelection::Group& group : this->Geometry.GetSelection().GetGroups())
   {
-    // As many instances as it takes, each of as many copies as it takes.
+    // Draw as many instances as needed, each with as many copies as possible.
     const PatternRange& range = this->Patterns.GetRange(group.Segments + moreSegments);
     const int instances = (group.Count + range.Copies - 1) / range.Copies;
     const int copies = (group.Count + instances - 1) / instances;
@@ -367,7 +367,7 @@ void CurvePainter::AnnounceIds(vtkHardwareSelector* selector) const
   selector->UpdateMaximumCellId(this->Geometry.GetInput()->GetNumberOfCells());
 }
 
-// What is drawn are the input's ids.
+// The input's ids are drawn, so there is nothing to convert.
 void CurvePainter::ProcessSelectorPixelBuffers(
   vtkHardwareSelector*, std::vector<unsigned int>&, vtkProp*)
 {

@@ -19,7 +19,7 @@ namespace relevo
 {
 namespace
 {
-// Without the opacity of the table as a whole, which VTK's mapper leaves out, too.
+// The opacity of the whole table is not used, as in VTK's mapper.
 vtkSmartPointer<vtkUnsignedCharArray> MapColors(vtkMapper* mapper, vtkAbstractArray* scalars)
 {
   vtkScalarsToColors* table = mapper->GetLookupTable();
@@ -83,8 +83,8 @@ std::string UploadScalars(vtkOpenGLRenderWindow* window, vtkMapper* mapper, vtkD
     return error;
   }
   int flag = 0;
-  mapper->ClearColorArrays(); // which may be those of another block
-  vtkUnsignedCharArray* mapped = mapper->MapScalars(input, 1.0, flag); // which sets the table up
+  mapper->ClearColorArrays(); // the arrays may belong to another block
+  vtkUnsignedCharArray* mapped = mapper->MapScalars(input, 1.0, flag); // prepares the table
   vtkDataArray* values = vtkDataArray::SafeDownCast(scalars);
   bool valid = true;
   if (cellFlag != 0)

@@ -117,7 +117,7 @@ Dependencies CurveShaderOptions::GetKey() const
 
 int GetMoreRings(int sides)
 {
-  return sides > 2 ? 4 : 0; // of two caps, the middle and the rim
+  return sides > 2 ? 4 : 0; // for two caps: the centre and the rim
 }
 
 void PrepareCurveShaders(const CurveShaderOptions& options, bool ownFragments,
@@ -146,7 +146,7 @@ void FinishCurveShaders(const CurveShaderOptions& options,
   vertex.Replace("in vec4 vertexMC;", "vec4 vertexMC;");
   const bool hasNormal = vertex.Has("in vec3 normalMC;");
   vertex.IfReplace("in vec3 normalMC;", "vec3 normalMC;");
-  vertex.IfReplace("gl_VertexID", "0"); // vertices are no points of the input
+  vertex.IfReplace("gl_VertexID", "0"); // vertices are not points of the input
   vertex.InsertAtStart("  relevoDrawCurve();\n");
   vertex.InsertAtEnd("  if (relevoHidden) { gl_Position = vec4(0.0, 0.0, 2.0, 1.0); }\n");
   vertex.InsertBeforeMain(GetVertexFunctions(options, varyings, hasNormal));

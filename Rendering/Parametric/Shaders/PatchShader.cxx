@@ -86,7 +86,7 @@ void FinishPatchShaders(const PatchShaderOptions& options,
   const std::string evaluation = isNumber ? "  relevoNumber = relevoFieldNumber();\n" : "";
   if (!fragment.Has(FieldMark))
   {
-    fragment.InsertAtStart(evaluation); // colours are the actor's own, lines are not
+    fragment.InsertAtStart(evaluation); // lines do not have the actor's colours
   }
   fragment.IfReplace(FieldMark,
     evaluation + "  vec4 relevoExact = " +
@@ -101,6 +101,6 @@ void FinishPatchShaders(const PatchShaderOptions& options,
   {
     fragment.InsertAtStart("  relevoMeasurePixels();\n");
   }
-  fragment.InsertBeforeMain(GetFragmentFunctions(options)); // behind the varyings
+  fragment.InsertBeforeMain(GetFragmentFunctions(options)); // after the varyings
 }
 }

@@ -18,7 +18,7 @@ namespace relevo
 
 namespace
 {
-// As a share of the coordinates: boxes and planes are kept as floats.
+// The tolerance relative to the coordinates, because boxes and planes are stored as floats.
 constexpr double Tolerance = 1e-6;
 }
 

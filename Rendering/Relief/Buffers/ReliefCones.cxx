@@ -12,7 +12,7 @@ namespace relevo
 {
 namespace
 {
-// One tile's.
+// The cones of one tile.
 class Cones
 {
 public:
@@ -51,8 +51,8 @@ private:
     return this->First[static_cast<size_t>(texel.y) * this->Stride + texel.x];
   }
 
-  // A level ray into the surface at another texel: the cone must end before it leaves the surface
-  // again. Rays from higher up, however high, go deeper and leave the surface no earlier.
+  // Limit a cone by a horizontal ray into the surface at another texel: the cone must end before
+  // the ray leaves the surface again. Steeper rays go deeper and do not leave the surface earlier.
   float Limit(const ivec2& texel, const ivec2& other) const
   {
     const float height = this->GetHeight(other);
@@ -102,7 +102,8 @@ std::vector<unsigned char> MakeReliefCones(const ReliefTiles& tiles)
           const float ratio = ofTile.FindRatio(texel);
           const size_t to = static_cast<size_t>(corner.y + texel.y) * perRow * ReliefTiles::Texels +
             corner.x + texel.x;
-          cones[to] = static_cast<unsigned char>(255.0f * ratio / (1.0f + ratio)); // not wider
+          // rounded down, so that cones are not wider
+          cones[to] = static_cast<unsigned char>(255.0f * ratio / (1.0f + ratio));
         }
       }
     });

@@ -19,7 +19,7 @@ namespace
 {
 constexpr double NearEnough = 0.25;
 
-// The lowest level whose triangles are so near to the surface.
+// Return the lowest level whose triangles deviate at most by this distance.
 unsigned char FindLevel(const ReliefTiles& tiles, vtkIdType tile, double allowed)
 {
   const float* deviations = tiles.GetDeviations().data() + tile * ReliefTiles::HighestLevel;
@@ -58,7 +58,7 @@ double ReliefPatterns::CountTriangles(const ReliefTiles& tiles)
   return number;
 }
 
-// All that levels 0 to 4 make: 35.
+// Create the 35 patterns of levels 0 to 4.
 void ReliefPatterns::MakePatterns()
 {
   const PatternLibrary library;
@@ -83,8 +83,8 @@ void ReliefPatterns::MakePatterns()
   }
 }
 
-// Levels of the edges between corners 0 and 1, 1 and 2, 2 and 0. Codes of permutations are those
-// of relevoReliefPatternVS.glsl.
+// The levels are those of the edges between corners 0 and 1, 1 and 2, 2 and 0. The permutation
+// codes are those of relevoReliefPatternVS.glsl.
 void ReliefPatterns::AddHalf(unsigned int half, const Levels& levels)
 {
   for (int code = 0; code < 6; ++code)
@@ -122,7 +122,8 @@ bool ReliefPatterns::Select(
   this->NumberOfTriangles = 0;
   const std::vector<unsigned char> levels = FindLevels(tiles, view);
   const size_t number = levels.size();
-  std::vector<unsigned char> left(levels); // of a tile's left side, and so on
+  // levels of each tile's left side; the others are analogous
+  std::vector<unsigned char> left(levels);
   std::vector<unsigned char> lower(levels);
   std::vector<unsigned char> right(levels);
   std::vector<unsigned char> upper(levels);
@@ -147,9 +148,9 @@ bool ReliefPatterns::Select(
       continue;
     }
     const unsigned int half = static_cast<unsigned int>(tile) << 1;
-    // The corners of the first half: lower left, upper right, upper left.
+    // The corners of the first half are lower left, upper right, upper left.
     this->AddHalf(half, { { levels[tile], upper[tile], left[tile] } });
-    // Those of the second: lower left, lower right, upper right.
+    // The corners of the second half are lower left, lower right, upper right.
     this->AddHalf(half | 1, { { lower[tile], right[tile], levels[tile] } });
   }
   std::vector<unsigned int> instances;

@@ -15,7 +15,8 @@ namespace relevo
 {
 namespace
 {
-// Cigolle et al., "A Survey of Efficient Representations for Independent Unit Vectors", 2014.
+// The octahedral encoding of Cigolle et al., "A Survey of Efficient Representations for Independent
+// Unit Vectors", 2014.
 void PutNormal(const float* normal, unsigned short* out)
 {
   dvec3 n(normal[0], normal[1], normal[2]);
@@ -31,8 +32,8 @@ void PutNormal(const float* normal, unsigned short* out)
   out[1] = static_cast<unsigned short>(std::lround((0.5 * place.y + 0.5) * 65535.0));
 }
 
-// That of texels around it where there is none, so that searches that interpolate heights find the
-// border of the surface; NaN for none.
+// Return the height of a texel; empty texels get the height of their neighbours, so that searches
+// that interpolate heights find the border of the surface. Return NaN if there is none.
 double GetHeight(const Relief& relief, const ivec2& texel)
 {
   const double height = relief.GetTexelHeight(texel.x, texel.y);
@@ -226,7 +227,7 @@ void ReliefTiles::FillTile(const Relief& relief, const std::vector<unsigned char
 
 void ReliefTiles::FindNeighbors(const Relief& relief)
 {
-  // One square more in each direction, which is empty.
+  // The grid has one more empty square in each direction.
   this->GridSize = ivec2(relief.GetWidth(), relief.GetHeight()) / Size + 2;
   this->Grid.assign(static_cast<size_t>(this->GridSize.x) * this->GridSize.y, -1);
   const auto at = [&](const ivec2& origin) -> int&
@@ -241,7 +242,7 @@ void ReliefTiles::FindNeighbors(const Relief& relief)
   }
 }
 
-// Of regular triangles whose hypotenuses go up to the right, as the patterns' do.
+// The triangles are regular, with hypotenuses that rise to the right, like those of the patterns.
 void ReliefTiles::FindDeviations(int tile)
 {
   const unsigned int* quads = this->Quads.data() + static_cast<size_t>(tile) * Size / 2;

@@ -14,7 +14,7 @@ namespace relevo
 {
 namespace
 {
-// Frames that a capture must serve, itself included, to take less time than drawing them.
+// The number of frames, including its own, that a capture must serve to save time.
 constexpr int FewestFrames = 2;
 constexpr int MaximumLosses = 3;
 constexpr int ShortestPause = 8;
@@ -72,7 +72,7 @@ bool CaptureAhead::IsWorthwhile()
   }
   this->Pause = std::clamp(2 * this->Pause, ShortestPause, LongestPause);
   this->FramesLeft = this->Pause - 1;
-  this->NumberOfLosses = MaximumLosses - 2; // one more capture, then the next pause
+  this->NumberOfLosses = MaximumLosses - 2; // allows one capture before the next pause
   this->NumberOfShownFrames = FewestFrames - 1;
   return false;
 }

@@ -23,7 +23,7 @@ namespace
 constexpr const char* LightAnchor = "//VTK::Light::Impl";
 constexpr const char* CaptureAnchor = "//VTK::ReliefCapture::Impl";
 
-// A prop that is drawn for as long as it takes: levels of detail are the finest.
+// Gives a prop unlimited time to render, so that it uses its finest level of detail.
 class UnlimitedTime
 {
 public:
@@ -35,7 +35,7 @@ public:
     this->Prop->SetAllocatedRenderTime(VTK_FLOAT_MAX, this->Viewport);
   }
 
-  // Also the time that it was estimated to take, which the other call saves.
+  // This also restores the estimated time, which SetAllocatedRenderTime() saves.
   ~UnlimitedTime()
   {
     this->Prop->RestoreEstimatedRenderTime();
@@ -58,7 +58,7 @@ void CapturePass::Draw(
   this->Props = &props;
   this->Target = &target;
   renderer->SetPass(this);
-  renderer->DeviceRender(); // has the environment's textures ready
+  renderer->DeviceRender(); // prepares the environment's textures
   renderer->SetPass(nullptr);
   this->Props = nullptr;
   this->Target = nullptr;
@@ -96,7 +96,7 @@ bool CapturePass::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
   const bool hasNormal = fragmentShader.find("normalVCVSOutput") != std::string::npos;
-  // Where a shader sets the depth, the rasteriser's holds if it is the same.
+  // If a shader sets the same depth as the rasterizer, the latter is used.
   const bool setsDepth = std::regex_search(fragmentShader, std::regex("gl_FragDepth\\s*=[^=]"));
   vtkShaderProgram::Substitute(fragmentShader, CaptureAnchor,
     std::string("gl_FragData[1] = vec4(") + (hasNormal ? "normalVCVSOutput" : "0.0, 0.0, 0.0") +

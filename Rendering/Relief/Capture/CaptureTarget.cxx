@@ -13,7 +13,7 @@
 
 namespace relevo
 {
-// Bytes for colours, floats for normals, depths and the z-buffer.
+// The formats are bytes for colours, and floats for normals, depths and the z-buffer.
 bool CaptureTarget::Bind()
 {
   const RenderTarget::Format colors = { 4, VTK_UNSIGNED_CHAR,

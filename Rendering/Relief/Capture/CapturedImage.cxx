@@ -25,14 +25,14 @@ namespace relevo
 {
 namespace
 {
-// Columns and rows, from the first to behind the last.
+// Columns and rows, from the first to one past the last.
 struct Window
 {
   int Begin[2];
   int End[2];
 };
 
-// Nothing is drawn to the far plane itself.
+// Return whether a pixel has been drawn; nothing is drawn at the far plane itself.
 bool IsDrawn(float z)
 {
   return z < 1.0f;
@@ -116,7 +116,7 @@ private:
     const size_t from = static_cast<size_t>(y) * this->Pixels.Width + x;
     const float z = this->Pixels.ZBuffer[from];
     std::copy_n(&this->Pixels.Colors[3 * from], 3, this->Colors->GetPointer(3 * to));
-    // Another prop may have drawn over what a shader wrote.
+    // Another prop may have drawn over the shader's values.
     const float* written = &this->Pixels.Depths[2 * from];
     const bool isWritten = IsDrawn(z) && std::abs(written[1] - z) <= 1e-6f;
     this->Depths->SetValue(
@@ -132,7 +132,7 @@ private:
     }
   }
 
-  // In perspective a shader's is more precise far from the camera.
+  // In perspective, a depth from a shader is more precise far from the camera.
   float GetDepth(int x, int y, float z, float written) const
   {
     if (this->Space.GetProjection() == ReliefProjection::Parallel)
@@ -151,7 +151,7 @@ private:
     return matrix;
   }
 
-  // What no shader wrote, from the depths.
+  // Compute normals that no shader has written from the depths.
   void FillNormals(vtkImageData* image)
   {
     vtkSmartPointer<vtkFloatArray> others;

@@ -25,7 +25,7 @@ dvec4 GetRow(const dmat4& matrix, int row)
   return dvec4(matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]);
 }
 
-// With what DeepCopy() leaves out up to VTK 9.1 or so.
+// Copy a camera, including the members that DeepCopy() of VTK 9.1 does not copy.
 vtkSmartPointer<vtkCamera> Copy(vtkCamera* camera)
 {
   auto copy = vtkSmartPointer<vtkCamera>::New();
@@ -44,12 +44,12 @@ void SetExplicitProjection(vtkCamera* camera, const dmat4& projection)
   {
     matrix->SetElement(i / 4, i % 4, projection[i % 4][i / 4]);
   }
-  camera->SetUserTransform(nullptr); // is in the matrix
+  camera->SetUserTransform(nullptr); // the matrix includes it
   camera->SetExplicitProjectionTransformMatrix(matrix);
   camera->UseExplicitProjectionTransformMatrixOn();
 }
 
-// Smallest and largest value of a function of the corners.
+// Return the smallest and largest value of a function over the corners.
 dvec2 FindRange(const dvec4& function, const std::vector<dvec3>& corners)
 {
   dvec2 range(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
@@ -77,7 +77,7 @@ double FindDiagonal(const std::vector<dvec3>& corners)
 
 using Triangles = std::vector<std::array<size_t, 3>>;
 
-// Those of an icosahedron in the unit sphere.
+// Return the triangles of an icosahedron in the unit sphere.
 Triangles FindNearTriples(const std::vector<dvec3>& points)
 {
   const auto near = [&](size_t i, size_t j) { return distance(points[i], points[j]) < 1.1; };
@@ -98,7 +98,8 @@ Triangles FindNearTriples(const std::vector<dvec3>& points)
   return triples;
 }
 
-// Each in four, by the middles of edges, which are added to the points of the unit sphere.
+// Split each triangle in four at the midpoints of edges, which are added to the points of the unit
+// sphere.
 Triangles Split(const Triangles& faces, std::vector<dvec3>& points)
 {
   std::map<std::pair<size_t, size_t>, size_t> middles;
@@ -136,7 +137,7 @@ FittedCamera FitCamera(vtkCamera* camera, int width, int height, const std::vect
   dmat4 projection = MakeMatrix(copy->GetProjectionTransformMatrix(aspect, -1.0, 1.0));
   const bool isPerspective = dvec3(GetRow(projection, 3)) != dvec3(0.0);
 
-  // Depths as functions of places in the camera's space, and in the world.
+  // Depth as a function of positions in camera coordinates, and in world coordinates.
   const dvec4 depth = isPerspective ? GetRow(projection, 3) : dvec4(0.0, 0.0, -1.0, 0.0);
   const double unit = isPerspective ? 1.0 : length(dvec3(GetRow(view, 2)));
   dvec2 range = FindRange(transpose(view) * depth, corners);
@@ -153,7 +154,7 @@ FittedCamera FitCamera(vtkCamera* camera, int width, int height, const std::vect
   {
     return fitted;
   }
-  // The row of the projection that makes -1 of the near plane's depth and 1 of the far one's.
+  // The row of the projection that maps the near plane's depth to -1 and the far plane's to 1.
   const double length = range.y - range.x;
   const dvec4 row = isPerspective
     ? (range.x + range.y) / length * depth - dvec4(0.0, 0.0, 0.0, 2.0 * range.x * range.y / length)
@@ -197,7 +198,7 @@ vtkSmartPointer<vtkCamera> MakeCameraAlong(
   const dvec2 z = FindRange(dvec4(along, 0.0), corners);
   const double diagonal = FindDiagonal(corners);
 
-  // World units of a pixel.
+  // The size of a pixel in world units.
   const double pixel = std::max({ (x.y - x.x) / std::max(width - 2, 1),
     (y.y - y.x) / std::max(height - 2, 1), 1e-6 * diagonal });
   const dvec3 middle =

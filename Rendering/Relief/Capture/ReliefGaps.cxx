@@ -47,7 +47,7 @@ void GapMap::Add(std::vector<double>& areas, const dvec2& pixel, double area) co
   }
 }
 
-// Where texels are in the pixels of a view.
+// Projects texels to the pixels of a view.
 class ReliefGaps::View
 {
 public:
@@ -90,7 +90,7 @@ public:
     }
   }
 
-  // The area that the two sides of the opening leave between them, beyond the texel that was there.
+  // Add the area that opens between the two sides, without the texel that was there.
   void AddPair(const Pair& pair)
   {
     if (!this->IsInFront(pair.First) || !this->IsInFront(pair.Second))
@@ -110,7 +110,7 @@ public:
     }
   }
 
-  // As if all were open from the side of the relief to that of the view.
+  // Treat everything between the border of the relief and that of the view as open.
   void AddSide(const Texel& texel, const dvec2& outwards)
   {
     if (!this->IsInFront(texel))
@@ -134,7 +134,7 @@ private:
     return this->TexelToClip * dvec4(texel.Column + right, texel.Row + up, texel.Height, 1.0);
   }
 
-  // To the side of the view; 0 from outside.
+  // Return the number of steps to the border of the view; 0 from outside.
   double CountSteps(const dvec2& place, const dvec2& step) const
   {
     double steps = std::numeric_limits<double>::infinity();
@@ -160,7 +160,7 @@ private:
 
   const dmat4 TexelToClip;
   GapMap& Map;
-  std::vector<double> Areas; // of texels that are shown
+  std::vector<double> Areas; // areas of the shown texels
 };
 
 ReliefGaps::ReliefGaps(const Relief& relief, const std::vector<unsigned char>& sides)

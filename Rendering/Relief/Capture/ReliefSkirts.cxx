@@ -20,7 +20,7 @@ namespace relevo
 {
 namespace
 {
-// Beside an outline, and where only corners touch it.
+// The number of rings next to a silhouette, and where quads share only corners.
 constexpr int NumberOfRings = 2;
 
 class Skirts
@@ -54,7 +54,7 @@ public:
   }
 
   double GetHeight(vtkIdType texel) const { return this->Heights[texel]; }
-  // Whose colour it has; -1 for nothing.
+  // Return the texel whose colour is used; -1 for none.
   vtkIdType GetOrigin(vtkIdType texel) const { return this->Origins[texel]; }
 
 private:
@@ -75,7 +75,7 @@ private:
     return static_cast<vtkIdType>(row) * this->Source.GetWidth() + column;
   }
 
-  // From a texel to the next one, if both show something and are not joined.
+  // Add the opening between a texel and the next one, if both are valid and not connected.
   void AddOpening(int column, int row, int right, int up, ReliefSide side)
   {
     if (!this->Contains(column + right, row + up) ||
@@ -95,7 +95,7 @@ private:
     }
   }
 
-  // From a texel on the far side in the direction of the near one.
+  // Extend from a texel on the far side towards the near side.
   void Continue(int column, int row, int right, int up)
   {
     const double height = this->Source.GetTexelHeight(column, row);
@@ -113,7 +113,7 @@ private:
     this->Ring.push_back({ this->GetIndex(column + right, row + up), right, up });
   }
 
-  // The farther one where two go on.
+  // If two extensions meet, use the farther one.
   void Set(vtkIdType texel, double height, vtkIdType origin)
   {
     double& last = this->Heights[texel];
@@ -124,7 +124,7 @@ private:
     }
   }
 
-  // The last ring to all sides.
+  // Extend the last ring to all sides.
   void Grow()
   {
     std::vector<Step> next;
@@ -158,7 +158,7 @@ private:
   const double Nearer; // the sign of heights that grow towards the viewer
   std::vector<double> Heights;
   std::vector<vtkIdType> Origins;
-  std::vector<Step> Ring; // the texels that were continued last
+  std::vector<Step> Ring; // the texels of the last extension
 };
 }
 

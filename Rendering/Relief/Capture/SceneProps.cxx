@@ -20,7 +20,7 @@ namespace relevo
 {
 namespace
 {
-// What has none, as annotations in the plane of the window, is no part of space.
+// Props without bounds, such as annotations in the plane of the window, have no position in space.
 bool HasBounds(const double* bounds)
 {
   return bounds && bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5] &&
@@ -39,7 +39,7 @@ bool IsSurface(vtkActor* actor)
   return !mesh || mesh->GetNumberOfPolys() > 0 || mesh->GetNumberOfStrips() > 0;
 }
 
-// With all that an assembly is made of.
+// Return whether a prop, including all parts of an assembly, is a surface.
 bool IsSurface(vtkProp* prop)
 {
   bool isSurface = true;

@@ -80,7 +80,7 @@ Dependencies DescribeLights(vtkRenderer* renderer)
   }
   if (lights->GetNumberOfItems() == 0 && renderer->GetAutomaticLightCreation())
   {
-    vtkNew<vtkLight> created; // as it will be when the renderer is drawn
+    vtkNew<vtkLight> created; // the light that VTK creates when it draws the renderer
     created->SetLightTypeToHeadlight();
     AddLight(list, created, follow);
   }
@@ -92,7 +92,7 @@ bool IsAssembly(vtkProp* prop)
   return vtkAssembly::SafeDownCast(prop) || vtkPropAssembly::SafeDownCast(prop);
 }
 
-// Of an actor, whatever moves it.
+// Return the modification time of an actor's appearance, without its position.
 vtkMTimeType FindLookTime(vtkActor* actor)
 {
   vtkMTimeType time = GetLatestTime(actor->GetProperty()->GetMTime(),
@@ -106,8 +106,8 @@ vtkMTimeType FindLookTime(vtkActor* actor)
   return time;
 }
 
-// Assemblies move their parts whenever they are drawn, or only asked for their bounds: times of
-// parts tell nothing.
+// Assemblies modify the matrices of their parts whenever they are drawn or their bounds are
+// computed, so the times of parts are not used.
 void AddAssembly(Dependencies& list, vtkProp* assembly)
 {
   list.AddObject(assembly, static_cast<vtkMTimeType>(assembly->GetVisibility()));
@@ -141,7 +141,7 @@ Dependencies DescribeAssemblies(vtkRenderer* renderer)
   return list;
 }
 
-// Annotations in the plane of the window are never captured; texts change when they are drawn.
+// Annotations in the plane of the window are never captured, and texts change when they are drawn.
 vtkMTimeType FindTime(vtkProp* prop)
 {
   return IsAssembly(prop) || vtkActor2D::SafeDownCast(prop) ? 0

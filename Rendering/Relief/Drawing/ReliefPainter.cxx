@@ -34,7 +34,7 @@ namespace
 {
 constexpr int VerticesOfBox = 36;
 constexpr int VerticesOfPlane = 6;
-// Of a translucent surface, in one tile.
+// The number of layers of a translucent surface per tile.
 constexpr int MaximumLayers = 4;
 }
 
@@ -178,19 +178,19 @@ void ReliefPainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
-  helper.VAO->Bind(); // VTK releases it when the program is another
+  helper.VAO->Bind(); // VTK releases it when the program changes
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
-  state->vtkglDisable(GL_CULL_FACE); // fragments know which side they show
+  state->vtkglDisable(GL_CULL_FACE); // fragments compute which side they show
   if (renderer->GetSelector())
   {
-    state->vtkglDepthMask(GL_TRUE); // which VTK switches off for points on a surface drawn before
+    state->vtkglDepthMask(GL_TRUE); // VTK disables it for points on a surface that was drawn before
   }
   vtkOpenGLState::ScopedglEnableDisable multisample(state, GL_MULTISAMPLE);
   if (this->IsMarching())
   {
-    // A pixel on the border of two tiles has one ray, and samples in both.
+    // A pixel on the border of two tiles has one ray, but samples in both.
     state->vtkglDisable(GL_MULTISAMPLE);
   }
   this->DrawMethod(renderer, actor);
@@ -220,7 +220,7 @@ void ReliefPainter::DrawMethod(vtkRenderer* renderer, vtkActor* actor)
 void ReliefPainter::DrawBoxes()
 {
   const bool clamped = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
-  glEnable(GL_DEPTH_CLAMP); // the rays know of near and far
+  glEnable(GL_DEPTH_CLAMP); // rays are clipped by near and far
   glDrawArraysInstanced(
     GL_TRIANGLES, 0, VerticesOfBox, this->Textures.GetNumberOfTiles() * this->NumberOfLayers);
   if (!clamped)
@@ -265,7 +265,7 @@ void ReliefPainter::SetOwnUniforms(vtkRenderer* renderer, vtkActor* actor)
   const int sides[2] = { !property->GetFrontfaceCulling(),
     !property->GetBackfaceCulling() && !this->Current.IsRim };
   program->SetUniform2i("reliefSides", sides);
-  // A rim has the ids of the relief that it continues.
+  // A rim has the ids of the relief that it extends.
   const ivec2 margin(this->Current.IsRim ? RimMargin : 0);
   const vec2 column(this->Tiles.GetFirst() - margin);
   const vec2 size(this->Size - 2 * margin);
@@ -285,7 +285,7 @@ ReliefShaderOptions ReliefPainter::GetOptions()
   options.IsShadowed = this->Current.IsLit && this->Current.IsShadowed;
   options.Yields = this->Current.Yields;
   options.IsRim = this->Current.IsRim;
-  options.HasNormals = this->Textures.HasNormals(); // those of the warped are the same's
+  options.HasNormals = this->Textures.HasNormals(); // the warped textures have normals if these do
   options.NumberOfPlanes = 2 + this->GetNumberOfClippingPlanes();
   switch (this->LastSelectionState)
   {
@@ -325,15 +325,14 @@ void ReliefPainter::ReplaceShaderValues(
   const auto complexity = info.LastLightComplexity;
   if (!options.IsLit)
   {
-    info.LastLightComplexity =
-      std::decay_t<decltype(complexity)>(0); // colours as they were captured
+    info.LastLightComplexity = std::decay_t<decltype(complexity)>(0); // colours as captured
   }
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
   info.LastLightComplexity = complexity;
   FinishReliefShaders(options, shaders, this->Variants.GetMissing());
 }
 
-// Rays are cut off, so that what is behind is seen.
+// Rays are clipped instead of fragments, so that the surface behind is visible.
 void ReliefPainter::ReplaceShaderClip(
   std::map<vtkShader::Type, vtkShader*>, vtkRenderer*, vtkActor*)
 {
@@ -349,7 +348,7 @@ void ReliefPainter::AnnounceIds(vtkHardwareSelector* selector) const
   selector->UpdateMaximumCellId(texels);
 }
 
-// What is drawn are the image's ids.
+// The image's ids are drawn, so there is nothing to convert.
 void ReliefPainter::ProcessSelectorPixelBuffers(
   vtkHardwareSelector*, std::vector<unsigned int>&, vtkProp*)
 {

@@ -22,18 +22,19 @@ namespace relevo
 namespace
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-// How far a face may bend in a texel, in texels: rounded edges are not sharp.
+// The largest curvature of a face, as a deviation in texels per texel; rounded edges are not sharp.
 constexpr double MaximumBent = 0.15;
-// Cosines of angles between faces from which on they are one, or the two sides of a thin plate.
+// Faces with a larger cosine of the angle between them are the same, or the two sides of a thin
+// plate.
 constexpr double Parallel = 0.95;
-// Of a face that needs no better one to be found.
+// A face with a smaller cosine ends the search for another one.
 constexpr double Across = 0.5;
-// Other reliefs whose faces are looked for: of many, as many all around.
+// The number of other reliefs to search, distributed evenly if there are more.
 constexpr size_t MaximumOthers = 32;
-// Texels from a face to where the fourth component is 0 or 255.
+// The distance, in texels, from a face to where the fourth component is 0 or 255.
 constexpr double Reach = 2.0;
 
-// Perpendicular to the surface in the world, towards the viewer; 0 where there is none.
+// Return the surface normal in world coordinates towards the viewer; 0 if there is none.
 dvec3 FindNormal(const Relief& relief, const dvec3& point, const dvec3& right, const dvec3& up,
   double column, double row, double height)
 {
@@ -44,25 +45,25 @@ dvec3 FindNormal(const Relief& relief, const dvec3& point, const dvec3& right, c
   return size > 0.0 ? normal * ((side < 0.0 ? -1.0 : 1.0) / size) : dvec3(0.0);
 }
 
-// A point on the continuation of a face.
+// A point on the extension of a face.
 struct RimPoint
 {
   dvec3 Point;
   dvec3 Normal;
-  double Width; // of a texel
+  double Width; // width of a texel
 };
 
-// A face at an angle to one that is continued.
+// A face at an angle to an extended one.
 struct OtherFace
 {
-  double Cosine = Parallel; // of the angle between the two
+  double Cosine = Parallel; // of the angle between the two faces
   dvec3 Point{ 0.0 };
   dvec3 Normal{ 0.0 };
 
   bool IsThere() const { return this->Cosine < Parallel; }
 };
 
-// The most across the face, of the quads of a relief near a point.
+// Find the quad of a relief near a point that is most nearly perpendicular to the face.
 void FindOtherFace(const RimSource& source, const RimPoint& rim, OtherFace& found)
 {
   const Relief& relief = *source.Surface;
@@ -191,7 +192,7 @@ private:
   struct Texel
   {
     double Height = NaN;
-    vtkIdType Origin = -1; // the texel of the source whose face it is on
+    vtkIdType Origin = -1; // the source's texel whose face is extended
     unsigned char Inside = 0;
     bool IsNearEdge = false;
   };
@@ -215,14 +216,14 @@ private:
     return height * this->Nearer < other * this->Nearer;
   }
 
-  // Of the four around a texel.
+  // Count the valid quads of the four around a texel.
   int CountQuads(int column, int row) const
   {
     return this->HasSide(column, row, Quad) + this->HasSide(column - 1, row, Quad) +
       this->HasSide(column, row - 1, Quad) + this->HasSide(column - 1, row - 1, Quad);
   }
 
-  // How the height grows by a step to the right or up, by the texels that are joined there.
+  // Return the change of the height per step to the right or up, from the connected texels.
   double FindSlope(int column, int row, int right, int up, ReliefSide side) const
   {
     const double height = this->GetHeight(column, row);
@@ -246,7 +247,7 @@ private:
       this->FindSlope(column, row, 1, 0, RightSide), this->FindSlope(column, row, 0, 1, UpperSide));
   }
 
-  // To all neighbours that the surface does not go on to.
+  // Extend to all neighbours that are not connected.
   void Continue(int column, int row)
   {
     const double height = this->GetHeight(column, row);
@@ -279,7 +280,7 @@ private:
     {
       return false;
     }
-    // Where the two texels before would lead to, unless another face is there.
+    // Extrapolate from the two texels before, unless they are on another face.
     const double before = this->GetHeight(column - right, row - up);
     const double first = this->GetHeight(column - 2 * right, row - 2 * up);
     const double bent = distance(point(0, height), point(0, 2.0 * before - first));
@@ -292,7 +293,7 @@ private:
       (this->IsFarther(own, next) && distance(point(1, own), point(1, next)) > RimStretch * width);
   }
 
-  // The farther one where two go on.
+  // If two extensions meet, use the farther one.
   void Set(int column, int row, double height, vtkIdType origin)
   {
     Texel& texel =
@@ -304,7 +305,7 @@ private:
     }
   }
 
-  // Whether the continuation comes to an edge, anywhere.
+  // Return whether an extension reaches an edge anywhere.
   bool FindEnds()
   {
     vtkSMPTools::For(0, this->Height,
@@ -349,14 +350,14 @@ private:
     }
   }
 
-  // The source's, from columns and rows that count from the margin.
+  // Return the source's matrix, with columns and rows counted from the margin.
   dmat4 GetMatrix() const
   {
     dmat4 matrix = this->Source.GetTexelToWorld();
     matrix[3] -= static_cast<double>(RimMargin) * (matrix[0] + matrix[1]);
     if (this->Source.IsPerspective())
     {
-      std::swap(matrix[2], matrix[3]); // heights are 1 / d
+      std::swap(matrix[2], matrix[3]); // heights are inverse depths
     }
     return matrix;
   }

@@ -61,7 +61,8 @@ std::string GetDefines(const ReliefShaderOptions& options)
   return text.str();
 }
 
-// Mesa copies arrays of uniforms where an index is not constant: each plane has a name.
+// Each plane has its own uniform, because Mesa copies arrays of uniforms if an index is not
+// constant.
 std::string GetPlanes(const ReliefShaderOptions& options)
 {
   std::ostringstream uniforms;
@@ -74,7 +75,7 @@ std::string GetPlanes(const ReliefShaderOptions& options)
   return uniforms.str() + "void reliefCutPlanes()\n{\n" + cuts.str() + "}\n";
 }
 
-// How a ray is followed through a tile.
+// Return the code that traces a ray through a tile.
 std::string GetWalk(const ReliefShaderOptions& options)
 {
   std::string text = std::string(relevoReliefBox) + relevoReliefHits;
@@ -87,7 +88,7 @@ std::string GetWalk(const ReliefShaderOptions& options)
     (options.Search == ReliefShaderOptions::RELAXED_CONES ? relevoReliefCones : relevoReliefSteps);
 }
 
-// A fragment's reliefFind(), and reliefLight() where it is shadowed.
+// Return the fragment functions reliefFind() and, with shadows, reliefLight().
 std::string GetSearch(const ReliefShaderOptions& options)
 {
   const bool isMarching = options.Method == ReliefShaderOptions::RAY_MARCH;
@@ -152,7 +153,7 @@ void PrepareReliefShaders(const ReliefShaderOptions& options,
     "//VTK::PositionVC::Impl", "if (!reliefFind()) discard;\n  vec4 vertexVC = reliefVertex();");
   if (options.Yields || options.Method != ReliefShaderOptions::REFINEMENT)
   {
-    // Elsewhere VTK's depth with a coincident offset needs what it declares there.
+    // For the other methods, VTK's depth with a coincident offset needs these declarations.
     fragment.IfReplace("//VTK::UniformFlow::Impl", "");
     fragment.Replace("//VTK::Depth::Impl", "gl_FragDepth = reliefDepth();");
   }
@@ -180,7 +181,7 @@ void FinishReliefShaders(const ReliefShaderOptions& options,
   std::string shadow;
   if (options.IsShadowed && fragment.Has("lightColor0"))
   {
-    // The first lamp shines as VTK has it, but for what is in its way.
+    // The first light is VTK's, multiplied by the shadow.
     fragment.Replace("lightColor0", "reliefLightColor");
     fragment.Replace("uniform vec3 reliefLightColor;", "uniform vec3 lightColor0;");
     fragment.Replace(

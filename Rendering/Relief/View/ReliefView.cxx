@@ -24,7 +24,7 @@ namespace relevo
 {
 namespace
 {
-// Rows of VTK's are columns of GLM's: a matrix that VTK keeps for OpenGL is transposed already.
+// VTK's rows are GLM's columns, and a matrix that VTK stores for OpenGL is already transposed.
 dmat4 FromOpenGL(vtkMatrix4x4* matrix)
 {
   return transpose(MakeMatrix(matrix));
@@ -51,7 +51,7 @@ ReliefView::ReliefView(vtkRenderer* renderer, vtkActor* actor, const dmat4& toMo
   GLint viewport[4];
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   this->Viewport = dvec4(viewport[0], viewport[1], viewport[2], viewport[3]);
-  // Near and far.
+  // The near and far planes.
   const dmat4 rows = transpose(this->ToClip);
   this->Planes = { rows[3] + rows[2], rows[3] - rows[2] };
   this->Sides = { rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1] };
@@ -66,7 +66,7 @@ void ReliefView::SetUniforms(vtkShaderProgram* program) const
 {
   const dmat4 fromClip = inverse(this->ToClip);
   const dvec4 middle = this->ToClip[3];
-  // Any depth will do that is not too far from the relief for the float's sake.
+  // Any depth near the relief works; distant ones lose precision.
   const double depth = middle.w > 0.0 ? std::clamp(middle.z / middle.w, -1.0, 1.0) : -1.0;
   const dvec4 base = fromClip[3] + depth * fromClip[2];
   const double scale =

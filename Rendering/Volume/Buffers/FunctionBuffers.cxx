@@ -19,7 +19,7 @@ float Round(double value)
     std::clamp(value, -static_cast<double>(Infinity), static_cast<double>(Infinity)));
 }
 
-// A piece's scalars from begin to end, and what it has there.
+// Add a piece for scalars from begin to end, with its values at both ends.
 void AddPiece(
   float begin, float end, const dvec4& first, const dvec4& last, std::vector<float>& all)
 {
@@ -37,7 +37,7 @@ void AddPiece(
   }
 }
 
-// Constant before the first node and after the last.
+// The functions are constant before the first node and after the last.
 template <typename Position, typename Get>
 void AddAll(const std::vector<double>& nodes, const Position& position, const Get& get,
   std::vector<float>& all)
@@ -66,7 +66,7 @@ void FunctionBuffers::AddPieces(const TransferFunctions::Curve& curve, double lo
     nodes, [=](double node) { return Round((node - low) / size); }, get, this->Texels);
 }
 
-// A row of pieces for each row of the image.
+// Add a row of pieces for each row of the image.
 void FunctionBuffers::AddTable(
   const TransferFunctions::Curve& curve, double low, double size, double steepness)
 {
@@ -90,7 +90,7 @@ void FunctionBuffers::AddTable(
   }
 }
 
-// 1 where there is none.
+// Without a function, the gradient opacity is 1.
 void FunctionBuffers::AddGradientOpacity(const LinearPieces& pieces, double steepness)
 {
   this->Gradients.First.push_back(static_cast<int>(this->Texels.size() / 12));

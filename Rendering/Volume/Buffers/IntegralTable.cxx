@@ -16,11 +16,11 @@ namespace relevo
 {
 namespace
 {
-// Of lengths, which a turning volume has anew each time.
+// A tolerance for lengths, which vary by rounding while a volume rotates.
 constexpr double LengthMargin = 1e-6;
 constexpr double MaximumExtinction = 1e30;
 
-// Scalars at front and back, and between them the pieces in which the functions are linear.
+// The pieces between the scalars at the front and at the back, in which the functions are linear.
 class PreIntegration
 {
 public:
@@ -47,7 +47,7 @@ public:
     return seen;
   }
 
-  // The mean extinction, and colour by how much of it is seen of such a length.
+  // Return the mean extinction, and the mean colour that is visible of this length.
   dvec4 GetMean(double length) const
   {
     const double extinction = std::min(this->Functions.Sum(this->Whole).w, MaximumExtinction);
@@ -76,7 +76,7 @@ void Put(const dvec4& value, float* texel)
   }
 }
 
-// Layer after layer of lengths, in these row after row of scalars at the back.
+// Return layers of lengths, with rows of scalars at the back.
 std::vector<float> Tabulate(
   const TransferFunctions& functions, const IntegralTable::Settings& settings)
 {

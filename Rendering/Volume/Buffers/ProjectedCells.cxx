@@ -12,7 +12,7 @@ namespace relevo
 {
 namespace
 {
-// Points that have other scalars at the same place are one for the order.
+// Coincident points with different scalars are merged for the order.
 void BuildOrder(const RayCastMesh& mesh, VisibilityOrder& order)
 {
   const vtkIdType numberOfPoints = static_cast<vtkIdType>(mesh.GetNumberOfPoints());

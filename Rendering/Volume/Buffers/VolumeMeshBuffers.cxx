@@ -15,7 +15,7 @@ bool VolumeMeshBuffers::Upload(vtkOpenGLRenderWindow* window, const RayCastMesh&
   this->TreeSize = static_cast<int>(mesh.BorderTree.size() / 8);
   this->NumberOfTetrahedra = static_cast<int>(mesh.GetNumberOfTetrahedra());
   this->NumberOfBorderFaces = static_cast<int>(mesh.BorderFaces.size() / 4);
-  // Several for pyramids, and for cells that a ray goes through repeatedly.
+  // Pyramids, and cells that a ray crosses repeatedly, need several steps.
   constexpr size_t stepsOfCell = 32;
   this->MaximumSteps = static_cast<int>(
     std::min<size_t>(mesh.GetNumberOfCurvedCells() > 0 ? stepsOfCell * cells : cells, 1 << 30) + 1);

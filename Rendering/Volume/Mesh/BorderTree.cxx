@@ -4,7 +4,8 @@
 
 namespace relevo
 {
-// What follows a missed node is what follows its parent, but for first children: their sibling.
+// The node after a missed node is the sibling of a first child; otherwise, it is the node after its
+// parent.
 std::vector<float> FlattenTree(const FloatBoxTree& tree, float margin)
 {
   const std::vector<FloatBoxTree::Node>& nodes = tree.GetNodes();

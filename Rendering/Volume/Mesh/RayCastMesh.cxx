@@ -21,16 +21,16 @@ namespace relevo
 namespace
 {
 constexpr int MaximumFacesPerLeaf = 8;
-// Of the mesh's radius: more than what floats round.
+// Relative to the mesh's radius; larger than the rounding errors of floats.
 constexpr float TreeMargin = 1e-5f;
-// Of the side of a face.
+// Relative to the side of a face.
 constexpr double LargestBulge = 1e-5;
 constexpr size_t MaximumBorderFaces = size_t(1) << 24;
 constexpr std::uint32_t Unused = RayCastMesh::InvalidCell;
 
 using Face = std::array<int, 4>;
 
-// The steps that lead to a mesh, with what they leave to those after them.
+// The steps to build a mesh, with their intermediate data.
 class RayCastMeshBuilder
 {
 public:
@@ -82,7 +82,7 @@ private:
   std::vector<size_t> Border;            // faces
 };
 
-// Tetrahedra first, as the walk tells them from others by their numbers.
+// Tetrahedra come first, because the walk identifies them by their index.
 void RayCastMeshBuilder::MergePoints()
 {
   for (const bool isCurved : { false, true })
@@ -146,7 +146,7 @@ void RayCastMeshBuilder::AddScalars(const Scalars& scalars, std::vector<float>& 
   }
 }
 
-// To the range from 0 to 1, of which floats keep more than of what lies far from 0.
+// Scale scalars to the range from 0 to 1, where floats are more precise than far from 0.
 void RayCastMeshBuilder::ScaleScalars()
 {
   const bool areOfCells = this->HasCellScalars();
@@ -170,7 +170,7 @@ void RayCastMeshBuilder::ScaleScalars()
       low = std::min(low, all[i][c]);
       high = std::max(high, all[i][c]);
     }
-    const double size = 0.5 * high - 0.5 * low; // whose double may be no number
+    const double size = 0.5 * high - 0.5 * low; // twice this may be infinite
     this->Mesh.ScalarLow[c] = used.empty() ? 0.0 : low;
     this->Mesh.ScalarHigh[c] = used.empty() ? 0.0 : high;
     this->Mesh.ScalarSize[c] = size > 0.0 && std::isfinite(2.0 * size) ? 2.0 * size : 1.0;
@@ -230,7 +230,7 @@ void RayCastMeshBuilder::AddTetrahedron(const VolumeCells::Cell& cell)
   }
 }
 
-// Whether the faces of a cell look inwards, by the volume that they enclose.
+// Return whether the faces of a cell point inwards, from the enclosed volume.
 bool RayCastMeshBuilder::IsMirrored(const VolumeCells::Cell& cell) const
 {
   const std::vector<int>& record = GetRecord(*cell.Shape, false);
@@ -249,7 +249,7 @@ bool RayCastMeshBuilder::IsMirrored(const VolumeCells::Cell& cell) const
   return volume < 0.0;
 }
 
-// Whether all points of each face lie in one plane, up to the rounding of floats.
+// Return whether all points of each face are coplanar, up to the rounding of floats.
 bool RayCastMeshBuilder::IsFlat(const VolumeCells::Cell& cell) const
 {
   const auto get = [&](int i) { return this->Cells.GetPoints()[this->Cells.GetCornerId(cell, i)]; };
@@ -306,7 +306,7 @@ void RayCastMeshBuilder::AddCells()
 void RayCastMeshBuilder::FindLongestEdge()
 {
   const std::vector<dvec3>& points = this->Cells.GetPoints();
-  double longest = 0.0; // its square
+  double longest = 0.0; // squared length
   for (const VolumeCells::Cell& cell : this->Kept)
   {
     for (int i = 0; i < this->Cells.GetNumberOfCorners(cell); ++i)
@@ -322,7 +322,7 @@ void RayCastMeshBuilder::FindLongestEdge()
   this->Mesh.LongestEdge = std::sqrt(longest) / this->Mesh.Radius;
 }
 
-// Where a cell keeps who is behind its face.
+// Return a reference to the index of the cell behind a face.
 std::uint32_t& RayCastMeshBuilder::GetBehind(size_t face)
 {
   if (face < 4 * this->Mesh.GetNumberOfTetrahedra())
@@ -368,7 +368,8 @@ dvec3 RayCastMeshBuilder::GetPoint(std::uint32_t point) const
   return dvec3(coordinates[0], coordinates[1], coordinates[2]);
 }
 
-// Of a face of a curved cell, that of the whole cell's: quadratic faces leave their corners' box.
+// Return the box of a face. For a curved cell it is that of the cell, because quadratic faces leave
+// the box of their corners.
 FloatBox RayCastMeshBuilder::GetBox(size_t face) const
 {
   FiniteBox box;

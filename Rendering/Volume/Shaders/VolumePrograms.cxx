@@ -13,7 +13,7 @@ namespace relevo
 {
 namespace
 {
-// What render passes do not replace: up to the opaque depth.
+// This code applies if no render pass replaces it: rays end at the opaque depth.
 constexpr const char* WholeRay = "initializeRayCast();\n"
                                  "  vec2 share = (gl_FragCoord.xy - viewportRectangle.xy) / "
                                  "viewportRectangle.zw;\n"

@@ -48,7 +48,7 @@ void Define(std::ostringstream& text, const char* name, int value)
   text << "#define RELEVO_" << name << " " << value << "\n";
 }
 
-// GLSL below 4.2 has no lines that go on after a backslash.
+// GLSL below 4.2 does not support line continuations.
 std::string JoinLines(std::string text)
 {
   const std::string goesOn = "\\\n";
@@ -110,15 +110,15 @@ void DefineFeatures(std::ostringstream& defines, const VolumeShaderOptions& opti
   Define(defines, "LIGHTS", options.NumberOfLights);
 }
 
-// Whether functions are integrated piece by piece.
+// Return whether functions are integrated piece by piece.
 bool IsIntegrated(const VolumeShaderOptions& options)
 {
   return (options.Blending == BlendMode::Composite || options.Blending == BlendMode::Additive) &&
     options.PreIntegrated == 0;
 }
 
-// Whether cells that are projected tell by one function which of its pieces they need, and whether
-// any of them is seen: then a part of a ray goes through these step by step.
+// Return whether projected cells find the pieces of a single function that they need, and whether
+// any of them is visible. A segment of a ray is then integrated piece by piece.
 bool FindsPieces(const VolumeShaderOptions& options)
 {
   return IsIntegrated(options) && options.NumberOfCurves == 1 && options.NumberOfComponents == 1 &&
@@ -209,7 +209,7 @@ std::string MakeRayCastShader(const VolumeShaderOptions& options)
 std::string MakeProjectionVertexShader(const VolumeShaderOptions& options)
 {
   VolumeShaderOptions ofCells = options;
-  ofCells.NumberOfMaterials = 0; // which are rays'
+  ofCells.NumberOfMaterials = 0; // materials are those of rays
   std::string source = relevoVolumeProjectionVS;
   Put(source, "Defines", DefineOptions(ofCells));
   Put(source, "Outline", relevoVolumeOutline);

@@ -19,7 +19,7 @@ namespace
 {
 constexpr const char* NoRoom = "This OpenGL has no room for what cell projection draws.";
 
-// Sums have none; of one scalar, neither have extremes.
+// Sums do not need an order, and neither do extremes of one scalar.
 bool NeedsOrder(const VolumeShaderOptions& options)
 {
   switch (options.Blending)
@@ -51,7 +51,7 @@ BlendOperation FindOperation(BlendMode blending)
   }
 }
 
-// As relevoVolumeStore.glsl has them.
+// The formats are those of relevoVolumeStore.glsl.
 std::vector<RenderTarget::Format> FindFormats(const VolumeShaderOptions& options)
 {
   const size_t table = options.HasTables ? 1 : 0;
@@ -61,7 +61,7 @@ std::vector<RenderTarget::Format> FindFormats(const VolumeShaderOptions& options
   return std::vector<RenderTarget::Format>(count);
 }
 
-// Independent components have an extreme each.
+// Each independent component has its own extreme.
 bool HasManyExtremes(const VolumeShaderOptions& options)
 {
   return IsExtremum(FindOperation(options.Blending)) && options.NumberOfComponents > 1 &&
@@ -108,7 +108,7 @@ std::string CellProjector::Draw(const VolumeFrame& frame)
   }
   const RayView view = frame.GetView({ { 0, 0, frame.Viewport[2], frame.Viewport[3] } });
   const bool isCut = !view.IsBeyondNear(frame.Mesh.Layout.HalfSize);
-  // Both at once, as cameras shall build nothing.
+  // Both programs are built at once, so that moving cameras build none.
   vtkShaderProgram* program = nullptr;
   for (const bool isOther : { true, false })
   {
@@ -131,7 +131,7 @@ std::string CellProjector::Draw(const VolumeFrame& frame)
   return isDrawn ? "" : NoRoom;
 }
 
-// By a program that is in use; of several extremes one after the other.
+// Draw the cells with the current program; several extremes are drawn one after the other.
 bool CellProjector::DrawCells(const VolumeFrame& frame, vtkShaderProgram* program)
 {
   const VolumeShaderOptions& options = frame.Features.Options;

@@ -16,7 +16,7 @@ namespace relevo
 {
 namespace
 {
-// Of pixels, when the distance follows from the time.
+// The distance in pixels, if it follows from the time.
 constexpr double LargestDistance = 10.0;
 }
 

@@ -33,7 +33,7 @@ void FindFunctions(const TransferFunctions& functions, VolumeShaderOptions& opti
   options.FirstComponent = curves.empty() ? 0 : curves.front().Component;
   options.AreDependent = functions.AreDependent();
   options.HasTables = !curves.empty() && !curves.front().Table.IsEmpty();
-  // Where a scalar is mapped, gradient opacities have no effect.
+  // If a scalar of the whole ray is mapped, gradient opacities have no effect.
   const bool isIntegrated =
     options.Blending == BlendMode::Composite || options.Blending == BlendMode::Additive;
   options.HasGradientOpacity = isIntegrated && !options.HasTables && functions.NeedSteepness();
@@ -53,7 +53,7 @@ void FindMaterials(
 }
 }
 
-// Only what has an effect counts, so that no two shaders are the same.
+// Options without effect are not set, so that no two shaders are the same.
 void FeatureSelector::Update(const FeatureRequest& request, StageReport& report)
 {
   VolumeShaderOptions& options = this->Features.Options;
@@ -111,7 +111,7 @@ void FeatureSelector::FindPlanes(const FeatureRequest& request, StageReport& rep
   this->Features.Options.IsClipped = !planes.IsEmpty();
 }
 
-// Tables cannot do everything; then integration is exact.
+// If the table does not support the options, the integration is exact.
 void FeatureSelector::FindTable(const FeatureRequest& request, StageReport& report)
 {
   VolumeShaderOptions& options = this->Features.Options;

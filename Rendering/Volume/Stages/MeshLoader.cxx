@@ -55,7 +55,7 @@ ArrayRequest MakeArrayRequest(const MeshRequest& request)
 }
 }
 
-// Four components count as others where they are colours.
+// Four components have different dependencies if they are colours.
 Dependencies MeshLoader::FindDependencies(const MeshRequest& request) const
 {
   Dependencies now = FindMesh(request);

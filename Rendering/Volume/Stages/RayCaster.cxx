@@ -12,7 +12,7 @@
 
 namespace relevo
 {
-// Returns whether they are known: if all of the mesh is in front of the eye.
+// Return whether the entries are known: the whole mesh must be in front of the eye.
 bool RayCaster::RenderRayEntries(const VolumeFrame& frame, const std::array<int, 2>& size)
 {
   const RayView view = frame.GetView({ { 0, 0, size[0], size[1] } });
@@ -31,7 +31,7 @@ bool RayCaster::RenderRayEntries(const VolumeFrame& frame, const std::array<int,
   return isInFront;
 }
 
-// The program, in use, with all that it reads.
+// Return the current program with all its data.
 vtkShaderProgram* RayCaster::Ready(const VolumeFrame& frame, const std::array<int, 4>& viewport)
 {
   const bool areEntriesKnown = this->RenderRayEntries(frame, { { viewport[2], viewport[3] } });

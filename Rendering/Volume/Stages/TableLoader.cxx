@@ -8,7 +8,7 @@
 
 namespace relevo
 {
-// A length that differs by rounding makes no other table: see IntegralTable::Has().
+// A length that differs only by rounding does not require another table: see IntegralTable::Has().
 bool TableLoader::Update(const TableRequest& request, StageReport& report)
 {
   if (this->Known.Update(Dependencies::On(request.Functions.Version)))

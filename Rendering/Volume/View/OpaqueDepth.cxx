@@ -14,7 +14,7 @@ namespace relevo
 {
 namespace
 {
-// A blit wants the format of what it reads.
+// A blit requires the format of the source.
 enum Formats
 {
   Fixed24,
@@ -25,7 +25,8 @@ enum Formats
   NumberOfFormats
 };
 
-// Of the framebuffer in use, as far as OpenGL tells: it may be another one of the same size.
+// Guess the format of the current framebuffer from OpenGL's queries; another format may have the
+// same size.
 int GuessFormat()
 {
   GLint drawn = 0;
@@ -86,7 +87,7 @@ bool OpaqueDepth::Blit(vtkOpenGLRenderWindow* window, const int viewport[4])
     this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
     this->Framebuffer->SetContext(window);
   }
-  // The scissor of a viewport is where it is in the window, and holds for blits, too.
+  // The scissor rectangle of a viewport is set in window coordinates and affects blits, too.
   vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
   state->vtkglDisable(GL_SCISSOR_TEST);
   GLint drawn = 0;

@@ -13,7 +13,7 @@ namespace relevo
 {
 namespace
 {
-constexpr int QuadsPerBatch = 16384; // whose corners have numbers of 16 bits
+constexpr int QuadsPerBatch = 16384; // corners have 16-bit indices
 }
 
 QuadBatches::QuadBatches() = default;

@@ -20,7 +20,7 @@ namespace relevo
 {
 namespace
 {
-// Not at the far plane, where depths of a perspective view lie close.
+// Not at the far plane, where depths of a perspective view are close together.
 constexpr double LargestMiddle = 0.99999;
 
 dvec4 FindEye(vtkCamera* camera, vtkMatrix4x4* dataToWorld, const dvec3& center, double radius)
@@ -56,7 +56,7 @@ bool RayView::Compute(
   this->GradientToWorld = transpose(inverse(dmat3(dataToWorld)));
   const dmat4 clipToMesh = inverse(meshToClip);
 
-  // Where the middle of the mesh is, if it is seen, so that rays begin near to it.
+  // The depth of the mesh's centre, if it is visible, so that rays begin near it.
   const dvec4 middle = meshToClip[3];
   const double z = middle.w > 0.0 ? std::clamp(middle.z / middle.w, -1.0, LargestMiddle) : -1.0;
   const dvec4 origin = clipToMesh[3] + z * clipToMesh[2];
@@ -81,7 +81,7 @@ bool RayView::IsBeyondNear(const dvec3& half) const
   return this->AreCornersAbove(half, dvec4(0.0, 0.0, 1.0, 1.0));
 }
 
-// A plane of clip coordinates.
+// The plane is in clip coordinates.
 bool RayView::AreCornersAbove(const dvec3& half, const dvec4& plane) const
 {
   bool areAbove = true;
@@ -107,7 +107,8 @@ double RayView::GetLargestScale() const
   return std::max({ std::abs(scales[0]), std::abs(scales[1]), std::abs(scales[2]) });
 }
 
-// Rows: x and y in pixels; how far along the ray, see relevoVolumeRay.glsl; the weight of them all.
+// The rows are x and y in pixels, the distance along the ray (see relevoVolumeRay.glsl), and their
+// weight.
 void RayView::SetOutlineUniforms(vtkShaderProgram* program) const
 {
   const dmat4 rows = transpose(this->MeshToClip) / this->MiddleWeight;
