@@ -238,7 +238,7 @@ def main(name, picture, *files):
             figure(picture, *files)
             return
     names = ", ".join(figure.__name__ for figure in FIGURES)
-    sys.exit(f"usage: contact.py NAME PICTURE [FILES], NAME one of {names}, FILES two meshes")
+    sys.exit(f"usage: contact.py NAME PICTURE [FILES]; NAME is one of {names}, FILES two meshes")
 
 
 arguments = read_arguments()

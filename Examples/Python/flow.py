@@ -369,7 +369,7 @@ if not (
     or (len(arguments) == 3 and arguments[0] in FILES)
 ):
     sys.exit(
-        f"usage: flow.py NAME PICTURE.png, NAME one of {', '.join(FORMULAE)}; "
-        f"or: flow.py NAME PICTURE.png FILE, NAME one of {', '.join(FILES)}"
+        f"usage: flow.py NAME PICTURE.png; NAME is one of {', '.join(FORMULAE)}; "
+        f"or: flow.py NAME PICTURE.png FILE; NAME is one of {', '.join(FILES)}"
     )
 main(*arguments)

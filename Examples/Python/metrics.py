@@ -153,5 +153,5 @@ def main(name, picture, filename=None):
 
 arguments = read_arguments()
 if len(arguments) not in (2, 3) or arguments[0] not in METRICS:
-    sys.exit("usage: metrics.py METRIC PICTURE.png [MESH.ply], METRIC one of " + ", ".join(METRICS))
+    sys.exit("usage: metrics.py METRIC PICTURE.png [MESH.ply]; METRIC is one of " + ", ".join(METRICS))
 main(*arguments)

@@ -265,7 +265,7 @@ def main(name, picture, *files):
             figure(*files).write(picture)
             return
     names = ", ".join(figure.__name__ for figure in FIGURES)
-    sys.exit(f"usage: relief.py NAME PICTURE.png [FILE], NAME one of {names}")
+    sys.exit(f"usage: relief.py NAME PICTURE.png [FILE]; NAME is one of {names}")
 
 
 arguments = read_arguments()

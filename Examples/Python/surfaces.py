@@ -201,5 +201,5 @@ if (
     or arguments[0] not in FIGURES
     or (len(arguments) == 3 and arguments[0] != "fur")
 ):
-    sys.exit("usage: surfaces.py NAME PICTURE.png [MESH.ply], NAME one of " + ", ".join(FIGURES))
+    sys.exit("usage: surfaces.py NAME PICTURE.png [MESH.ply]; NAME is one of " + ", ".join(FIGURES))
 main(*arguments)

@@ -250,7 +250,7 @@ def main(name, picture, *files):
                         print(volume.GetMapper().GetNumberOfDrawnCells(), "cells")
             return
     names = ", ".join(figure.__name__ for figure in FIGURES)
-    sys.exit(f"usage: volumes.py NAME PICTURE.png [FILE ...], NAME one of {names}")
+    sys.exit(f"usage: volumes.py NAME PICTURE.png [FILE ...]; NAME is one of {names}")
 
 
 arguments = read_arguments()

@@ -55,7 +55,7 @@ void Run(const ViewerOptions& options)
     options.Capture.empty() && options.Against.empty();
   if (isInteractive && !HasDisplay())
   {
-    throw ViewerError("there is no display; --output FILE.png draws a picture without one");
+    throw ViewerError("there is no display; use --output FILE.png to write a picture without one");
   }
   for (const std::string& fileName : { options.Output, options.Export })
   {

@@ -136,7 +136,7 @@ vtkDataArray* vtkLineIntegralConvolution::FindVectors(
   if (!CanBeVectors(found, input->GetNumberOfPoints()))
   {
     text << " with 2 or 3 components for each of " << input->GetNumberOfPoints()
-         << " points: it has " << found->GetNumberOfTuples() << " tuples of "
+         << " points; the array has " << found->GetNumberOfTuples() << " tuples of "
          << found->GetNumberOfComponents();
     error = text.str();
     return nullptr;

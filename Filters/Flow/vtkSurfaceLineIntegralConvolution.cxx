@@ -81,12 +81,13 @@ std::string MakeTexels(const int size[2], const relevo::SurfaceTriangles& surfac
   if (!coordinates || coordinates->GetNumberOfComponents() < 2 ||
     coordinates->GetNumberOfTuples() != input->GetNumberOfPoints())
   {
-    return "The input has no texture coordinates for a texture.";
+    return "The input has no texture coordinates, which TextureSize requires.";
   }
   texels = std::make_unique<relevo::SurfaceTexels>(size, surface, coordinates);
-  return texels->GetNumberOfCoveredTexels() > 0 ? ""
-                                                : "No texel of " + std::to_string(size[0]) + " x " +
-      std::to_string(size[1]) + " has its centre in a triangle of the texture coordinates.";
+  return texels->GetNumberOfCoveredTexels() > 0
+    ? ""
+    : "No texel of the " + std::to_string(size[0]) + " x " + std::to_string(size[1]) +
+      " texture has its centre in a triangle of the texture coordinates. Raise TextureSize.";
 }
 
 vtkSmartPointer<vtkUnsignedCharArray> MakeBytes(const char* name, vtkIdType size)
@@ -175,7 +176,7 @@ bool vtkSurfaceLineIntegralConvolution::Run(
   const relevo::SurfaceTriangles& surface = vectors.GetTriangles();
   if (surface.GetTriangles().empty())
   {
-    vtkErrorMacro("The input has no polygons: there is no surface.");
+    vtkErrorMacro("The input has no polygons.");
     return false;
   }
   std::unique_ptr<relevo::SurfaceTexels> texels;

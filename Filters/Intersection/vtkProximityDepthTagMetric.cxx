@@ -167,7 +167,7 @@ void vtkProximityDepthTagMetric::AddBox(const double bounds[6])
       text << (i == 0 ? "" : ", ") << bounds[i];
     }
     vtkErrorMacro(
-      "A box must be finite, and no minimum above its maximum, got (" << text.str() << ").");
+      "A box must be finite, with minima not above their maxima, got (" << text.str() << ").");
     return;
   }
   this->Boxes.push_back({ { bounds[0], bounds[1], bounds[2], bounds[3], bounds[4], bounds[5] } });
@@ -192,7 +192,8 @@ void vtkProximityDepthTagMetric::GetBox(int index, double bounds[6])
 {
   if (index < 0 || index >= this->GetNumberOfBoxes())
   {
-    vtkErrorMacro("There is no box " << index << " of " << this->GetNumberOfBoxes() << ".");
+    vtkErrorMacro("There is no box " << index << ": the number of boxes is "
+                                     << this->GetNumberOfBoxes() << ".");
     return;
   }
   std::copy(this->Boxes[index].begin(), this->Boxes[index].end(), bounds);

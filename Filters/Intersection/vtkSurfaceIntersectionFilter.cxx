@@ -241,14 +241,15 @@ bool vtkSurfaceIntersectionFilter::RefineInput(int side)
     vtkWarningMacro("Input " << side << " deviates from its surface by up to "
                              << warning.second * stretch << ", more than Tolerance, at "
                              << warning.first
-                             << " faces: its recipe's MaximumLevel allows no more segments.");
+                             << " faces: raise its recipe's MaximumLevel, or Tolerance.");
   }
   vtkPolyData* triangles = curved.GetSurface().GetTriangles();
   if (triangles->GetNumberOfPolys() == 0)
   {
-    vtkErrorMacro("Input " << side
-                           << " has no refined triangle: all are over no-data, or have points that "
-                              "are not finite.");
+    vtkErrorMacro(
+      "Input " << side
+               << " has no refined triangles: all of them lie over missing heights, or have "
+                  "points that are not finite.");
     return false;
   }
   return this->TakeSurface(side, triangles, curved.GetSurface().GetCells(), motion);
@@ -266,7 +267,8 @@ void vtkSurfaceIntersectionFilter::WarnOfOpenSurfaces()
   }
   if (!open.empty())
   {
-    vtkWarningMacro("Not closed, so that nothing is told to be inside of it: " << open << ".");
+    vtkWarningMacro(
+      "No cell is classified as inside a surface that is not closed: " << open << ".");
   }
 }
 

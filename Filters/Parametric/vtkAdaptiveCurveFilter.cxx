@@ -98,7 +98,7 @@ bool vtkAdaptiveCurveFilter::MakeStyle(vtkPointSet* input, relevo::CurveStyle& s
   {
     if (!this->Camera)
     {
-      vtkErrorMacro("Ribbons face the camera: call SetCamera().");
+      vtkErrorMacro("Ribbons need a camera to face: call SetCamera().");
       return false;
     }
     vtkNew<vtkMatrix4x4> worldToModel;
@@ -180,7 +180,7 @@ int vtkAdaptiveCurveFilter::RequestData(
   }
   if (!this->Refinement)
   {
-    vtkErrorMacro("No recipe: call SetRefinement() with a vtkAdaptiveRefinement.");
+    vtkErrorMacro("There is no recipe: call SetRefinement() with a vtkAdaptiveRefinement.");
     return 0;
   }
   return relevo::RequestWithinMemory(this, outputVector, "the curves of the input",

@@ -61,7 +61,7 @@ bool ControlNetEvaluator::Update()
   {
     this->AngleDependencies.Clear();
     vtkErrorWithObjectMacro(
-      this->Metric.Get(), "There are no control nets to measure: " << error << ".");
+      this->Metric.Get(), "Cannot measure the control nets: " << error << ".");
     return false;
   }
   this->Angles.resize(static_cast<std::size_t>(this->Patches.GetNumberOfPatches()));

@@ -137,12 +137,12 @@ bool vtkHairSource::Grow(vtkPolyData* input, vtkUnstructuredGrid* output)
   if (growth.GetNumberOfBadTriangles() > 0)
   {
     vtkWarningMacro(<< growth.GetNumberOfBadTriangles()
-                    << " triangles have no hair: they have no area, or points that are not there "
-                       "or not finite.");
+                    << " triangles have no hair: they have no area, or points that do not exist "
+                       "or are not finite.");
   }
   if (!(growth.GetArea() > 0.0))
   {
-    vtkErrorMacro("The input's polygons have no area that hair could grow on.");
+    vtkErrorMacro("The input's polygons have no area for hair to grow on.");
     return false;
   }
   const double number = growth.GetNumberOfHairs();
@@ -179,7 +179,7 @@ int vtkHairSource::RequestData(
     vtkErrorMacro("The input has no polygons for hair to grow on.");
     return 0;
   }
-  return relevo::RequestWithinMemory(this, outputVector, "so many hairs: lower the density",
+  return relevo::RequestWithinMemory(this, outputVector, "the hairs: lower Density",
     [&] { return this->Grow(input, vtkUnstructuredGrid::GetData(outputVector)) ? 1 : 0; });
 }
 

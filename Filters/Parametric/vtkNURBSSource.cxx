@@ -196,7 +196,7 @@ bool vtkNURBSSource::CheckPoints()
   const vtkIdType number = this->ControlPoints->GetNumberOfPoints();
   if (number != static_cast<vtkIdType>(this->Dimensions[0]) * this->Dimensions[1])
   {
-    vtkErrorMacro("There are " << number << " control points, the dimensions tell of "
+    vtkErrorMacro("There are " << number << " control points, but the dimensions are "
                                << this->Dimensions[0] << " x " << this->Dimensions[1] << ".");
     return false;
   }
@@ -218,7 +218,7 @@ bool vtkNURBSSource::CheckWeights()
   const vtkIdType number = this->ControlPoints->GetNumberOfPoints();
   if (this->Weights && this->Weights->GetNumberOfValues() != number)
   {
-    vtkErrorMacro("There are " << this->Weights->GetNumberOfValues() << " weights for " << number
+    vtkErrorMacro("There are " << this->Weights->GetNumberOfValues() << " weights, but " << number
                                << " control points.");
     return false;
   }
@@ -227,7 +227,7 @@ bool vtkNURBSSource::CheckWeights()
     const double weight = this->Weights->GetValue(i);
     if (!(weight > 0.0) || !std::isfinite(weight))
     {
-      vtkErrorMacro("Weight " << i << " is " << weight << "; weights are more than 0, and finite.");
+      vtkErrorMacro("Weight " << i << " is " << weight << "; weights must be positive and finite.");
       return false;
     }
   }
@@ -240,8 +240,8 @@ bool vtkNURBSSource::CheckDirection(int direction)
   const int number = this->Dimensions[direction];
   if (number <= degree)
   {
-    vtkErrorMacro("Direction " << direction << " has " << number << " control points; degree "
-                               << degree << " needs " << degree + 1 << " or more.");
+    vtkErrorMacro("Direction " << direction << " has " << number << " control points, but degree "
+                               << degree << " needs at least " << degree + 1 << ".");
     return false;
   }
   if (!this->Knots[direction])

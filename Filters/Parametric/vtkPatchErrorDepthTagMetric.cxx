@@ -90,7 +90,7 @@ bool PatchErrorEvaluator::Update()
     !this->Deviations.BuildCurves(mesh, error))
   {
     this->DeviationDependencies.Clear();
-    return this->Fail("There are no patches to measure: " + error);
+    return this->Fail("Cannot measure the patches: " + error);
   }
   return true;
 }

@@ -158,7 +158,7 @@ bool vtkRefinedCellLocator::UpdateSurface()
   data.Valid = false;
   if (!input)
   {
-    vtkErrorMacro("Needs a vtkPolyData: call SetDataSet() with the coarse mesh"
+    vtkErrorMacro("The locator needs a vtkPolyData: call SetDataSet() with the coarse mesh"
       << (this->DataSet ? std::string(", not with a ") + this->DataSet->GetClassName()
                         : std::string())
       << ".");

@@ -194,7 +194,7 @@ std::string vtkDepthImageToRelief::Build(
   const int* size = input->GetDimensions();
   if (size[0] < 1 || size[1] < 1 || size[2] != 1)
   {
-    return "The depth image has " + DescribeSize(input) + " points; n x m x 1 are needed.";
+    return "The depth image has " + DescribeSize(input) + " points, but n x m x 1 are needed.";
   }
   vtkDataArray* samples = this->FindDepths(input);
   if (!samples)
@@ -204,9 +204,10 @@ std::string vtkDepthImageToRelief::Build(
   if (samples->GetNumberOfComponents() != 1 ||
     samples->GetNumberOfTuples() != input->GetNumberOfPoints())
   {
-    return "The depth image has " + std::to_string(samples->GetNumberOfTuples()) + " depths of " +
-      std::to_string(samples->GetNumberOfComponents()) + " components for " +
-      std::to_string(input->GetNumberOfPoints()) + " points; each has one number.";
+    return "The depth image has " + std::to_string(samples->GetNumberOfTuples()) + " tuples of " +
+      std::to_string(samples->GetNumberOfComponents()) +
+      " components, but one number for each of " + std::to_string(input->GetNumberOfPoints()) +
+      " points is needed.";
   }
   output->SetDimensions(size);
   std::string error = this->Camera ? this->AddZBufferDepths(samples, output)
@@ -245,8 +246,11 @@ std::string vtkDepthImageToRelief::DescribeMissingDepths(vtkImageData* input)
     ? relevo::DescribeMisplacedArray(
         input, wanted->Get(vtkDataObject::FIELD_NAME()), vtkDataObject::FIELD_ASSOCIATION_POINTS)
     : "";
-  return misplaced.empty() ? "The depth image has no such array of points, or no point scalars."
-                           : "The depth image has " + misplaced + ".";
+  return misplaced.empty()
+    ? (wanted->Has(vtkDataObject::FIELD_NAME()) ? "The depth image has no point array \"" +
+            std::string(wanted->Get(vtkDataObject::FIELD_NAME())) + "\"."
+                                                : "The depth image has no point scalars.")
+    : "The depth image has " + misplaced + ".";
 }
 
 std::string vtkDepthImageToRelief::AddPinholeDepths(vtkDataArray* samples, vtkImageData* output)
@@ -278,7 +282,7 @@ std::string vtkDepthImageToRelief::AddZBufferDepths(vtkDataArray* samples, vtkIm
   const relevo::ZBufferSpace space(this->Camera, size[0], size[1]);
   if (!space.IsRegular())
   {
-    return "The camera's matrices have no inverse: look at its position, focal point and view up.";
+    return "The camera's matrices are singular: check its position, focal point and view up.";
   }
   const auto isSeen = [](double z) { return z >= 0.0 && z < 1.0; };
   const bool isParallel = space.GetProjection() == relevo::ReliefProjection::Parallel;
@@ -315,8 +319,8 @@ std::string vtkDepthImageToRelief::AddColors(
       colors->GetNumberOfTuples() != samples->GetNumberOfTuples()))
   {
     return "The colour image has " + DescribeSize(colorInput) + " points and " +
-      std::to_string(colors->GetNumberOfTuples()) + " colours for " + DescribeSize(input) +
-      " depths; each depth has one.";
+      std::to_string(colors->GetNumberOfTuples()) + " colours, but the depth image has " +
+      DescribeSize(input) + " points.";
   }
   // If depths are in a separate array, the scalars are the rendered colours.
   const bool isPicture = this->Camera && colors && colors != samples &&

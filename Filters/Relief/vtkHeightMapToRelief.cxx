@@ -111,7 +111,7 @@ std::string MakeColors(
   vtkDataArray* given = imagery->GetPointData()->GetScalars();
   if (size[2] != 1 || !given || given->GetNumberOfTuples() != imagery->GetNumberOfPoints())
   {
-    return "The imagery is not n x m x 1 points with a colour each as point scalars.";
+    return "The imagery must have n x m x 1 points with their colours as point scalars.";
   }
   std::string error;
   const auto colors = relevo::ConvertColors(given, error);

@@ -186,7 +186,7 @@ void vtkReliefDatabaseReader::ReadRows(
   }
   if (errors > 0)
   {
-    vtkErrorMacro(<< firstError << " Of " << block << " rows " << errors << " cannot be read.");
+    vtkErrorMacro(<< firstError << " " << errors << " of " << block << " rows cannot be read.");
   }
 }
 

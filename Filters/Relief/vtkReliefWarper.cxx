@@ -255,7 +255,7 @@ bool vtkReliefWarper::Read(vtkImageData* input)
     own.Stop();
     own.Source = nullptr;
     own.Shown.Reset();
-    vtkErrorMacro("The input is no relief. " << wrong);
+    vtkErrorMacro("The input is not a relief. " << wrong);
     return false;
   }
   own.Source = source;

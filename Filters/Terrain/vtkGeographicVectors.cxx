@@ -85,7 +85,7 @@ bool takeVectors(vtkPolyData* mesh, vtkDataArray* array, vtkFloatArray* vectors,
 {
   if (array->GetNumberOfTuples() != mesh->GetNumberOfPoints())
   {
-    error = "has " + std::to_string(array->GetNumberOfTuples()) + " tuples for " +
+    error = "has " + std::to_string(array->GetNumberOfTuples()) + " tuples, but there are " +
       std::to_string(mesh->GetNumberOfPoints()) + " points";
     return false;
   }
@@ -107,7 +107,7 @@ bool sampleVectors(vtkPolyData* mesh, vtkImageData* image, vtkDataArray* array,
   if (!coordinates || coordinates->GetNumberOfComponents() < 2 ||
     coordinates->GetNumberOfTuples() != mesh->GetNumberOfPoints())
   {
-    error = "is sampled by texture coordinates, which the mesh does not have";
+    error = "is sampled by texture coordinates, but the mesh has none";
     return false;
   }
   relevo::VectorRaster raster;
@@ -301,7 +301,7 @@ vtkDataArray* vtkGeographicVectors::ChooseArray(
     if (!array)
     {
       vtkErrorMacro(<< "The " << (isOfRaster ? "image" : "mesh")
-                    << " has no point array of 2 or 3 components: east, north and maybe up.");
+                    << " has no point array of 2 or 3 components (east, north and optionally up).");
     }
     return array;
   }
@@ -310,7 +310,7 @@ vtkDataArray* vtkGeographicVectors::ChooseArray(
   const char* place = port == 0 ? "mesh" : "image";
   if (port < 0 || port > 1 || !inputVector[port]->GetInformationObject(0))
   {
-    vtkErrorMacro(<< "The vectors are expected from input " << port << ", which has no data.");
+    vtkErrorMacro(<< "SetInputArrayToProcess() selects input " << port << ", which has no data.");
     return nullptr;
   }
   const std::string name =
@@ -331,7 +331,7 @@ vtkDataArray* vtkGeographicVectors::ChooseArray(
   {
     vtkErrorMacro(<< "The array \"" << name << "\" of the " << place << " has "
                   << array->GetNumberOfComponents()
-                  << " components instead of 2 or 3: east, north and maybe up.");
+                  << " components, but 2 or 3 are needed (east, north and optionally up).");
     return nullptr;
   }
   isOfRaster = port == 1;
@@ -350,7 +350,7 @@ bool vtkGeographicVectors::Locate(
     this->Terrain->Update();
     if (this->Terrain->GetOutput()->GetNumberOfPoints() == 0)
     {
-      vtkErrorMacro("The terrain has no mesh: its own error says why.");
+      vtkErrorMacro("The terrain has no mesh; its own error gives the reason.");
       return false;
     }
     system = this->Terrain->GetCoordinateSystem();

@@ -240,11 +240,11 @@ bool vtkHeightMap::Read()
   if (!std::equal(this->Dimensions, this->Dimensions + 2, this->FullDimensions))
   {
     this->WarningMessage = std::string(this->ImageData ? "The image" : this->FileName) + " has " +
-      toText(this->FullDimensions) + " heights, more than " +
-      std::to_string(this->MaximumDimension) + " a side: it is reduced to " +
+      toText(this->FullDimensions) + " heights, but the limit is " +
+      std::to_string(this->MaximumDimension) + " per side: it is reduced to " +
       toText(this->Dimensions) +
-      ", each the mean of those that it covers. For more detail cut out a part of it "
-      "(gdal_translate -srcwin), or raise MaximumDimension where textures may be that large.";
+      " means. For full detail, crop it (gdal_translate -srcwin), or raise MaximumDimension if "
+      "textures may be that large.";
   }
   return true;
 }
@@ -327,7 +327,7 @@ bool vtkHeightMap::ReadImage(relevo::HeightGrid& grid, std::string& error)
   if (dimensions[0] < 1 || dimensions[1] < 1 || dimensions[2] != 1)
   {
     error = "it has " + std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) +
-      " x " + std::to_string(dimensions[2]) + " points instead of n x m x 1";
+      " x " + std::to_string(dimensions[2]) + " points, but n x m x 1 are needed";
     return false;
   }
   const vtkIdType size = static_cast<vtkIdType>(dimensions[0]) * dimensions[1];
@@ -339,8 +339,9 @@ bool vtkHeightMap::ReadImage(relevo::HeightGrid& grid, std::string& error)
   if (scalars->GetNumberOfTuples() != size || scalars->GetDataType() == VTK_BIT)
   {
     error = std::string("its point scalars must be numbers, one tuple for each of ") +
-      std::to_string(size) + " points; there are " + std::to_string(scalars->GetNumberOfTuples()) +
-      " tuples of type " + scalars->GetDataTypeAsString();
+      std::to_string(size) + " points, but there are " +
+      std::to_string(scalars->GetNumberOfTuples()) + " tuples of type " +
+      scalars->GetDataTypeAsString();
     return false;
   }
   vtkSmartPointer<vtkDataArray> samples = scalars;

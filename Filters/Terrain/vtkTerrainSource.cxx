@@ -363,8 +363,8 @@ bool vtkTerrainSource::CheckLocation(const relevo::Georeference& location, std::
   }
   const std::string name = this->GetFileName();
 #if !RELEVO_HAS_GDAL
-  vtkWarningMacro(<< "This build of Relevo is without GDAL: the georeference of " << name
-                  << ", if it has one, is not read, and one texel is one unit.");
+  vtkWarningMacro(<< "This build of Relevo does not have GDAL. A georeference of " << name
+                  << " is not read, and one texel is one unit.");
 #endif
   const std::string reason = relevo::FindLocationError(location);
   if (!reason.empty())
@@ -382,7 +382,7 @@ void vtkTerrainSource::WarnOfLocation(const relevo::Georeference& location)
   if (relevo::LooksGeographic(location, this->HeightMap->GetFullDimensions()))
   {
     vtkWarningMacro(<< this->GetFileName()
-                    << " has no coordinate system, and its coordinates are "
+                    << " has no coordinate system, so its coordinates are "
                        "taken as metres. They look like degrees: if they are, declare them "
                        "(gdal_edit.py -a_srs EPSG:4326).");
   }
@@ -393,10 +393,9 @@ void vtkTerrainSource::WarnOfLocation(const relevo::Georeference& location)
   {
     std::ostringstream text;
     text << std::setprecision(3) << scale;
-    vtkWarningMacro(<< this->GetFileName() << ": in its projection, lengths at its centre are "
+    vtkWarningMacro(<< this->GetFileName() << ": its projection scales lengths at its centre by "
                     << text.str()
-                    << " times those on the ground, and heights are not. Reproject it, "
-                       "to UTM for example (gdalwarp -t_srs).");
+                    << ", but not heights. Reproject it, for example to UTM (gdalwarp -t_srs).");
   }
 #endif
 }
@@ -453,13 +452,12 @@ bool vtkTerrainSource::UpdateImagery(const relevo::Georeference& location, std::
   }
   if (imagery.FullSize[0] > imagery.Width || imagery.FullSize[1] > imagery.Height)
   {
-    vtkWarningMacro(
-      << source.FileName << " has about " << imagery.FullSize[0] << " x " << imagery.FullSize[1]
-      << " pixels over the terrain, more than " << this->MaximumImagerySize
-      << " a side: it is draped as " << imagery.Width << " x " << imagery.Height
-      << ". For more detail cut out a part of the terrain "
-      << "(gdal_translate -srcwin), or raise MaximumImagerySize where textures may be "
-      << "that large.");
+    vtkWarningMacro(<< source.FileName << " has about " << imagery.FullSize[0] << " x "
+                    << imagery.FullSize[1] << " pixels over the terrain, but the limit is "
+                    << this->MaximumImagerySize << " per side: it is reduced to " << imagery.Width
+                    << " x " << imagery.Height
+                    << ". For full detail, crop the terrain (gdal_translate -srcwin), or raise "
+                    << "MaximumImagerySize if textures may be that large.");
   }
   vtkNew<vtkUnsignedCharArray> pixels;
   pixels->SetName("Imagery");

@@ -161,7 +161,7 @@ bool vtkVolumeRayCastFilter::Read(
   {
     if (!hasErrors)
     {
-      vtkErrorMacro("The input has cells, but none is 3D.");
+      vtkErrorMacro("The input has no 3D cells.");
     }
     return false;
   }
@@ -283,7 +283,7 @@ void vtkVolumeRayCastFilter::AddClippingPlane(vtkPlane* plane)
 {
   if (!plane)
   {
-    vtkErrorMacro("There is no plane to add.");
+    vtkErrorMacro("Cannot add the clipping plane: it is null.");
     return;
   }
   if (!this->ClippingPlanes)
@@ -298,7 +298,7 @@ void vtkVolumeRayCastFilter::RemoveClippingPlane(vtkPlane* plane)
 {
   if (!this->ClippingPlanes || this->ClippingPlanes->IsItemPresent(plane) == 0)
   {
-    vtkErrorMacro("The plane to remove is none of the clipping planes.");
+    vtkErrorMacro("Cannot remove the plane: it is not one of the clipping planes.");
     return;
   }
   this->ClippingPlanes->RemoveItem(plane);

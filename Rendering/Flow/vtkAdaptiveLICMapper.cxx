@@ -346,7 +346,7 @@ void vtkAdaptiveLICMapper::vtkInternals::Report(const std::string& error)
 {
   if (relevo::ShouldReport(this->Error, error))
   {
-    vtkErrorWithObjectMacro(this->Root, << error << " The surface has no LIC.");
+    vtkErrorWithObjectMacro(this->Root, << error << " The surface is drawn without LIC.");
   }
 }
 
@@ -616,8 +616,8 @@ void vtkAdaptiveLICMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
     !lic.Vectors.UploadCells(
       vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()), this->CellCellMap))
   {
-    vtkErrorMacro("The vectors of cells cannot be sent to the graphics card: "
-      << relevo::BufferTexture::GetTooLarge() << ".");
+    vtkErrorMacro(
+      "Cannot upload the vectors of the cells: " << relevo::BufferTexture::GetTooLarge() << ".");
   }
 }
 

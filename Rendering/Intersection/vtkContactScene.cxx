@@ -131,12 +131,12 @@ void vtkContactScene::AddActor(vtkActor* actor)
 {
   if (!actor)
   {
-    vtkErrorMacro("There is no actor to add.");
+    vtkErrorMacro("Cannot add the actor: it is null.");
     return;
   }
   if (this->Scene->Find(actor) != this->Scene->Actors.end())
   {
-    vtkErrorMacro("The actor is in the scene already.");
+    vtkErrorMacro("Cannot add the actor: it is already in the scene.");
     return;
   }
   this->Scene->Actors.push_back(std::make_unique<relevo::SceneActor>(actor));

@@ -157,11 +157,12 @@ void vtkEGLOffscreenRenderWindow::CreateContext()
   }
   if (isBlocked)
   {
-    vtkErrorMacro("A window on a display already uses OpenGL in this thread: delete it first.");
+    vtkErrorMacro(
+      "A window on a display already uses OpenGL in this thread: delete that window first.");
   }
   else
   {
-    vtkErrorMacro("No EGL device offers OpenGL 3.2 with the core profile.");
+    vtkErrorMacro("No EGL device supports OpenGL 3.2 with the core profile.");
   }
 }
 

@@ -314,7 +314,7 @@ void vtkAdaptiveCurveMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   }
   if (this->GetNumberOfInputConnections(0) == 0)
   {
-    vtkErrorMacro("There is no input.");
+    vtkErrorMacro("There is no input: call SetInputConnection() or SetInputData().");
     return;
   }
   this->InvokeEvent(vtkCommand::StartEvent, nullptr);
@@ -323,8 +323,9 @@ void vtkAdaptiveCurveMapper::Render(vtkRenderer* renderer, vtkActor* actor)
     this->GetInputAlgorithm()->Update();
   }
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
-  const std::string error =
-    this->Refinement ? "" : "No recipe: call SetRefinement() with a vtkAdaptiveRefinement.";
+  const std::string error = this->Refinement
+    ? ""
+    : "There is no recipe: call SetRefinement() with a vtkAdaptiveRefinement.";
   if (relevo::ShouldReport(data.Error, error))
   {
     vtkErrorMacro(<< error);

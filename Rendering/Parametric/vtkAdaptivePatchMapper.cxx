@@ -51,8 +51,7 @@ std::string DescribeMissingIsolines(
   text << "There are no isolines of \"" << (scalars->GetName() ? scalars->GetName() : "") << "\": ";
   if (areOfCells)
   {
-    text << "its values belong to cells, and are constant in each. Convert them with "
-            "vtkCellDataToPointData.";
+    text << "a cell array is constant in each cell. Convert it with vtkCellDataToPointData.";
     return text.str();
   }
   // The range of coefficients contains that of the values, but not for the lengths of vectors.
@@ -68,8 +67,8 @@ std::string DescribeMissingIsolines(
   {
     return "";
   }
-  text << "no multiple of IsolineSpacing, which is " << spacing << ", lies among its values from "
-       << range[0] << " to " << range[1] << ".";
+  text << "no multiple of IsolineSpacing, which is " << spacing
+       << ", is in the range of its values, " << range[0] << " to " << range[1] << ".";
   return text.str();
 }
 }
@@ -251,7 +250,7 @@ void vtkAdaptivePatchMapper::UploadField(vtkRenderer* ren)
     if (!data.Scalars.Upload(vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()), source))
     {
       error = "Cannot evaluate scalars at every pixel: " + relevo::BufferTexture::GetTooLarge() +
-        ". They are interpolated.";
+        ". The scalars are interpolated.";
       data.Scalars.ReleaseGraphicsResources(ren->GetRenderWindow());
     }
   }

@@ -64,8 +64,8 @@ public:
     const std::pair<int, int> now(scene.NumberOfTranslucent, scene.NumberOfVolumes);
     if (now != this->LeftOut && now != std::pair<int, int>(0, 0))
     {
-      vtkWarningWithObjectMacro(capture, << "Left out, as they have no one depth: what is "
-                                            "translucent of "
+      vtkWarningWithObjectMacro(capture, << "Not captured, because they have no single depth: "
+                                            "translucent parts of "
                                          << now.first << " props, and " << now.second
                                          << " volumes.");
     }
@@ -106,7 +106,7 @@ void vtkReliefCapture::AddCamera(vtkCamera* camera)
 {
   if (!camera)
   {
-    vtkErrorMacro("There is no camera to add.");
+    vtkErrorMacro("Cannot add the camera: it is null.");
     return;
   }
   this->Internals->Cameras.emplace_back(camera);
@@ -170,7 +170,7 @@ bool vtkReliefCapture::Capture(vtkMultiBlockDataSet* output)
     this->Internals->Renderer, relevo::SceneParts::All, this->Resolution[0], this->Resolution[1]);
   if (error.empty() && this->GetNumberOfCameras() == 0)
   {
-    error = "There are no cameras to capture from: AddCamera() or SetCamerasToBox().";
+    error = "There are no cameras to capture from: call AddCamera() or SetCamerasToBox().";
   }
   this->Internals->WarnOfOthers(this, capture.GetProps());
   const bool seesAny = error.empty() && this->CaptureAll(output);
@@ -197,7 +197,7 @@ bool vtkReliefCapture::CaptureAll(vtkMultiBlockDataSet* output)
     const auto image = capture.CaptureFrom(cameras[i], this->CaptureNormals, this->Cropping);
     if (capture.WasSingular())
     {
-      vtkErrorMacro("The matrices of camera " << i << " have no inverse.");
+      vtkErrorMacro("The matrices of camera " << i << " are singular.");
     }
     const auto block = static_cast<unsigned int>(i);
     output->SetBlock(block, image);

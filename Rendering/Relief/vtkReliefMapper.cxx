@@ -202,7 +202,7 @@ void vtkReliefMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   }
   if (this->GetNumberOfInputConnections(0) == 0)
   {
-    vtkErrorMacro("There is no input.");
+    vtkErrorMacro("There is no input: call SetInputConnection() or SetInputData().");
     return;
   }
   this->InvokeEvent(vtkCommand::StartEvent, nullptr);

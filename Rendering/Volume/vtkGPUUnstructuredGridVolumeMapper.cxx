@@ -148,7 +148,7 @@ void vtkGPUUnstructuredGridVolumeMapper::Render(vtkRenderer* renderer, vtkVolume
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window)
   {
-    vtkErrorMacro("The render window is not one of OpenGL.");
+    vtkErrorMacro("The render window is not a vtkOpenGLRenderWindow.");
     return;
   }
   data.Context->SetContext(window);

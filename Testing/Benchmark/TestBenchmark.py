@@ -43,7 +43,7 @@ class TestBenchmark(unittest.TestCase):
         self.assertIn("'--output'", self.run_with_error(2, "--output"))
         self.assertIn("'--quick'", self.run_with_error(2, "--", "rules", "--quick"))
         self.assertIn(r"a\x1b.tif", self.run_with_error(1, "--height-map", "a\x1b.tif"))
-        self.assertIn(r"/no\nfolder/a.json: there is no folder",
+        self.assertIn(r"/no\nfolder/a.json: the folder ",
                       self.run_with_error(1, "--output", "/no\nfolder/a.json"))
 
     def test_full_disk(self):

@@ -158,7 +158,7 @@ class TestBadInput(relevo.TestCase):
         words = {
             "no file": ["Cannot read /nowhere/heights.png: the file does not exist."],
             "no texture coordinates": ["needs texture coordinates"],
-            "no array": ['array of numbers named "Values"', "see its own error"],
+            "no array": ['array of numbers named "Values"', "its own error gives the reason"],
         }
         found = self.run_scenes([*words, "not a number", "good"])
         for name, expected in words.items():
@@ -172,7 +172,7 @@ class TestBadInput(relevo.TestCase):
         short = 'Array "Short" has too few tuples and is left out.'
         words = {
             "file": ["Cannot read heights.png: the file does not exist."],
-            "array on rank 0": ['array of numbers named "Values"', "see its own error"],
+            "array on rank 0": ['array of numbers named "Values"', "its own error gives the reason"],
             "short array on rank 0": [short],
             "nothing on rank 0": [],
         }

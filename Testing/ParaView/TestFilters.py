@@ -177,7 +177,7 @@ class TestFilters(relevo.TestCase):
             mesh = simple.AdaptiveRefinement(Input=source)
             with relevo.messages() as told:
                 mesh.UpdatePipeline()
-            self.assertIn(f"cell 1 refers to point {point} of 3", told())
+            self.assertIn(f"cell 1 refers to point {point}, but there are 3 points", told())
             self.assertEqual(mesh.GetDataInformation().GetNumberOfCells(), 0)
 
     def test_no_recipe(self):
@@ -187,10 +187,10 @@ class TestFilters(relevo.TestCase):
         for name, (_, _, label) in CHOICES.items():
             with relevo.messages() as told:
                 setattr(mesh, name, label)
-            self.assertIn("No recipe: call SetRefinement()", told())
+            self.assertIn("There is no recipe: call SetRefinement()", told())
         with relevo.messages() as told:
             mesh.UpdatePipeline()
-        self.assertIn("No recipe: call SetRefinement()", told())
+        self.assertIn("There is no recipe: call SetRefinement()", told())
         self.assertEqual(mesh.GetDataInformation().GetNumberOfCells(), 0)
 
     def test_direction_of_displacement(self):

@@ -233,7 +233,7 @@ class TestAdaptiveLICMapper(unittest.TestCase):
         self.assertTrue((view.draw() == 255).all())
         view.draw()
         self.assertEqual(len(messages), 1)
-        self.assertIn("no array of vectors", messages[0])
+        self.assertIn("does not have the array of vectors", messages[0])
         view.mapper.SetStepSize(0)
         self.assertIn("StepSize", messages[1])
         self.assertEqual(view.mapper.GetStepSize(), 1.0)

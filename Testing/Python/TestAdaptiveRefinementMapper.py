@@ -130,7 +130,7 @@ class TestAdaptiveRefinementMapper(unittest.TestCase):
         self.assertEqual(view.draw(), 0)
         self.assertEqual(view.draw(), 0)
         self.assertEqual(len(messages), 1)
-        self.assertIn("No recipe", messages[0])
+        self.assertIn("no recipe", messages[0])
         self.assertEqual(view.mapper.GetNumberOfDrawnTriangles(), 0)
 
     def test_documentation(self):

@@ -419,7 +419,7 @@ class TestExamples(unittest.TestCase):
             for script in ("patches.py", "curves.py"):
                 run = self.run_example(script, folder, "ball", "out.png")
                 self.assertEqual(run.returncode, 1)
-                self.assertIn("NAME one of", run.stderr)
+                self.assertIn("NAME is one of", run.stderr)
 
     def test_contacts(self):
         """Each figure can be drawn for generated meshes, and for real meshes equals the stored one.

@@ -168,7 +168,7 @@ class TestHeightMap(unittest.TestCase):
         self.assertTrue(heights.Update())
         heights.SetImageData(make_image(3, 3, lambda i, j: math.nan))
         self.assertIs(heights.Update(), False)
-        self.assertIn("none of the 9 heights has data", errors[-1])
+        self.assertIn("all 9 heights are missing values", errors[-1])
         self.assertEqual(len(errors), count + 1)
         heights.SetImageData(None)
         heights.SetFileName(png)

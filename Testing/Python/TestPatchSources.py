@@ -85,7 +85,7 @@ class TestNURBS(unittest.TestCase):
         catch_errors(source.GetExecutive())
         source.GetWeights().SetValue(2, 0.0)
         source.Update()
-        self.assertIn("Weight 2 is 0; weights are more than 0, and finite.", errors[0])
+        self.assertIn("Weight 2 is 0; weights must be positive and finite.", errors[0])
         self.assertEqual((source.GetOutput().GetNumberOfCells(), len(errors)), (0, 1))
         source.SetWeights(None)
         source.Update()
@@ -125,7 +125,7 @@ class TestPatchFiles(unittest.TestCase):
         self.assertEqual(self.reader.CanReadFile(str(self.file)), 1)
         self.file.write_text(self.TEXT.replace("-1", "nan"))
         self.reader.Update()
-        self.assertIn(f"{self.file}, line 7: 'nan' is no finite number.", errors[0])
+        self.assertIn(f"{self.file}, line 7: 'nan' is not a finite number.", errors[0])
         self.assertEqual((self.reader.GetOutput().GetNumberOfCells(), len(errors)), (0, 1))
 
 

@@ -64,12 +64,12 @@ class TestViewer(ViewerProgram):
         self.assertIn("--no-legend", flags)
         self.assertNotIn("--output", flags)
         for flag in flags - {"--help", "--version"}:
-            self.assert_error(2, ["no height map or mesh is given"], flag)
+            self.assert_error(2, ["no file is given"], flag)
 
     def test_bad_usage(self):
-        self.assert_error(2, ["height map"])
+        self.assert_error(2, ["no file is given"])
         self.assert_error(2, ["--colour"], self.heights, "--colour", "red")
-        self.assert_error(2, ["one height map"], self.heights, self.heights)
+        self.assert_error(2, ["more than one file"], self.heights, self.heights)
         self.assert_error(2, ["--output", "value"], self.heights, "--output")
         self.assert_error(2, [".png", "a.jpg"], self.heights, "--output", "a.jpg")
         self.assert_error(2, [".vtp", "a.off"], self.heights, "--export", "a.off")
@@ -89,7 +89,7 @@ class TestViewer(ViewerProgram):
                 2, ["--region"], self.heights, "--metric", "region", "--region", region
             )
         self.assert_error(2, ["--region", "region"], self.heights, "--region", "1,2,3")
-        self.assert_error(2, ["--height", "meshes"], self.heights, "--height", self.heights)
+        self.assert_error(2, ["--height requires a mesh"], self.heights, "--height", self.heights)
         self.assert_error(2, ["--level"], self.heights, "--level=2", "--metric=curvature")
         self.assert_error(2, ["--surface", "'nurbs'"], self.heights, "--surface", "nurbs")
         self.assert_error(2, ["--method", "'fast'"], self.heights, "--method", "fast")

@@ -125,7 +125,7 @@ class TestViewerContact(ViewerProgram):
                     self.assertGreater(red, 100)
         write_pin(self.folder, "pin.vtp", 0.99)
         run = self.run_program("bore.vtu", "--against=pin.vtp", "--contact-distance=0.1")
-        self.assertRegex(run.stderr, r"\Arelevo-view: warning: Not closed[^\n]*: bore.vtu\.\n\Z")
+        self.assertRegex(run.stderr, r"\Arelevo-view: warning: No cell is classified as inside[^\n]*: bore.vtu\.\n\Z")
         self.assertIn("near faces: 8 of bore.vtu", run.stdout)
         least = float(run.stdout.split()[-1])
         self.assertGreater(least, 0.0088)
@@ -145,7 +145,7 @@ class TestViewerContact(ViewerProgram):
     def test_errors(self):
         write_hill(self.folder)
         self.assert_error(2, ["--against", "mesh", "b.tif"], "a.vtp", "--against=b.tif")
-        self.assert_error(2, ["--against", "meshes"], "hill.png", "--against=a.vtp")
+        self.assert_error(2, ["--against requires a mesh"], "hill.png", "--against=a.vtp")
         self.assert_error(2, ["--contact-distance", "--against"], "a.vtp", "--contact-distance=1")
         for bad in ("-1", "nan", "near"):
             self.assert_error(

@@ -122,7 +122,7 @@ class TestViewerDamaged(ViewerProgram):
         for options in (EXPORT, ("--volume", "--output=o.png")):
             for prepare, words in (
                 (piece.touch, "the file is empty"),
-                (lambda: piece.write_bytes(whole[:-12]), "the file is cut short"),
+                (lambda: piece.write_bytes(whole[:-12]), "the file is truncated"),
                 (lambda: piece.symlink_to("pipe"), "not a regular file"),
             ):
                 self.assert_error(1, ["pieces.pvtu", "its piece piece.vtu", "does not exist"],
@@ -192,7 +192,7 @@ class TestViewerDamaged(ViewerProgram):
             self.skipTest("GDAL reads no netCDF files")
         self.assertEqual((run.returncode, run.stderr), (0, ""))
         self.cut("a.nc", content, (begin - 2, begin, len(content) - 4))
-        self.assert_error(1, ["cannot read a.nc: the file is cut short"], "sphere.vtp",
+        self.assert_error(1, ["cannot read a.nc: the file is truncated"], "sphere.vtp",
                           "--height=a.nc", *EXPORT)
         if not vtkExodusIIWriter:
             return
@@ -204,18 +204,18 @@ class TestViewerDamaged(ViewerProgram):
         """VTK's reader writes beyond its arrays if corners refer to missing points."""
         head = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvn 0 0 1\n"
         for corners, words in (
-            ("1/1/1 2/2/1 3/3/1", "line 7 refers to the texture coordinate 3, and there are 2"),
-            ("1//1 2//2 3//1", "line 7 refers to the normal 2, and there are 1"),
-            ("1 2 4", "line 7 refers to the point 4, and there are 3"),
-            ("1 2 0", "line 7 refers to the point 0"),
-            ("-1 -2 -4", "line 7 refers to the point -4, and there are 3 before it"),
+            ("1/1/1 2/2/1 3/3/1", "line 7 refers to texture coordinate 3, but there are 2"),
+            ("1//1 2//2 3//1", "line 7 refers to normal 2, but there are 1"),
+            ("1 2 4", "line 7 refers to point 4, but there are 3"),
+            ("1 2 0", "line 7 refers to point 0"),
+            ("-1 -2 -4", "line 7 refers to point -4, but there are 3 before it"),
             ("1/1/1/1 2 3", "line 7 has a corner with more than three indices"),
         ):
             (self.folder / "a.obj").write_text(head + f"f {corners}\n")
             self.assert_error(1, ["cannot read a.obj: " + words], "a.obj", *EXPORT)
         damaged = head.replace("vt 1", "vt\x80 1") + "f 1/1 2/2 3/1\n"
         (self.folder / "a.obj").write_bytes(damaged.encode("latin1"))
-        self.assert_error(1, ["line 7 refers to the texture coordinate 2"], "a.obj", *EXPORT)
+        self.assert_error(1, ["line 7 refers to texture coordinate 2"], "a.obj", *EXPORT)
         for corners in ("1 2 3", "1/1/1 2/2/1 3/2/1", "-1//-1 -2//1 -3//1\r"):
             (self.folder / "a.obj").write_text(head + f"f {corners}\n")
             self.view("a.obj", *EXPORT)
@@ -303,14 +303,14 @@ class TestViewerDamaged(ViewerProgram):
         self.view(*EXPORT, "--", "-s.vtp")
         self.assert_error(2, ["unknown option '-s.vtp'"], "-s.vtp", *EXPORT)
         self.assert_error(2, ["more than one", "'--level'"], "sphere.vtp", "--", "--level", *EXPORT)
-        self.assert_error(2, ["no height map or mesh"], *EXPORT, "--")
+        self.assert_error(2, ["no file is given"], *EXPORT, "--")
         self.assert_error(1, ["cannot read --x.vtp"], *EXPORT, "--", "--x.vtp")
 
     def test_words(self):
         """Each cause has one message, which names options."""
         heights = bytearray(b"II*\0" + bytes(4))
         (self.folder / "mug.e").write_bytes(bytes(heights))
-        self.assert_error(1, ["mug.e", "If it is an Exodus file, rename it to .ex2"], "mug.e", *EXPORT)
+        self.assert_error(1, ["mug.e", "if it is an Exodus file, rename it to .ex2"], "mug.e", *EXPORT)
         (self.folder / "cut.pgm").write_bytes(b"P5 8 8 255\n12345")
         run = self.view("cut.pgm", *EXPORT, code=1)
         self.assertNotIn(".gltf", run.stderr)
@@ -318,14 +318,14 @@ class TestViewerDamaged(ViewerProgram):
                           *EXPORT[::-1])
         self.assert_error(1, ["'--level=0'"], "sphere.vtp", "--array=--level=0", *EXPORT)
         self.assert_error(2, ["--array needs the name"], "sphere.vtp", "--array", "", *EXPORT)
-        self.assert_error(2, ["--volume goes with meshes", "'a.vts'", ".vtu"], "a.vts", "--volume")
-        self.assert_error(2, ["--error works with meshes", "--max-level"], "heights.pgm",
+        self.assert_error(2, ["--volume requires a mesh", "'a.vts'", ".vtu"], "a.vts", "--volume")
+        self.assert_error(2, ["--error requires a mesh", "--max-level"], "heights.pgm",
                           "--error=1", "--metric=error")
         self.assert_error(2, ["--error cannot be combined with --level"], "grid.vtu", "--error=1",
                           "--level=1")
-        self.assert_error(2, ["--error goes with --surface patch"], "grid.vtu", "--error=1",
+        self.assert_error(2, ["--error requires --surface patch"], "grid.vtu", "--error=1",
                           "--surface=pn")
-        self.assert_error(2, ["--error goes with --metric error"], "grid.vtu", "--error=1",
+        self.assert_error(2, ["--error requires --metric error"], "grid.vtu", "--error=1",
                           "--metric=curvature")
 
     def test_interrupt(self):

@@ -177,7 +177,7 @@ class TestViewerFlow(ViewerProgram):
         self.assert_error(1, ["'Wind'", *every], self.file, "--lic=Wind", out)
         self.assert_error(1, ["'Height'", "1 component", *every], self.file, "--lic", "Height", out)
         (self.folder / "bare.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
-        self.assert_error(1, ["'Wind'", "no vectors"], "bare.obj", "--lic=Wind", out)
+        self.assert_error(1, ["'Wind'", "no arrays of 2 or 3 components"], "bare.obj", "--lic=Wind", out)
         self.assertFalse((self.folder / "never.png").exists())
 
     def test_bad_usage(self):
@@ -195,7 +195,7 @@ class TestViewerFlow(ViewerProgram):
             (["--lic", "array"], "--lic="),
         ):
             self.assert_error(2, words, self.file, *arguments)
-        self.assert_error(2, ["--lic", "meshes"], "heights.tif", "--lic=East")
+        self.assert_error(2, ["--lic requires a mesh"], "heights.tif", "--lic=East")
 
     def test_real_meshes(self):
         if not FLOW.exists():

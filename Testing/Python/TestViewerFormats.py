@@ -270,7 +270,7 @@ class TestViewerFormats(ViewerProgram):
         beyond.write(self.folder / "beyond.gltf")
         # VTK 9.6 detects this itself, but does not report what it found.
         version = vtkVersion().GetVTKMajorVersion(), vtkVersion().GetVTKMinorVersion()
-        words = "point 9 of 3" if version < (9, 6) else "cannot read beyond.gltf"
+        words = "point 9, but there are 3 points" if version < (9, 6) else "cannot read beyond.gltf"
         self.assert_error(1, [words], "beyond.gltf", "--output=n.png")
 
     def test_corners_that_do_not_exist(self):
@@ -289,8 +289,8 @@ class TestViewerFormats(ViewerProgram):
         writer.SetFileName(str(self.folder / "beyond.vtu"))
         writer.Write()
         for name, words in (
-            ("beyond.obj", "refers to the point 70000001, and there are 3"),
-            ("beyond.vtu", "cell 1 refers to point 70000000 of"),
+            ("beyond.obj", "refers to point 70000001, but there are 3"),
+            ("beyond.vtu", "cell 1 refers to point 70000000, but there are"),
         ):
             for more in ([], ["--metric=curvature"], ["--feature-angle=30"]):
                 self.assert_error(1, [name, words], name, "--output=n.png", *more)
@@ -319,7 +319,7 @@ class TestViewerFormats(ViewerProgram):
         (self.folder / "beside.bin").write_bytes(whole)
         self.assertEqual(self.export("beside.gltf").GetNumberOfCells(), 12)
         (self.folder / "beside.bin").write_bytes(whole[:-8])
-        self.assert_error(1, ["beside.bin is cut short"], "beside.gltf", "--output=n.png")
+        self.assert_error(1, ["beside.bin is truncated"], "beside.gltf", "--output=n.png")
 
     def test_large_data_uri(self):
         """A data URI of hundreds of kilobytes."""
@@ -373,12 +373,14 @@ class TestViewerFormats(ViewerProgram):
     def test_other_formats(self):
         """A file that no reader recognizes might be a mesh, so the error lists the mesh formats."""
         formats = [".glb", ".gltf", ".obj", ".ply", ".stl", ".vtk", ".vtp or .vtu files"]
-        for name in ("a.dae", "a", "a.tif"):
+        for name in ("a.dae", "a"):
             (self.folder / name).write_text("neither heights nor a mesh\n")
             self.assert_error(1, ["Cannot read " + name, *formats], name, "--output=n.png")
         # Not for other causes.
         (self.folder / "empty.dae").write_text("")
-        for name in ("empty.dae", "missing.dae"):
+        (self.folder / "text.tif").write_text("neither heights nor a mesh\n")
+        (self.folder / "cut.tif").write_bytes(b"II*\0")
+        for name in ("empty.dae", "missing.dae", "text.tif", "cut.tif"):
             run = self.view(name, "--output=n.png", code=1)
             self.assertIn(name, run.stderr)
             self.assertNotIn(".gltf", run.stderr)
@@ -398,7 +400,7 @@ class TestViewerFormats(ViewerProgram):
         for volume in ((), ("--volume=Left",)):
             run = self.view("time.ex2", "--output=t.png", "--size=160x100", *volume)
             said = run.stdout.splitlines()
-            self.assertEqual(said[0], "time.ex2: step 1 of 3 is drawn, at time 0.5")
+            self.assertEqual(said[0], "time.ex2: only time step 1 of 3 is drawn (time 0.5)")
 
 
 if __name__ == "__main__":

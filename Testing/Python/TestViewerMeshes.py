@@ -404,9 +404,9 @@ class TestViewerMeshes(ViewerProgram):
 
     def test_bad_usage(self):
         for words, *arguments in (
-            (["one height map or mesh"], self.file),
-            (["--exaggeration", "height maps"], "--exaggeration=2"),
-            (["--resolution", "height maps"], "--resolution=2"),
+            (["more than one file"], self.file),
+            (["--exaggeration", "requires a height map"], "--exaggeration=2"),
+            (["--resolution", "requires a height map"], "--resolution=2"),
             (["--scale", "--height"], "--scale=2"),
             (["--mapping", "--height"], "--mapping=plane"),
             (["--alpha", "phong"], "--alpha=0.5"),

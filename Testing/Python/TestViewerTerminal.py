@@ -140,8 +140,8 @@ class TestViewerTerminal(ViewerProgram):
         (self.folder / "folder.vtp").mkdir()
         long = "a" * 300
         for words, name in (
-            (["no folder nowhere"], "nowhere/a"),
-            (["no folder file"], "file/a"),
+            (["the folder nowhere does not exist"], "nowhere/a"),
+            (["the folder file does not exist"], "file/a"),
             (["it is a folder"], "folder"),
             ([os.strerror(36)], long),  # ENAMETOOLONG
         ):

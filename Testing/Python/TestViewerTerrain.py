@@ -96,7 +96,7 @@ class TestViewerTerrain(ViewerProgram):
     def test_nan(self):
         samples = numpy.where(self.samples == 9, numpy.nan, self.samples).astype(numpy.float32)
         name = write(vtkTIFFWriter(), self.folder / "nan.tif", samples)
-        self.assert_error(1, ["nan.tif", "NaN", "no data"], name, "--output", "never.png")
+        self.assert_error(1, ["nan.tif", "NaN", "--no-data-value"], name, "--output", "never.png")
         mesh = self.export(name, "--level=1", "--resolution=48", "--no-data-value", "NaN")
         self.assert_hole(mesh, 49)
 
@@ -107,7 +107,7 @@ class TestViewerTerrain(ViewerProgram):
             )
         self.assert_error(2, ["--no-data-value", "needs"], self.heights, "--no-data-value")
         self.assert_error(
-            1, ["has data"], self.flat(), "--no-data-value=7", "--output", "never.png"
+            1, ["are missing values"], self.flat(), "--no-data-value=7", "--output", "never.png"
         )
 
     def flat(self):
@@ -158,7 +158,7 @@ class TestViewerTerrain(ViewerProgram):
         name = self.ramp(65535)
         run = self.view(name, "--export=r.vtp", "--level=0")
         self.assertRegex(
-            run.stdout, r"\A[^\n]*--exaggeration 0.00012,[^\n]*georeference[^\n]*1 m wide[^\n]*\n\Z"
+            run.stdout, r"\A[^\n]*--exaggeration 0.00012 [^\n]*georeference[^\n]*1 m wide[^\n]*\n\Z"
         )
         mesh = self.export(name, "--level=0")
         self.assertAlmostEqual(mesh.GetBounds()[5], 0.00012 * 65535, delta=0.01)
@@ -271,7 +271,7 @@ class TestViewerTerrain(ViewerProgram):
             self.declare(f"{north}.asc", mercator)
             run = self.run_program(name, "--export=d.vtp", "--level=0")
             if factor:
-                self.assertIn(f"are {factor} times", run.stderr)
+                self.assertIn(f"by {factor}, ", run.stderr)
                 self.assertIn("gdalwarp -t_srs", run.stderr)
             else:
                 self.assertEqual(run.stderr, "")
@@ -298,7 +298,7 @@ class TestViewerTerrain(ViewerProgram):
         run = self.run_program(name, "--export=c.vtp", "--level=0")
         if "container" not in run.stderr:
             self.skipTest("GDAL reads no netCDF files")
-        self.assertIn("container of 2 rasters", run.stderr)
+        self.assertIn("it contains 2 rasters", run.stderr)
         names = re.findall(r'NETCDF:"[^"]*":\w+', run.stderr)
         self.assertEqual([text.split(":")[-1] for text in names], ["first", "second"])
         for text in (*names, "NETCDF:two.nc:second"):
@@ -350,7 +350,7 @@ class TestViewerTerrain(ViewerProgram):
         errors, bounds = self.draw(name, "--resolution=64")
         self.assertRegex(
             errors,
-            r"\Arelevo-view: warning: large.png has 20000 x 250 heights, more than 16384 a side: "
+            r"\Arelevo-view: warning: large.png has 20000 x 250 heights, but the limit is 16384 per side: "
             r"[^\n]*16384 x 205[^\n]*gdal_translate[^\n]*\n\Z".replace("large", str(name)[:-4]),
         )
         for bound, expected in zip(bounds, (-10000, 10000, -125, 125, 0, 1999)):

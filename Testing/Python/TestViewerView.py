@@ -190,7 +190,7 @@ class TestViewerView(ViewerProgram):
             (self.mesh, ["--zoom", "'-2'"], "--zoom=-2"),
             (self.mesh, ["--zoom", "'nan'"], "--zoom=nan"),
             (self.mesh, ["--zoom", "from 0.001 to 1e+06", "'1e30'"], "--zoom=1e30"),
-            (self.mesh, ["degrees", "height maps"], "--center=1E,2N"),
+            (self.mesh, ["degrees", "height map"], "--center=1E,2N"),
             (self.heights, ["longitude", "'361'"], "--center=361E,2N"),
             (self.heights, ["86.925E,27.988N", "'1E,2'"], "--center=1E,2"),
             (self.heights, ["86.925E,27.988N", "'1E,2W'"], "--center=1E,2W"),
@@ -232,8 +232,8 @@ class TestViewerView(ViewerProgram):
             [str(PROGRAM), degrees, "--center=86.902,27.904", SIZE, "--output=view.png"],
             cwd=self.folder, capture_output=True, text=True)
         self.assertEqual(run.returncode, 0)
-        self.assertRegex(run.stderr, r"\Arelevo-view: warning: --center 86.902,27.904 is in metres "
-                                     r"[^\n]*86.902E,27.904N is in degrees\n\Z")
+        self.assertRegex(run.stderr, r"\Arelevo-view: warning: --center 86.902,27.904 is taken as metres "
+                                     r"[^\n]*for degrees, use --center 86.902E,27.904N\n\Z")
         for center in ("86.902E,28.904N", "86.902W,27.904N", "9999,9999"):
             self.assert_error(1, [degrees, "no height at --center " + center, "27.988N"], degrees,
                               f"--center={center}", "--output=n.png")

@@ -236,7 +236,7 @@ class TestViewerVolume(ViewerProgram):
             ("# nan\n\nnan 1 0 0 1\n", "line 3", "'nan'"),
             ("0 1 0 0 1\n1 1 0 2 1\n", "line 2", "colours"),
             ("0 1 0 0 -1\n", "line 1", "opacities"),
-            ("2 1 0 0 1\n# and\n2 1 0 0 0\n", "line 3", "not above"),
+            ("2 1 0 0 1\n# and\n2 1 0 0 0\n", "line 3", "must be greater"),
             ("# nothing\n", "value red green blue opacity"),
         ):
             option = self.transfer(text)
@@ -278,7 +278,7 @@ class TestViewerVolume(ViewerProgram):
         flat.SetPoints(plain.GetPoints())
         flat.InsertNextCell(VTK_TRIANGLE, 3, (0, 1, 6))
         write(self.folder, "flat.vtu", flat, vtkXMLUnstructuredGridWriter())
-        words = "flat.vtu has no 3D cells", "without it"
+        words = "flat.vtu has no 3D cells", "omit --volume"
         self.assert_error(1, words, "flat.vtu", "--volume", "--output=n.png")
 
     def test_bad_usage(self):
@@ -303,7 +303,7 @@ class TestViewerVolume(ViewerProgram):
             (["more than one", "'Wind'"], "--volume", "Left", "Wind"),
         ):
             self.assert_error(2, words, self.file, *arguments)
-        self.assert_error(2, ["--volume", "meshes"], "heights.tif", "--volume")
+        self.assert_error(2, ["--volume requires a mesh"], "heights.tif", "--volume")
 
     def test_real_meshes(self):
         if not DATA.exists():

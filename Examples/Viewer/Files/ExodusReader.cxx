@@ -34,7 +34,7 @@ vtkSmartPointer<vtkDataObject> ReadExodusBlocks(
   {
     const double* times = information->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
     std::ostringstream text;
-    text << fileName << ": step 1 of " << steps << " is drawn, at time " << times[0];
+    text << fileName << ": only time step 1 of " << steps << " is drawn (time " << times[0] << ")";
     messages.Tell(text.str());
   }
   reader->Update();
@@ -46,7 +46,7 @@ vtkSmartPointer<vtkPolyData> ReadExodus(const std::string& fileName, ViewerMessa
 {
   const auto blocks = ReadExodusBlocks(fileName, messages);
   vtkNew<vtkCompositeDataGeometryFilter> surface;
-  messages.Observe(surface, "taking the surface");
+  messages.Observe(surface, "extracting the surface");
   surface->SetInputDataObject(blocks);
   surface->Update();
   messages.Check();

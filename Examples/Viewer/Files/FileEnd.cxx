@@ -39,7 +39,7 @@ void CheckXML(const std::string& fileName, ViewerMessages&)
   const std::string end = ReadEnd(fileName, 1024);
   if (end.size() < tag.size() || end.compare(end.size() - tag.size(), tag.size(), tag) != 0)
   {
-    throw ViewerError("the file is cut short: it does not end with " + tag);
+    throw ViewerError("the file is truncated: it does not end with " + tag);
   }
 }
 
@@ -106,20 +106,20 @@ void CheckSTL(const std::string& fileName, ViewerMessages& messages)
   {
     if (ReadEnd(fileName, 1024).find("endsolid") == std::string::npos)
     {
-      throw ViewerError("the file is cut short: it does not end with endsolid");
+      throw ViewerError("the file is truncated: it does not end with endsolid");
     }
     return;
   }
   const long long rest = size - header;
   if (rest < 0 || (rest < number * triangle && rest % triangle != 0))
   {
-    throw ViewerError("the file is cut short: its header says " + std::to_string(number) +
-      " triangles, and there are " + std::to_string(std::max(rest, 0LL) / triangle));
+    throw ViewerError("the file is truncated: its header says " + std::to_string(number) +
+      " triangles, but there are " + std::to_string(std::max(rest, 0LL) / triangle));
   }
   if (rest / triangle != number)
   {
     messages.Warn(fileName + ": the header says " + std::to_string(number) +
-      " triangles, and there are " + std::to_string(rest / triangle));
+      " triangles, but there are " + std::to_string(rest / triangle));
   }
 }
 }

@@ -55,11 +55,12 @@ private:
   void CheckAccessor(long long index, const std::string& user)
   {
     Require(IsIn(index, this->Model.Accessors),
-      user + " refers to accessor " + std::to_string(index) + " of " +
+      user + " refers to accessor " + std::to_string(index) + ", but there are " +
         std::to_string(this->Model.Accessors.size()));
     // VTK would write sparse values to any index in the file.
     Require(!this->Model.Accessors[index].IsSparse,
-      user + " refers to accessor " + std::to_string(index) + ", which is sparse");
+      user + " refers to accessor " + std::to_string(index) +
+        ", which is sparse; sparse accessors are not supported");
   }
 
   void CheckBuffers()
@@ -78,10 +79,10 @@ private:
       {
         std::error_code unknown;
         Require(std::filesystem::is_regular_file(folder / buffer.URI, unknown),
-          "its file " + buffer.URI + " is missing");
+          "its file " + buffer.URI + " does not exist");
         Require(static_cast<long long>(std::filesystem::file_size(folder / buffer.URI, unknown)) >=
             buffer.ByteLength,
-          "its file " + buffer.URI + " is cut short");
+          "its file " + buffer.URI + " is truncated");
       }
     }
   }
@@ -93,7 +94,7 @@ private:
       const Loader::BufferView& view = this->Model.BufferViews[i];
       const std::string name = "buffer view " + std::to_string(i);
       Require(IsIn(view.Buffer, this->Buffers),
-        name + " refers to buffer " + std::to_string(view.Buffer) + " of " +
+        name + " refers to buffer " + std::to_string(view.Buffer) + ", but there are " +
           std::to_string(this->Buffers.size()));
       Require(view.ByteOffset >= 0 && view.ByteLength >= 0 && view.ByteStride >= 0 &&
           static_cast<long long>(view.ByteOffset) + view.ByteLength <=
@@ -113,8 +114,8 @@ private:
         continue; // contains zeros
       }
       Require(IsIn(accessor.BufferView, this->Model.BufferViews),
-        name + " refers to buffer view " + std::to_string(accessor.BufferView) + " of " +
-          std::to_string(this->Model.BufferViews.size()));
+        name + " refers to buffer view " + std::to_string(accessor.BufferView) +
+          ", but there are " + std::to_string(this->Model.BufferViews.size()));
       const Loader::BufferView& view = this->Model.BufferViews[accessor.BufferView];
       const long long element =
         static_cast<long long>(accessor.NumberOfComponents) * GetSize(accessor.ComponentTypeValue);
@@ -159,7 +160,7 @@ private:
         {
           this->CheckAccessor(primitive.IndicesId, "a primitive");
           Require(this->Model.Accessors[primitive.IndicesId].BufferView >= 0,
-            "the indices of a primitive are in no buffer view");
+            "the indices of a primitive have no buffer view");
         }
       }
     }
@@ -172,7 +173,7 @@ private:
       this->CheckAccessor(attribute.second, attribute.first);
       const int count = this->Model.Accessors[attribute.second].Count;
       Require(count == numberOfPoints,
-        attribute.first + " has " + std::to_string(count) + " values for " +
+        attribute.first + " has " + std::to_string(count) + " values, but there are " +
           std::to_string(numberOfPoints) + " points");
     }
   }
@@ -218,7 +219,7 @@ private:
         const int index = open.back();
         open.pop_back();
         Require(IsIn(index, this->Model.Nodes),
-          "there is no node " + std::to_string(index) + ", which the scene needs");
+          "the scene refers to node " + std::to_string(index) + ", which does not exist");
         const Loader::Node& node = this->Model.Nodes[index];
         Require(!isVisited[index], "node " + std::to_string(index) + " has two parents");
         isVisited[index] = true;

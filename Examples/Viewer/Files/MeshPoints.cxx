@@ -126,7 +126,7 @@ void CheckCorners(vtkPointSet* mesh)
     const vtkIdType numberOfTypes = CountCellTypes(grid);
     if (numberOfTypes != grid->GetNumberOfCells())
     {
-      throw ViewerError("there are " + std::to_string(numberOfTypes) + " types for " +
+      throw ViewerError("there are " + std::to_string(numberOfTypes) + " cell types, but " +
         std::to_string(grid->GetNumberOfCells()) + " cells");
     }
   }
@@ -142,7 +142,8 @@ void CheckCorners(vtkPointSet* mesh)
           if (ids[i] < 0 || ids[i] >= numberOfPoints)
           {
             throw ViewerError("cell " + std::to_string(cell) + " refers to point " +
-              std::to_string(ids[i]) + " of " + std::to_string(numberOfPoints));
+              std::to_string(ids[i]) + ", but there are " + std::to_string(numberOfPoints) +
+              " points");
           }
         }
         ++cell;

@@ -38,6 +38,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <vector>
 
 namespace
@@ -74,7 +75,7 @@ template <typename Filter>
 Mesh TakeSurface(vtkDataSet* data, ViewerMessages& messages)
 {
   vtkNew<Filter> surface;
-  messages.Observe(surface, "taking the surface");
+  messages.Observe(surface, "extracting the surface");
   surface->SetInputData(data);
   surface->Update();
   return surface->GetOutput();
@@ -138,7 +139,7 @@ SurfaceMesh ReadFormat(const std::string& fileName, MeshCells cells, ViewerMessa
     return { TakeSurface(data, cells, messages), isOfCells };
   }
   throw ViewerError("VTK " + std::string(vtkVersion::GetVTKVersion()) + " cannot read " +
-    extension + " files; meshes are read from " + GetMeshFormats());
+    extension + " files; relevo-view reads meshes from " + GetMeshFormats());
 }
 
 void CheckPoints(vtkPolyData* mesh, const std::string& fileName)
@@ -177,6 +178,20 @@ std::string GetMeshFormats()
     extensions.push_back(reader.first);
   }
   return JoinWords(extensions) + " files";
+}
+
+//------------------------------------------------------------------------------
+std::string AdviseFormat(const std::string& fileName, const std::string& formats)
+{
+  static const std::set<std::string> ofRasters = { ".asc", ".bil", ".dem", ".dt0", ".dt1", ".dt2",
+    ".exr", ".flt", ".hgt", ".img", ".jp2", ".jpeg", ".jpg", ".png", ".tif", ".tiff", ".vrt" };
+  static const std::set<std::string> ofExodus = { ".e", ".exo", ".exoii" };
+  const std::string extension = GetExtension(fileName);
+  if (ofExodus.count(extension) > 0)
+  {
+    return "; if it is an Exodus file, rename it to .ex2";
+  }
+  return ofRasters.count(extension) > 0 ? "" : "; relevo-view reads meshes from " + formats;
 }
 
 //------------------------------------------------------------------------------

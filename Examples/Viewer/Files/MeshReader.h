@@ -19,6 +19,10 @@ bool IsMeshFile(const std::string& fileName);
 /// The supported formats, as in ".ply, .stl or .vtp files".
 std::string GetMeshFormats();
 
+/// Advice, as the end of a sentence, for a file that is not a mesh by its extension: the formats of
+/// meshes, or "" if the extension is that of a raster.
+std::string AdviseFormat(const std::string& fileName, const std::string& formats);
+
 /// The surface of an unstructured grid.
 enum class MeshCells
 {

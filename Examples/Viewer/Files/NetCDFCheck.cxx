@@ -49,8 +49,8 @@ public:
     // Some programs omit the padding of the last value.
     if (size >= this->FileSize + Alignment)
     {
-      throw ViewerError("the file is cut short: its header says " +
-        std::to_string(static_cast<long long>(size)) + " bytes, and there are " +
+      throw ViewerError("the file is truncated: its header says " +
+        std::to_string(static_cast<long long>(size)) + " bytes, but there are " +
         std::to_string(static_cast<long long>(this->FileSize)));
     }
   }
@@ -58,7 +58,7 @@ public:
 private:
   [[noreturn]] static void FailShort()
   {
-    throw ViewerError("the file is cut short or damaged: its netCDF header is not complete");
+    throw ViewerError("the file is truncated or damaged: its netCDF header is not complete");
   }
 
   double ReadBytes(int number)

@@ -103,8 +103,8 @@ private:
   {
     if (index == 0 || index < -this->Counts[kind])
     {
-      throw ViewerError("line " + std::to_string(line) + " refers to the " + Names[kind] + " " +
-        std::to_string(index) + ", and there are " + std::to_string(this->Counts[kind]) +
+      throw ViewerError("line " + std::to_string(line) + " refers to " + Names[kind] + " " +
+        std::to_string(index) + ", but there are " + std::to_string(this->Counts[kind]) +
         " before it");
     }
     if (index > this->Highest[kind])
@@ -118,8 +118,8 @@ private:
   {
     if (index > this->Counts[kind])
     {
-      throw ViewerError("line " + std::to_string(line) + " refers to the " + Names[kind] + " " +
-        std::to_string(index) + ", and there are " + std::to_string(this->Counts[kind]));
+      throw ViewerError("line " + std::to_string(line) + " refers to " + Names[kind] + " " +
+        std::to_string(index) + ", but there are " + std::to_string(this->Counts[kind]));
     }
   }
 

@@ -86,8 +86,8 @@ private:
       }
       hasFormat = this->ReadHeaderLine(word, words) || hasFormat;
     }
-    throw ViewerError(
-      hasFormat ? "its header has no end: the file is cut short" : "its header names no format");
+    throw ViewerError(hasFormat ? "its header has no end_header: the file is truncated"
+                                : "its header has no format line");
   }
 
   // Returns whether the line names the format.
@@ -132,8 +132,8 @@ private:
 
   [[noreturn]] static void FailShort(const Element& element, long long number)
   {
-    throw ViewerError("the file is cut short: its header says " + std::to_string(element.Count) +
-      " of '" + element.Name + "', and there are " + std::to_string(number));
+    throw ViewerError("the file is truncated: its header says " + std::to_string(element.Count) +
+      " of '" + element.Name + "', but there are " + std::to_string(number));
   }
 
   // Returns whether the file has this many bytes left.
@@ -222,7 +222,7 @@ private:
       if (!isWhole)
       {
         throw ViewerError("line " + std::to_string(i + 1) + " of '" + element.Name +
-          "' is not as long as the header says, or has no numbers");
+          "' has fewer values than the header says, or values that are not numbers");
       }
     }
   }

@@ -30,13 +30,13 @@ std::string ReadNode(const std::string& line, TransferNode& node)
   if (numbers.size() != 5)
   {
     return "there are " + std::to_string(numbers.size()) +
-      " numbers, not 5: value red green blue opacity";
+      " numbers instead of 5: value red green blue opacity";
   }
   for (std::size_t i = 1; i < 5; ++i)
   {
     if (numbers[i] < 0.0 || numbers[i] > 1.0)
     {
-      return i < 4 ? "colours are from 0 to 1" : "opacities are from 0 to 1";
+      return i < 4 ? "colours must be from 0 to 1" : "opacities must be from 0 to 1";
     }
   }
   node = { numbers[0], { { numbers[1], numbers[2], numbers[3] } }, numbers[4] };
@@ -62,7 +62,7 @@ std::vector<TransferNode> ReadTransferFile(const std::string& fileName)
     std::string error = ReadNode(line, node);
     if (error.empty() && !nodes.empty() && node.Value <= nodes.back().Value)
     {
-      error = "its value is not above that of the line before";
+      error = "its value must be greater than that of the line before";
     }
     if (!error.empty())
     {

@@ -21,7 +21,8 @@ std::string FindReadError(const std::string& fileName)
     return std::filesystem::is_directory(status) ? "it is a folder" : "it is not a regular file";
   }
   std::ifstream file(fileName);
-  return !file ? "the file does not exist or is not readable"
+  return !file
+    ? (std::filesystem::exists(status) ? "it cannot be opened" : "the file does not exist")
     : file.peek() == std::ifstream::traits_type::eof() ? "the file is empty"
                                                        : "";
 }

@@ -78,7 +78,7 @@ Volume ReadVolume(const std::string& fileName, ViewerMessages& messages)
   const auto reader = GetReaders().find(GetExtension(fileName));
   if (reader == GetReaders().end())
   {
-    throw ViewerError("cannot read " + fileName + ": volumes are read from " + GetVolumeFormats());
+    throw ViewerError("cannot read " + fileName + ": --volume reads " + GetVolumeFormats());
   }
   const ReadingGuard guard({ fileName });
   Volume data;

@@ -3,6 +3,7 @@
 #include "Options/OptionChecks.h"
 
 #include "Files/MeshReader.h"
+#include "Files/VolumeReader.h"
 #include "Options/UsageError.h"
 #include "Options/ViewerArguments.h"
 #include "Options/ViewerOptions.h"
@@ -47,6 +48,7 @@ public:
   }
 
 private:
+  // Options that have no effect without another.
   void RequirePartner(
     const std::vector<std::string>& names, bool isUseful, const std::string& partner)
   {
@@ -54,25 +56,42 @@ private:
     {
       if (this->Given.count(option) && !isUseful)
       {
-        throw UsageError(option + " goes with " + partner);
+        throw UsageError(option + " requires " + partner);
       }
     }
   }
 
-  // Files with other extensions are height maps.
-  void RequireMesh(const std::vector<std::string>& names)
+  void Exclude(const std::vector<std::string>& names, bool isOtherGiven, const std::string& other)
+  {
+    for (const std::string& option : names)
+    {
+      if (this->Given.count(option) && isOtherGiven)
+      {
+        throw UsageError(option + " cannot be combined with " + other);
+      }
+    }
+  }
+
+  // Files with other extensions than those of meshes are height maps.
+  void RequireMesh(const std::vector<std::string>& names, const std::string& formats)
   {
     this->RequirePartner(names, this->Options.IsMesh,
-      this->Options.IsDatabase ? "meshes"
-                               : "meshes, and '" + this->Options.Input +
-          "' is read as a height map; meshes are read from " + GetMeshFormats());
+      "a mesh, and '" + this->Options.Input +
+        (this->Options.IsDatabase
+            ? "' is a folder of reliefs"
+            : "' is read as a height map" + AdviseFormat(this->Options.Input, formats)));
+  }
+
+  void RequireMesh(const std::vector<std::string>& names)
+  {
+    this->RequireMesh(names, GetMeshFormats());
   }
 
   // A volume has no surface to refine.
   void CheckVolume()
   {
     const ViewerOptions& options = this->Options;
-    this->RequireMesh({ "--volume" });
+    this->RequireMesh({ "--volume" }, GetVolumeFormats());
     const std::set<std::string> ofVolumes = { "--blend", "--clip", "--integration", "--isosurfaces",
       "--transfer", "--unit-distance", "--volume", "--volume-method" };
     for (const auto& given : this->Given)
@@ -81,11 +100,11 @@ private:
       if (options.IsVolume && !IsOneOf(option, ofVolumes) && !IsOneOf(option, OfAll) &&
         option != "--light")
       {
-        throw UsageError(option + " does not go with --volume");
+        throw UsageError(option + " cannot be combined with --volume");
       }
       if (!options.IsVolume && IsOneOf(option, ofVolumes))
       {
-        throw UsageError(option + " goes with --volume");
+        throw UsageError(option + " requires --volume");
       }
     }
     const int blend = options.BlendMode;
@@ -113,7 +132,7 @@ private:
     {
       if (hasOther && !IsOneOf(given.first, others))
       {
-        throw UsageError(given.first + " does not go with --against");
+        throw UsageError(given.first + " cannot be combined with --against");
       }
     }
   }
@@ -129,7 +148,7 @@ private:
         if (!IsOneOf(given.first, OfAll) &&
           !IsOneOf(given.first, { "--relief-method", "--relief-search" }))
         {
-          throw UsageError(given.first + " does not go with a folder of reliefs");
+          throw UsageError(given.first + " cannot be combined with a folder of reliefs");
         }
       }
     }
@@ -144,9 +163,11 @@ private:
     const ViewerOptions& options = this->Options;
     using Surface = ViewerOptions::SurfaceType;
     this->RequirePartner({ "--exaggeration", "--imagery-bands", "--resolution", "--stretch" },
-      options.IsTerrain(), "height maps");
-    this->RequireMesh({ "--array", "--feature-angle", "--height", "--mapping" });
-    this->RequirePartner({ "--up" }, !options.IsTerrain(), "meshes");
+      options.IsTerrain(), "a height map, and '" + options.Input + "' is a mesh");
+    this->RequireMesh(
+      { "--array", "--feature-angle", "--height", "--mapping", "--offset", "--scale" });
+    this->RequirePartner({ "--up" }, !options.IsTerrain(),
+      "a mesh, and '" + options.Input + "' is read as a height map");
     const bool hasHeights = !options.IsMesh || !options.Heights.empty();
     this->RequirePartner({ "--scale", "--offset" }, options.IsMesh && hasHeights, "--height");
     this->RequirePartner({ "--no-data", "--no-data-value" }, hasHeights, "--height");
@@ -163,11 +184,10 @@ private:
     const ViewerOptions& options = this->Options;
     using Metric = ViewerOptions::MetricType;
     const bool canBePatch = options.IsMesh && (!options.Surface || options.IsPatch());
+    this->RequireMesh({ "--hair", "--isolines", "--patch-edges" });
     this->RequirePartner({ "--isolines", "--patch-edges" }, canBePatch, "--surface patch");
-    this->RequirePartner(
-      { "--isolines", "--patch-edges" }, options.Vectors.empty(), "surfaces without --lic");
-    this->RequirePartner({ "--feature-angle" }, !options.IsPatch(), "other surfaces than patch");
-    this->RequireMesh({ "--hair" });
+    this->Exclude({ "--isolines", "--patch-edges" }, !options.Vectors.empty(), "--lic");
+    this->Exclude({ "--feature-angle" }, options.IsPatch(), "--surface patch");
     if (options.Hairs == 0)
     {
       this->CheckError(canBePatch, options.Metric.value_or(Metric::Error) == Metric::Error);
@@ -178,13 +198,10 @@ private:
   {
     if (this->Given.count("--error") && !this->Options.IsMesh)
     {
-      throw UsageError("--error works with meshes that have curved cells, and '" +
-        this->Options.Input + "' is not read as a mesh; use --level or --max-level");
+      throw UsageError("--error requires a mesh with curved cells, and '" + this->Options.Input +
+        "' is read as a height map; use --level or --max-level");
     }
-    if (this->Given.count("--error") && this->Options.UniformLevel)
-    {
-      throw UsageError("--error cannot be combined with --level");
-    }
+    this->Exclude({ "--error" }, this->Options.UniformLevel.has_value(), "--level");
     this->RequirePartner({ "--error" }, canBePatch, "--surface patch");
     this->RequirePartner({ "--error" }, isOfMetric, "--metric error");
   }
@@ -207,21 +224,16 @@ private:
   {
     const ViewerOptions& options = this->Options;
     using Metric = ViewerOptions::MetricType;
-    for (const char* option : { "--metric", "--max-level", "--per-edge" })
-    {
-      if (options.UniformLevel && this->Given.count(option))
-      {
-        throw UsageError(std::string(option) + " cannot be combined with --level");
-      }
-    }
-    this->RequirePartner({ "--pixels" },
-      options.GetMetric() == Metric::ScreenEdge && !options.UniformLevel, "--metric screen-edge");
-    this->RequirePartner({ "--reach" },
-      options.GetMetric() == Metric::Distance && !options.UniformLevel, "--metric distance");
+    this->Exclude({ "--metric", "--max-level", "--per-edge", "--pixels", "--reach" },
+      options.UniformLevel.has_value(), "--level");
+    this->RequirePartner(
+      { "--pixels" }, options.GetMetric() == Metric::ScreenEdge, "--metric screen-edge");
+    this->RequirePartner(
+      { "--reach" }, options.GetMetric() == Metric::Distance, "--metric distance");
     this->RequirePartner({ "--region" }, options.GetMetric() == Metric::Region, "--metric region");
     if (options.Budget > 0 && !options.Export.empty())
     {
-      throw UsageError("--budget does not go with --export: it limits what is drawn");
+      throw UsageError("--budget cannot be combined with --export: it limits what is drawn");
     }
   }
 
@@ -249,7 +261,7 @@ private:
       }
       else if (!options.IsTerrain())
       {
-        throw UsageError("--center in degrees goes with height maps; give X,Y,Z");
+        throw UsageError("--center in degrees requires a height map; give X,Y,Z");
       }
     }
   }

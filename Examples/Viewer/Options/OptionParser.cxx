@@ -88,7 +88,7 @@ public:
     }
     if (this->Options.Input.empty())
     {
-      throw UsageError("no height map or mesh is given");
+      throw UsageError("no file is given");
     }
     this->Options.IsDatabase = IsReliefDatabase(this->Options.Input);
     this->Options.IsMesh = IsMeshFile(this->Options.Input);
@@ -450,7 +450,7 @@ private:
     if (!this->Options.Input.empty())
     {
       throw UsageError(
-        "more than one height map or mesh: '" + this->Options.Input + "' and '" + argument + "'");
+        "more than one file is given: '" + this->Options.Input + "' and '" + argument + "'");
     }
     this->Options.Input = argument;
   }
@@ -486,8 +486,8 @@ private:
     }
     if (equals == std::string::npos && this->IsOption(next))
     {
-      throw UsageError(option + " needs a value before the option '" + next + "'; " + option + "=" +
-        next + " takes it as the value");
+      throw UsageError(option + " needs a value, but the option '" + next + "' follows; write " +
+        option + "=" + next + " if that is the value");
     }
     const std::string value = equals == std::string::npos ? next : argument.substr(equals + 1);
     this->GivenOptions[option] = value;

@@ -134,7 +134,7 @@ std::vector<double> ToPlane(const std::string& option, const std::string& text)
   const std::vector<double> numbers = ToNumbers(option, text, "X,Y,Z,NX,NY,NZ");
   if (!(std::hypot(numbers[3], numbers[4], numbers[5]) > 0.0))
   {
-    throw BadValue(option, "a normal that is not 0,0,0", text);
+    throw BadValue(option, "a normal other than 0,0,0", text);
   }
   return numbers;
 }
@@ -177,7 +177,7 @@ std::optional<std::array<double, 2>> ToDegrees(const std::string& option, const 
     const std::size_t axis = letter < 4 ? 0 : 1;
     if (letter == std::string::npos || degrees[axis] || parts.size() != 2)
     {
-      throw BadValue(option, "a longitude and a latitude, as 86.925E,27.988N", text);
+      throw BadValue(option, "a longitude and a latitude such as 86.925E,27.988N", text);
     }
     const double size = ToNumber(option + (axis == 0 ? "'s longitude" : "'s latitude"),
       part.substr(0, part.size() - 1), axis == 0 ? -180.0 : -90.0, axis == 0 ? 360.0 : 90.0);
@@ -204,7 +204,7 @@ void ToBands(const std::string& option, const std::string& text, int bands[3])
   const std::vector<std::string> parts = Split(text);
   if (parts.size() != 3)
   {
-    throw BadValue(option, "three bands, as 3,2,1", text);
+    throw BadValue(option, "three bands such as 3,2,1", text);
   }
   std::transform(parts.begin(), parts.end(), bands,
     [&](const std::string& part) { return ToInteger(option, part, 1, LargestBand); });

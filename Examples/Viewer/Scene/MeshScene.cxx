@@ -140,7 +140,7 @@ void MeshScene::TakePatches()
   if (this->Options.AsksForPatches() && !hasPatches)
   {
     throw ViewerError(this->Options.Input +
-      " is no unstructured grid, whose cells --surface patch, --isolines and --patch-edges draw");
+      " is not an unstructured grid, which --surface patch, --isolines and --patch-edges require");
   }
   if (hasPatches)
   {
@@ -181,9 +181,9 @@ void MeshScene::ChooseSurface(bool isOfCells)
     this->Options.Surface =
       isFlat ? ViewerOptions::SurfaceType::Linear : ViewerOptions::SurfaceType::PNTriangle;
     std::ostringstream text;
-    text << "surface: curved through the mesh's points (--surface pn), "
+    text << "surface: curved through the mesh's points (--surface pn), with "
          << normals->GetNumberOfCreases() << " creases of more than " << normals->GetFeatureAngle()
-         << " degrees kept; --surface linear draws flat faces";
+         << " degrees; --surface linear draws flat faces";
     this->CurvedBy = isFlat ? std::string() : text.str();
   }
 }

@@ -161,10 +161,11 @@ void TerrainScene::CheckExaggeration()
   {
     std::ostringstream message;
     message << std::setprecision(3) << this->Options.Input << ": --exaggeration " << exaggeration
-            << " makes the terrain " << relief / width << " times as high as wide; at "
-            << std::abs(exaggeration) * maximumHeights * width / relief << " it is "
-            << maximumHeights << " times as high, which is the most. Heights from " << range[0]
-            << " to " << range[1] << ": if an end stands for no data, name it with --no-data-value";
+            << " makes the terrain " << relief / width << " times as high as wide, but at most "
+            << maximumHeights << " times is allowed; use at most --exaggeration "
+            << std::abs(exaggeration) * maximumHeights * width / relief
+            << ". The heights range from " << range[0] << " to " << range[1]
+            << ": if one of these is a missing value, name it with --no-data-value";
     throw ViewerError(message.str());
   }
 }
@@ -184,11 +185,11 @@ void TerrainScene::ChooseExaggeration(double heights, double width)
   this->Source->SetExaggeration(std::stod(digits.str()));
   std::ostringstream message;
   message << std::setprecision(3) << this->Options.Input << ": --exaggeration " << digits.str()
-          << ", because "
+          << " is chosen, because "
           << (this->CountsTexels()
-                 ? "there is no georeference: texels are taken as 1 m wide"
-                 : "there is no coordinate system: coordinates are taken as metres")
-          << ", and heights as metres would be " << heights / width << " times the width";
+                 ? "there is no georeference (texels are taken as 1 m wide)"
+                 : "there is no coordinate system (coordinates are taken as metres)")
+          << " and the heights in metres would be " << heights / width << " times the width";
   this->ExaggeratedBy = message.str();
 }
 
@@ -214,8 +215,8 @@ void TerrainScene::CheckBudget()
   const double factor = std::sqrt(static_cast<double>(budget) / static_cast<double>(coarse));
   const int resolution = static_cast<int>(factor * this->Source->GetResolution());
   this->Messages.Warn("--budget " + std::to_string(budget) + " is less than the " +
-    std::to_string(coarse) + " coarse triangles, which are drawn where they are in view; " +
-    "--resolution " + std::to_string(std::max(resolution, 1)) + " makes fewer");
+    std::to_string(coarse) + " coarse triangles, which are always drawn where they are in view; " +
+    "use --resolution " + std::to_string(std::max(resolution, 1)) + " for fewer");
 }
 
 //------------------------------------------------------------------------------
@@ -230,15 +231,12 @@ void TerrainScene::Report()
 //------------------------------------------------------------------------------
 std::string TerrainScene::ExplainReading(const std::string& text)
 {
-  const std::string extension = GetExtension(this->Options.Input);
-  if (extension == ".e" || extension == ".exo" || extension == ".exoii")
-  {
-    return "Cannot read " + this->Options.Input +
-      ": GDAL cannot read it as a raster. If it is an Exodus file, rename it to .ex2.";
-  }
-  // Possibly a mesh format without a reader. Damaged rasters are recognized.
-  return text.find("recogni") != std::string::npos
-    ? text + " Meshes are read from " + GetMeshFormats() + "."
+  // GDAL opens Exodus files as netCDF. Other files may be meshes in a format without a reader.
+  const std::string advice = AdviseFormat(this->Options.Input, GetMeshFormats());
+  const bool isExodus = advice.find("Exodus") != std::string::npos;
+  const bool isUnknown = text.find("recogni") != std::string::npos && !advice.empty();
+  return isExodus || isUnknown
+    ? "Cannot read " + this->Options.Input + ": it cannot be read as a height map" + advice + "."
     : text;
 }
 
@@ -394,8 +392,8 @@ std::optional<std::array<double, 3>> TerrainScene::GetCentre()
   if (this->IsInRaster(place[0], place[1]))
   {
     this->Messages.Warn("--center " + text.str() +
-      " is in metres from the raster's centre; --center " + ToText(place[0], 'E', 'W') + "," +
-      ToText(place[1], 'N', 'S') + " is in degrees");
+      " is taken as metres from the raster's centre; for degrees, use --center " +
+      ToText(place[0], 'E', 'W') + "," + ToText(place[1], 'N', 'S'));
   }
   return this->FindGround(place[0], place[1], text.str());
 }
@@ -418,7 +416,8 @@ std::array<double, 3> TerrainScene::FindDegrees(const std::array<double, 2>& deg
   if (!*this->Source->GetCoordinateSystem())
   {
     throw ViewerError(this->Options.Input +
-      " has no coordinate system for a --center in degrees; X,Y counts texels from its centre");
+      " has no coordinate system, so --center cannot be in degrees; give X,Y in texels from its "
+      "centre");
   }
   const std::string text = ToText(degrees[0], 'E', 'W') + "," + ToText(degrees[1], 'N', 'S');
   if (!this->Source->GeographicToTerrain(geographic, place))
@@ -438,13 +437,13 @@ std::array<double, 3> TerrainScene::FindGround(double x, double y, const std::st
     double bounds[6];
     this->Mesh->GetBounds(bounds);
     std::ostringstream message;
-    message << this->Options.Input << " has no height at --center " << text << "; its x goes from "
-            << bounds[0] << " to " << bounds[1] << ", its y from " << bounds[2] << " to "
-            << bounds[3] << ". X,Y counts "
+    message << this->Options.Input << " has no height at --center " << text
+            << "; its x ranges from " << bounds[0] << " to " << bounds[1] << ", its y from "
+            << bounds[2] << " to " << bounds[3] << ". Give X,Y in "
             << (*this->Source->GetCoordinateSystem()
-                   ? "metres from its centre; write degrees as 86.925E,27.988N"
+                   ? "metres from its centre, degrees such as 86.925E,27.988N"
                    : "texels from its centre")
-            << ". X,Y,Z looks at a place without terrain";
+            << ", or X,Y,Z for a point without terrain";
     throw ViewerError(message.str());
   }
   vtkDisplacement* displacement = this->Source->GetDisplacement();

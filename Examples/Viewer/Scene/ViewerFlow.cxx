@@ -94,8 +94,8 @@ vtkDataArray* FindVectors(const ViewerOptions& options, vtkPolyData* mesh, bool&
   throw ViewerError(options.Input +
     (other ? ": the array '" + options.Vectors + "' has " +
           std::to_string(other->GetNumberOfComponents()) + " components, not 2 or 3"
-           : " has no vectors '" + options.Vectors + "'") +
-    (list.empty() ? "; it has no vectors at all" : "; its vectors are " + list));
+           : " has no array '" + options.Vectors + "'") +
+    (list.empty() ? "; it has no arrays of 2 or 3 components" : "; its vectors are " + list));
 }
 
 //------------------------------------------------------------------------------

@@ -66,8 +66,11 @@ Metric MakeFieldVariation(const ViewerOptions& options, const std::string& array
 {
   if (arrayName.empty())
   {
-    throw ViewerError(
-      options.Input + " has no array of points for --metric field; --array NAME chooses one");
+    throw ViewerError(options.Input +
+      (options.Array.empty()
+          ? " has no active point array for --metric field; select one with --array NAME"
+          : ": --metric field requires a point array, and '" + options.Array +
+            "' is a cell array"));
   }
   vtkNew<vtkFieldVariationDepthTagMetric> metric;
   metric->SetArrayName(arrayName.c_str());

@@ -46,7 +46,7 @@ void CheckCells(const std::string& fileName, vtkDataObject* data)
       }
     }
   }
-  throw ViewerError(fileName + " has no 3D cells for --volume; without it, its surface is drawn");
+  throw ViewerError(fileName + " has no 3D cells; omit --volume to draw its surface");
 }
 
 // "1,2.5"
@@ -104,7 +104,8 @@ void VolumeScene::Measure(vtkDataObject*)
     this->Bounds[5] - this->Bounds[4]);
   if (!std::isfinite(this->Diagonal) || this->Diagonal <= 0.0)
   {
-    throw ViewerError(this->Options.Input + " has no extent: its points are not finite, or one");
+    throw ViewerError(
+      this->Options.Input + " has no extent: its points are not finite, or coincide");
   }
 }
 

@@ -41,10 +41,16 @@ std::string NameOptions(std::string text)
 {
   const std::pair<const char*, const char*> phrases[] = {
     { "call SetNoDataValue() with that value", "name that value with --no-data-value" },
-    { "(NoDataValue)", "(--no-data-value)" },
-    { "lower Scale or Offset", "lower --exaggeration, or of a mesh --scale or --offset" },
-    { ", or raise MaximumDimension where textures may be that large", "" },
-    { ", or raise MaximumImagerySize where textures may be that large", "" },
+    { "lower Scale or Offset", "lower --exaggeration, or for a mesh --scale or --offset" },
+    { "heights (NoDataValue)", "heights (--no-data-value)" },
+    { ", or raise MaximumDimension if textures may be that large", "" },
+    { ", or raise MaximumImagerySize if textures may be that large", "" },
+    { "raise its recipe's MaximumLevel, or Tolerance", "its curved cells need more segments" },
+    { "Convert it with vtkCellDataToPointData.", "Choose a point array." },
+    { "lower Density", "lower --hair" },
+    { "raise ImageSampleDistance", "use a smaller --size" },
+    { "call SetMethodToRayCasting()", "use --volume-method ray" },
+    { "lower TableSize", "use --integration exact" },
   };
   for (const auto& phrase : phrases)
   {

@@ -44,8 +44,8 @@ public:
     // VTK 9.4 and later create a window without a display instead.
     if (!this->Window->GetShowWindow())
     {
-      throw ViewerError("cannot reach DISPLAY=" + std::string(std::getenv("DISPLAY")) +
-        "; --output FILE.png draws a picture without one");
+      throw ViewerError("cannot open DISPLAY=" + std::string(std::getenv("DISPLAY")) +
+        "; use --output FILE.png to write a picture without a display");
     }
   }
 

@@ -23,7 +23,8 @@ vtkDataArray* FindPointArray(
   text << "point array \"" << name << "\" ";
   if (!array)
   {
-    text << "is missing, or has no numbers";
+    const bool exists = data->GetPointData()->GetAbstractArray(name.c_str()) != nullptr;
+    text << (exists ? "holds no numbers" : "does not exist");
     const std::string misplaced =
       DescribeMisplacedArray(data, name, vtkDataObject::FIELD_ASSOCIATION_POINTS);
     error = misplaced.empty() ? text.str() : "there is " + misplaced;
@@ -32,8 +33,7 @@ vtkDataArray* FindPointArray(
   if (array->GetNumberOfComponents() != components || array->GetNumberOfTuples() < numberOfPoints)
   {
     text << "has " << array->GetNumberOfTuples() << " tuples of " << array->GetNumberOfComponents()
-         << " components; " << components << " for each of " << numberOfPoints
-         << " points are needed";
+         << " components, but " << numberOfPoints << " tuples of " << components << " are needed";
     error = text.str();
     return nullptr;
   }

@@ -314,7 +314,7 @@ std::string GetTypeName(int type)
 std::string GridChecks::DescribeNodes(const CellReader& cell) const
 {
   std::ostringstream text;
-  text << "it has " << cell.GetNumberOfNodes() << " nodes, which does not fit its type";
+  text << "a cell of this type cannot have " << cell.GetNumberOfNodes() << " nodes";
   const ivec3 degrees = cell.GetDegrees();
   if (this->HasDegrees && IsOfAnyDegree(cell.GetKind()) && !IsSimplex(cell.GetKind().Shape))
   {
@@ -329,25 +329,24 @@ std::string GridChecks::DescribeDegrees(const CellReader& cell) const
   std::ostringstream text;
   if (cell.LacksDegrees())
   {
-    text << "\"HigherOrderDegrees\" has no 3 numbers for it";
+    text << "\"HigherOrderDegrees\" has no tuple of 3 numbers for it";
     return text.str();
   }
   text << "its degrees are " << cell.GetGivenDegree(0) << ", " << cell.GetGivenDegree(1) << ", "
-       << cell.GetGivenDegree(2) << (this->HasDegrees ? " by \"HigherOrderDegrees\"" : "");
+       << cell.GetGivenDegree(2) << (this->HasDegrees ? " in \"HigherOrderDegrees\"" : "");
   const CellTopology shape = cell.GetKind().Shape;
   if (cell.GetKind().Nodes == NodeKind::Quadratic)
   {
-    text << ", but 2 by its " << cell.GetNumberOfNodes() << " nodes";
+    text << ", but its " << cell.GetNumberOfNodes() << " nodes need degree 2";
   }
-  else if (IsSimplex(shape))
+  else if (IsSimplex(shape) && cell.GetDegrees().x <= LargestDegree)
   {
-    text << ", but " << cell.GetDegrees().x << " by its " << cell.GetNumberOfNodes()
-         << " nodes; they may be 1 to " << LargestDegree;
+    text << ", but its " << cell.GetNumberOfNodes() << " nodes need degree " << cell.GetDegrees().x;
   }
   else
   {
-    text << ", and may be 1 to " << LargestDegree
-         << (shape == CellTopology::Wedge ? ", the first two the same" : "");
+    text << ", but degrees must be whole numbers from 1 to " << LargestDegree
+         << (shape == CellTopology::Wedge ? ", and the first two must be equal" : "");
   }
   return text.str();
 }
@@ -356,14 +355,15 @@ std::string GridChecks::DescribeWeight(vtkIdType point) const
 {
   vtkDataArray* weights = this->Grid->GetPointData()->GetRationalWeights();
   std::ostringstream text;
-  text << "\"RationalWeights\" of point " << point;
+  text << "point " << point << " has ";
   if (weights->GetNumberOfComponents() == 1 && point < weights->GetNumberOfTuples())
   {
-    text << " is " << weights->GetComponent(point, 0) << "; weights are more than 0, and finite";
+    text << "the weight " << weights->GetComponent(point, 0)
+         << " in \"RationalWeights\"; weights must be positive and finite";
   }
   else
   {
-    text << " is missing";
+    text << "no weight in \"RationalWeights\"";
   }
   return text.str();
 }
@@ -374,8 +374,8 @@ std::string GridChecks::Describe(vtkIdType id, CellError error) const
   if (error == CellError::List)
   {
     text << "Cell " << id
-         << " is left out: the grid's lists of types, offsets and points are too short for it, or "
-            "its offsets run backwards";
+         << " is left out: the grid's arrays of cell types, offsets and point ids are too short "
+            "for it, or its offsets decrease";
     return text.str();
   }
   CellReader cell(this->Grid);
@@ -387,18 +387,18 @@ std::string GridChecks::Describe(vtkIdType id, CellError error) const
       text << "cells of this type are not supported";
       break;
     case CellError::PointId:
-      text << "it refers to point " << *FindStrangePoint(cell, this->Points) << " of "
-           << this->Points.IsBadPoint.size();
+      text << "it refers to point " << *FindStrangePoint(cell, this->Points) << ", but there are "
+           << this->Points.IsBadPoint.size() << " points";
       break;
     case CellError::Nodes:
       text << this->DescribeNodes(cell);
       break;
     case CellError::Faces:
-      text << "its list of faces is not whole, or has a face of less than 3 points";
+      text << "its list of faces is incomplete, or has a face with fewer than 3 points";
       break;
     case CellError::OwnPoint:
-      text << "a face has point " << *FindUnlistedPoint(cell)
-           << ", which is not among the cell's points";
+      text << "point " << *FindUnlistedPoint(cell)
+           << " of a face is not in the cell's list of points";
       break;
     case CellError::Degree:
       text << this->DescribeDegrees(cell);
@@ -426,7 +426,9 @@ std::vector<std::string> DescribeErrors(
     {
       const auto others = std::count(first + 1, errors.end(), error);
       sentences.push_back(describe(first - errors.begin(), error) +
-        (others ? ". So it is with " + std::to_string(others) + " more cells." : "."));
+        (others == 0      ? "."
+            : others == 1 ? ". 1 more cell has the same fault."
+                          : ". " + std::to_string(others) + " more cells have the same fault."));
     }
   }
   return sentences;
@@ -493,8 +495,8 @@ CellChecks CheckIds(vtkDataSet* data)
     [&](vtkIdType cell, CellError)
     {
       return "Cell " + std::to_string(cell) + " (" + GetTypeName(data->GetCellType(cell)) +
-        ") is left out: it refers to point " + std::to_string(*find(cell)) + " of " +
-        std::to_string(points);
+        ") is left out: it refers to point " + std::to_string(*find(cell)) + ", but there are " +
+        std::to_string(points) + " points";
     });
   return checks;
 }

@@ -34,6 +34,6 @@ std::string LeftOutBlocks::GetText() const
 {
   return this->NumberOfMore == 0
     ? this->Sentences
-    : this->Sentences + " So are " + std::to_string(this->NumberOfMore) + " more blocks.";
+    : this->Sentences + " " + std::to_string(this->NumberOfMore) + " more blocks are left out.";
 }
 }

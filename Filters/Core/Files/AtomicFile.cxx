@@ -75,7 +75,7 @@ std::string FindTargetError(WriteTarget& target)
   std::error_code unknown;
   if (!fs::is_directory(folder, unknown))
   {
-    return "there is no folder " + folder;
+    return "the folder " + folder + " does not exist";
   }
   struct stat status;
   target.IsThere = stat(target.FileName.c_str(), &status) == 0;
@@ -102,7 +102,7 @@ WriteTarget FindTarget(const std::string& fileName)
   WriteTarget target;
   if (fileName.empty())
   {
-    target.Error = "there is no file name";
+    target.Error = "the file name is empty";
     return target;
   }
   target.FileName = fileName;

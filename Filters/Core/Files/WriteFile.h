@@ -89,7 +89,7 @@ bool WritePNG(AtomicFile& file, Writer* writer)
   auto* bytes = writer->GetResult();
   if (!errors.empty() || !bytes || bytes->GetNumberOfValues() == 0)
   {
-    file.Fail(errors.empty() ? "there is no picture" : GetWriterError(errors, file));
+    file.Fail(errors.empty() ? "the image has no pixels" : GetWriterError(errors, file));
     return false;
   }
   return file.Append({ reinterpret_cast<const char*>(bytes->GetPointer(0)),

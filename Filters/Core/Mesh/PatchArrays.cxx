@@ -40,19 +40,18 @@ vtkSmartPointer<Array> TakeArray(
   std::ostringstream text;
   if (!array)
   {
-    text << "the array " << name
-         << " is missing, or has no numbers: vtkPatchSurfaceFilter makes it";
+    text << "there is no array " << name << " of numbers, which vtkPatchSurfaceFilter creates";
   }
   else if (array->GetNumberOfComponents() != components ||
     (tuples >= 0 && array->GetNumberOfTuples() != tuples))
   {
     text << "the array " << name << " has " << array->GetNumberOfTuples() << " tuples of "
-         << array->GetNumberOfComponents() << " components, not ";
+         << array->GetNumberOfComponents() << " components, but ";
     if (tuples >= 0)
     {
-      text << tuples << " of ";
+      text << tuples << " tuples of ";
     }
-    text << components;
+    text << components << (tuples >= 0 ? " are needed" : " components are needed");
   }
   error = text.str();
   if (!error.empty())
@@ -184,16 +183,20 @@ bool PatchArrays::CheckPatches(std::string& error) const
     {
       return Fail(error, "patch", i, "is neither a Bézier quadrilateral nor a Bézier triangle");
     }
-    if (!IsDegree(record[DEGREE_U]) || !IsDegree(record[DEGREE_V]) ||
-      (isTriangle && record[DEGREE_U] != record[DEGREE_V]))
+    if (!IsDegree(record[DEGREE_U]) || !IsDegree(record[DEGREE_V]))
     {
-      return Fail(error, "patch", i, "has a degree that is not in 1 to 8, or a triangle two");
+      return Fail(error, "patch", i, "has a degree that is not in [1, 8]");
+    }
+    if (isTriangle && record[DEGREE_U] != record[DEGREE_V])
+    {
+      return Fail(error, "patch", i, "is a triangle with two different degrees");
     }
     const vtkIdType first = record[FIRST_POINT];
     if (first < 0 || first > numberOfPoints ||
       this->GetPatch(i).GetNumberOfPoints() > numberOfPoints - first)
     {
-      return Fail(error, "patch", i, "has control points that the array PatchPoints lacks");
+      return Fail(
+        error, "patch", i, "refers to control points that do not exist in the array PatchPoints");
     }
   }
   return true;
@@ -208,7 +211,7 @@ bool PatchArrays::CheckPoints(std::string& error) const
     if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]) ||
       !std::isfinite(x[3]) || !(x[3] > 0.0))
     {
-      return Fail(error, "control point", i, "is not finite, or its weight is not more than 0");
+      return Fail(error, "control point", i, "is not finite, or its weight is not positive");
     }
   }
   return true;
@@ -219,7 +222,8 @@ bool PatchArrays::CheckTriangle(vtkIdType cell, std::string& error) const
   const int patch = this->GetPatchId(cell);
   if (patch < 0 || patch >= this->GetNumberOfPatches())
   {
-    return Fail(error, "triangle", cell, "is of a patch that the array Patches lacks");
+    return Fail(
+      error, "triangle", cell, "refers to a patch that does not exist in the array Patches");
   }
   const bool isTriangle = this->GetPatch(patch).IsTriangle;
   for (int corner = 0; corner < 3; ++corner)
@@ -228,7 +232,7 @@ bool PatchArrays::CheckTriangle(vtkIdType cell, std::string& error) const
     const float high = isTriangle ? uv.x + uv.y : std::max(uv.x, uv.y);
     if (!(uv.x >= 0.0f && uv.y >= 0.0f && high <= 1.0f))
     {
-      return Fail(error, "triangle", cell, "has PatchCoordinates that are not on its patch");
+      return Fail(error, "triangle", cell, "has PatchCoordinates outside its patch");
     }
   }
   return true;
@@ -242,7 +246,7 @@ bool PatchArrays::CheckCells(vtkPolyData* mesh, std::string& error) const
   {
     if (polygons->GetCellSize(i) != 3)
     {
-      return Fail(error, "cell", first + i, "is not a triangle, as those of patches are");
+      return Fail(error, "cell", first + i, "is not a triangle, but patches consist of triangles");
     }
     if (!this->CheckTriangle(first + i, error))
     {
@@ -251,7 +255,7 @@ bool PatchArrays::CheckCells(vtkPolyData* mesh, std::string& error) const
   }
   if (mesh->GetNumberOfStrips() > 0)
   {
-    error = "patches have triangles, not strips";
+    error = "the mesh has triangle strips, but patches consist of triangles";
     return false;
   }
   return true;

@@ -53,7 +53,7 @@ const char* FindDefectOfVertices(
     const bool isInside = weights[0] > 0 && weights[1] > 0 && weights[2] > 0;
     if (i < border.size() ? weights != border[i] : !isInside)
     {
-      return "a vertex is not at the position that its index stands for";
+      return "a vertex is not at the position of its index";
     }
     points.push_back({ weights[1], weights[2] });
   }
@@ -76,7 +76,7 @@ const char* FindDefectOfTriangles(
       Orientation(points[triangle[0]], points[triangle[1]], points[triangle[2]]);
     if (orientation <= 0)
     {
-      return "a triangle is degenerate or turned over";
+      return "a triangle is degenerate or inverted";
     }
     area += orientation;
   }

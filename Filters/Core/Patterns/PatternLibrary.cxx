@@ -39,11 +39,11 @@ std::string PatternLibrary::GetError(Families family) const
   {
     return {};
   }
-  return "the pattern table has the patterns of " + this->FileName +
+  return "the pattern table was read from " + this->FileName +
     (family == WHOLE_NUMBERS
-        ? ", which have 2^level segments on an edge: call SetSegmentPolicyToPowersOfTwo()"
-        : ", whose vertices cannot morph: call GeomorphingOff()") +
-    ", or take another pattern table, with SetPatternTable()";
+        ? ", whose patterns have 2^level segments per edge: call SetSegmentPolicyToPowersOfTwo()"
+        : ", whose patterns cannot morph: call GeomorphingOff()") +
+    ", or set another table with SetPatternTable()";
 }
 
 std::shared_ptr<const PatternFamily> PatternLibrary::GetFamily(Families family) const

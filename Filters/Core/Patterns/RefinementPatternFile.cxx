@@ -204,8 +204,8 @@ std::string ReadBinary(
   }
   if (version != Version)
   {
-    return name + " has version " + std::to_string(version) + "; only version " +
-      std::to_string(Version) + " is known.";
+    return name + " has version " + std::to_string(version) + ", but only version " +
+      std::to_string(Version) + " is supported.";
   }
   if (!IsLevel(level))
   {
@@ -224,7 +224,7 @@ std::string ReadBinary(
     {
       if (reader.Get() != static_cast<std::uint32_t>(segments) && reader.IsGood())
       {
-        return name + " is damaged: " + Name(pattern) + " is not where it should be.";
+        return name + " is damaged: " + Name(pattern) + " is missing or out of order.";
       }
     }
     const std::size_t numberOfVertices = reader.Get();
@@ -357,7 +357,7 @@ std::string ReadVTP(
     const int index = patternOfPoint->GetValue(p);
     if (index < 0 || index >= count)
     {
-      return name + " has a point of a pattern that does not exist.";
+      return name + " has a point that belongs to no pattern.";
     }
     std::vector<float>& vertices = patterns[index].Vertices;
     vertexOfPoint[p] = static_cast<unsigned int>(vertices.size() / 3);
@@ -395,7 +395,7 @@ std::string WritePatterns(
 {
   if (!fileName || !*fileName)
   {
-    return "there is no file name.";
+    return "the file name is empty.";
   }
   const std::string error = IsVTP(fileName) ? WriteVTP(fileName, maximumLevel, patterns)
                                             : WriteBinary(fileName, maximumLevel, patterns);
@@ -407,12 +407,12 @@ std::string ReadPatterns(
 {
   if (!fileName || !*fileName)
   {
-    return "there is no file name.";
+    return "the file name is empty.";
   }
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(fileName, ignored))
   {
-    return std::string(fileName) + " is not a file.";
+    return std::string(fileName) + " does not exist or is not a regular file.";
   }
   std::string error = IsVTP(fileName) ? ReadVTP(fileName, maximumLevel, patterns)
                                       : ReadBinary(fileName, maximumLevel, patterns);

@@ -99,7 +99,7 @@ bool Eye::Set(const RefinementView& view, std::string& error)
 {
   if (!view.Camera)
   {
-    error = "There is no camera to look from";
+    error = "There is no camera: call SetCamera()";
     return false;
   }
   dvec3 focalPoint;
@@ -117,7 +117,7 @@ bool Eye::Set(const RefinementView& view, std::string& error)
   this->Backwards = scale > 0.0 ? UnitOrZero(back / scale) : dvec3(0.0);
   if (this->Backwards == dvec3(0.0))
   {
-    error = "The camera has no direction: its position is its focal point";
+    error = "The camera has no direction: its position and focal point coincide";
     return false;
   }
   return true;

@@ -116,7 +116,7 @@ bool ChosenNoise::ReadFile(const std::string& fileName)
   auto reader = vtk::TakeSmartPointer(vtkImageReader2Factory::CreateImageReader2(fileName.c_str()));
   if (!reader)
   {
-    this->Error = what + " is of no image format that VTK reads.";
+    this->Error = what + " is not in an image format that VTK can read.";
     return false;
   }
   reader->SetFileName(fileName.c_str());
@@ -145,7 +145,7 @@ bool ChosenNoise::Generate(vtkLICSettings* settings)
   }
   if (!RunQuietly(source).empty())
   {
-    this->Error = std::string("Noise cannot be made: ") + source->GetErrorMessage();
+    this->Error = std::string("Cannot generate the noise: ") + source->GetErrorMessage();
     return false;
   }
   return this->ReadImage(source->GetOutput(), "The generated noise");

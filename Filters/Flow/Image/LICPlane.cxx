@@ -26,7 +26,7 @@ bool LICPlane::Find(vtkImageData* image, std::string& error)
   }
   if (*std::max_element(size, size + 3) > LargestSide)
   {
-    error = "has more than " + std::to_string(LargestSide) + " points a side";
+    error = "has more than " + std::to_string(LargestSide) + " points per side";
     return false;
   }
   const int flat = size[2] == 1 ? 2 : size[1] == 1 ? 1 : 0;
@@ -34,7 +34,7 @@ bool LICPlane::Find(vtkImageData* image, std::string& error)
   {
     std::ostringstream text;
     text << "has " << size[0] << " x " << size[1] << " x " << size[2]
-         << " points; one of these must be 1";
+         << " points, but one of these numbers must be 1";
     error = text.str();
     return false;
   }

@@ -75,9 +75,9 @@ SurfaceField FindSurfaceField(vtkPolyData* mesh, vtkInformation* inputArray)
     }
     if (array && name)
     {
-      error << "; there are " << array->GetNumberOfTuples() << " tuples of "
-            << array->GetNumberOfComponents() << " for " << size
-            << (isCellData ? " cells" : " points");
+      error << "; the " << (isCellData ? "cell" : "point") << " array has "
+            << array->GetNumberOfTuples() << " tuples of " << array->GetNumberOfComponents()
+            << " for " << size << (isCellData ? " cells" : " points");
     }
   }
   for (bool isCellData : { false, true })

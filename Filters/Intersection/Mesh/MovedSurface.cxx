@@ -63,14 +63,14 @@ std::string CheckCells(vtkPolyData* mesh, vtkCellArray* cells, vtkIdType first)
     {
       if (points[i] < 0 || points[i] >= mesh->GetNumberOfPoints())
       {
-        return "has a cell " + std::to_string(first + cell->GetCurrentCellId()) +
-          " that refers to point " + std::to_string(points[i]);
+        return "has no point " + std::to_string(points[i]) + ", which cell " +
+          std::to_string(first + cell->GetCurrentCellId()) + " refers to";
       }
       double x[3];
       mesh->GetPoint(points[i], x);
       if (!IsInRange(x))
       {
-        return "has a point " + std::to_string(points[i]) + " that is not finite, or beyond 1e300";
+        return "has a point " + std::to_string(points[i]) + " that is not finite or exceeds 1e300";
       }
     }
   }

@@ -129,7 +129,7 @@ std::string CurveCells::FindNumberError(vtkIdType cell, Kinds kind, vtkIdType nu
   const vtkIdType wanted = type == VTK_CUBIC_LINE ? 4 : (type == VTK_QUADRATIC_EDGE ? 3 : 2);
   if (isFixed ? number != wanted : number < wanted)
   {
-    return "has " + std::to_string(number) + " points; it needs " + std::to_string(wanted) +
+    return "has " + std::to_string(number) + " points, but needs " + std::to_string(wanted) +
       (isFixed ? "" : " or more");
   }
   if (isFixed || kind == LINES)
@@ -138,8 +138,8 @@ std::string CurveCells::FindNumberError(vtkIdType cell, Kinds kind, vtkIdType nu
   }
   if (number > LargestDegree + 1)
   {
-    return "has degree " + std::to_string(number - 1) + "; " + std::to_string(LargestDegree) +
-      " is the highest";
+    return "has degree " + std::to_string(number - 1) + ", but the highest degree is " +
+      std::to_string(LargestDegree);
   }
   const double degree = this->Degrees && cell < this->Degrees->GetNumberOfTuples()
     ? this->Degrees->GetComponent(cell, 0)
@@ -154,8 +154,8 @@ std::string CurveCells::FindPointError(Kinds kind, vtkIdType point) const
 {
   if (point < 0 || point >= this->Input->GetNumberOfPoints())
   {
-    return "refers to point " + std::to_string(point) + " of " +
-      std::to_string(this->Input->GetNumberOfPoints());
+    return "refers to point " + std::to_string(point) + ", but there are " +
+      std::to_string(this->Input->GetNumberOfPoints()) + " points";
   }
   double x[3];
   this->Input->GetPoint(point, x);
@@ -176,7 +176,7 @@ std::string CurveCells::FindPointError(Kinds kind, vtkIdType point) const
   return weight > 0.0 && std::isfinite(weight)
     ? std::string()
     : "has the weight " + GetText(weight) + " at point " + std::to_string(point) +
-      " in point array " + GetQuotedName(this->Weights) + "; weights are more than 0, and finite";
+      " in point array " + GetQuotedName(this->Weights) + "; weights must be positive and finite";
 }
 
 std::string CurveCells::FindError(vtkIdType cell, Kinds kind, vtkIdList* points) const
@@ -186,13 +186,14 @@ std::string CurveCells::FindError(vtkIdType cell, Kinds kind, vtkIdList* points)
   if (!isListed ||
     (points->GetNumberOfIds() == 0 && !ReadCellPoints(this->Cells, cell - this->FirstCell, read)))
   {
-    return "cannot be read: the lists of types, offsets and points are too short for it, or its "
-           "offsets run backwards";
+    return "cannot be read: the arrays of cell types, offsets and point ids are too short for it, "
+           "or "
+           "its offsets decrease";
   }
   if (kind == UNKNOWN)
   {
-    return "is a curve of VTK's type " + std::to_string(this->GetType(cell)) +
-      ", which is not known";
+    return "is a curve of VTK's cell type " + std::to_string(this->GetType(cell)) +
+      ", which is not supported";
   }
   const vtkIdType number = points->GetNumberOfIds();
   std::string error = this->FindNumberError(cell, kind, number);

@@ -135,15 +135,16 @@ public:
     cells.GetPoints(cell, kind, points);
     const auto more = std::count_if(first + 1, this->Counts.end(), hasError);
     return "Cell " + std::to_string(cell) + " " + cells.FindError(cell, kind, points) + ". " +
-      (more == 0 ? "It is left out."
-                 : "It is left out, and " + std::to_string(more) + " more that cannot be drawn.");
+      (more == 0      ? "It is left out."
+          : more == 1 ? "It and 1 more cell are left out."
+                      : "It and " + std::to_string(more) + " more cells are left out.");
   }
 
   std::string GetWarning() const
   {
     return this->NumberOfDegenerateCurves == 0 ? std::string()
                                                : std::to_string(this->NumberOfDegenerateCurves) +
-        " degenerate curves left out: all their control points are at one place.";
+        " degenerate curves are left out: all their control points coincide.";
   }
 
 private:

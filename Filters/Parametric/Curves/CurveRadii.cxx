@@ -16,13 +16,13 @@ vtkDataArray* FindCurveRadii(vtkPointSet* input, const std::string& name, std::s
   {
     if (radii->GetComponent(i, 0) < 0.0)
     {
-      reason = "point array \"" + name + "\" is below 0 at point " + std::to_string(i);
+      reason = "point array \"" + name + "\" is negative at point " + std::to_string(i);
       radii = nullptr;
     }
   }
   if (!radii)
   {
-    error = "No radii: " + reason + ".";
+    error = "Cannot read the radii: " + reason + ".";
   }
   return radii;
 }

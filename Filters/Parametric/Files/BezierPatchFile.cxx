@@ -42,7 +42,7 @@ public:
     double number = 0.0;
     if (this->ReadWord() && !(this->Parse(number) && std::isfinite(number)))
     {
-      this->SetError(this->GetQuote() + " is no finite number.");
+      this->SetError(this->GetQuote() + " is not a finite number.");
     }
     return number;
   }
@@ -51,7 +51,7 @@ public:
   {
     if (this->Error.empty() && this->SkipSpace())
     {
-      this->SetError("there is more than line 1 tells of.");
+      this->SetError("there are more values than the number of patches in line 1 requires.");
     }
   }
 
@@ -121,14 +121,14 @@ private:
 
 int ReadNumberOfPatches(NumberReader& reader)
 {
-  return reader.ReadInteger(" is no number of patches.", 0, std::numeric_limits<int>::max());
+  return reader.ReadInteger(" is not a number of patches.", 0, std::numeric_limits<int>::max());
 }
 
 // The second degree comes first in the file. It determines the number of rows of control points.
 ivec2 ReadDegrees(NumberReader& reader)
 {
-  const int second = reader.ReadInteger(" is no degree: 1 to 8.", 1, LargestDegree);
-  return ivec2(reader.ReadInteger(" is no degree: 1 to 8.", 1, LargestDegree), second);
+  const int second = reader.ReadInteger(" is not a degree from 1 to 8.", 1, LargestDegree);
+  return ivec2(reader.ReadInteger(" is not a degree from 1 to 8.", 1, LargestDegree), second);
 }
 
 BezierPatch ReadPatch(NumberReader& reader)

@@ -183,7 +183,7 @@ bool PatchDeviations::BuildCurves(vtkPolyData* mesh, std::string& error)
     {
       std::ostringstream text;
       text << "line " << line << " has " << size
-           << " points; the control polygon of a curve has 2 to " << LargestDegree + 1;
+           << " points, but the control polygon of a curve must have 2 to " << LargestDegree + 1;
       error = text.str();
       return false;
     }

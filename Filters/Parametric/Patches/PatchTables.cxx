@@ -218,7 +218,7 @@ bool BuildPatchTables(vtkPolyData* mesh, const double origin[3],
   if (mesh->GetNumberOfPolys() > maximumFaces ||
     patches.GetNumberOfPoints() > std::numeric_limits<int>::max() / 4)
   {
-    error = "the mesh has more patches than can be numbered";
+    error = "the mesh has too many patches";
     return false;
   }
   TableBuilder builder(mesh, patches, tables);

@@ -16,7 +16,7 @@ std::string FindKnotError(const std::vector<double>& knots, int degree, std::siz
   const auto order = static_cast<std::size_t>(degree) + 1;
   if (knots.size() != points + order)
   {
-    error << "there are " << knots.size() << "; " << points << " control points of degree "
+    error << "there are " << knots.size() << ", but " << points << " control points of degree "
           << degree << " need " << points + order << ".";
     return error.str();
   }
@@ -24,23 +24,25 @@ std::string FindKnotError(const std::vector<double>& knots, int degree, std::siz
   {
     if (!std::isfinite(knots[i]) || !std::isfinite(knots[i] - knots.front()))
     {
-      error << "knot " << i << " is " << knots[i] << ", not finite.";
+      error << "knot " << i << " is " << knots[i] << ", but knots must be finite.";
       return error.str();
     }
     if (i > 0 && knots[i] < knots[i - 1])
     {
-      error << "knot " << i << " falls, from " << knots[i - 1] << " to " << knots[i] << ".";
+      error << "knots must not decrease, but knot " << i << " is " << knots[i] << ", after "
+            << knots[i - 1] << ".";
       return error.str();
     }
     if (i >= order && knots[i] == knots[i - order])
     {
-      error << "the knot " << knots[i] << " is there more than " << order << " times.";
+      error << "the knot " << knots[i] << " occurs more than " << order << " times.";
       return error.str();
     }
   }
   if (knots[degree] == knots[points])
   {
-    error << "nothing lies between knot " << degree << " and knot " << points << ".";
+    error << "knot " << degree << " and knot " << points
+          << " are equal, so that the curve has no length.";
   }
   return error.str();
 }

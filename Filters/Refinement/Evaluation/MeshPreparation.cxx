@@ -21,7 +21,7 @@ bool ReadHeights(vtkAdaptiveRefinement* recipe, std::string& error)
 {
   if (!recipe)
   {
-    error = "No recipe: call SetRefinement() with a vtkAdaptiveRefinement.";
+    error = "There is no recipe: call SetRefinement() with a vtkAdaptiveRefinement.";
     return false;
   }
   vtkDisplacement* displacement = recipe->GetDisplacement();
@@ -46,8 +46,8 @@ bool BuildFaces(vtkPolyData* input, vtkAdaptiveRefinement* recipe, bool keepNorm
   if (mesh.GetNumberOfDroppedTriangles() > 0)
   {
     warning = std::to_string(mesh.GetNumberOfDroppedTriangles()) +
-      " degenerate cells or triangles dropped (two corners at one place, fewer than three points, "
-      "or non-finite coordinates).";
+      " degenerate cells or triangles are left out: they have coincident corners, fewer than "
+      "three points, or coordinates that are not finite.";
   }
   return true;
 }

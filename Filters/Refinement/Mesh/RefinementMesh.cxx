@@ -307,7 +307,7 @@ bool RefinementMesh::CheckCells(vtkPolyData* input)
     input->GetNumberOfCells() > std::numeric_limits<int>::max() ||
     numberOfTriangles > 3 * maximumTriangles)
   {
-    this->Error = "the mesh has more points, cells or triangles than can be numbered";
+    this->Error = "the mesh has too many points, cells or triangles: split it into blocks";
     return false;
   }
   vtkIdType cell = 0;
@@ -325,7 +325,8 @@ bool RefinementMesh::CheckCells(vtkPolyData* input)
         if (ids[i] < 0 || ids[i] >= numberOfPoints)
         {
           this->Error = "cell " + std::to_string(cell) + " refers to point " +
-            std::to_string(ids[i]) + " of " + std::to_string(numberOfPoints);
+            std::to_string(ids[i]) + ", but there are " + std::to_string(numberOfPoints) +
+            " points";
           return false;
         }
       }
@@ -362,9 +363,8 @@ bool RefinementMesh::CheckRange(vtkPolyData* input, bool isFlat)
         {
           std::ostringstream text;
           text << "point " << ids[i] << " at (" << x[0] << ", " << x[1] << ", " << x[2]
-               << ") is farther than " << most << " from the middle of the mesh, more than floats "
-               << (isFlat ? "hold" : "leave room for where faces are curved or displaced")
-               << ": scale the mesh down";
+               << ") is farther than " << most << " from the centre of the mesh, too far for floats"
+               << (isFlat ? "" : " if faces are curved or displaced") << ": scale the mesh down";
           this->Error = text.str();
           return false;
         }
@@ -448,16 +448,15 @@ bool RefinementMesh::BuildTextureCoordinates(vtkPolyData* input)
   if (!given)
   {
     this->Error = "displacement by a height map needs texture coordinates (point data TCoords, 2 "
-                  "components in [0, 1]), and the mesh has none";
+                  "components in [0, 1]), but the mesh has none";
     return false;
   }
   if (given->GetNumberOfComponents() < 2 || given->GetNumberOfTuples() < this->NumberOfPoints)
   {
     std::ostringstream text;
-    text << "texture coordinates \"" << (given->GetName() ? given->GetName() : "") << "\" have "
+    text << "the texture coordinates \"" << (given->GetName() ? given->GetName() : "") << "\" have "
          << given->GetNumberOfComponents() << " components and " << given->GetNumberOfTuples()
-         << " tuples; displacement needs 2 components for each of " << this->NumberOfPoints
-         << " points";
+         << " tuples, but displacement needs " << this->NumberOfPoints << " tuples of 2 components";
     this->Error = text.str();
     return false;
   }
@@ -471,7 +470,8 @@ bool RefinementMesh::BuildTextureCoordinates(vtkPolyData* input)
         const double value = given->GetComponent(point, c);
         if (!std::isfinite(value))
         {
-          this->Error = "texture coordinates of point " + std::to_string(point) + " are not finite";
+          this->Error =
+            "the texture coordinates of point " + std::to_string(point) + " are not finite";
           return false;
         }
         this->TextureCoordinates[2 * static_cast<size_t>(point) + c] = static_cast<float>(value);

@@ -61,7 +61,7 @@ bool TakeDepthTags(
   if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != numberOfPoints)
   {
     text << "has " << array->GetNumberOfTuples() << " tuples of " << array->GetNumberOfComponents()
-         << " components for " << numberOfPoints << " points; it needs one value per point";
+         << " components, but one value for each of " << numberOfPoints << " points is needed";
     error = text.str();
     return false;
   }
@@ -97,7 +97,7 @@ bool ComputeDepthTags(MetricEvaluator& evaluator, const RefinementView& view, in
   text << evaluator.GetMetric()->GetClassName();
   if (tags->GetNumberOfComponents() != 1 || tags->GetNumberOfTuples() != expected)
   {
-    text << " gave " << tags->GetNumberOfValues() << " tags for " << expected
+    text << " returned " << tags->GetNumberOfValues() << " tags for " << expected
          << (perEdge ? " edges" : " points");
     error = text.str();
     return false;
@@ -110,7 +110,7 @@ bool ComputeDepthTags(MetricEvaluator& evaluator, const RefinementView& view, in
   const float* nan = std::find_if(values, values + expected, [](float v) { return std::isnan(v); });
   if (nan != values + expected)
   {
-    text << " gave a tag that is NaN at " << (perEdge ? "edge " : "point ") << nan - values;
+    text << " returned a tag that is NaN at " << (perEdge ? "edge " : "point ") << nan - values;
     error = text.str();
     return false;
   }
@@ -121,7 +121,7 @@ bool ComputeDepthTags(MetricEvaluator& evaluator, const RefinementView& view, in
 std::string GetNoTagsError(vtkDepthTagMetric* metric)
 {
   return std::string(metric->GetClassName()) +
-    " gave no depth-tags for this mesh and view: see its own error";
+    " returned no depth-tags for this mesh and view; its own error gives the reason";
 }
 
 bool TagEdgesByPoints(vtkDepthTagMetric* metric, const SurfaceEdges& edges,
@@ -131,8 +131,8 @@ bool TagEdgesByPoints(vtkDepthTagMetric* metric, const SurfaceEdges& edges,
   if (pointTags->GetNumberOfValues() != numberOfPoints)
   {
     vtkErrorWithObjectMacro(metric,
-      "ComputeTags() gave " << pointTags->GetNumberOfValues() << " tags for " << numberOfPoints
-                            << " points.");
+      "ComputeTags() returned " << pointTags->GetNumberOfValues() << " tags for " << numberOfPoints
+                                << " points.");
     return false;
   }
   float* values = pointTags->GetPointer(0);

@@ -137,7 +137,8 @@ bool CompositeEvaluator::UpdateParts(
   const int numberOfParts = this->Metric->GetNumberOfMetrics();
   if (numberOfParts == 0)
   {
-    vtkErrorWithObjectMacro(this->Metric.Get(), "There are no metrics to combine: call AddMetric.");
+    vtkErrorWithObjectMacro(
+      this->Metric.Get(), "There are no metrics to combine: call AddMetric().");
     return false;
   }
   this->UpdateMetrics();
@@ -232,7 +233,7 @@ void vtkCompositeDepthTagMetric::AddMetric(vtkDepthTagMetric* metric, double wei
 {
   if (!metric)
   {
-    vtkErrorMacro("There is no metric to add.");
+    vtkErrorMacro("Cannot add the metric: it is null.");
     return;
   }
   if (!relevo::CheckRange(this, "Weight", weight, 0.0, LargestWeight))
@@ -242,7 +243,7 @@ void vtkCompositeDepthTagMetric::AddMetric(vtkDepthTagMetric* metric, double wei
   auto* composite = vtkCompositeDepthTagMetric::SafeDownCast(metric);
   if (composite && (composite == this || composite->Contains(this)))
   {
-    vtkErrorMacro("The metric cannot be added: it would contain itself.");
+    vtkErrorMacro("Cannot add the metric: it would contain itself.");
     return;
   }
   this->Internals->Parts.push_back({ metric, weight });

@@ -170,8 +170,9 @@ bool vtkDepthTagFilter::ComputeTags(vtkPolyData* input, vtkFloatArray* tags)
 {
   if (this->Metric->IsViewDependent() && !this->Camera)
   {
-    vtkErrorMacro("The metric " << this->Metric->GetClassName()
-                                << " depends on the view and there is no camera: call SetCamera.");
+    vtkErrorMacro(
+      "The metric " << this->Metric->GetClassName()
+                    << " depends on the view, but there is no camera: call SetCamera().");
     return false;
   }
   return this->AskMetric(input, false, tags);
@@ -199,12 +200,12 @@ bool vtkDepthTagFilter::TakeTags(vtkPolyData* input, vtkFloatArray* tags)
       relevo::DescribeMisplacedArray(input, DepthTagName, vtkDataObject::FIELD_ASSOCIATION_POINTS);
     if (misplaced.empty())
     {
-      vtkErrorMacro("There is no metric (call SetMetric), and the input has no point array \""
-        << DepthTagName << "\" to use instead.");
+      vtkErrorMacro("There is no metric, and the input has no point array \""
+        << DepthTagName << "\" to use instead: call SetMetric().");
     }
     else
     {
-      vtkErrorMacro("There is no metric (call SetMetric), and the input has " << misplaced << ".");
+      vtkErrorMacro("There is no metric, and the input has " << misplaced << ".");
     }
     return false;
   }

@@ -20,7 +20,7 @@ bool vtkDepthTagMetric::ComputeTags(
   {
     return evaluator->ComputeTags(view, maximumLevel, tags);
   }
-  vtkErrorMacro("This metric has no tags: override ComputeTags() or NewEvaluator().");
+  vtkErrorMacro("This metric computes no tags: override ComputeTags() or NewEvaluator().");
   return false;
 }
 

@@ -155,7 +155,8 @@ bool DistanceEvaluator::CheckView(const relevo::RefinementView& view)
 {
   if (!view.Camera)
   {
-    vtkErrorWithObjectMacro(this->Metric.Get(), "There is no camera to measure distances from.");
+    vtkErrorWithObjectMacro(
+      this->Metric.Get(), "There is no camera to measure distances from: call SetCamera().");
     return false;
   }
   const double* x = view.Camera->GetPosition();
@@ -169,8 +170,8 @@ bool DistanceEvaluator::CheckView(const relevo::RefinementView& view)
     !(relevo::GetPixelsAtUnitDistance(view) > 0.0))
   {
     vtkErrorWithObjectMacro(this->Metric.Get(),
-      "The viewport has no pixels to measure ReferenceLength in: it is "
-        << view.ViewportSize[0] << " x " << view.ViewportSize[1] << ".");
+      "The viewport has no pixels: it is " << view.ViewportSize[0] << " x " << view.ViewportSize[1]
+                                           << ".");
     return false;
   }
   return true;
@@ -263,7 +264,7 @@ bool DistanceEvaluator::UpdatePatches()
   {
     this->PatchDependencies.Clear();
     vtkErrorWithObjectMacro(
-      this->Metric.Get(), "There are no control points to measure to: " << error << ".");
+      this->Metric.Get(), "Cannot measure distances to control points: " << error << ".");
     return false;
   }
   return true;

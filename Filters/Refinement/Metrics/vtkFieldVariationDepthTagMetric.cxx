@@ -255,8 +255,7 @@ bool FieldVariationEvaluator::CheckParameters()
 {
   if (!this->Metric->GetArrayName()[0])
   {
-    vtkErrorWithObjectMacro(
-      this->Metric.Get(), "There is no array to measure the variation of: call SetArrayName.");
+    vtkErrorWithObjectMacro(this->Metric.Get(), "There is no array name: call SetArrayName().");
     return false;
   }
   const double minimum = this->Metric->GetMinimumVariation();
@@ -290,7 +289,7 @@ FoundArray FieldVariationEvaluator::FindUsableArray(std::string* error)
   else if (found.Array->GetNumberOfTuples() != expected || found.Array->GetNumberOfComponents() < 1)
   {
     text << "The array \"" << name << "\" has " << found.Array->GetNumberOfTuples() << " tuples of "
-         << found.Array->GetNumberOfComponents() << " components for " << expected
+         << found.Array->GetNumberOfComponents() << " components, but there are " << expected
          << (found.OfCells ? " cells." : " points.");
     found.Array = nullptr;
   }

@@ -128,7 +128,7 @@ bool RegionEvaluator::ComputeTags(
   if (!this->Metric->GetImplicitFunction() && this->Metric->GetRadius() == 0.0)
   {
     vtkErrorWithObjectMacro(this->Metric.Get(),
-      "There is no region: call SetImplicitFunction, or SetCenter and SetRadius.");
+      "There is no region: call SetImplicitFunction(), or SetCenter() and SetRadius().");
     return false;
   }
   vtkPolyData* mesh = this->GetMesh().GetPolyData();

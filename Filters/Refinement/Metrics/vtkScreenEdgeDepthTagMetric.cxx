@@ -114,7 +114,7 @@ bool ScreenEdgeEvaluator::CheckView(const relevo::RefinementView& view, relevo::
   if (!(std::abs(glm::determinant(directions)) > 1e-9))
   {
     vtkErrorWithObjectMacro(this->Metric.Get(),
-      "The camera's view-up is parallel to its view direction, or its view is flat.");
+      "The camera's view-up is parallel to its view direction, or its view transform is singular.");
     return false;
   }
   return true;

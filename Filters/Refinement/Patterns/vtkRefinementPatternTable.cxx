@@ -46,7 +46,7 @@ void vtkRefinementPatternTable::SetMaximumLevel(int level)
 {
   const int highest = this->Library->GetHighestLevel();
   if (relevo::CheckRange(this, "MaximumLevel", level, 0, highest,
-        highest < HighestLevel ? " The file that was read has no higher level." : "") &&
+        highest < HighestLevel ? " The file of the patterns has no higher level." : "") &&
     (this->MaximumLevel != level || this->HighestOfRecipes != level))
   {
     this->MaximumLevel = this->HighestOfRecipes = level;
@@ -85,7 +85,8 @@ std::shared_ptr<const relevo::RefinementPattern> vtkRefinementPatternTable::GetP
   if (n1 < n2 || n2 < n3 || n3 < 1 || n1 > relevo::MaximumNumberOfSegments)
   {
     vtkErrorMacro("There is no pattern of "
-      << n1 << ", " << n2 << ", " << n3 << " segments: they must be in descending order and in [1, "
+      << n1 << ", " << n2 << ", " << n3
+      << " segments: the numbers must be in descending order and in [1, "
       << relevo::MaximumNumberOfSegments << "].");
     n1 = n2 = n3 = 1;
   }
@@ -96,7 +97,7 @@ bool vtkRefinementPatternTable::GetPattern(int i, int j, int k, vtkPolyData* out
 {
   if (!output)
   {
-    vtkErrorMacro("GetPattern needs a vtkPolyData to fill.");
+    vtkErrorMacro("GetPattern() needs a vtkPolyData for its output, but it is null.");
     return false;
   }
   int levels[3] = { i, j, k };
@@ -105,7 +106,7 @@ bool vtkRefinementPatternTable::GetPattern(int i, int j, int k, vtkPolyData* out
   {
     vtkErrorMacro("There is no pattern [" << i << ", " << j << ", " << k
                                           << "]: levels must be in [0, " << this->MaximumLevel
-                                          << "], MaximumLevel.");
+                                          << "], up to MaximumLevel.");
     return false;
   }
   const int lambda = vtkRefinementPatternTable::Canonicalize(levels);

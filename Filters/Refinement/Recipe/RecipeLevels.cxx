@@ -50,13 +50,15 @@ std::string FindPatternWarning(vtkAdaptiveRefinement* recipe)
   if (recipe->GetSegmentPolicy() == vtkAdaptiveRefinement::WHOLE_NUMBERS &&
     recipe->GetGeomorphing() == vtkAdaptiveRefinement::GEOMORPHING_ON)
   {
-    return "Nothing morphs: edges have whole numbers of segments, and only 2^level segments can. "
+    return "Geomorphing has no effect: edges have whole numbers of segments, and only 2^level "
+           "segments can "
+           "morph. "
            "Call SetSegmentPolicyToPowersOfTwo() or GeomorphingOff().";
   }
   return recipe->GetAskedMaximumLevel() > library.GetHighestLevel() ? "MaximumLevel is " +
       std::to_string(recipe->GetAskedMaximumLevel()) + ", but the patterns of " +
       library.GetFileName() + " end at level " + std::to_string(library.GetHighestLevel()) +
-      ". Call SetMaximumLevel(), or take another pattern table, with SetPatternTable()."
+      ". Call SetMaximumLevel(), or set another table with SetPatternTable()."
                                                                     : std::string();
 }
 

@@ -26,8 +26,8 @@ void vtkAdaptiveRefinement::SetMaximumLevel(int level)
   const int highest = this->PatternTable->GetHighestOfRecipes();
   const bool isTableShort = level > highest && level <= vtkRefinementPatternTable::HighestLevel;
   if (relevo::CheckRange(this, "MaximumLevel", level, 0, highest,
-        isTableShort ? " The pattern table has no higher level: raise its MaximumLevel, or take "
-                       "another table."
+        isTableShort ? " The pattern table has no higher level: raise its MaximumLevel, or set "
+                       "another table with SetPatternTable()."
                      : "") &&
     this->MaximumLevel != level)
   {

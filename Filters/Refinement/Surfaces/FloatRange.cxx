@@ -19,8 +19,7 @@ std::string FindRangeError(vtkRefinementSurface* surface, vtkDisplacement* displ
   if (surface && !(surface->GetReach() <= LargestLength))
   {
     text << surface->GetClassName() << " moves points by up to " << surface->GetReach()
-         << ", more than the " << LargestLength
-         << " that floats leave room for: lower its amplitude";
+         << ", but floats allow at most " << LargestLength << ": lower its amplitude";
     return text.str();
   }
   if (!displacement)
@@ -40,11 +39,10 @@ std::string FindRangeError(vtkRefinementSurface* surface, vtkDisplacement* displ
   if (!(scale * highest <= LargestLength) || !(scale <= std::numeric_limits<float>::max()) ||
     !(std::abs(displacement->GetOffset()) <= LargestLength))
   {
-    text << "the displacement of Scale " << displacement->GetScale() << " x heights of up to "
-         << highest << " + Offset " << displacement->GetOffset() << " is more than the "
-         << LargestLength
-         << " that floats leave room for: lower Scale or Offset, or declare the "
-            "heights that stand for no data (NoDataValue)";
+    text << "the displacement, Scale " << displacement->GetScale() << " x heights of up to "
+         << highest << " + Offset " << displacement->GetOffset() << ", exceeds " << LargestLength
+         << ", the most that floats allow: lower Scale or Offset, or declare the value of missing "
+            "heights (NoDataValue)";
   }
   return text.str();
 }

@@ -96,7 +96,7 @@ void vtkProceduralSurface::SetBaseSurface(vtkRefinementSurface* surface)
 {
   if (vtkProceduralSurface::SafeDownCast(surface))
   {
-    vtkErrorMacro("BaseSurface must not be a vtkProceduralSurface itself.");
+    vtkErrorMacro("BaseSurface must not be a vtkProceduralSurface.");
   }
   else if (this->BaseSurface != surface)
   {
@@ -146,13 +146,13 @@ void vtkProceduralSurface::SetUniformValues(const char* name, const std::vector<
 {
   if (!name || !*name)
   {
-    vtkErrorMacro("A uniform needs a name.");
+    vtkErrorMacro("The name of a uniform must not be empty.");
     return;
   }
   if (!std::all_of(values.begin(), values.end(),
         [](double v) { return std::isfinite(static_cast<float>(v)); }))
   {
-    vtkErrorMacro("Uniform \"" << name << "\" must be finite as a float.");
+    vtkErrorMacro("Uniform \"" << name << "\" must be in the range of floats.");
     return;
   }
   const std::vector<float> floats(values.begin(), values.end());
@@ -242,7 +242,8 @@ std::string vtkProceduralSurface::GetEvaluationError()
 {
   return this->HasHeightFunction() ? this->GetBase()->GetEvaluationError()
                                    : "the procedural surface's ShaderFunction is GLSL, which only "
-                                     "vtkAdaptiveRefinementMapper runs";
+                                     "vtkAdaptiveRefinementMapper can run; override "
+                                     "EvaluateHeight() in C++";
 }
 
 std::string vtkProceduralSurface::GetShaderSource()

@@ -127,18 +127,18 @@ std::string Relief::ReadArrays()
   if (!colors)
   {
     return "A relief needs the point array " + Quote(GetColorName()) +
-      ", unsigned char, with 3 or 4 components for each point.";
+      " of type unsigned char, with 3 or 4 components.";
   }
   if (!depths)
   {
     return "A relief needs the point array " + Quote(GetDepthName()) +
-      ", float, with a value for each point.";
+      " of type float, with one component.";
   }
   auto* normals = FindArray<vtkFloatArray>(this->Image, GetNormalsName(), 3, 3);
   if (!normals && this->Image->GetPointData()->GetAbstractArray(GetNormalsName()))
   {
     return "The point array " + Quote(GetNormalsName()) +
-      " of a relief is float, with 3 components for each point.";
+      " of a relief must be of type float, with 3 components.";
   }
   this->NumberOfColorComponents = colors->GetNumberOfComponents();
   this->Colors = colors->GetPointer(0);
@@ -151,7 +151,9 @@ std::string Relief::ReadDescription()
 {
   if (this->Image->GetFieldData()->HasArray(GetWarpName()))
   {
-    return "The image is what vtkReliefWarper makes of a relief: its depths lie elsewhere.";
+    return "The image is the output of vtkReliefWarper, whose depths do not match its texels: use "
+           "the "
+           "relief itself.";
   }
   vtkDataArray* kind = this->Image->GetFieldData()->GetArray(GetProjectionName());
   const double value = kind && kind->GetNumberOfValues() == 1 ? kind->GetComponent(0, 0) : -1.0;
@@ -165,7 +167,8 @@ std::string Relief::ReadDescription()
   vtkDataArray* rows = this->Image->GetFieldData()->GetArray(GetMatrixName());
   if (!rows || rows->GetNumberOfValues() != 16)
   {
-    return "A relief needs the field array " + Quote(GetMatrixName()) + " of 16 values, by rows.";
+    return "A relief needs the field array " + Quote(GetMatrixName()) +
+      " of 16 values, row by row.";
   }
   dmat4 matrix;
   const int components = rows->GetNumberOfComponents();
@@ -175,7 +178,7 @@ std::string Relief::ReadDescription()
   }
   if (!IsFinite(matrix) || IsSingular(matrix))
   {
-    return "The field array " + Quote(GetMatrixName()) + " is a matrix without an inverse.";
+    return "The field array " + Quote(GetMatrixName()) + " is a singular matrix.";
   }
   this->TexelToWorld = this->IsPerspective() ? matrix * GetSwap() : matrix;
   this->WorldToTexel = inverse(this->TexelToWorld);
@@ -204,7 +207,7 @@ std::string Relief::ReadDepths()
   if (this->IsPerspective() && least <= 0.0)
   {
     return "The point array " + Quote(GetDepthName()) + " has the value " + std::to_string(least) +
-      "; in perspective depths are more than 0.";
+      "; depths in perspective must be more than 0.";
   }
   this->DepthRange = dvec2(least, most);
   return "";

@@ -53,8 +53,9 @@ vtkSmartPointer<vtkUnsignedCharArray> ConvertColors(vtkDataArray* colors, std::s
   const int given = colors->GetNumberOfComponents();
   if (white == 0.0 || given > 4)
   {
-    error = std::string("Colours have 1 to 4 components of type unsigned char, unsigned short, "
-                        "float or double, not ") +
+    error =
+      std::string("Colours must have 1 to 4 components of type unsigned char, unsigned short, "
+                  "float or double, not ") +
       std::to_string(given) + " of type " + colors->GetDataTypeAsString() + ".";
     return nullptr;
   }

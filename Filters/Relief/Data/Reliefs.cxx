@@ -14,7 +14,7 @@ std::string FindError(vtkDataObject* object, Relief& relief)
 {
   vtkImageData* image = vtkImageData::SafeDownCast(object);
   return object && !image
-    ? std::string("A relief is a vtkImageData, not a ") + object->GetClassName() + "."
+    ? std::string("A relief must be a vtkImageData, not a ") + object->GetClassName() + "."
     : relief.Read(image);
 }
 

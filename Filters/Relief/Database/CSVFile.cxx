@@ -24,7 +24,7 @@ public:
     const std::size_t zero = this->Text.find('\0');
     if (zero != std::string::npos)
     {
-      error = "byte " + std::to_string(zero) + " is NUL: the file is no text.";
+      error = "byte " + std::to_string(zero) + " is NUL: it is not a text file.";
       return {};
     }
     std::vector<CSVRow> rows;
@@ -88,7 +88,7 @@ private:
     }
     if (isQuoted)
     {
-      this->Error = "line " + std::to_string(quoteLine) + ": the quote is not closed.";
+      this->Error = "line " + std::to_string(quoteLine) + ": the quotation mark is not closed.";
     }
     return field;
   }

@@ -96,7 +96,7 @@ vtkSmartPointer<vtkImageData> ReadReliefFile(const std::string& fileName, std::s
   reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, collector);
   if (!reader->CanReadFile(fileName.c_str()))
   {
-    error = "it is no VTK XML file of image data.";
+    error = "it is not a VTK XML file of image data.";
     return nullptr;
   }
   reader->SetFileName(fileName.c_str());

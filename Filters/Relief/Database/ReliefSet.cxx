@@ -111,14 +111,14 @@ ReliefSet::ReliefSet(const std::string& folder, std::size_t maximumReliefs, bool
   this->IsFolderNew = fs::create_directories(folder, error);
   if (!fs::is_directory(folder, error))
   {
-    this->Error = "The folder " + folder + " cannot be made.";
+    this->Error = "The folder " + folder + " cannot be created.";
     return;
   }
   const std::string foreign = FindForeignFile(folder);
   if (!foreign.empty() && !IsDatabase(folder))
   {
     this->Error = "The folder " + folder + " cannot be written. It holds " + foreign +
-      ", which is no part of a relief database. Choose another folder.";
+      ", which does not belong to a relief database. Choose another folder.";
   }
   this->FirstNumber = FindFreeNumbers(folder, maximumReliefs);
 }

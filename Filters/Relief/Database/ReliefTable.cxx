@@ -71,11 +71,11 @@ void ReliefTable::Read()
   }
   else if (this->Rows.empty())
   {
-    this->Error = "There is no table of reliefs, or an empty one: " + this->FileName;
+    this->Error = "The table of reliefs does not exist or is empty: " + this->FileName;
   }
   else if (this->Rows.size() == 1)
   {
-    this->Error = this->FileName + " has a row of names, but no rows of reliefs.";
+    this->Error = this->FileName + " has a header row, but no rows of reliefs.";
     this->Rows.clear();
   }
   else
@@ -102,19 +102,19 @@ std::string ReliefTable::FindFile(std::size_t row, std::string& error) const
   const std::vector<std::string>& fields = this->Rows[row].Fields;
   if (fields.size() != this->Names.size())
   {
-    error = std::to_string(fields.size()) + " fields for " + std::to_string(this->Names.size()) +
-      " columns.";
+    error = "there are " + std::to_string(fields.size()) + " fields, but " +
+      std::to_string(this->Names.size()) + " columns.";
     return "";
   }
   const int column = FindReliefFile(this->Names, fields);
   if (column < 0)
   {
-    error = "no column FILE has the name of a .vti file.";
+    error = "no FILE column has the name of a .vti file.";
     return "";
   }
   if (LeavesFolder(fields[column]))
   {
-    error = fields[column] + " is not in the folder of the database.";
+    error = fields[column] + " is outside the folder of the database.";
     return "";
   }
   return (fs::path(this->FileName).parent_path() / fields[column]).string();

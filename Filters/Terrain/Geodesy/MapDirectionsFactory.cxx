@@ -26,7 +26,7 @@ std::unique_ptr<MapDirections> NewMapDirections(
   const SpatialReference reference = NewSpatialReference(system);
   if (!reference)
   {
-    error = session.Messages("GDAL does not know it");
+    error = session.Messages("GDAL does not recognise it");
     return nullptr;
   }
   Georeference location;
@@ -38,7 +38,7 @@ std::unique_ptr<MapDirections> NewMapDirections(
   }
   if (location.System == Georeference::Kind::NoEllipsoid)
   {
-    error = "its ellipsoid is unsupported: its flattening is not less than 1";
+    error = "its ellipsoid is not supported: the flattening must be less than 1";
     return nullptr;
   }
   if (location.System == Georeference::Kind::Geographic)
@@ -57,7 +57,7 @@ std::unique_ptr<MapDirections> NewMapDirections(
   }
   return directions;
 #else
-  error = "this build of Relevo has no GDAL, which coordinate systems need";
+  error = "coordinate systems require GDAL, and this build of Relevo does not have it";
   return nullptr;
 #endif
 }

@@ -149,18 +149,19 @@ std::string FindLocationError(const Georeference& location)
 {
   if (location.System == Georeference::Kind::Unsupported)
   {
-    return " is neither in longitude and latitude nor in a projection; project it first.";
+    return " is neither in longitude and latitude nor in a projection: project it first "
+           "(gdalwarp -t_srs).";
   }
   if (location.System == Georeference::Kind::NoEllipsoid)
   {
-    return " has an unsupported ellipsoid: its flattening is not less than 1. Give the file the "
-           "right coordinate system (gdal_edit.py -a_srs).";
+    return " has an ellipsoid that is not supported: the flattening must be less than 1. Give the "
+           "file the right coordinate system (gdal_edit.py -a_srs).";
   }
   const TerrainFrame frame(location);
   if (!frame.FitsMesh())
   {
-    return " has a georeference that no mesh can have: its corners are at one place, or farther "
-           "apart than floats can tell. Give the file the right one (gdal_edit.py -a_ullr).";
+    return " has an invalid georeference: its corners coincide, or are out of the range of floats. "
+           "Give the file the right georeference (gdal_edit.py -a_ullr).";
   }
   if (!frame.IsWithinHorizon())
   {

@@ -275,12 +275,12 @@ bool HeightGrid::Finish(std::string& error)
       " heights are NaN or infinite, the first in column " +
       std::to_string(statistics.FirstNonFinite[0]) + ", row " +
       std::to_string(statistics.FirstNonFinite[1]) +
-      "; if they mean no data, call SetNoDataValue() with that value";
+      "; if they are missing values, call SetNoDataValue() with that value";
     return false;
   }
   if (statistics.NumberOfInvalid == static_cast<long long>(this->Width) * this->Height)
   {
-    error = "none of the " + size + " heights has data";
+    error = "all " + size + " heights are missing values; check the no-data value";
     return false;
   }
   if (statistics.NumberOfInvalid == 0)

@@ -112,8 +112,8 @@ std::string DescribeContents(GDALDatasetH dataset)
     names += count > most ? "" : std::string(count > 1 ? ", " : "") + name;
   }
   return count == 0 ? "it has no raster band"
-                    : "it is a container of " + std::to_string(count) +
-      " rasters; give the name of one in place of the file's: " + names +
+                    : "it contains " + std::to_string(count) +
+      " rasters; use the name of one of them as the file name: " + names +
       (count > most ? ", ... (gdalinfo lists all)" : "");
 }
 }

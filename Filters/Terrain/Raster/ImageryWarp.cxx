@@ -90,7 +90,8 @@ bool chooseBands(
   {
     if (band < 1 || band > count)
     {
-      error = "it has no band " + std::to_string(band) + ", only " + std::to_string(count);
+      error = "it has no band " + std::to_string(band) + "; it has " + std::to_string(count) +
+        (count == 1 ? " band" : " bands");
       return false;
     }
   }

@@ -75,7 +75,7 @@ std::unique_ptr<OpenImageIORaster> OpenImageIORaster::Open(
   const std::string extension = std::filesystem::path(fileName).extension().string();
   if (std::string(input->format_name()) == "targa" && extension != ".tga" && extension != ".TGA")
   {
-    error = "its format is not known";
+    error = "its format is not recognised";
     return nullptr;
   }
 

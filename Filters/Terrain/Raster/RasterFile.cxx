@@ -45,7 +45,7 @@ std::unique_ptr<Raster> openAny(const std::string& fileName, std::string& error)
   auto pixels = OpenImageIORaster::Open(fileName, error);
   if (!pixels)
   {
-    error += "; this build of Relevo is without GDAL, which reads georeferenced rasters, SRTM "
+    error += "; this build of Relevo does not have GDAL, which reads georeferenced rasters, SRTM "
              ".hgt, USGS DEM and more";
   }
   return pixels;
@@ -124,8 +124,9 @@ std::unique_ptr<Raster> OpenRaster(const std::string& fileName, std::string& err
   {
     error = "it has " + std::to_string(raster->Describe().Width) + " x " +
       std::to_string(raster->Describe().Height) + " texels";
-    error +=
-      raster->Describe().Width > MaximumWidth ? ", so that a row is too long to be read" : "";
+    error += raster->Describe().Width > MaximumWidth
+      ? ", but rows may have at most " + std::to_string(MaximumWidth)
+      : "";
     return nullptr;
   }
   return raster;

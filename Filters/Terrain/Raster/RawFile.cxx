@@ -30,7 +30,7 @@ std::string FindTruncation(GDALDatasetH dataset)
   {
     return "";
   }
-  return "the file is cut short: it has " + std::to_string(file.st_size) + " bytes of " +
-    std::to_string(needed);
+  return "the file is truncated: it has " + std::to_string(file.st_size) + " of " +
+    std::to_string(needed) + " bytes";
 }
 }

@@ -44,13 +44,13 @@ bool VectorRaster::SetImage(
   if (dimensions[0] < 1 || dimensions[1] < 1 || dimensions[2] != 1)
   {
     error = "it has " + std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) +
-      " x " + std::to_string(dimensions[2]) + " points instead of n x m x 1";
+      " x " + std::to_string(dimensions[2]) + " points, but n x m x 1 are needed";
     return false;
   }
   if (array->GetNumberOfTuples() != size)
   {
-    error = "the array has " + std::to_string(array->GetNumberOfTuples()) + " tuples for " +
-      std::to_string(size) + " points";
+    error = "the array has " + std::to_string(array->GetNumberOfTuples()) +
+      " tuples, but there are " + std::to_string(size) + " points";
     return false;
   }
   this->Size[0] = dimensions[0];

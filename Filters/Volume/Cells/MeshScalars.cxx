@@ -122,12 +122,12 @@ std::string FindError(
   const std::string named = "has an array \"" + name + "\" with ";
   if (tuples != wanted)
   {
-    text << named << tuples << " tuples for " << wanted
+    text << named << tuples << " tuples, but there are " << wanted
          << (scalars.AreOfCells ? " cells" : " points");
   }
   else if (given > request.MaximumComponents)
   {
-    text << named << given << " components; there can be 1 to " << request.MaximumComponents;
+    text << named << given << " components, but the limit is " << request.MaximumComponents;
   }
   else if (components > 0 && given != components)
   {
@@ -183,10 +183,10 @@ bool FindMeshScalars(vtkDataObject* input, const ArrayRequest& request,
   }
   if (found.empty() && !blocks.empty())
   {
-    error = !hasSolidCells ? "has cells, but none is 3D"
+    error = !hasSolidCells ? "has no 3D cells"
       : !misplaced.empty()
       ? "has " + misplaced
-      : "has no " + NameArray(request.Name, "") + "; choose an array by " + request.Setter;
+      : "has no " + NameArray(request.Name, "") + "; select an array with " + request.Setter;
     return false;
   }
   warning = leftOut.GetText();

@@ -51,11 +51,11 @@ std::string FindError(vtkImageData* image)
   if (image->GetDimensions()[2] != 1 || colors->GetNumberOfTuples() != image->GetNumberOfPoints() ||
     colors->GetNumberOfTuples() == 0)
   {
-    return "that is no image of one slice";
+    return "that is not an image of one slice";
   }
   if (!(image->GetSpacing()[0] > 0.0) || !(image->GetSpacing()[1] > 0.0))
   {
-    return "whose spacing is not more than 0";
+    return "whose spacing is not positive";
   }
   for (vtkIdType i = 0; i < 4 * colors->GetNumberOfTuples(); ++i)
   {

@@ -192,7 +192,7 @@ double ReadUnitDistance(vtkVolumeProperty* property, int component, std::string&
   }
   std::ostringstream text;
   text << "has a ScalarOpacityUnitDistance of " << distance << " for component " << component
-       << ", which must be more than 0: 1 is used";
+       << "; it must be more than 0, and 1 is used instead";
   warning = text.str();
   return 1.0;
 }
@@ -222,8 +222,10 @@ bool TransferFunctions::Read(
     (!isIndependent && numberOfComponents != 2 && numberOfComponents != MaximumComponents))
   {
     std::ostringstream text;
-    text << "has " << (isIndependent ? "independent components, at most 4" : "dependent components")
-         << (isIndependent ? "" : ", 2 or 4") << ", but the array has " << numberOfComponents;
+    text << "has "
+         << (isIndependent ? "independent components, which can be at most 4"
+                           : "dependent components, which must be 2 or 4")
+         << ", but the array has " << numberOfComponents;
     error = text.str();
     return false;
   }

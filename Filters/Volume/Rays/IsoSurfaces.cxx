@@ -75,28 +75,28 @@ std::string IsoSurfaces::DescribeMissing(vtkVolumeProperty* property, const Surf
   std::ostringstream text;
   if (data.AreOfCells && values->GetNumberOfContours() > 0)
   {
-    text << "There are no isosurfaces: the array's values belong to cells, and are constant in "
-            "each. Convert them with vtkCellDataToPointData.";
+    text << "There are no isosurfaces: a cell array is constant in each cell. Convert it with "
+            "vtkCellDataToPointData.";
     return text.str();
   }
   const char* space = "";
   if (count > 0)
   {
-    text << "There " << (count > 1 ? "are no isosurfaces" : "is no isosurface") << " of "
-         << missing.str() << ": the array's values are from " << data.Low << " to " << data.High
+    text << "There " << (count > 1 ? "are no isosurfaces" : "is no isosurface") << " at "
+         << missing.str() << ": the array's values range from " << data.Low << " to " << data.High
          << ".";
     space = " ";
   }
   if (hasLowest)
   {
-    text << space << "There is no isosurface of " << data.Low
-         << ", the array's lowest value: no value is less.";
+    text << space << "There is no isosurface at " << data.Low
+         << ", the array's lowest value: no value is below it.";
     space = " ";
   }
   if (hasHighest)
   {
-    text << space << "The isosurface of " << data.High
-         << ", the array's highest value, is only where all points of a face have it.";
+    text << space << "The isosurface at " << data.High
+         << ", the array's highest value, consists only of faces whose points all have this value.";
   }
   return text.str();
 }

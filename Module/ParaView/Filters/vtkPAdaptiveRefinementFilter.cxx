@@ -70,7 +70,7 @@ bool vtkPAdaptiveRefinementFilter::HasRecipe()
 {
   if (!this->GetRefinement())
   {
-    vtkErrorMacro("No recipe: call SetRefinement() with a vtkAdaptiveRefinement.");
+    vtkErrorMacro("There is no recipe: call SetRefinement() with a vtkAdaptiveRefinement.");
     return false;
   }
   return true;

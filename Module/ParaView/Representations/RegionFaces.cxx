@@ -112,7 +112,7 @@ vtkSmartPointer<vtkPolyData> FindUsable(vtkPolyData* mesh)
   }
   if (!IsSound(usable))
   {
-    vtkErrorWithObjectMacro(mesh, "Cells refer to points that are not there: nothing is drawn.");
+    vtkErrorWithObjectMacro(mesh, "Cells refer to points that do not exist. Nothing is drawn.");
     return nullptr;
   }
   return usable;

@@ -48,7 +48,7 @@ void vtkAdaptiveRefinementRepresentation::SetMapper(vtkAdaptiveRefinementMapper*
 {
   if (!mapper)
   {
-    vtkErrorMacro("SetMapper(nullptr): there must be a mapper.");
+    vtkErrorMacro("SetMapper() needs a mapper, but it is null.");
     return;
   }
   if (this->Mapper == mapper)
@@ -84,7 +84,7 @@ void vtkAdaptiveRefinementRepresentation::SetRefinementColorMode(int mode)
 {
   if (mode < 0 || mode > vtkAdaptiveRefinementMapper::COLOR_BY_METRIC)
   {
-    vtkErrorMacro("RefinementColorMode must be from 0 to 3, got " << mode << ".");
+    vtkErrorMacro("RefinementColorMode must be in [0, 3], got " << mode << ".");
     return;
   }
   if (this->RefinementColorMode != mode)

@@ -22,7 +22,7 @@ void vtkCombinedDepthTagMetric::SetWeight(int index, double weight)
 {
   if (!(weight >= 0.0 && weight <= 1e6))
   {
-    vtkErrorMacro("Weights must be from 0 to 1e6, got " << weight << ".");
+    vtkErrorMacro("Weights must be in [0, 1e6], got " << weight << ".");
     return;
   }
   if (this->Weights[index] != weight)

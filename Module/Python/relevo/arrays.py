@@ -93,7 +93,7 @@ def triangles(mesh):
     polygons = mesh.GetPolys()
     connectivity = vtk_to_numpy(polygons.GetConnectivityArray())
     if polygons.IsHomogeneous() not in (3, 0) or len(connectivity) % 3:
-        raise ValueError("the mesh has other polygons than triangles")
+        raise ValueError("the mesh has polygons that are not triangles")
     if mesh.GetNumberOfPoints() == 0:
         return numpy.empty((0, 3), numpy.float32), connectivity.reshape(-1, 3)
     return vtk_to_numpy(mesh.GetPoints().GetData()), connectivity.reshape(-1, 3)

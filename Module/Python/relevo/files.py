@@ -94,5 +94,5 @@ def write_picture(path, source, quality=95):
     writer.WriteToMemoryOn()
     writer.Write()
     if writer.GetErrorCode() or not writer.GetResult():
-        raise ValueError(f"there is no picture to write into {str(path)!r}")
+        raise ValueError(f"cannot write {str(path)!r}: the image has no pixels, or a type that the format does not support")
     write(path, memoryview(writer.GetResult()))

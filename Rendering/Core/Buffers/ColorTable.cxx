@@ -101,8 +101,8 @@ std::string ColorTable::FindError(vtkScalarsToColors* table, const double range[
     return "";
   }
   std::ostringstream error;
-  error << "the range of the lookup table, (" << range[0] << ", " << range[1] << "), is not finite"
-        << (table->UsingLogScale() ? ", nor are its logarithms" : "");
+  error << "the range of the lookup table, (" << range[0] << ", " << range[1] << "), "
+        << (table->UsingLogScale() ? "or its logarithm " : "") << "is not finite";
   return error.str();
 }
 

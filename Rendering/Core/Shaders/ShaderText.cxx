@@ -216,9 +216,9 @@ std::string DescribeMissing(const MissingAnchors& missing)
     list += (list.empty() ? "" : ", ") + anchor;
   }
   return std::string("The shaders of VTK ") + vtkVersion::GetVTKVersion() +
-    " lack text that they are changed at (" + list +
-    "). The surface is not drawn. Use a release of VTK that Relevo supports, and have the actor's "
-    "vtkShaderProperty leave this text in place.";
+    " do not contain text that Relevo replaces (" + list +
+    "). The surface is not drawn. Use a release of VTK that Relevo supports, and keep this text in "
+    "the replacements of the actor's vtkShaderProperty.";
 }
 
 void DrawNothing(std::map<vtkShader::Type, vtkShader*>& shaders)

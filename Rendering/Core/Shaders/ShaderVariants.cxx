@@ -42,8 +42,9 @@ bool ShaderVariants::Update(
   if (!helper.Program)
   {
     this->FailedSources = sources;
-    this->Error = "The shaders could not be built; OpenGL's own message says why. The actor's "
-                  "vtkShaderProperty is part of them.";
+    this->Error =
+      "The shaders could not be built; OpenGL's own message gives the reason. The actor's "
+      "vtkShaderProperty is part of them.";
   }
   return helper.Program != nullptr;
 }

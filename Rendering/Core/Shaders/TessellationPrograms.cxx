@@ -134,11 +134,10 @@ public:
     const auto last = this->Programs.find(this->LastKey);
     if (last == this->Programs.end())
     {
-      return "no program";
+      return "there is no program";
     }
-    const std::string error = this->HasVersion
-      ? last->second->FindError()
-      : "the vertex shader lacks the text that it is changed at (\"#version\")";
+    const std::string error =
+      this->HasVersion ? last->second->FindError() : "the vertex shader contains no \"#version\"";
     last->second->ReleaseGraphicsResources(nullptr);
     this->Programs.erase(last);
     return error;

@@ -47,12 +47,12 @@ LICArray LICArray::Check(vtkDataArray* chosen, int association, vtkPolyData* inp
   if (components != 2 && components != 3)
   {
     found.Error = "The array \"" + name + "\" has " + std::to_string(components) +
-      (components == 1 ? " component" : " components") + ", vectors have 3 or 2.";
+      (components == 1 ? " component" : " components") + ", but vectors have 2 or 3.";
   }
   else if (found.Array->GetNumberOfTuples() != expected)
   {
     found.Error = "The array \"" + name + "\" has " +
-      std::to_string(found.Array->GetNumberOfTuples()) + " vectors for " +
+      std::to_string(found.Array->GetNumberOfTuples()) + " vectors, but there are " +
       std::to_string(expected) + (found.IsOfCells ? " cells." : " points.");
   }
   if (!found.Error.empty())

@@ -32,7 +32,8 @@ namespace
 {
 constexpr int ReductionSize = 16; // as in relevoLICRangeFS.glsl
 
-constexpr const char* ShaderError = "The shaders of the LIC could not be built.";
+constexpr const char* ShaderError =
+  "The shaders of the LIC could not be built; OpenGL's own message gives the reason.";
 
 void SetSize(vtkShaderProgram* program, const char* name, int width, int height)
 {
@@ -139,7 +140,7 @@ LICImage::~LICImage() = default;
 
 const char* LICImage::GetTextureError()
 {
-  return "OpenGL cannot make or draw to textures of floating point numbers of the viewport's size.";
+  return "OpenGL cannot create or draw to floating-point textures of the viewport's size.";
 }
 
 bool LICImage::Convolve(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,

@@ -100,7 +100,7 @@ bool LICParallelFrame::Agree(
   {
     if (values[SHOWS] > 0.0 && values[i] != -values[i + 1])
     {
-      error = "The processes have different sizes of the viewport, or settings.";
+      error = "The ranks have different viewport sizes or settings.";
     }
   }
   // One process reports for all.

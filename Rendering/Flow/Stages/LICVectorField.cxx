@@ -47,12 +47,13 @@ std::string LICVectorField::FindError() const
   if (facts.Error.empty() && facts.HasFaces && !facts.HasArray)
   {
     return this->Misplaced.empty()
-      ? "The input has no array of vectors that SetInputArrayToProcess(0, ...) chooses."
+      ? "The input does not have the array of vectors that SetInputArrayToProcess(0, ...) selects."
       : "The input has " + this->Misplaced + ".";
   }
   if (facts.Error.empty() && facts.HasFaces && facts.Longest < 0.0)
   {
-    return "All vectors are no-data: not finite, or of NoDataMagnitude or more.";
+    return "All vectors are missing values: not finite, or with a component of at least "
+           "NoDataMagnitude.";
   }
   return facts.Error;
 }

@@ -122,8 +122,8 @@ std::string PatchScalars::DescribeMisfit(vtkPolyData* mesh, vtkDataArray* scalar
   {
     text << "Cannot evaluate scalars at every pixel: the array " << name << " has "
          << nodes->GetNumberOfTuples() << " tuples of " << nodes->GetNumberOfComponents()
-         << " components, not " << (points ? points->GetNumberOfTuples() : 0) << " of "
-         << scalars->GetNumberOfComponents() << " numbers. They are interpolated.";
+         << " components, but " << (points ? points->GetNumberOfTuples() : 0) << " tuples of "
+         << scalars->GetNumberOfComponents() << " are needed. The scalars are interpolated.";
   }
   return text.str();
 }

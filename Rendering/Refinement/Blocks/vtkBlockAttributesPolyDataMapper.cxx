@@ -164,7 +164,7 @@ vtkDataObject* vtkBlockAttributesPolyDataMapper::FindBlockToSet(unsigned int ind
   if (!input || !relevo::FindBlock(input, index, block))
   {
     vtkErrorMacro("There is no block with flat index "
-      << index << (input ? ": the input has fewer" : ": there is no input")
+      << index << (input ? ": the input has fewer blocks" : ": there is no input")
       << ". Call Update() before you set attributes of blocks by their flat index.");
   }
   else if (!this->CompositeAttributes)

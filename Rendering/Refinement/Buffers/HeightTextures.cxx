@@ -40,9 +40,9 @@ bool HeightTextures::Upload(vtkOpenGLRenderWindow* window, vtkDisplacement* disp
   if (size[0] > most || size[1] > most)
   {
     this->Error = "the height map has " + std::to_string(size[0]) + " x " +
-      std::to_string(size[1]) + " samples, and a texture of this OpenGL at most " +
-      std::to_string(most) + " a side: SetMaximumDimension(" + std::to_string(most) +
-      ") of vtkHeightMap reduces it";
+      std::to_string(size[1]) + " samples, but textures of this OpenGL have at most " +
+      std::to_string(most) + " per side: call SetMaximumDimension(" + std::to_string(most) +
+      ") of vtkHeightMap";
     return false;
   }
   this->ReleaseGraphicsResources(window);

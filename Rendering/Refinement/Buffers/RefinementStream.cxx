@@ -178,8 +178,9 @@ bool RefinementStream::Refine(vtkOpenGLRenderWindow* window, const RefinementMes
     steps = std::max(steps, *std::max_element(group.first.begin(), group.first.end()));
   }
   const vtkIdType most = counts.back();
-  const std::string tooMany = "OpenGL has no room for a stream of " + std::to_string(most) +
-    " triangles, " + std::to_string(3 * most * static_cast<vtkIdType>(sizeof(Vertex))) + " bytes";
+  const std::string tooMany = "there is not enough graphics memory for a stream of " +
+    std::to_string(most) + " triangles, " +
+    std::to_string(3 * most * static_cast<vtkIdType>(sizeof(Vertex))) + " bytes";
   if (most > std::numeric_limits<GLsizei>::max() / 3)
   {
     error = tooMany;

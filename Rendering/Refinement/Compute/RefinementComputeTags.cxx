@@ -56,7 +56,7 @@ bool RefinementComputeTags::UploadData(const MetricShader& shader)
   if (shader.Data->size() != expected)
   {
     return this->Fail("the metric's shader has data of " + std::to_string(shader.Data->size()) +
-      " floats where " + std::to_string(expected) + " are needed, four for each point");
+      " floats, but " + std::to_string(expected) + " are needed, four for each point");
   }
   if (this->UploadedData == shader.Data)
   {

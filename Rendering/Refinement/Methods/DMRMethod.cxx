@@ -17,9 +17,7 @@ namespace relevo
 {
 std::string DMRMethod::FindError(const PatternFamily& family) const
 {
-  return family.AreWholeNumbers()
-    ? "it halves edges, but the recipe asks for whole numbers of segments"
-    : "";
+  return family.AreWholeNumbers() ? "it halves edges, but SegmentPolicy is WHOLE_NUMBERS" : "";
 }
 
 bool DMRMethod::CanDraw(Primitives primitives) const

@@ -42,7 +42,7 @@ StageResult ContextCheck::Update(int selectionDevice)
     else if (this->IsValid && !this->HasCompute && selectionDevice == SELECTION_DEVICE_GPU)
     {
       result.Errors.push_back("Selection on the GPU needs OpenGL 4.3; this context has OpenGL " +
-        version + ". It is done on the CPU.");
+        version + ". The CPU is used instead.");
     }
   }
   result.IsValid = this->IsValid;

@@ -146,9 +146,9 @@ StageResult RefinementPrograms::CheckUpdated(const vtkOpenGLHelper& helper)
   this->States[&helper].HasFailed = !result.IsValid;
   if (!result.IsValid)
   {
-    result.Errors.push_back(
-      "The shaders could not be built; OpenGL's own message says why. A vtkProceduralSurface's "
-      "ShaderFunction and the actor's vtkShaderProperty are part of them.");
+    result.Errors.push_back("The shaders could not be built; OpenGL's own message gives the "
+                            "reason. A vtkProceduralSurface's "
+                            "ShaderFunction and the actor's vtkShaderProperty are part of them.");
   }
   return result;
 }

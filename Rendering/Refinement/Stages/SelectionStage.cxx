@@ -93,7 +93,7 @@ StageResult SelectionStage::UpdateOnGPU(const Input& input, UploadStage& upload)
   if (isNew)
   {
     const std::string message =
-      "Selection on the GPU failed: " + error + ". It is done on the CPU.";
+      "Selection on the GPU failed: " + error + ". The CPU is used instead.";
     auto& messages = input.Device == SELECTION_DEVICE_GPU ? result.Errors : result.Warnings;
     messages.insert(messages.begin(), message);
   }

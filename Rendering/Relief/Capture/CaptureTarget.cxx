@@ -30,14 +30,14 @@ std::string CaptureTarget::Allocate(vtkOpenGLRenderWindow* window, int width, in
   const int most = vtkTextureObject::GetMaximumTextureSize(window);
   if (width > std::min(most, viewport[0]) || height > std::min(most, viewport[1]))
   {
-    return "A capture of " + size +
-      " is larger than what OpenGL can draw to: " + std::to_string(std::min(most, viewport[0])) +
-      " x " + std::to_string(std::min(most, viewport[1])) + ".";
+    return "A capture of " + size + " is larger than the largest framebuffer of this OpenGL: " +
+      std::to_string(std::min(most, viewport[0])) + " x " +
+      std::to_string(std::min(most, viewport[1])) + ".";
   }
   this->Window = window;
   this->Width = width;
   this->Height = height;
-  const std::string error = "OpenGL cannot make a framebuffer of " + size + " for a capture.";
+  const std::string error = "OpenGL cannot create a framebuffer of " + size + " for a capture.";
   if (!this->Bind())
   {
     return error;

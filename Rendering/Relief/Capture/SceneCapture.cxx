@@ -15,12 +15,12 @@ std::string SceneCapture::Begin(vtkRenderer* renderer, SceneParts parts, int wid
 {
   if (!renderer)
   {
-    return "There is no renderer to capture: SetRenderer().";
+    return "There is no renderer to capture: call SetRenderer().";
   }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window)
   {
-    return "The renderer is in no window that draws with OpenGL.";
+    return "The renderer is not in a window that draws with OpenGL.";
   }
   window->Initialize();
   window->MakeCurrent();
@@ -31,7 +31,8 @@ std::string SceneCapture::Begin(vtkRenderer* renderer, SceneParts parts, int wid
   this->Props = FindSceneProps(renderer, parts);
   if (this->Props.Opaque.empty())
   {
-    return "The renderer shows nothing that can be captured: visible props with opaque geometry.";
+    return "The renderer has no visible props with opaque geometry, so there is nothing to "
+           "capture.";
   }
   this->Target.reset(new CaptureTarget);
   const std::string error = this->Target->Allocate(window, width, height);

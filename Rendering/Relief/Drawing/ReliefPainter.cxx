@@ -86,8 +86,7 @@ std::string ReliefPainter::Prepare(vtkRenderer* renderer, vtkActor* actor, const
   if (max(this->Size.x, this->Size.y) > largest)
   {
     return "The image has " + std::to_string(this->Size.x) + " x " + std::to_string(this->Size.y) +
-      " points, more than the " + std::to_string(largest) +
-      " to a side that textures of this OpenGL have.";
+      " points, but textures of this OpenGL have at most " + std::to_string(largest) + " per side.";
   }
   if (this->NeedsUpload)
   {
@@ -95,7 +94,7 @@ std::string ReliefPainter::Prepare(vtkRenderer* renderer, vtkActor* actor, const
     ++this->NumberOfBufferBuilds;
     if (!this->Textures.Upload(window, this->Tiles))
     {
-      return "There is no room for it on the graphics card.";
+      return "There is not enough graphics memory for it.";
     }
   }
   if (this->Current.Search == ReliefShaderOptions::RELAXED_CONES && !this->Textures.HasCones() &&
@@ -104,13 +103,13 @@ std::string ReliefPainter::Prepare(vtkRenderer* renderer, vtkActor* actor, const
     ++this->NumberOfBufferBuilds;
     if (!this->Textures.UploadCones(window, this->Tiles))
     {
-      return "There is no room for it on the graphics card.";
+      return "There is not enough graphics memory for it.";
     }
   }
   if (this->Current.IsShadowed && !this->Textures.HasGrid() &&
     !this->Textures.UploadGrid(window, this->Tiles))
   {
-    return "There is no room for it on the graphics card.";
+    return "There is not enough graphics memory for it.";
   }
   if (this->Current.Method == ReliefShaderOptions::WARP &&
     (this->Tiles.GetNumberOfTiles() == 0 ||

@@ -473,7 +473,7 @@ bool RayCastMesh::Build(const VolumeCells& cells, int numberOfComponents, std::s
   builder.FindNeighbors();
   if (builder.IsTooLarge())
   {
-    error = "has more than 16 million faces at its border";
+    error = "has more than 16 million boundary faces; extract a part of it";
     return false;
   }
   builder.BuildBorder();

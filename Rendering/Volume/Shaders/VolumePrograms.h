@@ -38,7 +38,7 @@ enum class VolumeShader
 class VolumePrograms
 {
 public:
-  static constexpr const char* Error = "This OpenGL cannot build the shader.";
+  static constexpr const char* Error = "The shaders cannot be built on this OpenGL.";
 
   /// Return a program and make it current; nullptr if it cannot be built, which is not tried again.
   vtkShaderProgram* Ready(

@@ -17,7 +17,8 @@ namespace relevo
 {
 namespace
 {
-constexpr const char* NoRoom = "This OpenGL has no room for what cell projection draws.";
+constexpr const char* NoRoom =
+  "There is not enough graphics memory for cell projection: call SetMethodToRayCasting().";
 
 // Sums do not need an order, and neither do extremes of one scalar.
 bool NeedsOrder(const VolumeShaderOptions& options)

@@ -120,8 +120,8 @@ void FeatureSelector::FindTable(const FeatureRequest& request, StageReport& repo
     options.NumberOfMaterials == 0;
   options.PreIntegrated = isWanted && isPossible ? request.TableDimensions : 0;
   const std::string error = isWanted && !isPossible
-    ? "Pre-integration takes one component, without gradients, shading and isosurfaces; "
-      "integration is exact instead."
+    ? "Pre-integration supports only one component, without gradients, shading and isosurfaces; "
+      "exact integration is used instead."
     : "";
   if (ShouldReport(this->TableError, error))
   {

@@ -73,8 +73,8 @@ std::string FunctionLoader::Load(const FunctionRequest& request, std::string& wa
     to.Surfaces.Upload(
       request.Window, request.Property, to.Functions, mesh.ScalarLow, mesh.ScalarSize);
   return isUploaded ? ""
-                    : "The functions of the volume property, with so many nodes or texels, do not "
-                      "fit into the buffer textures of this OpenGL.";
+                    : "The functions of the volume property have too many nodes or texels for the "
+                      "buffer textures of this OpenGL.";
 }
 
 void FunctionLoader::ReleaseGraphicsResources(vtkWindow* window)

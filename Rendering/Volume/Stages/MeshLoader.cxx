@@ -163,7 +163,7 @@ bool MeshLoader::Read(const MeshRequest& request, VolumeCells& cells, StageRepor
   {
     if (!meshes.empty() && !hasErrors)
     {
-      report.Errors.push_back("The input has cells, but none is 3D.");
+      report.Errors.push_back("The input has no 3D cells.");
     }
     return false;
   }
@@ -195,7 +195,7 @@ bool MeshLoader::Upload(const MeshRequest& request, const VolumeCells& cells, St
   if (layout.NumberOfSharedFaces > 0 && isNew)
   {
     report.Warnings.push_back(std::to_string(layout.NumberOfSharedFaces) +
-      " faces belong to three cells or more; rays may see one cell twice there.");
+      " faces belong to three or more cells, so rays may sample a cell twice there.");
   }
   this->Mesh.Cells.ReleaseGraphicsResources(request.Window);
   if (!this->Mesh.Buffers.Upload(request.Window, layout) ||

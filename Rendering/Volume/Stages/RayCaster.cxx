@@ -74,8 +74,8 @@ std::string RayCaster::Draw(const VolumeFrame& frame, const std::array<int, 2>& 
   }
   else
   {
-    error = "This OpenGL has no room for " + std::to_string(size[0]) + " x " +
-      std::to_string(size[1]) + " pixels; choose a larger ImageSampleDistance.";
+    error = "There is not enough graphics memory for " + std::to_string(size[0]) + " x " +
+      std::to_string(size[1]) + " pixels: raise ImageSampleDistance.";
   }
   this->Entries.Deactivate();
   frame.Deactivate();

@@ -30,7 +30,8 @@ bool TableLoader::Update(const TableRequest& request, StageReport& report)
   if (!this->Table.Upload(request.Window, request.Functions.Functions, settings))
   {
     this->Failed = now;
-    report.Errors.push_back("This OpenGL has no room for the table of pre-integration.");
+    report.Errors.push_back(
+      "There is not enough graphics memory for the table of pre-integration: lower TableSize.");
     return false;
   }
   return true;

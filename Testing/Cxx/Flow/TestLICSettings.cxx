@@ -231,7 +231,7 @@ void TestNoise(RelevoCheck& check)
   RelevoErrors errors(filter);
   RelevoErrors ofExecutive(filter->GetExecutive());
   filter->GetLICSettings()->SetNoiseGrainSize(300);
-  CHECK(RunLIC(filter).empty() && errors.Said("Noise cannot be made"));
+  CHECK(RunLIC(filter).empty() && errors.Said("Cannot generate the noise"));
   filter->GetLICSettings()->SetNoiseFileName("/there/is/no/such/file.png");
   CHECK(RunLIC(filter).empty() && errors.Said("/there/is/no/such/file.png\" cannot be opened"));
 }

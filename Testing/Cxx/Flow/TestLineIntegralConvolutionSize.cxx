@@ -48,7 +48,7 @@ int TestLineIntegralConvolutionSize(int, char*[])
     CHECK(Runs(check, columns, rows, errors, filter));
     CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), LargestSide);
     CHECK(!Runs(check, columns + !isTall, rows + isTall, errors, filter));
-    CHECK(errors.Said("The input has more than 4194304 points a side."));
+    CHECK(errors.Said("The input has more than 4194304 points per side."));
     CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), 0);
   }
   return check.GetResult();

@@ -188,7 +188,7 @@ void TestErrors(RelevoCheck& check)
       Bounds box = UnitBox;
       box[i] = bad;
       metric->AddBox(box.data());
-      CHECK(errors.Said("A box must be finite, and no minimum above its maximum, got ("));
+      CHECK(errors.Said("A box must be finite, with minima not above their maxima, got ("));
     }
   }
   CHECK_EQUAL(metric->GetNumberOfBoxes(), 0);
@@ -204,7 +204,7 @@ void TestErrors(RelevoCheck& check)
   {
     CHECK_CASE(index);
     metric->GetBox(index, box.data());
-    CHECK(errors.Said("There is no box " + std::to_string(index) + " of 1."));
+    CHECK(errors.Said("There is no box " + std::to_string(index) + ": the number of boxes is 1."));
   }
   CHECK_EQUAL(box, UnitBox);
   metric->SetDistance(0.5);

@@ -190,7 +190,7 @@ void TestWithout(RelevoCheck& check)
     filter->SetInputData(1, box);
     RelevoErrors errors(filter);
     filter->Update();
-    CHECK(errors.Warned("Not closed, so that nothing is told to be inside of it: input 1."));
+    CHECK(errors.Warned("No cell is classified as inside a surface that is not closed: input 1."));
     CHECK_EQUAL(Get(filter->GetOutput(2), "Contact", 0), 0);
     CHECK_GREATER(Get(filter->GetOutput(2), "Distance", 0), 0.4);
   }

@@ -82,7 +82,7 @@ void TestMeshes(RelevoCheck& check)
   {
     ExpectError(
       check, [x](vtkPolyData* mesh, vtkMatrix4x4*) { mesh->GetPoints()->SetPoint(5, 0, x, 0); },
-      "has a point 5 that is not finite, or beyond 1e300.");
+      "has a point 5 that is not finite or exceeds 1e300.");
   }
   for (vtkIdType point : { -1, 8 })
   {
@@ -93,7 +93,7 @@ void TestMeshes(RelevoCheck& check)
         const vtkIdType ids[3] = { 0, 1, point };
         mesh->GetPolys()->InsertNextCell(3, ids);
       },
-      "has a cell 6 that refers to point " + std::to_string(point) + ".");
+      "has no point " + std::to_string(point) + ", which cell 6 refers to.");
   }
 }
 

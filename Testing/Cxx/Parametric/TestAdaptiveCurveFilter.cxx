@@ -161,7 +161,7 @@ void TestPolyLines(RelevoCheck& check)
   auto filter = RelevoNewCurveFilter(input, 2);
   RelevoErrors errors(filter);
   filter->Update();
-  CHECK(errors.Warned("1 degenerate curves left out"));
+  CHECK(errors.Warned("1 degenerate curves are left out"));
   vtkPolyData* output = filter->GetOutput();
   CHECK_EQUAL(output->GetNumberOfCells(), 2);
   CHECK_EQUAL(output->GetNumberOfLines(), 2);

@@ -72,15 +72,15 @@ void ExpectNumber(RelevoCheck& check, int type, int number, const char* words)
 
 void TestCells(RelevoCheck& check)
 {
-  ExpectNumber(check, VTK_LINE, 3, "Cell 1 has 3 points; it needs 2. It is left out.");
-  ExpectNumber(check, VTK_POLY_LINE, 1, "Cell 1 has 1 points; it needs 2 or more.");
-  ExpectNumber(check, VTK_QUADRATIC_EDGE, 2, "Cell 1 has 2 points; it needs 3.");
-  ExpectNumber(check, VTK_CUBIC_LINE, 3, "Cell 1 has 3 points; it needs 4.");
-  ExpectNumber(check, VTK_LAGRANGE_CURVE, 1, "Cell 1 has 1 points; it needs 2 or more.");
-  ExpectNumber(check, VTK_LAGRANGE_CURVE, 10, "Cell 1 has degree 9; 8 is the highest.");
-  ExpectNumber(check, VTK_BEZIER_CURVE, 11, "Cell 1 has degree 10; 8 is the highest.");
-  ExpectNumber(
-    check, VTK_HIGHER_ORDER_EDGE, 3, "Cell 1 is a curve of VTK's type 60, which is not known.");
+  ExpectNumber(check, VTK_LINE, 3, "Cell 1 has 3 points, but needs 2. It is left out.");
+  ExpectNumber(check, VTK_POLY_LINE, 1, "Cell 1 has 1 points, but needs 2 or more.");
+  ExpectNumber(check, VTK_QUADRATIC_EDGE, 2, "Cell 1 has 2 points, but needs 3.");
+  ExpectNumber(check, VTK_CUBIC_LINE, 3, "Cell 1 has 3 points, but needs 4.");
+  ExpectNumber(check, VTK_LAGRANGE_CURVE, 1, "Cell 1 has 1 points, but needs 2 or more.");
+  ExpectNumber(check, VTK_LAGRANGE_CURVE, 10, "Cell 1 has degree 9, but the highest degree is 8.");
+  ExpectNumber(check, VTK_BEZIER_CURVE, 11, "Cell 1 has degree 10, but the highest degree is 8.");
+  ExpectNumber(check, VTK_HIGHER_ORDER_EDGE, 3,
+    "Cell 1 is a curve of VTK's cell type 60, which is not supported.");
 
   auto grid = MakeGrid();
   AddCell(grid, VTK_BEZIER_CURVE, 4);
@@ -95,8 +95,8 @@ void TestCells(RelevoCheck& check)
   }
   grid->GetCellData()->SetHigherOrderDegrees(degrees);
   ExpectMeshError(check, grid,
-    "Cell 1 has 4 points, but degree 2 in cell array \"HigherOrderDegrees\". It is left out, and 2 "
-    "more that cannot be drawn.");
+    "Cell 1 has 4 points, but degree 2 in cell array \"HigherOrderDegrees\". It and 2 "
+    "more cells are left out.");
 }
 
 void TestPoints(RelevoCheck& check)
@@ -104,7 +104,7 @@ void TestPoints(RelevoCheck& check)
   auto grid = MakeGrid();
   const std::array<vtkIdType, 2> beyond{ 1, 12 };
   grid->InsertNextCell(VTK_LINE, 2, beyond.data());
-  ExpectMeshError(check, grid, "Cell 1 refers to point 12 of 12.");
+  ExpectMeshError(check, grid, "Cell 1 refers to point 12, but there are 12 points.");
 
   grid = MakeGrid();
   AddCell(grid, VTK_QUADRATIC_EDGE, 3);
@@ -122,7 +122,7 @@ void TestPoints(RelevoCheck& check)
     weights->SetValue(3, weight);
     weights->SetValue(10, 0.0); // lines have no weights
     grid->GetPointData()->SetRationalWeights(weights);
-    ExpectMeshError(check, grid, "at point 3 in point array \"RationalWeights\"; weights are more");
+    ExpectMeshError(check, grid, "at point 3 in point array \"RationalWeights\"; weights must be");
   }
 }
 
@@ -144,20 +144,21 @@ void TestWhole(RelevoCheck& check)
   auto grid = MakeGrid();
   auto filter = RelevoNewCurveFilter(grid, 2);
   filter->SetRefinement(nullptr);
-  ExpectError(check, filter, "No recipe: call SetRefinement()");
+  ExpectError(check, filter, "There is no recipe: call SetRefinement()");
   filter = RelevoNewCurveFilter(grid, 2);
   filter->SetRepresentationToRibbons();
-  ExpectError(check, filter, "Ribbons face the camera: call SetCamera().");
+  ExpectError(check, filter, "Ribbons need a camera to face: call SetCamera().");
   filter->SetRepresentationToTubes();
   filter->SetRadiusArrayName("Radii");
-  ExpectError(check, filter, "No radii: point array \"Radii\" is missing, or has no numbers.");
+  ExpectError(check, filter, "Cannot read the radii: point array \"Radii\" does not exist.");
   vtkNew<vtkDoubleArray> radii;
   radii->SetName("Radii");
   radii->SetNumberOfValues(12);
   radii->FillValue(1.0);
   radii->SetValue(7, -0.5);
   grid->GetPointData()->AddArray(radii);
-  ExpectError(check, filter, "No radii: point array \"Radii\" is below 0 at point 7.");
+  ExpectError(
+    check, filter, "Cannot read the radii: point array \"Radii\" is negative at point 7.");
 
   vtkNew<vtkUnstructuredGrid> empty;
   ExpectError(check, RelevoNewCurveFilter(empty, 2), "The input has no cells");
@@ -205,7 +206,7 @@ void TestLeftOut(RelevoCheck& check)
   auto filter = RelevoNewCurveFilter(grid, 2);
   RelevoErrors errors(filter);
   filter->Update();
-  CHECK(errors.Warned("1 degenerate curves left out: all their control points are at one place."));
+  CHECK(errors.Warned("1 degenerate curves are left out: all their control points coincide."));
   CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 1);
 }
 }

@@ -45,31 +45,33 @@ void ExpectFileError(RelevoCheck& check, const std::string& name, const std::str
 
 void TestErrors(RelevoCheck& check, const std::string& name)
 {
-  ExpectFileError(check, name, "2\n1", "two\n1", "line 1: 'two' is no number of patches.");
-  ExpectFileError(check, name, "2\n1", "-1\n1", "line 1: '-1' is no number of patches.");
-  ExpectFileError(check, name, "2\n1", "1.5\n1", "line 1: '1.5' is no number of patches.");
-  ExpectFileError(check, name, "2\n1", "99999999999\n1", "line 1: '99999999999' is no number of");
+  ExpectFileError(check, name, "2\n1", "two\n1", "line 1: 'two' is not a number of patches.");
+  ExpectFileError(check, name, "2\n1", "-1\n1", "line 1: '-1' is not a number of patches.");
+  ExpectFileError(check, name, "2\n1", "1.5\n1", "line 1: '1.5' is not a number of patches.");
+  ExpectFileError(
+    check, name, "2\n1", "99999999999\n1", "line 1: '99999999999' is not a number of");
   ExpectFileError(check, name, "2\n1", "3\n1", "line 12: the file ends too early.");
-  ExpectFileError(check, name, "2\n1", "1\n1", "line 7: there is more than line 1 tells of.");
+  ExpectFileError(check, name, "2\n1", "1\n1", "line 7: there are more values than");
   ExpectFileError(
-    check, name, "1 1\n1 0 0\n2", "9 1\n1 0 0\n2", "line 7: '9' is no degree: 1 to 8.");
+    check, name, "1 1\n1 0 0\n2", "9 1\n1 0 0\n2", "line 7: '9' is not a degree from 1 to 8.");
   ExpectFileError(
-    check, name, "1 1\n1 0 0\n2", "1 0\n1 0 0\n2", "line 7: '0' is no degree: 1 to 8.");
+    check, name, "1 1\n1 0 0\n2", "1 0\n1 0 0\n2", "line 7: '0' is not a degree from 1 to 8.");
   ExpectFileError(
-    check, name, "1 1\n1 0 0\n2", "1 x\n1 0 0\n2", "line 7: 'x' is no degree: 1 to 8.");
-  ExpectFileError(check, name, "0 1 0", "0 nan 0", "line 5: 'nan' is no finite number.");
-  ExpectFileError(check, name, "0 1 0", "0 inf 0", "line 5: 'inf' is no finite number.");
-  ExpectFileError(check, name, "0 1 0", "0 1e999 0", "line 5: '1e999' is no finite number.");
-  ExpectFileError(check, name, "0 1 0", "0 1,5 0", "line 5: '1,5' is no finite number.");
-  ExpectFileError(check, name, "0 1 0", "0 +-1 0", "line 5: '+-1' is no finite number.");
+    check, name, "1 1\n1 0 0\n2", "1 x\n1 0 0\n2", "line 7: 'x' is not a degree from 1 to 8.");
+  ExpectFileError(check, name, "0 1 0", "0 nan 0", "line 5: 'nan' is not a finite number.");
+  ExpectFileError(check, name, "0 1 0", "0 inf 0", "line 5: 'inf' is not a finite number.");
+  ExpectFileError(check, name, "0 1 0", "0 1e999 0", "line 5: '1e999' is not a finite number.");
+  ExpectFileError(check, name, "0 1 0", "0 1,5 0", "line 5: '1,5' is not a finite number.");
+  ExpectFileError(check, name, "0 1 0", "0 +-1 0", "line 5: '+-1' is not a finite number.");
   ExpectFileError(check, name, "0 1 0", "0 1", "line 12: the file ends too early.");
   ExpectFileError(check, name, "2 1 0\n", "2 1\n", "line 12: the file ends too early.");
   ExpectFileError(check, name, Whole, "", "line 1: the file ends too early.");
   const std::string cut = "x" + std::string(79, '7');
-  ExpectFileError(check, name, "0 1 0", "0 " + cut + "77 0", "line 5: '" + cut + "' is no finite");
+  ExpectFileError(
+    check, name, "0 1 0", "0 " + cut + "77 0", "line 5: '" + cut + "' is not a finite");
   const std::string zeros(80, '0');
   ExpectFileError(check, name, "0 1 0", "0 " + std::string(1200, '1') + " 0",
-    "line 5: '" + std::string(80, '1') + "' is no finite number.");
+    "line 5: '" + std::string(80, '1') + "' is not a finite number.");
   ExpectFileError(check, name, "0 1 0", "0 0." + zeros + "x 0", "line 5: '0." + zeros.substr(2));
 }
 

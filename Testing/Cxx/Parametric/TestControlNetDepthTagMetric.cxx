@@ -139,7 +139,7 @@ void TestErrors(RelevoCheck& check)
   vtkNew<vtkControlNetDepthTagMetric> nets;
   RelevoErrors ofNets(nets);
   GetTags(sphere->GetOutput(), nets, camera);
-  CHECK(ofNets.Said("There are no control nets to measure: the array Patches is missing"));
+  CHECK(ofNets.Said("Cannot measure the control nets: there is no array Patches"));
   nets->SetMinimumAngle(100.0);
   GetTags(sphere->GetOutput(), nets, camera);
   CHECK(ofNets.Said("MinimumAngle 100 is above MaximumAngle 90."));
@@ -147,7 +147,7 @@ void TestErrors(RelevoCheck& check)
   distance->SetMeasureToControlPoints();
   RelevoErrors ofDistance(distance);
   GetTags(sphere->GetOutput(), distance, camera);
-  CHECK(ofDistance.Said("There are no control points to measure to: the array Patches is missing"));
+  CHECK(ofDistance.Said("Cannot measure distances to control points: there is no array Patches"));
 }
 
 // Arrays of wrong sizes are not read.
@@ -171,25 +171,27 @@ void TestArrays(RelevoCheck& check)
   spoil("Patches", 0, 0, VTK_QUAD, "patch 0 is neither");
   spoil("Patches", 0, 1, 9, "patch 0 has a degree");
   spoil("Patches", 0, 2, 0, "patch 0 has a degree");
-  spoil("Patches", 0, 3, 1, "patch 0 has control points that the array PatchPoints lacks");
-  spoil("Patches", 0, 3, -1, "patch 0 has control points that the array PatchPoints lacks");
+  spoil("Patches", 0, 3, 1, "patch 0 refers to control points that do not exist");
+  spoil("Patches", 0, 3, -1, "patch 0 refers to control points that do not exist");
   spoil("PatchPoints", 8, 2, std::nan(""), "control point 8 is not finite");
   spoil("PatchPoints", 0, 3, -1.0, "control point 0 is not finite, or its weight");
-  spoil("PatchIds", 1, 0, 1, "triangle 1 is of a patch that the array Patches lacks");
-  spoil("PatchIds", 1, 0, -1, "triangle 1 is of a patch that the array Patches lacks");
+  spoil("PatchIds", 1, 0, 1, "triangle 1 refers to a patch that does not exist");
+  spoil("PatchIds", 1, 0, -1, "triangle 1 refers to a patch that does not exist");
   spoil("PatchCoordinates", 0, 3, 1.5, "triangle 0 has PatchCoordinates");
   spoil("PatchCoordinates", 0, 3, std::nan(""), "triangle 0 has PatchCoordinates");
   const auto mesh = MakePatch(VTK_BEZIER_QUADRILATERAL, 2, [](double, double) { return 0.0; });
   mesh->GetCellData()->GetArray("PatchIds")->SetNumberOfTuples(1);
   GetTags(mesh, metric, nullptr);
-  CHECK(errors.Said("the array PatchIds has 1 tuples of 1 components, not 2 of 1"));
+  CHECK(
+    errors.Said("the array PatchIds has 1 tuples of 1 components, but 2 tuples of 1 are needed"));
   const auto other = MakePatch(VTK_BEZIER_QUADRILATERAL, 2, [](double, double) { return 0.0; });
   vtkNew<vtkIntArray> borders;
   borders->SetName("PatchInnerBorders");
   borders->SetNumberOfTuples(2);
   other->GetFieldData()->AddArray(borders);
   GetTags(other, metric, nullptr);
-  CHECK(errors.Said("the array PatchInnerBorders has 2 tuples of 1 components, not 1 of 1"));
+  CHECK(errors.Said(
+    "the array PatchInnerBorders has 2 tuples of 1 components, but 1 tuples of 1 are needed"));
 }
 }
 

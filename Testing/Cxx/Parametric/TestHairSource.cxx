@@ -325,13 +325,13 @@ void TestErrors(RelevoCheck& check)
   CHECK(errorsOfBlocks.Said("The input is a vtkUnstructuredGrid; a vtkPolyData is needed."));
   vtkNew<vtkPolyData> empty;
   ExpectError(check, empty, 1.0, "The input has no polygons for hair to grow on.");
-  ExpectError(check, MakeSurface(), 1e9, "Not enough memory for so many hairs");
+  ExpectError(check, MakeSurface(), 1e9, "Not enough memory for the hairs");
   auto surface = MakeSurface();
   for (vtkIdType i = 0; i < 8; ++i)
   {
     surface->GetPoints()->SetPoint(i, i, i, i);
   }
-  ExpectError(check, surface, 1.0, "The input's polygons have no area that hair could grow on.");
+  ExpectError(check, surface, 1.0, "The input's polygons have no area for hair to grow on.");
 
   surface = MakeSurface();
   surface->GetPoints()->SetPoint(2, 0.0, std::numeric_limits<double>::quiet_NaN(), 0.0);

@@ -48,22 +48,22 @@ void TestKnots(RelevoCheck& check)
     check, [](RelevoSpline& s) { s.Knots[1].clear(); }, "There are no knots of direction 1");
   ExpectError(
     check, [](RelevoSpline& s) { s.Knots[0].pop_back(); },
-    "Knots of direction 0: there are 7; 5 control points of degree 2 need 8.");
+    "Knots of direction 0: there are 7, but 5 control points of degree 2 need 8.");
   ExpectError(
     check, [](RelevoSpline& s) { s.Knots[1].push_back(4.0); },
-    "Knots of direction 1: there are 11; 6 control points of degree 3 need 10.");
+    "Knots of direction 1: there are 11, but 6 control points of degree 3 need 10.");
   ExpectError(
     check, [](RelevoSpline& s) { s.Knots[1][5] = 0.5; },
-    "Knots of direction 1: knot 5 falls, from 1 to 0.5.");
+    "Knots of direction 1: knots must not decrease, but knot 5 is 0.5, after 1.");
   ExpectError(
     check, [](RelevoSpline& s) { s.Knots[0][3] = 0.0; },
-    "Knots of direction 0: the knot 0 is there more than 3 times.");
+    "Knots of direction 0: the knot 0 occurs more than 3 times.");
   ExpectError(
     check,
     [](RelevoSpline& s) {
       s.Knots[1] = { 0, 1, 1, 1, 1, 1, 2, 3, 4, 5 };
     },
-    "Knots of direction 1: the knot 1 is there more than 4 times.");
+    "Knots of direction 1: the knot 1 occurs more than 4 times.");
   ExpectError(
     check, [=](RelevoSpline& s) { s.Knots[0][4] = nan; }, "Knots of direction 0: knot 4 is nan");
   ExpectError(
@@ -79,7 +79,7 @@ void TestKnots(RelevoCheck& check)
       s.Points.resize(18);
       s.Weights.resize(18);
     },
-    "Direction 0 has 3 control points; degree 4 needs 5 or more.");
+    "Direction 0 has 3 control points, but degree 4 needs at least 5.");
   ExpectError(
     check,
     [](RelevoSpline& s)
@@ -89,7 +89,7 @@ void TestKnots(RelevoCheck& check)
       s.Weights.resize(18);
       s.Knots[0] = { 0, 0, 1, 1, 2, 2 };
     },
-    "Knots of direction 0: nothing lies between knot 2 and knot 3.");
+    "Knots of direction 0: knot 2 and knot 3 are equal");
 }
 
 void TestPoints(RelevoCheck& check)
@@ -97,17 +97,17 @@ void TestPoints(RelevoCheck& check)
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   ExpectError(
     check, [](RelevoSpline& s) { s.Points.pop_back(); },
-    "There are 29 control points, the dimensions tell of 5 x 6.");
+    "There are 29 control points, but the dimensions are 5 x 6.");
   ExpectError(
     check, [=](RelevoSpline& s) { s.Points[7][2] = nan; }, "Control point 7 is not finite.");
   ExpectError(
     check, [](RelevoSpline& s) { s.Weights.pop_back(); },
-    "There are 29 weights for 30 control points.");
+    "There are 29 weights, but 30 control points.");
   for (double weight : { 0.0, -1.0, nan, std::numeric_limits<double>::infinity() })
   {
     ExpectError(
       check, [=](RelevoSpline& s) { s.Weights[3] = weight; },
-      "weights are more than 0, and finite.");
+      "weights must be positive and finite.");
   }
   for (double weight : { 1e308, 5e-324 })
   {
@@ -122,7 +122,7 @@ void TestPoints(RelevoCheck& check)
   }
   ExpectError(
     check, [](RelevoSpline& s) { s.Degrees[1] = 6; },
-    "Direction 1 has 6 control points; degree 6 needs 7 or more.");
+    "Direction 1 has 6 control points, but degree 6 needs at least 7.");
 }
 
 void TestSettings(RelevoCheck& check)

@@ -400,7 +400,7 @@ void TestErrors(RelevoCheck& check)
   sphere->Update();
   scene.Recipe->SetSurface(nullptr);
   scene.Refine(sphere->GetOutput());
-  CHECK(errors.Said("There are no patches to measure: the array Patches is missing"));
+  CHECK(errors.Said("Cannot measure the patches: there is no array Patches"));
   const auto patches =
     RelevoMakePatches(RelevoNewCell(VTK_BEZIER_QUADRILATERAL, { { 3, 3, 1 } }, 0.3));
   vtkDataArray* points = patches->GetFieldData()->GetArray("PatchPoints");
@@ -415,12 +415,12 @@ void TestErrors(RelevoCheck& check)
     points->Modified();
   };
   spoil(0, std::numeric_limits<double>::quiet_NaN(), "control point 5 is not finite");
-  spoil(3, 0.0, "control point 5 is not finite, or its weight is not more than 0");
+  spoil(3, 0.0, "control point 5 is not finite, or its weight is not positive");
   scene.Refine(patches);
   CHECK(errors.None());
   scene.Filter->SetCamera(nullptr);
   scene.Refine(patches);
-  CHECK(errors.Said("There is no camera to look from"));
+  CHECK(errors.Said("There is no camera: call SetCamera()."));
 }
 }
 

@@ -82,17 +82,20 @@ void TestCells(RelevoCheck& check)
   Pair number;
   number.Add(VTK_BEZIER_QUADRILATERAL, { 2, 4, 9, 7, 3 });
   number.Expect(check,
-    "Cell 1 (vtkBezierQuadrilateral, type 77) is left out: it has 5 nodes, which "
-    "does not fit its type with the degrees 2, 1, 0 of \"HigherOrderDegrees\".");
+    "Cell 1 (vtkBezierQuadrilateral, type 77) is left out: a cell of this type "
+    "cannot have 5 nodes with the degrees 2, 1, 0 of \"HigherOrderDegrees\".");
   Pair few;
   few.Add(VTK_HEXAHEDRON, { 0, 1, 2, 3 });
-  few.Expect(check, "it has 4 nodes, which does not fit its type.");
+  few.Expect(check, "a cell of this type cannot have 4 nodes.");
   Pair line;
   line.Add(VTK_POLYGON, { 0, 1 });
-  line.Expect(check, "Cell 1 (vtkPolygon, type 7) is left out: it has 2 nodes");
+  line.Expect(
+    check, "Cell 1 (vtkPolygon, type 7) is left out: a cell of this type cannot have 2 nodes");
   Pair degree;
   degree.Add(VTK_BEZIER_QUADRILATERAL, { 2, 4, 9, 7, 3, 8 }, 9, 1);
-  degree.Expect(check, "its degrees are 9, 1, 0 by \"HigherOrderDegrees\", and may be 1 to 8.");
+  degree.Expect(check,
+    "its degrees are 9, 1, 0 in \"HigherOrderDegrees\", but degrees must be whole numbers from 1 "
+    "to 8.");
   Pair none;
   none.Add(VTK_BEZIER_QUADRILATERAL, { 2, 4, 9, 7, 3, 8 }, 0, 0);
   none.Expect(check, "Cell 1");
@@ -108,20 +111,22 @@ void TestCells(RelevoCheck& check)
     degrees->InsertNextTuple3(2.0, 1.0, 0.0);
     degrees->InsertNextTuple3(bad, 1.0, 0.0);
     strange.Grid->GetCellData()->SetHigherOrderDegrees(degrees);
-    strange.Expect(check, " by \"HigherOrderDegrees\", and may be 1 to 8.");
+    strange.Expect(
+      check, " in \"HigherOrderDegrees\", but degrees must be whole numbers from 1 to 8.");
     degrees->SetNumberOfTuples(1);
-    strange.Expect(check, "\"HigherOrderDegrees\" has no 3 numbers for it.");
+    strange.Expect(check, "\"HigherOrderDegrees\" has no tuple of 3 numbers for it.");
   }
   Pair simplex;
   simplex.Add(VTK_LAGRANGE_TRIANGLE, { 2, 4, 9, 3, 8, 7 }, 3, 3);
-  simplex.Expect(check,
-    "its degrees are 3, 3, 0 by \"HigherOrderDegrees\", but 2 by its 6 nodes; they may be 1 to 8.");
+  simplex.Expect(
+    check, "its degrees are 3, 3, 0 in \"HigherOrderDegrees\", but its 6 nodes need degree 2.");
   Pair thin;
   thin.Add(VTK_LINE, { 2, 10 });
-  thin.Expect(check, "Cell 1 (vtkLine, type 3) is left out: it refers to point 10 of 10.");
+  thin.Expect(
+    check, "Cell 1 (vtkLine, type 3) is left out: it refers to point 10, but there are 10 points.");
   Pair outside;
   outside.Add(VTK_TRIANGLE, { 2, 4, 10 });
-  outside.Expect(check, "it refers to point 10 of 10.");
+  outside.Expect(check, "it refers to point 10, but there are 10 points.");
   for (double bad : { nan, std::numeric_limits<double>::infinity() })
   {
     CHECK_CASE(bad);
@@ -136,7 +141,7 @@ void TestCells(RelevoCheck& check)
     Pair weight;
     weight.AddGood();
     weight.Weights->SetValue(3, bad);
-    weight.Expect(check, "\"RationalWeights\" of point 3 is ");
+    weight.Expect(check, "point 3 has the weight ");
   }
   Pair missing;
   missing.AddGood();
@@ -145,7 +150,7 @@ void TestCells(RelevoCheck& check)
   RelevoErrors errors(filter);
   filter->SetInputData(missing.Grid);
   filter->Update();
-  CHECK(errors.Said("\"RationalWeights\" of point 9 is missing."));
+  CHECK(errors.Said("point 9 has no weight in \"RationalWeights\"."));
   CHECK_EQUAL(RelevoGetNumberOfPatches(filter->GetOutput()), 1);
 }
 
@@ -159,20 +164,21 @@ void TestLists(RelevoCheck& check)
     Pair strange;
     const std::array<vtkIdType, 16> faces{ 3, 2, 4, 9, 3, 2, 9, 7, 3, 2, 7, 4, 3, 4, 9, last };
     strange.Grid->InsertNextCell(VTK_POLYHEDRON, 4, ids.data(), 4, faces.data());
-    strange.Expect(check, "it refers to point " + std::to_string(last) + " of 10.");
+    strange.Expect(
+      check, "it refers to point " + std::to_string(last) + ", but there are 10 points.");
   }
   Pair thin;
   const std::array<vtkIdType, 7> faces{ 3, 2, 4, 9, 2, 2, 9 };
   thin.Grid->InsertNextCell(VTK_POLYHEDRON, 4, ids.data(), 2, faces.data());
-  thin.Expect(check, "its list of faces is not whole, or has a face of less than 3 points.");
+  thin.Expect(check, "its list of faces is incomplete, or has a face with fewer than 3 points.");
   // A face with a point of another cell, a cell without faces, and a face list that is missing.
   Pair foreign;
   const std::array<vtkIdType, 16> others{ 3, 2, 4, 9, 3, 2, 9, 7, 3, 2, 7, 4, 3, 4, 9, 0 };
   foreign.Grid->InsertNextCell(VTK_POLYHEDRON, 4, ids.data(), 4, others.data());
-  foreign.Expect(check, "a face has point 0, which is not among the cell's points.");
+  foreign.Expect(check, "point 0 of a face is not in the cell's list of points.");
   Pair open;
   open.Grid->InsertNextCell(VTK_POLYHEDRON, 4, ids.data(), 0, others.data());
-  open.Expect(check, "its list of faces is not whole");
+  open.Expect(check, "its list of faces is incomplete");
   // Offsets decrease, and types are too few.
   for (double offset : { 3.0, -1.0, 1e12 })
   {
@@ -180,7 +186,8 @@ void TestLists(RelevoCheck& check)
     Pair list;
     list.AddGood();
     list.Grid->GetCells()->GetOffsetsArray()->SetComponent(2, 0, offset);
-    list.Expect(check, "Cell 1 is left out: the grid's lists of types, offsets and points");
+    list.Expect(
+      check, "Cell 1 is left out: the grid's arrays of cell types, offsets and point ids");
   }
   Pair few;
   few.AddGood();
@@ -188,14 +195,14 @@ void TestLists(RelevoCheck& check)
   types->InsertNextValue(VTK_BEZIER_QUADRILATERAL);
   const vtkSmartPointer<vtkCellArray> cells = few.Grid->GetCells();
   few.Grid->SetCells(types, cells);
-  few.Expect(check, "Cell 1 is left out: the grid's lists of types, offsets and points");
+  few.Expect(check, "Cell 1 is left out: the grid's arrays of cell types, offsets and point ids");
   // A single node does not define a degree.
   for (int type : { VTK_LAGRANGE_HEXAHEDRON, VTK_BEZIER_QUADRILATERAL, VTK_LAGRANGE_WEDGE })
   {
     CHECK_CASE(type);
     Pair single;
     single.Add(type, { 2 }, 0, 0);
-    single.Expect(check, "its degrees are 0, 0, 0 by \"HigherOrderDegrees\"");
+    single.Expect(check, "its degrees are 0, 0, 0 in \"HigherOrderDegrees\"");
   }
   for (int type : { VTK_VERTEX, VTK_TRIANGLE })
   {
@@ -207,7 +214,7 @@ void TestLists(RelevoCheck& check)
     filter->SetInputData(grid);
     filter->Update();
     CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 0);
-    CHECK(errors.Said("it refers to point 2 of 0."));
+    CHECK(errors.Said("it refers to point 2, but there are 0 points."));
     CHECK(errors.None());
   }
 }
@@ -222,7 +229,7 @@ void TestMany(RelevoCheck& check)
   }
   pair.AddGood();
   pair.Expect(check, "Cell 1 (type 74) is left out: cells of this type are not", 2);
-  pair.Expect(check, "So it is with 999 more cells.", 2);
+  pair.Expect(check, "999 more cells have the same fault.", 2);
 }
 
 void TestWarnings(RelevoCheck& check)

@@ -177,14 +177,14 @@ void TestErrors(RelevoCheck& check)
   vtkNew<vtkImageData> bare;
   bare->SetDimensions(4, 3, 1);
   filter->SetInputData(bare);
-  ExpectError(check, filter, "The imagery is not n x m x 1 points with a colour each");
+  ExpectError(check, filter, "The imagery must have n x m x 1 points");
   vtkNew<vtkImageData> thick;
   thick->SetDimensions(4, 3, 2);
   thick->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   filter->SetInputData(thick);
-  ExpectError(check, filter, "The imagery is not n x m x 1 points with a colour each");
+  ExpectError(check, filter, "The imagery must have n x m x 1 points");
   filter->SetInputData(RelevoMakeImage(4, 3, VTK_INT, [](int, int) { return 0.0; }));
-  ExpectError(check, filter, "Colours have 1 to 4 components");
+  ExpectError(check, filter, "Colours must have 1 to 4 components");
   CHECK(RelevoRefusesBlock(
     filter, 0, vtkNew<vtkPolyData>(), "The input is a vtkPolyData; a vtkImageData is needed."));
   RelevoErrors errors(filter);

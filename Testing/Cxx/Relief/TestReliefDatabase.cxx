@@ -193,7 +193,7 @@ void TestTables(RelevoCheck& check, const std::string& folder)
     reader->Update();
     CHECK_EQUAL(static_cast<int>(reader->GetOutput()->GetNumberOfBlocks()), blocks[i]);
     CHECK(RelevoGetImage(reader->GetOutput(), blocks[i] - 1));
-    CHECK(i == 2 ? errors.Said("data.csv, line 2: no column FILE has the name of a .vti file")
+    CHECK(i == 2 ? errors.Said("data.csv, line 2: no FILE column has the name of a .vti file")
                  : errors.None());
     CHECK(i != 1 || GetName(reader->GetOutput(), 0) == std::string("a\r\nb"));
   }

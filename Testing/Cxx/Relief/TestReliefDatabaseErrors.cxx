@@ -57,7 +57,7 @@ void TestRows(RelevoCheck& check, const std::string& folder)
   RelevoRemoveFile(relief);
   ExpectError(check, folder, "data.csv, line 2: relief_0000.vti: the file does not exist.");
   RelevoWriteFile(relief, "no relief");
-  ExpectError(check, folder, "line 2: relief_0000.vti: it is no VTK XML file of image data.");
+  ExpectError(check, folder, "line 2: relief_0000.vti: it is not a VTK XML file of image data.");
   const std::string whole = RelevoReadFile(relief);
   for (double share : { 0.3, 0.9 })
   {
@@ -71,9 +71,9 @@ void TestRows(RelevoCheck& check, const std::string& folder)
   image->Write();
   ExpectError(check, folder, "line 2: relief_0000.vti: A relief needs the point array 'Color'");
   RelevoWriteFile(folder + "/data.csv", "name,FILE\nleft\nright,relief_0001.vti\n");
-  ExpectError(check, folder, "data.csv, line 2: 1 fields for 2 columns.");
+  ExpectError(check, folder, "data.csv, line 2: there are 1 fields, but 2 columns.");
   RelevoWriteFile(folder + "/data.csv", "name,FILE\nleft,left.png\nright,relief_0001.vti\n");
-  ExpectError(check, folder, "line 2: no column FILE has the name of a .vti file.");
+  ExpectError(check, folder, "line 2: no FILE column has the name of a .vti file.");
 }
 
 void TestTables(RelevoCheck& check, const std::string& folder)
@@ -93,7 +93,7 @@ void TestTables(RelevoCheck& check, const std::string& folder)
     reader->SetFileName(nullptr);
     reader->SetFileName(folder.c_str());
     CHECK_EQUAL(reader->GetExecutive()->Update(), 0);
-    CHECK(errors.Said("There is no table of reliefs, or an empty one: "));
+    CHECK(errors.Said("The table of reliefs does not exist or is empty: "));
     CHECK_EQUAL(reader->GetOutput()->GetNumberOfBlocks(), 0);
     RelevoWriteFile(folder + "/data.csv", text);
   }
@@ -106,11 +106,11 @@ void TestDamagedTables(RelevoCheck& check, const std::string& folder)
 {
   const std::string rows = "name,FILE\nleft,relief_0000.vti\n";
   const std::pair<std::string, const char*> cases[] = {
-    { "name,FILE\n", "data.csv has a row of names, but no rows of reliefs." },
-    { "name,FILE", "data.csv has a row of names, but no rows of reliefs." },
-    { rows + "\"right,relief_0001.vti\n\n", "data.csv, line 3: the quote is not closed." },
-    { "name,\"FILE", "data.csv, line 1: the quote is not closed." },
-    { rows + std::string(1, '\0') + "\n", "data.csv, byte 31 is NUL: the file is no text." },
+    { "name,FILE\n", "data.csv has a header row, but no rows of reliefs." },
+    { "name,FILE", "data.csv has a header row, but no rows of reliefs." },
+    { rows + "\"right,relief_0001.vti\n\n", "data.csv, line 3: the quotation mark is not closed." },
+    { "name,\"FILE", "data.csv, line 1: the quotation mark is not closed." },
+    { rows + std::string(1, '\0') + "\n", "data.csv, byte 31 is NUL: it is not a text file." },
   };
   for (const auto& item : cases)
   {
@@ -140,8 +140,8 @@ void TestLineEnds(RelevoCheck& check, const std::string& folder)
   RelevoErrors errors(reader);
   reader->SetFileName(folder.c_str());
   reader->Update();
-  CHECK(errors.Said("data.csv, line 6: no column FILE has the name of a .vti file. "
-                    "Of 3 rows 1 cannot be read."));
+  CHECK(errors.Said("data.csv, line 6: no FILE column has the name of a .vti file. "
+                    "1 of 3 rows cannot be read."));
   CHECK(RelevoGetImage(reader->GetOutput(), 0) && RelevoGetImage(reader->GetOutput(), 1));
 }
 
@@ -166,8 +166,8 @@ void TestManyRows(RelevoCheck& check, const std::string& folder)
   reader->SetFileName(folder.c_str());
   reader->Update();
   CHECK_EQUAL(number, 1);
-  CHECK(
-    errors.Said("data.csv, line 3: 1 fields for 2 columns. Of 20001 rows 20000 cannot be read."));
+  CHECK(errors.Said(
+    "data.csv, line 3: there are 1 fields, but 2 columns. 20000 of 20001 rows cannot be read."));
   CHECK(RelevoGetImage(reader->GetOutput(), 0));
 }
 
@@ -183,7 +183,7 @@ void TestPlaces(RelevoCheck& check, const std::string& folder)
     RelevoWriteFile(folder + "/data.csv", "FILE\n" + name + "\nrelief_0001.vti\n");
     ExpectError(check, folder, "data.csv, line 2: ");
     RelevoWriteFile(folder + "/data.csv", "FILE\n" + name + "\nrelief_0001.vti\n");
-    ExpectError(check, folder, (name + " is not in the folder of the database.").c_str());
+    ExpectError(check, folder, (name + " is outside the folder of the database.").c_str());
   }
   WriteDatabase(check, folder + "/inner/base");
   RelevoWriteFile(folder + "/data.csv", "FILE\ninner/base/relief_0000.vti\n");
@@ -203,7 +203,7 @@ void TestWriter(RelevoCheck& check, const std::string& folder)
   const std::string file = folder + ".file";
   RelevoWriteFile(file, "no folder");
   writer->SetFileName(file.c_str());
-  CHECK(writer->Write() == 0 && errors.Said(".file cannot be made."));
+  CHECK(writer->Write() == 0 && errors.Said(".file cannot be created."));
   RelevoRemoveFile(file);
   writer->SetFileName(folder.c_str());
   writer->SetInputData(vtkNew<vtkMultiBlockDataSet>());
@@ -215,7 +215,7 @@ void TestWriter(RelevoCheck& check, const std::string& folder)
   blocks->SetBlock(1, MakeRelief());
   writer->SetInputData(blocks);
   CHECK_EQUAL(writer->Write(), 0);
-  CHECK(errors.Said("Block 1: A relief is a vtkImageData, not a vtkPolyData."));
+  CHECK(errors.Said("Block 1: A relief must be a vtkImageData, not a vtkPolyData."));
   vtkNew<vtkReliefDatabaseReader> reader;
   reader->SetFileName(folder.c_str());
   reader->Update();

@@ -125,7 +125,8 @@ void TestForeignFiles(RelevoCheck& check, const std::string& folder)
     RelevoWriteFile(own + "/z.txt", "mine");
     const Files before = ReadFolder(own);
     CHECK(!Write(own, MakeReliefs(2, 10), error) && ReadFolder(own) == before);
-    CHECK_NOT_EQUAL(error.find("It holds " + name + ", which is no part of a relief database."),
+    CHECK_NOT_EQUAL(
+      error.find("It holds " + name + ", which does not belong to a relief database."),
       std::string::npos);
   }
   // A database of images that are not reliefs.

@@ -68,14 +68,14 @@ void TestErrors(RelevoCheck& check)
       Width, Height, ReliefProjection::Parallel, relevo::dmat4(1.0), [](int, int) { return NaN; });
     warper->SetInputData(empty);
     warper->Update();
-    CHECK(errors.Said("The input is no relief. No value of the point array 'Depth' is finite."));
+    CHECK(errors.Said("The input is not a relief. No value of the point array 'Depth' is finite."));
     CHECK_EQUAL(warper->GetOutput()->GetNumberOfPoints(), 0);
     CHECK_EQUAL(warper->GetState(), vtkReliefWarper::INITIAL);
     const auto singular = MakeSlanted(ReliefProjection::Parallel);
     singular->GetFieldData()->GetArray("ReliefMatrix")->SetComponent(5, 0, 0.0);
     warper->SetInputData(singular);
     warper->Update();
-    CHECK(errors.Said("without an inverse"));
+    CHECK(errors.Said("is a singular matrix"));
     warper->SetInputData(vtkNew<vtkImageData>());
     warper->Update();
     CHECK(errors.Said("0 x 0 x 0") || errors.Said("no relief"));

@@ -28,7 +28,7 @@ void TestImage(RelevoCheck& check)
   CHECK(blocks[0].FlatIndex == 0 && blocks[0].Name.empty());
   blocks = relevo::ReadReliefs(vtkNew<vtkPolyData>());
   CHECK_EQUAL(blocks.size(), 1);
-  CHECK_EQUAL(blocks[0].Error, "A relief is a vtkImageData, not a vtkPolyData.");
+  CHECK_EQUAL(blocks[0].Error, "A relief must be a vtkImageData, not a vtkPolyData.");
   blocks = relevo::ReadReliefs(nullptr);
   CHECK(blocks.size() == 1 && blocks[0].Error == "There is no image.");
 }
@@ -49,7 +49,8 @@ void TestBlocks(RelevoCheck& check)
   if (CHECK_EQUAL(blocks.size(), 4))
   {
     CHECK(blocks[0].FlatIndex == 3 && blocks[0].Data.GetWidth() == 2 && blocks[0].Error.empty());
-    CHECK_EQUAL(blocks[1].Error, "Block 4 (left): A relief is a vtkImageData, not a vtkPolyData.");
+    CHECK_EQUAL(
+      blocks[1].Error, "Block 4 (left): A relief must be a vtkImageData, not a vtkPolyData.");
     CHECK(blocks[2].Name == "right" && blocks[2].Data.GetWidth() == 4);
     CHECK_EQUAL(blocks[3].Error.find("Block 6: The image has 0 x 0 x 0 points"), 0);
   }

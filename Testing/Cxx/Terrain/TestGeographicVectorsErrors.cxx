@@ -76,7 +76,7 @@ void TestArrays(RelevoCheck& check)
                     "it with vtkCellDataToPointData."));
   chosen.Mesh->GetPointData()->AddArray(RelevoMakeArray("Short", { { 1.0, 2.0 } }));
   chosen.Choose(0, ofPoints, "Short");
-  CHECK(chosen.Says("\"Short\" has 1 tuples for 2 points"));
+  CHECK(chosen.Says("\"Short\" has 1 tuples, but there are 2 points"));
 }
 
 void TestImages(RelevoCheck& check)
@@ -89,7 +89,7 @@ void TestImages(RelevoCheck& check)
   item.Filter->SetRasterData(MakeImage(1, 4, 4));
   CHECK(item.Says("image has no point array"));
   item.Filter->SetRasterData(MakeImage(1, 3, 2));
-  CHECK(item.Says("3 tuples for 4 points"));
+  CHECK(item.Says("3 tuples, but there are 4 points"));
   item.Filter->SetRasterData(MakeImage(2, 8, 2));
   CHECK(item.Says("2 x 2 x 2"));
   vtkNew<vtkImageData> empty;

@@ -121,7 +121,7 @@ void TestUnfitImages(RelevoCheck& check, vtkHeightMap* map, RelevoErrors& errors
   volume->SetDimensions(2, 2, 2);
   volume->AllocateScalars(VTK_FLOAT, 1);
   map->SetImageData(volume);
-  CHECK(!map->Update() && errors.Said("2 x 2 x 2 points instead of n x m x 1"));
+  CHECK(!map->Update() && errors.Said("2 x 2 x 2 points, but n x m x 1 are needed"));
   vtkNew<vtkImageData> empty;
   map->SetImageData(empty);
   CHECK(!map->Update() && errors.Said("0 x 0 x 0"));

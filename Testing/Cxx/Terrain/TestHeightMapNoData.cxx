@@ -169,7 +169,7 @@ void TestAllVoid(RelevoCheck& check, const RelevoTestFolders& folders)
   RelevoErrors errors(map);
   map->SetFileName(name.c_str());
   CHECK(!map->Update());
-  CHECK(errors.Said("none of the 30 heights has data"));
+  CHECK(errors.Said("all 30 heights are missing values"));
   CHECK(errors.None() && !map->HasNoData() && !map->GetSamples());
 }
 

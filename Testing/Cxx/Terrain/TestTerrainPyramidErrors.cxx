@@ -62,7 +62,7 @@ void TestTruncated(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(raster.Write(whole));
   RelevoTruncate(whole, cut, 0.6);
   vtkNew<vtkTerrainPyramid> pyramid;
-  ExpectError(check, pyramid, cut, "cut short");
+  ExpectError(check, pyramid, cut, "truncated");
 
   raster.Options = { "COMPRESS=DEFLATE" };
   CHECK(raster.Write(whole));

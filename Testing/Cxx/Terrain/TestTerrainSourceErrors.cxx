@@ -78,7 +78,7 @@ void TestHeights(RelevoCheck& check, const RelevoTestFolders& folders, Scene& sc
   bad.NoData = -1.0;
   std::fill(bad.Values.begin(), bad.Values.end(), -1.0);
   CHECK(bad.Write(folders.File("TerrainVoid.tif")));
-  scene.Fails(check, folders.File("TerrainVoid.tif"), "none of the 648 heights has data");
+  scene.Fails(check, folders.File("TerrainVoid.tif"), "all 648 heights are missing values");
   bad = scene.Raster;
   bad.Values[40] = std::numeric_limits<double>::quiet_NaN();
   CHECK(bad.Write(folders.File("TerrainNaN.tif")));

@@ -56,7 +56,7 @@ const std::vector<std::vector<double>> HostileTransforms = {
 
 void TestTransforms(RelevoCheck& check, const RelevoTestFolders& folders)
 {
-  const std::string reason = " has a georeference that no mesh can have";
+  const std::string reason = " has an invalid georeference";
   const std::string name = folders.File("TerrainPlaces.tif");
   for (const char* system : { "", "EPSG:32633", "EPSG:4326" })
   {
@@ -109,7 +109,7 @@ void TestEllipsoids(RelevoCheck& check, const RelevoTestFolders& folders)
       "]],PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]]";
     const std::string name = folders.File(std::string("TerrainEllipsoid") + inverse + ".tif");
     CHECK(MakeRaster({ 10.0, 0.1, 0.0, 50.0, 0.0, -0.1 }, system).Write(name));
-    ExpectError(check, name, " has an unsupported ellipsoid");
+    ExpectError(check, name, " has an ellipsoid that is not supported");
 
     vtkNew<vtkGeographicVectors> vectors;
     RelevoErrors errors(vectors);
@@ -119,7 +119,7 @@ void TestEllipsoids(RelevoCheck& check, const RelevoTestFolders& folders)
     vectors->SetInputData(mesh);
     vectors->SetCoordinateSystem(system.c_str());
     vectors->Update();
-    CHECK(errors.Said("its ellipsoid is unsupported"));
+    CHECK(errors.Said("its ellipsoid is not supported"));
   }
 }
 

@@ -110,12 +110,13 @@ void TestErrors(RelevoCheck& check)
   mesh->InsertNextCell(VTK_TETRA, 4, missing);
   mesh->Modified();
   CHECK_EQUAL(Traverse(sort).size(), 6);
-  CHECK(errors.Said("Cell 6 (vtkTetra, type 10) is left out: it refers to point 8 of 8."));
+  CHECK(errors.Said(
+    "Cell 6 (vtkTetra, type 10) is left out: it refers to point 8, but there are 8 points."));
   mesh->InsertNextCell(VTK_TETRA, 0, missing);
   mesh->InsertNextCell(VTK_TETRA, 2, missing);
   mesh->Modified();
   CHECK_EQUAL(Traverse(sort).size(), 6);
-  CHECK(errors.Said("it has 0 nodes, which does not fit its type. So it is with 1 more cells."));
+  CHECK(errors.Said("a cell of this type cannot have 0 nodes. 1 more cell has the same fault."));
   mesh->SetPoints(nullptr);
   CHECK(Traverse(sort).empty());
   CHECK(errors.Said("left out"));

@@ -165,9 +165,9 @@ void TestSetting(RelevoCheck& check)
 
   RelevoErrors errors(scene.Filter);
   scene.Filter->AddClippingPlane(nullptr);
-  CHECK(errors.Said("no plane to add"));
+  CHECK(errors.Said("Cannot add the clipping plane"));
   scene.Filter->RemoveClippingPlane(plane);
-  CHECK(errors.Said("none of the clipping planes"));
+  CHECK(errors.Said("not one of the clipping planes"));
 }
 }
 

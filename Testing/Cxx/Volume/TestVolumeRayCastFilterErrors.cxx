@@ -97,17 +97,18 @@ void TestCells(RelevoCheck& check)
     scene.Filter->SetInputData(grid);
     return scene.Fails(words);
   };
-  CHECK(fails(VTK_LAGRANGE_TETRAHEDRON, 5, "it has 5 nodes, which does not fit its type."));
-  CHECK(fails(VTK_LAGRANGE_HEXAHEDRON, 63, "it has 63 nodes, which does not fit its type."));
-  CHECK(fails(VTK_TRIQUADRATIC_HEXAHEDRON, 0, "it has 0 nodes, which does not fit its type."));
-  CHECK(fails(VTK_TRIQUADRATIC_PYRAMID, 13, "it has 13 nodes, which does not fit its type."));
-  CHECK(fails(VTK_QUADRATIC_WEDGE, 6, "it has 6 nodes, which does not fit its type."));
+  CHECK(fails(VTK_LAGRANGE_TETRAHEDRON, 5, "a cell of this type cannot have 5 nodes."));
+  CHECK(fails(VTK_LAGRANGE_HEXAHEDRON, 63, "a cell of this type cannot have 63 nodes."));
+  CHECK(fails(VTK_TRIQUADRATIC_HEXAHEDRON, 0, "a cell of this type cannot have 0 nodes."));
+  CHECK(fails(VTK_TRIQUADRATIC_PYRAMID, 13, "a cell of this type cannot have 13 nodes."));
+  CHECK(fails(VTK_QUADRATIC_WEDGE, 6, "a cell of this type cannot have 6 nodes."));
   CHECK(fails(VTK_LAGRANGE_PYRAMID, 5, "cells of this type are not supported."));
   for (double degree : { -1.0, 9.0, 1e6, 1.5, std::numeric_limits<double>::quiet_NaN() })
   {
     CHECK_CASE(degree);
-    CHECK(fails(VTK_BEZIER_HEXAHEDRON, 8, ", and may be 1 to 8.", degree));
-    CHECK(fails(VTK_LAGRANGE_TETRAHEDRON, 4, "but 1 by its 4 nodes;", degree));
+    CHECK(
+      fails(VTK_BEZIER_HEXAHEDRON, 8, ", but degrees must be whole numbers from 1 to 8.", degree));
+    CHECK(fails(VTK_LAGRANGE_TETRAHEDRON, 4, "but its 4 nodes need degree 1.", degree));
   }
 }
 
@@ -137,14 +138,14 @@ void TestArrays(RelevoCheck& check)
   Scene scene;
   vtkDataArray* scalars = scene.Mesh->GetPointData()->GetScalars();
   scalars->SetNumberOfTuples(5);
-  CHECK(scene.Fails("\"field\" with 5 tuples for 8 points"));
+  CHECK(scene.Fails("\"field\" with 5 tuples, but there are 8 points"));
   vtkNew<vtkDoubleArray> five;
   five->SetName("five");
   five->SetNumberOfComponents(5);
   five->SetNumberOfTuples(8);
   five->Fill(0.5);
   scene.Mesh->GetPointData()->SetScalars(five);
-  CHECK(scene.Fails("\"five\" with 5 components; there can be 1 to 4"));
+  CHECK(scene.Fails("\"five\" with 5 components, but the limit is 4"));
   vtkNew<vtkDoubleArray> three;
   three->SetName("five");
   three->SetNumberOfComponents(3);
@@ -174,13 +175,13 @@ void TestBroken(RelevoCheck& check)
     Scene scene;
     const vtkIdType ids[4] = { 0, 1, 2, id };
     scene.Mesh->InsertNextCell(VTK_TETRA, 4, ids);
-    const std::string words =
-      "Cell 6 (vtkTetra, type 10) is left out: it refers to point " + std::to_string(id) + " of 8.";
+    const std::string words = "Cell 6 (vtkTetra, type 10) is left out: it refers to point " +
+      std::to_string(id) + ", but there are 8 points.";
     CHECK(scene.DrawsRest(words));
     const vtkIdType flat[3] = { 0, 1, id };
     scene.Mesh->InsertNextCell(VTK_TRIANGLE, 3, flat);
     scene.Mesh->Modified();
-    CHECK(scene.DrawsRest("So it is with 1 more cells."));
+    CHECK(scene.DrawsRest("1 more cell has the same fault."));
     vtkNew<vtkMultiBlockDataSet> blocks;
     blocks->SetBlock(2, scene.Mesh);
     blocks->GetMetaData(2u)->Set(vtkCompositeDataSet::NAME(), "left wing");
@@ -194,7 +195,8 @@ void TestBroken(RelevoCheck& check)
     const vtkIdType ids[4] = { 0, 1, 2, 3 };
     const vtkIdType faces[] = { 3, 0, 1, 2, 3, 0, 1, 3, 3, 1, 2, 3, 3, 0, 2, id };
     scene.Mesh->InsertNextCell(VTK_POLYHEDRON, 4, ids, 4, faces);
-    CHECK(id == 9 ? scene.DrawsRest("it refers to point 9 of 8.") : !scene.Fails("left out"));
+    CHECK(id == 9 ? scene.DrawsRest("it refers to point 9, but there are 8 points.")
+                  : !scene.Fails("left out"));
   }
 }
 
@@ -223,9 +225,9 @@ void TestBlocks(RelevoCheck& check)
                     "name; it is left out."));
   CHECK_LESS(FindLargestDifference(Cast(scene.Filter), alone), 1e-12);
   scene.Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "heat");
-  CHECK(scene.Fails("has no array \"heat\"; choose an array"));
+  CHECK(scene.Fails("has no array \"heat\"; select an array"));
   scene.Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "heat");
-  CHECK(scene.Fails("has no array \"heat\"; choose an array"));
+  CHECK(scene.Fails("has no array \"heat\"; select an array"));
   ofCells->SetName("heat");
   scene.Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "heat");
   CHECK(scene.Fails("The input has no point array \"heat\", but a cell array of that name. Use "
@@ -233,7 +235,7 @@ void TestBlocks(RelevoCheck& check)
                     "\"heat\")."));
   blocks->RemoveBlock(2);
   blocks->RemoveBlock(1);
-  CHECK(scene.Fails("none is 3D"));
+  CHECK(scene.Fails("has no 3D cells"));
 }
 
 // Functions with numbers that are not finite are an error.
@@ -269,7 +271,7 @@ void TestSurfaces(RelevoCheck& check)
   CHECK(scene.Draws(""));
   scene.Property->GetIsoSurfaceValues()->SetValue(1, 7.0);
   scene.Property->GetIsoSurfaceValues()->SetValue(2, std::numeric_limits<double>::quiet_NaN());
-  CHECK(scene.Draws("There are no isosurfaces of 7, nan: the array's values are from 0 to 1."));
+  CHECK(scene.Draws("There are no isosurfaces at 7, nan: the array's values range from 0 to 1."));
   scene.Filter->SetBlendModeToMaximumIntensity();
   CHECK(scene.Draws(""));
   scene.Filter->SetBlendModeToComposite();
@@ -279,7 +281,7 @@ void TestSurfaces(RelevoCheck& check)
   ofCells->Fill(0.5);
   scene.Mesh->GetCellData()->AddArray(ofCells);
   scene.Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "cells");
-  CHECK(scene.Draws("There are no isosurfaces: the array's values belong to cells"));
+  CHECK(scene.Draws("There are no isosurfaces: a cell array is constant"));
 }
 
 void TestMeshes(RelevoCheck& check)
@@ -291,7 +293,7 @@ void TestMeshes(RelevoCheck& check)
   const vtkIdType ids[4] = { 0, 1, 2, 2 };
   triangle->InsertNextCell(VTK_TRIANGLE, 3, ids);
   flat.Filter->SetInputData(triangle);
-  CHECK(flat.Fails("none is 3D"));
+  CHECK(flat.Fails("has no 3D cells"));
 
   Scene empty;
   vtkNew<vtkUnstructuredGrid> nothing;

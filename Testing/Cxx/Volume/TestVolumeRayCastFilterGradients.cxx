@@ -355,14 +355,14 @@ void TestErrors(RelevoCheck& check)
   CHECK(fails("has a 2D transfer function with values that are not finite for component 0"));
   image->SetDimensions(2, 2, 2);
   image->AllocateScalars(VTK_FLOAT, 4);
-  CHECK(fails("no image of one slice"));
+  CHECK(fails("not an image of one slice"));
   image->AllocateScalars(VTK_FLOAT, 3);
   CHECK(fails("without scalars of 4 components"));
   image->SetDimensions(2, 2, 1);
   image->SetSpacing(0.0, 1.0, 1.0);
   image->AllocateScalars(VTK_FLOAT, 4);
   image->GetPointData()->GetScalars()->Fill(0.5);
-  CHECK(fails("spacing is not more than 0"));
+  CHECK(fails("spacing is not positive"));
   image->SetSpacing(1.0, 1.0, 1.0);
   scene.Filter->Modified();
   CHECK(!Cast(scene.Filter).empty() && errors.None());

@@ -168,7 +168,7 @@ void testTags(RelevoCheck& check)
 
   vtkNew<BadMetric> metric;
   recipe->SetMetric(metric);
-  expectError(check, filter, "BadMetric gave no depth-tags");
+  expectError(check, filter, "BadMetric returned no depth-tags");
   metric->Values = { 1.0f, 2.0f };
   expectError(check, filter, "BadMetric");
   metric->Values.assign(static_cast<size_t>(n), 1.0f);

@@ -144,7 +144,7 @@ void TestLevels(RelevoCheck& check, const std::string& fileName)
   CHECK_EQUAL(recipe->GetMaximumLevel(), FileLevel);
   CHECK_EQUAL(Refine(Plane(1, 1), recipe)->GetNumberOfPolys(), 2 * 256);
   table->SetMaximumLevel(FileLevel + 1);
-  CHECK(tableErrors.Said("The file that was read has no higher level"));
+  CHECK(tableErrors.Said("The file of the patterns has no higher level"));
   CHECK_EQUAL(table->GetMaximumLevel(), FileLevel);
   recipe->SetMaximumLevel(FileLevel + 1);
   CHECK(errors.Said("[0, 4], got 5. The pattern table has no higher level"));

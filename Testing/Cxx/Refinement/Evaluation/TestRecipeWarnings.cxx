@@ -110,12 +110,12 @@ void TestMorphing(RelevoCheck& check)
   CHECK(subject.HaveWarned(1, "SetSegmentPolicyToPowersOfTwo() or GeomorphingOff()"));
   recipe->SetLevelOffset(-1.0);
   subject.Run();
-  CHECK(subject.HaveWarned(1, "Nothing morphs"));
+  CHECK(subject.HaveWarned(1, "Geomorphing has no effect"));
   recipe->GeomorphingOff();
   subject.Run();
   recipe->GeomorphingOn();
   subject.Run();
-  CHECK(subject.HaveWarned(2, "Nothing morphs"));
+  CHECK(subject.HaveWarned(2, "Geomorphing has no effect"));
 }
 
 class NoHeights : public RelevoHeights

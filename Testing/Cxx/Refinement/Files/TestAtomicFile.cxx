@@ -120,15 +120,16 @@ void TestLinks(RelevoCheck& check, const std::string& folder)
   CHECK_NOT_EQUAL(
     AtomicFile::Write(folder + "/circle", Old).find("ymbolic links"), std::string::npos);
   fs::create_symlink("nowhere/file", folder + "/broken");
-  CHECK_EQUAL(AtomicFile::Write(folder + "/broken", Old).find("there is no folder"), 0);
+  CHECK_EQUAL(AtomicFile::Write(folder + "/broken", Old).find("the folder "), 0);
 }
 
 void TestErrors(RelevoCheck& check, const std::string& folder)
 {
-  CHECK_EQUAL(AtomicFile::Write("", Old), "there is no file name");
+  CHECK_EQUAL(AtomicFile::Write("", Old), "the file name is empty");
   CHECK_EQUAL(AtomicFile::Write(folder, Old), "it is a folder");
   RelevoWriteFile(folder + "/file", Old);
-  CHECK_EQUAL(AtomicFile::Write(folder + "/file/x", Old), "there is no folder " + folder + "/file");
+  CHECK_EQUAL(
+    AtomicFile::Write(folder + "/file/x", Old), "the folder " + folder + "/file does not exist");
   CHECK_EQUAL(AtomicFile::Write(folder + "/" + std::string(300, 'x'), Old), "File name too long");
   AtomicFile file(folder + "/file");
   CHECK(file.Append(New));

@@ -299,10 +299,10 @@ void CheckChanges(RelevoCheck& check)
 
   locator->SetRefinement(nullptr);
   heightOf();
-  CHECK(errors.Said("No recipe"));
+  CHECK(errors.Said("no recipe"));
   locator->SetDataSet(nullptr);
   heightOf();
-  CHECK(errors.Said("Needs a vtkPolyData"));
+  CHECK(errors.Said("needs a vtkPolyData"));
   locator->SetViewportSize(0, 5);
   CHECK(errors.Said("ViewportSize must be at least 1 x 1 pixels"));
 }

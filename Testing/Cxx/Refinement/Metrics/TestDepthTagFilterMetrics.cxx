@@ -162,7 +162,7 @@ void TestPoints(RelevoCheck& check, GivenTags* metric, int rule)
   {
     CHECK_CASE(number);
     metric->OfPoints.assign(number, 1.0f);
-    const std::string words = "gave " + std::to_string(number) + " tags for 4 points";
+    const std::string words = "returned " + std::to_string(number) + " tags for 4 points";
     Filters anew(metric, rule);
     CHECK(anew.Say(perEdge ? metric->GetClassName() : words));
     CHECK_EQUAL(errors.Said(words), perEdge);
@@ -181,12 +181,12 @@ void TestEdges(RelevoCheck& check)
   {
     CHECK_CASE(number);
     metric->OfEdges.assign(number, 1.0f);
-    CHECK(filters.Say("GivenTags gave " + std::to_string(number) + " tags for 6 edges"));
+    CHECK(filters.Say("GivenTags returned " + std::to_string(number) + " tags for 6 edges"));
   }
   metric->OfEdges.assign(6, 1.0f);
   CHECK(filters.Work());
   metric->OfEdges[5] = std::nanf("");
-  CHECK(filters.Say("GivenTags gave a tag that is NaN at edge 5"));
+  CHECK(filters.Say("GivenTags returned a tag that is NaN at edge 5"));
 }
 
 void TestComposite(RelevoCheck& check)
@@ -202,9 +202,9 @@ void TestComposite(RelevoCheck& check)
     RelevoErrors errors(composite);
     RelevoErrors ofPart(metric);
     metric->OfPoints.assign(3, 1.0f);
-    CHECK(filters.Say("vtkCompositeDepthTagMetric gave no depth-tags"));
-    CHECK(errors.Said("Metric 0: GivenTags gave "));
-    CHECK_EQUAL(ofPart.Said("gave 3 tags for 4 points"), (rule == vtkDepthTagMetric::PER_EDGE));
+    CHECK(filters.Say("vtkCompositeDepthTagMetric returned no depth-tags"));
+    CHECK(errors.Said("Metric 0: GivenTags returned "));
+    CHECK_EQUAL(ofPart.Said("returned 3 tags for 4 points"), (rule == vtkDepthTagMetric::PER_EDGE));
     metric->OfPoints.assign(4, 1.0f);
     CHECK(filters.Work() && errors.None());
   }

@@ -116,7 +116,7 @@ void TestView(RelevoCheck& check, vtkPolyData* mesh, const relevo::RefinementVie
       if (fails)
       {
         CHECK(tags.empty());
-        CHECK(errors.Said(named.Name == "all" ? "see its own error" : words));
+        CHECK(errors.Said(named.Name == "all" ? "its own error gives the reason" : words));
       }
       else
       {
@@ -161,7 +161,7 @@ void TestCameras(RelevoCheck& check, Scene& scene)
     camera->SetPosition(0, 0, 1e12);
     scene.Expect(check);
     camera->SetPosition(0, 0, 1e200);
-    scene.Expect(check, { "screen" }, "its view is flat");
+    scene.Expect(check, { "screen" }, "its view transform is singular");
     camera->SetPosition(0, 0, 2);
     for (double angle : { 1e-8, 179.9 })
     {

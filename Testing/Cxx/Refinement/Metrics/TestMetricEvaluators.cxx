@@ -215,7 +215,7 @@ void TestErrors(RelevoCheck& check)
   vtkNew<FewTags> few;
   RelevoErrors fewErrors(few);
   CHECK(KeptMetric(few).GetEdgeTags(mesh, view, 3).empty());
-  CHECK(fewErrors.Said("gave 2 tags for"));
+  CHECK(fewErrors.Said("returned 2 tags for"));
 }
 
 // The evaluator of a composite follows changes of weights and parts, and parts of the same metric.

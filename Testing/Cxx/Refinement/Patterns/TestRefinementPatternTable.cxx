@@ -353,7 +353,7 @@ void TestWrongNumbers(RelevoCheck& check, BadFiles& files, const std::string& by
   refuses(12, 8, "out of range");
   refuses(12, 0xffffffff, "out of range");
   refuses(16, 0xffffffff, "patterns instead of");
-  refuses(20, 2, "is not where it should be");
+  refuses(20, 2, "is missing or out of order");
   refuses(32, 0xffffffff, "truncated");
   refuses(36, 0x7fffffff, "truncated");
   refuses(40, 0x7fc00000, "weights"); // NaN
@@ -369,7 +369,7 @@ void TestFileNames(RelevoCheck& check, BadFiles& files)
   vtkRefinementPatternTable* table = files.Table;
   RelevoErrors& errors = files.Errors;
   CHECK(!table->Read((files.Folder + "/no such file").c_str()) && errors.Said("no such file"));
-  CHECK(!table->Read(files.Folder.c_str()) && errors.Said("is not a file."));
+  CHECK(!table->Read(files.Folder.c_str()) && errors.Said("is not a regular file."));
   CHECK(!table->Read(nullptr) && errors.Said("file name"));
   CHECK(!table->Read("") && errors.Said("file name"));
   CHECK(!table->Write(nullptr) && errors.Said("file name"));

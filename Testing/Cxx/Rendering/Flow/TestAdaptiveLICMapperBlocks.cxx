@@ -223,7 +223,7 @@ void TestNoVectors(RelevoCheck& check)
   View nothing(bare);
   nothing.Draw();
   nothing.Draw();
-  CHECK(nothing.Errors.Said("no array of vectors"));
+  CHECK(nothing.Errors.Said("does not have the array of vectors"));
   nothing.Draw();
   CHECK(nothing.Errors.None());
 }

@@ -147,11 +147,11 @@ void TestMissingArrays(RelevoCheck& check, View& view, vtkPolyData* mesh)
   view.TestShows("active vectors");
   mesh->GetPointData()->SetActiveVectors(nullptr);
   mesh->Modified();
-  view.TestFails("no array of vectors");
+  view.TestFails("does not have the array of vectors");
   view.Mapper->SetInputArrayToProcess(0, 0, 0, Points, "Flow");
   view.TestShows("by name");
   view.Mapper->SetInputArrayToProcess(0, 0, 0, Points, "Wind");
-  view.TestFails("no array of vectors");
+  view.TestFails("does not have the array of vectors");
   view.Mapper->SetInputArrayToProcess(0, 0, 0, Cells, "Wind");
   view.Draw();
   CHECK(view.Errors.None()); // the same error
@@ -161,7 +161,7 @@ void TestMissingArrays(RelevoCheck& check, View& view, vtkPolyData* mesh)
   view.Mapper->SetInputArrayToProcess(0, 0, 0, Cells, "Flow");
   view.TestFails("The input has no cell array \"Flow\", but a point array of that name. Use "
                  "SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "
-                 "\"Flow\"). The surface has no LIC.");
+                 "\"Flow\"). The surface is drawn without LIC.");
 }
 
 // Arrays that are not point vectors.
@@ -178,7 +178,7 @@ void TestUnfitArrays(View& view, vtkPolyData* mesh)
   const auto shorter = NewArray(vtkFloatArray::New(), "Short", 3, 5);
   mesh->GetPointData()->AddArray(shorter);
   view.Mapper->SetInputArrayToProcess(0, 0, 0, Points, "Short");
-  view.TestFails("5 vectors for " + std::to_string(count) + " points");
+  view.TestFails("5 vectors, but there are " + std::to_string(count) + " points");
 }
 
 // Vectors of other types, of two components, and of cells.
@@ -241,14 +241,14 @@ void TestEmptyFields(RelevoCheck& check)
     vectors->Fill(value);
     vectors->Modified();
     mesh->Modified();
-    view.TestFails("All vectors are no-data");
+    view.TestFails("All vectors are missing values");
   }
   vectors->Fill(9.9e7);
   vectors->Modified();
   mesh->Modified();
   view.TestShows("long vectors");
   view.Mapper->SetNoDataMagnitude(1e6);
-  view.TestFails("All vectors are no-data");
+  view.TestFails("All vectors are missing values");
   view.Mapper->SetNoDataMagnitude(1e9);
   view.TestShows("a larger NoDataMagnitude");
 }
@@ -314,7 +314,7 @@ void TestNoiseFiles(View& view, const std::string& folder)
   const std::string text = folder + "/LICNoise.txt";
   std::ofstream(text) << "no image";
   mapper->SetNoiseFileName(text.c_str());
-  view.TestFails("LICNoise.txt\" is of no image format");
+  view.TestFails("LICNoise.txt\" is not in an image format");
   const std::string broken = folder + "/LICNoise.bmp";
   std::ofstream(broken) << "BM, and then nothing";
   mapper->SetNoiseFileName(broken.c_str());
@@ -353,14 +353,14 @@ void TestGeneratedNoise(RelevoCheck& check, View& view)
   CHECK(view.Errors.Said("NoiseTextureSize must be in [2, 16384], got 0."));
   view.TestShows("the noise as it was");
   mapper->SetNoiseGrainSize(300);
-  view.TestFails("Noise cannot be made");
+  view.TestFails("Cannot generate the noise");
   mapper->SetNoiseTextureSize(400);
   view.TestShows("a noise size");
   mapper->SetImpulseNoiseProbability(NaN);
   CHECK(view.Errors.Said("ImpulseNoiseProbability"));
   view.TestShows("the noise as it was");
   mapper->SetMinNoiseValue(0.9);
-  view.TestFails("Noise cannot be made");
+  view.TestFails("Cannot generate the noise");
   mapper->SetMaxNoiseValue(1.0);
   mapper->SetNoiseGrainSize(1);
   mapper->SetImpulseNoiseProbability(0.5);
@@ -410,7 +410,7 @@ void TestNoMeshAndNoRecipe(RelevoCheck& check)
   CHECK(recipe && recipe->GetMaximumLevel() == 0);
   mapper->SetRefinement(nullptr);
   scene.Render();
-  CHECK(errors.Said("No recipe"));
+  CHECK(errors.Said("no recipe"));
   mapper->SetRefinement(recipe);
   scene.ResetCameras();
   scene.Render();

@@ -305,10 +305,10 @@ void TestErrors(RelevoCheck& check)
   vtkNew<vtkContactScene> scene;
   RelevoErrors errors(scene);
   scene->AddActor(nullptr);
-  CHECK(errors.Said("There is no actor to add."));
+  CHECK(errors.Said("Cannot add the actor: it is null."));
   scene->AddActor(first.Actor);
   scene->AddActor(first.Actor);
-  CHECK(errors.Said("The actor is in the scene already."));
+  CHECK(errors.Said("Cannot add the actor: it is already in the scene."));
   scene->RemoveActor(second.Actor);
   scene->SetDistance(-1.0);
   CHECK(errors.Said("Distance must be at least 0 and finite, got -1."));

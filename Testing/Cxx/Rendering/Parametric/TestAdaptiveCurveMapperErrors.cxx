@@ -45,11 +45,11 @@ void TestCells(RelevoCheck& check)
   bad->InsertNextCell(VTK_CUBIC_LINE, 3, points);
   RelevoCurveScene scene(grid);
   scene.Mapper->SetInputDataObject(bad);
-  ExpectError(check, scene, "Cell 24 has 3 points; it needs 4. It is left out.");
+  ExpectError(check, scene, "Cell 24 has 3 points, but needs 4. It is left out.");
   CHECK_EQUAL(scene.Draw().Colors, expected.Colors);
   bad->GetPoints()->SetPoint(0, vtkMath::Nan(), 0.0, 0.0);
   bad->GetPoints()->Modified();
-  ExpectError(check, scene, "Cell 0 has point 0, which is not finite. It is left out");
+  ExpectError(check, scene, "Cell 0 has point 0, which is not finite. It and 1 more");
   CHECK_EQUAL(scene.Mapper->GetNumberOfCurves(), 23);
   CHECK(vtkMath::AreBoundsInitialized(scene.Mapper->GetBounds()));
 }
@@ -84,11 +84,12 @@ void TestInput(RelevoCheck& check)
   {
     RelevoErrors errors(scene.Mapper);
     scene.Mapper->Render(scene.Renderer, scene.Actor); // the renderer skips it
-    CHECK(errors.Said("There is no input."));
+    CHECK(errors.Said("There is no input: call SetInputConnection() or SetInputData()."));
   }
   scene.Mapper->SetInputDataObject(RelevoMakeCurves(3));
   scene.Mapper->SetRefinement(nullptr);
-  ExpectError(check, scene, "No recipe: call SetRefinement() with a vtkAdaptiveRefinement.");
+  ExpectError(
+    check, scene, "There is no recipe: call SetRefinement() with a vtkAdaptiveRefinement.");
   CHECK_EQUAL(scene.Draw().CountForeground(), 0);
   CHECK_EQUAL(scene.Mapper->GetNumberOfDrawnSegments(), 0);
   scene.Mapper->SetRefinement(scene.Recipe);
@@ -119,7 +120,7 @@ void TestArrays(RelevoCheck& check)
     CHECK(errors.None());
   }
   scene.Mapper->SetRepresentationToTubes();
-  ExpectError(check, scene, "No radii: ");
+  ExpectError(check, scene, "Cannot read the radii: ");
   CHECK_EQUAL(scene.Draw().CountForeground(), 0);
   CHECK_EQUAL(scene.Mapper->GetNumberOfDrawnSegments(), 0);
   CHECK_EQUAL(scene.Mapper->GetNumberOfDrawCalls(), 0);
@@ -130,7 +131,7 @@ void TestArrays(RelevoCheck& check)
   curves->GetCellData()->AddArray(ofCells);
   curves->Modified();
   ExpectError(check, scene,
-    "No radii: there is no point array \"Nowhere\", but a cell array of "
+    "Cannot read the radii: there is no point array \"Nowhere\", but a cell array of "
     "that name. Convert it with vtkCellDataToPointData.");
   vtkNew<vtkDoubleArray> radii;
   radii->SetName("Nowhere");
@@ -138,7 +139,8 @@ void TestArrays(RelevoCheck& check)
   radii->FillValue(0.1);
   radii->SetValue(3, -1.0);
   curves->GetPointData()->AddArray(radii);
-  ExpectError(check, scene, "No radii: point array \"Nowhere\" is below 0 at point 3.");
+  ExpectError(
+    check, scene, "Cannot read the radii: point array \"Nowhere\" is negative at point 3.");
   radii->SetValue(3, 0.1);
   radii->Modified();
   CHECK_GREATER(scene.Draw().CountForeground(), 0);
@@ -168,7 +170,7 @@ void TestShaders(RelevoCheck& check)
   RelevoCurveScene scene(RelevoMakeCurves(3));
   scene.Actor->GetShaderProperty()->AddVertexShaderReplacement(
     "in vec4 vertexMC;", true, "in vec4 otherMC;", false);
-  ExpectError(check, scene, "lack text that they are changed at");
+  ExpectError(check, scene, "do not contain text that Relevo replaces");
   CHECK_EQUAL(scene.Draw().CountForeground(), 0);
   scene.Actor->GetShaderProperty()->ClearAllVertexShaderReplacements();
   CHECK_GREATER(scene.Draw().CountForeground(), 0);

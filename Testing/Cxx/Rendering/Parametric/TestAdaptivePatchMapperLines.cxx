@@ -103,7 +103,7 @@ void TestIsolinesOfCells(RelevoCheck& check)
   CHECK(errors.None());
   scene.Mapper->SetIsolineSpacing(0.5);
   scene.Draw();
-  CHECK(errors.Warned("There are no isolines of \"Numbers\": its values belong to cells"));
+  CHECK(errors.Warned("There are no isolines of \"Numbers\": a cell array is constant"));
   scene.Draw();
   CHECK(errors.None());
 }
@@ -125,7 +125,7 @@ void TestIsolinesOutOfRange(RelevoCheck& check)
   CHECK_EQUAL(GetBlack(scene.Draw(), 150, 26, 274), 0.0);
   CHECK(
     errors.Warned("There are no isolines of \"Field\": no multiple of IsolineSpacing, which is 2, "
-                  "lies among its values from 0.5 to 1.5."));
+                  "is in the range of its values, 0.5 to 1.5."));
   scene.Draw();
   CHECK(errors.None());
   for (const double spacing : { 0.5, 1.5 })

@@ -66,7 +66,7 @@ void TestTypes(RelevoCheck& check)
   vtkNew<vtkTable> table;
   scene.Mapper->SetInputDataObject(table);
   CHECK_EQUAL(CountDrawn(scene), 0);
-  CHECK(errors.Said("A relief is a vtkImageData, not a vtkTable."));
+  CHECK(errors.Said("A relief must be a vtkImageData, not a vtkTable."));
   scene.Window->Render();
   CHECK(errors.None()); // reported once
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -74,7 +74,7 @@ void TestTypes(RelevoCheck& check)
   blocks->SetBlock(1, relief);
   scene.Mapper->SetInputDataObject(blocks);
   CHECK_GREATER(CountDrawn(scene), 100);
-  CHECK(errors.Said("Block 1: A relief is a vtkImageData, not a vtkTable."));
+  CHECK(errors.Said("Block 1: A relief must be a vtkImageData, not a vtkTable."));
   scene.Window->Render();
   CHECK(errors.None());
 }
@@ -97,7 +97,7 @@ void TestNothing(RelevoCheck& check)
   CHECK(errors.None());
   scene.Mapper->SetInputDataObject(nullptr);
   scene.Mapper->Render(scene.Renderer, scene.Actor);
-  CHECK(errors.Said("There is no input."));
+  CHECK(errors.Said("There is no input: call SetInputConnection() or SetInputData()."));
 }
 
 void TestTooLarge(RelevoCheck& check)
@@ -108,7 +108,7 @@ void TestTooLarge(RelevoCheck& check)
   RelevoReliefScene scene(blocks, 60, 40);
   RelevoErrors errors(scene.Mapper);
   scene.Window->Render();
-  CHECK(errors.Said("Block 1: The image has 200000 x 2 points, more than the"));
+  CHECK(errors.Said("Block 1: The image has 200000 x 2 points, but textures"));
   scene.Window->Render();
   CHECK(errors.None()); // reported once
 }

@@ -51,7 +51,7 @@ void TestArrays(RelevoCheck& check)
   scene.GetMapper()->SetScalarModeToUsePointFieldData();
   scene.GetMapper()->SelectScalarArray("missing");
   CHECK(IsBlack(scene.Draw()));
-  CHECK(errors.Said("has no array \"missing\"; choose an array by SelectScalarArray()"));
+  CHECK(errors.Said("has no array \"missing\"; select an array with SelectScalarArray()"));
   scene.Draw();
   CHECK(errors.None()); // reported once
   scene.GetMapper()->SelectScalarArray("field");
@@ -86,7 +86,7 @@ void TestArrays(RelevoCheck& check)
   scene.GetMapper()->SetVectorMode(-1);
   scene.GetMapper()->SelectScalarArray("short");
   CHECK(IsBlack(scene.Draw()));
-  CHECK(errors.Said("3 tuples for 27 points"));
+  CHECK(errors.Said("3 tuples, but there are 27 points"));
 }
 
 void TestCells(RelevoCheck& check)
@@ -99,7 +99,7 @@ void TestCells(RelevoCheck& check)
   surface.GetMapper()->SetVectorMode(0);
   RelevoErrors surfaceErrors(surface.GetMapper());
   CHECK(IsBlack(surface.Draw()));
-  CHECK(surfaceErrors.Said("none is 3D"));
+  CHECK(surfaceErrors.Said("has no 3D cells"));
 
   const auto mesh = MakeTetrahedra(3, GetLinearField);
   mesh->GetPoints()->SetPoint(21, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
@@ -148,7 +148,7 @@ void TestNodes(RelevoCheck& check)
     alone->InsertNextCell(type, nodes, ids.data());
     scene.GetMapper()->SetInputData(alone);
     CHECK(IsBlack(scene.Draw()));
-    CHECK(errors.Said(std::to_string(nodes) + " nodes, which does not fit its type."));
+    CHECK(errors.Said("cannot have " + std::to_string(nodes) + " nodes."));
     scene.GetMapper()->SetInputData(MakeTetrahedra(2, GetLinearField));
     CHECK(!IsBlack(scene.Draw()));
     CHECK(errors.None());
@@ -247,7 +247,7 @@ void TestSurfaces(RelevoCheck& check)
   vtkContourValues* values = scene.GetVolume()->GetProperty()->GetIsoSurfaceValues();
   values->SetValue(0, -2.0);
   scene.Draw();
-  CHECK(errors.Warned("There is no isosurface of -2: the array's values are from 0 to 1."));
+  CHECK(errors.Warned("There is no isosurface at -2: the array's values range from 0 to 1."));
   scene.Draw();
   CHECK(errors.None());
   values->SetValue(0, 0.5);
@@ -256,7 +256,7 @@ void TestSurfaces(RelevoCheck& check)
   scene.GetMapper()->SetScalarModeToUseCellFieldData();
   scene.GetMapper()->SelectScalarArray("cells");
   scene.Draw();
-  CHECK(errors.Warned("There are no isosurfaces: the array's values belong to cells"));
+  CHECK(errors.Warned("There are no isosurfaces: a cell array is constant"));
   scene.GetMapper()->IsoSurfacesOff();
   scene.Draw();
   CHECK(errors.None());
@@ -290,9 +290,11 @@ void TestExtremes(RelevoCheck& check)
       CHECK_LESS_EQUAL(
         scene.Compare(0.01, [](vtkVolumeRayCastFilter* filter) { filter->SetBlendMode(5); }), 1.0);
       CHECK(share > 0.0 ||
-        errors.Warned("There is no isosurface of 0, the array's lowest value: no value is less."));
+        errors.Warned(
+          "There is no isosurface at 0, the array's lowest value: no value is below it."));
       CHECK(share < 1.0 ||
-        errors.Warned("the array's highest value, is only where all points of a face have it."));
+        errors.Warned(
+          "the array's highest value, consists only of faces whose points all have this value."));
       scene.Draw();
       CHECK(errors.None());
     }

@@ -136,7 +136,7 @@ void TestLimits(RelevoCheck& check)
   const auto exact = scene.Draw();
   scene.GetMapper()->SetIntegrationToPreIntegrated();
   CHECK_EQUAL(FindLargestDifference(exact, scene.Draw()), 0.0);
-  CHECK(errors.Warned("Pre-integration takes one component"));
+  CHECK(errors.Warned("Pre-integration supports only one component"));
   scene.Draw();
   CHECK(errors.None()); // reported once
   scene.GetMapper()->SetTableSize(1);

@@ -70,7 +70,7 @@ void TestOutputWindow(RelevoCheck& check)
   const vtkSmartPointer<vtkAdaptiveRefinement> recipe = mapper->GetRefinement();
   mapper->SetRefinement(nullptr);
   scene.Render();
-  CHECK(IsOne(shown->Errors, "No recipe"));
+  CHECK(IsOne(shown->Errors, "no recipe"));
   CHECK(shown->Warnings.empty());
   shown->Errors.clear();
   mapper->SetRefinement(recipe);
@@ -97,7 +97,7 @@ void TestOutputWindow(RelevoCheck& check)
   scene.Render();
   mapper->SetRefinement(nullptr);
   scene.Render();
-  CHECK(errors.Said("No recipe"));
+  CHECK(errors.Said("no recipe"));
   CHECK(shown->Errors.empty() && shown->Warnings.empty());
   vtkOutputWindow::SetInstance(nullptr);
 }

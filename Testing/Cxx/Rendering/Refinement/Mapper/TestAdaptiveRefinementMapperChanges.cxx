@@ -140,7 +140,8 @@ void TestRoom(RelevoCheck& check)
   mapper->SetMethodToDMR();
   Errors errors(mapper);
   scene.Render();
-  CHECK(errors.Were({ "The method DMR cannot be used: OpenGL has no room", "could not be built" }));
+  CHECK(errors.Were({ "The method DMR cannot be used: there is not enough graphics memory",
+    "could not be built" }));
   CHECK_EQUAL(mapper->GetMethodInUse(), Mapper::METHOD_ARKFPI);
   scene.Render();
   recipe->SetLevelOffset(0.5); // not sufficient
@@ -157,7 +158,7 @@ void TestRoom(RelevoCheck& check)
   surface->SetShaderFunction(BadFunction);
   recipe->SetMaximumLevel(7);
   scene.Render();
-  CHECK(errors.Were({ "OpenGL has no room", "could not be built" }));
+  CHECK(errors.Were({ "not enough graphics memory", "could not be built" }));
   mapper->SetMethodToARKFPI();
   surface->SetShaderFunction(GoodFunction);
   recipe->SetMaximumLevel(1);

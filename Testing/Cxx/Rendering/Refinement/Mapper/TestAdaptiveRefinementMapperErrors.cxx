@@ -156,7 +156,7 @@ void TestRecipe(RelevoCheck& check)
   View view(check, Cube());
   view.TestWorks("cube");
   view.Mapper->SetRefinement(nullptr);
-  view.TestFails("No recipe");
+  view.TestFails("no recipe");
   view.Mapper->SetRefinement(view.Recipe);
   view.TestWorks("recipe");
 }
@@ -245,7 +245,7 @@ void TestMetric(RelevoCheck& check)
   vtkNew<NoMetric> metric;
   View view(check, Cube());
   view.Recipe->SetMetric(metric);
-  view.TestFails("gave no depth-tags");
+  view.TestFails("returned no depth-tags");
   view.Recipe->SetMetric(nullptr);
   view.TestWorks("metric");
 }
@@ -310,7 +310,7 @@ void TestCells(RelevoCheck& check)
   broken->SetPoints(mesh->GetPoints());
   broken->SetPolys(polys);
   view.Mapper->SetInputDataObject(broken);
-  view.TestFails("cell 1 refers to point 99 of 24");
+  view.TestFails("cell 1 refers to point 99, but there are 24 points");
 }
 
 // The user's mapper reports errors of blocks, and other blocks are drawn.
@@ -331,7 +331,7 @@ void TestBlocks(RelevoCheck& check)
   CHECK(view.Errors.None());
   view.Mapper->SetRefinement(nullptr);
   view.Draw();
-  CHECK(view.Errors.Said("No recipe"));
+  CHECK(view.Errors.Said("no recipe"));
 }
 
 // Inputs and blocks of other types.

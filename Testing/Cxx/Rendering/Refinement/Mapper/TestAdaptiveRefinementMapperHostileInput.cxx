@@ -184,7 +184,7 @@ void TestLostPoints(RelevoCheck& check)
       scene.GetActor(0)->GetProperty()->EdgeVisibilityOn();
       scene.ResetCameras();
       scene.Render();
-      CHECK(errors.Said(hasRecipe ? "refers to point" : "No recipe"));
+      CHECK(errors.Said(hasRecipe ? "refers to point" : "no recipe"));
       RelevoPicks::SelectPixels(scene, vtkDataObject::FIELD_ASSOCIATION_CELLS);
       RelevoPicks::SelectPixels(scene, vtkDataObject::FIELD_ASSOCIATION_POINTS);
       CHECK_EQUAL(RelevoPicture(scene.Window).CountForeground(), 0);

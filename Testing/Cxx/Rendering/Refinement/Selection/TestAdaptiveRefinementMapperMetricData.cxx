@@ -133,7 +133,7 @@ void TestRule(RelevoCheck& check, RelevoScene& scene, int rule)
   metric->SetLevel(1.0f, points - 1);
   CHECK_EQUAL(count(), 64 * faces);
   CHECK(errors.Said("Selection on the GPU failed: the metric's shader has data of " +
-    std::to_string(4 * (points - 1)) + " floats where " + std::to_string(4 * points)));
+    std::to_string(4 * (points - 1)) + " floats, but " + std::to_string(4 * points)));
   scene.Renderer->RemoveActor(actor);
 }
 }
