@@ -1,7 +1,8 @@
-// A lookup table. Vertex and fragment shaders.
+// A lookup table, for vertex and fragment shaders.
 
-uniform samplerBuffer relevoColorTable; // colours, then those below, above and for NaN
-uniform float relevoTableMinimum;       // less the bias; of the logarithms for a log scale
+// colours, then those for values below and above the range and for NaN
+uniform samplerBuffer relevoColorTable;
+uniform float relevoTableMinimum;       // minus the bias; a logarithm for a log scale
 uniform float relevoTableSpan;          // maximum - minimum
 uniform int relevoTableColors;          // number of colours of the table
 uniform int relevoTableLog;             // 1 for a log scale
@@ -10,7 +11,7 @@ vec4 relevoTableColor(float value)
 {
   if (relevoTableLog == 1)
   {
-    // As VTK has it: what has no logarithm is at the lower end.
+    // As in VTK, values without a logarithm are mapped to the lower end.
     value = value > 0.0 ? log2(value) * 0.30102999566 : (value <= 0.0 ? relevoTableMinimum : value);
   }
   float t = (value - relevoTableMinimum) / relevoTableSpan;

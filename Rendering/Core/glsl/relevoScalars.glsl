@@ -1,10 +1,10 @@
-// Scalars that are mapped to colours: what of them shaders read, and where VTK's texture of the table
-// has the colour. Vertex and fragment shaders.
+// Scalars to map to colours, and their coordinates in VTK's texture of the table. For vertex and
+// fragment shaders.
 
-uniform samplerBuffer relevoScalars;  // components less the table's bias, per point
-uniform int relevoScalarTexels;       // per point; 0 for one number, more for a vector's length
-uniform int relevoScalarsAreIntegers; // 1 for whole numbers, which stay so between the points
-uniform vec3 relevoScalarCoordinates; // of textures: minimum, 1 / width, 1 for a log scale
+uniform samplerBuffer relevoScalars;  // components minus the table's bias, per point
+uniform int relevoScalarTexels; // per point; 0 for one number, more for the length of a vector
+uniform int relevoScalarsAreIntegers; // 1 for whole numbers, which stay whole between the points
+uniform vec3 relevoScalarCoordinates; // for textures: minimum, 1 / width, 1 for a log scale
 
 vec4 relevoScalarsAsTyped(vec4 scalars)
 {

@@ -1,4 +1,4 @@
-// A patch is one vertex, the number of a face among those to be drawn.
+// A patch is one vertex: the index of a face among the drawn ones.
 
 flat out int relevoPatchMember;
 

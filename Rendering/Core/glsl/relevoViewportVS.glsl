@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// One triangle that covers the viewport.
+// The vertex shader draws one triangle that covers the viewport.
 
 void main()
 {

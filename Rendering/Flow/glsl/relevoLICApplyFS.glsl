@@ -1,25 +1,25 @@
-// The LIC on the surface's own fragments.
-uniform sampler2D relevoLICImage;   // (LIC, mark as of relevoLICVectorsFS.glsl); else zero
+// Applies the LIC to the surface's fragments.
+uniform sampler2D relevoLICImage;   // (LIC, flag as in relevoLICVectorsFS.glsl); otherwise zero
 uniform ivec2 relevoLICOrigin;      // lower left corner of the viewport, in pixels
 uniform ivec2 relevoLICSize;        // and its size
 uniform vec3 relevoLICMaskColor;
 uniform float relevoLICMaskIntensity;
 #ifdef RELEVO_LIC_STRETCH
-uniform sampler2D relevoLICRange;   // of lightness
+uniform sampler2D relevoLICRange;   // range of lightness
 uniform vec2 relevoLICFactors;
 #endif
 
 const ivec2 relevoLICSteps[4] = ivec2[4](ivec2(1, 0), ivec2(0, 1), ivec2(-1, 0), ivec2(0, -1));
 
-// How far the fragment is in depth from what made a texel of the LIC.
+// Return the difference in depth between the fragment and a texel of the LIC.
 float relevoLICDistance(vec2 texel)
 {
   float distance = abs(abs(texel.g) - 1.0 - gl_FragCoord.z);
   return texel.g == 0.0 ? 2.0 : distance;
 }
 
-// The fragment's texel: at its pixel or, where it covers only part of that, beside it, at the pixel
-// that is nearest in depth. Zero if there is none.
+// Return the fragment's texel at its pixel. If the fragment covers only a part of the pixel, return
+// the neighbouring texel that is nearest in depth. Return zero if there is none.
 vec2 relevoLICTexel(float tolerance)
 {
   ivec2 last = relevoLICSize - ivec2(1);
@@ -43,7 +43,7 @@ vec3 relevoLICFragment(vec3 color)
   vec2 texel = relevoLICTexel(1e-5 + 2.0 * fwidth(gl_FragCoord.z));
   if (texel.g == 0.0)
   {
-    return color; // of a layer behind
+    return color; // a layer behind the front one
   }
   if (texel.g < 0.0)
   {

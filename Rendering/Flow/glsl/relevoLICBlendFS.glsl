@@ -1,5 +1,5 @@
-// Lightness of the colours with their LIC, for its range.
-uniform sampler2D colors; // and, in place of opacity, the mark of the vector that was drawn there
+// The lightness of the colours with their LIC, for computing its range.
+uniform sampler2D colors; // alpha is the flag of the vector that was drawn there
 
 vec2 relevoRange(ivec2 texel)
 {
@@ -11,7 +11,7 @@ vec2 relevoRange(ivec2 texel)
   vec4 color = texelFetch(colors, texel, 0);
   vec2 lic = texelFetch(image, texel, 0).rg;
   return color.a == lic.g ? vec2(relevoLightness(relevoLICCombine(color.rgb, lic.r)))
-                          : vec2(1e30, -1e30); // behind what another process has drawn
+                          : vec2(1e30, -1e30); // behind the surface of another process
 #else
   return vec2(texelFetch(image, texel, 0).r);
 #endif

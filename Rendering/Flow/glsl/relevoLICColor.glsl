@@ -1,4 +1,4 @@
-// Colours of the surface with its LIC.
+// Combines colours of the surface with its LIC.
 uniform int relevoLICColorMode;     // 0 blend, 1 multiply
 uniform float relevoLICIntensity;
 uniform float relevoLICBias;
@@ -9,13 +9,13 @@ vec3 relevoLICCombine(vec3 color, float lic)
                                  : color * clamp(lic + relevoLICBias, 0.0, 1.0);
 }
 
-// Of hue, saturation and lightness.
+// Return the lightness of the HSL model.
 float relevoLightness(vec3 color)
 {
   return 0.5 * (min(min(color.r, color.g), color.b) + max(max(color.r, color.g), color.b));
 }
 
-// Hue and saturation stay.
+// Set the lightness; hue and saturation do not change.
 vec3 relevoSetLightness(vec3 color, float lightness)
 {
   float old = relevoLightness(color);

@@ -1,11 +1,11 @@
-// The convolution, of noise that is tiled from the lower left corner of the picture, or of an image
+// The convolution, of noise that is tiled from the lower left corner of the image, or of an image
 // that covers the viewport.
-uniform sampler2D vectors; // as relevoLICVectorsFS.glsl makes them; zero where nothing is
+uniform sampler2D vectors; // in the format of relevoLICVectorsFS.glsl; zero for empty pixels
 uniform ivec2 size;
 uniform sampler2D noise;
 uniform ivec2 noiseSize;
 uniform bool noiseIsTiled;
-uniform ivec2 noiseOrigin; // of the viewport in the picture, if that is drawn in parts
+uniform ivec2 noiseOrigin; // origin of the viewport in a tiled image
 uniform int steps;
 uniform float stepSize;
 uniform bool normalized;
@@ -13,7 +13,7 @@ uniform bool oriented;
 uniform float phase;
 uniform float noiseMean;
 
-// Of the pixels with a vector around p.
+// Return the mean of the pixels around p that have a vector.
 vec2 licField(vec2 p)
 {
   vec3 vector = textureLod(vectors, p / vec2(size), 0.0).xyz;

@@ -1,7 +1,7 @@
-// One filter of the LIC image.
-uniform sampler2D range; // least and largest value, of contrast
+// A filter of the LIC image.
+uniform sampler2D range; // smallest and largest value, for the contrast
 uniform vec2 factors;
-uniform ivec2 direction; // of smoothing
+uniform ivec2 direction; // direction of smoothing
 
 float licValue(ivec2 pixel)
 {

@@ -1,5 +1,5 @@
-// A LIC image, as the passes over the viewport hand it on.
-uniform sampler2D image; // (LIC, mark as of relevoLICVectorsFS.glsl); else zero
+// A LIC image that one pass over the viewport passes to the next.
+uniform sampler2D image; // (LIC, flag as in relevoLICVectorsFS.glsl); otherwise zero
 uniform ivec2 size;
 
 bool licIsMasked(ivec2 pixel)

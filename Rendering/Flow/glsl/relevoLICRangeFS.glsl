@@ -1,5 +1,5 @@
-// Least and largest value of 16 x 16 texels: of the image first, then of ranges.
-uniform ivec2 sourceFirst; // of the texels that count
+// Computes the smallest and largest value of 16 x 16 texels, first of the image, then of ranges.
+uniform ivec2 sourceFirst; // first of the valid texels
 uniform ivec2 sourceEnd;   // one past the last
 
 vec2 relevoRange(ivec2 texel);

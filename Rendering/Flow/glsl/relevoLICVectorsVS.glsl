@@ -1,3 +1,3 @@
-// What the fragments of the vectors' pass need of the surface.
+// The inputs of the fragments of the vectors' pass.
 uniform mat4 relevoLICFromVertex;  // from vertexMC to view coordinates
-uniform mat3 relevoLICNormals;     // normals, likewise
+uniform mat3 relevoLICNormals;     // normals from vertexMC to view coordinates

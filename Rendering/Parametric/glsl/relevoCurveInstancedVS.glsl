@@ -1,10 +1,10 @@
-// A vertex of several curves that one instance draws.
+// A vertex of one of several curves that an instance draws.
 
 uniform ivec4 relevoGroup; // where the group's curves lie in relevoInstances, how many they are, how
                            // many copies of the pattern an instance has, and segments of each
 uniform usamplerBuffer relevoInstances;
 
-// Of numbers below 65536: amid whole ones, a float's quotient cannot be rounded to the next.
+// Return the quotient of integers below 65536. Adding 0.5 prevents rounding to the next integer.
 int relevoQuotient(int dividend, int divisor)
 {
   return int((float(dividend) + 0.5) / float(divisor));

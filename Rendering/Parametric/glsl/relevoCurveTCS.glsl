@@ -1,4 +1,4 @@
-// Tells OpenGL's tessellator into how many segments to cut a curve.
+// Sets the tessellation levels of a curve.
 
 layout(vertices = 1) out;
 

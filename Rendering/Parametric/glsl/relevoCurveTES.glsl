@@ -1,4 +1,4 @@
-// A vertex that OpenGL's tessellator has made of a curve.
+// A vertex that OpenGL's tessellator has generated on a curve.
 
 #if RELEVO_SIDES == 1
 layout(isolines, equal_spacing) in;
@@ -11,7 +11,7 @@ patch in int relevoPatchCurve;
 
 void relevoPlaceVertex()
 {
-  // How exact coordinates are is up to the driver.
+  // The coordinates are rounded, because OpenGL does not define their exactness.
   relevoRing = int(gl_TessCoord.x * float(relevoGroup.w + RELEVO_MORE_RINGS) + 0.5);
   relevoSide = int(gl_TessCoord.y * (RELEVO_SIDES == 2 ? 1.0 : float(RELEVO_SIDES)) + 0.5);
   relevoSide = relevoSide == RELEVO_SIDES || RELEVO_SIDES == 1 ? 0 : relevoSide;

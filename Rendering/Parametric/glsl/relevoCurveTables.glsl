@@ -1,6 +1,6 @@
-// What relevoCurve.glsl and those after it are told of a curve.
+// The inputs of relevoCurve.glsl and the files that follow it.
 
-uniform samplerBuffer relevoControlPoints; // three numbers, or four where weights differ
+uniform samplerBuffer relevoControlPoints; // three floats, or four if weights differ
 int relevoCurve;
 int relevoFirstPoint;
 
@@ -46,7 +46,7 @@ vec4 curvePoint(int i)
 #ifdef RELEVO_FRAMES
 uniform usamplerBuffer relevoFrames;  // by curve: first station << 5 | open at its start << 4 | open
                                       // at its end << 3 | logarithm of the intervals
-uniform samplerBuffer relevoStations; // tangent and normal of each
+uniform samplerBuffer relevoStations; // tangent and normal of each station
 
 int curveIntervals()
 {
@@ -75,7 +75,8 @@ bool relevoIsOpen(bool atEnd)
 #endif
 
 #ifdef RELEVO_VALUES
-// Which table values are of: with no texels radii, else scalars, and which of a point's texels.
+// The table that values come from: radii if there are no texels, otherwise scalars, and the index
+// of the point's texel.
 int relevoTexels = 0;
 int relevoTexel = 0;
 #ifdef RELEVO_RADII

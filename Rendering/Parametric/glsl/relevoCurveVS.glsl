@@ -1,6 +1,6 @@
-// Run first in main(): makes what VTK's code takes for the vertex.
+// Runs first in main() and computes the attributes that VTK's code uses as the vertex.
 
-uniform vec4 relevoEye; // where the eye is, 1; or with a parallel camera the direction towards it, 0
+uniform vec4 relevoEye; // position of the eye, 1; or the direction towards a parallel camera, 0
 
 #ifdef RELEVO_SCALARS
 vec4 relevoScalarsAt(CurveLine line, float t)
@@ -27,7 +27,8 @@ float relevoScalar(CurveLine line, float t)
 #endif
 
 #ifdef RELEVO_CELL_COLORS
-uniform usamplerBuffer relevoCellColors; // by curve: red, green, blue, opacity, the first one lowest
+// per curve: red, green, blue, opacity, from the lowest byte
+uniform usamplerBuffer relevoCellColors;
 
 vec4 relevoCellColor()
 {
@@ -39,7 +40,7 @@ vec4 relevoCellColor()
 #if RELEVO_SIDES > 1
 uniform float relevoRadius;
 
-// x: radius, y: how much it changes per length.
+// Return the radius and its derivative by arc length.
 vec2 relevoRadiusAt(CurveLine line, float t)
 {
 #ifdef RELEVO_RADII
@@ -70,7 +71,8 @@ void relevoDrawCurve()
 {
   relevoPlaceVertex();
 #if RELEVO_SIDES > 2
-  // The middle of a cap, its rim, rings of the tube, and the other cap likewise.
+  // The rings are the centre of a cap, its rim, the rings of the tube, and the rim and centre of
+  // the other cap.
   int ring = clamp(relevoRing - 2, 0, relevoGroup.w);
 #else
   int ring = relevoRing;
@@ -81,7 +83,7 @@ void relevoDrawCurve()
   vec3 toEye = relevoEye.xyz - position * relevoEye.w;
   vec3 normal;
 #if RELEVO_SIDES == 1
-  // Of those across the curve the one that the eye sees most of.
+  // Of the normals across the curve, use the one that faces the eye most.
   vec3 tangent = curveTangent(line, t);
   normal = toEye - dot(toEye, tangent) * tangent;
   normal = dot(normal, normal) > 0.0 ? normalize(normal) : toEye;
@@ -100,7 +102,7 @@ void relevoDrawCurve()
   bool isCap = relevoRing < 2 || atEnd;
   bool isMiddle = relevoRing == 0 || relevoRing == relevoGroup.w + 4;
   normal = isCap ? (atEnd ? tangent : -tangent) : tubeNormal(tangent, direction, radius.y);
-  // Where another curve goes on, caps have no area.
+  // If another curve continues, the caps are degenerate.
   position += isMiddle && relevoIsOpen(atEnd) ? vec3(0.0) : radius.x * direction;
 #endif
 #endif

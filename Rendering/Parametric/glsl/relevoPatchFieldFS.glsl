@@ -1,12 +1,12 @@
-// The field of a fragment's patch, by the patch's own basis. After relevoPatch.glsl, and
-// relevoScalars.glsl where there are numbers.
+// The field of a fragment's patch, evaluated with the patch's own basis. Follows relevoPatch.glsl
+// and, if there are values, relevoScalars.glsl.
 
 uniform samplerBuffer relevoTablePoints; // control points: positions, weights
 #ifdef RELEVO_FIELD_COLORS
-uniform samplerBuffer relevoFieldColors; // of the control points
+uniform samplerBuffer relevoFieldColors; // colours of the control points
 #endif
 
-int relevoFieldTexel = 0; // of those per control point; -1 for its weight
+int relevoFieldTexel = 0; // index of a control point's texel; -1 for its weight
 
 bool relevoIsRational()
 {
@@ -27,7 +27,8 @@ vec4 patchPoint(int i)
 #endif
 }
 
-// Beside a patch, where multisampling may ask, there is no field.
+// Multisampling may evaluate positions outside a patch, which have no field; the coordinates are
+// clamped.
 vec2 relevoFieldCoordinate()
 {
   vec2 uv = clamp(relevoPatchCoordinateVSOutput, vec2(0.0), vec2(1.0));
@@ -46,7 +47,7 @@ PatchPoint relevoFieldSum(int texel)
 #endif
 }
 
-// A texel's values, and with isolines how they change by u and by v.
+// Return a texel's values and, for isolines, their derivatives by u and by v.
 PatchPoint relevoFieldAt(int texel)
 {
   PatchPoint sum = relevoFieldSum(texel);
@@ -66,15 +67,15 @@ vec4 relevoFieldColor()
   return clamp(relevoFieldAt(0).Point, 0.0, 1.0);
 }
 #else
-// The number that colours are looked up by, less the table's bias.
+// The value that is mapped to a colour, minus the table's bias.
 struct FieldNumber
 {
-  float Typed; // whole where its array is of integers
+  float Typed; // whole if the array has integers
   float Exact;
-  vec2 Slope; // of Exact, by u and by v
+  vec2 Slope; // derivative of Exact by u and by v
 };
 
-FieldNumber relevoNumber; // of the fragment
+FieldNumber relevoNumber; // value of the fragment
 
 FieldNumber relevoFieldNumber()
 {

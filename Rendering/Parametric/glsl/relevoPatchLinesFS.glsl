@@ -1,8 +1,8 @@
-// Lines on a fragment's patch, as wide on the screen everywhere: isolines of its field, and the
-// borders of the patch. After relevoPatch.glsl and relevoPatchFieldFS.glsl.
+// Lines of constant width in pixels on a fragment's patch: isolines of its field, and the borders
+// of the patch. Follows relevoPatch.glsl and relevoPatchFieldFS.glsl.
 
 #ifdef RELEVO_ISOLINES
-uniform vec3 relevoIsolines; // spacing, of what is added to numbers the rest, width in pixels
+uniform vec3 relevoIsolines; // spacing, bias modulo the spacing, width in pixels
 uniform vec3 relevoIsolineColor;
 #endif
 #ifdef RELEVO_PATCH_EDGES
@@ -10,10 +10,10 @@ uniform float relevoPatchEdgeWidth;
 uniform vec3 relevoPatchEdgeColor;
 #endif
 
-vec2 relevoAcross = vec2(0.0); // how u changes from pixel to pixel, to the right and up
-vec2 relevoAlong = vec2(0.0);  // and v
+vec2 relevoAcross = vec2(0.0); // change of u per pixel, to the right and up
+vec2 relevoAlong = vec2(0.0);  // change of v per pixel
 
-// At the start of main(): everywhere.
+// This must run at the start of main(), for all pixels, because it uses derivatives.
 void relevoMeasurePixels()
 {
   vec2 right = dFdx(relevoPatchCoordinateVSOutput);
@@ -22,14 +22,14 @@ void relevoMeasurePixels()
   relevoAlong = vec2(right.y, up.y);
 }
 
-// In pixels, to where a number that changes so from pixel to pixel is zero.
+// Return the distance in pixels to where a value is zero, from its change per pixel.
 float relevoPixelsTo(float number, vec2 change)
 {
   float size = length(change);
   return size > 0.0 ? abs(number) / size : 1e30;
 }
 
-// What of the pixel the line covers.
+// Return the fraction of the pixel that the line covers.
 float relevoCoverage(float pixels, float width)
 {
   return clamp(0.5 * width + 0.5 - pixels, 0.0, min(width, 1.0));
@@ -46,13 +46,15 @@ float relevoIsolineCoverage(FieldNumber number)
 #endif
 
 #ifdef RELEVO_PATCH_EDGES
-// To a border, from a part of the patch beside it: where a patch is seen edge-on all of it seems near.
+// Return the distance to a border, if the fragment is in the part of the patch next to it. If a
+// patch is seen edge-on, all of it would seem near.
 float relevoPixelsFrom(float number, vec2 change)
 {
   return number < 0.25 ? relevoPixelsTo(number, change) : 1e30;
 }
 
-// To the nearest border but those that are one point or no edge, in the order of findPatchBorder().
+// Return the distance to the nearest border, without degenerate borders and those that are not
+// edges, in the order of findPatchBorder().
 float relevoPixelsToBorder()
 {
   bool isTriangle = (relevoPatchVSOutput.y & 256) != 0;

@@ -1,11 +1,12 @@
-// Scalars interpolated over the refined surface, then mapped to colours. After relevoScalars.glsl.
+// Scalars that are interpolated over the refined surface and then mapped to colours. Follows
+// relevoScalars.glsl.
 
 bool relevoIsCorner(vec3 w)
 {
   return max(w.x, max(w.y, w.z)) == 1.0;
 }
 
-// A corner without weight does not count, even where it is NaN.
+// A corner with weight 0 is ignored, even if it is NaN.
 vec4 relevoScalarsAt(int corner, float weight, int k)
 {
   return weight == 0.0
@@ -19,7 +20,8 @@ vec4 relevoScalarsOf(vec3 w, int k)
     relevoScalarsAt(0, w.x, k), relevoScalarsAt(1, w.y, k), relevoScalarsAt(2, w.z, k), w));
 }
 
-// What takes no values between its own, as a name, has the nearest corner's; see RefinedPoint.
+// Values that cannot be interpolated, such as strings, are those of the nearest corner; see
+// RefinedPoint.
 int relevoNearestCorner(vec3 w)
 {
   int first = w.y > w.x ? 1 : 0;
@@ -36,7 +38,7 @@ float relevoScalar(vec3 w)
     {
       return relevoNotANumber;
     }
-    // Whole numbers have no NaN: the value for "no data" is kept.
+    // Whole numbers have no NaN, so the no-data value itself is used.
     int corner = relevoNearestCorner(none);
     w = vec3(corner == 0 ? 1.0 : 0.0, corner == 1 ? 1.0 : 0.0, corner == 2 ? 1.0 : 0.0);
   }

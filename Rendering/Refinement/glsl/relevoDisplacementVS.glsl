@@ -1,4 +1,4 @@
-// What relevoDisplacement.glsl asks for.
+// The inputs of relevoDisplacement.glsl.
 
 uniform float relevoDisplacementScale;
 uniform float relevoDisplacementOffset;

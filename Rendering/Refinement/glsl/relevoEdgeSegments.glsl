@@ -1,32 +1,31 @@
-// Into how many segments the edges of a face are cut, and points on its border moved to where these
-// begin and end.
+// The number of segments of a face's edges. Points on its border are moved to the ends of segments.
 
 uniform usamplerBuffer relevoEdgeSegments; // see RefinementEdgeSegments.h
 
-// The segments of the sorted edges (0,1), (1,2), (0,2).
+// Return the segments of the sorted edges (0,1), (1,2), (0,2).
 ivec3 relevoSegmentsOfFace(int face)
 {
   uint texel = texelFetch(relevoEdgeSegments, face).r;
   return ivec3(int(texel & 255u), int(texel >> 8 & 255u), int(texel >> 16 & 255u));
 }
 
-// Whether the sorted corners run against the cell's sense.
+// Return whether the order of the sorted corners is opposite to the cell's orientation.
 bool relevoIsTurned(int face)
 {
   return texelFetch(relevoEdgeSegments, face).r >> 24 != 0u;
 }
 
-// k / n to 24 bits, as patterns have it (PatternBorder.h): in integers, because GLSL leaves the
-// last bits of a quotient open. That of n - k is exactly one less that of k.
+// Return k / n to 24 bits, as in patterns (PatternBorder.h). Integers are used because GLSL does
+// not define the last bits of a quotient. The result for n - k is exactly one minus that for k.
 float relevoSegmentEnd(int k, int n)
 {
   uint weight = ((uint(k) << 24) + uint(n) / 2u) / uint(n);
   return float(weight) * 5.9604644775390625e-8; // 2^-24
 }
 
-// The weights of an edge's two corners at the end of a segment that is nearest to weight t of the
-// second one. Of two as near it is the one nearer to a corner, so that no triangle turns over. They
-// are the same bits whatever t was, and from both ends of the edge.
+// Return the weights of an edge's two corners at the segment end that is nearest to weight t of the
+// second corner. Of two equally near ends, the one nearer to a corner is used, so that no triangle
+// flips. The result is bit-identical for all t near an end, and for both directions of the edge.
 vec2 relevoSnapToSegment(float t, int segments)
 {
   float n = float(segments);

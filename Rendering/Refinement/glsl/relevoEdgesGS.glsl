@@ -1,5 +1,5 @@
-// Whether the side of a refined triangle between vertices a and b lies on a diagonal of a coarse
-// polygon, which has no edge to show.
+// Return whether the side of a refined triangle between vertices a and b is on a diagonal of a
+// coarse polygon, which is not a visible edge.
 bool relevoIsHiddenSide(int a, int b)
 {
   bvec3 onEdge = equal(relevoWeightsVSOutput[a] + relevoWeightsVSOutput[b], vec3(0.0));

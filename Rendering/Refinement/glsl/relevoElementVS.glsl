@@ -1,4 +1,4 @@
-// One face per draw call. After relevoPatternVS.glsl.
+// Draws one face per draw call. Follows relevoPatternVS.glsl.
 
 uniform int relevoElement;
 

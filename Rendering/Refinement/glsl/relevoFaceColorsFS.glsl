@@ -9,7 +9,7 @@ uniform float relevoHighestTag;
 vec3 relevoFragmentColor()
 {
 #ifdef RELEVO_COLORS_OF_TAGS
-  // On an edge the edge's own tag, towards a corner the mean of its two edges'.
+  // An edge shows its own tag; a corner shows the mean of its two edges' tags.
   vec3 corners = max(relevoTagWeightsVSOutput, vec3(0.0)) + 1e-4;
   vec3 edges = corners * corners.yzx; // (0,1), (1,2), (2,0)
   vec3 weights =

@@ -1,4 +1,4 @@
-// What relevoFaceColorsFS.glsl shows.
+// The inputs of relevoFaceColorsFS.glsl.
 
 #ifdef RELEVO_COLORS_OF_FACES
 uniform samplerBuffer relevoFaceColors;
@@ -10,7 +10,7 @@ vec3 relevoFaceColor()
 #endif
 
 #ifdef RELEVO_COLORS_OF_TAGS
-uniform samplerBuffer relevoTags; // per point, or of a face's edges (0,1), (1,2), (0,2)
+uniform samplerBuffer relevoTags; // per point, or per edge (0,1), (1,2), (0,2) of a face
 uniform int relevoTagsPerEdge;
 
 vec3 relevoFaceTags()

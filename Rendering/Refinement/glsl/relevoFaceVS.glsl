@@ -1,15 +1,16 @@
-// One coarse face: its corners, and what the surface functions ask for. How a vertex comes to its
-// face is up to the method, which gives
-//   vec3 relevoPlaceVertex()  weights of the sorted corners; sets relevoFaceIndex, relevoHidden
-//   int relevoColorIndex()    place of the face's colour in relevoFaceColors
-//   int relevoLineEdges()     in wireframes: the face's sorted edge that the line is on, as a bit of
-//                             the hidden edges in relevoFaces; 0 for none
+// One coarse face: its corners, and the inputs of the surface functions. The method assigns a
+// vertex to its face, and defines these functions:
+//     vec3 relevoPlaceVertex()  returns the weights of the sorted corners, and sets relevoFaceIndex
+//                               and relevoHidden
+//     int relevoColorIndex()    returns the index of the face's colour in relevoFaceColors
+//     int relevoLineEdges()     returns, in wireframes, the face's sorted edge that the line is on,
+//                               as a bit of the hidden edges in relevoFaces; 0 for none
 
 uniform isamplerBuffer relevoFaces;     // sorted corners; primitive << 3 | hidden edges
 uniform samplerBuffer relevoPoints;     // VTK's vertexMC
 uniform samplerBuffer relevoPointData;  // normal, u; frame of u; frame of v; direction; values
 uniform samplerBuffer relevoVectors;    // the surface's vectors per face
-uniform vec3 relevoPositionScale;       // from the mesh's lengths to vertexMC's
+uniform vec3 relevoPositionScale;       // from units of the mesh to units of vertexMC
 uniform vec3 relevoPositionShift;       // vertexMC is (position - shift) * scale
 
 #ifdef RELEVO_TABLES
@@ -20,7 +21,7 @@ uniform samplerBuffer relevoTablePoints;
 
 int relevoFaceIndex = 0;
 ivec4 relevoFace = ivec4(0);
-bool relevoHidden = false; // the vertex belongs to nothing that is to be seen
+bool relevoHidden = false; // the vertex is not visible
 
 vec4 relevoPointDatum(int id, int k)
 {

@@ -1,4 +1,4 @@
-// The height map as relevoHeight.glsl asks for it. Vertex and fragment shaders.
+// The height map for relevoHeight.glsl, in vertex and fragment shaders.
 
 uniform sampler2D relevoHeights;
 #ifdef RELEVO_HOLES

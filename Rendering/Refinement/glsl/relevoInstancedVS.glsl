@@ -1,11 +1,13 @@
-// One face per instance, or several copies of a pattern for as many faces. After
+// One face per instance, or several copies of a pattern for as many faces. Follows
 // relevoPatternVS.glsl.
 
 #ifdef RELEVO_INDIRECT
-in uvec2 relevoMembers; // where the instance's faces lie in relevoInstances, and how many they are
+// range of the instance's faces in relevoInstances: first face, number of faces
+in uvec2 relevoMembers;
 #else
-uniform ivec3 relevoGroup; // where the group's faces lie in relevoInstances, how many they are, and
-                           // how many copies of the pattern an instance has
+// first face of the group in relevoInstances, number of faces, and copies of the pattern per
+// instance
+uniform ivec3 relevoGroup;
 #endif
 uniform usamplerBuffer relevoInstances;
 #ifdef RELEVO_MORPH

@@ -1,9 +1,9 @@
-// Between points of which one has no data there are none.
+// If one of several points has no data, positions between them have none.
 
-uniform samplerBuffer relevoNoData; // per point 1 for no data
+uniform samplerBuffer relevoNoData; // 1 for points without data
 uniform float relevoNotANumber;
 
-// The weights of corners without data. The mesh's own points keep what they have.
+// Return the weights of corners without data. Points of the mesh itself keep their values.
 vec3 relevoNoDataWeights(vec3 w)
 {
   vec3 marks = vec3(texelFetch(relevoNoData, relevoFace.x).r,

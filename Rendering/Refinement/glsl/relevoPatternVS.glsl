@@ -1,4 +1,4 @@
-// A vertex of a pattern, which lies on a face as these two say:
+// A vertex of a pattern. Two functions define its position on a face:
 
 int relevoInstance();                    // face << 3 | permutation code
 vec3 relevoPatternWeights(int code);     // weights of the sorted corners
@@ -21,7 +21,8 @@ int relevoColorIndex()
   return int(fract(relevoPatternVertex.w) * 65536.0);
 }
 
-// The line's edge lacks one corner of the pattern; which sorted corner is that?
+// Return the edges that a line is on. The line's edge lacks one corner of the pattern, which is
+// mapped to a sorted corner.
 int relevoLineEdges()
 {
   float line = floor(relevoPatternVertex.w);

@@ -1,5 +1,5 @@
-// A vertex where its pattern has it, or, morphing, where the tags of its face's edges move it. After
-// relevoPatternVS.glsl and what has relevoMorphingTags(), those of the sorted edges.
+// A vertex at its position in the pattern or, when morphing, moved by the tags of its face's edges.
+// Follows relevoPatternVS.glsl and the file that defines relevoMorphingTags() for the sorted edges.
 
 vec3 relevoPatternWeights(int code)
 {

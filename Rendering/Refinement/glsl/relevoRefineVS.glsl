@@ -1,4 +1,4 @@
-// Run first in main(): makes what VTK's code takes for the vertex.
+// Runs first in main() and computes the attributes that VTK's code uses as the vertex.
 
 void relevoRefine()
 {
@@ -14,7 +14,7 @@ void relevoRefine()
   position += point.Vector * relevoPositionScale;
   normal = point.Normal;
 #endif
-  relevoNormal = unitVector(normal); // fragments interpolate unit normals, as of the filter
+  relevoNormal = unitVector(normal); // fragments interpolate unit normals, like those of the filter
   relevoSetNormal(relevoNormal);
 #endif
   vertexMC = vec4(position, 1.0);

@@ -1,5 +1,5 @@
-// A vertex of a uniform pattern, those on the border where the edges' own levels have points. After
-// relevoPatternVS.glsl and relevoEdgeSegments.glsl.
+// A vertex of a uniform pattern; on the border it moves to the points of the edges' own levels.
+// Follows relevoPatternVS.glsl and relevoEdgeSegments.glsl.
 
 vec3 relevoPatternWeights(int code)
 {

@@ -1,4 +1,5 @@
-// One step of refinement: a triangle into up to four, fed back. After relevoSplit.glsl.
+// One refinement pass: splits a triangle into up to four, which are fed back. Follows
+// relevoSplit.glsl.
 
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 12) out;
@@ -9,7 +10,7 @@ flat in uint relevoFaceVSOutput[];
 out vec3 relevoWeightsGSOutput;
 flat out uint relevoFaceGSOutput;
 
-// Exact: the weights are multiples of powers of two.
+// The weights are exact, because they are multiples of powers of two.
 vec3 relevoCornerWeights(int corner)
 {
   int first = corner % 3;

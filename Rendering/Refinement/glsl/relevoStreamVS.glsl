@@ -1,7 +1,7 @@
-// A vertex of the refined stream that relevoSplitGS.glsl has written.
+// A vertex of the refined stream, which relevoSplitGS.glsl has written.
 
 in vec3 relevoStreamWeights;
-in uint relevoStreamFace; // face << 3 | levels left, by now none
+in uint relevoStreamFace; // face << 3 | levels left, which are 0 here
 
 vec3 relevoPlaceVertex()
 {

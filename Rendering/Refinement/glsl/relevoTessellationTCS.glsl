@@ -1,4 +1,4 @@
-// Tells OpenGL's tessellator into how many segments to cut the edges of a face. After
+// Sets the tessellation levels from the segments of a face's edges. Follows
 // relevoEdgeSegments.glsl.
 
 layout(vertices = 1) out;
@@ -19,7 +19,7 @@ void main()
   relevoPatchSegments = segments;
   relevoPatchTurned = turned ? 1 : 0;
 
-  // Outer level i is that of the edge where coordinate i is zero.
+  // Outer level i belongs to the edge where coordinate i is zero.
   vec3 levels = vec3(turned ? segments.zyx : segments.yzx);
   gl_TessLevelOuter[0] = levels.x;
   gl_TessLevelOuter[1] = levels.y;

@@ -1,4 +1,4 @@
-// A vertex that OpenGL's tessellator has made of a face. After relevoEdgeSegments.glsl.
+// A vertex that OpenGL's tessellator has generated on a face. Follows relevoEdgeSegments.glsl.
 
 layout(triangles, equal_spacing, ccw) in;
 
@@ -9,10 +9,10 @@ patch in int relevoPatchTurned;
 vec3 relevoPlaceVertex()
 {
   relevoFaceIndex = relevoPatchFace;
-  // Winding is that of the coordinates, so those of a turned face are swapped.
+  // The winding is that of the coordinates, so those of a turned face are swapped.
   vec3 w = relevoPatchTurned == 1 ? gl_TessCoord.yxz : gl_TessCoord;
-  // How exact coordinates on the border are is up to the driver, but two faces must have the same.
-  // No other point comes as near to an edge.
+  // OpenGL does not define how exact coordinates on the border are, but two faces must share them.
+  // No interior point is this close to an edge.
   const float margin = 0.002;
   w = mix(w, vec3(0.0), vec3(lessThan(w, vec3(margin))));
   return relevoSnapToSegments(w, relevoPatchSegments);

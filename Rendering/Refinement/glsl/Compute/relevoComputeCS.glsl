@@ -1,5 +1,5 @@
 #version 430
-// The beginning of every compute shader. One invocation for each element of a mesh.
+// The beginning of every compute shader, with one invocation per element of a mesh.
 
 #define RELEVO_FUNCTION
 #define RELEVO_GROUP_SIZE 256
@@ -8,7 +8,8 @@ layout(local_size_x = RELEVO_GROUP_SIZE) in;
 
 uniform int relevoNumberOfElements;
 
-// Groups come in rows: an axis takes no more than 65535. The last ones reach beyond the elements.
+// Groups are arranged in rows, because an axis supports at most 65535. The last invocations exceed
+// the number of elements.
 int relevoElement()
 {
   uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;

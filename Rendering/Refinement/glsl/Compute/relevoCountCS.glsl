@@ -1,11 +1,11 @@
-// The beginning of the stage "group": how many faces to be drawn each key has, and which of them
-// each face is. After relevoGroupCS.glsl and relevoCulling.glsl.
+// The beginning of the stage "group": counts the visible faces of each key, and computes each
+// face's rank among them. Follows relevoGroupCS.glsl and relevoCulling.glsl.
 
-// What FaceCulling knows of a face.
+// The culling data of a face, as in FaceCulling.
 struct RelevoExtent
 {
-  vec4 Middle; // of its box, and the cosine of its cone of normals
-  vec4 Half;   // of its box's sides, and its reach behind the middle
+  vec4 Middle; // centre of its box, and the cosine of its cone of normals
+  vec4 Half;   // half the sides of its box, and its extent behind the centre
   vec4 Axis;   // of the cone
 };
 
@@ -16,7 +16,7 @@ layout(std430, binding = 3) readonly buffer Extents { RelevoExtent extents[]; };
 
 uniform int relevoCulled;         // 0: all faces are drawn
 uniform vec4 relevoPlanes[5];
-uniform vec3 relevoEye;           // or with a parallel camera the direction to it
+uniform vec3 relevoEye;           // or the direction towards a parallel camera
 uniform int relevoParallel;
 uniform int relevoHidesBackFaces; // 1: faces that face away are hidden
 

@@ -1,12 +1,12 @@
-// What the passes of the stage "group" share.
+// Shared by the passes of the stage "group".
 
-#define RELEVO_NOT_DRAWN 0xffffffffu // in place of a rank
+#define RELEVO_NOT_DRAWN 0xffffffffu // a rank
 
-// Where a key's faces lie, and how they are shared out among instances.
+// The range of a key's faces, and their distribution over instances.
 struct RelevoGroup
 {
   uint FirstFace;
   uint NumberOfFaces;
   uint FirstInstance;
-  uint Copies; // faces per instance; the last one may have less
+  uint Copies; // faces per instance; the last one may have fewer
 };

@@ -1,8 +1,11 @@
-// The stage "tag" by edges: each edge's own tag, or the largest measure of the edges at a place.
+// The stage "tag" by edges: each edge gets its own tag, or each merged point the largest measure of
+// its edges.
 
-layout(std430, binding = 0) readonly buffer Edges { ivec2 edges[]; }; // places, the lower first
+// merged points, the lower first
+layout(std430, binding = 0) readonly buffer Edges { ivec2 edges[]; };
 layout(std430, binding = 1) readonly buffer Values { vec4 values[]; };
-layout(std430, binding = 2) buffer Measures { uint measures[]; }; // zero where places are measured
+// zero if merged points are measured
+layout(std430, binding = 2) buffer Measures { uint measures[]; };
 
 uniform int relevoPerEdge;
 

@@ -1,12 +1,13 @@
-// The stage "tag" per point: each point's own tag, or the largest measure at its place.
+// The stage "tag" per point: each point gets its own tag, or the largest measure of its merged
+// point.
 
 layout(std430, binding = 0) readonly buffer Points { float points[]; }; // three per point
 layout(std430, binding = 1) readonly buffer Data { vec4 data[]; };
 layout(std430, binding = 2) readonly buffer MergedPoints { int places[]; };
-layout(std430, binding = 3) buffer Measures { uint measures[]; }; // zero where points are united
+layout(std430, binding = 3) buffer Measures { uint measures[]; }; // zero for merged points
 
 uniform int relevoHasData;
-uniform int relevoHasMergedPoints; // 1: points at one place are united
+uniform int relevoHasMergedPoints; // 1: coincident points are merged
 
 void main()
 {

@@ -1,7 +1,7 @@
-// The second half of the stage "group": from numbers of faces to places and draw commands. One work
-// group; each invocation has a run of keys. After relevoGroupCS.glsl.
+// The second half of the stage "group": from numbers of faces to positions and draw commands. One
+// work group processes all keys; each invocation has a range of keys. Follows relevoGroupCS.glsl.
 
-// A key's pattern, as RefinementPatternBuffer holds it.
+// A key's pattern, as in RefinementPatternBuffer.
 struct RelevoPattern
 {
   uint Copies;
@@ -13,7 +13,7 @@ struct RelevoPattern
   uint NumberOfLineVertices;
 };
 
-// As OpenGL defines them.
+// The commands are defined by OpenGL.
 struct RelevoElementsCommand
 {
   uint Count;
@@ -35,25 +35,25 @@ layout(std430, binding = 0) readonly buffer Counts { uint counts[]; };
 layout(std430, binding = 1) readonly buffer Patterns { RelevoPattern patterns[]; };
 layout(std430, binding = 2) writeonly buffer Groups { RelevoGroup groups[]; };
 layout(std430, binding = 3) writeonly buffer Triangles { RelevoElementsCommand triangles[]; };
-// Commands for lines, then points, then corners.
+// Commands for lines, followed by points and corners.
 layout(std430, binding = 4) writeonly buffer Others { RelevoArraysCommand others[]; };
 
 uniform int relevoNumberOfKeys;
 
-shared uvec2 relevoSums[RELEVO_GROUP_SIZE]; // faces and instances of the invocations' runs
+shared uvec2 relevoSums[RELEVO_GROUP_SIZE]; // faces and instances of the invocations' ranges
 
 uint relevoDivideUp(uint a, uint b)
 {
   return (a + b - 1u) / b;
 }
 
-// As many instances as it takes, each of about as many faces.
+// Return the number of instances. All have about the same number of faces.
 uint relevoCountInstances(int key)
 {
   return relevoDivideUp(counts[key], patterns[key].Copies);
 }
 
-// Inclusive sums over the invocations.
+// Compute inclusive sums over the invocations.
 void relevoAddUp(int invocation)
 {
   for (int distance = 1; distance < RELEVO_GROUP_SIZE; distance *= 2)
@@ -78,7 +78,7 @@ void relevoWriteKey(int key, uvec2 place)
   groups[key] = RelevoGroup(place.x, faces, place.y, copies);
   triangles[key] = RelevoElementsCommand(
     copies * pattern.NumberOfIndices, instances, pattern.FirstIndex, pattern.FirstVertex, place.y);
-  // Without copies an instance is a face.
+  // Without copies, an instance is one face.
   others[key] =
     RelevoArraysCommand(pattern.NumberOfLineVertices, faces, pattern.FirstLineVertex, place.x);
   others[key + relevoNumberOfKeys] =

@@ -1,4 +1,4 @@
-// The end of the stage "group": each face to its place. After relevoGroupCS.glsl.
+// The end of the stage "group": writes each face to its position. Follows relevoGroupCS.glsl.
 
 layout(std430, binding = 0) readonly buffer Entries { uint entries[]; };
 layout(std430, binding = 1) readonly buffer Ranks { uint ranks[]; };
@@ -16,7 +16,7 @@ void main()
   uint rank = ranks[face];
   RelevoGroup group = groups[entries[face] >> 3];
   instances[group.FirstFace + rank] = uint(face) << 3 | (entries[face] & 7u);
-  // The first of an instance's faces tells the instance which ones it has.
+  // The first of an instance's faces writes the range of the instance's faces.
   if (rank % group.Copies == 0u)
   {
     members[group.FirstInstance + rank / group.Copies] =

@@ -1,8 +1,8 @@
-// The stage "select": from tags to the pattern of each face. After relevoLevels.glsl, which C++
-// compiles, too: the same tags give the same levels to the bit.
+// The stage "select": from tags to the pattern of each face. Follows relevoLevels.glsl, which C++
+// compiles, too, so that equal tags give equal levels.
 
 layout(std430, binding = 0) readonly buffer Elements { int elements[]; };
-layout(std430, binding = 1) readonly buffer Orders { uint orders[]; }; // a byte per face
+layout(std430, binding = 1) readonly buffer Orders { uint orders[]; }; // one byte per face
 layout(std430, binding = 2) readonly buffer Tags { float tags[]; };
 layout(std430, binding = 3) readonly buffer Table { uint table[]; }; // (order, 01, 12, 02)
 layout(std430, binding = 4) writeonly buffer Entries { uint entries[]; };

@@ -1,4 +1,4 @@
-// The end of the stage "tag" where places were measured: each point has its place's tag.
+// The end of the stage "tag" for merged points: each point gets the tag of its merged point.
 
 layout(std430, binding = 0) readonly buffer Measures { float measures[]; };
 layout(std430, binding = 1) readonly buffer MergedPoints { int places[]; };

@@ -1,4 +1,5 @@
-// The stage "tag" by edges, before relevoMeasureEdgesCS.glsl: what each place contributes.
+// The stage "tag" by edges, before relevoMeasureEdgesCS.glsl: computes the values of each merged
+// point.
 
 layout(std430, binding = 0) readonly buffer Points { float points[]; }; // three per point
 layout(std430, binding = 1) readonly buffer Data { vec4 data[]; };
@@ -6,7 +7,7 @@ layout(std430, binding = 2) readonly buffer MergedPoints { int places[]; };
 layout(std430, binding = 3) buffer Values { uint values[]; }; // four per point
 
 uniform int relevoHasData;
-uniform int relevoHasMergedPoints; // 1: of the points at one place each component's largest is taken
+uniform int relevoHasMergedPoints; // 1: each component's maximum over coincident points is used
 
 void main()
 {
