@@ -1,7 +1,8 @@
 // A vertex of one of several curves that an instance draws.
 
-uniform ivec4 relevoGroup; // where the group's curves lie in relevoInstances, how many they are, how
-                           // many copies of the pattern an instance has, and segments of each
+// first curve of the group in relevoInstances, number of curves, copies of the pattern per
+// instance, segments per curve
+uniform ivec4 relevoGroup;
 uniform usamplerBuffer relevoInstances;
 
 // Return the quotient of integers below 65536. Adding 0.5 prevents rounding to the next integer.

@@ -1,14 +1,14 @@
-// A ray in the tiles' coordinates, and the part of it that is in a tile's box.
+// A ray in coordinates of the tiles, and its segment inside a tile's box.
 vec3 reliefOrigin;
 vec3 reliefDirection; // of length 1, away from the eye
-vec2 reliefRange;     // along the ray: what is in the tile's box and not cut off
+vec2 reliefRange;     // segment inside the tile's box that is not clipped
 
 vec3 reliefInverse()
 {
   return 1.0 / mix(reliefDirection, vec3(1e-20), equal(reliefDirection, vec3(0.0)));
 }
 
-// Where the ray is in a tile's box.
+// Intersect the ray with a tile's box.
 void reliefCutBox(vec3 low, vec3 high)
 {
   vec3 reciprocal = reliefInverse();

@@ -1,6 +1,6 @@
-// Where a ray meets the surface of a tile: by steps to the border of a cone that it meets the surface
-// in at most once (F. Policarpo, M. Oliveira, "Relaxed Cone Stepping for Relief Mapping", 2007). The
-// cones are those of rays that go away from the relief's viewer.
+// Intersects a ray with the surface of a tile, in steps to the border of a cone in which the ray
+// meets the surface at most once (F. Policarpo, M. Oliveira, "Relaxed Cone Stepping for Relief
+// Mapping", 2007). The cones apply to rays that go away from the relief's viewer.
 uniform sampler2D reliefCones;
 
 bool reliefMeetTile()
@@ -18,7 +18,7 @@ bool reliefMeetTile()
     ivec2 texel = reliefTile.yz + clamp(ivec2(place + 0.5), 0, RELIEF_SIZE);
     float code = min(texelFetch(reliefCones, texel, 0).r, 0.99);
     float ratio = code / (1.0 - code);
-    // Below the surface, where it is open, steps are even.
+    // Below the surface, where it is open, steps are uniform.
     float size = first < 0.0 ? -ratio * first / (along + ratio * reliefDirection.z) : 0.0;
     size = clamp(size, 0.25 / max(along, reliefDirection.z), float(RELIEF_CONE_RADIUS) / along);
     float after = min(before + size, reliefRange.y);

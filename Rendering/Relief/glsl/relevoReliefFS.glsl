@@ -1,25 +1,25 @@
-// What is seen at a pixel of a relief.
-uniform vec4 reliefEye; // or the direction of view
+// The visible point of a relief at a pixel.
+uniform vec4 reliefEye; // or the view direction
 uniform mat4 reliefToClip;
 uniform mat4 reliefToView;
-uniform bvec2 reliefSides; // whether the front and the back of the surface are seen
+uniform bvec2 reliefSides; // whether the front and the back of the surface are visible
 uniform vec4 reliefFirstAndSize; // column and row of the coordinates' origin; the image's size
 
-vec3 reliefPoint; // of the surface, in the tiles' coordinates
+vec3 reliefPoint; // point of the surface, in coordinates of the tiles
 bool reliefIsFront = true;
 
-// How squarely the relief's own viewer saw the surface there: 1, or less towards 0.
+// Return how perpendicular to the surface the relief's viewer looked: 1, or less towards 0.
 float reliefSquareness();
 
 float reliefDepth()
 {
   vec3 point = reliefPoint;
 #ifdef RELIEF_YIELDS
-  // Of several reliefs of one surface the one is seen that saw it best, not now one, now another;
-  // by less than half a texel. The back, which none of them saw, is behind all fronts.
+  // If several reliefs show one surface, the one that saw it best must win consistently. Its offset
+  // is less than half a texel. The back, which no viewer saw, is behind all fronts.
   float yielding = reliefIsFront ? 0.5 - 0.5 * reliefSquareness() : 1.0;
 #ifdef RELIEF_RIM
-  yielding += 0.25; // behind what was seen
+  yielding += 0.25; // behind captured surfaces
 #endif
   point += 0.45 * yielding * normalize(reliefEye.xyz - point * reliefEye.w);
 #endif

@@ -1,13 +1,13 @@
-// Which points where a ray meets the surface are seen.
+// Selects the visible intersections of a ray and the surface.
 bool reliefHit = false;
-bvec2 reliefSeen = bvec2(true); // whether hits of the front and of the back count
-int reliefToPass; // hits
-float reliefPassed = -1e30; // the last one, which two quads may have on their border
+bvec2 reliefSeen = bvec2(true); // whether hits of the front and of the back are visible
+int reliefToPass; // number of hits to skip
+float reliefPassed = -1e30; // the last hit, which two quads may share on their border
 
-// So that what lies on a border is on both sides of it.
+// The tolerance includes the border in both adjacent quads.
 const float reliefTolerance = 1e-3;
 
-// Takes a hit at a distance after `start`, if it is one.
+// Accept an intersection at a distance after `start`, if it is valid.
 bool reliefTake(float distance, float slope, float start, float end)
 {
   if (!(distance >= -reliefTolerance && start + distance <= end + reliefTolerance &&

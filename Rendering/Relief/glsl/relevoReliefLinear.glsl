@@ -1,4 +1,5 @@
-// Where a ray meets the surface of a tile: steps of less than a texel. What is thinner may be missed.
+// Intersects a ray with the surface of a tile, in steps of less than a texel. Thinner features may
+// be missed.
 bool reliefMeetTileLinearly()
 {
   float size = reliefRange.y - reliefRange.x;

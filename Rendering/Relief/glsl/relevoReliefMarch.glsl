@@ -1,6 +1,7 @@
-// Where a ray meets the surface of a tile: cell by cell, by least and largest heights (A. Tevs, I.
-// Ihrke, H.-P. Seidel, "Maximum Mipmaps for Fast, Accurate, and Scalable Dynamic Height Field
-// Rendering", 2008), then quad by quad, where the surface is bilinear: an equation of degree 2.
+// Intersects a ray with the surface of a tile. Cells are traversed by their smallest and largest
+// heights (A. Tevs, I. Ihrke, H.-P. Seidel, "Maximum Mipmaps for Fast, Accurate, and Scalable
+// Dynamic Height Field Rendering", 2008), then quads. The intersection with a bilinear quad is a
+// quadratic equation.
 uniform samplerBuffer reliefRanges;
 
 bool reliefMeetQuad(ivec2 quad, float start, float end)
@@ -39,7 +40,7 @@ bool reliefMeetQuad(ivec2 quad, float start, float end)
   return far > near && reliefTake(far, 2.0 * a * far + b, start, end);
 }
 
-// Walks through squares of a grid: where the ray leaves the one it is in, and which is next.
+// Traverses the squares of a grid: where the ray leaves the current square, and which is next.
 struct ReliefWalk
 {
   ivec2 Square;
@@ -99,7 +100,7 @@ bool reliefMeetTile()
     float exit = min(min(walk.Next.x, walk.Next.y), reliefRange.y);
     int index = (reliefTile.x * cells + walk.Square.y) * cells + walk.Square.x;
     vec2 heights = texelFetch(reliefRanges, index).rg + vec2(-reliefTolerance, reliefTolerance);
-    // Where the ray is between the cell's least and largest height.
+    // The segment of the ray between the cell's smallest and largest height.
     vec2 ends = (heights - reliefOrigin.z) * reliefInverse().z;
     float enter = max(min(ends.x, ends.y), start);
     float leave = min(max(ends.x, ends.y), max(exit, start));

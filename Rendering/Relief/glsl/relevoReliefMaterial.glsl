@@ -1,4 +1,4 @@
-// Colour and normal of a point of a tile.
+// The colour and normal of a point of a tile.
 uniform sampler2D reliefColors;
 uniform sampler2D reliefNormals;
 uniform mat4 reliefPlaneToView;
@@ -26,7 +26,7 @@ vec4 reliefColor()
 }
 
 #ifdef RELIEF_NORMALS
-// See ReliefTiles.cxx.
+// The encoding is that of ReliefTiles.cxx.
 vec3 reliefNormalOfTexel(ivec2 quad, ivec2 offset)
 {
   vec2 folded = 2.0 * texelFetch(reliefNormals, reliefTile.yz + quad + offset, 0).rg - 1.0;
@@ -37,7 +37,7 @@ vec3 reliefNormalOfTexel(ivec2 quad, ivec2 offset)
 }
 #endif
 
-// In view coordinates, on the side that is seen.
+// Return the normal in view coordinates, on the visible side.
 vec3 reliefNormal()
 {
   ivec2 quad = clamp(ivec2(floor(reliefPlace)), 0, RELIEF_SIZE - 1);

@@ -1,4 +1,4 @@
-// A point of a triangle of a pattern, where the surface is there.
+// A point of a pattern's triangle, discarded where the surface is open.
 flat in vec4 reliefPlaceVSOutput;
 flat in ivec4 reliefTileVSOutput;
 in vec3 reliefVertexVSOutput;

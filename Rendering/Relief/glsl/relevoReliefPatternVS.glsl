@@ -1,6 +1,6 @@
 // A vertex of a pattern on half of a tile, at the height of its texels.
 uniform samplerBuffer reliefPlaces;
-uniform samplerBuffer reliefVertices;   // of patterns: weights of the corners
+uniform samplerBuffer reliefVertices;   // weights of the corners of patterns
 uniform usamplerBuffer reliefInstances; // tile << 4 | half << 3 | permutation of the corners
 uniform int reliefFirstInstance;
 uniform int reliefTilesPerRow;
@@ -11,7 +11,7 @@ flat out vec4 reliefPlaceVSOutput;
 flat out ivec4 reliefTileVSOutput;
 out vec3 reliefVertexVSOutput; // in quads from the tile's corner, and the height
 
-// The corners of a half, from the one that both halves have first.
+// Return the corners of a half, starting with the first corner of both halves.
 vec2 reliefCorner(int part, int corner)
 {
   return float(RELIEF_SIZE) *
@@ -38,7 +38,7 @@ vec4 reliefPatternPosition()
   ivec2 quad = min(ivec2(place), RELIEF_SIZE - 1);
   ivec2 texel = reliefTileVSOutput.yz + quad;
   vec2 share = place - vec2(quad);
-  // On a whole position to the bit what the texel has, as in the tile beside.
+  // At a whole position, the height is exactly that of the texel, as in the adjacent tile.
   float height = mix(mix(texelFetch(reliefHeights, texel, 0).r,
                        texelFetch(reliefHeights, texel + ivec2(1, 0), 0).r, share.x),
     mix(texelFetch(reliefHeights, texel + ivec2(0, 1), 0).r,

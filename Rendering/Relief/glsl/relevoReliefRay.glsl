@@ -1,4 +1,4 @@
-// A pixel's ray in a tile's coordinates: all tiles of a relief have the same ray, to the bit.
+// A pixel's ray in coordinates of the tiles. It is bit-identical for all tiles of a relief.
 uniform vec4 reliefRayBase;
 uniform vec4 reliefRayX;
 uniform vec4 reliefRayY;
@@ -7,7 +7,8 @@ uniform vec4 reliefViewport; // x, y, width, height in pixels
 flat in vec4 reliefPlaceVSOutput;
 flat in ivec4 reliefTileVSOutput;
 
-// A line through two points by its direction and moment: neither may be too far away for it.
+// Compute the line through two points from its direction and moment. Distant points would lose
+// precision.
 void reliefFindRay()
 {
   vec2 place = 2.0 * (gl_FragCoord.xy - reliefViewport.xy) / reliefViewport.zw - 1.0;
@@ -18,7 +19,7 @@ void reliefFindRay()
   reliefDirection = normalize(direction);
 }
 
-// The positive side stays.
+// Clip the ray; the positive side is kept.
 void reliefCut(vec4 plane)
 {
   float value = dot(plane.xyz, reliefOrigin) + plane.w;

@@ -1,8 +1,8 @@
-// Where a ray meets the surface of a tile between two points, by interpolated heights: bisection (F.
-// Policarpo, M. Oliveira, J. Comba, "Real-Time Relief Mapping on Arbitrary Polygonal Surfaces",
-// 2005), or the secant.
+// Refines the intersection of a ray and the surface of a tile between two points, by interpolated
+// heights, with bisection (F. Policarpo, M. Oliveira, J. Comba, "Real-Time Relief Mapping on
+// Arbitrary Polygonal Surfaces", 2005) or the secant method.
 
-// How far a point of the ray is below the surface, as the relief's viewer has it.
+// Return how far a point of the ray is below the surface, as seen by the relief's viewer.
 float reliefHeightBelow(float distance)
 {
   vec3 point = reliefOrigin + distance * reliefDirection;
@@ -11,7 +11,7 @@ float reliefHeightBelow(float distance)
   return point.z - textureLod(reliefHeights, (vec2(reliefTile.yz) + place + 0.5) / size, 0.0).r;
 }
 
-// Between a point before the surface and one behind it, or the other way round.
+// Search between a point in front of the surface and one behind it, in either order.
 bool reliefRefine(float before, float after, float first, float second)
 {
   float slope = second - first;

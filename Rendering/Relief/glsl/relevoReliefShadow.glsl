@@ -1,12 +1,12 @@
-// Whether the way from a point of the surface to the first lamp is free: through the squares that
-// tiles may be in, one after the other.
-uniform isamplerBuffer reliefTileGrid; // numbers of tiles, or -1
+// Tests whether the first light is visible from a point of the surface, by traversing the squares
+// of the grid of tiles.
+uniform isamplerBuffer reliefTileGrid; // indices of tiles, or -1
 uniform samplerBuffer reliefPlaces;
 uniform int reliefTilesPerRow;
-uniform vec4 reliefGrid; // first column and row, squares along rows and columns
-uniform vec4 reliefLamp; // or the direction to it
+uniform vec4 reliefGrid; // first column and row, numbers of squares along rows and columns
+uniform vec4 reliefLamp; // position of the light, or direction to it
 
-// Not the surface that the point is on.
+// The start is offset so that the point's own surface is not hit.
 const float reliefShadowStart = 0.25;
 
 bool reliefIsTileInTheWay(ivec2 square, float start, float end)
@@ -52,7 +52,7 @@ bool reliefIsInTheWay(float most)
   return false;
 }
 
-// The share of the first lamp's light; what the fragment shows stays as it was.
+// Return the fraction of the first light that is visible. The fragment's point does not change.
 float reliefLight()
 {
   vec3 point = reliefPoint;

@@ -1,11 +1,11 @@
-// The heights of a tile and where it has quads; what all ways to draw share.
+// The heights and quads of a tile; shared by all methods.
 uniform usamplerBuffer reliefQuads;
 uniform sampler2D reliefHeights;
 
-vec4 reliefBox;   // of the tile that is drawn: first column and row, least and largest height
-ivec4 reliefTile; // its number, its texels in the textures, how many hits to pass
+vec4 reliefBox;   // of the current tile: first column and row, smallest and largest height
+ivec4 reliefTile; // index of the tile, its texels in the textures, number of hits to skip
 
-vec2 reliefPlace; // of the point, in quads from the tile's corner
+vec2 reliefPlace; // the point, in quads from the tile's corner
 
 vec4 reliefCorners(ivec2 quad)
 {
@@ -27,7 +27,7 @@ bool reliefIsQuad(ivec2 quad)
   return ((rows >> uint((quad.y % 2) * RELIEF_SIZE + quad.x)) & 1u) != 0u;
 }
 
-// Of a quad's height along columns and rows.
+// Return the derivatives of a quad's height along columns and rows.
 vec2 reliefSlopes(vec4 h, vec2 place)
 {
   return vec2(mix(h.y - h.x, h.w - h.z, place.y), mix(h.z - h.x, h.w - h.y, place.x));

@@ -1,4 +1,4 @@
-// A pixel's ray through a tile.
+// Traces a pixel's ray through a tile.
 bool reliefFind()
 {
   reliefBox = reliefPlaceVSOutput;

@@ -1,16 +1,16 @@
-// The box of a tile, or nothing of it on the sides that the eye does not see: where the eye is
-// inside, on all sides.
+// The faces of a tile's box that the camera sees; all faces if the camera is inside the box.
 uniform samplerBuffer reliefPlaces;
 uniform int reliefTilesPerRow;
-uniform int reliefLayers; // how many hits of a tile and a ray are drawn
+uniform int reliefLayers; // number of hits drawn per tile and ray
 uniform mat4 reliefToClip;
 uniform vec4 reliefEye;
 uniform vec4 reliefViewport;
 
-flat out vec4 reliefPlaceVSOutput; // first column and row, least and largest height
-flat out ivec4 reliefTileVSOutput; // its number, its texels in the textures, how many hits to pass
+flat out vec4 reliefPlaceVSOutput; // first column and row, smallest and largest height
+// index of the tile, its texels in the textures, number of hits to skip
+flat out ivec4 reliefTileVSOutput;
 
-// Rays that meet a border, but for rounding, are rays of both tiles.
+// The margin makes rays that hit a border, up to rounding, rays of both tiles.
 const float reliefMargin = 0.01;
 
 vec4 reliefBoxPosition()
@@ -31,7 +31,7 @@ vec4 reliefBoxPosition()
   bool isInside = !any(lowSeen) && !any(highSeen);
   if (!isInside && !(isHigh ? highSeen : lowSeen)[axis])
   {
-    return vec4(0.0, 0.0, 0.0, 1.0); // a triangle without area
+    return vec4(0.0, 0.0, 0.0, 1.0); // a degenerate triangle
   }
   int corner = gl_VertexID % 6;
   bvec2 far = bvec2(corner == 1 || corner == 2 || corner == 4, corner == 2 || corner >= 4);
@@ -39,7 +39,7 @@ vec4 reliefBoxPosition()
                                                           : bvec3(far, isHigh);
   vec4 position = reliefToClip * vec4(mix(low, high, vec3(ends)), 1.0);
 
-  // Wider than what OpenGL rounds positions to.
+  // The box is enlarged by more than OpenGL's rounding of positions.
   vec4 middle = reliefToClip * vec4(0.5 * (low + high), 1.0);
   if (position.w > 0.0 && middle.w > 0.0)
   {

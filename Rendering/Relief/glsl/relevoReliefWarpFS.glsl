@@ -1,12 +1,13 @@
-// A pixel of the relief's plane, and where the point lies that is seen through it.
+// A pixel of the relief's plane, and the point that is visible through it.
 uniform sampler2D warpedHeights; // 1e30 for none
 uniform sampler2D warpedColors;
 uniform sampler2D warpedNormals;
-uniform vec4 warpCoefficients; // k1, k2, k3 for heights of the tiles' coordinates, and the plane's
+// k1, k2, k3 for heights in coordinates of the tiles, and the height of the plane
+uniform vec4 warpCoefficients;
 in vec2 warpedPlaceVSOutput;
 
 bool reliefIsInside = true;
-vec4 warpedWeights; // of the texels around
+vec4 warpedWeights; // weights of the texels around
 ivec2 warpedTexel;
 
 void reliefCut(vec4 plane)
@@ -19,7 +20,7 @@ ivec2 warpedAt(ivec2 offset)
   return clamp(warpedTexel + offset, ivec2(0), textureSize(warpedHeights, 0) - 1);
 }
 
-// Texels of the surface that the nearest is on are mixed, if there are.
+// If several texels are on the same surface as the nearest one, they are interpolated.
 bool warpedFind()
 {
   warpedTexel = ivec2(floor(warpedPlaceVSOutput));

@@ -14,7 +14,7 @@ vec3 reliefNormal()
 }
 #endif
 
-vec3 warpedPlane; // perpendicular to the surface in the tiles' coordinates
+vec3 warpedPlane; // normal of the surface, in coordinates of the tiles
 
 float reliefSquareness()
 {

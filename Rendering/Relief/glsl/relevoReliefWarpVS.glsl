@@ -1,4 +1,4 @@
-// The relief's plane, which vtkReliefWarper's picture lies on.
+// The relief's plane, with vtkReliefWarper's image.
 uniform mat4 reliefToClip;
 uniform vec4 warpCoefficients;
 uniform vec4 reliefFirstAndSize;

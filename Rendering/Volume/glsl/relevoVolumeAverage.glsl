@@ -1,4 +1,4 @@
-// Average intensity: the mean scalar by length, and the opacity of it.
+// Average intensity: the mean scalar along the ray, and its opacity.
 
 Scalars mean;
 float seenLength;

@@ -1,5 +1,5 @@
-// Where the ray enters the mesh: border faces, found in a tree of boxes. It enters through each of
-// them once, in the order of depth.
+// Finds where the ray enters the mesh: border faces in a tree of boxes. The ray enters through each
+// of them once, in the order of depth.
 
 uniform samplerBuffer borderTree;
 uniform usamplerBuffer borderFaces;
@@ -13,16 +13,17 @@ struct Entry
   Corner a;
   Corner b;
   Corner c;
-  vec3 areas; // spanned by the edges across from a, b and c
+  vec3 areas; // spanned by the edges opposite to a, b and c
 };
 
-// The places of a face's corners in what the ray sees, by the areas.
+// Interpolate the depth of a face's corners by weights.
 float interpolateDepth(Corner a, Corner b, Corner c, vec3 weights)
 {
   return dot(weights, vec3(a.at.z, b.at.z, c.at.z));
 }
 
-// Shares of the corners where the ray goes through a face; false if the ray sees it from its side.
+// Compute the weights of the corners where the ray crosses a face. Return false if the face is seen
+// edge-on.
 bool getWeights(vec3 areas, out vec3 weights)
 {
   vec3 sizes = max(areas, vec3(0.0));
@@ -38,7 +39,7 @@ bool isBefore(float depthA, int faceA, float depthB, int faceB)
 
 #if RELEVO_CURVED
 #if RELEVO_FOLDED
-// The next of the places where the ray enters through a folded face; false for none.
+// Find the next entry of the ray through a folded face. Return false if there is none.
 bool entersFold(int face, bool isQuadratic, Corner border[6], float lastDepth, int lastFace,
   out float depth)
 {
@@ -100,7 +101,7 @@ bool entersCurved(int face, uvec4 words, float lastDepth, int lastFace, inout En
 }
 #endif
 
-// Whether the ray enters through a face; the first time after another entry, if it does repeatedly.
+// Return whether the ray enters through a face, and compute the first entry after the given one.
 bool enters(int face, float lastDepth, int lastFace, inout Entry entry)
 {
   uvec4 words = texelFetch(borderFaces, face);
@@ -126,7 +127,7 @@ bool enters(int face, float lastDepth, int lastFace, inout Entry entry)
   return true;
 }
 
-// The next entry after another one, and not behind the end.
+// Find the next entry after the given one, up to the end.
 bool findEntry(float end, inout Entry entry)
 {
   vec3 way = mix(rayDirection, vec3(1e-20), lessThan(abs(rayDirection), vec3(1e-20)));
@@ -165,11 +166,12 @@ bool findEntry(float end, inout Entry entry)
   return nearestFace >= 0;
 }
 
-// How many faces the ray enters through, and which one if it is one: the sum of their numbers.
+// The sum of the indices of the faces through which the ray enters, and their number. If the number
+// is one, the sum is the face.
 uniform sampler2D rayEntries;
 uniform int areEntriesKnown;
 
-// At most how many entries there are, of which the first is found.
+// Return an upper bound for the number of entries, and find the first one.
 int findFirstEntry(float end, inout Entry entry)
 {
   entry.depth = -1e30;

@@ -1,11 +1,11 @@
-// Cells that stay unsplit. Hexahedra, whose faces are bilinear; wedges and pyramids are hexahedra
-// some of whose corners are the same. Quadratic tetrahedra.
+// Unsplit cells: hexahedra with bilinear faces, and quadratic tetrahedra. Wedges and pyramids are
+// hexahedra with coincident corners.
 
 uniform usamplerBuffer curvedCells;
 uniform int numberOfTetrahedra;
 
-const int FirstBehind = 10; // word of a cell
-const uint Quadratic = 0xfffffff0u; // as its last word
+const int FirstBehind = 10; // word of a cell where the neighbours begin
+const uint Quadratic = 0xfffffff0u; // marks a quadratic tetrahedron, in the last word
 
 bool isCurvedCell(uint cell)
 {
@@ -27,8 +27,8 @@ int numberOfFaces(bool isQuadratic)
   return isQuadratic ? 4 : 6;
 }
 
-// Of a hexahedron's face four corners in turn, seen from outside; of a quadratic face three, each
-// with the middle of the edge that follows it.
+// Return the corner of a face, seen counterclockwise from outside: four for a hexahedron, or three
+// for a quadratic tetrahedron, each followed by the midpoint of the next edge.
 int cornerOfFace(bool isQuadratic, int face, int i)
 {
   const int hexahedron[24] = int[24](

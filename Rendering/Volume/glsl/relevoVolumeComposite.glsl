@@ -1,12 +1,12 @@
-// Composite and additive blending, exact: a part of the ray along which the scalars are linear is
-// cut wherever one of the functions bends.
+// Exact composite and additive blending: a segment of the ray with linear scalars is split at every
+// node of the functions.
 
 #if RELEVO_ADDITIVE
 vec4 sum;
 #endif
 
-const float PartBegin = 1e-30; // 0 is a part that is new
-const float MinimumShare = 1.0 / 64.0; // along which colours hardly change
+const float PartBegin = 1e-30; // 0 marks a new segment
+const float MinimumShare = 1.0 / 64.0; // colours hardly change within this fraction
 
 void beginRay()
 {
@@ -48,8 +48,9 @@ void beginCollecting(Scalars front)
 #endif
 }
 
-// Up to another share of the part, or where a function bends: then the curve that does, and -1 for
-// none. A part that is new may begin far from the piece: a cut at its begin goes nearer to it.
+// Find the next node of a function before the fraction `to`, and return the curve that has it, or
+// -1 if there is none. A new segment may begin far from the cached piece; a split at its begin then
+// moves to a nearer piece.
 int findCut(Scalars front, Scalars back, float from, inout float to)
 {
   int cutting = -1;
@@ -69,7 +70,7 @@ int findCut(Scalars front, Scalars back, float from, inout float to)
   return cutting;
 }
 
-// To the next piece of a curve.
+// Advance to the next piece of a curve.
 void passCut(int curve, Scalars front, Scalars back, float from)
 {
 #if RELEVO_CURVES > 0
@@ -84,10 +85,10 @@ void passCut(int curve, Scalars front, Scalars back, float from)
 }
 
 #if RELEVO_MIXED
-const float LargestMix = 1.0 / 8192.0; // by which a mixed colour may miss its line
+const float LargestMix = 1.0 / 8192.0; // allowed deviation of a mixed colour from linearity
 
-// The share of a piece along which the mixed colour of independent components, a quotient of linear
-// functions, is as good as linear.
+// Return the fraction of a piece along which the mixed colour of independent components, a quotient
+// of linear functions, is nearly linear.
 float findMixedShare(Scalars front, Scalars back, vec2 shares, vec4 first, vec4 last, float span)
 {
   vec4 middle;
@@ -99,9 +100,10 @@ float findMixedShare(Scalars front, Scalars back, vec2 shares, vec4 first, vec4 
 }
 #endif
 
-// A part of the ray, from a share of it to where a function bends or it gets deep, or to the end:
-// then true. The caller comes back for the rest, so that the rays beside it need not wait. Pieces
-// are fetched each time: software renderers keep them at a higher price.
+// Integrate a segment of the ray from the fraction `from` to the next node, to a limit of the
+// optical depth, or to the end; return true at the end. The caller repeats the call, so that
+// neighbouring rays need not wait. Pieces are fetched in each call, because caching them is slower
+// in software renderers.
 bool collect(Scalars front, Scalars back, float span, inout float from)
 {
   if (from == 0.0)

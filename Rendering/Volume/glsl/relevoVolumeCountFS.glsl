@@ -1,8 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 //RELEVO::Defines
-// How many faces the ray enters the mesh through, where all of them cannot be drawn: those ahead of
-// the eye, and one for those behind, as it may begin inside.
+// Counts the faces through which the ray enters the mesh, if they cannot all be drawn: those in
+// front of the eye, and one for those behind it, because the ray may begin inside.
 
 //RELEVO::Ray
 //RELEVO::Edges

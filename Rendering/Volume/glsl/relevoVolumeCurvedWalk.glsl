@@ -1,13 +1,14 @@
-// The walk through a cell that stays unsplit: from the face that it is entered by to the next one
-// that the ray leaves it by. Scalars along the way are those of the shape functions at both ends
-// and at two places between; a cubic through them, as they are in a parallelepiped, is shown in as
-// many linear parts as it takes.
+// Walks through an unsplit cell, from the face of entry to the next exit of the ray. Scalars along
+// the way are those of the shape functions at both ends and at two points between. A cubic
+// interpolates them, which is exact in a parallelepiped, and is drawn in as many linear segments as
+// needed.
 
 const float LargestMiss = 1.0 / 1024.0; // of the range of scalars
-// Of parameters, squared, from a straight line: less leaves scalars a cubic.
+// The squared deviation of parameters from a straight line. If it is less, scalars are treated as a
+// cubic.
 const float MinimumBend = 4e-4;
-const int MaximumHalvings = 3; // of the way through a cell whose scalars are none
-// Gradients count in the middles of parts, and light at their ends.
+const int MaximumHalvings = 3; // of the way through a cell whose scalars are not cubic
+// Gradients are evaluated at the centres of segments, and lighting at their ends.
 const float MinimumParts = RELEVO_STEEPNESS == 1 || RELEVO_LIT == 1 ? 4.0 : 1.0;
 const float MaximumParts = 16.0;
 
@@ -15,7 +16,7 @@ float curvedBegin;
 float curvedEnd;
 
 #if !RELEVO_CELL_SCALARS
-Scalars cubic[4]; // at thirds of the way
+Scalars cubic[4]; // values at thirds of the way
 
 Scalars cubicAt(float x)
 {
@@ -33,7 +34,7 @@ bool isCubic(vec3 place0, vec3 place1, vec3 place2, vec3 place3)
   return max(dot(first, first), dot(last, last)) < MinimumBend;
 }
 
-// In the middle, where it misses them about half as far as it does anywhere.
+// The error is tested at the midpoint, where it is about half of the maximum.
 bool isCubicClose(Scalars middle)
 {
   Scalars miss = abs(middle - cubicAt(0.5));
@@ -47,7 +48,7 @@ bool isCubicClose(Scalars middle)
 
 float countParts()
 {
-  // By the second derivatives at both ends; the one between is linear.
+  // The number follows from the second derivatives at both ends; they are linear in between.
   Scalars first = 9.0 * (2.0 * cubic[0] - 5.0 * cubic[1] + 4.0 * cubic[2] - cubic[3]);
   Scalars last = 9.0 * (2.0 * cubic[3] - 5.0 * cubic[2] + 4.0 * cubic[1] - cubic[0]);
   float bend = 0.0;
@@ -60,7 +61,7 @@ float countParts()
 #endif
 
 #if RELEVO_STEEPNESS
-Scalars curvedSteepness[3]; // in the middles of thirds of the way
+Scalars curvedSteepness[3]; // at the centres of thirds of the way
 
 Scalars steepnessAt(float x)
 {
@@ -88,7 +89,7 @@ vec3 fetchGradient(uint id, int material)
 }
 #endif
 
-// Newton's step to the place at a depth of the ray, for parameters with these derivatives.
+// Return Newton's step to the point at a depth of the ray, for parameters with these derivatives.
 vec3 newtonStep(float depth, vec3 place, vec3 du, vec3 dv, vec3 dw)
 {
   vec3 miss = vec3(0.0, 0.0, depth) - place;
@@ -98,22 +99,22 @@ vec3 newtonStep(float depth, vec3 place, vec3 du, vec3 dv, vec3 dw)
   return abs(move.x) + abs(move.y) + abs(move.z) < 2.0 ? move : vec3(0.0);
 }
 
-// Which of several exits comes first: one that is behind only if there is no other.
+// Return the rank of an exit; one behind the current depth is used only if there is no other.
 float rankExit(float depth)
 {
   return depth >= walkDepth - 1e-6 ? depth : 1e6 - depth;
 }
 
 #if RELEVO_FOLDED
-// Whether a place in a folded face, which it was entered through perhaps, is ahead.
+// Return whether a point in a folded face, which may be the face of entry, is ahead.
 bool isAhead(float depth)
 {
   return depth > walkDepth + 1e-6;
 }
 #endif
 
-// To the cell behind an exit. Without one, as a ray may graze a fold that only one of the cells
-// sees, back to the cell before.
+// Move to the cell behind an exit. If there is none, because the ray touches a fold that only one
+// of the cells detects, go back to the previous cell.
 void leaveTo(int exit)
 {
   uint next = exit < 0 ? Nothing : wordOfCell(walkCell, FirstBehind + exit);
@@ -151,7 +152,7 @@ void nextCurvedPart()
   Scalars front = cubicAt(first);
   Scalars back = cubicAt(last);
 #if RELEVO_INTEGRATED && !RELEVO_SURFACES
-  // The line that is as high as the cubic on average: a chord is above or below it all along.
+  // The line has the same mean as the cubic; a chord would be above or below it everywhere.
   Scalars lift = (cubicAt(0.5 * (first + last)) - 0.5 * (front + back)) * (2.0 / 3.0);
   front += lift;
   back += lift;
@@ -175,7 +176,7 @@ void nextCurvedPart()
   curvedNext += 1.0;
 }
 
-// The tetrahedron behind a face wants to know its corners.
+// The tetrahedron behind a face needs the face's corners.
 void leaveToTetrahedron(Corner a, Corner b, Corner c)
 {
   faceA = a;
@@ -190,13 +191,13 @@ void leaveToTetrahedron(Corner a, Corner b, Corner c)
 #endif
 }
 
-vec3 hexPlaces[8]; // as the ray sees them
+vec3 hexPlaces[8]; // in the ray's coordinates
 
 #define trilinear(c, p) \
   mix(mix(mix(c[0], c[1], (p).x), mix(c[3], c[2], (p).x), (p).y), \
     mix(mix(c[4], c[5], (p).x), mix(c[7], c[6], (p).x), (p).y), (p).z)
 
-// Places as polynomials: terms of 1, x, y, z, xy, yz, zx and xyz.
+// Positions as polynomials with terms 1, x, y, z, xy, yz, zx and xyz.
 vec3 hexTerms[8];
 
 void findHexTerms()
@@ -221,8 +222,8 @@ vec3 seekInHexahedron(float depth, vec3 p)
   return newtonStep(depth, place, du, dv, dw);
 }
 
-// Mostly one step suffices. Its limit is no constant, as drivers would unroll the loop and make all
-// steps always.
+// One step usually suffices. The limit is not a constant, because drivers would unroll the loop and
+// always execute all steps.
 vec3 parametersInHexahedron(float depth, vec3 p)
 {
   for (int i = 0; i < min(3, maximumSteps); ++i)
@@ -231,13 +232,13 @@ vec3 parametersInHexahedron(float depth, vec3 p)
     p += move;
     if (dot(move, move) < 1e-4)
     {
-      break; // which leaves 1e-4 of it
+      break; // the remaining error is 1e-4 of it
     }
   }
   return clamp(p, vec3(0.0), vec3(1.0));
 }
 
-// Faces 0 and 1 are where the first parameter is 0 and 1, and so on.
+// Faces 0 and 1 are at the first parameter 0 and 1, and so on.
 void getHexFace(int face, out vec3 p0, out vec3 p1, out vec3 p2, out vec3 p3)
 {
   bool high = face % 2 == 1;
@@ -268,10 +269,11 @@ vec3 parametersOnHexFace(int face, vec2 at)
 }
 
 #if RELEVO_PYRAMIDS
-const float ThickestSpan = 1.5; // from one distance of the top to the other
+const float ThickestSpan = 1.5; // ratio of the distances from the apex at both ends
 const float NearTop = 1.0 / 128.0;
 
-// A line from the top through the place meets the base. The third parameter is 1 at the top.
+// The line from the apex through the point intersects the base. The third parameter is 1 at the
+// apex.
 vec3 parametersInPyramid(float depth)
 {
   vec3 from = vec3(0.0, 0.0, depth) - hexPlaces[4];
@@ -296,7 +298,8 @@ vec3 parametersInPyramid(float depth)
   return vec3(at, clamp(1.0 - dot(from, end) / dot(end, end), 0.0, 1.0));
 }
 
-// Scalars change with one over the distance of the top: where that grows much, a cubic does not do.
+// Scalars depend on the inverse distance from the apex. A cubic is not sufficient if that varies
+// much.
 float findPyramidSpan(float entered, float left, float end)
 {
   float first = 1.0 - entered;
@@ -308,10 +311,11 @@ float findPyramidSpan(float entered, float left, float end)
 }
 #endif
 
-const float MinimumAside = 0.501; // share of a face from its middle
+const float MinimumAside = 0.501; // parameter distance from the centre of a face
 
-// Where the ray goes through a face: the depth, and the parameters there. A ray that sees a face from
-// its side is in both cells: it goes on in the next one at once, and parameters mean nothing.
+// Intersect the ray with a face: return the depth, and set the parameters there. If a face is seen
+// edge-on, the ray is in both cells: it continues in the next cell at once, and the parameters are
+// not used.
 float crossHexFace(int face, out vec3 parameters, out bool isAside)
 {
   vec3 p0;
@@ -326,7 +330,7 @@ float crossHexFace(int face, out vec3 parameters, out bool isAside)
   return isAside ? walkDepth : mix(mix(p0.z, p1.z, at.x), mix(p3.z, p2.z, at.x), at.y);
 }
 
-// Bit by bit the faces that the ray leaves by, and those that it enters by.
+// Return two bit masks: the faces through which the ray leaves, and those through which it enters.
 ivec2 windHexahedron(uint ids[8])
 {
 #define passes(a, b) passesOf(Corner(ids[a], hexPlaces[a]), Corner(ids[b], hexPlaces[b]))
@@ -343,14 +347,14 @@ ivec2 windHexahedron(uint ids[8])
     entered.x + entered.y + entered.z + entered.w + (ends.x < 0 ? 16 : 0) + (ends.y < 0 ? 32 : 0));
 }
 
-// The number of the highest bit that is set; -1 for none.
+// Return the index of the highest bit that is set; -1 if there is none.
 int highestBit(int bits)
 {
   return bits >= 32 ? 5 : bits >= 16 ? 4 : bits >= 8 ? 3 : bits >= 4 ? 2 : bits >= 2 ? 1 : bits - 1;
 }
 
 #if RELEVO_FOLDED
-// Bit by bit the faces that may go around the ray, as a folded one does.
+// Return a bit mask of the faces that may wind around the ray, such as folded ones.
 int findAround()
 {
   int around = 0;
@@ -395,7 +399,7 @@ void crossHexahedron()
   vec3 leftAt = vec3(0.5);
   vec3 enteredAt = vec3(0.5);
   bool isEnteredAside = false;
-  // Mostly one of each; a cell that is not convex may be left several times.
+  // Usually there is one of each. A cell that is not convex may have several exits.
   while (faces.x + faces.y > 0)
   {
     bool isExit = faces.x > 0;
@@ -429,7 +433,7 @@ void crossHexahedron()
     vec3 p3;
     getHexFace(face, p0, p1, p2, p3);
     foldBilinear(p0.xy, p1.xy, p2.xy, p3.xy);
-    // The corners of these are in turn as seen from outside.
+    // The corners of these faces are counterclockwise seen from outside.
     float way = face == 1 || face == 2 || face == 5 ? 1.0 : -1.0;
     for (int i = 0; i < foldCount; ++i)
     {
@@ -477,7 +481,7 @@ void crossHexahedron()
   cubic[0] = trilinear(corners, enteredAt);
   vec3 one;
   vec3 two;
-  // Of a cell with flat faces they are a cubic, or nearly so.
+  // In a cell with flat faces, they are a cubic or nearly so.
   for (int i = 0; i < (RELEVO_FOLDED == 1 ? min(MaximumHalvings, maximumSteps) : 1); ++i)
   {
     one = seekInside(mix(walkDepth, to, 1.0 / 3.0), mix(enteredAt, leftAt, 1.0 / 3.0));
@@ -540,13 +544,13 @@ void crossHexahedron()
   isWithinCell = to < end;
   if (isWithinCell)
   {
-    return; // the rest of the cell is next
+    return; // the rest of the cell follows
   }
 #endif
   leaveTo(exit);
   if (walkCell != Nothing && !isCurvedCell(walkCell))
   {
-    // Of the four corners two are one.
+    // Two of the four corners may coincide.
     ivec4 face = ivec4(cornerOfFace(false, exit, 0), cornerOfFace(false, exit, 1),
       cornerOfFace(false, exit, 2), cornerOfFace(false, exit, 3));
     bool isFirstTwice = ids[face.x] == ids[face.y] || ids[face.x] == ids[face.w];
@@ -560,9 +564,10 @@ void crossHexahedron()
 }
 
 #if RELEVO_QUADRATIC
-vec3 quadraticPlaces[10]; // as the ray sees them
+vec3 quadraticPlaces[10]; // in the ray's coordinates
 
-// Barycentric coordinates b, of corners 0 to 3; 4 to 9 are between 01, 12, 20, 03, 13 and 23.
+// b are barycentric coordinates of corners 0 to 3; points 4 to 9 are on the edges 01, 12, 20, 03,
+// 13 and 23.
 #define quadratic(c, b) \
   ((b).x * (2.0 * (b).x - 1.0) * c[0] + (b).y * (2.0 * (b).y - 1.0) * c[1] + \
     (b).z * (2.0 * (b).z - 1.0) * c[2] + (b).w * (2.0 * (b).w - 1.0) * c[3] + \
@@ -579,7 +584,7 @@ vec3 placeInQuadratic(vec3 p)
   return quadratic(quadraticPlaces, barycentric(p));
 }
 
-// Differences are derivatives, as places are quadratic along each parameter.
+// Differences are exact derivatives, because positions are quadratic in each parameter.
 vec3 parametersInQuadratic(float depth, vec3 p)
 {
   for (int i = 0; i < 3; ++i)
@@ -594,7 +599,8 @@ vec3 parametersInQuadratic(float depth, vec3 p)
 }
 
 #if RELEVO_FOLDED
-// Whether the cell behind a folded face can be walked through: a tetrahedron has no folds.
+// Return whether the walk can continue in the cell behind a folded face; a tetrahedron has no
+// folds.
 bool leadsOn(int face)
 {
   uint next = wordOfCell(walkCell, FirstBehind + face);

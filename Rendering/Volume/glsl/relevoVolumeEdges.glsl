@@ -1,13 +1,13 @@
-// On which side of an edge, as the ray sees it, the ray is. All cells around an edge get the same
-// answer: it is computed in the order of the points' numbers, and a ray through an edge or a corner
-// counts as moved aside a little, always in the same direction.
+// Tests on which side of a projected edge the ray is. All cells around an edge get the same result:
+// it is computed in the order of the points' ids, and a ray through an edge or a corner is treated
+// as moved slightly aside, always in the same direction.
 
 uniform samplerBuffer meshPoints;
 
 struct Corner
 {
   uint id;
-  vec3 at; // as the ray sees it
+  vec3 at; // in the ray's coordinates
 };
 
 Corner getCorner(uint id)
@@ -20,7 +20,8 @@ float cross2(vec2 a, vec2 b)
   return a.x * b.y - a.y * b.x;
 }
 
-// Twice the area that the ray and the edge from a to b span: more than 0 if the ray is on the left.
+// Return twice the area spanned by the ray and the edge from a to b; it is positive if the ray is
+// on the left.
 float spannedArea(uint idA, vec2 a, uint idB, vec2 b)
 {
   return idA < idB ? cross2(a, b) : -cross2(b, a);

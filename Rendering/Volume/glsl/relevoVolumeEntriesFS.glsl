@@ -1,7 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 //RELEVO::Defines
-// Added up over all border faces: the numbers of those that the ray enters through, and how many.
+// Accumulates over all border faces: the sum of the indices of faces through which the ray enters,
+// and their number.
 
 //RELEVO::Ray
 //RELEVO::Edges
@@ -22,7 +23,7 @@ void main()
   }
   float count = 1.0;
 #if RELEVO_FOLDED
-  // Through a folded face alone.
+  // This counts entries through a folded face alone.
   Entry next = entry;
   count += enters(face, entry.depth, face, next) && entry.depth < next.depth ? 1.0 : 0.0;
 #endif

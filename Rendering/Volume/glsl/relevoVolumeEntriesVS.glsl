@@ -1,6 +1,6 @@
 //VTK::System::Dec
 //RELEVO::Defines
-// What surrounds each border face on the screen: a triangle, or a rectangle.
+// The projected outline of each border face: a triangle or a rectangle.
 
 uniform samplerBuffer meshPoints;
 uniform usamplerBuffer borderFaces;
@@ -10,29 +10,30 @@ uniform usamplerBuffer borderFaces;
 
 flat out int face;
 
-const float Sharp = 0.02; // twice the area, for the size
+const float Sharp = 0.02; // twice the area, relative to the size
 
 vec4 seePoint(uint point)
 {
   return meshToSeen * vec4(texelFetch(meshPoints, int(point)).xyz, 1.0);
 }
 
-// Too sharp or small to say how a face, or a part of it, winds.
+// Return whether a face, or a part of it, is too thin or small to determine its orientation.
 bool isUnclear(float winding)
 {
   vec2 size = high - low;
   return abs(winding) <= Sharp * (dot(size, size) + Margin);
 }
 
-// As a ray that enters sees it, triangles are in turn, and faces of cells the other way around.
+// Seen by an entering ray, triangles are counterclockwise, and faces of cells clockwise.
 bool isSeenFromInside(float winding)
 {
   return winding * determinant(meshToSeen) < 0.0 && !isUnclear(winding);
 }
 
 #if RELEVO_CURVED
-// Of a rectangle around corners, of a quadratic face Bezier points. How a bilinear face winds is
-// bilinear: if it is seen from inside at its corners, it is everywhere.
+// Return a corner of the rectangle around a face's corners, or around the Bezier points of a
+// quadratic face. The orientation of a bilinear face is bilinear: if its corners are seen from
+// inside, so is the whole face.
 vec2 getCurvedCorner(uint cell, int number, int corner)
 {
   bool isQuadratic = isQuadraticCell(cell);
@@ -60,7 +61,7 @@ vec2 getCurvedCorner(uint cell, int number, int corner)
 }
 #endif
 
-// Of a triangle's own outline.
+// Return a corner of a triangle's own outline.
 vec2 getTriangleCorner(uvec3 ids, int corner)
 {
   vec2 places[3];

@@ -1,5 +1,5 @@
-// Maximum and minimum intensity: the extreme scalar, which is at an end of a part, and the opacity
-// of it. RELEVO_SIGN is 1 for the highest, -1 for the lowest.
+// Maximum and minimum intensity: the extreme scalar, which is at an end of a segment, and its
+// opacity. RELEVO_SIGN is 1 for the maximum, -1 for the minimum.
 
 Scalars extreme;
 bool hasExtreme;
@@ -16,7 +16,7 @@ void beginRay()
 void addSample(Scalars scalars)
 {
 #if RELEVO_COMPONENTS == 1 || RELEVO_CURVES == 0 || RELEVO_DEPENDENT
-  // Of dependent components the last decides for all.
+  // The last of dependent components decides.
   bool isFarther = RELEVO_SIGN * componentOf(scalars, RELEVO_COMPONENTS - 1) >
     RELEVO_SIGN * componentOf(extreme, RELEVO_COMPONENTS - 1);
   extreme = isFarther ? scalars : extreme;

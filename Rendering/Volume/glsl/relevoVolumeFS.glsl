@@ -14,7 +14,7 @@
 //RELEVO::Part
 //RELEVO::Walk
 
-// By these names VTK's dual depth peeling asks for what lies between two depths of the window.
+// VTK's dual depth peeling requests the range between two window depths by these names.
 uniform vec2 in_inverseWindowSize;
 const float g_opacityThreshold = Opaque;
 

@@ -1,24 +1,24 @@
-// Where a ray goes through the faces of cells that stay unsplit: where a face's border, as the ray
-// sees it, goes around the ray. Both cells of a face agree on that, as for tetrahedra.
+// Intersections of a ray with the faces of unsplit cells: the ray crosses a face if the face's
+// projected border winds around it. Both cells of a face get the same result, as for tetrahedra.
 
 const float FarOutside = 1e30;
 
-// How often an edge passes from below the ray to above, on the right of it; less than 0 for the
-// other way.
+// Return how often an edge passes from below the ray to above on its right; negative for the other
+// direction.
 int passesOf(Corner a, Corner b)
 {
   bool rises = a.at.y <= 0.0 && b.at.y > 0.0;
   bool falls = a.at.y > 0.0 && b.at.y <= 0.0;
-  // As isOnLeft() says of such edges.
+  // The test is that of isOnLeft() for such edges.
   float area = spannedArea(a.id, a.at.xy, b.id, b.at.xy);
   return int(rises && area > 0.0) - int(falls && area < 0.0);
 }
 
 #if RELEVO_QUADRATIC
-// The same of a parabola, with its place in the middle.
+// Return the same for a parabola through a point in the middle.
 int passesOfCurve(Corner a, Corner middle, Corner b)
 {
-  // In the order of the points' numbers, for the same answer in all cells around.
+  // The points are used in the order of their ids, so that all adjacent cells get the same result.
   bool isTurned = b.id < a.id;
   vec2 from = isTurned ? b.at.xy : a.at.xy;
   vec2 to = isTurned ? a.at.xy : b.at.xy;
@@ -40,7 +40,7 @@ int passesOfCurve(Corner a, Corner middle, Corner b)
   }
   else if (root > 0.0 && isFirstIn && isSecondIn)
   {
-    // There and back.
+    // The parabola crosses twice.
     int away = from.y > 0.0 ? -1 : 1;
     bool isFirstBefore = first < second;
     passes = away * (int(isFirstBefore ? isRight1 : isRight2) -
@@ -50,8 +50,8 @@ int passesOfCurve(Corner a, Corner middle, Corner b)
 }
 #endif
 
-// How often the border goes around the ray, against the clock: once where the ray leaves the cell,
-// and -1 times where it enters.
+// Return the winding number of the border around the ray, counterclockwise: 1 if the ray leaves the
+// cell, -1 if it enters.
 int windingOf(Corner border[6], int size)
 {
 #if RELEVO_QUADRATIC
@@ -66,8 +66,9 @@ int windingOf(Corner border[6], int size)
     passesOf(border[2], border[3]) + passesOf(border[3], border[0]);
 }
 
-// Where the ray goes through a bilinear face: shares of its sides. `outside` is how far these are
-// from the middle: more than a half where the ray misses the face, as one that sees it from its side.
+// Intersect the ray with a bilinear face and return the parameters. `outside` is the largest
+// distance of these from the centre: more than 0.5 if the ray misses the face, for example a face
+// seen edge-on.
 vec2 crossBilinear(vec2 p0, vec2 p1, vec2 p2, vec2 p3, out float outside)
 {
   vec2 b = p1 - p0;
@@ -86,10 +87,10 @@ vec2 crossBilinear(vec2 p0, vec2 p1, vec2 p2, vec2 p3, out float outside)
     float v = i == 0 ? constant / q : q / square;
     vec2 way = b + v * d;
     float u = -dot(p0 + v * c, way) / dot(way, way);
-    // Where a side is a point, rounding may take the point for a hit.
+    // At a degenerate side, rounding may give a false hit.
     vec2 miss = p0 + v * c + u * way;
     float distance = max(abs(u - 0.5), abs(v - 0.5)) + missed * dot(miss, miss);
-    if (distance < outside) // false for what is no number
+    if (distance < outside) // false for NaN
     {
       outside = distance;
       best = vec2(u, v);
@@ -99,33 +100,33 @@ vec2 crossBilinear(vec2 p0, vec2 p1, vec2 p2, vec2 p3, out float outside)
 }
 
 #if RELEVO_FOLDED
-// Where a ray goes through a face that it sees folded, as a bulging one at its silhouette: through
-// it and back, which the face's border does not tell.
-const float MinimumFold = 1e-5; // of the face's size: less is rounding
+// Intersections with a face that is folded in projection, such as a curved face at its silhouette.
+// The ray enters and leaves through it, which the winding number does not show.
+const float MinimumFold = 1e-5; // relative to the face's size: less is rounding
 
-// Whether a face whose control points span this rectangle may go around the ray.
+// Return whether a face whose control points span this rectangle may wind around the ray.
 bool isAround(vec2 low, vec2 high)
 {
   return max(low.x, low.y) <= 0.0 && min(high.x, high.y) >= 0.0;
 }
 
 int foldCount;
-vec3 foldPlaces[4];  // shares of sides, or of the corners of a quadratic face
-float foldTurns[4]; // more than 0 where the face, corners in turn, is seen against the clock
+vec3 foldPlaces[4];  // parameters of a bilinear face, or barycentric coordinates of a quadratic one
+float foldTurns[4]; // positive if the face's corners are counterclockwise there
 
 bool isShare(float x)
 {
   return x >= -MinimumFold && x <= 1.0 + MinimumFold;
 }
 
-// Of a bilinear face whose border does not go around the ray: none, or two.
+// Find the intersections of a bilinear face whose border does not wind around the ray: none or two.
 void foldBilinear(vec2 p0, vec2 p1, vec2 p2, vec2 p3)
 {
   foldCount = 0;
   vec2 b = p1 - p0;
   vec2 c = p3 - p0;
   vec2 d = p2 - p1 - c;
-  // How the face is turned is linear in its shares.
+  // The orientation of the face is linear in its parameters.
   vec3 turn = vec3(cross2(b, c), cross2(b, d), cross2(d, c));
   float low = turn.x + min(turn.y, 0.0) + min(turn.z, 0.0);
   float high = turn.x + max(turn.y, 0.0) + max(turn.z, 0.0);
@@ -160,7 +161,8 @@ vec3 placeOnQuadratic(Corner border[6], vec3 w)
     4.0 * w.y * w.z * border[3].at + 4.0 * w.z * w.x * border[5].at;
 }
 
-// Shares of the corners of a quadratic face where the ray goes through it, by Newton's method.
+// Return the barycentric coordinates of the ray's intersection with a quadratic face, by Newton's
+// method.
 vec3 crossQuadraticFace(Corner border[6])
 {
   vec3 areas = vec3(cross2(border[2].at.xy, border[4].at.xy),
@@ -171,7 +173,7 @@ vec3 crossQuadraticFace(Corner border[6])
   for (int i = 0; i < 5; ++i)
   {
     vec2 miss = placeOnQuadratic(border, w).xy;
-    // Exact, as the face is quadratic.
+    // The differences are exact, because the face is quadratic.
     const float h = 0.25;
     vec2 du = (placeOnQuadratic(border, w + h * vec3(-1.0, 1.0, 0.0)) -
       placeOnQuadratic(border, w - h * vec3(-1.0, 1.0, 0.0))).xy / (2.0 * h);
@@ -196,8 +198,9 @@ vec3 crossQuadraticFace(Corner border[6])
 }
 
 #if RELEVO_FOLDED && RELEVO_QUADRATIC
-// Of a quadratic face, by Newton's method from places all over it. All hits are found together, or
-// none: their turns have to add up to how often the border goes around the ray.
+// Find the intersections of a quadratic face by Newton's method from start points all over it. The
+// result is all intersections or none: their orientations must add up to the winding number of the
+// border.
 void foldQuadratic(Corner border[6], int winding)
 {
   foldCount = 0;
@@ -264,7 +267,7 @@ void foldQuadratic(Corner border[6], int winding)
 }
 #endif
 
-// The cell's parameters at a place on a face.
+// Return the cell's parameters at a point of a face.
 vec3 parametersOnFace(bool isQuadratic, int face, vec3 at)
 {
   // Faces are 0 1 3, 1 2 3, 2 0 3 and 0 2 1.
@@ -289,7 +292,7 @@ float depthOnFace(bool isQuadratic, Corner border[6], vec3 at)
         at.y);
 }
 
-// Where the ray goes through a face: the depth, and the cell's parameters there.
+// Intersect the ray with a face: return the depth, and set the cell's parameters there.
 float crossFace(bool isQuadratic, int face, Corner border[6], out vec3 parameters)
 {
   float outside;

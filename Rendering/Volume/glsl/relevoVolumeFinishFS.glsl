@@ -2,7 +2,7 @@
 //VTK::Output::Dec
 #define RELEVO_FUNCTION
 //RELEVO::Defines
-// What a pixel shows, of what all cells have left there: see relevoVolumeStore.glsl.
+// Converts the data of all cells at a pixel to a colour: see relevoVolumeStore.glsl.
 
 //RELEVO::Ray
 //RELEVO::Functions

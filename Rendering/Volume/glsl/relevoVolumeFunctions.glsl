@@ -1,5 +1,5 @@
-// The transfer functions: colour and extinction of scalars, in linear pieces. What the ray has
-// collected so far is `collected`, premultiplied.
+// The transfer functions: colour and extinction of scalars, in linear pieces. `collected` is the
+// premultiplied colour that the ray has accumulated.
 
 #if RELEVO_COMPONENTS == 1
 #define Scalars float
@@ -14,8 +14,9 @@
 #define Real3 vec3
 #define Real4 vec4
 
-// A quotient of polynomials, with the right value and slopes at 0: within 1e-4 of the segment's
-// opacity up to MaximumDepth. Segments that are deeper have to be so short that colours hardly change.
+// A rational approximation with the right value and slopes at 0. Its error is at most 1e-4 of the
+// segment's opacity up to MaximumDepth. Deeper segments must be so short that colours hardly
+// change.
 const float MaximumDepth = 6.0;
 float linearSegmentPsi(float front, float back)
 {
@@ -34,7 +35,8 @@ vec4 collected = vec4(0.0);
 
 //RELEVO::Gradients
 
-// Functions that give colour and extinction; of two dependent components the second has the latter.
+// The number of functions with colour and extinction; of two dependent components the second has
+// the extinction.
 #if RELEVO_CURVES > 0
 #define RELEVO_SETS RELEVO_CURVES
 #define setComponent(scalars, i) componentOf(scalars, RELEVO_FIRST_COMPONENT + (i))
@@ -43,10 +45,10 @@ vec4 collected = vec4(0.0);
 #define setComponent(scalars, i) ((scalars).w)
 #endif
 
-uniform samplerBuffer functionPieces; // of each three texels
+uniform samplerBuffer functionPieces; // three texels each
 
-// Of pieces from a first one on, with their number less one: that which x is in; at its end, the one
-// before.
+// Return the piece that contains x, among `size` + 1 pieces from `first` on. At the end of a piece,
+// return the earlier one.
 int searchPieces(int first, int size, float x)
 {
   int low = 0;
@@ -67,12 +69,12 @@ int searchPieces(int first, int size, float x)
 }
 
 #if RELEVO_FACTORS
-float setFactors[RELEVO_SETS]; // what extinctions are multiplied by
+float setFactors[RELEVO_SETS]; // factors of the extinctions
 #endif
 
 #if RELEVO_GRADIENT_OPACITY
-uniform int gradientFirst[RELEVO_SETS]; // pieces
-uniform int gradientSizes[RELEVO_SETS]; // the number of pieces less one
+uniform int gradientFirst[RELEVO_SETS]; // first pieces
+uniform int gradientSizes[RELEVO_SETS]; // number of pieces minus one
 
 void findGradientOpacities()
 {
@@ -90,26 +92,27 @@ void findGradientOpacities()
 #endif
 
 #if RELEVO_CURVES > 0
-uniform int curveFirst[RELEVO_CURVES]; // pieces
-uniform int curveSizes[RELEVO_CURVES]; // the number of pieces less one
+uniform int curveFirst[RELEVO_CURVES]; // first pieces
+uniform int curveSizes[RELEVO_CURVES]; // number of pieces minus one
 
 struct Piece
 {
   int number;
   float begin;
   float end;
-  float inverse; // of its size; 0 for pieces without an end
+  float inverse; // inverse of the piece's size; 0 for infinite pieces
   vec4 first;
   vec4 change;
 };
 
 Piece pieces[RELEVO_CURVES];
-int pieceNumbers[RELEVO_CURVES]; // what is near to where the ray is
+int pieceNumbers[RELEVO_CURVES]; // pieces near the current position of the ray
 
 #if RELEVO_TABLES
-// 2D functions: rows of pieces one after the other, which differ in their colours alone. What is
-// looked for lies between two rows.
-uniform vec3 curveRows[RELEVO_CURVES]; // the lowest, one over their distance, the number of the last
+// 2D functions: rows of pieces one after the other, which differ only in their colours. A value is
+// interpolated between two rows.
+// lowest row, inverse of their distance, index of the last row
+uniform vec3 curveRows[RELEVO_CURVES];
 float pieceRows[RELEVO_CURVES];
 
 void findRows(Scalars steepness)
@@ -150,7 +153,7 @@ void findPiece(int curve, float scalar)
   fetchPiece(curve, pieceNumbers[curve]);
 }
 
-// Where the ray comes to scalars that may be far from those before.
+// Search the pieces for scalars that may be far from the previous ones.
 void seekScalars(Scalars scalars)
 {
   for (int i = 0; i < RELEVO_CURVES && RELEVO_INTEGRATED != 0; ++i)
@@ -165,7 +168,7 @@ vec4 evaluatePiece(int curve, float scalar)
   return piece.first + clamp((scalar - piece.begin) * piece.inverse, 0.0, 1.0) * piece.change;
 }
 #else
-// Scalars are the colours: scalar = scalarLow + scalarSize * what the mesh has, and the extinction
+// Scalars are the colours: scalar = scalarLow + scalarSize * the mesh's scalar, and the extinction
 // per unit distance.
 uniform vec4 scalarLow;
 uniform vec4 scalarSize;
@@ -180,7 +183,8 @@ vec4 getColors(vec4 scalars)
 }
 #endif
 
-// Straight colour and extinction of one of the functions, at a share of the part.
+// Return the straight colour and the extinction of one of the functions at a fraction of the
+// segment.
 vec4 evaluateSet(int i, Scalars scalars, float share)
 {
 #if RELEVO_CURVES > 0
@@ -197,7 +201,7 @@ vec4 evaluateSet(int i, Scalars scalars, float share)
   return value;
 }
 
-// Straight colours and extinctions at two shares of a part between which no piece ends.
+// Compute straight colours and extinctions at two fractions of a segment within a piece.
 void evaluateEnds(Scalars front, Scalars back, vec2 shares, out vec4 first, out vec4 last)
 {
   Scalars a = mix(front, back, shares.x);
@@ -206,7 +210,7 @@ void evaluateEnds(Scalars front, Scalars back, vec2 shares, out vec4 first, out 
   first = evaluateSet(0, a, shares.x);
   last = evaluateSet(0, b, shares.y);
 #elif RELEVO_DEPENDENT
-  // Colours have no extinction there, and opacities no colour.
+  // Colour functions have no extinction here, and opacity functions no colour.
   first = evaluateSet(0, a, shares.x) + evaluateSet(1, a, shares.x);
   last = evaluateSet(0, b, shares.y) + evaluateSet(1, b, shares.y);
 #else
@@ -221,7 +225,7 @@ void evaluateEnds(Scalars front, Scalars back, vec2 shares, out vec4 first, out 
     first.w += firsts[i].w;
     last.w += lasts[i].w;
   }
-  // Where there is no extinction, colours mix as next to there.
+  // Where there is no extinction, the mixed colour is continued from the other end.
   for (int i = 0; i < RELEVO_CURVES; ++i)
   {
     float shareFirst = first.w > 0.0 ? firsts[i].w / first.w : lasts[i].w / max(last.w, 1e-37);
@@ -235,7 +239,7 @@ void evaluateEnds(Scalars front, Scalars back, vec2 shares, out vec4 first, out 
 uniform float unitDistances[RELEVO_SETS];
 
 #if RELEVO_MAPPED
-// Straight colour and opacity, whatever the length.
+// Return the straight colour and the opacity, independently of the length.
 vec4 mapScalars(Scalars scalars)
 {
   for (int i = 0; i < RELEVO_SETS; ++i)

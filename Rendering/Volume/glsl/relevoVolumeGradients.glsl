@@ -1,5 +1,5 @@
-// What is asked of a part of the ray beyond its scalars: where it is, how steep they are there, and
-// what light does to its colours. Gradients are of scalars from 0 to 1 by radii of the mesh.
+// Positions, gradients and lighting of a segment of the ray. Gradients are of scalars from 0 to 1
+// per radius of the mesh.
 
 #if RELEVO_LIT || RELEVO_SURFACES
 vec2 partDepths;
@@ -10,18 +10,19 @@ uniform mat3 gradientToWorld;
 #endif
 
 #if RELEVO_TABLES || RELEVO_GRADIENT_OPACITY
-Scalars partSteepness = Scalars(0.0); // lengths of the cell's gradients
+Scalars partSteepness = Scalars(0.0); // magnitudes of the cell's gradients
 #endif
 
 #if RELEVO_STEEPNESS
-// Of a gradient as the ray sees it.
+// Return the magnitude of a gradient in the ray's coordinates.
 float getSteepness(vec3 gradient)
 {
   return length(
     gradientToWorld * (gradient.x * rayU + gradient.y * rayV + gradient.z * rayDirection));
 }
 
-// In a tetrahedron, by three corners and their scalars, less those of the fourth.
+// Compute the gradient magnitudes in a tetrahedron from three corners and their scalars, relative
+// to the fourth.
 void setSteepness(vec3 a, vec3 b, vec3 c, Scalars scalarsA, Scalars scalarsB, Scalars scalarsC)
 {
   vec3 slopeA = cross(b, c);
@@ -42,19 +43,20 @@ void setSteepness(vec3 a, vec3 b, vec3 c, Scalars scalarsA, Scalars scalarsB, Sc
 #if RELEVO_LIT
 //RELEVO::Shading
 
-uniform samplerBuffer pointGradients; // of each point those of all components
+uniform samplerBuffer pointGradients; // gradients of all components at each point
 uniform vec4 materials[RELEVO_MATERIALS]; // ambient, diffuse, specular, specular power
 #if RELEVO_LIGHTS > 0
-uniform vec4 lightPlaces[RELEVO_LIGHTS]; // in the mesh, then w is 1; or the direction in the world
+// position in the mesh with w = 1, or direction in world coordinates
+uniform vec4 lightPlaces[RELEVO_LIGHTS];
 uniform vec3 lightDiffuse[RELEVO_LIGHTS];
 uniform vec3 lightSpecular[RELEVO_LIGHTS];
 #endif
 
-vec3 walkGradients[RELEVO_MATERIALS]; // where the walk is
+vec3 walkGradients[RELEVO_MATERIALS]; // at the position of the walk
 vec3 partFrontGradients[RELEVO_MATERIALS];
 vec3 partBackGradients[RELEVO_MATERIALS];
 
-// What colours are multiplied by, and what is added.
+// The factor and the summand for colours.
 struct Light
 {
   vec3 factor;
@@ -63,7 +65,7 @@ struct Light
 Light partFrontLights[RELEVO_MATERIALS];
 Light partBackLights[RELEVO_MATERIALS];
 
-// In a face.
+// Interpolate the gradients in a face.
 void walkToGradients(uvec3 ids, vec3 weights)
 {
   for (int i = 0; i < RELEVO_MATERIALS; ++i)
@@ -75,7 +77,7 @@ void walkToGradients(uvec3 ids, vec3 weights)
   }
 }
 
-// Of a way between two depths, of which the part need not be all.
+// Set the gradients of the segment, which may be shorter than the interval between the two depths.
 void setPartGradients(float begin, float end, vec3 front[RELEVO_MATERIALS])
 {
   vec2 shares = clamp((partDepths - vec2(begin)) / (end - begin), 0.0, 1.0);
@@ -92,7 +94,7 @@ Light getLight(int i, vec3 gradient, float depth)
   float steepness = length(normal);
   if (!(steepness > 0.0))
   {
-    return Light(vec3(1.0), vec3(0.0)); // as volumeLight() does
+    return Light(vec3(1.0), vec3(0.0)); // the same as in volumeLight()
   }
   Light light = Light(vec3(materials[i].x), vec3(0.0));
 #if RELEVO_LIGHTS > 0
@@ -111,7 +113,7 @@ Light getLight(int i, vec3 gradient, float depth)
   return light;
 }
 
-// At both ends of the part.
+// Compute the lighting at both ends of the segment.
 void findLights()
 {
   for (int i = 0; i < RELEVO_MATERIALS; ++i)
@@ -121,7 +123,7 @@ void findLights()
   }
 }
 
-// The colour that one of the functions gives, at a share of the part.
+// Return the lit colour of one of the functions at a fraction of the segment.
 vec3 lightenSet(int i, vec3 color, float share)
 {
   return i < RELEVO_MATERIALS

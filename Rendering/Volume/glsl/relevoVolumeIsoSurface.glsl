@@ -1,4 +1,4 @@
-// Isosurfaces alone, front to back.
+// Composites isosurfaces alone, front to back.
 
 void beginRay()
 {

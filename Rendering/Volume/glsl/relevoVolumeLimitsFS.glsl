@@ -1,8 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 //RELEVO::Defines
-// What all cells that a ray passes through ask of it: the depths between which it is seen, and the
-// world's length of a depth of 1.
+// The data of a ray that all cells use: the visible range of depths, and the world length of a unit
+// of depth.
 
 //RELEVO::Ray
 #define Scalars float

@@ -1,10 +1,10 @@
-// What surrounds places on the screen, in pixels: a little wider than it has to be, as which pixels'
-// rays go through it is for the fragment shader to say.
+// Outlines of projected cells and faces, in pixels. They are slightly enlarged, because the
+// fragment shader decides which rays hit.
 
-uniform mat4 meshToSeen; // x and y in pixels, times weight; depth along rays, as a share; and weight
+uniform mat4 meshToSeen; // x and y in pixels, times weight; depth along rays, as a fraction; weight
 uniform vec4 viewportRectangle;
 
-const float Margin = 0.03; // more than rasterizers round
+const float Margin = 0.03; // more than the rounding of rasterizers
 const float SharpestCorner = 0.02; // as 1 + the cosine of the angle between normals
 const vec2 Unseen = vec2(-10.0);
 
@@ -26,7 +26,7 @@ vec2 getRectangleCorner(int corner, float margin)
                             isUpper ? high.y + margin : low.y - margin);
 }
 
-// Twice the area of a triangle; more than 0 if its corners are in turn.
+// Return twice the area of a triangle; it is positive for counterclockwise corners.
 float windingOf(vec2 a, vec2 b, vec2 c)
 {
   vec2 u = b - a;
@@ -40,7 +40,7 @@ vec2 direct(vec2 edge)
   return size > 0.0 ? edge / size : vec2(0.0);
 }
 
-// A corner of an outline, moved outwards together with its edges.
+// Return a corner of an outline, moved outwards together with its edges.
 vec2 widen(vec2 before, vec2 corner, vec2 after, float winding)
 {
   vec2 a = direct(corner - before);

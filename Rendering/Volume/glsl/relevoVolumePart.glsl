@@ -1,13 +1,13 @@
-// The part of a ray inside a cell, as far as it is seen.
+// The visible segment of a ray inside a cell.
 
-const float Opaque = 0.999; // what is behind is not seen
+const float Opaque = 0.999; // surfaces behind are not visible
 
-float walkBegin; // depths between which the ray is seen
+float walkBegin; // begin of the visible range of depths
 float walkEnd;
-float walkDone; // up to here it has been seen
+float walkDone; // depth up to which the ray has been processed
 
 #if RELEVO_CLIPPED
-// Of each the normal, in the mesh, and how high above the plane the mesh's middle is.
+// The normals of the planes in the mesh, and the heights of the mesh's centre above them.
 uniform vec4 clippingPlanes[RELEVO_MOST_PLANES];
 uniform int numberOfClippingPlanes;
 
@@ -34,7 +34,7 @@ void clipRay()
 }
 #endif
 
-// What is seen of the ray: between two depths of the window, from 0 to 1.
+// Set the visible range of the ray between two window depths, from 0 to 1.
 void beginWalk(float zStart, float zEnd)
 {
   walkBegin = depthOfZ(2.0 * zStart + zRange.x);
@@ -45,14 +45,14 @@ void beginWalk(float zStart, float zEnd)
   walkDone = walkBegin;
 }
 
-// The part of the ray that is being looked at, and the share of it that has been collected.
+// The current segment of the ray, and the fraction that has been integrated.
 Scalars partFront;
 Scalars partBack;
 float partSpan;
 float partFrom;
 bool isPartDone;
 
-// Of a part of the ray only what has not been seen before counts.
+// Begin a segment, without the part that has been processed.
 void beginPart(float begin, float end, Scalars front, Scalars back)
 {
   float from = max(begin, walkDone);

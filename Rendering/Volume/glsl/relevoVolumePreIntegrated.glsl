@@ -3,7 +3,8 @@
 uniform float tableSize;
 
 #if RELEVO_PRE_INTEGRATED == 3
-// By the scalars at front and back and the length: what is seen, premultiplied.
+// The table over the scalars at the front and the back and the length contains premultiplied
+// colours.
 uniform sampler3D integrals;
 uniform float longestPart;
 
@@ -13,8 +14,9 @@ vec4 fetchIntegral(float front, float back, float span)
   return texture(integrals, (at * (tableSize - 1.0) + vec3(0.5)) / tableSize);
 }
 #else
-// By the scalars at front and back: the mean extinction, of which the optical depth follows
-// exactly, and the mean colour times that, which in truth depends on the length, too.
+// The table over the scalars at the front and the back contains the mean extinction, which gives
+// the exact optical depth, and the mean colour times that, which is an approximation: it also
+// depends on the length.
 //
 // S. Guthe, S. Roettger, A. Schieber, W. Strasser, T. Ertl, "High-Quality Unstructured Volume
 // Rendering on the PC Platform", Graphics Hardware 2002.
@@ -36,7 +38,7 @@ void beginRay()
   collected = vec4(0.0);
 }
 
-// Parts that are longer than the table's come in several pieces.
+// Segments longer than the table's are split.
 bool collect(float front, float back, float span, inout float from)
 {
   bool isLast = !(span * (1.0 - from) > longestPart);

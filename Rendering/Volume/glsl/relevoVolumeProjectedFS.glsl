@@ -1,6 +1,6 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// What has been drawn of a volume by itself, of as many pixels or others, into the window.
+// Draws a separate image of a volume into the window, at the same or another resolution.
 
 uniform sampler2D projected;
 uniform vec4 viewportRectangle;

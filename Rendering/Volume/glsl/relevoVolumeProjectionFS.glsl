@@ -2,11 +2,11 @@
 //VTK::Output::Dec
 #define RELEVO_FUNCTION
 //RELEVO::Defines
-// What is seen of the part of a pixel's ray that is inside a tetrahedron. The ray goes through two
-// of its faces: those whose edges, as it sees them, go around it.
+// The colour of a pixel's ray inside a tetrahedron. The ray crosses the two faces whose projected
+// edges wind around it.
 //
 // M. Weiler, M. Kraus, M. Merz, T. Ertl, "Hardware-Based View-Independent Cell Projection", IEEE
-// Transactions on Visualization and Computer Graphics 2003, with tests of edges in place of planes.
+// Transactions on Visualization and Computer Graphics 2003, with edge tests instead of planes.
 
 //RELEVO::Ray
 //RELEVO::Edges
@@ -39,7 +39,7 @@ flat in Scalars seenSteepness;
 flat in uvec4 seenIds;
 #endif
 
-uniform sampler2D rayLimits; // of relevoVolumeLimitsFS.glsl
+uniform sampler2D rayLimits; // from relevoVolumeLimitsFS.glsl
 
 Scalars getScalars(vec4 weights, float inverse)
 {
@@ -55,7 +55,7 @@ Scalars getScalars(vec4 weights, float inverse)
 #endif
 }
 
-// Across the ray, and along it.
+// Coordinates across the ray, and along it.
 vec4 cornersX;
 vec4 cornersY;
 vec4 cornersDepth;
@@ -80,7 +80,7 @@ void findCorners()
 #endif
 }
 
-// Points are in the order of their numbers.
+// The points are in the order of their ids.
 float areaOf(int a, int b, out bool left)
 {
   vec2 first = vec2(cornersX[a], cornersY[a]);
@@ -90,8 +90,8 @@ float areaOf(int a, int b, out bool left)
   return abs(area);
 }
 
-// Weights of the corners where the ray goes through two faces, and one over their sums; false if it
-// does not.
+// Compute the weights of the corners where the ray crosses two faces, and the inverses of their
+// sums. Return false if it misses.
 bool findWeights(out vec4 first, out vec4 last, out vec2 inverse)
 {
   bool left01;
@@ -122,7 +122,7 @@ bool findWeights(out vec4 first, out vec4 last, out vec2 inverse)
 }
 
 #if RELEVO_LIT
-// Where the ray goes through a face, whose corner across from it has no weight.
+// Compute the gradients where the ray crosses a face; the opposite corner has weight 0.
 void findGradients(vec4 weights)
 {
   if (weights.x == 0.0)
@@ -143,12 +143,13 @@ void findGradients(vec4 weights)
   }
 }
 
-// By the weights in both faces, and how deep they are.
+// Compute the gradients from the weights in both faces and their depths.
 void findPartGradients(vec4 one, vec4 other, vec2 depths)
 {
   initializeLine();
   findGradients(one);
-  vec3 frontGradients[RELEVO_MATERIALS]; // one by one: Mesa 26 copies arrays wrongly
+  // assigned one by one, because Mesa 26 copies arrays incorrectly
+  vec3 frontGradients[RELEVO_MATERIALS];
   for (int i = 0; i < RELEVO_MATERIALS; ++i)
   {
     frontGradients[i] = walkGradients[i];

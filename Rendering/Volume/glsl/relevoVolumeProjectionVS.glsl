@@ -2,15 +2,14 @@
 #define RELEVO_FUNCTION
 //RELEVO::Defines
 #if RELEVO_STEEPNESS
-// The mesh's own directions, in place of a ray's.
+// The axes of the mesh are used instead of a ray's.
 const vec3 rayU = vec3(1.0, 0.0, 0.0);
 const vec3 rayV = vec3(0.0, 1.0, 0.0);
 const vec3 rayDirection = vec3(0.0, 0.0, 1.0);
 #endif
 
-// For each tetrahedron, from back to front, its outline on the screen: of two triangles, and a
-// little wider than it has to be, as which pixels' rays go through it is for the fragment shader to
-// say.
+// The projected outline of each tetrahedron, from back to front. It is made of two triangles and
+// slightly enlarged, because the fragment shader decides which rays hit.
 
 uniform samplerBuffer meshPoints;
 uniform samplerBuffer pointScalars;
@@ -19,10 +18,10 @@ uniform usamplerBuffer cellCorners;
 uniform isamplerBuffer cellOrder;
 uniform vec2 zRange;
 
-// Of the four corners. Where the near plane may cut tetrahedra the first three are places in the
-// mesh: all cells get the same as their neighbours.
+// The data of the four corners. If the near plane may clip tetrahedra, the first three are
+// positions in the mesh, so that neighbouring cells get the same values.
 #if RELEVO_SEEN_PIECE
-flat out vec2 seenPiece; // number and end of the one that the lowest of the scalars is in
+flat out vec2 seenPiece; // index and end of the piece of the lowest scalar
 #endif
 flat out vec4 seenX;
 flat out vec4 seenY;
@@ -51,7 +50,7 @@ flat out Scalars seenSteepness;
 
 vec4 points[4];
 vec4 seen[4];
-vec2 places[4]; // pixels, if all are in front of the near plane
+vec2 places[4]; // in pixels, if all are in front of the near plane
 
 float windingOf(int a, int b, int c)
 {
@@ -100,7 +99,7 @@ void setCorners(int cell, uvec4 ids)
 }
 
 #if RELEVO_SEEN_PIECE || RELEVO_ISOSURFACE
-// From lowest to highest, of one component.
+// Return the lowest and highest scalar of a component.
 vec2 getScalarRange(int component)
 {
 #if RELEVO_CELL_SCALARS
@@ -118,7 +117,7 @@ vec2 getScalarRange(int component)
 #endif
 
 #if RELEVO_SEEN_PIECE
-// And whether there is anything to be seen in all of the scalars.
+// Find the piece, and return whether anything is visible in the range of the scalars.
 bool findSeen()
 {
   vec2 range = getScalarRange(0);
@@ -132,7 +131,7 @@ uniform int numberOfIsoValues;
 uniform int isoComponent;
 const float IsoMargin = 1e-5;
 
-// Whether there is a surface in it.
+// Return whether the cell contains an isosurface.
 bool findSeen()
 {
   vec2 range = getScalarRange(isoComponent) + vec2(-IsoMargin, IsoMargin);
@@ -151,10 +150,10 @@ bool findSeen()
 }
 #endif
 
-// Pixels: places where the near plane cuts are less exact.
+// In pixels; positions clipped by the near plane are less exact.
 const float CutMargin = 1.0;
 
-// Of the rectangle around what is in front of the near plane.
+// Return a corner of the rectangle around the part in front of the near plane.
 vec2 getSeenCorner(int corner)
 {
   for (int i = 0; i < 4; ++i)
@@ -176,7 +175,8 @@ vec2 getSeenCorner(int corner)
   return getRectangleCorner(corner, CutMargin);
 }
 
-// By Radon's partition: a point inside the triangle of the others, or two lines that cross.
+// Radon's partition of the corners is a point inside the triangle of the others, or two crossing
+// lines.
 vec2 getOutlineCorner(int corner)
 {
   bool isUp0 = windingOf(1, 2, 3) > 0.0;
@@ -186,7 +186,7 @@ vec2 getOutlineCorner(int corner)
   int count = int(isUp0) + int(isUp1) + int(isUp2) + int(isUp3);
   if (count == 0 || count == 4)
   {
-    return getSeenCorner(corner); // all on one line
+    return getSeenCorner(corner); // all corners are collinear
   }
   int size = 4;
   ivec4 outline;
@@ -194,7 +194,7 @@ vec2 getOutlineCorner(int corner)
   {
     int across = isUp1 == isUp0 ? 1 : isUp2 == isUp0 ? 2 : 3;
     ivec2 others = ivec2(across == 1 ? 2 : 1, across == 3 ? 2 : 3);
-    // Halved along the shorter diagonal, where few pixels are looked at twice.
+    // The quad is split along the shorter diagonal, where few pixels are processed twice.
     vec2 diagonal = places[across] - places[0];
     vec2 other = places[others.y] - places[others.x];
     outline = dot(diagonal, diagonal) <= dot(other, other)
@@ -213,7 +213,7 @@ vec2 getOutlineCorner(int corner)
     places[outline[(at + 1) % size]], windingOf(outline[0], outline[1], outline[2]));
 }
 
-// Whether a pixel's centre may be inside.
+// Return whether the centre of a pixel may be inside.
 bool hasPixel()
 {
   vec2 low = min(min(places[0], places[1]), min(places[2], places[3]));

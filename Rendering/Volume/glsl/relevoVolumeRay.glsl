@@ -1,24 +1,24 @@
-// The ray of a pixel through the mesh, whose points lie between -1 and 1. Rays are lines: `depth`
-// is where on them something is, 0 next to the mesh's middle, and grows away from the eye.
+// The ray of a pixel through the mesh, whose points are between -1 and 1. Rays are lines: `depth`
+// is the position on the line, 0 next to the mesh's centre, and increases away from the eye.
 
-// Homogeneous coordinates in the mesh of what lies at x, y and z between near and far plane are
-// rayMiddle + x rayX + y rayY + (z - zMiddle) rayZ.
+// The homogeneous coordinates in the mesh of x, y and z between near and far plane are rayMiddle +
+// x rayX + y rayY + (z - zMiddle) rayZ.
 uniform vec4 rayMiddle;
 uniform vec4 rayX;
 uniform vec4 rayY;
 uniform vec4 rayZ;
-uniform vec2 zRange; // of the near and the far plane, from zMiddle on
+uniform vec2 zRange; // of the near and the far plane, relative to zMiddle
 uniform vec4 viewportRectangle; // lower left corner and size in pixels
 uniform mat3 meshToWorld;
 
 vec3 rayOrigin;
 vec3 rayDirection;
-vec3 rayU; // across it, so that u, v and the direction are right-handed
+vec3 rayU; // perpendicular to the ray; u, v and the direction are right-handed
 vec3 rayV;
 vec2 rayScale;     // depth is (z - zMiddle) x / (1 + (z - zMiddle) y)
-float worldLength; // of a depth of 1
+float worldLength; // world length of a unit of depth
 
-// The line alone: places on it are rayOrigin + depth * rayDirection.
+// Compute only the line; its positions are rayOrigin + depth * rayDirection.
 void initializeLine()
 {
   vec2 at = 2.0 * (gl_FragCoord.xy - viewportRectangle.xy) / viewportRectangle.zw - vec2(1.0);
@@ -29,7 +29,7 @@ void initializeLine()
   worldLength = length(meshToWorld * rayDirection);
 }
 
-// And what is seen along it, by depths that are lengths in the mesh.
+// Compute the line, and the visible range of depths, which are lengths in the mesh.
 void initializeRay()
 {
   initializeLine();
@@ -45,13 +45,13 @@ void initializeRay()
   rayV = cross(rayDirection, rayU);
 }
 
-// Of a z from zMiddle on.
+// Return the depth of a z relative to zMiddle.
 float depthOfZ(float z)
 {
   return z * rayScale.x / (1.0 + z * rayScale.y);
 }
 
-// As the ray sees a place: across it, and along.
+// Return a position in the ray's coordinates: across it and along it.
 vec3 seenAlongRay(vec3 place)
 {
   vec3 from = place - rayOrigin;

@@ -1,19 +1,19 @@
-// Composite and additive blending, exact, of the functions of one component: as
-// relevoVolumeComposite.glsl does, where each cell knows a piece near to those that it needs. No more than one piece is fetched a
-// step, as software renderers do what either side of a branch says.
+// Exact composite and additive blending for the functions of one component, as in
+// relevoVolumeComposite.glsl, with a start piece for each cell. At most one piece is fetched per
+// step, because software renderers execute both sides of a branch.
 
 const float ThinDepth = 3.0;
-const float MinimumShare = 1.0 / 64.0; // along which colours hardly change
+const float MinimumShare = 1.0 / 64.0; // colours hardly change within this fraction
 const float StepsEnd = 0.9999; // opacity
 
-int stepPiece; // set by the caller
+int stepPiece; // the caller sets it
 
 #if RELEVO_ADDITIVE
 vec4 sum;
 #endif
 
-// By number and end of the piece that the lowest of the cell's scalars is in: to that of the front,
-// unless there are more of them in the cell. The part is known, and its gradients.
+// Start from the index and the end of the piece with the lowest of the cell's scalars, and find the
+// piece of the front unless the cell spans several. The segment and its gradients are set.
 void beginSteps(vec2 lowest, float front, float back)
 {
   stepPiece = int(lowest.x) + int(back > front ? front >= lowest.y : front > lowest.y);
@@ -40,7 +40,7 @@ bool collect(float front, float back, float span, inout float from)
   bool rises = back > front;
   if (from == 0.0)
   {
-    // To the piece of the front, from where it leads on.
+    // Find the piece of the front in the direction of the scalars.
     bool isAbove = rises ? front >= piece.end : front > piece.end;
     bool isBelow = rises ? front < piece.begin : front <= piece.begin;
     if (isAbove || isBelow)
@@ -66,7 +66,7 @@ bool collect(float front, float back, float span, inout float from)
   collected = frontOverBack(
     collected, linearSegment(first, mix(first, last, thin), thin * share * span));
 #endif
-  from = max(to, 1e-30); // 0 stands for a part that is new
+  from = max(to, 1e-30); // 0 marks a new segment
   stepPiece += isCut ? rises ? 1 : -1 : 0;
   return (!isCut && thin == 1.0) || collected.a >= StepsEnd;
 }

@@ -1,5 +1,5 @@
-// What a cell leaves of a ray in the projection, where that is no colour yet: a sum, or an extreme
-// with its depth. relevoVolumeFinishFS.glsl reads it.
+// The data that projected cells store if they are not yet a colour: a sum, or an extreme with its
+// depth. relevoVolumeFinishFS.glsl reads them.
 
 #if RELEVO_EXTREME
 uniform int decidingComponent;

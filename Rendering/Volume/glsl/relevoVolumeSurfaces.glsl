@@ -1,22 +1,23 @@
-// Isosurfaces. Where the ray is, so many values are not more than the scalar; where that changes
-// inside a cell, or between cells that touch, it meets a surface.
+// Isosurfaces. The number of isovalues that are not above the scalar is tracked along the ray.
+// Where it changes inside a cell, or between adjacent cells, the ray meets an isosurface.
 
 uniform samplerBuffer isoValues; // in ascending order; two texels each: the value, and its colour
 uniform int numberOfIsoValues;
 uniform int isoComponent;
 uniform int isoCurve;
-uniform float isoSame; // cells that touch may differ so much
+uniform float isoSame; // tolerance between adjacent cells
 
-// Scalars are from 0 to 1. Those of cells whose corners have one value differ no more from it.
+// Scalars are from 0 to 1. In cells whose corners have one value, they deviate from it by at most
+// this.
 const float IsoRounding = 5e-7;
-// Of depths, in radii of the mesh: cells no farther apart touch.
+// A tolerance of depths, in radii of the mesh; closer cells are adjacent.
 const float IsoTouching = 1e-5;
 
-int isoBelow; // how many values are not more than the scalar
+int isoBelow; // number of isovalues that are not above the scalar
 float isoLower; // the last of them
-float isoUpper; // the next one
+float isoUpper; // the next isovalue
 bool isIsoNew; // whether the walk has just begun
-float isoScalar; // where the ray was last
+float isoScalar; // scalar at the previous position
 float isoDepth;
 
 void setIsoBelow(int below)
@@ -35,7 +36,7 @@ void beginSurfaces()
   isoDepth = -1e30;
 }
 
-// At the front of a part.
+// Test for isosurfaces at the front of a segment.
 void meetSurfaces(Scalars front)
 {
   float scalar = componentOf(front, isoComponent);
@@ -52,7 +53,7 @@ void meetSurfaces(Scalars front)
   isIsoNew = false;
 }
 
-// The share of the part where the next surface is, more than 1 if there is none.
+// Return the fraction of the segment at the next isosurface; more than 1 if there is none.
 float findSurface(Scalars front, Scalars back, float from)
 {
   float begin = componentOf(front, isoComponent);
@@ -61,7 +62,7 @@ float findSurface(Scalars front, Scalars back, float from)
   isoDepth = partDepths.y;
   bool isUp = end >= isoUpper;
 #if RELEVO_CELL_SCALARS
-  return 2.0; // there are none
+  return 2.0; // no isosurface
 #endif
   if (!isUp && end >= isoLower)
   {

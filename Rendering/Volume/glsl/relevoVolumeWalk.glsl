@@ -1,9 +1,9 @@
-// The walk from tetrahedron to tetrahedron. A face is left through when the ray, as it sees the
-// edges, is inside it: both cells of a face see the same, so no ray gets lost between them or turns
-// back, whatever the cells' shapes.
+// Walks from tetrahedron to tetrahedron. The ray leaves through the face whose projected edges wind
+// around it. Both cells of a face get the same result, so that no ray gets lost between them or
+// turns back, for all shapes of cells.
 //
 // M. Weiler, M. Kraus, M. Merz, T. Ertl, "Hardware-Based Ray Casting for Tetrahedral Meshes", IEEE
-// Visualization 2003, with one point and three areas a step in place of four planes.
+// Visualization 2003, with one point and three areas per step instead of four planes.
 
 uniform usamplerBuffer pointSums;
 uniform usamplerBuffer neighbors;
@@ -13,15 +13,15 @@ uniform int maximumSteps;
 
 const uint Nothing = 0xffffffffu;
 
-// Where the walk is: the cell that comes next, and the face through which it is entered.
+// The state of the walk: the next cell, and the face through which it is entered.
 uint walkCell;
 float walkDepth;
 Corner faceA;
 Corner faceB;
 Corner faceC;
-vec3 faceAreas; // spanned by the edges across from the corners
+vec3 faceAreas; // spanned by the edges opposite to the corners
 
-Scalars walkScalars; // there
+Scalars walkScalars; // scalars at the position of the walk
 
 #if RELEVO_CELL_SCALARS
 Scalars getCellScalars(uint cell)
@@ -53,11 +53,11 @@ Scalars interpolateScalars(vec3 weights)
 #endif
 
 #if RELEVO_CURVED
-float curvedParts = 0.0; // that a cell is shown in
-float curvedNext = 0.0;  // of them
+float curvedParts = 0.0; // number of segments of a cell
+float curvedNext = 0.0;  // index of the next segment
 bool isWithinCell = false; // the last step ended before the cell does
 #if RELEVO_FOLDED
-uint walkBefore = Nothing; // the cell that the walk has come from
+uint walkBefore = Nothing; // the previous cell
 #endif
 #endif
 
@@ -82,7 +82,7 @@ void enterMesh(Entry entry)
   if (isCurvedCell(walkCell))
   {
 #if !RELEVO_CELL_SCALARS
-    // Those of a corner are near to those that come.
+    // The pieces of a corner's scalars are near those of the following scalars.
     uint near = wordOfCell(walkCell, 0);
     seekScalars(getPointScalars(near, texelFetch(meshPoints, int(near)).w));
 #endif
@@ -103,7 +103,7 @@ void enterMesh(Entry entry)
 #endif
 }
 
-// Through a tetrahedron to the face that the ray leaves it by.
+// Cross a tetrahedron to the face through which the ray leaves it.
 void crossTetrahedron()
 {
   uint id = texelFetch(pointSums, int(walkCell)).r ^ faceA.id ^ faceB.id ^ faceC.id;
@@ -118,7 +118,7 @@ void crossTetrahedron()
   bool leftC = isOnLeft(areas.z, faceC.id, faceC.at.xy, d.id, d.at.xy);
   if (leftA == leftB && leftB == leftC)
   {
-    // Rounding: the ray passes next to the corner. It is taken to be on the other side of the
+    // Due to rounding, the ray passes next to the corner. It is moved to the other side of the
     // nearest edge.
     vec3 sizes = abs(areas);
     leftA = leftA != (sizes.x <= sizes.y && sizes.x <= sizes.z);
@@ -132,7 +132,7 @@ void crossTetrahedron()
   setSteepness(faceA.at - d.at, faceB.at - d.at, faceC.at - d.at, scalarsA - scalarsD,
     scalarsB - scalarsD, scalarsC - scalarsD);
 #endif
-  // The new corner takes the place of the one across from the exit.
+  // The new corner replaces the one opposite to the exit.
   bool isC = leftB && !leftA;
   bool isA = !isC && leftC && !leftB;
   bool isB = !isC && !isA;
@@ -164,7 +164,8 @@ void crossTetrahedron()
   beginPart(walkDepth, exit, front, walkScalars);
 #endif
 #if RELEVO_LIT
-  vec3 frontGradients[RELEVO_MATERIALS]; // one by one: Mesa 26 copies arrays wrongly
+  // assigned one by one, because Mesa 26 copies arrays incorrectly
+  vec3 frontGradients[RELEVO_MATERIALS];
   for (int i = 0; i < RELEVO_MATERIALS; ++i)
   {
     frontGradients[i] = walkGradients[i];
@@ -188,7 +189,7 @@ bool isWalkOver()
 }
 
 #if RELEVO_CURVED
-// All that is in a cell before the next one, as to cross it takes long.
+// The whole cell is processed before the next one, because crossing a cell takes long.
 void walkFrom(Entry entry)
 {
   enterMesh(entry);
@@ -218,7 +219,8 @@ void walkFrom(Entry entry)
   }
 }
 #else
-// One round may be a step, or a piece of a part, or both: rays next to each other keep pace.
+// An iteration is a step, a piece of a segment, or both, so that neighbouring rays stay
+// synchronized.
 void walkFrom(Entry entry)
 {
   enterMesh(entry);
