@@ -25,17 +25,17 @@ namespace relevo
 /// tangents and texture coordinates from arrays with a wrong number of components.
 RELEVORENDERINGCORE_EXPORT std::string RemoveUnusableArrays(vtkPolyData* mesh);
 
-/// The values that a mapper colours by.
+/// The values that a mapper maps to colours.
 struct ScalarMapping
 {
   vtkDataSet* Input;
   vtkAbstractArray* Scalars;
-  int CellFlag; // as vtkAbstractMapper::GetAbstractScalars() has it
+  int CellFlag; // from vtkAbstractMapper::GetAbstractScalars()
   int ColorMode;
-  vtkIdType FieldTuple; // of field data, the one that counts; -1 for one for each cell
+  vtkIdType FieldTuple; // the tuple of field data; -1 for one tuple per cell
 };
 
-/// Why vtkMapper::MapScalars() cannot be asked, empty where it can.
+/// Return why vtkMapper::MapScalars() must not be called; empty if it can be.
 RELEVORENDERINGCORE_EXPORT std::string FindMappingError(const ScalarMapping& mapping);
 }
 

@@ -87,7 +87,7 @@ private:
 };
 vtkStandardNewMacro(TessellationProgram);
 
-// Releasing a program unbinds the current one, which VTK's shader cache must know.
+// Releasing a program also releases the current one, so VTK's shader cache must be updated.
 void LetGo(vtkWindow* window)
 {
   if (vtkOpenGLRenderWindow* current = vtkOpenGLRenderWindow::SafeDownCast(window))

@@ -44,8 +44,9 @@ vec4 curvePoint(int i)
 }
 
 #ifdef RELEVO_FRAMES
-uniform usamplerBuffer relevoFrames;  // by curve: first station << 5 | open at its start << 4 | open
-                                      // at its end << 3 | logarithm of the intervals
+// per curve: first station << 5 | open at its start << 4 | open at its end << 3 | logarithm of the
+// number of intervals
+uniform usamplerBuffer relevoFrames;
 uniform samplerBuffer relevoStations; // tangent and normal of each station
 
 int curveIntervals()

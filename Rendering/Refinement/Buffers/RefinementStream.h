@@ -81,7 +81,7 @@ public:
   /// Return OpenGL's name of the buffer of RefinementStreamVertex, three per triangle.
   unsigned int GetHandle() const { return this->Handle; }
 
-  /// Wait for the GPU and copy.
+  /// Wait for the GPU and copy the vertices.
   std::vector<RefinementStreamVertex> Read() const;
 
   vtkTypeInt64 GetMemorySize() const;

@@ -20,7 +20,7 @@ namespace relevo
 {
 namespace
 {
-// Whether an actor drawn as opaque shows what is behind it in some places.
+// Return whether an actor that is drawn as opaque is transparent in some regions.
 bool HasGaps(vtkActor* actor)
 {
   vtkTexture* texture = actor->GetTexture();

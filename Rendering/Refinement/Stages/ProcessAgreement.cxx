@@ -38,7 +38,7 @@ void AgreeOnWhole(vtkAdaptiveRefinement* recipe, const ProcessAgreementPart* par
   }
   whole->HasDirections = false;
   AgreeOnPoints(mesh, pieces, *whole);
-  state.SetWhole(std::make_shared<GlobalSurfaceInfo>(*whole)); // what it is built by
+  state.SetWhole(std::make_shared<GlobalSurfaceInfo>(*whole)); // the mesh is built with it
 
   if (part && !part->UpdateMesh())
   {

@@ -3,8 +3,9 @@
 int relevoInstance();                    // face << 3 | permutation code
 vec3 relevoPatternWeights(int code);     // weights of the sorted corners
 
-in vec4 relevoPatternVertex; // (u, v, w) and the number of the copy, or for lines the pattern's
-                             // edge they lie on (1 to 3), plus the pattern's number / 65536
+// (u, v, w), and the index of the copy or, for lines, of the pattern's edge (1 to 3), plus the
+// pattern's number / 65536
+in vec4 relevoPatternVertex;
 
 int relevoCode = 0; // permutation from the pattern's corners to the sorted ones
 

@@ -33,8 +33,8 @@ struct SceneProps
 enum class SceneParts
 {
   All,
-  Surfaces ///< of opaque props those whose parts are all drawn as surfaces: no lines,
-           ///< no points, nothing that turns with the camera
+  // opaque props with surfaces only: no lines, points or parts that rotate with the camera
+  Surfaces
 };
 
 SceneProps FindSceneProps(vtkRenderer* renderer, SceneParts parts);

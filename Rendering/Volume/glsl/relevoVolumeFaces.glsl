@@ -9,7 +9,7 @@ int passesOf(Corner a, Corner b)
 {
   bool rises = a.at.y <= 0.0 && b.at.y > 0.0;
   bool falls = a.at.y > 0.0 && b.at.y <= 0.0;
-  // The test is that of isOnLeft() for such edges.
+  // isOnLeft() tests the side of an edge in the same way.
   float area = spannedArea(a.id, a.at.xy, b.id, b.at.xy);
   return int(rises && area > 0.0) - int(falls && area < 0.0);
 }

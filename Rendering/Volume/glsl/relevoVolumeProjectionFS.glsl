@@ -15,7 +15,7 @@
 //RELEVO::Blend
 //RELEVO::Store
 
-// As relevoVolumeProjectionVS.glsl says.
+// The inputs are described in relevoVolumeProjectionVS.glsl.
 #if RELEVO_SEEN_PIECE
 flat in vec2 seenPiece;
 #endif
