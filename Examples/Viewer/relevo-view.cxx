@@ -11,6 +11,7 @@
 #include "Scene/OffscreenWindow.h"
 #include "Scene/ReliefCaptures.h"
 #include "Scene/SceneFactory.h"
+#include "Scene/TerrainHeight.h"
 #include "Scene/ViewerScene.h"
 #include "Text/ReadingGuard.h"
 #include "Text/StandardError.h"
@@ -20,6 +21,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkSmartPointer.h"
 
+#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -51,6 +53,13 @@ void Draw(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& mess
 
 void Run(const ViewerOptions& options)
 {
+  if (options.HeightAt)
+  {
+    InstallCrashHandlers(options.Input);
+    std::cout << std::setprecision(10) << FindTerrainHeight(options.Input, *options.HeightAt)
+              << std::endl;
+    return;
+  }
   const bool isInteractive = options.Output.empty() && options.Export.empty() &&
     options.Capture.empty() && options.Against.empty();
   if (isInteractive && !HasDisplay())

@@ -9,6 +9,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
 #if RELEVO_HAS_GDAL
+#include "Geodesy/CoordinateSystem.h"
 #include "Pyramid/RasterPyramid.h"
 #else
 namespace relevo
@@ -349,6 +350,23 @@ vtkDoubleArray* vtkTerrainPyramid::GetElevations(vtkDoubleArray* points)
 }
 
 //------------------------------------------------------------------------------
+bool vtkTerrainPyramid::GeographicToRaster(const double geographic[2], double coordinates[2])
+{
+  if (!this->Pyramid)
+  {
+    return false;
+  }
+  const relevo::Georeference& location = this->Pyramid->GetFile().Describe().Location;
+  std::array<double, 2> point = { { geographic[0], geographic[1] } };
+  if (location.WKT.empty() || !relevo::GeographicToSystem(location.WKT, point))
+  {
+    return false;
+  }
+  std::copy(point.begin(), point.end(), coordinates);
+  return true;
+}
+
+//------------------------------------------------------------------------------
 vtkTypeInt64 vtkTerrainPyramid::GetResidentMemorySize()
 {
   return this->Pyramid ? static_cast<vtkTypeInt64>(this->Pyramid->GetCache().GetMemorySize()) : 0;
@@ -409,6 +427,10 @@ vtkDoubleArray* vtkTerrainPyramid::GetElevations(vtkDoubleArray*)
 {
   this->Update();
   return nullptr;
+}
+bool vtkTerrainPyramid::GeographicToRaster(const double[2], double[2])
+{
+  return false;
 }
 vtkTypeInt64 vtkTerrainPyramid::GetResidentMemorySize()
 {

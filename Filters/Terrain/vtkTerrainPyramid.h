@@ -155,6 +155,13 @@ public:
    */
   VTK_NEWINSTANCE vtkDoubleArray* GetElevations(vtkDoubleArray* points);
 
+  /**
+   * Convert longitude and latitude, in degrees on the ellipsoid of the raster's coordinate system,
+   * to its coordinates x and y. Returns false, without an error, if the raster has no coordinate
+   * system or the point has no coordinates in it.
+   */
+  bool GeographicToRaster(const double geographic[2], double coordinates[2]);
+
   /// Return the bytes of memory that cached tiles use.
   vtkTypeInt64 GetResidentMemorySize();
 

@@ -50,6 +50,35 @@ class TestViewerTerrain(ViewerProgram):
             vtkPNGWriter(), cls.folder / "hole.png", cls.samples.astype(numpy.uint16)
         )
 
+    def test_height_at(self):
+        """viewer.md: --height-at prints the height at a longitude and latitude."""
+        name = self.folder / "degrees.asc"
+        rows = [" ".join(str(100 * row + column) for column in range(5)) for row in range(4)]
+        name.write_text(
+            "ncols 5\nnrows 4\nxllcorner 10\nyllcorner 40\ncellsize 1\nNODATA_value 302\n"
+            + "\n".join(rows)
+            + "\n"
+        )
+        (self.folder / "degrees.prj").write_text(GEOGRAPHIC)
+        for place, height in (
+            ("10.5,43.5", 0.0),
+            ("11,43", 50.5),
+            ("14.5E,42.5N", 104.0),
+            ("40.5N,13.5E", 303.0),
+            ("370.5,43.5", None),
+        ):
+            with self.subTest(place):
+                if height is None:
+                    self.assert_error(2, ["--height-at"], name, "--height-at", place)
+                else:
+                    run = self.view(name, "--height-at", place)
+                    self.assertAlmostEqual(float(run.stdout), height, places=6)
+        self.assert_error(1, ["no height", "no data"], name, "--height-at=12.5,40.5")
+        self.assert_error(1, ["no height"], name, "--height-at=-20,40.5")
+        self.assert_error(2, ["LON,LAT"], name, "--height-at", "north")
+        self.assert_error(2, ["--height-at"], name, "--height-at=11,43", "--no-legend")
+        self.assert_error(1, ["coordinate system"], self.heights, "--height-at=11,43")
+
     def export(self, *arguments):
         name = self.folder / "mesh.vtp"
         self.view(*arguments, "--export", name)

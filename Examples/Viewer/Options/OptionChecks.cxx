@@ -251,6 +251,14 @@ private:
           "--region needs a radius above 0, not '" + this->Given.at("--region") + "'");
       }
     }
+    if (options.HeightAt && !options.IsTerrain())
+    {
+      throw UsageError("--height-at works with height maps only");
+    }
+    if (options.HeightAt && this->Given.size() > 1)
+    {
+      throw UsageError("--height-at prints a height and exits; it works without other options");
+    }
     if (this->Given.count("--center"))
     {
       const std::string& value = this->Given.at("--center");

@@ -428,6 +428,9 @@ private:
       { "--export",
         [&](const auto& option, const auto& value)
         { options.Export = ToFileName(option, value, GetExportExtensions()); } },
+      { "--height-at",
+        [&](const auto& option, const auto& value)
+        { options.HeightAt = ToLongitudeLatitude(option, value); } },
       { "--light",
         [&](const auto& option, const auto& value)
         { options.Light = ToDirection(option, value, 90.0); } },

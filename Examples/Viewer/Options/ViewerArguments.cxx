@@ -187,6 +187,21 @@ std::optional<std::array<double, 2>> ToDegrees(const std::string& option, const 
 }
 
 //------------------------------------------------------------------------------
+std::array<double, 2> ToLongitudeLatitude(const std::string& option, const std::string& text)
+{
+  if (const std::optional<std::array<double, 2>> degrees = ToDegrees(option, text))
+  {
+    return *degrees;
+  }
+  const std::vector<double> numbers = ToNumbers(option, text, "LON,LAT");
+  if (std::abs(numbers[1]) > 90.0 || numbers[0] < -180.0 || numbers[0] > 360.0)
+  {
+    throw BadValue(option, "a longitude from -180 to 360 and a latitude from -90 to 90", text);
+  }
+  return { { numbers[0], numbers[1] } };
+}
+
+//------------------------------------------------------------------------------
 void ToSize(const std::string& option, const std::string& text, int size[2])
 {
   const std::size_t cross = text.find('x');

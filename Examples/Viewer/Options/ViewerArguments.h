@@ -49,6 +49,8 @@ std::array<double, 2> ToDirection(
 std::optional<std::array<double, 2>> ToDegrees(const std::string& option, const std::string& text);
 
 /// X,Y,Z, or X,Y for height maps.
+std::array<double, 2> ToLongitudeLatitude(const std::string& option, const std::string& text);
+
 std::vector<double> ToPlace(const std::string& option, const std::string& text, bool isOnMesh);
 
 /// WIDTHxHEIGHT in pixels.

@@ -138,6 +138,7 @@ struct ViewerOptions
   std::optional<std::array<double, 2>> View;          // azimuth, elevation in degrees
   std::optional<std::vector<double>> Center;          // x, y, z; for terrain also x, y
   std::optional<std::array<double, 2>> CenterDegrees; // for terrain: longitude, latitude
+  std::optional<std::array<double, 2>> HeightAt;      // longitude, latitude
   double Zoom = 1.0;
   std::optional<std::array<double, 2>> Light; // azimuth, elevation in degrees
   ColorType Color = ColorType::Own;
