@@ -111,16 +111,26 @@ SampleWindow PyramidIndexBuilder::GetLevelWindow(const SampleWindow& block, int 
   return window;
 }
 
-bool PyramidIndexBuilder::IsAbsent(const SampleWindow& block) const
+// Splits a window at a multiple of a size, across its longer side.
+std::pair<SampleWindow, SampleWindow> PyramidIndexBuilder::Split(
+  const SampleWindow& part, int width, int height)
 {
-  for (int level = 0; level < this->File.GetNumberOfLevels(); ++level)
+  const int columns = (part.Width + width - 1) / width;
+  const int rows = (part.Height + height - 1) / height;
+  std::pair<SampleWindow, SampleWindow> halves(part, part);
+  if (columns > rows)
   {
-    if (!this->File.IsAbsent(level == 0 ? block : this->GetLevelWindow(block, level)))
-    {
-      return false;
-    }
+    halves.first.Width = (columns / 2) * width;
+    halves.second.Column += halves.first.Width;
+    halves.second.Width -= halves.first.Width;
   }
-  return true;
+  else
+  {
+    halves.first.Height = (rows / 2) * height;
+    halves.second.Row += halves.first.Height;
+    halves.second.Height -= halves.first.Height;
+  }
+  return halves;
 }
 
 void PyramidIndexBuilder::CollectBlocks(const SampleWindow& part)
@@ -129,49 +139,77 @@ void PyramidIndexBuilder::CollectBlocks(const SampleWindow& part)
   {
     return;
   }
+  // Each block also has the first column and row of the next.
   const std::array<int, 2>& size = this->File.GetSize(0);
   SampleWindow block = part;
   block.Width += part.Column + part.Width < size[0] ? 1 : 0;
   block.Height += part.Row + part.Height < size[1] ? 1 : 0;
-  if (this->IsAbsent(block))
+  if (this->File.IsAbsent(block))
   {
-    this->Index->AddAbsent(this->File.GetAbsentSample());
-    return;
+    const double absent = this->File.GetAbsentSample();
+    this->Index->AddAbsent(absent);
+    for (int level = 1; !std::isnan(absent) && level < this->File.GetNumberOfLevels(); ++level)
+    {
+      this->CollectConstants(block, level);
+    }
   }
-  const int columns = (part.Width + this->BlockSize[0] - 1) / this->BlockSize[0];
-  const int rows = (part.Height + this->BlockSize[1] - 1) / this->BlockSize[1];
-  if (columns * static_cast<long long>(rows) <= 1)
+  else if (part.Width <= this->BlockSize[0] && part.Height <= this->BlockSize[1])
   {
-    this->Blocks.push_back(block);
-    return;
-  }
-  SampleWindow first = part;
-  SampleWindow second = part;
-  if (columns > rows)
-  {
-    first.Width = (columns / 2) * this->BlockSize[0];
-    second.Column += first.Width;
-    second.Width -= first.Width;
+    this->Jobs.push_back({ Task::Compare, block });
   }
   else
   {
-    first.Height = (rows / 2) * this->BlockSize[1];
-    second.Row += first.Height;
-    second.Height -= first.Height;
+    const auto [first, second] = Split(part, this->BlockSize[0], this->BlockSize[1]);
+    this->CollectBlocks(first);
+    this->CollectBlocks(second);
   }
-  this->CollectBlocks(first);
-  this->CollectBlocks(second);
+}
+
+void PyramidIndexBuilder::CollectRanges(const SampleWindow& part)
+{
+  constexpr int size = 4 * PyramidIndex::TileSize;
+  if (this->Abort || this->File.IsAbsent(part))
+  {
+    return;
+  }
+  if (part.Width <= size && part.Height <= size)
+  {
+    this->Jobs.push_back({ Task::Measure, part });
+    return;
+  }
+  const auto [first, second] = Split(part, size, size);
+  this->CollectRanges(first);
+  this->CollectRanges(second);
+}
+
+void PyramidIndexBuilder::CollectConstants(const SampleWindow& part, int level)
+{
+  const SampleWindow window = this->GetLevelWindow(part, level);
+  if (this->Abort || this->File.IsAbsent(window))
+  {
+    return;
+  }
+  if (window.GetNumberOfSamples() <= SamplesPerBlock || part.Width + part.Height <= 2)
+  {
+    this->Jobs.push_back({ Task::Constant, window });
+    return;
+  }
+  const auto [first, second] = Split(part, 1, 1);
+  this->CollectConstants(first, level);
+  this->CollectConstants(second, level);
 }
 
 bool PyramidIndexBuilder::Build(int numberOfThreads, PyramidIndex& index, std::string& error)
 {
   this->Index = &index;
   this->ChooseBlockSize();
-  SampleWindow all;
-  all.Width = this->File.GetSize(0)[0];
-  all.Height = this->File.GetSize(0)[1];
-  this->CollectBlocks(all);
-  this->NumberOfBlocks = this->Blocks.size();
+  for (int level = 0; level < this->File.GetNumberOfLevels(); ++level)
+  {
+    const std::array<int, 2>& size = this->File.GetSize(level);
+    const SampleWindow all = { level, 0, 0, size[0], size[1] };
+    level == 0 ? this->CollectBlocks(all) : this->CollectRanges(all);
+  }
+  this->NumberOfJobs = this->Jobs.size();
   std::vector<std::thread> threads;
   for (int i = 1; i < numberOfThreads; ++i)
   {
@@ -188,18 +226,18 @@ bool PyramidIndexBuilder::Build(int numberOfThreads, PyramidIndex& index, std::s
 
 double PyramidIndexBuilder::GetProgress() const
 {
-  const std::size_t number = this->NumberOfBlocks;
+  const std::size_t number = this->NumberOfJobs;
   return number == 0 ? 0.0 : static_cast<double>(this->Done) / static_cast<double>(number);
 }
 
 void PyramidIndexBuilder::Work()
 {
-  for (std::size_t i = this->Next++; i < this->Blocks.size() && !this->Abort; i = this->Next++)
+  for (std::size_t i = this->Next++; i < this->Jobs.size() && !this->Abort; i = this->Next++)
   {
     std::string error;
     try
     {
-      this->MeasureBlock(this->Blocks[i], error);
+      this->Run(this->Jobs[i], error);
     }
     catch (const std::bad_alloc&)
     {
@@ -209,14 +247,30 @@ void PyramidIndexBuilder::Work()
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
       this->Error = this->Error.empty() ? error : this->Error;
-      this->Next = this->Blocks.size();
+      this->Next = this->Jobs.size();
       return;
     }
     ++this->Done;
   }
 }
 
-bool PyramidIndexBuilder::MeasureBlock(const SampleWindow& block, std::string& error)
+bool PyramidIndexBuilder::Run(const Job& job, std::string& error)
+{
+  if (job.What == Task::Compare)
+  {
+    return this->CompareBlock(job.Window, error);
+  }
+  std::vector<double> samples(job.Window.GetNumberOfSamples());
+  if (!this->File.Read(job.Window, samples.data(), error))
+  {
+    return false;
+  }
+  job.What == Task::Measure ? this->MeasureRange(job.Window, samples)
+                            : this->MeasureConstant(job.Window, samples);
+  return true;
+}
+
+bool PyramidIndexBuilder::CompareBlock(const SampleWindow& block, std::string& error)
 {
   std::vector<double> fine(block.GetNumberOfSamples());
   if (!this->File.Read(block, fine.data(), error))
@@ -233,7 +287,6 @@ bool PyramidIndexBuilder::MeasureBlock(const SampleWindow& block, std::string& e
     {
       return false;
     }
-    this->MeasureRange(window, coarse);
     this->MeasureDeviation(block, fine, window, coarse);
   }
   return true;
@@ -326,6 +379,34 @@ void PyramidIndexBuilder::MeasureDeviation(const SampleWindow& block,
       {
         this->Index->AddDeviation(
           window.Level, firstTileColumn + column, firstTileRow + row, deviation);
+      }
+    }
+  }
+}
+// Between samples, a bilinear surface differs from a constant by no more than at a sample.
+void PyramidIndexBuilder::MeasureConstant(
+  const SampleWindow& window, const std::vector<double>& samples)
+{
+  const double constant = this->File.GetAbsentSample();
+  for (int row = 0; row < window.Height; ++row)
+  {
+    for (int column = 0; column < window.Width; ++column)
+    {
+      const double deviation =
+        std::abs(samples[static_cast<std::size_t>(row) * window.Width + column] - constant);
+      if (deviation > 0.0)
+      {
+        const int x = window.Column + column;
+        const int y = window.Row + row;
+        constexpr int size = PyramidIndex::TileSize;
+        const std::lock_guard<std::mutex> lock(this->Mutex);
+        for (int tileRow = std::max(0, y - 1) / size; tileRow <= y / size; ++tileRow)
+        {
+          for (int tileColumn = std::max(0, x - 1) / size; tileColumn <= x / size; ++tileColumn)
+          {
+            this->Index->AddDeviation(window.Level, tileColumn, tileRow, deviation);
+          }
+        }
       }
     }
   }

@@ -25,6 +25,7 @@
 #include <atomic>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace relevo
@@ -44,21 +45,38 @@ public:
   double GetProgress() const;
 
 private:
-  void CollectBlocks(const SampleWindow& part);
-  SampleWindow GetLevelWindow(const SampleWindow& block, int level) const;
-  bool IsAbsent(const SampleWindow& block) const;
+  enum class Task
+  {
+    Compare, // samples of level 0 with those of all other levels
+    Measure, // the range of samples of another level
+    Constant // samples of another level with the absent ones of level 0
+  };
+  struct Job
+  {
+    Task What;
+    SampleWindow Window;
+  };
+
   void ChooseBlockSize();
+  static std::pair<SampleWindow, SampleWindow> Split(
+    const SampleWindow& part, int width, int height);
+  void CollectBlocks(const SampleWindow& part);
+  void CollectRanges(const SampleWindow& part);
+  void CollectConstants(const SampleWindow& part, int level);
+  SampleWindow GetLevelWindow(const SampleWindow& block, int level) const;
   void Work();
-  bool MeasureBlock(const SampleWindow& block, std::string& error);
+  bool Run(const Job& job, std::string& error);
+  bool CompareBlock(const SampleWindow& block, std::string& error);
   void MeasureRange(const SampleWindow& window, const std::vector<double>& samples);
   void MeasureDeviation(const SampleWindow& block, const std::vector<double>& fine,
     const SampleWindow& window, const std::vector<double>& coarse);
+  void MeasureConstant(const SampleWindow& window, const std::vector<double>& samples);
 
   const PyramidFile& File;
   const std::atomic<bool>& Abort;
   std::array<int, 2> BlockSize{ { 1, 1 } };
-  std::vector<SampleWindow> Blocks; // of level 0; each has a column and a row of the next
-  std::atomic<std::size_t> NumberOfBlocks{ 0 }; // 0 until all are collected
+  std::vector<Job> Jobs;
+  std::atomic<std::size_t> NumberOfJobs{ 0 }; // 0 until all are collected
   std::atomic<std::size_t> Next{ 0 };
   std::atomic<std::size_t> Done{ 0 };
   std::mutex Mutex; // of what follows

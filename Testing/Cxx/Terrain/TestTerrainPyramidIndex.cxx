@@ -145,6 +145,7 @@ void TestErrors(RelevoCheck& check, const RelevoTestFolders& folders)
     { "nearest", 300, 401, GDT_Float32, "NEAREST", false, true },
     { "holes", 411, 300, GDT_Int16, "AVERAGE", true, true },
     { "strips", 1100, 130, GDT_Int16, "AVERAGE", true, false },
+    { "sparse", 500, 460, GDT_Int16, "AVERAGE", false, true },
     { "one column", 1, 200, GDT_Int16, "AVERAGE", false, false },
   };
   for (const Case& one : cases)
@@ -154,6 +155,16 @@ void TestErrors(RelevoCheck& check, const RelevoTestFolders& folders)
     if (!one.IsTiled)
     {
       raster.Options.clear();
+    }
+    if (std::string(one.Name) == "sparse") // blocks of zeros are not stored
+    {
+      raster.Options.emplace_back("SPARSE_OK=TRUE");
+      for (std::size_t i = 0; i < raster.Values.size(); ++i)
+      {
+        const std::size_t column = i % 500;
+        const bool isStored = column > 137 && column < 250 && i / 500 > 180 && i / 500 < 260;
+        raster.Values[i] = isStored ? raster.Values[i] + 2000.0 : 0.0;
+      }
     }
     if (one.HasHoles)
     {
