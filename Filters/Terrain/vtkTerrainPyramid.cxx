@@ -381,7 +381,8 @@ const char* vtkTerrainPyramid::GetCoordinateSystem()
 // Without GDAL there is never a raster.
 bool vtkTerrainPyramid::Update()
 {
-  return this->Report("This build of Relevo is without GDAL, which reads the raster.");
+  return this->Report(
+    "This build of Relevo does not have GDAL. Install libgdal-dev and build again.");
 }
 void vtkTerrainPyramid::EstimateRange()
 {

@@ -78,7 +78,8 @@ bool vtkTerrainPyramidWriter::Write()
   return result == relevo::PyramidWriter::Result::Done;
 #else
   static_cast<void>(CompressionNames);
-  return this->Report("This build of Relevo is without GDAL, which reads and writes rasters.");
+  return this->Report(
+    "This build of Relevo does not have GDAL. Install libgdal-dev and build again.");
 #endif
 }
 

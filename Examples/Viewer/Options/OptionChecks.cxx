@@ -253,11 +253,14 @@ private:
     }
     if (options.HeightAt && !options.IsTerrain())
     {
-      throw UsageError("--height-at works with height maps only");
+      throw UsageError("--height-at requires a height map");
     }
-    if (options.HeightAt && this->Given.size() > 1)
+    for (const auto& given : this->Given)
     {
-      throw UsageError("--height-at prints a height and exits; it works without other options");
+      if (options.HeightAt && given.first != "--height-at")
+      {
+        throw UsageError("--height-at cannot be combined with " + given.first);
+      }
     }
     if (this->Given.count("--center"))
     {

@@ -158,8 +158,8 @@ The picture:
                          in metres, with x east, y north and z up; a .vtp file also has the field
                          data Origin and CoordinateSystem and the point data Height. Meshes keep
                          their coordinates
-  --height-at LON,LAT    print the height at this longitude and latitude, in the unit of the raster, and
-                         exit
+  --height-at LON,LAT    print the height at this longitude and latitude, in the unit of the raster,
+                         and exit
   --help                 print this text and exit
   --version              print the version of Relevo and exit
 
