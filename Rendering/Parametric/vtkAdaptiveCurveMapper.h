@@ -9,8 +9,7 @@
  * vtkUnstructuredGrid, a vtkPolyData, or a composite data set of them. Line cells of all types are
  * drawn: lines, poly-lines, quadratic edges, cubic lines, and Lagrange and Bézier curves of degree
  * 1 to 8, including rational ones. The recipe sets the number of segments of a curve with
- * SetDepthTagArrayName(), SetMetric(), SetMaximumLevel(), SetLevelOffset() and SetSegmentPolicy();
- * its other settings have no effect.
+ * SetDepthTagArrayName(), SetMetric(), SetMaximumLevel(), SetLevelOffset() and SetSegmentPolicy().
  *
  * Lights, clipping planes, opacity, depth peeling, line width, representations, render passes and
  * selection of cells work as with vtkPolyDataMapper. Lines are lit with the normal across the curve

@@ -48,7 +48,7 @@ public:
   MetricCache& GetMetricCache() { return *this->Cache; }
 
   /**
-   * Prepare the mesh. Return false if the recipe cannot be applied to the input, its coordinates
+   * Prepare the mesh. Return false if the recipe cannot be applied to the input, its parameters
    * are too large, or its pattern table lacks patterns.
    */
   bool UpdateMesh(vtkPolyData* input, vtkAdaptiveRefinement* recipe)
