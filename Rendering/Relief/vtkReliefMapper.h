@@ -16,8 +16,8 @@
  * occlude one another, and silhouettes are cut out.
  *
  * Opacity, clipping planes, depth peeling, selections and render passes work as with
- * vtkPolyDataMapper. A translucent surface shows four layers of each tile of 16 x 16 texels. A
- * vtkHardwareSelector returns the point and cell ids of the image. The representation is always
+ * vtkPolyDataMapper. A translucent surface shows up to four layers of each tile of 16 x 16 texels.
+ * A vtkHardwareSelector returns the point and cell ids of the image. The representation is always
  * surface; scalars, textures and edges have no effect.
  *
  * An input that is not a relief is an error that names its block; the other blocks are drawn. An

@@ -8,8 +8,8 @@
  * pixel traverses the mesh from cell to cell and can enter the mesh several times (M. Weiler et
  * al., "Hardware-Based Ray Casting for Tetrahedral Meshes", 2003). The volume rendering integral is
  * exact: rays are split at every node of a transfer function (R. Espinha, PUC-Rio, 2005), and
- * colour and extinction are linear in between (K. Moreland, E. Angel, 2004). No table depends on
- * the transfer functions, so you can edit them interactively.
+ * colour and extinction are linear in between (K. Moreland, E. Angel, 2004). Without
+ * pre-integration, no table depends on the transfer functions, so you can edit them interactively.
  *
  * The image is the one that vtkVolumeRayCastFilter computes on the CPU. The doc comment of that
  * class lists supported meshes, arrays and transfer functions, explains how extinction follows from
