@@ -5,9 +5,9 @@
  * @brief   makes each process draw the surface in its own region of space
  *
  * If a prop in a view is translucent, ParaView blends the images of processes in the order of boxes
- * of space. Its redistribution of surfaces into these boxes would cut coarse faces and does not
- * know the refined ones. Here, a process gets from the others the whole coarse faces that can reach
- * its box, and draws the part inside it.
+ * of space. Its redistribution of surfaces into these boxes would cut coarse faces and ignore the
+ * refined ones. Here, a process gets from the others the whole coarse faces that can reach its box,
+ * and draws the part inside it.
  *
  * Private to the module.
  */
