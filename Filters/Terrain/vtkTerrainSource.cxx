@@ -274,7 +274,7 @@ int vtkTerrainSource::RequestData(
   if (!relevo::FitsMemory([&] { isBuilt = this->Build(output, error); }))
   {
     error = "Not enough memory for a mesh of Resolution " + std::to_string(this->Resolution) +
-      " and imagery of up to " + std::to_string(this->MaximumImagerySize) + " pixels a side.";
+      " and imagery of up to " + std::to_string(this->MaximumImagerySize) + " pixels per side.";
   }
   if (isBuilt)
   {

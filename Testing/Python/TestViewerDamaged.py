@@ -174,7 +174,7 @@ class TestViewerDamaged(ViewerProgram):
         run = subprocess.run([str(PROGRAM), "b.stl", *EXPORT], cwd=self.folder,
                              capture_output=True, text=True)
         self.assertEqual(run.returncode, 0)
-        self.assertRegex(run.stderr, r"\Arelevo-view: warning: b.stl: the header says 0 [^\n]+\n\Z")
+        self.assertRegex(run.stderr, r"\Arelevo-view: warning: b.stl: the header declares 0 [^\n]+\n\Z")
 
     def test_netcdf(self):
         """The library reads zeros beyond the end of a classic file, with and without records."""

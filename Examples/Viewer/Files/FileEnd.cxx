@@ -113,12 +113,12 @@ void CheckSTL(const std::string& fileName, ViewerMessages& messages)
   const long long rest = size - header;
   if (rest < 0 || (rest < number * triangle && rest % triangle != 0))
   {
-    throw ViewerError("the file is truncated: its header says " + std::to_string(number) +
+    throw ViewerError("the file is truncated: its header declares " + std::to_string(number) +
       " triangles, but there are " + std::to_string(std::max(rest, 0LL) / triangle));
   }
   if (rest / triangle != number)
   {
-    messages.Warn(fileName + ": the header says " + std::to_string(number) +
+    messages.Warn(fileName + ": the header declares " + std::to_string(number) +
       " triangles, but there are " + std::to_string(rest / triangle));
   }
 }

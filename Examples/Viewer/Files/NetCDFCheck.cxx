@@ -49,7 +49,7 @@ public:
     // Some programs omit the padding of the last value.
     if (size >= this->FileSize + Alignment)
     {
-      throw ViewerError("the file is truncated: its header says " +
+      throw ViewerError("the file is truncated: its header declares " +
         std::to_string(static_cast<long long>(size)) + " bytes, but there are " +
         std::to_string(static_cast<long long>(this->FileSize)));
     }

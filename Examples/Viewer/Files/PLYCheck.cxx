@@ -132,8 +132,9 @@ private:
 
   [[noreturn]] static void FailShort(const Element& element, long long number)
   {
-    throw ViewerError("the file is truncated: its header says " + std::to_string(element.Count) +
-      " of '" + element.Name + "', but there are " + std::to_string(number));
+    throw ViewerError("the file is truncated: its header declares " +
+      std::to_string(element.Count) + " of '" + element.Name + "', but there are " +
+      std::to_string(number));
   }
 
   // Returns whether the file has this many bytes left.
@@ -222,7 +223,7 @@ private:
       if (!isWhole)
       {
         throw ViewerError("line " + std::to_string(i + 1) + " of '" + element.Name +
-          "' has fewer values than the header says, or values that are not numbers");
+          "' has fewer values than the header declares, or values that are not numbers");
       }
     }
   }

@@ -333,8 +333,8 @@ std::string ReadVTP(
     patternOfCell->GetNumberOfComponents() != 1 || !level || level->GetNumberOfValues() != 1)
   {
     return name +
-      " is not a file of refinement patterns: it lacks the point arrays Barycentrics and Pattern, "
-      "the cell array Pattern or the field array MaximumLevel.";
+      " is not a file of refinement patterns: it needs the point arrays Barycentrics and "
+      "Pattern, the cell array Pattern and the field array MaximumLevel.";
   }
   if (polyData->GetNumberOfCells() != polyData->GetNumberOfPolys())
   {

@@ -152,7 +152,7 @@ void vtkProceduralSurface::SetUniformValues(const char* name, const std::vector<
   if (!std::all_of(values.begin(), values.end(),
         [](double v) { return std::isfinite(static_cast<float>(v)); }))
   {
-    vtkErrorMacro("Uniform \"" << name << "\" must be in the range of floats.");
+    vtkErrorMacro("Uniform \"" << name << "\" must be finite and in the range of floats.");
     return;
   }
   const std::vector<float> floats(values.begin(), values.end());

@@ -103,7 +103,7 @@ void TestSameGrid(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(SamePixels(Drape(source, terrain, folders.File("ImagerySix.tif")), six, { 5, 1, 3 }));
   source->SetImageryBands(1, 2, 7);
   source->Update();
-  CHECK(errors.Said("no band 7, only 6"));
+  CHECK(errors.Said("no band 7; it has 6 bands"));
   CHECK_EQUAL(source->GetOutput()->GetNumberOfCells(), 0);
   source->SetImageryBands(0, 0, 0);
 

@@ -71,7 +71,7 @@ void TestReduced(RelevoCheck& check, const RelevoTestFolders& folders, const std
     source->Update();
     source->Update();
     CHECK_EQUAL(warnings.Number, 1);
-    for (const char* words : { "1500 x 750", "600 a side", "600 x 600", "MaximumImagerySize" })
+    for (const char* words : { "1500 x 750", "600 per side", "600 x 600", "MaximumImagerySize" })
     {
       CHECK_CASE(words);
       CHECK_NOT_EQUAL(warnings.Text.find(words), std::string::npos);

@@ -156,7 +156,7 @@ void TestErrors(RelevoCheck& check, Pair& pair)
   RelevoErrors errors(metric);
   const int before = metric->GetNumberOfMetrics();
   metric->AddMetric(nullptr);
-  CHECK(errors.Said("no metric"));
+  CHECK(errors.Said("Cannot add the metric"));
   metric->AddMetric(metric);
   CHECK(errors.Said("contain itself"));
   vtkNew<vtkCompositeDepthTagMetric> outer;

@@ -182,7 +182,7 @@ void testErrors(RelevoCheck& check)
     CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 0);
     return filterErrors.Said(words);
   };
-  CHECK(refineSays("\"none\" is missing"));
+  CHECK(refineSays("\"none\" does not exist"));
   vtkNew<vtkFloatArray> ofCells;
   ofCells->SetName("none");
   ofCells->SetNumberOfTuples(mesh->GetNumberOfCells());

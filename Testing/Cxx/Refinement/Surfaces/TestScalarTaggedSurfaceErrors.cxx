@@ -49,13 +49,14 @@ void testErrors(RelevoCheck& check)
   {
     CHECK_CASE(name);
     CHECK(fails(name, 1, -1, 0.5, ""));
-    CHECK(fails(name, 2, -1, 0.5, " has 20 tuples of 2 components; 1"));
+    CHECK(fails(name, 2, -1, 0.5, " has 20 tuples of 2 components, but 20 tuples of 1 are needed"));
     CHECK(fails(name, 1, 3, 0.5, " has 3 tuples"));
     CHECK(fails(name, 1, -1, nan, " is not finite at point 2"));
     CHECK(fails(name, 1, -1, -infinity, " is not finite at point 2"));
   }
   CHECK(fails("Direction", 3, -1, 0.5, ""));
-  CHECK(fails("Direction", 1, -1, 0.5, " has 20 tuples of 1 components; 3"));
+  CHECK(fails(
+    "Direction", 1, -1, 0.5, " has 20 tuples of 1 components, but 20 tuples of 3 are needed"));
   CHECK(fails("Direction", 3, -1, nan, " is not finite at point 2"));
   // Arrays that are not used may contain anything.
   surface->SetDirectionArrayName(nullptr);

@@ -105,7 +105,8 @@ void TestErrors(RelevoCheck& check)
     RelevoPatchScene scene(missing);
     RelevoErrors errors(scene.Mapper);
     CHECK_EQUAL(scene.Draw().Colors, interpolated.Colors);
-    CHECK(errors.Said("the array PatchNodes:Field has 3 tuples of 1 components, not 25 of 1"));
+    CHECK(errors.Said("the array PatchNodes:Field has 3 tuples of 1 components, but 25 "
+                      "tuples of 1 are needed"));
     scene.Draw();
     CHECK(errors.None()); // reported once
     missing->GetFieldData()->AddArray(patches->GetFieldData()->GetArray("PatchNodes:Field"));
