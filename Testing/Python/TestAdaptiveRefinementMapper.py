@@ -135,7 +135,7 @@ class TestAdaptiveRefinementMapper(unittest.TestCase):
 
     def test_documentation(self):
         text = " ".join(relevo.vtkAdaptiveRefinementMapper.__doc__.split())
-        self.assertIn("refines every frame on the GPU", text)
+        self.assertIn("on the GPU in each frame", text)
 
 
 if __name__ == "__main__":

@@ -35,7 +35,7 @@ class TestGeographicVectors(unittest.TestCase):
         self.assertEqual(vectors.GetCoordinateSystem(), "")
         self.assertEqual(vectors.GetOutputArrayName(), "")
         self.assertIsNone(vectors.GetTerrain())
-        for words in ("convergence", "LocalCartesian", "No data", "Errors", "1e8"):
+        for words in ("convergence", "LocalCartesian", "missing", "error", "1e8"):
             self.assertIn(words, relevo.vtkGeographicVectors.__doc__)
 
     def test_raster(self):

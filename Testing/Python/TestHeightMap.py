@@ -54,7 +54,7 @@ class TestHeightMap(unittest.TestCase):
         self.assertIsInstance(heights, relevo.vtkHeightField)
         self.assertEqual(heights.GetDimensions(), (0, 0))
         self.assertIsNone(heights.GetFileName())
-        for words in ("GeoTIFF", "SetImageData", "No data", "Errors"):
+        for words in ("GeoTIFF", "SetImageData", "no data", "error"):
             self.assertIn(words, relevo.vtkHeightMap.__doc__)
 
     def test_png(self):

@@ -147,7 +147,7 @@ class TestLineIntegralConvolution(unittest.TestCase):
 
     def test_documentation(self):
         for item in (relevo.vtkLineIntegralConvolution, relevo.vtkLICNoiseSource):
-            self.assertIn("Errors", item.__doc__)
+            self.assertIn("error", item.__doc__.lower())
         steps = relevo.vtkLineIntegralConvolution.SetNumberOfSteps.__doc__
         self.assertIn("default 20", " ".join(steps.split()))
 

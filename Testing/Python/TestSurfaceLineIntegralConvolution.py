@@ -125,7 +125,7 @@ class TestSurfaceLineIntegralConvolution(unittest.TestCase):
 
     def test_documentation(self):
         text = relevo.vtkSurfaceLineIntegralConvolution.__doc__
-        for word in ("Nellmeldin", "LICMask", "vtkScreenEdgeDepthTagMetric", "Errors"):
+        for word in ("Nellmeldin", "LICMask", "vtkScreenEdgeDepthTagMetric", "error"):
             self.assertIn(word, text)
 
 
