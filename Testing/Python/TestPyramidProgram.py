@@ -147,4 +147,4 @@ class TestPyramidProgram(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(argv=["TestPyramidProgram"])
