@@ -28,7 +28,7 @@ class RasterPyramid
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double NoHeight = std::numeric_limits<double>::quiet_NaN();
 constexpr vtkTypeInt64 MinimumLimit = 1 << 20;
 
 // Coordinates at the border of the raster are inside in spite of rounding.
@@ -287,11 +287,11 @@ double vtkTerrainPyramid::Evaluate(double x, double y, std::string& error)
   }
   if (!isInside(uv))
   {
-    return NaN;
+    return NoHeight;
   }
   const double u = location.FlipColumns ? 1.0 - uv[0] : uv[0];
   const double v = location.FlipRows ? 1.0 - uv[1] : uv[1];
-  double sample = NaN;
+  double sample = NoHeight;
   this->Pyramid->Interpolate(u * contents.Width - 0.5, v * contents.Height - 0.5, sample, error);
   return contents.Scale * sample + contents.Offset;
 }
@@ -302,7 +302,7 @@ double vtkTerrainPyramid::GetElevation(double x, double y)
   if (!this->Pyramid)
   {
     this->Report("There is no raster to read heights from: call Update() first.");
-    return NaN;
+    return NoHeight;
   }
   std::string error;
   const double height = this->Evaluate(x, y, error);
@@ -417,12 +417,12 @@ double vtkTerrainPyramid::GetMaximumError(int)
 }
 double vtkTerrainPyramid::Evaluate(double, double, std::string&)
 {
-  return NaN;
+  return NoHeight;
 }
 double vtkTerrainPyramid::GetElevation(double, double)
 {
   this->Update();
-  return NaN;
+  return NoHeight;
 }
 vtkDoubleArray* vtkTerrainPyramid::GetElevations(vtkDoubleArray*)
 {
