@@ -10,7 +10,7 @@
 
 namespace
 {
-const unsigned long Delay = 1; // milliseconds
+const unsigned long FrameDelay = 1; // milliseconds
 // A continuous stream of events must not postpone a frame forever.
 const int MaximumDelays = 10;
 }
@@ -76,5 +76,5 @@ void ViewerFrames::OnTimer(int timer)
 void ViewerFrames::StartTimer()
 {
   this->Handled = this->Requests;
-  this->Timer = this->Interactor->CreateOneShotTimer(Delay);
+  this->Timer = this->Interactor->CreateOneShotTimer(FrameDelay);
 }

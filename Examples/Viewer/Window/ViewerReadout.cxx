@@ -24,7 +24,7 @@
 namespace
 {
 const int ReadoutMargin = 10;    // pixels
-const unsigned long Delay = 100; // milliseconds
+const unsigned long ReadoutDelay = 100; // milliseconds
 const double FastFrame = 0.05;   // seconds
 
 // Finds the visible point in a pixel from its depth, which includes refinement and displacement and
@@ -109,7 +109,7 @@ void ViewerReadout::OnChange()
   {
     this->Interactor->DestroyTimer(this->Timer);
   }
-  this->Timer = this->Interactor->CreateOneShotTimer(Delay);
+  this->Timer = this->Interactor->CreateOneShotTimer(ReadoutDelay);
 }
 
 //------------------------------------------------------------------------------
