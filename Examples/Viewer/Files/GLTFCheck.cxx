@@ -57,7 +57,7 @@ private:
     Require(IsIn(index, this->Model.Accessors),
       user + " refers to accessor " + std::to_string(index) + ", but there are " +
         std::to_string(this->Model.Accessors.size()));
-    // VTK would write sparse values to any index in the file.
+    // VTK would write sparse values to the file's indices without checking these.
     Require(!this->Model.Accessors[index].IsSparse,
       user + " refers to accessor " + std::to_string(index) +
         ", which is sparse; sparse accessors are not supported");

@@ -82,7 +82,7 @@ LegendLabels MakeLegendLabels(const double range[2], int number)
     legend.Labels.push_back({ range[0], text.str() });
     return legend;
   }
-  // Three digits, and neighbours that differ by at least two.
+  // Labels have three digits, and neighbours differ in at least two of them.
   const double step = (range[1] - range[0]) / (number - 1);
   const int first = isPlain ? exponent : 0;
   int decimals = std::max(2 - first, static_cast<int>(std::ceil(1.0 - std::log10(step / scale))));

@@ -105,7 +105,7 @@ MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
     this->Renderer->AddActor(this->Hair);
     seen = WithPoints(seen, this->Hair->GetMapper()->GetInputDataObject(0, 0));
   }
-  // From above the viewer's left shoulder, with a second light from the right and behind.
+  // The main light is above the viewer's left shoulder. Weaker lights are on the right and behind.
   const int up = options.UpAxis;
   this->SetLights(
     { { { 250.0, 45.0, up }, 0.95 }, { { 150.0, 15.0, up }, 0.45 }, { { 10.0, 40.0, up }, 0.30 } });

@@ -29,7 +29,7 @@ std::vector<TransferNode> MakeTransferNodes(
 std::vector<TransferNode> AddPeaks(
   std::vector<TransferNode> nodes, const std::vector<double>& values, double opacity);
 
-/// Sets colours and opacities, multiplied by a factor and clamped to 1.
+/// Sets colours, and opacities multiplied by a factor. The factor raises no opacity above 1.
 void SetTransferNodes(
   vtkVolumeProperty* property, const std::vector<TransferNode>& nodes, double factor);
 

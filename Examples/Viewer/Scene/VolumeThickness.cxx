@@ -198,7 +198,7 @@ double GetMeanChord(vtkDataObject* data)
       AddSample(grid, number, sums);
     }
   }
-  // Faces between blocks are not surface, so the mean chord is at least that of the bounding box.
+  // The sum includes faces between blocks, so the surface of the bounding box limits it.
   double lengths[3] = { 0.0, 0.0, 0.0 };
   if (box.IsValid())
   {
