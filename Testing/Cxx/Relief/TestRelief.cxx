@@ -143,7 +143,7 @@ void TestErrors(RelevoCheck& check)
   image = MakeFlat();
   image->GetFieldData()->GetArray("ReliefMatrix")->SetComponent(0, 0, 0.0);
   CHECK(Relief().Read(MakeFlat()).empty());
-  CHECK(isRefused(image, "inverse"));
+  CHECK(isRefused(image, "singular"));
   image->GetFieldData()->GetArray("ReliefMatrix")->SetComponent(0, 0, 1e-12);
   CHECK(Relief().Read(image).empty()); // small, but not singular
   image = MakeFlat();
