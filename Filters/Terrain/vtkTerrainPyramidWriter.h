@@ -16,8 +16,8 @@
  *
  * Errors (ErrorEvent; Write() returns false and leaves the output file as it was): no file names;
  * an input that is missing, unreadable, complex, or declares missing samples by a mask; an output
- * that cannot be written or that another process is writing; a compression that GDAL lacks; a build
- * without GDAL.
+ * that is the input, that cannot be written, or that another process is writing; a compression that
+ * GDAL lacks; a build without GDAL.
  *
  * ProgressEvent reports the fraction that is complete. An observer can call AbortExecuteOn() to
  * stop.

@@ -44,7 +44,8 @@ double FindTerrainHeight(const std::string& fileName, const std::array<double, 2
   {
     const std::string error = pyramid->GetErrorMessage();
     throw ViewerError(error.empty() ? fileName + " has no height at " + ToText(degrees) +
-          ": the point is outside of the raster, or there is no data"
+          ": the point is outside of the raster, or there is no data. "
+          "The order is longitude, latitude"
                                     : error);
   }
   return height;

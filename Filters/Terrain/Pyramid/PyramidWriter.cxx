@@ -137,6 +137,13 @@ PyramidWriter::Result PyramidWriter::Write(std::string& error)
     error = "Cannot write " + this->Wanted.Output + ": " + error;
     return Result::Failed;
   }
+  std::error_code failure;
+  if (fs::equivalent(
+        fs::u8path(FindContainer(this->Wanted.Input)), fs::u8path(this->Wanted.Output), failure))
+  {
+    error = "Cannot write " + this->Wanted.Output + ": it is the input";
+    return Result::Failed;
+  }
   if (!this->OpenInput(error))
   {
     error = "Cannot read " + this->Wanted.Input + ": " + error;

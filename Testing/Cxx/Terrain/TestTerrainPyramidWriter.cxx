@@ -339,6 +339,9 @@ void TestErrors(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(!writer->Write());
   CHECK(errors.Said("no/such/folder/out.tif"));
 
+  writer->SetFileName(input.c_str());
+  CHECK(!writer->Write());
+  CHECK(errors.Said("it is the input"));
   raster.Mask.assign(raster.Values.size(), 255);
   raster.Mask[7] = 0;
   CHECK(raster.Write(input));
