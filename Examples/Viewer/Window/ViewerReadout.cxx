@@ -23,9 +23,9 @@
 
 namespace
 {
-const int ReadoutMargin = 10;    // pixels
+const int ReadoutMargin = 10;           // pixels
 const unsigned long ReadoutDelay = 100; // milliseconds
-const double FastFrame = 0.05;   // seconds
+const double FastFrame = 0.05;          // seconds
 
 // Finds the visible point in a pixel from its depth, which includes refinement and displacement and
 // costs reading one pixel. Returns false for the background.
