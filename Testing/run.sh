@@ -35,7 +35,7 @@ result=0
 echo
 echo "The build took $built s, the tests $((SECONDS - built)) s. The slowest tests:"
 sed -n 's/^"\(.*\)" time elapsed: \(.*\)/  \2  \1/p' Testing/Temporary/LastTest.log |
-  sort -r | head -n 15
+  sort -r | sed -n 1,15p
 echo
 sed -n '/tests passed/,$p' "$log"
 exit "$result"
