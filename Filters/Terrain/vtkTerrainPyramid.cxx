@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainPyramid.h"
 
-#include "Checks/SettingChecks.h"
 #include "Geodesy/Georeference.h"
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
@@ -82,6 +81,8 @@ void vtkTerrainPyramid::SetMemoryLimit(vtkTypeInt64 bytes)
 //------------------------------------------------------------------------------
 bool vtkTerrainPyramid::Report(const std::string& error)
 {
+  // Queries of several threads can fail at once.
+  const std::lock_guard<std::recursive_mutex> lock(this->ReportMutex);
   this->ErrorMessage = error;
   vtkErrorMacro(<< error);
   return false;

@@ -16,7 +16,7 @@
  * An index stores the range of each tile and the largest deviation of its surface from that of the
  * full resolution. Both surfaces are bilinear between the centers of samples. The index is a file
  * beside the raster, with the extension .relevo-index, or, if that folder is read-only, in
- * $XDG_CACHE_HOME/relevo (by default ~/.cache/relevo). Its size is less than 0.1 % of the samples'.
+ * $XDG_CACHE_HOME/relevo (by default ~/.cache/relevo). It has 20 bytes for each tile.
  * If it does not exist, or if the raster has changed, Update() starts threads that build it in the
  * background. IsErrorKnown() tells whether it is complete, and WaitForIndex() waits for it.
  *
@@ -191,6 +191,7 @@ private:
   std::unique_ptr<relevo::RasterPyramid> Pyramid;
   std::string OpenedName;
   std::string OpenedCacheDirectory;
+  std::recursive_mutex ReportMutex; // observers may ask for heights
   std::string ErrorMessage;
   bool HasReportedIndex;
   int Dimensions[2];

@@ -4,6 +4,7 @@
 
 #include "Heights/HeightReduction.h"
 #include "Heights/NoDataFill.h"
+#include "Raster/StoredNoData.h"
 #include "vtkSMPTools.h"
 #include "vtkType.h"
 
@@ -37,10 +38,7 @@ struct NoDataValues
       }
       else if (std::is_floating_point<T>::value)
       {
-        // GDAL also clamps values out of range of the type.
-        const double largest = static_cast<double>(std::numeric_limits<T>::max());
-        this->Values.push_back(
-          static_cast<T>(std::isinf(value) ? value : std::clamp(value, -largest, largest)));
+        this->Values.push_back(GetStoredNoData<T>(value));
       }
       // The largest 64 bit integers round up to 2^63 and 2^64 as double.
       else if (value >= static_cast<double>(std::numeric_limits<T>::lowest()) &&

@@ -6,6 +6,7 @@
 #include "Raster/GDALRaster.h"
 #include "Raster/RasterFile.h"
 #include "Raster/RawFile.h"
+#include "Raster/StoredNoData.h"
 #include "vtkType.h"
 
 #include <cpl_vsi.h>
@@ -30,17 +31,6 @@ bool FitsIntoFloat(int type)
 {
   return type == VTK_UNSIGNED_CHAR || type == VTK_SIGNED_CHAR || type == VTK_SHORT ||
     type == VTK_UNSIGNED_SHORT || type == VTK_FLOAT;
-}
-
-// The no-data value as it is stored: a declared -3.4e38 is the float nearest to it.
-double GetStoredValue(double noData, int type)
-{
-  if (type != VTK_FLOAT || !std::isfinite(noData))
-  {
-    return noData;
-  }
-  constexpr double largest = std::numeric_limits<float>::max();
-  return static_cast<float>(std::clamp(noData, -largest, largest));
 }
 }
 
@@ -236,9 +226,10 @@ bool PyramidFile::ReadAs(const SampleWindow& window, T* samples, std::string& er
   }
   constexpr T missing = std::numeric_limits<T>::quiet_NaN();
   const bool hasNoData = this->Description.NoData.has_value();
-  const T noData = hasNoData
-    ? static_cast<T>(GetStoredValue(*this->Description.NoData, this->Description.Type))
-    : missing;
+  // Other types than float store every declared value that can match as a double.
+  const double declared = this->Description.NoData.value_or(missing);
+  const T noData = static_cast<T>(
+    this->Description.Type == VTK_FLOAT ? GetStoredNoData<float>(declared) : declared);
   for (std::size_t i = 0; i < n; ++i)
   {
     const bool isMissing = (hasNoData && samples[i] == noData) || (!mask.empty() && mask[i] == 0) ||
@@ -260,6 +251,10 @@ bool PyramidFile::Read(const SampleWindow& window, float* samples, std::string& 
 
 bool PyramidFile::IsAbsent(const SampleWindow& window) const
 {
+  if (this->Description.HasMask)
+  {
+    return false; // the mask decides, and it can be stored where samples are not
+  }
   std::string ignored; // the read that follows reports it
   const Lease lease(*this, ignored);
   if (!lease.Get())
@@ -274,9 +269,7 @@ bool PyramidFile::IsAbsent(const SampleWindow& window) const
 
 double PyramidFile::GetAbsentSample() const
 {
-  return this->Description.NoData || this->Description.HasMask
-    ? std::numeric_limits<double>::quiet_NaN()
-    : 0.0;
+  return this->Description.NoData ? std::numeric_limits<double>::quiet_NaN() : 0.0;
 }
 
 std::string PyramidFile::GetSignature() const

@@ -3,6 +3,7 @@
 #include "Pyramid/PyramidIndex.h"
 
 #include "Files/AtomicFile.h"
+#include "Pyramid/Checksum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <string_view>
 
 namespace relevo
 {
@@ -28,17 +30,6 @@ float RoundDown(double value)
 float RoundUp(double value)
 {
   return -RoundDown(-value);
-}
-
-// FNV-1a.
-std::uint64_t GetChecksum(const char* bytes, std::size_t size)
-{
-  std::uint64_t hash = 14695981039346656037u;
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    hash = (hash ^ static_cast<unsigned char>(bytes[i])) * 1099511628211u;
-  }
-  return hash;
 }
 
 template <typename T>
@@ -135,7 +126,8 @@ bool PyramidIndex::Read(const std::string& fileName, const std::string& signatur
   std::uint64_t checksum = 0;
   std::size_t position = end;
   if (bytes.compare(0, header.size(), header) != 0 || end < header.size() ||
-    !Take(bytes, position, checksum) || checksum != GetChecksum(bytes.data(), end))
+    !Take(bytes, position, checksum) ||
+    checksum != GetChecksum(std::string_view(bytes).substr(0, end)))
   {
     return false;
   }
@@ -185,7 +177,7 @@ std::string PyramidIndex::Write(const std::string& fileName, const std::string& 
       Append(bytes, level.at(key));
     }
   }
-  Append(bytes, GetChecksum(bytes.data(), bytes.size()));
+  Append(bytes, GetChecksum(bytes));
   return AtomicFile::Write(fileName, bytes);
 }
 }

@@ -69,7 +69,7 @@ private:
   }
 
   std::vector<std::unordered_map<std::uint64_t, Record>> Levels;
-  Record Absent{ Infinity, -Infinity, 0.0f }; // of what is not stored
+  Record Absent{ Infinity, -Infinity, 0.0f }; // of samples that are not stored
 };
 }
 

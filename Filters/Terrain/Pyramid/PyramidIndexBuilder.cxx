@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <system_error>
 #include <thread>
 
 namespace relevo
@@ -211,9 +212,16 @@ bool PyramidIndexBuilder::Build(int numberOfThreads, PyramidIndex& index, std::s
   }
   this->NumberOfJobs = this->Jobs.size();
   std::vector<std::thread> threads;
-  for (int i = 1; i < numberOfThreads; ++i)
+  try
   {
-    threads.emplace_back([this]() { this->Work(); });
+    for (int i = 1; i < numberOfThreads; ++i)
+    {
+      threads.emplace_back([this]() { this->Work(); });
+    }
+  }
+  catch (const std::system_error&)
+  {
+    // The system allows no more threads; those that run do the work.
   }
   this->Work();
   for (std::thread& thread : threads)

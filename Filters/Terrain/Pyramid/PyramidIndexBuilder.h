@@ -79,7 +79,7 @@ private:
   std::atomic<std::size_t> NumberOfJobs{ 0 }; // 0 until all are collected
   std::atomic<std::size_t> Next{ 0 };
   std::atomic<std::size_t> Done{ 0 };
-  std::mutex Mutex; // of what follows
+  std::mutex Mutex; // protects the next members
   PyramidIndex* Index = nullptr;
   std::string Error;
 };

@@ -5,6 +5,7 @@
 #include "Files/AtomicFile.h"
 #include "Raster/RasterFile.h"
 #include "Raster/RawFile.h"
+#include "Raster/StoredNoData.h"
 
 #include <cpl_conv.h>
 #include <cpl_string.h>
@@ -34,7 +35,7 @@ constexpr int BlockSize = 256;
 // A window that is copied at once has rows of two blocks and at most this many columns.
 constexpr int WindowWidth = 8192;
 constexpr int WindowHeight = 2 * BlockSize;
-// What is written between two entries of the journal.
+// The journal gets an entry after this many bytes.
 constexpr double BytesPerFlush = 256.0 * 1024 * 1024;
 
 // GDAL's options for the time of a call, on this thread.
@@ -115,7 +116,11 @@ PyramidWriter::PyramidWriter(const Settings& settings, const Progress& progress)
   : Wanted(settings)
   , Report(progress)
 {
-  const fs::path path = fs::u8path(settings.Output);
+  // The file that a symbolic link leads to is replaced, not the link.
+  std::error_code failure;
+  fs::path path = fs::u8path(settings.Output);
+  path = fs::is_symlink(path, failure) ? fs::weakly_canonical(path, failure) : path;
+  this->TargetName = path.u8string();
   const std::string hidden = (path.parent_path() / ("." + path.filename().u8string())).u8string();
   this->PartialName = hidden + ".relevo-part.tif";
   this->JournalName = hidden + ".relevo-journal";
@@ -131,13 +136,19 @@ PyramidWriter::~PyramidWriter()
 
 PyramidWriter::Result PyramidWriter::Write(std::string& error)
 {
+  std::error_code failure;
+  const fs::path output = fs::u8path(this->Wanted.Output);
+  if (fs::exists(output, failure) && !fs::is_regular_file(output, failure))
+  {
+    error = "Cannot write " + this->Wanted.Output + ": it is not a regular file";
+    return Result::Failed;
+  }
   error = AtomicFile::FindError(this->Wanted.Output);
   if (!error.empty())
   {
     error = "Cannot write " + this->Wanted.Output + ": " + error;
     return Result::Failed;
   }
-  std::error_code failure;
   if (fs::equivalent(
         fs::u8path(FindContainer(this->Wanted.Input)), fs::u8path(this->Wanted.Output), failure))
   {
@@ -461,9 +472,8 @@ bool PyramidWriter::Reduce(const SampleWindow& window, std::string& error)
   }
   int isDeclared = 0;
   const double declared = GDALGetRasterNoDataValue(source, &isDeclared);
-  const double noData = isDeclared && this->Type == GDT_Float32 && std::isfinite(declared)
-    ? static_cast<float>(declared)
-    : declared;
+  const double noData =
+    isDeclared && this->Type == GDT_Float32 ? GetStoredNoData<float>(declared) : declared;
   const bool isFloat = this->Type == GDT_Float32 || this->Type == GDT_Float64;
   std::vector<double> means(window.GetNumberOfSamples());
   for (int row = 0; row < window.Height; ++row)
@@ -541,7 +551,7 @@ PyramidWriter::Result PyramidWriter::Finish(std::string& error)
   std::error_code failure;
   if (isOnDisk)
   {
-    fs::rename(fs::u8path(this->PartialName), fs::u8path(this->Wanted.Output), failure);
+    fs::rename(fs::u8path(this->PartialName), fs::u8path(this->TargetName), failure);
     error = failure ? failure.message() : "";
   }
   if (!error.empty())

@@ -4,10 +4,10 @@
  * @class   PyramidWriter
  * @brief   copies a raster into a tiled, compressed BigTIFF and computes its overviews
  *
- * The file grows beside its target under a name of its own, together with a journal of what is
- * complete. If the program is interrupted, the next run for the same raster and target goes on from
- * there. The file is renamed onto the target when it is complete. A lock keeps a second process
- * from writing the same file.
+ * A hidden file beside the target grows, together with a journal of the complete rows. If the
+ * program is interrupted, the next run for the same raster and target goes on from there. The file
+ * is renamed onto the target when it is complete. A lock keeps a second process from writing the
+ * same file.
  *
  * Each sample of an overview is the mean of the samples with data among the 2 x 2 that it covers.
  *
@@ -73,6 +73,7 @@ private:
 
   Settings Wanted;
   Progress Report;
+  std::string TargetName; // the output without symbolic links
   std::string PartialName;
   std::string JournalName;
   std::string LockName;

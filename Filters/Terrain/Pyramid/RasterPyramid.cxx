@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pyramid/RasterPyramid.h"
 
+#include "Pyramid/Checksum.h"
 #include "Pyramid/PyramidIndexBuilder.h"
 #include "Raster/RasterFile.h"
 
@@ -12,6 +13,7 @@
 #include <filesystem>
 #include <iomanip>
 #include <limits>
+#include <new>
 #include <sstream>
 #include <vector>
 
@@ -44,11 +46,7 @@ std::string MakeCacheFileName(const std::string& folder, const std::string& rast
   std::error_code failure;
   const fs::path path = fs::u8path(rasterName);
   const fs::path absolute = fs::exists(path, failure) ? fs::canonical(path, failure) : path;
-  std::uint64_t hash = 14695981039346656037u; // FNV-1a
-  for (const char c : absolute.u8string())
-  {
-    hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-  }
+  const std::uint64_t hash = GetChecksum(absolute.u8string());
   std::ostringstream name;
   name << folder << '/' << path.stem().u8string() << '-' << std::hex << std::setw(16)
        << std::setfill('0') << hash << IndexExtension;
@@ -202,7 +200,16 @@ void RasterPyramid::BuildIndex()
 {
   std::string error;
   const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  if (this->Builder->Build(threads, this->Index, error))
+  bool isBuilt = false;
+  try
+  {
+    isBuilt = this->Builder->Build(threads, this->Index, error);
+  }
+  catch (const std::bad_alloc&) // an exception that leaves a thread ends the program
+  {
+    error = "there is not enough memory to index the raster";
+  }
+  if (isBuilt)
   {
     this->IsComplete = true;
     for (const std::string& name : this->IndexFileNames)

@@ -87,7 +87,7 @@ private:
   std::thread Thread;
   std::atomic<bool> Abort{ false };
   std::atomic<bool> IsComplete{ false };
-  mutable std::mutex Mutex; // of what follows
+  mutable std::mutex Mutex; // protects the next members
   std::condition_variable Ended;
   bool HasEnded = false;
   std::string Error;

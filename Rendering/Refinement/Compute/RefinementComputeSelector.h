@@ -64,7 +64,7 @@ public:
   bool UploadPatterns(const std::vector<Pattern>& patterns, const std::vector<unsigned int>& table,
     int maximumLevel, bool morphing);
 
-  /// What a tag belongs to; the values are those of relevoSelectCS.glsl.
+  /// The element that has a tag. relevoSelectCS.glsl uses the same values.
   enum TagKinds
   {
     UNIFORM = 0,   // no tags: all edges have the highest level

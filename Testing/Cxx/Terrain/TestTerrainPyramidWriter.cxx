@@ -15,6 +15,8 @@
 #include <filesystem>
 #include <limits>
 
+#include <sys/stat.h>
+
 namespace
 {
 namespace fs = std::filesystem;
@@ -342,6 +344,23 @@ void TestErrors(RelevoCheck& check, const RelevoTestFolders& folders)
   writer->SetFileName(input.c_str());
   CHECK(!writer->Write());
   CHECK(errors.Said("it is the input"));
+  const std::string pipe = folders.File("TerrainPyramidWriterPipe");
+  fs::remove(pipe);
+  CHECK_EQUAL(mkfifo(pipe.c_str(), 0600), 0);
+  writer->SetFileName(pipe.c_str());
+  CHECK(!writer->Write());
+  CHECK(errors.Said("it is not a regular file"));
+  CHECK(fs::is_fifo(pipe)); // a rename would have replaced it
+  fs::remove(pipe);
+  const std::string link = folders.File("TerrainPyramidWriterLink.tif");
+  fs::remove(link);
+  CHECK(raster.Write(output));
+  fs::create_symlink(fs::absolute(output), link);
+  writer->SetFileName(link.c_str());
+  CHECK(writer->Write());
+  CHECK(fs::is_symlink(link));
+  fs::remove(link);
+  fs::remove(output);
   raster.Mask.assign(raster.Values.size(), 255);
   raster.Mask[7] = 0;
   CHECK(raster.Write(input));

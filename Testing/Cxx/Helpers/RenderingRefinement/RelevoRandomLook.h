@@ -17,7 +17,7 @@ namespace RelevoRandomLook
 {
 using RelevoRandomMapping::Choice;
 
-// What is drawn at one position: an actor, or in the twin one actor per block with the same
+// The actors at one position: one actor, or in the twin one actor per block with the same
 // property.
 struct Look
 {
