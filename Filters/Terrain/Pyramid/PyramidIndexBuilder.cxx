@@ -26,6 +26,17 @@ struct Corner
   int LastTile;
 };
 
+// Positions in samples of a level of full resolution, and of one that is coarser by a ratio.
+double ToCoarse(double x, double ratio)
+{
+  return (x + 0.5) / ratio - 0.5;
+}
+
+double ToFine(double u, double ratio)
+{
+  return (u + 0.5) * ratio - 0.5;
+}
+
 // The corners from sample `first` to sample `last` of level 0.
 std::vector<Corner> FindCorners(
   int fineFirst, int fineLast, int fineSize, int coarseFirst, int coarseLast, int coarseSize)
@@ -34,11 +45,11 @@ std::vector<Corner> FindCorners(
   std::vector<std::pair<double, double>> places; // x in fine samples, u in coarse ones
   for (int x = fineFirst; x <= fineLast; ++x)
   {
-    places.emplace_back(x, std::clamp((x + 0.5) / ratio - 0.5, 0.0, coarseSize - 1.0));
+    places.emplace_back(x, std::clamp(ToCoarse(x, ratio), 0.0, coarseSize - 1.0));
   }
   for (int u = coarseFirst; u <= coarseLast; ++u)
   {
-    const double x = (u + 0.5) * ratio - 0.5;
+    const double x = ToFine(u, ratio);
     if (x > fineFirst && x < fineLast)
     {
       places.emplace_back(x, u);
@@ -101,8 +112,8 @@ SampleWindow PyramidIndexBuilder::GetLevelWindow(const SampleWindow& block, int 
     const int size = this->File.GetSize(level)[axis];
     const double ratio = static_cast<double>(this->File.GetSize(0)[axis]) / size;
     const auto clampSample = [size](double u) { return std::clamp(u, 0.0, size - 1.0); };
-    begin = static_cast<int>(std::floor(clampSample((first + 0.5) / ratio - 0.5)));
-    const int end = static_cast<int>(std::ceil(clampSample((first + count - 0.5) / ratio - 0.5)));
+    begin = static_cast<int>(std::floor(clampSample(ToCoarse(first, ratio))));
+    const int end = static_cast<int>(std::ceil(clampSample(ToCoarse(first + count - 1, ratio))));
     number = end - begin + 1;
   };
   SampleWindow window;
