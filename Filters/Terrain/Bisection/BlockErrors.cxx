@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bisection/BlockErrors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relevo
+{
+namespace
+{
+constexpr int LargestCode = 255;
+constexpr int StepsPerOctave = 8;
+
+float Decode(int code, float largest)
+{
+  return code == 0 ? 0.0f
+                   : largest * std::exp2(static_cast<float>(code - LargestCode) / StepsPerOctave);
+}
+}
+
+BlockErrors::BlockErrors(int rootLevel)
+  : Levels(rootLevel + 1)
+{
+}
+
+BlockErrors BlockErrors::Estimate(int rootLevel, float squareErrorOfLevel0)
+{
+  BlockErrors errors(rootLevel);
+  errors.Estimated = squareErrorOfLevel0;
+  return errors;
+}
+
+int BlockErrors::GetRootLevel(int columns, int rows)
+{
+  // Faces need two levels of heights, so that the root has at least level 1.
+  int level = 1;
+  while ((static_cast<std::int64_t>(CellsPerBlock) << level) < std::max(columns, rows) - 1)
+  {
+    ++level;
+  }
+  return level;
+}
+
+std::uint8_t BlockErrors::Encode(float error) const
+{
+  if (!(error > 0.0f) || !(this->Largest > 0.0f))
+  {
+    return 0;
+  }
+  const float steps = std::ceil(StepsPerOctave * std::log2(error / this->Largest));
+  int code = std::clamp(static_cast<int>(std::max(steps, -1000.0f)) + LargestCode, 1, LargestCode);
+  while (code < LargestCode && Decode(code, this->Largest) < error) // the logarithm is rounded
+  {
+    ++code;
+  }
+  return static_cast<std::uint8_t>(code);
+}
+
+float BlockErrors::Find(int level, int column, int row, bool isFace) const
+{
+  if (level >= static_cast<int>(this->Levels.size()))
+  {
+    return this->Largest;
+  }
+  const Tiles& tiles = this->Levels[level];
+  const auto found = tiles.find(GetKey(column / BlocksPerTile, row / BlocksPerTile));
+  if (found == tiles.end())
+  {
+    return 0.0f;
+  }
+  const int block = row % BlocksPerTile * BlocksPerTile + column % BlocksPerTile;
+  return Decode(isFace ? found->second.Face[block] : found->second.Square[block], this->Largest);
+}
+
+float BlockErrors::GetSquareError(int level, int column, int row) const
+{
+  if (this->Estimated > 0.0f)
+  {
+    return this->Estimated * std::exp2(static_cast<float>(level));
+  }
+  if (level > 0)
+  {
+    return this->Find(level, column, row, false);
+  }
+  // The distance between a bilinear cell and its triangles is proportional to the cell's area.
+  const int shift = 1 - level;
+  return std::ldexp(this->Find(0, column >> shift, row >> shift, false), 2 * level);
+}
+
+float BlockErrors::GetFaceError(int level, int column, int row) const
+{
+  if (this->Estimated > 0.0f)
+  {
+    return this->Estimated * std::exp2(level - 0.5f);
+  }
+  return level > 0 ? this->Find(level, column, row, true)
+                   : this->GetSquareError(level, column, row) / 4.0f;
+}
+}

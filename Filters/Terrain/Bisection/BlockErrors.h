@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   BlockErrors
+ * @brief   bounds of the vertical errors of a bisected terrain, block by block
+ *
+ * A block of level m has 8 x 8 cells of the height lattice of level m, from vertex 8 * (column,
+ * row) on; see HeightTile. The square of a block can be drawn as 2 triangles (its square error
+ * bounds their distance from the surface of full resolution) or as 4 (the face error). Both are
+ * drawn with the uniform pattern of 8 segments; see TerrainFace.
+ *
+ * The errors are saturated: a square error is at least 2^(1/4) times the face error of the block
+ * and of the four blocks that share an edge with it, and a face error at least 2^(1/4) times the
+ * square errors of the four blocks of the next finer level. So a bisection that the error of a
+ * block asks for never needs one that the errors do not ask for.
+ *
+ * Errors of levels from 1 on are stored as one byte each: a number of steps of 2^(1/8) below the
+ * largest error, rounded up, so that the values stay bounds and stay saturated. The square error
+ * of level 0 is stored for 2 x 2 blocks together; its face errors, and all errors of finer levels,
+ * follow from it, because the surface of full resolution is bilinear there.
+ *
+ * Private to the modules for terrains.
+ */
+#ifndef BlockErrors_h
+#define BlockErrors_h
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace relevo
+{
+class BlockErrors
+{
+public:
+  static constexpr int CellsPerBlock = 8;
+  static constexpr int BlocksPerTile = 32; // per side, in storage
+  /// The finest level of blocks: below the resolution of the raster.
+  static constexpr int FinestLevel = -5;
+
+  /// The level at which one block covers a raster.
+  static int GetRootLevel(int columns, int rows);
+
+  //@{
+  /// The error in the unit of the heights; 0 for blocks without a record.
+  float GetSquareError(int level, int column, int row) const;
+  float GetFaceError(int level, int column, int row) const;
+  //@}
+
+  /// The codes of BlocksPerTile x BlocksPerTile blocks, row by row.
+  struct Tile
+  {
+    std::array<std::uint8_t, BlocksPerTile * BlocksPerTile> Square{};
+    std::array<std::uint8_t, BlocksPerTile * BlocksPerTile> Face{}; // not used at level 0
+  };
+  /// By column and row of tiles: row * 2^32 + column.
+  using Tiles = std::unordered_map<std::uint64_t, Tile>;
+  static std::uint64_t GetKey(int column, int row)
+  {
+    return static_cast<std::uint64_t>(row) << 32 | static_cast<std::uint32_t>(column);
+  }
+
+  /// Errors that are 0 everywhere, on levels from 0 to a root level.
+  explicit BlockErrors(int rootLevel = 0);
+
+  /// Errors that are not known, for a raster without an index: proportional to the size of a block.
+  static BlockErrors Estimate(int rootLevel, float squareErrorOfLevel0);
+
+  //@{
+  /// The largest error, which has the code 255, and the codes of a level. Those of level 0 are for
+  /// 2 x 2 blocks each.
+  float GetLargest() const { return this->Largest; }
+  void SetLargest(float error) { this->Largest = error; }
+  int GetRootLevel() const { return static_cast<int>(this->Levels.size()) - 1; }
+  Tiles& GetTiles(int level) { return this->Levels[level]; }
+  const Tiles& GetTiles(int level) const { return this->Levels[level]; }
+  //@}
+
+  /// The smallest code of an error that is not less than this one. 0 for 0.
+  std::uint8_t Encode(float error) const;
+
+private:
+  float Find(int level, int column, int row, bool isFace) const;
+
+  std::vector<Tiles> Levels;
+  float Largest = 0.0f;
+  float Estimated = 0.0f; // the square error of level 0; 0 if errors are known
+};
+}
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bisection/FaceHeights.h"
+
+#include <cmath>
+
+namespace relevo
+{
+namespace
+{
+float Mix(float a, float b, float t)
+{
+  return a + t * (b - a);
+}
+}
+
+float GetLatticeHeight(const HeightTile& tile, int level, std::int64_t x, std::int64_t y)
+{
+  const std::int64_t first[2] = { static_cast<std::int64_t>(tile.Column) * HeightTile::CellsPerTile,
+    static_cast<std::int64_t>(tile.Row) * HeightTile::CellsPerTile };
+  const int shift = tile.Level - level;
+  const std::int64_t mask = (std::int64_t(1) << shift) - 1;
+  const int i = static_cast<int>((x >> shift) - first[0]);
+  const int j = static_cast<int>((y >> shift) - first[1]);
+  const float scale = std::ldexp(1.0f, -shift);
+  const float u = static_cast<float>(x & mask) * scale;
+  const float v = static_cast<float>(y & mask) * scale;
+  // Vertices without weight may lack data.
+  const auto interpolate = [&](int row)
+  {
+    const float height = tile.GetHeight(i, row);
+    return u > 0.0f ? Mix(height, tile.GetHeight(i + 1, row), u) : height;
+  };
+  const float height = interpolate(j);
+  return v > 0.0f ? Mix(height, interpolate(j + 1), v) : height;
+}
+
+FaceHeights::FaceHeights(const TerrainFace& face)
+  : Face(face)
+{
+}
+
+float FaceHeights::GetFine(int a, int b) const
+{
+  const TerrainFace& f = this->Face;
+  return GetLatticeHeight(*f.Tile, f.Level, f.Apex[0] + a * f.Step1[0] + b * f.Step2[0],
+    f.Apex[1] + a * f.Step1[1] + b * f.Step2[1]);
+}
+
+// The vertex exists in the lattice of the next coarser level, too.
+float FaceHeights::GetCoarse(int a, int b) const
+{
+  const TerrainFace& f = this->Face;
+  return GetLatticeHeight(*f.CoarseTile, f.Level + 1,
+    (f.Apex[0] + a * f.Step1[0] + b * f.Step2[0]) / 2,
+    (f.Apex[1] + a * f.Step1[1] + b * f.Step2[1]) / 2);
+}
+
+// The height of a vertex that the parent had, too. Its corner (Segments, 0) is a corner of the
+// parent.
+float FaceHeights::GetSource(int a, int b) const
+{
+  if (a == TerrainFace::Segments)
+  {
+    return this->Face.CornerHeights[1];
+  }
+  return this->Face.Made == TerrainFace::Origin::Square || b == 0 ? this->GetCoarse(a, b)
+                                                                  : this->GetFine(a, b);
+}
+
+float FaceHeights::GetHeight(int a, int b) const
+{
+  const TerrainFace& f = this->Face;
+  if (a + b == 0 || a == TerrainFace::Segments || b == TerrainFace::Segments)
+  {
+    return f.CornerHeights[a == TerrainFace::Segments ? 1 : b == TerrainFace::Segments ? 2 : 0];
+  }
+  const bool isOnLongestSide = a + b == TerrainFace::Segments;
+  const float target = isOnLongestSide && f.Made == TerrainFace::Origin::Square
+    ? this->GetCoarse(a, b)
+    : this->GetFine(a, b);
+  if (f.Morph >= 1.0f || isOnLongestSide)
+  {
+    return target;
+  }
+  const float source = (a + b) % 2 == 0
+    ? this->GetSource(a, b)
+    : 0.5f * (this->GetSource(a - 1, b) + this->GetSource(a + 1, b));
+  return std::isnan(source) ? target : Mix(source, target, f.Morph);
+}
+}

@@ -1,0 +1,422 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bisection/TerrainBisection.h"
+
+#include "Bisection/FaceHeights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace relevo
+{
+namespace
+{
+constexpr int FinestLevel = BlockErrors::FinestLevel;
+constexpr int Segments = TerrainFace::Segments;
+
+// Logarithms of lengths in units of the finest lattice.
+constexpr int GetBlockShift(int level)
+{
+  return level + 3 - FinestLevel;
+}
+constexpr int GetTileShift(int level)
+{
+  return level + 8 - FinestLevel;
+}
+static_assert(BlockErrors::CellsPerBlock == 1 << 3 && HeightTile::CellsPerTile == 1 << 8,
+  "shifts and sizes must agree");
+
+// The errors between which a bisection goes on, as a share of the tolerance.
+const double FirstShare = std::exp2(-0.25);
+
+// Corners of a block, in halves of its size; a side is between its number and the next.
+constexpr int Corners[4][2] = { { 0, 0 }, { 2, 0 }, { 2, 2 }, { 0, 2 } };
+constexpr int SideSteps[4][2] = { { 0, -1 }, { 1, 0 }, { 0, 1 }, { -1, 0 } };
+
+float Mix(float a, float b, float t)
+{
+  return std::isnan(a) || t >= 1.0f ? b : a + t * (b - a);
+}
+
+std::uint64_t GetKey(int level, std::int64_t column, std::int64_t row)
+{
+  return static_cast<std::uint64_t>(level - FinestLevel) << 58 |
+    static_cast<std::uint64_t>(row) << 29 | static_cast<std::uint64_t>(column);
+}
+}
+
+TerrainBisection::TerrainBisection(
+  int columns, int rows, const BlockErrors& errors, const HeightRanges& ranges)
+  : Columns(columns)
+  , Rows(rows)
+  , RootLevel(BlockErrors::GetRootLevel(columns, rows))
+  , Errors(errors)
+  , Ranges(ranges)
+{
+}
+
+bool TerrainBisection::Exists(const Block& block) const
+{
+  const double size = std::ldexp(static_cast<double>(BlockErrors::CellsPerBlock), block.Level);
+  return block.Column >= 0 && block.Row >= 0 &&
+    static_cast<double>(block.Column) * size < this->Columns - 1 &&
+    static_cast<double>(block.Row) * size < this->Rows - 1;
+}
+
+TerrainBox TerrainBisection::GetRegion(
+  int level, const std::array<double, 2>& columns, const std::array<double, 2>& rows) const
+{
+  const double size = std::ldexp(static_cast<double>(BlockErrors::CellsPerBlock), level);
+  TerrainBox box;
+  box.Columns = { { columns[0] * size, columns[1] * size } };
+  box.Rows = { { rows[0] * size, rows[1] * size } };
+  // Tiles as large as a block.
+  const HeightRanges::Range heights = this->Ranges.Get(level - 5, box.Columns, box.Rows);
+  box.Heights = { { heights[0], heights[1] } };
+  return box;
+}
+
+// The region contains all blocks whose bisection needs that of this one.
+double TerrainBisection::ProjectSquare(const Block& block) const
+{
+  const auto column = static_cast<double>(block.Column);
+  const auto row = static_cast<double>(block.Row);
+  return this->View->Project(this->Errors.GetSquareError(block.Level,
+                               static_cast<int>(block.Column), static_cast<int>(block.Row)),
+    this->GetRegion(block.Level, { { column - 1.0, column + 2.0 } }, { { row - 1.0, row + 2.0 } }));
+}
+
+double TerrainBisection::ProjectEdge(const Block& block, int side) const
+{
+  const Block other = { block.Level, block.Column + SideSteps[side][0],
+    block.Row + SideSteps[side][1] };
+  float error = 0.0f;
+  for (const Block& candidate : { block, other })
+  {
+    if (this->Exists(candidate))
+    {
+      error = std::max(error,
+        this->Errors.GetFaceError(
+          candidate.Level, static_cast<int>(candidate.Column), static_cast<int>(candidate.Row)));
+    }
+  }
+  const double column = static_cast<double>(block.Column) + 0.5 * (1 + SideSteps[side][0]);
+  const double row = static_cast<double>(block.Row) + 0.5 * (1 + SideSteps[side][1]);
+  return this->View->Project(error,
+    this->GetRegion(block.Level, { { column - 1.0, column + 1.0 } }, { { row - 1.0, row + 1.0 } }));
+}
+
+float TerrainBisection::Ramp(double error) const
+{
+  const double first = FirstShare * this->Tolerance;
+  return error >= this->Tolerance
+    ? 1.0f
+    : static_cast<float>(std::max(0.0, (error - first) / (this->Tolerance - first)));
+}
+
+const HeightTile* TerrainBisection::FindTile(
+  int level, const Block& block, double error, float& visibility)
+{
+  const int tileLevel = std::max(level, 0);
+  const int shift = GetTileShift(tileLevel);
+  const int column = static_cast<int>((block.Column << GetBlockShift(block.Level)) >> shift);
+  const int row = static_cast<int>((block.Row << GetBlockShift(block.Level)) >> shift);
+  const HeightTile* tile = this->Tiles->Get(tileLevel, column, row, error, visibility);
+  if (!tile || visibility < 1.0f)
+  {
+    this->Complete = false;
+  }
+  return tile;
+}
+
+// A tile of which a bisected block is known to be in memory.
+const HeightTile& TerrainBisection::GetTile(int level, const Block& block)
+{
+  float visibility = 1.0f;
+  return *this->FindTile(level, block, 0.0, visibility);
+}
+
+// How far a square is split: 0 not at all, 1 completely.
+float TerrainBisection::GetSquareMorph(const Block& block)
+{
+  if (block.Level >= this->RootLevel)
+  {
+    return 1.0f;
+  }
+  if (block.Level <= FinestLevel || !this->Exists(block))
+  {
+    return 0.0f;
+  }
+  const std::uint64_t key = GetKey(block.Level, block.Column, block.Row);
+  const auto known = this->SquareMorphs.find(key);
+  if (known != this->SquareMorphs.end())
+  {
+    return known->second;
+  }
+  const double error = this->ProjectSquare(block);
+  float morph = this->Ramp(error);
+  if (morph > 0.0f)
+  {
+    // The two triangles must exist, each of which comes from a side of the parent.
+    const Block parent = { block.Level + 1, block.Column >> 1, block.Row >> 1 };
+    const float sides = std::min(this->GetEdgeMorph(parent, (block.Column & 1) != 0 ? 1 : 3),
+      this->GetEdgeMorph(parent, (block.Row & 1) != 0 ? 2 : 0));
+    float visibility = 1.0f;
+    const bool isReady =
+      sides > 0.0f && this->FindTile(block.Level - 1, block, error, visibility) != nullptr;
+    morph = isReady && sides >= 1.0f ? std::min(morph, visibility) : 0.0f;
+  }
+  this->SquareMorphs.emplace(key, morph);
+  return morph;
+}
+
+// How far the two triangles at a side of a split square are split.
+float TerrainBisection::GetEdgeMorph(const Block& block, int side)
+{
+  // A side belongs to the block after it.
+  const std::uint64_t key =
+    GetKey(block.Level, block.Column + (side == 1 ? 1 : 0), block.Row + (side == 2 ? 1 : 0)) << 1 |
+    static_cast<std::uint64_t>(side % 2);
+  const auto known = this->EdgeMorphs.find(key);
+  if (known != this->EdgeMorphs.end())
+  {
+    return known->second;
+  }
+  const double error = this->ProjectEdge(block, side);
+  float morph = block.Level - 1 <= FinestLevel ? 0.0f : this->Ramp(error);
+  const Block other = { block.Level, block.Column + SideSteps[side][0],
+    block.Row + SideSteps[side][1] };
+  for (const Block& candidate : { block, other })
+  {
+    if (morph > 0.0f && (this->Exists(candidate) || &candidate == &block) &&
+      this->GetSquareMorph(candidate) < 1.0f)
+    {
+      morph = 0.0f;
+    }
+  }
+  this->EdgeMorphs.emplace(key, morph);
+  return morph;
+}
+
+bool TerrainBisection::IsVisible(const Block& block) const
+{
+  const auto column = static_cast<double>(block.Column);
+  const auto row = static_cast<double>(block.Row);
+  TerrainBox box =
+    this->GetRegion(block.Level, { { column, column + 1.0 } }, { { row, row + 1.0 } });
+  const double error = this->Errors.GetSquareError(
+    block.Level, static_cast<int>(block.Column), static_cast<int>(block.Row));
+  box.Heights[0] -= error;
+  box.Heights[1] += error;
+  return this->View->IsVisible(box);
+}
+
+void TerrainBisection::Select(const TerrainView& view, double tolerance, HeightTileSource& tiles)
+{
+  this->View = &view;
+  this->Tolerance = tolerance;
+  this->Tiles = &tiles;
+  this->SquareMorphs.clear();
+  this->EdgeMorphs.clear();
+  this->Corners.clear();
+  this->Faces.clear();
+  this->Error = 0.0;
+  this->Complete = true;
+  const Block root = { this->RootLevel, 0, 0 };
+  const double infinite = std::numeric_limits<double>::infinity();
+  float visibility = 1.0f;
+  if (this->Exists(root) && this->FindTile(root.Level, root, infinite, visibility) &&
+    this->FindTile(root.Level - 1, root, infinite, visibility))
+  {
+    this->Visit(root);
+  }
+}
+
+// Adds the faces of a split square.
+void TerrainBisection::Visit(const Block& block)
+{
+  if (!this->Exists(block) || !this->IsVisible(block))
+  {
+    return;
+  }
+  bool isQuarterSplit[4] = { false, false, false, false };
+  for (int side = 0; side < 4; ++side)
+  {
+    const float morph = this->GetEdgeMorph(block, side);
+    if (morph <= 0.0f)
+    {
+      const float square = this->GetSquareMorph(block);
+      this->AddFace(block, side, -1, square,
+        square < 1.0f ? this->ProjectSquare(block) : this->ProjectEdge(block, side));
+      continue;
+    }
+    for (int end = side; end < side + 2; ++end)
+    {
+      const int corner = end % 4;
+      const Block quarter = { block.Level - 1, 2 * block.Column + relevo::Corners[corner][0] / 2,
+        2 * block.Row + relevo::Corners[corner][1] / 2 };
+      if (this->GetSquareMorph(quarter) > 0.0f)
+      {
+        isQuarterSplit[corner] = true;
+      }
+      else
+      {
+        this->AddFace(block, side, corner, morph,
+          morph < 1.0f ? this->ProjectEdge(block, side) : this->ProjectSquare(quarter));
+      }
+    }
+  }
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    if (isQuarterSplit[corner])
+    {
+      this->Visit({ block.Level - 1, 2 * block.Column + relevo::Corners[corner][0] / 2,
+        2 * block.Row + relevo::Corners[corner][1] / 2 });
+    }
+  }
+}
+
+// Adds a triangle between the center of a block and a side or, with an end, half a side.
+void TerrainBisection::AddFace(const Block& block, int side, int end, float morph, double error)
+{
+  TerrainFace face;
+  face.Level = block.Level - 1;
+  face.Morph = morph;
+  face.Error = static_cast<float>(error);
+  // Points of the block, in halves of its size; Segments cells of the lattice are one half.
+  std::array<int, 2> apex;
+  std::array<int, 2> first;
+  std::array<int, 2> second;
+  const auto* a = relevo::Corners[side];
+  const auto* b = relevo::Corners[(side + 1) % 4];
+  if (end < 0)
+  {
+    face.Made = TerrainFace::Origin::Square;
+    // The square was split into two triangles along one of its diagonals.
+    const bool isMain = (block.Column + block.Row) % 2 == 0;
+    const bool isFirst = (a[0] == a[1]) == isMain;
+    apex = { { 1, 1 } };
+    first = { { isFirst ? a[0] : b[0], isFirst ? a[1] : b[1] } };
+    second = { { isFirst ? b[0] : a[0], isFirst ? b[1] : a[1] } };
+  }
+  else
+  {
+    face.Made = TerrainFace::Origin::Edge;
+    apex = { { (a[0] + b[0]) / 2, (a[1] + b[1]) / 2 } };
+    first = { { relevo::Corners[end][0], relevo::Corners[end][1] } };
+    second = { { 1, 1 } };
+  }
+  const std::int64_t origin[2] = { 2 * Segments * block.Column, 2 * Segments * block.Row };
+  const int size[2] = { this->Columns, this->Rows };
+  std::array<std::array<std::int64_t, 2>, 3> corners;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    face.Apex[axis] = origin[axis] + Segments * apex[axis];
+    face.Step1[axis] = first[axis] - apex[axis];
+    face.Step2[axis] = second[axis] - apex[axis];
+    corners[0][axis] = face.Apex[axis];
+    corners[1][axis] = face.Apex[axis] + Segments * face.Step1[axis];
+    corners[2][axis] = face.Apex[axis] + Segments * face.Step2[axis];
+    const std::int64_t least = std::min({ corners[0][axis], corners[1][axis], corners[2][axis] });
+    if (std::ldexp(static_cast<double>(least), face.Level) >= size[axis] - 1)
+    {
+      return; // the face is beyond the last sample
+    }
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    const int shift = face.Level - FinestLevel;
+    face.CornerHeights[i] = this->GetCornerHeight(corners[i][0] << shift, corners[i][1] << shift);
+  }
+  face.Tile = &this->GetTile(face.Level, block);
+  face.CoarseTile = &this->GetTile(face.Level + 1, block);
+  this->Error = std::max(this->Error, error);
+  this->Faces.push_back(face);
+}
+
+// A corner of faces, in cells of the finest lattice.
+float TerrainBisection::GetCornerHeight(std::int64_t x, std::int64_t y)
+{
+  const std::uint64_t key = static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x);
+  const auto known = this->Corners.find(key);
+  if (known != this->Corners.end())
+  {
+    return known->second;
+  }
+  const float height = this->ComputeCornerHeight(x, y);
+  this->Corners.emplace(key, height);
+  return height;
+}
+
+// The faces around a corner have different levels. Its height is that of the finest.
+float TerrainBisection::ComputeCornerHeight(std::int64_t x, std::int64_t y)
+{
+  const auto getHeight = [this, x, y](int level, const Block& block)
+  {
+    return GetLatticeHeight(
+      this->GetTile(level, block), level, x >> (level - FinestLevel), y >> (level - FinestLevel));
+  };
+  // The coarsest blocks of which it is a corner.
+  int level = FinestLevel;
+  while (
+    level < this->RootLevel && ((x | y) & ((std::int64_t(1) << GetBlockShift(level + 1)) - 1)) == 0)
+  {
+    ++level;
+  }
+  float height = 0.0f;
+  if (level == this->RootLevel)
+  {
+    height = getHeight(level, { level, 0, 0 });
+  }
+  else
+  {
+    // It is the center of a square of the next coarser level, or the midpoint of a side of one.
+    const std::int64_t column = x >> GetBlockShift(level);
+    const std::int64_t row = y >> GetBlockShift(level);
+    Block parent = { level + 1, column >> 1, row >> 1 };
+    float morph = 1.0f;
+    if (column % 2 != 0 && row % 2 != 0)
+    {
+      morph = this->GetSquareMorph(parent);
+    }
+    else
+    {
+      int side = column % 2 != 0 ? 0 : 3;
+      if (!this->Exists(parent) || this->GetSquareMorph(parent) <= 0.0f)
+      {
+        parent.Column -= side == 3 ? 1 : 0;
+        parent.Row -= side == 0 ? 1 : 0;
+        side = side == 0 ? 2 : 1;
+      }
+      morph = this->GetEdgeMorph(parent, side);
+    }
+    const float fine = getHeight(level, parent);
+    height = morph < 1.0f ? Mix(getHeight(level + 1, parent), fine, morph) : fine;
+  }
+  for (; level > 0; --level)
+  {
+    const std::int64_t column = x >> GetBlockShift(level);
+    const std::int64_t row = y >> GetBlockShift(level);
+    float morph = 0.0f;
+    Block finest = { level, 0, 0 };
+    for (int i = 0; i < 4; ++i)
+    {
+      const Block block = { level, column - i % 2, row - i / 2 };
+      const float candidate = this->Exists(block) ? this->GetSquareMorph(block) : 0.0f;
+      if (candidate > morph)
+      {
+        morph = candidate;
+        finest = block;
+      }
+    }
+    if (morph <= 0.0f)
+    {
+      break;
+    }
+    const float fine = getHeight(level - 1, finest);
+    height = morph < 1.0f ? Mix(getHeight(level, finest), fine, morph) : fine;
+  }
+  return height;
+}
+}

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   TerrainBisection
+ * @brief   bisects a terrain until its projected error is small enough for a view
+ *
+ * The faces are those of longest-edge bisection on the lattice of samples (P. Lindstrom and V.
+ * Pascucci, "Terrain simplification simplified", IEEE TVCG 8(3), 2002): the squares of blocks are
+ * split at their centers, then pairs of triangles at the midpoints of the edges of squares. All
+ * faces are drawn with the same pattern, so that neighbors share their edges without hanging
+ * vertices. See BlockErrors for blocks and their errors.
+ *
+ * A bisection is a function of the view and of the tiles in memory alone. It begins when the
+ * projected error before it reaches 2^(-1/4) of the tolerance and is complete when that error
+ * reaches the tolerance; between, heights are linear in the error. As errors are saturated and
+ * projected from regions that contain all finer ones, coarser bisections are complete before finer
+ * ones begin.
+ *
+ * Private to the modules for terrains.
+ */
+#ifndef TerrainBisection_h
+#define TerrainBisection_h
+
+#include "Bisection/BlockErrors.h"
+#include "Bisection/HeightRanges.h"
+#include "Bisection/HeightTileSource.h"
+#include "Bisection/TerrainFace.h"
+#include "Bisection/TerrainView.h"
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace relevo
+{
+class TerrainBisection
+{
+public:
+  /// The size of the raster in samples.
+  TerrainBisection(int columns, int rows, const BlockErrors& errors, const HeightRanges& ranges);
+
+  /**
+   * Find the faces that a view needs for a tolerance in pixels. Tiles that are not in memory are
+   * requested; without the first two there are no faces.
+   */
+  void Select(const TerrainView& view, double tolerance, HeightTileSource& tiles);
+
+  const std::vector<TerrainFace>& GetFaces() const { return this->Faces; }
+  /// The largest projected error of the faces, in pixels.
+  double GetError() const { return this->Error; }
+  /// Whether tiles are missing or not fully visible yet, so that the error may exceed the
+  /// tolerance.
+  bool IsComplete() const { return this->Complete; }
+
+private:
+  struct Block
+  {
+    int Level;
+    std::int64_t Column;
+    std::int64_t Row;
+  };
+  // The sides of a block are its first row, last column, last row and first column.
+
+  bool Exists(const Block& block) const;
+  TerrainBox GetRegion(
+    int level, const std::array<double, 2>& columns, const std::array<double, 2>& rows) const;
+  double ProjectSquare(const Block& block) const;
+  double ProjectEdge(const Block& block, int side) const;
+  float Ramp(double error) const;
+  float GetSquareMorph(const Block& block);
+  float GetEdgeMorph(const Block& block, int side);
+  const HeightTile* FindTile(int level, const Block& block, double error, float& visibility);
+  const HeightTile& GetTile(int level, const Block& block);
+  bool IsVisible(const Block& block) const;
+  void Visit(const Block& block);
+  void AddFace(const Block& block, int side, int end, float morph, double error);
+  float GetCornerHeight(std::int64_t x, std::int64_t y);
+  float ComputeCornerHeight(std::int64_t x, std::int64_t y);
+
+  int Columns;
+  int Rows;
+  int RootLevel;
+  const BlockErrors& Errors;
+  const HeightRanges& Ranges;
+
+  const TerrainView* View = nullptr;
+  double Tolerance = 1.0;
+  HeightTileSource* Tiles = nullptr;
+  std::unordered_map<std::uint64_t, float> SquareMorphs;
+  std::unordered_map<std::uint64_t, float> EdgeMorphs;
+  std::unordered_map<std::uint64_t, float> Corners;
+  std::vector<TerrainFace> Faces;
+  double Error = 0.0;
+  bool Complete = true;
+};
+}
+
+#endif

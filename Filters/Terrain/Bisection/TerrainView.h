@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   TerrainView
+ * @brief   a camera that looks at a terrain: visibility of boxes and projected errors
+ *
+ * A point of the raster at column x, row y (whole numbers at the centers of samples) and height h
+ * lies at Origin + x * Column + y * Row + (0, 0, h * HeightScale) in world coordinates.
+ *
+ * Private to the modules for terrains.
+ */
+#ifndef TerrainView_h
+#define TerrainView_h
+
+#include <array>
+
+namespace relevo
+{
+/// The position of a raster in world coordinates.
+struct TerrainPlacement
+{
+  std::array<double, 2> Origin = { { 0.0, 0.0 } };
+  std::array<double, 2> Column = { { 1.0, 0.0 } };
+  std::array<double, 2> Row = { { 0.0, -1.0 } };
+  double HeightScale = 1.0;
+
+  std::array<double, 3> ToWorld(double x, double y, double height) const
+  {
+    return { { this->Origin[0] + x * this->Column[0] + y * this->Row[0],
+      this->Origin[1] + x * this->Column[1] + y * this->Row[1], height * this->HeightScale } };
+  }
+};
+
+/// A box of the raster: columns, rows and heights.
+struct TerrainBox
+{
+  std::array<double, 2> Columns;
+  std::array<double, 2> Rows;
+  std::array<double, 2> Heights;
+};
+
+class TerrainView
+{
+public:
+  /**
+   * A perspective view: the eye in world coordinates, the height of the viewport in pixels divided
+   * by 2 tan(angle / 2), and the distance of the nearest points that are drawn.
+   */
+  void SetPerspective(
+    const std::array<double, 3>& eye, double pixelsPerUnit, double nearestDistance);
+  /// A parallel view: the height of the viewport in pixels divided by twice the parallel scale.
+  void SetParallel(double pixelsPerUnit);
+  /// The planes of the frustum: a x + b y + c z + d >= 0 inside, in world coordinates.
+  void SetFrustum(const std::array<std::array<double, 4>, 6>& planes);
+  void SetPlacement(const TerrainPlacement& placement);
+  const TerrainPlacement& GetPlacement() const { return this->Placement; }
+
+  /// Whether a part of the box may lie inside of the frustum.
+  bool IsVisible(const TerrainBox& box) const;
+
+  /**
+   * The size in pixels of a vertical distance anywhere in a box, at most. It does not grow if the
+   * box shrinks. 0 for the distance 0, and in an empty box (whose first height is the larger one).
+   */
+  double Project(double distance, const TerrainBox& box) const;
+
+private:
+  bool IsParallel = true;
+  double PixelsPerUnit = 1.0;
+  double NearestDistance = 0.0;
+  std::array<double, 3> Eye = { { 0.0, 0.0, 0.0 } };
+  std::array<double, 2> RasterEye = { { 0.0, 0.0 } }; // column and row
+  std::array<double, 2> Lengths = { { 1.0, 1.0 } };   // of a column and a row, at most
+  std::array<std::array<double, 4>, 6> Planes{};
+  bool HasPlanes = false;
+  TerrainPlacement Placement;
+};
+}
+
+#endif
