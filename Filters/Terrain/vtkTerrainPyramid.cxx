@@ -45,7 +45,6 @@ vtkTerrainPyramid::vtkTerrainPyramid()
   , HasReportedIndex(false)
   , Dimensions{ 0, 0 }
   , Range{ 0.0, 0.0 }
-  , EstimatedRange{ 0.0, 0.0 }
 {
 }
 
@@ -108,7 +107,6 @@ bool vtkTerrainPyramid::Update()
   {
     this->Pyramid.reset();
     std::fill_n(this->Dimensions, 2, 0);
-    std::fill_n(this->EstimatedRange, 2, 0.0);
     this->HasReportedIndex = false;
     this->ErrorMessage.clear();
     if (name.empty())
@@ -126,7 +124,6 @@ bool vtkTerrainPyramid::Update()
     this->Pyramid->GetCache().SetLimit(static_cast<std::size_t>(this->MemoryLimit));
     const std::array<int, 2>& size = this->Pyramid->GetFile().GetSize(0);
     std::copy(size.begin(), size.end(), this->Dimensions);
-    this->EstimateRange();
     this->Modified();
   }
   const std::string error = this->Pyramid->GetIndexError();
@@ -136,56 +133,6 @@ bool vtkTerrainPyramid::Update()
     return this->Report("Cannot read " + name + ": " + error + ".");
   }
   return error.empty();
-}
-
-//------------------------------------------------------------------------------
-void vtkTerrainPyramid::EstimateRange()
-{
-  const relevo::PyramidFile& file = this->Pyramid->GetFile();
-  const int level = file.GetNumberOfLevels() - 1;
-  const std::array<int, 2>& size = file.GetSize(level);
-  // A small level as a whole, of a large one some samples.
-  constexpr int windows = 8;
-  constexpr int windowSize = 16;
-  std::vector<relevo::SampleWindow> parts;
-  const bool isSmall = static_cast<double>(size[0]) * size[1] <= 1 << 20;
-  if (isSmall)
-  {
-    parts.push_back({ level, 0, 0, size[0], size[1] });
-  }
-  for (int i = 0; !isSmall && i < windows * windows; ++i)
-  {
-    const double at[2] = { (i % windows + 0.5) / windows, (i / windows + 0.5) / windows };
-    relevo::SampleWindow part;
-    part.Level = level;
-    part.Width = std::min(windowSize, size[0]);
-    part.Height = std::min(windowSize, size[1]);
-    part.Column = static_cast<int>(at[0] * (size[0] - part.Width));
-    part.Row = static_cast<int>(at[1] * (size[1] - part.Height));
-    parts.push_back(part);
-  }
-  double range[2] = { std::numeric_limits<double>::infinity(),
-    -std::numeric_limits<double>::infinity() };
-  for (const relevo::SampleWindow& part : parts)
-  {
-    std::vector<double> samples(part.GetNumberOfSamples());
-    std::string ignored; // the index or a query reports it
-    if (file.Read(part, samples.data(), ignored))
-    {
-      for (const double sample : samples)
-      {
-        range[0] = sample < range[0] ? sample : range[0];
-        range[1] = sample > range[1] ? sample : range[1];
-      }
-    }
-  }
-  const relevo::RasterDescription& contents = file.Describe();
-  for (int i = 0; i < 2; ++i)
-  {
-    this->EstimatedRange[i] =
-      range[0] <= range[1] ? contents.Scale * range[i] + contents.Offset : 0.0;
-  }
-  std::sort(this->EstimatedRange, this->EstimatedRange + 2);
 }
 
 //------------------------------------------------------------------------------
@@ -208,7 +155,12 @@ void vtkTerrainPyramid::GetLevelDimensions(int level, int dimensions[2])
 //------------------------------------------------------------------------------
 void vtkTerrainPyramid::GetRange(double range[2])
 {
-  std::copy_n(this->EstimatedRange, 2, range);
+  std::fill_n(range, 2, 0.0);
+  if (this->Pyramid)
+  {
+    const std::array<double, 2>& estimate = this->Pyramid->GetEstimatedRange();
+    std::copy(estimate.begin(), estimate.end(), range);
+  }
   double samples[2];
   if (this->IsErrorKnown() && this->Pyramid->GetIndex().GetRange(0, samples))
   {
@@ -384,9 +336,6 @@ bool vtkTerrainPyramid::Update()
 {
   return this->Report(
     "This build of Relevo does not have GDAL. Install libgdal-dev and build again.");
-}
-void vtkTerrainPyramid::EstimateRange()
-{
 }
 int vtkTerrainPyramid::GetNumberOfLevels()
 {

@@ -171,6 +171,14 @@ public:
   /// Return the message of the last ErrorEvent, without class and line; "" if there was none.
   const char* GetErrorMessage() { return this->ErrorMessage.c_str(); }
 
+#ifndef __VTK_WRAP__
+  /// Return the open raster, for other classes of Relevo; nullptr before a successful Update().
+  std::shared_ptr<relevo::RasterPyramid> GetRasterPyramid() const
+  {
+    return this->Pyramid;
+  }
+#endif
+
 protected:
   vtkTerrainPyramid();
   ~vtkTerrainPyramid() override;
@@ -186,9 +194,8 @@ private:
 
   bool Report(const std::string& error);
   double Evaluate(double x, double y, std::string& error);
-  void EstimateRange();
 
-  std::unique_ptr<relevo::RasterPyramid> Pyramid;
+  std::shared_ptr<relevo::RasterPyramid> Pyramid;
   std::string OpenedName;
   std::string OpenedCacheDirectory;
   std::recursive_mutex ReportMutex; // observers may ask for heights
@@ -196,7 +203,6 @@ private:
   bool HasReportedIndex;
   int Dimensions[2];
   double Range[2];
-  double EstimatedRange[2];
 };
 
 #endif

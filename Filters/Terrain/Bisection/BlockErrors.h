@@ -24,6 +24,8 @@
 #ifndef BlockErrors_h
 #define BlockErrors_h
 
+#include "RelevoFiltersTerrainModule.h" // for export macro
+
 #include <array>
 #include <cstdint>
 #include <unordered_map>
@@ -31,7 +33,7 @@
 
 namespace relevo
 {
-class BlockErrors
+class RELEVOFILTERSTERRAIN_EXPORT BlockErrors
 {
 public:
   static constexpr int CellsPerBlock = 8;

@@ -10,6 +10,8 @@
 #ifndef HeightRanges_h
 #define HeightRanges_h
 
+#include "RelevoFiltersTerrainModule.h" // for export macro
+
 #include <array>
 #include <cstdint>
 #include <unordered_map>
@@ -17,7 +19,7 @@
 
 namespace relevo
 {
-class HeightRanges
+class RELEVOFILTERSTERRAIN_EXPORT HeightRanges
 {
 public:
   static constexpr int SamplesPerTile = 256;

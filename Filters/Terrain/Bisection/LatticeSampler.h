@@ -13,12 +13,13 @@
 
 #include "Bisection/HeightTile.h"
 #include "Pyramid/PyramidFile.h"
+#include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <string>
 
 namespace relevo
 {
-class LatticeSampler
+class RELEVOFILTERSTERRAIN_EXPORT LatticeSampler
 {
 public:
   explicit LatticeSampler(const PyramidFile& file);

@@ -26,6 +26,7 @@
 #include "Bisection/HeightTileSource.h"
 #include "Bisection/TerrainFace.h"
 #include "Bisection/TerrainView.h"
+#include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <array>
 #include <cstdint>
@@ -34,7 +35,7 @@
 
 namespace relevo
 {
-class TerrainBisection
+class RELEVOFILTERSTERRAIN_EXPORT TerrainBisection
 {
 public:
   /// The size of the raster in samples.

@@ -12,6 +12,8 @@
 #ifndef TerrainView_h
 #define TerrainView_h
 
+#include "RelevoFiltersTerrainModule.h" // for export macro
+
 #include <array>
 
 namespace relevo
@@ -39,7 +41,7 @@ struct TerrainBox
   std::array<double, 2> Heights;
 };
 
-class TerrainView
+class RELEVOFILTERSTERRAIN_EXPORT TerrainView
 {
 public:
   /**

@@ -14,6 +14,7 @@
 
 #include "Pyramid/SampleWindow.h"
 #include "Raster/RasterDescription.h"
+#include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <array>
 #include <memory>
@@ -23,7 +24,7 @@
 
 namespace relevo
 {
-class PyramidFile
+class RELEVOFILTERSTERRAIN_EXPORT PyramidFile
 {
 public:
   /// Open a raster by any name that GDAL knows. Returns nullptr and sets `error` on failure.

@@ -13,6 +13,8 @@
 #ifndef PyramidIndex_h
 #define PyramidIndex_h
 
+#include "RelevoFiltersTerrainModule.h" // for export macro
+
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -22,7 +24,7 @@
 
 namespace relevo
 {
-class PyramidIndex
+class RELEVOFILTERSTERRAIN_EXPORT PyramidIndex
 {
 public:
   static constexpr int TileSize = 256;

@@ -4,6 +4,7 @@
 
 #include "Pyramid/Checksum.h"
 #include "Pyramid/PyramidIndexBuilder.h"
+#include "Pyramid/RasterEstimates.h"
 #include "Raster/RasterFile.h"
 
 #include <algorithm>
@@ -92,6 +93,7 @@ std::unique_ptr<RasterPyramid> RasterPyramid::Open(
     return nullptr;
   }
   pyramid->Signature = pyramid->File->GetSignature();
+  pyramid->MakeEstimates();
   pyramid->StartIndex(cacheFolder);
   return pyramid;
 }
@@ -167,6 +169,30 @@ bool RasterPyramid::Interpolate(double column, double row, double& value, std::s
     value += weight * tile->GetSample(c, r);
   }
   return true;
+}
+
+void RasterPyramid::MakeEstimates()
+{
+  this->EstimatedRange = EstimateRange(*this->File);
+  const std::array<int, 2>& size = this->File->GetSize(0);
+  // On slopes of 45 degrees, rough terrain differs from a triangle by about a quarter of its size.
+  const double error = 0.25 * GetSampleDistance(this->File->Describe());
+  this->Errors = std::make_shared<const BlockErrors>(
+    BlockErrors::Estimate(BlockErrors::GetRootLevel(size[0], size[1]), static_cast<float>(error)));
+  this->Ranges = std::make_shared<const HeightRanges>(HeightRanges::Range{
+    { static_cast<float>(this->EstimatedRange[0]), static_cast<float>(this->EstimatedRange[1]) } });
+}
+
+std::shared_ptr<const BlockErrors> RasterPyramid::GetBlockErrors() const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->Errors;
+}
+
+std::shared_ptr<const HeightRanges> RasterPyramid::GetHeightRanges() const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->Ranges;
 }
 
 void RasterPyramid::StartIndex(const std::string& cacheFolder)

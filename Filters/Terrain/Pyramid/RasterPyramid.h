@@ -13,9 +13,12 @@
 #ifndef RasterPyramid_h
 #define RasterPyramid_h
 
+#include "Bisection/BlockErrors.h"
+#include "Bisection/HeightRanges.h"
 #include "Pyramid/PyramidFile.h"
 #include "Pyramid/PyramidIndex.h"
 #include "Pyramid/TileCache.h"
+#include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <array>
 #include <atomic>
@@ -30,7 +33,7 @@ namespace relevo
 {
 class PyramidIndexBuilder;
 
-class RasterPyramid
+class RELEVOFILTERSTERRAIN_EXPORT RasterPyramid
 {
 public:
   /// Returns nullptr and sets `error` if the raster cannot be opened.
@@ -65,6 +68,17 @@ public:
   /// The fraction of the index that is built.
   double GetProgress() const;
   //@}
+
+  /// The range of heights by few samples, which is known as long as the index is not.
+  const std::array<double, 2>& GetEstimatedRange() const { return this->EstimatedRange; }
+
+  //@{
+  /// The errors of blocks and the ranges of heights: estimates until the index is complete.
+  /// Thread-safe.
+  std::shared_ptr<const BlockErrors> GetBlockErrors() const;
+  std::shared_ptr<const HeightRanges> GetHeightRanges() const;
+  //@}
+
   /// Wait for the index until `isAborted` returns true. Returns "" or the error of the build.
   template <typename Function>
   std::string WaitForIndex(const Function& isAborted);
@@ -73,6 +87,7 @@ public:
 
 private:
   RasterPyramid();
+  void MakeEstimates();
   void StartIndex(const std::string& cacheFolder);
   void BuildIndex();
 
@@ -80,6 +95,7 @@ private:
   std::string Signature;
   std::unique_ptr<PyramidFile> File;
   TileCache Cache;
+  std::array<double, 2> EstimatedRange{ { 0.0, 0.0 } };
 
   PyramidIndex Index;
   std::string IndexFileNames[2]; // where to write it: the second, where the first cannot be written
@@ -91,6 +107,8 @@ private:
   std::condition_variable Ended;
   bool HasEnded = false;
   std::string Error;
+  std::shared_ptr<const BlockErrors> Errors;
+  std::shared_ptr<const HeightRanges> Ranges;
 };
 
 template <typename Function>

@@ -12,6 +12,7 @@
 #define TileCache_h
 
 #include "Pyramid/PyramidTile.h"
+#include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +25,7 @@
 
 namespace relevo
 {
-class TileCache
+class RELEVOFILTERSTERRAIN_EXPORT TileCache
 {
 public:
   using TilePointer = std::shared_ptr<const PyramidTile>;
