@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Buffers/TerrainTileTextures.h"
+
+#include "OpenGL/RelevoOpenGL.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureUnitManager.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace relevo
+{
+namespace
+{
+constexpr int FirstCapacity = 16;
+}
+
+std::uint64_t TerrainTileTextures::GetKey(const HeightTile& tile)
+{
+  return static_cast<std::uint64_t>(tile.Level) << 58 | static_cast<std::uint64_t>(tile.Row) << 29 |
+    static_cast<std::uint64_t>(tile.Column);
+}
+
+int TerrainTileTextures::GetMaximumNumberOfLayers() const
+{
+  GLint layers = 0;
+  glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &layers);
+  return static_cast<int>(std::min<vtkTypeInt64>(layers, this->MemoryLimit / LayerSize));
+}
+
+bool TerrainTileTextures::Upload(
+  vtkOpenGLRenderWindow* window, const std::vector<const HeightTile*>& tiles)
+{
+  ++this->Frame;
+  std::unordered_map<std::uint64_t, const HeightTile*> needed;
+  for (const HeightTile* tile : tiles)
+  {
+    needed.emplace(GetKey(*tile), tile);
+  }
+  const int number = static_cast<int>(needed.size());
+  const int most = this->GetMaximumNumberOfLayers();
+  if (number > most)
+  {
+    return false;
+  }
+  // A lower limit shrinks the texture.
+  if ((number > this->Capacity || this->Capacity > most) &&
+    !this->Allocate(
+      window, std::min(std::max({ number, 2 * this->Capacity, FirstCapacity }), most)))
+  {
+    return false;
+  }
+  std::vector<std::pair<std::uint64_t, const HeightTile*>> added;
+  for (const auto& entry : needed)
+  {
+    const auto known = this->Layers.find(entry.first);
+    if (known == this->Layers.end())
+    {
+      added.emplace_back(entry);
+    }
+    else
+    {
+      known->second.LastUse = this->Frame;
+    }
+  }
+  if (added.empty())
+  {
+    return true;
+  }
+  const std::vector<int> free = this->FindFreeLayers(added.size());
+  this->Bind(window);
+  for (std::size_t i = 0; i < added.size(); ++i)
+  {
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, free[i], HeightTile::Stride, HeightTile::Stride,
+      1, GL_RED, GL_FLOAT, added[i].second->Heights.data());
+    this->Layers[added[i].first] = { free[i], this->Frame };
+  }
+  this->NumberOfUploads += static_cast<vtkIdType>(added.size());
+  this->Deactivate(window);
+  return true;
+}
+
+// Returns layers that this frame does not use, the empty ones first, and removes their tiles.
+std::vector<int> TerrainTileTextures::FindFreeLayers(std::size_t number)
+{
+  std::vector<bool> isUsed(this->Capacity, false);
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> old; // last use, key
+  for (const auto& entry : this->Layers)
+  {
+    isUsed[entry.second.Index] = true;
+    if (entry.second.LastUse != this->Frame)
+    {
+      old.emplace_back(entry.second.LastUse, entry.first);
+    }
+  }
+  std::vector<int> free;
+  for (int i = 0; i < this->Capacity && free.size() < number; ++i)
+  {
+    if (!isUsed[i])
+    {
+      free.push_back(i);
+    }
+  }
+  std::sort(old.begin(), old.end());
+  for (std::size_t i = 0; i < old.size() && free.size() < number; ++i)
+  {
+    const auto found = this->Layers.find(old[i].second);
+    free.push_back(found->second.Index);
+    this->Layers.erase(found);
+  }
+  return free;
+}
+
+// Makes an empty texture.
+bool TerrainTileTextures::Allocate(vtkOpenGLRenderWindow* window, int capacity)
+{
+  this->ReleaseGraphicsResources(); // first, so that the limit holds at all times
+  glGenTextures(1, &this->Texture);
+  this->Bind(window);
+  while (glGetError() != GL_NO_ERROR)
+  {
+  }
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R32F, HeightTile::Stride, HeightTile::Stride, capacity, 0,
+    GL_RED, GL_FLOAT, nullptr);
+  const bool isAllocated = glGetError() == GL_NO_ERROR;
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+  this->Deactivate(window);
+  if (isAllocated)
+  {
+    this->Capacity = capacity;
+  }
+  else
+  {
+    this->ReleaseGraphicsResources();
+  }
+  return isAllocated;
+}
+
+void TerrainTileTextures::Bind(vtkOpenGLRenderWindow* window)
+{
+  this->Unit = window->GetTextureUnitManager()->Allocate();
+  window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->Unit));
+  glBindTexture(GL_TEXTURE_2D_ARRAY, this->Texture);
+}
+
+int TerrainTileTextures::GetLayer(const HeightTile& tile) const
+{
+  return this->Layers.at(GetKey(tile)).Index;
+}
+
+void TerrainTileTextures::Activate(
+  vtkOpenGLRenderWindow* window, vtkShaderProgram* program, const char* sampler)
+{
+  if (this->Texture && program->IsUniformUsed(sampler))
+  {
+    this->Bind(window);
+    program->SetUniformi(sampler, this->Unit);
+  }
+}
+
+void TerrainTileTextures::Deactivate(vtkOpenGLRenderWindow* window)
+{
+  if (this->Unit >= 0)
+  {
+    window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->Unit));
+    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+    window->GetTextureUnitManager()->Free(this->Unit);
+    this->Unit = -1;
+  }
+}
+
+void TerrainTileTextures::ReleaseGraphicsResources()
+{
+  if (this->Texture)
+  {
+    glDeleteTextures(1, &this->Texture);
+    this->Texture = 0;
+  }
+  this->Capacity = 0;
+  this->Layers.clear();
+}
+}

@@ -1,0 +1,393 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/TerrainPainter.h"
+
+#include "OpenGL/RelevoOpenGL.h"
+
+#include "Actors/ShaderVariantKey.h"
+#include "Bisection/BlockErrors.h"
+#include "OpenGL/PositionShift.h"
+#include "View/TerrainViewpoint.h"
+#include "vtkActor.h"
+#include "vtkFloatArray.h"
+#include "vtkHardwareSelector.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
+#include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+namespace relevo
+{
+namespace
+{
+constexpr int UnitsPerSample = 1 << -BlockErrors::FinestLevel;
+
+// Borders of the raster are drawn in spite of rounding errors between vertices, in samples.
+constexpr double BorderTolerance = 1.0 / 1024.0;
+
+double GetDeterminant(const TerrainPlacement& placement)
+{
+  return placement.Column[0] * placement.Row[1] - placement.Column[1] * placement.Row[0];
+}
+
+TerrainPatterns::Primitives GetTerrainPrimitives(vtkActor* actor)
+{
+  switch (actor->GetProperty()->GetRepresentation())
+  {
+    case VTK_POINTS:
+      return TerrainPatterns::POINTS;
+    case VTK_WIREFRAME:
+      return TerrainPatterns::LINES;
+    default:
+      return TerrainPatterns::TRIANGLES;
+  }
+}
+
+GLenum GetTerrainMode(TerrainPatterns::Primitives primitives)
+{
+  return primitives == TerrainPatterns::POINTS ? GL_POINTS
+    : primitives == TerrainPatterns::LINES     ? GL_LINES
+                                               : GL_TRIANGLES;
+}
+
+int ToSample(double coordinate, int size)
+{
+  return static_cast<int>(std::clamp(std::round(coordinate), 0.0, size - 1.0));
+}
+}
+
+vtkStandardNewMacro(TerrainPainter);
+
+TerrainPainter::TerrainPainter()
+{
+  this->Variants.GetHelper().PrimitiveType = PrimitiveTris;
+  this->ScalarVisibility = 0;
+  this->PopulateSelectionSettings = 0; // the mapper does
+  this->SetVBOShiftScaleMethod(
+    static_cast<int>(vtkOpenGLVertexBufferObject::ShiftScaleMethod::MANUAL_SHIFT_SCALE));
+  // VTK's shaders have normals if the points have.
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(1);
+  points->SetPoint(0, 0.0, 0.0, 0.0);
+  this->Box->SetPoints(points);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(1);
+  normals->Fill(0.0);
+  this->Box->GetPointData()->SetNormals(normals);
+  this->SetInputData(this->Box);
+}
+
+TerrainPainter::~TerrainPainter() = default;
+
+//------------------------------------------------------------------------------
+// Faces of a view
+
+std::string TerrainPainter::Prepare(vtkRenderer* renderer, vtkActor* actor,
+  const std::vector<TerrainFace>& faces, const Settings& settings)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  this->Current = settings;
+  this->NumberOfDrawCalls = 0;
+  this->Instances.GetTiles().SetMemoryLimit(settings.MemoryLimit);
+  const std::string error = this->Instances.Upload(window, faces);
+  if (!error.empty())
+  {
+    return error;
+  }
+  if (renderer->GetSelector() && !this->Instances.UploadIds(window))
+  {
+    return "The graphics memory does not suffice for a selection.";
+  }
+  this->ChooseOrigin(renderer, actor, faces);
+  this->UpdateColors(window);
+  this->Options.Coloring = this->ColorError.empty() ? settings.Coloring : TerrainColoring::SOLID;
+  this->Options.HasContours = settings.ContourInterval > 0.0;
+  return "";
+}
+
+// Positions are exact in floats near the origin.
+void TerrainPainter::ChooseOrigin(
+  vtkRenderer* renderer, vtkActor* actor, const std::vector<TerrainFace>& faces)
+{
+  float heights[2] = { std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest() };
+  for (const TerrainFace& face : faces)
+  {
+    for (float height : face.CornerHeights)
+    {
+      if (!std::isnan(height))
+      {
+        heights[0] = std::min(heights[0], height);
+        heights[1] = std::max(heights[1], height);
+      }
+    }
+  }
+  const TerrainViewpoint viewpoint(renderer, actor);
+  const TerrainPlacement& placement = this->Current.Placement;
+  const auto& near = viewpoint.GetNearPoint();
+  const double x = near[0] - placement.Origin[0];
+  const double y = near[1] - placement.Origin[1];
+  const double determinant = GetDeterminant(placement);
+  this->OriginSample[0] = ToSample(
+    (x * placement.Row[1] - y * placement.Row[0]) / determinant, this->Current.Dimensions[0]);
+  this->OriginSample[1] = ToSample(
+    (placement.Column[0] * y - placement.Column[1] * x) / determinant, this->Current.Dimensions[1]);
+  const double height = near[2] / placement.HeightScale;
+  this->OriginHeight = heights[0] <= heights[1] && std::isfinite(height)
+    ? std::round(std::clamp(static_cast<float>(height), heights[0], heights[1]))
+    : 0.0f;
+  const std::array<double, 3> origin = placement.ToWorld(
+    this->OriginSample[0], this->OriginSample[1], static_cast<double>(this->OriginHeight));
+  vtkPoints* points = this->Box->GetPoints();
+  double last[3];
+  points->GetPoint(0, last);
+  if (!std::equal(origin.begin(), origin.end(), last))
+  {
+    points->SetPoint(0, origin.data());
+    points->Modified(); // VTK builds its buffers again, with another shift
+  }
+}
+
+void TerrainPainter::UpdateColors(vtkOpenGLRenderWindow* window)
+{
+  this->ColorError.clear();
+  if (!HasTable(this->Current.Coloring))
+  {
+    return;
+  }
+  vtkScalarsToColors* table = this->Current.Table;
+  const double* range = table->GetRange();
+  this->ColorError = ColorTable::FindError(table, range);
+  Dependencies source;
+  source.AddObject(table);
+  if (this->ColorError.empty() && this->TableSource.Update(source))
+  {
+    const double all[2] = { std::numeric_limits<float>::lowest(),
+      std::numeric_limits<float>::max() };
+    if (!this->Table.Upload(window, table, 0.0, all))
+    {
+      this->ColorError = "the lookup table does not fit into graphics memory";
+    }
+    this->TableSource = Dependencies();
+    this->TableSource.AddObject(table); // after the upload, which builds the table
+  }
+}
+
+//------------------------------------------------------------------------------
+// Drawing
+
+void TerrainPainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
+{
+  if (this->Instances.GetNumberOfFaces() == 0 || this->PointPicking)
+  {
+    return;
+  }
+  Dependencies sources = this->Options.GetKey();
+  sources.Add(actor->GetShaderProperty()->GetShaderMTime());
+  sources.Add(this->GetMTime());
+  vtkOpenGLHelper& helper = this->Variants.GetHelper();
+  if (!this->Variants.Update(
+        helper, sources, [&] { this->UpdateShaders(helper, renderer, actor); }))
+  {
+    return;
+  }
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  const TerrainPatterns::Primitives primitives = GetTerrainPrimitives(actor);
+  if (primitives == TerrainPatterns::LINES && !this->HaveWideLines(renderer, actor))
+  {
+    window->GetState()->vtkglLineWidth(actor->GetProperty()->GetLineWidth());
+  }
+  helper.VAO->Bind(); // VTK releases it when the program changes
+  for (bool isMirrored : { false, true })
+  {
+    this->Patterns.GetRange(primitives, isMirrored);
+  }
+  if (this->Patterns.Bind())
+  {
+    for (bool isPositive : { false, true })
+    {
+      this->DrawGroup(primitives, isPositive);
+    }
+    this->Patterns.Release();
+  }
+  helper.VAO->Release();
+  this->Instances.Deactivate(window);
+  this->Table.Deactivate();
+}
+
+void TerrainPainter::DrawGroup(TerrainPatterns::Primitives primitives, bool isPositive)
+{
+  const TerrainInstances::Group& group = this->Instances.GetGroup(isPositive);
+  if (group.Count == 0)
+  {
+    return;
+  }
+  // All triangles face up.
+  const bool isMirrored = isPositive != (GetDeterminant(this->Current.Placement) > 0.0);
+  const PatternRange& range = this->Patterns.GetRange(primitives, isMirrored);
+  // Draw as many instances as needed, each with as many copies as possible.
+  const int instances = (group.Count + range.Copies - 1) / range.Copies;
+  const int copies = (group.Count + instances - 1) / instances;
+  const GLint location = glGetUniformLocation(
+    static_cast<GLuint>(this->Variants.GetHelper().Program->GetHandle()), "relevoGroup");
+  glUniform3i(location, group.First, group.Count, copies);
+  glDrawElementsInstanced(GetTerrainMode(primitives), copies * range.NumberOfIndices,
+    GL_UNSIGNED_SHORT, TerrainPatterns::GetOffset(range), instances);
+  ++this->NumberOfDrawCalls;
+}
+
+void TerrainPainter::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
+{
+  double origin[3];
+  this->Box->GetPoints()->GetPoint(0, origin);
+  ShiftPositions(this->VBOs, this->Box->GetPoints()->GetData(), renderer,
+    { origin[0], origin[1], origin[2] }, { 1.0, 1.0, 1.0 });
+  this->Superclass::BuildBufferObjects(renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+// Shaders
+
+bool TerrainPainter::GetNeedToRebuildShaders(
+  vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Options.HasCells = this->LastSelectionState == vtkHardwareSelector::CELL_ID_LOW24 ||
+    this->LastSelectionState == vtkHardwareSelector::CELL_ID_HIGH24;
+  const bool needed = this->Superclass::GetNeedToRebuildShaders(helper, renderer, actor);
+  return this->Variants.NeedsBuild(helper, needed, this->Options.GetKey());
+}
+
+void TerrainPainter::BuildShaders(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Variants.Build(shaders, [&] { this->Superclass::BuildShaders(shaders, renderer, actor); });
+}
+
+void TerrainPainter::ReplaceShaderValues(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  PrepareTerrainShaders(
+    this->Options, HasOwnFragments(actor), shaders, this->Variants.GetMissing());
+  primitiveInfo& info = this->PrimitiveInfo[this->LastBoundBO];
+  const auto complexity = info.LastLightComplexity;
+  if (this->Options.Coloring == TerrainColoring::HILLSHADE)
+  {
+    info.LastLightComplexity = std::decay_t<decltype(complexity)>(0); // the sun is the only light
+  }
+  this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
+  info.LastLightComplexity = complexity;
+  FinishTerrainShaders(this->Options, shaders, this->Variants.GetMissing());
+}
+
+void TerrainPainter::SetMapperShaderParameters(
+  vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetMapperShaderParameters(helper, renderer, actor);
+  this->Instances.Activate(
+    static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), helper.Program);
+  this->SetPositionUniforms(helper.Program);
+  this->SetColorUniforms(helper.Program);
+}
+
+void TerrainPainter::SetPositionUniforms(vtkShaderProgram* program)
+{
+  const TerrainPlacement& placement = this->Current.Placement;
+  const auto set4 = [program](const char* name, const std::array<double, 4>& values)
+  {
+    float floats[4];
+    std::transform(
+      values.begin(), values.end(), floats, [](double value) { return static_cast<float>(value); });
+    program->SetUniform4f(name, floats);
+  };
+  const int origin[2] = { UnitsPerSample * this->OriginSample[0],
+    UnitsPerSample * this->OriginSample[1] };
+  program->SetUniform2i("relevoOrigin", origin);
+  program->SetUniformf("relevoOriginHeight", this->OriginHeight);
+  program->SetUniformf("relevoHeightScale", static_cast<float>(placement.HeightScale));
+  set4("relevoPlacement",
+    { { placement.Column[0], placement.Column[1], placement.Row[0], placement.Row[1] } });
+  // The inverse transpose maps derivatives, without the exaggeration.
+  const double scale =
+    placement.HeightScale / this->Current.Exaggeration / GetDeterminant(placement);
+  set4("relevoGradients",
+    { { scale * placement.Row[1], -scale * placement.Row[0], -scale * placement.Column[1],
+      scale * placement.Column[0] } });
+  program->SetUniformf("relevoExaggeration", static_cast<float>(this->Current.Exaggeration));
+  float last[2];
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    last[axis] = static_cast<float>(
+      this->Current.Dimensions[axis] - 1.0 - this->OriginSample[axis] + BorderTolerance);
+  }
+  program->SetUniform2f("relevoLastSample", last);
+}
+
+void TerrainPainter::SetColorUniforms(vtkShaderProgram* program)
+{
+  if (HasTable(this->Options.Coloring))
+  {
+    this->Table.Activate(program);
+  }
+  if (program->IsUniformUsed("relevoNotANumber"))
+  {
+    program->SetUniformf("relevoNotANumber", std::numeric_limits<float>::quiet_NaN());
+  }
+  if (this->Options.HasContours)
+  {
+    const float contours[2] = { static_cast<float>(this->Current.ContourInterval),
+      static_cast<float>(this->Current.ContourWidth) };
+    program->SetUniform2f("relevoContours", contours);
+    float color[3];
+    std::transform(this->Current.ContourColor.begin(), this->Current.ContourColor.end(), color,
+      [](double component) { return static_cast<float>(component); });
+    program->SetUniform3f("relevoContourColor", color);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Selection
+
+void TerrainPainter::AnnounceIds(vtkHardwareSelector* selector) const
+{
+  selector->UpdateMaximumCellId(this->Instances.GetNumberOfFaces());
+}
+
+// The ids of faces are drawn, so there is nothing to convert.
+void TerrainPainter::ProcessSelectorPixelBuffers(
+  vtkHardwareSelector*, std::vector<unsigned int>&, vtkProp*)
+{
+}
+
+//------------------------------------------------------------------------------
+
+vtkTypeInt64 TerrainPainter::GetMemorySize() const
+{
+  return this->Instances.GetMemorySize() + this->Patterns.GetMemorySize() +
+    this->Table.GetMemorySize();
+}
+
+void TerrainPainter::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  this->Instances.ReleaseGraphicsResources(window);
+  this->Patterns.ReleaseGraphicsResources();
+  this->Table.ReleaseGraphicsResources(window);
+  this->Variants.ReleaseGraphicsResources(window);
+  this->TableSource.Clear();
+}
+}

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   TerrainPainter
+ * @brief   draws the faces of a bisected terrain as VTK's mapper draws a polydata
+ *
+ * Lights, clipping planes, opacity, render passes and selections are VTK's: its shaders get a
+ * vertex of a face instead of a vertex of the mesh. Positions are relative to a sample near the
+ * eye. Private to the module.
+ */
+#ifndef TerrainPainter_h
+#define TerrainPainter_h
+
+#include "Bisection/TerrainView.h"
+#include "Buffers/ColorTable.h"
+#include "Buffers/TerrainInstances.h"
+#include "Buffers/TerrainPatterns.h"
+#include "Changes/Dependencies.h"
+#include "Shaders/ShaderVariants.h"
+#include "Shaders/TerrainShader.h"
+#include "vtkNew.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkPolyData.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkHardwareSelector;
+class vtkScalarsToColors;
+
+namespace relevo
+{
+class TerrainPainter : public vtkOpenGLPolyDataMapper
+{
+public:
+  static TerrainPainter* New();
+  vtkTypeMacro(TerrainPainter, vtkOpenGLPolyDataMapper);
+
+  /// The settings for drawing.
+  struct Settings
+  {
+    TerrainPlacement Placement;
+    std::array<int, 2> Dimensions = { { 0, 0 } }; // columns and rows of the raster
+    double Exaggeration = 1.0;                    // is part of the placement's scale of heights
+    TerrainColoring Coloring = TerrainColoring::SOLID;
+    vtkScalarsToColors* Table = nullptr; // required if HasTable(Coloring)
+    double ContourInterval = 0.0;        // in units of the heights; 0 for none
+    double ContourWidth = 1.0;           // in pixels
+    std::array<double, 3> ContourColor = { { 0.0, 0.0, 0.0 } };
+    vtkTypeInt64 MemoryLimit = vtkTypeInt64(1) << 28; // bytes of textures of heights
+  };
+
+  /// Upload the faces of a view, before RenderPiece(). Return the error, or "".
+  std::string Prepare(vtkRenderer* renderer, vtkActor* actor, const std::vector<TerrainFace>& faces,
+    const Settings& settings);
+  /// Return the error of the shaders or of the colours, or "", after RenderPiece().
+  const std::string& GetShaderError() const { return this->Variants.GetError(); }
+  const std::string& GetColorError() const { return this->ColorError; }
+
+  /// Forget all heights, because they have changed.
+  void ForgetTiles() { this->Instances.GetTiles().Clear(); }
+
+  /// Report the largest ids that a selection draws.
+  void AnnounceIds(vtkHardwareSelector* selector) const;
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  void ProcessSelectorPixelBuffers(
+    vtkHardwareSelector* selector, std::vector<unsigned int>& pixels, vtkProp* prop) override;
+
+  int GetNumberOfDrawCalls() const { return this->NumberOfDrawCalls; }
+  vtkTypeInt64 GetMemorySize() const;
+  vtkIdType GetNumberOfShaderBuilds() const { return this->Variants.GetNumberOfBuilds(); }
+  vtkIdType GetNumberOfTileUploads() const
+  {
+    return this->Instances.GetTiles().GetNumberOfUploads();
+  }
+
+protected:
+  TerrainPainter();
+  ~TerrainPainter() override;
+
+  void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
+  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
+  bool GetNeedToRebuildShaders(
+    vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor) override;
+  void BuildShaders(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderValues(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void SetMapperShaderParameters(
+    vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor) override;
+
+private:
+  TerrainPainter(const TerrainPainter&) = delete;
+  void operator=(const TerrainPainter&) = delete;
+
+  void ChooseOrigin(vtkRenderer* renderer, vtkActor* actor, const std::vector<TerrainFace>& faces);
+  void UpdateColors(vtkOpenGLRenderWindow* window);
+  void SetPositionUniforms(vtkShaderProgram* program);
+  void SetColorUniforms(vtkShaderProgram* program);
+  void DrawGroup(TerrainPatterns::Primitives primitives, bool isPositive);
+
+  Settings Current;
+  TerrainInstances Instances;
+  TerrainPatterns Patterns;
+  ColorTable Table;
+  Dependencies TableSource;
+  std::string ColorError;
+  std::array<int, 2> OriginSample = { { 0, 0 } };
+  float OriginHeight = 0.0f;
+  vtkNew<vtkPolyData> Box; // VTK's mapper needs points
+
+  TerrainShaderOptions Options;
+  ShaderVariants Variants;
+  int NumberOfDrawCalls = 0;
+};
+}
+
+#endif

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shaders/TerrainShader.h"
+
+#include "Bisection/BlockErrors.h"
+#include "Bisection/TerrainFace.h"
+#include "Shaders/ShaderVaryings.h"
+#include "relevoColorTable.h"
+#include "relevoTerrainFS.h"
+#include "relevoTerrainFaceVS.h"
+#include "relevoTerrainHeightsVS.h"
+#include "relevoTerrainVS.h"
+
+#include <sstream>
+#include <vector>
+
+namespace relevo
+{
+namespace
+{
+constexpr int TileShift = 8;
+static_assert(HeightTile::CellsPerTile == 1 << TileShift, "the shift must match the tiles");
+
+bool HasHeights(const TerrainShaderOptions& options)
+{
+  return options.Coloring == TerrainColoring::ELEVATION || options.HasContours;
+}
+
+bool HasGradients(const TerrainShaderOptions& options)
+{
+  return options.Coloring == TerrainColoring::SLOPE ||
+    options.Coloring == TerrainColoring::ASPECT || options.Coloring == TerrainColoring::HILLSHADE;
+}
+
+std::string GetDefines(const TerrainShaderOptions& options)
+{
+  std::ostringstream text;
+  text << GetPreciseExtension() << "#define RELEVO_SEGMENTS " << TerrainFace::Segments
+       << "\n#define RELEVO_TILE_SHIFT " << TileShift << "\n#define RELEVO_FINEST_LEVEL ("
+       << BlockErrors::FinestLevel << ")\n";
+  const auto define = [&text](bool condition, const char* name)
+  {
+    if (condition)
+    {
+      text << "#define " << name << "\n";
+    }
+  };
+  define(HasHeights(options), "RELEVO_HEIGHTS");
+  define(HasGradients(options), "RELEVO_GRADIENTS");
+  define(options.HasCells, "RELEVO_CELLS");
+  define(options.HasContours, "RELEVO_CONTOURS");
+  define(options.Coloring == TerrainColoring::ELEVATION, "RELEVO_ELEVATION");
+  define(options.Coloring == TerrainColoring::SLOPE, "RELEVO_SLOPE");
+  define(options.Coloring == TerrainColoring::ASPECT, "RELEVO_ASPECT");
+  define(options.Coloring == TerrainColoring::HILLSHADE, "RELEVO_HILLSHADE");
+  return text.str();
+}
+
+std::vector<ShaderVarying> GetVaryings(const TerrainShaderOptions& options)
+{
+  std::vector<ShaderVarying> varyings = { { "", "vec2", "relevoRaster" },
+    { "", "float", "relevoMissing" } };
+  if (HasHeights(options))
+  {
+    varyings.push_back({ "", "float", "relevoHeight" });
+  }
+  if (HasGradients(options))
+  {
+    varyings.push_back({ "", "vec2", "relevoGradient" });
+  }
+  if (options.HasCells)
+  {
+    varyings.push_back({ "flat ", "int", "relevoCell" });
+  }
+  return varyings;
+}
+}
+
+bool HasTable(TerrainColoring coloring)
+{
+  return coloring == TerrainColoring::ELEVATION || coloring == TerrainColoring::SLOPE ||
+    coloring == TerrainColoring::ASPECT;
+}
+
+Dependencies TerrainShaderOptions::GetKey() const
+{
+  return Dependencies::On(GetDefines(*this));
+}
+
+void PrepareTerrainShaders(const TerrainShaderOptions& options, bool ownFragments,
+  std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing)
+{
+  ShaderText fragment(shaders[vtkShader::Fragment], missing);
+  if (options.Coloring != TerrainColoring::SOLID)
+  {
+    InsertColors(fragment, ownFragments,
+      "\n  vec4 relevoColor = relevoTerrainColor();\n"
+      "  ambientColor = ambientIntensity * relevoColor.rgb;\n"
+      "  diffuseColor = diffuseIntensity * relevoColor.rgb;\n"
+      "  opacity = opacityUniform * relevoColor.a;\n");
+  }
+  if (options.HasContours)
+  {
+    fragment.InsertBefore("//VTK::DepthPeeling::Impl", // the fragment has its colour
+      "gl_FragData[0].rgb = mix(gl_FragData[0].rgb, relevoContourColor, "
+      "relevoContourCoverage());\n  ");
+  }
+}
+
+void FinishTerrainShaders(const TerrainShaderOptions& options,
+  std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing)
+{
+  const std::vector<ShaderVarying> varyings = GetVaryings(options);
+  ShaderText vertex(shaders[vtkShader::Vertex], missing);
+  vertex.Replace("in vec4 vertexMC;", "vec4 vertexMC;");
+  const bool hasNormal = vertex.Has("in vec3 normalMC;");
+  vertex.IfReplace("in vec3 normalMC;", "vec3 normalMC;");
+  vertex.IfReplace("gl_VertexID", "0"); // vertices are not points of an input
+  vertex.InsertAtStart("  relevoDrawTerrain();\n");
+  vertex.InsertAtEnd("  if (relevoHidden) { gl_Position = vec4(0.0, 0.0, 2.0, 1.0); }\n");
+  vertex.InsertBeforeMain(DeclareVaryings("out", varyings) +
+    "void relevoSetNormal(vec3 normal)\n{\n" + (hasNormal ? "  normalMC = normal;\n" : "") + "}\n" +
+    relevoTerrainFaceVS + relevoTerrainHeightsVS + relevoTerrainVS);
+  vertex.InsertAfterVersion(GetDefines(options));
+
+  ShaderText geometry(shaders[vtkShader::Geometry], missing);
+  if (!geometry.IsEmpty())
+  {
+    PassOnVaryings(varyings, geometry);
+  }
+  ShaderText fragment(shaders[vtkShader::Fragment], missing);
+  if (options.HasCells)
+  {
+    fragment.Replace("gl_PrimitiveID + PrimitiveIDOffset", "relevoCellVSOutput");
+  }
+  fragment.InsertAtStart(std::string(options.HasContours ? "  relevoMeasurePixels();\n" : "") +
+    "  if (relevoIsOutside()) discard;\n");
+  fragment.InsertBeforeMain(DeclareVaryings("in", varyings) +
+    (HasTable(options.Coloring) ? relevoColorTable : "") + relevoTerrainFS);
+  fragment.InsertAfterVersion(GetDefines(options));
+}
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   changes VTK's shaders into shaders of terrains
+ *
+ * Private to the module.
+ */
+#ifndef TerrainShader_h
+#define TerrainShader_h
+
+#include "Changes/Dependencies.h"
+#include "Shaders/ShaderText.h"
+
+#include <map>
+#include <string>
+
+namespace relevo
+{
+/// The colours of a terrain.
+enum class TerrainColoring
+{
+  SOLID, // the actor's
+  ELEVATION,
+  SLOPE,
+  ASPECT,
+  HILLSHADE
+};
+
+/// Return whether a lookup table maps numbers to colours.
+bool HasTable(TerrainColoring coloring);
+
+/// The options of shaders of terrains.
+struct TerrainShaderOptions
+{
+  TerrainColoring Coloring = TerrainColoring::SOLID;
+  bool HasContours = false;
+  bool HasCells = false; // a selection asks for cells
+
+  Dependencies GetKey() const;
+};
+
+/// Change the templates before VTK does. `ownFragments`: see HasOwnFragments().
+void PrepareTerrainShaders(const TerrainShaderOptions& options, bool ownFragments,
+  std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing);
+
+/// Change the shaders after VTK.
+void FinishTerrainShaders(const TerrainShaderOptions& options,
+  std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing);
+}
+
+#endif

@@ -1,0 +1,70 @@
+// Fragments of a terrain: its borders, colours by height and slope, and contour lines.
+
+uniform vec2 relevoLastSample; // as relevoRaster
+
+// Return whether a corner of the triangle has no data, or the fragment is beyond the raster.
+bool relevoIsOutside()
+{
+  return relevoMissingVSOutput > 0.0 ||
+    any(greaterThan(relevoRasterVSOutput, relevoLastSample));
+}
+
+#ifdef RELEVO_ELEVATION
+vec4 relevoTerrainColor()
+{
+  return relevoTableColor(relevoHeightVSOutput);
+}
+#endif
+
+#ifdef RELEVO_SLOPE
+vec4 relevoTerrainColor()
+{
+  return relevoTableColor(degrees(atan(length(relevoGradientVSOutput))));
+}
+#endif
+
+#ifdef RELEVO_ASPECT
+uniform float relevoNotANumber;
+
+// Flat parts have no aspect.
+vec4 relevoTerrainColor()
+{
+  vec2 down = -relevoGradientVSOutput;
+  float angle = degrees(atan(down.x, down.y));
+  return relevoTableColor(
+    down == vec2(0.0) ? relevoNotANumber : (angle < 0.0 ? angle + 360.0 : angle));
+}
+#endif
+
+#ifdef RELEVO_HILLSHADE
+// The sun is in the north-west, 45 degrees above the horizon.
+vec4 relevoTerrainColor()
+{
+  vec3 normal = normalize(vec3(-relevoGradientVSOutput, 1.0));
+  float light = dot(normal, vec3(-0.5, 0.5, 0.70710678));
+  return vec4(vec3(max(light, 0.0)), 1.0);
+}
+#endif
+
+#ifdef RELEVO_CONTOURS
+uniform vec2 relevoContours; // interval, width in pixels
+uniform vec3 relevoContourColor;
+
+vec2 relevoHeightChange = vec2(0.0); // per pixel, to the right and up
+
+// This must run at the start of main(), for all pixels, because it uses derivatives.
+void relevoMeasurePixels()
+{
+  relevoHeightChange = vec2(dFdx(relevoHeightVSOutput), dFdy(relevoHeightVSOutput));
+}
+
+// Return the fraction of the pixel that the nearest contour line covers.
+float relevoContourCoverage()
+{
+  float intervals = relevoHeightVSOutput / relevoContours.x;
+  float beside = abs(intervals - floor(intervals + 0.5)) * relevoContours.x;
+  float change = length(relevoHeightChange);
+  float pixels = change > 0.0 ? beside / change : 1e30;
+  return clamp(0.5 * relevoContours.y + 0.5 - pixels, 0.0, min(relevoContours.y, 1.0));
+}
+#endif

@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RelevoTerrainScene.h"
+
+#include "Bisection/FaceHeights.h"
+#include "View/TerrainViewpoint.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkHardwareSelector.h"
+#include "vtkIdTypeArray.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+using relevo::HeightTile;
+using relevo::TerrainFace;
+
+RelevoTerrainRaster::RelevoTerrainRaster(int columns, int rows, const Function& height)
+  : Columns(columns)
+  , Rows(rows)
+  , Height(height)
+{
+}
+
+float RelevoTerrainRaster::GetSample(std::int64_t column, std::int64_t row) const
+{
+  return this->Height(static_cast<int>(std::clamp<std::int64_t>(column, 0, this->Columns - 1)),
+    static_cast<int>(std::clamp<std::int64_t>(row, 0, this->Rows - 1)));
+}
+
+const HeightTile* RelevoTerrainRaster::Get(
+  int level, int column, int row, double, float& visibility)
+{
+  visibility = 1.0f;
+  HeightTile& tile = this->Tiles[{ level, column, row }];
+  if (tile.Heights.empty())
+  {
+    tile.Level = level;
+    tile.Column = column;
+    tile.Row = row;
+    for (int j = -1; j < HeightTile::Stride - 1; ++j)
+    {
+      for (int i = -1; i < HeightTile::Stride - 1; ++i)
+      {
+        const std::int64_t x = static_cast<std::int64_t>(HeightTile::CellsPerTile) * column + i;
+        const std::int64_t y = static_cast<std::int64_t>(HeightTile::CellsPerTile) * row + j;
+        tile.Heights.push_back(
+          this->GetSample(x * (std::int64_t(1) << level), y * (std::int64_t(1) << level)));
+      }
+    }
+  }
+  return &tile;
+}
+
+float RelevoHills(int column, int row)
+{
+  double height = 0.0;
+  double size = 20.0;
+  double length = 90.0;
+  for (int i = 0; i < 5; ++i)
+  {
+    height += size * std::sin(column / length + i) * std::cos(row / length - 2.0 * i);
+    size *= 0.5;
+    length *= 0.4;
+  }
+  return static_cast<float>(height);
+}
+
+vtkStandardNewMacro(RelevoTerrainMapper);
+
+void RelevoTerrainMapper::SetRaster(const std::shared_ptr<RelevoTerrainRaster>& raster,
+  const relevo::HeightRanges::Range& range, float errorOfLevel0)
+{
+  this->Raster = raster;
+  this->Ranges = relevo::HeightRanges(range);
+  this->Errors = relevo::BlockErrors::Estimate(
+    relevo::BlockErrors::GetRootLevel(raster->Columns, raster->Rows), errorOfLevel0);
+  this->Bisection.reset(
+    new relevo::TerrainBisection(raster->Columns, raster->Rows, this->Errors, this->Ranges));
+  this->Settings.Dimensions = { { raster->Columns, raster->Rows } };
+}
+
+void RelevoTerrainMapper::Render(vtkRenderer* renderer, vtkActor* actor)
+{
+  const relevo::TerrainViewpoint viewpoint(renderer, actor);
+  this->Bisection->Select(
+    viewpoint.MakeView(this->Settings.Placement), this->Tolerance, *this->Raster);
+  this->Painter->SetClippingPlanes(this->ClippingPlanes);
+  this->Error = this->Painter->Prepare(renderer, actor, this->GetFaces(), this->Settings);
+  if (!this->Error.empty())
+  {
+    return;
+  }
+  if (vtkHardwareSelector* selector = renderer->GetSelector())
+  {
+    selector->BeginRenderProp();
+    this->Painter->AnnounceIds(selector);
+    if (selector->GetCurrentPass() == vtkHardwareSelector::COMPOSITE_INDEX_PASS)
+    {
+      selector->RenderCompositeIndex(1);
+    }
+  }
+  this->Painter->RenderPiece(renderer, actor);
+  if (vtkHardwareSelector* selector = renderer->GetSelector())
+  {
+    selector->EndRenderProp();
+  }
+}
+
+void RelevoTerrainMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Painter->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+double* RelevoTerrainMapper::GetBounds()
+{
+  const auto heights = this->Ranges.Get(0, { { 0.0, 1e9 } }, { { 0.0, 1e9 } });
+  vtkMath::UninitializeBounds(this->Bounds);
+  for (int i = 0; i < 8; ++i)
+  {
+    const auto corner = this->Settings.Placement.ToWorld((i & 1) * (this->Raster->Columns - 1),
+      (i >> 1 & 1) * (this->Raster->Rows - 1), heights[i >> 2 & 1]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Bounds[2 * axis] =
+        i == 0 ? corner[axis] : std::min(this->Bounds[2 * axis], corner[axis]);
+      this->Bounds[2 * axis + 1] =
+        i == 0 ? corner[axis] : std::max(this->Bounds[2 * axis + 1], corner[axis]);
+    }
+  }
+  return this->Bounds;
+}
+
+vtkSmartPointer<vtkPolyData> RelevoTerrainMapper::MakeTriangles() const
+{
+  constexpr int segments = TerrainFace::Segments;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> triangles;
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("Face");
+  vtkIdType index = 0;
+  for (const TerrainFace& face : this->GetFaces())
+  {
+    const relevo::FaceHeights heights(face);
+    vtkIdType vertices[segments + 2][segments + 2];
+    for (int b = 0; b <= segments; ++b)
+    {
+      for (int a = 0; a <= segments - b; ++a)
+      {
+        const float height = heights.GetHeight(a, b);
+        const auto place = this->Settings.Placement.ToWorld(
+          std::ldexp(
+            static_cast<double>(face.Apex[0] + a * face.Step1[0] + b * face.Step2[0]), face.Level),
+          std::ldexp(
+            static_cast<double>(face.Apex[1] + a * face.Step1[1] + b * face.Step2[1]), face.Level),
+          static_cast<double>(height));
+        vertices[a][b] = std::isnan(height) ? -1 : points->InsertNextPoint(place.data());
+      }
+    }
+    const bool isUp = face.IsPositive() ==
+      (this->Settings.Placement.Column[0] * this->Settings.Placement.Row[1] -
+          this->Settings.Placement.Column[1] * this->Settings.Placement.Row[0] >
+        0.0);
+    const auto add = [&](vtkIdType i, vtkIdType j, vtkIdType k)
+    {
+      if (i >= 0 && j >= 0 && k >= 0)
+      {
+        triangles->InsertNextCell({ i, isUp ? j : k, isUp ? k : j });
+        ids->InsertNextValue(index);
+      }
+    };
+    for (int b = 0; b < segments; ++b)
+    {
+      for (int a = 0; a < segments - b; ++a)
+      {
+        add(vertices[a][b], vertices[a + 1][b], vertices[a][b + 1]);
+        if (a + b < segments - 1)
+        {
+          add(vertices[a + 1][b], vertices[a + 1][b + 1], vertices[a][b + 1]);
+        }
+      }
+    }
+    ++index;
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  result->SetPolys(triangles);
+  result->GetCellData()->AddArray(ids);
+  return result;
+}
+
+RelevoTerrainScene::RelevoTerrainScene(
+  int columns, int rows, const RelevoTerrainRaster::Function& height, float errorOfLevel0)
+{
+  this->Mapper->SetRaster(std::make_shared<RelevoTerrainRaster>(columns, rows, height),
+    { { -40.0f, 40.0f } }, errorOfLevel0);
+  this->Actor->SetMapper(this->Mapper);
+  this->Renderer->AddActor(this->Actor);
+  this->Renderer->SetBackground(0.0, 0.0, 0.0);
+  this->Window->AddRenderer(this->Renderer);
+  this->Window->SetMultiSamples(0);
+  this->Window->SetSize(400, 300);
+}
+
+RelevoPicture RelevoTerrainScene::Draw()
+{
+  this->Window->Render();
+  return RelevoPicture(this->Window);
+}
+
+RelevoPicture RelevoTerrainScene::DrawTwin()
+{
+  vtkNew<vtkPolyDataMapper> twin;
+  twin->SetInputData(this->Mapper->MakeTriangles());
+  twin->ScalarVisibilityOff();
+  twin->SetClippingPlanes(this->Mapper->GetClippingPlanes());
+  this->Actor->SetMapper(twin);
+  this->Window->Render();
+  const RelevoPicture picture(this->Window);
+  this->Actor->SetMapper(this->Mapper);
+  return picture;
+}
+
+void RelevoTerrainScene::Look(const std::array<double, 3>& from, const std::array<double, 3>& to)
+{
+  const relevo::TerrainPlacement& placement = this->Mapper->Settings.Placement;
+  const auto eye = placement.ToWorld(from[0], from[1], from[2]);
+  const auto target = placement.ToWorld(to[0], to[1], to[2]);
+  this->GetCamera()->SetPosition(eye.data());
+  this->GetCamera()->SetFocalPoint(target.data());
+  this->GetCamera()->SetViewUp(0.0, 0.0, 1.0);
+  this->Renderer->ResetCameraClippingRange();
+}
