@@ -4,10 +4,12 @@
 
 #include "Bisection/FaceHeights.h"
 #include "View/TerrainViewpoint.h"
+#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
@@ -61,17 +63,29 @@ float RelevoHills(int column, int row)
 {
   double height = 0.0;
   double size = 20.0;
-  double length = 90.0;
-  for (int i = 0; i < 5; ++i)
+  double length = 60.0;
+  double along = column;
+  double across = row;
+  for (int i = 0; i < 6; ++i)
   {
-    height += size * std::sin(column / length + i) * std::cos(row / length - 2.0 * i);
-    size *= 0.5;
-    length *= 0.4;
+    height += size * std::sin(along / length + i) * std::cos(across / length - 2.0 * i);
+    size *= 0.4;
+    length *= 0.5;
+    const double turned = 0.8 * along - 0.6 * across;
+    across = 0.6 * along + 0.8 * across;
+    along = turned;
   }
   return static_cast<float>(height);
 }
 
 vtkStandardNewMacro(RelevoTerrainMapper);
+
+// There is no input.
+int RelevoTerrainMapper::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return this->Superclass::FillInputPortInformation(port, info);
+}
 
 void RelevoTerrainMapper::SetRaster(const std::shared_ptr<RelevoTerrainRaster>& raster,
   const relevo::HeightRanges::Range& range, float errorOfLevel0)

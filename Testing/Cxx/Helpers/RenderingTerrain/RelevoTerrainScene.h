@@ -69,8 +69,9 @@ public:
   vtkNew<relevo::TerrainPainter> Painter;
 
 protected:
-  RelevoTerrainMapper() { this->SetNumberOfInputPorts(0); }
+  RelevoTerrainMapper() = default;
   ~RelevoTerrainMapper() override = default;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
 
 private:
   std::shared_ptr<RelevoTerrainRaster> Raster;
