@@ -7,11 +7,13 @@
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -159,6 +161,8 @@ vtkSmartPointer<vtkPolyData> RelevoTerrainMapper::MakeTriangles() const
   vtkNew<vtkCellArray> triangles;
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName("Face");
+  vtkNew<vtkFloatArray> values;
+  values->SetName("Height");
   vtkIdType index = 0;
   for (const TerrainFace& face : this->GetFaces())
   {
@@ -176,6 +180,10 @@ vtkSmartPointer<vtkPolyData> RelevoTerrainMapper::MakeTriangles() const
             static_cast<double>(face.Apex[1] + a * face.Step1[1] + b * face.Step2[1]), face.Level),
           static_cast<double>(height));
         vertices[a][b] = std::isnan(height) ? -1 : points->InsertNextPoint(place.data());
+        if (!std::isnan(height))
+        {
+          values->InsertNextValue(height);
+        }
       }
     }
     const bool isUp = face.IsPositive() ==
@@ -206,6 +214,7 @@ vtkSmartPointer<vtkPolyData> RelevoTerrainMapper::MakeTriangles() const
   auto result = vtkSmartPointer<vtkPolyData>::New();
   result->SetPoints(points);
   result->SetPolys(triangles);
+  result->GetPointData()->SetScalars(values);
   result->GetCellData()->AddArray(ids);
   return result;
 }
@@ -229,17 +238,63 @@ RelevoPicture RelevoTerrainScene::Draw()
   return RelevoPicture(this->Window);
 }
 
-RelevoPicture RelevoTerrainScene::DrawTwin()
+RelevoPicture RelevoTerrainScene::DrawTwin(vtkScalarsToColors* heightColors)
 {
   vtkNew<vtkPolyDataMapper> twin;
   twin->SetInputData(this->Mapper->MakeTriangles());
-  twin->ScalarVisibilityOff();
+  twin->SetScalarVisibility(heightColors != nullptr);
+  if (heightColors)
+  {
+    twin->SetLookupTable(heightColors);
+    twin->UseLookupTableScalarRangeOn();
+    twin->InterpolateScalarsBeforeMappingOn();
+  }
   twin->SetClippingPlanes(this->Mapper->GetClippingPlanes());
   this->Actor->SetMapper(twin);
   this->Window->Render();
   const RelevoPicture picture(this->Window);
   this->Actor->SetMapper(this->Mapper);
   return picture;
+}
+
+std::vector<vtkIdType> RelevoTerrainScene::SelectCells()
+{
+  const int* size = this->Window->GetSize();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(this->Renderer);
+  selector->SetArea(0, 0, size[0] - 1, size[1] - 1);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  selector->CaptureBuffers();
+  std::vector<vtkIdType> ids;
+  for (unsigned int y = 0; y < static_cast<unsigned int>(size[1]); ++y)
+  {
+    for (unsigned int x = 0; x < static_cast<unsigned int>(size[0]); ++x)
+    {
+      const unsigned int position[2] = { x, y };
+      const auto pixel = selector->GetPixelInformation(position);
+      ids.push_back(pixel.Valid && pixel.Prop == this->Actor ? pixel.AttributeID : -1);
+    }
+  }
+  return ids;
+}
+
+std::vector<vtkIdType> RelevoTerrainScene::SelectFaces()
+{
+  return this->SelectCells();
+}
+
+std::vector<vtkIdType> RelevoTerrainScene::SelectFacesOfTwin()
+{
+  vtkNew<vtkPolyDataMapper> twin;
+  auto triangles = this->Mapper->MakeTriangles();
+  auto* faces = vtkIdTypeArray::SafeDownCast(triangles->GetCellData()->GetArray("Face"));
+  twin->SetInputData(triangles);
+  this->Actor->SetMapper(twin);
+  std::vector<vtkIdType> ids = this->SelectCells();
+  this->Actor->SetMapper(this->Mapper);
+  std::transform(ids.begin(), ids.end(), ids.begin(),
+    [faces](vtkIdType id) { return id < 0 ? id : faces->GetValue(id); });
+  return ids;
 }
 
 void RelevoTerrainScene::Look(const std::array<double, 3>& from, const std::array<double, 3>& to)

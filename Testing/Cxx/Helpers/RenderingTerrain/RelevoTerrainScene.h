@@ -60,7 +60,8 @@ public:
   bool GetSupportsSelection() override { return true; }
 
   const std::vector<relevo::TerrainFace>& GetFaces() const { return this->Bisection->GetFaces(); }
-  // The triangles of the faces, without those that lack data. Cell data are the indices of faces.
+  // The triangles of the faces, without those that lack data. Point data are the heights, cell data
+  // the indices of faces.
   vtkSmartPointer<vtkPolyData> MakeTriangles() const;
 
   relevo::TerrainPainter::Settings Settings;
@@ -89,7 +90,10 @@ public:
 
   RelevoPicture Draw();
   // The triangles of the last picture, drawn by vtkPolyDataMapper.
-  RelevoPicture DrawTwin();
+  RelevoPicture DrawTwin(vtkScalarsToColors* heightColors = nullptr);
+  // The face at each pixel, from a hardware selection of cells; -1 for the background.
+  std::vector<vtkIdType> SelectFaces();
+  std::vector<vtkIdType> SelectFacesOfTwin();
 
   vtkCamera* GetCamera() { return this->Renderer->GetActiveCamera(); }
   vtkProperty* GetProperty() { return this->Actor->GetProperty(); }
@@ -100,6 +104,9 @@ public:
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkActor> Actor;
   vtkNew<RelevoTerrainMapper> Mapper;
+
+private:
+  std::vector<vtkIdType> SelectCells();
 };
 
 #endif
