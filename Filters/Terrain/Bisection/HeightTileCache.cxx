@@ -1,0 +1,460 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bisection/HeightTileCache.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <new>
+#include <system_error>
+#include <tuple>
+#include <utility>
+
+namespace relevo
+{
+namespace
+{
+constexpr unsigned int MaximumWorkers = 4;
+
+// A wanted tile is replaced only by one whose error is larger by this factor. Otherwise two tiles
+// with nearly the same error would replace each other in every frame.
+constexpr double ReplacementFactor = 1.25;
+
+constexpr int LevelShift = 58;
+
+// Finer levels have smaller keys.
+std::uint64_t GetTileKey(int level, int column, int row)
+{
+  return static_cast<std::uint64_t>(level) << LevelShift | static_cast<std::uint64_t>(row) << 29 |
+    static_cast<std::uint64_t>(column);
+}
+
+int GetKeyLevel(std::uint64_t key)
+{
+  return static_cast<int>(key >> LevelShift);
+}
+
+std::uint64_t GetTileKey(const HeightTile& tile)
+{
+  return GetTileKey(tile.Level, tile.Column, tile.Row);
+}
+
+HeightTile MakeTile(std::uint64_t key)
+{
+  constexpr std::uint64_t mask = (std::uint64_t(1) << 29) - 1;
+  HeightTile tile;
+  tile.Level = GetKeyLevel(key);
+  tile.Column = static_cast<int>(key & mask);
+  tile.Row = static_cast<int>(key >> 29 & mask);
+  return tile;
+}
+
+// An exception that leaves a thread ends the program.
+bool ReadSafely(const HeightTileCache::Reader& read, HeightTile& tile, std::string& error)
+{
+  try
+  {
+    return read(tile, error);
+  }
+  catch (const std::bad_alloc&)
+  {
+    error = "there is not enough memory to read a tile of heights";
+  }
+  catch (const std::exception& exception)
+  {
+    error = exception.what();
+  }
+  catch (...)
+  {
+    error = "a tile of heights cannot be read";
+  }
+  return false;
+}
+}
+
+HeightTileCache::HeightTileCache(Reader read)
+  : Read(std::move(read))
+{
+}
+
+HeightTileCache::~HeightTileCache()
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->IsToEnd = true;
+  }
+  this->Changed.notify_all();
+  for (std::thread& worker : this->Workers)
+  {
+    worker.join();
+  }
+}
+
+void HeightTileCache::SetMemoryLimit(std::size_t bytes)
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Limit = bytes / BytesPerTile;
+  }
+  this->Changed.notify_all();
+}
+
+bool HeightTileCache::IsCoarsest(const Item& item) const
+{
+  return GetKeyLevel(item.first) >= this->CoarsestLevel - 1;
+}
+
+float HeightTileCache::GetVisibility(const Entry& entry) const
+{
+  return entry.IsFading && this->FadeTime > 0.0
+    ? static_cast<float>(std::clamp((this->Now - entry.FirstSeen) / this->FadeTime, 0.0, 1.0))
+    : 1.0f;
+}
+
+void HeightTileCache::BeginFrame(double now)
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->DropGivenUp();
+    this->TakeIn();
+    if (this->Used > this->Limit)
+    {
+      for (const Item* item : this->SortForRemoval())
+      {
+        if (this->Used > this->Limit)
+        {
+          this->Drop(item->first);
+        }
+      }
+    }
+  }
+  this->Changed.notify_all();
+  this->Now = now;
+  ++this->Frame;
+}
+
+const HeightTile* HeightTileCache::Get(
+  int level, int column, int row, double error, float& visibility)
+{
+  this->CoarsestLevel = std::max(this->CoarsestLevel, level);
+  Item& item = *this->Tiles.try_emplace(GetTileKey(level, column, row)).first;
+  Entry& entry = item.second;
+  if (!this->IsWanted(entry))
+  {
+    entry.LastWanted = this->Frame;
+    entry.Error = 0.0;
+  }
+  entry.Error = std::max(entry.Error, error);
+  if (entry.Is != State::InMemory)
+  {
+    visibility = 0.0f;
+    return nullptr;
+  }
+  if (this->IsCoarsest(item))
+  {
+    entry.IsFading = false; // there is no coarser surface to begin with
+  }
+  if (!entry.IsSeen)
+  {
+    entry.IsSeen = true;
+    entry.FirstSeen = this->Now;
+  }
+  visibility = this->GetVisibility(entry);
+  return entry.Tile.get();
+}
+
+void HeightTileCache::EndFrame()
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->CancelRequests();
+    this->MakePlan();
+    this->StartWorkers();
+  }
+  this->Changed.notify_all();
+}
+
+void HeightTileCache::CancelRequests()
+{
+  for (const Request& request : this->Requests)
+  {
+    this->Tiles.at(GetTileKey(request.Tile)).Is = State::Missing;
+  }
+  this->Requests.clear();
+  for (auto entry = this->Tiles.begin(); entry != this->Tiles.end();)
+  {
+    const bool isIdle = entry->second.Is == State::Missing && !this->IsWanted(entry->second);
+    entry = isIdle ? this->Tiles.erase(entry) : std::next(entry);
+  }
+}
+
+// Tiles in memory; the next one to go first.
+std::vector<HeightTileCache::Item*> HeightTileCache::SortForRemoval()
+{
+  std::vector<Item*> items;
+  for (Item& item : this->Tiles)
+  {
+    if (item.second.Is == State::InMemory)
+    {
+      items.push_back(&item);
+    }
+  }
+  const auto getRank = [this](const Item& item)
+  {
+    return std::make_tuple(
+      this->IsCoarsest(item), item.second.LastWanted, item.second.Error, item.first);
+  };
+  std::sort(items.begin(), items.end(),
+    [&getRank](const Item* a, const Item* b) { return getRank(*a) < getRank(*b); });
+  return items;
+}
+
+// Wanted tiles; the next one to read first.
+std::vector<HeightTileCache::Item*> HeightTileCache::SortMissing()
+{
+  std::vector<Item*> items;
+  for (Item& item : this->Tiles)
+  {
+    if (item.second.Is == State::Missing && this->IsWanted(item.second))
+    {
+      items.push_back(&item);
+    }
+  }
+  std::sort(items.begin(), items.end(),
+    [](const Item* a, const Item* b)
+    { return std::tie(a->second.Error, a->first) > std::tie(b->second.Error, b->first); });
+  return items;
+}
+
+void HeightTileCache::MakePlan()
+{
+  const std::vector<Item*> missing = this->SortMissing();
+  auto room = static_cast<std::int64_t>(this->Limit) - static_cast<std::int64_t>(this->Used);
+  std::vector<Item*> present;
+  if (room < static_cast<std::int64_t>(missing.size()))
+  {
+    present = this->SortForRemoval();
+  }
+  auto next = present.begin();
+  for (Item* item : missing)
+  {
+    for (; room <= 0 && next != present.end(); ++next, ++room)
+    {
+      Item& candidate = **next;
+      if (this->IsCoarsest(candidate))
+      {
+        return;
+      }
+      if (!this->IsWanted(candidate.second))
+      {
+        this->Drop(candidate.first);
+      }
+      else if (ReplacementFactor * candidate.second.Error < item->second.Error)
+      {
+        candidate.second.IsGivenUp = true; // this frame still uses the tile
+      }
+      else
+      {
+        return;
+      }
+    }
+    if (room <= 0)
+    {
+      return;
+    }
+    --room;
+    this->Requests.emplace_back();
+    this->Requests.back().Tile = MakeTile(item->first);
+    item->second.Is = State::Requested;
+  }
+}
+
+void HeightTileCache::Drop(std::uint64_t key)
+{
+  this->Tiles.erase(key);
+  --this->Used;
+}
+
+void HeightTileCache::DropGivenUp()
+{
+  for (auto entry = this->Tiles.begin(); entry != this->Tiles.end();)
+  {
+    if (entry->second.IsGivenUp)
+    {
+      entry = this->Tiles.erase(entry);
+      --this->Used;
+    }
+    else
+    {
+      ++entry;
+    }
+  }
+}
+
+void HeightTileCache::TakeIn()
+{
+  for (Request& request : this->Finished)
+  {
+    Entry& entry = this->Tiles.at(GetTileKey(request.Tile));
+    entry.Is = request.IsRead ? State::InMemory : State::Unreadable;
+    if (request.IsRead)
+    {
+      entry.Tile = std::make_unique<HeightTile>(std::move(request.Tile));
+    }
+  }
+  this->Finished.clear();
+}
+
+bool HeightTileCache::LoadWanted(const std::function<bool()>& isAborted)
+{
+  std::unique_lock<std::mutex> lock(this->Mutex);
+  this->DropGivenUp();
+  this->Changed.notify_all();
+  const auto isDone = [this] { return !this->CanGoOn() || this->Workers.empty(); };
+  while (!this->Changed.wait_for(lock, std::chrono::milliseconds(20), isDone))
+  {
+    lock.unlock();
+    if (isAborted && isAborted())
+    {
+      lock.lock();
+      break;
+    }
+    lock.lock();
+  }
+  bool hasMore = !this->Finished.empty();
+  this->TakeIn();
+  for (Item& item : this->Tiles)
+  {
+    Entry& entry = item.second;
+    if (entry.Is == State::InMemory)
+    {
+      hasMore = hasMore || (entry.IsSeen && this->GetVisibility(entry) < 1.0f);
+      entry.IsFading = false;
+    }
+  }
+  return hasMore;
+}
+
+void HeightTileCache::Clear()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Requests.clear();
+  this->Finished.clear();
+  for (Request& request : this->Running)
+  {
+    request.IsCancelled = true;
+  }
+  this->Tiles.clear();
+  this->Used = this->Running.size();
+  this->CoarsestLevel = 0;
+  this->HasFailed = false;
+  this->Error.clear();
+}
+
+bool HeightTileCache::IsLoading() const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->CanGoOn();
+}
+
+bool HeightTileCache::NeedsFrame() const
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (!this->Finished.empty())
+    {
+      return true;
+    }
+  }
+  return std::any_of(this->Tiles.begin(), this->Tiles.end(),
+    [this](const Item& item)
+    {
+      const Entry& entry = item.second;
+      return entry.IsGivenUp ||
+        (entry.Is == State::InMemory && this->IsWanted(entry) && this->GetVisibility(entry) < 1.0f);
+    });
+}
+
+std::size_t HeightTileCache::GetMemorySize() const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->Used * BytesPerTile;
+}
+
+int HeightTileCache::GetNumberOfTiles() const
+{
+  return static_cast<int>(std::count_if(this->Tiles.begin(), this->Tiles.end(),
+    [](const Item& item) { return item.second.Is == State::InMemory; }));
+}
+
+std::string HeightTileCache::TakeError()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return std::exchange(this->Error, std::string());
+}
+
+void HeightTileCache::StartWorkers()
+{
+  const std::size_t number = std::clamp(std::thread::hardware_concurrency(), 1u, MaximumWorkers);
+  const std::size_t needed = this->Requests.size() + this->Running.size();
+  try
+  {
+    while (this->Workers.size() < std::min(number, needed))
+    {
+      this->Workers.emplace_back([this] { this->Work(); });
+    }
+  }
+  catch (const std::system_error& error)
+  {
+    if (this->Workers.empty() && !this->HasFailed)
+    {
+      this->HasFailed = true;
+      this->Error = std::string("no thread can be started to read heights: ") + error.what();
+    }
+  }
+}
+
+void HeightTileCache::Work()
+{
+  std::unique_lock<std::mutex> lock(this->Mutex);
+  for (;;)
+  {
+    this->Changed.wait(lock, [this] { return this->IsToEnd || this->CanStart(); });
+    if (this->IsToEnd)
+    {
+      return;
+    }
+    const auto request = this->Requests.begin();
+    this->Running.splice(this->Running.end(), this->Requests, request);
+    ++this->Used;
+    lock.unlock();
+
+    std::string error;
+    request->IsRead = ReadSafely(this->Read, request->Tile, error);
+    if (!request->IsRead)
+    {
+      std::vector<float>().swap(request->Tile.Heights);
+    }
+
+    lock.lock();
+    if (!request->IsRead || request->IsCancelled)
+    {
+      --this->Used;
+    }
+    if (request->IsCancelled)
+    {
+      this->Running.erase(request);
+    }
+    else
+    {
+      if (!request->IsRead && !this->HasFailed)
+      {
+        this->HasFailed = true;
+        this->Error = std::move(error);
+      }
+      this->Finished.splice(this->Finished.end(), this->Running, request);
+    }
+    this->Changed.notify_all();
+  }
+}
+}

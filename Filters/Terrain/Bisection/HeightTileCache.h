@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   HeightTileCache
+ * @brief   reads the height tiles that frames want, within a limit of memory
+ *
+ * Each frame calls BeginFrame(), then Get() for every tile that it wants, then EndFrame(). Worker
+ * threads read the missing tiles, those with the largest error first. A frame never waits for them.
+ *
+ * The limit holds for the tiles in memory and those that are being read, together. If it is
+ * reached, missing tiles replace tiles that the frame did not want, the least recently wanted
+ * first, and then wanted tiles whose error is clearly smaller. A frame asks for a tile only if it
+ * also asks for the coarser tile around it, so coarser tiles outlive finer ones. Tiles of the two
+ * coarsest levels are not replaced.
+ *
+ * All functions must be called from the same thread, unless they say otherwise. Private to the
+ * modules for terrains.
+ */
+#ifndef HeightTileCache_h
+#define HeightTileCache_h
+
+#include "Bisection/HeightTileSource.h"
+#include "RelevoFiltersTerrainModule.h" // for export macro
+
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <unordered_map>
+#include <vector>
+
+namespace relevo
+{
+class RELEVOFILTERSTERRAIN_EXPORT HeightTileCache : public HeightTileSource
+{
+public:
+  /// Reads the heights of a tile, whose level, column and row are set. Returns false and sets the
+  /// error on failure. Worker threads call it, several at a time.
+  using Reader = std::function<bool(HeightTile& tile, std::string& error)>;
+
+  /// What a tile counts.
+  static constexpr std::size_t BytesPerTile =
+    sizeof(HeightTile) + sizeof(float) * HeightTile::Stride * HeightTile::Stride;
+
+  explicit HeightTileCache(Reader read);
+  /// Waits for the tiles that are being read.
+  ~HeightTileCache() override;
+  HeightTileCache(const HeightTileCache&) = delete;
+  void operator=(const HeightTileCache&) = delete;
+
+  /// Set the limit in bytes. Below the size of one tile, none is read. A smaller limit holds from
+  /// the next BeginFrame() on; tiles that are being read may exceed it until they are complete.
+  void SetMemoryLimit(std::size_t bytes);
+
+  /// Set the time in seconds in which a tile becomes visible after the first Get(), 0 for at once.
+  void SetFadeTime(double seconds) { this->FadeTime = seconds; }
+
+  /// Begin a frame at a time in seconds. Tiles that Get() has returned before may be dropped.
+  void BeginFrame(double now);
+  /// Returns tiles that are valid until the next call of BeginFrame(), LoadWanted() or Clear().
+  const HeightTile* Get(int level, int column, int row, double error, float& visibility) override;
+  /// Request the tiles that were missing, and cancel earlier requests.
+  void EndFrame();
+
+  /**
+   * After EndFrame(): wait until all requested tiles are read, or until isAborted() is true. These
+   * tiles, and those that are in memory, become visible at once. Returns whether the next frame
+   * can find more tiles, or request more.
+   */
+  bool LoadWanted(const std::function<bool()>& isAborted = {});
+
+  /// Drop all tiles, requests and errors, also of tiles that cannot be read.
+  void Clear();
+
+  /// Whether tiles are being read, or will be before the next frame. Thread-safe.
+  bool IsLoading() const;
+  /// Whether another frame can show or request more: tiles have arrived, they become visible, or
+  /// requests wait for tiles that BeginFrame() drops.
+  bool NeedsFrame() const;
+  /// The memory of the tiles, including those that are being read. Thread-safe.
+  std::size_t GetMemorySize() const;
+  /// The number of tiles that Get() can return.
+  int GetNumberOfTiles() const;
+
+  /// The first error since Clear(), once; otherwise empty. A tile that cannot be read is not
+  /// requested again. Thread-safe.
+  std::string TakeError();
+
+private:
+  enum class State
+  {
+    Missing,
+    Requested, // until BeginFrame() takes the tile in
+    InMemory,
+    Unreadable
+  };
+  struct Entry
+  {
+    State Is = State::Missing;
+    bool IsFading = true;
+    bool IsGivenUp = false;
+    double Error = 0.0;           // the largest of a frame
+    std::uint64_t LastWanted = 0; // the number of the frame
+    bool IsSeen = false;
+    double FirstSeen = 0.0; // the time of the first Get()
+    std::unique_ptr<HeightTile> Tile;
+  };
+  using Entries = std::unordered_map<std::uint64_t, Entry>;
+  using Item = Entries::value_type;
+  struct Request
+  {
+    HeightTile Tile;
+    bool IsRead = false;
+    bool IsCancelled = false;
+  };
+
+  bool IsWanted(const Entry& entry) const { return entry.LastWanted == this->Frame; }
+  bool IsCoarsest(const Item& item) const;
+  float GetVisibility(const Entry& entry) const;
+  std::vector<Item*> SortForRemoval();
+  std::vector<Item*> SortMissing();
+  bool CanStart() const { return !this->Requests.empty() && this->Used < this->Limit; }
+  bool CanGoOn() const { return !this->Running.empty() || this->CanStart(); }
+  void TakeIn();
+  void Drop(std::uint64_t key);
+  void DropGivenUp();
+  void CancelRequests();
+  void MakePlan();
+  void StartWorkers();
+  void Work();
+
+  const Reader Read;
+  double FadeTime = 0.25;
+  double Now = 0.0;
+  std::uint64_t Frame = 1;
+  int CoarsestLevel = 0;
+  Entries Tiles;
+
+  mutable std::mutex Mutex; // protects the next members
+  std::condition_variable Changed;
+  std::list<Request> Requests; // the next one first
+  std::list<Request> Running;
+  std::list<Request> Finished;
+  std::size_t Used = 0;                                      // tiles in memory or being read
+  std::size_t Limit = (std::size_t(1) << 28) / BytesPerTile; // of the former
+  bool HasFailed = false;
+  std::string Error;
+  bool IsToEnd = false;
+
+  std::vector<std::thread> Workers;
+};
+}
+
+#endif
