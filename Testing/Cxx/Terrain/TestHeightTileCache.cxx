@@ -329,8 +329,12 @@ void TestReplacement(RelevoCheck& check)
   CHECK_EQUAL(store.GetStarted().size(), before + 1);
 
   // Not even if a frame does not want them.
-  CHECK(RunFrames(cache, { { a, 9.0 }, { b, 9.0 }, { c, 9.0 }, { d, 9.0 } }) ==
-    Visibilities({ -1, 1, 1, 1 }));
+  std::vector<Want> others;
+  for (int column = 5; column < 9; ++column)
+  {
+    others.push_back({ { { 1, column, 0 } }, 9.0 });
+  }
+  CHECK(RunFrames(cache, others) == Visibilities({ -1, 1, 1, 1 }));
   CHECK(RunFrames(cache, wants) == Visibilities({ 1, 1, 1, 1, -1, 1 }));
 
   // A frame keeps its tiles to its end, and the next one drops them.
