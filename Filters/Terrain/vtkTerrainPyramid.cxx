@@ -9,6 +9,7 @@
 #include "vtkSMPTools.h"
 #if RELEVO_HAS_GDAL
 #include "Geodesy/CoordinateSystem.h"
+#include "Pyramid/PyramidLattice.h"
 #include "Pyramid/RasterPyramid.h"
 #else
 namespace relevo
@@ -106,6 +107,7 @@ bool vtkTerrainPyramid::Update()
   if (!isOpen)
   {
     this->Pyramid.reset();
+    this->Lattice.reset();
     std::fill_n(this->Dimensions, 2, 0);
     this->HasReportedIndex = false;
     this->ErrorMessage.clear();
@@ -119,6 +121,7 @@ bool vtkTerrainPyramid::Update()
     {
       return this->Report("Cannot open " + name + ": " + error + ".");
     }
+    this->Lattice = std::make_shared<relevo::PyramidLattice>(this->Pyramid);
     this->OpenedName = name;
     this->OpenedCacheDirectory = folder;
     this->Pyramid->GetCache().SetLimit(static_cast<std::size_t>(this->MemoryLimit));

@@ -43,6 +43,7 @@
 class vtkDoubleArray;
 namespace relevo
 {
+class HeightLattice;
 class RasterPyramid;
 }
 
@@ -172,11 +173,9 @@ public:
   const char* GetErrorMessage() { return this->ErrorMessage.c_str(); }
 
 #ifndef __VTK_WRAP__
-  /// Return the open raster, for other classes of Relevo; nullptr before a successful Update().
-  std::shared_ptr<relevo::RasterPyramid> GetRasterPyramid() const
-  {
-    return this->Pyramid;
-  }
+  /// Return the heights that terrains are drawn from, for other classes of Relevo; nullptr before a
+  /// successful Update().
+  std::shared_ptr<const relevo::HeightLattice> GetLattice() const { return this->Lattice; }
 #endif
 
 protected:
@@ -196,6 +195,7 @@ private:
   double Evaluate(double x, double y, std::string& error);
 
   std::shared_ptr<relevo::RasterPyramid> Pyramid;
+  std::shared_ptr<const relevo::HeightLattice> Lattice;
   std::string OpenedName;
   std::string OpenedCacheDirectory;
   std::recursive_mutex ReportMutex; // observers may ask for heights

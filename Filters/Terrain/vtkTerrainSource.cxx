@@ -8,14 +8,13 @@
 #if RELEVO_HAS_GDAL
 #include "Geodesy/CoordinateSystem.h"
 #endif
+#include "Geodesy/LocationArrays.h"
 #include "Geodesy/TerrainFrame.h"
 #include "Heights/TerrainMesh.h"
 #include "Raster/ImageryDrape.h"
 #include "Raster/RasterFile.h"
 #include "vtkCommand.h"
 #include "vtkDisplacement.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkHeightMap.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -23,7 +22,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -337,22 +335,9 @@ bool vtkTerrainSource::Build(vtkPolyData* output, std::string& error)
   {
     return false;
   }
-  this->AddFieldData(output);
+  relevo::AddLocationArrays(this->Origin, this->CoordinateSystem, output);
   this->UpdateProgress(HeightsShare + MeshShare);
   return !relevo::IsAborted(this) && this->UpdateImagery(location, error);
-}
-
-void vtkTerrainSource::AddFieldData(vtkPolyData* output)
-{
-  vtkNew<vtkDoubleArray> origin;
-  origin->SetName("Origin");
-  origin->SetNumberOfComponents(3);
-  origin->InsertNextTuple(this->Origin);
-  vtkNew<vtkStringArray> system;
-  system->SetName("CoordinateSystem");
-  system->InsertNextValue(this->CoordinateSystem);
-  output->GetFieldData()->AddArray(origin);
-  output->GetFieldData()->AddArray(system);
 }
 
 bool vtkTerrainSource::CheckLocation(const relevo::Georeference& location, std::string& error)

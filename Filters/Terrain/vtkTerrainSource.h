@@ -259,7 +259,6 @@ private:
   void operator=(const vtkTerrainSource&) = delete;
 
   bool Build(vtkPolyData* output, std::string& error);
-  void AddFieldData(vtkPolyData* output);
   void WarnOfLocation(const relevo::Georeference& location);
   bool CheckLocation(const relevo::Georeference& location, std::string& error);
   bool CheckImagery(std::string& error);

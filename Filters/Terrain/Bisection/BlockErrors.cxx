@@ -77,7 +77,7 @@ float BlockErrors::GetSquareError(int level, int column, int row) const
 {
   if (this->Estimated > 0.0f)
   {
-    return this->Estimated * std::exp2(static_cast<float>(level));
+    return this->Estimated * std::exp2(static_cast<float>(level > 0 ? level : 2 * level));
   }
   if (level > 0)
   {
@@ -92,7 +92,7 @@ float BlockErrors::GetFaceError(int level, int column, int row) const
 {
   if (this->Estimated > 0.0f)
   {
-    return this->Estimated * std::exp2(level - 0.5f);
+    return this->GetSquareError(level, column, row) / (level > 0 ? std::sqrt(2.0f) : 4.0f);
   }
   return level > 0 ? this->Find(level, column, row, true)
                    : this->GetSquareError(level, column, row) / 4.0f;

@@ -66,7 +66,8 @@ public:
   /// Errors that are 0 everywhere, on levels from 0 to a root level.
   explicit BlockErrors(int rootLevel = 0);
 
-  /// Errors that are not known, for a raster without an index: proportional to the size of a block.
+  /// Errors that are not known, for a raster without an index: proportional to the size of a block,
+  /// and to its area below level 0.
   static BlockErrors Estimate(int rootLevel, float squareErrorOfLevel0);
 
   //@{

@@ -2,12 +2,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bisection/TerrainView.h"
 
+#include "vtkCamera.h"
+#include "vtkMath.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace relevo
 {
+void TerrainView::SetCamera(vtkCamera* camera, const int viewport[2])
+{
+  const double width = viewport[0];
+  const double height = viewport[1];
+  std::array<double, 3> eye;
+  std::array<double, 3> direction;
+  camera->GetPosition(eye.data());
+  camera->GetDirectionOfProjection(direction.data());
+  double planes[24];
+  camera->GetFrustumPlanes(width / height, planes);
+  std::array<std::array<double, 4>, 6> frustum{};
+  for (int i = 0; i < 4; ++i)
+  {
+    std::copy_n(planes + 4 * i, 4, frustum[i].begin());
+  }
+  frustum[5] = { { 0.0, 0.0, 0.0, 1.0 } };
+  if (camera->GetParallelProjection())
+  {
+    frustum[4] = frustum[5];
+    this->SetParallel(height / (2.0 * camera->GetParallelScale()));
+  }
+  else
+  {
+    // Nothing behind the eye.
+    frustum[4] = { { direction[0], direction[1], direction[2],
+      -(direction[0] * eye[0] + direction[1] * eye[1] + direction[2] * eye[2]) } };
+    const double angle = vtkMath::RadiansFromDegrees(camera->GetViewAngle());
+    // The angle is that of the width if the camera says so.
+    const double pixels = camera->GetUseHorizontalViewAngle() ? width : height;
+    this->SetPerspective(
+      eye, pixels / (2.0 * std::tan(angle / 2.0)), camera->GetClippingRange()[0]);
+  }
+  this->SetFrustum(frustum);
+}
+
 void TerrainView::SetPerspective(
   const std::array<double, 3>& eye, double pixelsPerUnit, double nearestDistance)
 {

@@ -16,6 +16,8 @@
 
 #include <array>
 
+class vtkCamera;
+
 namespace relevo
 {
 /// The position of a raster in world coordinates.
@@ -44,6 +46,10 @@ struct TerrainBox
 class RELEVOFILTERSTERRAIN_EXPORT TerrainView
 {
 public:
+  /// The view of a camera, whose position is in world coordinates, in a viewport of this width and
+  /// height in pixels. The far side of the frustum is open.
+  void SetCamera(vtkCamera* camera, const int viewport[2]);
+
   /**
    * A perspective view: the eye in world coordinates, the height of the viewport in pixels divided
    * by 2 tan(angle / 2), and the distance of the nearest points that are drawn.

@@ -145,7 +145,7 @@ bool LooksGeographic(const Georeference& location, const int texels[2])
     std::hypot(location.AlongV[0], location.AlongV[1]) < texels[1];
 }
 
-std::string FindLocationError(const Georeference& location)
+std::string FindSystemError(const Georeference& location)
 {
   if (location.System == Georeference::Kind::Unsupported)
   {
@@ -156,6 +156,16 @@ std::string FindLocationError(const Georeference& location)
   {
     return " has an ellipsoid that is not supported: the flattening must be less than 1. Give the "
            "file the right coordinate system (gdal_edit.py -a_srs).";
+  }
+  return "";
+}
+
+std::string FindLocationError(const Georeference& location)
+{
+  const std::string error = FindSystemError(location);
+  if (!error.empty())
+  {
+    return error;
   }
   const TerrainFrame frame(location);
   if (!frame.FitsMesh())

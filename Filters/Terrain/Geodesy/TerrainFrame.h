@@ -69,7 +69,11 @@ private:
 /// Whether coordinates without a coordinate system are possibly longitude and latitude.
 RELEVOFILTERSTERRAIN_EXPORT bool LooksGeographic(const Georeference& location, const int texels[2]);
 
-/// Returns why a raster with this location is not supported, as a continuation of its name, or "".
+/// Returns why a coordinate system is not supported, as a continuation of the raster's name, or "".
+RELEVOFILTERSTERRAIN_EXPORT std::string FindSystemError(const Georeference& location);
+
+/// Returns why a raster with this location has no terrain coordinates, as a continuation of its
+/// name, or "".
 RELEVOFILTERSTERRAIN_EXPORT std::string FindLocationError(const Georeference& location);
 }
 

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bisection/AdaptiveTerrain.h"
+
+#include "Bisection/TerrainBisection.h"
+#include "Geodesy/TerrainFrame.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace relevo
+{
+namespace
+{
+// Seconds in which a tile becomes visible.
+constexpr double FadeTime = 0.25;
+
+double GetSeconds()
+{
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+}
+
+AdaptiveTerrain::AdaptiveTerrain(std::shared_ptr<const HeightLattice> lattice)
+  : Lattice(std::move(lattice))
+  , Frame(this->Lattice->Describe().Location)
+  , Cache([source = this->Lattice](HeightTile& tile, std::string& error)
+      { return source->Read(tile, error); })
+{
+}
+
+AdaptiveTerrain::~AdaptiveTerrain() = default;
+
+std::string AdaptiveTerrain::FindLocationError() const
+{
+  const RasterDescription& contents = this->Lattice->Describe();
+  const std::string error = FindSystemError(contents.Location);
+  if (!error.empty())
+  {
+    return error;
+  }
+  if (contents.Width < 2 || contents.Height < 2)
+  {
+    return " has only one row or column of samples, between which there is no surface.";
+  }
+  const TerrainPlacement placement = this->GetPlacement(1.0);
+  const double area =
+    placement.Column[0] * placement.Row[1] - placement.Column[1] * placement.Row[0];
+  const std::array<double, 3> corner =
+    placement.ToWorld(contents.Width - 1.0, contents.Height - 1.0, 0.0);
+  const auto fits = [](double x) { return std::abs(x) <= std::numeric_limits<float>::max(); };
+  if (!fits(corner[0]) || !fits(corner[1]) || !(std::abs(area) > 0.0))
+  {
+    return " has an invalid georeference: its corners coincide, or are out of the range of floats. "
+           "Give the file the right georeference (gdal_edit.py -a_ullr).";
+  }
+  return "";
+}
+
+TerrainPlacement AdaptiveTerrain::GetPlacement(double exaggeration) const
+{
+  const RasterDescription& contents = this->Lattice->Describe();
+  return this->Frame.GetPlacement(
+    contents.Width, contents.Height, contents.VerticalUnit * exaggeration);
+}
+
+std::array<double, 6> AdaptiveTerrain::GetBounds(double exaggeration) const
+{
+  const RasterDescription& contents = this->Lattice->Describe();
+  const TerrainPlacement placement = this->GetPlacement(exaggeration);
+  const double columns = contents.Width - 1.0;
+  const double rows = contents.Height - 1.0;
+  const HeightRanges::Range heights =
+    this->Lattice->GetRanges()->Get(64, { { 0.0, columns } }, { { 0.0, rows } });
+  std::array<double, 6> bounds = { { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
+  for (int i = 0; i < 8 && heights[0] <= heights[1]; ++i)
+  {
+    const std::array<double, 3> corner =
+      placement.ToWorld(i % 2 == 0 ? 0.0 : columns, i / 2 % 2 == 0 ? 0.0 : rows, heights[i / 4]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      bounds[2 * axis] = i == 0 ? corner[axis] : std::min(bounds[2 * axis], corner[axis]);
+      bounds[2 * axis + 1] = i == 0 ? corner[axis] : std::max(bounds[2 * axis + 1], corner[axis]);
+    }
+  }
+  return bounds;
+}
+
+void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
+{
+  const RasterDescription& contents = this->Lattice->Describe();
+  // The background build of the index can replace them at any time.
+  const std::shared_ptr<const BlockErrors> errors = this->Lattice->GetErrors();
+  const std::shared_ptr<const HeightRanges> ranges = this->Lattice->GetRanges();
+  TerrainBisection bisection(contents.Width, contents.Height, *errors, *ranges);
+  this->Cache.BeginFrame(GetSeconds());
+  bisection.Select(view, tolerance, this->Cache);
+  this->Cache.EndFrame();
+  this->Faces = bisection.GetFaces();
+  this->Error = bisection.GetError();
+  this->Complete = bisection.IsComplete() && this->Lattice->AreErrorsKnown();
+}
+
+void AdaptiveTerrain::Select(const TerrainView& view, double tolerance)
+{
+  this->Cache.SetFadeTime(FadeTime);
+  this->SelectOnce(view, tolerance);
+}
+
+bool AdaptiveTerrain::SelectAndWait(
+  const TerrainView& view, double tolerance, const std::function<bool()>& isAborted)
+{
+  this->Cache.SetFadeTime(0.0);
+  do
+  {
+    this->SelectOnce(view, tolerance);
+  } while (this->Cache.LoadWanted(isAborted));
+  return !isAborted();
+}
+}

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   AdaptiveTerrain
+ * @brief   a terrain that is refined for views, with the tiles that they need
+ *
+ * Heights are in the unit of the raster. A view looks at the terrain in the frame of
+ * GetPlacement(): meters on a map whose origin is the center of the raster; see MapFrame.
+ *
+ * Private to the modules for terrains.
+ */
+#ifndef AdaptiveTerrain_h
+#define AdaptiveTerrain_h
+
+#include "Bisection/HeightLattice.h"
+#include "Bisection/HeightTileCache.h"
+#include "Bisection/TerrainFace.h"
+#include "Bisection/TerrainView.h"
+#include "Geodesy/MapFrame.h"
+#include "RelevoFiltersTerrainModule.h" // for export macro
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace relevo
+{
+class RELEVOFILTERSTERRAIN_EXPORT AdaptiveTerrain
+{
+public:
+  explicit AdaptiveTerrain(std::shared_ptr<const HeightLattice> lattice);
+  ~AdaptiveTerrain();
+  AdaptiveTerrain(const AdaptiveTerrain&) = delete;
+  void operator=(const AdaptiveTerrain&) = delete;
+
+  const HeightLattice& GetLattice() const { return *this->Lattice; }
+
+  /// Why a raster with this location cannot be placed, as a continuation of its name, or "".
+  std::string FindLocationError() const;
+  const MapFrame& GetFrame() const { return this->Frame; }
+  /// The position of the raster, with heights times the exaggeration.
+  TerrainPlacement GetPlacement(double exaggeration) const;
+  /// The bounds of all heights in this position.
+  std::array<double, 6> GetBounds(double exaggeration) const;
+
+  /// The bytes that tiles may use.
+  void SetMemoryLimit(std::size_t bytes) { this->Cache.SetMemoryLimit(bytes); }
+  std::size_t GetMemorySize() const { return this->Cache.GetMemorySize(); }
+
+  /**
+   * Find the faces that a view needs for a tolerance in pixels, from the tiles that are in memory;
+   * others are read in the background. The view must have the placement of this terrain.
+   */
+  void Select(const TerrainView& view, double tolerance);
+
+  /// The same, but wait for all tiles that fit into memory. Returns false if `isAborted` has
+  /// returned true.
+  bool SelectAndWait(
+    const TerrainView& view, double tolerance, const std::function<bool()>& isAborted);
+
+  //@{
+  /// The result, which is valid until the next selection.
+  const std::vector<TerrainFace>& GetFaces() const { return this->Faces; }
+  double GetError() const { return this->Error; } // the largest in pixels, at most
+  bool IsComplete() const { return this->Complete; }
+  //@}
+
+  /// The first error of a tile since the last call, or "". The tile is drawn coarser.
+  std::string TakeError() { return this->Cache.TakeError(); }
+
+private:
+  void SelectOnce(const TerrainView& view, double tolerance);
+
+  std::shared_ptr<const HeightLattice> Lattice;
+  MapFrame Frame;
+  HeightTileCache Cache;
+  std::vector<TerrainFace> Faces;
+  double Error = 0.0;
+  bool Complete = false;
+};
+}
+
+#endif

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   LatticeDecimation
+ * @brief   the fewest triangles of longest-edge bisection within a vertical tolerance of a grid
+ *
+ * The surface of the grid is bilinear in each cell. A triangle is bisected if its largest vertical
+ * distance from this surface exceeds the tolerance, or if its neighbor is bisected at their common
+ * side (right-triangulated irregular networks: W. Evans, D. Kirkpatrick and G. Townsend,
+ * Algorithmica 30(2), 2001). Cells are bisected, too, if the tolerance is small.
+ *
+ * Cells with a vertex without data are left out; triangles at their outline are as small as cells.
+ *
+ * Private to the module.
+ */
+#ifndef LatticeDecimation_h
+#define LatticeDecimation_h
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <unordered_set>
+#include <vector>
+
+namespace relevo
+{
+class LatticeDecimation
+{
+public:
+  /// The heights of the vertices, row by row; at least 2 columns and rows.
+  LatticeDecimation(std::vector<float> heights, int columns, int rows);
+
+  /// Find the triangles. Returns false if `isAborted` has returned true.
+  bool Refine(double tolerance, const std::function<bool()>& isAborted);
+
+  /// Column and row in units of a cell divided by 2^GetSubdivisions().
+  using Vertex = std::array<std::int64_t, 2>;
+  using Triangle = std::array<Vertex, 3>;
+  /// The triangles, of which some reach beyond the last column or row.
+  const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
+  int GetSubdivisions() const { return this->Subdivisions; }
+
+  /// The largest |h00 + h11 - h01 - h10| of all cells with data.
+  double GetLargestTwist() const;
+
+  /// The height of the surface at a vertex; beyond the grid, that of its border.
+  double GetHeight(const Vertex& vertex) const;
+
+private:
+  enum class Content
+  {
+    Surface, // data everywhere
+    Mixed,
+    Nothing // no data, or beyond the grid
+  };
+
+  double GetTwist(int column, int row) const;
+  void ChooseSubdivisions();
+  double Measure(const Triangle& triangle, Content& content) const;
+  void Visit(const Triangle& triangle);
+  bool IsMarked(const Vertex& vertex) const;
+  void Mark(const Vertex& vertex);
+  void Collect(const Triangle& triangle);
+
+  std::vector<float> Heights;
+  int Columns;
+  int Rows;
+  int Subdivisions = 0;
+  double Tolerance = 0.0;
+  const std::function<bool()>* IsAborted = nullptr;
+  bool WasAborted = false;
+  bool HasChanged = false;
+  std::int64_t Size = 1;                      // of the square that covers the grid
+  std::unordered_set<std::uint64_t> Marked;   // midpoints of longest sides that are bisected
+  std::unordered_set<std::uint64_t> Accepted; // triangles within the tolerance
+  std::vector<Triangle> Triangles;
+};
+}
+
+#endif

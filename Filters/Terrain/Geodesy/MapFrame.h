@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   MapFrame
+ * @brief   conversion between raster coordinates and a flat map in meters
+ *
+ * x is east and y is north, with the origin at the center of the raster. Projected and local
+ * coordinates are only shifted and converted to meters. Longitude and latitude are scaled by the
+ * lengths of a degree of longitude and of latitude at the center, on the ellipsoid; this is an
+ * equidistant cylindrical projection, and covers the whole earth. Without a georeference, one
+ * sample is one unit.
+ *
+ * Private to the modules for terrains.
+ */
+#ifndef MapFrame_h
+#define MapFrame_h
+
+#include "Bisection/TerrainView.h"
+#include "Geodesy/Georeference.h"
+
+#include <array>
+
+namespace relevo
+{
+class MapFrame
+{
+public:
+  explicit MapFrame(const Georeference& location);
+
+  std::array<double, 2> ToMap(const std::array<double, 2>& coordinates) const;
+  std::array<double, 2> ToCoordinates(const std::array<double, 2>& map) const;
+
+  /// The position of a raster of this size, in samples.
+  TerrainPlacement GetPlacement(int columns, int rows, double heightScale) const;
+
+private:
+  Georeference Location;
+  std::array<double, 2> Center;
+  std::array<double, 2> Lengths; // meters per unit of the coordinates
+};
+}
+
+#endif

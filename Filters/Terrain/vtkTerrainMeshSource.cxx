@@ -1,0 +1,397 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTerrainMeshSource.h"
+
+#include "Bisection/AdaptiveTerrain.h"
+#include "Bisection/FaceHeights.h"
+#include "Bisection/LatticeDecimation.h"
+#include "Checks/MemoryGuard.h"
+#include "Checks/SettingChecks.h"
+#include "Compatibility/VTKCompatibility.h"
+#include "Geodesy/LocationArrays.h"
+#include "Heights/TerrainMeshBuilder.h"
+#include "vtkCamera.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkTerrainPyramid.h"
+#include "vtkVariant.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace
+{
+// Larger regions are decimated from a coarser level.
+constexpr std::size_t MaximumVertices = std::size_t(1) << 26;
+
+// The part of the tolerance that a coarser level may use.
+constexpr double CoarserShare = 0.5;
+
+// The rectangle of a height lattice that covers columns and rows of samples.
+struct LatticeWindow
+{
+  int Level;
+  int Column;
+  int Row;
+  int Width;
+  int Height;
+
+  LatticeWindow(const double columns[2], const double rows[2], int level = 0)
+    : Level(level)
+  {
+    const double size = std::ldexp(1.0, level);
+    this->Column = static_cast<int>(std::floor(columns[0] / size));
+    this->Row = static_cast<int>(std::floor(rows[0] / size));
+    this->Width = static_cast<int>(std::ceil(columns[1] / size)) - this->Column + 1;
+    this->Height = static_cast<int>(std::ceil(rows[1] / size)) - this->Row + 1;
+  }
+
+  std::size_t GetNumberOfVertices() const
+  {
+    return static_cast<std::size_t>(this->Width) * static_cast<std::size_t>(this->Height);
+  }
+};
+}
+
+vtkStandardNewMacro(vtkTerrainMeshSource);
+
+//------------------------------------------------------------------------------
+vtkTerrainMeshSource::vtkTerrainMeshSource()
+  : ViewportSize{ 1280, 800 }
+  , ScreenSpaceError(1.0)
+  , MaximumError(0.0)
+  , Region{ 1.0, -1.0, 1.0, -1.0 }
+  , Exaggeration(1.0)
+  , MemoryLimit(vtkTypeInt64(1) << 29)
+  , ErrorInUse(0.0)
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkTerrainMeshSource::~vtkTerrainMeshSource() = default;
+
+//------------------------------------------------------------------------------
+void vtkTerrainMeshSource::SetPyramid(vtkTerrainPyramid* pyramid)
+{
+  if (pyramid != this->Pyramid)
+  {
+    this->Pyramid = pyramid;
+    this->Terrain.reset();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTerrainPyramid* vtkTerrainMeshSource::GetPyramid()
+{
+  return this->Pyramid;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainMeshSource::SetCamera(vtkCamera* camera)
+{
+  if (camera != this->Camera)
+  {
+    this->Camera = camera;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkCamera* vtkTerrainMeshSource::GetCamera()
+{
+  return this->Camera;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainMeshSource::SetScreenSpaceError(double pixels)
+{
+  relevo::SetInRange(this, "ScreenSpaceError", this->ScreenSpaceError, pixels,
+    std::numeric_limits<double>::min(), relevo::LargestDouble);
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainMeshSource::SetMaximumError(double meters)
+{
+  relevo::SetInRange(this, "MaximumError", this->MaximumError, meters, 0.0, relevo::LargestDouble);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkTerrainMeshSource::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  time = this->Pyramid ? std::max(time, this->Pyramid->GetMTime()) : time;
+  return this->Camera ? std::max(time, this->Camera->GetMTime()) : time;
+}
+
+//------------------------------------------------------------------------------
+int vtkTerrainMeshSource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  output->Initialize();
+  this->ErrorInUse = 0.0;
+  std::string error;
+  if (!relevo::FitsMemory([&] { error = this->Build(output); }))
+  {
+    error = "Not enough memory for the mesh. Choose a smaller region or a larger error.";
+  }
+  if (!error.empty())
+  {
+    output->Initialize();
+    vtkErrorMacro(<< error);
+    return 0;
+  }
+  if (relevo::IsAborted(this))
+  {
+    output->Initialize();
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTerrainMeshSource::Build(vtkPolyData* output)
+{
+  if (!this->Pyramid)
+  {
+    return "There is no terrain: call SetPyramid().";
+  }
+  if (this->MaximumError <= 0.0 && !this->Camera)
+  {
+    return "There is neither a camera nor an error in meters: call SetCamera() or "
+           "SetMaximumError().";
+  }
+  if (!this->Pyramid->Update())
+  {
+    return std::string("The pyramid has an error: ") + this->Pyramid->GetErrorMessage();
+  }
+  const std::shared_ptr<const relevo::HeightLattice> lattice = this->Pyramid->GetLattice();
+  if (!this->Terrain || &this->Terrain->GetLattice() != lattice.get())
+  {
+    this->Terrain = std::make_unique<relevo::AdaptiveTerrain>(lattice);
+  }
+  const std::string location = this->Terrain->FindLocationError();
+  if (!location.empty())
+  {
+    return this->Pyramid->GetFileName() + location;
+  }
+  const std::string error =
+    this->MaximumError > 0.0 ? this->BuildRegion(output) : this->BuildView(output);
+  if (error.empty())
+  {
+    const relevo::Georeference& reference = lattice->Describe().Location;
+    const std::array<double, 2> center = reference.Coordinates(0.5, 0.5);
+    const double origin[3] = { center[0], center[1], 0.0 };
+    relevo::AddLocationArrays(origin, reference.WKT, output);
+  }
+  return error;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTerrainMeshSource::BuildView(vtkPolyData* output)
+{
+  if (!this->Pyramid->WaitForIndex())
+  {
+    return std::string("The pyramid has an error: ") + this->Pyramid->GetErrorMessage();
+  }
+  const relevo::RasterDescription& contents = this->Terrain->GetLattice().Describe();
+  const relevo::TerrainPlacement placement = this->Terrain->GetPlacement(this->Exaggeration);
+  relevo::TerrainView view;
+  view.SetPlacement(placement);
+  view.SetCamera(this->Camera, this->ViewportSize);
+  this->Terrain->SetMemoryLimit(static_cast<std::size_t>(this->MemoryLimit));
+  if (!this->Terrain->SelectAndWait(
+        view, this->ScreenSpaceError, [this] { return relevo::IsAborted(this); }))
+  {
+    return "";
+  }
+  const std::string error = this->Terrain->TakeError();
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< "Cannot read " << this->Pyramid->GetFileName() << ": " << error << ".");
+  }
+  this->ErrorInUse = this->Terrain->GetError();
+  constexpr int finest = relevo::BlockErrors::FinestLevel;
+  constexpr int segments = relevo::TerrainFace::Segments;
+  relevo::TerrainMeshBuilder mesh(contents, placement, -finest);
+  for (const relevo::TerrainFace& face : this->Terrain->GetFaces())
+  {
+    const relevo::FaceHeights heights(face);
+    const auto getVertex = [&](int a, int b)
+    {
+      const int shift = face.Level - finest;
+      return relevo::TerrainMeshBuilder::Vertex{
+        (face.Apex[0] + a * face.Step1[0] + b * face.Step2[0]) << shift,
+        (face.Apex[1] + a * face.Step1[1] + b * face.Step2[1]) << shift, heights.GetHeight(a, b)
+      };
+    };
+    for (int b = 0; b < segments; ++b)
+    {
+      for (int a = 0; a + b < segments; ++a)
+      {
+        mesh.AddTriangle({ { getVertex(a, b), getVertex(a + 1, b), getVertex(a, b + 1) } });
+        if (a + b + 1 < segments)
+        {
+          mesh.AddTriangle(
+            { { getVertex(a + 1, b), getVertex(a + 1, b + 1), getVertex(a, b + 1) } });
+        }
+      }
+    }
+  }
+  mesh.Finish({ { 0.0, contents.Width - 1.0 } }, { { 0.0, contents.Height - 1.0 } }, output);
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTerrainMeshSource::FindSamples(double columns[2], double rows[2]) const
+{
+  const relevo::RasterDescription& contents = this->Terrain->GetLattice().Describe();
+  columns[0] = rows[0] = 0.0;
+  columns[1] = contents.Width - 1.0;
+  rows[1] = contents.Height - 1.0;
+  if (this->Region[0] > this->Region[1] || this->Region[2] > this->Region[3])
+  {
+    return "";
+  }
+  const relevo::Georeference& location = contents.Location;
+  double low[2] = { 0.0, 0.0 };
+  double high[2] = { 0.0, 0.0 };
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const std::array<double, 2> uv =
+      location.Parameters({ { this->Region[corner % 2], this->Region[2 + corner / 2] } });
+    const double samples[2] = { (location.FlipColumns ? 1.0 - uv[0] : uv[0]) * contents.Width - 0.5,
+      (location.FlipRows ? 1.0 - uv[1] : uv[1]) * contents.Height - 0.5 };
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      low[axis] = corner == 0 ? samples[axis] : std::min(low[axis], samples[axis]);
+      high[axis] = corner == 0 ? samples[axis] : std::max(high[axis], samples[axis]);
+    }
+  }
+  constexpr double rounding = 1e-6;
+  double* ranges[2] = { columns, rows };
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    ranges[axis][0] = std::max(ranges[axis][0], std::floor(low[axis] + rounding));
+    ranges[axis][1] = std::min(ranges[axis][1], std::ceil(high[axis] - rounding));
+    if (!(ranges[axis][0] < ranges[axis][1]))
+    {
+      return "The region does not overlap the raster. It must have the coordinates of the raster.";
+    }
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTerrainMeshSource::FindLevelError(
+  int level, const double columns[2], const double rows[2], double& largest) const
+{
+  largest = 0.0;
+  if (level == 0)
+  {
+    return "";
+  }
+  if (!this->Pyramid->WaitForIndex())
+  {
+    return std::string("The pyramid has an error: ") + this->Pyramid->GetErrorMessage();
+  }
+  const std::shared_ptr<const relevo::BlockErrors> errors = this->Terrain->GetLattice().GetErrors();
+  const double size = std::ldexp(static_cast<double>(relevo::BlockErrors::CellsPerBlock), level);
+  for (int row = static_cast<int>(rows[0] / size); row * size < rows[1]; ++row)
+  {
+    for (int column = static_cast<int>(columns[0] / size); column * size < columns[1]; ++column)
+    {
+      largest = std::max<double>(largest, errors->GetSquareError(level, column, row));
+    }
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTerrainMeshSource::BuildRegion(vtkPolyData* output)
+{
+  const relevo::HeightLattice& lattice = this->Terrain->GetLattice();
+  const relevo::RasterDescription& contents = lattice.Describe();
+  double columns[2];
+  double rows[2];
+  std::string error = this->FindSamples(columns, rows);
+  if (!error.empty())
+  {
+    return error;
+  }
+  LatticeWindow window(columns, rows);
+  while (window.GetNumberOfVertices() > MaximumVertices)
+  {
+    window = LatticeWindow(columns, rows, window.Level + 1);
+  }
+  double levelError = 0.0;
+  error = this->FindLevelError(window.Level, columns, rows, levelError);
+  if (!error.empty())
+  {
+    return error;
+  }
+  std::vector<float> heights(window.GetNumberOfVertices());
+  if (!lattice.ReadWindow(window.Level, window.Column, window.Row, window.Width, window.Height,
+        heights.data(), error))
+  {
+    return "Cannot read " + std::string(this->Pyramid->GetFileName()) + ": " + error + ".";
+  }
+  relevo::LatticeDecimation decimation(std::move(heights), window.Width, window.Height);
+  double tolerance = this->MaximumError / contents.VerticalUnit;
+  if (window.Level > 0)
+  {
+    // The error of the level is that of triangles.
+    levelError += decimation.GetLargestTwist() / 4.0;
+    if (levelError > CoarserShare * tolerance)
+    {
+      return "The region has too many samples for a MaximumError of " +
+        vtkVariant(this->MaximumError).ToString() + ". Choose a smaller region or a larger error.";
+    }
+    tolerance -= levelError;
+  }
+  if (!decimation.Refine(tolerance, [this] { return relevo::IsAborted(this); }))
+  {
+    return "";
+  }
+  const int subdivisions = decimation.GetSubdivisions();
+  relevo::TerrainMeshBuilder mesh(
+    contents, this->Terrain->GetPlacement(this->Exaggeration), subdivisions);
+  for (const relevo::LatticeDecimation::Triangle& triangle : decimation.GetTriangles())
+  {
+    std::array<relevo::TerrainMeshBuilder::Vertex, 3> vertices;
+    for (int i = 0; i < 3; ++i)
+    {
+      const relevo::LatticeDecimation::Vertex& vertex = triangle[i];
+      const auto toRaster = [&window, subdivisions](std::int64_t position, int first)
+      { return (position + (std::int64_t(first) << subdivisions)) << window.Level; };
+      vertices[i].Column = toRaster(vertex[0], window.Column);
+      vertices[i].Row = toRaster(vertex[1], window.Row);
+      vertices[i].Height = decimation.GetHeight(vertex);
+    }
+    mesh.AddTriangle(vertices);
+  }
+  mesh.Finish({ { columns[0], columns[1] } }, { { rows[0], rows[1] } }, output);
+  return "";
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainMeshSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Pyramid: " << this->Pyramid.Get() << "\n";
+  os << indent << "Camera: " << this->Camera.Get() << "\n";
+  os << indent << "ViewportSize: " << this->ViewportSize[0] << " x " << this->ViewportSize[1]
+     << "\n";
+  os << indent << "ScreenSpaceError: " << this->ScreenSpaceError << "\n";
+  os << indent << "MaximumError: " << this->MaximumError << "\n";
+  os << indent << "Region: (" << this->Region[0] << ", " << this->Region[1] << ", "
+     << this->Region[2] << ", " << this->Region[3] << ")\n";
+  os << indent << "Exaggeration: " << this->Exaggeration << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+}

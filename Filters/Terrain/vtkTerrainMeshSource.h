@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTerrainMeshSource
+ * @brief   mesh of a terrain, as it is drawn for a camera or within a vertical tolerance
+ *
+ * With a camera, the output is the mesh that vtkTerrainMapper draws once all tiles are loaded: at
+ * every point, its vertical distance from the surface of full resolution is at most
+ * ScreenSpaceError pixels. Parts of the terrain that are out of sight are left out.
+ *
+ * With a MaximumError above 0, the camera does not matter. The output covers the region, and its
+ * vertical distance from the surface of full resolution is at most MaximumError everywhere. It is
+ * computed with few triangles by longest-edge bisection (Rivara refinement).
+ *
+ * The surface of full resolution is bilinear between the centers of samples. It ends at the
+ * outermost centers. Cells with a sample without data are holes.
+ *
+ * Points are doubles in the map frame of vtkTerrainMapper: x east, y north, in meters from the
+ * center of the raster, and z the height in meters times Exaggeration. Longitude and latitude are
+ * scaled by the lengths of a degree at the center. Without a georeference, one sample and one unit
+ * of height are one unit. Triangles are counter-clockwise seen from above. The point data have the
+ * arrays "Height" (double, the unit of the raster) and "TextureCoordinates" (float, [0, 1]^2 over
+ * the raster from pixel edge to pixel edge, u east, v north). The field data have "Origin" and
+ * "CoordinateSystem" as those of vtkTerrainSource.
+ *
+ * Errors (ErrorEvent, empty output): no pyramid; an error of the pyramid; neither a camera nor a
+ * MaximumError; a region that does not overlap the raster; a region that has too many samples for
+ * its MaximumError; a raster with one row or column; a coordinate system that is not supported. A
+ * tile that cannot be read is reported, too; with a camera it is drawn coarser.
+ *
+ * @sa vtkTerrainPyramid vtkTerrainMapper
+ */
+#ifndef vtkTerrainMeshSource_h
+#define vtkTerrainMeshSource_h
+
+#include "RelevoFiltersTerrainModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // for members
+
+#include <memory> // for the terrain
+#include <string> // for errors
+
+class vtkCamera;
+class vtkTerrainPyramid;
+namespace relevo
+{
+class AdaptiveTerrain;
+}
+
+class RELEVOFILTERSTERRAIN_EXPORT vtkTerrainMeshSource : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkTerrainMeshSource* New();
+  vtkTypeMacro(vtkTerrainMeshSource, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  //@{
+  /**
+   * Set the raster. It is updated if necessary, and its index is waited for.
+   */
+  void SetPyramid(vtkTerrainPyramid* pyramid);
+  vtkTerrainPyramid* GetPyramid();
+  //@}
+
+  //@{
+  /**
+   * Set the camera for which the terrain is refined. Its position is in the map frame.
+   */
+  void SetCamera(vtkCamera* camera);
+  vtkCamera* GetCamera();
+  //@}
+
+  //@{
+  /**
+   * Set the width and height of the viewport in pixels, default 1280 x 800, at least 1.
+   */
+  vtkSetVector2Macro(ViewportSize, int);
+  vtkGetVector2Macro(ViewportSize, int);
+  //@}
+
+  //@{
+  /**
+   * Set the largest vertical distance as seen on the screen, in pixels, default 1: the distance
+   * times H / (2 tan(angle / 2)) divided by the distance to the eye, H the height of the viewport;
+   * for parallel projections, the distance times H / (2 ParallelScale). Values that are not above 0
+   * are errors and change nothing.
+   */
+  virtual void SetScreenSpaceError(double pixels);
+  vtkGetMacro(ScreenSpaceError, double);
+  //@}
+
+  //@{
+  /**
+   * Set the largest vertical distance in meters (in the unit of the heights without a
+   * georeference), before Exaggeration. 0, the default: use the camera. Negative values and NaN are
+   * errors and change nothing.
+   */
+  virtual void SetMaximumError(double meters);
+  vtkGetMacro(MaximumError, double);
+  //@}
+
+  //@{
+  /**
+   * Set the region (xmin, xmax, ymin, ymax) for MaximumError, in the coordinates of the raster:
+   * longitude and latitude in degrees if they are geographic, columns from the left and rows from
+   * the bottom border without a georeference. By default, and with xmin > xmax, it is the whole
+   * raster. It is extended to whole samples.
+   */
+  vtkSetVector4Macro(Region, double);
+  vtkGetVector4Macro(Region, double);
+  //@}
+
+  //@{
+  /**
+   * Set the factor for heights, default 1.
+   */
+  vtkSetMacro(Exaggeration, double);
+  vtkGetMacro(Exaggeration, double);
+  //@}
+
+  //@{
+  /**
+   * Set the bytes that tiles may use, default 2^29. With a camera, what does not fit is coarser;
+   * see GetScreenSpaceErrorInUse().
+   */
+  vtkSetMacro(MemoryLimit, vtkTypeInt64);
+  vtkGetMacro(MemoryLimit, vtkTypeInt64);
+  //@}
+
+  /// Return the largest error of the output in pixels, at most; 0 with MaximumError.
+  double GetScreenSpaceErrorInUse() const { return this->ErrorInUse; }
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkTerrainMeshSource();
+  ~vtkTerrainMeshSource() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int ViewportSize[2];
+  double ScreenSpaceError;
+  double MaximumError;
+  double Region[4];
+  double Exaggeration;
+  vtkTypeInt64 MemoryLimit;
+
+private:
+  vtkTerrainMeshSource(const vtkTerrainMeshSource&) = delete;
+  void operator=(const vtkTerrainMeshSource&) = delete;
+
+  std::string Build(vtkPolyData* output);
+  std::string BuildView(vtkPolyData* output);
+  std::string BuildRegion(vtkPolyData* output);
+  std::string FindSamples(double columns[2], double rows[2]) const;
+  std::string FindLevelError(
+    int level, const double columns[2], const double rows[2], double& largest) const;
+
+  vtkSmartPointer<vtkTerrainPyramid> Pyramid;
+  vtkSmartPointer<vtkCamera> Camera;
+  std::unique_ptr<relevo::AdaptiveTerrain> Terrain;
+  double ErrorInUse;
+};
+
+#endif
