@@ -175,7 +175,10 @@ public:
 #ifndef __VTK_WRAP__
   /// Return the heights that terrains are drawn from, for other classes of Relevo; nullptr before a
   /// successful Update().
-  std::shared_ptr<const relevo::HeightLattice> GetLattice() const { return this->Lattice; }
+  std::shared_ptr<const relevo::HeightLattice> GetLattice() const
+  {
+    return this->Lattice;
+  }
 #endif
 
 protected:

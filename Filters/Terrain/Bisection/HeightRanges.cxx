@@ -10,7 +10,7 @@ namespace relevo
 {
 namespace
 {
-constexpr float Infinity = std::numeric_limits<float>::infinity();
+constexpr float InfiniteHeight = std::numeric_limits<float>::infinity();
 
 std::uint64_t GetKey(std::int64_t column, std::int64_t row)
 {
@@ -79,7 +79,7 @@ HeightRanges::Range HeightRanges::Get(
   std::int64_t r[2];
   find(columns, c[0], c[1]);
   find(rows, r[0], r[1]);
-  Range range = { { Infinity, -Infinity } };
+  Range range = { { InfiniteHeight, -InfiniteHeight } };
   if (this->Absent[0] <= this->Absent[1])
   {
     range = this->Absent;

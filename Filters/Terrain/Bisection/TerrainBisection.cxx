@@ -27,6 +27,8 @@ constexpr int GetTileShift(int level)
 static_assert(BlockErrors::CellsPerBlock == 1 << 3 && HeightTile::CellsPerTile == 1 << 8,
   "shifts and sizes must agree");
 
+constexpr double InfiniteError = std::numeric_limits<double>::infinity();
+
 // The errors between which a bisection goes on, as a share of the tolerance.
 const double FirstShare = std::exp2(-0.25);
 
@@ -224,10 +226,9 @@ void TerrainBisection::Select(const TerrainView& view, double tolerance, HeightT
   this->Error = 0.0;
   this->Complete = true;
   const Block root = { this->RootLevel, 0, 0 };
-  const double infinite = std::numeric_limits<double>::infinity();
   float visibility = 1.0f;
-  if (this->Exists(root) && this->FindTile(root.Level, root, infinite, visibility) &&
-    this->FindTile(root.Level - 1, root, infinite, visibility))
+  if (this->Exists(root) && this->FindTile(root.Level, root, InfiniteError, visibility) &&
+    this->FindTile(root.Level - 1, root, InfiniteError, visibility))
   {
     this->Visit(root);
   }
@@ -331,8 +332,62 @@ void TerrainBisection::AddFace(const Block& block, int side, int end, float morp
   }
   face.Tile = &this->GetTile(face.Level, block);
   face.CoarseTile = &this->GetTile(face.Level + 1, block);
-  this->Error = std::max(this->Error, error);
+  if (error > this->Tolerance)
+  {
+    face.Error = static_cast<float>(this->ProjectFace(block, end, face));
+  }
+  this->Error = std::max<double>(this->Error, face.Error);
   this->Faces.push_back(face);
+}
+
+// The projected error of a face at its own distance, which can be much larger than that of the
+// region from which errors decide.
+double TerrainBisection::ProjectFace(const Block& block, int end, const TerrainFace& face) const
+{
+  // The error of the parent bounds that of a face that is not fully visible.
+  const bool isSplit = face.Morph >= 1.0f;
+  float distance = 0.0f;
+  if (end < 0)
+  {
+    distance = isSplit ? this->Errors.GetFaceError(
+                           block.Level, static_cast<int>(block.Column), static_cast<int>(block.Row))
+                       : this->Errors.GetSquareError(block.Level, static_cast<int>(block.Column),
+                           static_cast<int>(block.Row));
+  }
+  else
+  {
+    const int column = static_cast<int>(2 * block.Column) + relevo::Corners[end][0] / 2;
+    const int row = static_cast<int>(2 * block.Row) + relevo::Corners[end][1] / 2;
+    distance = isSplit ? this->Errors.GetSquareError(block.Level - 1, column, row)
+                       : this->Errors.GetFaceError(block.Level, static_cast<int>(block.Column),
+                           static_cast<int>(block.Row));
+  }
+  const FaceHeights heights(face);
+  TerrainBox box = { { { InfiniteError, -InfiniteError } }, { { InfiniteError, -InfiniteError } },
+    { { InfiniteError, -InfiniteError } } };
+  const double size = std::ldexp(1.0, face.Level);
+  for (int b = 0; b <= Segments; ++b)
+  {
+    for (int a = 0; a + b <= Segments; ++a)
+    {
+      const double height = heights.GetHeight(a, b);
+      if (!std::isnan(height))
+      {
+        const auto position = [&](int axis)
+        {
+          return size *
+            static_cast<double>(face.Apex[axis] + a * face.Step1[axis] + b * face.Step2[axis]);
+        };
+        const auto extend = [](std::array<double, 2>& range, double low, double high) {
+          range = { { std::min(range[0], low), std::max(range[1], high) } };
+        };
+        extend(box.Columns, position(0), position(0));
+        extend(box.Rows, position(1), position(1));
+        extend(box.Heights, height - distance, height + distance);
+      }
+    }
+  }
+  return this->View->Project(distance, box);
 }
 
 // A corner of faces, in cells of the finest lattice.

@@ -76,6 +76,7 @@ private:
   bool IsVisible(const Block& block) const;
   void Visit(const Block& block);
   void AddFace(const Block& block, int side, int end, float morph, double error);
+  double ProjectFace(const Block& block, int end, const TerrainFace& face) const;
   float GetCornerHeight(std::int64_t x, std::int64_t y);
   float ComputeCornerHeight(std::int64_t x, std::int64_t y);
 
