@@ -121,6 +121,12 @@ std::string TerrainPainter::Prepare(vtkRenderer* renderer, vtkActor* actor,
   return "";
 }
 
+int TerrainPainter::GetMaximumNumberOfTiles(vtkTypeInt64 memoryLimit)
+{
+  this->Instances.GetTiles().SetMemoryLimit(memoryLimit);
+  return this->Instances.GetTiles().GetMaximumNumberOfLayers();
+}
+
 // Positions are exact in floats near the origin.
 void TerrainPainter::ChooseOrigin(
   vtkRenderer* renderer, vtkActor* actor, const std::vector<TerrainFace>& faces)

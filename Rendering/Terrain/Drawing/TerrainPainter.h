@@ -58,6 +58,9 @@ public:
   const std::string& GetShaderError() const { return this->Variants.GetError(); }
   const std::string& GetColorError() const { return this->ColorError; }
 
+  /// Return the number of tiles that fit into textures, in the current context.
+  int GetMaximumNumberOfTiles(vtkTypeInt64 memoryLimit);
+
   /// Forget all heights, because they have changed.
   void ForgetTiles() { this->Instances.GetTiles().Clear(); }
 

@@ -3,6 +3,7 @@
 #include "View/TerrainViewpoint.h"
 
 #include "Actors/ActorView.h"
+#include "Changes/Dependencies.h"
 #include "View/CameraEye.h"
 #include "View/WorldView.h"
 #include "vtkActor.h"
@@ -60,6 +61,25 @@ TerrainViewpoint::TerrainViewpoint(vtkRenderer* renderer, vtkActor* actor)
     this->Valid = this->Valid && std::isfinite(this->NearPoint[c]);
   }
   this->IsCulled = !MovesVertices(actor);
+}
+
+void TerrainViewpoint::AddTo(Dependencies& dependencies) const
+{
+  dependencies.Add(this->IsParallel);
+  dependencies.Add(this->IsCulled);
+  dependencies.Add(this->PixelsPerUnit);
+  dependencies.Add(this->NearestDistance);
+  for (double coordinate : this->NearPoint)
+  {
+    dependencies.Add(coordinate);
+  }
+  for (const auto& plane : this->Planes)
+  {
+    for (double number : plane)
+    {
+      dependencies.Add(number);
+    }
+  }
 }
 
 TerrainView TerrainViewpoint::MakeView(const TerrainPlacement& placement) const

@@ -18,6 +18,8 @@ class vtkRenderer;
 
 namespace relevo
 {
+class Dependencies;
+
 class TerrainViewpoint
 {
 public:
@@ -28,6 +30,9 @@ public:
 
   /// Return the view of a terrain that has this position in the actor's coordinates.
   TerrainView MakeView(const TerrainPlacement& placement) const;
+
+  /// Add everything that the view depends on.
+  void AddTo(Dependencies& dependencies) const;
 
   /// Return the point near which positions need the smallest rounding errors: the eye or, with a
   /// parallel projection, the focal point.

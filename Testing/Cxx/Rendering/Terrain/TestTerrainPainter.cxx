@@ -7,7 +7,9 @@
 #include "vtkPlane.h"
 #include "vtkProperty.h"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace
 {
@@ -240,6 +242,40 @@ void TestRelease(RelevoCheck& check)
   CHECK(IsSame(scene.Draw(), picture));
   CHECK_EQUAL(scene.Mapper->Error, "");
 }
+
+// A flight with few textures draws the same as one with many, because tiles are uploaded again.
+void TestReplacedTiles(RelevoCheck& check)
+{
+  RelevoTerrainScene many(2049, 2049);
+  RelevoTerrainScene few(2049, 2049);
+  constexpr vtkTypeInt64 layers = 13;
+  few.Mapper->Settings.MemoryLimit = layers * relevo::TerrainTileTextures::LayerSize;
+  size_t largest = 0;
+  for (int i = 0; i < 16; ++i)
+  {
+    CHECK_CASE(i);
+    const double x = 1024.0 + 800.0 * std::cos(0.8 * i);
+    const double y = 1024.0 + 800.0 * std::sin(0.8 * i);
+    for (RelevoTerrainScene* scene : { &many, &few })
+    {
+      scene->Window->SetSize(160, 120);
+      scene->Mapper->Tolerance = 0.4;
+      scene->Look({ { x, y, 50.0 } }, { { x + 10.0, y, 46.0 } });
+    }
+    CHECK(IsSame(few.Draw(), many.Draw()));
+    CHECK_EQUAL(few.Mapper->Error, "");
+    std::set<const relevo::HeightTile*> tiles;
+    for (const relevo::TerrainFace& face : few.Mapper->GetFaces())
+    {
+      tiles.insert({ face.Tile, face.CoarseTile });
+    }
+    largest = std::max(largest, tiles.size());
+  }
+  CHECK_LESS_EQUAL(largest, layers);
+  CHECK_GREATER(
+    few.Mapper->Painter->GetNumberOfTileUploads(), many.Mapper->Painter->GetNumberOfTileUploads());
+  CHECK_LESS(few.Mapper->Painter->GetMemorySize(), many.Mapper->Painter->GetMemorySize());
+}
 }
 
 int TestTerrainPainter(int argc, char* argv[])
@@ -257,5 +293,6 @@ int TestTerrainPainter(int argc, char* argv[])
   TestRenderers(comparison);
   TestSelection(check);
   TestRelease(check);
+  TestReplacedTiles(check);
   return check.GetResult();
 }
