@@ -308,17 +308,26 @@ vtkDoubleArray* vtkTerrainPyramid::GetElevations(vtkDoubleArray* points)
 //------------------------------------------------------------------------------
 bool vtkTerrainPyramid::GeographicToRaster(const double geographic[2], double coordinates[2])
 {
-  if (!this->Pyramid)
+  return this->Convert(relevo::GeographicToSystem, geographic, coordinates);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainPyramid::RasterToGeographic(const double coordinates[2], double geographic[2])
+{
+  return this->Convert(relevo::SystemToGeographic, coordinates, geographic);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainPyramid::Convert(
+  bool (*convert)(const std::string&, std::array<double, 2>&), const double from[2], double to[2])
+{
+  const std::string system = this->GetCoordinateSystem();
+  std::array<double, 2> point = { { from[0], from[1] } };
+  if (system.empty() || !convert(system, point))
   {
     return false;
   }
-  const relevo::Georeference& location = this->Pyramid->GetFile().Describe().Location;
-  std::array<double, 2> point = { { geographic[0], geographic[1] } };
-  if (location.WKT.empty() || !relevo::GeographicToSystem(location.WKT, point))
-  {
-    return false;
-  }
-  std::copy(point.begin(), point.end(), coordinates);
+  std::copy(point.begin(), point.end(), to);
   return true;
 }
 
@@ -383,6 +392,10 @@ vtkDoubleArray* vtkTerrainPyramid::GetElevations(vtkDoubleArray*)
   return nullptr;
 }
 bool vtkTerrainPyramid::GeographicToRaster(const double[2], double[2])
+{
+  return false;
+}
+bool vtkTerrainPyramid::RasterToGeographic(const double[2], double[2])
 {
   return false;
 }

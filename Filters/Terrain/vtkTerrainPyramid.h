@@ -36,6 +36,7 @@
 #include "RelevoFiltersTerrainModule.h" // for export macro
 #include "vtkObject.h"
 
+#include <array>  // for coordinates
 #include <memory> // for members
 #include <mutex>  // for messages
 #include <string> // for messages
@@ -156,12 +157,15 @@ public:
    */
   VTK_NEWINSTANCE vtkDoubleArray* GetElevations(vtkDoubleArray* points);
 
+  //@{
   /**
    * Convert longitude and latitude, in degrees on the ellipsoid of the raster's coordinate system,
-   * to its coordinates x and y. Returns false, without an error, if the raster has no coordinate
-   * system or the point has no coordinates in it.
+   * to its coordinates x and y, and back. Returns false, without an error, if the raster has no
+   * coordinate system or the point cannot be converted.
    */
   bool GeographicToRaster(const double geographic[2], double coordinates[2]);
+  bool RasterToGeographic(const double coordinates[2], double geographic[2]);
+  //@}
 
   /// Return the bytes of memory that cached tiles use.
   vtkTypeInt64 GetResidentMemorySize();
@@ -195,6 +199,8 @@ private:
   void operator=(const vtkTerrainPyramid&) = delete;
 
   bool Report(const std::string& error);
+  bool Convert(bool (*convert)(const std::string&, std::array<double, 2>&), const double from[2],
+    double to[2]);
   double Evaluate(double x, double y, std::string& error);
 
   std::shared_ptr<relevo::RasterPyramid> Pyramid;

@@ -90,7 +90,10 @@ bool FindScale(const Georeference& location, double& scale)
   return std::isfinite(scale);
 }
 
-bool GeographicToSystem(const std::string& definition, std::array<double, 2>& place)
+namespace
+{
+// Angles are in degrees on the side of longitude and latitude.
+bool ConvertGeographic(const std::string& definition, bool isToSystem, std::array<double, 2>& place)
 {
   GDALSession session;
   const SpatialReference system = NewSpatialReference(definition);
@@ -101,17 +104,36 @@ bool GeographicToSystem(const std::string& definition, std::array<double, 2>& pl
   }
   OSRSetAxisMappingStrategy(geographic.get(), OAMS_TRADITIONAL_GIS_ORDER);
   const double unit = OSRGetAngularUnits(geographic.get(), nullptr) * 180.0 / M_PI;
-  std::array<double, 2> result = { place[0] / unit, place[1] / unit };
-  OGRCoordinateTransformationH transformation =
-    OCTNewCoordinateTransformation(geographic.get(), system.get());
+  std::array<double, 2> result = place;
+  if (isToSystem)
+  {
+    result = { { place[0] / unit, place[1] / unit } };
+  }
+  OGRCoordinateTransformationH transformation = OCTNewCoordinateTransformation(
+    isToSystem ? geographic.get() : system.get(), isToSystem ? system.get() : geographic.get());
   const bool isTransformed =
     transformation && OCTTransform(transformation, 1, &result[0], &result[1], nullptr);
   OCTDestroyCoordinateTransformation(transformation);
-  if (isTransformed && std::isfinite(result[0]) && std::isfinite(result[1]))
+  if (!isTransformed || !std::isfinite(result[0]) || !std::isfinite(result[1]))
   {
-    place = result;
-    return true;
+    return false;
   }
-  return false;
+  if (!isToSystem)
+  {
+    result = { { result[0] * unit, result[1] * unit } };
+  }
+  place = result;
+  return true;
+}
+}
+
+bool GeographicToSystem(const std::string& definition, std::array<double, 2>& place)
+{
+  return ConvertGeographic(definition, true, place);
+}
+
+bool SystemToGeographic(const std::string& definition, std::array<double, 2>& place)
+{
+  return ConvertGeographic(definition, false, place);
 }
 }

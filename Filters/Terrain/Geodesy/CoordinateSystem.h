@@ -41,8 +41,12 @@ void DescribeCoordinateSystem(OGRSpatialReferenceH system, Georeference& locatio
 /// north, it is the one farther from 1. Returns false if it cannot be computed.
 bool FindScale(const Georeference& location, double& scale);
 
-/// Converts longitude and latitude in degrees, on the ellipsoid of the system, to its coordinates.
+//@{
+/// Converts longitude and latitude in degrees, on the ellipsoid of the system, to its coordinates,
+/// and back.
 bool GeographicToSystem(const std::string& definition, std::array<double, 2>& place);
+bool SystemToGeographic(const std::string& definition, std::array<double, 2>& place);
+//@}
 }
 
 #endif

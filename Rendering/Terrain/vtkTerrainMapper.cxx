@@ -1,0 +1,484 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTerrainMapper.h"
+
+#include "Bisection/AdaptiveTerrain.h"
+#include "Bisection/HeightLattice.h"
+#include "Changes/Dependencies.h"
+#include "Checks/MemoryGuard.h"
+#include "Checks/SettingChecks.h"
+#include "Checks/ShouldReport.h"
+#include "Composite/LeafSelection.h"
+#include "Drawing/TerrainPainter.h"
+#include "Mathematics/SameNumber.h"
+#include "OpenGL/ContextWatch.h"
+#include "View/FrameWatch.h"
+#include "View/TerrainViewpoint.h"
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkHardwareSelector.h"
+#include "vtkInformation.h"
+#include "vtkLookupTable.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTerrainPyramid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace
+{
+using TerrainMapper = vtkTerrainMapper;
+using relevo::TerrainColoring;
+
+static_assert(relevo::HaveSameNumber(TerrainMapper::COLOR_SOLID, TerrainColoring::SOLID) &&
+    relevo::HaveSameNumber(TerrainMapper::COLOR_BY_ELEVATION, TerrainColoring::ELEVATION) &&
+    relevo::HaveSameNumber(TerrainMapper::COLOR_BY_SLOPE, TerrainColoring::SLOPE) &&
+    relevo::HaveSameNumber(TerrainMapper::COLOR_BY_ASPECT, TerrainColoring::ASPECT) &&
+    relevo::HaveSameNumber(TerrainMapper::COLOR_BY_HILLSHADE, TerrainColoring::HILLSHADE),
+  "colour modes");
+
+constexpr int TrianglesPerFace = relevo::TerrainFace::Segments * relevo::TerrainFace::Segments;
+
+void CopyTerrainOffsets(vtkMapper* from, vtkMapper* to)
+{
+  double factor = 0.0;
+  double units = 0.0;
+  from->GetRelativeCoincidentTopologyPolygonOffsetParameters(factor, units);
+  to->SetRelativeCoincidentTopologyPolygonOffsetParameters(factor, units);
+  from->GetRelativeCoincidentTopologyLineOffsetParameters(factor, units);
+  to->SetRelativeCoincidentTopologyLineOffsetParameters(factor, units);
+  from->GetRelativeCoincidentTopologyPointOffsetParameter(units);
+  to->SetRelativeCoincidentTopologyPointOffsetParameter(units);
+}
+}
+
+struct vtkTerrainMapper::vtkInternals
+{
+  std::unique_ptr<relevo::AdaptiveTerrain> Terrain;
+  relevo::Dependencies Opened; // pyramid
+  vtkNew<relevo::TerrainPainter> Painter;
+  vtkNew<relevo::ContextWatch> Context;
+  relevo::FrameWatch Frames;
+  relevo::Dependencies View; // of the faces
+  vtkSmartPointer<vtkLookupTable> DefaultTable;
+  std::string Error; // errors are those reported last
+  std::string DrawError;
+  std::string ColorError;
+  std::string ShaderError;
+};
+
+vtkStandardNewMacro(vtkTerrainMapper);
+
+vtkTerrainMapper::vtkTerrainMapper()
+  : Internals(new vtkInternals)
+{
+  this->Internals->Context->OnRelease = [this](vtkWindow* window)
+  { this->ReleaseGraphicsResources(window); };
+}
+
+vtkTerrainMapper::~vtkTerrainMapper()
+{
+  // The resources are released here, while virtual calls still reach this class, in the context of
+  // the window.
+  this->ReleaseGraphicsResources(nullptr);
+}
+
+int vtkTerrainMapper::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // there is no input
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+//------------------------------------------------------------------------------
+// Settings
+
+vtkCxxSetSmartPointerMacro(vtkTerrainMapper, Pyramid, vtkTerrainPyramid);
+
+vtkTerrainPyramid* vtkTerrainMapper::GetPyramid()
+{
+  return this->Pyramid;
+}
+
+void vtkTerrainMapper::SetScreenSpaceError(double pixels)
+{
+  relevo::SetInRange(
+    this, "ScreenSpaceError", this->ScreenSpaceError, pixels, 0.01, relevo::LargestDouble);
+}
+
+void vtkTerrainMapper::SetMemoryLimit(vtkTypeInt64 bytes)
+{
+  relevo::SetInRange<vtkTypeInt64>(
+    this, "MemoryLimit", this->MemoryLimit, bytes, vtkTypeInt64(1) << 22, VTK_TYPE_INT64_MAX);
+}
+
+void vtkTerrainMapper::SetExaggeration(double factor)
+{
+  relevo::SetInRange(
+    this, "Exaggeration", this->Exaggeration, factor, 0.001, relevo::LargestDouble);
+}
+
+void vtkTerrainMapper::SetLoadingMode(int mode)
+{
+  relevo::SetChoice(this, "LoadingMode", this->LoadingMode, mode, { "BACKGROUND", "COMPLETE" });
+}
+
+void vtkTerrainMapper::SetTerrainColorMode(int mode)
+{
+  relevo::SetChoice(this, "TerrainColorMode", this->TerrainColorMode, mode,
+    { "COLOR_SOLID", "COLOR_BY_ELEVATION", "COLOR_BY_SLOPE", "COLOR_BY_ASPECT",
+      "COLOR_BY_HILLSHADE" });
+  this->UpdateDefaultTable();
+}
+
+void vtkTerrainMapper::SetContourInterval(double interval)
+{
+  relevo::SetInRange(
+    this, "ContourInterval", this->ContourInterval, interval, 0.0, relevo::LargestDouble);
+}
+
+void vtkTerrainMapper::SetContourWidth(double pixels)
+{
+  relevo::SetInRange(this, "ContourWidth", this->ContourWidth, pixels, 0.0, 100.0);
+}
+
+void vtkTerrainMapper::SetContourColor(double red, double green, double blue)
+{
+  relevo::SetVector<3>(
+    this, "ContourColor", this->ContourColor, { { red, green, blue } }, 0.0, 1.0);
+}
+
+void vtkTerrainMapper::SetFrame(int frame)
+{
+  relevo::SetChoice(this, "Frame", this->Frame, frame, { "MAP" });
+}
+
+//------------------------------------------------------------------------------
+// Raster
+
+// Update() of the pyramid would report the same error in each frame.
+std::string vtkTerrainMapper::OpenTerrain()
+{
+  vtkInternals& data = *this->Internals;
+  const relevo::Dependencies source = relevo::Dependencies::On(
+    reinterpret_cast<std::size_t>(this->Pyramid.Get()), this->Pyramid->GetMTime());
+  if (data.Opened.Update(source) && !this->Pyramid->Update())
+  {
+    data.Terrain.reset();
+    return std::string("The pyramid has an error: ") + this->Pyramid->GetErrorMessage();
+  }
+  const std::shared_ptr<const relevo::HeightLattice> lattice = this->Pyramid->GetLattice();
+  if (!lattice)
+  {
+    data.Terrain.reset();
+    return data.Error;
+  }
+  if (!data.Terrain || &data.Terrain->GetLattice() != lattice.get())
+  {
+    data.Terrain.reset(new relevo::AdaptiveTerrain(lattice));
+    data.View.Clear();
+    data.Painter->ForgetTiles();
+  }
+  const std::string location = data.Terrain->FindLocationError();
+  return location.empty() ? "" : this->Pyramid->GetFileName() + location;
+}
+
+bool vtkTerrainMapper::UpdateTerrain()
+{
+  vtkInternals& data = *this->Internals;
+  const std::string error = this->Pyramid
+    ? this->OpenTerrain()
+    : "There is no terrain: call SetPyramid() with a vtkTerrainPyramid.";
+  if (!this->Pyramid)
+  {
+    data.Terrain.reset();
+  }
+  if (relevo::ShouldReport(data.Error, error))
+  {
+    vtkErrorMacro(<< error);
+  }
+  return error.empty();
+}
+
+double* vtkTerrainMapper::GetBounds()
+{
+  vtkMath::UninitializeBounds(this->Bounds);
+  if (this->UpdateTerrain())
+  {
+    const std::array<double, 6> bounds = this->Internals->Terrain->GetBounds(this->Exaggeration);
+    std::copy(bounds.begin(), bounds.end(), this->Bounds);
+  }
+  return this->Bounds;
+}
+
+bool vtkTerrainMapper::GeographicToWorld(const double geographic[3], double world[3])
+{
+  std::array<double, 2> coordinates;
+  if (!this->Pyramid || !this->UpdateTerrain() ||
+    !this->Pyramid->GeographicToRaster(geographic, coordinates.data()))
+  {
+    return false;
+  }
+  const std::array<double, 2> map = this->Internals->Terrain->GetFrame().ToMap(coordinates);
+  std::copy(map.begin(), map.end(), world);
+  world[2] = geographic[2] * this->Exaggeration;
+  return true;
+}
+
+bool vtkTerrainMapper::WorldToGeographic(const double world[3], double geographic[3])
+{
+  if (!this->Pyramid || !this->UpdateTerrain())
+  {
+    return false;
+  }
+  const std::array<double, 2> coordinates =
+    this->Internals->Terrain->GetFrame().ToCoordinates({ { world[0], world[1] } });
+  if (!this->Pyramid->RasterToGeographic(coordinates.data(), geographic))
+  {
+    return false;
+  }
+  geographic[2] = world[2] / this->Exaggeration;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Colours
+
+void vtkTerrainMapper::CreateDefaultLookupTable()
+{
+  vtkInternals& data = *this->Internals;
+  data.DefaultTable = vtkSmartPointer<vtkLookupTable>::New();
+  this->SetLookupTable(data.DefaultTable);
+  this->UpdateDefaultTable();
+}
+
+void vtkTerrainMapper::UpdateDefaultTable()
+{
+  vtkInternals& data = *this->Internals;
+  if (!data.DefaultTable || this->LookupTable != data.DefaultTable.Get())
+  {
+    return;
+  }
+  double range[2] = { 0.0, this->TerrainColorMode == COLOR_BY_SLOPE ? 90.0 : 360.0 };
+  if (this->TerrainColorMode != COLOR_BY_SLOPE && this->TerrainColorMode != COLOR_BY_ASPECT &&
+    this->Pyramid)
+  {
+    this->Pyramid->GetRange(range);
+  }
+  const bool isCyclic = this->TerrainColorMode == COLOR_BY_ASPECT;
+  data.DefaultTable->SetHueRange(isCyclic ? 0.0 : 2.0 / 3.0, isCyclic ? 1.0 : 0.0);
+  data.DefaultTable->SetTableRange(range);
+  data.DefaultTable->Build();
+}
+
+bool vtkTerrainMapper::HasTranslucentPolygonalGeometry()
+{
+  return relevo::HasTable(static_cast<TerrainColoring>(this->TerrainColorMode)) &&
+    !this->GetLookupTable()->IsOpaque();
+}
+
+bool vtkTerrainMapper::HasOpaqueGeometry()
+{
+  return !this->HasTranslucentPolygonalGeometry();
+}
+
+//------------------------------------------------------------------------------
+// Rendering
+
+void vtkTerrainMapper::Render(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  if (window->CheckAbortStatus())
+  {
+    return;
+  }
+  this->InvokeEvent(vtkCommand::StartEvent, nullptr);
+  if (this->UpdateTerrain())
+  {
+    // This releases resources in the context of another window.
+    this->Internals->Context->SetContext(vtkOpenGLRenderWindow::SafeDownCast(window));
+    relevo::RunWithinMemory(this, "the terrain",
+      [&]
+      {
+        this->SelectFaces(renderer, actor);
+        this->DrawFaces(renderer, actor);
+        return true;
+      });
+  }
+  this->InvokeEvent(vtkCommand::EndEvent, nullptr);
+  if (!this->IsComplete())
+  {
+    this->InvokeEvent(vtkCommand::UpdateEvent, nullptr);
+  }
+}
+
+void vtkTerrainMapper::SelectFaces(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkInternals& data = *this->Internals;
+  const relevo::TerrainPlacement placement = data.Terrain->GetPlacement(this->Exaggeration);
+  const relevo::TerrainViewpoint viewpoint(renderer, actor);
+  relevo::Dependencies view = relevo::Dependencies::On(reinterpret_cast<std::size_t>(renderer),
+    this->ScreenSpaceError, this->MemoryLimit, this->Exaggeration, this->LoadingMode);
+  viewpoint.AddTo(view);
+  // Tiles that arrive between the passes of a frame or of a selection do not change the faces.
+  const bool isFurtherPass =
+    !data.Frames.IsNewFrame(renderer) || renderer->GetSelector() != nullptr;
+  const bool isSame = !data.View.Update(view);
+  if (!viewpoint.IsValid() || (isSame && isFurtherPass))
+  {
+    return;
+  }
+  // A half is for tiles, the other half for textures.
+  const vtkTypeInt64 half = this->MemoryLimit / 2;
+  const vtkTypeInt64 tiles =
+    data.Painter->GetMaximumNumberOfTiles(half) * relevo::TerrainTileTextures::LayerSize;
+  data.Terrain->SetMemoryLimit(static_cast<std::size_t>(std::min(half, tiles)));
+  const relevo::TerrainView terrainView = viewpoint.MakeView(placement);
+  if (this->LoadingMode == COMPLETE)
+  {
+    this->Pyramid->WaitForIndex(); // the pyramid reports errors
+    vtkRenderWindow* window = renderer->GetRenderWindow();
+    data.Terrain->SelectAndWait(
+      terrainView, this->ScreenSpaceError, [window] { return window->GetAbortRender() != 0; });
+  }
+  else
+  {
+    data.Terrain->Select(terrainView, this->ScreenSpaceError);
+  }
+  const std::string error = data.Terrain->TakeError();
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< "Cannot read " << this->Pyramid->GetFileName() << ": " << error
+                  << ". The terrain is drawn coarser there.");
+  }
+}
+
+void vtkTerrainMapper::DrawFaces(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkInternals& data = *this->Internals;
+  relevo::TerrainPainter::Settings settings;
+  settings.Placement = data.Terrain->GetPlacement(this->Exaggeration);
+  this->Pyramid->GetDimensions(settings.Dimensions.data());
+  settings.Exaggeration = this->Exaggeration;
+  settings.Coloring = static_cast<TerrainColoring>(this->TerrainColorMode);
+  if (relevo::HasTable(settings.Coloring))
+  {
+    settings.Table = this->GetLookupTable();
+    this->UpdateDefaultTable();
+  }
+  settings.ContourInterval = this->ContourInterval;
+  settings.ContourWidth = this->ContourWidth;
+  std::copy_n(this->ContourColor, 3, settings.ContourColor.begin());
+  settings.MemoryLimit = this->MemoryLimit / 2;
+  data.Painter->SetClippingPlanes(this->ClippingPlanes);
+  CopyTerrainOffsets(this, data.Painter);
+  const std::string error =
+    data.Painter->Prepare(renderer, actor, data.Terrain->GetFaces(), settings);
+  if (relevo::ShouldReport(data.DrawError, error))
+  {
+    vtkErrorMacro(<< error);
+  }
+  if (error.empty())
+  {
+    relevo::LeafSelection selection(renderer);
+    selection.Begin(1);
+    if (vtkHardwareSelector* selector = renderer->GetSelector())
+    {
+      data.Painter->AnnounceIds(selector);
+    }
+    data.Painter->RenderPiece(renderer, actor);
+  }
+  const std::string& colorError = data.Painter->GetColorError();
+  if (relevo::ShouldReport(data.ColorError,
+        colorError.empty() ? "" : "Cannot map the terrain to colours: " + colorError))
+  {
+    vtkErrorMacro(<< data.ColorError << ".");
+  }
+  if (relevo::ShouldReport(data.ShaderError, data.Painter->GetShaderError()))
+  {
+    vtkErrorMacro(<< data.ShaderError);
+  }
+}
+
+void vtkTerrainMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  vtkInternals& data = *this->Internals;
+  if (data.Context->Release())
+  {
+    return; // a recursive call, in the context that owns the resources
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+  data.Painter->ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+// Results of the last frame
+
+bool vtkTerrainMapper::IsComplete()
+{
+  return this->Internals->Terrain && this->Internals->Terrain->IsComplete();
+}
+
+double vtkTerrainMapper::GetScreenSpaceErrorInUse()
+{
+  return this->Internals->Terrain ? this->Internals->Terrain->GetError() : 0.0;
+}
+
+vtkTypeInt64 vtkTerrainMapper::GetResidentMemorySize()
+{
+  const vtkInternals& data = *this->Internals;
+  return data.Painter->GetMemorySize() +
+    (data.Terrain ? static_cast<vtkTypeInt64>(data.Terrain->GetMemorySize()) : 0);
+}
+
+vtkIdType vtkTerrainMapper::GetNumberOfDrawnTriangles()
+{
+  return this->Internals->Terrain
+    ? static_cast<vtkIdType>(this->Internals->Terrain->GetFaces().size()) * TrianglesPerFace
+    : 0;
+}
+
+//------------------------------------------------------------------------------
+
+vtkMTimeType vtkTerrainMapper::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->Pyramid ? std::max(time, this->Pyramid->GetMTime()) : time;
+}
+
+void vtkTerrainMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (vtkTerrainMapper* other = vtkTerrainMapper::SafeDownCast(mapper))
+  {
+    this->SetPyramid(other->Pyramid);
+    this->SetScreenSpaceError(other->ScreenSpaceError);
+    this->SetMemoryLimit(other->MemoryLimit);
+    this->SetExaggeration(other->Exaggeration);
+    this->SetLoadingMode(other->LoadingMode);
+    this->SetTerrainColorMode(other->TerrainColorMode);
+    this->SetContourInterval(other->ContourInterval);
+    this->SetContourWidth(other->ContourWidth);
+    this->SetContourColor(other->ContourColor);
+    this->SetFrame(other->Frame);
+  }
+  this->Superclass::ShallowCopy(mapper);
+}
+
+void vtkTerrainMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Pyramid: " << this->Pyramid << "\n";
+  os << indent << "ScreenSpaceError: " << this->ScreenSpaceError << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "Exaggeration: " << this->Exaggeration << "\n";
+  os << indent << "LoadingMode: " << this->LoadingMode << "\n";
+  os << indent << "TerrainColorMode: " << this->TerrainColorMode << "\n";
+  os << indent << "ContourInterval: " << this->ContourInterval << "\n";
+  os << indent << "ContourWidth: " << this->ContourWidth << "\n";
+  os << indent << "ContourColor: " << this->ContourColor[0] << " " << this->ContourColor[1] << " "
+     << this->ContourColor[2] << "\n";
+  os << indent << "Frame: " << this->Frame << "\n";
+}

@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTerrainMapper
+ * @brief   draws a height raster of any size within a number of pixels of its full resolution
+ *
+ * The input is a vtkTerrainPyramid. In each frame, the terrain is bisected into triangles until the
+ * vertical distance between the drawn surface and the surface of full resolution, which is bilinear
+ * between the centers of samples, is at most SetScreenSpaceError() pixels on the screen. Levels
+ * change smoothly (geomorphing). Faces of different sizes share their edges to the bit, so that
+ * there are no cracks. Triangles outside of the view are neither drawn nor loaded.
+ *
+ * Tiles of the raster are read in the background. A frame draws the best tiles that are in memory
+ * and does not wait for others. IsComplete() returns false, and Render() invokes
+ * vtkCommand::UpdateEvent, as long as another frame would show more. SetLoadingModeToComplete()
+ * waits instead, for scripts and saved pictures. Tiles and their textures together take at most
+ * SetMemoryLimit() bytes; what does not fit is drawn coarser. As long as the index of the pyramid
+ * is incomplete (vtkTerrainPyramid::IsErrorKnown()), errors are estimated.
+ *
+ * World coordinates are a flat map in meters: x east and y north from the center of the raster, and
+ * z the height times SetExaggeration(). Longitude and latitude are scaled by the lengths of a
+ * degree at the center. Without a georeference, one sample and one unit of height are one unit. The
+ * terrain ends at the centers of the outermost samples. Samples without data leave holes.
+ *
+ * Lights, clipping planes, opacity, depth peeling, representations, edges, render passes,
+ * replacements of shaders and hardware selection work as with vtkPolyDataMapper. A selection of
+ * cells returns the numbers of faces of that frame. VTK's pickers that intersect cells do not find
+ * the terrain.
+ *
+ * Requires OpenGL 3.3. These are errors (ErrorEvent of this object, once): no pyramid, a pyramid
+ * that cannot be opened, a raster with one row or column, a coordinate system that is not
+ * supported, tiles that cannot be read (a coarser level is drawn), a lookup table whose range is
+ * not finite, and shaders that cannot be built.
+ *
+ * @sa vtkTerrainPyramid vtkTerrainMeshSource
+ */
+#ifndef vtkTerrainMapper_h
+#define vtkTerrainMapper_h
+
+#include "RelevoRenderingTerrainModule.h" // for export macro
+#include "vtkMapper.h"
+#include "vtkSmartPointer.h" // for members
+
+#include <memory> // for Internals
+#include <string> // for errors
+
+class vtkTerrainPyramid;
+
+class RELEVORENDERINGTERRAIN_EXPORT vtkTerrainMapper : public vtkMapper
+{
+public:
+  static vtkTerrainMapper* New();
+  vtkTypeMacro(vtkTerrainMapper, vtkMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  //@{
+  /**
+   * Set the raster. Required. The mapper opens it when it is first needed.
+   */
+  void SetPyramid(vtkTerrainPyramid* pyramid);
+  vtkTerrainPyramid* GetPyramid();
+  //@}
+
+  //@{
+  /**
+   * Set the largest vertical distance to the surface of full resolution, in pixels; at least 0.01,
+   * default 1. A value out of range is an error and changes nothing.
+   */
+  void SetScreenSpaceError(double pixels);
+  vtkGetMacro(ScreenSpaceError, double);
+  //@}
+
+  //@{
+  /**
+   * Set the maximum memory of heights and their textures together in bytes; at least 2^22, default
+   * 2^29. A value out of range is an error and changes nothing.
+   */
+  void SetMemoryLimit(vtkTypeInt64 bytes);
+  vtkGetMacro(MemoryLimit, vtkTypeInt64);
+  //@}
+
+  //@{
+  /**
+   * Set the factor of heights; at least 0.001, default 1. Colours and contour lines show the
+   * heights and slopes of the raster. A value out of range is an error and changes nothing.
+   */
+  void SetExaggeration(double factor);
+  vtkGetMacro(Exaggeration, double);
+  //@}
+
+  enum LoadingModes
+  {
+    BACKGROUND = 0,
+    COMPLETE
+  };
+
+  //@{
+  /**
+   * Set whether frames wait for tiles. BACKGROUND (0, the default): they do not. COMPLETE (1): each
+   * frame waits until it is complete. A value out of range is an error and changes nothing.
+   */
+  void SetLoadingMode(int mode);
+  vtkGetMacro(LoadingMode, int);
+  void SetLoadingModeToBackground() { this->SetLoadingMode(BACKGROUND); }
+  void SetLoadingModeToComplete() { this->SetLoadingMode(COMPLETE); }
+  //@}
+
+  enum TerrainColorModes
+  {
+    COLOR_SOLID = 0,
+    COLOR_BY_ELEVATION,
+    COLOR_BY_SLOPE,
+    COLOR_BY_ASPECT,
+    COLOR_BY_HILLSHADE
+  };
+
+  //@{
+  /**
+   * Set the colours. COLOR_SOLID (0, the default): those of the actor. COLOR_BY_ELEVATION (1): the
+   * height in the unit of the raster, mapped by the lookup table. COLOR_BY_SLOPE (2): the angle
+   * between the surface and the horizontal plane, from 0 to 90 degrees, mapped by the lookup table.
+   * COLOR_BY_ASPECT (3): the direction in which the surface falls, from 0 to 360 degrees clockwise
+   * from the y axis, mapped by the lookup table; the colour for NaN where it is flat.
+   * COLOR_BY_HILLSHADE (4): grey, with the sun at an azimuth of 315 degrees and an altitude of 45
+   * degrees, without the lights of the scene.
+   *
+   * SetLookupTable() sets the table, whose own range is used. The default table has the range of
+   * the raster's heights, or all angles. VTK's SetColorMode() and SetScalarRange() have no effect.
+   * A value out of range is an error and changes nothing.
+   */
+  void SetTerrainColorMode(int mode);
+  vtkGetMacro(TerrainColorMode, int);
+  void SetColorModeToSolid() { this->SetTerrainColorMode(COLOR_SOLID); }
+  void SetColorModeToElevation() { this->SetTerrainColorMode(COLOR_BY_ELEVATION); }
+  void SetColorModeToSlope() { this->SetTerrainColorMode(COLOR_BY_SLOPE); }
+  void SetColorModeToAspect() { this->SetTerrainColorMode(COLOR_BY_ASPECT); }
+  void SetColorModeToHillshade() { this->SetTerrainColorMode(COLOR_BY_HILLSHADE); }
+  //@}
+
+  //@{
+  /**
+   * Set the interval of contour lines in the unit of the raster's heights; at least 0. The default,
+   * 0, draws none. A value out of range is an error and changes nothing.
+   */
+  void SetContourInterval(double interval);
+  vtkGetMacro(ContourInterval, double);
+  //@}
+
+  //@{
+  /**
+   * Set the width of contour lines in pixels, from 0 to 100; default 1. A value out of range is an
+   * error and changes nothing.
+   */
+  void SetContourWidth(double pixels);
+  vtkGetMacro(ContourWidth, double);
+  //@}
+
+  //@{
+  /**
+   * Set the colour of contour lines: red, green and blue, each from 0 to 1; default black. A value
+   * out of range is an error and changes nothing.
+   */
+  void SetContourColor(double red, double green, double blue);
+  void SetContourColor(const double color[3])
+  {
+    this->SetContourColor(color[0], color[1], color[2]);
+  }
+  vtkGetVector3Macro(ContourColor, double);
+  //@}
+
+  enum Frames
+  {
+    MAP = 0
+  };
+
+  //@{
+  /**
+   * Set the frame of the world coordinates. MAP (0, the default): a flat map in meters, see the
+   * class. A value out of range is an error and changes nothing.
+   */
+  void SetFrame(int frame);
+  vtkGetMacro(Frame, int);
+  void SetFrameToMap() { this->SetFrame(MAP); }
+  //@}
+
+  /// Return whether the last frame was drawn within SetScreenSpaceError(), with all of its tiles.
+  bool IsComplete();
+
+  /// Return the largest error of the last frame in pixels. It is more than SetScreenSpaceError()
+  /// while tiles are missing, or if they do not fit into SetMemoryLimit().
+  double GetScreenSpaceErrorInUse();
+
+  /// Return the bytes of heights in memory and of their textures.
+  vtkTypeInt64 GetResidentMemorySize();
+
+  /// Return the number of triangles of the last frame.
+  vtkIdType GetNumberOfDrawnTriangles();
+
+  //@{
+  /**
+   * Convert longitude and latitude in degrees, on the ellipsoid of the raster's coordinate system,
+   * and a height in meters to world coordinates, and back. The actor's matrix is not applied.
+   * Return false if there is no open raster with a coordinate system, or the point cannot be
+   * converted.
+   */
+  bool GeographicToWorld(const double geographic[3], double world[3]);
+  bool WorldToGeographic(const double world[3], double geographic[3]);
+  //@}
+
+  void Render(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  //@{
+  /**
+   * Return the bounds of the raster: its samples and the range of its heights. No tiles are read.
+   */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
+  //@}
+
+  //@{
+  /// Return whether the colours are opaque or translucent. The actor's opacity is not included.
+  bool HasOpaqueGeometry() override;
+  bool HasTranslucentPolygonalGeometry() override;
+  //@}
+
+  /// Create a table with the range of the current colours.
+  void CreateDefaultLookupTable() override;
+  bool GetSupportsSelection() override { return true; }
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
+  /// Includes the modification time of the pyramid.
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkTerrainMapper();
+  ~vtkTerrainMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  vtkSmartPointer<vtkTerrainPyramid> Pyramid;
+  double ScreenSpaceError = 1.0;
+  vtkTypeInt64 MemoryLimit = vtkTypeInt64(1) << 29;
+  double Exaggeration = 1.0;
+  int LoadingMode = BACKGROUND;
+  int TerrainColorMode = COLOR_SOLID;
+  double ContourInterval = 0.0;
+  double ContourWidth = 1.0;
+  double ContourColor[3] = { 0.0, 0.0, 0.0 };
+  int Frame = MAP;
+
+private:
+  vtkTerrainMapper(const vtkTerrainMapper&) = delete;
+  void operator=(const vtkTerrainMapper&) = delete;
+
+  /// Open the raster if it is not open. Return whether it is open.
+  bool UpdateTerrain();
+  std::string OpenTerrain();
+  void UpdateDefaultTable();
+  void SelectFaces(vtkRenderer* renderer, vtkActor* actor);
+  void DrawFaces(vtkRenderer* renderer, vtkActor* actor);
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

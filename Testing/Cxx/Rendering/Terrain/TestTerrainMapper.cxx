@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkTerrainMapper draws a raster file within its error, and reports results and errors.
+#include "RelevoRasterFiles.h"
+#include "RelevoScene.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellPicker.h"
+#include "vtkHardwareSelector.h"
+#include "vtkLookupTable.h"
+#include "vtkProperty.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+#include "vtkTerrainMapper.h"
+#include "vtkTerrainPyramid.h"
+
+#include <cmath>
+
+namespace
+{
+constexpr int Size = 700;
+
+// Hills in metres with 30 m between samples, in a UTM zone.
+std::string WriteHills(const RelevoTestFolders& folders)
+{
+  RelevoRaster raster;
+  raster.Width = Size;
+  raster.Height = Size;
+  raster.Transform = { 500000.0, 30.0, 0.0, 4300000.0, 0.0, -30.0 };
+  raster.CoordinateSystem = "EPSG:32632";
+  raster.SetValues(
+    [](int, int column, int row)
+    {
+      return 900.0 + 500.0 * std::sin(column / 60.0) * std::cos(row / 80.0) +
+        120.0 * std::sin(column / 19.0 + row / 31.0) + 10.0 * std::cos(column / 3.0 - row / 4.0);
+    });
+  const std::string file = folders.File("TerrainMapper.tif");
+  return raster.Write(file) ? file : "";
+}
+
+class TerrainScene
+{
+public:
+  explicit TerrainScene(const std::string& file)
+  {
+    this->Pyramid->SetFileName(file.c_str());
+    this->Mapper->SetPyramid(this->Pyramid);
+    this->Mapper->SetLoadingModeToComplete();
+    this->Actor->SetMapper(this->Mapper);
+    this->Renderer->AddActor(this->Actor);
+    this->Renderer->SetBackground(0.0, 0.0, 0.0);
+    this->Window->AddRenderer(this->Renderer);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(400, 300);
+  }
+
+  RelevoPicture Draw()
+  {
+    this->Window->Render();
+    return RelevoPicture(this->Window);
+  }
+
+  // Looks from a point above the map's lower border at its centre.
+  void Look(double height = 5000.0)
+  {
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->SetPosition(-2500.0, -11500.0, height);
+    camera->SetFocalPoint(0.0, 0.0, 500.0);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    this->Renderer->ResetCameraClippingRange();
+  }
+
+  vtkNew<vtkTerrainPyramid> Pyramid;
+  vtkNew<vtkTerrainMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+};
+
+void TestResults(RelevoCheck& check, const std::string& file, const RelevoTestFolders& folders)
+{
+  TerrainScene scene(file);
+  CHECK(scene.Pyramid->Update() && scene.Pyramid->WaitForIndex());
+  const double* bounds = scene.Mapper->GetBounds();
+  CHECK_NEAR(bounds[0], -10485.0, 1e-6);
+  CHECK_NEAR(bounds[3], 10485.0, 1e-6);
+  double range[2];
+  scene.Pyramid->GetRange(range);
+  CHECK_LESS_EQUAL(bounds[4], range[0] + 1e-3);
+  CHECK_GREATER_EQUAL(bounds[5], range[1] - 1e-3);
+  scene.Look();
+  vtkIdType last = 0;
+  for (double error : { 8.0, 2.0, 1.0, 0.5 })
+  {
+    CHECK_CASE(error);
+    scene.Mapper->SetScreenSpaceError(error);
+    const RelevoPicture picture = scene.Draw();
+    picture.Save(folders.File("TerrainMapper.png"));
+    CHECK_GREATER(picture.CountForeground(), picture.GetNumberOfPixels() / 3);
+    CHECK(scene.Mapper->IsComplete());
+    CHECK_LESS_EQUAL(scene.Mapper->GetScreenSpaceErrorInUse(), error + 1e-6);
+    CHECK_GREATER(scene.Mapper->GetNumberOfDrawnTriangles(), last);
+    last = scene.Mapper->GetNumberOfDrawnTriangles();
+  }
+  CHECK_GREATER(scene.Mapper->GetResidentMemorySize(), 4 * 259 * 259 * 4);
+  CHECK_LESS_EQUAL(scene.Mapper->GetResidentMemorySize(), scene.Mapper->GetMemoryLimit());
+  // Twice the heights need more triangles.
+  scene.Mapper->SetExaggeration(2.0);
+  scene.Draw();
+  CHECK_GREATER(scene.Mapper->GetNumberOfDrawnTriangles(), last);
+  CHECK_NEAR(scene.Mapper->GetBounds()[5], 2.0 * range[1], 1e-2);
+}
+
+void TestGeographic(RelevoCheck& check, const std::string& file)
+{
+  TerrainScene scene(file);
+  scene.Mapper->SetExaggeration(3.0);
+  const double world[3] = { 1000.0, -2000.0, 600.0 };
+  double geographic[3];
+  CHECK(scene.Mapper->WorldToGeographic(world, geographic));
+  CHECK_NEAR(geographic[0], 9.132, 0.01);
+  CHECK_NEAR(geographic[1], 38.735, 0.01);
+  CHECK_NEAR(geographic[2], 200.0, 1e-9);
+  double back[3];
+  CHECK(scene.Mapper->GeographicToWorld(geographic, back));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    CHECK_NEAR(back[axis], world[axis], 1e-3);
+  }
+}
+
+void TestErrors(RelevoCheck& check)
+{
+  TerrainScene scene("");
+  RelevoErrors errors(scene.Mapper);
+  RelevoErrors pyramidErrors(scene.Pyramid);
+  scene.Pyramid->SetFileName("/nowhere/terrain.tif");
+  CHECK_EQUAL(scene.Draw().CountForeground(), 0);
+  CHECK(errors.Said("/nowhere/terrain.tif"));
+  scene.Draw();
+  CHECK(errors.None()); // once
+  scene.Mapper->SetPyramid(nullptr);
+  scene.Draw();
+  CHECK(errors.Said("SetPyramid()"));
+  scene.Draw();
+  CHECK(errors.None());
+  CHECK(!scene.Mapper->IsComplete());
+  CHECK_EQUAL(scene.Mapper->GetNumberOfDrawnTriangles(), 0);
+  const double point[3] = { 0.0, 0.0, 0.0 };
+  double other[3];
+  CHECK(!scene.Mapper->GeographicToWorld(point, other));
+  CHECK(!scene.Mapper->WorldToGeographic(point, other));
+}
+
+// Depth peeling and selections draw the faces of the frame. Background loading ends.
+void TestBackground(RelevoCheck& check, const std::string& file)
+{
+  TerrainScene scene(file);
+  scene.Look();
+  const RelevoPicture expected = scene.Draw();
+  TerrainScene other(file);
+  other.Mapper->SetLoadingModeToBackground();
+  other.Look();
+  other.Actor->GetProperty()->SetOpacity(1.0);
+  int updates = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&updates);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  other.Mapper->AddObserver(vtkCommand::UpdateEvent, count);
+  int frames = 0;
+  do
+  {
+    other.Window->Render();
+    ++frames;
+  } while (!other.Mapper->IsComplete() && frames < 100000);
+  CHECK(other.Mapper->IsComplete());
+  CHECK_EQUAL(updates, frames - 1);
+  const RelevoPicture actual = other.Draw();
+  CHECK(actual.Colors == expected.Colors);
+}
+
+void TestSelection(RelevoCheck& check, const std::string& file)
+{
+  TerrainScene scene(file);
+  scene.Look();
+  scene.Draw();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  selector->SetArea(0, 0, 399, 299);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  auto selection = vtk::TakeSmartPointer(selector->Select());
+  CHECK_EQUAL(selection->GetNumberOfNodes(), 1);
+  CHECK_EQUAL(selection->GetNode(0)->GetProperties()->Get(vtkSelectionNode::PROP()), scene.Actor);
+  const vtkIdType faces = scene.Mapper->GetNumberOfDrawnTriangles() / 64;
+  const vtkIdType selected = selection->GetNode(0)->GetSelectionList()->GetNumberOfTuples();
+  CHECK_GREATER(selected, 10);
+  CHECK_LESS_EQUAL(selected, faces);
+  // VTK's picker of cells finds nothing and reports no errors.
+  RelevoErrors errors(scene.Mapper);
+  vtkNew<vtkCellPicker> picker;
+  picker->Pick(200.0, 100.0, 0.0, scene.Renderer);
+  CHECK(errors.None());
+}
+
+void TestColors(RelevoCheck& check, const std::string& file, const RelevoTestFolders& folders)
+{
+  TerrainScene scene(file);
+  CHECK(scene.Pyramid->Update() && scene.Pyramid->WaitForIndex());
+  scene.Look();
+  const RelevoPicture solid = scene.Draw();
+  double range[2];
+  scene.Pyramid->GetRange(range);
+  for (int mode : { vtkTerrainMapper::COLOR_BY_ELEVATION, vtkTerrainMapper::COLOR_BY_SLOPE,
+         vtkTerrainMapper::COLOR_BY_ASPECT, vtkTerrainMapper::COLOR_BY_HILLSHADE })
+  {
+    CHECK_CASE(mode);
+    scene.Mapper->SetTerrainColorMode(mode);
+    const RelevoPicture picture = scene.Draw();
+    picture.Save(folders.File("TerrainMapper.Colors" + std::to_string(mode) + ".png"));
+    CHECK(picture.Colors != solid.Colors);
+    CHECK(picture.Depths == solid.Depths);
+    const double* used = scene.Mapper->GetLookupTable()->GetRange();
+    CHECK_NEAR(used[1],
+      (mode == vtkTerrainMapper::COLOR_BY_SLOPE       ? 90.0
+          : mode == vtkTerrainMapper::COLOR_BY_ASPECT ? 360.0
+                                                      : range[1]),
+      1e-9);
+  }
+  // A table with translucent colours makes the terrain translucent.
+  vtkNew<vtkLookupTable> table;
+  table->SetRange(range);
+  table->SetAlphaRange(0.2, 0.2);
+  table->Build();
+  scene.Mapper->SetLookupTable(table);
+  CHECK(!scene.Mapper->HasTranslucentPolygonalGeometry());
+  scene.Mapper->SetColorModeToElevation();
+  CHECK(scene.Mapper->HasTranslucentPolygonalGeometry());
+  CHECK(!scene.Mapper->HasOpaqueGeometry());
+  CHECK_GREATER(scene.Draw().CountForeground(), 0);
+  scene.Mapper->SetColorModeToHillshade();
+  scene.Mapper->SetContourInterval(100.0);
+  scene.Mapper->SetContourColor(0.5, 0.2, 0.0);
+  scene.Draw().Save(folders.File("TerrainMapper.Contours.png"));
+}
+}
+
+int TestTerrainMapper(int argc, char* argv[])
+{
+  RelevoCheck check;
+  const RelevoTestFolders folders(argc, argv);
+  const std::string file = WriteHills(folders);
+  if (!CHECK(!file.empty()))
+  {
+    return check.GetResult();
+  }
+  TestResults(check, file, folders);
+  TestGeographic(check, file);
+  TestErrors(check);
+  TestBackground(check, file);
+  TestSelection(check, file);
+  TestColors(check, file, folders);
+  return check.GetResult();
+}
