@@ -309,7 +309,7 @@ void vtkTerrainMapper::Render(vtkRenderer* renderer, vtkActor* actor)
       });
   }
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
-  if (!this->IsComplete())
+  if (this->Internals->Terrain && this->Internals->Terrain->NeedsFrame())
   {
     this->InvokeEvent(vtkCommand::UpdateEvent, nullptr);
   }

@@ -11,11 +11,11 @@
  * there are no cracks. Triangles outside of the view are neither drawn nor loaded.
  *
  * Tiles of the raster are read in the background. A frame draws the best tiles that are in memory
- * and does not wait for others. IsComplete() returns false, and Render() invokes
- * vtkCommand::UpdateEvent, as long as another frame would show more. SetLoadingModeToComplete()
- * waits instead, for scripts and saved pictures. Tiles and their textures together take at most
- * SetMemoryLimit() bytes; what does not fit is drawn coarser. As long as the index of the pyramid
- * is incomplete (vtkTerrainPyramid::IsErrorKnown()), errors are estimated.
+ * and does not wait for others. Render() invokes vtkCommand::UpdateEvent if another frame would
+ * show more. SetLoadingModeToComplete() waits instead, for scripts and saved pictures. Tiles and
+ * their textures together take at most SetMemoryLimit() bytes; what does not fit is drawn coarser.
+ * As long as the index of the pyramid is incomplete (vtkTerrainPyramid::IsErrorKnown()), errors are
+ * estimated.
  *
  * World coordinates are a flat map in meters: x east and y north from the center of the raster, and
  * z the height times SetExaggeration(). Longitude and latitude are scaled by the lengths of a

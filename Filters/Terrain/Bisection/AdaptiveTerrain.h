@@ -68,6 +68,12 @@ public:
   bool IsComplete() const { return this->Complete; }
   //@}
 
+  /// Whether another selection for the same view can have another result.
+  bool NeedsFrame() const
+  {
+    return this->Cache.IsLoading() || this->Cache.NeedsFrame() || !this->Lattice->AreErrorsKnown();
+  }
+
   /// The first error of a tile since the last call, or "". The tile is drawn coarser.
   std::string TakeError() { return this->Cache.TakeError(); }
 

@@ -152,7 +152,7 @@ void TestErrors(RelevoCheck& check)
   CHECK(!scene.Mapper->WorldToGeographic(point, other));
 }
 
-// Depth peeling and selections draw the faces of the frame. Background loading ends.
+// Background loading ends with the picture of complete loading.
 void TestBackground(RelevoCheck& check, const std::string& file)
 {
   TerrainScene scene(file);
@@ -161,7 +161,6 @@ void TestBackground(RelevoCheck& check, const std::string& file)
   TerrainScene other(file);
   other.Mapper->SetLoadingModeToBackground();
   other.Look();
-  other.Actor->GetProperty()->SetOpacity(1.0);
   int updates = 0;
   vtkNew<vtkCallbackCommand> count;
   count->SetClientData(&updates);
@@ -175,9 +174,63 @@ void TestBackground(RelevoCheck& check, const std::string& file)
     ++frames;
   } while (!other.Mapper->IsComplete() && frames < 100000);
   CHECK(other.Mapper->IsComplete());
-  CHECK_EQUAL(updates, frames - 1);
   const RelevoPicture actual = other.Draw();
   CHECK(actual.Colors == expected.Colors);
+  CHECK_EQUAL(updates, frames - 1);
+}
+
+// With a limit that is too small, the picture is coarser and needs no further frames.
+void TestMemoryLimit(RelevoCheck& check, const std::string& file)
+{
+  TerrainScene scene(file);
+  scene.Mapper->SetScreenSpaceError(0.02);
+  scene.Mapper->SetMemoryLimit(vtkTypeInt64(1) << 22);
+  RelevoErrors errors(scene.Mapper);
+  bool isUpdated = false;
+  vtkNew<vtkCallbackCommand> note;
+  note->SetClientData(&isUpdated);
+  note->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { *static_cast<bool*>(data) = true; });
+  scene.Mapper->AddObserver(vtkCommand::UpdateEvent, note);
+  for (int i = 0; i < 8; ++i)
+  {
+    CHECK_CASE(i);
+    scene.Look(1200.0 + 300.0 * i);
+    CHECK_GREATER(scene.Draw().CountForeground(), 30000);
+    CHECK_LESS_EQUAL(scene.Mapper->GetResidentMemorySize(), scene.Mapper->GetMemoryLimit());
+    CHECK_GREATER(scene.Mapper->GetScreenSpaceErrorInUse(), 0.02);
+    CHECK(!scene.Mapper->IsComplete());
+    CHECK(!isUpdated);
+  }
+  CHECK(errors.None());
+  scene.Mapper->SetMemoryLimit(vtkTypeInt64(1) << 27);
+  scene.Draw();
+  CHECK(scene.Mapper->IsComplete());
+  CHECK_LESS_EQUAL(scene.Mapper->GetScreenSpaceErrorInUse(), 0.02 + 1e-6);
+}
+
+// The passes of depth peeling draw the same faces while tiles arrive.
+void TestTranslucency(RelevoCheck& check, const std::string& file)
+{
+  TerrainScene scene(file);
+  scene.Look();
+  scene.Actor->GetProperty()->SetOpacity(0.5);
+  scene.Renderer->UseDepthPeelingOn();
+  scene.Window->SetAlphaBitPlanes(1);
+  const RelevoPicture expected = scene.Draw();
+  TerrainScene other(file);
+  other.Mapper->SetLoadingModeToBackground();
+  other.Look();
+  other.Actor->GetProperty()->SetOpacity(0.5);
+  other.Renderer->UseDepthPeelingOn();
+  other.Window->SetAlphaBitPlanes(1);
+  int frames = 0;
+  do
+  {
+    other.Window->Render();
+    ++frames;
+  } while (!other.Mapper->IsComplete() && frames < 100000);
+  CHECK(other.Draw().Colors == expected.Colors);
 }
 
 void TestSelection(RelevoCheck& check, const std::string& file)
@@ -258,6 +311,8 @@ int TestTerrainMapper(int argc, char* argv[])
   TestGeographic(check, file);
   TestErrors(check);
   TestBackground(check, file);
+  TestMemoryLimit(check, file);
+  TestTranslucency(check, file);
   TestSelection(check, file);
   TestColors(check, file, folders);
   return check.GetResult();
