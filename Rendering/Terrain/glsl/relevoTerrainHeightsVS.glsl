@@ -38,81 +38,88 @@ vec3 relevoTileVertex(RelevoTile tile, ivec2 vertex)
   return vec3(height, differences * tile.VerticesPerSample);
 }
 
-// Vertices without weight may lack data.
-vec3 relevoTileRow(RelevoTile tile, ivec2 vertex, float u)
-{
-  vec3 value = relevoTileVertex(tile, vertex);
-  if (u > 0.0)
-  {
-    value = relevoMix(value, relevoTileVertex(tile, vertex + ivec2(1, 0)), u);
-  }
-  return value;
-}
-
-// GetLatticeHeight()
+// GetLatticeHeight(). Vertices without weight may lack data. Loops skip them faster than branches on
+// processors that execute both branches.
 vec3 relevoLatticeVertex(RelevoTile tile, ivec2 vertex)
 {
   ivec2 inTile = (vertex >> tile.Shift) - tile.First;
   vec2 weights = vec2(vertex & ivec2((1 << tile.Shift) - 1)) * relevoFractions[tile.Shift];
-  vec3 value = relevoTileRow(tile, inTile, weights.x);
-  if (weights.y > 0.0)
+  int columns = weights.x > 0.0 ? 2 : 1;
+  int rows = weights.y > 0.0 ? 2 : 1;
+  vec3 value = vec3(0.0);
+  vec3 inRow = vec3(0.0);
+  int i = 0;
+  do
   {
-    value = relevoMix(value, relevoTileRow(tile, inTile + ivec2(0, 1), weights.x), weights.y);
-  }
+    int column = i & (columns - 1);
+    int row = i >> (columns - 1);
+    vec3 here = relevoTileVertex(tile, inTile + ivec2(column, row));
+    inRow = column == 0 ? here : relevoMix(inRow, here, weights.x);
+    if (column == columns - 1)
+    {
+      value = row == 0 ? inRow : relevoMix(value, inRow, weights.y);
+    }
+    ++i;
+  } while (i < columns * rows);
   return value;
 }
 
-vec3 relevoFine(ivec2 ab)
+// GetFine() and GetCoarse()
+vec3 relevoSurface(bool isCoarse, ivec2 ab)
 {
-  return relevoLatticeVertex(relevoFineTile, relevoFaceVertex(ab));
-}
-
-vec3 relevoCoarse(ivec2 ab)
-{
-  return relevoLatticeVertex(relevoCoarseTile, relevoFaceVertex(ab) / 2);
-}
-
-vec3 relevoSource(ivec2 ab)
-{
-  vec3 value = relevoSquare || ab.y == 0 ? relevoCoarse(ab) : relevoFine(ab);
-  if (ab.x == RELEVO_SEGMENTS)
+  RelevoTile tile = relevoFineTile;
+  ivec2 vertex = relevoFaceVertex(ab);
+  if (isCoarse)
   {
-    value.x = relevoCorners.y;
+    tile = relevoCoarseTile;
+    vertex /= 2;
   }
-  return value;
+  return relevoLatticeVertex(tile, vertex);
 }
 
 vec3 relevoVertex(ivec2 ab)
 {
   int sum = ab.x + ab.y;
   bool isOnLongestSide = sum == RELEVO_SEGMENTS;
-  vec3 value = isOnLongestSide && relevoSquare ? relevoCoarse(ab) : relevoFine(ab);
-  if (relevoMorph < 1.0 && !isOnLongestSide)
+  bool isMorphed = relevoMorph < 1.0 && !isOnLongestSide;
+  bool isEven = sum % 2 == 0;
+  // The target, and one or two vertices of the source.
+  int number = isMorphed ? (isEven ? 2 : 3) : 1;
+  vec3 target = vec3(0.0);
+  precise vec3 source = vec3(0.0);
+  int i = 0;
+  do
   {
-    vec3 source;
-    if (sum % 2 == 0)
+    ivec2 here = i == 0 || isEven ? ab : ab + ivec2(2 * i - 3, 0);
+    bool isCoarse = relevoSquare && (i > 0 || isOnLongestSide) || i > 0 && here.y == 0;
+    vec3 value = relevoSurface(isCoarse, here);
+    if (i > 0 && here.x == RELEVO_SEGMENTS)
     {
-      source = relevoSource(ab);
+      value.x = relevoCorners.y; // a corner of the parent
     }
-    else
+    target = i == 0 ? value : target;
+    source = i == 1 ? value : source;
+    if (i == 2)
     {
-      precise vec3 middle =
-        0.5 * (relevoSource(ab - ivec2(1, 0)) + relevoSource(ab + ivec2(1, 0)));
-      source = middle;
+      source = 0.5 * (source + value);
     }
-    value = isnan(source.x) ? value : relevoMix(source, value, relevoMorph);
+    ++i;
+  } while (i < number);
+  if (isMorphed && !isnan(source.x))
+  {
+    target = relevoMix(source, target, relevoMorph);
   }
   if (sum == 0)
   {
-    value.x = relevoCorners.x;
+    target.x = relevoCorners.x;
   }
   else if (ab.x == RELEVO_SEGMENTS)
   {
-    value.x = relevoCorners.y;
+    target.x = relevoCorners.y;
   }
   else if (ab.y == RELEVO_SEGMENTS)
   {
-    value.x = relevoCorners.z;
+    target.x = relevoCorners.z;
   }
-  return value;
+  return target;
 }
