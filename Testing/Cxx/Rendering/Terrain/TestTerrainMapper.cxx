@@ -20,14 +20,21 @@ namespace
 {
 constexpr int Size = 700;
 
-// Hills in metres with 30 m between samples, in a UTM zone.
-std::string WriteHills(const RelevoTestFolders& folders)
+// 30 m between samples, in a UTM zone.
+RelevoRaster MakeRaster()
 {
   RelevoRaster raster;
   raster.Width = Size;
   raster.Height = Size;
   raster.Transform = { 500000.0, 30.0, 0.0, 4300000.0, 0.0, -30.0 };
   raster.CoordinateSystem = "EPSG:32632";
+  return raster;
+}
+
+// Hills in meters.
+std::string WriteHills(const RelevoTestFolders& folders)
+{
+  RelevoRaster raster = MakeRaster();
   raster.SetValues(
     [](int, int column, int row)
     {
@@ -256,6 +263,49 @@ void TestSelection(RelevoCheck& check, const std::string& file)
   CHECK(errors.None());
 }
 
+// A mapper that moves to another window and back draws the same. Several mappers share a pyramid.
+void TestWindows(RelevoCheck& check, const std::string& file)
+{
+  TerrainScene scene(file);
+  scene.Look();
+  const RelevoPicture first = scene.Draw();
+  {
+    TerrainScene other(file);
+    other.Look();
+    other.Actor->SetMapper(scene.Mapper);
+    CHECK(other.Draw().Colors == first.Colors);
+    other.Mapper->SetPyramid(scene.Pyramid);
+    other.Actor->SetMapper(other.Mapper);
+    CHECK(other.Draw().Colors == first.Colors);
+  }
+  CHECK(scene.Draw().Colors == first.Colors);
+  vtkNew<vtkTerrainMapper> copy;
+  copy->ShallowCopy(scene.Mapper);
+  scene.Actor->SetMapper(copy);
+  CHECK(scene.Draw().Colors == first.Colors);
+  scene.Actor->SetMapper(scene.Mapper);
+}
+
+// Another raster replaces the first one.
+void TestOtherRaster(RelevoCheck& check, const std::string& file, const RelevoTestFolders& folders)
+{
+  TerrainScene scene(file);
+  scene.Look();
+  const RelevoPicture first = scene.Draw();
+  RelevoRaster flat = MakeRaster();
+  flat.SetValues([](int, int, int) { return 1000.0; });
+  const std::string name = folders.File("TerrainMapperFlat.tif");
+  CHECK(flat.Write(name));
+  scene.Pyramid->SetFileName(name.c_str());
+  const RelevoPicture second = scene.Draw();
+  CHECK(second.Colors != first.Colors);
+  // The picture has one colour and the background.
+  CHECK_GREATER(second.CountForeground(), 5000);
+  CHECK_LESS(second.CountForeground(), 40000);
+  scene.Pyramid->SetFileName(file.c_str());
+  CHECK(scene.Draw().Colors == first.Colors);
+}
+
 void TestColors(RelevoCheck& check, const std::string& file, const RelevoTestFolders& folders)
 {
   TerrainScene scene(file);
@@ -314,6 +364,8 @@ int TestTerrainMapper(int argc, char* argv[])
   TestMemoryLimit(check, file);
   TestTranslucency(check, file);
   TestSelection(check, file);
+  TestWindows(check, file);
+  TestOtherRaster(check, file, folders);
   TestColors(check, file, folders);
   return check.GetResult();
 }

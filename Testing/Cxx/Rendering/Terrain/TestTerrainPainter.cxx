@@ -4,8 +4,12 @@
 #include "RelevoPictures.h"
 #include "RelevoTerrainScene.h"
 
+#include "vtkEDLShading.h"
 #include "vtkPlane.h"
 #include "vtkProperty.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkSSAOPass.h"
+#include "vtkShaderProperty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +74,58 @@ void TestTranslucency(RelevoCheck& check, RelevoComparison& comparison)
   scene.Renderer->SetMaximumNumberOfPeels(20);
   scene.Window->SetAlphaBitPlanes(1);
   Compare(check, comparison, "Translucent", scene, { 2, 2e-6, 40 });
+}
+
+void TestPasses(RelevoCheck& check, RelevoComparison& comparison)
+{
+  RelevoTerrainScene scene;
+  LookAtHills(scene);
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<vtkEDLShading> edges;
+  edges->SetDelegatePass(steps);
+  scene.Renderer->SetPass(edges);
+  Compare(check, comparison, "EDL", scene, { 2, 2e-6, 40 });
+  vtkNew<vtkSSAOPass> occlusion;
+  occlusion->SetRadius(10.0);
+  occlusion->SetDelegatePass(steps);
+  scene.Renderer->SetPass(occlusion);
+  Compare(check, comparison, "SSAO", scene, { 2, 2e-6, 120 }); // is noisy
+  scene.Renderer->SetPass(nullptr);
+  edges->ReleaseGraphicsResources(scene.Window);
+  occlusion->ReleaseGraphicsResources(scene.Window);
+}
+
+// The code of a user replaces parts of the shaders.
+void TestShaderReplacements(RelevoCheck& check, RelevoComparison& comparison)
+{
+  RelevoTerrainScene scene;
+  LookAtHills(scene);
+  scene.GetProperty()->LightingOff();
+  vtkShaderProperty* shaders = scene.Actor->GetShaderProperty();
+  shaders->AddVertexShaderReplacement("//VTK::CustomUniforms::Dec", true,
+    "//VTK::CustomUniforms::Dec\nout vec3 placeVSOutput;\n", false);
+  shaders->AddVertexShaderReplacement(
+    "//VTK::CustomEnd::Impl", true, "placeVSOutput = fract(0.01 * vertexMC.xyz);\n", false);
+  shaders->AddFragmentShaderReplacement("//VTK::CustomUniforms::Dec", true,
+    "//VTK::CustomUniforms::Dec\nin vec3 placeVSOutput;\n", false);
+  shaders->AddFragmentShaderReplacement("//VTK::Light::Impl", true,
+    "//VTK::Light::Impl\n  gl_FragData[0] = vec4(placeVSOutput.zzz, 1.0);\n", false);
+  const RelevoPicture picture = scene.Draw();
+  CHECK_EQUAL(scene.Mapper->Painter->GetShaderError(), "");
+  picture.Save(comparison.GetFolder() + "/TerrainPainter.Replaced.png");
+  // Heights relative to the painter's origin give other greys.
+  std::set<unsigned char> greys;
+  size_t colored = 0;
+  for (size_t i = 0; i < picture.GetNumberOfPixels(); ++i)
+  {
+    const unsigned char* color = &picture.Colors[3 * i];
+    greys.insert(color[0]);
+    colored += color[0] == color[1] && color[1] == color[2] ? 0 : 1;
+  }
+  CHECK_EQUAL(colored, 0);
+  CHECK_GREATER(greys.size(), 50);
+  shaders->ClearAllShaderReplacements();
+  Compare(check, comparison, "Restored", scene);
 }
 
 void TestMatrices(RelevoCheck& check, RelevoComparison& comparison)
@@ -284,6 +340,8 @@ int TestTerrainPainter(int argc, char* argv[])
   RelevoComparison comparison(check, argc, argv);
   TestRepresentations(check, comparison);
   TestTranslucency(check, comparison);
+  TestPasses(check, comparison);
+  TestShaderReplacements(check, comparison);
   TestMatrices(check, comparison);
   TestHoles(check, comparison);
   TestClipping(check, comparison);
