@@ -103,11 +103,15 @@ void TestShaderReplacements(RelevoCheck& check, RelevoComparison& comparison)
   scene.GetProperty()->LightingOff();
   vtkShaderProperty* shaders = scene.Actor->GetShaderProperty();
   shaders->AddVertexShaderReplacement("//VTK::CustomUniforms::Dec", true,
-    "//VTK::CustomUniforms::Dec\nout vec3 placeVSOutput;\n", false);
+    "//VTK::CustomUniforms::Dec\n"
+    "out vec3 placeVSOutput;\n",
+    false);
   shaders->AddVertexShaderReplacement(
     "//VTK::CustomEnd::Impl", true, "placeVSOutput = fract(0.01 * vertexMC.xyz);\n", false);
   shaders->AddFragmentShaderReplacement("//VTK::CustomUniforms::Dec", true,
-    "//VTK::CustomUniforms::Dec\nin vec3 placeVSOutput;\n", false);
+    "//VTK::CustomUniforms::Dec\n"
+    "in vec3 placeVSOutput;\n",
+    false);
   shaders->AddFragmentShaderReplacement("//VTK::Light::Impl", true,
     "//VTK::Light::Impl\n  gl_FragData[0] = vec4(placeVSOutput.zzz, 1.0);\n", false);
   const RelevoPicture picture = scene.Draw();
