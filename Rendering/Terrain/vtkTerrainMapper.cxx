@@ -327,7 +327,8 @@ void vtkTerrainMapper::SelectFaces(vtkRenderer* renderer, vtkActor* actor)
   const bool isFurtherPass =
     !data.Frames.IsNewFrame(renderer) || renderer->GetSelector() != nullptr;
   const bool isSame = !data.View.Update(view);
-  if (!viewpoint.IsValid() || (isSame && isFurtherPass))
+  const bool isFinal = data.Terrain->IsComplete() && !data.Terrain->NeedsFrame();
+  if (!viewpoint.IsValid() || (isSame && (isFurtherPass || isFinal)))
   {
     return;
   }
@@ -341,8 +342,12 @@ void vtkTerrainMapper::SelectFaces(vtkRenderer* renderer, vtkActor* actor)
   {
     this->Pyramid->WaitForIndex(); // the pyramid reports errors
     vtkRenderWindow* window = renderer->GetRenderWindow();
-    data.Terrain->SelectAndWait(
+    const bool isLoaded = data.Terrain->SelectAndWait(
       terrainView, this->ScreenSpaceError, [window] { return window->GetAbortRender() != 0; });
+    if (!isLoaded)
+    {
+      data.Terrain->Select(terrainView, this->ScreenSpaceError); // with the tiles in memory
+    }
   }
   else
   {

@@ -94,6 +94,7 @@ void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
 {
   const RasterDescription& contents = this->Lattice->Describe();
   // The background build of the index can replace them at any time.
+  this->HasErrors = this->Lattice->AreErrorsKnown();
   const std::shared_ptr<const BlockErrors> errors = this->Lattice->GetErrors();
   const std::shared_ptr<const HeightRanges> ranges = this->Lattice->GetRanges();
   TerrainBisection bisection(contents.Width, contents.Height, *errors, *ranges);
@@ -102,7 +103,7 @@ void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
   this->Cache.EndFrame();
   this->Faces = bisection.GetFaces();
   this->Error = bisection.GetError();
-  this->Complete = bisection.IsComplete() && this->Lattice->AreErrorsKnown();
+  this->Complete = bisection.IsComplete() && this->HasErrors;
 }
 
 void AdaptiveTerrain::Select(const TerrainView& view, double tolerance)

@@ -71,7 +71,7 @@ public:
   /// Whether another selection for the same view can have another result.
   bool NeedsFrame() const
   {
-    return this->Cache.IsLoading() || this->Cache.NeedsFrame() || !this->Lattice->AreErrorsKnown();
+    return this->Cache.IsLoading() || this->Cache.NeedsFrame() || !this->HasErrors;
   }
 
   /// The first error of a tile since the last call, or "". The tile is drawn coarser.
@@ -86,6 +86,7 @@ private:
   std::vector<TerrainFace> Faces;
   double Error = 0.0;
   bool Complete = false;
+  bool HasErrors = false; // whether the errors of the last selection are known
 };
 }
 
