@@ -68,14 +68,21 @@ TerrainPlacement AdaptiveTerrain::GetPlacement(double exaggeration) const
     contents.Width, contents.Height, contents.VerticalUnit * exaggeration);
 }
 
+HeightRanges::Range AdaptiveTerrain::GetRange(const HeightRanges& ranges) const
+{
+  constexpr int coarsest = 64; // coarser than any level
+  const RasterDescription& contents = this->Lattice->Describe();
+  return ranges.Get(
+    coarsest, { { 0.0, contents.Width - 1.0 } }, { { 0.0, contents.Height - 1.0 } });
+}
+
 std::array<double, 6> AdaptiveTerrain::GetBounds(double exaggeration) const
 {
   const RasterDescription& contents = this->Lattice->Describe();
   const TerrainPlacement placement = this->GetPlacement(exaggeration);
   const double columns = contents.Width - 1.0;
   const double rows = contents.Height - 1.0;
-  const HeightRanges::Range heights =
-    this->Lattice->GetRanges()->Get(64, { { 0.0, columns } }, { { 0.0, rows } });
+  const HeightRanges::Range heights = this->GetRange(*this->Lattice->GetRanges());
   std::array<double, 6> bounds = { { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
   for (int i = 0; i < 8 && heights[0] <= heights[1]; ++i)
   {
@@ -97,7 +104,13 @@ void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
   this->HasErrors = this->Lattice->AreErrorsKnown();
   const std::shared_ptr<const BlockErrors> errors = this->Lattice->GetErrors();
   const std::shared_ptr<const HeightRanges> ranges = this->Lattice->GetRanges();
-  TerrainBisection bisection(contents.Width, contents.Height, *errors, *ranges);
+  // An estimated range does not hide what exceeds it.
+  HeightRanges::Range all = this->GetRange(*ranges);
+  const float margin = all[1] - all[0];
+  all = { { all[0] - margin, all[1] + margin } };
+  const HeightRanges wide(all);
+  TerrainBisection bisection(
+    contents.Width, contents.Height, *errors, this->Lattice->AreErrorsKnown() ? *ranges : wide);
   this->Cache.BeginFrame(GetSeconds());
   bisection.Select(view, tolerance, this->Cache);
   this->Cache.EndFrame();

@@ -78,6 +78,7 @@ public:
   std::string TakeError() { return this->Cache.TakeError(); }
 
 private:
+  HeightRanges::Range GetRange(const HeightRanges& ranges) const;
   void SelectOnce(const TerrainView& view, double tolerance);
 
   std::shared_ptr<const HeightLattice> Lattice;
