@@ -34,6 +34,64 @@ std::int64_t GetLeg(const DecimationTriangle& triangle)
   return std::abs(triangle[0][0] - triangle[2][0]) + std::abs(triangle[0][1] - triangle[2][1]);
 }
 
+// The samples of a grid between which a triangle lies, along an axis.
+struct Range
+{
+  std::int64_t First;
+  std::int64_t Last;
+
+  Range(const DecimationTriangle& triangle, int axis, int shift, int size)
+  {
+    const auto [low, high] =
+      std::minmax({ triangle[0][axis], triangle[1][axis], triangle[2][axis] });
+    this->First = low >> shift;
+    this->Last = std::min<std::int64_t>((high + (std::int64_t(1) << shift) - 1) >> shift, size - 1);
+  }
+};
+
+// Interpolates in a triangle.
+class Barycenter
+{
+public:
+  explicit Barycenter(const DecimationTriangle& triangle)
+    : Triangle(triangle)
+    , Area(FindArea(triangle[0], triangle[1], triangle[2]))
+  {
+  }
+
+  // Twice the areas of the triangles of the point and two vertices; false outside.
+  bool FindAreas(std::int64_t x, std::int64_t y, std::int64_t areas[3]) const
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const std::int64_t area =
+        FindArea(this->Triangle[(i + 1) % 3], this->Triangle[(i + 2) % 3], { { x, y } });
+      areas[i] = this->Area > 0 ? area : -area;
+    }
+    return areas[0] >= 0 && areas[1] >= 0 && areas[2] >= 0;
+  }
+
+  double Interpolate(const std::int64_t areas[3], const double heights[3]) const
+  {
+    double sum = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      sum += static_cast<double>(areas[i]) * heights[i];
+    }
+    return sum / static_cast<double>(std::abs(this->Area));
+  }
+
+private:
+  static std::int64_t FindArea(
+    const DecimationVertex& a, const DecimationVertex& b, const DecimationVertex& c)
+  {
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  }
+
+  const DecimationTriangle& Triangle;
+  std::int64_t Area; // twice
+};
+
 std::array<DecimationTriangle, 2> Bisect(const DecimationTriangle& triangle)
 {
   const DecimationVertex middle = GetMidpoint(triangle);
@@ -98,112 +156,96 @@ double LatticeDecimation::GetHeight(const Vertex& vertex) const
   return mix(mix(first[0], first[next], u), mix(second[0], second[next], u), v);
 }
 
+// The distance of a triangle within a cell from the surface: a part of the twist.
+double LatticeDecimation::MeasureInCell(const Triangle& triangle, Content& content) const
+{
+  const int shift = this->Subdivisions;
+  const std::int64_t column = std::min({ triangle[0][0], triangle[1][0], triangle[2][0] }) >> shift;
+  const std::int64_t row = std::min({ triangle[0][1], triangle[1][1], triangle[2][1] }) >> shift;
+  const double twist = std::abs(this->GetTwist(static_cast<int>(column), static_cast<int>(row)));
+  content = std::isnan(twist) ? Content::Nothing : Content::Surface;
+  const std::int64_t x = std::abs(triangle[0][0] - triangle[1][0]);
+  const std::int64_t y = std::abs(triangle[0][1] - triangle[1][1]);
+  const double length = std::ldexp(static_cast<double>(std::max(x, y)), -shift);
+  const bool hasLegsAlongAxes = x != 0 && y != 0;
+  return std::isnan(twist) ? 0.0 : twist * length * length / (hasLegsAlongAxes ? 4.0 : 16.0);
+}
+
+// The largest twist of the cells that a diagonal side through a sample cuts, within a triangle.
+double LatticeDecimation::GetTwistOfSide(
+  const Triangle& triangle, int side, std::int64_t column, std::int64_t row) const
+{
+  const Vertex& a = triangle[(side + 1) % 3];
+  const Vertex& b = triangle[(side + 2) % 3];
+  if (a[0] == b[0] || a[1] == b[1])
+  {
+    return 0.0;
+  }
+  const bool isMain = (b[0] > a[0]) == (b[1] > a[1]);
+  const auto isBetween = [this, &a, &b](std::int64_t cell, int axis)
+  {
+    const std::int64_t low = std::min(a[axis], b[axis]) >> this->Subdivisions;
+    const std::int64_t high = std::max(a[axis], b[axis]) >> this->Subdivisions;
+    return cell >= low && cell < high && cell + 1 < (axis == 0 ? this->Columns : this->Rows);
+  };
+  double largest = 0.0;
+  for (int cell = 0; cell < 2; ++cell)
+  {
+    const std::int64_t c = column - cell;
+    const std::int64_t r = row - (isMain ? cell : 1 - cell);
+    if (isBetween(c, 0) && isBetween(r, 1))
+    {
+      const double twist = std::abs(this->GetTwist(static_cast<int>(c), static_cast<int>(r)));
+      largest = twist <= largest ? largest : twist; // keeps NaN
+    }
+  }
+  return largest;
+}
+
 // The largest distance of a triangle from the surface.
 double LatticeDecimation::Measure(const Triangle& triangle, Content& content) const
 {
   const int shift = this->Subdivisions;
-  const std::int64_t unit = std::int64_t(1) << shift;
-  Vertex low = triangle[0];
-  Vertex high = triangle[0];
-  for (const Vertex& vertex : triangle)
-  {
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      low[axis] = std::min(low[axis], vertex[axis]);
-      high[axis] = std::max(high[axis], vertex[axis]);
-    }
-  }
-  // Cells from first to last, of those in the grid.
-  const std::int64_t first[2] = { low[0] >> shift, low[1] >> shift };
-  const std::int64_t last[2] = { std::min<std::int64_t>(
-                                   (high[0] + unit - 1) >> shift, this->Columns - 1),
-    std::min<std::int64_t>((high[1] + unit - 1) >> shift, this->Rows - 1) };
+  const Range columns(triangle, 0, shift, this->Columns);
+  const Range rows(triangle, 1, shift, this->Rows);
   content = Content::Nothing;
-  if (first[0] >= this->Columns - 1 || first[1] >= this->Rows - 1)
+  if (columns.First + 1 >= this->Columns || rows.First + 1 >= this->Rows)
   {
     return 0.0;
   }
-  const std::int64_t area = (triangle[1][0] - triangle[0][0]) * (triangle[2][1] - triangle[0][1]) -
-    (triangle[1][1] - triangle[0][1]) * (triangle[2][0] - triangle[0][0]);
+  if (GetLeg(triangle) <= std::int64_t(1) << shift)
+  {
+    return this->MeasureInCell(triangle, content);
+  }
   const double heights[3] = { this->GetHeight(triangle[0]), this->GetHeight(triangle[1]),
     this->GetHeight(triangle[2]) };
-  // Twice the areas of the triangles of a point and two vertices, positive inside.
-  const auto weigh = [&](std::int64_t x, std::int64_t y, std::int64_t weights[3])
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      const Vertex& a = triangle[(i + 1) % 3];
-      const Vertex& b = triangle[(i + 2) % 3];
-      const std::int64_t cross = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
-      weights[i] = area > 0 ? cross : -cross;
-    }
-  };
-  const auto isInside = [](const std::int64_t weights[3])
-  { return weights[0] >= 0 && weights[1] >= 0 && weights[2] >= 0; };
-  const double scale = 1.0 / static_cast<double>(std::abs(area));
+  const Barycenter barycenter(triangle);
   bool hasData = false;
   bool hasHoles = false;
   double error = 0.0;
-  // Subdivided cells: the surface differs from a triangle by a part of the twist.
-  if (high[0] - low[0] <= unit && high[1] - low[1] <= unit)
+  for (std::int64_t row = rows.First; row <= rows.Last; ++row)
   {
-    const int column = static_cast<int>(first[0]);
-    const int row = static_cast<int>(first[1]);
-    const double twist = std::abs(this->GetTwist(column, row));
-    const bool hasLegsAlongAxes =
-      triangle[0][0] != triangle[1][0] && triangle[0][1] != triangle[1][1];
-    const double length =
-      static_cast<double>(std::max(high[0] - low[0], high[1] - low[1])) / static_cast<double>(unit);
-    content = std::isnan(twist) ? Content::Nothing : Content::Surface;
-    return std::isnan(twist) ? 0.0 : twist * length * length / (hasLegsAlongAxes ? 4.0 : 16.0);
-  }
-  for (std::int64_t row = first[1]; row <= last[1]; ++row)
-  {
-    for (std::int64_t column = first[0]; column <= last[0]; ++column)
+    for (std::int64_t column = columns.First; column <= columns.Last; ++column)
     {
-      std::int64_t weights[3];
-      weigh(column << shift, row << shift, weights);
-      if (!isInside(weights))
+      std::int64_t areas[3];
+      if (!barycenter.FindAreas(column << shift, row << shift, areas))
       {
         continue;
       }
       const float height = this->Heights[static_cast<std::size_t>(row) * this->Columns + column];
-      if (std::isnan(height))
+      hasHoles = hasHoles || std::isnan(height);
+      hasData = hasData || !std::isnan(height);
+      // In the half of a cell that a diagonal side cuts, the distance is linear between the
+      // corners, but for a quarter of the twist at most, on the side.
+      double twist = 0.0;
+      for (int side = 0; side < 3; ++side)
       {
-        hasHoles = true;
-        continue;
+        twist += areas[side] == 0 ? this->GetTwistOfSide(triangle, side, column, row) : 0.0;
       }
-      hasData = true;
-      double drawn = 0.0;
-      for (int i = 0; i < 3; ++i)
-      {
-        drawn += static_cast<double>(weights[i]) * scale * heights[i];
-      }
-      double distance = std::abs(drawn - height);
-      // A diagonal side cuts two of the cells around the sample. In their halves the distance is
-      // linear between the corners, but for a part of the twist.
-      for (int i = 0; i < 3; ++i)
-      {
-        const Vertex& a = triangle[(i + 1) % 3];
-        const Vertex& b = triangle[(i + 2) % 3];
-        const bool isMain = (b[0] > a[0]) == (b[1] > a[1]);
-        if (weights[i] != 0 || a[0] == b[0] || a[1] == b[1])
-        {
-          continue;
-        }
-        for (int cell = 0; cell < 2; ++cell)
-        {
-          const std::int64_t c = column - cell;
-          const std::int64_t r = row - (isMain ? cell : 1 - cell);
-          if (c >= low[0] >> shift && r >= low[1] >> shift && c < last[0] && r < last[1])
-          {
-            const double twist = std::abs(this->GetTwist(static_cast<int>(c), static_cast<int>(r)));
-            hasHoles = hasHoles || std::isnan(twist);
-            distance = std::max(distance, std::abs(drawn - height) + twist / 4.0);
-          }
-        }
-      }
-      error = distance > error ? distance : error;
+      hasHoles = hasHoles || std::isnan(twist);
+      const double distance =
+        std::abs(barycenter.Interpolate(areas, heights) - height) + twist / 4.0;
+      error = distance > error ? distance : error; // false for NaN
     }
   }
   content = hasHoles ? (hasData ? Content::Mixed : Content::Nothing) : Content::Surface;

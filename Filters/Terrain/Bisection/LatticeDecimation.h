@@ -56,6 +56,9 @@ private:
 
   double GetTwist(int column, int row) const;
   void ChooseSubdivisions();
+  double MeasureInCell(const Triangle& triangle, Content& content) const;
+  double GetTwistOfSide(
+    const Triangle& triangle, int side, std::int64_t column, std::int64_t row) const;
   double Measure(const Triangle& triangle, Content& content) const;
   void Visit(const Triangle& triangle);
   bool IsMarked(const Vertex& vertex) const;
