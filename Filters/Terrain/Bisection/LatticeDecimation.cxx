@@ -240,7 +240,9 @@ double LatticeDecimation::Measure(const Triangle& triangle, Content& content) co
       double twist = 0.0;
       for (int side = 0; side < 3; ++side)
       {
-        twist += areas[side] == 0 ? this->GetTwistOfSide(triangle, side, column, row) : 0.0;
+        const double candidate =
+          areas[side] == 0 ? this->GetTwistOfSide(triangle, side, column, row) : 0.0;
+        twist = candidate <= twist ? twist : candidate; // keeps NaN
       }
       hasHoles = hasHoles || std::isnan(twist);
       const double distance =
