@@ -60,6 +60,7 @@ struct vtkTerrainMapper::vtkInternals
 {
   std::unique_ptr<relevo::AdaptiveTerrain> Terrain;
   relevo::Dependencies Opened; // pyramid
+  bool IsOpen = false;         // without an error
   vtkNew<relevo::TerrainPainter> Painter;
   vtkNew<relevo::ContextWatch> Context;
   relevo::FrameWatch Frames;
@@ -165,16 +166,19 @@ std::string vtkTerrainMapper::OpenTerrain()
   vtkInternals& data = *this->Internals;
   const relevo::Dependencies source = relevo::Dependencies::On(
     reinterpret_cast<std::size_t>(this->Pyramid.Get()), this->Pyramid->GetMTime());
-  if (data.Opened.Update(source) && !this->Pyramid->Update())
+  if (data.Opened.Update(source))
   {
-    data.Terrain.reset();
-    return std::string("The pyramid has an error: ") + this->Pyramid->GetErrorMessage();
+    data.IsOpen = this->Pyramid->Update();
   }
   const std::shared_ptr<const relevo::HeightLattice> lattice = this->Pyramid->GetLattice();
   if (!lattice)
   {
     data.Terrain.reset();
-    return data.Error;
+    return std::string("The pyramid has an error: ") + this->Pyramid->GetErrorMessage();
+  }
+  if (data.IsOpen && !lattice->AreErrorsKnown() && !lattice->AreErrorsPending())
+  {
+    data.IsOpen = this->Pyramid->Update(); // reports the error of the index; tiles may be readable
   }
   if (!data.Terrain || &data.Terrain->GetLattice() != lattice.get())
   {

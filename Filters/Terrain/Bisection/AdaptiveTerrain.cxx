@@ -119,6 +119,13 @@ void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
   this->Complete = bisection.IsComplete() && this->HasErrors;
 }
 
+bool AdaptiveTerrain::NeedsFrame() const
+{
+  const bool areErrorsComing =
+    !this->HasErrors && (this->Lattice->AreErrorsKnown() || this->Lattice->AreErrorsPending());
+  return areErrorsComing || this->Cache.IsLoading() || this->Cache.NeedsFrame();
+}
+
 void AdaptiveTerrain::Select(const TerrainView& view, double tolerance)
 {
   this->Cache.SetFadeTime(FadeTime);

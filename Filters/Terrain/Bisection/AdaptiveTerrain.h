@@ -69,10 +69,7 @@ public:
   //@}
 
   /// Whether another selection for the same view can have another result.
-  bool NeedsFrame() const
-  {
-    return this->Cache.IsLoading() || this->Cache.NeedsFrame() || !this->HasErrors;
-  }
+  bool NeedsFrame() const;
 
   /// The first error of a tile since the last call, or "". The tile is drawn coarser.
   std::string TakeError() { return this->Cache.TakeError(); }

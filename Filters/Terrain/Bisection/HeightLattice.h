@@ -30,6 +30,8 @@ public:
 
   /// Whether the errors and ranges are bounds. Otherwise they are estimates.
   virtual bool AreErrorsKnown() const = 0;
+  /// Whether bounds are being computed.
+  virtual bool AreErrorsPending() const { return false; }
   virtual std::shared_ptr<const BlockErrors> GetErrors() const = 0;
   virtual std::shared_ptr<const HeightRanges> GetRanges() const = 0;
 

@@ -26,6 +26,11 @@ bool PyramidLattice::AreErrorsKnown() const
   return this->Pyramid->IsIndexComplete();
 }
 
+bool PyramidLattice::AreErrorsPending() const
+{
+  return !this->Pyramid->IsIndexComplete() && this->Pyramid->GetIndexError().empty();
+}
+
 std::shared_ptr<const BlockErrors> PyramidLattice::GetErrors() const
 {
   return this->Pyramid->GetBlockErrors();

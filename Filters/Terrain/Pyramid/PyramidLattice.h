@@ -26,6 +26,7 @@ public:
 
   const RasterDescription& Describe() const override;
   bool AreErrorsKnown() const override;
+  bool AreErrorsPending() const override;
   std::shared_ptr<const BlockErrors> GetErrors() const override;
   std::shared_ptr<const HeightRanges> GetRanges() const override;
   bool Read(HeightTile& tile, std::string& error) const override;

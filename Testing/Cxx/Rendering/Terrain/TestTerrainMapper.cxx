@@ -13,8 +13,10 @@
 #include "vtkSelectionNode.h"
 #include "vtkTerrainMapper.h"
 #include "vtkTerrainPyramid.h"
+#include "vtkTerrainPyramidWriter.h"
 
 #include <cmath>
+#include <fstream>
 
 namespace
 {
@@ -157,6 +159,86 @@ void TestErrors(RelevoCheck& check)
   double other[3];
   CHECK(!scene.Mapper->GeographicToWorld(point, other));
   CHECK(!scene.Mapper->WorldToGeographic(point, other));
+}
+
+// Rasters that cannot be drawn, or only in part.
+void TestBadRasters(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  RelevoRaster line = MakeRaster();
+  line.Height = 1;
+  line.SetValues([](int, int column, int) { return column; });
+  RelevoRaster empty = MakeRaster();
+  empty.NoData = -1.0;
+  empty.CoordinateSystem = "";
+  empty.SetValues([](int, int, int) { return -1.0; });
+  CHECK(line.Write(folders.File("TerrainMapperLine.tif")));
+  CHECK(empty.Write(folders.File("TerrainMapperEmpty.tif")));
+  {
+    TerrainScene scene(folders.File("TerrainMapperLine.tif"));
+    RelevoErrors errors(scene.Mapper);
+    scene.Look();
+    CHECK_EQUAL(scene.Draw().CountForeground(), 0);
+    CHECK(errors.Said("only one row or column"));
+  }
+  TerrainScene scene(folders.File("TerrainMapperEmpty.tif"));
+  RelevoErrors errors(scene.Mapper);
+  scene.Look();
+  CHECK_EQUAL(scene.Draw().CountForeground(), 0);
+  CHECK(errors.None());
+  const double point[3] = { 0.0, 0.0, 0.0 };
+  double other[3];
+  CHECK(!scene.Mapper->GeographicToWorld(point, other)); // no coordinate system
+  CHECK(!scene.Mapper->WorldToGeographic(point, other));
+}
+
+// A tile that cannot be read is reported once, and the rest is drawn. Without an index there are no
+// further frames.
+void TestUnreadable(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  RelevoRaster raster = MakeRaster();
+  raster.SetValues([](int, int column, int row) { return (column * 7919 + row * 104729) % 100; });
+  const std::string whole = folders.File("TerrainMapperWhole.tif");
+  const std::string file = folders.File("TerrainMapperDamaged.tif");
+  CHECK(raster.Write(whole));
+  vtkNew<vtkTerrainPyramidWriter> writer;
+  writer->SetInputFileName(whole.c_str());
+  writer->SetFileName(file.c_str());
+  CHECK(writer->Write());
+  {
+    // The full resolution takes three quarters of the file.
+    std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekg(0, std::ios::end);
+    const std::streamoff size = stream.tellg();
+    stream.seekp(size / 2);
+    stream << std::string(2000, 'x');
+  }
+  for (int mode : { vtkTerrainMapper::BACKGROUND, vtkTerrainMapper::COMPLETE })
+  {
+    CHECK_CASE(mode);
+    TerrainScene scene(file);
+    scene.Mapper->SetLoadingMode(mode);
+    scene.Mapper->SetScreenSpaceError(0.5);
+    RelevoErrors errors(scene.Mapper);
+    RelevoErrors pyramidErrors(scene.Pyramid);
+    bool isUpdated = true;
+    vtkNew<vtkCallbackCommand> note;
+    note->SetClientData(&isUpdated);
+    note->SetCallback(
+      [](vtkObject*, unsigned long, void* data, void*) { *static_cast<bool*>(data) = true; });
+    scene.Mapper->AddObserver(vtkCommand::UpdateEvent, note);
+    scene.Look();
+    int reports = 0;
+    for (int i = 0; i < 20000 && isUpdated; ++i)
+    {
+      isUpdated = false;
+      scene.Window->Render();
+      reports += errors.Said("TerrainMapperDamaged.tif") ? 1 : 0;
+    }
+    CHECK(!isUpdated);
+    CHECK_EQUAL(reports, 1);
+    CHECK(pyramidErrors.Said("TerrainMapperDamaged.tif"));
+    CHECK_GREATER(RelevoPicture(scene.Window).CountForeground(), 30000);
+  }
 }
 
 // Background loading ends with the picture of complete loading, also if the index is built
@@ -362,6 +444,8 @@ int TestTerrainMapper(int argc, char* argv[])
   TestResults(check, file, folders);
   TestGeographic(check, file);
   TestErrors(check);
+  TestBadRasters(check, folders);
+  TestUnreadable(check, folders);
   TestBackground(check, folders);
   TestMemoryLimit(check, file);
   TestTranslucency(check, file);
