@@ -28,6 +28,7 @@ doxygen
 gdal-bin
 git
 glslang-tools
+libclang-rt-dev
 python3-proselint
 shellcheck
 xauth

@@ -36,6 +36,11 @@ if (RELEVO_SANITIZE)
   # With -g1, reports name functions and lines, and the build takes a third less time than with -g.
   add_compile_options(-fsanitize=${RELEVO_SANITIZE} -fno-omit-frame-pointer -g1)
   add_link_options(-fsanitize=${RELEVO_SANITIZE})
+  # A null pointer crashes anyway, and the address sanitizer finds objects that are too small. The
+  # build takes a fifth less time without these checks.
+  if (RELEVO_SANITIZE MATCHES "address" AND RELEVO_SANITIZE MATCHES "undefined")
+    add_compile_options(-fno-sanitize=null,object-size)
+  endif ()
   # Modules must call their copies of inline functions, because those in tests have fewer checks.
   include(CheckLinkerFlag)
   check_linker_flag(CXX "-Wl,-Bsymbolic-functions" relevo_can_bind_functions)
@@ -44,8 +49,7 @@ if (RELEVO_SANITIZE)
   endif ()
 endif ()
 
-# With these flags the sources of tests compile in half the time. Tests can do without these checks:
-# a null pointer crashes anyway, and the address sanitizer finds objects that are too small.
+# With these flags the sources of tests compile in half the time. Tests can do without these checks.
 set(relevo_test_flags)
 if (RELEVO_SANITIZE MATCHES "undefined")
   set(relevo_test_flags -fno-sanitize=null,alignment,object-size,vptr)

@@ -6,7 +6,8 @@ headers: compile each installed header alone, so that it includes what it uses f
          Also check that only public headers and those for authors are installed.
 sources: compile the C++ sources with another compiler and -Werror, but only every fourth test,
          because tests are similar. Every fourth source of the modules is compiled without
-         precompiled headers, so that it includes what it uses.
+         precompiled headers, so that it includes what it uses. The others are left out if they are
+         in folders that another test compiles with this compiler.
 """
 
 import argparse
@@ -92,10 +93,19 @@ def is_public(folder, name):
     )
 
 
-def get_sources_to_compile(flags):
-    """Return all sources, but only every fourth test."""
+def get_sources_without_precompiled_headers(source, flags):
+    """Return every fourth source of the modules."""
+    modules = sorted(p for p in flags if p.relative_to(source).parts[0] in ("Filters", "Rendering"))
+    return set(modules[::4])
+
+
+def get_sources_to_compile(source, flags, compiled_elsewhere):
+    """Return all sources that no other test compiles, but only every fourth test."""
     tests = sorted(path for path in flags if re.match(r"Test.*\.cxx", path.name))
     left_out = set(tests) - set(tests[::4])
+    folders = {source / folder for folder in compiled_elsewhere}
+    left_out |= {path for path in flags if folders & set(path.parents)}
+    left_out -= get_sources_without_precompiled_headers(source, flags)
     return [path for path in flags if path not in left_out]
 
 
@@ -106,8 +116,7 @@ def precompile(compiler, source, flags, folder):
     """
     if "clang" not in pathlib.Path(compiler).name:
         return {}
-    modules = sorted(p for p in flags if p.relative_to(source).parts[0] in ("Filters", "Rendering"))
-    alone = set(modules[::4])
+    alone = get_sources_without_precompiled_headers(source, flags)
     users = {}
     for path in flags:
         if path not in alone:
@@ -133,6 +142,7 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, required=True)
     parser.add_argument("--compiler", required=True)
     parser.add_argument("--headers", type=pathlib.Path, help="the folder of installed headers")
+    parser.add_argument("--compiled-elsewhere", nargs="+", default=[], metavar="FOLDER")
     options = parser.parse_args()
     if not shutil.which(options.compiler):
         print("skipped:", options.compiler, "is not installed")
@@ -144,9 +154,8 @@ def main():
     else:
         folder = tempfile.TemporaryDirectory()
         precompiled = precompile(options.compiler, options.source, flags, folder.name)
-        jobs = [
-            (path, flags[path] + precompiled.get(path, [])) for path in get_sources_to_compile(flags)
-        ]
+        sources = get_sources_to_compile(options.source, flags, options.compiled_elsewhere)
+        jobs = [(path, flags[path] + precompiled.get(path, [])) for path in sources]
     if not jobs:
         print("nothing to compile: check compile_commands.json and the installed headers")
         return 1

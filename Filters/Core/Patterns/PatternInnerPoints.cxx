@@ -5,6 +5,7 @@
 #include "Patterns/PatternBorder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -131,8 +132,8 @@ private:
 PatternPoint Snapped(double v, double w)
 {
   const double steps = static_cast<double>(GridScale / InnerStep);
-  return { static_cast<std::int64_t>(v * steps + 0.5) * InnerStep,
-    static_cast<std::int64_t>(w * steps + 0.5) * InnerStep };
+  return { static_cast<std::int64_t>(std::floor(v * steps + 0.5)) * InnerStep,
+    static_cast<std::int64_t>(std::floor(w * steps + 0.5)) * InnerStep };
 }
 
 bool IsInside(PatternPoint p)

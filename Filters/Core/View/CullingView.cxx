@@ -75,8 +75,10 @@ CullingView::CullingView(vtkCamera* camera, double aspect, vtkMatrix4x4* modelTo
 
 void CullingView::AddTo(Dependencies& dependencies) const
 {
-  std::for_each(this->Planes[0], this->Planes[0] + 4 * NumberOfPlanes,
-    [&](float value) { dependencies.Add(value); });
+  for (const auto& plane : this->Planes)
+  {
+    std::for_each(plane, plane + 4, [&](float value) { dependencies.Add(value); });
+  }
   std::for_each(this->Eye, this->Eye + 3, [&](float value) { dependencies.Add(value); });
   dependencies.Add(this->Parallel);
   dependencies.Add(this->Valid);

@@ -159,10 +159,13 @@ void TestSingleTexels(RelevoCheck& check)
         const double depth = image->GetPointData()->GetArray("Depth")->GetComponent(i, 0);
         const dvec2 place =
           reference.Project(static_cast<int>(i % Width), static_cast<int>(i / Width));
-        const int column = static_cast<int>(std::floor(place.x + 0.5));
-        const int row = static_cast<int>(std::floor(place.y + 0.5));
-        if (depth == depth && column >= 0 && column < Width && row >= 0 && row < Height)
+        const dvec2 texel(std::floor(place.x + 0.5), std::floor(place.y + 0.5));
+        // Places without a depth are NaN.
+        if (depth == depth && texel.x >= 0.0 && texel.x < Width && texel.y >= 0.0 &&
+          texel.y < Height)
         {
+          const int column = static_cast<int>(texel.x);
+          const int row = static_cast<int>(texel.y);
           const vtkIdType there = row * Width + column;
           const double found = output->GetArray("Depth")->GetComponent(there, 0);
           CHECK(found == depth || found < depth);

@@ -4,6 +4,7 @@
 // only the reduced map is held in memory.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
+#include "RelevoSanitizer.h"
 #include "RelevoWarnings.h"
 
 #include "vtkHeightMap.h"
@@ -164,9 +165,10 @@ int TestHeightMapReducedReading(int argc, char* argv[])
 {
   const RelevoTestFolders folders(argc, argv);
   RelevoCheck check;
-#ifndef __SANITIZE_ADDRESS__  // the sanitizer delays freeing memory
-  TestMemory(check, folders); // first, because later tests reuse freed memory
-#endif
+  if (!RelevoHasAddressSanitizer)
+  {
+    TestMemory(check, folders); // first, because later tests reuse freed memory
+  }
   TestOverviews(check, folders);
   TestMipLevels(check, folders);
   return check.GetResult();

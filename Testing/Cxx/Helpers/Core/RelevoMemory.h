@@ -4,6 +4,8 @@
 #ifndef RelevoMemory_h
 #define RelevoMemory_h
 
+#include "RelevoSanitizer.h"
+
 #ifdef __linux__
 #include <fstream>
 #include <malloc.h>
@@ -43,8 +45,8 @@ public:
   // Returns false with sanitizers, which need additional memory.
   static constexpr bool Works()
   {
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
-    return true;
+#ifdef __linux__
+    return !RelevoHasAddressSanitizer;
 #else
     return false;
 #endif
