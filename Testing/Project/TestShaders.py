@@ -2,15 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Validate the shaders that the mappers' tests build with glslangValidator, the reference compiler.
 
-TestShaders.py OUTPUT PROGRAM TEST [PROGRAM TEST]...
+TestShaders.py FOLDER
 
-Mesa writes all programs that the tests link, including VTK's. The validator checks each stage
-separately. It checks shaders of GLSL below 4.0 twice, with and without ARB_gpu_shader5, because it
-supports `precise` only from 4.0 on.
+Mesa writes all programs that the tests link, including VTK's, into FOLDER. This test moves them to
+FOLDER-validated. The validator checks each stage separately. It checks shaders of GLSL below 4.0
+twice, with and without ARB_gpu_shader5, because it supports `precise` only from 4.0 on.
 """
 
 import collections
 import concurrent.futures
+import itertools
 import os
 import re
 import resource
@@ -27,7 +28,8 @@ STAGES = {
     "fragment": "frag",
     "compute": "comp",
 }
-SECONDS = 20
+SHADERS = 50  # per process
+SECONDS = 60
 BYTES = 2 * 1024**3
 
 
@@ -48,62 +50,64 @@ def variants(source):
     }
 
 
-def problems(source, stage, folder):
-    """Return the errors and warnings of the validator."""
-    handle, name = tempfile.mkstemp("." + STAGES[stage], dir=folder)
-    with open(handle, "w", encoding="utf-8") as file:
-        file.write(source)
+def problems(shaders, folder):
+    """Return the errors and warnings of the validator for a list of (title, stage, source)."""
+    titles = {}
+    for title, stage, source in shaders:
+        handle, name = tempfile.mkstemp("." + STAGES[stage], dir=folder)
+        with open(handle, "w", encoding="utf-8") as file:
+            file.write(source)
+        titles[name] = title
     result = subprocess.run(
-        ["glslangValidator", name],
+        ["glslangValidator", *titles],
         stdout=subprocess.PIPE,
         text=True,
         timeout=SECONDS,
         preexec_fn=limit,
         check=False,
     )
-    lines = [line.replace(name, "") for line in result.stdout.splitlines()]
     # The validator supports the parts of the extension that the shaders use.
     known = "extension is only partially supported: GL_ARB_gpu_shader5"
-    found = [
-        line for line in lines if line.startswith(("ERROR:", "WARNING:")) and known not in line
-    ]
-    return found if found or result.returncode == 0 else ["exit code %d" % result.returncode]
+    found = []
+    title = "no shader"
+    for line in result.stdout.splitlines():
+        if line in titles:
+            title = titles[line]
+        elif line.startswith(("ERROR:", "WARNING:")) and known not in line:
+            found.append(f"{title}: {line}")
+    return found if found or result.returncode == 0 else [f"{title}: exit code {result.returncode}"]
 
 
 def main(arguments):
     if not shutil.which("glslangValidator"):
         print("skipped: glslangValidator is not installed")
         return 125
-    output = os.path.abspath(arguments[0])
-    programs = os.path.join(output, "programs")
-    shutil.rmtree(output, ignore_errors=True)
+    programs = os.path.abspath(arguments[0])
+    folder = programs + "-validated"
+    shutil.rmtree(folder, ignore_errors=True)
+    os.rename(programs, folder)
     os.makedirs(programs)
-    for program, test in zip(arguments[1::2], arguments[2::2]):
-        environment = dict(os.environ, MESA_SHADER_CAPTURE_PATH=programs)
-        # CTest runs this test separately, so its result does not matter here.
-        subprocess.run(
-            [program, test, "-T", output], env=environment, stdout=subprocess.DEVNULL, check=False
-        )
     shaders = collections.OrderedDict()
-    for name in sorted(os.listdir(programs)):
-        with open(os.path.join(programs, name), encoding="utf-8") as file:
+    for name in sorted(os.listdir(folder)):
+        with open(os.path.join(folder, name), encoding="utf-8") as file:
             parts = re.split(r"^\[(.*) shader\]\n", file.read(), flags=re.M)
         for stage, source in zip(parts[1::2], parts[2::2]):
             shaders.setdefault((stage, source.split("\n[test]")[0]), name)
     counts = collections.Counter()
     jobs = []
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for (stage, source), name in shaders.items():
-            owner = "Relevo" if "relevo" in source.lower() else "VTK"
-            counts[owner, stage] += 1
-            for variant, text in variants(source).items():
-                job = pool.submit(problems, text, stage, output)
-                jobs.append((f"{owner}: {name}, {stage} shader {variant}", job))
+    for (stage, source), name in shaders.items():
+        owner = "Relevo" if "relevo" in source.lower() else "VTK"
+        counts[owner, stage] += 1
+        for variant, text in variants(source).items():
+            jobs.append((f"{owner}: {name}, {stage} shader {variant}", stage, text))
+    # The validator takes most of its time to start, so a process gets many shaders.
+    batches = [jobs[i : i + SHADERS] for i in range(0, len(jobs), SHADERS)]
     failed = 0
-    for title, job in jobs:
-        for problem in job.result():
-            print(f"{title}: {problem}")
-            failed += 1
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for found in pool.map(problems, batches, itertools.repeat(folder)):
+            for problem in found:
+                print(problem)
+                failed += 1
     for (owner, stage), count in sorted(counts.items()):
         print(f"{owner}: {count} {stage} shaders")
     if not any(owner == "Relevo" for owner, _ in counts):
