@@ -122,19 +122,19 @@ void ProximityEvaluator::ComputeLevels(const relevo::RefinementView& view, int m
 
 vtkSmartPointer<vtkLookupTable> MakeTable()
 {
-  constexpr int NumberOfColors = 256;
+  constexpr int numberOfColors = 256;
   const double red[3] = { 0.85, 0.1, 0.1 };
   const double nearest[3] = { 1.0, 0.45, 0.0 };
   const double farthest[3] = { 1.0, 0.85, 0.55 };
   const double blue[3] = { 0.2, 0.35, 0.85 };
   const double highest = std::log2(MaximumSegmentsOutside);
   auto table = vtkSmartPointer<vtkLookupTable>::New();
-  table->SetNumberOfTableValues(NumberOfColors);
+  table->SetNumberOfTableValues(numberOfColors);
   table->SetTableRange(0.0, LevelInside);
-  for (int i = 0; i < NumberOfColors; ++i)
+  for (int i = 0; i < numberOfColors; ++i)
   {
     // The lowest of the levels that have this colour.
-    const double level = LevelInside * i / NumberOfColors;
+    const double level = LevelInside * i / numberOfColors;
     const double t = level / highest;
     const double* fixed = i == 0 ? blue : (t > 1.0 ? red : nullptr);
     double color[3];

@@ -27,9 +27,9 @@ int Canonicalize(int ijk[3])
 void GetPermutation(int lambda, int permutation[3])
 {
   // lambda = 3 cannot occur. It has the identity.
-  static constexpr int Permutations[8][3] = { { 0, 1, 2 }, { 2, 1, 0 }, { 0, 2, 1 }, { 0, 1, 2 },
+  static constexpr int permutations[8][3] = { { 0, 1, 2 }, { 2, 1, 0 }, { 0, 2, 1 }, { 0, 1, 2 },
     { 1, 0, 2 }, { 2, 0, 1 }, { 1, 2, 0 }, { 0, 2, 1 } };
-  std::copy(Permutations[lambda & 7], Permutations[lambda & 7] + 3, permutation);
+  std::copy(permutations[lambda & 7], permutations[lambda & 7] + 3, permutation);
 }
 
 bool IsOdd(int lambda)

@@ -131,9 +131,9 @@ private:
   {
     const int number = static_cast<int>(this->Mesh.Vertices.size());
     this->Numbers[IndexOf(place)] = number;
-    constexpr std::int64_t Unit = WeightScale / Size;
+    constexpr std::int64_t unit = WeightScale / Size;
     this->Mesh.Vertices.push_back(
-      { (Size - place.S) * Unit, (place.S - place.Y) * Unit, place.Y * Unit });
+      { (Size - place.S) * unit, (place.S - place.Y) * unit, place.Y * unit });
     return number;
   }
 
@@ -169,16 +169,16 @@ private:
   /// both have a midpoint, one vertex remains between the two.
   Place GetFirstOrigin(Place place) const
   {
-    constexpr int Half = Size / 2;
-    if (place.S - place.Y == Half)
+    constexpr int half = Size / 2;
+    if (place.S - place.Y == half)
     {
-      return this->GetOrigin({ Size, Half });
+      return this->GetOrigin({ Size, half });
     }
     if (this->Levels[2] == 0)
     {
-      return this->GetOrigin({ Half, 0 });
+      return this->GetOrigin({ half, 0 });
     }
-    return this->Levels[0] == 0 ? Place{ Half, Half } : Place{ Half, Half / 2 };
+    return this->Levels[0] == 0 ? Place{ half, half } : Place{ half, half / 2 };
   }
 
   std::array<int, 3> Levels;

@@ -128,11 +128,11 @@ PatternMesh MakeGradedMesh(const int segments[3])
 
   PatternMesh mesh;
   mesh.Vertices = MakeBorderVertices(segments, WeightScale);
-  constexpr std::int64_t Unit = WeightScale / GridScale;
+  constexpr std::int64_t unit = WeightScale / GridScale;
   for (std::size_t i = border.Points.size(); i < triangulation.Points.size(); ++i)
   {
     const PatternPoint& p = triangulation.Points[i];
-    mesh.Vertices.push_back({ (GridScale - p.V - p.W) * Unit, p.V * Unit, p.W * Unit });
+    mesh.Vertices.push_back({ (GridScale - p.V - p.W) * unit, p.V * unit, p.W * unit });
   }
   for (const auto& triangle : triangulation.Triangles)
   {

@@ -34,8 +34,8 @@ std::uint32_t HilbertIndex(std::uint32_t x, std::uint32_t y, int bits)
 
 void OrderTriangles(PatternMesh& mesh)
 {
-  constexpr int Bits = 12; // cells much smaller than the finest triangles, which are 1/128 wide
-  constexpr std::int64_t Cell = 3 * WeightScale >> Bits; // in sums of three corners
+  constexpr int bits = 12; // cells much smaller than the finest triangles, which are 1/128 wide
+  constexpr std::int64_t cell = 3 * WeightScale >> bits; // in sums of three corners
   std::vector<std::pair<std::uint32_t, std::array<int, 3>>> order;
   order.reserve(mesh.Triangles.size());
   for (const auto& triangle : mesh.Triangles)
@@ -47,8 +47,8 @@ void OrderTriangles(PatternMesh& mesh)
       v += mesh.Vertices[vertex][1];
       w += mesh.Vertices[vertex][2];
     }
-    order.push_back({ HilbertIndex(static_cast<std::uint32_t>(v / Cell),
-                        static_cast<std::uint32_t>(w / Cell), Bits),
+    order.push_back({ HilbertIndex(static_cast<std::uint32_t>(v / cell),
+                        static_cast<std::uint32_t>(w / cell), bits),
       triangle });
   }
   std::sort(order.begin(), order.end());
@@ -58,8 +58,8 @@ void OrderTriangles(PatternMesh& mesh)
 
 void OrderInnerVertices(PatternMesh& mesh, int numberOfBorderVertices)
 {
-  constexpr int Unused = -1;
-  std::vector<int> numbers(mesh.Vertices.size(), Unused);
+  constexpr int unused = -1;
+  std::vector<int> numbers(mesh.Vertices.size(), unused);
   std::vector<PatternWeights> vertices(
     mesh.Vertices.begin(), mesh.Vertices.begin() + numberOfBorderVertices);
   for (auto& triangle : mesh.Triangles)
@@ -71,7 +71,7 @@ void OrderInnerVertices(PatternMesh& mesh, int numberOfBorderVertices)
         continue;
       }
       int& number = numbers[vertex];
-      if (number == Unused)
+      if (number == unused)
       {
         number = static_cast<int>(vertices.size());
         vertices.push_back(mesh.Vertices[vertex]);

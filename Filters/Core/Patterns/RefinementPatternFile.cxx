@@ -254,8 +254,8 @@ vtkSmartPointer<vtkIntArray> NewPatternArray()
 std::string WriteVTP(
   const char* fileName, int maximumLevel, const relevo::RefinementPatterns& patterns)
 {
-  constexpr int Columns = 12;
-  constexpr double Spacing = 1.25;
+  constexpr int columns = 12;
+  constexpr double spacing = 1.25;
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> triangles;
   vtkNew<vtkFloatArray> barycentrics;
@@ -267,8 +267,8 @@ std::string WriteVTP(
   {
     const relevo::RefinementPattern& pattern = *patterns[index];
     const vtkIdType first = points->GetNumberOfPoints();
-    const double x = Spacing * (index % Columns);
-    const double y = -Spacing * (index / Columns);
+    const double x = spacing * (index % columns);
+    const double y = -spacing * (index / columns);
     for (std::size_t i = 0; i < pattern.Vertices.size(); i += 3)
     {
       const float* weights = &pattern.Vertices[i];

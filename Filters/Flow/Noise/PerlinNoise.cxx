@@ -17,10 +17,10 @@ float Fade(float t)
 // Returns the dot product of a random gradient, along an axis or a diagonal, and the offset.
 float Slope(const relevo::uvec4& hash, const relevo::vec2& offset)
 {
-  constexpr float Root2 = 1.41421356f;
+  constexpr float root2 = 1.41421356f;
   const float x = hash.x & 1u ? offset.x : -offset.x;
   const float y = hash.y & 1u ? offset.y : -offset.y;
-  return hash.z & 1u ? x + y : Root2 * (hash.w & 1u ? x : y);
+  return hash.z & 1u ? x + y : root2 * (hash.w & 1u ? x : y);
 }
 
 // Returns gradient noise at p, on a lattice that repeats after n points.

@@ -40,9 +40,9 @@ std::array<double, 3> GetViridis(double t)
 // Return distinct colours for successive indices: hues by the golden ratio, in three tones.
 std::array<double, 3> GetCategory(int i)
 {
-  constexpr double Tones[3][2] = { { 0.65, 0.90 }, { 0.40, 0.98 }, { 0.80, 0.60 } };
+  constexpr double tones[3][2] = { { 0.65, 0.90 }, { 0.40, 0.98 }, { 0.80, 0.60 } };
   const double hue = 0.6180339887 * i - std::floor(0.6180339887 * i);
-  const double* tone = Tones[i % 3];
+  const double* tone = tones[i % 3];
   std::array<double, 3> color;
   vtkMath::HSVToRGB(hue, tone[0], tone[1], &color[0], &color[1], &color[2]);
   return color;
