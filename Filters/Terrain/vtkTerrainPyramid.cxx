@@ -208,7 +208,7 @@ bool vtkTerrainPyramid::WaitForIndex()
     this->HasReportedIndex = true;
     return this->Report("Cannot read " + this->OpenedName + ": " + error + ".");
   }
-  return this->IsErrorKnown();
+  return error.empty() && this->IsErrorKnown();
 }
 
 //------------------------------------------------------------------------------

@@ -16,9 +16,14 @@
  * An index stores the range of each tile and the largest deviation of its surface from that of the
  * full resolution. Both surfaces are bilinear between the centers of samples. The index is a file
  * beside the raster, with the extension .relevo-index, or, if that folder is read-only, in
- * $XDG_CACHE_HOME/relevo (by default ~/.cache/relevo). It has 20 bytes for each tile.
- * If it does not exist, or if the raster has changed, Update() starts threads that build it in the
- * background. IsErrorKnown() tells whether it is complete, and WaitForIndex() waits for it.
+ * $XDG_CACHE_HOME/relevo (by default ~/.cache/relevo). It also stores the errors of terrain meshes,
+ * and has about 1 KiB for each tile: 1 % of samples of 16 bits. If it does not exist, or if the
+ * raster has changed, Update() starts threads that build it in the background. IsErrorKnown() tells
+ * whether it is complete, and WaitForIndex() waits for it.
+ *
+ * If samples cannot be read, the index counts them as missing data, and IsErrorKnown() is true for
+ * the others. Update() or WaitForIndex() reports one error. The index is not written to a file, so
+ * that the next Update() of another object tries again.
  *
  * A sample has no data if it equals the no-data value of the file, if the mask of the file excludes
  * it, or if it is NaN or infinite.
@@ -114,7 +119,8 @@ public:
   double* GetRange() VTK_SIZEHINT(2);
   //@}
 
-  /// Return whether the index is complete, so that GetMaximumError() is finite.
+  /// Return whether the index is complete, so that GetMaximumError() is finite. Samples that cannot
+  /// be read do not count.
   bool IsErrorKnown();
 
   /// Return the fraction of the index that is complete, from 0 to 1.

@@ -9,13 +9,18 @@ namespace relevo
 {
 namespace
 {
-constexpr int LargestCode = 255;
-constexpr int StepsPerOctave = 8;
+// Errors relative to those of level 0, at finer levels. Blocks of levels below -2 lie within one
+// cell of full resolution.
+float GetShareOfLevel0(int level)
+{
+  return std::ldexp(1.0f, level >= -2 ? level : 2 * level + 2);
+}
 
 float Decode(int code, float largest)
 {
   return code == 0 ? 0.0f
-                   : largest * std::exp2(static_cast<float>(code - LargestCode) / StepsPerOctave);
+                   : largest *
+      std::exp2(static_cast<float>(code - BlockErrors::LargestCode) / BlockErrors::StepsPerOctave);
 }
 }
 
@@ -73,19 +78,31 @@ float BlockErrors::Find(int level, int column, int row, bool isFace) const
   return Decode(isFace ? found->second.Face[block] : found->second.Square[block], this->Largest);
 }
 
+// The largest stored error of level 0 in a neighborhood of a block of a level up to 0.
+float BlockErrors::FindLargest(int level, int column, int row, int neighbors) const
+{
+  const int shift = 1 - level;
+  float largest = 0.0f;
+  for (int y = std::max(row - neighbors, 0) >> shift; y <= (row + neighbors) >> shift; ++y)
+  {
+    for (int x = std::max(column - neighbors, 0) >> shift; x <= (column + neighbors) >> shift; ++x)
+    {
+      largest = std::max(largest, this->Find(0, x, y, false));
+    }
+  }
+  return largest;
+}
+
 float BlockErrors::GetSquareError(int level, int column, int row) const
 {
   if (this->Estimated > 0.0f)
   {
     return this->Estimated * std::exp2(static_cast<float>(level > 0 ? level : 2 * level));
   }
-  if (level > 0)
-  {
-    return this->Find(level, column, row, false);
-  }
-  // The distance between a bilinear cell and its triangles is proportional to the cell's area.
-  const int shift = 1 - level;
-  return std::ldexp(this->Find(0, column >> shift, row >> shift, false), 2 * level);
+  // The face errors of this level depend on one block around, and so do those of the four
+  // neighbors.
+  return level > 0 ? this->Find(level, column, row, false)
+                   : GetShareOfLevel0(level) * this->FindLargest(level, column, row, 2);
 }
 
 float BlockErrors::GetFaceError(int level, int column, int row) const
@@ -94,7 +111,9 @@ float BlockErrors::GetFaceError(int level, int column, int row) const
   {
     return this->GetSquareError(level, column, row) / (level > 0 ? std::sqrt(2.0f) : 4.0f);
   }
-  return level > 0 ? this->Find(level, column, row, true)
-                   : this->GetSquareError(level, column, row) / 4.0f;
+  // The square errors of the finer level depend on two of its blocks around, which are one of this.
+  return level > 0
+    ? this->Find(level, column, row, true)
+    : FaceShareOfLevel0 * GetShareOfLevel0(level) * this->FindLargest(level, column, row, 1);
 }
 }

@@ -15,9 +15,14 @@
  * block asks for never needs one that the errors do not ask for.
  *
  * Errors of levels from 1 on are stored as one byte each: a number of steps of 2^(1/8) below the
- * largest error, rounded up, so that the values stay bounds and stay saturated. The square error
- * of level 0 is stored for 2 x 2 blocks together; its face errors, and all errors of finer levels,
- * follow from it, because the surface of full resolution is bilinear there.
+ * largest error, rounded up, so that the values stay bounds and stay saturated.
+ *
+ * At level 0 one error is stored for 2 x 2 blocks together. It bounds the square errors, and
+ * FaceShareOfLevel0 of it bounds the face errors. Errors of the next two finer levels are
+ * proportional to the spacing of vertices, because faces of split squares have edges across those
+ * of the cells of full resolution. Errors of still finer levels are proportional to the area of a
+ * block, because each block is a part of one bilinear cell. To be saturated, errors up to level 0
+ * are the largest of the stored ones in the neighborhood of a block.
  *
  * Private to the modules for terrains.
  */
@@ -38,6 +43,9 @@ class RELEVOFILTERSTERRAIN_EXPORT BlockErrors
 public:
   static constexpr int CellsPerBlock = 8;
   static constexpr int BlocksPerTile = 32; // per side, in storage
+  static constexpr int LargestCode = 255;
+  static constexpr int StepsPerOctave = 8;
+  static constexpr float FaceShareOfLevel0 = 0.8f; // between 2^(-3/4) and 2^(-1/4)
   /// The finest level of blocks: below the resolution of the raster.
   static constexpr int FinestLevel = -5;
 
@@ -85,6 +93,7 @@ public:
 
 private:
   float Find(int level, int column, int row, bool isFace) const;
+  float FindLargest(int level, int column, int row, int neighbors) const;
 
   std::vector<Tiles> Levels;
   float Largest = 0.0f;

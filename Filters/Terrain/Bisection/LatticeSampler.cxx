@@ -42,7 +42,7 @@ struct Positions
 };
 
 // Samples without weight may lack data.
-double Interpolate(double a, double b, double weight)
+double MixSamples(double a, double b, double weight)
 {
   return weight > 0.0 ? a + weight * (b - a) : a;
 }
@@ -82,40 +82,56 @@ bool LatticeSampler::Read(
   const std::array<int, 2>& size = this->File.GetSize(source);
   const Positions columns(level, column, width, full[0], size[0]);
   const Positions rows(level, row, height, full[1], size[1]);
-  const RasterDescription& contents = this->File.Describe();
   SampleWindow window;
   window.Level = source;
   window.Column = columns.Begin;
   window.Width = columns.End - columns.Begin;
-  const int all = rows.End - rows.Begin;
-  const bool isWhole = static_cast<std::size_t>(window.Width) * all <= MaximumWindow;
+  window.Row = rows.Begin;
+  window.Height = rows.End - rows.Begin;
+  const bool isWhole = window.GetNumberOfSamples() <= MaximumWindow;
   std::vector<double> samples;
+  for (int j = 0; j < height; j += isWhole ? height : 1)
+  {
+    const int number = isWhole ? height : 1;
+    if (!isWhole)
+    {
+      window.Row = rows.First[j];
+      window.Height = rows.Weights[j] > 0.0 ? 2 : 1;
+    }
+    samples.resize(window.GetNumberOfSamples());
+    if (!this->File.Read(window, samples.data(), error))
+    {
+      return false;
+    }
+    this->Interpolate(window, samples.data(), level, column, row + j, width, number,
+      heights + static_cast<std::size_t>(j) * width);
+  }
+  return true;
+}
+
+void LatticeSampler::Interpolate(const SampleWindow& window, const double* samples, int level,
+  int column, int row, int width, int height, float* heights) const
+{
+  const std::array<int, 2>& full = this->File.GetSize(0);
+  const std::array<int, 2>& size = this->File.GetSize(window.Level);
+  const Positions columns(level, column, width, full[0], size[0]);
+  const Positions rows(level, row, height, full[1], size[1]);
+  const RasterDescription& contents = this->File.Describe();
   for (int j = 0; j < height; ++j)
   {
-    if (j == 0 || !isWhole)
-    {
-      window.Row = isWhole ? rows.Begin : rows.First[j];
-      window.Height = isWhole ? all : (rows.Weights[j] > 0.0 ? 2 : 1);
-      samples.resize(window.GetNumberOfSamples());
-      if (!this->File.Read(window, samples.data(), error))
-      {
-        return false;
-      }
-    }
     const double* first =
-      &samples[static_cast<std::size_t>(rows.First[j] - window.Row) * window.Width];
+      samples + static_cast<std::size_t>(rows.First[j] - window.Row) * window.Width;
     const double* second = rows.Weights[j] > 0.0 ? first + window.Width : first;
     for (int i = 0; i < width; ++i)
     {
       const int a = columns.First[i] - window.Column;
       const int b = columns.Weights[i] > 0.0 ? a + 1 : a;
-      const double sample = Interpolate(Interpolate(first[a], first[b], columns.Weights[i]),
-        Interpolate(second[a], second[b], columns.Weights[i]), rows.Weights[j]);
+      const double sample = MixSamples(MixSamples(first[a], first[b], columns.Weights[i]),
+        MixSamples(second[a], second[b], columns.Weights[i]), rows.Weights[j]);
       heights[static_cast<std::size_t>(j) * width + i] =
         static_cast<float>(contents.Scale * sample + contents.Offset);
     }
   }
-  return true;
 }
 
 bool LatticeSampler::Read(HeightTile& tile, std::string& error) const

@@ -35,6 +35,10 @@ public:
   bool Read(int level, int column, int row, int width, int height, float* heights,
     std::string& error) const;
 
+  /// As Read(), from samples of a window of GetPyramidLevel(level) that has all that contribute.
+  void Interpolate(const SampleWindow& window, const double* samples, int level, int column,
+    int row, int width, int height, float* heights) const;
+
   /// Read a tile; `tile` has its level, column and row.
   bool Read(HeightTile& tile, std::string& error) const;
 

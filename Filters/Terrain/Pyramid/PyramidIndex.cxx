@@ -18,8 +18,10 @@ namespace relevo
 {
 namespace
 {
-constexpr char Magic[] = "relevo pyramid index 1\n";
+constexpr char Magic[] = "relevo pyramid index 2\n";
 constexpr float Infinity = PyramidIndex::Infinity;
+constexpr std::size_t MaximumRun = 255;
+constexpr int MaximumLevel = 31;
 
 float RoundDown(double value)
 {
@@ -48,6 +50,107 @@ bool Take(const std::string& bytes, std::size_t& position, T& value)
   std::memcpy(&value, bytes.data() + position, sizeof(value));
   position += sizeof(value);
   return true;
+}
+
+// Zeros are stored as a zero and their number: blocks without errors are often neighbors.
+template <typename Codes>
+void AppendCodes(std::string& bytes, const Codes& codes)
+{
+  for (std::size_t i = 0; i < codes.size();)
+  {
+    Append(bytes, codes[i]);
+    std::size_t end = i + 1;
+    if (codes[i] == 0)
+    {
+      while (end < codes.size() && codes[end] == 0 && end - i < MaximumRun)
+      {
+        ++end;
+      }
+      Append(bytes, static_cast<std::uint8_t>(end - i));
+    }
+    i = end;
+  }
+}
+
+template <typename Codes>
+bool TakeCodes(const std::string& bytes, std::size_t& position, Codes& codes)
+{
+  for (std::size_t i = 0; i < codes.size();)
+  {
+    std::uint8_t number = 1;
+    if (!Take(bytes, position, codes[i]) ||
+      (codes[i] == 0 && (!Take(bytes, position, number) || number == 0)) ||
+      number > codes.size() - i)
+    {
+      return false;
+    }
+    std::fill_n(codes.begin() + i, number, codes[i]);
+    i += number;
+  }
+  return true;
+}
+
+template <typename Map>
+std::vector<std::uint64_t> GetSortedKeys(const Map& map)
+{
+  std::vector<std::uint64_t> keys;
+  for (const auto& entry : map)
+  {
+    keys.push_back(entry.first);
+  }
+  std::sort(keys.begin(), keys.end());
+  return keys;
+}
+
+void AppendErrors(std::string& bytes, const BlockErrors& errors)
+{
+  Append(bytes, static_cast<std::int32_t>(errors.GetRootLevel()));
+  Append(bytes, errors.GetLargest());
+  for (int level = 0; level <= errors.GetRootLevel(); ++level)
+  {
+    const BlockErrors::Tiles& tiles = errors.GetTiles(level);
+    Append(bytes, static_cast<std::uint64_t>(tiles.size()));
+    for (const std::uint64_t key : GetSortedKeys(tiles))
+    {
+      const BlockErrors::Tile& tile = tiles.at(key);
+      Append(bytes, key);
+      AppendCodes(bytes, tile.Square);
+      AppendCodes(bytes, tile.Face);
+    }
+  }
+}
+
+std::shared_ptr<const BlockErrors> TakeErrors(const std::string& bytes, std::size_t& position)
+{
+  std::int32_t rootLevel = 0;
+  float largest = 0.0f;
+  if (!Take(bytes, position, rootLevel) || !Take(bytes, position, largest) || rootLevel < 0 ||
+    rootLevel > MaximumLevel)
+  {
+    return nullptr;
+  }
+  auto errors = std::make_shared<BlockErrors>(rootLevel);
+  errors->SetLargest(largest);
+  for (int level = 0; level <= rootLevel; ++level)
+  {
+    std::uint64_t number = 0;
+    if (!Take(bytes, position, number))
+    {
+      return nullptr;
+    }
+    for (std::uint64_t i = 0; i < number; ++i)
+    {
+      std::uint64_t key = 0;
+      BlockErrors::Tile tile;
+      if (!Take(bytes, position, key) || !TakeCodes(bytes, position, tile.Square) ||
+        !TakeCodes(bytes, position, tile.Face))
+      {
+        return nullptr;
+      }
+      errors->GetTiles(level).emplace(key, tile);
+    }
+  }
+  return errors;
 }
 
 std::string MakeHeader(const std::string& signature)
@@ -115,6 +218,31 @@ bool PyramidIndex::GetRange(int level, double range[2]) const
   return range[0] <= range[1];
 }
 
+HeightRanges PyramidIndex::MakeHeightRanges(double scale, double offset) const
+{
+  const auto convert = [scale, offset](const Record& record)
+  {
+    const double first = scale * record.Minimum + offset;
+    const double second = scale * record.Maximum + offset;
+    return HeightRanges::Range{ { RoundDown(std::min(first, second)),
+      RoundUp(std::max(first, second)) } };
+  };
+  constexpr HeightRanges::Range empty = { { 1.0f, 0.0f } };
+  const bool hasAbsent = this->Absent.Minimum <= this->Absent.Maximum;
+  HeightRanges ranges(hasAbsent ? convert(this->Absent) : empty);
+  ranges.SetAbsent(hasAbsent ? convert(this->Absent) : empty);
+  for (const auto& [key, record] : this->Levels[0])
+  {
+    if (record.Minimum <= record.Maximum)
+    {
+      ranges.AddTile(
+        static_cast<int>(key & 0xffffffffu), static_cast<int>(key >> 32), convert(record));
+    }
+  }
+  ranges.Finish();
+  return ranges;
+}
+
 bool PyramidIndex::Read(const std::string& fileName, const std::string& signature)
 {
   std::ifstream stream(std::filesystem::u8path(fileName), std::ios::binary);
@@ -155,7 +283,8 @@ bool PyramidIndex::Read(const std::string& fileName, const std::string& signatur
       level.emplace(key, record);
     }
   }
-  return position == end;
+  this->Errors = TakeErrors(bytes, position);
+  return this->Errors && position == end;
 }
 
 std::string PyramidIndex::Write(const std::string& fileName, const std::string& signature) const
@@ -165,18 +294,13 @@ std::string PyramidIndex::Write(const std::string& fileName, const std::string& 
   for (const auto& level : this->Levels)
   {
     Append(bytes, static_cast<std::uint64_t>(level.size()));
-    std::vector<std::uint64_t> keys; // sorted, so that equal indices are equal files
-    for (const auto& tile : level)
-    {
-      keys.push_back(tile.first);
-    }
-    std::sort(keys.begin(), keys.end());
-    for (const std::uint64_t key : keys)
+    for (const std::uint64_t key : GetSortedKeys(level)) // so that equal indices are equal files
     {
       Append(bytes, key);
       Append(bytes, level.at(key));
     }
   }
+  AppendErrors(bytes, this->Errors ? *this->Errors : BlockErrors());
   Append(bytes, GetChecksum(bytes));
   return AtomicFile::Write(fileName, bytes);
 }

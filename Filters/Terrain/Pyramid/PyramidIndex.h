@@ -6,18 +6,22 @@
  *
  * Tiles have TileSize x TileSize samples, fewer at the right and lower border. Values are those of
  * stored samples, without scale and offset, and are rounded so that they stay bounds. A tile
- * without a record has absent samples alone; see PyramidFile::GetAbsentSample().
+ * without a record has absent samples alone; see PyramidFile::GetAbsentSample(). The errors of
+ * blocks are in the unit of the heights.
  *
  * Private to the module.
  */
 #ifndef PyramidIndex_h
 #define PyramidIndex_h
 
+#include "Bisection/BlockErrors.h"
+#include "Bisection/HeightRanges.h"
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -59,6 +63,15 @@ public:
   /// The range of the samples of a level; false if none has data.
   bool GetRange(int level, double range[2]) const;
 
+  /// The ranges of heights = scale * sample + offset.
+  HeightRanges MakeHeightRanges(double scale, double offset) const;
+
+  //@{
+  /// The errors of blocks; nullptr if there are none.
+  void SetBlockErrors(std::shared_ptr<const BlockErrors> errors) { this->Errors = errors; }
+  const std::shared_ptr<const BlockErrors>& GetBlockErrors() const { return this->Errors; }
+  //@}
+
   /// Read a file that Write() has written for a raster of this signature; false if it is not one.
   bool Read(const std::string& fileName, const std::string& signature);
   /// Write a file, or replace it. Returns why that failed, or "".
@@ -72,6 +85,7 @@ private:
 
   std::vector<std::unordered_map<std::uint64_t, Record>> Levels;
   Record Absent{ Infinity, -Infinity, 0.0f }; // of samples that are not stored
+  std::shared_ptr<const BlockErrors> Errors;
 };
 }
 

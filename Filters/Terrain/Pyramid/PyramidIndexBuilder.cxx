@@ -13,7 +13,7 @@ namespace relevo
 {
 namespace
 {
-constexpr int SamplesPerBlock = 1 << 20;
+constexpr int SamplesPerBlock = 1 << 20; // of absent ones
 
 // Where the corners lie along one axis: between two samples of each of the two levels.
 struct Corner
@@ -88,21 +88,16 @@ double Interpolate(double a, double b, double weight)
 PyramidIndexBuilder::PyramidIndexBuilder(const PyramidFile& file, const std::atomic<bool>& abort)
   : File(file)
   , Abort(abort)
+  , Blocks(file)
 {
 }
 
 void PyramidIndexBuilder::ChooseBlockSize()
 {
-  // Files that store whole rows are read in whole rows.
-  const RasterDescription& contents = this->File.Describe();
-  const std::array<int, 2>& size = this->File.GetSize(0);
-  const int width = this->File.HasRowBlocks() ? 1 << 16 : 1 << 10;
-  this->BlockSize[0] = std::min(size[0], width);
-  this->BlockSize[1] = std::clamp(SamplesPerBlock / this->BlockSize[0], 1, std::max(1, size[1]));
-  if (this->BlockSize[1] < contents.RowsPerBlock)
-  {
-    this->BlockSize[1] = std::min(contents.RowsPerBlock, 4 * this->BlockSize[1]);
-  }
+  // Files that store whole rows are read in wide blocks. All blocks consist of areas.
+  constexpr int area = BlockErrorBuilder::SamplesPerArea;
+  const int areas = this->File.HasRowBlocks() ? 8 : 1;
+  this->BlockSize = { { areas * area, area } };
 }
 
 SampleWindow PyramidIndexBuilder::GetLevelWindow(const SampleWindow& block, int level) const
@@ -221,6 +216,26 @@ bool PyramidIndexBuilder::Build(int numberOfThreads, PyramidIndex& index, std::s
     const SampleWindow all = { level, 0, 0, size[0], size[1] };
     level == 0 ? this->CollectBlocks(all) : this->CollectRanges(all);
   }
+  this->RunJobs(numberOfThreads);
+  // Coarser levels can have data near absent samples.
+  for (const SampleWindow& window : this->Blocks.GetRequestedAreas())
+  {
+    if (this->File.IsAbsent(window))
+    {
+      this->Jobs.push_back({ Task::Compare, window });
+    }
+  }
+  this->RunJobs(numberOfThreads);
+  if (!this->HasEnded && !this->Abort)
+  {
+    index.SetBlockErrors(this->Blocks.Finish(this->Abort, this->Error));
+  }
+  error = this->Error;
+  return !this->HasEnded && !this->Abort;
+}
+
+void PyramidIndexBuilder::RunJobs(int numberOfThreads)
+{
   this->NumberOfJobs = this->Jobs.size();
   std::vector<std::thread> threads;
   try
@@ -239,8 +254,7 @@ bool PyramidIndexBuilder::Build(int numberOfThreads, PyramidIndex& index, std::s
   {
     thread.join();
   }
-  error = this->Error;
-  return error.empty() && !this->Abort;
+  this->Next = this->Jobs.size();
 }
 
 double PyramidIndexBuilder::GetProgress() const
@@ -253,19 +267,15 @@ void PyramidIndexBuilder::Work()
 {
   for (std::size_t i = this->Next++; i < this->Jobs.size() && !this->Abort; i = this->Next++)
   {
-    std::string error;
     try
     {
-      this->Run(this->Jobs[i], error);
+      this->Run(this->Jobs[i]);
     }
     catch (const std::bad_alloc&)
     {
-      error = "there is not enough memory to index the raster";
-    }
-    if (!error.empty())
-    {
       const std::lock_guard<std::mutex> lock(this->Mutex);
-      this->Error = this->Error.empty() ? error : this->Error;
+      this->Error = "there is not enough memory to index the raster";
+      this->HasEnded = true;
       this->Next = this->Jobs.size();
       return;
     }
@@ -273,42 +283,80 @@ void PyramidIndexBuilder::Work()
   }
 }
 
-bool PyramidIndexBuilder::Run(const Job& job, std::string& error)
+void PyramidIndexBuilder::Run(const Job& job)
 {
   if (job.What == Task::Compare)
   {
-    return this->CompareBlock(job.Window, error);
+    this->CompareBlock(job.Window);
+    return;
   }
-  std::vector<double> samples(job.Window.GetNumberOfSamples());
-  if (!this->File.Read(job.Window, samples.data(), error))
-  {
-    return false;
-  }
+  std::vector<double> samples;
+  this->Read(job.Window, samples);
   job.What == Task::Measure ? this->MeasureRange(job.Window, samples)
                             : this->MeasureConstant(job.Window, samples);
-  return true;
 }
 
-bool PyramidIndexBuilder::CompareBlock(const SampleWindow& block, std::string& error)
+// Reads a window. If that fails, reads its tiles one by one, so that only the defective ones lack
+// data.
+void PyramidIndexBuilder::Read(const SampleWindow& window, std::vector<double>& samples)
 {
-  std::vector<double> fine(block.GetNumberOfSamples());
-  if (!this->File.Read(block, fine.data(), error))
+  samples.resize(window.GetNumberOfSamples());
+  std::string error;
+  if (this->File.Read(window, samples.data(), error))
   {
-    return false;
+    return;
   }
+  std::fill(samples.begin(), samples.end(), std::numeric_limits<double>::quiet_NaN());
+  constexpr int size = PyramidIndex::TileSize;
+  const int end[2] = { window.Column + window.Width, window.Row + window.Height };
+  std::vector<double> part;
+  SampleWindow tile = window;
+  for (tile.Row = window.Row; tile.Row < end[1]; tile.Row += tile.Height)
+  {
+    tile.Height = std::min((tile.Row / size + 1) * size, end[1]) - tile.Row;
+    for (tile.Column = window.Column; tile.Column < end[0]; tile.Column += tile.Width)
+    {
+      tile.Width = std::min((tile.Column / size + 1) * size, end[0]) - tile.Column;
+      part.resize(tile.GetNumberOfSamples());
+      if (this->Abort || !this->File.Read(tile, part.data(), error))
+      {
+        continue;
+      }
+      for (int row = 0; row < tile.Height; ++row)
+      {
+        std::copy_n(&part[static_cast<std::size_t>(row) * tile.Width], tile.Width,
+          &samples[static_cast<std::size_t>(tile.Row - window.Row + row) * window.Width +
+            tile.Column - window.Column]);
+      }
+    }
+  }
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Error = this->Error.empty() ? error : this->Error;
+}
+
+void PyramidIndexBuilder::CompareBlock(const SampleWindow& block)
+{
+  std::vector<double> fine;
+  this->Read(block, fine);
   this->MeasureRange(block, fine);
+  // A raster of one row or column has no blocks.
+  const std::unique_ptr<BlockErrorArea> area =
+    block.Width > 1 && block.Height > 1 ? this->Blocks.NewArea(block, fine) : nullptr;
   std::vector<double> coarse;
   for (int level = 1; level < this->File.GetNumberOfLevels() && !this->Abort; ++level)
   {
     const SampleWindow window = this->GetLevelWindow(block, level);
-    coarse.resize(window.GetNumberOfSamples());
-    if (!this->File.Read(window, coarse.data(), error))
-    {
-      return false;
-    }
+    this->Read(window, coarse);
     this->MeasureDeviation(block, fine, window, coarse);
+    if (area)
+    {
+      this->Blocks.SetSamples(*area, window, coarse);
+    }
   }
-  return true;
+  if (area && !this->Abort)
+  {
+    this->Blocks.Add(*area);
+  }
 }
 
 void PyramidIndexBuilder::MeasureRange(
@@ -417,6 +465,7 @@ void PyramidIndexBuilder::MeasureConstant(
       {
         const int x = window.Column + column;
         const int y = window.Row + row;
+        this->Blocks.RequestAreas(window.Level, x, y);
         constexpr int size = PyramidIndex::TileSize;
         const std::lock_guard<std::mutex> lock(this->Mutex);
         for (int tileRow = std::max(0, y - 1) / size; tileRow <= y / size; ++tileRow)

@@ -8,7 +8,10 @@
  * outermost ones. Levels are registered by the ratio of their sizes. On each rectangle between the
  * lines of samples of both levels, the difference of two such surfaces is bilinear, too, so that it
  * is largest at a corner. The builder evaluates all corners; the deviations are exact. Points where
- * either surface has no data do not count.
+ * either surface has no data do not count. BlockErrorBuilder measures the blocks of the bisection
+ * with the same samples.
+ *
+ * Samples that cannot be read count as missing, in parts of one tile each.
  *
  * Work and memory are proportional to what a sparse file stores. The result is the same for any
  * number of threads.
@@ -18,8 +21,10 @@
 #ifndef PyramidIndexBuilder_h
 #define PyramidIndexBuilder_h
 
+#include "Pyramid/BlockErrorBuilder.h"
 #include "Pyramid/PyramidFile.h"
 #include "Pyramid/PyramidIndex.h"
+#include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <array>
 #include <atomic>
@@ -30,14 +35,14 @@
 
 namespace relevo
 {
-class PyramidIndexBuilder
+class RELEVOFILTERSTERRAIN_EXPORT PyramidIndexBuilder
 {
 public:
   PyramidIndexBuilder(const PyramidFile& file, const std::atomic<bool>& abort);
 
   /**
-   * Fill in the index with this many threads. Returns false after an abort or, with the first
-   * error, if the raster cannot be read.
+   * Fill in the index with this many threads. Returns false after an abort and, with an error, if
+   * the memory is not sufficient. Returns true, with the first error, if samples cannot be read.
    */
   bool Build(int numberOfThreads, PyramidIndex& index, std::string& error);
 
@@ -64,9 +69,11 @@ private:
   void CollectRanges(const SampleWindow& part);
   void CollectConstants(const SampleWindow& part, int level);
   SampleWindow GetLevelWindow(const SampleWindow& block, int level) const;
+  void RunJobs(int numberOfThreads);
   void Work();
-  bool Run(const Job& job, std::string& error);
-  bool CompareBlock(const SampleWindow& block, std::string& error);
+  void Run(const Job& job);
+  void CompareBlock(const SampleWindow& block);
+  void Read(const SampleWindow& window, std::vector<double>& samples);
   void MeasureRange(const SampleWindow& window, const std::vector<double>& samples);
   void MeasureDeviation(const SampleWindow& block, const std::vector<double>& fine,
     const SampleWindow& window, const std::vector<double>& coarse);
@@ -81,7 +88,9 @@ private:
   std::atomic<std::size_t> Done{ 0 };
   std::mutex Mutex; // protects the next members
   PyramidIndex* Index = nullptr;
-  std::string Error;
+  std::string Error;        // of reading
+  bool HasEnded = false;    // for lack of memory
+  BlockErrorBuilder Blocks; // thread-safe
 };
 }
 

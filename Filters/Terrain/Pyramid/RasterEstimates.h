@@ -10,19 +10,20 @@
 #define RasterEstimates_h
 
 #include "Pyramid/PyramidFile.h"
+#include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <array>
 
 namespace relevo
 {
 /// The range of heights by few samples; (0, 0) if none of them has data.
-std::array<double, 2> EstimateRange(const PyramidFile& file);
+RELEVOFILTERSTERRAIN_EXPORT std::array<double, 2> EstimateRange(const PyramidFile& file);
 
 /**
  * The mean distance of neighboring samples in the unit of the heights: in metres divided by the
  * vertical unit; 1 if the raster has no coordinates of known size.
  */
-double GetSampleDistance(const RasterDescription& contents);
+RELEVOFILTERSTERRAIN_EXPORT double GetSampleDistance(const RasterDescription& contents);
 }
 
 #endif

@@ -212,7 +212,7 @@ void RasterPyramid::StartIndex(const std::string& cacheFolder)
   {
     if (!name.empty() && this->Index.Read(name, this->Signature))
     {
-      this->IsComplete = true;
+      this->UseIndex();
       this->HasEnded = true;
       return;
     }
@@ -220,6 +220,20 @@ void RasterPyramid::StartIndex(const std::string& cacheFolder)
   this->Index = PyramidIndex(GetSizes(*this->File));
   this->Builder = std::make_unique<PyramidIndexBuilder>(*this->File, this->Abort);
   this->Thread = std::thread([this]() { this->BuildIndex(); });
+}
+
+// Replaces the estimates.
+void RasterPyramid::UseIndex()
+{
+  const RasterDescription& contents = this->File->Describe();
+  auto ranges = std::make_shared<const HeightRanges>(
+    this->Index.MakeHeightRanges(contents.Scale, contents.Offset));
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Errors = this->Index.GetBlockErrors();
+    this->Ranges = std::move(ranges);
+  }
+  this->IsComplete = true;
 }
 
 void RasterPyramid::BuildIndex()
@@ -237,7 +251,10 @@ void RasterPyramid::BuildIndex()
   }
   if (isBuilt)
   {
-    this->IsComplete = true;
+    this->UseIndex();
+  }
+  if (isBuilt && error.empty()) // samples that cannot be read now may be readable later
+  {
     for (const std::string& name : this->IndexFileNames)
     {
       std::error_code failure;

@@ -6,7 +6,8 @@
  *
  * The index is read from a file beside the raster or in a cache folder. If there is none, or it
  * belongs to another state of the raster, threads build it in the background and write it there. An
- * index that cannot be written is used all the same.
+ * index that cannot be written is used all the same. So is an index with samples that cannot be
+ * read, which is not written.
  *
  * Private to the module; only in builds with RELEVO_USE_GDAL.
  */
@@ -90,6 +91,7 @@ private:
   void MakeEstimates();
   void StartIndex(const std::string& cacheFolder);
   void BuildIndex();
+  void UseIndex();
 
   std::string FileName;
   std::string Signature;

@@ -52,7 +52,7 @@ void TestFiles(RelevoCheck& check, const RelevoTestFolders& folders)
 }
 
 // A file that is known to be truncated is not opened. A compressed file is read as far as possible,
-// and the rest is one error.
+// and the rest is one error. It counts as missing data, and the index is not written.
 void TestTruncated(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const std::string whole = folders.File("TerrainPyramidWhole.tif");
@@ -73,8 +73,11 @@ void TestTruncated(RelevoCheck& check, const RelevoTestFolders& folders)
   pyramid->Update();
   CHECK(!pyramid->WaitForIndex());
   CHECK(errors.Said("TerrainPyramidCut.tif"));
-  CHECK(!pyramid->IsErrorKnown());
-  CHECK(std::isinf(pyramid->GetMaximumError(0)));
+  CHECK(pyramid->IsErrorKnown());
+  CHECK_EQUAL(pyramid->GetMaximumError(0), 0.0);
+  CHECK_EQUAL(pyramid->GetRange()[0], 0.0);
+  CHECK_GREATER(pyramid->GetRange()[1], 600.0);
+  CHECK_LESS(pyramid->GetRange()[1], 1150.0);
   CHECK(errors.None()); // no second report
   CHECK(!pyramid->Update());
   CHECK(!pyramid->WaitForIndex());
