@@ -26,6 +26,7 @@
 #include "vtkTerrainPyramid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 

@@ -13,6 +13,7 @@
 #include "Buffers/BufferTexture.h"
 #include "Buffers/TerrainTileTextures.h"
 
+#include <string> // for errors
 #include <vector>
 
 class vtkOpenGLRenderWindow;

@@ -14,6 +14,7 @@
 #include "Bisection/HeightTile.h"
 #include "vtkType.h" // for numbers of bytes
 
+#include <cstddef>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
