@@ -47,6 +47,7 @@ vtkTerrainSource::vtkTerrainSource()
   , ImageryBands{ 0, 0, 0 }
   , MaximumImagerySize(4096)
   , Resolution(128)
+  , AlignToSamples(false)
   , Exaggeration(1.0)
   , Origin{ 0.0, 0.0, 0.0 }
   , KeepHeights(true)
@@ -330,7 +331,7 @@ bool vtkTerrainSource::Build(vtkPolyData* output, std::string& error)
 
   const bool hasHoles = this->GetNoDataPolicy() == vtkDisplacement::HOLE;
   if (!relevo::BuildTerrainMesh(
-        *this->Frame, texels, this->Resolution, hasHoles ? this->HeightMap->GetValidity() : nullptr,
+        *this->Frame, texels, this->Resolution, this->AlignToSamples, hasHoles ? this->HeightMap->GetValidity() : nullptr,
         [this] { return !relevo::IsAborted(this); }, output))
   {
     return false;
@@ -467,6 +468,7 @@ void vtkTerrainSource::PrintSelf(ostream& os, vtkIndent indent)
      << this->ImageryBands[2] << "\n";
   os << indent << "MaximumImagerySize: " << this->MaximumImagerySize << "\n";
   os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "AlignToSamples: " << (this->AlignToSamples ? "on" : "off") << "\n";
   os << indent << "Exaggeration: " << this->Exaggeration << "\n";
   os << indent << "KeepHeights: " << (this->KeepHeights ? "On\n" : "Off\n");
   os << indent << "Origin: " << this->Origin[0] << ", " << this->Origin[1] << ", "

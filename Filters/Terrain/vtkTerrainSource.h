@@ -132,6 +132,18 @@ public:
 
   //@{
   /**
+   * Set whether the corners of the squares are centres of texels, a power of two texels apart; off
+   * by default. Refined vertices then lie on samples, so that vtkHeightErrorDepthTagMetric needs
+   * far fewer triangles. The number of squares differs from Resolution by up to a factor of 1.5,
+   * and a border of half a texel has squares of this width.
+   */
+  vtkSetMacro(AlignToSamples, bool);
+  vtkGetMacro(AlignToSamples, bool);
+  vtkBooleanMacro(AlignToSamples, bool);
+  //@}
+
+  //@{
+  /**
    * Set the factor for heights, default 1. NaN, or more than 1e38 in absolute value, is an error
    * and changes nothing.
    */
@@ -251,6 +263,7 @@ protected:
   int ImageryBands[3];
   int MaximumImagerySize;
   int Resolution;
+  bool AlignToSamples;
   double Exaggeration;
   double Origin[3];
 

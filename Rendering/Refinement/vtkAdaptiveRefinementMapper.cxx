@@ -335,9 +335,10 @@ void vtkAdaptiveRefinementMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* a
   this->ChooseMethod(ren, act);
   this->UpdateBudget(ren, act);
   const auto culling = this->MakeCullingView(ren, act);
-  const relevo::SelectionStage::Input input = { { this->GetInput(), this->Refinement,
-                                                  relevo::MakeActorView(ren, act), culling.get(),
-                                                  this->HidesBackFaces(ren, act) },
+  relevo::RefinementView view = relevo::MakeActorView(ren, act);
+  view.IsPart = data.IsBlock;
+  const relevo::SelectionStage::Input input = { { this->GetInput(), this->Refinement, view,
+                                                  culling.get(), this->HidesBackFaces(ren, act) },
     data.GetWindow(), data.LastFrame.HasLines, this->SelectionDevice,
     data.ContextCheck.CanCompute() && data.Methods.Get().TakesComputeSelection() &&
       this->RefinementColorMode != COLOR_BY_METRIC };
@@ -508,7 +509,8 @@ void vtkAdaptiveRefinementMapper::UpdateBudget(
     return;
   }
   const bool isBudgeted = data.Budget.Begin({ ren, act, this->UseAllocatedRenderTime, pieces });
-  const relevo::RefinementView view = relevo::MakeActorView(ren, act);
+  relevo::RefinementView view = relevo::MakeActorView(ren, act);
+  view.IsPart = !data.Blocks.IsEmpty();
   std::vector<relevo::LevelBudget::Part> parts;
   const auto addPart = [&](vtkAdaptiveRefinementMapper* mapper)
   {

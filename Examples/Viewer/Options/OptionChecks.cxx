@@ -188,22 +188,13 @@ private:
     this->RequirePartner({ "--isolines", "--patch-edges" }, canBePatch, "--surface patch");
     this->Exclude({ "--isolines", "--patch-edges" }, !options.Vectors.empty(), "--lic");
     this->Exclude({ "--feature-angle" }, options.IsPatch(), "--surface patch");
-    if (options.Hairs == 0)
+    if (options.Hairs == 0 && options.GetMetric() != Metric::Height)
     {
-      this->CheckError(canBePatch, options.Metric.value_or(Metric::Error) == Metric::Error);
+      this->RequirePartner({ "--error" }, options.IsMesh, "--metric height");
+      this->RequirePartner({ "--error" }, canBePatch, "--surface patch");
+      this->RequirePartner(
+        { "--error" }, options.Metric.value_or(Metric::Error) == Metric::Error, "--metric error");
     }
-  }
-
-  void CheckError(bool canBePatch, bool isOfMetric)
-  {
-    if (this->Given.count("--error") && !this->Options.IsMesh)
-    {
-      throw UsageError("--error requires a mesh with curved cells, and '" + this->Options.Input +
-        "' is read as a height map; use --level or --max-level");
-    }
-    this->Exclude({ "--error" }, this->Options.UniformLevel.has_value(), "--level");
-    this->RequirePartner({ "--error" }, canBePatch, "--surface patch");
-    this->RequirePartner({ "--error" }, isOfMetric, "--metric error");
   }
 
   void CheckFlow()
@@ -224,13 +215,23 @@ private:
   {
     const ViewerOptions& options = this->Options;
     using Metric = ViewerOptions::MetricType;
-    this->Exclude({ "--metric", "--max-level", "--per-edge", "--pixels", "--reach" },
+    this->Exclude(
+      { "--error", "--metric", "--max-level", "--per-edge", "--pixels", "--reach", "--tolerance" },
       options.UniformLevel.has_value(), "--level");
     this->RequirePartner(
       { "--pixels" }, options.GetMetric() == Metric::ScreenEdge, "--metric screen-edge");
     this->RequirePartner(
       { "--reach" }, options.GetMetric() == Metric::Distance, "--metric distance");
     this->RequirePartner({ "--region" }, options.GetMetric() == Metric::Region, "--metric region");
+    const bool hasHeights = options.IsTerrain() || !options.Heights.empty();
+    if (options.Metric == Metric::Height && !hasHeights)
+    {
+      throw UsageError("--metric height requires a height map: use --height");
+    }
+    this->RequirePartner({ "--tolerance" }, !options.Export.empty(), "--export");
+    this->RequirePartner(
+      { "--tolerance" }, options.GetMetric() == Metric::Height, "--metric height");
+    this->Exclude({ "--tolerance" }, options.Error.has_value(), "--error");
     if (options.Budget > 0 && !options.Export.empty())
     {
       throw UsageError("--budget cannot be combined with --export: it limits what is drawn");

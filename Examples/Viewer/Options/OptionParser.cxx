@@ -206,9 +206,6 @@ private:
   {
     ViewerOptions& options = this->Options;
     this->AllSettings.insert({
-      { "--error",
-        [&](const auto& option, const auto& value)
-        { options.Error = ToNumber(option, value, LowestError, HighestError); } },
       { "--hair",
         [&](const auto& option, const auto& value)
         { options.Hairs = ToInteger(option, value, 1, MaximumHairs); } },
@@ -370,6 +367,9 @@ private:
       { "--budget",
         [&](const auto& option, const auto& value)
         { options.Budget = ToInteger(option, value, 1, std::numeric_limits<int>::max()); } },
+      { "--error",
+        [&](const auto& option, const auto& value)
+        { options.Error = ToNumber(option, value, LowestError, HighestError); } },
       { "--level",
         [&](const auto& option, const auto& value)
         { options.UniformLevel = ToInteger(option, value, 0, HighestLevel); } },
@@ -395,7 +395,7 @@ private:
               { "curvature", Type::Curvature }, { "silhouette", Type::Silhouette },
               { "contour", Type::Contour }, { "view-dependent", Type::ViewDependent },
               { "field", Type::Field }, { "region", Type::Region }, { "error", Type::Error },
-              { "control-net", Type::ControlNet } });
+              { "control-net", Type::ControlNet }, { "height", Type::Height } });
         } },
       { "--pixels",
         [&](const auto& option, const auto& value)
@@ -410,6 +410,9 @@ private:
           options.WholeSegments =
             ToChoice<bool>(option, value, { { "powers", false }, { "whole", true } });
         } },
+      { "--tolerance",
+        [&](const auto& option, const auto& value)
+        { options.Tolerance = ToPositiveNumber(option, value); } },
     });
   }
 

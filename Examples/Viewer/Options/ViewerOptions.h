@@ -24,7 +24,8 @@ struct ViewerOptions
     Field,
     Region,
     Error,
-    ControlNet
+    ControlNet,
+    Height
   };
   enum class SurfaceType
   {
@@ -86,7 +87,6 @@ struct ViewerOptions
   int UpAxis = 1;                     // 0 for x, 1 for y, 2 for z
 
   // Curved cells of meshes.
-  std::optional<double> Error; // pixels
   int Isolines = 0;
   bool PatchEdges = false;
   int Hairs = 0;
@@ -126,6 +126,8 @@ struct ViewerOptions
   std::optional<int> UniformLevel;
   std::optional<MetricType> Metric;
   std::optional<double> Pixels;              // for ScreenEdge
+  std::optional<double> Error;               // pixels, for Error and Height
+  std::optional<double> Tolerance;           // length, for Height
   std::optional<double> Reach;               // for Distance
   std::optional<std::vector<double>> Region; // centre (x, y, for meshes z), radius
   int Method = 0;                            // as in vtkAdaptiveRefinementMapper
@@ -158,7 +160,7 @@ struct ViewerOptions
   MetricType GetMetric() const
   {
     const MetricType ofMeshes = this->IsPatch() ? MetricType::Error : MetricType::ScreenEdge;
-    return this->Metric.value_or(this->IsMesh ? ofMeshes : MetricType::Distance);
+    return this->Metric.value_or(this->IsMesh ? ofMeshes : MetricType::Height);
   }
   /// Whether the vectors of the streaks determine where to refine.
   bool IsFlowMetric() const { return !this->Vectors.empty() && !this->Metric; }

@@ -64,9 +64,7 @@ Meshes:
   --lic-intensity I      weight of the streaks in a blend, 0 to 1 (default 0.8)
   --lic-phase P          phase of the animation, in loops (default 0)
 
-Curved cells and hair:
-  --error PIXELS         largest distance on the screen between triangles and curved cells, and
-                         between segments and hairs, 0.001 to 1e6 (default 0.5)
+Curved cells and hair (see also --error):
   --isolines N           N isolines of the point array that colours the mesh
   --patch-edges          draw the edges of the cells, not those of triangles
   --hair N               grow N hairs on the mesh, each about 0.05 of its diagonal long
@@ -111,13 +109,17 @@ Level of detail:
   --level N              the level of every edge, 0 to 7: 2^N segments
   --max-level N          highest level of the metric, 0 to 7 (default: the level that matches the
                          samples of a height map, or the pixels of the picture)
-  --metric NAME          where to refine: distance (default for height maps), screen-edge (long
+  --metric NAME          where to refine: height (distance between triangles and the height map;
+                         default for height maps), distance (near the camera), screen-edge (long
                          edges on the screen; default for meshes), curvature, silhouette
                          (silhouettes by normals), contour (silhouettes by faces), view-dependent
                          (curved and seen edge-on), field (where the height or the array varies),
                          region, error (distance between triangles and curved cells; default for
                          curved cells), control-net (bends of their control nets). With --lic, the
                          default refines where vectors vary, and edges longer than --pixels
+  --error PIXELS         largest distance on the screen between triangles and the height map (default
+                         1) or curved cells, and between segments and hairs (default 0.5), 0.001 to
+                         1e6. --max-level limits the triangles
   --reach M              distance from the camera up to which distance refines (default: three times
                          the diagonal)
   --pixels N             length of a segment on the screen, for screen-edge (default 4) and --lic
@@ -158,6 +160,9 @@ The picture:
                          in metres, with x east, y north and z up; a .vtp file also has the field
                          data Origin and CoordinateSystem and the point data Height. Meshes keep
                          their coordinates
+  --tolerance METRES     with --export, refine until no point of the exported mesh is farther above or
+                         below the height map. The view has no influence. The default of --max-level
+                         is then 7
   --height-at LON,LAT    print the height at this longitude and latitude, in the unit of the raster,
                          and exit
   --help                 print this text and exit

@@ -320,7 +320,8 @@ int MeshScene::GetDefaultLevel()
   // Levels by edge length or error on the screen are limited anyway.
   using Metric = ViewerOptions::MetricType;
   const Metric metric = this->Options.GetMetric();
-  if ((metric == Metric::ScreenEdge || metric == Metric::Error) && !this->Options.IsFlowMetric())
+  if ((metric == Metric::ScreenEdge || metric == Metric::Error || metric == Metric::Height) &&
+    !this->Options.IsFlowMetric())
   {
     return 7;
   }

@@ -60,6 +60,12 @@ TerrainScene::TerrainScene(const ViewerOptions& options, ViewerMessages& message
   this->ReadTerrain();
   this->MakeDisplacedMesh();
   this->Recipe->SetDisplacement(this->Source->GetDisplacement());
+  // Fewer triangles.
+  this->Options.PerEdge |= options.GetMetric() == ViewerOptions::MetricType::Height;
+  if (options.Tolerance && !options.WholeSegments)
+  {
+    this->Options.WholeSegments = true;
+  }
   this->Show(options.MaximumLevel.value_or(this->GetDefaultLevel()), this->MakeReliefMetric());
   this->SetColours();
   this->SetLevelColours();
@@ -87,6 +93,9 @@ void TerrainScene::ReadTerrain()
   {
     this->Source->SetResolution(*this->Options.Resolution);
   }
+  // Measured triangles should have their corners on samples.
+  this->Source->SetAlignToSamples(
+    !this->Options.UniformLevel && this->Options.GetMetric() == ViewerOptions::MetricType::Height);
   if (this->Options.FillNoData)
   {
     this->Source->SetNoDataPolicyToFill();
@@ -295,8 +304,9 @@ void TerrainScene::KeepAboveGround()
   // These metrics give the highest levels near the camera, or levels that morph to them.
   using Metric = ViewerOptions::MetricType;
   const Metric metric = this->Options.GetMetric();
-  const bool isFine =
-    (metric == Metric::Distance || metric == Metric::ScreenEdge) && this->Options.Budget == 0;
+  const bool isFine = (metric == Metric::Distance || metric == Metric::ScreenEdge ||
+                        (metric == Metric::Height && !this->Options.Tolerance)) &&
+    this->Options.Budget == 0;
   const int highest = this->Recipe->GetMaximumLevel();
   const int lowest = this->Options.UniformLevel ? highest : isFine ? std::max(highest - 1, 0) : 0;
   this->Camera = std::make_unique<TerrainCamera>(
@@ -307,6 +317,11 @@ void TerrainScene::KeepAboveGround()
 //------------------------------------------------------------------------------
 int TerrainScene::GetDefaultLevel()
 {
+  const int highest = 7;
+  if (this->Options.Tolerance)
+  {
+    return highest;
+  }
   // The level of the height map's spacing. A picture that cannot be navigated needs nothing finer
   // than its pixels.
   int size[2];
@@ -326,7 +341,7 @@ int TerrainScene::GetDefaultLevel()
   {
     ++level;
   }
-  return std::min(std::max(level, 0), 7);
+  return std::min(std::max(level, 0), highest);
 }
 
 //------------------------------------------------------------------------------

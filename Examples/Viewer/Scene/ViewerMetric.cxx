@@ -12,6 +12,7 @@
 #include "vtkCylinder.h"
 #include "vtkDistanceDepthTagMetric.h"
 #include "vtkFieldVariationDepthTagMetric.h"
+#include "vtkHeightErrorDepthTagMetric.h"
 #include "vtkImplicitFunction.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -74,6 +75,14 @@ Metric MakeFieldVariation(const ViewerOptions& options, const std::string& array
   }
   vtkNew<vtkFieldVariationDepthTagMetric> metric;
   metric->SetArrayName(arrayName.c_str());
+  return metric.Get();
+}
+
+Metric MakeHeightError(const ViewerOptions& options)
+{
+  vtkNew<vtkHeightErrorDepthTagMetric> metric;
+  metric->SetScreenSpaceError(options.Error.value_or(metric->GetScreenSpaceError()));
+  metric->SetMaximumError(options.Tolerance.value_or(0.0));
   return metric.Get();
 }
 
@@ -144,6 +153,8 @@ Metric MakeMetric(const ViewerOptions& options, vtkPolyData* mesh, const std::st
       return MakeErrorMetric(options);
     case ViewerOptions::MetricType::ControlNet:
       return Metric::Take(vtkControlNetDepthTagMetric::New());
+    case ViewerOptions::MetricType::Height:
+      return MakeHeightError(options);
   }
   return nullptr;
 }

@@ -32,6 +32,8 @@ struct RefinementView
   std::shared_ptr<const PatternFamily> Patterns = nullptr;
   /// The displaced surface, for metrics that measure it; nullptr without a height map.
   std::shared_ptr<const DisplacedSurface> Displaced = nullptr;
+  /// Whether the mesh is a block of a composite data set, whose border must match other blocks.
+  bool IsPart = false;
 
   /**
    * Add the values of the mesh's placement or of the camera as dependencies. Modification times are

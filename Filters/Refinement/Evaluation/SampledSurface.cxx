@@ -5,12 +5,14 @@
 #include "Changes/Dependencies.h"
 #include "Evaluation/MeshPreparation.h"
 #include "Evaluation/RefinementEvaluator.h"
+#include "Evaluation/SampledFaces.h"
 #include "Mathematics/RefinementMathematics.h"
 #include "Mesh/RefinementMesh.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDisplacement.h"
+#include "vtkHeightField.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkRefinementSurface.h"
@@ -19,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace relevo
@@ -149,6 +152,7 @@ SampledSurface::SampledSurface(vtkAdaptiveRefinement* recipe)
 void SampledSurface::AddTo(Dependencies& dependencies) const
 {
   dependencies.AddObject(this->Recipe->GetDisplacement());
+  dependencies.Add(this->Recipe->GetDisplacement()->GetHeightMap()->GetSamplesMTime());
   dependencies.AddObject(this->Recipe->GetSurface());
   dependencies.Add(this->Recipe->GetMaximumLevel());
 }
@@ -198,5 +202,24 @@ DiscreteCurvature SampledSurface::ComputeCurvature(
     result.Mean[point] = result.Mean[mergedPoint];
   }
   return result;
+}
+
+std::unique_ptr<DisplacedFaces> SampledSurface::MakeFaces(vtkPolyData* input,
+  const GlobalSurfaceInfo* whole, std::shared_ptr<const PatternFamily> patterns) const
+{
+  auto faces = std::make_unique<SampledFaces>();
+  std::string error; // the filter or mapper reports it
+  std::string warning;
+  if (!BuildMesh(input, this->Recipe, false, whole, faces->Mesh, error, warning))
+  {
+    return nullptr;
+  }
+  faces->Take(this->Recipe, std::move(patterns));
+  return faces;
+}
+
+int SampledSurface::GetMaximumLevel() const
+{
+  return this->Recipe->GetMaximumLevel();
 }
 }

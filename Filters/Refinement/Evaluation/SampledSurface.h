@@ -33,6 +33,9 @@ public:
   void AddTo(Dependencies& dependencies) const override;
   DiscreteCurvature ComputeCurvature(
     vtkPolyData* mesh, const GlobalSurfaceInfo* whole) const override;
+  std::unique_ptr<DisplacedFaces> MakeFaces(vtkPolyData* mesh, const GlobalSurfaceInfo* whole,
+    std::shared_ptr<const PatternFamily> patterns) const override;
+  int GetMaximumLevel() const override;
 
 private:
   vtkAdaptiveRefinement* Recipe;

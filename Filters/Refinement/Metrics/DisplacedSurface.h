@@ -10,12 +10,16 @@
 #define DisplacedSurface_h
 
 #include "Metrics/DiscreteCurvature.h" // for return value
+#include "Metrics/DisplacedFaces.h"    // for return value
+
+#include <memory> // for return value
 
 class vtkPolyData;
 
 namespace relevo
 {
 class Dependencies;
+class PatternFamily;
 struct GlobalSurfaceInfo;
 
 class DisplacedSurface
@@ -32,6 +36,16 @@ public:
    */
   virtual DiscreteCurvature ComputeCurvature(
     vtkPolyData* mesh, const GlobalSurfaceInfo* whole) const = 0;
+
+  /**
+   * Prepare the faces of a mesh, without ghost cells, for measuring them with these patterns.
+   * Returns nullptr if the mesh cannot be displaced.
+   */
+  virtual std::unique_ptr<DisplacedFaces> MakeFaces(vtkPolyData* mesh,
+    const GlobalSurfaceInfo* whole, std::shared_ptr<const PatternFamily> patterns) const = 0;
+
+  /// The highest level of an edge of the recipe.
+  virtual int GetMaximumLevel() const = 0;
 };
 }
 

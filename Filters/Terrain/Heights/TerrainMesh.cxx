@@ -20,10 +20,11 @@ namespace relevo
 {
 namespace
 {
-// A regular grid of (u, v) in [0, 1]^2.
+// A grid of (u, v) in [0, 1]^2, which is regular unless it has lines.
 struct Grid
 {
   int Cells[2];
+  std::vector<double> Lines[2];
 
   vtkIdType NumberOfPoints() const { return (this->Cells[0] + 1LL) * (this->Cells[1] + 1LL); }
   vtkIdType NumberOfCells() const
@@ -31,7 +32,11 @@ struct Grid
     return static_cast<vtkIdType>(this->Cells[0]) * this->Cells[1];
   }
   vtkIdType Point(int i, int j) const { return j * (this->Cells[0] + 1LL) + i; }
-  double Parameter(int axis, int i) const { return static_cast<double>(i) / this->Cells[axis]; }
+  double Parameter(int axis, int i) const
+  {
+    return this->Lines[axis].empty() ? static_cast<double>(i) / this->Cells[axis]
+                                     : this->Lines[axis][i];
+  }
 };
 
 // Chooses cells that are about square and not finer than the texels.
@@ -45,6 +50,31 @@ Grid divide(const std::array<double, 2>& lengths, const int texels[2], int resol
     grid.Cells[axis] = static_cast<int>(std::clamp(cells, 1.0, static_cast<double>(texels[axis])));
   }
   return grid;
+}
+
+// Moves the lines of a grid to the centres of texels, a power of two texels apart, so that patterns
+// have vertices at the centres. The outer half of the outermost texels gets squares of half a
+// texel.
+void align(Grid& grid, const int texels[2])
+{
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const int n = texels[axis];
+    if (n < 2)
+    {
+      continue;
+    }
+    const double spacing = static_cast<double>(n) / grid.Cells[axis];
+    const int step = 1 << static_cast<int>(std::lround(std::log2(spacing)));
+    std::vector<double>& lines = grid.Lines[axis];
+    lines.push_back(0.0);
+    for (int texel = 0; texel < n - 1; texel += step)
+    {
+      lines.push_back((texel + 0.5) / n);
+    }
+    lines.insert(lines.end(), { (n - 0.5) / n, 1.0 });
+    grid.Cells[axis] = static_cast<int>(lines.size()) - 1;
+  }
 }
 
 // Range of the texels that bilinear interpolation uses between two parameters on one axis.
@@ -194,9 +224,14 @@ void addPoints(const TerrainFrame& frame, const Grid& grid, const std::vector<in
 }
 
 bool BuildTerrainMesh(const TerrainFrame& frame, const int texels[2], int resolution,
-  const unsigned char* validity, const std::function<bool()>& goesOn, vtkPolyData* output)
+  bool isAligned, const unsigned char* validity, const std::function<bool()>& goesOn,
+  vtkPolyData* output)
 {
-  const Grid grid = divide(frame.GetLengths(), texels, resolution);
+  Grid grid = divide(frame.GetLengths(), texels, resolution);
+  if (isAligned)
+  {
+    align(grid, texels);
+  }
   std::vector<int> gridPoint;
   const bool isComplete = addTriangles(frame, grid,
     validity ? findSquaresWithData(grid, texels, validity)

@@ -23,9 +23,9 @@ Dependencies GetTagDependencies(const SelectionInput& input, const RefinementVie
 {
   vtkAdaptiveRefinement* recipe = input.Recipe;
   vtkDepthTagMetric* metric = GetMetricInUse(recipe, input.Input);
-  Dependencies dependencies =
-    Dependencies::On(recipe->GetMaximumLevel(), input.MeshTime, input.WholeTime, input.HighestTag,
-      std::string(recipe->GetDepthTagArrayName()), recipe->GetLevelRule(), onGPU);
+  Dependencies dependencies = Dependencies::On(recipe->GetMaximumLevel(), input.MeshTime,
+    input.WholeTime, input.HighestTag, std::string(recipe->GetDepthTagArrayName()),
+    recipe->GetLevelRule(), onGPU, GetPatternFamily(recipe, input.Input)->GetMTime(), view.IsPart);
   dependencies.AddObject(metric);
   view.AddTo(
     dependencies, metric && metric->IsPlacementDependent(), metric && metric->IsViewDependent());

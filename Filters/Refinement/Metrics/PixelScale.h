@@ -6,26 +6,25 @@
  *
  * Let z be the depth along the viewing direction, and t the tangent of the angle from this
  * direction. A length covers at most sqrt(1 + t^2) / z times its number of pixels at depth 1.
- *
- * Private to the module.
  */
 #ifndef PixelScale_h
 #define PixelScale_h
 
+#include "RelevoFiltersRefinementModule.h" // for export macro
 #include "View/WorldView.h"
 
 #include <string> // for errors
 
 namespace relevo
 {
-/// A box of control points in mesh coordinates.
+/// A box of points in mesh coordinates.
 struct PointBox
 {
   dvec3 Low{ 0.0 };
   dvec3 High{ 0.0 };
 };
 
-class PixelScale
+class RELEVOFILTERSREFINEMENT_EXPORT PixelScale
 {
 public:
   explicit PixelScale(const RefinementView& view);
@@ -36,6 +35,9 @@ public:
   /// Returns the pixels of a unit of the mesh within a box, or infinity if the eye is inside of the
   /// box.
   double GetPixels(const PointBox& box) const;
+
+  /// Returns the largest scale factor from mesh to world coordinates. Needs no Check().
+  double GetMaximumStretch() const { return this->MaximumStretch; }
 
 private:
   double GetDistance(const PointBox& box) const;
