@@ -331,7 +331,8 @@ bool vtkTerrainSource::Build(vtkPolyData* output, std::string& error)
 
   const bool hasHoles = this->GetNoDataPolicy() == vtkDisplacement::HOLE;
   if (!relevo::BuildTerrainMesh(
-        *this->Frame, texels, this->Resolution, this->AlignToSamples, hasHoles ? this->HeightMap->GetValidity() : nullptr,
+        *this->Frame, texels, this->Resolution, this->AlignToSamples,
+        hasHoles ? this->HeightMap->GetValidity() : nullptr,
         [this] { return !relevo::IsAborted(this); }, output))
   {
     return false;

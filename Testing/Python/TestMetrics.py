@@ -8,8 +8,8 @@ import sys
 import unittest
 
 import relevo
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
+from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPlane, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkCamera
 
@@ -190,6 +190,53 @@ class TestMetrics(unittest.TestCase):
         metric.SetModeToSum()
         self.assertLevels(levels(metric, make_triangle()), (5, ten, 5))
         self.assertEqual(metric.GetModeAsString(), "Sum")
+
+    def test_height_error(self):
+        image = vtkImageData()
+        image.SetDimensions(33, 33, 1)
+        image.AllocateScalars(VTK_FLOAT, 1)
+        for j in range(33):
+            for i in range(33):
+                image.SetScalarComponentFromDouble(i, j, 0, 0, 10 * math.sin(0.3 * i) * j / 32)
+        terrain = relevo.vtkTerrainSource()
+        terrain.GetHeightMap().SetImageData(image)
+        terrain.SetResolution(4)
+        terrain.Update()
+        faces = terrain.GetOutput().GetNumberOfCells()
+        terrain.AlignToSamplesOn()
+        terrain.Update()
+        # Four squares of 8 texels, and a border of half a texel.
+        self.assertEqual((faces, terrain.GetOutput().GetNumberOfCells()), (32, 72))
+        metric = relevo.vtkHeightErrorDepthTagMetric()
+        self.assertEqual((metric.GetScreenSpaceError(), metric.GetMaximumError()), (1, 0))
+        self.assertTrue(metric.IsViewDependent())
+        recipe = relevo.vtkAdaptiveRefinement()
+        recipe.SetMetric(metric)
+        recipe.SetMaximumLevel(6)
+        recipe.SetLevelRuleToPerEdge()
+        recipe.SetDisplacement(terrain.GetDisplacement())
+        refined = relevo.vtkAdaptiveRefinementFilter()
+        refined.SetInputConnection(terrain.GetOutputPort())
+        refined.SetRefinement(recipe)
+        counts = []
+        for length in (0.5, 0.05):
+            metric.SetMaximumError(length)
+            self.assertFalse(metric.IsViewDependent())
+            refined.Update()
+            mesh = refined.GetOutput()
+            counts.append(mesh.GetNumberOfCells())
+            uv = mesh.GetPointData().GetTCoords()
+            heights = terrain.GetHeightMap()
+            for cell in range(mesh.GetNumberOfCells()):
+                ids = [mesh.GetCell(cell).GetPointId(k) for k in range(3)]
+                u, v = (sum(uv.GetComponent(i, axis) for i in ids) / 3 for axis in range(2))
+                z = sum(mesh.GetPoint(i)[2] for i in ids) / 3
+                self.assertLess(abs(z - heights.GetHeight(u, v)), 1.001 * length)
+        self.assertGreater(counts[1], 2 * counts[0])
+        errors = Errors(metric)
+        metric.SetMaximumError(-1)
+        self.assertIn("MaximumError", errors.take())
+        self.assertIn("height map", relevo.vtkHeightErrorDepthTagMetric.__doc__)
 
     def test_recipe(self):
         for name in NAMES[2:]:

@@ -31,6 +31,7 @@ METRICS = (
     "view-dependent",
     "field",
     "region",
+    "height",
 )
 
 
@@ -91,6 +92,17 @@ class TestViewer(ViewerProgram):
         self.assert_error(2, ["--region", "region"], self.heights, "--region", "1,2,3")
         self.assert_error(2, ["--height requires a mesh"], self.heights, "--height", self.heights)
         self.assert_error(2, ["--level"], self.heights, "--level=2", "--metric=curvature")
+        self.assert_error(
+            2, ["--error requires --metric height"], self.heights, "--error=1", "--metric=distance"
+        )
+        self.assert_error(2, ["--error cannot be"], self.heights, "--error=1", "--level=1")
+        self.assert_error(2, ["--tolerance requires --export"], self.heights, "--tolerance=1")
+        for tolerance in ("0", "-1", "nan"):
+            self.assert_error(2, ["--tolerance"], self.heights, f"--tolerance={tolerance}")
+        export = ("--export", "a.vtp", "--tolerance=1")
+        self.assert_error(2, ["--error"], self.heights, *export, "--error=1")
+        self.assert_error(2, ["--metric height"], self.heights, *export, "--metric=curvature")
+        self.assert_error(2, ["--tolerance cannot be"], self.heights, *export, "--level=1")
         self.assert_error(2, ["--surface", "'nurbs'"], self.heights, "--surface", "nurbs")
         self.assert_error(2, ["--method", "'fast'"], self.heights, "--method", "fast")
         self.assert_error(2, ["--view", "elevation"], self.heights, "--view", "0,90.5")
@@ -228,7 +240,7 @@ class TestViewer(ViewerProgram):
             metric: self.triangles("--metric", metric, "--max-level", "3", "--resolution", "12")
             for metric in METRICS
         }
-        coarse = self.triangles("--max-level", "0", "--resolution", "12")
+        coarse = self.triangles("--level", "0", "--resolution", "12")
         self.assertTrue(all(coarse < n < 64 * coarse for n in counts.values()), counts)
         self.assertGreater(len(set(counts.values())), 6, counts)
 
@@ -303,7 +315,7 @@ class TestViewer(ViewerProgram):
         self.assertTrue(any(r > 215 and b > 195 and g < 120 for r, g, b in colors["pattern"]))
 
     def test_export_is_the_displaced_terrain(self):
-        mesh = self.mesh("--exaggeration", "2", "--max-level", "3")
+        mesh = self.mesh("--exaggeration", "2", "--max-level", "3", "--metric", "distance")
         bounds = mesh.GetBounds()
         # Without georeference one texel is one unit, and the origin is the centre.
         for bound, expected in zip(bounds, (-24, 24, -16, 16)):
@@ -330,11 +342,29 @@ class TestViewer(ViewerProgram):
         self.assertTrue(all(cells.GetComponent(i, 2) > 0 for i in range(cells.GetNumberOfTuples())))
 
     def test_export_level(self):
-        coarse = self.mesh("--max-level", "0", "--resolution", "6")
-        fine = self.mesh("--max-level", "2", "--resolution", "6")
+        common = ("--metric", "distance", "--resolution", "6")
+        coarse = self.mesh("--max-level", "0", *common)
+        fine = self.mesh("--max-level", "2", *common)
         self.assertEqual(coarse.GetNumberOfCells(), 2 * 6 * 4)
         self.assertGreater(fine.GetNumberOfCells(), coarse.GetNumberOfCells())
         self.assertLessEqual(fine.GetNumberOfCells(), 16 * coarse.GetNumberOfCells())
+
+    def test_export_to_a_tolerance(self):
+        """The view does not matter, and a smaller tolerance takes more triangles."""
+        counts = [
+            self.mesh("--tolerance", *options).GetNumberOfCells()
+            for options in (("1",), ("1", "--zoom=9"), ("0.1",), ("0.1", "--max-level=1"))
+        ]
+        self.assertEqual(counts[0], counts[1])
+        self.assertGreater(counts[2], counts[0])
+        self.assertLess(counts[3], counts[2])
+
+    def test_error_of_heights(self):
+        common = ("--resolution=6", "--max-level=6")
+        counts = [self.triangles("--error", error, *common) for error in ("1", "4", "16")]
+        self.assertGreater(counts[0], counts[1])
+        self.assertGreater(counts[1], counts[2])
+        self.assertEqual(counts[0], self.triangles("--metric", "height", *common))
 
     def test_uniform_level(self):
         mesh = self.mesh("--level", "2", "--resolution", "6")

@@ -227,14 +227,18 @@ class TestViewerTerrain(ViewerProgram):
     def test_small_budget(self):
         """A budget below the number of coarse triangles is an error."""
         run = self.run_program(
-            self.ramp(10), "--budget=500", "--resolution=20", "--output=b.png", "--size=80x60"
+            self.ramp(10), "--budget=500", "--resolution=20", "--output=b.png", "--size=80x60",
+            "--metric=distance",
         )
         self.assertEqual(run.returncode, 0)
         self.assertRegex(
             run.stderr,
             r"\A[^\n]*--budget 500 is less than the 600 coarse triangles[^\n]*--resolution 18[^\n]*\n\Z",
         )
-        self.view(self.ramp(10), "--budget=600", "--resolution=20", "--output=b.png", "--size=80x60")
+        self.view(
+            self.ramp(10), "--budget=600", "--resolution=20", "--output=b.png", "--size=80x60",
+            "--metric=distance",
+        )
 
     def test_options_in_messages(self):
         """Messages name the viewer's options, not the library's setters."""

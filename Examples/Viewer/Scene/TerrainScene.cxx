@@ -336,8 +336,11 @@ int TerrainScene::GetDefaultLevel()
     segments = static_cast<int>(std::min<double>(segments, std::ceil(pixels)));
   }
   int level = static_cast<int>(std::ceil(std::log2(static_cast<double>(segments) / squares)));
-  // The distance metric gives the highest level only to edges that touch the camera.
-  if (this->Options.GetMetric() == ViewerOptions::MetricType::Distance)
+  // The distance metric gives the highest level only to edges that touch the camera, and the error
+  // of heights only to edges that need it.
+  using Metric = ViewerOptions::MetricType;
+  const Metric metric = this->Options.GetMetric();
+  if (metric == Metric::Distance || metric == Metric::Height)
   {
     ++level;
   }

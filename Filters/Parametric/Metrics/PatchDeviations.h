@@ -10,7 +10,7 @@
 #define PatchDeviations_h
 
 #include "Mathematics/RefinementMathematics.h"
-#include "Metrics/PixelScale.h"
+#include "View/PixelScale.h"
 #include "vtkType.h"
 
 #include <array>  // for edges

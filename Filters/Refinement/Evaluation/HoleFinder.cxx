@@ -3,15 +3,12 @@
 #include "Evaluation/HoleFinder.h"
 
 #include "Mesh/FaceDisplacement.h"
-
-#include "Evaluation/PatternSelection.h"
+#include "Patterns/FacePattern.h"
 #include "Patterns/RefinementPattern.h"
 #include "vtkDisplacement.h"
 #include "vtkHeightField.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <atomic>
 #include <vector>
 
 namespace relevo
@@ -176,35 +173,6 @@ int HoleFinder::Find(int face, const FacePattern& facePattern, unsigned char* ou
     out[t] = hole ? 1 : 0;
     count += hole ? 1 : 0;
   }
-  return count;
-}
-
-vtkIdType CountHoles(const RefinementMesh& mesh, const PatternSelection& selection,
-  const HeightValidity& validity, const unsigned char* hidden)
-{
-  if (!validity.Samples)
-  {
-    return 0;
-  }
-  const HoleFinder holeFinder(mesh, validity);
-  std::atomic<vtkIdType> count(0);
-  vtkSMPTools::For(0, selection.GetNumberOfFaces(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      std::vector<unsigned char> out;
-      vtkIdType holes = 0;
-      for (int face = static_cast<int>(begin); face < end; ++face)
-      {
-        if (hidden && hidden[face])
-        {
-          continue;
-        }
-        const FacePattern pattern = selection.GetFacePattern(face);
-        out.resize(static_cast<size_t>(pattern.Pattern->GetNumberOfTriangles()));
-        holes += holeFinder.Find(face, pattern, out.data());
-      }
-      count += holes;
-    });
   return count;
 }
 }

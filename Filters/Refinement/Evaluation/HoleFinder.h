@@ -7,7 +7,6 @@
 #define HoleFinder_h
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
-#include "vtkType.h"                       // for vtkIdType
 
 #include <memory> // for members
 
@@ -15,7 +14,6 @@ class vtkDisplacement;
 
 namespace relevo
 {
-class PatternSelection;
 class RefinementMesh;
 struct FacePattern;
 
@@ -65,14 +63,6 @@ private:
   struct Internals;
   std::unique_ptr<Internals> Data;
 };
-
-/**
- * Return the number of removed triangles of a selection on faces that are not hidden. `hidden` has
- * one byte per face, or is nullptr if no face is hidden.
- */
-RELEVOFILTERSREFINEMENT_EXPORT vtkIdType CountHoles(const RefinementMesh& mesh,
-  const PatternSelection& selection, const HeightValidity& validity,
-  const unsigned char* hidden = nullptr);
 }
 
 #endif

@@ -9,7 +9,7 @@
 #ifndef DisplacedFaces_h
 #define DisplacedFaces_h
 
-#include "Metrics/PixelScale.h" // for PointBox
+#include "View/PixelScale.h" // for PointBox
 
 #include <array>  // for corners and tags
 #include <vector> // for edges

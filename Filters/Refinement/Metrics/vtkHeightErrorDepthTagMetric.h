@@ -35,7 +35,8 @@
  *
  * With geomorphing, half a level is added, so that the vertices are in their final position.
  * LevelOffset, triangle budgets and time budgets change the levels, so that the limit no longer
- * holds. It does not hold for the hardware tessellator either, which generates other triangles.
+ * holds. It holds for METHOD_ARKFPI and METHOD_ARK of vtkAdaptiveRefinementMapper and for
+ * vtkAdaptiveRefinementFilter. The other methods generate other triangles.
  *
  * The blocks of a composite data set in a mapper and the pieces of a distributed mesh match,
  * because edges with one face have MaximumLevel there. For a filter and for separate meshes with a

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "State/ViewSelection.h"
 
+#include "Evaluation/HoleCount.h"
 #include "Evaluation/SampledSurface.h"
 #include "Mesh/RefinementMesh.h"
 #include "Recipe/RecipeLevels.h"

@@ -221,7 +221,7 @@ private:
   bool IsFlat;
 };
 
-double MeasureLength(Scene& scene, vtkPolyData* coarse, vtkPolyData* refined, int parts = 6)
+double MeasureLength(Scene& scene, vtkPolyData* coarse, vtkPolyData* refined, int parts = 4)
 {
   double largest = 0.0;
   Comparison(scene, coarse)
@@ -249,7 +249,7 @@ double MeasurePixels(Scene& scene, vtkPolyData* coarse, vtkPolyData* refined)
     (ViewportHeight + 200.0) / ViewportHeight, -1.0, 1.0);
   double largest = 0.0;
   Comparison(scene, coarse)
-    .ForEach(refined, 5,
+    .ForEach(refined, 4,
       [&](const double drawn[3], const double surface[3])
       {
         double a[2];
@@ -417,7 +417,7 @@ void TestViews(RelevoCheck& check)
   std::mt19937 random(7);
   std::uniform_real_distribution<double> number(0.0, 1.0);
   const auto coarse = MakePlane(4);
-  for (int i = 0; i < 40; ++i)
+  for (int i = 0; i < 20; ++i)
   {
     CHECK_CASE(i);
     Scene scene;

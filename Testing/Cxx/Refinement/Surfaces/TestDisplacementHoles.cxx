@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkDisplacement promises: triangles over samples without data are left out, or filled if you
 // choose so.
+#include "Evaluation/HoleCount.h"
 #include "Evaluation/HoleFinder.h"
 #include "RelevoCheck.h"
 #include "RelevoTestMeshes.h"

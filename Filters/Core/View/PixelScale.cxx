@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Metrics/PixelScale.h"
+#include "View/PixelScale.h"
 
 #include "View/RefinementView.h"
 #include "vtkCamera.h"

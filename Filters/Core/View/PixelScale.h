@@ -10,7 +10,7 @@
 #ifndef PixelScale_h
 #define PixelScale_h
 
-#include "RelevoFiltersRefinementModule.h" // for export macro
+#include "RelevoFiltersCoreModule.h" // for export macro
 #include "View/WorldView.h"
 
 #include <string> // for errors
@@ -24,7 +24,7 @@ struct PointBox
   dvec3 High{ 0.0 };
 };
 
-class RELEVOFILTERSREFINEMENT_EXPORT PixelScale
+class RELEVOFILTERSCORE_EXPORT PixelScale
 {
 public:
   explicit PixelScale(const RefinementView& view);
