@@ -287,7 +287,7 @@ public:
           this->MeasureLine(v[i], v[(i + 1) % 3]);
         }
       }
-      else if (this->HasData(face, v, holes))
+      else if (this->IsLargerThanTexel(v) && this->HasData(face, v, holes))
       {
         this->Largest[3] = std::max(this->Largest[3], this->GetLongestSide(v, points));
       }
@@ -339,6 +339,16 @@ private:
         this->Samples.GetMargin(a, b, c, parts);
     }
     this->Largest[3] = std::max(this->Largest[3], largest);
+  }
+
+  // Smaller removed triangles do not change the rim of a hole.
+  bool IsLargerThanTexel(const unsigned int* v) const
+  {
+    const dvec2& a = this->Vertices[v[0]].Place;
+    const dvec2& b = this->Vertices[v[1]].Place;
+    const dvec2& c = this->Vertices[v[2]].Place;
+    const dvec2 size = max(max(a, b), c) - min(min(a, b), c);
+    return std::max(size.x, size.y) > 1.0;
   }
 
   bool HasData(int face, const unsigned int* v, const HoleFinder& holes) const

@@ -13,7 +13,8 @@
  * eighth of the largest second difference, which is measured once per face, times a safety factor.
  *
  * Cells with missing samples are skipped. A removed triangle that contains data deviates by the
- * length of its longest side. At texture seams, heights are those of the face.
+ * length of its longest side, unless it is smaller than a texel. At texture seams, heights are
+ * those of the face.
  */
 #ifndef SampledFaces_h
 #define SampledFaces_h

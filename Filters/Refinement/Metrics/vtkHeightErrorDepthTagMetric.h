@@ -30,8 +30,8 @@
  *
  * Cells with missing samples are not measured. If NoDataPolicy of the displacement is HOLE, a
  * triangle that is removed although it contains data deviates by the length of its longest side, so
- * that the rims of holes are refined. At a texture seam, a step between the heights of both sides
- * is ignored.
+ * that the rims of holes are refined to the size of a texel. At a texture seam, a step between the
+ * heights of both sides is ignored.
  *
  * With geomorphing, half a level is added, so that the vertices are in their final position.
  * LevelOffset, triangle budgets and time budgets change the levels, so that the limit no longer
