@@ -34,6 +34,11 @@ std::int64_t GetLeg(const DecimationTriangle& triangle)
   return std::abs(triangle[0][0] - triangle[2][0]) + std::abs(triangle[0][1] - triangle[2][1]);
 }
 
+double GetLargerOrNaN(double a, double b)
+{
+  return std::isnan(a) || a >= b ? a : b;
+}
+
 // The samples of a grid between which a triangle lies, along an axis.
 struct Range
 {
@@ -196,7 +201,7 @@ double LatticeDecimation::GetTwistOfSide(
     if (isBetween(c, 0) && isBetween(r, 1))
     {
       const double twist = std::abs(this->GetTwist(static_cast<int>(c), static_cast<int>(r)));
-      largest = twist <= largest ? largest : twist; // keeps NaN
+      largest = GetLargerOrNaN(largest, twist);
     }
   }
   return largest;
@@ -242,7 +247,7 @@ double LatticeDecimation::Measure(const Triangle& triangle, Content& content) co
       {
         const double candidate =
           areas[side] == 0 ? this->GetTwistOfSide(triangle, side, column, row) : 0.0;
-        twist = candidate <= twist ? twist : candidate; // keeps NaN
+        twist = GetLargerOrNaN(twist, candidate);
       }
       hasHoles = hasHoles || std::isnan(twist);
       const double distance =

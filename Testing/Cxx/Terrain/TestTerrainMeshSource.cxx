@@ -107,13 +107,14 @@ void WriteTerrain(
   }
 }
 
-// Calls the function with the position and the truth of points of all triangles.
+// Calls the function with the position and the truth of points of triangles: all of a small mesh.
 template <typename Function>
 void ForPoints(vtkPolyData* mesh, const Terrain& terrain, Function function)
 {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  for (vtkIdType id = 0; id < mesh->GetNumberOfCells(); ++id)
+  const vtkIdType step = 1 + mesh->GetNumberOfCells() / 50000;
+  for (vtkIdType id = 0; id < mesh->GetNumberOfCells(); id += step)
   {
     vtkCell* cell = mesh->GetCell(id);
     double p[3][3];
@@ -121,7 +122,7 @@ void ForPoints(vtkPolyData* mesh, const Terrain& terrain, Function function)
     {
       cell->GetPoints()->GetPoint(i, p[i]);
     }
-    for (int k = 0; k < 8; ++k)
+    for (int k = 0; k < 5; ++k)
     {
       double a = uniform(random);
       double b = uniform(random);
@@ -232,8 +233,8 @@ void TestCameras(
   source->SetPyramid(pyramid);
   vtkNew<vtkCamera> camera;
   source->SetCamera(camera);
-  source->SetViewportSize(640, 400);
-  const int viewport[2] = { 640, 400 };
+  source->SetViewportSize(320, 200);
+  const int viewport[2] = { 320, 200 };
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   const double half = 0.5 * terrain.Spacing * terrain.Raster.Width;
@@ -261,7 +262,7 @@ void TestCameras(
       std::to_string(measured) + " of " + std::to_string(error) + ", in use " +
       std::to_string(source->GetScreenSpaceErrorInUse()) + ", " +
       std::to_string(source->GetOutput()->GetNumberOfCells()) + " triangles";
-    std::cout << what << "\n";
+    std::cout << what << std::endl;
     CHECK_LESS_EQUAL(measured, error + 0.02);
     CHECK_LESS_EQUAL(measured, source->GetScreenSpaceErrorInUse() * 1.001 + 0.02);
     CHECK(terrain.Raster.NoData || missing == 0);
