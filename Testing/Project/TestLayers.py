@@ -23,7 +23,7 @@ LAYERS = {
                            "Intersection"],
     "Filters/Flow": ["Noise", "Image", "Surface"],
     "Filters/Volume": ["Integral", "Mesh", "Cells", "Rays"],
-    "Filters/Terrain": ["Geodesy", "Raster", "Heights", "Pyramid"],
+    "Filters/Terrain": ["Geodesy", "Raster", "Heights", "Lattice", "Pyramid", "Bisection"],
     "Filters/Parametric": ["Splines", "Cells", "Coarse", "Files", "Curves", "Patches", "Metrics"],
     "Filters/Intersection": ["Exact", "Mesh", "Pairs", "Curves", "Contact"],
     "Filters/Relief": ["Data", "Warp", "Database"],

@@ -68,7 +68,7 @@ TerrainPlacement AdaptiveTerrain::GetPlacement(double exaggeration) const
     contents.Width, contents.Height, contents.VerticalUnit * exaggeration);
 }
 
-HeightRanges::Range AdaptiveTerrain::GetRange(const HeightRanges& ranges) const
+ElevationRanges::Range AdaptiveTerrain::GetRange(const ElevationRanges& ranges) const
 {
   constexpr int coarsest = 64; // coarser than any level
   const RasterDescription& contents = this->Lattice->Describe();
@@ -82,7 +82,7 @@ std::array<double, 6> AdaptiveTerrain::GetBounds(double exaggeration) const
   const TerrainPlacement placement = this->GetPlacement(exaggeration);
   const double columns = contents.Width - 1.0;
   const double rows = contents.Height - 1.0;
-  const HeightRanges::Range heights = this->GetRange(*this->Lattice->GetRanges());
+  const ElevationRanges::Range heights = this->GetRange(*this->Lattice->GetRanges());
   std::array<double, 6> bounds = { { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
   for (int i = 0; i < 8 && heights[0] <= heights[1]; ++i)
   {
@@ -103,12 +103,12 @@ void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
   // The background build of the index can replace them at any time.
   this->HasErrors = this->Lattice->AreErrorsKnown();
   const std::shared_ptr<const BlockErrors> errors = this->Lattice->GetErrors();
-  const std::shared_ptr<const HeightRanges> ranges = this->Lattice->GetRanges();
+  const std::shared_ptr<const ElevationRanges> ranges = this->Lattice->GetRanges();
   // An estimated range does not hide what exceeds it.
-  HeightRanges::Range all = this->GetRange(*ranges);
+  ElevationRanges::Range all = this->GetRange(*ranges);
   const float margin = all[1] - all[0];
   all = { { all[0] - margin, all[1] + margin } };
-  const HeightRanges wide(all);
+  const ElevationRanges wide(all);
   TerrainBisection bisection(
     contents.Width, contents.Height, *errors, this->Lattice->AreErrorsKnown() ? *ranges : wide);
   this->Cache.BeginFrame(GetSeconds());

@@ -12,11 +12,11 @@
 #ifndef AdaptiveTerrain_h
 #define AdaptiveTerrain_h
 
-#include "Bisection/HeightLattice.h"
 #include "Bisection/HeightTileCache.h"
 #include "Bisection/TerrainFace.h"
 #include "Bisection/TerrainView.h"
 #include "Geodesy/MapFrame.h"
+#include "Lattice/HeightLattice.h"
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <array>
@@ -75,7 +75,7 @@ public:
   std::string TakeError() { return this->Cache.TakeError(); }
 
 private:
-  HeightRanges::Range GetRange(const HeightRanges& ranges) const;
+  ElevationRanges::Range GetRange(const ElevationRanges& ranges) const;
   void SelectOnce(const TerrainView& view, double tolerance);
 
   std::shared_ptr<const HeightLattice> Lattice;

@@ -9,7 +9,7 @@
 #ifndef HeightTileSource_h
 #define HeightTileSource_h
 
-#include "Bisection/HeightTile.h"
+#include "Lattice/HeightTile.h"
 
 namespace relevo
 {

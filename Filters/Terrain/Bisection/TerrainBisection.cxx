@@ -36,7 +36,7 @@ const double FirstShare = std::exp2(-0.25);
 constexpr int Corners[4][2] = { { 0, 0 }, { 2, 0 }, { 2, 2 }, { 0, 2 } };
 constexpr int SideSteps[4][2] = { { 0, -1 }, { 1, 0 }, { 0, 1 }, { -1, 0 } };
 
-float Mix(float a, float b, float t)
+float MixHeights(float a, float b, float t)
 {
   return std::isnan(a) || t >= 1.0f ? b : a + t * (b - a);
 }
@@ -49,7 +49,7 @@ std::uint64_t GetKey(int level, std::int64_t column, std::int64_t row)
 }
 
 TerrainBisection::TerrainBisection(
-  int columns, int rows, const BlockErrors& errors, const HeightRanges& ranges)
+  int columns, int rows, const BlockErrors& errors, const ElevationRanges& ranges)
   : Columns(columns)
   , Rows(rows)
   , RootLevel(BlockErrors::GetRootLevel(columns, rows))
@@ -74,7 +74,7 @@ TerrainBox TerrainBisection::GetRegion(
   box.Columns = { { columns[0] * size, columns[1] * size } };
   box.Rows = { { rows[0] * size, rows[1] * size } };
   // Tiles as large as a block.
-  const HeightRanges::Range heights = this->Ranges.Get(level - 5, box.Columns, box.Rows);
+  const ElevationRanges::Range heights = this->Ranges.Get(level - 5, box.Columns, box.Rows);
   box.Heights = { { heights[0], heights[1] } };
   return box;
 }
@@ -447,7 +447,7 @@ float TerrainBisection::ComputeCornerHeight(std::int64_t x, std::int64_t y)
       morph = this->GetEdgeMorph(parent, side);
     }
     const float fine = getHeight(level, parent);
-    height = morph < 1.0f ? Mix(getHeight(level + 1, parent), fine, morph) : fine;
+    height = morph < 1.0f ? MixHeights(getHeight(level + 1, parent), fine, morph) : fine;
   }
   for (; level > 0; --level)
   {
@@ -470,7 +470,7 @@ float TerrainBisection::ComputeCornerHeight(std::int64_t x, std::int64_t y)
       break;
     }
     const float fine = getHeight(level - 1, finest);
-    height = morph < 1.0f ? Mix(getHeight(level, finest), fine, morph) : fine;
+    height = morph < 1.0f ? MixHeights(getHeight(level, finest), fine, morph) : fine;
   }
   return height;
 }

@@ -21,11 +21,11 @@
 #ifndef TerrainBisection_h
 #define TerrainBisection_h
 
-#include "Bisection/BlockErrors.h"
-#include "Bisection/HeightRanges.h"
 #include "Bisection/HeightTileSource.h"
 #include "Bisection/TerrainFace.h"
 #include "Bisection/TerrainView.h"
+#include "Lattice/BlockErrors.h"
+#include "Lattice/ElevationRanges.h"
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <array>
@@ -39,7 +39,7 @@ class RELEVOFILTERSTERRAIN_EXPORT TerrainBisection
 {
 public:
   /// The size of the raster in samples.
-  TerrainBisection(int columns, int rows, const BlockErrors& errors, const HeightRanges& ranges);
+  TerrainBisection(int columns, int rows, const BlockErrors& errors, const ElevationRanges& ranges);
 
   /**
    * Find the faces that a view needs for a tolerance in pixels. Tiles that are not in memory are
@@ -84,7 +84,7 @@ private:
   int Rows;
   int RootLevel;
   const BlockErrors& Errors;
-  const HeightRanges& Ranges;
+  const ElevationRanges& Ranges;
 
   const TerrainView* View = nullptr;
   double Tolerance = 1.0;

@@ -14,7 +14,7 @@
 #ifndef TerrainFace_h
 #define TerrainFace_h
 
-#include "Bisection/HeightTile.h"
+#include "Lattice/HeightTile.h"
 
 #include <array>
 #include <cstdint>

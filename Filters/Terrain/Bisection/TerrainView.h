@@ -4,9 +4,6 @@
  * @class   TerrainView
  * @brief   a camera that looks at a terrain: visibility of boxes and projected errors
  *
- * A point of the raster at column x, row y (whole numbers at the centers of samples) and height h
- * lies at Origin + x * Column + y * Row + (0, 0, h * HeightScale) in world coordinates.
- *
  * Private to the modules for terrains.
  */
 #ifndef TerrainView_h
@@ -14,27 +11,14 @@
 
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
+#include "Geodesy/TerrainPlacement.h"
+
 #include <array>
 
 class vtkCamera;
 
 namespace relevo
 {
-/// The position of a raster in world coordinates.
-struct TerrainPlacement
-{
-  std::array<double, 2> Origin = { { 0.0, 0.0 } };
-  std::array<double, 2> Column = { { 1.0, 0.0 } };
-  std::array<double, 2> Row = { { 0.0, -1.0 } };
-  double HeightScale = 1.0;
-
-  std::array<double, 3> ToWorld(double x, double y, double height) const
-  {
-    return { { this->Origin[0] + x * this->Column[0] + y * this->Row[0],
-      this->Origin[1] + x * this->Column[1] + y * this->Row[1], height * this->HeightScale } };
-  }
-};
-
 /// A box of the raster: columns, rows and heights.
 struct TerrainBox
 {

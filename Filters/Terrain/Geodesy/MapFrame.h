@@ -15,8 +15,8 @@
 #ifndef MapFrame_h
 #define MapFrame_h
 
-#include "Bisection/TerrainView.h"
 #include "Geodesy/Georeference.h"
+#include "Geodesy/TerrainPlacement.h"
 
 #include <array>
 

@@ -13,7 +13,7 @@
 #ifndef TerrainMeshBuilder_h
 #define TerrainMeshBuilder_h
 
-#include "Bisection/TerrainView.h"
+#include "Geodesy/TerrainPlacement.h"
 #include "Raster/RasterDescription.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pyramid/BlockErrorArea.h"
 
-#include "Bisection/BlockErrors.h"
+#include "Lattice/BlockErrors.h"
 
 #include <algorithm>
 #include <cmath>

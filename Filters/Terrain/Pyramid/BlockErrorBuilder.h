@@ -16,9 +16,9 @@
 #ifndef BlockErrorBuilder_h
 #define BlockErrorBuilder_h
 
-#include "Bisection/BlockErrors.h"
-#include "Bisection/LatticeSampler.h"
+#include "Lattice/BlockErrors.h"
 #include "Pyramid/BlockErrorArea.h"
+#include "Pyramid/LatticeSampler.h"
 #include "Pyramid/PyramidFile.h"
 
 #include <array>

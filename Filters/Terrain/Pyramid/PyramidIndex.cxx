@@ -218,18 +218,18 @@ bool PyramidIndex::GetRange(int level, double range[2]) const
   return range[0] <= range[1];
 }
 
-HeightRanges PyramidIndex::MakeHeightRanges(double scale, double offset) const
+ElevationRanges PyramidIndex::MakeElevationRanges(double scale, double offset) const
 {
   const auto convert = [scale, offset](const Record& record)
   {
     const double first = scale * record.Minimum + offset;
     const double second = scale * record.Maximum + offset;
-    return HeightRanges::Range{ { RoundDown(std::min(first, second)),
+    return ElevationRanges::Range{ { RoundDown(std::min(first, second)),
       RoundUp(std::max(first, second)) } };
   };
-  constexpr HeightRanges::Range empty = { { 1.0f, 0.0f } };
+  constexpr ElevationRanges::Range empty = { { 1.0f, 0.0f } };
   const bool hasAbsent = this->Absent.Minimum <= this->Absent.Maximum;
-  HeightRanges ranges(hasAbsent ? convert(this->Absent) : empty);
+  ElevationRanges ranges(hasAbsent ? convert(this->Absent) : empty);
   ranges.SetAbsent(hasAbsent ? convert(this->Absent) : empty);
   for (const auto& [key, record] : this->Levels[0])
   {

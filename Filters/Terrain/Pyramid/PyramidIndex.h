@@ -14,8 +14,8 @@
 #ifndef PyramidIndex_h
 #define PyramidIndex_h
 
-#include "Bisection/BlockErrors.h"
-#include "Bisection/HeightRanges.h"
+#include "Lattice/BlockErrors.h"
+#include "Lattice/ElevationRanges.h"
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <array>
@@ -64,7 +64,7 @@ public:
   bool GetRange(int level, double range[2]) const;
 
   /// The ranges of heights = scale * sample + offset.
-  HeightRanges MakeHeightRanges(double scale, double offset) const;
+  ElevationRanges MakeElevationRanges(double scale, double offset) const;
 
   //@{
   /// The errors of blocks; nullptr if there are none.

@@ -36,9 +36,9 @@ std::shared_ptr<const BlockErrors> PyramidLattice::GetErrors() const
   return this->Pyramid->GetBlockErrors();
 }
 
-std::shared_ptr<const HeightRanges> PyramidLattice::GetRanges() const
+std::shared_ptr<const ElevationRanges> PyramidLattice::GetRanges() const
 {
-  return this->Pyramid->GetHeightRanges();
+  return this->Pyramid->GetElevationRanges();
 }
 
 bool PyramidLattice::Read(HeightTile& tile, std::string& error) const

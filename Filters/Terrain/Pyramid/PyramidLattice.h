@@ -9,8 +9,8 @@
 #ifndef PyramidLattice_h
 #define PyramidLattice_h
 
-#include "Bisection/HeightLattice.h"
-#include "Bisection/LatticeSampler.h"
+#include "Lattice/HeightLattice.h"
+#include "Pyramid/LatticeSampler.h"
 
 #include <memory>
 
@@ -28,7 +28,7 @@ public:
   bool AreErrorsKnown() const override;
   bool AreErrorsPending() const override;
   std::shared_ptr<const BlockErrors> GetErrors() const override;
-  std::shared_ptr<const HeightRanges> GetRanges() const override;
+  std::shared_ptr<const ElevationRanges> GetRanges() const override;
   bool Read(HeightTile& tile, std::string& error) const override;
   bool ReadWindow(int level, int column, int row, int width, int height, float* heights,
     std::string& error) const override;

@@ -179,7 +179,7 @@ void RasterPyramid::MakeEstimates()
   const double error = 0.25 * GetSampleDistance(this->File->Describe());
   this->Errors = std::make_shared<const BlockErrors>(
     BlockErrors::Estimate(BlockErrors::GetRootLevel(size[0], size[1]), static_cast<float>(error)));
-  this->Ranges = std::make_shared<const HeightRanges>(HeightRanges::Range{
+  this->Ranges = std::make_shared<const ElevationRanges>(ElevationRanges::Range{
     { static_cast<float>(this->EstimatedRange[0]), static_cast<float>(this->EstimatedRange[1]) } });
 }
 
@@ -189,7 +189,7 @@ std::shared_ptr<const BlockErrors> RasterPyramid::GetBlockErrors() const
   return this->Errors;
 }
 
-std::shared_ptr<const HeightRanges> RasterPyramid::GetHeightRanges() const
+std::shared_ptr<const ElevationRanges> RasterPyramid::GetElevationRanges() const
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   return this->Ranges;
@@ -226,8 +226,8 @@ void RasterPyramid::StartIndex(const std::string& cacheFolder)
 void RasterPyramid::UseIndex()
 {
   const RasterDescription& contents = this->File->Describe();
-  auto ranges = std::make_shared<const HeightRanges>(
-    this->Index.MakeHeightRanges(contents.Scale, contents.Offset));
+  auto ranges = std::make_shared<const ElevationRanges>(
+    this->Index.MakeElevationRanges(contents.Scale, contents.Offset));
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Errors = this->Index.GetBlockErrors();

@@ -14,8 +14,8 @@
 #ifndef RasterPyramid_h
 #define RasterPyramid_h
 
-#include "Bisection/BlockErrors.h"
-#include "Bisection/HeightRanges.h"
+#include "Lattice/BlockErrors.h"
+#include "Lattice/ElevationRanges.h"
 #include "Pyramid/PyramidFile.h"
 #include "Pyramid/PyramidIndex.h"
 #include "Pyramid/TileCache.h"
@@ -77,7 +77,7 @@ public:
   /// The errors of blocks and the ranges of heights: estimates until the index is complete.
   /// Thread-safe.
   std::shared_ptr<const BlockErrors> GetBlockErrors() const;
-  std::shared_ptr<const HeightRanges> GetHeightRanges() const;
+  std::shared_ptr<const ElevationRanges> GetElevationRanges() const;
   //@}
 
   /// Wait for the index until `isAborted` returns true. Returns "" or the error of the build.
@@ -110,7 +110,7 @@ private:
   bool HasEnded = false;
   std::string Error;
   std::shared_ptr<const BlockErrors> Errors;
-  std::shared_ptr<const HeightRanges> Ranges;
+  std::shared_ptr<const ElevationRanges> Ranges;
 };
 
 template <typename Function>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pyramid/TriangleDistance.h"
 
-#include "Bisection/BlockErrors.h"
+#include "Lattice/BlockErrors.h"
 
 #include <algorithm>
 #include <cmath>

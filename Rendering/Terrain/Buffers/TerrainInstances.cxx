@@ -4,7 +4,7 @@
 
 #include "OpenGL/RelevoOpenGL.h"
 
-#include "Bisection/BlockErrors.h"
+#include "Lattice/BlockErrors.h"
 #include "vtkOpenGLRenderWindow.h"
 
 #include <cstring>

@@ -11,7 +11,7 @@
 #ifndef TerrainTileTextures_h
 #define TerrainTileTextures_h
 
-#include "Bisection/HeightTile.h"
+#include "Lattice/HeightTile.h"
 #include "vtkType.h" // for numbers of bytes
 
 #include <cstddef>

@@ -5,7 +5,7 @@
 #include "OpenGL/RelevoOpenGL.h"
 
 #include "Actors/ShaderVariantKey.h"
-#include "Bisection/BlockErrors.h"
+#include "Lattice/BlockErrors.h"
 #include "OpenGL/PositionShift.h"
 #include "View/TerrainViewpoint.h"
 #include "vtkActor.h"

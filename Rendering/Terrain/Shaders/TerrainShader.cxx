@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaders/TerrainShader.h"
 
-#include "Bisection/BlockErrors.h"
 #include "Bisection/TerrainFace.h"
+#include "Lattice/BlockErrors.h"
 #include "Shaders/ShaderVaryings.h"
 #include "relevoColorTable.h"
 #include "relevoTerrainFS.h"

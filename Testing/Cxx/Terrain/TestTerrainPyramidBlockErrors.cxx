@@ -6,10 +6,10 @@
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
 
-#include "Bisection/BlockErrors.h"
 #include "Bisection/FaceHeights.h"
-#include "Bisection/HeightRanges.h"
-#include "Bisection/LatticeSampler.h"
+#include "Lattice/BlockErrors.h"
+#include "Lattice/ElevationRanges.h"
+#include "Pyramid/LatticeSampler.h"
 #include "Pyramid/PyramidIndexBuilder.h"
 #include "Pyramid/RasterEstimates.h"
 #include "Pyramid/RasterPyramid.h"
@@ -503,9 +503,9 @@ void CheckOutlines(RelevoCheck& check, relevo::RasterPyramid& pyramid, const std
 // The ranges of heights contain those of the samples, and are those of tiles for whole tiles.
 void CheckRanges(RelevoCheck& check, relevo::RasterPyramid& pyramid, const TestCase& one)
 {
-  const std::shared_ptr<const relevo::HeightRanges> ranges = pyramid.GetHeightRanges();
+  const std::shared_ptr<const relevo::ElevationRanges> ranges = pyramid.GetElevationRanges();
   const relevo::RasterDescription& contents = pyramid.GetFile().Describe();
-  constexpr int size = relevo::HeightRanges::SamplesPerTile;
+  constexpr int size = relevo::ElevationRanges::SamplesPerTile;
   for (int row = 0; row < one.Height; row += size)
   {
     for (int column = 0; column < one.Width; column += size)
@@ -523,7 +523,7 @@ void CheckRanges(RelevoCheck& check, relevo::RasterPyramid& pyramid, const TestC
         lowest = height < lowest ? height : lowest;
         highest = height > highest ? height : highest;
       }
-      const relevo::HeightRanges::Range range =
+      const relevo::ElevationRanges::Range range =
         ranges->Get(0, { { column + 0.5, column + 0.6 } }, { { row + 0.5, row + 0.6 } });
       CHECK_LESS_EQUAL(range[0], lowest);
       CHECK_GREATER_EQUAL(range[1], highest);
@@ -631,8 +631,8 @@ void TestFlat(RelevoCheck& check, const RelevoTestFolders& folders)
     {
       CHECK_EQUAL(errors->GetSquareError(level, 0, 0), 0.0f);
     }
-    const relevo::HeightRanges::Range range =
-      pyramid->GetHeightRanges()->Get(0, { { 0.0, 256.0 } }, { { 0.0, height - 1.0 } });
+    const relevo::ElevationRanges::Range range =
+      pyramid->GetElevationRanges()->Get(0, { { 0.0, 256.0 } }, { { 0.0, height - 1.0 } });
     CHECK_EQUAL(range[0] <= range[1], hasData);
   }
 }

@@ -90,10 +90,10 @@ int RelevoTerrainMapper::FillInputPortInformation(int port, vtkInformation* info
 }
 
 void RelevoTerrainMapper::SetRaster(const std::shared_ptr<RelevoTerrainRaster>& raster,
-  const relevo::HeightRanges::Range& range, float errorOfLevel0)
+  const relevo::ElevationRanges::Range& range, float errorOfLevel0)
 {
   this->Raster = raster;
-  this->Ranges = relevo::HeightRanges(range);
+  this->Ranges = relevo::ElevationRanges(range);
   this->Errors = relevo::BlockErrors::Estimate(
     relevo::BlockErrors::GetRootLevel(raster->Columns, raster->Rows), errorOfLevel0);
   this->Bisection.reset(

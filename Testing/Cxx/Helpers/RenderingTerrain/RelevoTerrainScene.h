@@ -7,11 +7,11 @@
 
 #include "RelevoScene.h"
 
-#include "Bisection/BlockErrors.h"
-#include "Bisection/HeightRanges.h"
 #include "Bisection/HeightTileSource.h"
 #include "Bisection/TerrainBisection.h"
 #include "Drawing/TerrainPainter.h"
+#include "Lattice/BlockErrors.h"
+#include "Lattice/ElevationRanges.h"
 #include "vtkMapper.h"
 
 #include <functional>
@@ -51,7 +51,7 @@ public:
 
   // The range contains all heights. The error of the squares of level 0 defines the other errors.
   void SetRaster(const std::shared_ptr<RelevoTerrainRaster>& raster,
-    const relevo::HeightRanges::Range& range, float errorOfLevel0);
+    const relevo::ElevationRanges::Range& range, float errorOfLevel0);
 
   void Render(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -76,7 +76,7 @@ protected:
 
 private:
   std::shared_ptr<RelevoTerrainRaster> Raster;
-  relevo::HeightRanges Ranges;
+  relevo::ElevationRanges Ranges;
   relevo::BlockErrors Errors;
   std::unique_ptr<relevo::TerrainBisection> Bisection;
 };

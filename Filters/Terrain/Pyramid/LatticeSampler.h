@@ -11,7 +11,7 @@
 #ifndef LatticeSampler_h
 #define LatticeSampler_h
 
-#include "Bisection/HeightTile.h"
+#include "Lattice/HeightTile.h"
 #include "Pyramid/PyramidFile.h"
 #include "RelevoFiltersTerrainModule.h" // for export macro
 

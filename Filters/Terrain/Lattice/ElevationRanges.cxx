@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Bisection/HeightRanges.h"
+#include "Lattice/ElevationRanges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,19 +17,19 @@ std::uint64_t GetKey(std::int64_t column, std::int64_t row)
   return static_cast<std::uint64_t>(row) << 32 | static_cast<std::uint32_t>(column);
 }
 
-void Extend(HeightRanges::Range& range, const HeightRanges::Range& other)
+void Extend(ElevationRanges::Range& range, const ElevationRanges::Range& other)
 {
   range[0] = std::min(range[0], other[0]);
   range[1] = std::max(range[1], other[1]);
 }
 }
 
-HeightRanges::HeightRanges(const Range& all)
+ElevationRanges::ElevationRanges(const Range& all)
   : All(all)
 {
 }
 
-void HeightRanges::AddTile(int column, int row, const Range& range)
+void ElevationRanges::AddTile(int column, int row, const Range& range)
 {
   if (range[0] <= range[1])
   {
@@ -38,7 +38,7 @@ void HeightRanges::AddTile(int column, int row, const Range& range)
   }
 }
 
-void HeightRanges::Finish()
+void ElevationRanges::Finish()
 {
   while (!this->Levels.empty() && this->Levels.back().size() > 1)
   {
@@ -59,7 +59,7 @@ void HeightRanges::Finish()
   }
 }
 
-HeightRanges::Range HeightRanges::Get(
+ElevationRanges::Range ElevationRanges::Get(
   int level, const std::array<double, 2>& columns, const std::array<double, 2>& rows) const
 {
   if (this->Levels.empty())

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   HeightRanges
+ * @class   ElevationRanges
  * @brief   the lowest and highest heights of parts of a raster
  *
  * The ranges are those of tiles of 256 x 256 samples, and of 2 x 2 of these, and so on. Private to
  * the modules for terrains.
  */
-#ifndef HeightRanges_h
-#define HeightRanges_h
+#ifndef ElevationRanges_h
+#define ElevationRanges_h
 
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
@@ -19,14 +19,14 @@
 
 namespace relevo
 {
-class RELEVOFILTERSTERRAIN_EXPORT HeightRanges
+class RELEVOFILTERSTERRAIN_EXPORT ElevationRanges
 {
 public:
   static constexpr int SamplesPerTile = 256;
   using Range = std::array<float, 2>;
 
   /// Ranges that are all the same, until a tile is added.
-  explicit HeightRanges(const Range& all = { { 0.0f, 0.0f } });
+  explicit ElevationRanges(const Range& all = { { 0.0f, 0.0f } });
 
   /// Set the range of tiles that are not added, in rasters that have heights there.
   void SetAbsent(const Range& range) { this->Absent = range; }

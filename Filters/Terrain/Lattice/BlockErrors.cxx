@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Bisection/BlockErrors.h"
+#include "Lattice/BlockErrors.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,9 +9,9 @@
 #ifndef HeightLattice_h
 #define HeightLattice_h
 
-#include "Bisection/BlockErrors.h"
-#include "Bisection/HeightRanges.h"
-#include "Bisection/HeightTile.h"
+#include "Lattice/BlockErrors.h"
+#include "Lattice/ElevationRanges.h"
+#include "Lattice/HeightTile.h"
 #include "Raster/RasterDescription.h"
 
 #include <array>
@@ -33,7 +33,7 @@ public:
   /// Whether bounds are being computed.
   virtual bool AreErrorsPending() const { return false; }
   virtual std::shared_ptr<const BlockErrors> GetErrors() const = 0;
-  virtual std::shared_ptr<const HeightRanges> GetRanges() const = 0;
+  virtual std::shared_ptr<const ElevationRanges> GetRanges() const = 0;
 
   /// Read a tile, of which level, column and row are set. Returns false and sets `error` on
   /// failure. Thread-safe.
