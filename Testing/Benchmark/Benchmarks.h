@@ -50,6 +50,8 @@ void RunPatterns(const BenchmarkOptions& options, const AddTable& addTable);
 void RunMemory(const BenchmarkOptions& options, const AddTable& addTable);
 /// Compares a raster as terrain with VTK's classes.
 void RunTerrain(const BenchmarkOptions& options, const AddTable& addTable);
+/// Measures terrains of any size: frames, triangles, errors, memory and times of files.
+void RunTerrains(const BenchmarkOptions& options, const AddTable& addTable);
 /// Compares line integral convolution with VTK's.
 void RunLIC(const BenchmarkOptions& options, const AddTable& addTable);
 /// Compares volumes of cells with VTK's mappers and sort, and pictures with a reference.
@@ -70,6 +72,7 @@ void RunIntersections(const BenchmarkOptions& options, const AddTable& addTable)
 std::vector<double> RunInOwnProcess(const std::vector<std::string>& arguments);
 std::vector<double> MeasureMemory(const std::vector<std::string>& arguments);
 std::vector<double> MeasureTerrain(const std::vector<std::string>& arguments);
+std::vector<double> MeasureTerrains(const std::vector<std::string>& arguments);
 std::vector<double> MeasureVolumes(const std::vector<std::string>& arguments);
 std::vector<double> MeasureReliefs(const std::vector<std::string>& arguments);
 std::vector<double> MeasurePatches(const std::vector<std::string>& arguments);

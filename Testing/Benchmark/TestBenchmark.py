@@ -87,6 +87,8 @@ class TestBenchmark(unittest.TestCase):
         if "relief" in usage:
             self.check_reliefs(tables)
             self.check_warps(tables)
+        if " terrain" in usage:
+            self.check_terrains(tables)
         if "patches" in usage:
             self.check_patches(tables)
         if "intersections" in usage:
@@ -155,6 +157,27 @@ class TestBenchmark(unittest.TestCase):
             rows = [row for row in tables["relief-warps"] if row["sample"] == sample]
             self.assertEqual({row["policy"] for row in rows}, policies)
             self.assertTrue(all(row["warps"] > 0.0 for row in rows))
+
+    def check_terrains(self, tables):
+        self.assertEqual({row["view"] for row in tables["terrain-frames"]},
+                         {"oblique", "from above"})
+        for row in tables["terrain-frames"] + tables["terrain-grid"]:
+            self.assertLess(row["error"], 1.02, row)
+        for row in tables["terrain-triangles"]:
+            self.assertLess(row["error_a"], 1.001 * row["asked"], row)
+        self.assertEqual([row["asked"] for row in tables["terrain-cameras"]], [0.5, 1.0, 2.0])
+        for row in tables["terrain-cameras"]:
+            self.assertEqual(row["too_large"], 0, row)
+            self.assertGreater(row["triangles"], 0)
+        # The lighting of samples and of triangles differs in near views.
+        for row in tables["terrain-warp"]:
+            self.assertGreater(row["ssim"], 0.9, row)
+        for row in tables["terrain-index"]:
+            self.assertGreater(row["seconds"], 0.0)
+        self.assertEqual({row["delay_ms"] for row in tables["terrain-flight"]}, {0, 20})
+        for row in tables["terrain-flight"]:
+            self.assertGreater(row["triangles"], 0)
+        self.assertIn("terrain-writer", tables)  # empty without gdal_translate
 
     def check_patches(self, tables):
         for row in tables["patches-triangles"]:

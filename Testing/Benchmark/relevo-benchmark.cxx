@@ -44,6 +44,9 @@ const std::vector<Benchmark> Benchmarks = {
   { "rules", RunRules, false },
   { "memory", RunMemory },
   { "dem", RunTerrain },
+#ifdef BENCHMARK_HAS_TERRAINS
+  { "terrain", RunTerrains },
+#endif
   { "lic", RunLIC },
 #ifdef BENCHMARK_HAS_VOLUMES
   { "volumes", RunVolumes },
@@ -70,6 +73,9 @@ struct Measurement
 const std::vector<Measurement> Measurements = {
   { "memory", MeasureMemory },
   { "dem", MeasureTerrain },
+#ifdef BENCHMARK_HAS_TERRAINS
+  { "terrain", MeasureTerrains },
+#endif
 #ifdef BENCHMARK_HAS_VOLUMES
   { "volumes", MeasureVolumes },
 #endif
