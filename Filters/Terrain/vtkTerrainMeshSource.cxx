@@ -218,30 +218,22 @@ std::string vtkTerrainMeshSource::BuildView(vtkPolyData* output)
   }
   this->ErrorInUse = this->Terrain->GetError();
   constexpr int finest = relevo::BlockErrors::FinestLevel;
-  constexpr int segments = relevo::TerrainFace::Segments;
   relevo::TerrainMeshBuilder mesh(contents, placement, -finest);
   for (const relevo::TerrainFace& face : this->Terrain->GetFaces())
   {
     const relevo::FaceHeights heights(face);
-    const auto getVertex = [&](int a, int b)
+    const auto getVertex = [&](const std::array<int, 2>& vertex)
     {
+      const auto [a, b] = vertex;
       const int shift = face.Level - finest;
       return relevo::TerrainMeshBuilder::Vertex{
         (face.Apex[0] + a * face.Step1[0] + b * face.Step2[0]) << shift,
         (face.Apex[1] + a * face.Step1[1] + b * face.Step2[1]) << shift, heights.GetHeight(a, b)
       };
     };
-    for (int b = 0; b < segments; ++b)
+    for (const auto& [a, b, c] : relevo::TerrainFace::GetPattern())
     {
-      for (int a = 0; a + b < segments; ++a)
-      {
-        mesh.AddTriangle({ { getVertex(a, b), getVertex(a + 1, b), getVertex(a, b + 1) } });
-        if (a + b + 1 < segments)
-        {
-          mesh.AddTriangle(
-            { { getVertex(a + 1, b), getVertex(a + 1, b + 1), getVertex(a, b + 1) } });
-        }
-      }
+      mesh.AddTriangle({ { getVertex(a), getVertex(b), getVertex(c) } });
     }
   }
   mesh.Finish({ { 0.0, contents.Width - 1.0 } }, { { 0.0, contents.Height - 1.0 } }, output);

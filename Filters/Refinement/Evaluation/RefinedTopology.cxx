@@ -13,9 +13,9 @@ namespace relevo
 namespace
 {
 // The positions of a pattern's corners and edges under a permutation code.
-struct Placement
+struct EdgePlacement
 {
-  explicit Placement(int code)
+  explicit EdgePlacement(int code)
   {
     const auto& order = GetCornerOrder(code);
     for (int i = 0; i < 3; ++i)
@@ -37,10 +37,10 @@ struct Placement
   bool Forward[3];
 };
 
-const Placement& GetPlacement(int code)
+const EdgePlacement& GetEdgePlacement(int code)
 {
-  static const Placement placements[6] = { Placement(0), Placement(1), Placement(2), Placement(3),
-    Placement(4), Placement(5) };
+  static const EdgePlacement placements[6] = { EdgePlacement(0), EdgePlacement(1), EdgePlacement(2),
+    EdgePlacement(3), EdgePlacement(4), EdgePlacement(5) };
   return placements[code];
 }
 }
@@ -188,7 +188,7 @@ void RefinedTopology::GetWeights(int use, int step, float weights[3]) const
 RefinedTopology::Edge RefinedTopology::GetEdge(int face, int patternEdge) const
 {
   const FacePattern& pattern = this->Patterns[face];
-  const Placement& placement = GetPlacement(pattern.Code);
+  const EdgePlacement& placement = GetEdgePlacement(pattern.Code);
   const int use = 3 * face + placement.Edges[patternEdge];
   const int id = this->Mesh.FaceEdges[static_cast<size_t>(use)];
   return { use, id, this->EdgeOwners[id] == use, placement.Forward[patternEdge],
@@ -199,7 +199,7 @@ void RefinedTopology::GetPoints(int face, std::vector<vtkIdType>& points) const
 {
   const RefinementPattern& pattern = *this->Patterns[face].Pattern;
   points.resize(static_cast<size_t>(pattern.GetNumberOfVertices()));
-  const int* corners = GetPlacement(this->Patterns[face].Code).Corners;
+  const int* corners = GetEdgePlacement(this->Patterns[face].Code).Corners;
   for (int i = 0; i < 3; ++i)
   {
     points[i] = this->GetCorner(face, corners[i]);
@@ -232,7 +232,7 @@ void RefinedTopology::GetOwnedPoints(int face, std::vector<RefinedPoint>& points
     this->Patterns[face].GetWeights(vertex, point.Weights);
     points.push_back(point);
   };
-  const int* corners = GetPlacement(code).Corners;
+  const int* corners = GetEdgePlacement(code).Corners;
   for (int i = 0; i < 3; ++i)
   {
     const int corner = this->Mesh.Faces[face].Corners[corners[i]];

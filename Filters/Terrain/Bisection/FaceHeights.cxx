@@ -56,13 +56,17 @@ float FaceHeights::GetCoarse(int a, int b) const
     (f.Apex[1] + a * f.Step1[1] + b * f.Step2[1]) / 2);
 }
 
-// The height of a vertex that the parent had, too. Its corner (Segments, 0) is a corner of the
-// parent.
+// The height of a vertex that the parent had, too. The corners (Segments, 0) and (0, Segments) are
+// corners of the parent.
 float FaceHeights::GetSource(int a, int b) const
 {
   if (a == TerrainFace::Segments)
   {
     return this->Face.CornerHeights[1];
+  }
+  if (b == TerrainFace::Segments)
+  {
+    return this->Face.CornerHeights[2];
   }
   return this->Face.Made == TerrainFace::Origin::Square || b == 0 ? this->GetCoarse(a, b)
                                                                   : this->GetFine(a, b);
@@ -83,9 +87,17 @@ float FaceHeights::GetHeight(int a, int b) const
   {
     return target;
   }
-  const float source = (a + b) % 2 == 0
-    ? this->GetSource(a, b)
-    : 0.5f * (this->GetSource(a - 1, b) + this->GetSource(a + 1, b));
+  float source = 0.0f;
+  if ((a + b) % 2 == 0)
+  {
+    source = this->GetSource(a, b);
+  }
+  else
+  {
+    const int i = a % 2;
+    const int j = b % 2;
+    source = 0.5f * (this->GetSource(a - i, b - j) + this->GetSource(a + i, b + j));
+  }
   return std::isnan(source) ? target : Mix(source, target, f.Morph);
 }
 }

@@ -5,9 +5,9 @@
  * @brief   the heights of the vertices of a terrain face
  *
  * The heights before a bisection are those of the parent's surface: its own vertices, and halfway
- * between two of them along Step1 for vertices that the bisection adds. Vertices on an edge that
- * another bisection will split keep the coarser heights, so that both faces of an edge agree to the
- * bit. The vertex shader of the mapper computes the same.
+ * between two of them, along Step1 or Step2, for vertices that the bisection adds. Vertices on an
+ * edge that another bisection will split keep the coarser heights, so that both faces of an edge
+ * agree to the bit. The vertex shader of the mapper computes the same.
  *
  * A height is NaN where the data are missing.
  *

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  TerrainFace
- * @brief   a triangle of a bisected terrain that is drawn with the uniform pattern
+ * @brief   a triangle of a bisected terrain that is drawn with a pattern of 64 triangles
  *
  * A face is a right isosceles triangle on the height lattice of level Level, with the right angle
  * at its apex. Vertex (a, b) of its pattern, a + b <= Segments, is the vertex
  * Apex + a * Step1 + b * Step2 of that lattice, which has a vertex at every 2^Level-th sample of
- * the raster (Level may be negative). FaceHeights computes the heights.
+ * the raster (Level may be negative). FaceHeights computes the heights. The triangles of the
+ * pattern are those of six bisections of the face, too, so that all triangles of the terrain are
+ * nested.
  *
  * Private to the modules for terrains.
  */
@@ -15,15 +17,21 @@
 #define TerrainFace_h
 
 #include "Lattice/HeightTile.h"
+#include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <array>
 #include <cstdint>
 
 namespace relevo
 {
-struct TerrainFace
+struct RELEVOFILTERSTERRAIN_EXPORT TerrainFace
 {
   static constexpr int Segments = 8; // per leg and on the longest side
+
+  /// The vertices (a, b) of the triangles of the pattern. Each triangle turns as the face does,
+  /// from its first axis to the second.
+  using PatternTriangle = std::array<std::array<int, 2>, 3>;
+  static const std::array<PatternTriangle, Segments * Segments>& GetPattern();
 
   /// Which bisection has made the face.
   enum class Origin : std::uint8_t

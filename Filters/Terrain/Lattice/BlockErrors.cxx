@@ -9,11 +9,10 @@ namespace relevo
 {
 namespace
 {
-// Errors relative to those of level 0, at finer levels. Blocks of levels below -2 lie within one
-// cell of full resolution.
+// Triangles of finer levels lie within bilinear cells, so that errors are proportional to areas.
 float GetShareOfLevel0(int level)
 {
-  return std::ldexp(1.0f, level >= -2 ? level : 2 * level + 2);
+  return std::ldexp(1.0f, 2 * level);
 }
 
 float Decode(int code, float largest)
@@ -109,7 +108,8 @@ float BlockErrors::GetFaceError(int level, int column, int row) const
 {
   if (this->Estimated > 0.0f)
   {
-    return this->GetSquareError(level, column, row) / (level > 0 ? std::sqrt(2.0f) : 4.0f);
+    return this->GetSquareError(level, column, row) *
+      (level > 0 ? std::sqrt(0.5f) : FaceShareOfLevel0);
   }
   // The square errors of the finer level depend on two of its blocks around, which are one of this.
   return level > 0

@@ -7,7 +7,7 @@
  * A block of level m has 8 x 8 cells of the height lattice of level m, from vertex 8 * (column,
  * row) on; see HeightTile. The square of a block can be drawn as 2 triangles (its square error
  * bounds their distance from the surface of full resolution) or as 4 (the face error). Both are
- * drawn with the uniform pattern of 8 segments; see TerrainFace.
+ * drawn with the pattern of 8 segments; see TerrainFace.
  *
  * The errors are saturated: a square error is at least 2^(1/4) times the face error of the block
  * and of the four blocks that share an edge with it, and a face error at least 2^(1/4) times the
@@ -18,11 +18,9 @@
  * largest error, rounded up, so that the values stay bounds and stay saturated.
  *
  * At level 0 one error is stored for 2 x 2 blocks together. It bounds the square errors, and
- * FaceShareOfLevel0 of it bounds the face errors. Errors of the next two finer levels are
- * proportional to the spacing of vertices, because faces of split squares have edges across those
- * of the cells of full resolution. Errors of still finer levels are proportional to the area of a
- * block, because each block is a part of one bilinear cell. To be saturated, errors up to level 0
- * are the largest of the stored ones in the neighborhood of a block.
+ * FaceShareOfLevel0 of it bounds the face errors. Triangles of finer levels lie within one bilinear
+ * cell each, so that their errors are proportional to the area of a block. To be saturated, errors
+ * up to level 0 are the largest of the stored ones in the neighborhood of a block.
  *
  * Private to the modules for terrains.
  */
@@ -45,7 +43,8 @@ public:
   static constexpr int BlocksPerTile = 32; // per side, in storage
   static constexpr int LargestCode = 255;
   static constexpr int StepsPerOctave = 8;
-  static constexpr float FaceShareOfLevel0 = 0.8f; // between 2^(-3/4) and 2^(-1/4)
+  /// At least 1 / 4, which is exact, and saturated: between 2^(1/4) / 4 and 2^(-1/4).
+  static constexpr float FaceShareOfLevel0 = 0.3f;
   /// The finest level of blocks: below the resolution of the raster.
   static constexpr int FinestLevel = -5;
 

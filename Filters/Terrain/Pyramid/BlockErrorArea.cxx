@@ -141,12 +141,7 @@ void BlockErrorArea::Measure(int lastLevel, double sampleDistance)
   }
 }
 
-/*
- * At level 0, the faces of a square differ from the bilinear cells by a quarter of their twist. The
- * faces of a split square have edges between the centers of neighboring cells, across the edge of
- * the cells. There they differ by at most a quarter of the second difference of heights across that
- * edge. At finer levels, this distance is proportional to the spacing of vertices.
- */
+// At level 0, the faces of a square differ from the bilinear cells by a quarter of their twist.
 void BlockErrorArea::MeasureFullResolution(double sampleDistance)
 {
   const ValueGrid<double>& heights = this->Reference;
@@ -161,16 +156,12 @@ void BlockErrorArea::MeasureFullResolution(double sampleDistance)
   struct Largest
   {
     double Twist = 0.0;
-    double Bend = 0.0;
     double Rounding = 0.0;
   };
   std::vector<Largest> largest(result.Square.Width); // in a row of pairs of blocks
-  // Blocks share their border, but no edge of a face crosses it. Beyond the last row and column,
-  // heights are constant.
   const auto measureRow = [&](int y, bool isLast)
   {
     const double* row = heights.GetRow(y);
-    const double* before = y > 0 ? row - heights.Width : row;
     const double* after = y + 1 < heights.Height ? row + heights.Width : row;
     for (int pair = 0; pair < result.Square.Width; ++pair)
     {
@@ -179,15 +170,6 @@ void BlockErrorArea::MeasureFullResolution(double sampleDistance)
       for (int x = pair * size; x <= end; ++x)
       {
         Raise(found.Rounding, std::abs(static_cast<double>(static_cast<float>(row[x])) - row[x]));
-        if (x % CellsPerBlock != 0)
-        {
-          const double next = row[std::min(x + 1, heights.Width - 1)];
-          Raise(found.Bend, std::abs(row[x - 1] - 2.0 * row[x] + next));
-        }
-        if (y % CellsPerBlock != 0)
-        {
-          Raise(found.Bend, std::abs(before[x] - 2.0 * row[x] + after[x]));
-        }
         if (x < end && !isLast)
         {
           Raise(found.Twist, std::abs(row[x] + after[x + 1] - row[x + 1] - after[x]));
@@ -207,16 +189,14 @@ void BlockErrorArea::MeasureFullResolution(double sampleDistance)
     for (int pair = 0; pair < result.Square.Width; ++pair)
     {
       const Largest& found = largest[pair];
-      const double face = 0.25 * found.Bend + 0.0625 * found.Twist;
-      double error =
-        std::max(0.25 * found.Twist, face / BlockErrors::FaceShareOfLevel0) + found.Rounding;
+      double error = 0.25 * found.Twist + found.Rounding / BlockErrors::FaceShareOfLevel0;
       for (int block = 0; block < 4; ++block)
       {
         const int column = 2 * pair + block % 2;
         const int row = 2 * pairRow + block / 2;
         if (column < blocks[0] && row < blocks[1] && IsMixed(result.Contents.At(column, row)))
         {
-          Raise(error, OutlineShare * sampleDistance / BlockErrors::FaceShareOfLevel0);
+          Raise(error, OutlineShare * sampleDistance);
         }
       }
       result.Square.At(pair, pairRow) = RoundUpToFloat(error);
@@ -299,15 +279,14 @@ TriangulatedGrid BlockErrorArea::MakeSquares(int level) const
   grid.Width = heights.Width;
   grid.Height = heights.Height;
   grid.Heights.assign(heights.Values.begin(), heights.Values.end());
-  grid.BlockShift = ShiftPerBlock;
   grid.FirstCell = this->GetFirstVertex(level);
   return grid;
 }
 
 /*
  * The faces of split squares, on the lattice of the finer level. Their vertices are those where the
- * sum of column and row is even. Each of the others lies in the middle of a longest side, which is
- * vertical in the left and right quarter of a block and horizontal in the upper and lower one.
+ * sum of column and row is even. Each of the others lies in the middle of an edge of the coarser
+ * lattice.
  */
 TriangulatedGrid BlockErrorArea::MakeFaces(int level) const
 {
@@ -333,10 +312,9 @@ TriangulatedGrid BlockErrorArea::MakeFaces(int level) const
         *height = getVertex(i, j);
         continue;
       }
-      const int x = std::abs(i % size - CellsPerBlock);
-      const int y = std::abs(j % size - CellsPerBlock);
-      *height = x > y ? 0.5 * (getVertex(i, j - 1) + getVertex(i, j + 1))
-                      : 0.5 * (getVertex(i - 1, j) + getVertex(i + 1, j));
+      const int x = i % 2;
+      const int y = j % 2;
+      *height = 0.5 * (getVertex(i - x, j - y) + getVertex(i + x, j + y));
     }
   }
   return grid;
@@ -372,7 +350,6 @@ ValueGrid<float> BlockErrorArea::MeasureGrid(const TriangulatedGrid& grid, int l
 // The triangles at the corners of an unsplit square, with the heights of finer lattices.
 float BlockErrorArea::MeasureSquareCorners(const TriangulatedGrid& grid, int column, int row) const
 {
-  const bool isMain = grid.IsMain(CellsPerBlock * column, CellsPerBlock * row);
   float largest = 0.0f;
   for (int corner = 0; corner < 4; ++corner)
   {
@@ -382,15 +359,8 @@ float BlockErrorArea::MeasureSquareCorners(const TriangulatedGrid& grid, int col
     const Position at = { CellsPerBlock * (column + right), CellsPerBlock * (row + lower) };
     const int x = right ? -1 : 1;
     const int y = lower ? -1 : 1;
-    if (isMain == (right == lower))
-    {
-      Raise(largest, this->MeasureCorner(grid, range, { { at, { x, 0 }, { x, y } } }));
-      Raise(largest, this->MeasureCorner(grid, range, { { at, { 0, y }, { x, y } } }));
-    }
-    else
-    {
-      Raise(largest, this->MeasureCorner(grid, range, { { at, { x, 0 }, { 0, y } } }));
-    }
+    Raise(largest, this->MeasureCorner(grid, range, { { at, { x, 0 }, { x, y } } }));
+    Raise(largest, this->MeasureCorner(grid, range, { { at, { 0, y }, { x, y } } }));
   }
   return largest;
 }
@@ -412,11 +382,12 @@ float BlockErrorArea::MeasureFaceCorners(const TriangulatedGrid& grid, int colum
   }
   const Range& range = this->Levels[grid.Shift].Corners.At(2 * column + 1, 2 * row + 1);
   const Position center = { CellsPerBlock * (2 * column + 1), CellsPerBlock * (2 * row + 1) };
-  constexpr Position around[5] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 }, { -1, -1 } };
-  for (int side = 0; side < 4; ++side)
+  for (int quarter = 0; quarter < 4; ++quarter)
   {
-    Raise(
-      largest, this->MeasureCorner(grid, range, { { center, around[side], around[side + 1] } }));
+    const int x = quarter % 2 ? -1 : 1;
+    const int y = quarter / 2 ? -1 : 1;
+    Raise(largest, this->MeasureCorner(grid, range, { { center, { x, y }, { 2 * x, 0 } } }));
+    Raise(largest, this->MeasureCorner(grid, range, { { center, { x, y }, { 0, 2 * y } } }));
   }
   return largest;
 }

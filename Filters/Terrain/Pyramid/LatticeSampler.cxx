@@ -109,8 +109,8 @@ bool LatticeSampler::Read(
   return true;
 }
 
-void LatticeSampler::Interpolate(const SampleWindow& window, const double* samples,
-  int level, int column, int row, int width, int height, float* heights) const
+void LatticeSampler::Interpolate(const SampleWindow& window, const double* samples, int level,
+  int column, int row, int width, int height, float* heights) const
 {
   const std::array<int, 2>& full = this->File.GetSize(0);
   const std::array<int, 2>& size = this->File.GetSize(window.Level);

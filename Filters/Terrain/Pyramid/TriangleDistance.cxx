@@ -35,7 +35,6 @@ void MeasureRamp(
 void TriangleDistance::SetTriangulated(const std::array<int, 2>& firstCell)
 {
   this->IsTriangulated = true;
-  this->Diagonals.BlockShift = ShiftOfBlocks;
   this->Diagonals.FirstCell = firstCell;
 }
 

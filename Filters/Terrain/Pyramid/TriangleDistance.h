@@ -6,8 +6,8 @@
  * approximate
  *
  * The reference is a grid of heights. It is bilinear in its cells or, if `IsTriangulated` is set,
- * consists of two triangles per cell: the faces of blocks of BlockErrors. Lengths are in cells of
- * the reference. Edges of the approximating triangles lie on its lines or on diagonals of its
+ * consists of two triangles per cell: those of unsplit squares of BlockErrors. Lengths are in cells
+ * of the reference. Edges of the approximating triangles lie on its lines or on diagonals of its
  * cells. So in most cells the distance is largest at a corner. In cells on a diagonal, the twist of
  * the cell adds at most a quarter of it to the distances at the ends of the diagonal, or a half of
  * it at the center if the reference has the other diagonal.
@@ -34,15 +34,12 @@ struct TriangulatedGrid
   int Height = 0;
   std::vector<double> Heights;
   /// The diagonal of a cell is the main one, from (0, 0) to (1, 1), if the sum of its column and
-  /// row in blocks of 2^BlockShift cells is even. The first cell is one of these of the raster.
-  int BlockShift = 0;
+  /// row is even. The first cell is one of these of the raster.
   std::array<int, 2> FirstCell{ { 0, 0 } };
 
   bool IsMain(int column, int row) const
   {
-    return ((((column + this->FirstCell[0]) >> this->BlockShift) +
-              ((row + this->FirstCell[1]) >> this->BlockShift)) &
-             1) == 0;
+    return ((column + this->FirstCell[0] + row + this->FirstCell[1]) & 1) == 0;
   }
 };
 

@@ -4,14 +4,15 @@
 
 #include "Bisection/TerrainFace.h"
 
+#include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <set>
 
 namespace relevo
 {
 namespace
 {
-constexpr int Segments = TerrainFace::Segments;
 constexpr int VerticesPerCopy = 256; // of which most do not exist
 constexpr int NumberOfCopies = 8;
 
@@ -23,34 +24,36 @@ unsigned short GetIndex(int firstVertex, int a, int b)
 void AppendTerrainPattern(std::vector<unsigned short>& indices, int firstVertex,
   TerrainPatterns::Primitives primitives, bool isMirrored)
 {
-  const auto addTriangle = [&](std::array<unsigned short, 3> corners)
+  std::set<unsigned short> points;
+  std::set<std::array<unsigned short, 2>> lines;
+  for (const TerrainFace::PatternTriangle& triangle : TerrainFace::GetPattern())
   {
-    indices.insert(
-      indices.end(), { corners[0], corners[isMirrored ? 2 : 1], corners[isMirrored ? 1 : 2] });
-  };
-  for (int b = 0; b <= Segments; ++b)
-  {
-    for (int a = 0; a <= Segments - b; ++a)
+    std::array<unsigned short, 3> corners;
+    for (int i = 0; i < 3; ++i)
     {
-      const unsigned short here = GetIndex(firstVertex, a, b);
-      const unsigned short along = GetIndex(firstVertex, a + 1, b);
-      const unsigned short across = GetIndex(firstVertex, a, b + 1);
-      if (primitives == TerrainPatterns::POINTS)
-      {
-        indices.push_back(here);
-      }
-      else if (a + b < Segments && primitives == TerrainPatterns::LINES)
-      {
-        indices.insert(indices.end(), { here, along, along, across, across, here });
-      }
-      else if (a + b < Segments)
-      {
-        addTriangle({ { here, along, across } });
-        if (a + b < Segments - 1)
-        {
-          addTriangle({ { along, GetIndex(firstVertex, a + 1, b + 1), across } });
-        }
-      }
+      corners[i] = GetIndex(firstVertex, triangle[i][0], triangle[i][1]);
+    }
+    points.insert(corners.begin(), corners.end());
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto [low, high] = std::minmax(corners[i], corners[(i + 1) % 3]);
+      lines.insert({ { low, high } });
+    }
+    if (primitives == TerrainPatterns::TRIANGLES)
+    {
+      indices.insert(
+        indices.end(), { corners[0], corners[isMirrored ? 2 : 1], corners[isMirrored ? 1 : 2] });
+    }
+  }
+  if (primitives == TerrainPatterns::POINTS)
+  {
+    indices.insert(indices.end(), points.begin(), points.end());
+  }
+  else if (primitives == TerrainPatterns::LINES)
+  {
+    for (const std::array<unsigned short, 2>& line : lines)
+    {
+      indices.insert(indices.end(), line.begin(), line.end());
     }
   }
 }

@@ -90,12 +90,16 @@ vec3 relevoVertex(ivec2 ab)
   int i = 0;
   do
   {
-    ivec2 here = i == 0 || isEven ? ab : ab + ivec2(2 * i - 3, 0);
+    ivec2 here = i == 0 || isEven ? ab : ab + (2 * i - 3) * (ab & ivec2(1));
     bool isCoarse = relevoSquare && (i > 0 || isOnLongestSide) || i > 0 && here.y == 0;
     vec3 value = relevoSurface(isCoarse, here);
     if (i > 0 && here.x == RELEVO_SEGMENTS)
     {
       value.x = relevoCorners.y; // a corner of the parent
+    }
+    else if (i > 0 && here.y == RELEVO_SEGMENTS)
+    {
+      value.x = relevoCorners.z;
     }
     target = i == 0 ? value : target;
     source = i == 1 ? value : source;

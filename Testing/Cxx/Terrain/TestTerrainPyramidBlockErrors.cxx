@@ -106,25 +106,31 @@ private:
     { return (to[0] * step[0] + to[1] * step[1]) / (step[0] * step[0] + step[1] * step[1]); };
     const double a = project(face.Step1);
     const double b = project(face.Step2);
-    int i = std::clamp(static_cast<int>(std::floor(a)), 0, Segments - 1);
-    int j = std::clamp(static_cast<int>(std::floor(b)), 0, Segments - 1 - i);
-    double s = a - i;
-    double t = b - j;
-    int sign = 1;
-    if (s + t > 1.0)
-    {
-      ++i;
-      ++j;
-      s = 1.0 - s;
-      t = 1.0 - t;
-      sign = -1;
-    }
+    // The pattern's triangle that contains the point.
     const relevo::FaceHeights heights(face);
+    double inside = -std::numeric_limits<double>::infinity();
     double height = 0.0;
-    for (const auto& [weight, p, q] :
-      { std::tuple<double, int, int>{ 1.0 - s - t, i, j }, { s, i + sign, j }, { t, i, j + sign } })
+    for (const TerrainFace::PatternTriangle& triangle : TerrainFace::GetPattern())
     {
-      height += std::abs(weight) > 1e-12 ? weight * heights.GetHeight(p, q) : 0.0;
+      double weights[3];
+      for (int i = 0; i < 3; ++i)
+      {
+        const std::array<int, 2>& p = triangle[(i + 1) % 3];
+        const std::array<int, 2>& q = triangle[(i + 2) % 3];
+        weights[i] = (q[0] - p[0]) * (b - p[1]) - (q[1] - p[1]) * (a - p[0]);
+      }
+      const double least = *std::min_element(weights, weights + 3);
+      if (least > inside)
+      {
+        inside = least;
+        height = 0.0;
+        for (int i = 0; i < 3; ++i)
+        {
+          height += std::abs(weights[i]) > 1e-12
+            ? weights[i] * heights.GetHeight(triangle[i][0], triangle[i][1])
+            : 0.0;
+        }
+      }
     }
     return height;
   }

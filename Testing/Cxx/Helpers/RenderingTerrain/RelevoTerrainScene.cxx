@@ -198,16 +198,9 @@ vtkSmartPointer<vtkPolyData> RelevoTerrainMapper::MakeTriangles() const
         ids->InsertNextValue(index);
       }
     };
-    for (int b = 0; b < segments; ++b)
+    for (const auto& [a, b, c] : TerrainFace::GetPattern())
     {
-      for (int a = 0; a < segments - b; ++a)
-      {
-        add(vertices[a][b], vertices[a + 1][b], vertices[a][b + 1]);
-        if (a + b < segments - 1)
-        {
-          add(vertices[a + 1][b], vertices[a + 1][b + 1], vertices[a][b + 1]);
-        }
-      }
+      add(vertices[a[0]][a[1]], vertices[b[0]][b[1]], vertices[c[0]][c[1]]);
     }
     ++index;
   }
