@@ -15,7 +15,8 @@
  *
  * A block in which some samples or vertices have data and others do not is given an error of at
  * least a quarter of the spacing of its lattice. The outline of missing data moves by up to that
- * spacing, which has no vertical distance; with this error it is drawn to a few pixels.
+ * spacing, which has no vertical distance; with this error it is drawn to a few pixels. Faces of
+ * split squares of level 0 have the outline of the samples.
  *
  * Private to the module.
  */
