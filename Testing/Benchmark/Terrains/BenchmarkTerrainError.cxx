@@ -17,6 +17,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <vector>
 
@@ -117,7 +118,7 @@ double BenchmarkTerrainError::Measure(vtkPolyData* mesh) const
   return *std::max_element(largest.begin(), largest.end());
 }
 
-BenchmarkTerrainError::Grid BenchmarkTerrainError::MeasureGrid(double spacing) const
+BenchmarkTerrainError::Grid BenchmarkTerrainError::MeasureGrid(double spacing, double limit) const
 {
   const auto columns = static_cast<vtkIdType>((this->Raster.GetWidth() - 1) / spacing);
   const auto rows = static_cast<vtkIdType>((this->Raster.GetHeight() - 1) / spacing);
@@ -128,11 +129,12 @@ BenchmarkTerrainError::Grid BenchmarkTerrainError::MeasureGrid(double spacing) c
     return this->Placement.ToWorld(x, y, this->Raster.Interpolate(x, y));
   };
   vtkSMPThreadLocal<Grid> parts(Grid{ 0.0, 0.0 });
+  std::atomic<bool> isBeyond{ false };
   vtkSMPTools::For(0, rows,
     [&](vtkIdType begin, vtkIdType end)
     {
       Grid& part = parts.Local();
-      for (vtkIdType row = begin; row < end; ++row)
+      for (vtkIdType row = begin; row < end && !isBeyond; ++row)
       {
         for (vtkIdType column = 0; column < columns; ++column)
         {
@@ -148,6 +150,7 @@ BenchmarkTerrainError::Grid BenchmarkTerrainError::MeasureGrid(double spacing) c
             part.Triangles += isInView ? 1.0 : 0.0;
           }
         }
+        isBeyond = isBeyond || part.Error > limit;
       }
     });
   Grid grid{ 0.0, 0.0 };

@@ -9,7 +9,7 @@
 #ifndef BenchmarkTerrainError_h
 #define BenchmarkTerrainError_h
 
-#include "Bisection/TerrainView.h"
+#include "Geodesy/TerrainPlacement.h"
 
 #include <array>
 
@@ -36,8 +36,9 @@ public:
     double Error;     // the largest in view
     double Triangles; // in view
   };
-  /// The same for a grid with two triangles per square, whose sides are `spacing` samples.
-  Grid MeasureGrid(double spacing) const;
+  /// The same for a grid with two triangles per square, whose sides are `spacing` samples. The
+  /// measurement ends early once the error exceeds `limit`.
+  Grid MeasureGrid(double spacing, double limit) const;
 
 private:
   using Point = std::array<double, 3>;

@@ -84,7 +84,7 @@ BenchmarkTerrainError::Grid FindGrid(const BenchmarkTerrainError& error, double&
   for (const double s :
     { 24.0, 16.0, 12.0, 10.0, 8.0, 7.0, 6.0, 5.0, 4.0, 3.0, 2.5, 2.0, 1.5, 1.0, 0.5, 0.25 })
   {
-    const BenchmarkTerrainError::Grid grid = error.MeasureGrid(s);
+    const BenchmarkTerrainError::Grid grid = error.MeasureGrid(s, 1.0);
     if (grid.Error <= 1.0)
     {
       spacing = s;
