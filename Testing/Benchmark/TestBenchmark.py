@@ -160,7 +160,7 @@ class TestBenchmark(unittest.TestCase):
 
     def check_terrains(self, tables):
         self.assertEqual({row["view"] for row in tables["terrain-frames"]},
-                         {"oblique", "from above"})
+                         {"oblique, all", "from above, all", "oblique, near"})
         for row in tables["terrain-frames"] + tables["terrain-grid"]:
             self.assertLess(row["error"], 1.02, row)
         for row in tables["terrain-triangles"]:
