@@ -77,8 +77,8 @@ float BlockErrors::Find(int level, int column, int row, bool isFace) const
   return Decode(isFace ? found->second.Face[block] : found->second.Square[block], this->Largest);
 }
 
-// The largest stored error of level 0 in a neighborhood of a block of a level up to 0.
-float BlockErrors::FindLargest(int level, int column, int row, int neighbors) const
+// The saturated error of a block of a level up to 0, in units of level 0.
+float BlockErrors::FindSaturated(int level, int column, int row, int neighbors) const
 {
   const int shift = 1 - level;
   float largest = 0.0f;
@@ -89,7 +89,8 @@ float BlockErrors::FindLargest(int level, int column, int row, int neighbors) co
       largest = std::max(largest, this->Find(0, x, y, false));
     }
   }
-  return largest;
+  return std::max(
+    this->Find(0, column >> shift, row >> shift, false), NeighborShareOfLevel0 * largest);
 }
 
 float BlockErrors::GetSquareError(int level, int column, int row) const
@@ -101,7 +102,7 @@ float BlockErrors::GetSquareError(int level, int column, int row) const
   // The face errors of this level depend on one block around, and so do those of the four
   // neighbors.
   return level > 0 ? this->Find(level, column, row, false)
-                   : GetShareOfLevel0(level) * this->FindLargest(level, column, row, 2);
+                   : GetShareOfLevel0(level) * this->FindSaturated(level, column, row, 2);
 }
 
 float BlockErrors::GetFaceError(int level, int column, int row) const
@@ -114,6 +115,6 @@ float BlockErrors::GetFaceError(int level, int column, int row) const
   // The square errors of the finer level depend on two of its blocks around, which are one of this.
   return level > 0
     ? this->Find(level, column, row, true)
-    : FaceShareOfLevel0 * GetShareOfLevel0(level) * this->FindLargest(level, column, row, 1);
+    : FaceShareOfLevel0 * GetShareOfLevel0(level) * this->FindSaturated(level, column, row, 1);
 }
 }

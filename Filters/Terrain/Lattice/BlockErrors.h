@@ -20,7 +20,8 @@
  * At level 0 one error is stored for 2 x 2 blocks together. It bounds the square errors, and
  * FaceShareOfLevel0 of it bounds the face errors. Triangles of finer levels lie within one bilinear
  * cell each, so that their errors are proportional to the area of a block. To be saturated, errors
- * up to level 0 are the largest of the stored ones in the neighborhood of a block.
+ * up to level 0 are at least NeighborShareOfLevel0 of the stored ones in the neighborhood of a
+ * block.
  *
  * Private to the modules for terrains.
  */
@@ -45,6 +46,9 @@ public:
   static constexpr int StepsPerOctave = 8;
   /// At least 1 / 4, which is exact, and saturated: between 2^(1/4) / 4 and 2^(-1/4).
   static constexpr float FaceShareOfLevel0 = 0.3f;
+  /// At least 2^(1/4) FaceShareOfLevel0.
+  static constexpr float NeighborShareOfLevel0 = 0.38555271f; // 2^(-11/8)
+  static constexpr int StepsToNeighborOfLevel0 = -11;
   /// The finest level of blocks: below the resolution of the raster.
   static constexpr int FinestLevel = -5;
 
@@ -92,7 +96,7 @@ public:
 
 private:
   float Find(int level, int column, int row, bool isFace) const;
-  float FindLargest(int level, int column, int row, int neighbors) const;
+  float FindSaturated(int level, int column, int row, int neighbors) const;
 
   std::vector<Tiles> Levels;
   float Largest = 0.0f;

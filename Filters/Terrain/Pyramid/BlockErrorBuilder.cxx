@@ -395,9 +395,11 @@ std::int16_t BlockErrorBuilder::Saturate()
       ForEachCode(this->Levels[0], false,
         [&](int column, int row, std::int16_t code)
         {
+          const int around = std::max(smallest, code + BlockErrors::StepsToNeighborOfLevel0);
           for (int i = 0; i < 9; ++i)
           {
-            raise(true, column + i % 3 - 1, row + i / 3 - 1, code);
+            raise(true, column + i % 3 - 1, row + i / 3 - 1,
+              i == 4 ? code : static_cast<std::int16_t>(around));
           }
         });
     }
