@@ -40,7 +40,10 @@ void ElevationRanges::AddTile(int column, int row, const Range& range)
 
 void ElevationRanges::Finish()
 {
-  while (!this->Levels.empty() && this->Levels.back().size() > 1)
+  // Up to the tile that covers the raster. With fewer levels, Get() would visit many small tiles of
+  // a sparse raster.
+  while (!this->Levels.empty() &&
+    (this->Levels.back().size() > 1 || this->Levels.back().begin()->first != 0))
   {
     Tiles coarser;
     for (const auto& [key, range] : this->Levels.back())
@@ -49,13 +52,7 @@ void ElevationRanges::Finish()
         GetKey(static_cast<std::uint32_t>(key) >> 1, static_cast<std::int64_t>(key >> 33));
       Extend(coarser.emplace(parent, range).first->second, range);
     }
-    // Tiles that lie apart do not share a parent before a high level.
-    const bool isRoot = coarser.size() == 1;
     this->Levels.push_back(std::move(coarser));
-    if (isRoot)
-    {
-      break;
-    }
   }
 }
 
