@@ -36,6 +36,13 @@ const double FirstShare = std::exp2(-0.25);
 constexpr int Corners[4][2] = { { 0, 0 }, { 2, 0 }, { 2, 2 }, { 0, 2 } };
 constexpr int SideSteps[4][2] = { { 0, -1 }, { 1, 0 }, { 0, 1 }, { -1, 0 } };
 
+// The largest error that bisections may have with a tile. It is complete for the bisections of its
+// squares when a third of the time is over, and for those of their sides after half of it.
+double GetVisibleError(float visibility, double tolerance)
+{
+  return visibility < 1.0f ? FirstShare * tolerance / std::sqrt(1.0 - visibility) : InfiniteError;
+}
+
 float MixHeights(float a, float b, float t)
 {
   return std::isnan(a) || t >= 1.0f ? b : a + t * (b - a);
@@ -139,66 +146,77 @@ const HeightTile& TerrainBisection::GetTile(int level, const Block& block)
   return *this->FindTile(level, block, 0.0, visibility);
 }
 
-// How far a square is split: 0 not at all, 1 completely.
-float TerrainBisection::GetSquareMorph(const Block& block)
+// The projected error of a square, within the limits of coarser bisections and of its tile.
+double TerrainBisection::LimitSquare(const Block& block)
 {
   if (block.Level >= this->RootLevel)
   {
-    return 1.0f;
+    return InfiniteError;
   }
   if (block.Level <= FinestLevel || !this->Exists(block))
   {
-    return 0.0f;
+    return 0.0;
   }
   const std::uint64_t key = GetKey(block.Level, block.Column, block.Row);
-  const auto known = this->SquareMorphs.find(key);
-  if (known != this->SquareMorphs.end())
+  const auto known = this->SquareErrors.find(key);
+  if (known != this->SquareErrors.end())
   {
     return known->second;
   }
-  const double error = this->ProjectSquare(block);
-  float morph = this->Ramp(error);
-  if (morph > 0.0f)
+  double error = this->ProjectSquare(block);
+  if (this->Ramp(error) > 0.0f)
   {
     // The two triangles must exist, each of which comes from a side of the parent.
     const Block parent = { block.Level + 1, block.Column >> 1, block.Row >> 1 };
-    const float sides = std::min(this->GetEdgeMorph(parent, (block.Column & 1) != 0 ? 1 : 3),
-      this->GetEdgeMorph(parent, (block.Row & 1) != 0 ? 2 : 0));
-    float visibility = 1.0f;
-    const bool isReady =
-      sides > 0.0f && this->FindTile(block.Level - 1, block, error, visibility) != nullptr;
-    morph = isReady && sides >= 1.0f ? std::min(morph, visibility) : 0.0f;
+    const double sides = std::min(this->LimitEdge(parent, (block.Column & 1) != 0 ? 1 : 3),
+      this->LimitEdge(parent, (block.Row & 1) != 0 ? 2 : 0));
+    float visibility = 0.0f;
+    const bool isReady = this->Ramp(sides) > 0.0f &&
+      this->FindTile(block.Level - 1, block, error, visibility) != nullptr;
+    error = isReady
+      ? std::min({ error, FirstShare * sides, GetVisibleError(visibility, this->Tolerance) })
+      : 0.0;
   }
-  this->SquareMorphs.emplace(key, morph);
-  return morph;
+  this->SquareErrors.emplace(key, error);
+  return error;
 }
 
-// How far the two triangles at a side of a split square are split.
-float TerrainBisection::GetEdgeMorph(const Block& block, int side)
+// The same for the two triangles at a side of a split square.
+double TerrainBisection::LimitEdge(const Block& block, int side)
 {
   // A side belongs to the block after it.
   const std::uint64_t key =
     GetKey(block.Level, block.Column + (side == 1 ? 1 : 0), block.Row + (side == 2 ? 1 : 0)) << 1 |
     static_cast<std::uint64_t>(side % 2);
-  const auto known = this->EdgeMorphs.find(key);
-  if (known != this->EdgeMorphs.end())
+  const auto known = this->EdgeErrors.find(key);
+  if (known != this->EdgeErrors.end())
   {
     return known->second;
   }
-  const double error = this->ProjectEdge(block, side);
-  float morph = block.Level - 1 <= FinestLevel ? 0.0f : this->Ramp(error);
+  double error = block.Level - 1 <= FinestLevel ? 0.0 : this->ProjectEdge(block, side);
   const Block other = { block.Level, block.Column + SideSteps[side][0],
     block.Row + SideSteps[side][1] };
   for (const Block& candidate : { block, other })
   {
-    if (morph > 0.0f && (this->Exists(candidate) || &candidate == &block) &&
-      this->GetSquareMorph(candidate) < 1.0f)
+    if (this->Ramp(error) > 0.0f && this->Exists(candidate))
     {
-      morph = 0.0f;
+      error = std::min(error, FirstShare * this->LimitSquare(candidate));
     }
   }
-  this->EdgeMorphs.emplace(key, morph);
-  return morph;
+  this->EdgeErrors.emplace(key, error);
+  return error;
+}
+
+// How far a square is split: 0 not at all, 1 completely.
+float TerrainBisection::GetSquareMorph(const Block& block)
+{
+  return this->Ramp(this->LimitSquare(block));
+}
+
+// How far the two triangles at a side of a split square are split.
+float TerrainBisection::GetEdgeMorph(const Block& block, int side)
+{
+  return this->Ramp(this->LimitEdge(block, side));
 }
 
 bool TerrainBisection::IsVisible(const Block& block) const
@@ -219,8 +237,8 @@ void TerrainBisection::Select(const TerrainView& view, double tolerance, HeightT
   this->View = &view;
   this->Tolerance = tolerance;
   this->Tiles = &tiles;
-  this->SquareMorphs.clear();
-  this->EdgeMorphs.clear();
+  this->SquareErrors.clear();
+  this->EdgeErrors.clear();
   this->Corners.clear();
   this->Faces.clear();
   this->Error = 0.0;

@@ -16,6 +16,10 @@
  * projected from regions that contain all finer ones, coarser bisections are complete before finer
  * ones begin.
  *
+ * Tiles that are missing or not fully visible limit the errors of the bisections that need them.
+ * These limit finer errors in turn, so that the order of bisections remains, and the surface is a
+ * continuous function of view and visibility.
+ *
  * Private to the modules for terrains.
  */
 #ifndef TerrainBisection_h
@@ -69,6 +73,8 @@ private:
   double ProjectSquare(const Block& block) const;
   double ProjectEdge(const Block& block, int side) const;
   float Ramp(double error) const;
+  double LimitSquare(const Block& block);
+  double LimitEdge(const Block& block, int side);
   float GetSquareMorph(const Block& block);
   float GetEdgeMorph(const Block& block, int side);
   const HeightTile* FindTile(int level, const Block& block, double error, float& visibility);
@@ -89,8 +95,8 @@ private:
   const TerrainView* View = nullptr;
   double Tolerance = 1.0;
   HeightTileSource* Tiles = nullptr;
-  std::unordered_map<std::uint64_t, float> SquareMorphs;
-  std::unordered_map<std::uint64_t, float> EdgeMorphs;
+  std::unordered_map<std::uint64_t, double> SquareErrors;
+  std::unordered_map<std::uint64_t, double> EdgeErrors;
   std::unordered_map<std::uint64_t, float> Corners;
   std::vector<TerrainFace> Faces;
   double Error = 0.0;
