@@ -123,6 +123,20 @@ void vtkTerrainMeshSource::SetMaximumError(double meters)
 }
 
 //------------------------------------------------------------------------------
+void vtkTerrainMeshSource::SetExaggeration(double factor)
+{
+  relevo::SetInRange(this, "Exaggeration", this->Exaggeration, factor, -relevo::LargestDouble,
+    relevo::LargestDouble);
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainMeshSource::SetRegion(double xmin, double xmax, double ymin, double ymax)
+{
+  relevo::SetVector<4>(this, "Region", this->Region, { { xmin, xmax, ymin, ymax } },
+    -relevo::LargestDouble, relevo::LargestDouble);
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkTerrainMeshSource::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();

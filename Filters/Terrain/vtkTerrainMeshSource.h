@@ -104,17 +104,21 @@ public:
    * Set the region (xmin, xmax, ymin, ymax) for MaximumError, in the coordinates of the raster:
    * longitude and latitude in degrees if they are geographic, columns from the left and rows from
    * the bottom border without a georeference. By default, and with xmin > xmax, it is the whole
-   * raster. It is extended to whole samples.
+   * raster. It is extended to whole samples. NaN and infinity are errors and change nothing.
    */
-  vtkSetVector4Macro(Region, double);
+  virtual void SetRegion(double xmin, double xmax, double ymin, double ymax);
+  void SetRegion(const double region[4])
+  {
+    this->SetRegion(region[0], region[1], region[2], region[3]);
+  }
   vtkGetVector4Macro(Region, double);
   //@}
 
   //@{
   /**
-   * Set the factor for heights, default 1.
+   * Set the factor for heights, default 1. NaN and infinity are errors and change nothing.
    */
-  vtkSetMacro(Exaggeration, double);
+  virtual void SetExaggeration(double factor);
   vtkGetMacro(Exaggeration, double);
   //@}
 

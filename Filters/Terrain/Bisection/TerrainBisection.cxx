@@ -30,7 +30,7 @@ static_assert(BlockErrors::CellsPerBlock == 1 << 3 && HeightTile::CellsPerTile =
 constexpr double InfiniteError = std::numeric_limits<double>::infinity();
 
 // The errors between which a bisection goes on, as a share of the tolerance.
-const double FirstShare = std::exp2(-0.25);
+const double FirstShare = std::exp2(-0.125);
 
 // Corners of a block, in halves of its size; a side is between its number and the next.
 constexpr int Corners[4][2] = { { 0, 0 }, { 2, 0 }, { 2, 2 }, { 0, 2 } };

@@ -11,7 +11,7 @@
  * vertices. See BlockErrors for blocks and their errors.
  *
  * A bisection is a function of the view and of the tiles in memory alone. It begins when the
- * projected error before it reaches 2^(-1/4) of the tolerance and is complete when that error
+ * projected error before it reaches 2^(-1/8) of the tolerance and is complete when that error
  * reaches the tolerance; between, heights are linear in the error. As errors are saturated and
  * projected from regions that contain all finer ones, coarser bisections are complete before finer
  * ones begin.

@@ -9,8 +9,8 @@
  * bounds their distance from the surface of full resolution) or as 4 (the face error). Both are
  * drawn with the pattern of 8 segments; see TerrainFace.
  *
- * The errors are saturated: a square error is at least 2^(1/4) times the face error of the block
- * and of the four blocks that share an edge with it, and a face error at least 2^(1/4) times the
+ * The errors are saturated: a square error is at least 2^(1/8) times the face error of the block
+ * and of the four blocks that share an edge with it, and a face error at least 2^(1/8) times the
  * square errors of the four blocks of the next finer level. So a bisection that the error of a
  * block asks for never needs one that the errors do not ask for.
  *
@@ -44,11 +44,11 @@ public:
   static constexpr int BlocksPerTile = 32; // per side, in storage
   static constexpr int LargestCode = 255;
   static constexpr int StepsPerOctave = 8;
-  /// At least 1 / 4, which is exact, and saturated: between 2^(1/4) / 4 and 2^(-1/4).
-  static constexpr float FaceShareOfLevel0 = 0.3f;
-  /// At least 2^(1/4) FaceShareOfLevel0.
-  static constexpr float NeighborShareOfLevel0 = 0.38555271f; // 2^(-11/8)
-  static constexpr int StepsToNeighborOfLevel0 = -11;
+  /// At least 1 / 4, which is exact, and saturated: between 2^(1/8) / 4 and 2^(-1/8).
+  static constexpr float FaceShareOfLevel0 = 0.28f;
+  /// At least 2^(1/8) FaceShareOfLevel0.
+  static constexpr float NeighborShareOfLevel0 = 0.32420988f; // 2^(-13/8)
+  static constexpr int StepsToNeighborOfLevel0 = -13;
   /// The finest level of blocks: below the resolution of the raster.
   static constexpr int FinestLevel = -5;
 

@@ -16,8 +16,8 @@ constexpr int BlocksPerTile = BlockErrors::BlocksPerTile;
 constexpr int StepsPerOctave = BlockErrors::StepsPerOctave;
 constexpr std::int16_t None = std::numeric_limits<std::int16_t>::min();
 
-// A saturated error is at least 2^(1/4) times the next.
-constexpr int StepsToSaturate = StepsPerOctave / 4;
+// A saturated error is at least 2^(1/8) times the next.
+constexpr int StepsToSaturate = 1;
 
 // Larger errors would have no saturated error in a float.
 constexpr double MaximumCode = 900.0;

@@ -34,7 +34,7 @@ using relevo::TerrainFace;
 
 constexpr int Segments = TerrainFace::Segments;
 constexpr double NoHeight = std::numeric_limits<double>::quiet_NaN();
-const double SaturationRatio = std::exp2(0.25);
+const double SaturationRatio = std::exp2(0.125);
 
 // The corners of a face have the heights of their own level, or the lowest or highest of finer
 // levels.
@@ -459,6 +459,8 @@ void CheckSaturation(RelevoCheck& check, relevo::RasterPyramid& pyramid)
 {
   const std::shared_ptr<const BlockErrors> errors = pyramid.GetBlockErrors();
   const double ratio = SaturationRatio * (1.0 - 1e-6);
+  // Errors of the smallest codes do not matter.
+  const double smallest = std::ldexp(errors->GetLargest(), -28);
   int failures = 0;
   for (int level = -3; level <= errors->GetRootLevel(); ++level)
   {
@@ -476,13 +478,14 @@ void CheckSaturation(RelevoCheck& check, relevo::RasterPyramid& pyramid)
           const int y = row + step[1];
           if (x >= 0 && y >= 0 && x < blocks[0] && y < blocks[1])
           {
-            failures += errors->GetSquareError(level, x, y) < ratio * face;
+            failures += face > smallest && errors->GetSquareError(level, x, y) < ratio * face;
           }
         }
         for (int i = 0; level > -3 && i < 4; ++i)
         {
-          failures +=
-            face < ratio * errors->GetSquareError(level - 1, 2 * column + i % 2, 2 * row + i / 2);
+          const double square =
+            errors->GetSquareError(level - 1, 2 * column + i % 2, 2 * row + i / 2);
+          failures += square > smallest && face < ratio * square;
         }
       }
     }
