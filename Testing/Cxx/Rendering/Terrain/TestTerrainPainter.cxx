@@ -319,7 +319,7 @@ void TestReplacedTiles(RelevoCheck& check)
     for (RelevoTerrainScene* scene : { &many, &few })
     {
       scene->Window->SetSize(160, 120);
-      scene->Mapper->Tolerance = 0.4;
+      scene->Mapper->Tolerance = 0.3;
       scene->Look({ { x, y, 50.0 } }, { { x + 10.0, y, 46.0 } });
     }
     CHECK(IsSame(few.Draw(), many.Draw()));
