@@ -88,7 +88,8 @@ def main(arguments):
     os.rename(programs, folder)
     os.makedirs(programs)
     shaders = collections.OrderedDict()
-    for name in sorted(os.listdir(folder)):
+    files = [entry.name for entry in os.scandir(folder) if entry.is_file()]
+    for name in sorted(files):
         with open(os.path.join(folder, name), encoding="utf-8") as file:
             parts = re.split(r"^\[(.*) shader\]\n", file.read(), flags=re.M)
         for stage, source in zip(parts[1::2], parts[2::2]):
