@@ -319,7 +319,7 @@ class TestViewerDamaged(ViewerProgram):
         self.assert_error(1, ["'--level=0'"], "sphere.vtp", "--array=--level=0", *EXPORT)
         self.assert_error(2, ["--array needs the name"], "sphere.vtp", "--array", "", *EXPORT)
         self.assert_error(2, ["--volume requires a mesh", "'a.vts'", ".vtu"], "a.vts", "--volume")
-        self.assert_error(2, ["--error requires a mesh", "--max-level"], "heights.pgm",
+        self.assert_error(2, ["--error requires --metric height"], "heights.pgm",
                           "--error=1", "--metric=error")
         self.assert_error(2, ["--error cannot be combined with --level"], "grid.vtu", "--error=1",
                           "--level=1")
