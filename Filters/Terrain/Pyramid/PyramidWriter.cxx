@@ -163,6 +163,10 @@ PyramidWriter::Result PyramidWriter::Write(std::string& error)
   const Lock lock(this->LockName);
   error = lock.GetError();
   Result result = Result::Failed;
+  if (error.empty())
+  {
+    this->RemoveTemporaries();
+  }
   if (error.empty() && (this->Resume() || this->Create(error)))
   {
     result = this->CopyLevels(error);
@@ -218,6 +222,24 @@ bool PyramidWriter::OpenInput(std::string& error)
       static_cast<double>(GetLevelSize(this->Width, level)) * GetLevelSize(this->Height, level);
   }
   return error.empty();
+}
+
+// A killed run can leave a temporary file of the journal.
+void PyramidWriter::RemoveTemporaries() const
+{
+  const fs::path journal = fs::u8path(this->JournalName);
+  const std::string first = "." + journal.stem().u8string() + ".";
+  std::error_code failure;
+  const fs::path folder = journal.has_parent_path() ? journal.parent_path() : fs::path(".");
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure))
+  {
+    const std::string name = entry.path().filename().u8string();
+    if (name.compare(0, first.size(), first) == 0 && AtomicFile::IsTemporary(name) &&
+      entry.path().extension() == journal.extension())
+    {
+      fs::remove(entry.path(), failure);
+    }
+  }
 }
 
 std::string PyramidWriter::MakeJournalHeader() const

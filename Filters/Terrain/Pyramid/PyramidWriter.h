@@ -69,6 +69,7 @@ private:
 
   GDALRasterBandH GetBand(int level) const;
   bool IsAbsent(GDALRasterBandH band, const SampleWindow& window) const;
+  void RemoveTemporaries() const;
   std::string MakeJournalHeader() const;
 
   Settings Wanted;
