@@ -113,7 +113,7 @@ vtkCamera* vtkTerrainMeshSource::GetCamera()
 void vtkTerrainMeshSource::SetScreenSpaceError(double pixels)
 {
   relevo::SetInRange(this, "ScreenSpaceError", this->ScreenSpaceError, pixels,
-    std::numeric_limits<double>::min(), relevo::LargestDouble);
+    relevo::AdaptiveTerrain::SmallestTolerance, relevo::LargestDouble);
 }
 
 //------------------------------------------------------------------------------
@@ -134,6 +134,19 @@ void vtkTerrainMeshSource::SetRegion(double xmin, double xmax, double ymin, doub
 {
   relevo::SetVector<4>(this, "Region", this->Region, { { xmin, xmax, ymin, ymax } },
     -relevo::LargestDouble, relevo::LargestDouble);
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainMeshSource::SetViewportSize(int width, int height)
+{
+  relevo::SetPixelSize(this, "ViewportSize", this->ViewportSize, width, height);
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainMeshSource::SetMemoryLimit(vtkTypeInt64 bytes)
+{
+  relevo::SetInRange<vtkTypeInt64>(this, "MemoryLimit", this->MemoryLimit, bytes,
+    relevo::AdaptiveTerrain::SmallestMemoryLimit, VTK_TYPE_INT64_MAX);
 }
 
 //------------------------------------------------------------------------------
@@ -178,7 +191,7 @@ std::string vtkTerrainMeshSource::Build(vtkPolyData* output)
   }
   if (this->MaximumError <= 0.0 && !this->Camera)
   {
-    return "There is neither a camera nor an error in meters: call SetCamera() or "
+    return "There is neither a camera nor an error in metres: call SetCamera() or "
            "SetMaximumError().";
   }
   if (!this->Pyramid->Update())
@@ -361,7 +374,14 @@ std::string vtkTerrainMeshSource::BuildRegion(vtkPolyData* output)
     }
     tolerance -= levelError;
   }
-  if (!decimation.Refine(tolerance, [this] { return relevo::IsAborted(this); }))
+  using Result = relevo::LatticeDecimation::Result;
+  const Result result = decimation.Refine(tolerance, [this] { return relevo::IsAborted(this); });
+  if (result == Result::TooManyTriangles)
+  {
+    return "The region needs too many triangles for a MaximumError of " +
+      vtkVariant(this->MaximumError).ToString() + ". Choose a smaller region or a larger error.";
+  }
+  if (result == Result::Aborted)
   {
     return "";
   }

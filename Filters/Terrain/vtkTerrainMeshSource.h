@@ -12,12 +12,13 @@
  * vertical distance from the surface of full resolution is at most MaximumError everywhere. It is
  * computed with few triangles by longest-edge bisection (Rivara refinement).
  *
- * The surface of full resolution is bilinear between the centers of samples. It ends at the
- * outermost centers. Cells with a sample without data are holes.
+ * The surface of full resolution is bilinear between the centres of samples. It ends at the
+ * outermost centres. Cells with a sample without data are holes. Heights are floats, so that the
+ * distance can exceed MaximumError by the rounding of a float.
  *
- * Points are doubles in the map frame of vtkTerrainMapper: x east, y north, in meters from the
- * center of the raster, and z the height in meters times Exaggeration. Longitude and latitude are
- * scaled by the lengths of a degree at the center. Without a georeference, one sample and one unit
+ * Points are doubles in the map frame of vtkTerrainMapper: x east, y north, in metres from the
+ * centre of the raster, and z the height in metres times Exaggeration. Longitude and latitude are
+ * scaled by the lengths of a degree at the centre. Without a georeference, one sample and one unit
  * of height are one unit. Triangles are counter-clockwise seen from above. The point data have the
  * arrays "Height" (double, the unit of the raster) and "TextureCoordinates" (float, [0, 1]^2 over
  * the raster from pixel edge to pixel edge, u east, v north). The field data have "Origin" and
@@ -25,8 +26,9 @@
  *
  * Errors (ErrorEvent, empty output): no pyramid; an error of the pyramid; neither a camera nor a
  * MaximumError; a region that does not overlap the raster; a region that has too many samples for
- * its MaximumError; a raster with one row or column; a coordinate system that is not supported. A
- * tile that cannot be read is reported, too; with a camera it is drawn coarser.
+ * its MaximumError; a mesh of more than 2^26 triangles within MaximumError; a raster with one row
+ * or column; a coordinate system that is not supported. A tile that cannot be read is reported,
+ * too; with a camera it is drawn coarser.
  *
  * @sa vtkTerrainPyramid vtkTerrainMapper
  */
@@ -72,9 +74,11 @@ public:
 
   //@{
   /**
-   * Set the width and height of the viewport in pixels, default 1280 x 800, at least 1.
+   * Set the width and height of the viewport in pixels; default 1280 x 800. Less than 1 is an error
+   * and changes nothing.
    */
-  vtkSetVector2Macro(ViewportSize, int);
+  virtual void SetViewportSize(int width, int height);
+  void SetViewportSize(const int size[2]) { this->SetViewportSize(size[0], size[1]); }
   vtkGetVector2Macro(ViewportSize, int);
   //@}
 
@@ -82,8 +86,8 @@ public:
   /**
    * Set the largest vertical distance as seen on the screen, in pixels, default 1: the distance
    * times H / (2 tan(angle / 2)) divided by the distance to the eye, H the height of the viewport;
-   * for parallel projections, the distance times H / (2 ParallelScale). Values that are not above 0
-   * are errors and change nothing.
+   * for parallel projections, the distance times H / (2 ParallelScale). Less than 0.01 is an error
+   * and changes nothing.
    */
   virtual void SetScreenSpaceError(double pixels);
   vtkGetMacro(ScreenSpaceError, double);
@@ -91,7 +95,7 @@ public:
 
   //@{
   /**
-   * Set the largest vertical distance in meters (in the unit of the heights without a
+   * Set the largest vertical distance in metres (in the unit of the heights without a
    * georeference), before Exaggeration. 0, the default: use the camera. Negative values and NaN are
    * errors and change nothing.
    */
@@ -124,10 +128,11 @@ public:
 
   //@{
   /**
-   * Set the bytes that tiles may use, default 2^29. With a camera, what does not fit is coarser;
-   * see GetScreenSpaceErrorInUse().
+   * Set the maximum memory of tiles in bytes; default 2^29. With a camera, parts whose tiles do not
+   * fit are coarser; see GetScreenSpaceErrorInUse(). Less than 2^22 is an error and changes
+   * nothing.
    */
-  vtkSetMacro(MemoryLimit, vtkTypeInt64);
+  virtual void SetMemoryLimit(vtkTypeInt64 bytes);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);
   //@}
 

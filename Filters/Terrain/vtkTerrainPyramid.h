@@ -14,7 +14,7 @@
  * overviews has one level.
  *
  * An index stores the range of each tile and the largest deviation of its surface from that of the
- * full resolution. Both surfaces are bilinear between the centers of samples. The index is a file
+ * full resolution. Both surfaces are bilinear between the centres of samples. The index is a file
  * beside the raster, with the extension .relevo-index, or, if that folder is read-only, in
  * $XDG_CACHE_HOME/relevo (by default ~/.cache/relevo). It also stores the errors of terrain meshes,
  * and has about 1 KiB for each tile: 1 % of samples of 16 bits. If it does not exist, or if the
@@ -149,7 +149,7 @@ public:
   double GetMaximumError(int level);
 
   /**
-   * Return the height at a point, bilinear between the centers of the samples of level 0. x and y
+   * Return the height at a point, bilinear between the centres of the samples of level 0. x and y
    * are coordinates in the raster's own system: longitude and latitude in degrees if that is
    * geographic, where x and x + 360 are the same; columns from the left and rows from the bottom
    * border if the raster has no georeference. NaN outside of the raster and where a contributing

@@ -107,14 +107,14 @@ vtkTerrainPyramid* vtkTerrainMapper::GetPyramid()
 
 void vtkTerrainMapper::SetScreenSpaceError(double pixels)
 {
-  relevo::SetInRange(
-    this, "ScreenSpaceError", this->ScreenSpaceError, pixels, 0.01, relevo::LargestDouble);
+  relevo::SetInRange(this, "ScreenSpaceError", this->ScreenSpaceError, pixels,
+    relevo::AdaptiveTerrain::SmallestTolerance, relevo::LargestDouble);
 }
 
 void vtkTerrainMapper::SetMemoryLimit(vtkTypeInt64 bytes)
 {
-  relevo::SetInRange<vtkTypeInt64>(
-    this, "MemoryLimit", this->MemoryLimit, bytes, vtkTypeInt64(1) << 22, VTK_TYPE_INT64_MAX);
+  relevo::SetInRange<vtkTypeInt64>(this, "MemoryLimit", this->MemoryLimit, bytes,
+    relevo::AdaptiveTerrain::SmallestMemoryLimit, VTK_TYPE_INT64_MAX);
 }
 
 void vtkTerrainMapper::SetExaggeration(double factor)

@@ -6,7 +6,7 @@
  *
  * The input is a vtkTerrainPyramid. In each frame, the terrain is bisected into triangles until the
  * vertical distance between the drawn surface and the surface of full resolution, which is bilinear
- * between the centers of samples, is at most SetScreenSpaceError() pixels on the screen. Levels
+ * between the centres of samples, is at most SetScreenSpaceError() pixels on the screen. Levels
  * change smoothly (geomorphing). Faces of different sizes share their edges to the bit, so that
  * there are no cracks. Triangles outside of the view are neither drawn nor loaded.
  *
@@ -17,10 +17,10 @@
  * As long as the index of the pyramid is incomplete (vtkTerrainPyramid::IsErrorKnown()), errors are
  * estimated.
  *
- * World coordinates are a flat map in meters: x east and y north from the center of the raster, and
+ * World coordinates are a flat map in metres: x east and y north from the centre of the raster, and
  * z the height times SetExaggeration(). Longitude and latitude are scaled by the lengths of a
- * degree at the center. Without a georeference, one sample and one unit of height are one unit. The
- * terrain ends at the centers of the outermost samples. Samples without data leave holes.
+ * degree at the centre. Without a georeference, one sample and one unit of height are one unit. The
+ * terrain ends at the centres of the outermost samples. Samples without data leave holes.
  *
  * Lights, clipping planes, opacity, depth peeling, representations, edges, render passes,
  * replacements of shaders and hardware selection work as with vtkPolyDataMapper. A selection of
@@ -175,7 +175,7 @@ public:
 
   //@{
   /**
-   * Set the frame of the world coordinates. MAP (0, the default): a flat map in meters, see the
+   * Set the frame of the world coordinates. MAP (0, the default): a flat map in metres, see the
    * class. A value out of range is an error and changes nothing.
    */
   void SetFrame(int frame);
@@ -199,7 +199,7 @@ public:
   //@{
   /**
    * Convert longitude and latitude in degrees, on the ellipsoid of the raster's coordinate system,
-   * and a height in meters to world coordinates, and back. The actor's matrix is not applied.
+   * and a height in metres to world coordinates, and back. The actor's matrix is not applied.
    * Return false if there is no open raster with a coordinate system, or the point cannot be
    * converted.
    */

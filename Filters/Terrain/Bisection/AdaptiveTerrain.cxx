@@ -110,7 +110,7 @@ void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
   all = { { all[0] - margin, all[1] + margin } };
   const ElevationRanges wide(all);
   TerrainBisection bisection(
-    contents.Width, contents.Height, *errors, this->Lattice->AreErrorsKnown() ? *ranges : wide);
+    contents.Width, contents.Height, *errors, this->HasErrors ? *ranges : wide);
   this->Cache.BeginFrame(GetSeconds());
   bisection.Select(view, tolerance, this->Cache);
   this->Cache.EndFrame();

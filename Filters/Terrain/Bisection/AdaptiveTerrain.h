@@ -5,7 +5,7 @@
  * @brief   a terrain that is refined for views, with the tiles that they need
  *
  * Heights are in the unit of the raster. A view looks at the terrain in the frame of
- * GetPlacement(): meters on a map whose origin is the center of the raster; see MapFrame.
+ * GetPlacement(): metres on a map whose origin is the centre of the raster; see MapFrame.
  *
  * Private to the modules for terrains.
  */
@@ -21,6 +21,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -31,6 +32,12 @@ namespace relevo
 class RELEVOFILTERSTERRAIN_EXPORT AdaptiveTerrain
 {
 public:
+  //@{
+  /// The smallest tolerance in pixels and memory limit in bytes that settings accept.
+  static constexpr double SmallestTolerance = 0.01;
+  static constexpr std::int64_t SmallestMemoryLimit = std::int64_t(1) << 22;
+  //@}
+
   explicit AdaptiveTerrain(std::shared_ptr<const HeightLattice> lattice);
   ~AdaptiveTerrain();
   AdaptiveTerrain(const AdaptiveTerrain&) = delete;

@@ -9,8 +9,8 @@
  *
  * The limit holds for the tiles in memory and those that are being read, together. If it is
  * reached, missing tiles replace tiles that the frame did not want, the least recently wanted
- * first, and then wanted tiles whose error is clearly smaller. A frame asks for a tile only if it
- * also asks for the coarser tile around it, so coarser tiles outlive finer ones. Tiles of the two
+ * first, and then wanted tiles whose error is clearly smaller. A frame that wants a tile also wants
+ * the coarser tile around it, so coarser tiles outlive finer ones. Tiles of the two
  * coarsest levels are not replaced.
  *
  * All functions must be called from the same thread, unless they say otherwise. Private to the
@@ -43,7 +43,7 @@ public:
   /// error on failure. Worker threads call it, several at a time.
   using Reader = std::function<bool(HeightTile& tile, std::string& error)>;
 
-  /// What a tile counts.
+  /// The memory of a tile in bytes.
   static constexpr std::size_t BytesPerTile =
     sizeof(HeightTile) + sizeof(float) * HeightTile::Stride * HeightTile::Stride;
 

@@ -20,8 +20,8 @@ public:
 
   /**
    * A tile, or nullptr if it is not in memory, which is then to be read. The error, in pixels, is
-   * that of the picture without the tile. Sets how much of its detail is to be seen: from 0 for a
-   * tile that has just been read to 1.
+   * that of the picture without the tile. Sets the visibility of its details, from 0 for a tile
+   * that has just been read to 1.
    */
   virtual const HeightTile* Get(
     int level, int column, int row, double error, float& visibility) = 0;

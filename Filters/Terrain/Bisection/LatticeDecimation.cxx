@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bisection/LatticeDecimation.h"
 
+#include "Raster/GridKey.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -19,7 +21,7 @@ constexpr int MaximumSubdivisions = 8;
 
 std::uint64_t GetVertexKey(const DecimationVertex& vertex)
 {
-  return static_cast<std::uint64_t>(vertex[1]) << 32 | static_cast<std::uint64_t>(vertex[0]);
+  return MakeGridKey(vertex[0], vertex[1]);
 }
 
 // The longest side is between the first two vertices of a triangle.
@@ -135,14 +137,16 @@ double LatticeDecimation::GetLargestTwist() const
 
 // Two triangles differ from a bilinear cell by a quarter of its twist, four parts of it by a
 // quarter of that, and so on.
-void LatticeDecimation::ChooseSubdivisions()
+// Returns false if they would be too many.
+bool LatticeDecimation::ChooseSubdivisions()
 {
   this->Subdivisions = 0;
-  for (double error = this->GetLargestTwist() / 4.0;
-       error > this->Tolerance && this->Subdivisions < MaximumSubdivisions; error /= 4.0)
+  double error = this->GetLargestTwist() / 4.0;
+  for (; error > this->Tolerance && this->Subdivisions < MaximumSubdivisions; error /= 4.0)
   {
     ++this->Subdivisions;
   }
+  return error <= this->Tolerance;
 }
 
 double LatticeDecimation::GetHeight(const Vertex& vertex) const
@@ -240,8 +244,8 @@ double LatticeDecimation::Measure(const Triangle& triangle, Content& content) co
       const float height = this->Heights[static_cast<std::size_t>(row) * this->Columns + column];
       hasHoles = hasHoles || std::isnan(height);
       hasData = hasData || !std::isnan(height);
-      // In the half of a cell that a diagonal side cuts, the distance is linear between the
-      // corners, but for a quarter of the twist at most, on the side.
+      // A diagonal side cuts cells in halves. In a half, the distance is linear between the corners
+      // plus a term that is largest on the side, where it is at most a quarter of the twist.
       double twist = 0.0;
       for (int side = 0; side < 3; ++side)
       {
@@ -263,7 +267,7 @@ double LatticeDecimation::Measure(const Triangle& triangle, Content& content) co
 void LatticeDecimation::Visit(const Triangle& triangle)
 {
   const Vertex& apex = triangle[2];
-  if (GetLeg(triangle) <= 1 || this->WasAborted)
+  if (GetLeg(triangle) <= 1 || this->State != Result::Done)
   {
     return;
   }
@@ -285,7 +289,15 @@ void LatticeDecimation::Visit(const Triangle& triangle)
       this->Accepted.insert(key);
       return;
     }
-    this->WasAborted = this->WasAborted || (*this->IsAborted)();
+    if ((*this->IsAborted)())
+    {
+      this->State = Result::Aborted;
+    }
+    // Each midpoint bisects two triangles.
+    if (this->Marked.size() > MaximumTriangles / 2)
+    {
+      this->State = Result::TooManyTriangles;
+    }
     this->Mark(middle);
     this->HasChanged = true;
   }
@@ -322,7 +334,7 @@ void LatticeDecimation::Mark(const Vertex& vertex)
   std::int64_t y = isColumnOdd ? step : 0;
   if (isColumnOdd && isRowOdd)
   {
-    // The center of a square: the apexes are not on the diagonal that halves it.
+    // The centre of a square: the apexes are not on the diagonal that halves it.
     const bool isMain = (vertex[0] / (2 * step) + vertex[1] / (2 * step)) % 2 == 0;
     y = isMain ? -step : step;
   }
@@ -348,15 +360,19 @@ void LatticeDecimation::Collect(const Triangle& triangle)
   }
 }
 
-bool LatticeDecimation::Refine(double tolerance, const std::function<bool()>& isAborted)
+LatticeDecimation::Result LatticeDecimation::Refine(
+  double tolerance, const std::function<bool()>& isAborted)
 {
   this->Tolerance = tolerance;
   this->IsAborted = &isAborted;
-  this->WasAborted = false;
+  this->State = Result::Done;
   this->Marked.clear();
   this->Accepted.clear();
   this->Triangles.clear();
-  this->ChooseSubdivisions();
+  if (!this->ChooseSubdivisions())
+  {
+    return Result::TooManyTriangles;
+  }
   this->Size = std::int64_t(1) << this->Subdivisions;
   while (this->Size >> this->Subdivisions < std::max(this->Columns, this->Rows) - 1)
   {
@@ -372,11 +388,11 @@ bool LatticeDecimation::Refine(double tolerance, const std::function<bool()>& is
     {
       this->Visit(half);
     }
-  } while (this->HasChanged && !this->WasAborted);
+  } while (this->HasChanged && this->State == Result::Done);
   for (const Triangle& half : halves)
   {
     this->Collect(half);
   }
-  return !this->WasAborted;
+  return this->State;
 }
 }

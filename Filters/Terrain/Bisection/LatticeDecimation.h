@@ -5,7 +5,7 @@
  * @brief   the fewest triangles of longest-edge bisection within a vertical tolerance of a grid
  *
  * The surface of the grid is bilinear in each cell. A triangle is bisected if its largest vertical
- * distance from this surface exceeds the tolerance, or if its neighbor is bisected at their common
+ * distance from this surface exceeds the tolerance, or if its neighbour is bisected at their common
  * side (right-triangulated irregular networks: W. Evans, D. Kirkpatrick and G. Townsend,
  * Algorithmica 30(2), 2001). Cells are bisected, too, if the tolerance is small.
  *
@@ -17,6 +17,7 @@
 #define LatticeDecimation_h
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <unordered_set>
@@ -30,13 +31,21 @@ public:
   /// The heights of the vertices, row by row; at least 2 columns and rows.
   LatticeDecimation(std::vector<float> heights, int columns, int rows);
 
-  /// Find the triangles. Returns false if `isAborted` has returned true.
-  bool Refine(double tolerance, const std::function<bool()>& isAborted);
+  enum class Result
+  {
+    Done,
+    Aborted,         // `isAborted` has returned true
+    TooManyTriangles // more than MaximumTriangles, or cells would be too small
+  };
+  static constexpr std::size_t MaximumTriangles = std::size_t(1) << 26;
+
+  /// Find the triangles.
+  Result Refine(double tolerance, const std::function<bool()>& isAborted);
 
   /// Column and row in units of a cell divided by 2^GetSubdivisions().
   using Vertex = std::array<std::int64_t, 2>;
   using Triangle = std::array<Vertex, 3>;
-  /// The triangles, of which some reach beyond the last column or row.
+  /// The triangles. Some reach beyond the last column or row.
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
   int GetSubdivisions() const { return this->Subdivisions; }
 
@@ -55,7 +64,7 @@ private:
   };
 
   double GetTwist(int column, int row) const;
-  void ChooseSubdivisions();
+  bool ChooseSubdivisions();
   double MeasureInCell(const Triangle& triangle, Content& content) const;
   double GetTwistOfSide(
     const Triangle& triangle, int side, std::int64_t column, std::int64_t row) const;
@@ -71,7 +80,7 @@ private:
   int Subdivisions = 0;
   double Tolerance = 0.0;
   const std::function<bool()>* IsAborted = nullptr;
-  bool WasAborted = false;
+  Result State = Result::Done;
   bool HasChanged = false;
   std::int64_t Size = 1;                      // of the square that covers the grid
   std::unordered_set<std::uint64_t> Marked;   // midpoints of longest sides that are bisected

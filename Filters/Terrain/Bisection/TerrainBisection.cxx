@@ -3,6 +3,7 @@
 #include "Bisection/TerrainBisection.h"
 
 #include "Bisection/FaceHeights.h"
+#include "Raster/GridKey.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,15 +30,15 @@ static_assert(BlockErrors::CellsPerBlock == 1 << 3 && HeightTile::CellsPerTile =
 
 constexpr double InfiniteError = std::numeric_limits<double>::infinity();
 
-// The errors between which a bisection goes on, as a share of the tolerance.
+// A bisection begins at this fraction of the tolerance, and is complete at the tolerance.
 const double FirstShare = std::exp2(-0.125);
 
 // Corners of a block, in halves of its size; a side is between its number and the next.
 constexpr int Corners[4][2] = { { 0, 0 }, { 2, 0 }, { 2, 2 }, { 0, 2 } };
 constexpr int SideSteps[4][2] = { { 0, -1 }, { 1, 0 }, { 0, 1 }, { -1, 0 } };
 
-// The largest error that bisections may have with a tile. It is complete for the bisections of its
-// squares when a third of the time is over, and for those of their sides after half of it.
+// The largest error that the bisections with a tile use. The bisections of its squares are complete
+// after a third of the fade, and those at their sides after half of it.
 double GetVisibleError(float visibility, double tolerance)
 {
   return visibility < 1.0f ? FirstShare * tolerance / std::sqrt(1.0 - visibility) : InfiniteError;
@@ -139,7 +140,7 @@ const HeightTile* TerrainBisection::FindTile(
   return tile;
 }
 
-// A tile of which a bisected block is known to be in memory.
+// The tile of a bisected block, which is in memory.
 const HeightTile& TerrainBisection::GetTile(int level, const Block& block)
 {
   float visibility = 1.0f;
@@ -166,7 +167,7 @@ double TerrainBisection::LimitSquare(const Block& block)
   double error = this->ProjectSquare(block);
   if (this->Ramp(error) > 0.0f)
   {
-    // The two triangles must exist, each of which comes from a side of the parent.
+    // Its two triangles must exist. Each comes from the bisection at a side of the parent.
     const Block parent = { block.Level + 1, block.Column >> 1, block.Row >> 1 };
     const double sides = std::min(this->LimitEdge(parent, (block.Column & 1) != 0 ? 1 : 3),
       this->LimitEdge(parent, (block.Row & 1) != 0 ? 2 : 0));
@@ -207,13 +208,13 @@ double TerrainBisection::LimitEdge(const Block& block, int side)
   return error;
 }
 
-// How far a square is split: 0 not at all, 1 completely.
+// The morph of the faces of a split square; 0 if the square is not split.
 float TerrainBisection::GetSquareMorph(const Block& block)
 {
   return this->Ramp(this->LimitSquare(block));
 }
 
-// How far the two triangles at a side of a split square are split.
+// The same for the faces of the split triangles at a side.
 float TerrainBisection::GetEdgeMorph(const Block& block, int side)
 {
   return this->Ramp(this->LimitEdge(block, side));
@@ -296,7 +297,7 @@ void TerrainBisection::Visit(const Block& block)
   }
 }
 
-// Adds a triangle between the center of a block and a side or, with an end, half a side.
+// Adds a triangle between the centre of a block and a side or, with an end, half a side.
 void TerrainBisection::AddFace(const Block& block, int side, int end, float morph, double error)
 {
   TerrainFace face;
@@ -411,7 +412,7 @@ double TerrainBisection::ProjectFace(const Block& block, int end, const TerrainF
 // A corner of faces, in cells of the finest lattice.
 float TerrainBisection::GetCornerHeight(std::int64_t x, std::int64_t y)
 {
-  const std::uint64_t key = static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x);
+  const std::uint64_t key = MakeGridKey(x, y);
   const auto known = this->Corners.find(key);
   if (known != this->Corners.end())
   {
@@ -430,7 +431,7 @@ float TerrainBisection::ComputeCornerHeight(std::int64_t x, std::int64_t y)
     return GetLatticeHeight(
       this->GetTile(level, block), level, x >> (level - FinestLevel), y >> (level - FinestLevel));
   };
-  // The coarsest blocks of which it is a corner.
+  // The coarsest level whose blocks have this corner.
   int level = FinestLevel;
   while (
     level < this->RootLevel && ((x | y) & ((std::int64_t(1) << GetBlockShift(level + 1)) - 1)) == 0)
@@ -444,7 +445,7 @@ float TerrainBisection::ComputeCornerHeight(std::int64_t x, std::int64_t y)
   }
   else
   {
-    // It is the center of a square of the next coarser level, or the midpoint of a side of one.
+    // It is the centre of a square of the next coarser level, or the midpoint of a side of one.
     const std::int64_t column = x >> GetBlockShift(level);
     const std::int64_t row = y >> GetBlockShift(level);
     Block parent = { level + 1, column >> 1, row >> 1 };

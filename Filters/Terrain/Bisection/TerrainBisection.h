@@ -6,8 +6,8 @@
  *
  * The faces are those of longest-edge bisection on the lattice of samples (P. Lindstrom and V.
  * Pascucci, "Terrain simplification simplified", IEEE TVCG 8(3), 2002): the squares of blocks are
- * split at their centers, then pairs of triangles at the midpoints of the edges of squares. All
- * faces are drawn with the same pattern, so that neighbors share their edges without hanging
+ * split at their centres, then pairs of triangles at the midpoints of the edges of squares. All
+ * faces are drawn with the same pattern, so that neighbours share their edges without hanging
  * vertices. See BlockErrors for blocks and their errors.
  *
  * A bisection is a function of the view and of the tiles in memory alone. It begins when the

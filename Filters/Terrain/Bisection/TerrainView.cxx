@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bisection/TerrainView.h"
 
+#include "View/RefinementView.h"
+#include "View/WorldView.h"
 #include "vtkCamera.h"
-#include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +14,15 @@ namespace relevo
 {
 void TerrainView::SetCamera(vtkCamera* camera, const int viewport[2])
 {
-  const double width = viewport[0];
-  const double height = viewport[1];
+  RefinementView pixels;
+  pixels.Camera = camera;
+  std::copy_n(viewport, 2, pixels.ViewportSize);
   std::array<double, 3> eye;
   std::array<double, 3> direction;
   camera->GetPosition(eye.data());
   camera->GetDirectionOfProjection(direction.data());
   double planes[24];
-  camera->GetFrustumPlanes(width / height, planes);
+  camera->GetFrustumPlanes(static_cast<double>(viewport[0]) / viewport[1], planes);
   std::array<std::array<double, 4>, 6> frustum{};
   for (int i = 0; i < 4; ++i)
   {
@@ -30,18 +32,14 @@ void TerrainView::SetCamera(vtkCamera* camera, const int viewport[2])
   if (camera->GetParallelProjection())
   {
     frustum[4] = frustum[5];
-    this->SetParallel(height / (2.0 * camera->GetParallelScale()));
+    this->SetParallel(viewport[1] / (2.0 * camera->GetParallelScale()));
   }
   else
   {
     // Nothing behind the eye.
     frustum[4] = { { direction[0], direction[1], direction[2],
       -(direction[0] * eye[0] + direction[1] * eye[1] + direction[2] * eye[2]) } };
-    const double angle = vtkMath::RadiansFromDegrees(camera->GetViewAngle());
-    // The angle is that of the width if the camera says so.
-    const double pixels = camera->GetUseHorizontalViewAngle() ? width : height;
-    this->SetPerspective(
-      eye, pixels / (2.0 * std::tan(angle / 2.0)), camera->GetClippingRange()[0]);
+    this->SetPerspective(eye, GetPixelsAtUnitDistance(pixels), camera->GetClippingRange()[0]);
   }
   this->SetFrustum(frustum);
 }

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   MapFrame
- * @brief   conversion between raster coordinates and a flat map in meters
+ * @brief   conversion between raster coordinates and a flat map in metres
  *
- * x is east and y is north, with the origin at the center of the raster. Projected and local
- * coordinates are only shifted and converted to meters. Longitude and latitude are scaled by the
- * lengths of a degree of longitude and of latitude at the center, on the ellipsoid; this is an
+ * x is east and y is north, with the origin at the centre of the raster. Projected and local
+ * coordinates are only shifted and converted to metres. Longitude and latitude are scaled by the
+ * lengths of a degree of longitude and of latitude at the centre, on the ellipsoid; this is an
  * equidistant cylindrical projection, and covers the whole earth. Without a georeference, one
  * sample is one unit.
  *
@@ -36,7 +36,7 @@ public:
 private:
   Georeference Location;
   std::array<double, 2> Center;
-  std::array<double, 2> Lengths; // meters per unit of the coordinates
+  std::array<double, 2> Lengths; // metres per unit of the coordinates
 };
 }
 

@@ -4,7 +4,7 @@
  * @struct  TerrainPlacement
  * @brief   the position of a raster in world coordinates
  *
- * A point of the raster at column x, row y (whole numbers at the centers of samples) and height h
+ * A point of the raster at column x, row y (whole numbers at the centres of samples) and height h
  * lies at Origin + x * Column + y * Row + (0, 0, h * HeightScale) in world coordinates.
  *
  * Private to the modules for terrains.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Heights/TerrainMeshBuilder.h"
 
+#include "Raster/GridKey.h"
 #include "vtkClipPolyData.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
@@ -59,9 +60,8 @@ TerrainMeshBuilder::TerrainMeshBuilder(
 
 vtkIdType TerrainMeshBuilder::AddVertex(const Vertex& vertex)
 {
-  const std::uint64_t key =
-    static_cast<std::uint64_t>(vertex.Row) << 32 | static_cast<std::uint64_t>(vertex.Column);
-  const auto [found, isNew] = this->Ids.emplace(key, this->Points->GetNumberOfPoints());
+  const auto [found, isNew] =
+    this->Ids.emplace(MakeGridKey(vertex.Column, vertex.Row), this->Points->GetNumberOfPoints());
   if (isNew)
   {
     const double column = static_cast<double>(vertex.Column) * this->Unit;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lattice/BlockErrors.h"
 
+#include "Raster/GridKey.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -46,21 +48,6 @@ int BlockErrors::GetRootLevel(int columns, int rows)
   return level;
 }
 
-std::uint8_t BlockErrors::Encode(float error) const
-{
-  if (!(error > 0.0f) || !(this->Largest > 0.0f))
-  {
-    return 0;
-  }
-  const float steps = std::ceil(StepsPerOctave * std::log2(error / this->Largest));
-  int code = std::clamp(static_cast<int>(std::max(steps, -1000.0f)) + LargestCode, 1, LargestCode);
-  while (code < LargestCode && Decode(code, this->Largest) < error) // the logarithm is rounded
-  {
-    ++code;
-  }
-  return static_cast<std::uint8_t>(code);
-}
-
 float BlockErrors::Find(int level, int column, int row, bool isFace) const
 {
   if (level >= static_cast<int>(this->Levels.size()))
@@ -68,7 +55,7 @@ float BlockErrors::Find(int level, int column, int row, bool isFace) const
     return this->Largest;
   }
   const Tiles& tiles = this->Levels[level];
-  const auto found = tiles.find(GetKey(column / BlocksPerTile, row / BlocksPerTile));
+  const auto found = tiles.find(MakeGridKey(column / BlocksPerTile, row / BlocksPerTile));
   if (found == tiles.end())
   {
     return 0.0f;
@@ -100,7 +87,7 @@ float BlockErrors::GetSquareError(int level, int column, int row) const
     return this->Estimated * std::exp2(static_cast<float>(level > 0 ? level : 2 * level));
   }
   // The face errors of this level depend on one block around, and so do those of the four
-  // neighbors.
+  // neighbours.
   return level > 0 ? this->Find(level, column, row, false)
                    : GetShareOfLevel0(level) * this->FindSaturated(level, column, row, 2);
 }

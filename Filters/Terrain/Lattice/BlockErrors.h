@@ -11,8 +11,8 @@
  *
  * The errors are saturated: a square error is at least 2^(1/8) times the face error of the block
  * and of the four blocks that share an edge with it, and a face error at least 2^(1/8) times the
- * square errors of the four blocks of the next finer level. So a bisection that the error of a
- * block asks for never needs one that the errors do not ask for.
+ * square errors of the four blocks of the next finer level. So the coarser bisections that a
+ * bisection depends on always have larger errors.
  *
  * Errors of levels from 1 on are stored as one byte each: a number of steps of 2^(1/8) below the
  * largest error, rounded up, so that the values stay bounds and stay saturated.
@@ -20,7 +20,7 @@
  * At level 0 one error is stored for 2 x 2 blocks together. It bounds the square errors, and
  * FaceShareOfLevel0 of it bounds the face errors. Triangles of finer levels lie within one bilinear
  * cell each, so that their errors are proportional to the area of a block. To be saturated, errors
- * up to level 0 are at least NeighborShareOfLevel0 of the stored ones in the neighborhood of a
+ * up to level 0 are at least NeighborShareOfLevel0 of the stored ones in the neighbourhood of a
  * block.
  *
  * Private to the modules for terrains.
@@ -67,12 +67,7 @@ public:
     std::array<std::uint8_t, BlocksPerTile * BlocksPerTile> Square{};
     std::array<std::uint8_t, BlocksPerTile * BlocksPerTile> Face{}; // not used at level 0
   };
-  /// By column and row of tiles: row * 2^32 + column.
-  using Tiles = std::unordered_map<std::uint64_t, Tile>;
-  static std::uint64_t GetKey(int column, int row)
-  {
-    return static_cast<std::uint64_t>(row) << 32 | static_cast<std::uint32_t>(column);
-  }
+  using Tiles = std::unordered_map<std::uint64_t, Tile>; // by MakeGridKey()
 
   /// Errors that are 0 everywhere, on levels from 0 to a root level.
   explicit BlockErrors(int rootLevel = 0);
@@ -90,9 +85,6 @@ public:
   Tiles& GetTiles(int level) { return this->Levels[level]; }
   const Tiles& GetTiles(int level) const { return this->Levels[level]; }
   //@}
-
-  /// The smallest code of an error that is not less than this one. 0 for 0.
-  std::uint8_t Encode(float error) const;
 
 private:
   float Find(int level, int column, int row, bool isFace) const;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lattice/ElevationRanges.h"
 
+#include "Raster/GridKey.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,11 +13,6 @@ namespace relevo
 namespace
 {
 constexpr float InfiniteHeight = std::numeric_limits<float>::infinity();
-
-std::uint64_t GetKey(std::int64_t column, std::int64_t row)
-{
-  return static_cast<std::uint64_t>(row) << 32 | static_cast<std::uint32_t>(column);
-}
 
 void Extend(ElevationRanges::Range& range, const ElevationRanges::Range& other)
 {
@@ -34,7 +31,7 @@ void ElevationRanges::AddTile(int column, int row, const Range& range)
   if (range[0] <= range[1])
   {
     this->Levels.resize(1);
-    this->Levels[0][GetKey(column, row)] = range;
+    this->Levels[0][MakeGridKey(column, row)] = range;
   }
 }
 
@@ -48,8 +45,7 @@ void ElevationRanges::Finish()
     Tiles coarser;
     for (const auto& [key, range] : this->Levels.back())
     {
-      const std::uint64_t parent =
-        GetKey(static_cast<std::uint32_t>(key) >> 1, static_cast<std::int64_t>(key >> 33));
+      const std::uint64_t parent = MakeGridKey(GetKeyColumn(key) / 2, GetKeyRow(key) / 2);
       Extend(coarser.emplace(parent, range).first->second, range);
     }
     this->Levels.push_back(std::move(coarser));
@@ -85,7 +81,7 @@ ElevationRanges::Range ElevationRanges::Get(
   {
     for (std::int64_t column = c[0]; column <= c[1]; ++column)
     {
-      const auto found = tiles.find(GetKey(column, row));
+      const auto found = tiles.find(MakeGridKey(column, row));
       if (found != tiles.end())
       {
         Extend(range, found->second);

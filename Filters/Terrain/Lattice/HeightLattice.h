@@ -35,7 +35,7 @@ public:
   virtual std::shared_ptr<const BlockErrors> GetErrors() const = 0;
   virtual std::shared_ptr<const ElevationRanges> GetRanges() const = 0;
 
-  /// Read a tile, of which level, column and row are set. Returns false and sets `error` on
+  /// Read a tile, whose level, column and row are set. Returns false and sets `error` on
   /// failure. Thread-safe.
   virtual bool Read(HeightTile& tile, std::string& error) const = 0;
 

@@ -365,7 +365,7 @@ float BlockErrorArea::MeasureSquareCorners(const TriangulatedGrid& grid, int col
   return largest;
 }
 
-// The triangles at the corners of the faces of a split square: those of the block and its center.
+// The triangles at the corners of the faces of a split square: those of the block and its centre.
 float BlockErrorArea::MeasureFaceCorners(const TriangulatedGrid& grid, int column, int row) const
 {
   float largest = 0.0f;

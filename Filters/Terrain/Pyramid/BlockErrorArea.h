@@ -6,9 +6,9 @@
  *
  * The area consists of blocks of the level BaseLevel + NumberOfLevels; see BlockErrors. The
  * reference has the heights of the lattice of the base level. If that is level 0, the reference is
- * the surface of full resolution, and errors are exact but for the twist of its cells; see
- * TriangleDistance. Otherwise the reference consists of the faces of the base level, whose errors
- * are added.
+ * the surface of full resolution, and errors are exact except for the term of the twist of its
+ * cells; see TriangleDistance. Otherwise the reference consists of the faces of the base level,
+ * whose errors are added.
  *
  * A corner of a face can have the height of any finer lattice. The triangles at the corners are
  * measured with the lowest and with the highest of these heights; between, errors are less.
@@ -40,7 +40,7 @@ public:
   /// The lowest and the highest height; NaN without data.
   using Range = std::array<float, 2>;
 
-  // What samples and vertices of a block have.
+  // Whether samples and vertices of a block have data.
   static constexpr std::uint8_t HasData = 1;
   static constexpr std::uint8_t HasMissing = 2;
 

@@ -3,6 +3,7 @@
 #include "Pyramid/BlockErrorBuilder.h"
 
 #include "Pyramid/RasterEstimates.h"
+#include "Raster/GridKey.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,16 +25,6 @@ constexpr double MaximumCode = 900.0;
 
 constexpr float Missing = std::numeric_limits<float>::quiet_NaN();
 
-int GetColumnOfKey(std::uint64_t key)
-{
-  return static_cast<int>(key & 0xffffffffu);
-}
-
-int GetRowOfKey(std::uint64_t key)
-{
-  return static_cast<int>(key >> 32);
-}
-
 // Calls a function with column, row and code of each error that is not 0.
 template <typename Tiles, typename Function>
 void ForEachCode(const Tiles& tiles, bool isFace, const Function& function)
@@ -45,8 +36,8 @@ void ForEachCode(const Tiles& tiles, bool isFace, const Function& function)
     {
       if (codes[i] != None)
       {
-        function(GetColumnOfKey(key) * BlocksPerTile + i % BlocksPerTile,
-          GetRowOfKey(key) * BlocksPerTile + i / BlocksPerTile, codes[i]);
+        function(GetKeyColumn(key) * BlocksPerTile + i % BlocksPerTile,
+          GetKeyRow(key) * BlocksPerTile + i / BlocksPerTile, codes[i]);
       }
     }
   }
@@ -132,7 +123,7 @@ std::int16_t BlockErrorBuilder::Encode(float error)
 
 void BlockErrorBuilder::Raise(Tiles& tiles, bool isFace, int column, int row, std::int16_t code)
 {
-  const std::uint64_t key = BlockErrors::GetKey(column / BlocksPerTile, row / BlocksPerTile);
+  const std::uint64_t key = MakeGridKey(column / BlocksPerTile, row / BlocksPerTile);
   auto found = tiles.find(key);
   if (found == tiles.end())
   {
@@ -186,7 +177,7 @@ void BlockErrorBuilder::StoreBlocks(BlockErrorArea& area)
       block.Contents = result.Contents.At(column, row);
       block.Base = result.Bases.At(column, row);
       this->Blocks[level / Step - 1].emplace(
-        BlockErrors::GetKey(first[0] / cells + column, first[1] / cells + row), block);
+        MakeGridKey(first[0] / cells + column, first[1] / cells + row), block);
     }
   }
 }
@@ -217,7 +208,7 @@ void BlockErrorBuilder::RequestAreas(int pyramidLevel, int column, int row)
     {
       for (int x = getArea(samples[0][0]); x <= getArea(samples[0][1]); ++x)
       {
-        this->Requests[base / Step].insert(BlockErrors::GetKey(x, y));
+        this->Requests[base / Step].insert(MakeGridKey(x, y));
       }
     }
   }
@@ -230,8 +221,8 @@ std::vector<SampleWindow> BlockErrorBuilder::GetRequestedAreas() const
   for (const std::uint64_t key : this->Requests[0])
   {
     SampleWindow window;
-    window.Column = GetColumnOfKey(key) * SamplesPerArea;
-    window.Row = GetRowOfKey(key) * SamplesPerArea;
+    window.Column = GetKeyColumn(key) * SamplesPerArea;
+    window.Row = GetKeyRow(key) * SamplesPerArea;
     window.Width = std::min(SamplesPerArea + 1, size[0] - window.Column);
     window.Height = std::min(SamplesPerArea + 1, size[1] - window.Row);
     windows.push_back(window);
@@ -256,13 +247,13 @@ void BlockErrorBuilder::MeasureCoarser(
   Keys areas = this->Requests[baseLevel / Step];
   for (const auto& block : this->Blocks[baseLevel / Step - 1])
   {
-    areas.insert(BlockErrors::GetKey(
-      GetColumnOfKey(block.first) / blocksPerArea, GetRowOfKey(block.first) / blocksPerArea));
+    areas.insert(MakeGridKey(
+      GetKeyColumn(block.first) / blocksPerArea, GetKeyRow(block.first) / blocksPerArea));
   }
   for (const std::uint64_t key : areas)
   {
     const std::unique_ptr<BlockErrorArea> area =
-      this->NewCoarserArea(baseLevel, GetColumnOfKey(key), GetRowOfKey(key));
+      this->NewCoarserArea(baseLevel, GetKeyColumn(key), GetKeyRow(key));
     if (abort || !area)
     {
       continue;
@@ -323,8 +314,7 @@ std::unique_ptr<BlockErrorArea> BlockErrorBuilder::NewCoarserArea(
   {
     for (int i = 0; i < blocks[0]; ++i)
     {
-      const auto found =
-        known.find(BlockErrors::GetKey(first[0] / cells + i, first[1] / cells + j));
+      const auto found = known.find(MakeGridKey(first[0] / cells + i, first[1] / cells + j));
       if (found == known.end())
       {
         continue;

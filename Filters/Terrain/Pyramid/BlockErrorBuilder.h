@@ -5,7 +5,7 @@
  * @brief   collects the errors of the blocks of a raster, area by area, and saturates them
  *
  * Areas of full resolution are blocks of level 7. Coarser levels are measured afterwards, on the
- * lattices of levels 7 and 14, in areas of which a part was measured. Areas that are not measured
+ * lattices of levels 7 and 14, in areas that were measured in part. Areas that are not measured
  * have absent samples on all levels, and no errors.
  *
  * Work and memory are proportional to the number of areas. The result does not depend on their

@@ -4,6 +4,7 @@
 
 #include "Files/AtomicFile.h"
 #include "Pyramid/Checksum.h"
+#include "Raster/GridKey.h"
 
 #include <algorithm>
 #include <cmath>
@@ -166,14 +167,14 @@ PyramidIndex::PyramidIndex(const std::vector<std::array<int, 2>>& sizes)
 
 const PyramidIndex::Record* PyramidIndex::Find(int level, int column, int row) const
 {
-  const auto found = this->Levels[level].find(this->GetKey(column, row));
+  const auto found = this->Levels[level].find(MakeGridKey(column, row));
   return found == this->Levels[level].end() ? nullptr : &found->second;
 }
 
 void PyramidIndex::AddRange(int level, int column, int row, double minimum, double maximum)
 {
   Record& record = this->Levels[level]
-                     .try_emplace(this->GetKey(column, row), Record{ Infinity, -Infinity, 0.0f })
+                     .try_emplace(MakeGridKey(column, row), Record{ Infinity, -Infinity, 0.0f })
                      .first->second;
   record.Minimum = std::min(record.Minimum, RoundDown(minimum));
   record.Maximum = std::max(record.Maximum, RoundUp(maximum));
@@ -182,7 +183,7 @@ void PyramidIndex::AddRange(int level, int column, int row, double minimum, doub
 void PyramidIndex::AddDeviation(int level, int column, int row, double deviation)
 {
   Record& record = this->Levels[level]
-                     .try_emplace(this->GetKey(column, row), Record{ Infinity, -Infinity, 0.0f })
+                     .try_emplace(MakeGridKey(column, row), Record{ Infinity, -Infinity, 0.0f })
                      .first->second;
   record.Deviation = std::max(record.Deviation, RoundUp(deviation));
 }

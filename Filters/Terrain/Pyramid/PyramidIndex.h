@@ -78,11 +78,6 @@ public:
   std::string Write(const std::string& fileName, const std::string& signature) const;
 
 private:
-  std::uint64_t GetKey(int column, int row) const
-  {
-    return static_cast<std::uint64_t>(row) << 32 | static_cast<std::uint32_t>(column);
-  }
-
   std::vector<std::unordered_map<std::uint64_t, Record>> Levels;
   Record Absent{ Infinity, -Infinity, 0.0f }; // of samples that are not stored
   std::shared_ptr<const BlockErrors> Errors;

@@ -20,7 +20,7 @@ namespace relevo
 RELEVOFILTERSTERRAIN_EXPORT std::array<double, 2> EstimateRange(const PyramidFile& file);
 
 /**
- * The mean distance of neighboring samples in the unit of the heights: in metres divided by the
+ * The mean distance of neighbouring samples in the unit of the heights: in metres divided by the
  * vertical unit; 1 if the raster has no coordinates of known size.
  */
 RELEVOFILTERSTERRAIN_EXPORT double GetSampleDistance(const RasterDescription& contents);

@@ -10,7 +10,7 @@
  * of the reference. Edges of the approximating triangles lie on its lines or on diagonals of its
  * cells. So in most cells the distance is largest at a corner. In cells on a diagonal, the twist of
  * the cell adds at most a quarter of it to the distances at the ends of the diagonal, or a half of
- * it at the center if the reference has the other diagonal.
+ * it at the centre if the reference has the other diagonal.
  *
  * Points where one of the surfaces is NaN do not count.
  *

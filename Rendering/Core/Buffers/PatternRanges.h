@@ -38,6 +38,20 @@ inline int CountPatternCopies(int numberOfVertices)
   return std::max(1, verticesPerInstance / numberOfVertices);
 }
 
+/// The number of instances for a number of faces or curves, and the copies of the pattern in each.
+struct InstanceCounts
+{
+  int Instances;
+  int Copies;
+};
+
+/// Return as few instances as possible, and then as few copies, of which the pattern has `copies`.
+inline InstanceCounts CountInstances(int members, int copies)
+{
+  const int instances = (members + copies - 1) / copies;
+  return { instances, (members + instances - 1) / instances };
+}
+
 template <typename Key, typename Index>
 class PatternRanges
 {

@@ -200,6 +200,25 @@ void InsertColors(ShaderText& fragment, bool ownFragments, const std::string& te
   }
 }
 
+std::string MakeMaterialColor(const std::string& color)
+{
+  return "\n  vec4 relevoColor = " + color +
+    ";\n  ambientColor = ambientIntensity * relevoColor.rgb;\n"
+    "  diffuseColor = diffuseIntensity * relevoColor.rgb;\n"
+    "  opacity = opacityUniform * relevoColor.a;\n";
+}
+
+bool ComputeVertexAttributes(ShaderText& vertex, const std::string& function)
+{
+  vertex.Replace("in vec4 vertexMC;", "vec4 vertexMC;");
+  const bool hasNormal = vertex.Has("in vec3 normalMC;");
+  vertex.IfReplace("in vec3 normalMC;", "vec3 normalMC;");
+  vertex.IfReplace("gl_VertexID", "0"); // vertices are not points of the input
+  vertex.InsertAtStart("  " + function + "();\n");
+  vertex.InsertAtEnd("  if (relevoHidden) { gl_Position = vec4(0.0, 0.0, 2.0, 1.0); }\n");
+  return hasNormal;
+}
+
 const char* GetPreciseExtension()
 {
   return "#extension GL_ARB_gpu_shader5 : enable\n"

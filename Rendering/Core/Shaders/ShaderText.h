@@ -91,6 +91,18 @@ private:
 RELEVORENDERINGCORE_EXPORT void InsertColors(
   ShaderText& fragment, bool ownFragments, const std::string& text);
 
+/// Return a text for InsertColors() that draws the material with a colour, an expression of type
+/// vec4.
+RELEVORENDERINGCORE_EXPORT std::string MakeMaterialColor(const std::string& color);
+
+/**
+ * Turn VTK's attributes of a vertex into variables, which a function sets that runs at the start of
+ * main(). Vertices for which that function sets relevoHidden are not drawn. Return whether the
+ * shader has a normal.
+ */
+RELEVORENDERINGCORE_EXPORT bool ComputeVertexAttributes(
+  ShaderText& vertex, const std::string& function);
+
 /// Return a definition for contexts that do not support `precise`, for the start of a shader.
 RELEVORENDERINGCORE_EXPORT const char* GetPreciseExtension();
 

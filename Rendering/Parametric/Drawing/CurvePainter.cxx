@@ -237,10 +237,8 @@ void CurvePainter::DrawInstances(unsigned int mode)
   this->Patterns.Bind();
   for (const CurveSelection::Group& group : this->Geometry.GetSelection().GetGroups())
   {
-    // Draw as many instances as needed, each with as many copies as possible.
     const PatternRange& range = this->Patterns.GetRange(group.Segments + moreSegments);
-    const int instances = (group.Count + range.Copies - 1) / range.Copies;
-    const int copies = (group.Count + instances - 1) / instances;
+    const auto [instances, copies] = CountInstances(group.Count, range.Copies);
     glUniform4i(location, group.Offset, group.Count, copies, group.Segments);
     glDrawElementsInstanced(mode, copies * range.NumberOfIndices, GL_UNSIGNED_SHORT,
       CurvePatterns::GetOffset(range), instances);

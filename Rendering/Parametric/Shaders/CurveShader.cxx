@@ -129,13 +129,9 @@ void PrepareCurveShaders(const CurveShaderOptions& options, bool ownFragments,
   }
   ShaderText fragment(shaders[vtkShader::Fragment], missing);
   InsertColors(fragment, ownFragments,
-    std::string("\n  vec4 relevoColor = ") +
-      (options.Coloring == CurveColoring::VALUES_OF_FRAGMENTS
-          ? "relevoTableColor(relevoScalarVSOutput)"
-          : "relevoColorVSOutput") +
-      ";\n  ambientColor = ambientIntensity * relevoColor.rgb;\n"
-      "  diffuseColor = diffuseIntensity * relevoColor.rgb;\n"
-      "  opacity = opacityUniform * relevoColor.a;\n");
+    MakeMaterialColor(options.Coloring == CurveColoring::VALUES_OF_FRAGMENTS
+        ? "relevoTableColor(relevoScalarVSOutput)"
+        : "relevoColorVSOutput"));
 }
 
 void FinishCurveShaders(const CurveShaderOptions& options,
@@ -143,12 +139,7 @@ void FinishCurveShaders(const CurveShaderOptions& options,
 {
   const std::vector<ShaderVarying> varyings = GetVaryings(options);
   ShaderText vertex(shaders[vtkShader::Vertex], missing);
-  vertex.Replace("in vec4 vertexMC;", "vec4 vertexMC;");
-  const bool hasNormal = vertex.Has("in vec3 normalMC;");
-  vertex.IfReplace("in vec3 normalMC;", "vec3 normalMC;");
-  vertex.IfReplace("gl_VertexID", "0"); // vertices are not points of the input
-  vertex.InsertAtStart("  relevoDrawCurve();\n");
-  vertex.InsertAtEnd("  if (relevoHidden) { gl_Position = vec4(0.0, 0.0, 2.0, 1.0); }\n");
+  const bool hasNormal = ComputeVertexAttributes(vertex, "relevoDrawCurve");
   vertex.InsertBeforeMain(GetVertexFunctions(options, varyings, hasNormal));
   vertex.InsertAfterVersion(GetDefines(options));
 

@@ -4,6 +4,7 @@
 
 #include "OpenGL/RelevoOpenGL.h"
 
+#include "Buffers/PatternRanges.h"
 #include "Evaluation/PatternSelection.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkShaderProgram.h"
@@ -59,10 +60,8 @@ int PatternMethod::DrawGroups(const RefinementDrawing& drawing, vtkShaderProgram
   for (const PatternGroup& group : groups)
   {
     const auto& range = drawing.Patterns->GetRange(group);
-    // Draw as many instances as needed, each with as many copies as possible.
-    const int most = primitives == Primitives::TRIANGLES ? range.Copies : 1;
-    const int instances = (group.Count + most - 1) / most;
-    const int copies = (group.Count + instances - 1) / instances;
+    const auto [instances, copies] =
+      CountInstances(group.Count, primitives == Primitives::TRIANGLES ? range.Copies : 1);
     glUniform3i(location, group.Offset, group.Count, copies);
     DrawPattern(range, group.Mirrored, primitives, copies, instances);
   }

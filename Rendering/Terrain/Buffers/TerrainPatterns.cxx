@@ -13,7 +13,7 @@ namespace relevo
 {
 namespace
 {
-constexpr int VerticesPerCopy = 256; // of which most do not exist
+constexpr int VerticesPerCopy = 256; // numbers of vertices; only some are used
 constexpr int NumberOfCopies = 8;
 
 unsigned short GetIndex(int firstVertex, int a, int b)

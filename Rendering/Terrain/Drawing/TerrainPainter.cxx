@@ -246,9 +246,7 @@ void TerrainPainter::DrawGroup(TerrainPatterns::Primitives primitives, bool isPo
   // All triangles face up.
   const bool isMirrored = isPositive != (GetDeterminant(this->Current.Placement) > 0.0);
   const PatternRange& range = this->Patterns.GetRange(primitives, isMirrored);
-  // Draw as many instances as needed, each with as many copies as possible.
-  const int instances = (group.Count + range.Copies - 1) / range.Copies;
-  const int copies = (group.Count + instances - 1) / instances;
+  const auto [instances, copies] = CountInstances(group.Count, range.Copies);
   const GLint location = glGetUniformLocation(
     static_cast<GLuint>(this->Variants.GetHelper().Program->GetHandle()), "relevoGroup");
   glUniform3i(location, group.First, group.Count, copies);

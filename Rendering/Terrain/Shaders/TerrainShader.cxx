@@ -93,11 +93,7 @@ void PrepareTerrainShaders(const TerrainShaderOptions& options, bool ownFragment
   ShaderText fragment(shaders[vtkShader::Fragment], missing);
   if (options.Coloring != TerrainColoring::SOLID)
   {
-    InsertColors(fragment, ownFragments,
-      "\n  vec4 relevoColor = relevoTerrainColor();\n"
-      "  ambientColor = ambientIntensity * relevoColor.rgb;\n"
-      "  diffuseColor = diffuseIntensity * relevoColor.rgb;\n"
-      "  opacity = opacityUniform * relevoColor.a;\n");
+    InsertColors(fragment, ownFragments, MakeMaterialColor("relevoTerrainColor()"));
   }
   if (options.HasContours)
   {
@@ -112,12 +108,7 @@ void FinishTerrainShaders(const TerrainShaderOptions& options,
 {
   const std::vector<ShaderVarying> varyings = GetVaryings(options);
   ShaderText vertex(shaders[vtkShader::Vertex], missing);
-  vertex.Replace("in vec4 vertexMC;", "vec4 vertexMC;");
-  const bool hasNormal = vertex.Has("in vec3 normalMC;");
-  vertex.IfReplace("in vec3 normalMC;", "vec3 normalMC;");
-  vertex.IfReplace("gl_VertexID", "0"); // vertices are not points of an input
-  vertex.InsertAtStart("  relevoDrawTerrain();\n");
-  vertex.InsertAtEnd("  if (relevoHidden) { gl_Position = vec4(0.0, 0.0, 2.0, 1.0); }\n");
+  const bool hasNormal = ComputeVertexAttributes(vertex, "relevoDrawTerrain");
   vertex.InsertBeforeMain(DeclareVaryings("out", varyings) +
     "void relevoSetNormal(vec3 normal)\n{\n" + (hasNormal ? "  normalMC = normal;\n" : "") + "}\n" +
     relevoTerrainFaceVS + relevoTerrainHeightsVS + relevoTerrainVS);

@@ -35,7 +35,7 @@ struct TerrainShaderOptions
 {
   TerrainColoring Coloring = TerrainColoring::SOLID;
   bool HasContours = false;
-  bool HasCells = false; // a selection asks for cells
+  bool HasCells = false; // for a selection of cells
 
   Dependencies GetKey() const;
 };

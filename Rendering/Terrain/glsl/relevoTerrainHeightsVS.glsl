@@ -38,8 +38,8 @@ vec3 relevoTileVertex(RelevoTile tile, ivec2 vertex)
   return vec3(height, differences * tile.VerticesPerSample);
 }
 
-// GetLatticeHeight(). Vertices without weight may lack data. Loops skip them faster than branches on
-// processors that execute both branches.
+// GetLatticeHeight(). Vertices without weight may lack data. Loops skip them faster than branches do
+// on processors that execute both branches.
 vec3 relevoLatticeVertex(RelevoTile tile, ivec2 vertex)
 {
   ivec2 inTile = (vertex >> tile.Shift) - tile.First;

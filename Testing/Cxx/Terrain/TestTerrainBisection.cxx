@@ -3,6 +3,7 @@
 // Tests the faces of bisected terrains for many views of random terrains: they cover the raster
 // once, their vertices agree to the bit, their errors are within the tolerance, and the surface is
 // a continuous function of the view and of the visibility of tiles.
+#include "Raster/GridKey.h"
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
 
@@ -148,7 +149,7 @@ private:
   {
     constexpr int perTile = BlockErrors::BlocksPerTile;
     BlockErrors::Tile& tile =
-      this->Errors.GetTiles(level)[BlockErrors::GetKey(column / perTile, row / perTile)];
+      this->Errors.GetTiles(level)[relevo::MakeGridKey(column / perTile, row / perTile)];
     return (isFace ? tile.Face : tile.Square)[row % perTile * perTile + column % perTile];
   }
 
@@ -186,6 +187,14 @@ private:
     code = static_cast<std::uint8_t>(std::clamp<int>(least, code, 255));
   }
 
+  // The smallest code of an error that is not less, in spite of rounding.
+  int Encode(float error) const
+  {
+    const float octaves = std::log2(error / this->Errors.GetLargest());
+    return BlockErrors::LargestCode +
+      static_cast<int>(std::ceil(BlockErrors::StepsPerOctave * octaves - 1e-4f));
+  }
+
   // The errors of level 0 are stored for the blocks of level 1.
   void MakeFinest(RelevoDice& dice)
   {
@@ -207,7 +216,7 @@ private:
         {
           const float finer =
             this->Errors.GetSquareError(level - 1, 2 * column + i % 2, 2 * row + i / 2);
-          Raise(code, this->Errors.Encode(finer) + Saturation);
+          Raise(code, this->Encode(finer) + Saturation);
         }
       });
   }

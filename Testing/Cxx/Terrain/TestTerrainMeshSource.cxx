@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkTerrainMeshSource promises a vertical error: in pixels for a camera, in meters for a region.
+// vtkTerrainMeshSource promises a vertical error: in pixels for a camera, in metres for a region.
 // Both are measured at many points of all triangles, in double precision, against the samples.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
@@ -37,7 +37,7 @@ struct Terrain
   RelevoRaster Raster;
   double Spacing = 10.0;
 
-  // Bilinear between the centers of samples; NaN without data.
+  // Bilinear between the centres of samples; NaN without data.
   double GetHeight(double column, double row) const
   {
     const double x = std::clamp(column, 0.0, this->Raster.Width - 1.0);
@@ -434,6 +434,9 @@ void TestErrors(RelevoCheck& check, const RelevoTestFolders& folders)
   pyramid->SetFileName(name.c_str());
   source->SetRegion(0.0, 1.0, 0.0, 1.0);
   checkError(source, "does not overlap");
+  source->SetRegion(1.0, -1.0, 1.0, -1.0);
+  source->SetMaximumError(1e-9);
+  checkError(source, "too many triangles");
   source->SetMaximumError(0.0);
   checkError(source, "SetCamera()");
   RelevoRaster row = RelevoRaster::MakeSlope(30, 1, { 0.0, 1.0, 0.0, 0.0, 0.0, -1.0 }, "");
@@ -451,6 +454,10 @@ void TestErrors(RelevoCheck& check, const RelevoTestFolders& folders)
     CHECK(errors.Said("ScreenSpaceError must be"));
   }
   CHECK_EQUAL(source->GetMaximumError(), 1.0);
+  source->SetViewportSize(0, 100);
+  CHECK(errors.Said("ViewportSize must be"));
+  source->SetMemoryLimit(-1);
+  CHECK(errors.Said("MemoryLimit must be"));
 }
 }
 

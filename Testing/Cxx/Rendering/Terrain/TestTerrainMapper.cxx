@@ -33,7 +33,7 @@ RelevoRaster MakeRaster()
   return raster;
 }
 
-// Hills in meters.
+// Hills in metres.
 std::string WriteHills(const RelevoTestFolders& folders, const std::string& name)
 {
   RelevoRaster raster = MakeRaster();

@@ -52,7 +52,7 @@ RelevoVertexCapture::Points ComputeVertices(RelevoTerrainScene& scene)
   return points;
 }
 
-// What the faces of a view contain.
+// The kinds of faces in a view.
 struct Kinds
 {
   std::set<int> Levels;
