@@ -47,6 +47,18 @@ std::string AdaptiveTerrain::FindLocationError() const
   {
     return " has only one row or column of samples, between which there is no surface.";
   }
+  // Some rasters of the whole earth reach half a sample beyond the poles.
+  constexpr double largestLatitude = 91.0;
+  for (int corner = 0; corner < 4 && contents.Location.System == Georeference::Kind::Geographic;
+       ++corner)
+  {
+    const double latitude = contents.Location.Coordinates(corner % 2, corner / 2)[1];
+    if (!(std::abs(latitude * contents.Location.Unit) <= largestLatitude))
+    {
+      return " has latitudes beyond the poles. Give the file the right georeference (gdal_edit.py "
+             "-a_ullr).";
+    }
+  }
   const TerrainPlacement placement = this->GetPlacement(1.0);
   const double area =
     placement.Column[0] * placement.Row[1] - placement.Column[1] * placement.Row[0];

@@ -445,6 +445,12 @@ void TestErrors(RelevoCheck& check, const RelevoTestFolders& folders)
   pyramid->SetFileName(rowName.c_str());
   source->SetMaximumError(1.0);
   checkError(source, "one row or column");
+  const RelevoRaster beyond =
+    RelevoRaster::MakeSlope(30, 20, { 0.0, 1.0, 0.0, 95.0, 0.0, -1.0 }, "EPSG:4326");
+  const std::string beyondName = folders.File("mesh-beyond.tif");
+  CHECK(beyond.Write(beyondName));
+  pyramid->SetFileName(beyondName.c_str());
+  checkError(source, "beyond the poles");
   RelevoErrors errors(source);
   for (const double value : { -1.0, std::numeric_limits<double>::quiet_NaN() })
   {
