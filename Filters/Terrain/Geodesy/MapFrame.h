@@ -17,12 +17,13 @@
 
 #include "Geodesy/Georeference.h"
 #include "Geodesy/TerrainPlacement.h"
+#include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <array>
 
 namespace relevo
 {
-class MapFrame
+class RELEVOFILTERSTERRAIN_EXPORT MapFrame
 {
 public:
   explicit MapFrame(const Georeference& location);
