@@ -20,45 +20,50 @@ constexpr unsigned int MaximumWorkers = 4;
 // with nearly the same error would replace each other in every frame.
 constexpr double ReplacementFactor = 1.25;
 
-constexpr int LevelShift = 58;
+constexpr int KindShift = 62;
 
-// Finer levels have smaller keys.
-std::uint64_t GetTileKey(int level, int column, int row)
+TerrainTile::Kind GetKeyKind(std::uint64_t key)
 {
-  return static_cast<std::uint64_t>(level) << LevelShift | static_cast<std::uint64_t>(row) << 29 |
-    static_cast<std::uint64_t>(column);
+  return static_cast<TerrainTile::Kind>(key >> KindShift);
 }
 
 int GetKeyLevel(std::uint64_t key)
 {
-  return static_cast<int>(key >> LevelShift);
+  return static_cast<int>(key >> 56 & 63) + TerrainTile::FinestLevel;
 }
 
-std::uint64_t GetTileKey(const HeightTile& tile)
+std::unique_ptr<TerrainTile> MakeTile(std::uint64_t key)
 {
-  return GetTileKey(tile.Level, tile.Column, tile.Row);
-}
-
-HeightTile MakeTile(std::uint64_t key)
-{
-  constexpr std::uint64_t mask = (std::uint64_t(1) << 29) - 1;
-  HeightTile tile;
-  tile.Level = GetKeyLevel(key);
-  tile.Column = static_cast<int>(key & mask);
-  tile.Row = static_cast<int>(key >> 29 & mask);
+  constexpr std::uint64_t mask = (std::uint64_t(1) << 28) - 1;
+  std::unique_ptr<TerrainTile> tile;
+  if (GetKeyKind(key) == TerrainTile::Kind::Heights)
+  {
+    tile = std::make_unique<HeightTile>();
+  }
+  else
+  {
+    tile = std::make_unique<ImageryTile>();
+  }
+  tile->Level = GetKeyLevel(key);
+  tile->Column = static_cast<int>(key & mask);
+  tile->Row = static_cast<int>(key >> 28 & mask);
   return tile;
+}
 }
 
 // An exception that leaves a thread ends the program.
-bool ReadSafely(const HeightTileCache::Reader& read, HeightTile& tile, std::string& error)
+bool HeightTileCache::ReadTile(TerrainTile& tile, std::string& error) const
 {
+  const bool isHeights = tile.GetKind() == TerrainTile::Kind::Heights;
+  const char* name = isHeights ? "a tile of heights" : "a tile of imagery";
   try
   {
-    return read(tile, error);
+    return isHeights ? this->Read(static_cast<HeightTile&>(tile), error)
+                     : this->ReadImagery(static_cast<ImageryTile&>(tile), error);
   }
   catch (const std::bad_alloc&)
   {
-    error = "there is not enough memory to read a tile of heights";
+    error = std::string("there is not enough memory to read ") + name;
   }
   catch (const std::exception& exception)
   {
@@ -66,14 +71,14 @@ bool ReadSafely(const HeightTileCache::Reader& read, HeightTile& tile, std::stri
   }
   catch (...)
   {
-    error = "a tile of heights cannot be read";
+    error = std::string(name) + " cannot be read";
   }
   return false;
 }
-}
 
-HeightTileCache::HeightTileCache(Reader read)
+HeightTileCache::HeightTileCache(Reader read, ImageryReader readImagery)
   : Read(std::move(read))
+  , ReadImagery(std::move(readImagery))
 {
 }
 
@@ -101,7 +106,9 @@ void HeightTileCache::SetMemoryLimit(std::size_t bytes)
 
 bool HeightTileCache::IsCoarsest(const Item& item) const
 {
-  return GetKeyLevel(item.first) >= this->CoarsestLevel - 1;
+  const TerrainTile::Kind kind = GetKeyKind(item.first);
+  return GetKeyLevel(item.first) >=
+    this->CoarsestLevels[static_cast<int>(kind)] - (kind == TerrainTile::Kind::Heights ? 1 : 0);
 }
 
 float HeightTileCache::GetVisibility(const Entry& entry) const
@@ -136,8 +143,23 @@ void HeightTileCache::BeginFrame(double now)
 const HeightTile* HeightTileCache::Get(
   int level, int column, int row, double error, float& visibility)
 {
-  this->CoarsestLevel = std::max(this->CoarsestLevel, level);
-  Item& item = *this->Tiles.try_emplace(GetTileKey(level, column, row)).first;
+  return static_cast<const HeightTile*>(
+    this->Find(TerrainTile::Kind::Heights, level, column, row, error, visibility));
+}
+
+const ImageryTile* HeightTileCache::GetImagery(
+  int level, int column, int row, double error, float& visibility)
+{
+  return static_cast<const ImageryTile*>(
+    this->Find(TerrainTile::Kind::Imagery, level, column, row, error, visibility));
+}
+
+const TerrainTile* HeightTileCache::Find(
+  TerrainTile::Kind kind, int level, int column, int row, double error, float& visibility)
+{
+  int& coarsest = this->CoarsestLevels[static_cast<int>(kind)];
+  coarsest = std::max(coarsest, level);
+  Item& item = *this->Tiles.try_emplace(GetTileKey(kind, level, column, row)).first;
   Entry& entry = item.second;
   if (!this->IsWanted(entry))
   {
@@ -178,7 +200,7 @@ void HeightTileCache::CancelRequests()
 {
   for (const Request& request : this->Requests)
   {
-    this->Tiles.at(GetTileKey(request.Tile)).Is = State::Missing;
+    this->Tiles.at(GetTileKey(*request.Tile)).Is = State::Missing;
   }
   this->Requests.clear();
   for (auto entry = this->Tiles.begin(); entry != this->Tiles.end();)
@@ -295,11 +317,11 @@ void HeightTileCache::TakeIn()
 {
   for (Request& request : this->Finished)
   {
-    Entry& entry = this->Tiles.at(GetTileKey(request.Tile));
+    Entry& entry = this->Tiles.at(GetTileKey(*request.Tile));
     entry.Is = request.IsRead ? State::InMemory : State::Unreadable;
     if (request.IsRead)
     {
-      entry.Tile = std::make_unique<HeightTile>(std::move(request.Tile));
+      entry.Tile = std::move(request.Tile);
     }
   }
   this->Finished.clear();
@@ -346,9 +368,8 @@ void HeightTileCache::Clear()
   }
   this->Tiles.clear();
   this->Used = this->Running.size();
-  this->CoarsestLevel = 0;
-  this->HasFailed = false;
-  this->Error.clear();
+  this->CoarsestLevels = { { TerrainTile::FinestLevel, 0 } };
+  this->Failures = {};
 }
 
 bool HeightTileCache::IsLoading() const
@@ -387,10 +408,10 @@ int HeightTileCache::GetNumberOfTiles() const
     [](const Item& item) { return item.second.Is == State::InMemory; }));
 }
 
-std::string HeightTileCache::TakeError()
+std::string HeightTileCache::TakeError(TerrainTile::Kind kind)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  return std::exchange(this->Error, std::string());
+  return std::exchange(this->Failures[static_cast<int>(kind)].Error, std::string());
 }
 
 void HeightTileCache::StartWorkers()
@@ -406,10 +427,10 @@ void HeightTileCache::StartWorkers()
   }
   catch (const std::system_error& error)
   {
-    if (this->Workers.empty() && !this->HasFailed)
+    Failure& failure = this->Failures[static_cast<int>(TerrainTile::Kind::Heights)];
+    if (this->Workers.empty() && !failure.HasFailed)
     {
-      this->HasFailed = true;
-      this->Error = std::string("no thread can be started to read heights: ") + error.what();
+      failure = { true, std::string("no thread can be started to read heights: ") + error.what() };
     }
   }
 }
@@ -430,10 +451,10 @@ void HeightTileCache::Work()
     lock.unlock();
 
     std::string error;
-    request->IsRead = ReadSafely(this->Read, request->Tile, error);
+    request->IsRead = this->ReadTile(*request->Tile, error);
     if (!request->IsRead)
     {
-      std::vector<float>().swap(request->Tile.Heights);
+      request->Tile->Clear();
     }
 
     lock.lock();
@@ -447,10 +468,10 @@ void HeightTileCache::Work()
     }
     else
     {
-      if (!request->IsRead && !this->HasFailed)
+      Failure& failure = this->Failures[static_cast<int>(request->Tile->GetKind())];
+      if (!request->IsRead && !failure.HasFailed)
       {
-        this->HasFailed = true;
-        this->Error = std::move(error);
+        failure = { true, std::move(error) };
       }
       this->Finished.splice(this->Finished.end(), this->Running, request);
     }

@@ -2,16 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   HeightTileCache
- * @brief   reads the height tiles that frames want, within a limit of memory
+ * @brief   reads the tiles of heights and imagery that frames want, within a limit of memory
  *
- * Each frame calls BeginFrame(), then Get() for every tile that it wants, then EndFrame(). Worker
- * threads read the missing tiles, those with the largest error first. A frame never waits for them.
+ * Each frame calls BeginFrame(), then Get() or GetImagery() for every tile that it wants, then
+ * EndFrame(). Worker threads read the missing tiles, those with the largest error first. A frame
+ * never waits for them. Heights and imagery share the limit, the threads and the order.
  *
  * The limit holds for the tiles in memory and those that are being read, together. If it is
  * reached, missing tiles replace tiles that the frame did not want, the least recently wanted
  * first, and then wanted tiles whose error is clearly smaller. A frame that wants a tile also wants
- * the coarser tile around it, so coarser tiles outlive finer ones. Tiles of the two
- * coarsest levels are not replaced.
+ * the coarser tile around it, so coarser tiles outlive finer ones. Height tiles of the two
+ * coarsest levels and imagery tiles of the coarsest level are not replaced.
  *
  * All functions must be called from the same thread, unless they say otherwise. Private to the
  * modules for terrains.
@@ -20,8 +21,11 @@
 #define HeightTileCache_h
 
 #include "Bisection/HeightTileSource.h"
+#include "Bisection/ImageryTileSource.h"
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
+#include <algorithm>
+#include <array>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -36,18 +40,22 @@
 
 namespace relevo
 {
-class RELEVOFILTERSTERRAIN_EXPORT HeightTileCache : public HeightTileSource
+class RELEVOFILTERSTERRAIN_EXPORT HeightTileCache
+  : public HeightTileSource
+  , public ImageryTileSource
 {
 public:
   /// Reads the heights of a tile, whose level, column and row are set. Returns false and sets the
   /// error on failure. Worker threads call it, several at a time.
   using Reader = std::function<bool(HeightTile& tile, std::string& error)>;
+  /// The same for the colours of a tile.
+  using ImageryReader = std::function<bool(ImageryTile& tile, std::string& error)>;
 
   /// The memory of a tile in bytes.
   static constexpr std::size_t BytesPerTile =
-    sizeof(HeightTile) + sizeof(float) * HeightTile::Stride * HeightTile::Stride;
+    std::max(sizeof(HeightTile), sizeof(ImageryTile)) + 4 * TerrainTile::NumberOfVertices;
 
-  explicit HeightTileCache(Reader read);
+  explicit HeightTileCache(Reader read, ImageryReader readImagery = {});
   /// Waits for the tiles that are being read.
   ~HeightTileCache() override;
   HeightTileCache(const HeightTileCache&) = delete;
@@ -64,6 +72,8 @@ public:
   void BeginFrame(double now);
   /// Returns tiles that are valid until the next call of BeginFrame(), LoadWanted() or Clear().
   const HeightTile* Get(int level, int column, int row, double error, float& visibility) override;
+  const ImageryTile* GetImagery(
+    int level, int column, int row, double error, float& visibility) override;
   /// Request the tiles that were missing, and cancel earlier requests.
   void EndFrame();
 
@@ -87,9 +97,9 @@ public:
   /// The number of tiles that Get() can return.
   int GetNumberOfTiles() const;
 
-  /// The first error since Clear(), once; otherwise empty. A tile that cannot be read is not
-  /// requested again. Thread-safe.
-  std::string TakeError();
+  /// The first error of a kind of tiles since Clear(), once; otherwise empty. A tile that cannot be
+  /// read is not requested again. Thread-safe.
+  std::string TakeError(TerrainTile::Kind kind = TerrainTile::Kind::Heights);
 
 private:
   enum class State
@@ -108,17 +118,25 @@ private:
     std::uint64_t LastWanted = 0; // the number of the frame
     bool IsSeen = false;
     double FirstSeen = 0.0; // the time of the first Get()
-    std::unique_ptr<HeightTile> Tile;
+    std::unique_ptr<TerrainTile> Tile;
   };
   using Entries = std::unordered_map<std::uint64_t, Entry>;
   using Item = Entries::value_type;
   struct Request
   {
-    HeightTile Tile;
+    std::unique_ptr<TerrainTile> Tile;
     bool IsRead = false;
     bool IsCancelled = false;
   };
 
+  struct Failure
+  {
+    bool HasFailed = false;
+    std::string Error; // until it is taken
+  };
+
+  const TerrainTile* Find(
+    TerrainTile::Kind kind, int level, int column, int row, double error, float& visibility);
   bool IsWanted(const Entry& entry) const { return entry.LastWanted == this->Frame; }
   bool IsCoarsest(const Item& item) const;
   float GetVisibility(const Entry& entry) const;
@@ -134,11 +152,14 @@ private:
   void StartWorkers();
   void Work();
 
+  bool ReadTile(TerrainTile& tile, std::string& error) const;
+
   const Reader Read;
+  const ImageryReader ReadImagery;
   double FadeTime = 0.25;
   double Now = 0.0;
   std::uint64_t Frame = 1;
-  int CoarsestLevel = 0;
+  std::array<int, 2> CoarsestLevels = { { TerrainTile::FinestLevel, 0 } }; // by kind
   Entries Tiles;
 
   mutable std::mutex Mutex; // protects the next members
@@ -148,8 +169,7 @@ private:
   std::list<Request> Finished;
   std::size_t Used = 0;                                      // tiles in memory or being read
   std::size_t Limit = (std::size_t(1) << 28) / BytesPerTile; // of the former
-  bool HasFailed = false;
-  std::string Error;
+  std::array<Failure, 2> Failures;                           // by kind
   bool IsToEnd = false;
 
   std::vector<std::thread> Workers;

@@ -45,7 +45,7 @@ vtkIdType TerrainInstances::GetMaximumNumberOfFaces()
 std::string TerrainInstances::Upload(
   vtkOpenGLRenderWindow* window, const std::vector<TerrainFace>& faces)
 {
-  std::vector<const HeightTile*> tiles;
+  std::vector<const TerrainTile*> tiles;
   for (const TerrainFace& face : faces)
   {
     tiles.insert(tiles.end(), { face.Tile, face.CoarseTile });

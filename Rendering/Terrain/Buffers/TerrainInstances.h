@@ -58,7 +58,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  TerrainTileTextures Tiles;
+  TerrainTileTextures Tiles{ TerrainTile::Kind::Heights };
   Group Groups[2];
   std::vector<unsigned int> Integers; // 4 per face
   std::vector<float> Floats;          // 4 per face

@@ -19,10 +19,9 @@ namespace
 constexpr int FirstCapacity = 16;
 }
 
-std::uint64_t TerrainTileTextures::GetKey(const HeightTile& tile)
+TerrainTileTextures::TerrainTileTextures(TerrainTile::Kind kind)
+  : Kind(kind)
 {
-  return static_cast<std::uint64_t>(tile.Level) << 58 | static_cast<std::uint64_t>(tile.Row) << 29 |
-    static_cast<std::uint64_t>(tile.Column);
 }
 
 int TerrainTileTextures::GetMaximumNumberOfLayers() const
@@ -33,13 +32,13 @@ int TerrainTileTextures::GetMaximumNumberOfLayers() const
 }
 
 bool TerrainTileTextures::Upload(
-  vtkOpenGLRenderWindow* window, const std::vector<const HeightTile*>& tiles)
+  vtkOpenGLRenderWindow* window, const std::vector<const TerrainTile*>& tiles)
 {
   ++this->Frame;
-  std::unordered_map<std::uint64_t, const HeightTile*> needed;
-  for (const HeightTile* tile : tiles)
+  std::unordered_map<std::uint64_t, const TerrainTile*> needed;
+  for (const TerrainTile* tile : tiles)
   {
-    needed.emplace(GetKey(*tile), tile);
+    needed.emplace(GetTileKey(*tile), tile);
   }
   const int number = static_cast<int>(needed.size());
   const int most = this->GetMaximumNumberOfLayers();
@@ -54,7 +53,7 @@ bool TerrainTileTextures::Upload(
   {
     return false;
   }
-  std::vector<std::pair<std::uint64_t, const HeightTile*>> added;
+  std::vector<std::pair<std::uint64_t, const TerrainTile*>> added;
   for (const auto& entry : needed)
   {
     const auto known = this->Layers.find(entry.first);
@@ -72,11 +71,13 @@ bool TerrainTileTextures::Upload(
     return true;
   }
   const std::vector<int> free = this->FindFreeLayers(added.size());
+  const bool isColor = this->Kind == TerrainTile::Kind::Imagery;
   this->Bind(window);
   for (std::size_t i = 0; i < added.size(); ++i)
   {
-    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, free[i], HeightTile::Stride, HeightTile::Stride,
-      1, GL_RED, GL_FLOAT, added[i].second->Heights.data());
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, free[i], TerrainTile::Stride, TerrainTile::Stride,
+      1, isColor ? GL_RGBA : GL_RED, isColor ? GL_UNSIGNED_BYTE : GL_FLOAT,
+      added[i].second->GetValues());
     this->Layers[added[i].first] = { free[i], this->Frame };
   }
   this->NumberOfUploads += static_cast<vtkIdType>(added.size());
@@ -124,11 +125,16 @@ bool TerrainTileTextures::Allocate(vtkOpenGLRenderWindow* window, int capacity)
   while (glGetError() != GL_NO_ERROR)
   {
   }
-  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R32F, HeightTile::Stride, HeightTile::Stride, capacity, 0,
-    GL_RED, GL_FLOAT, nullptr);
+  const bool isColor = this->Kind == TerrainTile::Kind::Imagery;
+  const GLint filter = isColor ? GL_LINEAR : GL_NEAREST;
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, isColor ? GL_RGBA8 : GL_R32F, TerrainTile::Stride,
+    TerrainTile::Stride, capacity, 0, isColor ? GL_RGBA : GL_RED,
+    isColor ? GL_UNSIGNED_BYTE : GL_FLOAT, nullptr);
   const bool isAllocated = glGetError() == GL_NO_ERROR;
-  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, filter);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, filter);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
   this->Deactivate(window);
   if (isAllocated)
@@ -149,9 +155,9 @@ void TerrainTileTextures::Bind(vtkOpenGLRenderWindow* window)
   glBindTexture(GL_TEXTURE_2D_ARRAY, this->Texture);
 }
 
-int TerrainTileTextures::GetLayer(const HeightTile& tile) const
+int TerrainTileTextures::GetLayer(const TerrainTile& tile) const
 {
-  return this->Layers.at(GetKey(tile)).Index;
+  return this->Layers.at(GetTileKey(tile)).Index;
 }
 
 void TerrainTileTextures::Activate(

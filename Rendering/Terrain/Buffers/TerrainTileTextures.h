@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   TerrainTileTextures
- * @brief   height tiles on the GPU, in the layers of an array texture
+ * @brief   tiles of heights or imagery on the GPU, in the layers of an array texture
  *
  * A layer keeps its tile until another tile needs it; the tiles that were used least recently are
  * replaced first. The texture grows to the number of tiles that one frame needs, within a limit.
@@ -11,7 +11,7 @@
 #ifndef TerrainTileTextures_h
 #define TerrainTileTextures_h
 
-#include "Lattice/HeightTile.h"
+#include "Lattice/TerrainTile.h"
 #include "vtkType.h" // for numbers of bytes
 
 #include <cstddef>
@@ -29,7 +29,9 @@ class TerrainTileTextures
 public:
   /// The bytes of a layer.
   static constexpr vtkTypeInt64 LayerSize =
-    static_cast<vtkTypeInt64>(HeightTile::Stride) * HeightTile::Stride * sizeof(float);
+    static_cast<vtkTypeInt64>(4 * TerrainTile::NumberOfVertices);
+
+  explicit TerrainTileTextures(TerrainTile::Kind kind);
 
   /// Set the maximum number of bytes.
   void SetMemoryLimit(vtkTypeInt64 bytes) { this->MemoryLimit = bytes; }
@@ -41,12 +43,12 @@ public:
    * Upload the tiles of a frame that have no layer yet. The list may contain a tile several times.
    * Return false if there are more tiles than layers, or if OpenGL lacks memory.
    */
-  bool Upload(vtkOpenGLRenderWindow* window, const std::vector<const HeightTile*>& tiles);
+  bool Upload(vtkOpenGLRenderWindow* window, const std::vector<const TerrainTile*>& tiles);
 
   /// Return the layer of a tile of the last upload.
-  int GetLayer(const HeightTile& tile) const;
+  int GetLayer(const TerrainTile& tile) const;
 
-  /// Forget the tiles, because the heights of the terrain have changed.
+  /// Forget the tiles, because their values have changed.
   void Clear() { this->Layers.clear(); }
 
   //@{
@@ -68,11 +70,11 @@ private:
     std::uint64_t LastUse = 0; // frame
   };
 
-  static std::uint64_t GetKey(const HeightTile& tile);
   bool Allocate(vtkOpenGLRenderWindow* window, int capacity);
   void Bind(vtkOpenGLRenderWindow* window);
   std::vector<int> FindFreeLayers(std::size_t number);
 
+  const TerrainTile::Kind Kind;
   vtkTypeInt64 MemoryLimit = vtkTypeInt64(1) << 28;
   std::unordered_map<std::uint64_t, Layer> Layers; // by key of the tile
   std::uint64_t Frame = 0;

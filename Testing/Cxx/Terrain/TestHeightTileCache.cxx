@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests the paging of height tiles with tiles that are made in memory: the limit of memory, the
-// order of reading, which tiles are replaced, and reads that fail, hang or are no longer wanted.
+// Tests the paging of tiles of heights and imagery with tiles that are made in memory: the limit of
+// memory, the order of reading, which tiles are replaced, and reads that fail, hang or are no
+// longer wanted.
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
 
@@ -23,6 +24,8 @@
 
 using relevo::HeightTile;
 using relevo::HeightTileCache;
+using relevo::ImageryTile;
+using relevo::TerrainTile;
 
 namespace
 {
@@ -124,6 +127,19 @@ private:
   bool IsOpen = true;
   int Permits = 0;
 };
+
+HeightTileCache::ImageryReader ReadImageryFrom(TileStore& store)
+{
+  return [&store](ImageryTile& tile, std::string& error)
+  {
+    HeightTile heights;
+    heights.Level = tile.Level;
+    heights.Column = tile.Column;
+    heights.Row = tile.Row;
+    tile.Colors.assign(4 * TerrainTile::NumberOfVertices, static_cast<unsigned char>(tile.Column));
+    return store.Read(heights, error);
+  };
+}
 
 HeightTileCache::Reader ReadFrom(TileStore& store)
 {
@@ -239,6 +255,108 @@ void TestLimit(RelevoCheck& check, std::size_t limit)
   float visibility = 0.0f;
   CHECK_EQUAL(cache.Get(RootLevel, 0, 0, Infinite, visibility) != nullptr, capacity / 2 > 0);
   cache.EndFrame();
+}
+
+// Heights and imagery take turns by their errors, and together stay within the limit.
+void TestImageryLimit(RelevoCheck& check, std::size_t limit)
+{
+  CHECK_CASE(limit);
+  TileStore store;
+  HeightTileCache cache(ReadFrom(store), ReadImageryFrom(store));
+  store.Limit = limit;
+  store.Cache = &cache;
+  cache.SetMemoryLimit(limit);
+  RelevoDice dice(11);
+  const int capacity = static_cast<int>(limit / HeightTileCache::BytesPerTile);
+  int mostHeights = 0;
+  int mostImagery = 0;
+  for (int frame = 0; frame < 200; ++frame)
+  {
+    cache.BeginFrame(0.01 * frame);
+    float visibility = 0.0f;
+    int heights = 0;
+    int imagery = 0;
+    for (int level = RootLevel - 1; level <= RootLevel; ++level)
+    {
+      heights += cache.Get(level, 0, 0, Infinite, visibility) ? 1 : 0;
+    }
+    imagery += cache.GetImagery(RootLevel, 0, 0, Infinite, visibility) ? 1 : 0;
+    // All are in memory once they have been read.
+    CHECK(frame < 100 || (heights == 2 && imagery == 1));
+    std::set<Position> wanted;
+    for (int i = 0; i < 100; ++i)
+    {
+      const bool isImagery = dice.Once(2);
+      const Position p = { { dice.Throw(RootLevel - 1) - (isImagery ? 4 : 0), dice.Throw(8),
+        dice.Throw(8) } };
+      const double error = 10.0 * dice.Share();
+      if (isImagery)
+      {
+        const ImageryTile* tile = cache.GetImagery(p[0], p[1], p[2], error, visibility);
+        imagery += tile && wanted.insert(p).second ? 1 : 0;
+        CHECK(!tile || (tile->Level == p[0] && tile->GetColor(257, -1)[3] == p[1]));
+      }
+      else
+      {
+        const HeightTile* tile = cache.Get(p[0], p[1], p[2], error, visibility);
+        heights += tile && wanted.insert(Position{ { p[0] + 100, p[1], p[2] } }).second ? 1 : 0;
+        CHECK(!tile || (tile->Level == p[0] && tile->Column == p[1]));
+      }
+    }
+    CHECK_LESS_EQUAL(heights + imagery, capacity);
+    cache.EndFrame();
+    CHECK(cache.GetNumberOfTiles() + store.NumberOfReading <= capacity);
+    CHECK(cache.GetMemorySize() <= limit);
+    mostHeights = std::max(mostHeights, heights);
+    mostImagery = std::max(mostImagery, imagery);
+    if (dice.Once(4) || frame == 99)
+    {
+      WaitUntilIdle(cache);
+    }
+  }
+  CHECK(!store.IsExceeded);
+  CHECK_GREATER(mostHeights, capacity / 6);
+  CHECK_GREATER(mostImagery, capacity / 6);
+}
+
+// The larger error replaces the smaller one, of either kind.
+void TestImageryReplacement(RelevoCheck& check)
+{
+  TileStore store;
+  HeightTileCache cache(ReadFrom(store), ReadImageryFrom(store));
+  cache.SetMemoryLimit(SizeOf(4));
+  cache.SetFadeTime(0.0);
+  float visibility = 0.0f;
+  const auto draw = [&](double heightError, double imageryError)
+  {
+    std::array<bool, 2> found{};
+    for (bool hasMore = true; hasMore; hasMore = cache.LoadWanted())
+    {
+      cache.BeginFrame(0.0);
+      cache.Get(RootLevel, 0, 0, Infinite, visibility);
+      cache.Get(RootLevel - 1, 0, 0, Infinite, visibility);
+      cache.GetImagery(RootLevel, 0, 0, Infinite, visibility);
+      found = { { cache.Get(2, 3, 1, heightError, visibility) != nullptr,
+        cache.GetImagery(2, 3, 1, imageryError, visibility) != nullptr } };
+      cache.EndFrame();
+    }
+    return found;
+  };
+  CHECK(draw(2.0, 1.0) == (std::array<bool, 2>{ { true, false } }));
+  CHECK(draw(2.0, 2.4) == (std::array<bool, 2>{ { true, false } }));
+  CHECK(draw(2.0, 2.6) == (std::array<bool, 2>{ { false, true } }));
+  CHECK(draw(4.0, 2.6) == (std::array<bool, 2>{ { true, false } }));
+  CHECK_EQUAL(cache.GetMemorySize(), SizeOf(4));
+  // Errors are reported for each kind.
+  store.SetBad({ { { 1, 0, 0 } } });
+  cache.SetMemoryLimit(SizeOf(8));
+  cache.BeginFrame(0.0);
+  cache.GetImagery(1, 0, 0, 1.0, visibility);
+  cache.EndFrame();
+  cache.LoadWanted();
+  CHECK_EQUAL(cache.TakeError(TerrainTile::Kind::Heights), "");
+  CHECK_EQUAL(cache.TakeError(TerrainTile::Kind::Imagery), "bad tile");
+  CHECK_EQUAL(cache.TakeError(TerrainTile::Kind::Imagery), "");
 }
 
 // The order is that of the largest error of a frame. Reads that have not begun are cancelled.
@@ -548,6 +666,9 @@ int TestHeightTileCache(int, char*[])
 {
   RelevoCheck check;
   TestLimit(check, 16 << 20);
+  TestImageryLimit(check, SizeOf(20));
+  TestImageryLimit(check, std::size_t(1) << 24);
+  TestImageryReplacement(check);
   TestLimit(check, HeightTileCache::BytesPerTile);
   TestLimit(check, HeightTileCache::BytesPerTile - 1);
   TestOrder(check);
