@@ -1,0 +1,386 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Imagery/WarpedImagery.h"
+
+#include "Geodesy/GDALSession.h"
+#include "Raster/RasterFile.h"
+
+#include <gdal_alg.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace relevo
+{
+namespace
+{
+constexpr int Stride = TerrainTile::Stride;
+constexpr int Components = ImageryPicture::NumberOfComponents;
+
+// The overlap of raster and imagery is searched at this many points per side.
+constexpr int PointsPerSide = 65;
+
+// Derivatives are differences over this length, in samples.
+constexpr double Difference = 1.0 / 16.0;
+
+// A point in pixels of the raster or of the imagery.
+struct PixelPoint
+{
+  std::array<double, 2> Position;
+  bool IsKnown = false;
+};
+
+PixelPoint Transform(void* transformer, bool toImagery, std::array<double, 2> position)
+{
+  double z = 0.0;
+  int success = 0;
+  GDALGenImgProjTransform(transformer, toImagery, 1, &position[0], &position[1], &z, &success);
+  return { position, success && std::isfinite(position[0]) && std::isfinite(position[1]) };
+}
+
+bool IsInside(const std::array<double, 2>& position, const std::array<int, 2>& size)
+{
+  return position[0] >= 0.0 && position[1] >= 0.0 && position[0] <= size[0] &&
+    position[1] <= size[1];
+}
+
+// Calls a function for points of a grid over an image.
+template <typename Function>
+void ForGrid(const std::array<int, 2>& size, const Function& function)
+{
+  for (int i = 0; i < PointsPerSide * PointsPerSide; ++i)
+  {
+    const double step = 1.0 / (PointsPerSide - 1);
+    function(std::array<double, 2>{
+      { size[0] * step * (i % PointsPerSide), size[1] * step * (i / PointsPerSide) } });
+  }
+}
+
+// The pixels of the imagery per pixel of a target along its columns and rows; zeros if they are
+// not known.
+std::array<double, 2> MeasurePixels(void* transformer, const std::array<double, 2>& position)
+{
+  const PixelPoint here = Transform(transformer, true, position);
+  std::array<double, 2> lengths = { { 0.0, 0.0 } };
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    std::array<double, 2> beside = position;
+    beside[axis] += Difference;
+    const PixelPoint there = Transform(transformer, true, beside);
+    if (here.IsKnown && there.IsKnown)
+    {
+      lengths[axis] =
+        std::hypot(there.Position[0] - here.Position[0], there.Position[1] - here.Position[1]) /
+        Difference;
+    }
+  }
+  return lengths;
+}
+}
+
+//------------------------------------------------------------------------------
+// Datasets
+
+struct WarpedImagery::Handle
+{
+  std::map<int, ImageryPicture> Pictures; // by overview
+};
+
+// A handle for as long as a thread reads.
+class WarpedImagery::Lease
+{
+public:
+  explicit Lease(const WarpedImagery& imagery)
+    : Imagery(imagery)
+  {
+    const std::lock_guard<std::mutex> lock(imagery.Mutex);
+    if (imagery.Free.empty())
+    {
+      this->Owned = std::make_unique<Handle>();
+    }
+    else
+    {
+      this->Owned = std::move(imagery.Free.back());
+      imagery.Free.pop_back();
+    }
+  }
+  ~Lease()
+  {
+    const std::lock_guard<std::mutex> lock(this->Imagery.Mutex);
+    this->Imagery.Free.push_back(std::move(this->Owned));
+  }
+  Lease(const Lease&) = delete;
+  void operator=(const Lease&) = delete;
+
+  Handle& Get() const { return *this->Owned; }
+
+private:
+  const WarpedImagery& Imagery;
+  std::unique_ptr<Handle> Owned;
+};
+
+WarpedImagery::~WarpedImagery()
+{
+  GDALSession session; // collects what GDAL reports while it closes the file
+  this->Free.clear();
+}
+
+const ImageryPicture* WarpedImagery::GetPicture(
+  Handle& handle, int overview, const GDALSession& session, std::string& error) const
+{
+  const auto known = handle.Pictures.find(overview);
+  if (known != handle.Pictures.end())
+  {
+    return &known->second;
+  }
+  ImageryPicture picture;
+  constexpr std::array<int, 3> defaultBands = { { 0, 0, 0 } };
+  if (!picture.Open(this->FileName, defaultBands, this->IsTerrainLocated, overview, session, error))
+  {
+    error = error.empty() ? session.Messages("GDAL cannot open it") : error;
+    return nullptr;
+  }
+  return &handle.Pictures.emplace(overview, std::move(picture)).first->second;
+}
+
+//------------------------------------------------------------------------------
+// The imagery and the raster
+
+std::shared_ptr<const WarpedImagery> WarpedImagery::Open(const std::string& fileName,
+  const RasterDescription& terrain, std::string& warning, std::string& error)
+{
+  error = FindRasterFileError(fileName);
+  if (!error.empty())
+  {
+    return nullptr;
+  }
+  const std::shared_ptr<WarpedImagery> imagery(new WarpedImagery);
+  imagery->FileName = fileName;
+  imagery->Size = { { terrain.Width, terrain.Height } };
+  imagery->IsTerrainLocated = terrain.Location.System != Georeference::Kind::None;
+  GDALSession session;
+  auto handle = std::make_unique<Handle>();
+  const ImageryPicture* picture = imagery->GetPicture(*handle, -1, session, error);
+  if (!picture)
+  {
+    return nullptr;
+  }
+  imagery->Stretch = picture->FindStretch();
+  if (picture->IsLocated())
+  {
+    imagery->Location = terrain.Location;
+  }
+  else
+  {
+    imagery->Location.FlipColumns = terrain.Location.FlipColumns;
+    imagery->Location.FlipRows = terrain.Location.FlipRows;
+  }
+  if (imagery->IsTerrainLocated && !picture->HasLocation())
+  {
+    warning = "it has no georeference, but the terrain has one. It is stretched over the whole "
+              "terrain. Give the file a georeference (gdal_edit.py -a_srs EPSG:... -a_ullr "
+              "...)";
+  }
+  error = imagery->Measure(*picture, session);
+  if (!error.empty())
+  {
+    return nullptr;
+  }
+  imagery->Free.push_back(std::move(handle));
+  return imagery;
+}
+
+// Returns an image in memory of size x size pixels. The first one's centre is the vertex (column,
+// row) of the lattice of a level.
+GDALDatasetPointer WarpedImagery::CreateTarget(int level, double column, double row, int size) const
+{
+  const auto toCoordinates = [this](double x, double y)
+  {
+    // A sample is at the centre of its pixel.
+    const double u = (x + 0.5) / this->Size[0];
+    const double v = (y + 0.5) / this->Size[1];
+    return this->Location.Coordinates(
+      this->Location.FlipColumns ? 1.0 - u : u, this->Location.FlipRows ? 1.0 - v : v);
+  };
+  const double spacing = std::ldexp(1.0, level);
+  const double x = (column - 0.5) * spacing;
+  const double y = (row - 0.5) * spacing;
+  const std::array<double, 2> corner = toCoordinates(x, y);
+  const std::array<double, 2> right = toCoordinates(x + spacing, y);
+  const std::array<double, 2> below = toCoordinates(x, y + spacing);
+  return ImageryPicture::CreateTarget(size, size,
+    { { corner[0], right[0] - corner[0], below[0] - corner[0], corner[1], right[1] - corner[1],
+      below[1] - corner[1] } },
+    this->Location.WKT);
+}
+
+// Finds the extent and the finest level. Returns an error, or "".
+std::string WarpedImagery::Measure(const ImageryPicture& picture, const GDALSession& session)
+{
+  const GDALDatasetPointer samples = this->CreateTarget(0, 0.0, 0.0, 1);
+  const ImageryPicture::Transformer transformer =
+    samples ? picture.CreateTransformer(samples.get()) : nullptr;
+  if (!transformer)
+  {
+    return session.Messages("its coordinate system cannot be converted to the terrain's");
+  }
+  const std::array<int, 2> imagerySize = { { GDALGetRasterXSize(picture.GetView()),
+    GDALGetRasterYSize(picture.GetView()) } };
+  bool overlaps = false;
+  bool isBounded = true;
+  double pixelsPerSample = 0.0;
+  std::array<double, 2> columns = { { std::numeric_limits<double>::max(),
+    std::numeric_limits<double>::lowest() } };
+  std::array<double, 2> rows = columns;
+  const auto measure = [&](const std::array<double, 2>& position)
+  {
+    overlaps = true;
+    const std::array<double, 2> lengths = MeasurePixels(transformer.get(), position);
+    pixelsPerSample = std::max({ pixelsPerSample, lengths[0], lengths[1] });
+  };
+  ForGrid(this->Size,
+    [&](const std::array<double, 2>& position)
+    {
+      const PixelPoint point = Transform(transformer.get(), true, position);
+      if (point.IsKnown && IsInside(point.Position, imagerySize))
+      {
+        measure(position);
+      }
+    });
+  ForGrid(imagerySize,
+    [&](const std::array<double, 2>& position)
+    {
+      const PixelPoint point = Transform(transformer.get(), false, position);
+      isBounded = isBounded && point.IsKnown;
+      if (point.IsKnown)
+      {
+        columns = { { std::min(columns[0], point.Position[0]),
+          std::max(columns[1], point.Position[0]) } };
+        rows = { { std::min(rows[0], point.Position[1]), std::max(rows[1], point.Position[1]) } };
+        if (IsInside(point.Position, this->Size))
+        {
+          measure(point.Position);
+        }
+      }
+    });
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const std::array<double, 2>& range = axis == 0 ? columns : rows;
+    // Sides of the imagery are curves between the points.
+    const double margin = 0.02 * (range[1] - range[0]) + 2.0 / std::max(pixelsPerSample, 1e-3);
+    // A sample is at the centre of its pixel.
+    this->Extent[axis] = isBounded
+      ? std::array<double, 2>{ { range[0] - 0.5 - margin, range[1] - 0.5 + margin } }
+      : std::array<double, 2>{ { 0.0, static_cast<double>(this->Size[axis]) } };
+  }
+  int root = 0;
+  while (std::ldexp(static_cast<double>(TerrainTile::CellsPerTile), root) <
+    std::max(this->Size[0], this->Size[1]) - 1)
+  {
+    ++root;
+  }
+  // A texel of this level is at most as large as a pixel of the imagery.
+  const double level = pixelsPerSample > 0.0 ? std::floor(-std::log2(pixelsPerSample)) : 0.0;
+  this->FinestLevel = static_cast<int>(std::clamp<double>(level, TerrainTile::FinestLevel, root));
+  return overlaps ? "" : "it does not overlap the terrain";
+}
+
+bool WarpedImagery::Covers(int level, int column, int row) const
+{
+  const double size = std::ldexp(static_cast<double>(TerrainTile::CellsPerTile), level);
+  return column * size <= this->Extent[0][1] && (column + 1) * size >= this->Extent[0][0] &&
+    row * size <= this->Extent[1][1] && (row + 1) * size >= this->Extent[1][0];
+}
+
+//------------------------------------------------------------------------------
+// Tiles
+
+// The texels of a tile that imagery may cover: first column and row, width and height.
+std::array<int, 4> WarpedImagery::GetWindow(const ImageryTile& tile) const
+{
+  std::array<int, 4> window{};
+  const int first[2] = { tile.Column, tile.Row };
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const auto toTexel = [&](double sample)
+    {
+      return std::ldexp(sample, -tile.Level) -
+        static_cast<double>(first[axis]) * TerrainTile::CellsPerTile + 1.0;
+    };
+    const double begin =
+      std::clamp(std::floor(toTexel(this->Extent[axis][0])) - 1.0, 0.0, Stride - 1.0);
+    const double end =
+      std::clamp(std::ceil(toTexel(this->Extent[axis][1])) + 2.0, begin + 1.0, 1.0 * Stride);
+    window[axis] = static_cast<int>(begin);
+    window[axis + 2] = static_cast<int>(end - begin);
+  }
+  return window;
+}
+
+// Pixels of an image per texel of a tile, in the middle of a window.
+std::array<double, 2> WarpedImagery::MeasureReduction(
+  const ImageryPicture& picture, GDALDatasetH target, const std::array<int, 4>& window) const
+{
+  const ImageryPicture::Transformer transformer = picture.CreateTransformer(target);
+  return transformer ? MeasurePixels(transformer.get(),
+                         { { window[0] + 0.5 * window[2], window[1] + 0.5 * window[3] } })
+                     : std::array<double, 2>{ { 0.0, 0.0 } };
+}
+
+bool WarpedImagery::Read(ImageryTile& tile, std::string& error) const
+{
+  const Lease lease(*this);
+  GDALSession session;
+  const ImageryPicture* full = this->GetPicture(lease.Get(), -1, session, error);
+  if (!full)
+  {
+    return false;
+  }
+  const GDALDatasetPointer target = this->CreateTarget(tile.Level,
+    static_cast<double>(tile.Column) * TerrainTile::CellsPerTile - 1.0,
+    static_cast<double>(tile.Row) * TerrainTile::CellsPerTile - 1.0, Stride);
+  if (!target)
+  {
+    error = session.Messages("there is not enough memory for a tile");
+    return false;
+  }
+  const std::array<int, 4> window = this->GetWindow(tile);
+  std::array<double, 2> reduction = this->MeasureReduction(*full, target.get(), window);
+  const int overview = full->ChooseOverview(std::min(reduction[0], reduction[1]));
+  const ImageryPicture* picture = this->GetPicture(lease.Get(), overview, session, error);
+  if (!picture)
+  {
+    return false;
+  }
+  const double factor = static_cast<double>(GDALGetRasterXSize(picture->GetView())) /
+    GDALGetRasterXSize(full->GetView());
+  reduction = { { factor * reduction[0], factor * reduction[1] } };
+  std::vector<float> values(Components * TerrainTile::NumberOfVertices);
+  constexpr int bytes = sizeof(float);
+  const bool isRead = picture->Warp(target.get(), window, reduction) &&
+    GDALDatasetRasterIO(target.get(), GF_Read, 0, 0, Stride, Stride, values.data(), Stride, Stride,
+      GDT_Float32, Components, nullptr, Components * bytes, Components * bytes * Stride,
+      bytes) == CE_None;
+  picture->ReleaseBlocks();
+  if (!isRead || session.HasFileErrors())
+  {
+    error = session.Messages("it cannot be resampled to the terrain");
+    return false;
+  }
+  tile.Colors.resize(values.size());
+  for (std::size_t i = 0; i < values.size(); i += Components)
+  {
+    const double opacity = std::clamp(values[i + Components - 1] / 255.0, 0.0, 1.0);
+    for (int j = 0; j < Components; ++j)
+    {
+      const double value = j == Components - 1 ? 255.0 : this->Stretch(values[i + j]);
+      tile.Colors[i + j] = static_cast<unsigned char>(
+        opacity > 0.0 ? std::lround(opacity * std::clamp(value, 0.0, 255.0)) : 0);
+    }
+  }
+  return true;
+}
+}

@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Raster/ImageryPicture.h"
+
+#include "Raster/RawFile.h"
+
+#include <cpl_conv.h>
+#include <cpl_string.h>
+#include <gdal_utils.h>
+#include <gdalwarper.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace relevo
+{
+namespace
+{
+constexpr int NumberOfColors = ImageryPicture::NumberOfColors;
+
+// Error tolerance in pixels of linear interpolation between exactly transformed pixels.
+constexpr double TransformTolerance = 0.125;
+
+template <typename Options, void (*Free)(Options*)>
+struct Freer
+{
+  void operator()(Options* options) const { Free(options); }
+};
+using TranslateOptions =
+  std::unique_ptr<GDALTranslateOptions, Freer<GDALTranslateOptions, GDALTranslateOptionsFree>>;
+using WarpOptions =
+  std::unique_ptr<GDALWarpOptions, Freer<GDALWarpOptions, GDALDestroyWarpOptions>>;
+
+struct WarpOperationFreer
+{
+  void operator()(void* operation) const
+  {
+    GDALDestroyWarpOperation(static_cast<GDALWarpOperationH>(operation));
+  }
+};
+
+// The bands for red, green, blue and alpha; 0 for none.
+struct Bands
+{
+  std::array<int, NumberOfColors> Colors;
+  int Alpha = 0;
+};
+
+bool chooseBands(
+  GDALDatasetH dataset, const std::array<int, 3>& wanted, Bands& bands, std::string& error)
+{
+  const int count = GDALGetRasterCount(dataset);
+  bands.Colors = DefaultBands(count);
+  std::array<int, 3> declared = { 0, 0, 0 };
+  for (int i = 1; i <= count; ++i)
+  {
+    const GDALColorInterp meaning = GDALGetRasterColorInterpretation(GDALGetRasterBand(dataset, i));
+    if (meaning >= GCI_RedBand && meaning <= GCI_BlueBand)
+    {
+      declared[meaning - GCI_RedBand] = i;
+    }
+    if (meaning == GCI_AlphaBand)
+    {
+      bands.Alpha = i;
+    }
+  }
+  if (std::find(declared.begin(), declared.end(), 0) == declared.end())
+  {
+    bands.Colors = declared;
+  }
+  if (wanted != std::array<int, 3>{ 0, 0, 0 })
+  {
+    bands.Colors = wanted;
+  }
+  for (int band : bands.Colors)
+  {
+    if (band < 1 || band > count)
+    {
+      error = "it has no band " + std::to_string(band) + "; it has " + std::to_string(count) +
+        (count == 1 ? " band" : " bands");
+      return false;
+    }
+  }
+  return true;
+}
+
+bool hasLocation(GDALDatasetH dataset)
+{
+  double transform[6];
+  return GDALGetGeoTransform(dataset, transform) == CE_None || GDALGetGCPCount(dataset) > 0;
+}
+
+GDALDatasetPointer translate(GDALDatasetH dataset, std::vector<std::string> arguments)
+{
+  arguments.insert(arguments.begin(), { "-of", "VRT" });
+  std::vector<char*> list;
+  for (std::string& argument : arguments)
+  {
+    list.push_back(&argument[0]);
+  }
+  list.push_back(nullptr);
+  const TranslateOptions options(GDALTranslateOptionsNew(list.data(), nullptr));
+  return GDALDatasetPointer(options ? GDALTranslate("", dataset, options.get(), nullptr) : nullptr);
+}
+
+// Returns a view of the dataset with the colour bands first, then alpha if available.
+GDALDatasetPointer selectBands(GDALDatasetH dataset, const Bands& bands)
+{
+  std::vector<std::string> arguments;
+  for (int band : bands.Colors)
+  {
+    arguments.insert(arguments.end(), { "-b", std::to_string(band) });
+  }
+  if (bands.Alpha)
+  {
+    arguments.insert(arguments.end(), { "-b", std::to_string(bands.Alpha) });
+  }
+  return translate(dataset, arguments);
+}
+}
+
+bool ImageryPicture::Open(const std::string& fileName, const std::array<int, 3>& wantedBands,
+  bool isTerrainLocated, int overview, const GDALSession& session, std::string& error)
+{
+  const std::string level = "OVERVIEW_LEVEL=" + std::to_string(overview);
+  const char* options[] = { overview < 0 ? nullptr : level.c_str(), nullptr };
+  this->Dataset.reset(
+    GDALOpenEx(fileName.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, options, nullptr));
+  const GDALDatasetH dataset = this->Dataset.get();
+  if (!dataset || GDALGetRasterCount(dataset) < 1)
+  {
+    return false;
+  }
+  error = FindTruncation(dataset);
+  if (!error.empty())
+  {
+    return false;
+  }
+  this->HasGeoreference = hasLocation(dataset);
+  this->Located = this->HasGeoreference && isTerrainLocated;
+  const bool hasIndices =
+    GDALGetRasterCount(dataset) == 1 && GDALGetRasterColorTable(GDALGetRasterBand(dataset, 1));
+  this->Expanded = hasIndices ? translate(dataset, { "-expand", "rgba" }) : nullptr;
+  const GDALDatasetH colors = this->Expanded ? this->Expanded.get() : dataset;
+  Bands bands;
+  if (!chooseBands(colors, wantedBands, bands, error))
+  {
+    return false;
+  }
+  this->HasAlpha = bands.Alpha != 0;
+  this->View = selectBands(colors, bands);
+  if (!this->View)
+  {
+    error = session.Messages("its bands cannot be selected");
+    return false;
+  }
+  if (!this->Located)
+  {
+    this->StretchOverUnitSquare();
+  }
+  return true;
+}
+
+// Georeferences the image to the unit square.
+void ImageryPicture::StretchOverUnitSquare()
+{
+  double unitSquare[6] = { 0.0, 1.0 / GDALGetRasterXSize(this->View.get()), 0.0, 1.0, 0.0,
+    -1.0 / GDALGetRasterYSize(this->View.get()) };
+  GDALSetGCPs(this->View.get(), 0, nullptr, "");
+  GDALSetProjection(this->View.get(), "");
+  GDALSetGeoTransform(this->View.get(), unitSquare);
+}
+
+void ImageryPicture::ReleaseBlocks() const
+{
+  const std::string driver = GDALGetDriverShortName(GDALGetDatasetDriver(this->Dataset.get()));
+  if (driver != "PNG" && driver != "JPEG" && driver != "GIF")
+  {
+    GDALFlushCache(this->View.get());
+    GDALFlushCache(this->Dataset.get());
+  }
+}
+
+ImageryPicture::Stretch ImageryPicture::FindStretch() const
+{
+  Stretch stretch;
+  if (GDALGetRasterDataType(GDALGetRasterBand(this->View.get(), 1)) == GDT_Byte)
+  {
+    return stretch;
+  }
+  stretch.Low = std::numeric_limits<double>::max();
+  stretch.High = std::numeric_limits<double>::lowest();
+  for (int i = 1; i <= NumberOfColors; ++i)
+  {
+    double range[2] = { 0.0, 0.0 };
+    GDALComputeRasterMinMax(GDALGetRasterBand(this->View.get(), i), true, range);
+    stretch.Low = std::min(stretch.Low, range[0]);
+    stretch.High = std::max(stretch.High, range[1]);
+  }
+  return stretch;
+}
+
+int ImageryPicture::ChooseOverview(double reduction) const
+{
+  const GDALRasterBandH band = GDALGetRasterBand(this->Dataset.get(), 1);
+  int chosen = -1;
+  double best = 1.0;
+  for (int i = 0; i < GDALGetOverviewCount(band); ++i)
+  {
+    const GDALRasterBandH overview = GDALGetOverview(band, i);
+    const int width = overview ? GDALGetRasterBandXSize(overview) : 0;
+    const double factor =
+      width > 0 ? static_cast<double>(GDALGetRasterXSize(this->Dataset.get())) / width : 0.0;
+    if (factor > best && factor <= reduction)
+    {
+      chosen = i;
+      best = factor;
+    }
+  }
+  return chosen;
+}
+
+ImageryPicture::Transformer ImageryPicture::CreateTransformer(GDALDatasetH target) const
+{
+  return Transformer(GDALCreateGenImgProjTransformer2(this->View.get(), target, nullptr));
+}
+
+GDALDatasetPointer ImageryPicture::CreateTarget(
+  int width, int height, const std::array<double, 6>& transform, const std::string& system)
+{
+  GDALDatasetPointer target(GDALCreate(
+    GDALGetDriverByName("MEM"), "", width, height, NumberOfComponents, GDT_Float32, nullptr));
+  if (target)
+  {
+    std::array<double, 6> coefficients = transform;
+    GDALSetGeoTransform(target.get(), coefficients.data());
+    GDALSetProjection(target.get(), system.c_str());
+    GDALSetRasterColorInterpretation(
+      GDALGetRasterBand(target.get(), NumberOfComponents), GCI_AlphaBand);
+  }
+  return target;
+}
+
+bool ImageryPicture::Warp(GDALDatasetH target, const std::array<int, 4>& window,
+  const std::array<double, 2>& reduction) const
+{
+  const GDALDatasetH source = this->View.get();
+  Transformer exact = this->CreateTransformer(target);
+  if (!exact)
+  {
+    return false;
+  }
+  const Transformer approximate(
+    GDALCreateApproxTransformer(GDALGenImgProjTransform, exact.get(), TransformTolerance));
+  const WarpOptions options(GDALCreateWarpOptions());
+  options->hSrcDS = source;
+  options->hDstDS = target;
+  options->eResampleAlg = GRA_Bilinear;
+  options->eWorkingDataType = GDT_Float32;
+  options->pfnTransformer = GDALApproxTransform;
+  options->pTransformerArg = approximate.get();
+  GDALWarpInitDefaultBandMapping(options.get(), NumberOfColors);
+  options->nSrcAlphaBand = this->HasAlpha ? NumberOfColors + 1 : 0;
+  options->nDstAlphaBand = NumberOfColors + 1;
+  char**& extra = options->papszWarpOptions;
+  extra = CSLSetNameValue(extra, "INIT_DEST", "0");
+  extra = CSLSetNameValue(extra, "DST_ALPHA_MAX", "255");
+  extra = CSLSetNameValue(extra, "UNIFIED_SRC_NODATA", "YES");
+
+  if (reduction[0] > 0.0 && reduction[1] > 0.0)
+  {
+    // Otherwise GDAL estimates these from the window, and the filter differs between windows.
+    extra = CSLSetNameValue(extra, "XSCALE", std::to_string(1.0 / reduction[0]).c_str());
+    extra = CSLSetNameValue(extra, "YSCALE", std::to_string(1.0 / reduction[1]).c_str());
+  }
+
+  int declared = 0;
+  GDALGetRasterNoDataValue(GDALGetRasterBand(source, 1), &declared);
+  if (declared)
+  {
+    options->padfSrcNoDataReal = static_cast<double*>(CPLMalloc(NumberOfColors * sizeof(double)));
+    for (int i = 0; i < NumberOfColors; ++i)
+    {
+      options->padfSrcNoDataReal[i] =
+        GDALGetRasterNoDataValue(GDALGetRasterBand(source, i + 1), nullptr);
+    }
+  }
+  const std::unique_ptr<void, WarpOperationFreer> operation(GDALCreateWarpOperation(options.get()));
+  return operation &&
+    GDALChunkAndWarpImage(static_cast<GDALWarpOperationH>(operation.get()), window[0], window[1],
+      window[2], window[3]) == CE_None;
+}
+}
