@@ -44,6 +44,13 @@ static_assert(relevo::HaveSameNumber(TerrainMapper::COLOR_SOLID, TerrainColoring
 
 constexpr int TrianglesPerFace = relevo::TerrainFace::Segments * relevo::TerrainFace::Segments;
 
+// The bytes of textures under a limit for tiles in memory and their textures. A tile has a texture
+// of heights and one of gradients.
+vtkTypeInt64 GetTextureLimit(vtkTypeInt64 limit)
+{
+  return limit / 3 * 2;
+}
+
 void CopyTerrainOffsets(vtkMapper* from, vtkMapper* to)
 {
   double factor = 0.0;
@@ -184,6 +191,7 @@ std::string vtkTerrainMapper::OpenTerrain()
   if (!data.Terrain || &data.Terrain->GetLattice() != lattice.get())
   {
     data.Terrain.reset(new relevo::AdaptiveTerrain(lattice));
+    data.Terrain->SetShading(true);
     data.View.Clear();
     data.Painter->ForgetTiles();
   }
@@ -337,11 +345,11 @@ void vtkTerrainMapper::SelectFaces(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
-  // A half is for tiles, the other half for textures.
-  const vtkTypeInt64 half = this->MemoryLimit / 2;
-  const vtkTypeInt64 tiles =
-    data.Painter->GetMaximumNumberOfTiles(half) * relevo::TerrainTileTextures::LayerSize;
-  data.Terrain->SetMemoryLimit(static_cast<std::size_t>(std::min(half, tiles)));
+  const vtkTypeInt64 textures = GetTextureLimit(this->MemoryLimit);
+  const std::size_t tiles =
+    data.Painter->GetMaximumNumberOfTiles(textures) * relevo::HeightTileCache::BytesPerTile;
+  data.Terrain->SetMemoryLimit(
+    std::min(static_cast<std::size_t>(this->MemoryLimit - textures), tiles));
   const relevo::TerrainView terrainView = viewpoint.MakeView(placement);
   if (this->LoadingMode == COMPLETE)
   {
@@ -382,11 +390,11 @@ void vtkTerrainMapper::DrawFaces(vtkRenderer* renderer, vtkActor* actor)
   settings.ContourInterval = this->ContourInterval;
   settings.ContourWidth = this->ContourWidth;
   std::copy_n(this->ContourColor, 3, settings.ContourColor.begin());
-  settings.MemoryLimit = this->MemoryLimit / 2;
+  settings.MemoryLimit = GetTextureLimit(this->MemoryLimit);
   data.Painter->SetClippingPlanes(this->ClippingPlanes);
   CopyTerrainOffsets(this, data.Painter);
-  const std::string error =
-    data.Painter->Prepare(renderer, actor, data.Terrain->GetFaces(), settings);
+  const std::string error = data.Painter->Prepare(
+    renderer, actor, data.Terrain->GetFaces(), data.Terrain->GetShadingTiles(), settings);
   if (relevo::ShouldReport(data.DrawError, error))
   {
     vtkErrorMacro(<< error);

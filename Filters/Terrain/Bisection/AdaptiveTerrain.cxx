@@ -18,6 +18,9 @@ namespace
 // Seconds in which a tile becomes visible.
 constexpr double FadeTime = 0.25;
 
+// The errors of tiles for shading, as a share of the tolerance. Those of faces are larger.
+constexpr double ShadingShare = 0.5;
+
 double GetSeconds()
 {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
@@ -125,10 +128,26 @@ void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
     contents.Width, contents.Height, *errors, this->HasErrors ? *ranges : wide);
   this->Cache.BeginFrame(GetSeconds());
   bisection.Select(view, tolerance, this->Cache);
+  this->ShadingTiles.clear();
+  this->ShadingComplete = true;
+  if (this->Shading)
+  {
+    MipmapTiles shading(contents.Width, contents.Height, this->HasErrors ? *ranges : wide);
+    shading.Select(view, ShadingShare * tolerance, this->Cache);
+    this->ShadingTiles = shading.GetTiles();
+    this->ShadingComplete = shading.IsComplete();
+  }
   this->Cache.EndFrame();
   this->Faces = bisection.GetFaces();
   this->Error = bisection.GetError();
   this->Complete = bisection.IsComplete() && this->HasErrors;
+}
+
+// Tiles for shading that do not fit into memory do not matter.
+bool AdaptiveTerrain::IsComplete() const
+{
+  return this->Complete &&
+    (this->ShadingComplete || !(this->Cache.IsLoading() || this->Cache.NeedsFrame()));
 }
 
 bool AdaptiveTerrain::NeedsFrame() const

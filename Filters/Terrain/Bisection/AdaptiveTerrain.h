@@ -13,6 +13,7 @@
 #define AdaptiveTerrain_h
 
 #include "Bisection/HeightTileCache.h"
+#include "Bisection/MipmapTiles.h"
 #include "Bisection/TerrainFace.h"
 #include "Bisection/TerrainView.h"
 #include "Geodesy/MapFrame.h"
@@ -57,6 +58,9 @@ public:
   void SetMemoryLimit(std::size_t bytes) { this->Cache.SetMemoryLimit(bytes); }
   std::size_t GetMemorySize() const { return this->Cache.GetMemorySize(); }
 
+  /// Also find the tiles for the shading of pixels. They are read after those of the faces.
+  void SetShading(bool isShaded) { this->Shading = isShaded; }
+
   /**
    * Find the faces that a view needs for a tolerance in pixels, from the tiles that are in memory;
    * others are read in the background. The view must have the placement of this terrain.
@@ -71,8 +75,9 @@ public:
   //@{
   /// The result, which is valid until the next selection.
   const std::vector<TerrainFace>& GetFaces() const { return this->Faces; }
+  const std::vector<MipmapTiles::Item>& GetShadingTiles() const { return this->ShadingTiles; }
   double GetError() const { return this->Error; } // the largest in pixels, at most
-  bool IsComplete() const { return this->Complete; }
+  bool IsComplete() const;
   //@}
 
   /// Whether another selection for the same view can have another result.
@@ -88,9 +93,12 @@ private:
   std::shared_ptr<const HeightLattice> Lattice;
   MapFrame Frame;
   HeightTileCache Cache;
+  bool Shading = false;
   std::vector<TerrainFace> Faces;
+  std::vector<MipmapTiles::Item> ShadingTiles;
   double Error = 0.0;
-  bool Complete = false;
+  bool Complete = false; // the faces
+  bool ShadingComplete = true;
   bool HasErrors = false; // whether the errors of the last selection are known
 };
 }

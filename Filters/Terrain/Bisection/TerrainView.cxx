@@ -108,14 +108,19 @@ bool TerrainView::IsVisible(const TerrainBox& box) const
 
 double TerrainView::Project(double distance, const TerrainBox& box) const
 {
-  const double length = distance * std::abs(this->Placement.HeightScale) * this->PixelsPerUnit;
-  if (!(length > 0.0) || box.Heights[0] > box.Heights[1])
+  return this->ProjectLength(distance * std::abs(this->Placement.HeightScale), box);
+}
+
+double TerrainView::ProjectLength(double length, const TerrainBox& box) const
+{
+  const double pixels = length * this->PixelsPerUnit;
+  if (!(pixels > 0.0) || box.Heights[0] > box.Heights[1])
   {
     return 0.0;
   }
   if (this->IsParallel)
   {
-    return length;
+    return pixels;
   }
   const auto outside = [](double x, const std::array<double, 2>& range) {
     return std::max({ range[0] - x, x - range[1], 0.0 });
@@ -127,6 +132,6 @@ double TerrainView::Project(double distance, const TerrainBox& box) const
   const double y = outside(this->RasterEye[1], box.Rows) * this->Lengths[1];
   const double z = outside(this->Eye[2], heights);
   const double eyeDistance = std::max(this->NearestDistance, std::sqrt(x * x + y * y + z * z));
-  return eyeDistance > 0.0 ? length / eyeDistance : std::numeric_limits<double>::infinity();
+  return eyeDistance > 0.0 ? pixels / eyeDistance : std::numeric_limits<double>::infinity();
 }
 }

@@ -55,6 +55,8 @@ public:
    * box shrinks. 0 for the distance 0, and in an empty box (whose first height is the larger one).
    */
   double Project(double distance, const TerrainBox& box) const;
+  /// The same for a distance in world units in any direction.
+  double ProjectLength(double length, const TerrainBox& box) const;
 
 private:
   bool IsParallel = true;

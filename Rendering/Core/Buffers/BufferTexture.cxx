@@ -51,9 +51,15 @@ bool BufferTexture::Upload(
 bool BufferTexture::Upload(
   vtkOpenGLRenderWindow* window, const std::vector<unsigned int>& values, int components)
 {
-  return components == 4
-    ? this->UploadValues(window, values, 4, VTK_UNSIGNED_INT, GL_RGBA_INTEGER, GL_RGBA32UI)
-    : this->UploadValues(window, values, 1, VTK_UNSIGNED_INT, GL_RED_INTEGER, GL_R32UI);
+  switch (components)
+  {
+    case 4:
+      return this->UploadValues(window, values, 4, VTK_UNSIGNED_INT, GL_RGBA_INTEGER, GL_RGBA32UI);
+    case 2:
+      return this->UploadValues(window, values, 2, VTK_UNSIGNED_INT, GL_RG_INTEGER, GL_RG32UI);
+    default:
+      return this->UploadValues(window, values, 1, VTK_UNSIGNED_INT, GL_RED_INTEGER, GL_R32UI);
+  }
 }
 
 template <typename T>

@@ -7,6 +7,7 @@
 #include "Lattice/BlockErrors.h"
 #include "vtkOpenGLRenderWindow.h"
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 
@@ -42,18 +43,65 @@ vtkIdType TerrainInstances::GetMaximumNumberOfFaces()
   return texels;
 }
 
-std::string TerrainInstances::Upload(
-  vtkOpenGLRenderWindow* window, const std::vector<TerrainFace>& faces)
+std::string TerrainInstances::UploadTiles(vtkOpenGLRenderWindow* window,
+  const std::vector<TerrainFace>& faces, const std::vector<MipmapTiles::Item>& shading)
 {
-  std::vector<const TerrainTile*> tiles;
+  std::vector<const HeightTile*> heights;
   for (const TerrainFace& face : faces)
   {
-    tiles.insert(tiles.end(), { face.Tile, face.CoarseTile });
+    heights.insert(heights.end(), { face.Tile, face.CoarseTile });
   }
-  if (!this->Tiles.Upload(window, tiles))
+  std::sort(heights.begin(), heights.end());
+  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+  // Every fragment finds a gradient: at least that of its face.
+  std::vector<const TerrainTile*> gradients(heights.begin(), heights.end());
+  for (const MipmapTiles::Item& item : shading)
+  {
+    gradients.push_back(item.Tile);
+  }
+  if (!this->Tiles.Upload(window, { heights.begin(), heights.end() }) ||
+    !this->Gradients.Upload(window, gradients))
   {
     return "The heights of the frame do not fit into graphics memory: at most " +
-      std::to_string(this->Tiles.GetMaximumNumberOfLayers()) + " tiles. Set a larger memory limit.";
+      std::to_string(this->GetMaximumNumberOfTiles()) + " tiles. Set a larger memory limit.";
+  }
+  this->Table.Reset(gradients.size());
+  for (const MipmapTiles::Item& item : shading)
+  {
+    this->Table.Add(item, this->Gradients.GetLayer(*item.Tile));
+  }
+  for (const HeightTile* tile : heights)
+  {
+    this->Table.Add({ tile, 1.0f }, this->Gradients.GetLayer(*tile));
+  }
+  return this->Table.Upload(window) ? ""
+                                    : "The graphics memory does not suffice for a table of tiles.";
+}
+
+void TerrainInstances::SetMemoryLimit(vtkTypeInt64 bytes)
+{
+  this->Tiles.SetMemoryLimit(bytes / 2);
+  this->Gradients.SetMemoryLimit(bytes / 2);
+}
+
+void TerrainInstances::ForgetTiles()
+{
+  this->Tiles.Clear();
+  this->Gradients.Clear();
+}
+
+vtkIdType TerrainInstances::GetNumberOfTileUploads() const
+{
+  return this->Tiles.GetNumberOfUploads() + this->Gradients.GetNumberOfUploads();
+}
+
+std::string TerrainInstances::Upload(vtkOpenGLRenderWindow* window,
+  const std::vector<TerrainFace>& faces, const std::vector<MipmapTiles::Item>& shading)
+{
+  const std::string error = this->UploadTiles(window, faces, shading);
+  if (!error.empty())
+  {
+    return error;
   }
   std::vector<unsigned int> integers;
   std::vector<float> floats;
@@ -102,6 +150,8 @@ bool TerrainInstances::UploadIds(vtkOpenGLRenderWindow* window)
 void TerrainInstances::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
 {
   this->Tiles.Activate(window, program, "relevoTiles");
+  this->Gradients.Activate(window, program, "relevoTileGradients");
+  this->Table.Activate(program);
   this->IntegerTexture.Activate(program, "relevoFaces");
   this->FloatTexture.Activate(program, "relevoFaceHeights");
   this->IdTexture.Activate(program, "relevoFaceIds");
@@ -110,6 +160,8 @@ void TerrainInstances::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram*
 void TerrainInstances::Deactivate(vtkOpenGLRenderWindow* window)
 {
   this->Tiles.Deactivate(window);
+  this->Gradients.Deactivate(window);
+  this->Table.Deactivate();
   this->IntegerTexture.Deactivate();
   this->FloatTexture.Deactivate();
   this->IdTexture.Deactivate();
@@ -117,13 +169,16 @@ void TerrainInstances::Deactivate(vtkOpenGLRenderWindow* window)
 
 vtkTypeInt64 TerrainInstances::GetMemorySize() const
 {
-  return this->Tiles.GetMemorySize() + this->IntegerTexture.GetMemorySize() +
-    this->FloatTexture.GetMemorySize() + this->IdTexture.GetMemorySize();
+  return this->Tiles.GetMemorySize() + this->Gradients.GetMemorySize() + this->Table.GetMemorySize() +
+    this->IntegerTexture.GetMemorySize() + this->FloatTexture.GetMemorySize() +
+    this->IdTexture.GetMemorySize();
 }
 
 void TerrainInstances::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Tiles.ReleaseGraphicsResources();
+  this->Gradients.ReleaseGraphicsResources();
+  this->Table.ReleaseGraphicsResources(window);
   this->IntegerTexture.ReleaseGraphicsResources(window);
   this->FloatTexture.ReleaseGraphicsResources(window);
   this->IdTexture.ReleaseGraphicsResources(window);

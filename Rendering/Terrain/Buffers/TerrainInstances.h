@@ -11,6 +11,7 @@
 
 #include "Bisection/TerrainFace.h"
 #include "Buffers/BufferTexture.h"
+#include "Buffers/TerrainTileTable.h"
 #include "Buffers/TerrainTileTextures.h"
 
 #include <string> // for errors
@@ -35,16 +36,21 @@ public:
   /// Return the largest number of faces.
   static vtkIdType GetMaximumNumberOfFaces();
 
-  //@{
-  /// The tiles of TerrainTileTextures.
-  TerrainTileTextures& GetTiles() { return this->Tiles; }
-  const TerrainTileTextures& GetTiles() const { return this->Tiles; }
-  //@}
+  /// Set the maximum number of bytes of textures of tiles.
+  void SetMemoryLimit(vtkTypeInt64 bytes);
+  /// Return the number of tiles that the limit and the current context allow.
+  int GetMaximumNumberOfTiles() const { return this->Tiles.GetMaximumNumberOfLayers(); }
+  /// Forget all tiles, because their heights have changed.
+  void ForgetTiles();
+  /// Return how many textures of tiles have been uploaded.
+  vtkIdType GetNumberOfTileUploads() const;
 
   /**
-   * Upload faces and their tiles. Return an error, or "". Nothing is uploaded that has not changed.
+   * Upload faces, their tiles, and those for shading. Return an error, or "". Nothing is uploaded
+   * that has not changed.
    */
-  std::string Upload(vtkOpenGLRenderWindow* window, const std::vector<TerrainFace>& faces);
+  std::string Upload(vtkOpenGLRenderWindow* window, const std::vector<TerrainFace>& faces,
+    const std::vector<MipmapTiles::Item>& shading);
   /// Upload the indices of the faces, for selections, after Upload().
   bool UploadIds(vtkOpenGLRenderWindow* window);
 
@@ -58,7 +64,12 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  TerrainTileTextures Tiles{ TerrainTile::Kind::Heights };
+  std::string UploadTiles(vtkOpenGLRenderWindow* window, const std::vector<TerrainFace>& faces,
+    const std::vector<MipmapTiles::Item>& shading);
+
+  TerrainTileTextures Tiles{ TerrainTileTextures::Content::HEIGHTS };
+  TerrainTileTextures Gradients{ TerrainTileTextures::Content::GRADIENTS };
+  TerrainTileTable Table; // of the gradients
   Group Groups[2];
   std::vector<unsigned int> Integers; // 4 per face
   std::vector<float> Floats;          // 4 per face

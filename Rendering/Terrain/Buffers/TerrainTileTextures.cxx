@@ -4,12 +4,16 @@
 
 #include "OpenGL/RelevoOpenGL.h"
 
+#include "Lattice/HeightTile.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureUnitManager.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace relevo
@@ -17,10 +21,91 @@ namespace relevo
 namespace
 {
 constexpr int FirstCapacity = 16;
+
+constexpr float LargestHalf = 65504.0f;
+
+struct TexelFormat
+{
+  GLint Internal;
+  GLenum Format;
+  GLenum Type;
+  GLint Filter;
+};
+
+TexelFormat GetFormat(TerrainTileTextures::Content content)
+{
+  switch (content)
+  {
+    case TerrainTileTextures::Content::HEIGHTS:
+      return { GL_R32F, GL_RED, GL_FLOAT, GL_NEAREST };
+    case TerrainTileTextures::Content::GRADIENTS:
+      return { GL_RG16F, GL_RG, GL_FLOAT, GL_LINEAR };
+    default:
+      return { GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_LINEAR };
+  }
 }
 
-TerrainTileTextures::TerrainTileTextures(TerrainTile::Kind kind)
-  : Kind(kind)
+// The central difference, or a difference of two if one neighbour has no data.
+float GetDifference(float before, float here, float after)
+{
+  if (std::isnan(before))
+  {
+    return after - here;
+  }
+  return std::isnan(after) ? here - before : 0.5f * (after - before);
+}
+
+// The mean of the differences of three rows or columns with Horn's weights, among those that have
+// data.
+float GetHornMean(const std::array<float, 3>& differences)
+{
+  float sum = 0.0f;
+  float weights = 0.0f;
+  for (int i = 0; i < 3; ++i)
+  {
+    if (std::isfinite(differences[i]))
+    {
+      const float weight = i == 1 ? 2.0f : 1.0f;
+      sum += weight * differences[i];
+      weights += weight;
+    }
+  }
+  return weights > 0.0f ? std::clamp(sum / weights, -LargestHalf, LargestHalf) : 0.0f;
+}
+
+// The differences to the next column and row, vertex by vertex.
+std::vector<float> ComputeGradients(const HeightTile& tile)
+{
+  constexpr int stride = TerrainTile::Stride;
+  const auto get = [&tile](int column, int row)
+  {
+    return column < 0 || column >= stride || row < 0 || row >= stride
+      ? std::numeric_limits<float>::quiet_NaN()
+      : tile.Heights[static_cast<std::size_t>(row) * stride + column];
+  };
+  std::vector<float> gradients(2 * TerrainTile::NumberOfVertices);
+  float* gradient = gradients.data();
+  std::array<float, 3> columns;
+  std::array<float, 3> rows;
+  for (int j = 0; j < stride; ++j)
+  {
+    for (int i = 0; i < stride; ++i)
+    {
+      for (int k = -1; k <= 1; ++k)
+      {
+        columns[k + 1] = GetDifference(get(i - 1, j + k), get(i, j + k), get(i + 1, j + k));
+        rows[k + 1] = GetDifference(get(i + k, j - 1), get(i + k, j), get(i + k, j + 1));
+      }
+      *gradient++ = GetHornMean(columns);
+      *gradient++ = GetHornMean(rows);
+    }
+  }
+  return gradients;
+}
+}
+
+TerrainTileTextures::TerrainTileTextures(Content content)
+  : Stored(content)
 {
 }
 
@@ -71,18 +156,34 @@ bool TerrainTileTextures::Upload(
     return true;
   }
   const std::vector<int> free = this->FindFreeLayers(added.size());
-  const bool isColor = this->Kind == TerrainTile::Kind::Imagery;
   this->Bind(window);
   for (std::size_t i = 0; i < added.size(); ++i)
   {
-    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, free[i], TerrainTile::Stride, TerrainTile::Stride,
-      1, isColor ? GL_RGBA : GL_RED, isColor ? GL_UNSIGNED_BYTE : GL_FLOAT,
-      added[i].second->GetValues());
+    this->UploadTile(*added[i].second, free[i]);
     this->Layers[added[i].first] = { free[i], this->Frame };
   }
   this->NumberOfUploads += static_cast<vtkIdType>(added.size());
   this->Deactivate(window);
   return true;
+}
+
+// The texture is bound.
+void TerrainTileTextures::UploadTile(const TerrainTile& tile, int layer) const
+{
+  const TexelFormat format = GetFormat(this->Stored);
+  const auto upload = [layer, &format](const void* texels)
+  {
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, TerrainTile::Stride, TerrainTile::Stride, 1,
+      format.Format, format.Type, texels);
+  };
+  if (this->Stored == Content::GRADIENTS)
+  {
+    upload(ComputeGradients(static_cast<const HeightTile&>(tile)).data());
+  }
+  else
+  {
+    upload(tile.GetValues());
+  }
 }
 
 // Returns layers that this frame does not use, the empty ones first, and removes their tiles.
@@ -125,14 +226,12 @@ bool TerrainTileTextures::Allocate(vtkOpenGLRenderWindow* window, int capacity)
   while (glGetError() != GL_NO_ERROR)
   {
   }
-  const bool isColor = this->Kind == TerrainTile::Kind::Imagery;
-  const GLint filter = isColor ? GL_LINEAR : GL_NEAREST;
-  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, isColor ? GL_RGBA8 : GL_R32F, TerrainTile::Stride,
-    TerrainTile::Stride, capacity, 0, isColor ? GL_RGBA : GL_RED,
-    isColor ? GL_UNSIGNED_BYTE : GL_FLOAT, nullptr);
+  const TexelFormat format = GetFormat(this->Stored);
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, format.Internal, TerrainTile::Stride, TerrainTile::Stride,
+    capacity, 0, format.Format, format.Type, nullptr);
   const bool isAllocated = glGetError() == GL_NO_ERROR;
-  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, filter);
-  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, filter);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, format.Filter);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, format.Filter);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   TerrainTileTextures
- * @brief   tiles of heights or imagery on the GPU, in the layers of an array texture
+ * @brief   tiles on the GPU, in the layers of an array texture
+ *
+ * A texel of gradients has the differences of the heights to the next column and row, as half
+ * floats, by the formula of B. K. P. Horn, "Hill shading and the reflectance map", Proceedings of
+ * the IEEE 69(1), 1981.
  *
  * A layer keeps its tile until another tile needs it; the tiles that were used least recently are
  * replaced first. The texture grows to the number of tiles that one frame needs, within a limit.
@@ -31,7 +35,14 @@ public:
   static constexpr vtkTypeInt64 LayerSize =
     static_cast<vtkTypeInt64>(4 * TerrainTile::NumberOfVertices);
 
-  explicit TerrainTileTextures(TerrainTile::Kind kind);
+  enum class Content
+  {
+    HEIGHTS,
+    GRADIENTS, // of height tiles
+    IMAGERY
+  };
+
+  explicit TerrainTileTextures(Content content);
 
   /// Set the maximum number of bytes.
   void SetMemoryLimit(vtkTypeInt64 bytes) { this->MemoryLimit = bytes; }
@@ -71,10 +82,11 @@ private:
   };
 
   bool Allocate(vtkOpenGLRenderWindow* window, int capacity);
+  void UploadTile(const TerrainTile& tile, int layer) const;
   void Bind(vtkOpenGLRenderWindow* window);
   std::vector<int> FindFreeLayers(std::size_t number);
 
-  const TerrainTile::Kind Kind;
+  const Content Stored;
   vtkTypeInt64 MemoryLimit = vtkTypeInt64(1) << 28;
   std::unordered_map<std::uint64_t, Layer> Layers; // by key of the tile
   std::uint64_t Frame = 0;

@@ -99,13 +99,14 @@ TerrainPainter::~TerrainPainter() = default;
 // Faces of a view
 
 std::string TerrainPainter::Prepare(vtkRenderer* renderer, vtkActor* actor,
-  const std::vector<TerrainFace>& faces, const Settings& settings)
+  const std::vector<TerrainFace>& faces, const std::vector<MipmapTiles::Item>& shading,
+  const Settings& settings)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   this->Current = settings;
   this->NumberOfDrawCalls = 0;
-  this->Instances.GetTiles().SetMemoryLimit(settings.MemoryLimit);
-  const std::string error = this->Instances.Upload(window, faces);
+  this->Instances.SetMemoryLimit(settings.MemoryLimit);
+  const std::string error = this->Instances.Upload(window, faces, shading);
   if (!error.empty())
   {
     return error;
@@ -123,8 +124,8 @@ std::string TerrainPainter::Prepare(vtkRenderer* renderer, vtkActor* actor,
 
 int TerrainPainter::GetMaximumNumberOfTiles(vtkTypeInt64 memoryLimit)
 {
-  this->Instances.GetTiles().SetMemoryLimit(memoryLimit);
-  return this->Instances.GetTiles().GetMaximumNumberOfLayers();
+  this->Instances.SetMemoryLimit(memoryLimit);
+  return this->Instances.GetMaximumNumberOfTiles();
 }
 
 // Positions are exact in floats near the origin.

@@ -48,12 +48,13 @@ public:
     double ContourInterval = 0.0;        // in units of the heights; 0 for none
     double ContourWidth = 1.0;           // in pixels
     std::array<double, 3> ContourColor = { { 0.0, 0.0, 0.0 } };
-    vtkTypeInt64 MemoryLimit = vtkTypeInt64(1) << 28; // bytes of textures of heights
+    vtkTypeInt64 MemoryLimit = vtkTypeInt64(1) << 28; // bytes of textures of tiles
   };
 
-  /// Upload the faces of a view, before RenderPiece(). Return the error, or "".
+  /// Upload the faces of a view and the tiles for shading, before RenderPiece(). Return the error,
+  /// or "".
   std::string Prepare(vtkRenderer* renderer, vtkActor* actor, const std::vector<TerrainFace>& faces,
-    const Settings& settings);
+    const std::vector<MipmapTiles::Item>& shading, const Settings& settings);
   /// Return the error of the shaders or of the colours, or "", after RenderPiece().
   const std::string& GetShaderError() const { return this->Variants.GetError(); }
   const std::string& GetColorError() const { return this->ColorError; }
@@ -62,7 +63,7 @@ public:
   int GetMaximumNumberOfTiles(vtkTypeInt64 memoryLimit);
 
   /// Forget all heights, because they have changed.
-  void ForgetTiles() { this->Instances.GetTiles().Clear(); }
+  void ForgetTiles() { this->Instances.ForgetTiles(); }
 
   /// Report the largest ids that a selection draws.
   void AnnounceIds(vtkHardwareSelector* selector) const;
@@ -74,10 +75,7 @@ public:
   int GetNumberOfDrawCalls() const { return this->NumberOfDrawCalls; }
   vtkTypeInt64 GetMemorySize() const;
   vtkIdType GetNumberOfShaderBuilds() const { return this->Variants.GetNumberOfBuilds(); }
-  vtkIdType GetNumberOfTileUploads() const
-  {
-    return this->Instances.GetTiles().GetNumberOfUploads();
-  }
+  vtkIdType GetNumberOfTileUploads() const { return this->Instances.GetNumberOfTileUploads(); }
 
 protected:
   TerrainPainter();

@@ -8,6 +8,7 @@
 #include "relevoColorTable.h"
 #include "relevoTerrainFS.h"
 #include "relevoTerrainFaceVS.h"
+#include "relevoTerrainGradientFS.h"
 #include "relevoTerrainHeightsVS.h"
 #include "relevoTerrainVS.h"
 
@@ -46,7 +47,6 @@ std::string GetDefines(const TerrainShaderOptions& options)
     }
   };
   define(HasHeights(options), "RELEVO_HEIGHTS");
-  define(HasGradients(options), "RELEVO_GRADIENTS");
   define(options.HasCells, "RELEVO_CELLS");
   define(options.HasContours, "RELEVO_CONTOURS");
   define(options.Coloring == TerrainColoring::ELEVATION, "RELEVO_ELEVATION");
@@ -63,10 +63,6 @@ std::vector<ShaderVarying> GetVaryings(const TerrainShaderOptions& options)
   if (HasHeights(options))
   {
     varyings.push_back({ "", "float", "relevoHeight" });
-  }
-  if (HasGradients(options))
-  {
-    varyings.push_back({ "", "vec2", "relevoGradient" });
   }
   if (options.HasCells)
   {
@@ -124,10 +120,21 @@ void FinishTerrainShaders(const TerrainShaderOptions& options,
   {
     fragment.Replace("gl_PrimitiveID + PrimitiveIDOffset", "relevoCellVSOutput");
   }
-  fragment.InsertAtStart(std::string(options.HasContours ? "  relevoMeasurePixels();\n" : "") +
-    "  if (relevoIsOutside()) discard;\n");
+  const bool isShaded = fragment.Has("in vec3 normalVCVSOutput;");
+  if (isShaded)
+  {
+    fragment.Replace("vec3 normalVCVSOutput = normalize(normalVCVSOutput);",
+      "vec3 normalVCVSOutput = relevoTerrainNormal();");
+  }
+  const bool hasMatrix = fragment.Has("uniform mat3 normalMatrix;");
+  const bool hasGradient = isShaded || HasGradients(options);
+  fragment.InsertAtStart(std::string(options.HasContours ? "  relevoMeasureContours();\n" : "") +
+    (hasGradient ? "  relevoMeasureFootprint();\n" : "") + "  if (relevoIsOutside()) discard;\n" +
+    (hasGradient ? "  relevoFindGradient();\n" : ""));
   fragment.InsertBeforeMain(DeclareVaryings("in", varyings) +
-    (HasTable(options.Coloring) ? relevoColorTable : "") + relevoTerrainFS);
-  fragment.InsertAfterVersion(GetDefines(options));
+    (HasTable(options.Coloring) ? relevoColorTable : "") +
+    (hasGradient ? relevoTerrainGradientFS : "") + relevoTerrainFS);
+  fragment.InsertAfterVersion(GetDefines(options) + (isShaded ? "#define RELEVO_NORMALS\n" : "") +
+    (hasMatrix ? "#define RELEVO_NORMAL_MATRIX\n" : ""));
 }
 }

@@ -1,4 +1,5 @@
-// Fragments of a terrain: its borders, colours by height and slope, and contour lines.
+// Fragments of a terrain: its borders, colours by height and slope, and contour lines. With
+// RELEVO_GRADIENTS, follows relevoTerrainGradientFS.glsl.
 
 uniform vec2 relevoLastSample; // as relevoRaster
 
@@ -19,7 +20,7 @@ vec4 relevoTerrainColor()
 #ifdef RELEVO_SLOPE
 vec4 relevoTerrainColor()
 {
-  return relevoTableColor(degrees(atan(length(relevoGradientVSOutput))));
+  return relevoTableColor(degrees(atan(length(relevoGradient))));
 }
 #endif
 
@@ -29,7 +30,7 @@ uniform float relevoNotANumber;
 // Flat parts have no aspect.
 vec4 relevoTerrainColor()
 {
-  vec2 down = -relevoGradientVSOutput;
+  vec2 down = -relevoGradient;
   float angle = degrees(atan(down.x, down.y));
   return relevoTableColor(
     down == vec2(0.0) ? relevoNotANumber : (angle < 0.0 ? angle + 360.0 : angle));
@@ -40,7 +41,7 @@ vec4 relevoTerrainColor()
 // The sun is in the north-west, 45 degrees above the horizon.
 vec4 relevoTerrainColor()
 {
-  vec3 normal = normalize(vec3(-relevoGradientVSOutput, 1.0));
+  vec3 normal = normalize(vec3(-relevoGradient, 1.0));
   float light = dot(normal, vec3(-0.5, 0.5, 0.70710678));
   return vec4(vec3(max(light, 0.0)), 1.0);
 }
@@ -53,7 +54,7 @@ uniform vec3 relevoContourColor;
 vec2 relevoHeightChange = vec2(0.0); // per pixel, to the right and up
 
 // This must run at the start of main(), for all pixels, because it uses derivatives.
-void relevoMeasurePixels()
+void relevoMeasureContours()
 {
   relevoHeightChange = vec2(dFdx(relevoHeightVSOutput), dFdy(relevoHeightVSOutput));
 }

@@ -10,7 +10,6 @@ struct RelevoTile
   int Layer;
   ivec2 First;  // vertex
   int Shift;    // logarithm of the vertices of the face's lattice per vertex of the tile
-  float VerticesPerSample;
 };
 
 int relevoFace;      // index of the face
@@ -39,7 +38,6 @@ RelevoTile relevoTileOf(int layer, int level, ivec2 inside)
   tile.Layer = layer;
   tile.Shift = max(-level, 0);
   tile.First = (inside >> (tile.Shift + RELEVO_TILE_SHIFT)) << RELEVO_TILE_SHIFT;
-  tile.VerticesPerSample = 1.0 / float(1 << max(level, 0));
   return tile;
 }
 

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bisection/MipmapTiles.h"
+
+#include "Lattice/BlockErrors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relevo
+{
+namespace
+{
+// The size in pixels of a step between samples from which on the next finer level is needed. It is
+// less than 1, because pixels are smaller away from the centre of a perspective view.
+constexpr double LargestStep = 0.75;
+}
+
+MipmapTiles::MipmapTiles(int columns, int rows, const ElevationRanges& ranges)
+  : Columns(columns)
+  , Rows(rows)
+  , Ranges(ranges)
+{
+}
+
+void MipmapTiles::Select(const TerrainView& view, double largestError, HeightTileSource& tiles)
+{
+  this->View = &view;
+  this->LargestError = largestError;
+  this->Source = &tiles;
+  this->Tiles.clear();
+  this->Complete = true;
+  this->Visit(BlockErrors::GetRootLevel(this->Columns, this->Rows), 0, 0, 1.0);
+}
+
+// `pixels` is the size of a step of this level, of at most 1 pixel for fragments that need no finer
+// level.
+void MipmapTiles::Visit(int level, int column, int row, double pixels)
+{
+  const double size = std::ldexp(static_cast<double>(HeightTile::CellsPerTile), level);
+  TerrainBox box;
+  box.Columns = { { column * size, std::min((column + 1.0) * size, this->Columns - 1.0) } };
+  box.Rows = { { row * size, std::min((row + 1.0) * size, this->Rows - 1.0) } };
+  if (box.Columns[0] >= box.Columns[1] || box.Rows[0] >= box.Rows[1])
+  {
+    return;
+  }
+  const ElevationRanges::Range heights = this->Ranges.Get(level, box.Columns, box.Rows);
+  box.Heights = { { heights[0], heights[1] } };
+  if (box.Heights[0] > box.Heights[1] || !this->View->IsVisible(box))
+  {
+    return;
+  }
+  float visibility = 0.0f;
+  const double error = this->LargestError * std::min(0.5 * pixels, 1.0);
+  const HeightTile* tile = this->Source->Get(level, column, row, error, visibility);
+  this->Complete = this->Complete && tile && visibility >= 1.0f;
+  if (tile)
+  {
+    this->Tiles.push_back({ tile, visibility });
+  }
+  const TerrainPlacement& placement = this->View->GetPlacement();
+  const double step = std::sqrt(
+    std::abs(placement.Column[0] * placement.Row[1] - placement.Column[1] * placement.Row[0]));
+  const double stepPixels = this->View->ProjectLength(std::ldexp(step, level), box);
+  if (level == 0 || stepPixels <= LargestStep)
+  {
+    return;
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    this->Visit(level - 1, 2 * column + i % 2, 2 * row + i / 2, 0.5 * stepPixels);
+  }
+}
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   TerrainTileTable
+ * @brief   a hash table on the GPU in which fragments find the layers of tiles
+ *
+ * It is the page table of a virtual texture, with open addressing: an entry has the key of a tile
+ * (0 if it is empty), and its layer and visibility. relevoTerrainGradientFS.glsl reads it. Private
+ * to the module.
+ */
+#ifndef TerrainTileTable_h
+#define TerrainTileTable_h
+
+#include "Bisection/MipmapTiles.h"
+#include "Buffers/BufferTexture.h"
+#include "vtkType.h" // for numbers of bytes
+
+#include <cstddef>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkWindow;
+
+namespace relevo
+{
+class TerrainTileTable
+{
+public:
+  /// Forget all tiles, and make room for a number of them.
+  void Reset(std::size_t number);
+  /// Add a tile, unless it is there already.
+  void Add(const MipmapTiles::Item& tile, int layer);
+  /// Upload the table if it has changed. Return false if it does not fit into graphics memory.
+  bool Upload(vtkOpenGLRenderWindow* window);
+
+  /// Bind the table for the shader.
+  void Activate(vtkShaderProgram* program);
+  void Deactivate() { this->Texture.Deactivate(); }
+  vtkTypeInt64 GetMemorySize() const { return this->Texture.GetMemorySize(); }
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  int Bits = 0; // logarithm of the number of entries
+  int CoarsestLevel = 0;
+  std::vector<unsigned int> Entries; // 2 per entry
+  std::vector<unsigned int> Uploaded;
+  BufferTexture Texture;
+};
+}
+
+#endif
