@@ -107,7 +107,8 @@ void RelevoTerrainMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   this->Bisection->Select(
     viewpoint.MakeView(this->Settings.Placement), this->Tolerance, *this->Raster);
   this->Painter->SetClippingPlanes(this->ClippingPlanes);
-  this->Error = this->Painter->Prepare(renderer, actor, this->GetFaces(), {}, this->Settings);
+  this->Error =
+    this->Painter->Prepare(renderer, actor, this->GetFaces(), this->Shading, this->Settings);
   if (!this->Error.empty())
   {
     return;

@@ -65,6 +65,7 @@ public:
   vtkSmartPointer<vtkPolyData> MakeTriangles() const;
 
   relevo::TerrainPainter::Settings Settings;
+  std::vector<relevo::MipmapTiles::Item> Shading;
   double Tolerance = 1.0;
   std::string Error;
   vtkNew<relevo::TerrainPainter> Painter;

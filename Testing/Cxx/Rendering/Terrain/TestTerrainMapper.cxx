@@ -15,6 +15,10 @@
 #include "vtkTerrainPyramid.h"
 #include "vtkTerrainPyramidWriter.h"
 
+#include <gdal.h>
+#include <gdal_utils.h>
+
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -85,6 +89,58 @@ public:
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;
 };
+
+// From above, with a sample per pixel, the slopes are those of gdaldem.
+void TestSlopes(RelevoCheck& check, const std::string& file, const RelevoTestFolders& folders)
+{
+  const std::string slopeFile = folders.File("TerrainMapperSlopes.tif");
+  GDALDatasetH source = GDALOpen(file.c_str(), GA_ReadOnly);
+  CHECK(source != nullptr);
+  int isUsedWrongly = 0;
+  GDALDatasetH slopes =
+    GDALDEMProcessing(slopeFile.c_str(), source, "slope", nullptr, nullptr, &isUsedWrongly);
+  CHECK(slopes != nullptr);
+  GDALClose(slopes);
+  GDALClose(source);
+  const RelevoRaster expected = RelevoRaster::Read(slopeFile);
+
+  TerrainScene scene(file);
+  scene.Window->SetSize(301, 301);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  // The centre of the picture is sample (350, 350).
+  camera->SetPosition(15.0, -15.0, 20000.0);
+  camera->SetFocalPoint(15.0, -15.0, 0.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(0.5 * 301 * 30.0);
+  scene.Renderer->ResetCameraClippingRange();
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(256);
+  table->SetHueRange(0.0, 0.0);
+  table->SetSaturationRange(0.0, 0.0);
+  table->SetValueRange(0.0, 1.0);
+  table->SetRampToLinear();
+  table->SetTableRange(0.0, 64.0);
+  table->Build();
+  scene.Mapper->SetLookupTable(table);
+  scene.Mapper->SetColorModeToSlope();
+  scene.Mapper->SetScreenSpaceError(20.0); // the faces are large
+  scene.Actor->GetProperty()->LightingOff();
+  const RelevoPicture picture = scene.Draw();
+  picture.Save(folders.File("TerrainMapperSlopes.png"));
+  CHECK_LESS(scene.Mapper->GetNumberOfDrawnTriangles(), 20000);
+  double largest = 0.0;
+  for (int y = 0; y < 301; ++y)
+  {
+    for (int x = 0; x < 301; ++x)
+    {
+      const double slope = expected.At(0, 200 + x, 500 - y);
+      const size_t pixel = 3 * (static_cast<size_t>(y) * 301 + x);
+      largest = std::max(largest, std::abs(slope - (picture.Colors[pixel] + 0.5) / 4.0));
+    }
+  }
+  CHECK_LESS(largest, 0.3); // a colour of the table is a quarter of a degree
+}
 
 void TestResults(RelevoCheck& check, const std::string& file, const RelevoTestFolders& folders)
 {
@@ -440,6 +496,7 @@ int TestTerrainMapper(int argc, char* argv[])
     return check.GetResult();
   }
   TestResults(check, file, folders);
+  TestSlopes(check, file, folders);
   TestGeographic(check, file);
   TestErrors(check);
   TestBadRasters(check, folders);

@@ -144,6 +144,51 @@ void TestSlopes(RelevoCheck& check)
   CHECK_EQUAL(plane.Draw()[2], 153);
 }
 
+// Large faces have the shading of the tiles that match their pixels. A tile fades in.
+void TestShading(RelevoCheck& check, RelevoComparison& comparison)
+{
+  const auto ripples = [](int column, int)
+  { return column % 8 < 4 ? 0.3f * (column % 8) : 0.3f * (8 - column % 8); };
+  RelevoTerrainScene scene(513, 513, ripples);
+  scene.Mapper->Tolerance = 1000.0;
+  LookFromAbove(scene, 60.0);
+  RelevoTerrainRaster fine(513, 513, ripples);
+  float visibility = 1.0f;
+  const relevo::HeightTile* tiles[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    tiles[i] = fine.Get(0, i % 2, i / 2, 0.0, visibility);
+  }
+  const auto draw = [&](float share)
+  {
+    scene.Mapper->Shading.clear();
+    for (const relevo::HeightTile* tile : tiles)
+    {
+      scene.Mapper->Shading.push_back({ tile, share });
+    }
+    return scene.Draw();
+  };
+  const RelevoPicture flat = scene.Draw();
+  CHECK_EQUAL(scene.Mapper->Error, "");
+  const RelevoPicture none = draw(0.0f);
+  const RelevoPicture half = draw(0.5f);
+  const RelevoPicture full = draw(1.0f);
+  full.Save(comparison.GetFolder() + "/TerrainPainter.Shading.png");
+  CHECK(none.Colors == flat.Colors);
+  // The ripples have a slope of 0.3 nearly everywhere; half of it is 0.15.
+  const auto count = [](const RelevoPicture& picture, double slope)
+  {
+    const double expected = 255.0 / std::hypot(1.0, slope);
+    return std::count_if(picture.Colors.begin(), picture.Colors.end(),
+      [expected](unsigned char color) { return std::abs(color - expected) <= 1.5; });
+  };
+  const double all = 3.0 * static_cast<double>(full.GetNumberOfPixels());
+  CHECK_EQUAL(count(flat, 0.0), all);
+  CHECK_GREATER(count(full, 0.3) / all, 0.4);
+  CHECK_GREATER(count(half, 0.15) / all, 0.4);
+  CHECK(full.Depths == flat.Depths);
+}
+
 // On a plane that rises eastwards, contour lines are columns of pixels.
 void TestContours(RelevoCheck& check, RelevoComparison& comparison)
 {
@@ -222,6 +267,7 @@ int TestTerrainPainterColors(int argc, char* argv[])
   RelevoComparison comparison(check, argc, argv);
   TestHeightColors(check, comparison);
   TestSlopes(check);
+  TestShading(check, comparison);
   TestContours(check, comparison);
   return check.GetResult();
 }
