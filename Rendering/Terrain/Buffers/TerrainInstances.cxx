@@ -169,9 +169,9 @@ void TerrainInstances::Deactivate(vtkOpenGLRenderWindow* window)
 
 vtkTypeInt64 TerrainInstances::GetMemorySize() const
 {
-  return this->Tiles.GetMemorySize() + this->Gradients.GetMemorySize() + this->Table.GetMemorySize() +
-    this->IntegerTexture.GetMemorySize() + this->FloatTexture.GetMemorySize() +
-    this->IdTexture.GetMemorySize();
+  return this->Tiles.GetMemorySize() + this->Gradients.GetMemorySize() +
+    this->Table.GetMemorySize() + this->IntegerTexture.GetMemorySize() +
+    this->FloatTexture.GetMemorySize() + this->IdTexture.GetMemorySize();
 }
 
 void TerrainInstances::ReleaseGraphicsResources(vtkWindow* window)

@@ -173,8 +173,8 @@ void TerrainTileTextures::UploadTile(const TerrainTile& tile, int layer) const
   const TexelFormat format = GetFormat(this->Stored);
   const auto upload = [layer, &format](const void* texels)
   {
-    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, TerrainTile::Stride, TerrainTile::Stride, 1,
-      format.Format, format.Type, texels);
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, TerrainTile::Stride, TerrainTile::Stride,
+      1, format.Format, format.Type, texels);
   };
   if (this->Stored == Content::GRADIENTS)
   {

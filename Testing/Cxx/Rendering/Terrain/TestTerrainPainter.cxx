@@ -309,7 +309,7 @@ void TestReplacedTiles(RelevoCheck& check)
   RelevoTerrainScene many(2049, 2049);
   RelevoTerrainScene few(2049, 2049);
   constexpr vtkTypeInt64 layers = 13;
-  few.Mapper->Settings.MemoryLimit = layers * relevo::TerrainTileTextures::LayerSize;
+  few.Mapper->Settings.MemoryLimit = 2 * layers * relevo::TerrainTileTextures::LayerSize;
   size_t largest = 0;
   for (int i = 0; i < 16; ++i)
   {
