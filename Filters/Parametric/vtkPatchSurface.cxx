@@ -35,7 +35,7 @@ void vtkPatchSurface::Evaluate(
   const Face& face, const float weights[3], float position[3], float normal[3])
 {
   PatchFace patch(face);
-  const glm::vec3 w = PatchCorners::load(weights);
+  const glm::vec3 w = PatchCorners::Load(weights);
   relevo::store(patch.surfacePosition(w), position);
   relevo::store(patch.surfaceNormal(w), normal);
 }
@@ -44,7 +44,7 @@ void vtkPatchSurface::EvaluateDirection(
   const Face& face, const float weights[3], float direction[3])
 {
   PatchFace patch(face);
-  relevo::store(patch.surfaceDirection(PatchCorners::load(weights)), direction);
+  relevo::store(patch.surfaceDirection(PatchCorners::Load(weights)), direction);
 }
 
 vtkDataArray* vtkPatchSurface::FindCoefficients(vtkPolyData* mesh, vtkDataArray* pointArray)

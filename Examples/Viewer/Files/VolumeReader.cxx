@@ -39,7 +39,7 @@ Volume Read(const std::string& fileName, ViewerMessages& messages)
 }
 
 using Function = std::function<Volume(const std::string&, ViewerMessages&)>;
-const std::map<std::string, Function>& GetReaders()
+const std::map<std::string, Function>& GetVolumeReaders()
 {
   static const std::map<std::string, Function> readers = {
 #ifdef VIEWER_HAS_EXODUS
@@ -64,7 +64,7 @@ vtkIdType GetNumberOfCells(vtkDataObject* data)
 std::string GetVolumeFormats()
 {
   std::vector<std::string> extensions;
-  for (const auto& reader : GetReaders())
+  for (const auto& reader : GetVolumeReaders())
   {
     extensions.push_back(reader.first);
   }
@@ -75,8 +75,8 @@ std::string GetVolumeFormats()
 Volume ReadVolume(const std::string& fileName, ViewerMessages& messages)
 {
   CheckFile(fileName);
-  const auto reader = GetReaders().find(GetExtension(fileName));
-  if (reader == GetReaders().end())
+  const auto reader = GetVolumeReaders().find(GetExtension(fileName));
+  if (reader == GetVolumeReaders().end())
   {
     throw ViewerError("cannot read " + fileName + ": --volume reads " + GetVolumeFormats());
   }

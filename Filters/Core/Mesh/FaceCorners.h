@@ -26,18 +26,18 @@ inline void store(const vec3& v, float* out)
 template <typename FaceType>
 struct FaceCorners
 {
-  static vec3 load(const float* v) { return vec3(v[0], v[1], v[2]); }
+  static vec3 Load(const float* v) { return vec3(v[0], v[1], v[2]); }
 
-  vec3 cornerPoint(int i) const { return load(this->Face.Points[i]); }
-  vec3 cornerNormal(int i) const { return load(this->Face.Normals[i]); }
-  vec3 cornerDirection(int i) const { return load(this->Face.Directions[i]); }
+  vec3 cornerPoint(int i) const { return Load(this->Face.Points[i]); }
+  vec3 cornerNormal(int i) const { return Load(this->Face.Normals[i]); }
+  vec3 cornerDirection(int i) const { return Load(this->Face.Directions[i]); }
   vec3 edgeVector(int edge, int k) const
   {
-    return load(this->Face.Vectors + 3 * (edge * this->VectorsPerEdge + k));
+    return Load(this->Face.Vectors + 3 * (edge * this->VectorsPerEdge + k));
   }
   vec3 faceVector(int k) const
   {
-    return load(this->Face.Vectors + 3 * (3 * this->VectorsPerEdge + k));
+    return Load(this->Face.Vectors + 3 * (3 * this->VectorsPerEdge + k));
   }
 
   int tableEntry() const { return this->Face.TableEntry; }

@@ -34,7 +34,7 @@ void EvaluatePatchField(const vtkRefinementSurface::Face& face, const float weig
 {
   PatchFace functions(face);
   const PatchFace::FacePatch patch = functions.facePatch();
-  const vec2 uv = functions.patchCoordinate(patch, PatchCorners::load(weights));
+  const vec2 uv = functions.patchCoordinate(patch, PatchCorners::Load(weights));
   const int components = coefficients->GetNumberOfComponents();
   for (int first = 0; first < components; first += 3)
   {

@@ -253,7 +253,7 @@ public:
     {
       float* w = &this->Weights[3 * static_cast<std::size_t>(i)];
       pattern.GetWeights(i, w);
-      this->Vertices.push_back(sampler.MakeVertex(SurfaceCorners::load(w)));
+      this->Vertices.push_back(sampler.MakeVertex(SurfaceCorners::Load(w)));
     }
   }
 
@@ -407,7 +407,7 @@ struct FaceMeasure::Internals
     dvec3 points[3];
     for (int i = 0; i < 3; ++i)
     {
-      points[i] = dvec3(SurfaceCorners::load(
+      points[i] = dvec3(SurfaceCorners::Load(
         &this->Mesh.Points[3 * static_cast<std::size_t>(this->Mesh.Faces[face].Corners[i])]));
     }
     return measure.MeasureRest(face, *this->Holes, points);

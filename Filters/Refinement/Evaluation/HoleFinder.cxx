@@ -111,7 +111,7 @@ bool HoleFinder::HasData(int face, const float weights[3]) const
 {
   FaceDisplacement displaced = this->Data->Heights;
   displaced.Face = face;
-  const vec3 w = SurfaceCorners::load(weights);
+  const vec3 w = SurfaceCorners::Load(weights);
   return displaced.heightValid(displaced.heightCoordinate(displaced.heightPoints(w), w));
 }
 
@@ -133,7 +133,7 @@ int HoleFinder::Find(int face, const FacePattern& facePattern, unsigned char* ou
   {
     float weights[3];
     facePattern.GetWeights(static_cast<int>(i), weights);
-    const vec3 w = SurfaceCorners::load(weights);
+    const vec3 w = SurfaceCorners::Load(weights);
     uvs[i] = displaced.heightCoordinate(displaced.heightPoints(w), w);
     valid[i] = displaced.heightValid(uvs[i]);
   }

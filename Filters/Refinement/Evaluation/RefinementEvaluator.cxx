@@ -42,13 +42,13 @@ void RefinementEvaluator::Evaluate(
   const vtkRefinementSurface::Face corners = data.Mesh.GetSurfaceFace(face);
   data.Surface->Evaluate(corners, weights, position, normal);
 
-  vec3 n = SurfaceCorners::load(normal);
+  vec3 n = SurfaceCorners::Load(normal);
   if (data.Displaced)
   {
     FaceDisplacement displaced = *data.Displaced;
     displaced.Face = face;
     const FaceDisplacement::DisplacedPoint point =
-      displaced.displace(SurfaceCorners::load(weights), n);
+      displaced.displace(SurfaceCorners::Load(weights), n);
     for (int c = 0; c < 3; ++c)
     {
       position[c] += point.Vector[c];

@@ -56,7 +56,7 @@ struct FaceDisplacement : HeightSampler
       return unitNormal;
     }
     auto direction = [this](int i)
-    { return SurfaceCorners::load(&this->Mesh.Directions[3 * static_cast<size_t>(cornerId(i))]); };
+    { return SurfaceCorners::Load(&this->Mesh.Directions[3 * static_cast<size_t>(cornerId(i))]); };
     return unitVector(weightedSum(direction(0), direction(1), direction(2), w));
   }
   int cornerId(int i) const { return this->Mesh.Faces[this->Face].Corners[i]; }

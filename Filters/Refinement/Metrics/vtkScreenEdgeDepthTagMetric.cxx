@@ -32,8 +32,8 @@ namespace
 {
 using glm::dmat4;
 
-constexpr double ShortestReference = 0.01;
-constexpr double LongestReference = 1e6;
+constexpr double SmallestReferenceLength = 0.01;
+constexpr double LargestReferenceLength = 1e6;
 
 // The rows of a matrix.
 enum Rows
@@ -158,8 +158,8 @@ vtkScreenEdgeDepthTagMetric::~vtkScreenEdgeDepthTagMetric() = default;
 
 void vtkScreenEdgeDepthTagMetric::SetReferenceLength(double pixels)
 {
-  relevo::SetInRange(
-    this, "ReferenceLength", this->ReferenceLength, pixels, ShortestReference, LongestReference);
+  relevo::SetInRange(this, "ReferenceLength", this->ReferenceLength, pixels,
+    SmallestReferenceLength, LargestReferenceLength);
 }
 
 void vtkScreenEdgeDepthTagMetric::SetMeasure(int measure)

@@ -46,11 +46,11 @@ inline vec3 GetPNTangent(const vec3& edge, const vec3& normal)
 inline void StorePNEdge(
   const vtkRefinementSurface::Corner& from, const vtkRefinementSurface::Corner& to, float* points)
 {
-  const vec3 a = SurfaceCorners::load(from.Point);
-  const vec3 b = SurfaceCorners::load(to.Point);
+  const vec3 a = SurfaceCorners::Load(from.Point);
+  const vec3 b = SurfaceCorners::Load(to.Point);
   // This is exact on straight edges, unlike (2 a + b) / 3 with its rounding.
-  store(a + GetPNTangent(b - a, SurfaceCorners::load(from.Normal)) / 3.0f, points);
-  store(b + GetPNTangent(a - b, SurfaceCorners::load(to.Normal)) / 3.0f, points + 3);
+  store(a + GetPNTangent(b - a, SurfaceCorners::Load(from.Normal)) / 3.0f, points);
+  store(b + GetPNTangent(a - b, SurfaceCorners::Load(to.Normal)) / 3.0f, points + 3);
 }
 
 /// The normal at the midpoint of an edge: the sum of the normals at its ends, reflected in the
@@ -61,8 +61,8 @@ vec3 GetPNMiddleNormal(const vec3& edge, const vec3& normalA, const vec3& normal
 inline void StorePNMiddleNormal(
   const vtkRefinementSurface::Corner& from, const vtkRefinementSurface::Corner& to, float* normal)
 {
-  store(GetPNMiddleNormal(SurfaceCorners::load(to.Point) - SurfaceCorners::load(from.Point),
-          SurfaceCorners::load(from.Normal), SurfaceCorners::load(to.Normal)),
+  store(GetPNMiddleNormal(SurfaceCorners::Load(to.Point) - SurfaceCorners::Load(from.Point),
+          SurfaceCorners::Load(from.Normal), SurfaceCorners::Load(to.Normal)),
     normal);
 }
 

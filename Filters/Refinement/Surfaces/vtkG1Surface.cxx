@@ -201,7 +201,7 @@ void vtkG1Surface::Evaluate(
 {
   const relevo::SurfaceCorners corners{ face, 2 + this->GetNumberOfEdgeNormals() };
   relevo::G1Triangle patch{ corners };
-  const glm::vec3 w = relevo::SurfaceCorners::load(weights);
+  const glm::vec3 w = relevo::SurfaceCorners::Load(weights);
   relevo::store(patch.surfacePosition(w), position);
   relevo::store(this->GeometricNormals ? patch.surfaceNormal(w)
                                        : relevo::QuadraticNormals{ { corners } }.surfaceNormal(w),

@@ -26,17 +26,17 @@ void vtkLinearSurface::Evaluate(
   const Face& face, const float weights[3], float position[3], float normal[3])
 {
   relevo::LinearEvaluator evaluator{ { face, 0 } };
-  const glm::vec3 w = evaluator.load(weights);
+  const glm::vec3 w = evaluator.Load(weights);
   relevo::store(evaluator.surfacePosition(w), position);
   relevo::store(evaluator.surfaceNormal(w), normal);
 }
 
 float vtkLinearSurface::ComputeNormalCone(const Face& face, float axis[3])
 {
-  const glm::vec3 origin = relevo::SurfaceCorners::load(face.Points[0]);
+  const glm::vec3 origin = relevo::SurfaceCorners::Load(face.Points[0]);
   const glm::vec3 normal =
-    relevo::unitVector(glm::cross(relevo::SurfaceCorners::load(face.Points[1]) - origin,
-      relevo::SurfaceCorners::load(face.Points[2]) - origin));
+    relevo::unitVector(glm::cross(relevo::SurfaceCorners::Load(face.Points[1]) - origin,
+      relevo::SurfaceCorners::Load(face.Points[2]) - origin));
   relevo::store(normal, axis);
   return glm::dot(normal, normal) > 0.0f ? 1.0f : 0.0f;
 }

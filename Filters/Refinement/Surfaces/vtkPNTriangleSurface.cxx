@@ -43,7 +43,7 @@ void vtkPNTriangleSurface::Evaluate(
   const Face& face, const float weights[3], float position[3], float normal[3])
 {
   const relevo::SurfaceCorners corners{ face, 2 + this->GetNumberOfEdgeNormals() };
-  const glm::vec3 w = relevo::SurfaceCorners::load(weights);
+  const glm::vec3 w = relevo::SurfaceCorners::Load(weights);
   relevo::store(relevo::PNTriangle{ corners }.surfacePosition(w), position);
   relevo::store(this->QuadraticNormals ? relevo::QuadraticNormals{ { corners } }.surfaceNormal(w)
                                        : relevo::LinearNormals{ corners }.surfaceNormal(w),

@@ -85,10 +85,10 @@ bool vtkPhongSurface::GetPointValues(vtkPolyData* mesh, float* values, std::stri
 void vtkPhongSurface::ComputeEdgeVectors(const Corner& from, const Corner& to, float* vectors)
 {
   using relevo::SurfaceCorners;
-  const glm::vec3 a = SurfaceCorners::load(from.Point);
-  const glm::vec3 b = SurfaceCorners::load(to.Point);
-  const glm::vec3 na = SurfaceCorners::load(from.Normal);
-  const glm::vec3 nb = SurfaceCorners::load(to.Normal);
+  const glm::vec3 a = SurfaceCorners::Load(from.Point);
+  const glm::vec3 b = SurfaceCorners::Load(to.Point);
+  const glm::vec3 na = SurfaceCorners::Load(from.Normal);
+  const glm::vec3 nb = SurfaceCorners::Load(to.Normal);
   // The mean of each end projected to the tangent plane of the other.
   const glm::vec3 edge = b - a;
   relevo::store(
@@ -100,7 +100,7 @@ void vtkPhongSurface::Evaluate(
 {
   const auto evaluate = [&](auto triangle)
   {
-    const glm::vec3 w = relevo::SurfaceCorners::load(weights);
+    const glm::vec3 w = relevo::SurfaceCorners::Load(weights);
     relevo::store(triangle.surfacePosition(w), position);
     relevo::store(triangle.surfaceNormal(w), normal);
   };

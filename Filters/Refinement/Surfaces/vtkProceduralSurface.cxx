@@ -220,11 +220,11 @@ void vtkProceduralSurface::Evaluate(
   this->GetBase()->Evaluate(face, weights, position, normal);
   using relevo::SurfaceCorners;
   const relevo::ProceduralBase base{ { face, 0 }, static_cast<float>(this->Amplitude),
-    static_cast<float>(this->Frequency), SurfaceCorners::load(position),
-    SurfaceCorners::load(normal), this };
+    static_cast<float>(this->Frequency), SurfaceCorners::Load(position),
+    SurfaceCorners::Load(normal), this };
   const auto evaluate = [&](auto moved)
   {
-    const glm::vec3 w = SurfaceCorners::load(weights);
+    const glm::vec3 w = SurfaceCorners::Load(weights);
     relevo::store(moved.surfacePosition(w), position);
     relevo::store(moved.surfaceNormal(w), normal);
   };

@@ -62,7 +62,7 @@ EdgeEnd leaveEnd(const vec3& edge, const vec3& normal, const vec3& otherNormal, 
   const float height = dot(chord, normal);
   const vec3 flat = chord - height * normal;
   const float flatSquared = dot(flat, flat);
-  const vec3 tag = SurfaceCorners::load(tags + DIRECTION);
+  const vec3 tag = SurfaceCorners::Load(tags + DIRECTION);
   const vec3 direction = tag - dot(tag, normal) * normal;
   constexpr float parallel = 1e-3f; // to the normal, in radians
   const bool directed = dot(direction, direction) > parallel * parallel;
@@ -185,7 +185,7 @@ bool vtkScalarTaggedSurface::GetPointValues(vtkPolyData* mesh, float* values, st
     // Choose one of the two signs, so that opposite directions do not cancel in the mean of
     // coincident points. The sign changes across a plane that contains few typical directions.
     const vec3 half(0.53f, 0.29f, 0.80f);
-    vec3 direction = unitVector(SurfaceCorners::load(tags + DIRECTION));
+    vec3 direction = unitVector(SurfaceCorners::Load(tags + DIRECTION));
     direction *= dot(direction, half) < 0.0f ? -1.0f : 1.0f;
     store(direction, tags + DIRECTION);
   }
@@ -196,10 +196,10 @@ void vtkScalarTaggedSurface::ComputeEdgeVectors(
   const Corner& from, const Corner& to, float* vectors)
 {
   using namespace relevo;
-  const vec3 a = SurfaceCorners::load(from.Point);
-  const vec3 b = SurfaceCorners::load(to.Point);
-  const vec3 normalA = SurfaceCorners::load(from.Normal);
-  const vec3 normalB = SurfaceCorners::load(to.Normal);
+  const vec3 a = SurfaceCorners::Load(from.Point);
+  const vec3 b = SurfaceCorners::Load(to.Point);
+  const vec3 normalA = SurfaceCorners::Load(from.Normal);
+  const vec3 normalB = SurfaceCorners::Load(to.Normal);
   const vec3 edge = b - a;
   const EdgeEnd endA = leaveEnd(edge, normalA, normalB, from.Values);
   const EdgeEnd endB = leaveEnd(-edge, normalB, normalA, to.Values);
@@ -259,7 +259,7 @@ void vtkScalarTaggedSurface::Evaluate(
 {
   using namespace relevo;
   const SurfaceCorners corners{ face, VectorsPerEdge };
-  const vec3 w = SurfaceCorners::load(weights);
+  const vec3 w = SurfaceCorners::Load(weights);
   store(PNTriangle{ corners }.surfacePosition(w), position);
   store(TaggedNormals{ { corners } }.surfaceNormal(w), normal);
 }

@@ -43,7 +43,8 @@ vtkSmartPointer<vtkUnsignedCharArray> MakeColors(int components, vtkIdType numbe
 
 unsigned char ToByte(double share)
 {
-  return static_cast<unsigned char>(255.0 * (share > 0.0 ? std::min(share, 1.0) : 0.0) + 0.5);
+  return static_cast<unsigned char>(
+    std::lround(255.0 * (share > 0.0 ? std::min(share, 1.0) : 0.0)));
 }
 }
 

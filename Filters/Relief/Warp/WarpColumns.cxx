@@ -5,6 +5,7 @@
 #include "Warp/WarpSource.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace relevo
@@ -15,7 +16,7 @@ namespace
 constexpr int NextColumn = 1;
 constexpr int NextRow = 2;
 
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double NotConnected = std::numeric_limits<double>::quiet_NaN();
 
 // Returns the integers between two numbers, including both.
 inline WholeNumbers GetPassed(double first, double second, int end)
@@ -55,7 +56,7 @@ void WarpColumns::Warp(int row, const WarpRow& lower, const WarpRow& upper, cons
     }
     if (!isNextJoined || !isJoined[position])
     {
-      this->DrawEnd(row, position, lower, isNextJoined ? upper.Rows[position] : NaN);
+      this->DrawEnd(row, position, lower, isNextJoined ? upper.Rows[position] : NotConnected);
     }
     isJoined[position] = isNextJoined;
   }
@@ -73,7 +74,7 @@ void WarpColumns::WarpLast(
   {
     if (!isJoined[position])
     {
-      this->DrawEnd(row, position, lower, NaN);
+      this->DrawEnd(row, position, lower, NotConnected);
     }
   }
 }
@@ -96,7 +97,7 @@ inline void WarpColumns::Join(int row, int position, const WarpRow& lower, const
 }
 
 // At borders, the surface extends to the nearest integer position, as in the first pass. `other` is
-// the position of the next row, or NaN if it is not connected.
+// the position of the next row, or NotConnected.
 inline void WarpColumns::DrawEnd(int row, int position, const WarpRow& lower, double other)
 {
   const WarpRow::Sample& sample = lower.Samples[position];
@@ -105,7 +106,7 @@ inline void WarpColumns::DrawEnd(int row, int position, const WarpRow& lower, do
   {
     return;
   }
-  const int nearest = static_cast<int>(place + 0.5);
+  const int nearest = static_cast<int>(std::lround(place));
   const bool isPassed =
     other == other && nearest >= std::min(place, other) && nearest <= std::max(place, other);
   if (isPassed ||

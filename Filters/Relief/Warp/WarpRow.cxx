@@ -6,6 +6,7 @@
 #include "Warp/WarpSource.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace relevo
@@ -112,7 +113,7 @@ inline void WarpRow::End(const WarpSource& source, double height, int column, bo
     return;
   }
   const bool isEnd = !isJoined[0] || !isJoined[1];
-  const int position = isEnd ? static_cast<int>(place + 0.5) : static_cast<int>(place);
+  const int position = isEnd ? static_cast<int>(std::lround(place)) : static_cast<int>(place);
   if (!isEnd && position != place)
   {
     return;
