@@ -3,7 +3,7 @@
 #include "vtkTerrainMeshSource.h"
 
 #include "Bisection/AdaptiveTerrain.h"
-#include "Bisection/FaceHeights.h"
+#include "Bisection/FaceMesh.h"
 #include "Bisection/LatticeDecimation.h"
 #include "Checks/MemoryGuard.h"
 #include "Checks/SettingChecks.h"
@@ -227,10 +227,8 @@ std::string vtkTerrainMeshSource::BuildView(vtkPolyData* output)
   {
     return std::string("The pyramid has an error: ") + this->Pyramid->GetErrorMessage();
   }
-  const relevo::RasterDescription& contents = this->Terrain->GetLattice().Describe();
-  const relevo::TerrainPlacement placement = this->Terrain->GetPlacement(this->Exaggeration);
   relevo::TerrainView view;
-  view.SetPlacement(placement);
+  view.SetPlacement(this->Terrain->GetPlacement(this->Exaggeration));
   view.SetCamera(this->Camera, this->ViewportSize);
   this->Terrain->SetMemoryLimit(static_cast<std::size_t>(this->MemoryLimit));
   if (!this->Terrain->SelectAndWait(
@@ -244,26 +242,7 @@ std::string vtkTerrainMeshSource::BuildView(vtkPolyData* output)
     vtkErrorMacro(<< "Cannot read " << this->Pyramid->GetFileName() << ": " << error << ".");
   }
   this->ErrorInUse = this->Terrain->GetError();
-  constexpr int finest = relevo::BlockErrors::FinestLevel;
-  relevo::TerrainMeshBuilder mesh(contents, placement, -finest);
-  for (const relevo::TerrainFace& face : this->Terrain->GetFaces())
-  {
-    const relevo::FaceHeights heights(face);
-    const auto getVertex = [&](const std::array<int, 2>& vertex)
-    {
-      const auto [a, b] = vertex;
-      const int shift = face.Level - finest;
-      return relevo::TerrainMeshBuilder::Vertex{
-        (face.Apex[0] + a * face.Step1[0] + b * face.Step2[0]) << shift,
-        (face.Apex[1] + a * face.Step1[1] + b * face.Step2[1]) << shift, heights.GetHeight(a, b)
-      };
-    };
-    for (const auto& [a, b, c] : relevo::TerrainFace::GetPattern())
-    {
-      mesh.AddTriangle({ { getVertex(a), getVertex(b), getVertex(c) } });
-    }
-  }
-  mesh.Finish({ { 0.0, contents.Width - 1.0 } }, { { 0.0, contents.Height - 1.0 } }, output);
+  relevo::MakeFaceMesh(*this->Terrain, this->Exaggeration, output);
   return "";
 }
 

@@ -312,6 +312,13 @@ bool vtkTerrainPyramid::GeographicToRaster(const double geographic[2], double co
 }
 
 //------------------------------------------------------------------------------
+bool vtkTerrainPyramid::GeographicToRaster(std::vector<std::array<double, 2>>& points)
+{
+  const std::string system = this->GetCoordinateSystem();
+  return !system.empty() && relevo::GeographicToSystem(system, points);
+}
+
+//------------------------------------------------------------------------------
 bool vtkTerrainPyramid::RasterToGeographic(const double coordinates[2], double geographic[2])
 {
   return this->Convert(relevo::SystemToGeographic, coordinates, geographic);
@@ -392,6 +399,10 @@ vtkDoubleArray* vtkTerrainPyramid::GetElevations(vtkDoubleArray*)
   return nullptr;
 }
 bool vtkTerrainPyramid::GeographicToRaster(const double[2], double[2])
+{
+  return false;
+}
+bool vtkTerrainPyramid::GeographicToRaster(std::vector<std::array<double, 2>>&)
 {
   return false;
 }

@@ -45,6 +45,7 @@
 #include <memory> // for members
 #include <mutex>  // for messages
 #include <string> // for messages
+#include <vector> // for coordinates
 
 class vtkDoubleArray;
 namespace relevo
@@ -183,6 +184,8 @@ public:
   const char* GetErrorMessage() { return this->ErrorMessage.c_str(); }
 
 #ifndef __VTK_WRAP__
+  /// Convert many points, those that cannot be converted to NaN.
+  bool GeographicToRaster(std::vector<std::array<double, 2>>& points);
   /// Return the heights that terrains are drawn from, for other classes of Relevo; nullptr before a
   /// successful Update().
   std::shared_ptr<const relevo::HeightLattice> GetLattice() const

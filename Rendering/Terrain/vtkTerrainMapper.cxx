@@ -3,6 +3,7 @@
 #include "vtkTerrainMapper.h"
 
 #include "Bisection/AdaptiveTerrain.h"
+#include "Bisection/FaceMesh.h"
 #include "Changes/Dependencies.h"
 #include "Checks/MemoryGuard.h"
 #include "Checks/SettingChecks.h"
@@ -12,6 +13,8 @@
 #include "Lattice/HeightLattice.h"
 #include "Mathematics/SameNumber.h"
 #include "OpenGL/ContextWatch.h"
+#include "Picking/PickedInputPipeline.h"
+#include "Picking/PickerDetector.h"
 #include "View/FrameWatch.h"
 #include "View/TerrainViewpoint.h"
 #include "vtkAlgorithm.h"
@@ -22,6 +25,7 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkTerrainPyramid.h"
 
@@ -73,6 +77,11 @@ struct vtkTerrainMapper::vtkInternals
   vtkNew<relevo::ContextWatch> Context;
   relevo::FrameWatch Frames;
   relevo::Dependencies View; // of the faces
+  vtkTimeStamp Drawn;        // the last change of the faces
+  relevo::PickerDetector Picker;
+  vtkNew<vtkPolyData> NoInput; // pickers request an input
+  vtkNew<vtkPolyData> PickedMesh;
+  relevo::Dependencies PickedSource;
   vtkSmartPointer<vtkLookupTable> DefaultTable;
   std::string Error; // errors are those reported last
   std::string DrawError;
@@ -87,6 +96,10 @@ vtkTerrainMapper::vtkTerrainMapper()
 {
   this->Internals->Context->OnRelease = [this](vtkWindow* window)
   { this->ReleaseGraphicsResources(window); };
+  vtkNew<relevo::PickedInputPipeline> pipeline;
+  pipeline->Replace = [this](vtkDataObject* input) { return this->ReplaceInput(input); };
+  this->SetExecutive(pipeline);
+  this->SetInputDataInternal(0, this->Internals->NoInput);
 }
 
 vtkTerrainMapper::~vtkTerrainMapper()
@@ -193,6 +206,7 @@ std::string vtkTerrainMapper::OpenTerrain()
     data.Terrain.reset(new relevo::AdaptiveTerrain(lattice));
     data.Terrain->SetShading(true);
     data.View.Clear();
+    data.Drawn.Modified();
     data.Painter->ForgetTiles();
   }
   const std::string location = data.Terrain->FindLocationError();
@@ -218,6 +232,7 @@ bool vtkTerrainMapper::UpdateTerrain()
 
 double* vtkTerrainMapper::GetBounds()
 {
+  const relevo::OwnBoundsQuestion question(this->Internals->Picker);
   vtkMath::UninitializeBounds(this->Bounds);
   if (this->UpdateTerrain())
   {
@@ -225,6 +240,12 @@ double* vtkTerrainMapper::GetBounds()
     std::copy(bounds.begin(), bounds.end(), this->Bounds);
   }
   return this->Bounds;
+}
+
+void vtkTerrainMapper::GetBounds(double bounds[6])
+{
+  this->Superclass::GetBounds(bounds);
+  this->Internals->Picker.AskBounds();
 }
 
 bool vtkTerrainMapper::GeographicToWorld(const double geographic[3], double world[3])
@@ -366,6 +387,7 @@ void vtkTerrainMapper::SelectFaces(vtkRenderer* renderer, vtkActor* actor)
   {
     data.Terrain->Select(terrainView, this->ScreenSpaceError);
   }
+  data.Drawn.Modified();
   const std::string error = data.Terrain->TakeError();
   if (!error.empty())
   {
@@ -457,6 +479,37 @@ vtkIdType vtkTerrainMapper::GetNumberOfDrawnTriangles()
   return this->Internals->Terrain
     ? static_cast<vtkIdType>(this->Internals->Terrain->GetFaces().size()) * TrianglesPerFace
     : 0;
+}
+
+vtkMTimeType vtkTerrainMapper::GetDrawnMTime()
+{
+  return this->Internals->Drawn.GetMTime();
+}
+
+const relevo::AdaptiveTerrain* vtkTerrainMapper::GetDrawnTerrain() const
+{
+  return this->Internals->Terrain.get();
+}
+
+// Pickers get the triangles in place of the input.
+vtkDataObject* vtkTerrainMapper::ReplaceInput(vtkDataObject* input)
+{
+  vtkInternals& data = *this->Internals;
+  if (data.Picker.AskInput(false) == relevo::PickerDetector::NO_PICKER)
+  {
+    return input;
+  }
+  const relevo::Dependencies source = relevo::Dependencies::On(
+    reinterpret_cast<std::size_t>(data.Terrain.get()), data.Drawn, this->Exaggeration);
+  if (data.PickedSource.Update(source))
+  {
+    data.PickedMesh->Initialize();
+    if (data.Terrain)
+    {
+      relevo::MakeFaceMesh(*data.Terrain, this->Exaggeration, data.PickedMesh);
+    }
+  }
+  return data.PickedMesh;
 }
 
 //------------------------------------------------------------------------------

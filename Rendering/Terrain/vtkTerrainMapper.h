@@ -10,8 +10,8 @@
  * change smoothly (geomorphing). Faces of different sizes share their edges to the bit, so that
  * there are no cracks. Triangles outside of the view are neither drawn nor loaded.
  *
- * Normals, slope and aspect are computed for each pixel, from the overview whose samples are about as
- * large as the pixel (a mipmap), with the formula of B. K. P. Horn, "Hill shading and the
+ * Normals, slope and aspect are computed for each pixel, from the overview whose samples are about
+ * as large as the pixel (a mipmap), with the formula of B. K. P. Horn, "Hill shading and the
  * reflectance map", Proceedings of the IEEE 69(1), 1981.
  *
  * Tiles of the raster are read in the background. A frame draws the best tiles that are in memory
@@ -28,15 +28,20 @@
  *
  * Lights, clipping planes, opacity, depth peeling, representations, edges, render passes,
  * replacements of shaders and hardware selection work as with vtkPolyDataMapper. A selection of
- * cells returns the numbers of faces of that frame. VTK's pickers that intersect cells do not find
- * the terrain.
+ * cells returns the numbers of faces of that frame.
+ *
+ * VTK's pickers find the terrain as it was drawn last. vtkWorldPointPicker and vtkPropPicker read
+ * the depth of the pixel. vtkCellPicker and vtkPointPicker intersect the triangles in memory: their
+ * data set has the triangles and the arrays of vtkTerrainMeshSource, and is built by the first pick
+ * after each change of the triangles. WorldToGeographic() converts their positions to longitude,
+ * latitude and height.
  *
  * Requires OpenGL 3.3. These are errors (ErrorEvent of this object, once): no pyramid, a pyramid
  * that cannot be opened, a raster with one row or column, a coordinate system that is not
  * supported, tiles that cannot be read (a coarser level is drawn), a lookup table whose range is
  * not finite, and shaders that cannot be built.
  *
- * @sa vtkTerrainPyramid vtkTerrainMeshSource
+ * @sa vtkTerrainPyramid vtkTerrainMeshSource vtkTerrainClamp
  */
 #ifndef vtkTerrainMapper_h
 #define vtkTerrainMapper_h
@@ -49,6 +54,10 @@
 #include <string> // for errors
 
 class vtkTerrainPyramid;
+namespace relevo
+{
+class AdaptiveTerrain;
+}
 
 class RELEVORENDERINGTERRAIN_EXPORT vtkTerrainMapper : public vtkMapper
 {
@@ -200,6 +209,9 @@ public:
   /// Return the number of triangles of the last frame.
   vtkIdType GetNumberOfDrawnTriangles();
 
+  /// Return the time of the last change of the triangles that are drawn.
+  vtkMTimeType GetDrawnMTime();
+
   //@{
   /**
    * Convert longitude and latitude in degrees, on the ellipsoid of the raster's coordinate system,
@@ -219,7 +231,7 @@ public:
    * Return the bounds of the raster: its samples and the range of its heights. No tiles are read.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
-  void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
+  void GetBounds(double bounds[6]) override;
   //@}
 
   //@{
@@ -232,6 +244,11 @@ public:
   void CreateDefaultLookupTable() override;
   bool GetSupportsSelection() override { return true; }
   void ShallowCopy(vtkAbstractMapper* mapper) override;
+#ifndef __VTK_WRAP__
+  /// Return the terrain, with the faces that were drawn last, for other classes of Relevo; nullptr
+  /// if no raster is open.
+  const relevo::AdaptiveTerrain* GetDrawnTerrain() const;
+#endif
   /// Includes the modification time of the pyramid.
   vtkMTimeType GetMTime() override;
 
@@ -260,6 +277,7 @@ private:
   bool UpdateTerrain();
   std::string OpenTerrain();
   void UpdateDefaultTable();
+  vtkDataObject* ReplaceInput(vtkDataObject* input);
   void SelectFaces(vtkRenderer* renderer, vtkActor* actor);
   void DrawFaces(vtkRenderer* renderer, vtkActor* actor);
 

@@ -24,7 +24,7 @@ LAYERS = {
     "Filters/Flow": ["Noise", "Image", "Surface"],
     "Filters/Volume": ["Integral", "Mesh", "Cells", "Rays"],
     "Filters/Terrain": ["Geodesy", "Raster", "Heights", "Lattice", "Imagery", "Pyramid",
-                        "Bisection"],
+                        "Bisection", "Draping"],
     "Filters/Parametric": ["Splines", "Cells", "Coarse", "Files", "Curves", "Patches", "Metrics"],
     "Filters/Intersection": ["Exact", "Mesh", "Pairs", "Curves", "Contact"],
     "Filters/Relief": ["Data", "Warp", "Database"],

@@ -72,6 +72,11 @@ def mean_of_blocks(picture, side=20):
     ]
 
 
+def colour_set(picture):
+    scalars = picture.GetPointData().GetScalars()
+    return {scalars.GetTuple(i)[:3] for i in range(picture.GetNumberOfPoints())}
+
+
 class TestExamples(unittest.TestCase):
     def test_terrain(self):
         with tempfile.TemporaryDirectory() as name:
@@ -91,6 +96,35 @@ class TestExamples(unittest.TestCase):
                 for i in range(0, 800, 25)
             }
             self.assertGreater(len(shades), 10)
+
+    def test_track(self):
+        """The track and the area are drawn; the stored picture is that of real data."""
+        kept = SOURCE / "Examples/Python/track.png"
+        self.assertIn("Examples/Python/track.png", PAGES)
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            write_heights(folder / "heights.png", lambda i, j: 20 + (i - 20) * (j - 15) // 40)
+            run = self.run_example("track.py", folder, "heights.png", "out.png")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            numbers = re.fullmatch(r"361 points, (\d+) on the terrain\n", run.stdout)
+            self.assertGreater(int(numbers[1]), 400)
+            colours = colour_set(read_picture(folder / "out.png"))
+            self.assertTrue(any(r > 200 and g < 40 for r, g, b in colours))
+            self.assertTrue(any(b > r + 60 for r, g, b in colours))
+            run = self.run_example("track.py", folder, "heights.png", "out.png", "none.csv")
+            self.assertEqual(run.returncode, 1)
+            self.assertIn("cannot read 'none.csv'", run.stderr)
+            real = FLOW.parent / "relief/SainteHelens.dem"
+            if not real.exists():
+                return
+            run = self.run_example("track.py", folder, str(real), "out.png")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            self.assert_kept(folder / "out.png", kept)
+            (folder / "track.csv").write_text("-122.22,46.18\n-122.16,46.18\n-122.16,46.22\n")
+            run = self.run_example("track.py", folder, str(real), "out.png", "track.csv")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            numbers = re.fullmatch(r"3 points, (\d+) on the terrain\n", run.stdout)
+            self.assertGreater(int(numbers[1]), 100)
 
     def test_names(self):
         """File names with a hyphen need --. Control characters in messages are escaped."""

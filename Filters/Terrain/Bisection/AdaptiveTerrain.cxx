@@ -139,6 +139,7 @@ void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
   }
   this->Cache.EndFrame();
   this->Faces = bisection.GetFaces();
+  this->HiddenBlocks = bisection.GetHiddenBlocks();
   this->Error = bisection.GetError();
   this->Complete = bisection.IsComplete() && this->HasErrors;
 }

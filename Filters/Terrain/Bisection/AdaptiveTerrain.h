@@ -13,6 +13,7 @@
 #define AdaptiveTerrain_h
 
 #include "Bisection/HeightTileCache.h"
+#include "Bisection/HiddenBlock.h"
 #include "Bisection/MipmapTiles.h"
 #include "Bisection/TerrainFace.h"
 #include "Bisection/TerrainView.h"
@@ -76,6 +77,8 @@ public:
   /// The result, which is valid until the next selection.
   const std::vector<TerrainFace>& GetFaces() const { return this->Faces; }
   const std::vector<MipmapTiles::Item>& GetShadingTiles() const { return this->ShadingTiles; }
+  /// The blocks out of sight, which have no faces.
+  const std::vector<HiddenBlock>& GetHiddenBlocks() const { return this->HiddenBlocks; }
   double GetError() const { return this->Error; } // the largest in pixels, at most
   bool IsComplete() const;
   //@}
@@ -96,6 +99,7 @@ private:
   bool Shading = false;
   std::vector<TerrainFace> Faces;
   std::vector<MipmapTiles::Item> ShadingTiles;
+  std::vector<HiddenBlock> HiddenBlocks;
   double Error = 0.0;
   bool Complete = false; // the faces
   bool ShadingComplete = true;

@@ -242,6 +242,7 @@ void TerrainBisection::Select(const TerrainView& view, double tolerance, HeightT
   this->EdgeErrors.clear();
   this->Corners.clear();
   this->Faces.clear();
+  this->HiddenBlocks.clear();
   this->Error = 0.0;
   this->Complete = true;
   const Block root = { this->RootLevel, 0, 0 };
@@ -256,8 +257,14 @@ void TerrainBisection::Select(const TerrainView& view, double tolerance, HeightT
 // Adds the faces of a split square.
 void TerrainBisection::Visit(const Block& block)
 {
-  if (!this->Exists(block) || !this->IsVisible(block))
+  if (!this->Exists(block))
   {
+    return;
+  }
+  if (!this->IsVisible(block))
+  {
+    this->HiddenBlocks.push_back(
+      { block.Level, block.Column, block.Row, &this->GetTile(block.Level, block) });
     return;
   }
   bool isQuarterSplit[4] = { false, false, false, false };

@@ -26,6 +26,7 @@
 #define TerrainBisection_h
 
 #include "Bisection/HeightTileSource.h"
+#include "Bisection/HiddenBlock.h"
 #include "Bisection/TerrainFace.h"
 #include "Bisection/TerrainView.h"
 #include "Lattice/BlockErrors.h"
@@ -52,6 +53,8 @@ public:
   void Select(const TerrainView& view, double tolerance, HeightTileSource& tiles);
 
   const std::vector<TerrainFace>& GetFaces() const { return this->Faces; }
+  /// The blocks out of sight, which have no faces.
+  const std::vector<HiddenBlock>& GetHiddenBlocks() const { return this->HiddenBlocks; }
   /// The largest projected error of the faces, in pixels.
   double GetError() const { return this->Error; }
   /// Whether tiles are missing or not fully visible yet, so that the error may exceed the
@@ -99,6 +102,7 @@ private:
   std::unordered_map<std::uint64_t, double> EdgeErrors;
   std::unordered_map<std::uint64_t, float> Corners;
   std::vector<TerrainFace> Faces;
+  std::vector<HiddenBlock> HiddenBlocks;
   double Error = 0.0;
   bool Complete = true;
 };

@@ -5,6 +5,7 @@
 #include "Geodesy/GDALSession.h"
 
 #include <cmath>
+#include <limits>
 
 namespace relevo
 {
@@ -93,7 +94,8 @@ bool FindScale(const Georeference& location, double& scale)
 namespace
 {
 // Angles are in degrees on the side of longitude and latitude.
-bool ConvertGeographic(const std::string& definition, bool isToSystem, std::array<double, 2>& place)
+bool ConvertGeographic(
+  const std::string& definition, bool isToSystem, std::vector<std::array<double, 2>>& places)
 {
   GDALSession session;
   const SpatialReference system = NewSpatialReference(definition);
@@ -103,28 +105,45 @@ bool ConvertGeographic(const std::string& definition, bool isToSystem, std::arra
     return false;
   }
   OSRSetAxisMappingStrategy(geographic.get(), OAMS_TRADITIONAL_GIS_ORDER);
-  const double unit = OSRGetAngularUnits(geographic.get(), nullptr) * 180.0 / M_PI;
-  std::array<double, 2> result = place;
-  if (isToSystem)
-  {
-    result = { { place[0] / unit, place[1] / unit } };
-  }
   OGRCoordinateTransformationH transformation = OCTNewCoordinateTransformation(
     isToSystem ? geographic.get() : system.get(), isToSystem ? system.get() : geographic.get());
-  const bool isTransformed =
-    transformation && OCTTransform(transformation, 1, &result[0], &result[1], nullptr);
-  OCTDestroyCoordinateTransformation(transformation);
-  if (!isTransformed || !std::isfinite(result[0]) || !std::isfinite(result[1]))
+  if (!transformation)
   {
     return false;
   }
-  if (!isToSystem)
+  const double unit = OSRGetAngularUnits(geographic.get(), nullptr) * 180.0 / M_PI;
+  for (std::array<double, 2>& place : places)
   {
-    result = { { result[0] * unit, result[1] * unit } };
+    double x = isToSystem ? place[0] / unit : place[0];
+    double y = isToSystem ? place[1] / unit : place[1];
+    const bool isConverted = std::isfinite(x) && std::isfinite(y) &&
+      OCTTransform(transformation, 1, &x, &y, nullptr) && std::isfinite(x) && std::isfinite(y);
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    place = { { isConverted ? x : none, isConverted ? y : none } };
+    if (!isToSystem)
+    {
+      place = { { place[0] * unit, place[1] * unit } };
+    }
   }
-  place = result;
+  OCTDestroyCoordinateTransformation(transformation);
   return true;
 }
+
+bool ConvertGeographic(const std::string& definition, bool isToSystem, std::array<double, 2>& place)
+{
+  std::vector<std::array<double, 2>> places = { place };
+  if (!ConvertGeographic(definition, isToSystem, places) || std::isnan(places[0][0]))
+  {
+    return false;
+  }
+  place = places[0];
+  return true;
+}
+}
+
+bool GeographicToSystem(const std::string& definition, std::vector<std::array<double, 2>>& places)
+{
+  return ConvertGeographic(definition, true, places);
 }
 
 bool GeographicToSystem(const std::string& definition, std::array<double, 2>& place)

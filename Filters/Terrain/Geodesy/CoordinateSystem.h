@@ -16,6 +16,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace relevo
 {
@@ -43,8 +44,10 @@ bool FindScale(const Georeference& location, double& scale);
 
 //@{
 /// Converts longitude and latitude in degrees, on the ellipsoid of the system, to its coordinates,
-/// and back.
+/// and back. The second function converts many, those that it cannot convert to NaN; it returns
+/// false if there is no such system.
 bool GeographicToSystem(const std::string& definition, std::array<double, 2>& place);
+bool GeographicToSystem(const std::string& definition, std::vector<std::array<double, 2>>& places);
 bool SystemToGeographic(const std::string& definition, std::array<double, 2>& place);
 //@}
 }

@@ -5,7 +5,6 @@
 #include "RelevoScene.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkCellPicker.h"
 #include "vtkHardwareSelector.h"
 #include "vtkLookupTable.h"
 #include "vtkProperty.h"
@@ -394,11 +393,6 @@ void TestSelection(RelevoCheck& check, const std::string& file)
   const vtkIdType selected = selection->GetNode(0)->GetSelectionList()->GetNumberOfTuples();
   CHECK_GREATER(selected, 10);
   CHECK_LESS_EQUAL(selected, faces);
-  // VTK's picker of cells finds nothing and reports no errors.
-  RelevoErrors errors(scene.Mapper);
-  vtkNew<vtkCellPicker> picker;
-  picker->Pick(200.0, 100.0, 0.0, scene.Renderer);
-  CHECK(errors.None());
 }
 
 // A mapper that moves to another window and back draws the same. Several mappers share a pyramid.

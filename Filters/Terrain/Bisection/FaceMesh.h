@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   the triangles of a bisected terrain as polydata
+ *
+ * Private to the modules for terrains.
+ */
+#ifndef FaceMesh_h
+#define FaceMesh_h
+
+#include "RelevoFiltersTerrainModule.h" // for export macro
+
+class vtkPolyData;
+
+namespace relevo
+{
+class AdaptiveTerrain;
+
+/// Output the faces that a terrain has selected, with the arrays of vtkTerrainMeshSource.
+RELEVOFILTERSTERRAIN_EXPORT void MakeFaceMesh(
+  const AdaptiveTerrain& terrain, double exaggeration, vtkPolyData* output);
+}
+
+#endif
