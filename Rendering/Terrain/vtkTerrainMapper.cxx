@@ -10,6 +10,7 @@
 #include "Checks/ShouldReport.h"
 #include "Composite/LeafSelection.h"
 #include "Drawing/TerrainPainter.h"
+#include "Imagery/OpenImagery.h"
 #include "Lattice/HeightLattice.h"
 #include "Mathematics/SameNumber.h"
 #include "OpenGL/ContextWatch.h"
@@ -43,13 +44,14 @@ static_assert(relevo::HaveSameNumber(TerrainMapper::COLOR_SOLID, TerrainColoring
     relevo::HaveSameNumber(TerrainMapper::COLOR_BY_ELEVATION, TerrainColoring::ELEVATION) &&
     relevo::HaveSameNumber(TerrainMapper::COLOR_BY_SLOPE, TerrainColoring::SLOPE) &&
     relevo::HaveSameNumber(TerrainMapper::COLOR_BY_ASPECT, TerrainColoring::ASPECT) &&
-    relevo::HaveSameNumber(TerrainMapper::COLOR_BY_HILLSHADE, TerrainColoring::HILLSHADE),
+    relevo::HaveSameNumber(TerrainMapper::COLOR_BY_HILLSHADE, TerrainColoring::HILLSHADE) &&
+    relevo::HaveSameNumber(TerrainMapper::COLOR_BY_IMAGERY, TerrainColoring::IMAGERY),
   "colour modes");
 
 constexpr int TrianglesPerFace = relevo::TerrainFace::Segments * relevo::TerrainFace::Segments;
 
-// The bytes of textures under a limit for tiles in memory and their textures. A tile has a texture
-// of heights and one of gradients.
+// The bytes of textures under a limit for tiles in memory and their textures. A height tile has a
+// texture of heights and one of gradients; an imagery tile has one.
 vtkTypeInt64 GetTextureLimit(vtkTypeInt64 limit)
 {
   return limit / 3 * 2;
@@ -73,6 +75,8 @@ struct vtkTerrainMapper::vtkInternals
   std::unique_ptr<relevo::AdaptiveTerrain> Terrain;
   relevo::Dependencies Opened; // pyramid
   bool IsOpen = false;         // without an error
+  std::shared_ptr<const relevo::ImageryLattice> Imagery;
+  relevo::Dependencies OpenedImagery; // heights and the name of the image
   vtkNew<relevo::TerrainPainter> Painter;
   vtkNew<relevo::ContextWatch> Context;
   relevo::FrameWatch Frames;
@@ -152,8 +156,27 @@ void vtkTerrainMapper::SetTerrainColorMode(int mode)
 {
   relevo::SetChoice(this, "TerrainColorMode", this->TerrainColorMode, mode,
     { "COLOR_SOLID", "COLOR_BY_ELEVATION", "COLOR_BY_SLOPE", "COLOR_BY_ASPECT",
-      "COLOR_BY_HILLSHADE" });
+      "COLOR_BY_HILLSHADE", "COLOR_BY_IMAGERY" });
   this->UpdateDefaultTable();
+}
+
+void vtkTerrainMapper::SetImageryFileName(const char* name)
+{
+  const std::string text = name ? name : "";
+  if (text != this->ImageryFileName)
+  {
+    this->ImageryFileName = text;
+    this->Modified();
+  }
+  if (!text.empty())
+  {
+    this->SetColorModeToImagery();
+  }
+}
+
+const char* vtkTerrainMapper::GetImageryFileName()
+{
+  return this->ImageryFileName.empty() ? nullptr : this->ImageryFileName.c_str();
 }
 
 void vtkTerrainMapper::SetContourInterval(double interval)
@@ -201,9 +224,13 @@ std::string vtkTerrainMapper::OpenTerrain()
   {
     data.IsOpen = this->Pyramid->Update(); // reports the error of the index; tiles may be readable
   }
-  if (!data.Terrain || &data.Terrain->GetLattice() != lattice.get())
+  this->OpenImagery();
+  const std::shared_ptr<const relevo::ImageryLattice> imagery =
+    this->TerrainColorMode == COLOR_BY_IMAGERY ? data.Imagery : nullptr;
+  if (!data.Terrain || &data.Terrain->GetLattice() != lattice.get() ||
+    data.Terrain->GetImagery() != imagery.get())
   {
-    data.Terrain.reset(new relevo::AdaptiveTerrain(lattice));
+    data.Terrain.reset(new relevo::AdaptiveTerrain(lattice, imagery));
     data.Terrain->SetShading(true);
     data.View.Clear();
     data.Drawn.Modified();
@@ -211,6 +238,37 @@ std::string vtkTerrainMapper::OpenTerrain()
   }
   const std::string location = data.Terrain->FindLocationError();
   return location.empty() ? "" : this->Pyramid->GetFileName() + location;
+}
+
+// Without imagery, the terrain is drawn in the colour of the actor.
+void vtkTerrainMapper::OpenImagery()
+{
+  vtkInternals& data = *this->Internals;
+  const std::string& name = this->ImageryFileName;
+  const relevo::HeightLattice* lattice = this->Pyramid->GetLattice().get();
+  if (this->TerrainColorMode != COLOR_BY_IMAGERY ||
+    !data.OpenedImagery.Update(
+      relevo::Dependencies::On(reinterpret_cast<std::size_t>(lattice), name)))
+  {
+    return;
+  }
+  data.Imagery.reset();
+  if (name.empty())
+  {
+    return;
+  }
+  std::string warning;
+  std::string error;
+  data.Imagery = relevo::OpenImagery(name, lattice->Describe(), warning, error);
+  if (!data.Imagery)
+  {
+    vtkErrorMacro(<< "Cannot drape " << name << ": " << error
+                  << ". The terrain is drawn without it.");
+  }
+  if (!warning.empty())
+  {
+    vtkWarningMacro(<< name << ": " << warning << ".");
+  }
 }
 
 bool vtkTerrainMapper::UpdateTerrain()
@@ -388,11 +446,17 @@ void vtkTerrainMapper::SelectFaces(vtkRenderer* renderer, vtkActor* actor)
     data.Terrain->Select(terrainView, this->ScreenSpaceError);
   }
   data.Drawn.Modified();
-  const std::string error = data.Terrain->TakeError();
+  const std::string error = data.Terrain->TakeError(relevo::TerrainTile::Kind::Heights);
   if (!error.empty())
   {
     vtkErrorMacro(<< "Cannot read " << this->Pyramid->GetFileName() << ": " << error
                   << ". The terrain is drawn coarser there.");
+  }
+  const std::string imageryError = data.Terrain->TakeError(relevo::TerrainTile::Kind::Imagery);
+  if (!imageryError.empty())
+  {
+    vtkErrorMacro(<< "Cannot read " << this->ImageryFileName << ": " << imageryError
+                  << ". The imagery is drawn coarser there.");
   }
 }
 
@@ -529,6 +593,7 @@ void vtkTerrainMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetMemoryLimit(other->MemoryLimit);
     this->SetExaggeration(other->Exaggeration);
     this->SetLoadingMode(other->LoadingMode);
+    this->SetImageryFileName(other->ImageryFileName.c_str());
     this->SetTerrainColorMode(other->TerrainColorMode);
     this->SetContourInterval(other->ContourInterval);
     this->SetContourWidth(other->ContourWidth);
@@ -547,6 +612,9 @@ void vtkTerrainMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Exaggeration: " << this->Exaggeration << "\n";
   os << indent << "LoadingMode: " << this->LoadingMode << "\n";
   os << indent << "TerrainColorMode: " << this->TerrainColorMode << "\n";
+  os << indent
+     << "ImageryFileName: " << (this->ImageryFileName.empty() ? "(none)" : this->ImageryFileName)
+     << "\n";
   os << indent << "ContourInterval: " << this->ContourInterval << "\n";
   os << indent << "ContourWidth: " << this->ContourWidth << "\n";
   os << indent << "ContourColor: " << this->ContourColor[0] << " " << this->ContourColor[1] << " "

@@ -26,6 +26,8 @@
  * degree at the centre. Without a georeference, one sample and one unit of height are one unit. The
  * terrain ends at the centres of the outermost samples. Samples without data leave holes.
  *
+ * SetImageryFileName() drapes an image of any size, in any coordinate system, over the terrain.
+ *
  * Lights, clipping planes, opacity, depth peeling, representations, edges, render passes,
  * replacements of shaders and hardware selection work as with vtkPolyDataMapper. A selection of
  * cells returns the numbers of faces of that frame.
@@ -39,7 +41,8 @@
  * Requires OpenGL 3.3. These are errors (ErrorEvent of this object, once): no pyramid, a pyramid
  * that cannot be opened, a raster with one row or column, a coordinate system that is not
  * supported, tiles that cannot be read (a coarser level is drawn), a lookup table whose range is
- * not finite, and shaders that cannot be built.
+ * not finite, imagery that cannot be opened or does not overlap the terrain (the terrain is drawn
+ * without it), and shaders that cannot be built.
  *
  * @sa vtkTerrainPyramid vtkTerrainMeshSource vtkTerrainClamp
  */
@@ -85,8 +88,8 @@ public:
 
   //@{
   /**
-   * Set the maximum memory of heights and their textures together in bytes; at least 2^22, default
-   * 2^29. A value out of range is an error and changes nothing.
+   * Set the maximum memory of heights, imagery and their textures together in bytes; at least 2^22,
+   * default 2^29. A value out of range is an error and changes nothing.
    */
   void SetMemoryLimit(vtkTypeInt64 bytes);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);
@@ -118,13 +121,35 @@ public:
   void SetLoadingModeToComplete() { this->SetLoadingMode(COMPLETE); }
   //@}
 
+  //@{
+  /**
+   * Set the name of an image to drape over the terrain: a file, or any other name that GDAL knows.
+   * This also calls SetColorModeToImagery(). nullptr, the default, removes the image.
+   *
+   * The image is read in tiles, in the background and within SetMemoryLimit(), with about one texel
+   * per pixel of the screen. It is converted from its coordinate system to that of the raster, and
+   * lies within half of its pixel. It has one band (grey or a palette), three or four; of five and
+   * more bands, the third, second and first are red, green and blue. Other types than bytes are
+   * scaled from their smallest to their largest value. An image of more than about 8000 x 8000
+   * pixels needs overviews (gdaladdo) to be fast. Lights shine on it as on other colours. The
+   * terrain has the colour of the actor where the image has no data, and in proportion where it is
+   * translucent.
+   *
+   * An image without a georeference is stretched over the raster. If the raster has one, this is a
+   * warning.
+   */
+  void SetImageryFileName(VTK_FILEPATH const char* name);
+  VTK_FILEPATH const char* GetImageryFileName();
+  //@}
+
   enum TerrainColorModes
   {
     COLOR_SOLID = 0,
     COLOR_BY_ELEVATION,
     COLOR_BY_SLOPE,
     COLOR_BY_ASPECT,
-    COLOR_BY_HILLSHADE
+    COLOR_BY_HILLSHADE,
+    COLOR_BY_IMAGERY
   };
 
   //@{
@@ -135,7 +160,7 @@ public:
    * COLOR_BY_ASPECT (3): the direction in which the surface falls, from 0 to 360 degrees clockwise
    * from the y axis, mapped by the lookup table; the colour for NaN where it is flat.
    * COLOR_BY_HILLSHADE (4): grey, with the sun at an azimuth of 315 degrees and an altitude of 45
-   * degrees, without the lights of the scene.
+   * degrees, without the lights of the scene. COLOR_BY_IMAGERY (5): SetImageryFileName().
    *
    * SetLookupTable() sets the table, whose own range is used. The default table has the range of
    * the raster's heights, or all angles. VTK's SetColorMode() and SetScalarRange() have no effect.
@@ -148,6 +173,7 @@ public:
   void SetColorModeToSlope() { this->SetTerrainColorMode(COLOR_BY_SLOPE); }
   void SetColorModeToAspect() { this->SetTerrainColorMode(COLOR_BY_ASPECT); }
   void SetColorModeToHillshade() { this->SetTerrainColorMode(COLOR_BY_HILLSHADE); }
+  void SetColorModeToImagery() { this->SetTerrainColorMode(COLOR_BY_IMAGERY); }
   //@}
 
   //@{
@@ -203,7 +229,7 @@ public:
   /// while tiles are missing, or if they do not fit into SetMemoryLimit().
   double GetScreenSpaceErrorInUse();
 
-  /// Return the bytes of heights in memory and of their textures.
+  /// Return the bytes of heights and imagery in memory and of their textures.
   vtkTypeInt64 GetResidentMemorySize();
 
   /// Return the number of triangles of the last frame.
@@ -264,6 +290,7 @@ protected:
   double Exaggeration = 1.0;
   int LoadingMode = BACKGROUND;
   int TerrainColorMode = COLOR_SOLID;
+  std::string ImageryFileName;
   double ContourInterval = 0.0;
   double ContourWidth = 1.0;
   double ContourColor[3] = { 0.0, 0.0, 0.0 };
@@ -276,6 +303,7 @@ private:
   /// Open the raster if it is not open. Return whether it is open.
   bool UpdateTerrain();
   std::string OpenTerrain();
+  void OpenImagery();
   void UpdateDefaultTable();
   vtkDataObject* ReplaceInput(vtkDataObject* input);
   void SelectFaces(vtkRenderer* renderer, vtkActor* actor);

@@ -28,10 +28,14 @@ double GetSeconds()
 }
 }
 
-AdaptiveTerrain::AdaptiveTerrain(std::shared_ptr<const HeightLattice> lattice)
+AdaptiveTerrain::AdaptiveTerrain(
+  std::shared_ptr<const HeightLattice> lattice, std::shared_ptr<const ImageryLattice> imagery)
   : Lattice(std::move(lattice))
+  , Imagery(std::move(imagery))
   , Frame(this->Lattice->Describe().Location)
   , Cache([source = this->Lattice](HeightTile& tile, std::string& error)
+      { return source->Read(tile, error); },
+      [source = this->Imagery](ImageryTile& tile, std::string& error)
       { return source->Read(tile, error); })
 {
 }
@@ -124,24 +128,32 @@ void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
   const float margin = all[1] - all[0];
   all = { { all[0] - margin, all[1] + margin } };
   const ElevationRanges wide(all);
-  TerrainBisection bisection(
-    contents.Width, contents.Height, *errors, this->HasErrors ? *ranges : wide);
+  const ElevationRanges& bounds = this->HasErrors ? *ranges : wide;
+  TerrainBisection bisection(contents.Width, contents.Height, *errors, bounds);
   this->Cache.BeginFrame(GetSeconds());
   bisection.Select(view, tolerance, this->Cache);
-  this->ShadingTiles.clear();
-  this->ShadingComplete = true;
-  if (this->Shading)
-  {
-    MipmapTiles shading(contents.Width, contents.Height, this->HasErrors ? *ranges : wide);
-    shading.Select(view, ShadingShare * tolerance, this->Cache);
-    this->ShadingTiles = shading.GetTiles();
-    this->ShadingComplete = shading.IsComplete();
-  }
-  this->Cache.EndFrame();
   this->Faces = bisection.GetFaces();
   this->HiddenBlocks = bisection.GetHiddenBlocks();
   this->Error = bisection.GetError();
   this->Complete = bisection.IsComplete() && this->HasErrors;
+  this->ShadingTiles.clear();
+  this->ShadingComplete = true;
+  if (this->Shading)
+  {
+    MipmapTiles shading(contents.Width, contents.Height, bounds);
+    shading.Select(view, ShadingShare * tolerance, this->Cache);
+    this->ShadingTiles = shading.GetTiles();
+    this->ShadingComplete = shading.IsComplete();
+  }
+  if (this->Imagery)
+  {
+    MipmapTiles imagery(contents.Width, contents.Height, bounds);
+    imagery.SelectImagery(view, ShadingShare * tolerance, *this->Imagery, this->Cache);
+    this->ShadingTiles.insert(
+      this->ShadingTiles.end(), imagery.GetTiles().begin(), imagery.GetTiles().end());
+    this->Complete = this->Complete && imagery.IsComplete();
+  }
+  this->Cache.EndFrame();
 }
 
 // Tiles for shading that do not fit into memory do not matter.

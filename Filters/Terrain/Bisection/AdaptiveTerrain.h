@@ -19,6 +19,7 @@
 #include "Bisection/TerrainView.h"
 #include "Geodesy/MapFrame.h"
 #include "Lattice/HeightLattice.h"
+#include "Lattice/ImageryLattice.h"
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <array>
@@ -40,12 +41,15 @@ public:
   static constexpr std::int64_t SmallestMemoryLimit = std::int64_t(1) << 22;
   //@}
 
-  explicit AdaptiveTerrain(std::shared_ptr<const HeightLattice> lattice);
+  /// The imagery is optional.
+  explicit AdaptiveTerrain(std::shared_ptr<const HeightLattice> lattice,
+    std::shared_ptr<const ImageryLattice> imagery = nullptr);
   ~AdaptiveTerrain();
   AdaptiveTerrain(const AdaptiveTerrain&) = delete;
   void operator=(const AdaptiveTerrain&) = delete;
 
   const HeightLattice& GetLattice() const { return *this->Lattice; }
+  const ImageryLattice* GetImagery() const { return this->Imagery.get(); }
 
   /// Why a raster with this location cannot be placed, as a continuation of its name, or "".
   std::string FindLocationError() const;
@@ -59,7 +63,7 @@ public:
   void SetMemoryLimit(std::size_t bytes) { this->Cache.SetMemoryLimit(bytes); }
   std::size_t GetMemorySize() const { return this->Cache.GetMemorySize(); }
 
-  /// Also find the tiles for the shading of pixels. They are read after those of the faces.
+  /// Also find the height tiles for the shading of pixels. They are read after those of the faces.
   void SetShading(bool isShaded) { this->Shading = isShaded; }
 
   /**
@@ -76,6 +80,7 @@ public:
   //@{
   /// The result, which is valid until the next selection.
   const std::vector<TerrainFace>& GetFaces() const { return this->Faces; }
+  /// Tiles for the shading of pixels, and imagery.
   const std::vector<MipmapTiles::Item>& GetShadingTiles() const { return this->ShadingTiles; }
   /// The blocks out of sight, which have no faces.
   const std::vector<HiddenBlock>& GetHiddenBlocks() const { return this->HiddenBlocks; }
@@ -86,14 +91,18 @@ public:
   /// Whether another selection for the same view can have another result.
   bool NeedsFrame() const;
 
-  /// The first error of a tile since the last call, or "". The tile is drawn coarser.
-  std::string TakeError() { return this->Cache.TakeError(); }
+  /// The first error of a kind of tiles since the last call, or "". The tile is drawn coarser.
+  std::string TakeError(TerrainTile::Kind kind = TerrainTile::Kind::Heights)
+  {
+    return this->Cache.TakeError(kind);
+  }
 
 private:
   ElevationRanges::Range GetRange(const ElevationRanges& ranges) const;
   void SelectOnce(const TerrainView& view, double tolerance);
 
   std::shared_ptr<const HeightLattice> Lattice;
+  std::shared_ptr<const ImageryLattice> Imagery;
   MapFrame Frame;
   HeightTileCache Cache;
   bool Shading = false;
@@ -101,7 +110,7 @@ private:
   std::vector<MipmapTiles::Item> ShadingTiles;
   std::vector<HiddenBlock> HiddenBlocks;
   double Error = 0.0;
-  bool Complete = false; // the faces
+  bool Complete = false; // the faces and the imagery
   bool ShadingComplete = true;
   bool HasErrors = false; // whether the errors of the last selection are known
 };

@@ -23,21 +23,47 @@ MipmapTiles::MipmapTiles(int columns, int rows, const ElevationRanges& ranges)
 {
 }
 
-void MipmapTiles::Select(const TerrainView& view, double largestError, HeightTileSource& tiles)
+void MipmapTiles::Start(const TerrainView& view, double largestError)
 {
   this->View = &view;
   this->LargestError = largestError;
-  this->Source = &tiles;
   this->Tiles.clear();
   this->Complete = true;
+}
+
+void MipmapTiles::Select(const TerrainView& view, double largestError, HeightTileSource& tiles)
+{
+  this->Start(view, largestError);
+  this->Imagery = nullptr;
+  this->FinestLevel = 0;
+  this->Find = [&tiles](int level, int column, int row, double error, float& visibility)
+  { return tiles.Get(level, column, row, error, visibility); };
   this->Visit(BlockErrors::GetRootLevel(this->Columns, this->Rows), 0, 0, 1.0);
+}
+
+void MipmapTiles::SelectImagery(const TerrainView& view, double largestError,
+  const ImageryLattice& imagery, ImageryTileSource& tiles)
+{
+  this->Start(view, largestError);
+  this->Imagery = &imagery;
+  this->FinestLevel = imagery.GetFinestLevel();
+  this->Find = [&tiles](int level, int column, int row, double error, float& visibility)
+  { return tiles.GetImagery(level, column, row, error, visibility); };
+  // One tile covers the raster.
+  int level = 0;
+  while (std::ldexp(static_cast<double>(TerrainTile::CellsPerTile), level) <
+    std::max(this->Columns, this->Rows) - 1)
+  {
+    ++level;
+  }
+  this->Visit(level, 0, 0, 1.0);
 }
 
 // `pixels` is the size of a step of this level, of at most 1 pixel for fragments that need no finer
 // level.
 void MipmapTiles::Visit(int level, int column, int row, double pixels)
 {
-  const double size = std::ldexp(static_cast<double>(HeightTile::CellsPerTile), level);
+  const double size = std::ldexp(static_cast<double>(TerrainTile::CellsPerTile), level);
   TerrainBox box;
   box.Columns = { { column * size, std::min((column + 1.0) * size, this->Columns - 1.0) } };
   box.Rows = { { row * size, std::min((row + 1.0) * size, this->Rows - 1.0) } };
@@ -47,13 +73,14 @@ void MipmapTiles::Visit(int level, int column, int row, double pixels)
   }
   const ElevationRanges::Range heights = this->Ranges.Get(level, box.Columns, box.Rows);
   box.Heights = { { heights[0], heights[1] } };
-  if (box.Heights[0] > box.Heights[1] || !this->View->IsVisible(box))
+  if (box.Heights[0] > box.Heights[1] || !this->View->IsVisible(box) ||
+    (this->Imagery && !this->Imagery->Covers(level, column, row)))
   {
     return;
   }
   float visibility = 0.0f;
   const double error = this->LargestError * std::min(0.5 * pixels, 1.0);
-  const HeightTile* tile = this->Source->Get(level, column, row, error, visibility);
+  const TerrainTile* tile = this->Find(level, column, row, error, visibility);
   this->Complete = this->Complete && tile && visibility >= 1.0f;
   if (tile)
   {
@@ -63,7 +90,7 @@ void MipmapTiles::Visit(int level, int column, int row, double pixels)
   const double step = std::sqrt(
     std::abs(placement.Column[0] * placement.Row[1] - placement.Column[1] * placement.Row[0]));
   const double stepPixels = this->View->ProjectLength(std::ldexp(step, level), box);
-  if (level == 0 || stepPixels <= LargestStep)
+  if (level <= this->FinestLevel || stepPixels <= LargestStep)
   {
     return;
   }

@@ -15,10 +15,13 @@
 #define MipmapTiles_h
 
 #include "Bisection/HeightTileSource.h"
+#include "Bisection/ImageryTileSource.h"
 #include "Bisection/TerrainView.h"
 #include "Lattice/ElevationRanges.h"
+#include "Lattice/ImageryLattice.h"
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
+#include <functional>
 #include <vector>
 
 namespace relevo
@@ -28,7 +31,7 @@ class RELEVOFILTERSTERRAIN_EXPORT MipmapTiles
 public:
   struct Item
   {
-    const HeightTile* Tile;
+    const TerrainTile* Tile;
     float Visibility; // from 0 to 1
   };
 
@@ -41,11 +44,21 @@ public:
    */
   void Select(const TerrainView& view, double largestError, HeightTileSource& tiles);
 
+  /// The same for imagery, whose levels may be finer than the samples of the raster. There are no
+  /// tiles where the imagery covers nothing.
+  void SelectImagery(const TerrainView& view, double largestError, const ImageryLattice& imagery,
+    ImageryTileSource& tiles);
+
   const std::vector<Item>& GetTiles() const { return this->Tiles; }
   /// Whether no tile is missing, and all are fully visible.
   bool IsComplete() const { return this->Complete; }
 
 private:
+  /// Returns a tile that is in memory, as HeightTileSource::Get().
+  using Finder = std::function<const TerrainTile*(
+    int level, int column, int row, double error, float& visibility)>;
+
+  void Start(const TerrainView& view, double largestError);
   void Visit(int level, int column, int row, double pixels);
 
   int Columns;
@@ -54,7 +67,9 @@ private:
 
   const TerrainView* View = nullptr;
   double LargestError = 0.0;
-  HeightTileSource* Source = nullptr;
+  const ImageryLattice* Imagery = nullptr;
+  int FinestLevel = 0;
+  Finder Find;
   std::vector<Item> Tiles;
   bool Complete = true;
 };

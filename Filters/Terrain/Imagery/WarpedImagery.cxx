@@ -17,7 +17,7 @@ namespace relevo
 {
 namespace
 {
-constexpr int Stride = TerrainTile::Stride;
+constexpr int TexelsPerRow = TerrainTile::Stride;
 constexpr int Components = ImageryPicture::NumberOfComponents;
 
 // The overlap of raster and imagery is searched at this many points per side.
@@ -33,7 +33,7 @@ struct PixelPoint
   bool IsKnown = false;
 };
 
-PixelPoint Transform(void* transformer, bool toImagery, std::array<double, 2> position)
+PixelPoint TransformPixel(void* transformer, bool toImagery, std::array<double, 2> position)
 {
   double z = 0.0;
   int success = 0;
@@ -63,13 +63,13 @@ void ForGrid(const std::array<int, 2>& size, const Function& function)
 // not known.
 std::array<double, 2> MeasurePixels(void* transformer, const std::array<double, 2>& position)
 {
-  const PixelPoint here = Transform(transformer, true, position);
+  const PixelPoint here = TransformPixel(transformer, true, position);
   std::array<double, 2> lengths = { { 0.0, 0.0 } };
   for (int axis = 0; axis < 2; ++axis)
   {
     std::array<double, 2> beside = position;
     beside[axis] += Difference;
-    const PixelPoint there = Transform(transformer, true, beside);
+    const PixelPoint there = TransformPixel(transformer, true, beside);
     if (here.IsKnown && there.IsKnown)
     {
       lengths[axis] =
@@ -244,7 +244,7 @@ std::string WarpedImagery::Measure(const ImageryPicture& picture, const GDALSess
   ForGrid(this->Size,
     [&](const std::array<double, 2>& position)
     {
-      const PixelPoint point = Transform(transformer.get(), true, position);
+      const PixelPoint point = TransformPixel(transformer.get(), true, position);
       if (point.IsKnown && IsInside(point.Position, imagerySize))
       {
         measure(position);
@@ -253,7 +253,7 @@ std::string WarpedImagery::Measure(const ImageryPicture& picture, const GDALSess
   ForGrid(imagerySize,
     [&](const std::array<double, 2>& position)
     {
-      const PixelPoint point = Transform(transformer.get(), false, position);
+      const PixelPoint point = TransformPixel(transformer.get(), false, position);
       isBounded = isBounded && point.IsKnown;
       if (point.IsKnown)
       {
@@ -311,9 +311,9 @@ std::array<int, 4> WarpedImagery::GetWindow(const ImageryTile& tile) const
         static_cast<double>(first[axis]) * TerrainTile::CellsPerTile + 1.0;
     };
     const double begin =
-      std::clamp(std::floor(toTexel(this->Extent[axis][0])) - 1.0, 0.0, Stride - 1.0);
+      std::clamp(std::floor(toTexel(this->Extent[axis][0])) - 1.0, 0.0, TexelsPerRow - 1.0);
     const double end =
-      std::clamp(std::ceil(toTexel(this->Extent[axis][1])) + 2.0, begin + 1.0, 1.0 * Stride);
+      std::clamp(std::ceil(toTexel(this->Extent[axis][1])) + 2.0, begin + 1.0, 1.0 * TexelsPerRow);
     window[axis] = static_cast<int>(begin);
     window[axis + 2] = static_cast<int>(end - begin);
   }
@@ -341,7 +341,7 @@ bool WarpedImagery::Read(ImageryTile& tile, std::string& error) const
   }
   const GDALDatasetPointer target = this->CreateTarget(tile.Level,
     static_cast<double>(tile.Column) * TerrainTile::CellsPerTile - 1.0,
-    static_cast<double>(tile.Row) * TerrainTile::CellsPerTile - 1.0, Stride);
+    static_cast<double>(tile.Row) * TerrainTile::CellsPerTile - 1.0, TexelsPerRow);
   if (!target)
   {
     error = session.Messages("there is not enough memory for a tile");
@@ -361,9 +361,9 @@ bool WarpedImagery::Read(ImageryTile& tile, std::string& error) const
   std::vector<float> values(Components * TerrainTile::NumberOfVertices);
   constexpr int bytes = sizeof(float);
   const bool isRead = picture->Warp(target.get(), window, reduction) &&
-    GDALDatasetRasterIO(target.get(), GF_Read, 0, 0, Stride, Stride, values.data(), Stride, Stride,
-      GDT_Float32, Components, nullptr, Components * bytes, Components * bytes * Stride,
-      bytes) == CE_None;
+    GDALDatasetRasterIO(target.get(), GF_Read, 0, 0, TexelsPerRow, TexelsPerRow, values.data(),
+      TexelsPerRow, TexelsPerRow, GDT_Float32, Components, nullptr, Components * bytes,
+      Components * bytes * TexelsPerRow, bytes) == CE_None;
   picture->ReleaseBlocks();
   if (!isRead || session.HasFileErrors())
   {

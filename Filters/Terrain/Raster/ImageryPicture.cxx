@@ -17,8 +17,6 @@ namespace relevo
 {
 namespace
 {
-constexpr int NumberOfColors = ImageryPicture::NumberOfColors;
-
 // Error tolerance in pixels of linear interpolation between exactly transformed pixels.
 constexpr double TransformTolerance = 0.125;
 
@@ -43,7 +41,7 @@ struct WarpOperationFreer
 // The bands for red, green, blue and alpha; 0 for none.
 struct Bands
 {
-  std::array<int, NumberOfColors> Colors;
+  std::array<int, ImageryPicture::NumberOfColors> Colors;
   int Alpha = 0;
 };
 

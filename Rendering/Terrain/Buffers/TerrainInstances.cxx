@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 #include <string>
 
 namespace relevo
@@ -43,10 +44,72 @@ vtkIdType TerrainInstances::GetMaximumNumberOfFaces()
   return texels;
 }
 
+void TerrainInstances::SetMemoryLimit(vtkTypeInt64 bytes)
+{
+  this->MemoryLimit = bytes;
+}
+
+// A height tile needs a texture of heights and one of gradients.
+int TerrainInstances::GetMaximumNumberOfTiles() const
+{
+  return static_cast<int>(std::min<vtkTypeInt64>(TerrainTileTextures::GetMaximumNumberOfLayers(),
+    this->MemoryLimit / 2 / TerrainTileTextures::LayerSize));
+}
+
+// Without imagery, heights and gradients have a half of the limit each. With imagery, the division
+// only changes if a texture needs more than its share, because a texture of another size is
+// uploaded again.
+bool TerrainInstances::UploadTextures(
+  vtkOpenGLRenderWindow* window, const std::array<TileList, 3>& tiles)
+{
+  const std::array<TerrainTileTextures*, 3> textures = { { &this->Tiles, &this->Gradients,
+    &this->Imagery } };
+  const int half = this->GetMaximumNumberOfTiles();
+  this->IsImageryUsed = !tiles[2].empty();
+  if (!this->IsImageryUsed)
+  {
+    this->Imagery.ReleaseGraphicsResources();
+    this->MaximumNumbers = { { half, half, 0 } };
+  }
+  std::array<int, 3> numbers;
+  int spare = 2 * half;
+  bool fits =
+    2 * half >= std::accumulate(this->MaximumNumbers.begin(), this->MaximumNumbers.end(), 0);
+  for (int i = 0; i < 3; ++i)
+  {
+    numbers[i] = TerrainTileTextures::CountTiles(tiles[i]);
+    spare -= numbers[i];
+    fits = fits && numbers[i] <= this->MaximumNumbers[i];
+  }
+  if (!fits && (spare < 0 || !this->IsImageryUsed))
+  {
+    return false;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    this->MaximumNumbers[i] = fits ? this->MaximumNumbers[i] : numbers[i] + spare / 3;
+    textures[i]->SetMemoryLimit(this->MaximumNumbers[i] * TerrainTileTextures::LayerSize);
+  }
+  bool isUploaded = true;
+  // First the textures that shrink, so that the limit holds at all times.
+  for (bool isShrinking : { true, false })
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      if (textures[i]->IsTooLarge() || (!isShrinking && !tiles[i].empty()))
+      {
+        isUploaded = textures[i]->Upload(window, tiles[i]) && isUploaded;
+      }
+    }
+  }
+  return isUploaded;
+}
+
 std::string TerrainInstances::UploadTiles(vtkOpenGLRenderWindow* window,
   const std::vector<TerrainFace>& faces, const std::vector<MipmapTiles::Item>& shading)
 {
-  std::vector<const HeightTile*> heights;
+  std::array<TileList, 3> tiles;
+  TileList& heights = tiles[0];
   for (const TerrainFace& face : faces)
   {
     heights.insert(heights.end(), { face.Tile, face.CoarseTile });
@@ -54,23 +117,24 @@ std::string TerrainInstances::UploadTiles(vtkOpenGLRenderWindow* window,
   std::sort(heights.begin(), heights.end());
   heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
   // Every fragment finds a gradient: at least that of its face.
-  std::vector<const TerrainTile*> gradients(heights.begin(), heights.end());
+  tiles[1] = heights;
   for (const MipmapTiles::Item& item : shading)
   {
-    gradients.push_back(item.Tile);
+    tiles[item.Tile->GetKind() == TerrainTile::Kind::Heights ? 1 : 2].push_back(item.Tile);
   }
-  if (!this->Tiles.Upload(window, { heights.begin(), heights.end() }) ||
-    !this->Gradients.Upload(window, gradients))
+  if (!this->UploadTextures(window, tiles))
   {
-    return "The heights of the frame do not fit into graphics memory: at most " +
-      std::to_string(this->GetMaximumNumberOfTiles()) + " tiles. Set a larger memory limit.";
+    return "The tiles of the frame do not fit into graphics memory: at most " +
+      std::to_string(this->GetMaximumNumberOfTiles()) + ". Set a larger memory limit.";
   }
-  this->Table.Reset(gradients.size());
+  this->Table.Reset(tiles[1].size() + tiles[2].size());
   for (const MipmapTiles::Item& item : shading)
   {
-    this->Table.Add(item, this->Gradients.GetLayer(*item.Tile));
+    this->Table.Add(item,
+      (item.Tile->GetKind() == TerrainTile::Kind::Heights ? this->Gradients : this->Imagery)
+        .GetLayer(*item.Tile));
   }
-  for (const HeightTile* tile : heights)
+  for (const TerrainTile* tile : heights)
   {
     this->Table.Add({ tile, 1.0f }, this->Gradients.GetLayer(*tile));
   }
@@ -78,21 +142,17 @@ std::string TerrainInstances::UploadTiles(vtkOpenGLRenderWindow* window,
                                     : "The graphics memory does not suffice for a table of tiles.";
 }
 
-void TerrainInstances::SetMemoryLimit(vtkTypeInt64 bytes)
-{
-  this->Tiles.SetMemoryLimit(bytes / 2);
-  this->Gradients.SetMemoryLimit(bytes / 2);
-}
-
 void TerrainInstances::ForgetTiles()
 {
   this->Tiles.Clear();
   this->Gradients.Clear();
+  this->Imagery.Clear();
 }
 
 vtkIdType TerrainInstances::GetNumberOfTileUploads() const
 {
-  return this->Tiles.GetNumberOfUploads() + this->Gradients.GetNumberOfUploads();
+  return this->Tiles.GetNumberOfUploads() + this->Gradients.GetNumberOfUploads() +
+    this->Imagery.GetNumberOfUploads();
 }
 
 std::string TerrainInstances::Upload(vtkOpenGLRenderWindow* window,
@@ -151,6 +211,7 @@ void TerrainInstances::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram*
 {
   this->Tiles.Activate(window, program, "relevoTiles");
   this->Gradients.Activate(window, program, "relevoTileGradients");
+  this->Imagery.Activate(window, program, "relevoImagery");
   this->Table.Activate(program);
   this->IntegerTexture.Activate(program, "relevoFaces");
   this->FloatTexture.Activate(program, "relevoFaceHeights");
@@ -161,6 +222,7 @@ void TerrainInstances::Deactivate(vtkOpenGLRenderWindow* window)
 {
   this->Tiles.Deactivate(window);
   this->Gradients.Deactivate(window);
+  this->Imagery.Deactivate(window);
   this->Table.Deactivate();
   this->IntegerTexture.Deactivate();
   this->FloatTexture.Deactivate();
@@ -170,14 +232,16 @@ void TerrainInstances::Deactivate(vtkOpenGLRenderWindow* window)
 vtkTypeInt64 TerrainInstances::GetMemorySize() const
 {
   return this->Tiles.GetMemorySize() + this->Gradients.GetMemorySize() +
-    this->Table.GetMemorySize() + this->IntegerTexture.GetMemorySize() +
-    this->FloatTexture.GetMemorySize() + this->IdTexture.GetMemorySize();
+    this->Imagery.GetMemorySize() + this->Table.GetMemorySize() +
+    this->IntegerTexture.GetMemorySize() + this->FloatTexture.GetMemorySize() +
+    this->IdTexture.GetMemorySize();
 }
 
 void TerrainInstances::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Tiles.ReleaseGraphicsResources();
   this->Gradients.ReleaseGraphicsResources();
+  this->Imagery.ReleaseGraphicsResources();
   this->Table.ReleaseGraphicsResources(window);
   this->IntegerTexture.ReleaseGraphicsResources(window);
   this->FloatTexture.ReleaseGraphicsResources(window);

@@ -4,7 +4,8 @@
  * @class   TerrainInstances
  * @brief   the faces of a frame, their tiles and their order, on the GPU
  *
- * The faces are grouped by orientation, so that all triangles face up. Private to the module.
+ * The faces are grouped by orientation, so that all triangles face up. The textures of heights,
+ * gradients and imagery share a limit of memory. Private to the module.
  */
 #ifndef TerrainInstances_h
 #define TerrainInstances_h
@@ -14,6 +15,7 @@
 #include "Buffers/TerrainTileTable.h"
 #include "Buffers/TerrainTileTextures.h"
 
+#include <array>
 #include <string> // for errors
 #include <vector>
 
@@ -39,15 +41,15 @@ public:
   /// Set the maximum number of bytes of textures of tiles.
   void SetMemoryLimit(vtkTypeInt64 bytes);
   /// Return the number of tiles that the limit and the current context allow.
-  int GetMaximumNumberOfTiles() const { return this->Tiles.GetMaximumNumberOfLayers(); }
-  /// Forget all tiles, because their heights have changed.
+  int GetMaximumNumberOfTiles() const;
+  /// Forget all tiles, because their values have changed.
   void ForgetTiles();
   /// Return how many textures of tiles have been uploaded.
   vtkIdType GetNumberOfTileUploads() const;
 
   /**
-   * Upload faces, their tiles, and those for shading. Return an error, or "". Nothing is uploaded
-   * that has not changed.
+   * Upload faces, their tiles, and those for shading and imagery. Return an error, or "". Nothing
+   * is uploaded that has not changed.
    */
   std::string Upload(vtkOpenGLRenderWindow* window, const std::vector<TerrainFace>& faces,
     const std::vector<MipmapTiles::Item>& shading);
@@ -58,18 +60,28 @@ public:
   const Group& GetGroup(bool isPositive) const { return this->Groups[isPositive ? 1 : 0]; }
   int GetNumberOfFaces() const { return this->Groups[0].Count + this->Groups[1].Count; }
 
+  /// Return whether there are tiles of imagery.
+  bool HasImagery() const { return this->IsImageryUsed; }
+
   void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
   void Deactivate(vtkOpenGLRenderWindow* window);
   vtkTypeInt64 GetMemorySize() const;
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  using TileList = std::vector<const TerrainTile*>;
+
+  bool UploadTextures(vtkOpenGLRenderWindow* window, const std::array<TileList, 3>& tiles);
   std::string UploadTiles(vtkOpenGLRenderWindow* window, const std::vector<TerrainFace>& faces,
     const std::vector<MipmapTiles::Item>& shading);
 
   TerrainTileTextures Tiles{ TerrainTileTextures::Content::HEIGHTS };
   TerrainTileTextures Gradients{ TerrainTileTextures::Content::GRADIENTS };
-  TerrainTileTable Table; // of the gradients
+  TerrainTileTextures Imagery{ TerrainTileTextures::Content::IMAGERY };
+  std::array<int, 3> MaximumNumbers = { { 0, 0, 0 } }; // of tiles of these textures
+  vtkTypeInt64 MemoryLimit = vtkTypeInt64(1) << 28;
+  bool IsImageryUsed = false;
+  TerrainTileTable Table; // of gradients and imagery
   Group Groups[2];
   std::vector<unsigned int> Integers; // 4 per face
   std::vector<float> Floats;          // 4 per face

@@ -11,18 +11,18 @@ namespace relevo
 {
 namespace
 {
-// The numbers of relevoTerrainGradientFS.glsl.
-constexpr unsigned int HashFactor = 2654435769u;
-constexpr int ColumnBits = 13;
-constexpr int VisibilityShift = 16;
+// The numbers of relevoTerrainTilesFS.glsl.
+constexpr unsigned int HashFactors[2] = { 2654435769u, 2246822519u };
+constexpr int LevelShift = 26;
 constexpr float LargestVisibility = 65535.0f;
+constexpr std::size_t EntrySize = 4;
 
-unsigned int GetTableKey(const HeightTile& tile)
+std::array<unsigned int, 2> GetTableKey(const TerrainTile& tile)
 {
-  return (static_cast<unsigned int>(tile.Level) << (2 * ColumnBits) |
-           static_cast<unsigned int>(tile.Row) << ColumnBits |
-           static_cast<unsigned int>(tile.Column)) +
-    1u;
+  return { { static_cast<unsigned int>(tile.Column) |
+      static_cast<unsigned int>(tile.GetKind()) << 31,
+    static_cast<unsigned int>(tile.Row) |
+      static_cast<unsigned int>(tile.Level - TerrainTile::FinestLevel + 1) << LevelShift } };
 }
 }
 
@@ -34,26 +34,28 @@ void TerrainTileTable::Reset(std::size_t number)
   {
     ++this->Bits;
   }
-  this->CoarsestLevel = 0;
-  this->Entries.assign(std::size_t(2) << this->Bits, 0u);
+  this->Levels.fill({ { TerrainTile::CoarsestLevel, TerrainTile::FinestLevel } });
+  this->Entries.assign(EntrySize << this->Bits, 0u);
 }
 
 void TerrainTileTable::Add(const MipmapTiles::Item& tile, int layer)
 {
-  const unsigned int key = GetTableKey(*tile.Tile);
-  std::size_t entry = (key * HashFactor) >> (32 - this->Bits);
-  while (this->Entries[2 * entry] != 0u)
+  const std::array<unsigned int, 2> key = GetTableKey(*tile.Tile);
+  const auto get = [this](std::size_t entry) { return &this->Entries[EntrySize * entry]; };
+  std::size_t entry = (key[0] * HashFactors[0] ^ key[1] * HashFactors[1]) >> (32 - this->Bits);
+  while (get(entry)[1] != 0u)
   {
-    if (this->Entries[2 * entry] == key)
+    if (std::equal(key.begin(), key.end(), get(entry)))
     {
       return;
     }
     entry = (entry + 1) & ((std::size_t(1) << this->Bits) - 1);
   }
-  this->Entries[2 * entry] = key;
-  this->Entries[2 * entry + 1] = static_cast<unsigned int>(layer) |
-    static_cast<unsigned int>(std::lround(LargestVisibility * tile.Visibility)) << VisibilityShift;
-  this->CoarsestLevel = std::max(this->CoarsestLevel, tile.Tile->Level);
+  std::copy(key.begin(), key.end(), get(entry));
+  get(entry)[2] = static_cast<unsigned int>(layer);
+  get(entry)[3] = static_cast<unsigned int>(std::lround(LargestVisibility * tile.Visibility));
+  std::array<int, 2>& levels = this->Levels[static_cast<int>(tile.Tile->GetKind())];
+  levels = { { std::min(levels[0], tile.Tile->Level), std::max(levels[1], tile.Tile->Level) } };
 }
 
 bool TerrainTileTable::Upload(vtkOpenGLRenderWindow* window)
@@ -63,7 +65,7 @@ bool TerrainTileTable::Upload(vtkOpenGLRenderWindow* window)
     return true;
   }
   this->Uploaded = this->Entries;
-  return this->Texture.Upload(window, this->Entries, 2);
+  return this->Texture.Upload(window, this->Entries, 4);
 }
 
 void TerrainTileTable::Activate(vtkShaderProgram* program)
@@ -72,8 +74,16 @@ void TerrainTileTable::Activate(vtkShaderProgram* program)
   if (program->IsUniformUsed("relevoTableBits"))
   {
     program->SetUniformi("relevoTableBits", this->Bits);
-    program->SetUniformi("relevoCoarsestLevel", this->CoarsestLevel);
   }
+  const auto setLevels = [this, program](const char* name, TerrainTile::Kind kind)
+  {
+    if (program->IsUniformUsed(name))
+    {
+      program->SetUniform2i(name, this->Levels[static_cast<int>(kind)].data());
+    }
+  };
+  setLevels("relevoGradientLevels", TerrainTile::Kind::Heights);
+  setLevels("relevoImageryLevels", TerrainTile::Kind::Imagery);
 }
 
 void TerrainTileTable::ReleaseGraphicsResources(vtkWindow* window)

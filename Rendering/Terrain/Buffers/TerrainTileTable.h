@@ -5,7 +5,7 @@
  * @brief   a hash table on the GPU in which fragments find the layers of tiles
  *
  * It is the page table of a virtual texture, with open addressing: an entry has the key of a tile
- * (0 if it is empty), and its layer and visibility. relevoTerrainGradientFS.glsl reads it. Private
+ * (zeros if it is empty), its layer and its visibility. relevoTerrainTilesFS.glsl reads it. Private
  * to the module.
  */
 #ifndef TerrainTileTable_h
@@ -15,6 +15,7 @@
 #include "Buffers/BufferTexture.h"
 #include "vtkType.h" // for numbers of bytes
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -42,8 +43,9 @@ public:
 
 private:
   int Bits = 0; // logarithm of the number of entries
-  int CoarsestLevel = 0;
-  std::vector<unsigned int> Entries; // 2 per entry
+  // By kind of tiles: the finest and the coarsest level.
+  std::array<std::array<int, 2>, 2> Levels = { { { { 0, 0 } }, { { 0, 0 } } } };
+  std::vector<unsigned int> Entries; // 4 per entry
   std::vector<unsigned int> Uploaded;
   BufferTexture Texture;
 };

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <unordered_set>
 #include <utility>
 
 namespace relevo
@@ -109,11 +110,21 @@ TerrainTileTextures::TerrainTileTextures(Content content)
 {
 }
 
-int TerrainTileTextures::GetMaximumNumberOfLayers() const
+int TerrainTileTextures::CountTiles(const std::vector<const TerrainTile*>& tiles)
+{
+  std::unordered_set<std::uint64_t> keys;
+  for (const TerrainTile* tile : tiles)
+  {
+    keys.insert(GetTileKey(*tile));
+  }
+  return static_cast<int>(keys.size());
+}
+
+int TerrainTileTextures::GetMaximumNumberOfLayers()
 {
   GLint layers = 0;
   glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &layers);
-  return static_cast<int>(std::min<vtkTypeInt64>(layers, this->MemoryLimit / LayerSize));
+  return layers;
 }
 
 bool TerrainTileTextures::Upload(
@@ -126,7 +137,8 @@ bool TerrainTileTextures::Upload(
     needed.emplace(GetTileKey(*tile), tile);
   }
   const int number = static_cast<int>(needed.size());
-  const int most = this->GetMaximumNumberOfLayers();
+  const int most = static_cast<int>(
+    std::min<vtkTypeInt64>(GetMaximumNumberOfLayers(), this->MemoryLimit / LayerSize));
   if (number > most)
   {
     return false;

@@ -47,8 +47,14 @@ public:
   /// Set the maximum number of bytes.
   void SetMemoryLimit(vtkTypeInt64 bytes) { this->MemoryLimit = bytes; }
 
-  /// Return the number of layers that the limit and the current context allow.
-  int GetMaximumNumberOfLayers() const;
+  /// Return the number of different tiles in a list.
+  static int CountTiles(const std::vector<const TerrainTile*>& tiles);
+
+  /// Return whether the texture exceeds the limit, so that the next upload makes it smaller.
+  bool IsTooLarge() const { return this->GetMemorySize() > this->MemoryLimit; }
+
+  /// Return the number of layers that the current context allows.
+  static int GetMaximumNumberOfLayers();
 
   /**
    * Upload the tiles of a frame that have no layer yet. The list may contain a tile several times.

@@ -118,6 +118,10 @@ std::string TerrainPainter::Prepare(vtkRenderer* renderer, vtkActor* actor,
   this->ChooseOrigin(renderer, actor, faces);
   this->UpdateColors(window);
   this->Options.Coloring = this->ColorError.empty() ? settings.Coloring : TerrainColoring::SOLID;
+  if (this->Options.Coloring == TerrainColoring::IMAGERY && !this->Instances.HasImagery())
+  {
+    this->Options.Coloring = TerrainColoring::SOLID;
+  }
   this->Options.HasContours = settings.ContourInterval > 0.0;
   return "";
 }

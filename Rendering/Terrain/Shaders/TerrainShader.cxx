@@ -10,6 +10,8 @@
 #include "relevoTerrainFaceVS.h"
 #include "relevoTerrainGradientFS.h"
 #include "relevoTerrainHeightsVS.h"
+#include "relevoTerrainImageryFS.h"
+#include "relevoTerrainTilesFS.h"
 #include "relevoTerrainVS.h"
 
 #include <sstream>
@@ -38,7 +40,8 @@ std::string GetDefines(const TerrainShaderOptions& options)
   std::ostringstream text;
   text << GetPreciseExtension() << "#define RELEVO_SEGMENTS " << TerrainFace::Segments
        << "\n#define RELEVO_TILE_SHIFT " << TileShift << "\n#define RELEVO_FINEST_LEVEL ("
-       << BlockErrors::FinestLevel << ")\n";
+       << BlockErrors::FinestLevel << ")\n#define RELEVO_FINEST_TILE (" << TerrainTile::FinestLevel
+       << ")\n";
   const auto define = [&text](bool condition, const char* name)
   {
     if (condition)
@@ -53,6 +56,7 @@ std::string GetDefines(const TerrainShaderOptions& options)
   define(options.Coloring == TerrainColoring::SLOPE, "RELEVO_SLOPE");
   define(options.Coloring == TerrainColoring::ASPECT, "RELEVO_ASPECT");
   define(options.Coloring == TerrainColoring::HILLSHADE, "RELEVO_HILLSHADE");
+  define(options.Coloring == TerrainColoring::IMAGERY, "RELEVO_IMAGERY");
   return text.str();
 }
 
@@ -87,7 +91,16 @@ void PrepareTerrainShaders(const TerrainShaderOptions& options, bool ownFragment
   std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing)
 {
   ShaderText fragment(shaders[vtkShader::Fragment], missing);
-  if (options.Coloring != TerrainColoring::SOLID)
+  if (options.Coloring == TerrainColoring::IMAGERY)
+  {
+    InsertColors(fragment, ownFragments,
+      "\n  vec4 relevoColor = relevoImageryColor();\n"
+      "  ambientColor = ambientIntensity * relevoColor.rgb + (1.0 - relevoColor.a) * "
+      "ambientColor;\n"
+      "  diffuseColor = diffuseIntensity * relevoColor.rgb + (1.0 - relevoColor.a) * "
+      "diffuseColor;\n");
+  }
+  else if (options.Coloring != TerrainColoring::SOLID)
   {
     InsertColors(fragment, ownFragments, MakeMaterialColor("relevoTerrainColor()"));
   }
@@ -128,12 +141,15 @@ void FinishTerrainShaders(const TerrainShaderOptions& options,
   }
   const bool hasMatrix = fragment.Has("uniform mat3 normalMatrix;");
   const bool hasGradient = isShaded || HasGradients(options);
+  const bool hasImagery = options.Coloring == TerrainColoring::IMAGERY;
   fragment.InsertAtStart(std::string(options.HasContours ? "  relevoMeasureContours();\n" : "") +
-    (hasGradient ? "  relevoMeasureFootprint();\n" : "") + "  if (relevoIsOutside()) discard;\n" +
-    (hasGradient ? "  relevoFindGradient();\n" : ""));
+    (hasGradient || hasImagery ? "  relevoMeasureFootprint();\n" : "") +
+    "  if (relevoIsOutside()) discard;\n" + (hasGradient ? "  relevoFindGradient();\n" : ""));
   fragment.InsertBeforeMain(DeclareVaryings("in", varyings) +
     (HasTable(options.Coloring) ? relevoColorTable : "") +
-    (hasGradient ? relevoTerrainGradientFS : "") + relevoTerrainFS);
+    (hasGradient || hasImagery ? relevoTerrainTilesFS : "") +
+    (hasGradient ? relevoTerrainGradientFS : "") + (hasImagery ? relevoTerrainImageryFS : "") +
+    relevoTerrainFS);
   fragment.InsertAfterVersion(GetDefines(options) + (isShaded ? "#define RELEVO_NORMALS\n" : "") +
     (hasMatrix ? "#define RELEVO_NORMAL_MATRIX\n" : ""));
 }

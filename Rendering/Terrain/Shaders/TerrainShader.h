@@ -24,7 +24,8 @@ enum class TerrainColoring
   ELEVATION,
   SLOPE,
   ASPECT,
-  HILLSHADE
+  HILLSHADE,
+  IMAGERY
 };
 
 /// Return whether a lookup table maps numbers to colours.

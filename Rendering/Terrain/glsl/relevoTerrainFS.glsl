@@ -1,5 +1,5 @@
-// Fragments of a terrain: its borders, colours by height and slope, and contour lines. With
-// RELEVO_GRADIENTS, follows relevoTerrainGradientFS.glsl.
+// Fragments of a terrain: its borders, colours by height and slope, and contour lines. Slopes need
+// relevoTerrainGradientFS.glsl.
 
 uniform vec2 relevoLastSample; // as relevoRaster
 

@@ -1,0 +1,60 @@
+// The imagery at a fragment, from the tiles whose texels are about as large as the pixel. Colours are
+// linear between levels, as in a mipmap, and a tile that has just been read fades in. Follows
+// relevoTerrainTilesFS.glsl.
+
+uniform sampler2DArray relevoImagery;
+uniform ivec2 relevoImageryLevels; // the finest and the coarsest one
+
+// In oblique views, a pixel covers a long part of the terrain. It is the mean of at most this many
+// points.
+const float relevoLargestNumberOfPoints = 8.0;
+
+// Return the colour at a point (as relevoRaster) for a pixel that covers 2^detail samples per side.
+vec4 relevoImageryAt(vec2 raster, float detail)
+{
+  vec4 color = vec4(0.0);
+  float rest = 1.0; // the weight of coarser levels
+  int level = clamp(int(floor(detail)), relevoImageryLevels.x, relevoImageryLevels.y);
+  while (level <= relevoImageryLevels.y && rest > 0.0)
+  {
+    vec2 vertex;
+    ivec2 tile = relevoLocate(level, raster, vertex);
+    float visibility;
+    int layer = relevoFindTile(RelevoImagery, level, tile, visibility);
+    if (layer >= 0)
+    {
+      float weight = rest * visibility * clamp(float(level + 1) - detail, 0.0, 1.0);
+      weight = level == relevoImageryLevels.y ? rest : weight;
+      color += weight * textureLod(relevoImagery, relevoLayerPoint(vertex, layer), 0.0);
+      rest -= weight;
+    }
+    ++level;
+  }
+  return color;
+}
+
+// Return the colour of the fragment, which is multiplied by its alpha.
+vec4 relevoImageryColor()
+{
+  // The axes of the ellipse that the pixel covers.
+  float columns = relevoRight.x * relevoRight.x + relevoUp.x * relevoUp.x;
+  float rows = relevoRight.y * relevoRight.y + relevoUp.y * relevoUp.y;
+  float both = relevoRight.x * relevoRight.y + relevoUp.x * relevoUp.y;
+  float mean = 0.5 * (columns + rows);
+  float difference = length(vec2(0.5 * (columns - rows), both));
+  float longer = sqrt(mean + difference);
+  float shorter = sqrt(max(mean - difference, 0.0));
+  vec2 axis = columns > rows ? vec2(mean + difference - rows, both)
+                             : vec2(both, mean + difference - columns);
+  float size = length(axis);
+  axis = size > 0.0 ? axis / size * longer : vec2(0.0);
+  float texel = exp2(float(relevoImageryLevels.x));
+  float number = clamp(ceil(longer / max(shorter, texel)), 1.0, relevoLargestNumberOfPoints);
+  float detail = log2(max(longer / number, 1e-15));
+  vec4 color = vec4(0.0);
+  for (float i = 0.5; i < number; i += 1.0)
+  {
+    color += relevoImageryAt(relevoRasterVSOutput + (i / number - 0.5) * axis, detail);
+  }
+  return color / number;
+}
