@@ -23,40 +23,88 @@ namespace relevo
 {
 namespace
 {
-// GDAL caches the blocks that it has read in memory that no limit of ours counts. A handle drops
-// them after this many bytes.
-constexpr double MaximumCachedBytes = 32.0 * 1024 * 1024;
+// GDAL caches the blocks that it has read in memory that no limit of ours counts. A handle has at
+// most this many bytes of them, or the blocks of one window.
+constexpr double MaximumCachedBytes = 2.0 * 1024 * 1024;
+
+// GDAL's TIFF driver stores the position and size of each block of the file in each handle. For
+// large files, fewer handles limit this memory.
+constexpr double BytesPerPosition = 16.0;
+constexpr double MaximumPositionBytes = 128.0 * 1024 * 1024;
+constexpr double MostHandles = 64.0;
 
 bool FitsIntoFloat(int type)
 {
   return type == VTK_UNSIGNED_CHAR || type == VTK_SIGNED_CHAR || type == VTK_SHORT ||
     type == VTK_UNSIGNED_SHORT || type == VTK_FLOAT;
 }
+
+// Columns or rows of blocks.
+struct BlockRange
+{
+  int First = 0;
+  int End = 0;
+
+  BlockRange() = default;
+  BlockRange(int firstSample, int samples, int samplesPerBlock)
+    : First(firstSample / samplesPerBlock)
+    , End((firstSample + samples - 1) / samplesPerBlock + 1)
+  {
+  }
+  int GetSize() const { return this->End - this->First; }
+  int CountCommon(const BlockRange& other) const
+  {
+    return std::max(0, std::min(this->End, other.End) - std::max(this->First, other.First));
+  }
+};
 }
 
 struct PyramidFile::Handle
 {
   GDALDatasetPointer Dataset;
-  std::vector<GDALRasterBandH> Bands; // by level
+  std::vector<GDALRasterBandH> Bands;                // by level
+  std::vector<GDALRasterBandH> Masks;                // of the bands, for files that have masks
+  std::vector<std::array<BlockRange, 2>> LastBlocks; // of the last window of each level
   double CachedBytes = 0.0;
 
-  // Blocks that a window touches.
-  void Count(const SampleWindow& window)
+  // Drops cached blocks if the new ones of a window exceed the limit.
+  void MakeRoom(const SampleWindow& window)
   {
     const GDALRasterBandH band = this->Bands[window.Level];
     int width = 1;
     int height = 1;
     GDALGetBlockSize(band, &width, &height);
-    const auto blocks = [](int first, int size, int block)
-    { return static_cast<double>((first + size - 1) / block - first / block + 1); };
-    this->CachedBytes += blocks(window.Column, window.Width, std::max(1, width)) *
-      blocks(window.Row, window.Height, std::max(1, height)) * width * height *
+    const std::array<BlockRange, 2> blocks = { { BlockRange(window.Column, window.Width, width),
+      BlockRange(window.Row, window.Height, height) } };
+    std::array<BlockRange, 2>& last = this->LastBlocks[window.Level];
+    const double bytesPerBlock = static_cast<double>(width) * height *
       (GDALGetDataTypeSizeBits(GDALGetRasterDataType(band)) / 8.0);
-    if (this->CachedBytes > MaximumCachedBytes)
+    const double all = bytesPerBlock * blocks[0].GetSize() * blocks[1].GetSize();
+    const double added =
+      all - bytesPerBlock * blocks[0].CountCommon(last[0]) * blocks[1].CountCommon(last[1]);
+    if (added > 0.0 && this->CachedBytes + added > MaximumCachedBytes)
     {
-      GDALFlushCache(this->Dataset.get());
-      this->CachedBytes = 0.0;
+      this->DropBlocks();
+      this->CachedBytes = all;
     }
+    else
+    {
+      this->CachedBytes += added;
+    }
+    last = blocks;
+  }
+
+  // GDALFlushCache() would leave the blocks of overviews.
+  void DropBlocks()
+  {
+    for (const std::vector<GDALRasterBandH>* bands : { &this->Bands, &this->Masks })
+    {
+      for (const GDALRasterBandH band : *bands)
+      {
+        GDALFlushRasterCache(band);
+      }
+    }
+    std::fill(this->LastBlocks.begin(), this->LastBlocks.end(), std::array<BlockRange, 2>());
   }
 };
 
@@ -64,36 +112,53 @@ struct PyramidFile::Handle
 class PyramidFile::Lease
 {
 public:
+  // Waits while all handles are in use.
   Lease(const PyramidFile& file, std::string& error)
     : File(file)
   {
     {
-      const std::lock_guard<std::mutex> lock(file.Mutex);
+      std::unique_lock<std::mutex> lock(file.Mutex);
+      file.Returned.wait(lock, [&file] { return file.HandlesInUse < file.MaximumHandles; });
+      ++file.HandlesInUse;
       if (!file.Free.empty())
       {
         this->Owned = std::move(file.Free.back());
         file.Free.pop_back();
       }
     }
-    if (!this->Owned)
+    try
     {
-      this->Owned = file.NewHandle(error);
+      if (!this->Owned)
+      {
+        this->Owned = file.NewHandle(error);
+      }
+    }
+    catch (...)
+    {
+      this->Return();
+      throw;
     }
   }
-  ~Lease()
-  {
-    if (this->Owned)
-    {
-      const std::lock_guard<std::mutex> lock(this->File.Mutex);
-      this->File.Free.push_back(std::move(this->Owned));
-    }
-  }
+  ~Lease() { this->Return(); }
   Lease(const Lease&) = delete;
   void operator=(const Lease&) = delete;
 
   Handle* Get() const { return this->Owned.get(); }
 
 private:
+  void Return()
+  {
+    {
+      const std::lock_guard<std::mutex> lock(this->File.Mutex);
+      --this->File.HandlesInUse;
+      if (this->Owned)
+      {
+        this->File.Free.push_back(std::move(this->Owned));
+      }
+    }
+    this->File.Returned.notify_one();
+  }
+
   const PyramidFile& File;
   std::unique_ptr<Handle> Owned;
 };
@@ -140,6 +205,12 @@ std::unique_ptr<PyramidFile> PyramidFile::Open(const std::string& fileName, std:
   int blockHeight = 1;
   GDALGetBlockSize(band, &blockWidth, &blockHeight);
   file->IsStoredInRows = blockWidth >= GDALGetRasterBandXSize(band) && blockWidth > blockHeight;
+  const auto countBlocks = [blockWidth, blockHeight](GDALRasterBandH one)
+  {
+    return std::ceil(static_cast<double>(GDALGetRasterBandXSize(one)) / blockWidth) *
+      std::ceil(static_cast<double>(GDALGetRasterBandYSize(one)) / blockHeight);
+  };
+  double blocks = countBlocks(band);
   std::vector<std::pair<std::array<int, 2>, int>> levels = {
     { { { GDALGetRasterBandXSize(band), GDALGetRasterBandYSize(band) } }, -1 }
   };
@@ -148,6 +219,7 @@ std::unique_ptr<PyramidFile> PyramidFile::Open(const std::string& fileName, std:
     const GDALRasterBandH overview = GDALGetOverview(band, i);
     if (overview && GDALGetRasterDataType(overview) == GDALGetRasterDataType(band))
     {
+      blocks += countBlocks(overview);
       levels.push_back(
         { { { GDALGetRasterBandXSize(overview), GDALGetRasterBandYSize(overview) } }, i });
     }
@@ -165,6 +237,8 @@ std::unique_ptr<PyramidFile> PyramidFile::Open(const std::string& fileName, std:
       file->Overviews.push_back(number);
     }
   }
+  file->MaximumHandles = static_cast<int>(
+    std::clamp(MaximumPositionBytes / (BytesPerPosition * blocks), 1.0, MostHandles));
   return file;
 }
 
@@ -191,7 +265,12 @@ std::unique_ptr<PyramidFile::Handle> PyramidFile::NewHandle(std::string& error) 
       return nullptr;
     }
     handle->Bands.push_back(found);
+    if (this->Description.HasMask)
+    {
+      handle->Masks.push_back(GDALGetMaskBand(found));
+    }
   }
+  handle->LastBlocks.resize(handle->Bands.size());
   return handle;
 }
 
@@ -205,7 +284,7 @@ bool PyramidFile::ReadAs(const SampleWindow& window, T* samples, std::string& er
     return false;
   }
   GDALSession session;
-  handle->Count(window);
+  handle->MakeRoom(window);
   constexpr GDALDataType type = std::is_same<T, float>::value ? GDT_Float32 : GDT_Float64;
   const GDALRasterBandH band = handle->Bands[window.Level];
   const CPLErr result = GDALRasterIO(band, GF_Read, window.Column, window.Row, window.Width,
@@ -213,7 +292,7 @@ bool PyramidFile::ReadAs(const SampleWindow& window, T* samples, std::string& er
   const std::size_t n = window.GetNumberOfSamples();
   std::vector<unsigned char> mask(this->Description.HasMask ? n : 0);
   const bool hasMask = mask.empty() ||
-    GDALRasterIO(GDALGetMaskBand(band), GF_Read, window.Column, window.Row, window.Width,
+    GDALRasterIO(handle->Masks[window.Level], GF_Read, window.Column, window.Row, window.Width,
       window.Height, mask.data(), window.Width, window.Height, GDT_Byte, 0, 0) == CE_None;
   if (result != CE_None || !hasMask || session.HasErrors())
   {
@@ -237,6 +316,13 @@ bool PyramidFile::ReadAs(const SampleWindow& window, T* samples, std::string& er
     samples[i] = isMissing ? missing : samples[i];
   }
   return true;
+}
+
+void PyramidFile::CloseIdleHandles() const
+{
+  GDALSession session; // collects what GDAL reports while it closes the file
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Free.clear();
 }
 
 bool PyramidFile::Read(const SampleWindow& window, double* samples, std::string& error) const

@@ -5,7 +5,8 @@
  * @brief   a raster and its overviews, read in rectangles by any number of threads
  *
  * GDAL reads the samples. Level 0 is the full resolution; the overviews follow in order of falling
- * size. A GDAL dataset belongs to one thread at a time, so each thread gets one of its own.
+ * size. A GDAL dataset belongs to one thread at a time, so each thread gets one of its own. If
+ * these need much memory, threads wait for each other.
  *
  * Private to the module; only in builds with RELEVO_USE_GDAL.
  */
@@ -17,6 +18,7 @@
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <array>
+#include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -60,6 +62,9 @@ public:
   /// The value of samples that a sparse file does not store: NaN, or 0 without a no-data value.
   double GetAbsentSample() const;
 
+  /// Close the datasets that no thread uses, to release their memory. Thread-safe.
+  void CloseIdleHandles() const;
+
   /// A text that changes when the file does: its size, its time, and the sizes of its levels.
   std::string GetSignature() const;
 
@@ -79,7 +84,11 @@ private:
   bool IsStoredInRows = false;
   bool IsFloat = false;
 
-  mutable std::mutex Mutex;
+  int MaximumHandles = 1;
+
+  mutable std::mutex Mutex; // protects the next members
+  mutable std::condition_variable Returned;
+  mutable int HandlesInUse = 0;
   mutable std::vector<std::unique_ptr<Handle>> Free; // handles that no thread uses
 };
 }

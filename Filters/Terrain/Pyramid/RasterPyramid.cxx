@@ -249,6 +249,7 @@ void RasterPyramid::BuildIndex()
   {
     error = "there is not enough memory to index the raster";
   }
+  this->File->CloseIdleHandles();
   if (isBuilt)
   {
     this->UseIndex();

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The blocks of a raster and its overviews that GDAL caches take little memory, for one thread and
+// for several, and none once the datasets are closed. Many threads read the samples that one reads.
+#include "RelevoCheck.h"
+#include "RelevoRasterFiles.h"
+
+#include "Pyramid/PyramidFile.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <memory>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace
+{
+using relevo::PyramidFile;
+using relevo::SampleWindow;
+
+// GDAL counts the headers of blocks, too.
+constexpr double BytesPerDataset = 1.01 * 2.0 * 1024 * 1024;
+
+// Writes a raster whose first two levels exceed the memory of one dataset.
+bool WritePyramid(const std::string& name)
+{
+  RelevoRaster raster;
+  raster.Width = 1500;
+  raster.Height = 1300;
+  raster.Type = GDT_Float64;
+  raster.Options = { "TILED=YES", "BLOCKXSIZE=128", "BLOCKYSIZE=128" };
+  raster.SetValues([](int, int column, int row) { return 7.0 * column - 3.0 * row; });
+  if (!raster.Write(name))
+  {
+    return false;
+  }
+  GDALDatasetH dataset = GDALOpen(name.c_str(), GA_Update);
+  const int factors[] = { 2, 4 };
+  const bool isBuilt = dataset &&
+    GDALBuildOverviews(
+      dataset, "AVERAGE", 2, const_cast<int*>(factors), 0, nullptr, nullptr, nullptr) == CE_None;
+  GDALClose(dataset);
+  return isBuilt;
+}
+
+std::vector<SampleWindow> GetWindows(const PyramidFile& file, int size)
+{
+  std::vector<SampleWindow> windows;
+  for (int level = 0; level < file.GetNumberOfLevels(); ++level)
+  {
+    const std::array<int, 2>& all = file.GetSize(level);
+    for (int row = 0; row < all[1]; row += size)
+    {
+      for (int column = 0; column < all[0]; column += size)
+      {
+        windows.push_back(
+          { level, column, row, std::min(size, all[0] - column), std::min(size, all[1] - row) });
+      }
+    }
+  }
+  return windows;
+}
+
+double GetCachedBytes()
+{
+  return static_cast<double>(GDALGetCacheUsed64());
+}
+
+// In rows of windows, and in a random order that returns to earlier windows.
+void TestMemory(RelevoCheck& check, const std::string& name, int size)
+{
+  CHECK_CASE(size);
+  const double before = GetCachedBytes();
+  std::string error;
+  const std::unique_ptr<PyramidFile> file = PyramidFile::Open(name, error);
+  if (!CHECK(file != nullptr))
+  {
+    return;
+  }
+  std::vector<SampleWindow> windows = GetWindows(*file, size);
+  std::mt19937 random(5);
+  for (bool isRandom : { false, true })
+  {
+    if (isRandom)
+    {
+      std::shuffle(windows.begin(), windows.end(), random);
+    }
+    double largest = 0.0;
+    std::vector<double> samples;
+    for (const SampleWindow& window : windows)
+    {
+      samples.resize(window.GetNumberOfSamples());
+      CHECK(file->Read(window, samples.data(), error));
+      largest = std::max(largest, GetCachedBytes() - before);
+    }
+    CHECK_GREATER(largest, 0.0);
+    CHECK_LESS_EQUAL(largest, BytesPerDataset);
+  }
+  file->CloseIdleHandles();
+  CHECK_EQUAL(GetCachedBytes(), before);
+  double sample = 0.0;
+  CHECK(file->Read({ 0, 3, 2, 1, 1 }, &sample, error));
+  CHECK_EQUAL(sample, 15.0);
+}
+
+// More threads than datasets.
+void TestThreads(RelevoCheck& check, const std::string& name)
+{
+  constexpr int numberOfThreads = 80;
+  const double before = GetCachedBytes();
+  std::string error;
+  const std::unique_ptr<PyramidFile> file = PyramidFile::Open(name, error);
+  if (!CHECK(file != nullptr))
+  {
+    return;
+  }
+  const std::vector<SampleWindow> windows = GetWindows(*file, 150);
+  std::vector<std::vector<double>> expected;
+  for (const SampleWindow& window : windows)
+  {
+    expected.emplace_back(window.GetNumberOfSamples());
+    CHECK(file->Read(window, expected.back().data(), error));
+  }
+  std::atomic<int> defects{ 0 };
+  std::vector<std::thread> threads;
+  for (int thread = 0; thread < numberOfThreads; ++thread)
+  {
+    threads.emplace_back(
+      [&, thread]
+      {
+        std::string problem;
+        for (std::size_t i = thread % 7; i < windows.size(); i += 7)
+        {
+          std::vector<double> samples(windows[i].GetNumberOfSamples());
+          const bool isRead = file->Read(windows[i], samples.data(), problem);
+          defects += isRead && samples == expected[i] ? 0 : 1;
+        }
+      });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  CHECK_EQUAL(defects, 0);
+  CHECK_LESS_EQUAL(GetCachedBytes() - before, numberOfThreads * BytesPerDataset);
+  file->CloseIdleHandles();
+  CHECK_EQUAL(GetCachedBytes(), before);
+}
+}
+
+int TestPyramidFile(int argc, char* argv[])
+{
+  RelevoCheck check;
+  const RelevoTestFolders folders(argc, argv);
+  GDALAllRegister();
+  const std::string name = folders.File("PyramidFile.tif");
+  if (!CHECK(WritePyramid(name)))
+  {
+    return check.GetResult();
+  }
+  TestMemory(check, name, 100);
+  TestMemory(check, name, 300);
+  TestThreads(check, name);
+  return check.GetResult();
+}
