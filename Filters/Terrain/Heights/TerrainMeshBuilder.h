@@ -55,6 +55,11 @@ public:
 
 private:
   vtkIdType AddVertex(const Vertex& vertex);
+  vtkIdType AddPoint(
+    const std::array<double, 3>& position, double height, double column, double row);
+  void Clip(int axis, double limit, double sign);
+  vtkIdType AddEdgePoint(vtkIdType first, vtkIdType second, int axis, double limit);
+  void RemoveUnusedPoints();
 
   const RasterDescription& Contents;
   TerrainPlacement Placement;

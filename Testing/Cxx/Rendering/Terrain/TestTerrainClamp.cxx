@@ -470,6 +470,10 @@ void TestFullResolution(RelevoCheck& check, const RelevoRaster& raster, const st
     vtkIdType last = 0;
     for (double error : { 1.0, 0.1, 0.01 })
     {
+      if (input == stars && error < 0.1)
+      {
+        continue; // millions of triangles
+      }
       CHECK_CASE(error);
       scene.Clamp->SetMaximumError(error);
       scene.Clamp->SetExaggeration(error == 0.1 ? -2.0 : 1.0);
