@@ -37,7 +37,7 @@
  *
  * Errors (ErrorEvent, empty output): neither a mapper nor a pyramid; an error of the pyramid; a
  * raster with one row or column; a coordinate system that is not supported; longitude and latitude
- * for a raster without a coordinate system; more than 2^26 cells. Tiles that cannot be read are
+ * for a raster without a coordinate system; more than 2^24 cells. Tiles that cannot be read are
  * reported, and count as missing data.
  *
  * @sa vtkTerrainMapper vtkTerrainPyramid

@@ -167,7 +167,7 @@ bool FacePatch::FindPoint(const MapPosition& position, SurfacePoint& point) cons
   return true;
 }
 
-void FacePatch::AddTriangles(const MapBox& box, std::vector<SurfaceTriangle>& triangles) const
+void FacePatch::VisitTriangles(const MapBox& box, const TriangleVisitor& visitor) const
 {
   for (const TerrainFace::PatternTriangle& vertices : TerrainFace::GetPattern())
   {
@@ -179,9 +179,9 @@ void FacePatch::AddTriangles(const MapBox& box, std::vector<SurfaceTriangle>& tr
       {
         bounds.Add({ { vertex.Column, vertex.Row } });
       }
-      if (bounds.Overlaps(box))
+      if (bounds.Overlaps(box) && !visitor(triangle))
       {
-        triangles.push_back(triangle);
+        return;
       }
     }
   }

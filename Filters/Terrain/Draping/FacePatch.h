@@ -23,7 +23,7 @@ public:
 
   void AddPieces(const MapSegment& segment, std::vector<Piece>& pieces) const override;
   bool FindPoint(const MapPosition& position, SurfacePoint& point) const override;
-  void AddTriangles(const MapBox& box, std::vector<SurfaceTriangle>& triangles) const override;
+  void VisitTriangles(const MapBox& box, const TriangleVisitor& visitor) const override;
 
 private:
   using PatternVertex = std::array<int, 2>;

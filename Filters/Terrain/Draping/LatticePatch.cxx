@@ -154,7 +154,7 @@ bool LatticePatch::FindPoint(const MapPosition& position, SurfacePoint& point) c
   return true;
 }
 
-void LatticePatch::AddTriangles(const MapBox& box, std::vector<SurfaceTriangle>& triangles) const
+void LatticePatch::VisitTriangles(const MapBox& box, const TriangleVisitor& visitor) const
 {
   std::array<std::int64_t, 2> first;
   std::array<std::int64_t, 2> last;
@@ -172,16 +172,16 @@ void LatticePatch::AddTriangles(const MapBox& box, std::vector<SurfaceTriangle>&
     for (std::int64_t column = first[0]; column < last[0]; ++column)
     {
       Cell cell;
-      if (this->GetCell({ { column, row } }, cell))
+      if (this->GetCell({ { column, row } }, cell) && !this->VisitCell(cell, visitor))
       {
-        this->AddCellTriangles(cell, triangles);
+        return;
       }
     }
   }
 }
 
 // Two triangles have a quarter of the twist as their largest distance from the cell.
-void LatticePatch::AddCellTriangles(const Cell& cell, std::vector<SurfaceTriangle>& triangles) const
+bool LatticePatch::VisitCell(const Cell& cell, const TriangleVisitor& visitor) const
 {
   const int parts = this->CountParts(cell.GetTwist() / 4.0);
   const auto getVertex = [&](int i, int j)
@@ -196,9 +196,13 @@ void LatticePatch::AddCellTriangles(const Cell& cell, std::vector<SurfaceTriangl
     {
       const SurfaceVertex corners[4] = { getVertex(i, j), getVertex(i + 1, j),
         getVertex(i + 1, j + 1), getVertex(i, j + 1) };
-      triangles.push_back({ { corners[0], corners[1], corners[2] } });
-      triangles.push_back({ { corners[0], corners[2], corners[3] } });
+      if (!visitor({ { corners[0], corners[1], corners[2] } }) ||
+        !visitor({ { corners[0], corners[2], corners[3] } }))
+      {
+        return false;
+      }
     }
   }
+  return true;
 }
 }

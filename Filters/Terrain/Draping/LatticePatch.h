@@ -27,7 +27,7 @@ public:
 
   void AddPieces(const MapSegment& segment, std::vector<Piece>& pieces) const override;
   bool FindPoint(const MapPosition& position, SurfacePoint& point) const override;
-  void AddTriangles(const MapBox& box, std::vector<SurfaceTriangle>& triangles) const override;
+  void VisitTriangles(const MapBox& box, const TriangleVisitor& visitor) const override;
 
 private:
   // The heights at the corners of a cell: (0, 0), (1, 0), (0, 1) and (1, 1).
@@ -47,7 +47,7 @@ private:
   SurfaceVertex GetVertex(const Cell& cell, const MapPosition& inLattice) const;
   SurfacePoint GetPoint(const Cell& cell, const MapPosition& position) const;
   int CountParts(double largestDistance) const;
-  void AddCellTriangles(const Cell& cell, std::vector<SurfaceTriangle>& triangles) const;
+  bool VisitCell(const Cell& cell, const TriangleVisitor& visitor) const;
 
   const HeightTile& Tile;
   std::array<std::int64_t, 2> FirstVertex;

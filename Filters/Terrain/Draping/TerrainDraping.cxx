@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace relevo
 {
@@ -129,9 +130,9 @@ bool TerrainDraping::IsToStop()
 {
   if (this->State == Result::Done)
   {
-    this->State = this->Current.IsAborted()            ? Result::Aborted
-      : this->Output.GetNumberOfCells() > MaximumCells ? Result::TooManyCells
-                                                       : Result::Done;
+    this->State = this->Current.IsAborted()                          ? Result::Aborted
+      : this->Output.GetNumberOfCells() > this->Current.MaximumCells ? Result::TooManyCells
+                                                                     : Result::Done;
   }
   return this->State != Result::Done;
 }
@@ -150,6 +151,18 @@ TerrainDraping::Place TerrainDraping::Move(const Place& place, int periods) cons
   return { place.Id, place.Shift + periods, this->Shift(place.Position, periods) };
 }
 
+// Points that do not exist, or are far beyond the raster, are not on the map.
+MapPosition TerrainDraping::GetPosition(vtkIdType id) const
+{
+  constexpr double farthest = 1e9;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const bool exists = id >= 0 && static_cast<std::size_t>(id) < this->Positions.size();
+  const MapPosition position =
+    exists ? this->Positions[static_cast<std::size_t>(id)] : MapPosition{ { none, none } };
+  const bool isNear = std::abs(position[0]) <= farthest && std::abs(position[1]) <= farthest;
+  return isNear ? position : MapPosition{ { none, none } };
+}
+
 // Each point is moved to the copy next to the one before it.
 TerrainDraping::Places TerrainDraping::Unroll(const Ids& ids) const
 {
@@ -160,7 +173,7 @@ TerrainDraping::Places TerrainDraping::Unroll(const Ids& ids) const
   const Place* last = nullptr;
   for (vtkIdType id : ids)
   {
-    Place place = { id, 0, this->Positions[static_cast<std::size_t>(id)] };
+    Place place = { id, 0, this->GetPosition(id) };
     if (squared > 0.0 && last && IsOnMap(place.Position))
     {
       const double along = ((last->Position[0] - place.Position[0]) * period[0] +
@@ -445,12 +458,12 @@ void TerrainDraping::DrapeTriangle(const std::array<Place, 3>& corners, Fragment
   this->Surface.Visit(box, nullptr,
     [&](const TerrainPatch& patch)
     {
-      this->Triangles.clear();
-      patch.AddTriangles(box, this->Triangles);
-      for (const SurfaceTriangle& triangle : this->Triangles)
-      {
-        this->AddFragment(triangle, patch.GetBox(), corners, fragments);
-      }
+      patch.VisitTriangles(box,
+        [&](const SurfaceTriangle& triangle)
+        {
+          this->AddFragment(triangle, patch.GetBox(), corners, fragments);
+          return this->Output.GetNumberOfCells() <= this->Current.MaximumCells;
+        });
       return !this->IsToStop();
     });
 }

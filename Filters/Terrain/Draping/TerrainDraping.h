@@ -30,15 +30,14 @@ namespace relevo
 class RELEVOFILTERSTERRAIN_EXPORT TerrainDraping
 {
 public:
-  static constexpr vtkIdType MaximumCells = vtkIdType(1) << 26;
-
   struct Settings
   {
     TerrainPlacement Placement;
     double Offset = 0.0; // in world units
     /// The columns and rows of 360 degrees of longitude, or 0.
     MapPosition Period = { { 0.0, 0.0 } };
-    std::function<bool()> IsAborted;
+    vtkIdType MaximumCells = vtkIdType(1) << 24;
+    std::function<bool()> IsAborted = [] { return false; };
   };
 
   /// The positions of the points of the input, NaN for those that do not lie on the map.
@@ -49,7 +48,7 @@ public:
   {
     Done,
     Aborted,
-    TooManyCells // more than MaximumCells
+    TooManyCells // more than Settings::MaximumCells
   };
   Result Run(vtkPolyData* output);
 
@@ -73,6 +72,7 @@ private:
   Place Move(const Place& place, int periods) const;
   Places Unroll(const Ids& ids) const;
   std::pair<int, int> FindCopies(const Places& places) const;
+  MapPosition GetPosition(vtkIdType id) const;
   bool IsToStop();
 
   void DrapePoints(const Ids& ids, vtkIdType cell);
@@ -94,7 +94,6 @@ private:
   DrapedOutput Output;
   std::map<std::pair<vtkIdType, int>, vtkIdType> Vertices; // points of the output
   std::vector<TerrainPatch::Piece> Pieces;
-  std::vector<SurfaceTriangle> Triangles;
   bool LeftOut = false;
   Result State = Result::Done;
 };

@@ -13,6 +13,7 @@
 #include "Draping/MapBox.h"
 #include "Draping/SurfacePoint.h"
 
+#include <functional>
 #include <vector>
 
 namespace relevo
@@ -38,8 +39,9 @@ public:
   virtual void AddPieces(const MapSegment& segment, std::vector<Piece>& pieces) const = 0;
   /// Find the point at a position. Return false if the patch is not there.
   virtual bool FindPoint(const MapPosition& position, SurfacePoint& point) const = 0;
-  /// Add the triangles that overlap a rectangle.
-  virtual void AddTriangles(const MapBox& box, std::vector<SurfaceTriangle>& triangles) const = 0;
+  /// Visit the triangles that overlap a rectangle, until the visitor returns false.
+  using TriangleVisitor = std::function<bool(const SurfaceTriangle&)>;
+  virtual void VisitTriangles(const MapBox& box, const TriangleVisitor& visitor) const = 0;
 
 protected:
   MapBox Box;

@@ -5,6 +5,8 @@
 #include "RelevoRasterFiles.h"
 #include "RelevoScene.h"
 
+#include "Draping/RasterSurface.h"
+#include "Draping/TerrainDraping.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -338,6 +340,35 @@ public:
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkTerrainMeshSource> Mesh;
 };
+
+// The number of cells is limited.
+void TestLimit(RelevoCheck& check, const std::string& file)
+{
+  vtkNew<vtkTerrainPyramid> pyramid;
+  pyramid->SetFileName(file.c_str());
+  CHECK(pyramid->Update());
+  const auto lattice = pyramid->GetLattice();
+  const auto stars = MakeStars();
+  std::vector<relevo::MapPosition> positions;
+  for (vtkIdType i = 0; i < stars->GetNumberOfPoints(); ++i)
+  {
+    positions.push_back(
+      { { (stars->GetPoint(i)[0] + Half) / Spacing, (stars->GetPoint(i)[1] + Half) / Spacing } });
+  }
+  for (const auto& [limit, expected] :
+    { std::make_pair(1000, relevo::TerrainDraping::Result::TooManyCells),
+      std::make_pair(1000000, relevo::TerrainDraping::Result::Done) })
+  {
+    CHECK_CASE(limit);
+    relevo::RasterSurface surface(*lattice, 0.1);
+    relevo::TerrainDraping::Settings settings;
+    settings.MaximumCells = limit;
+    relevo::TerrainDraping draping(surface, settings, stars, positions);
+    vtkNew<vtkPolyData> output;
+    CHECK(draping.Run(output) == expected);
+    CHECK_LESS_EQUAL(output->GetNumberOfCells(), limit + 1);
+  }
+}
 
 // The largest distance of points in view from the triangles that are drawn, and their number.
 double MeasureDistance(ClampScene& scene, vtkPolyData* mesh, int& number)
@@ -771,6 +802,31 @@ void TestErrors(RelevoCheck& check, const std::string& file, const RelevoTestFol
   CHECK(errors.Said("Offset"));
   clamp->SetExaggeration(NotFound);
   CHECK(errors.Said("Exaggeration"));
+  // Inputs without points, with points that do not exist, and with positions far away.
+  clamp->SetInputData(vtkNew<vtkPolyData>());
+  clamp->Update();
+  CHECK_EQUAL(clamp->GetOutput()->GetNumberOfPoints(), 0);
+  vtkNew<vtkPolyData> invalid;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  points->InsertNextPoint(1e300, -1e300, 0.0);
+  const vtkIdType ids[4] = { 0, 7, -3, 1 };
+  invalid->SetPoints(points);
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell(4, ids);
+  cells->InsertNextCell(1, ids);
+  invalid->SetVerts(cells);
+  invalid->SetLines(cells);
+  invalid->SetPolys(cells);
+  for (int type : { vtkTerrainClamp::WORLD, vtkTerrainClamp::RASTER })
+  {
+    clamp->SetCoordinateType(type);
+    clamp->SetInputData(invalid);
+    clamp->Update();
+    CHECK_EQUAL(clamp->GetOutput()->GetNumberOfCells(), type == vtkTerrainClamp::WORLD ? 2 : 0);
+  }
+  CHECK(errors.Warned("left out"));
   // Before the first frame, the output is flat. The first frame draws it on the terrain.
   ClampScene scene(file);
   RelevoErrors none(scene.Clamp);
@@ -809,6 +865,7 @@ int TestTerrainClamp(int argc, char* argv[])
   TestCoordinates(check, file);
   TestAntimeridian(check, folders);
   TestMissing(check, folders);
+  TestLimit(check, file);
   TestErrors(check, file, folders);
   return check.GetResult();
 }
