@@ -12,6 +12,7 @@
 #include "Scene/ReliefCaptures.h"
 #include "Scene/SceneFactory.h"
 #include "Scene/TerrainHeight.h"
+#include "Scene/ViewerFlight.h"
 #include "Scene/ViewerScene.h"
 #include "Text/ReadingGuard.h"
 #include "Text/StandardError.h"
@@ -43,6 +44,11 @@ void Draw(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& mess
   window->SetSize(options.Size[0], options.Size[1]);
   window->SetMultiSamples(4);
   window->AddRenderer(scene.GetRenderer());
+  if (!options.Flight.empty())
+  {
+    DrawFlight(scene, window, options, messages);
+    return;
+  }
   scene.Draw(window);
   ShowReliefs(scene.GetRenderer(), window, options, messages);
   if (!options.Output.empty())
@@ -68,7 +74,7 @@ void Run(const ViewerOptions& options)
   }
   for (const std::string& fileName : { options.Output, options.Export })
   {
-    if (!fileName.empty())
+    if (!fileName.empty() && options.Flight.empty())
     {
       CheckOutput(fileName);
     }

@@ -27,7 +27,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iomanip>
 #include <sstream>
 
 namespace
@@ -365,26 +364,12 @@ bool vtkTerrainSource::CheckLocation(const relevo::Georeference& location, std::
 
 void vtkTerrainSource::WarnOfLocation(const relevo::Georeference& location)
 {
-  constexpr double largestDeviation = 0.05;
-  if (relevo::LooksGeographic(location, this->HeightMap->GetFullDimensions()))
+  const std::string warning =
+    relevo::FindLocationWarning(location, this->HeightMap->GetFullDimensions());
+  if (!warning.empty())
   {
-    vtkWarningMacro(<< this->GetFileName()
-                    << " has no coordinate system, so its coordinates are "
-                       "taken as metres. They look like degrees: if they are, declare them "
-                       "(gdal_edit.py -a_srs EPSG:4326).");
+    vtkWarningMacro(<< this->GetFileName() << warning);
   }
-#if RELEVO_HAS_GDAL
-  double scale = 1.0;
-  if (location.System == relevo::Georeference::Kind::Planar && !location.WKT.empty() &&
-    relevo::FindScale(location, scale) && std::abs(scale - 1.0) > largestDeviation)
-  {
-    std::ostringstream text;
-    text << std::setprecision(3) << scale;
-    vtkWarningMacro(<< this->GetFileName() << ": its projection scales lengths at its centre by "
-                    << text.str()
-                    << ", but not heights. Reproject it, for example to UTM (gdalwarp -t_srs).");
-  }
-#endif
 }
 
 bool vtkTerrainSource::CheckImagery(std::string& error)

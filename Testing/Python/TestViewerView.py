@@ -216,13 +216,14 @@ class TestViewerView(ViewerProgram):
 
     def test_center_in_degrees(self):
         degrees = self.write_grid("degrees", (86.9, 27.9), 0.001, GEOGRAPHIC)
-        source = relevo.vtkTerrainSource()
-        source.SetFileName(str(self.folder / degrees))
-        source.Update()
-        if not source.IsGeographic():
+        pyramid = relevo.vtkTerrainPyramid()
+        pyramid.SetFileName(str(self.folder / degrees))
+        mapper = relevo.vtkTerrainMapper()
+        mapper.SetPyramid(pyramid)
+        if not pyramid.Update():
             self.skipTest("a build without GDAL")
         place = [0.0, 0.0, 0.0]
-        self.assertTrue(source.MapToTerrain((86.902, 27.904, 0), place))
+        self.assertTrue(mapper.GeographicToWorld((86.902, 27.904, 0), place))
         x, y, _ = place
         expected = self.picture(degrees, f"--center={x!r},{y!r}", "--zoom=4")
         for center in ("86.902E,27.904N", "27.904n,86.902e", "-86.902W,-27.904S"):

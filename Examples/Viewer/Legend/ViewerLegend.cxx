@@ -97,10 +97,12 @@ void ViewerLegend::OnStart(vtkObject*, unsigned long, void*)
 //------------------------------------------------------------------------------
 void ViewerLegend::LayOut(const int size[2])
 {
-  if (std::equal(size, size + 2, this->Size))
+  const vtkMTimeType time = this->Table->GetMTime();
+  if (std::equal(size, size + 2, this->Size) && time == this->TableTime)
   {
     return;
   }
+  this->TableTime = time;
   std::copy_n(size, 2, this->Size);
   const int margin = std::min(std::max(3 * std::min(size[0], size[1]) / 200, 4), 16);
   this->SetTitle(size, margin);

@@ -4,8 +4,8 @@
  * @class   ViewerLegend
  * @brief   explains the colours, in the upper left corner of a picture
  *
- * The legend is laid out again when the picture's size changes. A long title is wrapped, or set in
- * smaller letters.
+ * The legend is laid out again when the picture's size or the colours change. A long title is
+ * wrapped, or set in smaller letters.
  */
 #ifndef ViewerLegend_h
 #define ViewerLegend_h
@@ -61,6 +61,7 @@ private:
   std::string Name;
   int NumberOfLabels;
   int Size[2] = { 0, 0 };
+  vtkMTimeType TableTime = 0;
   std::array<int, 2> Corner = { { 0, 0 } };
   vtkNew<vtkPolyData> GroundShape;
   vtkNew<vtkActor2D> Ground; // background that keeps the text readable

@@ -7,6 +7,7 @@
 #include "Options/UsageError.h"
 #include "Options/ViewerArguments.h"
 #include "Options/ViewerOptions.h"
+#include "Scene/ViewerFlight.h"
 
 #include "vtkLICSettings.h"
 #include "vtkReliefMapper.h"
@@ -44,6 +45,7 @@ public:
     this->CheckPatches();
     this->CheckFlow();
     this->CheckLevels();
+    this->CheckTiles();
     this->ReadPlaces();
   }
 
@@ -236,6 +238,95 @@ private:
     {
       throw UsageError("--budget cannot be combined with --export: it limits what is drawn");
     }
+  }
+
+  // Height maps are drawn in tiles unless an option needs a coarse mesh that is refined by levels,
+  // or other samples than those of the file.
+  void CheckTiles()
+  {
+    ViewerOptions& options = this->Options;
+    using Color = ViewerOptions::ColorType;
+    const Color color = options.Color;
+    const bool isOfTerrain = color != Color::Own && !options.IsColoredByLevel();
+    this->RequirePartner({ "--contours", "--flight", "--memory", "--palette", "--range" },
+      options.IsTerrain(), "a height map, and '" + options.Input + "' is none");
+    if (!options.IsTerrain())
+    {
+      if (isOfTerrain)
+      {
+        throw UsageError("--color-by " + this->Given.at("--color-by") +
+          " requires a height map, and '" + options.Input + "' is none");
+      }
+      return;
+    }
+    const std::vector<std::string> ofTable = { "--palette", "--range" };
+    this->Exclude(ofTable, color == Color::Hillshade, "--color-by hillshade");
+    this->Exclude({ "--light" }, color == Color::Hillshade, "--color-by hillshade");
+    this->Exclude(ofTable, options.IsColoredByLevel(), "--color-by level, pattern or metric");
+    this->Exclude(ofTable, !options.Imagery.empty(), "a picture (--image)");
+    if (isOfTerrain && !options.Imagery.empty())
+    {
+      throw UsageError(
+        "--color-by " + this->Given.at("--color-by") + " cannot be combined with --image");
+    }
+    this->CheckFlight();
+    const std::string levels = this->FindOptionOfLevels();
+    options.IsTiled = levels.empty();
+    options.TiledBy = this->FindOptionOfTiles();
+    if (!levels.empty() && !options.TiledBy.empty())
+    {
+      throw UsageError(options.TiledBy + " cannot be combined with " + levels);
+    }
+  }
+
+  void CheckFlight()
+  {
+    const ViewerOptions& options = this->Options;
+    const bool isFlight = !options.Flight.empty();
+    this->RequirePartner({ "--flight" }, IsFramePattern(options.Output),
+      "--output with a number such as --output 'frames/%04d.png'");
+    this->Exclude({ "--center", "--export", "--stats", "--view", "--zoom" }, isFlight, "--flight");
+  }
+
+  /// An option that tiles do not support, with its value if that matters, or "".
+  std::string FindOptionOfLevels() const
+  {
+    const ViewerOptions& options = this->Options;
+    const double smallestError = 0.01;         // pixels, of vtkTerrainMapper
+    const double smallestExaggeration = 0.001; // of vtkTerrainMapper
+    for (const char* option : { "--alpha", "--amplitude", "--budget", "--capture", "--export",
+           "--frequency", "--image", "--imagery", "--imagery-bands", "--level", "--max-level",
+           "--method", "--metric", "--no-data-value", "--no-geomorphing", "--per-edge", "--pixels",
+           "--reach", "--region", "--relief", "--relief-method", "--relief-search", "--resolution",
+           "--segments", "--stretch", "--surface", "--tolerance" })
+    {
+      if (this->Given.count(option))
+      {
+        return option;
+      }
+    }
+    return options.FillNoData                       ? "--no-data fill"
+      : options.IsColoredByLevel()                  ? "--color-by " + this->Given.at("--color-by")
+      : options.Error.value_or(1.0) < smallestError ? "--error below 0.01"
+      : options.Exaggeration.value_or(1.0) < smallestExaggeration ? "--exaggeration below 0.001"
+                                                                  : "";
+  }
+
+  /// An option that only tiles support, or "".
+  std::string FindOptionOfTiles() const
+  {
+    using Color = ViewerOptions::ColorType;
+    for (const char* option : { "--contours", "--flight", "--memory" })
+    {
+      if (this->Given.count(option))
+      {
+        return option;
+      }
+    }
+    const Color color = this->Options.Color;
+    return color == Color::Slope || color == Color::Aspect || color == Color::Hillshade
+      ? "--color-by " + this->Given.at("--color-by")
+      : "";
   }
 
   // For a height map, two coordinates are enough.

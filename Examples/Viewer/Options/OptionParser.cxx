@@ -7,6 +7,7 @@
 #include "Options/OptionChecks.h"
 #include "Options/UsageError.h"
 #include "Options/ViewerArguments.h"
+#include "Scene/TerrainColours.h"
 
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkGPUUnstructuredGridVolumeMapper.h"
@@ -31,6 +32,8 @@ bool IsReliefDatabase(const std::string& name)
 
 const int HighestLevel = 7;
 const int LargestResolution = 4096;
+const int SmallestMemory = 16;         // MiB
+const int LargestMemory = 1024 * 1024; // MiB
 const int MaximumSteps = 1000;
 const int MaximumHairs = 10000000;
 const int MaximumIsolines = 1000;
@@ -155,12 +158,33 @@ private:
   {
     ViewerOptions& options = this->Options;
     this->AllSettings.insert({
+      { "--contours",
+        [&](const auto& option, const auto& value)
+        { options.Contours = ToPositiveNumber(option, value); } },
       { "--exaggeration",
         [&](const auto& option, const auto& value)
         { options.Exaggeration = ToNumber(option, value); } },
+      { "--flight",
+        [&](const auto& option, const auto& value)
+        { options.Flight = ToFileName(option, value, { ".csv" }); } },
       { "--imagery-bands",
         [&](const auto& option, const auto& value)
         { ToBands(option, value, options.ImageryBands); } },
+      { "--memory",
+        [&](const auto& option, const auto& value)
+        { options.Memory = ToInteger(option, value, SmallestMemory, LargestMemory); } },
+      { "--palette",
+        [&](const auto& option, const auto& value)
+        {
+          std::vector<std::pair<std::string, std::string>> choices;
+          for (const std::string& name : GetPaletteNames())
+          {
+            choices.emplace_back(name, name);
+          }
+          options.Palette = ToChoice<std::string>(option, value, choices);
+        } },
+      { "--range",
+        [&](const auto& option, const auto& value) { options.Range = ToRange(option, value); } },
       { "--resolution",
         [&](const auto& option, const auto& value)
         { options.Resolution = ToInteger(option, value, 1, LargestResolution); } },
@@ -426,7 +450,9 @@ private:
         {
           using Type = ViewerOptions::ColorType;
           options.Color = ToChoice<Type>(option, value,
-            { { "level", Type::Level }, { "pattern", Type::Pattern }, { "metric", Type::Metric } });
+            { { "level", Type::Level }, { "pattern", Type::Pattern }, { "metric", Type::Metric },
+              { "height", Type::Height }, { "slope", Type::Slope }, { "aspect", Type::Aspect },
+              { "hillshade", Type::Hillshade } });
         } },
       { "--export",
         [&](const auto& option, const auto& value)

@@ -129,6 +129,17 @@ std::vector<double> ToList(const std::string& option, const std::string& text)
 }
 
 //------------------------------------------------------------------------------
+std::array<double, 2> ToRange(const std::string& option, const std::string& text)
+{
+  const std::vector<double> numbers = ToNumbers(option, text, "A,B");
+  if (numbers[0] >= numbers[1])
+  {
+    throw BadValue(option, "A,B with A less than B", text);
+  }
+  return { { numbers[0], numbers[1] } };
+}
+
+//------------------------------------------------------------------------------
 std::vector<double> ToPlane(const std::string& option, const std::string& text)
 {
   const std::vector<double> numbers = ToNumbers(option, text, "X,Y,Z,NX,NY,NZ");

@@ -37,6 +37,9 @@ std::vector<double> ToNumbers(
 /// One or more numbers separated by commas.
 std::vector<double> ToList(const std::string& option, const std::string& text);
 
+/// A,B: A is less than B.
+std::array<double, 2> ToRange(const std::string& option, const std::string& text);
+
 /// X,Y,Z,NX,NY,NZ: a point and a nonzero normal.
 std::vector<double> ToPlane(const std::string& option, const std::string& text);
 
@@ -48,9 +51,10 @@ std::array<double, 2> ToDirection(
 /// such a letter.
 std::optional<std::array<double, 2>> ToDegrees(const std::string& option, const std::string& text);
 
-/// X,Y,Z, or X,Y for height maps.
+/// Longitude and latitude as numbers, in this order, or with letters as ToDegrees().
 std::array<double, 2> ToLongitudeLatitude(const std::string& option, const std::string& text);
 
+/// X,Y,Z, or X,Y for height maps.
 std::vector<double> ToPlace(const std::string& option, const std::string& text, bool isOnMesh);
 
 /// WIDTHxHEIGHT in pixels.

@@ -42,7 +42,11 @@ struct ViewerOptions
     Own, // the colours of the terrain or the mesh
     Level,
     Pattern,
-    Metric
+    Metric,
+    Height,
+    Slope,
+    Aspect,
+    Hillshade
   };
   enum class MappingType
   {
@@ -76,6 +80,13 @@ struct ViewerOptions
   bool Stretch = false;
   std::optional<double> Exaggeration;
   std::optional<int> Resolution;
+  std::string Palette; // empty: that of the colours
+  std::optional<std::array<double, 2>> Range;
+  std::optional<double> Contours; // unit of the heights
+  std::optional<int> Memory;      // MiB
+  std::string Flight;
+  bool IsTiled = false; // whether tiles are drawn, without levels of detail
+  std::string TiledBy;  // an option that needs tiles, or empty
 
   // Only for meshes.
   std::string Heights;
@@ -153,6 +164,11 @@ struct ViewerOptions
   bool Help = false;
   bool Version = false;
 
+  bool IsColoredByLevel() const
+  {
+    return this->Color == ColorType::Level || this->Color == ColorType::Pattern ||
+      this->Color == ColorType::Metric;
+  }
   bool IsTerrain() const { return !this->IsMesh && !this->IsDatabase; }
   /// Whether curved cells are requested. By default, a file that contains some is drawn this way.
   bool IsPatch() const { return this->Surface == SurfaceType::Patch; }

@@ -35,7 +35,22 @@ Height maps:
   --stretch              stretch the contrast of each band, for raw satellite images
   --exaggeration X       factor for heights (default 1; for rasters without a coordinate system that
                          would be higher than wide, a factor that makes them a fifth as high)
+  --contours N           draw contour lines every N units of the heights
+  --palette NAME         colours of heights (default relief), slopes (default heat) or aspects
+                         (default cyclic): cool-warm, cyclic, grey, heat, magma, rainbow, relief,
+                         viridis
+  --range A,B            values that the first and the last colour stand for, A less than B (default:
+                         all)
+  --memory MIB           largest memory of heights and their textures, 16 to 1048576 (default 512).
+                         What does not fit is drawn coarser
+  --flight FILE.csv      draw a picture for each line `longitude,latitude,height,heading,pitch` below
+                         this header: degrees, metres, degrees clockwise from north, degrees upwards.
+                         Requires --output 'frames/%04d.png', which numbers them from 0
   --resolution N         coarse squares along the longer side, 1 to 4096 (default 128)
+  Height maps are drawn from tiles, which are read when the view needs them. Of a raster without a
+  current index, the program builds one first, FILE.relevo-index. With these options, the whole file
+  is read and a coarse mesh is refined: --image, --no-data fill, --no-data-value, --resolution,
+  --export, --relief, --capture, and those of the level of detail except --error
 
 Meshes:
   --height FILE          displace the surface along its normals by a height map
@@ -142,6 +157,10 @@ Level of detail:
 The picture:
   --color-by level|pattern|metric
                          colour by these, with a legend
+  --color-by height|slope|aspect|hillshade
+                         of a height map: its heights (default without --image), slopes in degrees,
+                         directions in which it falls, clockwise from north, or grey relief, with the
+                         sun in the north-west
   --wireframe            draw the edges of the refined triangles
   --view AZ,EL           side that the camera looks from, in degrees: azimuth, clockwise from north
                          (for meshes with y up, from -z), and elevation, -90 to 90 (default 192,38;

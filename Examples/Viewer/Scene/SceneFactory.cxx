@@ -5,6 +5,7 @@
 #include "Options/ViewerOptions.h"
 #include "Scene/ContactScene.h"
 #include "Scene/MeshScene.h"
+#include "Scene/PyramidScene.h"
 #include "Scene/ReliefScene.h"
 #include "Scene/TerrainScene.h"
 #include "Scene/VolumeScene.h"
@@ -27,6 +28,13 @@ std::unique_ptr<ViewerScene> MakeScene(const ViewerOptions& options, ViewerMessa
   if (options.IsMesh)
   {
     return std::make_unique<MeshScene>(options, messages);
+  }
+  if (options.IsTiled)
+  {
+    if (std::unique_ptr<ViewerScene> scene = PyramidScene::Open(options, messages))
+    {
+      return scene;
+    }
   }
   return std::make_unique<TerrainScene>(options, messages);
 }

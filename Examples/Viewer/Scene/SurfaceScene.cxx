@@ -93,6 +93,10 @@ void SurfaceScene::SetLevelColours()
   switch (this->Options.Color)
   {
     case ViewerOptions::ColorType::Own:
+    case ViewerOptions::ColorType::Height:
+    case ViewerOptions::ColorType::Slope:
+    case ViewerOptions::ColorType::Aspect:
+    case ViewerOptions::ColorType::Hillshade:
       return;
     case ViewerOptions::ColorType::Level:
       this->Mapper->SetColorModeToLevel();

@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/TerrainCamera.h"
 
-#include "Scene/TerrainProbe.h"
+#include "Scene/TerrainGround.h"
 
 #include "vtkCamera.h"
-#include "vtkDisplacement.h"
 #include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <vector>
 
 namespace
 {
@@ -23,34 +20,18 @@ const double Safety = 0.3;
 }
 
 //------------------------------------------------------------------------------
-TerrainCamera::TerrainCamera(vtkRenderer* renderer, TerrainProbe& probe,
-  vtkDisplacement* displacement, int lowestLevel, int highestLevel)
+TerrainCamera::TerrainCamera(vtkRenderer* renderer, TerrainGround& ground)
   : ViewerCamera(renderer)
-  , Probe(probe)
-  , Displacement(displacement)
-  , LowestLevel(lowestLevel)
-  , HighestLevel(highestLevel)
+  , Ground(ground)
 {
-}
-
-//------------------------------------------------------------------------------
-bool TerrainCamera::GetGround(double x, double y, double& z)
-{
-  const std::vector<double> heights =
-    this->Probe.GetDrawnHeights(x, y, this->LowestLevel, this->HighestLevel);
-  z = -std::numeric_limits<double>::infinity();
-  for (double height : heights)
-  {
-    z = std::max(z, this->Displacement->GetOffset() + this->Displacement->GetScale() * height);
-  }
-  return !heights.empty();
 }
 
 //------------------------------------------------------------------------------
 bool TerrainCamera::IsClear(const double position[3], double margin)
 {
   double ground;
-  return !this->GetGround(position[0], position[1], ground) || position[2] >= ground + margin;
+  return !this->Ground.GetHighestGround(position[0], position[1], 0.0, ground) ||
+    position[2] >= ground + margin;
 }
 
 //------------------------------------------------------------------------------
@@ -85,7 +66,7 @@ void TerrainCamera::MoveOut(vtkCamera* camera)
   camera->GetPosition(position);
   camera->GetFocalPoint(focus);
   const double margin = Margin * camera->GetDistance();
-  if (this->IsClear(position, margin))
+  if (this->StaysInPlace || this->IsClear(position, margin))
   {
     return;
   }
@@ -94,7 +75,7 @@ void TerrainCamera::MoveOut(vtkCamera* camera)
   {
     // The focal point is below the ground.
     std::copy_n(position, 3, turned);
-    this->GetGround(turned[0], turned[1], turned[2]);
+    this->Ground.GetHighestGround(turned[0], turned[1], 0.0, turned[2]);
     turned[2] += margin;
   }
   camera->SetPosition(turned);
@@ -106,25 +87,27 @@ double TerrainCamera::GetMinimumDistance(vtkCamera* camera)
   double position[3];
   camera->GetPosition(position);
   double nearest[2] = { position[0], position[1] };
-  this->Probe.MoveOnto(nearest);
+  this->Ground.MoveOnto(nearest);
   double least = camera->GetDistance();
-  const auto measure = [&](double x, double y)
+  const auto measure = [&](double x, double y, double spacing)
   {
     double ground;
-    if (this->GetGround(x, y, ground))
+    if (this->Ground.GetHighestGround(x, y, spacing, ground))
     {
-      const double point[3] = { x, y, ground };
+      // Ground above the camera may be lower.
+      const double point[3] = { x, y, std::min(ground, position[2]) };
       least = std::min(least, std::sqrt(vtkMath::Distance2BetweenPoints(point, position)));
     }
   };
-  measure(nearest[0], nearest[1]);
+  measure(nearest[0], nearest[1], 0.0);
   // Points nearer than this distance are not farther to the side either.
   const double reach = least;
   for (int i = 0; i < Rings * Directions; ++i)
   {
     const double radius = reach * (1 + i / Directions) / Rings;
     const double angle = 2.0 * vtkMath::Pi() * (i % Directions) / Directions;
-    measure(position[0] + radius * std::cos(angle), position[1] + radius * std::sin(angle));
+    measure(position[0] + radius * std::cos(angle), position[1] + radius * std::sin(angle),
+      reach / Rings);
   }
   return Safety * least;
 }

@@ -12,32 +12,28 @@
 
 #include "Scene/ViewerCamera.h"
 
-class TerrainProbe;
-class vtkDisplacement;
+class TerrainGround;
 
 class TerrainCamera : public ViewerCamera
 {
 public:
-  /// The ground near the camera is drawn at one of these levels.
-  TerrainCamera(vtkRenderer* renderer, TerrainProbe& probe, vtkDisplacement* displacement,
-    int lowestLevel, int highestLevel);
+  TerrainCamera(vtkRenderer* renderer, TerrainGround& ground);
+
+  /// Keeps positions below the ground, for flights.
+  void StayInPlace() { this->StaysInPlace = true; }
 
 protected:
   void MoveOut(vtkCamera* camera) override;
   double GetMinimumDistance(vtkCamera* camera) override;
 
 private:
-  /// Gets the ground's z. Returns false outside the terrain and in holes.
-  bool GetGround(double x, double y, double& z);
   /// Whether a position is at least `margin` above the ground, or there is no ground.
   bool IsClear(const double position[3], double margin);
   /// Turns upwards until the position is clear. Returns false if it never is.
   bool TurnUp(const double focus[3], double position[3], double margin);
 
-  TerrainProbe& Probe;
-  vtkDisplacement* Displacement;
-  int LowestLevel;
-  int HighestLevel;
+  TerrainGround& Ground;
+  bool StaysInPlace = false;
 };
 
 #endif

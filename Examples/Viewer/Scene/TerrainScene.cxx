@@ -4,19 +4,19 @@
 
 #include "Files/FileEnd.h"
 #include "Files/MeshPoints.h"
-#include "Files/MeshReader.h"
 #include "Files/ViewerFile.h"
 #include "Scene/OffscreenWindow.h"
 #include "Scene/ReliefMetric.h"
+#include "Scene/SourceGround.h"
 #include "Scene/TerrainCamera.h"
 #include "Scene/TerrainColours.h"
-#include "Scene/TerrainProbe.h"
+#include "Scene/TerrainPlace.h"
 #include "Scene/ViewerMetric.h"
 #include "Text/ReadingGuard.h"
-#include "Text/ViewerText.h"
 
 #include "vtkActor.h"
 #include "vtkAdaptiveRefinement.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkDepthTagMetric.h"
 #include "vtkDisplacement.h"
@@ -29,27 +29,17 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkSMPTools.h"
-#include "vtkScalarsToColors.h"
 #include "vtkTerrainSource.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <iostream>
-#include <sstream>
+#include <vector>
 
 namespace
 {
 const int Up = 2;
 const char* const HeightName = "Height";
-
-// "86.925E"
-std::string ToText(double degrees, char positive, char negative)
-{
-  std::ostringstream text;
-  text << std::setprecision(9) << std::abs(degrees) << (degrees < 0.0 ? negative : positive);
-  return text.str();
-}
 }
 
 //------------------------------------------------------------------------------
@@ -72,7 +62,8 @@ TerrainScene::TerrainScene(const ViewerOptions& options, ViewerMessages& message
   // Light from the north-west, as on maps, and weaker light from the other side.
   this->SetLights({ { { 315.0, 40.0, Up }, 1.0 }, { { 160.0, 50.0, Up }, 0.35 } });
   // The camera is slightly west of south.
-  this->SetCamera(this->DisplacedMesh, { 192.0, 38.0, Up }, this->GetCentre());
+  this->SetCamera(this->DisplacedMesh, { 192.0, 38.0, Up },
+    FindCentre(this->Options, *this->Ground, this->Messages));
   this->KeepAboveGround();
 }
 
@@ -124,9 +115,9 @@ void TerrainScene::ReadTerrain()
   {
     throw ViewerError(this->Options.Input + " has no terrain to draw");
   }
-  this->CheckExaggeration();
+  this->Ground = std::make_unique<SourceGround>(this->Source, this->Mesh);
+  this->ChooseExaggeration();
   this->CheckBudget();
-  this->Probe = std::make_unique<TerrainProbe>(this->Mesh, this->Source->GetHeightMap());
 }
 
 //------------------------------------------------------------------------------
@@ -141,65 +132,23 @@ void TerrainScene::CheckReading()
     const std::string text = error.what();
     const bool isOfInput =
       text == this->Source->GetHeightMap()->GetErrorMessage() && CanRead(this->Options.Input);
-    throw ViewerError(isOfInput ? this->ExplainReading(text) : text);
+    throw ViewerError(isOfInput ? ExplainRasterError(this->Options.Input, text) : text);
   }
 }
 
 //------------------------------------------------------------------------------
-void TerrainScene::CheckExaggeration()
+void TerrainScene::ChooseExaggeration()
 {
-  // A higher terrain would be a needle without visible detail.
-  const double maximumHeights = 100.0; // per width
   double bounds[6];
   this->Mesh->GetBounds(bounds);
-  const double width = std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
-  double range[2];
-  this->Source->GetHeightMap()->GetRange(range);
-  const double relief =
-    std::abs(this->Source->GetDisplacement()->GetScale()) * (range[1] - range[0]);
-  // Larger values are missing-data markers.
-  const double highestHeights = 1e6;
-  if (!this->Options.Exaggeration && !*this->Source->GetCoordinateSystem() &&
-    relief < highestHeights * width)
-  {
-    this->ChooseExaggeration(relief, width);
-    return;
-  }
-  const double exaggeration = this->Source->GetExaggeration();
-  if (relief > maximumHeights * width)
-  {
-    std::ostringstream message;
-    message << std::setprecision(3) << this->Options.Input << ": --exaggeration " << exaggeration
-            << " makes the terrain " << relief / width << " times as high as wide, but at most "
-            << maximumHeights << " times is allowed; use at most --exaggeration "
-            << std::abs(exaggeration) * maximumHeights * width / relief
-            << ". The heights range from " << range[0] << " to " << range[1]
-            << ": if one of these is a missing value, name it with --no-data-value";
-    throw ViewerError(message.str());
-  }
-}
-
-//------------------------------------------------------------------------------
-void TerrainScene::ChooseExaggeration(double heights, double width)
-{
-  const double maximumHeights = 1.0; // per width
-  const double chosenHeights = 0.2;
-  if (heights <= maximumHeights * width)
-  {
-    return;
-  }
-  // Two digits are easy to read and to change.
-  std::ostringstream digits;
-  digits << std::setprecision(2) << chosenHeights * width / heights;
-  this->Source->SetExaggeration(std::stod(digits.str()));
-  std::ostringstream message;
-  message << std::setprecision(3) << this->Options.Input << ": --exaggeration " << digits.str()
-          << " is chosen, because "
-          << (this->CountsTexels()
-                 ? "there is no georeference (texels are taken as 1 m wide)"
-                 : "there is no coordinate system (coordinates are taken as metres)")
-          << " and the heights in metres would be " << heights / width << " times the width";
-  this->ExaggeratedBy = message.str();
+  TerrainShape shape;
+  this->Source->GetHeightMap()->GetRange(shape.Range);
+  shape.Width = std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
+  shape.Relief =
+    std::abs(this->Source->GetDisplacement()->GetScale()) * (shape.Range[1] - shape.Range[0]);
+  shape.HasCoordinateSystem = this->Ground->HasCoordinateSystem();
+  shape.CountsSamples = this->CountsTexels();
+  this->Source->SetExaggeration(FindExaggeration(this->Options, shape, this->ExaggeratedBy));
 }
 
 //------------------------------------------------------------------------------
@@ -235,18 +184,6 @@ void TerrainScene::Report()
   {
     std::cout << this->ExaggeratedBy << std::endl;
   }
-}
-
-//------------------------------------------------------------------------------
-std::string TerrainScene::ExplainReading(const std::string& text)
-{
-  // GDAL opens Exodus files as netCDF. Other files may be meshes in a format without a reader.
-  const std::string advice = AdviseFormat(this->Options.Input, GetMeshFormats());
-  const bool isExodus = advice.find("Exodus") != std::string::npos;
-  const bool isUnknown = text.find("recogni") != std::string::npos && !advice.empty();
-  return isExodus || isUnknown
-    ? "Cannot read " + this->Options.Input + ": it cannot be read as a height map" + advice + "."
-    : text;
 }
 
 //------------------------------------------------------------------------------
@@ -309,8 +246,8 @@ void TerrainScene::KeepAboveGround()
     this->Options.Budget == 0;
   const int highest = this->Recipe->GetMaximumLevel();
   const int lowest = this->Options.UniformLevel ? highest : isFine ? std::max(highest - 1, 0) : 0;
-  this->Camera = std::make_unique<TerrainCamera>(
-    this->Renderer, *this->Probe, this->Source->GetDisplacement(), lowest, highest);
+  this->Ground->SetLevels(lowest, highest);
+  this->Camera = std::make_unique<TerrainCamera>(this->Renderer, *this->Ground);
   this->Camera->Update();
 }
 
@@ -369,11 +306,15 @@ void TerrainScene::SetColours()
   const bool isPhotograph = image != nullptr;
   if (!isPhotograph)
   {
-    const auto colours = MakeHeightColours(this->Source->GetHeightMap()->GetRange());
+    std::array<double, 2> range;
+    this->Source->GetHeightMap()->GetRange(range.data());
+    const auto colours =
+      MakePalette(this->Options.Palette.empty() ? "relief" : this->Options.Palette,
+        this->Options.Range.value_or(range));
     image = MakeHypsometricTint(this->Source->GetHeightMap(), colours);
-    if (this->Options.Color == ViewerOptions::ColorType::Own)
+    if (!this->Options.IsColoredByLevel())
     {
-      this->AddLegend(colours, HeightName, this->GetHeightUnit(), 5);
+      this->AddLegend(colours, HeightName, GetHeightUnit(*this->Ground), 5);
     }
   }
   else if (this->Options.Stretch)
@@ -390,131 +331,13 @@ void TerrainScene::SetColours()
 }
 
 //------------------------------------------------------------------------------
-std::optional<std::array<double, 3>> TerrainScene::GetCentre()
-{
-  if (this->Options.CenterDegrees)
-  {
-    return this->FindDegrees(*this->Options.CenterDegrees);
-  }
-  if (!this->Options.Center)
-  {
-    return std::nullopt;
-  }
-  const std::vector<double>& place = *this->Options.Center;
-  if (place.size() == 3)
-  {
-    return { { { place[0], place[1], place[2] } } };
-  }
-  std::ostringstream text;
-  text << place[0] << "," << place[1];
-  if (this->IsInRaster(place[0], place[1]))
-  {
-    this->Messages.Warn("--center " + text.str() +
-      " is taken as metres from the raster's centre; for degrees, use --center " +
-      ToText(place[0], 'E', 'W') + "," + ToText(place[1], 'N', 'S'));
-  }
-  return this->FindGround(place[0], place[1], text.str());
-}
-
-//------------------------------------------------------------------------------
-bool TerrainScene::IsInRaster(double longitude, double latitude)
-{
-  const double degrees[3] = { longitude, latitude, 0.0 };
-  double place[3];
-  double height;
-  return this->Source->IsGeographic() && this->Source->MapToTerrain(degrees, place) &&
-    this->Probe->GetHeight(place[0], place[1], height);
-}
-
-//------------------------------------------------------------------------------
-std::array<double, 3> TerrainScene::FindDegrees(const std::array<double, 2>& degrees)
-{
-  const double geographic[3] = { degrees[0], degrees[1], 0.0 };
-  double place[3];
-  if (!*this->Source->GetCoordinateSystem())
-  {
-    throw ViewerError(this->Options.Input +
-      " has no coordinate system, so --center cannot be in degrees; give X,Y in texels from its "
-      "centre");
-  }
-  const std::string text = ToText(degrees[0], 'E', 'W') + "," + ToText(degrees[1], 'N', 'S');
-  if (!this->Source->GeographicToTerrain(geographic, place))
-  {
-    throw ViewerError(this->Options.Input + " has no height at --center " + text +
-      ", which is too far away; write degrees as 86.925E,27.988N");
-  }
-  return this->FindGround(place[0], place[1], text);
-}
-
-//------------------------------------------------------------------------------
-std::array<double, 3> TerrainScene::FindGround(double x, double y, const std::string& text)
-{
-  double height;
-  if (!this->Probe->GetHeight(x, y, height))
-  {
-    double bounds[6];
-    this->Mesh->GetBounds(bounds);
-    std::ostringstream message;
-    message << this->Options.Input << " has no height at --center " << text
-            << "; its x ranges from " << bounds[0] << " to " << bounds[1] << ", its y from "
-            << bounds[2] << " to " << bounds[3] << ". Give X,Y in "
-            << (*this->Source->GetCoordinateSystem()
-                   ? "metres from its centre, degrees such as 86.925E,27.988N"
-                   : "texels from its centre")
-            << ", or X,Y,Z for a point without terrain";
-    throw ViewerError(message.str());
-  }
-  vtkDisplacement* displacement = this->Source->GetDisplacement();
-  return { { x, y, displacement->GetOffset() + displacement->GetScale() * height } };
-}
-
-//------------------------------------------------------------------------------
 std::string TerrainScene::GetUnit()
 {
-  return *this->Source->GetCoordinateSystem() ? "m" : "";
-}
-
-//------------------------------------------------------------------------------
-std::string TerrainScene::GetHeightUnit()
-{
-  if (this->GetUnit().empty() || this->Source->GetExaggeration() == 0.0)
-  {
-    return "";
-  }
-  const double metres =
-    this->Source->GetDisplacement()->GetScale() / this->Source->GetExaggeration();
-  const auto isUnit = [=](double length) { return std::abs(metres - length) < 1e-5 * length; };
-  return isUnit(1.0) ? "m" : isUnit(0.3048) ? "ft" : "";
+  return this->Ground->HasCoordinateSystem() ? "m" : "";
 }
 
 //------------------------------------------------------------------------------
 std::string TerrainScene::Describe(const double point[3], double resolution)
 {
-  const std::string unit = this->GetUnit().empty() ? "" : " " + this->GetUnit();
-  std::string text = "x " + FormatNumber(point[0], resolution) + unit + "  y " +
-    FormatNumber(point[1], resolution) + unit;
-  double height;
-  if (this->Probe->GetHeight(point[0], point[1], height))
-  {
-    const std::string heightUnit = this->GetHeightUnit();
-    text +=
-      "  height " + FormatNumber(height, resolution) + (heightUnit.empty() ? "" : " " + heightUnit);
-  }
-  double map[3];
-  if (this->Source->TerrainToMap(point, map))
-  {
-    const double metresInDegree = 111320.0;
-    const bool isGeographic = this->Source->IsGeographic();
-    const bool isKnown = *this->Source->GetCoordinateSystem();
-    const double exactness = isGeographic ? resolution / metresInDegree : resolution;
-    text += std::string(isGeographic ? "\nlongitude "
-                : isKnown            ? "\neast "
-                                     : "\ncolumn ") +
-      FormatNumber(map[0], exactness) +
-      (isGeographic ? "  latitude "
-          : isKnown ? "  north "
-                    : "  row ") +
-      FormatNumber(map[1], exactness);
-  }
-  return text;
+  return DescribePlace(*this->Ground, point, resolution);
 }

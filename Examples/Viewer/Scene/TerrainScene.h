@@ -11,7 +11,7 @@
 
 #include "vtkSmartPointer.h"
 
-class TerrainProbe;
+class SourceGround;
 class vtkTerrainSource;
 
 class TerrainScene : public SurfaceScene
@@ -29,10 +29,8 @@ private:
   void AddExportedData(vtkPolyData* mesh) override;
   void ReadTerrain();
   void CheckReading();
-  std::string ExplainReading(const std::string& text);
-  void CheckExaggeration();
   /// Heights and coordinates with different units, such as grey levels over texels, need a factor.
-  void ChooseExaggeration(double heights, double width);
+  void ChooseExaggeration();
   /// Whether coordinates are texels, because there is no georeference.
   bool CountsTexels();
   void CheckBudget();
@@ -43,18 +41,11 @@ private:
   int GetDefaultLevel();
   vtkSmartPointer<vtkDepthTagMetric> MakeReliefMetric();
   void SetColours();
-  /// Unit of the raster's heights, or an empty string if unknown.
-  std::string GetHeightUnit();
-  std::optional<std::array<double, 3>> GetCentre();
-  /// Whether the numbers of --center look like a longitude and a latitude.
-  bool IsInRaster(double longitude, double latitude);
-  std::array<double, 3> FindDegrees(const std::array<double, 2>& degrees);
-  std::array<double, 3> FindGround(double x, double y, const std::string& text);
 
   vtkNew<vtkTerrainSource> Source;
   // The displaced coarse mesh, which the camera and the metrics use.
   vtkNew<vtkPolyData> DisplacedMesh;
-  std::unique_ptr<TerrainProbe> Probe;
+  std::unique_ptr<SourceGround> Ground;
   std::string ExaggeratedBy; // reason for the exaggeration, for the report
 };
 

@@ -24,6 +24,7 @@ class vtkPoints;
 class vtkRenderer;
 class vtkRenderWindow;
 class vtkScalarsToColors;
+struct FlightPosition;
 
 class ViewerScene
 {
@@ -51,6 +52,12 @@ public:
   /// Draws the first frame, and prints statistics on stdout if the options request them. Throws
   /// ViewerError.
   virtual void Draw(vtkRenderWindow* window) = 0;
+
+  /// Milliseconds until another frame of the same view would show more, or nothing.
+  virtual std::optional<int> GetFrameDelay() { return std::nullopt; }
+
+  /// Moves the camera of a height map to a position of a flight. Throws ViewerError.
+  virtual void LookFrom(const FlightPosition&) {}
 
 protected:
   ViewerScene(const ViewerOptions& options, ViewerMessages& messages);

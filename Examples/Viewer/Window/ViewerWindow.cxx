@@ -11,6 +11,7 @@
 #include "Window/ViewerFrames.h"
 #include "Window/ViewerHelp.h"
 #include "Window/ViewerKeys.h"
+#include "Window/ViewerLoading.h"
 #include "Window/ViewerReadout.h"
 #include "Window/ViewerScaleBar.h"
 #include "Window/ViewerScreenshot.h"
@@ -93,6 +94,7 @@ void ShowWindow(ViewerScene& scene, const ViewerOptions& options, ViewerMessages
   leave->SetCallback(Leave);
   interactor->AddObserver(vtkCommand::ExitEvent, leave);
   ViewerFrames frames(interactor);
+  const ViewerLoading loading(interactor, scene);
   const ViewerScaleBar scaleBar(scene.GetRenderer(), scene.GetUnit());
   const ViewerReadout readout(interactor, frames, scene);
   const ViewerHelp help(interactor, scene.GetRenderer());

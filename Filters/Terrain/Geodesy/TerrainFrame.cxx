@@ -3,10 +3,15 @@
 #include "Geodesy/TerrainFrame.h"
 
 #include "Geodesy/TangentPlane.h"
+#if RELEVO_HAS_GDAL
+#include "Geodesy/CoordinateSystem.h"
+#endif
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 
 namespace relevo
 {
@@ -143,6 +148,28 @@ bool LooksGeographic(const Georeference& location, const int texels[2])
   }
   return std::hypot(location.AlongU[0], location.AlongU[1]) < texels[0] &&
     std::hypot(location.AlongV[0], location.AlongV[1]) < texels[1];
+}
+
+std::string FindLocationWarning(const Georeference& location, const int texels[2])
+{
+  if (LooksGeographic(location, texels))
+  {
+    return " has no coordinate system, so its coordinates are taken as metres. They look like "
+           "degrees: if they are, declare them (gdal_edit.py -a_srs EPSG:4326).";
+  }
+#if RELEVO_HAS_GDAL
+  constexpr double largestDeviation = 0.05;
+  double scale = 1.0;
+  if (location.System == Georeference::Kind::Planar && !location.WKT.empty() &&
+    FindScale(location, scale) && std::abs(scale - 1.0) > largestDeviation)
+  {
+    std::ostringstream text;
+    text << ": its projection scales lengths at its centre by " << std::setprecision(3) << scale
+         << ", but not heights. Reproject it, for example to UTM (gdalwarp -t_srs).";
+    return text.str();
+  }
+#endif
+  return "";
 }
 
 std::string FindSystemError(const Georeference& location)

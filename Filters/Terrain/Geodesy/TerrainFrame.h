@@ -69,6 +69,11 @@ private:
 /// Whether coordinates without a coordinate system are possibly longitude and latitude.
 RELEVOFILTERSTERRAIN_EXPORT bool LooksGeographic(const Georeference& location, const int texels[2]);
 
+/// Returns a reason to doubt the lengths of a raster with this location, as a continuation of its
+/// name, or "": its coordinates look like degrees, or its projection scales lengths.
+RELEVOFILTERSTERRAIN_EXPORT std::string FindLocationWarning(
+  const Georeference& location, const int texels[2]);
+
 /// Returns why a coordinate system is not supported, as a continuation of the raster's name, or "".
 RELEVOFILTERSTERRAIN_EXPORT std::string FindSystemError(const Georeference& location);
 

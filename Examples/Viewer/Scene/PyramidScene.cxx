@@ -1,0 +1,391 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/PyramidScene.h"
+
+#include "Files/FileEnd.h"
+#include "Files/FlightFile.h"
+#include "Scene/PyramidGround.h"
+#include "Scene/TerrainCamera.h"
+#include "Scene/TerrainColours.h"
+#include "Scene/TerrainPlace.h"
+#include "Scene/ViewerStatistics.h"
+#include "Text/ReadingGuard.h"
+#include "Window/PassiveObserver.h"
+
+#include "Geodesy/TerrainFrame.h"
+#include "Lattice/HeightLattice.h"
+
+#include "vtkActor.h"
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkCommand.h"
+#include "vtkMath.h"
+#include "vtkPoints.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTerrainMapper.h"
+#include "vtkTerrainPyramid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <utility>
+
+namespace
+{
+const int Vertical = 2;
+const vtkTypeInt64 MiB = 1 << 20;
+// The index of smaller rasters is built in a moment.
+const long long SmallRaster = 1 << 24; // samples
+const int FadingDelay = 20;            // milliseconds, while new tiles become visible
+const int WaitingDelay = 200;          // milliseconds, while nothing changes
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<PyramidScene> PyramidScene::Open(
+  const ViewerOptions& options, ViewerMessages& messages)
+{
+  std::unique_ptr<PyramidScene> scene;
+  bool isReady = false;
+  {
+    const ReadingGuard guard({ options.Input });
+    CheckRasterEnd(options.Input, messages);
+    vtkNew<vtkTerrainPyramid> pyramid;
+    messages.Observe(pyramid, "indexing");
+    pyramid->SetFileName(options.Input.c_str());
+    if (pyramid->Update())
+    {
+      scene.reset(new PyramidScene(options, messages, pyramid));
+      isReady = scene->HasTerrain();
+    }
+  }
+  if (isReady)
+  {
+    scene->Show();
+    return scene;
+  }
+  std::string error = options.Input + " has no terrain to draw";
+  try
+  {
+    messages.Check();
+  }
+  catch (const ViewerError& reported)
+  {
+    error = reported.what();
+  }
+  if (!options.TiledBy.empty())
+  {
+    throw ViewerError(ExplainRasterError(options.Input, error));
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+PyramidScene::PyramidScene(
+  const ViewerOptions& options, ViewerMessages& messages, vtkTerrainPyramid* pyramid)
+  : ViewerScene(options, messages)
+  , Pyramid(pyramid)
+{
+  int size[2];
+  pyramid->GetDimensions(size);
+  this->IsSmall = static_cast<long long>(size[0]) * size[1] <= SmallRaster;
+  messages.Observe(this->Mapper);
+  this->Mapper->SetPyramid(pyramid);
+}
+
+//------------------------------------------------------------------------------
+PyramidScene::~PyramidScene() = default;
+
+//------------------------------------------------------------------------------
+bool PyramidScene::HasTerrain()
+{
+  const bool isWindow = this->Options.Output.empty();
+  if (!this->Pyramid->IsErrorKnown() && !this->IsSmall)
+  {
+    this->Messages.Tell(this->Options.Input + ": building the index, which reads the file once" +
+      (isWindow ? ". Until it is complete, --error is an estimate" : ""));
+    this->Messages.ShowNotes();
+  }
+  const bool mustWait = this->IsSmall || !isWindow;
+  return (!mustWait || this->Pyramid->WaitForIndex()) &&
+    vtkBoundingBox(this->Mapper->GetBounds()).IsValid();
+}
+
+//------------------------------------------------------------------------------
+void PyramidScene::Show()
+{
+  this->Ground = std::make_unique<PyramidGround>(this->Pyramid);
+  this->ChooseExaggeration();
+  this->WarnOfLocation();
+  this->Mapper->SetScreenSpaceError(this->Options.Error.value_or(1.0));
+  if (this->Options.Memory)
+  {
+    // Heights for queries have a share.
+    const vtkTypeInt64 bytes = *this->Options.Memory * MiB;
+    const vtkTypeInt64 queries = std::min(bytes / 8, 64 * MiB);
+    this->Pyramid->SetMemoryLimit(queries);
+    this->Mapper->SetMemoryLimit(bytes - queries);
+  }
+  this->Mapper->SetContourInterval(this->Options.Contours.value_or(0.0));
+  this->SetColours();
+  this->Actor->SetMapper(this->Mapper);
+  if (this->Options.Wireframe)
+  {
+    this->Actor->GetProperty()->SetRepresentationToWireframe();
+  }
+  this->Renderer->AddActor(this->Actor);
+  AddPassiveObserver(this->Mapper, vtkCommand::StartEvent,
+    [this](void*)
+    {
+      this->HasMore = false;
+      this->UpdateColours();
+    });
+  AddPassiveObserver(
+    this->Mapper, vtkCommand::UpdateEvent, [this](void*) { this->HasMore = true; });
+  // Light from the north-west, as on maps, and weaker light from the other side.
+  this->SetLights({ { { 315.0, 40.0, Vertical }, 1.0 }, { { 160.0, 50.0, Vertical }, 0.35 } });
+  this->SetCamera();
+}
+
+//------------------------------------------------------------------------------
+void PyramidScene::ChooseExaggeration()
+{
+  TerrainShape shape;
+  this->Pyramid->GetRange(shape.Range);
+  const std::array<double, 4> extent = this->Ground->GetExtent();
+  shape.Width = std::max(extent[1] - extent[0], extent[3] - extent[2]);
+  shape.Relief = this->Options.Exaggeration.value_or(1.0) * this->Ground->GetVerticalUnit() *
+    (shape.Range[1] - shape.Range[0]);
+  shape.HasCoordinateSystem = this->Ground->HasCoordinateSystem();
+  shape.CountsSamples = this->Ground->CountsSamples();
+  const double exaggeration = FindExaggeration(this->Options, shape, this->ExaggeratedBy);
+  this->Mapper->SetExaggeration(exaggeration);
+  this->Ground->SetExaggeration(exaggeration);
+}
+
+//------------------------------------------------------------------------------
+void PyramidScene::WarnOfLocation()
+{
+  int size[2];
+  this->Pyramid->GetDimensions(size);
+  const std::string warning =
+    relevo::FindLocationWarning(this->Pyramid->GetLattice()->Describe().Location, size);
+  if (!warning.empty())
+  {
+    this->Messages.Warn(this->Options.Input + warning);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PyramidScene::SetColours()
+{
+  using Type = ViewerOptions::ColorType;
+  std::array<double, 2> range;
+  this->Pyramid->GetRange(range.data());
+  std::string title = "Height";
+  std::string unit = GetHeightUnit(*this->Ground);
+  std::string palette = "relief";
+  switch (this->Options.Color)
+  {
+    case Type::Slope:
+      this->Mapper->SetColorModeToSlope();
+      title = "Slope";
+      unit = "degrees";
+      range = { { 0.0, 90.0 } };
+      palette = "heat";
+      break;
+    case Type::Aspect:
+      this->Mapper->SetColorModeToAspect();
+      title = "Aspect";
+      unit = "degrees from north";
+      range = { { 0.0, 360.0 } };
+      palette = "cyclic";
+      break;
+    case Type::Hillshade:
+      this->Mapper->SetColorModeToHillshade();
+      return;
+    default:
+      this->Mapper->SetColorModeToElevation();
+  }
+  const auto colours = MakePalette(this->Options.Palette.empty() ? palette : this->Options.Palette,
+    this->Options.Range.value_or(range));
+  this->Mapper->SetLookupTable(colours);
+  this->AddLegend(colours, title, unit, 5);
+  // Estimates are replaced once the index is complete.
+  this->HasEstimates = title == "Height" && !this->Options.Range && !this->Pyramid->IsErrorKnown();
+  this->Colours = colours;
+  // The colours of angles must be recognized on dark sides, too.
+  const double ambient = title == "Height" ? 0.15 : 0.5;
+  this->Actor->GetProperty()->SetAmbient(ambient);
+  this->Actor->GetProperty()->SetDiffuse(1.0 - ambient);
+}
+
+//------------------------------------------------------------------------------
+void PyramidScene::UpdateColours()
+{
+  if (this->HasEstimates && this->Pyramid->IsErrorKnown())
+  {
+    this->HasEstimates = false;
+    std::array<double, 2> range;
+    this->Pyramid->GetRange(range.data());
+    this->Colours->ShallowCopy(
+      MakePalette(this->Options.Palette.empty() ? "relief" : this->Options.Palette, range));
+  }
+}
+
+//------------------------------------------------------------------------------
+void PyramidScene::SetCamera()
+{
+  const auto centre = FindCentre(this->Options, *this->Ground, this->Messages);
+  vtkNew<vtkPoints> outline;
+  outline->SetDataTypeToDouble();
+  this->Ground->AddOutline(outline);
+  this->FitView(outline, { 192.0, 38.0, Vertical }); // slightly west of south
+  if (centre)
+  {
+    MoveFocus(this->Renderer, *centre);
+  }
+  else if (this->Options.Zoom != 1.0)
+  {
+    // Moves closer to the surface, but not into it.
+    const auto place =
+      this->Ground->FindFirst(this->Renderer->GetActiveCamera(), this->Mapper->GetBounds());
+    if (place)
+    {
+      this->Renderer->GetActiveCamera()->SetFocalPoint(place->data());
+    }
+  }
+  this->Zoom();
+  auto camera = std::make_unique<TerrainCamera>(this->Renderer, *this->Ground);
+  this->GroundCamera = camera.get();
+  this->Camera = std::move(camera);
+  this->Camera->Update();
+}
+
+//------------------------------------------------------------------------------
+std::string PyramidScene::GetUnit()
+{
+  return this->Ground->HasCoordinateSystem() ? "m" : "";
+}
+
+//------------------------------------------------------------------------------
+std::string PyramidScene::Describe(const double point[3], double resolution)
+{
+  return DescribePlace(*this->Ground, point, resolution);
+}
+
+//------------------------------------------------------------------------------
+void PyramidScene::Report()
+{
+  if (!this->ExaggeratedBy.empty())
+  {
+    std::cout << this->ExaggeratedBy << std::endl;
+  }
+}
+
+//------------------------------------------------------------------------------
+void PyramidScene::Draw(vtkRenderWindow* window)
+{
+  const bool isWindow = window->GetInteractor() != nullptr;
+  if (!isWindow || this->IsSmall)
+  {
+    this->Mapper->SetLoadingModeToComplete();
+  }
+  if (this->Options.Statistics)
+  {
+    this->PrintStatistics(window);
+  }
+  else
+  {
+    window->Render();
+    this->Messages.Check();
+  }
+  if (isWindow)
+  {
+    this->Mapper->SetLoadingModeToBackground();
+  }
+}
+
+//------------------------------------------------------------------------------
+void PyramidScene::PrintStatistics(vtkRenderWindow* window)
+{
+  const double milliseconds = MeasureFrame(this->Renderer, window, this->Messages);
+  std::cout << "drawn triangles: " << this->Mapper->GetNumberOfDrawnTriangles() << "\n"
+            << std::fixed << std::setprecision(3)
+            << "error: " << this->Mapper->GetScreenSpaceErrorInUse() << " pixels\n"
+            << std::setprecision(1)
+            << "terrain memory: " << this->Mapper->GetResidentMemorySize() / 1048576.0 << " MiB\n"
+            << "frame time: " << milliseconds << " ms" << std::endl;
+}
+
+//------------------------------------------------------------------------------
+std::optional<int> PyramidScene::GetFrameDelay()
+{
+  if (!this->HasMore)
+  {
+    return std::nullopt;
+  }
+  double progress = this->Pyramid->GetIndexProgress();
+  this->Pyramid->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+  const double error = this->Mapper->GetScreenSpaceErrorInUse();
+  const vtkTypeInt64 memory = this->Mapper->GetResidentMemorySize();
+  const bool isSame = error == this->LastError && memory == this->LastMemory;
+  this->LastError = error;
+  this->LastMemory = memory;
+  return isSame ? WaitingDelay : FadingDelay;
+}
+
+//------------------------------------------------------------------------------
+void PyramidScene::LookFrom(const FlightPosition& position)
+{
+  const double step = 1e-5; // degrees
+  const double metre = 1.0;
+  const auto convert = [&](double longitude, double latitude, double height)
+  {
+    const double geographic[3] = { position.Longitude + longitude, position.Latitude + latitude,
+      position.Height + height };
+    std::array<double, 3> place;
+    if (!this->Mapper->GeographicToWorld(geographic, place.data()))
+    {
+      throw ViewerError(this->Options.Flight + ", line " + std::to_string(position.Line) + ": " +
+        this->Options.Input + " has no coordinates at this longitude and latitude");
+    }
+    return place;
+  };
+  const std::array<double, 3> eye = convert(0.0, 0.0, 0.0);
+  const auto getDirection = [](const std::array<double, 3>& from, const std::array<double, 3>& to)
+  {
+    std::array<double, 3> direction = { { to[0] - from[0], to[1] - from[1], to[2] - from[2] } };
+    vtkMath::Normalize(direction.data());
+    return direction;
+  };
+  const std::array<double, 3> up = getDirection(eye, convert(0.0, 0.0, metre));
+  // Near a pole, the step must not cross it.
+  const double side = position.Latitude > 0.0 ? -step : step;
+  std::array<double, 3> north = getDirection(eye, convert(0.0, side, 0.0));
+  vtkMath::MultiplyScalar(north.data(), side > 0.0 ? 1.0 : -1.0);
+  std::array<double, 3> east;
+  vtkMath::Cross(north.data(), up.data(), east.data());
+  vtkMath::Normalize(east.data());
+  const double heading = vtkMath::RadiansFromDegrees(position.Heading);
+  const double pitch = vtkMath::RadiansFromDegrees(position.Pitch);
+  // The focal point is on the ground below, for the clipping range.
+  const double bounds = vtkBoundingBox(this->Mapper->GetBounds()).GetDiagonalLength();
+  std::array<double, 3> focus;
+  std::array<double, 3> top;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double ahead = std::sin(heading) * east[i] + std::cos(heading) * north[i];
+    focus[i] = eye[i] + bounds * (std::cos(pitch) * ahead + std::sin(pitch) * up[i]);
+    top[i] = std::cos(pitch) * up[i] - std::sin(pitch) * ahead;
+  }
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetPosition(eye.data());
+  camera->SetFocalPoint(focus.data());
+  camera->SetViewUp(top.data());
+  this->GroundCamera->StayInPlace();
+  this->Renderer->ResetCameraClippingRange();
+}

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   PyramidScene
+ * @brief   a height map of any size, drawn from tiles that are read when the view needs them
+ */
+#ifndef PyramidScene_h
+#define PyramidScene_h
+
+#include "Scene/ViewerScene.h"
+
+#include "vtkSmartPointer.h"
+
+class PyramidGround;
+class TerrainCamera;
+class vtkActor;
+class vtkColorTransferFunction;
+class vtkTerrainMapper;
+class vtkTerrainPyramid;
+
+class PyramidScene : public ViewerScene
+{
+public:
+  /// Opens the raster. Returns nullptr if TerrainScene must read it, or explain why it cannot be
+  /// read. Throws ViewerError.
+  static std::unique_ptr<PyramidScene> Open(const ViewerOptions& options, ViewerMessages& messages);
+  ~PyramidScene() override;
+
+  std::string GetUnit() override;
+  std::string Describe(const double point[3], double resolution) override;
+  void Report() override;
+  void Draw(vtkRenderWindow* window) override;
+  std::optional<int> GetFrameDelay() override;
+  void LookFrom(const FlightPosition& position) override;
+
+private:
+  PyramidScene(const ViewerOptions& options, ViewerMessages& messages, vtkTerrainPyramid* pyramid);
+
+  /// Whether there are heights that can be drawn. Waits for the index if the picture needs it.
+  bool HasTerrain();
+  void Show();
+  void ChooseExaggeration();
+  void WarnOfLocation();
+  void SetColours();
+  void UpdateColours();
+  void SetCamera();
+  void PrintStatistics(vtkRenderWindow* window);
+
+  vtkSmartPointer<vtkTerrainPyramid> Pyramid;
+  vtkNew<vtkTerrainMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  std::unique_ptr<PyramidGround> Ground;
+  vtkSmartPointer<vtkColorTransferFunction> Colours;
+  TerrainCamera* GroundCamera = nullptr; // this->Camera
+  std::string ExaggeratedBy;             // reason for the exaggeration, for the report
+  bool IsSmall = false;                  // read at once
+  bool HasEstimates = false;             // in the range of the colours
+  bool HasMore = false;                  // whether another frame would show more
+  double LastError = 0.0;
+  long long LastMemory = 0;
+};
+
+#endif

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   writes a picture for each position of a flight
+ */
+#ifndef ViewerFlight_h
+#define ViewerFlight_h
+
+#include <string>
+
+class ViewerMessages;
+class ViewerScene;
+class vtkRenderWindow;
+struct ViewerOptions;
+
+/// Whether a name has a number such as %04d in its last part, once, and no other percent signs.
+bool IsFramePattern(const std::string& name);
+
+/// Creates the folder of the pictures, which are numbered from 0. Throws ViewerError.
+void DrawFlight(ViewerScene& scene, vtkRenderWindow* window, const ViewerOptions& options,
+  ViewerMessages& messages);
+
+#endif
