@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <random>
 
@@ -648,6 +649,69 @@ void TestCoordinates(RelevoCheck& check, const std::string& file)
   }
 }
 
+// Rasters that are rotated, mirrored or have south above. Point data that are the coordinates of
+// the raster tell where its height is.
+void TestTransforms(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  const double transforms[3][6] = { { 1000.0, 17.0, 5.0, 2000.0, 4.0, -19.0 },
+    { 9000.0, -20.0, 0.0, 2000.0, 0.0, -20.0 }, { 1000.0, 3.0, 18.0, 9000.0, 21.0, -2.0 } };
+  for (const auto& transform : transforms)
+  {
+    CHECK_CASE(transform[1]);
+    RelevoRaster raster = MakeRaster();
+    raster.Transform.assign(transform, transform + 6);
+    const std::string file = folders.File("TerrainClampTurned.tif");
+    CHECK(raster.Write(file));
+    std::filesystem::remove(file + ".relevo-index");
+    ClampScene scene(file);
+    const auto stars = MakeStars();
+    vtkNew<vtkDoubleArray> coordinates;
+    coordinates->SetName("Coordinates");
+    coordinates->SetNumberOfComponents(2);
+    for (vtkIdType i = 0; i < stars->GetNumberOfPoints(); ++i)
+    {
+      const double column = 0.5 * Size + stars->GetPoint(i)[0] / Spacing;
+      const double row = 0.5 * Size + stars->GetPoint(i)[1] / Spacing;
+      const double x = transform[0] + column * transform[1] + row * transform[2];
+      const double y = transform[3] + column * transform[4] + row * transform[5];
+      stars->GetPoints()->SetPoint(i, x, y, 0.0);
+      coordinates->InsertNextTuple2(x, y);
+    }
+    stars->GetPointData()->AddArray(coordinates);
+    stars->SetLines(stars->GetPolys());
+    scene.Clamp->SetInputData(stars);
+    scene.Clamp->SetCoordinateTypeToRaster();
+    scene.Mapper->SetScreenSpaceError(0.05);
+    scene.Look(0.0, -10.0, 6.0 * Half); // everything is in view
+    vtkPolyData* output = scene.Clamp->GetOutput();
+    for (bool isDrawn : { true, false })
+    {
+      CHECK_CASE(isDrawn);
+      scene.Window->Render();
+      CHECK(scene.Mapper->IsComplete());
+      vtkDataArray* places = output->GetPointData()->GetArray("Coordinates");
+      vtkDataArray* heights = output->GetPointData()->GetArray("Height");
+      double largest = 0.0;
+      for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+      {
+        const double height =
+          scene.Pyramid->GetElevation(places->GetComponent(i, 0), places->GetComponent(i, 1));
+        const double distance = std::abs(heights->GetTuple1(i) - height);
+        largest = distance <= largest ? largest : distance; // also NaN
+      }
+      CHECK_GREATER(output->GetNumberOfPoints(), 1000);
+      // 0.05 pixels of 32 m, from above.
+      CHECK_LESS(largest, isDrawn ? 2.0 : 0.1 + 1e-6);
+      vtkNew<vtkPolyData> polygons;
+      polygons->SetPoints(output->GetPoints());
+      polygons->SetPolys(output->GetPolys());
+      CHECK_GREATER(MeasureArea(polygons)[0], -1e-9);
+      scene.Clamp->SetMapper(nullptr);
+      scene.Clamp->SetPyramid(scene.Pyramid);
+    }
+  }
+}
+
 // Lines in longitude and latitude take the shorter way.
 void TestAntimeridian(RelevoCheck& check, const RelevoTestFolders& folders)
 {
@@ -761,7 +825,7 @@ void TestMissing(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
-void TestErrors(RelevoCheck& check, const std::string& file, const RelevoTestFolders& folders)
+void TestErrors(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   vtkNew<vtkTerrainClamp> clamp;
   RelevoErrors errors(clamp);
@@ -802,7 +866,16 @@ void TestErrors(RelevoCheck& check, const std::string& file, const RelevoTestFol
   CHECK(errors.Said("Offset"));
   clamp->SetExaggeration(NotFound);
   CHECK(errors.Said("Exaggeration"));
-  // Inputs without points, with points that do not exist, and with positions far away.
+}
+
+// Inputs without points, with points that do not exist, and with positions far away.
+void TestInvalid(RelevoCheck& check, const std::string& file)
+{
+  vtkNew<vtkTerrainPyramid> pyramid;
+  pyramid->SetFileName(file.c_str());
+  vtkNew<vtkTerrainClamp> clamp;
+  RelevoErrors errors(clamp);
+  clamp->SetPyramid(pyramid);
   clamp->SetInputData(vtkNew<vtkPolyData>());
   clamp->Update();
   CHECK_EQUAL(clamp->GetOutput()->GetNumberOfPoints(), 0);
@@ -827,6 +900,10 @@ void TestErrors(RelevoCheck& check, const std::string& file, const RelevoTestFol
     CHECK_EQUAL(clamp->GetOutput()->GetNumberOfCells(), type == vtkTerrainClamp::WORLD ? 2 : 0);
   }
   CHECK(errors.Warned("left out"));
+}
+
+void TestFirstFrame(RelevoCheck& check, const std::string& file)
+{
   // Before the first frame, the output is flat. The first frame draws it on the terrain.
   ClampScene scene(file);
   RelevoErrors none(scene.Clamp);
@@ -863,9 +940,12 @@ int TestTerrainClamp(int argc, char* argv[])
   TestFullResolution(check, raster, file);
   TestAttributes(check, file);
   TestCoordinates(check, file);
+  TestTransforms(check, folders);
   TestAntimeridian(check, folders);
   TestMissing(check, folders);
   TestLimit(check, file);
-  TestErrors(check, file, folders);
+  TestErrors(check, folders);
+  TestInvalid(check, file);
+  TestFirstFrame(check, file);
   return check.GetResult();
 }
