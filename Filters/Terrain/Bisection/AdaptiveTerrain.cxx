@@ -148,7 +148,7 @@ void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
   if (this->Imagery)
   {
     MipmapTiles imagery(contents.Width, contents.Height, bounds);
-    imagery.SelectImagery(view, ShadingShare * tolerance, *this->Imagery, this->Cache);
+    imagery.SelectImagery(view, *this->Imagery, this->Cache);
     this->ShadingTiles.insert(
       this->ShadingTiles.end(), imagery.GetTiles().begin(), imagery.GetTiles().end());
     this->Complete = this->Complete && imagery.IsComplete();

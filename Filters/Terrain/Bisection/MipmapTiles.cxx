@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace relevo
 {
@@ -41,10 +42,10 @@ void MipmapTiles::Select(const TerrainView& view, double largestError, HeightTil
   this->Visit(BlockErrors::GetRootLevel(this->Columns, this->Rows), 0, 0, 1.0);
 }
 
-void MipmapTiles::SelectImagery(const TerrainView& view, double largestError,
-  const ImageryLattice& imagery, ImageryTileSource& tiles)
+void MipmapTiles::SelectImagery(
+  const TerrainView& view, const ImageryLattice& imagery, ImageryTileSource& tiles)
 {
-  this->Start(view, largestError);
+  this->Start(view, 0.0);
   this->Imagery = &imagery;
   this->FinestLevel = imagery.GetFinestLevel();
   this->Find = [&tiles](int level, int column, int row, double error, float& visibility)
@@ -56,7 +57,7 @@ void MipmapTiles::SelectImagery(const TerrainView& view, double largestError,
   {
     ++level;
   }
-  this->Visit(level, 0, 0, 1.0);
+  this->Visit(level, 0, 0, std::numeric_limits<double>::infinity());
 }
 
 // `pixels` is the size of a step of this level, of at most 1 pixel for fragments that need no finer
@@ -79,7 +80,7 @@ void MipmapTiles::Visit(int level, int column, int row, double pixels)
     return;
   }
   float visibility = 0.0f;
-  const double error = this->LargestError * std::min(0.5 * pixels, 1.0);
+  const double error = this->Imagery ? pixels : this->LargestError * std::min(0.5 * pixels, 1.0);
   const TerrainTile* tile = this->Find(level, column, row, error, visibility);
   this->Complete = this->Complete && tile && visibility >= 1.0f;
   if (tile)

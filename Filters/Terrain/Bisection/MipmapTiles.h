@@ -44,10 +44,14 @@ public:
    */
   void Select(const TerrainView& view, double largestError, HeightTileSource& tiles);
 
-  /// The same for imagery, whose levels may be finer than the samples of the raster. There are no
-  /// tiles where the imagery covers nothing.
-  void SelectImagery(const TerrainView& view, double largestError, const ImageryLattice& imagery,
-    ImageryTileSource& tiles);
+  /**
+   * The same for imagery, whose levels may be finer than the samples of the raster. There are no
+   * tiles where the imagery covers nothing. The error of a tile is half of a texel of the next
+   * coarser level: how far a colour may be from its position. That of the coarsest tile is
+   * infinite.
+   */
+  void SelectImagery(
+    const TerrainView& view, const ImageryLattice& imagery, ImageryTileSource& tiles);
 
   const std::vector<Item>& GetTiles() const { return this->Tiles; }
   /// Whether no tile is missing, and all are fully visible.
@@ -66,7 +70,7 @@ private:
   const ElevationRanges& Ranges;
 
   const TerrainView* View = nullptr;
-  double LargestError = 0.0;
+  double LargestError = 0.0; // of heights
   const ImageryLattice* Imagery = nullptr;
   int FinestLevel = 0;
   Finder Find;

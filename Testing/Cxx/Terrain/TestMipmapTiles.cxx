@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The tiles for shading contain the levels that the pixels of random views need, and few more.
-// Tiles that are missing are requested, coarse ones first.
+// Tiles that are missing are requested, coarse ones first. So are those of imagery.
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
 
@@ -11,9 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 
 using relevo::HeightTile;
+using relevo::ImageryTile;
 using relevo::MipmapTiles;
 
 namespace
@@ -26,9 +28,23 @@ constexpr double PixelsPerUnit = 800.0; // at the distance 1
 using Place = std::array<int, 3>; // level, column and row
 
 // Has all tiles, or those from a level on.
-class Tiles : public relevo::HeightTileSource
+class Tiles
+  : public relevo::HeightTileSource
+  , public relevo::ImageryTileSource
 {
 public:
+  const ImageryTile* GetImagery(
+    int level, int column, int row, double error, float& visibility) override
+  {
+    this->Errors[{ { level, column, row } }] = error;
+    visibility = 1.0f;
+    ImageryTile& tile = this->MadeImagery[{ { level, column, row } }];
+    tile.Level = level;
+    tile.Column = column;
+    tile.Row = row;
+    return level < this->FinestLevel ? nullptr : &tile;
+  }
+
   const HeightTile* Get(int level, int column, int row, double error, float& visibility) override
   {
     this->Errors[{ { level, column, row } }] = error;
@@ -46,6 +62,22 @@ public:
 
 private:
   std::map<Place, HeightTile> Made;
+  std::map<Place, ImageryTile> MadeImagery;
+};
+
+// Covers the first columns of the raster.
+class Imagery : public relevo::ImageryLattice
+{
+public:
+  static constexpr int FinestLevel = -3;
+  static constexpr double LastColumn = 2000.0;
+
+  int GetFinestLevel() const override { return FinestLevel; }
+  bool Covers(int level, int column, int) const override
+  {
+    return std::ldexp(256.0 * column, level) <= LastColumn;
+  }
+  bool Read(ImageryTile&, std::string&) const override { return false; }
 };
 
 relevo::TerrainView MakeView(const std::array<double, 3>& eye)
@@ -182,6 +214,52 @@ void TestMissing(RelevoCheck& check)
   tiles.Select(away, largest, source);
   CHECK(tiles.GetTiles().empty() && tiles.IsComplete());
 }
+
+// Imagery that is finer than the raster. Each tile is around finer ones, and is wanted more.
+void TestImagery(RelevoCheck& check)
+{
+  const relevo::ElevationRanges ranges(relevo::ElevationRanges::Range{ { 0.0f, 100.0f } });
+  constexpr int root = 5; // 256 * 2^5 samples are more than the columns
+  for (const double height : { 110.0, 800.0, 6000.0 })
+  {
+    CHECK_CASE(height);
+    const std::array<double, 3> eye = { { 10000.0, -10000.0, height } };
+    const relevo::TerrainView view = MakeView(eye);
+    Tiles source;
+    source.FinestLevel = Imagery::FinestLevel;
+    MipmapTiles tiles(Columns, Rows, ranges);
+    tiles.SelectImagery(view, Imagery(), source);
+    CHECK(tiles.IsComplete());
+    CHECK_EQUAL(source.Errors.size(), tiles.GetTiles().size());
+    CHECK_EQUAL((source.Errors[{ { root, 0, 0 } }]), std::numeric_limits<double>::infinity());
+    // The level below the eye: a step is at most a pixel.
+    const double pixels = PixelsPerUnit * Spacing / (height - 100.0);
+    const int level =
+      std::max(static_cast<int>(std::floor(-std::log2(pixels))), Imagery::FinestLevel);
+    int finest = root;
+    for (const auto& [place, error] : source.Errors)
+    {
+      finest = std::min(finest, place[0]);
+      CHECK(place[0] <= root && place[0] >= Imagery::FinestLevel);
+      CHECK(Imagery().Covers(place[0], place[1], place[2]));
+      if (place[0] < root)
+      {
+        const auto parent = source.Errors.find({ { place[0] + 1, place[1] / 2, place[2] / 2 } });
+        CHECK(parent != source.Errors.end() && parent->second >= 1.5 * error);
+      }
+    }
+    CHECK(finest == level || finest == level - 1);
+    const double size = std::ldexp(256.0, level);
+    CHECK(
+      Has(tiles, { { level, static_cast<int>(1000.0 / size), static_cast<int>(1000.0 / size) } }));
+  }
+  Tiles source;
+  source.FinestLevel = 2;
+  MipmapTiles tiles(Columns, Rows, ranges);
+  tiles.SelectImagery(MakeView({ { 10000.0, -10000.0, 300.0 } }), Imagery(), source);
+  CHECK(!tiles.IsComplete());
+  CHECK_GREATER(tiles.GetTiles().size(), 3);
+}
 }
 
 int TestMipmapTiles(int, char*[])
@@ -190,5 +268,6 @@ int TestMipmapTiles(int, char*[])
   TestViews(check);
   TestNumber(check);
   TestMissing(check);
+  TestImagery(check);
   return check.GetResult();
 }

@@ -292,6 +292,13 @@ void TestMemoryLimit(RelevoCheck& check, const std::string& file, const RelevoTe
       const RelevoPicture picture = scene.Draw();
       CHECK_GREATER(picture.CountForeground(), 30000);
       CHECK_LESS_EQUAL(scene.Mapper->GetResidentMemorySize(), limit);
+      // Imagery is drawn, if coarser.
+      int colorful = 0;
+      for (size_t pixel = 0; pixel < picture.Colors.size(); pixel += 3)
+      {
+        colorful += std::abs(picture.Colors[pixel] - picture.Colors[pixel + 1]) > 10 ? 1 : 0;
+      }
+      CHECK_GREATER(colorful, 10000);
     }
     CHECK(errors.None());
     CHECK(!scene.Mapper->IsComplete());
