@@ -169,20 +169,29 @@ bool FacePatch::FindPoint(const MapPosition& position, SurfacePoint& point) cons
 
 void FacePatch::VisitTriangles(const MapBox& box, const TriangleVisitor& visitor) const
 {
+  constexpr int side = FaceSegments + 1;
+  std::array<SurfaceVertex, side * side> grid;
+  for (int b = 0; b < side; ++b)
+  {
+    for (int a = 0; a + b < side; ++a)
+    {
+      grid[b * side + a] = this->GetVertex({ { a, b } });
+    }
+  }
   for (const TerrainFace::PatternTriangle& vertices : TerrainFace::GetPattern())
   {
     SurfaceTriangle triangle;
-    if (this->GetTriangle(vertices, triangle))
+    MapBox bounds;
+    bool isMissing = false;
+    for (int i = 0; i < 3; ++i)
     {
-      MapBox bounds;
-      for (const SurfaceVertex& vertex : triangle)
-      {
-        bounds.Add({ { vertex.Column, vertex.Row } });
-      }
-      if (bounds.Overlaps(box) && !visitor(triangle))
-      {
-        return;
-      }
+      triangle[i] = grid[vertices[i][1] * side + vertices[i][0]];
+      bounds.Add({ { triangle[i].Column, triangle[i].Row } });
+      isMissing = isMissing || std::isnan(triangle[i].Height);
+    }
+    if (!isMissing && bounds.Overlaps(box) && !visitor(triangle))
+    {
+      return;
     }
   }
 }

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <unordered_map>
 
 namespace relevo
 {
@@ -33,6 +34,12 @@ SurfaceVertex ToVertex(const MapPosition& position)
 template <typename Function>
 void ClipPolygon(std::vector<MapPosition>& polygon, const Function& function)
 {
+  const bool isInside = std::all_of(polygon.begin(), polygon.end(),
+    [&](const MapPosition& position) { return function(position) >= 0.0; });
+  if (isInside)
+  {
+    return;
+  }
   std::vector<MapPosition> inside;
   for (std::size_t i = 0; i < polygon.size(); ++i)
   {
@@ -90,7 +97,18 @@ struct TerrainDraping::Fragments
 {
   vtkIdType Cell;
   // Points of the output by their positions. Equal positions of neighbours differ by rounding.
-  std::map<std::pair<std::int64_t, std::int64_t>, vtkIdType> Points;
+  using Key = std::pair<std::int64_t, std::int64_t>;
+  struct Hash
+  {
+    std::size_t operator()(const Key& key) const
+    {
+      constexpr std::uint64_t factor = 0x9e3779b97f4a7c15u; // of Fibonacci hashing
+      const std::uint64_t mixed = static_cast<std::uint64_t>(key.first) * factor;
+      return static_cast<std::size_t>(
+        (mixed ^ mixed >> 32 ^ static_cast<std::uint64_t>(key.second)) * factor >> 16);
+    }
+  };
+  std::unordered_map<Key, vtkIdType, Hash> Points;
   double Area = 0.0; // in squares of samples
 };
 
@@ -472,7 +490,8 @@ void TerrainDraping::DrapeTriangle(const std::array<Place, 3>& corners, Fragment
 void TerrainDraping::AddFragment(const SurfaceTriangle& triangle, const MapBox& box,
   const std::array<Place, 3>& corners, Fragments& fragments)
 {
-  std::vector<MapPosition> polygon;
+  std::vector<MapPosition>& polygon = this->Polygon;
+  polygon.clear();
   for (const SurfaceVertex& vertex : triangle)
   {
     polygon.push_back({ { vertex.Column, vertex.Row } });
@@ -499,7 +518,8 @@ void TerrainDraping::AddFragment(const SurfaceTriangle& triangle, const MapBox& 
     std::reverse(polygon.begin(), polygon.end());
   }
   const double area = GetArea(polygon);
-  Ids points;
+  Ids& points = this->PolygonPoints;
+  points.clear();
   for (const MapPosition& position : polygon)
   {
     const auto round = [](double x)

@@ -19,7 +19,6 @@
 #include <cstddef>
 #include <functional>
 #include <map>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -94,6 +93,8 @@ private:
   DrapedOutput Output;
   std::map<std::pair<vtkIdType, int>, vtkIdType> Vertices; // points of the output
   std::vector<TerrainPatch::Piece> Pieces;
+  std::vector<MapPosition> Polygon;
+  Ids PolygonPoints;
   bool LeftOut = false;
   Result State = Result::Done;
 };
