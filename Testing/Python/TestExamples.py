@@ -97,6 +97,26 @@ class TestExamples(unittest.TestCase):
             }
             self.assertGreater(len(shades), 10)
 
+    def test_terrain_error(self):
+        """The picture of a terrain is within one pixel of its data; the stored one is real data."""
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            write_heights(folder / "heights.png", lambda i, j: 20 + (i - 20) * (j - 15) // 40)
+            run = self.run_example("terrainerror.py", folder, "heights.png", "out.png")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            error = re.fullmatch(r"\d+ triangles; largest error (\S+) pixels\n", run.stdout)
+            self.assertLess(float(error[1]), 1.02)
+            run = self.run_example("terrainerror.py", folder, "none.png", "out.png")
+            self.assertEqual(run.returncode, 1)
+            self.assertIn("cannot read 'none.png'", run.stderr)
+            real = FLOW.parent / "relief/SainteHelens.dem"
+            if not real.exists():
+                return
+            run = self.run_example("terrainerror.py", folder, str(real), "out.png")
+            error = re.fullmatch(r"\d+ triangles; largest error (\S+) pixels\n", run.stdout)
+            self.assertLess(float(error[1]), 1.02)
+            self.assert_kept(folder / "out.png", SOURCE / "Examples/Python/terrainerror.png")
+
     def test_track(self):
         """The track and the area are drawn; the stored picture is that of real data."""
         kept = SOURCE / "Examples/Python/track.png"
