@@ -19,7 +19,7 @@ from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints, vtkUnsignedCharAr
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
-COLUMNS, ROWS = 600, 500
+COLUMNS, ROWS = 500, 440
 
 height_map, picture = read_arguments()
 pyramid = relevo.vtkTerrainPyramid()
