@@ -50,11 +50,17 @@ static_assert(relevo::HaveSameNumber(TerrainMapper::COLOR_SOLID, TerrainColoring
 
 constexpr int TrianglesPerFace = relevo::TerrainFace::Segments * relevo::TerrainFace::Segments;
 
-// The bytes of textures under a limit for tiles in memory and their textures. A height tile has a
-// texture of heights and one of gradients; an imagery tile has one.
+// The bytes of tiles and their textures under a limit; the rest is for the threads that read tiles.
+vtkTypeInt64 GetTileLimit(vtkTypeInt64 limit)
+{
+  return limit - std::min<vtkTypeInt64>(limit / 8, relevo::HeightTileCache::MemoryOfWorkers);
+}
+
+// The bytes of textures under a limit. A height tile has a texture of heights and one of gradients;
+// an imagery tile has one.
 vtkTypeInt64 GetTextureLimit(vtkTypeInt64 limit)
 {
-  return limit / 3 * 2;
+  return GetTileLimit(limit) / 3 * 2;
 }
 
 void CopyTerrainOffsets(vtkMapper* from, vtkMapper* to)
@@ -428,7 +434,7 @@ void vtkTerrainMapper::SelectFaces(vtkRenderer* renderer, vtkActor* actor)
   const std::size_t tiles =
     data.Painter->GetMaximumNumberOfTiles(textures) * relevo::HeightTileCache::BytesPerTile;
   data.Terrain->SetMemoryLimit(
-    std::min(static_cast<std::size_t>(this->MemoryLimit - textures), tiles));
+    std::min(static_cast<std::size_t>(GetTileLimit(this->MemoryLimit) - textures), tiles));
   const relevo::TerrainView terrainView = viewpoint.MakeView(placement);
   if (this->LoadingMode == COMPLETE)
   {

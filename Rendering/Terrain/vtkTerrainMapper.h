@@ -89,7 +89,8 @@ public:
   //@{
   /**
    * Set the maximum memory of heights, imagery and their textures together in bytes; at least 2^22,
-   * default 2^29. A value out of range is an error and changes nothing.
+   * default 2^29. An eighth of it, but at most 12 MiB, is for the threads that read them. A value
+   * out of range is an error and changes nothing.
    */
   void SetMemoryLimit(vtkTypeInt64 bytes);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);

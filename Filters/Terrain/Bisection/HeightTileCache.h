@@ -55,6 +55,10 @@ public:
   static constexpr std::size_t BytesPerTile =
     std::max(sizeof(HeightTile), sizeof(ImageryTile)) + 4 * TerrainTile::NumberOfVertices;
 
+  /// The memory in bytes of the threads that read tiles, which the limit does not count: samples,
+  /// and blocks that GDAL caches.
+  static constexpr std::int64_t MemoryOfWorkers = std::int64_t(12) << 20;
+
   explicit HeightTileCache(Reader read, ImageryReader readImagery = {});
   /// Waits for the tiles that are being read.
   ~HeightTileCache() override;
