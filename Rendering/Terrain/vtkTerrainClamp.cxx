@@ -29,7 +29,6 @@ struct vtkTerrainClamp::vtkTerrain
   const relevo::AdaptiveTerrain& Frame;
   relevo::DrapedSurface& Surface;
   vtkTerrainPyramid* Pyramid;
-  double Exaggeration;
 };
 
 namespace
@@ -164,10 +163,8 @@ std::string vtkTerrainClamp::ClampToMapper(vtkPolyData* input, vtkPolyData* outp
   {
     return ""; // the mapper has reported the error
   }
-  relevo::DrawnSurface surface(*terrain);
-  return this->ClampTo(
-    { *terrain, surface, this->Mapper->GetPyramid(), this->Mapper->GetExaggeration() }, input,
-    output);
+  relevo::DrawnSurface surface(*terrain, this->Mapper->GetExaggeration());
+  return this->ClampTo({ *terrain, surface, this->Mapper->GetPyramid() }, input, output);
 }
 
 //------------------------------------------------------------------------------
@@ -184,9 +181,9 @@ std::string vtkTerrainClamp::ClampToPyramid(vtkPolyData* input, vtkPolyData* out
   {
     return this->Pyramid->GetFileName() + location;
   }
-  relevo::RasterSurface surface(*lattice, this->MaximumError / lattice->Describe().VerticalUnit);
-  const std::string error =
-    this->ClampTo({ frame, surface, this->Pyramid, this->Exaggeration }, input, output);
+  relevo::RasterSurface surface(*lattice, frame.GetPlacement(this->Exaggeration),
+    this->MaximumError / lattice->Describe().VerticalUnit);
+  const std::string error = this->ClampTo({ frame, surface, this->Pyramid }, input, output);
   if (!surface.GetError().empty())
   {
     vtkErrorMacro(<< "Cannot read " << this->Pyramid->GetFileName() << ": " << surface.GetError()
@@ -219,7 +216,7 @@ std::string vtkTerrainClamp::ClampTo(
       this->CoordinateType == WORLD ? terrain.Frame.GetFrame().ToCoordinates(position) : position);
   }
   relevo::TerrainDraping::Settings settings;
-  settings.Placement = terrain.Frame.GetPlacement(terrain.Exaggeration);
+  settings.IsMirrored = contents.Location.FlipColumns != contents.Location.FlipRows;
   settings.Offset = this->Offset;
   settings.Period =
     this->CoordinateType == WORLD ? MapPosition{ { 0.0, 0.0 } } : GetPeriod(contents);

@@ -11,9 +11,8 @@
 
 namespace relevo
 {
-DrapedOutput::DrapedOutput(vtkPolyData* input, const TerrainPlacement& placement, double offset)
+DrapedOutput::DrapedOutput(vtkPolyData* input, double offset)
   : Input(input)
-  , Placement(placement)
   , Offset(offset)
 {
   this->Points->SetDataTypeToDouble();
@@ -25,21 +24,7 @@ DrapedOutput::DrapedOutput(vtkPolyData* input, const TerrainPlacement& placement
 
 vtkIdType DrapedOutput::AddPoint(const SurfacePoint& point, const Source& source)
 {
-  double position[3] = { 0.0, 0.0, this->Offset };
-  for (int i = 0; i < 3; ++i)
-  {
-    if (point.Weights[i] != 0.0)
-    {
-      const SurfaceVertex& vertex = point.Vertices[i];
-      const std::array<double, 3> world =
-        this->Placement.ToWorld(vertex.Column, vertex.Row, vertex.Height);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        position[axis] += point.Weights[i] * world[axis];
-      }
-    }
-  }
-  const vtkIdType id = this->Points->InsertNextPoint(position);
+  const vtkIdType id = this->Points->InsertNextPoint(point.GetWorld(this->Offset).data());
   this->Heights->InsertNextValue(point.GetHeight());
   this->SourceIds->SetNumberOfIds(source.Count);
   for (int i = 0; i < source.Count; ++i)

@@ -10,7 +10,6 @@
 #define DrapedOutput_h
 
 #include "Draping/SurfacePoint.h"
-#include "Geodesy/TerrainPlacement.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
@@ -29,7 +28,7 @@ class DrapedOutput
 {
 public:
   /// Points are lifted by an offset in world units.
-  DrapedOutput(vtkPolyData* input, const TerrainPlacement& placement, double offset);
+  DrapedOutput(vtkPolyData* input, double offset);
 
   /// A point whose attributes are weighted means of those of points of the input.
   struct Source
@@ -57,7 +56,6 @@ public:
 
 private:
   vtkPolyData* Input;
-  TerrainPlacement Placement;
   double Offset;
   vtkNew<vtkPoints> Points;
   vtkNew<vtkDoubleArray> Heights;

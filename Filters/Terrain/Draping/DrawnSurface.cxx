@@ -12,13 +12,14 @@
 
 namespace relevo
 {
-DrawnSurface::DrawnSurface(const AdaptiveTerrain& terrain)
-  : LastSample{ { terrain.GetLattice().Describe().Width - 1.0,
+DrawnSurface::DrawnSurface(const AdaptiveTerrain& terrain, double exaggeration)
+  : Placement(terrain.GetPlacement(exaggeration))
+  , LastSample{ { terrain.GetLattice().Describe().Width - 1.0,
       terrain.GetLattice().Describe().Height - 1.0 } }
 {
   for (const TerrainFace& face : terrain.GetFaces())
   {
-    this->Members.push_back(std::make_unique<FacePatch>(face, this->LastSample));
+    this->Members.push_back(std::make_unique<FacePatch>(face, this->Placement, this->LastSample));
   }
   constexpr double tolerance = std::numeric_limits<double>::max();
   for (const HiddenBlock& block : terrain.GetHiddenBlocks())
@@ -30,7 +31,8 @@ DrawnSurface::DrawnSurface(const AdaptiveTerrain& terrain)
     box.Add({ { column, row } });
     box.Add({ { column + size, row + size } });
     box.Clip(this->LastSample);
-    this->Members.push_back(std::make_unique<LatticePatch>(*block.Tile, box, tolerance));
+    this->Members.push_back(
+      std::make_unique<LatticePatch>(*block.Tile, this->Placement, box, tolerance));
   }
   if (this->Members.empty())
   {
@@ -53,7 +55,8 @@ void DrawnSurface::AddFlatPatch(const AdaptiveTerrain& terrain)
   }
   this->FlatTile.Heights.assign(static_cast<std::size_t>(HeightTile::Stride) * HeightTile::Stride,
     static_cast<float>(0.5 * (bounds[4] + bounds[5]) / scale));
-  this->Members.push_back(std::make_unique<LatticePatch>(this->FlatTile, this->GetBox(), 1.0));
+  this->Members.push_back(
+    std::make_unique<LatticePatch>(this->FlatTile, this->Placement, this->GetBox(), 1.0));
 }
 
 void DrawnSurface::MakeNode(std::size_t node, Patches::iterator begin, Patches::iterator end)

@@ -12,6 +12,7 @@
 #define DrawnSurface_h
 
 #include "Draping/DrapedSurface.h"
+#include "Geodesy/TerrainPlacement.h"
 #include "Lattice/HeightTile.h"
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
@@ -27,7 +28,7 @@ class RELEVOFILTERSTERRAIN_EXPORT DrawnSurface : public DrapedSurface
 {
 public:
   /// The terrain must not select other faces while this object exists.
-  explicit DrawnSurface(const AdaptiveTerrain& terrain);
+  DrawnSurface(const AdaptiveTerrain& terrain, double exaggeration);
   ~DrawnSurface() override;
 
   void Visit(const MapBox& box, const MapSegment* segment, const Visitor& visitor) override;
@@ -46,6 +47,7 @@ private:
 
   void AddFlatPatch(const AdaptiveTerrain& terrain);
 
+  TerrainPlacement Placement;
   MapPosition LastSample;
   HeightTile FlatTile;
   Patches Members;

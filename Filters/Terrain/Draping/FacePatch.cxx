@@ -17,8 +17,10 @@ constexpr int FaceSegments = TerrainFace::Segments;
 constexpr double EdgeTolerance = 1e-7;
 }
 
-FacePatch::FacePatch(const TerrainFace& face, const MapPosition& lastSample)
+FacePatch::FacePatch(
+  const TerrainFace& face, const TerrainPlacement& placement, const MapPosition& lastSample)
   : Face(face)
+  , Placement(placement)
   , LastSample(lastSample)
   , Size(std::ldexp(1.0, face.Level))
 {
@@ -57,7 +59,11 @@ SurfaceVertex FacePatch::GetVertex(const PatternVertex& vertex) const
       static_cast<double>(
         face.Apex[axis] + vertex[0] * face.Step1[axis] + vertex[1] * face.Step2[axis]);
   };
-  return { get(0), get(1), FaceHeights(face).GetHeight(vertex[0], vertex[1]) };
+  SurfaceVertex result;
+  result.Position = { { get(0), get(1) } };
+  result.Height = FaceHeights(face).GetHeight(vertex[0], vertex[1]);
+  result.World = this->Placement.ToWorld(result.Position[0], result.Position[1], result.Height);
+  return result;
 }
 
 bool FacePatch::GetTriangle(
@@ -139,11 +145,7 @@ void FacePatch::AddPieces(const MapSegment& segment, std::vector<Piece>& pieces)
     SurfaceTriangle triangle;
     if (this->FindTriangle(this->ToPattern(segment.Get(0.5 * (first + last))), triangle))
     {
-      const auto getPoint = [&](double t)
-      {
-        const MapPosition position = segment.Get(t);
-        return GetSurfacePoint(triangle, position[0], position[1]);
-      };
+      const auto getPoint = [&](double t) { return GetSurfacePoint(triangle, segment.Get(t)); };
       pieces.push_back({ first, last, getPoint(first), getPoint(last) });
     }
     first = last;
@@ -163,7 +165,7 @@ bool FacePatch::FindPoint(const MapPosition& position, SurfacePoint& point) cons
   {
     return false;
   }
-  point = GetSurfacePoint(triangle, position[0], position[1]);
+  point = GetSurfacePoint(triangle, position);
   return true;
 }
 
@@ -186,7 +188,7 @@ void FacePatch::VisitTriangles(const MapBox& box, const TriangleVisitor& visitor
     for (int i = 0; i < 3; ++i)
     {
       triangle[i] = grid[vertices[i][1] * side + vertices[i][0]];
-      bounds.Add({ { triangle[i].Column, triangle[i].Row } });
+      bounds.Add(triangle[i].Position);
       isMissing = isMissing || std::isnan(triangle[i].Height);
     }
     if (!isMissing && bounds.Overlaps(box) && !visitor(triangle))

@@ -11,6 +11,7 @@
 
 #include "Bisection/TerrainFace.h"
 #include "Draping/TerrainPatch.h"
+#include "Geodesy/TerrainPlacement.h"
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
 namespace relevo
@@ -18,8 +19,9 @@ namespace relevo
 class RELEVOFILTERSTERRAIN_EXPORT FacePatch : public TerrainPatch
 {
 public:
-  /// The face must outlive the patch. The raster ends at the last column and row.
-  FacePatch(const TerrainFace& face, const MapPosition& lastSample);
+  /// The face and the placement must outlive the patch. The raster ends at the last column and row.
+  FacePatch(
+    const TerrainFace& face, const TerrainPlacement& placement, const MapPosition& lastSample);
 
   void AddPieces(const MapSegment& segment, std::vector<Piece>& pieces) const override;
   bool FindPoint(const MapPosition& position, SurfacePoint& point) const override;
@@ -34,6 +36,7 @@ private:
   bool FindTriangle(const MapPosition& inPattern, SurfaceTriangle& triangle) const;
 
   const TerrainFace& Face;
+  const TerrainPlacement& Placement;
   MapPosition LastSample;
   double Size; // of a cell of the lattice, in samples
 };

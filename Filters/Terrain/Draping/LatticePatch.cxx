@@ -13,8 +13,10 @@ namespace
 constexpr int MaximumParts = 64;
 }
 
-LatticePatch::LatticePatch(const HeightTile& tile, const MapBox& box, double tolerance)
+LatticePatch::LatticePatch(
+  const HeightTile& tile, const TerrainPlacement& placement, const MapBox& box, double tolerance)
   : Tile(tile)
+  , Placement(placement)
   , Tolerance(tolerance)
   , Size(std::ldexp(1.0, tile.Level))
 {
@@ -62,8 +64,11 @@ SurfaceVertex LatticePatch::GetVertex(const Cell& cell, const MapPosition& inLat
   const double u = inLattice[0] - static_cast<double>(cell.First[0]);
   const double v = inLattice[1] - static_cast<double>(cell.First[1]);
   const auto& h = cell.Heights;
-  return { inLattice[0] * this->Size, inLattice[1] * this->Size,
-    (1.0 - v) * ((1.0 - u) * h[0] + u * h[1]) + v * ((1.0 - u) * h[2] + u * h[3]) };
+  SurfaceVertex vertex;
+  vertex.Position = { { inLattice[0] * this->Size, inLattice[1] * this->Size } };
+  vertex.Height = (1.0 - v) * ((1.0 - u) * h[0] + u * h[1]) + v * ((1.0 - u) * h[2] + u * h[3]);
+  vertex.World = this->Placement.ToWorld(vertex.Position[0], vertex.Position[1], vertex.Height);
+  return vertex;
 }
 
 SurfacePoint LatticePatch::GetPoint(const Cell& cell, const MapPosition& position) const

@@ -10,6 +10,7 @@
 #define LatticePatch_h
 
 #include "Draping/TerrainPatch.h"
+#include "Geodesy/TerrainPlacement.h"
 #include "Lattice/HeightTile.h"
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
@@ -21,9 +22,10 @@ namespace relevo
 class RELEVOFILTERSTERRAIN_EXPORT LatticePatch : public TerrainPatch
 {
 public:
-  /// The part of a tile in a box, which may cut cells. The tile must outlive the patch. Pieces and
-  /// triangles are within a tolerance of the surface, in the unit of heights.
-  LatticePatch(const HeightTile& tile, const MapBox& box, double tolerance);
+  /// The part of a tile in a box, which may cut cells. The tile and the placement must outlive the
+  /// patch. Pieces and triangles are within a tolerance of the surface, in the unit of heights.
+  LatticePatch(
+    const HeightTile& tile, const TerrainPlacement& placement, const MapBox& box, double tolerance);
 
   void AddPieces(const MapSegment& segment, std::vector<Piece>& pieces) const override;
   bool FindPoint(const MapPosition& position, SurfacePoint& point) const override;
@@ -50,6 +52,7 @@ private:
   bool VisitCell(const Cell& cell, const TriangleVisitor& visitor) const;
 
   const HeightTile& Tile;
+  const TerrainPlacement& Placement;
   std::array<std::int64_t, 2> FirstVertex;
   std::array<std::int64_t, 2> LastVertex;
   double Tolerance;

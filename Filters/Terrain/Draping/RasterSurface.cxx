@@ -24,8 +24,10 @@ MapBox GetTileBox(int column, int row)
 }
 }
 
-RasterSurface::RasterSurface(const HeightLattice& lattice, double tolerance)
+RasterSurface::RasterSurface(
+  const HeightLattice& lattice, const TerrainPlacement& placement, double tolerance)
   : Lattice(lattice)
+  , Placement(placement)
   , Tolerance(tolerance)
   , LastSample{ { lattice.Describe().Width - 1.0, lattice.Describe().Height - 1.0 } }
 {
@@ -56,7 +58,7 @@ const LatticePatch* RasterSurface::GetPatch(int column, int row)
   }
   MapBox box = GetTileBox(column, row);
   box.Clip(this->LastSample);
-  entry.Patch = std::make_unique<LatticePatch>(entry.Tile, box, this->Tolerance);
+  entry.Patch = std::make_unique<LatticePatch>(entry.Tile, this->Placement, box, this->Tolerance);
   return entry.Patch.get();
 }
 

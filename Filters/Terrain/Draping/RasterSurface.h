@@ -11,6 +11,7 @@
 
 #include "Draping/DrapedSurface.h"
 #include "Draping/LatticePatch.h"
+#include "Geodesy/TerrainPlacement.h"
 #include "Lattice/HeightTile.h"
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
@@ -27,7 +28,7 @@ class RELEVOFILTERSTERRAIN_EXPORT RasterSurface : public DrapedSurface
 {
 public:
   /// The lattice must outlive the surface. The tolerance is that of LatticePatch.
-  RasterSurface(const HeightLattice& lattice, double tolerance);
+  RasterSurface(const HeightLattice& lattice, const TerrainPlacement& placement, double tolerance);
   ~RasterSurface() override;
 
   void Visit(const MapBox& box, const MapSegment* segment, const Visitor& visitor) override;
@@ -45,6 +46,7 @@ private:
   const LatticePatch* GetPatch(int column, int row);
 
   const HeightLattice& Lattice;
+  TerrainPlacement Placement;
   double Tolerance;
   MapPosition LastSample;
   std::unordered_map<std::uint64_t, Entry> Entries;

@@ -4,13 +4,14 @@
  * @struct  SurfacePoint
  * @brief   a point of a terrain's surface, as a weighted mean of up to three vertices
  *
- * Vertices have the column and row of the raster (whole numbers at the centres of samples) and a
- * height in its unit. Points of the same triangle are means of its vertices in world coordinates.
+ * Points of the same triangle are means of its vertices, also in world coordinates.
  *
  * Private to the modules for terrains.
  */
 #ifndef SurfacePoint_h
 #define SurfacePoint_h
+
+#include "Draping/MapSegment.h"
 
 #include <array>
 
@@ -18,9 +19,10 @@ namespace relevo
 {
 struct SurfaceVertex
 {
-  double Column = 0.0;
-  double Row = 0.0;
-  double Height = 0.0;
+  MapPosition Position = { { 0.0, 0.0 } };
+  double Height = 0.0;                                 // in the unit of the raster
+  std::array<double, 3> World = { { 0.0, 0.0, 0.0 } }; // the position in world coordinates
+  std::array<double, 3> Up = { { 0.0, 0.0, 1.0 } };
 };
 
 struct SurfacePoint
@@ -33,29 +35,50 @@ struct SurfacePoint
     return this->Weights[0] * this->Vertices[0].Height +
       this->Weights[1] * this->Vertices[1].Height + this->Weights[2] * this->Vertices[2].Height;
   }
+
+  /// The point in world coordinates, lifted by a distance.
+  std::array<double, 3> GetWorld(double lift) const
+  {
+    std::array<double, 3> world;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      world[axis] = 0.0;
+      for (int i = 0; i < 3; ++i)
+      {
+        world[axis] +=
+          this->Weights[i] * (this->Vertices[i].World[axis] + lift * this->Vertices[i].Up[axis]);
+      }
+    }
+    return world;
+  }
 };
 
 using SurfaceTriangle = std::array<SurfaceVertex, 3>;
 
 /// Return twice the signed area of a triangle on the map; positive if it turns from columns to
 /// rows.
-inline double GetTwiceArea(const SurfaceVertex& a, const SurfaceVertex& b, const SurfaceVertex& c)
+inline double GetTwiceArea(const MapPosition& a, const MapPosition& b, const MapPosition& c)
 {
-  return (b.Column - a.Column) * (c.Row - a.Row) - (b.Row - a.Row) * (c.Column - a.Column);
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/// Return the point of a triangle's plane at a column and row.
-inline SurfacePoint GetSurfacePoint(const SurfaceTriangle& triangle, double column, double row)
+/// Return the weights of the corners of a triangle at a position.
+inline std::array<double, 3> GetTriangleWeights(
+  const std::array<MapPosition, 3>& corners, const MapPosition& position)
 {
-  const SurfaceVertex position = { column, row, 0.0 };
-  const auto& [a, b, c] = triangle;
+  const auto& [a, b, c] = corners;
   const double area = GetTwiceArea(a, b, c);
-  SurfacePoint point;
-  point.Vertices = triangle;
-  point.Weights[1] = GetTwiceArea(a, position, c) / area;
-  point.Weights[2] = GetTwiceArea(a, b, position) / area;
-  point.Weights[0] = 1.0 - point.Weights[1] - point.Weights[2];
-  return point;
+  const double second = GetTwiceArea(a, position, c) / area;
+  const double third = GetTwiceArea(a, b, position) / area;
+  return { { 1.0 - second - third, second, third } };
+}
+
+/// Return the point of a triangle's plane at a position.
+inline SurfacePoint GetSurfacePoint(const SurfaceTriangle& triangle, const MapPosition& position)
+{
+  return { triangle,
+    GetTriangleWeights(
+      { { triangle[0].Position, triangle[1].Position, triangle[2].Position } }, position) };
 }
 }
 

@@ -25,11 +25,6 @@ bool IsOnMap(const MapPosition& position)
   return std::isfinite(position[0]) && std::isfinite(position[1]);
 }
 
-SurfaceVertex ToVertex(const MapPosition& position)
-{
-  return { position[0], position[1], 0.0 };
-}
-
 // The part of a convex polygon in which a linear function is not negative.
 template <typename Function>
 void ClipPolygon(std::vector<MapPosition>& polygon, const Function& function)
@@ -64,7 +59,7 @@ double GetArea(const std::vector<MapPosition>& polygon)
   double twice = 0.0;
   for (std::size_t i = 2; i < polygon.size(); ++i)
   {
-    twice += GetTwiceArea(ToVertex(polygon[0]), ToVertex(polygon[i - 1]), ToVertex(polygon[i]));
+    twice += GetTwiceArea(polygon[0], polygon[i - 1], polygon[i]);
   }
   return 0.5 * std::abs(twice);
 }
@@ -118,7 +113,7 @@ TerrainDraping::TerrainDraping(DrapedSurface& surface, const Settings& settings,
   , Current(settings)
   , Input(input)
   , Positions(std::move(positions))
-  , Output(input, settings.Placement, settings.Offset)
+  , Output(input, settings.Offset)
 {
 }
 
@@ -457,8 +452,7 @@ void TerrainDraping::DrapeStrip(const Ids& ids, vtkIdType cell)
 
 void TerrainDraping::DrapeTriangle(const std::array<Place, 3>& corners, Fragments& fragments)
 {
-  const auto getCorner = [&](int i) { return ToVertex(corners[i].Position); };
-  const double area = GetTwiceArea(getCorner(0), getCorner(1), getCorner(2));
+  const double area = GetTwiceArea(corners[0].Position, corners[1].Position, corners[2].Position);
   if (area == 0.0)
   {
     return;
@@ -494,26 +488,24 @@ void TerrainDraping::AddFragment(const SurfaceTriangle& triangle, const MapBox& 
   polygon.clear();
   for (const SurfaceVertex& vertex : triangle)
   {
-    polygon.push_back({ { vertex.Column, vertex.Row } });
+    polygon.push_back(vertex.Position);
   }
   for (int axis = 0; axis < 2; ++axis)
   {
     ClipPolygon(polygon, [&](const MapPosition& p) { return p[axis] - box.Low[axis]; });
     ClipPolygon(polygon, [&](const MapPosition& p) { return box.High[axis] - p[axis]; });
   }
-  SurfaceTriangle whole;
+  const std::array<MapPosition, 3> whole = { { corners[0].Position, corners[1].Position,
+    corners[2].Position } };
   for (int i = 0; i < 3; ++i)
   {
-    whole[i] = ToVertex(corners[i].Position);
-    const SurfaceVertex next = ToVertex(corners[(i + 1) % 3].Position);
     ClipPolygon(
-      polygon, [&](const MapPosition& p) { return GetTwiceArea(whole[i], next, ToVertex(p)); });
+      polygon, [&](const MapPosition& p) { return GetTwiceArea(whole[i], whole[(i + 1) % 3], p); });
   }
   // All polygons are counter-clockwise seen from above.
-  const TerrainPlacement& placement = this->Current.Placement;
-  const bool isMirrored =
-    placement.Column[0] * placement.Row[1] - placement.Column[1] * placement.Row[0] < 0.0;
-  if ((GetTwiceArea(triangle[0], triangle[1], triangle[2]) < 0.0) != isMirrored)
+  const double turn =
+    GetTwiceArea(triangle[0].Position, triangle[1].Position, triangle[2].Position);
+  if ((turn < 0.0) != this->Current.IsMirrored)
   {
     std::reverse(polygon.begin(), polygon.end());
   }
@@ -528,9 +520,9 @@ void TerrainDraping::AddFragment(const SurfaceTriangle& triangle, const MapBox& 
       fragments.Points.emplace(std::make_pair(round(position[0]), round(position[1])), 0);
     if (isNew)
     {
-      const SurfacePoint weights = GetSurfacePoint(whole, position[0], position[1]);
-      found->second = this->Output.AddPoint(GetSurfacePoint(triangle, position[0], position[1]),
-        { { { corners[0].Id, corners[1].Id, corners[2].Id } }, weights.Weights, 3 });
+      found->second = this->Output.AddPoint(GetSurfacePoint(triangle, position),
+        { { { corners[0].Id, corners[1].Id, corners[2].Id } }, GetTriangleWeights(whole, position),
+          3 });
     }
     if (points.empty() || (points.back() != found->second && points.front() != found->second))
     {

@@ -31,8 +31,8 @@ class RELEVOFILTERSTERRAIN_EXPORT TerrainDraping
 public:
   struct Settings
   {
-    TerrainPlacement Placement;
-    double Offset = 0.0; // in world units
+    bool IsMirrored = false; // whether columns and rows are clockwise, seen from above
+    double Offset = 0.0;     // in world units
     /// The columns and rows of 360 degrees of longitude, or 0.
     MapPosition Period = { { 0.0, 0.0 } };
     vtkIdType MaximumCells = vtkIdType(1) << 24;

@@ -361,7 +361,7 @@ void TestLimit(RelevoCheck& check, const std::string& file)
       std::make_pair(1000000, relevo::TerrainDraping::Result::Done) })
   {
     CHECK_CASE(limit);
-    relevo::RasterSurface surface(*lattice, 0.1);
+    relevo::RasterSurface surface(*lattice, relevo::TerrainPlacement(), 0.1);
     relevo::TerrainDraping::Settings settings;
     settings.MaximumCells = limit;
     relevo::TerrainDraping draping(surface, settings, stars, positions);
