@@ -68,6 +68,7 @@ vtkTerrainMeshSource::vtkTerrainMeshSource()
   , Region{ 1.0, -1.0, 1.0, -1.0 }
   , Exaggeration(1.0)
   , MemoryLimit(vtkTypeInt64(1) << 29)
+  , Frame(MAP)
   , ErrorInUse(0.0)
 {
   this->SetNumberOfInputPorts(0);
@@ -137,6 +138,12 @@ void vtkTerrainMeshSource::SetRegion(double xmin, double xmax, double ymin, doub
 }
 
 //------------------------------------------------------------------------------
+void vtkTerrainMeshSource::SetFrame(int frame)
+{
+  relevo::SetChoice(this, "Frame", this->Frame, frame, { "MAP", "GEOCENTRIC" });
+}
+
+//------------------------------------------------------------------------------
 void vtkTerrainMeshSource::SetViewportSize(int width, int height)
 {
   relevo::SetPixelSize(this, "ViewportSize", this->ViewportSize, width, height);
@@ -199,9 +206,17 @@ std::string vtkTerrainMeshSource::Build(vtkPolyData* output)
     return std::string("The pyramid has an error: ") + this->Pyramid->GetErrorMessage();
   }
   const std::shared_ptr<const relevo::HeightLattice> lattice = this->Pyramid->GetLattice();
-  if (!this->Terrain || &this->Terrain->GetLattice() != lattice.get())
+  const bool isGeocentric = this->Frame == GEOCENTRIC;
+  if (isGeocentric && this->MaximumError > 0.0)
   {
-    this->Terrain = std::make_unique<relevo::AdaptiveTerrain>(lattice);
+    return "MaximumError works with the map frame only. Call SetFrameToMap(), or set MaximumError "
+           "to "
+           "0 and call SetCamera().";
+  }
+  if (!this->Terrain || &this->Terrain->GetLattice() != lattice.get() ||
+    (this->Terrain->GetGlobe() != nullptr) != isGeocentric)
+  {
+    this->Terrain = std::make_unique<relevo::AdaptiveTerrain>(lattice, nullptr, isGeocentric);
   }
   const std::string location = this->Terrain->FindLocationError();
   if (!location.empty())
@@ -210,7 +225,7 @@ std::string vtkTerrainMeshSource::Build(vtkPolyData* output)
   }
   const std::string error =
     this->MaximumError > 0.0 ? this->BuildRegion(output) : this->BuildView(output);
-  if (error.empty())
+  if (error.empty() && !isGeocentric)
   {
     const relevo::Georeference& reference = lattice->Describe().Location;
     const std::array<double, 2> center = reference.Coordinates(0.5, 0.5);
@@ -399,4 +414,5 @@ void vtkTerrainMeshSource::PrintSelf(ostream& os, vtkIndent indent)
      << this->Region[2] << ", " << this->Region[3] << ")\n";
   os << indent << "Exaggeration: " << this->Exaggeration << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "Frame: " << this->Frame << "\n";
 }

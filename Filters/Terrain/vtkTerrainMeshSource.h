@@ -24,6 +24,9 @@
  * the raster from pixel edge to pixel edge, u east, v north). The field data have "Origin" and
  * "CoordinateSystem" as those of vtkTerrainSource.
  *
+ * SetFrameToGeocentric() gives earth-centred coordinates instead, without "Origin" and
+ * "CoordinateSystem"; see vtkTerrainMapper.
+ *
  * Errors (ErrorEvent, empty output): no pyramid; an error of the pyramid; neither a camera nor a
  * MaximumError; a region that does not overlap the raster; a region that has too many samples for
  * its MaximumError; a mesh of more than 2^26 triangles within MaximumError; a raster with one row
@@ -136,6 +139,24 @@ public:
   vtkGetMacro(MemoryLimit, vtkTypeInt64);
   //@}
 
+  enum Frames
+  {
+    MAP = 0,
+    GEOCENTRIC
+  };
+
+  //@{
+  /**
+   * Set the frame of the points, and of the camera: MAP (0, the default) or GEOCENTRIC (1), as
+   * vtkTerrainMapper::SetFrame(). GEOCENTRIC works with a camera only. A value out of range is an
+   * error and changes nothing.
+   */
+  virtual void SetFrame(int frame);
+  vtkGetMacro(Frame, int);
+  void SetFrameToMap() { this->SetFrame(MAP); }
+  void SetFrameToGeocentric() { this->SetFrame(GEOCENTRIC); }
+  //@}
+
   /// Return the largest error of the output in pixels, at most; 0 with MaximumError.
   double GetScreenSpaceErrorInUse() const { return this->ErrorInUse; }
 
@@ -154,6 +175,7 @@ protected:
   double Region[4];
   double Exaggeration;
   vtkTypeInt64 MemoryLimit;
+  int Frame;
 
 private:
   vtkTerrainMeshSource(const vtkTerrainMeshSource&) = delete;

@@ -163,6 +163,11 @@ std::string vtkTerrainClamp::ClampToMapper(vtkPolyData* input, vtkPolyData* outp
   {
     return ""; // the mapper has reported the error
   }
+  if (terrain->GetGlobe())
+  {
+    return "The mapper uses the geocentric frame, which this filter does not support. Call "
+           "SetFrameToMap() of the mapper, or SetPyramid() instead of SetMapper().";
+  }
   relevo::DrawnSurface surface(*terrain, this->Mapper->GetExaggeration());
   return this->ClampTo({ *terrain, surface, this->Mapper->GetPyramid() }, input, output);
 }

@@ -204,7 +204,7 @@ void vtkTerrainMapper::SetContourColor(double red, double green, double blue)
 
 void vtkTerrainMapper::SetFrame(int frame)
 {
-  relevo::SetChoice(this, "Frame", this->Frame, frame, { "MAP" });
+  relevo::SetChoice(this, "Frame", this->Frame, frame, { "MAP", "GEOCENTRIC" });
 }
 
 //------------------------------------------------------------------------------
@@ -233,10 +233,12 @@ std::string vtkTerrainMapper::OpenTerrain()
   this->OpenImagery();
   const std::shared_ptr<const relevo::ImageryLattice> imagery =
     this->TerrainColorMode == COLOR_BY_IMAGERY ? data.Imagery : nullptr;
+  const bool isGeocentric = this->Frame == GEOCENTRIC;
   if (!data.Terrain || &data.Terrain->GetLattice() != lattice.get() ||
-    data.Terrain->GetImagery() != imagery.get())
+    data.Terrain->GetImagery() != imagery.get() ||
+    (data.Terrain->GetGlobe() != nullptr) != isGeocentric)
   {
-    data.Terrain.reset(new relevo::AdaptiveTerrain(lattice, imagery));
+    data.Terrain.reset(new relevo::AdaptiveTerrain(lattice, imagery, isGeocentric));
     data.Terrain->SetShading(true);
     data.View.Clear();
     data.Drawn.Modified();
@@ -314,9 +316,20 @@ void vtkTerrainMapper::GetBounds(double bounds[6])
 
 bool vtkTerrainMapper::GeographicToWorld(const double geographic[3], double world[3])
 {
+  if (!this->Pyramid || !this->UpdateTerrain())
+  {
+    return false;
+  }
+  if (const relevo::GlobeShape* globe = this->Internals->Terrain->GetGlobe())
+  {
+    const std::array<double, 3> position = globe->GetFrame().ToWorld(
+      { { geographic[0], geographic[1], geographic[2] * this->Exaggeration } });
+    std::copy(position.begin(), position.end(), world);
+    return std::abs(geographic[1]) <= 90.0 && vtkMath::IsFinite(world[0]) &&
+      vtkMath::IsFinite(world[1]) && vtkMath::IsFinite(world[2]);
+  }
   std::array<double, 2> coordinates;
-  if (!this->Pyramid || !this->UpdateTerrain() ||
-    !this->Pyramid->GeographicToRaster(geographic, coordinates.data()))
+  if (!this->Pyramid->GeographicToRaster(geographic, coordinates.data()))
   {
     return false;
   }
@@ -331,6 +344,15 @@ bool vtkTerrainMapper::WorldToGeographic(const double world[3], double geographi
   if (!this->Pyramid || !this->UpdateTerrain())
   {
     return false;
+  }
+  if (const relevo::GlobeShape* globe = this->Internals->Terrain->GetGlobe())
+  {
+    const std::array<double, 3> position =
+      globe->GetFrame().ToGeographic({ { world[0], world[1], world[2] } });
+    std::copy(position.begin(), position.end(), geographic);
+    geographic[2] /= this->Exaggeration;
+    return vtkMath::IsFinite(geographic[0]) && vtkMath::IsFinite(geographic[1]) &&
+      vtkMath::IsFinite(geographic[2]);
   }
   const std::array<double, 2> coordinates =
     this->Internals->Terrain->GetFrame().ToCoordinates({ { world[0], world[1] } });
@@ -472,6 +494,7 @@ void vtkTerrainMapper::DrawFaces(vtkRenderer* renderer, vtkActor* actor)
   relevo::TerrainPainter::Settings settings;
   settings.Placement = data.Terrain->GetPlacement(this->Exaggeration);
   this->Pyramid->GetDimensions(settings.Dimensions.data());
+  settings.Vertices = &data.Terrain->GetVertices();
   settings.Exaggeration = this->Exaggeration;
   settings.Coloring = static_cast<TerrainColoring>(this->TerrainColorMode);
   if (relevo::HasTable(settings.Coloring))

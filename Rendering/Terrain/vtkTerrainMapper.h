@@ -210,17 +210,27 @@ public:
 
   enum Frames
   {
-    MAP = 0
+    MAP = 0,
+    GEOCENTRIC
   };
 
   //@{
   /**
    * Set the frame of the world coordinates. MAP (0, the default): a flat map in metres, see the
-   * class. A value out of range is an error and changes nothing.
+   * class. GEOCENTRIC (1): metres from the centre of the ellipsoid of the raster's coordinate
+   * system, with z to the north pole and x to longitude 0. SetExaggeration() stretches heights
+   * above the ellipsoid. What is behind the horizon of the ellipsoid is not drawn. A raster of
+   * longitude and latitude that covers all longitudes is closed: the first column follows the last.
+   * If it ends half a sample before a pole, it is continued to it, and samples of the first row are
+   * moved to it. The screen-space error includes the curvature of the ellipsoid, for slopes up to
+   * 45 degrees before the exaggeration. Positions of vertices need up to 6 kB per face in addition
+   * to SetMemoryLimit(); GetResidentMemorySize() includes them. A value out of range is an error
+   * and changes nothing.
    */
   void SetFrame(int frame);
   vtkGetMacro(Frame, int);
   void SetFrameToMap() { this->SetFrame(MAP); }
+  void SetFrameToGeocentric() { this->SetFrame(GEOCENTRIC); }
   //@}
 
   /// Return whether the last frame was drawn within SetScreenSpaceError(), with all of its tiles.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bisection/AdaptiveTerrain.h"
 
+#include "Bisection/ClosedLattice.h"
 #include "Bisection/TerrainBisection.h"
 #include "Geodesy/TerrainFrame.h"
 
@@ -21,6 +22,13 @@ constexpr double FadeTime = 0.25;
 // The errors of tiles for shading, as a share of the tolerance. Those of faces are larger.
 constexpr double ShadingShare = 0.5;
 
+// An estimated range does not hide what exceeds it.
+ElevationRanges::Range Widen(const ElevationRanges::Range& range)
+{
+  const float margin = range[1] - range[0];
+  return { { range[0] - margin, range[1] + margin } };
+}
+
 double GetSeconds()
 {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
@@ -28,16 +36,27 @@ double GetSeconds()
 }
 }
 
-AdaptiveTerrain::AdaptiveTerrain(
-  std::shared_ptr<const HeightLattice> lattice, std::shared_ptr<const ImageryLattice> imagery)
+AdaptiveTerrain::AdaptiveTerrain(std::shared_ptr<const HeightLattice> lattice,
+  std::shared_ptr<const ImageryLattice> imagery, bool isGeocentric)
   : Lattice(std::move(lattice))
   , Imagery(std::move(imagery))
   , Frame(this->Lattice->Describe().Location)
-  , Cache([source = this->Lattice](HeightTile& tile, std::string& error)
-      { return source->Read(tile, error); },
+  , Globe(isGeocentric ? std::make_shared<GlobeShape>(this->Lattice->Describe().Location,
+                           this->Lattice->Describe().Width, this->Lattice->Describe().Height)
+                       : nullptr)
+  , Closed(this->Globe && this->Globe->GetFrame().GetError().empty()
+        ? std::make_shared<ClosedLattice>(this->Lattice, this->Globe)
+        : nullptr)
+  , Dimensions{ { this->Lattice->Describe().Width, this->Lattice->Describe().Height } }
+  , Cache([source = this->Lattice, closed = this->Closed](HeightTile& tile, std::string& error)
+      { return closed ? closed->Read(tile, error) : source->Read(tile, error); },
       [source = this->Imagery](ImageryTile& tile, std::string& error)
       { return source->Read(tile, error); })
 {
+  if (this->Globe)
+  {
+    this->Dimensions = this->Globe->GetDimensions();
+  }
 }
 
 AdaptiveTerrain::~AdaptiveTerrain() = default;
@@ -66,11 +85,19 @@ std::string AdaptiveTerrain::FindLocationError() const
              "-a_ullr).";
     }
   }
+  if (this->Globe && !this->Globe->GetFrame().GetError().empty())
+  {
+    return this->Globe->GetFrame().GetError();
+  }
   const TerrainPlacement placement = this->GetPlacement(1.0);
   const double area =
     placement.Column[0] * placement.Row[1] - placement.Column[1] * placement.Row[0];
-  const std::array<double, 3> corner =
-    placement.ToWorld(contents.Width - 1.0, contents.Height - 1.0, 0.0);
+  std::array<double, 2> corner;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    corner[axis] = placement.Origin[axis] + (contents.Width - 1.0) * placement.Column[axis] +
+      (contents.Height - 1.0) * placement.Row[axis];
+  }
   const auto fits = [](double x) { return std::abs(x) <= std::numeric_limits<float>::max(); };
   if (!fits(corner[0]) || !fits(corner[1]) || !(std::abs(area) > 0.0))
   {
@@ -83,8 +110,47 @@ std::string AdaptiveTerrain::FindLocationError() const
 TerrainPlacement AdaptiveTerrain::GetPlacement(double exaggeration) const
 {
   const RasterDescription& contents = this->Lattice->Describe();
-  return this->Frame.GetPlacement(
-    contents.Width, contents.Height, contents.VerticalUnit * exaggeration);
+  TerrainPlacement placement =
+    this->Frame.GetPlacement(contents.Width, contents.Height, contents.VerticalUnit * exaggeration);
+  placement.Globe = this->Globe;
+  placement.Exaggeration = exaggeration;
+  if (this->Closed)
+  {
+    placement.PoleErrors = this->Closed->GetPoleErrors();
+    const ElevationRanges::Range range = this->GetRange(*this->Lattice->GetRanges());
+    const auto [low, high] = this->Lattice->AreErrorsKnown() ? range : Widen(range);
+    placement.LowestHeight =
+      low <= high ? std::min(low * placement.HeightScale, high * placement.HeightScale) : 0.0;
+  }
+  return placement;
+}
+
+std::array<double, 6> AdaptiveTerrain::GetGlobeBounds(const TerrainPlacement& placement) const
+{
+  const ElevationRanges::Range heights = this->GetRange(*this->Lattice->GetRanges());
+  std::array<double, 6> bounds = { { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
+  bool isFirst = true;
+  for (const GeocentricFrame::Place& place : this->Globe->GetNodes())
+  {
+    for (int end = 0; end < 2 && heights[0] <= heights[1] && !std::isnan(place.Position[0]); ++end)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double world =
+          place.Position[axis] + heights[end] * placement.HeightScale * place.Up[axis];
+        double* range = &bounds[2 * axis];
+        range[0] = isFirst ? world : std::min(range[0], world);
+        range[1] = isFirst ? world : std::max(range[1], world);
+      }
+      isFirst = false;
+    }
+  }
+  for (int axis = 0; axis < 3 && !isFirst; ++axis)
+  {
+    bounds[2 * axis] -= this->Globe->GetNodeDistance();
+    bounds[2 * axis + 1] += this->Globe->GetNodeDistance();
+  }
+  return bounds;
 }
 
 ElevationRanges::Range AdaptiveTerrain::GetRange(const ElevationRanges& ranges) const
@@ -99,6 +165,10 @@ std::array<double, 6> AdaptiveTerrain::GetBounds(double exaggeration) const
 {
   const RasterDescription& contents = this->Lattice->Describe();
   const TerrainPlacement placement = this->GetPlacement(exaggeration);
+  if (this->Globe)
+  {
+    return this->GetGlobeBounds(placement);
+  }
   const double columns = contents.Width - 1.0;
   const double rows = contents.Height - 1.0;
   const ElevationRanges::Range heights = this->GetRange(*this->Lattice->GetRanges());
@@ -118,18 +188,14 @@ std::array<double, 6> AdaptiveTerrain::GetBounds(double exaggeration) const
 
 void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
 {
-  const RasterDescription& contents = this->Lattice->Describe();
   // The background build of the index can replace them at any time.
   this->HasErrors = this->Lattice->AreErrorsKnown();
   const std::shared_ptr<const BlockErrors> errors = this->Lattice->GetErrors();
   const std::shared_ptr<const ElevationRanges> ranges = this->Lattice->GetRanges();
-  // An estimated range does not hide what exceeds it.
-  ElevationRanges::Range all = this->GetRange(*ranges);
-  const float margin = all[1] - all[0];
-  all = { { all[0] - margin, all[1] + margin } };
-  const ElevationRanges wide(all);
+  const ElevationRanges wide(Widen(this->GetRange(*ranges)));
   const ElevationRanges& bounds = this->HasErrors ? *ranges : wide;
-  TerrainBisection bisection(contents.Width, contents.Height, *errors, bounds);
+  TerrainBisection bisection(this->Dimensions[0], this->Dimensions[1], *errors, bounds,
+    this->Globe ? this->Globe->GetPeriod() : 0);
   this->Cache.BeginFrame(GetSeconds());
   bisection.Select(view, tolerance, this->Cache);
   this->Faces = bisection.GetFaces();
@@ -140,20 +206,24 @@ void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
   this->ShadingComplete = true;
   if (this->Shading)
   {
-    MipmapTiles shading(contents.Width, contents.Height, bounds);
+    MipmapTiles shading(this->Dimensions[0], this->Dimensions[1], bounds);
     shading.Select(view, ShadingShare * tolerance, this->Cache);
     this->ShadingTiles = shading.GetTiles();
     this->ShadingComplete = shading.IsComplete();
   }
   if (this->Imagery)
   {
-    MipmapTiles imagery(contents.Width, contents.Height, bounds);
+    MipmapTiles imagery(this->Dimensions[0], this->Dimensions[1], bounds);
     imagery.SelectImagery(view, *this->Imagery, this->Cache);
     this->ShadingTiles.insert(
       this->ShadingTiles.end(), imagery.GetTiles().begin(), imagery.GetTiles().end());
     this->Complete = this->Complete && imagery.IsComplete();
   }
   this->Cache.EndFrame();
+  if (this->Globe)
+  {
+    this->Vertices.Update(*this->Globe, this->Faces);
+  }
 }
 
 // Tiles for shading that do not fit into memory do not matter.

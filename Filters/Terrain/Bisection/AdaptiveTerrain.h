@@ -5,18 +5,21 @@
  * @brief   a terrain that is refined for views, with the tiles that they need
  *
  * Heights are in the unit of the raster. A view looks at the terrain in the frame of
- * GetPlacement(): metres on a map whose origin is the centre of the raster; see MapFrame.
+ * GetPlacement(): metres on a map whose origin is the centre of the raster, see MapFrame, or
+ * earth-centred metres, see GlobeShape.
  *
  * Private to the modules for terrains.
  */
 #ifndef AdaptiveTerrain_h
 #define AdaptiveTerrain_h
 
+#include "Bisection/GlobeFaces.h"
 #include "Bisection/HeightTileCache.h"
 #include "Bisection/HiddenBlock.h"
 #include "Bisection/MipmapTiles.h"
 #include "Bisection/TerrainFace.h"
 #include "Bisection/TerrainView.h"
+#include "Geodesy/GlobeShape.h"
 #include "Geodesy/MapFrame.h"
 #include "Lattice/HeightLattice.h"
 #include "Lattice/ImageryLattice.h"
@@ -32,6 +35,8 @@
 
 namespace relevo
 {
+class ClosedLattice;
+
 class RELEVOFILTERSTERRAIN_EXPORT AdaptiveTerrain
 {
 public:
@@ -41,9 +46,9 @@ public:
   static constexpr std::int64_t SmallestMemoryLimit = std::int64_t(1) << 22;
   //@}
 
-  /// The imagery is optional.
+  /// The imagery is optional. The frame is the map, or geocentric.
   explicit AdaptiveTerrain(std::shared_ptr<const HeightLattice> lattice,
-    std::shared_ptr<const ImageryLattice> imagery = nullptr);
+    std::shared_ptr<const ImageryLattice> imagery = nullptr, bool isGeocentric = false);
   ~AdaptiveTerrain();
   AdaptiveTerrain(const AdaptiveTerrain&) = delete;
   void operator=(const AdaptiveTerrain&) = delete;
@@ -54,6 +59,8 @@ public:
   /// Why a raster with this location cannot be placed, as a continuation of its name, or "".
   std::string FindLocationError() const;
   const MapFrame& GetFrame() const { return this->Frame; }
+  /// The geocentric frame, or nullptr for the map.
+  const GlobeShape* GetGlobe() const { return this->Globe.get(); }
   /// The position of the raster, with heights times the exaggeration.
   TerrainPlacement GetPlacement(double exaggeration) const;
   /// The bounds of all heights in this position.
@@ -61,7 +68,10 @@ public:
 
   /// The bytes that tiles may use.
   void SetMemoryLimit(std::size_t bytes) { this->Cache.SetMemoryLimit(bytes); }
-  std::size_t GetMemorySize() const { return this->Cache.GetMemorySize(); }
+  std::size_t GetMemorySize() const
+  {
+    return this->Cache.GetMemorySize() + this->Vertices.GetMemorySize();
+  }
 
   /// Also find the height tiles for the shading of pixels. They are read after those of the faces.
   void SetShading(bool isShaded) { this->Shading = isShaded; }
@@ -84,6 +94,11 @@ public:
   const std::vector<MipmapTiles::Item>& GetShadingTiles() const { return this->ShadingTiles; }
   /// The blocks out of sight, which have no faces.
   const std::vector<HiddenBlock>& GetHiddenBlocks() const { return this->HiddenBlocks; }
+  /// The positions of the vertices of the faces; none on a map.
+  const std::vector<const GlobeFaces::Vertices*>& GetVertices() const
+  {
+    return this->Vertices.GetVertices();
+  }
   double GetError() const { return this->Error; } // the largest in pixels, at most
   bool IsComplete() const;
   //@}
@@ -98,17 +113,22 @@ public:
   }
 
 private:
+  std::array<double, 6> GetGlobeBounds(const TerrainPlacement& placement) const;
   ElevationRanges::Range GetRange(const ElevationRanges& ranges) const;
   void SelectOnce(const TerrainView& view, double tolerance);
 
   std::shared_ptr<const HeightLattice> Lattice;
   std::shared_ptr<const ImageryLattice> Imagery;
   MapFrame Frame;
+  std::shared_ptr<const GlobeShape> Globe;
+  std::shared_ptr<const ClosedLattice> Closed; // with a globe
+  std::array<int, 2> Dimensions;               // columns and rows, with those that close a globe
   HeightTileCache Cache;
   bool Shading = false;
   std::vector<TerrainFace> Faces;
   std::vector<MipmapTiles::Item> ShadingTiles;
   std::vector<HiddenBlock> HiddenBlocks;
+  GlobeFaces Vertices; // of the faces
   double Error = 0.0;
   bool Complete = false; // the faces and the imagery
   bool ShadingComplete = true;

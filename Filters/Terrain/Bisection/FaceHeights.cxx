@@ -3,6 +3,7 @@
 #include "Bisection/FaceHeights.h"
 
 #include <cmath>
+#include <limits>
 
 namespace relevo
 {
@@ -87,17 +88,25 @@ float FaceHeights::GetHeight(int a, int b) const
   {
     return target;
   }
-  float source = 0.0f;
-  if ((a + b) % 2 == 0)
+  AddedVertex added;
+  if (this->FindAdded(a, b, added))
   {
-    source = this->GetSource(a, b);
+    return Mix(0.5f * (added.Sources[0] + added.Sources[1]), target, f.Morph);
   }
-  else
-  {
-    const int i = a % 2;
-    const int j = b % 2;
-    source = 0.5f * (this->GetSource(a - i, b - j) + this->GetSource(a + i, b + j));
-  }
+  const float source =
+    (a + b) % 2 == 0 ? this->GetSource(a, b) : std::numeric_limits<float>::quiet_NaN();
   return std::isnan(source) ? target : Mix(source, target, f.Morph);
+}
+
+bool FaceHeights::FindAdded(int a, int b, AddedVertex& added) const
+{
+  if ((a + b) % 2 == 0 || this->Face.Morph >= 1.0f)
+  {
+    return false;
+  }
+  const int i = a % 2;
+  const int j = b % 2;
+  added = { { this->GetSource(a - i, b - j), this->GetSource(a + i, b + j) }, this->GetFine(a, b) };
+  return !std::isnan(added.Sources[0] + added.Sources[1]);
 }
 }

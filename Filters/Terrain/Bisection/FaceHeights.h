@@ -29,6 +29,16 @@ public:
   /// The height of vertex (a, b) of the pattern.
   float GetHeight(int a, int b) const;
 
+  /// A vertex that the bisection adds, as long as it moves. Its height before is the mean of the
+  /// heights of (a - a % 2, b - b % 2) and (a + a % 2, b + b % 2).
+  struct AddedVertex
+  {
+    float Sources[2];
+    float Target;
+  };
+  /// Returns false if (a, b) is no such vertex.
+  bool FindAdded(int a, int b, AddedVertex& added) const;
+
 private:
   float GetFine(int a, int b) const;
   float GetCoarse(int a, int b) const;

@@ -57,9 +57,10 @@ std::uint64_t GetKey(int level, std::int64_t column, std::int64_t row)
 }
 
 TerrainBisection::TerrainBisection(
-  int columns, int rows, const BlockErrors& errors, const ElevationRanges& ranges)
+  int columns, int rows, const BlockErrors& errors, const ElevationRanges& ranges, int period)
   : Columns(columns)
   , Rows(rows)
+  , Period(period)
   , RootLevel(BlockErrors::GetRootLevel(columns, rows))
   , Errors(errors)
   , Ranges(ranges)
@@ -82,7 +83,13 @@ TerrainBox TerrainBisection::GetRegion(
   box.Columns = { { columns[0] * size, columns[1] * size } };
   box.Rows = { { rows[0] * size, rows[1] * size } };
   // Tiles as large as a block.
-  const ElevationRanges::Range heights = this->Ranges.Get(level - 5, box.Columns, box.Rows);
+  ElevationRanges::Range heights = this->Ranges.Get(level - 5, box.Columns, box.Rows);
+  if (this->Period > 0 && box.Columns[1] > this->Period - 1)
+  {
+    const ElevationRanges::Range first =
+      this->Ranges.Get(level - 5, { { 0.0, box.Columns[1] - this->Period } }, box.Rows);
+    heights = { { std::min(heights[0], first[0]), std::max(heights[1], first[1]) } };
+  }
   box.Heights = { { heights[0], heights[1] } };
   return box;
 }
@@ -92,9 +99,11 @@ double TerrainBisection::ProjectSquare(const Block& block) const
 {
   const auto column = static_cast<double>(block.Column);
   const auto row = static_cast<double>(block.Row);
-  return this->View->Project(this->Errors.GetSquareError(block.Level,
-                               static_cast<int>(block.Column), static_cast<int>(block.Row)),
-    this->GetRegion(block.Level, { { column - 1.0, column + 2.0 } }, { { row - 1.0, row + 2.0 } }));
+  const TerrainBox region =
+    this->GetRegion(block.Level, { { column - 1.0, column + 2.0 } }, { { row - 1.0, row + 2.0 } });
+  const double error = this->Errors.GetSquareError(
+    block.Level, static_cast<int>(block.Column), static_cast<int>(block.Row));
+  return this->View->Project(error + this->View->GetShapeError(block.Level, true, region), region);
 }
 
 double TerrainBisection::ProjectEdge(const Block& block, int side) const
@@ -113,8 +122,9 @@ double TerrainBisection::ProjectEdge(const Block& block, int side) const
   }
   const double column = static_cast<double>(block.Column) + 0.5 * (1 + SideSteps[side][0]);
   const double row = static_cast<double>(block.Row) + 0.5 * (1 + SideSteps[side][1]);
-  return this->View->Project(error,
-    this->GetRegion(block.Level, { { column - 1.0, column + 1.0 } }, { { row - 1.0, row + 1.0 } }));
+  const TerrainBox region =
+    this->GetRegion(block.Level, { { column - 1.0, column + 1.0 } }, { { row - 1.0, row + 1.0 } });
+  return this->View->Project(error + this->View->GetShapeError(block.Level, false, region), region);
 }
 
 float TerrainBisection::Ramp(double error) const
@@ -226,8 +236,9 @@ bool TerrainBisection::IsVisible(const Block& block) const
   const auto row = static_cast<double>(block.Row);
   TerrainBox box =
     this->GetRegion(block.Level, { { column, column + 1.0 } }, { { row, row + 1.0 } });
-  const double error = this->Errors.GetSquareError(
-    block.Level, static_cast<int>(block.Column), static_cast<int>(block.Row));
+  const double error = this->View->GetShapeError(block.Level, true, box) +
+    this->Errors.GetSquareError(
+      block.Level, static_cast<int>(block.Column), static_cast<int>(block.Row));
   box.Heights[0] -= error;
   box.Heights[1] += error;
   return this->View->IsVisible(box);
@@ -372,48 +383,56 @@ double TerrainBisection::ProjectFace(const Block& block, int end, const TerrainF
 {
   // The error of the parent bounds that of a face that is not fully visible.
   const bool isSplit = face.Morph >= 1.0f;
-  float distance = 0.0f;
+  float heightError = 0.0f;
   if (end < 0)
   {
-    distance = isSplit ? this->Errors.GetFaceError(
-                           block.Level, static_cast<int>(block.Column), static_cast<int>(block.Row))
-                       : this->Errors.GetSquareError(block.Level, static_cast<int>(block.Column),
-                           static_cast<int>(block.Row));
+    heightError = isSplit ? this->Errors.GetFaceError(block.Level, static_cast<int>(block.Column),
+                              static_cast<int>(block.Row))
+                          : this->Errors.GetSquareError(block.Level, static_cast<int>(block.Column),
+                              static_cast<int>(block.Row));
   }
   else
   {
     const int column = static_cast<int>(2 * block.Column) + relevo::Corners[end][0] / 2;
     const int row = static_cast<int>(2 * block.Row) + relevo::Corners[end][1] / 2;
-    distance = isSplit ? this->Errors.GetSquareError(block.Level - 1, column, row)
-                       : this->Errors.GetFaceError(block.Level, static_cast<int>(block.Column),
-                           static_cast<int>(block.Row));
+    heightError = isSplit ? this->Errors.GetSquareError(block.Level - 1, column, row)
+                          : this->Errors.GetFaceError(block.Level, static_cast<int>(block.Column),
+                              static_cast<int>(block.Row));
   }
+  // The level of the bisection that the error is of.
+  const bool isSquare = (end < 0) != isSplit;
+  const int level = end >= 0 && isSplit ? block.Level - 1 : block.Level;
   const FaceHeights heights(face);
-  TerrainBox box = { { { InfiniteError, -InfiniteError } }, { { InfiniteError, -InfiniteError } },
-    { { InfiniteError, -InfiniteError } } };
   const double size = std::ldexp(1.0, face.Level);
-  for (int b = 0; b <= Segments; ++b)
+  const auto extend = [](std::array<double, 2>& range, double value) {
+    range = { { std::min(range[0], value), std::max(range[1], value) } };
+  };
+  double largest = 0.0;
+  for (const TerrainFace::PatternTriangle& triangle : TerrainFace::GetPattern())
   {
-    for (int a = 0; a + b <= Segments; ++a)
+    TerrainBox box = { { { InfiniteError, -InfiniteError } }, { { InfiniteError, -InfiniteError } },
+      { { InfiniteError, -InfiniteError } } };
+    for (const auto& [a, b] : triangle)
     {
+      const auto position = [&, a = a, b = b](int axis)
+      {
+        return size *
+          static_cast<double>(face.Apex[axis] + a * face.Step1[axis] + b * face.Step2[axis]);
+      };
+      extend(box.Columns, position(0));
+      extend(box.Rows, position(1));
       const double height = heights.GetHeight(a, b);
       if (!std::isnan(height))
       {
-        const auto position = [&](int axis)
-        {
-          return size *
-            static_cast<double>(face.Apex[axis] + a * face.Step1[axis] + b * face.Step2[axis]);
-        };
-        const auto extend = [](std::array<double, 2>& range, double low, double high) {
-          range = { { std::min(range[0], low), std::max(range[1], high) } };
-        };
-        extend(box.Columns, position(0), position(0));
-        extend(box.Rows, position(1), position(1));
-        extend(box.Heights, height - distance, height + distance);
+        extend(box.Heights, height);
       }
     }
+    const double distance = heightError + this->View->GetShapeError(level, isSquare, box);
+    box.Heights[0] -= distance;
+    box.Heights[1] += distance;
+    largest = std::max(largest, this->View->Project(distance, box));
   }
-  return this->View->Project(distance, box);
+  return largest;
 }
 
 // A corner of faces, in cells of the finest lattice.

@@ -43,8 +43,10 @@ namespace relevo
 class RELEVOFILTERSTERRAIN_EXPORT TerrainBisection
 {
 public:
-  /// The size of the raster in samples.
-  TerrainBisection(int columns, int rows, const BlockErrors& errors, const ElevationRanges& ranges);
+  /// The size of the raster in samples. A raster with a period continues with its first column
+  /// after this number of columns.
+  TerrainBisection(int columns, int rows, const BlockErrors& errors, const ElevationRanges& ranges,
+    int period = 0);
 
   /**
    * Find the faces that a view needs for a tolerance in pixels. Tiles that are not in memory are
@@ -91,6 +93,7 @@ private:
 
   int Columns;
   int Rows;
+  int Period;
   int RootLevel;
   const BlockErrors& Errors;
   const ElevationRanges& Ranges;

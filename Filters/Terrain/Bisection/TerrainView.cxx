@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bisection/TerrainView.h"
 
+#include "Bisection/GlobeView.h"
 #include "View/RefinementView.h"
 #include "View/WorldView.h"
 #include "vtkCamera.h"
@@ -69,6 +70,11 @@ void TerrainView::SetFrustum(const std::array<std::array<double, 4>, 6>& planes)
 void TerrainView::SetPlacement(const TerrainPlacement& placement)
 {
   this->Placement = placement;
+  if (placement.Globe)
+  {
+    this->Globe = std::make_shared<GlobeView>(placement, this->Eye);
+    return;
+  }
   const auto& column = placement.Column;
   const auto& row = placement.Row;
   const double determinant = column[0] * row[1] - column[1] * row[0];
@@ -87,6 +93,11 @@ void TerrainView::SetPlacement(const TerrainPlacement& placement)
 
 bool TerrainView::IsVisible(const TerrainBox& box) const
 {
+  if (this->Globe)
+  {
+    return this->Globe->IsVisible(
+      box, this->HasPlanes ? &this->Planes : nullptr, this->HasPlanes && !this->IsParallel);
+  }
   if (!this->HasPlanes)
   {
     return true;
@@ -106,6 +117,11 @@ bool TerrainView::IsVisible(const TerrainBox& box) const
     });
 }
 
+double TerrainView::GetShapeError(int level, bool isSquare, const TerrainBox& box) const
+{
+  return this->Globe ? this->Globe->GetShapeError(level, isSquare, box) : 0.0;
+}
+
 double TerrainView::Project(double distance, const TerrainBox& box) const
 {
   return this->ProjectLength(distance * std::abs(this->Placement.HeightScale), box);
@@ -121,6 +137,11 @@ double TerrainView::ProjectLength(double length, const TerrainBox& box) const
   if (this->IsParallel)
   {
     return pixels;
+  }
+  if (this->Globe)
+  {
+    const double distanceOfEye = std::max(this->NearestDistance, this->Globe->GetDistance(box));
+    return distanceOfEye > 0.0 ? pixels / distanceOfEye : std::numeric_limits<double>::infinity();
   }
   const auto outside = [](double x, const std::array<double, 2>& range) {
     return std::max({ range[0] - x, x - range[1], 0.0 });

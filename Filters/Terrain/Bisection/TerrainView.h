@@ -11,21 +11,17 @@
 
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
+#include "Bisection/TerrainBox.h"
 #include "Geodesy/TerrainPlacement.h"
 
 #include <array>
+#include <memory>
 
 class vtkCamera;
 
 namespace relevo
 {
-/// A box of the raster: columns, rows and heights.
-struct TerrainBox
-{
-  std::array<double, 2> Columns;
-  std::array<double, 2> Rows;
-  std::array<double, 2> Heights;
-};
+class GlobeView;
 
 class RELEVOFILTERSTERRAIN_EXPORT TerrainView
 {
@@ -58,6 +54,12 @@ public:
   /// The same for a distance in world units in any direction.
   double ProjectLength(double length, const TerrainBox& box) const;
 
+  /**
+   * The vertical distance between the terrain and faces of a level whose vertices lie on it, at
+   * most, in the unit of the heights: 0 on a map. See GlobeView. It adds to BlockErrors.
+   */
+  double GetShapeError(int level, bool isSquare, const TerrainBox& box) const;
+
 private:
   bool IsParallel = true;
   double PixelsPerUnit = 1.0;
@@ -68,6 +70,7 @@ private:
   std::array<std::array<double, 4>, 6> Planes{};
   bool HasPlanes = false;
   TerrainPlacement Placement;
+  std::shared_ptr<const GlobeView> Globe; // nullptr on a map
 };
 }
 

@@ -37,7 +37,9 @@ vtkIdType TerrainMeshBuilder::AddVertex(const Vertex& vertex)
   {
     const double column = static_cast<double>(vertex.Column) * this->Unit;
     const double row = static_cast<double>(vertex.Row) * this->Unit;
-    this->AddPoint(this->Placement.ToWorld(column, row, vertex.Height), vertex.Height, column, row);
+    this->AddPoint(
+      vertex.World ? *vertex.World : this->Placement.ToWorld(column, row, vertex.Height),
+      vertex.Height, column, row);
   }
   return found->second;
 }

@@ -41,6 +41,8 @@ public:
     std::int64_t Column;
     std::int64_t Row;
     double Height; // in the unit of the raster
+    /// World coordinates; nullptr for those of the placement. They are copied.
+    const std::array<double, 3>* World = nullptr;
   };
   /// Add a triangle; its orientation does not matter.
   void AddTriangle(const std::array<Vertex, 3>& triangle);

@@ -58,6 +58,8 @@ public:
 
   /// Return the faces whose IsPositive() is true or false.
   const Group& GetGroup(bool isPositive) const { return this->Groups[isPositive ? 1 : 0]; }
+  /// Return the indices of the faces in the order in which they are drawn.
+  const std::vector<unsigned int>& GetOrder() const { return this->Ids; }
   int GetNumberOfFaces() const { return this->Groups[0].Count + this->Groups[1].Count; }
 
   /// Return whether there are tiles of imagery.

@@ -11,6 +11,7 @@
 #include "vtkActor.h"
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -116,6 +117,18 @@ std::string TerrainPainter::Prepare(vtkRenderer* renderer, vtkActor* actor,
     return "The graphics memory does not suffice for a selection.";
   }
   this->ChooseOrigin(renderer, actor, faces);
+  if (settings.Placement.Globe)
+  {
+    std::array<double, 3> origin;
+    this->Box->GetPoint(0, origin.data());
+    const std::string globeError = this->Globe.Upload(window, this->Instances.GetOrder(),
+      *settings.Vertices, origin, this->OriginHeight * settings.Placement.HeightScale);
+    if (!globeError.empty())
+    {
+      return globeError;
+    }
+  }
+  this->Options.IsGlobe = settings.Placement.Globe != nullptr;
   this->UpdateColors(window);
   this->Options.Coloring = this->ColorError.empty() ? settings.Coloring : TerrainColoring::SOLID;
   if (this->Options.Coloring == TerrainColoring::IMAGERY && !this->Instances.HasImagery())
@@ -151,6 +164,11 @@ void TerrainPainter::ChooseOrigin(
   const TerrainViewpoint viewpoint(renderer, actor);
   const TerrainPlacement& placement = this->Current.Placement;
   const auto& near = viewpoint.GetNearPoint();
+  if (placement.Globe)
+  {
+    this->ChooseGlobeOrigin(faces, near, heights);
+    return;
+  }
   const double x = near[0] - placement.Origin[0];
   const double y = near[1] - placement.Origin[1];
   const double determinant = GetDeterminant(placement);
@@ -162,8 +180,40 @@ void TerrainPainter::ChooseOrigin(
   this->OriginHeight = heights[0] <= heights[1] && std::isfinite(height)
     ? std::round(std::clamp(static_cast<float>(height), heights[0], heights[1]))
     : 0.0f;
-  const std::array<double, 3> origin = placement.ToWorld(
-    this->OriginSample[0], this->OriginSample[1], static_cast<double>(this->OriginHeight));
+  this->SetOrigin(placement.ToWorld(
+    this->OriginSample[0], this->OriginSample[1], static_cast<double>(this->OriginHeight)));
+}
+
+// The origin is the eye, in whole metres. The sample is one near the eye.
+void TerrainPainter::ChooseGlobeOrigin(
+  const std::vector<TerrainFace>& faces, const std::array<double, 3>& near, const float heights[2])
+{
+  double nearest = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    const std::array<double, 3>& position = this->Current.Vertices->at(i)->front().Position;
+    const double distance =
+      vtkMath::Distance2BetweenPoints(position.data(), near.data()); // NaN outside of a projection
+    if (distance < nearest)
+    {
+      nearest = distance;
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        this->OriginSample[axis] =
+          static_cast<int>(std::ldexp(static_cast<double>(faces[i].Apex[axis]), faces[i].Level));
+      }
+    }
+  }
+  const double height = this->Current.Placement.Globe->GetFrame().ToGeographic(near)[2] /
+    this->Current.Placement.HeightScale;
+  this->OriginHeight = heights[0] <= heights[1]
+    ? std::round(std::clamp(static_cast<float>(height), heights[0], heights[1]))
+    : 0.0f;
+  this->SetOrigin({ { std::round(near[0]), std::round(near[1]), std::round(near[2]) } });
+}
+
+void TerrainPainter::SetOrigin(const std::array<double, 3>& origin)
+{
   vtkPoints* points = this->Box->GetPoints();
   double last[3];
   points->GetPoint(0, last);
@@ -238,6 +288,7 @@ void TerrainPainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   }
   helper.VAO->Release();
   this->Instances.Deactivate(window);
+  this->Globe.Deactivate();
   this->Table.Deactivate();
 }
 
@@ -309,6 +360,10 @@ void TerrainPainter::SetMapperShaderParameters(
   this->Superclass::SetMapperShaderParameters(helper, renderer, actor);
   this->Instances.Activate(
     static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), helper.Program);
+  if (this->Options.IsGlobe)
+  {
+    this->Globe.Activate(helper.Program);
+  }
   this->SetPositionUniforms(helper.Program);
   this->SetColorUniforms(helper.Program);
 }
@@ -328,6 +383,8 @@ void TerrainPainter::SetPositionUniforms(vtkShaderProgram* program)
   program->SetUniform2i("relevoOrigin", origin);
   program->SetUniformf("relevoOriginHeight", this->OriginHeight);
   program->SetUniformf("relevoHeightScale", static_cast<float>(placement.HeightScale));
+  program->SetUniformf(
+    "relevoUnit", static_cast<float>(placement.HeightScale / this->Current.Exaggeration));
   set4("relevoPlacement",
     { { placement.Column[0], placement.Column[1], placement.Row[0], placement.Row[1] } });
   // The inverse transpose maps derivatives, without the exaggeration.
@@ -340,10 +397,21 @@ void TerrainPainter::SetPositionUniforms(vtkShaderProgram* program)
   float last[2];
   for (int axis = 0; axis < 2; ++axis)
   {
-    last[axis] = static_cast<float>(
-      this->Current.Dimensions[axis] - 1.0 - this->OriginSample[axis] + BorderTolerance);
+    const double sample =
+      placement.Globe ? placement.Globe->GetBorder()[axis] : this->Current.Dimensions[axis] - 1.0;
+    last[axis] = static_cast<float>(sample - this->OriginSample[axis] + BorderTolerance);
   }
   program->SetUniform2f("relevoLastSample", last);
+  if (placement.Globe)
+  {
+    // Imagery covers whole samples.
+    const double size[2] = { static_cast<double>(this->Current.Dimensions[0]),
+      static_cast<double>(this->Current.Dimensions[1]) };
+    const float closing[3] = { static_cast<float>(size[0] - 0.5 - this->OriginSample[0]),
+      static_cast<float>(placement.Globe->GetPeriod()),
+      static_cast<float>(size[1] - 0.51 - this->OriginSample[1]) };
+    program->SetUniform3f("relevoClosing", closing);
+  }
 }
 
 void TerrainPainter::SetColorUniforms(vtkShaderProgram* program)
@@ -386,14 +454,15 @@ void TerrainPainter::ProcessSelectorPixelBuffers(
 
 vtkTypeInt64 TerrainPainter::GetMemorySize() const
 {
-  return this->Instances.GetMemorySize() + this->Patterns.GetMemorySize() +
-    this->Table.GetMemorySize();
+  return this->Instances.GetMemorySize() + this->Globe.GetMemorySize() +
+    this->Patterns.GetMemorySize() + this->Table.GetMemorySize();
 }
 
 void TerrainPainter::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
   this->Instances.ReleaseGraphicsResources(window);
+  this->Globe.ReleaseGraphicsResources(window);
   this->Patterns.ReleaseGraphicsResources();
   this->Table.ReleaseGraphicsResources(window);
   this->Variants.ReleaseGraphicsResources(window);

@@ -13,6 +13,7 @@
 
 #include "Bisection/TerrainView.h"
 #include "Buffers/ColorTable.h"
+#include "Buffers/GlobeVertices.h"
 #include "Buffers/TerrainInstances.h"
 #include "Buffers/TerrainPatterns.h"
 #include "Changes/Dependencies.h"
@@ -41,6 +42,8 @@ public:
   struct Settings
   {
     TerrainPlacement Placement;
+    /// The vertices of the faces, if the placement has a globe.
+    const std::vector<const GlobeFaces::Vertices*>* Vertices = nullptr;
     std::array<int, 2> Dimensions = { { 0, 0 } }; // columns and rows of the raster
     double Exaggeration = 1.0;                    // is part of the placement's scale of heights
     TerrainColoring Coloring = TerrainColoring::SOLID;
@@ -97,6 +100,9 @@ private:
   void operator=(const TerrainPainter&) = delete;
 
   void ChooseOrigin(vtkRenderer* renderer, vtkActor* actor, const std::vector<TerrainFace>& faces);
+  void ChooseGlobeOrigin(const std::vector<TerrainFace>& faces, const std::array<double, 3>& near,
+    const float heights[2]);
+  void SetOrigin(const std::array<double, 3>& origin);
   void UpdateColors(vtkOpenGLRenderWindow* window);
   void SetPositionUniforms(vtkShaderProgram* program);
   void SetColorUniforms(vtkShaderProgram* program);
@@ -104,6 +110,7 @@ private:
 
   Settings Current;
   TerrainInstances Instances;
+  GlobeVertices Globe;
   TerrainPatterns Patterns;
   ColorTable Table;
   Dependencies TableSource;

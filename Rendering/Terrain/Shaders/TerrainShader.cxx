@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaders/TerrainShader.h"
 
+#include "Bisection/GlobeFaces.h"
 #include "Bisection/TerrainFace.h"
 #include "Lattice/BlockErrors.h"
 #include "Shaders/ShaderVaryings.h"
 #include "relevoColorTable.h"
 #include "relevoTerrainFS.h"
 #include "relevoTerrainFaceVS.h"
+#include "relevoTerrainGlobeVS.h"
 #include "relevoTerrainGradientFS.h"
 #include "relevoTerrainHeightsVS.h"
 #include "relevoTerrainImageryFS.h"
@@ -41,7 +43,7 @@ std::string GetDefines(const TerrainShaderOptions& options)
   text << GetPreciseExtension() << "#define RELEVO_SEGMENTS " << TerrainFace::Segments
        << "\n#define RELEVO_TILE_SHIFT " << TileShift << "\n#define RELEVO_FINEST_LEVEL ("
        << BlockErrors::FinestLevel << ")\n#define RELEVO_FINEST_TILE (" << TerrainTile::FinestLevel
-       << ")\n";
+       << ")\n#define RELEVO_FACE_VERTICES " << GlobeFaces::VerticesPerFace << "\n";
   const auto define = [&text](bool condition, const char* name)
   {
     if (condition)
@@ -49,6 +51,7 @@ std::string GetDefines(const TerrainShaderOptions& options)
       text << "#define " << name << "\n";
     }
   };
+  define(options.IsGlobe, "RELEVO_GLOBE");
   define(HasHeights(options), "RELEVO_HEIGHTS");
   define(options.HasCells, "RELEVO_CELLS");
   define(options.HasContours, "RELEVO_CONTOURS");
@@ -67,6 +70,11 @@ std::vector<ShaderVarying> GetVaryings(const TerrainShaderOptions& options)
   if (HasHeights(options))
   {
     varyings.push_back({ "", "float", "relevoHeight" });
+  }
+  if (options.IsGlobe)
+  {
+    varyings.push_back({ "", "vec3", "relevoUp" });
+    varyings.push_back({ "", "vec4", "relevoDerivatives" });
   }
   if (options.HasCells)
   {
@@ -120,7 +128,8 @@ void FinishTerrainShaders(const TerrainShaderOptions& options,
   const bool hasNormal = ComputeVertexAttributes(vertex, "relevoDrawTerrain");
   vertex.InsertBeforeMain(DeclareVaryings("out", varyings) +
     "void relevoSetNormal(vec3 normal)\n{\n" + (hasNormal ? "  normalMC = normal;\n" : "") + "}\n" +
-    relevoTerrainFaceVS + relevoTerrainHeightsVS + relevoTerrainVS);
+    relevoTerrainFaceVS + (options.IsGlobe ? relevoTerrainGlobeVS : "") + relevoTerrainHeightsVS +
+    relevoTerrainVS);
   vertex.InsertAfterVersion(GetDefines(options));
 
   ShaderText geometry(shaders[vtkShader::Geometry], missing);

@@ -37,6 +37,7 @@ struct TerrainShaderOptions
   TerrainColoring Coloring = TerrainColoring::SOLID;
   bool HasContours = false;
   bool HasCells = false; // for a selection of cells
+  bool IsGlobe = false;  // the geocentric frame
 
   Dependencies GetKey() const;
 };

@@ -2,11 +2,16 @@
 // pixel. Gradients are linear between levels, as in a mipmap, and a tile that has just been read
 // fades in. Follows relevoTerrainTilesFS.glsl.
 
+#ifdef RELEVO_GLOBE
+uniform float relevoUnit;     // metres per unit of height
+#else
 uniform vec4 relevoGradients; // world derivatives of the derivatives by column and by row
+#endif
 uniform sampler2DArray relevoTileGradients;
 uniform ivec2 relevoGradientLevels; // the finest and the coarsest one
 
-vec2 relevoGradient = vec2(0.0); // the result: heights per world unit, without exaggeration
+// The result: heights per world unit, without exaggeration; on a globe to the east and the north.
+vec2 relevoGradient = vec2(0.0);
 
 void relevoFindGradient()
 {
@@ -32,7 +37,14 @@ void relevoFindGradient()
     }
     ++level;
   }
+#ifdef RELEVO_GLOBE
+  // There is no east at the poles.
+  float cosine = length(relevoUpVSOutput.xy) / length(relevoUpVSOutput);
+  relevoGradient = relevoUnit * vec2(dot(gradient, relevoDerivativesVSOutput.xy) / max(cosine, 1e-6),
+    dot(gradient, relevoDerivativesVSOutput.zw));
+#else
   relevoGradient = gradient.x * relevoGradients.xy + gradient.y * relevoGradients.zw;
+#endif
 }
 
 #ifdef RELEVO_NORMALS
@@ -43,6 +55,13 @@ uniform float relevoExaggeration;
 
 vec3 relevoTerrainNormal()
 {
-  return normalize(normalMatrix * vec3(-relevoExaggeration * relevoGradient, 1.0));
+  vec2 slope = relevoExaggeration * relevoGradient;
+#ifdef RELEVO_GLOBE
+  vec3 up = normalize(relevoUpVSOutput);
+  vec3 east = vec3(-up.y, up.x, 0.0) / max(length(up.xy), 1e-6);
+  return normalize(normalMatrix * (up - slope.x * east - slope.y * cross(up, east)));
+#else
+  return normalize(normalMatrix * vec3(-slope, 1.0));
+#endif
 }
 #endif

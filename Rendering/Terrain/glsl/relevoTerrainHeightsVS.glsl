@@ -80,6 +80,13 @@ float relevoHeight(ivec2 ab)
     {
       value = relevoCorners.z;
     }
+#ifdef RELEVO_GLOBE
+    if (i > 0 && !isEven)
+    {
+      vec3 point = relevoGlobePoint(here, value);
+      relevoMidpoint = i == 1 ? point : 0.5 * (relevoMidpoint + point);
+    }
+#endif
     target = i == 0 ? value : target;
     source = i == 1 ? value : source;
     if (i == 2)
@@ -88,6 +95,15 @@ float relevoHeight(ivec2 ab)
     }
     ++i;
   } while (i < number);
+#ifdef RELEVO_GLOBE
+  bool moves = isMorphed && !isEven && !isnan(source);
+  if (moves)
+  {
+    vec3 point = relevoGlobePoint(ab, target);
+    precise vec3 moved = relevoMidpoint + relevoMorph * (point - relevoMidpoint);
+    relevoGlobePosition = moved;
+  }
+#endif
   if (isMorphed && !isnan(source))
   {
     target = relevoMix(source, target, relevoMorph);
@@ -104,5 +120,11 @@ float relevoHeight(ivec2 ab)
   {
     target = relevoCorners.z;
   }
+#ifdef RELEVO_GLOBE
+  if (!moves)
+  {
+    relevoGlobePosition = relevoGlobePoint(ab, target);
+  }
+#endif
   return target;
 }

@@ -4,6 +4,9 @@
 
 uniform sampler2DArray relevoImagery;
 uniform ivec2 relevoImageryLevels; // the finest and the coarsest one
+#ifdef RELEVO_GLOBE
+uniform vec3 relevoClosing; // the column after the last, the period, and the last row, as relevoRaster
+#endif
 
 // In oblique views, a pixel covers a long part of the terrain. It is the mean of at most this many
 // points.
@@ -12,6 +15,10 @@ const float relevoLargestNumberOfPoints = 8.0;
 // Return the colour at a point (as relevoRaster) for a pixel that covers 2^detail samples per side.
 vec4 relevoImageryAt(vec2 raster, float detail)
 {
+#ifdef RELEVO_GLOBE
+  raster.x -= raster.x > relevoClosing.x ? relevoClosing.y : 0.0;
+  raster.y = min(raster.y, relevoClosing.z);
+#endif
   vec4 color = vec4(0.0);
   float rest = 1.0; // the weight of coarser levels
   int level = clamp(int(floor(detail)), relevoImageryLevels.x, relevoImageryLevels.y);

@@ -2,9 +2,11 @@
 // relevoTerrainHeightsVS.glsl.
 
 uniform ivec2 relevoOrigin;      // units of the finest lattice
+#ifndef RELEVO_GLOBE
 uniform float relevoOriginHeight;
 uniform vec4 relevoPlacement;    // world coordinates of a step to the next column and row
 uniform float relevoHeightScale; // world units per unit of height
+#endif
 
 #ifdef RELEVO_CELLS
 uniform usamplerBuffer relevoFaceIds;
@@ -17,10 +19,18 @@ void relevoDrawTerrain()
   // The same integers give the same position in all faces that share the vertex.
   vec2 samples = vec2((relevoFaceVertex(ab) << relevoUnitShift) - relevoOrigin) *
     relevoFractions[-RELEVO_FINEST_LEVEL];
-  relevoMissingVSOutput = isnan(height) ? 1.0 : 0.0;
+#ifdef RELEVO_GLOBE
+  bool isMissing = isnan(relevoGlobePosition.x); // of the height, or outside of the projection
+  vec3 position = isMissing ? vec3(0.0) : relevoGlobePosition;
+  relevoUpVSOutput = relevoGlobeTexel(ab, 1).xyz;
+  relevoDerivativesVSOutput = relevoGlobeTexel(ab, 2);
+#else
+  bool isMissing = isnan(height);
   precise vec3 position =
     vec3(samples.x * relevoPlacement.xy + samples.y * relevoPlacement.zw,
-      isnan(height) ? 0.0 : (height - relevoOriginHeight) * relevoHeightScale);
+      isMissing ? 0.0 : (height - relevoOriginHeight) * relevoHeightScale);
+#endif
+  relevoMissingVSOutput = isMissing ? 1.0 : 0.0;
   vertexMC = vec4(position, 1.0);
   relevoSetNormal(vec3(0.0, 0.0, 1.0)); // fragments have their own
   relevoRasterVSOutput = samples;
