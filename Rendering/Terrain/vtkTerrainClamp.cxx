@@ -44,6 +44,12 @@ MapPosition GetSample(const relevo::RasterDescription& contents, const MapPositi
     (location.FlipRows ? 1.0 - uv[1] : uv[1]) * contents.Height - 0.5 } };
 }
 
+// Whether the coordinates are those of the map frame.
+bool IsOnMap(const relevo::AdaptiveTerrain& terrain, int coordinateType)
+{
+  return coordinateType == vtkTerrainClamp::WORLD && !terrain.GetGlobe();
+}
+
 MapPosition GetPeriod(const relevo::RasterDescription& contents)
 {
   const relevo::Georeference& location = contents.Location;
@@ -163,11 +169,6 @@ std::string vtkTerrainClamp::ClampToMapper(vtkPolyData* input, vtkPolyData* outp
   {
     return ""; // the mapper has reported the error
   }
-  if (terrain->GetGlobe())
-  {
-    return "The mapper uses the geocentric frame, which this filter does not support. Call "
-           "SetFrameToMap() of the mapper, or SetPyramid() instead of SetMapper().";
-  }
   relevo::DrawnSurface surface(*terrain, this->Mapper->GetExaggeration());
   return this->ClampTo({ *terrain, surface, this->Mapper->GetPyramid() }, input, output);
 }
@@ -198,33 +199,54 @@ std::string vtkTerrainClamp::ClampToPyramid(vtkPolyData* input, vtkPolyData* out
 }
 
 //------------------------------------------------------------------------------
+bool vtkTerrainClamp::FindPositions(
+  const vtkTerrain& terrain, vtkPolyData* input, std::vector<MapPosition>& positions) const
+{
+  const relevo::GlobeShape* globe = terrain.Frame.GetGlobe();
+  const bool isOnMap = IsOnMap(terrain.Frame, this->CoordinateType);
+  positions.resize(static_cast<std::size_t>(input->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    std::array<double, 3> point;
+    input->GetPoint(static_cast<vtkIdType>(i), point.data());
+    if (globe && this->CoordinateType == WORLD)
+    {
+      point = globe->GetFrame().ToGeographic(point);
+    }
+    positions[i] = { { point[0], point[1] } };
+    if (isOnMap)
+    {
+      positions[i] = terrain.Frame.GetFrame().ToCoordinates(positions[i]);
+    }
+  }
+  if (!isOnMap && this->CoordinateType != RASTER && !terrain.Pyramid->GeographicToRaster(positions))
+  {
+    return false;
+  }
+  for (MapPosition& position : positions)
+  {
+    position = GetSample(terrain.Frame.GetLattice().Describe(), position);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkTerrainClamp::ClampTo(
   const vtkTerrain& terrain, vtkPolyData* input, vtkPolyData* output)
 {
   const relevo::RasterDescription& contents = terrain.Frame.GetLattice().Describe();
-  std::vector<MapPosition> positions(static_cast<std::size_t>(input->GetNumberOfPoints()));
-  for (std::size_t i = 0; i < positions.size(); ++i)
-  {
-    double point[3];
-    input->GetPoint(static_cast<vtkIdType>(i), point);
-    positions[i] = { { point[0], point[1] } };
-  }
-  if (this->CoordinateType == GEOGRAPHIC && !terrain.Pyramid->GeographicToRaster(positions))
+  std::vector<MapPosition> positions;
+  if (!this->FindPositions(terrain, input, positions))
   {
     return std::string(terrain.Pyramid->GetFileName()) +
       " has no coordinate system, so there are no longitudes and latitudes. Call "
       "SetCoordinateTypeToRaster(), or give the file a coordinate system (gdal_edit.py -a_srs).";
   }
-  for (MapPosition& position : positions)
-  {
-    position = GetSample(contents,
-      this->CoordinateType == WORLD ? terrain.Frame.GetFrame().ToCoordinates(position) : position);
-  }
   relevo::TerrainDraping::Settings settings;
   settings.IsMirrored = contents.Location.FlipColumns != contents.Location.FlipRows;
   settings.Offset = this->Offset;
-  settings.Period =
-    this->CoordinateType == WORLD ? MapPosition{ { 0.0, 0.0 } } : GetPeriod(contents);
+  settings.Period = IsOnMap(terrain.Frame, this->CoordinateType) ? MapPosition{ { 0.0, 0.0 } }
+                                                                 : GetPeriod(contents);
   settings.IsAborted = [this] { return relevo::IsAborted(this); };
   relevo::TerrainDraping draping(terrain.Surface, settings, input, std::move(positions));
   if (draping.Run(output) == relevo::TerrainDraping::Result::TooManyCells)

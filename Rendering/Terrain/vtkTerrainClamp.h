@@ -21,16 +21,16 @@
  * Polygons are projected vertically, triangulated, and cut along the edges of the surface. The
  * output has the parts as convex polygons, counter-clockwise seen from above. For the outline of a
  * polygon, add it to the input as a line. Triangle strips become polygons, too. Between the points
- * of the input, lines and edges are straight in the map frame. In longitude and latitude, they take
- * the shorter way around the earth.
+ * of the input, lines and edges are straight in the coordinates of the raster. In longitude and
+ * latitude, they take the shorter way around the earth.
  *
  * Parts outside of the raster (which ends at the centres of the outermost samples) or over missing
  * data are left out; a line can become several. A WarningEvent tells so, once.
  *
- * Points are doubles in the map frame of vtkTerrainMapper. Point data are interpolated, and cell
- * data are copied to the parts of a cell, both without normals. The point array "Height" (double)
- * is the height of the terrain in the unit of the raster, without offset and exaggeration; it
- * replaces an array of that name.
+ * Points are doubles in the frame of the mapper; with SetPyramid(), in the map frame. Point data
+ * are interpolated, and cell data are copied to the parts of a cell, both without normals. The
+ * point array "Height" (double) is the height of the terrain in the unit of the raster, without
+ * offset and exaggeration; it replaces an array of that name.
  *
  * To avoid that a line is hidden by the terrain because of rounding errors of the depth buffer,
  * lift it by SetOffset(), or use vtkMapper::SetResolveCoincidentTopology().
@@ -49,7 +49,9 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for members
 
+#include <array>  // for positions
 #include <string> // for errors
+#include <vector> // for positions
 
 class vtkTerrainMapper;
 class vtkTerrainPyramid;
@@ -95,10 +97,11 @@ public:
 
   //@{
   /**
-   * Set the coordinates of the input. WORLD (0, the default): the map frame of vtkTerrainMapper, in
-   * metres from the centre of the raster. RASTER (1): the raster's own coordinate system.
-   * GEOGRAPHIC (2): longitude and latitude in degrees, on the ellipsoid of the raster's coordinate
-   * system, as for GPS tracks. A value out of range is an error and changes nothing.
+   * Set the coordinates of the input. WORLD (0, the default): the frame of the mapper; with
+   * SetPyramid(), the map frame, in metres from the centre of the raster. RASTER (1): the raster's
+   * own coordinate system. GEOGRAPHIC (2): longitude and latitude in degrees, on the ellipsoid of
+   * the raster's coordinate system, as for GPS tracks. A value out of range is an error and changes
+   * nothing.
    */
   virtual void SetCoordinateType(int type);
   vtkGetMacro(CoordinateType, int);
@@ -152,6 +155,8 @@ private:
   std::string ClampToPyramid(vtkPolyData* input, vtkPolyData* output);
   struct vtkTerrain;
   std::string ClampTo(const vtkTerrain& terrain, vtkPolyData* input, vtkPolyData* output);
+  bool FindPositions(const vtkTerrain& terrain, vtkPolyData* input,
+    std::vector<std::array<double, 2>>& positions) const;
 
   vtkSmartPointer<vtkTerrainMapper> Mapper;
   vtkSmartPointer<vtkTerrainPyramid> Pyramid;

@@ -17,9 +17,19 @@ DrawnSurface::DrawnSurface(const AdaptiveTerrain& terrain, double exaggeration)
   , LastSample{ { terrain.GetLattice().Describe().Width - 1.0,
       terrain.GetLattice().Describe().Height - 1.0 } }
 {
-  for (const TerrainFace& face : terrain.GetFaces())
+  if (const GlobeShape* globe = terrain.GetGlobe())
   {
-    this->Members.push_back(std::make_unique<FacePatch>(face, this->Placement, this->LastSample));
+    this->LastSample = globe->GetBorder();
+    // A closed raster overlaps.
+    const double period = globe->GetPeriod();
+    this->LastSample[0] = period > 0.0 ? period : this->LastSample[0];
+  }
+  for (std::size_t i = 0; i < terrain.GetFaces().size(); ++i)
+  {
+    const GlobeFaces::Vertices* vertices =
+      terrain.GetVertices().empty() ? nullptr : terrain.GetVertices()[i];
+    this->Members.push_back(std::make_unique<FacePatch>(
+      terrain.GetFaces()[i], vertices, this->Placement, this->LastSample));
   }
   constexpr double tolerance = std::numeric_limits<double>::max();
   for (const HiddenBlock& block : terrain.GetHiddenBlocks())
@@ -46,17 +56,22 @@ DrawnSurface::~DrawnSurface() = default;
 
 void DrawnSurface::AddFlatPatch(const AdaptiveTerrain& terrain)
 {
-  const std::array<double, 6> bounds = terrain.GetBounds(1.0);
-  const double scale = terrain.GetPlacement(1.0).HeightScale;
+  const RasterDescription& contents = terrain.GetLattice().Describe();
+  const MapPosition last = { { contents.Width - 1.0, contents.Height - 1.0 } };
+  constexpr int coarsest = 64; // coarser than any level
+  const ElevationRanges::Range heights =
+    terrain.GetLattice().GetRanges()->Get(coarsest, { { 0.0, last[0] } }, { { 0.0, last[1] } });
   // One cell is larger than the raster.
-  while (std::ldexp(1.0, this->FlatTile.Level) < std::max(this->LastSample[0], this->LastSample[1]))
+  while (std::ldexp(1.0, this->FlatTile.Level) <= std::max(last[0], last[1]))
   {
     ++this->FlatTile.Level;
   }
   this->FlatTile.Heights.assign(static_cast<std::size_t>(HeightTile::Stride) * HeightTile::Stride,
-    static_cast<float>(0.5 * (bounds[4] + bounds[5]) / scale));
+    heights[0] <= heights[1] ? 0.5f * (heights[0] + heights[1]) : 0.0f);
+  MapBox box = this->GetBox();
+  box.Clip({ { last[0] + 1.0, last[1] + 1.0 } }); // a globe is closed
   this->Members.push_back(
-    std::make_unique<LatticePatch>(this->FlatTile, this->Placement, this->GetBox(), 1.0));
+    std::make_unique<LatticePatch>(this->FlatTile, this->Placement, box, 1.0));
 }
 
 void DrawnSurface::MakeNode(std::size_t node, Patches::iterator begin, Patches::iterator end)

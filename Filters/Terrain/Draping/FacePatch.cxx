@@ -17,9 +17,10 @@ constexpr int FaceSegments = TerrainFace::Segments;
 constexpr double EdgeTolerance = 1e-7;
 }
 
-FacePatch::FacePatch(
-  const TerrainFace& face, const TerrainPlacement& placement, const MapPosition& lastSample)
+FacePatch::FacePatch(const TerrainFace& face, const GlobeFaces::Vertices* vertices,
+  const TerrainPlacement& placement, const MapPosition& lastSample)
   : Face(face)
+  , Vertices(vertices)
   , Placement(placement)
   , LastSample(lastSample)
   , Size(std::ldexp(1.0, face.Level))
@@ -62,7 +63,18 @@ SurfaceVertex FacePatch::GetVertex(const PatternVertex& vertex) const
   SurfaceVertex result;
   result.Position = { { get(0), get(1) } };
   result.Height = FaceHeights(face).GetHeight(vertex[0], vertex[1]);
-  result.World = this->Placement.ToWorld(result.Position[0], result.Position[1], result.Height);
+  if (this->Vertices)
+  {
+    const auto [a, b] = vertex;
+    result.World = GlobeFaces::GetWorld(face, *this->Vertices, this->Placement.HeightScale, a, b);
+    result.Up = (*this->Vertices)[GlobeFaces::GetIndex(a, b)].Up;
+    // There is no surface outside of the projection.
+    result.Height = std::isnan(result.World[0]) ? result.World[0] : result.Height;
+  }
+  else
+  {
+    result.World = this->Placement.ToWorld(result.Position[0], result.Position[1], result.Height);
+  }
   return result;
 }
 

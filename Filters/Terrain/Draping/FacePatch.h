@@ -9,6 +9,7 @@
 #ifndef FacePatch_h
 #define FacePatch_h
 
+#include "Bisection/GlobeFaces.h"
 #include "Bisection/TerrainFace.h"
 #include "Draping/TerrainPatch.h"
 #include "Geodesy/TerrainPlacement.h"
@@ -19,9 +20,10 @@ namespace relevo
 class RELEVOFILTERSTERRAIN_EXPORT FacePatch : public TerrainPatch
 {
 public:
-  /// The face and the placement must outlive the patch. The raster ends at the last column and row.
-  FacePatch(
-    const TerrainFace& face, const TerrainPlacement& placement, const MapPosition& lastSample);
+  /// The arguments must outlive the patch. The vertices are those on a globe, nullptr on a map. The
+  /// raster ends at the last column and row.
+  FacePatch(const TerrainFace& face, const GlobeFaces::Vertices* vertices,
+    const TerrainPlacement& placement, const MapPosition& lastSample);
 
   void AddPieces(const MapSegment& segment, std::vector<Piece>& pieces) const override;
   bool FindPoint(const MapPosition& position, SurfacePoint& point) const override;
@@ -36,6 +38,7 @@ private:
   bool FindTriangle(const MapPosition& inPattern, SurfaceTriangle& triangle) const;
 
   const TerrainFace& Face;
+  const GlobeFaces::Vertices* Vertices;
   const TerrainPlacement& Placement;
   MapPosition LastSample;
   double Size; // of a cell of the lattice, in samples

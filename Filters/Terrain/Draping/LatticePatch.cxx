@@ -67,7 +67,9 @@ SurfaceVertex LatticePatch::GetVertex(const Cell& cell, const MapPosition& inLat
   SurfaceVertex vertex;
   vertex.Position = { { inLattice[0] * this->Size, inLattice[1] * this->Size } };
   vertex.Height = (1.0 - v) * ((1.0 - u) * h[0] + u * h[1]) + v * ((1.0 - u) * h[2] + u * h[3]);
-  vertex.World = this->Placement.ToWorld(vertex.Position[0], vertex.Position[1], vertex.Height);
+  const auto [column, row] = vertex.Position;
+  vertex.World = this->Placement.ToWorld(column, row, vertex.Height);
+  vertex.Up = this->Placement.GetUp(column, row);
   return vertex;
 }
 

@@ -14,6 +14,7 @@
 #include "Draping/MapSegment.h"
 
 #include <array>
+#include <cmath>
 
 namespace relevo
 {
@@ -39,15 +40,20 @@ struct SurfacePoint
   /// The point in world coordinates, lifted by a distance.
   std::array<double, 3> GetWorld(double lift) const
   {
-    std::array<double, 3> world;
+    std::array<double, 3> world = { { 0.0, 0.0, 0.0 } };
+    std::array<double, 3> up = { { 0.0, 0.0, 0.0 } };
     for (int axis = 0; axis < 3; ++axis)
     {
-      world[axis] = 0.0;
       for (int i = 0; i < 3; ++i)
       {
-        world[axis] +=
-          this->Weights[i] * (this->Vertices[i].World[axis] + lift * this->Vertices[i].Up[axis]);
+        world[axis] += this->Weights[i] * this->Vertices[i].World[axis];
+        up[axis] += this->Weights[i] * this->Vertices[i].Up[axis];
       }
+    }
+    const double length = std::hypot(up[0], up[1], up[2]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      world[axis] += lift * up[axis] / length;
     }
     return world;
   }

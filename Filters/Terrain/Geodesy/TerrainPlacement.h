@@ -33,6 +33,18 @@ struct TerrainPlacement
   /// What closes the poles of a globe adds to errors at the first and the last row.
   std::array<double, 2> PoleErrors = { { 0.0, 0.0 } };
 
+  /// The direction up.
+  std::array<double, 3> GetUp(double x, double y) const
+  {
+    GlobeShape::Vertex vertex;
+    vertex.Up = { { 0.0, 0.0, 1.0 } };
+    if (this->Globe)
+    {
+      this->Globe->Locate(1, &x, &y, &vertex);
+    }
+    return vertex.Up;
+  }
+
   std::array<double, 3> ToWorld(double x, double y, double height) const
   {
     if (this->Globe)
