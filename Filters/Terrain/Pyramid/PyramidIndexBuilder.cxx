@@ -336,11 +336,22 @@ void PyramidIndexBuilder::Read(const SampleWindow& window, std::vector<double>& 
 
 void PyramidIndexBuilder::CompareBlock(const SampleWindow& block)
 {
+  const std::unique_ptr<BlockErrorArea> area = this->CompareLevels(block);
+  if (area && !this->Abort)
+  {
+    this->Blocks.Add(*area);
+  }
+}
+
+// Returns the area of a block with its heights on all levels, if it has blocks of the bisection.
+// Releases the samples before the area is measured, to limit the memory of a thread.
+std::unique_ptr<BlockErrorArea> PyramidIndexBuilder::CompareLevels(const SampleWindow& block)
+{
   std::vector<double> fine;
   this->Read(block, fine);
   this->MeasureRange(block, fine);
   // A raster of one row or column has no blocks.
-  const std::unique_ptr<BlockErrorArea> area =
+  std::unique_ptr<BlockErrorArea> area =
     block.Width > 1 && block.Height > 1 ? this->Blocks.NewArea(block, fine) : nullptr;
   std::vector<double> coarse;
   for (int level = 1; level < this->File.GetNumberOfLevels() && !this->Abort; ++level)
@@ -353,10 +364,7 @@ void PyramidIndexBuilder::CompareBlock(const SampleWindow& block)
       this->Blocks.SetSamples(*area, window, coarse);
     }
   }
-  if (area && !this->Abort)
-  {
-    this->Blocks.Add(*area);
-  }
+  return area;
 }
 
 void PyramidIndexBuilder::MeasureRange(

@@ -28,6 +28,7 @@
 
 #include <array>
 #include <atomic>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -73,6 +74,7 @@ private:
   void Work();
   void Run(const Job& job);
   void CompareBlock(const SampleWindow& block);
+  std::unique_ptr<BlockErrorArea> CompareLevels(const SampleWindow& block);
   void Read(const SampleWindow& window, std::vector<double>& samples);
   void MeasureRange(const SampleWindow& window, const std::vector<double>& samples);
   void MeasureDeviation(const SampleWindow& block, const std::vector<double>& fine,
