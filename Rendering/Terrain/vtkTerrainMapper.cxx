@@ -45,7 +45,8 @@ static_assert(relevo::HaveSameNumber(TerrainMapper::COLOR_SOLID, TerrainColoring
     relevo::HaveSameNumber(TerrainMapper::COLOR_BY_SLOPE, TerrainColoring::SLOPE) &&
     relevo::HaveSameNumber(TerrainMapper::COLOR_BY_ASPECT, TerrainColoring::ASPECT) &&
     relevo::HaveSameNumber(TerrainMapper::COLOR_BY_HILLSHADE, TerrainColoring::HILLSHADE) &&
-    relevo::HaveSameNumber(TerrainMapper::COLOR_BY_IMAGERY, TerrainColoring::IMAGERY),
+    relevo::HaveSameNumber(TerrainMapper::COLOR_BY_IMAGERY, TerrainColoring::IMAGERY) &&
+    relevo::HaveSameNumber(TerrainMapper::COLOR_BY_RASTER, TerrainColoring::RASTER),
   "colour modes");
 
 constexpr int TrianglesPerFace = relevo::TerrainFace::Segments * relevo::TerrainFace::Segments;
@@ -162,21 +163,53 @@ void vtkTerrainMapper::SetTerrainColorMode(int mode)
 {
   relevo::SetChoice(this, "TerrainColorMode", this->TerrainColorMode, mode,
     { "COLOR_SOLID", "COLOR_BY_ELEVATION", "COLOR_BY_SLOPE", "COLOR_BY_ASPECT",
-      "COLOR_BY_HILLSHADE", "COLOR_BY_IMAGERY" });
+      "COLOR_BY_HILLSHADE", "COLOR_BY_IMAGERY", "COLOR_BY_RASTER" });
   this->UpdateDefaultTable();
 }
 
-void vtkTerrainMapper::SetImageryFileName(const char* name)
+void vtkTerrainMapper::SetColorFile(std::string& current, const char* name, int mode)
 {
   const std::string text = name ? name : "";
-  if (text != this->ImageryFileName)
+  if (text != current)
   {
-    this->ImageryFileName = text;
+    current = text;
     this->Modified();
   }
   if (!text.empty())
   {
-    this->SetColorModeToImagery();
+    this->SetTerrainColorMode(mode);
+  }
+}
+
+void vtkTerrainMapper::SetImageryFileName(const char* name)
+{
+  this->SetColorFile(this->ImageryFileName, name, COLOR_BY_IMAGERY);
+}
+
+void vtkTerrainMapper::SetColorRasterFileName(const char* name)
+{
+  this->SetColorFile(this->ColorRasterFileName, name, COLOR_BY_RASTER);
+}
+
+const char* vtkTerrainMapper::GetColorRasterFileName()
+{
+  return this->ColorRasterFileName.empty() ? nullptr : this->ColorRasterFileName.c_str();
+}
+
+void vtkTerrainMapper::SetImageryBands(int red, int green, int blue)
+{
+  const std::array<int, 3> bands = { { red, green, blue } };
+  const bool isDefault = bands == std::array<int, 3>{ { 0, 0, 0 } };
+  if (!isDefault && *std::min_element(bands.begin(), bands.end()) < 1)
+  {
+    vtkErrorMacro(<< "ImageryBands must be three bands, counted from 1, or (0, 0, 0), got (" << red
+                  << ", " << green << ", " << blue << ").");
+    return;
+  }
+  if (!std::equal(bands.begin(), bands.end(), this->ImageryBands))
+  {
+    std::copy(bands.begin(), bands.end(), this->ImageryBands);
+    this->Modified();
   }
 }
 
@@ -232,7 +265,7 @@ std::string vtkTerrainMapper::OpenTerrain()
   }
   this->OpenImagery();
   const std::shared_ptr<const relevo::ImageryLattice> imagery =
-    this->TerrainColorMode == COLOR_BY_IMAGERY ? data.Imagery : nullptr;
+    HasImagery(static_cast<TerrainColoring>(this->TerrainColorMode)) ? data.Imagery : nullptr;
   const bool isGeocentric = this->Frame == GEOCENTRIC;
   if (!data.Terrain || &data.Terrain->GetLattice() != lattice.get() ||
     data.Terrain->GetImagery() != imagery.get() ||
@@ -252,30 +285,33 @@ std::string vtkTerrainMapper::OpenTerrain()
 void vtkTerrainMapper::OpenImagery()
 {
   vtkInternals& data = *this->Internals;
-  const std::string& name = this->ImageryFileName;
   const relevo::HeightLattice* lattice = this->Pyramid->GetLattice().get();
-  if (this->TerrainColorMode != COLOR_BY_IMAGERY ||
-    !data.OpenedImagery.Update(
-      relevo::Dependencies::On(reinterpret_cast<std::size_t>(lattice), name)))
+  relevo::ImageryOptions options;
+  options.HasNumbers = this->TerrainColorMode == COLOR_BY_RASTER;
+  options.FileName = options.HasNumbers ? this->ColorRasterFileName : this->ImageryFileName;
+  std::copy_n(this->ImageryBands, 3, options.Bands.begin());
+  if (!HasImagery(static_cast<TerrainColoring>(this->TerrainColorMode)) ||
+    !data.OpenedImagery.Update(relevo::Dependencies::On(reinterpret_cast<std::size_t>(lattice),
+      options.FileName, options.HasNumbers, options.Bands[0], options.Bands[1], options.Bands[2])))
   {
     return;
   }
   data.Imagery.reset();
-  if (name.empty())
+  if (options.FileName.empty())
   {
     return;
   }
   std::string warning;
   std::string error;
-  data.Imagery = relevo::OpenImagery(name, lattice->Describe(), warning, error);
+  data.Imagery = relevo::OpenImagery(options, lattice->Describe(), warning, error);
   if (!data.Imagery)
   {
-    vtkErrorMacro(<< "Cannot drape " << name << ": " << error
+    vtkErrorMacro(<< "Cannot drape " << options.FileName << ": " << error
                   << ". The terrain is drawn without it.");
   }
   if (!warning.empty())
   {
-    vtkWarningMacro(<< name << ": " << warning << ".");
+    vtkWarningMacro(<< options.FileName << ": " << warning << ".");
   }
 }
 
@@ -388,6 +424,11 @@ void vtkTerrainMapper::UpdateDefaultTable()
   {
     this->Pyramid->GetRange(range);
   }
+  if (this->TerrainColorMode == COLOR_BY_RASTER && data.Imagery && data.Imagery->HasNumbers())
+  {
+    const std::array<double, 2> numbers = data.Imagery->GetRange();
+    std::copy(numbers.begin(), numbers.end(), range);
+  }
   const bool isCyclic = this->TerrainColorMode == COLOR_BY_ASPECT;
   data.DefaultTable->SetHueRange(isCyclic ? 0.0 : 2.0 / 3.0, isCyclic ? 1.0 : 0.0);
   data.DefaultTable->SetTableRange(range);
@@ -483,8 +524,10 @@ void vtkTerrainMapper::SelectFaces(vtkRenderer* renderer, vtkActor* actor)
   const std::string imageryError = data.Terrain->TakeError(relevo::TerrainTile::Kind::Imagery);
   if (!imageryError.empty())
   {
-    vtkErrorMacro(<< "Cannot read " << this->ImageryFileName << ": " << imageryError
-                  << ". The imagery is drawn coarser there.");
+    vtkErrorMacro(<< "Cannot read "
+                  << (this->TerrainColorMode == COLOR_BY_RASTER ? this->ColorRasterFileName
+                                                                : this->ImageryFileName)
+                  << ": " << imageryError << ". The imagery is drawn coarser there.");
   }
 }
 
@@ -623,6 +666,8 @@ void vtkTerrainMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetExaggeration(other->Exaggeration);
     this->SetLoadingMode(other->LoadingMode);
     this->SetImageryFileName(other->ImageryFileName.c_str());
+    this->SetImageryBands(other->ImageryBands[0], other->ImageryBands[1], other->ImageryBands[2]);
+    this->SetColorRasterFileName(other->ColorRasterFileName.c_str());
     this->SetTerrainColorMode(other->TerrainColorMode);
     this->SetContourInterval(other->ContourInterval);
     this->SetContourWidth(other->ContourWidth);
@@ -644,6 +689,10 @@ void vtkTerrainMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent
      << "ImageryFileName: " << (this->ImageryFileName.empty() ? "(none)" : this->ImageryFileName)
      << "\n";
+  os << indent << "ImageryBands: " << this->ImageryBands[0] << " " << this->ImageryBands[1] << " "
+     << this->ImageryBands[2] << "\n";
+  os << indent << "ColorRasterFileName: "
+     << (this->ColorRasterFileName.empty() ? "(none)" : this->ColorRasterFileName) << "\n";
   os << indent << "ContourInterval: " << this->ContourInterval << "\n";
   os << indent << "ContourWidth: " << this->ContourWidth << "\n";
   os << indent << "ContourColor: " << this->ContourColor[0] << " " << this->ContourColor[1] << " "

@@ -143,6 +143,26 @@ public:
   VTK_FILEPATH const char* GetImageryFileName();
   //@}
 
+  //@{
+  /**
+   * Set the bands for red, green and blue of imagery, counted from 1. The default, (0, 0, 0), uses
+   * the bands that the file declares. Other values are an error and change nothing.
+   */
+  void SetImageryBands(int red, int green, int blue);
+  vtkGetVector3Macro(ImageryBands, int);
+  //@}
+
+  //@{
+  /**
+   * Set the name of a raster whose values SetColorModeToRaster() maps to colours: any raster that
+   * GDAL reads, in any coordinate system and resolution. Its first band is read as imagery is, and
+   * its scale and offset are applied. Palettes are not used. This also calls
+   * SetColorModeToRaster(). nullptr, the default, removes the raster.
+   */
+  void SetColorRasterFileName(VTK_FILEPATH const char* name);
+  VTK_FILEPATH const char* GetColorRasterFileName();
+  //@}
+
   enum TerrainColorModes
   {
     COLOR_SOLID = 0,
@@ -150,7 +170,8 @@ public:
     COLOR_BY_SLOPE,
     COLOR_BY_ASPECT,
     COLOR_BY_HILLSHADE,
-    COLOR_BY_IMAGERY
+    COLOR_BY_IMAGERY,
+    COLOR_BY_RASTER
   };
 
   //@{
@@ -162,10 +183,12 @@ public:
    * from the y axis, mapped by the lookup table; the colour for NaN where it is flat.
    * COLOR_BY_HILLSHADE (4): grey, with the sun at an azimuth of 315 degrees and an altitude of 45
    * degrees, without the lights of the scene. COLOR_BY_IMAGERY (5): SetImageryFileName().
+   * COLOR_BY_RASTER (6): the values of SetColorRasterFileName(), mapped by the lookup table; the
+   * colour for NaN where it has no data.
    *
    * SetLookupTable() sets the table, whose own range is used. The default table has the range of
-   * the raster's heights, or all angles. VTK's SetColorMode() and SetScalarRange() have no effect.
-   * A value out of range is an error and changes nothing.
+   * the raster's heights, of the values of the other raster, or all angles. VTK's SetColorMode()
+   * and SetScalarRange() have no effect. A value out of range is an error and changes nothing.
    */
   void SetTerrainColorMode(int mode);
   vtkGetMacro(TerrainColorMode, int);
@@ -175,6 +198,7 @@ public:
   void SetColorModeToAspect() { this->SetTerrainColorMode(COLOR_BY_ASPECT); }
   void SetColorModeToHillshade() { this->SetTerrainColorMode(COLOR_BY_HILLSHADE); }
   void SetColorModeToImagery() { this->SetTerrainColorMode(COLOR_BY_IMAGERY); }
+  void SetColorModeToRaster() { this->SetTerrainColorMode(COLOR_BY_RASTER); }
   //@}
 
   //@{
@@ -302,6 +326,8 @@ protected:
   int LoadingMode = BACKGROUND;
   int TerrainColorMode = COLOR_SOLID;
   std::string ImageryFileName;
+  int ImageryBands[3] = { 0, 0, 0 };
+  std::string ColorRasterFileName;
   double ContourInterval = 0.0;
   double ContourWidth = 1.0;
   double ContourColor[3] = { 0.0, 0.0, 0.0 };
@@ -315,6 +341,7 @@ private:
   bool UpdateTerrain();
   std::string OpenTerrain();
   void OpenImagery();
+  void SetColorFile(std::string& current, const char* name, int mode);
   void UpdateDefaultTable();
   vtkDataObject* ReplaceInput(vtkDataObject* input);
   void SelectFaces(vtkRenderer* renderer, vtkActor* actor);

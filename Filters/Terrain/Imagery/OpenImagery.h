@@ -9,6 +9,7 @@
 #ifndef OpenImagery_h
 #define OpenImagery_h
 
+#include "Imagery/ImageryOptions.h"
 #include "Lattice/ImageryLattice.h"
 #include "Raster/RasterDescription.h"
 #include "RelevoFiltersTerrainModule.h" // for export macro
@@ -24,7 +25,7 @@ namespace relevo
  * and sets `error` on failure; both texts continue the name of the file.
  */
 RELEVOFILTERSTERRAIN_EXPORT std::shared_ptr<const ImageryLattice> OpenImagery(
-  const std::string& fileName, const RasterDescription& terrain, std::string& warning,
+  const ImageryOptions& options, const RasterDescription& terrain, std::string& warning,
   std::string& error);
 }
 

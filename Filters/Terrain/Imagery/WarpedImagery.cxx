@@ -137,8 +137,10 @@ const ImageryPicture* WarpedImagery::GetPicture(
     return &known->second;
   }
   ImageryPicture picture;
-  constexpr std::array<int, 3> defaultBands = { { 0, 0, 0 } };
-  if (!picture.Open(this->FileName, defaultBands, this->IsTerrainLocated, overview, session, error))
+  const std::array<int, 3> bands =
+    this->Options.HasNumbers ? std::array<int, 3>{ { 1, 1, 1 } } : this->Options.Bands;
+  if (!picture.Open(this->Options.FileName, bands, this->IsTerrainLocated, overview, session, error,
+        !this->Options.HasNumbers))
   {
     error = error.empty() ? session.Messages("GDAL cannot open it") : error;
     return nullptr;
@@ -149,16 +151,16 @@ const ImageryPicture* WarpedImagery::GetPicture(
 //------------------------------------------------------------------------------
 // The imagery and the raster
 
-std::shared_ptr<const WarpedImagery> WarpedImagery::Open(const std::string& fileName,
+std::shared_ptr<const WarpedImagery> WarpedImagery::Open(const ImageryOptions& options,
   const RasterDescription& terrain, std::string& warning, std::string& error)
 {
-  error = FindRasterFileError(fileName);
+  error = FindRasterFileError(options.FileName);
   if (!error.empty())
   {
     return nullptr;
   }
   const std::shared_ptr<WarpedImagery> imagery(new WarpedImagery);
-  imagery->FileName = fileName;
+  imagery->Options = options;
   imagery->Size = { { terrain.Width, terrain.Height } };
   imagery->IsTerrainLocated = terrain.Location.System != Georeference::Kind::None;
   GDALSession session;
@@ -168,7 +170,14 @@ std::shared_ptr<const WarpedImagery> WarpedImagery::Open(const std::string& file
   {
     return nullptr;
   }
-  imagery->Stretch = picture->FindStretch();
+  if (options.HasNumbers)
+  {
+    imagery->DescribeNumbers(*picture);
+  }
+  else
+  {
+    imagery->Stretch = picture->FindStretch();
+  }
   if (picture->IsLocated())
   {
     imagery->Location = terrain.Location;
@@ -191,6 +200,21 @@ std::shared_ptr<const WarpedImagery> WarpedImagery::Open(const std::string& file
   }
   imagery->Free.push_back(std::move(handle));
   return imagery;
+}
+
+void WarpedImagery::DescribeNumbers(const ImageryPicture& picture)
+{
+  const GDALRasterBandH band = GDALGetRasterBand(picture.GetFile(), 1);
+  int isDeclared = 0;
+  const double scale = GDALGetRasterScale(band, &isDeclared);
+  this->Scale = isDeclared ? scale : 1.0;
+  const double offset = GDALGetRasterOffset(band, &isDeclared);
+  this->Offset = isDeclared ? offset : 0.0;
+  double range[2] = { 0.0, 0.0 };
+  GDALComputeRasterMinMax(band, true, range);
+  this->Range = { { this->Scale * range[0] + this->Offset,
+    this->Scale * range[1] + this->Offset } };
+  std::sort(this->Range.begin(), this->Range.end());
 }
 
 // Returns an image in memory of size x size pixels. The first one's centre is the vertex (column,
@@ -330,6 +354,33 @@ std::array<double, 2> WarpedImagery::MeasureReduction(
                      : std::array<double, 2>{ { 0.0, 0.0 } };
 }
 
+void WarpedImagery::Convert(const std::vector<float>& values, ImageryTile& tile) const
+{
+  if (this->Options.HasNumbers)
+  {
+    tile.Numbers.resize(TerrainTile::NumberOfVertices);
+    for (std::size_t i = 0; i < tile.Numbers.size(); ++i)
+    {
+      const float* components = &values[Components * i];
+      tile.Numbers[i] = components[Components - 1] > 127.5f
+        ? static_cast<float>(this->Scale * components[0] + this->Offset)
+        : std::numeric_limits<float>::quiet_NaN();
+    }
+    return;
+  }
+  tile.Colors.resize(values.size());
+  for (std::size_t i = 0; i < values.size(); i += Components)
+  {
+    const double opacity = std::clamp(values[i + Components - 1] / 255.0, 0.0, 1.0);
+    for (int j = 0; j < Components; ++j)
+    {
+      const double value = j == Components - 1 ? 255.0 : this->Stretch(values[i + j]);
+      tile.Colors[i + j] = static_cast<unsigned char>(
+        opacity > 0.0 ? std::lround(opacity * std::clamp(value, 0.0, 255.0)) : 0);
+    }
+  }
+}
+
 bool WarpedImagery::Read(ImageryTile& tile, std::string& error) const
 {
   const Lease lease(*this);
@@ -370,17 +421,7 @@ bool WarpedImagery::Read(ImageryTile& tile, std::string& error) const
     error = session.Messages("it cannot be resampled to the terrain");
     return false;
   }
-  tile.Colors.resize(values.size());
-  for (std::size_t i = 0; i < values.size(); i += Components)
-  {
-    const double opacity = std::clamp(values[i + Components - 1] / 255.0, 0.0, 1.0);
-    for (int j = 0; j < Components; ++j)
-    {
-      const double value = j == Components - 1 ? 255.0 : this->Stretch(values[i + j]);
-      tile.Colors[i + j] = static_cast<unsigned char>(
-        opacity > 0.0 ? std::lround(opacity * std::clamp(value, 0.0, 255.0)) : 0);
-    }
-  }
+  this->Convert(values, tile);
   return true;
 }
 }

@@ -12,6 +12,7 @@
 #ifndef WarpedImagery_h
 #define WarpedImagery_h
 
+#include "Imagery/ImageryOptions.h"
 #include "Lattice/ImageryLattice.h"
 #include "Raster/ImageryPicture.h"
 #include "Raster/RasterDescription.h"
@@ -29,10 +30,12 @@ class RELEVOFILTERSTERRAIN_EXPORT WarpedImagery : public ImageryLattice
 {
 public:
   /// See OpenImagery().
-  static std::shared_ptr<const WarpedImagery> Open(const std::string& fileName,
+  static std::shared_ptr<const WarpedImagery> Open(const ImageryOptions& options,
     const RasterDescription& terrain, std::string& warning, std::string& error);
   ~WarpedImagery() override;
 
+  bool HasNumbers() const override { return this->Options.HasNumbers; }
+  std::array<double, 2> GetRange() const override { return this->Range; }
   int GetFinestLevel() const override { return this->FinestLevel; }
   bool Covers(int level, int column, int row) const override;
   bool Read(ImageryTile& tile, std::string& error) const override;
@@ -45,16 +48,22 @@ private:
   const ImageryPicture* GetPicture(
     Handle& handle, int overview, const GDALSession& session, std::string& error) const;
   GDALDatasetPointer CreateTarget(int level, double column, double row, int size) const;
+  void DescribeNumbers(const ImageryPicture& picture);
+  void Convert(const std::vector<float>& values, ImageryTile& tile) const;
   std::string Measure(const ImageryPicture& picture, const GDALSession& session);
   std::array<double, 2> MeasureReduction(
     const ImageryPicture& picture, GDALDatasetH target, const std::array<int, 4>& window) const;
   std::array<int, 4> GetWindow(const ImageryTile& tile) const;
 
-  std::string FileName;
+  ImageryOptions Options;
   Georeference Location; // of the raster, or the unit square
   std::array<int, 2> Size = { { 0, 0 } };
   bool IsTerrainLocated = false;
-  ImageryPicture::Stretch Stretch;
+  ImageryPicture::Stretch Stretch; // of colours
+  // A number is Scale * value + Offset.
+  double Scale = 1.0;
+  double Offset = 0.0;
+  std::array<double, 2> Range = { { 0.0, 0.0 } };
   int FinestLevel = 0;
   // The columns and rows of the raster that imagery may cover.
   std::array<std::array<double, 2>, 2> Extent = { { { { 0.0, 0.0 } }, { { 0.0, 0.0 } } } };

@@ -11,6 +11,7 @@
 
 #include "Lattice/ImageryTile.h"
 
+#include <array>
 #include <string>
 
 namespace relevo
@@ -19,6 +20,11 @@ class ImageryLattice
 {
 public:
   virtual ~ImageryLattice() = default;
+
+  /// Whether the tiles have numbers instead of colours.
+  virtual bool HasNumbers() const { return false; }
+  /// The smallest and largest number, estimated from some of them.
+  virtual std::array<double, 2> GetRange() const { return { { 0.0, 1.0 } }; }
 
   /// The finest level that shows more than the next coarser one.
   virtual int GetFinestLevel() const = 0;

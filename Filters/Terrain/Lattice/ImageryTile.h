@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  ImageryTile
- * @brief   the colours of one tile of the lattice of a raster
+ * @brief   the colours or numbers of one tile of the lattice of a raster
  *
  * Levels below 0 are finer than the samples of the raster.
  *
@@ -23,6 +23,9 @@ struct ImageryTile : TerrainTile
   /// alpha, which is 0 where imagery is missing.
   std::vector<unsigned char> Colors;
 
+  /// Instead of colours: the values of another raster, row by row; NaN without data.
+  std::vector<float> Numbers;
+
   /// The colour of a vertex; i and j count from the first vertex of the tile, from -1 on.
   const unsigned char* GetColor(int i, int j) const
   {
@@ -30,8 +33,16 @@ struct ImageryTile : TerrainTile
   }
 
   Kind GetKind() const override { return Kind::Imagery; }
-  const void* GetValues() const override { return this->Colors.data(); }
-  void Clear() override { std::vector<unsigned char>().swap(this->Colors); }
+  const void* GetValues() const override
+  {
+    return this->Numbers.empty() ? static_cast<const void*>(this->Colors.data())
+                                 : static_cast<const void*>(this->Numbers.data());
+  }
+  void Clear() override
+  {
+    std::vector<unsigned char>().swap(this->Colors);
+    std::vector<float>().swap(this->Numbers);
+  }
 };
 }
 

@@ -20,6 +20,9 @@ namespace
 // Error tolerance in pixels of linear interpolation between exactly transformed pixels.
 constexpr double TransformTolerance = 0.125;
 
+// Bytes of pixels that GDAL has in memory for a window; larger ones are divided.
+constexpr double MemoryOfWindow = 1 << 23;
+
 template <typename Options, void (*Free)(Options*)>
 struct Freer
 {
@@ -119,7 +122,8 @@ GDALDatasetPointer selectBands(GDALDatasetH dataset, const Bands& bands)
 }
 
 bool ImageryPicture::Open(const std::string& fileName, const std::array<int, 3>& wantedBands,
-  bool isTerrainLocated, int overview, const GDALSession& session, std::string& error)
+  bool isTerrainLocated, int overview, const GDALSession& session, std::string& error,
+  bool isExpanded)
 {
   const std::string level = "OVERVIEW_LEVEL=" + std::to_string(overview);
   const char* options[] = { overview < 0 ? nullptr : level.c_str(), nullptr };
@@ -137,8 +141,8 @@ bool ImageryPicture::Open(const std::string& fileName, const std::array<int, 3>&
   }
   this->HasGeoreference = hasLocation(dataset);
   this->Located = this->HasGeoreference && isTerrainLocated;
-  const bool hasIndices =
-    GDALGetRasterCount(dataset) == 1 && GDALGetRasterColorTable(GDALGetRasterBand(dataset, 1));
+  const bool hasIndices = isExpanded && GDALGetRasterCount(dataset) == 1 &&
+    GDALGetRasterColorTable(GDALGetRasterBand(dataset, 1));
   this->Expanded = hasIndices ? translate(dataset, { "-expand", "rgba" }) : nullptr;
   const GDALDatasetH colors = this->Expanded ? this->Expanded.get() : dataset;
   Bands bands;
@@ -268,6 +272,7 @@ bool ImageryPicture::Warp(GDALDatasetH target, const std::array<int, 4>& window,
 
   if (reduction[0] > 0.0 && reduction[1] > 0.0)
   {
+    options->dfWarpMemoryLimit = MemoryOfWindow;
     // Otherwise GDAL estimates these from the window, and the filter differs between windows.
     extra = CSLSetNameValue(extra, "XSCALE", std::to_string(1.0 / reduction[0]).c_str());
     extra = CSLSetNameValue(extra, "YSCALE", std::to_string(1.0 / reduction[1]).c_str());

@@ -47,11 +47,12 @@ public:
 
   /**
    * Open a file, or an overview of it; -1 for the full image. If the file or the terrain has no
-   * georeference, the image is stretched over the unit square. Returns false on failure, with an
-   * empty `error` if GDAL cannot open the file.
+   * georeference, the image is stretched over the unit square. With `isExpanded`, indices of a
+   * palette become colours. Returns false on failure, with an empty `error` if GDAL cannot open the
+   * file.
    */
   bool Open(const std::string& fileName, const std::array<int, 3>& bands, bool isTerrainLocated,
-    int overview, const GDALSession& session, std::string& error);
+    int overview, const GDALSession& session, std::string& error, bool isExpanded = true);
 
   GDALDatasetH GetFile() const { return this->Dataset.get(); }
   /// The bands for red, green and blue, then alpha if available.

@@ -62,6 +62,11 @@ public:
   const std::vector<unsigned int>& GetOrder() const { return this->Ids; }
   int GetNumberOfFaces() const { return this->Groups[0].Count + this->Groups[1].Count; }
 
+  /// Set whether imagery has colours or numbers.
+  void SetImageryContent(TerrainTileTextures::Content content)
+  {
+    this->Imagery.SetContent(content);
+  }
   /// Return whether there are tiles of imagery.
   bool HasImagery() const { return this->IsImageryUsed; }
 

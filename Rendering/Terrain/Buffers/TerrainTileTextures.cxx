@@ -38,6 +38,7 @@ TexelFormat GetFormat(TerrainTileTextures::Content content)
   switch (content)
   {
     case TerrainTileTextures::Content::HEIGHTS:
+    case TerrainTileTextures::Content::NUMBERS:
       return { GL_R32F, GL_RED, GL_FLOAT, GL_NEAREST };
     case TerrainTileTextures::Content::GRADIENTS:
       return { GL_RG16F, GL_RG, GL_FLOAT, GL_LINEAR };
@@ -108,6 +109,15 @@ std::vector<float> ComputeGradients(const HeightTile& tile)
 TerrainTileTextures::TerrainTileTextures(Content content)
   : Stored(content)
 {
+}
+
+void TerrainTileTextures::SetContent(Content content)
+{
+  if (content != this->Stored)
+  {
+    this->ReleaseGraphicsResources();
+    this->Stored = content;
+  }
 }
 
 int TerrainTileTextures::CountTiles(const std::vector<const TerrainTile*>& tiles)

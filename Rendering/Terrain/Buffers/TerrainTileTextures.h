@@ -39,10 +39,14 @@ public:
   {
     HEIGHTS,
     GRADIENTS, // of height tiles
-    IMAGERY
+    IMAGERY,
+    NUMBERS // of another raster
   };
 
   explicit TerrainTileTextures(Content content);
+
+  /// Change the content. Other content is released.
+  void SetContent(Content content);
 
   /// Set the maximum number of bytes.
   void SetMemoryLimit(vtkTypeInt64 bytes) { this->MemoryLimit = bytes; }
@@ -92,7 +96,7 @@ private:
   void Bind(vtkOpenGLRenderWindow* window);
   std::vector<int> FindFreeLayers(std::size_t number);
 
-  const Content Stored;
+  Content Stored;
   vtkTypeInt64 MemoryLimit = vtkTypeInt64(1) << 28;
   std::unordered_map<std::uint64_t, Layer> Layers; // by key of the tile
   std::uint64_t Frame = 0;

@@ -107,6 +107,9 @@ std::string TerrainPainter::Prepare(vtkRenderer* renderer, vtkActor* actor,
   this->Current = settings;
   this->NumberOfDrawCalls = 0;
   this->Instances.SetMemoryLimit(settings.MemoryLimit);
+  this->Instances.SetImageryContent(settings.Coloring == TerrainColoring::RASTER
+      ? TerrainTileTextures::Content::NUMBERS
+      : TerrainTileTextures::Content::IMAGERY);
   const std::string error = this->Instances.Upload(window, faces, shading);
   if (!error.empty())
   {
@@ -131,7 +134,7 @@ std::string TerrainPainter::Prepare(vtkRenderer* renderer, vtkActor* actor,
   this->Options.IsGlobe = settings.Placement.Globe != nullptr;
   this->UpdateColors(window);
   this->Options.Coloring = this->ColorError.empty() ? settings.Coloring : TerrainColoring::SOLID;
-  if (this->Options.Coloring == TerrainColoring::IMAGERY && !this->Instances.HasImagery())
+  if (HasImagery(this->Options.Coloring) && !this->Instances.HasImagery())
   {
     this->Options.Coloring = TerrainColoring::SOLID;
   }

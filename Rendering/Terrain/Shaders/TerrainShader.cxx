@@ -60,6 +60,7 @@ std::string GetDefines(const TerrainShaderOptions& options)
   define(options.Coloring == TerrainColoring::ASPECT, "RELEVO_ASPECT");
   define(options.Coloring == TerrainColoring::HILLSHADE, "RELEVO_HILLSHADE");
   define(options.Coloring == TerrainColoring::IMAGERY, "RELEVO_IMAGERY");
+  define(options.Coloring == TerrainColoring::RASTER, "RELEVO_RASTER");
   return text.str();
 }
 
@@ -87,7 +88,12 @@ std::vector<ShaderVarying> GetVaryings(const TerrainShaderOptions& options)
 bool HasTable(TerrainColoring coloring)
 {
   return coloring == TerrainColoring::ELEVATION || coloring == TerrainColoring::SLOPE ||
-    coloring == TerrainColoring::ASPECT;
+    coloring == TerrainColoring::ASPECT || coloring == TerrainColoring::RASTER;
+}
+
+bool HasImagery(TerrainColoring coloring)
+{
+  return coloring == TerrainColoring::IMAGERY || coloring == TerrainColoring::RASTER;
 }
 
 Dependencies TerrainShaderOptions::GetKey() const
@@ -150,7 +156,7 @@ void FinishTerrainShaders(const TerrainShaderOptions& options,
   }
   const bool hasMatrix = fragment.Has("uniform mat3 normalMatrix;");
   const bool hasGradient = isShaded || HasGradients(options);
-  const bool hasImagery = options.Coloring == TerrainColoring::IMAGERY;
+  const bool hasImagery = HasImagery(options.Coloring);
   fragment.InsertAtStart(std::string(options.HasContours ? "  relevoMeasureContours();\n" : "") +
     (hasGradient || hasImagery ? "  relevoMeasureFootprint();\n" : "") +
     "  if (relevoIsOutside()) discard;\n" + (hasGradient ? "  relevoFindGradient();\n" : ""));

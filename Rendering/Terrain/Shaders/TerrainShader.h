@@ -25,11 +25,14 @@ enum class TerrainColoring
   SLOPE,
   ASPECT,
   HILLSHADE,
-  IMAGERY
+  IMAGERY,
+  RASTER // numbers of another raster
 };
 
 /// Return whether a lookup table maps numbers to colours.
 bool HasTable(TerrainColoring coloring);
+/// Return whether the colours need tiles of imagery.
+bool HasImagery(TerrainColoring coloring);
 
 /// The options of shaders of terrains.
 struct TerrainShaderOptions

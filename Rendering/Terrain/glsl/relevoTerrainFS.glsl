@@ -24,9 +24,20 @@ vec4 relevoTerrainColor()
 }
 #endif
 
-#ifdef RELEVO_ASPECT
+#if defined(RELEVO_ASPECT) || defined(RELEVO_RASTER)
 uniform float relevoNotANumber;
+#endif
 
+#ifdef RELEVO_RASTER
+// The sum of numbers, and the share of the pixel that has data.
+vec4 relevoTerrainColor()
+{
+  vec2 number = relevoImageryColor().rg;
+  return relevoTableColor(number.y > 0.5 ? number.x / number.y : relevoNotANumber);
+}
+#endif
+
+#ifdef RELEVO_ASPECT
 // Flat parts have no aspect.
 vec4 relevoTerrainColor()
 {

@@ -12,6 +12,28 @@ uniform vec3 relevoClosing; // the column after the last, the period, and the la
 // points.
 const float relevoLargestNumberOfPoints = 8.0;
 
+// Return the colour at a vertex of a tile in a layer, bilinear. Numbers of another raster are the
+// first component, times their weight, which is the second component.
+vec4 relevoImageryTexel(vec2 vertex, int layer)
+{
+#ifdef RELEVO_RASTER
+  vec2 first = floor(vertex);
+  vec2 fraction = vertex - first;
+  vec4 sum = vec4(0.0);
+  for (int i = 0; i < 4; ++i)
+  {
+    ivec2 corner = ivec2(i & 1, i >> 1);
+    float number = texelFetch(relevoImagery, ivec3(ivec2(first) + corner + ivec2(1), layer), 0).r;
+    vec2 weights = mix(vec2(1.0) - fraction, fraction, vec2(corner));
+    float weight = isnan(number) ? 0.0 : weights.x * weights.y;
+    sum += isnan(number) ? vec4(0.0) : weight * vec4(number, 1.0, 0.0, 0.0);
+  }
+  return sum;
+#else
+  return textureLod(relevoImagery, relevoLayerPoint(vertex, layer), 0.0);
+#endif
+}
+
 // Return the colour at a point (as relevoRaster) for a pixel that covers 2^detail samples per side.
 vec4 relevoImageryAt(vec2 raster, float detail)
 {
@@ -32,7 +54,7 @@ vec4 relevoImageryAt(vec2 raster, float detail)
     {
       float weight = rest * visibility * clamp(float(level + 1) - detail, 0.0, 1.0);
       weight = level == relevoImageryLevels.y ? rest : weight;
-      color += weight * textureLod(relevoImagery, relevoLayerPoint(vertex, layer), 0.0);
+      color += weight * relevoImageryTexel(vertex, layer);
       rest -= weight;
     }
     ++level;

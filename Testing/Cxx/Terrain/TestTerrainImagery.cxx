@@ -60,12 +60,16 @@ public:
 
   std::shared_ptr<const ImageryLattice> Open(const std::string& file)
   {
+    relevo::ImageryOptions options;
+    options.FileName = file;
+    options.HasNumbers = this->HasNumbers;
     return relevo::OpenImagery(
-      file, this->Pyramid->GetLattice()->Describe(), this->Warning, this->Error);
+      options, this->Pyramid->GetLattice()->Describe(), this->Warning, this->Error);
   }
 
   std::string File;
   vtkNew<vtkTerrainPyramid> Pyramid;
+  bool HasNumbers = false;
   std::string Warning;
   std::string Error;
 };
@@ -311,6 +315,38 @@ void TestKinds(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(imagery && isColor(ReadTile(check, *imagery, 0, 0, 0), 9, 9, { { 250, 120, 10, 255 } }));
 }
 
+// The numbers of a raster, with its scale, offset and missing data.
+void TestNumbers(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  const std::vector<double> utm = { 500000.0, 10.0, 0.0, 5000000.0, 0.0, -10.0 };
+  ImageryTerrain terrain(check, folders, 40, utm, "EPSG:32633");
+  terrain.HasNumbers = true;
+  RelevoRaster raster = RelevoRaster::MakeSlope(40, 40, utm, "EPSG:32633");
+  raster.Type = GDT_Int16;
+  raster.NoData = -1.0;
+  raster.Scale = 0.5;
+  raster.Offset = 100.0;
+  raster.SetValues([](int, int column, int row) { return column == 5 ? -1 : 10 * column + row; });
+  const std::string file = folders.File("TerrainImageryNumbers.tif");
+  CHECK(raster.Write(file));
+  const auto imagery = terrain.Open(file);
+  CHECK_EQUAL(terrain.Error + terrain.Warning, "");
+  if (!imagery)
+  {
+    return;
+  }
+  CHECK(imagery->HasNumbers());
+  CHECK_EQUAL(imagery->GetRange()[0], 100.0);
+  CHECK_EQUAL(imagery->GetRange()[1], 100.0 + 0.5 * 429.0);
+  const ImageryTile tile = ReadTile(check, *imagery, 0, 0, 0);
+  CHECK(tile.Colors.empty());
+  const auto get = [&tile](int i, int j)
+  { return tile.Numbers[std::size_t(j + 1) * TerrainTile::Stride + i + 1]; };
+  CHECK_EQUAL(get(3, 7), 100.0f + 0.5f * 37.0f);
+  CHECK_EQUAL(get(39, 39), 100.0f + 0.5f * 429.0f);
+  CHECK(std::isnan(get(5, 7)) && std::isnan(get(41, 0)));
+}
+
 // Coarse tiles are read from overviews, without aliasing.
 void TestOverviews(RelevoCheck& check, const RelevoTestFolders& folders)
 {
@@ -481,6 +517,7 @@ int TestTerrainImagery(int argc, char* argv[])
   TestPositions(check, folders);
   TestWarp(check, folders);
   TestKinds(check, folders);
+  TestNumbers(check, folders);
   TestOverviews(check, folders);
   TestExtents(check, folders);
   TestErrors(check, folders);

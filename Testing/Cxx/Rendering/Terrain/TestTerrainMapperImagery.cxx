@@ -5,6 +5,7 @@
 #include "RelevoRasterFiles.h"
 #include "RelevoScene.h"
 
+#include "vtkLookupTable.h"
 #include "vtkProperty.h"
 #include "vtkTerrainMapper.h"
 #include "vtkTerrainPyramid.h"
@@ -248,6 +249,83 @@ void TestColors(RelevoCheck& check, const std::string& file, const RelevoTestFol
   CHECK(scene.Draw().Colors == own.Colors);
 }
 
+// The values of another raster through the lookup table, and other bands of imagery.
+void TestRaster(RelevoCheck& check, const std::string& file, const RelevoTestFolders& folders)
+{
+  RelevoRaster raster = MakePicture(1);
+  raster.Type = GDT_Float32;
+  raster.NoData = -5.0;
+  raster.SetValues(
+    [](int, int column, int row) { return row < 500 ? -5.0 : column / (PictureSize - 1.0); });
+  const std::string values = WritePicture(check, raster, folders, "TerrainMapperImageryValues.tif");
+  ImageryScene scene(file);
+  scene.Actor->GetProperty()->LightingOff();
+  scene.Look({ { 0.0, -1.0, 24000.0 } });
+  scene.Mapper->SetColorRasterFileName(values.c_str());
+  CHECK_EQUAL(scene.Mapper->GetTerrainColorMode(), vtkTerrainMapper::COLOR_BY_RASTER);
+  const RelevoPicture first = scene.Draw();
+  first.Save(folders.File("TerrainMapperImageryValues.png"));
+  const double* range = scene.Mapper->GetLookupTable()->GetRange();
+  CHECK_NEAR(range[0], 0.0, 0.02);
+  CHECK_NEAR(range[1], 1.0, 0.02);
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(256);
+  table->SetHueRange(0.0, 0.0);
+  table->SetSaturationRange(0.0, 0.0);
+  table->SetValueRange(0.0, 1.0);
+  table->SetRampToLinear();
+  table->SetNanColor(1.0, 0.0, 0.0, 1.0);
+  table->Build();
+  scene.Mapper->SetLookupTable(table);
+  const RelevoPicture picture = scene.Draw();
+  picture.Save(folders.File("TerrainMapperImageryGrey.png"));
+  int missing = 0;
+  int present = 0;
+  for (int y = 5; y < 300; y += 10)
+  {
+    for (int x = 5; x < 400; x += 10)
+    {
+      const size_t pixel = static_cast<size_t>(y) * 400 + x;
+      const unsigned char* color = &picture.Colors[3 * pixel];
+      const auto here = GetPicturePixel(check, scene, x + 0.5, y + 0.5, picture.Depths[pixel]);
+      const double last = PictureSize - 1.0;
+      if (here[0] < -20.0 || here[0] > last + 20.0 || here[1] < 480.0 || here[1] > last + 20.0)
+      {
+        CHECK(color[0] == 255 && color[1] == 0 && color[2] == 0);
+        ++missing;
+      }
+      else if (here[0] > 20.0 && here[0] < last - 20.0 && here[1] > 520.0 && here[1] < last - 20.0)
+      {
+        CHECK_LESS_EQUAL(std::abs(color[1] - 255.0 * here[0] / last), 2.0);
+        ++present;
+      }
+    }
+  }
+  CHECK_GREATER(missing, 100);
+  CHECK_GREATER(present, 100);
+
+  RelevoErrors errors(scene.Mapper);
+  scene.Mapper->SetImageryFileName(folders.File("TerrainMapperImageryWaves.tif").c_str());
+  const RelevoPicture waves = scene.Draw();
+  scene.Mapper->SetImageryBands(2, 1, 3);
+  const RelevoPicture exchanged = scene.Draw();
+  for (size_t i = 0; i < waves.Colors.size(); i += 3)
+  {
+    if (waves.Colors[i] != exchanged.Colors[i + 1] || waves.Colors[i + 1] != exchanged.Colors[i])
+    {
+      // Only where there is no imagery, the colours stay.
+      CHECK(waves.Colors[i] == exchanged.Colors[i] && waves.Colors[i + 1] == waves.Colors[i + 2]);
+    }
+  }
+  CHECK(waves.Colors != exchanged.Colors);
+  CHECK(errors.None());
+  scene.Mapper->SetImageryBands(1, 2, 0);
+  CHECK(errors.Said("ImageryBands must be three bands"));
+  scene.Mapper->SetImageryBands(1, 2, 7);
+  scene.Draw();
+  CHECK(errors.Said("it has no band 7"));
+}
+
 // Imagery that is read in the background ends with the picture of complete loading.
 void TestBackground(RelevoCheck& check, const std::string& file, const RelevoTestFolders& folders)
 {
@@ -357,6 +435,7 @@ int TestTerrainMapperImagery(int argc, char* argv[])
   CHECK(!file.empty());
   TestPositions(check, file, folders);
   TestColors(check, file, folders);
+  TestRaster(check, file, folders);
   TestBackground(check, file, folders);
   TestMemoryLimit(check, file, folders);
   TestErrors(check, file, folders);
