@@ -81,8 +81,9 @@ public:
 
   //@{
   /**
-   * Set the distance by which the output is lifted, in world units: along z, or perpendicular to the
-   * ellipsoid in the geocentric frame; default 0. NaN and infinity are errors and change nothing.
+   * Set the distance by which the output is lifted, in world units: along z, or perpendicular to
+   * the ellipsoid in the geocentric frame; default 0. NaN and infinity are errors and change
+   * nothing.
    */
   virtual void SetOffset(double distance);
   vtkGetMacro(Offset, double);
