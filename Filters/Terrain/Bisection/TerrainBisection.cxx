@@ -305,8 +305,15 @@ void TerrainBisection::Visit(const Block& block)
       }
     }
   }
-  for (int corner = 0; corner < 4; ++corner)
+  // Near quarters come first, so that they hide far ones before these are shaded.
+  const double size = std::ldexp(static_cast<double>(BlockErrors::CellsPerBlock), block.Level);
+  const auto& eye = this->View->GetRasterEye();
+  const bool isRight = eye[0] > (static_cast<double>(block.Column) + 0.5) * size;
+  const bool isLower = eye[1] > (static_cast<double>(block.Row) + 0.5) * size;
+  const int nearest = isLower ? (isRight ? 2 : 3) : (isRight ? 1 : 0);
+  for (int i : { 0, 1, 3, 2 })
   {
+    const int corner = (nearest + i) % 4;
     if (isQuarterSplit[corner])
     {
       this->Visit({ block.Level - 1, 2 * block.Column + relevo::Corners[corner][0] / 2,

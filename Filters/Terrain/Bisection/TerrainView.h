@@ -43,6 +43,9 @@ public:
   void SetPlacement(const TerrainPlacement& placement);
   const TerrainPlacement& GetPlacement() const { return this->Placement; }
 
+  /// The column and row below the eye of a perspective view.
+  const std::array<double, 2>& GetRasterEye() const { return this->RasterEye; }
+
   /// Whether a part of the box may lie inside of the frustum.
   bool IsVisible(const TerrainBox& box) const;
 
