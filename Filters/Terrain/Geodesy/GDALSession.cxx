@@ -11,7 +11,9 @@ namespace relevo
 {
 namespace
 {
-constexpr char LargeReadsOption[] = "GDAL_ONE_BIG_READ";
+// These are set to NO.
+constexpr std::array<const char*, 2> OptionNames = { { "GDAL_ONE_BIG_READ", "VRT_SHARED_SOURCE" } };
+
 // libjpeg issues this warning and fills missing parts with grey. GDAL appends advice on how to turn
 // it into an error.
 constexpr char CutShort[] = "Premature end of JPEG file";
@@ -48,17 +50,23 @@ GDALSession::GDALSession()
   static const bool registered = (GDALAllRegister(), true);
   static_cast<void>(registered);
   CPLPushErrorHandlerEx(&Collect, &this->Errors);
-  if (const char* option = CPLGetThreadLocalConfigOption(LargeReadsOption, nullptr))
+  for (std::size_t i = 0; i < OptionNames.size(); ++i)
   {
-    this->LargeReads = option;
+    if (const char* value = CPLGetThreadLocalConfigOption(OptionNames[i], nullptr))
+    {
+      this->PreviousValues[i] = value;
+    }
+    CPLSetThreadLocalConfigOption(OptionNames[i], "NO");
   }
-  CPLSetThreadLocalConfigOption(LargeReadsOption, "NO");
 }
 
 GDALSession::~GDALSession()
 {
-  CPLSetThreadLocalConfigOption(
-    LargeReadsOption, this->LargeReads ? this->LargeReads->c_str() : nullptr);
+  for (std::size_t i = 0; i < OptionNames.size(); ++i)
+  {
+    const std::optional<std::string>& value = this->PreviousValues[i];
+    CPLSetThreadLocalConfigOption(OptionNames[i], value ? value->c_str() : nullptr);
+  }
   CPLPopErrorHandler();
 }
 

@@ -11,6 +11,7 @@
 
 #include <gdal.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,7 +22,8 @@ namespace relevo
 /**
  * Create a session on the stack around GDAL calls. It collects the messages of its thread instead
  * of printing them. It also makes GDAL read raw files line by line, because larger reads replace
- * missing data by zeros without an error.
+ * missing data by zeros without an error. VRTs open their sources anew, because sources that two
+ * VRTs share cannot be read by two threads.
  */
 class GDALSession
 {
@@ -46,7 +48,7 @@ private:
   void operator=(const GDALSession&) = delete;
 
   Collection Errors;
-  std::optional<std::string> LargeReads; // previous value of the option
+  std::array<std::optional<std::string>, 2> PreviousValues; // of options
 };
 
 struct GDALCloser

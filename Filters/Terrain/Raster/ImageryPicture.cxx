@@ -108,7 +108,9 @@ GDALDatasetPointer translate(GDALDatasetH dataset, std::vector<std::string> argu
 // Returns a view of the dataset with the colour bands first, then alpha if available.
 GDALDatasetPointer selectBands(GDALDatasetH dataset, const Bands& bands)
 {
-  std::vector<std::string> arguments;
+  // With metadata, GDAL adds the bands to a new VRT. Otherwise it copies the XML of a dataset that
+  // is a VRT, and crashes if the dataset is an overview of one (seen with GDAL 3.6).
+  std::vector<std::string> arguments = { "-mo", "VIEW=imagery" };
   for (int band : bands.Colors)
   {
     arguments.insert(arguments.end(), { "-b", std::to_string(band) });

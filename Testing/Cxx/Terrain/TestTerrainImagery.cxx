@@ -394,6 +394,16 @@ void TestOverviews(RelevoCheck& check, const RelevoTestFolders& folders)
     const unsigned char* color = tile.GetColor(40, 40);
     CHECK_EQUAL(color[0], level == 0 ? 0 : expected[level]);
   }
+  // So do those of a VRT.
+  const std::string virtualFile = folders.File("TerrainImageryOverviews.vrt");
+  dataset = GDALOpen(file.c_str(), GA_ReadOnly);
+  GDALClose(GDALCreateCopy(
+    GDALGetDriverByName("VRT"), virtualFile.c_str(), dataset, false, nullptr, nullptr, nullptr));
+  GDALClose(dataset);
+  imagery = terrain.Open(virtualFile);
+  CHECK_EQUAL(terrain.Error, "");
+  CHECK_EQUAL(ReadTile(check, *imagery, 1, 0, 0).GetColor(40, 40)[0], 60);
+  CHECK_EQUAL(ReadTile(check, *imagery, 0, 0, 0).GetColor(40, 40)[0], 0);
   // Threads get the same tiles.
   const ImageryTile first = ReadTile(check, *imagery, 0, 1, 2);
   std::vector<std::thread> threads;
