@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options/OptionChecks.h"
 
+#include "Files/FlightFile.h"
 #include "Files/MeshReader.h"
 #include "Files/VolumeReader.h"
 #include "Options/UsageError.h"
 #include "Options/ViewerArguments.h"
 #include "Options/ViewerOptions.h"
-#include "Scene/ViewerFlight.h"
 
 #include "vtkLICSettings.h"
 #include "vtkReliefMapper.h"

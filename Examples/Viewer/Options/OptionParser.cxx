@@ -5,9 +5,9 @@
 #include "Files/MeshReader.h"
 #include "Files/ViewerExport.h"
 #include "Options/OptionChecks.h"
+#include "Options/Palettes.h"
 #include "Options/UsageError.h"
 #include "Options/ViewerArguments.h"
-#include "Scene/TerrainColours.h"
 
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkGPUUnstructuredGridVolumeMapper.h"

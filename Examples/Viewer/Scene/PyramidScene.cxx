@@ -4,13 +4,13 @@
 
 #include "Files/FileEnd.h"
 #include "Files/FlightFile.h"
+#include "Options/Palettes.h"
+#include "Scene/PassiveObserver.h"
 #include "Scene/PyramidGround.h"
 #include "Scene/TerrainCamera.h"
-#include "Scene/TerrainColours.h"
 #include "Scene/TerrainPlace.h"
 #include "Scene/ViewerStatistics.h"
 #include "Text/ReadingGuard.h"
-#include "Window/PassiveObserver.h"
 
 #include "Geodesy/TerrainFrame.h"
 #include "Lattice/HeightLattice.h"

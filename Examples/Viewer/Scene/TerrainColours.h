@@ -8,22 +8,9 @@
 
 #include "vtkSmartPointer.h"
 
-#include <array>
-#include <string>
-#include <vector>
-
-class vtkColorTransferFunction;
 class vtkHeightField;
 class vtkImageData;
 class vtkScalarsToColors;
-
-/// The names of palettes, sorted.
-std::vector<std::string> GetPaletteNames();
-
-/// The colours of a palette over a range of values. Heights have "relief" by default: green
-/// lowlands to white summits.
-vtkSmartPointer<vtkColorTransferFunction> MakePalette(
-  const std::string& name, const std::array<double, 2>& range);
 
 /// A picture of a terrain, coloured by height.
 vtkSmartPointer<vtkImageData> MakeHypsometricTint(

@@ -5,6 +5,7 @@
 #include "Files/FileEnd.h"
 #include "Files/MeshPoints.h"
 #include "Files/ViewerFile.h"
+#include "Options/Palettes.h"
 #include "Scene/OffscreenWindow.h"
 #include "Scene/ReliefMetric.h"
 #include "Scene/SourceGround.h"

@@ -13,7 +13,6 @@
 #include "vtkNew.h"
 #include "vtkObject.h"
 
-#include <vtksys/RegularExpression.hxx>
 #include <vtksys/SystemTools.hxx>
 
 #include <vector>
@@ -31,13 +30,6 @@ std::string MakeFrameName(const std::string& pattern, std::size_t number)
   digits.insert(0, length > digits.size() ? length - digits.size() : 0, '0');
   return pattern.substr(0, begin) + digits + pattern.substr(end + 1);
 }
-}
-
-//------------------------------------------------------------------------------
-bool IsFramePattern(const std::string& name)
-{
-  vtksys::RegularExpression pattern("^[^%]*%(0[1-9])?d[^%/]*$");
-  return pattern.find(name);
 }
 
 //------------------------------------------------------------------------------

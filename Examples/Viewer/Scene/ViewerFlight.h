@@ -14,9 +14,6 @@ class ViewerScene;
 class vtkRenderWindow;
 struct ViewerOptions;
 
-/// Whether a name has a number such as %04d in its last part, once, and no other percent signs.
-bool IsFramePattern(const std::string& name);
-
 /// Creates the folder of the pictures, which are numbered from 0. Throws ViewerError.
 void DrawFlight(ViewerScene& scene, vtkRenderWindow* window, const ViewerOptions& options,
   ViewerMessages& messages);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Window/ViewerFrames.h"
 
-#include "Window/PassiveObserver.h"
+#include "Scene/PassiveObserver.h"
 
 #include "vtkCommand.h"
 #include "vtkRenderWindow.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Window/ViewerLoading.h"
 
+#include "Scene/PassiveObserver.h"
 #include "Scene/ViewerScene.h"
-#include "Window/PassiveObserver.h"
 
 #include "vtkCommand.h"
 #include "vtkRenderWindowInteractor.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Window/ViewerReadout.h"
 
+#include "Scene/PassiveObserver.h"
 #include "Scene/ViewerScene.h"
 #include "Text/ViewerText.h"
-#include "Window/PassiveObserver.h"
 #include "Window/ViewerFrames.h"
 #include "Window/ViewerScaleBar.h"
 

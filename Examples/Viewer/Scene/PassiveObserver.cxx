@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Window/PassiveObserver.h"
+#include "Scene/PassiveObserver.h"
 
 #include "vtkCommand.h"
 #include "vtkNew.h"
