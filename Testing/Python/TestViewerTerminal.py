@@ -74,7 +74,7 @@ class TestViewerTerminal(ViewerProgram):
     def test_terrain(self):
         self.assert_progress(
             [r"\rreading heights \d+ %", r"\rdraping imagery \d+ %", r"\rwriting"],
-            "heights.pgm", "--image=picture.ppm", "--output=p.png", "--size=64x64",
+            "heights.pgm", "--image=picture.ppm", "--resolution=8", "--output=p.png", "--size=64x64",
         )
 
     def test_mesh(self):

@@ -74,7 +74,7 @@ class TestViewerTiles(ViewerProgram):
 
         for tiled in ("--contours=5", "--memory=64", "--color-by=slope", "--color-by=hillshade"):
             for option in ("--metric=field", "--level=2", "--resolution=8", "--no-data=fill",
-                           "--image=a.tif", "--export=a.vtp", "--error=0.005"):
+                           "--stretch", "--export=a.vtp", "--error=0.005"):
                 refuses([re.split("[= ]", tiled)[0], re.split("[=]", option)[0], "cannot be"],
                         tiled, option)
         for option in ("--palette=grey", "--range=0,1", "--light=0,45"):

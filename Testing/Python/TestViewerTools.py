@@ -90,6 +90,51 @@ class TestViewerTools(ViewerProgram):
         self.assertEqual(self.under_mouse(window, WIDTH - 2, 2), "here: nothing")
         self.close(window)
 
+    def test_readout_during_a_drag(self):
+        """Each frame of a drag shows its own values: those of c, without a rest."""
+        window = self.window(self.heights, "--view=180,60")
+
+        def corner():
+            return [row[:200] for row in window.screen()[8:40]]
+
+        window.move(*MIDDLE)
+        wait(lambda: sum(is_dark(*pixel) for row in corner() for pixel in row) > 100, "words")
+        window.press()
+        seen = []
+        for i in range(1, 6):
+            before = corner()
+            # The words change with the frame.
+            window.move(MIDDLE[0], MIDDLE[1] + 4 * i)
+            wait(lambda: corner() != before, "another frame")
+            seen.append(corner())
+        window.release()
+        self.under_mouse(window, MIDDLE[0], MIDDLE[1] + 20)
+        wait(lambda: corner() == seen[-1], "the same words at rest")
+        self.close(window)
+
+    def test_large_height_map(self):
+        """The window of a large raster opens before its index is complete. The terrain appears, and
+        the values under the mouse are those of the file."""
+        side = 4200
+        row = bytes(range(10, 210)) * (side // 200)
+        (self.folder / "large.pgm").write_bytes(b"P5 4200 4200 255\n" + row * side)
+        window = Window(
+            self.display, self.folder, "large.pgm", f"--size={WIDTH}x{HEIGHT}", "--center=50,50",
+            "--view=180,90", "--zoom=9",
+        )
+        window.move(*MIDDLE)
+        here = wait(lambda: (line := self.read_mouse(window)) != "here: nothing" and line, "terrain")
+        values = numbers(here)
+        self.assertAlmostEqual(values["x"], 50, delta=3)
+        self.assertAlmostEqual(values["y"], 50, delta=3)
+        self.assertAlmostEqual(values["height"], 10 + (values["column"] - 0.5) % 200, delta=3)
+        wait((self.folder / "large.pgm.relevo-index").exists, "the index")
+        self.close(window)
+
+    def read_mouse(self, window):
+        window.key("c")
+        return window.expect("here: ")
+
     def test_readout_of_mesh(self):
         """The point lies on the curved surface, with the value of the array that colours it."""
         window = self.window(self.mesh, "--array=Latitude", "--up=z", "--surface=pn")

@@ -295,10 +295,10 @@ private:
     const double smallestError = 0.01;         // pixels, of vtkTerrainMapper
     const double smallestExaggeration = 0.001; // of vtkTerrainMapper
     for (const char* option : { "--alpha", "--amplitude", "--budget", "--capture", "--export",
-           "--frequency", "--image", "--imagery", "--imagery-bands", "--level", "--max-level",
-           "--method", "--metric", "--no-data-value", "--no-geomorphing", "--per-edge", "--pixels",
-           "--reach", "--region", "--relief", "--relief-method", "--relief-search", "--resolution",
-           "--segments", "--stretch", "--surface", "--tolerance" })
+           "--frequency", "--imagery-bands", "--level", "--max-level", "--method", "--metric",
+           "--no-data-value", "--no-geomorphing", "--per-edge", "--pixels", "--reach", "--region",
+           "--relief", "--relief-method", "--relief-search", "--resolution", "--segments",
+           "--stretch", "--surface", "--tolerance" })
     {
       if (this->Given.count(option))
       {

@@ -41,7 +41,7 @@ Height maps:
                          viridis
   --range A,B            values that the first and the last colour stand for, A less than B (default:
                          all)
-  --memory MIB           largest memory of heights and their textures, 16 to 1048576 (default 512).
+  --memory MIB           largest memory of heights, pictures and textures, 16 to 1048576 (default 512).
                          What does not fit is drawn coarser
   --flight FILE.csv      draw a picture for each line `longitude,latitude,height,heading,pitch` below
                          this header: degrees, metres, degrees clockwise from north, degrees upwards.
@@ -49,8 +49,8 @@ Height maps:
   --resolution N         coarse squares along the longer side, 1 to 4096 (default 128)
   Height maps are drawn from tiles, which are read when the view needs them. Of a raster without a
   current index, the program builds one first, FILE.relevo-index. With these options, the whole file
-  is read and a coarse mesh is refined: --image, --no-data fill, --no-data-value, --resolution,
-  --export, --relief, --capture, and those of the level of detail except --error
+  is read and a coarse mesh is refined: --imagery-bands, --stretch, --no-data fill, --no-data-value,
+  --resolution, --export, --relief, --capture, and those of the level of detail except --error
 
 Meshes:
   --height FILE          displace the surface along its normals by a height map

@@ -33,6 +33,7 @@
 #include <iomanip>
 #include <iostream>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -49,9 +50,13 @@ std::unique_ptr<PyramidScene> PyramidScene::Open(
   const ViewerOptions& options, ViewerMessages& messages)
 {
   std::unique_ptr<PyramidScene> scene;
+  std::string error = options.Input + " has no terrain to draw";
   bool isReady = false;
+  try
   {
-    const ReadingGuard guard({ options.Input });
+    const ReadingGuard guard(options.Imagery.empty()
+        ? std::vector<std::string>{ options.Input }
+        : std::vector<std::string>{ options.Input, options.Imagery });
     CheckRasterEnd(options.Input, messages);
     vtkNew<vtkTerrainPyramid> pyramid;
     messages.Observe(pyramid, "indexing");
@@ -61,20 +66,17 @@ std::unique_ptr<PyramidScene> PyramidScene::Open(
       scene.reset(new PyramidScene(options, messages, pyramid));
       isReady = scene->HasTerrain();
     }
+    messages.Check();
+  }
+  catch (const ViewerError& reported)
+  {
+    isReady = false;
+    error = reported.what();
   }
   if (isReady)
   {
     scene->Show();
     return scene;
-  }
-  std::string error = options.Input + " has no terrain to draw";
-  try
-  {
-    messages.Check();
-  }
-  catch (const ViewerError& reported)
-  {
-    error = reported.what();
   }
   if (!options.TiledBy.empty())
   {
@@ -94,6 +96,10 @@ PyramidScene::PyramidScene(
   this->IsSmall = static_cast<long long>(size[0]) * size[1] <= SmallRaster;
   messages.Observe(this->Mapper);
   this->Mapper->SetPyramid(pyramid);
+  if (!options.Imagery.empty())
+  {
+    this->Mapper->SetImageryFileName(options.Imagery.c_str());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -183,6 +189,13 @@ void PyramidScene::WarnOfLocation()
 void PyramidScene::SetColours()
 {
   using Type = ViewerOptions::ColorType;
+  if (!this->Options.Imagery.empty())
+  {
+    // Photographs contain shadows.
+    this->Actor->GetProperty()->SetAmbient(0.30);
+    this->Actor->GetProperty()->SetDiffuse(0.80);
+    return;
+  }
   std::array<double, 2> range;
   this->Pyramid->GetRange(range.data());
   std::string title = "Height";
@@ -212,6 +225,7 @@ void PyramidScene::SetColours()
   }
   const auto colours = MakePalette(this->Options.Palette.empty() ? palette : this->Options.Palette,
     this->Options.Range.value_or(range));
+  colours->SetNanColor(0.75, 0.75, 0.75); // aspects of plains
   this->Mapper->SetLookupTable(colours);
   this->AddLegend(colours, title, unit, 5);
   // Estimates are replaced once the index is complete.

@@ -33,6 +33,8 @@ public:
 
   vtkRenderer* GetRenderer() { return this->Renderer; }
 
+  bool IsTerrain() const { return this->Options.IsTerrain(); }
+
   /// The unit of lengths, "m" or "".
   virtual std::string GetUnit() { return ""; }
 

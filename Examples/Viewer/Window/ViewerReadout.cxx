@@ -13,6 +13,7 @@
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkTextActor.h"
@@ -77,7 +78,13 @@ ViewerReadout::ViewerReadout(
   , Text(MakeText())
 {
   this->Text->SetPosition(ReadoutMargin, ReadoutMargin);
-  scene.GetRenderer()->AddViewProp(this->Text);
+  vtkRenderWindow* window = interactor->GetRenderWindow();
+  window->SetNumberOfLayers(2);
+  this->Layer->SetLayer(1);
+  this->Layer->InteractiveOff();
+  this->Layer->PreserveDepthBufferOn();
+  this->Layer->AddViewProp(this->Text);
+  window->AddRenderer(this->Layer);
   for (unsigned long event : { vtkCommand::MouseMoveEvent, vtkCommand::LeaveEvent })
   {
     AddPassiveObserver(interactor, event, [this](void*) { this->OnChange(); });
@@ -115,6 +122,13 @@ void ViewerReadout::OnChange()
 //------------------------------------------------------------------------------
 void ViewerReadout::OnFrame(vtkObject*, unsigned long, void*)
 {
+  // While the view moves, each frame shows its own values. Those of meshes take longer to find.
+  if (this->Scene.IsTerrain() && this->Text->GetVisibility())
+  {
+    const std::string text = this->Describe();
+    this->Text->SetInput(text.c_str());
+    this->Text->SetVisibility(!text.empty());
+  }
   this->OnChange();
 }
 

@@ -10,6 +10,7 @@
 #ifndef ViewerReadout_h
 #define ViewerReadout_h
 
+#include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -17,6 +18,7 @@
 class vtkObject;
 class vtkProp;
 class vtkRenderWindowInteractor;
+class vtkRenderer;
 class vtkTextActor;
 class ViewerFrames;
 class ViewerScene;
@@ -42,7 +44,8 @@ private:
   ViewerFrames& Frames;
   ViewerScene& Scene;
   vtkSmartPointer<vtkTextActor> Text;
-  int Timer = 0; // the interactor's timer until the next update; 0 for none
+  vtkNew<vtkRenderer> Layer; // in front of the scene, whose depths are known when it is drawn
+  int Timer = 0;             // the interactor's timer until the next update; 0 for none
 };
 
 #endif
