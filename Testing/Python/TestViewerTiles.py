@@ -145,6 +145,29 @@ class TestViewerTiles(ViewerProgram):
                               "--view=180,90")
         self.assertLess(pixels[60, 80].max(), 60)
 
+    def test_globe(self):
+        """A region of the globe looks like its map from above, and the whole earth is a disc."""
+        grey = (self.mountain(), "--palette=grey", "--range=0,1000", "--light=0,90", "--zoom=3")
+        globe = self.picture(*grey, "--globe", "--view=180,90", "--center=10.2E,45.295N")
+        bright = numpy.argwhere(globe.min(axis=2) > 200)
+        self.assertGreater(len(bright), 20)
+        row, column = bright.mean(axis=0)
+        self.assertAlmostEqual(row, 60, delta=4)
+        self.assertAlmostEqual(column, 80, delta=4)
+        earth = self.grid("earth.asc", [[100] * 72 for _ in range(36)], (-180, -90), 5)
+        pixels = self.picture(earth, "--globe", "--palette=grey", "--range=0,1")
+        is_sky = pixels[:, :, 2] - pixels[:, :, 0] > 15
+        self.assertFalse(is_sky[60, 80])
+        for row, column in ((5, 5), (5, 155), (115, 5), (115, 155), (60, 5), (60, 155)):
+            self.assertTrue(is_sky[row, column])
+        self.assertGreater((~is_sky).sum(), 5000)
+        self.assert_error(1, ["hill.png", "coordinate system", "--globe"], self.heights, "--globe",
+                          "--output=g.png")
+        self.assert_error(2, ["--globe", "86.925E,27.988N"], earth, "--globe", "--center=1,2")
+        self.assert_error(2, ["--globe cannot be combined with --level"], earth, "--globe",
+                          "--level=2")
+        self.assert_error(2, ["--globe requires a height map"], "flat.obj", "--globe")
+
     def test_memory_and_error(self):
         values = {}
         for error in ("0.5", "4"):

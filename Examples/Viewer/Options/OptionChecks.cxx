@@ -248,7 +248,8 @@ private:
     using Color = ViewerOptions::ColorType;
     const Color color = options.Color;
     const bool isOfTerrain = color != Color::Own && !options.IsColoredByLevel();
-    this->RequirePartner({ "--contours", "--flight", "--memory", "--palette", "--range" },
+    this->RequirePartner(
+      { "--contours", "--flight", "--globe", "--memory", "--palette", "--range" },
       options.IsTerrain(), "a height map, and '" + options.Input + "' is none");
     if (!options.IsTerrain())
     {
@@ -316,7 +317,7 @@ private:
   std::string FindOptionOfTiles() const
   {
     using Color = ViewerOptions::ColorType;
-    for (const char* option : { "--contours", "--flight", "--memory" })
+    for (const char* option : { "--contours", "--flight", "--globe", "--memory" })
     {
       if (this->Given.count(option))
       {
@@ -361,6 +362,10 @@ private:
       if (!options.CenterDegrees)
       {
         options.Center = ToPlace("--center", value, !options.IsTerrain());
+        if (options.Globe)
+        {
+          throw UsageError("--globe requires --center in degrees such as 86.925E,27.988N");
+        }
       }
       else if (!options.IsTerrain())
       {

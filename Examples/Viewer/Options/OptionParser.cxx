@@ -104,6 +104,7 @@ private:
   {
     ViewerOptions& options = this->Options;
     this->AllFlags = {
+      { "--globe", [&] { options.Globe = true; } },
       { "--help", [&] { options.Help = true; } },
       { "-h", [&] { options.Help = true; } },
       { "--no-geomorphing", [&] { options.Geomorphing = false; } },

@@ -43,6 +43,9 @@ Height maps:
                          all)
   --memory MIB           largest memory of heights, pictures and textures, 16 to 1048576 (default 512).
                          What does not fit is drawn coarser
+  --globe                place the height map on its ellipsoid, in metres from the centre of the earth.
+                         --center is in degrees, and --view is relative to north there (default
+                         180,60)
   --flight FILE.csv      draw a picture for each line `longitude,latitude,height,heading,pitch` below
                          this header: degrees, metres, degrees clockwise from north, degrees upwards.
                          Requires --output 'frames/%04d.png', which numbers them from 0

@@ -20,6 +20,8 @@
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCommand.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkPoints.h"
 #include "vtkProperty.h"
@@ -96,6 +98,10 @@ PyramidScene::PyramidScene(
   this->IsSmall = static_cast<long long>(size[0]) * size[1] <= SmallRaster;
   messages.Observe(this->Mapper);
   this->Mapper->SetPyramid(pyramid);
+  if (options.Globe)
+  {
+    this->Mapper->SetFrameToGeocentric();
+  }
   if (!options.Imagery.empty())
   {
     this->Mapper->SetImageryFileName(options.Imagery.c_str());
@@ -153,7 +159,14 @@ void PyramidScene::Show()
     this->Mapper, vtkCommand::UpdateEvent, [this](void*) { this->HasMore = true; });
   // Light from the north-west, as on maps, and weaker light from the other side.
   this->SetLights({ { { 315.0, 40.0, Vertical }, 1.0 }, { { 160.0, 50.0, Vertical }, 0.35 } });
-  this->SetCamera();
+  if (this->Options.Globe)
+  {
+    this->SetGlobeCamera();
+  }
+  else
+  {
+    this->SetCamera();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -288,6 +301,16 @@ std::string PyramidScene::GetUnit()
 //------------------------------------------------------------------------------
 std::string PyramidScene::Describe(const double point[3], double resolution)
 {
+  if (this->Options.Globe)
+  {
+    double geographic[3];
+    double place[2];
+    return this->Mapper->WorldToGeographic(point, geographic) &&
+        this->Ground->FromDegrees(geographic, place)
+      ? DescribePlace(
+          *this->Ground, std::array<double, 3>{ { place[0], place[1], 0.0 } }.data(), resolution)
+      : "";
+  }
   return DescribePlace(*this->Ground, point, resolution);
 }
 
@@ -353,53 +376,139 @@ std::optional<int> PyramidScene::GetFrameDelay()
 }
 
 //------------------------------------------------------------------------------
-void PyramidScene::LookFrom(const FlightPosition& position)
+bool PyramidScene::FindDirections(const std::array<double, 3>& geographic,
+  std::array<double, 3>& place, std::array<std::array<double, 3>, 3>& directions)
 {
   const double step = 1e-5; // degrees
-  const double metre = 1.0;
-  const auto convert = [&](double longitude, double latitude, double height)
+  const auto convert = [&](double latitude, double height, std::array<double, 3>& point)
   {
-    const double geographic[3] = { position.Longitude + longitude, position.Latitude + latitude,
-      position.Height + height };
-    std::array<double, 3> place;
-    if (!this->Mapper->GeographicToWorld(geographic, place.data()))
-    {
-      throw ViewerError(this->Options.Flight + ", line " + std::to_string(position.Line) + ": " +
-        this->Options.Input + " has no coordinates at this longitude and latitude");
-    }
-    return place;
+    const double moved[3] = { geographic[0], geographic[1] + latitude, geographic[2] + height };
+    return this->Mapper->GeographicToWorld(moved, point.data());
   };
-  const std::array<double, 3> eye = convert(0.0, 0.0, 0.0);
-  const auto getDirection = [](const std::array<double, 3>& from, const std::array<double, 3>& to)
-  {
-    std::array<double, 3> direction = { { to[0] - from[0], to[1] - from[1], to[2] - from[2] } };
-    vtkMath::Normalize(direction.data());
-    return direction;
-  };
-  const std::array<double, 3> up = getDirection(eye, convert(0.0, 0.0, metre));
   // Near a pole, the step must not cross it.
-  const double side = position.Latitude > 0.0 ? -step : step;
-  std::array<double, 3> north = getDirection(eye, convert(0.0, side, 0.0));
-  vtkMath::MultiplyScalar(north.data(), side > 0.0 ? 1.0 : -1.0);
+  const double side = geographic[1] > 0.0 ? -step : step;
+  std::array<double, 3> north;
+  std::array<double, 3> up;
+  if (!convert(0.0, 0.0, place) || !convert(side, 0.0, north) || !convert(0.0, 1.0, up))
+  {
+    return false;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    north[i] = side > 0.0 ? north[i] - place[i] : place[i] - north[i];
+    up[i] -= place[i];
+  }
+  vtkMath::Normalize(up.data());
   std::array<double, 3> east;
   vtkMath::Cross(north.data(), up.data(), east.data());
   vtkMath::Normalize(east.data());
+  vtkMath::Cross(up.data(), east.data(), north.data());
+  directions = { { east, north, up } };
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void PyramidScene::SetGlobeCamera()
+{
+  double middle[2] = { 0.0, 0.0 };
+  std::array<double, 2> degrees;
+  if (!this->Ground->ToRaster(middle, degrees.data()) ||
+    (!this->Ground->IsGeographic() && !this->Ground->ToDegrees(middle, degrees.data())))
+  {
+    throw ViewerError(this->Options.Input + " has no coordinate system; --globe needs one");
+  }
+  degrees = this->Options.CenterDegrees.value_or(degrees);
+  const auto ground = FindCentre(this->Options, *this->Ground, this->Messages);
+  const double height = ground ? (*ground)[2] / this->Mapper->GetExaggeration() : 0.0;
+  std::array<double, 3> focus;
+  std::array<std::array<double, 3>, 3> directions;
+  if (!this->FindDirections({ { degrees[0], degrees[1], height } }, focus, directions))
+  {
+    throw ViewerError(this->Options.Input + " has no coordinate system; --globe needs one");
+  }
+  const auto turn = [&](const std::array<double, 3>& vector)
+  {
+    std::array<double, 3> turned{};
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        turned[i] += vector[axis] * directions[axis][i];
+      }
+    }
+    return turned;
+  };
+  vtkLightCollection* lights = this->Renderer->GetLights();
+  lights->InitTraversal();
+  while (vtkLight* light = lights->GetNextItem())
+  {
+    const double* from = light->GetPosition();
+    light->SetPosition(turn({ { from[0], from[1], from[2] } }).data());
+  }
+  const vtkBoundingBox box(this->Mapper->GetBounds());
+  if (!this->Options.CenterDegrees)
+  {
+    box.GetCenter(focus.data());
+  }
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  const std::array<double, 2> view =
+    this->Options.View.value_or(std::array<double, 2>{ { 180.0, 60.0 } });
+  const double elevation = std::clamp(view[1], -89.9999, 89.9999);
+  const std::array<double, 3> away =
+    turn(ViewerDirection{ view[0], elevation, Vertical }.GetVector());
+  const double half = vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle());
+  // A region is seen as large as on a map, the whole globe as a sphere.
+  const std::array<double, 4> extent = this->Ground->GetExtent();
+  const double region = 0.5 * std::hypot(extent[1] - extent[0], extent[3] - extent[2]);
+  const double distance = std::min(region, 0.55 * box.GetMaxLength()) / std::sin(half);
+  camera->SetPosition(
+    focus[0] + distance * away[0], focus[1] + distance * away[1], focus[2] + distance * away[2]);
+  camera->SetFocalPoint(focus.data());
+  camera->SetViewUp(directions[2].data());
+  this->Zoom();
+}
+
+//------------------------------------------------------------------------------
+void PyramidScene::LookFrom(const FlightPosition& position)
+{
+  std::array<double, 3> eye;
+  std::array<std::array<double, 3>, 3> directions;
+  if (!this->FindDirections(
+        { { position.Longitude, position.Latitude, position.Height } }, eye, directions))
+  {
+    throw ViewerError(this->Options.Flight + ", line " + std::to_string(position.Line) + ": " +
+      this->Options.Input + " has no coordinates at this longitude and latitude");
+  }
+  const auto& [east, north, up] = directions;
   const double heading = vtkMath::RadiansFromDegrees(position.Heading);
   const double pitch = vtkMath::RadiansFromDegrees(position.Pitch);
-  // The focal point is on the ground below, for the clipping range.
-  const double bounds = vtkBoundingBox(this->Mapper->GetBounds()).GetDiagonalLength();
+  // The near plane depends on the distance of the focal point.
+  double distance = vtkBoundingBox(this->Mapper->GetBounds()).GetDiagonalLength();
+  if (this->Options.Globe)
+  {
+    const double degrees[2] = { position.Longitude, position.Latitude };
+    double place[2];
+    double height = 0.0;
+    const bool isOver = this->Ground->FromDegrees(degrees, place) &&
+      this->Ground->GetHeight(place[0], place[1], height);
+    const double ground = isOver ? this->Ground->GetVerticalUnit() * height : 0.0;
+    distance = std::max(1.0, std::abs(position.Height - ground));
+  }
   std::array<double, 3> focus;
   std::array<double, 3> top;
   for (int i = 0; i < 3; ++i)
   {
     const double ahead = std::sin(heading) * east[i] + std::cos(heading) * north[i];
-    focus[i] = eye[i] + bounds * (std::cos(pitch) * ahead + std::sin(pitch) * up[i]);
+    focus[i] = eye[i] + distance * (std::cos(pitch) * ahead + std::sin(pitch) * up[i]);
     top[i] = std::cos(pitch) * up[i] - std::sin(pitch) * ahead;
   }
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   camera->SetPosition(eye.data());
   camera->SetFocalPoint(focus.data());
   camera->SetViewUp(top.data());
-  this->GroundCamera->StayInPlace();
+  if (this->GroundCamera)
+  {
+    this->GroundCamera->StayInPlace();
+  }
   this->Renderer->ResetCameraClippingRange();
 }

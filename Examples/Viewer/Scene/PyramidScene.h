@@ -44,6 +44,11 @@ private:
   void SetColours();
   void UpdateColours();
   void SetCamera();
+  /// Sets camera and lights around a place on the globe.
+  void SetGlobeCamera();
+  /// A point, and the directions east, north and up there. Returns false if it has no coordinates.
+  bool FindDirections(const std::array<double, 3>& geographic, std::array<double, 3>& place,
+    std::array<std::array<double, 3>, 3>& directions);
   void PrintStatistics(vtkRenderWindow* window);
 
   vtkSmartPointer<vtkTerrainPyramid> Pyramid;
@@ -51,7 +56,7 @@ private:
   vtkNew<vtkActor> Actor;
   std::unique_ptr<PyramidGround> Ground;
   vtkSmartPointer<vtkColorTransferFunction> Colours;
-  TerrainCamera* GroundCamera = nullptr; // this->Camera
+  TerrainCamera* GroundCamera = nullptr; // this->Camera, if the world is a map
   std::string ExaggeratedBy;             // reason for the exaggeration, for the report
   bool IsSmall = false;                  // read at once
   bool HasEstimates = false;             // in the range of the colours

@@ -48,6 +48,7 @@ std::string NameOptions(std::string text)
     { "raise its recipe's MaximumLevel, or Tolerance", "its curved cells need more segments" },
     { "Convert it with vtkCellDataToPointData.", "Choose a point array." },
     { "lower Density", "lower --hair" },
+    { "or use the map frame", "or leave out --globe" },
     { "raise ImageSampleDistance", "use a smaller --size" },
     { "call SetMethodToRayCasting()", "use --volume-method ray" },
     { "lower TableSize", "use --integration exact" },

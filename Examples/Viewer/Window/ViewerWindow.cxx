@@ -89,7 +89,7 @@ void ShowWindow(ViewerScene& scene, const ViewerOptions& options, ViewerMessages
   window->AddRenderer(scene.GetRenderer());
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(window);
-  interactor->SetInteractorStyle(MakeStyle(options.IsTerrain()));
+  interactor->SetInteractorStyle(MakeStyle(options.IsTerrain() && !options.Globe));
   vtkNew<vtkCallbackCommand> leave;
   leave->SetCallback(Leave);
   interactor->AddObserver(vtkCommand::ExitEvent, leave);
