@@ -98,6 +98,7 @@ struct vtkTerrainMapper::vtkInternals
   std::string DrawError;
   std::string ColorError;
   std::string ShaderError;
+  std::string GeoidWarning;
 };
 
 vtkStandardNewMacro(vtkTerrainMapper);
@@ -277,6 +278,15 @@ std::string vtkTerrainMapper::OpenTerrain()
     data.Drawn.Modified();
     data.Painter->ForgetTiles();
   }
+  if (const relevo::GlobeShape* globe = data.Terrain->GetGlobe())
+  {
+    const std::string& warning = globe->GetGeoid().GetWarning();
+    if (relevo::ShouldReport(
+          data.GeoidWarning, warning.empty() ? "" : this->Pyramid->GetFileName() + warning))
+    {
+      vtkWarningMacro(<< data.GeoidWarning);
+    }
+  }
   const std::string location = data.Terrain->FindLocationError();
   return location.empty() ? "" : this->Pyramid->GetFileName() + location;
 }
@@ -358,8 +368,9 @@ bool vtkTerrainMapper::GeographicToWorld(const double geographic[3], double worl
   }
   if (const relevo::GlobeShape* globe = this->Internals->Terrain->GetGlobe())
   {
-    const std::array<double, 3> position = globe->GetFrame().ToWorld(
-      { { geographic[0], geographic[1], geographic[2] * this->Exaggeration } });
+    const double height = geographic[2] + globe->GetGeoid().Get(geographic[0], geographic[1]);
+    const std::array<double, 3> position =
+      globe->GetFrame().ToWorld({ { geographic[0], geographic[1], height * this->Exaggeration } });
     std::copy(position.begin(), position.end(), world);
     return std::abs(geographic[1]) <= 90.0 && vtkMath::IsFinite(world[0]) &&
       vtkMath::IsFinite(world[1]) && vtkMath::IsFinite(world[2]);
@@ -386,7 +397,8 @@ bool vtkTerrainMapper::WorldToGeographic(const double world[3], double geographi
     const std::array<double, 3> position =
       globe->GetFrame().ToGeographic({ { world[0], world[1], world[2] } });
     std::copy(position.begin(), position.end(), geographic);
-    geographic[2] /= this->Exaggeration;
+    geographic[2] =
+      position[2] / this->Exaggeration - globe->GetGeoid().Get(position[0], position[1]);
     return vtkMath::IsFinite(geographic[0]) && vtkMath::IsFinite(geographic[1]) &&
       vtkMath::IsFinite(geographic[2]);
   }

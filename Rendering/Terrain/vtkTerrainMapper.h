@@ -243,13 +243,15 @@ public:
    * Set the frame of the world coordinates. MAP (0, the default): a flat map in metres, see the
    * class. GEOCENTRIC (1): metres from the centre of the ellipsoid of the raster's coordinate
    * system, with z to the north pole and x to longitude 0. SetExaggeration() stretches heights
-   * above the ellipsoid. What is behind the horizon of the ellipsoid is not drawn. A raster of
-   * longitude and latitude that covers all longitudes is closed: the first column follows the last.
-   * If it ends half a sample before a pole, it is continued to it, and samples of the first row are
-   * moved to it. The screen-space error includes the curvature of the ellipsoid, for slopes up to
-   * 45 degrees before the exaggeration. Positions of vertices need up to 6 kB per face in addition
-   * to SetMemoryLimit(); GetResidentMemorySize() includes them. A value out of range is an error
-   * and changes nothing.
+   * above the ellipsoid. Heights above EGM2008, EGM96 or EGM84 are converted to those above the
+   * ellipsoid if the data of GeographicLib::Geoid are installed. Otherwise, and with other vertical
+   * datums, a warning says that they are drawn as heights above the ellipsoid. What is behind the
+   * horizon of the ellipsoid is not drawn. A raster of longitude and latitude that covers all
+   * longitudes is closed: the first column follows the last. If it ends half a sample before a
+   * pole, it is continued to it, and samples of the first row are moved to it. The screen-space
+   * error includes the curvature of the ellipsoid, for slopes up to 45 degrees before the
+   * exaggeration. Positions of vertices need up to 12 kB per face in addition to SetMemoryLimit();
+   * GetResidentMemorySize() includes them. A value out of range is an error and changes nothing.
    */
   void SetFrame(int frame);
   vtkGetMacro(Frame, int);

@@ -121,6 +121,8 @@ TerrainPlacement AdaptiveTerrain::GetPlacement(double exaggeration) const
     const auto [low, high] = this->Lattice->AreErrorsKnown() ? range : Widen(range);
     placement.LowestHeight =
       low <= high ? std::min(low * placement.HeightScale, high * placement.HeightScale) : 0.0;
+    placement.LowestHeight +=
+      this->Globe->GetGeoid().HasGeoid() ? GeoidHeights::Lowest * std::abs(exaggeration) : 0.0;
   }
   return placement;
 }
@@ -145,10 +147,13 @@ std::array<double, 6> AdaptiveTerrain::GetGlobeBounds(const TerrainPlacement& pl
       isFirst = false;
     }
   }
+  const double margin = this->Globe->GetNodeDistance() +
+    (this->Globe->GetGeoid().HasGeoid() ? -GeoidHeights::Lowest * std::abs(placement.Exaggeration)
+                                        : 0.0);
   for (int axis = 0; axis < 3 && !isFirst; ++axis)
   {
-    bounds[2 * axis] -= this->Globe->GetNodeDistance();
-    bounds[2 * axis + 1] += this->Globe->GetNodeDistance();
+    bounds[2 * axis] -= margin;
+    bounds[2 * axis + 1] += margin;
   }
   return bounds;
 }

@@ -33,8 +33,7 @@ void MakeFaceMesh(const AdaptiveTerrain& terrain, double exaggeration, vtkPolyDa
         (face.Apex[1] + a * face.Step1[1] + b * face.Step2[1]) << shift, heights.GetHeight(a, b) };
       if (placement.Globe)
       {
-        position =
-          GlobeFaces::GetWorld(face, *terrain.GetVertices()[i], placement.HeightScale, a, b);
+        position = GlobeFaces::GetWorld(face, *terrain.GetVertices()[i], placement, a, b);
         result.World = &position;
         // There is no surface outside of the projection.
         result.Height = std::isnan(position[0]) ? position[0] : result.Height;

@@ -87,12 +87,14 @@ void GlobeFaces::Update(const GlobeShape& shape, const std::vector<TerrainFace>&
   }
 }
 
-std::array<double, 3> GlobeFaces::GetWorld(
-  const TerrainFace& face, const Vertices& vertices, double heightScale, int a, int b)
+std::array<double, 3> GlobeFaces::GetWorld(const TerrainFace& face, const Vertices& vertices,
+  const TerrainPlacement& placement, int a, int b)
 {
   const FaceHeights heights(face);
   const auto locate = [&](int i, int j, float height)
-  { return vertices[GetIndex(i, j)].ToWorld(heightScale * height); };
+  {
+    return vertices[GetIndex(i, j)].ToWorld(placement.HeightScale * height, placement.Exaggeration);
+  };
   FaceHeights::AddedVertex added;
   if (!heights.FindAdded(a, b, added))
   {

@@ -12,7 +12,7 @@
 #define GlobeFaces_h
 
 #include "Bisection/TerrainFace.h"
-#include "Geodesy/GlobeShape.h"
+#include "Geodesy/TerrainPlacement.h"
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <array>
@@ -49,8 +49,8 @@ public:
    * of an edge to its own position. NaN where the data are missing. The vertex shader of the mapper
    * computes the same relative to the eye.
    */
-  static std::array<double, 3> GetWorld(
-    const TerrainFace& face, const Vertices& vertices, double heightScale, int a, int b);
+  static std::array<double, 3> GetWorld(const TerrainFace& face, const Vertices& vertices,
+    const TerrainPlacement& placement, int a, int b);
 
   std::size_t GetMemorySize() const;
   void Clear();

@@ -57,6 +57,14 @@ TerrainBox GlobeView::Clamp(const TerrainBox& box) const
     clamped.Heights[end] = box.Heights[end] * this->Placement.HeightScale;
   }
   std::sort(clamped.Heights.begin(), clamped.Heights.end());
+  if (this->Shape.GetGeoid().HasGeoid())
+  {
+    const double exaggeration = this->Placement.Exaggeration;
+    clamped.Heights[0] +=
+      std::min(GeoidHeights::Lowest * exaggeration, GeoidHeights::Highest * exaggeration);
+    clamped.Heights[1] +=
+      std::max(GeoidHeights::Lowest * exaggeration, GeoidHeights::Highest * exaggeration);
+  }
   return clamped;
 }
 
@@ -97,7 +105,8 @@ double GlobeView::GetShapeError(int level, bool isSquare, const TerrainBox& box)
   const double growth = 1.0 + std::max(0.0, inside.Heights[1]) / this->SmallestRadius;
   // A triangle of a pattern is at most one cell of the lattice wide and high. Slopes are up to 45
   // degrees before the exaggeration.
-  const double cell = growth *
+  // The geoid is curved more than the ellipsoid in some parts.
+  const double cell = (this->Shape.GetGeoid().HasGeoid() ? 2.0 : 1.0) * growth *
     bounds.GetDistance({ { 1.0, 1.0 } }, std::max(1.0, std::abs(this->Placement.Exaggeration)));
   double error =
     std::ldexp(cell, 2 * level) / std::max(1e-300, std::abs(this->Placement.HeightScale));
@@ -132,7 +141,8 @@ bool GlobeView::IsVisible(
   std::array<Point, 8> corners;
   for (int i = 0; i < 8; ++i)
   {
-    corners[i] = vertices[i % 4].ToWorld(inside.Heights[i / 4]);
+    vertices[i % 4].Geoid = 0.0; // is a part of the box
+    corners[i] = vertices[i % 4].ToWorld(inside.Heights[i / 4], 1.0);
     if (std::isnan(corners[i][0]))
     {
       return true;

@@ -66,7 +66,7 @@ SurfaceVertex FacePatch::GetVertex(const PatternVertex& vertex) const
   if (this->Vertices)
   {
     const auto [a, b] = vertex;
-    result.World = GlobeFaces::GetWorld(face, *this->Vertices, this->Placement.HeightScale, a, b);
+    result.World = GlobeFaces::GetWorld(face, *this->Vertices, this->Placement, a, b);
     result.Up = (*this->Vertices)[GlobeFaces::GetIndex(a, b)].Up;
     // There is no surface outside of the projection.
     result.Height = std::isnan(result.World[0]) ? result.World[0] : result.Height;

@@ -67,6 +67,7 @@ double GlobeShape::Bounds::GetDistance(const std::array<double, 2>& size, double
 
 GlobeShape::GlobeShape(const Georeference& location, int width, int height)
   : Frame(location)
+  , Geoid(location.WKT)
   , Size{ { width, height } }
   , Dimensions(Size)
   , End{ { width - 1.0, height - 1.0 } }
@@ -204,6 +205,7 @@ void GlobeShape::Locate(
     const GeocentricFrame::Place place = this->Frame.GetPlace(x[i], y[i]);
     vertex.Position = place.Position;
     vertex.Up = place.Up;
+    vertex.Geoid = std::isnan(y[i]) ? 0.0 : this->Geoid.Get(x[i], y[i]);
     if (std::isnan(place.Position[0]))
     {
       vertex.Derivatives = {};

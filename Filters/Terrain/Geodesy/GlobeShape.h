@@ -15,6 +15,7 @@
 #define GlobeShape_h
 
 #include "Geodesy/GeocentricFrame.h"
+#include "Geodesy/GeoidHeights.h"
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <array>
@@ -51,18 +52,24 @@ public:
     return { { this->End[0], this->LastPole ? NoBorder : this->End[1] } };
   }
 
+  /// The geoid that the heights of the raster refer to.
+  const GeoidHeights& GetGeoid() const { return this->Geoid; }
+
   struct Vertex
   {
     /// On the ellipsoid. Beyond the borders of the raster, the position is extrapolated where the
     /// projection ends. NaN outside of the projection.
     std::array<double, 3> Position;
     std::array<double, 3> Up;
+    double Geoid = 0.0; // height above the ellipsoid
     /// Columns and rows per metre to the east, times the cosine of the latitude, and per metre to
     /// the north. They change little from vertex to vertex, also at poles.
     std::array<float, 4> Derivatives;
 
-    std::array<double, 3> ToWorld(double height) const
+    /// The world coordinates at a height in metres above the geoid, which is exaggerated already.
+    std::array<double, 3> ToWorld(double exaggeratedHeight, double exaggeration) const
     {
+      const double height = exaggeratedHeight + exaggeration * this->Geoid;
       return { { this->Position[0] + height * this->Up[0], this->Position[1] + height * this->Up[1],
         this->Position[2] + height * this->Up[2] } };
     }
@@ -109,6 +116,7 @@ private:
   void Extrapolate(double column, double row, Vertex& vertex) const;
 
   GeocentricFrame Frame;
+  GeoidHeights Geoid;
   std::array<int, 2> Size;      // of the raster
   std::array<double, 2> Origin; // raster coordinates of sample (0, 0)
   std::array<double, 2> Column; // per column

@@ -51,7 +51,7 @@ struct TerrainPlacement
     {
       GlobeShape::Vertex vertex;
       this->Globe->Locate(1, &x, &y, &vertex);
-      return vertex.ToWorld(height * this->HeightScale);
+      return vertex.ToWorld(height * this->HeightScale, this->Exaggeration);
     }
     return { { this->Origin[0] + x * this->Column[0] + y * this->Row[0],
       this->Origin[1] + x * this->Column[1] + y * this->Row[1], height * this->HeightScale } };

@@ -19,7 +19,7 @@ constexpr int TexelsPerFace = GlobeFaces::VerticesPerFace * FloatsPerVertex / 4;
 
 std::string GlobeVertices::Upload(vtkOpenGLRenderWindow* window,
   const std::vector<unsigned int>& order, const std::vector<const GlobeFaces::Vertices*>& vertices,
-  const std::array<double, 3>& origin, double height)
+  const std::array<double, 3>& origin, double height, double exaggeration)
 {
   std::vector<float> floats(order.size() * 4 * TexelsPerFace, 0.0f);
   vtkSMPTools::For(0, static_cast<vtkIdType>(order.size()),
@@ -30,7 +30,7 @@ std::string GlobeVertices::Upload(vtkOpenGLRenderWindow* window,
       {
         for (const GlobeShape::Vertex& vertex : *vertices[order[face]])
         {
-          const std::array<double, 3> world = vertex.ToWorld(height);
+          const std::array<double, 3> world = vertex.ToWorld(height, exaggeration);
           for (int axis = 0; axis < 3; ++axis)
           {
             values[axis] = static_cast<float>(world[axis] - origin[axis]);

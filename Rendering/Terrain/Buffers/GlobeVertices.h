@@ -27,11 +27,12 @@ class GlobeVertices
 public:
   /**
    * Upload the vertices of faces, in the order of TerrainInstances. Positions are those at a height
-   * in metres. Return an error, or "". Nothing is uploaded that has not changed.
+   * in metres, with this exaggeration. Return an error, or "". Nothing is uploaded that has not
+   * changed.
    */
   std::string Upload(vtkOpenGLRenderWindow* window, const std::vector<unsigned int>& order,
     const std::vector<const GlobeFaces::Vertices*>& vertices, const std::array<double, 3>& origin,
-    double height);
+    double height, double exaggeration);
 
   void Activate(vtkShaderProgram* program);
   void Deactivate();

@@ -204,7 +204,7 @@ void TestPositions(RelevoCheck& check, const relevo::GlobeShape& shape, const Gl
     relevo::GlobeShape::Vertex vertex;
     shape.Locate(1, &column, &row, &vertex);
     const Point truth = globe.ToWorld(longitude, latitude, height);
-    largest = std::max(largest, GetDistance(vertex.ToWorld(height), truth));
+    largest = std::max(largest, GetDistance(vertex.ToWorld(height, 1.0), truth));
     // The derivatives undo a step of a hundredth of a sample.
     double next[2] = { column + 0.01, row };
     globe.ToAngles(next[0], next[1], longitude, latitude);
@@ -459,8 +459,8 @@ double MeasureJitter(relevo::AdaptiveTerrain& terrain, const Globe& globe)
       const relevo::FaceHeights heights(terrain.GetFaces()[i]);
       const relevo::GlobeShape::Vertex& vertex = terrain.GetVertices()[i]->front();
       const float vertexHeight = heights.GetHeight(0, 0);
-      const Point truth = vertex.ToWorld(vertexHeight);
-      const Point reference = vertex.ToWorld(height);
+      const Point truth = vertex.ToWorld(vertexHeight, 1.0);
+      const Point reference = vertex.ToWorld(height, 1.0);
       double exact[3] = { 0.0, 0.0, 0.0 };
       float rounded[3] = { 0.0f, 0.0f, 0.0f };
       for (int axis = 0; axis < 3; ++axis)

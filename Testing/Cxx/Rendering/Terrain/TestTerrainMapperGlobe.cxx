@@ -15,7 +15,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib> // for setenv
 #include <filesystem>
+#include <fstream>
 
 namespace
 {
@@ -309,6 +311,60 @@ void TestMoon(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
+// Writes a geoid that is 40 m above the ellipsoid everywhere, in GeographicLib's format.
+void WriteGeoid(const std::string& folder)
+{
+  std::filesystem::create_directories(folder);
+  std::ofstream file(folder + "/egm96-5.pgm", std::ios::binary);
+  file << "P5\n# Offset -108\n# Scale 0.003\n36 19\n65535\n";
+  constexpr int pixel = 49333; // (40 + 108) / 0.003
+  for (int i = 0; i < 36 * 19; ++i)
+  {
+    file.put(static_cast<char>(pixel >> 8));
+    file.put(static_cast<char>(pixel & 255));
+  }
+}
+
+void TestGeoid(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  RelevoRaster raster = MakeGlobe(40, 40, 0.0, 10.0, 0.05);
+  raster.CoordinateSystem = "EPSG:4326+5773"; // EGM96
+  Point without = { { 0.0, 0.0, 0.0 } };
+  for (const bool isInstalled : { false, true })
+  {
+    CHECK_CASE(isInstalled);
+    const std::string folder = folders.File(isInstalled ? "Geoids" : "NoGeoids");
+    if (isInstalled)
+    {
+      WriteGeoid(folder);
+    }
+    setenv("GEOGRAPHICLIB_GEOID_PATH", folder.c_str(), 1);
+    GlobeScene scene(raster, folders.File("GlobeGeoid.tif"));
+    RelevoErrors warnings(scene.Mapper);
+    scene.Mapper->SetExaggeration(2.0);
+    const double geographic[3] = { 1.0, 9.0, 100.0 };
+    double world[3];
+    CHECK(scene.Mapper->GeographicToWorld(geographic, world));
+    CHECK(isInstalled ? warnings.None() : warnings.Warned("egm96-5"));
+    double back[3];
+    CHECK(scene.Mapper->WorldToGeographic(world, back));
+    CHECK_NEAR(back[2], 100.0, 1e-6);
+    if (isInstalled)
+    {
+      CHECK_NEAR(std::sqrt(vtkMath::Distance2BetweenPoints(world, without.data())), 80.0, 0.01);
+    }
+    std::copy_n(world, 3, without.begin());
+    // The picture has the same heights.
+    scene.LookDown(1.0, 9.0, 20000.0);
+    scene.Draw();
+    vtkNew<vtkWorldPointPicker> picker;
+    picker->Pick(WindowSize / 2.0, WindowSize / 2.0, 0.0, scene.Renderer);
+    picker->GetPickPosition(world);
+    CHECK(scene.Mapper->WorldToGeographic(world, back));
+    CHECK_NEAR(back[2], scene.Pyramid->GetElevation(back[0], back[1]), 15.0);
+  }
+}
+
 void TestErrors(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   RelevoRaster raster = MakeGlobe(20, 20, 0.0, 10.0, 0.5);
@@ -332,6 +388,7 @@ int TestTerrainMapperGlobe(int argc, char* argv[])
   TestLongitudes(check, folders);
   TestProjected(check, folders);
   TestMoon(check, folders);
+  TestGeoid(check, folders);
   TestErrors(check, folders);
   return check.GetResult();
 }
