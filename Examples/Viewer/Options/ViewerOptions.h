@@ -85,7 +85,7 @@ struct ViewerOptions
   std::optional<double> Contours; // unit of the heights
   std::optional<int> Memory;      // MiB
   std::string Flight;
-  bool Globe = false; // geocentric coordinates
+  bool Globe = false;   // geocentric coordinates
   bool IsTiled = false; // whether tiles are drawn, without levels of detail
   std::string TiledBy;  // an option that needs tiles, or empty
 
