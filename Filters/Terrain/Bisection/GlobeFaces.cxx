@@ -14,7 +14,7 @@ namespace relevo
 {
 namespace
 {
-constexpr int Segments = TerrainFace::Segments;
+constexpr int GlobeSegments = TerrainFace::Segments;
 
 // The cache keeps this many times the faces of an update.
 constexpr std::size_t CacheFactor = 2;
@@ -37,9 +37,9 @@ void LocateFace(const GlobeShape& shape, const TerrainFace& face, GlobeFaces::Ve
   std::array<double, GlobeFaces::VerticesPerFace> columns;
   std::array<double, GlobeFaces::VerticesPerFace> rows;
   const double size = std::ldexp(1.0, face.Level);
-  for (int b = 0; b <= Segments; ++b)
+  for (int b = 0; b <= GlobeSegments; ++b)
   {
-    for (int a = 0; a + b <= Segments; ++a)
+    for (int a = 0; a + b <= GlobeSegments; ++a)
     {
       const auto locate = [&](int axis)
       {

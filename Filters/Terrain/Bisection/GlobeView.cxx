@@ -9,22 +9,22 @@ namespace relevo
 {
 namespace
 {
-using Point = std::array<double, 3>;
+using EarthPoint = std::array<double, 3>;
 
 // Errors of squares are at least this many times those of their faces.
 const double Saturation = std::exp2(0.125);
 
-double GetLength(const Point& v)
+double GetLength(const EarthPoint& v)
 {
   return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-Point Subtract(const Point& a, const Point& b)
+EarthPoint Subtract(const EarthPoint& a, const EarthPoint& b)
 {
   return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
 }
 
-double Multiply(const Point& a, const Point& b)
+double Multiply(const EarthPoint& a, const EarthPoint& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -36,7 +36,7 @@ GlobeView::GlobeView(const TerrainPlacement& placement, const std::array<double,
   , Eye(eye)
 {
   const GeocentricFrame& frame = this->Shape.GetFrame();
-  Point geographic = frame.ToGeographic(eye);
+  EarthPoint geographic = frame.ToGeographic(eye);
   this->EyeHeight = geographic[2];
   geographic[2] = 0.0;
   this->Ground = frame.ToWorld(geographic);
@@ -71,7 +71,7 @@ TerrainBox GlobeView::Clamp(const TerrainBox& box) const
 double GlobeView::GetDistance(const TerrainBox& box) const
 {
   const TerrainBox inside = this->Clamp(box);
-  const Point center = this->Shape.GetPosition(
+  const EarthPoint center = this->Shape.GetPosition(
     0.5 * (inside.Columns[0] + inside.Columns[1]), 0.5 * (inside.Rows[0] + inside.Rows[1]));
   const GlobeShape::Bounds bounds = this->Shape.GetBounds(inside.Columns, inside.Rows);
   const double radius = 0.5 *
@@ -138,7 +138,7 @@ bool GlobeView::IsVisible(
   }
   GlobeShape::Vertex vertices[4];
   this->Shape.Locate(4, columns, rows, vertices);
-  std::array<Point, 8> corners;
+  std::array<EarthPoint, 8> corners;
   for (int i = 0; i < 8; ++i)
   {
     vertices[i % 4].Geoid = 0.0; // is a part of the box
@@ -159,7 +159,7 @@ bool GlobeView::IsVisible(
     const std::array<double, 4>& plane = (*planes)[i];
     const double length = GetLength({ { plane[0], plane[1], plane[2] } });
     const bool isOutside = std::all_of(corners.begin(), corners.end(),
-      [&plane, limit = -margin * length](const Point& p)
+      [&plane, limit = -margin * length](const EarthPoint& p)
       { return plane[0] * p[0] + plane[1] * p[1] + plane[2] * p[2] + plane[3] < limit; });
     if (isOutside)
     {
@@ -171,7 +171,7 @@ bool GlobeView::IsVisible(
 
 // The points that the unit sphere hides from the eye are a convex set: those behind the plane of
 // the horizon and inside of the cone through it.
-bool GlobeView::IsBehindHorizon(const std::array<Point, 8>& corners, double margin) const
+bool GlobeView::IsBehindHorizon(const std::array<EarthPoint, 8>& corners, double margin) const
 {
   const GeocentricFrame& frame = this->Shape.GetFrame();
   const double across = frame.GetSemiMajorAxis() + this->Placement.LowestHeight;
@@ -181,10 +181,10 @@ bool GlobeView::IsBehindHorizon(const std::array<Point, 8>& corners, double marg
   {
     return false;
   }
-  const auto toSphere = [across, along](const Point& p) {
-    return Point{ { p[0] / across, p[1] / across, p[2] / along } };
+  const auto toSphere = [across, along](const EarthPoint& p) {
+    return EarthPoint{ { p[0] / across, p[1] / across, p[2] / along } };
   };
-  const Point eye = toSphere(this->Eye);
+  const EarthPoint eye = toSphere(this->Eye);
   const double distance = GetLength(eye);
   if (!(distance > 1.0))
   {
@@ -194,9 +194,9 @@ bool GlobeView::IsBehindHorizon(const std::array<Point, 8>& corners, double marg
   const double sine = 1.0 / distance; // of the half angle of the cone
   const double cosine = std::sqrt(1.0 - sine * sine);
   return std::all_of(corners.begin(), corners.end(),
-    [&](const Point& corner)
+    [&](const EarthPoint& corner)
     {
-      const Point toCorner = Subtract(toSphere(corner), eye);
+      const EarthPoint toCorner = Subtract(toSphere(corner), eye);
       const double depth = -Multiply(toCorner, eye) / distance;
       const double side = std::sqrt(std::max(0.0, Multiply(toCorner, toCorner) - depth * depth));
       return depth - (distance - sine) > limit && depth * sine - side * cosine > limit;

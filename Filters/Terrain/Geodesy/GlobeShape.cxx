@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace relevo
 {
 namespace
 {
-constexpr double Missing = std::numeric_limits<double>::quiet_NaN();
 constexpr double DegreesPerRadian = 180.0 / 3.14159265358979323846;
 
 // Bounds come from derivatives at nodes and are a little larger.
