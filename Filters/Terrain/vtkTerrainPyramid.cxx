@@ -223,7 +223,8 @@ double vtkTerrainPyramid::GetMaximumError(int level)
 }
 
 //------------------------------------------------------------------------------
-double vtkTerrainPyramid::Evaluate(double x, double y, std::string& error)
+// The column and row of a point, whole numbers at the centres of samples; NaN outside.
+std::array<double, 2> vtkTerrainPyramid::ToSamples(double x, double y)
 {
   const relevo::RasterDescription& contents = this->Pyramid->GetFile().Describe();
   const relevo::Georeference& location = contents.Location;
@@ -243,12 +244,23 @@ double vtkTerrainPyramid::Evaluate(double x, double y, std::string& error)
   }
   if (!isInside(uv))
   {
-    return NoHeight;
+    return { { NoHeight, NoHeight } };
   }
   const double u = location.FlipColumns ? 1.0 - uv[0] : uv[0];
   const double v = location.FlipRows ? 1.0 - uv[1] : uv[1];
+  return { { u * contents.Width - 0.5, v * contents.Height - 0.5 } };
+}
+
+//------------------------------------------------------------------------------
+double vtkTerrainPyramid::Evaluate(const std::array<double, 2>& place, std::string& error)
+{
+  if (std::isnan(place[0]))
+  {
+    return NoHeight;
+  }
+  const relevo::RasterDescription& contents = this->Pyramid->GetFile().Describe();
   double sample = NoHeight;
-  this->Pyramid->Interpolate(u * contents.Width - 0.5, v * contents.Height - 0.5, sample, error);
+  this->Pyramid->Interpolate(place[0], place[1], sample, error);
   return contents.Scale * sample + contents.Offset;
 }
 
@@ -261,7 +273,7 @@ double vtkTerrainPyramid::GetElevation(double x, double y)
     return NoHeight;
   }
   std::string error;
-  const double height = this->Evaluate(x, y, error);
+  const double height = this->Evaluate(this->ToSamples(x, y), error);
   if (!error.empty())
   {
     this->Report("Cannot read " + this->OpenedName + ": " + error + ".");
@@ -281,16 +293,34 @@ vtkDoubleArray* vtkTerrainPyramid::GetElevations(vtkDoubleArray* points)
   vtkDoubleArray* heights = vtkDoubleArray::New();
   heights->SetName("Elevation");
   heights->SetNumberOfTuples(points->GetNumberOfTuples());
+  std::vector<std::array<double, 2>> places(points->GetNumberOfTuples());
+  std::vector<vtkIdType> order(places.size());
+  for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i)
+  {
+    places[i] = this->ToSamples(points->GetTypedComponent(i, 0), points->GetTypedComponent(i, 1));
+    order[i] = i;
+  }
+  // Each tile is read once, however the points are ordered.
+  const auto getTile = [&places](vtkIdType i)
+  {
+    constexpr double size = 256.0; // about that of most files
+    const auto& place = places[i];
+    return std::isnan(place[0])
+      ? std::array<double, 2>{ { -1.0, -1.0 } }
+      : std::array<double, 2>{ { std::floor(place[1] / size), std::floor(place[0] / size) } };
+  };
+  std::stable_sort(order.begin(), order.end(),
+    [&getTile](vtkIdType a, vtkIdType b) { return getTile(a) < getTile(b); });
   std::mutex mutex;
   std::string first;
   vtkSMPTools::For(0, points->GetNumberOfTuples(),
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType i = begin; i < end; ++i)
+      for (vtkIdType k = begin; k < end; ++k)
       {
+        const vtkIdType i = order[k];
         std::string error;
-        heights->SetValue(i,
-          this->Evaluate(points->GetTypedComponent(i, 0), points->GetTypedComponent(i, 1), error));
+        heights->SetValue(i, this->Evaluate(places[i], error));
         if (!error.empty())
         {
           const std::lock_guard<std::mutex> lock(mutex);
@@ -384,7 +414,11 @@ double vtkTerrainPyramid::GetMaximumError(int)
 {
   return std::numeric_limits<double>::infinity();
 }
-double vtkTerrainPyramid::Evaluate(double, double, std::string&)
+std::array<double, 2> vtkTerrainPyramid::ToSamples(double, double)
+{
+  return { { NoHeight, NoHeight } };
+}
+double vtkTerrainPyramid::Evaluate(const std::array<double, 2>&, std::string&)
 {
   return NoHeight;
 }

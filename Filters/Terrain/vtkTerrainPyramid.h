@@ -159,8 +159,9 @@ public:
   double GetElevation(double x, double y);
 
   /**
-   * Return the heights at points, one tuple (x, y) each, as GetElevation(). The caller owns the new
-   * array. nullptr after an error: an array that is missing or does not have two components.
+   * Return the heights at points, one tuple (x, y) each, as GetElevation(), and read each tile
+   * once. The caller owns the new array. nullptr after an error: an array that is missing or does
+   * not have two components.
    */
   VTK_NEWINSTANCE vtkDoubleArray* GetElevations(vtkDoubleArray* points);
 
@@ -210,7 +211,8 @@ private:
   bool Report(const std::string& error);
   bool Convert(bool (*convert)(const std::string&, std::array<double, 2>&), const double from[2],
     double to[2]);
-  double Evaluate(double x, double y, std::string& error);
+  std::array<double, 2> ToSamples(double x, double y);
+  double Evaluate(const std::array<double, 2>& place, std::string& error);
 
   std::shared_ptr<relevo::RasterPyramid> Pyramid;
   std::shared_ptr<const relevo::HeightLattice> Lattice;
