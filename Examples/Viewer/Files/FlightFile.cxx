@@ -26,7 +26,7 @@ const std::array<Column, 5> Columns = { { { "longitude", -180.0, 360.0 },
   { "latitude", -90.0, 90.0 }, { "height", -1e9, 1e9 }, { "heading", -360.0, 360.0 },
   { "pitch", -90.0, 90.0 } } };
 
-const char* const Header = "longitude,latitude,height,heading,pitch";
+const char* const FlightHeader = "longitude,latitude,height,heading,pitch";
 
 std::string Trim(const std::string& text)
 {
@@ -63,8 +63,8 @@ FlightPosition ReadPosition(const std::string& line, const std::string& place)
   const std::vector<std::string> cells = SplitLine(line);
   if (cells.size() != Columns.size())
   {
-    throw ViewerError(
-      place + ": there are " + std::to_string(cells.size()) + " columns instead of 5: " + Header);
+    throw ViewerError(place + ": there are " + std::to_string(cells.size()) +
+      " columns instead of 5: " + FlightHeader);
   }
   std::array<double, 5> values;
   for (std::size_t i = 0; i < Columns.size(); ++i)
@@ -111,9 +111,10 @@ std::vector<FlightPosition> ReadFlightFile(const std::string& fileName)
     const std::string place = fileName + ", line " + std::to_string(number);
     if (!hasHeader)
     {
-      if (JoinCells(SplitLine(line)) != Header)
+      if (JoinCells(SplitLine(line)) != FlightHeader)
       {
-        throw ViewerError(place + ": the header must be " + Header + ", not '" + Trim(line) + "'");
+        throw ViewerError(
+          place + ": the header must be " + FlightHeader + ", not '" + Trim(line) + "'");
       }
       hasHeader = true;
       continue;
@@ -123,7 +124,7 @@ std::vector<FlightPosition> ReadFlightFile(const std::string& fileName)
   }
   if (positions.empty())
   {
-    throw ViewerError(fileName + " has no positions below the header " + Header);
+    throw ViewerError(fileName + " has no positions below the header " + FlightHeader);
   }
   return positions;
 }
