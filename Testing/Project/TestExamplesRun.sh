@@ -36,11 +36,18 @@ check() {
 check 0 "$folder/here/out.png" heights.pgm --size 64x48 --output out.png
 check 0 "$folder/out.png" --output=../out.png --size 64x48 --wireframe --stats heights.pgm
 printf '1\n1 1\n0 0 0 1 0 0\n0 1 0 1 1 1\n' >patch.bpt
+printf '%s\n' 'ncols 3' 'nrows 2' 'xllcorner 10' 'yllcorner 50' 'cellsize 1' '1 2 3' '4 5 6' \
+  >degrees.asc
+printf '%s' 'GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],' \
+  'PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]]' >degrees.prj
 # No option without a value takes the next argument as its value.
 for flag in $("$build/bin/relevo-view" --help | sed -nE 's/^  (--[a-z-]+)  .*/\1/p'); do
   case $flag in --help | --version) continue ;; esac
   file=heights.pgm
-  case $flag in --patch-edges) file=patch.bpt ;; esac
+  case $flag in
+    --patch-edges) file=patch.bpt ;;
+    --globe) file=degrees.asc ;;
+  esac
   rm -f flag.png
   check 0 "$folder/here/flag.png" "$flag" "$file" "$flag" --output flag.png --size 64x48
 done

@@ -10,6 +10,8 @@
 #ifndef GeoidHeights_h
 #define GeoidHeights_h
 
+#include "RelevoFiltersTerrainModule.h" // for export macro
+
 #include <memory>
 #include <string>
 
@@ -20,7 +22,7 @@ class Geoid;
 
 namespace relevo
 {
-class GeoidHeights
+class RELEVOFILTERSTERRAIN_EXPORT GeoidHeights
 {
 public:
   /// Bounds of all heights in metres.

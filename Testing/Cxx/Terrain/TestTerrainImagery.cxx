@@ -365,7 +365,8 @@ void TestOverviews(RelevoCheck& check, const RelevoTestFolders& folders)
   // The mean of the pixels, without overviews.
   for (int level : { 2, 3 })
   {
-    const unsigned char* color = ReadTile(check, *imagery, level, 0, 0).GetColor(40, 40);
+    const auto tile = ReadTile(check, *imagery, level, 0, 0);
+    const unsigned char* color = tile.GetColor(40, 40);
     CHECK_NEAR(color[0], 100, 13);
     CHECK_EQUAL(color[3], 255);
   }
