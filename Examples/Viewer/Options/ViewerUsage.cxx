@@ -42,7 +42,7 @@ Height maps:
   --range A,B            values that the first and the last colour stand for, A less than B (default:
                          all)
   --memory MIB           largest memory of heights, pictures and textures, 16 to 1048576 (default 512).
-                         What does not fit is drawn coarser
+                         Terrain beyond it has a larger error
   --globe                place the height map on its ellipsoid, in metres from the centre of the earth.
                          --center is in degrees, and --view is relative to north there (default
                          180,60)

@@ -25,7 +25,7 @@ std::string DescribePlace(TerrainGround& ground, const double point[3], double r
 std::optional<std::array<double, 3>> FindCentre(
   const ViewerOptions& options, TerrainGround& ground, ViewerMessages& messages);
 
-/// What an error of a raster's reader means for the user.
+/// The message for an error of a raster's reader.
 std::string ExplainRasterError(const std::string& input, const std::string& text);
 
 /// Lengths in world coordinates, at an exaggeration of that of the options, or 1.

@@ -30,7 +30,7 @@ struct TerrainPlacement
   double Exaggeration = 1.0;               // is part of HeightScale
   double LowestHeight = 0.0; // times HeightScale; the horizon is that of the ellipsoid
                              // through it
-  /// What closes the poles of a globe adds to errors at the first and the last row.
+  /// Added to the errors of the first and the last row, whose triangles close the poles.
   std::array<double, 2> PoleErrors = { { 0.0, 0.0 } };
 
   /// The direction up.

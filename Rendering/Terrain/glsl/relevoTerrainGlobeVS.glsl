@@ -1,5 +1,5 @@
-// Positions in the geocentric frame, relative to an origin near the eye. They equal those of
-// GlobeFaces.cxx but for rounding. Follows relevoTerrainFaceVS.glsl.
+// Positions in the geocentric frame, relative to an origin near the eye. Except for rounding errors,
+// they equal those of GlobeFaces.cxx. Follows relevoTerrainFaceVS.glsl.
 
 uniform samplerBuffer relevoGlobeVertices; // position at relevoOriginHeight, up, derivatives
 uniform float relevoOriginHeight;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkTerrainClamp lays polydata on the terrain as it is drawn, which vtkTerrainMeshSource outputs
 // for the same camera, or on the surface of full resolution, which the test evaluates itself.
+#include "RelevoPyramidScene.h"
 #include "RelevoRasterFiles.h"
-#include "RelevoScene.h"
 
 #include "Draping/RasterSurface.h"
 #include "Draping/TerrainDraping.h"
@@ -273,17 +273,13 @@ void ForPoints(vtkPolyData* data, const Function& function)
   }
 }
 
-class ClampScene
+class ClampScene : public RelevoPyramidScene
 {
 public:
   explicit ClampScene(const std::string& file)
+    : RelevoPyramidScene(file)
   {
-    this->Pyramid->SetFileName(file.c_str());
-    this->Mapper->SetPyramid(this->Pyramid);
-    this->Mapper->SetLoadingModeToComplete();
-    this->Actor->SetMapper(this->Mapper);
     this->Actor->GetProperty()->SetColor(0.0, 0.0, 1.0);
-    this->Renderer->AddActor(this->Actor);
     this->Clamp->SetMapper(this->Mapper);
     this->LineMapper->SetInputConnection(this->Clamp->GetOutputPort());
     this->LineMapper->ScalarVisibilityOff();
@@ -291,10 +287,6 @@ public:
     this->LineActor->GetProperty()->SetColor(1.0, 0.0, 0.0);
     this->LineActor->GetProperty()->LightingOff();
     this->Renderer->AddActor(this->LineActor);
-    this->Renderer->SetBackground(0.0, 0.0, 0.0);
-    this->Window->AddRenderer(this->Renderer);
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(400, 300);
     this->Mesh->SetPyramid(this->Pyramid);
     this->Mesh->SetCamera(this->Renderer->GetActiveCamera());
     this->Mesh->SetViewportSize(400, 300);
@@ -319,26 +311,9 @@ public:
     return this->Mesh->GetOutput();
   }
 
-  size_t CountRed()
-  {
-    this->Window->Render();
-    const RelevoPicture picture(this->Window);
-    size_t red = 0;
-    for (size_t i = 0; i < picture.GetNumberOfPixels(); ++i)
-    {
-      red += picture.Colors[3 * i] == 255 && picture.Colors[3 * i + 2] == 0 ? 1 : 0;
-    }
-    return red;
-  }
-
-  vtkNew<vtkTerrainPyramid> Pyramid;
-  vtkNew<vtkTerrainMapper> Mapper;
-  vtkNew<vtkActor> Actor;
   vtkNew<vtkTerrainClamp> Clamp;
   vtkNew<vtkPolyDataMapper> LineMapper;
   vtkNew<vtkActor> LineActor;
-  vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkTerrainMeshSource> Mesh;
 };
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkTerrainClamp lays lines and polygons on the triangles of a globe, also across the meridian at
 // which the raster begins.
+#include "RelevoPyramidScene.h"
 #include "RelevoRasterFiles.h"
-#include "RelevoScene.h"
 
 #include "vtkCellArray.h"
 #include "vtkMath.h"
@@ -79,18 +79,14 @@ vtkSmartPointer<vtkPolyData> MakeCell(
   return data;
 }
 
-class GlobeClampScene
+class GlobeClampScene : public RelevoPyramidScene
 {
 public:
   explicit GlobeClampScene(const std::string& file)
+    : RelevoPyramidScene(file, WindowSize, WindowSize)
   {
-    this->Pyramid->SetFileName(file.c_str());
-    this->Mapper->SetPyramid(this->Pyramid);
-    this->Mapper->SetLoadingModeToComplete();
     this->Mapper->SetFrameToGeocentric();
-    this->Actor->SetMapper(this->Mapper);
     this->Actor->GetProperty()->SetColor(0.0, 0.0, 1.0);
-    this->Renderer->AddActor(this->Actor);
     this->Clamp->SetMapper(this->Mapper);
     this->Clamp->SetCoordinateTypeToGeographic();
     this->CellMapper->SetInputConnection(this->Clamp->GetOutputPort());
@@ -98,10 +94,6 @@ public:
     this->CellActor->GetProperty()->SetColor(1.0, 0.0, 0.0);
     this->CellActor->GetProperty()->LightingOff();
     this->Renderer->AddActor(this->CellActor);
-    this->Renderer->SetBackground(0.0, 0.0, 0.0);
-    this->Window->AddRenderer(this->Renderer);
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(WindowSize, WindowSize);
     this->Mesh->SetPyramid(this->Pyramid);
     this->Mesh->SetFrameToGeocentric();
     this->Mesh->SetCamera(this->Renderer->GetActiveCamera());
@@ -132,26 +124,9 @@ public:
     return std::abs(view[0]) < 0.9 && std::abs(view[1]) < 0.9 && vtkMath::Dot(normal, eye) > 6.5e6;
   }
 
-  size_t CountRed()
-  {
-    this->Window->Render();
-    const RelevoPicture picture(this->Window);
-    size_t red = 0;
-    for (size_t i = 0; i < picture.GetNumberOfPixels(); ++i)
-    {
-      red += picture.Colors[3 * i] == 255 && picture.Colors[3 * i + 2] == 0 ? 1 : 0;
-    }
-    return red;
-  }
-
-  vtkNew<vtkTerrainPyramid> Pyramid;
-  vtkNew<vtkTerrainMapper> Mapper;
-  vtkNew<vtkActor> Actor;
   vtkNew<vtkTerrainClamp> Clamp;
   vtkNew<vtkPolyDataMapper> CellMapper;
   vtkNew<vtkActor> CellActor;
-  vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkTerrainMeshSource> Mesh;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkTerrainMapper draws a raster file within its error, and reports results and errors.
+#include "RelevoPyramidScene.h"
 #include "RelevoRasterFiles.h"
-#include "RelevoScene.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkHardwareSelector.h"
@@ -50,26 +50,12 @@ std::string WriteHills(const RelevoTestFolders& folders, const std::string& name
   return raster.Write(file) ? file : "";
 }
 
-class TerrainScene
+class TerrainScene : public RelevoPyramidScene
 {
 public:
   explicit TerrainScene(const std::string& file)
+    : RelevoPyramidScene(file)
   {
-    this->Pyramid->SetFileName(file.c_str());
-    this->Mapper->SetPyramid(this->Pyramid);
-    this->Mapper->SetLoadingModeToComplete();
-    this->Actor->SetMapper(this->Mapper);
-    this->Renderer->AddActor(this->Actor);
-    this->Renderer->SetBackground(0.0, 0.0, 0.0);
-    this->Window->AddRenderer(this->Renderer);
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(400, 300);
-  }
-
-  RelevoPicture Draw()
-  {
-    this->Window->Render();
-    return RelevoPicture(this->Window);
   }
 
   // Looks from a point above the map's lower border at its centre.
@@ -81,12 +67,6 @@ public:
     camera->SetViewUp(0.0, 0.0, 1.0);
     this->Renderer->ResetCameraClippingRange();
   }
-
-  vtkNew<vtkTerrainPyramid> Pyramid;
-  vtkNew<vtkTerrainMapper> Mapper;
-  vtkNew<vtkActor> Actor;
-  vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkRenderWindow> Window;
 };
 
 // From above, with a sample per pixel, the slopes are those of gdaldem.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkTerrainMapper draws rasters in the geocentric frame: a closed globe without holes, the same
 // for longitudes from -180 and from 0, a projected raster, and a moon.
+#include "RelevoPyramidScene.h"
 #include "RelevoRasterFiles.h"
-#include "RelevoScene.h"
 
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
@@ -60,23 +60,15 @@ RelevoRaster MakeGlobe(int width, int height, double left, double top, double st
   return raster;
 }
 
-class GlobeScene
+class GlobeScene : public RelevoPyramidScene
 {
 public:
   GlobeScene(const RelevoRaster& raster, const std::string& file)
+    : RelevoPyramidScene(file, WindowSize, WindowSize)
   {
     raster.Write(file);
     std::filesystem::remove(file + ".relevo-index");
-    this->Pyramid->SetFileName(file.c_str());
-    this->Mapper->SetPyramid(this->Pyramid);
-    this->Mapper->SetLoadingModeToComplete();
     this->Mapper->SetFrameToGeocentric();
-    this->Actor->SetMapper(this->Mapper);
-    this->Renderer->AddActor(this->Actor);
-    this->Renderer->SetBackground(0.0, 0.0, 0.0);
-    this->Window->AddRenderer(this->Renderer);
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(WindowSize, WindowSize);
   }
 
   RelevoPicture Draw()
@@ -157,12 +149,6 @@ public:
     }
     return holes;
   }
-
-  vtkNew<vtkTerrainPyramid> Pyramid;
-  vtkNew<vtkTerrainMapper> Mapper;
-  vtkNew<vtkActor> Actor;
-  vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkRenderWindow> Window;
 };
 
 void TestHoles(RelevoCheck& check, const RelevoTestFolders& folders, const RelevoRaster& raster,

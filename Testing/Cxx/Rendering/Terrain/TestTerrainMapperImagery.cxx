@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkTerrainMapper drapes imagery: the colours of pixels are those of their positions, within half
 // a pixel of the imagery, within the limit of memory, and imagery that cannot be used is an error.
+#include "RelevoPyramidScene.h"
 #include "RelevoRasterFiles.h"
-#include "RelevoScene.h"
 
 #include "vtkLookupTable.h"
 #include "vtkProperty.h"
@@ -73,28 +73,14 @@ std::string WritePicture(RelevoCheck& check, const RelevoRaster& raster,
   return file;
 }
 
-class ImageryScene
+class ImageryScene : public RelevoPyramidScene
 {
 public:
   explicit ImageryScene(const std::string& file, const std::string& imagery = "")
+    : RelevoPyramidScene(file)
   {
-    this->Pyramid->SetFileName(file.c_str());
-    this->Mapper->SetPyramid(this->Pyramid);
-    this->Mapper->SetLoadingModeToComplete();
     this->Mapper->SetImageryFileName(imagery.c_str());
-    this->Actor->SetMapper(this->Mapper);
-    this->Renderer->AddActor(this->Actor);
-    this->Renderer->SetBackground(0.0, 0.0, 0.0);
-    this->Window->AddRenderer(this->Renderer);
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(400, 300);
     this->Look({ { -3000.0, -7000.0, 4000.0 } });
-  }
-
-  RelevoPicture Draw()
-  {
-    this->Window->Render();
-    return RelevoPicture(this->Window);
   }
 
   void Look(const std::array<double, 3>& from)
@@ -105,12 +91,6 @@ public:
     camera->SetViewUp(0.0, 0.0, 1.0);
     this->Renderer->ResetCameraClippingRange();
   }
-
-  vtkNew<vtkTerrainPyramid> Pyramid;
-  vtkNew<vtkTerrainMapper> Mapper;
-  vtkNew<vtkActor> Actor;
-  vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkRenderWindow> Window;
 };
 
 // The pixel of the picture that is drawn at a pixel of the window, from its depth.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // VTK's pickers find the terrain as it is drawn. Their positions have the heights of the raster
 // within an error in pixels.
+#include "RelevoPyramidScene.h"
 #include "RelevoRasterFiles.h"
-#include "RelevoScene.h"
 
 #include "vtkCellPicker.h"
 #include "vtkIdList.h"
@@ -47,19 +47,12 @@ std::string WriteHills(const RelevoTestFolders& folders)
   return raster.Write(file) ? file : "";
 }
 
-class PickScene
+class PickScene : public RelevoPyramidScene
 {
 public:
   explicit PickScene(const std::string& file)
+    : RelevoPyramidScene(file, Width, Height)
   {
-    this->Pyramid->SetFileName(file.c_str());
-    this->Mapper->SetPyramid(this->Pyramid);
-    this->Mapper->SetLoadingModeToComplete();
-    this->Actor->SetMapper(this->Mapper);
-    this->Renderer->AddActor(this->Actor);
-    this->Window->AddRenderer(this->Renderer);
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(Width, Height);
     this->Look(0.0);
   }
 
@@ -82,12 +75,6 @@ public:
     return length * factor /
       std::sqrt(vtkMath::Distance2BetweenPoints(camera->GetPosition(), point));
   }
-
-  vtkNew<vtkTerrainPyramid> Pyramid;
-  vtkNew<vtkTerrainMapper> Mapper;
-  vtkNew<vtkActor> Actor;
-  vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkRenderWindow> Window;
 };
 
 // The distance in pixels of a picked point from the height of the raster at its longitude and
