@@ -129,8 +129,9 @@ public:
    *
    * The image is read in tiles, in the background and within SetMemoryLimit(), with about one texel
    * per pixel of the screen. It is converted from its coordinate system to that of the raster, and
-   * lies within half of its pixel. It has one band (grey or a palette), three or four; of five and
-   * more bands, the third, second and first are red, green and blue. Other types than bytes are
+   * lies within half of its pixel. Longitudes repeat after 360 degrees, so imagery from 0 to 360
+   * covers a raster from -180 to 180. It has one band (grey or a palette), three or four; of five
+   * and more bands, the third, second and first are red, green and blue. Other types than bytes are
    * scaled from their smallest to their largest value. An image of more than about 8000 x 8000
    * pixels needs overviews (gdaladdo) to be fast. Lights shine on it as on other colours. The
    * terrain has the colour of the actor where the image has no data, and in proportion where it is

@@ -3,9 +3,8 @@
 #include "Imagery/WarpedImagery.h"
 
 #include "Geodesy/GDALSession.h"
+#include "Raster/ImageryTransformer.h"
 #include "Raster/RasterFile.h"
-
-#include <gdal_alg.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,20 +25,8 @@ constexpr int PointsPerSide = 65;
 // Derivatives are differences over this length, in samples.
 constexpr double Difference = 1.0 / 16.0;
 
-// A point in pixels of the raster or of the imagery.
-struct PixelPoint
-{
-  std::array<double, 2> Position;
-  bool IsKnown = false;
-};
-
-PixelPoint TransformPixel(void* transformer, bool toImagery, std::array<double, 2> position)
-{
-  double z = 0.0;
-  int success = 0;
-  GDALGenImgProjTransform(transformer, toImagery, 1, &position[0], &position[1], &z, &success);
-  return { position, success && std::isfinite(position[0]) && std::isfinite(position[1]) };
-}
+// Longitudes of the raster and of the imagery differ by at most this many turns.
+constexpr int TurnsOfLongitude = 2;
 
 bool IsInside(const std::array<double, 2>& position, const std::array<int, 2>& size)
 {
@@ -61,23 +48,31 @@ void ForGrid(const std::array<int, 2>& size, const Function& function)
 
 // The pixels of the imagery per pixel of a target along its columns and rows; zeros if they are
 // not known.
-std::array<double, 2> MeasurePixels(void* transformer, const std::array<double, 2>& position)
+std::array<double, 2> MeasurePixels(
+  const ImageryTransformer& transformer, const std::array<double, 2>& position)
 {
-  const PixelPoint here = TransformPixel(transformer, true, position);
+  const ImageryTransformer::Point here = transformer.ToImage(position);
   std::array<double, 2> lengths = { { 0.0, 0.0 } };
   for (int axis = 0; axis < 2; ++axis)
   {
     std::array<double, 2> beside = position;
     beside[axis] += Difference;
-    const PixelPoint there = TransformPixel(transformer, true, beside);
+    const ImageryTransformer::Point there = transformer.ToImage(beside);
     if (here.IsKnown && there.IsKnown)
     {
+      const double x = transformer.GetNearest(there.Position[0], here.Position[0]);
       lengths[axis] =
-        std::hypot(there.Position[0] - here.Position[0], there.Position[1] - here.Position[1]) /
-        Difference;
+        std::hypot(x - here.Position[0], there.Position[1] - here.Position[1]) / Difference;
     }
   }
   return lengths;
+}
+
+// A range of pixels, in samples and with a margin. A sample is at the centre of its pixel.
+std::array<double, 2> WidenExtent(const std::array<double, 2>& range, double pixel)
+{
+  const double margin = 0.02 * (range[1] - range[0]) + pixel;
+  return { { range[0] - 0.5 - margin, range[1] - 0.5 + margin } };
 }
 }
 
@@ -241,16 +236,32 @@ GDALDatasetPointer WarpedImagery::CreateTarget(int level, double column, double 
     this->Location.WKT);
 }
 
+// The columns of the raster after which longitudes repeat; 0 for other coordinate systems.
+double WarpedImagery::FindPeriod() const
+{
+  if (this->Location.System != Georeference::Kind::Geographic || this->Location.AlongU[1] != 0.0 ||
+    this->Location.AlongV[0] != 0.0 || this->Location.AlongU[0] == 0.0)
+  {
+    return 0.0;
+  }
+  return 360.0 / std::abs(this->Location.AlongU[0] * this->Location.Unit) * this->Size[0];
+}
+
 // Finds the extent and the finest level. Returns an error, or "".
 std::string WarpedImagery::Measure(const ImageryPicture& picture, const GDALSession& session)
 {
   const GDALDatasetPointer samples = this->CreateTarget(0, 0.0, 0.0, 1);
-  const ImageryPicture::Transformer transformer =
-    samples ? picture.CreateTransformer(samples.get()) : nullptr;
-  if (!transformer)
+  if (!samples)
+  {
+    return session.Messages("there is not enough memory for it");
+  }
+  const ImageryTransformer transformer(picture.GetView(), samples.get());
+  if (!transformer.IsValid())
   {
     return session.Messages("its coordinate system cannot be converted to the terrain's");
   }
+  const double period = this->FindPeriod();
+  const int turns = period > 0.0 ? TurnsOfLongitude : 0;
   const std::array<int, 2> imagerySize = { { GDALGetRasterXSize(picture.GetView()),
     GDALGetRasterYSize(picture.GetView()) } };
   bool overlaps = false;
@@ -262,13 +273,17 @@ std::string WarpedImagery::Measure(const ImageryPicture& picture, const GDALSess
   const auto measure = [&](const std::array<double, 2>& position)
   {
     overlaps = true;
-    const std::array<double, 2> lengths = MeasurePixels(transformer.get(), position);
+    if (transformer.IsAtPole(transformer.ToImage(position).Position[1]))
+    {
+      return;
+    }
+    const std::array<double, 2> lengths = MeasurePixels(transformer, position);
     pixelsPerSample = std::max({ pixelsPerSample, lengths[0], lengths[1] });
   };
   ForGrid(this->Size,
     [&](const std::array<double, 2>& position)
     {
-      const PixelPoint point = TransformPixel(transformer.get(), true, position);
+      const ImageryTransformer::Point point = transformer.ToImage(position);
       if (point.IsKnown && IsInside(point.Position, imagerySize))
       {
         measure(position);
@@ -277,29 +292,55 @@ std::string WarpedImagery::Measure(const ImageryPicture& picture, const GDALSess
   ForGrid(imagerySize,
     [&](const std::array<double, 2>& position)
     {
-      const PixelPoint point = TransformPixel(transformer.get(), false, position);
+      const ImageryTransformer::Point point = transformer.ToTarget(position);
       isBounded = isBounded && point.IsKnown;
       if (point.IsKnown)
       {
         columns = { { std::min(columns[0], point.Position[0]),
           std::max(columns[1], point.Position[0]) } };
         rows = { { std::min(rows[0], point.Position[1]), std::max(rows[1], point.Position[1]) } };
-        if (IsInside(point.Position, this->Size))
+        for (int turn = -turns; turn <= turns; ++turn)
         {
-          measure(point.Position);
+          const std::array<double, 2> turned = { { point.Position[0] + turn * period,
+            point.Position[1] } };
+          if (IsInside(turned, this->Size))
+          {
+            measure(turned);
+          }
         }
       }
     });
-  for (int axis = 0; axis < 2; ++axis)
+  if (isBounded)
   {
-    const std::array<double, 2>& range = axis == 0 ? columns : rows;
     // Sides of the imagery are curves between the points.
-    const double margin = 0.02 * (range[1] - range[0]) + 2.0 / std::max(pixelsPerSample, 1e-3);
-    // A sample is at the centre of its pixel.
-    this->Extent[axis] = isBounded
-      ? std::array<double, 2>{ { range[0] - 0.5 - margin, range[1] - 0.5 + margin } }
-      : std::array<double, 2>{ { 0.0, static_cast<double>(this->Size[axis]) } };
+    const double pixel = 2.0 / std::max(pixelsPerSample, 1e-3);
+    columns = WidenExtent(columns, pixel);
+    rows = WidenExtent(rows, pixel);
   }
+  else
+  {
+    columns = { { 0.0, static_cast<double>(this->Size[0]) } };
+    rows = { { 0.0, static_cast<double>(this->Size[1]) } };
+  }
+  this->SetExtent(columns, rows);
+  this->SetFinestLevel(pixelsPerSample);
+  return overlaps ? "" : "it does not overlap the terrain";
+}
+
+void WarpedImagery::SetExtent(
+  const std::array<double, 2>& columns, const std::array<double, 2>& rows)
+{
+  const double period = this->FindPeriod();
+  const int turns = period > 0.0 ? TurnsOfLongitude : 0;
+  for (int turn = -turns; turn <= turns; ++turn)
+  {
+    this->Columns.push_back({ { columns[0] + turn * period, columns[1] + turn * period } });
+  }
+  this->Rows = rows;
+}
+
+void WarpedImagery::SetFinestLevel(double pixelsPerSample)
+{
   int root = 0;
   while (std::ldexp(static_cast<double>(TerrainTile::CellsPerTile), root) <
     std::max(this->Size[0], this->Size[1]) - 1)
@@ -309,14 +350,16 @@ std::string WarpedImagery::Measure(const ImageryPicture& picture, const GDALSess
   // A texel of this level is at most as large as a pixel of the imagery.
   const double level = pixelsPerSample > 0.0 ? std::floor(-std::log2(pixelsPerSample)) : 0.0;
   this->FinestLevel = static_cast<int>(std::clamp<double>(level, TerrainTile::FinestLevel, root));
-  return overlaps ? "" : "it does not overlap the terrain";
 }
 
 bool WarpedImagery::Covers(int level, int column, int row) const
 {
   const double size = std::ldexp(static_cast<double>(TerrainTile::CellsPerTile), level);
-  return column * size <= this->Extent[0][1] && (column + 1) * size >= this->Extent[0][0] &&
-    row * size <= this->Extent[1][1] && (row + 1) * size >= this->Extent[1][0];
+  const auto covers = [size](const std::array<double, 2>& range, int index)
+  { return index * size <= range[1] && (index + 1) * size >= range[0]; };
+  return covers(this->Rows, row) &&
+    std::any_of(this->Columns.begin(), this->Columns.end(),
+      [&](const std::array<double, 2>& range) { return covers(range, column); });
 }
 
 //------------------------------------------------------------------------------
@@ -325,33 +368,42 @@ bool WarpedImagery::Covers(int level, int column, int row) const
 // The texels of a tile that imagery may cover: first column and row, width and height.
 std::array<int, 4> WarpedImagery::GetWindow(const ImageryTile& tile) const
 {
-  std::array<int, 4> window{};
-  const int first[2] = { tile.Column, tile.Row };
-  for (int axis = 0; axis < 2; ++axis)
+  const auto toTexels = [&tile](const std::array<double, 2>& range, int index)
   {
     const auto toTexel = [&](double sample)
     {
       return std::ldexp(sample, -tile.Level) -
-        static_cast<double>(first[axis]) * TerrainTile::CellsPerTile + 1.0;
+        static_cast<double>(index) * TerrainTile::CellsPerTile + 1.0;
     };
-    const double begin =
-      std::clamp(std::floor(toTexel(this->Extent[axis][0])) - 1.0, 0.0, TexelsPerRow - 1.0);
-    const double end =
-      std::clamp(std::ceil(toTexel(this->Extent[axis][1])) + 2.0, begin + 1.0, 1.0 * TexelsPerRow);
-    window[axis] = static_cast<int>(begin);
-    window[axis + 2] = static_cast<int>(end - begin);
+    return std::array<double, 2>{ { std::clamp(
+                                      std::floor(toTexel(range[0])) - 1.0, 0.0, 1.0 * TexelsPerRow),
+      std::clamp(std::ceil(toTexel(range[1])) + 2.0, 0.0, 1.0 * TexelsPerRow) } };
+  };
+  std::array<double, 2> columns = { { 1.0 * TexelsPerRow, 0.0 } };
+  for (const std::array<double, 2>& range : this->Columns)
+  {
+    const std::array<double, 2> texels = toTexels(range, tile.Column);
+    if (texels[0] < texels[1])
+    {
+      columns = { { std::min(columns[0], texels[0]), std::max(columns[1], texels[1]) } };
+    }
   }
-  return window;
+  const std::array<double, 2> rows = toTexels(this->Rows, tile.Row);
+  const auto getFirst = [](const std::array<double, 2>& texels)
+  { return static_cast<int>(std::min(texels[0], TexelsPerRow - 1.0)); };
+  const auto getSize = [](const std::array<double, 2>& texels)
+  { return static_cast<int>(std::max(1.0, texels[1] - texels[0])); };
+  return { { getFirst(columns), getFirst(rows), getSize(columns), getSize(rows) } };
 }
 
 // Pixels of an image per texel of a tile, in the middle of a window.
 std::array<double, 2> WarpedImagery::MeasureReduction(
   const ImageryPicture& picture, GDALDatasetH target, const std::array<int, 4>& window) const
 {
-  const ImageryPicture::Transformer transformer = picture.CreateTransformer(target);
-  return transformer ? MeasurePixels(transformer.get(),
-                         { { window[0] + 0.5 * window[2], window[1] + 0.5 * window[3] } })
-                     : std::array<double, 2>{ { 0.0, 0.0 } };
+  const ImageryTransformer transformer(picture.GetView(), target);
+  return transformer.IsValid()
+    ? MeasurePixels(transformer, { { window[0] + 0.5 * window[2], window[1] + 0.5 * window[3] } })
+    : std::array<double, 2>{ { 0.0, 0.0 } };
 }
 
 void WarpedImagery::Convert(const std::vector<float>& values, ImageryTile& tile) const

@@ -48,6 +48,9 @@ private:
   const ImageryPicture* GetPicture(
     Handle& handle, int overview, const GDALSession& session, std::string& error) const;
   GDALDatasetPointer CreateTarget(int level, double column, double row, int size) const;
+  double FindPeriod() const;
+  void SetExtent(const std::array<double, 2>& columns, const std::array<double, 2>& rows);
+  void SetFinestLevel(double pixelsPerSample);
   void DescribeNumbers(const ImageryPicture& picture);
   void Convert(const std::vector<float>& values, ImageryTile& tile) const;
   std::string Measure(const ImageryPicture& picture, const GDALSession& session);
@@ -65,8 +68,9 @@ private:
   double Offset = 0.0;
   std::array<double, 2> Range = { { 0.0, 0.0 } };
   int FinestLevel = 0;
-  // The columns and rows of the raster that imagery may cover.
-  std::array<std::array<double, 2>, 2> Extent = { { { { 0.0, 0.0 } }, { { 0.0, 0.0 } } } };
+  // The columns and rows of the raster that imagery may cover. Columns repeat after 360 degrees.
+  std::vector<std::array<double, 2>> Columns;
+  std::array<double, 2> Rows = { { 0.0, 0.0 } };
 
   mutable std::mutex Mutex;
   mutable std::vector<std::unique_ptr<Handle>> Free; // handles that no thread uses

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Raster/ImageryPicture.h"
 
+#include "Raster/ImageryTransformer.h"
 #include "Raster/RawFile.h"
 
 #include <cpl_conv.h>
@@ -10,7 +11,9 @@
 #include <gdalwarper.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace relevo
@@ -33,6 +36,11 @@ using TranslateOptions =
 using WarpOptions =
   std::unique_ptr<GDALWarpOptions, Freer<GDALWarpOptions, GDALDestroyWarpOptions>>;
 
+struct TransformerFreer
+{
+  void operator()(void* transformer) const { GDALDestroyTransformer(transformer); }
+};
+
 struct WarpOperationFreer
 {
   void operator()(void* operation) const
@@ -40,6 +48,87 @@ struct WarpOperationFreer
     GDALDestroyWarpOperation(static_cast<GDALWarpOperationH>(operation));
   }
 };
+
+// Windows of at most this size are not divided further.
+constexpr int SmallestWindow = 8;
+
+// The columns of an image that a window of a target needs are within a distance of the middle.
+struct WarpColumns
+{
+  double Middle = 0.0;
+  double Distance = 0.0;
+};
+
+// Points outside of a projection do not count.
+WarpColumns FindColumns(const ImageryTransformer& transformer, const std::array<int, 4>& window)
+{
+  constexpr int points = 5; // per side
+  std::vector<double> found;
+  for (int i = 0; i < points * points; ++i)
+  {
+    const ImageryTransformer::Point point =
+      transformer.ToImage({ { window[0] + window[2] * (i % points) / (points - 1.0),
+        window[1] + window[3] * (i / points) / (points - 1.0) } });
+    if (point.IsKnown)
+    {
+      found.push_back(point.Position[0]);
+    }
+  }
+  WarpColumns columns;
+  columns.Middle = found.empty() ? 0.0 : found[found.size() / 2];
+  for (const double column : found)
+  {
+    columns.Distance = std::max(
+      columns.Distance, std::abs(transformer.GetNearest(column, columns.Middle) - columns.Middle));
+  }
+  return columns;
+}
+
+bool WarpOnce(GDALWarpOptions* options, const std::array<int, 4>& window)
+{
+  const std::unique_ptr<void, WarpOperationFreer> operation(GDALCreateWarpOperation(options));
+  return operation &&
+    GDALChunkAndWarpImage(static_cast<GDALWarpOperationH>(operation.get()), window[0], window[1],
+      window[2], window[3]) == CE_None;
+}
+
+// Warps an image that repeats. Windows are divided until each is within a quarter of a turn around
+// its middle: GDAL would miss a jump of the columns. A window at the seam of the image needs it
+// twice.
+bool WarpTurns(
+  GDALWarpOptions* options, ImageryTransformer& transformer, const std::array<int, 4>& window)
+{
+  const double period = transformer.GetPeriod();
+  const WarpColumns columns = FindColumns(transformer, window);
+  const int axis = window[3] > window[2] ? 1 : 0;
+  if (columns.Distance > 0.25 * period && window[2 + axis] > SmallestWindow)
+  {
+    std::array<int, 4> first = window;
+    std::array<int, 4> second = window;
+    first[2 + axis] /= 2;
+    second[axis] += first[2 + axis];
+    second[2 + axis] -= first[2 + axis];
+    return WarpTurns(options, transformer, first) && WarpTurns(options, transformer, second);
+  }
+  options->papszWarpOptions = CSLSetNameValue(options->papszWarpOptions, "INIT_DEST", "0");
+  for (int turn = -1; turn <= 1; ++turn)
+  {
+    const double middle = columns.Middle + turn * period;
+    const double distance = std::max(columns.Distance, 0.25 * period);
+    if (middle + distance < 0.0 || middle - distance > GDALGetRasterXSize(options->hSrcDS))
+    {
+      continue;
+    }
+    transformer.SetMiddle(middle);
+    if (!WarpOnce(options, window))
+    {
+      return false;
+    }
+    // The next turn adds to the first one.
+    options->papszWarpOptions = CSLSetNameValue(options->papszWarpOptions, "INIT_DEST", nullptr);
+  }
+  return true;
+}
 
 // The bands for red, green, blue and alpha; 0 for none.
 struct Bands
@@ -225,11 +314,6 @@ int ImageryPicture::ChooseOverview(double reduction) const
   return chosen;
 }
 
-ImageryPicture::Transformer ImageryPicture::CreateTransformer(GDALDatasetH target) const
-{
-  return Transformer(GDALCreateGenImgProjTransformer2(this->View.get(), target, nullptr));
-}
-
 GDALDatasetPointer ImageryPicture::CreateTarget(
   int width, int height, const std::array<double, 6>& transform, const std::string& system)
 {
@@ -250,13 +334,13 @@ bool ImageryPicture::Warp(GDALDatasetH target, const std::array<int, 4>& window,
   const std::array<double, 2>& reduction) const
 {
   const GDALDatasetH source = this->View.get();
-  Transformer exact = this->CreateTransformer(target);
-  if (!exact)
+  ImageryTransformer exact(source, target);
+  if (!exact.IsValid())
   {
     return false;
   }
-  const Transformer approximate(
-    GDALCreateApproxTransformer(GDALGenImgProjTransform, exact.get(), TransformTolerance));
+  const std::unique_ptr<void, TransformerFreer> approximate(
+    GDALCreateApproxTransformer(ImageryTransformer::Transform, &exact, TransformTolerance));
   const WarpOptions options(GDALCreateWarpOptions());
   options->hSrcDS = source;
   options->hDstDS = target;
@@ -291,9 +375,7 @@ bool ImageryPicture::Warp(GDALDatasetH target, const std::array<int, 4>& window,
         GDALGetRasterNoDataValue(GDALGetRasterBand(source, i + 1), nullptr);
     }
   }
-  const std::unique_ptr<void, WarpOperationFreer> operation(GDALCreateWarpOperation(options.get()));
-  return operation &&
-    GDALChunkAndWarpImage(static_cast<GDALWarpOperationH>(operation.get()), window[0], window[1],
-      window[2], window[3]) == CE_None;
+  return exact.GetPeriod() > 0.0 ? WarpTurns(options.get(), exact, window)
+                                 : WarpOnce(options.get(), window);
 }
 }

@@ -12,10 +12,7 @@
 #include "Geodesy/GDALSession.h"
 #include "Raster/Imagery.h"
 
-#include <gdal_alg.h>
-
 #include <array>
-#include <memory>
 #include <string>
 
 namespace relevo
@@ -25,12 +22,6 @@ class ImageryPicture
 public:
   static constexpr int NumberOfColors = 3;
   static constexpr int NumberOfComponents = NumberOfColors + 1; // with alpha
-
-  struct TransformerFreer
-  {
-    void operator()(void* transformer) const { GDALDestroyTransformer(transformer); }
-  };
-  using Transformer = std::unique_ptr<void, TransformerFreer>;
 
   /// Maps colours to bytes. Bytes are used unchanged. Other types are scaled from their smallest
   /// and largest value.
@@ -68,10 +59,6 @@ public:
   /// The index of the smallest overview with at least the required resolution; -1 for none.
   int ChooseOverview(double reduction) const;
 
-  /// A transformer between pixels of GetView() and those of a target. nullptr if their coordinate
-  /// systems cannot be converted.
-  Transformer CreateTransformer(GDALDatasetH target) const;
-
   /// Create an image in memory for colours and alpha as floats; nullptr on failure.
   static GDALDatasetPointer CreateTarget(
     int width, int height, const std::array<double, 6>& transform, const std::string& system);
@@ -79,7 +66,8 @@ public:
   /**
    * Resample into a window of such an image: its first column and row, its width and its height.
    * `reduction` has the pixels of the view per pixel of the target, along its columns and rows, for
-   * the width of the filter; zeros if they are not known.
+   * the width of the filter; zeros if they are not known. Images of longitude and latitude repeat
+   * after 360 degrees.
    */
   bool Warp(GDALDatasetH target, const std::array<int, 4>& window,
     const std::array<double, 2>& reduction = { { 0.0, 0.0 } }) const;

@@ -4,6 +4,7 @@
 
 #include "Geodesy/GDALSession.h"
 #include "Raster/ImageryPicture.h"
+#include "Raster/ImageryTransformer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,30 +37,24 @@ GDALDatasetPointer createStrip(
 }
 
 // Number of source pixels along a line over the 1 x 1 strip; 0 if it cannot be computed.
-double pixelsAlong(void* transformer, bool alongU)
+double pixelsAlong(const ImageryTransformer& transformer, bool alongU)
 {
   constexpr int count = 65;
-  double x[count];
-  double y[count];
-  double z[count] = {};
-  int success[count];
+  double length = 0.0;
+  int segments = 0;
+  ImageryTransformer::Point last;
   for (int i = 0; i < count; ++i)
   {
     const double t = static_cast<double>(i) / (count - 1);
-    x[i] = alongU ? t : 0.5;
-    y[i] = alongU ? 0.5 : t;
-  }
-  GDALGenImgProjTransform(transformer, true, count, x, y, z, success);
-  double length = 0.0;
-  int segments = 0;
-  for (int i = 1; i < count; ++i)
-  {
-    const double step = std::hypot(x[i] - x[i - 1], y[i] - y[i - 1]);
-    if (success[i - 1] && success[i] && std::isfinite(step))
+    const ImageryTransformer::Point point =
+      transformer.ToImage({ { alongU ? t : 0.5, alongU ? 0.5 : t } });
+    if (point.IsKnown && last.IsKnown)
     {
-      length += step;
+      const double x = transformer.GetNearest(point.Position[0], last.Position[0]);
+      length += std::hypot(x - last.Position[0], point.Position[1] - last.Position[1]);
       ++segments;
     }
+    last = point;
   }
   return segments ? length * (count - 1) / segments : 0.0;
 }
@@ -107,13 +102,13 @@ bool chooseSize(
   const ImageryPicture& picture, const Georeference& terrain, int maximum, Imagery& result)
 {
   const GDALDatasetPointer footprint = createStrip(terrain, picture.IsLocated(), 1, 1, 0, 1);
-  const ImageryPicture::Transformer transformer = picture.CreateTransformer(footprint.get());
-  if (!transformer)
+  const ImageryTransformer transformer(picture.GetView(), footprint.get());
+  if (!transformer.IsValid())
   {
     return false;
   }
-  result.FullSize[0] = imageSize(pixelsAlong(transformer.get(), true));
-  result.FullSize[1] = imageSize(pixelsAlong(transformer.get(), false));
+  result.FullSize[0] = imageSize(pixelsAlong(transformer, true));
+  result.FullSize[1] = imageSize(pixelsAlong(transformer, false));
   result.Width = std::min(result.FullSize[0], maximum);
   result.Height = std::min(result.FullSize[1], maximum);
   return true;

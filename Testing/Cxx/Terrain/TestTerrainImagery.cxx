@@ -7,6 +7,7 @@
 
 #include "Imagery/OpenImagery.h"
 #include "Lattice/HeightLattice.h"
+#include "vtkMath.h"
 #include "vtkTerrainPyramid.h"
 
 #include <gdal_utils.h>
@@ -479,6 +480,109 @@ void TestExtents(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_LESS(ReadTile(check, *imagery, 0, 0, 0).GetColor(15, 44)[3], 10);
 }
 
+// An image whose red and green are the sine and the cosine of the longitude.
+RelevoRaster MakeTurn(double left, double right, double pixel, const std::string& system)
+{
+  RelevoRaster raster;
+  raster.Width = static_cast<int>(std::lround((right - left) / pixel));
+  raster.Height = static_cast<int>(std::lround(180.0 / pixel));
+  raster.NumberOfBands = 3;
+  raster.Type = GDT_Byte;
+  raster.Transform = { left, pixel, 0.0, 90.0, 0.0, -pixel };
+  raster.CoordinateSystem = system;
+  raster.SetValues(
+    [=](int band, int column, int)
+    {
+      const double angle = vtkMath::RadiansFromDegrees(left + (column + 0.5) * pixel);
+      return std::round(128.0 + 120.0 * (band == 0 ? std::sin(angle) : std::cos(angle)));
+    });
+  return raster;
+}
+
+// Longitudes of the raster and of the imagery start anywhere. There is no seam where those of the
+// imagery start.
+void TestTurns(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  struct Case
+  {
+    std::string System;
+    double Left; // of the raster
+    double ImageryLeft;
+    double ImageryRight;
+  };
+  constexpr double pixel = 4.0;
+  const std::string degrees = "EPSG:4326";
+  const std::string otherDatum = "EPSG:4284"; // Pulkovo 1942, less than 200 m away
+  for (const Case& test :
+    { Case{ degrees, -180.0, 0.0, 360.0 }, Case{ degrees, 0.0, -180.0, 180.0 },
+      Case{ degrees, -180.0, -180.0, 180.0 }, Case{ degrees, -180.0, 160.0, 200.0 },
+      Case{ degrees, 0.0, -20.0, 20.0 }, Case{ degrees, -180.0, 200.0, 240.0 },
+      Case{ otherDatum, -180.0, 0.0, 360.0 }, Case{ otherDatum, 0.0, -180.0, 180.0 } })
+  {
+    CHECK_CASE(test.System + " " + std::to_string(test.Left) + ", " +
+      std::to_string(test.ImageryLeft) + " to " + std::to_string(test.ImageryRight));
+    ImageryTerrain terrain(check, folders, 360, { test.Left, 1.0, 0.0, 90.0, 0.0, -0.5 }, degrees);
+    const std::string file = folders.File("TerrainImageryTurn.tif");
+    CHECK(MakeTurn(test.ImageryLeft, test.ImageryRight, pixel, test.System).Write(file));
+    const auto imagery = terrain.Open(file);
+    CHECK_EQUAL(terrain.Error + terrain.Warning, "");
+    if (!imagery)
+    {
+      continue;
+    }
+    CHECK_GREATER(imagery->GetFinestLevel(), 0);
+    CHECK_LESS(imagery->GetFinestLevel(), 3);
+    for (const int level : { 0, 1, 2 })
+    {
+      CHECK_CASE(level);
+      double largest = 0.0;
+      int missing = 0;
+      int superfluous = 0;
+      int covered = 0;
+      for (int tileColumn = 0; tileColumn < (level == 0 ? 2 : 1); ++tileColumn)
+      {
+        const ImageryTile tile = ReadTile(check, *imagery, level, tileColumn, 0);
+        const bool isUsed = imagery->Covers(level, tileColumn, 0);
+        const int j = 180 >> level; // the equator
+        for (int i = -1; i < TerrainTile::Stride - 1; ++i)
+        {
+          const double column = std::ldexp(256.0 * tileColumn + i, level);
+          if (column > 361.0)
+          {
+            break; // not drawn
+          }
+          const double longitude = test.Left + column + 0.5;
+          const double center = 0.5 * (test.ImageryLeft + test.ImageryRight);
+          const double beside =
+            std::abs(longitude - center - 360.0 * std::round((longitude - center) / 360.0));
+          const double half = 0.5 * (test.ImageryRight - test.ImageryLeft);
+          const unsigned char* color = tile.GetColor(i, j);
+          if (beside > half + pixel)
+          {
+            superfluous += color[3] != 0 ? 1 : 0;
+          }
+          else if (half >= 180.0 || beside < half - pixel)
+          {
+            ++covered;
+            missing += color[3] < 255 || !isUsed ? 1 : 0;
+            const double angle =
+              vtkMath::DegreesFromRadians(std::atan2(color[0] - 128.0, color[1] - 128.0));
+            const double distance = longitude - angle;
+            largest =
+              std::max(largest, std::abs(distance - 360.0 * std::round(distance / 360.0)) / pixel);
+          }
+        }
+      }
+      std::cout << "level " << level << ": " << covered << " texels, at most " << largest
+                << " pixels away\n";
+      CHECK_GREATER(covered, 5);
+      CHECK_EQUAL(missing, 0);
+      CHECK_EQUAL(superfluous, 0);
+      CHECK_LESS(largest, 0.5);
+    }
+  }
+}
+
 void TestErrors(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const std::vector<double> utm = { 500000.0, 10.0, 0.0, 5000000.0, 0.0, -10.0 };
@@ -531,6 +635,7 @@ int TestTerrainImagery(int argc, char* argv[])
   TestNumbers(check, folders);
   TestOverviews(check, folders);
   TestExtents(check, folders);
+  TestTurns(check, folders);
   TestErrors(check, folders);
   return check.GetResult();
 }

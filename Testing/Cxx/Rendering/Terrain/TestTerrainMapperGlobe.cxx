@@ -8,6 +8,7 @@
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkProperty.h"
 #include "vtkTerrainMapper.h"
 #include "vtkTerrainPyramid.h"
 #include "vtkWorldPointPicker.h"
@@ -227,6 +228,75 @@ void TestLongitudes(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
+// Blue and green imagery whose longitudes start at `left`.
+RelevoRaster MakeImagery(double left)
+{
+  RelevoRaster raster;
+  raster.Width = 720;
+  raster.Height = 360;
+  raster.NumberOfBands = 3;
+  raster.Type = GDT_Byte;
+  raster.Transform = { left, 0.5, 0.0, 90.0, 0.0, -0.5 };
+  raster.CoordinateSystem = "EPSG:4326";
+  raster.SetValues(
+    [left](int band, int column, int row)
+    {
+      const double longitude = vtkMath::RadiansFromDegrees(left + (column + 0.5) * 0.5);
+      return band == 0 ? 0.0
+        : band == 1    ? 128.0 + 100.0 * std::sin(longitude)
+                       : 128.0 + 100.0 * std::sin(5.0 * longitude) * std::sin(row / 20.0);
+    });
+  return raster;
+}
+
+// Imagery from 0 to 360 degrees covers a raster from -180 to 180, and the reverse, on a globe and
+// on a map. The actor is red where it does not.
+void TestImagery(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  const std::string western = folders.File("GlobeImageryWest.tif");
+  const std::string eastern = folders.File("GlobeImageryEast.tif");
+  CHECK(MakeImagery(-180.0).Write(western));
+  CHECK(MakeImagery(0.0).Write(eastern));
+  for (const double left : { -180.0, 0.0 })
+  {
+    GlobeScene scene(MakeGlobe(720, 360, left, 90.0, 0.5), folders.File("GlobeImagery.tif"));
+    scene.Actor->GetProperty()->SetColor(1.0, 0.0, 0.0);
+    scene.Actor->GetProperty()->LightingOff();
+    const auto compare = [&](const std::string& name)
+    {
+      CHECK_CASE(name + " from " + std::to_string(left));
+      scene.Mapper->SetImageryFileName(western.c_str());
+      const RelevoPicture first = scene.Draw();
+      scene.Mapper->SetImageryFileName(eastern.c_str());
+      const RelevoPicture second = scene.Draw();
+      second.Save(folders.File("GlobeImagery" + name + ".png"));
+      CHECK_LESS(CountDifferent(first, second), WindowSize * WindowSize / 1000);
+      for (const RelevoPicture* picture : { &first, &second })
+      {
+        int red = 0;
+        for (std::size_t i = 0; i < picture->GetNumberOfPixels(); ++i)
+        {
+          red += picture->Depths[i] < 1.0f && picture->Colors[3 * i] > 24 ? 1 : 0;
+        }
+        CHECK_EQUAL(red, 0);
+      }
+    };
+    for (const double longitude : { 0.0, 90.0, 180.0, -90.0 })
+    {
+      scene.LookDown(longitude, 25.0, 9e6);
+      compare("At" + std::to_string(static_cast<int>(longitude)));
+    }
+    scene.LookDown(180.0, 5.0, 1e5); // a pixel is less than a sample
+    compare("Near");
+    scene.Mapper->SetFrameToMap();
+    scene.Renderer->ResetCamera();
+    scene.GetCamera()->SetPosition(0.0, 0.0, 5e7);
+    scene.GetCamera()->SetFocalPoint(0.0, 0.0, 0.0);
+    scene.GetCamera()->SetViewUp(0.0, 1.0, 0.0);
+    compare("Map");
+  }
+}
+
 // A projected raster: the place and the height of a pixel, from its depth.
 void TestProjected(RelevoCheck& check, const RelevoTestFolders& folders)
 {
@@ -372,6 +442,7 @@ int TestTerrainMapperGlobe(int argc, char* argv[])
   TestHoles(check, folders, MakeGlobe(720, 361, -180.25, 90.25, 0.5), "GlobeRows");
   TestHoles(check, folders, MakeGlobe(720, 360, -180.0, 90.0, 0.5), "GlobeCentres");
   TestLongitudes(check, folders);
+  TestImagery(check, folders);
   TestProjected(check, folders);
   TestMoon(check, folders);
   TestGeoid(check, folders);
