@@ -113,6 +113,7 @@ void GlobeShape::Close()
     const double latitude = origins[1] + row * steps[1];
     return std::abs(std::abs(latitude) - 90.0) <= ClosingTolerance * std::abs(steps[1]);
   };
+  this->PoleCosine = std::max(this->PoleCosine, std::sin(std::abs(steps[1]) / DegreesPerRadian));
   if (isPole(-0.5))
   {
     this->FirstRowShift = -0.5;

@@ -52,6 +52,10 @@ public:
     return { { this->End[0], this->LastPole ? NoBorder : this->End[1] } };
   }
 
+  /// The cosine of the latitude one row away from a pole; nearly 0 if there are no rows along
+  /// circles of latitude.
+  double GetPoleCosine() const { return this->PoleCosine; }
+
   /// The geoid that the heights of the raster refer to.
   const GeoidHeights& GetGeoid() const { return this->Geoid; }
 
@@ -126,7 +130,8 @@ private:
   std::array<double, 2> End;
   bool FirstPole = false;
   bool LastPole = false;
-  double FirstRowShift = 0.0;              // of the first row, in rows
+  double FirstRowShift = 0.0; // of the first row, in rows
+  double PoleCosine = 1e-6;
   std::vector<std::vector<Bounds>> Levels; // row by row, from Cells to 1 cells per side
   std::vector<GeocentricFrame::Place> Nodes;
   std::vector<std::array<double, 6>> Gradients; // of column and row, per node

@@ -415,6 +415,7 @@ void TerrainPainter::SetPositionUniforms(vtkShaderProgram* program)
       static_cast<float>(placement.Globe->GetPeriod()),
       static_cast<float>(size[1] - 0.51 - this->OriginSample[1]) };
     program->SetUniform3f("relevoClosing", closing);
+    program->SetUniformf("relevoPole", static_cast<float>(placement.Globe->GetPoleCosine()));
   }
 }
 

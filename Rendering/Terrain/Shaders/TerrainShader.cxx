@@ -154,18 +154,26 @@ void FinishTerrainShaders(const TerrainShaderOptions& options,
     fragment.Replace("vec3 normalVCVSOutput = normalize(normalVCVSOutput);",
       "vec3 normalVCVSOutput = relevoTerrainNormal();");
   }
+  const bool hasFacing = isShaded && options.IsGlobe;
+  if (hasFacing)
+  {
+    fragment.IfReplace("gl_FrontFacing", "relevoIsFront");
+  }
+  const bool hasParallel = fragment.Has("uniform int cameraParallel;");
   const bool hasMatrix = fragment.Has("uniform mat3 normalMatrix;");
   const bool hasGradient = isShaded || HasGradients(options);
   const bool hasImagery = HasImagery(options.Coloring);
   fragment.InsertAtStart(std::string(options.HasContours ? "  relevoMeasureContours();\n" : "") +
     (hasGradient || hasImagery ? "  relevoMeasureFootprint();\n" : "") +
-    "  if (relevoIsOutside()) discard;\n" + (hasGradient ? "  relevoFindGradient();\n" : ""));
+    "  if (relevoIsOutside()) discard;\n" + (hasGradient ? "  relevoFindGradient();\n" : "") +
+    (hasFacing ? "  relevoFindFacing();\n" : ""));
   fragment.InsertBeforeMain(DeclareVaryings("in", varyings) +
     (HasTable(options.Coloring) ? relevoColorTable : "") +
     (hasGradient || hasImagery ? relevoTerrainTilesFS : "") +
     (hasGradient ? relevoTerrainGradientFS : "") + (hasImagery ? relevoTerrainImageryFS : "") +
     relevoTerrainFS);
   fragment.InsertAfterVersion(GetDefines(options) + (isShaded ? "#define RELEVO_NORMALS\n" : "") +
-    (hasMatrix ? "#define RELEVO_NORMAL_MATRIX\n" : ""));
+    (hasMatrix ? "#define RELEVO_NORMAL_MATRIX\n" : "") +
+    (hasParallel ? "#define RELEVO_CAMERA_PARALLEL\n" : ""));
 }
 }

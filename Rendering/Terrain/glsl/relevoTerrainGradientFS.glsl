@@ -4,6 +4,7 @@
 
 #ifdef RELEVO_GLOBE
 uniform float relevoUnit;     // metres per unit of height
+uniform float relevoPole;     // cosine of the latitude one sample away from a pole
 #else
 uniform vec4 relevoGradients; // world derivatives of the derivatives by column and by row
 #endif
@@ -38,10 +39,13 @@ void relevoFindGradient()
     ++level;
   }
 #ifdef RELEVO_GLOBE
-  // There is no east at the poles.
+  // There is no east at the poles. Differences by column do not vanish there, because they are linear
+  // in the cell at the pole.
   float cosine = length(relevoUpVSOutput.xy) / length(relevoUpVSOutput);
-  relevoGradient = relevoUnit * vec2(dot(gradient, relevoDerivativesVSOutput.xy) / max(cosine, 1e-6),
-    dot(gradient, relevoDerivativesVSOutput.zw));
+  float cell = relevoPole * exp2(clamp(detail, 0.0, float(relevoGradientLevels.y)));
+  relevoGradient = relevoUnit *
+    vec2(dot(gradient, relevoDerivativesVSOutput.xy) / max(cosine, cell),
+      dot(gradient, relevoDerivativesVSOutput.zw));
 #else
   relevoGradient = gradient.x * relevoGradients.xy + gradient.y * relevoGradients.zw;
 #endif
@@ -64,4 +68,20 @@ vec3 relevoTerrainNormal()
   return normalize(normalMatrix * vec3(-slope, 1.0));
 #endif
 }
+
+#ifdef RELEVO_GLOBE
+#ifndef RELEVO_CAMERA_PARALLEL
+uniform int cameraParallel; // VTK's
+#endif
+bool relevoIsFront = true;
+
+// OpenGL rounds vertices to fractions of a pixel, which turns some slivers at the poles around. If
+// the normal points to the viewer, the fragment is of the upper side.
+void relevoFindFacing()
+{
+  vec3 normal = relevoTerrainNormal();
+  float towards = cameraParallel != 0 ? normal.z : -dot(normal, vertexVCVSOutput.xyz);
+  relevoIsFront = gl_FrontFacing || towards > 0.0;
+}
+#endif
 #endif

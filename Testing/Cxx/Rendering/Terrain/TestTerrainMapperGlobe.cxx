@@ -186,6 +186,59 @@ void TestHoles(RelevoCheck& check, const RelevoTestFolders& folders, const Relev
   }
 }
 
+// The number of pixels of the terrain that are much darker than those beside, above and below them.
+int CountDarkPixels(const RelevoPicture& picture, int size)
+{
+  int dark = 0;
+  for (int y = 1; y < size - 1; ++y)
+  {
+    for (int x = 1; x < size - 1; ++x)
+    {
+      const int pixel = y * size + x;
+      int darkest = 255;
+      bool isTerrain = picture.Depths[pixel] < 1.0f;
+      for (const int neighbor : { pixel - 1, pixel + 1, pixel - size, pixel + size })
+      {
+        darkest = std::min<int>(darkest, picture.Colors[3 * neighbor]);
+        isTerrain = isTerrain && picture.Depths[neighbor] < 1.0f;
+      }
+      dark += isTerrain && picture.Colors[3 * pixel] < darkest - 25 ? 1 : 0;
+    }
+  }
+  return dark;
+}
+
+// Triangles at a pole are slivers, and the derivatives of longitudes are infinite.
+void TestPoles(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  constexpr int size = 600;
+  GlobeScene scene(MakeGlobe(720, 361, -180.25, 90.25, 0.5), folders.File("GlobePoles.tif"));
+  scene.Window->SetSize(size, size);
+  const std::array<double, 2> distances[] = { { { 0.5, 20000.0 } }, { { 2.0, 60000.0 } },
+    { { 4.0, 150000.0 } }, { { 20.0, 1e6 } } };
+  for (const double pole : { 90.0, -90.0 })
+  {
+    for (const double longitude : { 0.0, 77.0 })
+    {
+      for (const auto& [degrees, height] : distances)
+      {
+        CHECK_CASE(std::to_string(pole) + " from " + std::to_string(longitude) + " at " +
+          std::to_string(height));
+        const double latitude = pole > 0.0 ? pole - degrees : pole + degrees;
+        scene.LookTo({ { longitude, latitude, height } }, { { longitude, pole, 0.0 } });
+        for (const bool isHillshade : { false, true })
+        {
+          scene.Mapper->SetTerrainColorMode(
+            isHillshade ? vtkTerrainMapper::COLOR_BY_HILLSHADE : vtkTerrainMapper::COLOR_SOLID);
+          const RelevoPicture picture = scene.Draw();
+          picture.Save(folders.File("GlobePole.png"));
+          CHECK_EQUAL(CountDarkPixels(picture, size), 0);
+        }
+      }
+    }
+  }
+}
+
 // The number of pixels whose colours differ visibly.
 int CountDifferent(const RelevoPicture& a, const RelevoPicture& b)
 {
@@ -441,6 +494,7 @@ int TestTerrainMapperGlobe(int argc, char* argv[])
   const RelevoTestFolders folders(argc, argv);
   TestHoles(check, folders, MakeGlobe(720, 361, -180.25, 90.25, 0.5), "GlobeRows");
   TestHoles(check, folders, MakeGlobe(720, 360, -180.0, 90.0, 0.5), "GlobeCentres");
+  TestPoles(check, folders);
   TestLongitudes(check, folders);
   TestImagery(check, folders);
   TestProjected(check, folders);
