@@ -24,6 +24,7 @@ class RasterPyramid
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <vector>
 
 namespace
@@ -379,6 +380,28 @@ const char* vtkTerrainPyramid::GetCoordinateSystem()
 {
   return this->Pyramid ? this->Pyramid->GetFile().Describe().Location.WKT.c_str() : "";
 }
+
+//------------------------------------------------------------------------------
+const char* vtkTerrainPyramid::GetHeightUnit()
+{
+  if (!this->Pyramid)
+  {
+    return "";
+  }
+  const relevo::RasterDescription& contents = this->Pyramid->GetFile().Describe();
+  const auto isUnit = [&contents](double metres)
+  { return std::abs(contents.VerticalUnit - metres) < 1e-5 * metres; };
+  if (isUnit(0.3048))
+  {
+    return "ft";
+  }
+  // Names that are not known have the factor 1, too.
+  static const std::set<std::string> metres = { "m", "M", "metre", "meter", "metres", "meters",
+    "Metre", "Meter" };
+  const bool isMetre = contents.UnitName.empty() ? !contents.Location.WKT.empty()
+                                                 : metres.count(contents.UnitName) > 0;
+  return isMetre ? "m" : contents.UnitName.c_str();
+}
 #else
 // Without GDAL there is never a raster.
 bool vtkTerrainPyramid::Update()
@@ -449,6 +472,10 @@ vtkTypeInt64 vtkTerrainPyramid::GetResidentMemorySize()
   return 0;
 }
 const char* vtkTerrainPyramid::GetCoordinateSystem()
+{
+  return "";
+}
+const char* vtkTerrainPyramid::GetHeightUnit()
 {
   return "";
 }

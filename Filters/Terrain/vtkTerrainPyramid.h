@@ -181,6 +181,10 @@ public:
   /// Return the coordinate system as WKT; "" if there is none.
   const char* GetCoordinateSystem();
 
+  /// Return the unit of the heights: m, ft, or its name in the file. If the file does not declare
+  /// it, m if there is a coordinate system, otherwise "".
+  const char* GetHeightUnit();
+
   /// Return the message of the last ErrorEvent, without class and line; "" if there was none.
   const char* GetErrorMessage() { return this->ErrorMessage.c_str(); }
 

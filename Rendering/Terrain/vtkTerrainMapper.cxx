@@ -4,10 +4,12 @@
 
 #include "Bisection/AdaptiveTerrain.h"
 #include "Bisection/FaceMesh.h"
+#include "Buffers/ColorTable.h"
 #include "Changes/Dependencies.h"
 #include "Checks/MemoryGuard.h"
 #include "Checks/SettingChecks.h"
 #include "Checks/ShouldReport.h"
+#include "Colors/TerrainTables.h"
 #include "Composite/LeafSelection.h"
 #include "Drawing/TerrainPainter.h"
 #include "Imagery/OpenImagery.h"
@@ -94,6 +96,11 @@ struct vtkTerrainMapper::vtkInternals
   vtkNew<vtkPolyData> PickedMesh;
   relevo::Dependencies PickedSource;
   vtkSmartPointer<vtkLookupTable> DefaultTable;
+  relevo::Dependencies DefaultColors; // of the default table
+  vtkNew<vtkLookupTable> WaterTable;  // the default one
+  vtkNew<vtkLookupTable> ColorTable;  // with water and land
+  relevo::Dependencies ColorTableSource;
+  vtkNew<vtkLookupTable> GreyTable;
   std::string Error; // errors are those reported last
   std::string DrawError;
   std::string ColorError;
@@ -112,6 +119,8 @@ vtkTerrainMapper::vtkTerrainMapper()
   pipeline->Replace = [this](vtkDataObject* input) { return this->ReplaceInput(input); };
   this->SetExecutive(pipeline);
   this->SetInputDataInternal(0, this->Internals->NoInput);
+  relevo::SetColorsOfWater(this->Internals->WaterTable);
+  relevo::SetGreys(this->Internals->GreyTable);
 }
 
 vtkTerrainMapper::~vtkTerrainMapper()
@@ -217,6 +226,21 @@ void vtkTerrainMapper::SetImageryBands(int red, int green, int blue)
 const char* vtkTerrainMapper::GetImageryFileName()
 {
   return this->ImageryFileName.empty() ? nullptr : this->ImageryFileName.c_str();
+}
+
+void vtkTerrainMapper::SetSeaLevel(double height)
+{
+  relevo::SetInRange(
+    this, "SeaLevel", this->SeaLevel, height, -relevo::LargestDouble, relevo::LargestDouble);
+}
+
+void vtkTerrainMapper::SetWaterLookupTable(vtkScalarsToColors* table)
+{
+  if (table != this->WaterLookupTable)
+  {
+    this->WaterLookupTable = table;
+    this->Modified();
+  }
 }
 
 void vtkTerrainMapper::SetContourInterval(double interval)
@@ -420,6 +444,7 @@ void vtkTerrainMapper::CreateDefaultLookupTable()
   vtkInternals& data = *this->Internals;
   data.DefaultTable = vtkSmartPointer<vtkLookupTable>::New();
   this->SetLookupTable(data.DefaultTable);
+  data.DefaultColors.Clear();
   this->UpdateDefaultTable();
 }
 
@@ -429,6 +454,19 @@ void vtkTerrainMapper::UpdateDefaultTable()
   if (!data.DefaultTable || this->LookupTable != data.DefaultTable.Get())
   {
     return;
+  }
+  const bool isCyclic = this->TerrainColorMode == COLOR_BY_ASPECT;
+  const bool isLand = this->HasWater();
+  if (data.DefaultColors.Update(relevo::Dependencies::On(isCyclic, isLand)))
+  {
+    if (isLand)
+    {
+      relevo::SetColorsOfLand(data.DefaultTable);
+    }
+    else
+    {
+      relevo::SetHues(data.DefaultTable, isCyclic);
+    }
   }
   double range[2] = { 0.0, this->TerrainColorMode == COLOR_BY_SLOPE ? 90.0 : 360.0 };
   if (this->TerrainColorMode != COLOR_BY_SLOPE && this->TerrainColorMode != COLOR_BY_ASPECT &&
@@ -441,16 +479,115 @@ void vtkTerrainMapper::UpdateDefaultTable()
     const std::array<double, 2> numbers = data.Imagery->GetRange();
     std::copy(numbers.begin(), numbers.end(), range);
   }
-  const bool isCyclic = this->TerrainColorMode == COLOR_BY_ASPECT;
-  data.DefaultTable->SetHueRange(isCyclic ? 0.0 : 2.0 / 3.0, isCyclic ? 1.0 : 0.0);
+  if (isLand)
+  {
+    range[0] = this->SeaLevel;
+    range[1] = std::max(range[1], this->SeaLevel);
+  }
   data.DefaultTable->SetTableRange(range);
-  data.DefaultTable->Build();
+}
+
+vtkScalarsToColors* vtkTerrainMapper::GetWaterLookupTable()
+{
+  if (this->WaterLookupTable)
+  {
+    return this->WaterLookupTable;
+  }
+  double range[2] = { this->SeaLevel, this->SeaLevel };
+  if (this->Pyramid)
+  {
+    this->Pyramid->GetRange(range);
+  }
+  this->Internals->WaterTable->SetTableRange(std::min(range[0], this->SeaLevel), this->SeaLevel);
+  return this->Internals->WaterTable;
+}
+
+// Return the table of the current colours, with land and water.
+vtkScalarsToColors* vtkTerrainMapper::UpdateColorTable()
+{
+  vtkInternals& data = *this->Internals;
+  vtkScalarsToColors* land = this->GetLookupTable();
+  this->UpdateDefaultTable();
+  vtkScalarsToColors* water = this->GetWaterLookupTable();
+  // The painter reports errors of a table.
+  if (!this->HasWater() || !relevo::ColorTable::FindError(land, land->GetRange()).empty())
+  {
+    return land;
+  }
+  if (!relevo::ColorTable::FindError(water, water->GetRange()).empty())
+  {
+    return water;
+  }
+  relevo::Dependencies source = relevo::Dependencies::On(this->SeaLevel);
+  source.AddObject(land);
+  source.AddObject(water);
+  if (data.ColorTableSource.Update(source))
+  {
+    relevo::JoinAtSeaLevel(water, land, this->SeaLevel, data.ColorTable);
+    data.ColorTableSource = relevo::Dependencies::On(this->SeaLevel);
+    data.ColorTableSource.AddObject(land); // after the call, which builds the tables
+    data.ColorTableSource.AddObject(water);
+  }
+  return data.ColorTable;
+}
+
+vtkScalarsToColors* vtkTerrainMapper::GetLegendLookupTable()
+{
+  if (!this->Pyramid || !this->UpdateTerrain())
+  {
+    return nullptr;
+  }
+  if (this->TerrainColorMode == COLOR_BY_HILLSHADE)
+  {
+    return this->Internals->GreyTable;
+  }
+  return relevo::HasTable(static_cast<TerrainColoring>(this->TerrainColorMode))
+    ? this->UpdateColorTable()
+    : nullptr;
+}
+
+std::string vtkTerrainMapper::GetLegendTitle()
+{
+  if (!this->Pyramid || !this->UpdateTerrain())
+  {
+    return "";
+  }
+  std::string name;
+  std::string unit;
+  switch (this->TerrainColorMode)
+  {
+    case COLOR_BY_ELEVATION:
+      name = "Height";
+      unit = this->Pyramid->GetHeightUnit();
+      break;
+    case COLOR_BY_SLOPE:
+      name = "Slope";
+      unit = "degrees";
+      break;
+    case COLOR_BY_ASPECT:
+      name = "Aspect";
+      unit = "degrees";
+      break;
+    case COLOR_BY_HILLSHADE:
+      name = "Hillshade";
+      break;
+    case COLOR_BY_RASTER:
+      if (const relevo::ImageryLattice* raster = this->Internals->Imagery.get())
+      {
+        name = raster->GetName().empty() ? "Value" : raster->GetName();
+        unit = raster->GetUnit();
+      }
+      break;
+    default:
+      break;
+  }
+  return unit.empty() ? name : name + " [" + unit + "]";
 }
 
 bool vtkTerrainMapper::HasTranslucentPolygonalGeometry()
 {
   return relevo::HasTable(static_cast<TerrainColoring>(this->TerrainColorMode)) &&
-    !this->GetLookupTable()->IsOpaque();
+    !this->UpdateColorTable()->IsOpaque();
 }
 
 bool vtkTerrainMapper::HasOpaqueGeometry()
@@ -554,8 +691,7 @@ void vtkTerrainMapper::DrawFaces(vtkRenderer* renderer, vtkActor* actor)
   settings.Coloring = static_cast<TerrainColoring>(this->TerrainColorMode);
   if (relevo::HasTable(settings.Coloring))
   {
-    settings.Table = this->GetLookupTable();
-    this->UpdateDefaultTable();
+    settings.Table = this->UpdateColorTable();
   }
   settings.ContourInterval = this->ContourInterval;
   settings.ContourWidth = this->ContourWidth;
@@ -664,7 +800,11 @@ vtkDataObject* vtkTerrainMapper::ReplaceInput(vtkDataObject* input)
 
 vtkMTimeType vtkTerrainMapper::GetMTime()
 {
-  const vtkMTimeType time = this->Superclass::GetMTime();
+  vtkMTimeType time = this->Superclass::GetMTime();
+  if (this->WaterLookupTable)
+  {
+    time = std::max(time, this->WaterLookupTable->GetMTime());
+  }
   return this->Pyramid ? std::max(time, this->Pyramid->GetMTime()) : time;
 }
 
@@ -681,6 +821,9 @@ void vtkTerrainMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetImageryBands(other->ImageryBands[0], other->ImageryBands[1], other->ImageryBands[2]);
     this->SetColorRasterFileName(other->ColorRasterFileName.c_str());
     this->SetTerrainColorMode(other->TerrainColorMode);
+    this->SetUseSeaLevel(other->UseSeaLevel);
+    this->SetSeaLevel(other->SeaLevel);
+    this->SetWaterLookupTable(other->WaterLookupTable);
     this->SetContourInterval(other->ContourInterval);
     this->SetContourWidth(other->ContourWidth);
     this->SetContourColor(other->ContourColor);
@@ -705,6 +848,9 @@ void vtkTerrainMapper::PrintSelf(ostream& os, vtkIndent indent)
      << this->ImageryBands[2] << "\n";
   os << indent << "ColorRasterFileName: "
      << (this->ColorRasterFileName.empty() ? "(none)" : this->ColorRasterFileName) << "\n";
+  os << indent << "UseSeaLevel: " << (this->UseSeaLevel ? "on" : "off") << "\n";
+  os << indent << "SeaLevel: " << this->SeaLevel << "\n";
+  os << indent << "WaterLookupTable: " << this->WaterLookupTable.Get() << "\n";
   os << indent << "ContourInterval: " << this->ContourInterval << "\n";
   os << indent << "ContourWidth: " << this->ContourWidth << "\n";
   os << indent << "ContourColor: " << this->ContourColor[0] << " " << this->ContourColor[1] << " "

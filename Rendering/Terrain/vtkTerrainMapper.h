@@ -204,6 +204,48 @@ public:
 
   //@{
   /**
+   * Set whether SetColorModeToElevation() shows water: heights up to SetSeaLevel() have the colours
+   * of GetWaterLookupTable(), and the lookup table colours the heights above. Default off. The
+   * default lookup table then has the colours of land on maps, from the sea level to the largest
+   * height.
+   */
+  vtkSetMacro(UseSeaLevel, bool);
+  vtkGetMacro(UseSeaLevel, bool);
+  vtkBooleanMacro(UseSeaLevel, bool);
+  //@}
+
+  //@{
+  /**
+   * Set the sea level in the unit of the raster's heights; finite, default 0. Another value is an
+   * error and changes nothing.
+   */
+  void SetSeaLevel(double height);
+  vtkGetMacro(SeaLevel, double);
+  //@}
+
+  //@{
+  /**
+   * Set the lookup table of water, whose own range is used. nullptr, the default, means a table of
+   * blues from the smallest height, which is dark, to the sea level.
+   */
+  void SetWaterLookupTable(vtkScalarsToColors* table);
+  vtkScalarsToColors* GetWaterLookupTable();
+  //@}
+
+  //@{
+  /**
+   * Return the lookup table and the title of a legend, for example a vtkScalarBarActor: the colours
+   * of the raster with water and land, or greys from 0 to 1 for a hillshade. The title names the
+   * unit, such as "Height [m]". The table follows later changes of the settings, except of the
+   * colour mode; then call this again. nullptr and "" for COLOR_SOLID and COLOR_BY_IMAGERY, and if
+   * there is no raster.
+   */
+  vtkScalarsToColors* GetLegendLookupTable();
+  std::string GetLegendTitle();
+  //@}
+
+  //@{
+  /**
    * Set the interval of contour lines in the unit of the raster's heights; at least 0. The default,
    * 0, draws none. A value out of range is an error and changes nothing.
    */
@@ -331,6 +373,9 @@ protected:
   std::string ImageryFileName;
   int ImageryBands[3] = { 0, 0, 0 };
   std::string ColorRasterFileName;
+  bool UseSeaLevel = false;
+  double SeaLevel = 0.0;
+  vtkSmartPointer<vtkScalarsToColors> WaterLookupTable;
   double ContourInterval = 0.0;
   double ContourWidth = 1.0;
   double ContourColor[3] = { 0.0, 0.0, 0.0 };
@@ -346,6 +391,11 @@ private:
   void OpenImagery();
   void SetColorFile(std::string& current, const char* name, int mode);
   void UpdateDefaultTable();
+  vtkScalarsToColors* UpdateColorTable();
+  bool HasWater() const
+  {
+    return this->UseSeaLevel && this->TerrainColorMode == COLOR_BY_ELEVATION;
+  }
   vtkDataObject* ReplaceInput(vtkDataObject* input);
   void SelectFaces(vtkRenderer* renderer, vtkActor* actor);
   void DrawFaces(vtkRenderer* renderer, vtkActor* actor);

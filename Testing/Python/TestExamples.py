@@ -146,6 +146,38 @@ class TestExamples(unittest.TestCase):
             numbers = re.fullmatch(r"3 points, (\d+) on the terrain\n", run.stdout)
             self.assertGreater(int(numbers[1]), 100)
 
+    def test_legend(self):
+        """The legend names the colours; the stored picture is that of real data."""
+        kept = SOURCE / "Examples/Python/legend.png"
+        self.assertIn("Examples/Python/legend.png", PAGES)
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            write_heights(folder / "heights.png", lambda i, j: max(0, (i - 10) * j // 10))
+            titles = {
+                "height": "Height",
+                "slope": "Slope [degrees]",
+                "aspect": "Aspect [degrees]",
+                "hillshade": "Hillshade",
+                "heights.png": "Value",
+            }
+            for colours, title in titles.items():
+                run = self.run_example("legend.py", folder, "heights.png", "out.png", colours)
+                self.assertEqual((run.returncode, run.stderr), (0, ""))
+                self.assertEqual(run.stdout, f"heights.png: {title}\n")
+                scalars = read_picture(folder / "out.png").GetPointData().GetScalars()
+                bar = {scalars.GetTuple(800 * y + 45)[:3] for y in range(170, 440, 9)}
+                self.assertGreater(len(bar), 15)
+            run = self.run_example("legend.py", folder, "heights.png", "out.png", "none.tif")
+            self.assertEqual(run.returncode, 1)
+            self.assertIn("cannot read 'none.tif'", run.stderr)
+            real = FLOW.parent / "relief/N57E011.hgt"
+            if not real.exists():
+                return
+            run = self.run_example("legend.py", folder, str(real), "out.png")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            self.assertEqual(run.stdout, "N57E011.hgt: Height [m]\n")
+            self.assert_kept(folder / "out.png", kept)
+
     def test_names(self):
         """File names with a hyphen need --. Control characters in messages are escaped."""
         with tempfile.TemporaryDirectory() as name:

@@ -61,18 +61,20 @@ class TestViewerTiles(ViewerProgram):
             ("--memory", ("15", "16.5", "x", "1e9")),
             ("--range", ("1", "2,1", "1,1", "1,2,3", "a")),
             ("--palette", ("", "Relief", "jet")),
+            ("--sea-level", ("", "x", "nan")),
             ("--flight", ("a.txt", "")),
         ):
             for value in values:
                 self.assert_error(2, [option, f"'{value}'"], self.heights, f"{option}={value}")
-        self.assert_error(2, ["cyclic, grey", "relief or viridis"], self.heights, "--palette=jet")
+        self.assert_error(2, ["cyclic, grey", "viridis or water"], self.heights, "--palette=jet")
         self.assert_error(2, ["aspect or hillshade", "'hue'"], self.heights, "--color-by=hue")
 
     def test_combinations(self):
         def refuses(words, *arguments):
             self.assert_error(2, words, self.heights, *arguments)
 
-        for tiled in ("--contours=5", "--memory=64", "--color-by=slope", "--color-by=hillshade"):
+        for tiled in ("--contours=5", "--memory=64", "--color-by=slope", "--color-by=hillshade",
+                      "--sea-level=0"):
             for option in ("--metric=field", "--level=2", "--resolution=8", "--no-data=fill",
                            "--stretch", "--export=a.vtp", "--error=0.005"):
                 refuses([re.split("[= ]", tiled)[0], re.split("[=]", option)[0], "cannot be"],
@@ -83,13 +85,15 @@ class TestViewerTiles(ViewerProgram):
             refuses([option.split("=")[0], "--color-by level"], option, "--color-by=level")
             refuses([option.split("=")[0], "--image"], option, "--image=a.tif")
         refuses(["--color-by height", "--image"], "--color-by=height", "--image=a.tif")
+        refuses(["--sea-level", "--image"], "--sea-level=0", "--image=a.tif")
+        refuses(["--sea-level", "--color-by height"], "--sea-level=0", "--color-by=slope")
         for name in ("a.png", "a%s.png", "%d/a.png", "a%d%d.png", "%%d.png", "a%12d.png"):
             refuses(["--flight requires --output", "%04d"], "--flight=a.csv", f"--output={name}")
         refuses(["--flight requires --output"], "--flight=a.csv")
         for option in ("--view=0,0", "--zoom=2", "--center=0,0", "--stats"):
             refuses([option.split("=")[0], "--flight"], "--flight=a.csv", "--output=%d.png", option)
         for option in ("--contours=5", "--memory=64", "--palette=grey", "--range=0,1",
-                       "--color-by=slope", "--color-by=height", "--flight=a.csv"):
+                       "--sea-level=0", "--color-by=slope", "--color-by=height", "--flight=a.csv"):
             self.assert_error(2, [re.split("[= ]", option)[0], "height map"], "flat.obj", option)
 
     def test_contours(self):
@@ -136,8 +140,28 @@ class TestViewerTiles(ViewerProgram):
         self.assertLess(shade.max() - shade.min(), 2)
         self.assertEqual(list(pixel("--color-by=height")), list(pixel()))
         colors = {tuple(pixel(f"--palette={palette}")) for palette in
-                  ("cool-warm", "cyclic", "grey", "heat", "magma", "rainbow", "relief", "viridis")}
-        self.assertEqual(len(colors), 8)
+                  ("cool-warm", "cyclic", "grey", "heat", "magma", "rainbow", "relief", "viridis",
+                   "water")}
+        self.assertEqual(len(colors), 9)
+
+    def test_sea_level(self):
+        """The lower part of a ramp is water, the upper part has the palette."""
+        def is_water(*arguments):
+            pixels = self.picture(self.ramp(), "--view=180,90", *arguments)[60, 30:130]
+            return pixels[:, 2] > pixels[:, 0] + 20
+
+        self.assertFalse(is_water().any())
+        share = is_water("--sea-level=250").mean()
+        self.assertTrue(0.1 < share < 0.4, share)
+        self.assertGreater(is_water("--sea-level=350").mean(), share + 0.2)
+        self.assertTrue(is_water("--sea-level=2000").all())
+        self.assertFalse(is_water("--sea-level=0").any())
+        # The first colour is that of the deepest water.
+        deep, shallow = (
+            self.picture(self.ramp(), "--view=180,90", "--sea-level=400", f"--range={low},500")
+            [60, 60] for low in (200, -5000)
+        )
+        self.assertGreater(shallow[1], deep[1] + 20)
 
     def test_ranges_of_meshes(self):
         """Palettes and ranges also colour a height map that is refined by levels."""

@@ -249,7 +249,7 @@ private:
     const Color color = options.Color;
     const bool isOfTerrain = color != Color::Own && !options.IsColoredByLevel();
     this->RequirePartner(
-      { "--contours", "--flight", "--globe", "--memory", "--palette", "--range" },
+      { "--contours", "--flight", "--globe", "--memory", "--palette", "--range", "--sea-level" },
       options.IsTerrain(), "a height map, and '" + options.Input + "' is none");
     if (!options.IsTerrain())
     {
@@ -261,6 +261,9 @@ private:
       return;
     }
     const std::vector<std::string> ofTable = { "--palette", "--range" };
+    this->RequirePartner(
+      { "--sea-level" }, color == Color::Own || color == Color::Height, "--color-by height");
+    this->Exclude({ "--sea-level" }, !options.Imagery.empty(), "a picture (--image)");
     this->Exclude(ofTable, color == Color::Hillshade, "--color-by hillshade");
     this->Exclude({ "--light" }, color == Color::Hillshade, "--color-by hillshade");
     this->Exclude(ofTable, options.IsColoredByLevel(), "--color-by level, pattern or metric");
@@ -317,7 +320,7 @@ private:
   std::string FindOptionOfTiles() const
   {
     using Color = ViewerOptions::ColorType;
-    for (const char* option : { "--contours", "--flight", "--globe", "--memory" })
+    for (const char* option : { "--contours", "--flight", "--globe", "--memory", "--sea-level" })
     {
       if (this->Given.count(option))
       {

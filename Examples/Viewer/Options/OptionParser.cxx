@@ -189,6 +189,9 @@ private:
       { "--resolution",
         [&](const auto& option, const auto& value)
         { options.Resolution = ToInteger(option, value, 1, LargestResolution); } },
+      { "--sea-level",
+        [&](const auto& option, const auto& value)
+        { options.SeaLevel = ToNumber(option, value); } },
     });
   }
 

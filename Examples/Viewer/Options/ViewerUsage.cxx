@@ -38,9 +38,10 @@ Height maps:
   --contours N           draw contour lines every N units of the heights
   --palette NAME         colours of heights (default relief), slopes (default heat) or aspects
                          (default cyclic): cool-warm, cyclic, grey, heat, magma, rainbow, relief,
-                         viridis
+                         viridis, water
   --range A,B            values that the first and the last colour stand for, A less than B (default:
                          all)
+  --sea-level H          colour heights up to H as water, and those above as land
   --memory MIB           largest memory of heights, pictures and textures, 16 to 1048576 (default 512).
                          Terrain beyond it has a larger error
   --globe                place the height map on its ellipsoid, in metres from the centre of the earth.

@@ -209,11 +209,10 @@ void PyramidScene::SetColours()
     this->Actor->GetProperty()->SetDiffuse(0.80);
     return;
   }
-  std::array<double, 2> range;
-  this->Pyramid->GetRange(range.data());
+  std::array<double, 2> range{};
   std::string title = "Height";
   std::string unit = GetHeightUnit(*this->Ground);
-  std::string palette = "relief";
+  std::string palette;
   switch (this->Options.Color)
   {
     case Type::Slope:
@@ -236,11 +235,13 @@ void PyramidScene::SetColours()
     default:
       this->Mapper->SetColorModeToElevation();
   }
-  const auto colours = MakePalette(this->Options.Palette.empty() ? palette : this->Options.Palette,
-    this->Options.Range.value_or(range));
+  const auto colours = palette.empty()
+    ? this->MakeColoursOfHeights()
+    : MakePalette(this->Options.Palette.empty() ? palette : this->Options.Palette,
+        this->Options.Range.value_or(range));
   colours->SetNanColor(0.75, 0.75, 0.75); // aspects of plains
   this->Mapper->SetLookupTable(colours);
-  this->AddLegend(colours, title, unit, 5);
+  this->AddLegend(this->Mapper->GetLegendLookupTable(), title, unit, 5);
   // Estimates are replaced once the index is complete.
   this->HasEstimates = title == "Height" && !this->Options.Range && !this->Pyramid->IsErrorKnown();
   this->Colours = colours;
@@ -256,11 +257,26 @@ void PyramidScene::UpdateColours()
   if (this->HasEstimates && this->Pyramid->IsErrorKnown())
   {
     this->HasEstimates = false;
-    std::array<double, 2> range;
-    this->Pyramid->GetRange(range.data());
-    this->Colours->ShallowCopy(
-      MakePalette(this->Options.Palette.empty() ? "relief" : this->Options.Palette, range));
+    this->Colours->ShallowCopy(this->MakeColoursOfHeights());
   }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkColorTransferFunction> PyramidScene::MakeColoursOfHeights()
+{
+  std::array<double, 2> range;
+  this->Pyramid->GetRange(range.data());
+  range = this->Options.Range.value_or(range);
+  if (this->Options.SeaLevel)
+  {
+    const double seaLevel = *this->Options.SeaLevel;
+    this->Mapper->UseSeaLevelOn();
+    this->Mapper->SetSeaLevel(seaLevel);
+    this->Mapper->SetWaterLookupTable(
+      MakePalette("water", { { std::min(range[0], seaLevel), seaLevel } }));
+    range = { { seaLevel, std::max(range[1], seaLevel) } };
+  }
+  return MakePalette(this->Options.Palette.empty() ? "relief" : this->Options.Palette, range);
 }
 
 //------------------------------------------------------------------------------

@@ -43,6 +43,8 @@ private:
   void WarnOfLocation();
   void SetColours();
   void UpdateColours();
+  /// Colours of heights above the sea level. Sets the water below it.
+  vtkSmartPointer<vtkColorTransferFunction> MakeColoursOfHeights();
   void SetCamera();
   /// Sets camera and lights around a place on the globe.
   void SetGlobeCamera();

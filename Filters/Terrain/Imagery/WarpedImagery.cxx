@@ -205,6 +205,10 @@ void WarpedImagery::DescribeNumbers(const ImageryPicture& picture)
   this->Scale = isDeclared ? scale : 1.0;
   const double offset = GDALGetRasterOffset(band, &isDeclared);
   this->Offset = isDeclared ? offset : 0.0;
+  // NetCDF's attribute is more readable than the name of a variable.
+  const char* name = GDALGetMetadataItem(band, "long_name", nullptr);
+  this->Name = name ? name : GDALGetDescription(band);
+  this->Unit = GDALGetRasterUnitType(band);
   double range[2] = { 0.0, 0.0 };
   GDALComputeRasterMinMax(band, true, range);
   this->Range = { { this->Scale * range[0] + this->Offset,

@@ -36,6 +36,8 @@ public:
 
   bool HasNumbers() const override { return this->Options.HasNumbers; }
   std::array<double, 2> GetRange() const override { return this->Range; }
+  std::string GetName() const override { return this->Name; }
+  std::string GetUnit() const override { return this->Unit; }
   int GetFinestLevel() const override { return this->FinestLevel; }
   bool Covers(int level, int column, int row) const override;
   bool Read(ImageryTile& tile, std::string& error) const override;
@@ -67,6 +69,8 @@ private:
   double Scale = 1.0;
   double Offset = 0.0;
   std::array<double, 2> Range = { { 0.0, 0.0 } };
+  std::string Name;
+  std::string Unit;
   int FinestLevel = 0;
   // The columns and rows of the raster that imagery may cover. Columns repeat after 360 degrees.
   std::vector<std::array<double, 2>> Columns;

@@ -25,6 +25,9 @@ public:
   virtual bool HasNumbers() const { return false; }
   /// The smallest and largest number, estimated from some of them.
   virtual std::array<double, 2> GetRange() const { return { { 0.0, 1.0 } }; }
+  /// The name and the unit of the numbers, or "".
+  virtual std::string GetName() const { return ""; }
+  virtual std::string GetUnit() const { return ""; }
 
   /// The finest level that shows more than the next coarser one.
   virtual int GetFinestLevel() const = 0;

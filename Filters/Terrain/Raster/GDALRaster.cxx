@@ -184,7 +184,8 @@ std::unique_ptr<GDALRaster> GDALRaster::Open(const std::string& fileName, std::s
   }
   contents.Scale = GDALGetRasterScale(band, nullptr);
   contents.Offset = GDALGetRasterOffset(band, nullptr);
-  contents.VerticalUnit = metresPerUnit(GDALGetRasterUnitType(band));
+  contents.UnitName = GDALGetRasterUnitType(band);
+  contents.VerticalUnit = metresPerUnit(contents.UnitName);
 
   double transform[6];
   contents.Location.SetSize(contents.Width, contents.Height);

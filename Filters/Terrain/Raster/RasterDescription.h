@@ -12,6 +12,7 @@
 #include "Geodesy/Georeference.h" // for members
 
 #include <optional> // for members
+#include <string>   // for members
 
 namespace relevo
 {
@@ -28,6 +29,7 @@ struct RasterDescription
   double Scale = 1.0; ///< height = Scale * sample + Offset
   double Offset = 0.0;
   double VerticalUnit = 1.0; ///< metres per unit of height
+  std::string UnitName;      ///< of heights, as the file declares it, or ""
   Georeference Location;
 };
 }
