@@ -28,15 +28,15 @@
  *
  * SetImageryFileName() drapes an image of any size, in any coordinate system, over the terrain.
  *
- * Lights, clipping planes, opacity, depth peeling, representations, edges, render passes,
- * replacements of shaders and hardware selection work as with vtkPolyDataMapper. A selection of
- * cells returns the numbers of faces of that frame.
+ * Lights, back faces, clipping planes, opacity, depth peeling, representations, edges, render
+ * passes, replacements of shaders and hardware selection work as with vtkPolyDataMapper. A
+ * selection of cells returns the numbers of faces of that frame, and one of points is empty.
  *
  * VTK's pickers find the terrain as it was drawn last. vtkWorldPointPicker and vtkPropPicker read
- * the depth of the pixel. vtkCellPicker and vtkPointPicker intersect the triangles in memory: their
- * data set has the triangles and the arrays of vtkTerrainMeshSource, and is built by the first pick
- * after each change of the triangles. WorldToGeographic() converts their positions to longitude,
- * latitude and height.
+ * the depth of the pixel. vtkAreaPicker and vtkRenderedAreaPicker find the actor. vtkCellPicker and
+ * vtkPointPicker intersect the triangles in memory: their data set has the triangles and the arrays
+ * of vtkTerrainMeshSource, and is built by the first pick after each change of the triangles.
+ * WorldToGeographic() converts their positions to longitude, latitude and height.
  *
  * Requires OpenGL 3.3. These are errors (ErrorEvent of this object, once): no pyramid, a pyramid
  * that cannot be opened, a raster with one row or column, a coordinate system that is not

@@ -5,13 +5,21 @@
 #include "RelevoPyramidScene.h"
 #include "RelevoRasterFiles.h"
 
+#include "vtkAreaPicker.h"
 #include "vtkCellPicker.h"
+#include "vtkDataObject.h"
+#include "vtkHardwareSelector.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPointPicker.h"
 #include "vtkPropPicker.h"
+#include "vtkRenderedAreaPicker.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
 #include "vtkTerrainMapper.h"
 #include "vtkTerrainMeshSource.h"
 #include "vtkTerrainPyramid.h"
@@ -227,6 +235,73 @@ void TestOthers(RelevoCheck& check, const std::string& file)
   CHECK(picker->Pick(160.0, 60.0, 0.0, scene.Renderer));
   CHECK(errors.Said("SetPyramid()"));
 }
+
+// Rectangles select the actor by its bounds, by what is seen, and by the pixels of a hardware
+// selection.
+void TestAreas(RelevoCheck& check, const std::string& file)
+{
+  PickScene scene(file);
+  vtkNew<vtkAreaPicker> bounds;
+  vtkNew<vtkRenderedAreaPicker> rendered;
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  struct Area
+  {
+    unsigned int Left;
+    unsigned int Bottom;
+    unsigned int Right;
+    unsigned int Top;
+    bool HasTerrain;
+  };
+  for (const Area& area :
+    { Area{ 0, 0, Width - 1, Height - 1, true }, Area{ 150, 50, 170, 70, true },
+      Area{ 160, 60, 160, 60, true }, Area{ 0, Height - 4, 20, Height - 1, false } })
+  {
+    CHECK_CASE(std::to_string(area.Left) + " " + std::to_string(area.Bottom));
+    CHECK_EQUAL(bounds->AreaPick(
+                  area.Left, area.Bottom, area.Right + 1.0, area.Top + 1.0, scene.Renderer) != 0,
+      area.HasTerrain);
+    CHECK_EQUAL(
+      rendered->AreaPick(area.Left, area.Bottom, area.Right, area.Top, scene.Renderer) != 0,
+      area.HasTerrain);
+    if (area.HasTerrain)
+    {
+      CHECK_EQUAL(bounds->GetActor(), scene.Actor);
+      CHECK_EQUAL(rendered->GetActor(), scene.Actor);
+      CHECK_EQUAL(rendered->GetMapper(), scene.Mapper);
+    }
+    selector->SetArea(area.Left, area.Bottom, area.Right, area.Top);
+    vtkIdType last = -1;
+    for (const int association :
+      { vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataObject::FIELD_ASSOCIATION_POINTS })
+    {
+      CHECK_CASE(association);
+      selector->SetFieldAssociation(association);
+      const auto selection = vtk::TakeSmartPointer(selector->Select());
+      const bool isCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+      CHECK_EQUAL(selection->GetNumberOfNodes() > 0, area.HasTerrain && isCells);
+      if (selection->GetNumberOfNodes() == 0)
+      {
+        continue;
+      }
+      vtkSelectionNode* node = selection->GetNode(0);
+      CHECK_EQUAL(node->GetProperties()->Get(vtkSelectionNode::PROP()), scene.Actor);
+      auto* faces = vtkArrayDownCast<vtkIdTypeArray>(node->GetSelectionList());
+      for (vtkIdType i = 0; faces && i < faces->GetNumberOfTuples(); ++i)
+      {
+        CHECK_GREATER(faces->GetValue(i), last);
+        CHECK_LESS(faces->GetValue(i), scene.Mapper->GetNumberOfDrawnTriangles() / 64);
+        last = faces->GetValue(i);
+      }
+      CHECK_GREATER(last, -1);
+    }
+  }
+  // An actor that is not pickable is not found.
+  scene.Actor->PickableOff();
+  CHECK(!rendered->AreaPick(150.0, 50.0, 170.0, 70.0, scene.Renderer));
+  scene.Actor->PickableOn();
+  CHECK(rendered->AreaPick(150.0, 50.0, 170.0, 70.0, scene.Renderer));
+}
 }
 
 int TestTerrainMapperPicks(int argc, char* argv[])
@@ -241,5 +316,6 @@ int TestTerrainMapperPicks(int argc, char* argv[])
   TestPositions(check, file);
   TestViews(check, file);
   TestOthers(check, file);
+  TestAreas(check, file);
   return check.GetResult();
 }

@@ -212,6 +212,30 @@ void TestOrientation(RelevoCheck& check)
   }
 }
 
+// Normals point to the viewer below the terrain, too, and the property of back faces is used there.
+void TestUndersides(RelevoCheck& check, RelevoComparison& comparison)
+{
+  RelevoTerrainScene scene;
+  LookAtHills(scene);
+  scene.Look({ { -80.0, 600.0, -120.0 } }, { { 250.0, 250.0, 0.0 } });
+  Compare(check, comparison, "Underside", scene);
+  scene.GetProperty()->SetInterpolationToGouraud();
+  const RelevoPicture smooth = scene.Draw();
+  smooth.Save(comparison.GetFolder() + "/TerrainPainter.SmoothUnderside.png");
+  std::size_t lit = 0;
+  for (std::size_t i = 0; i < smooth.GetNumberOfPixels(); ++i)
+  {
+    lit += smooth.Depths[i] < 1.0f && smooth.Colors[3 * i] > 40 ? 1 : 0;
+  }
+  CHECK_GREATER(lit, 0.8 * static_cast<double>(smooth.CountForeground()));
+  scene.GetProperty()->SetInterpolationToFlat();
+  vtkNew<vtkProperty> back;
+  back->SetColor(0.2, 0.9, 0.1);
+  back->SetInterpolationToFlat();
+  scene.Actor->SetBackfaceProperty(back);
+  Compare(check, comparison, "BackfaceProperty", scene);
+}
+
 // Large coordinates keep their accuracy.
 void TestFarAway(RelevoComparison& comparison)
 {
@@ -351,6 +375,7 @@ int TestTerrainPainter(int argc, char* argv[])
   TestClipping(check, comparison);
   TestBorders(check);
   TestOrientation(check);
+  TestUndersides(check, comparison);
   TestFarAway(comparison);
   TestRenderers(comparison);
   TestSelection(check);
