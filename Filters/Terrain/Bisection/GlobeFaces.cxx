@@ -20,16 +20,18 @@ constexpr int GlobeSegments = TerrainFace::Segments;
 constexpr std::size_t CacheFactor = 2;
 constexpr std::size_t SmallestCache = 1024; // faces
 
-// Apex coordinates are below 2^26 in units of the finest lattice, and steps have 16 combinations.
+// Apex coordinates are below 2^31 in units of the finest lattice, and steps have 16 combinations.
+// The apex belongs to one level only: in units of a pattern, its column or its row is odd.
 std::uint64_t GetFaceKey(const TerrainFace& face)
 {
   const int level = face.Level - BlockErrors::FinestLevel;
+  const auto getUnits = [&](int axis)
+  { return static_cast<std::uint64_t>((face.Apex[axis] / GlobeSegments) << level); };
   const auto direction = static_cast<std::uint64_t>(3 * (face.Step1[1] + 1) + face.Step1[0] + 1);
   std::uint64_t key = face.IsPositive() ? 1u : 0u;
   key = key << 4 | direction;
-  key = key << 5 | static_cast<std::uint64_t>(level);
-  key = key << 27 | static_cast<std::uint64_t>(face.Apex[0] << level);
-  return key << 27 | static_cast<std::uint64_t>(face.Apex[1] << level);
+  key = key << 28 | getUnits(0);
+  return key << 28 | getUnits(1);
 }
 
 void LocateFace(const GlobeShape& shape, const TerrainFace& face, GlobeFaces::Vertices& vertices)

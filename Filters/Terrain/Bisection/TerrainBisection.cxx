@@ -28,6 +28,10 @@ constexpr int GetTileShift(int level)
 static_assert(BlockErrors::CellsPerBlock == 1 << 3 && HeightTile::CellsPerTile == 1 << 8,
   "shifts and sizes must agree");
 
+// Blocks up to this level are at most one sample wide, so that the ring around the cells of a tile
+// contains their neighbours.
+constexpr int SampleLevel = -3;
+
 constexpr double InfiniteError = std::numeric_limits<double>::infinity();
 
 // A bisection begins at this fraction of the tolerance, and is complete at the tolerance.
@@ -47,6 +51,37 @@ double GetVisibleError(float visibility, double tolerance)
 float MixHeights(float a, float b, float t)
 {
   return std::isnan(a) || t >= 1.0f ? b : a + t * (b - a);
+}
+
+// The range of the bilinear surface of a tile of level 0 in a region; empty without data.
+std::array<double, 2> FindHeights(const HeightTile& tile, const TerrainBox& region)
+{
+  const int first[2] = { tile.Column * HeightTile::CellsPerTile,
+    tile.Row * HeightTile::CellsPerTile };
+  std::array<double, 2> range = { { InfiniteError, -InfiniteError } };
+  for (int row = static_cast<int>(std::floor(region.Rows[0])); row < region.Rows[1]; ++row)
+  {
+    for (int column = static_cast<int>(std::floor(region.Columns[0])); column < region.Columns[1];
+         ++column)
+    {
+      const auto get = [&](int i, int j) -> double
+      { return tile.GetHeight(column - first[0] + i, row - first[1] + j); };
+      const double cell[2][2] = { { get(0, 0), get(1, 0) }, { get(0, 1), get(1, 1) } };
+      // The surface of a part of a cell is between the heights of its corners.
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        const double u = std::clamp(region.Columns[corner % 2] - column, 0.0, 1.0);
+        const double v = std::clamp(region.Rows[corner / 2] - row, 0.0, 1.0);
+        const double top = cell[0][0] + u * (cell[0][1] - cell[0][0]);
+        const double bottom = cell[1][0] + u * (cell[1][1] - cell[1][0]);
+        const double height = top + v * (bottom - top);
+        // Comparisons with NaN are false.
+        range[0] = height < range[0] ? height : range[0];
+        range[1] = height > range[1] ? height : range[1];
+      }
+    }
+  }
+  return range;
 }
 
 std::uint64_t GetKey(int level, std::int64_t column, std::int64_t row)
@@ -94,19 +129,24 @@ TerrainBox TerrainBisection::GetRegion(
   return box;
 }
 
-// The region contains all blocks whose bisection needs that of this one.
-double TerrainBisection::ProjectSquare(const Block& block) const
+// The region contains all blocks whose bisection needs that of this one. The tile of a fine block
+// must be in memory.
+double TerrainBisection::ProjectSquare(const Block& block)
 {
   const auto column = static_cast<double>(block.Column);
   const auto row = static_cast<double>(block.Row);
-  const TerrainBox region =
+  TerrainBox region =
     this->GetRegion(block.Level, { { column - 1.0, column + 2.0 } }, { { row - 1.0, row + 2.0 } });
+  if (block.Level <= SampleLevel)
+  {
+    region.Heights = FindHeights(this->GetTile(0, block), region);
+  }
   const double error = this->Errors.GetSquareError(
     block.Level, static_cast<int>(block.Column), static_cast<int>(block.Row));
   return this->View->Project(error + this->View->GetShapeError(block.Level, true, region), region);
 }
 
-double TerrainBisection::ProjectEdge(const Block& block, int side) const
+double TerrainBisection::ProjectEdge(const Block& block, int side)
 {
   const Block other = { block.Level, block.Column + SideSteps[side][0],
     block.Row + SideSteps[side][1] };
@@ -122,8 +162,12 @@ double TerrainBisection::ProjectEdge(const Block& block, int side) const
   }
   const double column = static_cast<double>(block.Column) + 0.5 * (1 + SideSteps[side][0]);
   const double row = static_cast<double>(block.Row) + 0.5 * (1 + SideSteps[side][1]);
-  const TerrainBox region =
+  TerrainBox region =
     this->GetRegion(block.Level, { { column - 1.0, column + 1.0 } }, { { row - 1.0, row + 1.0 } });
+  if (block.Level <= SampleLevel)
+  {
+    region.Heights = FindHeights(this->GetTile(0, this->Exists(block) ? block : other), region);
+  }
   return this->View->Project(error + this->View->GetShapeError(block.Level, false, region), region);
 }
 
@@ -174,7 +218,9 @@ double TerrainBisection::LimitSquare(const Block& block)
   {
     return known->second;
   }
-  double error = this->ProjectSquare(block);
+  // The regions of fine blocks need the tile, which is in memory if the parent is bisected.
+  const bool isFine = block.Level <= SampleLevel;
+  double error = isFine ? InfiniteError : this->ProjectSquare(block);
   if (this->Ramp(error) > 0.0f)
   {
     // Its two triangles must exist. Each comes from the bisection at a side of the parent.
@@ -182,8 +228,10 @@ double TerrainBisection::LimitSquare(const Block& block)
     const double sides = std::min(this->LimitEdge(parent, (block.Column & 1) != 0 ? 1 : 3),
       this->LimitEdge(parent, (block.Row & 1) != 0 ? 2 : 0));
     float visibility = 0.0f;
-    const bool isReady = this->Ramp(sides) > 0.0f &&
-      this->FindTile(block.Level - 1, block, error, visibility) != nullptr;
+    const bool isParentBisected = this->Ramp(sides) > 0.0f;
+    error = isFine && isParentBisected ? this->ProjectSquare(block) : error;
+    const bool isReady =
+      isParentBisected && this->FindTile(block.Level - 1, block, error, visibility) != nullptr;
     error = isReady
       ? std::min({ error, FirstShare * sides, GetVisibleError(visibility, this->Tolerance) })
       : 0.0;
@@ -204,7 +252,10 @@ double TerrainBisection::LimitEdge(const Block& block, int side)
   {
     return known->second;
   }
-  double error = block.Level - 1 <= FinestLevel ? 0.0 : this->ProjectEdge(block, side);
+  const bool isFine = block.Level <= SampleLevel;
+  double error = block.Level - 1 <= FinestLevel ? 0.0
+    : isFine                                    ? InfiniteError
+                                                : this->ProjectEdge(block, side);
   const Block other = { block.Level, block.Column + SideSteps[side][0],
     block.Row + SideSteps[side][1] };
   for (const Block& candidate : { block, other })
@@ -213,6 +264,10 @@ double TerrainBisection::LimitEdge(const Block& block, int side)
     {
       error = std::min(error, FirstShare * this->LimitSquare(candidate));
     }
+  }
+  if (isFine && this->Ramp(error) > 0.0f)
+  {
+    error = std::min(error, this->ProjectEdge(block, side));
   }
   this->EdgeErrors.emplace(key, error);
   return error;

@@ -75,8 +75,8 @@ private:
   bool Exists(const Block& block) const;
   TerrainBox GetRegion(
     int level, const std::array<double, 2>& columns, const std::array<double, 2>& rows) const;
-  double ProjectSquare(const Block& block) const;
-  double ProjectEdge(const Block& block, int side) const;
+  double ProjectSquare(const Block& block);
+  double ProjectEdge(const Block& block, int side);
   float Ramp(double error) const;
   double LimitSquare(const Block& block);
   double LimitEdge(const Block& block, int side);

@@ -49,8 +49,12 @@ public:
   /// At least 2^(1/8) FaceShareOfLevel0.
   static constexpr float NeighborShareOfLevel0 = 0.32420988f; // 2^(-13/8)
   static constexpr int StepsToNeighborOfLevel0 = -13;
-  /// The finest level of blocks: below the resolution of the raster.
-  static constexpr int FinestLevel = -5;
+  /**
+   * The finest level of blocks: below the resolution of the raster. There, faces differ from a
+   * bilinear cell by 2^-18 of the error at level 0, which is as small as the rounding errors of
+   * heights. Vertices of this level are integers of 32 bits.
+   */
+  static constexpr int FinestLevel = -9;
 
   /// The level at which one block covers a raster.
   static int GetRootLevel(int columns, int rows);

@@ -4,7 +4,8 @@
 uniform sampler2DArray relevoTiles; // tiles of heights, each with a ring of one more vertex around
 
 // Powers of 2, because OpenGL rounds divisions differently.
-const float relevoFractions[6] = float[](1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125);
+const float relevoFractions[10] = float[](
+  1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 0.00390625, 0.001953125);
 
 float relevoMix(float a, float b, float t)
 {

@@ -478,6 +478,39 @@ void TestViews(RelevoCheck& check, Terrain& terrain, RelevoDice& dice)
   CHECK(terrain.RootLevel <= 2 || finest < 0);
 }
 
+// Close to the ground, cells of the raster are bisected until their error is within the tolerance.
+void TestNear(RelevoCheck& check, Terrain& terrain, RelevoDice& dice)
+{
+  int finest = 0;
+  for (int i = 0; i < 6; ++i)
+  {
+    CHECK_CASE(i);
+    TerrainView view;
+    TerrainPlacement placement = MakePlacement(dice);
+    placement.HeightScale *= 10.0;
+    view.SetPlacement(placement);
+    const double column = std::floor((terrain.Columns - 1) * dice.Share());
+    const double row = std::floor((terrain.Rows - 1) * dice.Share());
+    const auto x = static_cast<int>(column);
+    const auto y = static_cast<int>(row);
+    constexpr int size = HeightTile::CellsPerTile;
+    const double ground =
+      terrain.Tiles.GetTile(0, x / size, y / size).GetHeight(x % size, y % size);
+    const double above = std::exp2(1.0 - 4.0 * dice.Share());
+    view.SetPerspective(placement.ToWorld(column, row, ground + above), 1000.0, 0.01);
+    terrain.Bisection.Select(view, 1.0, terrain.Tiles);
+    CheckCovering(check, terrain);
+    CheckHeights(check, terrain);
+    CHECK_LESS_EQUAL(terrain.Bisection.GetError(), 1.0);
+    for (const TerrainFace& face : terrain.Bisection.GetFaces())
+    {
+      finest = std::min(finest, face.Level);
+    }
+    CHECK_LESS(terrain.Bisection.GetFaces().size(), 60000u);
+  }
+  CHECK_LESS(finest, -6);
+}
+
 // Missing tiles and those that are not fully visible leave a conforming surface. So do heights
 // without data.
 void TestTiles(RelevoCheck& check, Terrain& terrain, RelevoDice& dice)
@@ -800,6 +833,7 @@ int TestTerrainBisection(int, char*[])
     TestViews(check, terrain, dice);
     if (size[0] > 500)
     {
+      TestNear(check, terrain, dice);
       TestTiles(check, terrain, dice);
       TestFrustum(check, terrain, dice);
       TestMoves(check, terrain, dice);
