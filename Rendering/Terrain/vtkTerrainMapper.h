@@ -10,9 +10,9 @@
  * change smoothly (geomorphing). Faces of different sizes share their edges to the bit, so that
  * there are no cracks. Triangles outside of the view are neither drawn nor loaded.
  *
- * Normals, slope and aspect are computed for each pixel, from the overview whose samples are about
- * as large as the pixel (a mipmap), with the formula of B. K. P. Horn, "Hill shading and the
- * reflectance map", Proceedings of the IEEE 69(1), 1981.
+ * Colours by height, contour lines, normals, slope and aspect are computed for each pixel, from the
+ * overview whose samples are about as large as the pixel (a mipmap). Slopes have the formula of
+ * B. K. P. Horn, "Hill shading and the reflectance map", Proceedings of the IEEE 69(1), 1981.
  *
  * Tiles of the raster are read in the background. A frame draws the best tiles that are in memory
  * and does not wait for others. Render() invokes vtkCommand::UpdateEvent if another frame would

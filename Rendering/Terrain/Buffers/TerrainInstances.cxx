@@ -117,10 +117,15 @@ std::string TerrainInstances::UploadTiles(vtkOpenGLRenderWindow* window,
   std::sort(heights.begin(), heights.end());
   heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
   // Every fragment finds a gradient: at least that of its face.
+  const std::size_t tilesOfFaces = heights.size();
   tiles[1] = heights;
   for (const MipmapTiles::Item& item : shading)
   {
     tiles[item.Tile->GetKind() == TerrainTile::Kind::Heights ? 1 : 2].push_back(item.Tile);
+  }
+  if (this->HasHeights)
+  {
+    tiles[0] = tiles[1]; // fits, because the gradients do
   }
   if (!this->UploadTextures(window, tiles))
   {
@@ -131,15 +136,21 @@ std::string TerrainInstances::UploadTiles(vtkOpenGLRenderWindow* window,
   for (const MipmapTiles::Item& item : shading)
   {
     this->Table.Add(item,
-      (item.Tile->GetKind() == TerrainTile::Kind::Heights ? this->Gradients : this->Imagery)
-        .GetLayer(*item.Tile));
+      item.Tile->GetKind() == TerrainTile::Kind::Heights ? this->GetLayers(*item.Tile)
+                                                         : this->Imagery.GetLayer(*item.Tile));
   }
-  for (const TerrainTile* tile : heights)
+  for (std::size_t i = 0; i < tilesOfFaces; ++i)
   {
-    this->Table.Add({ tile, 1.0f }, this->Gradients.GetLayer(*tile));
+    this->Table.Add({ tiles[1][i], 1.0f }, this->GetLayers(*tiles[1][i]));
   }
   return this->Table.Upload(window) ? ""
                                     : "The graphics memory does not suffice for a table of tiles.";
+}
+
+// Return the layer of the gradients and, if fragments need it, that of the heights.
+int TerrainInstances::GetLayers(const TerrainTile& tile) const
+{
+  return this->Gradients.GetLayer(tile) | (this->HasHeights ? this->Tiles.GetLayer(tile) << 16 : 0);
 }
 
 void TerrainInstances::ForgetTiles()

@@ -62,6 +62,8 @@ public:
   const std::vector<unsigned int>& GetOrder() const { return this->Ids; }
   int GetNumberOfFaces() const { return this->Groups[0].Count + this->Groups[1].Count; }
 
+  /// Set whether fragments need heights of the tiles for shading.
+  void SetHasHeights(bool hasHeights) { this->HasHeights = hasHeights; }
   /// Set whether imagery has colours or numbers.
   void SetImageryContent(TerrainTileTextures::Content content)
   {
@@ -79,6 +81,7 @@ private:
   using TileList = std::vector<const TerrainTile*>;
 
   bool UploadTextures(vtkOpenGLRenderWindow* window, const std::array<TileList, 3>& tiles);
+  int GetLayers(const TerrainTile& tile) const;
   std::string UploadTiles(vtkOpenGLRenderWindow* window, const std::vector<TerrainFace>& faces,
     const std::vector<MipmapTiles::Item>& shading);
 
@@ -88,7 +91,8 @@ private:
   std::array<int, 3> MaximumNumbers = { { 0, 0, 0 } }; // of tiles of these textures
   vtkTypeInt64 MemoryLimit = vtkTypeInt64(1) << 28;
   bool IsImageryUsed = false;
-  TerrainTileTable Table; // of gradients and imagery
+  bool HasHeights = false;
+  TerrainTileTable Table; // of gradients, heights and imagery
   Group Groups[2];
   std::vector<unsigned int> Integers; // 4 per face
   std::vector<float> Floats;          // 4 per face

@@ -82,7 +82,7 @@ void TerrainTileTable::Activate(vtkShaderProgram* program)
       program->SetUniform2i(name, this->Levels[static_cast<int>(kind)].data());
     }
   };
-  setLevels("relevoGradientLevels", TerrainTile::Kind::Heights);
+  setLevels("relevoHeightLevels", TerrainTile::Kind::Heights);
   setLevels("relevoImageryLevels", TerrainTile::Kind::Imagery);
 }
 

@@ -110,6 +110,7 @@ std::string TerrainPainter::Prepare(vtkRenderer* renderer, vtkActor* actor,
   this->Instances.SetImageryContent(settings.Coloring == TerrainColoring::RASTER
       ? TerrainTileTextures::Content::NUMBERS
       : TerrainTileTextures::Content::IMAGERY);
+  this->Instances.SetHasHeights(HasHeights(settings.Coloring, settings.ContourInterval > 0.0));
   const std::string error = this->Instances.Upload(window, faces, shading);
   if (!error.empty())
   {

@@ -11,6 +11,7 @@
 #include "relevoTerrainFaceVS.h"
 #include "relevoTerrainGlobeVS.h"
 #include "relevoTerrainGradientFS.h"
+#include "relevoTerrainHeightFS.h"
 #include "relevoTerrainHeightsVS.h"
 #include "relevoTerrainImageryFS.h"
 #include "relevoTerrainTilesFS.h"
@@ -25,11 +26,6 @@ namespace
 {
 constexpr int TileShift = 8;
 static_assert(HeightTile::CellsPerTile == 1 << TileShift, "the shift must match the tiles");
-
-bool HasHeights(const TerrainShaderOptions& options)
-{
-  return options.Coloring == TerrainColoring::ELEVATION || options.HasContours;
-}
 
 bool HasGradients(const TerrainShaderOptions& options)
 {
@@ -52,7 +48,7 @@ std::string GetDefines(const TerrainShaderOptions& options)
     }
   };
   define(options.IsGlobe, "RELEVO_GLOBE");
-  define(HasHeights(options), "RELEVO_HEIGHTS");
+  define(HasHeights(options.Coloring, options.HasContours), "RELEVO_HEIGHTS");
   define(options.HasCells, "RELEVO_CELLS");
   define(options.HasContours, "RELEVO_CONTOURS");
   define(options.Coloring == TerrainColoring::ELEVATION, "RELEVO_ELEVATION");
@@ -68,7 +64,7 @@ std::vector<ShaderVarying> GetVaryings(const TerrainShaderOptions& options)
 {
   std::vector<ShaderVarying> varyings = { { "", "vec2", "relevoRaster" },
     { "", "float", "relevoMissing" } };
-  if (HasHeights(options))
+  if (HasHeights(options.Coloring, options.HasContours))
   {
     varyings.push_back({ "", "float", "relevoHeight" });
   }
@@ -89,6 +85,11 @@ bool HasTable(TerrainColoring coloring)
 {
   return coloring == TerrainColoring::ELEVATION || coloring == TerrainColoring::SLOPE ||
     coloring == TerrainColoring::ASPECT || coloring == TerrainColoring::RASTER;
+}
+
+bool HasHeights(TerrainColoring coloring, bool hasContours)
+{
+  return coloring == TerrainColoring::ELEVATION || hasContours;
 }
 
 bool HasImagery(TerrainColoring coloring)
@@ -163,15 +164,17 @@ void FinishTerrainShaders(const TerrainShaderOptions& options,
   const bool hasMatrix = fragment.Has("uniform mat3 normalMatrix;");
   const bool hasGradient = isShaded || HasGradients(options);
   const bool hasImagery = HasImagery(options.Coloring);
-  fragment.InsertAtStart(std::string(options.HasContours ? "  relevoMeasureContours();\n" : "") +
-    (hasGradient || hasImagery ? "  relevoMeasureFootprint();\n" : "") +
+  const bool hasHeight = HasHeights(options.Coloring, options.HasContours);
+  const bool hasTiles = hasGradient || hasImagery || hasHeight;
+  fragment.InsertAtStart(std::string(hasTiles ? "  relevoMeasureFootprint();\n" : "") +
+    (hasHeight ? "  relevoFindHeight();\n" : "") +
+    (options.HasContours ? "  relevoMeasureContours();\n" : "") +
     "  if (relevoIsOutside()) discard;\n" + (hasGradient ? "  relevoFindGradient();\n" : "") +
     (hasFacing ? "  relevoFindFacing();\n" : ""));
   fragment.InsertBeforeMain(DeclareVaryings("in", varyings) +
-    (HasTable(options.Coloring) ? relevoColorTable : "") +
-    (hasGradient || hasImagery ? relevoTerrainTilesFS : "") +
-    (hasGradient ? relevoTerrainGradientFS : "") + (hasImagery ? relevoTerrainImageryFS : "") +
-    relevoTerrainFS);
+    (HasTable(options.Coloring) ? relevoColorTable : "") + (hasTiles ? relevoTerrainTilesFS : "") +
+    (hasHeight ? relevoTerrainHeightFS : "") + (hasGradient ? relevoTerrainGradientFS : "") +
+    (hasImagery ? relevoTerrainImageryFS : "") + relevoTerrainFS);
   fragment.InsertAfterVersion(GetDefines(options) + (isShaded ? "#define RELEVO_NORMALS\n" : "") +
     (hasMatrix ? "#define RELEVO_NORMAL_MATRIX\n" : "") +
     (hasParallel ? "#define RELEVO_CAMERA_PARALLEL\n" : ""));

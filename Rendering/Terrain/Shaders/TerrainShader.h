@@ -31,6 +31,8 @@ enum class TerrainColoring
 
 /// Return whether a lookup table maps numbers to colours.
 bool HasTable(TerrainColoring coloring);
+/// Return whether fragments need heights from tiles.
+bool HasHeights(TerrainColoring coloring, bool hasContours);
 /// Return whether the colours need tiles of imagery.
 bool HasImagery(TerrainColoring coloring);
 

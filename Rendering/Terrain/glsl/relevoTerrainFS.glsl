@@ -1,5 +1,5 @@
-// Fragments of a terrain: its borders, colours by height and slope, and contour lines. Slopes need
-// relevoTerrainGradientFS.glsl.
+// Fragments of a terrain: its borders, colours by height and slope, and contour lines. Heights need
+// relevoTerrainHeightFS.glsl, and slopes relevoTerrainGradientFS.glsl.
 
 uniform vec2 relevoLastSample; // as relevoRaster
 
@@ -13,7 +13,7 @@ bool relevoIsOutside()
 #ifdef RELEVO_ELEVATION
 vec4 relevoTerrainColor()
 {
-  return relevoTableColor(relevoHeightVSOutput);
+  return relevoTableColor(relevoFragmentHeight);
 }
 #endif
 
@@ -67,13 +67,13 @@ vec2 relevoHeightChange = vec2(0.0); // per pixel, to the right and up
 // This must run at the start of main(), for all pixels, because it uses derivatives.
 void relevoMeasureContours()
 {
-  relevoHeightChange = vec2(dFdx(relevoHeightVSOutput), dFdy(relevoHeightVSOutput));
+  relevoHeightChange = vec2(dFdx(relevoFragmentHeight), dFdy(relevoFragmentHeight));
 }
 
 // Return the fraction of the pixel that the nearest contour line covers.
 float relevoContourCoverage()
 {
-  float intervals = relevoHeightVSOutput / relevoContours.x;
+  float intervals = relevoFragmentHeight / relevoContours.x;
   float beside = abs(intervals - floor(intervals + 0.5)) * relevoContours.x;
   float change = length(relevoHeightChange);
   float pixels = change > 0.0 ? beside / change : 1e30;

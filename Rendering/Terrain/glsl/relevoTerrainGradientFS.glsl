@@ -9,7 +9,6 @@ uniform float relevoPole;     // cosine of the latitude one sample away from a p
 uniform vec4 relevoGradients; // world derivatives of the derivatives by column and by row
 #endif
 uniform sampler2DArray relevoTileGradients;
-uniform ivec2 relevoGradientLevels; // the finest and the coarsest one
 
 // The result: heights per world unit, without exaggeration; on a globe to the east and the north.
 vec2 relevoGradient = vec2(0.0);
@@ -21,8 +20,8 @@ void relevoFindGradient()
     log2(max(abs(relevoRight.x * relevoUp.y - relevoRight.y * relevoUp.x), 1e-30));
   vec2 gradient = vec2(0.0); // by column and row
   float rest = 1.0;          // the weight of coarser levels
-  int level = clamp(int(floor(detail)), 0, relevoGradientLevels.y);
-  while (level <= relevoGradientLevels.y && rest > 0.0)
+  int level = clamp(int(floor(detail)), 0, relevoHeightLevels.y);
+  while (level <= relevoHeightLevels.y && rest > 0.0)
   {
     vec2 vertex;
     ivec2 tile = relevoLocate(level, relevoRasterVSOutput, vertex);
@@ -32,7 +31,7 @@ void relevoFindGradient()
     {
       vec2 found = textureLod(relevoTileGradients, relevoLayerPoint(vertex, layer), 0.0).rg;
       float weight = rest * visibility * clamp(float(level + 1) - detail, 0.0, 1.0);
-      weight = level == relevoGradientLevels.y ? rest : weight;
+      weight = level == relevoHeightLevels.y ? rest : weight;
       gradient += weight * found / float(1 << level);
       rest -= weight;
     }
@@ -42,7 +41,7 @@ void relevoFindGradient()
   // There is no east at the poles. Differences by column do not vanish there, because they are linear
   // in the cell at the pole.
   float cosine = length(relevoUpVSOutput.xy) / length(relevoUpVSOutput);
-  float cell = relevoPole * exp2(clamp(detail, 0.0, float(relevoGradientLevels.y)));
+  float cell = relevoPole * exp2(clamp(detail, 0.0, float(relevoHeightLevels.y)));
   relevoGradient = relevoUnit *
     vec2(dot(gradient, relevoDerivativesVSOutput.xy) / max(cosine, cell),
       dot(gradient, relevoDerivativesVSOutput.zw));

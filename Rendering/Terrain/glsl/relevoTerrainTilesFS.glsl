@@ -3,6 +3,7 @@
 uniform ivec2 relevoOrigin; // units of the finest lattice
 uniform usamplerBuffer relevoTileTable; // a hash table: key, layer and visibility
 uniform int relevoTableBits;
+uniform ivec2 relevoHeightLevels; // the finest and the coarsest one
 
 const int RelevoImagery = 0; // kinds of tiles
 const int RelevoHeights = 1;
@@ -33,6 +34,8 @@ ivec2 relevoLocate(int level, vec2 raster, out vec2 vertex)
   return first + ivec2(tile);
 }
 
+int relevoHeightLayer; // of the heights of the tile that was found last
+
 // Return the layer of a tile, or -1.
 int relevoFindTile(int kind, int level, ivec2 tile, out float visibility)
 {
@@ -47,7 +50,8 @@ int relevoFindTile(int kind, int level, ivec2 tile, out float visibility)
     found = texelFetch(relevoTileTable, entry);
   }
   visibility = float(found.w) / 65535.0;
-  return found.xy == key ? int(found.z) : -1;
+  relevoHeightLayer = int(found.z >> 16);
+  return found.xy == key ? int(found.z & 65535u) : -1;
 }
 
 // Return the texture coordinates of a vertex of a tile in a layer.

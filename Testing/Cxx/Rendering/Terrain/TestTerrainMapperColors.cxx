@@ -105,7 +105,7 @@ void TestSeaLevel(RelevoCheck& check, const std::string& file)
     vtkScalarsToColors* legend = scene.Mapper->GetLegendLookupTable();
     int wrong = 0;
     int different = 0;
-    for (int x = 1; x < 380; ++x)
+    for (int x = 1; x < Size - 1; ++x)
     {
       const double height = GetHeight(x);
       const bool isWater = height <= seaLevel;

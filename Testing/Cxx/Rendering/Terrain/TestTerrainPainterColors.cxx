@@ -25,9 +25,11 @@ void LookFromAbove(RelevoTerrainScene& scene, double parallelScale)
   scene.Renderer->ResetCameraClippingRange();
 }
 
+// On a plane, heights of triangles are those of the tiles.
 void TestHeightColors(RelevoCheck& check, RelevoComparison& comparison)
 {
-  RelevoTerrainScene scene;
+  RelevoTerrainScene scene(
+    513, 513, [](int column, int row) { return 0.0625f * (column - 256) + 0.03125f * row; });
   scene.Look({ { -80.0, 600.0, 120.0 } }, { { 250.0, 250.0, 0.0 } });
   scene.GetProperty()->LightingOff();
   vtkNew<vtkLookupTable> table;
