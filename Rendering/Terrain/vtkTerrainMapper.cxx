@@ -4,7 +4,9 @@
 
 #include "Bisection/AdaptiveTerrain.h"
 #include "Bisection/FaceMesh.h"
+#include "Bisection/GlobeFaces.h"
 #include "Buffers/ColorTable.h"
+#include "Buffers/GlobeVertices.h"
 #include "Changes/Dependencies.h"
 #include "Checks/MemoryGuard.h"
 #include "Checks/SettingChecks.h"
@@ -51,6 +53,9 @@ static_assert(relevo::HaveSameNumber(TerrainMapper::COLOR_SOLID, TerrainColoring
     relevo::HaveSameNumber(TerrainMapper::COLOR_BY_RASTER, TerrainColoring::RASTER),
   "colour modes");
 
+// A globe has at least this many faces, whatever the limit of memory.
+constexpr vtkTypeInt64 SmallestNumberOfFaces = 64;
+
 constexpr int TrianglesPerFace = relevo::TerrainFace::Segments * relevo::TerrainFace::Segments;
 
 // The bytes of tiles and their textures under a limit; the rest is for the threads that read tiles.
@@ -64,6 +69,25 @@ vtkTypeInt64 GetTileLimit(vtkTypeInt64 limit)
 vtkTypeInt64 GetTextureLimit(vtkTypeInt64 limit)
 {
   return GetTileLimit(limit) / 3 * 2;
+}
+
+// The bytes that remain for tiles and their textures. On a globe, a quarter of the limit is for the
+// positions of vertices.
+vtkTypeInt64 WithoutVertices(vtkTypeInt64 limit, bool isGlobe)
+{
+  return isGlobe
+    ? std::max<vtkTypeInt64>(limit - limit / 4, relevo::AdaptiveTerrain::SmallestMemoryLimit)
+    : limit;
+}
+
+// The number of faces whose vertices fit into the rest.
+std::size_t CountGlobeFaces(vtkTypeInt64 limit)
+{
+  using relevo::GlobeFaces;
+  constexpr vtkTypeInt64 spare = GlobeFaces::SpareFaces * GlobeFaces::BytesPerFace;
+  constexpr vtkTypeInt64 face = GlobeFaces::BytesPerFace + relevo::GlobeVertices::BytesPerFace;
+  return static_cast<std::size_t>(
+    std::max<vtkTypeInt64>(SmallestNumberOfFaces, (limit / 4 - spare) / face));
 }
 
 void CopyTerrainOffsets(vtkMapper* from, vtkMapper* to)
@@ -642,11 +666,13 @@ void vtkTerrainMapper::SelectFaces(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
-  const vtkTypeInt64 textures = GetTextureLimit(this->MemoryLimit);
+  const vtkTypeInt64 limit = WithoutVertices(this->MemoryLimit, this->Frame == GEOCENTRIC);
+  const vtkTypeInt64 textures = GetTextureLimit(limit);
+  data.Terrain->SetMaximumNumberOfGlobeFaces(CountGlobeFaces(this->MemoryLimit));
   const std::size_t tiles =
     data.Painter->GetMaximumNumberOfTiles(textures) * relevo::HeightTileCache::BytesPerTile;
   data.Terrain->SetMemoryLimit(
-    std::min(static_cast<std::size_t>(GetTileLimit(this->MemoryLimit) - textures), tiles));
+    std::min(static_cast<std::size_t>(GetTileLimit(limit) - textures), tiles));
   const relevo::TerrainView terrainView = viewpoint.MakeView(placement);
   if (this->LoadingMode == COMPLETE)
   {
@@ -687,6 +713,7 @@ void vtkTerrainMapper::DrawFaces(vtkRenderer* renderer, vtkActor* actor)
   settings.Placement = data.Terrain->GetPlacement(this->Exaggeration);
   this->Pyramid->GetDimensions(settings.Dimensions.data());
   settings.Vertices = &data.Terrain->GetVertices();
+  settings.NumberOfComputedFaces = data.Terrain->GetNumberOfComputedFaces();
   settings.Exaggeration = this->Exaggeration;
   settings.Coloring = static_cast<TerrainColoring>(this->TerrainColorMode);
   if (relevo::HasTable(settings.Coloring))
@@ -696,7 +723,8 @@ void vtkTerrainMapper::DrawFaces(vtkRenderer* renderer, vtkActor* actor)
   settings.ContourInterval = this->ContourInterval;
   settings.ContourWidth = this->ContourWidth;
   std::copy_n(this->ContourColor, 3, settings.ContourColor.begin());
-  settings.MemoryLimit = GetTextureLimit(this->MemoryLimit);
+  settings.MemoryLimit =
+    GetTextureLimit(WithoutVertices(this->MemoryLimit, this->Frame == GEOCENTRIC));
   data.Painter->SetClippingPlanes(this->ClippingPlanes);
   CopyTerrainOffsets(this, data.Painter);
   const std::string error = data.Painter->Prepare(

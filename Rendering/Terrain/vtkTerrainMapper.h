@@ -88,9 +88,10 @@ public:
 
   //@{
   /**
-   * Set the maximum memory of heights, imagery and their textures together in bytes; at least 2^22,
-   * default 2^29. An eighth of it, but at most 12 MiB, is for the threads that read them. A value
-   * out of range is an error and changes nothing.
+   * Set the maximum memory of heights, imagery, their textures and, in the geocentric frame, the
+   * positions of vertices together in bytes; at least 2^22, default 2^29. An eighth of it, but at
+   * most 12 MiB, is for the threads that read them. A value out of range is an error and changes
+   * nothing.
    */
   void SetMemoryLimit(vtkTypeInt64 bytes);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);
@@ -132,10 +133,10 @@ public:
    * lies within half of its pixel. Longitudes repeat after 360 degrees, so imagery from 0 to 360
    * covers a raster from -180 to 180. It has one band (grey or a palette), three or four; of five
    * and more bands, the third, second and first are red, green and blue. Other types than bytes are
-   * scaled from their smallest to their largest value. An image of more than about 8000 x 8000
-   * pixels needs overviews (gdaladdo) to be fast. Lights shine on it as on other colours. The
-   * terrain has the colour of the actor where the image has no data, and in proportion where it is
-   * translucent.
+   * scaled from their smallest to their largest value. An image of more than 8000 x 8000 pixels
+   * needs overviews (gdaladdo) to be fast; without them there is a warning. Lights shine on it as
+   * on other colours. The terrain has the colour of the actor where the image has no data, and in
+   * proportion where it is translucent.
    *
    * An image without a georeference is stretched over the raster. If the raster has one, this is a
    * warning.
@@ -293,8 +294,9 @@ public:
    * longitudes is closed: the first column follows the last. If it ends half a sample before a
    * pole, it is continued to it, and samples of the first row are moved to it. The screen-space
    * error includes the curvature of the ellipsoid, for slopes up to 45 degrees before the
-   * exaggeration. Positions of vertices need up to 12 kB per face in addition to SetMemoryLimit();
-   * GetResidentMemorySize() includes them. A value out of range is an error and changes nothing.
+   * exaggeration. Positions of vertices take 6 kB per face, within a quarter of SetMemoryLimit()
+   * or 1 MiB. If a view needs more faces, the error grows. A value out of range is an error and
+   * changes nothing.
    */
   void SetFrame(int frame);
   vtkGetMacro(Frame, int);
@@ -309,7 +311,7 @@ public:
   /// while tiles are missing, or if they do not fit into SetMemoryLimit().
   double GetScreenSpaceErrorInUse();
 
-  /// Return the bytes of heights and imagery in memory and of their textures.
+  /// Return the bytes that SetMemoryLimit() counts, and those of tables and patterns on the GPU.
   vtkTypeInt64 GetResidentMemorySize();
 
   /// Return the number of triangles of the last frame.

@@ -29,6 +29,11 @@ ElevationRanges::Range Widen(const ElevationRanges::Range& range)
   return { { range[0] - margin, range[1] + margin } };
 }
 
+// The tolerance grows by this factor until the faces fit into memory, and shrinks again if there is
+// space for twice as many.
+const double CoarseningStep = std::sqrt(2.0);
+constexpr double LargestCoarsening = 1e6;
+
 double GetSeconds()
 {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
@@ -202,11 +207,27 @@ void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
   TerrainBisection bisection(this->Dimensions[0], this->Dimensions[1], *errors, bounds,
     this->Globe ? this->Globe->GetPeriod() : 0);
   this->Cache.BeginFrame(GetSeconds());
-  bisection.Select(view, tolerance, this->Cache);
+  bisection.Select(view, tolerance * this->Coarsening, this->Cache);
+  const auto select = [&](double coarsening)
+  {
+    this->Coarsening = coarsening;
+    this->Cache.BeginFrame(GetSeconds()); // without the requests for the other tolerance
+    bisection.Select(view, tolerance * this->Coarsening, this->Cache);
+    return bisection.GetFaces().size();
+  };
+  std::size_t faces = bisection.GetFaces().size();
+  while (this->Coarsening > 1.0 && faces < this->MaximumNumberOfFaces / 2)
+  {
+    faces = select(std::max(1.0, this->Coarsening / CoarseningStep));
+  }
+  while (this->Globe && faces > this->MaximumNumberOfFaces && this->Coarsening < LargestCoarsening)
+  {
+    faces = select(this->Coarsening * CoarseningStep);
+  }
   this->Faces = bisection.GetFaces();
   this->HiddenBlocks = bisection.GetHiddenBlocks();
   this->Error = bisection.GetError();
-  this->Complete = bisection.IsComplete() && this->HasErrors;
+  this->Complete = bisection.IsComplete() && this->HasErrors && this->Coarsening <= 1.0;
   this->ShadingTiles.clear();
   this->ShadingComplete = true;
   if (this->Shading)

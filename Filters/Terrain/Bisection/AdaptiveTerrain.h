@@ -29,6 +29,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -68,6 +69,9 @@ public:
 
   /// The bytes that tiles may use.
   void SetMemoryLimit(std::size_t bytes) { this->Cache.SetMemoryLimit(bytes); }
+  /// The number of faces with positions of their own that fit into memory: those of a globe. A
+  /// larger error is used if a view needs more.
+  void SetMaximumNumberOfGlobeFaces(std::size_t number) { this->MaximumNumberOfFaces = number; }
   std::size_t GetMemorySize() const
   {
     return this->Cache.GetMemorySize() + this->Vertices.GetMemorySize();
@@ -99,6 +103,11 @@ public:
   {
     return this->Vertices.GetVertices();
   }
+  /// See GlobeFaces.
+  std::uint64_t GetNumberOfComputedFaces() const
+  {
+    return this->Vertices.GetNumberOfComputedFaces();
+  }
   double GetError() const { return this->Error; } // the largest in pixels, at most
   bool IsComplete() const;
   //@}
@@ -129,6 +138,8 @@ private:
   std::vector<MipmapTiles::Item> ShadingTiles;
   std::vector<HiddenBlock> HiddenBlocks;
   GlobeFaces Vertices; // of the faces
+  std::size_t MaximumNumberOfFaces = std::numeric_limits<std::size_t>::max();
+  double Coarsening = 1.0; // of the tolerance
   double Error = 0.0;
   bool Complete = false; // the faces and the imagery
   bool ShadingComplete = true;

@@ -16,10 +16,6 @@ namespace
 {
 constexpr int GlobeSegments = TerrainFace::Segments;
 
-// The cache keeps this many times the faces of an update.
-constexpr std::size_t CacheFactor = 2;
-constexpr std::size_t SmallestCache = 1024; // faces
-
 // Apex coordinates are below 2^31 in units of the finest lattice, and steps have 16 combinations.
 // The apex belongs to one level only: in units of a pattern, its column or its row is odd.
 std::uint64_t GetFaceKey(const TerrainFace& face)
@@ -80,7 +76,8 @@ void GlobeFaces::Update(const GlobeShape& shape, const std::vector<TerrainFace>&
         LocateFace(shape, *missing[i].first, *missing[i].second);
       }
     });
-  if (this->Entries.size() > SmallestCache + CacheFactor * faces.size())
+  this->Computed += missing.size();
+  if (this->Entries.size() > SpareFaces + faces.size() + faces.size() / 4)
   {
     for (auto entry = this->Entries.begin(); entry != this->Entries.end();)
     {

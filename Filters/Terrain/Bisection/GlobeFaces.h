@@ -38,11 +38,19 @@ public:
 
   using Vertices = std::array<GlobeShape::Vertex, VerticesPerFace>;
 
+  /// The memory in bytes that the cache and the vertices of each face take at most. The cache also
+  /// has SpareFaces.
+  static constexpr std::size_t BytesPerFace = (sizeof(Vertices) + 64) * 5 / 4;
+  static constexpr std::size_t SpareFaces = 64;
+
   /// Compute the vertices of faces that are not in the cache.
   void Update(const GlobeShape& shape, const std::vector<TerrainFace>& faces);
 
   /// The vertices of the faces of the last update.
   const std::vector<const Vertices*>& GetVertices() const { return this->Current; }
+  /// The number of faces whose vertices were computed. As long as it is the same, a pointer of
+  /// GetVertices() is that of the same vertices.
+  std::uint64_t GetNumberOfComputedFaces() const { return this->Computed; }
 
   /**
    * The world coordinates of vertex (a, b). A vertex that a bisection adds moves from the midpoint
@@ -65,6 +73,7 @@ private:
   std::unordered_map<std::uint64_t, Entry> Entries;
   std::vector<const Vertices*> Current;
   std::uint64_t Updates = 0;
+  std::uint64_t Computed = 0;
 };
 }
 

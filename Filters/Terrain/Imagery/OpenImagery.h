@@ -21,8 +21,9 @@ namespace relevo
 {
 /**
  * Open an image by any name that GDAL knows, for a terrain. Without a georeference of both, the
- * image is stretched over the raster, and `warning` is set if the raster has one. Returns nullptr
- * and sets `error` on failure; both texts continue the name of the file.
+ * image is stretched over the raster, and `warning` is set if the raster has one. It is also set
+ * for a large image without overviews. Returns nullptr and sets `error` on failure; both texts
+ * continue the name of the file.
  */
 RELEVOFILTERSTERRAIN_EXPORT std::shared_ptr<const ImageryLattice> OpenImagery(
   const ImageryOptions& options, const RasterDescription& terrain, std::string& warning,

@@ -25,6 +25,22 @@ constexpr int PointsPerSide = 65;
 // Derivatives are differences over this length, in samples.
 constexpr double Difference = 1.0 / 16.0;
 
+// Without overviews, a picture of a larger image takes seconds.
+constexpr double LargestWithoutOverviews = 8000.0 * 8000.0; // pixels
+
+std::string DescribeMissingOverviews(GDALDatasetH file)
+{
+  const int size[2] = { GDALGetRasterXSize(file), GDALGetRasterYSize(file) };
+  if (static_cast<double>(size[0]) * size[1] <= LargestWithoutOverviews ||
+    GDALGetOverviewCount(GDALGetRasterBand(file, 1)) > 0)
+  {
+    return "";
+  }
+  return "it has no overviews, so distant views read all of its " + std::to_string(size[0]) +
+    " x " + std::to_string(size[1]) +
+    " pixels, which is slow. Write overviews (gdaladdo -r average FILE)";
+}
+
 // Longitudes of the raster and of the imagery differ by at most this many turns.
 constexpr int TurnsOfLongitude = 2;
 
@@ -188,6 +204,8 @@ std::shared_ptr<const WarpedImagery> WarpedImagery::Open(const ImageryOptions& o
               "terrain. Give the file a georeference (gdal_edit.py -a_srs EPSG:... -a_ullr "
               "...)";
   }
+  const std::string overviews = DescribeMissingOverviews(picture->GetFile());
+  warning += (warning.empty() || overviews.empty() ? "" : ". Moreover, ") + overviews;
   error = imagery->Measure(*picture, session);
   if (!error.empty())
   {

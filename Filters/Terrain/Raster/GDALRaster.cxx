@@ -98,7 +98,7 @@ double metresPerUnit(std::string unit)
 std::string DescribeContents(GDALDatasetH dataset)
 {
   constexpr int most = 20; // maximum number of names
-  char** const contents = GDALGetMetadata(dataset, "SUBDATASETS");
+  const CSLConstList contents = GDALGetMetadata(dataset, "SUBDATASETS");
   std::string names;
   int count = 0;
   const auto getName = [&](int i)

@@ -13,6 +13,7 @@
 #include "Buffers/BufferTexture.h"
 
 #include <array>
+#include <cstdint>
 #include <string> // for errors
 #include <vector>
 
@@ -25,14 +26,33 @@ namespace relevo
 class GlobeVertices
 {
 public:
+  /// The bytes of a face.
+  static constexpr int BytesPerFace = GlobeFaces::VerticesPerFace * 12 * sizeof(float);
+
+  /// What positions depend on.
+  struct Settings
+  {
+    std::array<double, 3> Origin; // positions are relative to it
+    double Height;                // of the positions, in metres
+    double Exaggeration;
+    std::uint64_t NumberOfComputedFaces; // see GlobeFaces
+
+    bool operator==(const Settings& other) const
+    {
+      return this->Origin == other.Origin && this->Height == other.Height &&
+        this->Exaggeration == other.Exaggeration &&
+        this->NumberOfComputedFaces == other.NumberOfComputedFaces;
+    }
+  };
+
   /**
-   * Upload the vertices of faces, in the order of TerrainInstances. Positions are those at a height
-   * in metres, with this exaggeration. Return an error, or "". Nothing is uploaded that has not
-   * changed.
+   * Upload the vertices of faces, in the order of TerrainInstances. Return an error, or "". Nothing
+   * is uploaded that has not changed.
    */
   std::string Upload(vtkOpenGLRenderWindow* window, const std::vector<unsigned int>& order,
-    const std::vector<const GlobeFaces::Vertices*>& vertices, const std::array<double, 3>& origin,
-    double height, double exaggeration);
+    const std::vector<const GlobeFaces::Vertices*>& vertices, const Settings& settings);
+  /// Forget what was uploaded, because faces come from another source.
+  void Clear() { this->Uploaded.clear(); }
 
   void Activate(vtkShaderProgram* program);
   void Deactivate();
@@ -40,7 +60,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  std::vector<float> Floats;
+  std::vector<const GlobeFaces::Vertices*> Uploaded; // in the order of drawing
+  Settings Last{};
   BufferTexture Texture;
 };
 }

@@ -126,8 +126,9 @@ std::string TerrainPainter::Prepare(vtkRenderer* renderer, vtkActor* actor,
     std::array<double, 3> origin;
     this->Box->GetPoint(0, origin.data());
     const std::string globeError =
-      this->Globe.Upload(window, this->Instances.GetOrder(), *settings.Vertices, origin,
-        this->OriginHeight * settings.Placement.HeightScale, settings.Placement.Exaggeration);
+      this->Globe.Upload(window, this->Instances.GetOrder(), *settings.Vertices,
+        { origin, this->OriginHeight * settings.Placement.HeightScale,
+          settings.Placement.Exaggeration, settings.NumberOfComputedFaces });
     if (!globeError.empty())
     {
       return globeError;

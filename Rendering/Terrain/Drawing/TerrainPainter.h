@@ -24,6 +24,7 @@
 #include "vtkPolyData.h"
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,7 @@ public:
     TerrainPlacement Placement;
     /// The vertices of the faces, if the placement has a globe.
     const std::vector<const GlobeFaces::Vertices*>* Vertices = nullptr;
+    std::uint64_t NumberOfComputedFaces = 0;      // see GlobeFaces
     std::array<int, 2> Dimensions = { { 0, 0 } }; // columns and rows of the raster
     double Exaggeration = 1.0;                    // is part of the placement's scale of heights
     TerrainColoring Coloring = TerrainColoring::SOLID;
@@ -65,8 +67,12 @@ public:
   /// Return the number of tiles that fit into textures, in the current context.
   int GetMaximumNumberOfTiles(vtkTypeInt64 memoryLimit);
 
-  /// Forget all heights, because they have changed.
-  void ForgetTiles() { this->Instances.ForgetTiles(); }
+  /// Forget all heights and positions, because they have changed.
+  void ForgetTiles()
+  {
+    this->Instances.ForgetTiles();
+    this->Globe.Clear();
+  }
 
   /// Report the largest ids that a selection draws.
   void AnnounceIds(vtkHardwareSelector* selector) const;

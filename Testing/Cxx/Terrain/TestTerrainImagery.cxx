@@ -425,6 +425,34 @@ void TestOverviews(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
+// A warning says that a large image needs overviews.
+void TestMissingOverviews(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  std::vector<double> utm = { 500000.0, 10.0, 0.0, 5000000.0, 0.0, -10.0 };
+  ImageryTerrain terrain(check, folders, 40, utm, "EPSG:32633");
+  const std::string file = folders.File("TerrainImageryLargest.tif");
+  for (const int size : { 8000, 8001 })
+  {
+    CHECK_CASE(size);
+    char** options = CSLAddString(nullptr, "SPARSE_OK=TRUE");
+    options = CSLAddString(options, "COMPRESS=DEFLATE");
+    GDALDatasetH dataset =
+      GDALCreate(GDALGetDriverByName("GTiff"), file.c_str(), size, size, 1, GDT_Byte, options);
+    CSLDestroy(options);
+    GDALSetGeoTransform(dataset, utm.data());
+    GDALClose(dataset);
+    CHECK(terrain.Open(file) != nullptr);
+    CHECK_EQUAL(terrain.Warning.find("gdaladdo") != std::string::npos, size > 8000);
+  }
+  GDALDatasetH dataset = GDALOpen(file.c_str(), GA_Update);
+  int factor = 2;
+  CHECK_EQUAL(
+    GDALBuildOverviews(dataset, "NONE", 1, &factor, 0, nullptr, nullptr, nullptr), CE_None);
+  GDALClose(dataset);
+  CHECK(terrain.Open(file) != nullptr);
+  CHECK_EQUAL(terrain.Warning, "");
+}
+
 // Imagery of the whole earth on a small raster, and a small image on a raster of the whole earth.
 void TestExtents(RelevoCheck& check, const RelevoTestFolders& folders)
 {
@@ -634,6 +662,7 @@ int TestTerrainImagery(int argc, char* argv[])
   TestKinds(check, folders);
   TestNumbers(check, folders);
   TestOverviews(check, folders);
+  TestMissingOverviews(check, folders);
   TestExtents(check, folders);
   TestTurns(check, folders);
   TestErrors(check, folders);

@@ -350,6 +350,40 @@ void TestImagery(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
+// The limit of memory includes the positions of vertices. If the faces do not fit, the error grows.
+void TestMemory(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  GlobeScene scene(MakeGlobe(720, 360, -180.0, 90.0, 0.5), folders.File("GlobeMemory.tif"));
+  constexpr vtkTypeInt64 small = 16 << 20;
+  const auto draw = [&](vtkTypeInt64 limit, double height)
+  {
+    scene.Mapper->SetMemoryLimit(limit);
+    scene.LookDown(10.0, 40.0, height);
+    const RelevoPicture picture = scene.Draw();
+    CHECK_LESS_EQUAL(scene.Mapper->GetResidentMemorySize(), limit);
+    CHECK_EQUAL(scene.CountHoles(picture, EarthAxis, EarthFlattening), 0);
+  };
+  scene.Mapper->SetScreenSpaceError(0.01);
+  draw(vtkTypeInt64(1) << 29, 9e6);
+  CHECK(scene.Mapper->IsComplete());
+  const vtkIdType needed = scene.Mapper->GetNumberOfDrawnTriangles();
+  draw(small, 9e6);
+  const vtkIdType drawn = scene.Mapper->GetNumberOfDrawnTriangles();
+  std::cout << drawn << " of " << needed << " triangles, error "
+            << scene.Mapper->GetScreenSpaceErrorInUse() << " pixels, "
+            << scene.Mapper->GetResidentMemorySize() << " bytes\n";
+  CHECK(!scene.Mapper->IsComplete());
+  CHECK_GREATER(scene.Mapper->GetScreenSpaceErrorInUse(), 0.01);
+  CHECK_LESS(drawn, needed);
+  // A quarter of the limit, 64 triangles per face.
+  CHECK_LESS_EQUAL(drawn, 64 * small / 4 / 5000);
+  CHECK_GREATER(drawn, 64 * small / 4 / 20000);
+  // Far away, few faces suffice.
+  draw(small, 2e9);
+  CHECK(scene.Mapper->IsComplete());
+  CHECK_LESS_EQUAL(scene.Mapper->GetScreenSpaceErrorInUse(), 0.01);
+}
+
 // A projected raster: the place and the height of a pixel, from its depth.
 void TestProjected(RelevoCheck& check, const RelevoTestFolders& folders)
 {
@@ -497,6 +531,7 @@ int TestTerrainMapperGlobe(int argc, char* argv[])
   TestPoles(check, folders);
   TestLongitudes(check, folders);
   TestImagery(check, folders);
+  TestMemory(check, folders);
   TestProjected(check, folders);
   TestMoon(check, folders);
   TestGeoid(check, folders);
