@@ -166,37 +166,50 @@ vtkIdType TerrainInstances::GetNumberOfTileUploads() const
     this->Imagery.GetNumberOfUploads();
 }
 
+void TerrainInstances::AddGroup(const std::vector<TerrainFace>& faces,
+  const std::vector<bool>& areSmall, bool isSmall, bool isPositive)
+{
+  Group& group = this->Groups[isSmall ? 1 : 0][isPositive ? 1 : 0];
+  group.First = static_cast<int>(this->Ids.size());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (areSmall[i] == isSmall && faces[i].IsPositive() == isPositive)
+    {
+      this->Ids.push_back(static_cast<unsigned int>(i));
+    }
+  }
+  group.Count = static_cast<int>(this->Ids.size()) - group.First;
+}
+
 std::string TerrainInstances::Upload(vtkOpenGLRenderWindow* window,
-  const std::vector<TerrainFace>& faces, const std::vector<MipmapTiles::Item>& shading)
+  const std::vector<TerrainFace>& faces, const std::vector<bool>& areSmall,
+  const std::vector<MipmapTiles::Item>& shading)
 {
   const std::string error = this->UploadTiles(window, faces, shading);
   if (!error.empty())
   {
     return error;
   }
+  this->Ids.clear();
+  for (bool isSmall : { false, true })
+  {
+    for (bool isPositive : { false, true })
+    {
+      this->AddGroup(faces, areSmall, isSmall, isPositive);
+    }
+  }
   std::vector<unsigned int> integers;
   std::vector<float> floats;
-  this->Ids.clear();
-  for (bool isPositive : { false, true })
+  for (unsigned int id : this->Ids)
   {
-    Group& group = this->Groups[isPositive ? 1 : 0];
-    group.First = static_cast<int>(this->Ids.size());
-    for (std::size_t i = 0; i < faces.size(); ++i)
-    {
-      const TerrainFace& face = faces[i];
-      if (face.IsPositive() == isPositive)
-      {
-        this->Ids.push_back(static_cast<unsigned int>(i));
-        integers.insert(integers.end(),
-          { static_cast<unsigned int>(face.Apex[0]), static_cast<unsigned int>(face.Apex[1]),
-            PackShape(face),
-            static_cast<unsigned int>(this->Tiles.GetLayer(*face.Tile)) |
-              static_cast<unsigned int>(this->Tiles.GetLayer(*face.CoarseTile)) << 16 });
-        floats.insert(floats.end(),
-          { face.Morph, face.CornerHeights[0], face.CornerHeights[1], face.CornerHeights[2] });
-      }
-    }
-    group.Count = static_cast<int>(this->Ids.size()) - group.First;
+    const TerrainFace& face = faces[id];
+    integers.insert(integers.end(),
+      { static_cast<unsigned int>(face.Apex[0]), static_cast<unsigned int>(face.Apex[1]),
+        PackShape(face),
+        static_cast<unsigned int>(this->Tiles.GetLayer(*face.Tile)) |
+          static_cast<unsigned int>(this->Tiles.GetLayer(*face.CoarseTile)) << 16 });
+    floats.insert(floats.end(),
+      { face.Morph, face.CornerHeights[0], face.CornerHeights[1], face.CornerHeights[2] });
   }
   const bool isSame = !this->IntegerTexture.IsEmpty() && integers == this->Integers &&
     AreSameBits(floats, this->Floats);

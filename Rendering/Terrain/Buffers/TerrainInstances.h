@@ -4,7 +4,8 @@
  * @class   TerrainInstances
  * @brief   the faces of a frame, their tiles and their order, on the GPU
  *
- * The faces are grouped by orientation, so that all triangles face up. The textures of heights,
+ * The faces are grouped by orientation, so that all triangles face up, and by the size of their
+ * triangles on the screen. The textures of heights,
  * gradients and imagery share a limit of memory. Private to the module.
  */
 #ifndef TerrainInstances_h
@@ -28,7 +29,7 @@ namespace relevo
 class TerrainInstances
 {
 public:
-  /// Faces of one orientation.
+  /// Faces of one orientation and size.
   struct Group
   {
     int First = 0;
@@ -48,19 +49,22 @@ public:
   vtkIdType GetNumberOfTileUploads() const;
 
   /**
-   * Upload faces, their tiles, and those for shading and imagery. Return an error, or "". Nothing
-   * is uploaded that has not changed.
+   * Upload faces, whether each has small triangles, their tiles, and those for shading and imagery.
+   * Return an error, or "". Nothing is uploaded that has not changed.
    */
   std::string Upload(vtkOpenGLRenderWindow* window, const std::vector<TerrainFace>& faces,
-    const std::vector<MipmapTiles::Item>& shading);
+    const std::vector<bool>& areSmall, const std::vector<MipmapTiles::Item>& shading);
   /// Upload the indices of the faces, for selections, after Upload().
   bool UploadIds(vtkOpenGLRenderWindow* window);
 
-  /// Return the faces whose IsPositive() is true or false.
-  const Group& GetGroup(bool isPositive) const { return this->Groups[isPositive ? 1 : 0]; }
+  /// Return the faces that have small triangles or not, and whose IsPositive() is true or false.
+  const Group& GetGroup(bool isSmall, bool isPositive) const
+  {
+    return this->Groups[isSmall ? 1 : 0][isPositive ? 1 : 0];
+  }
   /// Return the indices of the faces in the order in which they are drawn.
   const std::vector<unsigned int>& GetOrder() const { return this->Ids; }
-  int GetNumberOfFaces() const { return this->Groups[0].Count + this->Groups[1].Count; }
+  int GetNumberOfFaces() const { return static_cast<int>(this->Ids.size()); }
 
   /// Set whether fragments need heights of the tiles for shading.
   void SetHasHeights(bool hasHeights) { this->HasHeights = hasHeights; }
@@ -80,6 +84,8 @@ public:
 private:
   using TileList = std::vector<const TerrainTile*>;
 
+  void AddGroup(const std::vector<TerrainFace>& faces, const std::vector<bool>& areSmall,
+    bool isSmall, bool isPositive);
   bool UploadTextures(vtkOpenGLRenderWindow* window, const std::array<TileList, 3>& tiles);
   int GetLayers(const TerrainTile& tile) const;
   std::string UploadTiles(vtkOpenGLRenderWindow* window, const std::vector<TerrainFace>& faces,
@@ -93,7 +99,7 @@ private:
   bool IsImageryUsed = false;
   bool HasHeights = false;
   TerrainTileTable Table; // of gradients, heights and imagery
-  Group Groups[2];
+  Group Groups[2][2];
   std::vector<unsigned int> Integers; // 4 per face
   std::vector<float> Floats;          // 4 per face
   std::vector<unsigned int> Ids;

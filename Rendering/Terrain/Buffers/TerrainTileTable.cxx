@@ -11,7 +11,7 @@ namespace relevo
 {
 namespace
 {
-// The numbers of relevoTerrainTilesFS.glsl.
+// The numbers of relevoTerrainTiles.glsl.
 constexpr unsigned int HashFactors[2] = { 2654435769u, 2246822519u };
 constexpr int LevelShift = 26;
 constexpr float LargestVisibility = 65535.0f;
@@ -26,11 +26,11 @@ std::array<unsigned int, 2> GetTableKey(const TerrainTile& tile)
 }
 }
 
-// At most half of the entries are used, so that searches are short.
+// At most a quarter of the entries is used, so that searches are short.
 void TerrainTileTable::Reset(std::size_t number)
 {
   this->Bits = 4;
-  while ((std::size_t(1) << this->Bits) < 2 * number)
+  while ((std::size_t(1) << this->Bits) < 4 * number)
   {
     ++this->Bits;
   }

@@ -5,7 +5,7 @@
  * @brief   a hash table on the GPU in which fragments find the layers of tiles
  *
  * It is the page table of a virtual texture, with open addressing: an entry has the key of a tile
- * (zeros if it is empty), its layer and its visibility. relevoTerrainTilesFS.glsl reads it. Private
+ * (zeros if it is empty), its layer and its visibility. relevoTerrainTiles.glsl reads it. Private
  * to the module.
  */
 #ifndef TerrainTileTable_h

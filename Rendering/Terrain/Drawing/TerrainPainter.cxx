@@ -37,6 +37,9 @@ namespace
 {
 constexpr int UnitsPerSample = 1 << -BlockErrors::FinestLevel;
 
+// The longest side of a small triangle, in pixels.
+constexpr double LargestSmallTriangle = 3.0;
+
 // Borders of the raster are drawn in spite of rounding errors between vertices, in samples.
 constexpr double BorderTolerance = 1.0 / 1024.0;
 
@@ -75,7 +78,10 @@ vtkStandardNewMacro(TerrainPainter);
 
 TerrainPainter::TerrainPainter()
 {
-  this->Variants.GetHelper().PrimitiveType = PrimitiveTris;
+  for (int variant : { 0, 1 })
+  {
+    this->Variants.GetHelper(variant).PrimitiveType = PrimitiveTris;
+  }
   this->ScalarVisibility = 0;
   this->PopulateSelectionSettings = 0; // the mapper does
   this->SetVBOShiftScaleMethod(
@@ -111,7 +117,10 @@ std::string TerrainPainter::Prepare(vtkRenderer* renderer, vtkActor* actor,
       ? TerrainTileTextures::Content::NUMBERS
       : TerrainTileTextures::Content::IMAGERY);
   this->Instances.SetHasHeights(HasHeights(settings.Coloring, settings.ContourInterval > 0.0));
-  const std::string error = this->Instances.Upload(window, faces, shading);
+  const TerrainViewpoint viewpoint(renderer, actor);
+  this->HalfViewport = viewpoint.GetHalfViewport();
+  this->FindSmallFaces(viewpoint, faces);
+  const std::string error = this->Instances.Upload(window, faces, this->AreSmall, shading);
   if (!error.empty())
   {
     return error;
@@ -120,7 +129,7 @@ std::string TerrainPainter::Prepare(vtkRenderer* renderer, vtkActor* actor,
   {
     return "The graphics memory does not suffice for a selection.";
   }
-  this->ChooseOrigin(renderer, actor, faces);
+  this->ChooseOrigin(viewpoint, faces);
   if (settings.Placement.Globe)
   {
     std::array<double, 3> origin;
@@ -151,9 +160,42 @@ int TerrainPainter::GetMaximumNumberOfTiles(vtkTypeInt64 memoryLimit)
   return this->Instances.GetMaximumNumberOfTiles();
 }
 
+// Fragments of large triangles have the gradient of their own point. Where triangles are hardly
+// larger than pixels, vertices do as well and cost less.
+void TerrainPainter::FindSmallFaces(
+  const TerrainViewpoint& viewpoint, const std::vector<TerrainFace>& faces)
+{
+  this->AreSmall.assign(faces.size(), false);
+  const TerrainPlacement& placement = this->Current.Placement;
+  if (placement.Globe || HasGradients(this->Current.Coloring))
+  {
+    return;
+  }
+  const double offsets[3][2] = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 0.0, 1.0 } };
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    const TerrainFace& face = faces[i];
+    std::array<std::array<double, 3>, 3> corners;
+    for (int c = 0; c < 3; ++c)
+    {
+      double sample[2];
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        sample[axis] = std::ldexp(static_cast<double>(face.Apex[axis]) +
+            TerrainFace::Segments *
+              (offsets[c][0] * face.Step1[axis] + offsets[c][1] * face.Step2[axis]),
+          face.Level);
+      }
+      corners[c] = placement.ToWorld(sample[0], sample[1], face.CornerHeights[c]);
+    }
+    this->AreSmall[i] =
+      viewpoint.GetLongestSide(corners) <= TerrainFace::Segments * LargestSmallTriangle; // not NaN
+  }
+}
+
 // Positions are exact in floats near the origin.
 void TerrainPainter::ChooseOrigin(
-  vtkRenderer* renderer, vtkActor* actor, const std::vector<TerrainFace>& faces)
+  const TerrainViewpoint& viewpoint, const std::vector<TerrainFace>& faces)
 {
   float heights[2] = { std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest() };
   for (const TerrainFace& face : faces)
@@ -167,7 +209,6 @@ void TerrainPainter::ChooseOrigin(
       }
     }
   }
-  const TerrainViewpoint viewpoint(renderer, actor);
   const TerrainPlacement& placement = this->Current.Placement;
   const auto& near = viewpoint.GetNearPoint();
   if (placement.Globe)
@@ -260,18 +301,32 @@ void TerrainPainter::UpdateColors(vtkOpenGLRenderWindow* window)
 
 void TerrainPainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
-  if (this->Instances.GetNumberOfFaces() == 0 || this->PointPicking)
+  if (this->PointPicking)
   {
     return;
   }
+  for (bool areSmall : { false, true })
+  {
+    const bool isEmpty = this->Instances.GetGroup(areSmall, false).Count == 0 &&
+      this->Instances.GetGroup(areSmall, true).Count == 0;
+    if (!isEmpty && !this->DrawFaces(renderer, actor, areSmall))
+    {
+      return;
+    }
+  }
+}
+
+bool TerrainPainter::DrawFaces(vtkRenderer* renderer, vtkActor* actor, bool areSmall)
+{
+  this->Options.HasVertexNormals = areSmall;
   Dependencies sources = this->Options.GetKey();
   sources.Add(actor->GetShaderProperty()->GetShaderMTime());
   sources.Add(this->GetMTime());
-  vtkOpenGLHelper& helper = this->Variants.GetHelper();
+  vtkOpenGLHelper& helper = this->Variants.GetHelper(areSmall ? 1 : 0);
   if (!this->Variants.Update(
         helper, sources, [&] { this->UpdateShaders(helper, renderer, actor); }))
   {
-    return;
+    return false;
   }
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   const TerrainPatterns::Primitives primitives = GetTerrainPrimitives(actor);
@@ -288,7 +343,7 @@ void TerrainPainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     for (bool isPositive : { false, true })
     {
-      this->DrawGroup(primitives, isPositive);
+      this->DrawGroup(primitives, this->Instances.GetGroup(areSmall, isPositive), isPositive);
     }
     this->Patterns.Release();
   }
@@ -296,11 +351,12 @@ void TerrainPainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   this->Instances.Deactivate(window);
   this->Globe.Deactivate();
   this->Table.Deactivate();
+  return true;
 }
 
-void TerrainPainter::DrawGroup(TerrainPatterns::Primitives primitives, bool isPositive)
+void TerrainPainter::DrawGroup(
+  TerrainPatterns::Primitives primitives, const TerrainInstances::Group& group, bool isPositive)
 {
-  const TerrainInstances::Group& group = this->Instances.GetGroup(isPositive);
   if (group.Count == 0)
   {
     return;
@@ -309,8 +365,9 @@ void TerrainPainter::DrawGroup(TerrainPatterns::Primitives primitives, bool isPo
   const bool isMirrored = isPositive != (GetDeterminant(this->Current.Placement) > 0.0);
   const PatternRange& range = this->Patterns.GetRange(primitives, isMirrored);
   const auto [instances, copies] = CountInstances(group.Count, range.Copies);
-  const GLint location = glGetUniformLocation(
-    static_cast<GLuint>(this->Variants.GetHelper().Program->GetHandle()), "relevoGroup");
+  const vtkOpenGLHelper& helper = this->Variants.GetHelper(this->Options.HasVertexNormals ? 1 : 0);
+  const GLint location =
+    glGetUniformLocation(static_cast<GLuint>(helper.Program->GetHandle()), "relevoGroup");
   glUniform3i(location, group.First, group.Count, copies);
   glDrawElementsInstanced(GetTerrainMode(primitives), copies * range.NumberOfIndices,
     GL_UNSIGNED_SHORT, TerrainPatterns::GetOffset(range), instances);
@@ -387,6 +444,12 @@ void TerrainPainter::SetPositionUniforms(vtkShaderProgram* program)
   const int origin[2] = { UnitsPerSample * this->OriginSample[0],
     UnitsPerSample * this->OriginSample[1] };
   program->SetUniform2i("relevoOrigin", origin);
+  if (program->IsUniformUsed("relevoHalfViewport"))
+  {
+    const float viewport[2] = { static_cast<float>(this->HalfViewport[0]),
+      static_cast<float>(this->HalfViewport[1]) };
+    program->SetUniform2f("relevoHalfViewport", viewport);
+  }
   program->SetUniformf("relevoOriginHeight", this->OriginHeight);
   program->SetUniformf("relevoHeightScale", static_cast<float>(placement.HeightScale));
   program->SetUniformf(

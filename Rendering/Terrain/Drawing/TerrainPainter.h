@@ -33,6 +33,8 @@ class vtkScalarsToColors;
 
 namespace relevo
 {
+class TerrainViewpoint;
+
 class TerrainPainter : public vtkOpenGLPolyDataMapper
 {
 public:
@@ -105,14 +107,17 @@ private:
   TerrainPainter(const TerrainPainter&) = delete;
   void operator=(const TerrainPainter&) = delete;
 
-  void ChooseOrigin(vtkRenderer* renderer, vtkActor* actor, const std::vector<TerrainFace>& faces);
+  void ChooseOrigin(const TerrainViewpoint& viewpoint, const std::vector<TerrainFace>& faces);
   void ChooseGlobeOrigin(const std::vector<TerrainFace>& faces, const std::array<double, 3>& near,
     const float heights[2]);
   void SetOrigin(const std::array<double, 3>& origin);
   void UpdateColors(vtkOpenGLRenderWindow* window);
   void SetPositionUniforms(vtkShaderProgram* program);
   void SetColorUniforms(vtkShaderProgram* program);
-  void DrawGroup(TerrainPatterns::Primitives primitives, bool isPositive);
+  void FindSmallFaces(const TerrainViewpoint& viewpoint, const std::vector<TerrainFace>& faces);
+  bool DrawFaces(vtkRenderer* renderer, vtkActor* actor, bool areSmall);
+  void DrawGroup(
+    TerrainPatterns::Primitives primitives, const TerrainInstances::Group& group, bool isPositive);
 
   Settings Current;
   TerrainInstances Instances;
@@ -125,8 +130,11 @@ private:
   float OriginHeight = 0.0f;
   vtkNew<vtkPolyData> Box; // VTK's mapper needs points
 
+  std::array<double, 2> HalfViewport = { { 0.0, 0.0 } };
+  std::vector<bool> AreSmall; // by face
+
   TerrainShaderOptions Options;
-  ShaderVariants Variants;
+  ShaderVariants Variants{ 2 }; // for large and for small triangles
   int NumberOfDrawCalls = 0;
 };
 }

@@ -9,12 +9,14 @@
 #include "relevoColorTable.h"
 #include "relevoTerrainFS.h"
 #include "relevoTerrainFaceVS.h"
+#include "relevoTerrainFootprintFS.h"
+#include "relevoTerrainFootprintVS.h"
 #include "relevoTerrainGlobeVS.h"
-#include "relevoTerrainGradientFS.h"
+#include "relevoTerrainGradient.h"
 #include "relevoTerrainHeightFS.h"
 #include "relevoTerrainHeightsVS.h"
 #include "relevoTerrainImageryFS.h"
-#include "relevoTerrainTilesFS.h"
+#include "relevoTerrainTiles.h"
 #include "relevoTerrainVS.h"
 
 #include <sstream>
@@ -24,14 +26,9 @@ namespace relevo
 {
 namespace
 {
+constexpr const char* HasNormals = "#define RELEVO_NORMALS\n";
 constexpr int TileShift = 8;
 static_assert(HeightTile::CellsPerTile == 1 << TileShift, "the shift must match the tiles");
-
-bool HasGradients(const TerrainShaderOptions& options)
-{
-  return options.Coloring == TerrainColoring::SLOPE ||
-    options.Coloring == TerrainColoring::ASPECT || options.Coloring == TerrainColoring::HILLSHADE;
-}
 
 std::string GetDefines(const TerrainShaderOptions& options)
 {
@@ -97,9 +94,15 @@ bool HasImagery(TerrainColoring coloring)
   return coloring == TerrainColoring::IMAGERY || coloring == TerrainColoring::RASTER;
 }
 
+bool HasGradients(TerrainColoring coloring)
+{
+  return coloring == TerrainColoring::SLOPE || coloring == TerrainColoring::ASPECT ||
+    coloring == TerrainColoring::HILLSHADE;
+}
+
 Dependencies TerrainShaderOptions::GetKey() const
 {
-  return Dependencies::On(GetDefines(*this));
+  return Dependencies::On(GetDefines(*this), this->HasVertexNormals);
 }
 
 void PrepareTerrainShaders(const TerrainShaderOptions& options, bool ownFragments,
@@ -133,11 +136,14 @@ void FinishTerrainShaders(const TerrainShaderOptions& options,
   const std::vector<ShaderVarying> varyings = GetVaryings(options);
   ShaderText vertex(shaders[vtkShader::Vertex], missing);
   const bool hasNormal = ComputeVertexAttributes(vertex, "relevoDrawTerrain");
+  const bool hasVertexNormals = hasNormal && options.HasVertexNormals;
   vertex.InsertBeforeMain(DeclareVaryings("out", varyings) +
     "void relevoSetNormal(vec3 normal)\n{\n" + (hasNormal ? "  normalMC = normal;\n" : "") + "}\n" +
     relevoTerrainFaceVS + (options.IsGlobe ? relevoTerrainGlobeVS : "") + relevoTerrainHeightsVS +
+    (hasVertexNormals ? relevoTerrainFootprintVS : "") +
+    (hasVertexNormals ? relevoTerrainTiles : "") + (hasVertexNormals ? relevoTerrainGradient : "") +
     relevoTerrainVS);
-  vertex.InsertAfterVersion(GetDefines(options));
+  vertex.InsertAfterVersion(GetDefines(options) + (hasVertexNormals ? HasNormals : ""));
 
   ShaderText geometry(shaders[vtkShader::Geometry], missing);
   if (!geometry.IsEmpty())
@@ -149,34 +155,36 @@ void FinishTerrainShaders(const TerrainShaderOptions& options,
   {
     fragment.Replace("gl_PrimitiveID + PrimitiveIDOffset", "relevoCellVSOutput");
   }
-  const bool isShaded = fragment.Has("in vec3 normalVCVSOutput;");
-  if (isShaded)
+  const bool hasNormals = fragment.Has("in vec3 normalVCVSOutput;") && !options.HasVertexNormals;
+  if (hasNormals)
   {
     fragment.Replace("vec3 normalVCVSOutput = normalize(normalVCVSOutput);",
-      "vec3 normalVCVSOutput = relevoTerrainNormal();");
+      "vec3 normalVCVSOutput = normalize(normalMatrix * relevoTerrainNormal());");
   }
-  const bool hasFacing = isShaded && options.IsGlobe;
+  const bool hasFacing = hasNormals && options.IsGlobe;
   if (hasFacing)
   {
     fragment.IfReplace("gl_FrontFacing", "relevoIsFront");
   }
   const bool hasParallel = fragment.Has("uniform int cameraParallel;");
   const bool hasMatrix = fragment.Has("uniform mat3 normalMatrix;");
-  const bool hasGradient = isShaded || HasGradients(options);
+  const bool hasGradient = hasNormals || HasGradients(options.Coloring);
   const bool hasImagery = HasImagery(options.Coloring);
   const bool hasHeight = HasHeights(options.Coloring, options.HasContours);
   const bool hasTiles = hasGradient || hasImagery || hasHeight;
   fragment.InsertAtStart(std::string(hasTiles ? "  relevoMeasureFootprint();\n" : "") +
-    (hasHeight ? "  relevoFindHeight();\n" : "") +
+    (hasHeight ? "  relevoFindHeight(relevoDetail());\n" : "") +
     (options.HasContours ? "  relevoMeasureContours();\n" : "") +
-    "  if (relevoIsOutside()) discard;\n" + (hasGradient ? "  relevoFindGradient();\n" : "") +
+    "  if (relevoIsOutside()) discard;\n" +
+    (hasGradient ? "  relevoFindGradient(relevoDetail());\n" : "") +
     (hasFacing ? "  relevoFindFacing();\n" : ""));
   fragment.InsertBeforeMain(DeclareVaryings("in", varyings) +
-    (HasTable(options.Coloring) ? relevoColorTable : "") + (hasTiles ? relevoTerrainTilesFS : "") +
-    (hasHeight ? relevoTerrainHeightFS : "") + (hasGradient ? relevoTerrainGradientFS : "") +
+    (hasNormals && !hasMatrix ? "uniform mat3 normalMatrix;\n" : "") +
+    (HasTable(options.Coloring) ? relevoColorTable : "") +
+    (hasTiles ? relevoTerrainFootprintFS : "") + (hasTiles ? relevoTerrainTiles : "") +
+    (hasHeight ? relevoTerrainHeightFS : "") + (hasGradient ? relevoTerrainGradient : "") +
     (hasImagery ? relevoTerrainImageryFS : "") + relevoTerrainFS);
-  fragment.InsertAfterVersion(GetDefines(options) + (isShaded ? "#define RELEVO_NORMALS\n" : "") +
-    (hasMatrix ? "#define RELEVO_NORMAL_MATRIX\n" : "") +
+  fragment.InsertAfterVersion(GetDefines(options) + (hasNormals ? HasNormals : "") +
     (hasParallel ? "#define RELEVO_CAMERA_PARALLEL\n" : ""));
 }
 }

@@ -36,6 +36,9 @@ bool HasHeights(TerrainColoring coloring, bool hasContours);
 /// Return whether the colours need tiles of imagery.
 bool HasImagery(TerrainColoring coloring);
 
+/// Return whether the colours need the gradient at each fragment.
+bool HasGradients(TerrainColoring coloring);
+
 /// The options of shaders of terrains.
 struct TerrainShaderOptions
 {
@@ -43,6 +46,9 @@ struct TerrainShaderOptions
   bool HasContours = false;
   bool HasCells = false; // for a selection of cells
   bool IsGlobe = false;  // the geocentric frame
+  /// Whether vertices have normals, for small triangles, instead of fragments. Not on a globe, nor
+  /// if the colours are those of slopes.
+  bool HasVertexNormals = false;
 
   Dependencies GetKey() const;
 };

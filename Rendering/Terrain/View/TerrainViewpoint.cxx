@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace relevo
 {
@@ -41,6 +42,7 @@ TerrainViewpoint::TerrainViewpoint(vtkRenderer* renderer, vtkActor* actor)
   this->PixelsPerUnit = this->IsParallel
     ? largest * view.ViewportSize[1] / (2.0 * camera->GetParallelScale())
     : largest / smallest * GetPixelsAtUnitDistance(view);
+  this->HalfViewport = { { 0.5 * view.ViewportSize[0], 0.5 * view.ViewportSize[1] } };
   this->NearestDistance = std::max(0.0, camera->GetClippingRange()[0] / largest);
   const dmat4 rows = transpose(MakeMatrix(camera->GetCompositeProjectionTransformMatrix(
                                  renderer->GetTiledAspectRatio(), -1.0, 1.0)) *
@@ -99,5 +101,39 @@ TerrainView TerrainViewpoint::MakeView(const TerrainPlacement& placement) const
   }
   view.SetPlacement(placement);
   return view;
+}
+
+// The planes of the frustum are the coordinates that OpenGL clips by, w + x, w - x, w + y and so
+// on.
+double TerrainViewpoint::GetLongestSide(const std::array<std::array<double, 3>, 3>& corners) const
+{
+  std::array<dvec2, 3> pixels;
+  for (int i = 0; i < 3; ++i)
+  {
+    const dvec4 corner(corners[i][0], corners[i][1], corners[i][2], 1.0);
+    const auto clip = [this, &corner](int plane)
+    {
+      const auto& numbers = this->Planes[plane];
+      return dot(dvec4(numbers[0], numbers[1], numbers[2], numbers[3]), corner);
+    };
+    const double left = clip(0);
+    const double right = clip(1);
+    const double bottom = clip(2);
+    const double top = clip(3);
+    const double w = 0.5 * (left + right);
+    if (!(w > 0.0))
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+    pixels[i] =
+      dvec2(this->HalfViewport[0] * (left - right), this->HalfViewport[1] * (bottom - top)) /
+      (2.0 * w);
+  }
+  double longest = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    longest = std::max(longest, length(pixels[i] - pixels[(i + 1) % 3]));
+  }
+  return longest;
 }
 }

@@ -38,6 +38,12 @@ public:
   /// parallel projection, the focal point.
   const std::array<double, 3>& GetNearPoint() const { return this->NearPoint; }
 
+  /// Return half of the width and height of the viewport, in pixels.
+  const std::array<double, 2>& GetHalfViewport() const { return this->HalfViewport; }
+
+  /// Return the longest side of a triangle in pixels; infinite unless it is wholly before the eye.
+  double GetLongestSide(const std::array<std::array<double, 3>, 3>& corners) const;
+
 private:
   bool Valid = false;
   bool IsParallel = false;
@@ -46,6 +52,7 @@ private:
   double PixelsPerUnit = 1.0;
   double NearestDistance = 0.0;
   std::array<std::array<double, 4>, 6> Planes{};
+  std::array<double, 2> HalfViewport = { { 0.0, 0.0 } }; // pixels
 };
 }
 

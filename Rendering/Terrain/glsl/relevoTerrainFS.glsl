@@ -1,5 +1,5 @@
 // Fragments of a terrain: its borders, colours by height and slope, and contour lines. Heights need
-// relevoTerrainHeightFS.glsl, and slopes relevoTerrainGradientFS.glsl.
+// relevoTerrainHeightFS.glsl, and slopes relevoTerrainGradient.glsl.
 
 uniform vec2 relevoLastSample; // as relevoRaster
 

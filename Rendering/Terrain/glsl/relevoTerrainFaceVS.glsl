@@ -3,6 +3,12 @@
 uniform ivec3 relevoGroup; // first face, number of faces, faces per instance
 uniform usamplerBuffer relevoFaces;      // apex in the face's lattice, shape, layers of the tiles
 uniform samplerBuffer relevoFaceHeights; // morph, heights of the corners
+uniform ivec2 relevoOrigin;      // units of the finest lattice
+#ifndef RELEVO_GLOBE
+uniform float relevoOriginHeight;
+uniform vec4 relevoPlacement;    // world coordinates of a step to the next column and row
+uniform float relevoHeightScale; // world units per unit of height
+#endif
 
 // A tile, in vertices of the lattice of its level.
 struct RelevoTile

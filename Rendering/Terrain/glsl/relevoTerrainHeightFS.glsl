@@ -1,6 +1,6 @@
 // The height of a terrain at a fragment, from the tiles whose samples are about as large as the
-// pixel, however large the triangle is. Heights are linear between levels, as in a mipmap, and a
-// tile that has just been read fades in. Follows relevoTerrainTilesFS.glsl.
+// pixel, however large the triangle is. Heights blend between levels, as in a mipmap, and a
+// tile that has just been read fades in. Follows relevoTerrainTiles.glsl.
 
 uniform sampler2DArray relevoTiles; // of heights
 
@@ -21,15 +21,14 @@ float relevoTileHeight(vec2 vertex, int layer)
 }
 
 // This must run at the start of main(), for all pixels, because contour lines use derivatives of the
-// height. Without a tile, the height is that of the triangle.
-void relevoFindHeight()
+// height. Without a tile, the height is that of the triangle. `detail` is the logarithm of the samples
+// that the pixel covers, per side.
+void relevoFindHeight(float detail)
 {
-  float detail = 0.5 *
-    log2(max(abs(relevoRight.x * relevoUp.y - relevoRight.y * relevoUp.x), 1e-30));
   float rest = 1.0; // the weight of coarser levels
-  int level = clamp(int(floor(detail)), 0, relevoHeightLevels.y);
+  int level = clamp(relevoFirstLevel(detail), 0, relevoHeightLevels.y);
   relevoFragmentHeight = 0.0;
-  while (level <= relevoHeightLevels.y && rest > 0.0)
+  do
   {
     vec2 vertex;
     ivec2 tile = relevoLocate(level, relevoRasterVSOutput, vertex);
@@ -37,13 +36,13 @@ void relevoFindHeight()
     if (relevoFindTile(RelevoHeights, level, tile, visibility) >= 0)
     {
       float height = relevoTileHeight(vertex, relevoHeightLayer);
-      float weight = rest * visibility * clamp(float(level + 1) - detail, 0.0, 1.0);
+      float weight = rest * visibility * relevoLevelWeight(level, detail);
       weight = level == relevoHeightLevels.y ? rest : weight;
       weight = isnan(height) ? 0.0 : weight;
       relevoFragmentHeight += weight > 0.0 ? weight * height : 0.0;
       rest -= weight;
     }
     ++level;
-  }
+  } while (level <= relevoHeightLevels.y && rest > 0.0);
   relevoFragmentHeight += rest > 0.0 ? rest * relevoHeightVSOutput : 0.0;
 }

@@ -1,6 +1,6 @@
 // The imagery at a fragment, from the tiles whose texels are about as large as the pixel. Colours are
 // linear between levels, as in a mipmap, and a tile that has just been read fades in. Follows
-// relevoTerrainTilesFS.glsl.
+// relevoTerrainTiles.glsl.
 
 uniform sampler2DArray relevoImagery;
 uniform ivec2 relevoImageryLevels; // the finest and the coarsest one
@@ -44,7 +44,7 @@ vec4 relevoImageryAt(vec2 raster, float detail)
   vec4 color = vec4(0.0);
   float rest = 1.0; // the weight of coarser levels
   int level = clamp(int(floor(detail)), relevoImageryLevels.x, relevoImageryLevels.y);
-  while (level <= relevoImageryLevels.y && rest > 0.0)
+  do
   {
     vec2 vertex;
     ivec2 tile = relevoLocate(level, raster, vertex);
@@ -58,7 +58,7 @@ vec4 relevoImageryAt(vec2 raster, float detail)
       rest -= weight;
     }
     ++level;
-  }
+  } while (level <= relevoImageryLevels.y && rest > 0.0);
   return color;
 }
 
@@ -81,9 +81,11 @@ vec4 relevoImageryColor()
   float number = clamp(ceil(longer / max(shorter, texel)), 1.0, relevoLargestNumberOfPoints);
   float detail = log2(max(longer / number, 1e-15));
   vec4 color = vec4(0.0);
-  for (float i = 0.5; i < number; i += 1.0)
+  float i = 0.5;
+  do
   {
     color += relevoImageryAt(relevoRasterVSOutput + (i / number - 0.5) * axis, detail);
-  }
+    i += 1.0;
+  } while (i < number);
   return color / number;
 }

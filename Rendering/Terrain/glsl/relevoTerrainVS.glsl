@@ -1,13 +1,6 @@
 // Runs first in main() and computes the attributes that VTK's code uses as the vertex. Follows
 // relevoTerrainHeightsVS.glsl.
 
-uniform ivec2 relevoOrigin;      // units of the finest lattice
-#ifndef RELEVO_GLOBE
-uniform float relevoOriginHeight;
-uniform vec4 relevoPlacement;    // world coordinates of a step to the next column and row
-uniform float relevoHeightScale; // world units per unit of height
-#endif
-
 #ifdef RELEVO_CELLS
 uniform usamplerBuffer relevoFaceIds;
 #endif
@@ -32,8 +25,14 @@ void relevoDrawTerrain()
 #endif
   relevoMissingVSOutput = isMissing ? 1.0 : 0.0;
   vertexMC = vec4(position, 1.0);
-  relevoSetNormal(vec3(0.0, 0.0, 1.0)); // fragments have their own
   relevoRasterVSOutput = samples;
+#ifdef RELEVO_NORMALS
+  // The interpolation between vertices, which are about 2 pixels apart, is a filter, too.
+  relevoFindGradient(relevoDetail(position) - 1.0);
+  relevoSetNormal(relevoTerrainNormal());
+#else
+  relevoSetNormal(vec3(0.0, 0.0, 1.0)); // fragments have their own
+#endif
 #ifdef RELEVO_HEIGHTS
   relevoHeightVSOutput = isnan(height) ? 0.0 : height;
 #endif

@@ -191,6 +191,33 @@ void TestShading(RelevoCheck& check, RelevoComparison& comparison)
   CHECK(full.Depths == flat.Depths);
 }
 
+// Triangles that are about as large as pixels have the same shading as others. A program for them
+// is built when they appear.
+void TestSmallTriangles(RelevoCheck& check)
+{
+  RelevoTerrainScene scene(
+    513, 513, [](int column, int) { return 0.15f * (column - 256); }, 10.0f);
+  const double exaggeration = 3.0;
+  scene.Mapper->Settings.Placement.HeightScale = exaggeration;
+  scene.Mapper->Settings.Exaggeration = exaggeration;
+  LookFromAbove(scene, 150.0);
+  const double expected = 255.0 / std::hypot(1.0, 0.15 * exaggeration);
+  vtkIdType programs = 0;
+  for (double tolerance : { 1000.0, 1.0 })
+  {
+    CHECK_CASE(tolerance);
+    scene.Mapper->Tolerance = tolerance;
+    const RelevoPicture picture = scene.Draw();
+    CHECK_EQUAL(scene.Mapper->Painter->GetShaderError(), "");
+    const auto wrong = std::count_if(picture.Colors.begin(), picture.Colors.end(),
+      [expected](unsigned char color) { return std::abs(color - expected) > 1.5; });
+    CHECK_EQUAL(wrong, 0);
+    CHECK_EQUAL(scene.Mapper->Painter->GetNumberOfDrawCalls(), 2);
+    ++programs;
+    CHECK_EQUAL(scene.Mapper->Painter->GetNumberOfShaderBuilds(), programs);
+  }
+}
+
 // On a plane that rises eastwards, contour lines are columns of pixels.
 void TestContours(RelevoCheck& check, RelevoComparison& comparison)
 {
@@ -270,6 +297,7 @@ int TestTerrainPainterColors(int argc, char* argv[])
   TestHeightColors(check, comparison);
   TestSlopes(check);
   TestShading(check, comparison);
+  TestSmallTriangles(check);
   TestContours(check, comparison);
   return check.GetResult();
 }

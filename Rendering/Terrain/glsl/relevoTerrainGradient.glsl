@@ -1,6 +1,6 @@
-// The gradient of a terrain at a fragment, from the tiles whose samples are about as large as the
-// pixel. Gradients are linear between levels, as in a mipmap, and a tile that has just been read
-// fades in. Follows relevoTerrainTilesFS.glsl.
+// The gradient of a terrain at a vertex or fragment, from the tiles whose samples are about as large
+// as the pixel. Gradients blend between levels, as in a mipmap, and a tile that has just been read
+// fades in. Follows relevoTerrainTiles.glsl.
 
 #ifdef RELEVO_GLOBE
 uniform float relevoUnit;     // metres per unit of height
@@ -13,15 +13,13 @@ uniform sampler2DArray relevoTileGradients;
 // The result: heights per world unit, without exaggeration; on a globe to the east and the north.
 vec2 relevoGradient = vec2(0.0);
 
-void relevoFindGradient()
+// `detail` is the logarithm of the samples that the pixel covers, per side.
+void relevoFindGradient(float detail)
 {
-  // The logarithm of the samples that the pixel covers, per side.
-  float detail = 0.5 *
-    log2(max(abs(relevoRight.x * relevoUp.y - relevoRight.y * relevoUp.x), 1e-30));
   vec2 gradient = vec2(0.0); // by column and row
   float rest = 1.0;          // the weight of coarser levels
-  int level = clamp(int(floor(detail)), 0, relevoHeightLevels.y);
-  while (level <= relevoHeightLevels.y && rest > 0.0)
+  int level = clamp(relevoFirstLevel(detail), 0, relevoHeightLevels.y);
+  do
   {
     vec2 vertex;
     ivec2 tile = relevoLocate(level, relevoRasterVSOutput, vertex);
@@ -30,13 +28,13 @@ void relevoFindGradient()
     if (layer >= 0)
     {
       vec2 found = textureLod(relevoTileGradients, relevoLayerPoint(vertex, layer), 0.0).rg;
-      float weight = rest * visibility * clamp(float(level + 1) - detail, 0.0, 1.0);
+      float weight = rest * visibility * relevoLevelWeight(level, detail);
       weight = level == relevoHeightLevels.y ? rest : weight;
-      gradient += weight * found / float(1 << level);
+      gradient += weight * relevoPower(-level) * found;
       rest -= weight;
     }
     ++level;
-  }
+  } while (level <= relevoHeightLevels.y && rest > 0.0);
 #ifdef RELEVO_GLOBE
   // There is no east at the poles. Differences by column do not vanish there, because they are linear
   // in the cell at the pole.
@@ -51,20 +49,18 @@ void relevoFindGradient()
 }
 
 #ifdef RELEVO_NORMALS
-#ifndef RELEVO_NORMAL_MATRIX
-uniform mat3 normalMatrix; // VTK's
-#endif
 uniform float relevoExaggeration;
 
+// Return the normal in model coordinates.
 vec3 relevoTerrainNormal()
 {
   vec2 slope = relevoExaggeration * relevoGradient;
 #ifdef RELEVO_GLOBE
   vec3 up = normalize(relevoUpVSOutput);
   vec3 east = vec3(-up.y, up.x, 0.0) / max(length(up.xy), 1e-6);
-  return normalize(normalMatrix * (up - slope.x * east - slope.y * cross(up, east)));
+  return up - slope.x * east - slope.y * cross(up, east);
 #else
-  return normalize(normalMatrix * vec3(-slope, 1.0));
+  return vec3(-slope, 1.0);
 #endif
 }
 
@@ -78,7 +74,7 @@ bool relevoIsFront = true;
 // the normal points to the viewer, the fragment is of the upper side.
 void relevoFindFacing()
 {
-  vec3 normal = relevoTerrainNormal();
+  vec3 normal = normalMatrix * relevoTerrainNormal();
   float towards = cameraParallel != 0 ? normal.z : -dot(normal, vertexVCVSOutput.xyz);
   relevoIsFront = gl_FrontFacing || towards > 0.0;
 }

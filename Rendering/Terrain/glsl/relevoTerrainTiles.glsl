@@ -1,0 +1,84 @@
+// Finds the tiles of a point. Follows the declaration of relevoOrigin.
+//
+// Loops test their condition at the end, because Mesa's software renderer executes one more
+// iteration, without effect, of a loop that tests it at the start. After such a loop, only variables
+// may be used that an iteration takes from the one before: the others have the values of the pixel
+// that left the loop last.
+
+uniform usamplerBuffer relevoTileTable; // a hash table: key, layer and visibility
+uniform int relevoTableBits;
+uniform ivec2 relevoHeightLevels; // the finest and the coarsest one
+
+const int RelevoImagery = 0; // kinds of tiles
+const int RelevoHeights = 1;
+
+// Return a power of 2.
+float relevoPower(int exponent)
+{
+  return intBitsToFloat((exponent + 127) << 23);
+}
+
+// Find the tile of a level that contains a point (as relevoRaster), and the point in its vertices.
+ivec2 relevoLocate(int level, vec2 raster, out vec2 vertex)
+{
+  ivec2 origin = relevoOrigin >> -RELEVO_FINEST_LEVEL; // samples
+  int shift = level + RELEVO_TILE_SHIFT;
+  int coarser = max(shift, 0);
+  ivec2 first = (origin >> coarser) << max(-shift, 0);
+  vec2 place =
+    (vec2(origin & ivec2((1 << coarser) - 1)) + raster) * relevoPower(-shift);
+  place = max(place, -vec2(first)); // rounding errors at the first column and row
+  vec2 tile = floor(place);
+  vertex = (place - tile) * float(1 << RELEVO_TILE_SHIFT);
+  return first + ivec2(tile);
+}
+
+int relevoHeightLayer; // of the heights of the tile that was found last
+
+// Return the layer of a tile, or -1.
+int relevoFindTile(int kind, int level, ivec2 tile, out float visibility)
+{
+  uvec2 key = uvec2(tile) | uvec2(uint(kind) << 31, uint(level - RELEVO_FINEST_TILE + 1) << 26);
+  uvec2 factors = uvec2(2654435769u, 2246822519u) * key;
+  int last = (1 << relevoTableBits) - 1;
+  int entry = int((factors.x ^ factors.y) >> (32 - relevoTableBits));
+  int layer = -1;
+  visibility = 0.0;
+  relevoHeightLayer = 0;
+  bool isEmpty;
+  bool isFound;
+  do
+  {
+    uvec4 found = texelFetch(relevoTileTable, entry);
+    isEmpty = found.y == 0u;
+    isFound = found.xy == key;
+    layer = isFound ? int(found.z & 65535u) : layer;
+    relevoHeightLayer = isFound ? int(found.z >> 16) : relevoHeightLayer;
+    visibility = isFound ? float(found.w) / 65535.0 : visibility;
+    entry = (entry + 1) & last;
+  } while (!isEmpty && !isFound);
+  return layer;
+}
+
+// Return the texture coordinates of a vertex of a tile in a layer.
+vec3 relevoLayerPoint(vec2 vertex, int layer)
+{
+  return vec3((vertex + 1.5) * (1.0 / float((1 << RELEVO_TILE_SHIFT) + 3)), float(layer));
+}
+
+// Tiles blend between levels, as in a mipmap, but only within a quarter of the step between them, so
+// that most pixels need one level. `detail` is the logarithm of the samples that the pixel covers,
+// per side.
+const float relevoSharpness = 4.0;
+const float relevoMiddle = 0.6; // from a level to the place where the next one has the same weight
+
+int relevoFirstLevel(float detail)
+{
+  return int(floor(detail + (1.0 - relevoMiddle - 0.5 / relevoSharpness)));
+}
+
+// Return the weight of a level, of what finer levels leave.
+float relevoLevelWeight(int level, float detail)
+{
+  return clamp(0.5 + relevoSharpness * (float(level) + relevoMiddle - detail), 0.0, 1.0);
+}
