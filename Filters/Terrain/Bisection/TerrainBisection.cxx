@@ -146,26 +146,25 @@ double TerrainBisection::ProjectSquare(const Block& block)
   return this->View->Project(error + this->View->GetShapeError(block.Level, true, region), region);
 }
 
+// A side belongs to the block after it.
+float TerrainBisection::GetEdgeError(const Block& block, int side) const
+{
+  return this->Errors.GetEdgeError(block.Level,
+    static_cast<int>(block.Column) + (side == 1 ? 1 : 0),
+    static_cast<int>(block.Row) + (side == 2 ? 1 : 0), side % 2);
+}
+
 double TerrainBisection::ProjectEdge(const Block& block, int side)
 {
-  const Block other = { block.Level, block.Column + SideSteps[side][0],
-    block.Row + SideSteps[side][1] };
-  float error = 0.0f;
-  for (const Block& candidate : { block, other })
-  {
-    if (this->Exists(candidate))
-    {
-      error = std::max(error,
-        this->Errors.GetFaceError(
-          candidate.Level, static_cast<int>(candidate.Column), static_cast<int>(candidate.Row)));
-    }
-  }
+  const float error = this->GetEdgeError(block, side);
   const double column = static_cast<double>(block.Column) + 0.5 * (1 + SideSteps[side][0]);
   const double row = static_cast<double>(block.Row) + 0.5 * (1 + SideSteps[side][1]);
   TerrainBox region =
     this->GetRegion(block.Level, { { column - 1.0, column + 1.0 } }, { { row - 1.0, row + 1.0 } });
   if (block.Level <= SampleLevel)
   {
+    const Block other = { block.Level, block.Column + SideSteps[side][0],
+      block.Row + SideSteps[side][1] };
     region.Heights = FindHeights(this->GetTile(0, this->Exists(block) ? block : other), region);
   }
   return this->View->Project(error + this->View->GetShapeError(block.Level, false, region), region);
@@ -433,7 +432,7 @@ void TerrainBisection::AddFace(const Block& block, int side, int end, float morp
   face.CoarseTile = &this->GetTile(face.Level + 1, block);
   if (error > this->Tolerance)
   {
-    face.Error = static_cast<float>(this->ProjectFace(block, end, face));
+    face.Error = static_cast<float>(this->ProjectFace(block, side, end, face));
   }
   this->Error = std::max<double>(this->Error, face.Error);
   this->Faces.push_back(face);
@@ -441,15 +440,15 @@ void TerrainBisection::AddFace(const Block& block, int side, int end, float morp
 
 // The projected error of a face at its own distance, which can be much larger than that of the
 // region from which errors decide.
-double TerrainBisection::ProjectFace(const Block& block, int end, const TerrainFace& face) const
+double TerrainBisection::ProjectFace(
+  const Block& block, int side, int end, const TerrainFace& face) const
 {
   // The error of the parent bounds that of a face that is not fully visible.
   const bool isSplit = face.Morph >= 1.0f;
   float heightError = 0.0f;
   if (end < 0)
   {
-    heightError = isSplit ? this->Errors.GetFaceError(block.Level, static_cast<int>(block.Column),
-                              static_cast<int>(block.Row))
+    heightError = isSplit ? this->GetEdgeError(block, side)
                           : this->Errors.GetSquareError(block.Level, static_cast<int>(block.Column),
                               static_cast<int>(block.Row));
   }
@@ -458,8 +457,7 @@ double TerrainBisection::ProjectFace(const Block& block, int end, const TerrainF
     const int column = static_cast<int>(2 * block.Column) + relevo::Corners[end][0] / 2;
     const int row = static_cast<int>(2 * block.Row) + relevo::Corners[end][1] / 2;
     heightError = isSplit ? this->Errors.GetSquareError(block.Level - 1, column, row)
-                          : this->Errors.GetFaceError(block.Level, static_cast<int>(block.Column),
-                              static_cast<int>(block.Row));
+                          : this->GetEdgeError(block, side);
   }
   // The level of the bisection that the error is of.
   const bool isSquare = (end < 0) != isSplit;

@@ -76,6 +76,7 @@ private:
   TerrainBox GetRegion(
     int level, const std::array<double, 2>& columns, const std::array<double, 2>& rows) const;
   double ProjectSquare(const Block& block);
+  float GetEdgeError(const Block& block, int side) const;
   double ProjectEdge(const Block& block, int side);
   float Ramp(double error) const;
   double LimitSquare(const Block& block);
@@ -87,7 +88,7 @@ private:
   bool IsVisible(const Block& block) const;
   void Visit(const Block& block);
   void AddFace(const Block& block, int side, int end, float morph, double error);
-  double ProjectFace(const Block& block, int end, const TerrainFace& face) const;
+  double ProjectFace(const Block& block, int side, int end, const TerrainFace& face) const;
   float GetCornerHeight(std::int64_t x, std::int64_t y);
   float ComputeCornerHeight(std::int64_t x, std::int64_t y);
 

@@ -48,7 +48,7 @@ int BlockErrors::GetRootLevel(int columns, int rows)
   return level;
 }
 
-float BlockErrors::Find(int level, int column, int row, bool isFace) const
+float BlockErrors::Find(int level, int column, int row, int kind) const
 {
   if (level >= static_cast<int>(this->Levels.size()))
   {
@@ -61,7 +61,7 @@ float BlockErrors::Find(int level, int column, int row, bool isFace) const
     return 0.0f;
   }
   const int block = row % BlocksPerTile * BlocksPerTile + column % BlocksPerTile;
-  return Decode(isFace ? found->second.Face[block] : found->second.Square[block], this->Largest);
+  return Decode(found->second[kind][block], this->Largest);
 }
 
 // The saturated error of a block of a level up to 0, in units of level 0.
@@ -73,11 +73,11 @@ float BlockErrors::FindSaturated(int level, int column, int row, int neighbors) 
   {
     for (int x = std::max(column - neighbors, 0) >> shift; x <= (column + neighbors) >> shift; ++x)
     {
-      largest = std::max(largest, this->Find(0, x, y, false));
+      largest = std::max(largest, this->Find(0, x, y, Square));
     }
   }
   return std::max(
-    this->Find(0, column >> shift, row >> shift, false), NeighborShareOfLevel0 * largest);
+    this->Find(0, column >> shift, row >> shift, Square), NeighborShareOfLevel0 * largest);
 }
 
 float BlockErrors::GetSquareError(int level, int column, int row) const
@@ -86,22 +86,25 @@ float BlockErrors::GetSquareError(int level, int column, int row) const
   {
     return this->Estimated * std::exp2(static_cast<float>(level > 0 ? level : 2 * level));
   }
-  // The face errors of this level depend on one block around, and so do those of the four
-  // neighbours.
-  return level > 0 ? this->Find(level, column, row, false)
+  // The errors of the edges of this level depend on one block around the two at the edge.
+  return level > 0 ? this->Find(level, column, row, Square)
                    : GetShareOfLevel0(level) * this->FindSaturated(level, column, row, 2);
 }
 
-float BlockErrors::GetFaceError(int level, int column, int row) const
+float BlockErrors::GetEdgeError(int level, int column, int row, int axis) const
 {
   if (this->Estimated > 0.0f)
   {
     return this->GetSquareError(level, column, row) *
-      (level > 0 ? std::sqrt(0.5f) : FaceShareOfLevel0);
+      (level > 0 ? std::sqrt(0.5f) : EdgeShareOfLevel0);
+  }
+  if (level > 0)
+  {
+    return this->Find(level, column, row, RowEdge + axis);
   }
   // The square errors of the finer level depend on two of its blocks around, which are one of this.
-  return level > 0
-    ? this->Find(level, column, row, true)
-    : FaceShareOfLevel0 * GetShareOfLevel0(level) * this->FindSaturated(level, column, row, 1);
+  const float errors[2] = { this->FindSaturated(level, column, row, 1),
+    this->FindSaturated(level, std::max(column - axis, 0), std::max(row - 1 + axis, 0), 1) };
+  return EdgeShareOfLevel0 * GetShareOfLevel0(level) * std::max(errors[0], errors[1]);
 }
 }

@@ -5,23 +5,24 @@
  * @brief   bounds of the vertical errors of a bisected terrain, block by block
  *
  * A block of level m has 8 x 8 cells of the height lattice of level m, from vertex 8 * (column,
- * row) on; see HeightTile. The square of a block can be drawn as 2 triangles (its square error
- * bounds their distance from the surface of full resolution) or as 4 (the face error). Both are
- * drawn with the pattern of 8 segments; see TerrainFace.
+ * row) on; see HeightTile. The square of a block can be drawn as 2 triangles: its square error
+ * bounds their distance from the surface of full resolution. Or it is drawn as 4, one at each edge
+ * of the block: the error of an edge bounds the distance of the two triangles at it, one in each of
+ * two blocks. All are drawn with the pattern of 8 segments; see TerrainFace.
  *
- * The errors are saturated: a square error is at least 2^(1/8) times the face error of the block
- * and of the four blocks that share an edge with it, and a face error at least 2^(1/8) times the
- * square errors of the four blocks of the next finer level. So the coarser bisections that a
- * bisection depends on always have larger errors.
+ * The errors are saturated: a square error is at least 2^(1/8) times the errors of the four edges
+ * of the block, and the error of an edge at least 2^(1/8) times the square errors of the four
+ * blocks of the next finer level that touch half of it. So the coarser bisections that a bisection
+ * depends on always have larger errors.
  *
  * Errors of levels from 1 on are stored as one byte each: a number of steps of 2^(1/8) below the
  * largest error, rounded up, so that the values stay bounds and stay saturated.
  *
  * At level 0 one error is stored for 2 x 2 blocks together. It bounds the square errors, and
- * FaceShareOfLevel0 of it bounds the face errors. Triangles of finer levels lie within one bilinear
- * cell each, so that their errors are proportional to the area of a block. To be saturated, errors
- * up to level 0 are at least NeighborShareOfLevel0 of the stored ones in the neighbourhood of a
- * block.
+ * EdgeShareOfLevel0 of it bounds the errors of edges. Triangles of finer levels lie within one
+ * bilinear cell each, so that their errors are proportional to the area of a block. To be
+ * saturated, errors up to level 0 are at least NeighborShareOfLevel0 of the stored ones in the
+ * neighbourhood of a block.
  *
  * Private to the modules for terrains.
  */
@@ -45,8 +46,8 @@ public:
   static constexpr int LargestCode = 255;
   static constexpr int StepsPerOctave = 8;
   /// At least 1 / 4, which is exact, and saturated: between 2^(1/8) / 4 and 2^(-1/8).
-  static constexpr float FaceShareOfLevel0 = 0.28f;
-  /// At least 2^(1/8) FaceShareOfLevel0.
+  static constexpr float EdgeShareOfLevel0 = 0.28f;
+  /// At least 2^(1/8) EdgeShareOfLevel0.
   static constexpr float NeighborShareOfLevel0 = 0.32420988f; // 2^(-13/8)
   static constexpr int StepsToNeighborOfLevel0 = -13;
   /**
@@ -62,16 +63,24 @@ public:
   //@{
   /// The error in the unit of the heights; 0 for blocks without a record.
   float GetSquareError(int level, int column, int row) const;
-  float GetFaceError(int level, int column, int row) const;
+  /// Axis 0: the edge along the first row of a block. Axis 1: along its first column. The block may
+  /// be one beyond the last.
+  float GetEdgeError(int level, int column, int row, int axis) const;
   //@}
 
-  /// The codes of BlocksPerTile x BlocksPerTile blocks, row by row.
-  struct Tile
+  /// The values of one kind for BlocksPerTile x BlocksPerTile blocks, row by row.
+  template <typename T>
+  using Values = std::array<T, BlocksPerTile * BlocksPerTile>;
+  /// The kinds of errors: RowEdge + axis for edges, which are not stored at level 0.
+  enum Kind : int
   {
-    std::array<std::uint8_t, BlocksPerTile * BlocksPerTile> Square{};
-    std::array<std::uint8_t, BlocksPerTile * BlocksPerTile> Face{}; // not used at level 0
+    Square,
+    RowEdge,
+    ColumnEdge
   };
-  using Tiles = std::unordered_map<std::uint64_t, Tile>; // by MakeGridKey()
+  static constexpr int NumberOfKinds = 3;
+  using Tile = std::array<Values<std::uint8_t>, NumberOfKinds>; // codes
+  using Tiles = std::unordered_map<std::uint64_t, Tile>;        // by MakeGridKey()
 
   /// Errors that are 0 everywhere, on levels from 0 to a root level.
   explicit BlockErrors(int rootLevel = 0);
@@ -91,7 +100,7 @@ public:
   //@}
 
 private:
-  float Find(int level, int column, int row, bool isFace) const;
+  float Find(int level, int column, int row, int kind) const;
   float FindSaturated(int level, int column, int row, int neighbors) const;
 
   std::vector<Tiles> Levels;

@@ -189,7 +189,7 @@ void BlockErrorArea::MeasureFullResolution(double sampleDistance)
     for (int pair = 0; pair < result.Square.Width; ++pair)
     {
       const Largest& found = largest[pair];
-      double error = 0.25 * found.Twist + found.Rounding / BlockErrors::FaceShareOfLevel0;
+      double error = 0.25 * found.Twist + found.Rounding / BlockErrors::EdgeShareOfLevel0;
       for (int block = 0; block < 4; ++block)
       {
         const int column = 2 * pair + block % 2;
@@ -211,22 +211,25 @@ void BlockErrorArea::MeasureLevel(int level, double sampleDistance)
   this->MergeCorners(level);
   const TriangulatedGrid squares = this->MakeSquares(level);
   const TriangulatedGrid faces = this->MakeFaces(level);
-  result.Bases = this->MeasureGrid(squares, level);
+  result.Bases = this->MeasureSquares(squares, level);
   result.Square = result.Bases;
-  result.Face = this->MeasureGrid(faces, level);
+  result.Faces = this->MeasureFaces(faces, level);
   const auto outline = static_cast<float>(OutlineShare * std::ldexp(sampleDistance, level));
   for (int row = 0; row < result.Square.Height; ++row)
   {
     for (int column = 0; column < result.Square.Width; ++column)
     {
       float& square = result.Square.At(column, row);
-      float& face = result.Face.At(column, row);
+      Sides& sides = result.Faces.At(column, row);
       Raise(square, this->MeasureSquareCorners(squares, column, row));
-      Raise(face, this->MeasureFaceCorners(faces, column, row));
+      this->RaiseFaceCorners(faces, column, row, sides);
       if (IsMixed(result.Contents.At(column, row)))
       {
         Raise(square, outline);
-        Raise(face, outline);
+        for (float& face : sides)
+        {
+          Raise(face, outline);
+        }
       }
     }
   }
@@ -320,7 +323,7 @@ TriangulatedGrid BlockErrorArea::MakeFaces(int level) const
   return grid;
 }
 
-ValueGrid<float> BlockErrorArea::MeasureGrid(const TriangulatedGrid& grid, int level) const
+ValueGrid<float> BlockErrorArea::MeasureSquares(const TriangulatedGrid& grid, int level) const
 {
   TriangleDistance distance(this->Reference);
   const std::array<int, 2> blocks = this->GetNumberOfBlocks(level);
@@ -347,6 +350,42 @@ ValueGrid<float> BlockErrorArea::MeasureGrid(const TriangulatedGrid& grid, int l
   return result;
 }
 
+ValueGrid<BlockErrorArea::Sides> BlockErrorArea::MeasureFaces(
+  const TriangulatedGrid& grid, int level) const
+{
+  TriangleDistance distance(this->Reference);
+  const std::array<int, 2> blocks = this->GetNumberOfBlocks(level);
+  const int shift = level - this->BaseLevel;
+  ValueGrid<Sides> result(blocks[0], blocks[1], Sides{});
+  if (this->BaseLevel == 0)
+  {
+    const ValueGrid<TriangleDistance::Sides> measured =
+      distance.MeasureSides(grid, shift + ShiftPerBlock);
+    for (std::size_t i = 0; i < measured.Values.size(); ++i)
+    {
+      std::transform(measured.Values[i].begin(), measured.Values[i].end(), result.Values[i].begin(),
+        [](double one) { return RoundUpToFloat(std::max(one, 0.0)); });
+    }
+    return result;
+  }
+  distance.SetTriangulated(this->First);
+  const ValueGrid<double> measured = distance.Measure(grid, ShiftPerBlock);
+  const int size = 1 << shift;
+  for (int row = 0; row < measured.Height; ++row)
+  {
+    for (int column = 0; column < measured.Width; ++column)
+    {
+      const double one = measured.At(column, row);
+      const float error =
+        one < 0.0 ? 0.0f : RoundUpToFloat(one + this->Levels[0].Bases.At(column, row));
+      Sides& sides = result.At(column >> shift, row >> shift);
+      TriangleDistance::ForSides(
+        column & (size - 1), row & (size - 1), size, [&](int side) { Raise(sides[side], error); });
+    }
+  }
+  return result;
+}
+
 // The triangles at the corners of an unsplit square, with the heights of finer lattices.
 float BlockErrorArea::MeasureSquareCorners(const TriangulatedGrid& grid, int column, int row) const
 {
@@ -366,9 +405,11 @@ float BlockErrorArea::MeasureSquareCorners(const TriangulatedGrid& grid, int col
 }
 
 // The triangles at the corners of the faces of a split square: those of the block and its centre.
-float BlockErrorArea::MeasureFaceCorners(const TriangulatedGrid& grid, int column, int row) const
+void BlockErrorArea::RaiseFaceCorners(
+  const TriangulatedGrid& grid, int column, int row, Sides& sides) const
 {
-  float largest = 0.0f;
+  const Range& centers = this->Levels[grid.Shift].Corners.At(2 * column + 1, 2 * row + 1);
+  const Position center = { CellsPerBlock * (2 * column + 1), CellsPerBlock * (2 * row + 1) };
   for (int corner = 0; corner < 4; ++corner)
   {
     const int right = corner % 2;
@@ -377,19 +418,14 @@ float BlockErrorArea::MeasureFaceCorners(const TriangulatedGrid& grid, int colum
     const Position at = { 2 * CellsPerBlock * (column + right), 2 * CellsPerBlock * (row + lower) };
     const int x = right ? -1 : 1;
     const int y = lower ? -1 : 1;
-    Raise(largest, this->MeasureCorner(grid, range, { { at, { x, y }, { 2 * x, 0 } } }));
-    Raise(largest, this->MeasureCorner(grid, range, { { at, { x, y }, { 0, 2 * y } } }));
+    float& rowSide = sides[lower ? 2 : 0];
+    float& columnSide = sides[right ? 1 : 3];
+    Raise(rowSide, this->MeasureCorner(grid, range, { { at, { x, y }, { 2 * x, 0 } } }));
+    Raise(columnSide, this->MeasureCorner(grid, range, { { at, { x, y }, { 0, 2 * y } } }));
+    Raise(
+      columnSide, this->MeasureCorner(grid, centers, { { center, { -x, -y }, { -2 * x, 0 } } }));
+    Raise(rowSide, this->MeasureCorner(grid, centers, { { center, { -x, -y }, { 0, -2 * y } } }));
   }
-  const Range& range = this->Levels[grid.Shift].Corners.At(2 * column + 1, 2 * row + 1);
-  const Position center = { CellsPerBlock * (2 * column + 1), CellsPerBlock * (2 * row + 1) };
-  for (int quarter = 0; quarter < 4; ++quarter)
-  {
-    const int x = quarter % 2 ? -1 : 1;
-    const int y = quarter / 2 ? -1 : 1;
-    Raise(largest, this->MeasureCorner(grid, range, { { center, { x, y }, { 2 * x, 0 } } }));
-    Raise(largest, this->MeasureCorner(grid, range, { { center, { x, y }, { 0, 2 * y } } }));
-  }
-  return largest;
 }
 
 // A triangle between a corner and two vertices that are given relative to it.

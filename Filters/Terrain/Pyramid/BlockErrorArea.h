@@ -40,6 +40,9 @@ public:
   /// The lowest and the highest height; NaN without data.
   using Range = std::array<float, 2>;
 
+  /// Errors of the faces of a split square at its first row, last column, last row, first column.
+  using Sides = std::array<float, 4>;
+
   // Whether samples and vertices of a block have data.
   static constexpr std::uint8_t HasData = 1;
   static constexpr std::uint8_t HasMissing = 2;
@@ -51,7 +54,7 @@ public:
     ValueGrid<std::uint8_t> Contents;
     ValueGrid<float> Bases;  // square errors without corners and outlines
     ValueGrid<float> Square; // at level 0 for 2 x 2 blocks together, for BlockErrors
-    ValueGrid<float> Face;   // not used at level 0
+    ValueGrid<Sides> Faces;  // of the sides of blocks; not used at level 0
   };
 
   /**
@@ -97,9 +100,10 @@ private:
   void MergeCorners(int level);
   TriangulatedGrid MakeSquares(int level) const;
   TriangulatedGrid MakeFaces(int level) const;
-  ValueGrid<float> MeasureGrid(const TriangulatedGrid& grid, int level) const;
+  ValueGrid<float> MeasureSquares(const TriangulatedGrid& grid, int level) const;
+  ValueGrid<Sides> MeasureFaces(const TriangulatedGrid& grid, int level) const;
   float MeasureSquareCorners(const TriangulatedGrid& grid, int column, int row) const;
-  float MeasureFaceCorners(const TriangulatedGrid& grid, int column, int row) const;
+  void RaiseFaceCorners(const TriangulatedGrid& grid, int column, int row, Sides& sides) const;
   float MeasureCorner(const TriangulatedGrid& grid, const Range& range,
     const std::array<Position, 3>& vertices) const;
 

@@ -25,19 +25,18 @@ constexpr double MaximumCode = 900.0;
 
 constexpr float Missing = std::numeric_limits<float>::quiet_NaN();
 
-// Calls a function with column, row and code of each error that is not 0.
+// Calls a function with column, row and code of each error of a kind that is not 0.
 template <typename Tiles, typename Function>
-void ForEachCode(const Tiles& tiles, bool isFace, const Function& function)
+void ForEachCode(const Tiles& tiles, int kind, const Function& function)
 {
   for (const auto& [key, tile] : tiles)
   {
-    const auto& codes = isFace ? tile.Face : tile.Square;
     for (int i = 0; i < BlocksPerTile * BlocksPerTile; ++i)
     {
-      if (codes[i] != None)
+      if (tile[kind][i] != None)
       {
         function(GetKeyColumn(key) * BlocksPerTile + i % BlocksPerTile,
-          GetKeyRow(key) * BlocksPerTile + i / BlocksPerTile, codes[i]);
+          GetKeyRow(key) * BlocksPerTile + i / BlocksPerTile, tile[kind][i]);
       }
     }
   }
@@ -102,8 +101,8 @@ void BlockErrorBuilder::Add(BlockErrorArea& area)
     {
       block /= BlockErrors::CellsPerBlock * (level == 0 ? 2 : 1);
     }
-    this->Store(level, false, first, area.GetLevel(level).Square);
-    this->Store(level, true, first, area.GetLevel(level).Face);
+    this->StoreSquares(level, first, area.GetLevel(level).Square);
+    this->StoreFaces(level, first, area.GetLevel(level).Faces);
   }
   if (base + Step < this->RootLevel)
   {
@@ -121,24 +120,26 @@ std::int16_t BlockErrorBuilder::Encode(float error)
   return static_cast<std::int16_t>(std::min(steps, MaximumCode));
 }
 
-void BlockErrorBuilder::Raise(Tiles& tiles, bool isFace, int column, int row, std::int16_t code)
+void BlockErrorBuilder::Raise(Tiles& tiles, int kind, int column, int row, std::int16_t code)
 {
   const std::uint64_t key = MakeGridKey(column / BlocksPerTile, row / BlocksPerTile);
   auto found = tiles.find(key);
   if (found == tiles.end())
   {
     Tile empty;
-    empty.Square.fill(None);
-    empty.Face.fill(None);
+    for (auto& codes : empty)
+    {
+      codes.fill(None);
+    }
     found = tiles.emplace(key, empty).first;
   }
-  auto& codes = isFace ? found->second.Face : found->second.Square;
-  std::int16_t& known = codes[row % BlocksPerTile * BlocksPerTile + column % BlocksPerTile];
+  std::int16_t& known =
+    found->second[kind][row % BlocksPerTile * BlocksPerTile + column % BlocksPerTile];
   known = std::max(known, code);
 }
 
-void BlockErrorBuilder::Store(
-  int level, bool isFace, const std::array<int, 2>& first, const ValueGrid<float>& errors)
+void BlockErrorBuilder::StoreSquares(
+  int level, const std::array<int, 2>& first, const ValueGrid<float>& errors)
 {
   for (int row = 0; row < errors.Height; ++row)
   {
@@ -147,7 +148,28 @@ void BlockErrorBuilder::Store(
       const std::int16_t code = Encode(errors.At(column, row));
       if (code != None)
       {
-        Raise(this->Levels[level], isFace, first[0] + column, first[1] + row, code);
+        Raise(this->Levels[level], BlockErrors::Square, first[0] + column, first[1] + row, code);
+      }
+    }
+  }
+}
+
+// The error of an edge is the larger one of two blocks.
+void BlockErrorBuilder::StoreFaces(
+  int level, const std::array<int, 2>& first, const ValueGrid<BlockErrorArea::Sides>& errors)
+{
+  for (int row = 0; row < errors.Height; ++row)
+  {
+    for (int column = 0; column < errors.Width; ++column)
+    {
+      for (int side = 0; side < 4; ++side)
+      {
+        const std::int16_t code = Encode(errors.At(column, row)[side]);
+        if (code != None)
+        {
+          Raise(this->Levels[level], BlockErrors::RowEdge + side % 2,
+            first[0] + column + (side == 1 ? 1 : 0), first[1] + row + (side == 2 ? 1 : 0), code);
+        }
       }
     }
   }
@@ -351,79 +373,95 @@ std::int16_t BlockErrorBuilder::Saturate()
   for (int level = 0; level <= this->RootLevel; ++level)
   {
     const int steps = 2 * StepsToSaturate * (this->RootLevel - level);
-    ForEachCode(this->Levels[level], false,
-      [&](int, int, std::int16_t code) { largest = std::max(largest, code + steps); });
-    ForEachCode(this->Levels[level], true,
-      [&](int, int, std::int16_t code)
-      { largest = std::max(largest, code + steps + StepsToSaturate); });
+    for (int kind = 0; kind < BlockErrors::NumberOfKinds; ++kind)
+    {
+      const int own = kind == BlockErrors::Square ? steps : steps + StepsToSaturate;
+      ForEachCode(this->Levels[level], kind,
+        [&](int, int, std::int16_t code) { largest = std::max(largest, code + own); });
+    }
   }
   const int smallest = largest - BlockErrors::LargestCode + 1;
   for (int level = 0; level <= this->RootLevel; ++level)
   {
-    Tiles& tiles = this->Levels[level];
-    const std::array<int, 2> size = this->GetNumberOfBlocks(level);
-    const auto raise = [&](bool isFace, int column, int row, std::int16_t code)
+    for (auto& tile : this->Levels[level])
     {
-      if (column >= 0 && row >= 0 && column < size[0] && row < size[1])
+      for (auto& codes : tile.second)
       {
-        Raise(tiles, isFace, column, row, static_cast<std::int16_t>(code + StepsToSaturate));
-      }
-    };
-    for (auto& tile : tiles)
-    {
-      for (auto* codes : { &tile.second.Square, &tile.second.Face })
-      {
-        for (std::int16_t& code : *codes)
+        for (std::int16_t& code : codes)
         {
           code = code == None ? None : std::max(code, static_cast<std::int16_t>(smallest));
         }
       }
     }
-    if (level == 1)
-    {
-      // The square errors of level 0 depend on the stored errors around; see BlockErrors.
-      ForEachCode(this->Levels[0], false,
-        [&](int column, int row, std::int16_t code)
-        {
-          const int around = std::max(smallest, code + BlockErrors::StepsToNeighborOfLevel0);
-          for (int i = 0; i < 9; ++i)
-          {
-            raise(true, column + i % 3 - 1, row + i / 3 - 1,
-              i == 4 ? code : static_cast<std::int16_t>(around));
-          }
-        });
-    }
-    else if (level > 1)
-    {
-      ForEachCode(this->Levels[level - 1], false,
-        [&](int column, int row, std::int16_t code) { raise(true, column / 2, row / 2, code); });
-    }
     if (level > 0)
     {
-      const Tiles faces = tiles; // raising adds tiles
-      ForEachCode(faces, true,
-        [&](int column, int row, std::int16_t code)
-        {
-          constexpr int around[5][2] = { { 0, 0 }, { 1, 0 }, { -1, 0 }, { 0, 1 }, { 0, -1 } };
-          for (const auto& step : around)
-          {
-            raise(false, column + step[0], row + step[1], code);
-          }
-        });
+      this->SaturateEdges(level, smallest);
+      this->SaturateSquares(level);
     }
   }
   return static_cast<std::int16_t>(largest);
 }
 
-std::array<int, 2> BlockErrorBuilder::GetNumberOfBlocks(int level) const
+// Raises the errors of edges to those of the finer squares at them.
+void BlockErrorBuilder::SaturateEdges(int level, int smallest)
 {
-  std::array<int, 2> blocks;
+  Tiles& tiles = this->Levels[level];
+  const std::array<int, 2> size = this->GetNumberOfBlocks(level);
+  const auto raise = [&](int axis, int column, int row, int code)
+  {
+    Raise(tiles, BlockErrors::RowEdge + axis, column, row,
+      static_cast<std::int16_t>(code + StepsToSaturate));
+  };
+  if (level > 1)
+  {
+    ForEachCode(this->Levels[level - 1], BlockErrors::Square,
+      [&](int column, int row, std::int16_t code)
+      {
+        raise(0, column / 2, (row + 1) / 2, code);
+        raise(1, (column + 1) / 2, row / 2, code);
+      });
+    return;
+  }
+  // The square errors of level 0 depend on the stored errors around; see BlockErrors.
+  ForEachCode(this->Levels[0], BlockErrors::Square,
+    [&](int column, int row, std::int16_t code)
+    {
+      const int around = std::max(smallest, code + BlockErrors::StepsToNeighborOfLevel0);
+      for (int i = 0; i < 9; ++i)
+      {
+        const int x = column + i % 3 - 1;
+        const int y = row + i / 3 - 1;
+        for (int side = 0; side < 4 && x >= 0 && y >= 0 && x < size[0] && y < size[1]; ++side)
+        {
+          raise(side % 2, x + (side == 1 ? 1 : 0), y + (side == 2 ? 1 : 0), i == 4 ? code : around);
+        }
+      }
+    });
+}
+
+// Raises the errors of squares to those of their edges.
+void BlockErrorBuilder::SaturateSquares(int level)
+{
+  Tiles& tiles = this->Levels[level];
+  const std::array<int, 2> size = this->GetNumberOfBlocks(level);
+  const Tiles edges = tiles; // raising adds tiles
   for (int axis = 0; axis < 2; ++axis)
   {
-    const std::int64_t size = std::int64_t(BlockErrors::CellsPerBlock) << level;
-    blocks[axis] = static_cast<int>((this->File.GetSize(0)[axis] - 2 + size) / size);
+    ForEachCode(edges, BlockErrors::RowEdge + axis,
+      [&](int column, int row, std::int16_t code)
+      {
+        for (int before = 0; before < 2; ++before)
+        {
+          const int x = column - (axis == 1 ? before : 0);
+          const int y = row - (axis == 0 ? before : 0);
+          if (x >= 0 && y >= 0 && x < size[0] && y < size[1])
+          {
+            Raise(
+              tiles, BlockErrors::Square, x, y, static_cast<std::int16_t>(code + StepsToSaturate));
+          }
+        }
+      });
   }
-  return blocks;
 }
 
 std::shared_ptr<const BlockErrors> BlockErrorBuilder::MakeErrors(std::int16_t largest) const
@@ -439,10 +477,23 @@ std::shared_ptr<const BlockErrors> BlockErrorBuilder::MakeErrors(std::int16_t la
     for (const auto& [key, tile] : this->Levels[level])
     {
       BlockErrors::Tile& stored = errors->GetTiles(level)[key];
-      std::transform(tile.Square.begin(), tile.Square.end(), stored.Square.begin(), getCode);
-      std::transform(tile.Face.begin(), tile.Face.end(), stored.Face.begin(), getCode);
+      for (int kind = 0; kind < BlockErrors::NumberOfKinds; ++kind)
+      {
+        std::transform(tile[kind].begin(), tile[kind].end(), stored[kind].begin(), getCode);
+      }
     }
   }
   return errors;
+}
+
+std::array<int, 2> BlockErrorBuilder::GetNumberOfBlocks(int level) const
+{
+  std::array<int, 2> blocks;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const std::int64_t size = std::int64_t(BlockErrors::CellsPerBlock) << level;
+    blocks[axis] = static_cast<int>((this->File.GetSize(0)[axis] - 2 + size) / size);
+  }
+  return blocks;
 }
 }

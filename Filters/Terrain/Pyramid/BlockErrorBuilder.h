@@ -82,17 +82,16 @@ private:
   using Keys = std::unordered_set<std::uint64_t>;
 
   /// Errors as numbers of steps of 2^(1/8), or None for 0.
-  struct Tile
-  {
-    std::array<std::int16_t, BlockErrors::BlocksPerTile * BlockErrors::BlocksPerTile> Square;
-    std::array<std::int16_t, BlockErrors::BlocksPerTile * BlockErrors::BlocksPerTile> Face;
-  };
+  using Tile = std::array<BlockErrors::Values<std::int16_t>, BlockErrors::NumberOfKinds>;
   using Tiles = std::unordered_map<std::uint64_t, Tile>;
 
   static std::int16_t Encode(float error);
-  static void Raise(Tiles& tiles, bool isFace, int column, int row, std::int16_t code);
-  void Store(
-    int level, bool isFace, const std::array<int, 2>& first, const ValueGrid<float>& errors);
+  static void Raise(Tiles& tiles, int kind, int column, int row, std::int16_t code);
+  void StoreSquares(int level, const std::array<int, 2>& first, const ValueGrid<float>& errors);
+  void StoreFaces(
+    int level, const std::array<int, 2>& first, const ValueGrid<BlockErrorArea::Sides>& errors);
+  void SaturateEdges(int level, int smallest);
+  void SaturateSquares(int level);
   void StoreBlocks(BlockErrorArea& area);
   void MeasureCoarser(int baseLevel, const std::atomic<bool>& abort, std::string& error);
   std::unique_ptr<BlockErrorArea> NewCoarserArea(int baseLevel, int column, int row) const;

@@ -19,7 +19,7 @@ namespace relevo
 {
 namespace
 {
-constexpr char Magic[] = "relevo pyramid index 2\n";
+constexpr char Magic[] = "relevo pyramid index 3\n";
 constexpr float Infinity = PyramidIndex::Infinity;
 constexpr std::size_t MaximumRun = 255;
 constexpr int MaximumLevel = 31;
@@ -103,6 +103,11 @@ std::vector<std::uint64_t> GetSortedKeys(const Map& map)
   return keys;
 }
 
+int GetNumberOfKinds(int level)
+{
+  return level == 0 ? 1 : BlockErrors::NumberOfKinds;
+}
+
 void AppendErrors(std::string& bytes, const BlockErrors& errors)
 {
   Append(bytes, static_cast<std::int32_t>(errors.GetRootLevel()));
@@ -115,8 +120,10 @@ void AppendErrors(std::string& bytes, const BlockErrors& errors)
     {
       const BlockErrors::Tile& tile = tiles.at(key);
       Append(bytes, key);
-      AppendCodes(bytes, tile.Square);
-      AppendCodes(bytes, tile.Face);
+      for (int kind = 0; kind < GetNumberOfKinds(level); ++kind)
+      {
+        AppendCodes(bytes, tile[kind]);
+      }
     }
   }
 }
@@ -142,9 +149,13 @@ std::shared_ptr<const BlockErrors> TakeErrors(const std::string& bytes, std::siz
     for (std::uint64_t i = 0; i < number; ++i)
     {
       std::uint64_t key = 0;
-      BlockErrors::Tile tile;
-      if (!Take(bytes, position, key) || !TakeCodes(bytes, position, tile.Square) ||
-        !TakeCodes(bytes, position, tile.Face))
+      BlockErrors::Tile tile{};
+      bool isTaken = Take(bytes, position, key);
+      for (int kind = 0; kind < GetNumberOfKinds(level) && isTaken; ++kind)
+      {
+        isTaken = TakeCodes(bytes, position, tile[kind]);
+      }
+      if (!isTaken)
       {
         return nullptr;
       }

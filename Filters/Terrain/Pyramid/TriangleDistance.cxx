@@ -89,6 +89,77 @@ ValueGrid<double> TriangleDistance::Measure(const TriangulatedGrid& grid, int bl
   return result;
 }
 
+// Adds the distances at a row, which is 0 to the size of a block, in a row of blocks.
+void TriangleDistance::MeasureRowOfBlocks(
+  const std::vector<double>& line, int row, int blockShift, ValueGrid<Sides>& result) const
+{
+  const int size = 1 << blockShift;
+  const int blockRow = std::min(row >> blockShift, result.Height - 1);
+  for (int blocks = row % size == 0 && row > 0 && blockRow == row >> blockShift ? 2 : 1; blocks > 0;
+       --blocks)
+  {
+    const int v = row - ((blockRow - blocks + 1) << blockShift);
+    const int border = std::min(v, size - v);
+    for (int block = 0; block < result.Width; ++block)
+    {
+      Sides& sides = result.At(block, blockRow - blocks + 1);
+      const double* first = line.data() + (block << blockShift);
+      const int last = std::min(size, this->Reference.Width - 1 - (block << blockShift));
+      const auto raise = [&](int side, int begin, int end)
+      {
+        double largest = sides[side];
+        for (int u = begin; u <= std::min(end, last); ++u)
+        {
+          RaiseTo(largest, first[u]);
+        }
+        sides[side] = largest;
+      };
+      raise(3, 0, border);
+      raise(1, size - border, size);
+      if (2 * v <= size)
+      {
+        raise(0, border, size - border);
+      }
+      if (2 * v >= size)
+      {
+        raise(2, border, size - border);
+      }
+    }
+  }
+}
+
+ValueGrid<TriangleDistance::Sides> TriangleDistance::MeasureSides(
+  const TriangulatedGrid& grid, int blockShift) const
+{
+  const int size = 1 << blockShift;
+  const int columns = (this->Reference.Width - 2 + size) >> blockShift;
+  const int rows = (this->Reference.Height - 2 + size) >> blockShift;
+  ValueGrid<Sides> result(columns, rows, { { -1.0, -1.0, -1.0, -1.0 } });
+  std::vector<double> line(this->Reference.Width);
+  for (int y = 0; y < this->Reference.Height; ++y)
+  {
+    std::fill(line.begin(), line.end(), -1.0);
+    this->MeasureRow(grid, y, line.data());
+    this->MeasureRowOfBlocks(line, y, blockShift, result);
+    if (y == this->Reference.Height - 1)
+    {
+      break;
+    }
+    std::fill(line.begin(), line.end(), -1.0);
+    this->MeasureDiagonals(grid, y, 0, line.data());
+    for (int x = 0; x + 1 < this->Reference.Width; ++x)
+    {
+      if (line[x] >= 0.0)
+      {
+        Sides& sides = result.At(x >> blockShift, y >> blockShift);
+        ForSides(
+          x & (size - 1), y & (size - 1), size, [&](int side) { RaiseTo(sides[side], line[x]); });
+      }
+    }
+  }
+  return result;
+}
+
 // The distances at the samples of a row. Edges of triangles count where both ends have data.
 void TriangleDistance::MeasureRow(const TriangulatedGrid& grid, int row, double* largest) const
 {

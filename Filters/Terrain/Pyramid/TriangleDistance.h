@@ -21,6 +21,7 @@
 
 #include "Pyramid/ValueGrid.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -61,6 +62,32 @@ public:
    */
   ValueGrid<double> Measure(const TriangulatedGrid& grid, int blockShift) const;
 
+  /// A value for each side of a block: its first row, last column, last row and first column.
+  using Sides = std::array<double, 4>;
+  /// The same in the four triangles between the centre of a block and its sides, whose edges are
+  /// edges of the grid.
+  ValueGrid<Sides> MeasureSides(const TriangulatedGrid& grid, int blockShift) const;
+
+  /// Call a function with the sides of a block whose triangles contain a part of one of its size x
+  /// size cells.
+  template <typename Function>
+  static void ForSides(int column, int row, int size, const Function& function)
+  {
+    const int border = std::min(row, size - 1 - row);
+    if (column <= border)
+    {
+      function(3);
+    }
+    if (column >= size - 1 - border)
+    {
+      function(1);
+    }
+    if (column >= border && column <= size - 1 - border)
+    {
+      function(2 * row < size ? 0 : 2);
+    }
+  }
+
   struct Vertex
   {
     int Column;
@@ -77,6 +104,8 @@ public:
 
 private:
   void MeasureRow(const TriangulatedGrid& grid, int row, double* largest) const;
+  void MeasureRowOfBlocks(
+    const std::vector<double>& line, int row, int blockShift, ValueGrid<Sides>& result) const;
   void MeasureDiagonals(
     const TriangulatedGrid& grid, int row, int blockShift, double* largest) const;
   double GetDiagonalDistance(bool isMain, int column, int row, double first, double second) const;

@@ -135,7 +135,7 @@ public:
     this->MakeFinest(dice);
     for (int level = 1; level <= this->Errors.GetRootLevel(); ++level)
     {
-      this->MakeFaces(level, dice);
+      this->MakeEdges(level, dice);
       this->MakeSquares(level, dice);
     }
   }
@@ -145,12 +145,12 @@ public:
 private:
   static constexpr int Saturation = 2; // 2^(1/4) in steps of 2^(1/8)
 
-  std::uint8_t& GetCode(int level, int column, int row, bool isFace)
+  std::uint8_t& GetCode(int level, int column, int row, int kind)
   {
     constexpr int perTile = BlockErrors::BlocksPerTile;
     BlockErrors::Tile& tile =
       this->Errors.GetTiles(level)[relevo::MakeGridKey(column / perTile, row / perTile)];
-    return (isFace ? tile.Face : tile.Square)[row % perTile * perTile + column % perTile];
+    return tile[kind][row % perTile * perTile + column % perTile];
   }
 
   template <class Visit>
@@ -165,21 +165,14 @@ private:
     }
   }
 
-  // Calls visit(column, row) for the blocks that share an edge with one.
+  // Calls visit(code) for the errors of the edges of a block.
   template <class Visit>
-  void ForNeighbors(int level, int column, int row, Visit visit) const
+  void ForEdges(int level, int column, int row, Visit visit)
   {
-    const int steps[4][2] = { { 1, 0 }, { -1, 0 }, { 0, 1 }, { 0, -1 } };
-    for (const auto& step : steps)
-    {
-      const int c = column + step[0];
-      const int r = row + step[1];
-      if (c >= 0 && c < CountBlocks(this->Columns, level) && r >= 0 &&
-        r < CountBlocks(this->Rows, level))
-      {
-        visit(c, r);
-      }
-    }
+    visit(this->GetCode(level, column, row, BlockErrors::RowEdge));
+    visit(this->GetCode(level, column, row + 1, BlockErrors::RowEdge));
+    visit(this->GetCode(level, column, row, BlockErrors::ColumnEdge));
+    visit(this->GetCode(level, column + 1, row, BlockErrors::ColumnEdge));
   }
 
   static void Raise(std::uint8_t& code, int least)
@@ -203,24 +196,27 @@ private:
   void MakeFinest(RelevoDice& dice)
   {
     this->ForBlocks(1,
-      [&](int column, int row) {
-        Raise(
-          this->GetCode(0, column, row, false), 100 + dice.Throw(30) + (dice.Once(20) ? 30 : 0));
+      [&](int column, int row)
+      {
+        Raise(this->GetCode(0, column, row, BlockErrors::Square),
+          100 + dice.Throw(30) + (dice.Once(20) ? 30 : 0));
       });
   }
 
-  void MakeFaces(int level, RelevoDice& dice)
+  void MakeEdges(int level, RelevoDice& dice)
   {
     this->ForBlocks(level,
       [&](int column, int row)
       {
-        std::uint8_t& code = this->GetCode(level, column, row, true);
-        Raise(code, 105 + 8 * level + dice.Throw(12));
+        this->ForEdges(level, column, row,
+          [&](std::uint8_t& code) { Raise(code, 105 + 8 * level + dice.Throw(12)); });
         for (int i = 0; i < 4; ++i)
         {
-          const float finer =
-            this->Errors.GetSquareError(level - 1, 2 * column + i % 2, 2 * row + i / 2);
-          Raise(code, this->Encode(finer) + Saturation);
+          const int finer = Saturation +
+            this->Encode(
+              this->Errors.GetSquareError(level - 1, 2 * column + i % 2, 2 * row + i / 2));
+          Raise(this->GetCode(level, column, row + i / 2, BlockErrors::RowEdge), finer);
+          Raise(this->GetCode(level, column + i % 2, row, BlockErrors::ColumnEdge), finer);
         }
       });
   }
@@ -230,10 +226,9 @@ private:
     this->ForBlocks(level,
       [&](int column, int row)
       {
-        std::uint8_t& code = this->GetCode(level, column, row, false);
-        Raise(code, this->GetCode(level, column, row, true) + Saturation + dice.Throw(3));
-        this->ForNeighbors(level, column, row,
-          [&](int c, int r) { Raise(code, this->GetCode(level, c, r, true) + Saturation); });
+        std::uint8_t& code = this->GetCode(level, column, row, BlockErrors::Square);
+        this->ForEdges(level, column, row,
+          [&](std::uint8_t edge) { Raise(code, edge + Saturation + dice.Throw(3)); });
       });
   }
 

@@ -345,28 +345,71 @@ std::vector<TestPoint> MakePoints(relevo::RasterPyramid& pyramid, const TestCase
   return points;
 }
 
-using BlockValues = std::vector<double>;
-
-// The largest distances of faces from full resolution at points, by blocks.
-BlockValues Measure(DrawnTerrain& terrain, const std::vector<TestPoint>& points, int level,
-  bool isSplit, const std::array<int, 2>& blocks)
+// Errors of squares and edges.
+class BlockValues
 {
-  BlockValues largest(static_cast<std::size_t>(blocks[0]) * blocks[1], 0.0);
+public:
+  explicit BlockValues(const std::array<int, 2>& blocks)
+    : Stride(blocks[0] + 1)
+  {
+    this->Values.fill(
+      std::vector<double>(static_cast<std::size_t>(blocks[0] + 1) * (blocks[1] + 1), 0.0));
+  }
+
+  double& At(int kind, int column, int row)
+  {
+    return this->Values[kind][static_cast<std::size_t>(row) * this->Stride + column];
+  }
+
+private:
+  int Stride;
+  std::array<std::vector<double>, BlockErrors::NumberOfKinds> Values;
+};
+
+// An edge of a block.
+struct Edge
+{
+  int Axis;
+  int Column;
+  int Row;
+};
+
+std::array<Edge, 4> GetEdges(int column, int row)
+{
+  return { { { 0, column, row }, { 0, column, row + 1 }, { 1, column, row },
+    { 1, column + 1, row } } };
+}
+
+// The largest distances of faces from full resolution at points.
+BlockValues Measure(DrawnTerrain& terrain, const std::vector<TestPoint>& points, int level,
+  const std::array<int, 2>& blocks)
+{
+  BlockValues largest(blocks);
   const double size = std::ldexp(static_cast<double>(BlockErrors::CellsPerBlock), level);
   for (const TestPoint& point : points)
   {
     const int column = std::min(static_cast<int>(point.X / size), blocks[0] - 1);
     const int row = std::min(static_cast<int>(point.Y / size), blocks[1] - 1);
-    for (const Corners corners : { Corners::Own, Corners::Lowest, Corners::Highest })
+    const double right = point.X / size - column - 0.5;
+    const double down = point.Y / size - row - 0.5;
+    const int edge = std::abs(right) >= std::abs(down) ? (right >= 0.0 ? 3 : 2)
+      : down >= 0.0                                    ? 1
+                                                       : 0;
+    const Edge nearest = GetEdges(column, row)[edge];
+    double* const known[2] = { &largest.At(BlockErrors::Square, column, row),
+      &largest.At(BlockErrors::RowEdge + nearest.Axis, nearest.Column, nearest.Row) };
+    for (const bool isSplit : { false, true })
     {
-      const double height =
-        terrain.GetHeight(level, column, row, isSplit, corners, point.X, point.Y);
-      double& known = largest[static_cast<std::size_t>(row) * blocks[0] + column];
-      const double error = std::abs(height - point.Height);
-      known = error > known ? error : known; // false for NaN
-      if (level <= 0)
+      for (const Corners corners : { Corners::Own, Corners::Lowest, Corners::Highest })
       {
-        break; // heights of finer levels are the same
+        const double height =
+          terrain.GetHeight(level, column, row, isSplit, corners, point.X, point.Y);
+        const double error = std::abs(height - point.Height);
+        *known[isSplit] = error > *known[isSplit] ? error : *known[isSplit]; // false for NaN
+        if (level <= 0)
+        {
+          break; // heights of finer levels are the same
+        }
       }
     }
   }
@@ -380,28 +423,27 @@ void CheckBounds(RelevoCheck& check, relevo::RasterPyramid& pyramid, const TestC
   const std::shared_ptr<const BlockErrors> errors = pyramid.GetBlockErrors();
   DrawnTerrain terrain(pyramid);
   const std::vector<TestPoint> points = MakePoints(pyramid, one);
-  BlockValues squares; // saturated
   std::array<int, 2> finerBlocks{ { 0, 0 } };
+  BlockValues finer(finerBlocks); // saturated
   for (int level = -2; level <= errors->GetRootLevel(); ++level)
   {
     CHECK_CASE(level);
     const std::array<int, 2> blocks = GetNumberOfBlocks(pyramid, level);
-    BlockValues measured[2];
+    BlockValues measured = Measure(terrain, points, level, blocks);
     int failures = 0;
-    for (const bool isSplit : { false, true })
+    for (int kind = 0; kind < BlockErrors::NumberOfKinds; ++kind)
     {
-      measured[isSplit] = Measure(terrain, points, level, isSplit, blocks);
-      for (int row = 0; row < blocks[1]; ++row)
+      for (int row = 0; row <= blocks[1]; ++row)
       {
-        for (int column = 0; column < blocks[0]; ++column)
+        for (int column = 0; column <= blocks[0]; ++column)
         {
-          const double bound = isSplit ? errors->GetFaceError(level, column, row)
-                                       : errors->GetSquareError(level, column, row);
-          const double error =
-            measured[isSplit][static_cast<std::size_t>(row) * blocks[0] + column];
+          const double bound = kind == BlockErrors::Square
+            ? errors->GetSquareError(level, column, row)
+            : errors->GetEdgeError(level, column, row, kind - BlockErrors::RowEdge);
+          const double error = measured.At(kind, column, row);
           if (error > bound * (1.0 + 1e-6) + 2e-3 && ++failures < 4) // heights are floats
           {
-            CHECK_CASE(isSplit);
+            CHECK_CASE(kind);
             CHECK_CASE(column);
             CHECK_CASE(row);
             CHECK_LESS_EQUAL(error, bound);
@@ -411,39 +453,38 @@ void CheckBounds(RelevoCheck& check, relevo::RasterPyramid& pyramid, const TestC
     }
     CHECK_EQUAL(failures, 0);
 
-    const auto at = [&blocks](BlockValues& values, int column, int row) -> double&
-    { return values[static_cast<std::size_t>(row) * blocks[0] + column]; };
     for (int row = 0; row < finerBlocks[1]; ++row)
     {
       for (int column = 0; column < finerBlocks[0]; ++column)
       {
-        double& face = at(measured[1], column / 2, row / 2);
-        face = std::max(
-          face, SaturationRatio * squares[static_cast<std::size_t>(row) * finerBlocks[0] + column]);
+        const double least = SaturationRatio * finer.At(BlockErrors::Square, column, row);
+        double& rowEdge = measured.At(BlockErrors::RowEdge, column / 2, (row + 1) / 2);
+        double& columnEdge = measured.At(BlockErrors::ColumnEdge, (column + 1) / 2, row / 2);
+        rowEdge = std::max(rowEdge, least);
+        columnEdge = std::max(columnEdge, least);
       }
     }
-    squares = measured[0];
     double sums[2] = { 0.0, 0.0 };
     for (int row = 0; row < blocks[1]; ++row)
     {
       for (int column = 0; column < blocks[0]; ++column)
       {
-        double& square = at(squares, column, row);
-        for (const auto& step : { std::array<int, 2>{ { 0, 0 } }, std::array<int, 2>{ { 1, 0 } },
-               std::array<int, 2>{ { -1, 0 } }, std::array<int, 2>{ { 0, 1 } },
-               std::array<int, 2>{ { 0, -1 } } })
+        double& square = measured.At(BlockErrors::Square, column, row);
+        for (const Edge& edge : GetEdges(column, row))
         {
-          const int x = column + step[0];
-          const int y = row + step[1];
-          if (x >= 0 && y >= 0 && x < blocks[0] && y < blocks[1])
-          {
-            square = std::max(square, SaturationRatio * at(measured[1], x, y));
-          }
+          square = std::max(square,
+            SaturationRatio * measured.At(BlockErrors::RowEdge + edge.Axis, edge.Column, edge.Row));
         }
         sums[0] += square;
         sums[1] += errors->GetSquareError(level, column, row);
+        for (int axis = 0; axis < 2; ++axis)
+        {
+          sums[0] += measured.At(BlockErrors::RowEdge + axis, column, row);
+          sums[1] += errors->GetEdgeError(level, column, row, axis);
+        }
       }
     }
+    finer = measured;
     finerBlocks = blocks;
     // Few points do not find the largest errors of small blocks.
     const bool hasAllPoints = one.PointsPerSample > 0;
@@ -469,23 +510,19 @@ void CheckSaturation(RelevoCheck& check, relevo::RasterPyramid& pyramid)
     {
       for (int column = 0; column < blocks[0]; ++column)
       {
-        const double face = errors->GetFaceError(level, column, row);
-        for (const auto& step : { std::array<int, 2>{ { 0, 0 } }, std::array<int, 2>{ { 1, 0 } },
-               std::array<int, 2>{ { -1, 0 } }, std::array<int, 2>{ { 0, 1 } },
-               std::array<int, 2>{ { 0, -1 } } })
+        const double square = errors->GetSquareError(level, column, row);
+        for (const Edge& edge : GetEdges(column, row))
         {
-          const int x = column + step[0];
-          const int y = row + step[1];
-          if (x >= 0 && y >= 0 && x < blocks[0] && y < blocks[1])
-          {
-            failures += face > smallest && errors->GetSquareError(level, x, y) < ratio * face;
-          }
+          const double error = errors->GetEdgeError(level, edge.Column, edge.Row, edge.Axis);
+          failures += error > smallest && square < ratio * error;
         }
         for (int i = 0; level > -3 && i < 4; ++i)
         {
-          const double square =
+          const double finer =
             errors->GetSquareError(level - 1, 2 * column + i % 2, 2 * row + i / 2);
-          failures += square > smallest && face < ratio * square;
+          failures += finer > smallest &&
+            (errors->GetEdgeError(level, column, row + i / 2, 0) < ratio * finer ||
+              errors->GetEdgeError(level, column + i % 2, row, 1) < ratio * finer);
         }
       }
     }
@@ -518,9 +555,13 @@ void CheckOutlines(RelevoCheck& check, relevo::RasterPyramid& pyramid, const std
           }
         }
         const double outline = 0.25 * std::ldexp(30.0, level) * (1.0 - 1e-6);
-        failures += has[0] && has[1] &&
-          (errors->GetSquareError(level, column, row) < outline ||
-            (level > 0 && errors->GetFaceError(level, column, row) < outline));
+        double least = errors->GetSquareError(level, column, row);
+        for (const Edge& edge : GetEdges(column, row))
+        {
+          const double error = errors->GetEdgeError(level, edge.Column, edge.Row, edge.Axis);
+          least = level > 0 ? std::min(least, error) : least;
+        }
+        failures += has[0] && has[1] && least < outline;
       }
     }
     CHECK_EQUAL(failures, 0);
