@@ -38,7 +38,7 @@ LAYERS = {
     "Rendering/Parametric": ["View", "Shaders", "Buffers", "Drawing"],
     "Rendering/Intersection": ["Scene"],
     "Rendering/Relief": ["View", "Buffers", "Shaders", "Drawing", "Capture"],
-    "Rendering/Terrain": ["View", "Colors", "Buffers", "Shaders", "Drawing"],
+    "Rendering/Terrain": ["View", "Colors", "Labels", "Buffers", "Shaders", "Drawing"],
     "Examples/Viewer": ["Text", "Files", "Options", "Legend", "Scene", "Window"],
 }
 MODULES = list(LAYERS)  # a module includes no later one

@@ -248,8 +248,8 @@ private:
     using Color = ViewerOptions::ColorType;
     const Color color = options.Color;
     const bool isOfTerrain = color != Color::Own && !options.IsColoredByLevel();
-    this->RequirePartner(
-      { "--contours", "--flight", "--globe", "--memory", "--palette", "--range", "--sea-level" },
+    this->RequirePartner({ "--contour-labels", "--contours", "--flight", "--globe", "--memory",
+                           "--palette", "--range", "--sea-level" },
       options.IsTerrain(), "a height map, and '" + options.Input + "' is none");
     if (!options.IsTerrain())
     {
@@ -261,6 +261,7 @@ private:
       return;
     }
     const std::vector<std::string> ofTable = { "--palette", "--range" };
+    this->RequirePartner({ "--contour-labels" }, options.Contours.has_value(), "--contours");
     this->RequirePartner(
       { "--sea-level" }, color == Color::Own || color == Color::Height, "--color-by height");
     this->Exclude({ "--sea-level" }, !options.Imagery.empty(), "a picture (--image)");

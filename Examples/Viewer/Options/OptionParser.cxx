@@ -104,6 +104,7 @@ private:
   {
     ViewerOptions& options = this->Options;
     this->AllFlags = {
+      { "--contour-labels", [&] { options.ContourLabels = true; } },
       { "--globe", [&] { options.Globe = true; } },
       { "--help", [&] { options.Help = true; } },
       { "-h", [&] { options.Help = true; } },

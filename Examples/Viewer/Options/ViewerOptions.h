@@ -83,6 +83,7 @@ struct ViewerOptions
   std::string Palette; // empty: that of the colours
   std::optional<std::array<double, 2>> Range;
   std::optional<double> Contours; // unit of the heights
+  bool ContourLabels = false;
   std::optional<double> SeaLevel; // unit of the heights
   std::optional<int> Memory;      // MiB
   std::string Flight;

@@ -36,6 +36,7 @@ Height maps:
   --exaggeration X       factor for heights (default 1; for rasters without a coordinate system that
                          would be higher than wide, a factor that makes them a fifth as high)
   --contours N           draw contour lines every N units of the heights
+  --contour-labels       label the contour lines with their heights
   --palette NAME         colours of heights (default relief), slopes (default heat) or aspects
                          (default cyclic): cool-warm, cyclic, grey, heat, magma, rainbow, relief,
                          viridis, water

@@ -27,6 +27,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkTerrainContourLabels.h"
 #include "vtkTerrainMapper.h"
 #include "vtkTerrainPyramid.h"
 
@@ -149,6 +150,12 @@ void PyramidScene::Show()
     this->Actor->GetProperty()->SetRepresentationToWireframe();
   }
   this->Renderer->AddActor(this->Actor);
+  if (this->Options.ContourLabels)
+  {
+    vtkNew<vtkTerrainContourLabels> labels;
+    labels->SetActor(this->Actor);
+    this->Renderer->AddViewProp(labels);
+  }
   AddPassiveObserver(this->Mapper, vtkCommand::StartEvent,
     [this](void*)
     {
