@@ -10,7 +10,8 @@
  *
  * With a MaximumError above 0, the camera does not matter. The output covers the region, and its
  * vertical distance from the surface of full resolution is at most MaximumError everywhere. It is
- * computed with few triangles by longest-edge bisection (Rivara refinement).
+ * computed with few triangles: longest-edge bisection (Rivara refinement) where the distance is too
+ * large, then edge collapses.
  *
  * The surface of full resolution is bilinear between the centres of samples. It ends at the
  * outermost centres. Cells with a sample without data are holes. Heights are floats, so that the

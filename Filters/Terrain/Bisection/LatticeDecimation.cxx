@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bisection/LatticeDecimation.h"
 
+#include "Bisection/LatticeCollapse.h"
 #include "Raster/GridKey.h"
 
 #include <algorithm>
@@ -392,6 +393,11 @@ LatticeDecimation::Result LatticeDecimation::Refine(
   for (const Triangle& half : halves)
   {
     this->Collect(half);
+  }
+  LatticeCollapse collapse(this->Heights, this->Columns, this->Rows, this->Subdivisions);
+  if (this->State == Result::Done && !collapse.Collapse(this->Triangles, tolerance, isAborted))
+  {
+    this->State = Result::Aborted;
   }
   return this->State;
 }

@@ -2,19 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   LatticeDecimation
- * @brief   the fewest triangles of longest-edge bisection within a vertical tolerance of a grid
+ * @brief   triangles within a vertical tolerance of a grid
  *
  * The surface of the grid is bilinear in each cell. A triangle is bisected if its largest vertical
  * distance from this surface exceeds the tolerance, or if its neighbour is bisected at their common
  * side (right-triangulated irregular networks: W. Evans, D. Kirkpatrick and G. Townsend,
- * Algorithmica 30(2), 2001). Cells are bisected, too, if the tolerance is small.
+ * Algorithmica 30(2), 2001). Cells are bisected, too, if the tolerance is small. Then
+ * LatticeCollapse removes vertices.
  *
  * Cells with a vertex without data are left out; triangles at their outline are as small as cells.
  *
- * Private to the module.
+ * Private to the modules for terrains.
  */
 #ifndef LatticeDecimation_h
 #define LatticeDecimation_h
+
+#include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <array>
 #include <cstddef>
@@ -25,7 +28,7 @@
 
 namespace relevo
 {
-class LatticeDecimation
+class RELEVOFILTERSTERRAIN_EXPORT LatticeDecimation
 {
 public:
   /// The heights of the vertices, row by row; at least 2 columns and rows.
