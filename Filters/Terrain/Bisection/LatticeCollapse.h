@@ -17,9 +17,9 @@
 #ifndef LatticeCollapse_h
 #define LatticeCollapse_h
 
-#include "Bisection/LatticeDecimation.h"
-
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -28,10 +28,11 @@ namespace relevo
 class LatticeCollapse
 {
 public:
-  using Vertex = LatticeDecimation::Vertex;
-  using Triangle = LatticeDecimation::Triangle;
+  /// Column and row in units of a cell divided by 2^subdivisions.
+  using Vertex = std::array<std::int64_t, 2>;
+  using Triangle = std::array<Vertex, 3>;
 
-  /// The grid must remain in memory. Vertices are in units of a cell divided by 2^subdivisions.
+  /// The grid must remain in memory.
   LatticeCollapse(const std::vector<float>& heights, int columns, int rows, int subdivisions);
 
   /// Remove vertices of a mesh whose triangles are within the tolerance. Returns false if
