@@ -291,12 +291,13 @@ public:
    * ellipsoid if the data of GeographicLib::Geoid are installed. Otherwise, and with other vertical
    * datums, a warning says that they are drawn as heights above the ellipsoid. What is behind the
    * horizon of the ellipsoid is not drawn. A raster of longitude and latitude that covers all
-   * longitudes is closed: the first column follows the last. If it ends half a sample before a
-   * pole, it is continued to it, and samples of the first row are moved to it. The screen-space
-   * error includes the curvature of the ellipsoid, for slopes up to 45 degrees before the
-   * exaggeration. Positions of vertices take 6 kB per face, within a quarter of SetMemoryLimit()
-   * or 1 MiB. If a view needs more faces, the error grows. A value out of range is an error and
-   * changes nothing.
+   * longitudes is closed: the first column follows the last. An opaque globe overlaps by a column
+   * there; a translucent one has a single layer, except for a few pixels where the sides have
+   * triangles of different sizes. If it ends half a sample before a pole, it is continued to it,
+   * and samples of the first row are moved to it. The screen-space error includes the curvature of
+   * the ellipsoid, for slopes up to 45 degrees before the exaggeration. Positions of vertices take
+   * 6 kB per face, within a quarter of SetMemoryLimit() or 1 MiB. If a view needs more faces, the
+   * error grows. A value out of range is an error and changes nothing.
    */
   void SetFrame(int frame);
   vtkGetMacro(Frame, int);

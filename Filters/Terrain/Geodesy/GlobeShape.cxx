@@ -132,7 +132,9 @@ void GlobeShape::ToAngles(std::size_t number, double* columns, double* rows, boo
 {
   for (std::size_t i = 0; i < number; ++i)
   {
-    const double column = columns[i];
+    // The same bits on both sides of the seam.
+    const double column =
+      isClosed && columns[i] >= this->Period ? columns[i] - this->Period : columns[i];
     double row = rows[i];
     if (isClosed && row < 1.0)
     {

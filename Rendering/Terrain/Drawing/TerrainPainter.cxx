@@ -427,11 +427,11 @@ void TerrainPainter::SetMapperShaderParameters(
   {
     this->Globe.Activate(helper.Program);
   }
-  this->SetPositionUniforms(helper.Program);
+  this->SetPositionUniforms(helper.Program, actor->IsRenderingTranslucentPolygonalGeometry() != 0);
   this->SetColorUniforms(helper.Program);
 }
 
-void TerrainPainter::SetPositionUniforms(vtkShaderProgram* program)
+void TerrainPainter::SetPositionUniforms(vtkShaderProgram* program, bool isTranslucent)
 {
   const TerrainPlacement& placement = this->Current.Placement;
   const auto set4 = [program](const char* name, const std::array<double, 4>& values)
@@ -469,6 +469,12 @@ void TerrainPainter::SetPositionUniforms(vtkShaderProgram* program)
     const double sample =
       placement.Globe ? placement.Globe->GetBorder()[axis] : this->Current.Dimensions[axis] - 1.0;
     last[axis] = static_cast<float>(sample - this->OriginSample[axis] + BorderTolerance);
+  }
+  // An opaque globe overlaps by a column, which hides differences of the sides of the seam. A
+  // translucent one would show the overlap.
+  if (placement.Globe && placement.Globe->GetPeriod() > 0 && isTranslucent)
+  {
+    last[0] = static_cast<float>(placement.Globe->GetPeriod() - this->OriginSample[0]);
   }
   program->SetUniform2f("relevoLastSample", last);
   if (placement.Globe)

@@ -112,7 +112,7 @@ private:
     const float heights[2]);
   void SetOrigin(const std::array<double, 3>& origin);
   void UpdateColors(vtkOpenGLRenderWindow* window);
-  void SetPositionUniforms(vtkShaderProgram* program);
+  void SetPositionUniforms(vtkShaderProgram* program, bool isTranslucent);
   void SetColorUniforms(vtkShaderProgram* program);
   void FindSmallFaces(const TerrainViewpoint& viewpoint, const std::vector<TerrainFace>& faces);
   bool DrawFaces(vtkRenderer* renderer, vtkActor* actor, bool areSmall);

@@ -350,6 +350,39 @@ void TestImagery(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
+// A translucent globe has one layer at the seam, except for single pixels.
+void TestTranslucency(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  GlobeScene scene(MakeGlobe(720, 360, -180.0, 90.0, 0.5), folders.File("GlobeTranslucent.tif"));
+  scene.Renderer->SetBackground(1.0, 1.0, 1.0);
+  scene.Window->SetAlphaBitPlanes(1);
+  vtkProperty* property = scene.Actor->GetProperty();
+  property->SetOpacity(0.5);
+  property->SetColor(1.0, 0.3, 0.1);
+  property->LightingOff();
+  property->BackfaceCullingOn();
+  constexpr int once = 166; // green of the actor over white
+  for (const bool isPeeled : { false, true })
+  {
+    scene.Renderer->SetUseDepthPeeling(isPeeled);
+    for (const Point& place : { Point{ { 180.0, 15.0, 1e6 } }, Point{ { 180.0, 15.0, 1e5 } },
+           Point{ { 179.9, 40.0, 3e5 } }, Point{ { -179.9, -60.0, 5e4 } } })
+    {
+      CHECK_CASE(place[2]);
+      scene.LookDown(place[0], place[1], place[2]);
+      const RelevoPicture picture = scene.Draw();
+      picture.Save(folders.File("GlobeTranslucent.png"));
+      int others = 0;
+      for (std::size_t i = 0; i < picture.GetNumberOfPixels(); ++i)
+      {
+        others += std::abs(picture.Colors[3 * i + 1] - once) > 2 ? 1 : 0;
+      }
+      std::cout << others << " pixels without or with two layers\n";
+      CHECK_LESS(others, WindowSize / 5);
+    }
+  }
+}
+
 // The limit of memory includes the positions of vertices. If the faces do not fit, the error grows.
 void TestMemory(RelevoCheck& check, const RelevoTestFolders& folders)
 {
@@ -531,6 +564,7 @@ int TestTerrainMapperGlobe(int argc, char* argv[])
   TestPoles(check, folders);
   TestLongitudes(check, folders);
   TestImagery(check, folders);
+  TestTranslucency(check, folders);
   TestMemory(check, folders);
   TestProjected(check, folders);
   TestMoon(check, folders);
