@@ -12,9 +12,10 @@ namespace relevo
 {
 namespace
 {
-// The size in pixels of a step between samples from which on the next finer level is needed. It is
-// less than 1, because pixels are smaller away from the centre of a perspective view.
-constexpr double LargestStep = 0.75;
+// The size in pixels of a step between samples from which on the next finer level is needed.
+// Fragments whose step is smaller than 1.2 pixels do not use it; see relevoFirstLevel() in
+// relevoTerrainTiles.glsl. Pixels are smaller away from the centre of a perspective view.
+constexpr double LargestStep = 0.9;
 }
 
 MipmapTiles::MipmapTiles(int columns, int rows, const ElevationRanges& ranges)

@@ -75,31 +75,62 @@ float GetHornMean(const std::array<float, 3>& differences)
   return weights > 0.0f ? std::clamp(sum / weights, -LargestHalf, LargestHalf) : 0.0f;
 }
 
+// Sums of heights up to this one are finite.
+constexpr float LargestPlainHeight = 1e30f;
+
+constexpr int TileStride = TerrainTile::Stride;
+
+// The gradient at a vertex that has eight neighbours with data.
+void ComputeInnerGradient(const float* height, float* gradient)
+{
+  const float* above = height - TileStride;
+  const float* below = height + TileStride;
+  const float columns =
+    above[1] - above[-1] + 2.0f * (height[1] - height[-1]) + below[1] - below[-1];
+  const float rows = below[-1] - above[-1] + 2.0f * (below[0] - above[0]) + below[1] - above[1];
+  gradient[0] = std::clamp(0.125f * columns, -LargestHalf, LargestHalf);
+  gradient[1] = std::clamp(0.125f * rows, -LargestHalf, LargestHalf);
+}
+
+void ComputeOuterGradient(const HeightTile& tile, int column, int row, float* gradient)
+{
+  const auto get = [&tile](int i, int j)
+  {
+    return i < 0 || i >= TileStride || j < 0 || j >= TileStride
+      ? std::numeric_limits<float>::quiet_NaN()
+      : tile.Heights[static_cast<std::size_t>(j) * TileStride + i];
+  };
+  std::array<float, 3> columns;
+  std::array<float, 3> rows;
+  for (int k = -1; k <= 1; ++k)
+  {
+    columns[k + 1] =
+      GetDifference(get(column - 1, row + k), get(column, row + k), get(column + 1, row + k));
+    rows[k + 1] =
+      GetDifference(get(column + k, row - 1), get(column + k, row), get(column + k, row + 1));
+  }
+  gradient[0] = GetHornMean(columns);
+  gradient[1] = GetHornMean(rows);
+}
+
 // The differences to the next column and row, vertex by vertex.
 std::vector<float> ComputeGradients(const HeightTile& tile)
 {
-  constexpr int stride = TerrainTile::Stride;
-  const auto get = [&tile](int column, int row)
-  {
-    return column < 0 || column >= stride || row < 0 || row >= stride
-      ? std::numeric_limits<float>::quiet_NaN()
-      : tile.Heights[static_cast<std::size_t>(row) * stride + column];
-  };
+  const bool isComplete = std::all_of(tile.Heights.begin(), tile.Heights.end(),
+    [](float height) { return std::abs(height) <= LargestPlainHeight; }); // not NaN
   std::vector<float> gradients(2 * TerrainTile::NumberOfVertices);
-  float* gradient = gradients.data();
-  std::array<float, 3> columns;
-  std::array<float, 3> rows;
-  for (int j = 0; j < stride; ++j)
+  for (int row = 0; row < TileStride; ++row)
   {
-    for (int i = 0; i < stride; ++i)
+    const bool isInner = isComplete && row > 0 && row < TileStride - 1;
+    const float* heights = &tile.Heights[static_cast<std::size_t>(row) * TileStride];
+    float* gradient = &gradients[static_cast<std::size_t>(2) * row * TileStride];
+    for (int column = 1; isInner && column < TileStride - 1; ++column)
     {
-      for (int k = -1; k <= 1; ++k)
-      {
-        columns[k + 1] = GetDifference(get(i - 1, j + k), get(i, j + k), get(i + 1, j + k));
-        rows[k + 1] = GetDifference(get(i + k, j - 1), get(i + k, j), get(i + k, j + 1));
-      }
-      *gradient++ = GetHornMean(columns);
-      *gradient++ = GetHornMean(rows);
+      ComputeInnerGradient(heights + column, gradient + 2 * column);
+    }
+    for (int column = 0; column < TileStride; column += isInner ? TileStride - 1 : 1)
+    {
+      ComputeOuterGradient(tile, column, row, gradient + 2 * column);
     }
   }
   return gradients;
