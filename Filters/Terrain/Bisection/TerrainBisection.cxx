@@ -34,8 +34,15 @@ constexpr int SampleLevel = -3;
 
 constexpr double InfiniteError = std::numeric_limits<double>::infinity();
 
-// A bisection begins at this fraction of the tolerance, and is complete at the tolerance.
-const double FirstShare = std::exp2(-0.125);
+// Errors are saturated, see BlockErrors: a bisection leaves at most this share of the error before
+// it.
+const double SaturationShare = std::exp2(-0.125);
+
+// A bisection begins at the first fraction of the tolerance, and is complete at the last. Between,
+// the error before it grows by (1 + 0.0905 t), where t is the morph. What the bisection leaves of
+// it is at most (1 - 0.0830 t), because heights are linear in t. The product is at most 1.0019.
+constexpr double FirstShare = 0.998;
+const double LastShare = FirstShare / SaturationShare;
 
 // Corners of a block, in halves of its size; a side is between its number and the next.
 constexpr int Corners[4][2] = { { 0, 0 }, { 2, 0 }, { 2, 2 }, { 0, 2 } };
@@ -46,6 +53,12 @@ constexpr int SideSteps[4][2] = { { 0, -1 }, { 1, 0 }, { 0, 1 }, { -1, 0 } };
 double GetVisibleError(float visibility, double tolerance)
 {
   return visibility < 1.0f ? FirstShare * tolerance / std::sqrt(1.0 - visibility) : InfiniteError;
+}
+
+// The share of the error before a bisection that is left while it is not complete.
+double GetRemainder(float morph)
+{
+  return 1.0 - morph * (1.0 - SaturationShare);
 }
 
 float MixHeights(float a, float b, float t)
@@ -173,9 +186,8 @@ double TerrainBisection::ProjectEdge(const Block& block, int side)
 float TerrainBisection::Ramp(double error) const
 {
   const double first = FirstShare * this->Tolerance;
-  return error >= this->Tolerance
-    ? 1.0f
-    : static_cast<float>(std::max(0.0, (error - first) / (this->Tolerance - first)));
+  const double last = LastShare * this->Tolerance;
+  return error >= last ? 1.0f : static_cast<float>(std::max(0.0, (error - first) / (last - first)));
 }
 
 const HeightTile* TerrainBisection::FindTile(
@@ -232,7 +244,7 @@ double TerrainBisection::LimitSquare(const Block& block)
     const bool isReady =
       isParentBisected && this->FindTile(block.Level - 1, block, error, visibility) != nullptr;
     error = isReady
-      ? std::min({ error, FirstShare * sides, GetVisibleError(visibility, this->Tolerance) })
+      ? std::min({ error, SaturationShare * sides, GetVisibleError(visibility, this->Tolerance) })
       : 0.0;
   }
   this->SquareErrors.emplace(key, error);
@@ -261,7 +273,7 @@ double TerrainBisection::LimitEdge(const Block& block, int side)
   {
     if (this->Ramp(error) > 0.0f && this->Exists(candidate))
     {
-      error = std::min(error, FirstShare * this->LimitSquare(candidate));
+      error = std::min(error, SaturationShare * this->LimitSquare(candidate));
     }
   }
   if (isFine && this->Ramp(error) > 0.0f)
@@ -340,7 +352,8 @@ void TerrainBisection::Visit(const Block& block)
     {
       const float square = this->GetSquareMorph(block);
       this->AddFace(block, side, -1, square,
-        square < 1.0f ? this->ProjectSquare(block) : this->ProjectEdge(block, side));
+        square < 1.0f ? GetRemainder(square) * this->ProjectSquare(block)
+                      : this->ProjectEdge(block, side));
       continue;
     }
     for (int end = side; end < side + 2; ++end)
@@ -355,7 +368,8 @@ void TerrainBisection::Visit(const Block& block)
       else
       {
         this->AddFace(block, side, corner, morph,
-          morph < 1.0f ? this->ProjectEdge(block, side) : this->ProjectSquare(quarter));
+          morph < 1.0f ? GetRemainder(morph) * this->ProjectEdge(block, side)
+                       : this->ProjectSquare(quarter));
       }
     }
   }
@@ -462,6 +476,7 @@ double TerrainBisection::ProjectFace(
   // The level of the bisection that the error is of.
   const bool isSquare = (end < 0) != isSplit;
   const int level = end >= 0 && isSplit ? block.Level - 1 : block.Level;
+  const double remainder = isSplit ? 1.0 : GetRemainder(face.Morph);
   const FaceHeights heights(face);
   const double size = std::ldexp(1.0, face.Level);
   const auto extend = [](std::array<double, 2>& range, double value) {
@@ -487,7 +502,8 @@ double TerrainBisection::ProjectFace(
         extend(box.Heights, height);
       }
     }
-    const double distance = heightError + this->View->GetShapeError(level, isSquare, box);
+    const double distance =
+      remainder * (heightError + this->View->GetShapeError(level, isSquare, box));
     box.Heights[0] -= distance;
     box.Heights[1] += distance;
     largest = std::max(largest, this->View->Project(distance, box));

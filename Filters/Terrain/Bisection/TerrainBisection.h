@@ -11,8 +11,9 @@
  * vertices. See BlockErrors for blocks and their errors.
  *
  * A bisection is a function of the view and of the tiles in memory alone. It begins when the
- * projected error before it reaches 2^(-1/8) of the tolerance and is complete when that error
- * reaches the tolerance; between, heights are linear in the error. As errors are saturated and
+ * projected error before it reaches the tolerance and is complete when that error reaches 2^(1/8)
+ * of the tolerance; between, heights are linear in the error, so that the error that is left stays
+ * within the tolerance. As errors are saturated and
  * projected from regions that contain all finer ones, coarser bisections are complete before finer
  * ones begin.
  *
