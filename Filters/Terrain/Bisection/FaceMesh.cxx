@@ -24,26 +24,35 @@ void MakeFaceMesh(const AdaptiveTerrain& terrain, double exaggeration, vtkPolyDa
     const TerrainFace& face = terrain.GetFaces()[i];
     const FaceHeights heights(face);
     const int shift = face.Level - finest;
-    std::array<std::array<double, 3>, 3> world;
-    const auto getVertex = [&](const std::array<int, 2>& vertex, std::array<double, 3>& position)
+    // Triangles share vertices.
+    std::array<TerrainMeshBuilder::Vertex, GlobeFaces::VerticesPerFace> vertices;
+    std::array<std::array<double, 3>, GlobeFaces::VerticesPerFace> world;
+    std::array<vtkIdType, GlobeFaces::VerticesPerFace> points;
+    points.fill(-1);
+    for (int b = 0; b <= TerrainFace::Segments; ++b)
     {
-      const auto [a, b] = vertex;
-      TerrainMeshBuilder::Vertex result{ (face.Apex[0] + a * face.Step1[0] + b * face.Step2[0])
-          << shift,
-        (face.Apex[1] + a * face.Step1[1] + b * face.Step2[1]) << shift, heights.GetHeight(a, b) };
-      if (placement.Globe)
+      for (int a = 0; a + b <= TerrainFace::Segments; ++a)
       {
-        position = GlobeFaces::GetWorld(face, *terrain.GetVertices()[i], placement, a, b);
-        result.World = &position;
-        // There is no surface outside of the projection.
-        result.Height = std::isnan(position[0]) ? position[0] : result.Height;
+        const int index = GlobeFaces::GetIndex(a, b);
+        TerrainMeshBuilder::Vertex& vertex = vertices[index];
+        vertex.Column = (face.Apex[0] + a * face.Step1[0] + b * face.Step2[0]) << shift;
+        vertex.Row = (face.Apex[1] + a * face.Step1[1] + b * face.Step2[1]) << shift;
+        vertex.Height = heights.GetHeight(a, b);
+        vertex.Point = &points[index];
+        if (placement.Globe)
+        {
+          world[index] = GlobeFaces::GetWorld(face, *terrain.GetVertices()[i], placement, a, b);
+          vertex.World = &world[index];
+          // There is no surface outside of the projection.
+          vertex.Height = std::isnan(world[index][0]) ? world[index][0] : vertex.Height;
+        }
       }
-      return result;
-    };
-    for (const auto& [a, b, c] : TerrainFace::GetPattern())
+    }
+    for (const TerrainFace::PatternTriangle& triangle : TerrainFace::GetPattern())
     {
-      mesh.AddTriangle(
-        { { getVertex(a, world[0]), getVertex(b, world[1]), getVertex(c, world[2]) } });
+      const auto get = [&](int corner)
+      { return vertices[GlobeFaces::GetIndex(triangle[corner][0], triangle[corner][1])]; };
+      mesh.AddTriangle({ { get(0), get(1), get(2) } });
     }
   }
   std::array<double, 2> last = { { contents.Width - 1.0, contents.Height - 1.0 } };

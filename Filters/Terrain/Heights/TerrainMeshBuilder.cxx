@@ -31,6 +31,10 @@ TerrainMeshBuilder::TerrainMeshBuilder(
 
 vtkIdType TerrainMeshBuilder::AddVertex(const Vertex& vertex)
 {
+  if (vertex.Point && *vertex.Point >= 0)
+  {
+    return *vertex.Point;
+  }
   const auto [found, isNew] =
     this->Ids.emplace(MakeGridKey(vertex.Column, vertex.Row), this->Points->GetNumberOfPoints());
   if (isNew)
@@ -40,6 +44,10 @@ vtkIdType TerrainMeshBuilder::AddVertex(const Vertex& vertex)
     this->AddPoint(
       vertex.World ? *vertex.World : this->Placement.ToWorld(column, row, vertex.Height),
       vertex.Height, column, row);
+  }
+  if (vertex.Point)
+  {
+    *vertex.Point = found->second;
   }
   return found->second;
 }

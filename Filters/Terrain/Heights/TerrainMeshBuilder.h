@@ -43,6 +43,8 @@ public:
     double Height; // in the unit of the raster
     /// World coordinates; nullptr for those of the placement. They are copied.
     const std::array<double, 3>* World = nullptr;
+    /// Optional: where the builder stores the point, and finds it if it is not negative.
+    vtkIdType* Point = nullptr;
   };
   /// Add a triangle; its orientation does not matter.
   void AddTriangle(const std::array<Vertex, 3>& triangle);
