@@ -9,11 +9,13 @@
 #include "Checks/SettingChecks.h"
 #include "Compatibility/VTKCompatibility.h"
 #include "Geodesy/LocationArrays.h"
+#include "Heights/SolidBase.h"
 #include "Heights/TerrainMeshBuilder.h"
 #include "vtkCamera.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTerrainPyramid.h"
 #include "vtkVariant.h"
@@ -67,6 +69,8 @@ vtkTerrainMeshSource::vtkTerrainMeshSource()
   , MaximumError(0.0)
   , Region{ 1.0, -1.0, 1.0, -1.0 }
   , Exaggeration(1.0)
+  , UseBase(false)
+  , BaseHeight(0.0)
   , MemoryLimit(vtkTypeInt64(1) << 29)
   , Frame(MAP)
   , ErrorInUse(0.0)
@@ -121,6 +125,13 @@ void vtkTerrainMeshSource::SetScreenSpaceError(double pixels)
 void vtkTerrainMeshSource::SetMaximumError(double meters)
 {
   relevo::SetInRange(this, "MaximumError", this->MaximumError, meters, 0.0, relevo::LargestDouble);
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainMeshSource::SetBaseHeight(double height)
+{
+  relevo::SetInRange(
+    this, "BaseHeight", this->BaseHeight, height, -relevo::LargestDouble, relevo::LargestDouble);
 }
 
 //------------------------------------------------------------------------------
@@ -223,8 +234,16 @@ std::string vtkTerrainMeshSource::Build(vtkPolyData* output)
   {
     return this->Pyramid->GetFileName() + location;
   }
-  const std::string error =
+  if (isGeocentric && this->UseBase)
+  {
+    return "A base works with the map frame only. Call SetFrameToMap() or UseBaseOff().";
+  }
+  std::string error =
     this->MaximumError > 0.0 ? this->BuildRegion(output) : this->BuildView(output);
+  if (error.empty() && this->UseBase && !relevo::IsAborted(this))
+  {
+    error = this->BuildBase(output);
+  }
   if (error.empty() && !isGeocentric)
   {
     const relevo::Georeference& reference = lattice->Describe().Location;
@@ -258,6 +277,21 @@ std::string vtkTerrainMeshSource::BuildView(vtkPolyData* output)
   }
   this->ErrorInUse = this->Terrain->GetError();
   relevo::MakeFaceMesh(*this->Terrain, this->Exaggeration, output);
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTerrainMeshSource::BuildBase(vtkPolyData* output)
+{
+  const double z = this->BaseHeight * this->Terrain->GetPlacement(this->Exaggeration).HeightScale;
+  const double lowest = output->GetBounds()[4];
+  if (output->GetNumberOfPolys() > 0 && !(z < lowest))
+  {
+    return "BaseHeight is " + vtkVariant(this->BaseHeight).ToString() +
+      ", but it must be below the mesh, whose lowest height is " +
+      vtkVariant(output->GetPointData()->GetArray("Height")->GetRange()[0]).ToString() + ".";
+  }
+  relevo::AddSolidBase(z, this->BaseHeight, output);
   return "";
 }
 
@@ -413,6 +447,8 @@ void vtkTerrainMeshSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Region: (" << this->Region[0] << ", " << this->Region[1] << ", "
      << this->Region[2] << ", " << this->Region[3] << ")\n";
   os << indent << "Exaggeration: " << this->Exaggeration << "\n";
+  os << indent << "UseBase: " << (this->UseBase ? "on" : "off") << "\n";
+  os << indent << "BaseHeight: " << this->BaseHeight << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "Frame: " << this->Frame << "\n";
 }

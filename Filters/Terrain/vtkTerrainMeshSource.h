@@ -30,9 +30,9 @@
  *
  * Errors (ErrorEvent, empty output): no pyramid; an error of the pyramid; neither a camera nor a
  * MaximumError; a region that does not overlap the raster; a region that has too many samples for
- * its MaximumError; a mesh of more than 2^26 triangles within MaximumError; a raster with one row
- * or column; a coordinate system that is not supported. A tile that cannot be read is reported,
- * too; with a camera it is drawn coarser.
+ * its MaximumError; a base that is not below the mesh; a mesh of more than 2^26 triangles within
+ * MaximumError; a raster with one row or column; a coordinate system that is not supported. A tile
+ * that cannot be read is reported, too; with a camera it is drawn coarser.
  *
  * @sa vtkTerrainPyramid vtkTerrainMapper
  */
@@ -132,6 +132,29 @@ public:
 
   //@{
   /**
+   * Set whether the mesh is a solid, for example for a 3D print: it gets vertical walls at all
+   * borders, also those of holes, and a bottom at BaseHeight. Default off. The mesh is closed: each
+   * edge has two triangles, and all triangles are counter-clockwise seen from outside. Points where
+   * only corners touch are duplicated. The first points and triangles are those of the surface. The
+   * bottom has as many triangles as the surface. With the geocentric frame, this is an error.
+   */
+  vtkSetMacro(UseBase, bool);
+  vtkGetMacro(UseBase, bool);
+  vtkBooleanMacro(UseBase, bool);
+  //@}
+
+  //@{
+  /**
+   * Set the height of the bottom in the unit of the raster's heights, before Exaggeration; finite,
+   * default 0. Another value is an error and changes nothing. A height that is not below the mesh
+   * is an error of the update.
+   */
+  virtual void SetBaseHeight(double height);
+  vtkGetMacro(BaseHeight, double);
+  //@}
+
+  //@{
+  /**
    * Set the maximum memory of tiles in bytes; default 2^29. With a camera, parts whose tiles do not
    * fit are coarser; see GetScreenSpaceErrorInUse(). Less than 2^22 is an error and changes
    * nothing.
@@ -175,6 +198,8 @@ protected:
   double MaximumError;
   double Region[4];
   double Exaggeration;
+  bool UseBase;
+  double BaseHeight;
   vtkTypeInt64 MemoryLimit;
   int Frame;
 
@@ -185,6 +210,7 @@ private:
   std::string Build(vtkPolyData* output);
   std::string BuildView(vtkPolyData* output);
   std::string BuildRegion(vtkPolyData* output);
+  std::string BuildBase(vtkPolyData* output);
   std::string FindSamples(double columns[2], double rows[2]) const;
   std::string FindLevelError(
     int level, const double columns[2], const double rows[2], double& largest) const;

@@ -178,6 +178,28 @@ class TestExamples(unittest.TestCase):
             self.assertEqual(run.stdout, "N57E011.hgt: Height [m]\n")
             self.assert_kept(folder / "out.png", kept)
 
+    def test_solid(self):
+        """The solid is closed and drawn; the stored picture is that of real data."""
+        kept = SOURCE / "Examples/Python/solid.png"
+        self.assertIn("Examples/Python/solid.png", PAGES)
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            write_heights(folder / "heights.png", lambda i, j: max(0, (i - 10) * j // 100))
+            run = self.run_example("solid.py", folder, "heights.png", "out.png", "model.stl")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            numbers = re.fullmatch(r"(\d+) triangles, 0 open edges\n", run.stdout)
+            self.assertEqual(
+                (folder / "model.stl").stat().st_size, 84 + 50 * int(numbers[1]), run.stdout
+            )
+            self.assertGreater(len(colour_set(read_picture(folder / "out.png"))), 10)
+            real = FLOW.parent / "relief/SainteHelens.dem"
+            if not real.exists():
+                return
+            run = self.run_example("solid.py", folder, str(real), "out.png")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            self.assertIn("triangles, 0 open edges", run.stdout)
+            self.assert_kept(folder / "out.png", kept)
+
     def test_names(self):
         """File names with a hyphen need --. Control characters in messages are escaped."""
         with tempfile.TemporaryDirectory() as name:

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+// With a base, the mesh is a closed solid: each edge has two triangles, and the volume is that
+// between the surface and the bottom. The surface is unchanged.
+#include "RelevoCheck.h"
+#include "RelevoRasterFiles.h"
+
+#include "vtkCamera.h"
+#include "vtkCell.h"
+#include "vtkDataArray.h"
+#include "vtkFeatureEdges.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTerrainMeshSource.h"
+#include "vtkTerrainPyramid.h"
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+constexpr int Size = 120;
+
+enum class Holes
+{
+  None,
+  Few,     // with corners that touch, and islands
+  Checkers // all corners touch
+};
+
+bool IsHole(Holes holes, int column, int row)
+{
+  if (holes == Holes::Checkers)
+  {
+    return (column / 8 + row / 8) % 2 == 0;
+  }
+  const double ring = std::hypot(column - 60, row - 50);
+  return holes == Holes::Few &&
+    ((ring > 18.0 && ring < 24.0) || column + row < 15 || (column / 5 == 3 && row % 10 < 6));
+}
+
+std::string WriteTerrain(RelevoCheck& check, const RelevoTestFolders& folders, Holes holes)
+{
+  RelevoRaster raster;
+  raster.Width = Size;
+  raster.Height = Size;
+  raster.Transform = { 500000.0, 10.0, 0.0, 4200000.0, 0.0, -10.0 };
+  raster.CoordinateSystem = "EPSG:32633";
+  raster.NoData = -9999.0;
+  raster.SetValues(
+    [holes](int, int column, int row)
+    {
+      return IsHole(holes, column, row) ? -9999.0
+                                        : 100.0 +
+          30.0 * std::sin(column / 7.0) * std::cos(row / 11.0) + (column * 7 + row * 13) % 5;
+    });
+  const std::string file = folders.File("TerrainMeshSourceBase.tif");
+  CHECK(raster.Write(file));
+  return file;
+}
+
+// The volume above z = 0 by the divergence theorem, and the part of the mesh above another mesh.
+double GetVolume(vtkPolyData* mesh)
+{
+  double volume = 0.0;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    vtkCell* cell = mesh->GetCell(i);
+    double points[3][3];
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      mesh->GetPoint(cell->GetPointId(corner), points[corner]);
+    }
+    const double area = 0.5 *
+      ((points[1][0] - points[0][0]) * (points[2][1] - points[0][1]) -
+        (points[2][0] - points[0][0]) * (points[1][1] - points[0][1]));
+    volume += area * (points[0][2] + points[1][2] + points[2][2]) / 3.0;
+  }
+  return volume;
+}
+
+double GetArea(vtkPolyData* mesh)
+{
+  vtkNew<vtkPolyData> flat;
+  flat->DeepCopy(mesh);
+  for (vtkIdType i = 0; i < flat->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    flat->GetPoint(i, point);
+    flat->GetPoints()->SetPoint(i, point[0], point[1], 1.0);
+  }
+  return GetVolume(flat);
+}
+
+void CheckSolid(RelevoCheck& check, vtkTerrainMeshSource* source, double base, double z)
+{
+  source->UseBaseOff();
+  source->Update();
+  vtkNew<vtkPolyData> surface;
+  surface->DeepCopy(source->GetOutput());
+  CHECK_GREATER(surface->GetNumberOfCells(), 10);
+  source->UseBaseOn();
+  source->SetBaseHeight(base);
+  source->Update();
+  vtkPolyData* solid = source->GetOutput();
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(solid);
+  edges->BoundaryEdgesOn();
+  edges->NonManifoldEdgesOn();
+  edges->FeatureEdgesOff();
+  edges->ManifoldEdgesOff();
+  edges->Update();
+  CHECK_EQUAL(edges->GetOutput()->GetNumberOfCells(), 0);
+  // The surface, to the bit
+  CHECK_GREATER(solid->GetNumberOfCells(), 2 * surface->GetNumberOfCells());
+  bool isSame = true;
+  for (vtkIdType i = 0; i < surface->GetNumberOfCells(); ++i)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      double points[2][3];
+      surface->GetPoint(surface->GetCell(i)->GetPointId(corner), points[0]);
+      solid->GetPoint(solid->GetCell(i)->GetPointId(corner), points[1]);
+      isSame = isSame && std::equal(points[0], points[0] + 3, points[1]);
+    }
+  }
+  CHECK(isSame);
+  // Triangles face outwards.
+  const double expected = GetVolume(surface) - z * GetArea(surface);
+  CHECK_NEAR(GetVolume(solid) / expected, 1.0, 1e-9);
+  CHECK_EQUAL(solid->GetBounds()[4], z);
+  vtkDataArray* heights = solid->GetPointData()->GetArray("Height");
+  CHECK_EQUAL(heights->GetNumberOfTuples(), solid->GetNumberOfPoints());
+  CHECK_EQUAL(heights->GetRange()[0], base);
+  CHECK_EQUAL(solid->GetPointData()->GetTCoords()->GetNumberOfTuples(), solid->GetNumberOfPoints());
+}
+
+void TestErrors(RelevoCheck& check, vtkTerrainMeshSource* source)
+{
+  RelevoErrors errors(source);
+  source->UseBaseOn();
+  source->SetBaseHeight(200.0);
+  source->Update();
+  CHECK(errors.Said("BaseHeight is 200"));
+  CHECK_EQUAL(source->GetOutput()->GetNumberOfCells(), 0);
+  source->SetBaseHeight(std::numeric_limits<double>::infinity());
+  CHECK(errors.Said("BaseHeight"));
+  CHECK_EQUAL(source->GetBaseHeight(), 200.0);
+  vtkNew<vtkCamera> camera;
+  source->SetCamera(camera);
+  source->SetMaximumError(0.0);
+  source->SetFrameToGeocentric();
+  source->Update();
+  CHECK(errors.Said("map frame only"));
+}
+}
+
+int TestTerrainMeshSourceBase(int argc, char* argv[])
+{
+  RelevoCheck check;
+  const RelevoTestFolders folders(argc, argv);
+  for (Holes holes : { Holes::None, Holes::Few, Holes::Checkers })
+  {
+    CHECK_CASE(static_cast<int>(holes));
+    vtkNew<vtkTerrainPyramid> pyramid;
+    pyramid->SetFileName(WriteTerrain(check, folders, holes).c_str());
+    vtkNew<vtkTerrainMeshSource> source;
+    source->SetPyramid(pyramid);
+    source->SetMaximumError(1.0);
+    CheckSolid(check, source, 0.0, 0.0);
+    source->SetExaggeration(2.0);
+    CheckSolid(check, source, 20.0, 40.0);
+    source->SetRegion(500205.0, 500805.0, 4199105.0, 4199605.0);
+    source->SetMaximumError(0.01);
+    CheckSolid(check, source, -50.0, -100.0);
+    vtkNew<vtkCamera> camera;
+    camera->SetPosition(-400.0, -900.0, 600.0);
+    camera->SetFocalPoint(0.0, 0.0, 100.0);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    camera->SetClippingRange(10.0, 3000.0);
+    source->SetCamera(camera);
+    source->SetMaximumError(0.0);
+    source->SetViewportSize(300, 200);
+    CheckSolid(check, source, 0.0, 0.0);
+    if (holes == Holes::None)
+    {
+      TestErrors(check, source);
+    }
+  }
+  return check.GetResult();
+}
