@@ -8,7 +8,9 @@ import unittest
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOPLY import vtkPLYReader
 
 from ViewerProgram import ViewerProgram
 from ViewerScenes import write_hill
@@ -113,6 +115,29 @@ class TestViewerTiles(ViewerProgram):
         plain = self.picture(self.heights, "--contours=5")
         labels = self.picture(self.heights, "--contours=5", "--contour-labels")
         self.assertGreater((plain != labels).sum(), 300)
+
+    def test_base(self):
+        """The exported solid is closed: each edge of its triangles has two of them."""
+        common = (self.ramp(), "--export=solid.ply", "--tolerance=1")
+        self.view(*common, "--base=50", "--exaggeration=2")
+        reader = vtkPLYReader()
+        reader.SetFileName(str(self.folder / "solid.ply"))
+        edges = vtkFeatureEdges()
+        edges.SetInputConnection(reader.GetOutputPort())
+        edges.FeatureEdgesOff()
+        edges.ManifoldEdgesOff()
+        edges.Update()
+        self.assertEqual(edges.GetOutput().GetNumberOfCells(), 0)
+        bounds = reader.GetOutput().GetBounds()
+        self.assertAlmostEqual(bounds[4], 100, delta=1e-3)
+        self.assertAlmostEqual(bounds[5], 2 * 490, delta=1e-3)
+        self.assert_error(1, ["BaseHeight is 200", "below the mesh"], *common, "--base=200")
+        self.assert_error(2, ["--base requires --export"], self.heights, "--base=0")
+        self.assert_error(2, ["--base requires --tolerance"], self.heights, "--base=0",
+                          "--export=solid.ply")
+        self.assert_error(2, ["--globe cannot be combined with --base"], *common, "--base=0",
+                          "--globe")
+        self.assert_error(2, ["--base requires a height map"], "flat.obj", "--base=0")
 
     def ramp(self):
         """Heights that rise to the east by 10 m per sample of 0.01 degrees."""

@@ -248,8 +248,8 @@ private:
     using Color = ViewerOptions::ColorType;
     const Color color = options.Color;
     const bool isOfTerrain = color != Color::Own && !options.IsColoredByLevel();
-    this->RequirePartner({ "--contour-labels", "--contours", "--flight", "--globe", "--memory",
-                           "--palette", "--range", "--sea-level" },
+    this->RequirePartner({ "--base", "--contour-labels", "--contours", "--flight", "--globe",
+                           "--memory", "--palette", "--range", "--sea-level" },
       options.IsTerrain(), "a height map, and '" + options.Input + "' is none");
     if (!options.IsTerrain())
     {
@@ -275,12 +275,29 @@ private:
         "--color-by " + this->Given.at("--color-by") + " cannot be combined with --image");
     }
     this->CheckFlight();
+    this->CheckBase();
     const std::string levels = this->FindOptionOfLevels();
     options.IsTiled = levels.empty();
     options.TiledBy = this->FindOptionOfTiles();
     if (!levels.empty() && !options.TiledBy.empty())
     {
       throw UsageError(options.TiledBy + " cannot be combined with " + levels);
+    }
+  }
+
+  // A solid is exported without a scene.
+  void CheckBase()
+  {
+    const ViewerOptions& options = this->Options;
+    this->RequirePartner({ "--base" }, !options.Export.empty(), "--export");
+    this->RequirePartner({ "--base" }, options.Tolerance.has_value(), "--tolerance");
+    for (const auto& given : this->Given)
+    {
+      if (options.Base &&
+        !IsOneOf(given.first, { "--base", "--exaggeration", "--export", "--tolerance" }))
+      {
+        throw UsageError(given.first + " cannot be combined with --base");
+      }
     }
   }
 

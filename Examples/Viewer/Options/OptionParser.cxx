@@ -160,6 +160,8 @@ private:
   {
     ViewerOptions& options = this->Options;
     this->AllSettings.insert({
+      { "--base",
+        [&](const auto& option, const auto& value) { options.Base = ToNumber(option, value); } },
       { "--contours",
         [&](const auto& option, const auto& value)
         { options.Contours = ToPositiveNumber(option, value); } },

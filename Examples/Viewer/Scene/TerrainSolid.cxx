@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/TerrainSolid.h"
+
+#include "Files/FileEnd.h"
+#include "Files/ViewerExport.h"
+#include "Options/ViewerOptions.h"
+#include "Text/ReadingGuard.h"
+#include "Text/ViewerMessages.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTerrainMeshSource.h"
+#include "vtkTerrainPyramid.h"
+
+//------------------------------------------------------------------------------
+void ExportTerrainSolid(const ViewerOptions& options, ViewerMessages& messages)
+{
+  vtkNew<vtkTerrainPyramid> pyramid;
+  vtkNew<vtkTerrainMeshSource> source;
+  {
+    const ReadingGuard guard(std::vector<std::string>{ options.Input });
+    CheckRasterEnd(options.Input, messages);
+    messages.Observe(pyramid, "indexing");
+    messages.Observe(source);
+    pyramid->SetFileName(options.Input.c_str());
+    source->SetPyramid(pyramid);
+    source->SetMaximumError(*options.Tolerance);
+    source->SetExaggeration(options.Exaggeration.value_or(1.0));
+    source->UseBaseOn();
+    source->SetBaseHeight(*options.Base);
+    source->Update();
+    messages.Check();
+  }
+  if (source->GetOutput()->GetNumberOfCells() == 0)
+  {
+    throw ViewerError(options.Input + " has no heights");
+  }
+  WriteMesh(source->GetOutput(), options.Export, messages);
+}
