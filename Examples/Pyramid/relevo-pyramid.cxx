@@ -31,13 +31,15 @@ const char* const Usage =
   "Usage: relevo-pyramid IN OUT [options]\n"
   "\n"
   "Copy the first band of the raster IN, any that GDAL reads, into the tiled BigTIFF OUT with\n"
-  "overviews. Samples, georeference, no-data value, scale, offset and unit are kept. An "
-  "interrupted\n"
-  "run is resumed by the next one with the same arguments.\n"
+  "overviews. Samples, georeference, no-data value, scale, offset and unit are kept. Then make "
+  "the\n"
+  "index OUT.relevo-index, so that terrains are drawn without a delay. An interrupted run is\n"
+  "resumed by the next one with the same arguments.\n"
   "\n"
   "Options:\n"
   "  --compression deflate|zstd|lzw|none\n"
   "                         lossless compression (default deflate)\n"
+  "  --no-index             do not make the index; the first program that opens OUT makes it\n"
   "  --help                 print this text and exit\n"
   "  --version              print the version of Relevo and exit\n"
   "\n"
@@ -58,20 +60,22 @@ int Fail(ExitCode code, const std::string& message)
 
 void ShowProgress(vtkObject* caller, unsigned long, void*, void* data)
 {
+  auto* writer = static_cast<vtkTerrainPyramidWriter*>(caller);
+  const bool isIndex = writer->GetStep() == vtkTerrainPyramidWriter::INDEX;
   static int shown = -1;
   const int percent = static_cast<int>(std::floor(100.0 * *static_cast<double*>(data)));
   if (percent != shown && isatty(STDERR_FILENO))
   {
     shown = percent;
-    std::cerr << "\rwriting " << percent << " %" << std::flush;
+    std::cerr << (isIndex ? "\rindexing " : "\rwriting ") << percent << " % " << std::flush;
   }
   if (IsInterrupted)
   {
-    static_cast<vtkTerrainPyramidWriter*>(caller)->AbortExecuteOn();
+    writer->AbortExecuteOn();
   }
 }
 
-int Write(const std::string& input, const std::string& output, int compression)
+int Write(const std::string& input, const std::string& output, int compression, bool hasIndex)
 {
   std::signal(SIGINT, &Interrupt);
   std::signal(SIGTERM, &Interrupt);
@@ -83,10 +87,11 @@ int Write(const std::string& input, const std::string& output, int compression)
   writer->SetInputFileName(input.c_str());
   writer->SetFileName(output.c_str());
   writer->SetCompression(compression);
+  writer->SetWriteIndex(hasIndex);
   const bool isDone = writer->Write();
   if (isatty(STDERR_FILENO))
   {
-    std::cerr << "\r             \r" << std::flush;
+    std::cerr << "\r               \r" << std::flush;
   }
   if (isDone)
   {
@@ -105,6 +110,7 @@ int main(int argc, char* argv[])
     { "zstd", vtkTerrainPyramidWriter::ZSTD } };
   const std::string option = "--compression";
   int compression = vtkTerrainPyramidWriter::DEFLATE;
+  bool hasIndex = true;
   std::vector<std::string> names;
   bool isOption = true;
   for (int i = 1; i < argc; ++i)
@@ -133,6 +139,10 @@ int main(int argc, char* argv[])
       }
       compression = compressions.at(value);
     }
+    else if (isOption && argument == "--no-index")
+    {
+      hasIndex = false;
+    }
     else if (isOption && argument == "--")
     {
       isOption = false;
@@ -151,5 +161,5 @@ int main(int argc, char* argv[])
     return Fail(
       BadUsage, "give the raster to read and the file to write (see relevo-pyramid --help)");
   }
-  return Write(names[0], names[1], compression);
+  return Write(names[0], names[1], compression, hasIndex);
 }

@@ -23,7 +23,15 @@
  *
  * If samples cannot be read, the index counts them as missing data, and IsErrorKnown() is true for
  * the others. Update() or WaitForIndex() reports one error. The index is not written to a file, so
- * that the next Update() of another object tries again.
+ * that the next Update() of another object tries again. If samples of one of GDAL's virtual files
+ * cannot be read, such as a file on a server, there is no index, and IsErrorKnown() stays false.
+ *
+ * If the file changes while it is open, reads fail until Update() opens it again. Heights of the
+ * old and the new file never mix.
+ *
+ * A server that does not answer for 20 seconds is an error, and one that is busy is asked three
+ * times, unless GDAL's options GDAL_HTTP_... say otherwise. The destructor waits for a read that
+ * hangs for at most 5 seconds.
  *
  * A sample has no data if it equals the no-data value of the file, if the mask of the file excludes
  * it, or if it is NaN or infinite.

@@ -21,7 +21,9 @@ vtkTerrainPyramidWriter::vtkTerrainPyramidWriter()
   : InputFileName(nullptr)
   , FileName(nullptr)
   , Compression(DEFLATE)
+  , WriteIndex(true)
   , AbortExecute(false)
+  , Step(COPY)
 {
 }
 
@@ -52,6 +54,7 @@ bool vtkTerrainPyramidWriter::Write()
 {
   this->ErrorMessage.clear();
   this->AbortExecute = false;
+  this->Step = COPY;
   if (!this->InputFileName || !this->FileName || this->InputFileName[0] == '\0' ||
     this->FileName[0] == '\0')
   {
@@ -63,9 +66,11 @@ bool vtkTerrainPyramidWriter::Write()
   settings.Input = this->InputFileName;
   settings.Output = this->FileName;
   settings.Compression = CompressionNames[this->Compression];
+  settings.HasIndex = this->WriteIndex;
   relevo::PyramidWriter writer(settings,
-    [this](double fraction)
+    [this](relevo::PyramidWriter::Step step, double fraction)
     {
+      this->Step = step == relevo::PyramidWriter::Step::Copy ? COPY : INDEX;
       this->InvokeEvent(vtkCommand::ProgressEvent, &fraction);
       return !this->AbortExecute;
     });
@@ -91,5 +96,7 @@ void vtkTerrainPyramidWriter::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "Compression: " << CompressionNames[this->Compression] << "\n";
+  os << indent << "WriteIndex: " << this->WriteIndex << "\n";
+  os << indent << "Step: " << this->Step << "\n";
   os << indent << "AbortExecute: " << this->AbortExecute << "\n";
 }

@@ -19,8 +19,11 @@
  * that is the input, that cannot be written, or that another process is writing; a compression that
  * GDAL lacks; a build without GDAL.
  *
- * ProgressEvent reports the fraction that is complete. An observer can call AbortExecuteOn() to
- * stop.
+ * By default, Write() also writes the index that vtkTerrainPyramid uses, FileName.relevo-index. If
+ * Write() is interrupted meanwhile, the next Write() only makes the index.
+ *
+ * ProgressEvent reports the fraction of the current step that is complete, see GetStep(). An
+ * observer can call AbortExecuteOn() to stop.
  *
  * @sa vtkTerrainPyramid
  */
@@ -78,6 +81,26 @@ public:
 
   //@{
   /**
+   * Set whether the index is also written, by default on. Without it, vtkTerrainPyramid makes the
+   * index when it opens the file.
+   */
+  vtkSetMacro(WriteIndex, bool);
+  vtkGetMacro(WriteIndex, bool);
+  vtkBooleanMacro(WriteIndex, bool);
+  //@}
+
+  enum StepType
+  {
+    COPY = 0,
+    INDEX = 1
+  };
+
+  /// Return the current step of a running Write(): COPY writes the samples and overviews, INDEX
+  /// makes the index.
+  int GetStep() { return this->Step; }
+
+  //@{
+  /**
    * Stop a running Write(), which then returns false without an error.
    */
   vtkSetMacro(AbortExecute, bool);
@@ -98,6 +121,7 @@ protected:
   char* InputFileName;
   char* FileName;
   int Compression;
+  bool WriteIndex;
   bool AbortExecute;
 
 private:
@@ -107,6 +131,7 @@ private:
   bool Report(const std::string& error);
 
   std::string ErrorMessage;
+  int Step;
 };
 
 #endif

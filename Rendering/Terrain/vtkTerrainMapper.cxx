@@ -58,17 +58,11 @@ constexpr vtkTypeInt64 SmallestNumberOfFaces = 64;
 
 constexpr int TrianglesPerFace = relevo::TerrainFace::Segments * relevo::TerrainFace::Segments;
 
-// The bytes of tiles and their textures under a limit; the rest is for the threads that read tiles.
-vtkTypeInt64 GetTileLimit(vtkTypeInt64 limit)
+// The bytes of textures among those of tiles. A height tile has a texture of heights and one of
+// gradients; an imagery tile has one.
+vtkTypeInt64 GetTextureLimit(vtkTypeInt64 tileLimit)
 {
-  return limit - std::min<vtkTypeInt64>(limit / 8, relevo::HeightTileCache::MemoryOfWorkers);
-}
-
-// The bytes of textures under a limit. A height tile has a texture of heights and one of gradients;
-// an imagery tile has one.
-vtkTypeInt64 GetTextureLimit(vtkTypeInt64 limit)
-{
-  return GetTileLimit(limit) / 3 * 2;
+  return tileLimit / 3 * 2;
 }
 
 // The bytes that remain for tiles and their textures. On a globe, a quarter of the limit is for the
@@ -110,6 +104,7 @@ struct vtkTerrainMapper::vtkInternals
   bool IsOpen = false;         // without an error
   std::shared_ptr<const relevo::ImageryLattice> Imagery;
   relevo::Dependencies OpenedImagery; // heights and the name of the image
+  vtkTypeInt64 TileLimit = 0;         // bytes of tiles and their textures
   vtkNew<relevo::TerrainPainter> Painter;
   vtkNew<relevo::ContextWatch> Context;
   relevo::FrameWatch Frames;
@@ -666,13 +661,14 @@ void vtkTerrainMapper::SelectFaces(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
-  const vtkTypeInt64 limit = WithoutVertices(this->MemoryLimit, this->Frame == GEOCENTRIC);
-  const vtkTypeInt64 textures = GetTextureLimit(limit);
+  data.TileLimit =
+    data.Terrain->PlanMemory(WithoutVertices(this->MemoryLimit, this->Frame == GEOCENTRIC));
+  const vtkTypeInt64 textures = GetTextureLimit(data.TileLimit);
   data.Terrain->SetMaximumNumberOfGlobeFaces(CountGlobeFaces(this->MemoryLimit));
   const std::size_t tiles =
     data.Painter->GetMaximumNumberOfTiles(textures) * relevo::HeightTileCache::BytesPerTile;
   data.Terrain->SetMemoryLimit(
-    std::min(static_cast<std::size_t>(GetTileLimit(limit) - textures), tiles));
+    std::min(static_cast<std::size_t>(data.TileLimit - textures), tiles));
   const relevo::TerrainView terrainView = viewpoint.MakeView(placement);
   if (this->LoadingMode == COMPLETE)
   {
@@ -723,8 +719,7 @@ void vtkTerrainMapper::DrawFaces(vtkRenderer* renderer, vtkActor* actor)
   settings.ContourInterval = this->ContourInterval;
   settings.ContourWidth = this->ContourWidth;
   std::copy_n(this->ContourColor, 3, settings.ContourColor.begin());
-  settings.MemoryLimit =
-    GetTextureLimit(WithoutVertices(this->MemoryLimit, this->Frame == GEOCENTRIC));
+  settings.MemoryLimit = GetTextureLimit(data.TileLimit);
   data.Painter->SetClippingPlanes(this->ClippingPlanes);
   CopyTerrainOffsets(this, data.Painter);
   const std::string error = data.Painter->Prepare(

@@ -22,6 +22,13 @@ constexpr double FadeTime = 0.25;
 // The errors of tiles for shading, as a share of the tolerance. Those of faces are larger.
 constexpr double ShadingShare = 0.5;
 
+// Fewer tiles are read at the same time under lower limits of memory.
+constexpr std::int64_t MemoryPerRead = std::int64_t(1) << 25;
+
+// If a view needs too many faces, its tolerance grows by this factor, then by its square, and so
+// on.
+constexpr double FirstReduction = 4.0;
+
 // An estimated range does not hide what exceeds it.
 ElevationRanges::Range Widen(const ElevationRanges::Range& range)
 {
@@ -196,6 +203,16 @@ std::array<double, 6> AdaptiveTerrain::GetBounds(double exaggeration) const
   return bounds;
 }
 
+std::int64_t AdaptiveTerrain::PlanMemory(std::int64_t limit)
+{
+  const int reads = static_cast<int>(
+    std::clamp<std::int64_t>(limit / MemoryPerRead, 1, HeightTileCache::GetMaximumNumberOfReads()));
+  this->Cache.SetNumberOfReads(reads);
+  // Tiles get at least half, and more under low limits.
+  const std::int64_t most = limit / 2 - std::min(limit / 8 * 3, std::int64_t(1) << 22);
+  return limit - std::min(most, this->Lattice->GetMemorySize(reads));
+}
+
 void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
 {
   // The background build of the index can replace them at any time.
@@ -208,11 +225,20 @@ void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
     this->Globe ? this->Globe->GetPeriod() : 0);
   this->Cache.BeginFrame(GetSeconds());
   bisection.Select(view, tolerance * this->Coarsening, this->Cache);
+  // Absurd heights can need any number of faces.
+  double reduced = tolerance;
+  for (double factor = FirstReduction; bisection.HasTooManyFaces() && std::isfinite(reduced);
+       factor *= factor)
+  {
+    reduced *= factor;
+    this->Cache.BeginFrame(GetSeconds());
+    bisection.Select(view, reduced * this->Coarsening, this->Cache);
+  }
   const auto select = [&](double coarsening)
   {
     this->Coarsening = coarsening;
     this->Cache.BeginFrame(GetSeconds()); // without the requests for the other tolerance
-    bisection.Select(view, tolerance * this->Coarsening, this->Cache);
+    bisection.Select(view, reduced * this->Coarsening, this->Cache);
     return bisection.GetFaces().size();
   };
   std::size_t faces = bisection.GetFaces().size();
@@ -227,7 +253,8 @@ void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
   this->Faces = bisection.GetFaces();
   this->HiddenBlocks = bisection.GetHiddenBlocks();
   this->Error = bisection.GetError();
-  this->Complete = bisection.IsComplete() && this->HasErrors && this->Coarsening <= 1.0;
+  this->Complete =
+    bisection.IsComplete() && this->HasErrors && this->Coarsening <= 1.0 && reduced <= tolerance;
   this->ShadingTiles.clear();
   this->ShadingComplete = true;
   if (this->Shading)

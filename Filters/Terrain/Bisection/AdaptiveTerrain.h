@@ -67,6 +67,13 @@ public:
   /// The bounds of all heights in this position.
   std::array<double, 6> GetBounds(double exaggeration) const;
 
+  /**
+   * Divide a limit of memory for everything that a terrain needs. Returns the bytes for tiles and
+   * their textures; the rest is for the index and for threads that read tiles. If the limit is
+   * small, fewer tiles are read at the same time.
+   */
+  std::int64_t PlanMemory(std::int64_t limit);
+
   /// The bytes that tiles may use.
   void SetMemoryLimit(std::size_t bytes) { this->Cache.SetMemoryLimit(bytes); }
   /// The number of faces with positions of their own that fit into memory: those of a globe. A

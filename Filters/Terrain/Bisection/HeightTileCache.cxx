@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <condition_variable>
 #include <exception>
+#include <list>
+#include <mutex>
 #include <new>
 #include <system_error>
 #include <tuple>
@@ -19,6 +23,13 @@ constexpr unsigned int MaximumWorkers = 4;
 // A wanted tile is replaced only by one whose error is larger by this factor. Otherwise two tiles
 // with nearly the same error would replace each other in every frame.
 constexpr double ReplacementFactor = 1.25;
+
+// Seconds until an unreadable tile is requested again, for the first time and at most.
+constexpr double ShortestRetry = 10.0;
+constexpr double LongestRetry = 300.0;
+
+// A read that takes longer may hang.
+constexpr std::chrono::seconds LongestRead(2);
 
 constexpr int KindShift = 62;
 
@@ -51,8 +62,53 @@ std::unique_ptr<TerrainTile> MakeTile(std::uint64_t key)
 }
 }
 
+// A worker in a read that hangs owns the queue after the cache is gone.
+struct HeightTileCache::Queue
+{
+  struct Request
+  {
+    std::unique_ptr<TerrainTile> Tile;
+    bool IsRead = false;
+    bool IsCancelled = false;
+  };
+  struct Failure
+  {
+    bool HasFailed = false;
+    std::string Error; // until it is taken
+  };
+
+  Queue(Reader read, ImageryReader readImagery)
+    : Read(std::move(read))
+    , ReadImagery(std::move(readImagery))
+  {
+  }
+  bool CanStart() const
+  {
+    return !this->Requests.empty() && this->Used < this->Limit &&
+      this->Running.size() < this->NumberOfReads;
+  }
+  bool CanGoOn() const { return !this->Running.empty() || this->CanStart(); }
+  bool ReadTile(TerrainTile& tile, std::string& error) const;
+  void Work();
+
+  const Reader Read;
+  const ImageryReader ReadImagery;
+
+  mutable std::mutex Mutex; // protects the next members
+  std::condition_variable Changed;
+  std::list<Request> Requests; // the next one first
+  std::list<Request> Running;
+  std::list<Request> Finished;
+  std::size_t Used = 0;                                      // tiles in memory or being read
+  std::size_t Limit = (std::size_t(1) << 28) / BytesPerTile; // of the former
+  std::array<Failure, 2> Failures;                           // by kind
+  std::size_t NumberOfReads = GetMaximumNumberOfReads();     // at the same time
+  std::size_t NumberOfWorkers = 0;
+  bool IsToEnd = false;
+};
+
 // An exception that leaves a thread ends the program.
-bool HeightTileCache::ReadTile(TerrainTile& tile, std::string& error) const
+bool HeightTileCache::Queue::ReadTile(TerrainTile& tile, std::string& error) const
 {
   const bool isHeights = tile.GetKind() == TerrainTile::Kind::Heights;
   const char* name = isHeights ? "a tile of heights" : "a tile of imagery";
@@ -77,31 +133,46 @@ bool HeightTileCache::ReadTile(TerrainTile& tile, std::string& error) const
 }
 
 HeightTileCache::HeightTileCache(Reader read, ImageryReader readImagery)
-  : Read(std::move(read))
-  , ReadImagery(std::move(readImagery))
+  : Shared(std::make_shared<Queue>(std::move(read), std::move(readImagery)))
 {
 }
 
 HeightTileCache::~HeightTileCache()
 {
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->IsToEnd = true;
-  }
-  this->Changed.notify_all();
+  Queue& queue = *this->Shared;
+  std::unique_lock<std::mutex> lock(queue.Mutex);
+  queue.IsToEnd = true;
+  queue.Changed.notify_all();
+  const bool haveEnded =
+    queue.Changed.wait_for(lock, LongestRead, [&queue] { return queue.NumberOfWorkers == 0; });
+  lock.unlock();
   for (std::thread& worker : this->Workers)
   {
-    worker.join();
+    haveEnded ? worker.join() : worker.detach();
   }
 }
 
 void HeightTileCache::SetMemoryLimit(std::size_t bytes)
 {
   {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Limit = bytes / BytesPerTile;
+    const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
+    this->Shared->Limit = bytes / BytesPerTile;
   }
-  this->Changed.notify_all();
+  this->Shared->Changed.notify_all();
+}
+
+int HeightTileCache::GetMaximumNumberOfReads()
+{
+  return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, MaximumWorkers));
+}
+
+void HeightTileCache::SetNumberOfReads(int number)
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
+    this->Shared->NumberOfReads = static_cast<std::size_t>(number);
+  }
+  this->Shared->Changed.notify_all();
 }
 
 bool HeightTileCache::IsCoarsest(const Item& item) const
@@ -121,21 +192,21 @@ float HeightTileCache::GetVisibility(const Entry& entry) const
 void HeightTileCache::BeginFrame(double now)
 {
   {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
+    const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
     this->DropGivenUp();
     this->TakeIn();
-    if (this->Used > this->Limit)
+    if (this->Shared->Used > this->Shared->Limit)
     {
       for (const Item* item : this->SortForRemoval())
       {
-        if (this->Used > this->Limit)
+        if (this->Shared->Used > this->Shared->Limit)
         {
           this->Drop(item->first);
         }
       }
     }
   }
-  this->Changed.notify_all();
+  this->Shared->Changed.notify_all();
   this->Now = now;
   ++this->Frame;
 }
@@ -167,6 +238,10 @@ const TerrainTile* HeightTileCache::Find(
     entry.Error = 0.0;
   }
   entry.Error = std::max(entry.Error, error);
+  if (entry.Is == State::Unreadable)
+  {
+    this->UpdateRetry(entry);
+  }
   if (entry.Is != State::InMemory)
   {
     visibility = 0.0f;
@@ -185,24 +260,37 @@ const TerrainTile* HeightTileCache::Find(
   return entry.Tile.get();
 }
 
+void HeightTileCache::UpdateRetry(Entry& entry) const
+{
+  if (entry.RetryTime == 0.0)
+  {
+    entry.RetryTime = this->Now +
+      std::min(LongestRetry, std::ldexp(ShortestRetry, std::min(entry.NumberOfFailures - 1, 10)));
+  }
+  else if (this->Now >= entry.RetryTime)
+  {
+    entry.Is = State::Missing;
+  }
+}
+
 void HeightTileCache::EndFrame()
 {
   {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
+    const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
     this->CancelRequests();
     this->MakePlan();
     this->StartWorkers();
   }
-  this->Changed.notify_all();
+  this->Shared->Changed.notify_all();
 }
 
 void HeightTileCache::CancelRequests()
 {
-  for (const Request& request : this->Requests)
+  for (const Queue::Request& request : this->Shared->Requests)
   {
     this->Tiles.at(GetTileKey(*request.Tile)).Is = State::Missing;
   }
-  this->Requests.clear();
+  this->Shared->Requests.clear();
   for (auto entry = this->Tiles.begin(); entry != this->Tiles.end();)
   {
     const bool isIdle = entry->second.Is == State::Missing && !this->IsWanted(entry->second);
@@ -251,7 +339,8 @@ std::vector<HeightTileCache::Item*> HeightTileCache::SortMissing()
 void HeightTileCache::MakePlan()
 {
   const std::vector<Item*> missing = this->SortMissing();
-  auto room = static_cast<std::int64_t>(this->Limit) - static_cast<std::int64_t>(this->Used);
+  auto room =
+    static_cast<std::int64_t>(this->Shared->Limit) - static_cast<std::int64_t>(this->Shared->Used);
   std::vector<Item*> present;
   if (room < static_cast<std::int64_t>(missing.size()))
   {
@@ -285,8 +374,8 @@ void HeightTileCache::MakePlan()
       return;
     }
     --room;
-    this->Requests.emplace_back();
-    this->Requests.back().Tile = MakeTile(item->first);
+    this->Shared->Requests.emplace_back();
+    this->Shared->Requests.back().Tile = MakeTile(item->first);
     item->second.Is = State::Requested;
   }
 }
@@ -294,7 +383,7 @@ void HeightTileCache::MakePlan()
 void HeightTileCache::Drop(std::uint64_t key)
 {
   this->Tiles.erase(key);
-  --this->Used;
+  --this->Shared->Used;
 }
 
 void HeightTileCache::DropGivenUp()
@@ -304,7 +393,7 @@ void HeightTileCache::DropGivenUp()
     if (entry->second.IsGivenUp)
     {
       entry = this->Tiles.erase(entry);
-      --this->Used;
+      --this->Shared->Used;
     }
     else
     {
@@ -315,7 +404,7 @@ void HeightTileCache::DropGivenUp()
 
 void HeightTileCache::TakeIn()
 {
-  for (Request& request : this->Finished)
+  for (Queue::Request& request : this->Shared->Finished)
   {
     Entry& entry = this->Tiles.at(GetTileKey(*request.Tile));
     entry.Is = request.IsRead ? State::InMemory : State::Unreadable;
@@ -323,17 +412,22 @@ void HeightTileCache::TakeIn()
     {
       entry.Tile = std::move(request.Tile);
     }
+    else
+    {
+      ++entry.NumberOfFailures;
+      entry.RetryTime = 0.0;
+    }
   }
-  this->Finished.clear();
+  this->Shared->Finished.clear();
 }
 
 bool HeightTileCache::LoadWanted(const std::function<bool()>& isAborted)
 {
-  std::unique_lock<std::mutex> lock(this->Mutex);
+  std::unique_lock<std::mutex> lock(this->Shared->Mutex);
   this->DropGivenUp();
-  this->Changed.notify_all();
-  const auto isDone = [this] { return !this->CanGoOn() || this->Workers.empty(); };
-  while (!this->Changed.wait_for(lock, std::chrono::milliseconds(20), isDone))
+  this->Shared->Changed.notify_all();
+  const auto isDone = [this] { return !this->Shared->CanGoOn() || this->Workers.empty(); };
+  while (!this->Shared->Changed.wait_for(lock, std::chrono::milliseconds(20), isDone))
   {
     lock.unlock();
     if (isAborted && isAborted())
@@ -343,7 +437,7 @@ bool HeightTileCache::LoadWanted(const std::function<bool()>& isAborted)
     }
     lock.lock();
   }
-  bool hasMore = !this->Finished.empty();
+  bool hasMore = !this->Shared->Finished.empty();
   this->TakeIn();
   for (Item& item : this->Tiles)
   {
@@ -359,30 +453,30 @@ bool HeightTileCache::LoadWanted(const std::function<bool()>& isAborted)
 
 void HeightTileCache::Clear()
 {
-  const std::lock_guard<std::mutex> lock(this->Mutex);
-  this->Requests.clear();
-  this->Finished.clear();
-  for (Request& request : this->Running)
+  const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
+  this->Shared->Requests.clear();
+  this->Shared->Finished.clear();
+  for (Queue::Request& request : this->Shared->Running)
   {
     request.IsCancelled = true;
   }
   this->Tiles.clear();
-  this->Used = this->Running.size();
+  this->Shared->Used = this->Shared->Running.size();
   this->CoarsestLevels = { { TerrainTile::FinestLevel, 0 } };
-  this->Failures = {};
+  this->Shared->Failures = {};
 }
 
 bool HeightTileCache::IsLoading() const
 {
-  const std::lock_guard<std::mutex> lock(this->Mutex);
-  return this->CanGoOn();
+  const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
+  return this->Shared->CanGoOn();
 }
 
 bool HeightTileCache::NeedsFrame() const
 {
   {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    if (!this->Finished.empty())
+    const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
+    if (!this->Shared->Finished.empty())
     {
       return true;
     }
@@ -398,8 +492,8 @@ bool HeightTileCache::NeedsFrame() const
 
 std::size_t HeightTileCache::GetMemorySize() const
 {
-  const std::lock_guard<std::mutex> lock(this->Mutex);
-  return this->Used * BytesPerTile;
+  const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
+  return this->Shared->Used * BytesPerTile;
 }
 
 int HeightTileCache::GetNumberOfTiles() const
@@ -410,24 +504,25 @@ int HeightTileCache::GetNumberOfTiles() const
 
 std::string HeightTileCache::TakeError(TerrainTile::Kind kind)
 {
-  const std::lock_guard<std::mutex> lock(this->Mutex);
-  return std::exchange(this->Failures[static_cast<int>(kind)].Error, std::string());
+  const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
+  return std::exchange(this->Shared->Failures[static_cast<int>(kind)].Error, std::string());
 }
 
 void HeightTileCache::StartWorkers()
 {
-  const std::size_t number = std::clamp(std::thread::hardware_concurrency(), 1u, MaximumWorkers);
-  const std::size_t needed = this->Requests.size() + this->Running.size();
+  const std::size_t number = this->Shared->NumberOfReads;
+  const std::size_t needed = this->Shared->Requests.size() + this->Shared->Running.size();
   try
   {
     while (this->Workers.size() < std::min(number, needed))
     {
-      this->Workers.emplace_back([this] { this->Work(); });
+      this->Workers.emplace_back([queue = this->Shared] { queue->Work(); });
+      ++this->Shared->NumberOfWorkers;
     }
   }
   catch (const std::system_error& error)
   {
-    Failure& failure = this->Failures[static_cast<int>(TerrainTile::Kind::Heights)];
+    Queue::Failure& failure = this->Shared->Failures[static_cast<int>(TerrainTile::Kind::Heights)];
     if (this->Workers.empty() && !failure.HasFailed)
     {
       failure = { true, std::string("no thread can be started to read heights: ") + error.what() };
@@ -435,7 +530,7 @@ void HeightTileCache::StartWorkers()
   }
 }
 
-void HeightTileCache::Work()
+void HeightTileCache::Queue::Work()
 {
   std::unique_lock<std::mutex> lock(this->Mutex);
   for (;;)
@@ -443,6 +538,8 @@ void HeightTileCache::Work()
     this->Changed.wait(lock, [this] { return this->IsToEnd || this->CanStart(); });
     if (this->IsToEnd)
     {
+      --this->NumberOfWorkers;
+      this->Changed.notify_all();
       return;
     }
     const auto request = this->Requests.begin();

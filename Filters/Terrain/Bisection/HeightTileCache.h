@@ -14,6 +14,9 @@
  * the coarser tile around it, so coarser tiles outlive finer ones. Height tiles of the two
  * coarsest levels and imagery tiles of the coarsest level are not replaced.
  *
+ * A tile that cannot be read is requested again by a frame 10 seconds later, then after 20, 40 and
+ * so on, up to 5 minutes.
+ *
  * All functions must be called from the same thread, unless they say otherwise. Private to the
  * modules for terrains.
  */
@@ -26,13 +29,10 @@
 
 #include <algorithm>
 #include <array>
-#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <list>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <thread>
 #include <unordered_map>
@@ -46,7 +46,8 @@ class RELEVOFILTERSTERRAIN_EXPORT HeightTileCache
 {
 public:
   /// Reads the heights of a tile, whose level, column and row are set. Returns false and sets the
-  /// error on failure. Worker threads call it, several at a time.
+  /// error on failure. Worker threads call it, several at a time. If a read hangs, it can outlive
+  /// the cache, so that the function must own what it uses.
   using Reader = std::function<bool(HeightTile& tile, std::string& error)>;
   /// The same for the colours of a tile.
   using ImageryReader = std::function<bool(ImageryTile& tile, std::string& error)>;
@@ -55,12 +56,11 @@ public:
   static constexpr std::size_t BytesPerTile =
     std::max(sizeof(HeightTile), sizeof(ImageryTile)) + 4 * TerrainTile::NumberOfVertices;
 
-  /// The memory in bytes of the threads that read tiles, which the limit does not count: samples,
-  /// and blocks that GDAL caches.
-  static constexpr std::int64_t MemoryOfWorkers = std::int64_t(12) << 20;
+  /// The number of tiles that are read at the same time, at most.
+  static int GetMaximumNumberOfReads();
 
   explicit HeightTileCache(Reader read, ImageryReader readImagery = {});
-  /// Waits for the tiles that are being read.
+  /// Waits for the tiles that are being read, but not for a read that hangs for seconds.
   ~HeightTileCache() override;
   HeightTileCache(const HeightTileCache&) = delete;
   void operator=(const HeightTileCache&) = delete;
@@ -68,6 +68,9 @@ public:
   /// Set the limit in bytes. Below the size of one tile, none is read. A smaller limit holds from
   /// the next BeginFrame() on; tiles that are being read may exceed it until they are complete.
   void SetMemoryLimit(std::size_t bytes);
+
+  /// Set the number of tiles that are read at the same time.
+  void SetNumberOfReads(int number);
 
   /// Set the time in seconds in which a tile becomes visible after the first Get(), 0 for at once.
   void SetFadeTime(double seconds) { this->FadeTime = seconds; }
@@ -101,8 +104,7 @@ public:
   /// The number of tiles that Get() can return.
   int GetNumberOfTiles() const;
 
-  /// The first error of a kind of tiles since Clear(), once; otherwise empty. A tile that cannot be
-  /// read is not requested again. Thread-safe.
+  /// The first error of a kind of tiles since Clear(), once; otherwise empty. Thread-safe.
   std::string TakeError(TerrainTile::Kind kind = TerrainTile::Kind::Heights);
 
 private:
@@ -122,60 +124,36 @@ private:
     std::uint64_t LastWanted = 0; // the number of the frame
     bool IsSeen = false;
     double FirstSeen = 0.0; // the time of the first Get()
+    double RetryTime = 0.0; // of an unreadable tile, or 0 before a frame has found it so
+    int NumberOfFailures = 0;
     std::unique_ptr<TerrainTile> Tile;
   };
   using Entries = std::unordered_map<std::uint64_t, Entry>;
   using Item = Entries::value_type;
-  struct Request
-  {
-    std::unique_ptr<TerrainTile> Tile;
-    bool IsRead = false;
-    bool IsCancelled = false;
-  };
-
-  struct Failure
-  {
-    bool HasFailed = false;
-    std::string Error; // until it is taken
-  };
+  struct Queue; // of requests, which the workers share
 
   const TerrainTile* Find(
     TerrainTile::Kind kind, int level, int column, int row, double error, float& visibility);
+  void UpdateRetry(Entry& entry) const;
   bool IsWanted(const Entry& entry) const { return entry.LastWanted == this->Frame; }
   bool IsCoarsest(const Item& item) const;
   float GetVisibility(const Entry& entry) const;
   std::vector<Item*> SortForRemoval();
   std::vector<Item*> SortMissing();
-  bool CanStart() const { return !this->Requests.empty() && this->Used < this->Limit; }
-  bool CanGoOn() const { return !this->Running.empty() || this->CanStart(); }
   void TakeIn();
   void Drop(std::uint64_t key);
   void DropGivenUp();
   void CancelRequests();
   void MakePlan();
   void StartWorkers();
-  void Work();
 
-  bool ReadTile(TerrainTile& tile, std::string& error) const;
-
-  const Reader Read;
-  const ImageryReader ReadImagery;
   double FadeTime = 0.25;
   double Now = 0.0;
   std::uint64_t Frame = 1;
   std::array<int, 2> CoarsestLevels = { { TerrainTile::FinestLevel, 0 } }; // by kind
   Entries Tiles;
 
-  mutable std::mutex Mutex; // protects the next members
-  std::condition_variable Changed;
-  std::list<Request> Requests; // the next one first
-  std::list<Request> Running;
-  std::list<Request> Finished;
-  std::size_t Used = 0;                                      // tiles in memory or being read
-  std::size_t Limit = (std::size_t(1) << 28) / BytesPerTile; // of the former
-  std::array<Failure, 2> Failures;                           // by kind
-  bool IsToEnd = false;
-
+  const std::shared_ptr<Queue> Shared;
   std::vector<std::thread> Workers;
 };
 }

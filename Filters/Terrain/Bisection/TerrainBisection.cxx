@@ -331,10 +331,15 @@ void TerrainBisection::Select(const TerrainView& view, double tolerance, HeightT
   }
 }
 
+bool TerrainBisection::HasTooManyFaces() const
+{
+  return this->Faces.size() + this->HiddenBlocks.size() > MaximumFaces;
+}
+
 // Adds the faces of a split square.
 void TerrainBisection::Visit(const Block& block)
 {
-  if (!this->Exists(block))
+  if (!this->Exists(block) || this->HasTooManyFaces())
   {
     return;
   }

@@ -60,6 +60,11 @@ public:
   const std::vector<HiddenBlock>& GetHiddenBlocks() const { return this->HiddenBlocks; }
   /// The largest projected error of the faces, in pixels.
   double GetError() const { return this->Error; }
+  /// Whether the selection was stopped because the view needs more faces than MaximumFaces. Part of
+  /// the terrain has no faces then.
+  bool HasTooManyFaces() const;
+  static constexpr std::size_t MaximumFaces = std::size_t(1) << 18;
+
   /// Whether tiles are missing or not fully visible yet, so that the error may exceed the
   /// tolerance.
   bool IsComplete() const { return this->Complete; }

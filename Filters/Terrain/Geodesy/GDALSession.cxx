@@ -4,6 +4,7 @@
 
 #include <cpl_conv.h>
 #include <cpl_error.h>
+#include <cpl_vsi.h>
 
 #include <algorithm>
 
@@ -13,6 +14,18 @@ namespace
 {
 // These are set to NO.
 constexpr std::array<const char*, 2> OptionNames = { { "GDAL_ONE_BIG_READ", "VRT_SHARED_SOURCE" } };
+
+// These are set unless the user has set them.
+struct DefaultOption
+{
+  const char* Name;
+  const char* Value;
+};
+constexpr std::array<DefaultOption, 5> Defaults = { {
+  { "GDAL_HTTP_CONNECTTIMEOUT", "20" },                                       // seconds
+  { "GDAL_HTTP_LOW_SPEED_TIME", "20" }, { "GDAL_HTTP_LOW_SPEED_LIMIT", "1" }, // bytes per second
+  { "GDAL_HTTP_MAX_RETRY", "2" }, { "GDAL_HTTP_RETRY_DELAY", "0.5" } // seconds; GDAL doubles them
+} };
 
 // libjpeg issues this warning and fills missing parts with grey. GDAL appends advice on how to turn
 // it into an error.
@@ -58,6 +71,14 @@ GDALSession::GDALSession()
     }
     CPLSetThreadLocalConfigOption(OptionNames[i], "NO");
   }
+  for (std::size_t i = 0; i < Defaults.size(); ++i)
+  {
+    this->IsDefault[i] = CPLGetConfigOption(Defaults[i].Name, nullptr) == nullptr;
+    if (this->IsDefault[i])
+    {
+      CPLSetThreadLocalConfigOption(Defaults[i].Name, Defaults[i].Value);
+    }
+  }
 }
 
 GDALSession::~GDALSession()
@@ -67,7 +88,22 @@ GDALSession::~GDALSession()
     const std::optional<std::string>& value = this->PreviousValues[i];
     CPLSetThreadLocalConfigOption(OptionNames[i], value ? value->c_str() : nullptr);
   }
+  for (std::size_t i = 0; i < Defaults.size(); ++i)
+  {
+    if (this->IsDefault[i])
+    {
+      CPLSetThreadLocalConfigOption(Defaults[i].Name, nullptr);
+    }
+  }
   CPLPopErrorHandler();
+}
+
+void GDALSession::ForgetFile(const std::string& fileName)
+{
+  if (IsVirtual(fileName))
+  {
+    VSICurlPartialClearCache(fileName.c_str());
+  }
 }
 
 std::string GDALSession::Messages(const std::string& fallback) const

@@ -174,13 +174,17 @@ std::shared_ptr<const WarpedImagery> WarpedImagery::Open(const ImageryOptions& o
   imagery->Options = options;
   imagery->Size = { { terrain.Width, terrain.Height } };
   imagery->IsTerrainLocated = terrain.Location.System != Georeference::Kind::None;
+  GDALSession::ForgetFile(options.FileName); // a server may have failed before
+  const FileVersion before(options.FileName);
   GDALSession session;
   auto handle = std::make_unique<Handle>();
   const ImageryPicture* picture = imagery->GetPicture(*handle, -1, session, error);
   if (!picture)
   {
+    GDALSession::ForgetFile(options.FileName);
     return nullptr;
   }
+  imagery->Version = FileVersion(options.FileName, picture->GetFile());
   if (options.HasNumbers)
   {
     imagery->DescribeNumbers(*picture);
@@ -207,6 +211,10 @@ std::shared_ptr<const WarpedImagery> WarpedImagery::Open(const ImageryOptions& o
   const std::string overviews = DescribeMissingOverviews(picture->GetFile());
   warning += (warning.empty() || overviews.empty() ? "" : ". Moreover, ") + overviews;
   error = imagery->Measure(*picture, session);
+  if (before.HasChanged())
+  {
+    error = "the file has changed while it was opened";
+  }
   if (!error.empty())
   {
     return nullptr;
@@ -458,8 +466,25 @@ void WarpedImagery::Convert(const std::vector<float>& values, ImageryTile& tile)
 bool WarpedImagery::Read(ImageryTile& tile, std::string& error) const
 {
   const Lease lease(*this);
-  GDALSession session;
-  const ImageryPicture* full = this->GetPicture(lease.Get(), -1, session, error);
+  const GDALSession session;
+  const bool isRead = this->ReadTile(lease.Get(), session, tile, error);
+  if (this->Version.HasChanged())
+  {
+    error = "the file has changed since it was opened; open it again";
+    return false;
+  }
+  if (!isRead && GDALSession::IsVirtual(this->Options.FileName))
+  {
+    lease.Get().Pictures.clear(); // a server may have recovered before the next read
+    GDALSession::ForgetFile(this->Options.FileName);
+  }
+  return isRead;
+}
+
+bool WarpedImagery::ReadTile(
+  Handle& handle, const GDALSession& session, ImageryTile& tile, std::string& error) const
+{
+  const ImageryPicture* full = this->GetPicture(handle, -1, session, error);
   if (!full)
   {
     return false;
@@ -475,7 +500,7 @@ bool WarpedImagery::Read(ImageryTile& tile, std::string& error) const
   const std::array<int, 4> window = this->GetWindow(tile);
   std::array<double, 2> reduction = this->MeasureReduction(*full, target.get(), window);
   const int overview = full->ChooseOverview(std::min(reduction[0], reduction[1]));
-  const ImageryPicture* picture = this->GetPicture(lease.Get(), overview, session, error);
+  const ImageryPicture* picture = this->GetPicture(handle, overview, session, error);
   if (!picture)
   {
     return false;

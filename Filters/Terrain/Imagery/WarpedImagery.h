@@ -5,7 +5,8 @@
  * @brief   an image file, warped tile by tile to the lattices of a height raster
  *
  * GDAL warps each tile from the coarsest overview of the file that is at least as fine as the tile.
- * A GDAL dataset belongs to one thread at a time, so each thread gets datasets of its own.
+ * A GDAL dataset belongs to one thread at a time, so each thread gets datasets of its own. If the
+ * file changes while it is open, all reads fail, so that old and new pixels never mix.
  *
  * Private to the module; only in builds with RELEVO_USE_GDAL.
  */
@@ -14,6 +15,7 @@
 
 #include "Imagery/ImageryOptions.h"
 #include "Lattice/ImageryLattice.h"
+#include "Raster/FileVersion.h"
 #include "Raster/ImageryPicture.h"
 #include "Raster/RasterDescription.h"
 #include "RelevoFiltersTerrainModule.h" // for export macro
@@ -60,7 +62,11 @@ private:
     const ImageryPicture& picture, GDALDatasetH target, const std::array<int, 4>& window) const;
   std::array<int, 4> GetWindow(const ImageryTile& tile) const;
 
+  bool ReadTile(
+    Handle& handle, const GDALSession& session, ImageryTile& tile, std::string& error) const;
+
   ImageryOptions Options;
+  FileVersion Version;
   Georeference Location; // of the raster, or the unit square
   std::array<int, 2> Size = { { 0, 0 } };
   bool IsTerrainLocated = false;

@@ -15,6 +15,7 @@
 #include "Raster/RasterDescription.h"
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -42,6 +43,10 @@ public:
   /// Read width x height vertices from (column, row) on, row by row, as LatticeSampler::Read().
   virtual bool ReadWindow(int level, int column, int row, int width, int height, float* heights,
     std::string& error) const = 0;
+
+  /// About the bytes of memory that the errors and ranges need, and this many threads that read
+  /// tiles, besides the tiles.
+  virtual std::int64_t GetMemorySize(int threads) const = 0;
 };
 }
 

@@ -27,11 +27,13 @@ namespace
 // most this many bytes of them, or the blocks of one window.
 constexpr double MaximumCachedBytes = 2.0 * 1024 * 1024;
 
-// GDAL's TIFF driver stores the position and size of each block of the file in each handle. For
-// large files, fewer handles limit this memory.
-constexpr double BytesPerPosition = 16.0;
-constexpr double MaximumPositionBytes = 128.0 * 1024 * 1024;
+// GDAL's TIFF driver stores the position and size of each block of the file in each handle, in
+// arrays that grow. For large files, fewer handles limit this memory.
+constexpr double BytesPerPosition = 24.0;
+constexpr double MaximumPositionBytes = 32.0 * 1024 * 1024;
 constexpr double MostHandles = 64.0;
+
+constexpr char Changed[] = "the file has changed since it was opened; open it again";
 
 bool FitsIntoFloat(int type)
 {
@@ -145,6 +147,9 @@ public:
 
   Handle* Get() const { return this->Owned.get(); }
 
+  /// Close the dataset, so that the next lease opens a new one.
+  void Close() { this->Owned.reset(); }
+
 private:
   void Return()
   {
@@ -173,38 +178,64 @@ PyramidFile::~PyramidFile()
 
 std::unique_ptr<PyramidFile> PyramidFile::Open(const std::string& fileName, std::string& error)
 {
-  std::unique_ptr<PyramidFile> file(new PyramidFile);
-  file->FileName = fileName;
-  {
-    error = FindRasterFileError(fileName);
-    const std::unique_ptr<GDALRaster> raster =
-      error.empty() ? GDALRaster::Open(fileName, error) : nullptr;
-    if (!raster)
-    {
-      return nullptr;
-    }
-    file->Description = raster->Describe();
-  }
-  file->IsFloat = FitsIntoFloat(file->Description.Type);
-
-  GDALSession session;
-  GDALDatasetPointer dataset(
-    GDALOpenEx(fileName.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
-  if (!dataset)
-  {
-    error = session.Messages("GDAL cannot open it");
-    return nullptr;
-  }
-  error = FindTruncation(dataset.get());
+  error = FindRasterFileError(fileName);
   if (!error.empty())
   {
     return nullptr;
   }
-  const GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
+  std::unique_ptr<PyramidFile> file(new PyramidFile);
+  file->FileName = fileName;
+  GDALSession::ForgetFile(fileName); // a server may have failed before
+  const FileVersion before(fileName);
+  GDALSession session;
+  auto handle = std::make_unique<Handle>();
+  handle->Dataset = file->OpenDataset(session, error);
+  const GDALDatasetH dataset = handle->Dataset.get();
+  if (!dataset || !GDALRaster::Describe(dataset, file->Description, error))
+  {
+    return nullptr;
+  }
+  error = FindTruncation(dataset);
+  if (!error.empty())
+  {
+    return nullptr;
+  }
+  file->IsFloat = FitsIntoFloat(file->Description.Type);
+  file->FindLevels(dataset);
+  file->Version = FileVersion(fileName, dataset);
+  if (!file->SetBands(*handle, error))
+  {
+    return nullptr;
+  }
+  if (before.HasChanged())
+  {
+    error = "the file has changed while it was opened";
+    return nullptr;
+  }
+  // On slow disks, opening takes seconds: the first reader uses this dataset.
+  file->Free.push_back(std::move(handle));
+  return file;
+}
+
+GDALDatasetPointer PyramidFile::OpenDataset(const GDALSession& session, std::string& error) const
+{
+  GDALDatasetPointer dataset(GDALOpenEx(this->FileName.c_str(),
+    GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr, nullptr, nullptr));
+  if (!dataset)
+  {
+    error = session.Messages("GDAL does not recognise it as a raster");
+    GDALSession::ForgetFile(this->FileName);
+  }
+  return dataset;
+}
+
+void PyramidFile::FindLevels(GDALDatasetH dataset)
+{
+  const GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
   int blockWidth = 1;
   int blockHeight = 1;
   GDALGetBlockSize(band, &blockWidth, &blockHeight);
-  file->IsStoredInRows = blockWidth >= GDALGetRasterBandXSize(band) && blockWidth > blockHeight;
+  this->IsStoredInRows = blockWidth >= GDALGetRasterBandXSize(band) && blockWidth > blockHeight;
   const auto countBlocks = [blockWidth, blockHeight](GDALRasterBandH one)
   {
     return std::ceil(static_cast<double>(GDALGetRasterBandXSize(one)) / blockWidth) *
@@ -228,32 +259,23 @@ std::unique_ptr<PyramidFile> PyramidFile::Open(const std::string& fileName, std:
     [](const auto& a, const auto& b) { return a.first > b.first; });
   for (const auto& [size, number] : levels)
   {
-    const bool isFirst = file->Sizes.empty();
-    const bool isSmaller = !isFirst && size[0] <= file->Sizes.back()[0] &&
-      size[1] <= file->Sizes.back()[1] && size != file->Sizes.back();
+    const bool isFirst = this->Sizes.empty();
+    const bool isSmaller = !isFirst && size[0] <= this->Sizes.back()[0] &&
+      size[1] <= this->Sizes.back()[1] && size != this->Sizes.back();
     if (isFirst || (isSmaller && size[0] > 0 && size[1] > 0))
     {
-      file->Sizes.push_back(size);
-      file->Overviews.push_back(number);
+      this->Sizes.push_back(size);
+      this->Overviews.push_back(number);
     }
   }
-  file->MaximumHandles = static_cast<int>(
-    std::clamp(MaximumPositionBytes / (BytesPerPosition * blocks), 1.0, MostHandles));
-  return file;
+  this->BytesOfPositions = BytesPerPosition * blocks;
+  this->MaximumHandles =
+    static_cast<int>(std::clamp(MaximumPositionBytes / this->BytesOfPositions, 1.0, MostHandles));
 }
 
-std::unique_ptr<PyramidFile::Handle> PyramidFile::NewHandle(std::string& error) const
+bool PyramidFile::SetBands(Handle& handle, std::string& error) const
 {
-  GDALSession session;
-  auto handle = std::make_unique<Handle>();
-  handle->Dataset.reset(GDALOpenEx(
-    this->FileName.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
-  if (!handle->Dataset)
-  {
-    error = session.Messages("GDAL cannot open it");
-    return nullptr;
-  }
-  const GDALRasterBandH band = GDALGetRasterBand(handle->Dataset.get(), 1);
+  const GDALRasterBandH band = GDALGetRasterBand(handle.Dataset.get(), 1);
   for (std::size_t level = 0; level < this->Sizes.size(); ++level)
   {
     const int number = this->Overviews[level];
@@ -261,23 +283,36 @@ std::unique_ptr<PyramidFile::Handle> PyramidFile::NewHandle(std::string& error) 
     if (!found || GDALGetRasterBandXSize(found) != this->Sizes[level][0] ||
       GDALGetRasterBandYSize(found) != this->Sizes[level][1])
     {
-      error = "the file has changed since it was opened";
-      return nullptr;
+      error = Changed;
+      return false;
     }
-    handle->Bands.push_back(found);
+    handle.Bands.push_back(found);
     if (this->Description.HasMask)
     {
-      handle->Masks.push_back(GDALGetMaskBand(found));
+      handle.Masks.push_back(GDALGetMaskBand(found));
     }
   }
-  handle->LastBlocks.resize(handle->Bands.size());
+  handle.LastBlocks.resize(handle.Bands.size());
+  return true;
+}
+
+std::unique_ptr<PyramidFile::Handle> PyramidFile::NewHandle(std::string& error) const
+{
+  GDALSession session;
+  auto handle = std::make_unique<Handle>();
+  handle->Dataset = this->OpenDataset(session, error);
+  if (!handle->Dataset || !this->SetBands(*handle, error))
+  {
+    error = this->HasChanged() ? Changed : error;
+    return nullptr;
+  }
   return handle;
 }
 
 template <typename T>
 bool PyramidFile::ReadAs(const SampleWindow& window, T* samples, std::string& error) const
 {
-  const Lease lease(*this, error);
+  Lease lease(*this, error);
   Handle* handle = lease.Get();
   if (!handle)
   {
@@ -300,7 +335,17 @@ bool PyramidFile::ReadAs(const SampleWindow& window, T* samples, std::string& er
     place << "GDAL cannot read the " << window.Width << " x " << window.Height
           << " samples from column " << window.Column << ", row " << window.Row << " of level "
           << window.Level;
-    error = session.Messages(place.str());
+    error = this->HasChanged() ? Changed : session.Messages(place.str());
+    if (this->IsVirtual())
+    {
+      lease.Close();
+      GDALSession::ForgetFile(this->FileName);
+    }
+    return false;
+  }
+  if (this->HasChanged())
+  {
+    error = Changed;
     return false;
   }
   constexpr T missing = std::numeric_limits<T>::quiet_NaN();
@@ -316,6 +361,12 @@ bool PyramidFile::ReadAs(const SampleWindow& window, T* samples, std::string& er
     samples[i] = isMissing ? missing : samples[i];
   }
   return true;
+}
+
+std::int64_t PyramidFile::GetMemoryOfReading(int threads) const
+{
+  const double perHandle = MaximumCachedBytes + this->BytesOfPositions;
+  return static_cast<std::int64_t>(std::min(threads, this->MaximumHandles) * perHandle);
 }
 
 void PyramidFile::CloseIdleHandles() const
@@ -362,25 +413,13 @@ std::string PyramidFile::GetSignature() const
 {
   std::ostringstream text;
   text.precision(17);
-  VSIStatBufL status;
-  if (VSIStatL(FindContainer(this->FileName).c_str(), &status) == 0)
-  {
-    text << status.st_size << ' ' << status.st_mtime;
-#ifdef __linux__
-    text << '.' << status.st_mtim.tv_nsec << ' ' << status.st_ino;
-#endif
-  }
   const RasterDescription& contents = this->Description;
-  text << ' ' << contents.Type << ' ' << contents.NoData.value_or(0.0) << ' '
-       << contents.NoData.has_value() << ' ' << contents.HasMask;
+  text << this->Version.DescribeCurrent() << contents.Type << ' ' << contents.NoData.value_or(0.0)
+       << ' ' << contents.NoData.has_value() << ' ' << contents.HasMask << ' ' << contents.Scale
+       << ' ' << contents.Offset << ' ' << contents.VerticalUnit;
   for (const std::array<int, 2>& size : this->Sizes)
   {
     text << ' ' << size[0] << 'x' << size[1];
-  }
-  // Overviews can lie in a file of their own.
-  if (VSIStatL((this->FileName + ".ovr").c_str(), &status) == 0)
-  {
-    text << ' ' << status.st_size << ' ' << status.st_mtime;
   }
   return text.str();
 }

@@ -8,17 +8,24 @@
  * size. A GDAL dataset belongs to one thread at a time, so each thread gets one of its own. If
  * these need much memory, threads wait for each other.
  *
+ * If the file changes while it is open, all reads fail, so that old and new samples never mix.
+ * After a failed read of one of GDAL's virtual files, the next read opens the file again: a server
+ * may have recovered.
+ *
  * Private to the module; only in builds with RELEVO_USE_GDAL.
  */
 #ifndef PyramidFile_h
 #define PyramidFile_h
 
+#include "Geodesy/GDALSession.h"
 #include "Pyramid/SampleWindow.h"
+#include "Raster/FileVersion.h"
 #include "Raster/RasterDescription.h"
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <array>
 #include <condition_variable>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -37,6 +44,7 @@ public:
 
   const RasterDescription& Describe() const { return this->Description; }
   int GetNumberOfLevels() const { return static_cast<int>(this->Sizes.size()); }
+  const std::vector<std::array<int, 2>>& GetSizes() const { return this->Sizes; }
   /// Columns and rows of a level.
   const std::array<int, 2>& GetSize(int level) const { return this->Sizes[level]; }
 
@@ -62,10 +70,19 @@ public:
   /// The value of samples that a sparse file does not store: NaN, or 0 without a no-data value.
   double GetAbsentSample() const;
 
+  /// The bytes of memory that this many threads need which read tiles, besides the samples.
+  std::int64_t GetMemoryOfReading(int threads) const;
+
   /// Close the datasets that no thread uses, to release their memory. Thread-safe.
   void CloseIdleHandles() const;
 
-  /// A text that changes when the file does: its size, its time, and the sizes of its levels.
+  /// Whether the file is one of GDAL's virtual files, such as a file on a server.
+  bool IsVirtual() const { return GDALSession::IsVirtual(this->FileName); }
+
+  /// Whether the file has changed since it was opened. Thread-safe.
+  bool HasChanged() const { return this->Version.HasChanged(); }
+
+  /// A text that changes when the file does: its current version and its description.
   std::string GetSignature() const;
 
 private:
@@ -73,17 +90,22 @@ private:
   class Lease;
 
   PyramidFile();
+  GDALDatasetPointer OpenDataset(const GDALSession& session, std::string& error) const;
+  void FindLevels(GDALDatasetH dataset);
   std::unique_ptr<Handle> NewHandle(std::string& error) const;
+  bool SetBands(Handle& handle, std::string& error) const;
   template <typename T>
   bool ReadAs(const SampleWindow& window, T* samples, std::string& error) const;
 
   std::string FileName;
+  FileVersion Version;
   RasterDescription Description;
   std::vector<std::array<int, 2>> Sizes;
   std::vector<int> Overviews; // GDAL's numbers of the levels; -1 for level 0
   bool IsStoredInRows = false;
   bool IsFloat = false;
 
+  double BytesOfPositions = 0.0; // of blocks, in each dataset
   int MaximumHandles = 1;
 
   mutable std::mutex Mutex; // protects the next members

@@ -255,6 +255,24 @@ ElevationRanges PyramidIndex::MakeElevationRanges(double scale, double offset) c
   return ranges;
 }
 
+std::int64_t PyramidIndex::GetMemorySize() const
+{
+  constexpr std::size_t pointers = 4 * sizeof(void*); // of a node of a map
+  constexpr std::size_t record = sizeof(Record) + pointers;
+  constexpr std::size_t range = (sizeof(ElevationRanges::Range) + pointers) * 4 / 3; // all levels
+  constexpr std::size_t blocks = sizeof(BlockErrors::Tile) + pointers;
+  std::size_t size = this->Levels.empty() ? 0 : this->Levels[0].size() * range;
+  for (const auto& level : this->Levels)
+  {
+    size += level.size() * record;
+  }
+  for (int level = 0; this->Errors && level <= this->Errors->GetRootLevel(); ++level)
+  {
+    size += this->Errors->GetTiles(level).size() * blocks;
+  }
+  return static_cast<std::int64_t>(size);
+}
+
 bool PyramidIndex::Read(const std::string& fileName, const std::string& signature)
 {
   std::ifstream stream(std::filesystem::u8path(fileName), std::ios::binary);

@@ -32,6 +32,7 @@ class RELEVOFILTERSTERRAIN_EXPORT PyramidIndex
 {
 public:
   static constexpr int TileSize = 256;
+  static constexpr char FileExtension[] = ".relevo-index"; // after the name of the raster
   static constexpr float Infinity = std::numeric_limits<float>::infinity();
 
   struct Record
@@ -71,6 +72,9 @@ public:
   void SetBlockErrors(std::shared_ptr<const BlockErrors> errors) { this->Errors = errors; }
   const std::shared_ptr<const BlockErrors>& GetBlockErrors() const { return this->Errors; }
   //@}
+
+  /// About the bytes of memory in use, including those of ranges and block errors.
+  std::int64_t GetMemorySize() const;
 
   /// Read a file that Write() has written for a raster of this signature; false if it is not one.
   bool Read(const std::string& fileName, const std::string& signature);

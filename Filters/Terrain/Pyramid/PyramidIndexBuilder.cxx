@@ -229,6 +229,7 @@ bool PyramidIndexBuilder::Build(int numberOfThreads, PyramidIndex& index, std::s
   if (!this->HasEnded && !this->Abort)
   {
     index.SetBlockErrors(this->Blocks.Finish(this->Abort, this->Error));
+    this->HasEnded = !this->Error.empty() && (this->File.IsVirtual() || this->File.HasChanged());
   }
   error = this->Error;
   return !this->HasEnded && !this->Abort;
@@ -265,7 +266,7 @@ double PyramidIndexBuilder::GetProgress() const
 
 void PyramidIndexBuilder::Work()
 {
-  for (std::size_t i = this->Next++; i < this->Jobs.size() && !this->Abort; i = this->Next++)
+  for (std::size_t i = this->Next++; i < this->Jobs.size() && !this->IsStopped(); i = this->Next++)
   {
     try
     {
@@ -273,14 +274,19 @@ void PyramidIndexBuilder::Work()
     }
     catch (const std::bad_alloc&)
     {
-      const std::lock_guard<std::mutex> lock(this->Mutex);
-      this->Error = "there is not enough memory to index the raster";
-      this->HasEnded = true;
-      this->Next = this->Jobs.size();
+      this->Stop("there is not enough memory to index the raster");
       return;
     }
     ++this->Done;
   }
+}
+
+// Ends the build without an index.
+void PyramidIndexBuilder::Stop(const std::string& error)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Error = this->HasEnded ? this->Error : error;
+  this->HasEnded = true;
 }
 
 void PyramidIndexBuilder::Run(const Job& job)
@@ -306,6 +312,12 @@ void PyramidIndexBuilder::Read(const SampleWindow& window, std::vector<double>& 
   {
     return;
   }
+  // A file that has changed has no more samples, and a server may have failed for all of them.
+  if (this->File.IsVirtual() || this->File.HasChanged())
+  {
+    this->Stop(error);
+    return;
+  }
   std::fill(samples.begin(), samples.end(), std::numeric_limits<double>::quiet_NaN());
   constexpr int size = PyramidIndex::TileSize;
   const int end[2] = { window.Column + window.Width, window.Row + window.Height };
@@ -318,7 +330,7 @@ void PyramidIndexBuilder::Read(const SampleWindow& window, std::vector<double>& 
     {
       tile.Width = std::min((tile.Column / size + 1) * size, end[0]) - tile.Column;
       part.resize(tile.GetNumberOfSamples());
-      if (this->Abort || !this->File.Read(tile, part.data(), error))
+      if (this->IsStopped() || !this->File.Read(tile, part.data(), error))
       {
         continue;
       }
@@ -337,7 +349,7 @@ void PyramidIndexBuilder::Read(const SampleWindow& window, std::vector<double>& 
 void PyramidIndexBuilder::CompareBlock(const SampleWindow& block)
 {
   const std::unique_ptr<BlockErrorArea> area = this->CompareLevels(block);
-  if (area && !this->Abort)
+  if (area && !this->IsStopped())
   {
     this->Blocks.Add(*area);
   }
@@ -354,7 +366,7 @@ std::unique_ptr<BlockErrorArea> PyramidIndexBuilder::CompareLevels(const SampleW
   std::unique_ptr<BlockErrorArea> area =
     block.Width > 1 && block.Height > 1 ? this->Blocks.NewArea(block, fine) : nullptr;
   std::vector<double> coarse;
-  for (int level = 1; level < this->File.GetNumberOfLevels() && !this->Abort; ++level)
+  for (int level = 1; level < this->File.GetNumberOfLevels() && !this->IsStopped(); ++level)
   {
     const SampleWindow window = this->GetLevelWindow(block, level);
     this->Read(window, coarse);

@@ -43,7 +43,8 @@ public:
 
   /**
    * Fill in the index with this many threads. Returns false after an abort and, with an error, if
-   * the memory is not sufficient. Returns true, with the first error, if samples cannot be read.
+   * the memory is not sufficient, if the file changes, or if samples of one of GDAL's virtual files
+   * cannot be read. Returns true, with the first error, if samples of another file cannot be read.
    */
   bool Build(int numberOfThreads, PyramidIndex& index, std::string& error);
 
@@ -72,6 +73,8 @@ private:
   SampleWindow GetLevelWindow(const SampleWindow& block, int level) const;
   void RunJobs(int numberOfThreads);
   void Work();
+  void Stop(const std::string& error);
+  bool IsStopped() const { return this->Abort || this->HasEnded; }
   void Run(const Job& job);
   void CompareBlock(const SampleWindow& block);
   std::unique_ptr<BlockErrorArea> CompareLevels(const SampleWindow& block);
@@ -90,9 +93,9 @@ private:
   std::atomic<std::size_t> Done{ 0 };
   std::mutex Mutex; // protects the next members
   PyramidIndex* Index = nullptr;
-  std::string Error;        // of reading
-  bool HasEnded = false;    // for lack of memory
-  BlockErrorBuilder Blocks; // thread-safe
+  std::string Error;                   // of reading
+  std::atomic<bool> HasEnded{ false }; // with an error, before all jobs are done
+  BlockErrorBuilder Blocks;            // thread-safe
 };
 }
 

@@ -51,4 +51,11 @@ bool PyramidLattice::ReadWindow(
 {
   return this->Sampler.Read(level, column, row, width, height, heights, error);
 }
+std::int64_t PyramidLattice::GetMemorySize(int threads) const
+{
+  // The samples of a window as doubles.
+  constexpr std::int64_t window = std::int64_t(1) << 19;
+  return threads * window + this->Pyramid->GetFile().GetMemoryOfReading(threads) +
+    (this->Pyramid->IsIndexComplete() ? this->Pyramid->GetIndex().GetMemorySize() : 0);
+}
 }

@@ -32,6 +32,7 @@ public:
   bool Read(HeightTile& tile, std::string& error) const override;
   bool ReadWindow(int level, int column, int row, int width, int height, float* heights,
     std::string& error) const override;
+  std::int64_t GetMemorySize(int threads) const override;
 
 private:
   std::shared_ptr<const RasterPyramid> Pyramid;

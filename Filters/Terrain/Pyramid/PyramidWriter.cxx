@@ -3,6 +3,9 @@
 #include "Pyramid/PyramidWriter.h"
 
 #include "Files/AtomicFile.h"
+#include "Pyramid/PyramidFile.h"
+#include "Pyramid/PyramidIndex.h"
+#include "Pyramid/PyramidIndexBuilder.h"
 #include "Raster/RasterFile.h"
 #include "Raster/RawFile.h"
 #include "Raster/StoredNoData.h"
@@ -12,14 +15,20 @@
 #include <cpl_vsi.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <limits>
+#include <new>
 #include <optional>
 #include <sstream>
+#include <system_error>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -31,10 +40,12 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr int BlockSize = 256;
-// A window that is copied at once has rows of two blocks and at most this many columns.
-constexpr int WindowWidth = 8192;
-constexpr int WindowHeight = 2 * BlockSize;
+constexpr int SmallestBlockSize = 256;
+// Readers have the position and size of each block in memory. Larger rasters have larger blocks.
+constexpr double MaximumBlocks = 1 << 20;
+// A window that is copied at once has this many samples, in one or two rows of blocks.
+constexpr int SamplesPerWindow = 1 << 22;
+constexpr int SmallestWindowHeight = 2 * SmallestBlockSize;
 // The journal gets an entry after this many bytes.
 constexpr double BytesPerFlush = 256.0 * 1024 * 1024;
 
@@ -61,6 +72,16 @@ const char* GetPredictor(GDALDataType type, const std::string& compression)
     compression == "DEFLATE" || compression == "LZW" || compression == "ZSTD";
   const bool isFloat = type == GDT_Float32 || type == GDT_Float64;
   return !hasPredictor ? "1" : (isFloat ? "3" : "2");
+}
+
+int ChooseBlockSize(double width, double height)
+{
+  int size = SmallestBlockSize;
+  while (std::ceil(width / size) * std::ceil(height / size) > MaximumBlocks)
+  {
+    size *= 2;
+  }
+  return size;
 }
 
 // The size of a level: GDAL's overviews are rounded up.
@@ -171,10 +192,9 @@ PyramidWriter::Result PyramidWriter::Write(std::string& error)
   {
     result = this->CopyLevels(error);
   }
-  if (result == Result::Done)
-  {
-    result = this->Finish(error);
-  }
+  result = result == Result::Done ? this->CloseTarget(error) : result;
+  result = result == Result::Done && this->Wanted.HasIndex ? this->WriteIndex(error) : result;
+  result = result == Result::Done ? this->Publish(error) : result;
   if (result == Result::Failed)
   {
     error = "Cannot write " + this->Wanted.Output + ": " + error;
@@ -211,8 +231,9 @@ bool PyramidWriter::OpenInput(std::string& error)
     error = "missing samples are declared by a mask; give them a no-data value first, for example "
             "with gdalwarp -dstnodata";
   }
+  this->BlockSize = ChooseBlockSize(this->Width, this->Height);
   while (std::max(GetLevelSize(this->Width, this->NumberOfLevels - 1),
-           GetLevelSize(this->Height, this->NumberOfLevels - 1)) > BlockSize)
+           GetLevelSize(this->Height, this->NumberOfLevels - 1)) > SmallestBlockSize)
   {
     ++this->NumberOfLevels;
   }
@@ -245,7 +266,7 @@ void PyramidWriter::RemoveTemporaries() const
 std::string PyramidWriter::MakeJournalHeader() const
 {
   std::ostringstream text;
-  text << "relevo pyramid journal 1\n" << this->Wanted.Input << '\n' << this->Wanted.Compression;
+  text << "relevo pyramid journal 2\n" << this->Wanted.Input << '\n' << this->Wanted.Compression;
   VSIStatBufL status;
   if (VSIStatL(FindContainer(this->Wanted.Input).c_str(), &status) == 0)
   {
@@ -302,7 +323,9 @@ bool PyramidWriter::Create(std::string& error)
   const std::string compression = "COMPRESS=" + this->Wanted.Compression;
   const std::string predictor =
     std::string("PREDICTOR=") + GetPredictor(this->Type, this->Wanted.Compression);
-  const char* const options[] = { "TILED=YES", "BLOCKXSIZE=256", "BLOCKYSIZE=256", "BIGTIFF=YES",
+  const std::string width = "BLOCKXSIZE=" + std::to_string(this->BlockSize);
+  const std::string height = "BLOCKYSIZE=" + std::to_string(this->BlockSize);
+  const char* const options[] = { "TILED=YES", width.c_str(), height.c_str(), "BIGTIFF=YES",
     "SPARSE_OK=TRUE", "NUM_THREADS=ALL_CPUS", compression.c_str(), predictor.c_str(), nullptr };
   this->Target.reset(GDALCreate(GDALGetDriverByName("GTiff"), this->PartialName.c_str(),
     this->Width, this->Height, 1, this->Type, const_cast<char**>(options)));
@@ -363,7 +386,8 @@ bool PyramidWriter::CreateOverviews(std::string& error)
   const ScopedOption predictor(
     "PREDICTOR_OVERVIEW", GetPredictor(this->Type, this->Wanted.Compression));
   const ScopedOption sparse("SPARSE_OK_OVERVIEW", "ON");
-  const ScopedOption block("GDAL_TIFF_OVR_BLOCKSIZE", "256");
+  const std::string size = std::to_string(this->BlockSize);
+  const ScopedOption block("GDAL_TIFF_OVR_BLOCKSIZE", size.c_str());
   std::vector<int> factors;
   for (int level = 1; level < this->NumberOfLevels; ++level)
   {
@@ -409,16 +433,18 @@ PyramidWriter::Result PyramidWriter::CopyLevel(int level, std::string& error)
 {
   const int width = GetLevelSize(this->Width, level);
   const int height = GetLevelSize(this->Height, level);
+  const int windowHeight = std::max(SmallestWindowHeight, this->BlockSize);
+  const int windowWidth = SamplesPerWindow / windowHeight;
   double unflushed = 0.0;
-  for (; this->Row < height; this->Row += WindowHeight)
+  for (; this->Row < height; this->Row += windowHeight)
   {
     SampleWindow window;
     window.Level = level;
     window.Row = this->Row;
-    window.Height = std::min(WindowHeight, height - this->Row);
-    for (window.Column = 0; window.Column < width; window.Column += WindowWidth)
+    window.Height = std::min(windowHeight, height - this->Row);
+    for (window.Column = 0; window.Column < width; window.Column += windowWidth)
     {
-      window.Width = std::min(WindowWidth, width - window.Column);
+      window.Width = std::min(windowWidth, width - window.Column);
       if (!(level == 0 ? this->CopyWindow(window, error) : this->Reduce(window, error)))
       {
         return Result::Failed;
@@ -426,7 +452,7 @@ PyramidWriter::Result PyramidWriter::CopyLevel(int level, std::string& error)
       const auto samples = static_cast<double>(window.GetNumberOfSamples());
       this->DoneSamples += samples;
       unflushed += samples * GDALGetDataTypeSizeBytes(this->Type);
-      if (!this->Report(this->DoneSamples / this->AllSamples))
+      if (!this->Report(Step::Copy, this->DoneSamples / this->AllSamples))
       {
         return this->Flush(level, this->Row, error) ? Result::Stopped : Result::Failed;
       }
@@ -434,7 +460,7 @@ PyramidWriter::Result PyramidWriter::CopyLevel(int level, std::string& error)
     if (unflushed > BytesPerFlush)
     {
       unflushed = 0.0;
-      if (!this->Flush(level, this->Row + WindowHeight, error))
+      if (!this->Flush(level, this->Row + windowHeight, error))
       {
         return Result::Failed;
       }
@@ -549,17 +575,71 @@ bool PyramidWriter::Flush(int level, int row, std::string& error)
   return error.empty();
 }
 
-PyramidWriter::Result PyramidWriter::Finish(std::string& error)
+PyramidWriter::Result PyramidWriter::CloseTarget(std::string& error)
 {
+  GDALSession session;
+  this->Target.reset();
+  error = session.Messages("");
+  return error.empty() ? Result::Done : Result::Failed;
+}
+
+// The index of the hidden file is that of the target: a rename does not change the version of a
+// file.
+PyramidWriter::Result PyramidWriter::WriteIndex(std::string& error)
+{
+  const std::unique_ptr<PyramidFile> file = PyramidFile::Open(this->PartialName, error);
+  if (!file)
   {
-    GDALSession session;
-    this->Target.reset();
-    if (session.HasErrors())
+    return Result::Failed;
+  }
+  const std::string indexName = this->TargetName + PyramidIndex::FileExtension;
+  const std::string signature = file->GetSignature();
+  PyramidIndex index(file->GetSizes());
+  if (index.Read(indexName, signature)) // the last run was interrupted afterwards
+  {
+    return Result::Done;
+  }
+  index = PyramidIndex(file->GetSizes());
+  std::atomic<bool> abort{ false };
+  PyramidIndexBuilder builder(*file, abort);
+  const auto build = [&]
+  {
+    try
     {
-      error = session.Messages("");
-      return Result::Failed;
+      const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+      builder.Build(threads, index, error);
+    }
+    catch (const std::bad_alloc&)
+    {
+      error = "there is not enough memory to index it";
+    }
+  };
+  try
+  {
+    const std::future<void> end = std::async(std::launch::async, build);
+    while (end.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
+    {
+      abort = abort || !this->Report(Step::Index, builder.GetProgress());
     }
   }
+  catch (const std::system_error&)
+  {
+    build(); // the system allows no more threads
+  }
+  if (abort || !this->Report(Step::Index, 1.0))
+  {
+    return Result::Stopped;
+  }
+  if (error.empty())
+  {
+    error = index.Write(indexName, signature);
+    error = error.empty() ? "" : "its index: " + error;
+  }
+  return error.empty() ? Result::Done : Result::Failed;
+}
+
+PyramidWriter::Result PyramidWriter::Publish(std::string& error)
+{
   const int descriptor = open(this->PartialName.c_str(), O_RDWR | O_CLOEXEC);
   const bool isOnDisk = descriptor >= 0 && fsync(descriptor) == 0;
   if (!isOnDisk)

@@ -6,8 +6,8 @@
  *
  * A hidden file beside the target grows, together with a journal of the complete rows. If the
  * program is interrupted, the next run for the same raster and target goes on from there. The file
- * is renamed onto the target when it is complete. A lock keeps a second process from writing the
- * same file.
+ * is renamed onto the target when it is complete, and its index is written before. A lock keeps a
+ * second process from writing the same file.
  *
  * Each sample of an overview is the mean of the samples with data among the 2 x 2 that it covers.
  *
@@ -35,9 +35,15 @@ public:
     std::string Input;
     std::string Output;
     std::string Compression; // of GDAL's driver for GeoTIFF, as DEFLATE
+    bool HasIndex = true;
   };
-  /// Called with the fraction that is complete; returns false to stop.
-  using Progress = std::function<bool(double)>;
+  enum class Step
+  {
+    Copy,
+    Index
+  };
+  /// Called with the fraction of a step that is complete; returns false to stop.
+  using Progress = std::function<bool(Step, double)>;
 
   PyramidWriter(const Settings& settings, const Progress& progress);
   ~PyramidWriter();
@@ -65,7 +71,9 @@ private:
   bool CopyWindow(const SampleWindow& window, std::string& error);
   bool Reduce(const SampleWindow& window, std::string& error);
   bool Flush(int level, int row, std::string& error);
-  Result Finish(std::string& error);
+  Result CloseTarget(std::string& error);
+  Result WriteIndex(std::string& error);
+  Result Publish(std::string& error);
 
   GDALRasterBandH GetBand(int level) const;
   bool IsAbsent(GDALRasterBandH band, const SampleWindow& window) const;
@@ -84,6 +92,7 @@ private:
   GDALDataType Type = GDT_Unknown;
   int Width = 0;
   int Height = 0;
+  int BlockSize = 1; // samples per side
   int NumberOfLevels = 1;
   int Level = 0; // the next row to copy
   int Row = 0;

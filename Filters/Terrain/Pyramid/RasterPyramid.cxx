@@ -16,6 +16,7 @@
 #include <limits>
 #include <new>
 #include <sstream>
+#include <system_error>
 #include <vector>
 
 namespace relevo
@@ -23,8 +24,6 @@ namespace relevo
 namespace
 {
 namespace fs = std::filesystem;
-
-constexpr char IndexExtension[] = ".relevo-index";
 
 // At the center of a sample, other samples do not contribute in spite of rounded coordinates.
 constexpr double SnapDistance = 1e-6;
@@ -50,42 +49,28 @@ std::string MakeCacheFileName(const std::string& folder, const std::string& rast
   const std::uint64_t hash = GetChecksum(absolute.u8string());
   std::ostringstream name;
   name << folder << '/' << path.stem().u8string() << '-' << std::hex << std::setw(16)
-       << std::setfill('0') << hash << IndexExtension;
+       << std::setfill('0') << hash << PyramidIndex::FileExtension;
   return name.str();
 }
+
+// A thread that does not end for so long is in a read that hangs.
+constexpr std::chrono::seconds LongestWait(5);
 
 bool IsFile(const std::string& name)
 {
   std::error_code failure;
   return fs::is_regular_file(fs::u8path(name), failure);
 }
-
-std::vector<std::array<int, 2>> GetSizes(const PyramidFile& file)
-{
-  std::vector<std::array<int, 2>> sizes;
-  for (int level = 0; level < file.GetNumberOfLevels(); ++level)
-  {
-    sizes.push_back(file.GetSize(level));
-  }
-  return sizes;
-}
 }
 
 RasterPyramid::RasterPyramid() = default;
 
-RasterPyramid::~RasterPyramid()
-{
-  this->Abort = true;
-  if (this->Thread.joinable())
-  {
-    this->Thread.join();
-  }
-}
+RasterPyramid::~RasterPyramid() = default;
 
-std::unique_ptr<RasterPyramid> RasterPyramid::Open(
+std::shared_ptr<RasterPyramid> RasterPyramid::Open(
   const std::string& fileName, const std::string& cacheFolder, std::string& error)
 {
-  std::unique_ptr<RasterPyramid> pyramid(new RasterPyramid);
+  std::shared_ptr<RasterPyramid> pyramid(new RasterPyramid);
   pyramid->FileName = fileName;
   pyramid->File = PyramidFile::Open(fileName, error);
   if (!pyramid->File)
@@ -94,8 +79,9 @@ std::unique_ptr<RasterPyramid> RasterPyramid::Open(
   }
   pyramid->Signature = pyramid->File->GetSignature();
   pyramid->MakeEstimates();
-  pyramid->StartIndex(cacheFolder);
-  return pyramid;
+  StartIndex(pyramid, cacheFolder);
+  // The users share this pointer; the thread has another one.
+  return { pyramid.get(), [pyramid](RasterPyramid*) { pyramid->StopIndex(); } };
 }
 
 std::array<int, 2> RasterPyramid::GetNumberOfTiles(int level) const
@@ -195,14 +181,36 @@ std::shared_ptr<const ElevationRanges> RasterPyramid::GetElevationRanges() const
   return this->Ranges;
 }
 
-void RasterPyramid::StartIndex(const std::string& cacheFolder)
+void RasterPyramid::StartIndex(
+  const std::shared_ptr<RasterPyramid>& pyramid, const std::string& cacheFolder)
 {
-  this->Index = PyramidIndex(GetSizes(*this->File));
+  if (pyramid->ReadIndex(cacheFolder))
+  {
+    pyramid->UseIndex();
+    pyramid->HasEnded = true;
+    return;
+  }
+  pyramid->Index = PyramidIndex(pyramid->File->GetSizes());
+  pyramid->Builder = std::make_unique<PyramidIndexBuilder>(*pyramid->File, pyramid->Abort);
+  try
+  {
+    pyramid->Thread = std::thread([pyramid]() { pyramid->BuildIndex(); });
+  }
+  catch (const std::system_error& error)
+  {
+    pyramid->Error = std::string("no thread can be started to index it: ") + error.what();
+    pyramid->HasEnded = true;
+  }
+}
+
+bool RasterPyramid::ReadIndex(const std::string& cacheFolder)
+{
+  this->Index = PyramidIndex(this->File->GetSizes());
   const std::string folder = cacheFolder.empty() ? FindCacheFolder() : cacheFolder;
   if (cacheFolder.empty() && FindContainer(this->FileName) == this->FileName &&
     IsFile(this->FileName))
   {
-    this->IndexFileNames[0] = this->FileName + IndexExtension;
+    this->IndexFileNames[0] = this->FileName + PyramidIndex::FileExtension;
   }
   if (!folder.empty())
   {
@@ -212,14 +220,29 @@ void RasterPyramid::StartIndex(const std::string& cacheFolder)
   {
     if (!name.empty() && this->Index.Read(name, this->Signature))
     {
-      this->UseIndex();
-      this->HasEnded = true;
-      return;
+      return true;
     }
   }
-  this->Index = PyramidIndex(GetSizes(*this->File));
-  this->Builder = std::make_unique<PyramidIndexBuilder>(*this->File, this->Abort);
-  this->Thread = std::thread([this]() { this->BuildIndex(); });
+  return false;
+}
+
+void RasterPyramid::StopIndex()
+{
+  this->Abort = true;
+  if (!this->Thread.joinable())
+  {
+    return;
+  }
+  std::unique_lock<std::mutex> lock(this->Mutex);
+  if (this->Ended.wait_for(lock, LongestWait, [this] { return this->HasEnded; }))
+  {
+    lock.unlock();
+    this->Thread.join();
+  }
+  else
+  {
+    this->Thread.detach();
+  }
 }
 
 // Replaces the estimates.
@@ -250,6 +273,11 @@ void RasterPyramid::BuildIndex()
     error = "there is not enough memory to index the raster";
   }
   this->File->CloseIdleHandles();
+  if (isBuilt && this->File->HasChanged())
+  {
+    isBuilt = false;
+    error = "the file has changed while it was indexed; open it again";
+  }
   if (isBuilt)
   {
     this->UseIndex();

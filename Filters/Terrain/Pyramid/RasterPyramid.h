@@ -9,6 +9,10 @@
  * index that cannot be written is used all the same. So is an index with samples that cannot be
  * read, which is not written.
  *
+ * The thread that builds the index is stopped when the last user of the pyramid is gone. If it is
+ * in a read that hangs, the user does not wait for it: the thread owns the pyramid until the read
+ * returns.
+ *
  * Private to the module; only in builds with RELEVO_USE_GDAL.
  */
 #ifndef RasterPyramid_h
@@ -38,9 +42,8 @@ class RELEVOFILTERSTERRAIN_EXPORT RasterPyramid
 {
 public:
   /// Returns nullptr and sets `error` if the raster cannot be opened.
-  static std::unique_ptr<RasterPyramid> Open(
+  static std::shared_ptr<RasterPyramid> Open(
     const std::string& fileName, const std::string& cacheFolder, std::string& error);
-  /// Stops a build of the index.
   ~RasterPyramid();
   RasterPyramid(const RasterPyramid&) = delete;
   void operator=(const RasterPyramid&) = delete;
@@ -89,8 +92,11 @@ public:
 private:
   RasterPyramid();
   void MakeEstimates();
-  void StartIndex(const std::string& cacheFolder);
+  static void StartIndex(
+    const std::shared_ptr<RasterPyramid>& pyramid, const std::string& cacheFolder);
+  bool ReadIndex(const std::string& cacheFolder);
   void BuildIndex();
+  void StopIndex();
   void UseIndex();
 
   std::string FileName;

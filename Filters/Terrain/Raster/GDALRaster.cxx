@@ -142,37 +142,27 @@ GDALRaster::~GDALRaster()
   this->Implementation->Dataset.reset();
 }
 
-std::unique_ptr<GDALRaster> GDALRaster::Open(const std::string& fileName, std::string& error)
+bool GDALRaster::Describe(void* dataset, RasterDescription& contents, std::string& error)
 {
-  GDALSession session;
-  GDALDatasetPointer dataset(GDALOpenEx(fileName.c_str(),
-    GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr, nullptr, nullptr));
-  if (!dataset)
+  if (GDALGetRasterCount(dataset) < 1)
   {
-    error = session.Messages("GDAL does not recognise it as a raster");
-    return nullptr;
+    error = DescribeContents(dataset);
+    return false;
   }
-  if (GDALGetRasterCount(dataset.get()) < 1)
-  {
-    error = DescribeContents(dataset.get());
-    return nullptr;
-  }
-  auto raster = std::make_unique<GDALRaster>();
-  const GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
-  RasterDescription& contents = raster->Contents;
-  contents.Width = GDALGetRasterXSize(dataset.get());
-  contents.Height = GDALGetRasterYSize(dataset.get());
+  const GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
+  contents.Width = GDALGetRasterXSize(dataset);
+  contents.Height = GDALGetRasterYSize(dataset);
   contents.Type = vtkType(GDALGetRasterDataType(band));
   if (contents.Type == VTK_VOID)
   {
     error = std::string("samples of type ") + GDALGetDataTypeName(GDALGetRasterDataType(band)) +
       " are not supported";
-    return nullptr;
+    return false;
   }
-  const char* interleaving = GDALGetMetadataItem(dataset.get(), "INTERLEAVE", "IMAGE_STRUCTURE");
+  const char* interleaving = GDALGetMetadataItem(dataset, "INTERLEAVE", "IMAGE_STRUCTURE");
   if (interleaving && std::string(interleaving) == "PIXEL")
   {
-    contents.SamplesPerTexel = GDALGetRasterCount(dataset.get());
+    contents.SamplesPerTexel = GDALGetRasterCount(dataset);
   }
   contents.HasMask = (GDALGetMaskFlags(band) & (GMF_PER_DATASET | GMF_ALPHA)) != 0;
 
@@ -189,23 +179,42 @@ std::unique_ptr<GDALRaster> GDALRaster::Open(const std::string& fileName, std::s
 
   double transform[6];
   contents.Location.SetSize(contents.Width, contents.Height);
-  if (GDALGetGeoTransform(dataset.get(), transform) == CE_None)
+  if (GDALGetGeoTransform(dataset, transform) == CE_None)
   {
     if (!contents.Location.SetAffineTransform(transform, contents.Width, contents.Height))
     {
       error = "its georeference is singular: its pixels have no area";
-      return nullptr;
+      return false;
     }
     contents.Location.System = Georeference::Kind::Planar;
-    if (const OGRSpatialReferenceH system = GDALGetSpatialRef(dataset.get()))
+    if (const OGRSpatialReferenceH system = GDALGetSpatialRef(dataset))
     {
-      contents.Location.WKT = GDALGetProjectionRef(dataset.get());
+      contents.Location.WKT = GDALGetProjectionRef(dataset);
       DescribeCoordinateSystem(system, contents.Location);
     }
   }
+  return true;
+}
+
+std::unique_ptr<GDALRaster> GDALRaster::Open(const std::string& fileName, std::string& error)
+{
+  GDALSession session;
+  GDALDatasetPointer dataset(GDALOpenEx(fileName.c_str(),
+    GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr, nullptr, nullptr));
+  if (!dataset)
+  {
+    error = session.Messages("GDAL does not recognise it as a raster");
+    return nullptr;
+  }
+  auto raster = std::make_unique<GDALRaster>();
+  if (!GDALRaster::Describe(dataset.get(), raster->Contents, error))
+  {
+    return nullptr;
+  }
+  const GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
   raster->Implementation->Truncation = FindTruncation(dataset.get());
   raster->Implementation->Type = GDALGetRasterDataType(band);
-  raster->Implementation->SetBand(band, contents);
+  raster->Implementation->SetBand(band, raster->Contents);
   raster->Implementation->Dataset = std::move(dataset);
   return raster;
 }

@@ -21,6 +21,9 @@ public:
    */
   static std::unique_ptr<GDALRaster> Open(const std::string& fileName, std::string& error);
 
+  /// Describe the first band of a GDAL dataset. Returns false with an error if it is not supported.
+  static bool Describe(void* dataset, RasterDescription& contents, std::string& error);
+
   GDALRaster();
   ~GDALRaster() override;
 

@@ -14,6 +14,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <new>
 #include <set>
@@ -538,6 +539,77 @@ void TestErrors(RelevoCheck& check)
   CHECK_EQUAL(cache.TakeError(), "");
 }
 
+// A tile that cannot be read is requested again after 10 seconds, then after 20.
+void TestRetry(RelevoCheck& check)
+{
+  TileStore store;
+  HeightTileCache cache(ReadFrom(store));
+  cache.SetFadeTime(0.0);
+  const std::vector<Want> wants = WithRoot({ { { { 2, 0, 0 } }, 5.0 } });
+  store.SetBad({ wants.back().Tile });
+  double now = 100.0;
+  const auto draw = [&]
+  {
+    RunFrame(cache, wants, now);
+    WaitUntilIdle(cache);
+    return RunFrame(cache, wants, now).back();
+  };
+  CHECK_EQUAL(draw(), -1.0f);
+  CHECK_EQUAL(store.GetStarted().size(), 3);
+  CHECK_EQUAL(cache.TakeError(), "bad tile");
+  now += 9.9;
+  CHECK_EQUAL(draw(), -1.0f);
+  CHECK_EQUAL(store.GetStarted().size(), 3);
+  now += 0.2;
+  CHECK_EQUAL(draw(), -1.0f);
+  CHECK_EQUAL(store.GetStarted().size(), 4);
+  store.SetBad({});
+  now += 19.9;
+  CHECK_EQUAL(draw(), -1.0f);
+  now += 0.2;
+  CHECK_EQUAL(draw(), 1.0f);
+  CHECK_EQUAL(store.GetStarted().size(), 5);
+  CHECK_EQUAL(cache.TakeError(), ""); // one error
+}
+
+// Few reads at the same time need little memory.
+void TestNumberOfReads(RelevoCheck& check)
+{
+  TileStore store;
+  HeightTileCache cache(ReadFrom(store));
+  cache.SetNumberOfReads(1);
+  RunFrames(cache, WithRoot({}));
+  store.Close();
+  RunFrame(cache, WithRoot({ { { { 2, 0, 0 } }, 5.0 }, { { { 2, 1, 0 } }, 4.0 } }));
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    store.WaitForStarted(3 + i);
+    CHECK_EQUAL(store.NumberOfReading, 1);
+    store.Permit();
+  }
+  WaitUntilIdle(cache);
+}
+
+// The end does not wait for a read that hangs. The thread ends after the cache.
+void TestHangingEnd(RelevoCheck& check)
+{
+  const auto store = std::make_shared<TileStore>();
+  store->Close();
+  {
+    HeightTileCache cache(
+      [store](HeightTile& tile, std::string& error) { return store->Read(tile, error); });
+    RunFrame(cache, WithRoot({}));
+    store->WaitForStarted(1);
+  }
+  CHECK_GREATER(store->NumberOfReading, 0);
+  store->Open();
+  while (store.use_count() > 1) // the thread has it
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  CHECK_EQUAL(store->NumberOfReading, 0);
+}
+
 void TestFade(RelevoCheck& check)
 {
   TileStore store;
@@ -675,6 +747,9 @@ int TestHeightTileCache(int, char*[])
   TestReplacement(check);
   TestHangingRead(check);
   TestErrors(check);
+  TestRetry(check);
+  TestNumberOfReads(check);
+  TestHangingEnd(check);
   TestFade(check);
   TestLoading(check);
   TestClear(check, false);

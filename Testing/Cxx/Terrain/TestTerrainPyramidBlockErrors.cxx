@@ -290,10 +290,10 @@ std::string WriteRaster(RelevoCheck& check, const RelevoTestFolders& folders, co
   return name;
 }
 
-std::unique_ptr<relevo::RasterPyramid> OpenPyramid(RelevoCheck& check, const std::string& name)
+std::shared_ptr<relevo::RasterPyramid> OpenPyramid(RelevoCheck& check, const std::string& name)
 {
   std::string error;
-  std::unique_ptr<relevo::RasterPyramid> pyramid = relevo::RasterPyramid::Open(name, "", error);
+  std::shared_ptr<relevo::RasterPyramid> pyramid = relevo::RasterPyramid::Open(name, "", error);
   CHECK(pyramid != nullptr);
   CHECK_EQUAL(error, std::string());
   return pyramid;
@@ -652,7 +652,7 @@ void TestCases(RelevoCheck& check, const RelevoTestFolders& folders)
     std::vector<std::string> indices;
     for (const bool isRead : { false, true })
     {
-      const std::unique_ptr<relevo::RasterPyramid> pyramid = OpenPyramid(check, name);
+      const std::shared_ptr<relevo::RasterPyramid> pyramid = OpenPyramid(check, name);
       CHECK_EQUAL(pyramid->WaitForIndex([]() { return false; }), std::string());
       CHECK(pyramid->IsIndexComplete());
       CheckSaturation(check, *pyramid);
@@ -691,7 +691,7 @@ void TestFlat(RelevoCheck& check, const RelevoTestFolders& folders)
       raster.SetValues([](int, int, int) { return 5.0; });
     }
     CHECK(raster.Write(name));
-    const std::unique_ptr<relevo::RasterPyramid> pyramid = OpenPyramid(check, name);
+    const std::shared_ptr<relevo::RasterPyramid> pyramid = OpenPyramid(check, name);
     CHECK_EQUAL(pyramid->WaitForIndex([]() { return false; }), std::string());
     const std::shared_ptr<const BlockErrors> errors = pyramid->GetBlockErrors();
     CHECK_EQUAL(errors->GetRootLevel(), 5);

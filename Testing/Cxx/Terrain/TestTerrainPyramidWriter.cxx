@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 
 #include <sys/stat.h>
@@ -210,6 +212,11 @@ void TestRasters(RelevoCheck& check, const RelevoTestFolders& folders)
     CHECK(writer->Write());
     CHECK(errors.None());
     CheckPyramid(check, raster, output);
+    CHECK_EQUAL(writer->GetStep(), static_cast<int>(vtkTerrainPyramidWriter::INDEX));
+    vtkNew<vtkTerrainPyramid> pyramid;
+    pyramid->SetFileName(output.c_str());
+    CHECK(pyramid->Update());
+    CHECK(pyramid->IsErrorKnown()); // from the index of the writer
   }
   // Nothing is left beside the file.
   CHECK(listHidden().empty());
@@ -234,6 +241,71 @@ void TestNoDataMean(RelevoCheck& check, const RelevoTestFolders& folders)
   GDALClose(dataset);
 }
 
+std::string ReadBytes(const std::string& name)
+{
+  std::ifstream stream(name, std::ios::binary);
+  return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
+}
+
+// If the index is interrupted, the output does not appear, and the next run only makes the index:
+// it is the one that vtkTerrainPyramid makes.
+void TestIndex(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  const std::string input = folders.File("TerrainPyramidWriterIndex.tif");
+  const std::string output = folders.File("TerrainPyramidWriterIndexOut.tif");
+  const std::string index = output + ".relevo-index";
+  CHECK(MakeRaster(1700, 1900, GDT_Int16, true).Write(input));
+  fs::remove(output);
+  fs::remove(index);
+  vtkNew<vtkTerrainPyramidWriter> writer;
+  RelevoErrors errors(writer);
+  writer->SetInputFileName(input.c_str());
+  writer->SetFileName(output.c_str());
+  struct State
+  {
+    bool IsToStop = true;
+    int Copied = 0;
+    double Last = 0.0;
+  } state;
+  vtkNew<vtkCallbackCommand> progress;
+  progress->SetClientData(&state);
+  progress->SetCallback(
+    [](vtkObject* caller, unsigned long, void* client, void* data)
+    {
+      auto* current = static_cast<vtkTerrainPyramidWriter*>(caller);
+      auto* known = static_cast<State*>(client);
+      known->Copied += current->GetStep() == vtkTerrainPyramidWriter::COPY ? 1 : 0;
+      known->Last = *static_cast<double*>(data);
+      if (known->IsToStop && current->GetStep() == vtkTerrainPyramidWriter::INDEX)
+      {
+        current->AbortExecuteOn();
+      }
+    });
+  writer->AddObserver(vtkCommand::ProgressEvent, progress);
+  CHECK(!writer->Write());
+  CHECK_GREATER(state.Copied, 0);
+  CHECK(!fs::exists(output));
+  CHECK(!fs::exists(index));
+  state = State{ false };
+  CHECK(writer->Write());
+  CHECK_EQUAL(state.Copied, 0);
+  CHECK_EQUAL(state.Last, 1.0);
+  CHECK(errors.None());
+  const std::string bytes = ReadBytes(index);
+  CHECK_GREATER(bytes.size(), 1000);
+  fs::remove(index);
+  vtkNew<vtkTerrainPyramid> pyramid;
+  pyramid->SetFileName(output.c_str());
+  CHECK(pyramid->Update());
+  CHECK(pyramid->WaitForIndex());
+  CHECK(ReadBytes(index) == bytes);
+
+  fs::remove(index);
+  writer->WriteIndexOff();
+  CHECK(writer->Write());
+  CHECK(!fs::exists(index));
+}
+
 // Stopped at any fraction, the next run goes on and gives the same file.
 void TestResume(RelevoCheck& check, const RelevoTestFolders& folders)
 {
@@ -249,6 +321,7 @@ void TestResume(RelevoCheck& check, const RelevoTestFolders& folders)
     RelevoErrors errors(writer);
     writer->SetInputFileName(input.c_str());
     writer->SetFileName(output.c_str());
+    writer->WriteIndexOff();
     struct State
     {
       double Stop;
@@ -385,6 +458,7 @@ int TestTerrainPyramidWriter(int argc, char* argv[])
   const RelevoTestFolders folders(argc, argv);
   TestRasters(check, folders);
   TestNoDataMean(check, folders);
+  TestIndex(check, folders);
   TestResume(check, folders);
   TestSparse(check, folders);
   TestErrors(check, folders);
