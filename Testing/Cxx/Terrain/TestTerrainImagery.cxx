@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iostream>
@@ -611,6 +612,31 @@ void TestTurns(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
+// Imagery that changes while it is open is not read further, so that old and new pixels never mix.
+void TestReplaced(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  const std::vector<double> utm = { 500000.0, 10.0, 0.0, 5000000.0, 0.0, -10.0 };
+  ImageryTerrain terrain(check, folders, 40, utm, "EPSG:32633");
+  const std::string file = folders.File("TerrainImageryReplaced.tif");
+  CHECK(MakeRamps(51, utm, "EPSG:32633").Write(file));
+  const auto imagery = terrain.Open(file);
+  if (!CHECK(imagery != nullptr))
+  {
+    return;
+  }
+  ReadTile(check, *imagery, 0, 0, 0);
+  const std::string other = folders.File("TerrainImageryOther.tif");
+  CHECK(MakeRamps(50, utm, "EPSG:32633").Write(other));
+  std::filesystem::rename(other, file);
+  ImageryTile tile;
+  std::string error;
+  CHECK(!imagery->Read(tile, error));
+  CHECK(error.find("has changed since it was opened") != std::string::npos);
+  const auto again = terrain.Open(file);
+  CHECK(again != nullptr);
+  ReadTile(check, *again, 0, 0, 0);
+}
+
 void TestErrors(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const std::vector<double> utm = { 500000.0, 10.0, 0.0, 5000000.0, 0.0, -10.0 };
@@ -665,6 +691,7 @@ int TestTerrainImagery(int argc, char* argv[])
   TestMissingOverviews(check, folders);
   TestExtents(check, folders);
   TestTurns(check, folders);
+  TestReplaced(check, folders);
   TestErrors(check, folders);
   return check.GetResult();
 }

@@ -116,6 +116,46 @@ void TestCalls(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(errors.None());
 }
 
+// If the source of a VRT changes, heights are errors until Update() opens it again, and the index
+// is made anew. Statistics in a file of their own change nothing.
+void TestSources(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  const std::string source = folders.File("TerrainPyramidSource.tif");
+  const std::string name = folders.File("TerrainPyramidSources.vrt");
+  CHECK(RelevoRaster::MakeSlope(40, 30, {}, "").Write(source));
+  std::ofstream(name) << "<VRTDataset rasterXSize='40' rasterYSize='30'>"
+                         "<VRTRasterBand dataType='Float32' band='1'><SimpleSource>"
+                         "<SourceFilename relativeToVRT='1'>TerrainPyramidSource.tif"
+                         "</SourceFilename><SourceBand>1</SourceBand>"
+                         "</SimpleSource></VRTRasterBand></VRTDataset>";
+  vtkNew<vtkTerrainPyramid> pyramid;
+  RelevoErrors errors(pyramid);
+  pyramid->SetFileName(name.c_str());
+  CHECK(pyramid->Update());
+  CHECK(pyramid->WaitForIndex());
+  const double first = pyramid->GetElevation(10.5, 10.5);
+  std::ofstream(name + ".aux.xml") << "<PAMDataset></PAMDataset>";
+  CHECK(pyramid->Update());
+  CHECK_EQUAL(pyramid->GetElevation(10.5, 10.5), first);
+  CHECK(errors.None());
+
+  CHECK(RelevoRaster::MakeSlope(40, 30, {}, "", 5000.0).Write(source));
+  vtkNew<vtkTerrainPyramid> other; // no tile is cached
+  RelevoErrors otherErrors(other);
+  other->SetFileName(name.c_str());
+  CHECK(pyramid->Update());
+  CHECK(pyramid->WaitForIndex());
+  CHECK_EQUAL(pyramid->GetElevation(10.5, 10.5), first + 5000.0);
+  CHECK_EQUAL(pyramid->GetRange()[0], 5000.0);
+  CHECK(other->Update());
+  CHECK(other->IsErrorKnown());
+  CHECK(RelevoRaster::MakeSlope(40, 30, {}, "", 7000.0).Write(source));
+  CHECK(std::isnan(other->GetElevation(10.5, 10.5)));
+  CHECK(otherErrors.Said("has changed since it was opened"));
+  CHECK(errors.None());
+  std::filesystem::remove(name + ".aux.xml");
+}
+
 // A raster without any data, and one of a single sample.
 void TestExtremes(RelevoCheck& check, const RelevoTestFolders& folders)
 {
@@ -149,6 +189,7 @@ int TestTerrainPyramidErrors(int argc, char* argv[])
   TestFiles(check, folders);
   TestTruncated(check, folders);
   TestCalls(check, folders);
+  TestSources(check, folders);
   TestExtremes(check, folders);
   return check.GetResult();
 }
