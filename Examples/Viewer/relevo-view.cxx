@@ -3,6 +3,7 @@
 /**
  * @brief   draws a height map or a mesh in a window or to a picture
  */
+#include "Files/ViewerExport.h"
 #include "Files/ViewerFile.h"
 #include "Files/ViewerPicture.h"
 #include "Options/OptionParser.h"
@@ -28,6 +29,7 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -73,7 +75,13 @@ void Run(const ViewerOptions& options)
   {
     throw ViewerError("there is no display; use --output FILE.png to write a picture without one");
   }
-  for (const std::string& fileName : { options.Output, options.Export })
+  std::vector<std::string> files = { options.Output, options.Export };
+  if (options.IsTiled && !options.Imagery.empty() && !options.Export.empty())
+  {
+    const std::vector<std::string> companions = GetCompanions(options.Export);
+    files.insert(files.end(), companions.begin(), companions.end());
+  }
+  for (const std::string& fileName : files)
   {
     if (!fileName.empty() && options.Flight.empty())
     {

@@ -4,6 +4,7 @@
 
 #include "Bisection/AdaptiveTerrain.h"
 #include "Bisection/FaceMesh.h"
+#include "Bisection/GlobeRegion.h"
 #include "Bisection/LatticeDecimation.h"
 #include "Checks/MemoryGuard.h"
 #include "Checks/SettingChecks.h"
@@ -11,7 +12,9 @@
 #include "Geodesy/LocationArrays.h"
 #include "Heights/SolidBase.h"
 #include "Heights/TerrainMeshBuilder.h"
+#include "Raster/ImageryTexture.h"
 #include "vtkCamera.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -24,6 +27,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace
@@ -33,6 +38,14 @@ constexpr std::size_t MaximumVertices = std::size_t(1) << 26;
 
 // The part of the tolerance that a coarser level may use.
 constexpr double CoarserShare = 0.5;
+
+// Fractions of the progress.
+constexpr double ReadingShare = 0.1;
+constexpr double RefiningShare = 0.8;
+constexpr double BuiltShare = 0.9;
+constexpr double ProgressStep = 0.01;
+
+constexpr int LargestImagery = 65536; // pixels per side
 
 // The rectangle of a height lattice that covers columns and rows of samples.
 struct LatticeWindow
@@ -58,6 +71,40 @@ struct LatticeWindow
     return static_cast<std::size_t>(this->Width) * static_cast<std::size_t>(this->Height);
   }
 };
+
+// Outputs the triangles of a window up to the last column and row, in samples.
+void OutputTriangles(const relevo::LatticeDecimation& decimation, const LatticeWindow& window,
+  const relevo::RasterDescription& contents, const relevo::TerrainPlacement& placement,
+  const double columns[2], const double rows[2], vtkPolyData* output)
+{
+  const int subdivisions = decimation.GetSubdivisions();
+  const double unit = std::ldexp(1.0, -subdivisions);
+  relevo::TerrainMeshBuilder mesh(contents, placement, subdivisions);
+  for (const relevo::LatticeDecimation::Triangle& triangle : decimation.GetTriangles())
+  {
+    std::array<relevo::TerrainMeshBuilder::Vertex, 3> vertices;
+    std::array<double, 3> world[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      const relevo::LatticeDecimation::Vertex& vertex = triangle[i];
+      const auto toRaster = [&window, subdivisions](std::int64_t position, int first)
+      { return (position + (std::int64_t(first) << subdivisions)) << window.Level; };
+      vertices[i].Column = toRaster(vertex[0], window.Column);
+      vertices[i].Row = toRaster(vertex[1], window.Row);
+      vertices[i].Height = decimation.GetHeight(vertex);
+      if (placement.Globe)
+      {
+        world[i] = placement.ToWorld(static_cast<double>(vertices[i].Column) * unit,
+          static_cast<double>(vertices[i].Row) * unit, vertices[i].Height);
+        vertices[i].World = &world[i];
+        // There is no surface outside of the projection.
+        vertices[i].Height = std::isnan(world[i][0]) ? world[i][0] : vertices[i].Height;
+      }
+    }
+    mesh.AddTriangle(vertices);
+  }
+  mesh.Finish({ { columns[0], columns[1] } }, { { rows[0], rows[1] } }, output);
+}
 }
 
 vtkStandardNewMacro(vtkTerrainMeshSource);
@@ -73,13 +120,20 @@ vtkTerrainMeshSource::vtkTerrainMeshSource()
   , BaseHeight(0.0)
   , MemoryLimit(vtkTypeInt64(1) << 29)
   , Frame(MAP)
+  , ImageryFileName(nullptr)
+  , ImageryBands{ 0, 0, 0 }
+  , MaximumImagerySize(4096)
   , ErrorInUse(0.0)
+  , MetersInUse(0.0)
 {
   this->SetNumberOfInputPorts(0);
 }
 
 //------------------------------------------------------------------------------
-vtkTerrainMeshSource::~vtkTerrainMeshSource() = default;
+vtkTerrainMeshSource::~vtkTerrainMeshSource()
+{
+  delete[] this->ImageryFileName;
+}
 
 //------------------------------------------------------------------------------
 void vtkTerrainMeshSource::SetPyramid(vtkTerrainPyramid* pyramid)
@@ -168,6 +222,36 @@ void vtkTerrainMeshSource::SetMemoryLimit(vtkTypeInt64 bytes)
 }
 
 //------------------------------------------------------------------------------
+void vtkTerrainMeshSource::SetImageryBands(int red, int green, int blue)
+{
+  const std::array<int, 3> bands = { { red, green, blue } };
+  const bool isDefault = bands == std::array<int, 3>{ { 0, 0, 0 } };
+  if (!isDefault && std::any_of(bands.begin(), bands.end(), [](int band) { return band < 1; }))
+  {
+    vtkErrorMacro(<< "ImageryBands must be three bands, counted from 1, or (0, 0, 0), got (" << red
+                  << ", " << green << ", " << blue << ").");
+  }
+  else if (!std::equal(bands.begin(), bands.end(), this->ImageryBands))
+  {
+    std::copy(bands.begin(), bands.end(), this->ImageryBands);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainMeshSource::SetMaximumImagerySize(int pixels)
+{
+  relevo::SetInRange(
+    this, "MaximumImagerySize", this->MaximumImagerySize, pixels, 1, LargestImagery);
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkTerrainMeshSource::GetImagery()
+{
+  return this->ImageryFileName && *this->ImageryFileName ? this->Imagery.Get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkTerrainMeshSource::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -182,6 +266,7 @@ int vtkTerrainMeshSource::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->Initialize();
   this->ErrorInUse = 0.0;
+  this->MetersInUse = 0.0;
   std::string error;
   if (!relevo::FitsMemory([&] { error = this->Build(output); }))
   {
@@ -190,6 +275,7 @@ int vtkTerrainMeshSource::RequestData(
   if (!error.empty())
   {
     output->Initialize();
+    this->Imagery->Initialize();
     vtkErrorMacro(<< error);
     return 0;
   }
@@ -218,12 +304,6 @@ std::string vtkTerrainMeshSource::Build(vtkPolyData* output)
   }
   const std::shared_ptr<const relevo::HeightLattice> lattice = this->Pyramid->GetLattice();
   const bool isGeocentric = this->Frame == GEOCENTRIC;
-  if (isGeocentric && this->MaximumError > 0.0)
-  {
-    return "MaximumError works with the map frame only. Call SetFrameToMap(), or set MaximumError "
-           "to "
-           "0 and call SetCamera().";
-  }
   if (!this->Terrain || &this->Terrain->GetLattice() != lattice.get() ||
     (this->Terrain->GetGlobe() != nullptr) != isGeocentric)
   {
@@ -244,12 +324,41 @@ std::string vtkTerrainMeshSource::Build(vtkPolyData* output)
   {
     error = this->BuildBase(output);
   }
+  error = error.empty() ? this->DrapeImagery() : error;
   if (error.empty() && !isGeocentric)
   {
     const relevo::Georeference& reference = lattice->Describe().Location;
     const std::array<double, 2> center = reference.Coordinates(0.5, 0.5);
     const double origin[3] = { center[0], center[1], 0.0 };
     relevo::AddLocationArrays(origin, reference.WKT, output);
+  }
+  return error;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTerrainMeshSource::DrapeImagery()
+{
+  if (!this->GetImagery() || relevo::IsAborted(this))
+  {
+    this->Imagery->Initialize();
+    return "";
+  }
+  relevo::ImagerySource source;
+  source.FileName = this->ImageryFileName;
+  std::copy_n(this->ImageryBands, 3, source.Bands.begin());
+  source.MaximumSize = this->MaximumImagerySize;
+  const auto progress = [this](double share)
+  {
+    this->UpdateProgress(BuiltShare + (1.0 - BuiltShare) * share);
+    return !relevo::IsAborted(this);
+  };
+  std::string warning;
+  std::string error;
+  relevo::MakeImageryTexture(source, this->Terrain->GetLattice().Describe().Location, this->Imagery,
+    progress, warning, error);
+  if (!warning.empty())
+  {
+    vtkWarningMacro(<< warning << " For full detail, raise MaximumImagerySize.");
   }
   return error;
 }
@@ -389,7 +498,20 @@ std::string vtkTerrainMeshSource::BuildRegion(vtkPolyData* output)
   {
     return "Cannot read " + std::string(this->Pyramid->GetFileName()) + ": " + error + ".";
   }
+  this->UpdateProgress(ReadingShare);
+  std::optional<relevo::GlobeRegion> globe;
+  if (this->Frame == GEOCENTRIC)
+  {
+    globe.emplace(*this->Terrain, this->Exaggeration, window.Level, window.Column, window.Row);
+    globe->Close(heights, window.Width, window.Height, columns, rows);
+  }
   relevo::LatticeDecimation decimation(std::move(heights), window.Width, window.Height);
+  if (globe)
+  {
+    decimation.SetShapeError([&globe](const relevo::LatticeDecimation::Bounds& bounds)
+      { return globe->GetShapeError(bounds); },
+      globe->GetShapeErrorOfCell());
+  }
   double tolerance = this->MaximumError / contents.VerticalUnit;
   if (window.Level > 0)
   {
@@ -403,7 +525,17 @@ std::string vtkTerrainMeshSource::BuildRegion(vtkPolyData* output)
     tolerance -= levelError;
   }
   using Result = relevo::LatticeDecimation::Result;
-  const Result result = decimation.Refine(tolerance, [this] { return relevo::IsAborted(this); });
+  const Result result = decimation.Refine(tolerance,
+    [this, &decimation]
+    {
+      const double progress =
+        ReadingShare + (RefiningShare - ReadingShare) * decimation.GetProgress();
+      if (progress > this->GetProgress() + ProgressStep)
+      {
+        this->UpdateProgress(progress);
+      }
+      return relevo::IsAborted(this);
+    });
   if (result == Result::TooManyTriangles)
   {
     return "The region needs too many triangles for a MaximumError of " +
@@ -413,24 +545,11 @@ std::string vtkTerrainMeshSource::BuildRegion(vtkPolyData* output)
   {
     return "";
   }
-  const int subdivisions = decimation.GetSubdivisions();
-  relevo::TerrainMeshBuilder mesh(
-    contents, this->Terrain->GetPlacement(this->Exaggeration), subdivisions);
-  for (const relevo::LatticeDecimation::Triangle& triangle : decimation.GetTriangles())
-  {
-    std::array<relevo::TerrainMeshBuilder::Vertex, 3> vertices;
-    for (int i = 0; i < 3; ++i)
-    {
-      const relevo::LatticeDecimation::Vertex& vertex = triangle[i];
-      const auto toRaster = [&window, subdivisions](std::int64_t position, int first)
-      { return (position + (std::int64_t(first) << subdivisions)) << window.Level; };
-      vertices[i].Column = toRaster(vertex[0], window.Column);
-      vertices[i].Row = toRaster(vertex[1], window.Row);
-      vertices[i].Height = decimation.GetHeight(vertex);
-    }
-    mesh.AddTriangle(vertices);
-  }
-  mesh.Finish({ { columns[0], columns[1] } }, { { rows[0], rows[1] } }, output);
+  this->MetersInUse = (decimation.GetError() + levelError) * contents.VerticalUnit;
+  this->UpdateProgress(RefiningShare);
+  OutputTriangles(decimation, window, contents, this->Terrain->GetPlacement(this->Exaggeration),
+    columns, rows, output);
+  this->UpdateProgress(BuiltShare);
   return "";
 }
 
@@ -451,4 +570,9 @@ void vtkTerrainMeshSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BaseHeight: " << this->BaseHeight << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "Frame: " << this->Frame << "\n";
+  os << indent << "ImageryFileName: " << (this->ImageryFileName ? this->ImageryFileName : "(none)")
+     << "\n";
+  os << indent << "ImageryBands: " << this->ImageryBands[0] << ", " << this->ImageryBands[1] << ", "
+     << this->ImageryBands[2] << "\n";
+  os << indent << "MaximumImagerySize: " << this->MaximumImagerySize << "\n";
 }

@@ -26,13 +26,19 @@
  * "CoordinateSystem" as those of vtkTerrainSource.
  *
  * SetFrameToGeocentric() gives earth-centred coordinates instead, without "Origin" and
- * "CoordinateSystem"; see vtkTerrainMapper.
+ * "CoordinateSystem"; see vtkTerrainMapper. A raster that covers all longitudes is closed.
+ *
+ * GetImagery() returns an image for vtkTexture in the texture coordinates of the mesh, if
+ * SetImageryFileName() is set.
  *
  * Errors (ErrorEvent, empty output): no pyramid; an error of the pyramid; neither a camera nor a
  * MaximumError; a region that does not overlap the raster; a region that has too many samples for
  * its MaximumError; a base that is not below the mesh; a mesh of more than 2^26 triangles within
- * MaximumError; a raster with one row or column; a coordinate system that is not supported. A tile
+ * MaximumError; a raster with one row or column; a coordinate system that is not supported; imagery
+ * that is missing, unreadable, does not overlap the raster or lacks one of the ImageryBands. A tile
  * that cannot be read is reported, too; with a camera it is drawn coarser.
+ *
+ * ProgressEvent reports the progress, and AbortExecuteOn() stops with an empty output and no error.
  *
  * @sa vtkTerrainPyramid vtkTerrainMapper
  */
@@ -40,6 +46,7 @@
 #define vtkTerrainMeshSource_h
 
 #include "RelevoFiltersTerrainModule.h" // for export macro
+#include "vtkNew.h"                     // for the imagery
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for members
 
@@ -47,6 +54,7 @@
 #include <string> // for errors
 
 class vtkCamera;
+class vtkImageData;
 class vtkTerrainPyramid;
 namespace relevo
 {
@@ -100,8 +108,9 @@ public:
   //@{
   /**
    * Set the largest vertical distance in metres (in the unit of the heights without a
-   * georeference), before Exaggeration. 0, the default: use the camera. Negative values and NaN are
-   * errors and change nothing.
+   * georeference), before Exaggeration. In the geocentric frame, it includes the curvature of the
+   * ellipsoid, for slopes up to 45 degrees. 0, the default: use the camera. Negative values and NaN
+   * are errors and change nothing.
    */
   virtual void SetMaximumError(double meters);
   vtkGetMacro(MaximumError, double);
@@ -172,8 +181,7 @@ public:
   //@{
   /**
    * Set the frame of the points, and of the camera: MAP (0, the default) or GEOCENTRIC (1), as
-   * vtkTerrainMapper::SetFrame(). GEOCENTRIC works with a camera only. A value out of range is an
-   * error and changes nothing.
+   * vtkTerrainMapper::SetFrame(). A value out of range is an error and changes nothing.
    */
   virtual void SetFrame(int frame);
   vtkGetMacro(Frame, int);
@@ -183,6 +191,39 @@ public:
 
   /// Return the largest error of the output in pixels, at most; 0 with MaximumError.
   double GetScreenSpaceErrorInUse() const { return this->ErrorInUse; }
+
+  /// Return the largest vertical distance of the output in metres, at most, as it was measured at
+  /// all samples; 0 with a camera.
+  double GetMaximumErrorInUse() const { return this->MetersInUse; }
+
+  //@{
+  /**
+   * Set the name of an image to drape over the terrain, and its bands for red, green and blue, as
+   * vtkTerrainSource. By default there is none.
+   */
+  vtkSetFilePathMacro(ImageryFileName);
+  vtkGetFilePathMacro(ImageryFileName);
+  virtual void SetImageryBands(int red, int green, int blue);
+  void SetImageryBands(const int bands[3]) { this->SetImageryBands(bands[0], bands[1], bands[2]); }
+  vtkGetVector3Macro(ImageryBands, int);
+  //@}
+
+  //@{
+  /**
+   * Set the maximum number of pixels per side of the imagery, 1 to 65536, default 4096. Larger
+   * imagery is reduced, from its overviews if available, with a warning. Another value is an error
+   * and changes nothing.
+   */
+  virtual void SetMaximumImagerySize(int pixels);
+  vtkGetMacro(MaximumImagerySize, int);
+  //@}
+
+  /**
+   * Return the imagery over the whole raster, RGB unsigned char, for vtkTexture (use EdgeClampOn()
+   * and InterpolateOn()). It is (128, 128, 128) where the image has no data. Update() fills it.
+   * Returns nullptr without ImageryFileName.
+   */
+  vtkImageData* GetImagery();
 
   vtkMTimeType GetMTime() override;
 
@@ -202,6 +243,9 @@ protected:
   double BaseHeight;
   vtkTypeInt64 MemoryLimit;
   int Frame;
+  char* ImageryFileName;
+  int ImageryBands[3];
+  int MaximumImagerySize;
 
 private:
   vtkTerrainMeshSource(const vtkTerrainMeshSource&) = delete;
@@ -211,6 +255,7 @@ private:
   std::string BuildView(vtkPolyData* output);
   std::string BuildRegion(vtkPolyData* output);
   std::string BuildBase(vtkPolyData* output);
+  std::string DrapeImagery();
   std::string FindSamples(double columns[2], double rows[2]) const;
   std::string FindLevelError(
     int level, const double columns[2], const double rows[2], double& largest) const;
@@ -219,6 +264,8 @@ private:
   vtkSmartPointer<vtkCamera> Camera;
   std::unique_ptr<relevo::AdaptiveTerrain> Terrain;
   double ErrorInUse;
+  double MetersInUse;
+  vtkNew<vtkImageData> Imagery;
 };
 
 #endif

@@ -11,7 +11,7 @@
 #include "Geodesy/LocationArrays.h"
 #include "Geodesy/TerrainFrame.h"
 #include "Heights/TerrainMesh.h"
-#include "Raster/ImageryDrape.h"
+#include "Raster/ImageryTexture.h"
 #include "Raster/RasterFile.h"
 #include "vtkCommand.h"
 #include "vtkDisplacement.h"
@@ -20,9 +20,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
@@ -411,34 +409,22 @@ bool vtkTerrainSource::UpdateImagery(const relevo::Georeference& location, std::
   source.FileName = this->ImageryFileName;
   std::copy_n(this->ImageryBands, 3, source.Bands.begin());
   source.MaximumSize = this->MaximumImagerySize;
-  relevo::Imagery imagery;
   const auto progress = [this](double share)
   {
     this->UpdateProgress(HeightsShare + MeshShare + (1.0 - HeightsShare - MeshShare) * share);
     return !relevo::IsAborted(this);
   };
-  if (!relevo::DrapeImagery(source, location, imagery, progress, error))
+  std::string warning;
+  if (!relevo::MakeImageryTexture(source, location, this->Imagery, progress, warning, error))
   {
-    error = error.empty() ? error : "Cannot drape " + source.FileName + ": " + error + ".";
     return false;
   }
-  if (imagery.FullSize[0] > imagery.Width || imagery.FullSize[1] > imagery.Height)
+  if (!warning.empty())
   {
-    vtkWarningMacro(<< source.FileName << " has about " << imagery.FullSize[0] << " x "
-                    << imagery.FullSize[1] << " pixels over the terrain, but the limit is "
-                    << this->MaximumImagerySize << " per side: it is reduced to " << imagery.Width
-                    << " x " << imagery.Height
-                    << ". For full detail, crop the terrain (gdal_translate -srcwin), or raise "
+    vtkWarningMacro(<< warning
+                    << " For full detail, crop the terrain (gdal_translate -srcwin), or raise "
                     << "MaximumImagerySize if textures may be that large.");
   }
-  vtkNew<vtkUnsignedCharArray> pixels;
-  pixels->SetName("Imagery");
-  pixels->SetNumberOfComponents(3);
-  pixels->SetArray(imagery.Pixels.release(), static_cast<vtkIdType>(imagery.GetNumberOfValues()), 0,
-    vtkUnsignedCharArray::VTK_DATA_ARRAY_DELETE);
-  this->Imagery->SetDimensions(imagery.Width, imagery.Height, 1);
-  this->Imagery->GetPointData()->SetScalars(pixels);
-  this->Imagery->Modified();
   this->ImageryTime.Modified();
   this->ImageryState = state.str();
   return true;

@@ -316,11 +316,11 @@ private:
     const ViewerOptions& options = this->Options;
     const double smallestError = 0.01;         // pixels, of vtkTerrainMapper
     const double smallestExaggeration = 0.001; // of vtkTerrainMapper
-    for (const char* option : { "--alpha", "--amplitude", "--budget", "--capture", "--export",
-           "--frequency", "--imagery-bands", "--level", "--max-level", "--method", "--metric",
-           "--no-data-value", "--no-geomorphing", "--per-edge", "--pixels", "--reach", "--region",
-           "--relief", "--relief-method", "--relief-search", "--resolution", "--segments",
-           "--stretch", "--surface", "--tolerance" })
+    for (const char* option :
+      { "--alpha", "--amplitude", "--budget", "--capture", "--frequency", "--imagery-bands",
+        "--level", "--max-level", "--method", "--metric", "--no-data-value", "--no-geomorphing",
+        "--per-edge", "--pixels", "--reach", "--region", "--relief", "--relief-method",
+        "--relief-search", "--resolution", "--segments", "--stretch", "--surface" })
     {
       if (this->Given.count(option))
       {
@@ -338,7 +338,8 @@ private:
   std::string FindOptionOfTiles() const
   {
     using Color = ViewerOptions::ColorType;
-    for (const char* option : { "--contours", "--flight", "--globe", "--memory", "--sea-level" })
+    for (const char* option :
+      { "--contours", "--flight", "--globe", "--memory", "--sea-level", "--tolerance" })
     {
       if (this->Given.count(option))
       {

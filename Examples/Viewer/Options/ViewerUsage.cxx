@@ -57,7 +57,7 @@ Height maps:
   Height maps are drawn from tiles, which are read when the view needs them. Of a raster without a
   current index, the program builds one first, FILE.relevo-index. With these options, the whole file
   is read and a coarse mesh is refined: --imagery-bands, --stretch, --no-data fill, --no-data-value,
-  --resolution, --export, --relief, --capture, and those of the level of detail except --error
+  --resolution, --relief, --capture, and those of the level of detail except --error
 
 Meshes:
   --height FILE          displace the surface along its normals by a height map
@@ -182,13 +182,13 @@ The picture:
   --stats                print numbers of faces, triangles and draw calls, graphics memory and times
   --size WxH             size of the picture or the window, in pixels (default 1280x800)
   --output FILE.png      write a picture without a display, and exit
-  --export FILE          write the refined mesh (.vtp, .ply, .stl, .obj) and exit. Height maps are
-                         in metres, with x east, y north and z up; a .vtp file also has the field
-                         data Origin and CoordinateSystem and the point data Height. Meshes keep
-                         their coordinates
-  --tolerance METRES     with --export, refine until no point of the exported mesh is farther above or
-                         below the height map. The view has no influence. The default of --max-level
-                         is then 7
+  --export FILE          write the mesh as it is drawn (.vtp, .glb, .obj, .ply, .stl) and exit.
+                         Height maps are in metres, with x east, y north and z up; with --globe,
+                         from the centre of the earth. A .vtp file also has the field data Origin
+                         and CoordinateSystem and the point data Height. --image is the texture of
+                         .glb and .obj files. Meshes keep their coordinates
+  --tolerance METRES     with --export, write the whole height map as a mesh that is nowhere farther
+                         above or below it. The view has no influence
   --height-at LON,LAT    print the height at this longitude and latitude, in the unit of the raster,
                          and exit
   --help                 print this text and exit

@@ -8,12 +8,10 @@
 #include "Scene/PassiveObserver.h"
 #include "Scene/PyramidGround.h"
 #include "Scene/TerrainCamera.h"
+#include "Scene/TerrainExport.h"
 #include "Scene/TerrainPlace.h"
 #include "Scene/ViewerStatistics.h"
 #include "Text/ReadingGuard.h"
-
-#include "Geodesy/TerrainFrame.h"
-#include "Lattice/HeightLattice.h"
 
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
@@ -115,7 +113,7 @@ PyramidScene::~PyramidScene() = default;
 //------------------------------------------------------------------------------
 bool PyramidScene::HasTerrain()
 {
-  const bool isWindow = this->Options.Output.empty();
+  const bool isWindow = this->Options.Output.empty() && this->Options.Export.empty();
   if (!this->Pyramid->IsErrorKnown() && !this->IsSmall)
   {
     this->Messages.Tell(this->Options.Input + ": building the index, which reads the file once" +
@@ -195,10 +193,7 @@ void PyramidScene::ChooseExaggeration()
 //------------------------------------------------------------------------------
 void PyramidScene::WarnOfLocation()
 {
-  int size[2];
-  this->Pyramid->GetDimensions(size);
-  const std::string warning =
-    relevo::FindLocationWarning(this->Pyramid->GetLattice()->Describe().Location, size);
+  const std::string warning = this->Pyramid->GetLocationWarning();
   if (!warning.empty())
   {
     this->Messages.Warn(this->Options.Input + warning);
@@ -335,6 +330,13 @@ std::string PyramidScene::Describe(const double point[3], double resolution)
       : "";
   }
   return DescribePlace(*this->Ground, point, resolution);
+}
+
+//------------------------------------------------------------------------------
+void PyramidScene::Export(const std::string& fileName)
+{
+  ExportTerrain(
+    this->Options, this->Mapper, this->Renderer->GetActiveCamera(), fileName, this->Messages);
 }
 
 //------------------------------------------------------------------------------

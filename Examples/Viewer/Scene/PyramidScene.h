@@ -28,6 +28,7 @@ public:
 
   std::string GetUnit() override;
   std::string Describe(const double point[3], double resolution) override;
+  void Export(const std::string& fileName) override;
   void Report() override;
   void Draw(vtkRenderWindow* window) override;
   std::optional<int> GetFrameDelay() override;

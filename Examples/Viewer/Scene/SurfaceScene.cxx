@@ -152,7 +152,10 @@ void SurfaceScene::Export(const std::string& fileName)
     throw ViewerError(this->Options.Input + " has no cells to draw");
   }
   this->AddExportedData(filter->GetOutput());
-  WriteMesh(filter->GetOutput(), fileName, this->Messages);
+  ExportedMesh mesh;
+  mesh.Mesh = filter->GetOutput();
+  mesh.UpAxis = this->IsTerrain() ? 2 : this->Options.UpAxis;
+  WriteMesh(mesh, fileName, this->Messages);
 }
 
 //------------------------------------------------------------------------------

@@ -53,10 +53,6 @@ TerrainScene::TerrainScene(const ViewerOptions& options, ViewerMessages& message
   this->Recipe->SetDisplacement(this->Source->GetDisplacement());
   // Fewer triangles.
   this->Options.PerEdge |= options.GetMetric() == ViewerOptions::MetricType::Height;
-  if (options.Tolerance && !options.WholeSegments)
-  {
-    this->Options.WholeSegments = true;
-  }
   this->Show(options.MaximumLevel.value_or(this->GetDefaultLevel()), this->MakeReliefMetric());
   this->SetColours();
   this->SetLevelColours();
@@ -242,8 +238,8 @@ void TerrainScene::KeepAboveGround()
   // These metrics give the highest levels near the camera, or levels that morph to them.
   using Metric = ViewerOptions::MetricType;
   const Metric metric = this->Options.GetMetric();
-  const bool isFine = (metric == Metric::Distance || metric == Metric::ScreenEdge ||
-                        (metric == Metric::Height && !this->Options.Tolerance)) &&
+  const bool isFine =
+    (metric == Metric::Distance || metric == Metric::ScreenEdge || metric == Metric::Height) &&
     this->Options.Budget == 0;
   const int highest = this->Recipe->GetMaximumLevel();
   const int lowest = this->Options.UniformLevel ? highest : isFine ? std::max(highest - 1, 0) : 0;
@@ -256,10 +252,6 @@ void TerrainScene::KeepAboveGround()
 int TerrainScene::GetDefaultLevel()
 {
   const int highest = 7;
-  if (this->Options.Tolerance)
-  {
-    return highest;
-  }
   // The level of the height map's spacing. A picture that cannot be navigated needs nothing finer
   // than its pixels.
   int size[2];

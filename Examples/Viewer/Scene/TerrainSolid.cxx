@@ -36,5 +36,8 @@ void ExportTerrainSolid(const ViewerOptions& options, ViewerMessages& messages)
   {
     throw ViewerError(options.Input + " has no heights");
   }
-  WriteMesh(source->GetOutput(), options.Export, messages);
+  ExportedMesh mesh;
+  mesh.Mesh = source->GetOutput();
+  mesh.UpAxis = 2;
+  WriteMesh(mesh, options.Export, messages);
 }

@@ -62,6 +62,8 @@ public:
   const MapFrame& GetFrame() const { return this->Frame; }
   /// The geocentric frame, or nullptr for the map.
   const GlobeShape* GetGlobe() const { return this->Globe.get(); }
+  /// The heights at the poles of the globe, or nullptr for the map.
+  const ClosedLattice* GetClosed() const { return this->Closed.get(); }
   /// The position of the raster, with heights times the exaggeration.
   TerrainPlacement GetPlacement(double exaggeration) const;
   /// The bounds of all heights in this position.

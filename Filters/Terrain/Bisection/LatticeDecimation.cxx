@@ -136,13 +136,30 @@ double LatticeDecimation::GetLargestTwist() const
   return largest;
 }
 
+double LatticeDecimation::GetShapeError(const Triangle& triangle) const
+{
+  if (!this->FindShapeError)
+  {
+    return 0.0;
+  }
+  const double scale = std::ldexp(1.0, -this->Subdivisions);
+  Bounds bounds;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const auto [low, high] =
+      std::minmax({ triangle[0][axis], triangle[1][axis], triangle[2][axis] });
+    bounds[axis] = { { static_cast<double>(low) * scale, static_cast<double>(high) * scale } };
+  }
+  return this->FindShapeError(bounds);
+}
+
 // Two triangles differ from a bilinear cell by a quarter of its twist, four parts of it by a
 // quarter of that, and so on.
 // Returns false if they would be too many.
 bool LatticeDecimation::ChooseSubdivisions()
 {
   this->Subdivisions = 0;
-  double error = this->GetLargestTwist() / 4.0;
+  double error = this->GetLargestTwist() / 4.0 + this->ShapeErrorOfCell;
   for (; error > this->Tolerance && this->Subdivisions < MaximumSubdivisions; error /= 4.0)
   {
     ++this->Subdivisions;
@@ -212,8 +229,8 @@ double LatticeDecimation::GetTwistOfSide(
   return largest;
 }
 
-// The largest distance of a triangle from the surface.
-double LatticeDecimation::Measure(const Triangle& triangle, Content& content) const
+// The largest distance of a triangle from the bilinear surface.
+double LatticeDecimation::MeasureHeights(const Triangle& triangle, Content& content) const
 {
   const int shift = this->Subdivisions;
   const Range columns(triangle, 0, shift, this->Columns);
@@ -264,12 +281,25 @@ double LatticeDecimation::Measure(const Triangle& triangle, Content& content) co
   return error;
 }
 
+double LatticeDecimation::Measure(const Triangle& triangle, Content& content) const
+{
+  const double distance = this->MeasureHeights(triangle, content);
+  return content == Content::Nothing ? 0.0 : distance + this->GetShapeError(triangle);
+}
+
+void LatticeDecimation::CountProgress(const Triangle& triangle)
+{
+  const double share = static_cast<double>(GetLeg(triangle)) / static_cast<double>(this->Size);
+  this->Progress = std::min(1.0, this->Progress + share * share / 2.0);
+}
+
 // Bisects a triangle if its surface or that of its parts needs it.
 void LatticeDecimation::Visit(const Triangle& triangle)
 {
   const Vertex& apex = triangle[2];
   if (GetLeg(triangle) <= 1 || this->State != Result::Done)
   {
+    this->CountProgress(triangle);
     return;
   }
   const Vertex middle = GetMidpoint(triangle);
@@ -288,6 +318,7 @@ void LatticeDecimation::Visit(const Triangle& triangle)
     if (content == Content::Nothing || (content == Content::Surface && error <= this->Tolerance))
     {
       this->Accepted.insert(key);
+      this->CountProgress(triangle);
       return;
     }
     if ((*this->IsAborted)())
@@ -354,9 +385,10 @@ void LatticeDecimation::Collect(const Triangle& triangle)
     return;
   }
   Content content = Content::Surface;
-  this->Measure(triangle, content);
+  const double error = this->Measure(triangle, content);
   if (content == Content::Surface)
   {
+    this->Error = std::max(this->Error, error);
     this->Triangles.push_back(triangle);
   }
 }
@@ -370,6 +402,8 @@ LatticeDecimation::Result LatticeDecimation::Refine(
   this->Marked.clear();
   this->Accepted.clear();
   this->Triangles.clear();
+  this->Error = 0.0;
+  this->Progress = 0.0;
   if (!this->ChooseSubdivisions())
   {
     return Result::TooManyTriangles;

@@ -12,6 +12,7 @@
 #include "Geodesy/GlobeShape.h"
 #include "vtkCamera.h"
 #include "vtkCell.h"
+#include "vtkMassProperties.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -414,6 +415,42 @@ void TestCameras(RelevoCheck& check, const Globe& globe, vtkTerrainPyramid* pyra
   }
 }
 
+// The whole raster within a vertical tolerance.
+void TestTolerance(RelevoCheck& check, const Globe& globe, vtkTerrainPyramid* pyramid)
+{
+  // A pixel of this camera is a metre.
+  constexpr int viewportHeight = 100;
+  vtkNew<vtkCamera> camera;
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(0.5 * viewportHeight);
+  vtkNew<vtkTerrainMeshSource> source;
+  source->SetPyramid(pyramid);
+  source->SetFrameToGeocentric();
+  for (const double exaggeration : { 1.0, 2.0 })
+  {
+    const double error = globe.IsUTM ? 8.0 : 300.0;
+    source->SetMaximumError(error);
+    source->SetExaggeration(exaggeration);
+    source->Update();
+    vtkPolyData* mesh = source->GetOutput();
+    const double measured = MeasurePixels(mesh, globe, camera, viewportHeight, exaggeration);
+    std::cout << "tolerance " << error << " m: error " << measured << ", in use "
+              << source->GetMaximumErrorInUse() << ", " << mesh->GetNumberOfCells()
+              << " triangles\n";
+    CHECK_LESS(10, mesh->GetNumberOfCells());
+    CHECK_LESS_EQUAL(source->GetMaximumErrorInUse(), error);
+    CHECK_LESS_EQUAL(measured, exaggeration * source->GetMaximumErrorInUse() + 1e-3);
+    CHECK_LESS(0.2 * error, measured); // not much finer than necessary
+    if (globe.Raster.Width * globe.Raster.Transform[1] == 360.0)
+    {
+      // There are no holes at the antimeridian and at the poles.
+      vtkNew<vtkMassProperties> properties;
+      properties->SetInputData(mesh);
+      const double sphere = 4.0 * vtkMath::Pi() * globe.Axis * globe.Axis;
+      CHECK_NEAR(properties->GetSurfaceArea() / sphere, 1.0, 0.015);
+    }
+  }
+}
 }
 
 namespace
@@ -513,6 +550,7 @@ int TestTerrainGlobe(int argc, char* argv[])
     TestPositions(check, *terrain.GetGlobe(), globe);
     TestBounds(check, terrain, globe);
     TestCameras(check, globe, pyramid);
+    TestTolerance(check, globe, pyramid);
     const double jitter = MeasureJitter(terrain, globe);
     std::cout << "jitter: " << jitter << " pixels\n";
     CHECK_LESS(jitter, 0.1);

@@ -6,11 +6,13 @@
 #include "RelevoRasterFiles.h"
 #include "RelevoSanitizer.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCell.h"
 #include "vtkDoubleArray.h"
 #include "vtkFeatureEdges.h"
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -412,6 +414,65 @@ void TestArrays(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(system && system->GetValue(0).find("UTM zone 33N") != std::string::npos);
 }
 
+// An image of the western half of the terrain: the texture has its colour there.
+void TestImagery(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  const Terrain terrain = MakeTerrain(50, 40, GDT_Int16);
+  const std::string name = folders.File("mesh-imagery.tif");
+  WriteTerrain(check, terrain, name, false);
+  RelevoRaster image;
+  image.Width = 50;
+  image.Height = 80;
+  image.NumberOfBands = 3;
+  image.Type = GDT_Byte;
+  image.Transform = { 500000.0, 5.0, 0.0, 4200000.0, 0.0, -5.0 };
+  image.CoordinateSystem = "EPSG:32633";
+  image.SetValues([](int band, int, int row) { return band == 1 ? 2.0 * row : 200.0; });
+  const std::string imageName = folders.File("mesh-image.tif");
+  CHECK(image.Write(imageName));
+  vtkNew<vtkTerrainPyramid> pyramid;
+  pyramid->SetFileName(name.c_str());
+  vtkNew<vtkTerrainMeshSource> source;
+  source->SetPyramid(pyramid);
+  source->SetMaximumError(20.0);
+  source->Update();
+  CHECK(source->GetImagery() == nullptr);
+  source->SetImageryFileName(imageName.c_str());
+  RelevoErrors errors(source);
+  double lastProgress = 0.0;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&lastProgress);
+  observer->SetCallback([](vtkObject*, unsigned long, void* last, void* progress)
+    { *static_cast<double*>(last) = *static_cast<double*>(progress); });
+  source->AddObserver(vtkCommand::ProgressEvent, observer);
+  source->Update();
+  CHECK(lastProgress > 0.9 && lastProgress <= 1.0);
+  CHECK_LESS_EQUAL(source->GetMaximumErrorInUse(), 20.0);
+  CHECK_LESS(5.0, source->GetMaximumErrorInUse());
+  vtkImageData* picture = source->GetImagery();
+  const int* size = picture->GetDimensions();
+  CHECK_EQUAL(size[0], 100);
+  CHECK_EQUAL(size[1], 80);
+  // Row 0 is in the south.
+  CHECK_NEAR(picture->GetScalarComponentAsDouble(20, 0, 0, 1), 158.0, 2.0);
+  CHECK_NEAR(picture->GetScalarComponentAsDouble(20, 79, 0, 1), 0.0, 2.0);
+  CHECK_EQUAL(picture->GetScalarComponentAsDouble(20, 40, 0, 0), 200.0);
+  CHECK_EQUAL(picture->GetScalarComponentAsDouble(80, 40, 0, 0), 128.0);
+  source->SetImageryBands(2, 2, 2);
+  source->SetMaximumImagerySize(10);
+  source->Update();
+  CHECK_EQUAL(source->GetImagery()->GetDimensions()[0], 10);
+  CHECK_NEAR(source->GetImagery()->GetScalarComponentAsDouble(2, 0, 0, 0), 151.0, 4.0);
+  source->SetImageryBands(1, 0, 2);
+  CHECK(errors.Said("ImageryBands must be"));
+  source->SetMaximumImagerySize(0);
+  CHECK(errors.Said("MaximumImagerySize must be"));
+  source->SetImageryBands(1, 2, 4);
+  source->Update();
+  CHECK(errors.Said("Cannot drape"));
+  CHECK_EQUAL(source->GetOutput()->GetNumberOfCells(), 0);
+}
+
 void TestErrors(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const auto checkError = [&check](vtkTerrainMeshSource* source, const char* words)
@@ -472,6 +533,7 @@ int TestTerrainMeshSource(int argc, char* argv[])
   RelevoCheck check;
   const RelevoTestFolders folders(argc, argv);
   TestArrays(check, folders);
+  TestImagery(check, folders);
   TestErrors(check, folders);
   TestRegions(check, folders);
   TestHole(check, folders);
