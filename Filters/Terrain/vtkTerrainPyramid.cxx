@@ -3,9 +3,15 @@
 #include "vtkTerrainPyramid.h"
 
 #include "Geodesy/Georeference.h"
+#include "Geodesy/TerrainFrame.h"
+#include "Lattice/HeightLattice.h"
 #include "vtkCommand.h"
+#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkSMPTools.h"
 #if RELEVO_HAS_GDAL
 #include "Geodesy/CoordinateSystem.h"
@@ -34,6 +40,13 @@ constexpr vtkTypeInt64 MinimumLimit = 1 << 20;
 
 // Coordinates at the border of the raster are inside in spite of rounding.
 constexpr double BorderTolerance = 1e-9;
+
+// Whether a point in units of the raster's sides is in it.
+bool IsInside(const std::array<double, 2>& uv)
+{
+  return std::all_of(uv.begin(), uv.end(),
+    [](double c) { return c >= -BorderTolerance && c <= 1.0 + BorderTolerance; });
+}
 }
 
 vtkStandardNewMacro(vtkTerrainPyramid);
@@ -47,6 +60,7 @@ vtkTerrainPyramid::vtkTerrainPyramid()
   , HasReportedIndex(false)
   , Dimensions{ 0, 0 }
   , Range{ 0.0, 0.0 }
+  , Bounds{ 1.0, -1.0, 1.0, -1.0 }
 {
 }
 
@@ -94,6 +108,225 @@ double* vtkTerrainPyramid::GetRange()
 {
   this->GetRange(this->Range);
   return this->Range;
+}
+
+//------------------------------------------------------------------------------
+const relevo::RasterDescription* vtkTerrainPyramid::Describe() const
+{
+  return this->Lattice ? &this->Lattice->Describe() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainPyramid::GetBounds(double bounds[4])
+{
+  const std::array<double, 4> none = { { 1.0, -1.0, 1.0, -1.0 } };
+  std::copy(none.begin(), none.end(), bounds);
+  const relevo::RasterDescription* contents = this->Describe();
+  for (int corner = 0; contents && corner < 4; ++corner)
+  {
+    const std::array<double, 2> place = contents->Location.Coordinates(corner % 2, corner / 2);
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      double* range = bounds + 2 * axis;
+      range[0] = corner == 0 ? place[axis] : std::min(range[0], place[axis]);
+      range[1] = corner == 0 ? place[axis] : std::max(range[1], place[axis]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+double* vtkTerrainPyramid::GetBounds()
+{
+  this->GetBounds(this->Bounds);
+  return this->Bounds;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainPyramid::RasterToSample(const double coordinates[2], double sample[2])
+{
+  const relevo::RasterDescription* contents = this->Describe();
+  if (!contents)
+  {
+    return false;
+  }
+  const relevo::Georeference& location = contents->Location;
+  std::array<double, 2> uv = location.Parameters({ { coordinates[0], coordinates[1] } });
+  if (location.System == relevo::Georeference::Kind::Geographic && !IsInside(uv))
+  {
+    const double turn = 360.0 / location.Unit;
+    for (const double shift : { turn, -turn })
+    {
+      const std::array<double, 2> moved =
+        location.Parameters({ { coordinates[0] + shift, coordinates[1] } });
+      uv = IsInside(moved) ? moved : uv;
+    }
+  }
+  const double u = location.FlipColumns ? 1.0 - uv[0] : uv[0];
+  const double v = location.FlipRows ? 1.0 - uv[1] : uv[1];
+  sample[0] = u * contents->Width - 0.5;
+  sample[1] = v * contents->Height - 0.5;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainPyramid::SampleToRaster(const double sample[2], double coordinates[2])
+{
+  const relevo::RasterDescription* contents = this->Describe();
+  if (!contents)
+  {
+    return false;
+  }
+  const double u = (sample[0] + 0.5) / contents->Width;
+  const double v = (sample[1] + 0.5) / contents->Height;
+  const relevo::Georeference& location = contents->Location;
+  const std::array<double, 2> place =
+    location.Coordinates(location.FlipColumns ? 1.0 - u : u, location.FlipRows ? 1.0 - v : v);
+  std::copy(place.begin(), place.end(), coordinates);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// The column and row of a point, whole numbers at the centres of samples; NaN outside.
+std::array<double, 2> vtkTerrainPyramid::ToSamples(double x, double y)
+{
+  const double place[2] = { x, y };
+  std::array<double, 2> sample;
+  const bool isInside = this->RasterToSample(place, sample.data()) &&
+    IsInside(
+      { { (sample[0] + 0.5) / this->Dimensions[0], (sample[1] + 0.5) / this->Dimensions[1] } });
+  return isInside ? sample : std::array<double, 2>{ { NoHeight, NoHeight } };
+}
+//------------------------------------------------------------------------------
+bool vtkTerrainPyramid::GetRangeOfRegion(const double region[4], double range[2])
+{
+  const relevo::RasterDescription* contents = this->Describe();
+  std::array<std::array<double, 2>, 2> window;
+  for (int corner = 0; contents && corner < 4; ++corner)
+  {
+    const double place[2] = { region[corner % 2], region[2 + corner / 2] };
+    double sample[2];
+    this->RasterToSample(place, sample);
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      std::array<double, 2>& side = window[axis];
+      side[0] = corner == 0 ? sample[axis] : std::min(side[0], sample[axis]);
+      side[1] = corner == 0 ? sample[axis] : std::max(side[1], sample[axis]);
+    }
+  }
+  double longest = 1.0; // in tiles
+  for (int axis = 0; contents && axis < 2; ++axis)
+  {
+    const double last = (axis == 0 ? contents->Width : contents->Height) - 1.0;
+    std::array<double, 2>& side = window[axis];
+    if (!(side[1] >= -0.5 && side[0] <= last + 0.5))
+    {
+      return false;
+    }
+    side = { { std::clamp(side[0], 0.0, last), std::clamp(side[1], 0.0, last) } };
+    longest = std::max(longest, (side[1] - side[0]) / relevo::ElevationRanges::SamplesPerTile);
+  }
+  if (!contents)
+  {
+    return false;
+  }
+  const int level = static_cast<int>(std::ceil(std::log2(longest)));
+  const relevo::ElevationRanges::Range found =
+    this->Lattice->GetRanges()->Get(level, window[0], window[1]);
+  if (!(found[0] <= found[1]))
+  {
+    return false;
+  }
+  std::copy(found.begin(), found.end(), range);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainPyramid::IsGeographic()
+{
+  const relevo::RasterDescription* contents = this->Describe();
+  return contents && contents->Location.System == relevo::Georeference::Kind::Geographic;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainPyramid::HasGeoreference()
+{
+  const relevo::RasterDescription* contents = this->Describe();
+  return contents && contents->Location.System != relevo::Georeference::Kind::None;
+}
+
+//------------------------------------------------------------------------------
+double vtkTerrainPyramid::GetVerticalUnit()
+{
+  const relevo::RasterDescription* contents = this->Describe();
+  return contents ? contents->VerticalUnit : 1.0;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTerrainPyramid::GetLocationWarning()
+{
+  const relevo::RasterDescription* contents = this->Describe();
+  this->LocationWarning =
+    contents ? relevo::FindLocationWarning(contents->Location, this->Dimensions) : "";
+  return this->LocationWarning.c_str();
+}
+
+//------------------------------------------------------------------------------
+double vtkTerrainPyramid::GetNearestElevation(double x, double y)
+{
+  const double place[2] = { x, y };
+  double sample[2];
+  if (!this->RasterToSample(place, sample))
+  {
+    this->Report("There is no raster to read heights from: call Update() first.");
+    return NoHeight;
+  }
+  const double column = std::round(sample[0]);
+  const double row = std::round(sample[1]);
+  if (!(column >= 0.0 && row >= 0.0 && column < this->Dimensions[0] && row < this->Dimensions[1]))
+  {
+    return NoHeight;
+  }
+  float height = 0.0f;
+  std::string error;
+  if (!this->Lattice->ReadWindow(
+        0, static_cast<int>(column), static_cast<int>(row), 1, 1, &height, error))
+  {
+    this->Report("Cannot read " + this->OpenedName + ": " + error + ".");
+    return NoHeight;
+  }
+  return height;
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkTerrainPyramid::GetReducedElevations(int size)
+{
+  if (!this->Lattice || size < 2)
+  {
+    this->Report(this->Lattice ? "GetReducedElevations() needs a size of at least 2."
+                               : "There is no raster to read heights from: call Update() first.");
+    return nullptr;
+  }
+  int level = 0;
+  const auto count = [&level](int samples) { return ((samples - 1) >> level) + 1; };
+  while (std::max(count(this->Dimensions[0]), count(this->Dimensions[1])) > size)
+  {
+    ++level;
+  }
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(count(this->Dimensions[0]), count(this->Dimensions[1]), 1);
+  const double spacing = std::ldexp(1.0, level);
+  image->SetSpacing(spacing, spacing, 1.0);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  image->GetPointData()->GetScalars()->SetName("Elevation");
+  std::string error;
+  if (!this->Lattice->ReadWindow(level, 0, 0, image->GetDimensions()[0], image->GetDimensions()[1],
+        static_cast<float*>(image->GetScalarPointer()), error))
+  {
+    this->Report("Cannot read " + this->OpenedName + ": " + error + ".");
+    return nullptr;
+  }
+  image->Register(this);
+  return image;
 }
 
 #if RELEVO_HAS_GDAL
@@ -221,35 +454,6 @@ double vtkTerrainPyramid::GetMaximumError(int level)
   }
   return std::abs(this->Pyramid->GetFile().Describe().Scale) *
     this->Pyramid->GetIndex().GetMaximumDeviation(level);
-}
-
-//------------------------------------------------------------------------------
-// The column and row of a point, whole numbers at the centres of samples; NaN outside.
-std::array<double, 2> vtkTerrainPyramid::ToSamples(double x, double y)
-{
-  const relevo::RasterDescription& contents = this->Pyramid->GetFile().Describe();
-  const relevo::Georeference& location = contents.Location;
-  const auto isInside = [](const std::array<double, 2>& uv)
-  {
-    return std::all_of(uv.begin(), uv.end(),
-      [](double c) { return c >= -BorderTolerance && c <= 1.0 + BorderTolerance; });
-  };
-  std::array<double, 2> uv = location.Parameters({ { x, y } });
-  if (location.System == relevo::Georeference::Kind::Geographic)
-  {
-    const double turn = 360.0 / location.Unit;
-    for (const double shift : { turn, -turn })
-    {
-      uv = isInside(uv) ? uv : location.Parameters({ { x + shift, y } });
-    }
-  }
-  if (!isInside(uv))
-  {
-    return { { NoHeight, NoHeight } };
-  }
-  const double u = location.FlipColumns ? 1.0 - uv[0] : uv[0];
-  const double v = location.FlipRows ? 1.0 - uv[1] : uv[1];
-  return { { u * contents.Width - 0.5, v * contents.Height - 0.5 } };
 }
 
 //------------------------------------------------------------------------------
@@ -436,10 +640,6 @@ bool vtkTerrainPyramid::WaitForIndex()
 double vtkTerrainPyramid::GetMaximumError(int)
 {
   return std::numeric_limits<double>::infinity();
-}
-std::array<double, 2> vtkTerrainPyramid::ToSamples(double, double)
-{
-  return { { NoHeight, NoHeight } };
 }
 double vtkTerrainPyramid::Evaluate(const std::array<double, 2>&, std::string&)
 {

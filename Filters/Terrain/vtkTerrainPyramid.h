@@ -56,10 +56,12 @@
 #include <vector> // for coordinates
 
 class vtkDoubleArray;
+class vtkImageData;
 namespace relevo
 {
 class HeightLattice;
 class RasterPyramid;
+struct RasterDescription;
 }
 
 class RELEVOFILTERSTERRAIN_EXPORT vtkTerrainPyramid : public vtkObject
@@ -128,6 +130,39 @@ public:
   double* GetRange() VTK_SIZEHINT(2);
   //@}
 
+  //@{
+  /**
+   * Get the bounds (xmin, xmax, ymin, ymax) in the raster's own coordinates, see GetElevation(),
+   * from border to border of the outermost samples; (1, -1, 1, -1) before a successful Update().
+   */
+  void GetBounds(double bounds[4]);
+  double* GetBounds() VTK_SIZEHINT(4);
+  //@}
+
+  /**
+   * Get a range that contains all heights within a region (xmin, xmax, ymin, ymax) of the raster's
+   * own coordinates. It is that of at most 3 x 3 entries of the index, so that no samples are read.
+   * Before IsErrorKnown(), it is an estimate. Returns false and writes nothing if the region does
+   * not overlap the raster or there are no data.
+   */
+  bool GetRangeOfRegion(const double region[4], double range[2]);
+
+  /// Return whether the raster's own coordinates are longitude and latitude.
+  bool IsGeographic();
+
+  /// Return whether the raster has a georeference. Otherwise coordinates are columns and rows.
+  bool HasGeoreference();
+
+  /// Return the metres per unit of the heights; 1 if the raster does not declare a unit.
+  double GetVerticalUnit();
+
+  /**
+   * Return a reason to doubt the lengths of the raster, as a continuation of its name, or "": its
+   * coordinates look like degrees, but there is no coordinate system, or its projection scales
+   * lengths.
+   */
+  const char* GetLocationWarning();
+
   /// Return whether the index is complete, so that GetMaximumError() is finite. Samples that cannot
   /// be read do not count.
   bool IsErrorKnown();
@@ -172,6 +207,33 @@ public:
    * not have two components.
    */
   VTK_NEWINSTANCE vtkDoubleArray* GetElevations(vtkDoubleArray* points);
+
+  /**
+   * Return the height of the sample whose centre is nearest to a point, as GetElevation(). NaN
+   * outside of the raster and if the sample has no data.
+   */
+  double GetNearestElevation(double x, double y);
+
+  /**
+   * Return heights of the whole raster as an image of at most `size` points per side: every sample,
+   * every second one, every fourth one and so on. Coarse ones are read from an overview, if there
+   * is one. Point (i, j) of the image is at column i * spacing and row j * spacing, see
+   * RasterToSample(); the scalars "Elevation" are floats, NaN without data. The caller owns the new
+   * image. nullptr after an error: a size below 2, no successful Update(), or samples that cannot
+   * be read.
+   */
+  VTK_NEWINSTANCE vtkImageData* GetReducedElevations(int size);
+
+  //@{
+  /**
+   * Convert coordinates of the raster's own system to a column and a row, counted from the first
+   * sample of the file, and back. They are whole numbers at the centres of samples. Points can be
+   * outside of the raster. Longitudes are moved by 360 degrees if that moves them into the raster.
+   * Returns false before a successful Update().
+   */
+  bool RasterToSample(const double coordinates[2], double sample[2]);
+  bool SampleToRaster(const double sample[2], double coordinates[2]);
+  //@}
 
   //@{
   /**
@@ -224,6 +286,7 @@ private:
   bool Convert(bool (*convert)(const std::string&, std::array<double, 2>&), const double from[2],
     double to[2]);
   std::array<double, 2> ToSamples(double x, double y);
+  const relevo::RasterDescription* Describe() const;
   double Evaluate(const std::array<double, 2>& place, std::string& error);
 
   std::shared_ptr<relevo::RasterPyramid> Pyramid;
@@ -235,6 +298,8 @@ private:
   bool HasReportedIndex;
   int Dimensions[2];
   double Range[2];
+  double Bounds[4];
+  std::string LocationWarning;
 };
 
 #endif

@@ -455,6 +455,53 @@ bool vtkTerrainMapper::WorldToGeographic(const double world[3], double geographi
   return true;
 }
 
+bool vtkTerrainMapper::RasterToWorld(const double raster[3], double world[3])
+{
+  if (!this->Pyramid || !this->UpdateTerrain())
+  {
+    return false;
+  }
+  const double height = raster[2] * this->Pyramid->GetVerticalUnit();
+  if (this->Internals->Terrain->GetGlobe())
+  {
+    double geographic[3] = { 0.0, 0.0, height };
+    return this->Pyramid->RasterToGeographic(raster, geographic) &&
+      this->GeographicToWorld(geographic, world);
+  }
+  const std::array<double, 2> map =
+    this->Internals->Terrain->GetFrame().ToMap({ { raster[0], raster[1] } });
+  std::copy(map.begin(), map.end(), world);
+  world[2] = height * this->Exaggeration;
+  return true;
+}
+
+bool vtkTerrainMapper::WorldToRaster(const double world[3], double raster[3])
+{
+  if (!this->Pyramid || !this->UpdateTerrain())
+  {
+    return false;
+  }
+  double height = world[2] / this->Exaggeration;
+  if (this->Internals->Terrain->GetGlobe())
+  {
+    double geographic[3];
+    if (!this->WorldToGeographic(world, geographic) ||
+      !this->Pyramid->GeographicToRaster(geographic, raster))
+    {
+      return false;
+    }
+    height = geographic[2];
+  }
+  else
+  {
+    const std::array<double, 2> coordinates =
+      this->Internals->Terrain->GetFrame().ToCoordinates({ { world[0], world[1] } });
+    std::copy(coordinates.begin(), coordinates.end(), raster);
+  }
+  raster[2] = height / this->Pyramid->GetVerticalUnit();
+  return true;
+}
+
 //------------------------------------------------------------------------------
 // Colours
 

@@ -332,6 +332,17 @@ public:
   bool WorldToGeographic(const double world[3], double geographic[3]);
   //@}
 
+  //@{
+  /**
+   * Convert coordinates of the raster's own system, see vtkTerrainPyramid::GetElevation(), and a
+   * height in the unit of the raster to world coordinates, and back. The actor's matrix is not
+   * applied. The point does not have to be on the raster or on the terrain. Return false if there
+   * is no open raster or the point cannot be converted.
+   */
+  bool RasterToWorld(const double raster[3], double world[3]);
+  bool WorldToRaster(const double world[3], double raster[3]);
+  //@}
+
   void Render(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 

@@ -46,12 +46,6 @@ MODULES = list(LAYERS)  # a module includes no later one
 MUTUAL = {
     "Filters/Refinement: Metrics/DepthTags, Metrics/MetricEvaluator, vtkDepthTagMetric",
 }
-# relevo-view finds places on a terrain by private classes, until vtkTerrainPyramid offers the same.
-PRIVATE_USERS = {
-    ("Examples/Viewer", "Scene/PyramidGround.cxx", "Filters/Terrain"),
-    ("Examples/Viewer", "Scene/PyramidGround.h", "Filters/Terrain"),
-    ("Examples/Viewer", "Scene/PyramidScene.cxx", "Filters/Terrain"),
-}
 LONGEST_FUNCTION = 80
 NO_FUNCTION = re.compile(r"(inline |typedef )*(namespace|class|struct|union|enum|extern)\b")
 
@@ -218,10 +212,7 @@ def main():
             _, other, below = files[include]
             if MODULES.index(other) > MODULES.index(module) or other == module and below > layer:
                 faults.append(f"{module}/{name}: includes {include} of a higher layer")
-            is_allowed = (module, name, other) in PRIVATE_USERS or may_include(
-                module, other, include, installed[other]
-            )
-            if other != module and not is_allowed:
+            if other != module and not may_include(module, other, include, installed[other]):
                 faults.append(f"{module}/{name}: includes {include}, which is private to {other}")
     faults += find_circles(files)
     faults += find_large(source)

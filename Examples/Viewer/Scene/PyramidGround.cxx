@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/PyramidGround.h"
 
-#include "Lattice/HeightLattice.h"
-
 #include "vtkBox.h"
 #include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkTerrainMapper.h"
 #include "vtkTerrainPyramid.h"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <vector>
 
 namespace
 {
@@ -25,10 +25,26 @@ constexpr int LargestOutline = 2048;
 //------------------------------------------------------------------------------
 PyramidGround::PyramidGround(vtkTerrainPyramid* pyramid)
   : Pyramid(pyramid)
-  , Lattice(pyramid->GetLattice())
-  , Frame(this->Lattice->Describe().Location)
 {
-  this->SetExaggeration(1.0);
+  pyramid->GetDimensions(this->Size);
+  this->Map->SetPyramid(pyramid);
+  const auto locate = [this](double column, double row)
+  {
+    const double samples[2] = { column, row };
+    double raster[2];
+    std::array<double, 2> place{};
+    this->Pyramid->SampleToRaster(samples, raster);
+    this->FromRaster(raster, place.data());
+    return place;
+  };
+  this->Origin = locate(0.0, 0.0);
+  const std::array<double, 2> lastColumn = locate(this->Size[0], 0.0);
+  const std::array<double, 2> lastRow = locate(0.0, this->Size[1]);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    this->Column[axis] = (lastColumn[axis] - this->Origin[axis]) / this->Size[0];
+    this->Row[axis] = (lastRow[axis] - this->Origin[axis]) / this->Size[1];
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -37,26 +53,32 @@ PyramidGround::~PyramidGround() = default;
 //------------------------------------------------------------------------------
 void PyramidGround::SetExaggeration(double factor)
 {
-  const relevo::RasterDescription& contents = this->Lattice->Describe();
-  this->Placement =
-    this->Frame.GetPlacement(contents.Width, contents.Height, contents.VerticalUnit * factor);
+  this->Map->SetExaggeration(factor);
 }
 
 //------------------------------------------------------------------------------
 std::array<double, 2> PyramidGround::ToSamples(double x, double y) const
 {
-  const relevo::TerrainPlacement& place = this->Placement;
-  const double area = place.Column[0] * place.Row[1] - place.Column[1] * place.Row[0];
-  const double dx = x - place.Origin[0];
-  const double dy = y - place.Origin[1];
-  return { { (dx * place.Row[1] - dy * place.Row[0]) / area,
-    (dy * place.Column[0] - dx * place.Column[1]) / area } };
+  const double area = this->Column[0] * this->Row[1] - this->Column[1] * this->Row[0];
+  const double dx = x - this->Origin[0];
+  const double dy = y - this->Origin[1];
+  return { { (dx * this->Row[1] - dy * this->Row[0]) / area,
+    (dy * this->Column[0] - dx * this->Column[1]) / area } };
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 2> PyramidGround::FromSamples(double column, double row) const
+{
+  return { { this->Origin[0] + column * this->Column[0] + row * this->Row[0],
+    this->Origin[1] + column * this->Column[1] + row * this->Row[1] } };
 }
 
 //------------------------------------------------------------------------------
 double PyramidGround::GetElevation(double x, double y)
 {
-  const std::array<double, 2> coordinates = this->Frame.ToCoordinates({ { x, y } });
+  const double place[2] = { x, y };
+  double coordinates[2];
+  this->ToRaster(place, coordinates);
   return this->Pyramid->GetElevation(coordinates[0], coordinates[1]);
 }
 
@@ -76,78 +98,72 @@ double PyramidGround::GetNearSample(const std::array<double, 2>& place)
 {
   const double reach = 0.1; // samples, for rounded coordinates
   const std::array<double, 2> samples = this->ToSamples(place[0], place[1]);
-  const double column = std::round(samples[0]);
-  const double row = std::round(samples[1]);
-  const relevo::RasterDescription& contents = this->Lattice->Describe();
-  float height = 0.0f;
-  std::string error;
-  const bool isNear = std::abs(samples[0] - column) <= reach &&
-    std::abs(samples[1] - row) <= reach && column >= 0.0 && row >= 0.0 && column < contents.Width &&
-    row < contents.Height;
-  return isNear &&
-      this->Lattice->ReadWindow(
-        0, static_cast<int>(column), static_cast<int>(row), 1, 1, &height, error)
-    ? height
+  double coordinates[2];
+  this->ToRaster(place.data(), coordinates);
+  return std::abs(samples[0] - std::round(samples[0])) <= reach &&
+      std::abs(samples[1] - std::round(samples[1])) <= reach
+    ? this->Pyramid->GetNearestElevation(coordinates[0], coordinates[1])
     : std::nan("");
 }
 
 //------------------------------------------------------------------------------
 double PyramidGround::GetZ(double height)
 {
-  return this->Placement.HeightScale * height;
+  return this->Pyramid->GetVerticalUnit() * this->Map->GetExaggeration() * height;
 }
 
 //------------------------------------------------------------------------------
 bool PyramidGround::GetHighestGround(double x, double y, double spacing, double& z)
 {
-  const double length = std::hypot(this->Placement.Column[0], this->Placement.Column[1]);
-  if (spacing <= NearSamples * length)
+  if (spacing <= NearSamples * std::hypot(this->Column[0], this->Column[1]))
   {
     z = this->GetZ(this->GetElevation(x, y));
     return !std::isnan(z);
   }
+  const double reach = 0.5 * spacing;
+  const double ends[2][2] = { { x - reach, y - reach }, { x + reach, y + reach } };
+  double corners[2][2];
+  double region[4];
   const std::array<double, 2> samples = this->ToSamples(x, y);
-  const double reach = 0.5 * spacing / length;
-  const relevo::RasterDescription& contents = this->Lattice->Describe();
-  std::array<std::array<double, 2>, 2> window;
+  if (samples[0] < 0.0 || samples[1] < 0.0 || samples[0] > this->Size[0] - 1.0 ||
+    samples[1] > this->Size[1] - 1.0)
+  {
+    return false;
+  }
+  this->ToRaster(ends[0], corners[0]);
+  this->ToRaster(ends[1], corners[1]);
   for (int axis = 0; axis < 2; ++axis)
   {
-    const double last = (axis == 0 ? contents.Width : contents.Height) - 1.0;
-    if (samples[axis] < 0.0 || samples[axis] > last)
-    {
-      return false;
-    }
-    window[axis] = { { std::max(samples[axis] - reach, 0.0),
-      std::min(samples[axis] + reach, last) } };
+    region[2 * axis] = std::min(corners[0][axis], corners[1][axis]);
+    region[2 * axis + 1] = std::max(corners[0][axis], corners[1][axis]);
   }
-  // One tile and its neighbors.
-  const double tiles = 2.0 * reach / relevo::ElevationRanges::SamplesPerTile;
-  const int level = std::max(0, static_cast<int>(std::ceil(std::log2(std::max(tiles, 1.0)))));
-  const auto range = this->Lattice->GetRanges()->Get(level, window[0], window[1]);
+  double range[2];
+  if (!this->Pyramid->GetRangeOfRegion(region, range))
+  {
+    return false;
+  }
   z = this->GetZ(range[1]);
-  return range[0] <= range[1];
+  return true;
 }
 
 //------------------------------------------------------------------------------
 void PyramidGround::MoveOnto(double place[2])
 {
-  const relevo::RasterDescription& contents = this->Lattice->Describe();
   const std::array<double, 2> samples = this->ToSamples(place[0], place[1]);
-  const std::array<double, 3> nearest =
-    this->Placement.ToWorld(std::clamp(samples[0], 0.0, contents.Width - 1.0),
-      std::clamp(samples[1], 0.0, contents.Height - 1.0), 0.0);
-  std::copy_n(nearest.begin(), 2, place);
+  const std::array<double, 2> nearest =
+    this->FromSamples(std::clamp(samples[0], 0.0, this->Size[0] - 1.0),
+      std::clamp(samples[1], 0.0, this->Size[1] - 1.0));
+  std::copy(nearest.begin(), nearest.end(), place);
 }
 
 //------------------------------------------------------------------------------
 std::array<double, 4> PyramidGround::GetExtent()
 {
-  const relevo::RasterDescription& contents = this->Lattice->Describe();
   std::array<double, 4> extent;
   for (int corner = 0; corner < 4; ++corner)
   {
-    const std::array<double, 3> place = this->Placement.ToWorld(
-      corner % 2 * contents.Width - 0.5, corner / 2 * contents.Height - 0.5, 0.0);
+    const std::array<double, 2> place =
+      this->FromSamples(corner % 2 * this->Size[0] - 0.5, corner / 2 * this->Size[1] - 0.5);
     for (int axis = 0; axis < 2; ++axis)
     {
       double& lowest = extent[2 * axis];
@@ -162,41 +178,45 @@ std::array<double, 4> PyramidGround::GetExtent()
 //------------------------------------------------------------------------------
 bool PyramidGround::HasCoordinateSystem()
 {
-  return !this->Lattice->Describe().Location.WKT.empty();
+  return *this->Pyramid->GetCoordinateSystem() != '\0';
 }
 
 //------------------------------------------------------------------------------
 bool PyramidGround::IsGeographic()
 {
-  return this->Lattice->Describe().Location.System == relevo::Georeference::Kind::Geographic;
+  return this->Pyramid->IsGeographic();
 }
 
 //------------------------------------------------------------------------------
 bool PyramidGround::CountsSamples() const
 {
-  return this->Lattice->Describe().Location.System == relevo::Georeference::Kind::None;
+  return !this->Pyramid->HasGeoreference();
 }
 
 //------------------------------------------------------------------------------
 double PyramidGround::GetVerticalUnit()
 {
-  return this->Lattice->Describe().VerticalUnit;
+  return this->Pyramid->GetVerticalUnit();
 }
 
 //------------------------------------------------------------------------------
 bool PyramidGround::ToRaster(const double place[2], double coordinates[2])
 {
-  const std::array<double, 2> converted = this->Frame.ToCoordinates({ { place[0], place[1] } });
-  std::copy(converted.begin(), converted.end(), coordinates);
-  return true;
+  const double world[3] = { place[0], place[1], 0.0 };
+  double raster[3];
+  const bool isConverted = this->Map->WorldToRaster(world, raster);
+  std::copy_n(raster, isConverted ? 2 : 0, coordinates);
+  return isConverted;
 }
 
 //------------------------------------------------------------------------------
 bool PyramidGround::FromRaster(const double coordinates[2], double place[2])
 {
-  const std::array<double, 2> converted = this->Frame.ToMap({ { coordinates[0], coordinates[1] } });
-  std::copy(converted.begin(), converted.end(), place);
-  return true;
+  const double raster[3] = { coordinates[0], coordinates[1], 0.0 };
+  double world[3];
+  const bool isConverted = this->Map->RasterToWorld(raster, world);
+  std::copy_n(world, isConverted ? 2 : 0, place);
+  return isConverted;
 }
 
 //------------------------------------------------------------------------------
@@ -219,28 +239,21 @@ bool PyramidGround::ToDegrees(const double place[2], double degrees[2])
 void PyramidGround::AddOutline(vtkPoints* points)
 {
   const int intervals = 64;
-  const relevo::RasterDescription& contents = this->Lattice->Describe();
-  const int side = std::max(contents.Width, contents.Height);
   int coarsest[2];
   this->Pyramid->GetLevelDimensions(this->Pyramid->GetNumberOfLevels() - 1, coarsest);
-  int level = 0;
-  while (side >> level > intervals)
+  if (std::max(coarsest[0], coarsest[1]) <= LargestOutline)
   {
-    ++level;
-  }
-  const int columns = ((contents.Width - 1) >> level) + 1;
-  const int rows = ((contents.Height - 1) >> level) + 1;
-  std::vector<float> heights(static_cast<std::size_t>(columns) * rows);
-  std::string error;
-  const bool isRead = std::max(coarsest[0], coarsest[1]) <= LargestOutline &&
-    this->Lattice->ReadWindow(level, 0, 0, columns, rows, heights.data(), error);
-  for (int i = 0; isRead && i < columns * rows; ++i)
-  {
-    if (std::isfinite(heights[i]))
+    const auto image =
+      vtkSmartPointer<vtkImageData>::Take(this->Pyramid->GetReducedElevations(intervals + 1));
+    for (vtkIdType i = 0; image && i < image->GetNumberOfPoints(); ++i)
     {
-      const double column = static_cast<double>(i % columns) * (1 << level);
-      const double row = static_cast<double>(i / columns) * (1 << level);
-      points->InsertNextPoint(this->Placement.ToWorld(column, row, heights[i]).data());
+      const double height = image->GetPointData()->GetScalars()->GetComponent(i, 0);
+      const double* samples = image->GetPoint(i);
+      if (std::isfinite(height))
+      {
+        const std::array<double, 2> place = this->FromSamples(samples[0], samples[1]);
+        points->InsertNextPoint(place[0], place[1], this->GetZ(height));
+      }
     }
   }
   // The last vertices may be before the borders. Rasters that are not read are in a box.
@@ -249,13 +262,12 @@ void PyramidGround::AddOutline(vtkPoints* points)
   this->Pyramid->GetRange(range);
   for (int corner = 0; corner < 8; ++corner)
   {
-    const std::array<double, 3> point =
-      this->Placement.ToWorld(corner % 2 == 0 ? 0.0 : contents.Width - 1.0,
-        corner / 2 % 2 == 0 ? 0.0 : contents.Height - 1.0, range[corner / 4]);
+    const std::array<double, 2> point = this->FromSamples(
+      corner % 2 == 0 ? 0.0 : this->Size[0] - 1.0, corner / 2 % 2 == 0 ? 0.0 : this->Size[1] - 1.0);
     double height;
     if (isBox)
     {
-      points->InsertNextPoint(point.data());
+      points->InsertNextPoint(point[0], point[1], this->GetZ(range[corner / 4]));
     }
     else if (corner < 4 && this->GetHeight(point[0], point[1], height))
     {

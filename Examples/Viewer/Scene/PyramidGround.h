@@ -11,20 +11,14 @@
 
 #include "Scene/TerrainGround.h"
 
-#include "Geodesy/MapFrame.h"
-#include "Geodesy/TerrainPlacement.h"
-
+#include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
-#include <memory>
 #include <optional>
 
-namespace relevo
-{
-class HeightLattice;
-}
 class vtkCamera;
 class vtkPoints;
+class vtkTerrainMapper;
 class vtkTerrainPyramid;
 
 class PyramidGround : public TerrainGround
@@ -59,17 +53,21 @@ public:
   std::optional<std::array<double, 3>> FindFirst(vtkCamera* camera, const double bounds[6]);
 
 private:
-  /// The column and row, whole numbers at the centres of samples.
   std::array<double, 2> ToSamples(double x, double y) const;
+  /// The x and y of a column and row.
+  std::array<double, 2> FromSamples(double column, double row) const;
   /// The height at the centre of the nearest sample, if that is very near.
   double GetNearSample(const std::array<double, 2>& place);
   double GetElevation(double x, double y);
   std::optional<std::array<double, 3>> Intersect(const double from[3], const double to[3]);
 
   vtkSmartPointer<vtkTerrainPyramid> Pyramid;
-  std::shared_ptr<const relevo::HeightLattice> Lattice;
-  relevo::MapFrame Frame;
-  relevo::TerrainPlacement Placement;
+  vtkNew<vtkTerrainMapper> Map; // converts coordinates, but draws nothing
+  int Size[2];                  // columns and rows
+  // The map is linear.
+  std::array<double, 2> Origin; // of column 0 and row 0
+  std::array<double, 2> Column; // per column
+  std::array<double, 2> Row;    // per row
 };
 
 #endif
