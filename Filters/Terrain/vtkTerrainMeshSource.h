@@ -192,8 +192,7 @@ public:
   /// Return the largest error of the output in pixels, at most; 0 with MaximumError.
   double GetScreenSpaceErrorInUse() const { return this->ErrorInUse; }
 
-  /// Return the largest vertical distance of the output in metres, at most, as it was measured at
-  /// all samples; 0 with a camera.
+  /// Return the largest vertical distance of the output in metres, at most; 0 with a camera.
   double GetMaximumErrorInUse() const { return this->MetersInUse; }
 
   //@{

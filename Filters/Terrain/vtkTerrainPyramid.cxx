@@ -41,6 +41,42 @@ constexpr vtkTypeInt64 MinimumLimit = 1 << 20;
 // Coordinates at the border of the raster are inside in spite of rounding.
 constexpr double BorderTolerance = 1e-9;
 
+// The range of a region that does not repeat; the first height is larger if there are no data.
+relevo::ElevationRanges::Range FindRange(
+  const relevo::HeightLattice& lattice, const double region[4])
+{
+  const relevo::RasterDescription& contents = lattice.Describe();
+  const relevo::Georeference& location = contents.Location;
+  std::array<std::array<double, 2>, 2> window;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const std::array<double, 2> uv =
+      location.Parameters({ { region[corner % 2], region[2 + corner / 2] } });
+    const double samples[2] = { (location.FlipColumns ? 1.0 - uv[0] : uv[0]) * contents.Width - 0.5,
+      (location.FlipRows ? 1.0 - uv[1] : uv[1]) * contents.Height - 0.5 };
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      std::array<double, 2>& side = window[axis];
+      side[0] = corner == 0 ? samples[axis] : std::min(side[0], samples[axis]);
+      side[1] = corner == 0 ? samples[axis] : std::max(side[1], samples[axis]);
+    }
+  }
+  double longest = 1.0; // in tiles
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double last = (axis == 0 ? contents.Width : contents.Height) - 1.0;
+    std::array<double, 2>& side = window[axis];
+    if (!(side[1] >= -0.5 && side[0] <= last + 0.5))
+    {
+      return { { 1.0f, 0.0f } };
+    }
+    side = { { std::clamp(side[0], 0.0, last), std::clamp(side[1], 0.0, last) } };
+    longest = std::max(longest, (side[1] - side[0]) / relevo::ElevationRanges::SamplesPerTile);
+  }
+  const int level = static_cast<int>(std::ceil(std::log2(longest)));
+  return lattice.GetRanges()->Get(level, window[0], window[1]);
+}
+
 // Whether a point in units of the raster's sides is in it.
 bool IsInside(const std::array<double, 2>& uv)
 {
@@ -200,44 +236,26 @@ std::array<double, 2> vtkTerrainPyramid::ToSamples(double x, double y)
 bool vtkTerrainPyramid::GetRangeOfRegion(const double region[4], double range[2])
 {
   const relevo::RasterDescription* contents = this->Describe();
-  std::array<std::array<double, 2>, 2> window;
-  for (int corner = 0; contents && corner < 4; ++corner)
-  {
-    const double place[2] = { region[corner % 2], region[2 + corner / 2] };
-    double sample[2];
-    this->RasterToSample(place, sample);
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      std::array<double, 2>& side = window[axis];
-      side[0] = corner == 0 ? sample[axis] : std::min(side[0], sample[axis]);
-      side[1] = corner == 0 ? sample[axis] : std::max(side[1], sample[axis]);
-    }
-  }
-  double longest = 1.0; // in tiles
-  for (int axis = 0; contents && axis < 2; ++axis)
-  {
-    const double last = (axis == 0 ? contents->Width : contents->Height) - 1.0;
-    std::array<double, 2>& side = window[axis];
-    if (!(side[1] >= -0.5 && side[0] <= last + 0.5))
-    {
-      return false;
-    }
-    side = { { std::clamp(side[0], 0.0, last), std::clamp(side[1], 0.0, last) } };
-    longest = std::max(longest, (side[1] - side[0]) / relevo::ElevationRanges::SamplesPerTile);
-  }
   if (!contents)
   {
     return false;
   }
-  const int level = static_cast<int>(std::ceil(std::log2(longest)));
-  const relevo::ElevationRanges::Range found =
-    this->Lattice->GetRanges()->Get(level, window[0], window[1]);
-  if (!(found[0] <= found[1]))
+  // A region across the antimeridian is at both ends of a global raster.
+  const double turn = this->IsGeographic() ? 360.0 / contents->Location.Unit : 0.0;
+  bool isFound = false;
+  for (int shift = turn > 0.0 ? -1 : 0; shift <= (turn > 0.0 ? 1 : 0); ++shift)
   {
-    return false;
+    const double moved[4] = { region[0] + shift * turn, region[1] + shift * turn, region[2],
+      region[3] };
+    const relevo::ElevationRanges::Range found = FindRange(*this->Lattice, moved);
+    if (found[0] <= found[1])
+    {
+      range[0] = isFound ? std::min<double>(range[0], found[0]) : found[0];
+      range[1] = isFound ? std::max<double>(range[1], found[1]) : found[1];
+      isFound = true;
+    }
   }
-  std::copy(found.begin(), found.end(), range);
-  return true;
+  return isFound;
 }
 
 //------------------------------------------------------------------------------

@@ -298,6 +298,53 @@ class TestViewerTiles(ViewerProgram):
         self.assertLess(places[1][0], -3)  # east is up, north is on the left
         self.assertGreater(places[2][1], 3)
 
+    def test_positions_outside(self):
+        """Positions outside of the raster are a warning, and an error if all are far away."""
+        bounds = "longitudes from 10 to 10.4 and latitudes from 45 to 45.4"
+        (self.folder / "flight.csv").write_text(
+            HEADER + "10.2,44.9,1500,0,0\n10.2,45.1,1500,0,0\n10.2,45.2,1500,0,0\n"
+        )
+        options = ("--flight=flight.csv", "--output=out-%d.png", SIZE)
+        run = self.run_program(self.mountain(), *options)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(
+            run.stderr, "relevo-view: warning: flight.csv: 1 of 3 positions are outside of "
+            f"mountain.asc, which has {bounds}\n"
+        )
+        near = "10.2,44.9,1500,0,0\n"
+        (self.folder / "flight.csv").write_text(HEADER + near)  # sees the mountain from outside
+        self.assertIn("1 of 1", self.run_program("mountain.asc", *options).stderr)
+        for row, more in (("45.1,10.2,1500,0,0\n", ". Exchange longitudes and latitudes"),
+                          ("-80,45.1,1500,0,0\n", "")):
+            (self.folder / "flight.csv").write_text(HEADER + 2 * row)
+            self.assert_error(1, [f"all 2 positions are far outside of mountain.asc, which has "
+                                  f"{bounds}{more}\n"], "mountain.asc", *options)
+
+    def test_camera_above_ground(self):
+        """On a globe as on a map, the camera does not go below the ground."""
+        view = (self.mountain(), "--palette=grey", "--range=0,1000", "--zoom=4",
+                "--center=10.2E,45.2N")
+
+        for direction in ("0,-60", "180,0"):
+            for frame in ((), ("--globe",)):
+                pixels = self.picture(*view, f"--view={direction}", *frame)
+                is_sky = pixels[:, :, 2] - pixels[:, :, 0] > 15
+                self.assertTrue(is_sky[2, 2] and is_sky[2, 157])  # above the horizon
+                self.assertFalse(is_sky[80:].any())
+
+    def test_no_data(self):
+        """Without any height there is nothing to draw."""
+        name = self.grid("empty.asc", [[7] * 20 for _ in range(20)])
+        text = (self.folder / name).read_text()
+        (self.folder / name).write_text(text.replace("7 ", "-9999 ").replace("7\n", "-9999\n"))
+        for option in ("--globe", "--contours=5", "--flight=flight.csv", "--color-by=slope"):
+            pattern = "%d.png" if option.startswith("--flight") else "e.png"
+            self.assert_error(1, ["empty.asc", "all heights are missing values"], name, option,
+                              f"--output={pattern}")
+        self.assert_error(1, ["empty.asc", "all 400 heights are missing"], name, "--output=e.png")
+        self.assert_error(1, ["empty.asc", "all heights are missing values"], name,
+                          "--export=e.vtp", "--tolerance=1")
+
     def test_bad_flights(self):
         row = "10.2,45.1,1500,0,0\n"
         for text, words in (

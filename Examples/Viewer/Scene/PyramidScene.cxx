@@ -5,6 +5,8 @@
 #include "Files/FileEnd.h"
 #include "Files/FlightFile.h"
 #include "Options/Palettes.h"
+#include "Scene/FlightCheck.h"
+#include "Scene/GlobeCamera.h"
 #include "Scene/PassiveObserver.h"
 #include "Scene/PyramidGround.h"
 #include "Scene/TerrainCamera.h"
@@ -51,7 +53,7 @@ std::unique_ptr<PyramidScene> PyramidScene::Open(
   const ViewerOptions& options, ViewerMessages& messages)
 {
   std::unique_ptr<PyramidScene> scene;
-  std::string error = options.Input + " has no terrain to draw";
+  std::string error = options.Input + " has no terrain to draw: all heights are missing values";
   bool isReady = false;
   try
   {
@@ -491,6 +493,20 @@ void PyramidScene::SetGlobeCamera()
   camera->SetFocalPoint(focus.data());
   camera->SetViewUp(directions[2].data());
   this->Zoom();
+  auto aboveGround = std::make_unique<GlobeCamera>(this->Renderer, this->Mapper);
+  this->EarthCamera = aboveGround.get();
+  this->Camera = std::move(aboveGround);
+  this->Camera->Update();
+}
+
+//------------------------------------------------------------------------------
+void PyramidScene::CheckFlight(const std::vector<FlightPosition>& positions)
+{
+  if (this->Ground->HasCoordinateSystem())
+  {
+    CheckFlightPositions(
+      this->Options.Flight, positions, this->Options.Input, this->Pyramid, this->Messages);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -534,6 +550,10 @@ void PyramidScene::LookFrom(const FlightPosition& position)
   if (this->GroundCamera)
   {
     this->GroundCamera->StayInPlace();
+  }
+  if (this->EarthCamera)
+  {
+    this->EarthCamera->StayInPlace();
   }
   this->Renderer->ResetCameraClippingRange();
 }

@@ -11,6 +11,7 @@
 
 #include "vtkSmartPointer.h"
 
+class GlobeCamera;
 class PyramidGround;
 class TerrainCamera;
 class vtkActor;
@@ -32,6 +33,7 @@ public:
   void Report() override;
   void Draw(vtkRenderWindow* window) override;
   std::optional<int> GetFrameDelay() override;
+  void CheckFlight(const std::vector<FlightPosition>& positions) override;
   void LookFrom(const FlightPosition& position) override;
 
 private:
@@ -60,6 +62,7 @@ private:
   std::unique_ptr<PyramidGround> Ground;
   vtkSmartPointer<vtkColorTransferFunction> Colours;
   TerrainCamera* GroundCamera = nullptr; // this->Camera, if the world is a map
+  GlobeCamera* EarthCamera = nullptr;    // this->Camera, if it is a globe
   std::string ExaggeratedBy;             // reason for the exaggeration, for the report
   bool IsSmall = false;                  // read at once
   bool HasEstimates = false;             // in the range of the colours

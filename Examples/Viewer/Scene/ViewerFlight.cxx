@@ -37,6 +37,7 @@ void DrawFlight(ViewerScene& scene, vtkRenderWindow* window, const ViewerOptions
   ViewerMessages& messages)
 {
   const std::vector<FlightPosition> positions = ReadFlightFile(options.Flight);
+  scene.CheckFlight(positions);
   const std::string folder = vtksys::SystemTools::GetFilenamePath(options.Output);
   if (!folder.empty() && !vtksys::SystemTools::MakeDirectory(folder))
   {

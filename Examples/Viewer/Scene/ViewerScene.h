@@ -58,6 +58,10 @@ public:
   /// Milliseconds until another frame of the same view would show more, or nothing.
   virtual std::optional<int> GetFrameDelay() { return std::nullopt; }
 
+  /// Warns of positions of a flight that are outside of the height map. Throws ViewerError if all
+  /// are far away.
+  virtual void CheckFlight(const std::vector<FlightPosition>&) {}
+
   /// Moves the camera of a height map to a position of a flight. Throws ViewerError.
   virtual void LookFrom(const FlightPosition&) {}
 

@@ -428,11 +428,17 @@ LatticeDecimation::Result LatticeDecimation::Refine(
   {
     this->Collect(half);
   }
+  if (this->State != Result::Done || this->FindShapeError)
+  {
+    return this->State;
+  }
+  const std::size_t count = this->Triangles.size();
   LatticeCollapse collapse(this->Heights, this->Columns, this->Rows, this->Subdivisions);
-  if (this->State == Result::Done && !collapse.Collapse(this->Triangles, tolerance, isAborted))
+  if (!collapse.Collapse(this->Triangles, tolerance, isAborted))
   {
     this->State = Result::Aborted;
   }
+  this->Error = this->Triangles.size() < count ? tolerance : this->Error;
   return this->State;
 }
 }

@@ -6,14 +6,19 @@
 #include "RelevoRasterFiles.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 #include "vtkTerrainPyramid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -188,6 +193,121 @@ void TestBorders(RelevoCheck& check, const RelevoTestFolders& folders)
 }
 
 // Tiles beyond the limit are dropped, and read again when they are needed.
+// Heights in feet, beyond the antimeridian. One sample has no data.
+RelevoRaster MakePlaces()
+{
+  RelevoRaster raster;
+  raster.Width = 900;
+  raster.Height = 700;
+  raster.Type = GDT_Int16;
+  raster.NoData = -1.0;
+  raster.Unit = "ft";
+  raster.Transform = { 190.0, 0.1, 0.0, 35.0, 0.0, -0.1 };
+  raster.CoordinateSystem = "EPSG:4326";
+  raster.SetValues(
+    [](int, int column, int row) {
+      return column == 20 && row == 30 ? -1.0 : static_cast<double>(column / 100) * 1000.0 + row;
+    });
+  return raster;
+}
+
+// Before Update() there are no places.
+void TestNoPlaces(RelevoCheck& check)
+{
+  vtkNew<vtkTerrainPyramid> pyramid;
+  const double region[4] = { 195.1, 196.9, 20.1, 22.9 };
+  double place[2] = { 190.05, 34.95 };
+  double sample[2] = { 0.0, 0.0 };
+  double range[2] = { 7.0, 7.0 };
+  CHECK(!pyramid->RasterToSample(place, sample));
+  CHECK(!pyramid->SampleToRaster(sample, place));
+  CHECK(!pyramid->GetRangeOfRegion(region, range));
+  CHECK(!pyramid->IsGeographic() && !pyramid->HasGeoreference());
+  CHECK_EQUAL(pyramid->GetVerticalUnit(), 1.0);
+  CHECK(pyramid->GetBounds()[0] > pyramid->GetBounds()[1]);
+  RelevoErrors errors(pyramid);
+  CHECK(std::isnan(pyramid->GetNearestElevation(0.0, 0.0)));
+  CHECK(errors.Said("Update()"));
+  CHECK(pyramid->GetReducedElevations(10) == nullptr);
+  CHECK(errors.Said("Update()"));
+}
+
+void TestConversions(RelevoCheck& check, vtkTerrainPyramid* pyramid)
+{
+  CHECK(pyramid->IsGeographic() && pyramid->HasGeoreference());
+  CHECK_NEAR(pyramid->GetVerticalUnit(), 0.3048, 1e-9);
+  CHECK_EQUAL(std::string(pyramid->GetLocationWarning()), std::string());
+  const double* bounds = pyramid->GetBounds();
+  CHECK_NEAR(bounds[0], 190.0, 1e-9);
+  CHECK_NEAR(bounds[1], 280.0, 1e-9);
+  CHECK_NEAR(bounds[2], -35.0, 1e-9);
+  CHECK_NEAR(bounds[3], 35.0, 1e-9);
+  // The first sample, a sample by its longitude minus 360, and a point outside.
+  for (const auto& [x, y, column, row] :
+    std::vector<std::array<double, 4>>{ { { 190.05, 34.95, 0.0, 0.0 } },
+      { { -100.0 + 0.05, 34.85, 700.0, 1.0 } }, { { 180.05, 36.95, -100.0, -20.0 } } })
+  {
+    double place[2] = { x, y };
+    double sample[2];
+    CHECK(pyramid->RasterToSample(place, sample));
+    CHECK_NEAR(sample[0], column, 1e-6);
+    CHECK_NEAR(sample[1], row, 1e-6);
+    CHECK(pyramid->SampleToRaster(sample, place));
+    CHECK_NEAR(place[1], y, 1e-9);
+    CHECK_NEAR(std::remainder(place[0] - x, 360.0), 0.0, 1e-9);
+  }
+}
+
+// Coordinates, columns and rows; ranges of regions contain the heights there.
+void TestPlaces(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  const std::string name = folders.File("pyramid-places.tif");
+  CHECK(MakePlaces().Write(name));
+  vtkNew<vtkTerrainPyramid> pyramid;
+  pyramid->SetFileName(name.c_str());
+  CHECK(pyramid->Update());
+  CHECK(pyramid->WaitForIndex());
+  TestConversions(check, pyramid);
+  // The range is that of the tiles of 256 x 256 samples in the region.
+  const double region[4] = { 195.1, 196.9, 20.1, 22.9 };
+  double range[2];
+  CHECK(pyramid->GetRangeOfRegion(region, range));
+  CHECK_LESS_EQUAL(range[0], 120.0);
+  CHECK_LESS(150.0, range[1]);
+  CHECK_LESS(range[1], 3000.0);
+  CHECK_LESS_EQUAL(0.0, range[0]); // no data do not count
+  double whole[2];
+  CHECK(pyramid->GetRangeOfRegion(pyramid->GetBounds(), whole));
+  CHECK_EQUAL(whole[0], pyramid->GetRange()[0]);
+  CHECK_EQUAL(whole[1], pyramid->GetRange()[1]);
+  // The last columns and, 360 degrees later, the first ones.
+  const double both[4] = { 275.0, 555.0, 30.0, 34.0 };
+  CHECK(pyramid->GetRangeOfRegion(both, range));
+  CHECK_LESS_EQUAL(range[0], 10.0);
+  CHECK_LESS_EQUAL(8000.0, range[1]);
+  const double outside[4] = { 100.0, 120.0, 0.0, 1.0 };
+  range[0] = 7.0;
+  CHECK(!pyramid->GetRangeOfRegion(outside, range));
+  CHECK_EQUAL(range[0], 7.0);
+  // Beside the sample without data.
+  CHECK_EQUAL(pyramid->GetNearestElevation(190.05 + 2.14, 34.95 - 3.04), 30.0);
+  CHECK(std::isnan(pyramid->GetElevation(190.05 + 2.08, 34.95 - 3.0)));
+  CHECK(std::isnan(pyramid->GetNearestElevation(190.05 + 2.04, 34.95 - 3.0)));
+  CHECK(std::isnan(pyramid->GetNearestElevation(189.9, 0.0)));
+  const auto image = vtkSmartPointer<vtkImageData>::Take(pyramid->GetReducedElevations(240));
+  CHECK_EQUAL(image->GetDimensions()[0], 225);
+  CHECK_EQUAL(image->GetDimensions()[1], 175);
+  CHECK_EQUAL(image->GetSpacing()[0], 4.0);
+  CHECK_EQUAL(image->GetScalarComponentAsDouble(60, 10, 0, 0), 2040.0);
+  CHECK(std::string(image->GetPointData()->GetScalars()->GetName()) == "Elevation");
+  const auto full = vtkSmartPointer<vtkImageData>::Take(pyramid->GetReducedElevations(900));
+  CHECK(std::isnan(full->GetScalarComponentAsDouble(20, 30, 0, 0)));
+  CHECK_EQUAL(full->GetSpacing()[1], 1.0);
+  RelevoErrors errors(pyramid);
+  CHECK(pyramid->GetReducedElevations(1) == nullptr);
+  CHECK(errors.Said("at least 2"));
+}
+
 void TestMemoryLimit(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   RelevoRaster raster = RelevoRaster::MakeSlope(2048, 1536, { 0.0, 1.0, 0.0, 0.0, 0.0, -1.0 }, "");
@@ -250,6 +370,8 @@ int TestTerrainPyramid(int argc, char* argv[])
   const RelevoTestFolders folders(argc, argv);
   TestRasters(check, folders);
   TestBorders(check, folders);
+  TestNoPlaces(check);
+  TestPlaces(check, folders);
   TestMemoryLimit(check, folders);
   if (!folders.RealData.empty())
   {

@@ -171,6 +171,15 @@ void TestGeographic(RelevoCheck& check, const std::string& file)
   {
     CHECK_NEAR(back[axis], world[axis], 1e-3);
   }
+  double raster[3];
+  CHECK(scene.Mapper->WorldToRaster(world, raster));
+  double coordinates[2];
+  CHECK(scene.Pyramid->GeographicToRaster(geographic, coordinates));
+  CHECK_NEAR(raster[0], coordinates[0], 1e-3);
+  CHECK_NEAR(raster[1], coordinates[1], 1e-3);
+  CHECK_NEAR(raster[2] * scene.Pyramid->GetVerticalUnit(), 200.0, 1e-9);
+  CHECK(scene.Mapper->RasterToWorld(raster, back));
+  CHECK_LESS(vtkMath::Distance2BetweenPoints(world, back), 1e-12);
 }
 
 void TestErrors(RelevoCheck& check)
@@ -194,6 +203,8 @@ void TestErrors(RelevoCheck& check)
   double other[3];
   CHECK(!scene.Mapper->GeographicToWorld(point, other));
   CHECK(!scene.Mapper->WorldToGeographic(point, other));
+  CHECK(!scene.Mapper->RasterToWorld(point, other));
+  CHECK(!scene.Mapper->WorldToRaster(point, other));
 }
 
 // Rasters that cannot be drawn, or only in part.
@@ -224,6 +235,11 @@ void TestBadRasters(RelevoCheck& check, const RelevoTestFolders& folders)
   double other[3];
   CHECK(!scene.Mapper->GeographicToWorld(point, other)); // no coordinate system
   CHECK(!scene.Mapper->WorldToGeographic(point, other));
+  CHECK(scene.Mapper->WorldToRaster(point, other));
+  CHECK(scene.Mapper->RasterToWorld(other, other));
+  CHECK_NEAR(other[0], 0.0, 1e-6);
+  scene.Mapper->SetFrameToGeocentric();
+  CHECK(!scene.Mapper->WorldToRaster(point, other));
 }
 
 // A tile that cannot be read is reported once, and the rest is drawn, without endless frames.

@@ -451,6 +451,12 @@ void TestProjected(RelevoCheck& check, const RelevoTestFolders& folders)
     double back[3];
     CHECK(scene.Mapper->GeographicToWorld(geographic, back));
     CHECK_LESS(vtkMath::Distance2BetweenPoints(world, back), 1e-6);
+    double raster[3];
+    CHECK(scene.Mapper->WorldToRaster(world, raster));
+    CHECK_NEAR(raster[0], picked[0], 1e-6);
+    CHECK_NEAR(raster[2] * scene.Pyramid->GetVerticalUnit(), geographic[2], 1e-6);
+    CHECK(scene.Mapper->RasterToWorld(raster, back));
+    CHECK_LESS(vtkMath::Distance2BetweenPoints(world, back), 1e-6);
   }
   // Bounds are tight: the raster is 40 km x 30 km, and 600 m high.
   const double* bounds = scene.Mapper->GetBounds();
