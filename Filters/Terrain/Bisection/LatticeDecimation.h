@@ -12,8 +12,8 @@
  *
  * Cells with a vertex without data are left out; triangles at their outline are as small as cells.
  *
- * A shape error is added to the distance of each triangle, for grids that lie on curved surfaces. No
- * vertices are removed then.
+ * A shape error is added to the distance of each triangle, for grids that lie on curved surfaces.
+ * No vertices are removed then.
  *
  * Private to the modules for terrains.
  */
