@@ -38,7 +38,7 @@ namespace
 constexpr int UnitsPerSample = 1 << -BlockErrors::FinestLevel;
 
 // The longest side of a small triangle, in pixels.
-constexpr double LargestSmallTriangle = 2.5;
+constexpr double LargestSmallTriangle = 2.0;
 
 // Borders of the raster are drawn in spite of rounding errors between vertices, in samples.
 constexpr double BorderTolerance = 1.0 / 1024.0;
