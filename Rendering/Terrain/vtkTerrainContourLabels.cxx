@@ -264,7 +264,8 @@ void vtkTerrainContourLabels::PlaceLabels(vtkRenderer* renderer)
     this->Actor ? vtkTerrainMapper::SafeDownCast(this->Actor->GetMapper()) : nullptr;
   const relevo::AdaptiveTerrain* terrain = mapper ? mapper->GetDrawnTerrain() : nullptr;
   const double interval = mapper ? mapper->GetContourInterval() : 0.0;
-  if (!terrain || !this->Actor->GetVisibility() || !(interval > 0.0))
+  const int* size = renderer->GetSize();
+  if (size[0] < 1 || size[1] < 1 || !terrain || !this->Actor->GetVisibility() || !(interval > 0.0))
   {
     return;
   }
