@@ -1,9 +1,9 @@
 // Finds the tiles of a point. Follows the declaration of relevoOrigin.
 //
-// Loops test their condition at the end, because Mesa's software renderer executes one more
-// iteration, without effect, of a loop that tests it at the start. After such a loop, only variables
-// may be used that an iteration takes from the one before: the others have the values of the pixel
-// that left the loop last.
+// Loops over levels test their condition at the end, because Mesa's software renderer executes one
+// more iteration, without effect, of a loop that tests it at the start. After such a loop, only sums
+// over its iterations may be used: other variables can have the values of the pixel that left the
+// loop last. The search for a tile has no such sum, and tests its condition at the start.
 
 uniform usamplerBuffer relevoTileTable; // a hash table: key, layer and visibility
 uniform int relevoTableBits;
@@ -42,22 +42,15 @@ int relevoFindTile(int kind, int level, ivec2 tile, out float visibility)
   uvec2 factors = uvec2(2654435769u, 2246822519u) * key;
   int last = (1 << relevoTableBits) - 1;
   int entry = int((factors.x ^ factors.y) >> (32 - relevoTableBits));
-  int layer = -1;
-  visibility = 0.0;
-  relevoHeightLayer = 0;
-  bool isEmpty;
-  bool isFound;
-  do
+  uvec4 found = texelFetch(relevoTileTable, entry);
+  while (found.xy != key && found.y != 0u)
   {
-    uvec4 found = texelFetch(relevoTileTable, entry);
-    isEmpty = found.y == 0u;
-    isFound = found.xy == key;
-    layer = isFound ? int(found.z & 65535u) : layer;
-    relevoHeightLayer = isFound ? int(found.z >> 16) : relevoHeightLayer;
-    visibility = isFound ? float(found.w) / 65535.0 : visibility;
     entry = (entry + 1) & last;
-  } while (!isEmpty && !isFound);
-  return layer;
+    found = texelFetch(relevoTileTable, entry);
+  }
+  visibility = float(found.w) / 65535.0;
+  relevoHeightLayer = int(found.z >> 16);
+  return found.xy == key ? int(found.z & 65535u) : -1;
 }
 
 // Return the texture coordinates of a vertex of a tile in a layer.

@@ -39,7 +39,7 @@ void Compare(RelevoCheck& check, RelevoComparison& comparison, const std::string
   const RelevoPicture picture = scene.Draw();
   CHECK_EQUAL(scene.Mapper->Error, "");
   CHECK_EQUAL(scene.Mapper->Painter->GetShaderError(), "");
-  CHECK_GREATER(picture.CountForeground(), picture.GetNumberOfPixels() / 25);
+  CHECK_GREATER(picture.CountForeground(), picture.GetNumberOfPixels() / 40);
   picture.Save(comparison.GetFolder() + "/TerrainPainter." + name + ".png");
   comparison.Compare("TerrainPainter." + name, tolerance, picture, scene.DrawTwin());
 }
