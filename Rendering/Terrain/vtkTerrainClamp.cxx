@@ -240,7 +240,7 @@ std::string vtkTerrainClamp::ClampTo(
   {
     return std::string(terrain.Pyramid->GetFileName()) +
       " has no coordinate system, so there are no longitudes and latitudes. Call "
-      "SetCoordinateTypeToRaster(), or give the file a coordinate system (gdal_edit.py -a_srs).";
+      "SetCoordinateTypeToRaster(), or give the file a coordinate system (gdal_translate -a_srs).";
   }
   relevo::TerrainDraping::Settings settings;
   settings.IsMirrored = contents.Location.FlipColumns != contents.Location.FlipRows;

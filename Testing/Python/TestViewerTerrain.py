@@ -293,8 +293,12 @@ class TestViewerTerrain(ViewerProgram):
         warning."""
         degrees = self.grid("degrees.asc", (10, 50), 0.01, [[1, 2, 3], [2, 3, 4]])
         run = self.run_program(degrees, "--export=d.vtp", "--level=0")
-        self.assertRegex(run.stderr, r"\A[^\n]*degrees[^\n]*gdal_edit.py -a_srs EPSG:4326[^\n]*\n\Z")
+        self.assertRegex(run.stderr, r"\A[^\n]*degrees[^\n]*gdal_translate -a_srs EPSG:4326[^\n]*\n\Z")
         self.assertIn("--exaggeration", run.stdout)
+        for corner, rows in (((0, -90), 18), ((-180, -95), 19)):  # samples may be at the poles
+            globe = self.grid("globe.asc", corner, 10, [[1] * 36] * rows)
+            run = self.run_program(globe, "--export=d.vtp", "--level=0")
+            self.assertRegex(run.stderr, r"\A[^\n]*degrees[^\n]*-a_srs EPSG:4326[^\n]*\n\Z")
         self.declare("degrees.asc", GEOGRAPHIC)
         self.view(degrees, "--export=d.vtp", "--level=0")
         metres = self.grid("metres.asc", (10, 50), 1, [[1, 2, 3], [2, 3, 4]])

@@ -112,7 +112,7 @@ GeocentricFrame::GeocentricFrame(const Georeference& location)
 {
   const std::string missing =
     " has no coordinate system that relates it to an ellipsoid, which "
-    "the geocentric frame needs. Give the file one (gdal_edit.py -a_srs), "
+    "the geocentric frame needs. Give the file one (gdal_translate -a_srs), "
     "or use the map frame.";
   if (location.System == Georeference::Kind::Geographic)
   {

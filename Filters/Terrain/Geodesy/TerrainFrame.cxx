@@ -132,11 +132,35 @@ bool TerrainFrame::ToCoordinates(
   return true;
 }
 
+namespace
+{
+// Whether coordinates are those of the whole globe in degrees, up to a sample.
+bool CoversGlobe(const Georeference& location, const int texels[2])
+{
+  constexpr double longitudes = 360.0;
+  constexpr double latitudes = 180.0;
+  constexpr double largestSample = 15.0;
+  const std::array<double, 2> first = location.Coordinates(0, 0);
+  const std::array<double, 2> last = location.Coordinates(1, 1);
+  const double width = std::abs(last[0] - first[0]);
+  const double height = std::abs(last[1] - first[1]);
+  const double column = width / texels[0];
+  const double row = height / texels[1];
+  return std::max(column, row) <= largestSample && std::abs(width - longitudes) <= column &&
+    std::abs(height - latitudes) <= row && std::abs(first[1] + last[1]) <= row &&
+    std::max(std::abs(first[0]), std::abs(last[0])) <= longitudes + column;
+}
+}
+
 bool LooksGeographic(const Georeference& location, const int texels[2])
 {
   if (location.System != Georeference::Kind::Planar || !location.WKT.empty())
   {
     return false;
+  }
+  if (CoversGlobe(location, texels))
+  {
+    return true;
   }
   for (int corner = 0; corner < 4; ++corner)
   {
@@ -155,7 +179,7 @@ std::string FindLocationWarning(const Georeference& location, const int texels[2
   if (LooksGeographic(location, texels))
   {
     return " has no coordinate system, so its coordinates are taken as metres. They look like "
-           "degrees: if they are, declare them (gdal_edit.py -a_srs EPSG:4326).";
+           "degrees: if they are, declare them (gdal_translate -a_srs EPSG:4326).";
   }
 #if RELEVO_HAS_GDAL
   constexpr double largestDeviation = 0.05;
@@ -182,7 +206,7 @@ std::string FindSystemError(const Georeference& location)
   if (location.System == Georeference::Kind::NoEllipsoid)
   {
     return " has an ellipsoid that is not supported: the flattening must be less than 1. Give the "
-           "file the right coordinate system (gdal_edit.py -a_srs).";
+           "file the right coordinate system (gdal_translate -a_srs).";
   }
   return "";
 }

@@ -205,7 +205,7 @@ std::shared_ptr<const WarpedImagery> WarpedImagery::Open(const ImageryOptions& o
   if (imagery->IsTerrainLocated && !picture->HasLocation())
   {
     warning = "it has no georeference, but the terrain has one. It is stretched over the whole "
-              "terrain. Give the file a georeference (gdal_edit.py -a_srs EPSG:... -a_ullr "
+              "terrain. Give the file a georeference (gdal_translate -a_srs EPSG:... -a_ullr "
               "...)";
   }
   const std::string overviews = DescribeMissingOverviews(picture->GetFile());
