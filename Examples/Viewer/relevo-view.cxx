@@ -50,6 +50,7 @@ void Draw(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& mess
   if (!options.Flight.empty())
   {
     DrawFlight(scene, window, options, messages);
+    scene.CheckPictures();
     return;
   }
   scene.Draw(window);
@@ -58,6 +59,7 @@ void Draw(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& mess
   {
     WritePicture(window, options.Output, messages);
   }
+  scene.CheckPictures();
 }
 
 void Run(const ViewerOptions& options)

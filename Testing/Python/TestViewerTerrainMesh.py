@@ -258,6 +258,11 @@ class TestViewerTerrainMesh(ViewerProgram):
         places, coordinates = self.attributes["POSITION"], self.attributes["TEXCOORD_0"]
         numpy.testing.assert_allclose(coordinates[:, 0], places[:, 0] / 1800 + 0.5, atol=1e-5)
         numpy.testing.assert_allclose(coordinates[:, 1], 0.5 - places[:, 1] / 1350, atol=1e-5)
+        for name in ("p.stl", "p.vtp"):
+            run = self.run_program(self.metres(), f"--export={name}", *options)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertEqual(run.stderr, f"relevo-view: warning: {name} is written without the picture "
+                                         "of --image; .glb and .obj files contain it\n")
         self.export(self.metres(), "p q.obj", *options)
         text = (self.folder / "p q.obj").read_text()
         self.assertIn("mtllib p q.mtl\nusemtl terrain\n", text)

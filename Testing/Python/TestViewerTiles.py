@@ -119,7 +119,9 @@ class TestViewerTiles(ViewerProgram):
     def test_base(self):
         """The exported solid is closed: each edge of its triangles has two of them."""
         common = (self.ramp(), "--export=solid.ply", "--tolerance=1")
-        self.view(*common, "--base=50", "--exaggeration=2")
+        run = self.view(*common, "--base=50", "--exaggeration=2")
+        self.assertRegex(run.stdout, r"\Asolid.ply: \d+ triangles, at most \S+ m above or below the "
+                                     r"raster\ncoordinates: metres, x east, [^\n]*\nrounding ")
         reader = vtkPLYReader()
         reader.SetFileName(str(self.folder / "solid.ply"))
         edges = vtkFeatureEdges()
@@ -131,7 +133,10 @@ class TestViewerTiles(ViewerProgram):
         bounds = reader.GetOutput().GetBounds()
         self.assertAlmostEqual(bounds[4], 100, delta=1e-3)
         self.assertAlmostEqual(bounds[5], 2 * 490, delta=1e-3)
-        self.assert_error(1, ["BaseHeight is 200", "below the mesh"], *common, "--base=200")
+        self.assert_error(1, ["ramp.asc: --base is 200", "lowest height is 100"], *common, "--base=200")
+        self.assert_error(1, ["--base is 7", "lowest height is 7"],
+                          self.grid("flat.asc", [[7] * 20 for _ in range(20)]),
+                          "--export=solid.ply", "--tolerance=1", "--base=7")
         self.assert_error(2, ["--base requires --export"], self.heights, "--base=0")
         self.assert_error(2, ["--base requires --tolerance"], self.heights, "--base=0",
                           "--export=solid.ply")
@@ -319,6 +324,33 @@ class TestViewerTiles(ViewerProgram):
             (self.folder / "flight.csv").write_text(HEADER + 2 * row)
             self.assert_error(1, [f"all 2 positions are far outside of mountain.asc, which has "
                                   f"{bounds}{more}\n"], "mountain.asc", *options)
+
+    def test_empty_flights(self):
+        """A flight whose pictures show no terrain is an error."""
+        (self.folder / "flight.csv").write_text(
+            HEADER + "10.5,45.2,1500,90,0\n10.6,45.2,1500,90,0\n")  # east of it, looking east
+        options = (self.mountain(), "--flight=flight.csv", "--output=out-%d.png", SIZE)
+        run = self.run_program(*options)
+        self.assertEqual(run.returncode, 1)
+        self.assertRegex(run.stderr, r"2 of 2 positions are outside of [^\n]*\nrelevo-view: error: "
+                         r"flight.csv: none of the 2 positions sees the terrain of mountain.asc")
+        (self.folder / "flight.csv").write_text(
+            HEADER + "10.5,45.2,1500,270,0\n10.5,45.2,1500,90,0\n")
+        run = self.run_program(*options)
+        self.assertEqual(run.returncode, 0)
+        self.assertTrue(run.stderr.endswith(
+            "warning: flight.csv: 1 of 2 pictures show no terrain of mountain.asc\n"), run.stderr)
+
+    def test_memory(self):
+        """If the memory limits the error, a warning reports it."""
+        random = numpy.random.default_rng(1).integers(0, 200, (1200, 1200))
+        options = (self.grid("rough.asc", random.tolist()), "--output=m.png", "--size=1600x1200",
+                   "--view=180,90", "--error=0.05")
+        run = self.run_program(*options, "--memory=16")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertRegex(run.stderr, r"\Arelevo-view: warning: rough.asc: the error is \S+ pixels, "
+                         r"but --error is 0.05; a larger --memory reduces the error\n\Z")
+        self.view(*options)
 
     def test_camera_above_ground(self):
         """On a globe as on a map, the camera does not go below the ground."""

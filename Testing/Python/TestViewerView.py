@@ -242,6 +242,9 @@ class TestViewerView(ViewerProgram):
         utm = self.write_grid("utm", (499450, -550), 100, UTM)
         expected = self.picture(utm, "--center=0,0", "--zoom=3")
         self.assertEqual(self.picture(utm, "--center=15E,0N", "--zoom=3"), expected)
+        run = self.run_program(utm, "--center=15,0.001", SIZE, "--output=view.png")
+        self.assertEqual(run.returncode, 0)
+        self.assertRegex(run.stderr, r"\A[^\n]*for degrees, use --center 15E,0.001N\n\Z")
         self.assert_error(1, ["no coordinate system"], self.heights, "--center=1E,2N", "--output=n.png")
 
 

@@ -44,7 +44,7 @@ Height maps:
                          viridis, water
   --range A,B            values that the first and the last colour stand for, A less than B (default:
                          all)
-  --sea-level H          colour heights up to H as water, and those above as land
+  --sea-level H          colour heights up to H as water, and those above as land. Not with --image
   --memory MIB           largest memory of heights, pictures and textures, 16 to 1048576 (default 512).
                          Terrain beyond it has a larger error
   --globe                place the height map on its ellipsoid, in metres from the centre of the earth.
@@ -52,7 +52,8 @@ Height maps:
                          180,60)
   --flight FILE.csv      draw a picture for each line `longitude,latitude,height,heading,pitch` below
                          this header: degrees, metres, degrees clockwise from north, degrees upwards.
-                         Requires --output 'frames/%04d.png', which numbers them from 0
+                         Requires --output 'frames/%04d.png', which numbers them from 0. Not with
+                         --center, --stats, --view or --zoom
   --resolution N         coarse squares along the longer side, 1 to 4096 (default 128)
   Height maps are drawn from tiles, which are read when the view needs them. Of a raster without a
   current index, the program builds one first, FILE.relevo-index. With these options, the whole file
@@ -179,14 +180,15 @@ The picture:
   --light AZ,EL          side that the light comes from, as in --view (default 315,40; meshes
                          250,45). Weaker lights turn with it
   --no-legend            draw no legend of the colours
-  --stats                print numbers of faces, triangles and draw calls, graphics memory and times
+  --stats                print numbers of faces, triangles and draw calls, graphics memory and times.
+                         Not with --flight
   --size WxH             size of the picture or the window, in pixels (default 1280x800)
   --output FILE.png      write a picture without a display, and exit
   --export FILE          write the mesh as it is drawn (.vtp, .glb, .obj, .ply, .stl) and exit.
                          Height maps are in metres, with x east, y north and z up; with --globe,
                          from the centre of the earth. A .vtp file also has the field data Origin
                          and CoordinateSystem and the point data Height. --image is the texture of
-                         .glb and .obj files. Meshes keep their coordinates
+                         .glb and .obj files only. Meshes keep their coordinates
   --tolerance METRES     with --export, write the whole height map as a mesh that is nowhere farther
                          above or below it. The view has no influence
   --height-at LON,LAT    print the height at this longitude and latitude, in the unit of the raster,

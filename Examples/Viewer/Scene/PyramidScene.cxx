@@ -35,6 +35,7 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -370,6 +371,36 @@ void PyramidScene::Draw(vtkRenderWindow* window)
   if (isWindow)
   {
     this->Mapper->SetLoadingModeToBackground();
+  }
+  ++this->NumberOfPictures;
+  this->NumberOfEmptyPictures += this->Mapper->GetNumberOfDrawnTriangles() == 0 ? 1 : 0;
+  this->LargestError = std::max(this->LargestError, this->Mapper->GetScreenSpaceErrorInUse());
+}
+
+//------------------------------------------------------------------------------
+void PyramidScene::CheckPictures()
+{
+  const std::string empty = std::to_string(this->NumberOfEmptyPictures);
+  const std::string all = std::to_string(this->NumberOfPictures);
+  const bool isFlight = !this->Options.Flight.empty();
+  if (isFlight && this->NumberOfEmptyPictures == this->NumberOfPictures)
+  {
+    throw ViewerError(this->Options.Flight + ": none of the " + all +
+      " positions sees the terrain of " + this->Options.Input +
+      "; check longitudes, latitudes, headings and pitches");
+  }
+  if (isFlight && this->NumberOfEmptyPictures > 0)
+  {
+    this->Messages.Warn(this->Options.Flight + ": " + empty + " of " + all +
+      " pictures show no terrain of " + this->Options.Input);
+  }
+  const double requested = this->Mapper->GetScreenSpaceError();
+  if (this->LargestError > requested * (1.0 + 1e-6))
+  {
+    std::ostringstream text;
+    text << std::setprecision(3) << this->Options.Input << ": the error is " << this->LargestError
+         << " pixels, but --error is " << requested << "; a larger --memory reduces the error";
+    this->Messages.Warn(text.str());
   }
 }
 

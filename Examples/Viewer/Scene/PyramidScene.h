@@ -35,6 +35,7 @@ public:
   std::optional<int> GetFrameDelay() override;
   void CheckFlight(const std::vector<FlightPosition>& positions) override;
   void LookFrom(const FlightPosition& position) override;
+  void CheckPictures() override;
 
 private:
   PyramidScene(const ViewerOptions& options, ViewerMessages& messages, vtkTerrainPyramid* pyramid);
@@ -67,6 +68,9 @@ private:
   bool IsSmall = false;                  // read at once
   bool HasEstimates = false;             // in the range of the colours
   bool HasMore = false;                  // whether another frame would show more
+  int NumberOfPictures = 0;
+  int NumberOfEmptyPictures = 0;
+  double LargestError = 0.0; // of all pictures, in pixels
   double LastError = 0.0;
   long long LastMemory = 0;
 };

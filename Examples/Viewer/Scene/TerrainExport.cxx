@@ -170,7 +170,6 @@ void ExportTerrain(const ViewerOptions& options, vtkTerrainMapper* mapper, vtkCa
 {
   const bool hasPicture = !options.Imagery.empty() && CanHavePicture(fileName);
   const bool hasFloats = HasFloats(fileName);
-  const std::string unit = *mapper->GetPyramid()->GetCoordinateSystem() ? " m" : "";
   ExportedMesh mesh;
   mesh.UpAxis = VerticalAxis;
   double bounds[6];
@@ -178,6 +177,11 @@ void ExportTerrain(const ViewerOptions& options, vtkTerrainMapper* mapper, vtkCa
   for (int axis = 0; options.Globe && hasFloats && axis < 3; ++axis)
   {
     mesh.Origin[axis] = std::round(0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]));
+  }
+  if (!options.Imagery.empty() && !hasPicture)
+  {
+    messages.Warn(
+      fileName + " is written without the picture of --image; .glb and .obj files contain it");
   }
   NameExportOptions(options.Input, messages);
   vtkNew<vtkTerrainMeshSource> source;
@@ -198,7 +202,17 @@ void ExportTerrain(const ViewerOptions& options, vtkTerrainMapper* mapper, vtkCa
   {
     mesh.Picture = source->GetImagery();
   }
-  const std::string frame = DescribeFrame(options, mapper->GetPyramid(), mesh);
+  WriteTerrainMesh(options, source, mesh, fileName, messages);
+}
+
+//------------------------------------------------------------------------------
+void WriteTerrainMesh(const ViewerOptions& options, vtkTerrainMeshSource* source,
+  ExportedMesh& mesh, const std::string& fileName, ViewerMessages& messages)
+{
+  vtkTerrainPyramid* pyramid = source->GetPyramid();
+  const bool hasFloats = HasFloats(fileName);
+  const std::string unit = *pyramid->GetCoordinateSystem() ? " m" : "";
+  const std::string frame = DescribeFrame(options, pyramid, mesh);
   const std::string error = DescribeError(options, source, unit);
   mesh.Comments = { error, "coordinates: " + frame };
   WriteMesh(mesh, fileName, messages);

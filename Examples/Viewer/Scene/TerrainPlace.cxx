@@ -68,7 +68,8 @@ bool IsInRaster(TerrainGround& ground, const double degrees[2])
 {
   double place[2];
   double height;
-  return ground.IsGeographic() && ground.FromRaster(degrees, place) &&
+  return std::abs(degrees[0]) <= 360.0 && std::abs(degrees[1]) <= 90.0 &&
+    ground.HasCoordinateSystem() && ground.FromDegrees(degrees, place) &&
     ground.GetHeight(place[0], place[1], height);
 }
 

@@ -65,6 +65,10 @@ public:
   /// Moves the camera of a height map to a position of a flight. Throws ViewerError.
   virtual void LookFrom(const FlightPosition&) {}
 
+  /// Warns of pictures without terrain in a flight, and of pictures with a larger error than the
+  /// options request. Throws ViewerError if no picture of a flight shows the terrain.
+  virtual void CheckPictures() {}
+
 protected:
   ViewerScene(const ViewerOptions& options, ViewerMessages& messages);
 
