@@ -142,6 +142,19 @@ class TestViewerLegend(ViewerProgram):
         (self.folder / "m.prj").write_text(UTM)
         self.assert_shows(self.picture("m.asc"), "Height [m]")
 
+    def test_sea_level(self):
+        """The sea level is labelled, and labels that are too close to it are not."""
+        rows = "\n".join(" ".join(str(8 * i - 40 + j % 2) for i in range(21)) for j in range(21))
+        (self.folder / "sea.asc").write_text(
+            f"ncols 21\nnrows 21\nxllcorner 0\nyllcorner 0\ncellsize 10\n{rows}\n"
+        )
+        size = (400, 320)
+        picture = self.picture("sea.asc", "--sea-level=23", "--range=-40,120", size=size)
+        lowest, sea, highest = self.assert_shows(picture, "-40", "23", "120")
+        share = (lowest[1] - sea[1]) / (lowest[1] - highest[1])
+        self.assertAlmostEqual(share, 63 / 160, delta=0.02)
+        self.assertIsNone(picture.find("40.0"))
+
     def test_labels(self):
         """All labels have the same number of decimals and one exponent."""
         for low, high, shown, missing in (

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace
 {
@@ -52,12 +53,13 @@ void SetLook(vtkTextProperty* text)
 }
 
 //------------------------------------------------------------------------------
-ViewerLegend::ViewerLegend(
-  vtkRenderer* renderer, vtkScalarsToColors* table, const std::string& title, int numberOfLabels)
+ViewerLegend::ViewerLegend(vtkRenderer* renderer, vtkScalarsToColors* table,
+  const std::string& title, int numberOfLabels, const std::optional<double>& mark)
   : Renderer(renderer)
   , Table(table)
   , Name(ToPrintable(title))
   , NumberOfLabels(numberOfLabels)
+  , Mark(mark)
 {
   const auto add = [&](vtkActor2D* actor, vtkPolyData* shape)
   {
@@ -215,7 +217,29 @@ std::vector<ViewerLegend::Row> ViewerLegend::GetRows(int barHeight)
       range[1] > range[0] ? (label.Value - range[0]) / (range[1] - range[0]) : 0.5;
     rows.push_back({ position, label.Text });
   }
+  this->AddMark(rows, barHeight);
   return rows;
+}
+
+//------------------------------------------------------------------------------
+void ViewerLegend::AddMark(std::vector<Row>& rows, int barHeight)
+{
+  const double* range = this->Table->GetRange();
+  if (!this->Mark || rows.size() < 2 || !MakeLegendLabels(range, 2).Factor.empty())
+  {
+    return;
+  }
+  const double position = (*this->Mark - range[0]) / (range[1] - range[0]);
+  const double pitch = static_cast<double>(LabelPitch) / barHeight;
+  if (!(position >= pitch && position <= 1.0 - pitch))
+  {
+    return; // the ends are labelled
+  }
+  const auto isNear = [&](const Row& row) { return std::abs(row.Position - position) < pitch; };
+  rows.erase(std::remove_if(rows.begin(), rows.end(), isNear), rows.end());
+  std::ostringstream text;
+  text << *this->Mark;
+  rows.push_back({ position, text.str() });
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,7 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,9 @@ class ViewerLegend
 {
 public:
   /// Labels are numbers of the table's range, or its annotations if it uses indexed lookup.
-  ViewerLegend(
-    vtkRenderer* renderer, vtkScalarsToColors* table, const std::string& title, int numberOfLabels);
+  /// The mark is labelled, too, and labels between the ends make room for it.
+  ViewerLegend(vtkRenderer* renderer, vtkScalarsToColors* table, const std::string& title,
+    int numberOfLabels, const std::optional<double>& mark);
   ~ViewerLegend();
   ViewerLegend(const ViewerLegend&) = delete;
   void operator=(const ViewerLegend&) = delete;
@@ -50,6 +52,7 @@ private:
   void SetTitle(const int size[2], int margin);
   int GetBarHeight(int available) const;
   std::vector<Row> GetRows(int barHeight);
+  void AddMark(std::vector<Row>& rows, int barHeight);
   int GetWidth(vtkTextProperty* property, const std::string& text);
   void DrawGround(const int size[2]);
   void DrawBar(int left, int bottom, int height);
@@ -60,6 +63,7 @@ private:
   vtkSmartPointer<vtkScalarsToColors> Table;
   std::string Name;
   int NumberOfLabels;
+  std::optional<double> Mark;
   int Size[2] = { 0, 0 };
   vtkMTimeType TableTime = 0;
   std::array<int, 2> Corner = { { 0, 0 } };

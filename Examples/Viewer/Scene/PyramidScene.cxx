@@ -246,7 +246,7 @@ void PyramidScene::SetColours()
         this->Options.Range.value_or(range));
   colours->SetNanColor(0.75, 0.75, 0.75); // aspects of plains
   this->Mapper->SetLookupTable(colours);
-  this->AddLegend(this->Mapper->GetLegendLookupTable(), title, unit, 5);
+  this->AddLegend(this->Mapper->GetLegendLookupTable(), title, unit, 5, this->Options.SeaLevel);
   // Estimates are replaced once the index is complete.
   this->HasEstimates = title == "Height" && !this->Options.Range && !this->Pyramid->IsErrorKnown();
   this->Colours = colours;

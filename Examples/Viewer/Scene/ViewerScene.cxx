@@ -29,13 +29,13 @@ ViewerScene::ViewerScene(const ViewerOptions& options, ViewerMessages& messages)
 ViewerScene::~ViewerScene() = default;
 
 //------------------------------------------------------------------------------
-void ViewerScene::AddLegend(
-  vtkScalarsToColors* table, const std::string& name, const std::string& unit, int numberOfLabels)
+void ViewerScene::AddLegend(vtkScalarsToColors* table, const std::string& name,
+  const std::string& unit, int numberOfLabels, const std::optional<double>& mark)
 {
   if (this->Options.Legend)
   {
     this->Legend = std::make_unique<ViewerLegend>(
-      this->Renderer, table, MakeLegendTitle(name, unit), numberOfLabels);
+      this->Renderer, table, MakeLegendTitle(name, unit), numberOfLabels, mark);
   }
 }
 

@@ -74,7 +74,7 @@ protected:
 
   /// The unit is an empty string if unknown.
   void AddLegend(vtkScalarsToColors* table, const std::string& name, const std::string& unit,
-    int numberOfLabels);
+    int numberOfLabels, const std::optional<double>& mark = {});
   /// Shows all points beside the legend, from the direction of the options or the default one.
   void FitView(vtkPoints* points, const ViewerDirection& defaultDirection);
   /// Sets the view of these bounds, with default lights or those of the options, for scenes without
