@@ -140,6 +140,18 @@ bool vtkTerrainPyramid::Report(const std::string& error)
 }
 
 //------------------------------------------------------------------------------
+bool vtkTerrainPyramid::ReportOpening(const std::string& error)
+{
+  if (error != this->OpeningError)
+  {
+    this->OpeningError = error;
+    return this->Report(error);
+  }
+  this->ErrorMessage = error;
+  return false;
+}
+
+//------------------------------------------------------------------------------
 double* vtkTerrainPyramid::GetRange()
 {
   this->GetRange(this->Range);
@@ -365,14 +377,15 @@ bool vtkTerrainPyramid::Update()
     this->ErrorMessage.clear();
     if (name.empty())
     {
-      return this->Report("There is no raster to open: call SetFileName().");
+      return this->ReportOpening("There is no raster to open: call SetFileName().");
     }
     std::string error;
     this->Pyramid = relevo::RasterPyramid::Open(name, folder, error);
     if (!this->Pyramid)
     {
-      return this->Report("Cannot open " + name + ": " + error + ".");
+      return this->ReportOpening("Cannot open " + name + ": " + error + ".");
     }
+    this->OpeningError.clear();
     this->Lattice = std::make_shared<relevo::PyramidLattice>(this->Pyramid);
     this->OpenedName = name;
     this->OpenedCacheDirectory = folder;
@@ -628,7 +641,7 @@ const char* vtkTerrainPyramid::GetHeightUnit()
 // Without GDAL there is never a raster.
 bool vtkTerrainPyramid::Update()
 {
-  return this->Report(
+  return this->ReportOpening(
     "This build of Relevo does not have GDAL. Install libgdal-dev and build again.");
 }
 int vtkTerrainPyramid::GetNumberOfLevels()

@@ -37,7 +37,7 @@
  * it, or if it is NaN or infinite.
  *
  * Errors (ErrorEvent; Update() returns false): no file name; a file that is missing, empty,
- * truncated or not a raster; a build without GDAL.
+ * truncated or not a raster; latitudes beyond the poles; a build without GDAL.
  *
  * Queries can be made by several threads at once, but not during Update() or a setter.
  *
@@ -99,8 +99,8 @@ public:
 
   /**
    * Open the raster, or open it again if the name or the file has changed, and start to build its
-   * index if necessary. Returns false after an error. An error of the background build is reported
-   * by the next call, once.
+   * index if necessary. Returns false after an error. If calls in succession have the same error,
+   * the first one reports it. An error of the background build is reported by the next call, once.
    */
   bool Update();
 
@@ -255,7 +255,7 @@ public:
   /// it, m if there is a coordinate system, otherwise "".
   const char* GetHeightUnit();
 
-  /// Return the message of the last ErrorEvent, without class and line; "" if there was none.
+  /// Return the message of the last error, without class and line; "" if there was none.
   const char* GetErrorMessage() { return this->ErrorMessage.c_str(); }
 
 #ifndef __VTK_WRAP__
@@ -283,6 +283,7 @@ private:
   void operator=(const vtkTerrainPyramid&) = delete;
 
   bool Report(const std::string& error);
+  bool ReportOpening(const std::string& error); // once in succession
   bool Convert(bool (*convert)(const std::string&, std::array<double, 2>&), const double from[2],
     double to[2]);
   std::array<double, 2> ToSamples(double x, double y);
@@ -295,6 +296,7 @@ private:
   std::string OpenedCacheDirectory;
   std::recursive_mutex ReportMutex; // observers may ask for heights
   std::string ErrorMessage;
+  std::string OpeningError; // of the last Update()
   bool HasReportedIndex;
   int Dimensions[2];
   double Range[2];

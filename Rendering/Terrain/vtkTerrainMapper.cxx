@@ -301,7 +301,7 @@ std::string vtkTerrainMapper::OpenTerrain()
   if (!lattice)
   {
     data.Terrain.reset();
-    return std::string("The pyramid has an error: ") + this->Pyramid->GetErrorMessage();
+    return this->Pyramid->GetErrorMessage();
   }
   if (data.IsOpen && !lattice->AreErrorsKnown() && !lattice->AreErrorsPending())
   {
@@ -378,7 +378,9 @@ bool vtkTerrainMapper::UpdateTerrain()
   {
     data.Terrain.reset();
   }
-  if (relevo::ShouldReport(data.Error, error))
+  // The pyramid has reported that it cannot be opened.
+  const bool isReported = this->Pyramid && !this->Pyramid->GetLattice();
+  if (relevo::ShouldReport(data.Error, error) && !isReported)
   {
     vtkErrorMacro(<< error);
   }

@@ -56,6 +56,30 @@ std::string MakeCacheFileName(const std::string& folder, const std::string& rast
 // A thread that does not end for so long is in a read that hangs.
 constexpr std::chrono::seconds LongestWait(5);
 
+// A raster in metres may be declared as longitude and latitude. Rasters with samples on the poles
+// reach half a sample beyond them.
+std::string FindLatitudeError(const RasterDescription& contents)
+{
+  const Georeference& location = contents.Location;
+  if (location.System != Georeference::Kind::Geographic)
+  {
+    return "";
+  }
+  const double sample = std::max(
+    std::abs(location.AlongU[1]) / contents.Width, std::abs(location.AlongV[1]) / contents.Height);
+  const double largest = 90.0 + std::max(1.0, sample * location.Unit);
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const double latitude = location.Coordinates(corner % 2, corner / 2)[1] * location.Unit;
+    if (!(std::abs(latitude) <= largest))
+    {
+      return "it has latitudes beyond the poles, so its coordinate system does not fit its "
+             "coordinates; give it the right one (gdal_translate -a_srs)";
+    }
+  }
+  return "";
+}
+
 bool IsFile(const std::string& name)
 {
   std::error_code failure;
@@ -74,6 +98,11 @@ std::shared_ptr<RasterPyramid> RasterPyramid::Open(
   pyramid->FileName = fileName;
   pyramid->File = PyramidFile::Open(fileName, error);
   if (!pyramid->File)
+  {
+    return nullptr;
+  }
+  error = FindLatitudeError(pyramid->File->Describe());
+  if (!error.empty())
   {
     return nullptr;
   }

@@ -51,8 +51,9 @@ void TestFiles(RelevoCheck& check, const RelevoTestFolders& folders)
   ExpectError(check, pyramid, empty, "empty");
 }
 
-// A file that is known to be truncated is not opened. A compressed file is read as far as possible,
-// and the rest is one error. It counts as missing data, and the index is not written.
+// A truncated file is not opened, in any layout, also if only overviews are cut off. A damaged file
+// is read as far as possible, and the rest is one error. It counts as missing data, and the index
+// is not written.
 void TestTruncated(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const std::string whole = folders.File("TerrainPyramidWhole.tif");
@@ -64,9 +65,37 @@ void TestTruncated(RelevoCheck& check, const RelevoTestFolders& folders)
   vtkNew<vtkTerrainPyramid> pyramid;
   ExpectError(check, pyramid, cut, "truncated");
 
+  for (const char* layout : { "TILED=NO", "TILED=YES" })
+  {
+    CHECK_CASE(layout);
+    raster.Options = { "COMPRESS=DEFLATE", layout };
+    CHECK(raster.Write(whole));
+    for (const double share : { 0.4, 0.6, 0.99 })
+    {
+      CHECK_CASE(share);
+      RelevoTruncate(whole, cut, share);
+      vtkNew<vtkTerrainPyramid> other;
+      ExpectError(check, other, cut, "the file is truncated: it has ");
+    }
+    GDALDatasetH dataset = GDALOpen(whole.c_str(), GA_Update);
+    const int factors[] = { 2 };
+    CHECK(GDALBuildOverviews(dataset, "AVERAGE", 1, factors, 0, nullptr, nullptr, nullptr) == 0);
+    GDALClose(dataset);
+    vtkNew<vtkTerrainPyramid> good;
+    RelevoErrors none(good);
+    good->SetFileName(whole.c_str());
+    CHECK(good->Update());
+    CHECK_EQUAL(good->GetNumberOfLevels(), 2);
+    CHECK(none.None());
+    RelevoTruncate(whole, cut, 0.95);
+    vtkNew<vtkTerrainPyramid> other;
+    ExpectError(check, other, cut, "the file is truncated: it has ");
+  }
+
   raster.Options = { "COMPRESS=DEFLATE" };
   CHECK(raster.Write(whole));
   RelevoTruncate(whole, cut, 0.6);
+  std::filesystem::resize_file(cut, std::filesystem::file_size(whole)); // the rest is zeros
   std::filesystem::remove(cut + ".relevo-index");
   RelevoErrors errors(pyramid);
   pyramid->SetFileName(cut.c_str());
@@ -87,6 +116,29 @@ void TestTruncated(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(std::isnan(pyramid->GetElevation(10.5, 0.5)));
   CHECK(errors.Said("TerrainPyramidCut.tif"));
   CHECK(!std::filesystem::exists(cut + ".relevo-index"));
+}
+
+// A raster in metres that is declared as longitude and latitude is not indexed. Half a sample
+// beyond a pole is right for samples on grid lines.
+void TestLatitudes(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  const std::string name = folders.File("TerrainPyramidLatitudes.tif");
+  CHECK(
+    RelevoRaster::MakeSlope(300, 200, { 500000.0, 30.0, 0.0, 4300000.0, 0.0, -30.0 }, "EPSG:4326")
+      .Write(name));
+  std::filesystem::remove(name + ".relevo-index");
+  vtkNew<vtkTerrainPyramid> pyramid;
+  ExpectError(check, pyramid, name, "latitudes beyond the poles");
+  RelevoErrors errors(pyramid);
+  CHECK(!pyramid->Update());
+  CHECK(errors.None()); // once
+  CHECK(std::string(pyramid->GetErrorMessage()).find("gdal_translate -a_srs") != std::string::npos);
+  CHECK(!std::filesystem::exists(name + ".relevo-index"));
+
+  CHECK(RelevoRaster::MakeSlope(73, 37, { -182.5, 5.0, 0.0, 92.5, 0.0, -5.0 }, "EPSG:4326")
+          .Write(name));
+  CHECK(pyramid->Update());
+  CHECK(errors.None());
 }
 
 void TestCalls(RelevoCheck& check, const RelevoTestFolders& folders)
@@ -188,6 +240,7 @@ int TestTerrainPyramidErrors(int argc, char* argv[])
   const RelevoTestFolders folders(argc, argv);
   TestFiles(check, folders);
   TestTruncated(check, folders);
+  TestLatitudes(check, folders);
   TestCalls(check, folders);
   TestSources(check, folders);
   TestExtremes(check, folders);

@@ -374,18 +374,21 @@ void TestGeoreferences(RelevoCheck& check, const RelevoTestFolders& folders)
     const char* Name;
     std::vector<double> Transform;
     const char* System;
-    const char* Error; // of the mapper or the pyramid; nullptr if the raster is drawn
+    const char* Error; // nullptr if the raster is drawn
+    bool IsOpened;     // otherwise the pyramid reports the error, not the mapper
   };
   const Case cases[] = {
-    { "none", {}, "", nullptr },
-    { "no system", { 500000.0, 30.0, 0.0, 4300000.0, 0.0, -30.0 }, "", nullptr },
-    { "local", { 500000.0, 30.0, 0.0, 4300000.0, 0.0, -30.0 }, "LOCAL_CS[\"plan\"]", nullptr },
-    { "latitudes", { 10.0, 1.0, 0.0, 400.0, 0.0, -1.0 }, "EPSG:4326", "beyond the poles" },
-    { "no area", { 0.0, 1.0, 1.0, 0.0, 1.0, 1.0 }, "EPSG:32632", "georeference is singular" },
-    { "NaN", { NaN, 30.0, 0.0, 0.0, 0.0, -30.0 }, "EPSG:32632", "georeference" },
-    { "huge", { 0.0, 1e38, 0.0, 0.0, 0.0, -1e38 }, "EPSG:32632", "invalid georeference" },
-    { "far away", { 1e300, 30.0, 0.0, 4300000.0, 0.0, -30.0 }, "EPSG:32632",
-      "invalid georeference" },
+    { "none", {}, "", nullptr, true },
+    { "no system", { 500000.0, 30.0, 0.0, 4300000.0, 0.0, -30.0 }, "", nullptr, true },
+    { "local", { 500000.0, 30.0, 0.0, 4300000.0, 0.0, -30.0 }, "LOCAL_CS[\"plan\"]", nullptr,
+      true },
+    { "latitudes", { 10.0, 1.0, 0.0, 400.0, 0.0, -1.0 }, "EPSG:4326", "beyond the poles", false },
+    { "no area", { 0.0, 1.0, 1.0, 0.0, 1.0, 1.0 }, "EPSG:32632", "georeference is singular",
+      false },
+    { "NaN", { NaN, 30.0, 0.0, 0.0, 0.0, -30.0 }, "EPSG:32632", "georeference", false },
+    { "huge", { 0.0, 1e38, 0.0, 0.0, 0.0, -1e38 }, "EPSG:32632", "invalid georeference", true },
+    { "far away", { 1e300, 30.0, 0.0, 4300000.0, 0.0, -30.0 }, "EPSG:32632", "invalid georeference",
+      true },
   };
   for (const Case& one : cases)
   {
@@ -402,11 +405,51 @@ void TestGeoreferences(RelevoCheck& check, const RelevoTestFolders& folders)
     CHECK_EQUAL(scene.Mapper->IsComplete(), one.Error == nullptr);
     if (one.Error)
     {
-      CHECK(scene.MapperErrors.Said(one.Error));
+      CHECK((one.IsOpened ? scene.MapperErrors : scene.PyramidErrors).Said(one.Error));
     }
     CHECK(scene.DrawAll());
     CHECK(scene.MapperErrors.None()); // once
+    CHECK(scene.PyramidErrors.None());
   }
+}
+
+void TestLowestLimit(RelevoCheck& check)
+{
+  vtkNew<vtkTerrainMapper> mapper;
+  RelevoErrors errors(mapper);
+  const vtkTypeInt64 before = mapper->GetMemoryLimit();
+  mapper->SetMemoryLimit((1 << 22) - 1);
+  CHECK(errors.Said("MemoryLimit must be at least 4194304, got 4194303."));
+  CHECK_EQUAL(mapper->GetMemoryLimit(), before);
+  mapper->SetMemoryLimit(1 << 22);
+  CHECK(errors.None());
+  CHECK_EQUAL(mapper->GetMemoryLimit(), 1 << 22);
+}
+
+// The pyramid reports a file that cannot be opened once, for Update() and all frames.
+void TestMissingFile(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  BadInputScene scene(folders.File("BadInputMissing.tif"));
+  int reports = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    CHECK(!scene.Pyramid->Update());
+    scene.Look(3000.0);
+    scene.Window->Render();
+    CHECK(!scene.Mapper->IsComplete());
+    reports += !scene.PyramidErrors.None() && scene.PyramidErrors.Said("does not exist") ? 1 : 0;
+    CHECK(scene.MapperErrors.None());
+  }
+  CHECK_EQUAL(reports, 1);
+  // Another name is another error.
+  const std::string other = folders.File("BadInputNoFile.tif");
+  scene.Pyramid->SetFileName(other.c_str());
+  scene.Window->Render();
+  CHECK(scene.PyramidErrors.Said("BadInputNoFile.tif"));
+  CHECK(scene.MapperErrors.None());
+  scene.Mapper->SetPyramid(nullptr);
+  scene.Window->Render();
+  CHECK(scene.MapperErrors.Said("call SetPyramid()"));
 }
 
 // 16 MiB are sufficient for a picture. Otherwise it is coarser, which the mapper reports.
@@ -455,5 +498,7 @@ int TestTerrainMapperBadInput(int argc, char* argv[])
   TestShapes(check, folders);
   TestGeoreferences(check, folders);
   TestSmallLimit(check, folders);
+  TestLowestLimit(check);
+  TestMissingFile(check, folders);
   return check.GetResult();
 }
