@@ -221,6 +221,13 @@ std::string FindLocationError(const Georeference& location)
   const TerrainFrame frame(location);
   if (!frame.FitsMesh())
   {
+    // Declared as longitude and latitude, but in metres.
+    const double latitude = frame.GetCenter()[1] * location.Unit;
+    if (location.System == Georeference::Kind::Geographic && std::abs(latitude) > 90.0)
+    {
+      return " has latitudes beyond the poles, so its coordinate system does not fit its "
+             "coordinates. Give it the right one (gdal_translate -a_srs).";
+    }
     return " has an invalid georeference: its corners coincide, or are out of the range of floats. "
            "Give the file the right georeference (gdal_edit.py -a_ullr).";
   }

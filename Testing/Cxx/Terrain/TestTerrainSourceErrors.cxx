@@ -95,6 +95,10 @@ void TestPlaces(RelevoCheck& check, const RelevoTestFolders& folders, Scene& sce
   bad.Transform = { -180.0, 10.0, 0.0, 90.0, 0.0, -10.0 };
   CHECK(bad.Write(folders.File("TerrainEarth.tif")));
   scene.Fails(check, folders.File("TerrainEarth.tif"), "beyond the horizon");
+  bad.Transform = { 500000.0, 30.0, 0.0, 4300000.0, 0.0, -30.0 };
+  CHECK(bad.Write(folders.File("TerrainMetres.tif")));
+  scene.Fails(check, folders.File("TerrainMetres.tif"), "latitudes beyond the poles");
+  bad.Transform = { -180.0, 10.0, 0.0, 90.0, 0.0, -10.0 };
   bad.CoordinateSystem = "EPSG:4978";
   CHECK(bad.Write(folders.File("TerrainGeocentric.tif")));
   scene.Fails(check, folders.File("TerrainGeocentric.tif"), "project it first");
