@@ -189,9 +189,9 @@ void TestErrors(RelevoCheck& check)
   RelevoErrors pyramidErrors(scene.Pyramid);
   scene.Pyramid->SetFileName("/nowhere/terrain.tif");
   CHECK_EQUAL(scene.Draw().CountForeground(), 0);
-  CHECK(errors.Said("/nowhere/terrain.tif"));
+  CHECK(pyramidErrors.Said("/nowhere/terrain.tif"));
   scene.Draw();
-  CHECK(errors.None()); // once
+  CHECK(pyramidErrors.None() && errors.None()); // once
   scene.Mapper->SetPyramid(nullptr);
   scene.Draw();
   CHECK(errors.Said("SetPyramid()"));
