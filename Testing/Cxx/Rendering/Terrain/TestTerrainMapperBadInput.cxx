@@ -293,7 +293,8 @@ void TestValues(RelevoCheck& check, const RelevoTestFolders& folders)
     BadInputScene scene(file);
     const size_t pixels = DrawRaster(check, scene, one.HasData ? one.Value(29, 0) : 0.0);
     CHECK_EQUAL(pixels > 0, one.HasData);
-    CHECK_EQUAL(scene.Mapper->IsComplete(), one.HasData); // VTK skips actors without bounds
+    CHECK(scene.Mapper->IsComplete() || !one.HasData); // VTK skips actors without bounds
+    CHECK(scene.Pyramid->WaitForIndex());
     CHECK(scene.MapperErrors.None());
     CHECK(scene.PyramidErrors.None());
     const double* bounds = scene.Mapper->GetBounds();
