@@ -44,12 +44,14 @@ printf '%s' 'GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.2572
 for flag in $("$build/bin/relevo-view" --help | sed -nE 's/^  (--[a-z-]+)  .*/\1/p'); do
   case $flag in --help | --version) continue ;; esac
   file=heights.pgm
+  partner=
   case $flag in
     --patch-edges) file=patch.bpt ;;
     --globe) file=degrees.asc ;;
+    --contour-labels) partner=--contours=1 ;;
   esac
   rm -f flag.png
-  check 0 "$folder/here/flag.png" "$flag" "$file" "$flag" --output flag.png --size 64x48
+  check 0 "$folder/here/flag.png" "$flag" "$file" "$flag" $partner --output flag.png --size 64x48
 done
 rm -f "$build/relevo-view.png"
 check 0 "$build/relevo-view.png" heights.pgm --size 64x48
