@@ -43,18 +43,16 @@ FaceHeights::FaceHeights(const TerrainFace& face)
 
 float FaceHeights::GetFine(int a, int b) const
 {
-  const TerrainFace& f = this->Face;
-  return GetLatticeHeight(*f.Tile, f.Level, f.Apex[0] + a * f.Step1[0] + b * f.Step2[0],
-    f.Apex[1] + a * f.Step1[1] + b * f.Step2[1]);
+  const std::array<std::int64_t, 2> vertex = this->Face.GetVertex(a, b);
+  return GetLatticeHeight(*this->Face.Tile, this->Face.Level, vertex[0], vertex[1]);
 }
 
 // The vertex exists in the lattice of the next coarser level, too.
 float FaceHeights::GetCoarse(int a, int b) const
 {
-  const TerrainFace& f = this->Face;
-  return GetLatticeHeight(*f.CoarseTile, f.Level + 1,
-    (f.Apex[0] + a * f.Step1[0] + b * f.Step2[0]) / 2,
-    (f.Apex[1] + a * f.Step1[1] + b * f.Step2[1]) / 2);
+  const std::array<std::int64_t, 2> vertex = this->Face.GetVertex(a, b);
+  return GetLatticeHeight(
+    *this->Face.CoarseTile, this->Face.Level + 1, vertex[0] / 2, vertex[1] / 2);
 }
 
 // The height of a vertex that the parent had, too. The corners (Segments, 0) and (0, Segments) are

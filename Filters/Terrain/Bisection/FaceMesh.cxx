@@ -35,8 +35,9 @@ void MakeFaceMesh(const AdaptiveTerrain& terrain, double exaggeration, vtkPolyDa
       {
         const int index = GlobeFaces::GetIndex(a, b);
         TerrainMeshBuilder::Vertex& vertex = vertices[index];
-        vertex.Column = (face.Apex[0] + a * face.Step1[0] + b * face.Step2[0]) << shift;
-        vertex.Row = (face.Apex[1] + a * face.Step1[1] + b * face.Step2[1]) << shift;
+        const std::array<std::int64_t, 2> inLattice = face.GetVertex(a, b);
+        vertex.Column = inLattice[0] << shift;
+        vertex.Row = inLattice[1] << shift;
         vertex.Height = heights.GetHeight(a, b);
         vertex.Point = &points[index];
         if (placement.Globe)

@@ -34,18 +34,13 @@ void LocateFace(const GlobeShape& shape, const TerrainFace& face, GlobeFaces::Ve
 {
   std::array<double, GlobeFaces::VerticesPerFace> columns;
   std::array<double, GlobeFaces::VerticesPerFace> rows;
-  const double size = std::ldexp(1.0, face.Level);
   for (int b = 0; b <= GlobeSegments; ++b)
   {
     for (int a = 0; a + b <= GlobeSegments; ++a)
     {
-      const auto locate = [&](int axis)
-      {
-        return size *
-          static_cast<double>(face.Apex[axis] + a * face.Step1[axis] + b * face.Step2[axis]);
-      };
-      columns[GlobeFaces::GetIndex(a, b)] = locate(0);
-      rows[GlobeFaces::GetIndex(a, b)] = locate(1);
+      const std::array<double, 2> sample = face.GetSample(a, b);
+      columns[GlobeFaces::GetIndex(a, b)] = sample[0];
+      rows[GlobeFaces::GetIndex(a, b)] = sample[1];
     }
   }
   shape.Locate(columns.size(), columns.data(), rows.data(), vertices.data());

@@ -483,7 +483,6 @@ double TerrainBisection::ProjectFace(
   const int level = end >= 0 && isSplit ? block.Level - 1 : block.Level;
   const double remainder = isSplit ? 1.0 : GetRemainder(face.Morph);
   const FaceHeights heights(face);
-  const double size = std::ldexp(1.0, face.Level);
   const auto extend = [](std::array<double, 2>& range, double value) {
     range = { { std::min(range[0], value), std::max(range[1], value) } };
   };
@@ -494,13 +493,9 @@ double TerrainBisection::ProjectFace(
       { { InfiniteError, -InfiniteError } } };
     for (const auto& [a, b] : triangle)
     {
-      const auto position = [&, a = a, b = b](int axis)
-      {
-        return size *
-          static_cast<double>(face.Apex[axis] + a * face.Step1[axis] + b * face.Step2[axis]);
-      };
-      extend(box.Columns, position(0));
-      extend(box.Rows, position(1));
+      const std::array<double, 2> sample = face.GetSample(a, b);
+      extend(box.Columns, sample[0]);
+      extend(box.Rows, sample[1]);
       const double height = heights.GetHeight(a, b);
       if (!std::isnan(height))
       {

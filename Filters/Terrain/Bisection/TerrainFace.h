@@ -20,6 +20,7 @@
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace relevo
@@ -54,6 +55,20 @@ struct RELEVOFILTERSTERRAIN_EXPORT TerrainFace
   const HeightTile* CoarseTile = nullptr;
   /// The projected error of this face in pixels, at most.
   float Error = 0.0f;
+
+  /// The vertex (a, b) of the pattern, in the lattice of the face's level.
+  std::array<std::int64_t, 2> GetVertex(int a, int b) const
+  {
+    return { { this->Apex[0] + a * this->Step1[0] + b * this->Step2[0],
+      this->Apex[1] + a * this->Step1[1] + b * this->Step2[1] } };
+  }
+  /// Its column and row in samples.
+  std::array<double, 2> GetSample(int a, int b) const
+  {
+    const std::array<std::int64_t, 2> vertex = this->GetVertex(a, b);
+    const double size = std::ldexp(1.0, this->Level);
+    return { { size * static_cast<double>(vertex[0]), size * static_cast<double>(vertex[1]) } };
+  }
 
   /// Whether (Step1, Step2) turns from the raster's columns to its rows, as (1, 0) and (0, 1).
   bool IsPositive() const

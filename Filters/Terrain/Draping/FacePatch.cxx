@@ -28,14 +28,7 @@ FacePatch::FacePatch(const TerrainFace& face, const GlobeFaces::Vertices* vertic
   for (const PatternVertex& corner : { PatternVertex{ { 0, 0 } },
          PatternVertex{ { FaceSegments, 0 } }, PatternVertex{ { 0, FaceSegments } } })
   {
-    MapPosition position;
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      position[axis] = this->Size *
-        static_cast<double>(
-          face.Apex[axis] + corner[0] * face.Step1[axis] + corner[1] * face.Step2[axis]);
-    }
-    this->Box.Add(position);
+    this->Box.Add(face.GetSample(corner[0], corner[1]));
   }
   this->Box.Clip(lastSample);
 }
@@ -53,20 +46,13 @@ MapPosition FacePatch::ToPattern(const MapPosition& position) const
 
 SurfaceVertex FacePatch::GetVertex(const PatternVertex& vertex) const
 {
-  const TerrainFace& face = this->Face;
-  const auto get = [&](int axis)
-  {
-    return this->Size *
-      static_cast<double>(
-        face.Apex[axis] + vertex[0] * face.Step1[axis] + vertex[1] * face.Step2[axis]);
-  };
   SurfaceVertex result;
-  result.Position = { { get(0), get(1) } };
-  result.Height = FaceHeights(face).GetHeight(vertex[0], vertex[1]);
+  result.Position = this->Face.GetSample(vertex[0], vertex[1]);
+  result.Height = FaceHeights(this->Face).GetHeight(vertex[0], vertex[1]);
   if (this->Vertices)
   {
     const auto [a, b] = vertex;
-    result.World = GlobeFaces::GetWorld(face, *this->Vertices, this->Placement, a, b);
+    result.World = GlobeFaces::GetWorld(this->Face, *this->Vertices, this->Placement, a, b);
     result.Up = (*this->Vertices)[GlobeFaces::GetIndex(a, b)].Up;
     // There is no surface outside of the projection.
     result.Height = std::isnan(result.World[0]) ? result.World[0] : result.Height;

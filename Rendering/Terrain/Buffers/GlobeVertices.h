@@ -29,7 +29,7 @@ public:
   /// The bytes of a face.
   static constexpr int BytesPerFace = GlobeFaces::VerticesPerFace * 12 * sizeof(float);
 
-  /// What positions depend on.
+  /// Positions are computed again if one of these settings changes.
   struct Settings
   {
     std::array<double, 3> Origin; // positions are relative to it

@@ -171,25 +171,19 @@ void TerrainPainter::FindSmallFaces(
   {
     return;
   }
-  const double offsets[3][2] = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 0.0, 1.0 } };
+  constexpr int segments = TerrainFace::Segments;
+  const int vertices[3][2] = { { 0, 0 }, { segments, 0 }, { 0, segments } };
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
     const TerrainFace& face = faces[i];
     std::array<std::array<double, 3>, 3> corners;
     for (int c = 0; c < 3; ++c)
     {
-      double sample[2];
-      for (int axis = 0; axis < 2; ++axis)
-      {
-        sample[axis] = std::ldexp(static_cast<double>(face.Apex[axis]) +
-            TerrainFace::Segments *
-              (offsets[c][0] * face.Step1[axis] + offsets[c][1] * face.Step2[axis]),
-          face.Level);
-      }
+      const std::array<double, 2> sample = face.GetSample(vertices[c][0], vertices[c][1]);
       corners[c] = placement.ToWorld(sample[0], sample[1], face.CornerHeights[c]);
     }
     this->AreSmall[i] =
-      viewpoint.GetLongestSide(corners) <= TerrainFace::Segments * LargestSmallTriangle; // not NaN
+      viewpoint.GetLongestSide(corners) <= segments * LargestSmallTriangle; // not NaN
   }
 }
 
@@ -244,11 +238,8 @@ void TerrainPainter::ChooseGlobeOrigin(
     if (distance < nearest)
     {
       nearest = distance;
-      for (int axis = 0; axis < 2; ++axis)
-      {
-        this->OriginSample[axis] =
-          static_cast<int>(std::ldexp(static_cast<double>(faces[i].Apex[axis]), faces[i].Level));
-      }
+      const std::array<double, 2> sample = faces[i].GetSample(0, 0);
+      this->OriginSample = { { static_cast<int>(sample[0]), static_cast<int>(sample[1]) } };
     }
   }
   const double height = this->Current.Placement.Globe->GetFrame().ToGeographic(near)[2] /

@@ -28,8 +28,7 @@ void relevoFindGradient(float detail)
     if (layer >= 0)
     {
       vec2 found = textureLod(relevoTileGradients, relevoLayerPoint(vertex, layer), 0.0).rg;
-      float weight = rest * visibility * relevoLevelWeight(level, detail);
-      weight = level == relevoHeightLevels.y ? rest : weight;
+      float weight = rest * relevoLevelWeight(level, detail, visibility);
       gradient += weight * relevoPower(-level) * found;
       rest -= weight;
     }

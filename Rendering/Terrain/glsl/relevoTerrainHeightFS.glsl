@@ -36,8 +36,7 @@ void relevoFindHeight(float detail)
     if (relevoFindTile(RelevoHeights, level, tile, visibility) >= 0)
     {
       float height = relevoTileHeight(vertex, relevoHeightLayer);
-      float weight = rest * visibility * relevoLevelWeight(level, detail);
-      weight = level == relevoHeightLevels.y ? rest : weight;
+      float weight = rest * relevoLevelWeight(level, detail, visibility);
       weight = isnan(height) ? 0.0 : weight;
       relevoFragmentHeight += weight > 0.0 ? weight * height : 0.0;
       rest -= weight;

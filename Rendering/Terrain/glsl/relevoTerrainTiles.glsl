@@ -70,8 +70,10 @@ int relevoFirstLevel(float detail)
   return int(floor(detail + (1.0 - relevoMiddle - 0.5 / relevoSharpness)));
 }
 
-// Return the weight of a level, of what finer levels leave.
-float relevoLevelWeight(int level, float detail)
+// Return the part of the remaining weight that a level of heights takes. Finer levels have taken
+// theirs; the coarsest level takes the rest.
+float relevoLevelWeight(int level, float detail, float visibility)
 {
-  return clamp(0.5 + relevoSharpness * (float(level) + relevoMiddle - detail), 0.0, 1.0);
+  float weight = clamp(0.5 + relevoSharpness * (float(level) + relevoMiddle - detail), 0.0, 1.0);
+  return level == relevoHeightLevels.y ? 1.0 : visibility * weight;
 }
