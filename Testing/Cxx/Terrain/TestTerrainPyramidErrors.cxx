@@ -168,8 +168,8 @@ void TestCalls(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(errors.None());
 }
 
-// If the source of a VRT changes, heights are errors until Update() opens it again, and the index
-// is made anew. Statistics in a file of their own change nothing.
+// If the source of a VRT changes, reading heights fails until Update() opens it again and rebuilds
+// the index. A separate file of statistics, as GDAL writes it, has no effect.
 void TestSources(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const std::string source = folders.File("TerrainPyramidSource.tif");

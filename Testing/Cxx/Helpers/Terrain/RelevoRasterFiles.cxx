@@ -103,6 +103,16 @@ bool RelevoRaster::Write(const std::string& fileName, const char* driver) const
   return written;
 }
 
+RelevoRaster RelevoRaster::MakeMetric(int width, int height, double spacing)
+{
+  RelevoRaster raster;
+  raster.Width = width;
+  raster.Height = height;
+  raster.Transform = { 500000.0, spacing, 0.0, 4300000.0, 0.0, -spacing };
+  raster.CoordinateSystem = "EPSG:32632";
+  return raster;
+}
+
 RelevoRaster RelevoRaster::MakeSlope(int width, int height, const std::vector<double>& transform,
   const std::string& coordinateSystem, double first)
 {

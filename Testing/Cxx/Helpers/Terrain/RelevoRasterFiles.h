@@ -58,6 +58,9 @@ struct RelevoRaster
 
   bool Write(const std::string& fileName, const char* driver = "GTiff") const;
 
+  // A raster in metres, in a UTM zone, without values.
+  static RelevoRaster MakeMetric(int width, int height, double spacing);
+
   // Integer heights in metres that rise by one with every column and row.
   static RelevoRaster MakeSlope(int width, int height, const std::vector<double>& transform,
     const std::string& coordinateSystem, double first = 0.0);

@@ -39,11 +39,7 @@ constexpr double NotFound = std::numeric_limits<double>::quiet_NaN();
 
 RelevoRaster MakeRaster()
 {
-  RelevoRaster raster;
-  raster.Width = Size;
-  raster.Height = Size;
-  raster.Transform = { 500000.0, Spacing, 0.0, 4300000.0, 0.0, -Spacing };
-  raster.CoordinateSystem = "EPSG:32632";
+  RelevoRaster raster = RelevoRaster::MakeMetric(Size, Size, Spacing);
   raster.SetValues(
     [](int, int column, int row)
     {

@@ -27,11 +27,7 @@ using Point = std::array<double, 3>;
 
 std::string WriteHills(RelevoCheck& check, const RelevoTestFolders& folders)
 {
-  RelevoRaster raster;
-  raster.Width = Size;
-  raster.Height = Size;
-  raster.Transform = { 500000.0, Spacing, 0.0, 4300000.0, 0.0, -Spacing };
-  raster.CoordinateSystem = "EPSG:32632";
+  RelevoRaster raster = RelevoRaster::MakeMetric(Size, Size, Spacing);
   raster.SetValues(
     [](int, int column, int row)
     {
@@ -258,11 +254,7 @@ void TestSettings(RelevoCheck& check, const std::string& file)
 // Labels lie beside missing data, not on them.
 void TestNoData(RelevoCheck& check, const RelevoTestFolders& folders)
 {
-  RelevoRaster raster;
-  raster.Width = Size;
-  raster.Height = Size;
-  raster.Transform = { 500000.0, Spacing, 0.0, 4300000.0, 0.0, -Spacing };
-  raster.CoordinateSystem = "EPSG:32632";
+  RelevoRaster raster = RelevoRaster::MakeMetric(Size, Size, Spacing);
   raster.NoData = -9999.0;
   raster.SetValues([](int, int column, int row)
     { return (column / 20 + row / 20) % 2 == 0 ? -9999.0 : 500.0 + 2.0 * column + row; });

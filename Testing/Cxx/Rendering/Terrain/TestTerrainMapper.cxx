@@ -28,12 +28,7 @@ constexpr int Size = 700;
 // 30 m between samples, in a UTM zone.
 RelevoRaster MakeRaster()
 {
-  RelevoRaster raster;
-  raster.Width = Size;
-  raster.Height = Size;
-  raster.Transform = { 500000.0, 30.0, 0.0, 4300000.0, 0.0, -30.0 };
-  raster.CoordinateSystem = "EPSG:32632";
-  return raster;
+  return RelevoRaster::MakeMetric(Size, Size, 30.0);
 }
 
 // Hills in metres.

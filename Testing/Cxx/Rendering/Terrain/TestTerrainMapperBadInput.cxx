@@ -35,12 +35,7 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 
 RelevoRaster MakeRaster(int width, int height)
 {
-  RelevoRaster raster;
-  raster.Width = width;
-  raster.Height = height;
-  raster.Transform = { 500000.0, 30.0, 0.0, 4300000.0, 0.0, -30.0 };
-  raster.CoordinateSystem = "EPSG:32632";
-  return raster;
+  return RelevoRaster::MakeMetric(width, height, 30.0);
 }
 
 // Hills and overviews.

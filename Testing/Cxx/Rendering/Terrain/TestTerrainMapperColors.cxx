@@ -60,10 +60,7 @@ public:
 std::string WriteRaster(RelevoCheck& check, const RelevoTestFolders& folders,
   const std::string& name, const std::string& unit = "", const std::string& system = "EPSG:32632")
 {
-  RelevoRaster raster;
-  raster.Width = Size;
-  raster.Height = Size;
-  raster.Transform = { 500000.0, Spacing, 0.0, 4300000.0, 0.0, -Spacing };
+  RelevoRaster raster = RelevoRaster::MakeMetric(Size, Size, Spacing);
   raster.CoordinateSystem = system;
   raster.Unit = unit;
   raster.SetValues([](int, int column, int) { return GetHeight(column); });
@@ -136,11 +133,7 @@ void TestSeaLevel(RelevoCheck& check, const std::string& file)
 // Plains at exactly the sea level are water.
 void TestPlain(RelevoCheck& check, const RelevoTestFolders& folders)
 {
-  RelevoRaster raster;
-  raster.Width = 64;
-  raster.Height = 64;
-  raster.Transform = { 500000.0, Spacing, 0.0, 4300000.0, 0.0, -Spacing };
-  raster.CoordinateSystem = "EPSG:32632";
+  RelevoRaster raster = RelevoRaster::MakeMetric(64, 64, Spacing);
   for (double seaLevel : { 0.0, 137.37, -4321.1 })
   {
     CHECK_CASE(seaLevel);

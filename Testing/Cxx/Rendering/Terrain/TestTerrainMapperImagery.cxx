@@ -29,11 +29,7 @@ double GetWave(double pixel)
 // 30 m between samples, in a UTM zone; hills in metres.
 std::string WriteHills(const RelevoTestFolders& folders)
 {
-  RelevoRaster raster;
-  raster.Width = Size;
-  raster.Height = Size;
-  raster.Transform = { 500000.0, 30.0, 0.0, 4300000.0, 0.0, -30.0 };
-  raster.CoordinateSystem = "EPSG:32632";
+  RelevoRaster raster = RelevoRaster::MakeMetric(Size, Size, 30.0);
   raster.SetValues(
     [](int, int column, int row)
     {

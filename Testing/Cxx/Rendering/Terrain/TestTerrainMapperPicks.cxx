@@ -40,11 +40,7 @@ constexpr int Height = 240;
 
 std::string WriteHills(const RelevoTestFolders& folders)
 {
-  RelevoRaster raster;
-  raster.Width = Size;
-  raster.Height = Size;
-  raster.Transform = { 500000.0, Spacing, 0.0, 4300000.0, 0.0, -Spacing };
-  raster.CoordinateSystem = "EPSG:32632";
+  RelevoRaster raster = RelevoRaster::MakeMetric(Size, Size, Spacing);
   raster.SetValues(
     [](int, int column, int row)
     {
