@@ -7,6 +7,7 @@ import math
 import os
 import pathlib
 import re
+import time
 import unittest
 
 from vtkmodules.vtkFiltersSources import vtkRegularPolygonSource
@@ -51,6 +52,7 @@ class TestViewerTools(ViewerProgram):
     def window(self, *arguments):
         """Starts with the mouse in the sky."""
         window = Window(self.display, self.folder, *arguments, f"--size={WIDTH}x{HEIGHT}")
+        self.addCleanup(window.stop)
         window.move(WIDTH - 2, 2)
         return window
 
@@ -91,26 +93,44 @@ class TestViewerTools(ViewerProgram):
         self.close(window)
 
     def test_readout_during_a_drag(self):
-        """Each frame of a drag shows its own values: those of c, without a rest."""
+        """Each frame of a drag shows its own values, without waiting until the mouse rests."""
         window = self.window(self.heights, "--view=180,60")
 
-        def corner():
-            return [row[:200] for row in window.screen()[8:40]]
+        def split(screen):
+            """The words, and the rows above them."""
+            return [row[:200] for row in screen[8:40]], screen[60:]
 
         window.move(*MIDDLE)
-        wait(lambda: sum(is_dark(*pixel) for row in corner() for pixel in row) > 100, "words")
+        wait(lambda: self.has_words(split(window.screen())[0]), "words")
+        words, picture = split(self.settle(window))
         window.press()
-        seen = []
         for i in range(1, 6):
-            before = corner()
-            # The words change with the frame.
             window.move(MIDDLE[0], MIDDLE[1] + 4 * i)
-            wait(lambda: corner() != before, "another frame")
-            seen.append(corner())
+            frame = wait(
+                lambda: (screen := window.screen()) and split(screen)[1] != picture and screen,
+                "another frame")
+            self.assertNotEqual(split(frame)[0], words)
+            words, picture = split(self.settle(window))
+            self.assertEqual(split(frame)[0], words)
         window.release()
-        self.under_mouse(window, MIDDLE[0], MIDDLE[1] + 20)
-        wait(lambda: corner() == seen[-1], "the same words at rest")
         self.close(window)
+
+    def has_words(self, rows):
+        return sum(is_dark(*colour) for row in rows for colour in row) > 100
+
+    def settle(self, window):
+        """The window's pixels once they have not changed for a second."""
+        last, since = window.screen(), time.monotonic()
+
+        def rests():
+            nonlocal last, since
+            now = window.screen()
+            if now != last:
+                last, since = now, time.monotonic()
+            return time.monotonic() - since > 1
+
+        wait(rests, "a picture that rests")
+        return last
 
     def test_large_height_map(self):
         """The window of a large raster opens before its index is complete. The terrain appears, and
@@ -122,6 +142,7 @@ class TestViewerTools(ViewerProgram):
             self.display, self.folder, "large.pgm", f"--size={WIDTH}x{HEIGHT}", "--center=50,50",
             "--view=180,90", "--zoom=9",
         )
+        self.addCleanup(window.stop)
         window.move(*MIDDLE)
         here = wait(lambda: (line := self.read_mouse(window)) != "here: nothing" and line, "terrain")
         values = numbers(here)
@@ -197,7 +218,7 @@ class TestViewerTools(ViewerProgram):
 
         def has_new_words(old):
             now = corner()
-            return now != old and sum(is_dark(*colour) for row in now for colour in row) > 100
+            return now != old and self.has_words(now)
 
         window = self.window(self.mesh, "--array=Latitude", "--no-legend", "--zoom=0.5")
         empty = corner()
@@ -207,6 +228,7 @@ class TestViewerTools(ViewerProgram):
         window.press()
         window.move(MIDDLE[0] + 30, MIDDLE[1] + 20)
         wait(lambda: has_new_words(before), "other words in the drag")
+        self.settle(window)  # The view does not move on while the button is down.
         window.release()
         self.close(window)
 
@@ -295,6 +317,7 @@ class TestViewerTools(ViewerProgram):
         folder = self.folder / "gone"
         folder.mkdir()
         window = Window(self.display, folder, self.mesh)
+        self.addCleanup(window.stop)
         folder.rmdir()
         window.key("i")
         window.key("c")

@@ -28,7 +28,9 @@ class TestViewerWindow(ViewerProgram):
         super().tearDownClass()
 
     def window(self, *arguments):
-        return Window(self.display, self.folder, *arguments, SIZE)
+        window = Window(self.display, self.folder, *arguments, SIZE)
+        self.addCleanup(window.stop)
+        return window
 
     def moves(self, id):
         return [word for x in range(9) for word in ("mousemove", "--window", id, 20 * x, 50)]
@@ -55,6 +57,7 @@ class TestViewerWindow(ViewerProgram):
         display = Display(terminates=True)
         self.addCleanup(display.stop)
         window = Window(display, self.folder, self.mesh, SIZE)
+        self.addCleanup(window.stop)
         window.key("q")
         self.assertEqual(window.leave(), (0, ""))
 

@@ -83,10 +83,14 @@ class Window:
         self.lines = queue.Queue()
         self.reader = threading.Thread(target=self.read, daemon=True)
         self.reader.start()
-        self.expect("frame time")  # the last of the statistics, after the first frames
-        self.id = wait(lambda: display.do("search", "--name", "^relevo-view "), "the window")
-        display.do("windowfocus", self.id)
-        wait(lambda: display.do("getwindowfocus") == self.id, "the keyboard")
+        try:
+            self.expect("frame time")  # the last of the statistics, after the first frames
+            self.id = wait(lambda: display.do("search", "--name", "^relevo-view "), "the window")
+            display.do("windowfocus", self.id)
+            wait(lambda: display.do("getwindowfocus") == self.id, "the keyboard")
+        except AssertionError:
+            self.program.kill()
+            raise
 
     def read(self):
         for line in self.program.stdout:
@@ -131,6 +135,12 @@ class Window:
     def click_close_button(self):
         """Sends the message with which a window manager closes a window."""
         send_delete_window(self.display.name, int(self.id))
+
+    def stop(self):
+        """Ends the program of a test that failed. Otherwise the next test would find its window."""
+        if self.program.poll() is None:
+            self.program.kill()
+            self.leave()
 
     def leave(self):
         """Exit code and stderr."""

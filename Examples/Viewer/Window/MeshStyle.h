@@ -16,6 +16,9 @@ public:
   vtkTypeMacro(MeshStyle, vtkInteractorStyleTrackballCamera);
 
   void OnChar() override;
+
+  /// Does nothing. VTK's style would repeat the last motion of a drag with each timer.
+  void OnTimer() override {}
 };
 
 #endif

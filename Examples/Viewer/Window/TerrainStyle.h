@@ -17,6 +17,8 @@ public:
   vtkTypeMacro(TerrainStyle, vtkInteractorStyleTerrain);
 
   void OnChar() override;
+  /// Does nothing. VTK's style would repeat the last motion of a drag with each timer.
+  void OnTimer() override {}
   void OnLeftButtonDown() override;
   void OnLeftButtonUp() override;
   void OnMouseWheelForward() override;
