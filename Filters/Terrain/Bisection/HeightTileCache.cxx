@@ -31,7 +31,9 @@ constexpr double LongestRetry = 300.0;
 // A read that takes longer may hang.
 constexpr std::chrono::seconds LongestRead(2);
 
+// Parts of keys, see GetTileKey().
 constexpr int KindShift = 62;
+constexpr int LevelShift = 56;
 
 TerrainTile::Kind GetKeyKind(std::uint64_t key)
 {
@@ -40,12 +42,27 @@ TerrainTile::Kind GetKeyKind(std::uint64_t key)
 
 int GetKeyLevel(std::uint64_t key)
 {
-  return static_cast<int>(key >> 56 & 63) + TerrainTile::FinestLevel;
+  return static_cast<int>(key >> LevelShift & 63) + TerrainTile::FinestLevel;
+}
+
+std::array<int, 2> GetKeyPosition(std::uint64_t key)
+{
+  constexpr std::uint64_t mask = (std::uint64_t(1) << 28) - 1;
+  return { { static_cast<int>(key & mask), static_cast<int>(key >> 28 & mask) } };
+}
+
+// Whether a position comes before another one along a Z-order curve: the coordinate whose
+// difference has the highest bit decides.
+bool IsEarlierOnCurve(const std::array<int, 2>& a, const std::array<int, 2>& b)
+{
+  const int columns = a[0] ^ b[0];
+  const int rows = a[1] ^ b[1];
+  const bool isByColumn = rows < columns && rows < (rows ^ columns);
+  return isByColumn ? a[0] < b[0] : a[1] < b[1];
 }
 
 std::unique_ptr<TerrainTile> MakeTile(std::uint64_t key)
 {
-  constexpr std::uint64_t mask = (std::uint64_t(1) << 28) - 1;
   std::unique_ptr<TerrainTile> tile;
   if (GetKeyKind(key) == TerrainTile::Kind::Heights)
   {
@@ -56,8 +73,9 @@ std::unique_ptr<TerrainTile> MakeTile(std::uint64_t key)
     tile = std::make_unique<ImageryTile>();
   }
   tile->Level = GetKeyLevel(key);
-  tile->Column = static_cast<int>(key & mask);
-  tile->Row = static_cast<int>(key >> 28 & mask);
+  const std::array<int, 2> position = GetKeyPosition(key);
+  tile->Column = position[0];
+  tile->Row = position[1];
   return tile;
 }
 }
@@ -336,7 +354,8 @@ std::vector<HeightTileCache::Item*> HeightTileCache::SortMissing()
   return items;
 }
 
-void HeightTileCache::MakePlan()
+// Missing tiles that there is room for, or that replace others.
+std::vector<HeightTileCache::Item*> HeightTileCache::ChooseMissing()
 {
   const std::vector<Item*> missing = this->SortMissing();
   auto room =
@@ -346,6 +365,7 @@ void HeightTileCache::MakePlan()
   {
     present = this->SortForRemoval();
   }
+  std::vector<Item*> chosen;
   auto next = present.begin();
   for (Item* item : missing)
   {
@@ -354,7 +374,7 @@ void HeightTileCache::MakePlan()
       Item& candidate = **next;
       if (this->IsCoarsest(candidate))
       {
-        return;
+        return chosen;
       }
       if (!this->IsWanted(candidate.second))
       {
@@ -366,14 +386,36 @@ void HeightTileCache::MakePlan()
       }
       else
       {
-        return;
+        return chosen;
       }
     }
     if (room <= 0)
     {
-      return;
+      return chosen;
     }
     --room;
+    chosen.push_back(item);
+  }
+  return chosen;
+}
+
+// Neighbouring tiles whose errors are similar are read one after the other, because they need the
+// same blocks of the file.
+void HeightTileCache::MakePlan()
+{
+  std::vector<Item*> chosen = this->ChooseMissing();
+  const auto getRank = [](const Item& item)
+  { return std::make_tuple(std::logb(item.second.Error), item.first >> LevelShift); };
+  std::sort(chosen.begin(), chosen.end(),
+    [&getRank](const Item* a, const Item* b)
+    {
+      const auto rank = getRank(*a);
+      const auto other = getRank(*b);
+      return rank == other ? IsEarlierOnCurve(GetKeyPosition(a->first), GetKeyPosition(b->first))
+                           : rank > other;
+    });
+  for (Item* item : chosen)
+  {
     this->Shared->Requests.emplace_back();
     this->Shared->Requests.back().Tile = MakeTile(item->first);
     item->second.Is = State::Requested;

@@ -5,8 +5,9 @@
  * @brief   reads the tiles of heights and imagery that frames want, within a limit of memory
  *
  * Each frame calls BeginFrame(), then Get() or GetImagery() for every tile that it wants, then
- * EndFrame(). Worker threads read the missing tiles, those with the largest error first. A frame
- * never waits for them. Heights and imagery share the limit, the threads and the order.
+ * EndFrame(). Worker threads read the missing tiles, those with the largest error first, and near
+ * ones together among those whose errors have the same power of 2. A frame never waits for them.
+ * Heights and imagery share the limit, the threads and the order.
  *
  * The limit holds for the tiles in memory and those that are being read, together. If it is
  * reached, missing tiles replace tiles that the frame did not want, the least recently wanted
@@ -144,6 +145,7 @@ private:
   void Drop(std::uint64_t key);
   void DropGivenUp();
   void CancelRequests();
+  std::vector<Item*> ChooseMissing();
   void MakePlan();
   void StartWorkers();
 

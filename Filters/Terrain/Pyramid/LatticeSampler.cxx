@@ -77,6 +77,15 @@ int LatticeSampler::GetPyramidLevel(int level) const
 bool LatticeSampler::Read(
   int level, int column, int row, int width, int height, float* heights, std::string& error) const
 {
+  return this->File.HasFloatSamples()
+    ? this->ReadAs<float>(level, column, row, width, height, heights, error)
+    : this->ReadAs<double>(level, column, row, width, height, heights, error);
+}
+
+template <typename T>
+bool LatticeSampler::ReadAs(
+  int level, int column, int row, int width, int height, float* heights, std::string& error) const
+{
   const int source = this->GetPyramidLevel(level);
   const std::array<int, 2>& full = this->File.GetSize(0);
   const std::array<int, 2>& size = this->File.GetSize(source);
@@ -89,7 +98,7 @@ bool LatticeSampler::Read(
   window.Row = rows.Begin;
   window.Height = rows.End - rows.Begin;
   const bool isWhole = window.GetNumberOfSamples() <= MaximumWindow;
-  std::vector<double> samples;
+  std::vector<T> samples;
   for (int j = 0; j < height; j += isWhole ? height : 1)
   {
     const int number = isWhole ? height : 1;
@@ -103,13 +112,20 @@ bool LatticeSampler::Read(
     {
       return false;
     }
-    this->Interpolate(window, samples.data(), level, column, row + j, width, number,
+    this->InterpolateAs(window, samples.data(), level, column, row + j, width, number,
       heights + static_cast<std::size_t>(j) * width);
   }
   return true;
 }
 
 void LatticeSampler::Interpolate(const SampleWindow& window, const double* samples, int level,
+  int column, int row, int width, int height, float* heights) const
+{
+  this->InterpolateAs(window, samples, level, column, row, width, height, heights);
+}
+
+template <typename T>
+void LatticeSampler::InterpolateAs(const SampleWindow& window, const T* samples, int level,
   int column, int row, int width, int height, float* heights) const
 {
   const std::array<int, 2>& full = this->File.GetSize(0);
@@ -119,9 +135,8 @@ void LatticeSampler::Interpolate(const SampleWindow& window, const double* sampl
   const RasterDescription& contents = this->File.Describe();
   for (int j = 0; j < height; ++j)
   {
-    const double* first =
-      samples + static_cast<std::size_t>(rows.First[j] - window.Row) * window.Width;
-    const double* second = rows.Weights[j] > 0.0 ? first + window.Width : first;
+    const T* first = samples + static_cast<std::size_t>(rows.First[j] - window.Row) * window.Width;
+    const T* second = rows.Weights[j] > 0.0 ? first + window.Width : first;
     for (int i = 0; i < width; ++i)
     {
       const int a = columns.First[i] - window.Column;

@@ -43,6 +43,13 @@ public:
   bool Read(HeightTile& tile, std::string& error) const;
 
 private:
+  template <typename T>
+  bool ReadAs(int level, int column, int row, int width, int height, float* heights,
+    std::string& error) const;
+  template <typename T>
+  void InterpolateAs(const SampleWindow& window, const T* samples, int level, int column, int row,
+    int width, int height, float* heights) const;
+
   const PyramidFile& File;
 };
 }

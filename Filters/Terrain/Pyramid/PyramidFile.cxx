@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <type_traits>
 #include <utility>
@@ -23,15 +24,42 @@ namespace relevo
 {
 namespace
 {
-// GDAL caches the blocks that it has read in memory that no limit of ours counts. A handle has at
-// most this many bytes of them, or the blocks of one window.
+// The blocks that are cached for each thread that reads have at most this many bytes. Those that
+// GDAL caches in each handle do, too, or are the blocks of one window; no limit of ours counts
+// them.
 constexpr double MaximumCachedBytes = 2.0 * 1024 * 1024;
+
+// The largest windows whose blocks threads share.
+constexpr int MaximumSharedBlocks = 64;
+constexpr double MaximumSharedBytes = 4.0 * 1024 * 1024;
 
 // GDAL's TIFF driver stores the position and size of each block of the file in each handle, in
 // arrays that grow. For large files, fewer handles limit this memory.
 constexpr double BytesPerPosition = 24.0;
 constexpr double MaximumPositionBytes = 32.0 * 1024 * 1024;
 constexpr double MostHandles = 64.0;
+
+// Columns and rows of blocks are below 2^28.
+constexpr int BlockRowShift = 28;
+constexpr int BlockLevelShift = 56;
+
+std::uint64_t MakeBlockKey(int level, int column, int row)
+{
+  return static_cast<std::uint64_t>(level) << BlockLevelShift |
+    static_cast<std::uint64_t>(row) << BlockRowShift | static_cast<std::uint64_t>(column);
+}
+
+std::array<int, 2> GetBlockOfKey(std::uint64_t key)
+{
+  constexpr std::uint64_t mask = (std::uint64_t(1) << BlockRowShift) - 1;
+  return { { static_cast<int>(key & mask), static_cast<int>(key >> BlockRowShift & mask) } };
+}
+
+template <typename T>
+constexpr GDALDataType GetSampleType()
+{
+  return std::is_same<T, float>::value ? GDT_Float32 : GDT_Float64;
+}
 
 constexpr char Changed[] = "the file has changed since it was opened; open it again";
 
@@ -122,6 +150,11 @@ public:
       std::unique_lock<std::mutex> lock(file.Mutex);
       file.Returned.wait(lock, [&file] { return file.HandlesInUse < file.MaximumHandles; });
       ++file.HandlesInUse;
+      if (file.HandlesInUse > file.LargestHandlesInUse)
+      {
+        file.LargestHandlesInUse = file.HandlesInUse;
+        file.Blocks.SetLimit(static_cast<std::size_t>(file.HandlesInUse * MaximumCachedBytes));
+      }
       if (!file.Free.empty())
       {
         this->Owned = std::move(file.Free.back());
@@ -235,6 +268,7 @@ void PyramidFile::FindLevels(GDALDatasetH dataset)
   int blockWidth = 1;
   int blockHeight = 1;
   GDALGetBlockSize(band, &blockWidth, &blockHeight);
+  this->StoredType = GDALGetRasterDataType(band);
   this->IsStoredInRows = blockWidth >= GDALGetRasterBandXSize(band) && blockWidth > blockHeight;
   const auto countBlocks = [blockWidth, blockHeight](GDALRasterBandH one)
   {
@@ -266,6 +300,9 @@ void PyramidFile::FindLevels(GDALDatasetH dataset)
     {
       this->Sizes.push_back(size);
       this->Overviews.push_back(number);
+      this->BlockSizes.emplace_back();
+      GDALGetBlockSize(number < 0 ? band : GDALGetOverview(band, number),
+        &this->BlockSizes.back()[0], &this->BlockSizes.back()[1]);
     }
   }
   this->BytesOfPositions = BytesPerPosition * blocks;
@@ -309,8 +346,116 @@ std::unique_ptr<PyramidFile::Handle> PyramidFile::NewHandle(std::string& error) 
   return handle;
 }
 
+// Blocks of rows are wider than windows, and masks decide about the samples of some files.
+bool PyramidFile::AreBlocksShared(const SampleWindow& window) const
+{
+  const std::array<int, 2>& size = this->BlockSizes[window.Level];
+  const int number = BlockRange(window.Column, window.Width, size[0]).GetSize() *
+    BlockRange(window.Row, window.Height, size[1]).GetSize();
+  return !this->IsStoredInRows && !this->Description.HasMask && number <= MaximumSharedBlocks &&
+    static_cast<double>(number) * size[0] * size[1] * GDALGetDataTypeSizeBytes(this->StoredType) <=
+    MaximumSharedBytes;
+}
+
+std::string PyramidFile::DescribeFailure(
+  const SampleWindow& window, const GDALSession& session, Lease& lease) const
+{
+  std::ostringstream place;
+  place << "GDAL cannot read the " << window.Width << " x " << window.Height
+        << " samples from column " << window.Column << ", row " << window.Row << " of level "
+        << window.Level;
+  const std::string error = this->HasChanged() ? Changed : session.Messages(place.str());
+  if (this->IsVirtual())
+  {
+    lease.Close();
+    GDALSession::ForgetFile(this->FileName);
+  }
+  return error;
+}
+
+// Copies the samples of a window from the blocks of the file.
 template <typename T>
-bool PyramidFile::ReadAs(const SampleWindow& window, T* samples, std::string& error) const
+class PyramidFile::WindowReader : public BlockCache::Reader
+{
+public:
+  WindowReader(const PyramidFile& file, const SampleWindow& window, T* samples, std::string& error)
+    : File(file)
+    , Window(window)
+    , Samples(samples)
+    , Error(error)
+    , Size(file.BlockSizes[window.Level])
+    , BytesPerSample(GDALGetDataTypeSizeBytes(file.StoredType))
+  {
+  }
+
+  std::vector<std::uint64_t> GetBlocks() const
+  {
+    const BlockRange columns(this->Window.Column, this->Window.Width, this->Size[0]);
+    const BlockRange rows(this->Window.Row, this->Window.Height, this->Size[1]);
+    std::vector<std::uint64_t> keys;
+    for (int row = rows.First; row < rows.End; ++row)
+    {
+      for (int column = columns.First; column < columns.End; ++column)
+      {
+        keys.push_back(MakeBlockKey(this->Window.Level, column, row));
+      }
+    }
+    return keys;
+  }
+
+  bool Prepare() override
+  {
+    this->Lent.emplace(this->File, this->Error);
+    return this->Lent->Get() != nullptr;
+  }
+
+  BlockCache::BlockPointer Load(std::uint64_t key) override
+  {
+    GDALSession session;
+    const std::array<int, 2> at = GetBlockOfKey(key);
+    auto block = std::make_shared<BlockCache::Block>(
+      static_cast<std::size_t>(this->Size[0]) * this->Size[1] * this->BytesPerSample);
+    const GDALRasterBandH band = this->Lent->Get()->Bands[this->Window.Level];
+    if (GDALReadBlock(band, at[0], at[1], block->Bytes.get()) != CE_None || session.HasErrors())
+    {
+      this->Error = this->File.DescribeFailure(this->Window, session, *this->Lent);
+      return nullptr;
+    }
+    return block;
+  }
+
+  void Use(std::uint64_t key, const BlockCache::Block& block) override
+  {
+    const SampleWindow& window = this->Window;
+    const std::array<int, 2> at = GetBlockOfKey(key);
+    const int first[2] = { at[0] * this->Size[0], at[1] * this->Size[1] };
+    const int begin = std::max(first[0], window.Column);
+    const int end = std::min(first[0] + this->Size[0], window.Column + window.Width);
+    const int endRow = std::min(first[1] + this->Size[1], window.Row + window.Height);
+    for (int row = std::max(first[1], window.Row); row < endRow; ++row)
+    {
+      const std::size_t from =
+        static_cast<std::size_t>(row - first[1]) * this->Size[0] + (begin - first[0]);
+      const std::size_t to =
+        static_cast<std::size_t>(row - window.Row) * window.Width + (begin - window.Column);
+      GDALCopyWords(block.Bytes.get() + from * this->BytesPerSample, this->File.StoredType,
+        this->BytesPerSample, this->Samples + to, GetSampleType<T>(), sizeof(T), end - begin);
+    }
+  }
+
+private:
+  const PyramidFile& File;
+  const SampleWindow& Window;
+  T* Samples;
+  std::string& Error;
+  const std::array<int, 2>& Size; // of a block
+  int BytesPerSample;
+  std::optional<Lease> Lent;
+};
+
+template <typename T>
+bool PyramidFile::ReadWindow(const SampleWindow& window, T* samples,
+  std::vector<unsigned char>& mask, std::string& error) const
 {
   Lease lease(*this, error);
   Handle* handle = lease.Get();
@@ -320,27 +465,37 @@ bool PyramidFile::ReadAs(const SampleWindow& window, T* samples, std::string& er
   }
   GDALSession session;
   handle->MakeRoom(window);
-  constexpr GDALDataType type = std::is_same<T, float>::value ? GDT_Float32 : GDT_Float64;
-  const GDALRasterBandH band = handle->Bands[window.Level];
-  const CPLErr result = GDALRasterIO(band, GF_Read, window.Column, window.Row, window.Width,
-    window.Height, samples, window.Width, window.Height, type, 0, 0);
-  const std::size_t n = window.GetNumberOfSamples();
-  std::vector<unsigned char> mask(this->Description.HasMask ? n : 0);
+  const CPLErr result =
+    GDALRasterIO(handle->Bands[window.Level], GF_Read, window.Column, window.Row, window.Width,
+      window.Height, samples, window.Width, window.Height, GetSampleType<T>(), 0, 0);
+  mask.resize(this->Description.HasMask ? window.GetNumberOfSamples() : 0);
   const bool hasMask = mask.empty() ||
     GDALRasterIO(handle->Masks[window.Level], GF_Read, window.Column, window.Row, window.Width,
       window.Height, mask.data(), window.Width, window.Height, GDT_Byte, 0, 0) == CE_None;
   if (result != CE_None || !hasMask || session.HasErrors())
   {
-    std::ostringstream place;
-    place << "GDAL cannot read the " << window.Width << " x " << window.Height
-          << " samples from column " << window.Column << ", row " << window.Row << " of level "
-          << window.Level;
-    error = this->HasChanged() ? Changed : session.Messages(place.str());
-    if (this->IsVirtual())
-    {
-      lease.Close();
-      GDALSession::ForgetFile(this->FileName);
-    }
+    error = this->DescribeFailure(window, session, lease);
+    return false;
+  }
+  return true;
+}
+
+template <typename T>
+bool PyramidFile::ReadAs(const SampleWindow& window, T* samples, std::string& error) const
+{
+  std::vector<unsigned char> mask;
+  bool isRead = false;
+  if (this->AreBlocksShared(window))
+  {
+    WindowReader<T> reader(*this, window, samples, error);
+    isRead = this->Blocks.Use(reader.GetBlocks(), reader);
+  }
+  else
+  {
+    isRead = this->ReadWindow(window, samples, mask, error);
+  }
+  if (!isRead)
+  {
     return false;
   }
   if (this->HasChanged())
@@ -354,6 +509,7 @@ bool PyramidFile::ReadAs(const SampleWindow& window, T* samples, std::string& er
   const double declared = this->Description.NoData.value_or(missing);
   const T noData = static_cast<T>(
     this->Description.Type == VTK_FLOAT ? GetStoredNoData<float>(declared) : declared);
+  const std::size_t n = window.GetNumberOfSamples();
   for (std::size_t i = 0; i < n; ++i)
   {
     const bool isMissing = (hasNoData && samples[i] == noData) || (!mask.empty() && mask[i] == 0) ||
@@ -374,6 +530,8 @@ void PyramidFile::CloseIdleHandles() const
   GDALSession session; // collects what GDAL reports while it closes the file
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Free.clear();
+  this->LargestHandlesInUse = 0;
+  this->Blocks.SetLimit(0); // until the next read
 }
 
 bool PyramidFile::Read(const SampleWindow& window, double* samples, std::string& error) const

@@ -8,6 +8,9 @@
  * size. A GDAL dataset belongs to one thread at a time, so each thread gets one of its own. If
  * these need much memory, threads wait for each other.
  *
+ * Threads share the blocks of windows of a few blocks, so that a block that neighbouring windows
+ * need is decoded once.
+ *
  * If the file changes while it is open, all reads fail, so that old and new samples never mix.
  * After a failed read of one of GDAL's virtual files, the next read opens the file again: a server
  * may have recovered.
@@ -18,6 +21,7 @@
 #define PyramidFile_h
 
 #include "Geodesy/GDALSession.h"
+#include "Pyramid/BlockCache.h"
 #include "Pyramid/SampleWindow.h"
 #include "Raster/FileVersion.h"
 #include "Raster/RasterDescription.h"
@@ -88,20 +92,30 @@ public:
 private:
   struct Handle;
   class Lease;
+  template <typename T>
+  class WindowReader;
 
   PyramidFile();
   GDALDatasetPointer OpenDataset(const GDALSession& session, std::string& error) const;
   void FindLevels(GDALDatasetH dataset);
   std::unique_ptr<Handle> NewHandle(std::string& error) const;
   bool SetBands(Handle& handle, std::string& error) const;
+  bool AreBlocksShared(const SampleWindow& window) const;
+  std::string DescribeFailure(
+    const SampleWindow& window, const GDALSession& session, Lease& lease) const;
   template <typename T>
   bool ReadAs(const SampleWindow& window, T* samples, std::string& error) const;
+  template <typename T>
+  bool ReadWindow(const SampleWindow& window, T* samples, std::vector<unsigned char>& mask,
+    std::string& error) const;
 
   std::string FileName;
   FileVersion Version;
   RasterDescription Description;
   std::vector<std::array<int, 2>> Sizes;
-  std::vector<int> Overviews; // GDAL's numbers of the levels; -1 for level 0
+  std::vector<int> Overviews;                 // GDAL's numbers of the levels; -1 for level 0
+  std::vector<std::array<int, 2>> BlockSizes; // of the levels
+  GDALDataType StoredType = GDT_Unknown;
   bool IsStoredInRows = false;
   bool IsFloat = false;
 
@@ -111,7 +125,10 @@ private:
   mutable std::mutex Mutex; // protects the next members
   mutable std::condition_variable Returned;
   mutable int HandlesInUse = 0;
+  mutable int LargestHandlesInUse = 0;               // since CloseIdleHandles()
   mutable std::vector<std::unique_ptr<Handle>> Free; // handles that no thread uses
+
+  mutable BlockCache Blocks;
 };
 }
 

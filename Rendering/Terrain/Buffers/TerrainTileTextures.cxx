@@ -7,12 +7,14 @@
 #include "Lattice/HeightTile.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureUnitManager.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <unordered_set>
 #include <utility>
@@ -24,6 +26,35 @@ namespace
 constexpr int FirstCapacity = 16;
 
 constexpr float LargestHalf = 65504.0f;
+constexpr float SmallestNormalHalf = 1.0f / 16384.0f;
+
+// Tiles whose gradients are computed at the same time.
+constexpr std::size_t TilesPerBatch = 8;
+
+using Half = std::uint16_t;
+
+std::uint32_t GetBits(float value)
+{
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &value, sizeof(bits));
+  return bits;
+}
+
+// The nearest half float, of two the even one, for values up to LargestHalf. OpenGL drivers convert
+// one value at a time; without branches, compilers convert several.
+Half ToHalf(float value)
+{
+  const std::uint32_t bits = GetBits(value);
+  const std::uint32_t magnitude = bits & 0x7fffffffu;
+  // The sum has the bits of a subnormal half at its end.
+  const std::uint32_t subnormal = GetBits(std::abs(value) + 0.5f) - GetBits(0.5f);
+  constexpr std::uint32_t exponents = (127u - 15u) << 23;
+  const std::uint32_t normal = (magnitude - exponents + 0xfffu + (bits >> 13 & 1u)) >> 13;
+  const std::uint32_t isNormal =
+    magnitude >= GetBits(SmallestNormalHalf) ? ~std::uint32_t(0) : 0u; // a mask
+  const std::uint32_t sign = bits >> 16 & 0x8000u;
+  return static_cast<Half>(sign | (isNormal & normal) | (~isNormal & subnormal));
+}
 
 struct TexelFormat
 {
@@ -41,7 +72,7 @@ TexelFormat GetFormat(TerrainTileTextures::Content content)
     case TerrainTileTextures::Content::NUMBERS:
       return { GL_R32F, GL_RED, GL_FLOAT, GL_NEAREST };
     case TerrainTileTextures::Content::GRADIENTS:
-      return { GL_RG16F, GL_RG, GL_FLOAT, GL_LINEAR };
+      return { GL_RG16F, GL_RG, GL_HALF_FLOAT, GL_LINEAR };
     default:
       return { GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_LINEAR };
   }
@@ -114,26 +145,25 @@ void ComputeOuterGradient(const HeightTile& tile, int column, int row, float* gr
 }
 
 // The differences to the next column and row, vertex by vertex.
-std::vector<float> ComputeGradients(const HeightTile& tile)
+void ComputeGradients(const HeightTile& tile, Half* halves)
 {
   const bool isComplete = std::all_of(tile.Heights.begin(), tile.Heights.end(),
     [](float height) { return std::abs(height) <= LargestPlainHeight; }); // not NaN
-  std::vector<float> gradients(2 * TerrainTile::NumberOfVertices);
+  std::array<float, std::size_t(2) * TileStride> gradients;
   for (int row = 0; row < TileStride; ++row)
   {
     const bool isInner = isComplete && row > 0 && row < TileStride - 1;
     const float* heights = &tile.Heights[static_cast<std::size_t>(row) * TileStride];
-    float* gradient = &gradients[static_cast<std::size_t>(2) * row * TileStride];
     for (int column = 1; isInner && column < TileStride - 1; ++column)
     {
-      ComputeInnerGradient(heights + column, gradient + 2 * column);
+      ComputeInnerGradient(heights + column, &gradients[2 * column]);
     }
     for (int column = 0; column < TileStride; column += isInner ? TileStride - 1 : 1)
     {
-      ComputeOuterGradient(tile, column, row, gradient + 2 * column);
+      ComputeOuterGradient(tile, column, row, &gradients[2 * column]);
     }
+    halves = std::transform(gradients.begin(), gradients.end(), halves, ToHalf);
   }
-  return gradients;
 }
 }
 
@@ -210,10 +240,16 @@ bool TerrainTileTextures::Upload(
   }
   const std::vector<int> free = this->FindFreeLayers(added.size());
   this->Bind(window);
+  std::vector<const TerrainTile*> batch;
   for (std::size_t i = 0; i < added.size(); ++i)
   {
-    this->UploadTile(*added[i].second, free[i]);
+    batch.push_back(added[i].second);
     this->Layers[added[i].first] = { free[i], this->Frame };
+    if (batch.size() == TilesPerBatch || i + 1 == added.size())
+    {
+      this->UploadTiles(batch, &free[i + 1 - batch.size()]);
+      batch.clear();
+    }
   }
   this->NumberOfUploads += static_cast<vtkIdType>(added.size());
   this->Deactivate(window);
@@ -221,21 +257,30 @@ bool TerrainTileTextures::Upload(
 }
 
 // The texture is bound.
-void TerrainTileTextures::UploadTile(const TerrainTile& tile, int layer) const
+void TerrainTileTextures::UploadTiles(
+  const std::vector<const TerrainTile*>& tiles, const int* layers) const
 {
-  const TexelFormat format = GetFormat(this->Stored);
-  const auto upload = [layer, &format](const void* texels)
-  {
-    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, TerrainTile::Stride, TerrainTile::Stride,
-      1, format.Format, format.Type, texels);
-  };
+  constexpr std::size_t halvesPerTile = 2 * TerrainTile::NumberOfVertices;
+  std::vector<Half> gradients;
   if (this->Stored == Content::GRADIENTS)
   {
-    upload(ComputeGradients(static_cast<const HeightTile&>(tile)).data());
+    gradients.resize(tiles.size() * halvesPerTile);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(tiles.size()),
+      [&](vtkIdType first, vtkIdType end)
+      {
+        for (vtkIdType i = first; i < end; ++i)
+        {
+          ComputeGradients(
+            static_cast<const HeightTile&>(*tiles[i]), &gradients[i * halvesPerTile]);
+        }
+      });
   }
-  else
+  const TexelFormat format = GetFormat(this->Stored);
+  for (std::size_t i = 0; i < tiles.size(); ++i)
   {
-    upload(tile.GetValues());
+    const void* texels = gradients.empty() ? tiles[i]->GetValues() : &gradients[i * halvesPerTile];
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layers[i], TerrainTile::Stride,
+      TerrainTile::Stride, 1, format.Format, format.Type, texels);
   }
 }
 

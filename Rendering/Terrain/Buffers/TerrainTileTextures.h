@@ -92,7 +92,7 @@ private:
   };
 
   bool Allocate(vtkOpenGLRenderWindow* window, int capacity);
-  void UploadTile(const TerrainTile& tile, int layer) const;
+  void UploadTiles(const std::vector<const TerrainTile*>& tiles, const int* layers) const;
   void Bind(vtkOpenGLRenderWindow* window);
   std::vector<int> FindFreeLayers(std::size_t number);
 

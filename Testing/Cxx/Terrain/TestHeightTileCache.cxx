@@ -12,6 +12,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <limits>
 #include <memory>
@@ -21,6 +22,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 using relevo::HeightTile;
@@ -360,7 +362,8 @@ void TestImageryReplacement(RelevoCheck& check)
   CHECK_EQUAL(cache.TakeError(TerrainTile::Kind::Imagery), "");
 }
 
-// The order is that of the largest error of a frame. Reads that have not begun are cancelled.
+// The order is that of the powers of 2 of the largest errors of a frame. Reads that have not begun
+// are cancelled.
 void TestOrder(RelevoCheck& check)
 {
   TileStore store;
@@ -378,8 +381,12 @@ void TestOrder(RelevoCheck& check)
   wants.push_back({ { { 2, 3, 0 } }, 50.0 });
   wants.push_back({ { { 2, 3, 0 } }, 0.5 });
   RunFrame(cache, WithRoot(wants));
-  std::stable_sort(
-    wants.begin(), wants.end(), [](const Want& a, const Want& b) { return a.Error > b.Error; });
+  std::stable_sort(wants.begin(), wants.end(),
+    [](const Want& a, const Want& b)
+    {
+      return std::make_pair(std::logb(b.Error), a.Tile) <
+        std::make_pair(std::logb(a.Error), b.Tile);
+    });
   for (std::size_t i = 0; i < 4; ++i)
   {
     store.WaitForStarted(before + workers + i);
@@ -412,6 +419,39 @@ void TestOrder(RelevoCheck& check)
   RunFrame(cache, WithRoot({}));
   CHECK(!cache.NeedsFrame());
   CHECK_EQUAL(cache.GetNumberOfTiles(), before + workers + 4);
+}
+
+// Tiles with similar errors are read along a Z-order curve, the coarser ones first.
+void TestNeighbors(RelevoCheck& check)
+{
+  TileStore store;
+  HeightTileCache cache(ReadFrom(store));
+  cache.SetNumberOfReads(1);
+  RunFrames(cache, WithRoot({}));
+  const std::size_t before = store.GetStarted().size();
+  RelevoDice dice(3);
+  std::vector<Want> wants;
+  for (int i = 0; i < 256; ++i)
+  {
+    wants.push_back({ { { 1, i % 16, i / 16 } }, 4.0 + 3.9 * dice.Share() });
+    wants.push_back({ { { 2, i % 16, i / 16 } }, 4.0 + 3.9 * dice.Share() });
+  }
+  RunFrames(cache, WithRoot(wants));
+  const std::vector<Position> started = store.GetStarted();
+  if (!CHECK_EQUAL(started.size(), before + wants.size()))
+  {
+    return;
+  }
+  for (int i = 0; i < 512; ++i)
+  {
+    Position expected = { { i < 256 ? 2 : 1, 0, 0 } };
+    for (int bit = 0; bit < 4; ++bit)
+    {
+      expected[1] |= (i >> (2 * bit) & 1) << bit;
+      expected[2] |= (i >> (2 * bit + 1) & 1) << bit;
+    }
+    CHECK(started[before + i] == expected);
+  }
 }
 
 void TestReplacement(RelevoCheck& check)
@@ -744,6 +784,7 @@ int TestHeightTileCache(int, char*[])
   TestLimit(check, HeightTileCache::BytesPerTile);
   TestLimit(check, HeightTileCache::BytesPerTile - 1);
   TestOrder(check);
+  TestNeighbors(check);
   TestReplacement(check);
   TestHangingRead(check);
   TestErrors(check);
