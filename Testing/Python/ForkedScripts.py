@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs Python scripts in processes forked from one that has imported relevo."""
 
+import importlib
 import json
 import os
 import pathlib
@@ -12,7 +13,11 @@ import sys
 import tempfile
 import traceback
 
-import relevo  # noqa: F401, imported once for all scripts
+import relevo
+
+# Imported once for all scripts.
+for extension in set(relevo._classes.EXTENSIONS.values()):
+    importlib.import_module("relevo." + extension)
 
 
 class ForkedScripts:

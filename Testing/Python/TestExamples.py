@@ -97,6 +97,42 @@ class TestExamples(unittest.TestCase):
             }
             self.assertGreater(len(shades), 10)
 
+    def test_one_line(self):
+        """Each function draws its files; the stored pictures are those of real data."""
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            write_heights(folder / "heights.png", lambda i, j: (i * j) // 160)
+            sphere = vtkSphereSource()
+            writer = vtkPLYWriter()
+            writer.SetFileName(str(folder / "mesh.ply"))
+            writer.SetInputConnection(sphere.GetOutputPort())
+            writer.Write()
+            real = FLOW.parent
+            drawings = {
+                "terrain.jpg": ("heights.png", "heights.png"),
+                "refined.png": ("mesh.ply",),
+                "volume.png": (str(VOLUME / "can.vtu"),),
+                "patches.png": (str(real / "mesh/teapot.bpt"),),
+                "lic.jpg": (str(FLOW / "SurfaceVectors.vtk"),),
+                "relief.jpg": ("heights.png",),
+            }
+            for file, inputs in drawings.items():
+                kind = file.split(".")[0]
+                self.assertIn(f"Examples/Python/oneline/{file}", PAGES)
+                self.assertTrue((SOURCE / "Examples/Python/oneline" / file).exists())
+                if not (folder / inputs[0]).exists():
+                    continue
+                run = self.run_example("oneline.py", folder, kind, f"{kind}.png", *inputs)
+                self.assertEqual((run.returncode, run.stderr), (0, ""))
+                self.assertRegex(run.stdout, rf"^{kind}: [1-9]\d+ points\n$")
+                picture = read_picture(folder / f"{kind}.png")
+                self.assertEqual(picture.GetDimensions(), (640, 400, 1))
+                self.assertGreater(len(colour_set(picture)), 300)
+            for arguments in (("terrain",), ("size", "p.png", "mesh.ply"), ("lic", "p.png")):
+                run = self.run_example("oneline.py", folder, *arguments)
+                self.assertEqual(run.returncode, 1)
+                self.assertIn("usage: oneline.py NAME", run.stderr)
+
     def test_terrain_error(self):
         """The picture of a terrain is within one pixel of its data; the stored one is real data."""
         with tempfile.TemporaryDirectory() as name:

@@ -2,13 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Proves that `import relevo` provides every class with the documentation of its header."""
 
+import importlib
 import importlib.util
 import os
 import pathlib
 import re
+import subprocess
+import sys
 import unittest
 
 import relevo
+from relevo._classes import EXTENSIONS
 from vtkmodules.vtkCommonCore import vtkObjectBase
 
 
@@ -39,6 +43,27 @@ class TestPackage(unittest.TestCase):
         for name in headers:
             self.assertTrue(hasattr(relevo, name), name)
             self.assertIn(name, relevo.__all__)
+
+    def test_modules_are_imported_when_needed(self):
+        """Libraries that load slowly, such as GDAL, and numpy load with the first use."""
+        script = (
+            "import sys, relevo\n"
+            "loaded = [name for name in sys.modules if name.startswith('relevo.Relevo')]\n"
+            "assert not loaded and 'numpy' not in sys.modules, loaded\n"
+            "relevo.vtkPNTriangleSurface\n"
+            "assert 'relevo.RelevoFiltersTerrain' not in sys.modules\n"
+            "assert not hasattr(relevo, 'vtkNothing') and 'show' in dir(relevo)\n"
+            "from relevo import *\n"
+            "vtkHeightMap, terrain\n"
+        )
+        run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+
+    def test_modules_have_no_other_classes(self):
+        for name in {extension for extension in EXTENSIONS.values()}:
+            module = importlib.import_module("relevo." + name)
+            classes = {own for own in vars(module) if not own.startswith("_")}
+            self.assertEqual(classes, {own for own in EXTENSIONS if EXTENSIONS[own] == name})
 
     def test_documentation_comes_from_the_headers(self):
         for name, text in wrapped_headers().items():

@@ -78,15 +78,24 @@ class TestPagePrograms(unittest.TestCase):
                 count += 1
         self.assertGreater(count, 6)
 
-    def test_first_program(self):
-        """The first program of README.md is the example terrain.py, which draws a terrain."""
-        (_, program), *_ = read_programs(SOURCE / "README.md")
+    def test_long_program(self):
+        """The last program of python.md is the example terrain.py, which draws a terrain."""
+        *_, (_, program) = read_programs(SOURCE / "Module/Documentation/python.md")
         example = (SOURCE / "Examples/Python/terrain.py").read_text().splitlines()
         names = {'"my-dem.tif"': "heightmap", '"my-dem.png"': "picture"}
         for line in program.splitlines():
             for name, variable in names.items():
                 line = line.replace(name, variable)
             self.assertIn(line, example)
+        self.check_picture(program, (800, 500))
+
+    def test_first_program(self):
+        """The first program of README.md draws a terrain."""
+        (_, program), *_ = read_programs(SOURCE / "README.md")
+        self.assertEqual(len(program.replace("\n\n", "\n").strip().splitlines()), 4)
+        self.check_picture(program, (1280, 800))
+
+    def check_picture(self, program, size):
         with tempfile.TemporaryDirectory() as folder:
             write_inputs(pathlib.Path(folder))
             self.assertEqual(SCRIPTS.run(["-c"], folder, program).returncode, 0)
@@ -94,10 +103,11 @@ class TestPagePrograms(unittest.TestCase):
             reader.SetFileName(str(pathlib.Path(folder) / "my-dem.png"))
             reader.Update()
             picture = reader.GetOutput()
+            self.assertEqual(picture.GetDimensions(), (*size, 1))
             shades = {
                 picture.GetScalarComponentAsFloat(i, j, 0, 0)
-                for j in range(0, 500, 10)
-                for i in range(0, 800, 10)
+                for j in range(0, size[1], 10)
+                for i in range(0, size[0], 10)
             }
             self.assertGreater(len(shades), 10)
 

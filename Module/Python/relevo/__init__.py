@@ -2,23 +2,48 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Adaptive surface refinement on the GPU, for VTK.
 
-The package has all wrapped classes of Relevo with their C++ names, for example
+`relevo.show("file")` draws a file in a window. `relevo.terrain`, `refined`, `volume`, `patches`,
+`lic`, `relief` and `intersection` draw files, arrays and meshes with options, in windows, notebooks
+and pictures.
+
+The package also has all wrapped classes of Relevo with their C++ names, for example
 `relevo.vtkAdaptiveRefinementMapper` and `relevo.vtkHeightMap`. `relevo.arrays` converts heights,
 refined meshes and images from and to numpy arrays.
 """
 
 import importlib as _importlib
-import pkgutil as _pkgutil
 
+from ._classes import EXTENSIONS as _EXTENSIONS
 from .version import __version__
 
-__all__ = []
-for _module in sorted(module.name for module in _pkgutil.iter_modules(__path__)):
-    # The extension modules depend on the options of the build.
-    if not _module.startswith("Relevo"):
-        continue
-    for _name, _value in vars(_importlib.import_module("." + _module, __name__)).items():
-        if not _name.startswith("_"):
-            globals()[_name] = _value
-            __all__.append(_name)
-del _module, _name, _value
+if any(_name.startswith("RelevoRendering") for _name in _EXTENSIONS.values()):
+    # VTK's renderers and actors need OpenGL before the first of them is created.
+    import vtkmodules.vtkRenderingOpenGL2 as _opengl  # noqa: F401
+
+_FUNCTIONS = {
+    "Error": "_error",
+    "terrain": "_functions",
+    "refined": "_functions",
+    "volume": "_functions",
+    "patches": "_functions",
+    "lic": "_functions",
+    "relief": "_functions",
+    "intersection": "_functions",
+    "show": "_functions",
+}
+
+__all__ = [*sorted(_EXTENSIONS), *_FUNCTIONS]
+
+
+def __getattr__(name):
+    """Import a class or function when it is used first, because some libraries load slowly."""
+    module = _EXTENSIONS.get(name) or _FUNCTIONS.get(name)
+    if module is None:
+        raise AttributeError(f"module 'relevo' has no attribute {name!r}")
+    value = getattr(_importlib.import_module("." + module, __name__), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__():
+    return sorted({*globals(), *__all__})

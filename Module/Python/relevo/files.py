@@ -69,6 +69,14 @@ def write(path, contents):
             raise
 
 
+_WRITERS = {".png": vtkPNGWriter, ".jpg": vtkJPEGWriter, ".jpeg": vtkJPEGWriter}
+
+
+def is_picture(path):
+    """Return whether write_picture() supports the extension of a path."""
+    return pathlib.Path(path).suffix.lower() in _WRITERS
+
+
 def write_picture(path, source, quality=95):
     """Write a vtkRenderWindow, which is rendered, or a vtkImageData as a PNG or JPEG file.
 
@@ -77,11 +85,10 @@ def write_picture(path, source, quality=95):
 
     Raises ValueError for another extension and if there is no image.
     """
-    writers = {".png": vtkPNGWriter, ".jpg": vtkJPEGWriter, ".jpeg": vtkJPEGWriter}
     extension = pathlib.Path(path).suffix.lower()
-    if extension not in writers:
-        raise ValueError(f"{str(path)!r} must end with {', '.join(writers)}")
-    writer = writers[extension]()
+    if extension not in _WRITERS:
+        raise ValueError(f"{str(path)!r} must end with {', '.join(_WRITERS)}")
+    writer = _WRITERS[extension]()
     if extension != ".png":
         writer.SetQuality(quality)
     if isinstance(source, vtkRenderWindow):

@@ -1,0 +1,238 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The base of what the functions of the package return."""
+
+from __future__ import annotations
+
+import os
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (
+    vtkCamera,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkRenderWindowInteractor,
+    vtkWindowToImageFilter,
+)
+
+import relevo
+
+from . import _camera, _colours, _inputs, _outputs, files
+from ._error import Error
+from ._messages import Messages
+
+SIZE = (1280, 800)
+
+
+def _check_size(size):
+    try:
+        columns, rows = (int(number) for number in size)
+    except (TypeError, ValueError):
+        raise TypeError(f"size must be (columns, rows), not {size!r}") from None
+    if not (0 < columns <= 16384 and 0 < rows <= 16384):
+        raise ValueError(f"size must be from 1 x 1 to 16384 x 16384 pixels, not {columns} x {rows}")
+    return columns, rows
+
+
+def _make_offscreen_window():
+    """Return a window that needs no display, where EGL is built."""
+    if hasattr(relevo, "vtkEGLOffscreenRenderWindow"):
+        return relevo.vtkEGLOffscreenRenderWindow()
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    return window
+
+
+class Drawing:
+    """Data that can be drawn, with a camera, lights and colours that suit it.
+
+    actor: the vtkProp3D. mapper: its mapper. Change their settings as in VTK; later pictures show
+    the changes.
+    """
+
+    _background = ((0.86, 0.90, 0.94), (0.42, 0.58, 0.78))
+    _lights = ((250, 45, 0.95), (150, 15, 0.45))  # azimuth, elevation, intensity
+    _direction = (205, 20)  # azimuth and elevation of the viewer
+    _up = 1  # the vertical axis
+    _table = None  # of the colour bar
+    _title = ""
+    _kind = ""  # package of the caller's mesh
+
+    def __init__(self, mapper, actor):
+        self.mapper = mapper
+        self.actor = actor
+
+    def show(self, size: tuple[int, int] = SIZE) -> None:
+        """Draw in a window, and return when it is closed.
+
+        size: columns and rows in pixels.
+
+        Raises relevo.Error if there is no display; use screenshot() then.
+        """
+        interactor = self._open(size)
+        interactor.Start()
+        interactor.GetRenderWindow().Finalize()
+
+    def screenshot(
+        self,
+        path: str | os.PathLike | None = None,
+        size: tuple[int, int] = SIZE,
+        camera: vtkCamera | tuple[float, float] | None = None,
+    ) -> numpy.ndarray:
+        """Draw without a display.
+
+        path: a PNG or JPEG file to write; none by default.
+        size: columns and rows in pixels.
+        camera: a vtkCamera, or azimuth and elevation of the viewer in degrees. By default, all of
+            the data are in the picture.
+
+        Returns the picture as uint8 of shape (rows, columns, 3), top row first. Raises relevo.Error
+        if it cannot be drawn.
+        """
+        image = self._draw(size, camera)
+        if path is not None:
+            with Messages():
+                files.write_picture(path, image)
+        columns, rows, _ = image.GetDimensions()
+        pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, columns, -1)
+        return pixels[::-1].copy()
+
+    def mesh(self, camera: vtkCamera | tuple[float, float] | None = None):
+        """Return the triangles that are drawn, as a mesh of the same package as the input.
+
+        camera: as for screenshot(), for a picture of the default size. Other levels follow from it
+            if they depend on the view.
+        """
+        with Messages():
+            mesh = self._make_mesh(camera)
+        return _outputs.to_kind(mesh, self._kind)
+
+    def save(self, path: str | os.PathLike) -> None:
+        """Write a picture (.png, .jpg) or mesh() (.vtp, .vtu, .vti, .ply, .stl).
+
+        Raises ValueError for another extension, and OSError if the file cannot be written.
+        """
+        if files.is_picture(path):
+            self.screenshot(path)
+            return
+        _outputs.check_extension(path)
+        with Messages():
+            _outputs.write_mesh(path, self._make_mesh(None))
+
+    def add_to(self, plotter) -> None:
+        """Add the actor to a vtkRenderer, a vtkRenderWindow, or a plotter of PyVista or vedo."""
+        if hasattr(plotter, "add_actor"):
+            plotter.add_actor(self.actor)
+        elif hasattr(plotter, "AddViewProp"):
+            plotter.AddViewProp(self.actor)
+        elif isinstance(plotter, vtkRenderWindow) and plotter.GetRenderers().GetFirstRenderer():
+            plotter.GetRenderers().GetFirstRenderer().AddViewProp(self.actor)
+        elif hasattr(plotter, "add") and _inputs.get_package(plotter) == "vedo":
+            # vedo converts volumes of VTK to its own, which are not of meshes.
+            if self.actor.IsA("vtkVolume"):
+                plotter.renderer.AddViewProp(self.actor)
+            else:
+                plotter.add(self.actor)
+        else:
+            raise TypeError(
+                "plotter must be a vtkRenderer, a vtkRenderWindow with a renderer, or a plotter of"
+                f" PyVista or vedo, not {type(plotter).__name__}"
+            )
+
+    def _repr_png_(self) -> bytes:
+        writer = vtkPNGWriter()
+        writer.SetInputData(self._draw((800, 500), None))
+        writer.WriteToMemoryOn()
+        writer.Write()
+        return bytes(memoryview(writer.GetResult()))
+
+    def _get_points(self):
+        """Return points, of shape (n, 3), that a default picture shows."""
+        bounds = numpy.array(self.actor.GetBounds()).reshape(3, 2)
+        return numpy.array(numpy.meshgrid(*bounds)).reshape(3, -1).T
+
+    def _make_mesh(self, camera):
+        raise NotImplementedError
+
+    def _make_renderer(self, size, camera):
+        renderer = vtkRenderer()
+        renderer.AutomaticLightCreationOff()
+        renderer.GradientBackgroundOn()
+        renderer.SetBackground(self._background[0])
+        renderer.SetBackground2(self._background[1])
+        for azimuth, elevation, intensity in self._lights:
+            _camera.add_light(renderer, azimuth, elevation, intensity, self._up)
+        renderer.AddViewProp(self.actor)
+        corner = (0, 0)
+        if self._table is not None and size[0] >= 240 and size[1] >= 180:
+            bar, corner = _colours.make_bar(self._table, self._title, size)
+            renderer.AddViewProp(bar)
+        if isinstance(camera, vtkCamera):
+            renderer.GetActiveCamera().DeepCopy(camera)
+            renderer.ResetCameraClippingRange()
+        else:
+            direction = self._check_direction(camera)
+            _camera.fit_camera(renderer, self._get_points(), direction, self._up, size, corner)
+        return renderer
+
+    def _make_camera(self, camera, size=SIZE):
+        """Return the vtkCamera of a picture."""
+        return self._make_renderer(size, camera).GetActiveCamera()
+
+    def _check_direction(self, camera):
+        if camera is None:
+            return self._direction
+        try:
+            azimuth, elevation = (float(number) for number in camera)
+        except (TypeError, ValueError):
+            raise TypeError(
+                "camera must be a vtkCamera, or azimuth and elevation of the viewer in degrees,"
+                f" not {camera!r}"
+            ) from None
+        return azimuth, elevation
+
+    def _draw(self, size, camera):
+        """Return a picture as vtkImageData."""
+        size = _check_size(size)
+        with Messages():
+            window = _make_offscreen_window()
+            window.SetSize(size)
+            window.AddRenderer(self._make_renderer(size, camera))
+            try:
+                window.Render()
+                grab = vtkWindowToImageFilter()
+                grab.SetInput(window)
+                grab.ReadFrontBufferOff()
+                grab.ShouldRerenderOff()
+                grab.Update()
+                image = grab.GetOutput()
+            finally:
+                window.Finalize()
+        return image
+
+    def _make_style(self):
+        from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
+
+        return vtkInteractorStyleTrackballCamera()
+
+    def _open(self, size):
+        """Return the interactor of a window on the display, which shows the first frame."""
+        import vtkmodules.vtkRenderingUI  # noqa: F401, windows that have an interactor
+
+        style = self._make_style()
+        size = _check_size(size)
+        if not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+            raise Error("show() needs a display, and DISPLAY is not set; use screenshot() instead")
+        with Messages():
+            window = vtkRenderWindow()
+            window.SetSize(size)
+            window.SetWindowName("relevo")
+            window.AddRenderer(self._make_renderer(size, None))
+            interactor = vtkRenderWindowInteractor()
+            interactor.SetRenderWindow(window)
+            interactor.SetInteractorStyle(style)
+            interactor.Initialize()
+            window.Render()
+        return interactor

@@ -1,0 +1,290 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The functions of the package that draw."""
+
+from __future__ import annotations
+
+import difflib
+import functools
+import inspect
+import os
+from typing import TYPE_CHECKING, Any
+
+from . import _inputs, _raster
+
+if TYPE_CHECKING:
+    from ._drawing import Drawing
+    from ._intersection import Intersection
+    from ._lic import LIC
+    from ._patches import Patches
+    from ._refined import Refined
+    from ._relief import Relief
+    from ._terrain import Terrain
+    from ._volume import Volume
+
+
+def _get_options(function):
+    parameters = inspect.signature(function).parameters.values()
+    return [own.name for own in parameters if own.kind != inspect.Parameter.VAR_KEYWORD]
+
+
+def _check_options(name, options, allowed):
+    for option in options:
+        if option not in allowed:
+            near = difflib.get_close_matches(option, allowed, n=3)
+            hint = f"did you mean {' or '.join(near)}?" if near else f"it has {', '.join(allowed)}"
+            raise TypeError(f"relevo.{name}() has no option {option!r}; {hint}")
+
+
+def _public(function):
+    """Check the names of options."""
+
+    @functools.wraps(function)
+    def checked(*arguments, **options):
+        _check_options(function.__name__, options, _get_options(function))
+        return function(*arguments, **options)
+
+    checked.__module__ = "relevo"
+    return checked
+
+
+@_public
+def terrain(
+    source: Any,
+    *,
+    imagery: str | os.PathLike | None = None,
+    exaggeration: float | None = None,
+    bounds: tuple[float, float, float, float] | None = None,
+    crs: Any = None,
+) -> Terrain:
+    """Draw heights as a terrain, of any size.
+
+    source: a raster that GDAL reads; an array of real numbers of shape (rows, columns), row 0 in
+        the north, at least 2 x 2, where NaN and masked values are no data; a DataArray of xarray;
+        or an open dataset of rasterio. An array is written to a temporary file.
+    imagery: an image to drape over the terrain, in any coordinate system (default: colours by
+        height).
+    exaggeration: the factor of heights, at least 0.001 (default: 1; less without a coordinate
+        system if the terrain would be higher than wide).
+    bounds: (west, east, south, north) of an array, in units of crs, from border to border of the
+        outermost samples (default: one unit per sample).
+    crs: the coordinate system of bounds: a text such as "EPSG:4326", a number of EPSG, or an object
+        with to_wkt() (default: none).
+
+    Colours, light and view are those of relevo-view. The terrain is within one pixel of all
+    samples. mapper is a vtkTerrainMapper.
+
+    Raises FileNotFoundError, relevo.Error for a file that cannot be read and for heights that are
+    all missing, TypeError, and ValueError.
+    """
+    from ._terrain import Terrain
+
+    return Terrain(source, imagery, exaggeration, bounds, crs)
+
+
+@_public
+def refined(
+    mesh: Any,
+    *,
+    surface: Any = None,
+    metric: Any = None,
+    max_level: int | None = None,
+    height: Any = None,
+    scale: float | None = None,
+) -> Refined:
+    """Draw a surface, refined where the viewer needs detail.
+
+    mesh: a path, an object of VTK (data, algorithm, actor), a mesh of PyVista or vedo, or (points,
+        faces) as arrays of shape (n, 3) and (m, 3) or (m, 4). Of 3D cells, the outer faces.
+    surface: "linear", "pn", "phong", "g1", "st" (scalar-tagged), "procedural", or a
+        vtkRefinementSurface (default: PN triangles with creases, or linear where they do not fit).
+    metric: "screen-edge", "curvature", "distance", "silhouette", "contour", "view-dependent",
+        "field", "height", or a vtkDepthTagMetric (default: "screen-edge", segments of 4 pixels;
+        with height "height", an error of half a pixel).
+    max_level: the highest level, from 0 to 7; an edge of level l has 2^l segments (default: 7
+        for "screen-edge" and "height", 4 for other metrics, and 0 for flat faces without metric).
+    height: heights that displace the surface along its normals: a path, an array as for terrain(),
+        a vtkHeightField or a vtkDisplacement (default: none).
+    scale: the length of one unit of height (default: 5 % of the mesh's diagonal for all heights).
+
+    Active scalars are colours. mapper is a vtkAdaptiveRefinementMapper, recipe its
+    vtkAdaptiveRefinement.
+
+    Raises FileNotFoundError, relevo.Error, TypeError, and ValueError.
+    """
+    from ._refined import Refined
+
+    return Refined(mesh, surface, metric, max_level, height, scale)
+
+
+@_public
+def volume(
+    mesh: Any,
+    array: str | None = None,
+    *,
+    transfer: Any = None,
+    unit_distance: float | None = None,
+    isosurfaces: Any = (),
+    clip: Any = None,
+    blend: str = "composite",
+) -> Volume:
+    """Draw the interior of a mesh of 3D cells.
+
+    mesh: as for refined(), with 3D cells.
+    array: the name of an array of points or cells; of vectors, the lengths are shown (default: the
+        active scalars, or the first array).
+    transfer: colours and opacities: an array of shape (n, 5) with value, red, green, blue and
+        opacity, the path of a text file with such lines, or a vtkVolumeProperty (default: by the
+        array's histogram).
+    unit_distance: the length for which opacities hold (default: the size of a mean cell).
+    isosurfaces: values whose surfaces are drawn in the volume (default: none).
+    clip: a vtkPlane or (point, normal), each three numbers; the side of the normal is drawn.
+    blend: "composite", "maximum", "minimum", "average", "additive" or "isosurface".
+
+    mapper is a vtkGPUUnstructuredGridVolumeMapper, actor a vtkVolume. mesh() returns the mesh.
+
+    Raises FileNotFoundError, relevo.Error, TypeError, and ValueError, which names all arrays if the
+    array does not exist.
+    """
+    from ._volume import Volume
+
+    return Volume(mesh, array, transfer, unit_distance, isosurfaces, clip, blend)
+
+
+@_public
+def patches(
+    mesh: Any,
+    *,
+    scalars: str | None = None,
+    warp: str | None = None,
+    factor: float = 1.0,
+    edges: bool = False,
+    isolines: int = 0,
+    error: float | None = None,
+) -> Patches:
+    """Draw cells with their exact shape: quadratic, Lagrange, Bézier and rational cells.
+
+    mesh: as for refined(). Of 3D cells, the outer faces.
+    scalars: the array of points or cells for colours, evaluated with the cells' own basis at every
+        pixel (default: the active scalars).
+    warp: an array of points with 3 components that displaces the nodes (default: none).
+    factor: multiplies warp.
+    edges: whether the borders of cells are drawn.
+    isolines: the number of lines of equal scalars.
+    error: the largest distance from the exact shape in pixels (default: 0.5).
+
+    mapper is a vtkAdaptivePatchMapper, recipe its vtkAdaptiveRefinement.
+
+    Raises FileNotFoundError, relevo.Error, TypeError, and ValueError, which names all arrays if an
+    array does not exist.
+    """
+    from ._patches import Patches
+
+    return Patches(mesh, scalars, warp, factor, edges, isolines, error)
+
+
+@_public
+def lic(mesh: Any, vectors: str | None = None) -> LIC:
+    """Draw streaks along a vector field on a surface, by line integral convolution.
+
+    mesh: as for refined(). The surface is refined where the vectors vary.
+    vectors: the name of an array of points or cells with 2 or 3 components (default: the active
+        vectors, or the first such array). Colours are their lengths.
+
+    mapper is a vtkAdaptiveLICMapper, recipe its vtkAdaptiveRefinement.
+
+    Raises FileNotFoundError, relevo.Error, TypeError, and ValueError, which names all arrays if the
+    array does not exist.
+    """
+    from ._lic import LIC
+
+    return LIC(mesh, vectors)
+
+
+@_public
+def relief(source: Any) -> Relief:
+    """Draw reliefs, which are images with depth.
+
+    source: a folder that vtkReliefDatabaseWriter has written, reliefs as a vtkImageData or a
+        vtkMultiBlockDataSet, or heights: a raster file, an array as for terrain(), or a
+        vtkHeightField.
+
+    mapper is a vtkReliefMapper. mesh() returns the reliefs.
+
+    Raises FileNotFoundError, relevo.Error, TypeError, and ValueError.
+    """
+    from ._relief import Relief
+
+    return Relief(source)
+
+
+@_public
+def intersection(a: Any, b: Any = None) -> Intersection:
+    """Find where two surfaces meet, with exact predicates.
+
+    a, b: meshes as for refined(). Without b, where a intersects itself.
+
+    The result has the attributes curves, overlaps and contacts. mesh() and save() use the curves.
+    actor is a vtkAssembly of the curves, in red, and both surfaces.
+
+    Raises FileNotFoundError, relevo.Error, TypeError, and ValueError.
+    """
+    from ._intersection import Intersection
+
+    return Intersection(a, b)
+
+
+def _is_curved(data):
+    """Return whether a data object has curved cells."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkCommonDataModel import vtkCellTypes
+
+    for block in _inputs.get_blocks(data):
+        if block.IsA("vtkUnstructuredGrid") and block.GetNumberOfCells():
+            types = set(vtk_to_numpy(block.GetCellTypesArray()).tolist())
+            if not all(vtkCellTypes.IsLinear(kind) for kind in types):
+                return True
+    return False
+
+
+def _find_functions(source):
+    """Return the functions that can draw a source, best first, and the source, read if needed."""
+    if _inputs.is_path(source) and os.path.isdir(source):
+        return (relief,), source
+    if _raster.is_raster(source):
+        return (terrain, relief), source
+    if _inputs.is_path(source) and not _inputs.is_mesh_file(source):
+        return (terrain, relief), source
+    data, package = _inputs.take_data(source, "the first argument")
+    if data.IsA("vtkImageData") and data.GetFieldData().HasArray("ReliefMatrix"):
+        return (relief,), data
+    # Meshes of other packages are read again, so that results are of their kind.
+    mesh = source if package else data
+    if _is_curved(data):
+        return (patches, volume, lic, refined), mesh
+    return (refined, volume, patches, lic), mesh
+
+
+def show(source: Any, **options: Any) -> Drawing:
+    """Draw anything in a window, and return when it is closed.
+
+    source: rasters and 2-D arrays are drawn by terrain(), folders of reliefs by relief(), meshes
+        with curved cells by patches() and others by refined(). Options that belong to another
+        function choose that one: array= and isosurfaces= draw a volume, vectors= streaks.
+    options: those of one of these functions.
+
+    Returns the drawing. Raises relevo.Error without a display, FileNotFoundError, TypeError, and
+    ValueError.
+    """
+    functions, source = _find_functions(source)
+    for function in functions:
+        if set(options) <= set(_get_options(function)[1:]):
+            drawing = function(source, **options)
+            drawing.show()
+            return drawing
+    allowed = dict.fromkeys(own for function in functions for own in _get_options(function)[1:])
+    _check_options("show", options, list(allowed))
+    raise TypeError(f"the options {', '.join(options)} belong to different functions")
+
+
+show.__module__ = "relevo"

@@ -1,0 +1,253 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reads meshes from files, and takes those of VTK, PyVista, vedo and numpy."""
+
+import errno
+import importlib
+import os
+import pathlib
+
+import numpy
+from vtkmodules.util.numpy_support import ID_TYPE_CODE, numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray,
+    vtkCompositeDataSet,
+    vtkDataObject,
+    vtkDataSet,
+    vtkPolyData,
+)
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+
+from ._messages import Messages
+
+# The reader of each extension: a module and a class.
+_READERS = {
+    ".bpt": ("relevo", "vtkBezierPatchReader"),
+    ".e": ("vtkmodules.vtkIOExodus", "vtkExodusIIReader"),
+    ".ex2": ("vtkmodules.vtkIOExodus", "vtkExodusIIReader"),
+    ".exo": ("vtkmodules.vtkIOExodus", "vtkExodusIIReader"),
+    ".g": ("vtkmodules.vtkIOExodus", "vtkExodusIIReader"),
+    ".glb": ("vtkmodules.vtkIOGeometry", "vtkGLTFReader"),
+    ".gltf": ("vtkmodules.vtkIOGeometry", "vtkGLTFReader"),
+    ".obj": ("vtkmodules.vtkIOGeometry", "vtkOBJReader"),
+    ".ply": ("vtkmodules.vtkIOPLY", "vtkPLYReader"),
+    ".stl": ("vtkmodules.vtkIOGeometry", "vtkSTLReader"),
+    ".vti": ("vtkmodules.vtkIOXML", "vtkXMLImageDataReader"),
+    ".vtk": ("vtkmodules.vtkIOLegacy", "vtkGenericDataObjectReader"),
+    ".vtm": ("vtkmodules.vtkIOXML", "vtkXMLMultiBlockDataReader"),
+    ".vtp": ("vtkmodules.vtkIOXML", "vtkXMLPolyDataReader"),
+    ".vtr": ("vtkmodules.vtkIOXML", "vtkXMLRectilinearGridReader"),
+    ".vts": ("vtkmodules.vtkIOXML", "vtkXMLStructuredGridReader"),
+    ".vtu": ("vtkmodules.vtkIOXML", "vtkXMLUnstructuredGridReader"),
+}
+
+
+def is_path(source):
+    return isinstance(source, (str, os.PathLike))
+
+
+def is_mesh_file(path):
+    """Return whether the extension is that of a mesh."""
+    return pathlib.Path(path).suffix.lower() in _READERS
+
+
+def check_file(path):
+    """Return a path as a string. Raise FileNotFoundError if the file does not exist."""
+    path = os.fspath(path)
+    if not os.path.exists(path):
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), path)
+    return path
+
+
+def get_package(value):
+    """Return the package of a value's class, such as "pyvista". It is not imported."""
+    return type(value).__module__.partition(".")[0]
+
+
+def find_package(value):
+    """Return the package, "pyvista" or "vedo", of a mesh or of its base classes, or ""."""
+    packages = {kind.__module__.partition(".")[0] for kind in type(value).__mro__}
+    return next((name for name in ("pyvista", "vedo") if name in packages), "")
+
+
+def _read(path):
+    path = check_file(path)
+    extension = pathlib.Path(path).suffix.lower()
+    if extension not in _READERS:
+        raise ValueError(f"{path}: meshes have the extensions {', '.join(sorted(_READERS))}")
+    module, name = _READERS[extension]
+    reader = getattr(importlib.import_module(module), name)()
+    reader.SetFileName(path)
+    with Messages():
+        if name == "vtkExodusIIReader":
+            reader.UpdateInformation()
+            for kind in (reader.NODAL, reader.ELEM_BLOCK):
+                reader.SetAllArrayStatus(kind, 1)
+            # Readers apply the displacement by default; results are drawn where they are.
+            reader.ApplyDisplacementsOff()
+        reader.Update()
+    return reader.GetOutputDataObject(0)
+
+
+def check_array(values, name, columns, integers=False):
+    """Return an array of numbers, of shape (n, c), in the machine's byte order.
+
+    columns: the allowed values of c.
+    """
+    try:
+        array = numpy.asarray(values)
+    except ValueError as error:
+        raise ValueError(f"{name}: {error}") from None
+    if array.dtype.kind not in ("iu" if integers else "iuf"):
+        wanted = "integers" if integers else "real numbers"
+        raise ValueError(f"{name} must be {wanted}, not {array.dtype}")
+    if array.ndim != 2 or array.shape[1] not in columns:
+        shapes = " or ".join(f"(n, {number})" for number in columns)
+        raise ValueError(f"{name} must have the shape {shapes}, not {array.shape}")
+    return array.astype(array.dtype.newbyteorder("="), copy=False)
+
+
+def make_mesh(points, faces):
+    """Return a vtkPolyData of points, (n, 3), and triangles or quadrilaterals, (m, 3) or (m, 4).
+
+    Float points and 64-bit indices in C order are shared, others are copied.
+    """
+    points = check_array(points, "points", (3,))
+    if points.dtype not in (numpy.float32, numpy.float64):
+        points = points.astype(numpy.float64)
+    faces = check_array(faces, "faces", (3, 4), integers=True)
+    if not len(points) or not len(faces):
+        raise ValueError("the mesh is empty")
+    if not numpy.isfinite(points).all():
+        raise ValueError("points must be finite")
+    if faces.min() < 0 or faces.max() >= len(points):
+        raise ValueError(f"faces must be indices of points, from 0 to {len(points) - 1}")
+    mesh = vtkPolyData()
+    data = vtkPoints()
+    data.SetData(numpy_to_vtk(numpy.ascontiguousarray(points)))
+    mesh.SetPoints(data)
+    ids = numpy.ascontiguousarray(faces, ID_TYPE_CODE)
+    cells = vtkCellArray()
+    cells.SetData(faces.shape[1], numpy_to_vtkIdTypeArray(ids.reshape(-1)))
+    mesh.SetPolys(cells)
+    return mesh
+
+
+def _get_vedo_data(mesh):
+    data = getattr(mesh, "dataset", None)  # since 2024
+    if isinstance(data, vtkDataObject):
+        return data
+    data = getattr(mesh, "_data", None)
+    if isinstance(data, vtkDataObject) and not isinstance(data, vtkPolyData):
+        return data
+    return mesh.polydata() if hasattr(mesh, "polydata") else None  # applies the transform
+
+
+def take_data(source, name="mesh"):
+    """Return the vtkDataObject of a source, and its package as find_package().
+
+    source: a path, a vtkDataObject, a vtkAlgorithm, a prop, a mesh of PyVista or vedo, or points
+        and faces as arrays.
+    """
+    package = find_package(source)
+    data = None
+    if is_path(source):
+        data = _read(source)
+    elif isinstance(source, vtkDataObject):
+        data = source
+    elif package == "vedo":
+        data = _get_vedo_data(source)
+    elif hasattr(source, "GetMapper") and source.GetMapper():
+        data = source.GetMapper().GetInputDataObject(0, 0)
+    elif isinstance(source, vtkAlgorithm) and source.GetNumberOfOutputPorts() > 0:
+        with Messages():
+            source.Update()
+        data = source.GetOutputDataObject(0)
+    elif isinstance(source, (tuple, list)) and len(source) == 2:
+        data = make_mesh(*source)
+    if data is None:
+        raise TypeError(
+            f"{name} must be a path, an object of VTK, PyVista or vedo, or (points, faces), not"
+            f" {type(source).__name__}"
+        )
+    return data, package
+
+
+def get_blocks(data):
+    """Return the vtkDataSets of a data object."""
+    if isinstance(data, vtkDataSet):
+        return [data]
+    if isinstance(data, vtkCompositeDataSet):
+        blocks = []
+        iterator = data.NewIterator()
+        while not iterator.IsDoneWithTraversal():
+            if isinstance(iterator.GetCurrentDataObject(), vtkDataSet):
+                blocks.append(iterator.GetCurrentDataObject())
+            iterator.GoToNextItem()
+        return blocks
+    raise TypeError(f"{data.GetClassName()} is not a mesh")
+
+
+def extract_surface(data):
+    """Return the polygons of a mesh as a vtkPolyData."""
+    if isinstance(data, vtkPolyData):
+        surface = data
+    else:
+        from vtkmodules.vtkFiltersGeometry import (
+            vtkCompositeDataGeometryFilter,
+            vtkGeometryFilter,
+        )
+
+        get_blocks(data)  # checks the type
+        composite = isinstance(data, vtkCompositeDataSet)
+        extract = vtkCompositeDataGeometryFilter() if composite else vtkGeometryFilter()
+        extract.SetInputData(data)
+        with Messages():
+            extract.Update()
+        surface = extract.GetOutput()
+    if surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
+        raise ValueError("the mesh has no polygons or 3D cells")
+    return surface
+
+
+def list_arrays(blocks):
+    """Return the names of numeric arrays: those of points, those of cells."""
+    names = [], []
+    for block in blocks:
+        for own, data in zip(names, (block.GetPointData(), block.GetCellData())):
+            hidden = (data.GetNormals(), data.GetTCoords(), data.GetGlobalIds())
+            for i in range(data.GetNumberOfArrays()):
+                array = data.GetArray(i)
+                if array is None or not array.GetName() or array in hidden:
+                    continue
+                if array.GetName() not in own and array.GetName() not in _OWN_ARRAYS:
+                    own.append(array.GetName())
+    return names
+
+
+_OWN_ARRAYS = (
+    "vtkGhostType",
+    "vtkOriginalCellIds",
+    "vtkOriginalPointIds",
+    "PatchIds",
+    "PatchCoordinates",
+)
+
+
+def find_array(blocks, name):
+    """Return an array of points or cells by its name, and whether it is of points.
+
+    Raises ValueError with the names of all arrays if there is none.
+    """
+    if not isinstance(name, str):
+        raise TypeError(f"an array is chosen by its name, a str, not {type(name).__name__}")
+    for of_points in (True, False):
+        for block in blocks:
+            data = block.GetPointData() if of_points else block.GetCellData()
+            if data.GetArray(name) is not None:
+                return data.GetArray(name), of_points
+    of_points, of_cells = list_arrays(blocks)
+    listed = ", ".join(repr(own) for own in (*of_points, *of_cells))
+    listed = f"its arrays are {listed}" if listed else "it has no arrays"
+    raise ValueError(f"the mesh has no array {name!r}; {listed}")

@@ -1,0 +1,83 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where two surfaces meet."""
+
+from __future__ import annotations
+
+from vtkmodules.vtkRenderingCore import vtkActor, vtkAssembly, vtkPolyDataMapper
+
+import relevo
+
+from . import _inputs, _outputs
+from ._drawing import Drawing
+from ._messages import Messages
+from ._refined import set_material
+
+
+class Intersection(Drawing):
+    """The curves and areas where two surfaces meet, see relevo.intersection()."""
+
+    def __init__(self, a, b):
+        self._find = relevo.vtkSurfaceIntersectionFilter()
+        self._find.JoinSegmentsOn()
+        self._inputs = []
+        for port, source in enumerate((a, b)):
+            if source is None and port == 1:
+                continue
+            data, kind = _inputs.take_data(source, "ab"[port])
+            self._kind = self._kind or kind
+            self._inputs.append(_inputs.extract_surface(data))
+            self._find.SetInputData(port, self._inputs[-1])
+        with Messages():
+            self._find.Update()
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputData(self._find.GetOutput(0))
+        mapper.ScalarVisibilityOff()
+        super().__init__(mapper, vtkAssembly())
+        curves = vtkActor()
+        curves.SetMapper(mapper)
+        curves.GetProperty().SetColor(0.85, 0.10, 0.10)
+        curves.GetProperty().SetLineWidth(3)
+        curves.GetProperty().LightingOff()
+        self.actor.AddPart(curves)
+        for surface, colour in zip(self._inputs, ((0.80, 0.78, 0.74), (0.55, 0.67, 0.80))):
+            part = vtkActor()
+            part.SetMapper(vtkPolyDataMapper())
+            part.GetMapper().SetInputData(surface)
+            part.GetMapper().ScalarVisibilityOff()
+            # Curves on the surfaces must not be hidden by them.
+            part.GetMapper().SetResolveCoincidentTopologyToPolygonOffset()
+            part.GetMapper().SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1)
+            set_material(part)
+            part.GetProperty().SetColor(colour)
+            self.actor.AddPart(part)
+
+    @property
+    def curves(self):
+        """The curves, as a mesh of poly-lines and of vertices where surfaces touch in a point.
+
+        Cell arrays "Input0CellID" and "Input1CellID" are the cells that meet, "ComponentId" numbers
+        connected curves.
+        """
+        return _outputs.to_kind(self._find.GetOutput(0), self._kind)
+
+    @property
+    def overlaps(self):
+        """The areas where coplanar triangles overlap, as a mesh of polygons."""
+        return _outputs.to_kind(self._find.GetOutput(1), self._kind)
+
+    @property
+    def contacts(self):
+        """Copies of both surfaces, one without b, with the cell arrays "Contact" and "Distance".
+
+        Contact is 0 for cells that are free, 2 for those that meet the other surface and 3 for
+        those inside of it. Distance is that from the other surface, 0 for cells that meet it.
+        """
+        with Messages():
+            self._find.SetClassify(len(self._inputs) > 1)
+            self._find.Update()
+        outputs = (self._find.GetOutput(2 + port) for port in range(len(self._inputs)))
+        return tuple(_outputs.to_kind(output, self._kind) for output in outputs)
+
+    def _make_mesh(self, camera):
+        return self._find.GetOutput(0)

@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Streaks along a vector field on a refined surface."""
+
+from __future__ import annotations
+
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkRenderingCore import vtkActor
+
+import relevo
+
+from . import _inputs
+from ._drawing import Drawing
+from ._refined import Refined
+
+_LEVEL = 3
+_PIXELS = 10.0  # length of the longest segment of an edge
+
+
+def _is_flow(array):
+    return array is not None and array.GetNumberOfComponents() in (2, 3)
+
+
+class LIC(Refined):
+    """Streaks along a vector field on a refined surface, see relevo.lic()."""
+
+    def __init__(self, mesh, vectors):
+        self._take_surface(mesh, None)
+        array, of_points = self._find_vectors(vectors)
+        Drawing.__init__(self, relevo.vtkAdaptiveLICMapper(), vtkActor())
+        self._set_up((array, of_points))
+        self.mapper.SetInputArrayToProcess(
+            0,
+            0,
+            0,
+            vtkDataObject.FIELD_ASSOCIATION_POINTS
+            if of_points
+            else vtkDataObject.FIELD_ASSOCIATION_CELLS,
+            array.GetName(),
+        )
+        length = relevo.vtkScreenEdgeDepthTagMetric()
+        length.SetReferenceLength(_PIXELS)
+        length.SetMeasureToSphereDiameter()
+        metric = length
+        if of_points:
+            variation = relevo.vtkFieldVariationDepthTagMetric()
+            variation.SetArrayName(array.GetName())
+            metric = relevo.vtkCompositeDepthTagMetric()
+            metric.SetModeToMaximum()
+            metric.AddMetric(variation)
+            metric.AddMetric(length)
+        self.recipe.SetMetric(metric)
+        self.recipe.SetMaximumLevel(_LEVEL)
+
+    def _find_vectors(self, vectors):
+        if vectors is not None:
+            array, of_points = _inputs.find_array([self._coarse], vectors)
+            if not _is_flow(array):
+                raise ValueError(
+                    f"the array {vectors!r} has {array.GetNumberOfComponents()} components, not 2"
+                    " or 3"
+                )
+            return array, of_points
+        points, cells = self._coarse.GetPointData(), self._coarse.GetCellData()
+        for data in (points, cells):
+            if data.GetVectors() is not None and data.GetVectors().GetName():
+                return data.GetVectors(), data is points
+        for names, data in zip(_inputs.list_arrays([self._coarse]), (points, cells)):
+            for name in names:
+                if _is_flow(data.GetArray(name)):
+                    return data.GetArray(name), data is points
+        raise ValueError("the mesh has no array of 2 or 3 components")

@@ -1,0 +1,75 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Turns errors and warnings of VTK's objects into those of Python."""
+
+import re
+import sys
+import warnings
+
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.vtkCommonCore import VTK_STRING, vtkLogger, vtkOutputWindow
+
+from ._error import Error
+
+# Consequences of other errors, and warnings about data that no one draws.
+_NOISE = re.compile(r"Algorithm \w+ ?\(\w+\) returned failure|Could not locate key")
+
+
+def _strip(text):
+    """Return a message without class, address and source line."""
+    return re.sub(r"^[\w ]+: In .*, line \d+\s+(\w+ \(\w+\): )?", "", text).strip()
+
+
+def warn(text):
+    """Issue a warning for the line of the program that called the package."""
+    level = 1
+    frame = sys._getframe(0)
+    while frame and frame.f_globals.get("__name__", "").startswith("relevo."):
+        frame = frame.f_back
+        level += 1
+    warnings.warn(text, stacklevel=level)
+
+
+class Messages:
+    """Within a `with` block, errors of VTK's objects are raised at the end, not printed.
+
+    Warnings become Python's warnings. Objects with an observer for ErrorEvent report to it instead.
+    """
+
+    def __init__(self, error: type = Error):
+        """Raise exceptions of the given type."""
+        self._error = error
+        self._errors = []
+        self._warnings = []
+
+    @calldata_type(VTK_STRING)
+    def _add_error(self, caller, event, text):
+        self._errors.append(_strip(text))
+
+    @calldata_type(VTK_STRING)
+    def _add_warning(self, caller, event, text):
+        self._warnings.append(_strip(text))
+
+    def __enter__(self):
+        self._window = vtkOutputWindow.GetInstance()
+        self._mode = self._window.GetDisplayMode()
+        self._window.SetDisplayModeToNever()
+        self._verbosity = vtkLogger.GetCurrentVerbosityCutoff()
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+        self._tags = [
+            self._window.AddObserver("ErrorEvent", self._add_error),
+            self._window.AddObserver("WarningEvent", self._add_warning),
+        ]
+        return self
+
+    def __exit__(self, kind, value, traceback):
+        for tag in self._tags:
+            self._window.RemoveObserver(tag)
+        self._window.SetDisplayMode(self._mode)
+        vtkLogger.SetStderrVerbosity(vtkLogger.ConvertToVerbosity(self._verbosity))
+        for text in dict.fromkeys(self._warnings):
+            if not _NOISE.match(text):
+                warn(text)
+        if kind is None and self._errors:
+            errors = [text for text in dict.fromkeys(self._errors) if not _NOISE.match(text)]
+            raise self._error("\n".join(errors or self._errors[:1]))

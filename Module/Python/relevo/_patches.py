@@ -1,0 +1,97 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Curved cells with their exact shape and fields."""
+
+from __future__ import annotations
+
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor
+
+import relevo
+
+from . import _inputs
+from ._drawing import Drawing
+from ._messages import Messages
+from ._refined import Refined
+
+_LEVEL = 7
+
+
+def _warp(grid, name, factor):
+    """Return a grid whose nodes are displaced by an array of points."""
+    from vtkmodules.vtkFiltersGeneral import vtkWarpVector
+
+    array, of_points = _inputs.find_array([grid], name)
+    if not of_points or array.GetNumberOfComponents() != 3:
+        raise ValueError(f"warp: {name!r} must be an array of points with 3 components")
+    warp = vtkWarpVector()
+    warp.SetInputData(grid)
+    warp.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, name)
+    warp.SetScaleFactor(factor)
+    with Messages():
+        warp.Update()
+    return warp.GetOutput()
+
+
+def _take_grid(data):
+    """Return a mesh as one vtkUnstructuredGrid."""
+    from vtkmodules.vtkFiltersCore import vtkAppendFilter
+
+    append = vtkAppendFilter()
+    for block in _inputs.get_blocks(data):
+        append.AddInputData(block)
+    with Messages():
+        append.Update()
+    return append.GetOutput()
+
+
+class Patches(Refined):
+    """The outer faces of curved cells, see relevo.patches()."""
+
+    def __init__(self, mesh, scalars, warp, factor, edges, isolines, error):
+        data, self._kind = _inputs.take_data(mesh)
+        grid = data
+        if isinstance(data, (vtkCompositeDataSet, vtkPolyData)) or not data.IsA(
+            "vtkUnstructuredGrid"
+        ):
+            grid = _take_grid(data)
+        if warp is not None:
+            grid = _warp(grid, warp, factor)
+        elif factor != 1.0:
+            raise ValueError("factor needs warp, the name of an array")
+        patches = relevo.vtkPatchSurfaceFilter()
+        patches.SetInputData(grid)
+        with Messages():
+            patches.Update()
+        self._coarse = patches.GetOutput()
+        if self._coarse.GetNumberOfCells() == 0:
+            raise ValueError("the mesh has no 2D or 3D cells")
+        Drawing.__init__(self, relevo.vtkAdaptivePatchMapper(), vtkActor())
+        metric = relevo.vtkPatchErrorDepthTagMetric()
+        self.recipe = relevo.vtkAdaptiveRefinement()
+        self.recipe.SetSurface(relevo.vtkPatchSurface())
+        self.recipe.SetMetric(metric)
+        self.recipe.SetLevelRuleToPerEdge()
+        self.recipe.SetSegmentPolicyToWholeNumbers()
+        self.recipe.SetMaximumLevel(_LEVEL)
+        if scalars is None:
+            found = self._find_scalars()
+        else:
+            found = _inputs.find_array([self._coarse], scalars)
+        self._set_up(found)
+        with Messages(ValueError):
+            if error is not None:
+                metric.SetScreenSpaceError(error)
+            self.mapper.SetPatchEdges(bool(edges))
+            self._draw_isolines(isolines)
+
+    def _draw_isolines(self, number):
+        if isinstance(number, bool) or not isinstance(number, int) or number < 0:
+            raise ValueError(f"isolines must be a number of lines, at least 0, not {number!r}")
+        if number == 0:
+            return
+        if self._table is None:
+            raise ValueError("isolines need scalars")
+        low, high = self._table.GetRange()
+        if high > low:
+            self.mapper.SetIsolineSpacing((high - low) / number)

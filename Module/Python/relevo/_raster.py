@@ -1,0 +1,168 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Makes rasters of numpy arrays, and of the objects of xarray and rasterio."""
+
+import os
+import pathlib
+import shutil
+import sys
+import tempfile
+import weakref
+from xml.sax.saxutils import escape
+
+import numpy
+
+from . import arrays
+from ._inputs import get_package
+
+_TYPES = {
+    "uint8": "Byte",
+    "int16": "Int16",
+    "uint16": "UInt16",
+    "int32": "Int32",
+    "uint32": "UInt32",
+    "float32": "Float32",
+    "float64": "Float64",
+}
+
+
+def is_raster(source):
+    """Return whether a source is an array of two dimensions, or a raster of xarray or rasterio."""
+    if get_package(source) in ("rasterio", "xarray"):
+        return True
+    return isinstance(source, numpy.ndarray)
+
+
+def _check_bounds(bounds):
+    try:
+        west, east, south, north = (float(number) for number in bounds)
+    except (TypeError, ValueError):
+        raise TypeError(f"bounds must be (west, east, south, north), not {bounds!r}") from None
+    if not (west < east and south < north) or not numpy.isfinite([west, east, south, north]).all():
+        raise ValueError(
+            f"bounds must be (west, east, south, north) with west < east and south < north, not"
+            f" {tuple(bounds)}"
+        )
+    return west, east, south, north
+
+
+def _make_crs_text(crs):
+    if hasattr(crs, "to_wkt"):
+        return crs.to_wkt()
+    if isinstance(crs, (int, numpy.integer)) and not isinstance(crs, bool):
+        return f"EPSG:{crs}"
+    if isinstance(crs, str):
+        return crs
+    raise TypeError(
+        "crs must be a text such as 'EPSG:4326', a number of EPSG, or an object of pyproj or"
+        f" rasterio, not {type(crs).__name__}"
+    )
+
+
+def _write(heights, bounds, crs, folder):
+    """Write an array as raw samples that a VRT of GDAL describes. Return its path."""
+    heights = arrays._real_numbers(heights, "heights")
+    if heights.ndim != 2:
+        raise ValueError(f"heights must be a 2-D array, not of shape {heights.shape}")
+    rows, columns = heights.shape
+    if rows < 2 or columns < 2:
+        raise ValueError(f"heights must be at least 2 x 2, not {rows} x {columns}")
+    if heights.dtype.name not in _TYPES:
+        heights = heights.astype(numpy.int16 if heights.dtype.itemsize == 1 else numpy.float64)
+    heights.tofile(folder / "samples")
+    size = heights.dtype.itemsize
+    location = ""
+    if bounds is not None:
+        west, east, south, north = _check_bounds(bounds)
+        steps = (east - west) / columns, (south - north) / rows
+        numbers = f"{west!r}, {steps[0]!r}, 0, {north!r}, 0, {steps[1]!r}"
+        location = f"<GeoTransform>{numbers}</GeoTransform>"
+    if crs is not None:
+        location += f"<SRS>{escape(_make_crs_text(crs))}</SRS>"
+    path = folder / "heights.vrt"
+    path.write_text(
+        f'<VRTDataset rasterXSize="{columns}" rasterYSize="{rows}">{location}'
+        f'<VRTRasterBand dataType="{_TYPES[heights.dtype.name]}" band="1"'
+        ' subClass="VRTRawRasterBand"><SourceFilename relativetoVRT="1">samples</SourceFilename>'
+        f"<PixelOffset>{size}</PixelOffset><LineOffset>{size * columns}</LineOffset>"
+        f"<ByteOrder>{'LSB' if sys.byteorder == 'little' else 'MSB'}</ByteOrder>"
+        "</VRTRasterBand></VRTDataset>"
+    )
+    return str(path)
+
+
+def _find_edges(centres, name):
+    """Return the borders of the samples of an axis of xarray, and whether it decreases."""
+    centres = numpy.asarray(centres, float)
+    if len(centres) < 2:
+        raise ValueError(f"the coordinate {name!r} must have at least two values")
+    steps = numpy.diff(centres)
+    step = (centres[-1] - centres[0]) / (len(centres) - 1)
+    if not numpy.allclose(steps, step, rtol=1e-3, atol=0) or step == 0:
+        raise ValueError(f"the coordinate {name!r} must have equal steps")
+    first, last = centres[0] - 0.5 * step, centres[-1] + 0.5 * step
+    return (min(first, last), max(first, last)), step < 0
+
+
+def _take_xarray(source):
+    """Return heights, bounds and crs of a DataArray."""
+    source = source.squeeze(drop=True)
+    if len(source.dims) != 2:
+        raise ValueError(f"heights must have two dimensions, not {source.dims}")
+    heights = source.values
+    bounds = None
+    if all(name in source.coords for name in source.dims):
+        (south_north, southwards), (west_east, westwards) = (
+            _find_edges(source.coords[name].values, name) for name in source.dims
+        )
+        heights = heights if southwards else heights[::-1]
+        heights = heights[:, ::-1] if westwards else heights
+        bounds = (*west_east, *south_north)
+    spatial = getattr(source, "rio", None)
+    crs = spatial.crs if spatial is not None else getattr(source, "attrs", {}).get("crs")
+    return heights, bounds, crs
+
+
+def _take_rasterio(source):
+    """Return heights, bounds and crs of an open dataset that is not a file."""
+    west, south, east, north = source.bounds
+    return source.read(1, masked=True), (west, east, south, north), source.crs
+
+
+class RasterFile:
+    """A raster as the name of a file.
+
+    source: a path, or another name that GDAL knows, a 2-D array, a DataArray of xarray, or an open
+        dataset of rasterio.
+    bounds: (west, east, south, north) of arrays, from border to border of the outermost samples.
+    crs: the coordinate system of bounds.
+    """
+
+    def __init__(self, source, bounds=None, crs=None):
+        self.name = ""
+        self._remove = None
+        package = get_package(source)
+        if package == "rasterio" and os.path.exists(source.name):
+            source = source.name
+        if isinstance(source, (str, os.PathLike)):
+            if bounds is not None or crs is not None:
+                raise ValueError("bounds and crs are for arrays; a file has its own")
+            self.name = os.fspath(source)
+            return
+        if package == "xarray":
+            source, own_bounds, own_crs = _take_xarray(source)
+        elif package == "rasterio":
+            source, own_bounds, own_crs = _take_rasterio(source)
+        else:
+            own_bounds, own_crs = None, None
+        bounds = own_bounds if bounds is None else bounds
+        crs = own_crs if crs is None else crs
+        if crs is not None and bounds is None:
+            raise ValueError("crs needs bounds: (west, east, south, north)")
+        folder = tempfile.mkdtemp(prefix="relevo-")
+        self._remove = weakref.finalize(self, shutil.rmtree, folder, ignore_errors=True)
+        self.name = _write(source, bounds, crs, pathlib.Path(folder))
+
+    def keep_for(self, item):
+        """Keep the file until a VTK object is deleted."""
+        item.AddObserver("DeleteEvent", lambda caller, event: self._remove and self._remove())

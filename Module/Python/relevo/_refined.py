@@ -1,0 +1,297 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""A refined surface."""
+
+from __future__ import annotations
+
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor
+
+import relevo
+
+from . import _colours, _inputs, arrays
+from ._drawing import SIZE, Drawing
+from ._error import Error
+from ._messages import Messages
+from ._raster import RasterFile, is_raster
+
+_PIXELS = 4.0  # per segment of an edge
+_LEVEL = 4  # where the metric does not limit lengths on the screen
+_HIGHEST_LEVEL = 7
+_VIEWED_TRIANGLES = 100000  # for the view
+
+_SURFACES = {
+    "linear": "vtkLinearSurface",
+    "pn": "vtkPNTriangleSurface",
+    "phong": "vtkPhongSurface",
+    "g1": "vtkG1Surface",
+    "st": "vtkScalarTaggedSurface",
+    "procedural": "vtkProceduralSurface",
+}
+
+
+def _make_screen_edge(array):
+    metric = relevo.vtkScreenEdgeDepthTagMetric()
+    metric.SetReferenceLength(_PIXELS)
+    # A bulge above an edge that is seen end-on is fully visible.
+    metric.SetMeasureToSphereDiameter()
+    return metric
+
+
+def _make_curvature(array):
+    metric = relevo.vtkCurvatureDepthTagMetric()
+    metric.SetCurvatureTypeToMean()
+    return metric
+
+
+def _make_silhouette(array):
+    metric = relevo.vtkSilhouetteDepthTagMetric()
+    metric.SetCriterion(relevo.vtkSilhouetteDepthTagMetric.NORMAL_ANGLE)
+    return metric
+
+
+def _make_contour(array):
+    metric = relevo.vtkSilhouetteDepthTagMetric()
+    metric.SetCriterion(relevo.vtkSilhouetteDepthTagMetric.CONTOUR)
+    return metric
+
+
+def _make_field(array):
+    if not array:
+        raise ValueError("metric='field' needs a mesh with active point scalars")
+    metric = relevo.vtkFieldVariationDepthTagMetric()
+    metric.SetArrayName(array)
+    return metric
+
+
+_METRICS = {
+    "screen-edge": _make_screen_edge,
+    "curvature": _make_curvature,
+    "distance": lambda array: relevo.vtkDistanceDepthTagMetric(),
+    "silhouette": _make_silhouette,
+    "contour": _make_contour,
+    "view-dependent": lambda array: relevo.vtkViewDependentDepthTagMetric(),
+    "field": _make_field,
+    "height": lambda array: relevo.vtkHeightErrorDepthTagMetric(),
+}
+
+
+def _choose(value, names, kind, option):
+    """Return an object of VTK, or what a name stands for."""
+    if isinstance(value, kind):
+        return value
+    if not isinstance(value, str):
+        raise TypeError(
+            f"{option} must be a str or a {kind.__name__}, not {type(value).__name__}"
+        )
+    if value not in names:
+        raise ValueError(f"{option} must be one of {', '.join(names)}, not {value!r}")
+    return names[value]
+
+
+def set_material(actor):
+    """Set the material of surfaces in relevo-view."""
+    material = actor.GetProperty()
+    material.SetColor(0.80, 0.78, 0.74)
+    material.SetAmbient(0.12)
+    material.SetDiffuse(0.80)
+    material.SetSpecular(0.18)
+    material.SetSpecularPower(30.0)
+    material.SetInterpolationToPhong()
+
+
+class Refined(Drawing):
+    """A surface that is refined where the viewer needs detail, see relevo.refined()."""
+
+    # The main light is above the viewer's left shoulder. Weaker lights are on the right and behind.
+    _lights = ((250, 45, 0.95), (150, 15, 0.45), (10, 40, 0.30))
+
+    def __init__(self, mesh, surface, metric, max_level, height, scale):
+        self._take_surface(mesh, surface)
+        super().__init__(relevo.vtkAdaptiveRefinementMapper(), vtkActor())
+        self._set_up(self._find_scalars())
+        if height is not None:
+            self._displace(height, scale)
+        elif scale is not None:
+            raise ValueError("scale needs height")
+        name = self._scalars.GetName() if self._scalars and self._of_points else None
+        # More triangles in the same plane do not change the picture.
+        is_flat = isinstance(self._surface, relevo.vtkLinearSurface) and height is None
+        if max_level is None and metric is None and is_flat:
+            max_level = 0
+        if metric is None:
+            metric = "screen-edge" if height is None else "height"
+        chosen = _choose(metric, _METRICS, relevo.vtkDepthTagMetric, "metric")
+        self.recipe.SetMetric(chosen(name) if callable(chosen) else chosen)
+        if max_level is None:
+            limited = metric in ("screen-edge", "height")
+            max_level = _HIGHEST_LEVEL if limited else _LEVEL
+        with Messages(ValueError):
+            self.recipe.SetMaximumLevel(max_level)
+
+    def _take_surface(self, mesh, surface):
+        """Set the coarse mesh and the surface of the recipe."""
+        data, self._kind = _inputs.take_data(mesh)
+        self._coarse = vtkPolyData()
+        self._coarse.ShallowCopy(_inputs.extract_surface(data))
+        self.recipe = relevo.vtkAdaptiveRefinement()
+        if surface is not None:
+            chosen = _choose(surface, _SURFACES, relevo.vtkRefinementSurface, "surface")
+            self._surface = getattr(relevo, chosen)() if isinstance(chosen, str) else chosen
+        elif not isinstance(data, vtkPolyData):
+            # Linear cells are flat, and nothing indicates that they should be curved.
+            self._surface = relevo.vtkLinearSurface()
+        else:
+            normals = relevo.vtkCreaseNormals()
+            normals.SetInputData(self._coarse)
+            with Messages():
+                normals.Update()
+            self._coarse.ShallowCopy(normals.GetOutput())
+            self._surface = normals.GetFittingSurface()
+        self.recipe.SetSurface(self._surface)
+
+    def _find_scalars(self):
+        """Return the active scalars, and whether they are of points."""
+        for data, of_points in (
+            (self._coarse.GetPointData(), True),
+            (self._coarse.GetCellData(), False),
+        ):
+            scalars = data.GetScalars()
+            if scalars is not None and scalars.GetNumberOfTuples():
+                if not scalars.GetName():
+                    scalars.SetName("Scalars")
+                return scalars, of_points
+        return None, True
+
+    def _set_up(self, found):
+        """Set input, recipe and colours of the mapper."""
+        self._scalars, self._of_points = found
+        self.mapper.SetInputData(self._coarse)
+        self.mapper.SetRefinement(self.recipe)
+        self.mapper.ScalarVisibilityOff()
+        self.actor.SetMapper(self.mapper)
+        set_material(self.actor)
+        if self._scalars is not None:
+            self._colour(self._scalars)
+
+    def _colour(self, array):
+        if self._of_points:
+            self.mapper.SetScalarModeToUsePointFieldData()
+        else:
+            self.mapper.SetScalarModeToUseCellFieldData()
+        self.mapper.SelectColorArray(array.GetName())
+        self.mapper.ScalarVisibilityOn()
+        components = array.GetNumberOfComponents()
+        # Bytes with three or more components are colours.
+        if array.GetDataType() == VTK_UNSIGNED_CHAR and components >= 3:
+            return
+        low, high = array.GetFiniteRange(-1 if components > 1 else 0)
+        self._table = _colours.make_table(low, high)
+        self._title = _colours.make_title(array.GetName(), array)
+        self.mapper.SetLookupTable(self._table)
+        self.mapper.InterpolateScalarsBeforeMappingOn()
+
+    def _displace(self, height, scale):
+        displacement = height
+        if not isinstance(height, relevo.vtkDisplacement):
+            displacement = relevo.vtkDisplacement()
+            heights = self._read_heights(height)
+            displacement.SetHeightMap(heights)
+            if scale is None:
+                # Makes heights visible, and puts the lowest point on the surface.
+                low, high = heights.GetRange()
+                factor = 0.05 * self._coarse.GetLength() / (high - low) if high > low else 0.0
+                displacement.SetScale(factor)
+                displacement.SetOffset(-factor * low)
+        if scale is not None:
+            with Messages(ValueError):
+                displacement.SetScale(scale)
+        if self._coarse.GetPointData().GetTCoords() is None:
+            self._add_texture_coordinates()
+        self.recipe.SetDisplacement(displacement)
+
+    @staticmethod
+    def _read_heights(height):
+        if isinstance(height, relevo.vtkHeightField):
+            heights = height
+        elif _inputs.is_path(height):
+            heights = relevo.vtkHeightMap()
+            heights.SetFileName(_inputs.check_file(height))
+        elif is_raster(height):
+            if isinstance(height, numpy.ndarray):
+                heights = arrays.height_map(height)
+            else:
+                raster = RasterFile(height)
+                heights = relevo.vtkHeightMap()
+                raster.keep_for(heights)
+                heights.SetFileName(raster.name)
+        else:
+            raise TypeError(
+                "height must be a path, a 2-D array, a vtkHeightField or a vtkDisplacement, not"
+                f" {type(height).__name__}"
+            )
+        with Messages():
+            heights.Update()
+        return heights
+
+    def _add_texture_coordinates(self):
+        """Map a flat mesh by a plane and other meshes by a sphere, as relevo-view does."""
+        points = vtk_to_numpy(self._coarse.GetPoints().GetData()).astype(float)
+        low, high = points.min(axis=0), points.max(axis=0)
+        size = high - low
+        thinnest = int(size.argmin())
+        if size[thinnest] < 0.1 * size.max():
+            axes = [axis for axis in range(3) if axis != thinnest]
+            share = (points - low) / numpy.where(size > 0, size, 1.0)
+            uv = numpy.where(size > 0, share, 0.5)[:, axes]
+        else:
+            z, x, y = ((points - 0.5 * (low + high))[:, [1, 2, 0]]).T
+            radius = numpy.sqrt(x * x + y * y + z * z)
+            cosine = numpy.divide(z, radius, out=numpy.zeros_like(z), where=radius > 0)
+            u = numpy.abs(numpy.arctan2(y, x)) / numpy.pi
+            uv = numpy.stack([u, 1.0 - numpy.arccos(cosine) / numpy.pi], axis=1)
+        coordinates = numpy_to_vtk(uv.astype(numpy.float32), deep=True)
+        coordinates.SetName("TextureCoordinates")
+        self._coarse.GetPointData().SetTCoords(coordinates)
+
+    def _get_points(self):
+        """Return points of the surface, refined to about 100 000 triangles."""
+        level = 3
+        while level > 0 and self._coarse.GetNumberOfCells() << (2 * level) > _VIEWED_TRIANGLES:
+            level -= 1
+        recipe = relevo.vtkAdaptiveRefinement()
+        recipe.SetMaximumLevel(level)
+        recipe.SetSurface(self.recipe.GetSurface())
+        recipe.SetDisplacement(self.recipe.GetDisplacement())
+        refine = relevo.vtkAdaptiveRefinementFilter()
+        refine.SetInputData(self._coarse)
+        refine.SetRefinement(recipe)
+        refine.Update()
+        points = refine.GetOutput().GetPoints()
+        if points is None or points.GetNumberOfPoints() == 0:
+            return super()._get_points()
+        return vtk_to_numpy(points.GetData())
+
+    def _make_mesh(self, camera):
+        refine = relevo.vtkAdaptiveRefinementFilter()
+        refine.SetInputData(self._coarse)
+        refine.SetRefinement(self.recipe)
+        refine.SetCamera(self._make_camera(camera))
+        refine.SetViewportSize(*SIZE)
+        # Vertices of a mesh have their final positions.
+        geomorphing = self.recipe.GetGeomorphing()
+        self.recipe.GeomorphingOff()
+        try:
+            refine.Update()
+        finally:
+            self.recipe.SetGeomorphing(geomorphing)
+        return refine.GetOutput()
+
+    def _draw(self, size, camera):
+        image = super()._draw(size, camera)
+        if self.mapper.GetNumberOfCoarseFaces() == 0:
+            raise Error("the mesh has no cells to draw")
+        return image

@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Images with depth."""
+
+from __future__ import annotations
+
+import os
+
+from vtkmodules.vtkRenderingCore import vtkActor
+
+import relevo
+
+from . import _inputs
+from ._drawing import Drawing
+from ._messages import Messages
+from ._raster import is_raster
+from ._refined import Refined
+
+
+def _convert(heights):
+    """Return the relief of a vtkHeightField. It is flattened if it would be higher than wide."""
+    convert = relevo.vtkHeightMapToRelief()
+    convert.SetHeightMap(heights)
+    mapper = relevo.vtkReliefMapper()
+    mapper.SetInputConnection(convert.GetOutputPort())
+    with Messages():
+        convert.Update()
+        bounds = mapper.GetBounds()
+        width = max(bounds[1] - bounds[0], bounds[3] - bounds[2])
+        if bounds[5] - bounds[4] > width:
+            convert.SetExaggeration(float(f"{0.2 * width / (bounds[5] - bounds[4]):.2g}"))
+            convert.Update()
+    return convert.GetOutput()
+
+
+def _is_heights(source):
+    if _inputs.is_path(source):
+        return not os.path.isdir(source) and not _inputs.is_mesh_file(source)
+    return isinstance(source, relevo.vtkHeightField) or is_raster(source)
+
+
+def _read(source):
+    """Return the reliefs of a source, and its package."""
+    if _inputs.is_path(source) and os.path.isdir(source):
+        reader = relevo.vtkReliefDatabaseReader()
+        reader.SetFileName(os.fspath(source))
+        with Messages():
+            reader.Update()
+        return reader.GetOutput(), ""
+    if _is_heights(source):
+        return _convert(Refined._read_heights(source)), ""
+    return _inputs.take_data(source, "source")
+
+
+class Relief(Drawing):
+    """Reliefs, which are images with depth, see relevo.relief()."""
+
+    def __init__(self, source):
+        self._data, self._kind = _read(source)
+        super().__init__(relevo.vtkReliefMapper(), vtkActor())
+        self.mapper.SetInputDataObject(self._data)
+        self.actor.SetMapper(self.mapper)
+        if _is_heights(source):
+            self.mapper.SetShadingToLit()
+            self._up = 2
+            self._direction = (192, 38)
+            self._lights = ((315, 40, 1.0), (160, 50, 0.35))
+        with Messages():
+            self.mapper.GetBounds()
+
+    def _make_mesh(self, camera):
+        result = self._data.NewInstance()
+        result.ShallowCopy(self._data)
+        return result

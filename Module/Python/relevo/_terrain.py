@@ -1,0 +1,196 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""A height raster as a terrain."""
+
+from __future__ import annotations
+
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkRenderingCore import vtkActor
+
+import relevo
+
+from . import _colours, _inputs
+from ._drawing import SIZE, Drawing
+from ._error import Error
+from ._messages import Messages, warn
+from ._raster import RasterFile
+
+_SMALL = 1 << 24  # samples whose index is built in a moment
+_LARGEST_OUTLINE = 2048  # columns or rows that are read for the first view
+_FRAME_DELAY = 50  # milliseconds, while tiles are loaded
+
+
+def _check_file(name):
+    """Raise FileNotFoundError for a missing file. Other names, such as /vsizip/, are GDAL's."""
+    if ":" not in name and not name.startswith("/vsi"):
+        _inputs.check_file(name)
+
+
+class Terrain(Drawing):
+    """A terrain that is drawn from a height raster, see relevo.terrain()."""
+
+    _lights = ((315, 40, 1.0), (160, 50, 0.35))
+    _direction = (192, 38)
+    _up = 2
+    _has_estimates = False  # of the range of heights, in the colour table
+
+    def __init__(self, source, imagery, exaggeration, bounds, crs):
+        raster = RasterFile(source, bounds, crs)
+        _check_file(raster.name)
+        mapper = relevo.vtkTerrainMapper()
+        self._pyramid = relevo.vtkTerrainPyramid()
+        raster.keep_for(self._pyramid)
+        self._pyramid.SetFileName(raster.name)
+        with Messages():
+            self._pyramid.Update()
+        if crs is not None and not self._pyramid.GetCoordinateSystem():
+            raise ValueError(f"crs: {crs!r} is not a coordinate system that GDAL knows")
+        self._check_location(raster.name)
+        mapper.SetPyramid(self._pyramid)
+        columns, rows = self._pyramid.GetDimensions()
+        if columns * rows <= _SMALL:
+            self._wait()
+        with Messages(ValueError):
+            mapper.SetExaggeration(
+                self._choose_exaggeration(raster.name) if exaggeration is None else exaggeration
+            )
+        super().__init__(mapper, vtkActor())
+        self.actor.SetMapper(mapper)
+        if imagery is None:
+            self._colour_by_height()
+        else:
+            imagery = str(imagery)
+            _check_file(imagery)
+            mapper.SetImageryFileName(imagery)
+            # Photographs contain shadows.
+            self.actor.GetProperty().SetAmbient(0.30)
+            self.actor.GetProperty().SetDiffuse(0.80)
+        with Messages():
+            bounds = mapper.GetBounds()
+        if bounds[0] > bounds[1]:
+            raise Error(f"{raster.name} has no terrain to draw: all heights are missing values")
+
+    def elevation(self, lon, lat):
+        """Return heights in the unit of the raster.
+
+        lon, lat: longitude and latitude in degrees, on the ellipsoid of the raster's coordinate
+            system; without a coordinate system, x and y of the raster. Numbers, or arrays of any
+            shapes that numpy broadcasts.
+
+        Returns a float, or an array of floats of the broadcast shape. It is NaN outside of the
+        raster and where there are no data. Raises relevo.Error if samples cannot be read.
+        """
+        x, y = numpy.broadcast_arrays(numpy.asarray(lon), numpy.asarray(lat))
+        for values, name in ((x, "lon"), (y, "lat")):
+            if values.dtype.kind not in "iuf":
+                raise TypeError(f"{name} must be real numbers, not {values.dtype}")
+        points = numpy.stack([x, y], axis=-1).astype(float).reshape(-1, 2)
+        if self._pyramid.GetCoordinateSystem() and not self._pyramid.IsGeographic():
+            points = self._from_degrees(points)
+        if not len(points):
+            return numpy.empty(x.shape)
+        with Messages():
+            heights = self._pyramid.GetElevations(numpy_to_vtk(points))
+        heights = vtk_to_numpy(heights).astype(float).reshape(x.shape)
+        return heights if x.ndim else float(heights)
+
+    def _from_degrees(self, points):
+        result = numpy.full(points.shape, numpy.nan)
+        place = [0.0, 0.0]
+        for i, point in enumerate(points.tolist()):
+            if self._pyramid.GeographicToRaster(point, place):
+                result[i] = place
+        return result
+
+    def _wait(self):
+        with Messages():
+            self._pyramid.WaitForIndex()
+
+    def _check_location(self, name):
+        doubt = self._pyramid.GetLocationWarning()
+        if doubt:
+            warn(name + doubt)
+
+    def _choose_exaggeration(self, name):
+        """Return 1, or less for heights of an unknown unit that would be more than the width."""
+        if self._pyramid.GetCoordinateSystem():
+            return 1.0
+        west, east, south, north = self._pyramid.GetBounds()
+        low, high = self._pyramid.GetRange()
+        width = max(east - west, north - south)
+        relief = self._pyramid.GetVerticalUnit() * (high - low)
+        return 1.0 if relief <= width else max(0.001, float(f"{0.2 * width / relief:.2g}"))
+
+    def _colour_by_height(self):
+        self.mapper.SetColorModeToElevation()
+        self._has_estimates = not self._pyramid.IsErrorKnown()
+        self.mapper.SetLookupTable(_colours.make_table(*self._pyramid.GetRange(), _colours.RELIEF))
+        self._table = self.mapper.GetLegendLookupTable()
+        self._title = self.mapper.GetLegendTitle()
+        self.actor.GetProperty().SetAmbient(0.15)
+        self.actor.GetProperty().SetDiffuse(0.85)
+
+    def _get_points(self):
+        coarsest = [0, 0]
+        self._pyramid.GetLevelDimensions(self._pyramid.GetNumberOfLevels() - 1, coarsest)
+        if max(coarsest) > _LARGEST_OUTLINE:
+            return super()._get_points()
+        image = self._pyramid.GetReducedElevations(65)
+        heights = vtk_to_numpy(image.GetPointData().GetScalars())
+        samples = [image.GetPoint(i)[:2] for i in range(len(heights))]
+        points = [self._find_point(sample, own) for sample, own in zip(samples, heights)]
+        # The last points of the image may be before the borders.
+        columns, rows = self._pyramid.GetDimensions()
+        points += [
+            self._find_point((column, row)) for column in (0, columns - 1) for row in (0, rows - 1)
+        ]
+        points = [point for point in points if point is not None]
+        return points or super()._get_points()
+
+    def _find_point(self, sample, height=None):
+        """Return the position of a sample, or None without data."""
+        coordinates, world = [0.0, 0.0], [0.0, 0.0, 0.0]
+        self._pyramid.SampleToRaster(sample, coordinates)
+        if height is None:
+            height = self._pyramid.GetElevation(*coordinates)
+        found = self.mapper.RasterToWorld((*coordinates, height), world)
+        return world if found and numpy.isfinite(height) else None
+
+    def _make_mesh(self, camera):
+        source = relevo.vtkTerrainMeshSource()
+        source.SetPyramid(self._pyramid)
+        source.SetCamera(self._make_camera(camera))
+        source.SetViewportSize(SIZE)
+        source.SetScreenSpaceError(self.mapper.GetScreenSpaceError())
+        source.SetExaggeration(self.mapper.GetExaggeration())
+        source.Update()
+        return source.GetOutput()
+
+    def _draw(self, size, camera):
+        self._wait()
+        if self._has_estimates:
+            self._colour_by_height()
+        mode = self.mapper.GetLoadingMode()
+        self.mapper.SetLoadingModeToComplete()
+        try:
+            return super()._draw(size, camera)
+        finally:
+            self.mapper.SetLoadingMode(mode)
+
+    def _make_style(self):
+        from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTerrain
+
+        return vtkInteractorStyleTerrain()
+
+    def _open(self, size):
+        interactor = super()._open(size)
+        mapper = self.mapper
+
+        def draw_more(caller, event):
+            if not mapper.IsComplete():
+                caller.GetRenderWindow().Render()
+
+        interactor.AddObserver("TimerEvent", draw_more)
+        interactor.CreateRepeatingTimer(_FRAME_DELAY)
+        return interactor

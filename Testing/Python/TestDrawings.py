@@ -1,0 +1,405 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Proves python.md: one line draws a terrain, a refined surface, a volume, curved cells, streaks,
+reliefs and intersections, with the picture of relevo-view."""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+from unittest import mock
+
+from DrawingData import (
+    BOUNDS,
+    count_colours,
+    make_block,
+    make_curved_block,
+    make_heights,
+    make_sphere,
+    numpy,
+    relevo,
+)
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersSources import vtkConeSource
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkTIFFWriter
+from vtkmodules.vtkIOPLY import vtkPLYWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridWriter
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer, vtkRenderWindow
+
+SIZE = (320, 200)
+VIEWER = pathlib.Path(os.environ["RELEVO_BINARY_DIR"]) / "bin/relevo-view"
+
+
+def read_picture(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    columns, rows, _ = reader.GetOutput().GetDimensions()
+    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+    return pixels.reshape(rows, columns, -1)[::-1, :, :3]
+
+
+def write(writer, path, mesh):
+    writer.SetFileName(str(path))
+    writer.SetInputData(mesh)
+    writer.Write()
+    return path
+
+
+def make_cone():
+    cone = vtkConeSource()
+    cone.SetHeight(2)
+    cone.SetResolution(20)
+    cone.Update()
+    return cone.GetOutput()
+
+
+class TestDrawings(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def make_all(self):
+        return {
+            "terrain": relevo.terrain(make_heights(), bounds=BOUNDS, crs="EPSG:4326"),
+            "refined": relevo.refined(make_sphere(), surface="pn", metric="curvature"),
+            "volume": relevo.volume(make_block(), "DistanceToCenter"),
+            "patches": relevo.patches(make_curved_block(), warp="Shift", edges=True),
+            "lic": relevo.lic(make_sphere(), "V"),
+            "relief": relevo.relief(make_heights()),
+            "intersection": relevo.intersection(make_sphere(), make_cone()),
+        }
+
+    def test_pictures(self):
+        """Every function draws without options, into an array and a file, top row first."""
+        for name, drawing in self.make_all().items():
+            with self.subTest(name):
+                path = self.folder / f"{name}.png"
+                picture = drawing.screenshot(path, size=SIZE)
+                self.assertEqual((picture.shape, picture.dtype), ((200, 320, 3), numpy.uint8))
+                self.assertTrue(picture.flags.c_contiguous and picture.flags.owndata)
+                numpy.testing.assert_array_equal(read_picture(path), picture)
+                self.assertGreater(count_colours(picture), 200)
+                # The object is in the middle, and the background is a vertical gradient.
+                background = picture[:, -1].astype(int)
+                self.assertGreater(numpy.abs(picture[100, 160] - background[100]).max(), 10)
+                numpy.testing.assert_array_equal(drawing.screenshot(size=SIZE), picture)
+                self.assertTrue(drawing._repr_png_().startswith(b"\x89PNG"))
+
+    def test_objects(self):
+        """The wrapped classes are reachable."""
+        classes = {
+            "terrain": "vtkTerrainMapper",
+            "refined": "vtkAdaptiveRefinementMapper",
+            "volume": "vtkGPUUnstructuredGridVolumeMapper",
+            "patches": "vtkAdaptivePatchMapper",
+            "lic": "vtkAdaptiveLICMapper",
+            "relief": "vtkReliefMapper",
+            "intersection": "vtkPolyDataMapper",
+        }
+        for name, drawing in self.make_all().items():
+            self.assertTrue(drawing.mapper.IsA(classes[name]), name)
+            self.assertTrue(drawing.actor.IsA("vtkProp3D"), name)
+            has_recipe = name in ("refined", "patches", "lic")
+            self.assertEqual(hasattr(drawing, "recipe"), has_recipe, name)
+        self.assertEqual(relevo.refined(make_sphere(), max_level=2).recipe.GetMaximumLevel(), 2)
+
+    def test_meshes(self):
+        for name, drawing in self.make_all().items():
+            self.assertGreater(drawing.mesh().GetNumberOfPoints(), 0, name)
+        refined = relevo.refined(make_sphere(), metric="curvature", max_level=3).mesh()
+        self.assertGreater(refined.GetNumberOfCells(), make_sphere().GetNumberOfCells())
+        self.assertTrue(refined.GetPointData().HasArray("V"))
+
+    def test_meshes_of_cameras(self):
+        """A nearer camera has more triangles."""
+        drawing = relevo.refined(make_sphere())
+        cells = []
+        for distance in (40, 4):
+            camera = vtkCamera()
+            camera.SetPosition(0, 0, distance)
+            cells.append(drawing.mesh(camera).GetNumberOfCells())
+        self.assertLess(*cells)
+        terrain = relevo.terrain(make_heights(), bounds=BOUNDS, crs=4326)
+        self.assertGreater(terrain.mesh((180, 60)).GetNumberOfCells(), 100)
+
+    def test_cameras(self):
+        drawing = relevo.refined(make_cone())
+        front, side = (drawing.screenshot(size=SIZE, camera=view) for view in ((0, 0), (90, 0)))
+        self.assertTrue((front != side).any())
+        camera = vtkCamera()
+        camera.SetPosition(0, 0, 9)
+        picture = drawing.screenshot(size=SIZE, camera=camera)
+        self.assertEqual(camera.GetPosition(), (0, 0, 9))
+        self.assertTrue((picture != drawing.screenshot(size=SIZE)).any())
+
+    def test_same_as_relevo_view(self):
+        """Levels, material, lights and view are those of relevo-view, up to rounding."""
+        if not VIEWER.exists():
+            self.skipTest("built without relevo-view")
+        sphere = write(vtkPLYWriter(), self.folder / "sphere.ply", make_sphere(16))
+        coarse = write(vtkPLYWriter(), self.folder / "coarse.ply", make_sphere(7))
+        block = write(vtkXMLUnstructuredGridWriter(), self.folder / "b.vtu", make_block())
+        curved = write(vtkXMLUnstructuredGridWriter(), self.folder / "c.vtu", make_curved_block())
+        heights = self.folder / "heights.tif"
+        write(vtkTIFFWriter(), heights, relevo.arrays.image(make_heights() // 100))
+        cases = [
+            (relevo.refined(sphere), [sphere], 0),
+            (relevo.refined(coarse), [coarse], 0),
+            (
+                relevo.refined(sphere, surface="phong", max_level=3, metric="distance"),
+                [sphere, "--surface", "phong", "--max-level", "3", "--metric", "distance"],
+                0,
+            ),
+            (relevo.volume(block), [block, "--volume", "DistanceToCenter"], 1),
+            (
+                relevo.patches(curved, scalars="DistanceToCenter", edges=True, isolines=6),
+                [curved, "--array", "DistanceToCenter", "--patch-edges", "--isolines", "6"],
+                0,
+            ),
+            (relevo.terrain(heights), [heights], 0),
+            (relevo.terrain(heights, exaggeration=3), [heights, "--exaggeration", "3"], 0),
+        ]
+        for drawing, options, tolerance in cases:
+            with self.subTest(options=options):
+                drawing._table = None  # relevo-view draws another colour bar
+                path = self.folder / "viewer.png"
+                command = [VIEWER, *options, "--no-legend", "--size", "320x200", "--output", path]
+                run = subprocess.run(command, capture_output=True, text=True)
+                self.assertEqual(run.returncode, 0, run.stderr)
+                difference = drawing.screenshot(size=SIZE).astype(int) - read_picture(path)
+                # Cameras differ by rounding, which can change single pixels of an edge.
+                others = (numpy.abs(difference) > tolerance).any(axis=2)
+                self.assertLess(others.sum(), 5)
+
+    def test_colour_bars(self):
+        """A bar has the range and the unit of the values, and does not cover the object."""
+        drawing = relevo.terrain(make_heights(), bounds=BOUNDS, crs="EPSG:4326")
+        self.assertEqual(drawing._title, "Height [m]")
+        low, high = drawing._table.GetRange()
+        self.assertAlmostEqual(low, float(make_heights().min()), places=2)
+        self.assertAlmostEqual(high, float(make_heights().max()), places=2)
+        self.assertIsNone(relevo.refined(make_sphere())._table)
+        self.assertEqual(relevo.lic(make_sphere(), "V")._title, "V (magnitude)")
+        grid = make_block()
+        scalars = grid.GetPointData().GetArray("DistanceToCenter")
+        scalars.GetInformation().Set(scalars.UNITS_LABEL(), "mm")
+        self.assertEqual(relevo.volume(grid)._title, "DistanceToCenter [mm]")
+        shown = relevo.volume(grid)
+        picture = shown.screenshot(size=SIZE)
+        shown._table = None
+        self.assertTrue((picture[:, :40] != shown.screenshot(size=SIZE)[:, :40]).any())
+
+    def test_elevation(self):
+        heights = make_heights()
+        terrain = relevo.terrain(heights, bounds=BOUNDS, crs="EPSG:4326")
+        west, east, south, north = BOUNDS
+        rows, columns = heights.shape
+        lon = west + (numpy.arange(columns) + 0.5) * (east - west) / columns
+        lat = north - (numpy.arange(rows) + 0.5) * (north - south) / rows
+        found = terrain.elevation(lon[None, :], lat[:, None])
+        self.assertEqual(found.shape, heights.shape)
+        numpy.testing.assert_allclose(found, heights, atol=0.01)
+        self.assertIsInstance(terrain.elevation(86.9, 28.0), float)
+        outside = terrain.elevation([86.9, 80.0, numpy.nan], [28.0, 28.0, 28.0])
+        self.assertEqual(numpy.isnan(outside).tolist(), [False, True, True])
+        self.assertEqual(terrain.elevation([], []).shape, (0,))
+        self.assertTrue(numpy.isnan(terrain.elevation(86.9, 95.0)))
+        for bad in ("86.9", None, [1j], numpy.array([1], object)):
+            with self.assertRaisesRegex(TypeError, "lon must be real numbers"):
+                terrain.elevation(bad, 28.0)
+        with self.assertRaises(ValueError):
+            terrain.elevation([1, 2, 3], [1, 2])
+
+    def test_elevation_of_projected_rasters(self):
+        """Longitude and latitude are converted to metres of UTM."""
+        ramp = numpy.tile(numpy.arange(100.0), (80, 1))
+        terrain = relevo.terrain(ramp, bounds=(400000, 500000, 4400000, 4480000), crs="EPSG:32613")
+        # The zone's meridian, 105 degrees west, is at x = 500 km, on the border.
+        self.assertTrue(numpy.isnan(terrain.elevation(-104.9, 40.0)))
+        west, east = terrain.elevation([-105.8, -105.2], 40.0)
+        self.assertAlmostEqual(east - west, 0.6 * 85.39, delta=0.3)  # km
+        plain = relevo.terrain(ramp)
+        self.assertAlmostEqual(plain.elevation(10.5, 40.5), 10.0)
+
+    def test_terrain_is_complete(self):
+        """Pictures wait for all tiles."""
+        terrain = relevo.terrain(make_heights(), bounds=BOUNDS, crs="EPSG:4326")
+        terrain.screenshot(size=SIZE)
+        self.assertLessEqual(terrain.mapper.GetScreenSpaceErrorInUse(), 1.0)
+
+    def test_volume_options(self):
+        grid = make_block()
+        pictures = {}
+        for blend in ("composite", "maximum", "minimum", "average", "additive", "isosurface"):
+            pictures[blend] = relevo.volume(grid, blend=blend).screenshot(size=SIZE)
+        for name, picture in pictures.items():
+            self.assertTrue(
+                all((picture != other).any() for key, other in pictures.items() if key != name)
+            )
+        plain = pictures["composite"]
+        nodes = [(0, 1, 0, 0, 0.1), (4, 0, 0, 1, 0.9)]
+        path = self.folder / "nodes.txt"
+        numpy.savetxt(path, nodes)
+        from_array = relevo.volume(grid, transfer=nodes).screenshot(size=SIZE)
+        numpy.testing.assert_array_equal(
+            relevo.volume(grid, transfer=path).screenshot(size=SIZE), from_array
+        )
+        for drawing in (
+            relevo.volume(grid, transfer=nodes),
+            relevo.volume(grid, unit_distance=0.1),
+            relevo.volume(grid, isosurfaces=[2.0]),
+            relevo.volume(grid, isosurfaces=2.0, clip=((2, 2, 2), (0, 0, -1))),
+            relevo.volume(grid, "Shift"),
+        ):
+            self.assertTrue((drawing.screenshot(size=SIZE) != plain).any())
+        same = relevo.volume(grid, transfer=relevo.volume(grid).actor.GetProperty())
+        numpy.testing.assert_array_equal(same.screenshot(size=SIZE), plain)
+
+    def test_patch_options(self):
+        grid = make_curved_block()
+        plain = relevo.patches(grid)
+        warped = relevo.patches(grid, warp="Shift", factor=2)
+        self.assertGreater(warped.actor.GetBounds()[3], plain.actor.GetBounds()[3] + 1)
+        self.assertEqual(grid.GetBounds(), make_curved_block().GetBounds())
+        coarse = relevo.patches(grid, warp="Shift", error=20).mesh().GetNumberOfCells()
+        fine = relevo.patches(grid, warp="Shift", error=0.1).mesh().GetNumberOfCells()
+        self.assertLess(coarse, fine)
+        picture = plain.screenshot(size=SIZE)
+        for options in ({"edges": True}, {"scalars": "Shift"}, {"scalars": "Shift", "isolines": 5}):
+            other = relevo.patches(grid, **options).screenshot(size=SIZE)
+            self.assertTrue((other != picture).any(), options)
+
+    def test_displaced_surfaces(self):
+        heights = make_heights()
+        flat = relevo.refined(make_sphere())
+        for height in (heights, relevo.arrays.height_map(heights)):
+            raised = relevo.refined(make_sphere(), height=height)
+            length = make_sphere().GetLength()
+            points = vtk_to_numpy(raised.mesh().GetPoints().GetData())
+            radii = numpy.linalg.norm(points, axis=1)
+            self.assertGreater(radii.max(), 0.5 + 0.04 * length)
+            self.assertLess(radii.max(), 0.5 + 0.06 * length)
+        larger = relevo.refined(make_sphere(), height=heights, scale=1e-3)
+        self.assertEqual(larger.recipe.GetDisplacement().GetScale(), 1e-3)
+        self.assertIsNone(flat.recipe.GetDisplacement())
+
+    def test_intersections(self):
+        found = relevo.intersection(make_sphere(), make_cone())
+        self.assertGreater(found.curves.GetNumberOfLines(), 0)
+        self.assertEqual(found.overlaps.GetNumberOfCells(), 0)
+        first, second = found.contacts
+        kinds = set(vtk_to_numpy(first.GetCellData().GetArray("Contact")).tolist())
+        self.assertLessEqual({0, 2}, kinds)
+        self.assertEqual(second.GetNumberOfCells(), make_cone().GetNumberOfCells())
+        alone = relevo.intersection(make_sphere())
+        self.assertEqual((alone.curves.GetNumberOfCells(), len(alone.contacts)), (0, 1))
+
+    def test_saved_files(self):
+        drawing = relevo.lic(make_sphere(), "V")
+        for name in ("refined.vtp", "refined.ply", "refined.stl"):
+            drawing.save(self.folder / name)
+            self.assertGreater((self.folder / name).stat().st_size, 10000)
+            relevo.refined(self.folder / name)
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(self.folder / "refined.vtp"))
+        reader.Update()
+        self.assertEqual(reader.GetOutput().GetNumberOfCells(), drawing.mesh().GetNumberOfCells())
+        relevo.volume(make_block()).save(self.folder / "volume.vtu")
+        relevo.relief(make_heights()).save(self.folder / "relief.vti")
+        relevo.relief(self.folder / "relief.vti").save(self.folder / "relief.jpg")
+        self.assertEqual(relevo.volume(self.folder / "volume.vtu").mesh().GetNumberOfCells(), 64)
+        with self.assertRaisesRegex(ValueError, "must end with .png"):
+            drawing.save(self.folder / "refined.xyz")
+        with self.assertRaisesRegex(ValueError, "is a vtkPolyData, not a vtkUnstructuredGrid"):
+            drawing.save(self.folder / "refined.vtu")
+        with self.assertRaises(OSError):
+            drawing.save(self.folder / "missing" / "refined.vtp")
+
+    def test_renderers(self):
+        """Drawings are ordinary actors of a renderer, a window or a plotter."""
+
+        class Plotter:
+            def add_actor(self, actor):
+                self.actor = actor
+
+        for drawing in self.make_all().values():
+            renderer = vtkRenderer()
+            drawing.add_to(renderer)
+            self.assertTrue(renderer.HasViewProp(drawing.actor))
+            window = vtkRenderWindow()
+            window.AddRenderer(vtkRenderer())
+            drawing.add_to(window)
+            self.assertTrue(window.GetRenderers().GetFirstRenderer().HasViewProp(drawing.actor))
+            plotter = Plotter()
+            drawing.add_to(plotter)
+            self.assertIs(plotter.actor, drawing.actor)
+        for bad in (None, "plotter", vtkRenderWindow()):
+            with self.assertRaisesRegex(TypeError, "plotter must be"):
+                drawing.add_to(bad)
+
+    def test_show_without_display(self):
+        with mock.patch.dict(os.environ):
+            for name in ("DISPLAY", "WAYLAND_DISPLAY"):
+                os.environ.pop(name, None)
+            with self.assertRaisesRegex(relevo.Error, "needs a display.* use screenshot"):
+                relevo.show(make_sphere())
+
+    def test_show_chooses(self):
+        """show() draws anything with the function that suits the data and the options."""
+        drawing = relevo._drawing.Drawing
+        with mock.patch.object(drawing, "show", lambda self: None):
+            for source, options, name in (
+                (make_heights(), {"exaggeration": 2}, "Terrain"),
+                (make_sphere(), {}, "Refined"),
+                (make_sphere(), {"surface": "linear"}, "Refined"),
+                (make_sphere(), {"vectors": "V"}, "LIC"),
+                (make_block(), {}, "Refined"),
+                (make_block(), {"isosurfaces": [1]}, "Volume"),
+                (make_block(), {"scalars": "Shift"}, "Patches"),
+                (make_curved_block(), {}, "Patches"),
+                (make_curved_block(), {"array": "Shift"}, "Volume"),
+                (relevo.relief(make_heights()).mesh(), {}, "Relief"),
+            ):
+                self.assertEqual(type(relevo.show(source, **options)).__name__, name)
+            with self.assertRaisesRegex(TypeError, "'isosurface'; did you mean isosurfaces"):
+                relevo.show(make_block(), isosurface=1)
+            with self.assertRaisesRegex(TypeError, "belong to different functions"):
+                relevo.show(make_block(), isosurfaces=1, surface="pn")
+
+    def test_windows(self):
+        """A window has the picture of a screenshot."""
+        if not os.environ.get("DISPLAY"):
+            self.skipTest("no display")
+        script = (
+            "import relevo\n"
+            "from vtkmodules.vtkFiltersSources import vtkSphereSource\n"
+            "drawing = relevo.refined(vtkSphereSource())\n"
+            "interactor = drawing._open((200, 150))\n"
+            "interactor.AddObserver('TimerEvent', lambda caller, event: caller.TerminateApp())\n"
+            "interactor.CreateOneShotTimer(1)\n"
+            "interactor.Start()\n"
+            "print(interactor.GetRenderWindow().GetActualSize())\n"
+            "interactor.GetRenderWindow().Finalize()\n"
+            "print(drawing.screenshot(size=(200, 150)).shape)\n"
+        )
+        run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertEqual(run.stdout, "(200, 150)\n(150, 200, 3)\n")
+
+    def test_program(self):
+        """python3 -m relevo is relevo-view."""
+        if not VIEWER.exists():
+            self.skipTest("built without relevo-view")
+        run = subprocess.run(
+            [sys.executable, "-m", "relevo", "--version"], capture_output=True, text=True
+        )
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn(relevo.__version__, run.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestDrawings"])
