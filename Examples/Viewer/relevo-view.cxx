@@ -13,7 +13,6 @@
 #include "Scene/ReliefCaptures.h"
 #include "Scene/SceneFactory.h"
 #include "Scene/TerrainHeight.h"
-#include "Scene/TerrainSolid.h"
 #include "Scene/ViewerFlight.h"
 #include "Scene/ViewerScene.h"
 #include "Text/ReadingGuard.h"
@@ -92,12 +91,6 @@ void Run(const ViewerOptions& options)
   }
   InstallCrashHandlers(options.Input);
   ViewerMessages messages;
-  if (options.Base)
-  {
-    ExportTerrainSolid(options, messages);
-    messages.ShowWarnings();
-    return;
-  }
   const std::unique_ptr<ViewerScene> scene = MakeScene(options, messages);
   messages.ShowWarnings();
   messages.ShowNotes();

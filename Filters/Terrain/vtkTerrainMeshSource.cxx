@@ -10,7 +10,6 @@
 #include "Checks/SettingChecks.h"
 #include "Compatibility/VTKCompatibility.h"
 #include "Geodesy/LocationArrays.h"
-#include "Heights/SolidBase.h"
 #include "Heights/TerrainMeshBuilder.h"
 #include "Raster/ImageryTexture.h"
 #include "vtkCamera.h"
@@ -314,10 +313,6 @@ std::string vtkTerrainMeshSource::Build(vtkPolyData* output)
   {
     return this->Pyramid->GetFileName() + location;
   }
-  if (isGeocentric && this->UseBase)
-  {
-    return "A base works with the map frame only. Call SetFrameToMap() or UseBaseOff().";
-  }
   std::string error =
     this->MaximumError > 0.0 ? this->BuildRegion(output) : this->BuildView(output);
   if (error.empty() && this->UseBase && !relevo::IsAborted(this))
@@ -370,6 +365,7 @@ std::string vtkTerrainMeshSource::BuildView(vtkPolyData* output)
   {
     return std::string("The pyramid has an error: ") + this->Pyramid->GetErrorMessage();
   }
+  this->Terrain->SetBase(this->UseBase ? std::optional<double>(this->BaseHeight) : std::nullopt);
   relevo::TerrainView view;
   view.SetPlacement(this->Terrain->GetPlacement(this->Exaggeration));
   view.SetCamera(this->Camera, this->ViewportSize);
@@ -392,15 +388,16 @@ std::string vtkTerrainMeshSource::BuildView(vtkPolyData* output)
 //------------------------------------------------------------------------------
 std::string vtkTerrainMeshSource::BuildBase(vtkPolyData* output)
 {
-  const double z = this->BaseHeight * this->Terrain->GetPlacement(this->Exaggeration).HeightScale;
-  const double lowest = output->GetBounds()[4];
-  if (output->GetNumberOfPolys() > 0 && !(z < lowest))
+  const double* range = output->GetPointData()->GetArray("Height")->GetRange();
+  const double scale = this->Terrain->GetPlacement(this->Exaggeration).HeightScale;
+  const double lowest = std::min(scale * range[0], scale * range[1]);
+  if (output->GetNumberOfPolys() > 0 && !(scale * this->BaseHeight < lowest))
   {
     return "BaseHeight is " + vtkVariant(this->BaseHeight).ToString() +
-      ", but it must be below the mesh, whose lowest height is " +
-      vtkVariant(output->GetPointData()->GetArray("Height")->GetRange()[0]).ToString() + ".";
+      ", but it must be below the mesh, whose lowest height is " + vtkVariant(range[0]).ToString() +
+      ".";
   }
-  relevo::AddSolidBase(z, this->BaseHeight, output);
+  relevo::AddBase(*this->Terrain, this->Exaggeration, this->BaseHeight, output);
   return "";
 }
 

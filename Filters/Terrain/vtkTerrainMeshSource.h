@@ -145,7 +145,8 @@ public:
    * borders, also those of holes, and a bottom at BaseHeight. Default off. The mesh is closed: each
    * edge has two triangles, and all triangles are counter-clockwise seen from outside. Points where
    * only corners touch are duplicated. The first points and triangles are those of the surface. The
-   * bottom has as many triangles as the surface. With the geocentric frame, this is an error.
+   * bottom has as many triangles as the surface. In the geocentric frame, the walls are normals of
+   * the ellipsoid.
    */
   vtkSetMacro(UseBase, bool);
   vtkGetMacro(UseBase, bool);

@@ -33,10 +33,12 @@
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkTerrainPyramid.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace
@@ -121,6 +123,7 @@ struct vtkTerrainMapper::vtkInternals
   relevo::Dependencies ColorTableSource;
   vtkNew<vtkLookupTable> GreyTable;
   std::string Error; // errors are those reported last
+  std::string BaseError;
   std::string DrawError;
   std::string ColorError;
   std::string ShaderError;
@@ -181,6 +184,12 @@ void vtkTerrainMapper::SetExaggeration(double factor)
 {
   relevo::SetInRange(
     this, "Exaggeration", this->Exaggeration, factor, 0.001, relevo::LargestDouble);
+}
+
+void vtkTerrainMapper::SetBaseHeight(double height)
+{
+  relevo::SetInRange(
+    this, "BaseHeight", this->BaseHeight, height, -relevo::LargestDouble, relevo::LargestDouble);
 }
 
 void vtkTerrainMapper::SetLoadingMode(int mode)
@@ -330,8 +339,33 @@ std::string vtkTerrainMapper::OpenTerrain()
       vtkWarningMacro(<< data.GeoidWarning);
     }
   }
+  const std::string baseError = this->FindBaseError();
+  data.Terrain->SetBase(
+    this->UseBase && baseError.empty() ? std::optional<double>(this->BaseHeight) : std::nullopt);
+  if (relevo::ShouldReport(data.BaseError, baseError))
+  {
+    vtkErrorMacro(<< baseError);
+  }
   const std::string location = data.Terrain->FindLocationError();
   return location.empty() ? "" : this->Pyramid->GetFileName() + location;
+}
+
+// Estimated ranges of heights do not count.
+std::string vtkTerrainMapper::FindBaseError()
+{
+  if (!this->UseBase || !this->Pyramid->IsErrorKnown())
+  {
+    return "";
+  }
+  double range[2];
+  this->Pyramid->GetRange(range);
+  if (!(range[0] <= range[1]) || this->BaseHeight < range[0])
+  {
+    return "";
+  }
+  return "BaseHeight is " + vtkVariant(this->BaseHeight).ToString() +
+    ", but it must be below the terrain, whose lowest height is " +
+    vtkVariant(range[0]).ToString() + ". The terrain is drawn without a base.";
 }
 
 // Without imagery, the terrain is drawn in the colour of the actor.
@@ -699,7 +733,8 @@ void vtkTerrainMapper::SelectFaces(vtkRenderer* renderer, vtkActor* actor)
   const relevo::TerrainPlacement placement = data.Terrain->GetPlacement(this->Exaggeration);
   const relevo::TerrainViewpoint viewpoint(renderer, actor);
   relevo::Dependencies view = relevo::Dependencies::On(reinterpret_cast<std::size_t>(renderer),
-    this->ScreenSpaceError, this->MemoryLimit, this->Exaggeration, this->LoadingMode);
+    this->ScreenSpaceError, this->MemoryLimit, this->Exaggeration, this->LoadingMode,
+    data.Terrain->GetBase().has_value(), data.Terrain->GetBase().value_or(0.0));
   viewpoint.AddTo(view);
   // Tiles that arrive between the passes of a frame or of a selection do not change the faces.
   const bool isFurtherPass =
@@ -760,6 +795,7 @@ void vtkTerrainMapper::DrawFaces(vtkRenderer* renderer, vtkActor* actor)
   settings.Vertices = &data.Terrain->GetVertices();
   settings.NumberOfComputedFaces = data.Terrain->GetNumberOfComputedFaces();
   settings.Exaggeration = this->Exaggeration;
+  settings.Base = data.Terrain->GetBase();
   settings.Coloring = static_cast<TerrainColoring>(this->TerrainColorMode);
   if (relevo::HasTable(settings.Coloring))
   {
@@ -863,6 +899,10 @@ vtkDataObject* vtkTerrainMapper::ReplaceInput(vtkDataObject* input)
     if (data.Terrain)
     {
       relevo::MakeFaceMesh(*data.Terrain, this->Exaggeration, data.PickedMesh);
+      if (const std::optional<double>& base = data.Terrain->GetBase())
+      {
+        relevo::AddBase(*data.Terrain, this->Exaggeration, *base, data.PickedMesh);
+      }
     }
   }
   return data.PickedMesh;
@@ -888,6 +928,8 @@ void vtkTerrainMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetScreenSpaceError(other->ScreenSpaceError);
     this->SetMemoryLimit(other->MemoryLimit);
     this->SetExaggeration(other->Exaggeration);
+    this->SetUseBase(other->UseBase);
+    this->SetBaseHeight(other->BaseHeight);
     this->SetLoadingMode(other->LoadingMode);
     this->SetImageryFileName(other->ImageryFileName.c_str());
     this->SetImageryBands(other->ImageryBands[0], other->ImageryBands[1], other->ImageryBands[2]);
@@ -911,6 +953,8 @@ void vtkTerrainMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ScreenSpaceError: " << this->ScreenSpaceError << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "Exaggeration: " << this->Exaggeration << "\n";
+  os << indent << "UseBase: " << (this->UseBase ? "on" : "off") << "\n";
+  os << indent << "BaseHeight: " << this->BaseHeight << "\n";
   os << indent << "LoadingMode: " << this->LoadingMode << "\n";
   os << indent << "TerrainColorMode: " << this->TerrainColorMode << "\n";
   os << indent

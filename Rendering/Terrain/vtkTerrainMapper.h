@@ -40,9 +40,10 @@
  *
  * Requires OpenGL 3.3. These are errors (ErrorEvent of this object, once): no pyramid, a pyramid
  * that cannot be opened, a raster with one row or column, a coordinate system that is not
- * supported, tiles that cannot be read (a coarser level is drawn), a lookup table whose range is
- * not finite, imagery that cannot be opened or does not overlap the terrain (the terrain is drawn
- * without it), and shaders that cannot be built.
+ * supported, tiles that cannot be read (a coarser level is drawn), a base that is not below the
+ * terrain (it is drawn without a base), a lookup table whose range is not finite, imagery that
+ * cannot be opened or does not overlap the terrain (the terrain is drawn without it), and shaders
+ * that cannot be built.
  *
  * @sa vtkTerrainPyramid vtkTerrainMeshSource vtkTerrainClamp
  */
@@ -104,6 +105,30 @@ public:
    */
   void SetExaggeration(double factor);
   vtkGetMacro(Exaggeration, double);
+  //@}
+
+  //@{
+  /**
+   * Set whether the terrain is drawn as a solid: with vertical walls at all borders, also those of
+   * holes, and a bottom at BaseHeight. Default off. The solid is that of vtkTerrainMeshSource and
+   * has no gaps: walls and surface share their edges to the bit. Walls and the bottom have the
+   * colour of the actor and no contour lines. In the geocentric frame, walls are normals of the
+   * ellipsoid, and a closed raster has none at its seam and poles. The bottom has as many triangles
+   * as the surface.
+   */
+  vtkSetMacro(UseBase, bool);
+  vtkGetMacro(UseBase, bool);
+  vtkBooleanMacro(UseBase, bool);
+  //@}
+
+  //@{
+  /**
+   * Set the height of the bottom in the unit of the raster's heights, before Exaggeration; finite,
+   * default 0. Another value is an error and changes nothing. A height that is not below the
+   * terrain is an error, and the terrain is drawn without a base.
+   */
+  void SetBaseHeight(double height);
+  vtkGetMacro(BaseHeight, double);
   //@}
 
   enum LoadingModes
@@ -315,7 +340,7 @@ public:
   /// Return the bytes that SetMemoryLimit() counts, and those of tables and patterns on the GPU.
   vtkTypeInt64 GetResidentMemorySize();
 
-  /// Return the number of triangles of the last frame.
+  /// Return the number of triangles of the last frame, without walls and bottoms.
   vtkIdType GetNumberOfDrawnTriangles();
 
   /// Return the time of the last change of the triangles that are drawn.
@@ -348,7 +373,8 @@ public:
 
   //@{
   /**
-   * Return the bounds of the raster: its samples and the range of its heights. No tiles are read.
+   * Return the bounds of the raster: its samples, the range of its heights and the base. No tiles
+   * are read.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override;
@@ -382,6 +408,8 @@ protected:
   double ScreenSpaceError = 1.0;
   vtkTypeInt64 MemoryLimit = vtkTypeInt64(1) << 29;
   double Exaggeration = 1.0;
+  bool UseBase = false;
+  double BaseHeight = 0.0;
   int LoadingMode = BACKGROUND;
   int TerrainColorMode = COLOR_SOLID;
   std::string ImageryFileName;
@@ -403,6 +431,7 @@ private:
   bool UpdateTerrain();
   std::string OpenTerrain();
   void OpenImagery();
+  std::string FindBaseError();
   void SetColorFile(std::string& current, const char* name, int mode);
   void UpdateDefaultTable();
   vtkScalarsToColors* UpdateColorTable();

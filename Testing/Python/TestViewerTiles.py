@@ -137,12 +137,19 @@ class TestViewerTiles(ViewerProgram):
         self.assert_error(1, ["--base is 7", "lowest height is 7"],
                           self.grid("flat.asc", [[7] * 20 for _ in range(20)]),
                           "--export=solid.ply", "--tolerance=1", "--base=7")
-        self.assert_error(2, ["--base requires --export"], self.heights, "--base=0")
-        self.assert_error(2, ["--base requires --tolerance"], self.heights, "--base=0",
-                          "--export=solid.ply")
-        self.assert_error(2, ["--globe cannot be combined with --base"], *common, "--base=0",
-                          "--globe")
+        self.view(*common, "--base=-1000", "--globe")
         self.assert_error(2, ["--base requires a height map"], "flat.obj", "--base=0")
+        self.assert_error(2, ["--base cannot be combined with --resolution"], self.ramp(),
+                          "--base=0", "--resolution=16")
+
+    def test_drawn_base(self):
+        """Pictures, also on the globe, show the walls and the bottom."""
+        for options in ((), ("--globe",)):
+            plain = self.picture(self.ramp(), "--view=30,-30", *options)
+            solid = self.picture(self.ramp(), "--view=30,-30", "--base=-20000", *options)
+            self.assertGreater((plain != solid).any(axis=-1).mean(), 0.05)
+        self.assert_error(1, ["ramp.asc: --base is 200", "lowest height is 100"], self.ramp(),
+                          "--base=200", "--output=solid.png")
 
     def ramp(self):
         """Heights that rise to the east by 10 m per sample of 0.01 degrees."""

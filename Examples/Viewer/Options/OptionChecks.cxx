@@ -275,29 +275,12 @@ private:
         "--color-by " + this->Given.at("--color-by") + " cannot be combined with --image");
     }
     this->CheckFlight();
-    this->CheckBase();
     const std::string levels = this->FindOptionOfLevels();
     options.IsTiled = levels.empty();
     options.TiledBy = this->FindOptionOfTiles();
     if (!levels.empty() && !options.TiledBy.empty())
     {
       throw UsageError(options.TiledBy + " cannot be combined with " + levels);
-    }
-  }
-
-  // A solid is exported without a scene.
-  void CheckBase()
-  {
-    const ViewerOptions& options = this->Options;
-    this->RequirePartner({ "--base" }, !options.Export.empty(), "--export");
-    this->RequirePartner({ "--base" }, options.Tolerance.has_value(), "--tolerance");
-    for (const auto& given : this->Given)
-    {
-      if (options.Base &&
-        !IsOneOf(given.first, { "--base", "--exaggeration", "--export", "--tolerance" }))
-      {
-        throw UsageError(given.first + " cannot be combined with --base");
-      }
     }
   }
 
@@ -339,7 +322,7 @@ private:
   {
     using Color = ViewerOptions::ColorType;
     for (const char* option :
-      { "--contours", "--flight", "--globe", "--memory", "--sea-level", "--tolerance" })
+      { "--base", "--contours", "--flight", "--globe", "--memory", "--sea-level", "--tolerance" })
     {
       if (this->Given.count(option))
       {

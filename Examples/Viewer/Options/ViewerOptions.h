@@ -142,7 +142,7 @@ struct ViewerOptions
   std::optional<double> Pixels;              // for ScreenEdge
   std::optional<double> Error;               // pixels, for Error and Height
   std::optional<double> Tolerance;           // length, for Height
-  std::optional<double> Base;                // unit of the heights, for exported solids
+  std::optional<double> Base;                // unit of the heights, for a solid
   std::optional<double> Reach;               // for Distance
   std::optional<std::vector<double>> Region; // centre (x, y, for meshes z), radius
   int Method = 0;                            // as in vtkAdaptiveRefinementMapper

@@ -35,8 +35,8 @@ Height maps:
   --stretch              stretch the contrast of each band, for raw satellite images
   --exaggeration X       factor for heights (default 1; for rasters without a coordinate system that
                          would be higher than wide, a factor that makes them a fifth as high)
-  --base H               with --export and --tolerance, close the mesh with walls and a bottom at
-                         the height H, for example for a 3D print
+  --base H               draw or export a solid with walls and a bottom at the height H, for example
+                         for a 3D print
   --contours N           draw contour lines every N units of the heights
   --contour-labels       label the contour lines with their heights
   --palette NAME         colours of heights (default relief), slopes (default heat) or aspects

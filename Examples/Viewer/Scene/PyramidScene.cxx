@@ -42,6 +42,7 @@
 namespace
 {
 const int Vertical = 2;
+const double ColorOfWalls[3] = { 0.85, 0.74, 0.58 };
 const vtkTypeInt64 MiB = 1 << 20;
 // The index of smaller rasters is built in a moment.
 const long long SmallRaster = 1 << 24; // samples
@@ -133,6 +134,7 @@ void PyramidScene::Show()
 {
   this->Ground = std::make_unique<PyramidGround>(this->Pyramid);
   this->ChooseExaggeration();
+  this->SetBase();
   this->WarnOfLocation();
   this->Mapper->SetScreenSpaceError(this->Options.Error.value_or(1.0));
   if (this->Options.Memory)
@@ -175,6 +177,28 @@ void PyramidScene::Show()
   {
     this->SetCamera();
   }
+}
+
+//------------------------------------------------------------------------------
+void PyramidScene::SetBase()
+{
+  if (!this->Options.Base)
+  {
+    return;
+  }
+  double range[2];
+  this->Pyramid->GetRange(range);
+  if (this->Pyramid->IsErrorKnown() && *this->Options.Base >= range[0])
+  {
+    std::ostringstream text;
+    text << this->Options.Input << ": --base is " << *this->Options.Base
+         << ", but it must be below the terrain, whose lowest height is " << range[0];
+    throw ViewerError(text.str());
+  }
+  this->Messages.Name("BaseHeight", "--base");
+  this->Mapper->SetBaseHeight(*this->Options.Base);
+  this->Mapper->UseBaseOn();
+  this->Actor->GetProperty()->SetColor(ColorOfWalls[0], ColorOfWalls[1], ColorOfWalls[2]);
 }
 
 //------------------------------------------------------------------------------

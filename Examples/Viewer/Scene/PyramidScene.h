@@ -43,6 +43,7 @@ private:
   /// Whether there are heights that can be drawn. Waits for the index if the picture needs it.
   bool HasTerrain();
   void Show();
+  void SetBase();
   void ChooseExaggeration();
   void WarnOfLocation();
   void SetColours();

@@ -76,6 +76,8 @@ void SetOptions(vtkTerrainMeshSource* source, const ViewerOptions& options, vtkC
     source->SetViewportSize(options.Size);
     source->SetScreenSpaceError(options.Error.value_or(1.0));
   }
+  source->SetUseBase(options.Base.has_value());
+  source->SetBaseHeight(options.Base.value_or(0.0));
   if (hasPicture)
   {
     source->SetImageryFileName(options.Imagery.c_str());
@@ -162,6 +164,38 @@ std::string DescribeError(
                            : "in this view at most " +
       RoundUpError(source->GetScreenSpaceErrorInUse()) + " pixels above or below the raster";
 }
+
+// Writes a mesh with comments that describe it.
+void WriteTerrainMesh(const ViewerOptions& options, vtkTerrainMeshSource* source,
+  ExportedMesh& mesh, const std::string& fileName, ViewerMessages& messages)
+{
+  vtkTerrainPyramid* pyramid = source->GetPyramid();
+  const bool hasFloats = HasFloats(fileName);
+  const std::string unit = *pyramid->GetCoordinateSystem() ? " m" : "";
+  const std::string frame = DescribeFrame(options, pyramid, mesh);
+  const std::string error = DescribeError(options, source, unit);
+  mesh.Comments = { error, "coordinates: " + frame };
+  WriteMesh(mesh, fileName, messages);
+  std::cout << fileName << ": " << mesh.Mesh->GetNumberOfCells() << " triangles, " << error
+            << "\ncoordinates: " << frame << "\n";
+  const double rounding = hasFloats ? FindRounding(mesh) : 0.0;
+  if (hasFloats)
+  {
+    std::cout << "rounding of coordinates to floats: at most " << RoundUpError(rounding) << unit
+              << "\n";
+  }
+  if (mesh.Picture)
+  {
+    const int* size = mesh.Picture->GetDimensions();
+    std::cout << "picture: " << size[0] << " x " << size[1] << " pixels\n";
+  }
+  std::cout << std::flush;
+  if (options.Tolerance && rounding > LargestRounding * *options.Tolerance)
+  {
+    messages.Warn("floats round the coordinates in " + fileName + " by up to " +
+      RoundUpError(rounding) + unit + "; a .vtp file has doubles");
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -203,36 +237,4 @@ void ExportTerrain(const ViewerOptions& options, vtkTerrainMapper* mapper, vtkCa
     mesh.Picture = source->GetImagery();
   }
   WriteTerrainMesh(options, source, mesh, fileName, messages);
-}
-
-//------------------------------------------------------------------------------
-void WriteTerrainMesh(const ViewerOptions& options, vtkTerrainMeshSource* source,
-  ExportedMesh& mesh, const std::string& fileName, ViewerMessages& messages)
-{
-  vtkTerrainPyramid* pyramid = source->GetPyramid();
-  const bool hasFloats = HasFloats(fileName);
-  const std::string unit = *pyramid->GetCoordinateSystem() ? " m" : "";
-  const std::string frame = DescribeFrame(options, pyramid, mesh);
-  const std::string error = DescribeError(options, source, unit);
-  mesh.Comments = { error, "coordinates: " + frame };
-  WriteMesh(mesh, fileName, messages);
-  std::cout << fileName << ": " << mesh.Mesh->GetNumberOfCells() << " triangles, " << error
-            << "\ncoordinates: " << frame << "\n";
-  const double rounding = hasFloats ? FindRounding(mesh) : 0.0;
-  if (hasFloats)
-  {
-    std::cout << "rounding of coordinates to floats: at most " << RoundUpError(rounding) << unit
-              << "\n";
-  }
-  if (mesh.Picture)
-  {
-    const int* size = mesh.Picture->GetDimensions();
-    std::cout << "picture: " << size[0] << " x " << size[1] << " pixels\n";
-  }
-  std::cout << std::flush;
-  if (options.Tolerance && rounding > LargestRounding * *options.Tolerance)
-  {
-    messages.Warn("floats round the coordinates in " + fileName + " by up to " +
-      RoundUpError(rounding) + unit + "; a .vtp file has doubles");
-  }
 }

@@ -13,8 +13,6 @@
 class ViewerMessages;
 class vtkCamera;
 class vtkTerrainMapper;
-class vtkTerrainMeshSource;
-struct ExportedMesh;
 
 /**
  * Writes the terrain of a mapper: within the tolerance of the options, or without one, as the
@@ -23,12 +21,5 @@ struct ExportedMesh;
  */
 void ExportTerrain(const ViewerOptions& options, vtkTerrainMapper* mapper, vtkCamera* camera,
   const std::string& fileName, ViewerMessages& messages);
-
-/**
- * Writes a mesh of a source, with comments that describe it. Prints the same as ExportTerrain().
- * Throws ViewerError.
- */
-void WriteTerrainMesh(const ViewerOptions& options, vtkTerrainMeshSource* source,
-  ExportedMesh& mesh, const std::string& fileName, ViewerMessages& messages);
 
 #endif

@@ -133,6 +133,9 @@ TerrainPlacement AdaptiveTerrain::GetPlacement(double exaggeration) const
     const auto [low, high] = this->Lattice->AreErrorsKnown() ? range : Widen(range);
     placement.LowestHeight =
       low <= high ? std::min(low * placement.HeightScale, high * placement.HeightScale) : 0.0;
+    placement.LowestHeight = this->Base
+      ? std::min(placement.LowestHeight, *this->Base * placement.HeightScale)
+      : placement.LowestHeight;
     placement.LowestHeight +=
       this->Globe->GetGeoid().HasGeoid() ? GeoidHeights::Lowest * std::abs(exaggeration) : 0.0;
   }
@@ -141,7 +144,7 @@ TerrainPlacement AdaptiveTerrain::GetPlacement(double exaggeration) const
 
 std::array<double, 6> AdaptiveTerrain::GetGlobeBounds(const TerrainPlacement& placement) const
 {
-  const ElevationRanges::Range heights = this->GetRange(*this->Lattice->GetRanges());
+  const std::array<double, 2> heights = this->GetSolidRange();
   std::array<double, 6> bounds = { { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
   bool isFirst = true;
   for (const GeocentricFrame::Place& place : this->Globe->GetNodes())
@@ -178,6 +181,32 @@ ElevationRanges::Range AdaptiveTerrain::GetRange(const ElevationRanges& ranges) 
     coarsest, { { 0.0, contents.Width - 1.0 } }, { { 0.0, contents.Height - 1.0 } });
 }
 
+// The heights of the terrain and of its base.
+std::array<double, 2> AdaptiveTerrain::GetSolidRange() const
+{
+  const ElevationRanges::Range range = this->GetRange(*this->Lattice->GetRanges());
+  std::array<double, 2> heights = { { range[0], range[1] } };
+  if (this->Base && heights[0] <= heights[1])
+  {
+    heights[0] = std::min(heights[0], *this->Base);
+  }
+  return heights;
+}
+
+std::array<double, 3> AdaptiveTerrain::ToBase(
+  const std::array<double, 3>& world, double exaggeration, double base) const
+{
+  const double height = base * this->Lattice->Describe().VerticalUnit * exaggeration;
+  if (!this->Globe)
+  {
+    return { { world[0], world[1], height } };
+  }
+  const GeocentricFrame& frame = this->Globe->GetFrame();
+  std::array<double, 3> place = frame.ToGeographic(world);
+  place[2] = height + exaggeration * this->Globe->GetGeoid().Get(place[0], place[1]);
+  return frame.ToWorld(place);
+}
+
 std::array<double, 6> AdaptiveTerrain::GetBounds(double exaggeration) const
 {
   const RasterDescription& contents = this->Lattice->Describe();
@@ -188,7 +217,7 @@ std::array<double, 6> AdaptiveTerrain::GetBounds(double exaggeration) const
   }
   const double columns = contents.Width - 1.0;
   const double rows = contents.Height - 1.0;
-  const ElevationRanges::Range heights = this->GetRange(*this->Lattice->GetRanges());
+  const std::array<double, 2> heights = this->GetSolidRange();
   std::array<double, 6> bounds = { { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
   for (int i = 0; i < 8 && heights[0] <= heights[1]; ++i)
   {
@@ -223,6 +252,7 @@ void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
   const ElevationRanges& bounds = this->HasErrors ? *ranges : wide;
   TerrainBisection bisection(this->Dimensions[0], this->Dimensions[1], *errors, bounds,
     this->Globe ? this->Globe->GetPeriod() : 0);
+  bisection.SetBase(this->Base);
   this->Cache.BeginFrame(GetSeconds());
   bisection.Select(view, tolerance * this->Coarsening, this->Cache);
   // Absurd heights can need any number of faces.

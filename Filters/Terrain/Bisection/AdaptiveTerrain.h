@@ -31,6 +31,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,13 @@ public:
     return this->Cache.GetMemorySize() + this->Vertices.GetMemorySize();
   }
 
+  /// Make the terrain a solid whose bottom has this height, in the unit of the raster.
+  void SetBase(const std::optional<double>& height) { this->Base = height; }
+  const std::optional<double>& GetBase() const { return this->Base; }
+  /// Return the point of the bottom below a point in this position.
+  std::array<double, 3> ToBase(
+    const std::array<double, 3>& world, double exaggeration, double base) const;
+
   /// Also find the height tiles for the shading of pixels. They are read after those of the faces.
   void SetShading(bool isShaded) { this->Shading = isShaded; }
 
@@ -133,6 +141,7 @@ public:
 private:
   std::array<double, 6> GetGlobeBounds(const TerrainPlacement& placement) const;
   ElevationRanges::Range GetRange(const ElevationRanges& ranges) const;
+  std::array<double, 2> GetSolidRange() const;
   void SelectOnce(const TerrainView& view, double tolerance);
 
   std::shared_ptr<const HeightLattice> Lattice;
@@ -143,6 +152,7 @@ private:
   std::array<int, 2> Dimensions;               // columns and rows, with those that close a globe
   HeightTileCache Cache;
   bool Shading = false;
+  std::optional<double> Base;
   std::vector<TerrainFace> Faces;
   std::vector<MipmapTiles::Item> ShadingTiles;
   std::vector<HiddenBlock> HiddenBlocks;

@@ -4,6 +4,7 @@
 
 #include "Bisection/AdaptiveTerrain.h"
 #include "Bisection/FaceHeights.h"
+#include "Heights/SolidBase.h"
 #include "Heights/TerrainMeshBuilder.h"
 #include "Lattice/BlockErrors.h"
 
@@ -63,5 +64,12 @@ void MakeFaceMesh(const AdaptiveTerrain& terrain, double exaggeration, vtkPolyDa
     last[0] = globe->GetPeriod() > 0 ? globe->GetPeriod() : last[0]; // without the overlap
   }
   mesh.Finish({ { 0.0, last[0] } }, { { 0.0, last[1] } }, output);
+}
+
+void AddBase(const AdaptiveTerrain& terrain, double exaggeration, double base, vtkPolyData* mesh)
+{
+  AddSolidBase([&](const std::array<double, 3>& point)
+    { return terrain.ToBase(point, exaggeration, base); },
+    base, mesh);
 }
 }

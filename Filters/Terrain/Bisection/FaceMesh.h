@@ -20,6 +20,10 @@ class AdaptiveTerrain;
 /// Output the faces that a terrain has selected, with the arrays of vtkTerrainMeshSource.
 RELEVOFILTERSTERRAIN_EXPORT void MakeFaceMesh(
   const AdaptiveTerrain& terrain, double exaggeration, vtkPolyData* output);
+
+/// Close such a mesh, or another one of the terrain, with walls and a bottom at a height.
+RELEVOFILTERSTERRAIN_EXPORT void AddBase(
+  const AdaptiveTerrain& terrain, double exaggeration, double base, vtkPolyData* mesh);
 }
 
 #endif

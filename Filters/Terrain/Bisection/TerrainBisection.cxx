@@ -307,6 +307,10 @@ bool TerrainBisection::IsVisible(const Block& block) const
       block.Level, static_cast<int>(block.Column), static_cast<int>(block.Row));
   box.Heights[0] -= error;
   box.Heights[1] += error;
+  if (this->Base && box.Heights[0] <= box.Heights[1])
+  {
+    box.Heights[0] = std::min(box.Heights[0], *this->Base);
+  }
   return this->View->IsVisible(box);
 }
 

@@ -36,6 +36,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -48,6 +49,9 @@ public:
   /// after this number of columns.
   TerrainBisection(int columns, int rows, const BlockErrors& errors, const ElevationRanges& ranges,
     int period = 0);
+
+  /// Also find the faces above visible parts of a solid, whose bottom has this height.
+  void SetBase(const std::optional<double>& height) { this->Base = height; }
 
   /**
    * Find the faces that a view needs for a tolerance in pixels. Tiles that are not in memory are
@@ -104,6 +108,7 @@ private:
   int RootLevel;
   const BlockErrors& Errors;
   const ElevationRanges& Ranges;
+  std::optional<double> Base;
 
   const TerrainView* View = nullptr;
   double Tolerance = 1.0;

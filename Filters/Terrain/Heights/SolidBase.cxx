@@ -144,7 +144,8 @@ void SeparateTouchingParts(const std::vector<std::array<vtkIdType, 2>>& border,
 }
 }
 
-void AddSolidBase(double z, double height, vtkPolyData* mesh)
+void AddSolidBase(const std::function<std::array<double, 3>(const std::array<double, 3>&)>& toBase,
+  double height, vtkPolyData* mesh)
 {
   std::vector<SolidTriangle> triangles = GetTriangles(mesh);
   SeparateTouchingParts(FindBorder(triangles), triangles, mesh);
@@ -153,9 +154,9 @@ void AddSolidBase(double z, double height, vtkPolyData* mesh)
   for (vtkIdType id = 0; id < below; ++id)
   {
     const vtkIdType copy = CopyPoint(id, mesh);
-    double position[3];
-    mesh->GetPoint(copy, position);
-    mesh->GetPoints()->SetPoint(copy, position[0], position[1], z);
+    std::array<double, 3> position;
+    mesh->GetPoint(copy, position.data());
+    mesh->GetPoints()->SetPoint(copy, toBase(position).data());
     heights->SetTuple1(copy, height);
   }
   mesh->GetPoints()->Modified(); // bounds and ranges are cached

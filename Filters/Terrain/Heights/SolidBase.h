@@ -9,17 +9,22 @@
 #ifndef SolidBase_h
 #define SolidBase_h
 
+#include <array>
+#include <functional>
+
 class vtkPolyData;
 
 namespace relevo
 {
 /**
- * Add vertical walls at all borders of a mesh of triangles, also those of holes, and a bottom at
- * z = `z`. The triangles are counter-clockwise seen from above. Each edge of the result has two
- * triangles, so points where parts of the mesh touch each other are duplicated. New points have the
- * data of the points above them, except that their "Height" is `height`.
+ * Add vertical walls at all borders of a mesh of triangles, also those of holes, and a bottom.
+ * `toBase` returns the point of the bottom below a point. The triangles are counter-clockwise seen
+ * from above. Each edge of the result has two triangles, so points where parts of the mesh touch
+ * each other are duplicated. New points have the data of the points above them, except that their
+ * "Height" is `height`.
  */
-void AddSolidBase(double z, double height, vtkPolyData* mesh);
+void AddSolidBase(const std::function<std::array<double, 3>(const std::array<double, 3>&)>& toBase,
+  double height, vtkPolyData* mesh);
 }
 
 #endif

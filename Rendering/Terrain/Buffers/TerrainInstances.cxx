@@ -167,13 +167,13 @@ vtkIdType TerrainInstances::GetNumberOfTileUploads() const
 }
 
 void TerrainInstances::AddGroup(const std::vector<TerrainFace>& faces,
-  const std::vector<bool>& areSmall, bool isSmall, bool isPositive)
+  const std::vector<Kind>& kinds, bool isSmall, bool isPositive)
 {
   Group& group = this->Groups[isSmall ? 1 : 0][isPositive ? 1 : 0];
   group.First = static_cast<int>(this->Ids.size());
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    if (areSmall[i] == isSmall && faces[i].IsPositive() == isPositive)
+    if (kinds[i] == (isSmall ? Kind::Small : Kind::Large) && faces[i].IsPositive() == isPositive)
     {
       this->Ids.push_back(static_cast<unsigned int>(i));
     }
@@ -182,7 +182,7 @@ void TerrainInstances::AddGroup(const std::vector<TerrainFace>& faces,
 }
 
 std::string TerrainInstances::Upload(vtkOpenGLRenderWindow* window,
-  const std::vector<TerrainFace>& faces, const std::vector<bool>& areSmall,
+  const std::vector<TerrainFace>& faces, const std::vector<Kind>& kinds,
   const std::vector<MipmapTiles::Item>& shading)
 {
   const std::string error = this->UploadTiles(window, faces, shading);
@@ -195,7 +195,14 @@ std::string TerrainInstances::Upload(vtkOpenGLRenderWindow* window,
   {
     for (bool isPositive : { false, true })
     {
-      this->AddGroup(faces, areSmall, isSmall, isPositive);
+      this->AddGroup(faces, kinds, isSmall, isPositive);
+    }
+  }
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (kinds[i] == Kind::Border)
+    {
+      this->Ids.push_back(static_cast<unsigned int>(i));
     }
   }
   std::vector<unsigned int> integers;

@@ -5,8 +5,8 @@
  * @brief   the faces of a frame, their tiles and their order, on the GPU
  *
  * The faces are grouped by orientation, so that all triangles face up, and by the size of their
- * triangles on the screen. The textures of heights,
- * gradients and imagery share a limit of memory. Private to the module.
+ * triangles on the screen. Those at borders, see TerrainBorder, follow without a group. The
+ * textures of heights, gradients and imagery share a limit of memory. Private to the module.
  */
 #ifndef TerrainInstances_h
 #define TerrainInstances_h
@@ -17,6 +17,7 @@
 #include "Buffers/TerrainTileTextures.h"
 
 #include <array>
+#include <cstdint>
 #include <string> // for errors
 #include <vector>
 
@@ -48,12 +49,20 @@ public:
   /// Return how many textures of tiles have been uploaded.
   vtkIdType GetNumberOfTileUploads() const;
 
+  /// The group of a face.
+  enum class Kind : std::uint8_t
+  {
+    Large,
+    Small,
+    Border
+  };
+
   /**
-   * Upload faces, whether each has small triangles, their tiles, and those for shading and imagery.
-   * Return an error, or "". Nothing is uploaded that has not changed.
+   * Upload faces, their kinds, their tiles, and those for shading and imagery. Return an error, or
+   * "". Nothing is uploaded that has not changed.
    */
   std::string Upload(vtkOpenGLRenderWindow* window, const std::vector<TerrainFace>& faces,
-    const std::vector<bool>& areSmall, const std::vector<MipmapTiles::Item>& shading);
+    const std::vector<Kind>& kinds, const std::vector<MipmapTiles::Item>& shading);
   /// Upload the indices of the faces, for selections, after Upload().
   bool UploadIds(vtkOpenGLRenderWindow* window);
 
@@ -84,8 +93,8 @@ public:
 private:
   using TileList = std::vector<const TerrainTile*>;
 
-  void AddGroup(const std::vector<TerrainFace>& faces, const std::vector<bool>& areSmall,
-    bool isSmall, bool isPositive);
+  void AddGroup(const std::vector<TerrainFace>& faces, const std::vector<Kind>& kinds, bool isSmall,
+    bool isPositive);
   bool UploadTextures(vtkOpenGLRenderWindow* window, const std::array<TileList, 3>& tiles);
   int GetLayers(const TerrainTile& tile) const;
   std::string UploadTiles(vtkOpenGLRenderWindow* window, const std::vector<TerrainFace>& faces,

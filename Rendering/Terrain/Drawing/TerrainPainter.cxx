@@ -43,6 +43,9 @@ constexpr double LargestSmallTriangle = 2.0;
 // Borders of the raster are drawn in spite of rounding errors between vertices, in samples.
 constexpr double BorderTolerance = 1.0 / 1024.0;
 
+// Larger than all columns and rows.
+constexpr float NoLimit = 1e30f;
+
 double GetDeterminant(const TerrainPlacement& placement)
 {
   return placement.Column[0] * placement.Row[1] - placement.Column[1] * placement.Row[0];
@@ -78,7 +81,7 @@ vtkStandardNewMacro(TerrainPainter);
 
 TerrainPainter::TerrainPainter()
 {
-  for (int variant : { 0, 1 })
+  for (int variant = 0; variant < NUMBER_OF_PROGRAMS; ++variant)
   {
     this->Variants.GetHelper(variant).PrimitiveType = PrimitiveTris;
   }
@@ -119,8 +122,10 @@ std::string TerrainPainter::Prepare(vtkRenderer* renderer, vtkActor* actor,
   this->Instances.SetHasHeights(HasHeights(settings.Coloring, settings.ContourInterval > 0.0));
   const TerrainViewpoint viewpoint(renderer, actor);
   this->HalfViewport = viewpoint.GetHalfViewport();
-  this->FindSmallFaces(viewpoint, faces);
-  const std::string error = this->Instances.Upload(window, faces, this->AreSmall, shading);
+  this->UpdateBorder(faces);
+  this->FindKinds(viewpoint, faces);
+  std::string error = this->Instances.Upload(window, faces, this->Kinds, shading);
+  error = error.empty() ? this->UploadBorder(window, actor) : error;
   if (!error.empty())
   {
     return error;
@@ -162,19 +167,26 @@ int TerrainPainter::GetMaximumNumberOfTiles(vtkTypeInt64 memoryLimit)
 
 // Fragments of large triangles have the gradient of their own point. Where triangles are hardly
 // larger than pixels, vertices do as well and cost less.
-void TerrainPainter::FindSmallFaces(
+void TerrainPainter::FindKinds(
   const TerrainViewpoint& viewpoint, const std::vector<TerrainFace>& faces)
 {
-  this->AreSmall.assign(faces.size(), false);
+  using Kind = TerrainInstances::Kind;
+  this->Kinds.assign(faces.size(), Kind::Large);
   const TerrainPlacement& placement = this->Current.Placement;
-  if (placement.Globe || HasGradients(this->Current.Coloring))
-  {
-    return;
-  }
+  const bool canBeSmall = !placement.Globe && !HasGradients(this->Current.Coloring);
   constexpr int segments = TerrainFace::Segments;
   const int vertices[3][2] = { { 0, 0 }, { segments, 0 }, { 0, segments } };
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
+    if (this->Current.Base && this->Border.GetAreAtBorder()[i])
+    {
+      this->Kinds[i] = Kind::Border;
+      continue;
+    }
+    if (!canBeSmall)
+    {
+      continue;
+    }
     const TerrainFace& face = faces[i];
     std::array<std::array<double, 3>, 3> corners;
     for (int c = 0; c < 3; ++c)
@@ -182,9 +194,67 @@ void TerrainPainter::FindSmallFaces(
       const std::array<double, 2> sample = face.GetSample(vertices[c][0], vertices[c][1]);
       corners[c] = placement.ToWorld(sample[0], sample[1], face.CornerHeights[c]);
     }
-    this->AreSmall[i] =
+    const bool isSmall =
       viewpoint.GetLongestSide(corners) <= segments * LargestSmallTriangle; // not NaN
+    this->Kinds[i] = isSmall ? Kind::Small : Kind::Large;
   }
+}
+
+// The columns of a closed globe and its rows at poles have no borders.
+void TerrainPainter::UpdateBorder(const std::vector<TerrainFace>& faces)
+{
+  const TerrainPlacement& placement = this->Current.Placement;
+  if (!this->Current.Base)
+  {
+    this->Border.Clear();
+    return;
+  }
+  TerrainBorder::Settings settings;
+  settings.IsMirrored = !(GetDeterminant(placement) > 0.0);
+  const GlobeShape* globe = placement.Globe.get();
+  settings.Vertices = globe ? this->Current.Vertices : nullptr;
+  const bool isClosed = globe && globe->GetPeriod() > 0;
+  const bool hasFirstPole = globe && globe->HasFirstPole();
+  const bool hasLastPole = globe && globe->HasLastPole();
+  settings.HasFirst = { { !isClosed, !hasFirstPole } };
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    if (axis == 0 ? !isClosed : !hasLastPole)
+    {
+      settings.Last[axis] = std::int64_t(UnitsPerSample) * (this->Current.Dimensions[axis] - 1);
+    }
+  }
+  this->Border.Update(faces, settings);
+}
+
+std::string TerrainPainter::UploadBorder(vtkOpenGLRenderWindow* window, vtkActor* actor)
+{
+  std::vector<unsigned int> numbers;
+  if (this->Current.Base)
+  {
+    const std::vector<unsigned int>& order = this->Instances.GetOrder();
+    std::vector<unsigned int> places(order.size());
+    for (std::size_t place = 0; place < order.size(); ++place)
+    {
+      places[order[place]] = static_cast<unsigned int>(place);
+    }
+    numbers = this->Border.Expand(GetTerrainPrimitives(actor), places);
+  }
+  if (numbers == this->BorderNumbers && (numbers.empty() || !this->BorderTexture.IsEmpty()))
+  {
+    return "";
+  }
+  this->BorderNumbers.swap(numbers);
+  if (this->BorderNumbers.empty())
+  {
+    this->BorderTexture.ReleaseGraphicsResources(window);
+    return "";
+  }
+  return this->BorderTexture.Upload(window, this->BorderNumbers, TerrainBorder::NumbersPerVertex)
+    ? ""
+    : "The base has too many triangles for a buffer texture of this OpenGL: at most " +
+      std::to_string(TerrainInstances::GetMaximumNumberOfFaces() / 3) +
+      ". Set a larger screen-space error.";
 }
 
 // Positions are exact in floats near the origin.
@@ -296,24 +366,43 @@ void TerrainPainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
-  for (bool areSmall : { false, true })
+  for (Program part : { LARGE_TRIANGLES, SMALL_TRIANGLES, BOTTOM, BORDER })
   {
-    const bool isEmpty = this->Instances.GetGroup(areSmall, false).Count == 0 &&
-      this->Instances.GetGroup(areSmall, true).Count == 0;
-    if (!isEmpty && !this->DrawFaces(renderer, actor, areSmall))
+    if (!this->IsEmpty(part) && !this->DrawPart(renderer, actor, part))
     {
       return;
     }
   }
 }
 
-bool TerrainPainter::DrawFaces(vtkRenderer* renderer, vtkActor* actor, bool areSmall)
+bool TerrainPainter::IsEmpty(Program part) const
 {
-  this->Options.HasVertexNormals = areSmall;
+  const auto isEmpty = [this](bool areSmall)
+  {
+    return this->Instances.GetGroup(areSmall, false).Count == 0 &&
+      this->Instances.GetGroup(areSmall, true).Count == 0;
+  };
+  switch (part)
+  {
+    case BORDER:
+      return this->BorderNumbers.empty();
+    case BOTTOM:
+      return !this->Current.Base || (isEmpty(false) && isEmpty(true));
+    default:
+      return isEmpty(part == SMALL_TRIANGLES);
+  }
+}
+
+bool TerrainPainter::DrawPart(vtkRenderer* renderer, vtkActor* actor, Program part)
+{
+  this->Options.HasVertexNormals = part == SMALL_TRIANGLES;
+  this->Options.Part = part == BORDER ? TerrainPart::BORDER
+    : part == BOTTOM                  ? TerrainPart::BOTTOM
+                                      : TerrainPart::SURFACE;
   Dependencies sources = this->Options.GetKey();
   sources.Add(actor->GetShaderProperty()->GetShaderMTime());
   sources.Add(this->GetMTime());
-  vtkOpenGLHelper& helper = this->Variants.GetHelper(areSmall ? 1 : 0);
+  vtkOpenGLHelper& helper = this->Variants.GetHelper(part);
   if (!this->Variants.Update(
         helper, sources, [&] { this->UpdateShaders(helper, renderer, actor); }))
   {
@@ -326,37 +415,62 @@ bool TerrainPainter::DrawFaces(vtkRenderer* renderer, vtkActor* actor, bool areS
     window->GetState()->vtkglLineWidth(actor->GetProperty()->GetLineWidth());
   }
   helper.VAO->Bind(); // VTK releases it when the program changes
-  for (bool isMirrored : { false, true })
+  if (part == BORDER)
   {
-    this->Patterns.GetRange(primitives, isMirrored);
+    glDrawArrays(GetTerrainMode(primitives), 0,
+      static_cast<GLsizei>(this->BorderNumbers.size() / TerrainBorder::NumbersPerVertex));
+    ++this->NumberOfDrawCalls;
   }
-  if (this->Patterns.Bind())
+  else
   {
-    for (bool isPositive : { false, true })
-    {
-      this->DrawGroup(primitives, this->Instances.GetGroup(areSmall, isPositive), isPositive);
-    }
-    this->Patterns.Release();
+    this->DrawGroups(primitives, part);
   }
   helper.VAO->Release();
   this->Instances.Deactivate(window);
   this->Globe.Deactivate();
+  this->BorderTexture.Deactivate();
   this->Table.Deactivate();
   return true;
 }
 
-void TerrainPainter::DrawGroup(
-  TerrainPatterns::Primitives primitives, const TerrainInstances::Group& group, bool isPositive)
+void TerrainPainter::DrawGroups(TerrainPatterns::Primitives primitives, Program part)
+{
+  for (bool isMirrored : { false, true })
+  {
+    this->Patterns.GetRange(primitives, isMirrored);
+  }
+  if (!this->Patterns.Bind())
+  {
+    return;
+  }
+  // All triangles face up, but those of the bottom face down.
+  const bool facesUp = part != BOTTOM;
+  for (bool areSmall : { false, true })
+  {
+    for (bool isPositive : { false, true })
+    {
+      if (part == BOTTOM || areSmall == (part == SMALL_TRIANGLES))
+      {
+        const bool isMirrored =
+          (isPositive != (GetDeterminant(this->Current.Placement) > 0.0)) == facesUp;
+        this->DrawGroup(
+          primitives, this->Instances.GetGroup(areSmall, isPositive), isMirrored, part);
+      }
+    }
+  }
+  this->Patterns.Release();
+}
+
+void TerrainPainter::DrawGroup(TerrainPatterns::Primitives primitives,
+  const TerrainInstances::Group& group, bool isMirrored, Program part)
 {
   if (group.Count == 0)
   {
     return;
   }
-  // All triangles face up.
-  const bool isMirrored = isPositive != (GetDeterminant(this->Current.Placement) > 0.0);
   const PatternRange& range = this->Patterns.GetRange(primitives, isMirrored);
   const auto [instances, copies] = CountInstances(group.Count, range.Copies);
-  const vtkOpenGLHelper& helper = this->Variants.GetHelper(this->Options.HasVertexNormals ? 1 : 0);
+  const vtkOpenGLHelper& helper = this->Variants.GetHelper(part);
   const GLint location =
     glGetUniformLocation(static_cast<GLuint>(helper.Program->GetHandle()), "relevoGroup");
   glUniform3i(location, group.First, group.Count, copies);
@@ -418,6 +532,10 @@ void TerrainPainter::SetMapperShaderParameters(
   {
     this->Globe.Activate(helper.Program);
   }
+  if (this->Options.Part == TerrainPart::BORDER)
+  {
+    this->BorderTexture.Activate(helper.Program, "relevoBorder");
+  }
   this->SetPositionUniforms(helper.Program, actor->IsRenderingTranslucentPolygonalGeometry() != 0);
   this->SetColorUniforms(helper.Program);
 }
@@ -460,6 +578,13 @@ void TerrainPainter::SetPositionUniforms(vtkShaderProgram* program, bool isTrans
     const double sample =
       placement.Globe ? placement.Globe->GetBorder()[axis] : this->Current.Dimensions[axis] - 1.0;
     last[axis] = static_cast<float>(sample - this->OriginSample[axis] + BorderTolerance);
+  }
+  if (this->Current.Base)
+  {
+    // Triangles end at the borders, except at the seam of a globe.
+    last[0] = placement.Globe && placement.Globe->GetPeriod() > 0 ? last[0] : NoLimit;
+    last[1] = NoLimit;
+    program->SetUniformf("relevoBaseHeight", static_cast<float>(*this->Current.Base));
   }
   // An opaque globe overlaps by a column, which hides differences of the sides of the seam. A
   // translucent one would show the overlap.
@@ -522,7 +647,8 @@ void TerrainPainter::ProcessSelectorPixelBuffers(
 vtkTypeInt64 TerrainPainter::GetMemorySize() const
 {
   return this->Instances.GetMemorySize() + this->Globe.GetMemorySize() +
-    this->Patterns.GetMemorySize() + this->Table.GetMemorySize();
+    this->Patterns.GetMemorySize() + this->Table.GetMemorySize() +
+    this->BorderTexture.GetMemorySize();
 }
 
 void TerrainPainter::ReleaseGraphicsResources(vtkWindow* window)
@@ -532,6 +658,7 @@ void TerrainPainter::ReleaseGraphicsResources(vtkWindow* window)
   this->Globe.ReleaseGraphicsResources(window);
   this->Patterns.ReleaseGraphicsResources();
   this->Table.ReleaseGraphicsResources(window);
+  this->BorderTexture.ReleaseGraphicsResources(window);
   this->Variants.ReleaseGraphicsResources(window);
   this->TableSource.Clear();
 }

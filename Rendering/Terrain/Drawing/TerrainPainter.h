@@ -14,6 +14,7 @@
 #include "Bisection/TerrainView.h"
 #include "Buffers/ColorTable.h"
 #include "Buffers/GlobeVertices.h"
+#include "Buffers/TerrainBorder.h"
 #include "Buffers/TerrainInstances.h"
 #include "Buffers/TerrainPatterns.h"
 #include "Changes/Dependencies.h"
@@ -25,6 +26,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,7 @@ public:
     std::uint64_t NumberOfComputedFaces = 0;      // see GlobeFaces
     std::array<int, 2> Dimensions = { { 0, 0 } }; // columns and rows of the raster
     double Exaggeration = 1.0;                    // is part of the placement's scale of heights
+    std::optional<double> Base;                   // the height of the bottom of a solid
     TerrainColoring Coloring = TerrainColoring::SOLID;
     vtkScalarsToColors* Table = nullptr; // required if HasTable(Coloring)
     double ContourInterval = 0.0;        // in units of the heights; 0 for none
@@ -74,6 +77,7 @@ public:
   {
     this->Instances.ForgetTiles();
     this->Globe.Clear();
+    this->Border.Clear();
   }
 
   /// Report the largest ids that a selection draws.
@@ -114,10 +118,23 @@ private:
   void UpdateColors(vtkOpenGLRenderWindow* window);
   void SetPositionUniforms(vtkShaderProgram* program, bool isTranslucent);
   void SetColorUniforms(vtkShaderProgram* program);
-  void FindSmallFaces(const TerrainViewpoint& viewpoint, const std::vector<TerrainFace>& faces);
-  bool DrawFaces(vtkRenderer* renderer, vtkActor* actor, bool areSmall);
-  void DrawGroup(
-    TerrainPatterns::Primitives primitives, const TerrainInstances::Group& group, bool isPositive);
+  void FindKinds(const TerrainViewpoint& viewpoint, const std::vector<TerrainFace>& faces);
+  void UpdateBorder(const std::vector<TerrainFace>& faces);
+  std::string UploadBorder(vtkOpenGLRenderWindow* window, vtkActor* actor);
+  // The programs, each of which draws a part.
+  enum Program
+  {
+    LARGE_TRIANGLES,
+    SMALL_TRIANGLES,
+    BOTTOM,
+    BORDER,
+    NUMBER_OF_PROGRAMS
+  };
+  bool IsEmpty(Program part) const;
+  bool DrawPart(vtkRenderer* renderer, vtkActor* actor, Program part);
+  void DrawGroups(TerrainPatterns::Primitives primitives, Program part);
+  void DrawGroup(TerrainPatterns::Primitives primitives, const TerrainInstances::Group& group,
+    bool isMirrored, Program part);
 
   Settings Current;
   TerrainInstances Instances;
@@ -131,10 +148,13 @@ private:
   vtkNew<vtkPolyData> Box; // VTK's mapper needs points
 
   std::array<double, 2> HalfViewport = { { 0.0, 0.0 } };
-  std::vector<bool> AreSmall; // by face
+  std::vector<TerrainInstances::Kind> Kinds; // by face
+  TerrainBorder Border;
+  std::vector<unsigned int> BorderNumbers;
+  BufferTexture BorderTexture;
 
   TerrainShaderOptions Options;
-  ShaderVariants Variants{ 2 }; // for large and for small triangles
+  ShaderVariants Variants{ NUMBER_OF_PROGRAMS };
   int NumberOfDrawCalls = 0;
 };
 }

@@ -4,6 +4,7 @@
 
 #include "Bisection/GlobeFaces.h"
 #include "Bisection/TerrainFace.h"
+#include "Buffers/TerrainBorder.h"
 #include "Lattice/BlockErrors.h"
 #include "Shaders/ShaderVaryings.h"
 #include "relevoColorTable.h"
@@ -16,6 +17,8 @@
 #include "relevoTerrainHeightFS.h"
 #include "relevoTerrainHeightsVS.h"
 #include "relevoTerrainImageryFS.h"
+#include "relevoTerrainPositionVS.h"
+#include "relevoTerrainSolidVS.h"
 #include "relevoTerrainTiles.h"
 #include "relevoTerrainVS.h"
 
@@ -30,13 +33,28 @@ constexpr const char* HasNormals = "#define RELEVO_NORMALS\n";
 constexpr int TileShift = 8;
 static_assert(HeightTile::CellsPerTile == 1 << TileShift, "the shift must match the tiles");
 
+// Whether a program draws walls or a bottom.
+bool HasSides(const TerrainShaderOptions& options)
+{
+  return options.Part != TerrainPart::SURFACE;
+}
+
+// Walls and the bottom have the colour of the actor, except in the light of a hillshade.
+std::string ColorSurface(const TerrainShaderOptions& options, const std::string& color)
+{
+  return HasSides(options) && options.Coloring != TerrainColoring::HILLSHADE
+    ? "\n  if (relevoSideVSOutput == 0)\n  {" + color + "  }\n"
+    : color;
+}
+
 std::string GetDefines(const TerrainShaderOptions& options)
 {
   std::ostringstream text;
   text << GetPreciseExtension() << "#define RELEVO_SEGMENTS " << TerrainFace::Segments
        << "\n#define RELEVO_TILE_SHIFT " << TileShift << "\n#define RELEVO_FINEST_LEVEL ("
        << BlockErrors::FinestLevel << ")\n#define RELEVO_FINEST_TILE (" << TerrainTile::FinestLevel
-       << ")\n#define RELEVO_FACE_VERTICES " << GlobeFaces::VerticesPerFace << "\n";
+       << ")\n#define RELEVO_FACE_VERTICES " << GlobeFaces::VerticesPerFace
+       << "\n#define RELEVO_BOTTOM " << TerrainBorder::Bottom << "\n";
   const auto define = [&text](bool condition, const char* name)
   {
     if (condition)
@@ -45,6 +63,8 @@ std::string GetDefines(const TerrainShaderOptions& options)
     }
   };
   define(options.IsGlobe, "RELEVO_GLOBE");
+  define(HasSides(options), "RELEVO_SOLID");
+  define(options.Part == TerrainPart::BORDER, "RELEVO_BORDER");
   define(HasHeights(options.Coloring, options.HasContours), "RELEVO_HEIGHTS");
   define(options.HasCells, "RELEVO_CELLS");
   define(options.HasContours, "RELEVO_CONTOURS");
@@ -69,6 +89,10 @@ std::vector<ShaderVarying> GetVaryings(const TerrainShaderOptions& options)
   {
     varyings.push_back({ "", "vec3", "relevoUp" });
     varyings.push_back({ "", "vec4", "relevoDerivatives" });
+  }
+  if (HasSides(options))
+  {
+    varyings.push_back({ "flat ", "int", "relevoSide" });
   }
   if (options.HasCells)
   {
@@ -112,15 +136,17 @@ void PrepareTerrainShaders(const TerrainShaderOptions& options, bool ownFragment
   if (options.Coloring == TerrainColoring::IMAGERY)
   {
     InsertColors(fragment, ownFragments,
-      "\n  vec4 relevoColor = relevoImageryColor();\n"
-      "  ambientColor = ambientIntensity * relevoColor.rgb + (1.0 - relevoColor.a) * "
-      "ambientColor;\n"
-      "  diffuseColor = diffuseIntensity * relevoColor.rgb + (1.0 - relevoColor.a) * "
-      "diffuseColor;\n");
+      ColorSurface(options,
+        "\n  vec4 relevoColor = relevoImageryColor();\n"
+        "  ambientColor = ambientIntensity * relevoColor.rgb + (1.0 - relevoColor.a) * "
+        "ambientColor;\n"
+        "  diffuseColor = diffuseIntensity * relevoColor.rgb + (1.0 - relevoColor.a) * "
+        "diffuseColor;\n"));
   }
   else if (options.Coloring != TerrainColoring::SOLID)
   {
-    InsertColors(fragment, ownFragments, MakeMaterialColor("relevoTerrainColor()"));
+    InsertColors(
+      fragment, ownFragments, ColorSurface(options, MakeMaterialColor("relevoTerrainColor()")));
   }
   if (options.HasContours)
   {
@@ -140,9 +166,9 @@ void FinishTerrainShaders(const TerrainShaderOptions& options,
   vertex.InsertBeforeMain(DeclareVaryings("out", varyings) +
     "void relevoSetNormal(vec3 normal)\n{\n" + (hasNormal ? "  normalMC = normal;\n" : "") + "}\n" +
     relevoTerrainFaceVS + (options.IsGlobe ? relevoTerrainGlobeVS : "") + relevoTerrainHeightsVS +
-    (hasVertexNormals ? relevoTerrainFootprintVS : "") +
+    relevoTerrainPositionVS + (hasVertexNormals ? relevoTerrainFootprintVS : "") +
     (hasVertexNormals ? relevoTerrainTiles : "") + (hasVertexNormals ? relevoTerrainGradient : "") +
-    relevoTerrainVS);
+    (HasSides(options) ? relevoTerrainSolidVS : relevoTerrainVS));
   vertex.InsertAfterVersion(GetDefines(options) + (hasVertexNormals ? HasNormals : ""));
 
   ShaderText geometry(shaders[vtkShader::Geometry], missing);

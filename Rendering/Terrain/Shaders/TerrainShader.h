@@ -39,6 +39,14 @@ bool HasImagery(TerrainColoring coloring);
 /// Return whether the colours need the gradient at each fragment.
 bool HasGradients(TerrainColoring coloring);
 
+/// What a program draws.
+enum class TerrainPart
+{
+  SURFACE,
+  BOTTOM, // of a solid
+  BORDER  // the faces at the borders of a solid, with their walls and their bottom
+};
+
 /// The options of shaders of terrains.
 struct TerrainShaderOptions
 {
@@ -46,8 +54,9 @@ struct TerrainShaderOptions
   bool HasContours = false;
   bool HasCells = false; // for a selection of cells
   bool IsGlobe = false;  // the geocentric frame
+  TerrainPart Part = TerrainPart::SURFACE;
   /// Whether vertices have normals, for small triangles, instead of fragments. Not on a globe, nor
-  /// if the colours are those of slopes.
+  /// if the colours are those of slopes. For surfaces only.
   bool HasVertexNormals = false;
 
   Dependencies GetKey() const;

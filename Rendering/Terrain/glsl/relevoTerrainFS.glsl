@@ -52,6 +52,14 @@ vec4 relevoTerrainColor()
 // The sun is in the north-west, 45 degrees above the horizon.
 vec4 relevoTerrainColor()
 {
+#ifdef RELEVO_SOLID
+  if (relevoSideVSOutput != 0)
+  {
+    // The sky shines on walls that face away from the sun.
+    float side = dot(relevoSideNormal(), vec3(-0.5, 0.5, 0.70710678));
+    return vec4(vec3(0.5 + 0.25 * side), 1.0);
+  }
+#endif
   vec3 normal = normalize(vec3(-relevoGradient, 1.0));
   float light = dot(normal, vec3(-0.5, 0.5, 0.70710678));
   return vec4(vec3(max(light, 0.0)), 1.0);
@@ -73,6 +81,12 @@ void relevoMeasureContours()
 // Return the fraction of the pixel that the nearest contour line covers.
 float relevoContourCoverage()
 {
+#ifdef RELEVO_SOLID
+  if (relevoSideVSOutput != 0)
+  {
+    return 0.0;
+  }
+#endif
   float intervals = relevoFragmentHeight / relevoContours.x;
   float beside = abs(intervals - floor(intervals + 0.5)) * relevoContours.x;
   float change = length(relevoHeightChange);

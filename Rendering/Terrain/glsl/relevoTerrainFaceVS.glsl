@@ -1,6 +1,5 @@
-// The face of a vertex, one of several that an instance draws.
+// The face of a vertex.
 
-uniform ivec3 relevoGroup; // first face, number of faces, faces per instance
 uniform usamplerBuffer relevoFaces;      // apex in the face's lattice, shape, layers of the tiles
 uniform samplerBuffer relevoFaceHeights; // morph, heights of the corners
 uniform ivec2 relevoOrigin;      // units of the finest lattice
@@ -47,13 +46,9 @@ RelevoTile relevoTileOf(int layer, int level, ivec2 inside)
   return tile;
 }
 
-// Take a face. Return the vertex (a, b) of its pattern.
-ivec2 relevoTakeFace()
+void relevoLoadFace(int index)
 {
-  int member = relevoGroup.x + gl_InstanceID * relevoGroup.z + (gl_VertexID >> 8);
-  int end = relevoGroup.x + relevoGroup.y;
-  relevoHidden = member >= end;
-  relevoFace = min(member, end - 1);
+  relevoFace = index;
   uvec4 face = texelFetch(relevoFaces, relevoFace);
   vec4 heights = texelFetch(relevoFaceHeights, relevoFace);
   relevoApex = ivec2(face.xy);
@@ -68,5 +63,18 @@ ivec2 relevoTakeFace()
   ivec2 inside = relevoFaceVertex(ivec2(2, 2));
   relevoFineTile = relevoTileOf(int(face.w & 65535u), level, inside);
   relevoCoarseTile = relevoTileOf(int(face.w >> 16), level + 1, inside >> 1);
+}
+
+#ifndef RELEVO_BORDER
+uniform ivec3 relevoGroup; // first face, number of faces, faces per instance
+
+// Take one of the faces that an instance draws. Return the vertex (a, b) of its pattern.
+ivec2 relevoTakeFace()
+{
+  int member = relevoGroup.x + gl_InstanceID * relevoGroup.z + (gl_VertexID >> 8);
+  int end = relevoGroup.x + relevoGroup.y;
+  relevoHidden = member >= end;
+  relevoLoadFace(min(member, end - 1));
   return ivec2(gl_VertexID & 15, (gl_VertexID >> 4) & 15);
 }
+#endif

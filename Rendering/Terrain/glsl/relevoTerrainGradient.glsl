@@ -47,20 +47,46 @@ void relevoFindGradient(float detail)
 #endif
 }
 
+#ifdef RELEVO_SOLID
+// Return the normal of a wall or of the bottom: east, north and up, or x, y and z on a map.
+vec3 relevoSideNormal()
+{
+  if (relevoSideVSOutput == RELEVO_BOTTOM)
+  {
+    return vec3(0.0, 0.0, -1.0);
+  }
+  int direction = relevoSideVSOutput - 1;
+  vec2 outward = vec2(direction % 3, direction / 3) - vec2(1.0); // by column and row
+#ifdef RELEVO_GLOBE
+  float cosine = max(length(relevoUpVSOutput.xy) / length(relevoUpVSOutput), 1e-6);
+  vec2 horizontal = vec2(dot(outward, relevoDerivativesVSOutput.xy) / cosine,
+    dot(outward, relevoDerivativesVSOutput.zw));
+#else
+  vec2 horizontal = outward.x * relevoGradients.xy + outward.y * relevoGradients.zw;
+#endif
+  return vec3(normalize(horizontal), 0.0);
+}
+#endif
+
 #ifdef RELEVO_NORMALS
 uniform float relevoExaggeration;
 
 // Return the normal in model coordinates.
 vec3 relevoTerrainNormal()
 {
-  vec2 slope = relevoExaggeration * relevoGradient;
+  vec3 normal = vec3(-relevoExaggeration * relevoGradient, 1.0);
+#ifdef RELEVO_SOLID
+  if (relevoSideVSOutput != 0)
+  {
+    normal = relevoSideNormal();
+  }
+#endif
 #ifdef RELEVO_GLOBE
   vec3 up = normalize(relevoUpVSOutput);
   vec3 east = vec3(-up.y, up.x, 0.0) / max(length(up.xy), 1e-6);
-  return up - slope.x * east - slope.y * cross(up, east);
-#else
-  return vec3(-slope, 1.0);
+  normal = normal.z * up + normal.x * east + normal.y * cross(up, east);
 #endif
+  return normal;
 }
 
 #ifdef RELEVO_GLOBE

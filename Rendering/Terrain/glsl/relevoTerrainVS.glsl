@@ -1,5 +1,5 @@
 // Runs first in main() and computes the attributes that VTK's code uses as the vertex. Follows
-// relevoTerrainHeightsVS.glsl.
+// relevoTerrainPositionVS.glsl.
 
 #ifdef RELEVO_CELLS
 uniform usamplerBuffer relevoFaceIds;
@@ -9,9 +9,7 @@ void relevoDrawTerrain()
 {
   ivec2 ab = relevoTakeFace();
   float height = relevoHeight(ab);
-  // The same integers give the same position in all faces that share the vertex.
-  vec2 samples = vec2((relevoFaceVertex(ab) << relevoUnitShift) - relevoOrigin) *
-    relevoFractions[-RELEVO_FINEST_LEVEL];
+  vec2 samples = relevoSamples(ab);
 #ifdef RELEVO_GLOBE
   bool isMissing = isnan(relevoGlobePosition.x); // of the height, or outside of the projection
   vec3 position = isMissing ? vec3(0.0) : relevoGlobePosition;
@@ -19,9 +17,7 @@ void relevoDrawTerrain()
   relevoDerivativesVSOutput = relevoGlobeTexel(ab, 2);
 #else
   bool isMissing = isnan(height);
-  precise vec3 position =
-    vec3(samples.x * relevoPlacement.xy + samples.y * relevoPlacement.zw,
-      isMissing ? 0.0 : (height - relevoOriginHeight) * relevoHeightScale);
+  vec3 position = relevoMapPoint(samples, isMissing ? relevoOriginHeight : height);
 #endif
   relevoMissingVSOutput = isMissing ? 1.0 : 0.0;
   vertexMC = vec4(position, 1.0);

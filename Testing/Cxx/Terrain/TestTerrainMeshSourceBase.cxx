@@ -16,6 +16,7 @@
 #include "vtkTerrainMeshSource.h"
 #include "vtkTerrainPyramid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -94,6 +95,19 @@ double GetArea(vtkPolyData* mesh)
   return GetVolume(flat);
 }
 
+void CheckClosed(RelevoCheck& check, vtkPolyData* solid)
+{
+  CHECK_GREATER(solid->GetNumberOfCells(), 10);
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(solid);
+  edges->BoundaryEdgesOn();
+  edges->NonManifoldEdgesOn();
+  edges->FeatureEdgesOff();
+  edges->ManifoldEdgesOff();
+  edges->Update();
+  CHECK_EQUAL(edges->GetOutput()->GetNumberOfCells(), 0);
+}
+
 void CheckSolid(RelevoCheck& check, vtkTerrainMeshSource* source, double base, double z)
 {
   source->UseBaseOff();
@@ -105,14 +119,7 @@ void CheckSolid(RelevoCheck& check, vtkTerrainMeshSource* source, double base, d
   source->SetBaseHeight(base);
   source->Update();
   vtkPolyData* solid = source->GetOutput();
-  vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputData(solid);
-  edges->BoundaryEdgesOn();
-  edges->NonManifoldEdgesOn();
-  edges->FeatureEdgesOff();
-  edges->ManifoldEdgesOff();
-  edges->Update();
-  CHECK_EQUAL(edges->GetOutput()->GetNumberOfCells(), 0);
+  CheckClosed(check, solid);
   // The surface, to the bit
   CHECK_GREATER(solid->GetNumberOfCells(), 2 * surface->GetNumberOfCells());
   bool isSame = true;
@@ -148,12 +155,33 @@ void TestErrors(RelevoCheck& check, vtkTerrainMeshSource* source)
   source->SetBaseHeight(std::numeric_limits<double>::infinity());
   CHECK(errors.Said("BaseHeight"));
   CHECK_EQUAL(source->GetBaseHeight(), 200.0);
-  vtkNew<vtkCamera> camera;
-  source->SetCamera(camera);
-  source->SetMaximumError(0.0);
+}
+
+// Points of the bottom are below those of the surface along the normal of the ellipsoid.
+void CheckGeocentric(RelevoCheck& check, vtkTerrainMeshSource* source)
+{
   source->SetFrameToGeocentric();
+  source->SetMaximumError(1.0);
+  source->SetBaseHeight(10.0);
   source->Update();
-  CHECK(errors.Said("map frame only"));
+  vtkPolyData* solid = source->GetOutput();
+  CheckClosed(check, solid);
+  const vtkIdType points = solid->GetNumberOfPoints() / 2;
+  vtkDataArray* heights = solid->GetPointData()->GetArray("Height");
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < points; ++i)
+  {
+    double ends[2][3];
+    solid->GetPoint(i, ends[0]);
+    solid->GetPoint(points + i, ends[1]);
+    const double depth = source->GetExaggeration() * (heights->GetTuple1(i) - 10.0);
+    const double distance = std::sqrt(vtkMath::Distance2BetweenPoints(ends[0], ends[1]));
+    vtkMath::Subtract(ends[0], ends[1], ends[1]);
+    vtkMath::Normalize(ends[0]);
+    const double across = std::sin(vtkMath::AngleBetweenVectors(ends[0], ends[1]));
+    largest = std::max({ largest, std::abs(distance - depth), 100.0 * (across - 0.0035) });
+  }
+  CHECK_LESS(largest, 1e-6); // the normal differs from the radius by at most 0.2 degrees
 }
 }
 
@@ -180,10 +208,25 @@ int TestTerrainMeshSourceBase(int argc, char* argv[])
     camera->SetFocalPoint(0.0, 0.0, 100.0);
     camera->SetViewUp(0.0, 0.0, 1.0);
     camera->SetClippingRange(10.0, 3000.0);
+    camera->SetViewAngle(90.0); // sees all parts
     source->SetCamera(camera);
     source->SetMaximumError(0.0);
     source->SetViewportSize(300, 200);
     CheckSolid(check, source, 0.0, 0.0);
+    // Also the surface above walls in sight
+    camera->SetViewAngle(20.0);
+    camera->SetFocalPoint(0.0, -400.0, 0.0);
+    source->UseBaseOff();
+    source->Update();
+    const vtkIdType triangles = source->GetOutput()->GetNumberOfCells();
+    source->UseBaseOn();
+    source->SetBaseHeight(-1000.0);
+    source->Update();
+    CheckClosed(check, source->GetOutput());
+    CHECK_GREATER(source->GetOutput()->GetNumberOfCells(), 2 * triangles);
+    source->SetRegion(1.0, -1.0, 1.0, -1.0);
+    CheckGeocentric(check, source);
+    source->SetFrameToMap();
     if (holes == Holes::None)
     {
       TestErrors(check, source);
