@@ -9,6 +9,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import threading
 import types
 import unittest
 import warnings
@@ -22,7 +23,7 @@ from DrawingData import (
     numpy,
     relevo,
 )
-from relevo import _inputs
+from relevo import _inputs, _messages
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkTable
@@ -266,6 +267,23 @@ class TestDrawingInputs(unittest.TestCase):
         with self.assertRaises(relevo.Error):
             (self.folder / "bad.tif").write_text("x")
             relevo.terrain(self.folder / "bad.tif")
+        with standard_error() as written:
+            relevo.vtkTerrainMapper().SetScreenSpaceError(-1)
+        self.assertIn("ERR", written[0])
+
+    def test_errors_in_threads(self):
+        """Blocks of several threads overlap, and later errors are printed."""
+        first, second = _messages.Messages(), _messages.Messages()
+        with standard_error() as written:
+            first.__enter__()
+            thread = threading.Thread(target=second.__enter__)
+            thread.start()
+            thread.join()
+            first.__exit__(None, None, None)
+            relevo.vtkTerrainMapper().SetScreenSpaceError(-1)
+            with self.assertRaisesRegex(relevo.Error, "^ScreenSpaceError must be"):
+                second.__exit__(None, None, None)
+        self.assertEqual(written, [""])
         with standard_error() as written:
             relevo.vtkTerrainMapper().SetScreenSpaceError(-1)
         self.assertIn("ERR", written[0])

@@ -55,6 +55,7 @@ class TestPackage(unittest.TestCase):
             "assert not hasattr(relevo, 'vtkNothing') and 'show' in dir(relevo)\n"
             "from relevo import *\n"
             "vtkHeightMap, terrain\n"
+            "assert relevo.arrays.height_map and relevo.files.write\n"
         )
         run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
         self.assertEqual((run.returncode, run.stderr), (0, ""))

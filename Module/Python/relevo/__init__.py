@@ -37,6 +37,8 @@ __all__ = [*sorted(_EXTENSIONS), *_FUNCTIONS]
 
 def __getattr__(name):
     """Import a class or function when it is used first, because some libraries load slowly."""
+    if name in ("arrays", "files"):
+        return _importlib.import_module("." + name, __name__)
     module = _EXTENSIONS.get(name) or _FUNCTIONS.get(name)
     if module is None:
         raise AttributeError(f"module 'relevo' has no attribute {name!r}")

@@ -4,6 +4,7 @@
 
 import re
 import sys
+import threading
 import warnings
 
 from vtkmodules.util.misc import calldata_type
@@ -34,7 +35,13 @@ class Messages:
     """Within a `with` block, errors of VTK's objects are raised at the end, not printed.
 
     Warnings become Python's warnings. Objects with an observer for ErrorEvent report to it instead.
+    Blocks can be nested, and several threads can be in one at a time.
     """
+
+    _lock = threading.Lock()
+    _depth = 0  # blocks that threads are in
+    _verbosity = 0  # of standard error, outside of all blocks
+    _mode = vtkOutputWindow.DEFAULT  # of the output window, outside of all blocks
 
     def __init__(self, error: type = Error):
         """Raise exceptions of the given type."""
@@ -52,10 +59,13 @@ class Messages:
 
     def __enter__(self):
         self._window = vtkOutputWindow.GetInstance()
-        self._mode = self._window.GetDisplayMode()
-        self._window.SetDisplayModeToNever()
-        self._verbosity = vtkLogger.GetCurrentVerbosityCutoff()
-        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+        with Messages._lock:
+            Messages._depth += 1
+            if Messages._depth == 1:
+                Messages._verbosity = vtkLogger.GetCurrentVerbosityCutoff()
+                Messages._mode = self._window.GetDisplayMode()
+                vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+                self._window.SetDisplayModeToNever()
         self._tags = [
             self._window.AddObserver("ErrorEvent", self._add_error),
             self._window.AddObserver("WarningEvent", self._add_warning),
@@ -65,8 +75,11 @@ class Messages:
     def __exit__(self, kind, value, traceback):
         for tag in self._tags:
             self._window.RemoveObserver(tag)
-        self._window.SetDisplayMode(self._mode)
-        vtkLogger.SetStderrVerbosity(vtkLogger.ConvertToVerbosity(self._verbosity))
+        with Messages._lock:
+            Messages._depth -= 1
+            if Messages._depth == 0:
+                vtkLogger.SetStderrVerbosity(vtkLogger.ConvertToVerbosity(Messages._verbosity))
+                self._window.SetDisplayMode(Messages._mode)
         for text in dict.fromkeys(self._warnings):
             if not _NOISE.match(text):
                 warn(text)
