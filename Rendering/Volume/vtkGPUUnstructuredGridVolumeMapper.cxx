@@ -8,6 +8,7 @@
 #include "OpenGL/ContextWatch.h"
 #include "OpenGL/RelevoOpenGL.h"
 #include "OpenGL/RenderClock.h"
+#include "Segments/RaySegments.h"
 #include "Shaders/VolumePrograms.h"
 #include "Stages/CellProjector.h"
 #include "Stages/Compositor.h"
@@ -15,6 +16,8 @@
 #include "Stages/FunctionLoader.h"
 #include "Stages/MeshLoader.h"
 #include "Stages/RayCaster.h"
+#include "Stages/SegmentCaster.h"
+#include "Stages/SegmentRequest.h"
 #include "Stages/TableLoader.h"
 #include "Stages/VolumeFrame.h"
 
@@ -61,6 +64,7 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   relevo::TableLoader Table;
   relevo::VolumePrograms Programs;
   relevo::RayCaster Rays;
+  relevo::SegmentCaster Segments;
   relevo::CellProjector Cells;
   relevo::Compositor Compositor;
 
@@ -83,6 +87,7 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
     this->Table.ReleaseGraphicsResources(window);
     this->Programs.ReleaseGraphicsResources();
     this->Rays.ReleaseGraphicsResources(window);
+    this->Segments.ReleaseGraphicsResources(window);
     this->Cells.ReleaseGraphicsResources(window);
     this->Compositor.ReleaseGraphicsResources(window);
     this->Clock.ReleaseGraphicsResources();
@@ -152,11 +157,12 @@ void vtkGPUUnstructuredGridVolumeMapper::Render(vtkRenderer* renderer, vtkVolume
     return;
   }
   data.Context->SetContext(window);
+  data.Segments.ReleaseGraphicsResources(window);
   data.Clock.Start();
   const auto draw = [&]
   {
     const bool isReady = this->UpdateMesh(volume) && this->UpdateFunctions(volume) &&
-      this->UpdateFeatures(renderer, volume) && this->UpdateTable();
+      this->UpdateFeatures(renderer, volume, relevo::SegmentOutput::None) && this->UpdateTable();
     if (isReady)
     {
       this->Draw(volume);
@@ -168,16 +174,23 @@ void vtkGPUUnstructuredGridVolumeMapper::Render(vtkRenderer* renderer, vtkVolume
   data.Compositor.SetTime(this->TimeToDraw);
 }
 
-bool vtkGPUUnstructuredGridVolumeMapper::UpdateMesh(vtkVolume* volume)
+relevo::MeshRequest vtkGPUUnstructuredGridVolumeMapper::MakeMeshRequest(
+  vtkVolume* volume, const relevo::MeshExtent* whole, bool hasCorners)
 {
-  vtkInternals& data = *this->Internals;
   vtkVolumeProperty* property = volume->GetProperty();
-  const relevo::MeshRequest request = { data.GetWindow(), this->GetDataObjectInput(),
+  return { this->Internals->GetWindow(), this->GetDataObjectInput(),
     this->GetInputPortInformation(0),
     relevo::ChooseScalars(property, this->VectorMode, this->VectorComponent), this->ScalarMode,
     this->ArrayAccessMode, this->ArrayId, this->ArrayName ? this->ArrayName : "",
-    property->GetIndependentComponents() != 0, IsShaded(property),
-    this->Method == CELL_PROJECTION };
+    property->GetIndependentComponents() != 0, IsShaded(property), hasCorners, whole };
+}
+
+bool vtkGPUUnstructuredGridVolumeMapper::UpdateMesh(
+  vtkVolume* volume, const relevo::MeshExtent* whole)
+{
+  vtkInternals& data = *this->Internals;
+  const relevo::MeshRequest request =
+    this->MakeMeshRequest(volume, whole, !whole && this->Method == CELL_PROJECTION);
   relevo::StageReport report;
   const bool isReady =
     relevo::RunWithinMemory(this, "the mesh", [&] { return data.Mesh.Update(request, report); });
@@ -196,7 +209,8 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateFunctions(vtkVolume* volume)
   return isReady;
 }
 
-bool vtkGPUUnstructuredGridVolumeMapper::UpdateFeatures(vtkRenderer* renderer, vtkVolume* volume)
+bool vtkGPUUnstructuredGridVolumeMapper::UpdateFeatures(
+  vtkRenderer* renderer, vtkVolume* volume, relevo::SegmentOutput segments)
 {
   vtkInternals& data = *this->Internals;
   const relevo::VolumeMesh& mesh = data.Mesh.GetMesh();
@@ -211,7 +225,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateFeatures(vtkRenderer* renderer, v
   data.Features.Update(
     { renderer, volume->GetProperty(), this->ClippingPlanes, mesh, data.Functions.GetFunctions(),
       data.View.GetMeshToWorld(), static_cast<relevo::BlendMode>(this->BlendMode),
-      this->IsoSurfaces, tableDimensions },
+      this->IsoSurfaces, tableDimensions, segments },
     report);
   report.InvokeEvents(this);
   return true;
@@ -236,6 +250,80 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateTable()
     report);
   report.InvokeEvents(this);
   return isReady;
+}
+
+relevo::MeshExtent vtkGPUUnstructuredGridVolumeMapper::MeasurePiece(
+  vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkInternals& data = *this->Internals;
+  data.Context->SetContext(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->Update();
+  }
+  relevo::MeshExtent extent;
+  relevo::StageReport report;
+  relevo::RunWithinMemory(this, "the mesh",
+    [&]
+    {
+      extent = data.Mesh.Measure(this->MakeMeshRequest(volume, nullptr, false), report);
+      return true;
+    });
+  report.InvokeEvents(this);
+  return extent;
+}
+
+bool vtkGPUUnstructuredGridVolumeMapper::CastSegments(vtkRenderer* renderer, vtkVolume* volume,
+  const relevo::SegmentRequest& request, relevo::RaySegments& segments)
+{
+  vtkInternals& data = *this->Internals;
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window)
+  {
+    vtkErrorMacro("The render window is not a vtkOpenGLRenderWindow.");
+    return false;
+  }
+  data.Context->SetContext(window);
+  volume->ComputeMatrix();
+  glGetIntegerv(GL_VIEWPORT, data.Viewport.data());
+  segments.Reset(data.Viewport[2], data.Viewport[3], {});
+  const auto cast = [&](relevo::SegmentOutput output)
+  {
+    return this->UpdateMesh(volume, &request.Whole) && this->UpdateFunctions(volume) &&
+      this->UpdateFeatures(renderer, volume, output) && this->UpdateTable() &&
+      this->ReadSegments(request, segments);
+  };
+  return relevo::RunWithinMemory(this, "the picture",
+    [&]
+    {
+      const bool hasBuffers = request.UsesStorageBuffers && !data.Segments.IsBufferTooLarge() &&
+        relevo::SegmentCaster::HasStorageBuffers();
+      return (hasBuffers && cast(relevo::SegmentOutput::Buffer)) ||
+        ((!hasBuffers || data.Segments.IsBufferTooLarge()) && cast(relevo::SegmentOutput::Pass));
+    });
+}
+
+bool vtkGPUUnstructuredGridVolumeMapper::ReadSegments(
+  const relevo::SegmentRequest& request, relevo::RaySegments& segments)
+{
+  vtkInternals& data = *this->Internals;
+  vtkOpenGLRenderWindow* window = data.GetWindow();
+  segments.Reset(data.Viewport[2], data.Viewport[3],
+    relevo::GetSegmentFormat(data.Features.GetFeatures().Options));
+  std::string error = request.Depths.empty()
+    ? data.Compositor.ReadDepths(window, data.Viewport)
+    : data.Compositor.SetDepths(window, data.Viewport, request.Depths);
+  bool isDone = false;
+  if (error.empty())
+  {
+    error =
+      data.Segments.Cast(data.MakeFrame({}), data.Rays, this->MaximumSegments, segments, isDone);
+  }
+  if (relevo::ShouldReport(data.DrawError, error))
+  {
+    vtkErrorMacro(<< error);
+  }
+  return isDone;
 }
 
 void vtkGPUUnstructuredGridVolumeMapper::Draw(vtkVolume* volume)
@@ -338,6 +426,12 @@ void vtkGPUUnstructuredGridVolumeMapper::SetImageSampleDistance(double distance)
   relevo::SetInRange(this, "ImageSampleDistance", this->ImageSampleDistance, distance, 0.1, 100.0);
 }
 
+void vtkGPUUnstructuredGridVolumeMapper::SetMaximumSegments(int number)
+{
+  relevo::SetInRange(this, "MaximumSegments", this->MaximumSegments, number, 1,
+    relevo::RaySegments::MaximumPerPixel);
+}
+
 vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfDrawnCells()
 {
   return this->Internals->Mesh.GetNumberOfDrawnCells();
@@ -362,7 +456,7 @@ vtkTypeInt64 vtkGPUUnstructuredGridVolumeMapper::GetGraphicsMemorySize()
   const relevo::VolumeFunctions& functions = data.Functions.GetFunctions();
   return mesh.Buffers.GetMemorySize() + mesh.Cells.GetMemorySize() +
     functions.Buffers.GetMemorySize() + functions.Surfaces.GetMemorySize() +
-    data.Table.GetTable().GetMemorySize();
+    data.Table.GetTable().GetMemorySize() + data.Segments.GetMemorySize();
 }
 
 vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfBufferBuilds()
@@ -390,6 +484,7 @@ void vtkGPUUnstructuredGridVolumeMapper::PrintSelf(ostream& os, vtkIndent indent
   os << indent << "Integration: " << this->Integration << "\n";
   os << indent << "TableSize: " << this->TableSize << "\n";
   os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
+  os << indent << "MaximumSegments: " << this->MaximumSegments << "\n";
   os << indent << "AutoAdjustSampleDistances: " << (this->AutoAdjustSampleDistances ? "On" : "Off")
      << "\n";
 }

@@ -45,6 +45,11 @@
 
 namespace relevo
 {
+class RaySegments;
+enum class SegmentOutput;
+struct MeshExtent;
+struct MeshRequest;
+struct SegmentRequest;
 struct VolumeFrame;
 }
 
@@ -223,6 +228,17 @@ public:
 
   //@{
   /**
+   * Set the maximum number of segments per pixel: 1 to 127, default 64. A segment is an interval of
+   * a pixel's ray inside the mesh. This setting has an effect only if segments of several ranks are
+   * composited. Then memory per pixel is bounded, and each rank keeps its nearest segments. A value
+   * out of range is an error and changes nothing.
+   */
+  void SetMaximumSegments(int number);
+  vtkGetMacro(MaximumSegments, int);
+  //@}
+
+  //@{
+  /**
    * Return statistics of the last render. GetNumberOfDrawnCells(): the 3D cells of the input,
    * without ghost, blanked and empty cells and cells without scalars. GetNumberOfLayers(): the
    * maximum over all pixels of how often a ray enters the mesh; this call draws and waits for the
@@ -246,6 +262,23 @@ public:
   //@}
 
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+
+#ifndef __VTK_WRAP__
+  //@{
+  /**
+   * These methods are for modules of Relevo that composite the pieces of a mesh. MeasurePiece()
+   * returns the extent of the input, which is empty without cells. CastSegments() returns the
+   * segments of each ray inside the input instead of drawing it. It uses the renderer's camera and
+   * the current viewport, and ignores Method and ImageSampleDistance. All pieces need the same
+   * settings. Errors are reported as in Render(); then there are no segments, and the result is
+   * false.
+   */
+  relevo::MeshExtent MeasurePiece(vtkRenderer* renderer, vtkVolume* volume);
+  bool CastSegments(vtkRenderer* renderer, vtkVolume* volume, const relevo::SegmentRequest& request,
+    relevo::RaySegments& segments);
+  //@}
+#endif
+
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
@@ -258,10 +291,13 @@ private:
   vtkGPUUnstructuredGridVolumeMapper(const vtkGPUUnstructuredGridVolumeMapper&) = delete;
   void operator=(const vtkGPUUnstructuredGridVolumeMapper&) = delete;
 
-  bool UpdateMesh(vtkVolume* volume);
+  relevo::MeshRequest MakeMeshRequest(
+    vtkVolume* volume, const relevo::MeshExtent* whole, bool hasCorners);
+  bool UpdateMesh(vtkVolume* volume, const relevo::MeshExtent* whole = nullptr);
   bool UpdateFunctions(vtkVolume* volume);
-  bool UpdateFeatures(vtkRenderer* renderer, vtkVolume* volume);
+  bool UpdateFeatures(vtkRenderer* renderer, vtkVolume* volume, relevo::SegmentOutput segments);
   bool UpdateTable();
+  bool ReadSegments(const relevo::SegmentRequest& request, relevo::RaySegments& segments);
   void Draw(vtkVolume* volume);
   std::string ProjectCells(const relevo::VolumeFrame& frame);
   std::string CastRays(const relevo::VolumeFrame& frame, vtkVolume* volume);
@@ -276,6 +312,7 @@ private:
   int Integration = EXACT;
   int TableSize = 128;
   double ImageSampleDistance = 1.0;
+  int MaximumSegments = 64;
   bool AutoAdjustSampleDistances = false;
 };
 

@@ -55,25 +55,28 @@ Share ComputeShare(const VolumeCells& cells, const VolumeCells::Cell& cell)
 // Gradients are summed in the order of cells, so that the number of threads has no effect.
 std::vector<Gradients> ComputePointGradients(const VolumeCells& cells)
 {
-  const std::vector<VolumeCells::Cell>& all = cells.GetCells();
+  const size_t own = cells.GetCells().size();
+  const size_t number = own + cells.GetGhosts().size();
+  const auto get = [&](size_t i) -> const VolumeCells::Cell&
+  { return i < own ? cells.GetCells()[i] : cells.GetGhosts()[i - own]; };
   const std::vector<vtkIdType> merged = FindMergedPoints(cells);
   std::vector<Gradients> gradients(merged.size());
   std::vector<double> volumes(merged.size(), 0.0);
-  std::vector<Share> batch(std::min(BatchSize, all.size()));
-  for (size_t begin = 0; begin < all.size(); begin += BatchSize)
+  std::vector<Share> batch(std::min(BatchSize, number));
+  for (size_t begin = 0; begin < number; begin += BatchSize)
   {
-    const size_t count = std::min(BatchSize, all.size() - begin);
+    const size_t count = std::min(BatchSize, number - begin);
     vtkSMPTools::For(0, static_cast<vtkIdType>(count),
       [&](vtkIdType first, vtkIdType last)
       {
         for (vtkIdType i = first; i < last; ++i)
         {
-          batch[i] = ComputeShare(cells, all[begin + i]);
+          batch[i] = ComputeShare(cells, get(begin + i));
         }
       });
     for (size_t i = 0; i < count; ++i)
     {
-      const VolumeCells::Cell& cell = all[begin + i];
+      const VolumeCells::Cell& cell = get(begin + i);
       for (int corner = 0; corner < cells.GetNumberOfCorners(cell); ++corner)
       {
         const vtkIdType point = merged[cells.GetCornerId(cell, corner)];

@@ -73,12 +73,13 @@ public:
     , Points(mesh->GetPointGhostArray())
   {
   }
-  bool Has(vtkIdType cell, vtkIdList* points) const
+  bool IsGhost(vtkIdType cell) const
   {
-    constexpr int left = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
-      vtkDataSetAttributes::REFINEDCELL;
-    if (this->Cells && cell < this->Cells->GetNumberOfTuples() &&
-      (this->Cells->GetValue(cell) & left))
+    return this->HasFlag(cell, vtkDataSetAttributes::DUPLICATECELL);
+  }
+  bool IsHidden(vtkIdType cell, vtkIdList* points) const
+  {
+    if (this->HasFlag(cell, vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL))
     {
       return true;
     }
@@ -95,6 +96,12 @@ public:
   }
 
 private:
+  bool HasFlag(vtkIdType cell, int flags) const
+  {
+    return this->Cells && cell < this->Cells->GetNumberOfTuples() &&
+      (this->Cells->GetValue(cell) & flags) != 0;
+  }
+
   vtkUnsignedCharArray* Cells;
   vtkUnsignedCharArray* Points;
 };
@@ -133,14 +140,15 @@ std::vector<std::string> VolumeCells::Add(
     }
     vtkGenericCell* cell = cells.Fetch(i);
     vtkIdList* points = cell->GetPointIds();
-    if (cell->GetCellDimension() != 3 || leftOut.Has(i, points))
+    const bool isGhost = leftOut.IsGhost(i);
+    if (cell->GetCellDimension() != 3 || leftOut.IsHidden(i, points) || (isGhost && isOfCells))
     {
       continue;
     }
     if (!this->AreFinite(points, firstPoint))
     {
-      this->NumberOfSolidCells++;
-      this->NumberOfBadCells++;
+      this->NumberOfSolidCells += isGhost ? 0 : 1;
+      this->NumberOfBadCells += isGhost ? 0 : 1;
       continue;
     }
     const int type = cell->GetCellType();
@@ -164,7 +172,12 @@ std::vector<std::string> VolumeCells::Add(
         corners.push_back(
           firstPoint + ids[first + (shape ? GetCorner(type, static_cast<int>(corner)) : corner)]);
       }
-      isGood |= this->AddCell(shape, corners, isOfCells ? firstCell + i : -1);
+      isGood |= this->AddCell(
+        shape, corners, isOfCells ? firstCell + i : -1, isGhost ? this->Ghosts : this->Cells);
+    }
+    if (isGhost)
+    {
+      continue;
     }
     this->NumberOfSolidCells++;
     this->NumberOfBadCells += isGood ? 0 : 1;
@@ -234,15 +247,15 @@ CurvedCell VolumeCells::GetCurved(const Cell& cell) const
 
 // Returns whether the cell has a volume. Cells with scalars that are not finite are transparent and
 // are not stored.
-bool VolumeCells::AddCell(
-  const CellShape* shape, const std::vector<vtkIdType>& corners, vtkIdType scalars)
+bool VolumeCells::AddCell(const CellShape* shape, const std::vector<vtkIdType>& corners,
+  vtkIdType scalars, std::vector<Cell>& all)
 {
   const Cell cell = { shape, this->Corners.size(), scalars };
   this->Corners.insert(this->Corners.end(), corners.begin(), corners.end());
   const bool hasVolume = this->HasVolume(cell);
   if (hasVolume && this->HasScalars(cell))
   {
-    this->Cells.push_back(cell);
+    all.push_back(cell);
   }
   else
   {
@@ -306,9 +319,12 @@ Gradients VolumeCells::ComputeGradients(const Cell& cell, const CornerSlopes& sl
 void VolumeCells::MoveToOrigin()
 {
   FiniteBox box;
-  for (vtkIdType point : this->Corners)
+  for (const Cell& cell : this->Cells)
   {
-    box.Add(&this->Points[point].x);
+    for (int i = 0; i < this->GetNumberOfCorners(cell); ++i)
+    {
+      box.Add(&this->Points[this->GetCornerId(cell, i)].x);
+    }
   }
   this->Middle = dvec3(box.GetMiddle(0), box.GetMiddle(1), box.GetMiddle(2));
   this->Diagonal = length(dvec3(box.GetSide(0), box.GetSide(1), box.GetSide(2)));

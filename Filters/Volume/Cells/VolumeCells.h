@@ -4,8 +4,9 @@
  * @class   VolumeCells
  * @brief   the cells of data sets that rays pass through, with their scalars
  *
- * Contains the 3D cells that are neither ghosts nor blanked. Cells without volume, and cells with
- * scalars or points that are not finite, are skipped. Cells without a CellShape are split into
+ * Contains the 3D cells that are neither ghosts nor blanked. Ghost cells with point scalars, which
+ * belong to another piece, are stored separately for gradients. Cells without volume, and cells
+ * with scalars or points that are not finite, are skipped. Cells without a CellShape are split into
  * tetrahedra by a CellSplitter.
  *
  * Private to the module.
@@ -72,6 +73,7 @@ public:
    * MoveToOrigin().
    */
   const std::vector<Cell>& GetCells() const { return this->Cells; }
+  const std::vector<Cell>& GetGhosts() const { return this->Ghosts; }
   int GetNumberOfCorners(const Cell& cell) const;
   vtkIdType GetCornerId(const Cell& cell, int i) const;
   const std::vector<dvec3>& GetPoints() const { return this->Points; }
@@ -90,7 +92,8 @@ public:
   Gradients ComputeGradients(const Cell& cell, const CornerSlopes& slopes) const;
 
 private:
-  bool AddCell(const CellShape* shape, const std::vector<vtkIdType>& corners, vtkIdType scalars);
+  bool AddCell(const CellShape* shape, const std::vector<vtkIdType>& corners, vtkIdType scalars,
+    std::vector<Cell>& all);
   bool AreFinite(vtkIdList* points, vtkIdType firstPoint) const;
   bool HasVolume(const Cell& cell) const;
   bool HasScalars(const Cell& cell) const;
@@ -101,6 +104,7 @@ private:
   bool SplitsAll = false;
   std::vector<vtkIdType> Corners;
   std::vector<Cell> Cells;
+  std::vector<Cell> Ghosts;
   dvec3 Middle = dvec3(0.0);
   double Diagonal = 0.0;
   vtkIdType NumberOfSolidCells = 0;

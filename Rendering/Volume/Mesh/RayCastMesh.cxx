@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <tuple>
 
 namespace relevo
 {
@@ -35,20 +35,21 @@ class RayCastMeshBuilder
 {
 public:
   RayCastMeshBuilder(
-    const VolumeCells& cells, int numberOfComponents, bool withCorners, RayCastMesh& mesh)
+    const VolumeCells& cells, int numberOfComponents, const MeshExtent& whole, RayCastMesh& mesh)
     : Cells(cells)
     , NumberOfComponents(numberOfComponents)
-    , KeepsCorners(withCorners)
+    , Whole(whole)
     , Mesh(mesh)
   {
   }
 
+  void KeepCorners() { this->KeepsCorners = true; }
   void MergePoints();
+  void SortPoints();
   void StorePoints();
   void ScaleScalars();
   void AddGradients();
   void AddCells();
-  void FindLongestEdge();
   void FindNeighbors();
   void BuildBorder();
   bool IsTooLarge() const { return this->Border.size() >= MaximumBorderFaces; }
@@ -71,7 +72,8 @@ private:
 
   const VolumeCells& Cells;
   const int NumberOfComponents;
-  const bool KeepsCorners;
+  const MeshExtent& Whole;
+  bool KeepsCorners = false;
   RayCastMesh& Mesh;
   std::vector<VolumeCells::Cell> Kept;   // tetrahedra first
   std::vector<std::uint32_t> NewIds;     // of the cells' points
@@ -113,16 +115,32 @@ void RayCastMeshBuilder::MergePoints()
   }
 }
 
+// Coincident points are not merged if their scalars differ, which then decide.
+void RayCastMeshBuilder::SortPoints()
+{
+  const std::vector<dvec3>& points = this->Cells.GetPoints();
+  const std::vector<Scalars>& scalars = this->Cells.GetPointScalars();
+  const auto getKey = [&](vtkIdType id)
+  { return std::tie(points[id].x, points[id].y, points[id].z, scalars[id]); };
+  std::sort(this->OldIds.begin(), this->OldIds.end(),
+    [&](vtkIdType a, vtkIdType b) { return getKey(a) < getKey(b); });
+  std::vector<std::uint32_t> moved(this->OldIds.size());
+  for (size_t i = 0; i < this->OldIds.size(); ++i)
+  {
+    moved[this->NewIds[this->OldIds[i]]] = static_cast<std::uint32_t>(i);
+  }
+  for (std::uint32_t& id : this->NewIds)
+  {
+    id = id == Unused ? Unused : moved[id];
+  }
+}
+
 void RayCastMeshBuilder::StorePoints()
 {
-  FiniteBox box;
-  for (vtkIdType point : this->OldIds)
-  {
-    box.Add(&this->Cells.GetPoints()[point].x);
-  }
+  const FiniteBox& box = this->Whole.Points;
   this->Mesh.Center = dvec3(box.GetMiddle(0), box.GetMiddle(1), box.GetMiddle(2));
-  const double diagonal = length(dvec3(box.GetSide(0), box.GetSide(1), box.GetSide(2)));
-  this->Mesh.Radius = diagonal > 0.0 ? 0.5 * diagonal : 1.0;
+  this->Mesh.Radius = this->Whole.GetRadius();
+  this->Mesh.LongestEdge = this->Whole.LongestEdge / this->Mesh.Radius;
   this->Mesh.HalfSize =
     dvec3(box.GetSide(0), box.GetSide(1), box.GetSide(2)) / (2.0 * this->Mesh.Radius);
   this->Mesh.Points.resize(4 * this->OldIds.size());
@@ -163,17 +181,9 @@ void RayCastMeshBuilder::ScaleScalars()
   }
   for (int c = 0; c < MaximumComponents; ++c)
   {
-    double low = std::numeric_limits<double>::max();
-    double high = -low;
-    for (vtkIdType i : used)
-    {
-      low = std::min(low, all[i][c]);
-      high = std::max(high, all[i][c]);
-    }
-    const double size = 0.5 * high - 0.5 * low; // twice this may be infinite
-    this->Mesh.ScalarLow[c] = used.empty() ? 0.0 : low;
-    this->Mesh.ScalarHigh[c] = used.empty() ? 0.0 : high;
-    this->Mesh.ScalarSize[c] = size > 0.0 && std::isfinite(2.0 * size) ? 2.0 * size : 1.0;
+    this->Mesh.ScalarLow[c] = used.empty() ? 0.0 : this->Whole.ScalarLow[c];
+    this->Mesh.ScalarHigh[c] = used.empty() ? 0.0 : this->Whole.ScalarHigh[c];
+    this->Mesh.ScalarSize[c] = used.empty() ? 1.0 : this->Whole.GetScalarSize(c);
   }
   std::vector<float>& scalars = areOfCells ? this->Mesh.CellScalars : this->Mesh.PointScalars;
   for (vtkIdType i : used)
@@ -301,25 +311,6 @@ void RayCastMeshBuilder::AddCells()
   {
     cell.Shape ? this->AddCurved(cell) : this->AddTetrahedron(cell);
   }
-}
-
-void RayCastMeshBuilder::FindLongestEdge()
-{
-  const std::vector<dvec3>& points = this->Cells.GetPoints();
-  double longest = 0.0; // squared length
-  for (const VolumeCells::Cell& cell : this->Kept)
-  {
-    for (int i = 0; i < this->Cells.GetNumberOfCorners(cell); ++i)
-    {
-      const dvec3& corner = points[this->Cells.GetCornerId(cell, i)];
-      for (int j = 0; j < i; ++j)
-      {
-        const dvec3 edge = points[this->Cells.GetCornerId(cell, j)] - corner;
-        longest = std::max(longest, dot(edge, edge));
-      }
-    }
-  }
-  this->Mesh.LongestEdge = std::sqrt(longest) / this->Mesh.Radius;
 }
 
 // Return a reference to the index of the cell behind a face.
@@ -457,11 +448,20 @@ void RayCastMeshBuilder::BuildBorder()
 }
 
 bool RayCastMesh::Build(const VolumeCells& cells, int numberOfComponents, std::string& error,
-  bool withCorners, bool withGradients)
+  bool withCorners, bool withGradients, const MeshExtent* whole)
 {
   *this = RayCastMesh();
-  RayCastMeshBuilder builder(cells, numberOfComponents, withCorners, *this);
+  const MeshExtent extent = whole ? *whole : MeshExtent::Of(cells, numberOfComponents);
+  RayCastMeshBuilder builder(cells, numberOfComponents, extent, *this);
+  if (withCorners)
+  {
+    builder.KeepCorners();
+  }
   builder.MergePoints();
+  if (whole)
+  {
+    builder.SortPoints();
+  }
   builder.StorePoints();
   builder.ScaleScalars();
   if (withGradients)
@@ -469,7 +469,6 @@ bool RayCastMesh::Build(const VolumeCells& cells, int numberOfComponents, std::s
     builder.AddGradients();
   }
   builder.AddCells();
-  builder.FindLongestEdge();
   builder.FindNeighbors();
   if (builder.IsTooLarge())
   {

@@ -15,7 +15,7 @@
 #ifndef RayCastMesh_h
 #define RayCastMesh_h
 
-#include "Integral/TransferFunctions.h"
+#include "Mesh/MeshExtent.h"
 
 #include <cstdint> // for numbers of points and cells
 #include <string>  // for errors
@@ -35,9 +35,12 @@ struct RayCastMesh
    * Build the mesh. If it is too large, return false and an error that continues "The input ".
    * Scalars of cells with several components are stored separately from the points. Corners and
    * gradients are stored on request; scalars of cells have no gradients.
+   *
+   * If the cells are a piece of a mesh, `whole` is the extent of the whole mesh. Points are then
+   * sorted by position, so that the order of two points does not depend on the piece.
    */
   bool Build(const VolumeCells& cells, int numberOfComponents, std::string& error,
-    bool withCorners = false, bool withGradients = false);
+    bool withCorners = false, bool withGradients = false, const MeshExtent* whole = nullptr);
 
   /// Free the arrays. The transformations of positions and scalars stay.
   void Release();

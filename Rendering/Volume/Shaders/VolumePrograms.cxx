@@ -19,6 +19,11 @@ constexpr const char* WholeRay = "initializeRayCast();\n"
                                  "viewportRectangle.zw;\n"
                                  "  float end = texture(opaqueDepth, share).r;\n"
                                  "  gl_FragData[0] = castRay(0.0, end);\n";
+constexpr const char* AllSegments = "initializeRayCast();\n"
+                                    "  vec2 share = (gl_FragCoord.xy - viewportRectangle.xy) / "
+                                    "viewportRectangle.zw;\n"
+                                    "  castSegments(0.0, texture(opaqueDepth, share).r);\n"
+                                    "  outputSegments();\n";
 
 Dependencies MakeKey(VolumeShader shader, const VolumeShaderOptions& options)
 {
@@ -27,13 +32,13 @@ Dependencies MakeKey(VolumeShader shader, const VolumeShaderOptions& options)
     options.HasTables, options.HasGradientOpacity, options.HasSurfaces, options.IsClipped,
     options.NumberOfMaterials, options.FirstMaterial, options.NumberOfLights, options.PreIntegrated,
     options.HasTetrahedra, options.HasCurvedCells, options.HasQuadraticCells, options.HasPyramids,
-    options.HasFoldedFaces, options.IsCutByNear);
+    options.HasFoldedFaces, options.IsCutByNear, options.Segments);
 }
 
-std::string FinishRayShader(std::string source)
+std::string FinishRayShader(std::string source, const char* main)
 {
   vtkShaderProgram::Substitute(source, "//RELEVO::Main", "uniform sampler2D opaqueDepth;\n");
-  vtkShaderProgram::Substitute(source, "//VTK::CallWorker::Impl", WholeRay);
+  vtkShaderProgram::Substitute(source, "//VTK::CallWorker::Impl", main);
   return source;
 }
 
@@ -47,7 +52,7 @@ std::pair<std::string, std::string> Compose(VolumeShader shader, const VolumeSha
     case VolumeShader::EntryCounts:
       return { screen, MakeCountShader(options) };
     case VolumeShader::Rays:
-      return { screen, FinishRayShader(MakeRayCastShader(options)) };
+      return { screen, FinishRayShader(MakeRayCastShader(options), WholeRay) };
     case VolumeShader::RayLimits:
       return { screen, MakeLimitsShader(options) };
     case VolumeShader::Projection:
@@ -80,8 +85,10 @@ vtkShaderProgram* VolumePrograms::Build(vtkOpenGLRenderWindow* window, const Sou
 }
 
 vtkShaderProgram* VolumePrograms::Ready(
-  vtkOpenGLRenderWindow* window, VolumeShader shader, const VolumeShaderOptions& options)
+  vtkOpenGLRenderWindow* window, VolumeShader shader, const VolumeShaderOptions& wanted)
 {
+  VolumeShaderOptions options = wanted;
+  options.Segments = SegmentOutput::None;
   const Dependencies key = MakeKey(shader, options);
   const auto known = this->Programs.find(key);
   if (known != this->Programs.end())
@@ -96,7 +103,7 @@ vtkShaderProgram* VolumePrograms::Ready(
 vtkShaderProgram* VolumePrograms::ReadyRays(
   vtkOpenGLRenderWindow* window, const VolumeShaderOptions& options, const RenderPasses& passes)
 {
-  if (passes.IsEmpty())
+  if (passes.IsEmpty() && options.Segments == SegmentOutput::None)
   {
     return this->Ready(window, VolumeShader::Rays, options);
   }
@@ -107,7 +114,8 @@ vtkShaderProgram* VolumePrograms::ReadyRays(
   }
   std::string source = composed;
   passes.ReplaceShaderValues(source);
-  return this->Build(window, { ScreenPass::GetVertexShader(), FinishRayShader(source) });
+  const char* main = options.Segments == SegmentOutput::None ? WholeRay : AllSegments;
+  return this->Build(window, { ScreenPass::GetVertexShader(), FinishRayShader(source, main) });
 }
 
 void VolumePrograms::ReleaseGraphicsResources()

@@ -29,6 +29,7 @@
 #include "relevoVolumeProjectionFS.h"
 #include "relevoVolumeProjectionVS.h"
 #include "relevoVolumeRay.h"
+#include "relevoVolumeSegments.h"
 #include "relevoVolumeShading.h"
 #include "relevoVolumeSteps.h"
 #include "relevoVolumeStore.h"
@@ -71,6 +72,14 @@ std::string DefineCells(const VolumeShaderOptions& options)
   Define(defines, "QUADRATIC", options.HasQuadraticCells);
   Define(defines, "PYRAMIDS", options.HasPyramids);
   Define(defines, "FOLDED", options.HasFoldedFaces);
+  const bool hasSegments = options.Segments != SegmentOutput::None;
+  Define(defines, "SEGMENTS", static_cast<int>(options.Segments));
+  Define(defines, "WIDTH", GetSegmentFormat(options).GetWidth());
+  Define(defines, "VALUES", hasSegments ? GetSegmentFormat(options).GetNumberOfValues() : 0);
+  Define(defines, "ORDERED", GetSegmentFormat(options).IsOrdered());
+  // Only GLSL 4.0 has the qualifier.
+  defines << "#define RELEVO_PRECISE "
+          << (options.Segments == SegmentOutput::Buffer ? "precise" : "") << "\n";
   defines << "#define RELEVO_TETRAHEDRA " << (options.HasTetrahedra ? "true" : "false") << "\n";
   return defines.str();
 }
@@ -170,6 +179,12 @@ void PutIntegration(std::string& source, const VolumeShaderOptions& options)
 }
 }
 
+SegmentFormat GetSegmentFormat(const VolumeShaderOptions& options)
+{
+  const bool areIndependent = !options.AreDependent && options.NumberOfCurves > 0;
+  return { options.Blending, areIndependent, options.NumberOfComponents, options.HasTables };
+}
+
 std::string MakeEntriesVertexShader(const VolumeShaderOptions& options)
 {
   std::string source = relevoVolumeEntriesVS;
@@ -203,6 +218,11 @@ std::string MakeRayCastShader(const VolumeShaderOptions& options)
   PutIntegration(source, options);
   Put(source, "Walk", relevoVolumeWalk);
   Put(source, "CurvedWalk", options.HasCurvedCells ? relevoVolumeCurvedWalk : "");
+  Put(source, "Segments", options.Segments != SegmentOutput::None ? relevoVolumeSegments : "");
+  if (options.Segments == SegmentOutput::Buffer)
+  {
+    vtkShaderProgram::Substitute(source, "//VTK::System::Dec", "#version 430\n");
+  }
   return source;
 }
 

@@ -9,12 +9,20 @@
 #ifndef VolumeShader_h
 #define VolumeShader_h
 
-#include "Rays/BlendMode.h"
+#include "Segments/SegmentFormat.h"
 
 #include <string>
 
 namespace relevo
 {
+/// What the shader of the ray caster outputs.
+enum class SegmentOutput
+{
+  None,   // the colour of the ray
+  Buffer, // its segments, see relevoVolumeSegments.glsl
+  Pass    // one of its segments
+};
+
 struct VolumeShaderOptions
 {
   BlendMode Blending = BlendMode::Composite;
@@ -40,7 +48,11 @@ struct VolumeShaderOptions
   bool HasFoldedFaces = false; // some faces are front and back faces at once
   /// Whether the near plane may clip projected cells.
   bool IsCutByNear = false;
+  SegmentOutput Segments = SegmentOutput::None;
 };
+
+/// Return the format of the segments.
+SegmentFormat GetSegmentFormat(const VolumeShaderOptions& options);
 
 //@{
 /// Return the shaders of the pass that finds where rays enter.

@@ -27,6 +27,19 @@ std::string Compositor::ReadDepths(
                                                    : "The depths of opaque props cannot be read.";
 }
 
+std::string Compositor::SetDepths(vtkOpenGLRenderWindow* window, const std::array<int, 4>& viewport,
+  const std::vector<float>& depths)
+{
+  if (depths.size() != static_cast<size_t>(viewport[2]) * viewport[3])
+  {
+    return "There are " + std::to_string(depths.size()) + " depths for " +
+      std::to_string(viewport[2]) + " x " + std::to_string(viewport[3]) + " pixels.";
+  }
+  return this->Depth.Upload(window, viewport[2], viewport[3], depths.data())
+    ? ""
+    : "The depths of opaque props cannot be uploaded.";
+}
+
 std::array<int, 2> Compositor::ChooseSize(
   const std::array<int, 4>& viewport, const SamplingRequest& request)
 {

@@ -16,6 +16,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 class vtkWindow;
 
@@ -35,6 +36,10 @@ class Compositor
 public:
   /// Copy the depths of opaque props in the viewport. Return the error, or "".
   std::string ReadDepths(vtkOpenGLRenderWindow* window, const std::array<int, 4>& viewport);
+
+  /// Use these depths in the viewport instead. Return the error, or "".
+  std::string SetDepths(vtkOpenGLRenderWindow* window, const std::array<int, 4>& viewport,
+    const std::vector<float>& depths);
 
   /// Return the number of rays per row and column.
   std::array<int, 2> ChooseSize(const std::array<int, 4>& viewport, const SamplingRequest& request);

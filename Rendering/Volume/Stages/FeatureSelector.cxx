@@ -59,6 +59,7 @@ void FeatureSelector::Update(const FeatureRequest& request, StageReport& report)
   VolumeShaderOptions& options = this->Features.Options;
   options = {};
   options.Blending = request.Blending;
+  options.Segments = request.Segments;
   FindMesh(request.Mesh, options);
   FindFunctions(request.Functions.Functions, options);
   this->FindSurfaces(request, report);

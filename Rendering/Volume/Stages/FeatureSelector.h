@@ -36,6 +36,7 @@ struct FeatureRequest
   BlendMode Blending;
   bool HasSurfaces;    // isosurfaces inside the volume, with composite blending
   int TableDimensions; // of the pre-integration table, 0 for none
+  SegmentOutput Segments = SegmentOutput::None;
 };
 
 struct VolumeFeatures

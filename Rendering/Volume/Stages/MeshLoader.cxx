@@ -55,6 +55,9 @@ ArrayRequest MakeArrayRequest(const MeshRequest& request)
 }
 }
 
+MeshLoader::MeshLoader() = default;
+MeshLoader::~MeshLoader() = default;
+
 // Four components have different dependencies if they are colours.
 Dependencies MeshLoader::FindDependencies(const MeshRequest& request) const
 {
@@ -72,7 +75,13 @@ Dependencies MeshLoader::FindDependencies(const MeshRequest& request) const
 
 bool MeshLoader::Update(const MeshRequest& request, StageReport& report)
 {
-  const bool hasChanged = this->Known.Update(this->FindDependencies(request));
+  Dependencies now = this->FindDependencies(request);
+  const bool isPiece = request.Whole != nullptr;
+  const bool isOtherPiece =
+    isPiece != this->IsPiece || (isPiece && !(*request.Whole == this->Whole));
+  this->IsPiece = isPiece;
+  this->Whole = isPiece ? *request.Whole : MeshExtent();
+  const bool hasChanged = this->Known.Update(now) || isOtherPiece;
   const bool lacksGradients = this->HasMesh && !this->Mesh.HasCellScalars && !this->HasGradients;
   if (hasChanged || (lacksGradients && request.IsShaded))
   {
@@ -87,8 +96,37 @@ bool MeshLoader::Update(const MeshRequest& request, StageReport& report)
 
 bool MeshLoader::Load(const MeshRequest& request, StageReport& report)
 {
+  if (this->Measured == this->FindDependencies(request) && (this->Cells || this->Extent.IsEmpty()))
+  {
+    return this->LoadMeasured(request, report);
+  }
   VolumeCells cells;
   return this->Read(request, cells, report) && this->Upload(request, cells, report);
+}
+
+bool MeshLoader::LoadMeasured(const MeshRequest& request, StageReport& report)
+{
+  const std::unique_ptr<VolumeCells> cells = std::move(this->Cells);
+  return cells && this->Upload(request, *cells, report);
+}
+
+MeshExtent MeshLoader::Measure(const MeshRequest& request, StageReport& report)
+{
+  if (this->Measured != this->FindDependencies(request))
+  {
+    this->Extent = MeshExtent();
+    this->Cells = std::make_unique<VolumeCells>();
+    if (this->Read(request, *this->Cells, report))
+    {
+      this->Extent = MeshExtent::Of(*this->Cells, this->Mesh.NumberOfComponents);
+    }
+    else
+    {
+      this->Cells.reset();
+    }
+    this->Measured = this->FindDependencies(request);
+  }
+  return this->Extent;
 }
 
 bool MeshLoader::CheckType(const MeshRequest& request, StageReport& report)
@@ -186,8 +224,8 @@ bool MeshLoader::Upload(const MeshRequest& request, const VolumeCells& cells, St
   }
   RayCastMesh& layout = this->Mesh.Layout;
   std::string error;
-  if (!layout.Build(
-        cells, this->Mesh.NumberOfComponents, error, request.HasCorners, this->HasGradients))
+  if (!layout.Build(cells, this->Mesh.NumberOfComponents, error, request.HasCorners,
+        this->HasGradients, request.Whole))
   {
     report.Errors.push_back("The input " + error + ".");
     return false;

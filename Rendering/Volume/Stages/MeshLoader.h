@@ -16,6 +16,7 @@
 #include "Checks/StageReport.h"
 #include "Mesh/RayCastMesh.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,8 @@ struct MeshRequest
   //@}
   bool AreIndependent; // whether components are independent
   bool IsShaded;
-  bool HasCorners; // for cell projection
+  bool HasCorners;                   // for cell projection
+  const MeshExtent* Whole = nullptr; // if the input is a piece of a mesh
 };
 
 /// The mesh on the GPU.
@@ -62,9 +64,16 @@ struct VolumeMesh
 class MeshLoader
 {
 public:
+  MeshLoader();
+  ~MeshLoader();
+
   /// Load the mesh if the request has changed. Return whether there is anything to draw. A failed
   /// load is repeated and reported again when the request changes.
   bool Update(const MeshRequest& request, StageReport& report);
+
+  /// Return the extent of the input's cells; it is empty if there are none or they cannot be read.
+  /// The cells stay in memory until they are loaded.
+  MeshExtent Measure(const MeshRequest& request, StageReport& report);
 
   bool IsReady() const { return this->HasMesh && this->NumberOfDrawnCells > 0; }
   VolumeMesh& GetMesh() { return this->Mesh; }
@@ -77,6 +86,7 @@ public:
 private:
   Dependencies FindDependencies(const MeshRequest& request) const;
   bool Load(const MeshRequest& request, StageReport& report);
+  bool LoadMeasured(const MeshRequest& request, StageReport& report);
   bool CheckType(const MeshRequest& request, StageReport& report);
   bool FindScalars(const MeshRequest& request, StageReport& report,
     std::vector<MeshScalars>& meshes, std::string& leftOut);
@@ -85,6 +95,11 @@ private:
 
   VolumeMesh Mesh;
   Dependencies Known;
+  Dependencies Measured;
+  MeshExtent Extent;                  // measured
+  std::unique_ptr<VolumeCells> Cells; // measured, but not loaded
+  MeshExtent Whole;                   // in use, if
+  bool IsPiece = false;               // the mesh is a piece
   bool HasMesh = false;
   bool HasGradients = false; // as in the last build, whether or not scalars allow them
   vtkIdType NumberOfDrawnCells = 0;

@@ -31,8 +31,7 @@ bool RayCaster::RenderRayEntries(const VolumeFrame& frame, const std::array<int,
   return isInFront;
 }
 
-// Return the current program with all its data.
-vtkShaderProgram* RayCaster::Ready(const VolumeFrame& frame, const std::array<int, 4>& viewport)
+vtkShaderProgram* RayCaster::Begin(const VolumeFrame& frame, const std::array<int, 4>& viewport)
 {
   const bool areEntriesKnown = this->RenderRayEntries(frame, { { viewport[2], viewport[3] } });
   vtkShaderProgram* program =
@@ -58,7 +57,7 @@ std::string RayCaster::Draw(const VolumeFrame& frame, const std::array<int, 2>& 
 {
   const bool isSampled = size[0] != frame.Viewport[2] || size[1] != frame.Viewport[3];
   const std::array<int, 4> sampled = { { 0, 0, size[0], size[1] } };
-  if (!this->Ready(frame, isSampled ? sampled : frame.Viewport))
+  if (!this->Begin(frame, isSampled ? sampled : frame.Viewport))
   {
     return VolumePrograms::Error;
   }
@@ -77,9 +76,14 @@ std::string RayCaster::Draw(const VolumeFrame& frame, const std::array<int, 2>& 
     error = "There is not enough graphics memory for " + std::to_string(size[0]) + " x " +
       std::to_string(size[1]) + " pixels: raise ImageSampleDistance.";
   }
+  this->End(frame);
+  return error;
+}
+
+void RayCaster::End(const VolumeFrame& frame)
+{
   this->Entries.Deactivate();
   frame.Deactivate();
-  return error;
 }
 
 int RayCaster::CountLayers(const VolumeFrame& frame)

@@ -14,6 +14,7 @@
 #include <array>
 #include <string>
 
+class vtkShaderProgram;
 class vtkWindow;
 
 namespace relevo
@@ -27,6 +28,13 @@ public:
   /// the error, or "".
   std::string Draw(const VolumeFrame& frame, const std::array<int, 2>& size);
 
+  //@{
+  /// Make the program of rays current, with all its data, for another viewport. Return nullptr if
+  /// it cannot be built.
+  vtkShaderProgram* Begin(const VolumeFrame& frame, const std::array<int, 4>& viewport);
+  void End(const VolumeFrame& frame);
+  //@}
+
   /// Return the maximum number of border faces through which a pixel's ray enters. This call draws
   /// and waits for the GPU.
   int CountLayers(const VolumeFrame& frame);
@@ -35,7 +43,6 @@ public:
 
 private:
   bool RenderRayEntries(const VolumeFrame& frame, const std::array<int, 2>& size);
-  vtkShaderProgram* Ready(const VolumeFrame& frame, const std::array<int, 4>& viewport);
 
   RayEntries Entries;
 };

@@ -121,6 +121,19 @@ bool OpaqueDepth::Copy(vtkOpenGLRenderWindow* window, const int viewport[4])
   return false;
 }
 
+bool OpaqueDepth::Upload(vtkOpenGLRenderWindow* window, int width, int height, const float* depths)
+{
+  this->ReleaseGraphicsResources(window);
+  this->Texture = vtkSmartPointer<vtkTextureObject>::New();
+  this->Texture->SetContext(window);
+  this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  const bool isUploaded = this->Texture->Create2DFromRaw(static_cast<unsigned int>(width),
+    static_cast<unsigned int>(height), 1, VTK_FLOAT, const_cast<float*>(depths));
+  this->Format = -1;
+  return isUploaded;
+}
+
 void OpaqueDepth::Activate(vtkShaderProgram* program)
 {
   if (this->Texture && program->IsUniformUsed("opaqueDepth"))

@@ -29,6 +29,10 @@ public:
   /// left corner and size. Return false if the depths cannot be read.
   bool Copy(vtkOpenGLRenderWindow* window, const int viewport[4]);
 
+  /// Use these depths instead, row by row from the lower left corner. Return false if they cannot
+  /// be uploaded.
+  bool Upload(vtkOpenGLRenderWindow* window, int width, int height, const float* depths);
+
   void Activate(vtkShaderProgram* program);
   void Deactivate();
   void ReleaseGraphicsResources(vtkWindow* window);

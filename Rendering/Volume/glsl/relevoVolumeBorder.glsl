@@ -16,18 +16,39 @@ struct Entry
   vec3 areas; // spanned by the edges opposite to a, b and c
 };
 
+#if RELEVO_SEGMENTS
+// Sums in the order of the corners' ids do not depend on the cell or the piece of the mesh.
+float sumInOrder(uvec3 ids, vec3 values)
+{
+  int first = ids.x < ids.y ? (ids.x < ids.z ? 0 : 2) : (ids.y < ids.z ? 1 : 2);
+  int last = ids.x > ids.y ? (ids.x > ids.z ? 0 : 2) : (ids.y > ids.z ? 1 : 2);
+  RELEVO_PRECISE float two = values[first] + values[3 - first - last];
+  RELEVO_PRECISE float three = two + values[last];
+  return three;
+}
+#endif
+
 // Interpolate the depth of a face's corners by weights.
 float interpolateDepth(Corner a, Corner b, Corner c, vec3 weights)
 {
+#if RELEVO_SEGMENTS
+  RELEVO_PRECISE vec3 parts = weights * vec3(a.at.z, b.at.z, c.at.z);
+  return sumInOrder(uvec3(a.id, b.id, c.id), parts);
+#else
   return dot(weights, vec3(a.at.z, b.at.z, c.at.z));
+#endif
 }
 
 // Compute the weights of the corners where the ray crosses a face. Return false if the face is seen
 // edge-on.
-bool getWeights(vec3 areas, out vec3 weights)
+bool getWeights(uvec3 ids, vec3 areas, out vec3 weights)
 {
   vec3 sizes = max(areas, vec3(0.0));
+#if RELEVO_SEGMENTS
+  float sum = sumInOrder(ids, sizes);
+#else
   float sum = sizes.x + sizes.y + sizes.z;
+#endif
   weights = sizes / sum;
   return sum > 0.0;
 }
@@ -119,7 +140,7 @@ bool enters(int face, float lastDepth, int lastFace, inout Entry entry)
   vec3 weights;
   if (!isOnLeft(areas.x, b.id, b.at.xy, c.id, c.at.xy) ||
     !isOnLeft(areas.y, c.id, c.at.xy, a.id, a.at.xy) ||
-    !isOnLeft(areas.z, a.id, a.at.xy, b.id, b.at.xy) || !getWeights(areas, weights))
+    !isOnLeft(areas.z, a.id, a.at.xy, b.id, b.at.xy) || !getWeights(words.xyz, areas, weights))
   {
     return false;
   }

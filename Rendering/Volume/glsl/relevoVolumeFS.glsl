@@ -40,6 +40,7 @@ vec4 castRay(float zStart, float zEnd)
   return finishRay();
 }
 
+//RELEVO::Segments
 //RELEVO::Main
 void main()
 {

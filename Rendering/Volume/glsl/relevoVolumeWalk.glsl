@@ -48,7 +48,19 @@ Scalars getPointScalars(uint id, float first)
 
 Scalars interpolateScalars(vec3 weights)
 {
+#if RELEVO_SEGMENTS
+  uvec3 ids = uvec3(faceA.id, faceB.id, faceC.id);
+  Scalars scalars;
+  for (int i = 0; i < RELEVO_WIDTH; ++i)
+  {
+    RELEVO_PRECISE vec3 parts = weights *
+      vec3(componentOf(scalarsA, i), componentOf(scalarsB, i), componentOf(scalarsC, i));
+    componentOf(scalars, i) = sumInOrder(ids, parts);
+  }
+  return scalars;
+#else
   return weights.x * scalarsA + weights.y * scalarsB + weights.z * scalarsC;
+#endif
 }
 #endif
 
@@ -94,7 +106,7 @@ void enterMesh(Entry entry)
   scalarsB = getPointScalars(faceB.id, texelFetch(meshPoints, int(faceB.id)).w);
   scalarsC = getPointScalars(faceC.id, texelFetch(meshPoints, int(faceC.id)).w);
   vec3 weights;
-  getWeights(faceAreas, weights);
+  getWeights(uvec3(faceA.id, faceB.id, faceC.id), faceAreas, weights);
   walkScalars = interpolateScalars(weights);
   seekScalars(walkScalars);
 #endif
@@ -149,7 +161,7 @@ void crossTetrahedron()
   scalarsC = isC ? scalarsD : scalarsC;
 #endif
   vec3 weights;
-  bool isSeen = getWeights(faceAreas, weights);
+  bool isSeen = getWeights(uvec3(faceA.id, faceB.id, faceC.id), faceAreas, weights);
   float exit = isSeen ? interpolateDepth(faceA, faceB, faceC, weights) : walkDepth;
 #if RELEVO_CELL_SCALARS
   Scalars scalars = getCellScalars(walkCell);
