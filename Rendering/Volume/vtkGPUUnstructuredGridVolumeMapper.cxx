@@ -487,4 +487,8 @@ void vtkGPUUnstructuredGridVolumeMapper::PrintSelf(ostream& os, vtkIndent indent
   os << indent << "MaximumSegments: " << this->MaximumSegments << "\n";
   os << indent << "AutoAdjustSampleDistances: " << (this->AutoAdjustSampleDistances ? "On" : "Off")
      << "\n";
+  os << indent << "NumberOfDrawnCells: " << this->GetNumberOfDrawnCells() << "\n";
+  os << indent << "NumberOfBufferBuilds: " << this->GetNumberOfBufferBuilds() << "\n";
+  os << indent << "NumberOfShaderBuilds: " << this->GetNumberOfShaderBuilds() << "\n";
+  os << indent << "NumberOfTableBuilds: " << this->GetNumberOfTableBuilds() << "\n";
 }

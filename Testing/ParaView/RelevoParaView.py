@@ -11,8 +11,9 @@ import unittest
 
 import numpy
 import paraview
-from paraview import servermanager, simple
+from paraview import servermanager, simple, smtrace
 from paraview.modules.vtkRemotingCore import vtkProcessModule
+from paraview.modules.vtkRemotingServerManager import vtkSMUndoStack, vtkSMUndoStackBuilder
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -209,6 +210,37 @@ def messages():
         yield window.GetOutput
     finally:
         vtkOutputWindow.SetInstance(previous)
+
+
+@contextlib.contextmanager
+def traced(proxy):
+    """Changes properties like the panel while a trace is recorded."""
+    item = smtrace.PropertiesModified(proxy.SMProxy)
+    yield
+    item.finalize()
+
+
+class Undo:
+    """Records changes like the application's buttons Undo and Redo."""
+
+    def __init__(self):
+        self.stack = vtkSMUndoStack()
+        self.builder = vtkSMUndoStackBuilder()
+        self.builder.SetUndoStack(self.stack)
+        servermanager.vtkSMProxyManager.GetProxyManager().SetUndoStackBuilder(self.builder)
+
+    def record(self, name, change):
+        self.builder.Begin(name)
+        change()
+        self.builder.End()
+        self.builder.PushToStack()
+
+    def step(self, move):
+        move()
+        servermanager.ProxyManager().SMProxyManager.UpdateRegisteredProxiesInOrder(0)
+
+    def end(self):
+        servermanager.vtkSMProxyManager.GetProxyManager().SetUndoStackBuilder(None)
 
 
 def compare_with_one_rank(path, pictures, limits):

@@ -5,44 +5,11 @@ the picture."""
 
 import os
 import tempfile
-from contextlib import contextmanager
 
-from paraview import servermanager, simple, smtrace
-from paraview.modules.vtkRemotingServerManager import vtkSMUndoStack, vtkSMUndoStackBuilder
+from paraview import simple, smtrace
 
 import RelevoParaView as relevo
-from RelevoParaView import sphere
-
-
-@contextmanager
-def traced(proxy):
-    """Changes properties like the panel while a trace is recorded."""
-    item = smtrace.PropertiesModified(proxy.SMProxy)
-    yield
-    item.finalize()
-
-
-class Undo:
-    """Records changes like the application's buttons Undo and Redo."""
-
-    def __init__(self):
-        self.stack = vtkSMUndoStack()
-        self.builder = vtkSMUndoStackBuilder()
-        self.builder.SetUndoStack(self.stack)
-        servermanager.vtkSMProxyManager.GetProxyManager().SetUndoStackBuilder(self.builder)
-
-    def record(self, name, change):
-        self.builder.Begin(name)
-        change()
-        self.builder.End()
-        self.builder.PushToStack()
-
-    def step(self, move):
-        move()
-        servermanager.ProxyManager().SMProxyManager.UpdateRegisteredProxiesInOrder(0)
-
-    def end(self):
-        servermanager.vtkSMProxyManager.GetProxyManager().SetUndoStackBuilder(None)
+from RelevoParaView import Undo, sphere, traced
 
 
 class TestSettings(relevo.TestCase):

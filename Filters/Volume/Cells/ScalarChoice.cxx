@@ -19,7 +19,9 @@ enum VectorModes
 
 ScalarChoice ChooseScalars(vtkVolumeProperty* property, int vectorMode, int vectorComponent)
 {
-  const bool hasMagnitudeColors = property->GetColorChannels() == 3 &&
+  // Dependent components are values and opacities, or colours.
+  const bool hasMagnitudeColors = property->GetIndependentComponents() &&
+    property->GetColorChannels() == 3 &&
     property->GetRGBTransferFunction()->GetVectorMode() == vtkScalarsToColors::MAGNITUDE;
   ScalarChoice choice;
   if (vectorMode == Magnitude || (vectorMode == Disabled && hasMagnitudeColors))

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   VolumeProp
+ * @brief   a volume of ParaView's representations without levels of detail
+ *
+ * The base class draws nothing if the input is composite or lacks the array. This class always
+ * calls the mapper, which draws composite inputs and reports missing arrays.
+ *
+ * Private to the module.
+ */
+#ifndef VolumeProp_h
+#define VolumeProp_h
+
+#include "vtkPVLODVolume.h"
+
+namespace relevo
+{
+class VolumeProp : public vtkPVLODVolume
+{
+public:
+  static VolumeProp* New();
+  vtkTypeMacro(VolumeProp, vtkPVLODVolume);
+
+  void SetMapper(vtkAbstractVolumeMapper* mapper) override;
+  vtkAbstractVolumeMapper* GetMapper() override;
+  void SetProperty(vtkVolumeProperty* property) override;
+  double* GetBounds() override;
+
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override;
+  int HasTranslucentPolygonalGeometry() override;
+  int RenderVolumetricGeometry(vtkViewport* viewport) override;
+  void SetAllocatedRenderTime(double time, vtkViewport* viewport) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  VolumeProp() = default;
+  ~VolumeProp() override = default;
+
+private:
+  VolumeProp(const VolumeProp&) = delete;
+  void operator=(const VolumeProp&) = delete;
+};
+}
+
+#endif

@@ -1,0 +1,450 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAdaptiveVolumeRepresentation.h"
+
+#include "Checks/SettingChecks.h"
+#include "Checks/ShouldReport.h"
+#include "VolumePiece.h"
+#include "VolumeProp.h"
+#include "vtkAlgorithm.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkCommand.h"
+#include "vtkContourValues.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkExtractBlockUsingDataAssembly.h"
+#include "vtkGPUUnstructuredGridVolumeMapper.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVRenderView.h"
+#include "vtkPlane.h"
+#include "vtkRenderer.h"
+#include "vtkVolumeProperty.h"
+
+#include <string>
+#include <utility>
+
+struct vtkAdaptiveVolumeRepresentation::vtkInternals
+{
+  vtkSmartPointer<vtkGPUUnstructuredGridVolumeMapper> Mapper;
+  unsigned long ErrorTag = 0; // of the observers of the mapper
+  unsigned long WarningTag = 0;
+  relevo::VolumePiece Pieces;
+  vtkSmartPointer<vtkDataObject> Piece;
+  double UnitDistance = 1.0; // of the piece of the view
+  vtkSmartPointer<vtkColorTransferFunction> ColorMap;
+  vtkMTimeType ColorMapTime = 0;
+  vtkSmartPointer<vtkPlane> ClippingPlane;
+  vtkNew<vtkPlane> Cut; // a copy for the mapper
+  std::string Warning;  // as reported
+};
+
+namespace
+{
+// Words of the mapper and those of ParaView.
+const std::pair<const char*, const char*> Words[] = {
+  { "select an array with SelectScalarArray()", "select an array in Coloring" },
+  { "Use SetScalarModeToUseCellFieldData()", "Select the cell array in Coloring" },
+  { "Use SetScalarModeToUsePointFieldData()", "Select the point array in Coloring" },
+  { "call SetMethodToRayCasting()", "set VolumeMethod to Ray Casting" },
+  { "The volume property has a colour function", "The volume has a color transfer function" },
+  { "The volume property has a scalar opacity function",
+    "The volume has an opacity transfer function" },
+  { "The volume property", "The volume" },
+};
+
+// Return the message in the text of an event, which begins with the file, class and address.
+std::string ReadMessage(const char* text)
+{
+  std::string message = text ? text : "";
+  const std::size_t begin = message.find("): ");
+  message = begin == std::string::npos ? message : message.substr(begin + 3);
+  message.erase(message.find_last_not_of(" \n") + 1);
+  for (const auto& word : Words)
+  {
+    const std::string from = word.first;
+    const std::size_t at = message.find(from);
+    if (at != std::string::npos)
+    {
+      message.replace(at, from.size(), word.second);
+    }
+  }
+  return message;
+}
+
+bool IsFirstProcess()
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return !controller || controller->GetLocalProcessId() == 0;
+}
+}
+
+vtkStandardNewMacro(vtkAdaptiveVolumeRepresentation);
+
+vtkAdaptiveVolumeRepresentation::vtkAdaptiveVolumeRepresentation()
+  : Internals(new vtkInternals)
+{
+  this->Actor = vtkSmartPointer<relevo::VolumeProp>::New();
+  this->Actor->SetProperty(this->Property);
+  this->Internals->Piece = this->Internals->Pieces.Make(nullptr);
+  vtkNew<vtkGPUUnstructuredGridVolumeMapper> mapper;
+  this->SetMapper(mapper);
+}
+
+vtkAdaptiveVolumeRepresentation::~vtkAdaptiveVolumeRepresentation()
+{
+  this->Internals->Mapper->RemoveObserver(this->Internals->ErrorTag);
+  this->Internals->Mapper->RemoveObserver(this->Internals->WarningTag);
+}
+
+void vtkAdaptiveVolumeRepresentation::SetMapper(vtkGPUUnstructuredGridVolumeMapper* mapper)
+{
+  vtkInternals& data = *this->Internals;
+  if (!mapper)
+  {
+    vtkErrorMacro("SetMapper() needs a mapper, but it is null.");
+    return;
+  }
+  if (data.Mapper == mapper)
+  {
+    return;
+  }
+  if (data.Mapper)
+  {
+    data.Mapper->RemoveObserver(data.ErrorTag);
+    data.Mapper->RemoveObserver(data.WarningTag);
+  }
+  // ParaView's window would show the progress, and make its OpenGL context current, while the
+  // mapper draws.
+  mapper->RemoveObservers(vtkCommand::ProgressEvent);
+  data.ErrorTag =
+    mapper->AddObserver(vtkCommand::ErrorEvent, this, &vtkAdaptiveVolumeRepresentation::Report);
+  data.WarningTag =
+    mapper->AddObserver(vtkCommand::WarningEvent, this, &vtkAdaptiveVolumeRepresentation::Report);
+  data.Mapper = mapper;
+  this->Actor->SetMapper(mapper);
+  this->Modified();
+}
+
+vtkGPUUnstructuredGridVolumeMapper* vtkAdaptiveVolumeRepresentation::GetMapper()
+{
+  return this->Internals->Mapper;
+}
+
+void vtkAdaptiveVolumeRepresentation::Report(vtkObject*, unsigned long event, void* text)
+{
+  const std::string message = ReadMessage(static_cast<const char*>(text));
+  if (event == vtkCommand::ErrorEvent)
+  {
+    vtkErrorMacro(<< message);
+  }
+  else
+  {
+    vtkWarningMacro(<< message);
+  }
+}
+
+void vtkAdaptiveVolumeRepresentation::SetVectorMode(int mode)
+{
+  using Mapper = vtkGPUUnstructuredGridVolumeMapper;
+  relevo::SetInRange(this, "VectorMode", this->VectorMode, mode, static_cast<int>(Mapper::DISABLED),
+    static_cast<int>(Mapper::COMPONENT));
+}
+
+void vtkAdaptiveVolumeRepresentation::SetVectorComponent(int component)
+{
+  relevo::SetInRange(this, "VectorComponent", this->VectorComponent, component, 0, 3);
+}
+
+void vtkAdaptiveVolumeRepresentation::SetColor(vtkColorTransferFunction* colorMap)
+{
+  this->Internals->ColorMap = colorMap;
+  this->Internals->ColorMapTime = 0;
+  this->Modified();
+}
+
+// Like ParaView's Volume, this ignores the number of colours. A map of discrete colours would have
+// a node at each step.
+void vtkAdaptiveVolumeRepresentation::UpdateColors()
+{
+  vtkInternals& data = *this->Internals;
+  const vtkMTimeType time = data.ColorMap ? data.ColorMap->GetMTime() : 0;
+  if (data.ColorMapTime != time)
+  {
+    data.ColorMapTime = time;
+    vtkNew<vtkColorTransferFunction> colors;
+    colors->DeepCopy(data.ColorMap);
+    this->Property->SetColor(colors);
+  }
+}
+
+void vtkAdaptiveVolumeRepresentation::SetClippingPlane(vtkPlane* plane)
+{
+  this->Internals->ClippingPlane = plane;
+  this->Modified();
+}
+
+void vtkAdaptiveVolumeRepresentation::SetShade(bool shade)
+{
+  this->Property->SetShade(shade);
+}
+
+void vtkAdaptiveVolumeRepresentation::SetAmbient(double value)
+{
+  this->Property->SetAmbient(value);
+}
+
+void vtkAdaptiveVolumeRepresentation::SetDiffuse(double value)
+{
+  this->Property->SetDiffuse(value);
+}
+
+void vtkAdaptiveVolumeRepresentation::SetSpecular(double value)
+{
+  this->Property->SetSpecular(value);
+}
+
+void vtkAdaptiveVolumeRepresentation::SetSpecularPower(double value)
+{
+  this->Property->SetSpecularPower(value);
+}
+
+void vtkAdaptiveVolumeRepresentation::SetNumberOfIsoSurfaceValues(int number)
+{
+  this->Property->GetIsoSurfaceValues()->SetNumberOfContours(number);
+}
+
+void vtkAdaptiveVolumeRepresentation::SetIsoSurfaceValue(int i, double value)
+{
+  this->Property->GetIsoSurfaceValues()->SetValue(i, value);
+}
+
+void vtkAdaptiveVolumeRepresentation::SetActiveAssembly(const char* name)
+{
+  this->Internals->Pieces.GetBlocks()->SetAssemblyName(name);
+  this->MarkModified();
+}
+
+void vtkAdaptiveVolumeRepresentation::AddBlockSelector(const char* selector)
+{
+  this->Internals->Pieces.GetBlocks()->AddSelector(selector);
+  this->MarkModified();
+}
+
+void vtkAdaptiveVolumeRepresentation::RemoveAllBlockSelectors()
+{
+  this->Internals->Pieces.GetBlocks()->ClearSelectors();
+  this->MarkModified();
+}
+
+int vtkAdaptiveVolumeRepresentation::FillInputPortInformation(int, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  information->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+int vtkAdaptiveVolumeRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInternals& data = *this->Internals;
+  const bool hasInput = inputs[0]->GetNumberOfInformationObjects() == 1;
+  data.Piece = data.Pieces.Make(hasInput ? vtkDataObject::GetData(inputs[0], 0) : nullptr);
+  if (this->UseSeparateOpacityArray)
+  {
+    this->UpdateColors(); // they have the component of the array
+    this->AddOpacityArray();
+  }
+  return this->Superclass::RequestData(request, inputs, outputs);
+}
+
+// The base class does not check the arrays.
+void vtkAdaptiveVolumeRepresentation::AddOpacityArray()
+{
+  bool isMissing = false;
+  for (vtkDataSet* set : relevo::VolumePiece::GetDataSets(this->Internals->Piece))
+  {
+    vtkDataSetAttributes* arrays = set->GetAttributes(this->OpacityArrayFieldAssociation);
+    vtkDataArray* opacity = arrays ? arrays->GetArray(this->OpacityArrayName.c_str()) : nullptr;
+    vtkDataArray* color = this->GetInputArrayToProcess(0, set);
+    if (!opacity || !color || opacity->GetNumberOfTuples() != color->GetNumberOfTuples())
+    {
+      isMissing = isMissing || set->GetNumberOfCells() > 0;
+    }
+    else
+    {
+      this->AppendOpacityComponent(set);
+    }
+  }
+  if (isMissing)
+  {
+    vtkErrorMacro("Opacity array \""
+      << this->OpacityArrayName
+      << "\" must be in every block with the association of the array in Coloring. Select another "
+         "OpacityArrayName, or disable UseSeparateOpacityArray.");
+  }
+}
+
+void vtkAdaptiveVolumeRepresentation::Update()
+{
+  this->Superclass::Update();
+  relevo::VolumePiece::StoreUnitDistance(this->Internals->Piece,
+    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr,
+    vtkMultiProcessController::GetGlobalController());
+}
+
+bool vtkAdaptiveVolumeRepresentation::AddToView(vtkView* view)
+{
+  auto renderView = vtkPVRenderView::SafeDownCast(view);
+  if (!renderView || !this->Superclass::AddToView(view))
+  {
+    return false;
+  }
+  renderView->GetRenderer()->AddVolume(this->Actor);
+  return true;
+}
+
+bool vtkAdaptiveVolumeRepresentation::RemoveFromView(vtkView* view)
+{
+  if (auto renderView = vtkPVRenderView::SafeDownCast(view))
+  {
+    renderView->GetRenderer()->RemoveVolume(this->Actor);
+  }
+  return this->Superclass::RemoveFromView(view);
+}
+
+int vtkAdaptiveVolumeRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0;
+  }
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    this->GivePiece(inInfo, outInfo);
+  }
+  else if (request == vtkPVView::REQUEST_UPDATE_LOD())
+  {
+    vtkPVRenderView::SetRequiresDistributedRenderingLOD(inInfo, this, true);
+  }
+  else if (request == vtkPVView::REQUEST_RENDER())
+  {
+    this->PrepareFrame(inInfo);
+  }
+  return 1;
+}
+
+void vtkAdaptiveVolumeRepresentation::GivePiece(vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  vtkInternals& data = *this->Internals;
+  vtkPVView::SetPiece(inInfo, this, data.Piece);
+  vtkPVRenderView::SetDeliverToClientAndRenderingProcesses(inInfo, this, false, false);
+  vtkPVRenderView::SetRequiresDistributedRendering(inInfo, this, true);
+  outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 1);
+  vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
+    vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
+  vtkPVRenderView::SetRedistributionModeToSplitBoundaryCells(inInfo, this);
+
+  // These are the data of the view. In an animation they may be cached, while the pipeline is at
+  // another time.
+  vtkDataObject* piece = vtkPVView::GetPiece(inInfo, this);
+  data.UnitDistance = relevo::VolumePiece::GetUnitDistance(piece);
+  relevo::VolumePiece::GetBox(piece).GetBounds(this->DataBounds);
+  vtkNew<vtkMatrix4x4> matrix;
+  this->Actor->GetMatrix(matrix);
+  vtkPVRenderView::SetGeometryBounds(inInfo, this, this->DataBounds, matrix);
+}
+
+void vtkAdaptiveVolumeRepresentation::PrepareFrame(vtkInformation* inInfo)
+{
+  vtkInternals& data = *this->Internals;
+  vtkDataObject* piece = vtkPVView::GetDeliveredPiece(inInfo, this);
+  data.Mapper->SetInputDataObject(piece);
+
+  vtkInformation* array = this->GetInputArrayInformation(0);
+  const char* const name =
+    array->Has(vtkDataObject::FIELD_NAME()) ? array->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+  const int association = array->Has(vtkDataObject::FIELD_ASSOCIATION())
+    ? array->Get(vtkDataObject::FIELD_ASSOCIATION())
+    : vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  const std::string selected = name ? name : "";
+  this->Actor->SetVisibility(!selected.empty());
+  const std::string warning =
+    selected.empty() ? "No array is selected. Select one in Coloring to draw the volume." : "";
+  if (relevo::ShouldReport(data.Warning, warning) && IsFirstProcess())
+  {
+    vtkWarningMacro(<< warning);
+  }
+  if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
+  {
+    data.Mapper->SetScalarModeToUseCellFieldData();
+  }
+  else
+  {
+    data.Mapper->SetScalarModeToUsePointFieldData();
+  }
+  const std::string used = this->UseSeparateOpacityArray ? selected + "_and_opacity" : selected;
+  data.Mapper->SelectScalarArray(used.c_str());
+  this->UpdateColors();
+  this->Property->SetIndependentComponents(
+    this->MapScalars && !this->MultiComponentsMapping && !this->UseSeparateOpacityArray);
+  this->ChooseVectorMode(piece, association, used.c_str());
+
+  const bool isDefault = this->ScalarOpacityUnitDistance == this->DefaultScalarOpacityUnitDistance;
+  this->Property->SetScalarOpacityUnitDistance(
+    isDefault ? data.UnitDistance : this->ScalarOpacityUnitDistance);
+
+  data.Mapper->RemoveAllClippingPlanes();
+  if (data.ClippingPlane)
+  {
+    data.Cut->SetOrigin(data.ClippingPlane->GetOrigin());
+    data.Cut->SetNormal(data.ClippingPlane->GetNormal());
+    data.Mapper->AddClippingPlane(data.Cut);
+  }
+}
+
+// The magnitude of a single component would be its absolute value.
+void vtkAdaptiveVolumeRepresentation::ChooseVectorMode(
+  vtkDataObject* piece, int association, const char* name)
+{
+  using Mapper = vtkGPUUnstructuredGridVolumeMapper;
+  int mode = this->VectorMode;
+  int component = this->VectorComponent;
+  if (!this->Property->GetIndependentComponents())
+  {
+    mode = Mapper::DISABLED;
+  }
+  else if (relevo::VolumePiece::GetNumberOfComponents(piece, association, name) == 1)
+  {
+    mode = Mapper::COMPONENT;
+    component = 0;
+  }
+  else if (mode == Mapper::DISABLED)
+  {
+    vtkColorTransferFunction* colors = this->Property->GetRGBTransferFunction();
+    mode = colors->GetVectorMode() == vtkScalarsToColors::MAGNITUDE ? Mapper::MAGNITUDE
+                                                                    : Mapper::COMPONENT;
+    component = colors->GetVectorComponent();
+  }
+  this->Internals->Mapper->SetVectorMode(mode);
+  this->Internals->Mapper->SetVectorComponent(component);
+}
+
+void vtkAdaptiveVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "VectorMode: " << this->VectorMode << "\n";
+  os << indent << "VectorComponent: " << this->VectorComponent << "\n";
+  os << indent << "ScalarOpacityUnitDistance: " << this->ScalarOpacityUnitDistance << "\n";
+  os << indent << "DefaultScalarOpacityUnitDistance: " << this->DefaultScalarOpacityUnitDistance
+     << "\n";
+  os << indent << "Mapper:\n";
+  this->Internals->Mapper->PrintSelf(os, indent.GetNextIndent());
+}
