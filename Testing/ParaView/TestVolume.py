@@ -469,7 +469,7 @@ class TestSessions(TestCase):
             shown.Representation = "Adaptive Volume"
             self.change(shown)
         script = smtrace.stop_trace()
-        for name in "VolumeMethod", "IsoSurfaceValues", "ScalarOpacityUnitDistance", "ClippingPlane":
+        for name in "VolumeMethod", "IsoSurfaceValues", "ScalarOpacityUnitDistance = 2.5", "Normal":
             self.assertIn(name, script)
         self.assertNotIn("DefaultScalarOpacityUnitDistance", script)
         camera = view.GetActiveCamera()
