@@ -399,6 +399,53 @@ class TestDrawingInputs(unittest.TestCase):
         uneven = self.make_data_array(heights, lat**3, lon)
         with self.assertRaisesRegex(ValueError, "'lat' must have equal steps"):
             relevo.terrain(uneven)
+        dataset = make_class("xarray.core.dataset", "Dataset", values=lambda self: None)()
+        with self.assertRaisesRegex(TypeError, "must be a DataArray, .* not a Dataset"):
+            relevo.terrain(dataset)
+
+    def test_installed_xarray(self):
+        try:
+            import xarray
+        except ImportError:
+            self.skipTest("no xarray")
+        heights = make_heights(16, 24)
+        west, east, south, north = BOUNDS
+        coordinates = {
+            "lat": north - (numpy.arange(16) + 0.5) * (north - south) / 16,
+            "lon": west + (numpy.arange(24) + 0.5) * (east - west) / 24,
+        }
+        array = xarray.DataArray(heights[None], coordinates, ("band", "lat", "lon"))
+        for given in (array, array[:, ::-1]):
+            self.check_heights(relevo.terrain(given, crs="EPSG:4326"), heights)
+        with self.assertRaisesRegex(TypeError, "not a Dataset"):
+            relevo.terrain(array.to_dataset(name="heights"))
+
+    def test_installed_rasterio(self):
+        try:
+            import rasterio
+        except ImportError:
+            self.skipTest("no rasterio")
+        heights = make_heights(16, 24)
+        west, east, south, north = BOUNDS
+        options = {
+            "driver": "GTiff",
+            "height": 16,
+            "width": 24,
+            "count": 1,
+            "dtype": "float32",
+            "crs": "EPSG:4326",
+            "transform": rasterio.transform.from_bounds(west, south, east, north, 24, 16),
+        }
+        path = self.folder / "heights.tif"
+        with rasterio.open(path, "w", **options) as file:
+            file.write(heights, 1)
+        with rasterio.open(path) as file:
+            terrain = relevo.terrain(file)
+            self.assertEqual(terrain.mapper.GetPyramid().GetFileName(), str(path))
+            self.check_heights(terrain, heights)
+            self.check_heights(relevo.terrain(heights, bounds=BOUNDS, crs=file.crs), heights)
+        with rasterio.MemoryFile(path.read_bytes()) as memory, memory.open() as file:
+            self.check_heights(relevo.terrain(file), heights)
 
     def test_rasterio(self):
         heights = make_heights(16, 24)

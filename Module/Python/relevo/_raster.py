@@ -106,6 +106,8 @@ def _find_edges(centres, name):
 
 def _take_xarray(source):
     """Return heights, bounds and crs of a DataArray."""
+    if callable(source.values):
+        raise TypeError("heights must be a DataArray, such as dataset['elevation'], not a Dataset")
     source = source.squeeze(drop=True)
     if len(source.dims) != 2:
         raise ValueError(f"heights must have two dimensions, not {source.dims}")
