@@ -230,6 +230,7 @@ class TestDrawingInputs(unittest.TestCase):
             (lambda: relevo.volume(grid, transfer=[[0] * 5, [0] * 5]), ValueError, "increase"),
             (lambda: relevo.patches(curved, scalars="Stress"), ValueError, "no array 'Stress'"),
             (lambda: relevo.patches(curved, warp="DistanceToCenter"), ValueError, "3 components"),
+            (lambda: relevo.patches(vtkMultiBlockDataSet()), ValueError, "the mesh is empty"),
             (lambda: relevo.patches(curved, factor=2), ValueError, "factor needs warp"),
             (lambda: relevo.patches(curved, isolines=2.5), ValueError, "number of lines"),
             (lambda: relevo.patches(curved, isolines=2), ValueError, "isolines need scalars"),
@@ -305,7 +306,7 @@ class TestDrawingInputs(unittest.TestCase):
             numpy.testing.assert_array_equal(picture, pictures[0])
 
     def test_arrays_of_meshes(self):
-        """Points and faces in C order are shared."""
+        """Float points in C order are shared."""
         points = numpy.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
         mesh = _inputs.make_mesh(points, numpy.array([[0, 1, 2], [0, 2, 3]]))
         self.assertTrue(numpy.shares_memory(vtk_to_numpy(mesh.GetPoints().GetData()), points))
@@ -317,6 +318,29 @@ class TestDrawingInputs(unittest.TestCase):
         ]
         self.assertEqual(set(same), {2})
         self.assertGreater(relevo.refined((points, [[0, 1, 2, 3]])).mesh().GetNumberOfCells(), 0)
+
+    def test_arrays_that_the_caller_frees(self):
+        """Drawings, and actors that outlive them, keep the arrays that they share."""
+        sphere = make_sphere(10)
+        points = vtk_to_numpy(sphere.GetPoints().GetData()).astype(float)
+        faces = vtk_to_numpy(sphere.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        for make in (
+            relevo.refined,
+            lambda mesh: relevo.refined(mesh, surface="linear", max_level=1),
+            relevo.patches,
+            relevo.intersection,
+        ):
+            kept = make((points, faces)).screenshot(size=SIZE)
+            drawing = make((points.copy(), faces.copy()))
+            # New arrays take the memory of freed ones.
+            garbage = [numpy.full_like(points, 1e9) for _ in range(50)]
+            garbage += [numpy.full_like(faces, 1 << 40) for _ in range(50)]
+            numpy.testing.assert_array_equal(drawing.screenshot(size=SIZE), kept)
+            bounds = make((points, faces)).actor.GetBounds()
+            actor = make((points.copy(), faces.copy())).actor
+            garbage += [numpy.full_like(points, 1e9) for _ in range(50)]
+            self.assertEqual(actor.GetBounds(), bounds)
+            self.assertEqual(len(garbage), 150)
 
     def test_pyvista(self):
         """Results are PyVista's for meshes of PyVista, which is not imported for others."""

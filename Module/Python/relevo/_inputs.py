@@ -111,7 +111,8 @@ def check_array(values, name, columns, integers=False):
 def make_mesh(points, faces):
     """Return a vtkPolyData of points, (n, 3), and triangles or quadrilaterals, (m, 3) or (m, 4).
 
-    Float points and 64-bit indices in C order are shared, others are copied.
+    Float points in C order are shared. Faces are copied, because vtkCellArray outlives the array
+    that would hold numpy's memory.
     """
     points = check_array(points, "points", (3,))
     if points.dtype not in (numpy.float32, numpy.float64):
@@ -129,7 +130,7 @@ def make_mesh(points, faces):
     mesh.SetPoints(data)
     ids = numpy.ascontiguousarray(faces, ID_TYPE_CODE)
     cells = vtkCellArray()
-    cells.SetData(faces.shape[1], numpy_to_vtkIdTypeArray(ids.reshape(-1)))
+    cells.SetData(faces.shape[1], numpy_to_vtkIdTypeArray(ids.reshape(-1), deep=True))
     mesh.SetPolys(cells)
     return mesh
 

@@ -38,7 +38,10 @@ def _take_grid(data):
     from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
     append = vtkAppendFilter()
-    for block in _inputs.get_blocks(data):
+    blocks = _inputs.get_blocks(data)
+    if not blocks:
+        raise ValueError("the mesh is empty")
+    for block in blocks:
         append.AddInputData(block)
     with Messages():
         append.Update()
