@@ -315,6 +315,14 @@ void PyramidScene::SetCamera()
   vtkNew<vtkPoints> outline;
   outline->SetDataTypeToDouble();
   this->Ground->AddOutline(outline);
+  if (this->Options.Base)
+  {
+    const double* bounds = this->Mapper->GetBounds();
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      outline->InsertNextPoint(bounds[corner % 2], bounds[2 + corner / 2], bounds[4]);
+    }
+  }
   this->FitView(outline, { 192.0, 38.0, Vertical }); // slightly west of south
   if (centre)
   {
