@@ -47,6 +47,20 @@ if rank == 0:
     output.VTKObject.GetPointData().AddArray(values)
 """
 )
+TAGS_ON_RANK_0 = ARRAY_ON_RANK_0.replace("Values", "Tags")
+VECTORS_ON_RANK_0 = (
+    RANK
+    + """
+from vtkmodules.vtkCommonCore import vtkFloatArray
+vectors = vtkFloatArray()
+vectors.SetName("Vectors")
+vectors.SetNumberOfComponents(3)
+vectors.SetNumberOfTuples(output.GetNumberOfPoints())
+vectors.Fill(1)
+if rank == 0:
+    output.GetPointData().AddArray(vectors)
+"""
+)
 NOT_A_NUMBER = """
 from vtkmodules.vtkCommonCore import vtkPoints
 points = vtkPoints()
@@ -54,6 +68,13 @@ points.DeepCopy(output.VTKObject.GetPoints())
 points.SetPoint(3, float("nan"), 0, 0)
 output.VTKObject.SetPoints(points)
 """
+
+BLOCK = """
+blocks = self.GetOutputDataObject(0)
+blocks.SetBlock(0, self.GetInputDataObject(0, 0))
+blocks.GetMetaData(0).Set(blocks.NAME(), "Wing")
+"""
+NOT_A_NUMBER_ON_RANK_1 = RANK + "if rank == 1:" + NOT_A_NUMBER.replace("\n", "\n    ")
 
 # Without the variables that MPI has set for this process; other processes would otherwise join it.
 ENVIRONMENT = {
@@ -78,6 +99,16 @@ def show_variation(view, source):
     shown.Metric.ArrayName = "Values"
 
 
+def show_streaks(view, source):
+    shown = relevo.show(source, view, "Adaptive LIC", Metric="None", MaximumLevel=1)
+    shown.SelectInputVectors = ["POINTS", "Vectors"]
+
+
+def block(source):
+    return simple.ProgrammableFilter(
+        Input=source, OutputDataSetType="vtkMultiblockDataSet", Script=BLOCK
+    )
+
 
 SCENES = {
     "good": lambda view: relevo.show(sphere(), view),
@@ -92,7 +123,15 @@ SCENES = {
     "short array on rank 0": lambda view: relevo.show(changed(SHORT_ON_RANK_0), view),
     "translucent": lambda view: relevo.show(changed(SHORT_ON_RANK_0), view, Opacity=0.5),
     "nothing on rank 0": lambda view: relevo.show(changed(NOTHING_ON_RANK_0), view),
+    "tags on rank 0": lambda view: relevo.show(
+        changed(TAGS_ON_RANK_0), view, DepthTagArrayName="Tags"
+    ),
+    "sharpness on rank 0": lambda view: relevo.show(
+        block(changed(TAGS_ON_RANK_0.replace("Tags", "Sharpness"))), view, Surface="Scalar Tagged"
+    ),
+    "vectors on rank 0": lambda view: show_streaks(view, changed(VECTORS_ON_RANK_0)),
     "not a number": lambda view: relevo.show(changed(NOT_A_NUMBER), view),
+    "not a number on rank 1": lambda view: relevo.show(changed(NOT_A_NUMBER_ON_RANK_1), view),
 }
 
 
@@ -164,24 +203,34 @@ class TestBadInput(relevo.TestCase):
         for name, expected in words.items():
             with self.subTest(name):
                 self.assertEqual(self.assert_told(found[name], *expected), 0)
-        self.assertGreater(self.assert_told(found["not a number"], "degenerate"), 2000)
+        not_finite = "The surface has 6 faces with points that are not finite. They are left out."
+        self.assertGreater(self.assert_told(found["not a number"], not_finite), 2000)
         self.assertGreater(self.assert_told(found["good"]), 2000)
 
     def test_one_of_two_processes(self):
         """The rank with the invalid array reports it, and the other one draws its part."""
         short = 'Array "Short" has too few tuples and is left out.'
         words = {
+            "sharpness on rank 0": [
+                'point array "Sharpness" of SharpnessArrayName is missing on rank 1 in block "Wing"'
+            ],
             "file": ["Cannot read heights.png: the file does not exist."],
             "array on rank 0": ['array of numbers named "Values"', "its own error gives the reason"],
             "short array on rank 0": [short],
             "nothing on rank 0": [],
+            "tags on rank 0": ['array "Tags" of DepthTagArrayName is missing on rank 1, but'],
+            "vectors on rank 0": ['array "Vectors" of SelectInputVectors is missing on rank 1, but'],
+            "not a number on rank 1": [
+                "The surface has 6 faces with points that are not finite on rank 1."
+            ],
         }
         found = self.run_scenes([*words, "translucent"], ranks=2)
         for name, expected in words.items():
             with self.subTest(name):
                 bad = self.assert_told(found[name], *expected)
                 self.assertGreater(bad, 500)
-                self.assertLess(bad, 4000 if short in expected else 2500)
+                hides_part = name in ("file", "array on rank 0", "nothing on rank 0")
+                self.assertLess(bad, 2500 if hides_part else 4000)
         messages, bad = found["translucent"]
         self.assertEqual({short in each for each in messages}, {True})
         self.assertLessEqual(len(messages), 2)  # ParaView delivers such data twice

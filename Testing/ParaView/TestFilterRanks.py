@@ -37,6 +37,7 @@ CASES_OF_SOURCES = {
     "contour": {**CASES, "variation": VARIATION},
     "without normals": {case: CASES[case] for case in ("curvature", "displaced")},
     "scattered": {case: CASES[case] for case in ("uniform", "curvature", "per edge")},
+    "creases": {case: CASES[case] for case in ("uniform", "displaced")},
     "blocks": {"curvature": CASES["curvature"]},
 }
 
@@ -96,7 +97,8 @@ def make_sources():
                 Function="coords",
                 ResultArrayType="Double",
             )
-        sources[name] = source
+        if name in CASES_OF_SOURCES:
+            sources[name] = source
     sources["blocks"] = simple.GroupDatasets(Input=[sources["contour"], sources["scattered"]])
     return sources
 

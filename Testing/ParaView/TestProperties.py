@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Proves that properties of the plugin's proxies have the defaults and ranges of the classes.
+"""Proves that properties of the plugin's proxies have documentation, and the defaults and ranges of
+the classes.
 
 A copy of every proxy has an additional information property for each, which queries the class."""
 
@@ -18,6 +19,8 @@ PROXIES = os.path.join(os.path.dirname(__file__), "..", "..", "Module", "ParaVie
 GROUP = "relevo_test"
 SURFACE_LIC = "vtkLICSettings"  # has Surface LIC's defaults, except for OWN_SETTINGS
 NOT_KEPT = ("vtkTerrainSource", "KeepHeights")  # displacements read heights themselves
+# Values that surfaces in ParaView cannot have: control points of patches.
+NOT_OFFERED = {("vtkDistanceDepthTagMetric", "Measure"): 2}
 OWN_SETTINGS = {"OrientedLIC", "Phase", "NoDataMagnitude"}
 NOT_OFFERED = "vtkDistanceDepthTagMetric", "Measure"  # control points are those of patches
 PAIR = "TextureSize"  # both numbers are 0, or neither
@@ -31,6 +34,20 @@ def read_properties():
             for each in proxy:
                 if each.tag.endswith("VectorProperty") and each.get("element_types") is None:
                     result.setdefault(proxy.get("class"), {})[each.get("name")] = each
+    return result
+
+
+def find_undocumented():
+    """The elements without documentation: proxies, properties, groups of properties, and ports."""
+    result = []
+    for path in sorted(glob.glob(os.path.join(PROXIES, "*.xml"))):
+        for each in ElementTree.parse(path).iter():
+            is_proxy = each.tag.endswith("Proxy") and each.get("class")
+            is_property = each.tag.endswith("Property") and each.tag != "Property"
+            if is_proxy or is_property or each.tag in ("PropertyGroup", "OutputPort"):
+                text = each.findtext("Documentation")
+                if not (text and text.strip()):
+                    result.append((os.path.basename(path), each.tag, dict(each.attrib)))
     return result
 
 
@@ -106,6 +123,9 @@ class TestProperties(relevo.TestCase):
         proxy.UpdatePropertyInformation()
         return values(proxy.GetProperty(getter(element)))
 
+    def test_documentation(self):
+        self.assertEqual(find_undocumented(), [])
+
     def test_defaults(self):
         count = 0
         for name, elements in self.properties.items():
@@ -139,6 +159,8 @@ class TestProperties(relevo.TestCase):
                     if (name, each.get("name")) == NOT_OFFERED and not is_valid:
                         continue
                     proxy = self.make(name + "Setters")
+                    if NOT_OFFERED.get((name, each.get("name"))) == value:
+                        continue
                     setter = proxy.GetProperty(each.get("name"))
                     tried = self.ask(proxy, each)
                     tried[component] = type(tried[0])(value)

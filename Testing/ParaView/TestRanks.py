@@ -1,13 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Proves paraview.md: several ranks show the same as one. The first run, on one rank, writes the
-pictures to a file:
+pictures to a file, and compares surfaces in pieces with the same surfaces in one piece:
 
 mpirun -n RANKS pvbatch TestRanks.py FILE.npz"""
 
 import sys
 
+import numpy
 from paraview import simple
+from paraview.modules.vtkRemotingCore import vtkProcessModule
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
 import RelevoParaView as relevo
@@ -56,6 +58,95 @@ output.SetPolys(polys)
 output.SetStrips(strips)
 """
 
+# A bumpy ball as seven pieces, concave, scattered and a single face, which do not share points. In
+# one piece if UNCUT. At creases and where texture coordinates turn back, points are split.
+BALL = """
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkPolyDataNormals
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+
+controller = vtkMultiProcessController.GetGlobalController()
+ranks = controller.GetNumberOfProcesses()
+rank = controller.GetLocalProcessId()
+
+def make(points, faces, **data):
+    mesh, coordinates, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    coordinates.SetData(numpy_to_vtk(points.astype(numpy.float32), deep=1))
+    mesh.SetPoints(coordinates)
+    offsets = numpy.arange(0, 3 * len(faces) + 1, 3)
+    to_ids = lambda ids: numpy_to_vtk(ids.astype(numpy.int64).ravel(), deep=1)
+    cells.SetData(to_ids(offsets), to_ids(faces))
+    mesh.SetPolys(cells)
+    for name, values in data.items():
+        array = numpy_to_vtk(values.astype(numpy.float32), deep=1)
+        array.SetName(name)
+        getattr(mesh.GetPointData(), "Set" + name)(array)
+    return mesh
+
+ball = vtkSphereSource()
+ball.SetThetaResolution(SIZE)
+ball.SetPhiResolution(SIZE)
+ball.SetRadius(1)
+ball.Update()
+points = vtk_to_numpy(ball.GetOutput().GetPoints().GetData()).astype(float)
+faces = vtk_to_numpy(ball.GetOutput().GetPolys().GetConnectivityArray()).reshape(-1, 3)
+x, y, z = points.T
+points *= (1 + BUMPS * numpy.sin(3 * x) * numpy.cos(4 * y + z))[:, None]
+normals = vtkPolyDataNormals()
+normals.SetInputData(make(points, faces))
+normals.SetSplitting(CREASES)
+normals.SetFeatureAngle(15)
+normals.ConsistencyOff()
+normals.Update()
+mesh = normals.GetOutput()
+points = vtk_to_numpy(mesh.GetPoints().GetData())
+faces = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+data = {"Normals": vtk_to_numpy(mesh.GetPointData().GetNormals())}
+
+x, y, z = points.T
+middle = points[faces].mean(axis=1)
+u = numpy.abs(numpy.arctan2(y, x)) / numpy.pi
+v = numpy.arccos(numpy.clip(z / numpy.linalg.norm(points, axis=1), -1, 1)) / numpy.pi
+if TURNS_BACK:
+    faces = numpy.where((middle[:, 1] < 0)[:, None], faces + len(points), faces)
+    points, data["Normals"] = (numpy.tile(each, (2, 1)) for each in (points, data["Normals"]))
+    u, v = numpy.concatenate([u, 1 - u]), numpy.tile(v, 2)
+data["TCoords"] = numpy.column_stack([u, v])
+
+owners = numpy.floor(3 * (middle[:, 0] + 0.3 * numpy.sin(5 * middle[:, 1]) + 2)).astype(int) % 5
+owners[numpy.random.RandomState(3).rand(len(faces)) < 0.05] = 5
+owners[17] = 6
+append = vtkAppendPolyData()
+append.AddInputData(vtkPolyData())
+for piece in range(7):
+    own = faces[(owners == piece) | UNCUT]
+    if piece % ranks == rank and (piece == 0 or not UNCUT):
+        used, ids = numpy.unique(own, return_inverse=True)
+        piece_data = {name: values[used] for name, values in data.items()}
+        append.AddInputData(make(points[used], ids.reshape(-1, 3), **piece_data))
+append.Update()
+self.GetPolyDataOutput().ShallowCopy(append.GetOutput())
+"""
+
+
+def ball(uncut, size=30, bumps=0.15, creases=False, turns_back=False):
+    names = {"UNCUT": uncut, "SIZE": size, "BUMPS": bumps, "CREASES": creases}
+    names["TURNS_BACK"] = turns_back
+    script = "".join(f"{name} = {value}\n" for name, value in names.items()) + BALL
+    return simple.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=script)
+
+
+def balls(uncut):
+    return {
+        "creases": (ball(uncut, bumps=0.5, creases=True), [-2.5, -1.6, 2.1], [0, 0, 0]),
+        "mirrored": (ball(uncut), [-2.5, -1.6, 2.1], [0, 0, 0]),
+        "turned back": (ball(uncut, turns_back=True), [-2.5, -1.6, 2.1], [0, 0, 0]),
+    }
+
 
 def make_sources():
     """Each source with the camera's position and focal point."""
@@ -73,6 +164,7 @@ def make_sources():
         "contour": (field, [25, 20, 40], [0, 0, 0]),
         "without normals": (border, [20, 16, 32], [0, 0, 0]),
         "scattered": (scattered, [4, 1, 17], [4, 4, 0]),
+        **balls(False),
     }
 
 
@@ -101,6 +193,23 @@ def curved(surface="PN Triangles", **properties):
 
 def metric(name, **properties):
     return curved(Metric=name, RefinementColorMode="Metric", of_metric=properties)
+
+
+RASTERS = {name: f"{sys.argv[1]}.{name}.png" for name in ("any", "symmetric")}
+
+
+def write_rasters():
+    """129 x 129 heights of 16 bits: any, and symmetric from left to right."""
+    v, u = numpy.mgrid[:129, :129] / 128
+    waves = numpy.sin(9 * u + 2 * v) * numpy.cos(7 * v) + 0.2 * numpy.sin(40 * v) * numpy.sin(50 * u)
+    both = numpy.cos(12 * u - 6) * numpy.cos(7 * v) + 0.2 * numpy.cos(60 * u - 30)
+    for name, heights in ("any", waves), ("symmetric", both):
+        relevo.write_png(RASTERS[name], (20000 * (heights + 1.3)).astype(numpy.uint16))
+
+
+def displaced(raster, **properties):
+    heights = {"HeightMapFileName": RASTERS[raster], "Scale": 4e-6}
+    return curved(Displacement="Height Map", of_displacement=heights, **properties)
 
 
 CASES = {
@@ -138,6 +247,21 @@ CASES = {
         "mean curvature": metric("Curvature", CurvatureType="Mean"),
         "outline": metric("Silhouette", Criterion="Contour"),
     },
+    "creases": {
+        "coarse": {"MaximumLevel": 0, "Surface": "PN Triangles"},
+        "uniform": {"Surface": "PN Triangles"},
+        "Phong": curved("Phong Tessellation"),
+        "displaced": displaced("any"),
+    },
+    "mirrored": {
+        "displaced": displaced("any"),
+        "flat": displaced("any", Surface="None", Metric="None", MaximumLevel=2, of_metric={}),
+        "mean curvature": displaced("any", Metric="Curvature", of_metric={"CurvatureType": "Mean"}),
+    },
+    "turned back": {
+        "displaced": displaced("symmetric"),
+        "flat": displaced("symmetric", Surface="None", Metric="None", MaximumLevel=2, of_metric={}),
+    },
 }
 
 
@@ -150,9 +274,9 @@ def set_case(shown, case):
     relevo.set_properties(shown.Displacement, for_displacement)
 
 
-def draw_all():
+def draw_all(sources):
     pictures = {}
-    for name, (source, position, focal_point) in make_sources().items():
+    for name, (source, position, focal_point) in sources.items():
         view = relevo.view((200, 150))
         shown = relevo.show(source, view)
         simple.Render(view)  # ParaView moves the camera in the first frame of a session
@@ -203,11 +327,24 @@ def keeps_projection():
     return kept
 
 
+def compare_with_uncut(pictures):
+    """Returns the number of surfaces in pieces that differ from the same in one piece."""
+    failed = 0
+    for name, uncut in draw_all(balls(True)).items():
+        different = relevo.differing(pictures[name], uncut)
+        print(f"1 rank, {name}: {different} pixels differ from the uncut surface", flush=True)
+        failed += different > MOST_PIXELS
+    return failed
+
+
 def main(path):
+    write_rasters()
     still, moving = count_triangles()
     print(f"{still} triangles, {moving} while the view moves", flush=True)
-    pictures = draw_all()
+    pictures = draw_all(make_sources())
     failed = relevo.compare_with_one_rank(path, pictures, dict.fromkeys(pictures, MOST_PIXELS))
+    if vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions() == 1:
+        failed += compare_with_uncut(pictures)
     kept = keeps_projection()
     print(f"the camera {'keeps' if kept else 'loses'} its projection", flush=True)
     return failed + (abs(moving - still) > 0.1 * still) + (not kept)

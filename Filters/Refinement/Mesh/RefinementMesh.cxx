@@ -22,7 +22,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -234,8 +237,10 @@ bool RefinementMesh::BuildValues(vtkPolyData* input, vtkRefinementSurface* surfa
   {
     return true;
   }
-  // Each merged point gets one value: the mean over its points that faces use.
+  // Each merged point gets one value: the mean over the distinct values of its points that faces
+  // use.
   std::vector<char> isCorner(n, 0);
+  std::vector<char> isShared(n, 0); // per merged point
   for (const RefinementFace& face : this->Faces)
   {
     for (int corner : face.Corners)
@@ -243,24 +248,47 @@ bool RefinementMesh::BuildValues(vtkPolyData* input, vtkRefinementSurface* surfa
       isCorner[static_cast<size_t>(corner)] = 1;
     }
   }
-  std::vector<double> sums(perPoint * n, 0.0);
-  std::vector<int> counts(n, 0);
+  using Tuple = std::vector<float>;
+  std::vector<std::pair<size_t, Tuple>> corners; // merged point and values
   for (size_t i = 0; i < n; ++i)
   {
     const size_t mergedPoint = static_cast<size_t>(this->MergedPoints[i]);
-    counts[mergedPoint] += isCorner[i];
-    for (size_t k = 0; isCorner[i] && k < perPoint; ++k)
-    {
-      sums[perPoint * mergedPoint + k] += this->Values[perPoint * i + k];
-    }
+    isShared[mergedPoint] |= mergedPoint != i ? 1 : 0;
   }
   for (size_t i = 0; i < n; ++i)
   {
     const size_t mergedPoint = static_cast<size_t>(this->MergedPoints[i]);
-    for (size_t k = 0; counts[mergedPoint] > 1 && k < perPoint; ++k)
+    if (isCorner[i] && isShared[mergedPoint])
     {
-      this->Values[perPoint * i + k] =
-        static_cast<float>(sums[perPoint * mergedPoint + k] / counts[mergedPoint]);
+      const auto first = this->Values.begin() + static_cast<std::ptrdiff_t>(perPoint * i);
+      corners.emplace_back(mergedPoint, Tuple(first, first + this->ValuesPerPoint));
+    }
+  }
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  std::vector<double> sum(perPoint);
+  std::map<size_t, Tuple> means;
+  for (auto next = corners.begin(); next != corners.end();)
+  {
+    const size_t mergedPoint = next->first;
+    int count = 0;
+    std::fill(sum.begin(), sum.end(), 0.0);
+    for (; next != corners.end() && next->first == mergedPoint; ++next, ++count)
+    {
+      std::transform(
+        sum.begin(), sum.end(), next->second.begin(), sum.begin(), std::plus<double>());
+    }
+    Tuple& mean = means[mergedPoint];
+    std::transform(sum.begin(), sum.end(), std::back_inserter(mean),
+      [count](double value) { return static_cast<float>(value / count); });
+  }
+  for (size_t i = 0; i < n; ++i)
+  {
+    const auto mean = means.find(static_cast<size_t>(this->MergedPoints[i]));
+    if (mean != means.end())
+    {
+      std::copy(mean->second.begin(), mean->second.end(),
+        this->Values.begin() + static_cast<std::ptrdiff_t>(perPoint * i));
     }
   }
   return true;
@@ -589,7 +617,8 @@ void RefinementMesh::ComputeMissingNormals()
   }
 }
 
-// There is one direction per merged point. If its faces have different normals, it is their mean.
+// There is one direction per merged point. If its faces have different normals, it is the mean of
+// the distinct ones, so that it does not depend on how points are shared.
 // Normals that differ only by rounding, as on both sides of many texture seams, are made equal.
 void RefinementMesh::BuildDirections()
 {
@@ -623,14 +652,40 @@ void RefinementMesh::BuildDirections()
     {
       std::copy_n(&this->Normals[3 * first[mergedPoint]], 3, &this->Normals[3 * i]);
     }
-    for (int c = 0; c < 3; ++c)
+  }
+  std::vector<std::pair<size_t, size_t>> corners; // merged point and point
+  for (size_t i = 0; i < n; ++i)
+  {
+    const size_t mergedPoint = static_cast<size_t>(this->MergedPoints[i]);
+    if (isCorner[i] && isSplit[mergedPoint])
     {
-      directions[3 * mergedPoint + c] += isCorner[i] ? this->Normals[3 * i + c] : 0.0f;
+      corners.emplace_back(mergedPoint, i);
     }
   }
-  if (std::find(isSplit.begin(), isSplit.end(), 1) == isSplit.end())
+  if (corners.empty())
   {
     return;
+  }
+  std::sort(corners.begin(), corners.end());
+  std::vector<vec3> normals;
+  std::vector<vtkIdType> groups;
+  for (auto next = corners.begin(); next != corners.end();)
+  {
+    const size_t mergedPoint = next->first;
+    normals.clear();
+    for (; next != corners.end() && next->first == mergedPoint; ++next)
+    {
+      const float* normal = &this->Normals[3 * next->second];
+      normals.push_back(vec3(normal[0], normal[1], normal[2]));
+    }
+    GroupNormals(normals, NormalRounding, groups);
+    for (size_t i = 0; i < groups.size(); ++i)
+    {
+      for (int c = 0; groups[i] == static_cast<vtkIdType>(i) && c < 3; ++c)
+      {
+        directions[3 * mergedPoint + c] += normals[i][c];
+      }
+    }
   }
   for (size_t i = 0; i < n; ++i)
   {
@@ -846,13 +901,23 @@ void RefinementMesh::BuildSeams()
       lowest = std::min(lowest, corner);
     }
   }
+  // The pair of an edge must not depend on how points are shared.
+  const std::vector<size_t> framePoints = this->FindFramePoints();
+  const auto getFramePoints = [&framePoints](const std::array<int, 2>& pair)
+  {
+    return std::make_pair(
+      framePoints[static_cast<size_t>(pair[0])], framePoints[static_cast<size_t>(pair[1])]);
+  };
   this->Seams.resize(9 * this->Faces.size());
   for (size_t f = 0; f < this->Faces.size(); ++f)
   {
     for (int i = 0; i < 3; ++i)
     {
       const int edge = this->FaceMergedEdges[3 * f + i];
-      const auto& pair = this->MergedEdgePairs[this->MergedEdgeOffsets[edge]];
+      const auto pairs = this->MergedEdgePairs.begin();
+      const auto& pair = *std::min_element(pairs + this->MergedEdgeOffsets[edge],
+        pairs + this->MergedEdgeOffsets[edge + 1],
+        [&](const auto& a, const auto& b) { return getFramePoints(a) < getFramePoints(b); });
       this->Seams[9 * f + i] =
         first[static_cast<size_t>(this->GetMergedPoint(this->Faces[f].Corners[i]))];
       this->Seams[9 * f + 3 + i] = pair[0];

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -41,34 +42,83 @@ std::vector<vtkIdType> SortIds(vtkIdType n, const Less& less)
   return ids;
 }
 
-std::vector<vtkIdType> SortPoints(vtkPolyData* mesh)
+// Ids and ghost types of a process differ from those of others.
+bool IsOfProcess(vtkDataArray* array)
 {
-  std::vector<vtkDataArray*> arrays;
-  for (vtkDataArray* array : { mesh->GetPoints()->GetData(), mesh->GetPointData()->GetTCoords(),
-         mesh->GetPointData()->GetNormals() })
+  const char* name = array->GetName();
+  return name &&
+    (std::strcmp(name, "vtkOriginalPointIds") == 0 ||
+      std::strcmp(name, vtkDataSetAttributes::GhostArrayName()) == 0);
+}
+
+// Compares points by coordinates, texture coordinates, normals and other arrays.
+class PointOrder
+{
+public:
+  explicit PointOrder(vtkPolyData* mesh)
   {
-    if (array)
+    vtkPointData* data = mesh->GetPointData();
+    for (vtkDataArray* array :
+      { mesh->GetPoints()->GetData(), data->GetTCoords(), data->GetNormals() })
     {
-      arrays.push_back(array);
+      this->Add(array);
+    }
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = data->GetArray(i);
+      this->Add(array && !IsOfProcess(array) ? array : nullptr);
     }
   }
-  return SortIds(mesh->GetNumberOfPoints(),
-    [&arrays](vtkIdType a, vtkIdType b)
+
+  bool IsLess(vtkIdType a, vtkIdType b) const
+  {
+    for (vtkDataArray* array : this->Arrays)
     {
-      for (vtkDataArray* array : arrays)
+      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
       {
-        for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+        const double ofA = GetNumber(array, a, c);
+        const double ofB = GetNumber(array, b, c);
+        if (ofA != ofB)
         {
-          const double ofA = GetNumber(array, a, c);
-          const double ofB = GetNumber(array, b, c);
-          if (ofA != ofB)
-          {
-            return ofA < ofB;
-          }
+          return ofA < ofB;
         }
       }
-      return false;
-    });
+    }
+    return false;
+  }
+
+private:
+  void Add(vtkDataArray* array)
+  {
+    if (array && std::find(this->Arrays.begin(), this->Arrays.end(), array) == this->Arrays.end())
+    {
+      this->Arrays.push_back(array);
+    }
+  }
+
+  std::vector<vtkDataArray*> Arrays;
+};
+
+// Return the ids of the points in the new order, without those that are merged. `newIds` gets the
+// new id of each point.
+std::vector<vtkIdType> SortPoints(
+  vtkPolyData* mesh, vtkIdType numberOfOwnPoints, std::vector<vtkIdType>& newIds)
+{
+  const PointOrder points(mesh);
+  const std::vector<vtkIdType> sorted = SortIds(
+    mesh->GetNumberOfPoints(), [&points](vtkIdType a, vtkIdType b) { return points.IsLess(a, b); });
+  std::vector<vtkIdType> order;
+  newIds.resize(sorted.size());
+  for (vtkIdType id : sorted)
+  {
+    // Of equal points, those of the process are the first.
+    if (order.empty() || id < numberOfOwnPoints || points.IsLess(order.back(), id))
+    {
+      order.push_back(id);
+    }
+    newIds[static_cast<std::size_t>(id)] = static_cast<vtkIdType>(order.size()) - 1;
+  }
+  return order;
 }
 
 template <typename Attributes>
@@ -163,21 +213,17 @@ void SortCells(vtkPolyData* mesh, const std::vector<vtkIdType>& newIds)
 }
 }
 
-void SortByPosition(vtkPolyData* mesh)
+void SortByPosition(vtkPolyData* mesh, vtkIdType numberOfOwnPoints)
 {
   if (mesh->GetNumberOfPoints() == 0)
   {
     return;
   }
-  const std::vector<vtkIdType> order = SortPoints(mesh);
-  std::vector<vtkIdType> newIds(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    newIds[static_cast<std::size_t>(order[i])] = static_cast<vtkIdType>(i);
-  }
+  std::vector<vtkIdType> newIds;
+  const std::vector<vtkIdType> order = SortPoints(mesh, numberOfOwnPoints, newIds);
   const vtkNew<vtkPoints> points;
   points->SetDataType(mesh->GetPoints()->GetDataType());
-  points->SetNumberOfPoints(mesh->GetNumberOfPoints());
+  points->SetNumberOfPoints(static_cast<vtkIdType>(order.size()));
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     points->GetData()->SetTuple(static_cast<vtkIdType>(i), order[i], mesh->GetPoints()->GetData());
@@ -185,5 +231,10 @@ void SortByPosition(vtkPolyData* mesh)
   SortCells(mesh, newIds);
   Rearrange(mesh->GetPointData(), order);
   mesh->SetPoints(points);
+}
+
+void SortByPosition(vtkPolyData* mesh)
+{
+  SortByPosition(mesh, mesh->GetNumberOfPoints());
 }
 }

@@ -9,6 +9,7 @@
 #define FaceOrder_h
 
 #include "RelevoParaViewFiltersModule.h" // for export macro
+#include "vtkType.h"                     // for vtkIdType
 
 class vtkPolyData;
 
@@ -16,9 +17,16 @@ namespace relevo
 {
 /**
  * Sort the points of a mesh by coordinates (coincident points by texture coordinates, then by
- * normals), and its polygons by their points. The order of points in a polygon, and other cells, do
- * not change.
+ * normals and other arrays), and its polygons by their points. The order of points in a polygon,
+ * and other cells, do not change.
+ *
+ * The points from `numberOfOwnPoints` on are those of ghosts. A ghost's point that equals another
+ * point in coordinates and data is merged into it, so that pieces share points as the whole surface
+ * does.
  */
+RELEVOPARAVIEWFILTERS_EXPORT void SortByPosition(vtkPolyData* mesh, vtkIdType numberOfOwnPoints);
+
+/// Sort a mesh whose points are all its own: no points are merged.
 RELEVOPARAVIEWFILTERS_EXPORT void SortByPosition(vtkPolyData* mesh);
 }
 

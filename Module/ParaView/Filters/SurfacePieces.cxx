@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfacePieces.h"
 
+#include "Arrays/GhostCells.h"
 #include "FaceOrder.h"
-#include "SecondLayer.h"
+#include "GhostFaces.h"
 #include "SurfaceLeaves.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -11,11 +12,9 @@
 #include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
-#include "vtkGhostCellsGenerator.h"
 #include "vtkIdList.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
-#include "vtkPartitionedDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -23,6 +22,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace relevo
@@ -46,35 +46,83 @@ vtkIdType CountCellsBeforeFaces(vtkPolyData* mesh)
   return mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
 }
 
-// Return the faces of a mesh as polygons, because vtkGhostCellsGenerator assigns wrong cell data to
-// other cells.
-vtkSmartPointer<vtkPolyData> ExtractFaces(vtkPolyData* mesh)
+// The faces of a mesh to leave out.
+struct LeftOutFaces
+{
+  LeftOutFaces(vtkPolyData* mesh, bool ghosts, bool notFinite)
+    : Mesh(mesh)
+    , Ghosts(mesh)
+    , HasGhosts(ghosts && this->Ghosts.AreAmong(0, mesh->GetNumberOfCells()))
+    , HasNotFinite(notFinite && this->HasPointThatIsNotFinite())
+  {
+  }
+
+  bool Has(vtkIdType cell, vtkIdType size, const vtkIdType* points) const
+  {
+    return (this->HasGhosts && this->Ghosts.Has(cell)) ||
+      (this->HasNotFinite && !IsFinite(this->Mesh, size, points));
+  }
+
+  vtkPolyData* Mesh;
+  GhostCells Ghosts;
+  bool HasGhosts;
+  bool HasNotFinite;
+
+private:
+  bool HasPointThatIsNotFinite() const
+  {
+    for (vtkIdType point = 0; point < this->Mesh->GetNumberOfPoints(); ++point)
+    {
+      if (!IsFinite(this->Mesh, 1, &point))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+};
+
+// Return the faces of a mesh as polygons, with all points.
+vtkSmartPointer<vtkPolyData> ExtractFaces(vtkPolyData* mesh, const LeftOutFaces& leftOut)
 {
   auto faces = vtkSmartPointer<vtkPolyData>::New();
   faces->ShallowCopy(mesh);
   const vtkIdType first = CountCellsBeforeFaces(mesh);
-  if (first + mesh->GetNumberOfStrips() == 0)
+  if (first + mesh->GetNumberOfStrips() == 0 && !leftOut.HasGhosts && !leftOut.HasNotFinite)
   {
     return faces;
   }
   vtkNew<vtkCellArray> polygons;
-  polygons->DeepCopy(mesh->GetPolys());
   vtkNew<vtkIdList> cells; // cell of the mesh for each polygon
-  for (vtkIdType i = 0; i < polygons->GetNumberOfCells(); ++i)
+  const auto add = [&](vtkIdType cell, vtkCellArrayIterator* iterator)
   {
-    cells->InsertNextId(first + i);
+    vtkIdType size;
+    const vtkIdType* ids;
+    iterator->GetCurrentCell(size, ids);
+    if (!leftOut.Has(cell, size, ids))
+    {
+      polygons->InsertNextCell(size, ids);
+      cells->InsertNextId(cell);
+    }
+  };
+  vtkIdType cell = first;
+  auto polys = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
+  for (polys->GoToFirstCell(); !polys->IsDoneWithTraversal(); polys->GoToNextCell(), ++cell)
+  {
+    add(cell, polys);
   }
-  vtkIdType cell = first + polygons->GetNumberOfCells();
   auto strips = vtk::TakeSmartPointer(mesh->GetStrips()->NewIterator());
   for (strips->GoToFirstCell(); !strips->IsDoneWithTraversal(); strips->GoToNextCell(), ++cell)
   {
     vtkIdType size;
     const vtkIdType* ids;
     strips->GetCurrentCell(size, ids);
-    vtkTriangleStrip::DecomposeStrip(static_cast<int>(size), ids, polygons);
-    while (cells->GetNumberOfIds() < polygons->GetNumberOfCells())
+    vtkNew<vtkCellArray> ofStrip;
+    vtkTriangleStrip::DecomposeStrip(static_cast<int>(size), ids, ofStrip);
+    auto triangles = vtk::TakeSmartPointer(ofStrip->NewIterator());
+    for (triangles->GoToFirstCell(); !triangles->IsDoneWithTraversal(); triangles->GoToNextCell())
     {
-      cells->InsertNextId(cell);
+      add(cell, triangles);
     }
   }
   faces->SetVerts(nullptr);
@@ -125,70 +173,32 @@ void AddVerticesAndLines(vtkPolyData* faces, vtkPolyData* mesh)
   ofFaces->ShallowCopy(all);
 }
 
-// Points at borders have the data of another process, whose ids differ from those of this process.
-void KeepPointIds(vtkPolyData* faces, vtkPolyData* mesh)
-{
-  const char* name = "vtkOriginalPointIds";
-  vtkDataArray* own = mesh->GetPointData()->GetArray(name);
-  vtkDataArray* ids = faces->GetPointData()->GetArray(name);
-  if (own && ids)
-  {
-    ids->InsertTuples(0, own->GetNumberOfTuples(), 0, own);
-  }
-}
-
 // The pieces of one surface, and their leaves in the tree.
 struct Surface
 {
-  vtkSmartPointer<vtkPartitionedDataSet> Pieces = vtkSmartPointer<vtkPartitionedDataSet>::New();
-  std::vector<vtkPolyData*> Leaves; // nullptr for nothing to exchange
+  std::vector<vtkSmartPointer<vtkPolyData>> Pieces; // the faces of the leaves
+  std::vector<vtkPolyData*> Leaves;                 // nullptr for nothing to exchange
 
   void AddLeaf(vtkPolyData* mesh)
   {
     // The mapper gets invalid meshes unchanged, and reports the error.
-    mesh = mesh && IsSound(mesh) ? mesh : nullptr;
-    this->Pieces->SetPartition(static_cast<unsigned int>(this->Leaves.size()),
-      mesh ? ExtractFaces(mesh).Get() : vtkNew<vtkPolyData>().Get());
-    this->Leaves.push_back(mesh);
+    this->Leaves.push_back(mesh && IsSound(mesh) ? mesh : nullptr);
+  }
+
+  void ExtractPieces(bool leaveOutGhosts, bool leaveOutNotFinite)
+  {
+    std::transform(this->Leaves.begin(), this->Leaves.end(), std::back_inserter(this->Pieces),
+      [=](vtkPolyData* mesh)
+      {
+        return mesh ? ExtractFaces(mesh, LeftOutFaces(mesh, leaveOutGhosts, leaveOutNotFinite))
+                    : vtkSmartPointer<vtkPolyData>::New();
+      });
   }
 };
 
 // Values at the border depend on the normals and curvatures of the points around it, and these on
 // the faces around those points. Hence two layers are needed.
 constexpr int NumberOfLayers = 2;
-
-void AddGhosts(vtkPartitionedDataSet* pieces, vtkMultiProcessController* controller)
-{
-  std::vector<vtkSmartPointer<vtkPolyData>> own;
-  for (unsigned int i = 0; i < pieces->GetNumberOfPartitions(); ++i)
-  {
-    own.emplace_back(vtkPolyData::SafeDownCast(pieces->GetPartition(i)));
-  }
-  AddFaceIds(own, controller);
-  vtkNew<vtkGhostCellsGenerator> generator;
-  // a default controller would make processes wait for each other
-  generator->SetController(controller);
-  generator->SetInputData(pieces);
-  generator->BuildIfRequiredOff();
-  generator->SetNumberOfGhostLayers(NumberOfLayers);
-  generator->Update();
-  // A piece for which the generator returns nothing stays without ghosts.
-  auto made = vtkPartitionedDataSet::SafeDownCast(generator->GetOutputDataObject(0));
-  std::vector<vtkSmartPointer<vtkPolyData>> all;
-  for (unsigned int i = 0; i < pieces->GetNumberOfPartitions(); ++i)
-  {
-    vtkPolyData* piece = made && i < made->GetNumberOfPartitions()
-      ? vtkPolyData::SafeDownCast(made->GetPartition(i))
-      : nullptr;
-    all.emplace_back(piece ? piece : own[i].Get());
-  }
-  CompleteSecondLayer(own, all, controller);
-  for (unsigned int i = 0; i < pieces->GetNumberOfPartitions(); ++i)
-  {
-    all[i]->GetCellData()->RemoveArray(FaceIds);
-    pieces->SetPartition(i, all[i]);
-  }
-}
 
 // Add the modification times and addresses of all parts of a mesh.
 void AddTimes(vtkPolyData* mesh, std::vector<vtkMTimeType>& times)
@@ -278,28 +288,33 @@ void SurfacePieces::Make(vtkDataObjectTree* tree, vtkMultiProcessController* con
     controller->AllReduce(&number, &most, 1, vtkCommunicator::MAX_OP);
     surfaces.resize(static_cast<std::size_t>(most));
   }
+  if (this->IsChecked)
+  {
+    std::vector<PieceCheck::Leaves> leaves;
+    std::transform(surfaces.begin(), surfaces.end(), std::back_inserter(leaves),
+      [](const Surface& surface) { return surface.Leaves; });
+    this->Check.Update(tree, leaves, controller);
+  }
   this->Made.clear();
   for (Surface& surface : surfaces)
   {
     const std::size_t leaves = surface.Leaves.size();
-    if (leaves == 0)
+    const bool isExchanged = controller || leaves > 1;
+    surface.ExtractPieces(isExchanged, this->IsChecked);
+    if (isExchanged)
     {
-      surface.AddLeaf(nullptr);
+      AddGhostFaces(surface.Pieces, NumberOfLayers, controller);
     }
-    if (controller || leaves > 1)
+    for (std::size_t i = 0; i < leaves; ++i)
     {
-      AddGhosts(surface.Pieces, controller);
-    }
-    for (unsigned int i = 0; i < leaves; ++i)
-    {
-      auto faces = vtkPolyData::SafeDownCast(surface.Pieces->GetPartitionAsDataObject(i));
-      if (surface.Leaves[i] && faces)
+      vtkPolyData* mesh = surface.Leaves[i];
+      vtkPolyData* faces = surface.Pieces[i];
+      if (mesh)
       {
-        KeepPointIds(faces, surface.Leaves[i]);
-        AddVerticesAndLines(faces, surface.Leaves[i]);
-        SortByPosition(faces);
+        AddVerticesAndLines(faces, mesh);
+        SortByPosition(faces, mesh->GetNumberOfPoints());
       }
-      this->Made.emplace_back(surface.Leaves[i] ? faces : nullptr);
+      this->Made.emplace_back(mesh ? faces : nullptr);
     }
   }
 }

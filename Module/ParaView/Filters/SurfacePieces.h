@@ -12,6 +12,7 @@
 #ifndef SurfacePieces_h
 #define SurfacePieces_h
 
+#include "PieceCheck.h"                  // for members
 #include "RelevoParaViewFiltersModule.h" // for export macro
 #include "vtkSmartPointer.h"             // for members
 #include "vtkType.h"                     // for members
@@ -30,6 +31,11 @@ RELEVOPARAVIEWFILTERS_EXPORT bool IsSound(vtkPolyData* mesh);
 class RELEVOPARAVIEWFILTERS_EXPORT SurfacePieces
 {
 public:
+  /// Leave out faces with points that are not finite, and update GetCheck(). Off by default.
+  void SetChecked(bool isChecked) { this->IsChecked = isChecked; }
+  /// The problems of the surfaces, the same on all processes.
+  const PieceCheck& GetCheck() const { return this->Check; }
+
   /**
    * Replace the surfaces of a tree. The new surfaces stay the same objects until the data of a
    * process change. Collective: every process calls this method with a tree of the same blocks,
@@ -46,6 +52,8 @@ private:
   Leaves Own;  // as they were in the tree
   Leaves Made; // from Own
   std::vector<vtkMTimeType> OwnTimes;
+  bool IsChecked = false;
+  PieceCheck Check;
 };
 }
 

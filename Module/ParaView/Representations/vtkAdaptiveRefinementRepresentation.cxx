@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveRefinementRepresentation.h"
 
+#include "Checks/ShouldReport.h"
 #include "OrderedCompositing.h"
 #include "ReducedProjection.h"
 #include "SurfacePieces.h"
+#include "vtkAdaptiveLICMapper.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObjectTree.h"
+#include "vtkInformation.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
@@ -18,13 +21,60 @@
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkRenderer.h"
+#include "vtkScalarTaggedSurface.h"
 #include "vtkSelection.h"
+
+#include <string>
+#include <vector>
+
+namespace
+{
+using UsedArrays = std::vector<relevo::PieceCheck::Array>;
+
+void AddVectors(vtkAdaptiveRefinementMapper* mapper, UsedArrays& arrays)
+{
+  vtkInformation* vectors =
+    vtkAdaptiveLICMapper::SafeDownCast(mapper) ? mapper->GetInputArrayInformation(0) : nullptr;
+  if (vectors && vectors->Has(vtkDataObject::FIELD_NAME()))
+  {
+    const bool isOfCells =
+      vectors->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+    arrays.push_back(
+      { vectors->Get(vtkDataObject::FIELD_NAME()), isOfCells, "SelectInputVectors" });
+  }
+}
+
+// Return the arrays that the mapper uses if the mesh has them. Metrics report arrays that they
+// need.
+UsedArrays FindUsedArrays(vtkAdaptiveRefinementMapper* mapper)
+{
+  UsedArrays arrays;
+  AddVectors(mapper, arrays);
+  vtkAdaptiveRefinement* recipe = mapper->GetRefinement();
+  if (!recipe)
+  {
+    return arrays;
+  }
+  arrays.push_back({ recipe->GetDepthTagArrayName(), false, "DepthTagArrayName" });
+  if (auto tagged = vtkScalarTaggedSurface::SafeDownCast(recipe->GetSurface()))
+  {
+    arrays.push_back({ tagged->GetSharpnessArrayName(), false, "SharpnessArrayName" });
+    arrays.push_back({ tagged->GetTensionArrayName(), false, "TensionArrayName" });
+    arrays.push_back({ tagged->GetBiasArrayName(), false, "BiasArrayName" });
+    arrays.push_back({ tagged->GetDirectionArrayName(), false, "DirectionArrayName" });
+  }
+  return arrays;
+}
+}
 
 struct vtkAdaptiveRefinementRepresentation::vtkInternals
 {
   relevo::SurfacePieces Pieces;
   relevo::OrderedCompositing Order;
   unsigned long StartTag = 0; // of the observer of the view's renderer
+  // Errors that were reported last.
+  std::string MissingError;
+  std::string NotFiniteError;
 };
 
 vtkStandardNewMacro(vtkAdaptiveRefinementRepresentation);
@@ -32,6 +82,7 @@ vtkStandardNewMacro(vtkAdaptiveRefinementRepresentation);
 vtkAdaptiveRefinementRepresentation::vtkAdaptiveRefinementRepresentation()
   : Internals(new vtkInternals)
 {
+  this->Internals->Pieces.SetChecked(true);
   // The base class would draw a decimated surface with its own mapper while the view moves.
   this->SuppressLOD = true;
   // Without these calls, vtkPVLODActor creates a shader property in each frame, and shaders are
@@ -134,6 +185,28 @@ void vtkAdaptiveRefinementRepresentation::Update()
     vtkMultiProcessController::GetGlobalController());
 }
 
+// Each process knows the problems of all processes. The first one reports them, because a client
+// shows its messages only.
+void vtkAdaptiveRefinementRepresentation::ReportProblems()
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (controller && controller->GetLocalProcessId() != 0)
+  {
+    return;
+  }
+  vtkInternals& data = *this->Internals;
+  const relevo::PieceCheck& check = data.Pieces.GetCheck();
+  if (relevo::ShouldReport(data.NotFiniteError, check.DescribeNotFinite()))
+  {
+    vtkErrorMacro(<< data.NotFiniteError);
+  }
+  if (relevo::ShouldReport(
+        data.MissingError, check.DescribeMissing(FindUsedArrays(this->GetMapper()))))
+  {
+    vtkErrorMacro(<< data.MissingError);
+  }
+}
+
 bool vtkAdaptiveRefinementRepresentation::AddToView(vtkView* view)
 {
   if (!this->Superclass::AddToView(view))
@@ -223,6 +296,7 @@ int vtkAdaptiveRefinementRepresentation::RequestRender(
     this->Actor->GetMatrix(matrix);
     data = this->Internals->Order.Update(view, data, this->GetMapper()->GetRefinement(), matrix);
   }
+  this->ReportProblems();
   this->Internals->Order.Clip(mapper);
   mapper->SetInputDataObject(data);
   this->UpdateColoringParameters();

@@ -88,6 +88,7 @@ private:
   int RequestRender(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo);
   void AgreeWithProcesses();
+  void ReportProblems();
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

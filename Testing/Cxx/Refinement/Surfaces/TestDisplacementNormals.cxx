@@ -12,6 +12,7 @@
 #include "vtkDisplacement.h"
 #include "vtkMath.h"
 #include "vtkPNTriangleSurface.h"
+#include "vtkPhongSurface.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -305,8 +306,9 @@ void testBorder(RelevoCheck& check)
 }
 
 // A bent strip over x from first / 16 to last / 16, whose texture coordinate u goes back and forth.
-Mesh makeStrip(int first, int last)
+Mesh makeStrip(int first, int last, int firstRow = 0, int lastRow = 2)
 {
+  const int numberOfRows = lastRow - firstRow + 1;
   std::vector<Vector> points;
   std::vector<Triangle> triangles;
   vtkNew<vtkFloatArray> uvs;
@@ -314,15 +316,15 @@ Mesh makeStrip(int first, int last)
   for (int i = first; i <= last; ++i)
   {
     const double x = i / 16.0;
-    for (int j = 0; j < 3; ++j)
+    for (int j = firstRow; j <= lastRow; ++j)
     {
       points.push_back({ { std::sin(2.0 * x - 1.0), 0.5 * j, std::cos(2.0 * x - 1.0) } });
       uvs->InsertNextTuple2(std::abs(2.0 * x - 1.0), 0.5 * j);
-      if (i < last && j < 2)
+      if (i < last && j < lastRow)
       {
-        const vtkIdType a = 3 * (i - first) + j;
-        triangles.push_back({ { a, a + 3, a + 4 } });
-        triangles.push_back({ { a, a + 4, a + 1 } });
+        const vtkIdType a = numberOfRows * (i - first) + j - firstRow;
+        triangles.push_back({ { a, a + numberOfRows, a + numberOfRows + 1 } });
+        triangles.push_back({ { a, a + numberOfRows + 1, a + 1 } });
       }
     }
   }
@@ -402,6 +404,55 @@ void testPieces(RelevoCheck& check)
       }
       CHECK_LESS(farthest, 2e-6);
     }
+  }
+}
+
+// The strip has a crease in the middle, where normals and values are split. At a point of the
+// crease that several pieces have, direction and value do not depend on the number of pieces.
+void testCreasedPieces(RelevoCheck& check)
+{
+  const auto makeSide = [](int first, int last, int firstRow, int lastRow)
+  {
+    Mesh side = makeStrip(first, last, firstRow, lastRow);
+    vtkNew<vtkFloatArray> normals;
+    normals->SetNumberOfComponents(3);
+    vtkNew<vtkFloatArray> alphas;
+    alphas->SetName("Alpha");
+    for (vtkIdType i = 0; i < side->GetNumberOfPoints(); ++i)
+    {
+      normals->InsertNextTuple3(first < 8 ? -0.6 : 0.6, 0.0, 0.8);
+      alphas->InsertNextValue(first < 8 ? 0.1f : 0.9f);
+    }
+    side->GetPointData()->SetNormals(normals);
+    side->GetPointData()->AddArray(alphas);
+    return side;
+  };
+  const Mesh whole = append({ makeSide(0, 8, 0, 2), makeSide(8, 16, 0, 2) });
+  const Mesh pieces = append({ makeSide(0, 8, 0, 1), makeSide(0, 8, 1, 2), makeSide(8, 16, 0, 2) });
+  vtkNew<RelevoHeights> heights;
+  heights->Fill(64, 64, [](double u, double v) { return 1.0 + u * v; });
+  vtkNew<vtkPhongSurface> phong;
+  phong->SetAlphaArrayName("Alpha");
+  for (const auto& recipe :
+    { MakeRecipe(2, nullptr, MakeDisplacement(heights, 0.15)), MakeRecipe(2, phong, nullptr) })
+  {
+    const Mesh expected = Refine(whole, recipe);
+    const Mesh refined = Refine(pieces, recipe);
+    CHECK_EQUAL(refined->GetNumberOfCells(), expected->GetNumberOfCells());
+    double farthest = 0.0;
+    for (vtkIdType i = 0; i < refined->GetNumberOfPoints(); ++i)
+    {
+      Vector x;
+      refined->GetPoint(i, x.data());
+      double nearest = 1.0;
+      for (vtkIdType k = 0; k < expected->GetNumberOfPoints(); ++k)
+      {
+        nearest =
+          std::min(nearest, vtkMath::Distance2BetweenPoints(x.data(), expected->GetPoint(k)));
+      }
+      farthest = std::max(farthest, std::sqrt(nearest));
+    }
+    CHECK_LESS(farthest, 2e-6);
   }
 }
 
@@ -505,6 +556,7 @@ int TestDisplacementNormals(int, char*[])
   testBumps(check);
   testBorder(check);
   testPieces(check);
+  testCreasedPieces(check);
   testSeam(check);
   testCrease(check);
   return check.GetResult();

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SecondLayer.h"
+#include "GhostFaces.h"
 
 #include "Arrays/GhostCells.h"
 #include "CellSubset.h"
+#include "Mesh/SurfaceEdges.h"
 #include "Parallel/ProcessReduction.h"
+#include "Points/MergedPoints.h"
 #include "Position.h"
-#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMultiBlockDataSet.h"
@@ -17,16 +18,39 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <memory>
 #include <numeric>
 #include <set>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace relevo
 {
 namespace
 {
+// A cell array with unique ids of all faces of all processes.
+constexpr const char* FaceIds = "relevo::FaceIds";
+
 using Positions = std::set<Position>; // of finite coordinates
 using Pieces = std::vector<vtkSmartPointer<vtkPolyData>>;
+
+// A piece of a process.
+struct PieceNumber
+{
+  std::size_t Process;
+  std::size_t Piece;
+};
+
+struct PositionHash
+{
+  std::size_t operator()(const Position& position) const
+  {
+    return static_cast<std::size_t>(HashPoint(position.data()));
+  }
+};
+// The pieces that need the faces at each position.
+using Requests = std::unordered_map<Position, std::vector<PieceNumber>, PositionHash>;
 
 // Calls f(cell, position) for the finite corners of all cells.
 template <typename Function>
@@ -47,6 +71,29 @@ void ForEachCorner(vtkPolyData* mesh, Function&& f)
       }
     }
   }
+}
+
+// Return the ends of edges that do not have two faces in the piece.
+Positions FindBorderPositions(vtkPolyData* piece)
+{
+  Positions border;
+  if (piece->GetNumberOfCells() == 0)
+  {
+    return border;
+  }
+  const SurfaceEdges edges(piece);
+  for (const SurfaceEdgeSides& sides : edges.GetSides())
+  {
+    for (vtkIdType end : edges.GetEdges()[static_cast<std::size_t>(sides.Edge)].MergedPoints)
+    {
+      Position position;
+      if (sides.Type == SurfaceEdgeSides::OPEN && GetPosition(piece, end, position))
+      {
+        border.insert(position);
+      }
+    }
+  }
+  return border;
 }
 
 // Return the positions of corners of ghosts that are not corners of the piece itself.
@@ -73,14 +120,14 @@ Positions FindOuterPositions(vtkPolyData* piece)
   return outer;
 }
 
-// Send the positions of each process's pieces to all processes.
-std::vector<std::vector<Positions>> ShareOuterPositions(
-  const Pieces& pieces, const PieceReduction& processes)
+// Send the positions of each process's pieces to all processes. `numbers` gets the number of pieces
+// of each process.
+Requests ShareRequests(const std::vector<Positions>& ofPieces, const PieceReduction& processes,
+  std::vector<std::size_t>& numbers)
 {
-  std::vector<double> values(1, static_cast<double>(pieces.size()));
-  for (vtkPolyData* piece : pieces)
+  std::vector<double> values(1, static_cast<double>(ofPieces.size()));
+  for (const Positions& positions : ofPieces)
   {
-    const Positions positions = FindOuterPositions(piece);
     values.push_back(static_cast<double>(positions.size()));
     for (const Position& position : positions)
     {
@@ -88,52 +135,76 @@ std::vector<std::vector<Positions>> ShareOuterPositions(
     }
   }
   values = processes.Collect(std::move(values));
-  std::vector<std::vector<Positions>> all;
+  Requests requests;
+  numbers.clear();
   for (auto value = values.begin(); value != values.end();)
   {
-    all.emplace_back(static_cast<std::size_t>(*value++));
-    for (Positions& positions : all.back())
+    const std::size_t process = numbers.size();
+    numbers.push_back(static_cast<std::size_t>(*value++));
+    for (std::size_t piece = 0; piece < numbers.back(); ++piece)
     {
       for (auto left = static_cast<std::size_t>(*value++); left > 0; --left, value += 3)
       {
-        positions.insert({ value[0], value[1], value[2] });
+        requests[{ value[0], value[1], value[2] }].push_back({ process, piece });
       }
     }
   }
-  return all;
+  return requests;
 }
 
-// Return the faces with corners at these positions.
-vtkSmartPointer<vtkPolyData> FindFaces(const Pieces& own, const Positions& positions)
+// A message for each process: a block for each of its pieces, with the faces that it needs.
+std::vector<vtkSmartPointer<vtkMultiBlockDataSet>> MakeMessages(
+  const Pieces& own, const Requests& requests, const std::vector<std::size_t>& numbers)
 {
-  Pieces found;
-  vtkBoundingBox box;
-  for (const Position& position : positions)
+  std::vector<std::vector<Pieces>> found;
+  for (std::size_t number : numbers)
   {
-    box.AddPoint(position[0], position[1], position[2]);
+    found.emplace_back(number);
   }
   for (vtkPolyData* piece : own)
   {
-    if (!box.IsValid() || !box.Intersects(vtkBoundingBox(piece->GetBounds())))
+    std::vector<std::vector<std::vector<bool>>> isNeeded;
+    for (std::size_t number : numbers)
     {
-      continue;
+      isNeeded.emplace_back(number);
     }
-    std::vector<bool> touches(static_cast<std::size_t>(piece->GetNumberOfCells()), false);
     ForEachCorner(piece,
       [&](vtkIdType cell, const Position& position)
       {
-        if (box.ContainsPoint(position[0], position[1], position[2]) &&
-          positions.count(position) > 0)
+        const auto request = requests.find(position);
+        if (request == requests.end())
         {
-          touches[static_cast<std::size_t>(cell)] = true;
+          return;
+        }
+        for (const PieceNumber& to : request->second)
+        {
+          std::vector<bool>& cells = isNeeded[to.Process][to.Piece];
+          cells.resize(static_cast<std::size_t>(piece->GetNumberOfCells()), false);
+          cells[static_cast<std::size_t>(cell)] = true;
         }
       });
-    if (std::find(touches.begin(), touches.end(), true) != touches.end())
+    for (std::size_t process = 0; process < numbers.size(); ++process)
     {
-      found.push_back(ExtractCells(piece, touches));
+      for (std::size_t i = 0; i < numbers[process]; ++i)
+      {
+        if (!isNeeded[process][i].empty())
+        {
+          found[process][i].push_back(ExtractCells(piece, isNeeded[process][i]));
+        }
+      }
     }
   }
-  return AppendMeshes(found);
+  std::vector<vtkSmartPointer<vtkMultiBlockDataSet>> messages;
+  for (const std::vector<Pieces>& blocks : found)
+  {
+    messages.push_back(vtkSmartPointer<vtkMultiBlockDataSet>::New());
+    messages.back()->SetNumberOfBlocks(static_cast<unsigned int>(blocks.size()));
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+    {
+      messages.back()->SetBlock(static_cast<unsigned int>(i), AppendMeshes(blocks[i]));
+    }
+  }
+  return messages;
 }
 
 vtkIdTypeArray* GetFaceIds(vtkPolyData* mesh)
@@ -171,7 +242,7 @@ void AddArraysOf(vtkDataSetAttributes* others, vtkDataSetAttributes* data, vtkId
 // Add faces that the piece lacks, as ghosts.
 void AddMissing(const Pieces& faces, vtkSmartPointer<vtkPolyData>& piece)
 {
-  std::set<vtkIdType> known;
+  std::unordered_set<vtkIdType> known;
   vtkIdTypeArray* own = GetFaceIds(piece);
   for (vtkIdType cell = 0; own && cell < own->GetNumberOfValues(); ++cell)
   {
@@ -200,26 +271,26 @@ void AddMissing(const Pieces& faces, vtkSmartPointer<vtkPolyData>& piece)
   }
   if (parts.size() > 1)
   {
+    if (!piece->GetCellData()->HasArray(vtkDataSetAttributes::GhostArrayName()))
+    {
+      SetGhostTypes(
+        piece, std::vector<unsigned char>(static_cast<std::size_t>(piece->GetNumberOfCells()), 0));
+    }
     piece = AppendMeshes(parts);
   }
 }
-}
 
-void AddFaceIds(const Pieces& own, vtkMultiProcessController* controller)
+void AddFaceIds(const Pieces& own, const PieceReduction& processes, int process)
 {
-  double first = 0.0; // of this process
-  if (controller)
+  std::vector<double> numbers(1, 0.0);
+  for (vtkPolyData* piece : own)
   {
-    std::vector<double> numbers(1, 0.0);
-    for (vtkPolyData* piece : own)
-    {
-      numbers[0] += static_cast<double>(piece->GetNumberOfCells());
-    }
-    numbers = ProcessReduction(controller).Collect(std::move(numbers));
-    first =
-      std::accumulate(numbers.begin(), numbers.begin() + controller->GetLocalProcessId(), 0.0);
+    numbers[0] += static_cast<double>(piece->GetNumberOfCells());
   }
-  auto next = static_cast<vtkIdType>(first);
+  numbers = processes.Collect(std::move(numbers));
+  // The first id of this process.
+  auto next =
+    static_cast<vtkIdType>(std::accumulate(numbers.begin(), numbers.begin() + process, 0.0));
   for (vtkPolyData* piece : own)
   {
     vtkNew<vtkIdTypeArray> ids;
@@ -231,24 +302,20 @@ void AddFaceIds(const Pieces& own, vtkMultiProcessController* controller)
   }
 }
 
-void CompleteSecondLayer(const Pieces& own, Pieces& pieces, vtkMultiProcessController* controller)
+// Add the faces at these positions, one set for each piece.
+void AddFacesAt(const std::vector<Positions>& positions, const Pieces& own, Pieces& pieces,
+  const PieceReduction& processes, vtkMultiProcessController* controller)
 {
-  const std::unique_ptr<PieceReduction> processes(
-    controller ? new ProcessReduction(controller) : new PieceReduction);
-  const std::vector<std::vector<Positions>> outer = ShareOuterPositions(pieces, *processes);
-  for (std::size_t process = 0; process < outer.size(); ++process)
+  std::vector<std::size_t> numbers;
+  const Requests requests = ShareRequests(positions, processes, numbers);
+  const std::vector<vtkSmartPointer<vtkMultiBlockDataSet>> toProcesses =
+    MakeMessages(own, requests, numbers);
+  for (std::size_t process = 0; process < toProcesses.size(); ++process)
   {
-    // The message has a block for each of the process's pieces.
-    auto message = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-    message->SetNumberOfBlocks(static_cast<unsigned int>(outer[process].size()));
-    for (std::size_t i = 0; i < outer[process].size(); ++i)
-    {
-      message->SetBlock(static_cast<unsigned int>(i), FindFaces(own, outer[process][i]));
-    }
-    std::vector<vtkSmartPointer<vtkDataObject>> messages(1, message);
+    std::vector<vtkSmartPointer<vtkDataObject>> messages(1, toProcesses[process]);
     const int receiver = static_cast<int>(process);
     if (controller &&
-      (!controller->Gather(message, messages, receiver) ||
+      (!controller->Gather(toProcesses[process], messages, receiver) ||
         controller->GetLocalProcessId() != receiver))
     {
       continue;
@@ -269,6 +336,27 @@ void CompleteSecondLayer(const Pieces& own, Pieces& pieces, vtkMultiProcessContr
       }
       AddMissing(faces, pieces[i]);
     }
+  }
+}
+}
+
+void AddGhostFaces(Pieces& pieces, int numberOfLayers, vtkMultiProcessController* controller)
+{
+  const std::unique_ptr<PieceReduction> processes(
+    controller ? new ProcessReduction(controller) : new PieceReduction);
+  const Pieces own = pieces;
+  AddFaceIds(own, *processes, controller ? controller->GetLocalProcessId() : 0);
+  for (int layer = 0; layer < numberOfLayers; ++layer)
+  {
+    std::vector<Positions> positions;
+    std::transform(pieces.begin(), pieces.end(), std::back_inserter(positions),
+      [layer](vtkPolyData* piece)
+      { return layer == 0 ? FindBorderPositions(piece) : FindOuterPositions(piece); });
+    AddFacesAt(positions, own, pieces, *processes, controller);
+  }
+  for (vtkPolyData* piece : pieces)
+  {
+    piece->GetCellData()->RemoveArray(FaceIds);
   }
 }
 }
