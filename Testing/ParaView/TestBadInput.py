@@ -221,7 +221,7 @@ class TestBadInput(relevo.TestCase):
             "tags on rank 0": ['array "Tags" of DepthTagArrayName is missing on rank 1, but'],
             "vectors on rank 0": ['array "Vectors" of SelectInputVectors is missing on rank 1, but'],
             "not a number on rank 1": [
-                "The surface has 6 faces with points that are not finite on rank 1."
+                "The surface has 3 faces with points that are not finite on rank 1."
             ],
         }
         found = self.run_scenes([*words, "translucent"], ranks=2)
