@@ -41,10 +41,14 @@ def find_undocumented():
     """The elements without documentation: proxies, properties, groups of properties, and ports."""
     result = []
     for path in sorted(glob.glob(os.path.join(PROXIES, "*.xml"))):
-        for each in ElementTree.parse(path).iter():
+        tree = ElementTree.parse(path)
+        # ParaView reports an error for documentation there.
+        exposed = set(tree.iterfind(".//ExposedProperties/PropertyGroup"))
+        for each in tree.iter():
             is_proxy = each.tag.endswith("Proxy") and each.get("class")
             is_property = each.tag.endswith("Property") and each.tag != "Property"
-            if is_proxy or is_property or each.tag in ("PropertyGroup", "OutputPort"):
+            is_group = each.tag == "PropertyGroup" and each not in exposed
+            if is_proxy or is_property or is_group or each.tag == "OutputPort":
                 text = each.findtext("Documentation")
                 if not (text and text.strip()):
                     result.append((os.path.basename(path), each.tag, dict(each.attrib)))
