@@ -22,7 +22,6 @@ NOT_KEPT = ("vtkTerrainSource", "KeepHeights")  # displacements read heights the
 # Values that surfaces in ParaView cannot have: control points of patches.
 NOT_OFFERED = {("vtkDistanceDepthTagMetric", "Measure"): 2}
 OWN_SETTINGS = {"OrientedLIC", "Phase", "NoDataMagnitude"}
-NOT_OFFERED = "vtkDistanceDepthTagMetric", "Measure"  # control points are those of patches
 PAIR = "TextureSize"  # both numbers are 0, or neither
 
 
@@ -160,8 +159,6 @@ class TestProperties(relevo.TestCase):
         for name, elements in self.properties.items():
             for each in elements.values():
                 for component, value, is_valid in ends(each) if each.get("name") != PAIR else ():
-                    if (name, each.get("name")) == NOT_OFFERED and not is_valid:
-                        continue
                     proxy = self.make(name + "Setters")
                     if NOT_OFFERED.get((name, each.get("name"))) == value:
                         continue
