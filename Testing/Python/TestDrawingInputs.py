@@ -243,6 +243,9 @@ class TestDrawingInputs(unittest.TestCase):
             (lambda: relevo.refined(sphere).screenshot(size=3), TypeError, "size must be"),
             (lambda: relevo.refined(sphere).screenshot(size=(0, 5)), ValueError, "from 1 x 1"),
             (lambda: relevo.refined(sphere).screenshot(camera="top"), TypeError, "camera must be"),
+            (lambda: relevo.refined(sphere).mesh((10, 91)), ValueError, "-90 to 90 degrees"),
+            (lambda: relevo.refined(sphere).mesh((10, numpy.nan)), ValueError, "-90 to 90 degrees"),
+            (lambda: relevo.refined(sphere).mesh((numpy.inf, 9)), ValueError, "finite azimuth"),
             (lambda: relevo.refined(sphere).screenshot("p.gif"), ValueError, "must end with .png"),
         ):
             with standard_error() as written:

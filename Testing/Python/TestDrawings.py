@@ -26,7 +26,12 @@ from vtkmodules.vtkFiltersSources import vtkConeSource
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkTIFFWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridWriter
-from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingCore import (
+    vtkCamera,
+    vtkColorTransferFunction,
+    vtkRenderer,
+    vtkRenderWindow,
+)
 
 SIZE = (320, 200)
 VIEWER = pathlib.Path(os.environ["RELEVO_BINARY_DIR"]) / "bin/relevo-view"
@@ -165,7 +170,7 @@ class TestDrawings(unittest.TestCase):
         ]
         for drawing, options, tolerance in cases:
             with self.subTest(options=options):
-                drawing._table = None  # relevo-view draws another colour bar
+                drawing._get_legend = lambda: (None, "")  # relevo-view draws another colour bar
                 path = self.folder / "viewer.png"
                 command = [VIEWER, *options, "--no-legend", "--size", "320x200", "--output", path]
                 run = subprocess.run(command, capture_output=True, text=True)
@@ -178,8 +183,9 @@ class TestDrawings(unittest.TestCase):
     def test_colour_bars(self):
         """A bar has the range and the unit of the values, and does not cover the object."""
         drawing = relevo.terrain(make_heights(), bounds=BOUNDS, crs="EPSG:4326")
-        self.assertEqual(drawing._title, "Height [m]")
-        low, high = drawing._table.GetRange()
+        table, title = drawing._get_legend()
+        self.assertEqual(title, "Height [m]")
+        low, high = table.GetRange()
         self.assertAlmostEqual(low, float(make_heights().min()), places=2)
         self.assertAlmostEqual(high, float(make_heights().max()), places=2)
         self.assertIsNone(relevo.refined(make_sphere())._table)
@@ -192,6 +198,59 @@ class TestDrawings(unittest.TestCase):
         picture = shown.screenshot(size=SIZE)
         shown._table = None
         self.assertTrue((picture[:, :40] != shown.screenshot(size=SIZE)[:, :40]).any())
+
+    def test_colours_of_terrains(self):
+        """Each colour mode has its own table and colour bar, unless the caller sets a table."""
+        drawing = relevo.terrain(make_heights(), bounds=BOUNDS, crs="EPSG:4326")
+        mapper = drawing.mapper
+        by_height = drawing.screenshot(size=SIZE)
+        mapper.SetColorModeToSlope()
+        by_slope = drawing.screenshot(size=SIZE)
+        table, title = drawing._get_legend()
+        self.assertEqual((title, table.GetRange()), ("Slope [degrees]", (0, 90)))
+        mapper.SetColorModeToHillshade()
+        drawing.screenshot(size=SIZE)
+        self.assertEqual(drawing._get_legend()[1], "Hillshade")
+        mapper.SetColorModeToSolid()
+        drawing.screenshot(size=SIZE)
+        self.assertIsNone(drawing._get_legend()[0])
+        mapper.SetColorModeToElevation()
+        numpy.testing.assert_array_equal(drawing.screenshot(size=SIZE), by_height)
+        mapper.SetColorModeToSlope()
+        numpy.testing.assert_array_equal(drawing.screenshot(size=SIZE), by_slope)
+        own = vtkColorTransferFunction()
+        own.AddRGBPoint(0, 0, 0, 1)
+        own.AddRGBPoint(60, 1, 0, 0)
+        mapper.SetLookupTable(own)
+        self.assertTrue((drawing.screenshot(size=SIZE) != by_slope).any())
+        self.assertIs(mapper.GetLookupTable(), own)
+
+    def test_meshes_of_terrains(self):
+        """A mesh has the base and the frame of the mapper."""
+        drawing = relevo.terrain(make_heights(), bounds=BOUNDS, crs="EPSG:4326", exaggeration=2)
+        surface = drawing.mesh()
+        drawing.mapper.UseBaseOn()
+        drawing.mapper.SetBaseHeight(-1000)
+        solid = drawing.mesh()
+        self.assertAlmostEqual(solid.GetBounds()[4], -2000)
+        self.assertGreater(solid.GetNumberOfCells(), 2 * surface.GetNumberOfCells())
+        drawing.mapper.UseBaseOff()
+        drawing.mapper.SetFrameToGeocentric()
+        globe = drawing.mesh()
+        self.assertGreater(globe.GetNumberOfCells(), 100)
+        radii = numpy.linalg.norm(vtk_to_numpy(globe.GetPoints().GetData()), axis=1)
+        self.assertTrue(((radii > 6.36e6) & (radii < 6.39e6)).all())
+        self.assertFalse(globe.GetFieldData().HasArray("Origin"))
+        # The viewer is above the terrain, not above the equator's plane.
+        position = numpy.array(drawing._make_camera(None).GetPosition())
+        self.assertGreater(numpy.linalg.norm(position), radii.max())
+        picture = drawing.screenshot(size=SIZE)
+        self.assertGreater(count_colours(picture), 200)
+        away = vtkCamera()
+        away.SetPosition(0, -2e7, 0)
+        away.SetFocalPoint(0, -3e7, 0)
+        with self.assertRaisesRegex(relevo.Error, "sees no part of the terrain"):
+            drawing.mesh(away)
 
     def test_elevation(self):
         heights = make_heights()

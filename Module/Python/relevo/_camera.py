@@ -7,22 +7,29 @@ from vtkmodules.vtkRenderingCore import vtkLight
 
 _FILLED = 0.94  # share of the picture's sides
 
+# The unit vectors to the east, to the north and upwards, for each vertical axis.
+AXES = (
+    numpy.array([(0, 1, 0), (0, 0, 1), (1, 0, 0)]),
+    numpy.array([(1, 0, 0), (0, 0, -1), (0, 1, 0)]),
+    numpy.array([(1, 0, 0), (0, 1, 0), (0, 0, 1)]),
+)
 
-def get_vector(azimuth, elevation, up):
+
+def get_vector(azimuth, elevation, axes):
     """Return the unit vector to an azimuth and an elevation, in degrees.
 
-    up: the vertical axis, 1 for y or 2 for z.
+    axes: the unit vectors to the east, to the north and upwards, such as AXES[1].
     """
     a, e = numpy.radians(azimuth), numpy.radians(elevation)
-    east, north, height = numpy.sin(a) * numpy.cos(e), numpy.cos(a) * numpy.cos(e), numpy.sin(e)
-    return numpy.array((east, height, -north) if up == 1 else (east, north, height))
+    vector = numpy.sin(a) * numpy.cos(e), numpy.cos(a) * numpy.cos(e), numpy.sin(e)
+    return numpy.array(vector) @ axes
 
 
-def add_light(renderer, azimuth, elevation, intensity, up):
+def add_light(renderer, azimuth, elevation, intensity, axes):
     """Add a light that shines from a direction, see get_vector()."""
     light = vtkLight()
     light.SetLightTypeToSceneLight()
-    light.SetPosition(get_vector(azimuth, elevation, up))
+    light.SetPosition(get_vector(azimuth, elevation, axes))
     light.SetFocalPoint(0, 0, 0)
     light.SetIntensity(intensity)
     renderer.AddLight(light)
@@ -59,10 +66,10 @@ def _is_out_of_corner(points, eye, x, y):
     return bool((offsets @ normals <= 0).all(axis=0).any())
 
 
-def fit_camera(renderer, points, direction, up, size, corner=(0, 0)):
+def fit_camera(renderer, points, direction, axes, size, corner=(0, 0)):
     """Look from a direction (azimuth, elevation) at points, of shape (n, 3).
 
-    size: columns and rows of the picture. corner: columns and rows at the upper left that stay
+    axes: as for get_vector(). size: columns and rows of the picture. corner: columns and rows at the upper left that stay
         free, for a colour bar.
     """
     points = numpy.asarray(points, float)
@@ -71,18 +78,18 @@ def fit_camera(renderer, points, direction, up, size, corner=(0, 0)):
         points = numpy.zeros((1, 3))
     azimuth, elevation = direction
     # The vertical axis must not be parallel to the view.
-    forward = -get_vector(azimuth, numpy.clip(elevation, -89.9999, 89.9999), up)
-    vertical = numpy.eye(3)[up]
+    forward = -get_vector(azimuth, numpy.clip(elevation, -89.9999, 89.9999), axes)
+    vertical = axes[2]
     right = numpy.cross(forward, vertical)
     right /= numpy.linalg.norm(right)
-    axes = numpy.array([right, numpy.cross(right, forward), forward])
+    view = numpy.array([right, numpy.cross(right, forward), forward])
 
     camera = renderer.GetActiveCamera()
     pixel = 2.0 * numpy.tan(0.5 * numpy.radians(camera.GetViewAngle())) / size[1]
     width, height = size[0] * pixel, size[1] * pixel
     # The lower right end of the corner, relative to the picture's centre.
     x, y = corner[0] * pixel - 0.5 * width, 0.5 * height - corner[1] * pixel
-    turned = points @ axes.T
+    turned = points @ view.T
     eye = _find_eye(turned, (-0.5 * width, 0.5 * width, -0.5 * height, 0.5 * height))
     if any(corner) and not _is_out_of_corner(turned, eye, x, y):
         beside = _find_eye(turned, (x, 0.5 * width, -0.5 * height, 0.5 * height))
@@ -92,7 +99,7 @@ def fit_camera(renderer, points, direction, up, size, corner=(0, 0)):
     distance = centre @ forward - eye[2]
     if distance <= 0:  # all points coincide
         distance = 1.0
-    position = eye @ axes
+    position = eye @ view
     camera.SetPosition(position)
     camera.SetFocalPoint(position + distance * forward)
     camera.SetViewUp(vertical)

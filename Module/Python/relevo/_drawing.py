@@ -55,7 +55,7 @@ class Drawing:
     _background = ((0.86, 0.90, 0.94), (0.42, 0.58, 0.78))
     _lights = ((250, 45, 0.95), (150, 15, 0.45))  # azimuth, elevation, intensity
     _direction = (205, 20)  # azimuth and elevation of the viewer
-    _up = 1  # the vertical axis
+    _up = 1  # the vertical axis: 0, 1 or 2
     _table = None  # of the colour bar
     _title = ""
     _kind = ""  # package of the caller's mesh
@@ -85,8 +85,8 @@ class Drawing:
 
         path: a PNG or JPEG file to write; none by default.
         size: columns and rows in pixels.
-        camera: a vtkCamera, or azimuth and elevation of the viewer in degrees. By default, all of
-            the data are in the picture.
+        camera: a vtkCamera, or azimuth and elevation (-90 to 90) of the viewer in degrees. By
+            default, all of the data are in the picture.
 
         Returns the picture as uint8 of shape (rows, columns, 3), top row first. Raises relevo.Error
         if it cannot be drawn.
@@ -104,6 +104,8 @@ class Drawing:
 
         camera: as for screenshot(), for a picture of the default size. Other levels follow from it
             if they depend on the view.
+
+        Raises relevo.Error if the drawing has cells and the mesh has none.
         """
         with Messages():
             mesh = self._make_mesh(camera)
@@ -153,6 +155,14 @@ class Drawing:
         bounds = numpy.array(self.actor.GetBounds()).reshape(3, 2)
         return numpy.array(numpy.meshgrid(*bounds)).reshape(3, -1).T
 
+    def _get_axes(self):
+        """Return the unit vectors to the east, to the north and upwards."""
+        return _camera.AXES[self._up]
+
+    def _get_legend(self):
+        """Return the table and the title of the colour bar, or None and a text."""
+        return self._table, self._title
+
     def _make_mesh(self, camera):
         raise NotImplementedError
 
@@ -162,19 +172,21 @@ class Drawing:
         renderer.GradientBackgroundOn()
         renderer.SetBackground(self._background[0])
         renderer.SetBackground2(self._background[1])
+        axes = self._get_axes()
         for azimuth, elevation, intensity in self._lights:
-            _camera.add_light(renderer, azimuth, elevation, intensity, self._up)
+            _camera.add_light(renderer, azimuth, elevation, intensity, axes)
         renderer.AddViewProp(self.actor)
         corner = (0, 0)
-        if self._table is not None and size[0] >= 240 and size[1] >= 180:
-            bar, corner = _colours.make_bar(self._table, self._title, size)
+        table, title = self._get_legend()
+        if table is not None and size[0] >= 240 and size[1] >= 180:
+            bar, corner = _colours.make_bar(table, title, size)
             renderer.AddViewProp(bar)
         if isinstance(camera, vtkCamera):
             renderer.GetActiveCamera().DeepCopy(camera)
             renderer.ResetCameraClippingRange()
         else:
             direction = self._check_direction(camera)
-            _camera.fit_camera(renderer, self._get_points(), direction, self._up, size, corner)
+            _camera.fit_camera(renderer, self._get_points(), direction, axes, size, corner)
         return renderer
 
     def _make_camera(self, camera, size=SIZE):
@@ -191,6 +203,11 @@ class Drawing:
                 "camera must be a vtkCamera, or azimuth and elevation of the viewer in degrees,"
                 f" not {camera!r}"
             ) from None
+        if not (abs(azimuth) < numpy.inf and abs(elevation) <= 90):
+            raise ValueError(
+                "camera must have an elevation from -90 to 90 degrees and a finite azimuth, not"
+                f" {(azimuth, elevation)}"
+            )
         return azimuth, elevation
 
     def _draw(self, size, camera):

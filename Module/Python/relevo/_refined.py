@@ -288,6 +288,8 @@ class Refined(Drawing):
             refine.Update()
         finally:
             self.recipe.SetGeomorphing(geomorphing)
+        if refine.GetOutput().GetNumberOfCells() == 0:
+            raise Error("the mesh has no cells to draw")
         return refine.GetOutput()
 
     def _draw(self, size, camera):

@@ -18,6 +18,7 @@ from ._raster import RasterFile
 
 _SMALL = 1 << 24  # samples whose index is built in a moment
 _LARGEST_OUTLINE = 2048  # columns or rows that are read for the first view
+_DIRECTION_OF_GLOBES = (180, 60)  # azimuth and elevation of the viewer
 _FRAME_DELAY = 50  # milliseconds, while tiles are loaded
 
 
@@ -33,7 +34,8 @@ class Terrain(Drawing):
     _lights = ((315, 40, 1.0), (160, 50, 0.35))
     _direction = (192, 38)
     _up = 2
-    _has_estimates = False  # of the range of heights, in the colour table
+    _height_colours = None  # the table for heights
+    _has_estimates = False  # of the range of heights, in that table
 
     def __init__(self, source, imagery, exaggeration, bounds, crs):
         raster = RasterFile(source, bounds, crs)
@@ -57,8 +59,11 @@ class Terrain(Drawing):
             )
         super().__init__(mapper, vtkActor())
         self.actor.SetMapper(mapper)
+        self._other_colours = mapper.GetLookupTable()  # the mapper's default
         if imagery is None:
-            self._colour_by_height()
+            mapper.SetColorModeToElevation()
+            self.actor.GetProperty().SetAmbient(0.15)
+            self.actor.GetProperty().SetDiffuse(0.85)
         else:
             imagery = str(imagery)
             _check_file(imagery)
@@ -66,6 +71,7 @@ class Terrain(Drawing):
             # Photographs contain shadows.
             self.actor.GetProperty().SetAmbient(0.30)
             self.actor.GetProperty().SetDiffuse(0.80)
+        self._update_colours()
         with Messages():
             bounds = mapper.GetBounds()
         if bounds[0] > bounds[1]:
@@ -122,14 +128,49 @@ class Terrain(Drawing):
         relief = self._pyramid.GetVerticalUnit() * (high - low)
         return 1.0 if relief <= width else max(0.001, float(f"{0.2 * width / relief:.2g}"))
 
-    def _colour_by_height(self):
-        self.mapper.SetColorModeToElevation()
-        self._has_estimates = not self._pyramid.IsErrorKnown()
-        self.mapper.SetLookupTable(_colours.make_table(*self._pyramid.GetRange(), _colours.RELIEF))
-        self._table = self.mapper.GetLegendLookupTable()
-        self._title = self.mapper.GetLegendTitle()
-        self.actor.GetProperty().SetAmbient(0.15)
-        self.actor.GetProperty().SetDiffuse(0.85)
+    def _update_colours(self):
+        """Set the table of the colour mode, unless the caller has set another one."""
+        if self.mapper.GetLookupTable() not in (self._height_colours, self._other_colours):
+            return
+        colours = self._other_colours
+        if self.mapper.GetTerrainColorMode() == self.mapper.COLOR_BY_ELEVATION:
+            if self._height_colours is None or self._has_estimates:
+                self._has_estimates = not self._pyramid.IsErrorKnown()
+                heights = self._pyramid.GetRange()
+                self._height_colours = _colours.make_table(*heights, _colours.RELIEF)
+            colours = self._height_colours
+        self.mapper.SetLookupTable(colours)
+
+    def _get_legend(self):
+        return self.mapper.GetLegendLookupTable(), self.mapper.GetLegendTitle()
+
+    def _get_axes(self):
+        if self.mapper.GetFrame() != self.mapper.GEOCENTRIC:
+            return super()._get_axes()
+        return self._find_axes_of_globe()
+
+    def _find_axes_of_globe(self):
+        """Return the directions of the ellipsoid at the centre of the raster."""
+        west, east, south, north = self._pyramid.GetBounds()
+        centre = numpy.array((0.5 * (west + east), 0.5 * (south + north), 0.0))
+        height = 0.01 * max(self._pyramid.GetRange()[1] - self._pyramid.GetRange()[0], 100.0)
+        step = 1e-3 * (north - south)
+        places = [centre + offset for offset in ((0, 0, 0), (0, step, 0), (0, 0, height))]
+        worlds = numpy.zeros((3, 3))
+        for place, world in zip(places, worlds):
+            found = [0.0, 0.0, 0.0]
+            self.mapper.RasterToWorld(place, found)
+            world[:] = found
+        up = worlds[2] - worlds[0]
+        up /= numpy.linalg.norm(up)
+        right = numpy.cross(worlds[1] - worlds[0], up)
+        right /= numpy.linalg.norm(right)
+        return numpy.array([right, numpy.cross(up, right), up])
+
+    def _check_direction(self, camera):
+        if camera is None and self.mapper.GetFrame() == self.mapper.GEOCENTRIC:
+            return _DIRECTION_OF_GLOBES
+        return super()._check_direction(camera)
 
     def _get_points(self):
         coarsest = [0, 0]
@@ -145,6 +186,13 @@ class Terrain(Drawing):
         points += [
             self._find_point((column, row)) for column in (0, columns - 1) for row in (0, rows - 1)
         ]
+        if self.mapper.GetUseBase():
+            base = self.mapper.GetBaseHeight()
+            points += [
+                self._find_point(sample, base)
+                for sample, own in zip(samples, heights)
+                if numpy.isfinite(own)
+            ]
         points = [point for point in points if point is not None]
         return points or super()._get_points()
 
@@ -164,13 +212,26 @@ class Terrain(Drawing):
         source.SetViewportSize(SIZE)
         source.SetScreenSpaceError(self.mapper.GetScreenSpaceError())
         source.SetExaggeration(self.mapper.GetExaggeration())
-        source.Update()
+        source.SetMemoryLimit(self.mapper.GetMemoryLimit())
+        source.SetFrame(self.mapper.GetFrame())
+        source.SetUseBase(self.mapper.GetUseBase())
+        source.SetBaseHeight(self.mapper.GetBaseHeight())
+        with Messages():
+            source.Update()
+        if source.GetOutput().GetNumberOfCells() == 0:
+            raise Error("the mesh has no cells: the camera sees no part of the terrain")
         return source.GetOutput()
+
+    def _make_renderer(self, size, camera):
+        self._update_colours()
+        return super()._make_renderer(size, camera)
+
+    def add_to(self, plotter) -> None:
+        self._update_colours()
+        super().add_to(plotter)
 
     def _draw(self, size, camera):
         self._wait()
-        if self._has_estimates:
-            self._colour_by_height()
         mode = self.mapper.GetLoadingMode()
         self.mapper.SetLoadingModeToComplete()
         try:
