@@ -115,7 +115,7 @@ class TestDrawingInputs(unittest.TestCase):
             (numpy.zeros((3, 3), object), ValueError, "real numbers, not object"),
             (numpy.zeros((3, 3), complex), ValueError, "real numbers, not complex"),
             (numpy.array([["a", "b"], ["c", "d"]]), ValueError, "real numbers, not <U1"),
-            (numpy.full((3, 3), numpy.nan), relevo.Error, "all heights are missing"),
+            (numpy.full((3, 3), numpy.nan), relevo.Error, "^the array .* all heights are missing"),
             (numpy.full((3, 3), numpy.inf), relevo.Error, "all heights are missing"),
             (numpy.ma.masked_all((3, 3)), relevo.Error, "all heights are missing"),
             ([["a", 1], [2, 3]], ValueError, "real numbers"),
@@ -139,7 +139,8 @@ class TestDrawingInputs(unittest.TestCase):
             ({"bounds": (0, 1, 0)}, TypeError, "bounds must be"),
             ({"bounds": "abcd"}, TypeError, "bounds must be"),
             ({"exaggeration": 0}, ValueError, "xaggeration"),
-            ({"exaggeration": "high"}, TypeError, ""),
+            ({"exaggeration": "2"}, TypeError, "exaggeration must be a number, not '2'"),
+            ({"imagery": heights}, TypeError, "^imagery must be the path of an image, not ndarray"),
             ({"imagery": self.folder / "none.png"}, FileNotFoundError, "none.png"),
             ({"exagerration": 2}, TypeError, "'exagerration'; did you mean exaggeration"),
             ({"colour": 2}, TypeError, "no option 'colour'; it has .*imagery"),
@@ -179,6 +180,24 @@ class TestDrawingInputs(unittest.TestCase):
             self.assertEqual(written, [""], path)
             self.assertIn(pathlib.Path(path).name, str(raised.exception) + empty.name)
 
+    def test_folders(self):
+        with self.assertRaisesRegex(ValueError, "without reliefs; show.. takes a raster, a mesh"):
+            relevo.show(self.folder)
+
+    def test_damaged_ply_files(self):
+        """The reader of VTK would crash."""
+        path = self.folder / "mesh.ply"
+        for text, message in (
+            ("", "not a PLY file"),
+            ("solid\n", "not a PLY file"),
+            ("ply\nformat ascii 1.0\nelement vertex 3\n", "no end_header: the file is truncated"),
+            ("ply\nelement vertex 0\nend_header\n", "no format line"),
+        ):
+            path.write_text(text)
+            for function in (relevo.refined, relevo.lic, relevo.show):
+                with self.assertRaisesRegex(relevo.Error, f"mesh.ply: it.*{message}"):
+                    function(path)
+
     def test_bad_meshes(self):
         points = numpy.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], float)
         faces = [[0, 1, 2]]
@@ -212,6 +231,10 @@ class TestDrawingInputs(unittest.TestCase):
             (lambda: relevo.refined(sphere, metric="size"), ValueError, "screen-edge, curvature"),
             (lambda: relevo.refined(sphere, metric="field"), ValueError, "active point scalars"),
             (lambda: relevo.refined(sphere, max_level=9), ValueError, "evel"),
+            (lambda: relevo.refined(sphere, max_level=2.5), TypeError, "^max_level must be an int"),
+            (lambda: relevo.refined(sphere, scale="2"), TypeError, "^scale must be a number"),
+            (lambda: relevo.refined(sphere, up="w"), ValueError, "up must be 'x', 'y' or 'z'"),
+            (lambda: relevo.refined(sphere, up=2), ValueError, "up must be 'x', 'y' or 'z'"),
             (lambda: relevo.refined(sphere, scale=2), ValueError, "scale needs height"),
             (lambda: relevo.refined(sphere, height=3), TypeError, "height must be a path"),
             (lambda: relevo.refined(sphere, height=numpy.zeros(3)), ValueError, "2-D"),
@@ -225,6 +248,7 @@ class TestDrawingInputs(unittest.TestCase):
             (lambda: relevo.volume(grid, isosurfaces="abc"), TypeError, "must be numbers"),
             (lambda: relevo.volume(grid, isosurfaces=[numpy.nan]), ValueError, "finite"),
             (lambda: relevo.volume(grid, unit_distance=0), ValueError, "greater than 0"),
+            (lambda: relevo.volume(grid, unit_distance="1"), TypeError, "^unit_distance must be"),
             (lambda: relevo.volume(grid, transfer=[[0, 1]]), ValueError, r"shape \(n, 5\)"),
             (lambda: relevo.volume(grid, transfer=[[0, 1, 1, 1, 2]]), ValueError, "from 0 to 1"),
             (lambda: relevo.volume(grid, transfer=[[0] * 5, [0] * 5]), ValueError, "increase"),
@@ -235,6 +259,8 @@ class TestDrawingInputs(unittest.TestCase):
             (lambda: relevo.patches(curved, isolines=2.5), ValueError, "number of lines"),
             (lambda: relevo.patches(curved, isolines=2), ValueError, "isolines need scalars"),
             (lambda: relevo.patches(curved, error=0), ValueError, ""),
+            (lambda: relevo.patches(curved, error="1"), TypeError, "^error must be a number"),
+            (lambda: relevo.patches(curved, factor="1"), TypeError, "^factor must be a number"),
             (lambda: relevo.lic(sphere, "W"), ValueError, "no array 'W'; its arrays are 'V'"),
             (lambda: relevo.lic(grid, "DistanceToCenter"), ValueError, "1 components"),
             (lambda: relevo.lic(vtk_sphere()), ValueError, "no array of 2 or 3 components"),

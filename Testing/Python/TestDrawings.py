@@ -141,6 +141,21 @@ class TestDrawings(unittest.TestCase):
         self.assertEqual(camera.GetPosition(), (0, 0, 9))
         self.assertTrue((picture != drawing.screenshot(size=SIZE)).any())
 
+    def test_vertical_axes(self):
+        """Each axis can be the one that points upwards in the picture."""
+        for name, make in (
+            ("refined", lambda up: relevo.refined(make_cone(), up=up)),
+            ("volume", lambda up: relevo.volume(make_block(), up=up)),
+            ("patches", lambda up: relevo.patches(make_curved_block(), up=up)),
+            ("lic", lambda up: relevo.lic(make_sphere(), up=up)),
+        ):
+            for axis in range(3):
+                up = make("xyz"[axis])._make_camera((30, 10)).GetViewUp()
+                self.assertEqual(int(numpy.argmax(up)), axis, name)
+        heights = make_heights()
+        turned = [relevo.refined(make_sphere(), height=heights, up=up).mesh() for up in "yz"]
+        self.assertNotEqual(turned[0].GetBounds(), turned[1].GetBounds())
+
     def test_same_as_relevo_view(self):
         """Levels, material, lights and view are those of relevo-view, up to rounding."""
         if not VIEWER.exists():
@@ -154,6 +169,8 @@ class TestDrawings(unittest.TestCase):
         cases = [
             (relevo.refined(sphere), [sphere], 0),
             (relevo.refined(coarse), [coarse], 0),
+            (relevo.refined(sphere, up="x"), [sphere, "--up", "x"], 0),
+            (relevo.refined(sphere, up="z"), [sphere, "--up", "z"], 0),
             (
                 relevo.refined(sphere, surface="phong", max_level=3, metric="distance"),
                 [sphere, "--surface", "phong", "--max-level", "3", "--metric", "distance"],
@@ -375,8 +392,9 @@ class TestDrawings(unittest.TestCase):
             drawing.save(self.folder / "refined.xyz")
         with self.assertRaisesRegex(ValueError, "is a vtkPolyData, not a vtkUnstructuredGrid"):
             drawing.save(self.folder / "refined.vtu")
-        with self.assertRaises(OSError):
-            drawing.save(self.folder / "missing" / "refined.vtp")
+        for name in ("refined.vtp", "refined.png"):
+            with self.assertRaisesRegex(FileNotFoundError, "missing'$"):
+                drawing.save(self.folder / "missing" / name)
 
     def test_renderers(self):
         """Drawings are ordinary actors of a renderer, a window or a plotter."""

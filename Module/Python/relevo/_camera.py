@@ -15,6 +15,13 @@ AXES = (
 )
 
 
+def find_axis(up):
+    """Return the index of the vertical axis, "x", "y" or "z"."""
+    if up not in ("x", "y", "z"):
+        raise ValueError(f"up must be 'x', 'y' or 'z', not {up!r}")
+    return "xyz".index(up)
+
+
 def get_vector(azimuth, elevation, axes):
     """Return the unit vector to an azimuth and an elevation, in degrees.
 

@@ -91,6 +91,7 @@ def refined(
     max_level: int | None = None,
     height: Any = None,
     scale: float | None = None,
+    up: str = "y",
 ) -> Refined:
     """Draw a surface, refined where the viewer needs detail.
 
@@ -106,6 +107,7 @@ def refined(
     height: heights that displace the surface along its normals: a path, an array as for terrain(),
         a vtkHeightField or a vtkDisplacement (default: none).
     scale: the length of one unit of height (default: 5 % of the mesh's diagonal for all heights).
+    up: the vertical axis, "x", "y" or "z" (default: "y").
 
     Active scalars are colours. mapper is a vtkAdaptiveRefinementMapper, recipe its
     vtkAdaptiveRefinement.
@@ -114,7 +116,7 @@ def refined(
     """
     from ._refined import Refined
 
-    return Refined(mesh, surface, metric, max_level, height, scale)
+    return Refined(mesh, surface, metric, max_level, height, scale, up)
 
 
 @_public
@@ -127,6 +129,7 @@ def volume(
     isosurfaces: Any = (),
     clip: Any = None,
     blend: str = "composite",
+    up: str = "y",
 ) -> Volume:
     """Draw the interior of a mesh of 3D cells.
 
@@ -140,6 +143,7 @@ def volume(
     isosurfaces: values whose surfaces are drawn in the volume (default: none).
     clip: a vtkPlane or (point, normal), each three numbers; the side of the normal is drawn.
     blend: "composite", "maximum", "minimum", "average", "additive" or "isosurface".
+    up: the vertical axis, "x", "y" or "z" (default: "y").
 
     mapper is a vtkGPUUnstructuredGridVolumeMapper, actor a vtkVolume. mesh() returns the mesh.
 
@@ -148,7 +152,7 @@ def volume(
     """
     from ._volume import Volume
 
-    return Volume(mesh, array, transfer, unit_distance, isosurfaces, clip, blend)
+    return Volume(mesh, array, transfer, unit_distance, isosurfaces, clip, blend, up)
 
 
 @_public
@@ -161,6 +165,7 @@ def patches(
     edges: bool = False,
     isolines: int = 0,
     error: float | None = None,
+    up: str = "y",
 ) -> Patches:
     """Draw cells with their exact shape: quadratic, Lagrange, Bézier and rational cells.
 
@@ -172,6 +177,7 @@ def patches(
     edges: whether the borders of cells are drawn.
     isolines: the number of lines of equal scalars.
     error: the largest distance from the exact shape in pixels (default: 0.5).
+    up: the vertical axis, "x", "y" or "z" (default: "y").
 
     mapper is a vtkAdaptivePatchMapper, recipe its vtkAdaptiveRefinement.
 
@@ -180,25 +186,26 @@ def patches(
     """
     from ._patches import Patches
 
-    return Patches(mesh, scalars, warp, factor, edges, isolines, error)
+    return Patches(mesh, scalars, warp, factor, edges, isolines, error, up)
 
 
 @_public
-def lic(mesh: Any, vectors: str | None = None) -> LIC:
+def lic(mesh: Any, vectors: str | None = None, *, up: str = "y") -> LIC:
     """Draw streaks along a vector field on a surface, by line integral convolution.
 
     mesh: as for refined(). The surface is refined where the vectors vary.
     vectors: the name of an array of points or cells with 2 or 3 components (default: the active
         vectors, or the first such array). Colours are their lengths.
+    up: the vertical axis, "x", "y" or "z" (default: "y").
 
     mapper is a vtkAdaptiveLICMapper, recipe its vtkAdaptiveRefinement.
 
     Raises FileNotFoundError, relevo.Error, TypeError, and ValueError, which names all arrays if the
-    array does not exist.
+    array does not exist or there are no vectors.
     """
     from ._lic import LIC
 
-    return LIC(mesh, vectors)
+    return LIC(mesh, vectors, up)
 
 
 @_public
@@ -250,6 +257,11 @@ def _is_curved(data):
 def _find_functions(source):
     """Return the functions that can draw a source, best first, and the source, read if needed."""
     if _inputs.is_path(source) and os.path.isdir(source):
+        if not os.path.isfile(os.path.join(source, "data.csv")):
+            raise ValueError(
+                f"{os.fspath(source)} is a folder without reliefs; show() takes a raster, a mesh,"
+                " or a folder that vtkReliefDatabaseWriter has written"
+            )
         return (relief,), source
     if _raster.is_raster(source):
         return (terrain, relief), source

@@ -19,7 +19,10 @@ from vtkmodules.vtkCommonDataModel import (
 )
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
+from ._error import Error
 from ._messages import Messages
+
+_LONGEST_LINE = 4096  # bytes
 
 # The reader of each extension: a module and a class.
 _READERS = {
@@ -52,6 +55,13 @@ def is_mesh_file(path):
     return pathlib.Path(path).suffix.lower() in _READERS
 
 
+def check_number(value, name, integer=False):
+    """Raise TypeError if the value of an option is not a number."""
+    if numpy.ndim(value) or numpy.asarray(value).dtype.kind not in ("iu" if integer else "iuf"):
+        wanted = "an integer" if integer else "a number"
+        raise TypeError(f"{name} must be {wanted}, not {value!r}")
+
+
 def check_file(path):
     """Return a path as a string. Raise FileNotFoundError if the file does not exist."""
     path = os.fspath(path)
@@ -71,11 +81,30 @@ def find_package(value):
     return next((name for name in ("pyvista", "vedo") if name in packages), "")
 
 
+def _check_ply_header(path):
+    """Raise Error for a header without format or end, with which the reader of VTK crashes."""
+    with open(path, "rb") as file:
+        if not file.readline(_LONGEST_LINE).startswith(b"ply"):
+            raise Error(f"{path}: it is not a PLY file")
+        has_format = False
+        while line := file.readline(_LONGEST_LINE):
+            keyword = line.split(maxsplit=1)[:1]
+            has_format = has_format or keyword == [b"format"]
+            if keyword == [b"end_header"]:
+                break
+        else:
+            raise Error(f"{path}: its header has no end_header: the file is truncated")
+    if not has_format:
+        raise Error(f"{path}: its header has no format line")
+
+
 def _read(path):
     path = check_file(path)
     extension = pathlib.Path(path).suffix.lower()
     if extension not in _READERS:
         raise ValueError(f"{path}: meshes have the extensions {', '.join(sorted(_READERS))}")
+    if extension == ".ply":
+        _check_ply_header(path)
     module, name = _READERS[extension]
     reader = getattr(importlib.import_module(module), name)()
     reader.SetFileName(path)

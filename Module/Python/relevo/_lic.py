@@ -9,7 +9,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 import relevo
 
-from . import _inputs
+from . import _camera, _inputs
 from ._drawing import Drawing
 from ._refined import Refined
 
@@ -24,7 +24,8 @@ def _is_flow(array):
 class LIC(Refined):
     """Streaks along a vector field on a refined surface, see relevo.lic()."""
 
-    def __init__(self, mesh, vectors):
+    def __init__(self, mesh, vectors, up):
+        self._up = _camera.find_axis(up)
         self._take_surface(mesh, None)
         array, of_points = self._find_vectors(vectors)
         Drawing.__init__(self, relevo.vtkAdaptiveLICMapper(), vtkActor())

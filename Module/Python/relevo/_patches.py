@@ -9,7 +9,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 import relevo
 
-from . import _inputs
+from . import _camera, _inputs
 from ._drawing import Drawing
 from ._messages import Messages
 from ._refined import Refined
@@ -51,7 +51,11 @@ def _take_grid(data):
 class Patches(Refined):
     """The outer faces of curved cells, see relevo.patches()."""
 
-    def __init__(self, mesh, scalars, warp, factor, edges, isolines, error):
+    def __init__(self, mesh, scalars, warp, factor, edges, isolines, error, up):
+        self._up = _camera.find_axis(up)
+        _inputs.check_number(factor, "factor")
+        if error is not None:
+            _inputs.check_number(error, "error")
         data, self._kind = _inputs.take_data(mesh)
         grid = data
         if isinstance(data, (vtkCompositeDataSet, vtkPolyData)) or not data.IsA(

@@ -142,6 +142,7 @@ class RasterFile:
 
     def __init__(self, source, bounds=None, crs=None):
         self.name = ""
+        self.title = "the array"  # for messages
         self._remove = None
         package = get_package(source)
         if package == "rasterio" and os.path.exists(source.name):
@@ -149,7 +150,7 @@ class RasterFile:
         if isinstance(source, (str, os.PathLike)):
             if bounds is not None or crs is not None:
                 raise ValueError("bounds and crs are for arrays; a file has its own")
-            self.name = os.fspath(source)
+            self.name = self.title = os.fspath(source)
             return
         if package == "xarray":
             source, own_bounds, own_crs = _take_xarray(source)

@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 import relevo
 
-from . import _colours, _inputs, arrays
+from . import _camera, _colours, _inputs, arrays
 from ._drawing import SIZE, Drawing
 from ._error import Error
 from ._messages import Messages
@@ -109,7 +109,12 @@ class Refined(Drawing):
     # The main light is above the viewer's left shoulder. Weaker lights are on the right and behind.
     _lights = ((250, 45, 0.95), (150, 15, 0.45), (10, 40, 0.30))
 
-    def __init__(self, mesh, surface, metric, max_level, height, scale):
+    def __init__(self, mesh, surface, metric, max_level, height, scale, up):
+        self._up = _camera.find_axis(up)
+        if max_level is not None:
+            _inputs.check_number(max_level, "max_level", integer=True)
+        if scale is not None:
+            _inputs.check_number(scale, "scale")
         self._take_surface(mesh, surface)
         super().__init__(relevo.vtkAdaptiveRefinementMapper(), vtkActor())
         self._set_up(self._find_scalars())
@@ -248,7 +253,8 @@ class Refined(Drawing):
             share = (points - low) / numpy.where(size > 0, size, 1.0)
             uv = numpy.where(size > 0, share, 0.5)[:, axes]
         else:
-            z, x, y = ((points - 0.5 * (low + high))[:, [1, 2, 0]]).T
+            order = [(self._up + axis) % 3 for axis in range(3)]
+            z, x, y = ((points - 0.5 * (low + high))[:, order]).T
             radius = numpy.sqrt(x * x + y * y + z * z)
             cosine = numpy.divide(z, radius, out=numpy.zeros_like(z), where=radius > 0)
             u = numpy.abs(numpy.arctan2(y, x)) / numpy.pi

@@ -38,6 +38,10 @@ class Terrain(Drawing):
     _has_estimates = False  # of the range of heights, in that table
 
     def __init__(self, source, imagery, exaggeration, bounds, crs):
+        if imagery is not None and not _inputs.is_path(imagery):
+            raise TypeError(f"imagery must be the path of an image, not {type(imagery).__name__}")
+        if exaggeration is not None:
+            _inputs.check_number(exaggeration, "exaggeration")
         raster = RasterFile(source, bounds, crs)
         _check_file(raster.name)
         mapper = relevo.vtkTerrainMapper()
@@ -75,7 +79,7 @@ class Terrain(Drawing):
         with Messages():
             bounds = mapper.GetBounds()
         if bounds[0] > bounds[1]:
-            raise Error(f"{raster.name} has no terrain to draw: all heights are missing values")
+            raise Error(f"{raster.title} has no terrain to draw: all heights are missing values")
 
     def elevation(self, lon, lat):
         """Return heights in the unit of the raster.

@@ -13,7 +13,7 @@ from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume, vtk
 
 import relevo
 
-from . import _colours, _inputs
+from . import _camera, _colours, _inputs
 from ._drawing import Drawing
 from ._error import Error
 from ._messages import Messages
@@ -196,7 +196,10 @@ class Volume(Drawing):
     # A light background suits translucent volumes.
     _background = ((0.98, 0.98, 0.98), (0.84, 0.87, 0.91))
 
-    def __init__(self, mesh, array, transfer, unit_distance, isosurfaces, clip, blend):
+    def __init__(self, mesh, array, transfer, unit_distance, isosurfaces, clip, blend, up):
+        self._up = _camera.find_axis(up)
+        if unit_distance is not None:
+            _inputs.check_number(unit_distance, "unit_distance")
         self._data, self._kind = _inputs.take_data(mesh)
         blocks = [block for block in _inputs.get_blocks(self._data) if _is_solid(block)]
         if not blocks:

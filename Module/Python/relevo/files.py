@@ -3,6 +3,7 @@
 """Writes files that replace old ones only when they are complete."""
 
 import contextlib
+import errno
 import os
 import pathlib
 import secrets
@@ -53,6 +54,8 @@ def write(path, contents):
     if target.exists():
         with open(target, "ab"):  # raises an error if it is read-only
             mode = stat.S_IMODE(target.stat().st_mode)
+    if not target.parent.exists():
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target.parent))
     part = target.with_name(f".{target.stem[:40]}.{secrets.token_hex(4)}.part{target.suffix[:20]}")
     with _removed_by_signals(part):
         try:
