@@ -397,6 +397,12 @@ std::string vtkTerrainMeshSource::BuildBase(vtkPolyData* output)
       ", but it must be below the mesh, whose lowest height is " + vtkVariant(range[0]).ToString() +
       ".";
   }
+  const std::string error =
+    relevo::FindBaseError(*this->Terrain, this->Exaggeration, this->BaseHeight);
+  if (!error.empty())
+  {
+    return error;
+  }
   relevo::AddBase(*this->Terrain, this->Exaggeration, this->BaseHeight, output);
   return "";
 }

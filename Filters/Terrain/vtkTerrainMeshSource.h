@@ -27,16 +27,18 @@
  *
  * SetFrameToGeocentric() gives earth-centred coordinates instead, without "Origin" and
  * "CoordinateSystem"; see vtkTerrainMapper. A raster that covers all longitudes is closed.
+ * Triangles with two corners at a pole are left out.
  *
  * GetImagery() returns an image for vtkTexture in the texture coordinates of the mesh, if
  * SetImageryFileName() is set.
  *
  * Errors (ErrorEvent, empty output): no pyramid; an error of the pyramid; neither a camera nor a
  * MaximumError; a region that does not overlap the raster; a region that has too many samples for
- * its MaximumError; a base that is not below the mesh; a mesh of more than 2^26 triangles within
- * MaximumError; a raster with one row or column; a coordinate system that is not supported; imagery
- * that is missing, unreadable, does not overlap the raster or lacks one of the ImageryBands. A tile
- * that cannot be read is reported, too; with a camera it is drawn coarser.
+ * its MaximumError; a base that is not below the mesh or beyond the centre of the globe; a mesh of
+ * more than 2^26 triangles within MaximumError; a raster with one row or column; a coordinate
+ * system that is not supported; imagery that is missing, unreadable, does not overlap the raster or
+ * lacks one of the ImageryBands. A tile that cannot be read is reported, too; with a camera it is
+ * drawn coarser.
  *
  * ProgressEvent reports the progress, and AbortExecuteOn() stops with an empty output and no error.
  *
@@ -145,8 +147,13 @@ public:
    * borders, also those of holes, and a bottom at BaseHeight. Default off. The mesh is closed: each
    * edge has two triangles, and all triangles are counter-clockwise seen from outside. Points where
    * only corners touch are duplicated. The first points and triangles are those of the surface. The
-   * bottom has as many triangles as the surface. In the geocentric frame, the walls are normals of
-   * the ellipsoid.
+   * bottom has as many triangles as the surface.
+   *
+   * In the geocentric frame, the walls go down along the normals of the ellipsoid. A raster that
+   * covers all longitudes has no walls at its seam, and none at a pole if its rows reach 90
+   * degrees. Points at the seam and at poles are duplicated, because their texture coordinates
+   * differ: each edge has two triangles once points at the same position are merged. With a camera,
+   * the triangles on both sides of the seam can differ, and walls are then left there.
    */
   vtkSetMacro(UseBase, bool);
   vtkGetMacro(UseBase, bool);
@@ -157,7 +164,8 @@ public:
   /**
    * Set the height of the bottom in the unit of the raster's heights, before Exaggeration; finite,
    * default 0. Another value is an error and changes nothing. A height that is not below the mesh
-   * is an error of the update.
+   * is an error of the update, and so is one that Exaggeration moves beyond the centre of the
+   * globe.
    */
   virtual void SetBaseHeight(double height);
   vtkGetMacro(BaseHeight, double);

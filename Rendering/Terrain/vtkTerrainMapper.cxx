@@ -353,7 +353,17 @@ std::string vtkTerrainMapper::OpenTerrain()
 // Estimated ranges of heights do not count.
 std::string vtkTerrainMapper::FindBaseError()
 {
-  if (!this->UseBase || !this->Pyramid->IsErrorKnown())
+  if (!this->UseBase)
+  {
+    return "";
+  }
+  const std::string error =
+    relevo::FindBaseError(*this->Internals->Terrain, this->Exaggeration, this->BaseHeight);
+  if (!error.empty())
+  {
+    return error + " The terrain is drawn without a base.";
+  }
+  if (!this->Pyramid->IsErrorKnown())
   {
     return "";
   }

@@ -7,7 +7,9 @@
 #include "Heights/SolidBase.h"
 #include "Heights/TerrainMeshBuilder.h"
 #include "Lattice/BlockErrors.h"
+#include "vtkVariant.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -66,10 +68,33 @@ void MakeFaceMesh(const AdaptiveTerrain& terrain, double exaggeration, vtkPolyDa
   mesh.Finish({ { 0.0, last[0] } }, { { 0.0, last[1] } }, output);
 }
 
+std::string FindBaseError(const AdaptiveTerrain& terrain, double exaggeration, double base)
+{
+  const GlobeShape* globe = terrain.GetGlobe();
+  if (!globe || !globe->GetFrame().GetError().empty())
+  {
+    return "";
+  }
+  const GeocentricFrame& frame = globe->GetFrame();
+  const double radius =
+    frame.GetSemiMajorAxis() * (1.0 - std::max(0.0, frame.GetFlattening())); // the smallest
+  const double height = base * terrain.GetPlacement(exaggeration).HeightScale;
+  if (height > -radius)
+  {
+    return "";
+  }
+  return "BaseHeight is " + vtkVariant(base).ToString() + ", but times the exaggeration of " +
+    vtkVariant(exaggeration).ToString() + " it must be above the centre of the globe, at " +
+    std::to_string(static_cast<long long>(-radius)) + " m.";
+}
+
 void AddBase(const AdaptiveTerrain& terrain, double exaggeration, double base, vtkPolyData* mesh)
 {
+  const GlobeShape* globe = terrain.GetGlobe();
+  const bool isClosed =
+    globe && (globe->GetPeriod() > 0 || globe->HasFirstPole() || globe->HasLastPole());
   AddSolidBase([&](const std::array<double, 3>& point)
     { return terrain.ToBase(point, exaggeration, base); },
-    base, mesh);
+    base, isClosed, mesh);
 }
 }

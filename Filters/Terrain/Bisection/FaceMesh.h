@@ -11,6 +11,8 @@
 
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
+#include <string>
+
 class vtkPolyData;
 
 namespace relevo
@@ -20,6 +22,11 @@ class AdaptiveTerrain;
 /// Output the faces that a terrain has selected, with the arrays of vtkTerrainMeshSource.
 RELEVOFILTERSTERRAIN_EXPORT void MakeFaceMesh(
   const AdaptiveTerrain& terrain, double exaggeration, vtkPolyData* output);
+
+/// Return why a terrain on a globe cannot have a base at a height: it is beyond the centre. Else
+/// "".
+RELEVOFILTERSTERRAIN_EXPORT std::string FindBaseError(
+  const AdaptiveTerrain& terrain, double exaggeration, double base);
 
 /// Close such a mesh, or another one of the terrain, with walls and a bottom at a height.
 RELEVOFILTERSTERRAIN_EXPORT void AddBase(

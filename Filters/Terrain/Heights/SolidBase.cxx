@@ -12,8 +12,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
-#include <utility>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <numeric>
 #include <vector>
 
 namespace relevo
@@ -37,38 +39,82 @@ std::vector<SolidTriangle> GetTriangles(vtkPolyData* mesh)
   return triangles;
 }
 
-// The directed edges that no other triangle has in the other direction.
-std::vector<std::array<vtkIdType, 2>> FindBorder(const std::vector<SolidTriangle>& triangles)
+struct SolidEdge
 {
-  std::vector<std::array<vtkIdType, 2>> edges;
+  std::array<vtkIdType, 2> Merged; // points that count as one have the same number
+  std::array<vtkIdType, 2> Points;
+};
+
+bool IsBefore(const SolidEdge& a, const SolidEdge& b)
+{
+  return a.Merged < b.Merged;
+}
+
+// For each point, the first one at the same position.
+std::vector<vtkIdType> MergePoints(bool mergesPoints, vtkPolyData* mesh)
+{
+  std::vector<vtkIdType> merged(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  std::iota(merged.begin(), merged.end(), 0);
+  if (!mergesPoints)
+  {
+    return merged;
+  }
+  const auto getPosition = [mesh](vtkIdType id)
+  {
+    std::array<double, 3> position;
+    mesh->GetPoint(id, position.data());
+    return position;
+  };
+  std::vector<vtkIdType> order = merged;
+  std::stable_sort(order.begin(), order.end(),
+    [&](vtkIdType a, vtkIdType b) { return getPosition(a) < getPosition(b); });
+  for (std::size_t i = 1; i < order.size(); ++i)
+  {
+    if (getPosition(order[i]) == getPosition(order[i - 1]))
+    {
+      merged[static_cast<std::size_t>(order[i])] = merged[static_cast<std::size_t>(order[i - 1])];
+    }
+  }
+  return merged;
+}
+
+// The directed edges that no other triangle has in the other direction.
+std::vector<SolidEdge> FindBorder(
+  const std::vector<SolidTriangle>& triangles, const std::vector<vtkIdType>& merged)
+{
+  std::vector<SolidEdge> edges;
   edges.reserve(3 * triangles.size());
   for (const SolidTriangle& triangle : triangles)
   {
     for (int i = 0; i < 3; ++i)
     {
-      edges.push_back({ { triangle[i], triangle[(i + 1) % 3] } });
+      const std::array<vtkIdType, 2> ends = { { triangle[i], triangle[(i + 1) % 3] } };
+      edges.push_back({ { { merged[static_cast<std::size_t>(ends[0])],
+                          merged[static_cast<std::size_t>(ends[1])] } },
+        ends });
     }
   }
-  std::sort(edges.begin(), edges.end());
-  std::vector<std::array<vtkIdType, 2>> border;
+  std::sort(edges.begin(), edges.end(), IsBefore);
+  std::vector<SolidEdge> border;
   std::copy_if(edges.begin(), edges.end(), std::back_inserter(border),
-    [&edges](const std::array<vtkIdType, 2>& edge)
+    [&edges](const SolidEdge& edge)
     {
-      return !std::binary_search(
-        edges.begin(), edges.end(), std::array<vtkIdType, 2>{ { edge[1], edge[0] } });
+      const SolidEdge reversed = { { { edge.Merged[1], edge.Merged[0] } }, edge.Points };
+      return !std::binary_search(edges.begin(), edges.end(), reversed, IsBefore);
     });
   return border;
 }
 
 // The points where several parts of the mesh touch: more than one edge of the border starts there.
-std::vector<vtkIdType> FindTouchingPoints(const std::vector<std::array<vtkIdType, 2>>& border)
+std::vector<vtkIdType> FindTouchingPoints(const std::vector<SolidEdge>& border)
 {
   std::vector<vtkIdType> points;
   for (std::size_t i = 1; i < border.size(); ++i) // sorted
   {
-    if (border[i][0] == border[i - 1][0] && (points.empty() || points.back() != border[i][0]))
+    const vtkIdType point = border[i].Merged[0];
+    if (point == border[i - 1].Merged[0] && (points.empty() || points.back() != point))
     {
-      points.push_back(border[i][0]);
+      points.push_back(point);
     }
   }
   return points;
@@ -89,7 +135,7 @@ vtkIdType CopyPoint(vtkIdType id, vtkPolyData* mesh)
 
 // Triangles around a point that share edges get a point of their own.
 void SeparateParts(vtkIdType point, const std::vector<std::size_t>& around,
-  std::vector<SolidTriangle>& triangles, vtkPolyData* mesh)
+  std::vector<SolidTriangle>& triangles, std::vector<vtkIdType>& merged, vtkPolyData* mesh)
 {
   std::vector<std::size_t> rest = around;
   for (bool isFirst = true; !rest.empty(); isFirst = false)
@@ -99,39 +145,53 @@ void SeparateParts(vtkIdType point, const std::vector<std::size_t>& around,
     for (std::size_t i = 0; i < part.size(); ++i)
     {
       const SolidTriangle& here = triangles[part[i]];
-      const auto isNeighbor = [&](std::size_t other)
+      const auto isHere = [&](vtkIdType id)
       {
-        return std::any_of(triangles[other].begin(), triangles[other].end(),
-          [&](vtkIdType id)
-          { return id != point && std::find(here.begin(), here.end(), id) != here.end(); });
+        const vtkIdType number = merged[static_cast<std::size_t>(id)];
+        return number != point &&
+          std::any_of(here.begin(), here.end(),
+            [&](vtkIdType other) { return merged[static_cast<std::size_t>(other)] == number; });
       };
+      const auto isNeighbor = [&](std::size_t other)
+      { return std::any_of(triangles[other].begin(), triangles[other].end(), isHere); };
       const auto end = std::partition(
         rest.begin(), rest.end(), [&](std::size_t other) { return !isNeighbor(other); });
       part.insert(part.end(), end, rest.end());
       rest.erase(end, rest.end());
     }
-    if (!isFirst)
+    const vtkIdType number = mesh->GetNumberOfPoints(); // of the copies
+    std::map<vtkIdType, vtkIdType> copies;
+    for (std::size_t triangle = 0; triangle < part.size() && !isFirst; ++triangle)
     {
-      const vtkIdType copy = CopyPoint(point, mesh);
-      for (std::size_t triangle : part)
+      for (vtkIdType& id : triangles[part[triangle]])
       {
-        std::replace(triangles[triangle].begin(), triangles[triangle].end(), point, copy);
+        if (merged[static_cast<std::size_t>(id)] == point)
+        {
+          const auto [copy, isNew] = copies.emplace(id, -1);
+          if (isNew)
+          {
+            copy->second = CopyPoint(id, mesh);
+            merged.push_back(number);
+          }
+          id = copy->second;
+        }
       }
     }
   }
 }
 
-void SeparateTouchingParts(const std::vector<std::array<vtkIdType, 2>>& border,
-  std::vector<SolidTriangle>& triangles, vtkPolyData* mesh)
+void SeparateTouchingParts(
+  std::vector<SolidTriangle>& triangles, std::vector<vtkIdType>& merged, vtkPolyData* mesh)
 {
-  const std::vector<vtkIdType> points = FindTouchingPoints(border);
+  const std::vector<vtkIdType> points = FindTouchingPoints(FindBorder(triangles, merged));
   std::vector<std::vector<std::size_t>> around(points.size());
   for (std::size_t triangle = 0; triangle < triangles.size() && !points.empty(); ++triangle)
   {
     for (vtkIdType id : triangles[triangle])
     {
-      const auto found = std::lower_bound(points.begin(), points.end(), id);
-      if (found != points.end() && *found == id)
+      const vtkIdType number = merged[static_cast<std::size_t>(id)];
+      const auto found = std::lower_bound(points.begin(), points.end(), number);
+      if (found != points.end() && *found == number)
       {
         around[static_cast<std::size_t>(found - points.begin())].push_back(triangle);
       }
@@ -139,23 +199,24 @@ void SeparateTouchingParts(const std::vector<std::array<vtkIdType, 2>>& border,
   }
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    SeparateParts(points[i], around[i], triangles, mesh);
+    SeparateParts(points[i], around[i], triangles, merged, mesh);
   }
 }
 }
 
 void AddSolidBase(const std::function<std::array<double, 3>(const std::array<double, 3>&)>& toBase,
-  double height, vtkPolyData* mesh)
+  double height, bool mergesPoints, vtkPolyData* mesh)
 {
   std::vector<SolidTriangle> triangles = GetTriangles(mesh);
-  SeparateTouchingParts(FindBorder(triangles), triangles, mesh);
+  std::vector<vtkIdType> merged = MergePoints(mergesPoints, mesh);
+  SeparateTouchingParts(triangles, merged, mesh);
   const vtkIdType below = mesh->GetNumberOfPoints(); // added to an id
   vtkDataArray* heights = mesh->GetPointData()->GetArray("Height");
   for (vtkIdType id = 0; id < below; ++id)
   {
     const vtkIdType copy = CopyPoint(id, mesh);
     std::array<double, 3> position;
-    mesh->GetPoint(copy, position.data());
+    mesh->GetPoint(merged[static_cast<std::size_t>(id)], position.data()); // the same bits
     mesh->GetPoints()->SetPoint(copy, toBase(position).data());
     heights->SetTuple1(copy, height);
   }
@@ -166,8 +227,9 @@ void AddSolidBase(const std::function<std::array<double, 3>(const std::array<dou
   {
     cells->InsertNextCell({ triangle[0], triangle[1], triangle[2] });
   }
-  for (const auto& [first, second] : FindBorder(triangles))
+  for (const SolidEdge& edge : FindBorder(triangles, merged))
   {
+    const auto& [first, second] = edge.Points;
     cells->InsertNextCell({ second, first, first + below });
     cells->InsertNextCell({ second, first + below, second + below });
   }

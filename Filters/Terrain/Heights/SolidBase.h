@@ -22,9 +22,12 @@ namespace relevo
  * from above. Each edge of the result has two triangles, so points where parts of the mesh touch
  * each other are duplicated. New points have the data of the points above them, except that their
  * "Height" is `height`.
+ *
+ * With `mergesPoints`, points at the same position count as one, so that there are no walls between
+ * the two sides of a seam.
  */
 void AddSolidBase(const std::function<std::array<double, 3>(const std::array<double, 3>&)>& toBase,
-  double height, vtkPolyData* mesh);
+  double height, bool mergesPoints, vtkPolyData* mesh);
 }
 
 #endif

@@ -62,8 +62,11 @@ vtkIdType TerrainMeshBuilder::AddPoint(
 
 void TerrainMeshBuilder::AddTriangle(const std::array<Vertex, 3>& triangle)
 {
+  const auto isAtSamePoint = [&triangle](int a, int b)
+  { return triangle[a].World && triangle[b].World && *triangle[a].World == *triangle[b].World; };
   if (std::any_of(triangle.begin(), triangle.end(),
-        [](const Vertex& vertex) { return std::isnan(vertex.Height); }))
+        [](const Vertex& vertex) { return std::isnan(vertex.Height); }) ||
+    isAtSamePoint(0, 1) || isAtSamePoint(1, 2) || isAtSamePoint(2, 0))
   {
     return;
   }

@@ -5,8 +5,8 @@
  * @brief   makes a polydata of triangles on the samples of a raster
  *
  * Vertices are columns and rows in a unit of 2^-subdivisions samples, so that equal vertices are
- * found exactly. Triangles without data at a vertex are left out, and those beyond a window of the
- * raster are clipped.
+ * found exactly. Triangles without data at a vertex are left out, and so are those with two
+ * vertices at a pole. Triangles beyond a window of the raster are clipped.
  *
  * Private to the module.
  */

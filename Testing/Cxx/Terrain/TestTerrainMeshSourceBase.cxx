@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // With a base, the mesh is a closed solid: each edge has two triangles, and the volume is that
-// between the surface and the bottom. The surface is unchanged.
+// between the surface and the bottom. The surface is unchanged. The solid of a closed globe has no
+// walls.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
 
 #include "vtkCamera.h"
 #include "vtkCell.h"
+#include "vtkCleanPolyData.h"
 #include "vtkDataArray.h"
 #include "vtkFeatureEdges.h"
 #include "vtkMath.h"
@@ -183,6 +185,73 @@ void CheckGeocentric(RelevoCheck& check, vtkTerrainMeshSource* source)
   }
   CHECK_LESS(largest, 1e-6); // the normal differs from the radius by at most 0.2 degrees
 }
+
+std::string WriteGlobe(RelevoCheck& check, const RelevoTestFolders& folders, bool hasHole)
+{
+  RelevoRaster raster;
+  raster.Width = 120;
+  raster.Height = 60;
+  raster.Transform = { -180.0, 3.0, 0.0, 90.0, 0.0, -3.0 };
+  raster.CoordinateSystem = "EPSG:4326";
+  raster.NoData = -9999.0;
+  raster.SetValues(
+    [hasHole](int, int column, int row)
+    {
+      const bool isHole = hasHole && row > 20 && row < 30 && (column < 4 || column > 110);
+      return isHole ? -9999.0 : 3000.0 * std::sin(column * vtkMath::Pi() / 20.0 + row / 9.0);
+    });
+  const std::string file = folders.File("TerrainMeshSourceBaseGlobe.tif");
+  CHECK(raster.Write(file));
+  return file;
+}
+
+// The solid of a globe is closed once points are merged. Returns its number of walls.
+vtkIdType CheckGlobe(RelevoCheck& check, vtkTerrainMeshSource* source)
+{
+  source->UseBaseOff();
+  source->Update();
+  const vtkIdType triangles = source->GetOutput()->GetNumberOfPolys();
+  source->UseBaseOn();
+  source->SetBaseHeight(-20000.0);
+  source->Update();
+  const vtkIdType walls = source->GetOutput()->GetNumberOfPolys() - 2 * triangles;
+  vtkNew<vtkCleanPolyData> merged;
+  merged->SetInputData(source->GetOutput());
+  merged->ToleranceIsAbsoluteOn();
+  merged->SetAbsoluteTolerance(0.0);
+  merged->Update();
+  CHECK_EQUAL(merged->GetOutput()->GetNumberOfPolys(), source->GetOutput()->GetNumberOfPolys());
+  CHECK_EQUAL(merged->GetOutput()->GetNumberOfLines(), 0); // of triangles without area
+  CheckClosed(check, merged->GetOutput());
+  return walls;
+}
+
+void TestGlobe(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  for (bool hasHole : { false, true })
+  {
+    CHECK_CASE(hasHole);
+    vtkNew<vtkTerrainPyramid> pyramid;
+    pyramid->SetFileName(WriteGlobe(check, folders, hasHole).c_str());
+    vtkNew<vtkTerrainMeshSource> source;
+    source->SetPyramid(pyramid);
+    source->SetFrameToGeocentric();
+    for (double error : { 500.0, 5000.0 })
+    {
+      source->SetMaximumError(error);
+      const vtkIdType walls = CheckGlobe(check, source);
+      CHECK_EQUAL(walls > 0, hasHole);
+    }
+    // Half of the globe has walls along two meridians.
+    source->SetRegion(-180.0, 0.0, -90.0, 90.0);
+    CHECK_GREATER(CheckGlobe(check, source), 0);
+    source->SetRegion(1.0, -1.0, 1.0, -1.0);
+    RelevoErrors errors(source);
+    source->SetExaggeration(1000.0);
+    source->Update();
+    CHECK(errors.Said("the centre of the globe"));
+  }
+}
 }
 
 int TestTerrainMeshSourceBase(int argc, char* argv[])
@@ -232,5 +301,6 @@ int TestTerrainMeshSourceBase(int argc, char* argv[])
       TestErrors(check, source);
     }
   }
+  TestGlobe(check, folders);
   return check.GetResult();
 }
