@@ -112,9 +112,9 @@ public:
    * Set whether the terrain is drawn as a solid: with vertical walls at all borders, also those of
    * holes, and a bottom at BaseHeight. Default off. The solid is that of vtkTerrainMeshSource and
    * has no gaps: walls and surface share their edges to the bit. Walls and the bottom have the
-   * colour of the actor and no contour lines. In the geocentric frame, walls are normals of the
-   * ellipsoid, and a closed raster has none at its seam and poles. The bottom has as many triangles
-   * as the surface.
+   * colour of the actor and no contour lines. In the geocentric frame, walls go down along the
+   * normals of the ellipsoid, and a closed raster has none at its seam and poles. The bottom has as
+   * many triangles as the surface.
    */
   vtkSetMacro(UseBase, bool);
   vtkGetMacro(UseBase, bool);
@@ -125,7 +125,8 @@ public:
   /**
    * Set the height of the bottom in the unit of the raster's heights, before Exaggeration; finite,
    * default 0. Another value is an error and changes nothing. A height that is not below the
-   * terrain is an error, and the terrain is drawn without a base.
+   * terrain is an error, and so is one that Exaggeration moves beyond the centre of the globe. The
+   * terrain is then drawn without a base.
    */
   void SetBaseHeight(double height);
   vtkGetMacro(BaseHeight, double);
@@ -315,14 +316,14 @@ public:
    * above the ellipsoid. Heights above EGM2008, EGM96 or EGM84 are converted to those above the
    * ellipsoid if the data of GeographicLib::Geoid are installed. Otherwise, and with other vertical
    * datums, a warning says that they are drawn as heights above the ellipsoid. What is behind the
-   * horizon of the ellipsoid is not drawn. A raster of longitude and latitude that covers all
-   * longitudes is closed: the first column follows the last. An opaque globe overlaps by a column
-   * there; a translucent one has a single layer, except for a few pixels where the sides have
-   * triangles of different sizes. If it ends half a sample before a pole, it is continued to it,
-   * and samples of the first row are moved to it. The screen-space error includes the curvature of
-   * the ellipsoid, for slopes up to 45 degrees before the exaggeration. Positions of vertices take
-   * 6 kB per face, within a quarter of SetMemoryLimit() or 1 MiB. If a view needs more faces, the
-   * error grows. A value out of range is an error and changes nothing.
+   * horizon of the ellipsoid is not drawn, unless the actor is translucent. A raster of longitude
+   * and latitude that covers all longitudes is closed: the first column follows the last. An opaque
+   * globe overlaps by a column there; a translucent one has a single layer, except for a few pixels
+   * where the sides have triangles of different sizes. If it ends half a sample before a pole, it
+   * is continued to it, and samples of the first row are moved to it. The screen-space error
+   * includes the curvature of the ellipsoid, for slopes up to 45 degrees before the exaggeration.
+   * Positions of vertices take 6 kB per face, within a quarter of SetMemoryLimit() or 1 MiB. If a
+   * view needs more faces, the error grows. A value out of range is an error and changes nothing.
    */
   void SetFrame(int frame);
   vtkGetMacro(Frame, int);

@@ -95,8 +95,8 @@ bool TerrainView::IsVisible(const TerrainBox& box) const
 {
   if (this->Globe)
   {
-    return this->Globe->IsVisible(
-      box, this->HasPlanes ? &this->Planes : nullptr, this->HasPlanes && !this->IsParallel);
+    return this->Globe->IsVisible(box, this->HasPlanes ? &this->Planes : nullptr,
+      this->HasPlanes && this->HasHorizon && !this->IsParallel);
   }
   if (!this->HasPlanes)
   {

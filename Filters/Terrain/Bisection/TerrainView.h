@@ -40,6 +40,8 @@ public:
   void SetParallel(double pixelsPerUnit);
   /// The planes of the frustum: a x + b y + c z + d >= 0 inside, in world coordinates.
   void SetFrustum(const std::array<std::array<double, 4>, 6>& planes);
+  /// Set whether a globe hides what is behind its horizon in perspective views; default true.
+  void SetHorizon(bool hasHorizon) { this->HasHorizon = hasHorizon; }
   void SetPlacement(const TerrainPlacement& placement);
   const TerrainPlacement& GetPlacement() const { return this->Placement; }
 
@@ -72,6 +74,7 @@ private:
   std::array<double, 2> Lengths = { { 1.0, 1.0 } };   // of a column and a row, at most
   std::array<std::array<double, 4>, 6> Planes{};
   bool HasPlanes = false;
+  bool HasHorizon = true;
   TerrainPlacement Placement;
   std::shared_ptr<const GlobeView> Globe; // nullptr on a map
 };

@@ -63,12 +63,14 @@ TerrainViewpoint::TerrainViewpoint(vtkRenderer* renderer, vtkActor* actor)
     this->Valid = this->Valid && std::isfinite(this->NearPoint[c]);
   }
   this->IsCulled = !MovesVertices(actor);
+  this->IsTranslucent = actor->HasTranslucentPolygonalGeometry() != 0;
 }
 
 void TerrainViewpoint::AddTo(Dependencies& dependencies) const
 {
   dependencies.Add(this->IsParallel);
   dependencies.Add(this->IsCulled);
+  dependencies.Add(this->IsTranslucent);
   dependencies.Add(this->PixelsPerUnit);
   dependencies.Add(this->NearestDistance);
   for (double coordinate : this->NearPoint)
@@ -98,6 +100,7 @@ TerrainView TerrainViewpoint::MakeView(const TerrainPlacement& placement) const
   if (this->IsCulled)
   {
     view.SetFrustum(this->Planes);
+    view.SetHorizon(!this->IsTranslucent);
   }
   view.SetPlacement(placement);
   return view;

@@ -48,6 +48,7 @@ private:
   bool Valid = false;
   bool IsParallel = false;
   bool IsCulled = true;
+  bool IsTranslucent = false; // a globe shows its far side
   std::array<double, 3> NearPoint = { { 0.0, 0.0, 0.0 } };
   double PixelsPerUnit = 1.0;
   double NearestDistance = 0.0;

@@ -263,6 +263,22 @@ int CountLayers(unsigned char color)
   return -1;
 }
 
+// A translucent globe shows its far side: without a base, all lines of sight meet 2 layers.
+void TestFarSide(RelevoCheck& check, SolidScene& scene)
+{
+  scene.Mapper->UseBaseOff();
+  const RelevoPicture picture = scene.Draw();
+  size_t numbers[8] = {};
+  for (size_t i = 0; i < picture.GetNumberOfPixels(); ++i)
+  {
+    const int layers = CountLayers(picture.Colors[3 * i]);
+    numbers[layers < 0 ? 7 : layers] += 1;
+  }
+  CHECK_GREATER(numbers[2], 2000);
+  CHECK_LESS(numbers[1], 100);
+  scene.Mapper->UseBaseOn();
+}
+
 // A globe is a shell without walls: lines of sight meet 2 or 4 layers.
 void TestClosedGlobe(RelevoCheck& check, const std::string& file)
 {
@@ -290,7 +306,12 @@ void TestClosedGlobe(RelevoCheck& check, const std::string& file)
     CHECK_GREATER(numbers[2], 1000);
     CHECK_GREATER(numbers[4], 1000);
     CHECK_LESS(wrong, 100);
+    TestFarSide(check, scene);
   }
+  RelevoErrors errors(scene.Mapper);
+  scene.Mapper->SetExaggeration(3.0);
+  scene.Draw();
+  CHECK(errors.Said("the centre of the globe"));
 }
 
 // Walls and the bottom have the colour of the actor, flat normals and no contour lines.
