@@ -99,7 +99,7 @@ Volumes (.vtk, .vtu, .pvtu, .ex2):
   --transfer FILE        transfer function: lines `value red green blue opacity` with increasing
                          values, colours and opacities from 0 to 1 (default: the colours of meshes;
                          opacity increases with the value)
-  --unit-distance L      length over which an opacity O transmits exp(-O) of the light (default: the
+  --unit-distance L      length over which an opacity of 1 absorbs 63 % of the light (default: the
                          diagonal divided by the cube root of the number of cells)
   --isosurfaces V,...    surfaces of these values. Their opacity is that of the transfer function;
                          without --transfer, it is at least 0.6

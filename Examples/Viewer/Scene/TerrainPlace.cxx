@@ -24,17 +24,22 @@ std::string ToText(double degrees, char positive, char negative)
   return text.str();
 }
 
-std::array<double, 3> FindGround(
-  const std::string& input, TerrainGround& ground, const double place[2], const std::string& text)
+std::array<double, 3> FindGround(const ViewerOptions& options, TerrainGround& ground,
+  const double place[2], const std::string& text)
 {
   double height;
   if (!ground.GetHeight(place[0], place[1], height))
   {
+    if (options.Globe)
+    {
+      throw ViewerError(
+        options.Input + " has no height at --center " + text + ". Give degrees within its data");
+    }
     const std::array<double, 4> extent = ground.GetExtent();
     std::ostringstream message;
-    message << input << " has no height at --center " << text << "; its x ranges from " << extent[0]
-            << " to " << extent[1] << ", its y from " << extent[2] << " to " << extent[3]
-            << ". Give X,Y in "
+    message << options.Input << " has no height at --center " << text << "; its x ranges from "
+            << extent[0] << " to " << extent[1] << ", its y from " << extent[2] << " to "
+            << extent[3] << ". Give X,Y in "
             << (ground.HasCoordinateSystem()
                    ? "metres from its centre, degrees such as 86.925E,27.988N"
                    : "texels from its centre")
@@ -45,11 +50,11 @@ std::array<double, 3> FindGround(
 }
 
 std::array<double, 3> FindDegrees(
-  const std::string& input, TerrainGround& ground, const std::array<double, 2>& degrees)
+  const ViewerOptions& options, TerrainGround& ground, const std::array<double, 2>& degrees)
 {
   if (!ground.HasCoordinateSystem())
   {
-    throw ViewerError(input +
+    throw ViewerError(options.Input +
       " has no coordinate system, so --center cannot be in degrees; give X,Y in texels from its "
       "centre");
   }
@@ -57,10 +62,10 @@ std::array<double, 3> FindDegrees(
   double place[2];
   if (!ground.FromDegrees(degrees.data(), place))
   {
-    throw ViewerError(input + " has no height at --center " + text +
+    throw ViewerError(options.Input + " has no height at --center " + text +
       ", which is too far away; write degrees as 86.925E,27.988N");
   }
-  return FindGround(input, ground, place, text);
+  return FindGround(options, ground, place, text);
 }
 
 // Whether the numbers of --center look like a longitude and a latitude.
@@ -155,7 +160,7 @@ std::optional<std::array<double, 3>> FindCentre(
 {
   if (options.CenterDegrees)
   {
-    return FindDegrees(options.Input, ground, *options.CenterDegrees);
+    return FindDegrees(options, ground, *options.CenterDegrees);
   }
   if (!options.Center)
   {
@@ -174,7 +179,7 @@ std::optional<std::array<double, 3>> FindCentre(
       " is taken as metres from the raster's centre; for degrees, use --center " +
       ToText(place[0], 'E', 'W') + "," + ToText(place[1], 'N', 'S'));
   }
-  return FindGround(options.Input, ground, place.data(), text.str());
+  return FindGround(options, ground, place.data(), text.str());
 }
 
 //------------------------------------------------------------------------------
