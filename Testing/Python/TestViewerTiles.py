@@ -150,6 +150,11 @@ class TestViewerTiles(ViewerProgram):
             self.assertGreater((plain != solid).any(axis=-1).mean(), 0.05)
         self.assert_error(1, ["ramp.asc: --base is 200", "lowest height is 100"], self.ramp(),
                           "--base=200", "--output=solid.png")
+        self.assert_error(1, ["--base is -1e+06", "exaggeration of 100", "centre of the globe"],
+                          self.ramp(), "--globe", "--base=-1000000", "--exaggeration=100",
+                          "--output=solid.png")
+        bottom = self.picture(self.ramp(), "--view=30,-80", "--base=-20000")
+        self.assertGreater(bottom[60, 80].min(), 50)
 
     def ramp(self):
         """Heights that rise to the east by 10 m per sample of 0.01 degrees."""
@@ -230,6 +235,8 @@ class TestViewerTiles(ViewerProgram):
         self.assert_error(1, ["hill.png", "coordinate system", "--globe"], self.heights, "--globe",
                           "--output=g.png")
         self.assert_error(2, ["--globe", "86.925E,27.988N"], earth, "--globe", "--center=1,2")
+        self.assert_error(1, ["no height at --center 12E,45N. Give degrees"], self.ramp(), "--globe",
+                          "--center=12E,45N", "--output=p.png")
         self.assert_error(2, ["--globe cannot be combined with --level"], earth, "--globe",
                           "--level=2")
         self.assert_error(2, ["--globe requires a height map"], "flat.obj", "--globe")

@@ -168,7 +168,13 @@ void PyramidScene::Show()
   AddPassiveObserver(
     this->Mapper, vtkCommand::UpdateEvent, [this](void*) { this->HasMore = true; });
   // Light from the north-west, as on maps, and weaker light from the other side.
-  this->SetLights({ { { 315.0, 40.0, Vertical }, 1.0 }, { { 160.0, 50.0, Vertical }, 0.35 } });
+  std::vector<ViewerLamp> lamps = { { { 315.0, 40.0, Vertical }, 1.0 },
+    { { 160.0, 50.0, Vertical }, 0.35 } };
+  if (this->Options.Base)
+  {
+    lamps.push_back({ { 0.0, -90.0, Vertical }, 0.4 }); // for the bottom
+  }
+  this->SetLights(std::move(lamps));
   if (this->Options.Globe)
   {
     this->SetGlobeCamera();
