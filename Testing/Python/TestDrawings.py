@@ -21,7 +21,9 @@ from DrawingData import (
     numpy,
     relevo,
 )
+from relevo import _legend
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkFiltersSources import vtkConeSource
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkTIFFWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
@@ -157,7 +159,7 @@ class TestDrawings(unittest.TestCase):
         self.assertNotEqual(turned[0].GetBounds(), turned[1].GetBounds())
 
     def test_same_as_relevo_view(self):
-        """Levels, material, lights and view are those of relevo-view, up to rounding."""
+        """Levels, material, lights, view and legend are those of relevo-view, up to rounding."""
         if not VIEWER.exists():
             self.skipTest("built without relevo-view")
         sphere = write(vtkPLYWriter(), self.folder / "sphere.ply", make_sphere(16))
@@ -187,9 +189,8 @@ class TestDrawings(unittest.TestCase):
         ]
         for drawing, options, tolerance in cases:
             with self.subTest(options=options):
-                drawing._get_legend = lambda: (None, "")  # relevo-view draws another colour bar
                 path = self.folder / "viewer.png"
-                command = [VIEWER, *options, "--no-legend", "--size", "320x200", "--output", path]
+                command = [VIEWER, *options, "--size", "320x200", "--output", path]
                 run = subprocess.run(command, capture_output=True, text=True)
                 self.assertEqual(run.returncode, 0, run.stderr)
                 difference = drawing.screenshot(size=SIZE).astype(int) - read_picture(path)
@@ -215,6 +216,42 @@ class TestDrawings(unittest.TestCase):
         picture = shown.screenshot(size=SIZE)
         shown._table = None
         self.assertTrue((picture[:, :40] != shown.screenshot(size=SIZE)[:, :40]).any())
+
+    def test_titles_of_colour_bars(self):
+        """Titles break between words; long words break after joining characters, if possible."""
+        font = _legend._make_font()
+        for title, lines in (
+            ("Height [m]", ["Height [m]"]),
+            ("displacement (magnitude)", ["displacement", "(magnitude)"]),
+            ("surface_temperature_of_water [K]", ["surface_", "temperature_", "of_water [K]"]),
+            ("", [""]),
+        ):
+            self.assertEqual(_legend._wrap(title, font, 110), (lines, True))
+        lines, is_whole = _legend._wrap("W" * 40, font, 110)
+        self.assertFalse(is_whole)
+        self.assertEqual("".join(lines), "W" * 40)
+        self.assertTrue(all(_legend._get_size(line, font)[0] <= 110 for line in lines))
+        text = _legend._set_title("Word " * 200, font, 110)
+        self.assertEqual((len(text.split("\n")), text[-4:]), (6, "\n..."))
+
+    def test_tables_of_colour_bars(self):
+        table = vtkLookupTable()
+        table.SetRange(1, 10000)
+        self.assertEqual([text for _, text in _legend._make_rows(table, 20)], ["1", "10000"])
+        table.SetScaleToLog10()
+        labels = [text for _, text in _legend._make_rows(table, 200)]
+        self.assertEqual(labels, ["1", "10", "100", "1000", "10000"])
+        table.IndexedLookupOn()
+        table.SetAnnotation(1, "water")
+        table.SetAnnotation(2, "sand")
+        table.SetNumberOfTableValues(2)
+        table.SetTableValue(0, 0, 0, 1)
+        table.SetTableValue(1, 1, 1, 0)
+        self.assertEqual(_legend._make_rows(table, 200), [(0.25, "water"), (0.75, "sand")])
+        self.assertEqual(_legend._get_colour(table, 0.25), [0, 0, 1])
+        self.assertEqual(_legend._get_colour(table, 0.75), [1, 1, 0])
+        self.assertEqual(len(_legend.make_legend(table, "Ground", (320, 200))[0]), 5)
+        self.assertEqual(_legend.make_legend(table, "Ground", (239, 200)), ([], (0, 0)))
 
     def test_colours_of_terrains(self):
         """Each colour mode has its own table and colour bar, unless the caller sets a table."""
@@ -245,10 +282,11 @@ class TestDrawings(unittest.TestCase):
     def test_meshes_of_terrains(self):
         """A mesh has the base and the frame of the mapper."""
         drawing = relevo.terrain(make_heights(), bounds=BOUNDS, crs="EPSG:4326", exaggeration=2)
-        surface = drawing.mesh()
+        view = drawing._make_camera(None)
+        surface = drawing.mesh(view)
         drawing.mapper.UseBaseOn()
         drawing.mapper.SetBaseHeight(-1000)
-        solid = drawing.mesh()
+        solid = drawing.mesh(view)
         self.assertAlmostEqual(solid.GetBounds()[4], -2000)
         self.assertGreater(solid.GetNumberOfCells(), 2 * surface.GetNumberOfCells())
         drawing.mapper.UseBaseOff()

@@ -99,9 +99,10 @@ def fit_camera(renderer, points, direction, axes, size, corner=(0, 0)):
     turned = points @ view.T
     eye = _find_eye(turned, (-0.5 * width, 0.5 * width, -0.5 * height, 0.5 * height))
     if any(corner) and not _is_out_of_corner(turned, eye, x, y):
-        beside = _find_eye(turned, (x, 0.5 * width, -0.5 * height, 0.5 * height))
-        below = _find_eye(turned, (-0.5 * width, 0.5 * width, -0.5 * height, y))
-        eye = below if below[2] > beside[2] else beside
+        eye = _find_eye(turned, (x, 0.5 * width, -0.5 * height, 0.5 * height))
+        if y > -0.5 * height:
+            below = _find_eye(turned, (-0.5 * width, 0.5 * width, -0.5 * height, y))
+            eye = below if below[2] > eye[2] else eye
     centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
     distance = centre @ forward - eye[2]
     if distance <= 0:  # all points coincide

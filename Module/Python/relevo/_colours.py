@@ -1,15 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Colour tables and colour bars, as relevo-view has them."""
-
-import math
-import textwrap
+"""Colour tables, as relevo-view has them."""
 
 from vtkmodules.vtkCommonCore import vtkDataArray
-from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
-
-import vtkmodules.vtkRenderingFreeType  # noqa: F401, draws the text
 
 VIRIDIS = (
     (0.267, 0.005, 0.329),
@@ -26,7 +20,6 @@ RELIEF = (
     (0.58, 0.49, 0.44),
     (0.97, 0.97, 0.97),
 )
-_BAR = (0.01, 0.55, 0.11, 0.43)  # left, bottom, width and height, relative to the picture
 
 
 def make_table(low, high, colours=VIRIDIS):
@@ -45,47 +38,3 @@ def make_title(name, array):
     information = array.GetInformation() if array.HasInformation() else None
     key = vtkDataArray.UNITS_LABEL()
     return f"{title} [{information.Get(key)}]" if information and information.Has(key) else title
-
-
-def _make_label_format(low, high):
-    """Return a format of three digits, in which neighbours of five labels differ in two."""
-    largest = max(abs(low), abs(high))
-    exponent = math.floor(math.log10(largest)) if largest > 0 else 0
-    if not -3 <= exponent <= 5:
-        return "%.2e"
-    step = (high - low) / 4
-    decimals = 2 - exponent
-    if step > 0:
-        decimals = max(decimals, math.ceil(1 - math.log10(step)))
-    decimals = min(max(decimals, 0), 14 - exponent)
-    labels = [low + i * step for i in range(5)]
-    while decimals > 0 and all(
-        abs(label - round(label, decimals - 1)) <= 1e-9 * largest for label in labels
-    ):
-        decimals -= 1
-    return f"%.{decimals}f"
-
-
-def make_bar(table, title, size):
-    """Return a colour bar in a picture, and the columns and rows of the corner that it takes."""
-    left, bottom, width, height = _BAR
-    font = max(8, min(14, size[1] // 45))
-    bar = vtkScalarBarActor()
-    bar.SetLookupTable(table)
-    bar.SetTitle(textwrap.fill(title, max(8, int(width * size[0] / (0.55 * font)))))
-    bar.SetNumberOfLabels(5)
-    bar.SetLabelFormat(_make_label_format(*table.GetRange()))
-    bar.SetVerticalTitleSeparation(12)
-    bar.UnconstrainedFontSizeOn()
-    bar.SetPosition(left, bottom)
-    bar.SetWidth(width)
-    bar.SetHeight(height)
-    bar.SetBarRatio(0.2)
-    bar.SetMaximumNumberOfColors(256)
-    for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
-        text.SetColor(0.1, 0.1, 0.1)
-        text.SetFontSize(font)
-        text.BoldOff()
-        text.ItalicOff()
-        text.ShadowOff()
-    return bar, (round((2 * left + width) * size[0]), round((1 - bottom) * size[1]))

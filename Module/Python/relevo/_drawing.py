@@ -19,7 +19,7 @@ from vtkmodules.vtkRenderingCore import (
 
 import relevo
 
-from . import _camera, _colours, _inputs, _outputs, files
+from . import _camera, _inputs, _legend, _outputs, files
 from ._error import Error
 from ._messages import Messages
 
@@ -178,9 +178,10 @@ class Drawing:
         renderer.AddViewProp(self.actor)
         corner = (0, 0)
         table, title = self._get_legend()
-        if table is not None and size[0] >= 240 and size[1] >= 180:
-            bar, corner = _colours.make_bar(table, title, size)
-            renderer.AddViewProp(bar)
+        if table is not None:
+            actors, corner = _legend.make_legend(table, title, size)
+            for actor in actors:
+                renderer.AddViewProp(actor)
         if isinstance(camera, vtkCamera):
             renderer.GetActiveCamera().DeepCopy(camera)
             renderer.ResetCameraClippingRange()
