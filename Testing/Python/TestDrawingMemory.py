@@ -7,6 +7,7 @@ import pathlib
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 from DrawingData import make_curved_block, make_heights, make_sphere, numpy, relevo
 
@@ -66,11 +67,15 @@ class TestDrawingMemory(unittest.TestCase):
 
     def test_rasters(self):
         heights = make_heights()
-        temporary = pathlib.Path(tempfile.gettempdir())
-        before = set(temporary.glob("relevo-*"))
-        self.check(lambda: relevo.terrain(heights), 100)
-        self.check(lambda: relevo.relief(heights), 100)
-        self.assertLessEqual(set(temporary.glob("relevo-*")), before)
+        # Other programs write to the usual folder at the same time.
+        with tempfile.TemporaryDirectory() as folder:
+            with unittest.mock.patch("tempfile.tempdir", folder):
+                terrain = relevo.terrain(heights)
+                self.assertEqual(len(list(pathlib.Path(folder).iterdir())), 1)
+                del terrain
+                self.check(lambda: relevo.terrain(heights), 100)
+                self.check(lambda: relevo.relief(heights), 100)
+            self.assertEqual(list(pathlib.Path(folder).iterdir()), [])
 
     def test_pictures(self):
         drawing = relevo.refined(make_sphere())
