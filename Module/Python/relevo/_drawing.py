@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The base of what the functions of the package return."""
+"""The base class of drawings: terrains, surfaces, volumes and others."""
 
 from __future__ import annotations
 

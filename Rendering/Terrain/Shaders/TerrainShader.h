@@ -39,7 +39,7 @@ bool HasImagery(TerrainColoring coloring);
 /// Return whether the colours need the gradient at each fragment.
 bool HasGradients(TerrainColoring coloring);
 
-/// What a program draws.
+/// The part of a terrain that a shader program draws.
 enum class TerrainPart
 {
   SURFACE,

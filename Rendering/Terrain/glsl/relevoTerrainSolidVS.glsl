@@ -57,14 +57,12 @@ void relevoDrawTerrain()
   bool isAtBase = (vertex.y & (1u << 26)) != 0u;
   relevoSideVSOutput = int(vertex.y >> 27);
   vec2 weights = uintBitsToFloat(vertex.zw);
-  int i = 0;
-  do
+  for (int i = 0; i < number; ++i)
   {
     int ab = int(vertex.y >> (8 * i));
     float weight = i == 0 ? weights.x : (i == 1 ? weights.y : 1.0 - weights.x - weights.y);
     relevoAdd(ivec2(ab & 15, (ab >> 4) & 15), weight, isAtBase);
-    ++i;
-  } while (i < number);
+  }
 #else
   ivec2 ab = relevoTakeFace();
   relevoSideVSOutput = RELEVO_BOTTOM;

@@ -15,7 +15,7 @@
 
 namespace relevo
 {
-/// What the shader of the ray caster outputs.
+/// The output of the ray casting shader.
 enum class SegmentOutput
 {
   None,   // the colour of the ray
