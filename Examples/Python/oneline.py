@@ -20,7 +20,7 @@ DRAWINGS = {
     "terrain": lambda dem, photo: relevo.terrain(dem, imagery=photo, exaggeration=2),
     "refined": lambda mesh: relevo.refined(mesh, surface="pn", metric="curvature", max_level=5),
     "volume": lambda mesh: relevo.volume(mesh, "EQPS"),
-    "patches": lambda mesh: relevo.patches(mesh, edges=True),
+    "patches": lambda mesh: relevo.patches(mesh, edges=True, up="z"),
     "lic": lambda mesh: relevo.lic(mesh),
     "relief": lambda dem: relevo.relief(dem),
 }
