@@ -97,7 +97,8 @@ void vtkDepthImageToRelief::SetIntrinsics(double fx, double fy, double cx, doubl
   const double values[4] = { fx, fy, cx, cy };
   const bool areFinite =
     std::all_of(values, values + 4, [](double value) { return std::isfinite(value); });
-  if (!(areFinite && fx > 0.0 && fy > 0.0))
+  const bool areUnset = std::count(values, values + 4, 0.0) == 4;
+  if (!areUnset && !(areFinite && fx > 0.0 && fy > 0.0))
   {
     vtkErrorMacro("Intrinsics must be finite, with fx and fy of more than 0, got ("
       << fx << ", " << fy << ", " << cx << ", " << cy << ").");
@@ -228,10 +229,18 @@ std::string vtkDepthImageToRelief::Build(
   return error;
 }
 
-vtkDataArray* vtkDepthImageToRelief::FindDepths(vtkImageData* input)
+// Returns the name of the array that was chosen. An empty name chooses none.
+std::string vtkDepthImageToRelief::GetChosenName()
 {
   vtkInformation* wanted = this->GetInputArrayInformation(0);
-  if (wanted->Has(vtkDataObject::FIELD_NAME()))
+  const char* name =
+    wanted->Has(vtkDataObject::FIELD_NAME()) ? wanted->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+  return name ? name : "";
+}
+
+vtkDataArray* vtkDepthImageToRelief::FindDepths(vtkImageData* input)
+{
+  if (!this->GetChosenName().empty())
   {
     return this->GetInputArrayToProcess(0, input);
   }
@@ -241,16 +250,15 @@ vtkDataArray* vtkDepthImageToRelief::FindDepths(vtkImageData* input)
 
 std::string vtkDepthImageToRelief::DescribeMissingDepths(vtkImageData* input)
 {
-  vtkInformation* wanted = this->GetInputArrayInformation(0);
-  const std::string misplaced = wanted->Has(vtkDataObject::FIELD_NAME())
-    ? relevo::DescribeMisplacedArray(
-        input, wanted->Get(vtkDataObject::FIELD_NAME()), vtkDataObject::FIELD_ASSOCIATION_POINTS)
-    : "";
-  return misplaced.empty()
-    ? (wanted->Has(vtkDataObject::FIELD_NAME()) ? "The depth image has no point array \"" +
-            std::string(wanted->Get(vtkDataObject::FIELD_NAME())) + "\"."
-                                                : "The depth image has no point scalars.")
-    : "The depth image has " + misplaced + ".";
+  const std::string name = this->GetChosenName();
+  if (name.empty())
+  {
+    return "The depth image has no point scalars.";
+  }
+  const std::string misplaced =
+    relevo::DescribeMisplacedArray(input, name.c_str(), vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  return "The depth image has " +
+    (misplaced.empty() ? "no point array \"" + name + "\"" : misplaced) + ".";
 }
 
 std::string vtkDepthImageToRelief::AddPinholeDepths(vtkDataArray* samples, vtkImageData* output)

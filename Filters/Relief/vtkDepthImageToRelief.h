@@ -70,7 +70,8 @@ public:
   /**
    * Set the intrinsics of the pinhole camera in pixels: focal lengths along columns and rows,
    * greater than 0, and column and row of the principal point. Pixel centres are integers, and row
-   * 0 is the top row. All are 0 (not set) by default.
+   * 0 is the top row. All are 0 by default, which means that they are not set. Other values out of
+   * range are an error and change nothing.
    */
   void SetIntrinsics(double fx, double fy, double cx, double cy);
   void SetIntrinsics(const double values[4])
@@ -138,6 +139,7 @@ private:
   void operator=(const vtkDepthImageToRelief&) = delete;
 
   std::string Build(vtkImageData* input, vtkImageData* colorInput, vtkImageData* output);
+  std::string GetChosenName();
   vtkDataArray* FindDepths(vtkImageData* input);
   std::string DescribeMissingDepths(vtkImageData* input);
   std::string AddPinholeDepths(vtkDataArray* samples, vtkImageData* output);

@@ -355,4 +355,7 @@ void vtkReliefMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SelfShadow: " << this->SelfShadow << "\n";
   os << indent << "MaximumStretch: " << this->MaximumStretch << "\n";
   os << indent << "FillCracks: " << this->FillCracks << "\n";
+  os << indent << "MethodInUse: " << this->GetMethodInUse() << "\n";
+  os << indent << "NumberOfBufferBuilds: " << this->GetNumberOfBufferBuilds() << "\n";
+  os << indent << "NumberOfShaderBuilds: " << this->GetNumberOfShaderBuilds() << "\n";
 }

@@ -18,7 +18,9 @@ import RelevoParaView as relevo
 PROXIES = os.path.join(os.path.dirname(__file__), "..", "..", "Module", "ParaView", "Proxies")
 GROUP = "relevo_test"
 SURFACE_LIC = "vtkLICSettings"  # has Surface LIC's defaults, except for OWN_SETTINGS
-NOT_KEPT = ("vtkTerrainSource", "KeepHeights")  # displacements read heights themselves
+# Other defaults than those of the classes: displacements read heights themselves, and ParaView's
+# readers have the bottom row first.
+OPPOSITE = {("vtkTerrainSource", "KeepHeights"), ("vtkDepthImageToRelief", "BottomRowFirst")}
 # Values that surfaces in ParaView cannot have: control points of patches.
 NOT_OFFERED = {("vtkDistanceDepthTagMetric", "Measure"): 2}
 OWN_SETTINGS = {"OrientedLIC", "Phase", "NoDataMagnitude"}
@@ -31,7 +33,8 @@ def read_properties():
     for path in sorted(glob.glob(os.path.join(PROXIES, "*.xml"))):
         for proxy in ElementTree.parse(path).iterfind("ProxyGroup/*[@class]"):
             for each in proxy:
-                if each.tag.endswith("VectorProperty") and each.get("element_types") is None:
+                has_setter = each.get("command") and each.get("element_types") is None
+                if each.tag.endswith("VectorProperty") and has_setter:
                     result.setdefault(proxy.get("class"), {})[each.get("name")] = each
     return result
 
@@ -136,7 +139,7 @@ class TestProperties(relevo.TestCase):
             for each in elements.values() if name != SURFACE_LIC else ():
                 given = each.get("default_values", "").split()
                 expected = [type(x)(y) for x, y in zip(self.ask(proxy, each), given)]
-                if (name, each.get("name")) == NOT_KEPT:
+                if (name, each.get("name")) in OPPOSITE:
                     expected = [1 - int(each.get("default_values"))]
                 if each.tag == "StringVectorProperty":
                     expected = [each.get("default_values", "")]

@@ -42,7 +42,7 @@ names_of_ranks=() names=()
 if [ $# -eq 0 ]; then
   set -- TestRanks TestFilterRanks TestTranslucent TestLICRanks TestSelection TestLooks TestBadInput \
     TestRepresentation TestTime TestExamples TestSettings TestEquivalents TestProperties TestFilters \
-    TestVolume TestPackage
+    TestVolume TestRelief TestPackage
 fi
 for name in "$@"; do
   if [[ $name =~ Ranks|Translucent|Selection ]]; then

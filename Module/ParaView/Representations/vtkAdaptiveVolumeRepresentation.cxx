@@ -4,6 +4,7 @@
 
 #include "Checks/SettingChecks.h"
 #include "Checks/ShouldReport.h"
+#include "MapperMessage.h"
 #include "VolumePiece.h"
 #include "VolumeProp.h"
 #include "vtkAlgorithm.h"
@@ -58,13 +59,9 @@ const std::pair<const char*, const char*> Words[] = {
   { "The volume property", "The volume" },
 };
 
-// Return the message in the text of an event, which begins with the file, class and address.
-std::string ReadMessage(const char* text)
+// Return the mapper's message in ParaView's words.
+std::string Translate(std::string message)
 {
-  std::string message = text ? text : "";
-  const std::size_t begin = message.find("): ");
-  message = begin == std::string::npos ? message : message.substr(begin + 3);
-  message.erase(message.find_last_not_of(" \n") + 1);
   for (const auto& word : Words)
   {
     const std::string from = word.first;
@@ -138,7 +135,7 @@ vtkGPUUnstructuredGridVolumeMapper* vtkAdaptiveVolumeRepresentation::GetMapper()
 
 void vtkAdaptiveVolumeRepresentation::Report(vtkObject*, unsigned long event, void* text)
 {
-  const std::string message = ReadMessage(static_cast<const char*>(text));
+  const std::string message = Translate(relevo::ReadMapperMessage(text));
   if (event == vtkCommand::ErrorEvent)
   {
     vtkErrorMacro(<< message);
