@@ -7,30 +7,74 @@
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
+#include "vtkSMPTools.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <numeric>
+#include <tuple>
 
 namespace relevo
 {
-std::vector<vtkIdType> FindMergedPoints(const VolumeCells& cells)
+namespace
 {
-  const std::vector<dvec3>& points = cells.GetPoints();
-  const std::vector<Scalars>& scalars = cells.GetPointScalars();
+std::vector<vtkIdType> FindPlaces(const std::vector<dvec3>& points)
+{
   const vtkIdType count = static_cast<vtkIdType>(points.size());
   vtkNew<vtkDoubleArray> coordinates;
   coordinates->SetNumberOfComponents(3);
   coordinates->SetArray(const_cast<double*>(points.empty() ? nullptr : &points[0].x), 3 * count, 1);
   vtkNew<vtkPoints> all;
   all->SetData(coordinates);
-  std::vector<vtkIdType> merged = ComputeMergedPoints(all);
-  if (merged.empty())
+  std::vector<vtkIdType> places = ComputeMergedPoints(all);
+  if (places.empty())
   {
-    merged.resize(points.size());
-    std::iota(merged.begin(), merged.end(), 0);
+    places.resize(points.size());
+    std::iota(places.begin(), places.end(), 0);
   }
-  for (vtkIdType i = 0; i < count; ++i)
+  return places;
+}
+
+bool AreFinite(const Scalars& scalars)
+{
+  return std::all_of(
+    scalars.begin(), scalars.end(), [](double scalar) { return std::isfinite(scalar); });
+}
+}
+
+MergedCellPoints MergeCellPoints(const VolumeCells& cells)
+{
+  const std::vector<Scalars>& scalars = cells.GetPointScalars();
+  MergedCellPoints merged;
+  merged.Places = FindPlaces(cells.GetPoints());
+  merged.Points = merged.Places;
+  // Points whose scalars differ from those of the first point at their place. Scalars that are not
+  // finite equal no others.
+  std::vector<vtkIdType> others;
+  for (size_t i = 0; i < merged.Places.size(); ++i)
   {
-    merged[i] = scalars[merged[i]] == scalars[i] ? merged[i] : i;
+    if (!(scalars[merged.Places[i]] == scalars[i]))
+    {
+      merged.Points[i] = static_cast<vtkIdType>(i);
+      if (AreFinite(scalars[i]))
+      {
+        others.push_back(static_cast<vtkIdType>(i));
+      }
+    }
+  }
+  vtkSMPTools::Sort(others.begin(), others.end(),
+    [&](vtkIdType a, vtkIdType b) {
+      return std::tie(merged.Places[a], scalars[a], a) < std::tie(merged.Places[b], scalars[b], b);
+    });
+  for (size_t i = 1; i < others.size(); ++i)
+  {
+    const vtkIdType before = others[i - 1];
+    const vtkIdType point = others[i];
+    if (merged.Places[before] == merged.Places[point] && scalars[before] == scalars[point])
+    {
+      merged.Points[point] = merged.Points[before];
+    }
   }
   return merged;
 }

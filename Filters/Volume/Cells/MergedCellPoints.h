@@ -18,8 +18,15 @@ namespace relevo
 {
 class VolumeCells;
 
-/// Returns for each point the first coincident point, or the point itself if the scalars differ.
-RELEVOFILTERSVOLUME_EXPORT std::vector<vtkIdType> FindMergedPoints(const VolumeCells& cells);
+struct MergedCellPoints
+{
+  /// For each point the first coincident point.
+  std::vector<vtkIdType> Places;
+  /// For each point the first coincident point with the same scalars.
+  std::vector<vtkIdType> Points;
+};
+
+RELEVOFILTERSVOLUME_EXPORT MergedCellPoints MergeCellPoints(const VolumeCells& cells);
 }
 
 #endif

@@ -59,7 +59,7 @@ std::vector<Gradients> ComputePointGradients(const VolumeCells& cells)
   const size_t number = own + cells.GetGhosts().size();
   const auto get = [&](size_t i) -> const VolumeCells::Cell&
   { return i < own ? cells.GetCells()[i] : cells.GetGhosts()[i - own]; };
-  const std::vector<vtkIdType> merged = FindMergedPoints(cells);
+  const std::vector<vtkIdType> merged = MergeCellPoints(cells).Points;
   std::vector<Gradients> gradients(merged.size());
   std::vector<double> volumes(merged.size(), 0.0);
   std::vector<Share> batch(std::min(BatchSize, number));

@@ -21,7 +21,7 @@ class VolumeCells;
 /**
  * Returns for each point the volume-weighted mean gradient of the adjacent cells and ghost cells,
  * in scalar units per length. The gradient of a cell is that at its centre. Merged points, see
- * FindMergedPoints(), have the same gradient. It is 0 if no adjacent cell has point scalars.
+ * MergeCellPoints(), have the same gradient. It is 0 if no adjacent cell has point scalars.
  */
 RELEVOFILTERSVOLUME_EXPORT std::vector<Gradients> ComputePointGradients(const VolumeCells& cells);
 }

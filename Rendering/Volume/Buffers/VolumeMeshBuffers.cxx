@@ -6,6 +6,8 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 namespace relevo
 {
@@ -25,6 +27,8 @@ bool VolumeMeshBuffers::Upload(vtkOpenGLRenderWindow* window, const RayCastMesh&
       window, mesh.CellScalars, mesh.CellScalars.size() > cells ? 4 : 1) &&
     this->Buffers[PointGradients].Upload(window, mesh.PointGradients, 4) &&
     this->Buffers[PointSums].Upload(window, mesh.PointSums, 1) &&
+    this->Buffers[Corners].Upload(
+      window, mesh.IsDiscontinuous ? mesh.Corners : std::vector<std::uint32_t>(), 4) &&
     this->Buffers[Neighbors].Upload(window, mesh.Neighbors, 4) &&
     this->Buffers[CurvedCells].Upload(window, mesh.CurvedCells, 4) &&
     this->Buffers[BorderFaces].Upload(window, mesh.BorderFaces, 4) &&
@@ -34,7 +38,7 @@ bool VolumeMeshBuffers::Upload(vtkOpenGLRenderWindow* window, const RayCastMesh&
 void VolumeMeshBuffers::Activate(vtkShaderProgram* program)
 {
   const char* samplers[NumberOfKinds] = { "meshPoints", "pointScalars", "cellScalars",
-    "pointGradients", "pointSums", "neighbors", "curvedCells", "borderFaces", "borderTree" };
+    "pointGradients", "pointSums", "tetrahedronCorners", "neighbors", "curvedCells", "borderFaces", "borderTree" };
   for (int kind = 0; kind < NumberOfKinds; ++kind)
   {
     this->Buffers[kind].Activate(program, samplers[kind]);

@@ -41,6 +41,7 @@ private:
     CellScalars,
     PointGradients,
     PointSums,
+    Corners, // of tetrahedra, if scalars are discontinuous
     Neighbors,
     CurvedCells,
     BorderFaces,

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace relevo
 {
@@ -26,6 +27,7 @@ constexpr float TreeMargin = 1e-5f;
 // Relative to the side of a face.
 constexpr double LargestBulge = 1e-5;
 constexpr size_t MaximumBorderFaces = size_t(1) << 24;
+constexpr size_t MaximumDiscontinuousCells = size_t(1) << 29; // see RayCastMesh::Neighbors
 constexpr std::uint32_t Unused = RayCastMesh::InvalidCell;
 
 using Face = std::array<int, 4>;
@@ -45,6 +47,7 @@ public:
 
   void KeepCorners() { this->KeepsCorners = true; }
   void MergePoints();
+  bool IsDiscontinuous() const { return this->Mesh.IsDiscontinuous; }
   void SortPoints();
   void StorePoints();
   void ScaleScalars();
@@ -52,7 +55,8 @@ public:
   void AddCells();
   void FindNeighbors();
   void BuildBorder();
-  bool IsTooLarge() const { return this->Border.size() >= MaximumBorderFaces; }
+  /// Return what is wrong with the number of cells, or nothing.
+  std::string DescribeSize() const;
 
 private:
   bool HasCellScalars() const { return !this->Kept.empty() && this->Kept[0].Scalars >= 0; }
@@ -65,6 +69,9 @@ private:
   void AddCurved(const VolumeCells::Cell& cell);
   bool IsMirrored(const VolumeCells::Cell& cell) const;
   bool IsFlat(const VolumeCells::Cell& cell) const;
+  std::vector<Face> FindPlaces() const;
+  std::uint32_t GetCell(size_t face) const;
+  std::uint32_t GetNeighbor(size_t face, size_t other) const;
   std::uint32_t& GetBehind(size_t face);
   dvec3 GetPoint(std::uint32_t point) const;
   FloatBox GetBox(size_t face) const;
@@ -78,6 +85,7 @@ private:
   std::vector<VolumeCells::Cell> Kept;   // tetrahedra first
   std::vector<std::uint32_t> NewIds;     // of the cells' points
   std::vector<vtkIdType> OldIds;         // of the mesh's points
+  std::vector<vtkIdType> Places;         // of the cells' points: the first point there
   std::vector<Face> Faces;               // of all cells
   std::vector<std::uint32_t> FaceCells;  // of curved cells' faces, after those of tetrahedra
   std::vector<std::uint32_t> FirstFaces; // of curved cells
@@ -97,7 +105,9 @@ void RayCastMeshBuilder::MergePoints()
       }
     }
   }
-  const std::vector<vtkIdType> merged = FindMergedPoints(this->Cells);
+  MergedCellPoints all = MergeCellPoints(this->Cells);
+  this->Places = std::move(all.Places);
+  const std::vector<vtkIdType>& merged = all.Points;
   this->NewIds.assign(merged.size(), Unused);
   for (const VolumeCells::Cell& cell : this->Kept)
   {
@@ -112,6 +122,13 @@ void RayCastMeshBuilder::MergePoints()
       }
       this->NewIds[point] = this->NewIds[first];
     }
+  }
+  std::vector<bool> isTaken(merged.size(), false);
+  for (const vtkIdType point : this->OldIds)
+  {
+    const vtkIdType place = this->Places[point];
+    this->Mesh.IsDiscontinuous = this->Mesh.IsDiscontinuous || isTaken[place];
+    isTaken[place] = true;
   }
 }
 
@@ -313,6 +330,61 @@ void RayCastMeshBuilder::AddCells()
   }
 }
 
+// Return the faces with places instead of points. Faces with several points at one place match no
+// other face.
+std::vector<Face> RayCastMeshBuilder::FindPlaces() const
+{
+  // Points at one place are next to each other.
+  std::vector<int> places(this->OldIds.size());
+  for (size_t i = 0; i < places.size(); ++i)
+  {
+    const bool isSame = i > 0 && this->Places[this->OldIds[i]] == this->Places[this->OldIds[i - 1]];
+    places[i] = isSame ? places[i - 1] : static_cast<int>(i);
+  }
+  std::vector<Face> all = this->Faces;
+  for (Face& face : all)
+  {
+    const Face points = face;
+    for (int& corner : face)
+    {
+      corner = corner < 0 ? corner : places[corner];
+    }
+    for (size_t i = 0; i < 16; ++i)
+    {
+      if (face[i / 4] >= 0 && face[i / 4] == face[i % 4] && points[i / 4] != points[i % 4])
+      {
+        face = { { 0, 0, 0, -1 } };
+      }
+    }
+  }
+  return all;
+}
+
+// Return the index of a face's cell.
+std::uint32_t RayCastMeshBuilder::GetCell(size_t face) const
+{
+  const size_t inTetrahedra = 4 * this->Mesh.GetNumberOfTetrahedra();
+  return face < inTetrahedra ? static_cast<std::uint32_t>(face / 4)
+                             : this->FaceCells[face - inTetrahedra];
+}
+
+// Return the entry in RayCastMesh::Neighbors for a face and the matching face of another cell.
+std::uint32_t RayCastMeshBuilder::GetNeighbor(size_t face, size_t other) const
+{
+  const std::uint32_t cell = this->GetCell(other);
+  if (!this->Mesh.IsDiscontinuous)
+  {
+    return cell;
+  }
+  Face here = this->Faces[face];
+  Face there = this->Faces[other];
+  std::sort(here.begin(), here.end());
+  std::sort(there.begin(), there.end());
+  const bool isTetrahedron = other < 4 * this->Mesh.GetNumberOfTetrahedra();
+  const std::uint32_t side = isTetrahedron ? static_cast<std::uint32_t>(other % 4) : 0;
+  return 8 * cell + (here == there ? RayCastMesh::SamePoints : side);
+}
+
 // Return a reference to the index of the cell behind a face.
 std::uint32_t& RayCastMeshBuilder::GetBehind(size_t face)
 {
@@ -328,9 +400,11 @@ std::uint32_t& RayCastMeshBuilder::GetBehind(size_t face)
 
 void RayCastMeshBuilder::FindNeighbors()
 {
-  const size_t inTetrahedra = 4 * this->Mesh.GetNumberOfTetrahedra();
-  this->Mesh.Neighbors.resize(inTetrahedra);
-  const FaceMatch match = MatchFaces(this->Faces, static_cast<int>(this->OldIds.size()));
+  this->Mesh.Neighbors.resize(4 * this->Mesh.GetNumberOfTetrahedra());
+  const int numberOfPoints = static_cast<int>(this->OldIds.size());
+  const FaceMatch match = this->Mesh.IsDiscontinuous
+    ? MatchFaces(this->FindPlaces(), numberOfPoints)
+    : MatchFaces(this->Faces, numberOfPoints);
   this->Mesh.NumberOfSharedFaces = match.NumberOfSharedByMore;
   for (size_t face = 0; face < this->Faces.size(); ++face)
   {
@@ -346,11 +420,23 @@ void RayCastMeshBuilder::FindNeighbors()
     }
     else
     {
-      const size_t number = static_cast<size_t>(other);
-      behind = number < inTetrahedra ? static_cast<std::uint32_t>(number / 4)
-                                     : this->FaceCells[number - inTetrahedra];
+      behind = this->GetNeighbor(face, static_cast<size_t>(other));
     }
   }
+}
+
+std::string RayCastMeshBuilder::DescribeSize() const
+{
+  if (this->Border.size() >= MaximumBorderFaces)
+  {
+    return "has more than 16 million boundary faces; extract a part of it";
+  }
+  if (this->Mesh.IsDiscontinuous && this->Kept.size() >= MaximumDiscontinuousCells)
+  {
+    return "has different values of cells at the same points, and more than 512 million cells; "
+           "extract a part of it";
+  }
+  return "";
 }
 
 dvec3 RayCastMeshBuilder::GetPoint(std::uint32_t point) const
@@ -453,12 +539,12 @@ bool RayCastMesh::Build(const VolumeCells& cells, int numberOfComponents, std::s
   *this = RayCastMesh();
   const MeshExtent extent = whole ? *whole : MeshExtent::Of(cells, numberOfComponents);
   RayCastMeshBuilder builder(cells, numberOfComponents, extent, *this);
-  if (withCorners)
+  builder.MergePoints();
+  if (withCorners || builder.IsDiscontinuous())
   {
     builder.KeepCorners();
   }
-  builder.MergePoints();
-  if (whole)
+  if (whole || builder.IsDiscontinuous())
   {
     builder.SortPoints();
   }
@@ -470,9 +556,9 @@ bool RayCastMesh::Build(const VolumeCells& cells, int numberOfComponents, std::s
   }
   builder.AddCells();
   builder.FindNeighbors();
-  if (builder.IsTooLarge())
+  error = builder.DescribeSize();
+  if (!error.empty())
   {
-    error = "has more than 16 million boundary faces; extract a part of it";
     return false;
   }
   builder.BuildBorder();
@@ -489,6 +575,7 @@ void RayCastMesh::Release()
   rest.HasQuadraticCells = this->HasQuadraticCells;
   rest.HasPyramids = this->HasPyramids;
   rest.HasFoldedFaces = this->HasFoldedFaces;
+  rest.IsDiscontinuous = this->IsDiscontinuous;
   rest.ScalarLow = this->ScalarLow;
   rest.ScalarSize = this->ScalarSize;
   rest.ScalarHigh = this->ScalarHigh;

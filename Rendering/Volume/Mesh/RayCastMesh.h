@@ -10,6 +10,10 @@
  * tetrahedralization-based acceleration structures for ray tracing", Journal of Visualization
  * 2022).
  *
+ * If scalars are discontinuous, there are several points at the same place. Cells are neighbours if
+ * the corners of their faces are at the same places. Points are then sorted by position, so that
+ * the corners of a face have the same order in both cells.
+ *
  * Private to the modules' own sources.
  */
 #ifndef RayCastMesh_h
@@ -69,17 +73,23 @@ struct RayCastMesh
 
   /// The exclusive or of each tetrahedron's points.
   std::vector<std::uint32_t> PointSums;
-  /// The points of each tetrahedron in ascending order, on request.
+  /// The points of each tetrahedron in ascending order, on request or if scalars are discontinuous.
   std::vector<std::uint32_t> Corners;
   /// The neighbours of each tetrahedron: the cell that shares all points except the lowest one, and
-  /// so on.
+  /// so on. If scalars are discontinuous, 8 * cell + the index of the face in that cell's
+  /// neighbours, or + SamePoints.
   std::vector<std::uint32_t> Neighbors;
+  /// Whether cells have different scalars at the same place.
+  bool IsDiscontinuous = false;
+  /// For neighbours with the same points at the face. A curved cell with other points has 0.
+  static constexpr std::uint32_t SamePoints = 4;
 
   /**
    * The curved cells, 16 words each: 8 points of a hexahedron, or 10 of a quadratic tetrahedron,
    * whose last word is `Quadratic`. From word 10 on, the cells behind its faces follow in the order
-   * of their CellShapes. Wedges and pyramids are hexahedra with coincident points, which does not
-   * change positions and scalars. All cells are oriented so that their faces point outwards.
+   * of their CellShapes, as in Neighbors. Wedges and pyramids are hexahedra with coincident points,
+   * which does not change positions and scalars. All cells are oriented so that their faces point
+   * outwards.
    */
   std::vector<std::uint32_t> CurvedCells;
   static constexpr std::uint32_t Quadratic = 0xfffffff0;

@@ -72,6 +72,7 @@ std::string DefineCells(const VolumeShaderOptions& options)
   Define(defines, "QUADRATIC", options.HasQuadraticCells);
   Define(defines, "PYRAMIDS", options.HasPyramids);
   Define(defines, "FOLDED", options.HasFoldedFaces);
+  Define(defines, "DISCONTINUOUS", options.IsDiscontinuous);
   const bool hasSegments = options.Segments != SegmentOutput::None;
   Define(defines, "SEGMENTS", static_cast<int>(options.Segments));
   Define(defines, "WIDTH", GetSegmentFormat(options).GetWidth());

@@ -45,7 +45,8 @@ struct VolumeShaderOptions
   bool HasCurvedCells = false;
   bool HasQuadraticCells = false;
   bool HasPyramids = false;
-  bool HasFoldedFaces = false; // some faces are front and back faces at once
+  bool HasFoldedFaces = false;  // some faces are front and back faces at once
+  bool IsDiscontinuous = false; // cells have different scalars at the same place
   /// Whether the near plane may clip projected cells.
   bool IsCutByNear = false;
   SegmentOutput Segments = SegmentOutput::None;

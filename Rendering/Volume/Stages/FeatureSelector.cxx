@@ -23,6 +23,7 @@ void FindMesh(const VolumeMesh& mesh, VolumeShaderOptions& options)
   options.HasQuadraticCells = mesh.Layout.HasQuadraticCells;
   options.HasPyramids = mesh.Layout.HasPyramids;
   options.HasFoldedFaces = mesh.Layout.HasFoldedFaces;
+  options.IsDiscontinuous = mesh.Layout.IsDiscontinuous;
 }
 
 void FindFunctions(const TransferFunctions& functions, VolumeShaderOptions& options)

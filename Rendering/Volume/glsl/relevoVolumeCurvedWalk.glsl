@@ -117,13 +117,14 @@ bool isAhead(float depth)
 // of the cells detects, go back to the previous cell.
 void leaveTo(int exit)
 {
-  uint next = exit < 0 ? Nothing : wordOfCell(walkCell, FirstBehind + exit);
 #if RELEVO_FOLDED
   uint before = walkBefore;
   walkBefore = exit < 0 ? Nothing : walkCell;
-  next = exit < 0 ? before : next;
 #endif
-  walkCell = next;
+  moveTo(exit < 0 ? Nothing : wordOfCell(walkCell, FirstBehind + exit));
+#if RELEVO_FOLDED
+  walkCell = exit < 0 ? before : walkCell;
+#endif
 }
 
 void beginCurved(float end)
@@ -136,6 +137,12 @@ void beginCurved(float end)
   walkScalars = getCellScalars(walkCell);
   seekScalars(walkScalars);
 #else
+#if RELEVO_DISCONTINUOUS
+  if (walkSide != SamePoints)
+  {
+    jumpTo(cubic[0]);
+  }
+#endif
   walkScalars = cubic[3];
   curvedParts *= countParts();
 #endif
@@ -603,7 +610,7 @@ vec3 parametersInQuadratic(float depth, vec3 p)
 // folds.
 bool leadsOn(int face)
 {
-  uint next = wordOfCell(walkCell, FirstBehind + face);
+  uint next = cellOfNeighbor(wordOfCell(walkCell, FirstBehind + face));
   return next == Nothing || isCurvedCell(next);
 }
 #endif

@@ -7,11 +7,17 @@
 
 uniform usamplerBuffer pointSums;
 uniform usamplerBuffer neighbors;
+#if RELEVO_DISCONTINUOUS
+uniform usamplerBuffer tetrahedronCorners; // in ascending order
+#endif
 uniform samplerBuffer pointScalars;
 uniform samplerBuffer cellScalars;
 uniform int maximumSteps;
 
 const uint Nothing = 0xffffffffu;
+#if RELEVO_DISCONTINUOUS
+const uint SamePoints = 4u; // instead of the index of a face, if both cells have the same scalars
+#endif
 
 // The state of the walk: the next cell, and the face through which it is entered.
 uint walkCell;
@@ -64,6 +70,41 @@ Scalars interpolateScalars(vec3 weights)
 }
 #endif
 
+#if RELEVO_DISCONTINUOUS
+uint walkSide = SamePoints; // the face through which the cell is entered, or SamePoints
+#endif
+
+// Return the cell of an entry in the list of neighbours.
+uint cellOfNeighbor(uint neighbor)
+{
+#if RELEVO_DISCONTINUOUS
+  return neighbor == Nothing ? Nothing : neighbor / 8u;
+#else
+  return neighbor;
+#endif
+}
+
+void moveTo(uint neighbor)
+{
+  walkCell = cellOfNeighbor(neighbor);
+#if RELEVO_DISCONTINUOUS
+  walkSide = neighbor == Nothing ? SamePoints : neighbor % 8u;
+#endif
+}
+
+#if RELEVO_DISCONTINUOUS
+// Continue with other scalars. The previous cell must have been processed.
+void jumpTo(Scalars scalars)
+{
+  walkSide = SamePoints;
+  walkScalars = scalars;
+  seekScalars(scalars);
+#if RELEVO_SURFACES
+  isIsoNew = true;
+#endif
+}
+#endif
+
 #if RELEVO_CURVED
 float curvedParts = 0.0; // number of segments of a cell
 float curvedNext = 0.0;  // index of the next segment
@@ -73,9 +114,39 @@ uint walkBefore = Nothing; // the previous cell
 #endif
 #endif
 
+#if RELEVO_DISCONTINUOUS
+// Use the scalars of the tetrahedron at the face through which it is entered. The face's corners
+// have the same order as in the previous cell.
+void takeScalars()
+{
+  uvec4 all = texelFetch(tetrahedronCorners, int(walkCell));
+  uvec3 own = walkSide == 0u ? all.yzw
+    : walkSide == 1u         ? all.xzw
+    : walkSide == 2u         ? all.xyw
+                             : all.xyz;
+  uvec3 ids = uvec3(faceA.id, faceB.id, faceC.id);
+  faceA.id = own[int(ids.y < ids.x) + int(ids.z < ids.x)];
+  faceB.id = own[int(ids.x < ids.y) + int(ids.z < ids.y)];
+  faceC.id = own[int(ids.x < ids.z) + int(ids.y < ids.z)];
+  scalarsA = getPointScalars(faceA.id, texelFetch(meshPoints, int(faceA.id)).w);
+  scalarsB = getPointScalars(faceB.id, texelFetch(meshPoints, int(faceB.id)).w);
+  scalarsC = getPointScalars(faceC.id, texelFetch(meshPoints, int(faceC.id)).w);
+  vec3 weights;
+  bool isSeen = getWeights(uvec3(faceA.id, faceB.id, faceC.id), faceAreas, weights);
+  weights = isSeen ? weights : vec3(1.0, 0.0, 0.0);
+  jumpTo(interpolateScalars(weights));
+#if RELEVO_LIT
+  walkToGradients(uvec3(faceA.id, faceB.id, faceC.id), weights);
+#endif
+}
+#endif
+
 void enterMesh(Entry entry)
 {
   walkCell = entry.cell;
+#if RELEVO_DISCONTINUOUS
+  walkSide = SamePoints;
+#endif
   walkDepth = entry.depth;
   faceA = entry.a;
   faceB = entry.b;
@@ -118,6 +189,12 @@ void enterMesh(Entry entry)
 // Cross a tetrahedron to the face through which the ray leaves it.
 void crossTetrahedron()
 {
+#if RELEVO_DISCONTINUOUS
+  if (walkSide != SamePoints)
+  {
+    takeScalars();
+  }
+#endif
   uint id = texelFetch(pointSums, int(walkCell)).r ^ faceA.id ^ faceB.id ^ faceC.id;
   uvec4 behind = texelFetch(neighbors, int(walkCell));
   vec4 point = texelFetch(meshPoints, int(id));
@@ -190,7 +267,7 @@ void crossTetrahedron()
 #endif
   walkDepth = exit;
   int place = int(faceA.id < across) + int(faceB.id < across) + int(faceC.id < across);
-  walkCell = place == 0 ? behind.x : place == 1 ? behind.y : place == 2 ? behind.z : behind.w;
+  moveTo(place == 0 ? behind.x : place == 1 ? behind.y : place == 2 ? behind.z : behind.w);
 }
 
 //RELEVO::CurvedWalk

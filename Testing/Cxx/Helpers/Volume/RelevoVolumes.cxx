@@ -3,9 +3,13 @@
 #include "RelevoVolumes.h"
 
 #include "Integral/LinearSegment.h"
+#include "RelevoDice.h"
+#include "vtkCellData.h"
+#include "vtkCellTypeSource.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
@@ -95,6 +99,70 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeTetrahedra(int n, const RelevoField& fi
     }
   }
   return mesh;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> MakeBlocksOfCells(
+  int type, const RelevoField& field, double distortion, double x)
+{
+  vtkNew<vtkCellTypeSource> source;
+  source->SetCellType(type);
+  source->SetBlocksDimensions(3, 3, 3);
+  source->Update();
+  auto mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  mesh->DeepCopy(source->GetOutput());
+  mesh->GetPointData()->Initialize();
+  mesh->GetCellData()->Initialize();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("waves");
+  RelevoDice dice(5);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    RelevoPoint at;
+    mesh->GetPoint(i, at.data());
+    at[0] += x;
+    for (double& coordinate : at)
+    {
+      coordinate += distortion * dice.Signed();
+    }
+    points->InsertNextPoint(at.data());
+    values->InsertNextValue(field(at));
+  }
+  mesh->SetPoints(points);
+  mesh->GetPointData()->SetScalars(values);
+  return mesh;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> MakeDiscontinuous(vtkUnstructuredGrid* mesh, double jump)
+{
+  vtkDataArray* given = mesh->GetPointData()->GetScalars();
+  auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> values;
+  values->SetName(given->GetName());
+  values->SetNumberOfComponents(given->GetNumberOfComponents());
+  RelevoDice dice(17);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    mesh->GetCellPoints(cell, corners);
+    const double difference = jump * dice.Signed();
+    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
+    {
+      const vtkIdType from = corners->GetId(i);
+      corners->SetId(i, points->InsertNextPoint(mesh->GetPoint(from)));
+      for (int c = 0; c < given->GetNumberOfComponents(); ++c)
+      {
+        values->InsertNextValue(given->GetComponent(from, c) + difference);
+      }
+    }
+    result->InsertNextCell(mesh->GetCellType(cell), corners);
+  }
+  result->SetPoints(points);
+  result->GetPointData()->SetScalars(values);
+  return result;
 }
 
 vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocksToLeaveOut(vtkUnstructuredGrid* solid)

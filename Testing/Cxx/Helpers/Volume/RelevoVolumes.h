@@ -24,6 +24,14 @@ using RelevoField = std::function<double(const RelevoPoint&)>;
 vtkSmartPointer<vtkUnstructuredGrid> MakeTetrahedra(
   int n, const RelevoField& field, double low = 0.0);
 
+// Blocks of 3 x 3 x 3 of vtkCellTypeSource, from x to x + 3, with the point scalars "waves". Points
+// are moved by up to `distortion`.
+vtkSmartPointer<vtkUnstructuredGrid> MakeBlocksOfCells(
+  int type, const RelevoField& field, double distortion = 0.0, double x = 0.0);
+
+// Give each cell its own points, whose scalars differ by up to `jump` from those of the mesh.
+vtkSmartPointer<vtkUnstructuredGrid> MakeDiscontinuous(vtkUnstructuredGrid* mesh, double jump);
+
 // Blocks: the mesh as "solid", a surface "skin", and "air", whose array has another name.
 vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocksToLeaveOut(vtkUnstructuredGrid* solid);
 

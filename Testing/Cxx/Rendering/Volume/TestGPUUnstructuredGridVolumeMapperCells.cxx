@@ -9,7 +9,6 @@
 #include "vtkAppendFilter.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
-#include "vtkCellTypeSource.h"
 #include "vtkContourValues.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
@@ -29,34 +28,7 @@ double GetWaves(const RelevoPoint& at)
 // Blocks of cells of one kind whose points are moved by up to `distortion`.
 vtkSmartPointer<vtkUnstructuredGrid> MakeCells(int type, double distortion, double x = 0.0)
 {
-  vtkNew<vtkCellTypeSource> source;
-  source->SetCellType(type);
-  source->SetBlocksDimensions(3, 3, 3);
-  source->Update();
-  auto mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  mesh->DeepCopy(source->GetOutput());
-  mesh->GetPointData()->Initialize();
-  mesh->GetCellData()->Initialize();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> values;
-  values->SetName("waves");
-  RelevoDice dice(5);
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    RelevoPoint at;
-    mesh->GetPoint(i, at.data());
-    at[0] += x;
-    for (double& coordinate : at)
-    {
-      coordinate += distortion * dice.Signed();
-    }
-    points->InsertNextPoint(at.data());
-    values->InsertNextValue(GetWaves(at));
-  }
-  mesh->SetPoints(points);
-  mesh->GetPointData()->SetScalars(values);
-  return mesh;
+  return MakeBlocksOfCells(type, GetWaves, distortion, x);
 }
 
 vtkSmartPointer<vtkVolumeProperty> MakeProperty()
