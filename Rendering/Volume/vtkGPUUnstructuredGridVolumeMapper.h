@@ -244,9 +244,10 @@ public:
    * without ghost, blanked and empty cells and cells without scalars. GetNumberOfLayers(): the
    * maximum over all pixels of how often a ray enters the mesh; this call draws and waits for the
    * GPU. GetGraphicsMemorySize(): the bytes of the mesh and the tables on the GPU. The other three
-   * return how often the mesh has been uploaded, a shader built and a table computed since the
-   * mapper was created. Cameras and edits of the property do not increase them, except for the
-   * tables of pre-integration.
+   * return how often the mesh has been built and uploaded, a shader built and a table computed
+   * since the mapper was created. Cameras and edits of the property do not increase them, except
+   * for the tables of pre-integration. New values on the same points and cells are uploaded without
+   * building the mesh, with ray casting without shading.
    */
   vtkIdType GetNumberOfDrawnCells();
   int GetNumberOfLayers();

@@ -3,7 +3,10 @@
 #include "Cells/ScalarChoice.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
 #include "vtkVolumeProperty.h"
+
+#include <cmath>
 
 namespace relevo
 {
@@ -33,5 +36,33 @@ ScalarChoice ChooseScalars(vtkVolumeProperty* property, int vectorMode, int vect
     choice.Component = vectorComponent;
   }
   return choice;
+}
+
+void AddScalars(vtkDataArray* array, const ScalarChoice& choice, std::vector<Scalars>& all)
+{
+  const int components = array->GetNumberOfComponents();
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    Scalars scalars = {};
+    if (choice.Component == ScalarChoice::All)
+    {
+      for (int c = 0; c < components; ++c)
+      {
+        scalars[c] = choice.Scale * array->GetComponent(i, c);
+      }
+    }
+    else if (choice.Component == ScalarChoice::Length)
+    {
+      for (int c = 0; c < components; ++c)
+      {
+        scalars[0] = std::hypot(scalars[0], array->GetComponent(i, c));
+      }
+    }
+    else
+    {
+      scalars[0] = array->GetComponent(i, choice.Component);
+    }
+    all.push_back(scalars);
+  }
 }
 }

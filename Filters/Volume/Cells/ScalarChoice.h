@@ -9,8 +9,12 @@
 #ifndef ScalarChoice_h
 #define ScalarChoice_h
 
+#include "Integral/TransferFunctions.h" // for scalars
 #include "RelevoFiltersVolumeModule.h" // for export macro
 
+#include <vector>
+
+class vtkDataArray;
 class vtkVolumeProperty;
 
 namespace relevo
@@ -34,6 +38,10 @@ struct ScalarChoice
 /// Returns the choice for VectorMode and VectorComponent of a mapper and the colour functions.
 RELEVOFILTERSVOLUME_EXPORT ScalarChoice ChooseScalars(
   vtkVolumeProperty* property, int vectorMode, int vectorComponent);
+
+/// Converts the tuples of an array and appends the scalars.
+RELEVOFILTERSVOLUME_EXPORT void AddScalars(
+  vtkDataArray* array, const ScalarChoice& choice, std::vector<Scalars>& all);
 }
 
 #endif

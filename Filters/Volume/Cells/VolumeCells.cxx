@@ -36,34 +36,6 @@ bool IsFinite(const dvec3& point)
   return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
 }
 
-void AddScalars(vtkDataArray* array, const ScalarChoice& choice, std::vector<Scalars>& all)
-{
-  const int components = array->GetNumberOfComponents();
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    Scalars scalars = {};
-    if (choice.Component == ScalarChoice::All)
-    {
-      for (int c = 0; c < components; ++c)
-      {
-        scalars[c] = choice.Scale * array->GetComponent(i, c);
-      }
-    }
-    else if (choice.Component == ScalarChoice::Length)
-    {
-      for (int c = 0; c < components; ++c)
-      {
-        scalars[0] = std::hypot(scalars[0], array->GetComponent(i, c));
-      }
-    }
-    else
-    {
-      scalars[0] = array->GetComponent(i, choice.Component);
-    }
-    all.push_back(scalars);
-  }
-}
-
 // The cells that are hidden or belong to another piece.
 class LeftOutCells
 {

@@ -14,6 +14,7 @@ namespace relevo
 bool VolumeMeshBuffers::Upload(vtkOpenGLRenderWindow* window, const RayCastMesh& mesh)
 {
   const size_t cells = mesh.GetNumberOfTetrahedra() + mesh.GetNumberOfCurvedCells();
+  this->NumberOfCells = cells;
   this->TreeSize = static_cast<int>(mesh.BorderTree.size() / 8);
   this->NumberOfTetrahedra = static_cast<int>(mesh.GetNumberOfTetrahedra());
   this->NumberOfBorderFaces = static_cast<int>(mesh.BorderFaces.size() / 4);
@@ -21,10 +22,7 @@ bool VolumeMeshBuffers::Upload(vtkOpenGLRenderWindow* window, const RayCastMesh&
   constexpr size_t stepsOfCell = 32;
   this->MaximumSteps = static_cast<int>(
     std::min<size_t>(mesh.GetNumberOfCurvedCells() > 0 ? stepsOfCell * cells : cells, 1 << 30) + 1);
-  return this->Buffers[Points].Upload(window, mesh.Points, 4) &&
-    this->Buffers[PointScalars].Upload(window, mesh.PointScalars, 4) &&
-    this->Buffers[CellScalars].Upload(
-      window, mesh.CellScalars, mesh.CellScalars.size() > cells ? 4 : 1) &&
+  return this->UploadScalars(window, mesh) &&
     this->Buffers[PointGradients].Upload(window, mesh.PointGradients, 4) &&
     this->Buffers[PointSums].Upload(window, mesh.PointSums, 1) &&
     this->Buffers[Corners].Upload(
@@ -35,10 +33,19 @@ bool VolumeMeshBuffers::Upload(vtkOpenGLRenderWindow* window, const RayCastMesh&
     this->Buffers[BorderTree].Upload(window, mesh.BorderTree, 4);
 }
 
+bool VolumeMeshBuffers::UploadScalars(vtkOpenGLRenderWindow* window, const RayCastMesh& mesh)
+{
+  return this->Buffers[Points].Upload(window, mesh.Points, 4) &&
+    this->Buffers[PointScalars].Upload(window, mesh.PointScalars, 4) &&
+    this->Buffers[CellScalars].Upload(
+      window, mesh.CellScalars, mesh.CellScalars.size() > this->NumberOfCells ? 4 : 1);
+}
+
 void VolumeMeshBuffers::Activate(vtkShaderProgram* program)
 {
   const char* samplers[NumberOfKinds] = { "meshPoints", "pointScalars", "cellScalars",
-    "pointGradients", "pointSums", "tetrahedronCorners", "neighbors", "curvedCells", "borderFaces", "borderTree" };
+    "pointGradients", "pointSums", "tetrahedronCorners", "neighbors", "curvedCells", "borderFaces",
+    "borderTree" };
   for (int kind = 0; kind < NumberOfKinds; ++kind)
   {
     this->Buffers[kind].Activate(program, samplers[kind]);

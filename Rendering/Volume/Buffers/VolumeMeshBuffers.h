@@ -12,6 +12,7 @@
 #include "Buffers/BufferTexture.h"
 
 #include <array>
+#include <cstddef>
 
 namespace relevo
 {
@@ -22,6 +23,10 @@ class VolumeMeshBuffers
 public:
   /// Upload a mesh. Return false if it does not fit into the buffer textures of this OpenGL.
   bool Upload(vtkOpenGLRenderWindow* window, const RayCastMesh& mesh);
+
+  /// Upload the points and scalars of a mesh that has been uploaded. Return false if the upload
+  /// fails.
+  bool UploadScalars(vtkOpenGLRenderWindow* window, const RayCastMesh& mesh);
 
   /// Activate the textures, and set their samplers and sizes.
   void Activate(vtkShaderProgram* program);
@@ -49,6 +54,7 @@ private:
     NumberOfKinds
   };
   std::array<BufferTexture, NumberOfKinds> Buffers;
+  size_t NumberOfCells = 0;
   int TreeSize = 0;
   int NumberOfBorderFaces = 0;
   int MaximumSteps = 0;

@@ -28,7 +28,7 @@ constexpr float TreeMargin = 1e-5f;
 constexpr double LargestBulge = 1e-5;
 constexpr size_t MaximumBorderFaces = size_t(1) << 24;
 constexpr size_t MaximumDiscontinuousCells = size_t(1) << 29; // see RayCastMesh::Neighbors
-constexpr std::uint32_t Unused = RayCastMesh::InvalidCell;
+constexpr std::uint32_t Unused = RayCastMesh::UnusedPoint;
 
 using Face = std::array<int, 4>;
 
@@ -45,12 +45,13 @@ public:
   {
   }
 
+  void KeepPointIds() { this->Mesh.PointIds = std::move(this->NewIds); }
   void KeepCorners() { this->KeepsCorners = true; }
   void MergePoints();
   bool IsDiscontinuous() const { return this->Mesh.IsDiscontinuous; }
   void SortPoints();
   void StorePoints();
-  void ScaleScalars();
+  void StoreScalars();
   void AddGradients();
   void AddCells();
   void FindNeighbors();
@@ -64,7 +65,6 @@ private:
   {
     return this->NewIds[this->Cells.GetCornerId(cell, i)];
   }
-  void AddScalars(const Scalars& scalars, std::vector<float>& all) const;
   void AddTetrahedron(const VolumeCells::Cell& cell);
   void AddCurved(const VolumeCells::Cell& cell);
   bool IsMirrored(const VolumeCells::Cell& cell) const;
@@ -160,61 +160,35 @@ void RayCastMeshBuilder::StorePoints()
   this->Mesh.LongestEdge = this->Whole.LongestEdge / this->Mesh.Radius;
   this->Mesh.HalfSize =
     dvec3(box.GetSide(0), box.GetSide(1), box.GetSide(2)) / (2.0 * this->Mesh.Radius);
-  this->Mesh.Points.resize(4 * this->OldIds.size());
-  for (size_t i = 0; i < this->OldIds.size(); ++i)
+  std::vector<dvec3> points;
+  points.reserve(this->OldIds.size());
+  for (const vtkIdType id : this->OldIds)
   {
-    const dvec3& point = this->Cells.GetPoints()[this->OldIds[i]];
-    for (int c = 0; c < 3; ++c)
-    {
-      this->Mesh.Points[4 * i + c] =
-        static_cast<float>((point[c] - this->Mesh.Center[c]) / this->Mesh.Radius);
-    }
+    points.push_back(this->Cells.GetPoints()[id]);
   }
+  this->Mesh.SetPoints(points);
 }
 
-void RayCastMeshBuilder::AddScalars(const Scalars& scalars, std::vector<float>& all) const
-{
-  for (int c = 0; c < (this->NumberOfComponents > 1 ? MaximumComponents : 1); ++c)
-  {
-    all.push_back(
-      static_cast<float>((scalars[c] - this->Mesh.ScalarLow[c]) / this->Mesh.ScalarSize[c]));
-  }
-}
-
-// Scale scalars to the range from 0 to 1, where floats are more precise than far from 0.
-void RayCastMeshBuilder::ScaleScalars()
+void RayCastMeshBuilder::StoreScalars()
 {
   const bool areOfCells = this->HasCellScalars();
-  const std::vector<Scalars>& all =
-    areOfCells ? this->Cells.GetCellScalars() : this->Cells.GetPointScalars();
-  std::vector<vtkIdType> used = this->OldIds;
+  std::vector<Scalars> used;
   if (areOfCells)
   {
-    used.clear();
     for (const VolumeCells::Cell& cell : this->Kept)
     {
-      used.push_back(cell.Scalars);
+      used.push_back(this->Cells.GetCellScalars()[cell.Scalars]);
+      this->Mesh.CellIds.push_back(cell.Scalars);
     }
   }
-  for (int c = 0; c < MaximumComponents; ++c)
+  else
   {
-    this->Mesh.ScalarLow[c] = used.empty() ? 0.0 : this->Whole.ScalarLow[c];
-    this->Mesh.ScalarHigh[c] = used.empty() ? 0.0 : this->Whole.ScalarHigh[c];
-    this->Mesh.ScalarSize[c] = used.empty() ? 1.0 : this->Whole.GetScalarSize(c);
-  }
-  std::vector<float>& scalars = areOfCells ? this->Mesh.CellScalars : this->Mesh.PointScalars;
-  for (vtkIdType i : used)
-  {
-    this->AddScalars(all[i], scalars);
-  }
-  if (!areOfCells && this->NumberOfComponents == 1)
-  {
-    for (size_t i = 0; i < scalars.size(); ++i)
+    for (const vtkIdType id : this->OldIds)
     {
-      this->Mesh.Points[4 * i + 3] = scalars[i];
+      used.push_back(this->Cells.GetPointScalars()[id]);
     }
-    scalars = {};
   }
+  this->Mesh.SetScalars(used, this->NumberOfComponents, areOfCells, this->Whole);
 }
 
 void RayCastMeshBuilder::AddGradients()
@@ -549,7 +523,7 @@ bool RayCastMesh::Build(const VolumeCells& cells, int numberOfComponents, std::s
     builder.SortPoints();
   }
   builder.StorePoints();
-  builder.ScaleScalars();
+  builder.StoreScalars();
   if (withGradients)
   {
     builder.AddGradients();
@@ -562,7 +536,51 @@ bool RayCastMesh::Build(const VolumeCells& cells, int numberOfComponents, std::s
     return false;
   }
   builder.BuildBorder();
+  builder.KeepPointIds();
   return true;
+}
+
+void RayCastMesh::SetPoints(const std::vector<dvec3>& points)
+{
+  this->Points.resize(4 * points.size());
+  for (size_t i = 0; i < points.size(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Points[4 * i + c] = static_cast<float>((points[i][c] - this->Center[c]) / this->Radius);
+    }
+  }
+}
+
+// Scale scalars to the range from 0 to 1, where floats are more precise than far from 0.
+void RayCastMesh::SetScalars(const std::vector<Scalars>& scalars, int numberOfComponents,
+  bool areOfCells, const MeshExtent& whole)
+{
+  for (int c = 0; c < MaximumComponents; ++c)
+  {
+    this->ScalarLow[c] = scalars.empty() ? 0.0 : whole.ScalarLow[c];
+    this->ScalarHigh[c] = scalars.empty() ? 0.0 : whole.ScalarHigh[c];
+    this->ScalarSize[c] = scalars.empty() ? 1.0 : whole.GetScalarSize(c);
+  }
+  const bool areInPoints = !areOfCells && numberOfComponents == 1;
+  std::vector<float>& all = areOfCells ? this->CellScalars : this->PointScalars;
+  all.clear();
+  for (size_t i = 0; i < scalars.size(); ++i)
+  {
+    for (int c = 0; c < (numberOfComponents > 1 ? MaximumComponents : 1); ++c)
+    {
+      const float stored =
+        static_cast<float>((scalars[i][c] - this->ScalarLow[c]) / this->ScalarSize[c]);
+      if (areInPoints)
+      {
+        this->Points[4 * i + 3] = stored;
+      }
+      else
+      {
+        all.push_back(stored);
+      }
+    }
+  }
 }
 
 void RayCastMesh::Release()

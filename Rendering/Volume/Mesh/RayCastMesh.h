@@ -33,6 +33,8 @@ struct RayCastMesh
 {
   /// The index for a missing cell.
   static constexpr std::uint32_t InvalidCell = 0xffffffff;
+  /// The index for a point without cells.
+  static constexpr std::uint32_t UnusedPoint = 0xffffffff;
   static constexpr int WordsOfCurvedCell = 16;
 
   /**
@@ -45,6 +47,13 @@ struct RayCastMesh
    */
   bool Build(const VolumeCells& cells, int numberOfComponents, std::string& error,
     bool withCorners = false, bool withGradients = false, const MeshExtent* whole = nullptr);
+
+  /// Store points with the transformation of positions.
+  void SetPoints(const std::vector<dvec3>& points);
+  /// Scale the scalars of all points or cells by the extent's ranges, and store them after the
+  /// points.
+  void SetScalars(const std::vector<Scalars>& scalars, int numberOfComponents, bool areOfCells,
+    const MeshExtent& whole);
 
   /// Free the arrays. The transformations of positions and scalars stay.
   void Release();
@@ -62,6 +71,13 @@ struct RayCastMesh
   Scalars ScalarLow = {};
   Scalars ScalarSize = {};
   Scalars ScalarHigh = {}; // the highest value
+  //@}
+
+  //@{
+  /// The sources of scalars: for each point of the data sets its point here, or UnusedPoint, and
+  /// for each cell here the tuple of its scalars, if they are of cells.
+  std::vector<std::uint32_t> PointIds;
+  std::vector<vtkIdType> CellIds;
   //@}
 
   std::vector<float> Points;       // x, y, z, and the scalar if there is only one component

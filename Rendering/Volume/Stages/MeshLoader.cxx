@@ -6,6 +6,7 @@
 #include "Cells/VolumeCells.h"
 #include "Checks/InputType.h"
 #include "Checks/ShouldReport.h"
+#include "Mesh/MeshSignature.h"
 
 #include "vtkAbstractMapper.h"
 #include "vtkDataArray.h"
@@ -83,6 +84,10 @@ bool MeshLoader::Update(const MeshRequest& request, StageReport& report)
   this->Whole = isPiece ? *request.Whole : MeshExtent();
   const bool hasChanged = this->Known.Update(now) || isOtherPiece;
   const bool lacksGradients = this->HasMesh && !this->Mesh.HasCellScalars && !this->HasGradients;
+  if (hasChanged && !isOtherPiece && this->ReplaceValues(request, report))
+  {
+    return true;
+  }
   if (hasChanged || (lacksGradients && request.IsShaded))
   {
     this->HasGradients = request.IsShaded;
@@ -101,7 +106,50 @@ bool MeshLoader::Load(const MeshRequest& request, StageReport& report)
     return this->LoadMeasured(request, report);
   }
   VolumeCells cells;
-  return this->Read(request, cells, report) && this->Upload(request, cells, report);
+  std::vector<MeshScalars> meshes;
+  this->Signature.clear();
+  if (!this->Read(request, cells, meshes, report) || !this->Upload(request, cells, report))
+  {
+    return false;
+  }
+  if (!this->Values.IsEmpty())
+  {
+    this->Signature = ComputeMeshSignature(meshes);
+  }
+  return true;
+}
+
+// Keep the mesh if only values have changed.
+bool MeshLoader::ReplaceValues(const MeshRequest& request, StageReport& report)
+{
+  if (!this->HasMesh || this->Signature.empty() || this->IsPiece || request.HasCorners ||
+    request.IsShaded || !IsOfRequiredType(request.Input, request.Port))
+  {
+    return false;
+  }
+  const int components = this->Mesh.NumberOfComponents;
+  StageReport ignored; // a load repeats the messages
+  std::vector<MeshScalars> meshes;
+  std::string leftOut;
+  if (!this->FindScalars(request, ignored, meshes, leftOut) ||
+    this->Mesh.NumberOfComponents != components || ComputeMeshSignature(meshes) != this->Signature)
+  {
+    return false;
+  }
+  std::vector<ScalarChoice> choices;
+  for (const MeshScalars& mesh : meshes)
+  {
+    choices.push_back(this->FindChoice(request, mesh.Array));
+  }
+  RayCastMesh& layout = this->Mesh.Layout;
+  const bool isReplaced = this->Values.Replace(meshes, choices, components, layout) &&
+    this->Mesh.Buffers.UploadScalars(request.Window, layout);
+  layout.Release();
+  if (isReplaced && ShouldReport(this->LeftOut, leftOut))
+  {
+    report.Warnings.push_back(leftOut);
+  }
+  return isReplaced;
 }
 
 bool MeshLoader::LoadMeasured(const MeshRequest& request, StageReport& report)
@@ -116,7 +164,8 @@ MeshExtent MeshLoader::Measure(const MeshRequest& request, StageReport& report)
   {
     this->Extent = MeshExtent();
     this->Cells = std::make_unique<VolumeCells>();
-    if (this->Read(request, *this->Cells, report))
+    std::vector<MeshScalars> meshes;
+    if (this->Read(request, *this->Cells, meshes, report))
     {
       this->Extent = MeshExtent::Of(*this->Cells, this->Mesh.NumberOfComponents);
     }
@@ -168,16 +217,23 @@ bool MeshLoader::FindScalars(const MeshRequest& request, StageReport& report,
   return true;
 }
 
-bool MeshLoader::Read(const MeshRequest& request, VolumeCells& cells, StageReport& report)
+ScalarChoice MeshLoader::FindChoice(const MeshRequest& request, vtkDataArray* array) const
 {
-  std::vector<MeshScalars> meshes;
+  const bool areColors =
+    this->Mesh.NumberOfComponents == MaximumComponents && !request.AreIndependent;
+  ScalarChoice choice = request.Choice;
+  choice.Scale = areColors && vtkUnsignedCharArray::SafeDownCast(array) ? 1.0 / 255.0 : 1.0;
+  return choice;
+}
+
+bool MeshLoader::Read(const MeshRequest& request, VolumeCells& cells,
+  std::vector<MeshScalars>& meshes, StageReport& report)
+{
   std::string leftOut;
   if (!this->FindScalars(request, report, meshes, leftOut))
   {
     return false;
   }
-  const bool areColors =
-    this->Mesh.NumberOfComponents == MaximumComponents && !request.AreIndependent;
   if (request.HasCorners)
   {
     cells.SplitAll();
@@ -185,9 +241,7 @@ bool MeshLoader::Read(const MeshRequest& request, VolumeCells& cells, StageRepor
   bool hasErrors = false;
   for (const MeshScalars& mesh : meshes)
   {
-    ScalarChoice choice = request.Choice;
-    const bool areBytes = areColors && vtkUnsignedCharArray::SafeDownCast(mesh.Array);
-    choice.Scale = areBytes ? 1.0 / 255.0 : 1.0;
+    const ScalarChoice choice = this->FindChoice(request, mesh.Array);
     for (const std::string& error : cells.Add(mesh.Mesh, mesh.Array, mesh.AreOfCells, choice))
     {
       hasErrors = true;
@@ -245,6 +299,11 @@ bool MeshLoader::Upload(const MeshRequest& request, const VolumeCells& cells, St
   }
   this->Mesh.HasTetrahedra = layout.GetNumberOfTetrahedra() > 0;
   this->Mesh.HasCurvedCells = layout.GetNumberOfCurvedCells() > 0;
+  this->Values.Clear();
+  if (!request.HasCorners && !request.Whole && !this->HasGradients)
+  {
+    this->Values.Keep(cells, layout);
+  }
   layout.Release();
   ++this->NumberOfBuilds;
   this->NumberOfDrawnCells = cells.GetNumberOfDrawnCells();

@@ -14,6 +14,7 @@
 #include "Cells/ScalarChoice.h"
 #include "Changes/Dependencies.h"
 #include "Checks/StageReport.h"
+#include "Mesh/MeshValues.h"
 #include "Mesh/RayCastMesh.h"
 
 #include <memory>
@@ -22,6 +23,7 @@
 
 class vtkDataObject;
 class vtkInformation;
+class vtkDataArray;
 class vtkOpenGLRenderWindow;
 class vtkWindow;
 
@@ -68,7 +70,8 @@ public:
   ~MeshLoader();
 
   /// Load the mesh if the request has changed. Return whether there is anything to draw. A failed
-  /// load is repeated and reported again when the request changes.
+  /// load is repeated and reported again when the request changes. If only values have changed,
+  /// only they are uploaded.
   bool Update(const MeshRequest& request, StageReport& report);
 
   /// Return the extent of the input's cells; it is empty if there are none or they cannot be read.
@@ -90,14 +93,19 @@ private:
   bool CheckType(const MeshRequest& request, StageReport& report);
   bool FindScalars(const MeshRequest& request, StageReport& report,
     std::vector<MeshScalars>& meshes, std::string& leftOut);
-  bool Read(const MeshRequest& request, VolumeCells& cells, StageReport& report);
+  ScalarChoice FindChoice(const MeshRequest& request, vtkDataArray* array) const;
+  bool Read(const MeshRequest& request, VolumeCells& cells, std::vector<MeshScalars>& meshes,
+    StageReport& report);
   bool Upload(const MeshRequest& request, const VolumeCells& cells, StageReport& report);
+  bool ReplaceValues(const MeshRequest& request, StageReport& report);
 
   VolumeMesh Mesh;
   Dependencies Known;
   Dependencies Measured;
   MeshExtent Extent;                  // measured
   std::unique_ptr<VolumeCells> Cells; // measured, but not loaded
+  MeshValues Values;                  // of the mesh, if they can be replaced
+  std::string Signature;              // of the mesh, if values can be replaced
   MeshExtent Whole;                   // in use, if
   bool IsPiece = false;               // the mesh is a piece
   bool HasMesh = false;

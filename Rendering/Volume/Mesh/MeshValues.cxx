@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/MeshValues.h"
+
+#include "Cells/MeshScalars.h"
+#include "Cells/VolumeCells.h"
+#include "Mesh/MeshExtent.h"
+#include "Mesh/RayCastMesh.h"
+#include "vtkDataSet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace relevo
+{
+namespace
+{
+bool AreFinite(const std::vector<Scalars>& all)
+{
+  return std::all_of(all.begin(), all.end(),
+    [](const Scalars& scalars)
+    {
+      return std::all_of(
+        scalars.begin(), scalars.end(), [](double scalar) { return std::isfinite(scalar); });
+    });
+}
+}
+
+void MeshValues::Keep(const VolumeCells& cells, RayCastMesh& mesh)
+{
+  this->Clear();
+  if (!AreFinite(cells.GetPointScalars()) || !AreFinite(cells.GetCellScalars()))
+  {
+    return; // cells have been left out
+  }
+  if (cells.HasCellScalars())
+  {
+    this->CellIds = std::move(mesh.CellIds);
+  }
+  this->NumberOfTuples =
+    cells.HasCellScalars() ? cells.GetCellScalars().size() : cells.GetPointScalars().size();
+  this->PointIds = std::move(mesh.PointIds);
+}
+
+// Return the tuple of each point or cell of the mesh, or nothing if merged points now differ.
+std::vector<vtkIdType> MeshValues::FindTuples(const std::vector<Scalars>& all) const
+{
+  if (!this->CellIds.empty())
+  {
+    return this->CellIds;
+  }
+  std::vector<vtkIdType> tuples;
+  for (size_t i = 0; i < this->PointIds.size(); ++i)
+  {
+    const size_t point = this->PointIds[i];
+    if (point == RayCastMesh::UnusedPoint)
+    {
+      continue;
+    }
+    if (point >= tuples.size())
+    {
+      tuples.resize(point + 1, -1);
+    }
+    if (tuples[point] >= 0 && all[static_cast<size_t>(tuples[point])] != all[i])
+    {
+      return {};
+    }
+    tuples[point] = static_cast<vtkIdType>(i);
+  }
+  return tuples;
+}
+
+std::vector<dvec3> MeshValues::GetPoints(const std::vector<MeshScalars>& sets) const
+{
+  std::vector<dvec3> points;
+  size_t i = 0;
+  for (const MeshScalars& set : sets)
+  {
+    for (vtkIdType id = 0; id < set.Mesh->GetNumberOfPoints(); ++id, ++i)
+    {
+      const size_t point = this->PointIds[i];
+      if (point != RayCastMesh::UnusedPoint)
+      {
+        points.resize(std::max(points.size(), point + 1));
+        set.Mesh->GetPoint(id, &points[point].x);
+      }
+    }
+  }
+  return points;
+}
+
+bool MeshValues::Replace(const std::vector<MeshScalars>& sets,
+  const std::vector<ScalarChoice>& choices, int numberOfComponents, RayCastMesh& mesh) const
+{
+  std::vector<Scalars> all;
+  for (size_t i = 0; i < sets.size(); ++i)
+  {
+    AddScalars(sets[i].Array, choices[i], all);
+  }
+  const std::vector<vtkIdType> tuples = all.size() == this->NumberOfTuples && AreFinite(all)
+    ? this->FindTuples(all)
+    : std::vector<vtkIdType>();
+  if (tuples.empty())
+  {
+    return false;
+  }
+  MeshExtent extent;
+  std::vector<Scalars> used;
+  used.reserve(tuples.size());
+  for (const vtkIdType tuple : tuples)
+  {
+    const Scalars& scalars = all[static_cast<size_t>(tuple)];
+    used.push_back(scalars);
+    for (size_t c = 0; c < scalars.size(); ++c)
+    {
+      extent.ScalarLow[c] = std::min(extent.ScalarLow[c], scalars[c]);
+      extent.ScalarHigh[c] = std::max(extent.ScalarHigh[c], scalars[c]);
+    }
+  }
+  mesh.SetPoints(this->GetPoints(sets));
+  mesh.SetScalars(used, numberOfComponents, !this->CellIds.empty(), extent);
+  return true;
+}
+}

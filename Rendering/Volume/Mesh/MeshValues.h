@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   MeshValues
+ * @brief   replaces the scalars of a RayCastMesh that has been built
+ *
+ * This is possible if the mesh does not depend on the scalars: all of them are finite, and points
+ * that have been merged have the same scalars again.
+ *
+ * Private to the module.
+ */
+#ifndef MeshValues_h
+#define MeshValues_h
+
+#include "Cells/Ray.h"
+#include "Cells/ScalarChoice.h"
+#include "vtkType.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace relevo
+{
+class VolumeCells;
+struct MeshScalars;
+struct RayCastMesh;
+
+class MeshValues
+{
+public:
+  /// Take the sources of scalars from a mesh that was built of these cells.
+  void Keep(const VolumeCells& cells, RayCastMesh& mesh);
+  void Clear() { *this = MeshValues(); }
+  bool IsEmpty() const { return this->PointIds.empty() && this->CellIds.empty(); }
+
+  /**
+   * Store points and scalars in a mesh, which has its transformation of positions. Return false if
+   * the mesh must be built again. There is a choice for each data set; all have the same
+   * association as before.
+   */
+  bool Replace(const std::vector<MeshScalars>& sets, const std::vector<ScalarChoice>& choices,
+    int numberOfComponents, RayCastMesh& mesh) const;
+
+private:
+  std::vector<vtkIdType> FindTuples(const std::vector<Scalars>& all) const;
+  std::vector<dvec3> GetPoints(const std::vector<MeshScalars>& sets) const;
+
+  std::vector<std::uint32_t> PointIds; // see RayCastMesh
+  std::vector<vtkIdType> CellIds;
+  size_t NumberOfTuples = 0;
+};
+}
+
+#endif
