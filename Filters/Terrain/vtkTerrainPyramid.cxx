@@ -3,6 +3,7 @@
 #include "vtkTerrainPyramid.h"
 
 #include "Geodesy/Georeference.h"
+#include "Geodesy/MapFrame.h"
 #include "Geodesy/TerrainFrame.h"
 #include "Lattice/HeightLattice.h"
 #include "vtkCommand.h"
@@ -230,6 +231,36 @@ bool vtkTerrainPyramid::SampleToRaster(const double sample[2], double coordinate
   const std::array<double, 2> place =
     location.Coordinates(location.FlipColumns ? 1.0 - u : u, location.FlipRows ? 1.0 - v : v);
   std::copy(place.begin(), place.end(), coordinates);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainPyramid::RasterToMap(const double raster[3], double map[3])
+{
+  const relevo::RasterDescription* contents = this->Describe();
+  if (!contents)
+  {
+    return false;
+  }
+  const std::array<double, 2> place =
+    relevo::MapFrame(contents->Location).ToMap({ { raster[0], raster[1] } });
+  map[2] = raster[2] * contents->VerticalUnit;
+  std::copy(place.begin(), place.end(), map);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTerrainPyramid::MapToRaster(const double map[3], double raster[3])
+{
+  const relevo::RasterDescription* contents = this->Describe();
+  if (!contents)
+  {
+    return false;
+  }
+  const std::array<double, 2> coordinates =
+    relevo::MapFrame(contents->Location).ToCoordinates({ { map[0], map[1] } });
+  raster[2] = map[2] / contents->VerticalUnit;
+  std::copy(coordinates.begin(), coordinates.end(), raster);
   return true;
 }
 

@@ -237,6 +237,17 @@ public:
 
   //@{
   /**
+   * Convert coordinates of the raster's own system and a height in the unit of the raster to the
+   * map frame of vtkTerrainMapper, and back: metres from the centre of the raster, with x east and
+   * y north, and the height in metres, not exaggerated. Points can be outside of the raster.
+   * Returns false before a successful Update().
+   */
+  bool RasterToMap(const double raster[3], double map[3]);
+  bool MapToRaster(const double map[3], double raster[3]);
+  //@}
+
+  //@{
+  /**
    * Convert longitude and latitude, in degrees on the ellipsoid of the raster's coordinate system,
    * to its coordinates x and y, and back. Returns false, without an error, if the raster has no
    * coordinate system or the point cannot be converted.

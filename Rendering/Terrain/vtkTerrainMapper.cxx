@@ -18,6 +18,7 @@
 #include "Lattice/HeightLattice.h"
 #include "Mathematics/SameNumber.h"
 #include "OpenGL/ContextWatch.h"
+#include "Parallel/ProcessReduction.h"
 #include "Picking/PickedInputPipeline.h"
 #include "Picking/PickerDetector.h"
 #include "View/FrameWatch.h"
@@ -28,6 +29,7 @@
 #include "vtkInformation.h"
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPolyData.h"
@@ -40,6 +42,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -86,6 +89,11 @@ std::size_t CountGlobeFaces(vtkTypeInt64 limit)
     std::max<vtkTypeInt64>(SmallestNumberOfFaces, (limit / 4 - spare) / face));
 }
 
+// The error grows by this factor until the tiles fit into memory. In a new view, it first shrinks
+// by this factor as long as they fit.
+const double ReductionStep = std::sqrt(2.0);
+constexpr double LargestReduction = 1e6;
+
 void CopyTerrainOffsets(vtkMapper* from, vtkMapper* to)
 {
   double factor = 0.0;
@@ -111,7 +119,18 @@ struct vtkTerrainMapper::vtkInternals
   vtkNew<relevo::ContextWatch> Context;
   relevo::FrameWatch Frames;
   relevo::Dependencies View; // of the faces
-  vtkTimeStamp Drawn;        // the last change of the faces
+  bool HasProcesses = false; // that divide the frames
+  std::optional<relevo::TerrainShare> Share;
+  double Reduction = 1.0; // of the error, which processes have agreed on
+  relevo::Dependencies AgreedView;
+  bool HasGrown = false; // the reduction, for this view
+  struct
+  {
+    double Error = 0.0;
+    bool IsComplete = false;
+    bool NeedsFrame = false;
+  } All;              // processes
+  vtkTimeStamp Drawn; // the last change of the faces
   relevo::PickerDetector Picker;
   vtkNew<vtkPolyData> NoInput; // pickers request an input
   vtkNew<vtkPolyData> PickedMesh;
@@ -731,7 +750,9 @@ void vtkTerrainMapper::Render(vtkRenderer* renderer, vtkActor* actor)
       });
   }
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
-  if (this->Internals->Terrain && this->Internals->Terrain->NeedsFrame())
+  if (this->Internals->Terrain &&
+    (this->Internals->Terrain->NeedsFrame() ||
+      (this->Internals->HasProcesses && this->Internals->All.NeedsFrame)))
   {
     this->InvokeEvent(vtkCommand::UpdateEvent, nullptr);
   }
@@ -742,9 +763,18 @@ void vtkTerrainMapper::SelectFaces(vtkRenderer* renderer, vtkActor* actor)
   vtkInternals& data = *this->Internals;
   const relevo::TerrainPlacement placement = data.Terrain->GetPlacement(this->Exaggeration);
   const relevo::TerrainViewpoint viewpoint(renderer, actor);
-  relevo::Dependencies view = relevo::Dependencies::On(reinterpret_cast<std::size_t>(renderer),
-    this->ScreenSpaceError, this->MemoryLimit, this->Exaggeration, this->LoadingMode,
-    data.Terrain->GetBase().has_value(), data.Terrain->GetBase().value_or(0.0));
+  relevo::Dependencies view =
+    relevo::Dependencies::On(reinterpret_cast<std::size_t>(renderer), this->ScreenSpaceError,
+      this->MemoryLimit, this->Exaggeration, this->LoadingMode, data.Terrain->GetBase().has_value(),
+      data.Terrain->GetBase().value_or(0.0), data.Reduction, data.Share.has_value());
+  if (data.Share)
+  {
+    for (double side :
+      { data.Share->Columns[0], data.Share->Columns[1], data.Share->Rows[0], data.Share->Rows[1] })
+    {
+      view.Add(side);
+    }
+  }
   viewpoint.AddTo(view);
   // Tiles that arrive between the passes of a frame or of a selection do not change the faces.
   const bool isFurtherPass =
@@ -764,26 +794,32 @@ void vtkTerrainMapper::SelectFaces(vtkRenderer* renderer, vtkActor* actor)
   data.Terrain->SetMemoryLimit(
     std::min(static_cast<std::size_t>(data.TileLimit - textures), tiles));
   const relevo::TerrainView terrainView = viewpoint.MakeView(placement);
+  const double error = this->ScreenSpaceError * data.Reduction;
+  data.Terrain->SetShare(data.Share);
+  if (data.HasProcesses)
+  {
+    data.Terrain->ForgetReduction(); // the reduction of all processes replaces it
+  }
   if (this->LoadingMode == COMPLETE)
   {
     this->Pyramid->WaitForIndex(); // the pyramid reports errors
     vtkRenderWindow* window = renderer->GetRenderWindow();
     const bool isLoaded = data.Terrain->SelectAndWait(
-      terrainView, this->ScreenSpaceError, [window] { return window->GetAbortRender() != 0; });
+      terrainView, error, [window] { return window->GetAbortRender() != 0; });
     if (!isLoaded)
     {
-      data.Terrain->Select(terrainView, this->ScreenSpaceError); // with the tiles in memory
+      data.Terrain->Select(terrainView, error); // with the tiles in memory
     }
   }
   else
   {
-    data.Terrain->Select(terrainView, this->ScreenSpaceError);
+    data.Terrain->Select(terrainView, error);
   }
   data.Drawn.Modified();
-  const std::string error = data.Terrain->TakeError(relevo::TerrainTile::Kind::Heights);
-  if (!error.empty())
+  const std::string tileError = data.Terrain->TakeError(relevo::TerrainTile::Kind::Heights);
+  if (!tileError.empty())
   {
-    vtkErrorMacro(<< "Cannot read " << this->Pyramid->GetFileName() << ": " << error
+    vtkErrorMacro(<< "Cannot read " << this->Pyramid->GetFileName() << ": " << tileError
                   << ". The terrain is drawn coarser there.");
   }
   const std::string imageryError = data.Terrain->TakeError(relevo::TerrainTile::Kind::Imagery);
@@ -793,6 +829,107 @@ void vtkTerrainMapper::SelectFaces(vtkRenderer* renderer, vtkActor* actor)
                   << (this->TerrainColorMode == COLOR_BY_RASTER ? this->ColorRasterFileName
                                                                 : this->ImageryFileName)
                   << ": " << imageryError << ". The imagery is drawn coarser there.");
+  }
+}
+
+// The first process divides the terrain, because indices may be incomplete.
+void vtkTerrainMapper::Divide(
+  vtkMultiProcessController* controller, vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkInternals& data = *this->Internals;
+  const int number = controller->GetNumberOfProcesses();
+  std::vector<double> sides;
+  if (controller->GetLocalProcessId() == 0)
+  {
+    const relevo::TerrainViewpoint viewpoint(renderer, actor);
+    const relevo::TerrainView view =
+      viewpoint.MakeView(data.Terrain->GetPlacement(this->Exaggeration));
+    const double error = this->ScreenSpaceError * data.Reduction;
+    const std::vector<relevo::TerrainShare> shares = viewpoint.IsValid()
+      ? data.Terrain->Divide(view, error, number)
+      : std::vector<relevo::TerrainShare>(static_cast<std::size_t>(number));
+    for (const relevo::TerrainShare& share : shares)
+    {
+      sides.insert(
+        sides.end(), { share.Columns[0], share.Columns[1], share.Rows[0], share.Rows[1] });
+    }
+  }
+  sides.resize(4 * static_cast<std::size_t>(number));
+  controller->Broadcast(sides.data(), static_cast<vtkIdType>(sides.size()), 0);
+  const double* own = &sides[4 * static_cast<std::size_t>(controller->GetLocalProcessId())];
+  data.Share = relevo::TerrainShare{ { { own[0], own[1] } }, { { own[2], own[3] } } };
+}
+
+void vtkTerrainMapper::AgreeWithProcesses(
+  vtkMultiProcessController* controller, vtkRenderer* renderer, vtkActor* actor, bool isDivided)
+{
+  vtkInternals& data = *this->Internals;
+  data.HasProcesses = controller && controller->GetNumberOfProcesses() > 1;
+  data.Share.reset();
+  if (!data.HasProcesses)
+  {
+    data.Reduction = 1.0;
+    return;
+  }
+  const relevo::ProcessReduction processes(controller);
+  std::vector<double> isClosed = { this->Pyramid && this->UpdateTerrain() ? 0.0 : 1.0 };
+  processes.TakeLargest(isClosed);
+  if (isClosed[0] > 0.0)
+  {
+    data.HasProcesses = false; // a process without the raster cannot draw a share
+    data.Reduction = 1.0;
+    return;
+  }
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  window->MakeCurrent();
+  data.Context->SetContext(vtkOpenGLRenderWindow::SafeDownCast(window));
+  const bool isComplete = this->LoadingMode == COMPLETE;
+  if (isComplete)
+  {
+    this->Pyramid->WaitForIndex(); // the pyramid reports errors
+  }
+  relevo::Dependencies view = relevo::Dependencies::On(this->ScreenSpaceError, this->MemoryLimit);
+  relevo::TerrainViewpoint(renderer, actor).AddTo(view);
+  std::vector<double> start = { data.AgreedView.Update(view) ? 1.0 : 0.0, data.Reduction };
+  processes.TakeLargest(start);
+  data.HasGrown = data.HasGrown && start[0] == 0.0;
+  data.Reduction = start[1];
+  if (isDivided)
+  {
+    this->Divide(controller, renderer, actor);
+  }
+  bool isAgreed = false;
+  while (!isAgreed)
+  {
+    relevo::RunWithinMemory(this, "the terrain",
+      [&]
+      {
+        this->SelectFaces(renderer, actor);
+        return true;
+      });
+    const bool needsFrame = data.Terrain->NeedsFrame();
+    std::vector<double> results = { data.Terrain->GetReduction(),
+      data.Terrain->LacksMemory() ? ReductionStep : 1.0, needsFrame ? 1.0 : 0.0,
+      data.Terrain->GetError(), data.Terrain->IsComplete() ? 0.0 : 1.0 };
+    processes.TakeLargest(results);
+    // Missing tiles may be on their way.
+    const bool isLoaded = isComplete || results[2] == 0.0;
+    const double factor = std::max(results[0], isLoaded ? results[1] : 1.0);
+    const double before = data.Reduction;
+    if (factor > 1.0)
+    {
+      data.HasGrown = true;
+      data.Reduction = std::min(before * factor, LargestReduction);
+    }
+    else if (isLoaded && !data.HasGrown)
+    {
+      data.Reduction = std::max(1.0, before / ReductionStep);
+    }
+    isAgreed = data.Reduction == before;
+    data.All.Error = results[3];
+    data.All.IsComplete = results[4] == 0.0 && data.Reduction <= 1.0;
+    data.All.NeedsFrame = results[2] > 0.0 || !isAgreed;
+    isAgreed = isAgreed || !isComplete; // the next frame has the new reduction
   }
 }
 
@@ -861,12 +998,14 @@ void vtkTerrainMapper::ReleaseGraphicsResources(vtkWindow* window)
 
 bool vtkTerrainMapper::IsComplete()
 {
-  return this->Internals->Terrain && this->Internals->Terrain->IsComplete();
+  const vtkInternals& data = *this->Internals;
+  return data.Terrain && (data.HasProcesses ? data.All.IsComplete : data.Terrain->IsComplete());
 }
 
 double vtkTerrainMapper::GetScreenSpaceErrorInUse()
 {
-  return this->Internals->Terrain ? this->Internals->Terrain->GetError() : 0.0;
+  const vtkInternals& data = *this->Internals;
+  return !data.Terrain ? 0.0 : data.HasProcesses ? data.All.Error : data.Terrain->GetError();
 }
 
 vtkTypeInt64 vtkTerrainMapper::GetResidentMemorySize()
@@ -982,4 +1121,5 @@ void vtkTerrainMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ContourColor: " << this->ContourColor[0] << " " << this->ContourColor[1] << " "
      << this->ContourColor[2] << "\n";
   os << indent << "Frame: " << this->Frame << "\n";
+  os << indent << "NumberOfDrawnTriangles: " << this->GetNumberOfDrawnTriangles() << "\n";
 }

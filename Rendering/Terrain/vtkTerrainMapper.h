@@ -57,6 +57,7 @@
 #include <memory> // for Internals
 #include <string> // for errors
 
+class vtkMultiProcessController;
 class vtkTerrainPyramid;
 namespace relevo
 {
@@ -331,6 +332,24 @@ public:
   void SetFrameToGeocentric() { this->SetFrame(GEOCENTRIC); }
   //@}
 
+  /**
+   * Divide the next frame between the processes of a controller. Each of them has the same raster,
+   * settings and camera, and draws a share of the triangles, with the tiles that they need. The
+   * shares have about the same number of triangles and may change from frame to frame; their
+   * pictures, composited by depth, are that of one process. If the tiles of a process exceed its
+   * memory limit, or a view needs more faces than it can draw, all processes draw coarser
+   * triangles, so that there are no cracks between them. In LoadingMode BACKGROUND there may be
+   * cracks until IsComplete() returns true. Without `isDivided`, and with a base, each process
+   * draws the whole terrain.
+   *
+   * The call is collective: all processes make it before the frame, with the OpenGL context of the
+   * renderer's window. IsComplete(), GetScreenSpaceErrorInUse() and UpdateEvent then include the
+   * other processes. Without a controller (nullptr, the default) or with one process, this process
+   * draws the whole terrain.
+   */
+  void AgreeWithProcesses(vtkMultiProcessController* controller, vtkRenderer* renderer,
+    vtkActor* actor, bool isDivided = true);
+
   /// Return whether the last frame was drawn within SetScreenSpaceError(), with all of its tiles.
   bool IsComplete();
 
@@ -442,6 +461,7 @@ private:
   }
   vtkDataObject* ReplaceInput(vtkDataObject* input);
   void SelectFaces(vtkRenderer* renderer, vtkActor* actor);
+  void Divide(vtkMultiProcessController* controller, vtkRenderer* renderer, vtkActor* actor);
   void DrawFaces(vtkRenderer* renderer, vtkActor* actor);
 
   struct vtkInternals;

@@ -40,9 +40,9 @@ fi
 # wait for each other occupy a processor, so more tests at once would be slower.
 names_of_ranks=() names=()
 if [ $# -eq 0 ]; then
-  set -- TestRanks TestFilterRanks TestTranslucent TestLICRanks TestSelection TestLooks TestBadInput \
-    TestRepresentation TestTime TestExamples TestSettings TestEquivalents TestProperties TestFilters \
-    TestVolume TestRelief TestPackage
+  set -- TestRanks TestFilterRanks TestTranslucent TestLICRanks TestTerrainRanks TestSelection \
+    TestLooks TestBadInput TestRepresentation TestTime TestExamples TestSettings TestEquivalents \
+    TestProperties TestFilters TestVolume TestRelief TestTerrain TestPackage
 fi
 for name in "$@"; do
   if [[ $name =~ Ranks|Translucent|Selection ]]; then
@@ -62,6 +62,7 @@ run_test() {
   case $1 in
     TestRanks) counts="1 2 4 7" ;;
     TestFilterRanks) counts="1 7" ;;
+    TestTerrainRanks) counts="1 2 4" ;;
     TestLICRanks | TestTranslucent) counts="1 4" ;;
     TestSelection) counts="1 2" ;;
     *)

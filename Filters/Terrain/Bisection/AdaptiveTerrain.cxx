@@ -4,6 +4,7 @@
 
 #include "Bisection/ClosedLattice.h"
 #include "Bisection/TerrainBisection.h"
+#include "Bisection/TerrainDivision.h"
 #include "Geodesy/TerrainFrame.h"
 
 #include <algorithm>
@@ -40,6 +41,25 @@ ElevationRanges::Range Widen(const ElevationRanges::Range& range)
 // space for twice as many.
 const double CoarseningStep = std::sqrt(2.0);
 constexpr double LargestCoarsening = 1e6;
+
+// Faces can be partly outside of their share.
+TerrainShare CoverFaces(const TerrainShare& share, const std::vector<TerrainFace>& faces)
+{
+  constexpr int corners[3][2] = { { 0, 0 }, { TerrainFace::Segments, 0 },
+    { 0, TerrainFace::Segments } };
+  TerrainShare cover = share;
+  for (const TerrainFace& face : faces)
+  {
+    for (const auto& corner : corners)
+    {
+      const std::array<double, 2> sample = face.GetSample(corner[0], corner[1]);
+      cover.Columns = { { std::min(cover.Columns[0], sample[0]),
+        std::max(cover.Columns[1], sample[0]) } };
+      cover.Rows = { { std::min(cover.Rows[0], sample[1]), std::max(cover.Rows[1], sample[1]) } };
+    }
+  }
+  return cover;
+}
 
 double GetSeconds()
 {
@@ -253,6 +273,9 @@ void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
   TerrainBisection bisection(this->Dimensions[0], this->Dimensions[1], *errors, bounds,
     this->Globe ? this->Globe->GetPeriod() : 0);
   bisection.SetBase(this->Base);
+  // Walls at holes depend on the faces on both sides.
+  const std::optional<TerrainShare> share = this->Base ? std::nullopt : this->Share;
+  bisection.SetShare(share);
   this->Cache.BeginFrame(GetSeconds());
   bisection.Select(view, tolerance * this->Coarsening, this->Cache);
   // Absurd heights can need any number of faces.
@@ -283,13 +306,17 @@ void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
   this->Faces = bisection.GetFaces();
   this->HiddenBlocks = bisection.GetHiddenBlocks();
   this->Error = bisection.GetError();
-  this->Complete =
-    bisection.IsComplete() && this->HasErrors && this->Coarsening <= 1.0 && reduced <= tolerance;
+  this->FacesComplete = bisection.IsComplete() && this->HasErrors;
+  this->Reduction = reduced / tolerance * this->Coarsening;
+  this->Complete = this->FacesComplete && this->Reduction <= 1.0;
+  const std::optional<TerrainShare> drawn =
+    share ? std::optional<TerrainShare>(CoverFaces(*share, this->Faces)) : std::nullopt;
   this->ShadingTiles.clear();
   this->ShadingComplete = true;
   if (this->Shading)
   {
     MipmapTiles shading(this->Dimensions[0], this->Dimensions[1], bounds);
+    shading.SetShare(drawn);
     shading.Select(view, ShadingShare * tolerance, this->Cache);
     this->ShadingTiles = shading.GetTiles();
     this->ShadingComplete = shading.IsComplete();
@@ -297,6 +324,7 @@ void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
   if (this->Imagery)
   {
     MipmapTiles imagery(this->Dimensions[0], this->Dimensions[1], bounds);
+    imagery.SetShare(drawn);
     imagery.SelectImagery(view, *this->Imagery, this->Cache);
     this->ShadingTiles.insert(
       this->ShadingTiles.end(), imagery.GetTiles().begin(), imagery.GetTiles().end());
@@ -307,6 +335,17 @@ void AdaptiveTerrain::SelectOnce(const TerrainView& view, double tolerance)
   {
     this->Vertices.Update(*this->Globe, this->Faces);
   }
+}
+
+std::vector<TerrainShare> AdaptiveTerrain::Divide(
+  const TerrainView& view, double tolerance, int number) const
+{
+  const bool areErrorsKnown = this->Lattice->AreErrorsKnown();
+  const std::shared_ptr<const BlockErrors> errors = this->Lattice->GetErrors();
+  const std::shared_ptr<const ElevationRanges> ranges = this->Lattice->GetRanges();
+  const ElevationRanges wide(Widen(this->GetRange(*ranges)));
+  return TerrainDivision(this->Dimensions, *errors, areErrorsKnown ? *ranges : wide)
+    .Divide(view, tolerance, number);
 }
 
 // Tiles for shading that do not fit into memory do not matter.

@@ -18,6 +18,7 @@
 #include "Bisection/HiddenBlock.h"
 #include "Bisection/MipmapTiles.h"
 #include "Bisection/TerrainFace.h"
+#include "Bisection/TerrainShare.h"
 #include "Bisection/TerrainView.h"
 #include "Geodesy/GlobeShape.h"
 #include "Geodesy/MapFrame.h"
@@ -94,6 +95,13 @@ public:
   std::array<double, 3> ToBase(
     const std::array<double, 3>& world, double exaggeration, double base) const;
 
+  /// Find only the faces of a share, and their tiles. A solid is not divided.
+  void SetShare(const std::optional<TerrainShare>& share) { this->Share = share; }
+  /// Return the shares of this number of processes for a view, from the index.
+  std::vector<TerrainShare> Divide(const TerrainView& view, double tolerance, int number) const;
+  /// Forget the larger error that earlier views needed.
+  void ForgetReduction() { this->Coarsening = 1.0; }
+
   /// Also find the height tiles for the shading of pixels. They are read after those of the faces.
   void SetShading(bool isShaded) { this->Shading = isShaded; }
 
@@ -127,6 +135,13 @@ public:
   }
   double GetError() const { return this->Error; } // the largest in pixels, at most
   bool IsComplete() const;
+  /// The factor of the tolerance because of the largest number of faces, at least 1.
+  double GetReduction() const { return this->Reduction; }
+  /// Whether tiles of the faces do not fit into the limit of memory, if no tiles are being read.
+  bool LacksMemory() const
+  {
+    return !this->FacesComplete && this->HasErrors && this->Cache.LacksMemory();
+  }
   //@}
 
   /// Whether another selection for the same view can have another result.
@@ -153,6 +168,7 @@ private:
   HeightTileCache Cache;
   bool Shading = false;
   std::optional<double> Base;
+  std::optional<TerrainShare> Share;
   std::vector<TerrainFace> Faces;
   std::vector<MipmapTiles::Item> ShadingTiles;
   std::vector<HiddenBlock> HiddenBlocks;
@@ -160,6 +176,8 @@ private:
   std::size_t MaximumNumberOfFaces = std::numeric_limits<std::size_t>::max();
   double Coarsening = 1.0; // of the tolerance
   double Error = 0.0;
+  double Reduction = 1.0;
+  bool FacesComplete = false;
   bool Complete = false; // the faces and the imagery
   bool ShadingComplete = true;
   bool HasErrors = false; // whether the errors of the last selection are known

@@ -532,6 +532,13 @@ bool HeightTileCache::NeedsFrame() const
     });
 }
 
+bool HeightTileCache::LacksMemory() const
+{
+  return std::any_of(this->Tiles.begin(), this->Tiles.end(),
+    [this](const Item& item)
+    { return item.second.Is == State::Missing && this->IsWanted(item.second); });
+}
+
 std::size_t HeightTileCache::GetMemorySize() const
 {
   const std::lock_guard<std::mutex> lock(this->Shared->Mutex);

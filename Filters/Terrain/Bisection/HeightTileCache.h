@@ -100,6 +100,8 @@ public:
   /// Whether another frame can show or request more: tiles have arrived, they become visible, or
   /// requests wait for tiles that BeginFrame() drops.
   bool NeedsFrame() const;
+  /// Whether a tile that the last frame wanted was not requested, because of the limit.
+  bool LacksMemory() const;
   /// The memory of the tiles, including those that are being read. Thread-safe.
   std::size_t GetMemorySize() const;
   /// The number of tiles that Get() can return.

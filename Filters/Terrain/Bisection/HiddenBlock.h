@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  HiddenBlock
- * @brief   a block of a bisected terrain that is out of sight
+ * @brief   a block of a bisected terrain that is out of sight or that another process draws
  *
  * Private to the modules for terrains.
  */

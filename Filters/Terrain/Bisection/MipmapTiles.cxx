@@ -69,7 +69,8 @@ void MipmapTiles::Visit(int level, int column, int row, double pixels)
   TerrainBox box;
   box.Columns = { { column * size, std::min((column + 1.0) * size, this->Columns - 1.0) } };
   box.Rows = { { row * size, std::min((row + 1.0) * size, this->Rows - 1.0) } };
-  if (box.Columns[0] >= box.Columns[1] || box.Rows[0] >= box.Rows[1])
+  if (box.Columns[0] >= box.Columns[1] || box.Rows[0] >= box.Rows[1] ||
+    (this->Share && !this->Share->Overlaps(box.Columns, box.Rows)))
   {
     return;
   }

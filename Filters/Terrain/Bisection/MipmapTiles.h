@@ -16,12 +16,14 @@
 
 #include "Bisection/HeightTileSource.h"
 #include "Bisection/ImageryTileSource.h"
+#include "Bisection/TerrainShare.h"
 #include "Bisection/TerrainView.h"
 #include "Lattice/ElevationRanges.h"
 #include "Lattice/ImageryLattice.h"
 #include "RelevoFiltersTerrainModule.h" // for export macro
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace relevo
@@ -37,6 +39,9 @@ public:
 
   /// The size of the raster in samples.
   MipmapTiles(int columns, int rows, const ElevationRanges& ranges);
+
+  /// Find only the tiles that faces of a share need.
+  void SetShare(const std::optional<TerrainShare>& share) { this->Share = share; }
 
   /**
    * Find the tiles that a view needs. Tiles that are not in memory are requested, with errors below
@@ -68,6 +73,7 @@ private:
   int Columns;
   int Rows;
   const ElevationRanges& Ranges;
+  std::optional<TerrainShare> Share;
 
   const TerrainView* View = nullptr;
   double LargestError = 0.0; // of heights

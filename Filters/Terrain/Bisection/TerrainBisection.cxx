@@ -314,6 +314,17 @@ bool TerrainBisection::IsVisible(const Block& block) const
   return this->View->IsVisible(box);
 }
 
+// Whether a part of the block belongs to the share.
+bool TerrainBisection::IsShared(const Block& block) const
+{
+  const double size = std::ldexp(static_cast<double>(BlockErrors::CellsPerBlock), block.Level);
+  const auto column = static_cast<double>(block.Column);
+  const auto row = static_cast<double>(block.Row);
+  return !this->Share ||
+    this->Share->Overlaps(
+      { { column * size, (column + 1.0) * size } }, { { row * size, (row + 1.0) * size } });
+}
+
 void TerrainBisection::Select(const TerrainView& view, double tolerance, HeightTileSource& tiles)
 {
   this->View = &view;
@@ -347,7 +358,7 @@ void TerrainBisection::Visit(const Block& block)
   {
     return;
   }
-  if (!this->IsVisible(block))
+  if (!this->IsShared(block) || !this->IsVisible(block))
   {
     this->HiddenBlocks.push_back(
       { block.Level, block.Column, block.Row, &this->GetTile(block.Level, block) });
@@ -445,6 +456,12 @@ void TerrainBisection::AddFace(const Block& block, int side, int end, float morp
     {
       return; // the face is beyond the last sample
     }
+  }
+  // A point inside the face belongs to one share.
+  const std::array<double, 2> inside = face.GetSample(2, 2);
+  if (this->Share && !this->Share->Contains(inside[0], inside[1]))
+  {
+    return;
   }
   for (int i = 0; i < 3; ++i)
   {

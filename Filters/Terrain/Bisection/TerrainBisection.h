@@ -29,6 +29,7 @@
 #include "Bisection/HeightTileSource.h"
 #include "Bisection/HiddenBlock.h"
 #include "Bisection/TerrainFace.h"
+#include "Bisection/TerrainShare.h"
 #include "Bisection/TerrainView.h"
 #include "Lattice/BlockErrors.h"
 #include "Lattice/ElevationRanges.h"
@@ -53,6 +54,9 @@ public:
   /// Also find the faces above visible parts of a solid, whose bottom has this height.
   void SetBase(const std::optional<double>& height) { this->Base = height; }
 
+  /// Find only the faces of a share. They are the same as without it, if all tiles are in memory.
+  void SetShare(const std::optional<TerrainShare>& share) { this->Share = share; }
+
   /**
    * Find the faces that a view needs for a tolerance in pixels. Tiles that are not in memory are
    * requested; without the first two there are no faces.
@@ -60,7 +64,7 @@ public:
   void Select(const TerrainView& view, double tolerance, HeightTileSource& tiles);
 
   const std::vector<TerrainFace>& GetFaces() const { return this->Faces; }
-  /// The blocks out of sight, which have no faces.
+  /// The blocks out of sight or of the share, which have no faces.
   const std::vector<HiddenBlock>& GetHiddenBlocks() const { return this->HiddenBlocks; }
   /// The largest projected error of the faces, in pixels.
   double GetError() const { return this->Error; }
@@ -96,6 +100,7 @@ private:
   const HeightTile* FindTile(int level, const Block& block, double error, float& visibility);
   const HeightTile& GetTile(int level, const Block& block);
   bool IsVisible(const Block& block) const;
+  bool IsShared(const Block& block) const;
   void Visit(const Block& block);
   void AddFace(const Block& block, int side, int end, float morph, double error);
   double ProjectFace(const Block& block, int side, int end, const TerrainFace& face) const;
@@ -109,6 +114,7 @@ private:
   const BlockErrors& Errors;
   const ElevationRanges& Ranges;
   std::optional<double> Base;
+  std::optional<TerrainShare> Share;
 
   const TerrainView* View = nullptr;
   double Tolerance = 1.0;

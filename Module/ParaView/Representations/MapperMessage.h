@@ -10,6 +10,8 @@
 #define MapperMessage_h
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace relevo
 {
@@ -20,6 +22,25 @@ inline std::string ReadMapperMessage(const void* text)
   const std::size_t begin = message.find("): ");
   message = begin == std::string::npos ? message : message.substr(begin + 3);
   message.erase(message.find_last_not_of(" \n") + 1);
+  return message;
+}
+
+/// Words of a mapper, and those of ParaView that replace them.
+using MapperWords = std::vector<std::pair<const char*, const char*>>;
+
+/// Return the message in ParaView's words.
+inline std::string ReadMapperMessage(const void* text, const MapperWords& words)
+{
+  std::string message = ReadMapperMessage(text);
+  for (const auto& word : words)
+  {
+    const std::string from = word.first;
+    const std::size_t at = message.find(from);
+    if (at != std::string::npos)
+    {
+      message.replace(at, from.size(), word.second);
+    }
+  }
   return message;
 }
 }

@@ -96,22 +96,27 @@ void OrderedCompositing::SetRegions(std::vector<vtkBoundingBox> regions)
   }
 }
 
+bool OrderedCompositing::UpdateRegions(vtkPVRenderView* view)
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const std::vector<vtkBoundingBox> cuts = GetCuts(view);
+  const bool isOrdered = controller && controller->GetNumberOfProcesses() > 1 &&
+    cuts.size() == static_cast<std::size_t>(controller->GetNumberOfProcesses());
+  this->SetRegions(isOrdered ? ShareSpace(cuts) : std::vector<vtkBoundingBox>());
+  return isOrdered;
+}
+
 vtkDataObject* OrderedCompositing::Update(vtkPVRenderView* view, vtkDataObject* delivered,
   vtkAdaptiveRefinement* recipe, vtkMatrix4x4* matrix)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  const std::vector<vtkBoundingBox> cuts = GetCuts(view);
-  if (!controller || controller->GetNumberOfProcesses() < 2 ||
-    cuts.size() != static_cast<std::size_t>(controller->GetNumberOfProcesses()))
+  if (!this->UpdateRegions(view))
   {
-    this->SetRegions({});
     this->Delivered = nullptr;
     this->Gathered = nullptr;
     this->Sources.Clear();
     return delivered;
   }
-  this->SetRegions(ShareSpace(cuts));
-
   const int own = this->Sources.Update(GetSources(delivered, recipe, matrix, this->Regions));
   int any = own;
   controller->AllReduce(&own, &any, 1, vtkCommunicator::MAX_OP);

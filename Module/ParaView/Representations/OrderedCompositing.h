@@ -49,6 +49,10 @@ public:
   vtkDataObject* Update(vtkPVRenderView* view, vtkDataObject* delivered,
     vtkAdaptiveRefinement* recipe, vtkMatrix4x4* matrix);
 
+  /// Take over the boxes of a view, for data that are not exchanged. Return whether an order is
+  /// needed.
+  bool UpdateRegions(vtkPVRenderView* view);
+
   /// Make a mapper draw only inside this process's box.
   void Clip(vtkAbstractMapper* mapper);
 

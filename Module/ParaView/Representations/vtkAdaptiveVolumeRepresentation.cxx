@@ -28,7 +28,6 @@
 #include "vtkVolumeProperty.h"
 
 #include <string>
-#include <utility>
 
 struct vtkAdaptiveVolumeRepresentation::vtkInternals
 {
@@ -48,7 +47,7 @@ struct vtkAdaptiveVolumeRepresentation::vtkInternals
 namespace
 {
 // Words of the mapper and those of ParaView.
-const std::pair<const char*, const char*> Words[] = {
+const relevo::MapperWords VolumeWords = {
   { "select an array with SelectScalarArray()", "select an array in Coloring" },
   { "Use SetScalarModeToUseCellFieldData()", "Select the cell array in Coloring" },
   { "Use SetScalarModeToUsePointFieldData()", "Select the point array in Coloring" },
@@ -58,21 +57,6 @@ const std::pair<const char*, const char*> Words[] = {
     "The volume has an opacity transfer function" },
   { "The volume property", "The volume" },
 };
-
-// Return the mapper's message in ParaView's words.
-std::string Translate(std::string message)
-{
-  for (const auto& word : Words)
-  {
-    const std::string from = word.first;
-    const std::size_t at = message.find(from);
-    if (at != std::string::npos)
-    {
-      message.replace(at, from.size(), word.second);
-    }
-  }
-  return message;
-}
 
 bool IsFirstProcess()
 {
@@ -135,7 +119,7 @@ vtkGPUUnstructuredGridVolumeMapper* vtkAdaptiveVolumeRepresentation::GetMapper()
 
 void vtkAdaptiveVolumeRepresentation::Report(vtkObject*, unsigned long event, void* text)
 {
-  const std::string message = Translate(relevo::ReadMapperMessage(text));
+  const std::string message = relevo::ReadMapperMessage(text, VolumeWords);
   if (event == vtkCommand::ErrorEvent)
   {
     vtkErrorMacro(<< message);
