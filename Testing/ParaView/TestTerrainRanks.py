@@ -78,11 +78,25 @@ def draw_all(raster):
     return scene.pictures, scene.counts
 
 
+def open_on_first_rank(raster):
+    """A file that only the first rank has open: one error, which names a rank."""
+    number = 777
+    with open(raster, "rb") as file:
+        os.dup2(file.fileno(), number)
+    source = simple.TerrainReader(FileName=f"/proc/self/fd/{number}")
+    with relevo.messages() as text:
+        source.UpdatePipeline()
+    os.close(number)
+    relevo.clear()
+    return text()
+
+
 def main(path):
     with tempfile.TemporaryDirectory() as folder:
         raster = os.path.join(folder, "mountains.png")
         write_mountains(raster)
         pictures, counts = draw_all(raster)
+        message = open_on_first_rank(raster)
     limited = pictures.pop("little memory")
     failed = int((limited == (255, 0, 255)).all(axis=2).sum())
     print("holes with little memory:", failed, flush=True)
@@ -91,7 +105,9 @@ def main(path):
     ranks = vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
     if ranks == 1:
         numpy.savez(path + ".counts.npz", **counts)
-        return failed
+        return failed + (message != "")
+    print(message, flush=True)
+    failed += message.count("On rank 1, but not on all: ") != 1 or message.count("ERROR:") != 1
     expected = numpy.load(path + ".counts.npz")
     for name in ("near", "far", "fine", "raster"):
         share = counts[name] / int(expected[name])

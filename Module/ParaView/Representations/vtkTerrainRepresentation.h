@@ -92,8 +92,8 @@ public:
   //@{
   /**
    * Set whether still frames wait for tiles: no (0), or yes (1, the default). Frames never wait
-   * while the view moves. If still frames do not wait either, an interactive view renders again
-   * until all tiles are drawn. A value out of range is an error and changes nothing.
+   * while the view moves. A frame that does not wait shows the tiles in memory. A value out of
+   * range is an error and changes nothing.
    */
   void SetLoadingMode(int mode);
   vtkGetMacro(LoadingMode, int);
