@@ -464,6 +464,11 @@ vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfBufferBuilds()
   return this->Internals->Mesh.GetNumberOfBuilds();
 }
 
+vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfValueUploads()
+{
+  return this->Internals->Mesh.GetNumberOfValueUploads();
+}
+
 vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfShaderBuilds()
 {
   return this->Internals->Programs.GetNumberOfBuilds();
@@ -489,6 +494,7 @@ void vtkGPUUnstructuredGridVolumeMapper::PrintSelf(ostream& os, vtkIndent indent
      << "\n";
   os << indent << "NumberOfDrawnCells: " << this->GetNumberOfDrawnCells() << "\n";
   os << indent << "NumberOfBufferBuilds: " << this->GetNumberOfBufferBuilds() << "\n";
+  os << indent << "NumberOfValueUploads: " << this->GetNumberOfValueUploads() << "\n";
   os << indent << "NumberOfShaderBuilds: " << this->GetNumberOfShaderBuilds() << "\n";
   os << indent << "NumberOfTableBuilds: " << this->GetNumberOfTableBuilds() << "\n";
 }

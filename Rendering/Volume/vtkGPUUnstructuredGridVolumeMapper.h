@@ -243,16 +243,18 @@ public:
    * Return statistics of the last render. GetNumberOfDrawnCells(): the 3D cells of the input,
    * without ghost, blanked and empty cells and cells without scalars. GetNumberOfLayers(): the
    * maximum over all pixels of how often a ray enters the mesh; this call draws and waits for the
-   * GPU. GetGraphicsMemorySize(): the bytes of the mesh and the tables on the GPU. The other three
-   * return how often the mesh has been built and uploaded, a shader built and a table computed
-   * since the mapper was created. Cameras and edits of the property do not increase them, except
-   * for the tables of pre-integration. New values on the same points and cells are uploaded without
-   * building the mesh, with ray casting without shading.
+   * GPU. GetGraphicsMemorySize(): the bytes of the mesh and the tables on the GPU.
+   * GetNumberOfBufferBuilds(), GetNumberOfShaderBuilds() and GetNumberOfTableBuilds() return how
+   * often the mesh or its values have been uploaded, a shader built and a table computed since the
+   * mapper was created. Cameras and edits of the property do not increase them, except for the
+   * tables of pre-integration. GetNumberOfValueUploads(): the uploads of new values on the same
+   * points and cells, without building the mesh. They need ray casting without shading.
    */
   vtkIdType GetNumberOfDrawnCells();
   int GetNumberOfLayers();
   vtkTypeInt64 GetGraphicsMemorySize();
   vtkIdType GetNumberOfBufferBuilds();
+  vtkIdType GetNumberOfValueUploads();
   vtkIdType GetNumberOfShaderBuilds();
   vtkIdType GetNumberOfTableBuilds();
   //@}

@@ -73,6 +73,7 @@ private:
   std::uint32_t GetCell(size_t face) const;
   std::uint32_t GetNeighbor(size_t face, size_t other) const;
   std::uint32_t& GetBehind(size_t face);
+  bool AreDuplicates(size_t face, size_t other) const;
   dvec3 GetPoint(std::uint32_t point) const;
   FloatBox GetBox(size_t face) const;
   void AddBorderFace(size_t face);
@@ -372,6 +373,46 @@ std::uint32_t& RayCastMeshBuilder::GetBehind(size_t face)
     .CurvedCells[RayCastMesh::WordsOfCurvedCell * record + 10 + face - this->FirstFaces[record]];
 }
 
+// Return whether the cells of two matching faces have the same points. Then both are on the same
+// side of the face.
+bool RayCastMeshBuilder::AreDuplicates(size_t face, size_t other) const
+{
+  const size_t inTetrahedra = 4 * this->Mesh.GetNumberOfTetrahedra();
+  const std::uint32_t cells[2] = { this->GetCell(face), this->GetCell(other) };
+  if (cells[0] == cells[1] || (face < inTetrahedra) != (other < inTetrahedra))
+  {
+    return false;
+  }
+  if (face < inTetrahedra)
+  {
+    const auto getLast = [this](size_t of)
+    {
+      const Face& corners = this->Faces[of];
+      return this->GetPoint(this->Mesh.PointSums[of / 4] ^ static_cast<std::uint32_t>(corners[0]) ^
+        static_cast<std::uint32_t>(corners[1]) ^ static_cast<std::uint32_t>(corners[2]));
+    };
+    return getLast(face) == getLast(other);
+  }
+  const auto getWords = [&](std::uint32_t cell)
+  {
+    return this->Mesh.CurvedCells.data() +
+      RayCastMesh::WordsOfCurvedCell * (cell - inTetrahedra / 4);
+  };
+  const std::uint32_t* here = getWords(cells[0]);
+  const std::uint32_t* there = getWords(cells[1]);
+  const auto isQuadratic = [](const std::uint32_t* words)
+  { return words[RayCastMesh::WordsOfCurvedCell - 1] == RayCastMesh::Quadratic; };
+  const int count = isQuadratic(here) ? 10 : 8;
+  return isQuadratic(here) == isQuadratic(there) &&
+    std::all_of(here, here + count,
+      [&](std::uint32_t point)
+      {
+        return std::any_of(there, there + count,
+          [&](std::uint32_t candidate)
+          { return point == candidate || this->GetPoint(point) == this->GetPoint(candidate); });
+      });
+}
+
 void RayCastMeshBuilder::FindNeighbors()
 {
   this->Mesh.Neighbors.resize(4 * this->Mesh.GetNumberOfTetrahedra());
@@ -383,8 +424,10 @@ void RayCastMeshBuilder::FindNeighbors()
   for (size_t face = 0; face < this->Faces.size(); ++face)
   {
     const auto other = match.Others[face];
+    const bool isShared = other >= 0 && this->AreDuplicates(face, static_cast<size_t>(other));
+    this->Mesh.NumberOfSharedFaces += isShared && static_cast<int>(face) < other ? 1 : 0;
     std::uint32_t& behind = this->GetBehind(face);
-    if (other < 0)
+    if (other < 0 || isShared)
     {
       behind = RayCastMesh::InvalidCell;
       if (IsFace(this->Faces[face]))

@@ -122,7 +122,7 @@ struct RayCastMesh
    */
   std::vector<std::uint32_t> BorderFaces;
   std::vector<float> BorderTree; // see FlattenTree()
-  /// The number of faces of three or more cells, which are treated as border faces.
+  /// The number of faces with several cells on the same side, which are treated as border faces.
   size_t NumberOfSharedFaces = 0;
 };
 }

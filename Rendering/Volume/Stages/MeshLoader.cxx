@@ -123,7 +123,7 @@ bool MeshLoader::Load(const MeshRequest& request, StageReport& report)
 bool MeshLoader::ReplaceValues(const MeshRequest& request, StageReport& report)
 {
   if (!this->HasMesh || this->Signature.empty() || this->IsPiece || request.HasCorners ||
-    request.IsShaded || !IsOfRequiredType(request.Input, request.Port))
+    request.IsShaded || !this->CheckType(request, report))
   {
     return false;
   }
@@ -145,11 +145,17 @@ bool MeshLoader::ReplaceValues(const MeshRequest& request, StageReport& report)
   const bool isReplaced = this->Values.Replace(meshes, choices, components, layout) &&
     this->Mesh.Buffers.UploadScalars(request.Window, layout);
   layout.Release();
-  if (isReplaced && ShouldReport(this->LeftOut, leftOut))
+  if (!isReplaced)
+  {
+    return false;
+  }
+  ++this->NumberOfBuilds;
+  ++this->NumberOfValueUploads;
+  if (ShouldReport(this->LeftOut, leftOut))
   {
     report.Warnings.push_back(leftOut);
   }
-  return isReplaced;
+  return true;
 }
 
 bool MeshLoader::LoadMeasured(const MeshRequest& request, StageReport& report)
@@ -287,7 +293,7 @@ bool MeshLoader::Upload(const MeshRequest& request, const VolumeCells& cells, St
   if (layout.NumberOfSharedFaces > 0 && isNew)
   {
     report.Warnings.push_back(std::to_string(layout.NumberOfSharedFaces) +
-      " faces belong to three or more cells, so rays may sample a cell twice there.");
+      " faces have several cells on the same side, so rays may sample a cell twice there.");
   }
   this->Mesh.Cells.ReleaseGraphicsResources(request.Window);
   if (!this->Mesh.Buffers.Upload(request.Window, layout) ||

@@ -82,7 +82,9 @@ public:
   VolumeMesh& GetMesh() { return this->Mesh; }
   const VolumeMesh& GetMesh() const { return this->Mesh; }
   vtkIdType GetNumberOfDrawnCells() const { return this->NumberOfDrawnCells; }
+  /// Return the number of uploads, and of those that replaced only values.
   vtkIdType GetNumberOfBuilds() const { return this->NumberOfBuilds; }
+  vtkIdType GetNumberOfValueUploads() const { return this->NumberOfValueUploads; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -112,6 +114,7 @@ private:
   bool HasGradients = false; // as in the last build, whether or not scalars allow them
   vtkIdType NumberOfDrawnCells = 0;
   vtkIdType NumberOfBuilds = 0;
+  vtkIdType NumberOfValueUploads = 0;
 
   /// The mesh whose cells have been reported. Settings that rebuild it do not repeat the report.
   Dependencies Reported;

@@ -42,7 +42,7 @@ void TestData(RelevoCheck& check)
     const auto after = scene.Draw();
     CHECK_GREATER(FindLargestDifference(before, after), 0.05);
     CHECK_LESS_EQUAL(scene.Compare(), 1.0);
-    CHECK_EQUAL(scene.GetMapper()->GetNumberOfBufferBuilds(), 1);
+    CHECK_EQUAL(scene.GetMapper()->GetNumberOfBufferBuilds(), 2);
   }
 }
 

@@ -5,6 +5,7 @@
 #include "RelevoVolumeScene.h"
 
 #include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkContourFilter.h"
 #include "vtkContourValues.h"
 #include "vtkDoubleArray.h"
@@ -119,6 +120,31 @@ void TestCells(RelevoCheck& check)
   vtkObject::GlobalWarningDisplayOff();
   CHECK_LESS_EQUAL(scene.Compare(0.001), 1.0);
   vtkObject::GlobalWarningDisplayOn();
+}
+
+// Two cells at the same place do not hide each other.
+void TestDuplicates(RelevoCheck& check)
+{
+  for (int type : { VTK_TETRA, VTK_HEXAHEDRON, VTK_WEDGE, VTK_QUADRATIC_TETRA })
+  {
+    CHECK_CASE(type);
+    const auto mesh = MakeBlocksOfCells(type, GetWaves);
+    vtkNew<vtkUnstructuredGrid> doubled;
+    doubled->DeepCopy(mesh);
+    vtkNew<vtkIdList> corners;
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); cell += 3)
+    {
+      mesh->GetCellPoints(cell, corners);
+      doubled->InsertNextCell(type, corners);
+    }
+    RelevoVolumeScene single(mesh, MakeVolumeProperty(0.0, 1.0, 0.5), 60, 48);
+    RelevoVolumeScene scene(doubled, MakeVolumeProperty(0.0, 1.0, 0.5), 60, 48);
+    RelevoErrors errors(scene.GetMapper());
+    CHECK_LESS_EQUAL(RelevoVolumeScene::Compare(scene.Draw(), single.Draw(), 0.01), 2.0);
+    CHECK(errors.Warned("have several cells on the same side"));
+    scene.Draw();
+    CHECK(errors.None());
+  }
 }
 
 // Cells with too few nodes are skipped, with one error.
@@ -316,6 +342,7 @@ int TestGPUUnstructuredGridVolumeMapperErrors(int, char*[])
   TestNothing(check);
   TestArrays(check);
   TestCells(check);
+  TestDuplicates(check);
   TestNodes(check);
   TestProperty(check);
   TestNotFinite(check);

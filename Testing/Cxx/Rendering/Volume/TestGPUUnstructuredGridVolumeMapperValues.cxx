@@ -54,7 +54,8 @@ vtkSmartPointer<vtkDataSet> MakeStep(
 // mapper.
 bool IsBuilt(RelevoCheck& check, RelevoVolumeScene& scene, vtkDataObject* input)
 {
-  const vtkIdType builds = scene.GetMapper()->GetNumberOfBufferBuilds();
+  const vtkIdType uploads = scene.GetMapper()->GetNumberOfBufferBuilds();
+  const vtkIdType ofValues = scene.GetMapper()->GetNumberOfValueUploads();
   scene.GetMapper()->SetInputDataObject(input);
   const std::vector<RelevoColor> drawn = scene.Draw();
   RelevoVolumeScene other(input, scene.GetVolume()->GetProperty(), Width, Height);
@@ -62,7 +63,9 @@ bool IsBuilt(RelevoCheck& check, RelevoVolumeScene& scene, vtkDataObject* input)
   CHECK_EQUAL(FindLargestDifference(drawn, other.Draw()), 0.0);
   CHECK_EQUAL(
     scene.GetMapper()->GetNumberOfDrawnCells(), other.GetMapper()->GetNumberOfDrawnCells());
-  return scene.GetMapper()->GetNumberOfBufferBuilds() != builds;
+  CHECK_EQUAL(scene.GetMapper()->GetNumberOfBufferBuilds(), uploads + 1);
+  CHECK_EQUAL(other.GetMapper()->GetNumberOfValueUploads(), 0);
+  return scene.GetMapper()->GetNumberOfValueUploads() == ofValues;
 }
 
 void TestSteps(RelevoCheck& check)
