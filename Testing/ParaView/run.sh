@@ -40,9 +40,10 @@ fi
 # wait for each other occupy a processor, so more tests at once would be slower.
 names_of_ranks=() names=()
 if [ $# -eq 0 ]; then
-  set -- TestRanks TestFilterRanks TestTranslucent TestLICRanks TestTerrainRanks TestSelection \
-    TestLooks TestBadInput TestRepresentation TestTime TestExamples TestSettings TestEquivalents \
-    TestProperties TestFilters TestVolume TestRelief TestTerrain TestPackage
+  set -- TestRanks TestPatchRanks TestFilterRanks TestTranslucent TestLICRanks TestTerrainRanks \
+    TestSelection TestLooks TestBadInput TestRepresentation TestTime TestExamples TestSettings \
+    TestEquivalents TestProperties TestFilters TestVolume TestRelief TestTerrain TestPatches \
+    TestPackage
 fi
 for name in "$@"; do
   if [[ $name =~ Ranks|Translucent|Selection ]]; then
@@ -60,7 +61,7 @@ trap 'rm -rf "$work_dir"' EXIT
 run_test() {
   local script=$source_dir/Testing/ParaView/$1.py counts ranks
   case $1 in
-    TestRanks) counts="1 2 4 7" ;;
+    TestRanks | TestPatchRanks) counts="1 2 4 7" ;;
     TestFilterRanks) counts="1 7" ;;
     TestTerrainRanks) counts="1 2 4" ;;
     TestLICRanks | TestTranslucent) counts="1 4" ;;

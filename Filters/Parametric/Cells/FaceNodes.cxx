@@ -78,9 +78,7 @@ public:
       this->Cell.Read(face.Cell);
       this->IsInsideOut = this->Cell.IsInsideOut();
     }
-    const CellTopology shape = this->Cell.GetKind().Shape;
-    if (shape == CellTopology::Polygon || shape == CellTopology::TriangleStrip ||
-      shape == CellTopology::Polyhedron || this->Cell.GetCorners(face.Face).size() > 4)
+    if (IsPolygon(this->Cell, face.Face))
     {
       this->AddPolygon(this->Cell.GetCorners(face.Face));
       return;
@@ -240,6 +238,13 @@ private:
   vtkNew<vtkIdList> Triangles;
   vtkNew<vtkPoints> TrianglePoints;
 };
+}
+
+bool IsPolygon(const CellReader& cell, int face)
+{
+  const CellTopology shape = cell.GetKind().Shape;
+  return shape == CellTopology::Polygon || shape == CellTopology::TriangleStrip ||
+    shape == CellTopology::Polyhedron || cell.GetCorners(face).size() > 4;
 }
 
 NodeNets CollectNodes(vtkUnstructuredGrid* grid, const std::vector<CellFace>& faces)

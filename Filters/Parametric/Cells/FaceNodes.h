@@ -16,6 +16,8 @@
 
 namespace relevo
 {
+class CellReader;
+
 enum class NodeBasis : unsigned char
 {
   Lagrange,
@@ -40,6 +42,9 @@ struct NodeNets
   std::vector<NodeNet> Nets;
   std::vector<vtkIdType> Nodes;
 };
+
+/// Whether a face is a polygon, which is cut into triangles.
+bool IsPolygon(const CellReader& cell, int face);
 
 /// Collects the nodes of faces. Nodes of quadrilaterals are rows along u. Nodes of triangles are
 /// rows j = 0 to degree of i = 0 to degree - j. u x v points out of 3D cells.

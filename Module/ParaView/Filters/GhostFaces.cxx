@@ -4,6 +4,7 @@
 
 #include "Arrays/GhostCells.h"
 #include "CellSubset.h"
+#include "FacePolygons.h"
 #include "Mesh/SurfaceEdges.h"
 #include "Parallel/ProcessReduction.h"
 #include "Points/MergedPoints.h"
@@ -81,7 +82,11 @@ Positions FindBorderPositions(vtkPolyData* piece)
   {
     return border;
   }
-  const SurfaceEdges edges(piece);
+  // The edges of curved faces have nodes between their corners.
+  const bool isCurved = FaceCornerCounter(piece).HasTypes();
+  const vtkSmartPointer<vtkPolyData> corners =
+    isCurved ? MakeCornerPolygons(piece) : vtkSmartPointer<vtkPolyData>(piece);
+  const SurfaceEdges edges(corners);
   for (const SurfaceEdgeSides& sides : edges.GetSides())
   {
     for (vtkIdType end : edges.GetEdges()[static_cast<std::size_t>(sides.Edge)].MergedPoints)

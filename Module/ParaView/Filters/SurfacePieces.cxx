@@ -5,6 +5,7 @@
 #include "Arrays/GhostCells.h"
 #include "FaceOrder.h"
 #include "GhostFaces.h"
+#include "SharedFaces.h"
 #include "SurfaceLeaves.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -301,6 +302,15 @@ void SurfacePieces::Make(vtkDataObjectTree* tree, vtkMultiProcessController* con
     const std::size_t leaves = surface.Leaves.size();
     const bool isExchanged = controller || leaves > 1;
     surface.ExtractPieces(isExchanged, this->IsChecked);
+    if (this->AreSharedFacesRemoved)
+    {
+      RemoveSharedFaces(surface.Pieces, controller);
+    }
+    std::vector<vtkIdType> ownPoints;
+    for (vtkPolyData* piece : surface.Pieces)
+    {
+      ownPoints.push_back(piece->GetNumberOfPoints());
+    }
     if (isExchanged)
     {
       AddGhostFaces(surface.Pieces, NumberOfLayers, controller);
@@ -312,7 +322,7 @@ void SurfacePieces::Make(vtkDataObjectTree* tree, vtkMultiProcessController* con
       if (mesh)
       {
         AddVerticesAndLines(faces, mesh);
-        SortByPosition(faces, mesh->GetNumberOfPoints());
+        SortByPosition(faces, ownPoints[i]);
       }
       this->Made.emplace_back(mesh ? faces : nullptr);
     }

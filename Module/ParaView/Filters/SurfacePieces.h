@@ -33,6 +33,9 @@ class RELEVOPARAVIEWFILTERS_EXPORT SurfacePieces
 public:
   /// Leave out faces with points that are not finite, and update GetCheck(). Off by default.
   void SetChecked(bool isChecked) { this->IsChecked = isChecked; }
+  /// Remove faces of 3D cells that occur twice, because they are inside of the mesh; see
+  /// FacePolygons.h. Off by default.
+  void SetSharedFacesRemoved(bool areRemoved) { this->AreSharedFacesRemoved = areRemoved; }
   /// The problems of the surfaces, the same on all processes.
   const PieceCheck& GetCheck() const { return this->Check; }
 
@@ -53,6 +56,7 @@ private:
   Leaves Made; // from Own
   std::vector<vtkMTimeType> OwnTimes;
   bool IsChecked = false;
+  bool AreSharedFacesRemoved = false;
   PieceCheck Check;
 };
 }

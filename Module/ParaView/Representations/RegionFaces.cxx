@@ -8,6 +8,7 @@
 #include "FaceOrder.h"
 #include "Mesh/FaceBounds.h"
 #include "Mesh/RefinementMesh.h"
+#include "PatchTree.h"
 #include "SurfaceLeaves.h"
 #include "SurfacePieces.h"
 #include "vtkAdaptiveRefinement.h"
@@ -16,6 +17,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkPatchSurface.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -60,6 +62,32 @@ void AddTransformed(const double bounds[6], vtkMatrix4x4* matrix, vtkBoundingBox
   box.AddPoint(high);
 }
 
+// Add the boxes of refined faces, by cell.
+void AddRefinedBoxes(vtkAdaptiveRefinement* recipe, vtkMatrix4x4* matrix, vtkPolyData* faces,
+  std::vector<vtkBoundingBox>& boxes)
+{
+  RefinementMesh mesh;
+  // A mesh that cannot be refined is not drawn; its mapper reports why.
+  if (!mesh.Build(faces, recipe->GetSurface(), recipe->GetDisplacement()))
+  {
+    return;
+  }
+  const FaceBounds reach(mesh, recipe->GetSurface(), recipe->GetDisplacement());
+  for (std::size_t face = 0; face < mesh.Faces.size(); ++face)
+  {
+    double low[3];
+    double high[3];
+    double bounds[6];
+    reach.GetBox(face, low, high);
+    for (int c = 0; c < 3; ++c)
+    {
+      bounds[2 * c] = mesh.Origin[c] + low[c];
+      bounds[2 * c + 1] = mesh.Origin[c] + high[c];
+    }
+    AddTransformed(bounds, matrix, boxes[static_cast<std::size_t>(mesh.Faces[face].Cell)]);
+  }
+}
+
 void ComputeBoxes(vtkAdaptiveRefinement* recipe, vtkMatrix4x4* matrix, Leaf& leaf)
 {
   const auto numberOfCells = static_cast<std::size_t>(leaf.Mesh->GetNumberOfCells());
@@ -76,23 +104,24 @@ void ComputeBoxes(vtkAdaptiveRefinement* recipe, vtkMatrix4x4* matrix, Leaf& lea
     }
   }
   leaf.Refined = leaf.Coarse;
-  RefinementMesh mesh;
-  // A mesh that cannot be refined is not drawn; its mapper reports why.
-  if (recipe && mesh.Build(leaf.Mesh, recipe->GetSurface(), recipe->GetDisplacement()))
+  if (recipe && vtkPatchSurface::SafeDownCast(recipe->GetSurface()))
   {
-    const FaceBounds reach(mesh, recipe->GetSurface(), recipe->GetDisplacement());
-    for (std::size_t face = 0; face < mesh.Faces.size(); ++face)
+    std::vector<vtkIdType> cells;
+    const vtkSmartPointer<vtkPolyData> patches = MakePatches(leaf.Mesh, cells);
+    std::vector<vtkBoundingBox> boxes(cells.size());
+    AddRefinedBoxes(recipe, matrix, patches, boxes);
+    for (std::size_t i = 0; i < cells.size(); ++i)
     {
-      double low[3];
-      double high[3];
-      reach.GetBox(face, low, high);
-      for (int c = 0; c < 3; ++c)
+      const auto cell = static_cast<std::size_t>(cells[i]);
+      if (leaf.Coarse[cell].IsValid())
       {
-        bounds[2 * c] = mesh.Origin[c] + low[c];
-        bounds[2 * c + 1] = mesh.Origin[c] + high[c];
+        leaf.Refined[cell].AddBox(boxes[i]);
       }
-      AddTransformed(bounds, matrix, leaf.Refined[static_cast<std::size_t>(mesh.Faces[face].Cell)]);
     }
+  }
+  else if (recipe)
+  {
+    AddRefinedBoxes(recipe, matrix, leaf.Mesh, leaf.Refined);
   }
 }
 

@@ -79,6 +79,13 @@ protected:
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
 
+  /// Make the mapper's input from the pieces of this process. `areWhole` tells that it has those of
+  /// all processes. The default is the pieces themselves.
+  virtual vtkDataObject* ConvertPieces(vtkDataObject* pieces, bool areWhole);
+
+  /// Use faces of unstructured grids as relevo::CurvedFaceGeometry makes them, and their bounds.
+  void UseCurvedFaces();
+
 private:
   vtkAdaptiveRefinementRepresentation(const vtkAdaptiveRefinementRepresentation&) = delete;
   void operator=(const vtkAdaptiveRefinementRepresentation&) = delete;

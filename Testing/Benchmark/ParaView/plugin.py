@@ -7,6 +7,7 @@
     mpirun -n RANKS pvbatch plugin.py agreement
     mpirun -n RANKS pvbatch --sym plugin.py interactive SECONDS...
     pvbatch plugin.py plain
+    pvbatch plugin.py curved
     pvbatch plugin.py displaced FILE.png
     pvbatch plugin.py raster write|Relevo|ParaView FILE.png
 
@@ -252,6 +253,65 @@ def plain():
         row(name, *(f"{each:.0f} ms" for each in times.values()), differing)
         window.Finalize()
         simple.Delete(view)
+
+
+BENT = """
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+grid = output.VTKObject
+grid.DeepCopy(inputs[0].VTKObject)
+x, y, z = vtk_to_numpy(grid.GetPoints().GetData()).astype(float).T / 16
+points = numpy.column_stack([x + 0.03 * numpy.sin(40 * y), y + 0.03 * numpy.sin(40 * z),
+                             z + 0.03 * numpy.sin(40 * x)])
+grid.GetPoints().SetData(numpy_to_vtk(points, deep=1))
+field = numpy_to_vtk(numpy.sin(50 * x) * numpy.cos(40 * y) + z, deep=1)
+field.SetName("Field")
+grid.GetPointData().AddArray(field)
+"""
+
+
+def curved():
+    """Measures 4096 bent cubic hexahedra as Surface at Nonlinear Subdivision Level 4, and as Adaptive
+    Patches. Memory is that of the data that the mapper draws, without its buffers."""
+    cells = simple.UnstructuredCellTypes(BlocksDimensions=[16, 16, 16], CellOrder=3)
+    cells.CellType = "Lagrange Hexahedron"
+    source = simple.ProgrammableFilter(Input=cells, Script=BENT)
+    moves, starts, sizes = {}, {}, {}
+    for name, properties in {
+        "Adaptive Patches": {"ScreenSpaceError": 0.5},
+        "Surface": {"NonlinearSubdivisionLevel": 4},
+    }.items():
+        source.UpdatePipeline()
+        start = time.perf_counter()
+        view = relevo.view((1024, 768))
+        shown = relevo.show(source, view, name, **properties)
+        simple.ColorBy(shown, ("POINTS", "Field"))
+        shown.SetScalarBarVisibility(view, False)
+        look_from(view, [1.6, 1.4, 2.2])
+        view.CameraFocalPoint = [0.5, 0.5, 0.5]
+        simple.Render(view)
+        view.GetRenderWindow().WaitForCompletion()
+        starts[name] = time.perf_counter() - start
+
+        def move(frame, view=view):
+            view.CameraPosition = [1.6 + 0.01 * frame, 1.4, 2.2]
+            simple.Render(view)
+            view.GetRenderWindow().WaitForCompletion()
+
+        moves[name] = move
+        found = list(view.GetClientSideObject().GetRenderer().GetActors())
+        mapped = [each.GetMapper().GetInputDataObject(0, 0) for each in found if each.GetMapper()]
+        sizes[name] = max(each.GetActualMemorySize() for each in mapped if each) / 1024
+    times = median_ms(moves, 5)
+    for name in moves:
+        row(
+            name,
+            f"{1000 * starts[name]:.0f} ms",
+            f"{times[name]:.0f} ms",
+            f"{times[name] / times['Surface']:.2f}",
+            f"{sizes[name]:.2f} MiB",
+            f"{sizes[name] / sizes['Surface']:.3f}",
+        )
 
 
 def displaced(path):

@@ -48,6 +48,10 @@ echo "| 1 rank | frame in pvbatch | in plain VTK | pixels over 2 of 255 that dif
 echo "|---|---:|---:|---:|"
 measure pvbatch "$script" plain
 echo
+echo "| 4096 cubic hexahedra | first picture | frame | ratio | memory | ratio |"
+echo "|---|---:|---:|---:|---:|---:|"
+measure pvbatch "$script" curved
+echo
 echo "| 512 x 512 heights | frame, another scale | frame, camera moving | bounds, true: 0 to 0.19 |"
 echo "|---|---:|---:|---:|"
 measure pvbatch "$script" displaced "$heights"

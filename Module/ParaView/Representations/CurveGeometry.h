@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   CurveGeometry
+ * @brief   a geometry filter whose output has the line cells of data sets
+ *
+ * Line cells of unstructured grids become poly-lines of their nodes, see CurveLines.h. Other cells
+ * are left out. The structure of composite data sets is that of vtkPVGeometryFilter.
+ *
+ * Private to the module.
+ */
+#ifndef CurveGeometry_h
+#define CurveGeometry_h
+
+#include "vtkPVGeometryFilter.h"
+
+namespace relevo
+{
+class CurveGeometry : public vtkPVGeometryFilter
+{
+public:
+  static CurveGeometry* New();
+  vtkTypeMacro(CurveGeometry, vtkPVGeometryFilter);
+
+  // These would change the lines.
+  void SetTriangulate(int) override {}
+  void SetGenerateFeatureEdges(bool) override {}
+
+protected:
+  CurveGeometry();
+  ~CurveGeometry() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  CurveGeometry(const CurveGeometry&) = delete;
+  void operator=(const CurveGeometry&) = delete;
+};
+}
+
+#endif

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAdaptivePatchRepresentation.h"
+
+#include "Checks/SettingChecks.h"
+#include "Checks/ShouldReport.h"
+#include "CurvedFaceGeometry.h"
+#include "InputCells.h"
+#include "MapperMessage.h"
+#include "PatchTree.h"
+#include "vtkAdaptivePatchMapper.h"
+#include "vtkAdaptiveRefinement.h"
+#include "vtkCommand.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPatchErrorDepthTagMetric.h"
+
+#include <string>
+#include <utility>
+
+namespace
+{
+// A client shows the messages of the first process only.
+bool IsFirstPatchProcess()
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return !controller || controller->GetLocalProcessId() == 0;
+}
+
+// Words of the mapper and those of ParaView.
+const std::pair<const char*, const char*> PatchWords[] = {
+  { "Convert it with vtkCellDataToPointData", "Convert it with Cell Data to Point Data" },
+};
+}
+
+struct vtkAdaptivePatchRepresentation::vtkPatchData
+{
+  relevo::PatchTree Patches;
+  unsigned long ErrorTag = 0; // of the observers of the mapper
+  unsigned long WarningTag = 0;
+  // Messages that were reported last.
+  std::string Errors;
+  std::string Warnings;
+  std::string PatchWarnings;
+  std::string EmptyWarning;
+  std::string IsolineWarning;
+};
+
+vtkStandardNewMacro(vtkAdaptivePatchRepresentation);
+
+vtkAdaptivePatchRepresentation::vtkAdaptivePatchRepresentation()
+  : PatchData(new vtkPatchData)
+{
+  auto* geometry = relevo::CurvedFaceGeometry::New();
+  geometry->SetUseOutline(0);
+  geometry->SetPassThroughCellIds(1);
+  geometry->SetPassThroughPointIds(1);
+  this->GeometryFilter->Delete();
+  this->GeometryFilter = geometry;
+  this->MultiBlockMaker->SetInputConnection(geometry->GetOutputPort());
+  this->UseCurvedFaces();
+  vtkNew<vtkAdaptivePatchMapper> mapper;
+  this->SetMapper(mapper);
+}
+
+vtkAdaptivePatchRepresentation::~vtkAdaptivePatchRepresentation()
+{
+  this->GetMapper()->RemoveObserver(this->PatchData->ErrorTag);
+  this->GetMapper()->RemoveObserver(this->PatchData->WarningTag);
+}
+
+void vtkAdaptivePatchRepresentation::SetMapper(vtkAdaptivePatchMapper* mapper)
+{
+  if (mapper && mapper != this->GetMapper())
+  {
+    this->GetMapper()->RemoveObserver(this->PatchData->ErrorTag);
+    this->GetMapper()->RemoveObserver(this->PatchData->WarningTag);
+    this->PatchData->ErrorTag =
+      mapper->AddObserver(vtkCommand::ErrorEvent, this, &vtkAdaptivePatchRepresentation::Report);
+    this->PatchData->WarningTag =
+      mapper->AddObserver(vtkCommand::WarningEvent, this, &vtkAdaptivePatchRepresentation::Report);
+  }
+  this->Superclass::SetMapper(mapper);
+}
+
+void vtkAdaptivePatchRepresentation::Report(vtkObject*, unsigned long event, void* text)
+{
+  std::string message = relevo::ReadMapperMessage(text);
+  for (const auto& word : PatchWords)
+  {
+    const std::string from = word.first;
+    const std::size_t at = message.find(from);
+    if (at != std::string::npos)
+    {
+      message.replace(at, from.size(), word.second);
+    }
+  }
+  if (event == vtkCommand::ErrorEvent)
+  {
+    vtkErrorMacro(<< message);
+  }
+  else
+  {
+    vtkWarningMacro(<< message);
+  }
+}
+
+void vtkAdaptivePatchRepresentation::SetScreenSpaceError(double pixels)
+{
+  // The range of vtkPatchErrorDepthTagMetric.
+  relevo::SetInRange(this, "ScreenSpaceError", this->ScreenSpaceError, pixels, 0.001, 1e6);
+}
+
+void vtkAdaptivePatchRepresentation::Update()
+{
+  this->Superclass::Update();
+  vtkPatchData& data = *this->PatchData;
+  auto geometry = static_cast<relevo::CurvedFaceGeometry*>(this->GeometryFilter);
+  if (relevo::ShouldReport(data.Errors, geometry->GetErrors()))
+  {
+    vtkErrorMacro(<< data.Errors);
+  }
+  if (relevo::ShouldReport(data.Warnings, geometry->GetWarnings()))
+  {
+    vtkWarningMacro(<< data.Warnings);
+  }
+  const bool hasNone = relevo::HasCellsButNone(
+    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr,
+    relevo::CountFaces(this->MultiBlockMaker->GetOutputDataObject(0)),
+    vtkMultiProcessController::GetGlobalController());
+  const std::string warning =
+    hasNone ? "The data have no 2D or 3D cells, so Adaptive Patches draws nothing." : "";
+  if (relevo::ShouldReport(data.EmptyWarning, warning))
+  {
+    vtkWarningMacro(<< warning);
+  }
+}
+
+vtkDataObject* vtkAdaptivePatchRepresentation::ConvertPieces(vtkDataObject* pieces, bool areWhole)
+{
+  vtkPatchData& data = *this->PatchData;
+  auto patchMapper = static_cast<vtkAdaptivePatchMapper*>(this->GetMapper());
+  vtkAdaptiveRefinement* recipe = patchMapper->GetRefinement();
+  if (auto metric = vtkPatchErrorDepthTagMetric::SafeDownCast(recipe->GetMetric()))
+  {
+    metric->SetScreenSpaceError(this->ScreenSpaceError);
+  }
+  const char* name = this->GetColorArrayName();
+  const bool lacksArray = patchMapper->GetIsolineSpacing() > 0.0 && !(name && name[0]);
+  const std::string warning =
+    lacksArray ? "There are no isolines without an array. Select a point array in Coloring." : "";
+  if (relevo::ShouldReport(data.IsolineWarning, warning) && IsFirstPatchProcess())
+  {
+    vtkWarningMacro(<< warning);
+  }
+  vtkDataObject* patches = data.Patches.Make(pieces, areWhole);
+  if (relevo::ShouldReport(data.PatchWarnings, data.Patches.GetWarnings()))
+  {
+    vtkWarningMacro(<< data.PatchWarnings);
+  }
+  return patches;
+}
+
+void vtkAdaptivePatchRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ScreenSpaceError: " << this->ScreenSpaceError << "\n";
+}

@@ -1,0 +1,132 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Proves paraview.md: several ranks draw the curved cells of their pieces like one rank, without
+cracks and without the faces between pieces. The first run, on one rank, writes the pictures to a
+file:
+
+mpirun -n RANKS pvbatch TestPatchRanks.py FILE.npz"""
+
+import sys
+
+import numpy
+from paraview import simple
+from vtkmodules import vtkCommonDataModel
+
+import RelevoParaView as relevo
+
+# Of the 30000 pixels of a picture. ParaView blends ranks with 8 bits.
+MOST_PIXELS, MOST_BLENDED_PIXELS = 4, 20
+
+# A bent block of curved cells that are dealt out to seven pieces, and from there to the ranks. Its
+# coordinates are floats, as in most files.
+BLOCK = """
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkIdList
+from vtkmodules.vtkFiltersCore import vtkExtractCells
+from vtkmodules.vtkFiltersSources import vtkCellTypeSource
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+
+controller = vtkMultiProcessController.GetGlobalController()
+ranks, rank = controller.GetNumberOfProcesses(), controller.GetLocalProcessId()
+source = vtkCellTypeSource()
+source.SetCellType(TYPE)
+source.SetCellOrder(3)
+source.SetBlocksDimensions(3, 3, 3)
+source.Update()
+grid = source.GetOutput()
+x, y, z = vtk_to_numpy(grid.GetPoints().GetData()).astype(float).T - 1.5
+points = numpy.column_stack([x + 0.3 * numpy.sin(2 * y), y + 0.3 * numpy.sin(2 * z + x),
+                             z + 0.3 * numpy.sin(2 * x)])
+grid.GetPoints().SetData(numpy_to_vtk(points.astype(numpy.float32), deep=1))
+cells = grid.GetNumberOfCells()
+
+def add(data, name, values):
+    array = numpy_to_vtk(values, deep=1)
+    array.SetName(name)
+    data.AddArray(array)
+
+add(grid.GetPointData(), "Field", numpy.sin(3 * x) * numpy.cos(2 * y) + z)
+add(grid.GetCellData(), "Number", numpy.arange(cells) % 5 / 2.0 - 1)
+middles = numpy.array([numpy.mean([points[grid.GetCell(cell).GetPointId(k)] for k in range(4)],
+                                  axis=0) for cell in range(cells)])
+random = numpy.random.RandomState(3)
+if DEAL == "random":
+    owners = random.randint(0, 7, cells)
+elif DEAL == "slabs":
+    owners = numpy.clip(numpy.floor((middles[:, 0] + 1.8) / 3.6 * 7), 0, 6).astype(int)
+else:
+    seeds = random.uniform(-1.5, 1.5, (7, 3))
+    owners = numpy.argmin(((middles[:, None] - seeds) ** 2).sum(axis=2), axis=1)
+ids = vtkIdList()
+for cell in numpy.flatnonzero(owners % ranks == rank):
+    ids.InsertNextId(int(cell))
+extract = vtkExtractCells()
+extract.SetInputData(grid)
+extract.SetCellList(ids)
+extract.Update()
+self.GetUnstructuredGridOutput().ShallowCopy(extract.GetOutput())
+"""
+
+HEXAHEDRA = vtkCommonDataModel.VTK_LAGRANGE_HEXAHEDRON
+FIELD, NUMBER = ("POINTS", "Field"), ("CELLS", "Number")
+LINES = {"PatchEdges": 1, "IsolineSpacing": 0.25}
+# The cells, how they are dealt out, the array, and properties.
+CASES = {
+    "random": (HEXAHEDRA, "random", FIELD, LINES),
+    "slabs": (HEXAHEDRA, "slabs", FIELD, {"IsolineSpacing": 0.5}),
+    "blobs": (HEXAHEDRA, "blobs", FIELD, {"ScreenSpaceError": 4.0}),
+    "tetrahedra": (vtkCommonDataModel.VTK_BEZIER_TETRAHEDRON, "random", NUMBER, {"PatchEdges": 1}),
+    "quadratic": (vtkCommonDataModel.VTK_QUADRATIC_WEDGE, "blobs", FIELD, {}),
+    "translucent": (HEXAHEDRA, "random", FIELD, {"Opacity": 0.4}),
+}
+
+
+# Not block(): a programmable source replaces this function by that of numpy.
+def dealt_block(cell_type, deal):
+    script = f"TYPE = {cell_type}\nDEAL = {deal!r}\n" + BLOCK
+    return simple.ProgrammableSource(OutputDataSetType="vtkUnstructuredGrid", Script=script)
+
+
+def draw(cell_type, deal, array, properties):
+    view = relevo.view((200, 150))
+    view.UseColorPaletteForBackground = 0
+    view.Background = [0, 1, 0]  # contrasts with the colours
+    shown = relevo.show(dealt_block(cell_type, deal), view, "Adaptive Patches", **properties)
+    simple.ColorBy(shown, array)
+    simple.GetColorTransferFunction(array[1]).RescaleTransferFunction(-2, 2)
+    shown.SetScalarBarVisibility(view, False)
+    simple.Render(view)  # ParaView moves the camera in the first frame of a session
+    view.CameraPosition, view.CameraFocalPoint = [5, 4, 7], [0, 0, 0]
+    result = relevo.picture(view)
+    simple.Delete(view)
+    return result
+
+
+def count_holes(picture):
+    """Number of pixels of the background that others enclose."""
+    is_empty = (picture == [0, 255, 0]).all(axis=2)
+    is_outside = numpy.zeros_like(is_empty)
+    is_outside[[0, -1]], is_outside[:, [0, -1]] = is_empty[[0, -1]], is_empty[:, [0, -1]]
+    number = 0
+    while number != is_outside.sum():
+        number = is_outside.sum()
+        for axis in 0, 1:
+            for shift in 1, -1:
+                is_outside |= numpy.roll(is_outside, shift, axis) & is_empty
+    return int((is_empty & ~is_outside).sum())
+
+
+def main(path):
+    pictures = {name: draw(*case) for name, case in CASES.items()}
+    limits = {**dict.fromkeys(pictures, MOST_PIXELS), "translucent": MOST_BLENDED_PIXELS}
+    failed = relevo.compare_with_one_rank(path, pictures, limits)
+    holes = {name: count_holes(picture) for name, picture in pictures.items()}
+    print(f"pixels of holes: {holes}", flush=True)
+    return failed + len([name for name in holes if holes[name] > 0])
+
+
+if __name__ == "__main__":
+    status = main(sys.argv[1])
+    if status:  # otherwise pvbatch ends MPI
+        sys.exit(status)
