@@ -29,6 +29,7 @@ gdal-bin
 git
 glslang-tools
 libclang-rt-dev
+mypy
 python3-proselint
 shellcheck
 xauth

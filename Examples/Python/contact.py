@@ -11,28 +11,32 @@ FILES are two meshes, for example bunny.ply and teapot.g. displaced needs none. 
 script generates the meshes.
 """
 
+from __future__ import annotations
+
 import math
 import sys
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any
 
 import relevo
 from arguments import read_arguments
-from figure import Figure, draw_coarse, draw_recipe, make_actor
+from figure import Figure, draw_coarse, draw_recipe, get_mapper, make_actor
 from gif import photograph, write_gif
 from heights import displace, make_image
 from meshes import add_normals, make_ring, read_decimated, set_texture_coordinates
 from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkLookupTable
-from vtkmodules.vtkCommonDataModel import vtkBoundingBox
+from vtkmodules.vtkCommonDataModel import vtkBoundingBox, vtkImageData, vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkStripper, vtkTubeFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
 FRAMES, SECONDS, COLOURS = 20, 0.1, 48
 VIEW = (0.25, 0.3, 1)
 PLACE = (0.75, -0.3, 0.15)  # centre of the second mesh
 
 
-def make_ball(columns=40, rows=30):
+def make_ball(columns: int = 40, rows: int = 30) -> vtkPolyData:
     source = vtkSphereSource()
     source.SetRadius(0.8)
     source.SetThetaResolution(columns)
@@ -41,29 +45,29 @@ def make_ball(columns=40, rows=30):
     return add_normals(source.GetOutput())
 
 
-def read_meshes(files, triangles):
+def read_meshes(files: Sequence[str], triangles: int) -> list[vtkPolyData]:
     """Return two meshes of about this many triangles, with longest sides of length 2."""
     if files:
         return [read_decimated(name, triangles) for name in files]
     return [add_normals(make_ring(60, 24)), make_ball()]
 
 
-def put(actor, place):
+def put(actor: vtkActor, place: Sequence[float]) -> None:
     """Move the centre of the actor's mesh to a place."""
     actor.SetPosition(0, 0, 0)
     actor.SetPosition([x - c for x, c in zip(place, actor.GetCenter())])
 
 
-def get_bounds(actors):
+def get_bounds(actors: Iterable[vtkActor]) -> list[float]:
     box = vtkBoundingBox()
     for actor in actors:
         box.AddBounds(actor.GetBounds())
-    bounds = [0] * 6
+    bounds = [0.0] * 6
     box.GetBounds(bounds)
     return bounds
 
 
-def draw_curves(polydata, radius=0.012):
+def draw_curves(polydata: vtkPolyData, radius: float = 0.012) -> vtkActor:
     join = vtkStripper()
     join.SetInputData(polydata)
     tubes = vtkTubeFilter()
@@ -81,44 +85,44 @@ def draw_curves(polydata, radius=0.012):
 class Meeting:
     """Two meshes that are refined where they may meet, in a panel of a figure."""
 
-    def __init__(self, files, triangles=3000):
+    def __init__(self, files: Sequence[str], triangles: int = 3000) -> None:
         self.scene = relevo.vtkContactScene()
         self.scene.SetDistance(0.6)
         self.actors = [self.add(mesh) for mesh in read_meshes(files, triangles)]
         put(self.actors[0], (0, 0, 0))
-        self.renderer = None
-        self.curves = []
+        self.renderer = vtkRenderer()
+        self.curves: list[vtkActor] = []
 
-    def add(self, mesh):
+    def add(self, mesh: vtkPolyData) -> vtkActor:
         recipe = relevo.vtkAdaptiveRefinement()
         recipe.SetMaximumLevel(5)
         actor = draw_recipe(mesh, recipe)
         self.scene.AddActor(actor)
         return actor
 
-    def move(self, place):
+    def move(self, place: Sequence[float]) -> None:
         put(self.actors[1], place)
         self.scene.Update()
         for actor in self.actors:
-            mapper = actor.GetMapper()
+            mapper = get_mapper(actor)
             mapper.SetColorModeToMetric()
             mapper.SetLevelLookupTable(mapper.GetRefinement().GetMetric().GetLookupTable())
 
-    def show(self, figure, label, bounds):
+    def show(self, figure: Figure, label: str, bounds: Sequence[float]) -> None:
         self.renderer = figure.add(label, self.actors[0], bounds=bounds)
         self.renderer.AddActor(self.actors[1])
         self.show_curves()
 
-    def show_curves(self):
+    def show_curves(self) -> None:
         for actor in self.curves:
             self.renderer.RemoveActor(actor)
-        contacts = self.scene.GetContacts()
+        contacts: Any = self.scene.GetContacts()
         self.curves = [draw_curves(contacts.GetBlock(i)) for i in range(contacts.GetNumberOfBlocks())]
         for actor in self.curves:
             self.renderer.AddActor(actor)
 
 
-def candidates(picture, *files):
+def candidates(picture: str, *files: str) -> None:
     meeting = Meeting(files)
     meeting.move(PLACE)
     figure = Figure(1, 1, (640, 460), VIEW, (0, 1, 0), 1.45)
@@ -126,7 +130,7 @@ def candidates(picture, *files):
     figure.write(picture)
 
 
-def make_distance_table(largest):
+def make_distance_table(largest: float) -> vtkLookupTable:
     """Return colours from red at distance 0 to white and blue."""
     table = vtkLookupTable()
     table.SetNumberOfTableValues(256)
@@ -140,7 +144,7 @@ def make_distance_table(largest):
     return table
 
 
-def distance(picture, *files):
+def distance(picture: str, *files: str) -> None:
     meshes = read_meshes(files, 20000)
     meeting = relevo.vtkSurfaceIntersectionFilter()
     actors = []
@@ -157,7 +161,7 @@ def distance(picture, *files):
     meeting.AddObserver("WarningEvent", lambda *_: None)
     meeting.Update()
     for i, actor in enumerate(actors):
-        mapper = actor.GetMapper()
+        mapper = get_mapper(actor)
         mapper.SetInputConnection(meeting.GetOutputPort(2 + i))
         mapper.SetScalarModeToUseCellFieldData()
         mapper.SelectColorArray("Distance")
@@ -170,12 +174,12 @@ def distance(picture, *files):
     figure.write(picture)
 
 
-def make_waves(u, v):
+def make_waves(u: float, v: float) -> Iterator[float]:
     """Yield heights that are 0 at the poles of a ball and equal on both sides of its seam."""
     yield math.cos(5 * math.pi * u) * math.cos(8 * math.pi * v) * math.sin(math.pi * v) ** 2
 
 
-def make_mapped_ball():
+def make_mapped_ball() -> vtkPolyData:
     ball = make_ball(28, 18)
     normals = ball.GetPointData().GetNormals()
     places = []
@@ -186,7 +190,7 @@ def make_mapped_ball():
     return ball
 
 
-def displaced(picture):
+def displaced(picture: str) -> None:
     meeting = relevo.vtkSurfaceIntersectionFilter()
     move = vtkTransform()
     move.Translate(0.95, 0.1, 0)
@@ -214,11 +218,11 @@ def displaced(picture):
     figure.write(picture)
 
 
-def motion(picture, *files):
+def motion(picture: str, *files: str) -> None:
     """Move there and back, so that the loop is seamless."""
     meeting = Meeting(files, 1500)
     figure = Figure(1, 1, (360, 220), VIEW, (0, 1, 0), 1.9)
-    images = []
+    images: list[vtkImageData] = []
     for i in range(FRAMES):
         t = 1 - abs(1 - 2 * i / FRAMES)
         meeting.move((2.2 - 3.4 * t, PLACE[1], PLACE[2]))
@@ -229,10 +233,10 @@ def motion(picture, *files):
     write_gif(picture, images, SECONDS, COLOURS)
 
 
-FIGURES = (candidates, distance, displaced, motion)
+FIGURES: tuple[Callable[..., None], ...] = (candidates, distance, displaced, motion)
 
 
-def main(name, picture, *files):
+def main(name: str, picture: str, *files: str) -> None:
     for figure in FIGURES:
         if figure.__name__ == name and len(files) in ((0,) if figure is displaced else (0, 2)):
             figure(picture, *files)

@@ -8,18 +8,23 @@ NAME is one of
 Without FILE the script generates a mesh.
 """
 
+from __future__ import annotations
+
 import math
 import sys
+from collections.abc import Callable
 
 import relevo
 from arguments import read_arguments
-from figure import Figure, draw_mesh, make_actor
+from figure import Figure, draw_mesh, get_mapper, make_actor
 from meshes import make_ring, read
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPointSet, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkPolyDataNormals
+from vtkmodules.vtkRenderingCore import vtkActor
 
 
-def make_recipe(pixels=0.5):
+def make_recipe(pixels: float = 0.5) -> relevo.vtkAdaptiveRefinement:
     """Return a recipe that limits the error in pixels."""
     metric = relevo.vtkPatchErrorDepthTagMetric()
     metric.SetScreenSpaceError(pixels)
@@ -30,7 +35,12 @@ def make_recipe(pixels=0.5):
     return recipe
 
 
-def draw_curves(curves, representation="Lines", radius=None, recipe=None):
+def draw_curves(
+    curves: vtkPointSet,
+    representation: str = "Lines",
+    radius: float | None = None,
+    recipe: relevo.vtkAdaptiveRefinement | None = None,
+) -> vtkActor:
     mapper = relevo.vtkAdaptiveCurveMapper()
     mapper.SetInputData(curves)
     mapper.SetRefinement(recipe or make_recipe())
@@ -41,7 +51,7 @@ def draw_curves(curves, representation="Lines", radius=None, recipe=None):
     return make_actor(mapper)
 
 
-def orient(mesh):
+def orient(mesh: vtkPolyData) -> vtkPolyData:
     """Make normals point outwards, because scans may be inside out and hair follows normals."""
     normals = vtkPolyDataNormals()
     normals.SetInputData(mesh)
@@ -51,7 +61,7 @@ def orient(mesh):
     return normals.GetOutput()
 
 
-def grow(mesh, hairs, length, curl):
+def grow(mesh: vtkPolyData, hairs: int, length: float, curl: float) -> vtkUnstructuredGrid:
     """Return this many hairs; their length is a fraction of the diagonal of the mesh."""
     area = vtkMassProperties()
     area.SetInputData(mesh)
@@ -66,7 +76,7 @@ def grow(mesh, hairs, length, curl):
     return source.GetOutput()
 
 
-def hair(filename=None):
+def hair(filename: str | None = None) -> Figure:
     """Draw straight hair and curls as ribbons that face the camera."""
     mesh = orient(read(filename) if filename else make_ring(120, 48))
     figure = Figure(2, 1, (480, 440), (0.35, 0.45, 1), (0, 1, 0), 1.2)
@@ -76,7 +86,7 @@ def hair(filename=None):
     ):
         curves = grow(mesh, count, length, curl)
         actor = draw_curves(curves, "Ribbons")
-        actor.GetMapper().SetRadiusArrayName("HairRadius")
+        get_mapper(actor).SetRadiusArrayName("HairRadius")
         actor.GetProperty().SetColor(0.72, 0.52, 0.30)
         skin = draw_mesh(mesh)
         skin.GetProperty().SetColor(0.45, 0.33, 0.22)
@@ -84,7 +94,7 @@ def hair(filename=None):
     return figure
 
 
-def make_knot(turns=3, windings=7, spans=42):
+def make_knot(turns: int = 3, windings: int = 7, spans: int = 42) -> vtkUnstructuredGrid:
     """Return a closed cubic B-spline around a torus."""
     points = vtkPoints()
     points.SetDataTypeToDouble()
@@ -107,7 +117,7 @@ def make_knot(turns=3, windings=7, spans=42):
     return source.GetOutput()
 
 
-def knot():
+def knot() -> Figure:
     """Draw the same cells as lines, ribbons and tubes."""
     curves = make_knot()
     figure = Figure(3, 1, (360, 330), (0.2, -0.35, 1.4), (0, 1, 0), 1.2)
@@ -118,10 +128,10 @@ def knot():
     return figure
 
 
-FIGURES = (hair, knot)
+FIGURES: tuple[Callable[..., Figure], ...] = (hair, knot)
 
 
-def main(name, picture, *files):
+def main(name: str, picture: str, *files: str) -> None:
     for figure in FIGURES:
         if figure.__name__ == name and len(files) <= (figure is hair):
             figure(*files).write(picture)

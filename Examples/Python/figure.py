@@ -2,19 +2,29 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draw pictures of several labelled panels without a display, for the scripts in this folder."""
 
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
 import relevo
 import vtkmodules.vtkRenderingFreeType  # draws the labels
 from relevo.files import write_picture
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
+    vtkMapper,
     vtkPolyDataMapper,
     vtkRenderer,
     vtkTextActor,
+    vtkVolume,
 )
 
+Vector = tuple[float, float, float]
 
-def draw_mesh(mesh):
+
+def draw_mesh(mesh: vtkPolyData) -> vtkActor:
     """Draw the mesh with VTK's mapper."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(mesh)
@@ -22,7 +32,7 @@ def draw_mesh(mesh):
     return make_actor(mapper)
 
 
-def draw_coarse(mesh):
+def draw_coarse(mesh: vtkPolyData) -> vtkActor:
     """Draw the mesh with VTK's mapper, with flat shading and edges."""
     actor = draw_mesh(mesh)
     actor.GetProperty().SetInterpolationToFlat()
@@ -30,7 +40,12 @@ def draw_coarse(mesh):
     return actor
 
 
-def draw_refined(mesh, surface, level, displacement=None):
+def draw_refined(
+    mesh: vtkPolyData,
+    surface: relevo.vtkRefinementSurface,
+    level: int,
+    displacement: relevo.vtkDisplacement | None = None,
+) -> vtkActor:
     """Draw the mesh with 2^level segments on every edge."""
     recipe = relevo.vtkAdaptiveRefinement()
     recipe.SetMaximumLevel(level)
@@ -39,7 +54,7 @@ def draw_refined(mesh, surface, level, displacement=None):
     return draw_recipe(mesh, recipe)
 
 
-def draw_recipe(mesh, recipe):
+def draw_recipe(mesh: vtkPolyData, recipe: relevo.vtkAdaptiveRefinement) -> vtkActor:
     mapper = relevo.vtkAdaptiveRefinementMapper()
     mapper.SetInputData(mesh)
     mapper.SetRefinement(recipe)
@@ -47,7 +62,7 @@ def draw_recipe(mesh, recipe):
     return make_actor(mapper)
 
 
-def make_actor(mapper):
+def make_actor(mapper: vtkMapper) -> vtkActor:
     actor = vtkActor()
     actor.SetMapper(mapper)
     look = actor.GetProperty()
@@ -60,7 +75,12 @@ def make_actor(mapper):
     return actor
 
 
-def show_edges(actor):
+def get_mapper(actor: vtkActor | vtkVolume) -> Any:
+    """Return the mapper, whose class type checkers do not know."""
+    return actor.GetMapper()
+
+
+def show_edges(actor: vtkActor) -> None:
     actor.GetProperty().EdgeVisibilityOn()
     actor.GetProperty().SetEdgeColor(0.2, 0.2, 0.25)
 
@@ -68,16 +88,32 @@ def show_edges(actor):
 class Figure:
     """Panels in rows, by default all seen from the same direction."""
 
-    def __init__(self, columns, rows, size, position, up, zoom=1.0):
+    def __init__(
+        self,
+        columns: int,
+        rows: int,
+        size: tuple[int, int],
+        position: Vector,
+        up: Vector,
+        zoom: float = 1.0,
+    ) -> None:
         self.columns, self.rows = columns, rows
         self.position, self.up, self.zoom = position, up, zoom
         self.panels = 0
-        self.labels = []
+        self.labels: list[vtkTextActor] = []
         self.window = relevo.vtkEGLOffscreenRenderWindow()
         self.window.SetSize(columns * size[0], rows * size[1])
         self.window.SetMultiSamples(8)
 
-    def add(self, label, actor, position=None, up=None, zoom=None, bounds=None):
+    def add(
+        self,
+        label: str,
+        actor: vtkActor | vtkVolume,
+        position: Vector | None = None,
+        up: Vector | None = None,
+        zoom: float | None = None,
+        bounds: Sequence[float] | None = None,
+    ) -> vtkRenderer:
         """Add a panel, from left to right and from top to bottom, and return its renderer."""
         column, row = self.panels % self.columns, self.rows - 1 - self.panels // self.columns
         self.panels += 1
@@ -106,13 +142,13 @@ class Figure:
         camera = renderer.GetActiveCamera()
         camera.SetPosition(position or self.position)
         camera.SetViewUp(up or self.up)
-        renderer.ResetCamera(bounds or actor.GetMapper().GetInputDataObject(0, 0).GetBounds())
+        renderer.ResetCamera(bounds or get_mapper(actor).GetInputDataObject(0, 0).GetBounds())
         camera.Dolly(zoom or self.zoom)
         camera.SetWindowCenter(0, -0.1)  # room for the label
         renderer.ResetCameraClippingRange()
         return renderer
 
-    def write(self, filename):
+    def write(self, filename: str) -> int:
         """Write the picture and return the number of triangles of all refined panels."""
         self.window.Render()
         write_picture(filename, self.window)

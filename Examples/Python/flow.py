@@ -13,20 +13,25 @@ or, with a FILE of VTK's data,
   office    the air of a room, on slices: office.binary.vtk
 """
 
+from __future__ import annotations
+
 import math
 import sys
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import relevo
 from arguments import check_file, read_arguments
-from figure import Figure, draw_recipe, show_edges
+from figure import Figure, draw_recipe, get_mapper, show_edges
 from meshes import make_mesh, set_normals, set_point_array
-from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkCommonCore import vtkScalarsToColors
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkPlane, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCutter, vtkPolyDataNormals, vtkThreshold
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkIOLegacy import vtkDataSetReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
-from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction
+from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkRenderer
 
 # From slow to fast. Colours are light, so that streaks are visible.
 SPEEDS = (
@@ -37,12 +42,16 @@ SPEEDS = (
     (0.95, 0.52, 0.25),
 )
 
+Vector = tuple[float, ...]
+Field = Callable[[Vector], Vector]
+TorusField = Callable[[float, float], tuple[float, float]]
 
-def cross(a, b):
+
+def cross(a: Vector, b: Vector) -> Vector:
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
-def make_sphere(field, around=48, across=24):
+def make_sphere(field: Field, around: int = 48, across: int = 24) -> vtkPolyData:
     """Return a unit sphere with the vectors field(p) at its points p."""
     points = [(0.0, 0.0, -1.0)]
     for j in range(1, across):
@@ -65,7 +74,9 @@ def make_sphere(field, around=48, across=24):
     return mesh
 
 
-def make_torus(field, around=60, across=30, thickness=0.42):
+def make_torus(
+    field: TorusField, around: int = 60, across: int = 30, thickness: float = 0.42
+) -> vtkPolyData:
     """Return a torus around z with vectors a * e_u + b * e_v, where (a, b) = field(u, v).
 
     u runs around the torus and v around its tube; e_u and e_v are the unit vectors along them.
@@ -91,12 +102,12 @@ def make_torus(field, around=60, across=30, thickness=0.42):
     return mesh
 
 
-def swirls(p):
+def swirls(p: Vector) -> Vector:
     """Return the sum of s * exp(4 (a.p - 1)) * a x p over several axes a.
 
     These are rotations that are fastest near their axes. Those with negative s turn backwards.
     """
-    v = (0.0, 0.0, 0.0)
+    v: Vector = (0.0, 0.0, 0.0)
     for s, a in (
         (1.0, (0.36, -0.8, 0.48)),
         (-1.0, (-0.48, -0.6, 0.64)),
@@ -111,12 +122,12 @@ def swirls(p):
     return v
 
 
-def waves(u, v):
+def waves(u: float, v: float) -> tuple[float, float]:
     """Return components along the torus and, alternating, across it."""
     return 0.6 + 0.5 * math.cos(v), math.sin(3 * u) + 0.4 * math.cos(2 * v)
 
 
-def make_colours(highest):
+def make_colours(highest: float) -> vtkColorTransferFunction:
     colours = vtkColorTransferFunction()
     for i, colour in enumerate(SPEEDS):
         colours.AddRGBPoint(highest * i / (len(SPEEDS) - 1), *colour)
@@ -124,7 +135,11 @@ def make_colours(highest):
     return colours
 
 
-def make_recipe(level=0, metric=None, surface=None):
+def make_recipe(
+    level: int = 0,
+    metric: relevo.vtkDepthTagMetric | None = None,
+    surface: relevo.vtkRefinementSurface | None = None,
+) -> relevo.vtkAdaptiveRefinement:
     recipe = relevo.vtkAdaptiveRefinement()
     recipe.SetMaximumLevel(level)
     recipe.SetMetric(metric)
@@ -132,7 +147,9 @@ def make_recipe(level=0, metric=None, surface=None):
     return recipe
 
 
-def draw_flow(mesh, name, highest, recipe):
+def draw_flow(
+    mesh: vtkPolyData, name: str, highest: float, recipe: relevo.vtkAdaptiveRefinement
+) -> vtkActor:
     """Draw streaks along the vectors, coloured by their length from 0 to `highest`."""
     mapper = relevo.vtkAdaptiveLICMapper()
     mapper.SetInputData(mesh)
@@ -153,7 +170,9 @@ def draw_flow(mesh, name, highest, recipe):
     return actor
 
 
-def add_legend(renderer, table, title, left=0.87):
+def add_legend(
+    renderer: vtkRenderer, table: vtkScalarsToColors, title: str, left: float = 0.87
+) -> None:
     legend = vtkScalarBarActor()
     legend.SetLookupTable(table)
     legend.SetTitle(title)
@@ -174,7 +193,7 @@ def add_legend(renderer, table, title, left=0.87):
     renderer.AddViewProp(legend)
 
 
-def fields():
+def fields() -> Figure:
     """Draw vectors on a sphere and a torus, refined so that both look round."""
     figure = Figure(2, 1, (480, 420), (0, -1, 0.35), (0, 0, 1), 1.35)
     recipe = make_recipe(2, surface=relevo.vtkPNTriangleSurface())
@@ -187,7 +206,7 @@ def fields():
     return figure
 
 
-def levels():
+def levels() -> Figure:
     """Draw a coarse mesh, its curved surface refined where the vectors turn, and the levels."""
     coarse = make_torus(waves, 20, 9)
     metric = relevo.vtkFieldVariationDepthTagMetric()
@@ -199,17 +218,17 @@ def levels():
     figure.add(f"{coarse.GetNumberOfCells()} triangles", actor)
     figure.add("refined where the vectors turn", draw_flow(coarse, "Flow", 1.6, curved))
     coloured = draw_recipe(coarse, curved)
-    coloured.GetMapper().SetColorModeToLevel()
-    coloured.GetMapper().ScalarVisibilityOn()
+    get_mapper(coloured).SetColorModeToLevel()
+    get_mapper(coloured).ScalarVisibilityOn()
     coloured.GetProperty().SetAmbient(0.3)
     coloured.GetProperty().SetSpecular(0)
     show_edges(coloured)
-    table = coloured.GetMapper().GetLevelLookupTable()
+    table = get_mapper(coloured).GetLevelLookupTable()
     add_legend(figure.add("its levels", coloured), table, "", 0.82)
     return figure
 
 
-def looks():
+def looks() -> Figure:
     """Draw each colour mode with each contrast and default settings otherwise."""
     mesh = make_sphere(swirls)
     recipe = make_recipe(2, surface=relevo.vtkPNTriangleSurface())
@@ -217,7 +236,7 @@ def looks():
     for mode in ("Blend", "Multiply"):
         for contrast in ("Off", "LIC", "Color", "Both"):
             actor = draw_flow(mesh, "Flow", 0.6, recipe)
-            mapper = actor.GetMapper()
+            mapper = get_mapper(actor)
             getattr(mapper, f"SetColorModeTo{mode}")()
             getattr(mapper, f"SetEnhanceContrastTo{contrast}")()
             mapper.SetMapModeBias(0)
@@ -225,7 +244,7 @@ def looks():
     return figure
 
 
-def oriented():
+def oriented() -> Figure:
     """Draw streaks without and with heads. Dark spots on a light ground give dark heads."""
     mesh = make_sphere(swirls)
     recipe = make_recipe(2, surface=relevo.vtkPNTriangleSurface())
@@ -233,7 +252,7 @@ def oriented():
     actor = draw_flow(mesh, "Flow", 0.6, recipe)
     figure.add("streaks", actor)
     actor = draw_flow(mesh, "Flow", 0.6, recipe)
-    mapper = actor.GetMapper()
+    mapper = get_mapper(actor)
     mapper.OrientedLICOn()
     mapper.EnhancedLICOff()
     mapper.SetNumberOfSteps(30)
@@ -248,30 +267,31 @@ def oriented():
     return figure
 
 
-def read(filename):
-    reader = vtkXMLPolyDataReader() if filename.endswith(".vtp") else vtkDataSetReader()
+def read(filename: str) -> vtkDataSet:
+    reader: Any = vtkXMLPolyDataReader() if filename.endswith(".vtp") else vtkDataSetReader()
     reader.SetFileName(check_file(filename))
     reader.Update()
-    if reader.GetOutput().GetNumberOfPoints() == 0:
+    data: vtkDataSet = reader.GetOutput()
+    if data.GetNumberOfPoints() == 0:
         sys.exit(f"flow.py: {filename!r} has no points")
-    return reader.GetOutput()
+    return data
 
 
-def get_surface(data):
+def get_surface(data: vtkDataSet) -> vtkPolyData:
     surface = vtkGeometryFilter()
     surface.SetInputData(data)
     surface.Update()
     return surface.GetOutput()
 
 
-def make_plane(origin, normal):
+def make_plane(origin: Sequence[float], normal: Sequence[float]) -> vtkPlane:
     result = vtkPlane()
     result.SetOrigin(origin)
     result.SetNormal(normal)
     return result
 
 
-def cut(data, origin, normal):
+def cut(data: vtkDataSet, origin: Sequence[float], normal: Sequence[float]) -> vtkPolyData:
     cutter = vtkCutter()
     cutter.SetInputData(data)
     cutter.SetCutFunction(make_plane(origin, normal))
@@ -279,7 +299,7 @@ def cut(data, origin, normal):
     return cutter.GetOutput()
 
 
-def draw_still(data, name):
+def draw_still(data: vtkDataSet, name: str) -> vtkActor:
     """Draw the cells without flow, which are the furniture of the room."""
     still = vtkThreshold()
     still.SetInputData(data)
@@ -292,13 +312,13 @@ def draw_still(data, name):
     return draw_recipe(get_surface(still.GetOutput()), make_recipe())
 
 
-def show_no_flow(mapper):
+def show_no_flow(mapper: relevo.vtkAdaptiveLICMapper) -> None:
     """Show zero vectors in grey instead of the colour of slow ones."""
     mapper.SetMaskColor(0.62, 0.62, 0.66)
     mapper.SetMaskIntensity(1)
 
 
-def plane(filename):
+def plane(filename: str) -> Figure:
     """Draw a section of a reactor. The gas enters from above and rises again over the disk."""
     figure = Figure(1, 1, (720, 480), (1, 0, 0), (0, 0, 1), 1.35)
     actor = draw_flow(get_surface(read(filename)), "V", 15, make_recipe())
@@ -309,7 +329,7 @@ def plane(filename):
     return figure
 
 
-def disk(filename):
+def disk(filename: str) -> Figure:
     """Draw a rotating disk in a wall that is cut open. Regions without flow are grey.
 
     The gas leaves through the gap below the disk.
@@ -321,7 +341,7 @@ def disk(filename):
     recipe = make_recipe(3, surface=relevo.vtkPNTriangleSurface())
     actor = draw_flow(normals.GetOutput(), "V", 20, recipe)
     actor.GetProperty().SetAmbient(0.5)
-    mapper = actor.GetMapper()
+    mapper = get_mapper(actor)
     show_no_flow(mapper)
     mapper.AddClippingPlane(make_plane((0, -3.95, 0), (0, 1, 0)))
     mapper.AddClippingPlane(make_plane((0, 0, 4), (0, 0, -1)))
@@ -333,7 +353,7 @@ def disk(filename):
     return figure
 
 
-def office(filename):
+def office(filename: str) -> Figure:
     """Draw slices of a room. Air enters at the foot of the left wall and leaves at the ceiling."""
     room = read(filename)
     figure = Figure(1, 1, (720, 480), (0.45, -1, 0.95), (0, 0, 1))
@@ -359,7 +379,7 @@ FORMULAE = {figure.__name__: figure for figure in (fields, levels, looks, orient
 FILES = {figure.__name__: figure for figure in (plane, disk, office)}
 
 
-def main(name, picture, *filename):
+def main(name: str, picture: str, *filename: str) -> None:
     print((FORMULAE | FILES)[name](*filename).write(picture), "triangles")
 
 

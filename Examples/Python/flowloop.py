@@ -6,6 +6,8 @@ The loop is seamless and has 16 frames by default. The flow runs around a ring, 
 outside, and across it where the ring is thin. The ring has curved PN triangles.
 """
 
+from __future__ import annotations
+
 import math
 import sys
 
@@ -13,7 +15,15 @@ import relevo
 from arguments import read_arguments
 from gif import photograph, write_gif
 from meshes import add_normals, make_ring, set_point_array
-from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkLight, vtkRenderer
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkColorTransferFunction,
+    vtkLight,
+    vtkMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+)
 
 AROUND, ACROSS = 30, 12
 SIZE = (360, 230)
@@ -21,7 +31,7 @@ SECONDS = 0.06  # per frame
 COLOURS = 64
 
 
-def make_flow():
+def make_flow() -> vtkPolyData:
     """Return the ring with vectors at its points."""
     mesh = add_normals(make_ring(AROUND, ACROSS))
     points = [mesh.GetPoint(i) for i in range(mesh.GetNumberOfPoints())]
@@ -41,7 +51,7 @@ def make_flow():
     return mesh
 
 
-def make_mapper(mesh):
+def make_mapper(mesh: vtkPolyData) -> relevo.vtkAdaptiveLICMapper:
     recipe = relevo.vtkAdaptiveRefinement()
     recipe.SetSurface(relevo.vtkPNTriangleSurface())
     recipe.SetMaximumLevel(4)
@@ -61,7 +71,7 @@ def make_mapper(mesh):
     return mapper
 
 
-def show(mapper):
+def show(mapper: vtkMapper) -> vtkRenderWindow:
     """Return a window that shows the mapper."""
     actor = vtkActor()
     actor.SetMapper(mapper)
@@ -90,7 +100,7 @@ def show(mapper):
     return window
 
 
-def main(filename, frames=16):
+def main(filename: str, frames: str = "16") -> None:
     mapper = make_mapper(make_flow())
     window = show(mapper)
     images = []

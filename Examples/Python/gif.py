@@ -2,18 +2,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Write animated GIF files, which VTK does not, for the scripts in this folder."""
 
+from __future__ import annotations
+
 import struct
+from collections.abc import Sequence
+from typing import Any
 
 from relevo.files import write
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkImageAppend
 from vtkmodules.vtkImagingColor import vtkImageQuantizeRGBToIndex
-from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
 
 LARGEST_CODE = 4095
 
 
-def photograph(window):
+def photograph(window: vtkRenderWindow) -> vtkImageData:
     """Render the window and return its pixels."""
     window.Render()
     picture = vtkWindowToImageFilter()
@@ -26,7 +30,9 @@ def photograph(window):
     return image
 
 
-def write_gif(filename, images, seconds, colours=64):
+def write_gif(
+    filename: str, images: Sequence[vtkImageData], seconds: float, colours: int = 64
+) -> None:
     """Write RGB images (vtkImageData) of equal size as an endless loop with up to 256 colours."""
     width, height, _ = images[0].GetDimensions()
     indices, palette = quantize(images, colours)
@@ -45,7 +51,7 @@ def write_gif(filename, images, seconds, colours=64):
     write(filename, contents)
 
 
-def quantize(images, colours):
+def quantize(images: Sequence[vtkImageData], colours: int) -> tuple[bytes, list[bytes]]:
     """Return the pixels of all images, bottom row first, as one byte each, and the palette."""
     tower = vtkImageAppend()  # all images share one palette
     tower.SetAppendAxis(1)
@@ -60,16 +66,16 @@ def quantize(images, colours):
         bytes(round(255 * c) for c in table.GetTableValue(i)[:3])
         for i in range(table.GetNumberOfTableValues())
     ]
-    scalars = quantizer.GetOutput().GetPointData().GetScalars()
+    scalars: Any = quantizer.GetOutput().GetPointData().GetScalars()
     return bytes(memoryview(scalars).tolist()), palette
 
 
-def compress(pixels, bits):
+def compress(pixels: bytes, bits: int) -> bytes:
     """Return the pixels in the LZW code of GIF."""
     clear = 1 << bits
     result, buffered, held = bytearray(), 0, 0
 
-    def emit(code, length):
+    def emit(code: int, length: int) -> None:
         nonlocal buffered, held
         buffered |= code << held
         held += length
@@ -78,7 +84,8 @@ def compress(pixels, bits):
             buffered >>= 8
             held -= 8
 
-    words, length = {}, bits + 1
+    words: dict[tuple[bytes | int, int], Any] = {}
+    length = bits + 1
     emit(clear, length)
     word = pixels[0]
     for pixel in pixels[1:]:
@@ -103,7 +110,7 @@ def compress(pixels, bits):
     return bytes(result)
 
 
-def blocks(data):
+def blocks(data: bytes) -> bytes:
     """Split data into blocks of up to 255 bytes, ended by an empty block."""
     parts = (data[i : i + 255] for i in range(0, len(data), 255))
     return b"".join(bytes([len(part)]) + part for part in parts) + b"\0"

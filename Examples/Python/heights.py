@@ -2,11 +2,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Make images and displacements by images of heights, for the scripts in this folder."""
 
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
 import relevo
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 
-def make_image(columns, rows, components, kind, values):
+def make_image(
+    columns: int,
+    rows: int,
+    components: int,
+    kind: int,
+    values: Callable[[float, float], Iterable[float]],
+) -> vtkImageData:
     """Return an image. values(x, y) gives the components of a pixel, with x and y in [0, 1]."""
     image = vtkImageData()
     image.SetDimensions(columns, rows, 1)
@@ -18,7 +28,7 @@ def make_image(columns, rows, components, kind, values):
     return image
 
 
-def displace(heights, scale):
+def displace(heights: vtkImageData, scale: float) -> relevo.vtkDisplacement:
     height_map = relevo.vtkHeightMap()
     height_map.SetImageData(heights)
     displacement = relevo.vtkDisplacement()

@@ -2,16 +2,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Make and read coarse meshes for the scripts in this folder."""
 
+from __future__ import annotations
+
 import math
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
 
 from arguments import check_file
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSet, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkQuadricDecimation, vtkTriangleFilter
 from vtkmodules.vtkIOPLY import vtkPLYReader
 
 
-def make_mesh(points, triangles):
+def make_mesh(points: Iterable[Sequence[float]], triangles: Iterable[Sequence[int]]) -> vtkPolyData:
     mesh = vtkPolyData()
     mesh.SetPoints(vtkPoints())
     mesh.SetPolys(vtkCellArray())
@@ -22,7 +26,9 @@ def make_mesh(points, triangles):
     return mesh
 
 
-def set_point_array(mesh, name, values):
+def set_point_array(
+    mesh: vtkDataSet, name: str, values: Sequence[float] | Sequence[Sequence[float]]
+) -> vtkFloatArray:
     """Add an array with one number or one tuple of numbers per point."""
     array = vtkFloatArray()
     array.SetName(name)
@@ -33,15 +39,15 @@ def set_point_array(mesh, name, values):
     return array
 
 
-def set_normals(mesh, values):
+def set_normals(mesh: vtkDataSet, values: Sequence[Sequence[float]]) -> None:
     mesh.GetPointData().SetNormals(set_point_array(mesh, "Normals", values))
 
 
-def set_texture_coordinates(mesh, values):
+def set_texture_coordinates(mesh: vtkDataSet, values: Sequence[Sequence[float]]) -> None:
     mesh.GetPointData().SetTCoords(set_point_array(mesh, "TextureCoordinates", values))
 
 
-def add_normals(mesh):
+def add_normals(mesh: vtkPolyData) -> vtkPolyData:
     """Return the mesh with smooth point normals."""
     normals = vtkPolyDataNormals()
     normals.SetInputData(mesh)
@@ -50,7 +56,7 @@ def add_normals(mesh):
     return normals.GetOutput()
 
 
-def make_ring(around=30, across=12):
+def make_ring(around: int = 30, across: int = 12) -> vtkPolyData:
     """Return a bent ring of varying thickness, with 2 * around * across triangles."""
     points = []
     triangles = []
@@ -68,7 +74,9 @@ def make_ring(around=30, across=12):
     return make_mesh(points, triangles)
 
 
-def make_grid(columns, rows, place):
+def make_grid(
+    columns: int, rows: int, place: Callable[[float, float], Sequence[float]]
+) -> vtkPolyData:
     """Return a grid of triangles with points place(x, y) and texture coordinates x, y in [0, 1]."""
     grid = [(i / columns, j / rows) for j in range(rows + 1) for i in range(columns + 1)]
     triangles = []
@@ -81,7 +89,7 @@ def make_grid(columns, rows, place):
     return mesh
 
 
-def make_wave(extremes=6):
+def make_wave(extremes: int = 6) -> vtkPolyData:
     """Return a strip with points at the crests and troughs of a wave, where its slope is 0."""
     mesh = make_grid(
         extremes, 1, lambda x, y: (extremes * x, 2.5 * y, 0.5 * math.cos(extremes * math.pi * x))
@@ -90,7 +98,7 @@ def make_wave(extremes=6):
     return mesh
 
 
-def make_dome():
+def make_dome() -> vtkPolyData:
     """Return an arch of eight triangles with texture coordinates."""
     mesh = make_grid(
         2, 2, lambda x, y: (2 * x - 1, 2 * y - 1, 0.8 * (1 - (2 * x - 1) ** 2) * (1 - (2 * y - 1) ** 2))
@@ -98,7 +106,7 @@ def make_dome():
     return add_normals(mesh)
 
 
-def make_mapped_ring(around=14, across=6):
+def make_mapped_ring(around: int = 14, across: int = 6) -> vtkPolyData:
     """Return the ring with texture coordinates that run around and back, to avoid a seam."""
     ring = make_ring(around, across)
     set_texture_coordinates(
@@ -111,12 +119,12 @@ def make_mapped_ring(around=14, across=6):
     return add_normals(ring)
 
 
-def read(filename):
+def read(filename: str) -> vtkPolyData:
     """Return the triangles of a .ply or .g file."""
     if filename.endswith(".g"):
         from vtkmodules.vtkIOGeometry import vtkBYUReader
 
-        reader = vtkBYUReader()
+        reader: Any = vtkBYUReader()
         reader.SetGeometryFileName(check_file(filename))
     else:
         reader = vtkPLYReader()
@@ -127,7 +135,7 @@ def read(filename):
     return triangulate.GetOutput()
 
 
-def read_decimated(filename, triangles):
+def read_decimated(filename: str, triangles: int) -> vtkPolyData:
     """Return a .ply or .g file with about this many triangles and a longest side of length 2."""
     mesh = read(filename)
     if mesh.GetNumberOfCells() > triangles:

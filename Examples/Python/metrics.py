@@ -6,6 +6,8 @@ The colours are levels. An edge of level d has 2^d segments. Without MESH.ply th
 of 720 triangles.
 """
 
+from __future__ import annotations
+
 import math
 import sys
 
@@ -14,44 +16,45 @@ from arguments import read_arguments
 from meshes import add_normals, make_ring, read
 from relevo.files import write_picture
 from vtkmodules.vtkCommonCore import vtkFloatArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
 
-def distance(mesh):
+def distance(mesh: vtkPolyData) -> relevo.vtkDepthTagMetric:
     """Refine what is near."""
     metric = relevo.vtkDistanceDepthTagMetric()
     metric.SetMaximumDistance(2 * mesh.GetLength())
     return metric
 
 
-def screen_edge(mesh):
+def screen_edge(mesh: vtkPolyData) -> relevo.vtkDepthTagMetric:
     """Refine to segments of eight pixels."""
     metric = relevo.vtkScreenEdgeDepthTagMetric()
     metric.SetReferenceLength(8)
     return metric
 
 
-def curvature(mesh):
+def curvature(mesh: vtkPolyData) -> relevo.vtkDepthTagMetric:
     """Refine where the surface curves."""
     metric = relevo.vtkCurvatureDepthTagMetric()
     metric.SetCurvatureTypeToMean()
     return metric
 
 
-def silhouette(mesh):
+def silhouette(mesh: vtkPolyData) -> relevo.vtkDepthTagMetric:
     """Refine near the silhouette, by point normals."""
     return relevo.vtkSilhouetteDepthTagMetric()
 
 
-def contour(mesh):
+def contour(mesh: vtkPolyData) -> relevo.vtkDepthTagMetric:
     """Refine the contour, by the two faces of each edge."""
     metric = relevo.vtkSilhouetteDepthTagMetric()
     metric.SetCriterionToContour()
     return metric
 
 
-def view_dependent(mesh):
+def view_dependent(mesh: vtkPolyData) -> relevo.vtkDepthTagMetric:
     """Refine where the surface curves, more where it is seen edge-on."""
     metric = relevo.vtkViewDependentDepthTagMetric()
     metric.SetMaximumSpread(20)
@@ -59,7 +62,7 @@ def view_dependent(mesh):
     return metric
 
 
-def field_variation(mesh):
+def field_variation(mesh: vtkPolyData) -> relevo.vtkDepthTagMetric:
     """Refine where an array varies, here waves around a point."""
     waves = vtkFloatArray()
     waves.SetName("Waves")
@@ -72,7 +75,7 @@ def field_variation(mesh):
     return metric
 
 
-def region(mesh):
+def region(mesh: vtkPolyData) -> relevo.vtkDepthTagMetric:
     """Refine around a point."""
     metric = relevo.vtkRegionDepthTagMetric()
     metric.SetCenter(mesh.GetPoint(0))
@@ -81,7 +84,7 @@ def region(mesh):
     return metric
 
 
-def composite(mesh):
+def composite(mesh: vtkPolyData) -> relevo.vtkDepthTagMetric:
     """Refine to the highest level of two metrics."""
     metric = relevo.vtkCompositeDepthTagMetric()
     metric.AddMetric(contour(mesh))
@@ -105,7 +108,7 @@ METRICS = {
 }
 
 
-def main(name, picture, filename=None):
+def main(name: str, picture: str, filename: str | None = None) -> None:
     mesh = add_normals(read(filename) if filename else make_ring())
 
     recipe = relevo.vtkAdaptiveRefinement()

@@ -5,33 +5,35 @@
 The script needs no display.
 """
 
+from __future__ import annotations
+
 import math
 import sys
 
 import relevo
 from arguments import read_arguments
-from figure import Figure, draw_recipe, make_actor
+from figure import Figure, draw_recipe, get_mapper, make_actor
 from meshes import make_grid, set_normals, set_point_array
 from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkCommonDataModel import vtkDataObject
-from vtkmodules.vtkRenderingCore import vtkPolyDataMapper, vtkTexture
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkCamera, vtkPolyDataMapper, vtkTexture
 
 AROUND, ACROSS, LEVEL = 48, 28, 3
 PANEL = (360, 300)
 
 
-def make_torus():
+def make_torus() -> vtkPolyData:
     """Return a torus of radii 1 and 0.5, with texture coordinates that have two seams."""
 
-    def angles(x, y):
+    def angles(x: float, y: float) -> tuple[float, float]:
         return 2 * math.pi * (x % 1), 2 * math.pi * (y % 1)
 
-    def place(x, y):
+    def place(x: float, y: float) -> tuple[float, float, float]:
         u, v = angles(x, y)
         radius = 1 + 0.5 * math.cos(v)
         return radius * math.cos(u), radius * math.sin(u), 0.5 * math.sin(v)
 
-    def normal(x, y):
+    def normal(x: float, y: float) -> tuple[float, float, float]:
         u, v = angles(x, y)
         return math.cos(v) * math.cos(u), math.cos(v) * math.sin(u), math.sin(v)
 
@@ -43,7 +45,7 @@ def make_torus():
     return torus
 
 
-def swirl(x, y, z):
+def swirl(x: float, y: float, z: float) -> tuple[float, float, float]:
     """Return a vector along the torus, which turns through all directions in one region."""
     u, v = math.atan2(y, x), math.atan2(z, math.hypot(x, y) - 1)
     angle = 0.3 + 3 * math.exp(-(u * u + v * v) / 0.4) * math.sin(6 * v) * math.cos(6 * u)
@@ -55,14 +57,16 @@ def swirl(x, y, z):
     )
 
 
-def add_vectors(mesh):
+def add_vectors(mesh: vtkPolyData) -> vtkPolyData:
     set_point_array(
         mesh, "Velocity", [swirl(*mesh.GetPoint(i)) for i in range(mesh.GetNumberOfPoints())]
     )
     return mesh
 
 
-def make_recipe(metric, level=LEVEL):
+def make_recipe(
+    metric: relevo.vtkDepthTagMetric | None, level: int = LEVEL
+) -> relevo.vtkAdaptiveRefinement:
     recipe = relevo.vtkAdaptiveRefinement()
     recipe.SetSurface(relevo.vtkPNTriangleSurface())
     recipe.SetMaximumLevel(level)
@@ -71,7 +75,9 @@ def make_recipe(metric, level=LEVEL):
     return recipe
 
 
-def refine(mesh, recipe, camera=None):
+def refine(
+    mesh: vtkPolyData, recipe: relevo.vtkAdaptiveRefinement, camera: vtkCamera | None = None
+) -> vtkPolyData:
     """Return the refined mesh, with the vectors evaluated at its new points."""
     refinement = relevo.vtkAdaptiveRefinementFilter()
     refinement.SetInputData(mesh)
@@ -82,7 +88,9 @@ def refine(mesh, recipe, camera=None):
     return add_vectors(refinement.GetOutput())
 
 
-def make_lic(mesh, texture_size=(0, 0)):
+def make_lic(
+    mesh: vtkPolyData, texture_size: tuple[int, int] = (0, 0)
+) -> relevo.vtkSurfaceLineIntegralConvolution:
     lic = relevo.vtkSurfaceLineIntegralConvolution()
     lic.SetInputData(mesh)
     lic.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "Velocity")
@@ -96,7 +104,7 @@ def make_lic(mesh, texture_size=(0, 0)):
     return lic
 
 
-def make_grey_actor(mesh):
+def make_grey_actor(mesh: vtkPolyData) -> vtkActor:
     """Return a white actor with its scalars in grey."""
     greys = vtkLookupTable()
     greys.SetSaturationRange(0, 0)
@@ -115,11 +123,11 @@ def make_grey_actor(mesh):
     return actor
 
 
-def draw(mesh):
+def draw(mesh: vtkPolyData) -> vtkActor:
     return make_grey_actor(make_lic(mesh).GetOutput())
 
 
-def draw_texture(mesh):
+def draw_texture(mesh: vtkPolyData) -> vtkActor:
     lic = make_lic(mesh, (768, 384))
     actor = make_grey_actor(lic.GetOutput())
     actor.GetMapper().ScalarVisibilityOff()
@@ -130,13 +138,13 @@ def draw_texture(mesh):
     return actor
 
 
-def draw_levels(mesh, recipe):
+def draw_levels(mesh: vtkPolyData, recipe: relevo.vtkAdaptiveRefinement) -> vtkActor:
     actor = draw_recipe(mesh, recipe)
-    actor.GetMapper().SetColorModeToLevel()
+    get_mapper(actor).SetColorModeToLevel()
     return actor
 
 
-def main(picture):
+def main(picture: str) -> None:
     torus = add_vectors(make_torus())
     variation = relevo.vtkFieldVariationDepthTagMetric()
     variation.SetArrayName("Velocity")
@@ -145,15 +153,15 @@ def main(picture):
     adaptive, uniform = refine(torus, by_field), refine(torus, make_recipe(None, LEVEL - 1))
 
     figure = Figure(3, 2, PANEL, (1, -0.2, 0.3), (0, 0, 1), 1.75)
-    near = {"zoom": 2.8}
+    near = 2.8
     figure.add(f"{torus.GetNumberOfCells()} triangles", draw(torus))
     figure.add("levels by the vectors' angles", draw_levels(torus, by_field))
     figure.add(f"{adaptive.GetNumberOfCells()} by the vectors' angles", draw(adaptive))
-    figure.add(f"{uniform.GetNumberOfCells()} of one level", draw(uniform), **near)
+    figure.add(f"{uniform.GetNumberOfCells()} of one level", draw(uniform), zoom=near)
     camera = figure.add(
-        f"{adaptive.GetNumberOfCells()} by the vectors' angles", draw(adaptive), **near
+        f"{adaptive.GetNumberOfCells()} by the vectors' angles", draw(adaptive), zoom=near
     ).GetActiveCamera()
-    figure.add(f"{torus.GetNumberOfCells()} with a texture", draw_texture(torus), **near)
+    figure.add(f"{torus.GetNumberOfCells()} with a texture", draw_texture(torus), zoom=near)
     figure.write(picture)
 
     # Refine what a close camera sees.

@@ -12,11 +12,12 @@ NAME and the files are
 """
 
 import sys
+from typing import Any
 
 import relevo
 from arguments import check_file, read_arguments
 
-DRAWINGS = {
+DRAWINGS: dict[str, Any] = {
     "terrain": lambda dem, photo: relevo.terrain(dem, imagery=photo, exaggeration=2),
     "refined": lambda mesh: relevo.refined(mesh, surface="pn", metric="curvature", max_level=5),
     "volume": lambda mesh: relevo.volume(mesh, "EQPS"),

@@ -10,13 +10,23 @@ NAME is one of
 Without FILE the script generates cells.
 """
 
+from __future__ import annotations
+
 import math
 import sys
+from collections.abc import Callable, Iterable
+from typing import Any
 
 import relevo
 from arguments import check_file, read_arguments
-from figure import Figure, make_actor, show_edges
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdList, vtkLookupTable, vtkPoints
+from figure import Figure, get_mapper, make_actor, show_edges
+from vtkmodules.vtkCommonCore import (
+    vtkDataArray,
+    vtkDoubleArray,
+    vtkIdList,
+    vtkLookupTable,
+    vtkPoints,
+)
 from vtkmodules.vtkCommonDataModel import (
     VTK_LAGRANGE_QUADRILATERAL,
     VTK_QUADRATIC_HEXAHEDRON,
@@ -25,7 +35,7 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter, vtkLinearToQuadraticCellsFilter
 from vtkmodules.vtkFiltersSources import vtkCellTypeSource
-from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 HALF = math.sqrt(0.5)
 # A circle of radius 1 as a rational curve of degree 2: x, y and weight of each control point.
@@ -43,7 +53,7 @@ CIRCLE = [
 CIRCLE_KNOTS = [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4]
 
 
-def make_array(values, name=None):
+def make_array(values: Iterable[float], name: str | None = None) -> vtkDoubleArray:
     array = vtkDoubleArray()
     for value in values:
         array.InsertNextValue(value)
@@ -52,7 +62,7 @@ def make_array(values, name=None):
     return array
 
 
-def make_torus(radius=1.0, tube=0.4):
+def make_torus(radius: float = 1.0, tube: float = 0.4) -> vtkUnstructuredGrid:
     """Return a torus of 16 rational cells of degree 2 x 2."""
     points = vtkPoints()
     points.SetDataTypeToDouble()
@@ -73,19 +83,20 @@ def make_torus(radius=1.0, tube=0.4):
     return source.GetOutput()
 
 
-def read_grid(filename):
+def read_grid(filename: str) -> vtkUnstructuredGrid:
     if filename.endswith(".bpt"):
-        reader = relevo.vtkBezierPatchReader()
+        reader: Any = relevo.vtkBezierPatchReader()
     else:
         from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
         reader = vtkXMLUnstructuredGridReader()
     reader.SetFileName(check_file(filename))
     reader.Update()
-    return reader.GetOutput()
+    grid: vtkUnstructuredGrid = reader.GetOutput()
+    return grid
 
 
-def make_recipe(pixels=0.5):
+def make_recipe(pixels: float = 0.5) -> relevo.vtkAdaptiveRefinement:
     """Return a recipe that limits the error in pixels."""
     metric = relevo.vtkPatchErrorDepthTagMetric()
     metric.SetScreenSpaceError(pixels)
@@ -98,7 +109,9 @@ def make_recipe(pixels=0.5):
     return recipe
 
 
-def draw_patches(grid, recipe=None):
+def draw_patches(
+    grid: vtkUnstructuredGrid, recipe: relevo.vtkAdaptiveRefinement | None = None
+) -> vtkActor:
     patches = relevo.vtkPatchSurfaceFilter()
     patches.SetInputData(grid)
     mapper = relevo.vtkAdaptivePatchMapper()
@@ -109,7 +122,7 @@ def draw_patches(grid, recipe=None):
     return make_actor(mapper)
 
 
-def draw_flat(grid, level):
+def draw_flat(grid: vtkUnstructuredGrid, level: int) -> vtkActor:
     """Draw VTK's uniform subdivision of the cells, with the normals of VTK's filter."""
     surface = vtkDataSetSurfaceFilter()
     surface.SetInputData(grid)
@@ -123,24 +136,24 @@ def draw_flat(grid, level):
     return make_actor(mapper)
 
 
-def count_flat(actor):
-    return actor.GetMapper().GetInput().GetNumberOfCells()
+def count_flat(actor: vtkActor) -> int:
+    return int(get_mapper(actor).GetInput().GetNumberOfCells())
 
 
-def teapot(filename=None):
+def teapot(filename: str | None = None) -> Figure:
     """Draw the patches, their levels, and VTK's subdivision with about as many triangles."""
     grid = read_grid(filename) if filename else make_torus()
     figure = Figure(3, 1, (420, 330), (0.4, -1, 0.5), (0, 0, 1), 1.5)
     smooth = draw_patches(grid, make_recipe(2))
     levels = draw_patches(grid, make_recipe(2))
-    levels.GetMapper().SetColorModeToLevel()
-    levels.GetMapper().ScalarVisibilityOn()
+    get_mapper(levels).SetColorModeToLevel()
+    get_mapper(levels).ScalarVisibilityOn()
     show_edges(levels)
     bounds = smooth.GetBounds()
     figure.add("2 pixels", smooth, bounds=bounds)
     figure.add("their levels", levels, bounds=bounds)
     figure.window.Render()
-    triangles = smooth.GetMapper().GetNumberOfDrawnTriangles()
+    triangles: int = get_mapper(smooth).GetNumberOfDrawnTriangles()
     rivals = [draw_flat(grid, level) for level in range(1, 5)]
     rival = min(rivals, key=lambda actor: abs(count_flat(actor) - triangles))
     show_edges(rival)
@@ -149,19 +162,19 @@ def teapot(filename=None):
     return figure
 
 
-def torus():
+def torus() -> Figure:
     """Draw VTK's coarsest triangles beside the exact cells."""
     grid = make_torus()
     figure = Figure(2, 1, (420, 320), (0.2, -1, 1.1), (0, 1, 0), 1.3)
     flat = draw_flat(grid, 1)
     round_one = draw_patches(grid)
-    round_one.GetMapper().PatchEdgesOn()
+    get_mapper(round_one).PatchEdgesOn()
     figure.add(f"VTK: {count_flat(flat):,} triangles", flat, bounds=flat.GetBounds())
     figure.add("rational cells and their edges", round_one, bounds=flat.GetBounds())
     return figure
 
 
-def make_field(cells=2, degree=4):
+def make_field(cells: int = 2, degree: int = 4) -> vtkUnstructuredGrid:
     """Return Lagrange cells on a wavy sheet, with a field that oscillates within them."""
     grid = vtkUnstructuredGrid()
     points = vtkPoints()
@@ -174,7 +187,10 @@ def make_field(cells=2, degree=4):
             points.InsertNextPoint(x, y, 0.12 * math.sin(math.pi * x) * math.cos(math.pi * y))
             field.append(math.sin(5 * x + 1) * math.cos(6 * y) + 0.5 * x)
     grid.SetPoints(points)
-    at = lambda i, j: j * side + i
+
+    def at(i: int, j: int) -> int:
+        return j * side + i
+
     for cj in range(cells):
         for ci in range(cells):
             i0, j0, d = ci * degree, cj * degree, degree
@@ -191,7 +207,7 @@ def make_field(cells=2, degree=4):
     return grid
 
 
-def colour(actor, array, component=0):
+def colour(actor: vtkActor, array: vtkDataArray, component: int = 0) -> None:
     """Colour an actor by a component, or with -1 by the length of the vectors."""
     table = vtkLookupTable()
     table.SetHueRange(0.66, 0.0)
@@ -206,15 +222,15 @@ def colour(actor, array, component=0):
     actor.GetProperty().SetSpecular(0)
 
 
-def field():
+def field() -> Figure:
     """Draw cells subdivided once by VTK, and the same cells evaluated at every pixel."""
     grid = make_field()
     array = grid.GetPointData().GetScalars()
     figure = Figure(2, 1, (420, 360), (0.1, -0.8, 1), (0, 1, 0), 1.25)
     flat = draw_flat(grid, 1)
     exact = draw_patches(grid)
-    exact.GetMapper().SetIsolineSpacing(0.2)
-    exact.GetMapper().PatchEdgesOn()
+    get_mapper(exact).SetIsolineSpacing(0.2)
+    get_mapper(exact).PatchEdgesOn()
     for label, actor in (
         (f"VTK: {count_flat(flat):,} triangles, linear colours", flat),
         ("the cells' own basis, with isolines", exact),
@@ -224,7 +240,7 @@ def field():
     return figure
 
 
-def bend(grid, angle=1.2):
+def bend(grid: vtkUnstructuredGrid, angle: float = 1.2) -> vtkUnstructuredGrid:
     """Bend the grid along its longest side. Nodes within edges move too, so cells become curved."""
     bounds = grid.GetBounds()
     axis = max(range(3), key=lambda c: bounds[2 * c + 1] - bounds[2 * c])
@@ -241,7 +257,7 @@ def bend(grid, angle=1.2):
     return grid
 
 
-def make_block():
+def make_block() -> vtkUnstructuredGrid:
     """Return a bar of 32 quadratic hexahedra."""
     source = vtkCellTypeSource()
     source.SetCellType(VTK_QUADRATIC_HEXAHEDRON)
@@ -250,7 +266,7 @@ def make_block():
     return source.GetOutput()
 
 
-def can(filename=None):
+def can(filename: str | None = None) -> Figure:
     """Colour cells by a point array, evaluated with their quadratic basis."""
     if filename:
         quadratic = vtkLinearToQuadraticCellsFilter()
@@ -267,15 +283,15 @@ def can(filename=None):
         actor.GetMapper().SetScalarModeToUsePointFieldData()
         actor.GetMapper().SelectColorArray(name)
         colour(actor, array, -1 if array.GetNumberOfComponents() > 1 else 0)
-        actor.GetMapper().SetPatchEdges(edges)
+        get_mapper(actor).SetPatchEdges(edges)
         figure.add(label, actor, bounds=actor.GetBounds())
     return figure
 
 
-FIGURES = (teapot, torus, field, can)
+FIGURES: tuple[Callable[..., Figure], ...] = (teapot, torus, field, can)
 
 
-def main(name, picture, *files):
+def main(name: str, picture: str, *files: str) -> None:
     for figure in FIGURES:
         takes_file = figure in (teapot, can)
         if figure.__name__ == name and len(files) <= takes_file:

@@ -10,47 +10,58 @@ NAME is one of
 Without FILE the script generates a mesh or height map.
 """
 
+from __future__ import annotations
+
 import math
 import sys
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import relevo
 from arguments import check_file, read_arguments
-from figure import Figure, draw_mesh, make_actor
+from figure import Figure, draw_mesh, get_mapper, make_actor
 from meshes import add_normals, make_ring, read
 from vtkmodules.vtkCommonCore import vtkFloatArray
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import (
+    vtkDataObject,
+    vtkImageData,
+    vtkMultiBlockDataSet,
+    vtkPolyData,
+)
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkRenderingImage import vtkDepthImageToPointCloud
 from vtkmodules.vtkRenderingCore import (
+    vtkActor,
     vtkCamera,
     vtkLight,
     vtkPolyDataMapper,
     vtkRenderer,
+    vtkRenderWindow,
     vtkWindowToImageFilter,
 )
 
 RED = (0.85, 0.1, 0.1)
 
 
-def read_mesh(filename):
+def read_mesh(filename: str | None) -> vtkPolyData:
     return add_normals(read(filename) if filename else make_ring(120, 48))
 
 
-def draw_matt(mesh):
+def draw_matt(mesh: vtkPolyData) -> vtkActor:
     actor = draw_mesh(mesh)
     actor.GetProperty().SetSpecular(0)  # highlights depend on the view, and captures keep theirs
     return actor
 
 
-def draw_reliefs(reliefs, method="Automatic"):
+def draw_reliefs(reliefs: vtkDataObject, method: str = "Automatic") -> vtkActor:
     mapper = relevo.vtkReliefMapper()
     mapper.SetInputDataObject(reliefs)
     getattr(mapper, "SetMethodTo" + method)()
     return make_actor(mapper)
 
 
-def set_lights(renderer, *directions):
+def set_lights(renderer: vtkRenderer, *directions: Sequence[float]) -> None:
     """Set scene lights, so that the colours are the same in all captures."""
     renderer.RemoveAllLights()
     for x, y, z, intensity in directions:
@@ -64,7 +75,9 @@ def set_lights(renderer, *directions):
 LAMPS = ((-0.5, 1, 1, 0.8), (1, 0.3, -0.2, 0.4), (0.2, -0.6, -1, 0.3), (-1, 0, -0.5, 0.3))
 
 
-def open_window(*actors, size=(600, 500)):
+def open_window(
+    *actors: vtkActor, size: tuple[int, int] = (600, 500)
+) -> tuple[vtkRenderWindow, vtkRenderer]:
     """Return an off-screen window and its renderer to capture from."""
     renderer = vtkRenderer()
     for actor in actors:
@@ -78,7 +91,9 @@ def open_window(*actors, size=(600, 500)):
     return window, renderer
 
 
-def capture(renderer, resolution, cameras=()):
+def capture(
+    renderer: vtkRenderer, resolution: int, cameras: Sequence[vtkCamera] = ()
+) -> vtkMultiBlockDataSet:
     """Return captures from the six sides of a box, or by these cameras."""
     source = relevo.vtkReliefCapture()
     source.SetRenderer(renderer)
@@ -89,17 +104,17 @@ def capture(renderer, resolution, cameras=()):
     return source.GetOutput()
 
 
-def count_texels(reliefs):
+def count_texels(reliefs: vtkMultiBlockDataSet) -> int:
     """Count the texels that have a surface."""
     count = 0
-    images = [reliefs.GetBlock(i) for i in range(reliefs.GetNumberOfBlocks())]
+    images: list[Any] = [reliefs.GetBlock(i) for i in range(reliefs.GetNumberOfBlocks())]
     for image in images:
         depths = image.GetPointData().GetArray("Depth")
         count += sum(map(math.isfinite, (depths.GetValue(i) for i in range(depths.GetNumberOfValues()))))
     return count
 
 
-def box(filename=None):
+def box(filename: str | None = None) -> Figure:
     """Draw a mesh beside its six reliefs, which keep the light of the captures."""
     mesh = read_mesh(filename)
     window, renderer = open_window(draw_matt(mesh))
@@ -113,7 +128,7 @@ def box(filename=None):
     return figure
 
 
-def make_height_map():
+def make_height_map() -> relevo.vtkHeightMap:
     """Return hills of 300 x 300 samples, with a lake without data."""
     image = vtkImageData()
     image.SetDimensions(300, 300, 1)
@@ -125,19 +140,19 @@ def make_height_map():
             lake = (x - 0.35) ** 2 + (y - 0.4) ** 2 < 0.003
             heights.InsertNextValue(math.nan if lake else height)
     image.GetPointData().SetScalars(heights)
-    heights = relevo.vtkHeightMap()
-    heights.SetImageData(image)
-    heights.SetNoDataValue(math.nan)
-    return heights
+    result = relevo.vtkHeightMap()
+    result.SetImageData(image)
+    result.SetNoDataValue(math.nan)
+    return result
 
 
-def read_height_map(filename):
+def read_height_map(filename: str) -> relevo.vtkHeightMap:
     heights = relevo.vtkHeightMap()
     heights.SetFileName(check_file(filename))
     return heights
 
 
-def methods(filename=None):
+def methods(filename: str | None = None) -> Figure:
     """Draw a relief by three methods, lit with its normals."""
     source = relevo.vtkHeightMapToRelief()
     source.SetHeightMap(read_height_map(filename) if filename else make_height_map())
@@ -151,12 +166,12 @@ def methods(filename=None):
         ("Warp", "pre-warp"),
     ):
         actor = draw_reliefs(relief, method)
-        actor.GetMapper().SetShadingToLit()
+        get_mapper(actor).SetShadingToLit()
         set_lights(figure.add(label, actor, bounds=actor.GetBounds()), (-1, 0.2, 0.8, 2.0))
     return figure
 
 
-def read_can(filename):
+def read_can(filename: str) -> vtkPolyData:
     """Return the surface of the deformed can."""
     from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
@@ -171,7 +186,7 @@ def read_can(filename):
     return normals.GetOutput()
 
 
-def take_picture(window, kind):
+def take_picture(window: vtkRenderWindow, kind: str) -> vtkImageData:
     grab = vtkWindowToImageFilter()
     grab.SetInput(window)
     grab.ReadFrontBufferOff()
@@ -180,7 +195,7 @@ def take_picture(window, kind):
     return grab.GetOutput()
 
 
-def camera(filename=None):
+def camera(filename: str | None = None) -> Figure:
     """Draw points and relief of a depth image, seen from 25 degrees beside the camera."""
     mesh = read_can(filename) if filename else read_mesh(None)
     window, renderer = open_window(draw_matt(mesh), size=(320, 280))
@@ -220,14 +235,14 @@ def camera(filename=None):
     return figure
 
 
-def turn(camera, degrees):
+def turn(camera: vtkCamera, degrees: float) -> vtkCamera:
     turned = vtkCamera()
     turned.DeepCopy(camera)
     turned.Azimuth(degrees)
     return turned
 
 
-def holes(filename=None):
+def holes(filename: str | None = None) -> Figure:
     """Draw a view 15 degrees beside two captures, with holes in red."""
     mesh = read_mesh(filename)
     window, renderer = open_window(draw_matt(mesh), size=(512, 512))
@@ -256,10 +271,10 @@ def holes(filename=None):
     return figure
 
 
-FIGURES = (box, methods, camera, holes)
+FIGURES: tuple[Callable[..., Figure], ...] = (box, methods, camera, holes)
 
 
-def main(name, picture, *files):
+def main(name: str, picture: str, *files: str) -> None:
     for figure in FIGURES:
         if figure.__name__ == name and len(files) < 2:
             figure(*files).write(picture)

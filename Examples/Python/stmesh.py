@@ -7,25 +7,30 @@ marked vertices. They give a pointed nose (sharpness), creased brows (sharpness 
 and a fuller chin (tension). The surface is refined where it curves.
 """
 
+from __future__ import annotations
+
 import math
 import sys
+from collections.abc import Sequence
+from typing import Any
 
 import relevo
 from arguments import read_arguments
-from figure import Figure, draw_coarse, draw_recipe, make_actor
+from figure import Figure, draw_coarse, draw_recipe, get_mapper, make_actor
 from meshes import make_mesh
 from vtkmodules.vtkCommonCore import vtkFloatArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 AROUND, RINGS = 16, 11  # vertices per ring, and rings between the two poles
 
 
-def bump(x, center, width):
+def bump(x: float, center: float, width: float) -> float:
     return math.exp(-(((x - center) / width) ** 2))
 
 
-def place(azimuth, latitude):
+def place(azimuth: float, latitude: float) -> list[float]:
     """Return a point of the head. The face looks along -y, with its middle at azimuth 0."""
     side, front = math.sin(azimuth), math.cos(azimuth)
     across, up = math.cos(latitude), math.sin(latitude)
@@ -43,7 +48,7 @@ def place(azimuth, latitude):
     return [narrow * x, y, z]
 
 
-def make_head():
+def make_head() -> tuple[list[list[float]], list[tuple[int, int, int]], list[int]]:
     """Return points, triangles, and the four vertices to tag: nose, two brows, chin."""
     points = [[0.0, 0.1, -1.15], [0.0, 0.05, 1.05]]
     for ring in range(RINGS):
@@ -52,7 +57,7 @@ def make_head():
             azimuth = 2 * math.pi * i / AROUND
             points.append(place(azimuth if i <= AROUND // 2 else azimuth - 2 * math.pi, latitude))
 
-    def vertex(ring, i):
+    def vertex(ring: int, i: int) -> int:
         return 2 + ring * AROUND + i % AROUND
 
     triangles = []
@@ -60,7 +65,7 @@ def make_head():
         triangles.append((0, vertex(0, i + 1), vertex(0, i)))
         triangles.append((1, vertex(RINGS - 1, i), vertex(RINGS - 1, i + 1)))
 
-    def add_quad(a, b, c, d):
+    def add_quad(a: int, b: int, c: int, d: int) -> None:
         triangles.extend([(a, b, c), (a, c, d)])
 
     eared = set()  # quads that ears replace
@@ -88,7 +93,7 @@ def make_head():
     return points, triangles, [vertex(4, 0), vertex(6, 1), vertex(6, -1), vertex(2, 0)]
 
 
-def add_tags(mesh, tags):
+def add_tags(mesh: vtkPolyData, tags: dict[int, dict[str, Any]]) -> None:
     """Add point arrays with the tags of a few points and 0 at the others."""
     for name, components in (("Sharpness", 1), ("Tension", 1), ("Bias", 1), ("Direction", 3)):
         array = vtkFloatArray()
@@ -102,7 +107,7 @@ def add_tags(mesh, tags):
         mesh.GetPointData().AddArray(array)
 
 
-def draw_bent(mesh, surface):
+def draw_bent(mesh: vtkPolyData, surface: relevo.vtkRefinementSurface) -> vtkActor:
     """Draw the surface, refined where the mesh curves."""
     metric = relevo.vtkCurvatureDepthTagMetric()
     metric.SetQuantiles(0, 0.86)
@@ -114,7 +119,7 @@ def draw_bent(mesh, surface):
     return draw_recipe(mesh, recipe)
 
 
-def draw_mark(position):
+def draw_mark(position: Sequence[float]) -> vtkActor:
     sphere = vtkSphereSource()
     sphere.SetCenter(position)
     sphere.SetRadius(0.03)
@@ -127,7 +132,7 @@ def draw_mark(position):
     return actor
 
 
-def main(picture):
+def main(picture: str) -> None:
     points, triangles, tagged = make_head()
     nose, left, right, chin = tagged
     mesh = make_mesh(points, triangles)
@@ -150,7 +155,7 @@ def main(picture):
         for vertex in tagged:
             renderer.AddActor(draw_mark(points[vertex]))
     figure.write(picture)
-    count = shaped.GetMapper().GetNumberOfDrawnTriangles()
+    count = get_mapper(shaped).GetNumberOfDrawnTriangles()
     print(mesh.GetNumberOfCells(), "faces,", count, "triangles")
 
 

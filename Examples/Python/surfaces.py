@@ -11,8 +11,11 @@ NAME is one of
   relief       one procedural texture as height map and as picture
 """
 
+from __future__ import annotations
+
 import math
 import sys
+from collections.abc import Callable
 
 import relevo
 from arguments import read_arguments
@@ -29,8 +32,8 @@ from meshes import (
     set_point_array,
 )
 from vtkmodules.vtkCommonCore import VTK_FLOAT, VTK_UNSIGNED_CHAR
-from vtkmodules.vtkCommonDataModel import vtkPerlinNoise
-from vtkmodules.vtkRenderingCore import vtkPolyDataMapper, vtkTexture
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPerlinNoise
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkTexture
 
 # GLSL for vtkProceduralSurface: ripples around the ring.
 RIPPLES = """
@@ -43,7 +46,7 @@ float proceduralHeight(vec3 position, vec3 normal, vec3 weights)
 """
 
 
-def drape(actor, image, interpolate=True):
+def drape(actor: vtkActor, image: vtkImageData, interpolate: bool = True) -> None:
     texture = vtkTexture()
     texture.SetInputData(image)
     texture.SetInterpolate(interpolate)
@@ -55,7 +58,9 @@ def drape(actor, image, interpolate=True):
     actor.GetProperty().SetColor(1, 1, 1)
 
 
-def make_fur(amplitude, frequency, base=None):
+def make_fur(
+    amplitude: float, frequency: float, base: relevo.vtkRefinementSurface | None = None
+) -> relevo.vtkProceduralSurface:
     surface = relevo.vtkProceduralSurface()
     surface.SetBaseSurface(base)
     surface.SetAmplitude(amplitude)
@@ -63,7 +68,7 @@ def make_fur(amplitude, frequency, base=None):
     return surface
 
 
-def surfaces():
+def surfaces() -> Figure:
     """Draw a ring with each surface."""
     around, across = 14, 6
     ring = add_normals(make_ring(around, across))
@@ -101,7 +106,7 @@ def surfaces():
     return figure
 
 
-def inflections():
+def inflections() -> Figure:
     """Draw a wave. Linear normals miss the inflections between crests and troughs."""
     wave = make_wave()
     linear = relevo.vtkPNTriangleSurface()
@@ -113,7 +118,7 @@ def inflections():
     return figure
 
 
-def fur(filename=None):
+def fur(filename: str | None = None) -> Figure:
     """Draw fur with amplitudes and frequencies of Lenz 2009, figures 5.11 to 5.13."""
     position, up = ((0.35, 0.3, 1), (0, 1, 0)) if filename else ((0, -1, 0.7), (0, 0, 1))
     mesh = read_decimated(filename, 1500) if filename else add_normals(make_ring(62, 12))
@@ -129,12 +134,12 @@ def fur(filename=None):
     return figure
 
 
-def parts():
+def parts() -> Figure:
     """Draw the parts of Lenz 2009, figure 5.29."""
     dome = make_dome()
     values = (0.0, 1.0, 0.35, 0.7)
 
-    def walls(x, y):
+    def walls(x: float, y: float) -> tuple[float]:
         """Return one of four heights, from the border to the middle."""
         return (values[min(int(8 * min(x, y, 1 - x, 1 - y)), 3)],)
 
@@ -157,19 +162,19 @@ def parts():
     return figure
 
 
-def relief():
+def relief() -> Figure:
     """Use one function for heights and colours, as in Lenz 2009, figure 5.34."""
     noise = vtkPerlinNoise()
     noise.SetFrequency(1, 1, 1)
 
-    def height(x, y):
+    def height(x: float, y: float) -> float:
         """Return ridges of four octaves."""
         return sum(
             0.5**k * (1 - 2 * abs(noise.EvaluateFunction(9 * 2**k * x, 3 * 2**k * y, 7.3 * k)))
             for k in range(4)
         )
 
-    def moss(x, y):
+    def moss(x: float, y: float) -> tuple[float, ...]:
         """Return colours: dark between the ridges, green on them, pale on top."""
         t = max(0.0, min(1.0, 0.2 + 0.5 * height(x, y)))
         dark, green, pale = (52, 40, 28), (84, 122, 46), (206, 212, 142)
@@ -188,10 +193,11 @@ def relief():
     return figure
 
 
-FIGURES = {figure.__name__: figure for figure in (surfaces, inflections, fur, parts, relief)}
+DRAWN: tuple[Callable[..., Figure], ...] = (surfaces, inflections, fur, parts, relief)
+FIGURES = {figure.__name__: figure for figure in DRAWN}
 
 
-def main(name, picture, *mesh):
+def main(name: str, picture: str, *mesh: str) -> None:
     print(FIGURES[name](*mesh).write(picture), "triangles")
 
 

@@ -6,7 +6,10 @@ Each line of TRACK.csv has a longitude and a latitude in degrees. Without it, th
 around the middle of the height map. The area is a disk. No display is needed.
 """
 
+from __future__ import annotations
+
 import math
+from collections.abc import Sequence
 
 import relevo
 from arguments import check_file, read_arguments
@@ -16,13 +19,15 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
 
-def read_track(name):
+def read_track(name: str) -> list[tuple[float, ...]]:
     """Return the pairs of numbers in the lines of a file."""
     with open(check_file(name), encoding="utf-8") as lines:
         return [tuple(map(float, line.split(",")[:2])) for line in lines if line.strip()]
 
 
-def make_circle(center, radius, waves, points=360):
+def make_circle(
+    center: tuple[float, float], radius: float, waves: float, points: int = 360
+) -> list[tuple[float, ...]]:
     """Return the points of a circle, whose radius can have waves."""
     angles = [2 * math.pi * i / points for i in range(points + 1)]
     radii = [radius * (1 + waves * math.sin(7 * angle)) for angle in angles]
@@ -32,7 +37,7 @@ def make_circle(center, radius, waves, points=360):
     ]
 
 
-def make_cell(places, is_polygon):
+def make_cell(places: Sequence[tuple[float, ...]], is_polygon: bool) -> vtkPolyData:
     """Return polydata of one line or polygon."""
     points, cell = vtkPoints(), vtkCellArray()
     points.SetDataTypeToDouble()
@@ -68,7 +73,11 @@ actor.SetMapper(terrain)
 renderer.AddActor(actor)  # before the lines that lie on it
 
 
-def add(data, color, coordinates=relevo.vtkTerrainClamp.WORLD):
+def add(
+    data: vtkPolyData,
+    color: tuple[float, float, float],
+    coordinates: int = relevo.vtkTerrainClamp.WORLD,
+) -> tuple[vtkActor, relevo.vtkTerrainClamp]:
     """Draw polydata on the terrain."""
     clamp = relevo.vtkTerrainClamp()
     clamp.SetInputData(data)
@@ -88,14 +97,14 @@ def add(data, color, coordinates=relevo.vtkTerrainClamp.WORLD):
 
 
 disk = make_cell(make_circle((0.26 * size, -0.27 * size), 0.07 * size, 0)[:-1], True)
-area, _ = add(disk, (0.1, 0.3, 0.9))
+area, clamp = add(disk, (0.1, 0.3, 0.9))
 area.GetProperty().SetOpacity(0.45)
 if track:
     route = make_cell(read_track(track[0]), False)
-    _, draped = add(route, (0.85, 0.05, 0.1), relevo.vtkTerrainClamp.GEOGRAPHIC)
+    line, draped = add(route, (0.85, 0.05, 0.1), relevo.vtkTerrainClamp.GEOGRAPHIC)
 else:
     route = make_cell(make_circle((0, 0), 0.25 * size, 0.12), False)
-    _, draped = add(route, (0.85, 0.05, 0.1))
+    line, draped = add(route, (0.85, 0.05, 0.1))
 
 camera = renderer.GetActiveCamera()
 camera.SetPosition(0, -0.9 * size, 0.55 * size + highest)

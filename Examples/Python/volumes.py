@@ -10,15 +10,25 @@ NAME is one of
 The files are VTK's data. Without them the script generates a mesh, the flow past a cylinder.
 """
 
+from __future__ import annotations
+
 import math
 import sys
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
 
 import relevo
 from arguments import check_file, read_arguments
 from figure import Figure, make_actor
 from meshes import set_point_array
-from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction, vtkPlane, vtkStructuredGrid
+from vtkmodules.vtkCommonCore import vtkDataArray, vtkFloatArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    vtkDataSet,
+    vtkPiecewiseFunction,
+    vtkPlane,
+    vtkStructuredGrid,
+    vtkUnstructuredGrid,
+)
 from vtkmodules.vtkFiltersCore import vtkClipPolyData, vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
@@ -30,6 +40,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 from vtkmodules.vtkRenderingVolume import (
     vtkProjectedTetrahedraMapper,
+    vtkUnstructuredGridVolumeMapper,
     vtkUnstructuredGridVolumeRayCastMapper,
 )
 import vtkmodules.vtkRenderingVolumeOpenGL2  # vtkProjectedTetrahedraMapper's drawing
@@ -44,7 +55,7 @@ COLOURS = (
 )
 
 
-def make_flow(cells=(14, 40, 12)):
+def make_flow(cells: tuple[int, int, int] = (14, 40, 12)) -> vtkStructuredGrid:
     """Return hexahedra around a cylinder of radius 1.
 
     The point array Speed is the velocity along x of a potential flow that is 0 at the ground. The
@@ -73,7 +84,7 @@ def make_flow(cells=(14, 40, 12)):
     return grid
 
 
-def read_plot3d(points, flow):
+def read_plot3d(points: str, flow: str) -> vtkStructuredGrid:
     """Return the grid of a PLOT3D file, with the arrays Density and Momentum."""
     from vtkmodules.vtkIOParallel import vtkMultiBlockPLOT3DReader
 
@@ -82,10 +93,12 @@ def read_plot3d(points, flow):
     reader.SetQFileName(check_file(flow))
     reader.AutoDetectFormatOn()
     reader.Update()
-    return reader.GetOutput().GetBlock(0)
+    blocks: Any = reader.GetOutput()
+    grid: vtkStructuredGrid = blocks.GetBlock(0)
+    return grid
 
 
-def read_exodus(filename):
+def read_exodus(filename: str) -> vtkUnstructuredGrid:
     """Return the first block of an Exodus II file, with its point arrays."""
     from vtkmodules.vtkIOExodus import vtkExodusIIReader
 
@@ -94,10 +107,12 @@ def read_exodus(filename):
     reader.UpdateInformation()
     reader.SetAllArrayStatus(reader.NODAL, 1)
     reader.Update()
-    return reader.GetOutput().GetBlock(0).GetBlock(0)
+    blocks: Any = reader.GetOutput()
+    grid: vtkUnstructuredGrid = blocks.GetBlock(0).GetBlock(0)
+    return grid
 
 
-def read_cells(filename):
+def read_cells(filename: str) -> vtkUnstructuredGrid:
     from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
     reader = vtkXMLUnstructuredGridReader()
@@ -106,7 +121,12 @@ def read_cells(filename):
     return reader.GetOutput()
 
 
-def make_property(array, component, opacities, unit_distance):
+def make_property(
+    array: vtkDataArray,
+    component: int,
+    opacities: Iterable[tuple[float, float]],
+    unit_distance: float,
+) -> vtkVolumeProperty:
     """Return colours over a component's range (-1: length) and opacities at fractions of it."""
     low, high = array.GetRange(component)
     colour, opacity = vtkColorTransferFunction(), vtkPiecewiseFunction()
@@ -123,7 +143,9 @@ def make_property(array, component, opacities, unit_distance):
     return look
 
 
-def make_volume(mapper, mesh, name, look):
+def make_volume(
+    mapper: vtkUnstructuredGridVolumeMapper, mesh: vtkDataSet, name: str, look: vtkVolumeProperty
+) -> vtkVolume:
     """Return a volume of a mesh with a point or cell array."""
     mapper.SetInputData(mesh)
     if mesh.GetPointData().HasArray(name):
@@ -137,18 +159,18 @@ def make_volume(mapper, mesh, name, look):
     return volume
 
 
-def make_plane(origin, normal):
+def make_plane(origin: Sequence[float], normal: Sequence[float]) -> vtkPlane:
     plane = vtkPlane()
     plane.SetOrigin(origin)
     plane.SetNormal(normal)
     return plane
 
 
-def fin(points=None, flow=None):
+def fin(points: str = "", flow: str = "") -> Figure:
     """Tetrahedra, which is all that VTK's mappers take."""
-    mesh, name = (read_plot3d(points, flow), "Density") if points else (make_flow(), "Speed")
+    grid, name = (read_plot3d(points, flow), "Density") if points else (make_flow(), "Speed")
     split = vtkDataSetTriangleFilter()
-    split.SetInputData(mesh)
+    split.SetInputData(grid)
     split.Update()
     mesh = split.GetOutput()
     array = mesh.GetPointData().GetArray(name)
@@ -168,7 +190,7 @@ def fin(points=None, flow=None):
     return figure
 
 
-def post(points=None, flow=None):
+def post(points: str = "", flow: str = "") -> Figure:
     """Draw the oxygen behind the post. Inside the isosurface it flows backwards.
 
     Fast streams are opaque. A clipping plane removes the half in front of the plane of symmetry.
@@ -199,7 +221,7 @@ def post(points=None, flow=None):
     return figure
 
 
-def reactor(filename=None):
+def reactor(filename: str | None = None) -> Figure:
     """Draw the gas in a wall that is cut open. The opaque wall hides what is behind it."""
     mesh, name = (read_exodus(filename), "Temp") if filename else (make_flow(), "Speed")
     array = mesh.GetPointData().GetArray(name)
@@ -224,7 +246,7 @@ def reactor(filename=None):
     return figure
 
 
-def can(filename=None):
+def can(filename: str | None = None) -> Figure:
     """Draw a can by cell values. The most strained cells are red."""
     mesh, name = (read_cells(filename), "EQPS") if filename else (make_flow(), "Strain")
     array = mesh.GetCellData().GetArray(name)
@@ -236,10 +258,10 @@ def can(filename=None):
     return figure
 
 
-FIGURES = {fin: 2, post: 2, reactor: 1, can: 1}  # numbers of files
+FIGURES: dict[Callable[..., Figure], int] = {fin: 2, post: 2, reactor: 1, can: 1}  # numbers of files
 
 
-def main(name, picture, *files):
+def main(name: str, picture: str, *files: str) -> None:
     for figure, number in FIGURES.items():
         if figure.__name__ == name and len(files) in (0, number):
             drawn = figure(*files)

@@ -11,16 +11,21 @@ and latitude.
 The script needs numpy.
 """
 
+from __future__ import annotations
+
 import math
 import sys
+from collections.abc import Callable
 
 import numpy
 import relevo
 import vtkmodules.vtkRenderingFreeType  # draws the legend
 from arguments import check_file, read_arguments
+from numpy.typing import NDArray
 from relevo.files import write_picture
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonCore import vtkScalarsToColors
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -33,8 +38,10 @@ SAMPLES = 300  # samples of the wind along the longer side
 SPEED, FROM = 10.0, 250.0  # m/s; degrees, clockwise from north
 TOLERANCE = 1e-5
 
+Array = NDArray[numpy.float64]
 
-def sample_heights(height_map):
+
+def sample_heights(height_map: relevo.vtkHeightMap) -> Array:
     """Return heights in rows from south to north, at most SAMPLES in each direction."""
     columns, rows = height_map.GetDimensions()
     share = min(1.0, SAMPLES / max(columns, rows))
@@ -47,7 +54,7 @@ def sample_heights(height_map):
     )
 
 
-def solve(apply, right, start):
+def solve(apply: Callable[[Array], Array], right: Array, start: Array) -> Array:
     """Solve apply(x) = right by conjugate gradients; apply is linear and positive semi-definite."""
     x, residual = start, right - apply(start)
     direction, square = residual.copy(), (residual**2).sum()
@@ -64,7 +71,7 @@ def solve(apply, right, start):
     return x
 
 
-def flow(depth, dx, dy):
+def flow(depth: Array, dx: float, dy: float) -> tuple[Array, Array]:
     """Return the velocity to the east and to the north in a layer, 0 where its depth is 0."""
     angle = math.radians(FROM + 180)
     east, north = SPEED * math.sin(angle), SPEED * math.cos(angle)
@@ -74,14 +81,14 @@ def flow(depth, dx, dy):
     inner = numpy.zeros_like(air)
     inner[1:-1, 1:-1] = air[1:-1, 1:-1]
 
-    def between(a, b):
+    def between(a: Array, b: Array) -> Array:
         """Return the depth between two samples: their harmonic mean, or 0, a wall, if one is 0."""
         return numpy.where((a > 0) & (b > 0), 2 * a * b / numpy.maximum(a + b, 1e-30), 0.0)
 
     east_faces = between(depth[:, 1:], depth[:, :-1])
     north_faces = between(depth[1:], depth[:-1])
 
-    def outflow(potential):
+    def outflow(potential: Array) -> Array:
         result = numpy.zeros_like(potential)
         flux = east_faces * numpy.diff(potential, axis=1) / dx**2
         result[:, :-1] -= flux
@@ -106,10 +113,10 @@ def flow(depth, dx, dy):
     across = numpy.where(north_faces > 0, numpy.diff(potential, axis=0) / dy, 0.0)
     v[1:-1] = 0.5 * (across[1:] + across[:-1])
     v[0], v[-1] = across[0], across[-1]
-    return u * air, v * air
+    return numpy.where(air, u, 0.0), numpy.where(air, v, 0.0)
 
 
-def make_wind(terrain, lid):
+def make_wind(terrain: relevo.vtkTerrainSource, lid: float) -> vtkImageData:
     """Return an image of vectors to the east, to the north, and up along the slope."""
     heights = sample_heights(terrain.GetHeightMap())
     rows, columns = heights.shape
@@ -128,17 +135,17 @@ def make_wind(terrain, lid):
     return image
 
 
-def add_speeds(mesh):
+def add_speeds(mesh: vtkPolyData) -> Array:
     """Add and return horizontal speeds, because exaggeration scales the vertical components."""
     wind = vtk_to_numpy(mesh.GetPointData().GetVectors())
-    speeds = numpy.hypot(wind[:, 0], wind[:, 1])
+    speeds: Array = numpy.hypot(wind[:, 0], wind[:, 1])
     array = numpy_to_vtk(speeds, deep=True)
     array.SetName("Speed")
     mesh.GetPointData().AddArray(array)
     return speeds
 
 
-def make_colours(highest):
+def make_colours(highest: float) -> vtkColorTransferFunction:
     colours = vtkColorTransferFunction()
     for share, colour in (
         (0.0, (0.13, 0.19, 0.42)),
@@ -152,7 +159,7 @@ def make_colours(highest):
     return colours
 
 
-def make_legend(colours):
+def make_legend(colours: vtkScalarsToColors) -> vtkScalarBarActor:
     legend = vtkScalarBarActor()
     legend.SetLookupTable(colours)
     legend.SetTitle("Wind, m/s")
@@ -168,7 +175,7 @@ def make_legend(colours):
     return legend
 
 
-def main(heightmap, picture, lid=None):
+def main(heightmap: str, picture: str, lid: str | None = None) -> None:
     terrain = relevo.vtkTerrainSource()
     terrain.SetFileName(check_file(heightmap))
     terrain.SetResolution(SAMPLES)
@@ -176,11 +183,11 @@ def main(heightmap, picture, lid=None):
     terrain.SetExaggeration(2.5)
     terrain.Update()
     lowest, highest = terrain.GetHeightMap().GetRange()
-    lid = lowest + 0.6 * (highest - lowest) if lid is None else float(lid)
+    top = lowest + 0.6 * (highest - lowest) if lid is None else float(lid)
     vectors = relevo.vtkGeographicVectors()
     vectors.SetInputConnection(terrain.GetOutputPort())
     vectors.SetTerrain(terrain)
-    vectors.SetRasterData(make_wind(terrain, lid))
+    vectors.SetRasterData(make_wind(terrain, top))
     vectors.Update()
     mesh = vectors.GetOutput()
     speeds = add_speeds(mesh)

@@ -370,8 +370,12 @@ std::string vtkTerrainMeshSource::BuildView(vtkPolyData* output)
   view.SetPlacement(this->Terrain->GetPlacement(this->Exaggeration));
   view.SetCamera(this->Camera, this->ViewportSize);
   this->Terrain->SetMemoryLimit(static_cast<std::size_t>(this->MemoryLimit));
-  if (!this->Terrain->SelectAndWait(
-        view, this->ScreenSpaceError, [this] { return relevo::IsAborted(this); }))
+  const auto isAborted = [this]
+  {
+    this->UpdateProgress(ReadingShare); // an observer can abort while tiles are loaded
+    return relevo::IsAborted(this);
+  };
+  if (!this->Terrain->SelectAndWait(view, this->ScreenSpaceError, isAborted))
   {
     return "";
   }

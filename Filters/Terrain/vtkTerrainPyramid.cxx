@@ -485,6 +485,12 @@ double vtkTerrainPyramid::GetIndexProgress()
 }
 
 //------------------------------------------------------------------------------
+bool vtkTerrainPyramid::HasIndexEnded()
+{
+  return !this->Pyramid || this->Pyramid->HasIndexEnded();
+}
+
+//------------------------------------------------------------------------------
 bool vtkTerrainPyramid::WaitForIndex()
 {
   if (!this->Pyramid)
@@ -694,6 +700,10 @@ bool vtkTerrainPyramid::IsErrorKnown()
 double vtkTerrainPyramid::GetIndexProgress()
 {
   return 0.0;
+}
+bool vtkTerrainPyramid::HasIndexEnded()
+{
+  return true;
 }
 bool vtkTerrainPyramid::WaitForIndex()
 {

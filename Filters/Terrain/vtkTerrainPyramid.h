@@ -170,6 +170,10 @@ public:
   /// Return the fraction of the index that is complete, from 0 to 1.
   double GetIndexProgress();
 
+  /// Return whether the build of the index has ended, with or without an error, so that
+  /// WaitForIndex() returns immediately. True if no index is built.
+  bool HasIndexEnded();
+
   /**
    * Wait until the index is complete. Returns false after an error, and without one after
    * AbortExecuteOn(). ProgressEvent reports the fraction that is complete.

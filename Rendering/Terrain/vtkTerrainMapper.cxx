@@ -805,7 +805,7 @@ void vtkTerrainMapper::SelectFaces(vtkRenderer* renderer, vtkActor* actor)
     this->Pyramid->WaitForIndex(); // the pyramid reports errors
     vtkRenderWindow* window = renderer->GetRenderWindow();
     const bool isLoaded = data.Terrain->SelectAndWait(
-      terrainView, error, [window] { return window->GetAbortRender() != 0; });
+      terrainView, error, [window] { return window->CheckAbortStatus() != 0; });
     if (!isLoaded)
     {
       data.Terrain->Select(terrainView, error); // with the tiles in memory

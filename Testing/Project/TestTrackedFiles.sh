@@ -31,7 +31,7 @@ while IFS= read -r -d '' file; do
   case ${file%%/*} in
     .ci | .clang-format | .clang-tidy | .codespellrc | .editorconfig | .gitattributes | .github) ;;
     .gitignore | .pre-commit-config.yaml | CHANGELOG.md | CITATION.cff) ;;
-    CMakeLists.txt | CMakePresets.json | CODE_OF_CONDUCT.md | SECURITY.md) ;;
+    CMakeLists.txt | CMakePresets.json | CODE_OF_CONDUCT.md | SECURITY.md | pyproject.toml) ;;
     CONTRIBUTING.md | Data | Examples | Filters | LICENSE | Module | README.md | Rendering | Testing) ;;
     *) report "$file: is not listed for the top folder in TestTrackedFiles.sh" ;;
   esac

@@ -397,7 +397,7 @@ class TestDrawingInputs(unittest.TestCase):
     def test_vedo(self):
         script = (
             "import relevo, vedo\n"
-            "from DrawingData import make_block\n"
+            "from DrawingData import make_block, make_heights\n"
             "mesh = vedo.Sphere(res=8).pos(3, 0, 0)\n"
             "drawing = relevo.refined(mesh)\n"
             "assert type(drawing.mesh()) is vedo.Mesh\n"
@@ -408,6 +408,12 @@ class TestDrawingInputs(unittest.TestCase):
             "drawing.add_to(plotter)\n"
             "grid.add_to(plotter)\n"
             "plotter.show()\n"
+            "assert plotter.screenshot(asarray=True).std() > 5\n"
+            "terrain = relevo.terrain(make_heights())\n"
+            "plotter = vedo.Plotter(offscreen=True, size=(200, 150))\n"
+            "terrain.add_to(plotter)\n"
+            "plotter.show()\n"
+            "assert terrain.mapper.IsComplete()\n"
             "assert plotter.screenshot(asarray=True).std() > 5\n"
         )
         run = subprocess.run([sys.executable, "-c", "import vedo"], capture_output=True)

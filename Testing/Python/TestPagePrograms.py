@@ -27,6 +27,8 @@ SOURCE = pathlib.Path(os.environ["RELEVO_SOURCE_DIR"])
 if not hasattr(relevo, "vtkEGLOffscreenRenderWindow"):
     print("skipped: built without rendering, or without EGL")
     sys.exit(125)
+# PyVista has no window without a display in all versions of VTK.
+sys.path.insert(0, str(pathlib.Path(__file__).parent / "StandIn"))
 SCRIPTS = ForkedScripts()
 atexit.register(SCRIPTS.close)
 

@@ -337,6 +337,12 @@ double RasterPyramid::GetProgress() const
   return this->IsComplete || !this->Builder ? 1.0 : this->Builder->GetProgress();
 }
 
+bool RasterPyramid::HasIndexEnded() const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->HasEnded;
+}
+
 std::string RasterPyramid::GetIndexError() const
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);

@@ -86,6 +86,8 @@ public:
   /// Wait for the index until `isAborted` returns true. Returns "" or the error of the build.
   template <typename Function>
   std::string WaitForIndex(const Function& isAborted);
+  /// Whether the build has ended, with or without an error.
+  bool HasIndexEnded() const;
   /// The error of the build; "" while it runs, and if there is none.
   std::string GetIndexError() const;
 

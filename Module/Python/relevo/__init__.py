@@ -11,10 +11,23 @@ The package also has all wrapped classes of Relevo with their C++ names, for exa
 refined meshes and images from and to numpy arrays.
 """
 
+from __future__ import annotations
+
 import importlib as _importlib
+from typing import Any as _Any
+
+from vtkmodules.vtkCommonCore import vtkVersion as _vtkVersion
 
 from ._classes import EXTENSIONS as _EXTENSIONS
+from .version import VTK_VERSION as _VTK_VERSION
 from .version import __version__
+
+if _vtkVersion.GetVTKVersion().split(".")[:2] != _VTK_VERSION.split(".")[:2]:
+    # Classes of another version have other layouts in memory.
+    raise ImportError(
+        f"this relevo was built for VTK {_VTK_VERSION}, but vtkmodules has VTK"
+        f" {_vtkVersion.GetVTKVersion()}; build relevo again, or install that VTK"
+    )
 
 if any(_name.startswith("RelevoRendering") for _name in _EXTENSIONS.values()):
     # VTK's renderers and actors need OpenGL before the first of them is created.
@@ -35,7 +48,7 @@ _FUNCTIONS = {
 __all__ = [*sorted(_EXTENSIONS), *_FUNCTIONS]
 
 
-def __getattr__(name):
+def __getattr__(name: str) -> _Any:
     """Import a class or function when it is used first, because some libraries load slowly."""
     if name in ("arrays", "files"):
         return _importlib.import_module("." + name, __name__)
@@ -47,5 +60,5 @@ def __getattr__(name):
     return value
 
 
-def __dir__():
+def __dir__() -> list[str]:
     return sorted({*globals(), *__all__})

@@ -2,13 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`python3 -m relevo` is the program relevo-view."""
 
+from __future__ import annotations
+
 import os
 import pathlib
 import shutil
 import sys
 
 
-def find_program():
+def find_program() -> str | None:
     """Return the path of relevo-view: that of the same installation, or the first in PATH."""
     for folder in pathlib.Path(__file__).resolve().parents:
         program = folder / "bin" / "relevo-view"

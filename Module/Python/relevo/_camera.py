@@ -2,8 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Places cameras and lights by directions, as relevo-view does."""
 
+from __future__ import annotations
+
 import numpy
-from vtkmodules.vtkRenderingCore import vtkLight
+from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
+
+from ._typing import Array
 
 _FILLED = 0.94  # share of the picture's sides
 
@@ -15,14 +19,14 @@ AXES = (
 )
 
 
-def find_axis(up):
+def find_axis(up: str) -> int:
     """Return the index of the vertical axis, "x", "y" or "z"."""
     if up not in ("x", "y", "z"):
         raise ValueError(f"up must be 'x', 'y' or 'z', not {up!r}")
     return "xyz".index(up)
 
 
-def get_vector(azimuth, elevation, axes):
+def get_vector(azimuth: float, elevation: float, axes: Array) -> Array:
     """Return the unit vector to an azimuth and an elevation, in degrees.
 
     axes: the unit vectors to the east, to the north and upwards, such as AXES[1].
@@ -32,7 +36,9 @@ def get_vector(azimuth, elevation, axes):
     return numpy.array(vector) @ axes
 
 
-def add_light(renderer, azimuth, elevation, intensity, axes):
+def add_light(
+    renderer: vtkRenderer, azimuth: float, elevation: float, intensity: float, axes: Array
+) -> None:
     """Add a light that shines from a direction, see get_vector()."""
     light = vtkLight()
     light.SetLightTypeToSceneLight()
@@ -42,7 +48,7 @@ def add_light(renderer, azimuth, elevation, intensity, axes):
     renderer.AddLight(light)
 
 
-def _find_eye(points, window):
+def _find_eye(points: Array, window: tuple[float, float, float, float]) -> Array:
     """Return the nearest eye from which all points are in a window at distance 1."""
     eye = numpy.zeros(3)
     depths = []
@@ -61,7 +67,7 @@ def _find_eye(points, window):
     return eye
 
 
-def _is_out_of_corner(points, eye, x, y):
+def _is_out_of_corner(points: Array, eye: Array, x: float, y: float) -> bool:
     """Return whether a line through (x, y) separates points from the upper left corner.
 
     x, y: in the plane at distance 1 from the eye.
@@ -73,7 +79,14 @@ def _is_out_of_corner(points, eye, x, y):
     return bool((offsets @ normals <= 0).all(axis=0).any())
 
 
-def fit_camera(renderer, points, direction, axes, size, corner=(0, 0)):
+def fit_camera(
+    renderer: vtkRenderer,
+    points: Array,
+    direction: tuple[float, float],
+    axes: Array,
+    size: tuple[int, int],
+    corner: tuple[int, int] = (0, 0),
+) -> None:
     """Look from a direction (azimuth, elevation) at points, of shape (n, 3).
 
     axes: as for get_vector(). size: columns and rows of the picture. corner: columns and rows at the upper left that stay

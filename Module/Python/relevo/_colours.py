@@ -2,6 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Colour tables, as relevo-view has them."""
 
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
 from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
@@ -22,7 +27,9 @@ RELIEF = (
 )
 
 
-def make_table(low, high, colours=VIRIDIS):
+def make_table(
+    low: float, high: float, colours: Sequence[tuple[float, float, float]] = VIRIDIS
+) -> vtkColorTransferFunction:
     """Return a table of evenly spaced colours. A constant gets the lowest colour."""
     extent = high - low if high > low else 1.0
     table = vtkColorTransferFunction()
@@ -32,9 +39,9 @@ def make_table(low, high, colours=VIRIDIS):
     return table
 
 
-def make_title(name, array):
+def make_title(name: str, array: vtkDataArray) -> str:
     """Return the name of an array with its unit, if it has one."""
     title = f"{name} (magnitude)" if array.GetNumberOfComponents() > 1 else name
     information = array.GetInformation() if array.HasInformation() else None
-    key = vtkDataArray.UNITS_LABEL()
+    key: Any = vtkDataArray.UNITS_LABEL()
     return f"{title} [{information.Get(key)}]" if information and information.Has(key) else title

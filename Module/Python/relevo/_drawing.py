@@ -5,12 +5,17 @@
 from __future__ import annotations
 
 import os
+from typing import Any
 
 import numpy
+from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkScalarsToColors
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkCamera,
+    vtkInteractorStyle,
     vtkRenderer,
     vtkRenderWindow,
     vtkRenderWindowInteractor,
@@ -19,14 +24,15 @@ from vtkmodules.vtkRenderingCore import (
 
 import relevo
 
-from . import _camera, _inputs, _legend, _outputs, files
+from . import _camera, _inputs, _legend, _outputs, _work, files
 from ._error import Error
 from ._messages import Messages
+from ._typing import Array, Camera, Path
 
 SIZE = (1280, 800)
 
 
-def _check_size(size):
+def _check_size(size: Any) -> tuple[int, int]:
     try:
         columns, rows = (int(number) for number in size)
     except (TypeError, ValueError):
@@ -36,7 +42,7 @@ def _check_size(size):
     return columns, rows
 
 
-def _make_offscreen_window():
+def _make_offscreen_window() -> vtkRenderWindow:
     """Return a window that needs no display, where EGL is built."""
     if hasattr(relevo, "vtkEGLOffscreenRenderWindow"):
         return relevo.vtkEGLOffscreenRenderWindow()
@@ -53,14 +59,17 @@ class Drawing:
     """
 
     _background = ((0.86, 0.90, 0.94), (0.42, 0.58, 0.78))
-    _lights = ((250, 45, 0.95), (150, 15, 0.45))  # azimuth, elevation, intensity
-    _direction = (205, 20)  # azimuth and elevation of the viewer
+    _lights: tuple[tuple[float, float, float], ...] = ((250, 45, 0.95), (150, 15, 0.45))  # azimuth, elevation, intensity
+    _direction: tuple[float, float] = (205, 20)  # azimuth and elevation of the viewer
     _up = 1  # the vertical axis: 0, 1 or 2
-    _table = None  # of the colour bar
+    _table: vtkScalarsToColors | None = None  # of the colour bar
     _title = ""
     _kind = ""  # package of the caller's mesh
 
-    def __init__(self, mapper, actor):
+    mapper: Any
+    actor: Any
+
+    def __init__(self, mapper: Any, actor: Any) -> None:
         self.mapper = mapper
         self.actor = actor
 
@@ -72,15 +81,15 @@ class Drawing:
         Raises relevo.Error if there is no display; use screenshot() then.
         """
         interactor = self._open(size)
-        interactor.Start()
+        _work.start(interactor)
         interactor.GetRenderWindow().Finalize()
 
     def screenshot(
         self,
-        path: str | os.PathLike | None = None,
+        path: Path | None = None,
         size: tuple[int, int] = SIZE,
-        camera: vtkCamera | tuple[float, float] | None = None,
-    ) -> numpy.ndarray:
+        camera: Camera = None,
+    ) -> NDArray[numpy.uint8]:
         """Draw without a display.
 
         path: a PNG or JPEG file to write; none by default.
@@ -96,10 +105,10 @@ class Drawing:
             with Messages():
                 files.write_picture(path, image)
         columns, rows, _ = image.GetDimensions()
-        pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, columns, -1)
-        return pixels[::-1].copy()
+        pixels: NDArray[numpy.uint8] = vtk_to_numpy(image.GetPointData().GetScalars())
+        return pixels.reshape(rows, columns, -1)[::-1].copy()
 
-    def mesh(self, camera: vtkCamera | tuple[float, float] | None = None):
+    def mesh(self, camera: Camera = None) -> Any:
         """Return the triangles that are drawn, as a mesh of the same package as the input.
 
         camera: as for screenshot(), for a picture of the default size. Other levels follow from it
@@ -111,7 +120,7 @@ class Drawing:
             mesh = self._make_mesh(camera)
         return _outputs.to_kind(mesh, self._kind)
 
-    def save(self, path: str | os.PathLike) -> None:
+    def save(self, path: Path) -> None:
         """Write a picture (.png, .jpg) or mesh() (.vtp, .vtu, .vti, .ply, .stl).
 
         Raises ValueError for another extension, and OSError if the file cannot be written.
@@ -123,7 +132,7 @@ class Drawing:
         with Messages():
             _outputs.write_mesh(path, self._make_mesh(None))
 
-    def add_to(self, plotter) -> None:
+    def add_to(self, plotter: Any) -> None:
         """Add the actor to a vtkRenderer, a vtkRenderWindow, or a plotter of PyVista or vedo."""
         if hasattr(plotter, "add_actor"):
             plotter.add_actor(self.actor)
@@ -148,25 +157,26 @@ class Drawing:
         writer.SetInputData(self._draw((800, 500), None))
         writer.WriteToMemoryOn()
         writer.Write()
-        return bytes(memoryview(writer.GetResult()))
+        result: Any = writer.GetResult()
+        return bytes(memoryview(result))
 
-    def _get_points(self):
+    def _get_points(self) -> Array:
         """Return points, of shape (n, 3), that a default picture shows."""
         bounds = numpy.array(self.actor.GetBounds()).reshape(3, 2)
         return numpy.array(numpy.meshgrid(*bounds)).reshape(3, -1).T
 
-    def _get_axes(self):
+    def _get_axes(self) -> Array:
         """Return the unit vectors to the east, to the north and upwards."""
         return _camera.AXES[self._up]
 
-    def _get_legend(self):
+    def _get_legend(self) -> tuple[vtkScalarsToColors | None, str]:
         """Return the table and the title of the colour bar, or None and a text."""
         return self._table, self._title
 
-    def _make_mesh(self, camera):
+    def _make_mesh(self, camera: Camera) -> vtkDataObject:
         raise NotImplementedError
 
-    def _make_renderer(self, size, camera):
+    def _make_renderer(self, size: tuple[int, int], camera: Camera) -> vtkRenderer:
         renderer = vtkRenderer()
         renderer.AutomaticLightCreationOff()
         renderer.GradientBackgroundOn()
@@ -190,11 +200,11 @@ class Drawing:
             _camera.fit_camera(renderer, self._get_points(), direction, axes, size, corner)
         return renderer
 
-    def _make_camera(self, camera, size=SIZE):
+    def _make_camera(self, camera: Camera, size: tuple[int, int] = SIZE) -> vtkCamera:
         """Return the vtkCamera of a picture."""
         return self._make_renderer(size, camera).GetActiveCamera()
 
-    def _check_direction(self, camera):
+    def _check_direction(self, camera: Any) -> tuple[float, float]:
         if camera is None:
             return self._direction
         try:
@@ -211,7 +221,7 @@ class Drawing:
             )
         return azimuth, elevation
 
-    def _draw(self, size, camera):
+    def _draw(self, size: tuple[int, int], camera: Camera) -> vtkImageData:
         """Return a picture as vtkImageData."""
         size = _check_size(size)
         with Messages():
@@ -219,7 +229,7 @@ class Drawing:
             window.SetSize(size)
             window.AddRenderer(self._make_renderer(size, camera))
             try:
-                window.Render()
+                _work.render(window)
                 grab = vtkWindowToImageFilter()
                 grab.SetInput(window)
                 grab.ReadFrontBufferOff()
@@ -230,12 +240,12 @@ class Drawing:
                 window.Finalize()
         return image
 
-    def _make_style(self):
+    def _make_style(self) -> vtkInteractorStyle:
         from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 
         return vtkInteractorStyleTrackballCamera()
 
-    def _open(self, size):
+    def _open(self, size: tuple[int, int]) -> vtkRenderWindowInteractor:
         """Return the interactor of a window on the display, which shows the first frame."""
         import vtkmodules.vtkRenderingUI  # noqa: F401, windows that have an interactor
 

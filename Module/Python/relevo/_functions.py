@@ -8,9 +8,13 @@ import difflib
 import functools
 import inspect
 import os
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
+
+from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from . import _inputs, _raster
+from ._typing import Path
 
 if TYPE_CHECKING:
     from ._drawing import Drawing
@@ -22,13 +26,16 @@ if TYPE_CHECKING:
     from ._terrain import Terrain
     from ._volume import Volume
 
+Parameters = ParamSpec("Parameters")
+Result = TypeVar("Result")
 
-def _get_options(function):
+
+def _get_options(function: Callable[..., Any]) -> list[str]:
     parameters = inspect.signature(function).parameters.values()
     return [own.name for own in parameters if own.kind != inspect.Parameter.VAR_KEYWORD]
 
 
-def _check_options(name, options, allowed):
+def _check_options(name: str, options: Iterable[str], allowed: list[str]) -> None:
     for option in options:
         if option not in allowed:
             near = difflib.get_close_matches(option, allowed, n=3)
@@ -36,11 +43,11 @@ def _check_options(name, options, allowed):
             raise TypeError(f"relevo.{name}() has no option {option!r}; {hint}")
 
 
-def _public(function):
+def _public(function: Callable[Parameters, Result]) -> Callable[Parameters, Result]:
     """Check the names of options."""
 
     @functools.wraps(function)
-    def checked(*arguments, **options):
+    def checked(*arguments: Parameters.args, **options: Parameters.kwargs) -> Result:
         _check_options(function.__name__, options, _get_options(function))
         return function(*arguments, **options)
 
@@ -52,7 +59,7 @@ def _public(function):
 def terrain(
     source: Any,
     *,
-    imagery: str | os.PathLike | None = None,
+    imagery: Path | None = None,
     exaggeration: float | None = None,
     bounds: tuple[float, float, float, float] | None = None,
     crs: Any = None,
@@ -241,20 +248,20 @@ def intersection(a: Any, b: Any = None) -> Intersection:
     return Intersection(a, b)
 
 
-def _is_curved(data):
+def _is_curved(data: vtkDataObject) -> bool:
     """Return whether a data object has curved cells."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
-    from vtkmodules.vtkCommonDataModel import vtkCellTypes
+    from vtkmodules.vtkCommonDataModel import vtkCellTypes, vtkUnstructuredGrid
 
     for block in _inputs.get_blocks(data):
-        if block.IsA("vtkUnstructuredGrid") and block.GetNumberOfCells():
+        if isinstance(block, vtkUnstructuredGrid) and block.GetNumberOfCells():
             types = set(vtk_to_numpy(block.GetCellTypesArray()).tolist())
             if not all(vtkCellTypes.IsLinear(kind) for kind in types):
                 return True
     return False
 
 
-def _find_functions(source):
+def _find_functions(source: Any) -> tuple[tuple[Callable[..., Drawing], ...], Any]:
     """Return the functions that can draw a source, best first, and the source, read if needed."""
     if _inputs.is_path(source) and os.path.isdir(source):
         if not os.path.isfile(os.path.join(source, "data.csv")):

@@ -2,14 +2,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads meshes from files, and takes those of VTK, PyVista, vedo and numpy."""
 
+from __future__ import annotations
+
 import errno
 import importlib
 import os
 import pathlib
+from collections.abc import Iterable, Sequence
+from typing import Any, TypeGuard
 
 import numpy
+from numpy.typing import ArrayLike, NDArray
 from vtkmodules.util.numpy_support import ID_TYPE_CODE, numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkDataArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
     vtkCompositeDataSet,
@@ -19,8 +24,10 @@ from vtkmodules.vtkCommonDataModel import (
 )
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
+from . import _work
 from ._error import Error
 from ._messages import Messages
+from ._typing import Path
 
 _LONGEST_LINE = 4096  # bytes
 
@@ -46,23 +53,23 @@ _READERS = {
 }
 
 
-def is_path(source):
+def is_path(source: object) -> TypeGuard[Path]:
     return isinstance(source, (str, os.PathLike))
 
 
-def is_mesh_file(path):
+def is_mesh_file(path: Path) -> bool:
     """Return whether the extension is that of a mesh."""
     return pathlib.Path(path).suffix.lower() in _READERS
 
 
-def check_number(value, name, integer=False):
+def check_number(value: Any, name: str, integer: bool = False) -> None:
     """Raise TypeError if the value of an option is not a number."""
     if numpy.ndim(value) or numpy.asarray(value).dtype.kind not in ("iu" if integer else "iuf"):
         wanted = "an integer" if integer else "a number"
         raise TypeError(f"{name} must be {wanted}, not {value!r}")
 
 
-def check_file(path):
+def check_file(path: Path) -> str:
     """Return a path as a string. Raise FileNotFoundError if the file does not exist."""
     path = os.fspath(path)
     if not os.path.exists(path):
@@ -70,18 +77,18 @@ def check_file(path):
     return path
 
 
-def get_package(value):
+def get_package(value: object) -> str:
     """Return the package of a value's class, such as "pyvista". It is not imported."""
     return type(value).__module__.partition(".")[0]
 
 
-def find_package(value):
+def find_package(value: object) -> str:
     """Return the package, "pyvista" or "vedo", of a mesh or of its base classes, or ""."""
     packages = {kind.__module__.partition(".")[0] for kind in type(value).__mro__}
     return next((name for name in ("pyvista", "vedo") if name in packages), "")
 
 
-def _check_ply_header(path):
+def _check_ply_header(path: str) -> None:
     """Raise Error for a header without format or end, with which the reader of VTK crashes."""
     with open(path, "rb") as file:
         if not file.readline(_LONGEST_LINE).startswith(b"ply"):
@@ -98,7 +105,7 @@ def _check_ply_header(path):
         raise Error(f"{path}: its header has no format line")
 
 
-def _read(path):
+def _read(path: Path) -> vtkDataObject:
     path = check_file(path)
     extension = pathlib.Path(path).suffix.lower()
     if extension not in _READERS:
@@ -115,11 +122,14 @@ def _read(path):
                 reader.SetAllArrayStatus(kind, 1)
             # Readers apply the displacement by default; results are drawn where they are.
             reader.ApplyDisplacementsOff()
-        reader.Update()
-    return reader.GetOutputDataObject(0)
+        _work.update(reader)
+    data: vtkDataObject = reader.GetOutputDataObject(0)
+    return data
 
 
-def check_array(values, name, columns, integers=False):
+def check_array(
+    values: ArrayLike, name: str, columns: tuple[int, ...], integers: bool = False
+) -> NDArray[Any]:
     """Return an array of numbers, of shape (n, c), in the machine's byte order.
 
     columns: the allowed values of c.
@@ -137,7 +147,7 @@ def check_array(values, name, columns, integers=False):
     return array.astype(array.dtype.newbyteorder("="), copy=False)
 
 
-def make_mesh(points, faces):
+def make_mesh(points: ArrayLike, faces: ArrayLike) -> vtkPolyData:
     """Return a vtkPolyData of points, (n, 3), and triangles or quadrilaterals, (m, 3) or (m, 4).
 
     Float points in C order are shared. Faces are copied, because vtkCellArray outlives the array
@@ -164,7 +174,7 @@ def make_mesh(points, faces):
     return mesh
 
 
-def _get_vedo_data(mesh):
+def _get_vedo_data(mesh: Any) -> vtkDataObject | None:
     data = getattr(mesh, "dataset", None)  # since 2024
     if isinstance(data, vtkDataObject):
         return data
@@ -174,7 +184,7 @@ def _get_vedo_data(mesh):
     return mesh.polydata() if hasattr(mesh, "polydata") else None  # applies the transform
 
 
-def take_data(source, name="mesh"):
+def take_data(source: Any, name: str = "mesh") -> tuple[vtkDataObject, str]:
     """Return the vtkDataObject of a source, and its package as find_package().
 
     source: a path, a vtkDataObject, a vtkAlgorithm, a prop, a mesh of PyVista or vedo, or points
@@ -191,8 +201,7 @@ def take_data(source, name="mesh"):
     elif hasattr(source, "GetMapper") and source.GetMapper():
         data = source.GetMapper().GetInputDataObject(0, 0)
     elif isinstance(source, vtkAlgorithm) and source.GetNumberOfOutputPorts() > 0:
-        with Messages():
-            source.Update()
+        _work.update(source)
         data = source.GetOutputDataObject(0)
     elif isinstance(source, (tuple, list)) and len(source) == 2:
         data = make_mesh(*source)
@@ -204,22 +213,23 @@ def take_data(source, name="mesh"):
     return data, package
 
 
-def get_blocks(data):
+def get_blocks(data: vtkDataObject) -> list[vtkDataSet]:
     """Return the vtkDataSets of a data object."""
     if isinstance(data, vtkDataSet):
         return [data]
     if isinstance(data, vtkCompositeDataSet):
-        blocks = []
+        blocks: list[vtkDataSet] = []
         iterator = data.NewIterator()
         while not iterator.IsDoneWithTraversal():
-            if isinstance(iterator.GetCurrentDataObject(), vtkDataSet):
-                blocks.append(iterator.GetCurrentDataObject())
+            block = iterator.GetCurrentDataObject()
+            if isinstance(block, vtkDataSet):
+                blocks.append(block)
             iterator.GoToNextItem()
         return blocks
     raise TypeError(f"{data.GetClassName()} is not a mesh")
 
 
-def extract_surface(data):
+def extract_surface(data: vtkDataObject) -> vtkPolyData:
     """Return the polygons of a mesh as a vtkPolyData."""
     if isinstance(data, vtkPolyData):
         surface = data
@@ -233,17 +243,16 @@ def extract_surface(data):
         composite = isinstance(data, vtkCompositeDataSet)
         extract = vtkCompositeDataGeometryFilter() if composite else vtkGeometryFilter()
         extract.SetInputData(data)
-        with Messages():
-            extract.Update()
+        _work.update(extract)
         surface = extract.GetOutput()
     if surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
         raise ValueError("the mesh has no polygons or 3D cells")
     return surface
 
 
-def list_arrays(blocks):
+def list_arrays(blocks: Iterable[vtkDataSet]) -> tuple[list[str], list[str]]:
     """Return the names of numeric arrays: those of points, those of cells."""
-    names = [], []
+    names: tuple[list[str], list[str]] = [], []
     for block in blocks:
         for own, data in zip(names, (block.GetPointData(), block.GetCellData())):
             hidden = (data.GetNormals(), data.GetTCoords(), data.GetGlobalIds())
@@ -265,7 +274,7 @@ _OWN_ARRAYS = (
 )
 
 
-def find_array(blocks, name):
+def find_array(blocks: Sequence[vtkDataSet], name: object) -> tuple[vtkDataArray, bool]:
     """Return an array of points or cells by its name, and whether it is of points.
 
     Raises ValueError with the names of all arrays if there is none.
@@ -277,7 +286,6 @@ def find_array(blocks, name):
             data = block.GetPointData() if of_points else block.GetCellData()
             if data.GetArray(name) is not None:
                 return data.GetArray(name), of_points
-    of_points, of_cells = list_arrays(blocks)
-    listed = ", ".join(repr(own) for own in (*of_points, *of_cells))
+    listed = ", ".join(repr(own) for names in list_arrays(blocks) for own in names)
     listed = f"its arrays are {listed}" if listed else "it has no arrays"
     raise ValueError(f"the mesh has no array {name!r}; {listed}")

@@ -2,12 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Colour bars, as relevo-view has them."""
 
+from __future__ import annotations
+
 import math
 import re
+from collections.abc import Callable, Sequence
 
 import numpy
 from vtkmodules.util.numpy_support import ID_TYPE_CODE, numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkPoints, vtkScalarsToColors
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import (
     vtkActor2D,
@@ -36,7 +39,7 @@ _GROUND_OPACITY = 0.4
 _DOTS = 72  # per inch, VTK's default
 
 
-def _make_label_format(low, high):
+def _make_label_format(low: float, high: float) -> str:
     """Return a format of three digits, in which neighbours of five labels differ in two."""
     largest = max(abs(low), abs(high))
     exponent = math.floor(math.log10(largest)) if largest > 0 else 0
@@ -55,14 +58,14 @@ def _make_label_format(low, high):
     return f"%.{decimals}f"
 
 
-def _get_size(text, font):
+def _get_size(text: str, font: vtkTextProperty) -> tuple[int, int]:
     """Return columns and rows of a text."""
     box = [0, 0, 0, 0]
     vtkTextRenderer.GetInstance().GetBoundingBox(font, text, box, _DOTS)
     return box[1] - box[0] + 1, box[3] - box[2] + 1
 
 
-def _split(word, fits):
+def _split(word: str, fits: Callable[[str], bool]) -> tuple[list[str], bool]:
     """Return the parts of a word that fit, after joining characters if possible, and whether."""
     if fits(word):
         return [word], True
@@ -77,10 +80,10 @@ def _split(word, fits):
     return parts, is_at_joints
 
 
-def _wrap(title, font, limit):
+def _wrap(title: str, font: vtkTextProperty, limit: int) -> tuple[list[str], bool]:
     """Return the lines of a title, and whether no word is broken."""
 
-    def fits(text):
+    def fits(text: str) -> bool:
         return _get_size(text.rstrip(), font)[0] <= limit
 
     lines, is_whole = [""], True
@@ -94,14 +97,14 @@ def _wrap(title, font, limit):
     return [line.rstrip() for line in lines], is_whole
 
 
-def _make_font():
+def _make_font() -> vtkTextProperty:
     font = vtkTextProperty()
     font.SetColor(0.1, 0.1, 0.1)
     font.SetFontSize(_FONT_SIZE)
     return font
 
 
-def _set_title(title, font, limit):
+def _set_title(title: str, font: vtkTextProperty, limit: int) -> str:
     """Return the title with line breaks. Long ones get a smaller font."""
     for size in (_FONT_SIZE, _FONT_SIZE - 2, _FONT_SIZE - 4):
         font.SetFontSize(size)
@@ -113,11 +116,11 @@ def _set_title(title, font, limit):
     return "\n".join(lines)
 
 
-def _is_indexed(table):
-    return table.GetIndexedLookup() and table.GetNumberOfAnnotatedValues() > 0
+def _is_indexed(table: vtkScalarsToColors) -> bool:
+    return bool(table.GetIndexedLookup()) and table.GetNumberOfAnnotatedValues() > 0
 
 
-def _make_rows(table, height):
+def _make_rows(table: vtkScalarsToColors, height: int) -> list[tuple[float, str]]:
     """Return the labels of a bar, as pairs of position from 0 to 1 and text."""
     if _is_indexed(table):
         number = table.GetNumberOfAnnotatedValues()
@@ -128,14 +131,14 @@ def _make_rows(table, height):
     return [(i / (number - 1), style % _get_value(table, i / (number - 1))) for i in range(number)]
 
 
-def _get_value(table, position):
+def _get_value(table: vtkScalarsToColors, position: float) -> float:
     low, high = table.GetRange()
     if table.UsingLogScale() and low * high > 0:
-        return low * (high / low) ** position
+        return float(low * (high / low) ** position)
     return low + position * (high - low)
 
 
-def _get_colour(table, position):
+def _get_colour(table: vtkScalarsToColors, position: float) -> list[float]:
     colour = [0.0, 0.0, 0.0, 1.0]
     if _is_indexed(table):
         row = int(position * table.GetNumberOfAnnotatedValues())
@@ -146,7 +149,7 @@ def _get_colour(table, position):
     return colour[:3]
 
 
-def _place(actor, anchor, x, y):
+def _place(actor: vtkActor2D, anchor: vtkCoordinate, x: float, y: float) -> None:
     """Place an actor at columns and rows from the upper left corner of the picture."""
     coordinate = actor.GetPositionCoordinate()
     coordinate.SetCoordinateSystemToViewport()
@@ -154,7 +157,7 @@ def _place(actor, anchor, x, y):
     coordinate.SetValue(x, -y, 0)
 
 
-def _make_rectangles(width, heights):
+def _make_rectangles(width: int, heights: Sequence[int]) -> tuple[vtkActor2D, vtkPolyData]:
     """Return an actor of rectangles one above the other, from y = 0 upwards, and its mesh."""
     ends = numpy.arange(len(heights) + 1).repeat(2)
     levels = numpy.concatenate([[0], numpy.cumsum(heights)])
@@ -171,19 +174,22 @@ def _make_rectangles(width, heights):
     cells.SetData(4, numpy_to_vtkIdTypeArray(ids.reshape(-1), deep=True))
     mesh.SetPolys(cells)
     actor = vtkActor2D()
-    actor.SetMapper(vtkPolyDataMapper2D())
-    actor.GetMapper().SetInputData(mesh)
+    mapper = vtkPolyDataMapper2D()
+    mapper.SetInputData(mesh)
+    actor.SetMapper(mapper)
     return actor, mesh
 
 
-def _make_text(text, font):
+def _make_text(text: str, font: vtkTextProperty) -> vtkTextActor:
     actor = vtkTextActor()
     actor.SetInput(text)
     actor.SetTextProperty(font)
     return actor
 
 
-def make_legend(table, title, size):
+def make_legend(
+    table: vtkScalarsToColors, title: str, size: tuple[int, int]
+) -> tuple[list[vtkActor2D], tuple[int, int]]:
     """Return the actors of a colour bar, and the columns and rows of the corner that it takes.
 
     There are none if the picture is too small.

@@ -4,6 +4,9 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkRenderingCore import vtkActor
 
@@ -17,14 +20,14 @@ _LEVEL = 3
 _PIXELS = 10.0  # length of the longest segment of an edge
 
 
-def _is_flow(array):
+def _is_flow(array: vtkDataArray | None) -> bool:
     return array is not None and array.GetNumberOfComponents() in (2, 3)
 
 
 class LIC(Refined):
     """Streaks along a vector field on a refined surface, see relevo.lic()."""
 
-    def __init__(self, mesh, vectors, up):
+    def __init__(self, mesh: Any, vectors: str | None, up: str) -> None:
         self._up = _camera.find_axis(up)
         self._take_surface(mesh, None)
         array, of_points = self._find_vectors(vectors)
@@ -42,18 +45,19 @@ class LIC(Refined):
         length = relevo.vtkScreenEdgeDepthTagMetric()
         length.SetReferenceLength(_PIXELS)
         length.SetMeasureToSphereDiameter()
-        metric = length
+        metric: relevo.vtkDepthTagMetric = length
         if of_points:
             variation = relevo.vtkFieldVariationDepthTagMetric()
             variation.SetArrayName(array.GetName())
-            metric = relevo.vtkCompositeDepthTagMetric()
-            metric.SetModeToMaximum()
-            metric.AddMetric(variation)
-            metric.AddMetric(length)
+            both = relevo.vtkCompositeDepthTagMetric()
+            both.SetModeToMaximum()
+            both.AddMetric(variation)
+            both.AddMetric(length)
+            metric = both
         self.recipe.SetMetric(metric)
         self.recipe.SetMaximumLevel(_LEVEL)
 
-    def _find_vectors(self, vectors):
+    def _find_vectors(self, vectors: str | None) -> tuple[vtkDataArray, bool]:
         if vectors is not None:
             array, of_points = _inputs.find_array([self._coarse], vectors)
             if not _is_flow(array):

@@ -2,16 +2,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Meshes of the caller's package, and files of meshes."""
 
+from __future__ import annotations
+
 import pathlib
 import sys
 import tempfile
+from typing import Any
+
+from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from . import files
+from ._typing import Path
 
 EXTENSIONS = (".vtp", ".vtu", ".vti", ".ply", ".stl")
 
 
-def to_kind(mesh, package):
+def to_kind(mesh: vtkDataObject, package: str) -> Any:
     """Return a vtkDataObject as a mesh of a package, "pyvista" or "vedo"; otherwise unchanged."""
     if package == "pyvista":
         return sys.modules["pyvista"].wrap(mesh)
@@ -21,7 +27,7 @@ def to_kind(mesh, package):
     return mesh
 
 
-def check_extension(path):
+def check_extension(path: Path) -> None:
     """Raise ValueError if no mesh can be written to such a file."""
     if pathlib.Path(path).suffix.lower() not in EXTENSIONS:
         raise ValueError(
@@ -29,9 +35,11 @@ def check_extension(path):
         )
 
 
-def write_mesh(path, mesh):
+def write_mesh(path: Path, mesh: vtkDataObject) -> None:
     """Write a vtkDataObject as the extension says, see files.write()."""
     extension = pathlib.Path(path).suffix.lower()
+    writer: Any
+    kind = "vtkPolyData"
     if extension in (".vtp", ".vtu", ".vti"):
         from vtkmodules.vtkIOXML import (
             vtkXMLImageDataWriter,
@@ -39,23 +47,23 @@ def write_mesh(path, mesh):
             vtkXMLUnstructuredGridWriter,
         )
 
-        kinds = {
+        kinds: dict[str, tuple[Any, str]] = {
             ".vtp": (vtkXMLPolyDataWriter, "vtkPolyData"),
             ".vtu": (vtkXMLUnstructuredGridWriter, "vtkUnstructuredGrid"),
             ".vti": (vtkXMLImageDataWriter, "vtkImageData"),
         }
-        writer, kind = kinds[extension]
+        make_writer, kind = kinds[extension]
+        writer = make_writer()
     elif extension == ".ply":
-        from vtkmodules.vtkIOPLY import vtkPLYWriter as writer
+        from vtkmodules.vtkIOPLY import vtkPLYWriter
 
-        kind = "vtkPolyData"
+        writer = vtkPLYWriter()
     else:
-        from vtkmodules.vtkIOGeometry import vtkSTLWriter as writer
+        from vtkmodules.vtkIOGeometry import vtkSTLWriter
 
-        kind = "vtkPolyData"
+        writer = vtkSTLWriter()
     if not mesh.IsA(kind):
         raise ValueError(f"{str(path)!r}: the mesh is a {mesh.GetClassName()}, not a {kind}")
-    writer = writer()
     writer.SetInputData(mesh)
     if extension in (".ply", ".stl"):
         writer.SetFileTypeToBinary()

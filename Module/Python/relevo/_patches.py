@@ -4,12 +4,14 @@
 
 from __future__ import annotations
 
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkPolyData
+from typing import Any
+
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkUnstructuredGrid
 from vtkmodules.vtkRenderingCore import vtkActor
 
 import relevo
 
-from . import _camera, _inputs
+from . import _camera, _inputs, _work
 from ._drawing import Drawing
 from ._messages import Messages
 from ._refined import Refined
@@ -17,7 +19,7 @@ from ._refined import Refined
 _LEVEL = 7
 
 
-def _warp(grid, name, factor):
+def _warp(grid: vtkUnstructuredGrid, name: str, factor: float) -> vtkUnstructuredGrid:
     """Return a grid whose nodes are displaced by an array of points."""
     from vtkmodules.vtkFiltersGeneral import vtkWarpVector
 
@@ -28,12 +30,12 @@ def _warp(grid, name, factor):
     warp.SetInputData(grid)
     warp.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, name)
     warp.SetScaleFactor(factor)
-    with Messages():
-        warp.Update()
-    return warp.GetOutput()
+    _work.update(warp)
+    warped: vtkUnstructuredGrid = warp.GetUnstructuredGridOutput()
+    return warped
 
 
-def _take_grid(data):
+def _take_grid(data: vtkDataObject) -> vtkUnstructuredGrid:
     """Return a mesh as one vtkUnstructuredGrid."""
     from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
@@ -43,33 +45,37 @@ def _take_grid(data):
         raise ValueError("the mesh is empty")
     for block in blocks:
         append.AddInputData(block)
-    with Messages():
-        append.Update()
+    _work.update(append)
     return append.GetOutput()
 
 
 class Patches(Refined):
     """The outer faces of curved cells, see relevo.patches()."""
 
-    def __init__(self, mesh, scalars, warp, factor, edges, isolines, error, up):
+    def __init__(
+        self,
+        mesh: Any,
+        scalars: str | None,
+        warp: str | None,
+        factor: float,
+        edges: bool,
+        isolines: int,
+        error: float | None,
+        up: str,
+    ) -> None:
         self._up = _camera.find_axis(up)
         _inputs.check_number(factor, "factor")
         if error is not None:
             _inputs.check_number(error, "error")
         data, self._kind = _inputs.take_data(mesh)
-        grid = data
-        if isinstance(data, (vtkCompositeDataSet, vtkPolyData)) or not data.IsA(
-            "vtkUnstructuredGrid"
-        ):
-            grid = _take_grid(data)
+        grid = data if isinstance(data, vtkUnstructuredGrid) else _take_grid(data)
         if warp is not None:
             grid = _warp(grid, warp, factor)
         elif factor != 1.0:
             raise ValueError("factor needs warp, the name of an array")
         patches = relevo.vtkPatchSurfaceFilter()
         patches.SetInputData(grid)
-        with Messages():
-            patches.Update()
+        _work.update(patches)
         self._coarse = patches.GetOutput()
         if self._coarse.GetNumberOfCells() == 0:
             raise ValueError("the mesh has no 2D or 3D cells")
@@ -92,7 +98,7 @@ class Patches(Refined):
             self.mapper.SetPatchEdges(bool(edges))
             self._draw_isolines(isolines)
 
-    def _draw_isolines(self, number):
+    def _draw_isolines(self, number: int) -> None:
         if isinstance(number, bool) or not isinstance(number, int) or number < 0:
             raise ValueError(f"isolines must be a number of lines, at least 0, not {number!r}")
         if number == 0:

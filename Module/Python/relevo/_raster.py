@@ -2,18 +2,24 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Makes rasters of numpy arrays, and of the objects of xarray and rasterio."""
 
+from __future__ import annotations
+
 import os
 import pathlib
 import shutil
 import sys
 import tempfile
 import weakref
+from typing import Any
 from xml.sax.saxutils import escape
 
 import numpy
+from numpy.typing import ArrayLike, NDArray
+from vtkmodules.vtkCommonCore import vtkObject
 
 from . import arrays
 from ._inputs import get_package
+from ._typing import Bounds
 
 _TYPES = {
     "uint8": "Byte",
@@ -26,14 +32,14 @@ _TYPES = {
 }
 
 
-def is_raster(source):
+def is_raster(source: object) -> bool:
     """Return whether a source is an array of two dimensions, or a raster of xarray or rasterio."""
     if get_package(source) in ("rasterio", "xarray"):
         return True
     return isinstance(source, numpy.ndarray)
 
 
-def _check_bounds(bounds):
+def _check_bounds(bounds: Any) -> Bounds:
     try:
         west, east, south, north = (float(number) for number in bounds)
     except (TypeError, ValueError):
@@ -46,9 +52,9 @@ def _check_bounds(bounds):
     return west, east, south, north
 
 
-def _make_crs_text(crs):
+def _make_crs_text(crs: Any) -> str:
     if hasattr(crs, "to_wkt"):
-        return crs.to_wkt()
+        return str(crs.to_wkt())
     if isinstance(crs, (int, numpy.integer)) and not isinstance(crs, bool):
         return f"EPSG:{crs}"
     if isinstance(crs, str):
@@ -59,7 +65,7 @@ def _make_crs_text(crs):
     )
 
 
-def _write(heights, bounds, crs, folder):
+def _write(heights: ArrayLike, bounds: Bounds | None, crs: Any, folder: pathlib.Path) -> str:
     """Write an array as raw samples that a VRT of GDAL describes. Return its path."""
     heights = arrays._real_numbers(heights, "heights")
     if heights.ndim != 2:
@@ -91,7 +97,7 @@ def _write(heights, bounds, crs, folder):
     return str(path)
 
 
-def _find_edges(centres, name):
+def _find_edges(centres: ArrayLike, name: str) -> tuple[tuple[float, float], bool]:
     """Return the borders of the samples of an axis of xarray, and whether it decreases."""
     centres = numpy.asarray(centres, float)
     if len(centres) < 2:
@@ -104,7 +110,7 @@ def _find_edges(centres, name):
     return (min(first, last), max(first, last)), step < 0
 
 
-def _take_xarray(source):
+def _take_xarray(source: Any) -> tuple[NDArray[Any], Bounds | None, Any]:
     """Return heights, bounds and crs of a DataArray."""
     if callable(source.values):
         raise TypeError("heights must be a DataArray, such as dataset['elevation'], not a Dataset")
@@ -125,7 +131,7 @@ def _take_xarray(source):
     return heights, bounds, crs
 
 
-def _take_rasterio(source):
+def _take_rasterio(source: Any) -> tuple[NDArray[Any], Bounds, Any]:
     """Return heights, bounds and crs of an open dataset that is not a file."""
     west, south, east, north = source.bounds
     return source.read(1, masked=True), (west, east, south, north), source.crs
@@ -140,7 +146,7 @@ class RasterFile:
     crs: the coordinate system of bounds.
     """
 
-    def __init__(self, source, bounds=None, crs=None):
+    def __init__(self, source: Any, bounds: Bounds | None = None, crs: Any = None) -> None:
         self.name = ""
         self.title = "the array"  # for messages
         self._remove = None
@@ -166,6 +172,6 @@ class RasterFile:
         self._remove = weakref.finalize(self, shutil.rmtree, folder, ignore_errors=True)
         self.name = _write(source, bounds, crs, pathlib.Path(folder))
 
-    def keep_for(self, item):
+    def keep_for(self, item: vtkObject) -> None:
         """Keep the file until a VTK object is deleted."""
         item.AddObserver("DeleteEvent", lambda caller, event: self._remove and self._remove())

@@ -4,19 +4,22 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkDataArray
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor
 
 import relevo
 
-from . import _camera, _colours, _inputs, arrays
+from . import _camera, _colours, _inputs, _work, arrays
 from ._drawing import SIZE, Drawing
 from ._error import Error
 from ._messages import Messages
 from ._raster import RasterFile, is_raster
+from ._typing import Array, Camera
 
 _PIXELS = 4.0  # per segment of an edge
 _LEVEL = 4  # where the metric does not limit lengths on the screen
@@ -33,7 +36,7 @@ _SURFACES = {
 }
 
 
-def _make_screen_edge(array):
+def _make_screen_edge(array: str | None) -> relevo.vtkDepthTagMetric:
     metric = relevo.vtkScreenEdgeDepthTagMetric()
     metric.SetReferenceLength(_PIXELS)
     # A bulge above an edge that is seen end-on is fully visible.
@@ -41,25 +44,25 @@ def _make_screen_edge(array):
     return metric
 
 
-def _make_curvature(array):
+def _make_curvature(array: str | None) -> relevo.vtkDepthTagMetric:
     metric = relevo.vtkCurvatureDepthTagMetric()
     metric.SetCurvatureTypeToMean()
     return metric
 
 
-def _make_silhouette(array):
+def _make_silhouette(array: str | None) -> relevo.vtkDepthTagMetric:
     metric = relevo.vtkSilhouetteDepthTagMetric()
     metric.SetCriterion(relevo.vtkSilhouetteDepthTagMetric.NORMAL_ANGLE)
     return metric
 
 
-def _make_contour(array):
+def _make_contour(array: str | None) -> relevo.vtkDepthTagMetric:
     metric = relevo.vtkSilhouetteDepthTagMetric()
     metric.SetCriterion(relevo.vtkSilhouetteDepthTagMetric.CONTOUR)
     return metric
 
 
-def _make_field(array):
+def _make_field(array: str | None) -> relevo.vtkDepthTagMetric:
     if not array:
         raise ValueError("metric='field' needs a mesh with active point scalars")
     metric = relevo.vtkFieldVariationDepthTagMetric()
@@ -79,7 +82,7 @@ _METRICS = {
 }
 
 
-def _choose(value, names, kind, option):
+def _choose(value: Any, names: dict[str, Any], kind: type, option: str) -> Any:
     """Return an object of VTK, or what a name stands for."""
     if isinstance(value, kind):
         return value
@@ -92,7 +95,7 @@ def _choose(value, names, kind, option):
     return names[value]
 
 
-def set_material(actor):
+def set_material(actor: vtkActor) -> None:
     """Set the material of surfaces in relevo-view."""
     material = actor.GetProperty()
     material.SetColor(0.80, 0.78, 0.74)
@@ -109,7 +112,16 @@ class Refined(Drawing):
     # The main light is above the viewer's left shoulder. Weaker lights are on the right and behind.
     _lights = ((250, 45, 0.95), (150, 15, 0.45), (10, 40, 0.30))
 
-    def __init__(self, mesh, surface, metric, max_level, height, scale, up):
+    def __init__(
+        self,
+        mesh: Any,
+        surface: Any,
+        metric: Any,
+        max_level: int | None,
+        height: Any,
+        scale: float | None,
+        up: str,
+    ) -> None:
         self._up = _camera.find_axis(up)
         if max_level is not None:
             _inputs.check_number(max_level, "max_level", integer=True)
@@ -137,7 +149,7 @@ class Refined(Drawing):
         with Messages(ValueError):
             self.recipe.SetMaximumLevel(max_level)
 
-    def _take_surface(self, mesh, surface):
+    def _take_surface(self, mesh: Any, surface: Any) -> None:
         """Set the coarse mesh and the surface of the recipe."""
         data, self._kind = _inputs.take_data(mesh)
         self._coarse = vtkPolyData()
@@ -152,13 +164,12 @@ class Refined(Drawing):
         else:
             normals = relevo.vtkCreaseNormals()
             normals.SetInputData(self._coarse)
-            with Messages():
-                normals.Update()
+            _work.update(normals)
             self._coarse.ShallowCopy(normals.GetOutput())
             self._surface = normals.GetFittingSurface()
         self.recipe.SetSurface(self._surface)
 
-    def _find_scalars(self):
+    def _find_scalars(self) -> tuple[vtkDataArray | None, bool]:
         """Return the active scalars, and whether they are of points."""
         for data, of_points in (
             (self._coarse.GetPointData(), True),
@@ -171,7 +182,7 @@ class Refined(Drawing):
                 return scalars, of_points
         return None, True
 
-    def _set_up(self, found):
+    def _set_up(self, found: tuple[vtkDataArray | None, bool]) -> None:
         """Set input, recipe and colours of the mapper."""
         self._scalars, self._of_points = found
         self.mapper.SetInputData(self._coarse)
@@ -182,7 +193,7 @@ class Refined(Drawing):
         if self._scalars is not None:
             self._colour(self._scalars)
 
-    def _colour(self, array):
+    def _colour(self, array: vtkDataArray) -> None:
         if self._of_points:
             self.mapper.SetScalarModeToUsePointFieldData()
         else:
@@ -199,7 +210,7 @@ class Refined(Drawing):
         self.mapper.SetLookupTable(self._table)
         self.mapper.InterpolateScalarsBeforeMappingOn()
 
-    def _displace(self, height, scale):
+    def _displace(self, height: Any, scale: float | None) -> None:
         displacement = height
         if not isinstance(height, relevo.vtkDisplacement):
             displacement = relevo.vtkDisplacement()
@@ -207,7 +218,9 @@ class Refined(Drawing):
             displacement.SetHeightMap(heights)
             if scale is None:
                 # Makes heights visible, and puts the lowest point on the surface.
-                low, high = heights.GetRange()
+                span = [0.0, 0.0]
+                heights.GetRange(span)
+                low, high = span
                 factor = 0.05 * self._coarse.GetLength() / (high - low) if high > low else 0.0
                 displacement.SetScale(factor)
                 displacement.SetOffset(-factor * low)
@@ -219,7 +232,7 @@ class Refined(Drawing):
         self.recipe.SetDisplacement(displacement)
 
     @staticmethod
-    def _read_heights(height):
+    def _read_heights(height: Any) -> relevo.vtkHeightField:
         if isinstance(height, relevo.vtkHeightField):
             heights = height
         elif _inputs.is_path(height):
@@ -242,7 +255,7 @@ class Refined(Drawing):
             heights.Update()
         return heights
 
-    def _add_texture_coordinates(self):
+    def _add_texture_coordinates(self) -> None:
         """Map a flat mesh by a plane and other meshes by a sphere, as relevo-view does."""
         points = vtk_to_numpy(self._coarse.GetPoints().GetData()).astype(float)
         low, high = points.min(axis=0), points.max(axis=0)
@@ -263,7 +276,7 @@ class Refined(Drawing):
         coordinates.SetName("TextureCoordinates")
         self._coarse.GetPointData().SetTCoords(coordinates)
 
-    def _get_points(self):
+    def _get_points(self) -> Array:
         """Return points of the surface, refined to about 100 000 triangles."""
         level = 3
         while level > 0 and self._coarse.GetNumberOfCells() << (2 * level) > _VIEWED_TRIANGLES:
@@ -275,13 +288,14 @@ class Refined(Drawing):
         refine = relevo.vtkAdaptiveRefinementFilter()
         refine.SetInputData(self._coarse)
         refine.SetRefinement(recipe)
-        refine.Update()
+        _work.update(refine)
         points = refine.GetOutput().GetPoints()
         if points is None or points.GetNumberOfPoints() == 0:
             return super()._get_points()
-        return vtk_to_numpy(points.GetData())
+        result: Array = vtk_to_numpy(points.GetData())
+        return result
 
-    def _make_mesh(self, camera):
+    def _make_mesh(self, camera: Camera) -> vtkDataObject:
         refine = relevo.vtkAdaptiveRefinementFilter()
         refine.SetInputData(self._coarse)
         refine.SetRefinement(self.recipe)
@@ -291,14 +305,14 @@ class Refined(Drawing):
         geomorphing = self.recipe.GetGeomorphing()
         self.recipe.GeomorphingOff()
         try:
-            refine.Update()
+            _work.update(refine)
         finally:
             self.recipe.SetGeomorphing(geomorphing)
         if refine.GetOutput().GetNumberOfCells() == 0:
             raise Error("the mesh has no cells to draw")
         return refine.GetOutput()
 
-    def _draw(self, size, camera):
+    def _draw(self, size: tuple[int, int], camera: Camera) -> vtkImageData:
         image = super()._draw(size, camera)
         if self.mapper.GetNumberOfCoarseFaces() == 0:
             raise Error("the mesh has no cells to draw")

@@ -5,47 +5,49 @@
 from __future__ import annotations
 
 import os
+from typing import Any
 
+from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkRenderingCore import vtkActor
 
 import relevo
 
-from . import _inputs
+from . import _inputs, _work
 from ._drawing import Drawing
 from ._messages import Messages
 from ._raster import is_raster
 from ._refined import Refined
+from ._typing import Camera
 
 
-def _convert(heights):
+def _convert(heights: relevo.vtkHeightField) -> vtkDataObject:
     """Return the relief of a vtkHeightField. It is flattened if it would be higher than wide."""
     convert = relevo.vtkHeightMapToRelief()
     convert.SetHeightMap(heights)
     mapper = relevo.vtkReliefMapper()
     mapper.SetInputConnection(convert.GetOutputPort())
     with Messages():
-        convert.Update()
+        _work.update(convert)
         bounds = mapper.GetBounds()
         width = max(bounds[1] - bounds[0], bounds[3] - bounds[2])
         if bounds[5] - bounds[4] > width:
             convert.SetExaggeration(float(f"{0.2 * width / (bounds[5] - bounds[4]):.2g}"))
-            convert.Update()
+            _work.update(convert)
     return convert.GetOutput()
 
 
-def _is_heights(source):
+def _is_heights(source: object) -> bool:
     if _inputs.is_path(source):
         return not os.path.isdir(source) and not _inputs.is_mesh_file(source)
     return isinstance(source, relevo.vtkHeightField) or is_raster(source)
 
 
-def _read(source):
+def _read(source: Any) -> tuple[vtkDataObject, str]:
     """Return the reliefs of a source, and its package."""
     if _inputs.is_path(source) and os.path.isdir(source):
         reader = relevo.vtkReliefDatabaseReader()
         reader.SetFileName(os.fspath(source))
-        with Messages():
-            reader.Update()
+        _work.update(reader)
         return reader.GetOutput(), ""
     if _is_heights(source):
         return _convert(Refined._read_heights(source)), ""
@@ -55,7 +57,7 @@ def _read(source):
 class Relief(Drawing):
     """Reliefs, which are images with depth, see relevo.relief()."""
 
-    def __init__(self, source):
+    def __init__(self, source: Any) -> None:
         self._data, self._kind = _read(source)
         super().__init__(relevo.vtkReliefMapper(), vtkActor())
         self.mapper.SetInputDataObject(self._data)
@@ -68,7 +70,7 @@ class Relief(Drawing):
         with Messages():
             self.mapper.GetBounds()
 
-    def _make_mesh(self, camera):
+    def _make_mesh(self, camera: Camera) -> vtkDataObject:
         result = self._data.NewInstance()
         result.ShallowCopy(self._data)
         return result

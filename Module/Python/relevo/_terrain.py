@@ -4,17 +4,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy
+from numpy.typing import ArrayLike
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkRenderingCore import vtkActor
+from vtkmodules.vtkCommonCore import vtkScalarsToColors
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkColorTransferFunction,
+    vtkInteractorStyle,
+    vtkRenderer,
+    vtkRenderWindowInteractor,
+)
 
 import relevo
 
-from . import _colours, _inputs
+from . import _colours, _inputs, _work
 from ._drawing import SIZE, Drawing
 from ._error import Error
 from ._messages import Messages, warn
 from ._raster import RasterFile
+from ._typing import Array, Bounds, Camera, Path
 
 _SMALL = 1 << 24  # samples whose index is built in a moment
 _LARGEST_OUTLINE = 2048  # columns or rows that are read for the first view
@@ -22,10 +35,40 @@ _DIRECTION_OF_GLOBES = (180, 60)  # azimuth and elevation of the viewer
 _FRAME_DELAY = 50  # milliseconds, while tiles are loaded
 
 
-def _check_file(name):
+def _check_file(name: str) -> None:
     """Raise FileNotFoundError for a missing file. Other names, such as /vsizip/, are GDAL's."""
     if ":" not in name and not name.startswith("/vsi"):
         _inputs.check_file(name)
+
+
+class _Colours:
+    """Keeps the lookup table of a mapper that of its colour mode, whoever draws the mapper.
+
+    It does not hold the mapper, which holds it by an observer.
+    """
+
+    def __init__(self, mapper: relevo.vtkTerrainMapper, pyramid: relevo.vtkTerrainPyramid) -> None:
+        self._pyramid = pyramid
+        self._by_height: vtkColorTransferFunction | None = None
+        self._range = (0.0, 0.0)  # in that table; an estimate before the index is complete
+        self._others = mapper.GetLookupTable()  # the mapper's default, for other modes
+        mapper.AddObserver("ModifiedEvent", self._update_caller)
+
+    def _update_caller(self, caller: relevo.vtkTerrainMapper, event: str) -> None:
+        self.update(caller)
+
+    def update(self, mapper: relevo.vtkTerrainMapper) -> None:
+        """Set the table of the colour mode, unless the caller has set another one."""
+        if mapper.GetLookupTable() not in (self._by_height, self._others):
+            return
+        table = self._others
+        if mapper.GetTerrainColorMode() == mapper.COLOR_BY_ELEVATION:
+            heights = self._pyramid.GetRange()
+            if self._by_height is None or heights != self._range:
+                self._range = heights
+                self._by_height = _colours.make_table(*heights, _colours.RELIEF)
+            table = self._by_height
+        mapper.SetLookupTable(table)
 
 
 class Terrain(Drawing):
@@ -34,10 +77,17 @@ class Terrain(Drawing):
     _lights = ((315, 40, 1.0), (160, 50, 0.35))
     _direction = (192, 38)
     _up = 2
-    _height_colours = None  # the table for heights
-    _has_estimates = False  # of the range of heights, in that table
 
-    def __init__(self, source, imagery, exaggeration, bounds, crs):
+    mapper: relevo.vtkTerrainMapper
+
+    def __init__(
+        self,
+        source: Any,
+        imagery: Path | None,
+        exaggeration: float | None,
+        bounds: Bounds | None,
+        crs: Any,
+    ) -> None:
         if imagery is not None and not _inputs.is_path(imagery):
             raise TypeError(f"imagery must be the path of an image, not {type(imagery).__name__}")
         if exaggeration is not None:
@@ -63,7 +113,7 @@ class Terrain(Drawing):
             )
         super().__init__(mapper, vtkActor())
         self.actor.SetMapper(mapper)
-        self._other_colours = mapper.GetLookupTable()  # the mapper's default
+        self._colours = _Colours(mapper, self._pyramid)
         if imagery is None:
             mapper.SetColorModeToElevation()
             self.actor.GetProperty().SetAmbient(0.15)
@@ -75,13 +125,13 @@ class Terrain(Drawing):
             # Photographs contain shadows.
             self.actor.GetProperty().SetAmbient(0.30)
             self.actor.GetProperty().SetDiffuse(0.80)
-        self._update_colours()
+        self._colours.update(self.mapper)
         with Messages():
-            bounds = mapper.GetBounds()
-        if bounds[0] > bounds[1]:
+            box = mapper.GetBounds()
+        if box[0] > box[1]:
             raise Error(f"{raster.title} has no terrain to draw: all heights are missing values")
 
-    def elevation(self, lon, lat):
+    def elevation(self, lon: ArrayLike, lat: ArrayLike) -> Any:
         """Return heights in the unit of the raster.
 
         lon, lat: longitude and latitude in degrees, on the ellipsoid of the raster's coordinate
@@ -101,11 +151,11 @@ class Terrain(Drawing):
         if not len(points):
             return numpy.empty(x.shape)
         with Messages():
-            heights = self._pyramid.GetElevations(numpy_to_vtk(points))
-        heights = vtk_to_numpy(heights).astype(float).reshape(x.shape)
+            found = self._pyramid.GetElevations(numpy_to_vtk(points))
+        heights: Array = vtk_to_numpy(found).astype(float).reshape(x.shape)
         return heights if x.ndim else float(heights)
 
-    def _from_degrees(self, points):
+    def _from_degrees(self, points: Array) -> Array:
         result = numpy.full(points.shape, numpy.nan)
         place = [0.0, 0.0]
         for i, point in enumerate(points.tolist()):
@@ -113,16 +163,15 @@ class Terrain(Drawing):
                 result[i] = place
         return result
 
-    def _wait(self):
-        with Messages():
-            self._pyramid.WaitForIndex()
+    def _wait(self) -> None:
+        _work.wait_for_index(self._pyramid)
 
-    def _check_location(self, name):
+    def _check_location(self, name: str) -> None:
         doubt = self._pyramid.GetLocationWarning()
         if doubt:
             warn(name + doubt)
 
-    def _choose_exaggeration(self, name):
+    def _choose_exaggeration(self, name: str) -> float:
         """Return 1, or less for heights of an unknown unit that would be more than the width."""
         if self._pyramid.GetCoordinateSystem():
             return 1.0
@@ -132,28 +181,15 @@ class Terrain(Drawing):
         relief = self._pyramid.GetVerticalUnit() * (high - low)
         return 1.0 if relief <= width else max(0.001, float(f"{0.2 * width / relief:.2g}"))
 
-    def _update_colours(self):
-        """Set the table of the colour mode, unless the caller has set another one."""
-        if self.mapper.GetLookupTable() not in (self._height_colours, self._other_colours):
-            return
-        colours = self._other_colours
-        if self.mapper.GetTerrainColorMode() == self.mapper.COLOR_BY_ELEVATION:
-            if self._height_colours is None or self._has_estimates:
-                self._has_estimates = not self._pyramid.IsErrorKnown()
-                heights = self._pyramid.GetRange()
-                self._height_colours = _colours.make_table(*heights, _colours.RELIEF)
-            colours = self._height_colours
-        self.mapper.SetLookupTable(colours)
-
-    def _get_legend(self):
+    def _get_legend(self) -> tuple[vtkScalarsToColors | None, str]:
         return self.mapper.GetLegendLookupTable(), self.mapper.GetLegendTitle()
 
-    def _get_axes(self):
+    def _get_axes(self) -> Array:
         if self.mapper.GetFrame() != self.mapper.GEOCENTRIC:
             return super()._get_axes()
         return self._find_axes_of_globe()
 
-    def _find_axes_of_globe(self):
+    def _find_axes_of_globe(self) -> Array:
         """Return the directions of the ellipsoid at the centre of the raster."""
         west, east, south, north = self._pyramid.GetBounds()
         centre = numpy.array((0.5 * (west + east), 0.5 * (south + north), 0.0))
@@ -171,12 +207,12 @@ class Terrain(Drawing):
         right /= numpy.linalg.norm(right)
         return numpy.array([right, numpy.cross(up, right), up])
 
-    def _check_direction(self, camera):
+    def _check_direction(self, camera: Any) -> tuple[float, float]:
         if camera is None and self.mapper.GetFrame() == self.mapper.GEOCENTRIC:
             return _DIRECTION_OF_GLOBES
         return super()._check_direction(camera)
 
-    def _get_points(self):
+    def _get_points(self) -> Array:
         coarsest = [0, 0]
         self._pyramid.GetLevelDimensions(self._pyramid.GetNumberOfLevels() - 1, coarsest)
         if max(coarsest) > _LARGEST_OUTLINE:
@@ -197,10 +233,10 @@ class Terrain(Drawing):
                 for sample, own in zip(samples, heights)
                 if numpy.isfinite(own)
             ]
-        points = [point for point in points if point is not None]
-        return points or super()._get_points()
+        known = [point for point in points if point is not None]
+        return numpy.array(known) if known else super()._get_points()
 
-    def _find_point(self, sample, height=None):
+    def _find_point(self, sample: Sequence[float], height: float | None = None) -> list[float] | None:
         """Return the position of a sample, or None without data."""
         coordinates, world = [0.0, 0.0], [0.0, 0.0, 0.0]
         self._pyramid.SampleToRaster(sample, coordinates)
@@ -209,7 +245,7 @@ class Terrain(Drawing):
         found = self.mapper.RasterToWorld((*coordinates, height), world)
         return world if found and numpy.isfinite(height) else None
 
-    def _make_mesh(self, camera):
+    def _make_mesh(self, camera: Camera) -> vtkDataObject:
         source = relevo.vtkTerrainMeshSource()
         source.SetPyramid(self._pyramid)
         source.SetCamera(self._make_camera(camera))
@@ -220,21 +256,28 @@ class Terrain(Drawing):
         source.SetFrame(self.mapper.GetFrame())
         source.SetUseBase(self.mapper.GetUseBase())
         source.SetBaseHeight(self.mapper.GetBaseHeight())
-        with Messages():
-            source.Update()
+        _work.update(source)
         if source.GetOutput().GetNumberOfCells() == 0:
             raise Error("the mesh has no cells: the camera sees no part of the terrain")
         return source.GetOutput()
 
-    def _make_renderer(self, size, camera):
-        self._update_colours()
+    def _make_renderer(self, size: tuple[int, int], camera: Camera) -> vtkRenderer:
+        self._colours.update(self.mapper)
         return super()._make_renderer(size, camera)
 
-    def add_to(self, plotter) -> None:
-        self._update_colours()
+    def add_to(self, plotter: Any) -> None:
+        """Add the actor to a vtkRenderer, a vtkRenderWindow, or a plotter of PyVista or vedo.
+
+        Plotters without a window draw the terrain when its tiles are loaded. In other windows, each
+        frame shows the tiles that are loaded, see vtkTerrainMapper.SetLoadingMode().
+        """
+        self._colours.update(self.mapper)
+        # Attributes of PyVista and vedo.
+        if getattr(plotter, "off_screen", False) or getattr(plotter, "offscreen", False):
+            self.mapper.SetLoadingModeToComplete()
         super().add_to(plotter)
 
-    def _draw(self, size, camera):
+    def _draw(self, size: tuple[int, int], camera: Camera) -> vtkImageData:
         self._wait()
         mode = self.mapper.GetLoadingMode()
         self.mapper.SetLoadingModeToComplete()
@@ -243,16 +286,16 @@ class Terrain(Drawing):
         finally:
             self.mapper.SetLoadingMode(mode)
 
-    def _make_style(self):
+    def _make_style(self) -> vtkInteractorStyle:
         from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTerrain
 
         return vtkInteractorStyleTerrain()
 
-    def _open(self, size):
+    def _open(self, size: tuple[int, int]) -> vtkRenderWindowInteractor:
         interactor = super()._open(size)
         mapper = self.mapper
 
-        def draw_more(caller, event):
+        def draw_more(caller: vtkRenderWindowInteractor, event: str) -> None:
             if not mapper.IsComplete():
                 caller.GetRenderWindow().Render()
 

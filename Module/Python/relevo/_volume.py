@@ -5,18 +5,28 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Sequence
+from typing import Any
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkGenericCell, vtkPiecewiseFunction, vtkPlane
+from vtkmodules.vtkCommonCore import vtkDataArray
+from vtkmodules.vtkCommonDataModel import (
+    vtkDataObject,
+    vtkDataSet,
+    vtkGenericCell,
+    vtkPiecewiseFunction,
+    vtkPlane,
+    vtkUnstructuredGrid,
+)
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume, vtkVolumeProperty
 
 import relevo
 
-from . import _camera, _colours, _inputs
+from . import _camera, _colours, _inputs, _work
 from ._drawing import Drawing
 from ._error import Error
-from ._messages import Messages
+from ._typing import Array, Camera
 
 _BLENDS = ("composite", "maximum", "minimum", "average", "additive", "isosurface")
 _BY_LENGTH = ("composite", "additive")
@@ -32,13 +42,13 @@ _PEAK_WIDTH = 2e-4  # relative to the range
 _PEAK_OPACITY = 0.6
 
 
-def _is_solid(block):
+def _is_solid(block: vtkDataSet) -> bool:
     """Return whether a data set has 3D cells."""
-    types = set()
-    if block.GetNumberOfCells():
-        # Cells of other data sets have one type.
-        is_grid = block.IsA("vtkUnstructuredGrid")
-        types = set(vtk_to_numpy(block.GetCellTypesArray())) if is_grid else {block.GetCellType(0)}
+    types: set[int] = set()
+    if isinstance(block, vtkUnstructuredGrid):
+        types = set(vtk_to_numpy(block.GetCellTypesArray())) if block.GetNumberOfCells() else types
+    elif block.GetNumberOfCells():
+        types = {block.GetCellType(0)}  # cells of other data sets have one type
     for kind in types:
         cell = vtkGenericCell()
         cell.SetCellType(int(kind))
@@ -47,7 +57,9 @@ def _is_solid(block):
     return False
 
 
-def _find_array(blocks, name):
+def _find_array(
+    blocks: Sequence[vtkDataSet], name: str | None
+) -> tuple[list[vtkDataArray], str, bool]:
     """Return the arrays of the blocks that have it, their name, and whether they are of points."""
     if name is not None:
         _, of_points = _inputs.find_array(blocks, name)
@@ -75,7 +87,7 @@ def _find_array(blocks, name):
     return [array for array in arrays if array is not None], name, of_points
 
 
-def _get_quantiles(arrays):
+def _get_quantiles(arrays: Iterable[vtkDataArray]) -> tuple[float, float, Array]:
     """Return the range and the deciles of the values, or the lengths of vectors."""
     samples = []
     low, high = math.inf, -math.inf
@@ -97,7 +109,7 @@ def _get_quantiles(arrays):
     return low, high, quantiles
 
 
-def _get_mean_chord(data):
+def _get_mean_chord(data: vtkDataObject) -> float:
     """Return four times the volume divided by the area of the surface (Cauchy); 0 if unknown."""
     from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkTriangleFilter
 
@@ -107,13 +119,20 @@ def _get_mean_chord(data):
     triangulate.PassLinesOff()
     measure = vtkMassProperties()
     measure.SetInputConnection(triangulate.GetOutputPort())
-    measure.Update()
+    _work.update(measure)
     area, volume = measure.GetSurfaceArea(), abs(measure.GetVolume())
     chord = 4 * volume / area if area > 0 else 0.0
     return chord if math.isfinite(chord) else 0.0
 
 
-def _make_nodes(low, high, quantiles, blend, cells_of_side, thickness):
+def _make_nodes(
+    low: float,
+    high: float,
+    quantiles: Array,
+    blend: str,
+    cells_of_side: float,
+    thickness: float,
+) -> Array:
     """Return nodes of a transfer function, (n, 5): value, red, green, blue, opacity.
 
     They follow the distribution of the values, as in relevo-view.
@@ -141,7 +160,7 @@ def _make_nodes(low, high, quantiles, blend, cells_of_side, thickness):
     return numpy.column_stack([values, colours, opacities])
 
 
-def _add_peaks(nodes, values):
+def _add_peaks(nodes: Array, values: Iterable[float]) -> Array:
     """Return nodes that are more opaque at isosurfaces."""
     reach = 0.5 * _PEAK_WIDTH * (nodes[-1, 0] - nodes[0, 0])
     plain = nodes
@@ -157,7 +176,7 @@ def _add_peaks(nodes, values):
     return nodes
 
 
-def _check_nodes(transfer):
+def _check_nodes(transfer: Any) -> Array:
     """Return the nodes of an array, or of a file with one node in each line."""
     if _inputs.is_path(transfer):
         path = _inputs.check_file(transfer)
@@ -173,7 +192,7 @@ def _check_nodes(transfer):
     return nodes
 
 
-def _make_plane(clip):
+def _make_plane(clip: Any) -> vtkPlane:
     if isinstance(clip, vtkPlane):
         return clip
     try:
@@ -196,7 +215,17 @@ class Volume(Drawing):
     # A light background suits translucent volumes.
     _background = ((0.98, 0.98, 0.98), (0.84, 0.87, 0.91))
 
-    def __init__(self, mesh, array, transfer, unit_distance, isosurfaces, clip, blend, up):
+    def __init__(
+        self,
+        mesh: Any,
+        array: str | None,
+        transfer: Any,
+        unit_distance: float | None,
+        isosurfaces: Any,
+        clip: Any,
+        blend: str,
+        up: str,
+    ) -> None:
         self._up = _camera.find_axis(up)
         if unit_distance is not None:
             _inputs.check_number(unit_distance, "unit_distance")
@@ -224,7 +253,14 @@ class Volume(Drawing):
         self._table = self.actor.GetProperty().GetRGBTransferFunction()
         self._title = _colours.make_title(name, values[0])
 
-    def _set_look(self, values, transfer, unit_distance, isosurfaces, blend):
+    def _set_look(
+        self,
+        values: Sequence[vtkDataArray],
+        transfer: Any,
+        unit_distance: float | None,
+        isosurfaces: Any,
+        blend: str,
+    ) -> None:
         bounds = numpy.array(self.mapper.GetBounds()).reshape(3, 2)
         diagonal = float(numpy.linalg.norm(bounds[:, 1] - bounds[:, 0]))
         if not 0 < diagonal < math.inf:
@@ -242,8 +278,7 @@ class Volume(Drawing):
         if transfer is not None:
             nodes = _check_nodes(transfer)
         else:
-            with Messages():
-                thickness = _get_mean_chord(self._data) / diagonal
+            thickness = _get_mean_chord(self._data) / diagonal
             nodes = _make_nodes(low, high, quantiles, blend, cells_of_side, thickness)
             if blend in _BY_LENGTH:
                 nodes = _add_peaks(nodes, surfaces)
@@ -267,16 +302,16 @@ class Volume(Drawing):
         look.SetShade(bool(surfaces))
 
     @staticmethod
-    def _check_surfaces(values):
+    def _check_surfaces(values: Any) -> list[float]:
         try:
-            values = [float(value) for value in numpy.atleast_1d(values)]
+            surfaces = [float(value) for value in numpy.atleast_1d(values)]
         except (TypeError, ValueError):
             raise TypeError(f"isosurfaces must be numbers, not {values!r}") from None
-        if not numpy.isfinite(values).all():
+        if not numpy.isfinite(surfaces).all():
             raise ValueError("isosurfaces must be finite")
-        return values
+        return surfaces
 
-    def _make_mesh(self, camera):
+    def _make_mesh(self, camera: Camera) -> vtkDataObject:
         result = self._data.NewInstance()
         result.ShallowCopy(self._data)
         return result

@@ -2,51 +2,60 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Conversion of heights, refined meshes and images from and to numpy arrays."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import numpy
+from numpy.typing import ArrayLike, NDArray
 from vtkmodules.util.numpy_support import create_vtk_array, get_vtk_array_type, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
 import relevo
 
+_masked: Any = numpy.ma  # without annotations up to numpy 2.2
 
-def _real_numbers(values, name):
+
+def _real_numbers(values: ArrayLike | None, name: str) -> NDArray[Any]:
     """Return an array of a type that VTK supports, in the machine's byte order.
 
     Numbers that are not integers become float or double. Masked values become NaN.
     """
     if values is None:
         raise TypeError(f"{name} must be an array of real numbers, not None")
-    values = numpy.asanyarray(values)
-    if values.dtype.kind not in "iuf":
-        raise ValueError(f"{name} must be real numbers, not {values.dtype}")
-    if numpy.ma.is_masked(values):
-        values = values.astype(numpy.result_type(values.dtype, numpy.float32)).filled(numpy.nan)
-    values = numpy.asarray(values)
-    if values.dtype.kind == "f" and values.dtype.itemsize not in (4, 8):
-        return values.astype(numpy.float32 if values.dtype.itemsize < 4 else numpy.float64)
-    return values.astype(values.dtype.newbyteorder("="), copy=False)
+    given: Any = numpy.asanyarray(values)
+    if given.dtype.kind not in "iuf":
+        raise ValueError(f"{name} must be real numbers, not {given.dtype}")
+    if _masked.is_masked(given):
+        given = given.astype(numpy.result_type(given.dtype, numpy.float32)).filled(numpy.nan)
+    array: NDArray[Any] = numpy.asarray(given)
+    if array.dtype.kind == "f" and array.dtype.itemsize not in (4, 8):
+        return array.astype(numpy.float32 if array.dtype.itemsize < 4 else numpy.float64)
+    return array.astype(array.dtype.newbyteorder("="), copy=False)
 
 
-def _check_type(value, kind, name):
+def _check_type(value: object, kind: type, name: str) -> None:
     if not isinstance(value, kind):
         given = "None" if value is None else type(value).__name__
         raise TypeError(f"{name} must be a {kind.__name__}, not {given}")
 
 
-def _copy(values):
+def _copy(values: NDArray[Any]) -> vtkDataArray:
     """Return a VTK array with a copy of an array of 1 or 2 dimensions.
 
     numpy allocates the copy, so that insufficient memory raises a MemoryError. VTK would abort.
     """
     copy = numpy.array(values, order="C")
-    result = create_vtk_array(get_vtk_array_type(copy.dtype))
+    result: Any = create_vtk_array(get_vtk_array_type(copy.dtype))
     result.SetNumberOfComponents(copy.shape[1] if copy.ndim == 2 else 1)
     result.SetVoidArray(copy.reshape(-1), copy.size, 1)
     result._numpy_reference = copy  # must live as long as the VTK array
-    return result
+    array: vtkDataArray = result
+    return array
 
 
-def height_map(heights, no_data=float("nan")):
+def height_map(heights: ArrayLike, no_data: float = float("nan")) -> relevo.vtkHeightMap:
     """Create a vtkHeightMap from a two-dimensional array.
 
     heights: real numbers of any type and byte order, of shape (rows, columns), at least 2 x 2.
@@ -56,9 +65,9 @@ def height_map(heights, no_data=float("nan")):
 
     Raises ValueError for other shapes or values and if no sample has data, and TypeError for None.
     """
-    if heights is not None and numpy.ma.is_masked(heights):
+    if heights is not None and _masked.is_masked(heights):
         # NaN replaces no_data, because not every type can represent no_data.
-        heights = numpy.ma.masked_where(heights == no_data, heights)
+        heights = _masked.masked_where(heights == no_data, heights)
         no_data = float("nan")
     heights = _real_numbers(heights, "heights")
     if heights.ndim != 2:
@@ -81,7 +90,7 @@ def height_map(heights, no_data=float("nan")):
     return result
 
 
-def triangles(mesh):
+def triangles(mesh: vtkPolyData) -> tuple[NDArray[Any], NDArray[Any]]:
     """Return the points, float (n, 3), and triangles, integer (m, 3), of a refined vtkPolyData.
 
     The arrays share the mesh's memory if VTK's memory layout allows it.
@@ -99,7 +108,9 @@ def triangles(mesh):
     return vtk_to_numpy(mesh.GetPoints().GetData()), connectivity.reshape(-1, 3)
 
 
-def image(values, name="Values", spacing=(1.0, 1.0)):
+def image(
+    values: ArrayLike, name: str = "Values", spacing: tuple[float, float] = (1.0, 1.0)
+) -> vtkImageData:
     """Create a flat vtkImageData with a point array, for vtkLineIntegralConvolution and its noise.
 
     values: real numbers of any type and byte order, of shape (rows, columns), which become the
@@ -127,7 +138,7 @@ def image(values, name="Values", spacing=(1.0, 1.0)):
     return result
 
 
-def samples(image, name=None):
+def samples(image: vtkImageData, name: str | None = None) -> NDArray[Any]:
     """Return a point array of a flat vtkImageData.
 
     The result has the shape (rows, columns) or (rows, columns, components). Row 0 has the smallest
@@ -148,5 +159,5 @@ def samples(image, name=None):
         raise ValueError(f"the image is not flat: {sizes}")
     flat = max(axis for axis in range(3) if sizes[axis] == 1)
     columns, rows = (sizes[axis] for axis in range(3) if axis != flat)
-    values = vtk_to_numpy(array)
+    values: NDArray[Any] = vtk_to_numpy(array)
     return values.reshape((rows, columns) + values.shape[1:])

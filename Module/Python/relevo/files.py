@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes files that replace old ones only when they are complete."""
 
+from __future__ import annotations
+
 import contextlib
 import errno
 import os
@@ -10,16 +12,22 @@ import secrets
 import signal
 import stat
 import threading
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
 
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
 
+if TYPE_CHECKING:
+    from ._typing import Path
+
 
 @contextlib.contextmanager
-def _removed_by_signals(name):
+def _removed_by_signals(name: pathlib.Path) -> Iterator[None]:
     """Remove the file before a signal ends the process."""
 
-    def remove(number, _):
+    def remove(number: int, _: object) -> None:
         with contextlib.suppress(FileNotFoundError):
             os.unlink(name)
         signal.signal(number, signal.SIG_DFL)
@@ -37,7 +45,7 @@ def _removed_by_signals(name):
             signal.signal(number, handler)
 
 
-def write(path, contents):
+def write(path: Path, contents: str | bytes | memoryview) -> None:
     """Write bytes, or a text as UTF-8, to a file.
 
     The contents are written to a temporary file in the same folder, which is renamed when it is
@@ -75,12 +83,14 @@ def write(path, contents):
 _WRITERS = {".png": vtkPNGWriter, ".jpg": vtkJPEGWriter, ".jpeg": vtkJPEGWriter}
 
 
-def is_picture(path):
+def is_picture(path: Path) -> bool:
     """Return whether write_picture() supports the extension of a path."""
     return pathlib.Path(path).suffix.lower() in _WRITERS
 
 
-def write_picture(path, source, quality=95):
+def write_picture(
+    path: Path, source: vtkRenderWindow | vtkImageData, quality: int = 95
+) -> None:
     """Write a vtkRenderWindow, which is rendered, or a vtkImageData as a PNG or JPEG file.
 
     The extension of the path sets the format. The file is replaced as by write(). The quality
@@ -91,7 +101,7 @@ def write_picture(path, source, quality=95):
     extension = pathlib.Path(path).suffix.lower()
     if extension not in _WRITERS:
         raise ValueError(f"{str(path)!r} must end with {', '.join(_WRITERS)}")
-    writer = _WRITERS[extension]()
+    writer: Any = _WRITERS[extension]()
     if extension != ".png":
         writer.SetQuality(quality)
     if isinstance(source, vtkRenderWindow):

@@ -1,0 +1,159 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Build wheels of Relevo: the backend that pyproject.toml names, without dependencies.
+
+The wheel contains an installation by CMake: the package, and libraries and programs as data, which
+pip puts into lib/ and bin/ of the environment. Their relative paths are those of the installation,
+so they find each other.
+
+Settings of pip (--config-settings=NAME=VALUE):
+
+  build-dir   a build folder to use (default: build/wheel)
+  cmake-args  arguments for CMake, separated by spaces
+
+`relevo_build.py FOLDER` writes the metadata into a folder of packages. CMake calls it.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import sysconfig
+import tempfile
+import tomllib
+import zipfile
+from typing import Any
+
+_SOURCE = pathlib.Path(__file__).resolve().parents[3]
+_COMPONENTS = ("runtime", "python")
+
+
+def _read_project() -> dict[str, Any]:
+    with open(_SOURCE / "pyproject.toml", "rb") as file:
+        project: dict[str, Any] = tomllib.load(file)["project"]
+    text = (_SOURCE / "CMakeLists.txt").read_text()
+    found = re.search(r"^project\(Relevo\s+VERSION ([0-9.]+)", text, re.MULTILINE)
+    assert found
+    project["version"] = found[1]
+    return project
+
+
+def _make_metadata(project: dict[str, Any]) -> dict[str, str]:
+    """Return names and contents of the files in the .dist-info folder."""
+    lines = [
+        "Metadata-Version: 2.1",
+        f"Name: {project['name']}",
+        f"Version: {project['version']}",
+        f"Summary: {project['description']}",
+        f"License: {project['license']}",
+        f"Requires-Python: {project['requires-python']}",
+        *(f"Classifier: {own}" for own in project["classifiers"]),
+        "Description-Content-Type: text/markdown",
+        "",
+        (_SOURCE / project["readme"]).read_text(),
+    ]
+    entries = []
+    for group, points in project["entry-points"].items():
+        entries += [f"[{group}]", *(f"{name} = {value}" for name, value in points.items()), ""]
+    return {"METADATA": "\n".join(lines), "entry_points.txt": "\n".join(entries)}
+
+
+def _get_folder(project: dict[str, Any]) -> str:
+    return f"{project['name']}-{project['version']}.dist-info"
+
+
+def write_metadata(folder: str) -> None:
+    """Write the .dist-info folder beside the package, so that Python finds its entry points."""
+    project = _read_project()
+    target = pathlib.Path(folder, _get_folder(project))
+    target.mkdir(parents=True, exist_ok=True)
+    for name, text in _make_metadata(project).items():
+        (target / name).write_text(text)
+
+
+def _build(settings: dict[str, str], prefix: str) -> None:
+    """Configure, build and install into a prefix."""
+    folder = settings.get("build-dir", str(_SOURCE / "build" / "wheel"))
+    arguments = [
+        f"-DPython3_EXECUTABLE={getattr(sys, '_base_executable', sys.executable)}",
+        "-DRELEVO_WRAP_PYTHON=ON",
+        *shlex.split(settings.get("cmake-args", "")),
+    ]
+    generator = [] if pathlib.Path(folder, "CMakeCache.txt").exists() else ["-G", "Ninja"]
+    subprocess.run(["cmake", "-S", str(_SOURCE), "-B", folder, *generator, *arguments], check=True)
+    jobs = str(os.cpu_count() or 1)
+    subprocess.run(["cmake", "--build", folder, "--parallel", jobs], check=True)
+    for component in _COMPONENTS:
+        command = ["cmake", "--install", folder, "--prefix", prefix, "--component", component]
+        subprocess.run([*command, "--strip"], check=True, stdout=subprocess.DEVNULL)
+
+
+def _find_packages(prefix: pathlib.Path) -> pathlib.Path:
+    """Return the folder that contains the package."""
+    return next(prefix.rglob("relevo/py.typed")).parent.parent
+
+
+class _Wheel:
+    """A wheel that is being written."""
+
+    def __init__(self, path: pathlib.Path) -> None:
+        self._archive = zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED)
+        self._records: list[str] = []
+
+    def add(self, name: str, contents: bytes, mode: int = 0o644) -> None:
+        information = zipfile.ZipInfo(name)
+        information.external_attr = (0o100000 | mode) << 16
+        information.compress_type = zipfile.ZIP_DEFLATED
+        self._archive.writestr(information, contents)
+        digest = base64.urlsafe_b64encode(hashlib.sha256(contents).digest()).rstrip(b"=").decode()
+        self._records.append(f"{name},sha256={digest},{len(contents)}")
+
+    def close(self, record: str) -> None:
+        self._records.append(f"{record},,")
+        self._archive.writestr(record, "\n".join([*self._records, ""]))
+        self._archive.close()
+
+
+def build_wheel(
+    wheel_directory: str,
+    config_settings: dict[str, str] | None = None,
+    metadata_directory: str | None = None,
+) -> str:
+    """Build a wheel and return its name, see PEP 517."""
+    project = _read_project()
+    python = f"cp{sys.version_info.major}{sys.version_info.minor}"
+    platform = re.sub(r"[.-]", "_", sysconfig.get_platform())
+    tag = f"{python}-{python}-{platform}"
+    base = f"{project['name']}-{project['version']}"
+    information = _get_folder(project)
+    name = f"{base}-{tag}.whl"
+    wheel = _Wheel(pathlib.Path(wheel_directory, name))
+    with tempfile.TemporaryDirectory() as folder:
+        _build(config_settings or {}, folder)
+        prefix = pathlib.Path(folder)
+        packages = _find_packages(prefix)
+        for path in sorted(own for own in prefix.rglob("*") if own.is_file()):
+            if path.is_relative_to(packages):
+                inside = path.relative_to(packages).as_posix()
+                if inside.startswith(information):
+                    continue
+            else:
+                inside = f"{base}.data/data/{path.relative_to(prefix).as_posix()}"
+            wheel.add(inside, path.read_bytes(), path.stat().st_mode & 0o777)
+    for file, text in _make_metadata(project).items():
+        wheel.add(f"{information}/{file}", text.encode())
+    wheel.add(f"{information}/LICENSE", (_SOURCE / "LICENSE").read_bytes())
+    text = f"Wheel-Version: 1.0\nGenerator: relevo_build\nRoot-Is-Purelib: false\nTag: {tag}\n"
+    wheel.add(f"{information}/WHEEL", text.encode())
+    wheel.close(f"{information}/RECORD")
+    return name
+
+
+if __name__ == "__main__":
+    write_metadata(*sys.argv[1:])

@@ -1,0 +1,44 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Long work of VTK: other threads run meanwhile, and Ctrl-C stops it."""
+
+from __future__ import annotations
+
+import time
+
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkRenderWindowInteractor
+
+import relevo
+
+from . import _interruptible
+from ._interrupts import Interrupts
+from ._messages import Messages
+
+_PAUSE = 0.02  # seconds
+
+
+def update(algorithm: vtkAlgorithm) -> None:
+    """Update an algorithm and those before it. Raise its errors."""
+    with Messages():
+        _interruptible.update(algorithm, Interrupts.is_stopped)
+
+
+def render(window: vtkRenderWindow) -> None:
+    """Render a window. Raise the errors of what it shows."""
+    with Messages():
+        _interruptible.render(window, Interrupts.is_stopped)
+
+
+def start(interactor: vtkRenderWindowInteractor) -> None:
+    """Run the event loop of a window until it is closed. Errors are printed."""
+    with Interrupts():
+        _interruptible.start(interactor, Interrupts.is_stopped)
+
+
+def wait_for_index(pyramid: relevo.vtkTerrainPyramid) -> None:
+    """Wait until the index of a raster is complete. Raise its errors."""
+    while not pyramid.HasIndexEnded():
+        time.sleep(_PAUSE)
+    with Messages():
+        pyramid.WaitForIndex()

@@ -1,0 +1,135 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""A stand-in for PyVista 0.48 with the parts that the package uses.
+
+Accessors and components are registered by decorators. The first use of an unknown attribute imports
+the module that an entry point names.
+"""
+
+import importlib
+import importlib.metadata
+
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkWindowToImageFilter
+
+__version__ = "0.48.0"
+
+
+class _Cached:
+    def __init__(self, name, kind):
+        self._name, self._kind = name, kind
+
+    def __get__(self, owner, kind=None):
+        if owner is None:
+            return self._kind
+        return owner.__dict__.setdefault(self._name, self._kind(owner))
+
+
+def _find_extension(group, owner, name):
+    """Import the module of an entry point, and return the attribute that it has registered."""
+    for point in importlib.metadata.entry_points(group=group, name=name):
+        importlib.import_module(point.value)
+        return getattr(owner, name)
+    raise AttributeError(name)
+
+
+class DataObject:
+    def __getattr__(self, name):
+        return _find_extension("pyvista.accessors", self, name)
+
+
+class PolyData(DataObject, vtkPolyData):
+    pass
+
+
+class UnstructuredGrid(DataObject, vtkUnstructuredGrid):
+    pass
+
+
+class MultiBlock(DataObject, vtkMultiBlockDataSet):
+    pass
+
+
+class BasePlotter:
+    def __getattr__(self, name):
+        return _find_extension("pyvista.plotter_components", self, name)
+
+
+class Plotter(BasePlotter):
+    """It draws without a display."""
+
+    def __init__(self, off_screen=False, window_size=(300, 200)):
+        self.off_screen = off_screen
+        self.window_size = window_size
+        self.renderer = vtkRenderer()
+        self.actors = []
+
+    def add_actor(self, actor, reset_camera=True):
+        self.actors.append(actor)
+        self.renderer.AddActor(actor)
+        if reset_camera:
+            self.renderer.ResetCamera()
+        return actor, None
+
+    def remove_actor(self, actor):
+        self.actors.remove(actor)
+        self.renderer.RemoveActor(actor)
+
+    def screenshot(self, filename=None):
+        """Return the picture as an array of shape (rows, columns, 3), and write a PNG file."""
+        import relevo
+
+        window = relevo.vtkEGLOffscreenRenderWindow()
+        window.SetSize(self.window_size)
+        window.AddRenderer(self.renderer)
+        window.Render()
+        grab = vtkWindowToImageFilter()
+        grab.SetInput(window)
+        grab.ReadFrontBufferOff()
+        grab.ShouldRerenderOff()
+        grab.Update()
+        if filename:
+            writer = vtkPNGWriter()
+            writer.SetFileName(str(filename))
+            writer.SetInputData(grab.GetOutput())
+            writer.Write()
+        columns, rows, _ = grab.GetOutput().GetDimensions()
+        pixels = vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars())
+        return pixels.reshape(rows, columns, -1)[::-1].copy()
+
+
+def register_dataset_accessor(name, target_cls, *, override=False):
+    def register(kind):
+        setattr(target_cls, name, _Cached(name, kind))
+        return kind
+
+    return register
+
+
+def register_plotter_component(name, target_cls=None, *, override=False):
+    def register(kind):
+        setattr(target_cls or BasePlotter, name, _Cached(name, kind))
+        return kind
+
+    return register
+
+
+def wrap(data):
+    kinds = {kind.__bases__[1]: kind for kind in (PolyData, UnstructuredGrid, MultiBlock)}
+    for base, kind in kinds.items():
+        if isinstance(data, base):
+            result = kind()
+            result.ShallowCopy(data)
+            return result
+    raise NotImplementedError(type(data).__name__)
+
+
+def read(filename):
+    reader = vtkPLYReader()
+    reader.SetFileName(str(filename))
+    reader.Update()
+    return wrap(reader.GetOutput())

@@ -1,0 +1,138 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Proves that meshes and plotters of PyVista 0.48 have the attribute `relevo`, and that importing
+PyVista does not import this package. Without PyVista, the tests use the stand-in of this folder."""
+
+import importlib.metadata
+import importlib.util
+import os
+import pathlib
+import subprocess
+import sys
+import unittest
+
+import DrawingData  # noqa: F401, skips without numpy, EGL and GDAL
+
+FOLDER = pathlib.Path(__file__).parent
+POINTS = ("pyvista.accessors", "pyvista.plotter_components")
+
+if sys.version_info < (3, 11):
+    print("skipped: the metadata of the package need Python 3.11")
+    sys.exit(125)
+
+# Each program begins like this.
+START = """
+import sys
+import numpy
+import pyvista
+assert not any(name.partition(".")[0] == "relevo" for name in sys.modules), "imported early"
+from DrawingData import BOUNDS, make_block, make_curved_block, make_heights, make_sphere
+mesh = pyvista.wrap(make_sphere())
+"""
+
+
+def get_path():
+    """Return the folders of modules, with that of the stand-in if there is no PyVista 0.48."""
+    folders = [str(FOLDER), *filter(None, os.environ.get("PYTHONPATH", "").split(os.pathsep))]
+    try:
+        version = importlib.metadata.version("pyvista")
+        has_extensions = tuple(map(int, version.split(".")[:2])) >= (0, 48)
+    except importlib.metadata.PackageNotFoundError:
+        has_extensions = False
+    return folders if has_extensions else [str(FOLDER / "StandIn"), *folders]
+
+
+class TestPyVista(unittest.TestCase):
+    def check(self, program):
+        run = subprocess.run(
+            [sys.executable, "-c", START + program],
+            env={**os.environ, "PYTHONPATH": os.pathsep.join(get_path())},
+            capture_output=True,
+            text=True,
+        )
+        self.assertEqual((run.returncode, run.stderr), (0, ""), run.stdout)
+
+    def test_entry_points(self):
+        """The metadata name modules that exist."""
+        for group in POINTS:
+            (point,) = importlib.metadata.entry_points(group=group, name="relevo")
+            self.assertIsNotNone(importlib.util.find_spec(point.value))
+
+    def test_meshes(self):
+        """mesh.relevo has the functions for meshes, whose results are of PyVista."""
+        self.check(
+            """
+assert mesh.relevo is mesh.relevo
+refined = mesh.relevo.refined(surface="pn", metric="curvature", max_level=3)
+assert type(refined.mesh()) is pyvista.PolyData
+assert refined.mesh().GetNumberOfCells() > mesh.GetNumberOfCells()
+assert type(mesh.relevo.lic("V").mesh()) is pyvista.PolyData
+assert type(mesh.relevo.intersection(make_block()).curves) is pyvista.PolyData
+block = pyvista.wrap(make_block())
+assert block.relevo.volume("DistanceToCenter", unit_distance=0.1).actor.IsA("vtkVolume")
+assert pyvista.wrap(make_curved_block()).relevo.patches(edges=True).mapper.GetPatchEdges()
+blocks = pyvista.MultiBlock()
+blocks.SetBlock(0, make_sphere())
+assert blocks.relevo.refined().screenshot(size=(64, 64)).std() > 1
+try:
+    mesh.relevo.refined(max_levels=3)
+except TypeError as error:
+    assert "max_level" in str(error)
+else:
+    raise AssertionError("no error")
+"""
+        )
+
+    def test_plotters(self):
+        """plotter.relevo draws in the plotter, and its actors can be removed."""
+        self.check(
+            """
+plotter = pyvista.Plotter(off_screen=True, window_size=(300, 200))
+empty = None
+for add in (
+    lambda: plotter.relevo.add_terrain(make_heights(), bounds=BOUNDS, crs="EPSG:4326"),
+    lambda: plotter.relevo.add_refined(mesh, max_level=2),
+    lambda: plotter.relevo.add_volume(make_block(), "DistanceToCenter"),
+    lambda: plotter.relevo.add_patches(make_curved_block()),
+    lambda: plotter.relevo.add_lic(mesh, "V"),
+    lambda: plotter.relevo.add_relief(make_heights()),
+    lambda: plotter.relevo.add_intersection(mesh, make_block()),
+):
+    drawing = add()
+    picture = plotter.screenshot()
+    plotter.remove_actor(drawing.actor)
+    empty = plotter.screenshot() if empty is None else empty
+    numpy.testing.assert_array_equal(plotter.screenshot(), empty)
+    assert (picture != empty).any(axis=2).sum() > 1000, type(drawing).__name__
+"""
+        )
+
+    def test_colour_modes(self):
+        """A mode that is set after add_to() has its own colours."""
+        self.check(
+            """
+import relevo
+terrain = relevo.terrain(make_heights(), bounds=BOUNDS, crs="EPSG:4326")
+plotter = pyvista.Plotter(off_screen=True, window_size=(300, 200))
+terrain.add_to(plotter)
+mapper = terrain.mapper
+mapper.SetLoadingModeToComplete()
+by_height = mapper.GetLookupTable()
+mapper.SetColorModeToSlope()
+assert mapper.GetLookupTable() is not by_height
+slope = plotter.screenshot()
+del terrain
+mapper.SetColorModeToElevation()
+assert mapper.GetLookupTable() is by_height
+height = plotter.screenshot()
+assert (slope != height).any(axis=2).sum() > 1000
+table = by_height.NewInstance()
+mapper.SetLookupTable(table)
+mapper.SetColorModeToAspect()
+assert mapper.GetLookupTable() is table
+"""
+        )
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestPyVista"])
