@@ -9,11 +9,12 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 import unittest
 
 import relevo
 from relevo._classes import EXTENSIONS
-from vtkmodules.vtkCommonCore import vtkObjectBase
+from vtkmodules.vtkCommonCore import vtkObjectBase, vtkVersion
 
 
 def wrapped_headers():
@@ -36,6 +37,38 @@ class TestPackage(unittest.TestCase):
     def test_version(self):
         """The version is that of the project."""
         self.assertEqual(relevo.__version__, os.environ["RELEVO_VERSION"])
+
+    def test_other_vtk(self):
+        """The package does not load with another version of VTK than that of the build."""
+        with tempfile.TemporaryDirectory() as folder:
+            package = pathlib.Path(folder, "vtkmodules")
+            package.mkdir()
+            (package / "__init__.py").write_text("")
+            (package / "vtkCommonCore.py").write_text(
+                "class vtkVersion:\n    GetVTKVersion = staticmethod(lambda: '9.99.1')\n"
+            )
+            run = subprocess.run(
+                [sys.executable, "-c", "import relevo"],
+                env={**os.environ, "PYTHONPATH": f"{folder}:{os.environ['PYTHONPATH']}"},
+                capture_output=True,
+                text=True,
+            )
+        self.assertEqual(run.returncode, 1)
+        self.assertRegex(run.stderr, r"ImportError: this relevo was built for VTK 9\.\d+\.\d+.*9\.99\.1")
+        self.assertIn(vtkVersion.GetVTKVersion(), run.stderr)
+
+    def test_report(self):
+        """python3 -m relevo --report prints versions and the graphics driver."""
+        run = subprocess.run(
+            [sys.executable, "-m", "relevo", "--report"], capture_output=True, text=True
+        )
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        rows = dict(re.split(r":\s+", line, 1) for line in run.stdout.splitlines())
+        self.assertEqual(rows["Relevo"], relevo.__version__)
+        self.assertEqual(rows["VTK"], vtkVersion.GetVTKVersion())
+        self.assertEqual(rows["Python"], sys.version.split()[0])
+        if hasattr(relevo, "vtkEGLOffscreenRenderWindow"):
+            self.assertTrue(rows["OpenGL renderer"])
 
     def test_every_class_is_there(self):
         headers = wrapped_headers()

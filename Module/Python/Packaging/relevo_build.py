@@ -8,7 +8,8 @@ so they find each other.
 
 Settings of pip (--config-settings=NAME=VALUE):
 
-  build-dir   a build folder to use (default: build/wheel)
+  build-dir   a folder that Module/build.sh has built, which is installed as it is (default: build
+              in build/wheel)
   cmake-args  arguments for CMake, separated by spaces
 
 `relevo_build.py FOLDER` writes the metadata into a folder of packages. CMake calls it.
@@ -22,6 +23,7 @@ import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import sysconfig
@@ -77,18 +79,23 @@ def write_metadata(folder: str) -> None:
         (target / name).write_text(text)
 
 
-def _build(settings: dict[str, str], prefix: str) -> None:
-    """Configure, build and install into a prefix."""
-    folder = settings.get("build-dir", str(_SOURCE / "build" / "wheel"))
-    arguments = [
-        f"-DPython3_EXECUTABLE={getattr(sys, '_base_executable', sys.executable)}",
-        "-DRELEVO_WRAP_PYTHON=ON",
-        *shlex.split(settings.get("cmake-args", "")),
-    ]
-    generator = [] if pathlib.Path(folder, "CMakeCache.txt").exists() else ["-G", "Ninja"]
-    subprocess.run(["cmake", "-S", str(_SOURCE), "-B", folder, *generator, *arguments], check=True)
+def _compile(folder: str, arguments: str) -> None:
+    """Configure and build in a folder. A later call builds only what has changed."""
+    command = ["cmake", "-S", str(_SOURCE), "-B", folder, "-DRELEVO_WRAP_PYTHON=ON"]
+    command.append(f"-DPython3_EXECUTABLE={getattr(sys, '_base_executable', sys.executable)}")
+    if not pathlib.Path(folder, "CMakeCache.txt").exists() and shutil.which("ninja"):
+        command += ["-G", "Ninja"]
+    subprocess.run([*command, *shlex.split(arguments)], check=True)
     jobs = str(os.cpu_count() or 1)
     subprocess.run(["cmake", "--build", folder, "--parallel", jobs], check=True)
+
+
+def _install(settings: dict[str, str], prefix: str) -> None:
+    """Install into a prefix, after building if necessary."""
+    folder = settings.get("build-dir", "")
+    if not folder:
+        folder = str(_SOURCE / "build" / "wheel")
+        _compile(folder, settings.get("cmake-args", ""))
     for component in _COMPONENTS:
         command = ["cmake", "--install", folder, "--prefix", prefix, "--component", component]
         subprocess.run([*command, "--strip"], check=True, stdout=subprocess.DEVNULL)
@@ -135,7 +142,7 @@ def build_wheel(
     name = f"{base}-{tag}.whl"
     wheel = _Wheel(pathlib.Path(wheel_directory, name))
     with tempfile.TemporaryDirectory() as folder:
-        _build(config_settings or {}, folder)
+        _install(config_settings or {}, folder)
         prefix = pathlib.Path(folder)
         packages = _find_packages(prefix)
         for path in sorted(own for own in prefix.rglob("*") if own.is_file()):

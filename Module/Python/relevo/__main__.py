@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""`python3 -m relevo` is the program relevo-view."""
+"""`python3 -m relevo` is the program relevo-view. --report prints the environment, for bug reports."""
 
 from __future__ import annotations
 
@@ -20,6 +20,11 @@ def find_program() -> str | None:
 
 
 if __name__ == "__main__":
+    if sys.argv[1:] == ["--report"]:
+        from relevo._report import make_report
+
+        print(make_report())
+        sys.exit()
     found = find_program()
     if not found:
         sys.exit("python3 -m relevo: relevo-view is not installed")
