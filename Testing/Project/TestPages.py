@@ -122,7 +122,7 @@ def get_strings(source):
     """Return the string literals of the sources, with adjacent literals joined."""
     literal = r'"(?:[^"\\\n]|\\.)*"'
     texts = []
-    for folder in ("Filters", "Rendering", "Module/ParaView", "Examples/Viewer"):
+    for folder in ("Filters", "Rendering", "Module/FileChecks", "Module/ParaView", "Examples/Viewer"):
         for path in sorted((source / folder).rglob("*")):
             if path.suffix in (".h", ".cxx"):
                 for match in re.finditer(rf"{literal}(?:\s*{literal})*", path.read_text()):

@@ -198,6 +198,29 @@ class TestDrawingInputs(unittest.TestCase):
                 with self.assertRaisesRegex(relevo.Error, f"mesh.ply: it.*{message}"):
                     function(path)
 
+    def test_damaged_files(self):
+        """Readers of VTK would crash, or read a part of the file without an error."""
+        solid = bytes(80) + (5).to_bytes(4, "little")
+        gltf = b'{"asset": {"version": "2.0"}, "buffers": [{"uri": "none.bin", "byteLength": 4}]}'
+        for name, contents, message in (
+            ("mesh.obj", b"v 0 0 0\nf 1 2 3\n", "line 2 refers to point 3, but there are 1"),
+            ("mesh.gltf", gltf, "none.bin"),
+            ("mesh.glb", b"glTF", "not a glTF scene, or it is truncated"),
+            ("mesh.ex2", b"CDF\x01\0\0\0\0", "netCDF header is not complete"),
+            ("mesh.e", b"CDF\x01\0\0\0\0", "netCDF header is not complete"),
+            ("mesh.vtu", b"<VTKFile>", "truncated: it does not end with </VTKFile>"),
+            ("mesh.stl", solid + bytes(130), "declares 5 triangles, but there are 2"),
+        ):
+            path = self.folder / name
+            path.write_bytes(contents)
+            with self.assertRaisesRegex(relevo.Error, f"{name}: .*{message}"):
+                relevo.refined(path)
+        path = self.folder / "mesh.stl"
+        triangle = numpy.array([0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0], "<f4").tobytes() + bytes(2)
+        path.write_bytes(solid + 2 * triangle)
+        with self.assertWarnsRegex(UserWarning, "declares 5 triangles, but there are 2"):
+            relevo.refined(path)
+
     def test_bad_meshes(self):
         points = numpy.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], float)
         faces = [[0, 1, 2]]

@@ -43,7 +43,7 @@ ALLOWED = r"""
 relevo\..*vtk\w+\.(GetNumberOfGenerationsFromBaseType|IsTypeOf|SafeDownCast)
 relevo\..*vtkRefinementPatternTable\.(Canonicalize|GetPatternIndex|GetPermutation|IsOdd)
 # These modules are in Python and have no stubs. test_package() checks their annotations.
-relevo\.(?!_interruptible)(_[a-z]\w*|__main__|arrays|files|version)(\..*)?
+relevo\.(?!_interruptible|_filechecks)(_[a-z]\w*|__main__|arrays|files|version)(\..*)?
 """
 
 MISTAKES = """\

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/GLTFReader.h"
 
-#include "Files/GLTFCheck.h"
 #include "Files/MeshPoints.h"
+#include "GLTFCheck.h"
 #include "Text/ViewerMessages.h"
 
 #include "vtkAppendPolyData.h"

@@ -5,7 +5,7 @@
 #ifdef VIEWER_HAS_EXODUS
 #include "Files/ExodusReader.h"
 #endif
-#include "Files/FileEnd.h"
+#include "FileEnd.h"
 #include "Files/GLTFReader.h"
 #include "Files/MeshPoints.h"
 #include "Files/ViewerFile.h"
@@ -203,7 +203,7 @@ SurfaceMesh ReadMesh(const std::string& fileName, MeshCells cells, ViewerMessage
   Mesh& mesh = surface.Data;
   try
   {
-    CheckFileEnd(fileName, messages);
+    CheckFileEnd(fileName, [&messages](const std::string& text) { messages.Warn(text); });
     messages.StartReading();
     surface = ReadFormat(fileName, cells, messages);
     messages.CheckReading();

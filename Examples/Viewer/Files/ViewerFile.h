@@ -6,13 +6,9 @@
 #ifndef ViewerFile_h
 #define ViewerFile_h
 
+#include "FileNames.h"
+
 #include <string>
-
-/// The name's extension in lower case with its dot, or an empty string.
-std::string GetExtension(const std::string& fileName);
-
-/// Why the file cannot be read, or an empty string.
-std::string FindReadError(const std::string& fileName);
 
 /// Throws ViewerError if the file is missing or empty. VTK's readers report this differently.
 void CheckFile(const std::string& fileName);

@@ -5,7 +5,7 @@
 #ifdef VIEWER_HAS_EXODUS
 #include "Files/ExodusReader.h"
 #endif
-#include "Files/FileEnd.h"
+#include "FileEnd.h"
 #include "Files/MeshPoints.h"
 #include "Files/ViewerFile.h"
 #include "Text/ReadingGuard.h"
@@ -84,7 +84,7 @@ Volume ReadVolume(const std::string& fileName, ViewerMessages& messages)
   Volume data;
   try
   {
-    CheckFileEnd(fileName, messages);
+    CheckFileEnd(fileName, [&messages](const std::string& text) { messages.Warn(text); });
     messages.StartReading();
     data = reader->second(fileName, messages);
     messages.CheckReading();

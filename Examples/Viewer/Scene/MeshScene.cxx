@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/MeshScene.h"
 
-#include "Files/FileEnd.h"
 #include "Files/MeshReader.h"
+#include "Files/RasterEnd.h"
 #include "Legend/ArrayUnit.h"
 #include "Scene/ArrayNames.h"
 #include "Scene/MeshColours.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/PyramidScene.h"
 
-#include "Files/FileEnd.h"
 #include "Files/FlightFile.h"
+#include "Files/RasterEnd.h"
 #include "Options/Palettes.h"
 #include "Scene/FlightCheck.h"
 #include "Scene/GlobeCamera.h"

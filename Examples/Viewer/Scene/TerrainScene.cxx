@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/TerrainScene.h"
 
-#include "Files/FileEnd.h"
 #include "Files/MeshPoints.h"
+#include "Files/RasterEnd.h"
 #include "Files/ViewerFile.h"
 #include "Options/Palettes.h"
 #include "Scene/OffscreenWindow.h"

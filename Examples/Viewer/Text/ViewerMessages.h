@@ -7,21 +7,17 @@
 #ifndef ViewerMessages_h
 #define ViewerMessages_h
 
+#include "FileError.h"
 #include "Text/ViewerProgress.h"
 
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 class vtkObject;
 
-/// Invalid input or output. The text is the cause.
-struct ViewerError : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
+using ViewerError = FileError;
 
 /// For files that are too large, or whose headers declare too much.
 constexpr const char* NoMemory =

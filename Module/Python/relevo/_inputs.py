@@ -26,10 +26,8 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import _work
 from ._error import Error
-from ._messages import Messages
+from ._messages import Messages, warn
 from ._typing import Path
-
-_LONGEST_LINE = 4096  # bytes
 
 # The reader of each extension: a module and a class.
 _READERS = {
@@ -88,21 +86,19 @@ def find_package(value: object) -> str:
     return next((name for name in ("pyvista", "vedo") if name in packages), "")
 
 
-def _check_ply_header(path: str) -> None:
-    """Raise Error for a header without format or end, with which the reader of VTK crashes."""
-    with open(path, "rb") as file:
-        if not file.readline(_LONGEST_LINE).startswith(b"ply"):
-            raise Error(f"{path}: it is not a PLY file")
-        has_format = False
-        while line := file.readline(_LONGEST_LINE):
-            keyword = line.split(maxsplit=1)[:1]
-            has_format = has_format or keyword == [b"format"]
-            if keyword == [b"end_header"]:
-                break
-        else:
-            raise Error(f"{path}: its header has no end_header: the file is truncated")
-    if not has_format:
-        raise Error(f"{path}: its header has no format line")
+def _check_damage(path: str) -> None:
+    """Raise Error for a damaged file with which the reader of VTK crashes, or that it accepts."""
+    try:
+        from . import _filechecks
+    except ImportError:  # a build of VTK without VTK::IOGeometry
+        return
+    try:
+        with Messages():
+            warnings = _filechecks.check(path)
+        for text in warnings:
+            warn(text)
+    except ValueError as error:
+        raise Error(f"{path}: {error}") from None
 
 
 def _read(path: Path) -> vtkDataObject:
@@ -110,8 +106,7 @@ def _read(path: Path) -> vtkDataObject:
     extension = pathlib.Path(path).suffix.lower()
     if extension not in _READERS:
         raise ValueError(f"{path}: meshes have the extensions {', '.join(sorted(_READERS))}")
-    if extension == ".ply":
-        _check_ply_header(path)
+    _check_damage(path)
     module, name = _READERS[extension]
     reader = getattr(importlib.import_module(module), name)()
     reader.SetFileName(path)

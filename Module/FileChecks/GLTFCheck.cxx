@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Files/GLTFCheck.h"
+#include "GLTFCheck.h"
 
-#include "Files/GLTFBuffers.h"
-#include "Text/ViewerMessages.h"
+#include "FileError.h"
+#include "GLTFBuffers.h"
 
 #include "vtkGLTFDocumentLoader.h"
 #include "vtkNew.h"
@@ -42,7 +42,7 @@ private:
   {
     if (!condition)
     {
-      throw ViewerError(error);
+      throw FileError(error);
     }
   }
 
@@ -243,7 +243,7 @@ void CheckGLTF(const std::string& fileName)
   vtkNew<Loader> loader;
   if (!loader->LoadModelMetaDataFromFile(fileName))
   {
-    throw ViewerError("it is not a glTF scene, or it is truncated");
+    throw FileError("it is not a glTF scene, or it is truncated");
   }
   GLTFChecker(*loader->GetInternalModel()).Check();
 }

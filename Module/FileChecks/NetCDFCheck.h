@@ -8,7 +8,7 @@
 
 #include <string>
 
-/// Throws ViewerError for a truncated file: the netCDF library would read zeros beyond its end.
+/// Throws FileError for a truncated file: the netCDF library would read zeros beyond its end.
 /// Other formats, such as netCDF-4, pass.
 void CheckNetCDF(const std::string& fileName);
 

@@ -9,7 +9,7 @@
 
 #include <string>
 
-/// Throws ViewerError for an invalid reference: VTK's reader would write beyond its arrays.
+/// Throws FileError for an invalid reference: VTK's reader would write beyond its arrays.
 void CheckOBJ(const std::string& fileName);
 
 #endif

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Files/FileEnd.h"
+#include "FileEnd.h"
 
-#include "Files/NetCDFCheck.h"
-#include "Files/OBJCheck.h"
-#include "Files/PLYCheck.h"
-#include "Files/ViewerFile.h"
-#include "Text/ViewerMessages.h"
+#include "FileError.h"
+#include "FileNames.h"
+#include "NetCDFCheck.h"
+#include "OBJCheck.h"
+#include "PLYCheck.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkXMLDataElement.h"
@@ -33,20 +33,22 @@ std::string ReadEnd(const std::string& fileName, std::streamoff number)
   return end;
 }
 
-void CheckXML(const std::string& fileName, ViewerMessages&)
+using Warn = std::function<void(const std::string&)>;
+
+void CheckXML(const std::string& fileName, const Warn&)
 {
   const std::string tag = "</VTKFile>";
   const std::string end = ReadEnd(fileName, 1024);
   if (end.size() < tag.size() || end.compare(end.size() - tag.size(), tag.size(), tag) != 0)
   {
-    throw ViewerError("the file is truncated: it does not end with " + tag);
+    throw FileError("the file is truncated: it does not end with " + tag);
   }
 }
 
 // VTK's reader skips pieces that it cannot read.
-void CheckPieces(const std::string& fileName, ViewerMessages& messages)
+void CheckPieces(const std::string& fileName, const Warn& warn)
 {
-  CheckXML(fileName, messages);
+  CheckXML(fileName, warn);
   const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(
     vtkXMLUtilities::ReadElementFromFile(fileName.c_str()));
   vtkXMLDataElement* grid = root ? root->FindNestedElementWithName("PUnstructuredGrid") : nullptr;
@@ -63,15 +65,15 @@ void CheckPieces(const std::string& fileName, ViewerMessages& messages)
     const std::string reason = FindReadError(name);
     if (!reason.empty())
     {
-      throw ViewerError("its piece " + name + ": " + reason);
+      throw FileError("its piece " + name + ": " + reason);
     }
     try
     {
-      CheckXML(name, messages);
+      CheckXML(name, warn);
     }
-    catch (const ViewerError& error)
+    catch (const FileError& error)
     {
-      throw ViewerError("its piece " + name + ": " + error.what());
+      throw FileError("its piece " + name + ": " + error.what());
     }
   }
 }
@@ -84,7 +86,7 @@ bool IsText(const std::string& begin)
 }
 
 // Some programs write a wrong number of triangles, but always complete ones.
-void CheckSTL(const std::string& fileName, ViewerMessages& messages)
+void CheckSTL(const std::string& fileName, const Warn& warn)
 {
   constexpr long long header = 84;
   constexpr long long triangle = 50;
@@ -106,33 +108,36 @@ void CheckSTL(const std::string& fileName, ViewerMessages& messages)
   {
     if (ReadEnd(fileName, 1024).find("endsolid") == std::string::npos)
     {
-      throw ViewerError("the file is truncated: it does not end with endsolid");
+      throw FileError("the file is truncated: it does not end with endsolid");
     }
     return;
   }
   const long long rest = size - header;
   if (rest < 0 || (rest < number * triangle && rest % triangle != 0))
   {
-    throw ViewerError("the file is truncated: its header declares " + std::to_string(number) +
+    throw FileError("the file is truncated: its header declares " + std::to_string(number) +
       " triangles, but there are " + std::to_string(std::max(rest, 0LL) / triangle));
   }
   if (rest / triangle != number)
   {
-    messages.Warn(fileName + ": the header declares " + std::to_string(number) +
+    warn(fileName + ": the header declares " + std::to_string(number) +
       " triangles, but there are " + std::to_string(rest / triangle));
   }
 }
 }
 
 //------------------------------------------------------------------------------
-void CheckFileEnd(const std::string& fileName, ViewerMessages& messages)
+void CheckFileEnd(const std::string& fileName, const Warn& warn)
 {
-  using Function = std::function<void(const std::string&, ViewerMessages&)>;
+  using Function = std::function<void(const std::string&, const Warn&)>;
   static const std::map<std::string, Function> checks = {
-    { ".obj", [](const std::string& name, ViewerMessages&) { CheckOBJ(name); } },
-    { ".ply", [](const std::string& name, ViewerMessages&) { CheckPLY(name); } },
-    { ".ex2", [](const std::string& name, ViewerMessages&) { CheckNetCDF(name); } },
-    { ".nc", [](const std::string& name, ViewerMessages&) { CheckNetCDF(name); } },
+    { ".obj", [](const std::string& name, const Warn&) { CheckOBJ(name); } },
+    { ".ply", [](const std::string& name, const Warn&) { CheckPLY(name); } },
+    { ".e", [](const std::string& name, const Warn&) { CheckNetCDF(name); } },
+    { ".ex2", [](const std::string& name, const Warn&) { CheckNetCDF(name); } },
+    { ".exo", [](const std::string& name, const Warn&) { CheckNetCDF(name); } },
+    { ".g", [](const std::string& name, const Warn&) { CheckNetCDF(name); } },
+    { ".nc", [](const std::string& name, const Warn&) { CheckNetCDF(name); } },
     { ".pvtu", CheckPieces },
     { ".stl", CheckSTL },
     { ".vtp", CheckXML },
@@ -141,22 +146,6 @@ void CheckFileEnd(const std::string& fileName, ViewerMessages& messages)
   const auto check = checks.find(GetExtension(fileName));
   if (check != checks.end())
   {
-    check->second(fileName, messages);
-  }
-}
-
-//------------------------------------------------------------------------------
-void CheckRasterEnd(const std::string& fileName, ViewerMessages& messages)
-{
-  try
-  {
-    if (CanRead(fileName))
-    {
-      CheckFileEnd(fileName, messages);
-    }
-  }
-  catch (const ViewerError& error)
-  {
-    throw ViewerError("cannot read " + fileName + ": " + error.what());
+    check->second(fileName, warn);
   }
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Files/NetCDFCheck.h"
+#include "NetCDFCheck.h"
 
-#include "Text/ViewerMessages.h"
+#include "FileError.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,7 @@ public:
     // Some programs omit the padding of the last value.
     if (size >= this->FileSize + Alignment)
     {
-      throw ViewerError("the file is truncated: its header declares " +
+      throw FileError("the file is truncated: its header declares " +
         std::to_string(static_cast<long long>(size)) + " bytes, but there are " +
         std::to_string(static_cast<long long>(this->FileSize)));
     }
@@ -58,7 +58,7 @@ public:
 private:
   [[noreturn]] static void FailShort()
   {
-    throw ViewerError("the file is truncated or damaged: its netCDF header is not complete");
+    throw FileError("the file is truncated or damaged: its netCDF header is not complete");
   }
 
   double ReadBytes(int number)
@@ -109,7 +109,7 @@ private:
     static const double sizes[] = { 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8 };
     if (type < 1.0 || type > 11.0)
     {
-      throw ViewerError("the file is damaged: its netCDF header has a value of an unknown type");
+      throw FileError("the file is damaged: its netCDF header has a value of an unknown type");
     }
     return sizes[static_cast<int>(type) - 1];
   }
@@ -156,7 +156,7 @@ private:
       const double dimension = this->ReadNumber();
       if (dimension >= static_cast<double>(this->Dimensions.size()))
       {
-        throw ViewerError("the file is damaged: its netCDF header has an unknown dimension");
+        throw FileError("the file is damaged: its netCDF header has an unknown dimension");
       }
       const double length = this->Dimensions[static_cast<std::size_t>(dimension)];
       isRecord = isRecord || (i == 0 && length == 0.0);

@@ -8,7 +8,7 @@
 
 #include <string>
 
-/// Throws ViewerError for a truncated file: VTK's reader would read beyond the end of the data.
+/// Throws FileError for a truncated file: VTK's reader would read beyond the end of the data.
 void CheckPLY(const std::string& fileName);
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Files/GLTFBuffers.h"
+#include "GLTFBuffers.h"
 
 #include "vtk_jsoncpp.h"
 

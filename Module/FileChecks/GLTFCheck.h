@@ -9,7 +9,7 @@
 #include <string>
 
 /**
- * Throws ViewerError if a referenced file is missing or if parts of the scene refer to each other
+ * Throws FileError if a referenced file is missing or if parts of the scene refer to each other
  * incorrectly. VTK's reader does not check this and reads arbitrary memory.
  */
 void CheckGLTF(const std::string& fileName);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Files/PLYCheck.h"
+#include "PLYCheck.h"
 
-#include "Text/ViewerMessages.h"
+#include "FileError.h"
 
 #include <cmath>
 #include <cstdint>
@@ -57,7 +57,7 @@ private:
     const auto size = sizes.find(type);
     if (size == sizes.end())
     {
-      throw ViewerError("its header has a property of the unknown type '" + type + "'");
+      throw FileError("its header has a property of the unknown type '" + type + "'");
     }
     return size->second;
   }
@@ -68,7 +68,7 @@ private:
     std::getline(this->File, line);
     if (line.compare(0, 3, "ply") != 0)
     {
-      throw ViewerError("it is not a PLY file");
+      throw FileError("it is not a PLY file");
     }
     bool hasFormat = false;
     while (std::getline(this->File, line))
@@ -86,8 +86,8 @@ private:
       }
       hasFormat = this->ReadHeaderLine(word, words) || hasFormat;
     }
-    throw ViewerError(hasFormat ? "its header has no end_header: the file is truncated"
-                                : "its header has no format line");
+    throw FileError(hasFormat ? "its header has no end_header: the file is truncated"
+                              : "its header has no format line");
   }
 
   // Returns whether the line names the format.
@@ -101,7 +101,7 @@ private:
       this->IsBigEndian = word == "binary_big_endian";
       if (!this->IsText && !this->IsBigEndian && word != "binary_little_endian")
       {
-        throw ViewerError("its header has the unknown format '" + word + "'");
+        throw FileError("its header has the unknown format '" + word + "'");
       }
       return true;
     }
@@ -110,7 +110,7 @@ private:
       Element element;
       if (!(words >> element.Name >> element.Count) || element.Count < 0)
       {
-        throw ViewerError("its header has an element without a number");
+        throw FileError("its header has an element without a number");
       }
       this->Elements.push_back(element);
     }
@@ -132,9 +132,8 @@ private:
 
   [[noreturn]] static void FailShort(const Element& element, long long number)
   {
-    throw ViewerError("the file is truncated: its header declares " +
-      std::to_string(element.Count) + " of '" + element.Name + "', but there are " +
-      std::to_string(number));
+    throw FileError("the file is truncated: its header declares " + std::to_string(element.Count) +
+      " of '" + element.Name + "', but there are " + std::to_string(number));
   }
 
   // Returns whether the file has this many bytes left.
@@ -222,7 +221,7 @@ private:
       }
       if (!isWhole)
       {
-        throw ViewerError("line " + std::to_string(i + 1) + " of '" + element.Name +
+        throw FileError("line " + std::to_string(i + 1) + " of '" + element.Name +
           "' has fewer values than the header declares, or values that are not numbers");
       }
     }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Files/OBJCheck.h"
+#include "OBJCheck.h"
 
-#include "Text/ViewerMessages.h"
+#include "FileError.h"
 
 #include <algorithm>
 #include <array>
@@ -76,7 +76,7 @@ private:
         ++text;
         if (kind == NumberOfKinds)
         {
-          throw ViewerError(
+          throw FileError(
             "line " + std::to_string(line) + " has a corner with more than three indices");
         }
         continue;
@@ -103,7 +103,7 @@ private:
   {
     if (index == 0 || index < -this->Counts[kind])
     {
-      throw ViewerError("line " + std::to_string(line) + " refers to " + Names[kind] + " " +
+      throw FileError("line " + std::to_string(line) + " refers to " + Names[kind] + " " +
         std::to_string(index) + ", but there are " + std::to_string(this->Counts[kind]) +
         " before it");
     }
@@ -118,7 +118,7 @@ private:
   {
     if (index > this->Counts[kind])
     {
-      throw ViewerError("line " + std::to_string(line) + " refers to " + Names[kind] + " " +
+      throw FileError("line " + std::to_string(line) + " refers to " + Names[kind] + " " +
         std::to_string(index) + ", but there are " + std::to_string(this->Counts[kind]));
     }
   }

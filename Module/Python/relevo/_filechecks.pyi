@@ -1,0 +1,3 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+def check(name: str, /) -> list[str]: ...
