@@ -30,7 +30,9 @@ git
 glslang-tools
 libclang-rt-dev
 mypy
+python3-pip
 python3-proselint
+python3-venv
 shellcheck
 xauth
 xdotool
