@@ -11,6 +11,7 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkRenderingUI import vtkGenericRenderWindowInteractor
 
 import RelevoParaView as relevo
 
@@ -272,6 +273,27 @@ class TestTerrain(relevo.TestCase):
         while relevo.differing(frames[-1], complete) > 0 and len(frames) < 200:
             frames.append(relevo.picture(view))
         self.assertLess(len(frames), 200)
+
+    def test_background_of_interactor(self):
+        """A view with an interactor renders again until all tiles are drawn."""
+        view = terrain_view()
+        shown = self.show(view)
+        complete = relevo.picture(view)
+        simple.Delete(shown)
+        interactor, timers = vtkGenericRenderWindowInteractor(), []
+        interactor.TimerEventResetsTimerOff()
+        interactor.AddObserver("CreateTimerEvent", lambda *_: timers.append(True))
+        view.SMProxy.SetupInteractor(interactor)
+        self.show(view, LoadingMode="Background")
+        view.StillRender()
+        self.assertTrue(timers)
+        for _ in range(200):
+            if not timers:
+                break
+            timers.clear()
+            interactor.TimerEvent()
+        self.assertFalse(timers)
+        self.assertEqual(relevo.differing(relevo.drawn(view), complete), 0)
 
     def test_large_picture(self):
         """A screenshot that is larger than the window has more detail, without seams."""

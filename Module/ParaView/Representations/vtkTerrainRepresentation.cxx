@@ -24,11 +24,13 @@
 #include "vtkPVRenderView.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkStringArray.h"
 #include "vtkTerrainMapper.h"
 #include "vtkTerrainPyramid.h"
 #include "vtkVariant.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <array>
@@ -65,7 +67,10 @@ struct vtkTerrainRepresentation::vtkInternals
   vtkTerrainMapper* Mapper = nullptr; // the one of the base class
   vtkNew<vtkTerrainPyramid> Pyramid;
   vtkNew<vtkPolyDataMapper> Unused; // replaces the mapper where the base class sets its input
-  std::array<unsigned long, 3> Tags = { { 0, 0, 0 } };
+  std::array<unsigned long, 4> Tags = { { 0, 0, 0, 0 } };
+  int Timer = -1; // of the next frame
+  unsigned long TimerTag = 0;
+  vtkWeakPointer<vtkRenderWindowInteractor> Interactor; // that has the timer
   bool IsTerrain = false;                               // the input is that of a reader
   std::array<double, 3> Offset = { { 0.0, 0.0, 0.0 } }; // of the reader
   std::array<double, 3> Position = { { 0.0, 0.0, 0.0 } };
@@ -102,6 +107,10 @@ vtkTerrainRepresentation::~vtkTerrainRepresentation()
     this->Internals->Mapper->RemoveObserver(tag);
   }
   this->Internals->Pyramid->RemoveObservers(vtkCommand::ErrorEvent);
+  if (this->Internals->Interactor)
+  {
+    this->Internals->Interactor->RemoveObserver(this->Internals->TimerTag);
+  }
 }
 
 void vtkTerrainRepresentation::SetMapper(vtkTerrainMapper* mapper)
@@ -129,7 +138,8 @@ void vtkTerrainRepresentation::SetMapper(vtkTerrainMapper* mapper)
   data.Tags = { { mapper->AddObserver(
                     vtkCommand::ErrorEvent, this, &vtkTerrainRepresentation::Report),
     mapper->AddObserver(vtkCommand::WarningEvent, this, &vtkTerrainRepresentation::Report),
-    mapper->AddObserver(vtkCommand::EndEvent, this, &vtkTerrainRepresentation::ReportMemory) } };
+    mapper->AddObserver(vtkCommand::EndEvent, this, &vtkTerrainRepresentation::ReportMemory),
+    mapper->AddObserver(vtkCommand::UpdateEvent, this, &vtkTerrainRepresentation::RequestFrame) } };
   mapper->SetLookupTable(this->Mapper->GetLookupTable());
   mapper->Register(this);
   this->Mapper->UnRegister(this);
@@ -326,6 +336,35 @@ void vtkTerrainRepresentation::AgreeWithProcesses()
   {
     data.Mapper->AgreeWithProcesses(nullptr, view->GetRenderer(), this->Actor);
   }
+}
+
+// The next frame shows tiles that have arrived. The timer leaves time for events of the user.
+void vtkTerrainRepresentation::RequestFrame()
+{
+  constexpr unsigned long milliseconds = 50;
+  vtkInternals& data = *this->Internals;
+  auto view = vtkPVRenderView::SafeDownCast(this->GetView());
+  vtkRenderWindowInteractor* interactor = view ? view->GetInteractor() : nullptr;
+  if (!interactor || (data.Timer >= 0 && data.Interactor == interactor))
+  {
+    return;
+  }
+  data.Interactor = interactor;
+  data.TimerTag =
+    interactor->AddObserver(vtkCommand::TimerEvent, this, &vtkTerrainRepresentation::RenderAgain);
+  data.Timer = interactor->CreateOneShotTimer(milliseconds);
+}
+
+void vtkTerrainRepresentation::RenderAgain(vtkObject*, unsigned long, void* timer)
+{
+  vtkInternals& data = *this->Internals;
+  if (!timer || *static_cast<int*>(timer) != data.Timer || !data.Interactor)
+  {
+    return;
+  }
+  data.Interactor->RemoveObserver(data.TimerTag);
+  data.Timer = -1;
+  data.Interactor->Render(); // ParaView renders the view when it observes this call
 }
 
 // A frame that has waited for its tiles is not complete if they do not fit into memory.

@@ -92,7 +92,9 @@ public:
   //@{
   /**
    * Set whether still frames wait for tiles: no (0), or yes (1, the default). Frames never wait
-   * while the view moves. A frame that does not wait shows the tiles in memory. A value out of
+   * while the view moves. A frame that does not wait shows the tiles in memory.
+   * If the process that reads them has the interactor of the view, the view renders again until all
+   * are drawn. A value out of
    * range is an error and changes nothing.
    */
   void SetLoadingMode(int mode);
@@ -138,6 +140,8 @@ private:
   int FindColorMode();
   void GiveBounds(vtkInformation* inInfo);
   void AgreeWithProcesses();
+  void RequestFrame();
+  void RenderAgain(vtkObject* interactor, unsigned long event, void* timer);
   void ReportMemory();
   int RequestRender(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo);
