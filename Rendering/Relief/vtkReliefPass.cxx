@@ -3,6 +3,7 @@
 #include "vtkReliefPass.h"
 
 #include "Capture/CaptureAhead.h"
+#include "Capture/CaptureRanks.h"
 #include "Capture/FittedCamera.h"
 #include "Capture/ReliefGaps.h"
 #include "Capture/ReliefSkirts.h"
@@ -24,6 +25,7 @@
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderState.h"
@@ -130,6 +132,7 @@ class vtkReliefPass::vtkInternals
 public:
   std::array<ShownRelief, MaximumReliefs> Reliefs;
   size_t Next = 0; // index of the next capture to replace
+  relevo::CaptureRanks Ranks;
   relevo::SceneCapture Capture;
   relevo::SceneTime Scene;
   vtkMTimeType CapturedTime = 0;
@@ -150,8 +153,18 @@ public:
     }
   }
 
-  // Return whether the captures show a view well enough, and compute the fraction of holes.
+  // Return whether the captures show a view well enough, and compute the fraction of holes. Rank 0
+  // decides.
   bool Suffices(
+    const View& view, double maximumAngle, double maximumHoleShare, double& holeShare) const
+  {
+    const bool suffices = this->FindHoles(view, maximumAngle, maximumHoleShare, holeShare);
+    const std::vector<double> first = this->Ranks.GetFirst({ suffices ? 1.0 : 0.0, holeShare });
+    holeShare = first[1];
+    return first[0] > 0.0;
+  }
+
+  bool FindHoles(
     const View& view, double maximumAngle, double maximumHoleShare, double& holeShare) const
   {
     double angle = 180.0;
@@ -177,7 +190,7 @@ public:
     const relevo::ivec2 margin(view.Width / 8 + 1, view.Height / 8 + 1);
     const std::string error = this->Capture.Begin(renderer, relevo::SceneParts::Surfaces,
       view.Width + 2 * margin.x, view.Height + 2 * margin.y);
-    if (error.empty())
+    if (!this->Ranks.IsAny(!error.empty()))
     {
       auto camera = relevo::WidenCamera(view.Camera, view.Width, view.Height, margin);
       relevo::dvec3 direction = view.Direction;
@@ -201,6 +214,9 @@ public:
       if (image)
       {
         this->Reliefs[this->Next].Set(image, direction);
+      }
+      if (this->Ranks.GetFirst({ image ? 1.0 : 0.0 })[0] > 0.0)
+      {
         this->Next = (this->Next + 1) % MaximumReliefs;
         ++this->NumberOfCaptures;
         this->Ahead.AddCapture();
@@ -216,6 +232,7 @@ vtkStandardNewMacro(vtkReliefPass);
 vtkReliefPass::vtkReliefPass()
   : Internals(new vtkInternals)
 {
+  this->Internals->Capture.SetRanks(&this->Internals->Ranks);
 }
 
 vtkReliefPass::~vtkReliefPass()
@@ -225,6 +242,22 @@ vtkReliefPass::~vtkReliefPass()
 
 vtkCxxSetObjectMacro(vtkReliefPass, DelegatePass, vtkRenderPass);
 
+void vtkReliefPass::SetController(vtkMultiProcessController* controller)
+{
+  vtkInternals& data = *this->Internals;
+  if (data.Ranks.GetController() != controller)
+  {
+    data.Ranks.SetController(controller);
+    data.DropAll(); // the captures are those of other processes
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkReliefPass::GetController()
+{
+  return this->Internals->Ranks.GetController();
+}
+
 void vtkReliefPass::SetMaximumHoleShare(double share)
 {
   relevo::SetInRange(this, "MaximumHoleShare", this->MaximumHoleShare, share, 0.0, 1.0);
@@ -233,6 +266,11 @@ void vtkReliefPass::SetMaximumHoleShare(double share)
 void vtkReliefPass::SetMaximumAngle(double angle)
 {
   relevo::SetInRange(this, "MaximumAngle", this->MaximumAngle, angle, 0.0, 180.0);
+}
+
+void vtkReliefPass::StopMotion()
+{
+  this->Internals->Ahead.Stop();
 }
 
 vtkIdType vtkReliefPass::GetNumberOfCaptures()
@@ -262,7 +300,8 @@ void vtkReliefPass::Render(const vtkRenderState* state)
     return;
   }
   std::set<vtkProp*> opaque;
-  if (renderer->GetRenderWindow()->GetDesiredUpdateRate() >= 1.0)
+  const bool isMoving = renderer->GetRenderWindow()->GetDesiredUpdateRate() >= 1.0;
+  if (isMoving)
   {
     const std::vector<vtkProp*> all =
       relevo::FindSceneProps(renderer, relevo::SceneParts::Surfaces).Opaque;
@@ -270,10 +309,11 @@ void vtkReliefPass::Render(const vtkRenderState* state)
   }
   else
   {
-    this->Internals->Ahead.Stop();
+    this->StopMotion();
   }
   const auto update = [&] { return this->UpdateReliefs(state); };
-  if (opaque.empty() || !relevo::RunWithinMemory(this, "the reliefs", update))
+  const bool hasOpaque = isMoving && this->Internals->Ranks.IsAny(!opaque.empty());
+  if (!hasOpaque || !relevo::RunWithinMemory(this, "the reliefs", update))
   {
     this->RenderDelegate(state);
     return;
@@ -312,19 +352,34 @@ void vtkReliefPass::RenderDelegate(const vtkRenderState* state)
 bool vtkReliefPass::UpdateReliefs(const vtkRenderState* state)
 {
   vtkInternals& data = *this->Internals;
-  const View view(state);
+  View view(state);
+  const std::vector<double> size =
+    data.Ranks.GetFirst({ static_cast<double>(view.Width), static_cast<double>(view.Height) });
+  view.Width = static_cast<int>(size[0]);
+  view.Height = static_cast<int>(size[1]);
   if (view.Width < 1 || view.Height < 1)
   {
     return false;
   }
-  if (data.Scene.Find(state->GetRenderer()) > data.CapturedTime)
+  if (data.Ranks.IsAny(data.Scene.Find(state->GetRenderer()) > data.CapturedTime))
   {
     data.DropAll();
   }
   data.Ahead.MoveTo(view.Camera);
+  // Make a new capture. Return whether there is one.
+  const auto capture = [&]
+  {
+    const vtkIdType before = data.NumberOfCaptures;
+    const std::string error = data.CaptureView(state->GetRenderer(), view, this->MaximumAngle);
+    if (relevo::ShouldReport(data.Error, error))
+    {
+      vtkErrorMacro(<< error);
+    }
+    return data.NumberOfCaptures > before;
+  };
   double holeShare;
   bool suffice = data.Suffices(view, this->MaximumAngle, this->MaximumHoleShare, holeShare);
-  if (!suffice && data.Ahead.IsWorthwhile() && this->Capture(state))
+  if (!suffice && data.Ahead.IsWorthwhile() && capture())
   {
     suffice =
       data.Suffices(view, this->MaximumAngle, this->MaximumHoleShare, holeShare) || !data.IsAhead;
@@ -336,19 +391,6 @@ bool vtkReliefPass::UpdateReliefs(const vtkRenderState* state)
     ++data.NumberOfReliefFrames;
   }
   return suffice;
-}
-
-// Make a new capture. Return whether there is a new relief.
-bool vtkReliefPass::Capture(const vtkRenderState* state)
-{
-  vtkInternals& data = *this->Internals;
-  const vtkIdType before = data.NumberOfCaptures;
-  const std::string error = data.CaptureView(state->GetRenderer(), View(state), this->MaximumAngle);
-  if (relevo::ShouldReport(data.Error, error))
-  {
-    vtkErrorMacro(<< error);
-  }
-  return data.NumberOfCaptures > before;
 }
 
 void vtkReliefPass::ReleaseGraphicsResources(vtkWindow* window)

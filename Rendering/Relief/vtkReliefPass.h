@@ -37,6 +37,8 @@
  * opaque prop is in view, the delegate draws everything. A vtkHardwareSelector selects the props
  * themselves.
  *
+ * Several processes can draw one scene together, see SetController().
+ *
  * Pass one instance to vtkRenderer::SetPass() of each renderer.
  *
  * @sa vtkReliefCapture, vtkReliefMapper
@@ -48,6 +50,8 @@
 #include "vtkRenderPass.h"
 
 #include <memory> // for Internals
+
+class vtkMultiProcessController;
 
 class RELEVORENDERINGRELIEF_EXPORT vtkReliefPass : public vtkRenderPass
 {
@@ -68,6 +72,17 @@ public:
 
   //@{
   /**
+   * Set the processes that draw one scene together, each with a part of its props, in renderers of
+   * the same size with the same camera. Render() is then collective. The captures of all processes
+   * are composited by depth, and process 0 draws the reliefs, so the delegate must composite the
+   * images by depth. nullptr (the default) is one process.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  //@}
+
+  //@{
+  /**
    * Set the fraction of holes above which a new capture is made, relative to the pixels that show
    * an opaque prop; 0 to 1, default 0.005. A value out of range is an error and changes nothing.
    */
@@ -84,6 +99,9 @@ public:
   void SetMaximumAngle(double angle);
   vtkGetMacro(MaximumAngle, double);
   //@}
+
+  /// Record that the view has stopped. Still frames that this pass draws record it, too.
+  void StopMotion();
 
   /// Return the number of captures since the pass was created.
   vtkIdType GetNumberOfCaptures();
@@ -114,7 +132,6 @@ private:
 
   void RenderDelegate(const vtkRenderState* state);
   bool UpdateReliefs(const vtkRenderState* state);
-  bool Capture(const vtkRenderState* state);
 
   std::unique_ptr<vtkInternals> Internals;
 };

@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reliefs and databases of reliefs for tests, and their pictures in plain VTK."""
+"""Reliefs and databases of reliefs for tests, their pictures in plain VTK, and moving views."""
 
 import os
+import re
 
 import numpy
 from paraview import servermanager
@@ -99,3 +100,19 @@ def plain(view, reliefs, actor=None, **properties):
     grabber.ReadFrontBufferOff()
     grabber.Update()
     return relevo.pixels(grabber.GetOutput())
+
+
+def passes(view):
+    """The counters of a view's vtkReliefPass, by names."""
+    client = view.GetClientSideObject()
+    every = map(client.GetRepresentation, range(client.GetNumberOfRepresentations()))
+    text = next(str(each) for each in every if each.IsA("vtkReliefInteraction"))
+    found = dict(re.findall(r"^\s*(\w+): (.*)$", text[text.index("Pass:") :], re.MULTILINE))
+    return int(found["NumberOfCaptures"]), int(found["NumberOfReliefFrames"])
+
+
+def move(view, azimuth=0):
+    """An interactive frame of a view, after a turn of its camera in degrees."""
+    view.GetActiveCamera().Azimuth(azimuth)
+    view.SMProxy.InteractiveRender()
+    return relevo.drawn(view)

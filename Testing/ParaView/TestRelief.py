@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Proves paraview.md: databases of reliefs are read with their time steps, and Relief gives the
-picture of its mapper in plain VTK."""
+"""Proves paraview.md: databases of reliefs are read with their time steps, Relief gives the picture
+of its mapper in plain VTK, and views show reliefs while they move."""
 
 import os
 import re
@@ -13,7 +13,16 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkActor
 
 import RelevoParaView as relevo
-from ReliefData import SIZE, pair, plain, relief, write_database, write_image
+from ReliefData import (
+    SIZE,
+    move,
+    pair,
+    passes,
+    plain,
+    relief,
+    write_database,
+    write_image,
+)
 
 WINDOW = (160, 120)
 
@@ -319,6 +328,126 @@ class TestSources(TestCase):
         view.CameraFocalPoint = [0, 0, 0]
         view.CameraViewUp = [0, 0, 1]
         self.assert_alike(relevo.picture(view), plain(view, [servermanager.Fetch(source)]))
+
+
+class TestMotion(TestCase):
+    """ShowReliefsWhileMoving of a render view."""
+
+    def ball(self, **properties):
+        view = new_view()
+        ball = simple.Sphere(ThetaResolution=40, PhiResolution=30)
+        shown = simple.Show(simple.Elevation(Input=ball), view)
+        simple.ColorBy(shown, ("POINTS", "Elevation"))
+        shown.SetScalarBarVisibility(view, False)
+        relevo.set_properties(shown, properties)
+        relevo.picture(view)
+        simple.ResetCamera(view)
+        relevo.picture(view)
+        return view, shown
+
+    def test_frames(self):
+        """Moving frames are reliefs of the data, and still frames are the data, to the bit."""
+        view, _ = self.ball()
+        view.ShowReliefsWhileMoving = 1
+        before = relevo.picture(view)
+        self.assertEqual(passes(view), (0, 0))
+        frames = [move(view, 2) for _ in range(6)]
+        captures, shown = passes(view)
+        self.assertEqual(shown, 6)
+        self.assertLess(captures, 3)
+        exact = relevo.picture(view)
+        self.assertEqual(passes(view), (captures, shown))
+        self.assertGreater(relevo.differing(before, exact), 1000)
+        # The frame shows the data from its own camera, and is no frame of the data.
+        self.assertLess(relevo.differing(frames[-1], exact, 20), 0.1 * relevo.foreground(exact))
+        self.assertGreater(relevo.differing(frames[-1], exact, 0), 0)
+        # The next motion uses the same captures.
+        move(view)
+        self.assertEqual(passes(view), (captures, 7))
+        view.ShowReliefsWhileMoving = 0
+        self.assertEqual(relevo.differing(relevo.picture(view), exact, 0), 0)
+        self.assertEqual(relevo.differing(move(view), exact, 0), 0)
+        self.assertEqual(passes(view), (captures, 7))
+
+    def test_changes(self):
+        """A change of the data or their colours is captured again."""
+        view, shown = self.ball()
+        view.ShowReliefsWhileMoving = 1
+        relevo.picture(view)
+        move(view, 1)
+        known = passes(view)[0]
+        shown.LookupTable.RescaleTransferFunction(0, 5)
+        exact = relevo.picture(view)
+        frame = move(view)
+        self.assertEqual(passes(view)[0], known + 1)
+        self.assertLess(relevo.differing(frame, exact, 20), 0.05 * relevo.foreground(exact))
+
+    def test_settings(self):
+        view, _ = self.ball()
+        view.ShowReliefsWhileMoving = 1
+        view.ReliefMaximumAngle = 1
+        view.ReliefMaximumHoleShare = 1
+        relevo.picture(view)
+        for _ in range(4):
+            move(view, 3)
+        few = passes(view)[0]
+        view.ReliefMaximumAngle = 180
+        for _ in range(4):
+            move(view, 3)
+        self.assertGreater(few, 1)
+        self.assertEqual(passes(view)[0], few)
+
+    def test_other_objects(self):
+        """Translucent objects and lines are drawn with the reliefs, and not captured."""
+        view, _ = self.ball()
+        glass = simple.Show(simple.Box(XLength=0.6, YLength=1.4, ZLength=1.4), view)
+        glass.Opacity = 0.3
+        lines = simple.Show(simple.Sphere(Radius=0.7), view)
+        lines.Representation = "Wireframe"
+        view.ShowReliefsWhileMoving = 1
+        exact = relevo.picture(view)
+        frame = move(view)
+        self.assertEqual(passes(view), (1, 1))
+        self.assertLess(relevo.differing(frame, exact, 20), 0.05 * relevo.foreground(exact))
+
+    def test_level_of_detail(self):
+        """The view has no level of detail while reliefs are enabled, but keeps the setting."""
+        view, _ = self.ball()
+        client = view.GetClientSideObject()
+        view.LODThreshold = 0.0
+        relevo.picture(view)
+        move(view)
+        self.assertTrue(client.GetUsedLODForLastRender())
+        view.ShowReliefsWhileMoving = 1
+        relevo.picture(view)
+        move(view)
+        self.assertFalse(client.GetUsedLODForLastRender())
+        self.assertEqual(view.LODThreshold, 0.0)
+        view.ShowReliefsWhileMoving = 0
+        relevo.picture(view)
+        move(view)
+        self.assertTrue(client.GetUsedLODForLastRender())
+
+    def test_sessions(self):
+        """State files and traces have the property."""
+        smtrace.start_trace()
+        view, _ = self.ball()
+        with relevo.traced(view):
+            view.ShowReliefsWhileMoving = 1
+            view.ReliefMaximumAngle = 9
+        script = smtrace.stop_trace()
+        self.assertIn("ShowReliefsWhileMoving = 1", script)
+        self.assertIn("ReliefMaximumAngle = 9", script)
+        path = os.path.join(self.folder, "state.pvsm")
+        simple.SaveState(path)
+        relevo.clear()
+        simple.LoadState(path)
+        view = simple.GetActiveViewOrCreate("RenderView")
+        self.assertEqual(view.ShowReliefsWhileMoving, 1)
+        self.assertEqual(view.ReliefMaximumAngle, 9)
+        relevo.picture(view)
+        move(view, 1)
+        self.assertEqual(passes(view), (1, 1))
 
 
 class TestBadInput(TestCase):

@@ -4,6 +4,7 @@
 
 #include "Checks/SettingChecks.h"
 #include "Checks/ShouldReport.h"
+#include "FirstRank.h"
 #include "MapperMessage.h"
 #include "VolumePiece.h"
 #include "VolumeProp.h"
@@ -57,12 +58,6 @@ const relevo::MapperWords VolumeWords = {
     "The volume has an opacity transfer function" },
   { "The volume property", "The volume" },
 };
-
-bool IsFirstProcess()
-{
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  return !controller || controller->GetLocalProcessId() == 0;
-}
 }
 
 vtkStandardNewMacro(vtkAdaptiveVolumeRepresentation);
@@ -359,7 +354,7 @@ void vtkAdaptiveVolumeRepresentation::PrepareFrame(vtkInformation* inInfo)
   this->Actor->SetVisibility(!selected.empty());
   const std::string warning =
     selected.empty() ? "No array is selected. Select one in Coloring to draw the volume." : "";
-  if (relevo::ShouldReport(data.Warning, warning) && IsFirstProcess())
+  if (relevo::ShouldReport(data.Warning, warning) && relevo::IsFirstRank())
   {
     vtkWarningMacro(<< warning);
   }

@@ -4,6 +4,7 @@
 
 #include "Arrays/ImageExtents.h"
 #include "Changes/Dependencies.h"
+#include "FirstRank.h"
 #include "MapperMessage.h"
 #include "VolumePiece.h"
 #include "vtkActor.h"
@@ -12,12 +13,10 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkExtractBlockUsingDataAssembly.h"
-#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
@@ -49,12 +48,6 @@ const std::string OnlyBlock = "Block 1: ";
 bool IsOnlyBlock(vtkMultiBlockDataSet* piece)
 {
   return piece && piece->GetNumberOfBlocks() == 1 && !piece->HasMetaData(0u);
-}
-
-bool IsFirstRank()
-{
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  return !controller || controller->GetLocalProcessId() == 0;
 }
 }
 
@@ -229,7 +222,7 @@ int vtkReliefRepresentation::RequestUpdateExtent(
 int vtkReliefRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  const bool hasInput = inputs[0]->GetNumberOfInformationObjects() == 1 && IsFirstRank();
+  const bool hasInput = inputs[0]->GetNumberOfInformationObjects() == 1 && relevo::IsFirstRank();
   this->UpdatePiece(hasInput ? vtkDataObject::GetData(inputs[0], 0) : nullptr);
   return this->Superclass::RequestData(request, inputs, outputs);
 }
@@ -254,15 +247,14 @@ void vtkReliefRepresentation::UpdatePiece(vtkDataObject* input)
   if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(piece))
   {
     data.Piece = blocks;
+    return;
   }
-  else if (auto* image = vtkImageData::SafeDownCast(piece))
+  for (vtkDataSet* leaf : relevo::VolumePiece::GetDataSets(piece)) // an image, or partitions
   {
-    // After an error, it is empty.
-    data.Piece->SetBlock(0, image->GetNumberOfPoints() > 0 ? image : nullptr);
-  }
-  else
-  {
-    data.Piece->SetBlock(0, piece); // partitions
+    if (leaf->GetNumberOfPoints() > 0) // after an error there are none
+    {
+      data.Piece->SetBlock(data.Piece->GetNumberOfBlocks(), leaf);
+    }
   }
 }
 

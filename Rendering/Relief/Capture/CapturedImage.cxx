@@ -25,47 +25,16 @@ namespace relevo
 {
 namespace
 {
-// Columns and rows, from the first to one past the last.
-struct Window
-{
-  int Begin[2];
-  int End[2];
-};
-
 // Return whether a pixel has been drawn; nothing is drawn at the far plane itself.
 bool IsDrawn(float z)
 {
   return z < 1.0f;
 }
 
-Window FindDrawn(const CapturedPixels& pixels)
-{
-  Window window = { { pixels.Width, pixels.Height }, { 0, 0 } };
-  for (int row = 0; row < pixels.Height; ++row)
-  {
-    const float* z = &pixels.ZBuffer[static_cast<size_t>(row) * pixels.Width];
-    const float* end = z + pixels.Width;
-    const float* first = std::find_if(z, end, IsDrawn);
-    if (first != end)
-    {
-      const float* last = end - 1;
-      while (!IsDrawn(*last))
-      {
-        --last;
-      }
-      window.Begin[0] = std::min(window.Begin[0], static_cast<int>(first - z));
-      window.End[0] = std::max(window.End[0], static_cast<int>(last - z) + 1);
-      window.Begin[1] = std::min(window.Begin[1], row);
-      window.End[1] = row + 1;
-    }
-  }
-  return window;
-}
-
 class ImageMaker
 {
 public:
-  ImageMaker(const CapturedPixels& pixels, const FittedCamera& camera, const Window& window)
+  ImageMaker(const CapturedPixels& pixels, const FittedCamera& camera, const PixelWindow& window)
     : Pixels(pixels)
     , Part(window)
     , Space(camera.Camera, pixels.Width, pixels.Height)
@@ -176,7 +145,7 @@ private:
   static constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
 
   const CapturedPixels& Pixels;
-  const Window Part;
+  const PixelWindow Part;
   const ZBufferSpace Space;
   const double Offset;
   const dmat3 NormalsToWorld;
@@ -186,15 +155,39 @@ private:
 };
 }
 
+PixelWindow FindDrawn(const CapturedPixels& pixels)
+{
+  PixelWindow window = { { pixels.Width, pixels.Height }, { 0, 0 } };
+  for (int row = 0; row < pixels.Height; ++row)
+  {
+    const float* z = &pixels.ZBuffer[static_cast<size_t>(row) * pixels.Width];
+    const float* end = z + pixels.Width;
+    const float* first = std::find_if(z, end, IsDrawn);
+    if (first != end)
+    {
+      const float* last = end - 1;
+      while (!IsDrawn(*last))
+      {
+        --last;
+      }
+      window.Begin[0] = std::min(window.Begin[0], static_cast<int>(first - z));
+      window.End[0] = std::max(window.End[0], static_cast<int>(last - z) + 1);
+      window.Begin[1] = std::min(window.Begin[1], row);
+      window.End[1] = row + 1;
+    }
+  }
+  return window;
+}
+
 vtkSmartPointer<vtkImageData> MakeCapturedImage(
   const CapturedPixels& pixels, const FittedCamera& camera, bool withNormals, bool cropped)
 {
-  const Window drawn = FindDrawn(pixels);
+  const PixelWindow drawn = FindDrawn(pixels);
   if (drawn.End[0] == 0)
   {
     return nullptr;
   }
-  const Window whole = { { 0, 0 }, { pixels.Width, pixels.Height } };
+  const PixelWindow whole = { { 0, 0 }, { pixels.Width, pixels.Height } };
   return ImageMaker(pixels, camera, cropped ? drawn : whole).Make(withNormals);
 }
 }

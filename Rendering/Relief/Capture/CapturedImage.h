@@ -19,6 +19,16 @@ namespace relevo
 struct CapturedPixels;
 struct FittedCamera;
 
+/// Columns and rows, from the first to one past the last.
+struct PixelWindow
+{
+  int Begin[2];
+  int End[2];
+};
+
+/// Return the smallest window with all pixels that were drawn; the ends are 0 if there are none.
+PixelWindow FindDrawn(const CapturedPixels& pixels);
+
 /// Return the relief, or nullptr if nothing was drawn. Cropped reliefs have no empty rows and
 /// columns at the sides.
 vtkSmartPointer<vtkImageData> MakeCapturedImage(

@@ -2,16 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Capture/SceneCapture.h"
 
+#include "Capture/CaptureRanks.h"
 #include "Capture/CapturedImage.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
+#include "vtkMultiProcessController.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 
 namespace relevo
 {
 std::string SceneCapture::Begin(vtkRenderer* renderer, SceneParts parts, int width, int height)
+{
+  std::string error = this->Prepare(renderer, parts, width, height);
+  if (this->Ranks)
+  {
+    this->Props.Corners = this->Ranks->Collect(this->Props.Corners);
+  }
+  if (error.empty() && this->Props.Corners.empty())
+  {
+    error = "The renderer has no visible props with opaque geometry, so there is nothing to "
+            "capture.";
+  }
+  return error;
+}
+
+std::string SceneCapture::Prepare(vtkRenderer* renderer, SceneParts parts, int width, int height)
 {
   if (!renderer)
   {
@@ -29,11 +46,6 @@ std::string SceneCapture::Begin(vtkRenderer* renderer, SceneParts parts, int wid
     return "The window of the renderer has no OpenGL context.";
   }
   this->Props = FindSceneProps(renderer, parts);
-  if (this->Props.Opaque.empty())
-  {
-    return "The renderer has no visible props with opaque geometry, so there is nothing to "
-           "capture.";
-  }
   this->Target.reset(new CaptureTarget);
   const std::string error = this->Target->Allocate(window, width, height);
   this->Renderer = vtkSmartPointer<CaptureRenderer>::New();
@@ -72,6 +84,14 @@ vtkSmartPointer<vtkImageData> SceneCapture::CaptureFrom(
   this->Pass->Draw(this->Renderer, this->Props.Opaque, *this->Target);
   CapturedPixels pixels;
   this->Target->Read(pixels);
+  if (this->Ranks)
+  {
+    this->Ranks->Composite(pixels);
+    if (this->Ranks->GetController() && this->Ranks->GetController()->GetLocalProcessId() > 0)
+    {
+      return nullptr;
+    }
+  }
   return MakeCapturedImage(pixels, fitted, withNormals, cropped);
 }
 }

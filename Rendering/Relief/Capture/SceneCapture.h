@@ -27,9 +27,14 @@ class vtkRenderer;
 
 namespace relevo
 {
+class CaptureRanks;
+
 class SceneCapture
 {
 public:
+  /// Set the ranks that capture together. Begin() and CaptureFrom() are then collective.
+  void SetRanks(const CaptureRanks* ranks) { this->Ranks = ranks; }
+
   /// Prepare captures of this size in the renderer's window. Return the error, or "". End()
   /// releases the resources except for the shaders.
   std::string Begin(vtkRenderer* renderer, SceneParts parts, int width, int height);
@@ -38,12 +43,15 @@ public:
   /// Return the renderer's props, since Begin().
   const SceneProps& GetProps() const { return this->Props; }
 
-  /// Return the relief, or nullptr if the camera sees nothing.
+  /// Return the relief, or nullptr if the camera sees nothing. Of several ranks, rank 0 has it.
   vtkSmartPointer<vtkImageData> CaptureFrom(vtkCamera* camera, bool withNormals, bool cropped);
   /// Return whether there was no relief because the last camera's matrices were singular.
   bool WasSingular() const { return this->IsSingular; }
 
 private:
+  std::string Prepare(vtkRenderer* renderer, SceneParts parts, int width, int height);
+
+  const CaptureRanks* Ranks = nullptr;
   vtkNew<CapturePass> Pass;
   vtkSmartPointer<CaptureRenderer> Renderer;
   std::unique_ptr<CaptureTarget> Target;
