@@ -10,7 +10,7 @@
 #define ScalarChoice_h
 
 #include "Integral/TransferFunctions.h" // for scalars
-#include "RelevoFiltersVolumeModule.h" // for export macro
+#include "RelevoFiltersVolumeModule.h"  // for export macro
 
 #include <vector>
 
