@@ -71,13 +71,15 @@ self.GetUnstructuredGridOutput().ShallowCopy(extract.GetOutput())
 HEXAHEDRA = vtkCommonDataModel.VTK_LAGRANGE_HEXAHEDRON
 FIELD, NUMBER = ("POINTS", "Field"), ("CELLS", "Number")
 LINES = {"PatchEdges": 1, "IsolineSpacing": 0.25}
-# The cells, how they are dealt out, the array, and properties.
+# The cells, how they are dealt out, the array, and properties. One rank draws data that are smaller
+# than the threshold, in MB.
 CASES = {
     "random": (HEXAHEDRA, "random", FIELD, LINES),
     "slabs": (HEXAHEDRA, "slabs", FIELD, {"IsolineSpacing": 0.5}),
     "blobs": (HEXAHEDRA, "blobs", FIELD, {"ScreenSpaceError": 4.0}),
     "tetrahedra": (vtkCommonDataModel.VTK_BEZIER_TETRAHEDRON, "random", NUMBER, {"PatchEdges": 1}),
     "quadratic": (vtkCommonDataModel.VTK_QUADRATIC_WEDGE, "blobs", FIELD, {}),
+    "collected": (HEXAHEDRA, "random", NUMBER, {}, 1000),
     "translucent": (HEXAHEDRA, "random", FIELD, {"Opacity": 0.4}),
 }
 
@@ -88,10 +90,11 @@ def dealt_block(cell_type, deal):
     return simple.ProgrammableSource(OutputDataSetType="vtkUnstructuredGrid", Script=script)
 
 
-def draw(cell_type, deal, array, properties):
+def draw(cell_type, deal, array, properties, threshold=0):
     view = relevo.view((200, 150))
     view.UseColorPaletteForBackground = 0
     view.Background = [0, 1, 0]  # contrasts with the colours
+    view.RemoteRenderThreshold = threshold
     shown = relevo.show(dealt_block(cell_type, deal), view, "Adaptive Patches", **properties)
     simple.ColorBy(shown, array)
     simple.GetColorTransferFunction(array[1]).RescaleTransferFunction(-2, 2)

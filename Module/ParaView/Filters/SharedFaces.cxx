@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SharedFaces.h"
 
+#include "Arrays/GhostCells.h"
 #include "CellSubset.h"
 #include "FacePolygons.h"
 #include "Parallel/ProcessReduction.h"
@@ -17,6 +18,7 @@
 #include <cstring>
 #include <map>
 #include <memory>
+#include <set>
 #include <utility>
 
 namespace relevo
@@ -174,5 +176,47 @@ void RemoveSharedFaces(
       pieces[i] = ExtractCells(pieces[i], kept[i]);
     }
   }
+}
+
+vtkSmartPointer<vtkPolyData> RemoveRepeatedGhosts(vtkPolyData* mesh)
+{
+  const GhostCells ghosts(mesh);
+  const vtkIdType first = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  const vtkIdType number = mesh->GetNumberOfPolys();
+  if (!ghosts.AreAmong(first, first + number))
+  {
+    return mesh;
+  }
+  const auto getKey = [mesh](vtkIdType face)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    mesh->GetPolys()->GetCellAtId(face, size, points);
+    std::vector<Position> positions(static_cast<std::size_t>(size));
+    for (std::size_t k = 0; k < positions.size(); ++k)
+    {
+      GetPosition(mesh, points[k], positions[k]);
+    }
+    return GetKey(std::move(positions));
+  };
+  std::set<FaceKey> known;
+  for (vtkIdType face = 0; face < number; ++face)
+  {
+    if (!ghosts.Has(first + face))
+    {
+      known.insert(getKey(face));
+    }
+  }
+  std::vector<bool> kept(static_cast<std::size_t>(mesh->GetNumberOfCells()), true);
+  for (vtkIdType face = 0; face < number; ++face)
+  {
+    if (ghosts.Has(first + face))
+    {
+      kept[static_cast<std::size_t>(first + face)] = known.insert(getKey(face)).second;
+    }
+  }
+  return std::find(kept.begin(), kept.end(), false) == kept.end()
+    ? vtkSmartPointer<vtkPolyData>(mesh)
+    : ExtractCells(mesh, kept);
 }
 }

@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   finds inner faces of a mesh of 3D cells that is distributed over pieces
+ * @brief   finds faces that occur twice in a mesh that is distributed over pieces
  *
- * Private to the module.
+ * Not wrapped: for the sources of the plugin.
  */
 #ifndef SharedFaces_h
 #define SharedFaces_h
 
-#include "vtkSmartPointer.h"
+#include "RelevoParaViewFiltersModule.h" // for export macro
+#include "vtkSmartPointer.h"             // for results
 
-#include <vector>
+#include <vector> // for pieces
 
 class vtkMultiProcessController;
 class vtkPolyData;
@@ -24,6 +25,10 @@ namespace relevo
  */
 void RemoveSharedFaces(
   std::vector<vtkSmartPointer<vtkPolyData>>& pieces, vtkMultiProcessController* controller);
+
+/// Return a mesh without the ghosts whose points coincide with those of another face of the mesh,
+/// as in pieces that a view has merged. A mesh without such ghosts is returned itself.
+RELEVOPARAVIEWFILTERS_EXPORT vtkSmartPointer<vtkPolyData> RemoveRepeatedGhosts(vtkPolyData* mesh);
 }
 
 #endif

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatchTree.h"
 
-#include "Arrays/GhostCells.h"
-#include "CellSubset.h"
 #include "Composite/DataLeaves.h"
 #include "FaceOrder.h"
 #include "FacePolygons.h"
 #include "MapperMessage.h"
 #include "Mesh/PatchArrays.h"
+#include "SharedFaces.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkCommand.h"
@@ -29,18 +28,16 @@ namespace relevo
 {
 namespace
 {
-// Return the faces of the process, in an order that does not depend on the number of processes.
-vtkSmartPointer<vtkPolyData> RemoveGhosts(vtkPolyData* faces)
+// Return the faces that a view has delivered, without the repeated ghosts of merged pieces, in an
+// order that does not depend on the number of processes.
+vtkSmartPointer<vtkPolyData> FindFaces(vtkPolyData* delivered)
 {
-  const GhostCells ghosts(faces);
-  std::vector<bool> kept;
-  for (vtkIdType cell = 0; cell < faces->GetNumberOfCells(); ++cell)
+  vtkSmartPointer<vtkPolyData> faces = RemoveRepeatedGhosts(delivered);
+  if (faces != delivered)
   {
-    kept.push_back(!ghosts.Has(cell));
+    SortByPosition(faces);
   }
-  vtkSmartPointer<vtkPolyData> own = ExtractCells(faces, kept);
-  SortByPosition(own);
-  return own;
+  return faces;
 }
 
 // Return the patches of faces. Their original cells are the faces.
@@ -103,18 +100,17 @@ const PatchTree::Leaf& PatchTree::MakeLeaf(vtkPolyData* faces, std::vector<Leaf>
     return this->Leaves.back();
   }
   Leaf leaf{ faces, faces->GetMTime(), nullptr, "" };
-  leaf.Patches = RunFilter(this->AreWhole ? RemoveGhosts(faces).Get() : faces, leaf.Warning);
+  leaf.Patches = RunFilter(FindFaces(faces), leaf.Warning);
   RestoreOriginalIds(leaf.Patches);
   RemoveNodesOfIds(leaf.Patches);
   this->Leaves.push_back(leaf);
   return this->Leaves.back();
 }
 
-vtkDataObject* PatchTree::Make(vtkDataObject* faces, bool areWhole)
+vtkDataObject* PatchTree::Make(vtkDataObject* faces)
 {
   auto tree = vtkCompositeDataSet::SafeDownCast(faces);
-  if (this->Faces == faces && this->Time == (faces ? faces->GetMTime() : 0) &&
-    this->AreWhole == areWhole)
+  if (this->Faces == faces && this->Time == (faces ? faces->GetMTime() : 0))
   {
     return this->Patches;
   }
@@ -122,11 +118,6 @@ vtkDataObject* PatchTree::Make(vtkDataObject* faces, bool areWhole)
   this->Time = faces ? faces->GetMTime() : 0;
   std::vector<Leaf> previous;
   previous.swap(this->Leaves);
-  if (this->AreWhole != areWhole)
-  {
-    previous.clear();
-    this->AreWhole = areWhole;
-  }
   this->Warnings.clear();
   std::map<unsigned int, vtkSmartPointer<vtkPolyData>> patches;
   for (const DataLeaf& input : FindDataLeaves(tree))

@@ -28,9 +28,9 @@ class PatchTree
 public:
   /**
    * Return the patches of faces, which may be nullptr. They stay the same objects until the faces
-   * change. Set areWhole if this process has all faces: ghosts are then left out.
+   * change.
    */
-  vtkDataObject* Make(vtkDataObject* faces, bool areWhole);
+  vtkDataObject* Make(vtkDataObject* faces);
 
   /// The warnings of the last call.
   const std::string& GetWarnings() const { return this->Warnings; }
@@ -46,7 +46,6 @@ private:
 
   const Leaf& MakeLeaf(vtkPolyData* faces, std::vector<Leaf>& previous);
 
-  bool AreWhole = false;
   vtkSmartPointer<vtkDataObject> Faces;
   vtkMTimeType Time = 0;
   std::vector<Leaf> Leaves;

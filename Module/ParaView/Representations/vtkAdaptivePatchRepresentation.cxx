@@ -137,7 +137,7 @@ void vtkAdaptivePatchRepresentation::Update()
   }
 }
 
-vtkDataObject* vtkAdaptivePatchRepresentation::ConvertPieces(vtkDataObject* pieces, bool areWhole)
+vtkDataObject* vtkAdaptivePatchRepresentation::ConvertPieces(vtkDataObject* pieces)
 {
   vtkPatchData& data = *this->PatchData;
   auto patchMapper = static_cast<vtkAdaptivePatchMapper*>(this->GetMapper());
@@ -154,7 +154,7 @@ vtkDataObject* vtkAdaptivePatchRepresentation::ConvertPieces(vtkDataObject* piec
   {
     vtkWarningMacro(<< warning);
   }
-  vtkDataObject* patches = data.Patches.Make(pieces, areWhole);
+  vtkDataObject* patches = data.Patches.Make(pieces);
   if (relevo::ShouldReport(data.PatchWarnings, data.Patches.GetWarnings()))
   {
     vtkWarningMacro(<< data.PatchWarnings);

@@ -53,7 +53,7 @@ protected:
   vtkAdaptivePatchRepresentation();
   ~vtkAdaptivePatchRepresentation() override;
 
-  vtkDataObject* ConvertPieces(vtkDataObject* pieces, bool areWhole) override;
+  vtkDataObject* ConvertPieces(vtkDataObject* pieces) override;
 
 private:
   vtkAdaptivePatchRepresentation(const vtkAdaptivePatchRepresentation&) = delete;

@@ -65,16 +65,6 @@ UsedArrays FindUsedArrays(vtkAdaptiveRefinementMapper* mapper)
   }
   return arrays;
 }
-
-// Whether the pieces of all processes are delivered to the process that draws. A client does not
-// know how many there are.
-bool HasWholeData(vtkInformation* inInfo)
-{
-  auto view = vtkPVRenderView::SafeDownCast(inInfo->Get(vtkPVView::VIEW()));
-  return view &&
-    !(inInfo->Has(vtkPVRenderView::USE_LOD()) ? view->GetUseDistributedRenderingForLODRender()
-                                              : view->GetUseDistributedRenderingForRender());
-}
 }
 
 struct vtkAdaptiveRefinementRepresentation::vtkInternals
@@ -242,7 +232,7 @@ bool vtkAdaptiveRefinementRepresentation::RemoveFromView(vtkView* view)
   return this->Superclass::RemoveFromView(view);
 }
 
-vtkDataObject* vtkAdaptiveRefinementRepresentation::ConvertPieces(vtkDataObject* pieces, bool)
+vtkDataObject* vtkAdaptiveRefinementRepresentation::ConvertPieces(vtkDataObject* pieces)
 {
   return pieces;
 }
@@ -316,7 +306,7 @@ int vtkAdaptiveRefinementRepresentation::RequestRender(
     this->Actor->GetMatrix(matrix);
     data = this->Internals->Order.Update(view, data, this->GetMapper()->GetRefinement(), matrix);
   }
-  data = this->ConvertPieces(data, HasWholeData(inInfo));
+  data = this->ConvertPieces(data);
   this->ReportProblems();
   this->Internals->Order.Clip(mapper);
   mapper->SetInputDataObject(data);
@@ -335,7 +325,7 @@ void vtkAdaptiveRefinementRepresentation::GiveBounds(vtkInformation* inInfo)
 {
   // These are the data of the view. In an animation they may be cached, while the pipeline is at
   // another time.
-  vtkDataObject* data = this->ConvertPieces(vtkPVView::GetPiece(inInfo, this), false);
+  vtkDataObject* data = this->ConvertPieces(vtkPVView::GetPiece(inInfo, this));
   this->Measure->SetRefinement(this->GetMapper()->GetRefinement());
   this->Measure->SetInputDataObject(data);
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;

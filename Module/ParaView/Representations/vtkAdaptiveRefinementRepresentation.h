@@ -79,9 +79,9 @@ protected:
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
 
-  /// Make the mapper's input from the pieces of this process. `areWhole` tells that it has those of
-  /// all processes. The default is the pieces themselves.
-  virtual vtkDataObject* ConvertPieces(vtkDataObject* pieces, bool areWhole);
+  /// Make the mapper's input from the pieces that this process draws. The default is the pieces
+  /// themselves.
+  virtual vtkDataObject* ConvertPieces(vtkDataObject* pieces);
 
   /// Use faces of unstructured grids as relevo::CurvedFaceGeometry makes them, and their bounds.
   void UseCurvedFaces();
