@@ -8,31 +8,63 @@
 # build-paraview/env.sh for you to source. After that, paraview, pvserver, pvbatch and pvpython load
 # the plugin.
 #
-#   bash Module/ParaView/build.sh [--no-install] [CMake arguments...]
+#   bash Module/ParaView/build.sh [--no-install] [--paraview FOLDER] [CMake arguments...]
 #
-#   --no-install   do not install packages
+#   --no-install        do not install packages
+#   --paraview FOLDER   use the ParaView that is installed in FOLDER, 5.11 or later with its headers
+#                       and CMake files, for example an SDK or a build of your own
 #
-# RELEVO_PARAVIEW_BUILD_DIR sets the build folder (default: build-paraview, beside README.md). To
-# use another ParaView, 5.11 or later, set ParaView_DIR in the environment or pass
-# -DParaView_DIR=...
+# RELEVO_PARAVIEW_BUILD_DIR sets the build folder (default: build-paraview, beside README.md).
+# Instead of --paraview you can set ParaView_DIR in the environment or pass -DParaView_DIR=...
 set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build_dir=${RELEVO_PARAVIEW_BUILD_DIR:-$source_dir/build-paraview}
 . "$source_dir/Module/packages.sh"
 
+# Prints the folder with ParaViewConfig.cmake of the ParaView that is installed in the folder $1.
+find_paraview() {
+  local folder
+  if [ ! -d "$1" ]; then
+    echo "build.sh: error: there is no folder $1; --paraview needs that of a ParaView" >&2
+    exit 1
+  fi
+  for folder in "$1"/lib/cmake/paraview-* "$1"/lib64/cmake/paraview-* "$1"/lib/*/cmake/paraview-*; do
+    if [ -f "$folder/ParaViewConfig.cmake" ] || [ -f "$folder/paraview-config.cmake" ]; then
+      (cd "$folder" && pwd)
+      return
+    fi
+  done
+  echo "build.sh: error: $1 has no lib/cmake/paraview-*; ParaView's programs alone are not enough," \
+    "because a plugin needs its headers and CMake files" >&2
+  exit 1
+}
+
 install=yes
 cmake_arguments=()
-for argument in "$@"; do
-  case $argument in
+while [ $# -gt 0 ]; do
+  case $1 in
     --no-install) install=no ;;
+    --paraview)
+      if [ -z "${2:-}" ]; then
+        echo "build.sh: error: --paraview needs the folder of a ParaView" >&2
+        exit 2
+      fi
+      ParaView_DIR=$(find_paraview "$2")
+      shift
+      ;;
+    --paraview=*)
+      set -- --paraview "${1#*=}" "${@:2}"
+      continue
+      ;;
     -h | --help)
       sed -n '/^# Builds/,/^set /p' "${BASH_SOURCE[0]}" | sed '$d; s/^# \{0,1\}//'
       exit 0
       ;;
-    -DParaView_DIR=*) ParaView_DIR=${argument#*=} ;;
-    *) cmake_arguments+=("$argument") ;;
+    -DParaView_DIR=*) ParaView_DIR=${1#*=} ;;
+    *) cmake_arguments+=("$1") ;;
   esac
+  shift
 done
 
 # Packages that ParaView's VTK needs. They are dependencies of VTK's packages, but in most releases
