@@ -9,6 +9,9 @@
 #
 #   --no-install   do not install packages
 #
+# Without names it runs each Test*.py of this folder. Before you add one, read "Tests of the ParaView
+# plugin" in CONTRIBUTING.md: all of them should take at most 8 minutes on two processors.
+#
 # RELEVO_PARAVIEW_BUILD_DIR is the build folder of the plugin (default: build-paraview, beside
 # README.md). RELEVO_BUILD_DIR is that of the Python package, for TestPackage (default: build).
 set -euo pipefail
@@ -36,15 +39,14 @@ if [ -z "${DISPLAY:-}" ]; then
   exec xvfb-run -a -s "-noreset -screen 0 1280x1024x24" bash "${BASH_SOURCE[0]}" --no-install "$@"
 fi
 
-# Tests on several ranks run one after the other, in parallel with those on one rank. Ranks that
-# wait for each other occupy a processor, so more tests at once would be slower.
-names_of_ranks=() names=()
 if [ $# -eq 0 ]; then
-  set -- TestRanks TestPatchRanks TestFilterRanks TestTranslucent TestLICRanks TestTerrainRanks \
-    TestReliefRanks TestSelection TestLooks TestBadInput TestRepresentation TestTime TestExamples \
-    TestSettings TestEquivalents TestProperties TestFilters TestVolume TestRelief TestTerrain \
-    TestPatches TestPackage
+  for script in "$source_dir"/Testing/ParaView/Test*.py; do
+    set -- "$@" "$(basename "$script" .py)"
+  done
 fi
+
+# Tests on several ranks come first.
+names_of_ranks=() names=()
 for name in "$@"; do
   if [[ $name =~ Ranks|Translucent|Selection ]]; then
     names_of_ranks+=("$name")
@@ -52,9 +54,17 @@ for name in "$@"; do
     names+=("$name")
   fi
 done
+names=("${names_of_ranks[@]}" "${names[@]}")
+reversed=()
+for name in "${names[@]}"; do
+  reversed=("$name" "${reversed[@]}")
+done
 
 # In a container Open MPI must run as root, and with more ranks than processors.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+# Ranks that wait let others compute, and each has a single thread.
+mpirun=(mpirun --oversubscribe --mca mpi_yield_when_idle 1
+  -x LP_NUM_THREADS=0 -x VTK_SMP_MAX_THREADS=1)
 work_dir=$(mktemp -d)
 trap 'rm -rf "$work_dir"' EXIT
 
@@ -72,24 +82,28 @@ run_test() {
       ;;
   esac
   for ranks in $counts; do
-    timeout 300 mpirun --oversubscribe -n $ranks pvbatch "$script" "$work_dir/$1.npz" || return 1
+    timeout 300 "${mpirun[@]}" -n "$ranks" pvbatch "$script" "$work_dir/$1/pictures.npz" || return 1
   done
 }
 
+# Runs those of the tests that the other process has not started.
 report_tests() {
   local name outcome failed=0
   for name in "$@"; do
+    mkdir "$work_dir/$name" 2>/dev/null || continue
     outcome=passed
     SECONDS=0
-    run_test "$name" >"$work_dir/$name.log" 2>&1 || outcome=failed failed=1
-    cat "$work_dir/$name.log"
+    run_test "$name" >"$work_dir/$name/log" 2>&1 || outcome=failed failed=1
+    cat "$work_dir/$name/log"
     echo "$outcome: $name, $SECONDS s"
   done
   return $failed
 }
 
-report_tests "${names_of_ranks[@]}" &
+# Two processes start at both ends, so one of them runs tests on several ranks and the other tests
+# on one rank, and both end at about the same time.
+report_tests "${names[@]}" &
 failed=0
-report_tests "${names[@]}" || failed=1
+report_tests "${reversed[@]}" || failed=1
 wait $! || failed=1
 exit $failed
