@@ -4,9 +4,13 @@
 
 import contextlib
 import itertools
+import os
 import pathlib
 import re
+import socket
+import subprocess
 import tempfile
+import time
 import unittest
 
 import numpy
@@ -34,6 +38,13 @@ PROPERTY = """
 </ProxyListDomain></ProxyProperty>
 """
 STYLES = "Adaptive Refinement", "Surface"
+
+# Without the variables that MPI has set for this process; other processes would otherwise join it.
+ENVIRONMENT = {
+    name: value
+    for name, value in os.environ.items()
+    if not name.startswith(("OMPI_", "PMIX_")) or name.startswith("OMPI_ALLOW")
+}
 
 
 def find_plugin(name):
@@ -274,6 +285,61 @@ def clear():
         simple.Delete(each)
     for each in list(simple.GetSources().values()):
         simple.Delete(each)
+
+
+def environment(**changes):
+    """The environment of another process. Variables that are None are removed."""
+    return {name: value for name, value in {**ENVIRONMENT, **changes}.items() if value is not None}
+
+
+def run(command, cwd=None, **changes):
+    """Runs another process, with changes of its environment. Returns its output."""
+    result = subprocess.run(
+        command,
+        cwd=cwd,
+        env=environment(**changes),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        timeout=180,  # no run hangs, but the machine may be busy
+    )
+    if result.returncode != 0:
+        raise AssertionError(f"{command}: {result.returncode}\n{result.stdout}")
+    return result.stdout
+
+
+@contextlib.contextmanager
+def server(ranks=1, output=None, **changes):
+    """Starts pvserver, which ends after its client. Returns its port. The list `output` gets the
+    lines that it prints."""
+    with socket.socket() as probe:
+        probe.bind(("", 0))
+        port = str(probe.getsockname()[1])
+    command = ["mpirun", "--oversubscribe", "-n", str(ranks)] if ranks > 1 else []
+    with tempfile.TemporaryFile("w+") as file:
+        process = subprocess.Popen(
+            ["timeout", "180", *command, "pvserver", "--server-port=" + port],
+            env=environment(**changes),
+            stdout=file,
+            stderr=subprocess.STDOUT,
+        )
+        try:
+            while "Accepting" not in read_all(file):
+                if process.poll() is not None:
+                    raise AssertionError("pvserver does not start: " + read_all(file))
+                time.sleep(0.1)
+            yield port
+            process.wait(60)
+        finally:
+            process.terminate()
+            process.wait()
+            if output is not None:
+                output.extend(read_all(file).splitlines())
+
+
+def read_all(file):
+    """The text that another process has written so far. It has the same position in the file."""
+    return os.pread(file.fileno(), 1 << 24, 0).decode(errors="replace")
 
 
 class TestCase(unittest.TestCase):

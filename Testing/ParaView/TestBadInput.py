@@ -7,8 +7,6 @@ The tests run scenes in separate processes: pvbatch TestBadInput.py SCENE..."""
 
 import os
 import re
-import socket
-import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
@@ -75,13 +73,6 @@ blocks.SetBlock(0, self.GetInputDataObject(0, 0))
 blocks.GetMetaData(0).Set(blocks.NAME(), "Wing")
 """
 NOT_A_NUMBER_ON_RANK_1 = RANK + "if rank == 1:" + NOT_A_NUMBER.replace("\n", "\n    ")
-
-# Without the variables that MPI has set for this process; other processes would otherwise join it.
-ENVIRONMENT = {
-    name: value
-    for name, value in os.environ.items()
-    if not name.startswith(("OMPI_", "PMIX_")) or name.startswith("OMPI_ALLOW")
-}
 
 
 def changed(script):
@@ -166,17 +157,9 @@ class TestBadInput(relevo.TestCase):
         return self.read_scenes(names, command[:-1], environment)
 
     def read_scenes(self, names, command, environment):
-        result = subprocess.run(
-            command,
-            env={**ENVIRONMENT, **environment},
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-            timeout=180,  # no run hangs, but the machine may be busy
-        )
-        self.assertEqual(result.returncode, 0, result.stdout)
-        scenes = result.stdout.split("drawn: ")
-        self.assertEqual(len(scenes), len(names) + 1, result.stdout)
+        output = relevo.run(command, **environment)
+        scenes = output.split("drawn: ")
+        self.assertEqual(len(scenes), len(names) + 1, output)
         found = {}
         for name, text, after in zip(names, scenes, scenes[1:]):
             bad, good = map(int, after.split("\n")[0].split())
@@ -247,22 +230,9 @@ class TestBadInput(relevo.TestCase):
                 self.assertEqual(self.assert_told(found, *told) > 2000, not told)
 
     def test_server_without_plugin(self):
-        with socket.socket() as probe:
-            probe.bind(("", 0))
-            port = str(probe.getsockname()[1])
-        bare = {name: value for name, value in ENVIRONMENT.items() if name != "PV_PLUGIN_PATH"}
-        server = subprocess.Popen(
-            ["timeout", "60", "pvserver", "--server-port=" + port],
-            env=bare,
-            stdout=subprocess.PIPE,
-            text=True,
-        )
-        self.addCleanup(server.communicate)
-        self.addCleanup(server.kill)
-        while "Accepting" not in server.stdout.readline():
-            self.assertIsNone(server.poll())
         command = ["pvpython", os.path.abspath(__file__), "good"]
-        messages, bad = self.read_scenes(["good"], command, {"RELEVO_PORT": port})["good"]
+        with relevo.server(PV_PLUGIN_PATH=None) as port:
+            messages, bad = self.read_scenes(["good"], command, {"RELEVO_PORT": port})["good"]
         self.assertEqual(bad, 0)
         self.assertEqual(len(messages), 2)  # one of the client and one of the server
         for message in messages:
