@@ -23,6 +23,8 @@ SURFACE_LIC = "vtkLICSettings"  # has Surface LIC's defaults, except for OWN_SET
 OPPOSITE = {("vtkTerrainSource", "KeepHeights"), ("vtkDepthImageToRelief", "BottomRowFirst")}
 # Values that surfaces in ParaView cannot have: control points of patches.
 NOT_OFFERED = {("vtkDistanceDepthTagMetric", "Measure"): 2}
+# Slices of ParaView's Volume, which Adaptive Volume does not draw.
+NOT_OFFERED["vtkAdaptiveVolumeRepresentation", "BlendMode"] = 6
 OWN_SETTINGS = {"OrientedLIC", "Phase", "NoDataMagnitude"}
 PAIR = "TextureSize"  # both numbers are 0, or neither
 

@@ -125,9 +125,9 @@ def builds(view):
     return [int(settings(view)[name]) for name in names]
 
 
-def plain(view, data, name="RTData", are_cells=False, **properties):
-    """The picture of the mapper in plain VTK, with the camera, the functions and the unit distance
-    of a view."""
+def plain_window(view, data, name="RTData", are_cells=False, **properties):
+    """A window of plain VTK with the mapper, the camera, the functions and the unit distance of a
+    view."""
     proxy = servermanager.ProxyManager().NewProxy("relevo", "AdaptiveVolumeMapper")
     proxy.UpdateVTKObjects()
     for each, value in properties.items():
@@ -162,6 +162,12 @@ def plain(view, data, name="RTData", are_cells=False, **properties):
     window.SetMultiSamples(0)
     window.SetSize(*view.ViewSize)
     window.AddRenderer(renderer)
+    return window
+
+
+def plain(*arguments, **properties):
+    """The picture of plain VTK."""
+    window = plain_window(*arguments, **properties)
     window.Render()
     grabber = vtkWindowToImageFilter()
     grabber.SetInput(window)
@@ -275,21 +281,55 @@ class TestPictures(TestCase):
 class TestSettings(TestCase):
     def test_properties_reach_the_mapper(self):
         view, shown = self.scene(wavelet())
-        for name, own, value, expected in (
-            ("VolumeMethod", "Method", "Cell Projection", "1"),
-            ("VolumeMethod", "Method", "Ray Casting", "0"),
-            ("Integration", "", "Pre-Integrated", "1"),
-            ("Integration", "", "Pre-Integrated 2D", "2"),
-            ("TableSize", "", 64, "64"),
-            ("VolumeBlendMode", "BlendMode", "Maximum Intensity", "1"),
-            ("VolumeBlendMode", "BlendMode", "Composite", "0"),
-            ("IsoSurfaces", "", 1, "On"),
-            ("ImageSampleDistance", "", 2, "2"),
-            ("AutoAdjustSampleDistances", "", 1, "On"),
+        for name, value, expected in (
+            ("Method", "Cell Projection", "1"),
+            ("Method", "Uniform", "0"),  # of Adaptive Refinement
+            ("Method", "Cell Projection", "1"),
+            ("Method", "Ray Casting", "0"),
+            ("Integration", "Pre-Integrated", "1"),
+            ("Integration", "Pre-Integrated 2D", "2"),
+            ("TableSize", 64, "64"),
+            ("BlendMode", 1, "1"),
+            ("BlendMode", "Isosurface", "5"),
+            ("BlendMode", "Composite", "0"),
+            ("MaximumSegments", 100, "100"),
+            ("IsoSurfaces", 1, "On"),
+            ("ImageSampleDistance", 2, "2"),
+            ("AutoAdjustSampleDistances", 1, "On"),
         ):
             setattr(shown, name, value)
             relevo.picture(view)
-            self.assertEqual(settings(view)[own or name], expected, name)
+            self.assertEqual(settings(view)[name], expected, name)
+
+    def test_shared_names(self):
+        """Method and BlendMode are properties of other representations, too."""
+        view, shown = self.scene(simple.Tetrahedralize(Input=wavelet()))
+        for mode, text in enumerate(
+            ("Composite", "Maximum", "Minimum", "Average", "Additive", "Isosurface")
+        ):
+            shown.BlendMode = text if mode in (0, 4, 5) else f"{text} Intensity"
+            relevo.picture(view)
+            self.assertEqual(settings(view)["BlendMode"], str(mode))
+        shown.Method = "Cell Projection"
+        shown.Representation = "Adaptive Refinement"
+        with relevo.messages() as told:
+            self.assertGreater(relevo.foreground(relevo.picture(view)), 600)
+            shown.Method = "Uniform"
+            self.assertGreater(relevo.foreground(relevo.picture(view)), 600)
+        self.assertEqual(told(), "")
+        self.assertEqual(shown.Method, "Uniform")
+
+    def test_slices(self):
+        """ParaView's Volume of images has a mode that Adaptive Volume lacks."""
+        with relevo.messages() as told:
+            view, shown = self.scene(wavelet())
+            expected = relevo.picture(view)
+            shown.BlendMode = "Slice"
+            for _ in range(2):
+                self.assert_alike(relevo.picture(view), expected, 0)
+            shown.Representation = "Volume"
+            relevo.picture(view)
+        self.assertEqual(told().count("The BlendMode Slice is not available"), 1, told())
 
     def test_pictures(self):
         """Each setting changes the picture, and all are equal in plain VTK."""
@@ -297,14 +337,14 @@ class TestSettings(TestCase):
         data = mesh(simple.GetActiveSource())
         before = relevo.picture(view)
         for mode in range(1, 5):
-            shown.VolumeBlendMode = mode
+            shown.BlendMode = mode
             picture = relevo.picture(view)
             self.assertGreater(relevo.differing(picture, before), 600, mode)
             self.assert_alike(picture, plain(view, data, BlendMode=mode))
-        shown.VolumeBlendMode = 0
-        shown.VolumeMethod = "Cell Projection"
+        shown.BlendMode = 0
+        shown.Method = "Cell Projection"
         self.assert_alike(relevo.picture(view), plain(view, data, Method=1))
-        shown.VolumeMethod = "Ray Casting"
+        shown.Method = "Ray Casting"
         self.assert_alike(relevo.picture(view), before, 0)
 
     def test_live(self):
@@ -429,8 +469,8 @@ class TestSessions(TestCase):
         self.assert_alike(large, relevo.picture(view))
 
     def change(self, shown):
-        shown.VolumeMethod = "Cell Projection"
-        shown.VolumeBlendMode = "Composite"
+        shown.Method = "Cell Projection"
+        shown.BlendMode = "Composite"
         shown.Integration = "Exact"
         shown.IsoSurfaces = 1
         shown.IsoSurfaceValues = [140, 190]
@@ -469,7 +509,7 @@ class TestSessions(TestCase):
             shown.Representation = "Adaptive Volume"
             self.change(shown)
         script = smtrace.stop_trace()
-        for name in "VolumeMethod", "IsoSurfaceValues", "ScalarOpacityUnitDistance = 2.5", "Normal":
+        for name in "Method", "IsoSurfaceValues", "ScalarOpacityUnitDistance = 2.5", "Normal":
             self.assertIn(name, script)
         self.assertNotIn("DefaultScalarOpacityUnitDistance", script)
         camera = view.GetActiveCamera()
@@ -491,7 +531,7 @@ class TestSessions(TestCase):
         changes = {
             "IsoSurfaces": 1,
             "IsoSurfaceValues": [150],
-            "VolumeBlendMode": "Maximum Intensity",
+            "BlendMode": 1,
             "ClippingPlane": "Plane",
             "Representation": "Surface",
         }

@@ -73,7 +73,7 @@ run_test() {
   case $1 in
     TestRanks | TestPatchRanks) counts="1 2 4 7" ;;
     TestFilterRanks) counts="1 7" ;;
-    TestTerrainRanks) counts="1 2 4" ;;
+    TestTerrainRanks | TestVolumeRanks) counts="1 2 4" ;;
     TestLICRanks | TestTranslucent) counts="1 4" ;;
     TestSelection | TestReliefRanks) counts="1 2" ;;
     *)

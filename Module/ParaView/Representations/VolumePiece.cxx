@@ -14,6 +14,7 @@
 #include "vtkFieldData.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPartitionedDataSet.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <cmath>
 
@@ -44,6 +45,18 @@ vtkSmartPointer<vtkDataObject> Copy(vtkDataObject* data)
   return copy;
 }
 
+// Return the number of cells that no other process has.
+vtkIdType CountCells(vtkDataSet* set)
+{
+  vtkIdType count = set->GetNumberOfCells();
+  vtkUnsignedCharArray* ghosts = set->GetCellGhostArray();
+  for (vtkIdType i = 0; ghosts && i < ghosts->GetNumberOfValues(); ++i)
+  {
+    count -= (ghosts->GetValue(i) & vtkDataSetAttributes::DUPLICATECELL) != 0 ? 1 : 0;
+  }
+  return count;
+}
+
 double ComputeUnitDistance(vtkDataObject* input, const PieceReduction& processes)
 {
   const vtkBoundingBox box = VolumePiece::GetBox(input);
@@ -56,7 +69,7 @@ double ComputeUnitDistance(vtkDataObject* input, const PieceReduction& processes
   std::vector<double> cells = { 0.0 };
   for (vtkDataSet* set : VolumePiece::GetDataSets(input))
   {
-    cells[0] += static_cast<double>(set->GetNumberOfCells());
+    cells[0] += static_cast<double>(CountCells(set));
   }
   processes.Add(cells);
   const double diagonal = std::hypot(sides[0] + sides[1], sides[2] + sides[3], sides[4] + sides[5]);

@@ -39,7 +39,7 @@ public:
 
   /**
    * Store the diagonal of the bounds of all processes' inputs, divided by the cube root of the
-   * number of cells, in a new piece. Both may be nullptr. Collective.
+   * number of cells without ghost cells, in a new piece. Both may be nullptr. Collective.
    */
   static void StoreUnitDistance(
     vtkDataObject* piece, vtkDataObject* input, vtkMultiProcessController* controller);

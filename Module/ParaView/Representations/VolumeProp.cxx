@@ -46,7 +46,7 @@ int VolumeProp::HasTranslucentPolygonalGeometry()
 
 int VolumeProp::RenderVolumetricGeometry(vtkViewport* viewport)
 {
-  return this->vtkVolume::RenderVolumetricGeometry(viewport);
+  return this->Composited ? 0 : this->vtkVolume::RenderVolumetricGeometry(viewport);
 }
 
 void VolumeProp::SetAllocatedRenderTime(double time, vtkViewport* viewport)

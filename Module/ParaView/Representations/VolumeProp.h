@@ -5,7 +5,8 @@
  * @brief   a volume of ParaView's representations without levels of detail
  *
  * The base class draws nothing if the input is composite or lacks the array. This class always
- * calls the mapper, which draws composite inputs and reports missing arrays.
+ * calls the mapper, which draws composite inputs and reports missing arrays. If the volume is
+ * composited with those of other ranks, VolumeCompositing draws it instead.
  *
  * Private to the module.
  */
@@ -21,6 +22,9 @@ class VolumeProp : public vtkPVLODVolume
 public:
   static VolumeProp* New();
   vtkTypeMacro(VolumeProp, vtkPVLODVolume);
+
+  void SetComposited(bool isComposited) { this->Composited = isComposited; }
+  bool IsComposited() const { return this->Composited; }
 
   void SetMapper(vtkAbstractVolumeMapper* mapper) override;
   vtkAbstractVolumeMapper* GetMapper() override;
@@ -41,6 +45,8 @@ protected:
 private:
   VolumeProp(const VolumeProp&) = delete;
   void operator=(const VolumeProp&) = delete;
+
+  bool Composited = false;
 };
 }
 

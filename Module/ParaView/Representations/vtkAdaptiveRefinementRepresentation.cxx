@@ -3,6 +3,7 @@
 #include "vtkAdaptiveRefinementRepresentation.h"
 
 #include "Checks/ShouldReport.h"
+#include "MethodChoice.h"
 #include "OrderedCompositing.h"
 #include "ReducedProjection.h"
 #include "SurfacePieces.h"
@@ -118,6 +119,7 @@ void vtkAdaptiveRefinementRepresentation::SetMapper(vtkAdaptiveRefinementMapper*
   mapper->Register(this);
   this->Mapper->UnRegister(this);
   this->Mapper = mapper;
+  mapper->SetMethod(relevo::GetRefinementMethod(this->Method));
   this->Actor->SetMapper(mapper);
   this->BackfaceActor->SetMapper(mapper);
   this->SetArrayIdNames(nullptr, nullptr);
@@ -129,6 +131,12 @@ void vtkAdaptiveRefinementRepresentation::SetMapper(vtkAdaptiveRefinementMapper*
 vtkAdaptiveRefinementMapper* vtkAdaptiveRefinementRepresentation::GetMapper()
 {
   return vtkAdaptiveRefinementMapper::SafeDownCast(this->Mapper);
+}
+
+void vtkAdaptiveRefinementRepresentation::SetMethod(int method)
+{
+  relevo::SetMethod(this, this->Method, method);
+  this->GetMapper()->SetMethod(relevo::GetRefinementMethod(this->Method));
 }
 
 void vtkAdaptiveRefinementRepresentation::SetRefinementColorMode(int mode)

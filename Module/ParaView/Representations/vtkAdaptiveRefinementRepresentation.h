@@ -43,6 +43,16 @@ public:
 
   //@{
   /**
+   * Set the method of the mapper (0 to 5, default 0). The methods of Adaptive Volume, 100 and 101,
+   * stand for 0, because both representations share the property. Another value is an error and
+   * changes nothing.
+   */
+  void SetMethod(int method);
+  vtkGetMacro(Method, int);
+  //@}
+
+  //@{
+  /**
    * Set the values that colours show: the scalars (0, the default), levels (1), patterns (2) or the
    * metric (3); see vtkAdaptiveRefinementMapper::RefinementColorModes. A value out of range is an
    * error and changes nothing.
@@ -104,6 +114,7 @@ private:
   vtkNew<vtkAdaptiveRefinementMapper> Measure;
   vtkNew<vtkAdaptiveRefinementMapper> Unused; // replaces the mapper where the base class sets it
   vtkMTimeType AttributesTime = 0;            // of the data whose block attributes the mapper has
+  int Method = 0;
   int RefinementColorMode = 0;
 };
 

@@ -6,6 +6,10 @@
 #include "Checks/ShouldReport.h"
 #include "FirstRank.h"
 #include "MapperMessage.h"
+#include "MethodChoice.h"
+#include "NeighbourCells.h"
+#include "Parallel/ProcessReduction.h"
+#include "VolumeCompositing.h"
 #include "VolumePiece.h"
 #include "VolumeProp.h"
 #include "vtkAlgorithm.h"
@@ -29,6 +33,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <string>
+#include <vector>
 
 struct vtkAdaptiveVolumeRepresentation::vtkInternals
 {
@@ -37,12 +42,18 @@ struct vtkAdaptiveVolumeRepresentation::vtkInternals
   unsigned long WarningTag = 0;
   relevo::VolumePiece Pieces;
   vtkSmartPointer<vtkDataObject> Piece;
-  double UnitDistance = 1.0; // of the piece of the view
+  vtkSmartPointer<vtkDataObject> WithGhosts; // the last piece that got ghost cells
+  double UnitDistance = 1.0;                 // of the piece of the view
   vtkSmartPointer<vtkColorTransferFunction> ColorMap;
   vtkMTimeType ColorMapTime = 0;
   vtkSmartPointer<vtkPlane> ClippingPlane;
   vtkNew<vtkPlane> Cut; // a copy for the mapper
   std::string Warning;  // as reported
+  std::string ModeWarning;
+
+  std::shared_ptr<relevo::CompositedVolume> Volume = std::make_shared<relevo::CompositedVolume>();
+  vtkSmartPointer<relevo::VolumeCompositing> Compositing; // of the view, if several ranks draw
+  std::string CompositingError;                           // as reported
 };
 
 namespace
@@ -52,12 +63,22 @@ const relevo::MapperWords VolumeWords = {
   { "select an array with SelectScalarArray()", "select an array in Coloring" },
   { "Use SetScalarModeToUseCellFieldData()", "Select the cell array in Coloring" },
   { "Use SetScalarModeToUsePointFieldData()", "Select the point array in Coloring" },
-  { "call SetMethodToRayCasting()", "set VolumeMethod to Ray Casting" },
+  { "call SetMethodToRayCasting()", "set Method to Ray Casting" },
   { "The volume property has a colour function", "The volume has a color transfer function" },
   { "The volume property has a scalar opacity function",
     "The volume has an opacity transfer function" },
   { "The volume property", "The volume" },
 };
+
+// The blend mode of ParaView's Volume that the mapper lacks.
+constexpr int SliceMode = 6;
+
+// Return whether the data are distributed.
+bool HasProcesses()
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return controller && controller->GetNumberOfProcesses() > 1;
+}
 }
 
 vtkStandardNewMacro(vtkAdaptiveVolumeRepresentation);
@@ -65,9 +86,14 @@ vtkStandardNewMacro(vtkAdaptiveVolumeRepresentation);
 vtkAdaptiveVolumeRepresentation::vtkAdaptiveVolumeRepresentation()
   : Internals(new vtkInternals)
 {
-  this->Actor = vtkSmartPointer<relevo::VolumeProp>::New();
+  vtkInternals& data = *this->Internals;
+  data.Volume->Prop = vtkSmartPointer<relevo::VolumeProp>::New();
+  data.Volume->Prop->SetComposited(HasProcesses());
+  data.Volume->Report = [this](const relevo::RankReport& report)
+  { this->Tell(report.IsError, report.Text); };
+  this->Actor = data.Volume->Prop;
   this->Actor->SetProperty(this->Property);
-  this->Internals->Piece = this->Internals->Pieces.Make(nullptr);
+  data.Piece = data.Pieces.Make(nullptr);
   vtkNew<vtkGPUUnstructuredGridVolumeMapper> mapper;
   this->SetMapper(mapper);
 }
@@ -99,9 +125,9 @@ void vtkAdaptiveVolumeRepresentation::SetMapper(vtkGPUUnstructuredGridVolumeMapp
   // mapper draws.
   mapper->RemoveObservers(vtkCommand::ProgressEvent);
   data.ErrorTag =
-    mapper->AddObserver(vtkCommand::ErrorEvent, this, &vtkAdaptiveVolumeRepresentation::Report);
-  data.WarningTag =
-    mapper->AddObserver(vtkCommand::WarningEvent, this, &vtkAdaptiveVolumeRepresentation::Report);
+    mapper->AddObserver(vtkCommand::ErrorEvent, this, &vtkAdaptiveVolumeRepresentation::OnMessage);
+  data.WarningTag = mapper->AddObserver(
+    vtkCommand::WarningEvent, this, &vtkAdaptiveVolumeRepresentation::OnMessage);
   data.Mapper = mapper;
   this->Actor->SetMapper(mapper);
   this->Modified();
@@ -112,10 +138,28 @@ vtkGPUUnstructuredGridVolumeMapper* vtkAdaptiveVolumeRepresentation::GetMapper()
   return this->Internals->Mapper;
 }
 
-void vtkAdaptiveVolumeRepresentation::Report(vtkObject*, unsigned long event, void* text)
+void vtkAdaptiveVolumeRepresentation::OnMessage(vtkObject*, unsigned long event, void* text)
 {
-  const std::string message = relevo::ReadMapperMessage(text, VolumeWords);
-  if (event == vtkCommand::ErrorEvent)
+  this->Report(event == vtkCommand::ErrorEvent, relevo::ReadMapperMessage(text, VolumeWords));
+}
+
+// The messages of several ranks are collected.
+void vtkAdaptiveVolumeRepresentation::Report(bool isError, const std::string& message)
+{
+  relevo::CompositedVolume& volume = *this->Internals->Volume;
+  if (volume.Prop->IsComposited())
+  {
+    volume.Reports.Add(isError, message);
+  }
+  else
+  {
+    this->Tell(isError, message);
+  }
+}
+
+void vtkAdaptiveVolumeRepresentation::Tell(bool isError, const std::string& message)
+{
+  if (isError)
   {
     vtkErrorMacro(<< message);
   }
@@ -123,6 +167,16 @@ void vtkAdaptiveVolumeRepresentation::Report(vtkObject*, unsigned long event, vo
   {
     vtkWarningMacro(<< message);
   }
+}
+
+void vtkAdaptiveVolumeRepresentation::SetMethod(int method)
+{
+  relevo::SetMethod(this, this->Method, method);
+}
+
+void vtkAdaptiveVolumeRepresentation::SetBlendMode(int mode)
+{
+  relevo::SetInRange(this, "BlendMode", this->BlendMode, mode, 0, SliceMode);
 }
 
 void vtkAdaptiveVolumeRepresentation::SetVectorMode(int mode)
@@ -167,7 +221,14 @@ void vtkAdaptiveVolumeRepresentation::SetClippingPlane(vtkPlane* plane)
 
 void vtkAdaptiveVolumeRepresentation::SetShade(bool shade)
 {
-  this->Property->SetShade(shade);
+  if ((this->Property->GetShade() != 0) != shade)
+  {
+    this->Property->SetShade(shade);
+    if (HasProcesses())
+    {
+      this->MarkModified();
+    }
+  }
 }
 
 void vtkAdaptiveVolumeRepresentation::SetAmbient(double value)
@@ -260,19 +321,42 @@ void vtkAdaptiveVolumeRepresentation::AddOpacityArray()
   }
   if (isMissing)
   {
-    vtkErrorMacro("Opacity array \""
-      << this->OpacityArrayName
-      << "\" must be in every block with the association of the array in Coloring. Select another "
-         "OpacityArrayName, or disable UseSeparateOpacityArray.");
+    this->Report(true,
+      "Opacity array \"" + this->OpacityArrayName +
+        "\" must be in every block with the association of the array in Coloring. Select another "
+        "OpacityArrayName, or disable UseSeparateOpacityArray.");
   }
 }
 
 void vtkAdaptiveVolumeRepresentation::Update()
 {
   this->Superclass::Update();
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (HasProcesses() && this->Property->GetShade())
+  {
+    this->AddGhostCells(controller);
+  }
   relevo::VolumePiece::StoreUnitDistance(this->Internals->Piece,
     this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr,
-    vtkMultiProcessController::GetGlobalController());
+    controller);
+}
+
+// Gradients at points of several pieces depend on the cells of all of them.
+void vtkAdaptiveVolumeRepresentation::AddGhostCells(vtkMultiProcessController* controller)
+{
+  vtkInternals& data = *this->Internals;
+  vtkInformation* array = this->GetInputArrayInformation(0);
+  const bool isOfPoints = array->Has(vtkDataObject::FIELD_NAME()) &&
+    array->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  const std::string name = isOfPoints ? array->Get(vtkDataObject::FIELD_NAME()) : "";
+  std::vector<double> isNew = { data.Piece == data.WithGhosts ? 0.0 : 1.0 };
+  relevo::ProcessReduction(controller).TakeLargest(isNew);
+  if (isNew[0] > 0.0 && isOfPoints)
+  {
+    data.WithGhosts = relevo::AddNeighbourCells(
+      data.Piece, this->UseSeparateOpacityArray ? name + "_and_opacity" : name, controller);
+    data.Piece = data.WithGhosts;
+  }
 }
 
 bool vtkAdaptiveVolumeRepresentation::AddToView(vtkView* view)
@@ -291,6 +375,7 @@ bool vtkAdaptiveVolumeRepresentation::RemoveFromView(vtkView* view)
   if (auto renderView = vtkPVRenderView::SafeDownCast(view))
   {
     renderView->GetRenderer()->RemoveVolume(this->Actor);
+    this->StopCompositing(renderView);
   }
   return this->Superclass::RemoveFromView(view);
 }
@@ -304,7 +389,7 @@ int vtkAdaptiveVolumeRepresentation::ProcessViewRequest(
   }
   if (request == vtkPVView::REQUEST_UPDATE())
   {
-    this->GivePiece(inInfo, outInfo);
+    this->GivePiece(inInfo);
   }
   else if (request == vtkPVView::REQUEST_UPDATE_LOD())
   {
@@ -312,18 +397,56 @@ int vtkAdaptiveVolumeRepresentation::ProcessViewRequest(
   }
   else if (request == vtkPVView::REQUEST_RENDER())
   {
+    this->ChooseCompositing(inInfo);
     this->PrepareFrame(inInfo);
   }
   return 1;
 }
 
-void vtkAdaptiveVolumeRepresentation::GivePiece(vtkInformation* inInfo, vtkInformation* outInfo)
+// The volume is composited if several ranks draw the view. With translucent objects, ParaView
+// blends the pictures of the ranks in the order of boxes of space, and the volume takes part in
+// that.
+void vtkAdaptiveVolumeRepresentation::ChooseCompositing(vtkInformation* inInfo)
+{
+  vtkInternals& data = *this->Internals;
+  auto view = vtkPVRenderView::SafeDownCast(this->GetView());
+  const bool isDistributed = inInfo->Has(vtkPVRenderView::USE_LOD())
+    ? view->GetUseDistributedRenderingForLODRender()
+    : view->GetUseDistributedRenderingForRender();
+  const bool isShared = isDistributed && HasProcesses() && !view->GetUseOrderedCompositing();
+  data.Compositing =
+    isShared ? relevo::VolumeCompositing::Install(view->GetRenderer()) : data.Compositing;
+  data.Volume->Prop->SetComposited(isShared && data.Compositing);
+  if (data.Volume->Prop->IsComposited())
+  {
+    data.Compositing->Add(data.Volume);
+  }
+  const std::string error = isShared && !data.Compositing
+    ? "Volumes on several ranks need IceT. Enable IceT in ParaView."
+    : "";
+  if (relevo::ShouldReport(data.CompositingError, error) && relevo::IsFirstRank())
+  {
+    vtkErrorMacro(<< error);
+  }
+}
+
+void vtkAdaptiveVolumeRepresentation::StopCompositing(vtkPVRenderView* view)
+{
+  vtkInternals& data = *this->Internals;
+  if (data.Compositing)
+  {
+    data.Compositing->Remove(data.Volume, view->GetRenderer());
+    data.Compositing = nullptr;
+  }
+}
+
+void vtkAdaptiveVolumeRepresentation::GivePiece(vtkInformation* inInfo)
 {
   vtkInternals& data = *this->Internals;
   vtkPVView::SetPiece(inInfo, this, data.Piece);
   vtkPVRenderView::SetDeliverToClientAndRenderingProcesses(inInfo, this, false, false);
   vtkPVRenderView::SetRequiresDistributedRendering(inInfo, this, true);
-  outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 1);
+  // Only if other objects of the view are translucent.
   vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
     vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
   vtkPVRenderView::SetRedistributionModeToSplitBoundaryCells(inInfo, this);
@@ -371,7 +494,10 @@ void vtkAdaptiveVolumeRepresentation::PrepareFrame(vtkInformation* inInfo)
   this->UpdateColors();
   this->Property->SetIndependentComponents(
     this->MapScalars && !this->MultiComponentsMapping && !this->UseSeparateOpacityArray);
-  this->ChooseVectorMode(piece, association, used.c_str());
+  data.Volume->NumberOfComponents =
+    relevo::VolumePiece::GetNumberOfComponents(piece, association, used);
+  this->ChooseVectorMode();
+  this->ChooseModes();
 
   const bool isDefault = this->ScalarOpacityUnitDistance == this->DefaultScalarOpacityUnitDistance;
   this->Property->SetScalarOpacityUnitDistance(
@@ -386,9 +512,24 @@ void vtkAdaptiveVolumeRepresentation::PrepareFrame(vtkInformation* inInfo)
   }
 }
 
+void vtkAdaptiveVolumeRepresentation::ChooseModes()
+{
+  vtkInternals& data = *this->Internals;
+  using Mapper = vtkGPUUnstructuredGridVolumeMapper;
+  data.Mapper->SetMethod(
+    relevo::IsCellProjection(this->Method) ? Mapper::CELL_PROJECTION : Mapper::RAY_CASTING);
+  const bool isSlice = this->BlendMode == SliceMode;
+  data.Mapper->SetBlendMode(isSlice ? static_cast<int>(Mapper::COMPOSITE_BLEND) : this->BlendMode);
+  const std::string warning =
+    isSlice ? "The BlendMode Slice is not available for Adaptive Volume. Composite is used." : "";
+  if (relevo::ShouldReport(data.ModeWarning, warning) && relevo::IsFirstRank())
+  {
+    vtkWarningMacro(<< warning);
+  }
+}
+
 // The magnitude of a single component would be its absolute value.
-void vtkAdaptiveVolumeRepresentation::ChooseVectorMode(
-  vtkDataObject* piece, int association, const char* name)
+void vtkAdaptiveVolumeRepresentation::ChooseVectorMode()
 {
   using Mapper = vtkGPUUnstructuredGridVolumeMapper;
   int mode = this->VectorMode;
@@ -397,7 +538,7 @@ void vtkAdaptiveVolumeRepresentation::ChooseVectorMode(
   {
     mode = Mapper::DISABLED;
   }
-  else if (relevo::VolumePiece::GetNumberOfComponents(piece, association, name) == 1)
+  else if (this->Internals->Volume->NumberOfComponents == 1)
   {
     mode = Mapper::COMPONENT;
     component = 0;
@@ -416,6 +557,8 @@ void vtkAdaptiveVolumeRepresentation::ChooseVectorMode(
 void vtkAdaptiveVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "BlendMode: " << this->BlendMode << "\n";
   os << indent << "VectorMode: " << this->VectorMode << "\n";
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
   os << indent << "ScalarOpacityUnitDistance: " << this->ScalarOpacityUnitDistance << "\n";

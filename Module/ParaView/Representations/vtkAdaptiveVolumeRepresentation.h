@@ -9,6 +9,10 @@
  * data sets of them, which are drawn as one mesh. SetMapper() sets the mapper, which has the
  * settings of the method.
  *
+ * If several ranks draw a view, the data stay where they are. The pieces of the ranks may have any
+ * shape. Each rank casts rays through its own cells, and the segments of all rays are composited in
+ * the order of depth. Ghost cells are not drawn.
+ *
  * Messages of the mapper are reported by this class, in ParaView's words.
  *
  * @sa vtkGPUUnstructuredGridVolumeMapper
@@ -20,8 +24,11 @@
 #include "vtkVolumeRepresentation.h"
 
 #include <memory> // for Internals
+#include <string> // for messages
 
 class vtkGPUUnstructuredGridVolumeMapper;
+class vtkMultiProcessController;
+class vtkPVRenderView;
 class vtkPlane;
 
 class RELEVOPARAVIEWREPRESENTATIONS_EXPORT vtkAdaptiveVolumeRepresentation
@@ -40,6 +47,26 @@ public:
    */
   void SetMapper(vtkGPUUnstructuredGridVolumeMapper* mapper);
   vtkGPUUnstructuredGridVolumeMapper* GetMapper();
+  //@}
+
+  //@{
+  /**
+   * Set the method: cell projection (101), or ray casting (100). The methods of Adaptive Refinement
+   * (0 to 5) stand for ray casting, because both representations share the property. The default is
+   * 0. Rays are cast if several ranks draw a view. Another value is an error and changes nothing.
+   */
+  void SetMethod(int method);
+  vtkGetMacro(Method, int);
+  //@}
+
+  //@{
+  /**
+   * Set the blend mode of the mapper, 0 to 5, or 6, the slices of ParaView's Volume, which are
+   * drawn as composite (0, the default) with a warning. A value out of range is an error and
+   * changes nothing.
+   */
+  void SetBlendMode(int mode);
+  vtkGetMacro(BlendMode, int);
   //@}
 
   //@{
@@ -87,7 +114,8 @@ public:
 
   //@{
   /**
-   * Set the lighting of the volume property. By default, shading is off.
+   * Set the lighting of the volume property. By default, shading is off. With shading, processes
+   * get a layer of ghost cells, because gradients depend on neighbours.
    */
   void SetShade(bool shade);
   void SetAmbient(double value);
@@ -137,15 +165,23 @@ private:
   void operator=(const vtkAdaptiveVolumeRepresentation&) = delete;
 
   void AddOpacityArray();
-  void GivePiece(vtkInformation* inInfo, vtkInformation* outInfo);
+  void AddGhostCells(vtkMultiProcessController* controller);
+  void GivePiece(vtkInformation* inInfo);
+  void ChooseCompositing(vtkInformation* inInfo);
+  void StopCompositing(vtkPVRenderView* view);
   void UpdateColors();
   void PrepareFrame(vtkInformation* inInfo);
-  void ChooseVectorMode(vtkDataObject* piece, int association, const char* name);
-  void Report(vtkObject* mapper, unsigned long event, void* text);
+  void ChooseModes();
+  void ChooseVectorMode();
+  void OnMessage(vtkObject* mapper, unsigned long event, void* text);
+  void Report(bool isError, const std::string& message);
+  void Tell(bool isError, const std::string& message);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 
+  int Method = 0;
+  int BlendMode = 0;
   int VectorMode = -1;
   int VectorComponent = 0;
   double ScalarOpacityUnitDistance = 1.0;
