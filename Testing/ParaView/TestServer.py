@@ -155,7 +155,8 @@ class TestServer(relevo.TestCase):
 
     def test_two_ranks(self):
         self.assert_no_messages(*self.connect("draw", 2))
-        self.assert_picture("refined", True, 20)
+        for name in "refined", "volume":
+            self.assert_picture(name, True, 20)
 
     def assert_client_draws(self, *outputs):
         """The client draws surfaces. ParaView reports that volumes need the server. Returns the
