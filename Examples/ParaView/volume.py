@@ -28,23 +28,21 @@ for place in right, right + 1:
     AssignViewToLayout(view, layout, place)
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground = 0
-    view.Background = [0.96, 0.97, 0.98]
+    view.Background = [0.07, 0.08, 0.1]
     shown = Show(mesh, view)
     shown.Representation = "Adaptive Volume"
     ColorBy(shown, ("POINTS", array))
     colors = shown.LookupTable
     colors.ApplyPreset("Turbo", True)
     colors.RescaleTransferFunction(low, high)
-    # Values, opacities, midpoints and sharpness.
-    span = high - low
+    # Values, opacities, midpoints and sharpness: a layer, a haze, and the highest values.
+    points = [(0, 0), (0.2, 0), (0.28, 0.5), (0.36, 0.03), (0.75, 0.01), (0.85, 0.08), (1, 1)]
     shown.ScalarOpacityFunction.Points = [
-        *(low, 0.02, 0.5, 0.0),
-        *(low + 0.4 * span, 0.2, 0.5, 0.0),
-        *(high, 1.0, 0.5, 0.0),
+        x for share, opacity in points for x in (low + share * (high - low), opacity, 0.5, 0.0)
     ]
     if place == right + 1:
         shown.IsoSurfaces = 1
-        shown.IsoSurfaceValues = [low + 0.55 * span]
+        shown.IsoSurfaceValues = [low + 0.28 * (high - low)]
         shown.Shade = 1
         shown.Ambient = 0.3
         shown.Diffuse = 0.7
@@ -54,7 +52,7 @@ for place in right, right + 1:
     view.CameraFocalPoint = [0, 0, 0]
     view.CameraViewUp = [0, 0, 1]
     ResetCamera(view)
-    view.CameraViewAngle = 26
+    view.CameraViewAngle = 22
 
 layout.SetSize(800, 400)
 path = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else "volume.png")

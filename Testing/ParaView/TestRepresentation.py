@@ -4,6 +4,7 @@
 """
 
 import os
+import re
 import tempfile
 
 from paraview import servermanager, simple, smstate
@@ -11,21 +12,37 @@ from paraview import servermanager, simple, smstate
 import RelevoParaView as relevo
 from RelevoParaView import sphere
 
+OWN = "vtk(Adaptive|Terrain|Relief)"  # classes of the plugin's representations
+
+
+def data_sets():
+    """Sources of all types of data that the plugin's representations are offered for."""
+    wavelet = simple.Wavelet(WholeExtent=[0, 6, 0, 5, 0, 4])
+    return {
+        "image": wavelet,
+        "unstructured": simple.Tetrahedralize(Input=wavelet),
+        "structured": simple.Transform(Input=wavelet),
+        "polygons": sphere(),
+        "blocks": simple.GroupDatasets(Input=[sphere(), sphere(Center=[1, 0, 0])]),
+        "refined grids": simple.AMRGaussianPulseSource(),
+        "trees": simple.HyperTreeGridRandom(),
+    }
+
+
+def parts(shown):
+    """The representations that the types of a representation stand for."""
+    composite = shown.GetClientSideObject()
+    active, result = composite.GetActiveRepresentationKey(), {}
+    for each in *shown.GetProperty("Representation").Available, active:
+        composite.SetActiveRepresentation(each)
+        result[composite.GetActiveRepresentation()] = True
+    return list(result)
+
 
 class TestRepresentation(relevo.TestCase):
     def test_every_data_set(self):
         """With a curved surface; at level 0 it equals Surface exactly."""
-        wavelet = simple.Wavelet(WholeExtent=[0, 6, 0, 5, 0, 4])
-        kinds = {
-            "image": wavelet,
-            "unstructured": simple.Tetrahedralize(Input=wavelet),
-            "structured": simple.Transform(Input=wavelet),
-            "polygons": sphere(),
-            "blocks": simple.GroupDatasets(Input=[sphere(), sphere(Center=[1, 0, 0])]),
-            "refined grids": simple.AMRGaussianPulseSource(),
-            "trees": simple.HyperTreeGridRandom(),
-        }
-        for name, source in kinds.items():
+        for name, source in data_sets().items():
             with self.subTest(name):
                 self.compare(source, MaximumLevel=0, Metric="None")
 
@@ -184,6 +201,29 @@ class TestRepresentation(relevo.TestCase):
         for _ in range(2):
             simple.Render(view)
         self.assertEqual(len(errors), 1)
+
+    def test_inactive(self):
+        """Of the representations of the data, the plugin's run only if chosen, and print nothing."""
+        sources = data_sets()
+        table = simple.Histogram(Input=sources["image"])
+        sources["table in blocks"] = simple.GroupDatasets(Input=[sphere(), table])
+        for name, source in sources.items():
+            view, ran = relevo.view((60, 40)), set()
+            with self.subTest(name), relevo.messages() as told:
+                shown = simple.Show(source, view)
+                for part in parts(shown):
+                    note = lambda caller, _: ran.add(caller.GetClassName())
+                    part.AddObserver("UpdateDataEvent", note)
+                for each in "Outline", "Surface":
+                    shown.Representation = each
+                    shown.Opacity = 0.9
+                    simple.Render(view)
+                    shown.UpdatePipelineInformation()  # a change of a file name does this
+                    shown.UpdatePipeline()
+                self.assertNotRegex(told(), OWN)  # ParaView's own report errors for trees
+                self.assertTrue(ran)
+                self.assertEqual([each for each in ran if re.match(OWN, each)], [])
+            simple.Delete(view)
 
     def test_state_files(self):
         view = relevo.view()

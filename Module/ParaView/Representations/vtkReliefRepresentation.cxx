@@ -195,10 +195,11 @@ void vtkReliefRepresentation::RemoveAllBlockSelectors()
   this->MarkModified();
 }
 
+// ParaView sets the input of all representations of the data, and updates their information when a
+// file name changes. So the executive must accept the types of all of them.
 int vtkReliefRepresentation::FillInputPortInformation(int, vtkInformation* information)
 {
-  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  information->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
