@@ -52,7 +52,7 @@ for place in right, right + 1:
     view.CameraFocalPoint = [0, 0, 0]
     view.CameraViewUp = [0, 0, 1]
     ResetCamera(view)
-    view.CameraViewAngle = 22
+    view.CameraViewAngle = 26
 
 layout.SetSize(800, 400)
 path = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else "volume.png")
