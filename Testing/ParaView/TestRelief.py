@@ -476,6 +476,10 @@ class TestBadInput(TestCase):
         make = lambda: simple.Wavelet(WholeExtent=[0, 4, 0, 4, 0, 4])
         self.assert_told(make, words, "vtkReliefRepresentation")
 
+    def test_polygons(self):
+        words = "A relief must be a vtkImageData, not a vtkPolyData"
+        self.assert_told(relevo.sphere, words, "vtkReliefRepresentation")
+
     def test_no_arrays(self):
         words = "A relief needs the point array 'Color'"
         make = lambda: simple.Wavelet(WholeExtent=[0, 4, 0, 4, 0, 0])
