@@ -18,12 +18,10 @@ from paraview.modules.vtkRemotingCore import vtkProcessModule
 import RelevoParaView as relevo
 
 SIZE = (200, 150)
-# The numbers of pixels that may differ by more than 2 and more than 1 of 255. In dense volumes, rays
-# end at an opacity of 0.999, but later if several ranks have a part of the ray.
-LIMITS = {
-    **dict.fromkeys(("magnitude", "image", "opaque boxes", "two volumes"), (60, 1500)),
-    **dict.fromkeys(("second volume", "others hidden", "turned", "parallel"), (60, 1500)),
-}
+# The numbers of pixels that may differ by more than 2 and more than 1 of 255. Ranks send colours with
+# 10 bits, and their picture is rounded to 8 bits before it is blended over the background. One rank
+# rounds the picture to 8 bits between two volumes.
+LIMITS = {"two volumes": (0, 500)}
 EXACT = (0, 60)
 RANKS = vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
 
@@ -86,10 +84,14 @@ output.VTKObject.ShallowCopy(piece)
 """
 
 
-def deal(dealing="random", hexahedra=False, fault=""):
-    script = DEAL.replace("DEALING", dealing).replace("HEXAHEDRA", str(hexahedra))
+def script(dealing="random", hexahedra=False, fault=""):
+    text = DEAL.replace("DEALING", dealing).replace("HEXAHEDRA", str(hexahedra))
+    return text.replace("FAULT", fault)
+
+
+def deal(*arguments, **choices):
     return simple.ProgrammableSource(
-        OutputDataSetType="vtkUnstructuredGrid", Script=script.replace("FAULT", fault)
+        OutputDataSetType="vtkUnstructuredGrid", Script=script(*arguments, **choices)
     )
 
 
@@ -127,6 +129,7 @@ VIEW = None
 def make_view():
     view = relevo.view(SIZE)
     view.UseFXAA = 0
+    view.ImageReductionFactor = 1  # several ranks would draw fewer pixels while the view moves
     simple.Render(view)  # ParaView moves the camera in the first frame of a session
     globals()["VIEW"] = view
     return view
@@ -140,18 +143,18 @@ def clear():
 
 
 def draw_modes(pictures):
-    dealings = {"random": range(6), "slabs": (0, 2, 5), "blobs": (1, 3, 4), "awkward": (0, 1)}
-    for dealing, modes in dealings.items():
-        if RANKS == 1 and dealing != "random":
-            break
-        view, shown = scene(deal(dealing), IsoSurfaceValues=[130, 200])
+    """Other cells in the same source: a new one takes many messages between ranks."""
+    dealings = {"slabs": (0, 2, 5), "blobs": (1, 3, 4), "awkward": (0, 1)} if RANKS > 1 else {}
+    source = deal()
+    view, shown = scene(source, IsoSurfaceValues=[130, 200])
+    for dealing, modes in {**dealings, "random": range(6)}.items():
+        source.Script = script(dealing)
         for mode in modes:
             shown.BlendMode = mode
             name = f"mode {mode}" if dealing == "random" else f"mode {mode} / {dealing}"
             pictures[name] = relevo.picture(view)
-        if dealing == "random":
-            draw_settings(view, shown, pictures)
-        clear()
+    draw_settings(view, shown, pictures)
+    clear()
 
 
 def draw_settings(view, shown, pictures):
@@ -175,13 +178,13 @@ def draw_settings(view, shown, pictures):
 
 
 def draw_data(pictures):
-    for name, source, array in (
-        ("hexahedra", deal("blobs", hexahedra=True), ("POINTS", "RTData")),
-        ("cell data", deal("random"), ("CELLS", "Numbers")),
-        ("magnitude", deal("random"), ("POINTS", "V", "Magnitude")),
-        ("image", simple.Wavelet(WholeExtent=[-4, 4, -4, 4, -4, 4]), ("POINTS", "RTData")),
+    for name, make, array in (
+        ("hexahedra", lambda: deal("blobs", hexahedra=True), ("POINTS", "RTData")),
+        ("cell data", deal, ("CELLS", "Numbers")),
+        ("magnitude", deal, ("POINTS", "V", "Magnitude")),
+        ("image", lambda: simple.Wavelet(WholeExtent=[-4, 4] * 3), ("POINTS", "RTData")),
     ):
-        view, _ = scene(source, array)
+        view, _ = scene(make(), array)
         pictures[name] = relevo.picture(view)
         clear()
 
@@ -205,9 +208,9 @@ def draw_others(pictures):
     pictures["second volume"] = relevo.picture(view)
     shown.Visibility = 1
     other.Visibility = 0
-    pictures["others hidden"] = relevo.picture(view)
+    pictures["hexahedra / others hidden"] = relevo.picture(view)
     view.SMProxy.InteractiveRender()
-    pictures["others hidden / moving"] = relevo.drawn(view)
+    pictures["hexahedra / moving"] = relevo.drawn(view)
     view.CameraPosition = [14, 14, -3]
     pictures["turned"] = relevo.picture(view)
     view.CameraParallelProjection = 1
@@ -255,7 +258,7 @@ if rank == 1:
 
 
 def remove_nodes(shown):
-    shown.ScalarOpacityFunction.GetClientSideObject().RemoveAllPoints()
+    shown.ScalarOpacityFunction.Points = []
 
 
 def allow_one_segment(shown):
@@ -266,6 +269,8 @@ def check_faults():
     """Each fault on one rank gives one message of the representation, and the others go on."""
     remove_array = ON_ONE_RANK + 'piece.GetPointData().RemoveArray("RTData")'
     failed = 0
+    source = deal()
+    view, shown = scene(source)
     for name, fault, prepare, words in (
         ("no array", remove_array, None, 'Rank 1: The input has no array "RTData"'),
         ("no cells", WITHOUT_CELLS, None, "Rank 1: The input has no 3D cells"),
@@ -273,11 +278,11 @@ def check_faults():
         ("bad values", NOT_A_NUMBER, None, ""),
         ("text", OF_TEXT, None, 'Rank 1: The input has no array "RTData"'),
         ("pairs", OF_PAIRS, None, 'Rank 1: Array "RTData" has 2 components, but 1 on rank 0'),
-        ("function", "", remove_nodes, "has an opacity transfer function without nodes"),
         ("segments", "", allow_one_segment, "have more than 1 segments on a rank"),
+        ("function", "", remove_nodes, "has an opacity transfer function without nodes"),
     ):
         with relevo.messages() as told:
-            view, shown = scene(deal("random", fault=fault))
+            source.Script = script(fault=fault)
             if prepare:
                 prepare(shown)
             simple.Render(view)
@@ -288,7 +293,7 @@ def check_faults():
         is_drawn = visible > 1000 or prepare == remove_nodes
         print(f"{name}: {found}, {visible} pixels", flush=True)
         failed += not is_right or not is_drawn
-        clear()
+    clear()
     return failed
 
 

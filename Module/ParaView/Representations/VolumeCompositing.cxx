@@ -54,15 +54,15 @@ struct PieceInfo
 
 using PictureSize = std::array<int, 2>;
 
-// Blend colours over premultiplied bytes.
-void BlendOver(const std::vector<float>& colors, unsigned char* pixels)
+constexpr float White = 255.0f;
+
+// Blend premultiplied colours over pixels from 0 to White.
+void BlendOver(const std::vector<float>& colors, std::vector<float>& pixels)
 {
-  constexpr float white = 255.0f;
-  for (size_t i = 0; i < colors.size(); ++i)
+  for (size_t i = 0; i < std::min(colors.size(), pixels.size()); ++i)
   {
     const float clear = 1.0f - colors[4 * (i / 4) + 3];
-    const float sum = white * colors[i] + clear * static_cast<float>(pixels[i]);
-    pixels[i] = static_cast<unsigned char>(std::lround(std::clamp(sum, 0.0f, white)));
+    pixels[i] = White * colors[i] + clear * pixels[i];
   }
 }
 }
@@ -72,7 +72,23 @@ struct VolumeCompositing::Picture
 {
   vtkSynchronizedRenderers::vtkRawImage Tile;
   PictureSize Size = { { 0, 0 } };
-  SegmentRequest Request; // with the depths of the opaque scene
+  SegmentRequest Request;    // with the depths of the opaque scene
+  std::vector<float> Pixels; // of the tile; they are rounded once, after all volumes
+
+  void TakePixels()
+  {
+    if (this->Pixels.empty())
+    {
+      const unsigned char* const from = this->Tile.GetRawPtr()->GetPointer(0);
+      this->Pixels.assign(from, from + this->Tile.GetRawPtr()->GetNumberOfValues());
+    }
+  }
+  void StorePixels()
+  {
+    std::transform(this->Pixels.begin(), this->Pixels.end(), this->Tile.GetRawPtr()->GetPointer(0),
+      [](float value)
+      { return static_cast<unsigned char>(std::lround(std::clamp(value, 0.0f, White))); });
+  }
 };
 
 vtkStandardNewMacro(VolumeCompositing);
@@ -155,6 +171,7 @@ void VolumeCompositing::Render(const vtkRenderState* state)
     {
       Composite(renderer, *volume, ranks, picture);
     }
+    picture.StorePixels();
   }
   if (isDisplayed && picture.Tile.IsValid())
   {
@@ -277,8 +294,8 @@ void VolumeCompositing::Blend(
   if (!pieces.empty() &&
     functions.Read(volume.Prop->GetProperty(), whole.NumberOfComponents, error, warning))
   {
-    BlendOver(MapSegments(MergeSegments(pieces), functions, whole),
-      picture.Tile.GetRawPtr()->GetPointer(0));
+    picture.TakePixels();
+    BlendOver(MapSegments(MergeSegments(pieces), functions, whole), picture.Pixels);
   }
   const vtkIdType lost = CountLostPixels(pieces);
   if (lost > 0 && !volume.HasLost)
