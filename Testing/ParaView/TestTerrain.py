@@ -342,6 +342,23 @@ class TestErrors(relevo.TestCase):
                 self.assertEqual(text.count("ERROR:"), 1, text)
                 self.assertIn(word, text)
 
+    def test_missing_values(self):
+        """Missing samples do not enlarge the bounds; a raster without data gives one warning."""
+        with tempfile.TemporaryDirectory() as folder:
+            some = "104 103 102 -9 105 106 107 108 109 110 111 112"
+            for values, lowest in ((some, 102), (12 * "-9 ", None)):
+                path = os.path.join(folder, f"{lowest}.asc")
+                with open(path, "w", encoding="utf-8") as file:
+                    file.write("ncols 4\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\n")
+                    file.write(f"NODATA_value -9\n{values}\n")
+                source = simple.TerrainReader(FileName=path)
+                text = self.reported(source.UpdatePipeline)
+                if lowest:
+                    self.assertEqual(text, "")
+                    self.assertEqual(source.GetDataInformation().GetBounds()[4], lowest)
+                else:
+                    self.assertIn("has no surface", text)
+
     def test_other_data(self):
         view = relevo.view()
         sphere = relevo.sphere()

@@ -577,6 +577,13 @@ class TestBadInput(TestCase):
         self.assertIn(words, found[0][1])
         return relevo.foreground(picture)
 
+    def test_polygons(self):
+        sphere = simple.Sphere()
+        drawn = self.assert_told(
+            sphere, "has no 3D cells", prepare=lambda shown: simple.ColorBy(shown, None)
+        )
+        self.assertEqual(drawn, 0)
+
     def test_no_array(self):
         drawn = self.assert_told(
             wavelet(),

@@ -100,6 +100,20 @@ Vector GetGradient(const Grid& grid, int i, int j)
     (alongRow * grid.Column[0] - alongColumn * grid.Row[0]) / determinant } };
 }
 
+// Points without data have this height, so that they do not enlarge the bounds.
+double FindLowestHeight(const Grid& grid)
+{
+  double lowest = std::numeric_limits<double>::infinity();
+  for (int j = 0; j < grid.Size[1]; ++j)
+  {
+    for (int i = 0; i < grid.Size[0]; ++i)
+    {
+      lowest = std::fmin(lowest, grid.GetHeight(i, j));
+    }
+  }
+  return std::isfinite(lowest) ? lowest : 0.0;
+}
+
 void AddPoints(const Grid& grid, double unit, const double offset[3], vtkPolyData* output)
 {
   const vtkIdType number = vtkIdType(grid.Size[0]) * grid.Size[1];
@@ -119,6 +133,7 @@ void AddPoints(const Grid& grid, double unit, const double offset[3], vtkPolyDat
     output->GetPointData()->AddArray(array);
   }
   output->GetPointData()->SetActiveScalars("Height");
+  const double lowest = FindLowestHeight(grid);
   for (int j = 0; j < grid.Size[1]; ++j)
   {
     for (int i = 0; i < grid.Size[0]; ++i)
@@ -128,7 +143,7 @@ void AddPoints(const Grid& grid, double unit, const double offset[3], vtkPolyDat
       const Vector gradient = GetGradient(grid, i, j);
       points->SetPoint(id, grid.Origin[0] + i * grid.Column[0] + j * grid.Row[0] + offset[0],
         grid.Origin[1] + i * grid.Column[1] + j * grid.Row[1] + offset[1],
-        (std::isnan(height) ? 0.0 : height * unit) + offset[2]);
+        (std::isnan(height) ? lowest : height) * unit + offset[2]);
       heights->SetValue(id, height);
       const double steepness = unit * std::hypot(gradient[0], gradient[1]);
       slopes->SetValue(id, static_cast<float>(vtkMath::DegreesFromRadians(std::atan(steepness))));
@@ -297,6 +312,12 @@ int vtkTerrainReader::RequestData(
   {
     AddPoints(grid, pyramid->GetVerticalUnit(), offset, output);
     AddTriangles(grid, output);
+    if (output->GetNumberOfPolys() == 0)
+    {
+      vtkWarningMacro(<< this->FileName
+                      << " has no surface: heights are missing in each square of four samples. "
+                         "Check the no-data value.");
+    }
   }
   return 1;
 }

@@ -29,9 +29,11 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
 #include "vtkPlane.h"
+#include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -58,12 +60,21 @@ struct vtkAdaptiveVolumeRepresentation::vtkInternals
 
 namespace
 {
+bool IsPolygonal(vtkDataObject* piece)
+{
+  const std::vector<vtkDataSet*> sets = relevo::VolumePiece::GetDataSets(piece);
+  return !sets.empty() &&
+    std::all_of(sets.begin(), sets.end(),
+      [](vtkDataSet* set) { return vtkPolyData::SafeDownCast(set) != nullptr; });
+}
+
 // Words of the mapper and those of ParaView.
 const relevo::MapperWords VolumeWords = {
   { "select an array with SelectScalarArray()", "select an array in Coloring" },
   { "Use SetScalarModeToUseCellFieldData()", "Select the cell array in Coloring" },
   { "Use SetScalarModeToUsePointFieldData()", "Select the point array in Coloring" },
   { "call SetMethodToRayCasting()", "set Method to Ray Casting" },
+  { "Convert it with vtkCellDataToPointData", "Convert it with Cell Data to Point Data" },
   { "The volume property has a colour function", "The volume has a color transfer function" },
   { "The volume property has a scalar opacity function",
     "The volume has an opacity transfer function" },
@@ -475,8 +486,9 @@ void vtkAdaptiveVolumeRepresentation::PrepareFrame(vtkInformation* inInfo)
     : vtkDataObject::FIELD_ASSOCIATION_POINTS;
   const std::string selected = name ? name : "";
   this->Actor->SetVisibility(!selected.empty());
-  const std::string warning =
-    selected.empty() ? "No array is selected. Select one in Coloring to draw the volume." : "";
+  const std::string warning = !selected.empty() ? ""
+    : IsPolygonal(piece)                        ? "The input has no 3D cells."
+                         : "No array is selected. Select one in Coloring to draw the volume.";
   if (relevo::ShouldReport(data.Warning, warning) && relevo::IsFirstRank())
   {
     vtkWarningMacro(<< warning);
