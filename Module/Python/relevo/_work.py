@@ -25,7 +25,7 @@ def update(algorithm: vtkAlgorithm) -> None:
 
 
 def render(window: vtkRenderWindow) -> None:
-    """Render a window. Raise the errors of what it shows."""
+    """Render a window, and raise the errors of its props."""
     with Messages():
         _interruptible.render(window, Interrupts.is_stopped)
 
