@@ -32,9 +32,11 @@ bool vtkAdaptiveLICRepresentation::AddToView(vtkView* view)
   }
   this->RenderView = vtkPVRenderView::SafeDownCast(view);
   // The observer runs after ParaView has sent the camera to all processes, and before any of them
-  // draws, because IceT does not call processes with nothing in view.
-  this->StartTag = this->RenderView->GetRenderer()->AddObserver(
-    vtkCommand::StartEvent, this, &vtkAdaptiveLICRepresentation::PrepareParallelFrame, -1.0f);
+  // draws, because IceT does not call processes with nothing in view. It also runs before that of
+  // the base class, which updates meshes: after that, the streaks are missing.
+  constexpr float beforeAgreement = -0.5f;
+  this->StartTag = this->RenderView->GetRenderer()->AddObserver(vtkCommand::StartEvent, this,
+    &vtkAdaptiveLICRepresentation::PrepareParallelFrame, beforeAgreement);
   this->EndTag = this->RenderView->GetRenderWindow()->AddObserver(
     vtkCommand::EndEvent, this, &vtkAdaptiveLICRepresentation::EndPicture);
   return true;

@@ -105,9 +105,8 @@ bool vtkReliefInteraction::AddToView(vtkView* view)
   vtkInternals& data = *this->Internals;
   data.Renderer = renderView->GetRenderer();
   data.Renderer->AddViewProp(data.Bounds);
-  // These run after the processes have received the camera, and before they send the picture. The
-  // first one runs before that of Adaptive LIC, which draws and has to be the last.
-  constexpr float afterSynchronization = -0.5f;
+  // These run after the processes have received the camera, and before they send the picture.
+  constexpr float afterSynchronization = -1.0f;
   constexpr float beforeSynchronization = 1.0f;
   data.BeginTag = data.Renderer->AddObserver(
     vtkCommand::StartEvent, this, &vtkReliefInteraction::BeginFrame, afterSynchronization);

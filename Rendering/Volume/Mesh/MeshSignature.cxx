@@ -89,7 +89,7 @@ void Signature::AddArray(vtkDataArray* array)
   {
     return;
   }
-  if (!array->HasStandardMemoryLayout())
+  if (!array->HasStandardMemoryLayout() || array->GetDataTypeSize() == 0) // such as bits
   {
     this->Fail();
     return;
