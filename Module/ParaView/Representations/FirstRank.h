@@ -9,6 +9,7 @@
 #ifndef FirstRank_h
 #define FirstRank_h
 
+#include "ProcessError.h"
 #include "vtkMultiProcessController.h"
 
 namespace relevo
@@ -16,8 +17,7 @@ namespace relevo
 /// Return whether this is rank 0 of the server, or the only process.
 inline bool IsFirstRank()
 {
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  return !controller || controller->GetLocalProcessId() == 0;
+  return IsReportingProcess(vtkMultiProcessController::GetGlobalController());
 }
 }
 

@@ -28,6 +28,11 @@ inline std::string ReadMapperMessage(const void* text)
 /// Words of a mapper, and those of ParaView that replace them.
 using MapperWords = std::vector<std::pair<const char*, const char*>>;
 
+/// Words about cell arrays, and those of ParaView.
+constexpr std::pair<const char*, const char*> CellDataWords = {
+  "Convert it with vtkCellDataToPointData", "Convert it with Cell Data to Point Data"
+};
+
 /// Return the message in ParaView's words.
 inline std::string ReadMapperMessage(const void* text, const MapperWords& words)
 {

@@ -5,33 +5,22 @@
 #include "Checks/SettingChecks.h"
 #include "Checks/ShouldReport.h"
 #include "CurvedFaceGeometry.h"
+#include "FirstRank.h"
 #include "InputCells.h"
 #include "MapperMessage.h"
 #include "PatchTree.h"
 #include "vtkAdaptivePatchMapper.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCommand.h"
-#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPatchErrorDepthTagMetric.h"
 
 #include <string>
-#include <utility>
 
 namespace
 {
-// A client shows the messages of the first process only.
-bool IsFirstPatchProcess()
-{
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  return !controller || controller->GetLocalProcessId() == 0;
-}
-
-// Words of the mapper and those of ParaView.
-const std::pair<const char*, const char*> PatchWords[] = {
-  { "Convert it with vtkCellDataToPointData", "Convert it with Cell Data to Point Data" },
-};
+const relevo::MapperWords PatchWords = { relevo::CellDataWords };
 }
 
 struct vtkAdaptivePatchRepresentation::vtkPatchData
@@ -86,16 +75,7 @@ void vtkAdaptivePatchRepresentation::SetMapper(vtkAdaptivePatchMapper* mapper)
 
 void vtkAdaptivePatchRepresentation::Report(vtkObject*, unsigned long event, void* text)
 {
-  std::string message = relevo::ReadMapperMessage(text);
-  for (const auto& word : PatchWords)
-  {
-    const std::string from = word.first;
-    const std::size_t at = message.find(from);
-    if (at != std::string::npos)
-    {
-      message.replace(at, from.size(), word.second);
-    }
-  }
+  const std::string message = relevo::ReadMapperMessage(text, PatchWords);
   if (event == vtkCommand::ErrorEvent)
   {
     vtkErrorMacro(<< message);
@@ -150,7 +130,7 @@ vtkDataObject* vtkAdaptivePatchRepresentation::ConvertPieces(vtkDataObject* piec
   const bool lacksArray = patchMapper->GetIsolineSpacing() > 0.0 && !(name && name[0]);
   const std::string warning =
     lacksArray ? "There are no isolines without an array. Select a point array in Coloring." : "";
-  if (relevo::ShouldReport(data.IsolineWarning, warning) && IsFirstPatchProcess())
+  if (relevo::ShouldReport(data.IsolineWarning, warning) && relevo::IsFirstRank())
   {
     vtkWarningMacro(<< warning);
   }

@@ -74,7 +74,7 @@ const relevo::MapperWords VolumeWords = {
   { "Use SetScalarModeToUseCellFieldData()", "Select the cell array in Coloring" },
   { "Use SetScalarModeToUsePointFieldData()", "Select the point array in Coloring" },
   { "call SetMethodToRayCasting()", "set Method to Ray Casting" },
-  { "Convert it with vtkCellDataToPointData", "Convert it with Cell Data to Point Data" },
+  relevo::CellDataWords,
   { "The volume property has a colour function", "The volume has a color transfer function" },
   { "The volume property has a scalar opacity function",
     "The volume has an opacity transfer function" },

@@ -4,9 +4,9 @@
 
 #include "Checks/SettingChecks.h"
 #include "Checks/ShouldReport.h"
+#include "FirstRank.h"
 #include "MapperMessage.h"
 #include "OrderedCompositing.h"
-#include "ProcessError.h"
 #include "ReducedProjection.h"
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
@@ -279,8 +279,7 @@ int vtkTerrainRepresentation::RequestData(
     input && !data.IsTerrain && input->GetNumberOfElements(vtkDataObject::POINT) > 0
     ? "Terrain draws the output of a Terrain Reader. Select another representation."
     : "";
-  if (relevo::ShouldReport(data.Error, error) &&
-    relevo::IsReportingProcess(vtkMultiProcessController::GetGlobalController()))
+  if (relevo::ShouldReport(data.Error, error) && relevo::IsFirstRank())
   {
     vtkErrorMacro(<< error);
   }
@@ -379,8 +378,7 @@ void vtkTerrainRepresentation::ReportMemory()
       vtkVariant(this->ScreenSpaceError).ToString() +
       " in this view. The terrain is drawn coarser. Set a larger MemoryLimit or ScreenSpaceError."
     : "";
-  if (relevo::ShouldReport(data.MemoryWarning, warning) &&
-    relevo::IsReportingProcess(vtkMultiProcessController::GetGlobalController()))
+  if (relevo::ShouldReport(data.MemoryWarning, warning) && relevo::IsFirstRank())
   {
     vtkWarningMacro(<< warning);
   }
@@ -467,8 +465,7 @@ int vtkTerrainRepresentation::FindColorMode()
     ? ""
     : "The array " + name +
       " in Coloring is not drawn. Terrain draws Height, Slope and Aspect. Select one of them.";
-  if (relevo::ShouldReport(this->Internals->Warning, warning) &&
-    relevo::IsReportingProcess(vtkMultiProcessController::GetGlobalController()))
+  if (relevo::ShouldReport(this->Internals->Warning, warning) && relevo::IsFirstRank())
   {
     vtkWarningMacro(<< warning);
   }
