@@ -72,12 +72,8 @@ vtkStandardNewMacro(CurvePainter);
 
 CurvePainter::CurvePainter()
 {
-  this->ScalarVisibility = 0;
-  this->PopulateSelectionSettings = 0; // the mapper does
   this->SetVBOShiftScaleMethod(
     static_cast<int>(vtkOpenGLVertexBufferObject::ShiftScaleMethod::MANUAL_SHIFT_SCALE));
-  this->Box->SetPoints(vtkNew<vtkPoints>());
-  this->SetInputData(this->Box);
 }
 
 CurvePainter::~CurvePainter() = default;
@@ -195,12 +191,8 @@ void CurvePainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
-  Dependencies sources = this->Options.GetKey();
-  sources.Add(actor->GetShaderProperty()->GetShaderMTime());
-  sources.Add(this->GetMTime());
   vtkOpenGLHelper& helper = this->Variants.GetHelper();
-  if (!this->Variants.Update(
-        helper, sources, [&] { this->UpdateShaders(helper, renderer, actor); }))
+  if (!this->UpdateProgram(helper, this->Options.GetKey(), renderer, actor))
   {
     return;
   }
@@ -300,8 +292,7 @@ void CurvePainter::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
 bool CurvePainter::GetNeedToRebuildShaders(
   vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
 {
-  this->Options.HasCells = this->LastSelectionState == vtkHardwareSelector::CELL_ID_LOW24 ||
-    this->LastSelectionState == vtkHardwareSelector::CELL_ID_HIGH24;
+  this->Options.HasCells = this->IsSelectingCells();
   const bool needed = this->Superclass::GetNeedToRebuildShaders(helper, renderer, actor);
   if (!this->Variants.NeedsBuild(helper, needed, this->Options.GetKey()))
   {
@@ -335,17 +326,13 @@ bool CurvePainter::BuildStages(vtkOpenGLHelper& helper, vtkRenderer* renderer, v
     });
 }
 
-void CurvePainter::BuildShaders(
-  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
-{
-  this->Variants.Build(shaders, [&] { this->Superclass::BuildShaders(shaders, renderer, actor); });
-}
-
-void CurvePainter::ReplaceShaderValues(
-  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+void CurvePainter::PrepareShaders(ShaderVariants::Shaders& shaders, vtkActor* actor)
 {
   PrepareCurveShaders(this->Options, HasOwnFragments(actor), shaders, this->Variants.GetMissing());
-  this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
+}
+
+void CurvePainter::FinishShaders(ShaderVariants::Shaders& shaders)
+{
   FinishCurveShaders(this->Options, shaders, this->Variants.GetMissing());
 }
 
@@ -363,12 +350,6 @@ void CurvePainter::SetMapperShaderParameters(
 void CurvePainter::AnnounceIds(vtkHardwareSelector* selector) const
 {
   selector->UpdateMaximumCellId(this->Geometry.GetInput()->GetNumberOfCells());
-}
-
-// The input's ids are drawn, so there is nothing to convert.
-void CurvePainter::ProcessSelectorPixelBuffers(
-  vtkHardwareSelector*, std::vector<unsigned int>&, vtkProp*)
-{
 }
 
 //------------------------------------------------------------------------------
@@ -399,7 +380,6 @@ void CurvePainter::ReleaseGraphicsResources(vtkWindow* window)
   this->Colors.ReleaseGraphicsResources(window);
   this->Patterns.ReleaseGraphicsResources();
   this->Programs.ReleaseGraphicsResources(window);
-  this->Variants.ReleaseGraphicsResources(window);
   this->ColorSource.Clear();
   this->FailedStages.Clear();
 }

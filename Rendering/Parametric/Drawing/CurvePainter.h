@@ -15,11 +15,8 @@
 #include "Changes/Dependencies.h"
 #include "Drawing/CurveGeometry.h"
 #include "Shaders/CurveShader.h"
-#include "Shaders/ShaderVariants.h"
 #include "Shaders/TessellationPrograms.h"
-#include "vtkNew.h"
-#include "vtkOpenGLPolyDataMapper.h"
-#include "vtkPolyData.h"
+#include "Shaders/VariantPainter.h"
 
 #include <string>
 #include <vector>
@@ -29,11 +26,11 @@ class vtkPointSet;
 
 namespace relevo
 {
-class CurvePainter : public vtkOpenGLPolyDataMapper
+class CurvePainter : public VariantPainter
 {
 public:
   static CurvePainter* New();
-  vtkTypeMacro(CurvePainter, vtkOpenGLPolyDataMapper);
+  vtkTypeMacro(CurvePainter, VariantPainter);
 
   /// Set a data set. Return false if it is the current one and has not changed.
   bool SetCurves(vtkPointSet* input);
@@ -58,9 +55,8 @@ public:
   std::string Prepare(vtkRenderer* renderer, vtkActor* actor, const Settings& settings);
 
   //@{
-  /// Return the error of colours, the shaders or tessellation, or "", after RenderPiece().
+  /// Return the error of the colours or of tessellation, or "", after RenderPiece().
   const std::string& GetColorError() const { return this->ColorError; }
-  const std::string& GetShaderError() const { return this->Variants.GetError(); }
   const std::string& GetTessellationError() const { return this->TessellationError; }
   //@}
   bool IsTessellated() const { return this->Options.IsTessellated; }
@@ -69,8 +65,6 @@ public:
   void AnnounceIds(vtkHardwareSelector* selector) const;
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
-  void ProcessSelectorPixelBuffers(
-    vtkHardwareSelector* selector, std::vector<unsigned int>& pixels, vtkProp* prop) override;
 
   const CurveSelection& GetCurveSelection() const { return this->Geometry.GetSelection(); }
   vtkIdType CountDrawnSegments() const;
@@ -97,10 +91,8 @@ protected:
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
   bool GetNeedToRebuildShaders(
     vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor) override;
-  void BuildShaders(
-    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
-  void ReplaceShaderValues(
-    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void PrepareShaders(ShaderVariants::Shaders& shaders, vtkActor* actor) override;
+  void FinishShaders(ShaderVariants::Shaders& shaders) override;
   void SetMapperShaderParameters(
     vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor) override;
 
@@ -117,14 +109,12 @@ private:
   int GetMaximumSegments() const; // per curve
 
   CurveGeometry Geometry;
-  vtkNew<vtkPolyData> Box; // VTK's mapper needs points
   CurveColors Colors;
   Dependencies ColorSource;
   std::string ColorError;
   CurvePatterns Patterns;
 
   CurveShaderOptions Options;
-  ShaderVariants Variants;
   TessellationPrograms Programs;
   std::string TessellationError;
   Dependencies FailedStages; // tessellation shaders that could not be built

@@ -25,7 +25,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <type_traits>
 #include <vector>
 
 namespace relevo
@@ -41,15 +40,8 @@ constexpr int MaximumLayers = 4;
 vtkStandardNewMacro(ReliefPainter);
 
 ReliefPainter::ReliefPainter()
+  : VariantPainter(ReliefShaderOptions::NUMBER_OF_METHODS)
 {
-  for (int method = 0; method < ReliefShaderOptions::NUMBER_OF_METHODS; ++method)
-  {
-    this->Variants.GetHelper(method).PrimitiveType = PrimitiveTris;
-  }
-  this->ScalarVisibility = 0;
-  this->PopulateSelectionSettings = 0; // the mapper does
-  this->Box->SetPoints(vtkNew<vtkPoints>());
-  this->SetInputData(this->Box);
 }
 
 ReliefPainter::~ReliefPainter() = default;
@@ -127,7 +119,6 @@ void ReliefPainter::ReleaseGraphicsResources(vtkWindow* window)
   this->Textures.ReleaseGraphicsResources(window);
   this->Patterns.ReleaseGraphicsResources(window);
   this->Warped.ReleaseGraphicsResources(window);
-  this->Variants.ReleaseGraphicsResources(window);
   this->NeedsUpload = true;
 }
 
@@ -170,10 +161,8 @@ void ReliefPainter::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
   const bool isTranslucent = actor->IsRenderingTranslucentPolygonalGeometry() != 0;
   this->NumberOfLayers = this->IsMarching() && isTranslucent ? MaximumLayers : 1;
   vtkOpenGLHelper& helper = this->GetHelper();
-  const Dependencies sources = Dependencies::On(
-    this->GetOptions().GetKey(), actor->GetShaderProperty()->GetShaderMTime(), this->GetMTime());
-  if (!this->Variants.Update(
-        helper, sources, [&] { this->UpdateShaders(helper, renderer, actor); }))
+  const Dependencies options = Dependencies::On(this->GetOptions().GetKey());
+  if (!this->UpdateProgram(helper, options, renderer, actor))
   {
     return;
   }
@@ -309,26 +298,20 @@ bool ReliefPainter::GetNeedToRebuildShaders(
   return this->Variants.NeedsBuild(helper, needed, Dependencies::On(this->GetOptions().GetKey()));
 }
 
-void ReliefPainter::BuildShaders(
-  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+void ReliefPainter::PrepareShaders(ShaderVariants::Shaders& shaders, vtkActor*)
 {
-  this->Variants.Build(shaders, [&] { this->Superclass::BuildShaders(shaders, renderer, actor); });
+  PrepareReliefShaders(this->GetOptions(), shaders, this->Variants.GetMissing());
 }
 
-void ReliefPainter::ReplaceShaderValues(
-  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+void ReliefPainter::FinishShaders(ShaderVariants::Shaders& shaders)
 {
-  const ReliefShaderOptions options = this->GetOptions();
-  PrepareReliefShaders(options, shaders, this->Variants.GetMissing());
-  primitiveInfo& info = this->PrimitiveInfo[this->LastBoundBO];
-  const auto complexity = info.LastLightComplexity;
-  if (!options.IsLit)
-  {
-    info.LastLightComplexity = std::decay_t<decltype(complexity)>(0); // colours as captured
-  }
-  this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
-  info.LastLightComplexity = complexity;
-  FinishReliefShaders(options, shaders, this->Variants.GetMissing());
+  FinishReliefShaders(this->GetOptions(), shaders, this->Variants.GetMissing());
+}
+
+// Otherwise the colours are shown as captured.
+bool ReliefPainter::IsLit() const
+{
+  return this->Current.IsLit;
 }
 
 // Rays are clipped instead of fragments, so that the surface behind is visible.
@@ -347,9 +330,4 @@ void ReliefPainter::AnnounceIds(vtkHardwareSelector* selector) const
   selector->UpdateMaximumCellId(texels);
 }
 
-// The image's ids are drawn, so there is nothing to convert.
-void ReliefPainter::ProcessSelectorPixelBuffers(
-  vtkHardwareSelector*, std::vector<unsigned int>&, vtkProp*)
-{
-}
 }

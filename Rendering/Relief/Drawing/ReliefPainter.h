@@ -16,10 +16,7 @@
 #include "Buffers/WarpedTextures.h"
 #include "Changes/Dependencies.h"
 #include "Shaders/ReliefShader.h"
-#include "Shaders/ShaderVariants.h"
-#include "vtkNew.h"
-#include "vtkOpenGLPolyDataMapper.h"
-#include "vtkPolyData.h"
+#include "Shaders/VariantPainter.h"
 
 #include <string>
 
@@ -28,11 +25,11 @@ namespace relevo
 class Relief;
 class ReliefView;
 
-class ReliefPainter : public vtkOpenGLPolyDataMapper
+class ReliefPainter : public VariantPainter
 {
 public:
   static ReliefPainter* New();
-  vtkTypeMacro(ReliefPainter, vtkOpenGLPolyDataMapper);
+  vtkTypeMacro(ReliefPainter, VariantPainter);
 
   /// The settings of the mapper.
   struct Settings
@@ -48,7 +45,6 @@ public:
   /// Set a relief, and compute everything that does not need OpenGL.
   void SetRelief(const Relief& relief, double maximumStretch);
   /// Return the error of the shaders that were built last, or "".
-  const std::string& GetShaderError() const { return this->Variants.GetError(); }
 
   const double* GetSurfaceBounds() const { return this->SurfaceBounds; }
   bool IsTranslucent() const { return this->Tiles.IsTranslucent(); }
@@ -67,8 +63,6 @@ public:
   void AnnounceIds(vtkHardwareSelector* selector) const;
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
-  void ProcessSelectorPixelBuffers(
-    vtkHardwareSelector* selector, std::vector<unsigned int>& pixels, vtkProp* prop) override;
 
   vtkTypeInt64 GetMemorySize() const
   {
@@ -93,10 +87,9 @@ protected:
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
   bool GetNeedToRebuildShaders(
     vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor) override;
-  void BuildShaders(
-    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
-  void ReplaceShaderValues(
-    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void PrepareShaders(ShaderVariants::Shaders& shaders, vtkActor* actor) override;
+  void FinishShaders(ShaderVariants::Shaders& shaders) override;
+  bool IsLit() const override;
   void ReplaceShaderClip(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
   void SetMapperShaderParameters(
@@ -119,14 +112,12 @@ private:
   ivec2 Size = ivec2(0);
   double SurfaceBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   double NumberOfTriangles = 0.0;
-  vtkNew<vtkPolyData> Box; // VTK's mapper needs points
   ReliefTextures Textures;
   bool NeedsUpload = false;
   ReliefPatterns Patterns;
   WarpedTextures Warped;
-  double Plane = 0.0; // the relief's plane, in coordinates of the tiles
-  ShaderVariants Variants{ ReliefShaderOptions::NUMBER_OF_METHODS }; // by method
-  int NumberOfLayers = 1;                                            // drawn per tile, at most
+  double Plane = 0.0;     // the relief's plane, in coordinates of the tiles
+  int NumberOfLayers = 1; // drawn per tile, at most
   vtkIdType NumberOfBufferBuilds = 0;
 };
 }

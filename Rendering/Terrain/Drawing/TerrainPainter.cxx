@@ -29,7 +29,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 namespace relevo
 {
@@ -80,27 +79,20 @@ int ToSample(double coordinate, int size)
 vtkStandardNewMacro(TerrainPainter);
 
 TerrainPainter::TerrainPainter()
+  : VariantPainter(NUMBER_OF_PROGRAMS)
 {
-  for (int variant = 0; variant < NUMBER_OF_PROGRAMS; ++variant)
-  {
-    this->Variants.GetHelper(variant).PrimitiveType = PrimitiveTris;
-  }
-  this->ScalarVisibility = 0;
-  this->PopulateSelectionSettings = 0; // the mapper does
   this->SetVBOShiftScaleMethod(
     static_cast<int>(vtkOpenGLVertexBufferObject::ShiftScaleMethod::MANUAL_SHIFT_SCALE));
   // VTK's shaders have normals if the points have.
-  vtkNew<vtkPoints> points;
+  vtkPoints* points = this->Box->GetPoints();
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(1);
   points->SetPoint(0, 0.0, 0.0, 0.0);
-  this->Box->SetPoints(points);
   vtkNew<vtkFloatArray> normals;
   normals->SetNumberOfComponents(3);
   normals->SetNumberOfTuples(1);
   normals->Fill(0.0);
   this->Box->GetPointData()->SetNormals(normals);
-  this->SetInputData(this->Box);
 }
 
 TerrainPainter::~TerrainPainter() = default;
@@ -399,12 +391,8 @@ bool TerrainPainter::DrawPart(vtkRenderer* renderer, vtkActor* actor, Program pa
   this->Options.Part = part == BORDER ? TerrainPart::BORDER
     : part == BOTTOM                  ? TerrainPart::BOTTOM
                                       : TerrainPart::SURFACE;
-  Dependencies sources = this->Options.GetKey();
-  sources.Add(actor->GetShaderProperty()->GetShaderMTime());
-  sources.Add(this->GetMTime());
   vtkOpenGLHelper& helper = this->Variants.GetHelper(part);
-  if (!this->Variants.Update(
-        helper, sources, [&] { this->UpdateShaders(helper, renderer, actor); }))
+  if (!this->UpdateProgram(helper, this->Options.GetKey(), renderer, actor))
   {
     return false;
   }
@@ -494,32 +482,25 @@ void TerrainPainter::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
 bool TerrainPainter::GetNeedToRebuildShaders(
   vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
 {
-  this->Options.HasCells = this->LastSelectionState == vtkHardwareSelector::CELL_ID_LOW24 ||
-    this->LastSelectionState == vtkHardwareSelector::CELL_ID_HIGH24;
+  this->Options.HasCells = this->IsSelectingCells();
   const bool needed = this->Superclass::GetNeedToRebuildShaders(helper, renderer, actor);
   return this->Variants.NeedsBuild(helper, needed, this->Options.GetKey());
 }
 
-void TerrainPainter::BuildShaders(
-  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
-{
-  this->Variants.Build(shaders, [&] { this->Superclass::BuildShaders(shaders, renderer, actor); });
-}
-
-void TerrainPainter::ReplaceShaderValues(
-  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+void TerrainPainter::PrepareShaders(ShaderVariants::Shaders& shaders, vtkActor* actor)
 {
   PrepareTerrainShaders(
     this->Options, HasOwnFragments(actor), shaders, this->Variants.GetMissing());
-  primitiveInfo& info = this->PrimitiveInfo[this->LastBoundBO];
-  const auto complexity = info.LastLightComplexity;
-  if (this->Options.Coloring == TerrainColoring::HILLSHADE)
-  {
-    info.LastLightComplexity = std::decay_t<decltype(complexity)>(0); // the sun is the only light
-  }
-  this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
-  info.LastLightComplexity = complexity;
+}
+
+void TerrainPainter::FinishShaders(ShaderVariants::Shaders& shaders)
+{
   FinishTerrainShaders(this->Options, shaders, this->Variants.GetMissing());
+}
+
+bool TerrainPainter::IsLit() const
+{
+  return this->Options.Coloring != TerrainColoring::HILLSHADE; // its sun is the only light
 }
 
 void TerrainPainter::SetMapperShaderParameters(
@@ -636,12 +617,6 @@ void TerrainPainter::AnnounceIds(vtkHardwareSelector* selector) const
   selector->UpdateMaximumCellId(this->Instances.GetNumberOfFaces());
 }
 
-// The ids of faces are drawn, so there is nothing to convert.
-void TerrainPainter::ProcessSelectorPixelBuffers(
-  vtkHardwareSelector*, std::vector<unsigned int>&, vtkProp*)
-{
-}
-
 //------------------------------------------------------------------------------
 
 vtkTypeInt64 TerrainPainter::GetMemorySize() const
@@ -659,7 +634,6 @@ void TerrainPainter::ReleaseGraphicsResources(vtkWindow* window)
   this->Patterns.ReleaseGraphicsResources();
   this->Table.ReleaseGraphicsResources(window);
   this->BorderTexture.ReleaseGraphicsResources(window);
-  this->Variants.ReleaseGraphicsResources(window);
   this->TableSource.Clear();
 }
 }

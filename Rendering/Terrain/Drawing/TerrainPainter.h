@@ -18,11 +18,8 @@
 #include "Buffers/TerrainInstances.h"
 #include "Buffers/TerrainPatterns.h"
 #include "Changes/Dependencies.h"
-#include "Shaders/ShaderVariants.h"
 #include "Shaders/TerrainShader.h"
-#include "vtkNew.h"
-#include "vtkOpenGLPolyDataMapper.h"
-#include "vtkPolyData.h"
+#include "Shaders/VariantPainter.h"
 
 #include <array>
 #include <cstdint>
@@ -37,11 +34,11 @@ namespace relevo
 {
 class TerrainViewpoint;
 
-class TerrainPainter : public vtkOpenGLPolyDataMapper
+class TerrainPainter : public VariantPainter
 {
 public:
   static TerrainPainter* New();
-  vtkTypeMacro(TerrainPainter, vtkOpenGLPolyDataMapper);
+  vtkTypeMacro(TerrainPainter, VariantPainter);
 
   /// The settings for drawing.
   struct Settings
@@ -65,8 +62,7 @@ public:
   /// or "".
   std::string Prepare(vtkRenderer* renderer, vtkActor* actor, const std::vector<TerrainFace>& faces,
     const std::vector<MipmapTiles::Item>& shading, const Settings& settings);
-  /// Return the error of the shaders or of the colours, or "", after RenderPiece().
-  const std::string& GetShaderError() const { return this->Variants.GetError(); }
+  /// Return the error of the colours, or "", after RenderPiece().
   const std::string& GetColorError() const { return this->ColorError; }
 
   /// Return the number of tiles that fit into textures, in the current context.
@@ -84,8 +80,6 @@ public:
   void AnnounceIds(vtkHardwareSelector* selector) const;
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
-  void ProcessSelectorPixelBuffers(
-    vtkHardwareSelector* selector, std::vector<unsigned int>& pixels, vtkProp* prop) override;
 
   int GetNumberOfDrawCalls() const { return this->NumberOfDrawCalls; }
   vtkTypeInt64 GetMemorySize() const;
@@ -100,10 +94,9 @@ protected:
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
   bool GetNeedToRebuildShaders(
     vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor) override;
-  void BuildShaders(
-    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
-  void ReplaceShaderValues(
-    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void PrepareShaders(ShaderVariants::Shaders& shaders, vtkActor* actor) override;
+  void FinishShaders(ShaderVariants::Shaders& shaders) override;
+  bool IsLit() const override;
   void SetMapperShaderParameters(
     vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor) override;
 
@@ -145,7 +138,6 @@ private:
   std::string ColorError;
   std::array<int, 2> OriginSample = { { 0, 0 } };
   float OriginHeight = 0.0f;
-  vtkNew<vtkPolyData> Box; // VTK's mapper needs points
 
   std::array<double, 2> HalfViewport = { { 0.0, 0.0 } };
   std::vector<TerrainInstances::Kind> Kinds; // by face
@@ -154,7 +146,6 @@ private:
   BufferTexture BorderTexture;
 
   TerrainShaderOptions Options;
-  ShaderVariants Variants{ NUMBER_OF_PROGRAMS };
   int NumberOfDrawCalls = 0;
 };
 }
