@@ -212,15 +212,9 @@ SurfaceMesh ReadMesh(const std::string& fileName, MeshCells cells, ViewerMessage
       CheckCorners(mesh);
     }
   }
-  catch (const std::bad_alloc&)
+  catch (const std::exception&)
   {
-    throw ViewerError("cannot read " + fileName + ": " + NoMemory);
-  }
-  catch (const std::exception& error)
-  {
-    const std::string text = error.what();
-    throw ViewerError(
-      text.find(fileName) != std::string::npos ? text : "cannot read " + fileName + ": " + text);
+    ThrowReadingError(fileName);
   }
   if (!mesh || mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
   {

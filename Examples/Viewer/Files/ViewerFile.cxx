@@ -5,8 +5,8 @@
 #include "Files/AtomicFile.h"
 #include "Text/ViewerMessages.h"
 
-#include <filesystem>
-#include <fstream>
+#include <exception>
+#include <new>
 
 //------------------------------------------------------------------------------
 void CheckFile(const std::string& fileName)
@@ -31,5 +31,25 @@ void CheckOutput(const std::string& fileName)
   if (!error.empty())
   {
     throw ViewerError("cannot write " + fileName + ": " + error);
+  }
+}
+
+//------------------------------------------------------------------------------
+void ThrowReadingError(const std::string& fileName)
+{
+  const std::string start = "cannot read " + fileName + ": ";
+  try
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw ViewerError(
+      start + "not enough memory; the file is damaged, or too large for this machine");
+  }
+  catch (const std::exception& error)
+  {
+    const std::string text = error.what();
+    throw ViewerError(text.find(fileName) != std::string::npos ? text : start + text);
   }
 }

@@ -20,4 +20,7 @@ bool CanRead(const std::string& fileName);
 /// vain. Creates no file.
 void CheckOutput(const std::string& fileName);
 
+/// In a handler of exceptions, throws the current one as a ViewerError that names the file.
+[[noreturn]] void ThrowReadingError(const std::string& fileName);
+
 #endif

@@ -96,15 +96,9 @@ Volume ReadVolume(const std::string& fileName, ViewerMessages& messages)
       }
     }
   }
-  catch (const std::bad_alloc&)
+  catch (const std::exception&)
   {
-    throw ViewerError("cannot read " + fileName + ": " + NoMemory);
-  }
-  catch (const std::exception& error)
-  {
-    const std::string text = error.what();
-    throw ViewerError(
-      text.find(fileName) != std::string::npos ? text : "cannot read " + fileName + ": " + text);
+    ThrowReadingError(fileName);
   }
   if (GetNumberOfCells(data) == 0)
   {

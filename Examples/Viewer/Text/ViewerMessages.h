@@ -19,10 +19,6 @@ class vtkObject;
 
 using ViewerError = FileError;
 
-/// For files that are too large, or whose headers declare too much.
-constexpr const char* NoMemory =
-  "not enough memory; the file is damaged, or too large for this machine";
-
 class ViewerMessages
 {
 public:
