@@ -20,11 +20,10 @@ build_dir=${RELEVO_BUILD_DIR:-$source_dir/build}
 . "$source_dir/Module/packages.sh"
 
 packages=$build_packages$vtk_packages
-testing_packages="
+testing_packages="$documentation_packages
 clang
 clang-format
 codespell
-doxygen
 gdal-bin
 git
 glslang-tools

@@ -2,15 +2,17 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Makes the reference of all public classes with Doxygen. On Debian and Ubuntu it first installs
-# Doxygen if it is missing. Warnings are errors. The last line of the output is the path of the
-# first page.
+# Makes the site: all pages, the gallery and the reference of C++ and Python, with a search that
+# works without a network. On Debian and Ubuntu it first installs Doxygen and Sphinx if they are
+# missing. Warnings and broken links are errors. The last line of the output is the path of the first
+# page.
 #
 #   bash Module/docs.sh [--no-install]
 #
 #   --no-install   do not install packages
 #
-# The pages are in RELEVO_BUILD_DIR (default: build, beside README.md).
+# The pages are in RELEVO_BUILD_DIR (default: build, beside README.md). If there is a build in this
+# folder, the reference of Python has the types of its stubs.
 set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -18,7 +20,7 @@ build_dir=${RELEVO_BUILD_DIR:-$source_dir/build}
 . "$source_dir/Module/packages.sh"
 
 case ${1:-} in
-  '') install_packages doxygen ;;
+  '') install_packages $documentation_packages ;;
   --no-install) ;;
   *)
     sed -n '/^# Makes/,/^set /p' "${BASH_SOURCE[0]}" | sed '$d; s/^# \{0,1\}//'
@@ -27,10 +29,17 @@ case ${1:-} in
     ;;
 esac
 
+# The first python3 in PATH may not be that of the packages.
+for python in python3 /usr/bin/python3; do
+  if "$python" -c 'import sphinx, myst_parser, furo' 2>/dev/null; then
+    break
+  fi
+done
+
 cd "$source_dir"
 output=$build_dir/Documentation
 rm -rf "$output"
-mkdir -p "$output"
+mkdir -p "$output/source"
 # Public headers declare classes with VTK's type macros, or CMakeLists.txt of a module lists them in
 # author_headers, for authors of metrics and surfaces.
 headers=$(grep -rlE --include='vtk*.h' 'vtk(Abstract)?TypeMacro\(' Filters Rendering | sort)
@@ -38,7 +47,16 @@ for list in Filters/*/CMakeLists.txt; do
   folder=$(dirname "$list")
   headers+=$(sed -n '/^set(author_headers/,/)/{s/)//;s/^  //p}' "$list" | sed "s|^|\n$folder/|")
 done
-version=$(sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' CMakeLists.txt)
-RELEVO_HEADERS=$(tr '\n' ' ' <<<"$headers") RELEVO_OUTPUT=$output RELEVO_VERSION=$version \
+RELEVO_VERSION=$(sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' CMakeLists.txt)
+export RELEVO_VERSION
+RELEVO_HEADERS=$(tr '\n' ' ' <<<"$headers") RELEVO_OUTPUT=$output \
   doxygen Module/Documentation/Doxyfile
+
+stubs=("$build_dir"/lib/python*/*-packages/relevo)
+[ -e "${stubs[0]}" ] || stubs=()
+export PYTHONDONTWRITEBYTECODE=1
+"$python" Module/Site/make_pages.py "$source_dir" "$output/source" "$output/xml" "${stubs[@]}"
+"$python" -m sphinx -W --keep-going -q -b html -d "$output/cache" "$output/source" "$output/html"
+mv "$output/cxx" "$output/html/cxx"
+"$python" Module/Site/check_site.py "$output/html"
 echo "$output/html/index.html"

@@ -25,6 +25,13 @@ vtk_packages="
 libvtk9-dev
 python3-vtk9
 "
+# Packages that Module/docs.sh needs.
+documentation_packages="
+doxygen
+furo
+python3-myst-parser
+python3-sphinx
+"
 
 as_root() {
   if [ "$(id -u)" -eq 0 ]; then

@@ -169,10 +169,15 @@ def main():
     words = len(readme.split())
     if words > MOST_WORDS:
         report("README.md", f"has {words} words, more than {MOST_WORDS}")
+    tutorials = documentation / "tutorials.md"
     for page in documentation.glob("*.md"):
-        if f"Module/Documentation/{page.name}" not in get_links(readme):
+        if page.name.startswith("tutorial-"):
+            if page.name not in get_links(tutorials.read_text()):
+                report("tutorials.md", f"has no link to {page.name}")
+        elif f"Module/Documentation/{page.name}" not in get_links(readme):
             report("README.md", f"has no link to {page.name}")
-    for picture in (*documentation.glob("*.png"), *documentation.glob("*.jpg")):
+    pictures = [path for path in documentation.iterdir() if path.suffix in (".gif", ".jpg", ".png")]
+    for picture in pictures:
         if not any(picture.name in page.read_text() for page in pages):
             report(picture.relative_to(source), "no page shows it")
 

@@ -4,7 +4,9 @@
 off-screen.
 
 A block after the line <!-- continues --> continues the previous block of its page. Each program
-runs separately, in a folder with my-dem.tif and my-mesh.ply."""
+runs separately, in a folder with my-dem.tif and my-mesh.ply. The programs of a tutorial share a
+folder. Those under "Example data" run first, and the pictures of the page are those that the
+programs draw."""
 
 import atexit
 import os
@@ -18,6 +20,7 @@ import relevo
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkImagingCore import vtkImageShrink3D
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkTIFFWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 
@@ -65,20 +68,62 @@ def write_inputs(folder):
     writer.Write()
 
 
+def mean_of_blocks(path, side=20):
+    """Mean colours of blocks, because details depend on the graphics card."""
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    shrink = vtkImageShrink3D()
+    shrink.SetInputConnection(reader.GetOutputPort())
+    shrink.SetShrinkFactors(side, side, 1)
+    shrink.AveragingOn()
+    shrink.Update()
+    scalars = shrink.GetOutput().GetPointData().GetScalars()
+    return [scalars.GetTuple(i)[:3] for i in range(scalars.GetNumberOfTuples())]
+
+
 class TestPagePrograms(unittest.TestCase):
+    def check_program(self, page, line, program, folder):
+        with self.subTest(page=page.name, line=line):
+            run = SCRIPTS.run(["-c"], folder, program)
+            # VTK writes its errors to standard error and continues.
+            self.assertEqual((run.returncode, run.stderr), (0, ""), run.stdout)
+
     def test_programs(self):
         pages = [SOURCE / "README.md", *sorted((SOURCE / "Module/Documentation").glob("*.md"))]
         count = 0
         for page in pages:
+            if page.name.startswith("tutorial-"):
+                continue
             for line, program in read_programs(page):
-                with self.subTest(page=page.name, line=line):
-                    with tempfile.TemporaryDirectory() as folder:
-                        write_inputs(pathlib.Path(folder))
-                        run = SCRIPTS.run(["-c"], folder, program)
-                        # VTK writes its errors to standard error and continues.
-                        self.assertEqual((run.returncode, run.stderr), (0, ""), run.stdout)
+                with tempfile.TemporaryDirectory() as folder:
+                    write_inputs(pathlib.Path(folder))
+                    self.check_program(page, line, program, folder)
                 count += 1
         self.assertGreater(count, 6)
+
+    def test_tutorials(self):
+        pages = sorted((SOURCE / "Module/Documentation").glob("tutorial-*.md"))
+        self.assertEqual(len(pages), 4)
+        for page in pages:
+            text = page.read_text()
+            programs = read_programs(page)
+            data = text.count("\n", 0, text.find("## Example data"))
+            programs.sort(key=lambda program: (program[0] < data, program[0]))
+            with tempfile.TemporaryDirectory() as name:
+                folder = pathlib.Path(name)
+                write_inputs(folder)
+                for line, program in programs:
+                    self.check_program(page, line, program, folder)
+                pictures = re.findall(r"\]\((tutorial-[\w-]+\.png)\)", text)
+                self.assertGreater(len(pictures), 2)
+                for picture in pictures:
+                    with self.subTest(picture=picture):
+                        means = [mean_of_blocks(own / picture) for own in (folder, page.parent)]
+                        self.assertEqual(*map(len, means))
+                        difference = max(
+                            abs(a - b) for colours in zip(*means) for a, b in zip(*colours)
+                        )
+                        self.assertLess(difference, 15)
 
     def test_long_program(self):
         """The last program of python.md is the example terrain.py, which draws a terrain."""

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkDataArray
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkDataArray, vtkScalarsToColors
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor
 
@@ -209,6 +209,11 @@ class Refined(Drawing):
         self._title = _colours.make_title(array.GetName(), array)
         self.mapper.SetLookupTable(self._table)
         self.mapper.InterpolateScalarsBeforeMappingOn()
+
+    def _get_legend(self) -> tuple[vtkScalarsToColors | None, str]:
+        """Return the table of the mapper, which the caller may have replaced, and the title."""
+        is_coloured = self._table is not None and self.mapper.GetScalarVisibility()
+        return self.mapper.GetLookupTable() if is_coloured else None, self._title
 
     def _displace(self, height: Any, scale: float | None) -> None:
         displacement = height
