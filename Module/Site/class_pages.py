@@ -40,6 +40,10 @@ class Stubs:
     def find(self, kind: str, method: str) -> list[str]:
         return self._signatures.get((kind, method), [])
 
+    def is_in_cpp_only(self, kind: str, method: str) -> bool:
+        """Return whether Python lacks a method, if that is known."""
+        return bool(self._signatures) and (kind, method) not in self._signatures
+
 
 class _Text:
     """Converts descriptions of Doxygen's XML."""
@@ -117,7 +121,10 @@ def _get_signature(member: ElementTree.Element) -> str:
 
 def _get_python(member: ElementTree.Element, kind: str, stubs: Stubs) -> list[str]:
     name = _get_text(member, "name")
-    names = [_get_text(item, "declname") or "value" for item in member.findall("param")]
+    names = [
+        _get_text(item, "declname") or f"value{i}"
+        for i, item in enumerate(member.findall("param"), 1)
+    ]
     return stubs.find(kind, name) or [f"{name}({', '.join(names)})"]
 
 
@@ -134,6 +141,8 @@ def _write_group(
     in_cpp = "\n".join(dict.fromkeys(_get_signature(member) + ";" for member in members))
     first = members[0]
     description = text.convert(first.find("briefdescription"), first.find("detaileddescription"))
+    if all(stubs.is_in_cpp_only(kind, name) for name in names):
+        description += "\n\nThis method is not available in Python."
     code = f".. code-block:: cpp\n\n{indent(in_cpp)}\n"
     return directive("py:method", signatures, f"{options}{description}\n\n{code}")
 

@@ -14,6 +14,7 @@ import relevo
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_QUADRATIC_HEXAHEDRON
 from vtkmodules.vtkFiltersSources import vtkCellTypeSource, vtkSphereSource
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 if not hasattr(relevo, "vtkEGLOffscreenRenderWindow"):
     print("skipped: built without rendering, or without EGL")
@@ -60,6 +61,16 @@ def make_block(kind=VTK_HEXAHEDRON, size=(4, 4, 4)):
 
 def make_curved_block():
     return make_block(VTK_QUADRATIC_HEXAHEDRON, (4, 1, 1))
+
+
+def read_picture(path):
+    """Return the pixels of a PNG file, of shape (rows, columns, 3), top row first."""
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    columns, rows, _ = reader.GetOutput().GetDimensions()
+    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+    return pixels.reshape(rows, columns, -1)[::-1, :, :3]
 
 
 def count_colours(picture):

@@ -16,11 +16,13 @@ import warnings
 
 from DrawingData import (
     BOUNDS,
+    count_colours,
     make_block,
     make_curved_block,
     make_heights,
     make_sphere,
     numpy,
+    read_picture,
     relevo,
 )
 from relevo import _inputs, _messages
@@ -439,16 +441,34 @@ class TestDrawingInputs(unittest.TestCase):
             "assert terrain.mapper.IsComplete()\n"
             "assert plotter.screenshot(asarray=True).std() > 5\n"
         )
+        run = self.run_vedo("-c", script)
+        self.assertEqual((run.returncode, run.stderr), (0, ""), run.stdout)
+
+    def run_vedo(self, *arguments):
+        """Run Python in another process, where vedo needs a display."""
         run = subprocess.run([sys.executable, "-c", "import vedo"], capture_output=True)
         if run.returncode or not os.environ.get("DISPLAY"):
             self.skipTest("no vedo, or no display")
-        run = subprocess.run(
-            [sys.executable, "-c", script],
+        return subprocess.run(
+            [sys.executable, *arguments],
             cwd=pathlib.Path(__file__).parent,
             capture_output=True,
             text=True,
         )
-        self.assertEqual((run.returncode, run.stderr), (0, ""), run.stdout)
+
+    def test_vedo_example(self):
+        """The example draws streaks like those of the stored picture."""
+        example = pathlib.Path(os.environ["RELEVO_SOURCE_DIR"]) / "Examples/Python/vedo_lic.py"
+        path = self.folder / "out.png"
+        run = self.run_vedo(example, path)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertRegex(run.stdout, r"^[1-9]\d{3,} triangles\n$")
+        picture, kept = (read_picture(own) for own in (path, example.with_suffix(".png")))
+        self.assertEqual(picture.shape, kept.shape)
+        self.assertGreater(count_colours(picture), 1000)
+        blocks = (numpy.float64(own).reshape(20, 20, 32, 20, 3) for own in (picture, kept))
+        means = [own.mean(axis=(1, 3)) for own in blocks]
+        self.assertLess(numpy.abs(means[0] - means[1]).max(), 20)
 
     def make_data_array(self, heights, lat, lon, **attributes):
         """Return a stand-in for a DataArray of xarray."""

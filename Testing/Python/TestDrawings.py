@@ -19,13 +19,14 @@ from DrawingData import (
     make_heights,
     make_sphere,
     numpy,
+    read_picture,
     relevo,
 )
 from relevo import _legend
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkFiltersSources import vtkConeSource
-from vtkmodules.vtkIOImage import vtkPNGReader, vtkTIFFWriter
+from vtkmodules.vtkIOImage import vtkTIFFWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridWriter
 from vtkmodules.vtkRenderingCore import (
@@ -37,15 +38,6 @@ from vtkmodules.vtkRenderingCore import (
 
 SIZE = (320, 200)
 VIEWER = pathlib.Path(os.environ["RELEVO_BINARY_DIR"]) / "bin/relevo-view"
-
-
-def read_picture(path):
-    reader = vtkPNGReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    columns, rows, _ = reader.GetOutput().GetDimensions()
-    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-    return pixels.reshape(rows, columns, -1)[::-1, :, :3]
 
 
 def write(writer, path, mesh):

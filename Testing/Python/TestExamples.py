@@ -2,8 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Proves that the Python examples run and draw something, and that the pages show their results."""
 
+import ast
 import atexit
+import base64
 import errno
+import json
 import math
 import os
 import pathlib
@@ -564,6 +567,35 @@ class TestExamples(unittest.TestCase):
                 run = self.run_example(script, folder, "ball", "out.png")
                 self.assertEqual(run.returncode, 1)
                 self.assertIn("NAME is one of", run.stderr)
+
+    def test_notebook(self):
+        """The cells run, and print and draw the outputs that the notebook stores."""
+        self.assertIn("Examples/Python/notebook.png", PAGES)
+        notebook = json.loads((SOURCE / "Examples/Python/notebook.ipynb").read_text())
+        cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
+        program = ["pictures = []"]
+        printed = ""
+        stored = []
+        for cell in cells:
+            for output in cell["outputs"]:
+                printed += "".join(output.get("text", ""))
+                stored += [output["data"]["image/png"]] if "data" in output else []
+            tree = ast.parse("".join(cell["source"]))
+            if isinstance(tree.body[-1], ast.Expr) and "data" in str(cell["outputs"]):
+                shown = ast.unparse(tree.body.pop())
+                program += [ast.unparse(tree), f"pictures.append(({shown})._repr_png_())"]
+            else:
+                program.append(ast.unparse(tree))
+        program.append("for i, picture in enumerate(pictures):")
+        program.append("    open(f'{i}.png', 'wb').write(picture)")
+        with tempfile.TemporaryDirectory() as name:
+            run = SCRIPTS.run(["-c"], name, "\n".join(program))
+            self.assertEqual((run.returncode, run.stderr, run.stdout), (0, "", printed))
+            self.assertEqual(len(stored), 3)
+            for i, picture in enumerate(stored):
+                kept = pathlib.Path(name) / "kept.png"
+                kept.write_bytes(base64.b64decode(picture))
+                self.assert_kept(pathlib.Path(name) / f"{i}.png", kept)
 
     def test_contacts(self):
         """Each figure can be drawn for generated meshes, and for real meshes equals the stored one.

@@ -9,11 +9,16 @@ import os
 import pathlib
 import subprocess
 import sys
+import tempfile
 import unittest
 
-import DrawingData  # noqa: F401, skips without numpy, EGL and GDAL
+import DrawingData  # skips without numpy, EGL and GDAL
+import numpy
+from relevo._raster import RasterFile
 
 FOLDER = pathlib.Path(__file__).parent
+SOURCE = FOLDER.parent.parent
+DATA = pathlib.Path(os.environ.get("RELEVO_TEST_DATA") or FOLDER / "none")
 POINTS = ("pyvista.accessors", "pyvista.plotter_components")
 
 if sys.version_info < (3, 11):
@@ -106,6 +111,36 @@ for add in (
     assert (picture != empty).any(axis=2).sum() > 1000, type(drawing).__name__
 """
         )
+
+    def test_example(self):
+        """The example of a topographic map; the stored picture is that of real data."""
+        example = SOURCE / "Examples/Python/pyvista_terrain.py"
+        heights = DrawingData.make_heights()
+        bounds, crs = DrawingData.BOUNDS, "EPSG:4326"
+        made = RasterFile(heights, bounds, crs), RasterFile((heights / 20).astype("u1"), bounds, crs)
+        files = [raster.name for raster in made]
+        real = DATA / "relief/rmnp-dem.tif"
+        if real.exists():
+            files = [str(real), str(DATA / "relief/rmnp-rgb.tif")]
+        with tempfile.TemporaryDirectory() as folder:
+            run = subprocess.run(
+                [sys.executable, example, *files, "out.png"],
+                env={**os.environ, "PYTHONPATH": os.pathsep.join(get_path())},
+                cwd=folder,
+                capture_output=True,
+                text=True,
+            )
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            self.assertRegex(run.stdout, r"^[1-9]\d+ triangles, exact to 1 pixel\n$")
+            picture, kept = (
+                DrawingData.read_picture(path)
+                for path in (f"{folder}/out.png", example.with_suffix(".png"))
+            )
+        self.assertEqual(picture.shape, kept.shape)
+        self.assertGreater(DrawingData.count_colours(picture), 200)
+        if real.exists() and str(FOLDER / "StandIn") in get_path():
+            difference = numpy.abs(picture.astype(float) - kept).mean()
+            self.assertLess(difference, 2)
 
     def test_colour_modes(self):
         """A mode that is set after add_to() has its own colours."""

@@ -11,6 +11,7 @@ import importlib.metadata
 
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonColor import vtkNamedColors
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader
@@ -78,6 +79,20 @@ class Plotter(BasePlotter):
     def remove_actor(self, actor):
         self.actors.remove(actor)
         self.renderer.RemoveActor(actor)
+
+    @property
+    def camera(self):
+        return self.renderer.GetActiveCamera()
+
+    def set_background(self, name):
+        self.renderer.SetBackground(vtkNamedColors().GetColor3d(name))
+
+    def view_vector(self, vector, viewup=None):
+        """Look at the actors from the direction of a vector."""
+        self.camera.SetFocalPoint(0, 0, 0)
+        self.camera.SetPosition(vector)
+        self.camera.SetViewUp(viewup or (0, 0, 1))
+        self.renderer.ResetCamera()
 
     def screenshot(self, filename=None):
         """Return the picture as an array of shape (rows, columns, 3), and write a PNG file."""
