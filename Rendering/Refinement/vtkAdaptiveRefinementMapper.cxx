@@ -887,6 +887,16 @@ void vtkAdaptiveRefinementMapper::ReplaceShaderValues(
   programs.Refine(this->LastBoundBO, purpose, shaders, this->MissingAnchors);
 }
 
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 20260726)
+// Faces hand their cell ids to the fragments themselves, so that VTK's geometry shader for
+// primitive ids is not needed. Compared with the source of VTK after 9.7, but not yet run with it.
+bool vtkAdaptiveRefinementMapper::FragmentShaderUsesPrimitiveID(vtkRenderer* ren, vtkActor* act)
+{
+  return !this->IsFaceHelper(this->LastBoundBO) &&
+    this->Superclass::FragmentShaderUsesPrimitiveID(ren, act);
+}
+#endif
+
 void vtkAdaptiveRefinementMapper::SetMapperShaderParameters(
   vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
 {

@@ -58,7 +58,8 @@
 
 #include "RelevoRenderingRefinementModule.h" // for export macro
 #include "vtkBlockAttributesPolyDataMapper.h"
-#include "vtkSmartPointer.h" // for members
+#include "vtkSmartPointer.h"  // for members
+#include "vtkVersionMacros.h" // for FragmentShaderUsesPrimitiveID()
 
 #include <functional> // for ForEachBlock()
 #include <map>        // for parts
@@ -552,6 +553,10 @@ private:
   RefinementColorModes RefinementColorMode = COLOR_BY_SCALARS;
   vtkSmartPointer<vtkScalarsToColors> LevelLookupTable;
   std::unique_ptr<vtkInternals> Internals;
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 20260726)
+  bool FragmentShaderUsesPrimitiveID(vtkRenderer* ren, vtkActor* act) override;
+#endif
 };
 
 #endif

@@ -63,6 +63,15 @@ void VariantPainter::ReplaceShaderValues(
   this->FinishShaders(shaders);
 }
 
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 20260726)
+// The fragments know their cells without VTK's geometry shader for primitive ids. Compared with the
+// source of VTK after 9.7, but not yet run with it.
+bool VariantPainter::FragmentShaderUsesPrimitiveID(vtkRenderer*, vtkActor*)
+{
+  return false;
+}
+#endif
+
 void VariantPainter::ProcessSelectorPixelBuffers(
   vtkHardwareSelector*, std::vector<unsigned int>&, vtkProp*)
 {

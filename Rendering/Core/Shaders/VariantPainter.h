@@ -17,6 +17,7 @@
 #include "vtkNew.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPolyData.h"
+#include "vtkVersionMacros.h"
 
 #include <map>
 #include <string>
@@ -67,6 +68,10 @@ protected:
 private:
   VariantPainter(const VariantPainter&) = delete;
   void operator=(const VariantPainter&) = delete;
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 20260726)
+  bool FragmentShaderUsesPrimitiveID(vtkRenderer* renderer, vtkActor* actor) override;
+#endif
 };
 }
 
