@@ -5,26 +5,22 @@
  * @brief   a geometry filter whose output has the line cells of data sets
  *
  * Line cells of unstructured grids become poly-lines of their nodes, see CurveLines.h. Other cells
- * are left out. The structure of composite data sets is that of vtkPVGeometryFilter.
+ * are left out. The structure of composite data sets is that of PlainGeometry.
  *
  * Private to the module.
  */
 #ifndef CurveGeometry_h
 #define CurveGeometry_h
 
-#include "vtkPVGeometryFilter.h"
+#include "PlainGeometry.h"
 
 namespace relevo
 {
-class CurveGeometry : public vtkPVGeometryFilter
+class CurveGeometry : public PlainGeometry
 {
 public:
   static CurveGeometry* New();
-  vtkTypeMacro(CurveGeometry, vtkPVGeometryFilter);
-
-  // These would change the lines.
-  void SetTriangulate(int) override {}
-  void SetGenerateFeatureEdges(bool) override {}
+  vtkTypeMacro(CurveGeometry, PlainGeometry);
 
 protected:
   CurveGeometry();

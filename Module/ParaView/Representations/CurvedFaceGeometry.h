@@ -5,14 +5,14 @@
  * @brief   a geometry filter whose output has curved faces
  *
  * Faces of unstructured grids become polygons of their nodes, see FacePolygons.h. Other data sets
- * and the structure of composite data sets are those of vtkPVGeometryFilter.
+ * and the structure of composite data sets are those of PlainGeometry.
  *
  * Private to the module.
  */
 #ifndef CurvedFaceGeometry_h
 #define CurvedFaceGeometry_h
 
-#include "vtkPVGeometryFilter.h"
+#include "PlainGeometry.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -22,15 +22,11 @@ class vtkUnstructuredGrid;
 
 namespace relevo
 {
-class CurvedFaceGeometry : public vtkPVGeometryFilter
+class CurvedFaceGeometry : public PlainGeometry
 {
 public:
   static CurvedFaceGeometry* New();
-  vtkTypeMacro(CurvedFaceGeometry, vtkPVGeometryFilter);
-
-  // These would change the polygons.
-  void SetTriangulate(int) override {}
-  void SetGenerateFeatureEdges(bool) override {}
+  vtkTypeMacro(CurvedFaceGeometry, PlainGeometry);
 
   /// The errors and warnings of the last update; "" if there are none.
   const std::string& GetErrors() const { return this->Errors; }

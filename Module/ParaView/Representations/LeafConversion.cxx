@@ -19,7 +19,7 @@ namespace relevo
 {
 namespace
 {
-// The original ids have these names while vtkPVGeometryFilter adds its own.
+// The original ids have these names while PlainGeometry adds its own.
 constexpr const char* HeldCellIds = "relevo::HeldCellIds";
 constexpr const char* HeldPointIds = "relevo::HeldPointIds";
 

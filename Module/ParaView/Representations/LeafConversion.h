@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   replaces the data sets of an input before vtkPVGeometryFilter
+ * @brief   replaces the data sets of an input before PlainGeometry
  *
  * Private to the module.
  */
@@ -24,7 +24,7 @@ struct DataLeaf;
 using LeafConverter = std::function<vtkSmartPointer<vtkDataObject>(const DataLeaf& leaf)>;
 
 /**
- * Call request(inputs) with converted data sets. vtkPVGeometryFilter adds its own original ids to
+ * Call request(inputs) with converted data sets. PlainGeometry adds its own original ids to
  * polygonal data. Afterwards, the output has the ids that the converted data sets have, if any.
  */
 int RequestConverted(vtkInformationVector** inputs, vtkInformationVector* outputs,
