@@ -318,6 +318,8 @@ void vtkAdaptivePatchMapper::ExtendShaders(
     if (this->ExactScalars && this->GetRefinementColorMode() == COLOR_BY_SCALARS)
     {
       options.Coloring = data.Scalars.GetColoring();
+      options.IsRational = data.Scalars.IsRational();
+      options.IsNumber = data.Scalars.IsNumber();
     }
     options.HasIsolines = options.HasColors() &&
       options.Coloring != relevo::PatchColoring::COLORS && data.IsSurface &&

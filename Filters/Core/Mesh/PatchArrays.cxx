@@ -120,6 +120,13 @@ vtkDataArray* PatchArrays::FindNodes(vtkPolyData* mesh, vtkAbstractArray* pointA
   return fits ? nodes : nullptr;
 }
 
+bool PatchArrays::HaveDifferentWeights(vtkPolyData* mesh)
+{
+  double range[2];
+  mesh->GetFieldData()->GetArray(PatchPointsName)->GetRange(range, 3);
+  return range[0] < range[1];
+}
+
 Dependencies PatchArrays::GetDependencies(vtkPolyData* mesh)
 {
   Dependencies dependencies;

@@ -73,6 +73,9 @@ public:
   /// components and control points.
   static vtkDataArray* FindNodes(vtkPolyData* mesh, vtkAbstractArray* pointArray);
 
+  /// Return whether the weights of control points differ. The mesh must have valid patches.
+  static bool HaveDifferentWeights(vtkPolyData* mesh);
+
   /// The arrays and triangles of the mesh as dependencies.
   static Dependencies GetDependencies(vtkPolyData* mesh);
 

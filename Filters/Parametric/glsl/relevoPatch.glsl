@@ -8,7 +8,13 @@
 //
 // The including file provides
 //
-//   vec4 patchPoint(int i)  control point i times its weight, and the weight
+//   PATCH_VECTOR patchPoint(int i)  control point i times its weight, and the weight
+//
+// and may define PATCH_VECTOR as float, for points that are a single number.
+
+#ifndef PATCH_VECTOR
+#define PATCH_VECTOR vec4
+#endif
 
 const int patchUnit = 16384; // corners of sub-patches are multiples of 1 / patchUnit
 
@@ -35,26 +41,26 @@ RELEVO_FUNCTION PatchShape unpackShape(ivec2 record)
 // increases.
 struct PatchPoint
 {
-  vec4 Point;
-  vec4 ByU;
-  vec4 ByV;
+  PATCH_VECTOR Point;
+  PATCH_VECTOR ByU;
+  PATCH_VECTOR ByV;
 };
 
 // The two polynomials of one degree less in a row: of all points except the last, and except the
 // first.
 struct PatchRow
 {
-  vec4 Low;
-  vec4 High;
+  PATCH_VECTOR Low;
+  PATCH_VECTOR High;
 };
 
 // The polynomial of degree n + 1 is s Low + t High. s and t need not add up to 1.
 RELEVO_FUNCTION PatchRow patchRow(int first, int n, float s, float t)
 {
   PatchRow row;
-  row.Low = vec4(0.0f);
-  row.High = vec4(0.0f);
-  vec4 point = patchPoint(first);
+  row.Low = PATCH_VECTOR(0.0f);
+  row.High = PATCH_VECTOR(0.0f);
+  PATCH_VECTOR point = patchPoint(first);
   float factor = 1.0f; // binomial coefficient times power of t
   for (int i = 0; i <= n; ++i)
   {
@@ -72,7 +78,7 @@ RELEVO_FUNCTION PatchPoint quadrilateralPoint(PatchShape shape, vec2 uv)
   int n = shape.Degrees.y - 1;
   PatchRow low; // of all rows except the last
   PatchRow high;
-  low.Low = low.High = high.Low = high.High = vec4(0.0f);
+  low.Low = low.High = high.Low = high.High = PATCH_VECTOR(0.0f);
   float factor = 1.0f;
   float last = 0.0f; // previous factor
   for (int j = 0; j <= n + 1; ++j)
@@ -92,8 +98,8 @@ RELEVO_FUNCTION PatchPoint quadrilateralPoint(PatchShape shape, vec2 uv)
     factor *= uv.y * float(n - j) / float(j + 1);
   }
   PatchPoint point;
-  vec4 atLow = low.Low * st.x + low.High * uv.x;
-  vec4 atHigh = high.Low * st.x + high.High * uv.x;
+  PATCH_VECTOR atLow = low.Low * st.x + low.High * uv.x;
+  PATCH_VECTOR atHigh = high.Low * st.x + high.High * uv.x;
   point.Point = atLow * st.y + atHigh * uv.y;
   point.ByU = ((low.High - low.Low) * st.y + (high.High - high.Low) * uv.y) * float(shape.Degrees.x);
   point.ByV = (atHigh - atLow) * float(shape.Degrees.y);
@@ -104,9 +110,9 @@ RELEVO_FUNCTION PatchPoint trianglePoint(PatchShape shape, vec2 uv)
 {
   float w = 1.0f - uv.x - uv.y;
   int n = shape.Degrees.x - 1;
-  vec4 byU = vec4(0.0f); // polynomials of one degree less, towards each corner
-  vec4 byV = vec4(0.0f);
-  vec4 byW = vec4(0.0f);
+  PATCH_VECTOR byU = PATCH_VECTOR(0.0f); // polynomials of one degree less, towards each corner
+  PATCH_VECTOR byV = PATCH_VECTOR(0.0f);
+  PATCH_VECTOR byW = PATCH_VECTOR(0.0f);
   int first = shape.First;
   float factor = 1.0f;
   float last = 0.0f;
@@ -138,18 +144,18 @@ RELEVO_FUNCTION PatchPoint patchPointAt(PatchShape shape, vec2 uv)
 }
 
 // Evaluates the point only, which is faster.
-RELEVO_FUNCTION vec4 patchValueAt(PatchShape shape, vec2 uv)
+RELEVO_FUNCTION PATCH_VECTOR patchValueAt(PatchShape shape, vec2 uv)
 {
   float s = 1.0f - uv.x - (shape.IsTriangle ? uv.y : 0.0f);
   float t = shape.IsTriangle ? 1.0f : 1.0f - uv.y; // rows of a triangle contain all powers of it
   int rows = shape.IsTriangle ? shape.Degrees.x : shape.Degrees.y;
   int n = shape.Degrees.x;
   int i = shape.First;
-  vec4 sum = vec4(0.0f);
+  PATCH_VECTOR sum = PATCH_VECTOR(0.0f);
   float factor = 1.0f;
   for (int j = 0; j <= rows; ++j)
   {
-    vec4 row = vec4(0.0f);
+    PATCH_VECTOR row = PATCH_VECTOR(0.0f);
     float along = 1.0f;
     for (int k = 0; k <= n; ++k)
     {
@@ -231,10 +237,10 @@ RELEVO_FUNCTION int patchBorderPoint(PatchBorder border, int k)
 
 // Evaluates a border at t, from its end if reversed. The result is bitwise identical for all
 // patches that share the curve in either direction.
-RELEVO_FUNCTION vec4 patchBorderPointAt(PatchBorder border, bool isReversed, float t)
+RELEVO_FUNCTION PATCH_VECTOR patchBorderPointAt(PatchBorder border, bool isReversed, float t)
 {
   float s = 1.0f - t;
-  precise vec4 sum = vec4(0.0f);
+  precise PATCH_VECTOR sum = PATCH_VECTOR(0.0f);
   precise float factor = 1.0f;
   for (int i = 0; i <= border.Degree; ++i)
   {

@@ -44,6 +44,8 @@ public:
     int component, bool byTexture, double noDataMagnitude, int type = VTK_VOID);
 
   ScalarKind GetKind() const { return this->Kind; }
+  /// Return whether a point has a single number, not a vector of which the length is used.
+  bool IsNumber() const { return this->Texels == 0; }
   /// Return whether some of the values are no data.
   bool HasNoData() const { return this->Kind != BY_VTK && !this->NoData.IsEmpty(); }
   /// Return the number that has been subtracted from all values.

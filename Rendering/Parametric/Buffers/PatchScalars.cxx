@@ -72,6 +72,7 @@ bool PatchScalars::Upload(vtkOpenGLRenderWindow* window, const Source& source)
   {
     return true;
   }
+  this->Rational = PatchArrays::HaveDifferentWeights(source.Mesh);
   const int type = source.Scalars->GetDataType();
   if (source.AreColors)
   {
@@ -126,6 +127,12 @@ std::string PatchScalars::DescribeMisfit(vtkPolyData* mesh, vtkDataArray* scalar
          << scalars->GetNumberOfComponents() << " are needed. The scalars are interpolated.";
   }
   return text.str();
+}
+
+bool PatchScalars::IsNumber() const
+{
+  const bool areColors = this->Coloring == PatchColoring::COLORS;
+  return this->Coloring != PatchColoring::NONE && !areColors && this->Numbers.IsNumber();
 }
 
 void PatchScalars::Activate(vtkShaderProgram* program)

@@ -46,6 +46,10 @@ public:
   static std::string DescribeMisfit(vtkPolyData* mesh, vtkDataArray* scalars);
 
   PatchColoring GetColoring() const { return this->Coloring; }
+  /// Return whether weights of control points differ.
+  bool IsRational() const { return this->Rational; }
+  /// Return whether each control point has a single coefficient.
+  bool IsNumber() const;
   /// Return the number that has been subtracted from the values.
   double GetBias() const { return this->Numbers.GetBias(); }
 
@@ -58,6 +62,7 @@ private:
   bool UploadColors(vtkOpenGLRenderWindow* window, vtkDataArray* nodes, int type);
 
   PatchColoring Coloring = PatchColoring::NONE;
+  bool Rational = false;
   VertexColors Numbers;
   BufferTexture Colors;
 };

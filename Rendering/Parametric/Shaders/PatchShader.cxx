@@ -24,13 +24,17 @@ std::string GetFragmentFunctions(const PatchShaderOptions& options)
   { text += condition ? std::string("#define ") + name + "\n" : ""; };
   define(options.HasIsolines, "RELEVO_ISOLINES");
   define(options.HasEdges, "RELEVO_PATCH_EDGES");
+  define(options.IsRational, "RELEVO_RATIONAL");
+  define(options.IsNumber, "RELEVO_FIELD_NUMBER");
+  define(options.IsNumber, "PATCH_VECTOR float");
   define(options.Coloring == PatchColoring::COLORS, "RELEVO_FIELD_COLORS");
   define(options.Coloring == PatchColoring::TEXTURE, "RELEVO_FIELD_TEXTURE");
   if (options.HasColors())
   {
     text += std::string(options.Coloring == PatchColoring::COLORS ? "" : relevoScalars) +
       (options.Coloring == PatchColoring::TABLE ? relevoColorTable : "") +
-      "vec4 patchPoint(int i);\n" + relevoPatch + relevoPatchFieldFS;
+      (options.IsNumber ? "float" : "vec4") + " patchPoint(int i);\n" + relevoPatch +
+      relevoPatchFieldFS;
   }
   return text + (options.HasLines() ? relevoPatchLinesFS : "");
 }
@@ -45,6 +49,7 @@ void ExtendPatchShaders(const PatchShaderOptions& options, ShaderExtension& exte
                          "  relevoPatchCoordinateVSOutput = patchCoordinate(facePatch(), "
                          "relevoVertexWeights);\n";
   extension.Key = std::string("patches") + (options.HasColors() ? ", colours" : "") +
+    (options.IsRational ? ", rational" : "") + (options.IsNumber ? ", numbers" : "") +
     (options.HasIsolines ? ", isolines" : "") + (options.HasEdges ? ", edges " : " ") +
     std::to_string(static_cast<int>(options.Coloring));
 }

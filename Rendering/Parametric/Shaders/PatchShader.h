@@ -30,6 +30,8 @@ enum class PatchColoring
 struct PatchShaderOptions
 {
   PatchColoring Coloring = PatchColoring::NONE;
+  bool IsRational = false;  // whether weights of control points differ
+  bool IsNumber = false;    // whether each control point has a single coefficient
   bool HasIsolines = false; // false for COLORS
   bool HasEdges = false;
 

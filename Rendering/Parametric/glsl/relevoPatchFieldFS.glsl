@@ -1,7 +1,9 @@
 // The field of a fragment's patch, evaluated with the patch's own basis. Follows relevoPatch.glsl
 // and, if there are values, relevoScalars.glsl.
 
+#ifdef RELEVO_RATIONAL
 uniform samplerBuffer relevoTablePoints; // control points: positions, weights
+#endif
 #ifdef RELEVO_FIELD_COLORS
 uniform samplerBuffer relevoFieldColors; // colours of the control points
 #endif
@@ -10,20 +12,35 @@ int relevoFieldTexel = 0; // index of a control point's texel; -1 for its weight
 
 bool relevoIsRational()
 {
+#ifdef RELEVO_RATIONAL
   return (relevoPatchVSOutput.y & 8192) != 0;
+#else
+  return false;
+#endif
 }
 
-vec4 patchPoint(int i)
+float relevoWeight(int i)
 {
-  float weight = relevoIsRational() ? texelFetch(relevoTablePoints, i).w : 1.0;
+#ifdef RELEVO_RATIONAL
+  return relevoIsRational() ? texelFetch(relevoTablePoints, i).w : 1.0;
+#else
+  return 1.0;
+#endif
+}
+
+PATCH_VECTOR patchPoint(int i)
+{
+  float weight = relevoWeight(i);
   if (relevoFieldTexel < 0)
   {
-    return vec4(weight);
+    return PATCH_VECTOR(weight);
   }
-#ifdef RELEVO_FIELD_COLORS
+#if defined(RELEVO_FIELD_COLORS)
   return texelFetch(relevoFieldColors, i) * weight;
+#elif defined(RELEVO_FIELD_NUMBER)
+  return texelFetch(relevoScalars, i).x * weight;
 #else
-  return texelFetch(relevoScalars, i * max(relevoScalarTexels, 1) + relevoFieldTexel) * weight;
+  return texelFetch(relevoScalars, i * relevoScalarTexels + relevoFieldTexel) * weight;
 #endif
 }
 
@@ -43,7 +60,8 @@ PatchPoint relevoFieldSum(int texel)
 #ifdef RELEVO_ISOLINES
   return patchPointAt(shape, relevoFieldCoordinate());
 #else
-  return PatchPoint(patchValueAt(shape, relevoFieldCoordinate()), vec4(0.0), vec4(0.0));
+  return PatchPoint(
+    patchValueAt(shape, relevoFieldCoordinate()), PATCH_VECTOR(0.0), PATCH_VECTOR(0.0));
 #endif
 }
 
@@ -77,17 +95,20 @@ struct FieldNumber
 
 FieldNumber relevoNumber; // value of the fragment
 
+#ifdef RELEVO_FIELD_NUMBER
+FieldNumber relevoFieldNumber()
+{
+  PatchPoint at = relevoFieldAt(0);
+  return FieldNumber(relevoScalarsAsTyped(vec4(at.Point)).x, at.Point, vec2(at.ByU, at.ByV));
+}
+#else
 FieldNumber relevoFieldNumber()
 {
   FieldNumber sum = FieldNumber(0.0, 0.0, vec2(0.0));
-  for (int texel = 0; texel < max(relevoScalarTexels, 1); ++texel)
+  for (int texel = 0; texel < relevoScalarTexels; ++texel)
   {
     PatchPoint at = relevoFieldAt(texel);
     vec4 typed = relevoScalarsAsTyped(at.Point);
-    if (relevoScalarTexels == 0)
-    {
-      return FieldNumber(typed.x, at.Point.x, vec2(at.ByU.x, at.ByV.x));
-    }
     sum.Typed += dot(typed, typed);
     sum.Exact += dot(at.Point, at.Point);
     sum.Slope += vec2(dot(at.Point, at.ByU), dot(at.Point, at.ByV));
@@ -95,6 +116,7 @@ FieldNumber relevoFieldNumber()
   float size = sqrt(sum.Exact);
   return FieldNumber(sqrt(sum.Typed), size, size > 0.0 ? sum.Slope / size : vec2(0.0));
 }
+#endif
 
 vec4 relevoNumberColor(float number)
 {
