@@ -10,16 +10,16 @@
 #
 # --help lists the NAMEs. --quick only shows that everything runs. --full uses sizes and repetitions
 # for graphics cards. RELEVO_TEST_DATA names a folder with larger real data. --paraview names a
-# folder filled by ParaView/fetch.sh; lic then compares with its VTK. The NAME paraview, alone,
-# measures the plugin that Module/ParaView/build.sh has built.
+# folder filled by ParaView/fetch.sh; lic then compares with its VTK. The NAME paraview, as the first
+# argument, measures the plugin that Module/ParaView/build.sh has built; see ParaView/run.sh.
 #
 # You can copy the build folder to any path on another machine with the same VTK and run the copy's
 # bin/relevo-benchmark. It needs no display (EGL) and prints the renderer's name.
 set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-if [ "${*:-}" = paraview ]; then
-  exec bash "$source_dir/Testing/Benchmark/ParaView/run.sh"
+if [ "${1:-}" = paraview ]; then
+  exec bash "$source_dir/Testing/Benchmark/ParaView/run.sh" "${@:2}"
 fi
 build_dir=${RELEVO_BUILD_DIR:-$source_dir/build}
 

@@ -20,6 +20,7 @@
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkSynchronizedRenderers.h"
+#include "vtkTimerLog.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -55,6 +56,15 @@ struct PieceInfo
 using PictureSize = std::array<int, 2>;
 
 constexpr float White = 255.0f;
+
+// Send segments to the root, which gets those of all ranks.
+std::vector<Bytes> Send(const Bytes& own, const RankExchange& ranks)
+{
+  const std::string event =
+    "Adaptive Volume: send " + std::to_string(own.size()) + " bytes of segments";
+  const vtkTimerLogScope timer(event.c_str());
+  return ranks.Gather(own);
+}
 
 // Blend premultiplied colours over pixels from 0 to White.
 void BlendOver(const std::vector<float>& colors, std::vector<float>& pixels)
@@ -256,6 +266,7 @@ void VolumeCompositing::Composite(
   const bool fits = FitsMemory(
     [&]
     {
+      const vtkTimerLogScope timer("Adaptive Volume: cast rays");
       RaySegments segments;
       if (hasCells &&
         GetMapper(volume)->CastSegments(renderer, volume.Prop, picture.Request, segments))
@@ -263,7 +274,7 @@ void VolumeCompositing::Composite(
         own = segments.Pack();
       }
     });
-  const std::vector<Bytes> messages = ranks.Gather(own);
+  const std::vector<Bytes> messages = Send(own, ranks);
   if (!fits || (ranks.IsRoot() && !FitsMemory([&] { Blend(volume, messages, picture); })))
   {
     volume.Reports.Add(true, "Not enough memory for the picture.");
@@ -278,6 +289,7 @@ void VolumeCompositing::Composite(
 void VolumeCompositing::Blend(
   CompositedVolume& volume, const std::vector<Bytes>& messages, Picture& picture)
 {
+  const vtkTimerLogScope timer("Adaptive Volume: merge segments");
   std::vector<RaySegments> received(messages.size());
   std::vector<const RaySegments*> pieces;
   for (size_t rank = 0; rank < messages.size(); ++rank)

@@ -22,16 +22,14 @@ import time
 
 import numpy
 from paraview import simple
-from paraview.modules.vtkRemotingCore import vtkProcessModule
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
 import RelevoParaView as relevo
+from measurement import RANKS, Times, row
 
-RANKS = vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
-RANK = vtkProcessModule.GetProcessModule().GetPartitionId()
 SURFACE = "Surface"
 REFINED = "Adaptive Refinement"
 CURVED = {"MaximumLevel": 3, "Surface": "PN Triangles"}
@@ -39,19 +37,8 @@ LEVEL_0 = {"MaximumLevel": 0, "Metric": "None"}
 
 
 def median_ms(actions, frames=5):
-    """Times actions in turn. The first round is not counted."""
-    times = {name: [] for name in actions}
-    for frame in range(frames + 1):
-        for name, action in actions.items():
-            start = time.perf_counter()
-            action(frame)
-            times[name].append(1000 * (time.perf_counter() - start))
-    return {name: statistics.median(values[1:]) for name, values in times.items()}
-
-
-def row(*cells):
-    if RANK == 0:
-        print("| " + " | ".join(str(cell) for cell in cells) + " |", flush=True)
+    times = Times(actions, frames)
+    return {name: times.wall(name) for name in actions}
 
 
 def look_from(view, position):
@@ -255,16 +242,20 @@ def plain():
         simple.Delete(view)
 
 
+# The mesh of Patches/BenchmarkPatchMeshes.cxx.
 BENT = """
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 grid = output.VTKObject
 grid.DeepCopy(inputs[0].VTKObject)
-x, y, z = vtk_to_numpy(grid.GetPoints().GetData()).astype(float).T / 16
-points = numpy.column_stack([x + 0.03 * numpy.sin(40 * y), y + 0.03 * numpy.sin(40 * z),
-                             z + 0.03 * numpy.sin(40 * x)])
-grid.GetPoints().SetData(numpy_to_vtk(points, deep=1))
-field = numpy_to_vtk(numpy.sin(50 * x) * numpy.cos(40 * y) + z, deep=1)
+x = vtk_to_numpy(grid.GetPoints().GetData()).astype(float).T / 8 - 1
+wave = 2 * numpy.pi / (3 / 8)
+x = x + 0.15 / 8 * numpy.sin(wave * x[[1, 2, 0]]) * numpy.cos(wave * x[[2, 0, 1]])
+cos, sin = numpy.cos(0.4 * x[2]), numpy.sin(0.4 * x[2])
+x = numpy.stack([cos * x[0] - sin * x[1], sin * x[0] + cos * x[1], x[2]])
+grid.GetPoints().SetData(numpy_to_vtk(numpy.ascontiguousarray(x.T), deep=1))
+field = numpy.sin(5 * x[0]) + numpy.cos(4 * x[1] + 1) + numpy.sin(3 * x[2] * x[0])
+field = numpy_to_vtk(field, deep=1)
 field.SetName("Field")
 grid.GetPointData().AddArray(field)
 """
@@ -272,47 +263,50 @@ grid.GetPointData().AddArray(field)
 
 def curved():
     """Measures 4096 bent cubic hexahedra as Surface at Nonlinear Subdivision Level 4, and as Adaptive
-    Patches. Memory is that of the data that the mapper draws, without its buffers."""
+    Patches, in processor time. Memory is that of the data that the mapper draws, without its
+    buffers."""
     cells = simple.UnstructuredCellTypes(BlocksDimensions=[16, 16, 16], CellOrder=3)
     cells.CellType = "Lagrange Hexahedron"
     source = simple.ProgrammableFilter(Input=cells, Script=BENT)
-    moves, starts, sizes = {}, {}, {}
+    views, starts, sizes = {}, {}, {}
     for name, properties in {
         "Adaptive Patches": {"ScreenSpaceError": 0.5},
         "Surface": {"NonlinearSubdivisionLevel": 4},
     }.items():
         source.UpdatePipeline()
         start = time.perf_counter()
-        view = relevo.view((1024, 768))
+        view = views[name] = relevo.view((1024, 768))
+        view.UseFXAA = 0
         shown = relevo.show(source, view, name, **properties)
         simple.ColorBy(shown, ("POINTS", "Field"))
         shown.SetScalarBarVisibility(view, False)
-        look_from(view, [1.6, 1.4, 2.2])
-        view.CameraFocalPoint = [0.5, 0.5, 0.5]
         simple.Render(view)
         view.GetRenderWindow().WaitForCompletion()
         starts[name] = time.perf_counter() - start
-
-        def move(frame, view=view):
-            view.CameraPosition = [1.6 + 0.01 * frame, 1.4, 2.2]
-            simple.Render(view)
-            view.GetRenderWindow().WaitForCompletion()
-
-        moves[name] = move
         found = list(view.GetClientSideObject().GetRenderer().GetActors())
         mapped = [each.GetMapper().GetInputDataObject(0, 0) for each in found if each.GetMapper()]
         # Not max(): a programmable filter replaces the built-in function by another of this name.
         sizes[name] = sorted(each.GetActualMemorySize() for each in mapped if each)[-1] / 1024
-    times = median_ms(moves, 5)
-    for name in moves:
-        row(
-            name,
-            f"{1000 * starts[name]:.0f} ms",
-            f"{times[name]:.0f} ms",
-            f"{times[name] / times['Surface']:.2f}",
-            f"{sizes[name]:.2f} MiB",
-            f"{sizes[name] / sizes['Surface']:.3f}",
-        )
+    for distance in 1.7, 1:
+
+        def move(frame, view, distance=distance):
+            look_from(view, [distance * (2.2 + 0.02 * frame), distance * 1.8, distance * 3.4])
+            simple.Render(view)
+            view.GetRenderWindow().WaitForCompletion()
+
+        moves = {name: lambda frame, view=views[name]: move(frame, view) for name in views}
+        times = Times(moves, 9)
+        covered = relevo.foreground(relevo.drawn(view)) / (1024 * 768)
+        for name in moves:
+            row(
+                f"{name}, {100 * covered:.0f} % of the pixels",
+                f"{1000 * starts[name]:.0f} ms",
+                f"{times.wall(name):.0f} ms",
+                f"{times.processor(name):.0f} ms",
+                f"{times.ratio(name, 'Surface'):.2f}",
+                f"{sizes[name]:.2f} MiB",
+                f"{sizes[name] / sizes['Surface']:.3f}",
+            )
 
 
 def displaced(path):
