@@ -33,6 +33,7 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 SIZE = (160, 100)
+MASKED_NODES = numpy.ma.masked_array([[0, 1, 1, 1, 1], [1] * 5], [[0, 0, 0, 0, 1], [0] * 5])
 
 
 @contextlib.contextmanager
@@ -98,6 +99,23 @@ class TestDrawingInputs(unittest.TestCase):
             lat = BOUNDS[3] - 3.5 / 16 * 0.2
             self.assertTrue(numpy.isnan(terrain.elevation(lon, lat)))
             self.assertFalse(numpy.isnan(terrain.elevation(86.9, 28.0)))
+
+    def test_bad_coordinates(self):
+        terrain = relevo.terrain(make_heights(16, 24), bounds=BOUNDS, crs="EPSG:4326")
+        masked = numpy.ma.masked_array([86.9, 86.9], [False, True])
+        self.assertEqual(numpy.isnan(terrain.elevation(masked, 28.0)).tolist(), [False, True])
+        self.assertTrue(numpy.isnan(terrain.elevation(numpy.nan, 28.0)))
+        self.assertEqual(terrain.elevation([], []).shape, (0,))
+        swapped = numpy.array([86.9], ">f8")
+        self.assertEqual(terrain.elevation(swapped, 28.0)[0], terrain.elevation(86.9, 28.0))
+        for lon, error, text in (
+            ("86.9", TypeError, "lon must be real numbers"),
+            (None, TypeError, "lon must be real numbers, not object"),
+            (1j, TypeError, "lon must be real numbers, not complex"),
+            ([1, 2, 3], ValueError, r"lon and lat must have shapes that fit, not \(3,\) and \(2,\)"),
+        ):
+            with self.assertRaisesRegex(error, text):
+                terrain.elevation(lon, [27.95, 28.0])
 
     def test_heights_do_not_change_later(self):
         heights = make_heights(16, 24)
@@ -240,6 +258,14 @@ class TestDrawingInputs(unittest.TestCase):
             ((points.astype(object), faces), ValueError, "real numbers"),
             ((points.astype(str), faces), ValueError, "real numbers"),
             ((points[:0], faces), ValueError, "empty"),
+            ((points, numpy.zeros((0, 3), int)), ValueError, "empty"),
+            ((numpy.array(1.0), faces), ValueError, r"points must have the shape \(n, 3\), not \(\)"),
+            ((points, numpy.array(1)), ValueError, r"faces must have the shape .*, not \(\)"),
+            ((points.astype(complex), faces), ValueError, "real numbers, not complex"),
+            ((points, [[True, False, True]]), ValueError, "faces must be integers, not bool"),
+            ((points, numpy.full((1, 3), 2**63, "u8")), ValueError, "from 0 to 2"),
+            ((numpy.ma.masked_equal(points, 1), faces), ValueError, "points must have no masked"),
+            ((points, numpy.ma.masked_equal(faces, 1)), ValueError, "faces must have no masked"),
             (([[0, 0], [1]], faces), ValueError, ""),
         ):
             for function in (relevo.refined, relevo.lic, relevo.intersection):
@@ -280,7 +306,11 @@ class TestDrawingInputs(unittest.TestCase):
             (lambda: relevo.patches(curved, scalars="Stress"), ValueError, "no array 'Stress'"),
             (lambda: relevo.patches(curved, warp="DistanceToCenter"), ValueError, "3 components"),
             (lambda: relevo.patches(vtkMultiBlockDataSet()), ValueError, "the mesh is empty"),
+            (lambda: relevo.volume(grid, transfer=MASKED_NODES), ValueError, "no masked values"),
+            (lambda: relevo.volume(grid, isosurfaces=numpy.array(["a"])), TypeError, "numbers"),
+            (lambda: relevo.volume(grid, isosurfaces=[[1, 2]]), TypeError, "must be numbers"),
             (lambda: relevo.patches(curved, factor=2), ValueError, "factor needs warp"),
+            (lambda: relevo.patches(curved, factor=numpy.inf), ValueError, "^factor must be fin"),
             (lambda: relevo.patches(curved, isolines=2.5), ValueError, "number of lines"),
             (lambda: relevo.patches(curved, isolines=2), ValueError, "isolines need scalars"),
             (lambda: relevo.patches(curved, error=0), ValueError, ""),
@@ -372,6 +402,11 @@ class TestDrawingInputs(unittest.TestCase):
         ]
         self.assertEqual(set(same), {2})
         self.assertGreater(relevo.refined((points, [[0, 1, 2, 3]])).mesh().GetNumberOfCells(), 0)
+        read_only = points.copy()
+        read_only.flags.writeable = False
+        wide = numpy.repeat([[0, 1, 2], [0, 2, 3]], 2, axis=1)[:, ::2]
+        for given in (read_only, numpy.asfortranarray(points), numpy.repeat(points, 2, axis=0)[::2]):
+            self.assertEqual(relevo.refined((given, wide.astype(">i2"))).mesh().GetNumberOfCells(), 2)
 
     def test_arrays_that_the_caller_frees(self):
         """Drawings, and actors that outlive them, keep the arrays that they share."""

@@ -197,6 +197,54 @@ assert len(steps) == LAST
             pipe,
         )
 
+    def test_threads_while_heights_are_read(self):
+        """The heights of a displacement come from a pipe that another thread of Python fills."""
+        self.check(
+            """
+            import os, threading
+            import relevo
+            from DrawingData import make_sphere
+            reading, writing = os.pipe()
+            os.dup2(reading, 0)
+            def write():
+                with open(writing, "w") as file:
+                    file.write("ncols 300\\nnrows 300\\nxllcorner 0\\nyllcorner 0\\ncellsize 1\\n")
+                    for row in range(300):  # more than a pipe holds
+                        file.write(" ".join(f"{column % 37}.25" for column in range(300)) + "\\n")
+            threading.Thread(target=write, daemon=True).start()
+            heights = relevo.vtkHeightMap()
+            heights.SetFileName("/vsistdin/")
+            relevo.refined(make_sphere(), height=heights)
+            assert tuple(heights.GetDimensions()) == (300, 300)
+            assert tuple(heights.GetRange()) == (0.25, 36.25)
+            """
+        )
+
+    def test_heights(self):
+        """Ctrl-C while heights are read is raised, and they are complete after the next update."""
+        self.check(
+            """
+            import os, signal
+            import relevo
+            from DrawingData import make_heights, make_sphere
+            from relevo._raster import RasterFile
+            raster = RasterFile(make_heights())
+            heights = relevo.vtkHeightMap()
+            heights.SetFileName(raster.name)
+            heights.AddObserver(
+                "ProgressEvent", lambda caller, event: os.kill(os.getpid(), signal.SIGINT)
+            )
+            try:
+                relevo.refined(make_sphere(), height=heights)
+            except KeyboardInterrupt:
+                pass
+            else:
+                raise AssertionError("not interrupted")
+            heights.RemoveAllObservers()
+            assert relevo.refined(make_sphere(), height=heights).mesh().GetNumberOfCells() > 0
+            """
+        )
+
     def test_threads_while_rendering(self):
         """An observer of a frame waits for another thread, which needs Python's lock."""
         self.check(

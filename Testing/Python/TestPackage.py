@@ -57,6 +57,29 @@ class TestPackage(unittest.TestCase):
         self.assertRegex(run.stderr, r"ImportError: this relevo was built for VTK 9\.\d+\.\d+.*9\.99\.1")
         self.assertIn(vtkVersion.GetVTKVersion(), run.stderr)
 
+    def test_other_python(self):
+        """The package does not load with another version of Python than that of the build."""
+        package = pathlib.Path(relevo.__file__).parent
+        with tempfile.TemporaryDirectory() as folder:
+            copy = pathlib.Path(folder, "relevo")
+            copy.mkdir()
+            (copy / "__init__.py").write_text((package / "__init__.py").read_text())
+            version = (package / "version.py").read_text()
+            changed = re.sub(r'PYTHON_VERSION = "3\.\d+"', 'PYTHON_VERSION = "3.99"', version)
+            self.assertNotEqual(changed, version)
+            (copy / "version.py").write_text(changed)
+            run = subprocess.run(
+                [sys.executable, "-c", "import relevo"],
+                env={**os.environ, "PYTHONPATH": folder},
+                capture_output=True,
+                text=True,
+            )
+        self.assertEqual(run.returncode, 1)
+        this = re.escape(sys.version.split()[0])
+        self.assertRegex(
+            run.stderr, rf"ImportError: this relevo was built for Python 3\.99, .* Python {this};"
+        )
+
     def test_report(self):
         """python3 -m relevo --report prints versions and the graphics driver."""
         run = subprocess.run(

@@ -14,7 +14,16 @@ refined meshes and images from and to numpy arrays.
 from __future__ import annotations
 
 import importlib as _importlib
+import sys as _sys
 from typing import Any as _Any
+
+from .version import PYTHON_VERSION as _PYTHON_VERSION
+
+if "{}.{}".format(*_sys.version_info[:2]) != _PYTHON_VERSION:
+    raise ImportError(
+        f"this relevo was built for Python {_PYTHON_VERSION}, but this is Python"
+        f" {_sys.version.split()[0]}; build relevo again, or use that Python"
+    )
 
 from vtkmodules.vtkCommonCore import vtkVersion as _vtkVersion
 

@@ -30,6 +30,7 @@ from ._messages import Messages
 from ._typing import Array, Camera, Path
 
 SIZE = (1280, 800)
+_DRAWING: dict[str, int] = {}  # the process that has drawn
 
 
 def _check_size(size: Any) -> tuple[int, int]:
@@ -40,6 +41,15 @@ def _check_size(size: Any) -> tuple[int, int]:
     if not (0 < columns <= 16384 and 0 < rows <= 16384):
         raise ValueError(f"size must be from 1 x 1 to 16384 x 16384 pixels, not {columns} x {rows}")
     return columns, rows
+
+
+def _check_process() -> None:
+    """Raise Error in a process that was forked from one that has drawn."""
+    if _DRAWING.setdefault("process", os.getpid()) != os.getpid():
+        raise Error(
+            "OpenGL cannot be used in a process that was forked after a picture was drawn; start"
+            " processes with multiprocessing.get_context('spawn')"
+        )
 
 
 def _make_offscreen_window() -> vtkRenderWindow:
@@ -224,6 +234,7 @@ class Drawing:
     def _draw(self, size: tuple[int, int], camera: Camera) -> vtkImageData:
         """Return a picture as vtkImageData."""
         size = _check_size(size)
+        _check_process()
         with Messages():
             window = _make_offscreen_window()
             window.SetSize(size)
@@ -253,6 +264,7 @@ class Drawing:
         size = _check_size(size)
         if not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
             raise Error("show() needs a display, and DISPLAY is not set; use screenshot() instead")
+        _check_process()
         with Messages():
             window = vtkRenderWindow()
             window.SetSize(size)

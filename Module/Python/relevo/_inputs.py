@@ -29,6 +29,8 @@ from ._error import Error
 from ._messages import Messages, warn
 from ._typing import Path
 
+_masked: Any = numpy.ma  # without annotations up to numpy 2.2
+
 # The reader of each extension: a module and a class.
 _READERS = {
     ".bpt": ("relevo", "vtkBezierPatchReader"),
@@ -133,6 +135,8 @@ def check_array(
         array = numpy.asarray(values)
     except ValueError as error:
         raise ValueError(f"{name}: {error}") from None
+    if _masked.is_masked(values):
+        raise ValueError(f"{name} must have no masked values")
     if array.dtype.kind not in ("iu" if integers else "iuf"):
         wanted = "integers" if integers else "real numbers"
         raise ValueError(f"{name} must be {wanted}, not {array.dtype}")

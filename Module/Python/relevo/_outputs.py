@@ -4,8 +4,8 @@
 
 from __future__ import annotations
 
+import importlib
 import pathlib
-import sys
 import tempfile
 from typing import Any
 
@@ -20,10 +20,10 @@ EXTENSIONS = (".vtp", ".vtu", ".vti", ".ply", ".stl")
 def to_kind(mesh: vtkDataObject, package: str) -> Any:
     """Return a vtkDataObject as a mesh of a package, "pyvista" or "vedo"; otherwise unchanged."""
     if package == "pyvista":
-        return sys.modules["pyvista"].wrap(mesh)
+        return importlib.import_module("pyvista").wrap(mesh)
     kinds = {"vtkPolyData": "Mesh", "vtkUnstructuredGrid": "UGrid"}
     if package == "vedo" and mesh.GetClassName() in kinds:
-        return getattr(sys.modules["vedo"], kinds[mesh.GetClassName()])(mesh)
+        return getattr(importlib.import_module("vedo"), kinds[mesh.GetClassName()])(mesh)
     return mesh
 
 

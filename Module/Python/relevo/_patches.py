@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkUnstructuredGrid
@@ -65,6 +66,8 @@ class Patches(Refined):
     ) -> None:
         self._up = _camera.find_axis(up)
         _inputs.check_number(factor, "factor")
+        if not math.isfinite(factor):
+            raise ValueError(f"factor must be finite, not {factor}")
         if error is not None:
             _inputs.check_number(error, "error")
         data, self._kind = _inputs.take_data(mesh)

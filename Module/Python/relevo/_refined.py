@@ -256,8 +256,7 @@ class Refined(Drawing):
                 "height must be a path, a 2-D array, a vtkHeightField or a vtkDisplacement, not"
                 f" {type(height).__name__}"
             )
-        with Messages():
-            heights.Update()
+        _work.update_heights(heights)
         return heights
 
     def _add_texture_coordinates(self) -> None:

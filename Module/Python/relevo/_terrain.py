@@ -29,6 +29,8 @@ from ._messages import Messages, warn
 from ._raster import RasterFile
 from ._typing import Array, Bounds, Camera, Path
 
+_masked: Any = numpy.ma  # without annotations up to numpy 2.2
+
 _SMALL = 1 << 24  # samples whose index is built in a moment
 _LARGEST_OUTLINE = 2048  # columns or rows that are read for the first view
 _DIRECTION_OF_GLOBES = (180, 60)  # azimuth and elevation of the viewer
@@ -139,12 +141,23 @@ class Terrain(Drawing):
             shapes that numpy broadcasts.
 
         Returns a float, or an array of floats of the broadcast shape. It is NaN outside of the
-        raster and where there are no data. Raises relevo.Error if samples cannot be read.
+        raster, at masked coordinates and where there are no data. Raises relevo.Error if samples
+        cannot be read, TypeError, and ValueError for shapes that do not fit.
         """
-        x, y = numpy.broadcast_arrays(numpy.asarray(lon), numpy.asarray(lat))
-        for values, name in ((x, "lon"), (y, "lat")):
-            if values.dtype.kind not in "iuf":
-                raise TypeError(f"{name} must be real numbers, not {values.dtype}")
+        given = []
+        for values, name in ((lon, "lon"), (lat, "lat")):
+            array: Any = numpy.asanyarray(values)
+            if array.dtype.kind not in "iuf":
+                raise TypeError(f"{name} must be real numbers, not {array.dtype}")
+            if isinstance(array, _masked.MaskedArray):
+                array = array.astype(float).filled(numpy.nan)
+            given.append(array)
+        try:
+            x, y = numpy.broadcast_arrays(*given)
+        except ValueError:
+            raise ValueError(
+                f"lon and lat must have shapes that fit, not {given[0].shape} and {given[1].shape}"
+            ) from None
         points = numpy.stack([x, y], axis=-1).astype(float).reshape(-1, 2)
         if self._pyramid.GetCoordinateSystem() and not self._pyramid.IsGeographic():
             points = self._from_degrees(points)

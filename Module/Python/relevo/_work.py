@@ -7,11 +7,13 @@ from __future__ import annotations
 import time
 
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkRenderWindowInteractor
 
 import relevo
 
 from . import _interruptible
+from ._error import Error
 from ._interrupts import Interrupts
 from ._messages import Messages
 
@@ -34,6 +36,35 @@ def start(interactor: vtkRenderWindowInteractor) -> None:
     """Run the event loop of a window until it is closed. Errors are printed."""
     with Interrupts():
         _interruptible.start(interactor, Interrupts.is_stopped)
+
+
+def update_heights(heights: relevo.vtkHeightField) -> None:
+    """Update heights. Raise their errors.
+
+    They are not an algorithm, so a filter that needs them updates them.
+    """
+    displacement = relevo.vtkDisplacement()
+    displacement.SetHeightMap(heights)
+    recipe = relevo.vtkAdaptiveRefinement()
+    recipe.SetMaximumLevel(0)
+    recipe.SetDisplacement(displacement)
+    plane = vtkPlaneSource()
+    refine = relevo.vtkAdaptiveRefinementFilter()
+    refine.SetInputConnection(plane.GetOutputPort())
+    refine.SetRefinement(recipe)
+
+    def stop(caller: relevo.vtkHeightField, event: str) -> None:
+        if Interrupts.is_stopped() and isinstance(caller, relevo.vtkHeightMap):
+            caller.AbortExecuteOn()
+
+    tag = heights.AddObserver("ProgressEvent", stop)
+    try:
+        update(refine)
+    except Error as error:
+        # The filter reports the error again.
+        raise Error(heights.GetErrorMessage() or str(error)) from None
+    finally:
+        heights.RemoveObserver(tag)
 
 
 def wait_for_index(pyramid: relevo.vtkTerrainPyramid) -> None:

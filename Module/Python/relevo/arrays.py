@@ -14,6 +14,9 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
 import relevo
 
+from . import _work
+from ._error import Error
+
 _masked: Any = numpy.ma  # without annotations up to numpy 2.2
 
 
@@ -82,11 +85,10 @@ def height_map(heights: ArrayLike, no_data: float = float("nan")) -> relevo.vtkH
     result = relevo.vtkHeightMap()
     result.SetImageData(image)
     result.SetNoDataValue(no_data)
-    observer = result.AddObserver("ErrorEvent", lambda caller, event: None)  # suppresses printing
-    updated = result.Update()
-    result.RemoveObserver(observer)
-    if not updated:
-        raise ValueError(result.GetErrorMessage())
+    try:
+        _work.update_heights(result)
+    except Error as error:
+        raise ValueError(str(error)) from None
     return result
 
 
