@@ -86,7 +86,7 @@ install(
   DIRECTORY   "${PROJECT_SOURCE_DIR}/Module/Documentation"
   DESTINATION "${CMAKE_INSTALL_DOCDIR}/Module"
   COMPONENT   runtime
-  FILES_MATCHING PATTERN "*.md" PATTERN "*.jpg" PATTERN "*.png")
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.gif" PATTERN "*.jpg" PATTERN "*.png")
 install(
   DIRECTORY
     "${PROJECT_SOURCE_DIR}/Examples/Cxx"
