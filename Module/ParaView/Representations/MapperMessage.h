@@ -33,6 +33,11 @@ constexpr std::pair<const char*, const char*> CellDataWords = {
   "Convert it with vtkCellDataToPointData", "Convert it with Cell Data to Point Data"
 };
 
+/// Words about meshes that are too large for OpenGL, and those of ParaView.
+constexpr std::pair<const char*, const char*> TooLargeWords = {
+  "; draw it as several blocks of a vtkMultiBlockDataSet", "; use more ranks"
+};
+
 /// Return the message in ParaView's words.
 inline std::string ReadMapperMessage(const void* text, const MapperWords& words)
 {

@@ -89,7 +89,7 @@ vtkAdaptiveCurveMapper* vtkAdaptiveCurveRepresentation::GetMapper()
 
 void vtkAdaptiveCurveRepresentation::Report(vtkObject*, unsigned long event, void* text)
 {
-  const std::string message = relevo::ReadMapperMessage(text);
+  const std::string message = relevo::ReadMapperMessage(text, { relevo::TooLargeWords });
   if (event == vtkCommand::ErrorEvent)
   {
     vtkErrorMacro(<< message);

@@ -7,27 +7,18 @@
 #include "CurvedFaceGeometry.h"
 #include "FirstRank.h"
 #include "InputCells.h"
-#include "MapperMessage.h"
 #include "PatchTree.h"
 #include "vtkAdaptivePatchMapper.h"
 #include "vtkAdaptiveRefinement.h"
-#include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPatchErrorDepthTagMetric.h"
 
 #include <string>
 
-namespace
-{
-const relevo::MapperWords PatchWords = { relevo::CellDataWords };
-}
-
 struct vtkAdaptivePatchRepresentation::vtkPatchData
 {
   relevo::PatchTree Patches;
-  unsigned long ErrorTag = 0; // of the observers of the mapper
-  unsigned long WarningTag = 0;
   // Messages that were reported last.
   std::string Errors;
   std::string Warnings;
@@ -53,37 +44,11 @@ vtkAdaptivePatchRepresentation::vtkAdaptivePatchRepresentation()
   this->SetMapper(mapper);
 }
 
-vtkAdaptivePatchRepresentation::~vtkAdaptivePatchRepresentation()
-{
-  this->GetMapper()->RemoveObserver(this->PatchData->ErrorTag);
-  this->GetMapper()->RemoveObserver(this->PatchData->WarningTag);
-}
+vtkAdaptivePatchRepresentation::~vtkAdaptivePatchRepresentation() = default;
 
 void vtkAdaptivePatchRepresentation::SetMapper(vtkAdaptivePatchMapper* mapper)
 {
-  if (mapper && mapper != this->GetMapper())
-  {
-    this->GetMapper()->RemoveObserver(this->PatchData->ErrorTag);
-    this->GetMapper()->RemoveObserver(this->PatchData->WarningTag);
-    this->PatchData->ErrorTag =
-      mapper->AddObserver(vtkCommand::ErrorEvent, this, &vtkAdaptivePatchRepresentation::Report);
-    this->PatchData->WarningTag =
-      mapper->AddObserver(vtkCommand::WarningEvent, this, &vtkAdaptivePatchRepresentation::Report);
-  }
   this->Superclass::SetMapper(mapper);
-}
-
-void vtkAdaptivePatchRepresentation::Report(vtkObject*, unsigned long event, void* text)
-{
-  const std::string message = relevo::ReadMapperMessage(text, PatchWords);
-  if (event == vtkCommand::ErrorEvent)
-  {
-    vtkErrorMacro(<< message);
-  }
-  else
-  {
-    vtkWarningMacro(<< message);
-  }
 }
 
 void vtkAdaptivePatchRepresentation::SetScreenSpaceError(double pixels)

@@ -11,8 +11,7 @@
  * processes.
  *
  * Colours, opacity, transforms, blocks and selection are those of
- * vtkAdaptiveRefinementRepresentation. Messages of the mapper are reported by this class, in
- * ParaView's words.
+ * vtkAdaptiveRefinementRepresentation.
  *
  * @sa vtkAdaptivePatchMapper vtkPatchSurfaceFilter
  */
@@ -58,8 +57,6 @@ protected:
 private:
   vtkAdaptivePatchRepresentation(const vtkAdaptivePatchRepresentation&) = delete;
   void operator=(const vtkAdaptivePatchRepresentation&) = delete;
-
-  void Report(vtkObject* mapper, unsigned long event, void* text);
 
   struct vtkPatchData;
   std::unique_ptr<vtkPatchData> PatchData;

@@ -3,6 +3,7 @@
 #include "vtkAdaptiveRefinementRepresentation.h"
 
 #include "Checks/ShouldReport.h"
+#include "MapperMessage.h"
 #include "MethodChoice.h"
 #include "OrderedCompositing.h"
 #include "ReducedProjection.h"
@@ -30,6 +31,8 @@
 
 namespace
 {
+const relevo::MapperWords SurfaceWords = { relevo::CellDataWords, relevo::TooLargeWords };
+
 using UsedArrays = std::vector<relevo::PieceCheck::Array>;
 
 void AddVectors(vtkAdaptiveRefinementMapper* mapper, UsedArrays& arrays)
@@ -73,6 +76,8 @@ struct vtkAdaptiveRefinementRepresentation::vtkInternals
   relevo::SurfacePieces Pieces;
   relevo::OrderedCompositing Order;
   unsigned long StartTag = 0; // of the observer of the view's renderer
+  unsigned long ErrorTag = 0; // of the observers of the mapper
+  unsigned long WarningTag = 0;
   // Errors that were reported last.
   std::string MissingError;
   std::string NotFiniteError;
@@ -94,7 +99,11 @@ vtkAdaptiveRefinementRepresentation::vtkAdaptiveRefinementRepresentation()
   this->SetMapper(mapper);
 }
 
-vtkAdaptiveRefinementRepresentation::~vtkAdaptiveRefinementRepresentation() = default;
+vtkAdaptiveRefinementRepresentation::~vtkAdaptiveRefinementRepresentation()
+{
+  this->Mapper->RemoveObserver(this->Internals->ErrorTag);
+  this->Mapper->RemoveObserver(this->Internals->WarningTag);
+}
 
 void vtkAdaptiveRefinementRepresentation::SetMapper(vtkAdaptiveRefinementMapper* mapper)
 {
@@ -116,6 +125,13 @@ void vtkAdaptiveRefinementRepresentation::SetMapper(vtkAdaptiveRefinementMapper*
   mapper->SetSelection(selection);
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   mapper->SetCompositeDataDisplayAttributes(attributes);
+  vtkInternals& data = *this->Internals;
+  this->Mapper->RemoveObserver(data.ErrorTag);
+  this->Mapper->RemoveObserver(data.WarningTag);
+  data.ErrorTag = mapper->AddObserver(
+    vtkCommand::ErrorEvent, this, &vtkAdaptiveRefinementRepresentation::ReportMessage);
+  data.WarningTag = mapper->AddObserver(
+    vtkCommand::WarningEvent, this, &vtkAdaptiveRefinementRepresentation::ReportMessage);
   mapper->Register(this);
   this->Mapper->UnRegister(this);
   this->Mapper = mapper;
@@ -123,7 +139,7 @@ void vtkAdaptiveRefinementRepresentation::SetMapper(vtkAdaptiveRefinementMapper*
   this->Actor->SetMapper(mapper);
   this->BackfaceActor->SetMapper(mapper);
   this->SetArrayIdNames(nullptr, nullptr);
-  this->Internals->Order = relevo::OrderedCompositing(); // a new object, which clips the new mapper
+  data.Order = relevo::OrderedCompositing(); // a new object, which clips the new mapper
   this->BlockAttrChanged = true;
   this->Modified();
 }
@@ -131,6 +147,19 @@ void vtkAdaptiveRefinementRepresentation::SetMapper(vtkAdaptiveRefinementMapper*
 vtkAdaptiveRefinementMapper* vtkAdaptiveRefinementRepresentation::GetMapper()
 {
   return vtkAdaptiveRefinementMapper::SafeDownCast(this->Mapper);
+}
+
+void vtkAdaptiveRefinementRepresentation::ReportMessage(vtkObject*, unsigned long event, void* text)
+{
+  const std::string message = relevo::ReadMapperMessage(text, SurfaceWords);
+  if (event == vtkCommand::ErrorEvent)
+  {
+    vtkErrorMacro(<< message);
+  }
+  else
+  {
+    vtkWarningMacro(<< message);
+  }
 }
 
 void vtkAdaptiveRefinementRepresentation::SetMethod(int method)

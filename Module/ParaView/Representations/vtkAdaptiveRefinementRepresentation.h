@@ -10,6 +10,8 @@
  * refined, displaced surface. There is no decimation while the view moves: the mapper draws fewer
  * triangles instead, within the time that the view allots.
  *
+ * Messages of the mapper are reported by this class, in ParaView's words.
+ *
  * @sa vtkAdaptiveRefinementMapper vtkAdaptiveLICMapper vtkAdaptiveRefinement
  */
 #ifndef vtkAdaptiveRefinementRepresentation_h
@@ -106,6 +108,7 @@ private:
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo);
   void AgreeWithProcesses();
   void ReportProblems();
+  void ReportMessage(vtkObject* mapper, unsigned long event, void* text);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -75,6 +75,7 @@ const relevo::MapperWords VolumeWords = {
   { "Use SetScalarModeToUsePointFieldData()", "Select the point array in Coloring" },
   { "call SetMethodToRayCasting()", "set Method to Ray Casting" },
   relevo::CellDataWords,
+  relevo::TooLargeWords,
   { "The volume property has a colour function", "The volume has a color transfer function" },
   { "The volume property has a scalar opacity function",
     "The volume has an opacity transfer function" },

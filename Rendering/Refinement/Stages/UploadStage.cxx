@@ -66,10 +66,10 @@ StageResult UploadStage::UploadMesh(const MeshInput& input)
   }
   this->Valid = this->Valid && this->UploadFaces(input);
   StageResult result;
-  if (!this->Valid)
+  result.IsValid = this->Valid;
+  if (ShouldReport(this->MeshError, this->Valid ? "" : this->Buffers.GetError()))
   {
-    result.IsValid = false;
-    result.Errors.push_back(DescribeUndrawable(this->Buffers.GetError()));
+    result.Errors.push_back(DescribeUndrawable(this->MeshError));
   }
   return result;
 }

@@ -121,7 +121,8 @@ private:
   vtkTimeStamp UploadTime;
   Dependencies UploadDependencies;
   bool Valid = false;
-  std::string HeightError; // error that was reported last
+  std::string MeshError; // errors that were reported last
+  std::string HeightError;
   /// Failed uploads by method and by view. They are not tried again.
   std::map<int, std::map<int, Dependencies>> FailedUploads;
   vtkIdType NumberOfBuilds = 0;
