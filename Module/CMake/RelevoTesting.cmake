@@ -28,7 +28,7 @@ function (relevo_add_cxx_tests executable)
   add_executable("${executable}" "${driver}" ${sources})
   target_link_libraries("${executable}" PRIVATE ${arg_HELPERS} ${arg_LIBRARIES})
   vtk_module_autoinit(TARGETS "${executable}" MODULES ${arg_LIBRARIES})
-  relevo_precompile_headers("${executable}")
+  relevo_precompile_test_headers("${executable}")
   set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS
     "${relevo_warning_flags};${relevo_test_flags}")
   foreach (test IN LISTS arg_TESTS)
@@ -48,6 +48,10 @@ function (relevo_add_cxx_test executable test name)
       -T "${relevo_test_output}"
       -V "${relevo_test_baseline}/${test}.png")
   relevo_set_test_properties("${name}" ${ARGN})
+  # For small windows, llvmpipe takes half the time if it compiles shaders without optimization.
+  if ("Rendering" IN_LIST ARGN AND NOT relevo_optimize_shaders)
+    set_property(TEST "${name}" APPEND PROPERTY ENVIRONMENT GALLIVM_PERF=nopt)
+  endif ()
 endfunction ()
 
 # relevo_repeat_cxx_tests(<executable> SUFFIX <suffix> ENVIRONMENT <NAME=value>...

@@ -5,9 +5,9 @@
 headers: compile each installed header alone, so that it includes what it uses from installed files.
          Also check that only public headers and those for authors are installed.
 sources: compile the C++ sources with another compiler and -Werror, but only every fourth test,
-         because tests are similar. Every fourth source of the modules is compiled without
-         precompiled headers, so that it includes what it uses. The others are left out if they are
-         in folders that another test compiles with this compiler.
+         because tests are similar. Folders that another test compiles with this compiler are left
+         out. With --alone, every fourth source of the modules is nevertheless compiled, without
+         precompiled headers, so that it includes what it uses.
 """
 
 import argparse
@@ -99,24 +99,25 @@ def get_sources_without_precompiled_headers(source, flags):
     return set(modules[::4])
 
 
-def get_sources_to_compile(source, flags, compiled_elsewhere):
-    """Return all sources that no other test compiles, but only every fourth test."""
+def get_sources_to_compile(source, flags, compiled_elsewhere, alone):
+    """Return the set `alone` and all sources that no other test compiles, but only every fourth test.
+    """
     tests = sorted(path for path in flags if re.match(r"Test.*\.cxx", path.name))
     left_out = set(tests) - set(tests[::4])
     folders = {source / folder for folder in compiled_elsewhere}
     left_out |= {path for path in flags if folders & set(path.parents)}
-    left_out -= get_sources_without_precompiled_headers(source, flags)
+    left_out -= alone
     return [path for path in flags if path not in left_out]
 
 
-def precompile(compiler, source, flags, folder):
+def precompile(compiler, source, flags, alone, folder):
     """Precompile VTK's headers, which take most of the time, once for each set of language flags.
 
-    Return the arguments to add for each source that can use them, if the compiler is clang.
+    Return the arguments to add for each source that can use them and is not in the set `alone`, if
+    the compiler is clang.
     """
     if "clang" not in pathlib.Path(compiler).name:
         return {}
-    alone = get_sources_without_precompiled_headers(source, flags)
     users = {}
     for path in flags:
         if path not in alone:
@@ -142,6 +143,7 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, required=True)
     parser.add_argument("--compiler", required=True)
     parser.add_argument("--headers", type=pathlib.Path, help="the folder of installed headers")
+    parser.add_argument("--alone", action="store_true")
     parser.add_argument("--compiled-elsewhere", nargs="+", default=[], metavar="FOLDER")
     options = parser.parse_args()
     if not shutil.which(options.compiler):
@@ -153,8 +155,11 @@ def main():
         jobs = list(installed_headers(options.headers, flags))
     else:
         folder = tempfile.TemporaryDirectory()
-        precompiled = precompile(options.compiler, options.source, flags, folder.name)
-        sources = get_sources_to_compile(options.source, flags, options.compiled_elsewhere)
+        alone = set()
+        if options.alone:
+            alone = get_sources_without_precompiled_headers(options.source, flags)
+        precompiled = precompile(options.compiler, options.source, flags, alone, folder.name)
+        sources = get_sources_to_compile(options.source, flags, options.compiled_elsewhere, alone)
         jobs = [(path, flags[path] + precompiled.get(path, [])) for path in sources]
     if not jobs:
         print("nothing to compile: check compile_commands.json and the installed headers")

@@ -133,7 +133,7 @@ std::shared_ptr<const BlockErrors> TakeErrors(const std::string& bytes, std::siz
   std::int32_t rootLevel = 0;
   float largest = 0.0f;
   if (!Take(bytes, position, rootLevel) || !Take(bytes, position, largest) || rootLevel < 0 ||
-    rootLevel > MaximumLevel)
+    rootLevel > MaximumLevel || !(largest >= 0.0f))
   {
     return nullptr;
   }
@@ -172,7 +172,8 @@ std::string MakeHeader(const std::string& signature)
 }
 
 PyramidIndex::PyramidIndex(const std::vector<std::array<int, 2>>& sizes)
-  : Levels(sizes.size())
+  : Sizes(sizes)
+  , Levels(sizes.size())
 {
 }
 
@@ -273,6 +274,15 @@ std::int64_t PyramidIndex::GetMemorySize() const
   return static_cast<std::int64_t>(size);
 }
 
+bool PyramidIndex::IsValid(std::size_t level, std::uint64_t key, const Record& record) const
+{
+  const auto isInside = [](std::uint64_t tile, int size)
+  { return tile * TileSize < static_cast<std::uint64_t>(size); };
+  return isInside(key & 0xffffffffu, this->Sizes[level][0]) &&
+    isInside(key >> 32, this->Sizes[level][1]) && !std::isnan(record.Minimum) &&
+    !std::isnan(record.Maximum) && record.Deviation >= 0.0f;
+}
+
 bool PyramidIndex::Read(const std::string& fileName, const std::string& signature)
 {
   std::ifstream stream(std::filesystem::u8path(fileName), std::ios::binary);
@@ -294,23 +304,28 @@ bool PyramidIndex::Read(const std::string& fileName, const std::string& signatur
   {
     return false;
   }
-  for (auto& level : this->Levels)
+  if (std::isnan(this->Absent.Minimum) || std::isnan(this->Absent.Maximum))
+  {
+    return false;
+  }
+  for (std::size_t level = 0; level < this->Levels.size(); ++level)
   {
     std::uint64_t number = 0;
     if (!Take(bytes, position, number))
     {
       return false;
     }
-    level.clear();
+    this->Levels[level].clear();
     for (std::uint64_t i = 0; i < number; ++i)
     {
       std::uint64_t key = 0;
       Record record;
-      if (!Take(bytes, position, key) || !Take(bytes, position, record))
+      if (!Take(bytes, position, key) || !Take(bytes, position, record) ||
+        !this->IsValid(level, key, record))
       {
         return false;
       }
-      level.emplace(key, record);
+      this->Levels[level].emplace(key, record);
     }
   }
   this->Errors = TakeErrors(bytes, position);

@@ -76,12 +76,16 @@ public:
   /// About the bytes of memory in use, including those of ranges and block errors.
   std::int64_t GetMemorySize() const;
 
-  /// Read a file that Write() has written for a raster of this signature; false if it is not one.
+  /// Read a file that Write() has written for a raster of this signature; false if it is not one,
+  /// or has tiles outside of the raster or numbers that are NaN.
   bool Read(const std::string& fileName, const std::string& signature);
   /// Write a file, or replace it. Returns why that failed, or "".
   std::string Write(const std::string& fileName, const std::string& signature) const;
 
 private:
+  bool IsValid(std::size_t level, std::uint64_t key, const Record& record) const;
+
+  std::vector<std::array<int, 2>> Sizes;
   std::vector<std::unordered_map<std::uint64_t, Record>> Levels;
   Record Absent{ Infinity, -Infinity, 0.0f }; // of samples that are not stored
   std::shared_ptr<const BlockErrors> Errors;

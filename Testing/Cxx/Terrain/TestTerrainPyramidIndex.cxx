@@ -4,21 +4,30 @@
 // an index file that is small, used again, and rebuilt if it is damaged or the raster has changed.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
+#include "RelevoSanitizer.h"
 
+#include "Lattice/BlockErrors.h"
+#include "Pyramid/PyramidIndex.h"
 #include "vtkNew.h"
 #include "vtkTerrainPyramid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace
 {
 namespace fs = std::filesystem;
+
+constexpr std::size_t NumberOfDamages = RelevoHasAddressSanitizer ? 4 : 24;
 
 // One level as the test reads it with GDAL.
 struct Level
@@ -253,7 +262,7 @@ void TestFile(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK_LESS(index.size(), 0.02 * raster.Values.size() * 2);
   CHECK_EQUAL(getError(true), error);
 
-  for (std::size_t i = 0; i < index.size(); i += 1 + index.size() / 24)
+  for (std::size_t i = 0; i < index.size(); i += 1 + index.size() / NumberOfDamages)
   {
     CHECK_CASE(i);
     std::string damaged = index;
@@ -290,6 +299,32 @@ void TestCacheDirectory(RelevoCheck& check, const RelevoTestFolders& folders)
   CHECK(pyramid->WaitForIndex());
   CHECK(!fs::exists(name + ".relevo-index"));
   CHECK_EQUAL(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
+}
+
+// A file with a valid checksum may still have tiles outside of the raster, or NaN.
+void TestInvalidNumbers(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  using relevo::PyramidIndex;
+  const std::string name = folders.File("TerrainPyramidInvalid.relevo-index");
+  using Sizes = std::vector<std::array<int, 2>>;
+  const auto isRead = [&](int column, int row, float largestError)
+  {
+    PyramidIndex written(Sizes{ { { 1 << 20, 1 << 20 } } });
+    written.AddAbsent(3.0);
+    written.AddRange(0, column, row, 0.0, 9.0);
+    auto errors = std::make_shared<relevo::BlockErrors>(1);
+    errors->SetLargest(largestError);
+    written.SetBlockErrors(errors);
+    CHECK_EQUAL(written.Write(name, "signature"), std::string());
+    PyramidIndex read(Sizes{ { { 1000, 700 } } });
+    return read.Read(name, "signature");
+  };
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  CHECK(isRead(3, 2, 1.0f));
+  CHECK(!isRead(4, 2, 1.0f));
+  CHECK(!isRead(3, 3, 1.0f));
+  CHECK(!isRead(3, 2, nan));
+  CHECK(!isRead(3, 2, -1.0f));
 }
 
 // Of a large raster only few tiles are stored, and so is its index.
@@ -351,6 +386,7 @@ int TestTerrainPyramidIndex(int argc, char* argv[])
   TestErrors(check, folders);
   TestFile(check, folders);
   TestCacheDirectory(check, folders);
+  TestInvalidNumbers(check, folders);
   TestSparse(check, folders);
   return check.GetResult();
 }
