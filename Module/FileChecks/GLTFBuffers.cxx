@@ -4,6 +4,8 @@
 
 #include "vtk_jsoncpp.h"
 
+#include <vtksys/SystemTools.hxx>
+
 #include <array>
 #include <cstdint>
 #include <fstream>
@@ -52,6 +54,26 @@ std::vector<GLTFBuffer> ParseGLTFBuffers(const std::string& text)
     buffers.push_back(buffer);
   }
   return buffers;
+}
+
+//------------------------------------------------------------------------------
+bool HasCompleteChunks(const std::string& fileName)
+{
+  std::ifstream file(fileName, std::ios::binary);
+  if (ReadNumber(file) != Magic)
+  {
+    return true; // a text
+  }
+  ReadNumber(file); // version
+  const std::uint64_t end = ReadNumber(file);
+  std::uint64_t position = 12;
+  while (position < end && end <= vtksys::SystemTools::FileLength(fileName))
+  {
+    position += 8 + static_cast<std::uint64_t>(ReadNumber(file));
+    ReadNumber(file); // the type
+    file.seekg(static_cast<std::streamoff>(position));
+  }
+  return position == end;
 }
 
 //------------------------------------------------------------------------------

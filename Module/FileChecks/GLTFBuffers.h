@@ -22,6 +22,12 @@ struct GLTFBuffer
 std::vector<GLTFBuffer> ParseGLTFBuffers(const std::string& text);
 
 /**
+ * Whether the chunks of a .glb file end where its header says. Otherwise VTK's reader does not end,
+ * and takes all memory. True for other files.
+ */
+bool HasCompleteChunks(const std::string& fileName);
+
+/**
  * Number of bytes in the binary chunk of a .glb file, 0 if there is none.
  */
 long long GetGLBLength(const std::string& fileName);

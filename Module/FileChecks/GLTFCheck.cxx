@@ -241,7 +241,7 @@ private:
 void CheckGLTF(const std::string& fileName)
 {
   vtkNew<Loader> loader;
-  if (!loader->LoadModelMetaDataFromFile(fileName))
+  if (!HasCompleteChunks(fileName) || !loader->LoadModelMetaDataFromFile(fileName))
   {
     throw FileError("it is not a glTF scene, or it is truncated");
   }

@@ -234,6 +234,8 @@ class TestViewerFormats(ViewerProgram):
 
         write("cut.glb", good[: len(good) // 2])
         write("header.glb", good[:12])
+        text_end = 20 + int.from_bytes(good[12:16], "little")
+        write("chunks.glb", good[:text_end] + bytes(4) + good[text_end + 4 :])
         write("text.gltf", b"no scene\n")
         write("number.gltf", b"3\n")
         write("deep.gltf", b"[" * 2000 + b"]" * 2000)
