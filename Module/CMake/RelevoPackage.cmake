@@ -58,7 +58,7 @@ configure_file("${CMAKE_CURRENT_LIST_DIR}/env.sh.in" "${installed_env}" @ONLY)
 install(
   FILES       "${installed_env}"
   DESTINATION "${relevo_env_destination}"
-  COMPONENT   runtime)
+  COMPONENT   environment)
 
 # A project that includes Relevo installs its pages, and Relevo adds only the licence.
 if (NOT relevo_is_whole)
@@ -77,15 +77,15 @@ install(
     "${PROJECT_SOURCE_DIR}/LICENSE"
     "${PROJECT_SOURCE_DIR}/README.md"
   DESTINATION "${CMAKE_INSTALL_DOCDIR}"
-  COMPONENT   runtime)
+  COMPONENT   documentation)
 install(
   FILES       "${PROJECT_SOURCE_DIR}/Data/README.md"
   DESTINATION "${CMAKE_INSTALL_DOCDIR}/Data"
-  COMPONENT   runtime)
+  COMPONENT   documentation)
 install(
   DIRECTORY   "${PROJECT_SOURCE_DIR}/Module/Documentation"
   DESTINATION "${CMAKE_INSTALL_DOCDIR}/Module"
-  COMPONENT   runtime
+  COMPONENT   documentation
   FILES_MATCHING PATTERN "*.md" PATTERN "*.gif" PATTERN "*.jpg" PATTERN "*.png")
 install(
   DIRECTORY
@@ -93,11 +93,11 @@ install(
     "${PROJECT_SOURCE_DIR}/Examples/ParaView"
     "${PROJECT_SOURCE_DIR}/Examples/Python"
   DESTINATION "${CMAKE_INSTALL_DOCDIR}/Examples"
-  COMPONENT   runtime
+  COMPONENT   documentation
   PATTERN     __pycache__ EXCLUDE)
 install(
   FILES
     "${PROJECT_SOURCE_DIR}/Examples/relevo-view.png"
     "${PROJECT_SOURCE_DIR}/Examples/relevo-view-wireframe.png"
   DESTINATION "${CMAKE_INSTALL_DOCDIR}/Examples"
-  COMPONENT   runtime)
+  COMPONENT   documentation)

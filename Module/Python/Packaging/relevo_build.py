@@ -12,6 +12,9 @@ Settings of pip (--config-settings=NAME=VALUE):
               in build/wheel)
   cmake-args  arguments for CMake, separated by spaces
 
+The environment variable RELEVO_VTK_SDK is a version of vtk-sdk. With it, the wheel is for PyPI's vtk
+of this version, and contains the libraries in the package.
+
 `relevo_build.py FOLDER` writes the metadata into a folder of packages. CMake calls it.
 """
 
@@ -19,6 +22,7 @@ from __future__ import annotations
 
 import base64
 import hashlib
+import importlib.util
 import os
 import pathlib
 import re
@@ -33,7 +37,11 @@ import zipfile
 from typing import Any
 
 _SOURCE = pathlib.Path(__file__).resolve().parents[3]
-_COMPONENTS = ("runtime", "python")
+_COMPONENTS = ("runtime", "programs", "python")
+
+
+def _get_sdk() -> str:
+    return os.environ.get("RELEVO_VTK_SDK", "")
 
 
 def _read_project() -> dict[str, Any]:
@@ -56,6 +64,7 @@ def _make_metadata(project: dict[str, Any]) -> dict[str, str]:
         f"License: {project['license']}",
         f"Requires-Python: {project['requires-python']}",
         *(f"Classifier: {own}" for own in project["classifiers"]),
+        *([f"Requires-Dist: vtk=={_get_sdk()}", "Requires-Dist: numpy"] if _get_sdk() else []),
         "Description-Content-Type: text/markdown",
         "",
         (_SOURCE / project["readme"]).read_text(),
@@ -79,12 +88,34 @@ def write_metadata(folder: str) -> None:
         (target / name).write_text(text)
 
 
+def _make_sdk_arguments() -> list[str]:
+    """Return arguments for CMake that use vtk-sdk.
+
+    All files are in the package, because auditwheel adds libraries there. They find those of VTK in
+    the package vtkmodules beside it.
+    """
+    found = importlib.util.find_spec("vtk_sdk")
+    assert found and found.origin, "vtk-sdk is not installed"
+    content = pathlib.Path(found.origin).parent / "content"
+    return [
+        f"-DCMAKE_PREFIX_PATH={content}",
+        "-DRELEVO_PYTHON_DESTINATION=.",
+        "-DCMAKE_INSTALL_LIBDIR=relevo",
+        "-DCMAKE_INSTALL_BINDIR=relevo/bin",
+        "-DRELEVO_VTK_FOLDER=vtkmodules",
+    ]
+
+
 def _compile(folder: str, arguments: str) -> None:
     """Configure and build in a folder. A later call builds only what has changed."""
     command = ["cmake", "-S", str(_SOURCE), "-B", folder, "-DRELEVO_WRAP_PYTHON=ON"]
     command.append(f"-DPython3_EXECUTABLE={getattr(sys, '_base_executable', sys.executable)}")
     if not pathlib.Path(folder, "CMakeCache.txt").exists() and shutil.which("ninja"):
         command += ["-G", "Ninja"]
+    if _get_sdk():
+        command += _make_sdk_arguments()
+    if shutil.which("ccache"):
+        command += ["-DCMAKE_C_COMPILER_LAUNCHER=ccache", "-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"]
     subprocess.run([*command, *shlex.split(arguments)], check=True)
     jobs = str(os.cpu_count() or 1)
     subprocess.run(["cmake", "--build", folder, "--parallel", jobs], check=True)
@@ -104,6 +135,17 @@ def _install(settings: dict[str, str], prefix: str) -> None:
 def _find_packages(prefix: pathlib.Path) -> pathlib.Path:
     """Return the folder that contains the package."""
     return next(prefix.rglob("relevo/py.typed")).parent.parent
+
+
+def _find_files(prefix: pathlib.Path) -> list[pathlib.Path]:
+    """Return the files of an installation.
+
+    Wheels have no symbolic links. Of a library only the link is returned, because its name is that
+    which the loader looks for.
+    """
+    files = [own for own in prefix.rglob("*") if own.is_file()]
+    targets = {own.resolve() for own in files if own.is_symlink()}
+    return sorted(own for own in files if own.is_symlink() or own.resolve() not in targets)
 
 
 class _Wheel:
@@ -127,6 +169,11 @@ class _Wheel:
         self._archive.close()
 
 
+def get_requires_for_build_wheel(config_settings: dict[str, str] | None = None) -> list[str]:
+    """Return the packages that a build needs, see PEP 517."""
+    return [f"vtk-sdk=={_get_sdk()}", "cmake", "ninja"] if _get_sdk() else []
+
+
 def build_wheel(
     wheel_directory: str,
     config_settings: dict[str, str] | None = None,
@@ -145,7 +192,7 @@ def build_wheel(
         _install(config_settings or {}, folder)
         prefix = pathlib.Path(folder)
         packages = _find_packages(prefix)
-        for path in sorted(own for own in prefix.rglob("*") if own.is_file()):
+        for path in _find_files(prefix):
             if path.is_relative_to(packages):
                 inside = path.relative_to(packages).as_posix()
                 if inside.startswith(information):
