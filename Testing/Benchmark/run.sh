@@ -11,7 +11,9 @@
 # --help lists the NAMEs. --quick only shows that everything runs. --full uses sizes and repetitions
 # for graphics cards. RELEVO_TEST_DATA names a folder with larger real data. --paraview names a
 # folder filled by ParaView/fetch.sh; lic then compares with its VTK. The NAME paraview, as the first
-# argument, measures the plugin that Module/ParaView/build.sh has built; see ParaView/run.sh.
+# argument, measures the plugin that Module/ParaView/build.sh has built; see ParaView/run.sh. The NAME
+# python, as the first argument, measures the Python package, and writes
+# build/benchmark-python/package.json.
 #
 # You can copy the build folder to any path on another machine with the same VTK and run the copy's
 # bin/relevo-benchmark. It needs no display (EGL) and prints the renderer's name.
@@ -24,6 +26,13 @@ fi
 build_dir=${RELEVO_BUILD_DIR:-$source_dir/build}
 
 bash "$source_dir/Module/build.sh" --benchmark >&2
+if [ "${1:-}" = python ]; then
+  . "$build_dir/env.sh"
+  export PYTHONPATH=$PYTHONPATH:$source_dir/Testing/Python PYTHONDONTWRITEBYTECODE=1
+  python=$(sed -n 's/^Python3_EXECUTABLE:.*=//p' "$build_dir/CMakeCache.txt")
+  exec "$python" "$source_dir/Testing/Benchmark/Python/package.py" "$build_dir/bin/relevo-view" \
+    "$build_dir/benchmark-python" "${@:2}"
+fi
 
 # A build without EGL needs an X server.
 display=()

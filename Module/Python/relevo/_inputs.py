@@ -13,8 +13,8 @@ from typing import Any, TypeGuard
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
-from vtkmodules.util.numpy_support import ID_TYPE_CODE, numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import vtkDataArray, vtkPoints
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDataArray, vtkIdTypeArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
     vtkCompositeDataSet,
@@ -166,9 +166,11 @@ def make_mesh(points: ArrayLike, faces: ArrayLike) -> vtkPolyData:
     data = vtkPoints()
     data.SetData(numpy_to_vtk(numpy.ascontiguousarray(points)))
     mesh.SetPoints(data)
-    ids = numpy.ascontiguousarray(faces, ID_TYPE_CODE)
+    ids = vtkIdTypeArray()
+    ids.SetNumberOfValues(faces.size)
+    vtk_to_numpy(ids)[:] = faces.reshape(-1)
     cells = vtkCellArray()
-    cells.SetData(faces.shape[1], numpy_to_vtkIdTypeArray(ids.reshape(-1), deep=True))
+    cells.SetData(faces.shape[1], ids)
     mesh.SetPolys(cells)
     return mesh
 
