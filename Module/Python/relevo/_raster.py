@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import html
 import os
 import pathlib
 import shutil
@@ -11,7 +12,6 @@ import sys
 import tempfile
 import weakref
 from typing import Any
-from xml.sax.saxutils import escape
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
@@ -84,7 +84,7 @@ def _write(heights: ArrayLike, bounds: Bounds | None, crs: Any, folder: pathlib.
         numbers = f"{west!r}, {steps[0]!r}, 0, {north!r}, 0, {steps[1]!r}"
         location = f"<GeoTransform>{numbers}</GeoTransform>"
     if crs is not None:
-        location += f"<SRS>{escape(_make_crs_text(crs))}</SRS>"
+        location += f"<SRS>{html.escape(_make_crs_text(crs), quote=False)}</SRS>"
     path = folder / "heights.vrt"
     path.write_text(
         f'<VRTDataset rasterXSize="{columns}" rasterYSize="{rows}">{location}'
