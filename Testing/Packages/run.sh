@@ -66,10 +66,9 @@ echo "install"
 installed=(/packages/librelevo0_*.deb /packages/python3-relevo_*.deb /packages/relevo_*.deb)
 in_root "$root" apt-get update -qq
 in_root "$root" bash -c "apt-get install -qq --download-only ${installed[*]}" >/dev/null
-start=$SECONDS
-in_root "$root" bash -c "apt-get install -qq ${installed[*]}" >"$folder/install.log" 2>&1 ||
+TIMEFORMAT="installing took %R s without downloads, of which %U + %S s of processor time"
+time in_root "$root" bash -c "apt-get install -qq ${installed[*]}" >"$folder/install.log" 2>&1 ||
   { cat "$folder/install.log"; fail "the packages cannot be installed"; }
-echo "installing took $((SECONDS - start)) s without downloads"
 
 check_programs() {
   rm -f "$root"/data/*.png

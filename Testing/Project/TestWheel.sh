@@ -16,6 +16,27 @@ mkdir -p "$folder"
 cd "$folder"
 "$python" -m pip wheel --quiet --no-index --no-deps --wheel-dir . \
   --config-settings="build-dir=$build" "$source"
+
+# A compiler run finds VTK's Python modules, although pip hides the system's packages. This cmake
+# checks that, and compiles nothing.
+mkdir programs
+cat >programs/cmake <<'SCRIPT'
+#!/bin/sh
+for argument in "$@"; do
+  case $argument in
+    -DPython3_EXECUTABLE=*) "${argument#*=}" -c 'import vtkmodules' && touch "$MARKER" ;;
+  esac
+done
+exit 1
+SCRIPT
+chmod +x programs/cmake
+if MARKER=$PWD/found PATH=$PWD/programs:$PATH "$python" -m pip wheel --quiet --no-index --no-deps \
+  --wheel-dir nothing "$source" 2>pip.log || [ ! -e found ]; then
+  cat pip.log
+  echo "a build in pip's environment does not find vtkmodules"
+  exit 1
+fi
+
 "$python" -m venv --system-site-packages environment
 environment/bin/python -m pip install --quiet --no-index relevo-*.whl
 

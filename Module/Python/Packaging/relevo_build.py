@@ -106,19 +106,39 @@ def _make_sdk_arguments() -> list[str]:
     ]
 
 
+def _make_environment() -> dict[str, str]:
+    """Return the environment without the folders in which pip hides the system's packages."""
+    environment = dict(os.environ)
+    if not _get_sdk():
+        folders = environment.pop("PYTHONPATH", "").split(os.pathsep)
+        folders = [own for own in folders if own and "pip-build-env-" not in own]
+        if folders:
+            environment["PYTHONPATH"] = os.pathsep.join(folders)
+    return environment
+
+
 def _compile(folder: str, arguments: str) -> None:
     """Configure and build in a folder. A later call builds only what has changed."""
+    python = getattr(sys, "_base_executable", sys.executable)
+    environment = _make_environment()
+    check = [python, "-c", "import vtkmodules"]
+    found = subprocess.run(check, env=environment, capture_output=True)
+    if found.returncode and not _get_sdk():
+        sys.exit(
+            f"relevo: error: {python} has no vtkmodules. Use the Python that VTK was built for, on"
+            " Debian /usr/bin/python3 with the package python3-vtk9."
+        )
     command = ["cmake", "-S", str(_SOURCE), "-B", folder, "-DRELEVO_WRAP_PYTHON=ON"]
-    command.append(f"-DPython3_EXECUTABLE={getattr(sys, '_base_executable', sys.executable)}")
+    command.append(f"-DPython3_EXECUTABLE={python}")
     if not pathlib.Path(folder, "CMakeCache.txt").exists() and shutil.which("ninja"):
         command += ["-G", "Ninja"]
     if _get_sdk():
         command += _make_sdk_arguments()
     if shutil.which("ccache"):
         command += ["-DCMAKE_C_COMPILER_LAUNCHER=ccache", "-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"]
-    subprocess.run([*command, *shlex.split(arguments)], check=True)
-    jobs = str(os.cpu_count() or 1)
-    subprocess.run(["cmake", "--build", folder, "--parallel", jobs], check=True)
+    subprocess.run([*command, *shlex.split(arguments)], env=environment, check=True)
+    command = ["cmake", "--build", folder, "--parallel", str(os.cpu_count() or 1)]
+    subprocess.run(command, env=environment, check=True)
 
 
 def _install(settings: dict[str, str], prefix: str) -> None:
@@ -174,6 +194,26 @@ def get_requires_for_build_wheel(config_settings: dict[str, str] | None = None) 
     return [f"vtk-sdk=={_get_sdk()}", "cmake", "ninja"] if _get_sdk() else []
 
 
+def _make_wheel_text(project: dict[str, Any]) -> tuple[str, str]:
+    """Return the name of the wheel and the text of the file WHEEL."""
+    python = f"cp{sys.version_info.major}{sys.version_info.minor}"
+    platform = re.sub(r"[.-]", "_", sysconfig.get_platform())
+    tag = f"{python}-{python}-{platform}"
+    text = f"Wheel-Version: 1.0\nGenerator: relevo_build\nRoot-Is-Purelib: false\nTag: {tag}\n"
+    return f"{project['name']}-{project['version']}-{tag}.whl", text
+
+
+def prepare_metadata_for_build_wheel(
+    metadata_directory: str, config_settings: dict[str, str] | None = None
+) -> str:
+    """Write the .dist-info folder of the wheel and return its name, see PEP 517."""
+    project = _read_project()
+    write_metadata(metadata_directory)
+    folder = _get_folder(project)
+    pathlib.Path(metadata_directory, folder, "WHEEL").write_text(_make_wheel_text(project)[1])
+    return folder
+
+
 def build_wheel(
     wheel_directory: str,
     config_settings: dict[str, str] | None = None,
@@ -181,12 +221,9 @@ def build_wheel(
 ) -> str:
     """Build a wheel and return its name, see PEP 517."""
     project = _read_project()
-    python = f"cp{sys.version_info.major}{sys.version_info.minor}"
-    platform = re.sub(r"[.-]", "_", sysconfig.get_platform())
-    tag = f"{python}-{python}-{platform}"
     base = f"{project['name']}-{project['version']}"
     information = _get_folder(project)
-    name = f"{base}-{tag}.whl"
+    name, text = _make_wheel_text(project)
     wheel = _Wheel(pathlib.Path(wheel_directory, name))
     with tempfile.TemporaryDirectory() as folder:
         _install(config_settings or {}, folder)
@@ -200,10 +237,9 @@ def build_wheel(
             else:
                 inside = f"{base}.data/data/{path.relative_to(prefix).as_posix()}"
             wheel.add(inside, path.read_bytes(), path.stat().st_mode & 0o777)
-    for file, text in _make_metadata(project).items():
-        wheel.add(f"{information}/{file}", text.encode())
+    for file, contents in _make_metadata(project).items():
+        wheel.add(f"{information}/{file}", contents.encode())
     wheel.add(f"{information}/LICENSE", (_SOURCE / "LICENSE").read_bytes())
-    text = f"Wheel-Version: 1.0\nGenerator: relevo_build\nRoot-Is-Purelib: false\nTag: {tag}\n"
     wheel.add(f"{information}/WHEEL", text.encode())
     wheel.close(f"{information}/RECORD")
     return name
