@@ -312,7 +312,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::ReadSegments(
     relevo::GetSegmentFormat(data.Features.GetFeatures().Options));
   std::string error = request.Depths.empty()
     ? data.Compositor.ReadDepths(window, data.Viewport)
-    : data.Compositor.SetDepths(window, data.Viewport, request.Depths);
+    : data.Compositor.SetDepths(window, data.Viewport, request.Depths, request.Begins);
   bool isDone = false;
   if (error.empty())
   {

@@ -25,15 +25,4 @@ std::vector<Bytes> RankExchange::Gather(const Bytes& own, int at) const
   }
   return messages;
 }
-
-void RankExchange::Broadcast(std::vector<float>& values) const
-{
-  vtkIdType size = static_cast<vtkIdType>(values.size());
-  this->Controller->Broadcast(&size, 1, Root);
-  values.resize(static_cast<std::size_t>(size));
-  if (size > 0)
-  {
-    this->Controller->Broadcast(values.data(), size, Root);
-  }
-}
 }

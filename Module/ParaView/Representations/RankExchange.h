@@ -39,8 +39,20 @@ public:
   /// At one rank, return the messages of all ranks in their order. Other ranks get none.
   std::vector<Bytes> Gather(const Bytes& own, int at = Root) const;
 
-  /// Give the root's values to all ranks.
-  void Broadcast(std::vector<float>& values) const;
+  /// Give the root's values to all ranks. T has no pointers.
+  template <typename T>
+  void Broadcast(std::vector<T>& values) const
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "only bytes are exchanged");
+    auto size = static_cast<vtkIdType>(values.size());
+    this->Controller->Broadcast(&size, 1, Root);
+    values.resize(static_cast<std::size_t>(size));
+    if (size > 0)
+    {
+      this->Controller->Broadcast(
+        reinterpret_cast<char*>(values.data()), size * static_cast<vtkIdType>(sizeof(T)), Root);
+    }
+  }
 
   /// Return the values of all ranks in their order. T has no pointers.
   template <typename T>

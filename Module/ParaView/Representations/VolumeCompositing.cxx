@@ -5,10 +5,14 @@
 #include "Checks/MemoryGuard.h"
 #include "Checks/ShouldReport.h"
 #include "Mesh/MeshExtent.h"
+#include "OpaqueScenePass.h"
+#include "PeeledPicture.h"
 #include "Segments/RaySegments.h"
 #include "Segments/SegmentMerger.h"
 #include "Stages/SegmentRequest.h"
+#include "TranslucentLayers.h"
 #include "vtkCameraPass.h"
+#include "vtkCommand.h"
 #include "vtkFloatArray.h"
 #include "vtkGPUUnstructuredGridVolumeMapper.h"
 #include "vtkIceTCompositePass.h"
@@ -17,6 +21,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkProcessModule.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkSynchronizedRenderers.h"
@@ -26,6 +31,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace relevo
 {
@@ -55,7 +61,17 @@ struct PieceInfo
 
 using PictureSize = std::array<int, 2>;
 
-constexpr float White = 255.0f;
+// The nearest fragments and segments of a pixel that are kept.
+template <typename Volumes>
+int GetMaximumSegments(const Volumes& volumes)
+{
+  int most = 1;
+  for (const auto& volume : volumes)
+  {
+    most = std::max(most, GetMapper(*volume)->GetMaximumSegments());
+  }
+  return most;
+}
 
 // Send segments to the root, which gets those of all ranks.
 std::vector<Bytes> Send(const Bytes& own, const RankExchange& ranks)
@@ -66,14 +82,29 @@ std::vector<Bytes> Send(const Bytes& own, const RankExchange& ranks)
   return ranks.Gather(own);
 }
 
-// Blend premultiplied colours over pixels from 0 to White.
-void BlendOver(const std::vector<float>& colors, std::vector<float>& pixels)
+// Blend premultiplied colours over others.
+void BlendOver(const ColorPicture& colors, ColorPicture& pixels)
 {
   for (size_t i = 0; i < std::min(colors.size(), pixels.size()); ++i)
   {
     const float clear = 1.0f - colors[4 * (i / 4) + 3];
-    pixels[i] = White * colors[i] + clear * pixels[i];
+    pixels[i] = colors[i] + clear * pixels[i];
   }
+}
+
+// Unpack the messages of the ranks. Those of ranks without segments are left out.
+std::vector<RaySegments> Unpack(const std::vector<Bytes>& messages)
+{
+  std::vector<RaySegments> pieces;
+  for (const Bytes& message : messages)
+  {
+    RaySegments piece;
+    if (piece.Unpack(message) && piece.GetNumberOfSegments() > 0)
+    {
+      pieces.push_back(std::move(piece));
+    }
+  }
+  return pieces;
 }
 }
 
@@ -82,28 +113,58 @@ struct VolumeCompositing::Picture
 {
   vtkSynchronizedRenderers::vtkRawImage Tile;
   PictureSize Size = { { 0, 0 } };
-  SegmentRequest Request;    // with the depths of the opaque scene
-  std::vector<float> Pixels; // of the tile; they are rounded once, after all volumes
+  bool HasLayers = false;           // translucent objects, which ParaView would order
+  std::vector<float> OpaqueDepths;  // of the tile
+  SegmentRequest Request;           // of a slab
+  std::vector<ColorPicture> Colors; // to blend over the tile
 
-  void TakePixels()
+  // The volumes of a slab have a single picture.
+  void Add(ColorPicture colors)
   {
-    if (this->Pixels.empty())
+    if (this->HasLayers)
     {
-      const unsigned char* const from = this->Tile.GetRawPtr()->GetPointer(0);
-      this->Pixels.assign(from, from + this->Tile.GetRawPtr()->GetNumberOfValues());
+      BlendOver(colors, this->Colors.front());
+    }
+    else
+    {
+      this->Colors.push_back(std::move(colors));
     }
   }
-  void StorePixels()
+
+  void BlendOverTile()
   {
-    std::transform(this->Pixels.begin(), this->Pixels.end(), this->Tile.GetRawPtr()->GetPointer(0),
+    constexpr float White = 255.0f;
+    unsigned char* const bytes = this->Tile.GetRawPtr()->GetPointer(0);
+    ColorPicture pixels(bytes, bytes + this->Tile.GetRawPtr()->GetNumberOfValues());
+    for (float& pixel : pixels)
+    {
+      pixel /= White;
+    }
+    for (const ColorPicture& colors : this->Colors)
+    {
+      BlendOver(colors, pixels);
+    }
+    std::transform(pixels.begin(), pixels.end(), bytes,
       [](float value)
-      { return static_cast<unsigned char>(std::lround(std::clamp(value, 0.0f, White))); });
+      { return static_cast<unsigned char>(std::lround(White * std::clamp(value, 0.0f, 1.0f))); });
   }
+};
+
+/// The piece of a volume on this rank, and the extent of all pieces.
+struct VolumeCompositing::PieceView
+{
+  MeshExtent Whole;
+  bool IsDrawn = false;
 };
 
 vtkStandardNewMacro(VolumeCompositing);
 
-VolumeCompositing::VolumeCompositing() = default;
+VolumeCompositing::VolumeCompositing()
+  : Opaque(vtkSmartPointer<OpaqueScenePass>::New())
+  , Translucent(vtkSmartPointer<TranslucentLayers>::New())
+{
+}
+
 VolumeCompositing::~VolumeCompositing() = default;
 
 vtkSmartPointer<VolumeCompositing> VolumeCompositing::Install(vtkRenderer* renderer)
@@ -122,6 +183,12 @@ vtkSmartPointer<VolumeCompositing> VolumeCompositing::Install(vtkRenderer* rende
   auto own = vtkSmartPointer<VolumeCompositing>::New();
   own->IceT = composite;
   camera->SetDelegatePass(own);
+  // ParaView's own observers, of priority 0, composite between these.
+  own->Renderer = renderer;
+  own->BeginTag =
+    renderer->AddObserver(vtkCommand::StartEvent, own.Get(), &VolumeCompositing::BeginFrame, 1.0f);
+  own->EndTag =
+    renderer->AddObserver(vtkCommand::EndEvent, own.Get(), &VolumeCompositing::EndFrame, -1.0f);
   return own;
 }
 
@@ -137,10 +204,45 @@ void VolumeCompositing::Remove(
   const std::shared_ptr<CompositedVolume>& volume, vtkRenderer* renderer)
 {
   this->All.erase(std::remove(this->All.begin(), this->All.end(), volume), this->All.end());
+  if (!this->All.empty())
+  {
+    return;
+  }
+  renderer->RemoveObserver(this->BeginTag);
+  renderer->RemoveObserver(this->EndTag);
+  this->Translucent->ReleaseGraphicsResources(renderer->GetRenderWindow());
+  this->Overlay.ReleaseGraphicsResources();
   vtkCameraPass* camera = FindCameraPass(renderer);
-  if (this->All.empty() && camera && camera->GetDelegatePass() == this)
+  if (camera && camera->GetDelegatePass() == this)
   {
     camera->SetDelegatePass(this->IceT);
+  }
+}
+
+// Return whether ParaView puts the composited picture into the window of this process, without
+// processing it before.
+bool VolumeCompositing::IsShownHere() const
+{
+  return vtkProcessModule::GetProcessType() == vtkProcessModule::PROCESS_BATCH &&
+    RankExchange(this->IceT->GetController()).IsRoot() && !this->IceT->GetDisplayRGBAResults();
+}
+
+void VolumeCompositing::BeginFrame()
+{
+  int tiles[2];
+  this->IceT->GetTileDimensions(tiles);
+  if (this->IsShownHere() && tiles[0] * tiles[1] == 1 && !this->FindVisible().empty() &&
+    !this->Renderer->GetSelector())
+  {
+    this->Overlay.BeginFrame(this->Renderer);
+  }
+}
+
+void VolumeCompositing::EndFrame()
+{
+  if (this->Overlay.IsInFrame())
+  {
+    this->Overlay.EndFrame(this->Renderer);
   }
 }
 
@@ -167,6 +269,7 @@ void VolumeCompositing::Render(const vtkRenderState* state)
   const bool isDisplayed = this->IceT->GetDisplayRGBAResults();
   this->IceT->SetDisplayRGBAResults(false);
   Picture picture;
+  picture.HasLayers = this->IceT->GetUseOrderedCompositing();
   this->DrawOthers(state, picture);
   this->IceT->SetDisplayRGBAResults(isDisplayed);
   const RankExchange ranks(this->IceT->GetController());
@@ -177,15 +280,21 @@ void VolumeCompositing::Render(const vtkRenderState* state)
     vtkOpenGLState::ScopedglScissor scissor(window->GetState());
     window->GetState()->vtkglViewport(0, 0, picture.Size[0], picture.Size[1]);
     window->GetState()->vtkglScissor(0, 0, picture.Size[0], picture.Size[1]);
-    for (const auto& volume : volumes)
-    {
-      Composite(renderer, *volume, ranks, picture);
-    }
-    picture.StorePixels();
+    const FragmentLayers layers =
+      picture.HasLayers ? this->FindLayers(state, volumes, ranks, picture) : FragmentLayers();
+    CompositeAll(renderer, volumes, ranks, layers, picture);
   }
-  if (isDisplayed && picture.Tile.IsValid())
+  if (this->Overlay.IsInFrame())
   {
-    picture.Tile.PushToViewport(renderer);
+    this->Overlay.SetPictures(std::move(picture.Colors), picture.Size, picture.HasLayers);
+  }
+  else if (picture.Tile.IsValid())
+  {
+    picture.BlendOverTile();
+    if (isDisplayed)
+    {
+      picture.Tile.PushToViewport(renderer);
+    }
   }
 }
 
@@ -203,14 +312,26 @@ bool VolumeCompositing::HasTiles(const Volumes& volumes)
   return hasTiles;
 }
 
+// With translucent objects, these are the opaque ones.
 void VolumeCompositing::DrawOthers(const vtkRenderState* state, Picture& picture)
 {
+  const vtkSmartPointer<vtkRenderPass> own = this->IceT->GetRenderPass();
+  if (picture.HasLayers)
+  {
+    this->IceT->SetUseOrderedCompositing(false);
+    this->IceT->SetRenderPass(this->Opaque);
+  }
   this->IceT->Render(state);
+  if (picture.HasLayers)
+  {
+    this->IceT->SetUseOrderedCompositing(true);
+    this->IceT->SetRenderPass(own);
+  }
   this->NumberOfRenderedProps = this->IceT->GetNumberOfRenderedProps();
   this->IceT->GetLastRenderedTile(picture.Tile);
   if (vtkFloatArray* depths = this->IceT->GetLastRenderedDepths())
   {
-    picture.Request.Depths.assign(depths->Begin(), depths->End());
+    picture.OpaqueDepths.assign(depths->Begin(), depths->End());
   }
 }
 
@@ -221,16 +342,65 @@ bool VolumeCompositing::Share(const RankExchange& ranks, Picture& picture)
   const PictureSize own = { { isValid ? picture.Tile.GetWidth() : 0,
     isValid ? picture.Tile.GetHeight() : 0 } };
   picture.Size = ranks.Share(own)[RankExchange::Root];
-  std::vector<float>& depths = picture.Request.Depths;
+  std::vector<float>& depths = picture.OpaqueDepths;
   ranks.Broadcast(depths);
   return picture.Size[0] > 0 &&
     depths.size() == static_cast<size_t>(picture.Size[0]) * static_cast<size_t>(picture.Size[1]);
 }
 
-// Find the extent of all pieces. Return whether this rank has a piece that can be drawn.
-bool VolumeCompositing::AddUp(
-  vtkRenderer* renderer, CompositedVolume& volume, const RankExchange& ranks, MeshExtent& whole)
+// Exchange the translucent fragments of all ranks.
+FragmentLayers VolumeCompositing::FindLayers(const vtkRenderState* state, const Volumes& volumes,
+  const RankExchange& ranks, const Picture& picture)
 {
+  const int most = GetMaximumSegments(volumes);
+  CompositedVolume& first = *volumes.front();
+  FragmentLayers layers;
+  Bytes own;
+  bool fits = FitsMemory(
+    [&]
+    {
+      RaySegments fragments;
+      fragments.Reset(picture.Size[0], picture.Size[1], {});
+      if (!this->Translucent->Read(state, picture.OpaqueDepths, most, fragments))
+      {
+        first.Reports.Add(
+          true, "There is not enough graphics memory for the fragments of translucent objects.");
+      }
+      own = fragments.Pack();
+    });
+  const std::vector<Bytes> messages = ranks.Gather(own);
+  if (ranks.IsRoot())
+  {
+    fits = FitsMemory([&] { layers.Merge(Unpack(messages), most); }) && fits;
+  }
+  if (!fits)
+  {
+    first.Reports.Add(true, "Not enough memory for the fragments of translucent objects.");
+  }
+  layers.Share(ranks);
+  if (ranks.IsRoot())
+  {
+    this->ReportLostFragments(first, layers.CountLostPixels(), most);
+  }
+  return layers;
+}
+
+void VolumeCompositing::ReportLostFragments(CompositedVolume& volume, vtkIdType lost, int most)
+{
+  if (lost > 0 && !this->HasLostFragments)
+  {
+    volume.Report({ false,
+      std::to_string(lost) + " pixels have more than " + std::to_string(most) +
+        " fragments of translucent objects. The nearest are drawn. Increase MaximumSegments." });
+  }
+  this->HasLostFragments = lost > 0;
+}
+
+// Find the extent of all pieces, and whether this rank has a piece that can be drawn.
+VolumeCompositing::PieceView VolumeCompositing::AddUp(
+  vtkRenderer* renderer, CompositedVolume& volume, const RankExchange& ranks)
+{
+  PieceView view;
   vtkGPUUnstructuredGridVolumeMapper* mapper = GetMapper(volume);
   const PieceInfo own = { mapper->MeasurePiece(renderer, volume.Prop), volume.NumberOfComponents };
   const std::vector<PieceInfo> pieces = ranks.Share(own);
@@ -240,7 +410,7 @@ bool VolumeCompositing::AddUp(
   {
     if (!piece->Extent.IsEmpty() && piece->NumberOfComponents == first->NumberOfComponents)
     {
-      whole.Add(piece->Extent);
+      view.Whole.Add(piece->Extent);
     }
   }
   const bool isOther = !own.Extent.IsEmpty() && own.NumberOfComponents != first->NumberOfComponents;
@@ -254,21 +424,84 @@ bool VolumeCompositing::AddUp(
   {
     volume.Reports.Add(true, error);
   }
-  return !own.Extent.IsEmpty() && !isOther;
+  view.IsDrawn = !own.Extent.IsEmpty() && !isOther;
+  return view;
 }
 
-void VolumeCompositing::Composite(
-  vtkRenderer* renderer, CompositedVolume& volume, const RankExchange& ranks, Picture& picture)
+void VolumeCompositing::CompositeAll(vtkRenderer* renderer, const Volumes& volumes,
+  const RankExchange& ranks, const FragmentLayers& layers, Picture& picture)
 {
-  picture.Request.Whole = MeshExtent();
-  const bool hasCells = AddUp(renderer, volume, ranks, picture.Request.Whole);
+  std::vector<PieceView> pieces;
+  for (const auto& volume : volumes)
+  {
+    pieces.push_back(AddUp(renderer, *volume, ranks));
+    volume->LostPixels.clear();
+  }
+  const auto composite = [&]
+  {
+    for (size_t i = 0; i < volumes.size(); ++i)
+    {
+      Composite(renderer, *volumes[i], pieces[i], ranks, picture);
+    }
+  };
+  if (picture.HasLayers)
+  {
+    CompositeSlabs(composite, ranks.IsRoot(), layers, picture);
+  }
+  else
+  {
+    picture.Request.Depths = picture.OpaqueDepths;
+    composite();
+  }
+  for (const auto& volume : volumes)
+  {
+    ReportLostSegments(*volume);
+    for (const RankReport& report : volume->Reports.Gather(ranks))
+    {
+      volume->Report(report);
+    }
+  }
+}
+
+// Blend the slabs of the volumes and the layers of fragments between them.
+void VolumeCompositing::CompositeSlabs(const std::function<void()>& composite, bool isRoot,
+  const FragmentLayers& layers, Picture& picture)
+{
+  const size_t pixels = isRoot ? picture.OpaqueDepths.size() : 0;
+  PeeledPicture peeled(pixels);
+  const auto add = [&](int slab, FragmentLayers::Part part)
+  {
+    layers.SetSlab(slab, part, picture.OpaqueDepths, picture.Request);
+    picture.Colors.assign(1, ColorPicture(4 * pixels, 0.0f));
+    composite();
+    if (isRoot)
+    {
+      layers.Add(slab, part, picture.Colors.front(), peeled);
+    }
+  };
+  const int last = layers.GetNumberOfLayers();
+  for (int slab = last; slab >= 0; --slab)
+  {
+    add(slab, FragmentLayers::Part::Back);
+  }
+  for (int slab = 0; last > 0 && slab <= last / 2; ++slab)
+  {
+    add(slab, FragmentLayers::Part::Front);
+  }
+  picture.Colors.assign(1, peeled.Merge());
+}
+
+void VolumeCompositing::Composite(vtkRenderer* renderer, CompositedVolume& volume,
+  const PieceView& piece, const RankExchange& ranks, Picture& picture)
+{
+  picture.Request.Whole = piece.Whole;
   Bytes own;
   const bool fits = FitsMemory(
     [&]
     {
       const vtkTimerLogScope timer("Adaptive Volume: cast rays");
       RaySegments segments;
-      if (hasCells &&
+      if (piece.IsDrawn &&
         GetMapper(volume)->CastSegments(renderer, volume.Prop, picture.Request, segments))
       {
         own = segments.Pack();
@@ -279,10 +512,6 @@ void VolumeCompositing::Composite(
   {
     volume.Reports.Add(true, "Not enough memory for the picture.");
   }
-  for (const RankReport& report : volume.Reports.Gather(ranks))
-  {
-    volume.Report(report);
-  }
 }
 
 // Merge the segments of all ranks and blend them over the picture.
@@ -290,13 +519,15 @@ void VolumeCompositing::Blend(
   CompositedVolume& volume, const std::vector<Bytes>& messages, Picture& picture)
 {
   const vtkTimerLogScope timer("Adaptive Volume: merge segments");
-  std::vector<RaySegments> received(messages.size());
+  const std::vector<RaySegments> received = Unpack(messages);
   std::vector<const RaySegments*> pieces;
-  for (size_t rank = 0; rank < messages.size(); ++rank)
+  for (const RaySegments& piece : received)
   {
-    if (received[rank].Unpack(messages[rank]) && received[rank].GetNumberOfSegments() > 0)
+    pieces.push_back(&piece);
+    volume.LostPixels.resize(piece.Counts.size());
+    for (size_t pixel = 0; pixel < piece.Counts.size(); ++pixel)
     {
-      pieces.push_back(&received[rank]);
+      volume.LostPixels[pixel] = volume.LostPixels[pixel] || piece.HasLost(pixel);
     }
   }
   TransferFunctions functions;
@@ -306,10 +537,13 @@ void VolumeCompositing::Blend(
   if (!pieces.empty() &&
     functions.Read(volume.Prop->GetProperty(), whole.NumberOfComponents, error, warning))
   {
-    picture.TakePixels();
-    BlendOver(MapSegments(MergeSegments(pieces), functions, whole), picture.Pixels);
+    picture.Add(MapSegments(MergeSegments(pieces), functions, whole));
   }
-  const vtkIdType lost = CountLostPixels(pieces);
+}
+
+void VolumeCompositing::ReportLostSegments(CompositedVolume& volume)
+{
+  const auto lost = std::count(volume.LostPixels.begin(), volume.LostPixels.end(), true);
   if (lost > 0 && !volume.HasLost)
   {
     const int most = GetMapper(volume)->GetMaximumSegments();
@@ -323,5 +557,7 @@ void VolumeCompositing::Blend(
 void VolumeCompositing::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->IceT->ReleaseGraphicsResources(window);
+  this->Translucent->ReleaseGraphicsResources(window);
+  this->Overlay.ReleaseGraphicsResources();
 }
 }

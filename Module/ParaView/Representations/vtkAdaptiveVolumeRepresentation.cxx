@@ -31,6 +31,7 @@
 #include "vtkPlane.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
+#include "vtkVolumeCollection.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -84,6 +85,23 @@ const relevo::MapperWords VolumeWords = {
 
 // The blend mode of ParaView's Volume that the mapper lacks.
 constexpr int SliceMode = 6;
+
+// Return whether a view has visible volumes of other representations. Layers of fragments do not
+// represent them.
+bool HasOtherVolumes(vtkPVRenderView* view)
+{
+  vtkVolumeCollection* volumes = view->GetRenderer()->GetVolumes();
+  vtkCollectionSimpleIterator iterator;
+  volumes->InitTraversal(iterator);
+  while (vtkVolume* volume = volumes->GetNextVolume(iterator))
+  {
+    if (volume->GetVisibility() && !relevo::VolumeProp::SafeDownCast(volume))
+    {
+      return true;
+    }
+  }
+  return false;
+}
 
 // Return whether the data are distributed.
 bool HasProcesses()
@@ -415,9 +433,8 @@ int vtkAdaptiveVolumeRepresentation::ProcessViewRequest(
   return 1;
 }
 
-// The volume is composited if several ranks draw the view. With translucent objects, ParaView
-// blends the pictures of the ranks in the order of boxes of space, and the volume takes part in
-// that.
+// The volume is composited if several ranks draw the view. With ParaView's volumes, ParaView blends
+// the pictures of the ranks in the order of boxes of space, and this volume takes part in that.
 void vtkAdaptiveVolumeRepresentation::ChooseCompositing(vtkInformation* inInfo)
 {
   vtkInternals& data = *this->Internals;
@@ -425,7 +442,8 @@ void vtkAdaptiveVolumeRepresentation::ChooseCompositing(vtkInformation* inInfo)
   const bool isDistributed = inInfo->Has(vtkPVRenderView::USE_LOD())
     ? view->GetUseDistributedRenderingForLODRender()
     : view->GetUseDistributedRenderingForRender();
-  const bool isShared = isDistributed && HasProcesses() && !view->GetUseOrderedCompositing();
+  const bool isShared =
+    isDistributed && HasProcesses() && !(view->GetUseOrderedCompositing() && HasOtherVolumes(view));
   data.Compositing =
     isShared ? relevo::VolumeCompositing::Install(view->GetRenderer()) : data.Compositing;
   data.Volume->Prop->SetComposited(isShared && data.Compositing);
@@ -458,9 +476,10 @@ void vtkAdaptiveVolumeRepresentation::GivePiece(vtkInformation* inInfo)
   vtkPVView::SetPiece(inInfo, this, data.Piece);
   vtkPVRenderView::SetDeliverToClientAndRenderingProcesses(inInfo, this, false, false);
   vtkPVRenderView::SetRequiresDistributedRendering(inInfo, this, true);
-  // Only if other objects of the view are translucent.
+  const bool isMoved = HasOtherVolumes(vtkPVRenderView::SafeDownCast(this->GetView()));
   vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
-    vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
+    (isMoved ? vtkPVRenderView::DATA_IS_REDISTRIBUTABLE : 0) |
+      vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
   vtkPVRenderView::SetRedistributionModeToSplitBoundaryCells(inInfo, this);
 
   // These are the data of the view. In an animation they may be cached, while the pipeline is at

@@ -31,7 +31,7 @@ void ScreenPass::Draw()
   this->Vertices->Release();
 }
 
-void ScreenPass::DrawOver(vtkOpenGLRenderWindow* window)
+void ScreenPass::BlendOver(vtkOpenGLRenderWindow* window, const std::function<void()>& draw)
 {
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
@@ -42,7 +42,12 @@ void ScreenPass::DrawOver(vtkOpenGLRenderWindow* window)
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  this->Draw();
+  draw();
+}
+
+void ScreenPass::DrawOver(vtkOpenGLRenderWindow* window)
+{
+  BlendOver(window, [this] { this->Draw(); });
 }
 
 void ScreenPass::ReleaseGraphicsResources()

@@ -14,6 +14,8 @@
 #include "RelevoRenderingCoreModule.h" // for export macro
 #include "vtkNew.h"                    // for members
 
+#include <functional> // for drawing
+
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexArrayObject;
 
@@ -39,6 +41,10 @@ public:
   /// Draw with the current program over the window's pixels, blended by premultiplied alpha,
   /// without depths.
   void DrawOver(vtkOpenGLRenderWindow* window);
+
+  /// Call a function that draws over the window's pixels, blended by premultiplied alpha, without
+  /// depths.
+  static void BlendOver(vtkOpenGLRenderWindow* window, const std::function<void()>& draw);
 
   /// Return the vertex array, whose attributes render passes may set.
   vtkOpenGLVertexArrayObject* GetVertices() const { return this->Vertices; }

@@ -22,7 +22,8 @@ constexpr const char* WholeRay = "initializeRayCast();\n"
 constexpr const char* AllSegments = "initializeRayCast();\n"
                                     "  vec2 share = (gl_FragCoord.xy - viewportRectangle.xy) / "
                                     "viewportRectangle.zw;\n"
-                                    "  castSegments(0.0, texture(opaqueDepth, share).r);\n"
+                                    "  vec2 range = texture(opaqueDepth, share).rg;\n"
+                                    "  castSegments(hasBegins ? range.g : 0.0, range.r);\n"
                                     "  outputSegments();\n";
 
 Dependencies MakeKey(VolumeShader shader, const VolumeShaderOptions& options)
@@ -37,7 +38,8 @@ Dependencies MakeKey(VolumeShader shader, const VolumeShaderOptions& options)
 
 std::string FinishRayShader(std::string source, const char* main)
 {
-  vtkShaderProgram::Substitute(source, "//RELEVO::Main", "uniform sampler2D opaqueDepth;\n");
+  vtkShaderProgram::Substitute(
+    source, "//RELEVO::Main", "uniform sampler2D opaqueDepth;\nuniform bool hasBegins;\n");
   vtkShaderProgram::Substitute(source, "//VTK::CallWorker::Impl", main);
   return source;
 }

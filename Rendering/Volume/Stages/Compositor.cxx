@@ -28,14 +28,16 @@ std::string Compositor::ReadDepths(
 }
 
 std::string Compositor::SetDepths(vtkOpenGLRenderWindow* window, const std::array<int, 4>& viewport,
-  const std::vector<float>& depths)
+  const std::vector<float>& depths, const std::vector<float>& begins)
 {
-  if (depths.size() != static_cast<size_t>(viewport[2]) * viewport[3])
+  const size_t pixels = static_cast<size_t>(viewport[2]) * viewport[3];
+  if (depths.size() != pixels || (!begins.empty() && begins.size() != pixels))
   {
     return "There are " + std::to_string(depths.size()) + " depths for " +
       std::to_string(viewport[2]) + " x " + std::to_string(viewport[3]) + " pixels.";
   }
-  return this->Depth.Upload(window, viewport[2], viewport[3], depths.data())
+  return this->Depth.Upload(window, viewport[2], viewport[3], depths.data(),
+           begins.empty() ? nullptr : begins.data())
     ? ""
     : "The depths of opaque props cannot be uploaded.";
 }

@@ -37,9 +37,10 @@ public:
   /// Copy the depths of opaque props in the viewport. Return the error, or "".
   std::string ReadDepths(vtkOpenGLRenderWindow* window, const std::array<int, 4>& viewport);
 
-  /// Use these depths in the viewport instead. Return the error, or "".
+  /// Use these depths in the viewport instead. Rays begin at `begins`, unless it is empty. Return
+  /// the error, or "".
   std::string SetDepths(vtkOpenGLRenderWindow* window, const std::array<int, 4>& viewport,
-    const std::vector<float>& depths);
+    const std::vector<float>& depths, const std::vector<float>& begins);
 
   /// Return the number of rays per row and column.
   std::array<int, 2> ChooseSize(const std::array<int, 4>& viewport, const SamplingRequest& request);

@@ -10,6 +10,8 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <vector>
+
 namespace relevo
 {
 namespace
@@ -68,6 +70,7 @@ bool OpaqueDepth::Allocate(vtkOpenGLRenderWindow* window, const int viewport[4],
     return true;
   }
   this->ReleaseGraphicsResources(window);
+  this->HasBegins = false;
   this->Texture = vtkSmartPointer<vtkTextureObject>::New();
   this->Texture->SetContext(window);
   this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
@@ -121,16 +124,29 @@ bool OpaqueDepth::Copy(vtkOpenGLRenderWindow* window, const int viewport[4])
   return false;
 }
 
-bool OpaqueDepth::Upload(vtkOpenGLRenderWindow* window, int width, int height, const float* depths)
+bool OpaqueDepth::Upload(
+  vtkOpenGLRenderWindow* window, int width, int height, const float* depths, const float* begins)
 {
+  std::vector<float> pairs;
+  if (begins)
+  {
+    const size_t pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
+    for (size_t i = 0; i < pixels; ++i)
+    {
+      pairs.push_back(depths[i]);
+      pairs.push_back(begins[i]);
+    }
+  }
   this->ReleaseGraphicsResources(window);
   this->Texture = vtkSmartPointer<vtkTextureObject>::New();
   this->Texture->SetContext(window);
   this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
   this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   const bool isUploaded = this->Texture->Create2DFromRaw(static_cast<unsigned int>(width),
-    static_cast<unsigned int>(height), 1, VTK_FLOAT, const_cast<float*>(depths));
+    static_cast<unsigned int>(height), begins ? 2 : 1, VTK_FLOAT,
+    begins ? pairs.data() : const_cast<float*>(depths));
   this->Format = -1;
+  this->HasBegins = begins != nullptr;
   return isUploaded;
 }
 
@@ -140,6 +156,7 @@ void OpaqueDepth::Activate(vtkShaderProgram* program)
   {
     this->Texture->Activate();
     program->SetUniformi("opaqueDepth", this->Texture->GetTextureUnit());
+    program->SetUniformi("hasBegins", this->HasBegins ? 1 : 0);
   }
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   OpaqueDepth
- * @brief   a copy of the viewport's depths as a texture
+ * @brief   the window depths where the rays of a viewport end, as a texture
  *
  * Private to the module.
  */
@@ -29,9 +29,10 @@ public:
   /// left corner and size. Return false if the depths cannot be read.
   bool Copy(vtkOpenGLRenderWindow* window, const int viewport[4]);
 
-  /// Use these depths instead, row by row from the lower left corner. Return false if they cannot
-  /// be uploaded.
-  bool Upload(vtkOpenGLRenderWindow* window, int width, int height, const float* depths);
+  /// Use these depths instead, row by row from the lower left corner, and optionally the depths
+  /// where rays begin. Return false if they cannot be uploaded.
+  bool Upload(vtkOpenGLRenderWindow* window, int width, int height, const float* depths,
+    const float* begins = nullptr);
 
   void Activate(vtkShaderProgram* program);
   void Deactivate();
@@ -44,6 +45,7 @@ private:
   vtkSmartPointer<vtkTextureObject> Texture;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   int Format = -1;
+  bool HasBegins = false;
 };
 }
 

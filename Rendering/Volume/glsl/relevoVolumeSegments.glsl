@@ -89,6 +89,10 @@ void storeSegment(float begin, float end)
 void castSegments(float zStart, float zEnd)
 {
   beginWalk(zStart, zEnd);
+  if (walkEnd <= walkBegin)
+  {
+    return;
+  }
   beginRay();
   Entry entry;
   float firstBegin = walkBegin;
