@@ -332,7 +332,7 @@ class TestSettings(TestCase):
             ("Position", [1, 0, 0]),
         ):
             with self.subTest(name):
-                self.assert_changes(view, lambda: setattr(shown, name, value))
+                self.assert_changes(view, lambda: relevo.set_properties(shown, {name: value}))
         colors = simple.GetColorTransferFunction("Field")
         self.assert_changes(view, lambda: colors.RescaleTransferFunction(-5, 5))
         self.assert_changes(view, lambda: shown.SetScalarBarVisibility(view, True))

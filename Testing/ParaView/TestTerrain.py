@@ -237,7 +237,8 @@ class TestTerrain(relevo.TestCase):
         numpy.testing.assert_allclose(self.bounds(view)[4:], [-10, high], atol=1e-6)
         simple.ResetCamera(view)
         self.assertAlmostEqual(view.CameraFocalPoint[2], (high - 10) / 2, 4)
-        shown.Position, shown.Scale, shown.Origin = [1, 2, 3], [2, 1, 1], [4, 0, 0]
+        shown.Scale, shown.Origin = [2, 1, 1], [4, 0, 0]
+        relevo.set_properties(shown, {"Position": [1, 2, 3]})
         half = (SIZE - 1) / 2
         expected = [5 - 2 * half - 8, 5 + 2 * half - 8, 2 - half, 2 + half, -7, high + 3]
         numpy.testing.assert_allclose(self.bounds(view), expected, atol=1e-6)

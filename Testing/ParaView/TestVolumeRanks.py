@@ -200,7 +200,7 @@ def draw_others(pictures):
     for each in boxes:
         each.Visibility = 0
     other = show(deal("slabs"), view, BlendMode="Additive", ScalarOpacityUnitDistance=20)
-    other.Position = [5, 3, 0]
+    relevo.set_properties(other, {"Position": [5, 3, 0]})
     pictures["two volumes"] = relevo.picture(view)
     shown.Visibility = 0
     pictures["second volume"] = relevo.picture(view)

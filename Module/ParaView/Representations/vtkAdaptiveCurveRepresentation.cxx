@@ -3,9 +3,9 @@
 #include "vtkAdaptiveCurveRepresentation.h"
 
 #include "Checks/ShouldReport.h"
-#include "CurveGeometry.h"
 #include "CurveTree.h"
 #include "InputCells.h"
+#include "LineGeometry.h"
 #include "MapperMessage.h"
 #include "OrderedCompositing.h"
 #include "vtkAdaptiveCurveMapper.h"
@@ -60,7 +60,7 @@ vtkAdaptiveCurveRepresentation::vtkAdaptiveCurveRepresentation()
   data.WarningTag = data.Mapper->AddObserver(
     vtkCommand::WarningEvent, this, &vtkAdaptiveCurveRepresentation::Report);
 
-  auto* geometry = relevo::CurveGeometry::New();
+  auto* geometry = relevo::LineGeometry::New();
   geometry->SetUseOutline(0);
   geometry->SetPassThroughCellIds(1);
   geometry->SetPassThroughPointIds(1);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CurveGeometry.h"
+#include "LineGeometry.h"
 
 #include "Composite/DataLeaves.h"
 #include "CurveLines.h"
@@ -11,13 +11,13 @@
 
 namespace relevo
 {
-vtkStandardNewMacro(CurveGeometry);
+vtkStandardNewMacro(LineGeometry);
 
-CurveGeometry::CurveGeometry() = default;
+LineGeometry::LineGeometry() = default;
 
-CurveGeometry::~CurveGeometry() = default;
+LineGeometry::~LineGeometry() = default;
 
-int CurveGeometry::RequestData(
+int LineGeometry::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const auto convert = [](const DataLeaf& leaf) -> vtkSmartPointer<vtkDataObject>

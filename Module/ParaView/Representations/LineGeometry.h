@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   CurveGeometry
+ * @class   LineGeometry
  * @brief   a geometry filter whose output has the line cells of data sets
  *
  * Line cells of unstructured grids become poly-lines of their nodes, see CurveLines.h. Other cells
@@ -9,29 +9,29 @@
  *
  * Private to the module.
  */
-#ifndef CurveGeometry_h
-#define CurveGeometry_h
+#ifndef LineGeometry_h
+#define LineGeometry_h
 
 #include "PlainGeometry.h"
 
 namespace relevo
 {
-class CurveGeometry : public PlainGeometry
+class LineGeometry : public PlainGeometry
 {
 public:
-  static CurveGeometry* New();
-  vtkTypeMacro(CurveGeometry, PlainGeometry);
+  static LineGeometry* New();
+  vtkTypeMacro(LineGeometry, PlainGeometry);
 
 protected:
-  CurveGeometry();
-  ~CurveGeometry() override;
+  LineGeometry();
+  ~LineGeometry() override;
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
 private:
-  CurveGeometry(const CurveGeometry&) = delete;
-  void operator=(const CurveGeometry&) = delete;
+  LineGeometry(const LineGeometry&) = delete;
+  void operator=(const LineGeometry&) = delete;
 };
 }
 
