@@ -157,6 +157,7 @@ bool vtkVolumeRayCastFilter::Read(
       hasErrors = true;
     }
   }
+  cells.ConvertCurved();
   if (cells.GetNumberOfSolidCells() == 0 && !meshes.empty())
   {
     if (!hasErrors)
@@ -178,12 +179,16 @@ bool vtkVolumeRayCastFilter::Read(
     vtkWarningMacro(<< cells.GetNumberOfBadCells() << " of " << cells.GetNumberOfSolidCells()
                     << " cells have no volume, or points that are not finite; they are left out.");
   }
+  if (cells.GetNumberOfFoldedCells() > 0)
+  {
+    vtkWarningMacro(<< relevo::DescribeFoldedCells(cells));
+  }
   return true;
 }
 
 void vtkVolumeRayCastFilter::ReportMissingSurfaces(const relevo::VolumeCells& cells, int component)
 {
-  if (cells.GetCells().empty())
+  if (cells.GetCells().empty() && !cells.HasCurvedParts())
   {
     return;
   }

@@ -12,12 +12,13 @@
  * Input: a vtkDataSet, or a composite data set that is treated as one mesh. Only 3D cells are used,
  * without ghost and blanked cells. Tetrahedra, hexahedra, voxels, wedges, pyramids and quadratic
  * tetrahedra use the shape functions of VTK for geometry and scalars, so that quadrilateral faces
- * are bilinear. Other cells are split into tetrahedra: linear cells from their lowest point (in x,
- * then y, then z), so that neighbours split a common face in the same way, other cells with
- * vtkCell::Triangulate(). Cell scalars are constant in each cell. To choose the array, of 1 to 4
- * components, call SetInputArrayToProcess(0, 0, 0, association, name). The default is the active
- * point scalars or, if there are none, the active cell scalars. The volume is transparent where a
- * scalar is NaN.
+ * are bilinear. Quadratic cells of other kinds, and Lagrange and Bézier cells of degrees 1 to 8,
+ * use their own basis too, with rational weights. Other cells are split into tetrahedra from their
+ * lowest point (in x, then y, then z), so that neighbours split a common face in the same way;
+ * convex point sets with vtkCell::Triangulate(). Cell scalars are constant in each cell. To choose
+ * the array, of 1 to 4 components, call SetInputArrayToProcess(0, 0, 0, association, name). The
+ * default is the active point scalars or, if there are none, the active cell scalars. The volume is
+ * transparent where a scalar is NaN.
  *
  * Extinction per length is ScalarOpacity / ScalarOpacityUnitDistance, as in VTK's mappers for
  * unstructured grids: with an opacity of 1, a unit distance transmits exp(-1) of the light and is

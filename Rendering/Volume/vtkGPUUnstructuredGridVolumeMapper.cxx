@@ -182,7 +182,8 @@ relevo::MeshRequest vtkGPUUnstructuredGridVolumeMapper::MakeMeshRequest(
     this->GetInputPortInformation(0),
     relevo::ChooseScalars(property, this->VectorMode, this->VectorComponent), this->ScalarMode,
     this->ArrayAccessMode, this->ArrayId, this->ArrayName ? this->ArrayName : "",
-    property->GetIndependentComponents() != 0, IsShaded(property), hasCorners, whole };
+    property->GetIndependentComponents() != 0, IsShaded(property), hasCorners, this->ShapeTolerance,
+    this->FieldTolerance, whole };
 }
 
 bool vtkGPUUnstructuredGridVolumeMapper::UpdateMesh(
@@ -426,6 +427,16 @@ void vtkGPUUnstructuredGridVolumeMapper::SetImageSampleDistance(double distance)
   relevo::SetInRange(this, "ImageSampleDistance", this->ImageSampleDistance, distance, 0.1, 100.0);
 }
 
+void vtkGPUUnstructuredGridVolumeMapper::SetShapeTolerance(double share)
+{
+  relevo::SetInRange(this, "ShapeTolerance", this->ShapeTolerance, share, 1e-6, 1.0);
+}
+
+void vtkGPUUnstructuredGridVolumeMapper::SetFieldTolerance(double share)
+{
+  relevo::SetInRange(this, "FieldTolerance", this->FieldTolerance, share, 1e-6, 1.0);
+}
+
 void vtkGPUUnstructuredGridVolumeMapper::SetMaximumSegments(int number)
 {
   relevo::SetInRange(this, "MaximumSegments", this->MaximumSegments, number, 1,
@@ -488,6 +499,8 @@ void vtkGPUUnstructuredGridVolumeMapper::PrintSelf(ostream& os, vtkIndent indent
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "Integration: " << this->Integration << "\n";
   os << indent << "TableSize: " << this->TableSize << "\n";
+  os << indent << "ShapeTolerance: " << this->ShapeTolerance << "\n";
+  os << indent << "FieldTolerance: " << this->FieldTolerance << "\n";
   os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
   os << indent << "MaximumSegments: " << this->MaximumSegments << "\n";
   os << indent << "AutoAdjustSampleDistances: " << (this->AutoAdjustSampleDistances ? "On" : "Off")

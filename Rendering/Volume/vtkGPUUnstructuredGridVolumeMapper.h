@@ -206,6 +206,29 @@ public:
 
   //@{
   /**
+   * Set the largest errors of curved cells: quadratic, Lagrange and Bézier cells, except meshes
+   * that have only quadratic tetrahedra as curved cells, which rays traverse directly. Other curved
+   * cells are split into hexahedra until their shape and field are closer to the cell's own basis
+   * than both tolerances, by bounds from Bézier coefficients. Cells with common edges are split
+   * alike, so that there are no cracks.
+   *
+   * ShapeTolerance is a share of the diagonal of the mesh's bounding box, 1e-6 to 1, default 5e-4:
+   * a half of a pixel if the mesh is 1000 pixels large. FieldTolerance is a share of the range of
+   * the scalars, 1e-6 to 1, default 4e-3. Reduce it if the transfer functions have peaks that are
+   * narrow compared with the range. A value out of range is an error and changes nothing. Changes
+   * rebuild the mesh.
+   *
+   * An edge is split into at most 64 pieces, and the mesh into at most 2^25; a warning is reported
+   * if the tolerances need more.
+   */
+  void SetShapeTolerance(double share);
+  vtkGetMacro(ShapeTolerance, double);
+  void SetFieldTolerance(double share);
+  vtkGetMacro(FieldTolerance, double);
+  //@}
+
+  //@{
+  /**
    * Set the distance between cast rays in both directions, in pixels: 0.1 to 100, default 1. Above
    * 1, drawing is faster and colours are interpolated in between; below 1, the image is smoother.
    * It has no effect if translucent props are blended with the volume. A value out of range is an
@@ -315,6 +338,8 @@ private:
   int Method = RAY_CASTING;
   int Integration = EXACT;
   int TableSize = 128;
+  double ShapeTolerance = 5e-4;
+  double FieldTolerance = 4e-3;
   double ImageSampleDistance = 1.0;
   int MaximumSegments = 64;
   bool AutoAdjustSampleDistances = false;

@@ -62,8 +62,8 @@ bool CellReader::ReadNodes(vtkIdType cell)
   this->Cell = cell;
   const bool isListed =
     cell < this->NumberOfTypes && ReadCellPoints(this->Grid->GetCells(), cell, this->Nodes);
-  const int type = isListed ? this->Grid->GetCellType(cell) : VTK_EMPTY_CELL;
-  this->Kind = GetCellKind(type, this->Nodes->GetNumberOfIds());
+  this->Type = isListed ? this->Grid->GetCellType(cell) : VTK_EMPTY_CELL;
+  this->Kind = GetCellKind(this->Type, this->Nodes->GetNumberOfIds());
   this->Faces.clear();
   return isListed;
 }

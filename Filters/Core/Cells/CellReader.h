@@ -33,6 +33,8 @@ public:
   bool ReadNodes(vtkIdType cell);
 
   vtkIdType GetCell() const { return this->Cell; }
+  /// VTK's type; VTK_EMPTY_CELL if the cell could not be read.
+  int GetType() const { return this->Type; }
   const CellKind& GetKind() const { return this->Kind; }
   vtkIdType GetNumberOfNodes() const;
   vtkIdType GetNode(vtkIdType node) const;
@@ -62,6 +64,7 @@ private:
   vtkUnstructuredGrid* Grid;
   vtkIdType NumberOfTypes;
   vtkIdType Cell = 0;
+  int Type = 0;
   CellKind Kind;
   vtkNew<vtkIdList> Nodes;
   vtkNew<vtkIdList> Scratch;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/ControlNets.h"
 
-#include "Splines/LagrangeToBezier.h"
+#include "Mathematics/LagrangeToBezier.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"

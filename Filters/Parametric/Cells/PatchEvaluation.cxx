@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/PatchEvaluation.h"
 
-#include "Splines/TriangleIndex.h"
+#include "Mathematics/TriangleIndex.h"
 
 #include <algorithm>
 #include <array>

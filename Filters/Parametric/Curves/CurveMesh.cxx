@@ -3,7 +3,7 @@
 #include "Curves/CurveMesh.h"
 
 #include "Curves/CurveCells.h"
-#include "Splines/LagrangeToBezier.h"
+#include "Mathematics/LagrangeToBezier.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics/NetAngles.h"
 
+#include "Mathematics/TriangleIndex.h"
 #include "Mesh/PatchArrays.h"
-#include "Splines/TriangleIndex.h"
 #include "View/WorldView.h"
 #include "vtkMath.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics/SecondDerivatives.h"
 
+#include "Mathematics/TriangleIndex.h"
 #include "Metrics/TriangleForm.h"
-#include "Splines/TriangleIndex.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/CellCrossing.h"
 
+#include "Bezier/BezierCrossing.h"
 #include "Boxes/BoxSegment.h"
 #include "Cells/CurvedScalars.h"
 #include "Cells/PointGradients.h"
@@ -25,6 +26,25 @@ void AddWeighed(const Scalars& scalars, double weight, Scalars& sum)
   }
 }
 
+FloatBox RoundBox(const dvec3& low, const dvec3& high)
+{
+  FloatBox rounded;
+  for (int c = 0; c < 3; ++c)
+  {
+    rounded.Low[c] = static_cast<float>(low[c]);
+    rounded.High[c] = static_cast<float>(high[c]);
+  }
+  return rounded;
+}
+
+FloatBox GetBox(const CurvedPart& part)
+{
+  dvec3 low;
+  dvec3 high;
+  part.Shape.FindBounds(low, high);
+  return RoundBox(low, high);
+}
+
 FloatBox GetBox(const VolumeCells& cells, const VolumeCells::Cell& cell)
 {
   dvec3 low;
@@ -39,19 +59,22 @@ FloatBox GetBox(const VolumeCells& cells, const VolumeCells::Cell& cell)
     low = min(min(corners[0], corners[1]), min(corners[2], corners[3]));
     high = max(max(corners[0], corners[1]), max(corners[2], corners[3]));
   }
-  FloatBox rounded;
-  for (int c = 0; c < 3; ++c)
-  {
-    rounded.Low[c] = static_cast<float>(low[c]);
-    rounded.High[c] = static_cast<float>(high[c]);
-  }
-  return rounded;
+  return RoundBox(low, high);
+}
+
+Scalars GetLengths(const Gradients& gradients)
+{
+  Scalars lengths;
+  std::transform(gradients.begin(), gradients.end(), lengths.begin(),
+    [](const dvec3& gradient) { return length(gradient); });
+  return lengths;
 }
 }
 
 CellCrossing::CellCrossing(VolumeCells& cells, bool withSteepness, bool withGradients)
   : Cells(cells)
   , HasSteepness(withSteepness)
+  , HasGradients(withGradients)
 {
   cells.MoveToOrigin();
   if (withGradients)
@@ -59,10 +82,14 @@ CellCrossing::CellCrossing(VolumeCells& cells, bool withSteepness, bool withGrad
     this->PointGradients = ComputePointGradients(cells);
   }
   std::vector<FloatBox> boxes;
-  boxes.reserve(cells.GetCells().size());
+  boxes.reserve(cells.GetCells().size() + cells.GetCurvedParts().size());
   for (const VolumeCells::Cell& cell : cells.GetCells())
   {
     boxes.push_back(GetBox(cells, cell));
+  }
+  for (const CurvedPart& part : cells.GetCurvedParts())
+  {
+    boxes.push_back(GetBox(part));
   }
   this->Tree.Build(boxes);
 }
@@ -162,11 +189,57 @@ void CellCrossing::CrossCurved(
 Scalars CellCrossing::ComputeSteepness(
   const VolumeCells::Cell& cell, const CornerSlopes& slopes) const
 {
-  const Gradients gradients = this->Cells.ComputeGradients(cell, slopes);
-  Scalars steepness;
-  std::transform(gradients.begin(), gradients.end(), steepness.begin(),
-    [](const dvec3& gradient) { return length(gradient); });
-  return steepness;
+  return GetLengths(this->Cells.ComputeGradients(cell, slopes));
+}
+
+// Gradients are those of the part's own basis.
+void CellCrossing::CrossPart(
+  const CurvedPart& part, const Ray& ray, std::vector<RayPart>& parts) const
+{
+  if (part.IsGhost)
+  {
+    return;
+  }
+  const BezierCrossing crossing(part.Shape);
+  const std::vector<std::pair<double, double>> inside =
+    crossing.FindInside(ray, PlaneMargin * this->Cells.GetDiagonal());
+  if (part.Scalars >= 0)
+  {
+    const Scalars& scalars = this->Cells.GetCellScalars()[part.Scalars];
+    for (const auto& interval : inside)
+    {
+      parts.push_back({ interval.first, interval.second, scalars, scalars });
+    }
+    return;
+  }
+  std::vector<Scalars> range(2);
+  for (int c = 0; c < part.Shape.GetNumberOfScalars(); ++c)
+  {
+    part.Shape.FindRange(c, range[0][c], range[1][c]);
+  }
+  dvec3 parameters(0.5);
+  const auto locate = [&](double at)
+  {
+    crossing.Locate(ray.Origin + at * ray.Direction, parameters);
+    return parameters;
+  };
+  const CurvedScalars along(
+    [&](double at) { return part.Shape.Evaluate(locate(at)).Values; }, range);
+  const size_t first = parts.size();
+  for (const auto& interval : inside)
+  {
+    along.Split(interval.first, interval.second, parts);
+  }
+  for (size_t i = first; i < parts.size() && this->HasSteepness; ++i)
+  {
+    parts[i].Steepness =
+      GetLengths(part.Shape.ComputeGradients(locate(0.5 * (parts[i].Begin + parts[i].End))));
+  }
+  for (size_t i = first; i < parts.size() && this->HasGradients; ++i)
+  {
+    parts[i].FrontGradients = part.Shape.ComputeGradients(locate(parts[i].Begin));
+    parts[i].BackGradients = part.Shape.ComputeGradients(locate(parts[i].End));
+  }
 }
 
 Gradients CellCrossing::WeighGradients(const VolumeCells::Cell& cell, const double* weights) const
@@ -198,7 +271,14 @@ std::vector<RayPart> CellCrossing::Cross(const Ray& ray) const
     last, [&](const FloatBox& box, double nearest) { return segment.GetEntry(box, nearest); },
     [&](int index)
     {
-      const VolumeCells::Cell& cell = this->Cells.GetCells()[index];
+      const size_t number = static_cast<size_t>(index);
+      const size_t whole = this->Cells.GetCells().size();
+      if (number >= whole)
+      {
+        this->CrossPart(this->Cells.GetCurvedParts()[number - whole], moved, parts);
+        return;
+      }
+      const VolumeCells::Cell& cell = this->Cells.GetCells()[number];
       cell.Shape ? this->CrossCurved(cell, moved, parts)
                  : this->CrossTetrahedron(cell, moved, parts);
     });

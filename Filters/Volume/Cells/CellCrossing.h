@@ -10,8 +10,8 @@
 #define CellCrossing_h
 
 #include "Boxes/BoxTree.h"
-#include "Cells/Ray.h"
 #include "Cells/VolumeCells.h"
+#include "Integral/Ray.h"
 
 #include <vector>
 
@@ -35,12 +35,14 @@ private:
     const VolumeCells::Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const;
   void CrossCurved(
     const VolumeCells::Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const;
+  void CrossPart(const CurvedPart& part, const Ray& ray, std::vector<RayPart>& parts) const;
   Scalars ComputeSteepness(const VolumeCells::Cell& cell, const CornerSlopes& slopes) const;
   Gradients WeighGradients(const VolumeCells::Cell& cell, const double* weights) const;
 
   const VolumeCells& Cells;
   bool HasSteepness;
-  std::vector<Gradients> PointGradients; // empty if not requested
+  bool HasGradients;
+  std::vector<Gradients> PointGradients; // of cells without curved parts, if requested
   FloatBoxTree Tree;
 };
 }

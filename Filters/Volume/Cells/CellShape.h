@@ -9,7 +9,7 @@
 #ifndef CellShape_h
 #define CellShape_h
 
-#include "Cells/Ray.h"
+#include "Integral/Ray.h"
 #include "RelevoFiltersVolumeModule.h" // for export macro
 #include "vtkType.h"
 

@@ -19,9 +19,20 @@ CellSplitter::~CellSplitter() = default;
 const std::vector<vtkIdType>& CellSplitter::Split(vtkGenericCell* cell, const dvec3* points)
 {
   this->Tetrahedra.clear();
+  vtkIdList* all = cell->GetPointIds();
+  const std::vector<vtkIdType> ids(all->begin(), all->end());
+  if (FindFaceTable(cell->GetCellType()).Faces && cell->IsLinear())
+  {
+    return this->Split(cell->GetCellType(), ids, points);
+  }
   if (cell->IsLinear() && cell->GetCellType() != VTK_CONVEX_POINT_SET)
   {
-    this->SplitLinear(cell, points);
+    const auto findFace = [&](int face)
+    {
+      vtkIdList* corners = cell->GetFace(face)->GetPointIds();
+      this->Face.assign(corners->begin(), corners->end());
+    };
+    this->SplitLinear(ids, cell->GetNumberOfFaces(), findFace, points);
   }
   else
   {
@@ -31,29 +42,29 @@ const std::vector<vtkIdType>& CellSplitter::Split(vtkGenericCell* cell, const dv
   return this->Tetrahedra;
 }
 
-void CellSplitter::FindFace(vtkGenericCell* cell, int face)
+const std::vector<vtkIdType>& CellSplitter::Split(
+  int type, const std::vector<vtkIdType>& ids, const dvec3* points)
 {
-  this->Face.clear();
-  const FaceTable table = FindFaceTable(cell->GetCellType());
-  if (table.Faces)
+  this->Tetrahedra.clear();
+  const FaceTable table = FindFaceTable(type);
+  const auto findFace = [&](int face)
   {
+    this->Face.clear();
     for (int corner : table.Faces[face])
     {
       if (corner >= 0)
       {
-        this->Face.push_back(cell->GetPointId(corner));
+        this->Face.push_back(ids[static_cast<size_t>(corner)]);
       }
     }
-  }
-  else
-  {
-    vtkIdList* ids = cell->GetFace(face)->GetPointIds();
-    this->Face.assign(ids->begin(), ids->end());
-  }
+  };
+  this->SplitLinear(ids, table.NumberOfFaces, findFace, points);
+  return this->Tetrahedra;
 }
 
 // Coincident points are ordered by their ids.
-void CellSplitter::SplitLinear(vtkGenericCell* cell, const dvec3* points)
+void CellSplitter::SplitLinear(const std::vector<vtkIdType>& ids, int numberOfFaces,
+  const FaceFinder& findFace, const dvec3* points)
 {
   const auto isLower = [points](vtkIdType a, vtkIdType b)
   {
@@ -61,11 +72,10 @@ void CellSplitter::SplitLinear(vtkGenericCell* cell, const dvec3* points)
     { return std::make_tuple(points[id].x, points[id].y, points[id].z, id); };
     return getKey(a) < getKey(b);
   };
-  vtkIdList* ids = cell->GetPointIds();
-  const vtkIdType lowest = *std::min_element(ids->begin(), ids->end(), isLower);
-  for (int i = 0; i < cell->GetNumberOfFaces(); ++i)
+  const vtkIdType lowest = *std::min_element(ids.begin(), ids.end(), isLower);
+  for (int i = 0; i < numberOfFaces; ++i)
   {
-    this->FindFace(cell, i);
+    findFace(i);
     std::vector<vtkIdType>& face = this->Face;
     if (std::find(face.begin(), face.end(), lowest) != face.end())
     {

@@ -19,6 +19,7 @@
 #include "vtkNew.h"
 #include "vtkType.h"
 
+#include <functional>
 #include <vector>
 
 class vtkGenericCell;
@@ -36,10 +37,15 @@ public:
   /// Splits a 3D cell. Returns four point ids for each tetrahedron. The coordinates of a point are
   /// points[id].
   const std::vector<vtkIdType>& Split(vtkGenericCell* cell, const dvec3* points);
+  /// Splits a linear cell of a type that has a FaceTable.
+  const std::vector<vtkIdType>& Split(
+    int type, const std::vector<vtkIdType>& ids, const dvec3* points);
 
 private:
-  void SplitLinear(vtkGenericCell* cell, const dvec3* points);
-  void FindFace(vtkGenericCell* cell, int face);
+  using FaceFinder = std::function<void(int face)>;
+
+  void SplitLinear(const std::vector<vtkIdType>& ids, int numberOfFaces, const FaceFinder& findFace,
+    const dvec3* points);
 
   std::vector<vtkIdType> Tetrahedra;
   std::vector<vtkIdType> Face;

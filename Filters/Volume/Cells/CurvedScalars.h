@@ -9,7 +9,7 @@
 #ifndef CurvedScalars_h
 #define CurvedScalars_h
 
-#include "Cells/Ray.h"
+#include "Integral/Ray.h"
 
 #include <functional>
 #include <vector>

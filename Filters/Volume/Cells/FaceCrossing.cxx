@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/FaceCrossing.h"
 
+#include "Integral/AcrossRay.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,27 +16,6 @@ namespace
 constexpr double Margin = 1e-6;
 // Triangles of 1/2^12 of a face have at most one hit, which Newton's method finds.
 constexpr int DeepestFaceSplit = 12;
-
-// Two directions perpendicular to a ray.
-struct Across
-{
-  dvec3 First;
-  dvec3 Second;
-
-  explicit Across(const dvec3& direction)
-  {
-    const dvec3 size = abs(direction);
-    const dvec3 axis = size.x <= size.y && size.x <= size.z ? dvec3(1.0, 0.0, 0.0)
-      : size.y <= size.z                                    ? dvec3(0.0, 1.0, 0.0)
-                                                            : dvec3(0.0, 0.0, 1.0);
-    this->First = normalize(cross(direction, axis));
-    this->Second = cross(direction, this->First);
-  }
-  dvec2 operator()(const dvec3& v) const
-  {
-    return dvec2(dot(v, this->First), dot(v, this->Second));
-  }
-};
 
 double Cross2(const dvec2& a, const dvec2& b)
 {
@@ -144,7 +125,7 @@ void CrossBilinearFace(
   const dvec3 alongU = corners[1] - corners[0];
   const dvec3 alongV = corners[3] - corners[0];
   const dvec3 twist = corners[2] - corners[1] - alongV;
-  const Across across(ray.Direction);
+  const AcrossRay across(ray.Direction);
   const dvec2 a = across(from);
   const dvec2 b = across(alongU);
   const dvec2 c = across(alongV);
@@ -168,7 +149,7 @@ void CrossBilinearFace(
 void CrossQuadraticFace(
   const std::array<dvec3, 6>& points, const Ray& ray, std::vector<double>& hits)
 {
-  const Across across(ray.Direction);
+  const AcrossRay across(ray.Direction);
   SeenTriangle seen;
   for (size_t i = 0; i < points.size(); ++i)
   {

@@ -12,7 +12,7 @@
 #ifndef FaceCrossing_h
 #define FaceCrossing_h
 
-#include "Cells/Ray.h"
+#include "Integral/Ray.h"
 
 #include <array>
 #include <vector>

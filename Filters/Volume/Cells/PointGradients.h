@@ -9,7 +9,7 @@
 #ifndef PointGradients_h
 #define PointGradients_h
 
-#include "Cells/Ray.h"
+#include "Integral/Ray.h"
 #include "RelevoFiltersVolumeModule.h" // for export macro
 
 #include <vector>

@@ -10,7 +10,7 @@
 #define TetrahedronCrossing_h
 
 #include "Cells/CellShape.h"
-#include "Cells/Ray.h"
+#include "Integral/Ray.h"
 
 #include <array>
 

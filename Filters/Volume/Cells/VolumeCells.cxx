@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/VolumeCells.h"
 
+#include "Bezier/PiecePoints.h"
+#include "Bezier/SplitCounts.h"
 #include "Cells/CellChecks.h"
+#include "Cells/CellReader.h"
 #include "Cells/CellSplitter.h"
 #include "Mathematics/FiniteBox.h"
 #include "Mesh/CellFetcher.h"
@@ -12,7 +15,10 @@
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +30,13 @@ namespace
 {
 // Relative to a cube with the longest distance between corners. Smaller cells have no volume.
 constexpr double MinimumVolume = 1e-12;
+// Relative to the diagonal of the mesh, and to coordinates. Points of neighbours are at most this
+// far apart.
+constexpr double SamePlace = 1e-11;
+constexpr double CoordinateRounding = 1e-13;
+// Relative to the largest scalar.
+constexpr double SameScalar = 1e-11;
+constexpr size_t LatticeBatch = 1 << 10; // Bézier hexahedra
 
 bool IsFinite(const Scalars& scalars)
 {
@@ -34,6 +47,46 @@ bool IsFinite(const Scalars& scalars)
 bool IsFinite(const dvec3& point)
 {
   return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
+bool IsCurved(const CellKind& kind)
+{
+  return kind.IsSolid() && kind.Nodes != NodeKind::Corners;
+}
+
+// Returns the type of linear or quadratic cells that have the basis of a cell of any degree.
+int FindSameType(const CellKind& kind, int type, const ivec3& degrees, bool isRational)
+{
+  const bool isLinear = kind.Nodes != NodeKind::Quadratic && degrees == ivec3(1) && !isRational;
+  const bool isQuadratic = kind.Nodes == NodeKind::Lagrange && degrees == ivec3(2);
+  switch (kind.Shape)
+  {
+    case CellTopology::Tetrahedron:
+      return isLinear ? VTK_TETRA : isQuadratic ? VTK_QUADRATIC_TETRA : type;
+    case CellTopology::Hexahedron:
+      return isLinear ? VTK_HEXAHEDRON : type;
+    case CellTopology::Wedge:
+      return isLinear ? VTK_WEDGE : type;
+    default:
+      return type;
+  }
+}
+
+// Evaluates a Bézier hexahedron at a lattice of counts + 1 points in each direction.
+std::vector<BezierPoint> EvaluateLattice(const BezierHexahedron& shape, const ivec3& counts)
+{
+  std::vector<BezierPoint> points;
+  for (int k = 0; k <= counts.z; ++k)
+  {
+    for (int j = 0; j <= counts.y; ++j)
+    {
+      for (int i = 0; i <= counts.x; ++i)
+      {
+        points.push_back(shape.Evaluate(dvec3(i, j, k) / dvec3(counts)));
+      }
+    }
+  }
+  return points;
 }
 
 // The cells that are hidden or belong to another piece.
@@ -79,6 +132,16 @@ private:
 };
 }
 
+// A cell of a data set.
+class VolumeCells::Source
+{
+public:
+  vtkIdType FirstPoint; // of the data set
+  vtkIdType Scalars;    // of the cell, or -1 for point scalars
+  bool IsGhost;
+  bool HasWeights; // whether the data set has rational weights
+};
+
 std::vector<std::string> VolumeCells::Add(
   vtkDataSet* mesh, vtkDataArray* array, bool isOfCells, const ScalarChoice& choice)
 {
@@ -90,7 +153,10 @@ std::vector<std::string> VolumeCells::Add(
     mesh->GetPoint(i, &point.x);
     this->Points.push_back(point);
   }
+  this->AddWeights(mesh);
   AddScalars(array, choice, isOfCells ? this->CellScalars : this->PointScalars);
+  this->NumberOfScalars =
+    choice.Component == ScalarChoice::All ? array->GetNumberOfComponents() : 1;
   // Both arrays must have the same length for the following data sets.
   (isOfCells ? this->PointScalars : this->CellScalars)
     .resize(isOfCells ? this->Points.size() : firstCell);
@@ -102,67 +168,298 @@ std::vector<std::string> VolumeCells::Add(
   const LeftOutCells leftOut(mesh);
   CellFetcher cells(mesh);
   CellSplitter splitter;
-  std::vector<vtkIdType> ids;
-  std::vector<vtkIdType> corners;
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh);
+  vtkNew<vtkUnstructuredGrid> none;
+  CellReader reader(grid ? grid : none);
+  vtkNew<vtkIdList> points;
+  const bool hasWeights = mesh->GetPointData()->GetRationalWeights() != nullptr;
   for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
   {
     if (checks.Uses[i] != CellUse::Solid)
     {
       continue;
     }
+    const Source source = { firstPoint, isOfCells ? firstCell + i : -1, leftOut.IsGhost(i),
+      hasWeights };
+    mesh->GetCellPoints(i, points);
+    if (leftOut.IsHidden(i, points) || (source.IsGhost && isOfCells) ||
+      (grid && reader.ReadNodes(i) && this->AddCurved(reader, source)))
+    {
+      continue;
+    }
     vtkGenericCell* cell = cells.Fetch(i);
-    vtkIdList* points = cell->GetPointIds();
-    const bool isGhost = leftOut.IsGhost(i);
-    if (cell->GetCellDimension() != 3 || leftOut.IsHidden(i, points) || (isGhost && isOfCells))
+    if (cell->GetCellDimension() == 3)
     {
-      continue;
+      this->AddLinear(cell, source, splitter);
     }
-    if (!this->AreFinite(points, firstPoint))
-    {
-      this->NumberOfSolidCells += isGhost ? 0 : 1;
-      this->NumberOfBadCells += isGhost ? 0 : 1;
-      continue;
-    }
-    const int type = cell->GetCellType();
-    const CellShape* shape = this->SplitsAll ? nullptr : FindCellShape(type);
-    if (shape || type == VTK_TETRA)
-    {
-      ids.assign(points->begin(), points->end());
-    }
-    else
-    {
-      ids = splitter.Split(cell, &this->Points[firstPoint]);
-    }
-    const size_t size = shape ? static_cast<size_t>(shape->NumberOfCorners) : 4;
-    bool isGood = false;
-    const size_t before = this->Cells.size();
-    for (size_t first = 0; first + size <= ids.size(); first += size)
-    {
-      corners.clear();
-      for (size_t corner = 0; corner < size; ++corner)
-      {
-        corners.push_back(
-          firstPoint + ids[first + (shape ? GetCorner(type, static_cast<int>(corner)) : corner)]);
-      }
-      isGood |= this->AddCell(
-        shape, corners, isOfCells ? firstCell + i : -1, isGhost ? this->Ghosts : this->Cells);
-    }
-    if (isGhost)
-    {
-      continue;
-    }
-    this->NumberOfSolidCells++;
-    this->NumberOfBadCells += isGood ? 0 : 1;
-    this->NumberOfDrawnCells += this->Cells.size() > before ? 1 : 0;
   }
   return checks.Errors;
 }
 
-// VTK's functions that split cells do not terminate if coordinates are NaN.
-bool VolumeCells::AreFinite(vtkIdList* points, vtkIdType firstPoint) const
+void VolumeCells::AddWeights(vtkDataSet* mesh)
 {
-  return std::all_of(points->begin(), points->end(),
-    [&](vtkIdType point) { return IsFinite(this->Points[firstPoint + point]); });
+  vtkDataArray* weights = mesh->GetPointData()->GetRationalWeights();
+  const size_t first = this->Points.size() - static_cast<size_t>(mesh->GetNumberOfPoints());
+  if (!weights && this->Weights.empty())
+  {
+    return;
+  }
+  this->Weights.resize(this->Points.size(), 1.0);
+  for (vtkIdType i = 0; weights && i < mesh->GetNumberOfPoints(); ++i)
+  {
+    this->Weights[first + static_cast<size_t>(i)] = weights->GetComponent(i, 0);
+  }
+}
+
+// Counts a cell that is not a ghost.
+void VolumeCells::Count(bool isGood, size_t before)
+{
+  this->NumberOfSolidCells++;
+  this->NumberOfBadCells += isGood ? 0 : 1;
+  this->NumberOfDrawnCells += this->Cells.size() > before ? 1 : 0;
+}
+
+// Returns false if the cell is not curved.
+bool VolumeCells::AddCurved(const CellReader& reader, const Source& source)
+{
+  const CellKind& kind = reader.GetKind();
+  if (!IsCurved(kind))
+  {
+    return false;
+  }
+  std::vector<vtkIdType> ids;
+  for (vtkIdType node = 0; node < reader.GetNumberOfNodes(); ++node)
+  {
+    ids.push_back(source.FirstPoint + reader.GetNode(node));
+  }
+  if (!this->AreFinite(ids.data(), static_cast<vtkIdType>(ids.size())))
+  {
+    if (!source.IsGhost)
+    {
+      this->Count(false, this->Cells.size());
+    }
+    return true;
+  }
+  const bool isRational = source.HasWeights && kind.Nodes == NodeKind::Bezier;
+  const bool isQuadratic = kind.Nodes == NodeKind::Quadratic;
+  const ivec3 degrees = isQuadratic ? ivec3(0) : reader.GetDegrees();
+  const int type = FindSameType(kind, reader.GetType(), degrees, isRational);
+  if (GetCellKind(type, reader.GetNumberOfNodes()).Nodes == NodeKind::Corners)
+  {
+    const size_t before = this->Cells.size();
+    const bool isGood = this->AddWhole(type, ids, source);
+    if (!source.IsGhost)
+    {
+      this->Count(isGood, before);
+    }
+    return true;
+  }
+  this->NumberOfSolidCells += source.IsGhost ? 0 : 1;
+  this->Curved.Add(
+    { { type, type == VTK_QUADRATIC_TETRA ? ivec3(0) : degrees, reader.GetNumberOfNodes(), false },
+      0, source.Scalars, source.IsGhost, isRational },
+    ids);
+  return true;
+}
+
+// Adds a cell with a CellShape, or a tetrahedron.
+bool VolumeCells::AddWhole(int type, const std::vector<vtkIdType>& ids, const Source& source)
+{
+  const CellShape* shape = FindCellShape(type);
+  std::vector<vtkIdType> corners;
+  for (size_t i = 0; i < ids.size(); ++i)
+  {
+    corners.push_back(ids[static_cast<size_t>(GetCorner(type, static_cast<int>(i)))]);
+  }
+  if (!shape || !this->SplitsAll)
+  {
+    return this->AddCell(
+      shape, corners, source.Scalars, source.IsGhost ? this->Ghosts : this->Cells);
+  }
+  CellSplitter splitter;
+  bool isGood = false;
+  const std::vector<vtkIdType> split = splitter.Split(type, ids, this->Points.data());
+  for (size_t first = 0; first + 4 <= split.size(); first += 4)
+  {
+    isGood |= this->AddCell(nullptr, { split.begin() + first, split.begin() + first + 4 },
+      source.Scalars, source.IsGhost ? this->Ghosts : this->Cells);
+  }
+  return isGood;
+}
+
+void VolumeCells::AddLinear(vtkGenericCell* cell, const Source& source, CellSplitter& splitter)
+{
+  std::vector<vtkIdType> ids(cell->GetPointIds()->begin(), cell->GetPointIds()->end());
+  for (vtkIdType& id : ids)
+  {
+    id += source.FirstPoint;
+  }
+  const size_t before = this->Cells.size();
+  bool isGood = false;
+  if (this->AreFinite(ids.data(), static_cast<vtkIdType>(ids.size())))
+  {
+    const int type = cell->GetCellType();
+    if (type == VTK_TETRA || FindCellShape(type))
+    {
+      isGood = this->AddWhole(type, ids, source);
+    }
+    else
+    {
+      const std::vector<vtkIdType>& split =
+        splitter.Split(cell, &this->Points[static_cast<size_t>(source.FirstPoint)]);
+      std::vector<vtkIdType> corners(4);
+      for (size_t first = 0; first + 4 <= split.size(); first += 4)
+      {
+        std::transform(split.begin() + first, split.begin() + first + 4, corners.begin(),
+          [&](vtkIdType id) { return source.FirstPoint + id; });
+        isGood |= this->AddCell(
+          nullptr, corners, source.Scalars, source.IsGhost ? this->Ghosts : this->Cells);
+      }
+    }
+  }
+  if (!source.IsGhost)
+  {
+    this->Count(isGood, before);
+  }
+}
+
+void VolumeCells::ConvertCurved()
+{
+  if (!this->SplitsAll && this->Curved.AreQuadraticTetrahedra())
+  {
+    for (const CurvedCells::Cell& cell : this->Curved.GetCells())
+    {
+      const vtkIdType* nodes = this->Curved.GetNodes(cell);
+      const size_t before = this->Cells.size();
+      const bool isGood = this->AddCell(FindCellShape(VTK_QUADRATIC_TETRA),
+        { nodes, nodes + cell.Type.NumberOfNodes }, cell.Scalars,
+        cell.IsGhost ? this->Ghosts : this->Cells);
+      if (!cell.IsGhost)
+      {
+        this->NumberOfBadCells += isGood ? 0 : 1;
+        this->NumberOfDrawnCells += this->Cells.size() > before ? 1 : 0;
+      }
+    }
+    this->Curved.Clear();
+    return;
+  }
+  this->Curved.Convert({ this->Points, this->PointScalars, this->Weights }, this->NumberOfScalars);
+  this->NumberOfBadCells += this->Curved.GetNumberOfBadCells();
+  this->NumberOfDrawnCells += this->Curved.GetNumberOfDrawnCells();
+}
+
+bool VolumeCells::SplitCurved(const SplitTolerances& tolerances)
+{
+  std::vector<CurvedPart> parts = std::move(this->Curved.GetParts());
+  this->Curved.GetParts().clear();
+  FiniteBox box;
+  Scalars same = {};
+  double largest = 0.0;
+  for (const CurvedPart& part : parts)
+  {
+    dvec3 low;
+    dvec3 high;
+    part.Shape.FindBounds(low, high);
+    box.Add(&low.x);
+    box.Add(&high.x);
+    largest = std::max({ largest, length(low), length(high) });
+    for (int c = 0; c < part.Shape.GetNumberOfScalars(); ++c)
+    {
+      double least;
+      double most;
+      part.Shape.FindRange(c, least, most);
+      same[c] = std::max({ same[c], SameScalar * std::abs(least), SameScalar * std::abs(most) });
+    }
+  }
+  const double diagonal = length(dvec3(box.GetSide(0), box.GetSide(1), box.GetSide(2)));
+  PlaceSet places(SamePlace * diagonal + CoordinateRounding * largest);
+  PiecePoints points(places, same, this->Points, this->PointScalars);
+  for (const Cell& cell : this->Cells)
+  {
+    for (int i = 0; i < this->GetNumberOfCorners(cell); ++i)
+    {
+      points.Reuse(this->GetCornerId(cell, i));
+    }
+  }
+  const SplitCounts counts(parts, tolerances, places);
+  CellSplitter splitter;
+  std::vector<std::vector<BezierPoint>> lattices(std::min(LatticeBatch, parts.size()));
+  for (size_t begin = 0; begin < parts.size(); begin += LatticeBatch)
+  {
+    const size_t count = std::min(LatticeBatch, parts.size() - begin);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(count),
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType i = first; i < last; ++i)
+        {
+          lattices[i] = EvaluateLattice(parts[begin + i].Shape, counts.Get(begin + i));
+        }
+      });
+    for (size_t i = 0; i < count; ++i)
+    {
+      this->AddPieces(parts[begin + i], counts.Get(begin + i), points, lattices[i], splitter);
+    }
+  }
+  return !counts.AreLimited();
+}
+
+void VolumeCells::AddPieces(const CurvedPart& part, const ivec3& counts, PiecePoints& points,
+  const std::vector<BezierPoint>& lattice, CellSplitter& splitter)
+{
+  const ivec3 size = counts + 1;
+  std::vector<vtkIdType> ids(lattice.size());
+  for (size_t at = 0; at < lattice.size(); ++at)
+  {
+    const int i = static_cast<int>(at);
+    const ivec3 step(i % size.x, i / size.x % size.y, i / size.x / size.y);
+    const bool isInner = all(greaterThan(step, ivec3(0))) && all(lessThan(step, counts));
+    ids[at] = isInner ? points.Add(lattice[at]) : points.Find(lattice[at]);
+  }
+  std::vector<vtkIdType> corners;
+  for (int i = 0; i < counts.x * counts.y * counts.z; ++i)
+  {
+    const ivec3 step(i % counts.x, i / counts.x % counts.y, i / counts.x / counts.y);
+    corners.clear();
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const ivec3 at = step + ivec3((corner + 1) >> 1 & 1, corner >> 1 & 1, corner >> 2);
+      corners.push_back(ids[static_cast<size_t>(at.x + size.x * (at.y + size.y * at.z))]);
+    }
+    this->AddPiece(corners, part, splitter);
+  }
+}
+
+void VolumeCells::AddPiece(
+  std::vector<vtkIdType>& corners, const CurvedPart& part, CellSplitter& splitter)
+{
+  const bool isPyramid = std::all_of(
+    corners.begin() + 4, corners.end(), [&](vtkIdType corner) { return corner == corners[4]; });
+  corners.resize(isPyramid ? 5 : 8);
+  const int type = isPyramid ? VTK_PYRAMID : VTK_HEXAHEDRON;
+  std::vector<Cell>& all = part.IsGhost ? this->Ghosts : this->Cells;
+  if (!this->SplitsAll)
+  {
+    this->AddCell(FindCellShape(type), corners, part.Scalars, all);
+    return;
+  }
+  const std::vector<vtkIdType>& split = splitter.Split(type, corners, this->Points.data());
+  for (size_t first = 0; first + 4 <= split.size(); first += 4)
+  {
+    this->AddCell(nullptr, { split.begin() + first, split.begin() + first + 4 }, part.Scalars, all);
+  }
+}
+
+// VTK's functions that split cells do not terminate if coordinates are NaN.
+bool VolumeCells::AreFinite(const vtkIdType* points, vtkIdType count) const
+{
+  return std::all_of(
+    points, points + count, [&](vtkIdType point) { return IsFinite(this->Points[point]); });
+}
+
+bool VolumeCells::HasCellScalars() const
+{
+  return !this->Cells.empty() ? this->Cells.front().Scalars >= 0
+                              : this->HasCurvedParts() && this->GetCurvedParts()[0].Scalars >= 0;
 }
 
 int VolumeCells::GetNumberOfCorners(const Cell& cell) const
@@ -193,6 +490,25 @@ void VolumeCells::GetRange(int component, double& low, double& high) const
     for (int i = 0; i < this->GetNumberOfCorners(cell) && cell.Scalars < 0; ++i)
     {
       add(this->PointScalars[this->GetCornerId(cell, i)]);
+    }
+  }
+  for (const CurvedPart& part : this->GetCurvedParts())
+  {
+    if (part.Scalars >= 0)
+    {
+      add(this->CellScalars[part.Scalars]);
+    }
+    else if (component < part.Shape.GetNumberOfScalars())
+    {
+      double least;
+      double most;
+      part.Shape.FindRange(component, least, most);
+      low = std::min(low, least);
+      high = std::max(high, most);
+    }
+    else
+    {
+      add(Scalars{});
     }
   }
 }
@@ -298,11 +614,31 @@ void VolumeCells::MoveToOrigin()
       box.Add(&this->Points[this->GetCornerId(cell, i)].x);
     }
   }
+  for (const CurvedPart& part : this->GetCurvedParts())
+  {
+    dvec3 low;
+    dvec3 high;
+    part.Shape.FindBounds(low, high);
+    box.Add(&low.x);
+    box.Add(&high.x);
+  }
   this->Middle = dvec3(box.GetMiddle(0), box.GetMiddle(1), box.GetMiddle(2));
   this->Diagonal = length(dvec3(box.GetSide(0), box.GetSide(1), box.GetSide(2)));
   for (dvec3& point : this->Points)
   {
     point -= this->Middle;
   }
+  for (CurvedPart& part : this->Curved.GetParts())
+  {
+    part.Shape.Move(-this->Middle);
+  }
+}
+
+std::string DescribeFoldedCells(const VolumeCells& cells)
+{
+  return std::to_string(cells.GetNumberOfFoldedCells()) + " of " +
+    std::to_string(cells.GetNumberOfSolidCells()) +
+    " cells are tangled: their nodes turn them inside out in some places. They are drawn, but "
+    "values are ambiguous there.";
 }
 }

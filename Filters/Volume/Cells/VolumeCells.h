@@ -6,18 +6,20 @@
  *
  * Contains the 3D cells that are neither ghosts nor blanked. Ghost cells with point scalars, which
  * belong to another piece, are stored separately for gradients. Cells without volume, and cells
- * with scalars or points that are not finite, are skipped. Cells without a CellShape are split into
- * tetrahedra by a CellSplitter.
+ * with scalars or points that are not finite, are skipped. Other linear cells without a CellShape
+ * are split into tetrahedra by a CellSplitter. Curved cells are converted to Bézier hexahedra,
+ * which can be split into linear pieces.
  *
  * Private to the module.
  */
 #ifndef VolumeCells_h
 #define VolumeCells_h
 
+#include "Bezier/CurvedCells.h"
 #include "Cells/CurvedCell.h"
-#include "Cells/Ray.h"
 #include "Cells/ScalarChoice.h"
 #include "Cells/TetrahedronCrossing.h"
+#include "Integral/Ray.h"
 #include "RelevoFiltersVolumeModule.h" // for export macro
 #include "vtkType.h"
 
@@ -27,10 +29,16 @@
 
 class vtkDataArray;
 class vtkDataSet;
+class vtkGenericCell;
 class vtkIdList;
 
 namespace relevo
 {
+class CellReader;
+class CellSplitter;
+class PiecePoints;
+struct SplitTolerances;
+
 class RELEVOFILTERSVOLUME_EXPORT VolumeCells
 {
 public:
@@ -51,6 +59,16 @@ public:
   std::vector<std::string> Add(
     vtkDataSet* mesh, vtkDataArray* array, bool isOfCells, const ScalarChoice& choice);
 
+  /// Converts curved cells. Call this after all data sets have been added. If they are quadratic
+  /// tetrahedra only, they become cells with a CellShape, unless all cells are split.
+  void ConvertCurved();
+  /// The converted curved cells.
+  const std::vector<CurvedPart>& GetCurvedParts() const { return this->Curved.GetParts(); }
+  bool HasCurvedParts() const { return !this->Curved.GetParts().empty(); }
+  /// Replaces them by linear pieces. Returns whether the tolerances were met with the largest
+  /// number of pieces.
+  bool SplitCurved(const SplitTolerances& tolerances);
+
   /// Moves the points so that the centre of the bounding box of the cells is at the origin. Call
   /// this after all data sets have been added.
   void MoveToOrigin();
@@ -60,6 +78,8 @@ public:
   double GetDiagonal() const { return this->Diagonal; }
   //@}
 
+  /// Number of curved cells that fold over themselves.
+  vtkIdType GetNumberOfFoldedCells() const { return this->Curved.GetNumberOfFoldedCells(); }
   /// Number of valid 3D cells that are neither ghosts nor blanked.
   vtkIdType GetNumberOfSolidCells() const { return this->NumberOfSolidCells; }
   /// Number of these cells without volume or with coordinates that are not finite.
@@ -84,7 +104,7 @@ public:
   //@}
 
   /// Whether there are cells and the first one has a cell scalar.
-  bool HasCellScalars() const { return !this->Cells.empty() && this->Cells.front().Scalars >= 0; }
+  bool HasCellScalars() const;
   /// Computes the range of a component over all cells; low is greater than high without cells.
   void GetRange(int component, double& low, double& high) const;
 
@@ -92,15 +112,28 @@ public:
   Gradients ComputeGradients(const Cell& cell, const CornerSlopes& slopes) const;
 
 private:
+  class Source;
+
+  void AddWeights(vtkDataSet* mesh);
+  bool AddWhole(int type, const std::vector<vtkIdType>& ids, const Source& source);
+  bool AddCurved(const CellReader& reader, const Source& source);
+  void AddLinear(vtkGenericCell* cell, const Source& source, CellSplitter& splitter);
   bool AddCell(const CellShape* shape, const std::vector<vtkIdType>& corners, vtkIdType scalars,
     std::vector<Cell>& all);
-  bool AreFinite(vtkIdList* points, vtkIdType firstPoint) const;
+  void Count(bool isGood, size_t before);
+  void AddPieces(const CurvedPart& part, const ivec3& counts, PiecePoints& points,
+    const std::vector<BezierPoint>& lattice, CellSplitter& splitter);
+  void AddPiece(std::vector<vtkIdType>& corners, const CurvedPart& part, CellSplitter& splitter);
+  bool AreFinite(const vtkIdType* points, vtkIdType count) const;
   bool HasVolume(const Cell& cell) const;
   bool HasScalars(const Cell& cell) const;
 
   std::vector<dvec3> Points;
   std::vector<Scalars> PointScalars;
   std::vector<Scalars> CellScalars;
+  std::vector<double> Weights; // of points; empty if there are none
+  int NumberOfScalars = 1;     // of those that are used
+  CurvedCells Curved;
   bool SplitsAll = false;
   std::vector<vtkIdType> Corners;
   std::vector<Cell> Cells;
@@ -111,6 +144,9 @@ private:
   vtkIdType NumberOfBadCells = 0;
   vtkIdType NumberOfDrawnCells = 0;
 };
+
+/// Returns a warning about curved cells that fold over themselves.
+RELEVOFILTERSVOLUME_EXPORT std::string DescribeFoldedCells(const VolumeCells& cells);
 }
 
 #endif

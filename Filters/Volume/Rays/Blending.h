@@ -9,7 +9,7 @@
 #ifndef Blending_h
 #define Blending_h
 
-#include "Cells/Ray.h"
+#include "Integral/Ray.h"
 #include "Rays/BlendMode.h"
 #include "Rays/IsoSurfaces.h"
 #include "Rays/Shading.h"

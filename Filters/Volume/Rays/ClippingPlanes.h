@@ -9,7 +9,7 @@
 #ifndef ClippingPlanes_h
 #define ClippingPlanes_h
 
-#include "Cells/Ray.h"
+#include "Integral/Ray.h"
 
 #include <vector>
 

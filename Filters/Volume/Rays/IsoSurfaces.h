@@ -14,7 +14,7 @@
 #ifndef IsoSurfaces_h
 #define IsoSurfaces_h
 
-#include "Cells/Ray.h"
+#include "Integral/Ray.h"
 #include "RelevoFiltersVolumeModule.h" // for export macro
 
 #include <string>

@@ -11,7 +11,7 @@
 #ifndef PixelRays_h
 #define PixelRays_h
 
-#include "Cells/Ray.h"
+#include "Integral/Ray.h"
 
 class vtkCamera;
 

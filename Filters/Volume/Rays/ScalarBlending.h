@@ -9,7 +9,7 @@
 #ifndef ScalarBlending_h
 #define ScalarBlending_h
 
-#include "Cells/Ray.h"
+#include "Integral/Ray.h"
 
 #include <vector>
 

@@ -9,7 +9,7 @@
 #ifndef Shading_h
 #define Shading_h
 
-#include "Cells/Ray.h"
+#include "Integral/Ray.h"
 
 #include <vector>
 

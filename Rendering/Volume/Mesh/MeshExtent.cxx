@@ -12,7 +12,7 @@ namespace relevo
 MeshExtent MeshExtent::Of(const VolumeCells& cells, int numberOfComponents)
 {
   MeshExtent extent;
-  if (cells.GetCells().empty())
+  if (cells.GetCells().empty() && !cells.HasCurvedParts())
   {
     return extent;
   }
@@ -30,6 +30,15 @@ MeshExtent MeshExtent::Of(const VolumeCells& cells, int numberOfComponents)
         longest = std::max(longest, dot(edge, edge));
       }
     }
+  }
+  for (const CurvedPart& part : cells.GetCurvedParts())
+  {
+    dvec3 low;
+    dvec3 high;
+    part.Shape.FindBounds(low, high);
+    extent.Points.Add(&low.x);
+    extent.Points.Add(&high.x);
+    longest = std::max(longest, dot(high - low, high - low));
   }
   extent.LongestEdge = std::sqrt(longest);
   for (int c = 0; c < MaximumComponents; ++c)

@@ -12,8 +12,8 @@
 #ifndef MeshValues_h
 #define MeshValues_h
 
-#include "Cells/Ray.h"
 #include "Cells/ScalarChoice.h"
+#include "Integral/Ray.h"
 #include "vtkType.h"
 
 #include <cstddef>

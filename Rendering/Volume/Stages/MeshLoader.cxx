@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Stages/MeshLoader.h"
 
+#include "Bezier/SplitCounts.h"
 #include "Cells/MeshScalars.h"
 #include "Cells/VolumeCells.h"
 #include "Checks/InputType.h"
@@ -14,6 +15,8 @@
 #include "vtkDataSet.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <limits>
 
 namespace relevo
 {
@@ -70,6 +73,8 @@ Dependencies MeshLoader::FindDependencies(const MeshRequest& request) const
   now.Add(request.ArrayId);
   now.Add(request.ArrayName);
   now.Add(request.HasCorners);
+  now.Add(request.ShapeTolerance);
+  now.Add(request.FieldTolerance);
   now.Add(this->Mesh.NumberOfComponents == MaximumComponents && request.AreIndependent);
   return now;
 }
@@ -257,6 +262,7 @@ bool MeshLoader::Read(const MeshRequest& request, VolumeCells& cells,
       }
     }
   }
+  cells.ConvertCurved();
   if (cells.GetNumberOfSolidCells() == 0)
   {
     if (!meshes.empty() && !hasErrors)
@@ -273,7 +279,31 @@ bool MeshLoader::Read(const MeshRequest& request, VolumeCells& cells,
   return true;
 }
 
-bool MeshLoader::Upload(const MeshRequest& request, const VolumeCells& cells, StageReport& report)
+void MeshLoader::SplitCurved(
+  const MeshRequest& request, bool isNew, VolumeCells& cells, StageReport& report) const
+{
+  if (cells.GetNumberOfFoldedCells() > 0 && isNew)
+  {
+    report.Warnings.push_back(DescribeFoldedCells(cells));
+  }
+  const MeshExtent extent =
+    request.Whole ? *request.Whole : MeshExtent::Of(cells, this->Mesh.NumberOfComponents);
+  SplitTolerances tolerances;
+  tolerances.Shape = 2.0 * request.ShapeTolerance * extent.GetRadius();
+  for (size_t c = 0; c < tolerances.Values.size(); ++c)
+  {
+    const double range = extent.ScalarHigh[c] - extent.ScalarLow[c];
+    tolerances.Values[c] =
+      range > 0.0 ? request.FieldTolerance * range : std::numeric_limits<double>::max();
+  }
+  if (!cells.SplitCurved(tolerances) && isNew)
+  {
+    report.Warnings.push_back("Curved cells need more linear pieces than supported to meet "
+                              "ShapeTolerance and FieldTolerance, so they are drawn coarser.");
+  }
+}
+
+bool MeshLoader::Upload(const MeshRequest& request, VolumeCells& cells, StageReport& report)
 {
   const bool isNew = this->Reported.Update(FindMesh(request));
   if (cells.GetNumberOfBadCells() > 0 && isNew)
@@ -281,6 +311,11 @@ bool MeshLoader::Upload(const MeshRequest& request, const VolumeCells& cells, St
     report.Warnings.push_back(std::to_string(cells.GetNumberOfBadCells()) + " of " +
       std::to_string(cells.GetNumberOfSolidCells()) +
       " cells have no volume, or points that are not finite; they are left out.");
+  }
+  const bool isCurved = cells.HasCurvedParts();
+  if (isCurved)
+  {
+    this->SplitCurved(request, isNew, cells, report);
   }
   RayCastMesh& layout = this->Mesh.Layout;
   std::string error;
@@ -306,7 +341,7 @@ bool MeshLoader::Upload(const MeshRequest& request, const VolumeCells& cells, St
   this->Mesh.HasTetrahedra = layout.GetNumberOfTetrahedra() > 0;
   this->Mesh.HasCurvedCells = layout.GetNumberOfCurvedCells() > 0;
   this->Values.Clear();
-  if (!request.HasCorners && !request.Whole && !this->HasGradients)
+  if (!request.HasCorners && !request.Whole && !this->HasGradients && !isCurved)
   {
     this->Values.Keep(cells, layout);
   }

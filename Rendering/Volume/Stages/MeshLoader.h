@@ -48,6 +48,8 @@ struct MeshRequest
   bool AreIndependent; // whether components are independent
   bool IsShaded;
   bool HasCorners;                   // for cell projection
+  double ShapeTolerance;             // share of the mesh's diagonal
+  double FieldTolerance;             // share of the range of scalars
   const MeshExtent* Whole = nullptr; // if the input is a piece of a mesh
 };
 
@@ -98,7 +100,9 @@ private:
   ScalarChoice FindChoice(const MeshRequest& request, vtkDataArray* array) const;
   bool Read(const MeshRequest& request, VolumeCells& cells, std::vector<MeshScalars>& meshes,
     StageReport& report);
-  bool Upload(const MeshRequest& request, const VolumeCells& cells, StageReport& report);
+  bool Upload(const MeshRequest& request, VolumeCells& cells, StageReport& report);
+  void SplitCurved(
+    const MeshRequest& request, bool isNew, VolumeCells& cells, StageReport& report) const;
   bool ReplaceValues(const MeshRequest& request, StageReport& report);
 
   VolumeMesh Mesh;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Proves that linear cells of every kind are split into tetrahedra that fill the mesh, with the
 // same triangles on both sides of a shared face.
+#include "Bezier/SplitCounts.h"
 #include "Cells/VolumeCells.h"
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
@@ -36,6 +37,7 @@ void Add(VolumeCells& cells, vtkDataSet* mesh)
   scalars->SetNumberOfValues(mesh->GetNumberOfPoints());
   scalars->FillValue(1.0);
   cells.Add(mesh, scalars, false, {});
+  cells.ConvertCurved();
 }
 
 // The number of triangles that belong to one tetrahedron, by coordinates. Returns 0 if a triangle
@@ -198,7 +200,11 @@ void TestCurved(RelevoCheck& check)
   mesh->SetPoints(points);
   mesh->InsertNextCell(VTK_QUADRATIC_HEXAHEDRON, 20, ids.data());
   VolumeCells cells;
+  cells.SplitAll();
   Add(cells, mesh);
+  relevo::SplitTolerances tolerances = { 1e-3, {} };
+  tolerances.Values.fill(1.0);
+  CHECK_EQUAL(cells.SplitCurved(tolerances), true);
   CHECK_NEAR(SumVolumes(cells), 1.0, 1e-6);
 }
 }

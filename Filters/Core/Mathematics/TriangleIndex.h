@@ -3,8 +3,6 @@
 /**
  * @file
  * @brief   order of nodes and control points of triangles
- *
- * Private to the module.
  */
 #ifndef TriangleIndex_h
 #define TriangleIndex_h

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Splines/LagrangeToBezier.h"
+#include "Mathematics/LagrangeToBezier.h"
 
 #include "Mathematics/BezierDegree.h"
-#include "Splines/TriangleIndex.h"
+#include "Mathematics/TriangleIndex.h"
 
 #include <algorithm>
 #include <array>

@@ -3,13 +3,13 @@
 /**
  * @file
  * @brief   conversion of Lagrange nodes to Bézier coefficients
- *
- * Private to the module.
  */
 #ifndef LagrangeToBezier_h
 #define LagrangeToBezier_h
 
-#include <cstddef>
+#include "RelevoFiltersCoreModule.h" // for export macro
+
+#include <cstddef> // for std::ptrdiff_t
 
 namespace relevo
 {
@@ -18,13 +18,15 @@ namespace relevo
  * have any number of components and are `stride` values apart. Both ends are not changed. Reversing
  * the nodes reverses the coefficients, to the bit.
  */
-void ConvertLagrangeToBezier(int degree, int components, double* values, std::ptrdiff_t stride);
+RELEVOFILTERSCORE_EXPORT void ConvertLagrangeToBezier(
+  int degree, int components, double* values, std::ptrdiff_t stride);
 
 /**
  * Does the same for the (degree + 1) (degree + 2) / 2 nodes of a triangle, see GetTriangleIndex().
  * Its edges are bitwise identical to the results of ConvertLagrangeToBezier().
  */
-void ConvertLagrangeTriangleToBezier(int degree, int components, double* values);
+RELEVOFILTERSCORE_EXPORT void ConvertLagrangeTriangleToBezier(
+  int degree, int components, double* values);
 }
 
 #endif
