@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Proves that properties of the plugin's proxies have documentation, and the defaults and ranges of
-the classes.
+the classes, and that a value out of range is one error.
 
 A copy of every proxy has an additional information property for each, which queries the class."""
 
 import glob
 import os
+import re
 import tempfile
 import xml.etree.ElementTree as ElementTree
 
@@ -27,6 +28,13 @@ NOT_OFFERED = {("vtkDistanceDepthTagMetric", "Measure"): 2}
 NOT_OFFERED["vtkAdaptiveVolumeRepresentation", "BlendMode"] = 6
 OWN_SETTINGS = {"OrientedLIC", "Phase", "NoDataMagnitude"}
 PAIR = "TextureSize"  # both numbers are 0, or neither
+# Representations of all of the plugin's, and a mesh, an image and a surface that have them.
+INPUTS = {
+    "Adaptive Refinement": lambda: simple.Sphere(),
+    "Adaptive Patches": lambda: simple.Tetrahedralize(Input=simple.Wavelet()),
+    "Relief": lambda: simple.Wavelet(WholeExtent=[0, 3, 0, 3, 0, 0]),
+}
+MESSAGE = re.compile(r"vtk\w+ \(0x\w+\): (.*)")
 
 
 def read_properties():
@@ -106,6 +114,43 @@ def ends(element):
         yield 0, max(entries) + 1, False
 
 
+def read_exposed_names():
+    """Names of properties in the panel, and those in the definition."""
+    result = {}
+    for path in sorted(glob.glob(os.path.join(PROXIES, "*.xml"))):
+        with open(path, encoding="utf-8") as file:
+            pairs = re.findall(r'<Property name="(\w+)"\s+exposed_name="(\w+)"', file.read())
+        result.update((shown, name) for name, shown in pairs)
+    return result
+
+
+def find_invalid(elements):
+    """Names of properties, and a component and its value that is out of the range of each."""
+    for each in elements:
+        invalid = [(i, value) for i, value, is_valid in ends(each) if not is_valid]
+        if invalid and each.get("name") != PAIR:
+            component, value = invalid[0]
+            # ParaView's Volume has another blend mode, and shares the property.
+            yield each.get("name"), component, value + (each.get("name") == "BlendMode")
+
+
+def count_messages(proxy, name, component, value):
+    """The messages about a value of a property, which is restored."""
+    of_property = proxy.GetProperty(name)
+    before = values(of_property)
+    tried = list(before)
+    tried[component] = type(before[0])(value)
+    with relevo.messages() as text:
+        for i, number in enumerate(tried):
+            of_property.SetElement(i, number)
+        proxy.UpdateVTKObjects()
+        found = MESSAGE.findall(text())
+    for i, number in enumerate(before):
+        of_property.SetElement(i, number)
+    proxy.UpdateVTKObjects()
+    return found
+
+
 class TestProperties(relevo.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -177,6 +222,58 @@ class TestProperties(relevo.TestCase):
                     self.assertEqual(taken, is_valid, (name, each.get("name"), tried))
                     count += 1
         self.assertGreater(count, 100)
+
+    def assert_one_message(self, proxy, name, component, value):
+        """Expects one error if a property has this value. Returns it."""
+        found = count_messages(proxy, name, component, value)
+        self.assertEqual(len(found), 1, (proxy.GetXMLName(), name, found))
+        self.assertIn(name, found[0])
+        return found[0]
+
+    def test_messages(self):
+        """Several representations have a property, and one of them reports it, by its name."""
+        vtkObject.GlobalWarningDisplayOn()
+        exposed = read_exposed_names()
+        tried = set()
+        view = relevo.view((200, 150))
+        proxies = [relevo.show(make(), view, kind).SMProxy for kind, make in INPUTS.items()]
+        for of_class, elements in self.properties.items():
+            if not re.search("Representation|Interaction|Mapper|Refinement$|LICSettings", of_class):
+                continue
+            for name, component, value in find_invalid(elements.values()):
+                names = {shown for shown in exposed if exposed[shown] == name}
+                if "Relief" not in of_class or not names:
+                    names = {name}
+                for shown in names:
+                    # The view has properties of its own. The representations share one Method.
+                    is_other = shown == "Method" and of_class.endswith("Mapper")
+                    for proxy in [*proxies, view.SMProxy] if "Relief" in shown else proxies:
+                        if proxy.GetProperty(shown) and not is_other:
+                            told = self.assert_one_message(proxy, shown, component, value)
+                            if shown != "BlendMode":  # of ParaView's Volume, too
+                                self.assertRegex(told, shown + " of (Adaptive|Terrain|Relief)")
+                            tried.add(shown)
+        self.assertGreater(len(tried), 50, tried)
+
+    def test_messages_of_sources(self):
+        """Sources, filters, and proxies that lists offer."""
+        vtkObject.GlobalWarningDisplayOn()
+        tried = 0
+        for path in sorted(glob.glob(os.path.join(PROXIES, "*.xml"))):
+            for group in ElementTree.parse(path).iterfind("ProxyGroup"):
+                if re.search("representations|views", group.get("name")):
+                    continue
+                for each in group.iterfind("*[@class]"):
+                    if each.tag == "Proxy":  # a base of others
+                        continue
+                    proxy = servermanager.ProxyManager().NewProxy(group.get("name"), each.get("name"))
+                    proxy.UpdateVTKObjects()
+                    elements = self.properties.get(each.get("class"), {})
+                    for name, component, value in find_invalid(elements.values()):
+                        if proxy.GetProperty(name):
+                            self.assert_one_message(proxy, name, component, value)
+                            tried += 1
+        self.assertGreater(tried, 100)
 
 
 if __name__ == "__main__":

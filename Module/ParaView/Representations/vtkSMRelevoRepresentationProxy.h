@@ -9,6 +9,8 @@
  * shows the data without the plugin's representations. With a proxy class of ParaView the client
  * would only find out when it creates the representation itself, where ParaView calls abort().
  *
+ * Like vtkSMRelevoProxy, it reports values of properties that are out of range.
+ *
  * In the XML the element is RelevoRepresentationProxy.
  */
 #ifndef vtkSMRelevoRepresentationProxy_h
@@ -16,6 +18,13 @@
 
 #include "RelevoParaViewRepresentationsModule.h" // for export macro
 #include "vtkSMRepresentationProxy.h"
+
+#include <memory> // for Ranges
+
+namespace relevo
+{
+class PropertyRanges;
+}
 
 class RELEVOPARAVIEWREPRESENTATIONS_EXPORT vtkSMRelevoRepresentationProxy
   : public vtkSMRepresentationProxy
@@ -29,9 +38,13 @@ protected:
   vtkSMRelevoRepresentationProxy();
   ~vtkSMRelevoRepresentationProxy() override;
 
+  void SetPropertyModifiedFlag(const char* name, int flag) override;
+
 private:
   vtkSMRelevoRepresentationProxy(const vtkSMRelevoRepresentationProxy&) = delete;
   void operator=(const vtkSMRelevoRepresentationProxy&) = delete;
+
+  std::unique_ptr<relevo::PropertyRanges> Ranges;
 };
 
 #endif
