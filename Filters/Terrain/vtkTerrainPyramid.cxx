@@ -323,6 +323,13 @@ double vtkTerrainPyramid::GetVerticalUnit()
 }
 
 //------------------------------------------------------------------------------
+bool vtkTerrainPyramid::IsPicture()
+{
+  const relevo::RasterDescription* contents = this->Describe();
+  return contents && contents->IsPicture;
+}
+
+//------------------------------------------------------------------------------
 const char* vtkTerrainPyramid::GetLocationWarning()
 {
   const relevo::RasterDescription* contents = this->Describe();

@@ -157,6 +157,12 @@ public:
   double GetVerticalUnit();
 
   /**
+   * Return whether the raster has three or more bands of bytes, as photos have. Its first band is
+   * read as heights nevertheless. False before a successful Update().
+   */
+  bool IsPicture();
+
+  /**
    * Return a reason to doubt the lengths of the raster, as a continuation of its name, or "": its
    * coordinates look like degrees, but there is no coordinate system, or its projection scales
    * lengths.

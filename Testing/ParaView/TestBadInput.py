@@ -90,9 +90,9 @@ def show_variation(view, source):
     shown.Metric.ArrayName = "Values"
 
 
-def show_streaks(view, source):
+def show_streaks(view, source, vectors="Vectors"):
     shown = relevo.show(source, view, "Adaptive LIC", Metric="None", MaximumLevel=1)
-    shown.SelectInputVectors = ["POINTS", "Vectors"]
+    shown.SelectInputVectors = ["POINTS", vectors]
 
 
 def block(source):
@@ -120,6 +120,8 @@ SCENES = {
     "sharpness on rank 0": lambda view: relevo.show(
         block(changed(TAGS_ON_RANK_0.replace("Tags", "Sharpness"))), view, Surface="Scalar Tagged"
     ),
+    "no vectors": lambda view: show_streaks(view, sphere(), ""),
+    "unknown vectors": lambda view: show_streaks(view, sphere()),
     "vectors on rank 0": lambda view: show_streaks(view, changed(VECTORS_ON_RANK_0)),
     "not a number": lambda view: relevo.show(changed(NOT_A_NUMBER), view),
     "not a number on rank 1": lambda view: relevo.show(changed(NOT_A_NUMBER_ON_RANK_1), view),
@@ -182,13 +184,21 @@ class TestBadInput(relevo.TestCase):
             "no texture coordinates": ["needs texture coordinates"],
             "no array": ['array of numbers named "Values"', "its own error gives the reason"],
         }
-        found = self.run_scenes([*words, "not a number", "good"])
+        drawn = {
+            "not a number": [
+                "The surface has 6 faces with points that are not finite. They are left out."
+            ],
+            "no vectors": ["in ParaView SelectInputVectors, selects. The surface is drawn without"],
+            "unknown vectors": ["in ParaView SelectInputVectors, selects. The surface is drawn"],
+            "good": [],
+        }
+        found = self.run_scenes([*words, *drawn])
         for name, expected in words.items():
             with self.subTest(name):
                 self.assertEqual(self.assert_told(found[name], *expected), 0)
-        not_finite = "The surface has 6 faces with points that are not finite. They are left out."
-        self.assertGreater(self.assert_told(found["not a number"], not_finite), 2000)
-        self.assertGreater(self.assert_told(found["good"]), 2000)
+        for name, expected in drawn.items():
+            with self.subTest(name):
+                self.assertGreater(self.assert_told(found[name], *expected), 2000)
 
     def test_one_of_two_processes(self):
         """The rank with the invalid array reports it, and the other one draws its part."""

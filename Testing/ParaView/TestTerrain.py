@@ -116,6 +116,37 @@ class TestTerrain(relevo.TestCase):
         small = servermanager.Fetch(self.open(Resolution=20))
         self.assertLess(small.GetNumberOfPoints(), 20 * 20 + 1)
 
+    def test_border(self):
+        """Small meshes end where the raster ends, and have its heights there, too."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "hills.png")
+            heights = heights_of_hills()[:47, :62]
+            relevo.write_png(path, heights)
+            for resolution in 2, 3, 17, 30, 31, 32:
+                mesh = servermanager.Fetch(simple.TerrainReader(FileName=path, Resolution=resolution))
+                points = vtk_to_numpy(mesh.GetPoints().GetData())
+                found = [*points.min(axis=0)[:2], *points.max(axis=0)[:2]]
+                numpy.testing.assert_allclose(found, [-30.5, -23, 30.5, 23], atol=1e-9)
+                self.assertLessEqual(len(numpy.unique(points[:, 0])), resolution)
+                column, row = (points[:, :2] + [30.5, 23]).round().astype(int).T
+                numpy.testing.assert_allclose(points[:, 2], heights[row, column], atol=1e-9)
+
+    def test_clamp(self):
+        """Heights at full resolution, at any points and along lines."""
+        source = self.open(Resolution=5)
+        corners = [-20.25, 10.5, 3, 17, -30.75, 0]
+        line = simple.Line(Point1=corners[:3], Point2=corners[3:], Resolution=7)
+        clamp = simple.TerrainClamp(Input=line, Terrain=source, Exaggeration=2, Offset=0.5)
+        mesh = servermanager.Fetch(clamp)
+        points = vtk_to_numpy(mesh.GetPoints().GetData())
+        self.assertGreater(len(points), 40)  # one at each edge of the surface
+        expected = bilinear(self.heights, points[:, 0], points[:, 1])
+        numpy.testing.assert_allclose(points[:, 2], 2 * expected + 0.5, atol=1e-6)
+        heights = vtk_to_numpy(mesh.GetPointData().GetArray("Height"))
+        numpy.testing.assert_allclose(heights, expected, atol=1e-6)
+        ends = points[[points[:, 0].argmin(), points[:, 0].argmax()], :2]
+        numpy.testing.assert_allclose(ends, [corners[:2], corners[3:5]], atol=1e-6)
+
     def test_opens_as_terrain(self):
         """Terrain is the default, with the bounds of all samples."""
         view = relevo.view()
@@ -385,8 +416,36 @@ class TestErrors(relevo.TestCase):
                 text = self.reported(lambda: (relevo.picture(view), relevo.picture(view)))
                 self.assertIn(word, text)
                 self.assertEqual(text.count("ERROR:"), 1, text)
+            shown.UseBase = 0
+            shown.Exaggeration = 1e9
+            text = self.reported(lambda: (relevo.picture(view), relevo.picture(view)))
+            self.assertEqual(text.count("With an Exaggeration of 1e+09, the terrain is"), 1, text)
+            shown.Exaggeration = 5
+            self.assertEqual(self.reported(lambda: relevo.picture(view)), "")
             with self.assertRaises(Exception):
                 shown.TerrainColorMode = "Unknown"
+
+    def test_clamp(self):
+        line = simple.Line()
+        text = self.reported(simple.TerrainClamp(Input=line, Terrain=line).UpdatePipeline)
+        self.assertEqual(text.count("Terrain is not the output of a Terrain Reader."), 1, text)
+        self.assertEqual(text.count("ERROR:"), 1, text)
+
+    def test_photo(self):
+        """A picture is read as heights, with a warning. A picture with one band may be heights."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "photo.png")
+            for components, expected in ((4, 1), (3, 1), (1, 0)):
+                values = numpy.arange(12 * 9 * components) % 50
+                relevo.write_png(path, values.reshape(9, 12, components).astype(numpy.uint8))
+                view = relevo.view()
+                source = simple.TerrainReader(FileName=path)
+                text = self.reported(
+                    lambda: (relevo.show(source, view, "Terrain"), relevo.picture(view))
+                )
+                self.assertEqual(text.count("has three or more bands of bytes"), expected, text)
+                self.assertEqual(text.count("In vtk"), expected, text)
+                relevo.clear()
 
 
 if __name__ == "__main__":

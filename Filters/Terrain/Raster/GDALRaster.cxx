@@ -164,6 +164,11 @@ bool GDALRaster::Describe(void* dataset, RasterDescription& contents, std::strin
   {
     contents.SamplesPerTexel = GDALGetRasterCount(dataset);
   }
+  contents.IsPicture = GDALGetRasterCount(dataset) >= 3;
+  for (int i = 1; i <= 3 && contents.IsPicture; ++i)
+  {
+    contents.IsPicture = GDALGetRasterDataType(GDALGetRasterBand(dataset, i)) == GDT_Byte;
+  }
   contents.HasMask = (GDALGetMaskFlags(band) & (GMF_PER_DATASET | GMF_ALPHA)) != 0;
 
   int declared = 0;

@@ -25,6 +25,7 @@ struct RasterDescription
   int SamplesPerTexel = 1; ///< samples that are read per texel, including unused channels
   int Type = 0;            ///< VTK's type of the samples that are read
   bool HasMask = false;    ///< whether a mask defines validity too
+  bool IsPicture = false;  ///< whether there are three or more bands of bytes, as in photos
   std::optional<double> NoData;
   double Scale = 1.0; ///< height = Scale * sample + Offset
   double Offset = 0.0;

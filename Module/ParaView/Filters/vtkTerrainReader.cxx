@@ -28,6 +28,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -36,45 +38,98 @@ using Vector = std::array<double, 2>;
 // The heights of a mesh, and its place on the map.
 struct Grid
 {
-  vtkSmartPointer<vtkImageData> Image;
-  int Size[2];   // points along columns and rows
-  Vector Origin; // of the first point
-  Vector Column; // to the next point of a row
+  std::array<std::vector<double>, 2> Samples; // that the points along columns and rows are at
+  std::vector<double> Heights;
+  Vector Origin; // of the first sample
+  Vector Column; // to the next sample of a row
   Vector Row;
+
+  int GetSize(int axis) const { return static_cast<int>(this->Samples[axis].size()); }
 
   double GetHeight(int i, int j) const
   {
-    const int column = std::clamp(i, 0, this->Size[0] - 1);
-    const int row = std::clamp(j, 0, this->Size[1] - 1);
-    return this->Image->GetPointData()->GetScalars()->GetComponent(
-      column + vtkIdType(row) * this->Size[0], 0);
+    const int column = std::clamp(i, 0, this->GetSize(0) - 1);
+    const int row = std::clamp(j, 0, this->GetSize(1) - 1);
+    return this->Heights[column + std::size_t(row) * this->Samples[0].size()];
+  }
+
+  // The distance of the neighbours of a point, in samples.
+  double GetSpan(int axis, int i) const
+  {
+    return this->Samples[axis][std::min(i + 1, this->GetSize(axis) - 1)] -
+      this->Samples[axis][std::max(i - 1, 0)];
   }
 };
 
+// Return every n-th sample, and the last one, where the raster ends.
+std::vector<double> MakeSamples(int count, double spacing, int number, int resolution)
+{
+  std::vector<double> samples;
+  for (int i = 0; i < count; ++i)
+  {
+    samples.push_back(i * spacing);
+  }
+  if (samples.back() < number - 1)
+  {
+    if (count == resolution)
+    {
+      samples.pop_back();
+    }
+    samples.push_back(number - 1);
+  }
+  return samples;
+}
+
 bool MakeGrid(vtkTerrainPyramid* pyramid, int resolution, Grid& grid)
 {
-  grid.Image = vtkSmartPointer<vtkImageData>::Take(pyramid->GetReducedElevations(resolution));
-  if (!grid.Image)
+  const auto image = vtkSmartPointer<vtkImageData>::Take(pyramid->GetReducedElevations(resolution));
+  if (!image)
   {
     return false;
   }
-  std::copy_n(grid.Image->GetDimensions(), 2, grid.Size);
-  double spacing[3];
-  grid.Image->GetSpacing(spacing);
-  const auto locate = [&](double column, double row)
+  const int* counts = image->GetDimensions();
+  const double spacing = image->GetSpacing()[0];
+  for (int axis = 0; axis < 2; ++axis)
   {
-    const double sample[2] = { column * spacing[0], row * spacing[1] };
-    double raster[3] = { 0.0, 0.0, 0.0 };
+    grid.Samples[axis] =
+      MakeSamples(counts[axis], spacing, pyramid->GetDimensions()[axis], resolution);
+  }
+  const auto locate = [pyramid](double column, double row)
+  {
+    const double sample[2] = { column, row };
+    Vector raster;
+    pyramid->SampleToRaster(sample, raster.data());
+    return raster;
+  };
+  for (double row : grid.Samples[1])
+  {
+    for (double column : grid.Samples[0])
+    {
+      const int i = static_cast<int>(column / spacing);
+      const int j = static_cast<int>(row / spacing);
+      const Vector raster = locate(column, row);
+      grid.Heights.push_back(i * spacing == column && j * spacing == row
+          ? image->GetScalarComponentAsDouble(i, j, 0, 0)
+          : pyramid->GetNearestElevation(raster[0], raster[1]));
+    }
+  }
+  const auto place = [&](double column, double row)
+  {
+    const Vector position = locate(column, row);
+    const double raster[3] = { position[0], position[1], 0.0 };
     double map[3] = { 0.0, 0.0, 0.0 };
-    pyramid->SampleToRaster(sample, raster);
     pyramid->RasterToMap(raster, map);
     return Vector{ { map[0], map[1] } };
   };
-  grid.Origin = locate(0.0, 0.0);
-  const Vector right = locate(1.0, 0.0);
-  const Vector below = locate(0.0, 1.0);
-  grid.Column = { { right[0] - grid.Origin[0], right[1] - grid.Origin[1] } };
-  grid.Row = { { below[0] - grid.Origin[0], below[1] - grid.Origin[1] } };
+  // The image's spacing gives longer, and so more exact, differences than one sample.
+  grid.Origin = place(0.0, 0.0);
+  const Vector right = place(spacing, 0.0);
+  const Vector below = place(0.0, spacing);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    grid.Column[axis] = (right[axis] - grid.Origin[axis]) / spacing;
+    grid.Row[axis] = (below[axis] - grid.Origin[axis]) / spacing;
+  }
   return true;
 }
 
@@ -88,8 +143,8 @@ Vector GetGradient(const Grid& grid, int i, int j)
     return std::isnan(height) ? center : height;
   };
   // At a border, the difference is one-sided.
-  const double columns = i > 0 && i + 1 < grid.Size[0] ? 8.0 : 4.0;
-  const double rows = j > 0 && j + 1 < grid.Size[1] ? 8.0 : 4.0;
+  const double columns = 4.0 * grid.GetSpan(0, i);
+  const double rows = 4.0 * grid.GetSpan(1, j);
   const double alongColumn =
     (get(1, -1) + 2.0 * get(1, 0) + get(1, 1) - get(-1, -1) - 2.0 * get(-1, 0) - get(-1, 1)) /
     columns;
@@ -104,19 +159,16 @@ Vector GetGradient(const Grid& grid, int i, int j)
 double FindLowestHeight(const Grid& grid)
 {
   double lowest = std::numeric_limits<double>::infinity();
-  for (int j = 0; j < grid.Size[1]; ++j)
+  for (double height : grid.Heights)
   {
-    for (int i = 0; i < grid.Size[0]; ++i)
-    {
-      lowest = std::fmin(lowest, grid.GetHeight(i, j));
-    }
+    lowest = std::fmin(lowest, height);
   }
   return std::isfinite(lowest) ? lowest : 0.0;
 }
 
 void AddPoints(const Grid& grid, double unit, const double offset[3], vtkPolyData* output)
 {
-  const vtkIdType number = vtkIdType(grid.Size[0]) * grid.Size[1];
+  const auto number = static_cast<vtkIdType>(grid.Heights.size());
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(number);
@@ -134,15 +186,17 @@ void AddPoints(const Grid& grid, double unit, const double offset[3], vtkPolyDat
   }
   output->GetPointData()->SetActiveScalars("Height");
   const double lowest = FindLowestHeight(grid);
-  for (int j = 0; j < grid.Size[1]; ++j)
+  for (int j = 0; j < grid.GetSize(1); ++j)
   {
-    for (int i = 0; i < grid.Size[0]; ++i)
+    for (int i = 0; i < grid.GetSize(0); ++i)
     {
-      const vtkIdType id = i + vtkIdType(j) * grid.Size[0];
+      const vtkIdType id = i + vtkIdType(j) * grid.GetSize(0);
+      const double column = grid.Samples[0][i];
+      const double row = grid.Samples[1][j];
       const double height = grid.GetHeight(i, j);
       const Vector gradient = GetGradient(grid, i, j);
-      points->SetPoint(id, grid.Origin[0] + i * grid.Column[0] + j * grid.Row[0] + offset[0],
-        grid.Origin[1] + i * grid.Column[1] + j * grid.Row[1] + offset[1],
+      points->SetPoint(id, grid.Origin[0] + column * grid.Column[0] + row * grid.Row[0] + offset[0],
+        grid.Origin[1] + column * grid.Column[1] + row * grid.Row[1] + offset[1],
         (std::isnan(height) ? lowest : height) * unit + offset[2]);
       heights->SetValue(id, height);
       const double steepness = unit * std::hypot(gradient[0], gradient[1]);
@@ -162,13 +216,13 @@ void AddTriangles(const Grid& grid, vtkPolyData* output)
   // The rows of most rasters go south.
   const bool isMirrored = grid.Column[0] * grid.Row[1] - grid.Column[1] * grid.Row[0] < 0.0;
   vtkNew<vtkCellArray> cells;
-  for (int j = 0; j + 1 < grid.Size[1]; ++j)
+  for (int j = 0; j + 1 < grid.GetSize(1); ++j)
   {
-    for (int i = 0; i + 1 < grid.Size[0]; ++i)
+    for (int i = 0; i + 1 < grid.GetSize(0); ++i)
     {
-      const vtkIdType first = i + vtkIdType(j) * grid.Size[0];
-      const vtkIdType corners[4] = { first, first + 1, first + 1 + grid.Size[0],
-        first + grid.Size[0] };
+      const vtkIdType first = i + vtkIdType(j) * grid.GetSize(0);
+      const vtkIdType corners[4] = { first, first + 1, first + 1 + grid.GetSize(0),
+        first + grid.GetSize(0) };
       const bool isMissing = std::isnan(grid.GetHeight(i, j)) ||
         std::isnan(grid.GetHeight(i + 1, j)) || std::isnan(grid.GetHeight(i + 1, j + 1)) ||
         std::isnan(grid.GetHeight(i, j + 1));
@@ -312,6 +366,13 @@ int vtkTerrainReader::RequestData(
   {
     AddPoints(grid, pyramid->GetVerticalUnit(), offset, output);
     AddTriangles(grid, output);
+    if (pyramid->IsPicture())
+    {
+      vtkWarningMacro(<< this->FileName
+                      << " has three or more bands of bytes, as photos have. Its first band is "
+                         "read as heights. To drape a photo over a terrain, set it as "
+                         "ImageryFileName of the representation Terrain.");
+    }
     if (output->GetNumberOfPolys() == 0)
     {
       vtkWarningMacro(<< this->FileName

@@ -11,6 +11,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
+#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -42,6 +43,7 @@ namespace
 constexpr double SmallestTerrainError = 0.01;
 constexpr double SmallestTerrainMemory = 4194304.0;
 constexpr double LargestTerrainMemory = 1e15;
+constexpr double LargestSteepness = 100.0; // of a terrain without a warning
 
 // Words of the mapper and those of ParaView.
 const relevo::MapperWords TerrainWords = {
@@ -59,6 +61,19 @@ std::string FindFieldText(vtkDataObject* data, const char* name)
   auto array =
     data ? vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(name)) : nullptr;
   return array && array->GetNumberOfValues() > 0 ? std::string(array->GetValue(0)) : "";
+}
+
+double FindSteepness(vtkDataObject* data)
+{
+  auto mesh = vtkDataSet::SafeDownCast(data);
+  if (!mesh || mesh->GetNumberOfPoints() == 0)
+  {
+    return 0.0;
+  }
+  double bounds[6];
+  mesh->GetBounds(bounds);
+  const double width = std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
+  return width > 0.0 ? (bounds[5] - bounds[4]) / width : 0.0;
 }
 }
 
@@ -81,6 +96,8 @@ struct vtkTerrainRepresentation::vtkInternals
   std::string Error;          // those reported last
   std::string Warning;
   std::string MemoryWarning;
+  std::string ExaggerationWarning;
+  double Steepness = 0.0; // the height of the input divided by its width, on the first rank
 };
 
 vtkStandardNewMacro(vtkTerrainRepresentation);
@@ -266,6 +283,7 @@ int vtkTerrainRepresentation::RequestData(
     : nullptr;
   const std::string name = FindFieldText(input, "FileName");
   vtkDataArray* offset = FindFieldArray(input, "Offset");
+  data.Steepness = FindSteepness(input);
   data.IsTerrain = !name.empty() && offset && offset->GetNumberOfComponents() == 3;
   std::fill(data.Offset.begin(), data.Offset.end(), 0.0);
   if (data.IsTerrain)
@@ -384,6 +402,22 @@ void vtkTerrainRepresentation::ReportMemory()
   }
 }
 
+// The heights of some rasters are steep as they are.
+void vtkTerrainRepresentation::ReportExaggeration()
+{
+  vtkInternals& data = *this->Internals;
+  const double factor = data.Mapper->GetExaggeration();
+  const bool isTooLarge = factor > 1.0 && factor * data.Steepness > LargestSteepness;
+  const std::string warning = isTooLarge && this->GetVisibility()
+    ? "With an Exaggeration of " + vtkVariant(factor).ToString() +
+      ", the terrain is more than 100 times as high as wide. Set a smaller Exaggeration."
+    : "";
+  if (relevo::ShouldReport(data.ExaggerationWarning, warning) && relevo::IsFirstRank())
+  {
+    vtkWarningMacro(<< warning);
+  }
+}
+
 int vtkTerrainRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
@@ -417,6 +451,7 @@ void vtkTerrainRepresentation::GiveBounds(vtkInformation* inInfo)
   {
     this->ApplySettings(false);
     data.Mapper->GetBounds(bounds);
+    this->ReportExaggeration();
   }
   vtkNew<vtkMatrix4x4> matrix;
   this->Actor->GetMatrix(matrix);

@@ -143,6 +143,7 @@ private:
   void RequestFrame();
   void RenderAgain(vtkObject* interactor, unsigned long event, void* timer);
   void ReportMemory();
+  void ReportExaggeration();
   int RequestRender(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo);
   void Report(vtkObject* caller, unsigned long event, void* text);

@@ -47,7 +47,8 @@ std::string LICVectorField::FindError() const
   if (facts.Error.empty() && facts.HasFaces && !facts.HasArray)
   {
     return this->Misplaced.empty()
-      ? "The input does not have the array of vectors that SetInputArrayToProcess(0, ...) selects."
+      ? "The input does not have the array of vectors that SetInputArrayToProcess(0, ...), in "
+        "ParaView SelectInputVectors, selects."
       : "The input has " + this->Misplaced + ".";
   }
   if (facts.Error.empty() && facts.HasFaces && facts.Longest < 0.0)
