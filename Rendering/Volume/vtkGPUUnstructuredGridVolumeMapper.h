@@ -218,8 +218,9 @@ public:
    * narrow compared with the range. A value out of range is an error and changes nothing. Changes
    * rebuild the mesh.
    *
-   * An edge is split into at most 64 pieces, and the mesh into at most 2^25; a warning is reported
-   * if the tolerances need more.
+   * An edge is split into at most 64 pieces, and the mesh into about a million, or eight for each
+   * cell if it is large. If the tolerances need more, all edges get fewer pieces, and a warning is
+   * reported.
    */
   void SetShapeTolerance(double share);
   vtkGetMacro(ShapeTolerance, double);

@@ -166,8 +166,9 @@ SplitCounts::SplitCounts(
     }
     return total;
   };
+  const double largest = std::max(LargestTotal, PiecesPerPart * parts.size());
   double coarsening = 1.0;
-  while (getTotal(coarsening) > LargestTotal && coarsening < LargestCount)
+  while (getTotal(coarsening) > largest && coarsening < LargestCount)
   {
     coarsening *= 1.25;
     this->HasLimits = true;

@@ -34,9 +34,12 @@ struct SplitTolerances
 class SplitCounts
 {
 public:
-  /// The largest count of a direction, and the largest number of pieces.
+  /// The largest count of a direction.
   static constexpr int LargestCount = 64;
-  static constexpr double LargestTotal = 1 << 25;
+  /// The largest number of pieces is the larger one of this number and PiecesPerPart times the
+  /// number of parts.
+  static constexpr double LargestTotal = 1 << 20;
+  static constexpr double PiecesPerPart = 8.0;
 
   SplitCounts(
     const std::vector<CurvedPart>& parts, const SplitTolerances& tolerances, PlaceSet& places);

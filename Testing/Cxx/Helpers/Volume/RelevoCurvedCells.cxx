@@ -66,7 +66,10 @@ int CountNodes(int type, int degree)
     case VTK_BEZIER_HEXAHEDRON:
       return n * n * n;
     default:
-      return vtkGenericCell::InstantiateCell(type)->GetNumberOfPoints();
+    {
+      const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+      return cell->GetNumberOfPoints();
+    }
   }
 }
 

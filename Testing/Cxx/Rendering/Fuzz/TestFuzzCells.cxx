@@ -303,6 +303,10 @@ private:
     Stage& stage = GetStage();
     const Reports reports(stage.VolumeMapper);
     stage.VolumeMapper->SetInputData(this->Grid.Get());
+    // Random cells are bent: with the defaults, each would have thousands of pieces.
+    const bool isFine = this->D.Once(40);
+    stage.VolumeMapper->SetShapeTolerance(isFine ? 5e-4 : 0.1);
+    stage.VolumeMapper->SetFieldTolerance(isFine ? 4e-3 : 0.3);
     this->D.Once(3) ? stage.VolumeMapper->SetMethodToCellProjection()
                     : stage.VolumeMapper->SetMethodToRayCasting();
     stage.Draw(stage.Volume);
