@@ -9,8 +9,10 @@
 #include "vtkNew.h"
 
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <map>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -235,13 +237,31 @@ private:
   Loader::Model& Model;
   std::vector<GLTFBuffer> Buffers;
 };
+
+// Whether VTK's reader accepts the file. It throws exceptions of its JSON library if the text is
+// not an object.
+bool IsLoaded(Loader* loader, const std::string& fileName)
+{
+  try
+  {
+    return loader->LoadModelMetaDataFromFile(fileName);
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw;
+  }
+  catch (const std::exception&)
+  {
+    return false;
+  }
+}
 }
 
 //------------------------------------------------------------------------------
 void CheckGLTF(const std::string& fileName)
 {
   vtkNew<Loader> loader;
-  if (!HasCompleteChunks(fileName) || !loader->LoadModelMetaDataFromFile(fileName))
+  if (!HasCompleteChunks(fileName) || !IsLoaded(loader, fileName))
   {
     throw FileError("it is not a glTF scene, or it is truncated");
   }
