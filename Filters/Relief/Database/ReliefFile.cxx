@@ -11,10 +11,12 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPNGWriter.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkXMLDataElement.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLImageDataWriter.h"
 
@@ -56,6 +58,34 @@ void CheckMemory(std::size_t bytes)
 }
 }
 
+namespace
+{
+// VTK's reader crashes if the type of an array of field data is missing or unknown.
+class ReliefFileReader : public vtkXMLImageDataReader
+{
+public:
+  static ReliefFileReader* New();
+  vtkTypeMacro(ReliefFileReader, vtkXMLImageDataReader);
+
+protected:
+  int ReadPrimaryElement(vtkXMLDataElement* image) override
+  {
+    vtkXMLDataElement* data = image->FindNestedElementWithName("FieldData");
+    for (int i = 0; data && i < data->GetNumberOfNestedElements(); ++i)
+    {
+      int type = 0;
+      if (!data->GetNestedElement(i)->GetWordTypeAttribute("type", type))
+      {
+        vtkErrorMacro("An array of the field data has an unknown type.");
+        return 0;
+      }
+    }
+    return this->Superclass::ReadPrimaryElement(image);
+  }
+};
+vtkStandardNewMacro(ReliefFileReader);
+}
+
 bool WriteReliefFile(const Relief& relief, AtomicFile& file)
 {
   CheckMemory(0); // data is compressed in blocks
@@ -90,7 +120,7 @@ vtkSmartPointer<vtkImageData> ReadReliefFile(const std::string& fileName, std::s
   }
   std::string errors;
   const auto collector = NewErrorCollector(errors);
-  vtkNew<vtkXMLImageDataReader> reader;
+  vtkNew<ReliefFileReader> reader;
   reader->AddObserver(vtkCommand::ErrorEvent, collector);
   reader->SetParserErrorObserver(collector);
   reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, collector);

@@ -65,6 +65,11 @@ void TestRows(RelevoCheck& check, const std::string& folder)
     RelevoWriteFile(relief, whole.substr(0, static_cast<std::size_t>(share * whole.size())));
     ExpectError(check, folder, "line 2: relief_0000.vti: the file is damaged.");
   }
+  // VTK's reader would crash.
+  std::string unknown = whole;
+  unknown[unknown.find("type=\"", unknown.find("<FieldData>")) + 6] = 'X';
+  RelevoWriteFile(relief, unknown);
+  ExpectError(check, folder, "line 2: relief_0000.vti: the file is damaged.");
   vtkNew<vtkXMLImageDataWriter> image;
   image->SetInputData(RelevoMakeImage(3, 2, VTK_FLOAT, [](int, int) { return 1.0; }));
   image->SetFileName(relief.c_str());
