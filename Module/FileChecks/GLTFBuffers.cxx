@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GLTFBuffers.h"
 
+#include "FileNames.h"
+
 #include "vtk_jsoncpp.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -59,10 +61,14 @@ std::vector<GLTFBuffer> ParseGLTFBuffers(const std::string& text)
 //------------------------------------------------------------------------------
 bool HasCompleteChunks(const std::string& fileName)
 {
+  if (GetExtension(fileName) != ".glb")
+  {
+    return true; // a text
+  }
   std::ifstream file(fileName, std::ios::binary);
   if (ReadNumber(file) != Magic)
   {
-    return true; // a text
+    return false;
   }
   ReadNumber(file); // version
   const std::uint64_t end = ReadNumber(file);

@@ -236,6 +236,7 @@ class TestViewerFormats(ViewerProgram):
         write("header.glb", good[:12])
         text_end = 20 + int.from_bytes(good[12:16], "little")
         write("chunks.glb", good[:text_end] + bytes(4) + good[text_end + 4 :])
+        write("magic.glb", b"g\x85\x01\0" + good[4:text_end] + bytes(4) + good[text_end + 4 :])
         write("text.gltf", b"no scene\n")
         write("number.gltf", b"3\n")
         write("deep.gltf", b"[" * 2000 + b"]" * 2000)

@@ -202,6 +202,8 @@ private:
 };
 }
 
+RELEVO_FUZZ_TARGET(Machine)
+
 int TestFuzzFlow(int, char*[])
 {
   RelevoCheck check;

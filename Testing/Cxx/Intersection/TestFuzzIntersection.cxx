@@ -206,6 +206,8 @@ private:
 };
 }
 
+RELEVO_FUZZ_TARGET(Machine)
+
 int TestFuzzIntersection(int, char*[])
 {
   RelevoCheck check;

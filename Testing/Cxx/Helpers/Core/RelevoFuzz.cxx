@@ -26,6 +26,34 @@ Dice::Dice(unsigned int seed)
 {
 }
 
+Dice::Dice(const unsigned char* bytes, size_t size)
+  : Random(static_cast<unsigned int>(size))
+  , Bytes(bytes)
+  , End(bytes + size)
+{
+}
+
+unsigned int Dice::Draw(int bytes)
+{
+  if (!this->HasBytes())
+  {
+    return static_cast<unsigned int>(this->Random());
+  }
+  unsigned int number = 0;
+  for (int i = 0; i < bytes && this->HasBytes(); ++i)
+  {
+    number = number << 8 | *this->Bytes++;
+  }
+  return number;
+}
+
+std::string Dice::TakeBytes()
+{
+  std::string bytes(this->Bytes, this->End);
+  this->Bytes = this->End;
+  return bytes;
+}
+
 double Dice::Number()
 {
   static const std::vector<double> strange = { 0.0, -0.0, 1.0, -1.0, 1e-45, 1e-300, 1e8, -1e9, 1e20,

@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Random calls of the public API on random meshes, valid and hostile. A test makes a fixed number
 // of runs. RELEVO_FUZZ_RUNS sets another number, RELEVO_FUZZ_FIRST the first seed, and
-// RELEVO_FUZZ_VERBOSE prints the calls, so that the last one printed is the one that crashed.
+// RELEVO_FUZZ_VERBOSE prints the calls, so that the last one printed is the one that crashed. In
+// Testing/Fuzz, libFuzzer chooses the calls.
 #ifndef RelevoFuzz_h
 #define RelevoFuzz_h
+
+#include "RelevoSanitizer.h"
 
 #include "vtkCellArray.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <iostream>
@@ -31,10 +35,18 @@ class Dice
 {
 public:
   explicit Dice(unsigned int seed);
+  // Throws what the bytes of a fuzz target say, and random numbers after their end.
+  Dice(const unsigned char* bytes, size_t size);
   // Returns 0 to sides - 1.
-  int Throw(int sides) { return static_cast<int>(this->Random() % static_cast<unsigned>(sides)); }
+  int Throw(int sides)
+  {
+    return static_cast<int>(this->Draw(sides <= 256 ? 1 : 4) % static_cast<unsigned>(sides));
+  }
   bool Once(int in) { return this->Throw(in) == 0; }
-  double Share() { return this->Random() / 4294967296.0; }
+  double Share() { return this->Draw(4) / 4294967296.0; }
+  bool HasBytes() const { return this->Bytes != this->End; }
+  // Returns the remaining bytes.
+  std::string TakeBytes();
   template <typename T>
   const T& Choose(const std::vector<T>& from)
   {
@@ -45,7 +57,11 @@ public:
   int Whole() { return this->Once(6) ? this->Choose(Whole_) : this->Throw(6) - 1; }
 
 private:
+  unsigned int Draw(int bytes);
+
   std::mt19937 Random;
+  const unsigned char* Bytes = nullptr;
+  const unsigned char* End = nullptr;
   const std::vector<int> Whole_ = { -7, 100, 1000000, std::numeric_limits<int>::max(),
     std::numeric_limits<int>::lowest() };
 };
@@ -117,7 +133,8 @@ int Run(int runs, int callsPerRun, int& made)
 {
   const int first = GetNumber("RELEVO_FUZZ_FIRST", 0);
   const bool isVerbose = GetNumber("RELEVO_FUZZ_VERBOSE", 0) != 0;
-  runs = GetNumber("RELEVO_FUZZ_RUNS", runs);
+  constexpr int share = RelevoHasAddressSanitizer ? 3 : 1;
+  runs = GetNumber("RELEVO_FUZZ_RUNS", runs / share);
   vtkObject::GlobalWarningDisplayOff();
   int failures = 0;
   for (int seed = first; seed < first + runs; ++seed)
@@ -147,6 +164,41 @@ int Run(int runs, int callsPerRun, int& made)
   vtkObject::GlobalWarningDisplayOn();
   return failures;
 }
+
+// Makes the calls that the bytes of a fuzz target choose. Aborts after an error.
+template <typename Machine>
+void RunBytes(const unsigned char* bytes, size_t size)
+{
+  constexpr int mostCalls = 60;
+  vtkObject::GlobalWarningDisplayOff();
+  Dice dice(bytes, size);
+  Machine machine(dice);
+  const std::vector<Call> calls = machine.GetCalls();
+  for (int i = 0; i < mostCalls && dice.HasBytes(); ++i)
+  {
+    const Call& call = dice.Choose(calls);
+    call.Make();
+    const std::string error = machine.FindError();
+    if (!error.empty())
+    {
+      std::cerr << "call " << i << ", " << call.Name << ": " << error << std::endl;
+      std::abort();
+    }
+  }
 }
+}
+
+// In Testing/Fuzz, defines libFuzzer's entry point, so that a file is both a test and a fuzz
+// target.
+#ifdef RELEVO_LIBFUZZER
+#define RELEVO_FUZZ_TARGET(Machine)                                              \
+  extern "C" int LLVMFuzzerTestOneInput(const unsigned char* bytes, size_t size) \
+  {                                                                              \
+    RelevoFuzz::RunBytes<Machine>(bytes, size);                                  \
+    return 0;                                                                    \
+  }
+#else
+#define RELEVO_FUZZ_TARGET(Machine)
+#endif
 
 #endif

@@ -220,6 +220,8 @@ void TestReplacedNormals(RelevoCheck& check)
 }
 }
 
+RELEVO_FUZZ_TARGET(Machine)
+
 int TestFuzzRefinement(int, char*[])
 {
   RelevoCheck check;
