@@ -41,7 +41,7 @@ _CONTENTS = {
         "limits",
     ),
     "Reference": ("functions", "classes/index"),
-    "Development": ("changes", "contributing", "packaging", "architecture"),
+    "Development": ("changes", "contributing", "testing", "packaging", "architecture"),
 }
 
 
