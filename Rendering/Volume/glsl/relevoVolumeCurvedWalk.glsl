@@ -8,10 +8,13 @@ const float LargestMiss = 1.0 / 1024.0; // of the range of scalars
 // cubic.
 const float MinimumBend = 4e-4;
 const int MaximumHalvings = 3; // of the way through a cell whose scalars are not cubic
+// In a tangled cell, parameters are ambiguous, and no piece of the way may be close to a cubic.
+const int MaximumSpans = 16;
 // Gradients are evaluated at the centres of segments, and lighting at their ends.
 const float MinimumParts = RELEVO_STEEPNESS == 1 || RELEVO_LIT == 1 ? 4.0 : 1.0;
 const float MaximumParts = 16.0;
 
+int curvedSpans; // of the way through the cell that have been processed
 float curvedBegin;
 float curvedEnd;
 
@@ -44,6 +47,13 @@ bool isCubicClose(Scalars middle)
     largest = max(largest, componentOf(miss, i));
   }
   return largest < 0.25 * LargestMiss;
+}
+
+// Return the number of times that the rest of the way through the cell may be halved, plus 1.
+int countHalvings()
+{
+  curvedSpans = isWithinCell ? curvedSpans + 1 : 0;
+  return curvedSpans < MaximumSpans ? MaximumHalvings : 1;
 }
 
 float countParts()
@@ -488,8 +498,9 @@ void crossHexahedron()
   cubic[0] = trilinear(corners, enteredAt);
   vec3 one;
   vec3 two;
+  int halvings = countHalvings();
   // In a cell with flat faces, they are a cubic or nearly so.
-  for (int i = 0; i < (RELEVO_FOLDED == 1 ? min(MaximumHalvings, maximumSteps) : 1); ++i)
+  for (int i = 0; i < (RELEVO_FOLDED == 1 ? min(halvings, maximumSteps) : 1); ++i)
   {
     one = seekInside(mix(walkDepth, to, 1.0 / 3.0), mix(enteredAt, leftAt, 1.0 / 3.0));
     cubic[1] = trilinear(corners, one);
@@ -497,7 +508,7 @@ void crossHexahedron()
     cubic[2] = trilinear(corners, two);
     cubic[3] = trilinear(corners, leftAt);
 #if RELEVO_FOLDED
-    if (isCubic(enteredAt, one, two, leftAt) || i == MaximumHalvings - 1)
+    if (isCubic(enteredAt, one, two, leftAt) || i == halvings - 1)
     {
       break;
     }
@@ -700,7 +711,8 @@ void crossQuadraticCell()
   cubic[0] = quadratic(corners, barycentric(enteredAt));
   vec3 one;
   vec3 two;
-  for (int i = 0; i < min(MaximumHalvings, maximumSteps); ++i)
+  int halvings = countHalvings();
+  for (int i = 0; i < min(halvings, maximumSteps); ++i)
   {
     one = parametersInQuadratic(
       mix(walkDepth, to, 1.0 / 3.0), mix(enteredAt, leftAt, 1.0 / 3.0));
@@ -709,7 +721,7 @@ void crossQuadraticCell()
       mix(walkDepth, to, 2.0 / 3.0), mix(enteredAt, leftAt, 2.0 / 3.0));
     cubic[2] = quadratic(corners, barycentric(two));
     cubic[3] = quadratic(corners, barycentric(leftAt));
-    if (isCubic(enteredAt, one, two, leftAt) || i == MaximumHalvings - 1)
+    if (isCubic(enteredAt, one, two, leftAt) || i == halvings - 1)
     {
       break;
     }

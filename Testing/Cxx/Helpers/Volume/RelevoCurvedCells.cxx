@@ -35,17 +35,6 @@ double GetChebyshev(int degree, double x)
   return value;
 }
 
-// A polynomial whose terms decrease like those of a smooth function.
-double GetWave(int degree, double x)
-{
-  double sum = 0.0;
-  for (int k = 1; k <= degree; ++k)
-  {
-    sum += GetChebyshev(k, x) / (k * k * k);
-  }
-  return sum;
-}
-
 bool IsHigherOrder(int type)
 {
   return type >= VTK_LAGRANGE_CURVE;
@@ -178,17 +167,32 @@ std::vector<std::vector<RelevoPoint>> GetSimplices(int type)
 }
 }
 
+// Without IsSteep, a polynomial whose terms decrease like those of a smooth function.
+double RelevoCurvedCells::GetWave(int degree, double x) const
+{
+  if (this->IsSteep)
+  {
+    return GetChebyshev(degree, x);
+  }
+  double sum = 0.0;
+  for (int k = 1; k <= degree; ++k)
+  {
+    sum += GetChebyshev(k, x) / (k * k * k);
+  }
+  return sum;
+}
+
 RelevoPoint RelevoCurvedCells::GetPosition(const RelevoPoint& at) const
 {
-  const double lift =
-    0.1 * GetWave(this->Degree, at[0]) - 0.3 * GetWave(std::min(this->Degree, 2), at[1]);
+  const double lift = 0.1 * this->GetWave(this->Degree, at[0]) -
+    0.3 * this->GetWave(std::min(this->Degree, 2), at[1]);
   return { { at[0], at[1], at[2] + lift } };
 }
 
 double RelevoCurvedCells::GetField(const RelevoPoint& at) const
 {
-  return 0.5 + 0.2 * GetWave(this->Degree, at[0]) -
-    0.1 * GetWave(std::min(this->Degree, 3), at[1]) +
+  return 0.5 + 0.2 * this->GetWave(this->Degree, at[0]) -
+    0.1 * this->GetWave(std::min(this->Degree, 3), at[1]) +
     0.2 * (2.0 * at[2] - 1.0) * (this->Degree > 1 ? 2.0 * at[1] - 1.0 : 1.0);
 }
 

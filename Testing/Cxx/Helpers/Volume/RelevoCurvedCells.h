@@ -12,9 +12,11 @@
 class RelevoCurvedCells
 {
 public:
-  // `degree` is that of the polynomials.
-  explicit RelevoCurvedCells(int degree)
+  // `degree` is that of the polynomials. They are smooth, or waves that are so steep that linear
+  // pieces of cells turn inside out.
+  explicit RelevoCurvedCells(int degree, bool isSteep = false)
     : Degree(degree)
+    , IsSteep(isSteep)
   {
   }
 
@@ -30,8 +32,10 @@ public:
 
 private:
   bool FindField(const RelevoPoint& position, double& field) const;
+  double GetWave(int degree, double x) const;
 
   int Degree;
+  bool IsSteep;
 };
 
 // The largest difference of the colours of two pictures in units of 1/255, without this share of

@@ -138,6 +138,18 @@ void TestTangled(RelevoCheck& check)
   CheckWarning(check, mesh, "1 of 1 cells have no volume");
 }
 
+// A few linear pieces of a valid cell are tangled. Rays do not stop in them.
+void TestTangledPieces(RelevoCheck& check)
+{
+  const RelevoCurvedCells cells(8, true);
+  const auto mesh = cells.Make(VTK_LAGRANGE_TETRAHEDRON, 1);
+  RelevoVolumeScene scene(mesh, MakeProperty(), Width, Height);
+  scene.GetMapper()->SetShapeTolerance(1.0);
+  scene.GetMapper()->SetFieldTolerance(1.0);
+  const auto expected = cells.MakePicture(scene.GetCamera(), Width, Height, 0.2, 1.0, 0.3);
+  CHECK_LESS(CompareInside(scene.Draw(), expected, Width), 12.0);
+}
+
 // The curved types that vtkCellTypeSource makes are drawn in full.
 void TestTypes(RelevoCheck& check)
 {
@@ -179,6 +191,7 @@ int TestGPUUnstructuredGridVolumeMapperTangled(int, char*[])
   TestRational(check);
   TestInsideOut(check);
   TestTangled(check);
+  TestTangledPieces(check);
   TestTypes(check);
   return check.GetResult();
 }
