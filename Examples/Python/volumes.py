@@ -7,6 +7,7 @@ NAME is one of
   post     liquid oxygen around a post, with an isosurface and a cut: postxyz.bin postq.bin
   reactor  the gas of a reactor inside its opaque wall: disk_out_ref.ex2
   can      a crushed can, coloured by cell values: can.vtu
+  probe    where rays through some pixels end, with the values there: postxyz.bin postq.bin
 The files are VTK's data. Without them the script generates a mesh, the flow past a cylinder.
 """
 
@@ -32,9 +33,11 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkFiltersCore import vtkClipPolyData, vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
     vtkColorTransferFunction,
     vtkPolyDataMapper,
+    vtkTextActor,
     vtkVolume,
     vtkVolumeProperty,
 )
@@ -258,7 +261,41 @@ def can(filename: str | None = None) -> Figure:
     return figure
 
 
-FIGURES: dict[Callable[..., Figure], int] = {fin: 2, post: 2, reactor: 1, can: 1}  # numbers of files
+def probe(points: str = "", flow: str = "") -> Figure:
+    """Mark the positions that rays through some pixels reach, with the values there."""
+    figure = post(points, flow)
+    renderer = figure.window.GetRenderers().GetFirstRenderer()
+    columns, rows = figure.window.GetSize()
+    volume_probe = relevo.vtkVolumeProbe()
+    volume_probe.SetRenderer(renderer)
+    marks = []
+    for share_x, share_y in ((0.5, 0.62), (0.56, 0.4), (0.72, 0.55), (0.85, 0.7), (0.9, 0.5)):
+        x, y = round(share_x * columns), round(share_y * rows)
+        if volume_probe.Probe(x, y):
+            marks.append((x, y, volume_probe.GetPosition(), volume_probe.GetValue()))
+    for x, y, position, value in marks:
+        ball = vtkSphereSource()
+        ball.SetCenter(position)
+        ball.SetRadius(0.008 * renderer.ComputeVisiblePropBounds()[1])
+        ball_mapper = vtkPolyDataMapper()
+        ball_mapper.SetInputConnection(ball.GetOutputPort())
+        actor = make_actor(ball_mapper)
+        actor.GetProperty().SetColor(0.1, 0.1, 0.1)
+        renderer.AddActor(actor)
+        label = vtkTextActor()
+        label.SetInput(f"{value:.3f}")
+        label.SetPosition(x + 8, y + 6)
+        label.GetTextProperty().SetFontSize(18)
+        label.GetTextProperty().SetColor(0, 0, 0)
+        label.GetTextProperty().SetBackgroundColor(1, 1, 1)
+        label.GetTextProperty().SetBackgroundOpacity(0.8)
+        renderer.AddViewProp(label)
+    return figure
+
+
+FIGURES: dict[Callable[..., Figure], int] = {  # numbers of files
+    fin: 2, post: 2, reactor: 1, can: 1, probe: 2
+}
 
 
 def main(name: str, picture: str, *files: str) -> None:

@@ -8,6 +8,8 @@
 #include "OpenGL/ContextWatch.h"
 #include "OpenGL/RelevoOpenGL.h"
 #include "OpenGL/RenderClock.h"
+#include "Probe/ProbeRequest.h"
+#include "Probe/VolumeSelection.h"
 #include "Segments/RaySegments.h"
 #include "Shaders/VolumePrograms.h"
 #include "Stages/CellProjector.h"
@@ -67,6 +69,7 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   relevo::SegmentCaster Segments;
   relevo::CellProjector Cells;
   relevo::Compositor Compositor;
+  relevo::VolumeSelection Selection;
 
   relevo::RayView View;
   std::array<int, 4> Viewport = { { 0, 0, 0, 0 } }; // of the last render
@@ -144,12 +147,20 @@ double* vtkGPUUnstructuredGridVolumeMapper::GetBounds()
 
 void vtkGPUUnstructuredGridVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
-  // The volume's colours would be read as ids of the props behind it.
+  vtkInternals& data = *this->Internals;
   if (renderer->GetSelector())
   {
+    relevo::StageReport report;
+    relevo::RunWithinMemory(this, "the mesh",
+      [&]
+      {
+        data.Selection.Draw(
+          this->MakeProbeRequest(volume->GetProperty()), renderer, volume->GetMatrix(), report);
+        return true;
+      });
+    report.InvokeEvents(this);
     return;
   }
-  vtkInternals& data = *this->Internals;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window)
   {
@@ -325,6 +336,21 @@ bool vtkGPUUnstructuredGridVolumeMapper::ReadSegments(
     vtkErrorMacro(<< error);
   }
   return isDone;
+}
+
+relevo::ProbeRequest vtkGPUUnstructuredGridVolumeMapper::MakeProbeRequest(
+  vtkVolumeProperty* property)
+{
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->Update();
+  }
+  return { this->GetDataObjectInput(),
+    relevo::ChooseScalars(property, this->VectorMode, this->VectorComponent),
+    { this->ScalarMode, this->ArrayAccessMode, this->ArrayId,
+      this->ArrayName ? this->ArrayName : "" },
+    property, static_cast<relevo::BlendMode>(this->BlendMode),
+    this->IsoSurfaces || this->BlendMode == ISOSURFACE_BLEND, this->ClippingPlanes };
 }
 
 void vtkGPUUnstructuredGridVolumeMapper::Draw(vtkVolume* volume)

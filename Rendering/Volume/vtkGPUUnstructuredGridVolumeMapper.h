@@ -43,12 +43,15 @@
 #include <memory> // for Internals
 #include <string> // for errors
 
+class vtkVolumeProperty;
+
 namespace relevo
 {
 class RaySegments;
 enum class SegmentOutput;
 struct MeshExtent;
 struct MeshRequest;
+struct ProbeRequest;
 struct SegmentRequest;
 struct VolumeFrame;
 }
@@ -305,6 +308,9 @@ public:
   bool CastSegments(vtkRenderer* renderer, vtkVolume* volume, const relevo::SegmentRequest& request,
     relevo::RaySegments& segments);
   //@}
+
+  /// This method is for vtkVolumeProbe and pickers. It updates the input.
+  relevo::ProbeRequest MakeProbeRequest(vtkVolumeProperty* property);
 #endif
 
   void ReleaseGraphicsResources(vtkWindow* window) override;

@@ -34,7 +34,7 @@ LAYERS = {
                              "Stages"],
     "Rendering/Flow": ["Passes", "Shaders", "Buffers", "Stages"],
     "Rendering/Offscreen": [],
-    "Rendering/Volume": ["View", "Mesh", "Segments", "Buffers", "Shaders", "Stages"],
+    "Rendering/Volume": ["View", "Mesh", "Segments", "Buffers", "Shaders", "Stages", "Probe"],
     "Rendering/Parametric": ["View", "Shaders", "Buffers", "Drawing"],
     "Rendering/Intersection": ["Scene"],
     "Rendering/Relief": ["View", "Buffers", "Shaders", "Drawing", "Capture"],

@@ -125,7 +125,7 @@ void CurvedCells::AddParts(const Cell& cell, std::vector<BezierHexahedron>&& par
   {
     for (BezierHexahedron& part : parts)
     {
-      this->Parts.push_back({ std::move(part), cell.Scalars, cell.IsGhost });
+      this->Parts.push_back({ std::move(part), cell.Scalars, cell.IsGhost, cell.Source });
     }
   }
 }

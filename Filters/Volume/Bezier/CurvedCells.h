@@ -24,6 +24,7 @@ struct CurvedPart
   BezierHexahedron Shape;
   vtkIdType Scalars; // of the cell, or -1 for point scalars
   bool IsGhost;
+  vtkIdType Source; // number of the input cell, over all data sets
 };
 
 class RELEVOFILTERSVOLUME_EXPORT CurvedCells
@@ -36,6 +37,7 @@ public:
     vtkIdType Scalars;   // of the cell, or -1 for point scalars
     bool IsGhost;
     bool IsRational;
+    vtkIdType Source; // number of the input cell, over all data sets
   };
 
   /// The points and scalars of the data sets. Weights are empty if there are none.

@@ -61,14 +61,6 @@ FloatBox GetBox(const VolumeCells& cells, const VolumeCells::Cell& cell)
   }
   return RoundBox(low, high);
 }
-
-Scalars GetLengths(const Gradients& gradients)
-{
-  Scalars lengths;
-  std::transform(gradients.begin(), gradients.end(), lengths.begin(),
-    [](const dvec3& gradient) { return length(gradient); });
-  return lengths;
-}
 }
 
 CellCrossing::CellCrossing(VolumeCells& cells, bool withSteepness, bool withGradients)
@@ -92,6 +84,14 @@ CellCrossing::CellCrossing(VolumeCells& cells, bool withSteepness, bool withGrad
     boxes.push_back(GetBox(part));
   }
   this->Tree.Build(boxes);
+}
+
+Scalars CellCrossing::GetLengths(const Gradients& gradients) const
+{
+  Scalars lengths;
+  std::transform(gradients.begin(), gradients.end(), lengths.begin(),
+    [this](const dvec3& gradient) { return length(this->GradientTransform * gradient); });
+  return lengths;
 }
 
 void CellCrossing::CrossTetrahedron(
@@ -189,7 +189,7 @@ void CellCrossing::CrossCurved(
 Scalars CellCrossing::ComputeSteepness(
   const VolumeCells::Cell& cell, const CornerSlopes& slopes) const
 {
-  return GetLengths(this->Cells.ComputeGradients(cell, slopes));
+  return this->GetLengths(this->Cells.ComputeGradients(cell, slopes));
 }
 
 // Gradients are those of the part's own basis.
@@ -233,7 +233,7 @@ void CellCrossing::CrossPart(
   for (size_t i = first; i < parts.size() && this->HasSteepness; ++i)
   {
     parts[i].Steepness =
-      GetLengths(part.Shape.ComputeGradients(locate(0.5 * (parts[i].Begin + parts[i].End))));
+      this->GetLengths(part.Shape.ComputeGradients(locate(0.5 * (parts[i].Begin + parts[i].End))));
   }
   for (size_t i = first; i < parts.size() && this->HasGradients; ++i)
   {
@@ -256,6 +256,94 @@ Gradients CellCrossing::WeighGradients(const VolumeCells::Cell& cell, const doub
   return sum;
 }
 
+void CellCrossing::CrossCell(size_t number, const Ray& ray, std::vector<RayPart>& parts) const
+{
+  const size_t whole = this->Cells.GetCells().size();
+  if (number >= whole)
+  {
+    this->CrossPart(this->Cells.GetCurvedParts()[number - whole], ray, parts);
+    return;
+  }
+  const VolumeCells::Cell& cell = this->Cells.GetCells()[number];
+  cell.Shape ? this->CrossCurved(cell, ray, parts) : this->CrossTetrahedron(cell, ray, parts);
+}
+
+Scalars CellCrossing::Evaluate(size_t number, const dvec3& point) const
+{
+  const dvec3 at = point - this->Cells.GetMiddle();
+  const size_t whole = this->Cells.GetCells().size();
+  if (number >= whole)
+  {
+    const CurvedPart& part = this->Cells.GetCurvedParts()[number - whole];
+    if (part.Scalars >= 0)
+    {
+      return this->Cells.GetCellScalars()[part.Scalars];
+    }
+    dvec3 parameters(0.5);
+    BezierCrossing(part.Shape).Locate(at, parameters);
+    return part.Shape.Evaluate(parameters).Values;
+  }
+  const VolumeCells::Cell& cell = this->Cells.GetCells()[number];
+  if (cell.Scalars >= 0)
+  {
+    return this->Cells.GetCellScalars()[cell.Scalars];
+  }
+  CornerWeights weights = {};
+  if (cell.Shape)
+  {
+    dvec3 parameters = cell.Shape->Center;
+    weights = this->Cells.GetCurved(cell).GetWeights(at, parameters);
+  }
+  else
+  {
+    const TetrahedronCorners corners = this->Cells.GetTetrahedron(cell);
+    const dvec3 center = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+    CornerSlopes slopes;
+    ComputeSlopes(corners, slopes);
+    for (int i = 0; i < 4; ++i)
+    {
+      weights[i] = 0.25 + dot(slopes[i], at - center);
+    }
+  }
+  Scalars sum = {};
+  for (int i = 0; i < this->Cells.GetNumberOfCorners(cell); ++i)
+  {
+    AddWeighed(this->Cells.GetPointScalars()[this->Cells.GetCornerId(cell, i)], weights[i], sum);
+  }
+  return sum;
+}
+
+Gradients CellCrossing::ComputeGradients(size_t number, const dvec3& point) const
+{
+  const dvec3 at = point - this->Cells.GetMiddle();
+  const size_t whole = this->Cells.GetCells().size();
+  if (number >= whole)
+  {
+    const CurvedPart& part = this->Cells.GetCurvedParts()[number - whole];
+    dvec3 parameters(0.5);
+    BezierCrossing(part.Shape).Locate(at, parameters);
+    return part.Scalars >= 0 ? Gradients{} : part.Shape.ComputeGradients(parameters);
+  }
+  const VolumeCells::Cell& cell = this->Cells.GetCells()[number];
+  if (cell.Scalars >= 0)
+  {
+    return {};
+  }
+  CornerSlopes slopes;
+  if (cell.Shape)
+  {
+    const CurvedCell curved = this->Cells.GetCurved(cell);
+    dvec3 parameters = curved.GetCenter();
+    curved.GetWeights(at, parameters);
+    curved.ComputeSlopes(parameters, slopes);
+  }
+  else
+  {
+    ComputeSlopes(this->Cells.GetTetrahedron(cell), slopes);
+  }
+  return this->Cells.ComputeGradients(cell, slopes);
+}
+
 std::vector<RayPart> CellCrossing::Cross(const Ray& ray) const
 {
   if (!(ray.Length > 0.0))
@@ -271,16 +359,12 @@ std::vector<RayPart> CellCrossing::Cross(const Ray& ray) const
     last, [&](const FloatBox& box, double nearest) { return segment.GetEntry(box, nearest); },
     [&](int index)
     {
-      const size_t number = static_cast<size_t>(index);
-      const size_t whole = this->Cells.GetCells().size();
-      if (number >= whole)
+      const size_t first = parts.size();
+      this->CrossCell(static_cast<size_t>(index), moved, parts);
+      for (size_t i = first; i < parts.size(); ++i)
       {
-        this->CrossPart(this->Cells.GetCurvedParts()[number - whole], moved, parts);
-        return;
+        parts[i].Cell = static_cast<size_t>(index);
       }
-      const VolumeCells::Cell& cell = this->Cells.GetCells()[number];
-      cell.Shape ? this->CrossCurved(cell, moved, parts)
-                 : this->CrossTetrahedron(cell, moved, parts);
     });
   std::sort(parts.begin(), parts.end(),
     [](const RayPart& a, const RayPart& b)

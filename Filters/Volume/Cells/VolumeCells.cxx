@@ -140,6 +140,7 @@ public:
   vtkIdType Scalars;    // of the cell, or -1 for point scalars
   bool IsGhost;
   bool HasWeights; // whether the data set has rational weights
+  vtkIdType Cell;  // number of the input cell, over all data sets
 };
 
 std::vector<std::string> VolumeCells::Add(
@@ -180,7 +181,7 @@ std::vector<std::string> VolumeCells::Add(
       continue;
     }
     const Source source = { firstPoint, isOfCells ? firstCell + i : -1, leftOut.IsGhost(i),
-      hasWeights };
+      hasWeights, this->NumberOfInputCells + i };
     mesh->GetCellPoints(i, points);
     if (leftOut.IsHidden(i, points) || (source.IsGhost && isOfCells) ||
       (grid && reader.ReadNodes(i) && this->AddCurved(reader, source)))
@@ -193,6 +194,7 @@ std::vector<std::string> VolumeCells::Add(
       this->AddLinear(cell, source, splitter);
     }
   }
+  this->NumberOfInputCells += mesh->GetNumberOfCells();
   return checks.Errors;
 }
 
@@ -257,7 +259,7 @@ bool VolumeCells::AddCurved(const CellReader& reader, const Source& source)
   this->NumberOfSolidCells += source.IsGhost ? 0 : 1;
   this->Curved.Add(
     { { type, type == VTK_QUADRATIC_TETRA ? ivec3(0) : degrees, reader.GetNumberOfNodes(), false },
-      0, source.Scalars, source.IsGhost, isRational },
+      0, source.Scalars, source.IsGhost, isRational, source.Cell },
     ids);
   return true;
 }
@@ -274,7 +276,7 @@ bool VolumeCells::AddWhole(int type, const std::vector<vtkIdType>& ids, const So
   if (!shape || !this->SplitsAll)
   {
     return this->AddCell(
-      shape, corners, source.Scalars, source.IsGhost ? this->Ghosts : this->Cells);
+      shape, corners, source.Scalars, source.Cell, source.IsGhost ? this->Ghosts : this->Cells);
   }
   CellSplitter splitter;
   bool isGood = false;
@@ -282,7 +284,7 @@ bool VolumeCells::AddWhole(int type, const std::vector<vtkIdType>& ids, const So
   for (size_t first = 0; first + 4 <= split.size(); first += 4)
   {
     isGood |= this->AddCell(nullptr, { split.begin() + first, split.begin() + first + 4 },
-      source.Scalars, source.IsGhost ? this->Ghosts : this->Cells);
+      source.Scalars, source.Cell, source.IsGhost ? this->Ghosts : this->Cells);
   }
   return isGood;
 }
@@ -312,8 +314,8 @@ void VolumeCells::AddLinear(vtkGenericCell* cell, const Source& source, CellSpli
       {
         std::transform(split.begin() + first, split.begin() + first + 4, corners.begin(),
           [&](vtkIdType id) { return source.FirstPoint + id; });
-        isGood |= this->AddCell(
-          nullptr, corners, source.Scalars, source.IsGhost ? this->Ghosts : this->Cells);
+        isGood |= this->AddCell(nullptr, corners, source.Scalars, source.Cell,
+          source.IsGhost ? this->Ghosts : this->Cells);
       }
     }
   }
@@ -332,7 +334,7 @@ void VolumeCells::ConvertCurved()
       const vtkIdType* nodes = this->Curved.GetNodes(cell);
       const size_t before = this->Cells.size();
       const bool isGood = this->AddCell(FindCellShape(VTK_QUADRATIC_TETRA),
-        { nodes, nodes + cell.Type.NumberOfNodes }, cell.Scalars,
+        { nodes, nodes + cell.Type.NumberOfNodes }, cell.Scalars, cell.Source,
         cell.IsGhost ? this->Ghosts : this->Cells);
       if (!cell.IsGhost)
       {
@@ -439,13 +441,14 @@ void VolumeCells::AddPiece(
   std::vector<Cell>& all = part.IsGhost ? this->Ghosts : this->Cells;
   if (!this->SplitsAll)
   {
-    this->AddCell(FindCellShape(type), corners, part.Scalars, all);
+    this->AddCell(FindCellShape(type), corners, part.Scalars, part.Source, all);
     return;
   }
   const std::vector<vtkIdType>& split = splitter.Split(type, corners, this->Points.data());
   for (size_t first = 0; first + 4 <= split.size(); first += 4)
   {
-    this->AddCell(nullptr, { split.begin() + first, split.begin() + first + 4 }, part.Scalars, all);
+    this->AddCell(nullptr, { split.begin() + first, split.begin() + first + 4 }, part.Scalars,
+      part.Source, all);
   }
 }
 
@@ -454,6 +457,12 @@ bool VolumeCells::AreFinite(const vtkIdType* points, vtkIdType count) const
 {
   return std::all_of(
     points, points + count, [&](vtkIdType point) { return IsFinite(this->Points[point]); });
+}
+
+vtkIdType VolumeCells::GetSource(size_t number) const
+{
+  return number < this->Cells.size() ? this->Sources[number]
+                                     : this->GetCurvedParts()[number - this->Cells.size()].Source;
 }
 
 bool VolumeCells::HasCellScalars() const
@@ -536,7 +545,7 @@ CurvedCell VolumeCells::GetCurved(const Cell& cell) const
 // Returns whether the cell has a volume. Cells with scalars that are not finite are transparent and
 // are not stored.
 bool VolumeCells::AddCell(const CellShape* shape, const std::vector<vtkIdType>& corners,
-  vtkIdType scalars, std::vector<Cell>& all)
+  vtkIdType scalars, vtkIdType source, std::vector<Cell>& all)
 {
   const Cell cell = { shape, this->Corners.size(), scalars };
   this->Corners.insert(this->Corners.end(), corners.begin(), corners.end());
@@ -544,6 +553,10 @@ bool VolumeCells::AddCell(const CellShape* shape, const std::vector<vtkIdType>& 
   if (hasVolume && this->HasScalars(cell))
   {
     all.push_back(cell);
+    if (this->KeepsSources && &all == &this->Cells)
+    {
+      this->Sources.push_back(source);
+    }
   }
   else
   {

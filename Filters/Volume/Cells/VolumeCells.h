@@ -52,6 +52,9 @@ public:
   /// Splits all cells into tetrahedra. Call this before Add().
   void SplitAll() { this->SplitsAll = true; }
 
+  /// Stores which input cell each cell comes from, see GetSource(). Call this before Add().
+  void KeepSources() { this->KeepsSources = true; }
+
   /**
    * Adds the cells of a data set. The array has a tuple for each point or each cell. Returns the
    * messages of CheckCells() about invalid cells, which are skipped.
@@ -103,6 +106,10 @@ public:
   CurvedCell GetCurved(const Cell& cell) const;
   //@}
 
+  /// Returns the number of the input cell, over all data sets, of one of GetCells() or, with higher
+  /// numbers, of GetCurvedParts(). Needs KeepSources().
+  vtkIdType GetSource(size_t number) const;
+
   /// Whether there are cells and the first one has a cell scalar.
   bool HasCellScalars() const;
   /// Computes the range of a component over all cells; low is greater than high without cells.
@@ -119,7 +126,7 @@ private:
   bool AddCurved(const CellReader& reader, const Source& source);
   void AddLinear(vtkGenericCell* cell, const Source& source, CellSplitter& splitter);
   bool AddCell(const CellShape* shape, const std::vector<vtkIdType>& corners, vtkIdType scalars,
-    std::vector<Cell>& all);
+    vtkIdType source, std::vector<Cell>& all);
   void Count(bool isGood, size_t before);
   void AddPieces(const CurvedPart& part, const ivec3& counts, PiecePoints& points,
     const std::vector<BezierPoint>& lattice, CellSplitter& splitter);
@@ -135,6 +142,9 @@ private:
   int NumberOfScalars = 1;     // of those that are used
   CurvedCells Curved;
   bool SplitsAll = false;
+  bool KeepsSources = false;
+  vtkIdType NumberOfInputCells = 0; // of all data sets
+  std::vector<vtkIdType> Sources;   // of Cells, if they are kept
   std::vector<vtkIdType> Corners;
   std::vector<Cell> Cells;
   std::vector<Cell> Ghosts;

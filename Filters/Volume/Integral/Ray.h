@@ -47,6 +47,7 @@ struct RayPart
   Gradients FrontGradients = {};
   Gradients BackGradients = {};
   //@}
+  size_t Cell = 0; // number of the cell, see VolumeCells::GetSource()
 
   /// Returns the part between two fractions of the length.
   RayPart Cut(double begin, double end) const
@@ -56,7 +57,7 @@ struct RayPart
     return { getPosition(begin), getPosition(end), Interpolate(this->Front, this->Back, begin),
       Interpolate(this->Front, this->Back, end), this->Steepness,
       Interpolate(this->FrontGradients, this->BackGradients, begin),
-      Interpolate(this->FrontGradients, this->BackGradients, end) };
+      Interpolate(this->FrontGradients, this->BackGradients, end), this->Cell };
   }
 };
 }

@@ -10,6 +10,7 @@
 #define ClippingPlanes_h
 
 #include "Integral/Ray.h"
+#include "RelevoFiltersVolumeModule.h" // for export macro
 
 #include <vector>
 
@@ -17,7 +18,7 @@ class vtkPlaneCollection;
 
 namespace relevo
 {
-class ClippingPlanes
+class RELEVOFILTERSVOLUME_EXPORT ClippingPlanes
 {
 public:
   /// `planes` may be null.

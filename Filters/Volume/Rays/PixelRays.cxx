@@ -27,7 +27,7 @@ PixelRays::PixelRays(vtkCamera* camera, int width, int height)
 {
 }
 
-Ray PixelRays::Make(int column, int row) const
+Ray PixelRays::Make(double column, double row) const
 {
   const double x = (2.0 * column + 1.0) / this->Size[0] - 1.0;
   const double y = (2.0 * row + 1.0) / this->Size[1] - 1.0;

@@ -12,18 +12,19 @@
 #define PixelRays_h
 
 #include "Integral/Ray.h"
+#include "RelevoFiltersVolumeModule.h" // for export macro
 
 class vtkCamera;
 
 namespace relevo
 {
-class PixelRays
+class RELEVOFILTERSVOLUME_EXPORT PixelRays
 {
 public:
   PixelRays(vtkCamera* camera, int width, int height);
 
-  /// Row 0 is at the bottom.
-  Ray Make(int column, int row) const;
+  /// Row 0 is at the bottom. Fractions are positions between pixel centres.
+  Ray Make(double column, double row) const;
 
 private:
   int Size[2];

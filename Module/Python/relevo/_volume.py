@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -24,8 +24,9 @@ from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume, vtk
 import relevo
 
 from . import _camera, _colours, _inputs, _work
-from ._drawing import Drawing
+from ._drawing import SIZE, Drawing, _check_size, _make_offscreen_window
 from ._error import Error
+from ._messages import Messages
 from ._typing import Array, Camera
 
 _BLENDS = ("composite", "maximum", "minimum", "average", "additive", "isosurface")
@@ -209,11 +210,21 @@ def _make_plane(clip: Any) -> vtkPlane:
     return plane
 
 
+class VolumePoint(NamedTuple):
+    """A position in a volume, with its cell (of its block), parametric coordinates and value."""
+
+    position: tuple[float, float, float]
+    cell: int
+    parameters: tuple[float, float, float]
+    value: float
+
+
 class Volume(Drawing):
     """The interior of a mesh, see relevo.volume()."""
 
     # A light background suits translucent volumes.
     _background = ((0.98, 0.98, 0.98), (0.84, 0.87, 0.91))
+    _probe: Any = None
 
     def __init__(
         self,
@@ -310,6 +321,40 @@ class Volume(Drawing):
         if not numpy.isfinite(surfaces).all():
             raise ValueError("isosurfaces must be finite")
         return surfaces
+
+    def probe(
+        self, x: float, y: float, size: tuple[int, int] = SIZE, camera: Camera = None
+    ) -> VolumePoint | None:
+        """Return where the ray through a pixel of screenshot(size=, camera=) becomes opaque.
+
+        x, y: column and row of the pixel, counted from the top left.
+        size, camera: as for screenshot().
+
+        Returns the position at which half of the light is absorbed, its cell and its value, or None
+        if more light passes. See vtkVolumeProbe. Raises relevo.Error with average blending.
+        """
+        size = _check_size(size)
+        with Messages():
+            window = _make_offscreen_window()
+            window.SetSize(size)
+            renderer = self._make_renderer(size, camera)
+            window.AddRenderer(renderer)
+            try:
+                if self._probe is None:
+                    self._probe = relevo.vtkVolumeProbe()
+                self._probe.SetRenderer(renderer)
+                is_hit = self._probe.Probe(x, size[1] - 1 - y)
+            finally:
+                self._probe.SetRenderer(None)
+                window.Finalize()
+        if not is_hit:
+            return None
+        return VolumePoint(
+            self._probe.GetPosition(),
+            self._probe.GetCellId(),
+            self._probe.GetParametricCoordinates(),
+            self._probe.GetValue(),
+        )
 
     def _make_mesh(self, camera: Camera) -> vtkDataObject:
         result = self._data.NewInstance()

@@ -8,8 +8,8 @@
 #include "Checks/InputType.h"
 #include "Checks/ShouldReport.h"
 #include "Mesh/MeshSignature.h"
+#include "Stages/MapperArray.h"
 
-#include "vtkAbstractMapper.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
@@ -22,13 +22,6 @@ namespace relevo
 {
 namespace
 {
-std::string AdviseScalarMode(int association)
-{
-  return association == vtkDataObject::FIELD_ASSOCIATION_CELLS
-    ? "Use SetScalarModeToUseCellFieldData()"
-    : "Use SetScalarModeToUsePointFieldData()";
-}
-
 Dependencies FindMesh(const MeshRequest& request)
 {
   Dependencies mesh;
@@ -36,26 +29,11 @@ Dependencies FindMesh(const MeshRequest& request)
   return mesh;
 }
 
-ArrayRequest MakeArrayRequest(const MeshRequest& request)
+ArrayRequest FindArrayRequest(const MeshRequest& request)
 {
-  const char* name = request.ArrayName.empty() ? nullptr : request.ArrayName.c_str();
-  const auto find = [&request, name](vtkDataSet* mesh, int& association)
-  {
-    int kind = 0;
-    vtkDataArray* array = vtkAbstractMapper::GetScalars(
-      mesh, request.ScalarMode, request.ArrayAccessMode, request.ArrayId, name, kind);
-    association =
-      kind == 1 ? vtkDataObject::FIELD_ASSOCIATION_CELLS : vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    return kind == 2 ? nullptr : array;
-  };
-  const bool isByName = request.ArrayAccessMode == VTK_GET_ARRAY_BY_NAME && name &&
-    request.ScalarMode >= VTK_SCALAR_MODE_USE_POINT_FIELD_DATA;
-  const int association = request.ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA
-    ? vtkDataObject::FIELD_ASSOCIATION_CELLS
-    : vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  const bool takesAll = request.Choice.Component == ScalarChoice::All;
-  return { find, isByName ? name : "", association, AdviseScalarMode,
-    takesAll ? MaximumComponents : VTK_INT_MAX, "SelectScalarArray()" };
+  return MakeArrayRequest(
+    { request.ScalarMode, request.ArrayAccessMode, request.ArrayId, request.ArrayName },
+    request.Choice.Component == ScalarChoice::All);
 }
 }
 
@@ -211,7 +189,7 @@ bool MeshLoader::FindScalars(const MeshRequest& request, StageReport& report,
     return false;
   }
   std::string error;
-  if (!FindMeshScalars(request.Input, MakeArrayRequest(request), meshes, error, leftOut))
+  if (!FindMeshScalars(request.Input, FindArrayRequest(request), meshes, error, leftOut))
   {
     report.Errors.push_back("The input " + error + ".");
     return false;
