@@ -4,6 +4,7 @@
 
 #include "Mesh/FaceNeighbors.h"
 #include "Mesh/FaceSeams.h"
+#include "Mesh/HangingFaces.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -86,6 +87,7 @@ private:
   dvec4 GetPlane(size_t face) const;
   void AddLink(int face, int a, int b);
   void AddSeams(const std::vector<int>& border, std::vector<char>& isLinked);
+  void AddHanging(const std::vector<int>& border, std::vector<char>& isLinked);
   void SetPlanes();
 
   const std::vector<dvec3>& Points;
@@ -223,6 +225,33 @@ void Linker::AddSeams(const std::vector<int>& border, std::vector<char>& isLinke
   }
 }
 
+// Links cells to smaller ones. The planes are those of the smaller faces.
+void Linker::AddHanging(const std::vector<int>& border, std::vector<char>& isLinked)
+{
+  std::vector<size_t> rest;
+  for (int face : border)
+  {
+    if (!isLinked[face] && this->Polygons.find(face) == this->Polygons.end())
+    {
+      rest.push_back(static_cast<size_t>(face));
+    }
+  }
+  HangingFaces hanging;
+  hanging.Find({ this->Faces, [this](int point) { return this->GetPoint(point); },
+                 [this](size_t face) { return this->Centers[this->CellsOfFaces[face]]; } },
+    rest);
+  for (const HangingFaces::Cover& cover : hanging.GetCovers())
+  {
+    isLinked[cover.Face] = 1;
+    for (size_t part : cover.Parts)
+    {
+      isLinked[part] = 1;
+      this->AddLink(
+        static_cast<int>(part), this->CellsOfFaces[cover.Face], this->CellsOfFaces[part]);
+    }
+  }
+}
+
 void Linker::SetPlanes()
 {
   std::vector<CellLinks::Link>& links = this->Result.Links;
@@ -288,6 +317,8 @@ CellLinks Linker::Run()
   }
   std::vector<char> isLinked(this->Faces.size(), 0);
   this->AddSeams(border, isLinked);
+  isLinked.resize(this->Faces.size(), 0);
+  this->AddHanging(border, isLinked);
   for (int face : border)
   {
     if (!isLinked[face])

@@ -8,7 +8,7 @@
 
 namespace relevo
 {
-const std::vector<int>& GetRecord(const CellShape& shape, bool isMirrored)
+const std::vector<int>& GetRecord(const CellShape* shape, bool isMirrored)
 {
   static const std::vector<int> hexahedron[2] = { { 0, 1, 2, 3, 4, 5, 6, 7 },
     { 4, 5, 6, 7, 0, 1, 2, 3 } };
@@ -16,10 +16,14 @@ const std::vector<int>& GetRecord(const CellShape& shape, bool isMirrored)
     { 3, 4, 5, 5, 0, 1, 2, 2 } };
   static const std::vector<int> pyramid[2] = { { 0, 1, 2, 3, 4, 4, 4, 4 },
     { 0, 3, 2, 1, 4, 4, 4, 4 } };
+  static const std::vector<int> tetrahedron[2] = { { 0, 1, 2, 2, 3, 3, 3, 3 },
+    { 0, 2, 1, 1, 3, 3, 3, 3 } };
   static const std::vector<int> quadratic[2] = { { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 },
     { 1, 0, 2, 3, 4, 6, 5, 8, 7, 9 } };
-  switch (shape.NumberOfCorners)
+  switch (shape ? shape->NumberOfCorners : 4)
   {
+    case 4:
+      return tetrahedron[isMirrored];
     case 5:
       return pyramid[isMirrored];
     case 6:
@@ -40,6 +44,16 @@ std::vector<std::array<int, 4>> GetRecordFaces(bool isQuadratic)
     faces.push_back({ { face[0], face[1], face[2], face[2] } });
   }
   return faces;
+}
+
+// windHexahedron() uses the same order.
+std::array<int, 2> GetRecordEdge(int edge)
+{
+  const int i = edge % 4;
+  const int next = (i + 1) % 4;
+  return edge < 4 ? std::array<int, 2>{ { i, next } }
+    : edge < 8    ? std::array<int, 2>{ { i + 4, next + 4 } }
+                  : std::array<int, 2>{ { i, i + 4 } };
 }
 
 bool IsFace(std::array<int, 4> face)

@@ -17,11 +17,15 @@
 namespace relevo
 {
 /// Return the indices of the cell's points that are the corners of its record, for each kind of
-/// cell; or those of its mirror image.
-const std::vector<int>& GetRecord(const CellShape& shape, bool isMirrored);
+/// cell; or those of its mirror image. Without a shape, the cell is a tetrahedron.
+const std::vector<int>& GetRecord(const CellShape* shape, bool isMirrored);
 
 /// Return the corners of the faces of a record.
 std::vector<std::array<int, 4>> GetRecordFaces(bool isQuadratic);
+
+/// The edges of a hexahedron's record.
+constexpr int NumberOfRecordEdges = 12;
+std::array<int, 2> GetRecordEdge(int edge);
 
 /// Return whether a face has three distinct corners. Faces of wedges and pyramids may be
 /// degenerate.

@@ -9,11 +9,14 @@
 #include "Mesh/BorderTree.h"
 #include "Mesh/CurvedRecords.h"
 #include "Mesh/FaceNeighbors.h"
+#include "Mesh/HangingFaces.h"
+#include "Mesh/HangingRecords.h"
 #include "vtkCellType.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -32,15 +35,22 @@ constexpr std::uint32_t Unused = RayCastMesh::UnusedPoint;
 
 using Face = std::array<int, 4>;
 
+bool IsQuadratic(const VolumeCells::Cell& cell)
+{
+  return cell.Shape && !cell.Shape->QuadraticFaces.empty();
+}
+
 // The steps to build a mesh, with their intermediate data.
 class RayCastMeshBuilder
 {
 public:
-  RayCastMeshBuilder(
-    const VolumeCells& cells, int numberOfComponents, const MeshExtent& whole, RayCastMesh& mesh)
+  /// The given tetrahedra are stored as curved cells; the list is empty if there are none.
+  RayCastMeshBuilder(const VolumeCells& cells, int numberOfComponents, const MeshExtent& whole,
+    const std::vector<bool>& records, RayCastMesh& mesh)
     : Cells(cells)
     , NumberOfComponents(numberOfComponents)
     , Whole(whole)
+    , Records(records)
     , Mesh(mesh)
   {
   }
@@ -54,7 +64,12 @@ public:
   void StoreScalars();
   void AddGradients();
   void AddCells();
+  void FindMatches();
+  /// Find faces with several cells behind them. Return the tetrahedra that must be stored as curved
+  /// cells, if there are any.
+  std::vector<bool> FindHanging();
   void FindNeighbors();
+  void AddHanging();
   void BuildBorder();
   /// Return what is wrong with the number of cells, or nothing.
   std::string DescribeSize() const;
@@ -65,25 +80,32 @@ private:
   {
     return this->NewIds[this->Cells.GetCornerId(cell, i)];
   }
+  std::array<std::uint32_t, 4> GetTetrahedron(size_t index) const;
+  dvec3 GetInside(size_t face) const;
+  HangingRecords::Part GetPart(size_t face) const;
   void AddTetrahedron(const VolumeCells::Cell& cell);
   void AddCurved(const VolumeCells::Cell& cell);
   bool IsMirrored(const VolumeCells::Cell& cell) const;
   bool IsFlat(const VolumeCells::Cell& cell) const;
-  std::vector<Face> FindPlaces() const;
+  void FindPlaces();
+  std::vector<Face> FindFacesOfPlaces() const;
   std::uint32_t GetCell(size_t face) const;
   std::uint32_t GetNeighbor(size_t face, size_t other) const;
   std::uint32_t& GetBehind(size_t face);
   bool AreDuplicates(size_t face, size_t other) const;
   dvec3 GetPoint(std::uint32_t point) const;
   FloatBox GetBox(size_t face) const;
+  bool FacesInwards(const Face& face, std::uint32_t tetrahedron) const;
   void AddBorderFace(size_t face);
 
   const VolumeCells& Cells;
   const int NumberOfComponents;
   const MeshExtent& Whole;
+  const std::vector<bool>& Records;
   bool KeepsCorners = false;
   RayCastMesh& Mesh;
   std::vector<VolumeCells::Cell> Kept;   // tetrahedra first
+  std::vector<size_t> KeptTetrahedra;    // indices of the cells
   std::vector<std::uint32_t> NewIds;     // of the cells' points
   std::vector<vtkIdType> OldIds;         // of the mesh's points
   std::vector<vtkIdType> Places;         // of the cells' points: the first point there
@@ -91,6 +113,9 @@ private:
   std::vector<std::uint32_t> FaceCells;  // of curved cells' faces, after those of tetrahedra
   std::vector<std::uint32_t> FirstFaces; // of curved cells
   std::vector<size_t> Border;            // faces
+  FaceMatch Match;
+  std::vector<int> PlaceOfPoints; // of the mesh's points: the first point there
+  HangingFaces Hanging;
 };
 
 // Tetrahedra come first, because the walk identifies them by their index.
@@ -98,11 +123,17 @@ void RayCastMeshBuilder::MergePoints()
 {
   for (const bool isCurved : { false, true })
   {
-    for (const VolumeCells::Cell& cell : this->Cells.GetCells())
+    for (size_t i = 0; i < this->Cells.GetCells().size(); ++i)
     {
-      if ((cell.Shape != nullptr) == isCurved)
+      const VolumeCells::Cell& cell = this->Cells.GetCells()[i];
+      const bool isRecord = cell.Shape || (!this->Records.empty() && this->Records[i]);
+      if (isRecord == isCurved)
       {
         this->Kept.push_back(cell);
+        if (!isRecord)
+        {
+          this->KeptTetrahedra.push_back(i);
+        }
       }
     }
   }
@@ -235,12 +266,12 @@ void RayCastMeshBuilder::AddTetrahedron(const VolumeCells::Cell& cell)
 // Return whether the faces of a cell point inwards, from the enclosed volume.
 bool RayCastMeshBuilder::IsMirrored(const VolumeCells::Cell& cell) const
 {
-  const std::vector<int>& record = GetRecord(*cell.Shape, false);
+  const std::vector<int>& record = GetRecord(cell.Shape, false);
   const auto get = [&](int i)
   { return this->Cells.GetPoints()[this->Cells.GetCornerId(cell, record[i])]; };
   const dvec3 origin = get(0);
   double volume = 0.0;
-  for (const auto& face : GetRecordFaces(!cell.Shape->QuadraticFaces.empty()))
+  for (const auto& face : GetRecordFaces(IsQuadratic(cell)))
   {
     const dvec3 a = get(face[0]) - origin;
     const dvec3 b = get(face[1]) - origin;
@@ -254,6 +285,10 @@ bool RayCastMeshBuilder::IsMirrored(const VolumeCells::Cell& cell) const
 // Return whether all points of each face are coplanar, up to the rounding of floats.
 bool RayCastMeshBuilder::IsFlat(const VolumeCells::Cell& cell) const
 {
+  if (!cell.Shape)
+  {
+    return true;
+  }
   const auto get = [&](int i) { return this->Cells.GetPoints()[this->Cells.GetCornerId(cell, i)]; };
   const auto isFlat = [&](const auto& face)
   {
@@ -274,8 +309,8 @@ void RayCastMeshBuilder::AddCurved(const VolumeCells::Cell& cell)
   const std::uint32_t number = static_cast<std::uint32_t>(
     this->Mesh.GetNumberOfTetrahedra() + this->Mesh.GetNumberOfCurvedCells());
   std::array<std::uint32_t, RayCastMesh::WordsOfCurvedCell> words = {};
-  const bool isQuadratic = !cell.Shape->QuadraticFaces.empty();
-  const std::vector<int>& record = GetRecord(*cell.Shape, this->IsMirrored(cell));
+  const bool isQuadratic = IsQuadratic(cell);
+  const std::vector<int>& record = GetRecord(cell.Shape, this->IsMirrored(cell));
   for (size_t i = 0; i < record.size(); ++i)
   {
     words[i] = this->GetPointId(cell, record[i]);
@@ -285,7 +320,8 @@ void RayCastMeshBuilder::AddCurved(const VolumeCells::Cell& cell)
     words.back() = RayCastMesh::Quadratic;
     this->Mesh.HasQuadraticCells = true;
   }
-  this->Mesh.HasPyramids = this->Mesh.HasPyramids || cell.Shape->NumberOfCorners == 5;
+  const int corners = this->Cells.GetNumberOfCorners(cell);
+  this->Mesh.HasPyramids = this->Mesh.HasPyramids || corners == 4 || corners == 5;
   this->Mesh.HasFoldedFaces = this->Mesh.HasFoldedFaces || !this->IsFlat(cell);
   this->Mesh.CurvedCells.insert(this->Mesh.CurvedCells.end(), words.begin(), words.end());
   this->FirstFaces.push_back(static_cast<std::uint32_t>(this->Faces.size()));
@@ -299,23 +335,30 @@ void RayCastMeshBuilder::AddCurved(const VolumeCells::Cell& cell)
 
 void RayCastMeshBuilder::AddCells()
 {
-  for (const VolumeCells::Cell& cell : this->Kept)
+  for (size_t i = 0; i < this->Kept.size(); ++i)
   {
-    cell.Shape ? this->AddCurved(cell) : this->AddTetrahedron(cell);
+    const bool isTetrahedron = i < this->KeptTetrahedra.size();
+    isTetrahedron ? this->AddTetrahedron(this->Kept[i]) : this->AddCurved(this->Kept[i]);
   }
 }
 
-// Return the faces with places instead of points. Faces with several points at one place match no
-// other face.
-std::vector<Face> RayCastMeshBuilder::FindPlaces() const
+// Points at one place are next to each other.
+void RayCastMeshBuilder::FindPlaces()
 {
-  // Points at one place are next to each other.
-  std::vector<int> places(this->OldIds.size());
+  std::vector<int>& places = this->PlaceOfPoints;
+  places.resize(this->OldIds.size());
   for (size_t i = 0; i < places.size(); ++i)
   {
     const bool isSame = i > 0 && this->Places[this->OldIds[i]] == this->Places[this->OldIds[i - 1]];
     places[i] = isSame ? places[i - 1] : static_cast<int>(i);
   }
+}
+
+// Return the faces with places instead of points. Faces with several points at one place match no
+// other face.
+std::vector<Face> RayCastMeshBuilder::FindFacesOfPlaces() const
+{
+  const std::vector<int>& places = this->PlaceOfPoints;
   std::vector<Face> all = this->Faces;
   for (Face& face : all)
   {
@@ -413,33 +456,182 @@ bool RayCastMeshBuilder::AreDuplicates(size_t face, size_t other) const
       });
 }
 
-void RayCastMeshBuilder::FindNeighbors()
+void RayCastMeshBuilder::FindMatches()
 {
-  this->Mesh.Neighbors.resize(4 * this->Mesh.GetNumberOfTetrahedra());
   const int numberOfPoints = static_cast<int>(this->OldIds.size());
-  const FaceMatch match = this->Mesh.IsDiscontinuous
-    ? MatchFaces(this->FindPlaces(), numberOfPoints)
-    : MatchFaces(this->Faces, numberOfPoints);
-  this->Mesh.NumberOfSharedFaces = match.NumberOfSharedByMore;
+  if (this->Mesh.IsDiscontinuous)
+  {
+    this->FindPlaces();
+  }
+  this->Match = this->Mesh.IsDiscontinuous ? MatchFaces(this->FindFacesOfPlaces(), numberOfPoints)
+                                           : MatchFaces(this->Faces, numberOfPoints);
+  this->Mesh.NumberOfSharedFaces = this->Match.NumberOfSharedByMore;
   for (size_t face = 0; face < this->Faces.size(); ++face)
   {
-    const auto other = match.Others[face];
-    const bool isShared = other >= 0 && this->AreDuplicates(face, static_cast<size_t>(other));
-    this->Mesh.NumberOfSharedFaces += isShared && static_cast<int>(face) < other ? 1 : 0;
-    std::uint32_t& behind = this->GetBehind(face);
-    if (other < 0 || isShared)
+    int& other = this->Match.Others[face];
+    if (other > static_cast<int>(face) && this->AreDuplicates(face, static_cast<size_t>(other)))
     {
-      behind = RayCastMesh::InvalidCell;
-      if (IsFace(this->Faces[face]))
-      {
-        this->Border.push_back(face);
-      }
+      ++this->Mesh.NumberOfSharedFaces;
+      this->Match.Others[static_cast<size_t>(other)] = -1;
+      other = -1;
     }
-    else
+    if (other < 0 && IsFace(this->Faces[face]))
     {
-      behind = this->GetNeighbor(face, static_cast<size_t>(other));
+      this->Border.push_back(face);
     }
   }
+}
+
+// Return the points of a tetrahedron in ascending order.
+std::array<std::uint32_t, 4> RayCastMeshBuilder::GetTetrahedron(size_t index) const
+{
+  const Face& last = this->Faces[4 * index]; // without the lowest point
+  const Face& first = this->Faces[4 * index + 3];
+  return { { static_cast<std::uint32_t>(first[0]), static_cast<std::uint32_t>(last[0]),
+    static_cast<std::uint32_t>(last[1]), static_cast<std::uint32_t>(last[2]) } };
+}
+
+// Return the centre of a face's cell.
+dvec3 RayCastMeshBuilder::GetInside(size_t face) const
+{
+  const VolumeCells::Cell& cell = this->Kept[this->GetCell(face)];
+  const int count = this->Cells.GetNumberOfCorners(cell);
+  dvec3 sum(0.0);
+  for (int i = 0; i < count; ++i)
+  {
+    sum += this->Cells.GetPoints()[this->Cells.GetCornerId(cell, i)];
+  }
+  return sum / static_cast<double>(count);
+}
+
+std::vector<bool> RayCastMeshBuilder::FindHanging()
+{
+  if (this->Mesh.HasQuadraticCells) // their edges are curved
+  {
+    return {};
+  }
+  std::vector<Face> faces;
+  if (this->Mesh.IsDiscontinuous)
+  {
+    faces = this->FindFacesOfPlaces();
+  }
+  this->Hanging.Find({ this->Mesh.IsDiscontinuous ? faces : this->Faces,
+                       [this](int point) { return this->Cells.GetPoints()[this->OldIds[point]]; },
+                       [this](size_t face) { return this->GetInside(face); } },
+    this->Border);
+  if (this->Hanging.IsEmpty())
+  {
+    return {};
+  }
+  std::vector<std::uint32_t> none;
+  const HangingRecords records(this->Hanging, this->PlaceOfPoints, none);
+  std::vector<bool> found(this->Cells.GetCells().size(), false);
+  bool isFound = false;
+  const auto add = [&](size_t tetrahedron)
+  {
+    found[this->KeptTetrahedra[tetrahedron]] = true;
+    isFound = true;
+  };
+  for (size_t i = 0; i < this->KeptTetrahedra.size(); ++i)
+  {
+    if (records.HasPoints(this->GetTetrahedron(i)))
+    {
+      add(i);
+    }
+  }
+  for (const HangingFaces::Cover& cover : this->Hanging.GetCovers())
+  {
+    if (this->GetCell(cover.Face) < this->KeptTetrahedra.size())
+    {
+      add(this->GetCell(cover.Face));
+    }
+  }
+  return isFound ? found : std::vector<bool>();
+}
+
+void RayCastMeshBuilder::FindNeighbors()
+{
+  this->Mesh.HasHangingFaces = !this->Hanging.IsEmpty();
+  this->Mesh.IsDiscontinuous = this->Mesh.IsDiscontinuous || this->Mesh.HasHangingFaces;
+  for (size_t i = 0; i < this->KeptTetrahedra.size() && this->Mesh.IsDiscontinuous &&
+       this->Mesh.Corners.size() < 4 * this->KeptTetrahedra.size();
+       ++i)
+  {
+    const auto corners = this->GetTetrahedron(i);
+    this->Mesh.Corners.insert(this->Mesh.Corners.end(), corners.begin(), corners.end());
+  }
+  this->Mesh.Neighbors.resize(4 * this->Mesh.GetNumberOfTetrahedra());
+  for (size_t face = 0; face < this->Faces.size(); ++face)
+  {
+    const auto other = this->Match.Others[face];
+    this->GetBehind(face) =
+      other < 0 ? RayCastMesh::InvalidCell : this->GetNeighbor(face, static_cast<size_t>(other));
+  }
+}
+
+// Return a face that an adjacent larger cell has as a part.
+HangingRecords::Part RayCastMeshBuilder::GetPart(size_t face) const
+{
+  const std::uint32_t cell = this->GetCell(face);
+  HangingRecords::Part part;
+  const Face& corners = this->Faces[face];
+  std::copy_if(corners.begin(), corners.end(), std::back_inserter(part.Corners),
+    [](int corner) { return corner >= 0; });
+  if (cell >= this->KeptTetrahedra.size())
+  {
+    part.Neighbor = 8 * cell;
+    std::reverse(part.Corners.begin(), part.Corners.end());
+    return part;
+  }
+  part.Neighbor = 8 * cell + static_cast<std::uint32_t>(face % 4);
+  if (!this->FacesInwards(corners, cell))
+  {
+    std::swap(part.Corners[1], part.Corners[2]);
+  }
+  return part;
+}
+
+void RayCastMeshBuilder::AddHanging()
+{
+  if (this->Hanging.IsEmpty())
+  {
+    return;
+  }
+  std::vector<std::uint32_t> words = std::move(this->Mesh.CurvedCells);
+  const size_t numberOfWords = words.size();
+  HangingRecords records(this->Hanging, this->PlaceOfPoints, words);
+  for (size_t first = 0; first < numberOfWords; first += RayCastMesh::WordsOfCurvedCell)
+  {
+    const std::uint32_t list = records.AddEdges(words.data() + first);
+    words[first + 8] = list;
+  }
+  std::vector<bool> isInner(this->Faces.size(), false);
+  std::vector<std::pair<size_t, std::uint32_t>> lists;
+  for (const HangingFaces::Cover& cover : this->Hanging.GetCovers())
+  {
+    std::vector<HangingRecords::Part> parts;
+    for (size_t part : cover.Parts)
+    {
+      isInner[part] = true;
+      parts.push_back(this->GetPart(part));
+    }
+    isInner[cover.Face] = true;
+    lists.push_back({ cover.Face, 8 * records.AddParts(parts) + RayCastMesh::SeveralCells });
+  }
+  this->Mesh.CurvedCells = std::move(words);
+  this->Mesh.NumberOfListWords = this->Mesh.CurvedCells.size() - numberOfWords;
+  for (size_t i = 0; i < lists.size(); ++i)
+  {
+    const HangingFaces::Cover& cover = this->Hanging.GetCovers()[i];
+    this->GetBehind(cover.Face) = lists[i].second;
+    for (size_t part : cover.Parts)
+    {
+      this->GetBehind(part) = 8 * this->GetCell(cover.Face);
+    }
+  }
+  this->Border.erase(std::remove_if(this->Border.begin(), this->Border.end(),
+                       [&](size_t face) { return isInner[face]; }),
+    this->Border.end());
 }
 
 std::string RayCastMeshBuilder::DescribeSize() const
@@ -448,7 +640,8 @@ std::string RayCastMeshBuilder::DescribeSize() const
   {
     return "has more than 16 million boundary faces; extract a part of it";
   }
-  if (this->Mesh.IsDiscontinuous && this->Kept.size() >= MaximumDiscontinuousCells)
+  if (this->Mesh.IsDiscontinuous &&
+    std::max(this->Kept.size(), this->Mesh.CurvedCells.size() / 4) >= MaximumDiscontinuousCells)
   {
     return "has different values of cells at the same points, and more than 512 million cells; "
            "extract a part of it";
@@ -501,6 +694,19 @@ FloatBox RayCastMeshBuilder::GetBox(size_t face) const
   return rounded;
 }
 
+// Return whether the corners of a face are in order as seen by a ray that enters the tetrahedron.
+bool RayCastMeshBuilder::FacesInwards(const Face& face, std::uint32_t tetrahedron) const
+{
+  std::array<std::uint32_t, 3> corners;
+  std::copy(face.begin(), face.begin() + 3, corners.begin());
+  const std::uint32_t last =
+    this->Mesh.PointSums[tetrahedron] ^ corners[0] ^ corners[1] ^ corners[2];
+  const dvec3 origin = this->GetPoint(corners[0]);
+  const dvec3 normal =
+    cross(this->GetPoint(corners[1]) - origin, this->GetPoint(corners[2]) - origin);
+  return !(dot(normal, this->GetPoint(last) - origin) < 0.0);
+}
+
 void RayCastMeshBuilder::AddBorderFace(size_t face)
 {
   const auto add = [this](const std::array<std::uint32_t, 4>& words)
@@ -521,11 +727,7 @@ void RayCastMeshBuilder::AddBorderFace(size_t face)
   std::array<std::uint32_t, 3> corners;
   std::copy(this->Faces[face].begin(), this->Faces[face].begin() + 3, corners.begin());
   const std::uint32_t cell = static_cast<std::uint32_t>(face / 4);
-  const std::uint32_t last = this->Mesh.PointSums[cell] ^ corners[0] ^ corners[1] ^ corners[2];
-  const dvec3 origin = this->GetPoint(corners[0]);
-  const dvec3 normal =
-    cross(this->GetPoint(corners[1]) - origin, this->GetPoint(corners[2]) - origin);
-  if (dot(normal, this->GetPoint(last) - origin) < 0.0)
+  if (!this->FacesInwards(this->Faces[face], cell))
   {
     std::swap(corners[1], corners[2]);
   }
@@ -553,33 +755,48 @@ void RayCastMeshBuilder::BuildBorder()
 bool RayCastMesh::Build(const VolumeCells& cells, int numberOfComponents, std::string& error,
   bool withCorners, bool withGradients, const MeshExtent* whole)
 {
-  *this = RayCastMesh();
   const MeshExtent extent = whole ? *whole : MeshExtent::Of(cells, numberOfComponents);
-  RayCastMeshBuilder builder(cells, numberOfComponents, extent, *this);
-  builder.MergePoints();
-  if (withCorners || builder.IsDiscontinuous())
+  std::vector<bool> records;
+  std::vector<bool> more;
+  do
   {
-    builder.KeepCorners();
-  }
-  if (whole || builder.IsDiscontinuous())
-  {
-    builder.SortPoints();
-  }
-  builder.StorePoints();
-  builder.StoreScalars();
-  if (withGradients)
-  {
-    builder.AddGradients();
-  }
-  builder.AddCells();
-  builder.FindNeighbors();
-  error = builder.DescribeSize();
-  if (!error.empty())
-  {
-    return false;
-  }
-  builder.BuildBorder();
-  builder.KeepPointIds();
+    *this = RayCastMesh();
+    RayCastMeshBuilder builder(cells, numberOfComponents, extent, records, *this);
+    builder.MergePoints();
+    if (withCorners || builder.IsDiscontinuous())
+    {
+      builder.KeepCorners();
+    }
+    if (whole || builder.IsDiscontinuous())
+    {
+      builder.SortPoints();
+    }
+    builder.StorePoints();
+    builder.AddCells();
+    builder.FindMatches();
+    more = builder.FindHanging();
+    if (!more.empty()) // all of them are among the curved cells the next time
+    {
+      records.resize(more.size(), false);
+      std::transform(records.begin(), records.end(), more.begin(), records.begin(),
+        [](bool a, bool b) { return a || b; });
+      continue;
+    }
+    builder.StoreScalars();
+    if (withGradients)
+    {
+      builder.AddGradients();
+    }
+    builder.FindNeighbors();
+    builder.AddHanging();
+    error = builder.DescribeSize();
+    if (!error.empty())
+    {
+      return false;
+    }
+    builder.BuildBorder();
+    builder.KeepPointIds();
+  } while (!more.empty());
   return true;
 }
 
@@ -637,6 +854,7 @@ void RayCastMesh::Release()
   rest.HasPyramids = this->HasPyramids;
   rest.HasFoldedFaces = this->HasFoldedFaces;
   rest.IsDiscontinuous = this->IsDiscontinuous;
+  rest.HasHangingFaces = this->HasHangingFaces;
   rest.ScalarLow = this->ScalarLow;
   rest.ScalarSize = this->ScalarSize;
   rest.ScalarHigh = this->ScalarHigh;

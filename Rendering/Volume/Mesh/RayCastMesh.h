@@ -14,6 +14,9 @@
  * the corners of their faces are at the same places. Points are then sorted by position, so that
  * the corners of a face have the same order in both cells.
  *
+ * Next to refined cells, several cells are behind a face. The faces of the smaller cells have one
+ * neighbour. Cells whose edges have hanging points are stored as curved cells.
+ *
  * Private to the modules' own sources.
  */
 #ifndef RayCastMesh_h
@@ -60,7 +63,10 @@ struct RayCastMesh
 
   size_t GetNumberOfPoints() const { return this->Points.size() / 4; }
   size_t GetNumberOfTetrahedra() const { return this->PointSums.size(); }
-  size_t GetNumberOfCurvedCells() const { return this->CurvedCells.size() / WordsOfCurvedCell; }
+  size_t GetNumberOfCurvedCells() const
+  {
+    return (this->CurvedCells.size() - this->NumberOfListWords) / WordsOfCurvedCell;
+  }
 
   //@{
   /// A position is Center + Radius * point; a scalar is ScalarLow + ScalarSize * stored value.
@@ -95,19 +101,26 @@ struct RayCastMesh
   /// so on. If scalars are discontinuous, 8 * cell + the index of the face in that cell's
   /// neighbours, or + SamePoints.
   std::vector<std::uint32_t> Neighbors;
-  /// Whether cells have different scalars at the same place.
+  /// Whether cells have different scalars at the same place, or hanging points.
   bool IsDiscontinuous = false;
+  /// Whether several cells are behind some faces.
+  bool HasHangingFaces = false;
   /// For neighbours with the same points at the face. A curved cell with other points has 0.
   static constexpr std::uint32_t SamePoints = 4;
+  /// For a face of a curved cell with several cells behind it: 8 * address + SeveralCells. See
+  /// HangingRecords.
+  static constexpr std::uint32_t SeveralCells = 5;
 
   /**
    * The curved cells, 16 words each: 8 points of a hexahedron, or 10 of a quadratic tetrahedron,
    * whose last word is `Quadratic`. From word 10 on, the cells behind its faces follow in the order
    * of their CellShapes, as in Neighbors. Wedges and pyramids are hexahedra with coincident points,
    * which does not change positions and scalars. All cells are oriented so that their faces point
-   * outwards.
+   * outwards. Word 8 of a hexahedron is the address of the list of its edges, or 0. The lists of
+   * HangingRecords follow the cells.
    */
   std::vector<std::uint32_t> CurvedCells;
+  size_t NumberOfListWords = 0;
   static constexpr std::uint32_t Quadratic = 0xfffffff0;
   bool HasQuadraticCells = false;
   bool HasPyramids = false;

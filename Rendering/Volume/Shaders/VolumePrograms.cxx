@@ -33,7 +33,8 @@ Dependencies MakeKey(VolumeShader shader, const VolumeShaderOptions& options)
     options.HasTables, options.HasGradientOpacity, options.HasSurfaces, options.IsClipped,
     options.NumberOfMaterials, options.FirstMaterial, options.NumberOfLights, options.PreIntegrated,
     options.HasTetrahedra, options.HasCurvedCells, options.HasQuadraticCells, options.HasPyramids,
-    options.HasFoldedFaces, options.IsDiscontinuous, options.IsCutByNear, options.Segments);
+    options.HasFoldedFaces, options.IsDiscontinuous, options.HasHangingFaces, options.IsCutByNear,
+    options.Segments);
 }
 
 std::string FinishRayShader(std::string source, const char* main)

@@ -20,6 +20,7 @@
 #include "relevoVolumeFinishFS.h"
 #include "relevoVolumeFunctions.h"
 #include "relevoVolumeGradients.h"
+#include "relevoVolumeHanging.h"
 #include "relevoVolumeIsoSurface.h"
 #include "relevoVolumeLimitsFS.h"
 #include "relevoVolumeOutline.h"
@@ -73,6 +74,7 @@ std::string DefineCells(const VolumeShaderOptions& options)
   Define(defines, "PYRAMIDS", options.HasPyramids);
   Define(defines, "FOLDED", options.HasFoldedFaces);
   Define(defines, "DISCONTINUOUS", options.IsDiscontinuous);
+  Define(defines, "HANGING", options.HasHangingFaces);
   const bool hasSegments = options.Segments != SegmentOutput::None;
   Define(defines, "SEGMENTS", static_cast<int>(options.Segments));
   Define(defines, "WIDTH", GetSegmentFormat(options).GetWidth());
@@ -88,7 +90,8 @@ std::string DefineCells(const VolumeShaderOptions& options)
 void PutRays(std::string& source, const VolumeShaderOptions& options)
 {
   Put(source, "Cells", options.HasCurvedCells ? relevoVolumeCells : "");
-  Put(source, "Faces", options.HasCurvedCells ? relevoVolumeFaces : "");
+  const std::string hanging = options.HasHangingFaces ? relevoVolumeHanging : "";
+  Put(source, "Faces", options.HasCurvedCells ? relevoVolumeFaces + hanging : "");
   Put(source, "Ray", relevoVolumeRay);
   Put(source, "Edges", relevoVolumeEdges);
   Put(source, "Border", relevoVolumeBorder);

@@ -47,6 +47,7 @@ struct VolumeShaderOptions
   bool HasPyramids = false;
   bool HasFoldedFaces = false;  // some faces are front and back faces at once
   bool IsDiscontinuous = false; // cells have different scalars at the same place
+  bool HasHangingFaces = false; // several cells are behind some faces
   /// Whether the near plane may clip projected cells.
   bool IsCutByNear = false;
   SegmentOutput Segments = SegmentOutput::None;

@@ -87,7 +87,11 @@ bool entersCurved(int face, uvec4 words, float lastDepth, int lastFace, inout En
   {
     border[i] = getCorner(wordOfCell(words.w, cornerOfFace(isQuadratic, int(words.x), i)));
   }
+#if RELEVO_HANGING
+  int winding = windingOfFace(words.w, int(words.x), border);
+#else
   int winding = windingOf(border, size);
+#endif
 #if RELEVO_FOLDED
   foldCount = 0;
   if (isQuadratic)

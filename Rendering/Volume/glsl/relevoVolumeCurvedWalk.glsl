@@ -123,20 +123,6 @@ bool isAhead(float depth)
 }
 #endif
 
-// Move to the cell behind an exit. If there is none, because the ray touches a fold that only one
-// of the cells detects, go back to the previous cell.
-void leaveTo(int exit)
-{
-#if RELEVO_FOLDED
-  uint before = walkBefore;
-  walkBefore = exit < 0 ? Nothing : walkCell;
-#endif
-  moveTo(exit < 0 ? Nothing : wordOfCell(walkCell, FirstBehind + exit));
-#if RELEVO_FOLDED
-  walkCell = exit < 0 ? before : walkCell;
-#endif
-}
-
 void beginCurved(float end)
 {
   curvedBegin = walkDepth;
@@ -206,6 +192,66 @@ void leaveToTetrahedron(Corner a, Corner b, Corner c)
   scalarsB = getPointScalars(b.id, texelFetch(meshPoints, int(b.id)).w);
   scalarsC = getPointScalars(c.id, texelFetch(meshPoints, int(c.id)).w);
 #endif
+}
+
+#if RELEVO_HANGING
+// Move to the cell that the ray enters, one of those in a list; or to the nearest one, if the ray got
+// here by rounding errors.
+void moveToPart(uint list)
+{
+  int count = int(wordOfList(list, 0));
+  int at = 1;
+  int best = 1;
+  float nearest = FarOutside;
+  for (int part = 0; part < count && nearest >= 0.0; ++part)
+  {
+    int size = int(wordOfList(list, at + 1));
+    int passes = 0;
+    vec2 sum = vec2(0.0);
+    Corner from = getCorner(wordOfList(list, at + 1 + size));
+    for (int i = 0; i < size; ++i)
+    {
+      Corner to = getCorner(wordOfList(list, at + 2 + i));
+      passes += passesOf(from, to);
+      sum += to.at.xy;
+      from = to;
+    }
+    float distance = passes > 0 ? -1.0 : length(sum) / float(size);
+    best = distance < nearest ? at : best;
+    nearest = min(distance, nearest);
+    at += 2 + size;
+  }
+  moveTo(wordOfList(list, best));
+  if (!isCurvedCell(walkCell))
+  {
+    leaveToTetrahedron(getCorner(wordOfList(list, best + 2)),
+      getCorner(wordOfList(list, best + 3)), getCorner(wordOfList(list, best + 4)));
+  }
+}
+#endif
+
+// Move to the cell behind an exit. If there is none, because the ray touches a fold that only one
+// of the cells detects, go back to the previous cell. Return whether the next cell is a tetrahedron
+// that needs the corners of the face.
+bool leaveTo(int exit)
+{
+#if RELEVO_FOLDED
+  uint before = walkBefore;
+  walkBefore = exit < 0 ? Nothing : walkCell;
+#endif
+  uint neighbor = exit < 0 ? Nothing : wordOfCell(walkCell, FirstBehind + exit);
+#if RELEVO_HANGING
+  if (neighbor != Nothing && neighbor % 8u == SeveralCells)
+  {
+    moveToPart(neighbor / 8u);
+    return false;
+  }
+#endif
+  moveTo(neighbor);
+#if RELEVO_FOLDED
+  walkCell = exit < 0 ? before : walkCell;
+#endif
+  return walkCell != Nothing && !isCurvedCell(walkCell);
 }
 
 vec3 hexPlaces[8]; // in the ray's coordinates
@@ -348,12 +394,27 @@ float crossHexFace(int face, out vec3 parameters, out bool isAside)
 }
 
 // Return two bit masks: the faces through which the ray leaves, and those through which it enters.
-ivec2 windHexahedron(uint ids[8])
+// The list of the cell's edges has this address; 0 for none.
+ivec2 windHexahedron(uint ids[8], uint list)
 {
 #define passes(a, b) passesOf(Corner(ids[a], hexPlaces[a]), Corner(ids[b], hexPlaces[b]))
   ivec4 below = ivec4(passes(0, 1), passes(1, 2), passes(2, 3), passes(3, 0));
   ivec4 above = ivec4(passes(4, 5), passes(5, 6), passes(6, 7), passes(7, 4));
   ivec4 up = ivec4(passes(0, 4), passes(1, 5), passes(2, 6), passes(3, 7));
+#if RELEVO_HANGING
+  if (list != 0u)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      int next = (i + 1) % 4;
+      Corner low = Corner(ids[i], hexPlaces[i]);
+      Corner high = Corner(ids[i + 4], hexPlaces[i + 4]);
+      below[i] = passesOfEdge(list, i, low, Corner(ids[next], hexPlaces[next]));
+      above[i] = passesOfEdge(list, 4 + i, high, Corner(ids[next + 4], hexPlaces[next + 4]));
+      up[i] = passesOfEdge(list, 8 + i, low, high);
+    }
+  }
+#endif
   ivec4 sides = ivec4(up.x - above.w - up.w + below.w, below.y + up.z - above.y - up.y,
     below.x + up.y - above.x - up.x, up.w - above.z - up.z + below.z);
   ivec2 ends = ivec2(-below.x - below.y - below.z - below.w, above.x + above.y + above.z + above.w);
@@ -389,6 +450,42 @@ int findAround()
 }
 #endif
 
+#if RELEVO_HANGING
+const float Nudge = 0.01; // of the distance from the centre of the cell
+
+// Find the exit of a ray next to the cell, which got there by rounding errors from a tetrahedron.
+// The ray is moved towards the centre of the cell. Return the exit, its depth and the parameters.
+int leaveFromNearby(uint ids[8], inout float end, inout vec3 leftAt)
+{
+  vec2 center = vec2(0.0);
+  for (int i = 0; i < 8; ++i)
+  {
+    center += hexPlaces[i].xy / 8.0;
+  }
+  for (int i = 0; i < 8; ++i)
+  {
+    hexPlaces[i].xy -= Nudge * center;
+  }
+  int faces = windHexahedron(ids, 0u).x;
+  int exit = -1;
+  while (faces > 0)
+  {
+    int face = highestBit(faces);
+    faces -= 1 << face;
+    vec3 parameters;
+    bool isAside;
+    float depth = crossHexFace(face, parameters, isAside);
+    if (exit < 0 || depth > end)
+    {
+      exit = face;
+      end = depth;
+      leftAt = parameters;
+    }
+  }
+  return exit;
+}
+#endif
+
 void crossHexahedron()
 {
   int at = 4 * (int(walkCell) - numberOfTetrahedra);
@@ -406,7 +503,11 @@ void crossHexahedron()
     corners[i] = getPointScalars(ids[i], point.w);
 #endif
   }
-  ivec2 faces = windHexahedron(ids);
+#if RELEVO_HANGING
+  ivec2 faces = windHexahedron(ids, wordOfCell(walkCell, 8));
+#else
+  ivec2 faces = windHexahedron(ids, 0u);
+#endif
 #if RELEVO_FOLDED
   int allFaces = faces.x + faces.y;
 #endif
@@ -472,6 +573,12 @@ void crossHexahedron()
         isEnteredAside = false;
       }
     }
+  }
+#endif
+#if RELEVO_HANGING
+  if (exit < 0)
+  {
+    exit = leaveFromNearby(ids, end, leftAt);
   }
 #endif
   end = exit < 0 ? walkDepth : max(end, walkDepth);
@@ -565,8 +672,7 @@ void crossHexahedron()
     return; // the rest of the cell follows
   }
 #endif
-  leaveTo(exit);
-  if (walkCell != Nothing && !isCurvedCell(walkCell))
+  if (leaveTo(exit))
   {
     // Two of the four corners may coincide.
     ivec4 face = ivec4(cornerOfFace(false, exit, 0), cornerOfFace(false, exit, 1),
@@ -774,8 +880,7 @@ void crossQuadraticCell()
     return;
   }
 #endif
-  leaveTo(exit);
-  if (walkCell != Nothing && !isCurvedCell(walkCell))
+  if (leaveTo(exit))
   {
     loadQuadraticFace(ids, exit, border);
     leaveToTetrahedron(border[0], border[2], border[4]);

@@ -66,6 +66,8 @@ int windingOf(Corner border[6], int size)
     passesOf(border[2], border[3]) + passesOf(border[3], border[0]);
 }
 
+const float CornerSize = 1e-8; // square of a length, relative to the face's size
+
 // Intersect the ray with a bilinear face and return the parameters. `outside` is the largest
 // distance of these from the centre: more than 0.5 if the ray misses the face, for example a face
 // seen edge-on.
@@ -81,12 +83,15 @@ vec2 crossBilinear(vec2 p0, vec2 p1, vec2 p2, vec2 p3, out float outside)
   float q = -0.5 * (linear + (linear < 0.0 ? -root : root));
   vec2 best = vec2(0.5);
   outside = FarOutside;
-  float missed = 1e4 / (dot(b, b) + dot(c, c) + dot(d, d));
+  float size = dot(b, b) + dot(c, c) + dot(d, d);
+  float missed = 1e4 / size;
   for (int i = 0; i < 2; ++i)
   {
     float v = i == 0 ? constant / q : q / square;
     vec2 way = b + v * d;
-    float u = -dot(p0 + v * c, way) / dot(way, way);
+    float width = dot(way, way);
+    // The corners of a degenerate side are one point.
+    float u = width > CornerSize * size ? -dot(p0 + v * c, way) / width : 0.5;
     // At a degenerate side, rounding may give a false hit.
     vec2 miss = p0 + v * c + u * way;
     float distance = max(abs(u - 0.5), abs(v - 0.5)) + missed * dot(miss, miss);

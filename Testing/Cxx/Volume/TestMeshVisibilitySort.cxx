@@ -4,6 +4,7 @@
 // random rays through convex meshes, all kinds of cells and parts that touch, for several cameras
 // and model transforms.
 #include "RelevoCheck.h"
+#include "RelevoRefinedCells.h"
 #include "RelevoVisibility.h"
 #include "vtkMeshVisibilitySort.h"
 
@@ -113,6 +114,20 @@ void TestUneven(RelevoCheck& check, RelevoDice& dice)
   {
     CHECK_CASE(n);
     const Mesh mesh = MakeUneven(n, dice);
+    CheckMesh(check, mesh, dice);
+    CheckMesh(check, TakeApart(mesh, dice), dice);
+  }
+}
+
+// Cells next to smaller ones.
+void TestHanging(RelevoCheck& check, RelevoDice& dice)
+{
+  for (int type : { VTK_HEXAHEDRON, VTK_TETRA })
+  {
+    CHECK_CASE(type);
+    RelevoRefinedCells cells;
+    cells.Levels = 2;
+    const Mesh mesh = cells.Make(type);
     CheckMesh(check, mesh, dice);
     CheckMesh(check, TakeApart(mesh, dice), dice);
   }
@@ -264,6 +279,7 @@ int TestMeshVisibilitySort(int, char*[])
   RelevoCheck check;
   RelevoDice dice(1);
   TestUneven(check, dice);
+  TestHanging(check, dice);
   TestCellTypes(check, dice);
   CheckMesh(check, MakePolyhedra(), dice);
   TestSeams(check, dice);
