@@ -212,8 +212,10 @@ public:
    * Set the largest errors of curved cells: quadratic, Lagrange and Bézier cells, except meshes
    * that have only quadratic tetrahedra as curved cells, which rays traverse directly. Other curved
    * cells are split into hexahedra until their shape and field are closer to the cell's own basis
-   * than both tolerances, by bounds from Bézier coefficients. Cells with common edges are split
-   * alike, so that there are no cracks.
+   * than both tolerances, by bounds from Bézier coefficients. Common edges and faces of curved
+   * cells are split alike, so that the pieces of neighbours match. Between a curved and a linear
+   * cell, at a triangle of a pyramid, and between cells on different ranks, there can be gaps of up
+   * to ShapeTolerance.
    *
    * ShapeTolerance is a share of the diagonal of the mesh's bounding box, 1e-6 to 1, default 5e-4:
    * a half of a pixel if the mesh is 1000 pixels large. FieldTolerance is a share of the range of
