@@ -12,6 +12,8 @@
 #   --benchmark    build the benchmark, and install the packages that it needs
 #   --no-install   do not install packages
 #
+# The build folder keeps --testing, --benchmark and CMake arguments for later runs. To build without
+# tests again, pass -DRELEVO_BUILD_TESTING=OFF, or -DRELEVO_BUILD_BENCHMARK=OFF.
 # RELEVO_BUILD_DIR sets the build folder (default: build, beside README.md).
 set -euo pipefail
 

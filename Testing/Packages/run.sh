@@ -6,13 +6,20 @@
 # this release, which debootstrap installs, the packages can be installed, draw pictures, are
 # upgraded and removed. The script needs root, and is skipped without it (exit code 125).
 #
-#   bash Testing/Packages/run.sh [FOLDER]
+#   bash Testing/Packages/run.sh [--no-install] [FOLDER]
+#
+#   --no-install   do not install packages
 #
 # FOLDER contains the systems (default: build-package/test). Later runs reuse the bare system.
 set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 packages=${RELEVO_PACKAGE_BUILD_DIR:-$source_dir/build-package}
+install=yes
+if [ "${1:-}" = --no-install ]; then
+  install=no
+  shift
+fi
 folder=${1:-$packages/test}
 
 skip() {
@@ -24,10 +31,14 @@ fail() {
   exit 1
 }
 [ "$(id -u)" -eq 0 ] || skip "debootstrap and chroot need root"
+ls "$packages"/python3-relevo_*.deb >/dev/null 2>&1 || skip "run Module/package.sh first"
+if [ $install = yes ]; then
+  . "$source_dir/Module/packages.sh"
+  install_packages debootstrap lintian
+fi
 for program in debootstrap lintian unshare; do
   command -v $program >/dev/null || skip "there is no $program"
 done
-ls "$packages"/python3-relevo_*.deb >/dev/null 2>&1 || skip "run Module/package.sh first"
 
 # Runs a command in the folder $1. The mounts end with the process that made them.
 in_root() {
