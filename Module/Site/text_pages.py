@@ -35,6 +35,7 @@ _CONTENTS = {
         "patches",
         "reliefs",
         "intersections",
+        "dense-meshes",
         "methods",
         "figures",
         "errors",

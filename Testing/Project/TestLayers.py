@@ -26,6 +26,7 @@ LAYERS = {
     "Filters/Terrain": ["Geodesy", "Raster", "Heights", "Lattice", "Imagery", "Pyramid",
                         "Bisection", "Draping"],
     "Filters/Parametric": ["Splines", "Cells", "Coarse", "Files", "Curves", "Patches", "Metrics"],
+    "Filters/MicroMesh": ["Data", "Dense", "Distance", "Base", "Encoding", "Tables"],
     "Filters/Intersection": ["Exact", "Mesh", "Pairs", "Curves", "Contact"],
     "Filters/Relief": ["Data", "Warp", "Database"],
     "Rendering/Core": ["OpenGL", "View", "Buffers", "Targets", "Passes", "Shaders", "Actors",

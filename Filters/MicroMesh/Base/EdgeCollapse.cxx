@@ -1,0 +1,434 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/EdgeCollapse.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace relevo
+{
+namespace
+{
+// The weight of the length of a step, so that flat regions get triangles of similar size.
+constexpr double LengthWeight = 1e-3;
+// Cosines between a new triangle's normal and its old normal, and the mean normals at its corners.
+constexpr double LeastTurn = 0.2;
+constexpr double LeastFacing = 0.25;
+// Twice the area relative to the square of the longest side; 0.87 for equilateral triangles.
+constexpr double LeastQuality = 0.1;
+
+int FindCorner(const DenseMesh::Triangle& triangle, int vertex)
+{
+  return triangle[0] == vertex ? 0 : (triangle[1] == vertex ? 1 : (triangle[2] == vertex ? 2 : -1));
+}
+
+double GetLongestSide2(const dvec3& a, const dvec3& b, const dvec3& c)
+{
+  return std::max({ dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c) });
+}
+
+double GetSegmentDistance2(const dvec3& point, const dvec3& a, const dvec3& b)
+{
+  const dvec3 along = b - a;
+  const double squared = dot(along, along);
+  const double t =
+    squared > 0.0 ? std::max(0.0, std::min(1.0, dot(point - a, along) / squared)) : 0.0;
+  const dvec3 offset = point - (a + t * along);
+  return dot(offset, offset);
+}
+}
+
+EdgeCollapse::EdgeCollapse(
+  const DenseMesh& mesh, const std::vector<int>& limits, double lineTolerance)
+  : Mesh(mesh)
+  , LineTolerance2(lineTolerance * lineTolerance)
+  , Triangles(mesh.Triangles)
+  , Wedges(mesh.Wedges)
+  , AreLeft(mesh.Triangles.size(), 1)
+  , NumberLeft(mesh.Triangles.size())
+  , Uses(mesh.Points.size())
+  , Quadrics(mesh.Points.size())
+  , Normals(mesh.Points.size(), dvec3(0.0))
+  , Roots(mesh.Points.size())
+  , Sizes(mesh.Points.size(), 1)
+  , Limits(limits)
+  , Targets(mesh.Points.size(), -1)
+  , Stamps(mesh.Points.size(), 0)
+  , AreQueued(mesh.Points.size(), 0)
+  , LineEnds(mesh.LineEnds)
+{
+  std::iota(this->Roots.begin(), this->Roots.end(), 0);
+  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+  {
+    const dvec3 normal = mesh.GetNormal(this->Triangles[t]);
+    for (int vertex : this->Triangles[t])
+    {
+      const auto v = static_cast<std::size_t>(vertex);
+      this->Uses[v].push_back(static_cast<int>(t));
+      this->Quadrics[v].Add(mesh.Points[v], normal);
+      this->Normals[v] += normal;
+    }
+  }
+}
+
+int EdgeCollapse::FindRoot(int vertex)
+{
+  auto v = static_cast<std::size_t>(vertex);
+  while (this->Roots[v] != static_cast<int>(v))
+  {
+    this->Roots[v] = this->Roots[static_cast<std::size_t>(this->Roots[v])];
+    v = static_cast<std::size_t>(this->Roots[v]);
+  }
+  return static_cast<int>(v);
+}
+
+unsigned char EdgeCollapse::GetLineFlags(int a, int b) const
+{
+  for (const DenseMesh::LineEnd& end : this->LineEnds[static_cast<std::size_t>(a)])
+  {
+    if (end.Vertex == b)
+    {
+      return end.Flags;
+    }
+  }
+  return 0;
+}
+
+void EdgeCollapse::FindNeighbours(int vertex, std::vector<int>& neighbours) const
+{
+  neighbours.clear();
+  for (int t : this->Uses[static_cast<std::size_t>(vertex)])
+  {
+    for (int corner : this->Triangles[static_cast<std::size_t>(t)])
+    {
+      if (corner != vertex)
+      {
+        neighbours.push_back(corner);
+      }
+    }
+  }
+  std::sort(neighbours.begin(), neighbours.end());
+  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+}
+
+double EdgeCollapse::GetError(int from, int to) const
+{
+  const auto u = static_cast<std::size_t>(from);
+  const auto v = static_cast<std::size_t>(to);
+  const dvec3& place = this->Mesh.Points[v];
+  const dvec3 way = place - this->Mesh.Points[u];
+  return std::max(0.0, this->Quadrics[u].Evaluate(place) + this->Quadrics[v].Evaluate(place)) +
+    LengthWeight * this->Quadrics[u].Area * dot(way, way);
+}
+
+void EdgeCollapse::Evaluate(int vertex)
+{
+  const auto u = static_cast<std::size_t>(vertex);
+  this->Targets[u] = -1;
+  this->AreQueued[u] = 0;
+  if (this->Mesh.Kinds[u] == DenseMesh::Kind::LOCKED || this->Limits[u] <= this->Sizes[u])
+  {
+    return;
+  }
+  std::vector<int> neighbours;
+  if (this->Mesh.Kinds[u] == DenseMesh::Kind::LINE)
+  {
+    neighbours = { this->LineEnds[u][0].Vertex, this->LineEnds[u][1].Vertex };
+  }
+  else
+  {
+    this->FindNeighbours(vertex, neighbours);
+  }
+  std::vector<std::pair<double, int>> candidates;
+  for (int neighbour : neighbours)
+  {
+    const auto v = static_cast<std::size_t>(neighbour);
+    const int limit = std::min(this->Limits[u], this->Limits[v]);
+    if (this->Sizes[u] <= limit - this->Sizes[v])
+    {
+      candidates.emplace_back(this->GetError(vertex, neighbour), neighbour);
+    }
+  }
+  std::sort(candidates.begin(), candidates.end());
+  for (const auto& candidate : candidates)
+  {
+    if (this->IsLegal(vertex, candidate.second))
+    {
+      this->Targets[u] = candidate.second;
+      this->AreQueued[u] = 1;
+      this->Steps.push({ candidate.first, vertex, this->Stamps[u] });
+      return;
+    }
+  }
+}
+
+bool EdgeCollapse::IsLegal(int from, int to)
+{
+  return this->HasSimpleLink(from, to) && this->KeepsLine(from, to) && this->KeepsShape(from, to) &&
+    this->MapWedges(from, to);
+}
+
+// Whether the neighbours that both vertices share are only those of their common triangles, and no
+// two triangles become the same.
+bool EdgeCollapse::HasSimpleLink(int from, int to)
+{
+  this->FindNeighbours(from, this->Neighbours);
+  this->FindNeighbours(to, this->Others);
+  std::size_t numberOfTriangles = 0;
+  for (int t : this->Uses[static_cast<std::size_t>(from)])
+  {
+    numberOfTriangles += FindCorner(this->Triangles[static_cast<std::size_t>(t)], to) >= 0 ? 1 : 0;
+  }
+  std::size_t numberOfVertices = 0;
+  auto other = this->Others.begin();
+  for (int neighbour : this->Neighbours)
+  {
+    other = std::lower_bound(other, this->Others.end(), neighbour);
+    numberOfVertices += other != this->Others.end() && *other == neighbour ? 1 : 0;
+  }
+  // The last triangles of a part, and those of a closed part of four vertices, are kept.
+  return numberOfTriangles > 0 && numberOfTriangles < 3 && numberOfVertices == numberOfTriangles &&
+    this->Neighbours.size() > 2 && this->Others.size() > numberOfTriangles + 1;
+}
+
+bool EdgeCollapse::KeepsShape(int from, int to) const
+{
+  const auto u = static_cast<std::size_t>(from);
+  const auto v = static_cast<std::size_t>(to);
+  const dvec3& place = this->Mesh.Points[v];
+  const dvec3 merged = this->Normals[u] + this->Normals[v];
+  const double mergedLength = length(merged);
+  for (int t : this->Uses[u])
+  {
+    const Triangle& triangle = this->Triangles[static_cast<std::size_t>(t)];
+    if (FindCorner(triangle, to) >= 0)
+    {
+      continue;
+    }
+    const int corner = FindCorner(triangle, from);
+    const auto second = static_cast<std::size_t>(triangle[(corner + 1) % 3]);
+    const auto third = static_cast<std::size_t>(triangle[(corner + 2) % 3]);
+    const dvec3& b = this->Mesh.Points[second];
+    const dvec3& c = this->Mesh.Points[third];
+    const dvec3 normal = cross(b - place, c - place);
+    const dvec3& place0 = this->Mesh.Points[u];
+    const dvec3 old = cross(b - place0, c - place0);
+    const double size = length(normal);
+    const double oldQuality = length(old) / GetLongestSide2(place0, b, c);
+    if (!(size > 0.0) || size < std::min(LeastQuality, oldQuality) * GetLongestSide2(place, b, c) ||
+      dot(normal, old) < LeastTurn * size * length(old) ||
+      dot(normal, merged) < LeastFacing * size * mergedLength)
+    {
+      return false;
+    }
+    for (std::size_t w : { second, third })
+    {
+      const dvec3& facing = this->Normals[w];
+      const double cosine = dot(normal, facing) / (size * length(facing));
+      const double before = dot(old, facing) / (length(old) * length(facing));
+      if (cosine < LeastFacing && !(cosine >= before))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool EdgeCollapse::KeepsLine(int from, int to) const
+{
+  const auto u = static_cast<std::size_t>(from);
+  if (this->Mesh.Kinds[u] != DenseMesh::Kind::LINE)
+  {
+    return true;
+  }
+  const std::vector<DenseMesh::LineEnd>& ends = this->LineEnds[u];
+  const int far = ends[0].Vertex == to ? ends[1].Vertex : ends[0].Vertex;
+  // A line between these vertices exists already if the line is closed.
+  return far != to && this->GetLineFlags(far, to) == 0 && this->IsLineWithin(from, far, to);
+}
+
+// Whether all vertices of the line through a vertex, from one coarse vertex to another, are within
+// the tolerance of the segment between these.
+bool EdgeCollapse::IsLineWithin(int vertex, int a, int b) const
+{
+  const dvec3& start = this->Mesh.Points[static_cast<std::size_t>(a)];
+  const dvec3& end = this->Mesh.Points[static_cast<std::size_t>(b)];
+  for (int side = 0; side < 2; ++side)
+  {
+    int before = vertex;
+    int place = this->Mesh.LineEnds[static_cast<std::size_t>(vertex)][side].Vertex;
+    if (side == 0 &&
+      GetSegmentDistance2(this->Mesh.Points[static_cast<std::size_t>(vertex)], start, end) >
+        this->LineTolerance2)
+    {
+      return false;
+    }
+    while (place != a && place != b)
+    {
+      const auto p = static_cast<std::size_t>(place);
+      if (GetSegmentDistance2(this->Mesh.Points[p], start, end) > this->LineTolerance2)
+      {
+        return false;
+      }
+      const std::vector<DenseMesh::LineEnd>& ends = this->Mesh.LineEnds[p];
+      const int next = ends[0].Vertex == before ? ends[1].Vertex : ends[0].Vertex;
+      before = place;
+      place = next;
+    }
+  }
+  return true;
+}
+
+// Finds the points of the input for the corners that move. Fails at seams that the step would
+// cross.
+bool EdgeCollapse::MapWedges(int from, int to)
+{
+  this->WedgeMap.clear();
+  for (int t : this->Uses[static_cast<std::size_t>(from)])
+  {
+    const auto index = static_cast<std::size_t>(t);
+    const int target = FindCorner(this->Triangles[index], to);
+    if (target >= 0)
+    {
+      const int source = FindCorner(this->Triangles[index], from);
+      const std::pair<int, int> both(this->Wedges[index][source], this->Wedges[index][target]);
+      for (const auto& known : this->WedgeMap)
+      {
+        if (known.first == both.first && known.second != both.second)
+        {
+          return false;
+        }
+      }
+      this->WedgeMap.push_back(both);
+    }
+  }
+  for (int t : this->Uses[static_cast<std::size_t>(from)])
+  {
+    const auto index = static_cast<std::size_t>(t);
+    const int wedge = this->Wedges[index][FindCorner(this->Triangles[index], from)];
+    if (std::none_of(this->WedgeMap.begin(), this->WedgeMap.end(),
+          [wedge](const std::pair<int, int>& known) { return known.first == wedge; }))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void EdgeCollapse::JoinLines(int from, int to)
+{
+  std::vector<DenseMesh::LineEnd>& ends = this->LineEnds[static_cast<std::size_t>(from)];
+  if (ends.empty())
+  {
+    return;
+  }
+  const int far = ends[0].Vertex == to ? ends[1].Vertex : ends[0].Vertex;
+  for (DenseMesh::LineEnd& end : this->LineEnds[static_cast<std::size_t>(far)])
+  {
+    end.Vertex = end.Vertex == from ? to : end.Vertex;
+  }
+  for (DenseMesh::LineEnd& end : this->LineEnds[static_cast<std::size_t>(to)])
+  {
+    end.Vertex = end.Vertex == from ? far : end.Vertex;
+  }
+  ends.clear();
+}
+
+void EdgeCollapse::Collapse(int from, int to)
+{
+  const auto u = static_cast<std::size_t>(from);
+  const auto v = static_cast<std::size_t>(to);
+  this->MapWedges(from, to);
+  for (int t : this->Uses[u])
+  {
+    const auto index = static_cast<std::size_t>(t);
+    Triangle& triangle = this->Triangles[index];
+    if (FindCorner(triangle, to) >= 0)
+    {
+      this->AreLeft[index] = 0;
+      --this->NumberLeft;
+      for (int corner : triangle)
+      {
+        std::vector<int>& uses = this->Uses[static_cast<std::size_t>(corner)];
+        if (corner != from)
+        {
+          uses.erase(std::remove(uses.begin(), uses.end(), t), uses.end());
+        }
+      }
+      continue;
+    }
+    const int corner = FindCorner(triangle, from);
+    triangle[corner] = to;
+    int& wedge = this->Wedges[index][corner];
+    wedge = std::find_if(this->WedgeMap.begin(), this->WedgeMap.end(),
+      [&](const std::pair<int, int>& known) {
+        return known.first == wedge;
+      })->second;
+    this->Uses[v].push_back(t);
+  }
+  this->JoinLines(from, to);
+  this->Uses[u] = {};
+  this->Quadrics[v].Add(this->Quadrics[u]);
+  this->Normals[v] += this->Normals[u];
+  this->Sizes[v] += this->Sizes[u];
+  this->Limits[v] = std::min(this->Limits[u], this->Limits[v]);
+  this->Roots[u] = to;
+}
+
+bool EdgeCollapse::Run(std::size_t target, double& error, const std::function<bool(double)>& goOn)
+{
+  const auto number = static_cast<int>(this->Mesh.Points.size());
+  for (int v = 0; v < number; ++v)
+  {
+    this->Evaluate(v);
+  }
+  const std::size_t start = this->NumberLeft;
+  double largest = 0.0;
+  constexpr int interval = 4096; // steps between calls
+  std::vector<int> ring;
+  for (int i = 1; this->NumberLeft > target && !this->Steps.empty(); ++i)
+  {
+    if (i % interval == 0 &&
+      !goOn(double(start - this->NumberLeft) / double(std::max<std::size_t>(1, start - target))))
+    {
+      return false;
+    }
+    const Step step = this->Steps.top();
+    if (step.Error > error)
+    {
+      break;
+    }
+    this->Steps.pop();
+    const auto u = static_cast<std::size_t>(step.Vertex);
+    if (this->Roots[u] != step.Vertex)
+    {
+      continue;
+    }
+    if (this->Stamps[u] != step.Stamp)
+    {
+      this->Evaluate(step.Vertex);
+      continue;
+    }
+    largest = std::max(largest, step.Error);
+    const int to = this->Targets[u];
+    this->Collapse(step.Vertex, to);
+    this->FindNeighbours(to, ring);
+    ring.push_back(to);
+    for (int vertex : ring)
+    {
+      const auto v = static_cast<std::size_t>(vertex);
+      ++this->Stamps[v];
+      if (this->AreQueued[v] == 0)
+      {
+        this->AreQueued[v] = 1;
+        this->Steps.push({ step.Error, vertex, -1 }); // evaluated when its turn comes
+      }
+    }
+  }
+  error = std::min(error, largest);
+  return true;
+}
+}

@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Dense/DenseMesh.h"
+
+#include "Mathematics/FiniteBox.h"
+#include "Mesh/SurfaceTriangles.h"
+#include "vtkDataArray.h"
+#include "vtkMath.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+
+namespace relevo
+{
+namespace
+{
+struct HalfEdge
+{
+  std::uint64_t Ends; // the lower vertex, then the higher
+  int Index;          // 3 * triangle + edge
+
+  bool operator<(const HalfEdge& other) const
+  {
+    return this->Ends != other.Ends ? this->Ends < other.Ends : this->Index < other.Index;
+  }
+};
+
+vtkIdType CountCellTriangles(vtkPolyData* input)
+{
+  vtkIdType number = 0;
+  for (vtkCellArray* cells : { input->GetPolys(), input->GetStrips() })
+  {
+    number += cells->GetNumberOfConnectivityIds() - 2 * cells->GetNumberOfCells();
+  }
+  return number;
+}
+
+bool DifferInCell(vtkDataArray* array, vtkIdType a, vtkIdType b)
+{
+  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+  {
+    if (array->GetComponent(a, c) != array->GetComponent(b, c))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+DenseMesh::DenseMesh(vtkPolyData* input, vtkDataArray* materials, double featureAngle)
+{
+  this->ReadTriangles(input);
+  this->ScalePoints(input);
+  this->FindLines(materials, featureAngle);
+  this->LockFans();
+  this->Opposite = {}; // no longer needed
+}
+
+void DenseMesh::ReadTriangles(vtkPolyData* input)
+{
+  const SurfaceTriangles surface(input);
+  const auto number = static_cast<vtkIdType>(surface.GetTriangles().size());
+  this->NumberOfDegenerateTriangles = CountCellTriangles(input) - number;
+  // Of triangles with the same corners, the first is kept.
+  std::vector<vtkIdType> order(static_cast<std::size_t>(number));
+  std::iota(order.begin(), order.end(), vtkIdType(0));
+  const auto sorted = [&](vtkIdType t)
+  {
+    SurfaceTriangles::Triangle corners = surface.GetTriangles()[static_cast<std::size_t>(t)];
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  };
+  std::sort(order.begin(), order.end(),
+    [&](vtkIdType a, vtkIdType b)
+    {
+      const auto first = sorted(a);
+      const auto second = sorted(b);
+      return first != second ? first < second : a < b;
+    });
+  std::vector<char> isDuplicate(static_cast<std::size_t>(number), 0);
+  for (std::size_t i = 1; i < order.size(); ++i)
+  {
+    isDuplicate[static_cast<std::size_t>(order[i])] = sorted(order[i]) == sorted(order[i - 1]);
+  }
+  std::vector<int> vertices(static_cast<std::size_t>(surface.GetNumberOfPoints()), -1);
+  for (vtkIdType t = 0; t < number; ++t)
+  {
+    if (isDuplicate[static_cast<std::size_t>(t)] != 0)
+    {
+      ++this->NumberOfDuplicates;
+      continue;
+    }
+    Triangle triangle;
+    Triangle wedges;
+    for (int c = 0; c < 3; ++c)
+    {
+      const vtkIdType point = surface.GetTriangles()[static_cast<std::size_t>(t)][c];
+      int& vertex = vertices[static_cast<std::size_t>(point)];
+      if (vertex < 0)
+      {
+        vertex = static_cast<int>(this->PointIds.size());
+        this->PointIds.push_back(point);
+      }
+      triangle[c] = vertex;
+      wedges[c] = static_cast<int>(surface.GetPoints(t)[c]);
+    }
+    this->Triangles.push_back(triangle);
+    this->Wedges.push_back(wedges);
+    this->Cells.push_back(surface.GetCell(t));
+  }
+}
+
+void DenseMesh::ScalePoints(vtkPolyData* input)
+{
+  FiniteBox box;
+  double x[3];
+  for (vtkIdType point : this->PointIds)
+  {
+    input->GetPoint(point, x);
+    box.Add(x);
+  }
+  double side = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Centre[axis] = box.GetMiddle(axis);
+    side = std::max(side, box.GetSide(axis));
+  }
+  int exponent = 0;
+  std::frexp(side, &exponent);
+  this->Scale = std::ldexp(1.0, exponent);
+  this->Points.reserve(this->PointIds.size());
+  for (vtkIdType point : this->PointIds)
+  {
+    input->GetPoint(point, x);
+    this->Points.push_back((dvec3(x[0], x[1], x[2]) - this->Centre) / this->Scale);
+  }
+}
+
+dvec3 DenseMesh::GetNormal(const Triangle& triangle) const
+{
+  const dvec3& origin = this->Points[static_cast<std::size_t>(triangle[0])];
+  return cross(this->Points[static_cast<std::size_t>(triangle[1])] - origin,
+    this->Points[static_cast<std::size_t>(triangle[2])] - origin);
+}
+
+unsigned char DenseMesh::GetFlags(
+  const std::vector<int>& sides, vtkDataArray* materials, double smallestCosine) const
+{
+  if (sides.size() == 1)
+  {
+    return BORDER;
+  }
+  const int t[2] = { sides[0] / 3, sides[1] / 3 };
+  const int e[2] = { sides[0] % 3, sides[1] % 3 };
+  const Triangle& first = this->Triangles[static_cast<std::size_t>(t[0])];
+  const Triangle& second = this->Triangles[static_cast<std::size_t>(t[1])];
+  if (sides.size() > 2 || first[e[0]] == second[e[1]])
+  {
+    return UNCLEAR;
+  }
+  int flags = 0;
+  const Triangle& firstWedges = this->Wedges[static_cast<std::size_t>(t[0])];
+  const Triangle& secondWedges = this->Wedges[static_cast<std::size_t>(t[1])];
+  if (firstWedges[e[0]] != secondWedges[(e[1] + 1) % 3] ||
+    firstWedges[(e[0] + 1) % 3] != secondWedges[e[1]])
+  {
+    flags |= SEAM;
+  }
+  const dvec3 a = this->GetNormal(first);
+  const dvec3 b = this->GetNormal(second);
+  if (dot(a, b) < smallestCosine * length(a) * length(b))
+  {
+    flags |= SHARP;
+  }
+  if (materials &&
+    DifferInCell(materials, this->Cells[static_cast<std::size_t>(t[0])],
+      this->Cells[static_cast<std::size_t>(t[1])]))
+  {
+    flags |= MATERIAL;
+  }
+  return static_cast<unsigned char>(flags);
+}
+
+void DenseMesh::FindLines(vtkDataArray* materials, double featureAngle)
+{
+  const double smallestCosine =
+    featureAngle < 180.0 ? std::cos(vtkMath::RadiansFromDegrees(featureAngle)) : -2.0;
+  std::vector<HalfEdge> halves;
+  halves.reserve(3 * this->Triangles.size());
+  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+  {
+    for (int e = 0; e < 3; ++e)
+    {
+      const auto from = static_cast<std::uint64_t>(this->Triangles[t][e]);
+      const auto to = static_cast<std::uint64_t>(this->Triangles[t][(e + 1) % 3]);
+      halves.push_back(
+        { std::min(from, to) << 32 | std::max(from, to), 3 * static_cast<int>(t) + e });
+    }
+  }
+  std::sort(halves.begin(), halves.end());
+  this->Opposite.assign(halves.size(), -1);
+  this->LineEnds.resize(this->Points.size());
+  std::vector<char> isUnclear(this->Points.size(), 0);
+  std::vector<int> sides;
+  for (auto first = halves.begin(); first != halves.end();)
+  {
+    auto last = first;
+    sides.clear();
+    for (; last != halves.end() && last->Ends == first->Ends; ++last)
+    {
+      sides.push_back(last->Index);
+    }
+    const int low = static_cast<int>(first->Ends >> 32);
+    const int high = static_cast<int>(first->Ends & 0xffffffffu);
+    first = last;
+    const unsigned char flags = this->GetFlags(sides, materials, smallestCosine);
+    if ((flags & (BORDER | UNCLEAR)) == 0)
+    {
+      this->Opposite[static_cast<std::size_t>(sides[0])] = sides[1];
+      this->Opposite[static_cast<std::size_t>(sides[1])] = sides[0];
+    }
+    if (flags != 0)
+    {
+      this->LineEnds[static_cast<std::size_t>(low)].push_back({ high, flags });
+      this->LineEnds[static_cast<std::size_t>(high)].push_back({ low, flags });
+    }
+    if ((flags & UNCLEAR) != 0)
+    {
+      ++this->NumberOfUnclearEdges;
+      isUnclear[static_cast<std::size_t>(low)] = isUnclear[static_cast<std::size_t>(high)] = 1;
+    }
+  }
+  this->Kinds.assign(this->Points.size(), Kind::FREE);
+  for (std::size_t v = 0; v < this->Points.size(); ++v)
+  {
+    const std::vector<LineEnd>& ends = this->LineEnds[v];
+    const bool isOnLine = ends.size() == 2 && ends[0].Flags == ends[1].Flags;
+    if (!ends.empty())
+    {
+      this->Kinds[v] = isOnLine && isUnclear[v] == 0 ? Kind::LINE : Kind::LOCKED;
+    }
+  }
+}
+
+void DenseMesh::LockFans()
+{
+  std::vector<int> numbers(this->Points.size(), 0);
+  std::vector<int> corners(
+    this->Points.size(), -1); // a corner per vertex, the first of an open fan
+  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const auto v = static_cast<std::size_t>(this->Triangles[t][c]);
+      const int before = 3 * static_cast<int>(t) + (c + 2) % 3; // the half-edge that ends here
+      ++numbers[v];
+      if (corners[v] < 0 || this->Opposite[static_cast<std::size_t>(before)] < 0)
+      {
+        corners[v] = 3 * static_cast<int>(t) + c;
+      }
+    }
+  }
+  // From a corner of a triangle, the fan continues across the half-edge that starts there.
+  for (std::size_t v = 0; v < this->Points.size(); ++v)
+  {
+    int number = 0;
+    int corner = corners[v];
+    const int start = corner;
+    while (corner >= 0)
+    {
+      ++number;
+      const int opposite = this->Opposite[static_cast<std::size_t>(corner)]; // starts at c
+      corner = opposite < 0 ? -1 : opposite / 3 * 3 + (opposite % 3 + 1) % 3;
+      if (corner == start)
+      {
+        break;
+      }
+    }
+    if (number != numbers[v])
+    {
+      this->Kinds[v] = Kind::LOCKED;
+    }
+  }
+}
+}

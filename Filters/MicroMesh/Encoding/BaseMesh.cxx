@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Encoding/BaseMesh.h"
+
+#include "Base/EdgeCollapse.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace relevo
+{
+BaseMesh::BaseMesh(const DenseMesh& dense, EdgeCollapse& collapse, double step)
+{
+  this->AddPoints(dense, collapse, step);
+  this->AddEdges(collapse);
+}
+
+void BaseMesh::AddPoints(const DenseMesh& dense, EdgeCollapse& collapse, double step)
+{
+  std::vector<int> numbers(dense.Points.size(), -1);
+  for (std::size_t t = 0; t < dense.Triangles.size(); ++t)
+  {
+    if (!collapse.IsLeft(t))
+    {
+      continue;
+    }
+    MicroMesh::Face face{};
+    for (int c = 0; c < 3; ++c)
+    {
+      const int vertex = collapse.GetTriangles()[t][c];
+      int& number = numbers[static_cast<std::size_t>(vertex)];
+      if (number < 0)
+      {
+        number = static_cast<int>(this->Vertices.size());
+        this->Vertices.push_back(vertex);
+      }
+      face.Corners[c] = number;
+    }
+    this->Mesh.Faces.push_back(face);
+    this->Triangles.push_back(static_cast<int>(t));
+    this->Wedges.push_back(collapse.GetWedges()[t]);
+  }
+  for (int vertex : this->Vertices)
+  {
+    this->Mesh.Points.push_back(dense.Points[static_cast<std::size_t>(vertex)]);
+    this->AreSingle.push_back(collapse.GetClusterSize(vertex) == 1 ? 1 : 0);
+    this->Densities.push_back(
+      2.0 * collapse.GetClusterSize(vertex) / collapse.GetNumberOfTriangles(vertex));
+    const dvec3& normal = collapse.GetNormal(vertex);
+    const double size = length(normal);
+    this->Mesh.Directions.push_back(vec3(size > 0.0 ? normal * (step / size) : dvec3(0.0)));
+  }
+}
+
+void BaseMesh::AddEdges(const EdgeCollapse& collapse)
+{
+  struct Side
+  {
+    std::uint64_t Ends;
+    int Index; // 3 * face + edge
+  };
+  std::vector<Side> sides;
+  for (std::size_t f = 0; f < this->Mesh.Faces.size(); ++f)
+  {
+    for (int e = 0; e < 3; ++e)
+    {
+      const auto from = static_cast<std::uint64_t>(this->Mesh.Faces[f].Corners[e]);
+      const auto to = static_cast<std::uint64_t>(this->Mesh.Faces[f].Corners[(e + 1) % 3]);
+      sides.push_back(
+        { std::min(from, to) << 32 | std::max(from, to), 3 * static_cast<int>(f) + e });
+    }
+  }
+  std::sort(sides.begin(), sides.end(),
+    [](const Side& a, const Side& b)
+    { return a.Ends != b.Ends ? a.Ends < b.Ends : a.Index < b.Index; });
+  for (std::size_t i = 0; i < sides.size(); ++i)
+  {
+    const auto low = static_cast<std::size_t>(sides[i].Ends >> 32);
+    const auto high = static_cast<std::size_t>(sides[i].Ends & 0xffffffffu);
+    if (i == 0 || sides[i].Ends != sides[i - 1].Ends)
+    {
+      this->Mesh.Edges.push_back({ 0, 0 });
+      this->EdgeFlags.push_back(collapse.GetLineFlags(this->Vertices[low], this->Vertices[high]));
+    }
+    MicroMesh::Face& face = this->Mesh.Faces[static_cast<std::size_t>(sides[i].Index / 3)];
+    const int e = sides[i].Index % 3;
+    const bool isReversed = face.Corners[e] != static_cast<int>(low);
+    face.Edges[e] = static_cast<int>(this->Mesh.Edges.size() - 1) << 1 | (isReversed ? 1 : 0);
+  }
+}
+
+void BaseMesh::ChooseLevels(int maximumLevel, const std::vector<int>& raises)
+{
+  std::vector<char> areStraight(this->Mesh.Edges.size());
+  for (std::size_t e = 0; e < areStraight.size(); ++e)
+  {
+    areStraight[e] = this->EdgeFlags[e] != 0;
+    this->Mesh.Edges[e].Level = 0;
+  }
+  for (MicroMesh::Face& face : this->Mesh.Faces)
+  {
+    double triangles = 0.0; // of the dense mesh, about
+    int raise = maximumLevel;
+    for (int c = 0; c < 3; ++c)
+    {
+      const auto corner = static_cast<std::size_t>(face.Corners[c]);
+      const auto next = static_cast<std::size_t>(face.Corners[(c + 1) % 3]);
+      triangles += this->Densities[corner];
+      raise = std::min(raise, raises[static_cast<std::size_t>(this->Vertices[corner])]);
+      areStraight[static_cast<std::size_t>(face.Edges[c] >> 1)] |=
+        this->AreSingle[corner] != 0 && this->AreSingle[next] != 0;
+    }
+    const int level =
+      static_cast<int>(std::ceil(0.5 * std::log2(std::max(1.0, triangles)))) + raise;
+    face.Level = this->IsOriginal(face) ? 0 : std::min(level, maximumLevel);
+  }
+  for (const MicroMesh::Face& face : this->Mesh.Faces)
+  {
+    for (int reference : face.Edges)
+    {
+      const auto e = static_cast<std::size_t>(reference >> 1);
+      int& level = this->Mesh.Edges[e].Level;
+      level = areStraight[e] != 0 ? 0 : std::max(level, face.Level);
+    }
+  }
+  for (MicroMesh::Face& face : this->Mesh.Faces)
+  {
+    for (int reference : face.Edges)
+    {
+      face.Level =
+        std::max(face.Level, this->Mesh.Edges[static_cast<std::size_t>(reference >> 1)].Level);
+    }
+  }
+}
+}

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Tables/MicroMeshTables.h"
+
+#include "Data/MicroMeshArrays.h"
+#include "Data/MicroNormals.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relevo
+{
+namespace
+{
+// Packs a displacement and a normal; see unpacking in relevoMicroMesh.glsl.
+int PackSample(std::int16_t displacement, const vec3& normal)
+{
+  vec2 e(0.0f);
+  const float sum = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
+  if (sum > 0.0f)
+  {
+    e = vec2(normal) / sum;
+    if (normal.z < 0.0f)
+    {
+      const vec2 folded = 1.0f - abs(vec2(e.y, e.x));
+      e = vec2(e.x >= 0.0f ? folded.x : -folded.x, e.y >= 0.0f ? folded.y : -folded.y);
+    }
+  }
+  const auto x = static_cast<unsigned int>(std::lround((e.x + 1.0f) * 127.0f));
+  const auto y = static_cast<unsigned int>(std::lround((e.y + 1.0f) * 127.0f));
+  const auto low = static_cast<unsigned int>(displacement + 32768);
+  return static_cast<int>(low | x << 16 | y << 24);
+}
+
+// The lowest and highest sample of a face, and 0.
+std::array<int, 2> FindRange(const MicroMesh& mesh, const MicroMesh::Face& face)
+{
+  std::array<int, 2> range{ { 0, 0 } };
+  const auto add = [&](int first, int number)
+  {
+    for (int i = first; i < first + number; ++i)
+    {
+      const int sample = mesh.Samples[static_cast<std::size_t>(i)];
+      range = { { std::min(range[0], sample), std::max(range[1], sample) } };
+    }
+  };
+  for (int reference : face.Edges)
+  {
+    const MicroMesh::Edge& edge = mesh.Edges[static_cast<std::size_t>(reference >> 1)];
+    add(edge.First, (1 << edge.Level) - 1);
+  }
+  add(face.FirstInner, face.Level > 0 ? GetNumberOfInnerPoints(1 << face.Level) : 0);
+  return range;
+}
+}
+
+bool BuildMicroMeshTables(
+  vtkPolyData* mesh, vtkRefinementSurface::Tables& tables, std::string& error)
+{
+  MicroMesh micro;
+  if (!TakeMicroMesh(mesh, micro, error))
+  {
+    return false;
+  }
+  const std::vector<vec3> normals = ComputeSampleNormals(micro);
+  for (std::size_t i = 0; i < micro.Samples.size(); ++i)
+  {
+    tables.Records.push_back(PackSample(micro.Samples[i], normals[i]));
+  }
+  tables.Records.resize((tables.Records.size() + 3) / 4 * 4, 0);
+  for (const MicroMesh::Face& face : micro.Faces)
+  {
+    tables.Entries.push_back(static_cast<int>(tables.Records.size() / 4));
+    int levels = face.Level << 12;
+    int reversed = 0;
+    for (int e = 0; e < 3; ++e)
+    {
+      const MicroMesh::Edge& edge = micro.Edges[static_cast<std::size_t>(face.Edges[e] >> 1)];
+      tables.Records.push_back(edge.First);
+      levels |= edge.Level << 4 * e;
+      reversed |= (face.Edges[e] & 1) << e;
+    }
+    tables.Records.push_back(face.FirstInner);
+    const std::array<int, 2> range = FindRange(micro, face);
+    tables.Records.insert(tables.Records.end(), { levels, reversed, range[0], range[1] });
+  }
+  return true;
+}
+}

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   tables of micro-meshes for relevoMicroMesh.glsl
+ */
+#ifndef MicroMeshTables_h
+#define MicroMeshTables_h
+
+#include "Mesh/FaceCorners.h"
+#include "vtkRefinementSurface.h"
+
+namespace relevo
+{
+/// A face of a micro-mesh, evaluated in C++.
+struct MicroMeshFace : FaceCorners<vtkRefinementSurface::Face>
+{
+  explicit MicroMeshFace(const vtkRefinementSurface::Face& face)
+    : FaceCorners<vtkRefinementSurface::Face>{ face, 0 }
+  {
+  }
+
+  vec4 cornerValues(int i) const { return vec4(Load(this->Face.Values[i]), 0.0f); }
+
+#include "glsl/relevoMicroMesh.glsl"
+
+  /// The lowest and highest displacement, 0 included.
+  ivec2 GetRange() const
+  {
+    const ivec4 record = this->tableRecord(this->tableEntry() + 1);
+    return ivec2(record.z, record.w);
+  }
+};
+
+/// See vtkRefinementSurface::BuildTables().
+bool BuildMicroMeshTables(
+  vtkPolyData* mesh, vtkRefinementSurface::Tables& tables, std::string& error);
+}
+
+#endif
