@@ -6,6 +6,7 @@
 #include "Geodesy/MapFrame.h"
 #include "Geodesy/TerrainFrame.h"
 #include "Lattice/HeightLattice.h"
+#include "Lattice/SampleDoubts.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -14,6 +15,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 #if RELEVO_HAS_GDAL
 #include "Geodesy/CoordinateSystem.h"
 #include "Pyramid/PyramidLattice.h"
@@ -336,6 +338,34 @@ const char* vtkTerrainPyramid::GetLocationWarning()
   this->LocationWarning =
     contents ? relevo::FindLocationWarning(contents->Location, this->Dimensions) : "";
   return this->LocationWarning.c_str();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTerrainPyramid::GetSampleWarning()
+{
+  constexpr int size = 257; // samples per side that are compared with the ends of the range
+  this->SampleWarning.clear();
+  const relevo::RasterDescription* contents = this->Describe();
+  if (!contents)
+  {
+    return this->SampleWarning.c_str();
+  }
+  this->SampleWarning = relevo::FindPhotoWarning(*this->Lattice);
+  std::array<double, 2> range;
+  this->GetRange(range.data());
+  const auto isMarker = [contents](double height)
+  { return relevo::IsMarker((height - contents->Offset) / contents->Scale); };
+  if (this->SampleWarning.empty() && std::any_of(range.begin(), range.end(), isMarker))
+  {
+    const auto image = vtkSmartPointer<vtkImageData>::Take(this->GetReducedElevations(size));
+    if (image)
+    {
+      this->SampleWarning = relevo::FindMarkerWarning(*contents, range,
+        static_cast<const float*>(image->GetScalarPointer()),
+        static_cast<std::size_t>(image->GetNumberOfPoints()));
+    }
+  }
+  return this->SampleWarning.c_str();
 }
 
 //------------------------------------------------------------------------------

@@ -169,6 +169,14 @@ public:
    */
   const char* GetLocationWarning();
 
+  /**
+   * Return a reason to doubt that the samples are heights, as a continuation of the raster's name,
+   * or "": the raster is probably a photo, or its lowest or highest height is a number such as
+   * -9999 that commonly stands for missing data, is far from all other heights and is not declared
+   * as the no-data value. This depends on GetRange().
+   */
+  const char* GetSampleWarning();
+
   /// Return whether the index is complete, so that GetMaximumError() is finite. Samples that cannot
   /// be read do not count.
   bool IsErrorKnown();
@@ -323,6 +331,7 @@ private:
   double Range[2];
   double Bounds[4];
   std::string LocationWarning;
+  std::string SampleWarning;
 };
 
 #endif

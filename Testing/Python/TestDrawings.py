@@ -106,6 +106,22 @@ class TestDrawings(unittest.TestCase):
             self.assertEqual(hasattr(drawing, "recipe"), has_recipe, name)
         self.assertEqual(relevo.refined(make_sphere(), max_level=2).recipe.GetMaximumLevel(), 2)
 
+    def test_lighting(self):
+        """Without lighting, colours do not depend on normals."""
+        drawing = relevo.refined(make_sphere(), surface="pn", lighting=False)
+        picture = drawing.screenshot(size=SIZE).reshape(-1, 3)
+        wanted = numpy.rint(255 * numpy.array((0.80, 0.78, 0.74)))
+        self.assertGreater((abs(picture - wanted).max(axis=1) <= 1).mean(), 0.2)
+        for make, values in (
+            (lambda own: relevo.terrain(make_heights(), lighting=own), (True, False)),
+            (lambda own: relevo.lic(make_sphere(), "V", lighting=own), (True, False)),
+            (lambda own: relevo.patches(make_curved_block(), lighting=own), (True, False)),
+            (lambda own: relevo.relief(make_heights(), lighting=own), (None, False)),
+            (lambda own: relevo.volume(make_block(), lighting=own), (None, True)),
+        ):
+            first, second = (make(own).screenshot(size=SIZE).astype(int) for own in values)
+            self.assertGreater(abs(first - second).max(), 10)
+
     def test_meshes(self):
         for name, drawing in self.make_all().items():
             self.assertGreater(drawing.mesh().GetNumberOfPoints(), 0, name)

@@ -246,26 +246,37 @@ assert len(steps) == LAST
         )
 
     def test_threads_while_rendering(self):
-        """An observer of a frame waits for another thread, which needs Python's lock."""
+        """A frame reads its data from a pipe that another thread of Python fills."""
+        pipe = self.folder / "points.txt"
+        os.mkfifo(pipe)
         self.check(
             """
-            import threading
+            import sys, threading
             import relevo
             from DrawingData import make_sphere
-            asked, answered = threading.Event(), threading.Event()
-            def answer():
-                asked.wait()
-                answered.set()
-            thread = threading.Thread(target=answer)
-            thread.start()
+            from vtkmodules.vtkIOLegacy import vtkSimplePointsReader
+            from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+            def write():
+                with open(sys.argv[1], "w") as file:
+                    file.write("0 0 0 1 0 0 0 1 0")
+            reader = vtkSimplePointsReader()
+            reader.SetFileName(sys.argv[1])
+            mapper = vtkPolyDataMapper()
+            mapper.SetInputConnection(reader.GetOutputPort())
             drawing = relevo.refined(make_sphere())
-            def ask(caller, event):
-                asked.set()
-                assert answered.wait(200)
-            drawing.mapper.AddObserver("EndEvent", ask)
+            points = vtkActor()
+            points.SetMapper(mapper)
+            make_renderer = drawing._make_renderer
+            def make_with_points(size, camera):
+                renderer = make_renderer(size, camera)
+                renderer.AddActor(points)
+                return renderer
+            drawing._make_renderer = make_with_points
+            threading.Thread(target=write, daemon=True).start()
             drawing.screenshot(size=(64, 64))
-            thread.join()
-            """
+            assert mapper.GetInput().GetNumberOfPoints() == 3
+            """,
+            pipe,
         )
 
     def test_work_in_other_threads(self):

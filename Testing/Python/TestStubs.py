@@ -42,6 +42,8 @@ ALLOWED = r"""
 # VTK's wrappers represent static methods as method descriptors.
 relevo\..*vtk\w+\.(GetNumberOfGenerationsFromBaseType|IsTypeOf|SafeDownCast)
 relevo\..*vtkRefinementPatternTable\.(Canonicalize|GetPatternIndex|GetPermutation|IsOdd)
+# This module has only types.
+relevo\._vtk
 # These modules are in Python and have no stubs. test_package() checks their annotations.
 relevo\.(?!_interruptible|_filechecks)(_[a-z]\w*|__main__|arrays|files|version)(\..*)?
 """
@@ -60,6 +62,17 @@ relevo.intersection("a.ply").curve
 relevo.vtkAdaptiveRefinement().SetSurface(mapper)
 x: str = mapper.GetScreenSpaceError()
 relevo.arrays.height_map("dem.tif", no_data="nothing")
+mapper.SetLookupTabel(None)
+relevo.terrain("dem.tif").mapper.SetContourIntervall(3)
+relevo.terrain("dem.tif").actor.GetProperty().SetAmbience(3)
+relevo.refined("mesh.ply").recipe.SetMaximumLevels(3)
+relevo.refined("mesh.ply").mapper.SetScalarRange("high")
+relevo.lic("mesh.ply").mapper.SetStepSizes(3)
+relevo.volume("mesh.vtu").mapper.SetBlendMod(3)
+relevo.volume("mesh.vtu").actor.GetProperty().SetShadee(1)
+relevo.patches("mesh.vtu").mapper.SetPatchEdge(True)
+relevo.relief("dem.tif").mapper.SetShadings(1)
+relevo.intersection("a.ply").actor.AddParts(None)
 """
 
 
@@ -88,9 +101,13 @@ class TestStubs(unittest.TestCase):
             (stubs / f"util/{name}.pyi").write_text(text)
         for name in ("pyvista", "vedo"):
             (stubs.parent / f"{name}.pyi").write_text(text)
+        # This package uses them.
+        package = cls.folder / "package/relevo"
+        shutil.copytree(PACKAGE, package, ignore=shutil.ignore_patterns("*.so", "__pycache__"))
+        make_stubs.main(str(package), has_vtk_stubs=True)
         cls.environment = {
             **os.environ,
-            "MYPYPATH": f"{stubs.parent}:{PACKAGE.parent}",
+            "MYPYPATH": f"{stubs.parent}:{package.parent}",
             "PYTHONPATH": str(PACKAGE.parent),
         }
 
@@ -103,9 +120,9 @@ class TestStubs(unittest.TestCase):
             text=True,
         )
 
-    def run_mypy(self, *arguments):
+    def run_mypy(self, *arguments, **variables):
         options = ("--strict", "--python-executable", sys.executable, "--hide-error-context")
-        return self.run_program("mypy", *options, *arguments)
+        return self.run_program("mypy", *options, *arguments, **variables)
 
     def test_examples(self):
         run = self.run_mypy(*EXAMPLES)
@@ -117,9 +134,18 @@ class TestStubs(unittest.TestCase):
 
     def test_mistakes(self):
         """Each line after the second has one mistake."""
+        self.check_mistakes()
+
+    def test_mistakes_without_stubs_of_vtk(self):
+        """The same mistakes are found in systems where VTK has no stubs."""
+        settings = self.folder / "user.ini"
+        settings.write_text("[mypy]\n[mypy-vtkmodules.*]\nignore_missing_imports = True\n")
+        self.check_mistakes(f"--config-file={settings}", MYPYPATH=PACKAGE.parent)
+
+    def check_mistakes(self, *arguments, **variables):
         path = self.folder / "mistakes.py"
         path.write_text(MISTAKES)
-        run = self.run_mypy(path)
+        run = self.run_mypy(*arguments, path, **variables)
         found = {int(line) for line in re.findall(r"mistakes\.py:(\d+): error", run.stdout)}
         wanted = set(range(3, len(MISTAKES.splitlines()) + 1))
         self.assertEqual(found, wanted, run.stdout)

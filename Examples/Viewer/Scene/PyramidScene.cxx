@@ -135,7 +135,7 @@ void PyramidScene::Show()
   this->Ground = std::make_unique<PyramidGround>(this->Pyramid);
   this->ChooseExaggeration();
   this->SetBase();
-  this->WarnOfLocation();
+  this->WarnOfData();
   this->Mapper->SetScreenSpaceError(this->Options.Error.value_or(1.0));
   if (this->Options.Memory)
   {
@@ -224,12 +224,17 @@ void PyramidScene::ChooseExaggeration()
 }
 
 //------------------------------------------------------------------------------
-void PyramidScene::WarnOfLocation()
+void PyramidScene::WarnOfData()
 {
-  const std::string warning = this->Pyramid->GetLocationWarning();
-  if (!warning.empty())
+  this->Messages.Name("set it as ImageryFileName", "use --imagery");
+  this->Messages.Name("gdal_translate -a_nodata", "--no-data-value");
+  for (const std::string& warning : { std::string(this->Pyramid->GetLocationWarning()),
+         std::string(this->Pyramid->GetSampleWarning()) })
   {
-    this->Messages.Warn(this->Options.Input + warning);
+    if (!warning.empty())
+    {
+      this->Messages.Warn(this->Options.Input + this->Messages.Rename(warning));
+    }
   }
 }
 

@@ -45,7 +45,7 @@ private:
   void Show();
   void SetBase();
   void ChooseExaggeration();
-  void WarnOfLocation();
+  void WarnOfData();
   void SetColours();
   void UpdateColours();
   /// Colours of heights above the sea level. Sets the water below it.

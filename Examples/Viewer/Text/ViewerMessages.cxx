@@ -155,7 +155,12 @@ void ViewerMessages::Name(const std::string& words, const std::string& name)
 //------------------------------------------------------------------------------
 std::string ViewerMessages::TakeText(const void* callData) const
 {
-  std::string text = GetText(callData);
+  return this->Rename(GetText(callData));
+}
+
+//------------------------------------------------------------------------------
+std::string ViewerMessages::Rename(std::string text) const
+{
   for (const auto& name : this->Names)
   {
     // The term may start a sentence or be within one.

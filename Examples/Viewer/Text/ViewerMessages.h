@@ -49,6 +49,7 @@ public:
    * Replaces a term of VTK's messages, such as "input 0", by the user's name for it from now on.
    */
   void Name(const std::string& words, const std::string& name);
+  std::string Rename(std::string text) const;
 
   /**
    * Throws ViewerError with the first error since the last check.

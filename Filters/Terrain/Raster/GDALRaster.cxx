@@ -169,6 +169,8 @@ bool GDALRaster::Describe(void* dataset, RasterDescription& contents, std::strin
   {
     contents.IsPicture = GDALGetRasterDataType(GDALGetRasterBand(dataset, i)) == GDT_Byte;
   }
+  const GDALDriverH driver = GDALGetDatasetDriver(dataset);
+  contents.IsJPEG = driver && std::string(GDALGetDriverShortName(driver)) == "JPEG";
   contents.HasMask = (GDALGetMaskFlags(band) & (GMF_PER_DATASET | GMF_ALPHA)) != 0;
 
   int declared = 0;

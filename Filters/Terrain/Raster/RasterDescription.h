@@ -26,6 +26,7 @@ struct RasterDescription
   int Type = 0;            ///< VTK's type of the samples that are read
   bool HasMask = false;    ///< whether a mask defines validity too
   bool IsPicture = false;  ///< whether there are three or more bands of bytes, as in photos
+  bool IsJPEG = false;     ///< whether the file is a JPEG file
   std::optional<double> NoData;
   double Scale = 1.0; ///< height = Scale * sample + Offset
   double Offset = 0.0;

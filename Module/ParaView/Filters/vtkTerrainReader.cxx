@@ -366,12 +366,10 @@ int vtkTerrainReader::RequestData(
   {
     AddPoints(grid, pyramid->GetVerticalUnit(), offset, output);
     AddTriangles(grid, output);
-    if (pyramid->IsPicture())
+    const std::string doubt = pyramid->GetSampleWarning();
+    if (!doubt.empty())
     {
-      vtkWarningMacro(<< this->FileName
-                      << " has three or more bands of bytes, as photos have. Its first band is "
-                         "read as heights. To drape a photo over a terrain, set it as "
-                         "ImageryFileName of the representation Terrain.");
+      vtkWarningMacro(<< this->FileName << doubt);
     }
     if (output->GetNumberOfPolys() == 0)
     {

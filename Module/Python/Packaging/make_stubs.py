@@ -20,6 +20,7 @@ import sys
 import types
 import typing
 
+import vtkmodules
 from vtkmodules.vtkCommonCore import vtkCollection
 
 HEADER = """\
@@ -33,6 +34,19 @@ HEADER = """\
 _BUILTINS = {"int", "float", "bool", "str", "bytes", "bytearray", "None", "object"}
 # Classes in signatures whose modules are not loaded with those of Relevo.
 _OTHER_MODULES = {"vtkMultiProcessController": "vtkmodules.vtkParallelCore"}
+# The module for stubs of VTK's classes where VTK has no stubs. It has no code.
+_VTK = "relevo._vtk"
+# Classes of VTK, with their modules, that drawings have or lead to.
+_DRAWN = {
+    "vtkActor": "vtkRenderingCore",
+    "vtkAssembly": "vtkRenderingCore",
+    "vtkColorTransferFunction": "vtkRenderingCore",
+    "vtkPiecewiseFunction": "vtkCommonDataModel",
+    "vtkPolyDataMapper": "vtkRenderingCore",
+    "vtkProperty": "vtkRenderingCore",
+    "vtkVolume": "vtkRenderingCore",
+    "vtkVolumeProperty": "vtkRenderingCore",
+}
 
 
 def read_signatures(function: typing.Any) -> list[str]:
@@ -63,10 +77,14 @@ def _parse(signature: str) -> ast.FunctionDef:
 
 
 class StubWriter:
-    """Writes the stub of one module."""
+    """Writes the stub of one module.
 
-    def __init__(self, module: types.ModuleType) -> None:
+    moved: names of VTK's classes whose stubs are in relevo._vtk.
+    """
+
+    def __init__(self, module: types.ModuleType, moved: typing.Container[str] = ()) -> None:
         self._module = module
+        self._moved = moved
         self._imports: dict[str, set[str]] = {}
 
     def write(self) -> str:
@@ -90,6 +108,8 @@ class StubWriter:
         return "\n".join([HEADER, *imports, *body, ""])
 
     def _use(self, module: str, name: str) -> str:
+        if name in self._moved:
+            module = _VTK
         if module != self._module.__name__:
             self._imports.setdefault(module, set()).add(name)
         return name
@@ -288,11 +308,43 @@ def write_package(package: types.ModuleType) -> str:
     return "\n".join(lines)
 
 
-def main(folder: str) -> None:
+def find_vtk_classes(modules: typing.Iterable[types.ModuleType]) -> dict[str, type]:
+    """Return the classes of VTK that those of modules, and drawings, inherit from."""
+    kinds = [own for module in modules for own in vars(module).values() if isinstance(own, type)]
+    kinds += [
+        getattr(importlib.import_module("vtkmodules." + module), name)
+        for name, module in _DRAWN.items()
+    ]
+    bases = {base for kind in kinds for base in kind.__mro__}
+    return {own.__name__: own for own in bases if own.__module__.startswith("vtkmodules.")}
+
+
+def write_vtk(classes: dict[str, type]) -> str:
+    """Return the stub of relevo._vtk with classes, or with names of VTK's own stubs without them."""
+    module = types.ModuleType(_VTK)
+    vars(module).update(classes)
+    text = StubWriter(module, classes).write()
+    if not classes:
+        lines = [f"from vtkmodules.{own} import {name} as {name}" for name, own in _DRAWN.items()]
+        text = "\n".join([HEADER, *lines, ""])
+    return text
+
+
+def main(folder: str, has_vtk_stubs: bool | None = None) -> None:
+    """Write all stubs.
+
+    has_vtk_stubs: whether VTK has stubs (default: whether it has some beside its modules).
+    """
     package = importlib.import_module("relevo")
     modules = {name: importlib.import_module("relevo." + name) for name in package._EXTENSIONS.values()}
+    if has_vtk_stubs is None:
+        has_vtk_stubs = any(
+            pathlib.Path(path, "vtkCommonCore.pyi").exists() for path in vtkmodules.__path__
+        )
+    moved = {} if has_vtk_stubs else find_vtk_classes(modules.values())
     for name, module in modules.items():
-        pathlib.Path(folder, name + ".pyi").write_text(StubWriter(module).write())
+        pathlib.Path(folder, name + ".pyi").write_text(StubWriter(module, moved).write())
+    pathlib.Path(folder, "_vtk.pyi").write_text(write_vtk(moved))
     pathlib.Path(folder, "__init__.pyi").write_text(write_package(package))
 
 

@@ -8,7 +8,8 @@ and pictures.
 
 The package also has all wrapped classes of Relevo with their C++ names, for example
 `relevo.vtkAdaptiveRefinementMapper` and `relevo.vtkHeightMap`. `relevo.arrays` converts heights,
-refined meshes and images from and to numpy arrays.
+refined meshes and images from and to numpy arrays. dir(relevo) lists the classes, and
+help(relevo.vtkHeightMap) shows one.
 """
 
 from __future__ import annotations
@@ -54,7 +55,7 @@ _FUNCTIONS = {
     "show": "_functions",
 }
 
-__all__ = [*sorted(_EXTENSIONS), *_FUNCTIONS]
+__all__ = [*_FUNCTIONS]  # help() and `import *` would be long with all classes
 
 
 def __getattr__(name: str) -> _Any:
@@ -63,11 +64,13 @@ def __getattr__(name: str) -> _Any:
         return _importlib.import_module("." + name, __name__)
     module = _EXTENSIONS.get(name) or _FUNCTIONS.get(name)
     if module is None:
-        raise AttributeError(f"module 'relevo' has no attribute {name!r}")
+        raise AttributeError(
+            f"module 'relevo' has no attribute {name!r}", name=name, obj=_sys.modules[__name__]
+        )
     value = getattr(_importlib.import_module("." + module, __name__), name)
     globals()[name] = value
     return value
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+    return sorted({*globals(), *__all__, *_EXTENSIONS})

@@ -21,9 +21,9 @@ AXES = (
 
 def find_axis(up: str) -> int:
     """Return the index of the vertical axis, "x", "y" or "z"."""
-    if up not in ("x", "y", "z"):
+    if str(up).lower() not in ("x", "y", "z"):
         raise ValueError(f"up must be 'x', 'y' or 'z', not {up!r}")
-    return "xyz".index(up)
+    return "xyz".index(up.lower())
 
 
 def get_vector(azimuth: float, elevation: float, axes: Array) -> Array:

@@ -5,6 +5,8 @@
 from __future__ import annotations
 
 import os
+import weakref
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy
@@ -52,10 +54,35 @@ def _check_process() -> None:
         )
 
 
-def _make_offscreen_window() -> vtkRenderWindow:
-    """Return a window that needs no display, where EGL is built."""
-    if hasattr(relevo, "vtkEGLOffscreenRenderWindow"):
-        return relevo.vtkEGLOffscreenRenderWindow()
+def _has_display() -> bool:
+    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def _find_window(plotter: Any) -> Any:
+    """Return the window of a renderer or a plotter, or None."""
+    if isinstance(plotter, vtkRenderWindow):
+        return plotter
+    if hasattr(plotter, "GetRenderWindow"):
+        return plotter.GetRenderWindow()
+    # Attributes of PyVista and vedo.
+    return getattr(plotter, "render_window", None) or getattr(plotter, "window", None)
+
+
+def _make_offscreen_window(is_on_display: bool) -> vtkRenderWindow:
+    """Return a window that needs no display, where EGL is built.
+
+    is_on_display: whether a window on a display draws the same actor. Its OpenGL excludes EGL, so
+        the result is a hidden window on the display, as if such a window is current.
+    """
+    if hasattr(relevo, "vtkEGLOffscreenRenderWindow") and not is_on_display:
+        own = relevo.vtkEGLOffscreenRenderWindow()
+        try:
+            with Messages():
+                own.Initialize()
+            return own
+        except Error:
+            if not _has_display():
+                raise
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
     return window
@@ -75,13 +102,30 @@ class Drawing:
     _table: vtkScalarsToColors | None = None  # of the colour bar
     _title = ""
     _kind = ""  # package of the caller's mesh
+    _plotters: Sequence[weakref.ref[Any]] = ()  # that have the actor
+    _names: Mapping[str, str] = {}  # of things in messages, see Messages
 
+    # Subclasses have precise types.
     mapper: Any
     actor: Any
 
     def __init__(self, mapper: Any, actor: Any) -> None:
         self.mapper = mapper
         self.actor = actor
+
+    def _set_lighting(self, lighting: bool) -> None:
+        """Draw exact colours without lighting."""
+        if not lighting:
+            self.actor.GetProperty().LightingOff()
+            self.actor.GetProperty().SetAmbient(0)
+            self.actor.GetProperty().SetDiffuse(1)
+
+    def __repr__(self) -> str:
+        return f"<relevo.{type(self).__name__.lower()}: {self._describe()}>"
+
+    def _describe(self) -> str:
+        """Return the data of the drawing in a few words."""
+        raise NotImplementedError
 
     def show(self, size: tuple[int, int] = SIZE) -> None:
         """Draw in a window, and return when it is closed.
@@ -126,7 +170,7 @@ class Drawing:
 
         Raises relevo.Error if the drawing has cells and the mesh has none.
         """
-        with Messages():
+        with Messages(names=self._names):
             mesh = self._make_mesh(camera)
         return _outputs.to_kind(mesh, self._kind)
 
@@ -139,8 +183,16 @@ class Drawing:
             self.screenshot(path)
             return
         _outputs.check_extension(path)
-        with Messages():
+        with Messages(names=self._names):
             _outputs.write_mesh(path, self._make_mesh(None))
+
+    def _is_on_display(self) -> bool:
+        windows = [_find_window(plotter()) for plotter in self._plotters]
+        own = getattr(relevo, "vtkEGLOffscreenRenderWindow", ())
+        return _has_display() and any(
+            isinstance(window, vtkRenderWindow) and not isinstance(window, own)
+            for window in windows
+        )
 
     def add_to(self, plotter: Any) -> None:
         """Add the actor to a vtkRenderer, a vtkRenderWindow, or a plotter of PyVista or vedo."""
@@ -161,6 +213,7 @@ class Drawing:
                 "plotter must be a vtkRenderer, a vtkRenderWindow with a renderer, or a plotter of"
                 f" PyVista or vedo, not {type(plotter).__name__}"
             )
+        self._plotters = [*self._plotters, weakref.ref(plotter)]
 
     def _repr_png_(self) -> bytes:
         writer = vtkPNGWriter()
@@ -235,8 +288,8 @@ class Drawing:
         """Return a picture as vtkImageData."""
         size = _check_size(size)
         _check_process()
-        with Messages():
-            window = _make_offscreen_window()
+        window = _make_offscreen_window(self._is_on_display())
+        with Messages(names=self._names):
             window.SetSize(size)
             window.AddRenderer(self._make_renderer(size, camera))
             try:
@@ -262,7 +315,7 @@ class Drawing:
 
         style = self._make_style()
         size = _check_size(size)
-        if not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+        if not _has_display():
             raise Error("show() needs a display, and DISPLAY is not set; use screenshot() instead")
         _check_process()
         with Messages():

@@ -35,10 +35,40 @@ def _get_options(function: Callable[..., Any]) -> list[str]:
     return [own.name for own in parameters if own.kind != inspect.Parameter.VAR_KEYWORD]
 
 
+# What other libraries and other functions of the package call an option.
+_SYNONYMS = {
+    "array": ("scalars", "vectors"),
+    "clip_plane": ("clip",),
+    "contours": ("isolines", "isosurfaces"),
+    "extent": ("bounds",),
+    "image": ("imagery",),
+    "levels": ("max_level", "isolines"),
+    "nodata": ("no_data",),
+    "photo": ("imagery",),
+    "scalars": ("array",),
+    "scale": ("factor", "exaggeration"),
+    "scale_factor": ("factor", "scale"),
+    "shade": ("lighting",),
+    "show_edges": ("edges",),
+    "srs": ("crs",),
+    "texture": ("imagery",),
+    "vectors": ("warp", "array"),
+    "warp_factor": ("factor",),
+    "z_scale": ("exaggeration",),
+    "zscale": ("exaggeration",),
+}
+
+
+def _find_near(option: str, allowed: list[str]) -> list[str]:
+    """Return the options that are probably meant."""
+    meant = [own for own in _SYNONYMS.get(option.lower(), ()) if own in allowed]
+    return meant or difflib.get_close_matches(option.lower(), allowed, n=3)
+
+
 def _check_options(name: str, options: Iterable[str], allowed: list[str]) -> None:
     for option in options:
         if option not in allowed:
-            near = difflib.get_close_matches(option, allowed, n=3)
+            near = _find_near(option, allowed)
             hint = f"did you mean {' or '.join(near)}?" if near else f"it has {', '.join(allowed)}"
             raise TypeError(f"relevo.{name}() has no option {option!r}; {hint}")
 
@@ -63,30 +93,37 @@ def terrain(
     exaggeration: float | None = None,
     bounds: tuple[float, float, float, float] | None = None,
     crs: Any = None,
+    no_data: float | None = None,
+    lighting: bool = True,
 ) -> Terrain:
     """Draw heights as a terrain, of any size.
 
     source: a raster that GDAL reads; an array of real numbers of shape (rows, columns), row 0 in
-        the north, at least 2 x 2, where NaN and masked values are no data; a DataArray of xarray;
-        or an open dataset of rasterio. An array is written to a temporary file.
+        the north, at least 2 x 2; a DataArray of xarray; or an open dataset of rasterio. An array is
+        written to a temporary file. The terrain has holes at NaN and masked heights, and where the
+        file declares no data.
     imagery: an image to drape over the terrain, in any coordinate system (default: colours by
         height).
     exaggeration: the factor of heights, at least 0.001 (default: 1; less without a coordinate
         system if the terrain would be higher than wide).
-    bounds: (west, east, south, north) of an array, in units of crs, from border to border of the
-        outermost samples (default: one unit per sample).
+    bounds: (west, east, south, north) of an array, in this order, in units of crs, from border to
+        border of the outermost samples (default: one unit per sample).
     crs: the coordinate system of bounds: a text such as "EPSG:4326", a number of EPSG, or an object
         with to_wkt() (default: none).
+    no_data: the height of samples without data in an array, such as -9999 (default: none).
+    lighting: whether lights shade the terrain (default: True). Without, its colours are those of the
+        colour bar or the image.
 
     Colours, light and view are those of relevo-view. The terrain is within one pixel of all
-    samples. mapper is a vtkTerrainMapper.
+    samples. mapper is a vtkTerrainMapper. A warning tells if the heights look like a photo, or the
+    lowest or highest one like a value for missing data.
 
     Raises FileNotFoundError, relevo.Error for a file that cannot be read and for heights that are
     all missing, TypeError, and ValueError.
     """
     from ._terrain import Terrain
 
-    return Terrain(source, imagery, exaggeration, bounds, crs)
+    return Terrain(source, imagery, exaggeration, bounds, crs, no_data, lighting)
 
 
 @_public
@@ -99,6 +136,7 @@ def refined(
     height: Any = None,
     scale: float | None = None,
     up: str = "y",
+    lighting: bool = True,
 ) -> Refined:
     """Draw a surface, refined where the viewer needs detail.
 
@@ -115,6 +153,7 @@ def refined(
         a vtkHeightField or a vtkDisplacement (default: none).
     scale: the length of one unit of height (default: 5 % of the mesh's diagonal for all heights).
     up: the vertical axis, "x", "y" or "z" (default: "y").
+    lighting: whether lights shade the surface (default: True).
 
     Active scalars are colours. mapper is a vtkAdaptiveRefinementMapper, recipe its
     vtkAdaptiveRefinement.
@@ -123,7 +162,7 @@ def refined(
     """
     from ._refined import Refined
 
-    return Refined(mesh, surface, metric, max_level, height, scale, up)
+    return Refined(mesh, surface, metric, max_level, height, scale, up, lighting)
 
 
 @_public
@@ -137,12 +176,13 @@ def volume(
     clip: Any = None,
     blend: str = "composite",
     up: str = "y",
+    lighting: bool | None = None,
 ) -> Volume:
     """Draw the interior of a mesh of 3D cells.
 
     mesh: as for refined(), with 3D cells.
-    array: the name of an array of points or cells; of vectors, the lengths are shown (default: the
-        active scalars, or the first array).
+    array: the name of an array of points or cells, or "von Mises" for the equivalent stress of its
+        tensors, see below (default: the active scalars, or the first array).
     transfer: colours and opacities: an array of shape (n, 5) with value, red, green, blue and
         opacity, the path of a text file with such lines, or a vtkVolumeProperty (default: by the
         array's histogram).
@@ -151,6 +191,12 @@ def volume(
     clip: a vtkPlane or (point, normal), each three numbers; the side of the normal is drawn.
     blend: "composite", "maximum", "minimum", "average", "additive" or "isosurface".
     up: the vertical axis, "x", "y" or "z" (default: "y").
+    lighting: whether gradients are shaded by lights (default: with isosurfaces).
+
+    Of arrays with several components, the magnitude is shown: the root of the sum of the squares of
+    the stored components. For 6 components of a symmetric tensor (xx, yy, zz, xy, yz, xz) or 9 of
+    any tensor this is not the von Mises stress. "von Mises" computes that at each point or cell from
+    the only array of 6 or 9 components, "von Mises of S" from the array S.
 
     mapper is a vtkGPUUnstructuredGridVolumeMapper, actor a vtkVolume. mesh() returns the mesh.
 
@@ -159,7 +205,7 @@ def volume(
     """
     from ._volume import Volume
 
-    return Volume(mesh, array, transfer, unit_distance, isosurfaces, clip, blend, up)
+    return Volume(mesh, array, transfer, unit_distance, isosurfaces, clip, blend, up, lighting)
 
 
 @_public
@@ -173,18 +219,20 @@ def patches(
     isolines: int = 0,
     error: float | None = None,
     up: str = "y",
+    lighting: bool = True,
 ) -> Patches:
     """Draw cells with their exact shape: quadratic, Lagrange, Bézier and rational cells.
 
     mesh: as for refined(). Of 3D cells, the outer faces.
     scalars: the array of points or cells for colours, evaluated with the cells' own basis at every
-        pixel (default: the active scalars).
+        pixel (default: the active scalars). Magnitudes and "von Mises" are as for volume().
     warp: an array of points with 3 components that displaces the nodes (default: none).
     factor: multiplies warp.
     edges: whether the borders of cells are drawn.
     isolines: the number of lines of equal scalars.
     error: the largest distance from the exact shape in pixels (default: 0.5).
     up: the vertical axis, "x", "y" or "z" (default: "y").
+    lighting: whether lights shade the surface (default: True).
 
     mapper is a vtkAdaptivePatchMapper, recipe its vtkAdaptiveRefinement.
 
@@ -193,17 +241,20 @@ def patches(
     """
     from ._patches import Patches
 
-    return Patches(mesh, scalars, warp, factor, edges, isolines, error, up)
+    return Patches(mesh, scalars, warp, factor, edges, isolines, error, up, lighting)
 
 
 @_public
-def lic(mesh: Any, vectors: str | None = None, *, up: str = "y") -> LIC:
+def lic(
+    mesh: Any, vectors: str | None = None, *, up: str = "y", lighting: bool = True
+) -> LIC:
     """Draw streaks along a vector field on a surface, by line integral convolution.
 
     mesh: as for refined(). The surface is refined where the vectors vary.
     vectors: the name of an array of points or cells with 2 or 3 components (default: the active
         vectors, or the first such array). Colours are their lengths.
     up: the vertical axis, "x", "y" or "z" (default: "y").
+    lighting: whether lights shade the surface (default: True).
 
     mapper is a vtkAdaptiveLICMapper, recipe its vtkAdaptiveRefinement.
 
@@ -212,16 +263,17 @@ def lic(mesh: Any, vectors: str | None = None, *, up: str = "y") -> LIC:
     """
     from ._lic import LIC
 
-    return LIC(mesh, vectors, up)
+    return LIC(mesh, vectors, up, lighting)
 
 
 @_public
-def relief(source: Any) -> Relief:
+def relief(source: Any, *, lighting: bool | None = None) -> Relief:
     """Draw reliefs, which are images with depth.
 
     source: a folder that vtkReliefDatabaseWriter has written, reliefs as a vtkImageData or a
         vtkMultiBlockDataSet, or heights: a raster file, an array as for terrain(), or a
         vtkHeightField.
+    lighting: whether lights shade the colours (default: those of heights).
 
     mapper is a vtkReliefMapper. mesh() returns the reliefs.
 
@@ -229,7 +281,7 @@ def relief(source: Any) -> Relief:
     """
     from ._relief import Relief
 
-    return Relief(source)
+    return Relief(source, lighting)
 
 
 @_public

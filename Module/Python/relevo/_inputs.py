@@ -206,6 +206,12 @@ def take_data(source: Any, name: str = "mesh") -> tuple[vtkDataObject, str]:
         data = source.GetOutputDataObject(0)
     elif isinstance(source, (tuple, list)) and len(source) == 2:
         data = make_mesh(*source)
+    if data is None and numpy.ndim(source) == 3:
+        raise TypeError(
+            f"{name} cannot be an array of shape {numpy.shape(source)}; put samples on a"
+            " grid into the point data of a vtkImageData, whose x varies fastest, as"
+            " pyvista.wrap(array) does"
+        )
     if data is None:
         raise TypeError(
             f"{name} must be a path, an object of VTK, PyVista or vedo, or (points, faces), not"

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkRenderingCore import vtkActor, vtkAssembly, vtkPolyDataMapper
@@ -16,9 +16,15 @@ from ._drawing import Drawing
 from ._refined import set_material
 from ._typing import Camera
 
+if TYPE_CHECKING:
+    from . import _vtk
+
 
 class Intersection(Drawing):
     """The curves and areas where two surfaces meet, see relevo.intersection()."""
+
+    mapper: _vtk.vtkPolyDataMapper
+    actor: _vtk.vtkAssembly
 
     def __init__(self, a: Any, b: Any) -> None:
         self._find = relevo.vtkSurfaceIntersectionFilter()
@@ -80,6 +86,11 @@ class Intersection(Drawing):
         _work.update(self._find)
         outputs = (self._find.GetOutput(2 + port) for port in range(len(self._inputs)))
         return tuple(_outputs.to_kind(output, self._kind) for output in outputs)
+
+    def _describe(self) -> str:
+        curves = self._find.GetOutput(0).GetNumberOfCells()
+        faces = " and ".join(str(surface.GetNumberOfCells()) for surface in self._inputs)
+        return f"{curves} curves of {faces} faces"
 
     def _make_mesh(self, camera: Camera) -> vtkDataObject:
         return self._find.GetOutput(0)

@@ -27,7 +27,9 @@ def _is_flow(array: vtkDataArray | None) -> bool:
 class LIC(Refined):
     """Streaks along a vector field on a refined surface, see relevo.lic()."""
 
-    def __init__(self, mesh: Any, vectors: str | None, up: str) -> None:
+    mapper: relevo.vtkAdaptiveLICMapper
+
+    def __init__(self, mesh: Any, vectors: str | None, up: str, lighting: bool) -> None:
         self._up = _camera.find_axis(up)
         self._take_surface(mesh, None)
         array, of_points = self._find_vectors(vectors)
@@ -56,6 +58,7 @@ class LIC(Refined):
             metric = both
         self.recipe.SetMetric(metric)
         self.recipe.SetMaximumLevel(_LEVEL)
+        self._set_lighting(lighting)
 
     def _find_vectors(self, vectors: str | None) -> tuple[vtkDataArray, bool]:
         if vectors is not None:

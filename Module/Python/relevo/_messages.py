@@ -8,6 +8,7 @@ import re
 import sys
 import threading
 import warnings
+from collections.abc import Mapping
 from types import FrameType, TracebackType
 
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkLogger, vtkObject, vtkOutputWindow
@@ -22,6 +23,13 @@ _NOISE = re.compile(r"Algorithm \w+ ?\(\w+\) returned failure|Could not locate k
 def _strip(text: str) -> str:
     """Return a message without class, address and source line."""
     return re.sub(r"^[\w ]+: In .*, line \d+\s+(\w+ \(\w+\): )?", "", text).strip()
+
+
+def rename(text: str, names: Mapping[str, str]) -> str:
+    """Return a message with the caller's names of things, first things first."""
+    for name, own in names.items():
+        text = text.replace(name, own)
+    return text
 
 
 def warn(text: str) -> None:
@@ -39,26 +47,38 @@ class Messages:
 
     Ctrl-C is raised at the end, too. Warnings become Python's warnings. Objects with an observer
     for ErrorEvent report to it instead. Blocks can be nested, and several threads can be in one at
-    a time.
+    a time. The outermost block of a thread issues the warnings.
+
+    Programs can switch off VTK's messages, as vedo does. Within a block they are on, because errors
+    would be lost.
     """
 
     _lock = threading.Lock()
     _depth = 0  # blocks that threads are in
     _verbosity = 0  # of standard error, outside of all blocks
     _mode: int = vtkOutputWindow.DEFAULT  # of the output window, outside of all blocks
+    _display = 1  # whether VTK has messages, outside of all blocks
+    _blocks = threading.local()  # has the attribute `depth` in threads that are in blocks
 
-    def __init__(self, error: type[Exception] = Error) -> None:
-        """Raise exceptions of the given type."""
+    def __init__(
+        self, error: type[Exception] = Error, names: Mapping[str, str] | None = None
+    ) -> None:
+        """Raise exceptions of the given type.
+
+        names: what the caller calls things that VTK's objects name otherwise, such as
+            {"MaximumLevel": "max_level"}.
+        """
         self._error = error
+        self._names = names or {}
         self._errors: list[str] = []
         self._warnings: list[str] = []
         self._interrupts = Interrupts()
 
     def _add_error(self, caller: vtkObject, event: str, text: str) -> None:
-        self._errors.append(_strip(text))
+        self._errors.append(rename(_strip(text), self._names))
 
     def _add_warning(self, caller: vtkObject, event: str, text: str) -> None:
-        self._warnings.append(_strip(text))
+        self._warnings.append(rename(_strip(text), self._names))
 
     for _function in (_add_error, _add_warning):
         setattr(_function, "CallDataType", VTK_STRING)  # how VTK passes the text
@@ -71,12 +91,15 @@ class Messages:
             if Messages._depth == 1:
                 Messages._verbosity = vtkLogger.GetCurrentVerbosityCutoff()
                 Messages._mode = self._window.GetDisplayMode()
+                Messages._display = vtkObject.GetGlobalWarningDisplay()
+                vtkObject.GlobalWarningDisplayOn()
                 vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
                 self._window.SetDisplayModeToNever()
-        self._tags = [
-            self._window.AddObserver("ErrorEvent", self._add_error),
-            self._window.AddObserver("WarningEvent", self._add_warning),
-        ]
+        self._tags = [self._window.AddObserver("ErrorEvent", self._add_error)]
+        depth = getattr(Messages._blocks, "depth", 0)
+        Messages._blocks.depth = depth + 1
+        if depth == 0:
+            self._tags.append(self._window.AddObserver("WarningEvent", self._add_warning))
         return self
 
     def __exit__(
@@ -87,11 +110,13 @@ class Messages:
     ) -> None:
         for tag in self._tags:
             self._window.RemoveObserver(tag)
+        Messages._blocks.depth -= 1
         with Messages._lock:
             Messages._depth -= 1
             if Messages._depth == 0:
                 vtkLogger.SetStderrVerbosity(vtkLogger.ConvertToVerbosity(Messages._verbosity))
                 self._window.SetDisplayMode(Messages._mode)
+                vtkObject.SetGlobalWarningDisplay(Messages._display)
         self._interrupts.__exit__(kind, value, traceback)
         for text in dict.fromkeys(self._warnings):
             if not _NOISE.match(text):

@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 import relevo
 
-from . import _camera, _inputs, _work
+from . import _camera, _inputs, _stress, _work
 from ._drawing import Drawing
 from ._messages import Messages
 from ._refined import Refined
@@ -53,6 +53,8 @@ def _take_grid(data: vtkDataObject) -> vtkUnstructuredGrid:
 class Patches(Refined):
     """The outer faces of curved cells, see relevo.patches()."""
 
+    mapper: relevo.vtkAdaptivePatchMapper
+
     def __init__(
         self,
         mesh: Any,
@@ -63,6 +65,7 @@ class Patches(Refined):
         isolines: int,
         error: float | None,
         up: str,
+        lighting: bool,
     ) -> None:
         self._up = _camera.find_axis(up)
         _inputs.check_number(factor, "factor")
@@ -71,6 +74,7 @@ class Patches(Refined):
         if error is not None:
             _inputs.check_number(error, "error")
         data, self._kind = _inputs.take_data(mesh)
+        data, scalars = _stress.add_stress(data, scalars)
         grid = data if isinstance(data, vtkUnstructuredGrid) else _take_grid(data)
         if warp is not None:
             grid = _warp(grid, warp, factor)
@@ -95,11 +99,15 @@ class Patches(Refined):
         else:
             found = _inputs.find_array([self._coarse], scalars)
         self._set_up(found)
-        with Messages(ValueError):
+        with Messages(ValueError, {"ScreenSpaceError": "error", "IsolineSpacing": "isolines"}):
             if error is not None:
                 metric.SetScreenSpaceError(error)
             self.mapper.SetPatchEdges(bool(edges))
             self._draw_isolines(isolines)
+        self._set_lighting(lighting)
+
+    def _describe(self) -> str:
+        return f"{self._coarse.GetNumberOfCells()} patches{self._describe_colours()}"
 
     def _draw_isolines(self, number: int) -> None:
         if isinstance(number, bool) or not isinstance(number, int) or number < 0:

@@ -45,9 +45,9 @@ class MeshFunctions:
         """Draw streaks along vectors, see relevo.lic()."""
         return relevo.lic(self._mesh, vectors, **options)
 
-    def relief(self) -> Relief:
+    def relief(self, **options: Any) -> Relief:
         """Draw reliefs, which are images with depth, see relevo.relief()."""
-        return relevo.relief(self._mesh)
+        return relevo.relief(self._mesh, **options)
 
     def intersection(self, other: Any = None) -> Intersection:
         """Find where the surface meets another one, or itself, see relevo.intersection()."""

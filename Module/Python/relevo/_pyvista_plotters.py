@@ -67,9 +67,9 @@ class PlotterFunctions:
         self._add(drawing)
         return drawing
 
-    def add_relief(self, source: Any) -> Relief:
+    def add_relief(self, source: Any, **options: Any) -> Relief:
         """Add reliefs, which are images with depth, see relevo.relief()."""
-        drawing = relevo.relief(source)
+        drawing = relevo.relief(source, **options)
         self._add(drawing)
         return drawing
 

@@ -18,7 +18,8 @@ from numpy.typing import ArrayLike, NDArray
 from vtkmodules.vtkCommonCore import vtkObject
 
 from . import arrays
-from ._inputs import get_package
+from ._inputs import check_number, get_package
+from ._messages import warn
 from ._typing import Bounds
 
 _TYPES = {
@@ -39,15 +40,26 @@ def is_raster(source: object) -> bool:
     return isinstance(source, numpy.ndarray)
 
 
+_ORDER = "(west, east, south, north)"
+_TURNED = "they look like (west, south, east, north)"
+_SMALL = 0.05  # share of the extent, if bounds are read in the other order
+
+
 def _check_bounds(bounds: Any) -> Bounds:
     try:
         west, east, south, north = (float(number) for number in bounds)
     except (TypeError, ValueError):
-        raise TypeError(f"bounds must be (west, east, south, north), not {bounds!r}") from None
+        raise TypeError(f"bounds must be {_ORDER}, not {bounds!r}") from None
+    width, height = south - west, north - east  # if the order is west, south, east, north
     if not (west < east and south < north) or not numpy.isfinite([west, east, south, north]).all():
+        hint = f"; {_TURNED}" if width > 0 and height > 0 else ""
         raise ValueError(
-            f"bounds must be (west, east, south, north) with west < east and south < north, not"
-            f" {tuple(bounds)}"
+            f"bounds must be {_ORDER} with west < east and south < north, not {tuple(bounds)}{hint}"
+        )
+    if 0 < width < _SMALL * (east - west) and 0 < height < _SMALL * (north - south):
+        warn(
+            f"bounds are {_ORDER}, so the array extends {east - west:g} to the east and"
+            f" {north - south:g} to the north; {_TURNED}"
         )
     return west, east, south, north
 
@@ -65,11 +77,15 @@ def _make_crs_text(crs: Any) -> str:
     )
 
 
-def _write(heights: ArrayLike, bounds: Bounds | None, crs: Any, folder: pathlib.Path) -> str:
+def _write(
+    heights: ArrayLike, bounds: Bounds | None, crs: Any, no_data: float | None, folder: pathlib.Path
+) -> str:
     """Write an array as raw samples that a VRT of GDAL describes. Return its path."""
     heights = arrays._real_numbers(heights, "heights")
     if heights.ndim != 2:
-        raise ValueError(f"heights must be a 2-D array, not of shape {heights.shape}")
+        is_photo = heights.ndim == 3 and heights.shape[2] in (3, 4)
+        hint = "; use a file of a photo as imagery" if is_photo else ""
+        raise ValueError(f"heights must be a 2-D array, not of shape {heights.shape}{hint}")
     rows, columns = heights.shape
     if rows < 2 or columns < 2:
         raise ValueError(f"heights must be at least 2 x 2, not {rows} x {columns}")
@@ -85,6 +101,7 @@ def _write(heights: ArrayLike, bounds: Bounds | None, crs: Any, folder: pathlib.
         location = f"<GeoTransform>{numbers}</GeoTransform>"
     if crs is not None:
         location += f"<SRS>{html.escape(_make_crs_text(crs), quote=False)}</SRS>"
+    missing = "" if no_data is None else f"<NoDataValue>{float(no_data)!r}</NoDataValue>"
     path = folder / "heights.vrt"
     path.write_text(
         f'<VRTDataset rasterXSize="{columns}" rasterYSize="{rows}">{location}'
@@ -92,7 +109,7 @@ def _write(heights: ArrayLike, bounds: Bounds | None, crs: Any, folder: pathlib.
         ' subClass="VRTRawRasterBand"><SourceFilename relativetoVRT="1">samples</SourceFilename>'
         f"<PixelOffset>{size}</PixelOffset><LineOffset>{size * columns}</LineOffset>"
         f"<ByteOrder>{'LSB' if sys.byteorder == 'little' else 'MSB'}</ByteOrder>"
-        "</VRTRasterBand></VRTDataset>"
+        f"{missing}</VRTRasterBand></VRTDataset>"
     )
     return str(path)
 
@@ -144,18 +161,27 @@ class RasterFile:
         dataset of rasterio.
     bounds: (west, east, south, north) of arrays, from border to border of the outermost samples.
     crs: the coordinate system of bounds.
+    no_data: the height of samples without data, of arrays.
     """
 
-    def __init__(self, source: Any, bounds: Bounds | None = None, crs: Any = None) -> None:
+    def __init__(
+        self,
+        source: Any,
+        bounds: Bounds | None = None,
+        crs: Any = None,
+        no_data: float | None = None,
+    ) -> None:
         self.name = ""
-        self.title = "the array"  # for messages
+        self.title = "the array"
+        # For messages, see Messages.
+        self.names = {"set it as ImageryFileName": "use it as imagery of relevo.terrain()"}
         self._remove = None
         package = get_package(source)
         if package == "rasterio" and os.path.exists(source.name):
             source = source.name
         if isinstance(source, (str, os.PathLike)):
-            if bounds is not None or crs is not None:
-                raise ValueError("bounds and crs are for arrays; a file has its own")
+            if bounds is not None or crs is not None or no_data is not None:
+                raise ValueError("bounds, crs and no_data are for arrays; a file has its own")
             self.name = self.title = os.fspath(source)
             return
         if package == "xarray":
@@ -167,10 +193,24 @@ class RasterFile:
         bounds = own_bounds if bounds is None else bounds
         crs = own_crs if crs is None else crs
         if crs is not None and bounds is None:
-            raise ValueError("crs needs bounds: (west, east, south, north)")
+            raise ValueError(f"crs needs bounds: {_ORDER}")
+        if no_data is not None:
+            check_number(no_data, "no_data")
         folder = tempfile.mkdtemp(prefix="relevo-")
         self._remove = weakref.finalize(self, shutil.rmtree, folder, ignore_errors=True)
-        self.name = _write(source, bounds, crs, pathlib.Path(folder))
+        self.name = _write(source, bounds, crs, no_data, pathlib.Path(folder))
+        self.names |= {
+            f"Cannot open {self.name}": f"Cannot use {self.title}",
+            self.name: self.title,
+            "give it the right one (gdal_translate -a_srs)": f"check crs, and bounds: {_ORDER}",
+            "gdal_translate -a_srs EPSG:4326": "crs='EPSG:4326'",
+            "gdal_translate -a_srs": "crs",
+            "gdal_translate -a_nodata ": "no_data=",
+        }
+
+    @property
+    def is_array(self) -> bool:
+        return self._remove is not None
 
     def keep_for(self, item: vtkObject) -> None:
         """Keep the file until a VTK object is deleted."""

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -20,6 +20,9 @@ from ._error import Error
 from ._messages import Messages
 from ._raster import RasterFile, is_raster
 from ._typing import Array, Camera
+
+if TYPE_CHECKING:
+    from . import _vtk
 
 _PIXELS = 4.0  # per segment of an edge
 _LEVEL = 4  # where the metric does not limit lengths on the screen
@@ -90,9 +93,10 @@ def _choose(value: Any, names: dict[str, Any], kind: type, option: str) -> Any:
         raise TypeError(
             f"{option} must be a str or a {kind.__name__}, not {type(value).__name__}"
         )
-    if value not in names:
+    name = value.lower()
+    if name not in names:
         raise ValueError(f"{option} must be one of {', '.join(names)}, not {value!r}")
-    return names[value]
+    return names[name]
 
 
 def set_material(actor: vtkActor) -> None:
@@ -112,6 +116,10 @@ class Refined(Drawing):
     # The main light is above the viewer's left shoulder. Weaker lights are on the right and behind.
     _lights = ((250, 45, 0.95), (150, 15, 0.45), (10, 40, 0.30))
 
+    mapper: relevo.vtkAdaptiveRefinementMapper
+    actor: _vtk.vtkActor
+    recipe: relevo.vtkAdaptiveRefinement
+
     def __init__(
         self,
         mesh: Any,
@@ -121,6 +129,7 @@ class Refined(Drawing):
         height: Any,
         scale: float | None,
         up: str,
+        lighting: bool,
     ) -> None:
         self._up = _camera.find_axis(up)
         if max_level is not None:
@@ -144,10 +153,11 @@ class Refined(Drawing):
         chosen = _choose(metric, _METRICS, relevo.vtkDepthTagMetric, "metric")
         self.recipe.SetMetric(chosen(name) if callable(chosen) else chosen)
         if max_level is None:
-            limited = metric in ("screen-edge", "height")
+            limited = isinstance(metric, str) and metric.lower() in ("screen-edge", "height")
             max_level = _HIGHEST_LEVEL if limited else _LEVEL
-        with Messages(ValueError):
+        with Messages(ValueError, {"MaximumLevel": "max_level"}):
             self.recipe.SetMaximumLevel(max_level)
+        self._set_lighting(lighting)
 
     def _take_surface(self, mesh: Any, surface: Any) -> None:
         """Set the coarse mesh and the surface of the recipe."""
@@ -215,6 +225,16 @@ class Refined(Drawing):
         is_coloured = self._table is not None and self.mapper.GetScalarVisibility()
         return self.mapper.GetLookupTable() if is_coloured else None, self._title
 
+    def _describe(self) -> str:
+        text = f"{self._coarse.GetNumberOfCells()} faces, up to level {self.recipe.GetMaximumLevel()}"
+        return text + self._describe_colours()
+
+    def _describe_colours(self) -> str:
+        if self._table is None:
+            return ""
+        low, high = self._table.GetRange()
+        return f", {self._title} from {low:g} to {high:g}"
+
     def _displace(self, height: Any, scale: float | None) -> None:
         displacement = height
         if not isinstance(height, relevo.vtkDisplacement):
@@ -230,7 +250,7 @@ class Refined(Drawing):
                 displacement.SetScale(factor)
                 displacement.SetOffset(-factor * low)
         if scale is not None:
-            with Messages(ValueError):
+            with Messages(ValueError, {"Scale": "scale"}):
                 displacement.SetScale(scale)
         if self._coarse.GetPointData().GetTCoords() is None:
             self._add_texture_coordinates()

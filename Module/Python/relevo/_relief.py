@@ -5,9 +5,9 @@
 from __future__ import annotations
 
 import os
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 from vtkmodules.vtkRenderingCore import vtkActor
 
 import relevo
@@ -18,6 +18,9 @@ from ._messages import Messages
 from ._raster import is_raster
 from ._refined import Refined
 from ._typing import Camera
+
+if TYPE_CHECKING:
+    from . import _vtk
 
 
 def _convert(heights: relevo.vtkHeightField) -> vtkDataObject:
@@ -57,7 +60,10 @@ def _read(source: Any) -> tuple[vtkDataObject, str]:
 class Relief(Drawing):
     """Reliefs, which are images with depth, see relevo.relief()."""
 
-    def __init__(self, source: Any) -> None:
+    mapper: relevo.vtkReliefMapper
+    actor: _vtk.vtkActor
+
+    def __init__(self, source: Any, lighting: bool | None) -> None:
         self._data, self._kind = _read(source)
         super().__init__(relevo.vtkReliefMapper(), vtkActor())
         self.mapper.SetInputDataObject(self._data)
@@ -67,8 +73,17 @@ class Relief(Drawing):
             self._up = 2
             self._direction = (192, 38)
             self._lights = ((315, 40, 1.0), (160, 50, 0.35))
+        if lighting is not None:
+            shading = self.mapper.LIT if lighting else self.mapper.CAPTURED
+            self.mapper.SetShading(shading)
         with Messages():
             self.mapper.GetBounds()
+
+    def _describe(self) -> str:
+        blocks = _inputs.get_blocks(self._data)
+        images = [own.GetDimensions()[:2] for own in blocks if isinstance(own, vtkImageData)]
+        sizes = dict.fromkeys(f"{columns} x {rows}" for columns, rows in images)
+        return f"{len(images)} of {', '.join(sizes)} texels"
 
     def _make_mesh(self, camera: Camera) -> vtkDataObject:
         result = self._data.NewInstance()

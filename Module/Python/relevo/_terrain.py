@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy
 from numpy.typing import ArrayLike
@@ -25,9 +25,12 @@ import relevo
 from . import _colours, _inputs, _work
 from ._drawing import SIZE, Drawing
 from ._error import Error
-from ._messages import Messages, warn
+from ._messages import Messages, rename, warn
 from ._raster import RasterFile
 from ._typing import Array, Bounds, Camera, Path
+
+if TYPE_CHECKING:
+    from . import _vtk
 
 _masked: Any = numpy.ma  # without annotations up to numpy 2.2
 
@@ -81,6 +84,7 @@ class Terrain(Drawing):
     _up = 2
 
     mapper: relevo.vtkTerrainMapper
+    actor: _vtk.vtkActor
 
     def __init__(
         self,
@@ -89,29 +93,32 @@ class Terrain(Drawing):
         exaggeration: float | None,
         bounds: Bounds | None,
         crs: Any,
+        no_data: float | None,
+        lighting: bool,
     ) -> None:
         if imagery is not None and not _inputs.is_path(imagery):
             raise TypeError(f"imagery must be the path of an image, not {type(imagery).__name__}")
         if exaggeration is not None:
             _inputs.check_number(exaggeration, "exaggeration")
-        raster = RasterFile(source, bounds, crs)
+        raster = RasterFile(source, bounds, crs, no_data)
+        self._raster_title, self._names = raster.title, raster.names
         _check_file(raster.name)
         mapper = relevo.vtkTerrainMapper()
         self._pyramid = relevo.vtkTerrainPyramid()
         raster.keep_for(self._pyramid)
         self._pyramid.SetFileName(raster.name)
-        with Messages():
+        with Messages(ValueError if raster.is_array else Error, self._names):
             self._pyramid.Update()
         if crs is not None and not self._pyramid.GetCoordinateSystem():
             raise ValueError(f"crs: {crs!r} is not a coordinate system that GDAL knows")
-        self._check_location(raster.name)
         mapper.SetPyramid(self._pyramid)
         columns, rows = self._pyramid.GetDimensions()
         if columns * rows <= _SMALL:
             self._wait()
-        with Messages(ValueError):
+        self._check_data(raster.name)
+        with Messages(ValueError, {"Exaggeration": "exaggeration"}):
             mapper.SetExaggeration(
-                self._choose_exaggeration(raster.name) if exaggeration is None else exaggeration
+                self._choose_exaggeration() if exaggeration is None else exaggeration
             )
         super().__init__(mapper, vtkActor())
         self.actor.SetMapper(mapper)
@@ -127,8 +134,9 @@ class Terrain(Drawing):
             # Photographs contain shadows.
             self.actor.GetProperty().SetAmbient(0.30)
             self.actor.GetProperty().SetDiffuse(0.80)
+        self._set_lighting(lighting)
         self._colours.update(self.mapper)
-        with Messages():
+        with Messages(names=self._names):
             box = mapper.GetBounds()
         if box[0] > box[1]:
             raise Error(f"{raster.title} has no terrain to draw: all heights are missing values")
@@ -163,7 +171,7 @@ class Terrain(Drawing):
             points = self._from_degrees(points)
         if not len(points):
             return numpy.empty(x.shape)
-        with Messages():
+        with Messages(names=self._names):
             found = self._pyramid.GetElevations(numpy_to_vtk(points))
         heights: Array = vtk_to_numpy(found).astype(float).reshape(x.shape)
         return heights if x.ndim else float(heights)
@@ -179,12 +187,18 @@ class Terrain(Drawing):
     def _wait(self) -> None:
         _work.wait_for_index(self._pyramid)
 
-    def _check_location(self, name: str) -> None:
-        doubt = self._pyramid.GetLocationWarning()
-        if doubt:
-            warn(name + doubt)
+    def _check_data(self, name: str) -> None:
+        """Warn if coordinates or samples are probably not what they are taken for."""
+        for doubt in (self._pyramid.GetLocationWarning(), self._pyramid.GetSampleWarning()):
+            if doubt:
+                warn(rename(name + doubt, self._names))
 
-    def _choose_exaggeration(self, name: str) -> float:
+    def _describe(self) -> str:
+        columns, rows = self._pyramid.GetDimensions()
+        low, high = self._pyramid.GetRange()
+        return f"{self._raster_title}, {columns} x {rows} heights from {low:g} to {high:g}"
+
+    def _choose_exaggeration(self) -> float:
         """Return 1, or less for heights of an unknown unit that would be more than the width."""
         if self._pyramid.GetCoordinateSystem():
             return 1.0

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -23,11 +23,14 @@ from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume, vtk
 
 import relevo
 
-from . import _camera, _colours, _inputs, _work
+from . import _camera, _colours, _inputs, _stress, _work
 from ._drawing import SIZE, Drawing, _check_size, _make_offscreen_window
 from ._error import Error
 from ._messages import Messages
 from ._typing import Array, Camera
+
+if TYPE_CHECKING:
+    from . import _vtk
 
 _BLENDS = ("composite", "maximum", "minimum", "average", "additive", "isosurface")
 _BY_LENGTH = ("composite", "additive")
@@ -226,6 +229,9 @@ class Volume(Drawing):
     _background = ((0.98, 0.98, 0.98), (0.84, 0.87, 0.91))
     _probe: Any = None
 
+    mapper: relevo.vtkGPUUnstructuredGridVolumeMapper
+    actor: _vtk.vtkVolume
+
     def __init__(
         self,
         mesh: Any,
@@ -236,16 +242,19 @@ class Volume(Drawing):
         clip: Any,
         blend: str,
         up: str,
+        lighting: bool | None,
     ) -> None:
         self._up = _camera.find_axis(up)
         if unit_distance is not None:
             _inputs.check_number(unit_distance, "unit_distance")
-        self._data, self._kind = _inputs.take_data(mesh)
+        data, self._kind = _inputs.take_data(mesh)
+        self._data, array = _stress.add_stress(data, array)
         blocks = [block for block in _inputs.get_blocks(self._data) if _is_solid(block)]
         if not blocks:
             raise ValueError("the mesh has no 3D cells; relevo.refined() draws surfaces")
-        if blend not in _BLENDS:
+        if str(blend).lower() not in _BLENDS:
             raise ValueError(f"blend must be one of {', '.join(_BLENDS)}, not {blend!r}")
+        blend = blend.lower()
         super().__init__(relevo.vtkGPUUnstructuredGridVolumeMapper(), vtkVolume())
         values, name, of_points = _find_array(blocks, array)
         self.mapper.SetInputDataObject(self._data)
@@ -263,6 +272,8 @@ class Volume(Drawing):
         self._set_look(values, transfer, unit_distance, isosurfaces, blend)
         self._table = self.actor.GetProperty().GetRGBTransferFunction()
         self._title = _colours.make_title(name, values[0])
+        if lighting is not None:
+            self.actor.GetProperty().SetShade(bool(lighting))
 
     def _set_look(
         self,
@@ -312,6 +323,11 @@ class Volume(Drawing):
         self.mapper.SetIsoSurfaces(bool(surfaces))
         look.SetShade(bool(surfaces))
 
+    def _describe(self) -> str:
+        cells = self._data.GetNumberOfElements(self._data.CELL)
+        low, high = self.actor.GetProperty().GetRGBTransferFunction().GetRange()
+        return f"{cells} cells, {self._title} from {low:g} to {high:g}"
+
     @staticmethod
     def _check_surfaces(values: Any) -> list[float]:
         try:
@@ -334,8 +350,8 @@ class Volume(Drawing):
         if more light passes. See vtkVolumeProbe. Raises relevo.Error with average blending.
         """
         size = _check_size(size)
+        window = _make_offscreen_window(self._is_on_display())
         with Messages():
-            window = _make_offscreen_window()
             window.SetSize(size)
             renderer = self._make_renderer(size, camera)
             window.AddRenderer(renderer)
