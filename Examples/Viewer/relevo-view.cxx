@@ -10,10 +10,10 @@
 #include "Options/UsageError.h"
 #include "Options/ViewerUsage.h"
 #include "Scene/OffscreenWindow.h"
+#include "Scene/PictureSeries.h"
 #include "Scene/ReliefCaptures.h"
 #include "Scene/SceneFactory.h"
 #include "Scene/TerrainHeight.h"
-#include "Scene/ViewerFlight.h"
 #include "Scene/ViewerScene.h"
 #include "Text/ReadingGuard.h"
 #include "Text/StandardError.h"
@@ -52,6 +52,11 @@ void Draw(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& mess
     scene.CheckPictures();
     return;
   }
+  if (options.IsSeries())
+  {
+    DrawTimeSteps(scene, window, options, messages);
+    return;
+  }
   scene.Draw(window);
   ShowReliefs(scene.GetRenderer(), window, options, messages);
   if (!options.Output.empty())
@@ -84,7 +89,7 @@ void Run(const ViewerOptions& options)
   }
   for (const std::string& fileName : files)
   {
-    if (!fileName.empty() && options.Flight.empty())
+    if (!fileName.empty() && !IsFramePattern(fileName))
     {
       CheckOutput(fileName);
     }

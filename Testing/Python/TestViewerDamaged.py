@@ -308,9 +308,6 @@ class TestViewerDamaged(ViewerProgram):
 
     def test_words(self):
         """Each cause has one message, which names options."""
-        heights = bytearray(b"II*\0" + bytes(4))
-        (self.folder / "mug.e").write_bytes(bytes(heights))
-        self.assert_error(1, ["mug.e", "if it is an Exodus file, rename it to .ex2"], "mug.e", *EXPORT)
         (self.folder / "cut.pgm").write_bytes(b"P5 8 8 255\n12345")
         run = self.view("cut.pgm", *EXPORT, code=1)
         self.assertNotIn(".gltf", run.stderr)
@@ -318,7 +315,7 @@ class TestViewerDamaged(ViewerProgram):
                           *EXPORT[::-1])
         self.assert_error(1, ["'--level=0'"], "sphere.vtp", "--array=--level=0", *EXPORT)
         self.assert_error(2, ["--array needs the name"], "sphere.vtp", "--array", "", *EXPORT)
-        self.assert_error(2, ["--volume requires a mesh", "'a.vts'", ".vtu"], "a.vts", "--volume")
+        self.assert_error(2, ["--volume requires a mesh", "'a.dae'", ".vtu"], "a.dae", "--volume")
         self.assert_error(2, ["--error requires --metric height"], "heights.pgm",
                           "--error=1", "--metric=error")
         self.assert_error(2, ["--error cannot be combined with --level"], "grid.vtu", "--error=1",

@@ -375,7 +375,7 @@ class TestViewerFormats(ViewerProgram):
 
     def test_other_formats(self):
         """A file that no reader recognizes might be a mesh, so the error lists the mesh formats."""
-        formats = [".glb", ".gltf", ".obj", ".ply", ".stl", ".vtk", ".vtp or .vtu files"]
+        formats = [".glb", ".gltf", ".obj", ".ply", ".stl", ".vtk", ".vts or .vtu files"]
         for name in ("a.dae", "a"):
             (self.folder / name).write_text("neither heights nor a mesh\n")
             self.assert_error(1, ["Cannot read " + name, *formats], name, "--output=n.png")
@@ -403,7 +403,9 @@ class TestViewerFormats(ViewerProgram):
         for volume in ((), ("--volume=Left",)):
             run = self.view("time.ex2", "--output=t.png", "--size=160x100", *volume)
             said = run.stdout.splitlines()
-            self.assertEqual(said[0], "time.ex2: only time step 1 of 3 is drawn (time 0.5)")
+            self.assertEqual(
+                said[0], "time step 1 of 3, time 0.5 of 0.5 to 2.5; --time T draws another"
+            )
 
 
 if __name__ == "__main__":

@@ -5,8 +5,6 @@
 #include "Files/ViewerFile.h"
 #include "Text/ViewerMessages.h"
 
-#include <vtksys/RegularExpression.hxx>
-
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -127,11 +125,4 @@ std::vector<FlightPosition> ReadFlightFile(const std::string& fileName)
     throw ViewerError(fileName + " has no positions below the header " + FlightHeader);
   }
   return positions;
-}
-
-//------------------------------------------------------------------------------
-bool IsFramePattern(const std::string& name)
-{
-  vtksys::RegularExpression pattern("^[^%]*%(0[1-9])?d[^%/]*$");
-  return pattern.find(name);
 }

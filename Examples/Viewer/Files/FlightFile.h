@@ -26,7 +26,4 @@ struct FlightPosition
 /// Throws ViewerError, which names the line and the column of invalid values.
 std::vector<FlightPosition> ReadFlightFile(const std::string& fileName);
 
-/// Whether a name has a number such as %04d in its last part, once, and no other percent signs.
-bool IsFramePattern(const std::string& name);
-
 #endif

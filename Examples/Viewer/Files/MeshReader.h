@@ -1,27 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   reads the surface of a mesh file
+ * @brief   reads the surface of a mesh
  */
 #ifndef MeshReader_h
 #define MeshReader_h
 
 #include "vtkSmartPointer.h"
 
-#include <string>
-
-class vtkPolyData;
+class ResultFile;
 class ViewerMessages;
-
-/// Whether the name has the extension of a mesh format, even if this version of VTK cannot read it.
-bool IsMeshFile(const std::string& fileName);
-
-/// The supported formats, as in ".ply, .stl or .vtp files".
-std::string GetMeshFormats();
-
-/// Advice, as the end of a sentence, for a file that is not a mesh by its extension: the formats of
-/// meshes, or "" if the extension is that of a raster.
-std::string AdviseFormat(const std::string& fileName, const std::string& formats);
+class vtkPolyData;
+struct MeshWarp;
 
 /// The surface of an unstructured grid.
 enum class MeshCells
@@ -39,10 +29,10 @@ struct SurfaceMesh
 };
 
 /**
- * Reads the polygons and strips of a file. For other data sets in a .bpt, .vtk, .vtu, .pvtu or .ex2
- * file, returns the outer surface. Throws ViewerError if there are none, if a point is not finite,
- * or if a cell refers to a missing point.
+ * Reads the polygons and strips of a time step, or the outer surface of other data sets, with the
+ * points moved by the warp. Throws ViewerError if there are none, or if a point is not finite.
  */
-SurfaceMesh ReadMesh(const std::string& fileName, MeshCells cells, ViewerMessages& messages);
+SurfaceMesh ReadMesh(
+  ResultFile& file, int step, const MeshWarp& warp, MeshCells cells, ViewerMessages& messages);
 
 #endif

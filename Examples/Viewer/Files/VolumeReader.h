@@ -8,15 +8,14 @@
 
 #include "vtkSmartPointer.h"
 
-#include <string>
-
-class vtkDataObject;
+class ResultFile;
 class ViewerMessages;
+class vtkDataObject;
+struct MeshWarp;
 
-/// The supported formats, as in ".vtk or .vtu files".
-std::string GetVolumeFormats();
-
-/// Returns a vtkDataSet or a composite data set. Throws ViewerError if there are no cells.
-vtkSmartPointer<vtkDataObject> ReadVolume(const std::string& fileName, ViewerMessages& messages);
+/// Returns a time step, a vtkDataSet or a composite data set, with the points moved by the warp.
+/// Throws ViewerError if there are no cells.
+vtkSmartPointer<vtkDataObject> ReadVolume(
+  ResultFile& file, int step, const MeshWarp& warp, ViewerMessages& messages);
 
 #endif

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options/OptionChecks.h"
 
-#include "Files/FlightFile.h"
-#include "Files/MeshReader.h"
-#include "Files/VolumeReader.h"
+#include "Files/ResultFormats.h"
 #include "Options/UsageError.h"
 #include "Options/ViewerArguments.h"
 #include "Options/ViewerOptions.h"
@@ -100,7 +98,7 @@ private:
     {
       const std::string& option = given.first;
       if (options.IsVolume && !IsOneOf(option, ofVolumes) && !IsOneOf(option, OfAll) &&
-        option != "--light")
+        !IsOneOf(option, { "--light", "--range", "--scale", "--time", "--warp" }))
       {
         throw UsageError(option + " cannot be combined with --volume");
       }
@@ -116,6 +114,7 @@ private:
     this->RequirePartner({ "--unit-distance" },
       blend == vtkVolumeMapper::COMPOSITE_BLEND || blend == vtkVolumeMapper::ADDITIVE_BLEND,
       "--blend composite or additive");
+    this->Exclude({ "--range" }, !options.Transfer.empty(), "--transfer");
     if (this->Given.count("--transfer") && options.Transfer.empty())
     {
       throw UsageError("--transfer needs the name of a file");
@@ -166,12 +165,23 @@ private:
     using Surface = ViewerOptions::SurfaceType;
     this->RequirePartner({ "--exaggeration", "--imagery-bands", "--resolution", "--stretch" },
       options.IsTerrain(), "a height map, and '" + options.Input + "' is a mesh");
-    this->RequireMesh(
-      { "--array", "--feature-angle", "--height", "--mapping", "--offset", "--scale" });
+    this->RequireMesh({ "--array", "--feature-angle", "--height", "--mapping", "--offset",
+      "--scale", "--time", "--warp" });
     this->RequirePartner({ "--up" }, !options.IsTerrain(),
       "a mesh, and '" + options.Input + "' is read as a height map");
     const bool hasHeights = !options.IsMesh || !options.Heights.empty();
-    this->RequirePartner({ "--scale", "--offset" }, options.IsMesh && hasHeights, "--height");
+    const bool isWarped = !options.Warp.empty();
+    if (options.IsSeries() && options.Flight.empty() &&
+      (!options.IsMesh || !options.Against.empty()))
+    {
+      throw UsageError(
+        "--output " + options.Output + " requires --flight or a mesh with time steps");
+    }
+    this->Exclude({ "--time" }, options.IsSeries(), "--output " + options.Output);
+    this->Exclude({ "--warp" }, !options.Heights.empty(), "--height");
+    this->RequirePartner({ "--offset" }, options.IsMesh && hasHeights, "--height");
+    this->RequirePartner(
+      { "--scale" }, isWarped || (options.IsMesh && hasHeights), "--height or --warp");
     this->RequirePartner({ "--no-data", "--no-data-value" }, hasHeights, "--height");
     this->RequirePartner(
       { "--mapping" }, hasHeights || !options.Imagery.empty(), "--height or --image");
@@ -249,7 +259,7 @@ private:
     const Color color = options.Color;
     const bool isOfTerrain = color != Color::Own && !options.IsColoredByLevel();
     this->RequirePartner({ "--base", "--contour-labels", "--contours", "--flight", "--globe",
-                           "--memory", "--palette", "--range", "--sea-level" },
+                           "--memory", "--palette", "--sea-level" },
       options.IsTerrain(), "a height map, and '" + options.Input + "' is none");
     if (!options.IsTerrain())
     {
@@ -288,7 +298,7 @@ private:
   {
     const ViewerOptions& options = this->Options;
     const bool isFlight = !options.Flight.empty();
-    this->RequirePartner({ "--flight" }, IsFramePattern(options.Output),
+    this->RequirePartner({ "--flight" }, options.IsSeries(),
       "--output with a number such as --output 'frames/%04d.png'");
     this->Exclude({ "--center", "--export", "--stats", "--view", "--zoom" }, isFlight, "--flight");
   }

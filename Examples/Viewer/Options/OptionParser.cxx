@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options/OptionParser.h"
 
-#include "Files/MeshReader.h"
+#include "Files/ResultFormats.h"
 #include "Files/ViewerExport.h"
 #include "Options/OptionChecks.h"
 #include "Options/Palettes.h"
@@ -226,9 +226,20 @@ private:
         [&](const auto& option, const auto& value) { options.Offset = ToNumber(option, value); } },
       { "--scale",
         [&](const auto& option, const auto& value) { options.Scale = ToNumber(option, value); } },
+      { "--time",
+        [&](const auto& option, const auto& value) { options.Time = ToNumber(option, value); } },
       { "--up",
         [&](const auto& option, const auto& value) {
           options.UpAxis = ToChoice<int>(option, value, { { "x", 0 }, { "y", 1 }, { "z", 2 } });
+        } },
+      { "--warp",
+        [&](const auto& option, const auto& value)
+        {
+          if (value.empty())
+          {
+            throw UsageError(option + " needs the name of an array of vectors");
+          }
+          options.Warp = value;
         } },
     });
   }

@@ -6,6 +6,8 @@
 #ifndef ViewerOptions_h
 #define ViewerOptions_h
 
+#include "Files/FramePattern.h"
+
 #include <array>
 #include <optional>
 #include <string>
@@ -75,13 +77,15 @@ struct ViewerOptions
   bool FillNoData = false;
   std::optional<double> NoDataValue; // may be NaN
 
+  // Colours: the values of the first and the last.
+  std::optional<std::array<double, 2>> Range;
+
   // Only for terrain.
   int ImageryBands[3] = { 0, 0, 0 }; // as in vtkTerrainSource
   bool Stretch = false;
   std::optional<double> Exaggeration;
   std::optional<int> Resolution;
-  std::string Palette; // empty: that of the colours
-  std::optional<std::array<double, 2>> Range;
+  std::string Palette;            // empty: that of the colours
   std::optional<double> Contours; // unit of the heights
   bool ContourLabels = false;
   std::optional<double> SeaLevel; // unit of the heights
@@ -92,6 +96,8 @@ struct ViewerOptions
   std::string TiledBy;  // an option that needs tiles, or empty
 
   // Only for meshes.
+  std::optional<double> Time;
+  std::string Warp; // an array of points that moves them; empty for none
   std::string Heights;
   std::optional<double> Scale;
   std::optional<double> Offset;
@@ -163,7 +169,7 @@ struct ViewerOptions
   bool Wireframe = false;
   bool Statistics = false;
   int Size[2] = { 1280, 800 };
-  std::string Output;
+  std::string Output; // a file, or a pattern for several
   std::string Export;
   bool Help = false;
   bool Version = false;
@@ -173,6 +179,8 @@ struct ViewerOptions
     return this->Color == ColorType::Level || this->Color == ColorType::Pattern ||
       this->Color == ColorType::Metric;
   }
+  /// Whether several pictures are written, numbered by the name of the output.
+  bool IsSeries() const { return IsFramePattern(this->Output); }
   bool IsTerrain() const { return !this->IsMesh && !this->IsDatabase; }
   /// Whether curved cells are requested. By default, a file that contains some is drawn this way.
   bool IsPatch() const { return this->Surface == SurfaceType::Patch; }

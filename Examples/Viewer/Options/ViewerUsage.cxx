@@ -7,9 +7,10 @@ namespace
 const char* const Options = R"(relevo-view FILE [options]
 relevo-view [options] -- FILE     for names that begin with a hyphen
 
-Draws a height map (GeoTIFF, SRTM .hgt, USGS DEM, PNG, OpenEXR ...), a mesh (.vtp, .ply, .obj, .stl,
-.gltf, .glb, .off, .bpt, .vtk, .vtu, .pvtu, .ex2), the inside of a mesh of 3D cells, or a folder of
-reliefs. The program opens a window, or writes a picture with --output.
+Draws a height map (GeoTIFF, SRTM .hgt, USGS DEM, PNG, OpenEXR ...), a surface mesh (.ply, .stl, .obj,
+.gltf, .glb, .off, .bpt, .vtp ...), results on a mesh of cells (.vtu, .vts, .vti, .vtm, .pvd, .vtk,
+Exodus, EnSight, OpenFOAM, CGNS ...), the inside of such a mesh, or a folder of reliefs. The program
+opens a window, or writes a picture with --output.
 
 The surface:
   --surface NAME         the surface that refined points lie on: linear (default for height maps and
@@ -42,8 +43,6 @@ Height maps:
   --palette NAME         colours of heights (default relief), slopes (default heat) or aspects
                          (default cyclic): cool-warm, cyclic, grey, heat, magma, rainbow, relief,
                          viridis, water
-  --range A,B            values that the first and the last colour stand for, A less than B (default:
-                         all)
   --sea-level H          colour heights up to H as water, and those above as land. Not with --image
   --memory MIB           largest memory of heights, pictures and textures, 16 to 1048576 (default 512).
                          Terrain beyond it has a larger error
@@ -71,6 +70,9 @@ Meshes:
                          the bounding box (default: plane if that side is less than a tenth of the
                          longest, otherwise sphere)
   --array NAME           point or cell array to colour by (default: the active scalars)
+  --time T               the time step nearest to T (default: the first one)
+  --warp ARRAY           move the points by a point array of 3 components, such as displacements,
+                         times --scale (default 1)
   --feature-angle DEG    keep edges sharp where faces meet at more than this angle (default 30
                          without --surface)
   --up x|y|z             the axis that points up (default y)
@@ -92,7 +94,7 @@ Curved cells and hair (see also --error):
   --patch-edges          draw the edges of the cells, not those of triangles
   --hair N               grow N hairs on the mesh, each about 0.05 of its diagonal long
 
-Volumes (.vtk, .vtu, .pvtu, .ex2):
+Volumes (files that can contain 3D cells):
   --volume [ARRAY]       draw the inside, using a point or cell array, or the length of vectors
                          (default: the active scalars, otherwise the first array). Write ARRAY after
                          FILE, or --volume=ARRAY
@@ -169,6 +171,8 @@ The picture:
                          of a height map: its heights (default without --image), slopes in degrees,
                          directions in which it falls, clockwise from north, or grey relief, with the
                          sun in the north-west
+  --range A,B            values that the first and the last colour stand for, A less than B (default:
+                         all values of the picture, or of all time steps)
   --wireframe            draw the edges of the refined triangles
   --view AZ,EL           side that the camera looks from, in degrees: azimuth, clockwise from north
                          (for meshes with y up, from -z), and elevation, -90 to 90 (default 192,38;
@@ -183,7 +187,9 @@ The picture:
   --stats                print numbers of faces, triangles and draw calls, graphics memory and times.
                          Not with --flight
   --size WxH             size of the picture or the window, in pixels (default 1280x800)
-  --output FILE.png      write a picture without a display, and exit
+  --output FILE.png      write a picture without a display, and exit. With a number in the name, such
+                         as 'frames/%04d.png', write a picture for each time step of a mesh, or
+                         each line of --flight, numbered from 0
   --export FILE          write the mesh as it is drawn (.vtp, .glb, .obj, .ply, .stl) and exit.
                          Height maps are in metres, with x east, y north and z up; with --globe,
                          from the centre of the earth. A .vtp file also has the field data Origin
@@ -222,6 +228,7 @@ const char* GetWindowUsage()
   i                       save a picture under a new name
   +, -                    volumes: raise, lower the opacity
   . ,                     volumes: raise, lower the isovalues
+  <, >                    the time step before, the next one
   m, n                    volumes: move the cut forward, back
   h                       this help
   q, e                    quit)";

@@ -3,6 +3,8 @@
 #include "Scene/ContactScene.h"
 
 #include "Files/MeshReader.h"
+#include "Files/MeshWarp.h"
+#include "Files/ResultFile.h"
 #include "Scene/ViewerPatches.h"
 #include "Text/PrintableText.h"
 
@@ -153,7 +155,8 @@ void ContactScene::ReadMeshes()
   const std::string* files[2] = { &this->Options.Input, &this->Options.Against };
   for (int i = 0; i < 2; ++i)
   {
-    this->Meshes[i] = ReadMesh(*files[i], MeshCells::Curved, this->Messages).Data;
+    ResultFile file(*files[i], this->Messages);
+    this->Meshes[i] = ReadMesh(file, 0, {}, MeshCells::Curved, this->Messages).Data;
     this->Filter->SetInputData(i, this->Meshes[i]);
     this->Messages.Name("input " + std::to_string(i), *files[i]);
   }

@@ -10,6 +10,7 @@
 #include "Scene/MeshMapping.h"
 #include "Scene/MeshProbe.h"
 #include "Scene/OffscreenWindow.h"
+#include "Scene/TimeSteps.h"
 #include "Scene/ViewerFlow.h"
 #include "Scene/ViewerHair.h"
 #include "Scene/ViewerMetric.h"
@@ -90,7 +91,11 @@ vtkSmartPointer<vtkPolyData> WithPoints(vtkPolyData* surface, vtkDataObject* oth
 MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
   : SurfaceScene(options, messages)
 {
-  this->ReadMesh();
+  this->Steps = std::make_unique<TimeSteps>(options, this->Renderer, messages);
+  const bool isOfCells = this->ReadStep();
+  this->TakePatches();
+  this->ChooseSurface(isOfCells);
+  this->CompleteMesh();
   this->ChooseArray();
   this->ChooseVectors();
   this->ReadHeights();
@@ -116,21 +121,67 @@ MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
 MeshScene::~MeshScene() = default;
 
 //------------------------------------------------------------------------------
-void MeshScene::ReadMesh()
+bool MeshScene::ReadStep()
 {
   const bool asItIs = this->Options.Surface && !this->Options.IsPatch();
   const MeshCells cells = asItIs
     ? MeshCells::Flat
     : (this->Options.AsksForPatches() ? MeshCells::Patches : MeshCells::Curved);
-  const SurfaceMesh mesh = ::ReadMesh(this->Options.Input, cells, this->Messages);
+  const SurfaceMesh mesh = ReadMesh(
+    this->Steps->GetFile(), this->Steps->GetStep(), this->Steps->GetWarp(), cells, this->Messages);
   this->Mesh->ShallowCopy(mesh.Data);
-  this->TakePatches();
-  this->ChooseSurface(mesh.IsOfCells);
+  return mesh.IsOfCells;
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::CompleteMesh()
+{
+  if (this->HasCreases)
+  {
+    this->FindCreases();
+  }
   const bool isMapped = !this->Options.Heights.empty() || !this->Options.Imagery.empty();
   if (isMapped && !this->Mesh->GetPointData()->GetTCoords())
   {
     AddTextureCoordinates(this->Mesh, this->Options);
   }
+}
+
+//------------------------------------------------------------------------------
+int MeshScene::GetNumberOfTimeSteps()
+{
+  return this->Steps->GetNumber();
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::SetTimeStep(int step)
+{
+  this->Steps->SetStep(step);
+  this->ReadStep();
+  this->CompleteMesh();
+  this->Probe.reset();
+  if (!this->Options.Vectors.empty())
+  {
+    this->ChooseVectors();
+  }
+  if (this->IsColouredByArray())
+  {
+    this->ExtendRange();
+    this->Colours->DeepCopy(MakeColours(this->Range->data()));
+    ShowIsolines(this->Options, this->Mapper, this->Range->data());
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string MeshScene::Change(char key)
+{
+  const std::optional<int> step = this->Steps->FindStep(key);
+  if (!step)
+  {
+    return "";
+  }
+  this->SetTimeStep(*step);
+  return this->Steps->GetOption();
 }
 
 //------------------------------------------------------------------------------
@@ -153,17 +204,19 @@ void MeshScene::TakePatches()
 //------------------------------------------------------------------------------
 void MeshScene::ChooseSurface(bool isOfCells)
 {
-  const bool isOpen = !this->Options.Surface;
-  if (isOpen && isOfCells)
+  if (!this->Options.Surface && isOfCells)
   {
     // Linear cells are flat, and nothing indicates that they should be curved.
     this->Options.Surface = ViewerOptions::SurfaceType::Linear;
   }
   // For other surfaces, normals are used unchanged.
-  if (this->Options.IsPatch() || (this->Options.Surface && !this->Options.FeatureAngle))
-  {
-    return;
-  }
+  this->HasCreases =
+    !this->Options.IsPatch() && (!this->Options.Surface || this->Options.FeatureAngle);
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::FindCreases()
+{
   vtkNew<vtkCreaseNormals> normals;
   this->Messages.Observe(normals, "finding creases");
   normals->SetInputData(this->Mesh);
@@ -175,7 +228,7 @@ void MeshScene::ChooseSurface(bool isOfCells)
   normals->Update();
   this->Messages.Check();
   this->Mesh->ShallowCopy(normals->GetOutput());
-  if (isOpen && !isOfCells)
+  if (!this->Options.Surface)
   {
     const bool isFlat = vtkLinearSurface::SafeDownCast(normals->GetFittingSurface());
     this->Options.Surface =
@@ -195,6 +248,7 @@ void MeshScene::Report()
   {
     std::cout << this->CurvedBy << std::endl;
   }
+  this->ReportWarp();
   const bool isGrey = this->ArrayName.empty() && this->Options.Imagery.empty() &&
     this->Options.Color == ViewerOptions::ColorType::Own && this->Options.Export.empty() &&
     this->Options.Capture.empty();
@@ -202,6 +256,29 @@ void MeshScene::Report()
   if (!list.empty())
   {
     std::cout << "arrays: " << ToPrintable(list) << "; --array NAME colours by one" << std::endl;
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::ReportWarp()
+{
+  const double visible = 0.005; // share of the diagonal
+  vtkDataArray* moves = this->Options.Warp.empty()
+    ? nullptr
+    : this->Mesh->GetPointData()->GetArray(this->Options.Warp.c_str());
+  if (!moves)
+  {
+    return;
+  }
+  double range[2];
+  GetLengthRange(moves, range);
+  const double share = range[1] / this->Mesh->GetLength();
+  if (share > 0.0 && share * std::abs(this->Steps->GetWarp().Factor) < visible)
+  {
+    std::cout << std::setprecision(2) << "warp: points are moved by at most "
+              << 100.0 * share * std::abs(this->Steps->GetWarp().Factor)
+              << " % of the diagonal; --scale " << std::setprecision(1) << 0.05 / share
+              << " makes that 5 %" << std::endl;
   }
 }
 
@@ -359,6 +436,12 @@ void MeshScene::SetColours()
   property->SetSpecularPower(30.0);
   property->SetInterpolationToPhong();
   this->Mapper->ScalarVisibilityOff();
+  if (this->Options.Range && (this->ArrayName.empty() || !this->Options.Imagery.empty()))
+  {
+    throw ViewerError("--range requires colours by an array" +
+      std::string(this->Options.Imagery.empty() ? ", and " + this->Options.Input + " has none"
+                                                : ", not a picture (--image)"));
+  }
   if (!this->Options.Imagery.empty())
   {
     property->SetColor(1.0, 1.0, 1.0);
@@ -393,19 +476,67 @@ void MeshScene::SetArrayColours()
   {
     return;
   }
-  double range[2];
-  array == this->Vectors
-    ? GetLengthRange(array, range)
-    : array->GetFiniteRange(range, array->GetNumberOfComponents() > 1 ? -1 : 0);
-  const auto colours = MakeColours(range);
-  this->Mapper->SetLookupTable(colours);
+  this->Options.IsSeries() ? this->ExtendRangeByAllSteps() : this->ExtendRange();
+  array = this->GetArray(); // that of the step which is read last
+  this->Colours = MakeColours(this->Range->data());
+  this->Mapper->SetLookupTable(this->Colours);
   this->Mapper->InterpolateScalarsBeforeMappingOn();
-  ShowIsolines(this->Options, this->Mapper, range);
+  ShowIsolines(this->Options, this->Mapper, this->Range->data());
   if (this->Options.Color == ViewerOptions::ColorType::Own)
   {
-    this->AddLegend(colours, GetArrayTitle(this->ArrayName, array->GetNumberOfComponents()),
+    this->AddLegend(this->Colours, GetArrayTitle(this->ArrayName, array->GetNumberOfComponents()),
       GetArrayUnit(array), 5);
   }
+}
+
+//------------------------------------------------------------------------------
+bool MeshScene::IsColouredByArray() const
+{
+  return this->Colours != nullptr;
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::ExtendRange()
+{
+  if (this->Options.Range)
+  {
+    this->Range = this->Options.Range;
+    return;
+  }
+  vtkDataArray* array = this->GetArray();
+  if (!array)
+  {
+    throw ViewerError(this->Options.Input + " has no array '" + this->ArrayName + "' with " +
+      this->Steps->GetOption());
+  }
+  std::array<double, 2> range;
+  array == this->Vectors
+    ? GetLengthRange(array, range.data())
+    : array->GetFiniteRange(range.data(), array->GetNumberOfComponents() > 1 ? -1 : 0);
+  if (this->Range)
+  {
+    range = { { std::min(range[0], (*this->Range)[0]), std::max(range[1], (*this->Range)[1]) } };
+  }
+  this->Range = range;
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::ExtendRangeByAllSteps()
+{
+  const int shown = this->Steps->GetStep();
+  for (int step = 0; step < this->GetNumberOfTimeSteps(); ++step)
+  {
+    this->Steps->SetStep(step);
+    this->ReadStep();
+    if (!this->Options.Vectors.empty())
+    {
+      this->ChooseVectors();
+    }
+    this->ExtendRange();
+  }
+  this->Steps->SetStep(shown);
+  this->ReadStep();
+  this->CompleteMesh();
 }
 
 //------------------------------------------------------------------------------

@@ -15,8 +15,10 @@
 #include <string>
 
 class MeshProbe;
+class TimeSteps;
 class vtkDataArray;
 class vtkDisplacement;
+class vtkScalarsToColors;
 
 class MeshScene : public SurfaceScene
 {
@@ -29,12 +31,21 @@ public:
   /// and the arrays of a mesh drawn without one.
   void Report() override;
   std::string Describe(const double point[3], double resolution) override;
+  int GetNumberOfTimeSteps() override;
+  void SetTimeStep(int step) override;
+  std::string Change(char key) override;
 
 private:
-  void ReadMesh();
+  /// Reads the current time step into Mesh. Returns whether it is a surface of cells.
+  bool ReadStep();
   void TakePatches();
   void ChooseSurface(bool isOfCells);
+  void FindCreases();
+  /// Finishes the mesh after its surface has been chosen.
+  void CompleteMesh();
   void ReadHeights();
+  /// Prints a scale on stdout if the warp is too small to be seen.
+  void ReportWarp();
   void ChooseArray();
   void ChooseVectors();
   /// Whether refinement would not change the picture and is not requested.
@@ -43,17 +54,25 @@ private:
   vtkSmartPointer<vtkDepthTagMetric> MakeMeshMetric();
   void SetColours();
   void SetArrayColours();
+  bool IsColouredByArray() const;
+  /// Extends the range of the colours by that of the current step, unless the options set it.
+  void ExtendRange();
+  void ExtendRangeByAllSteps();
   vtkDataArray* GetArray();
   std::optional<std::array<double, 3>> GetCentre();
   vtkSmartPointer<vtkPolyData> GetSurface();
 
   vtkNew<vtkDisplacement> Displacement;
-  std::string CurvedBy; // the reason for the surface, for Report()
+  std::unique_ptr<TimeSteps> Steps;
+  bool HasCreases = false; // whether normals are from creases
+  std::string CurvedBy;    // the reason for the surface, for Report()
   // The array that colours the mesh, or an empty string, and whether it is a point array.
   std::string ArrayName;
   bool HasPointArray = false;
-  std::unique_ptr<MeshProbe> Probe; // created at the first query
-  vtkSmartPointer<vtkActor> Hair;   // nullptr without hair
+  vtkSmartPointer<vtkScalarsToColors> Colours; // of the array
+  std::optional<std::array<double, 2>> Range;  // of the colours
+  std::unique_ptr<MeshProbe> Probe;            // created at the first query
+  vtkSmartPointer<vtkActor> Hair;              // nullptr without hair
   // Vectors of the streaks, or nullptr.
   vtkSmartPointer<vtkDataArray> Vectors;
 };

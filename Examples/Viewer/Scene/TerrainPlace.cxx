@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/TerrainPlace.h"
 
-#include "Files/MeshReader.h"
+#include "Files/ResultFormats.h"
 #include "Options/ViewerOptions.h"
 #include "Scene/TerrainGround.h"
 #include "Text/ViewerMessages.h"

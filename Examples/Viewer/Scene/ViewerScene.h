@@ -58,6 +58,12 @@ public:
   /// Milliseconds until another frame of the same view would show more, or nothing.
   virtual std::optional<int> GetFrameDelay() { return std::nullopt; }
 
+  /// 0 if the file has no times.
+  virtual int GetNumberOfTimeSteps() { return 0; }
+
+  /// Reads and shows a step. Throws ViewerError.
+  virtual void SetTimeStep(int) {}
+
   /// Warns of positions of a flight that are outside of the height map. Throws ViewerError if all
   /// are far away.
   virtual void CheckFlight(const std::vector<FlightPosition>&) {}

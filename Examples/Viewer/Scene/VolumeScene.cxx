@@ -4,6 +4,7 @@
 
 #include "Files/VolumeReader.h"
 #include "Scene/ArrayNames.h"
+#include "Scene/TimeSteps.h"
 #include "Scene/ViewerStatistics.h"
 #include "Scene/VolumeFunctions.h"
 #include "Scene/VolumeThickness.h"
@@ -23,6 +24,7 @@
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
@@ -69,9 +71,18 @@ VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
   // A light background suits translucent volumes.
   this->Renderer->SetBackground(0.98, 0.98, 0.98);
   this->Renderer->SetBackground2(0.84, 0.87, 0.91);
-  const auto data = ReadVolume(options.Input, messages);
+  this->Steps = std::make_unique<TimeSteps>(options, this->Renderer, messages);
+  const auto data = this->ReadStep();
   CheckCells(options.Input, data);
   this->Array = FindVolumeArray(options, data);
+  if (options.Range)
+  {
+    std::copy_n(options.Range->begin(), 2, this->Array.Range);
+  }
+  else if (options.IsSeries())
+  {
+    this->ExtendRangeByAllSteps();
+  }
   messages.Observe(this->Mapper);
   this->Mapper->SetInputDataObject(data);
   this->Array.IsOfPoints ? this->Mapper->SetScalarModeToUsePointFieldData()
@@ -95,6 +106,41 @@ VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
 
 //------------------------------------------------------------------------------
 VolumeScene::~VolumeScene() = default;
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> VolumeScene::ReadStep()
+{
+  return ReadVolume(
+    this->Steps->GetFile(), this->Steps->GetStep(), this->Steps->GetWarp(), this->Messages);
+}
+
+//------------------------------------------------------------------------------
+int VolumeScene::GetNumberOfTimeSteps()
+{
+  return this->Steps->GetNumber();
+}
+
+//------------------------------------------------------------------------------
+void VolumeScene::SetTimeStep(int step)
+{
+  this->Steps->SetStep(step);
+  this->Mapper->SetInputDataObject(this->ReadStep());
+}
+
+//------------------------------------------------------------------------------
+void VolumeScene::ExtendRangeByAllSteps()
+{
+  const int shown = this->Steps->GetStep();
+  double* range = this->Array.Range;
+  for (int step = 0; step < this->GetNumberOfTimeSteps(); ++step)
+  {
+    this->Steps->SetStep(step);
+    const VolumeArray array = FindVolumeArray(this->Options, this->ReadStep());
+    range[0] = std::min(range[0], array.Range[0]);
+    range[1] = std::max(range[1], array.Range[1]);
+  }
+  this->Steps->SetStep(shown);
+}
 
 //------------------------------------------------------------------------------
 void VolumeScene::Measure(vtkDataObject*)
@@ -178,6 +224,11 @@ void VolumeScene::Draw(vtkRenderWindow* window)
 //------------------------------------------------------------------------------
 std::string VolumeScene::Change(char key)
 {
+  if (const std::optional<int> step = this->Steps->FindStep(key))
+  {
+    this->SetTimeStep(*step);
+    return this->Steps->GetOption();
+  }
   switch (key)
   {
     case '+':

@@ -13,8 +13,10 @@
 
 #include "vtkSmartPointer.h"
 
+#include <memory>
 #include <vector>
 
+class TimeSteps;
 class vtkDataObject;
 class vtkGPUUnstructuredGridVolumeMapper;
 class vtkPlane;
@@ -30,9 +32,14 @@ public:
 
   std::string Describe(const double[3], double) override { return ""; }
   std::string Change(char key) override;
+  int GetNumberOfTimeSteps() override;
+  void SetTimeStep(int step) override;
   void Draw(vtkRenderWindow* window) override;
 
 private:
+  vtkSmartPointer<vtkDataObject> ReadStep();
+  /// Extends the range of the array by those of all time steps.
+  void ExtendRangeByAllSteps();
   void Measure(vtkDataObject* data);
   void ChooseFunctions(vtkDataObject* data);
   void SetFunctions();
@@ -41,6 +48,7 @@ private:
   void MoveIsoSurfaces(double share);
   void MoveCut(double share);
 
+  std::unique_ptr<TimeSteps> Steps;
   vtkNew<vtkGPUUnstructuredGridVolumeMapper> Mapper;
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkVolumeProperty> Property;

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   writes a picture for each position of a flight
+ * @brief   writes a picture for each position of a flight, or for each time step of a mesh
  */
-#ifndef ViewerFlight_h
-#define ViewerFlight_h
-
-#include <string>
+#ifndef PictureSeries_h
+#define PictureSeries_h
 
 class ViewerMessages;
 class ViewerScene;
@@ -16,6 +14,10 @@ struct ViewerOptions;
 
 /// Creates the folder of the pictures, which are numbered from 0. Throws ViewerError.
 void DrawFlight(ViewerScene& scene, vtkRenderWindow* window, const ViewerOptions& options,
+  ViewerMessages& messages);
+
+/// Likewise.
+void DrawTimeSteps(ViewerScene& scene, vtkRenderWindow* window, const ViewerOptions& options,
   ViewerMessages& messages);
 
 #endif

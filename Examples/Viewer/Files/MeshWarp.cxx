@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files/MeshWarp.h"
+
+#include "Text/ViewerMessages.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkWarpVector.h"
+
+namespace
+{
+bool HasVectors(vtkDataSet* block, const std::string& name)
+{
+  vtkDataArray* array = block->GetPointData()->GetArray(name.c_str());
+  if (array && array->GetNumberOfComponents() != 3)
+  {
+    throw ViewerError("--warp needs an array of points with 3 components, and '" + name + "' has " +
+      std::to_string(array->GetNumberOfComponents()));
+  }
+  return array != nullptr;
+}
+
+vtkSmartPointer<vtkDataSet> Move(vtkDataSet* block, const MeshWarp& warp, ViewerMessages& messages)
+{
+  vtkNew<vtkWarpVector> filter;
+  messages.Observe(filter, "moving points");
+  filter->SetInputData(block);
+  filter->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, warp.Array.c_str());
+  filter->SetScaleFactor(warp.Factor);
+  filter->Update();
+  messages.Check();
+  return vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> MeshWarp::Apply(vtkDataObject* data, ViewerMessages& messages) const
+{
+  if (this->Array.empty())
+  {
+    return data;
+  }
+  vtkNew<vtkMultiBlockDataSet> moved;
+  unsigned int number = 0;
+  int missing = 0;
+  for (vtkDataSet* block : vtkCompositeDataSet::GetDataSets(data))
+  {
+    const bool hasVectors = HasVectors(block, this->Array);
+    missing += !hasVectors && block->GetNumberOfPoints() > 0 ? 1 : 0;
+    moved->SetBlock(
+      number++, hasVectors ? Move(block, *this, messages) : vtkSmartPointer<vtkDataSet>(block));
+  }
+  if (missing == static_cast<int>(number))
+  {
+    throw ViewerError("--warp: there is no array of points '" + this->Array + "'");
+  }
+  if (missing > 0)
+  {
+    messages.Warn(std::to_string(missing) + " of " + std::to_string(number) +
+      " blocks have no array of points '" + this->Array + "', so they are not moved");
+  }
+  if (number == 1)
+  {
+    return moved->GetBlock(0);
+  }
+  return moved.Get();
+}

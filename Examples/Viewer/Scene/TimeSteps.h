@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   TimeSteps
+ * @brief   the file of a scene, with the time step that is shown, and a label with its time
+ */
+#ifndef TimeSteps_h
+#define TimeSteps_h
+
+#include "Files/MeshWarp.h"
+#include "Files/ResultFile.h"
+
+#include "vtkNew.h"
+
+#include <optional>
+#include <string>
+
+class ViewerMessages;
+class vtkRenderer;
+class vtkTextActor;
+struct ViewerOptions;
+
+class TimeSteps
+{
+public:
+  /// Opens the file at the time of the options. Throws ViewerError. Notes which step of several is
+  /// shown. The label is shown with the legend.
+  TimeSteps(const ViewerOptions& options, vtkRenderer* renderer, ViewerMessages& messages);
+  ~TimeSteps();
+
+  ResultFile& GetFile() { return this->File; }
+  const MeshWarp& GetWarp() const { return this->Warp; }
+
+  /// 0 for a file without times.
+  int GetNumber() const { return static_cast<int>(this->File.GetTimes().size()); }
+  int GetStep() const { return this->Step; }
+  void SetStep(int step);
+
+  /// The step that a key of the window asks for: < for the one before, > for the next one.
+  std::optional<int> FindStep(char key) const;
+
+  /// The time of the step as the option that shows it.
+  std::string GetOption() const;
+
+private:
+  ResultFile File;
+  MeshWarp Warp;
+  int Step;
+  vtkNew<vtkTextActor> Label;
+};
+
+#endif

@@ -1,0 +1,276 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Proves viewer.md on results: formats with blocks and time steps, --time, --warp and --range."""
+
+import os
+import pathlib
+import unittest
+
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON,
+    VTK_QUADRATIC_HEXAHEDRON,
+    vtkGenericCell,
+    vtkImageData,
+    vtkMultiBlockDataSet,
+    vtkRectilinearGrid,
+    vtkStructuredGrid,
+    vtkUnstructuredGrid,
+)
+from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataWriter,
+    vtkXMLMultiBlockDataWriter,
+    vtkXMLPolyDataReader,
+    vtkXMLRectilinearGridWriter,
+    vtkXMLStructuredGridWriter,
+    vtkXMLUnstructuredGridWriter,
+)
+from vtkmodules.vtkImagingCore import vtkImageDifference
+
+from ViewerProgram import ViewerProgram
+
+DATA = pathlib.Path(os.environ.get("RELEVO_TEST_DATA") or "/nonexistent") / "result"
+TIMES = [0.25, 1.0, 4.0]
+CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+SIZE = "--size=240x180"
+
+
+def add_array(data, name, tuples):
+    array = vtkDoubleArray()
+    array.SetName(name)
+    array.SetNumberOfComponents(len(tuples[0]))
+    for values in tuples:
+        array.InsertNextTuple(values)
+    data.AddArray(array)
+
+
+def make_cube(time=1.0, offset=0.0, heat=True):
+    """A hexahedron with Heat = time * x and Move = time * (0, x, 0)."""
+    grid = vtkUnstructuredGrid()
+    points = vtkPoints()
+    for x, y, z in CORNERS:
+        points.InsertNextPoint(x + offset, y, z)
+    grid.SetPoints(points)
+    grid.InsertNextCell(VTK_HEXAHEDRON, 8, range(8))
+    if heat:
+        add_array(grid.GetPointData(), "Heat", [(time * x,) for x, y, z in CORNERS])
+    add_array(grid.GetPointData(), "Move", [(0.0, time * x, 0.0) for x, y, z in CORNERS])
+    return grid
+
+
+class TestViewerTime(ViewerProgram):
+    def write_series(self, name, *arguments, **keywords):
+        """A .pvd file of cubes."""
+        entries = []
+        for i, time in enumerate(TIMES):
+            part = f"{name}-{i}.vtu"
+            self.write_data(part, vtkXMLUnstructuredGridWriter, make_cube(time, **keywords))
+            entries.append(f'<DataSet timestep="{time}" part="0" file="{part}"/>')
+        self.write_list(name, entries)
+
+    def write_list(self, name, entries):
+        text = "".join(entries)
+        (self.folder / name).write_text(
+            f'<?xml version="1.0"?><VTKFile type="Collection" version="0.1"><Collection>{text}'
+            "</Collection></VTKFile>"
+        )
+
+    def export(self, *arguments):
+        self.view(*arguments, "--export=e.vtp", "--surface=linear", "--level=0")
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(self.folder / "e.vtp"))
+        reader.Update()
+        return reader.GetOutput()
+
+    def read(self, name):
+        reader = vtkPNGReader()
+        reader.SetFileName(str(self.folder / name))
+        reader.Update()
+        return reader.GetOutput()
+
+    def difference(self, one, other):
+        compare = vtkImageDifference()
+        compare.SetInputData(self.read(one))
+        compare.SetImageData(self.read(other))
+        compare.SetThreshold(0)
+        compare.AllowShiftOff()
+        compare.Update()
+        return compare.GetThresholdedError()
+
+    def test_time(self):
+        """--time reads the nearest step."""
+        self.write_series("a.pvd")
+        for options, index in (
+            ([], 0), (["--time=1"], 1), (["--time=2.4"], 1), (["--time=2.6"], 2), (["--time=4"], 2)
+        ):
+            mesh = self.export("a.pvd", "--array=Heat", *options)
+            self.assertEqual(mesh.GetPointData().GetArray("Heat").GetRange(), (0.0, TIMES[index]))
+        run = self.view("a.pvd", "--output=t.png", SIZE)
+        self.assertIn("time step 1 of 3, time 0.25 of 0.25 to 4; --time T", run.stdout)
+        run = self.run_program("a.pvd", "--time=5", "--output=t.png", SIZE)
+        self.assertIn("warning: --time 5 is outside of the file's times", run.stderr)
+
+    def test_frames(self):
+        """There is a picture for each step, with the same colours."""
+        self.write_series("b.pvd")
+        for kind in (["--array=Heat"], ["--volume=Heat"]):
+            self.view("b.pvd", "--output=frames/%02d.png", "--no-legend", SIZE, *kind)
+            names = sorted(path.name for path in (self.folder / "frames").iterdir())
+            self.assertEqual(names, ["00.png", "01.png", "02.png"])
+            self.assertGreater(self.difference("frames/00.png", "frames/02.png"), 1000)
+        self.view("b.pvd", "--output=frames/%02d.png", "--no-legend", SIZE, "--array=Heat")
+        for i, time in enumerate(TIMES):
+            options = ["--array=Heat", "--range=0,4", f"--time={time}", "--output=one.png"]
+            self.view("b.pvd", "--no-legend", SIZE, *options)
+            self.assertEqual(self.difference(f"frames/{i:02}.png", "one.png"), 0)
+
+    def test_warp(self):
+        """--warp moves points by the factor times the array, also nodes of curved cells."""
+        self.write_series("c.pvd")
+        mesh = self.export("c.pvd", "--warp=Move", "--scale=0.5", "--time=4")
+        for i in range(mesh.GetNumberOfPoints()):
+            x, y, z = mesh.GetPoint(i)
+            self.assertIn((x, y - 2.0 * x, z), CORNERS)
+        run = self.view("c.pvd", "--warp=Move", "--scale=0.001", "--output=t.png", SIZE)
+        self.assertIn("--scale 0.3 makes that 5 %", run.stdout)
+        cell = vtkGenericCell.InstantiateCell(VTK_QUADRATIC_HEXAHEDRON)
+        nodes = cell.GetParametricCoords()
+        grid = vtkUnstructuredGrid()
+        points = vtkPoints()
+        for i in range(20):
+            points.InsertNextPoint(nodes[3 * i : 3 * i + 3])
+        grid.SetPoints(points)
+        grid.InsertNextCell(VTK_QUADRATIC_HEXAHEDRON, 20, range(20))
+        # x moves by z (1 - z), so that vertical edges become parabolas.
+        moves = [(points.GetPoint(i)[2] * (1 - points.GetPoint(i)[2]), 0, 0) for i in range(20)]
+        add_array(grid.GetPointData(), "Bend", moves)
+        self.write_data("q.vtu", vtkXMLUnstructuredGridWriter, grid)
+        self.view("q.vtu", "--warp=Bend", "--level=4", "--export=e.vtp")
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(self.folder / "e.vtp"))
+        reader.Update()
+        mesh = reader.GetOutput()
+        self.assertGreater(mesh.GetNumberOfPoints(), 500)
+        bent = 0
+        for i in range(mesh.GetNumberOfPoints()):
+            x, y, z = mesh.GetPoint(i)
+            base = x - z * (1 - z)
+            self.assertTrue(-1e-6 < base < 1 + 1e-6)
+            bent += abs(base) < 1e-6 and z not in (0.0, 1.0)
+        self.assertGreater(bent, 100)
+
+    def test_blocks(self):
+        """Blocks are one mesh. An array that one lacks is NaN there."""
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, make_cube())
+        blocks.SetBlock(1, make_cube(offset=2.0, heat=False))
+        self.write_data("d.vtm", vtkXMLMultiBlockDataWriter, blocks)
+        mesh = self.export("d.vtm", "--array=Heat")
+        self.assertEqual(mesh.GetNumberOfPolys(), 24)
+        values = mesh.GetPointData().GetArray("Heat")
+        for i in range(mesh.GetNumberOfPoints()):
+            x, value = mesh.GetPoint(i)[0], values.GetValue(i)
+            self.assertTrue(value != value if x > 1.5 else value == x, (x, value))
+        mesh = self.export("d.vtm", "--warp=Move")
+        self.assertEqual(mesh.GetBounds(), (0, 3, 0, 2, 0, 1))
+        only = vtkMultiBlockDataSet()
+        bare = make_cube(offset=2.0)
+        bare.GetPointData().RemoveArray("Move")
+        only.SetBlock(0, make_cube())
+        only.SetBlock(1, bare)
+        self.write_data("w.vtm", vtkXMLMultiBlockDataWriter, only)
+        run = self.run_program("w.vtm", "--warp=Move", "--output=t.png", SIZE)
+        self.assertIn("warning: 1 of 2 blocks have no array of points 'Move'", run.stderr)
+
+    def test_grids(self):
+        """Images, rectilinear and structured grids have the surface of their cells."""
+        image = vtkImageData()
+        image.SetDimensions(3, 4, 2)
+        rectilinear = vtkRectilinearGrid()
+        rectilinear.SetDimensions(3, 4, 2)
+        structured = vtkStructuredGrid()
+        structured.SetDimensions(3, 4, 2)
+        for i, setter in enumerate(("SetXCoordinates", "SetYCoordinates", "SetZCoordinates")):
+            values = vtkDoubleArray()
+            for x in range((3, 4, 2)[i]):
+                values.InsertNextValue(x)
+            getattr(rectilinear, setter)(values)
+        points = vtkPoints()
+        for i in range(24):
+            points.InsertNextPoint(i % 3, i // 3 % 4, i // 12)
+        structured.SetPoints(points)
+        for name, writer, grid in (
+            ("g.vti", vtkXMLImageDataWriter, image),
+            ("g.vtr", vtkXMLRectilinearGridWriter, rectilinear),
+            ("g.vts", vtkXMLStructuredGridWriter, structured),
+        ):
+            add_array(grid.GetPointData(), "Heat", [(i,) for i in range(24)])
+            self.write_data(name, writer, grid)
+            mesh = self.export(name)
+            self.assertEqual(mesh.GetNumberOfPolys(), 2 * 2 * (2 * 3 + 2 * 1 + 3 * 1))
+            self.assertEqual(mesh.GetBounds(), (0, 2, 0, 3, 0, 1))
+            self.view(name, "--volume=Heat", "--output=v.png", SIZE)
+
+    def test_results(self):
+        """Results of other programs, in VTK's test data."""
+        if not DATA.exists():
+            self.skipTest("RELEVO_TEST_DATA is not set")
+        for name, array, times, options in (
+            ("mug.e", "convected", 21, []),
+            ("ensight/LShape.case", "displacement", 11, ["--warp=displacement"]),
+            ("ensight/blow2_bin.case", "thickness", 2, []),
+            ("openfoam-cavity/case.foam", "p", 6, []),
+        ):
+            file = DATA / name
+            run = self.run_program(file, "--output=r.png", f"--array={array}", SIZE, *options)
+            if "cannot read" in run.stderr and "files; relevo-view reads" in run.stderr:
+                continue # without a module of VTK
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertIn(f"time step 1 of {times}, time 0", run.stdout)
+        mesh = self.export("/".join((str(DATA), "mug.e")), "--time=2", "--array=convected")
+        self.assertEqual(mesh.GetPointData().GetArray("convected").GetRange()[0], 0.0)
+
+    def test_errors(self):
+        self.write_series("e.pvd")
+        cube = make_cube()
+        self.write_data("one.vtu", vtkXMLUnstructuredGridWriter, cube)
+        picture = ["--output=x.png"]
+        self.assert_error(1, ["one.vtu has no time steps"], "one.vtu", "--time=1", *picture)
+        self.assert_error(1, ["one.vtu has no time steps"], "one.vtu", "--output=%d.png")
+        (self.folder / "heights.pgm").write_bytes(b"P5 2 2 255\n1234")
+        self.assert_error(2, ["--output %d.png requires --flight"], "heights.pgm", "--output=%d.png")
+        self.assert_error(2, ["--time cannot be combined"], "e.pvd", "--time=1", "--output=%d.png")
+        self.assert_error(1, ["no array of points 'None'"], "e.pvd", "--warp=None", *picture)
+        self.assert_error(1, ["3 components", "'Heat' has 1"], "e.pvd", "--warp=Heat", *picture)
+        self.assert_error(2, ["--scale requires --height or --warp"], "e.pvd", "--scale=2", *picture)
+        self.assert_error(2, ["--warp needs the name"], "e.pvd", "--warp=", *picture)
+        bare = make_cube(heat=False)
+        bare.GetPointData().RemoveArray("Move")
+        self.write_data("bare.vtu", vtkXMLUnstructuredGridWriter, bare)
+        self.assert_error(1, ["--range requires colours"], "bare.vtu", "--range=0,1", *picture)
+        # An array that vanishes between time steps.
+        self.write_list("v.pvd", ['<DataSet timestep="0" file="one.vtu"/>',
+                                  '<DataSet timestep="1" file="bare.vtu"/>'])
+        self.assert_error(
+            1, ["no array 'Heat' with --time 1"], "v.pvd", "--array=Heat", "--output=f%d.png"
+        )
+        for name, entries, words in (
+            ("m.pvd", ['<DataSet timestep="0" file="missing.vtu"/>'], "cannot read missing.vtu"),
+            ("n.pvd", ['<DataSet timestep="0"/>'], "entry 1 of its Collection names no file"),
+            ("t.pvd", ['<DataSet timestep="x" file="one.vtu"/>'], "the time of one.vtu is not a"),
+            ("l.pvd", [], "it lists no files"),
+        ):
+            self.write_list(name, entries)
+            self.assert_error(1, [words], name, *picture)
+        (self.folder / "x.pvd").write_text("<VTKFile><Other/></VTKFile>")
+        self.assert_error(1, ["not XML with a Collection"], "x.pvd", *picture)
+        (self.folder / "y.pvd").write_text("no XML")
+        self.assert_error(1, ["cannot read y.pvd"], "y.pvd", *picture)
+        for name in ("a.case", "a.cgns", "a.e", "a.foam", "a.vti", "a.vtkhdf", "a.vtm", "a.g"):
+            (self.folder / name).write_bytes(b"this is no result\n")
+            self.view(name, *picture, code=1)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestViewerTime"])
