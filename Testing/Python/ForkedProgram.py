@@ -74,7 +74,7 @@ class ForkedProgram:
                 cwd=folder,
                 env=environment,
                 capture_output=True,
-                text=True,
+                encoding="utf-8",
                 check=False,
                 preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, limits),
             )
