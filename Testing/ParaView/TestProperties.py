@@ -26,7 +26,7 @@ OPPOSITE = {("vtkTerrainSource", "KeepHeights"), ("vtkDepthImageToRelief", "Bott
 NOT_OFFERED = {("vtkDistanceDepthTagMetric", "Measure"): 2}
 # Slices of ParaView's Volume, which Adaptive Volume does not draw.
 NOT_OFFERED["vtkAdaptiveVolumeRepresentation", "BlendMode"] = 6
-OWN_SETTINGS = {"OrientedLIC", "Phase", "NoDataMagnitude"}
+OWN_SETTINGS = {"OrientedLIC", "Phase", "NoiseFileName", "NoDataMagnitude"}
 PAIR = "TextureSize"  # both numbers are 0, or neither
 # Representations of all of the plugin's, and a mesh, an image and a surface that have them.
 INPUTS = {

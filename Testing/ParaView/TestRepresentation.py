@@ -7,6 +7,7 @@ import os
 import re
 import tempfile
 
+import numpy
 from paraview import servermanager, simple, smstate
 
 import RelevoParaView as relevo
@@ -158,8 +159,13 @@ class TestRepresentation(relevo.TestCase):
         shown.Representation = "Adaptive LIC"
         pictures = [smooth, relevo.picture(view)]
         self.assertGreater(relevo.differing(*pictures), relevo.foreground(smooth) / 2)
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        noise = os.path.join(folder.name, "noise.png")
+        relevo.write_png(noise, numpy.random.default_rng(1).integers(0, 255, (64, 64), numpy.uint8))
         for name, value in (
             ("NumberOfSteps", 10),
+            ("NoiseFileName", noise),
             ("OrientedLIC", 1),
             ("Surface", "PN Triangles"),
             ("MaximumLevel", 1),

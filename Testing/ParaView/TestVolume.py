@@ -295,6 +295,8 @@ class TestSettings(TestCase):
             ("BlendMode", "Isosurface", "5"),
             ("BlendMode", "Composite", "0"),
             ("MaximumSegments", 100, "100"),
+            ("ShapeTolerance", 0.01, "0.01"),
+            ("FieldTolerance", 0.1, "0.1"),
             ("IsoSurfaces", 1, "On"),
             ("ImageSampleDistance", 2, "2"),
             ("AutoAdjustSampleDistances", 1, "On"),
@@ -320,6 +322,15 @@ class TestSettings(TestCase):
             self.assertGreater(relevo.foreground(relevo.picture(view)), 600)
         self.assertEqual(told(), "")
         self.assertEqual(shown.Method, "Uniform")
+
+    def test_modes_of_volume(self):
+        """Maxima and minima are those of ParaView's Volume, which finds them by samples."""
+        view, shown = self.scene(simple.Wavelet(WholeExtent=[-15, 15, -15, 15, -15, 15]))
+        for shown.BlendMode in 1, 2:
+            pictures = []
+            for shown.Representation in "Volume", "Adaptive Volume":
+                pictures.append(relevo.picture(view))
+            self.assert_alike(*pictures, 6)
 
     def test_slices(self):
         """ParaView's Volume of images has a mode that Adaptive Volume lacks."""

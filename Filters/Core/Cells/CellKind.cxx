@@ -14,7 +14,7 @@ namespace
 struct Topology
 {
   int NumberOfCorners = 0;
-  std::vector<FaceCorners> Faces;
+  std::vector<CornerNodes> Faces;
   std::vector<std::array<int, 2>> Edges;
 };
 
@@ -251,7 +251,7 @@ int GetNumberOfFaces(CellTopology shape)
   return static_cast<int>(GetTopology(shape).Faces.size());
 }
 
-FaceCorners GetFace(CellTopology shape, int face)
+CornerNodes GetFace(CellTopology shape, int face)
 {
   return GetTopology(shape).Faces[face];
 }

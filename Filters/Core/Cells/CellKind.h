@@ -46,8 +46,8 @@ enum class NodeKind
 
 constexpr int MaximumFaceCorners = 6;
 
-/// Corners of a face, counter-clockwise from outside.
-struct FaceCorners
+/// Nodes at the corners of a face, counter-clockwise from outside.
+struct CornerNodes
 {
   int Size;
   std::array<int, MaximumFaceCorners> Corners;
@@ -82,7 +82,7 @@ constexpr bool IsSimplex(CellTopology shape)
 
 /// The number of faces of a shape with a fixed number; 1 for a triangle.
 RELEVOFILTERSCORE_EXPORT int GetNumberOfFaces(CellTopology shape);
-RELEVOFILTERSCORE_EXPORT FaceCorners GetFace(CellTopology shape, int face);
+RELEVOFILTERSCORE_EXPORT CornerNodes GetFace(CellTopology shape, int face);
 /// The node at the midpoint of the edge between two corners; 0 if there is none.
 RELEVOFILTERSCORE_EXPORT int GetEdgeNode(const CellKind& kind, int first, int second);
 /// The parametric coordinates of a corner, each 0 or 1.

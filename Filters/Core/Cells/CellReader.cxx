@@ -150,7 +150,7 @@ void CellReader::ReadFaces()
   this->Faces.resize(relevo::GetNumberOfFaces(this->Kind.Shape));
   for (std::size_t i = 0; i < this->Faces.size(); ++i)
   {
-    const FaceCorners corners = this->GetFaceCorners(static_cast<int>(i));
+    const CornerNodes corners = this->GetCornerNodes(static_cast<int>(i));
     this->Faces[i].clear();
     for (int k = 0; k < corners.Size && corners.Corners[k] < nodes; ++k)
     {
@@ -159,9 +159,9 @@ void CellReader::ReadFaces()
   }
 }
 
-FaceCorners CellReader::GetFaceCorners(int face) const
+CornerNodes CellReader::GetCornerNodes(int face) const
 {
-  FaceCorners corners = GetFace(this->Kind.Shape, face);
+  CornerNodes corners = GetFace(this->Kind.Shape, face);
   for (int k = 0; k < corners.Size && this->Kind.IsInPixelOrder; ++k)
   {
     corners.Corners[k] = PixelOrder[corners.Corners[k]];

@@ -53,7 +53,7 @@ public:
   /// The points at the corners of a face, counter-clockwise from outside if IsInsideOut() is false.
   const std::vector<vtkIdType>& GetCorners(int face) const { return this->Faces[face]; }
   /// The nodes at these corners, except for polyhedra.
-  FaceCorners GetFaceCorners(int face) const;
+  CornerNodes GetCornerNodes(int face) const;
   /// Whether the faces, with their point order, enclose a negative volume.
   bool IsInsideOut() const;
 

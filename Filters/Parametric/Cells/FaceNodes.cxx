@@ -83,7 +83,7 @@ public:
       this->AddPolygon(this->Cell.GetCorners(face.Face));
       return;
     }
-    FaceCorners corners = this->Cell.GetFaceCorners(face.Face);
+    CornerNodes corners = this->Cell.GetCornerNodes(face.Face);
     if (this->IsInsideOut)
     {
       std::reverse(corners.Corners.begin() + 1, corners.Corners.begin() + corners.Size);
@@ -163,7 +163,7 @@ private:
     }
   }
 
-  void AddLinear(const FaceCorners& corners)
+  void AddLinear(const CornerNodes& corners)
   {
     // A quadrilateral has the rows (0, 1) and (3, 2).
     const std::array<int, 4> order{ 0, 1, corners.Size == 3 ? 2 : 3, 2 };
@@ -174,7 +174,7 @@ private:
     }
   }
 
-  void AddQuadratic(const FaceCorners& face, int middle)
+  void AddQuadratic(const CornerNodes& face, int middle)
   {
     const auto& c = face.Corners;
     const auto getEdge = [&](int k)
@@ -208,7 +208,7 @@ private:
     }
   }
 
-  void AddHigherOrder(const FaceCorners& face)
+  void AddHigherOrder(const CornerNodes& face)
   {
     const CellTopology shape = this->Cell.GetKind().Shape;
     const ivec3 degrees = this->Cell.GetDegrees();

@@ -175,7 +175,7 @@ void AddVerticesAndLines(vtkPolyData* faces, vtkPolyData* mesh)
 }
 
 // The pieces of one surface, and their leaves in the tree.
-struct Surface
+struct SplitSurface
 {
   std::vector<vtkSmartPointer<vtkPolyData>> Pieces; // the faces of the leaves
   std::vector<vtkPolyData*> Leaves;                 // nullptr for nothing to exchange
@@ -276,7 +276,7 @@ bool SurfacePieces::FindOwn(vtkDataObjectTree* tree)
 
 void SurfacePieces::Make(vtkDataObjectTree* tree, vtkMultiProcessController* controller)
 {
-  std::vector<Surface> surfaces;
+  std::vector<SplitSurface> surfaces;
   auto own = this->Own.begin();
   ForEachLeaf(
     tree, [&] { surfaces.emplace_back(); },
@@ -293,11 +293,11 @@ void SurfacePieces::Make(vtkDataObjectTree* tree, vtkMultiProcessController* con
   {
     std::vector<PieceCheck::Leaves> leaves;
     std::transform(surfaces.begin(), surfaces.end(), std::back_inserter(leaves),
-      [](const Surface& surface) { return surface.Leaves; });
+      [](const SplitSurface& surface) { return surface.Leaves; });
     this->Check.Update(tree, leaves, controller);
   }
   this->Made.clear();
-  for (Surface& surface : surfaces)
+  for (SplitSurface& surface : surfaces)
   {
     const std::size_t leaves = surface.Leaves.size();
     const bool isExchanged = controller || leaves > 1;

@@ -17,7 +17,7 @@ void relevoTakeCurve(int curve)
 }
 #else
 uniform usamplerBuffer relevoCurves; // first control point << 3 | degree - 1
-int relevoDegree;
+int relevoDegree = 1;
 
 int curveDegree()
 {

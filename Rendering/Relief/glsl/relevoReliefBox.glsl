@@ -1,7 +1,7 @@
 // A ray in coordinates of the tiles, and its segment inside a tile's box.
-vec3 reliefOrigin;
-vec3 reliefDirection; // of length 1, away from the eye
-vec2 reliefRange;     // segment inside the tile's box that is not clipped
+vec3 reliefOrigin = vec3(0.0);
+vec3 reliefDirection = vec3(0.0); // of length 1, away from the eye
+vec2 reliefRange = vec2(0.0);     // segment inside the tile's box that is not clipped
 
 vec3 reliefInverse()
 {

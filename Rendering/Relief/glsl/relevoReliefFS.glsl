@@ -5,7 +5,7 @@ uniform mat4 reliefToView;
 uniform bvec2 reliefSides; // whether the front and the back of the surface are visible
 uniform vec4 reliefFirstAndSize; // column and row of the coordinates' origin; the image's size
 
-vec3 reliefPoint; // point of the surface, in coordinates of the tiles
+vec3 reliefPoint = vec3(0.0); // point of the surface, in coordinates of the tiles
 bool reliefIsFront = true;
 
 // Return how perpendicular to the surface the relief's viewer looked: 1, or less towards 0.

@@ -1,7 +1,7 @@
 // Selects the visible intersections of a ray and the surface.
 bool reliefHit = false;
 bvec2 reliefSeen = bvec2(true); // whether hits of the front and of the back are visible
-int reliefToPass; // number of hits to skip
+int reliefToPass = 0; // number of hits to skip
 float reliefPassed = -1e30; // the last hit, which two quads may share on their border
 
 // The tolerance includes the border in both adjacent quads.

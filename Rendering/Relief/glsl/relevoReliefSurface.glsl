@@ -2,10 +2,12 @@
 uniform usamplerBuffer reliefQuads;
 uniform sampler2D reliefHeights;
 
-vec4 reliefBox;   // of the current tile: first column and row, smallest and largest height
-ivec4 reliefTile; // index of the tile, its texels in the textures, number of hits to skip
+// of the current tile: first column and row, smallest and largest height
+vec4 reliefBox = vec4(0.0);
+// index of the tile, its texels in the textures, number of hits to skip
+ivec4 reliefTile = ivec4(0);
 
-vec2 reliefPlace; // the point, in quads from the tile's corner
+vec2 reliefPlace = vec2(0.0); // the point, in quads from the tile's corner
 
 vec4 reliefCorners(ivec2 quad)
 {

@@ -7,8 +7,8 @@ uniform vec4 warpCoefficients;
 in vec2 warpedPlaceVSOutput;
 
 bool reliefIsInside = true;
-vec4 warpedWeights; // weights of the texels around
-ivec2 warpedTexel;
+vec4 warpedWeights = vec4(0.0); // weights of the texels around
+ivec2 warpedTexel = ivec2(0);
 
 void reliefCut(vec4 plane)
 {

@@ -6,7 +6,7 @@ vec3 reliefNormal()
   return normalize(normalMatrix * warpedMix(warpedNormals).xyz);
 }
 #else
-vec3 warpedNormal;
+vec3 warpedNormal = vec3(0.0);
 
 vec3 reliefNormal()
 {
@@ -14,7 +14,7 @@ vec3 reliefNormal()
 }
 #endif
 
-vec3 warpedPlane; // normal of the surface, in coordinates of the tiles
+vec3 warpedPlane = vec3(0.0); // normal of the surface, in coordinates of the tiles
 
 float reliefSquareness()
 {

@@ -20,9 +20,9 @@ struct RelevoTile
 int relevoFace;      // index of the face
 bool relevoHidden;   // an instance may have more copies of the pattern than faces
 int relevoUnitShift; // logarithm of the units of the finest lattice per vertex of the face's
-ivec2 relevoApex;
-ivec2 relevoStep1;
-ivec2 relevoStep2;
+ivec2 relevoApex = ivec2(0);
+ivec2 relevoStep1 = ivec2(0);
+ivec2 relevoStep2 = ivec2(0);
 bool relevoSquare; // the face was made by the bisection of a square
 float relevoMorph;
 vec3 relevoCorners;

@@ -9,6 +9,20 @@ uniform usamplerBuffer relevoBorder; // face; vertices, their number, base, side
 uniform usamplerBuffer relevoFaceIds;
 #endif
 
+void relevoBegin()
+{
+  vertexMC = vec4(0.0, 0.0, 0.0, 1.0);
+  relevoRasterVSOutput = vec2(0.0);
+  relevoMissingVSOutput = 0.0;
+#ifdef RELEVO_GLOBE
+  relevoUpVSOutput = vec3(0.0);
+  relevoDerivativesVSOutput = vec4(0.0);
+#endif
+#ifdef RELEVO_HEIGHTS
+  relevoHeightVSOutput = 0.0;
+#endif
+}
+
 // Add a vertex of the face to the mean that the shader draws.
 void relevoAdd(ivec2 ab, float weight, bool isAtBase)
 {
@@ -39,16 +53,7 @@ void relevoAdd(ivec2 ab, float weight, bool isAtBase)
 
 void relevoDrawTerrain()
 {
-  vertexMC = vec4(0.0, 0.0, 0.0, 1.0);
-  relevoRasterVSOutput = vec2(0.0);
-  relevoMissingVSOutput = 0.0;
-#ifdef RELEVO_GLOBE
-  relevoUpVSOutput = vec3(0.0);
-  relevoDerivativesVSOutput = vec4(0.0);
-#endif
-#ifdef RELEVO_HEIGHTS
-  relevoHeightVSOutput = 0.0;
-#endif
+  relevoBegin();
 #ifdef RELEVO_BORDER
   uvec4 vertex = texelFetch(relevoBorder, gl_VertexID);
   relevoHidden = false;

@@ -16,6 +16,12 @@ struct Entry
   vec3 areas; // spanned by the edges opposite to a, b and c
 };
 
+// Return an entry before the first one.
+Entry noEntry()
+{
+  return Entry(-1e30, -1, 0u, NoCorner, NoCorner, NoCorner, vec3(0.0));
+}
+
 #if RELEVO_SEGMENTS
 // Sums in the order of the corners' ids do not depend on the cell or the piece of the mesh.
 float sumInOrder(uvec3 ids, vec3 values)
@@ -65,6 +71,7 @@ bool entersFold(int face, bool isQuadratic, Corner border[6], float lastDepth, i
   out float depth)
 {
   bool isFound = false;
+  depth = 0.0;
   for (int i = 0; i < foldCount; ++i)
   {
     float at = depthOnFace(isQuadratic, border, foldPlaces[i]);
@@ -197,10 +204,9 @@ uniform sampler2D rayEntries;
 uniform int areEntriesKnown;
 
 // Return an upper bound for the number of entries, and find the first one.
-int findFirstEntry(float end, inout Entry entry)
+int findFirstEntry(float end, out Entry entry)
 {
-  entry.depth = -1e30;
-  entry.face = -1;
+  entry = noEntry();
   int count = treeSize * 16;
   if (areEntriesKnown != 0)
   {

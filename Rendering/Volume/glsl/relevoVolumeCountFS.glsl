@@ -13,8 +13,7 @@
 void main()
 {
   initializeRay();
-  Entry entry = Entry(-1e30, -1, 0u, Corner(0u, vec3(0.0)), Corner(0u, vec3(0.0)),
-    Corner(0u, vec3(0.0)), vec3(0.0));
+  Entry entry = noEntry();
   float begin = depthOfZ(zRange.x);
   float end = depthOfZ(zRange.y);
   int ahead = 0;

@@ -14,12 +14,13 @@ const int MaximumSpans = 16;
 const float MinimumParts = RELEVO_STEEPNESS == 1 || RELEVO_LIT == 1 ? 4.0 : 1.0;
 const float MaximumParts = 16.0;
 
-int curvedSpans; // of the way through the cell that have been processed
-float curvedBegin;
-float curvedEnd;
+int curvedSpans = 0; // of the way through the cell that have been processed
+float curvedBegin = 0.0;
+float curvedEnd = 0.0;
 
 #if !RELEVO_CELL_SCALARS
-Scalars cubic[4]; // values at thirds of the way
+// values at thirds of the way
+Scalars cubic[4] = Scalars[4](Scalars(0.0), Scalars(0.0), Scalars(0.0), Scalars(0.0));
 
 Scalars cubicAt(float x)
 {

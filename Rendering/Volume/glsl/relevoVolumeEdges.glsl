@@ -10,6 +10,8 @@ struct Corner
   vec3 at; // in the ray's coordinates
 };
 
+const Corner NoCorner = Corner(0u, vec3(0.0));
+
 Corner getCorner(uint id)
 {
   return Corner(id, seenAlongRay(texelFetch(meshPoints, int(id)).xyz));

@@ -1,10 +1,10 @@
 // Maximum and minimum intensity: the extreme scalar, which is at an end of a segment, and its
 // opacity. RELEVO_SIGN is 1 for the maximum, -1 for the minimum.
 
-Scalars extreme;
+Scalars extreme = Scalars(0.0);
 bool hasExtreme;
 #if RELEVO_TABLES
-Scalars extremeSteepness;
+Scalars extremeSteepness = Scalars(0.0);
 #endif
 
 void beginRay()

@@ -2,7 +2,7 @@
 // per radius of the mesh.
 
 #if RELEVO_LIT || RELEVO_SURFACES
-vec2 partDepths;
+vec2 partDepths = vec2(0.0);
 #endif
 
 #if RELEVO_LIT || RELEVO_STEEPNESS

@@ -49,8 +49,9 @@ flat out Scalars seenSteepness;
 //RELEVO::Outline
 
 vec4 points[4];
-vec4 seen[4];
-vec2 places[4]; // in pixels, if all are in front of the near plane
+vec4 seen[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+// in pixels, if all are in front of the near plane
+vec2 places[4] = vec2[4](vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0));
 
 float windingOf(int a, int b, int c)
 {

@@ -19,15 +19,16 @@ const uint Nothing = 0xffffffffu;
 const uint SamePoints = 4u; // instead of the index of a face, if both cells have the same scalars
 #endif
 
-// The state of the walk: the next cell, and the face through which it is entered.
-uint walkCell;
-float walkDepth;
-Corner faceA;
-Corner faceB;
-Corner faceC;
-vec3 faceAreas; // spanned by the edges opposite to the corners
+// The state of the walk: the next cell, and the face through which it is entered. The initial values
+// keep compilers from warnings about functions that read a variable before another one sets it.
+uint walkCell = Nothing;
+float walkDepth = 0.0;
+Corner faceA = NoCorner;
+Corner faceB = NoCorner;
+Corner faceC = NoCorner;
+vec3 faceAreas = vec3(0.0); // spanned by the edges opposite to the corners
 
-Scalars walkScalars; // scalars at the position of the walk
+Scalars walkScalars = Scalars(0.0); // scalars at the position of the walk
 
 #if RELEVO_CELL_SCALARS
 Scalars getCellScalars(uint cell)
@@ -39,9 +40,9 @@ Scalars getCellScalars(uint cell)
 #endif
 }
 #else
-Scalars scalarsA;
-Scalars scalarsB;
-Scalars scalarsC;
+Scalars scalarsA = Scalars(0.0);
+Scalars scalarsB = Scalars(0.0);
+Scalars scalarsC = Scalars(0.0);
 
 Scalars getPointScalars(uint id, float first)
 {
