@@ -36,6 +36,14 @@
 
 #include <algorithm>
 
+namespace
+{
+// Tiles of pixels are distributed to threads. Between batches, progress is reported.
+constexpr int TileSize = 16;
+constexpr vtkIdType NumberOfBatches = 20;
+constexpr vtkIdType TilesPerBatch = 64;
+}
+
 vtkStandardNewMacro(vtkVolumeRayCastFilter);
 
 vtkVolumeRayCastFilter::vtkVolumeRayCastFilter()
@@ -223,18 +231,32 @@ void vtkVolumeRayCastFilter::Cast(const relevo::CellCrossing& crossing,
   colors->SetNumberOfComponents(4);
   colors->SetNumberOfTuples(static_cast<vtkIdType>(width) * height);
   double* all = colors->GetPointer(0);
-  for (int row = 0; row < height && !relevo::IsAborted(this); ++row)
+  const auto castTile = [&](int left, int bottom)
   {
-    this->UpdateProgress(static_cast<double>(row) / height);
-    vtkSMPTools::For(0, width,
+    for (int row = bottom; row < std::min(bottom + TileSize, height); ++row)
+    {
+      for (int column = left; column < std::min(left + TileSize, width); ++column)
+      {
+        const relevo::Ray ray = planes.Clip(rays.Make(column, row));
+        const relevo::dvec4 seen = blending.Blend(crossing.Cross(ray), ray.Direction);
+        double* color = all + 4 * (static_cast<vtkIdType>(row) * width + column);
+        std::copy(&seen.x, &seen.x + 4, color);
+      }
+    }
+  };
+  const vtkIdType columns = (width + TileSize - 1) / TileSize;
+  const vtkIdType tiles = columns * ((height + TileSize - 1) / TileSize);
+  const vtkIdType batch = std::max<vtkIdType>(tiles / NumberOfBatches, TilesPerBatch);
+  for (vtkIdType begin = 0; begin < tiles && !relevo::IsAborted(this); begin += batch)
+  {
+    this->UpdateProgress(static_cast<double>(begin) / static_cast<double>(tiles));
+    vtkSMPTools::For(begin, std::min(begin + batch, tiles), 1,
       [&](vtkIdType first, vtkIdType last)
       {
-        for (int column = static_cast<int>(first); column < last; ++column)
+        for (vtkIdType tile = first; tile < last; ++tile)
         {
-          const relevo::Ray ray = planes.Clip(rays.Make(column, row));
-          const relevo::dvec4 seen = blending.Blend(crossing.Cross(ray), ray.Direction);
-          double* color = all + 4 * (static_cast<vtkIdType>(row) * width + column);
-          std::copy(&seen.x, &seen.x + 4, color);
+          castTile(static_cast<int>(tile % columns) * TileSize,
+            static_cast<int>(tile / columns) * TileSize);
         }
       });
   }

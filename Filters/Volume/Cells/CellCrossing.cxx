@@ -8,6 +8,7 @@
 #include "Cells/PointGradients.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace relevo
@@ -17,6 +18,7 @@ namespace
 // Relative to the diagonal of the mesh. Boxes are float.
 constexpr double BoxMargin = 1e-6;
 constexpr double PlaneMargin = 1e-12;
+constexpr size_t TypicalParts = 128; // of a ray
 
 void AddWeighed(const Scalars& scalars, double weight, Scalars& sum)
 {
@@ -354,6 +356,7 @@ std::vector<RayPart> CellCrossing::Cross(const Ray& ray) const
   const dvec3 end = moved.Origin + moved.Length * moved.Direction;
   const BoxSegment segment(&moved.Origin.x, &end.x, BoxMargin * this->Cells.GetDiagonal());
   std::vector<RayPart> parts;
+  parts.reserve(TypicalParts);
   double last = 1.0;
   this->Tree.Visit(
     last, [&](const FloatBox& box, double nearest) { return segment.GetEntry(box, nearest); },
@@ -366,15 +369,25 @@ std::vector<RayPart> CellCrossing::Cross(const Ray& ray) const
         parts[i].Cell = static_cast<size_t>(index);
       }
     });
-  std::sort(parts.begin(), parts.end(),
-    [](const RayPart& a, const RayPart& b)
-    { return a.Begin < b.Begin || (a.Begin == b.Begin && a.End < b.End); });
+  // Parts are too large to be sorted themselves.
+  std::vector<size_t> order(parts.size());
+  std::iota(order.begin(), order.end(), size_t(0));
+  std::sort(order.begin(), order.end(),
+    [&](size_t first, size_t last)
+    {
+      const RayPart& a = parts[first];
+      const RayPart& b = parts[last];
+      return a.Begin < b.Begin ||
+        (a.Begin == b.Begin && (a.End < b.End || (a.End == b.End && a.Cell < b.Cell)));
+    });
 
   // A ray in a face is in both cells. Overlaps must be counted once.
   double reached = 0.0;
   std::vector<RayPart> once;
-  for (const RayPart& part : parts)
+  once.reserve(parts.size());
+  for (const size_t number : order)
   {
+    const RayPart& part = parts[number];
     if (part.End > reached)
     {
       const double hidden = (reached - part.Begin) / (part.End - part.Begin);

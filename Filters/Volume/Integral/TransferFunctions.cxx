@@ -183,6 +183,24 @@ double ComputeGradientOpacity(const LinearPieces& pieces, double steepness)
                                    : pieces.Evaluate(pieces.FindPiece(steepness), steepness).w;
 }
 
+const std::vector<double>& GetNodes(const TransferFunctions::Curve& curve)
+{
+  return curve.Table.IsEmpty() ? curve.Pieces.GetNodes() : curve.Table.GetColumns();
+}
+
+// Returns whether a node is inside of a segment.
+bool HasCut(const std::vector<TransferFunctions::Curve>& curves, const Segment& segment)
+{
+  return std::any_of(curves.begin(), curves.end(),
+    [&](const TransferFunctions::Curve& curve)
+    {
+      const auto ends = std::minmax(segment.Front[curve.Component], segment.Back[curve.Component]);
+      const std::vector<double>& nodes = GetNodes(curve);
+      const auto node = std::upper_bound(nodes.begin(), nodes.end(), ends.first);
+      return node != nodes.end() && *node < ends.second;
+    });
+}
+
 double ReadUnitDistance(vtkVolumeProperty* property, int component, std::string& warning)
 {
   const double distance = property->GetScalarOpacityUnitDistance(component);
@@ -369,6 +387,11 @@ void TransferFunctions::AddPieces(const Segment& piece, int depth, const Add& ad
 template <typename Add>
 void TransferFunctions::AddAllPieces(const Segment& segment, const Add& add) const
 {
+  if (!HasCut(this->Curves, segment))
+  {
+    this->AddPieces(segment, 0, add);
+    return;
+  }
   const std::vector<double> cuts = this->FindCuts(segment.Front, segment.Back);
   for (size_t i = 1; i < cuts.size(); ++i)
   {
@@ -400,8 +423,7 @@ std::vector<double> TransferFunctions::FindCuts(const Scalars& front, const Scal
   {
     const double begin = front[curve.Component];
     const double end = back[curve.Component];
-    const std::vector<double>& nodes =
-      curve.Table.IsEmpty() ? curve.Pieces.GetNodes() : curve.Table.GetColumns();
+    const std::vector<double>& nodes = GetNodes(curve);
     const double highest = std::max(begin, end);
     for (auto node = std::upper_bound(nodes.begin(), nodes.end(), std::min(begin, end));
          node != nodes.end() && *node < highest; ++node)

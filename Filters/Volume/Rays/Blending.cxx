@@ -67,7 +67,8 @@ dvec4 Blending::BlendComposite(const std::vector<RayPart>& parts, const dvec3& d
       seen = frontOverBack(seen, this->ShowSurface(parts[i], *crossing, direction));
       begin = crossing->Share;
     }
-    seen = frontOverBack(seen, this->Functions.Integrate(segment.Cut(begin, 1.0)));
+    seen = frontOverBack(
+      seen, this->Functions.Integrate(begin > 0.0 ? segment.Cut(begin, 1.0) : segment));
   }
   return seen;
 }

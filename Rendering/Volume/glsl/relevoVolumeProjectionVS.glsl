@@ -210,8 +210,11 @@ vec2 getOutlineCorner(int corner)
     size = 3;
   }
   int at = min(corner, size - 1);
+  // Three corners of a quad can be collinear, if rays are parallel to a face.
+  float winding = windingOf(outline[0], outline[1], outline[2]) +
+    (size == 4 ? windingOf(outline[0], outline[2], outline[3]) : 0.0);
   return widen(places[outline[(at + size - 1) % size]], places[outline[at]],
-    places[outline[(at + 1) % size]], windingOf(outline[0], outline[1], outline[2]));
+    places[outline[(at + 1) % size]], winding);
 }
 
 // Return whether the centre of a pixel may be inside.

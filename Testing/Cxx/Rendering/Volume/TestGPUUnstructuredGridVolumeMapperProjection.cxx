@@ -254,6 +254,29 @@ void TestBadMethod(RelevoCheck& check)
   CHECK(errors.Said("Method must be one of RAY_CASTING (0), CELL_PROJECTION (1), got 2."));
   CHECK_EQUAL(scene.GetMapper()->GetMethod(), 0);
 }
+
+// In a perspective view along an axis, the rays of the middle column and row are in faces of cells.
+void TestRaysInFaces(RelevoCheck& check)
+{
+  constexpr int size = 61;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    CHECK_CASE(axis);
+    RelevoVolumeScene scene(
+      MakeTetrahedra(4, GetLinearField), MakeVolumeProperty(0.5, 1.0, 1.0), size, size);
+    scene.GetMapper()->SetMethodToCellProjection();
+    double position[3] = { 0.5, 0.5, 0.5 };
+    position[axis] = 4.5;
+    double up[3] = { 0.0, 0.0, 0.0 };
+    up[(axis + 1) % 3] = 1.0;
+    scene.GetCamera()->SetFocalPoint(0.5, 0.5, 0.5);
+    scene.GetCamera()->SetPosition(position);
+    scene.GetCamera()->SetViewUp(up);
+    scene.GetCamera()->SetViewAngle(20.0);
+    scene.GetRenderer()->ResetCameraClippingRange();
+    CHECK_NEAR(scene.Compare(0.004), 0.0, 1.0);
+  }
+}
 }
 
 int TestGPUUnstructuredGridVolumeMapperProjection(int, char*[])
@@ -272,5 +295,6 @@ int TestGPUUnstructuredGridVolumeMapperProjection(int, char*[])
   TestIntegration(check);
   TestCounters(check);
   TestBadMethod(check);
+  TestRaysInFaces(check);
   return check.GetResult();
 }
