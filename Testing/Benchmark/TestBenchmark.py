@@ -127,7 +127,8 @@ class TestBenchmark(unittest.TestCase):
             self.assertLess(row["angle_median"], 5.0, row)
 
     def check_volumes(self, tables):
-        for name in ("volumes", "volumes-memory", "volumes-pictures", "volumes-published"):
+        for name in ("volumes", "volumes-memory", "volumes-neighbors", "volumes-pictures",
+                     "volumes-published"):
             self.assertTrue(tables[name], name)
         errors = {row["picture"]: row for row in tables["volumes-pictures"]}
         for picture, most in (("ray casting, exact", 1.0), ("ray casting, exact, over white", 2.0),

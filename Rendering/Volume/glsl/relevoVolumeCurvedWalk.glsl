@@ -242,9 +242,13 @@ bool leaveTo(int exit)
 #endif
   uint neighbor = exit < 0 ? Nothing : wordOfCell(walkCell, FirstBehind + exit);
 #if RELEVO_HANGING
-  if (neighbor != Nothing && neighbor % 8u == SeveralCells)
+  bool areSeveral = neighbor != Nothing && neighbor % 8u == SeveralCells;
+  for (int i = areSeveral ? 0 : 1; i < min(1, maximumSteps); ++i)
   {
     moveToPart(neighbor / 8u);
+  }
+  if (areSeveral)
+  {
     return false;
   }
 #endif
@@ -403,17 +407,19 @@ ivec2 windHexahedron(uint ids[8], uint list)
   ivec4 above = ivec4(passes(4, 5), passes(5, 6), passes(6, 7), passes(7, 4));
   ivec4 up = ivec4(passes(0, 4), passes(1, 5), passes(2, 6), passes(3, 7));
 #if RELEVO_HANGING
-  if (list != 0u)
+  // Loops for what is rare, because software renderers execute both sides of a branch. Corners are
+  // fetched, because arrays with indices that vary are slow.
+  for (int i = list == 0u ? 4 : 0; i < 4; ++i)
   {
-    for (int i = 0; i < 4; ++i)
-    {
-      int next = (i + 1) % 4;
-      Corner low = Corner(ids[i], hexPlaces[i]);
-      Corner high = Corner(ids[i + 4], hexPlaces[i + 4]);
-      below[i] = passesOfEdge(list, i, low, Corner(ids[next], hexPlaces[next]));
-      above[i] = passesOfEdge(list, 4 + i, high, Corner(ids[next + 4], hexPlaces[next + 4]));
-      up[i] = passesOfEdge(list, 8 + i, low, high);
-    }
+    int next = (i + 1) % 4;
+    Corner low = getCorner(wordOfCell(walkCell, i));
+    Corner lowNext = getCorner(wordOfCell(walkCell, next));
+    Corner high = getCorner(wordOfCell(walkCell, i + 4));
+    Corner highNext = getCorner(wordOfCell(walkCell, next + 4));
+    ivec4 one = ivec4(equal(ivec4(i), ivec4(0, 1, 2, 3)));
+    below += one * (passesOfEdge(list, i, low, lowNext) - passesOf(low, lowNext));
+    above += one * (passesOfEdge(list, 4 + i, high, highNext) - passesOf(high, highNext));
+    up += one * (passesOfEdge(list, 8 + i, low, high) - passesOf(low, high));
   }
 #endif
   ivec4 sides = ivec4(up.x - above.w - up.w + below.w, below.y + up.z - above.y - up.y,
@@ -577,7 +583,7 @@ void crossHexahedron()
   }
 #endif
 #if RELEVO_HANGING
-  if (exit < 0)
+  for (int i = exit < 0 ? 0 : 1; i < min(1, maximumSteps); ++i)
   {
     exit = leaveFromNearby(ids, end, leftAt);
   }

@@ -5,6 +5,7 @@
 #include "BenchmarkMeasure.h"
 #include "BenchmarkReport.h"
 #include "BenchmarkView.h"
+#include "BenchmarkVolumeNeighbors.h"
 #include "BenchmarkVolumePictures.h"
 #include "BenchmarkVolumeScene.h"
 #include "BenchmarkVolumeWay.h"
@@ -441,4 +442,5 @@ void RunVolumes(const BenchmarkOptions& options, const AddTable& addTable)
     "depends on the mesh alone.");
   addTable(table);
   addTable(memory);
+  AddVolumeNeighbors(options, addTable);
 }
