@@ -22,6 +22,7 @@
 #include "Stages/SegmentRequest.h"
 #include "Stages/TableLoader.h"
 #include "Stages/VolumeFrame.h"
+#include "View/EventPace.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
@@ -75,6 +76,7 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   std::array<int, 4> Viewport = { { 0, 0, 0, 0 } }; // of the last render
   std::string DrawError;                            // as reported
   relevo::RenderClock Clock;
+  relevo::EventPace Pace;
 
   relevo::VolumeFrame MakeFrame(const relevo::RenderPasses& passes)
   {
@@ -94,6 +96,7 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
     this->Cells.ReleaseGraphicsResources(window);
     this->Compositor.ReleaseGraphicsResources(window);
     this->Clock.ReleaseGraphicsResources();
+    this->Pace.SetWindow(nullptr);
   }
 };
 
@@ -168,6 +171,7 @@ void vtkGPUUnstructuredGridVolumeMapper::Render(vtkRenderer* renderer, vtkVolume
     return;
   }
   data.Context->SetContext(window);
+  data.Pace.SetWindow(this->AutoAdjustSampleDistances ? window : nullptr);
   data.Segments.ReleaseGraphicsResources(window);
   data.Clock.Start();
   const auto draw = [&]
@@ -194,7 +198,7 @@ relevo::MeshRequest vtkGPUUnstructuredGridVolumeMapper::MakeMeshRequest(
     relevo::ChooseScalars(property, this->VectorMode, this->VectorComponent), this->ScalarMode,
     this->ArrayAccessMode, this->ArrayId, this->ArrayName ? this->ArrayName : "",
     property->GetIndependentComponents() != 0, IsShaded(property), hasCorners, this->ShapeTolerance,
-    this->FieldTolerance, whole };
+    this->FieldTolerance, this->KeepHostData, whole };
 }
 
 bool vtkGPUUnstructuredGridVolumeMapper::UpdateMesh(
@@ -393,9 +397,11 @@ std::string vtkGPUUnstructuredGridVolumeMapper::CastRays(
   const relevo::VolumeFrame& frame, vtkVolume* volume)
 {
   vtkInternals& data = *this->Internals;
+  // Still frames of an interactor have all the time that they need.
+  const bool isMoving = data.GetWindow()->GetDesiredUpdateRate() >= 1.0;
   const std::array<int, 2> size = data.Compositor.ChooseSize(data.Viewport,
-    { this->ImageSampleDistance, this->AutoAdjustSampleDistances,
-      volume->GetAllocatedRenderTime() });
+    { this->ImageSampleDistance, this->AutoAdjustSampleDistances && isMoving,
+      data.Pace.GetFactor() * volume->GetAllocatedRenderTime() });
   const bool isSampled = size[0] != data.Viewport[2] || size[1] != data.Viewport[3];
   const std::string error = data.Rays.Draw(frame, size);
   return error.empty() && isSampled ? data.Compositor.Add(frame, relevo::VolumeShader::Picture)
@@ -527,6 +533,7 @@ void vtkGPUUnstructuredGridVolumeMapper::PrintSelf(ostream& os, vtkIndent indent
   os << indent << "TableSize: " << this->TableSize << "\n";
   os << indent << "ShapeTolerance: " << this->ShapeTolerance << "\n";
   os << indent << "FieldTolerance: " << this->FieldTolerance << "\n";
+  os << indent << "KeepHostData: " << (this->KeepHostData ? "On" : "Off") << "\n";
   os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
   os << indent << "MaximumSegments: " << this->MaximumSegments << "\n";
   os << indent << "AutoAdjustSampleDistances: " << (this->AutoAdjustSampleDistances ? "On" : "Off")

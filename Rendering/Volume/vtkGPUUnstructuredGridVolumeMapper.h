@@ -235,6 +235,18 @@ public:
 
   //@{
   /**
+   * Set whether the sources of the scalars stay in the memory of the process after an upload: 4
+   * bytes per point, and 8 bytes per cell if scalars are of cells. They are needed to upload new
+   * values on the same points and cells without building the mesh. On by default. If it is switched
+   * on again, it applies to the next mesh that is built.
+   */
+  vtkSetMacro(KeepHostData, bool);
+  vtkGetMacro(KeepHostData, bool);
+  vtkBooleanMacro(KeepHostData, bool);
+  //@}
+
+  //@{
+  /**
    * Set the distance between cast rays in both directions, in pixels: 0.1 to 100, default 1. Above
    * 1, drawing is faster and colours are interpolated in between; below 1, the image is smoother.
    * It has no effect if translucent props are blended with the volume. A value out of range is an
@@ -246,10 +258,12 @@ public:
 
   //@{
   /**
-   * Set whether the sample distance is adapted to the time allotted to the volume
-   * (vtkProp::SetAllocatedRenderTime(), from DesiredUpdateRate of a window or interactor) and the
-   * time of the last frame. It then ranges from 1 to 10 pixels and replaces ImageSampleDistance.
-   * Off by default.
+   * Set whether moving views use a larger sample distance than ImageSampleDistance, up to 16
+   * pixels, so that a frame fits into the time allotted to the volume
+   * (vtkProp::GetAllocatedRenderTime()). The distance follows from the time of the last frame. If
+   * the window has an interactor whose events wait for frames, the time is shortened until they no
+   * longer wait. A view moves if the window's DesiredUpdateRate is 1 or more, which interactors set
+   * as long as the mouse moves the view. Still images have the full resolution. On by default.
    */
   vtkSetMacro(AutoAdjustSampleDistances, bool);
   vtkGetMacro(AutoAdjustSampleDistances, bool);
@@ -349,9 +363,10 @@ private:
   int TableSize = 128;
   double ShapeTolerance = 5e-4;
   double FieldTolerance = 4e-3;
+  bool KeepHostData = true;
   double ImageSampleDistance = 1.0;
   int MaximumSegments = 64;
-  bool AutoAdjustSampleDistances = false;
+  bool AutoAdjustSampleDistances = true;
 };
 
 #endif

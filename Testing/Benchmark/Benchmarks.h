@@ -56,6 +56,8 @@ void RunTerrains(const BenchmarkOptions& options, const AddTable& addTable);
 void RunLIC(const BenchmarkOptions& options, const AddTable& addTable);
 /// Compares volumes of cells with VTK's mappers and sort, and pictures with a reference.
 void RunVolumes(const BenchmarkOptions& options, const AddTable& addTable);
+/// Measures isosurfaces, time steps, depth peeling, dragging and the memory of volumes.
+void RunVolumeTasks(const BenchmarkOptions& options, const AddTable& addTable);
 /// Compares reliefs with the captured meshes and with meshes of their pixels. Measures warps per
 /// second.
 void RunReliefs(const BenchmarkOptions& options, const AddTable& addTable);

@@ -50,6 +50,7 @@ const std::vector<Benchmark> Benchmarks = {
   { "lic", RunLIC },
 #ifdef BENCHMARK_HAS_VOLUMES
   { "volumes", RunVolumes },
+  { "volume-tasks", RunVolumeTasks },
 #endif
 #ifdef BENCHMARK_HAS_RELIEFS
   { "relief", RunReliefs },

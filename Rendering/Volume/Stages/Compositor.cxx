@@ -17,7 +17,7 @@ namespace relevo
 namespace
 {
 // The distance in pixels, if it follows from the time.
-constexpr double LargestDistance = 10.0;
+constexpr double LargestDistance = 16.0;
 }
 
 std::string Compositor::ReadDepths(
@@ -49,7 +49,8 @@ std::array<int, 2> Compositor::ChooseSize(
   if (request.IsAutomatic)
   {
     const double allocated = std::max(request.AllocatedTime, 1e-6);
-    this->SampleDistance = std::clamp(std::sqrt(this->WholeTime / allocated), 1.0, LargestDistance);
+    const double needed = std::min(std::sqrt(this->WholeTime / allocated), LargestDistance);
+    this->SampleDistance = needed > 1.0 ? std::max(request.Distance, needed) : request.Distance;
   }
   const auto divide = [this](int pixels)
   { return std::max(static_cast<int>(std::lround(pixels / this->SampleDistance)), 1); };

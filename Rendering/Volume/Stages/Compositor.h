@@ -27,7 +27,7 @@ struct VolumeFrame;
 struct SamplingRequest
 {
   double Distance;      // distance of rays in pixels
-  bool IsAutomatic;     // whether the distance follows from
+  bool IsAutomatic;     // whether the distance may be larger, so that the frame fits into
   double AllocatedTime; // the allotted time in seconds
 };
 

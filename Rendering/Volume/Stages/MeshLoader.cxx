@@ -65,6 +65,11 @@ bool MeshLoader::Update(const MeshRequest& request, StageReport& report)
     isPiece != this->IsPiece || (isPiece && !(*request.Whole == this->Whole));
   this->IsPiece = isPiece;
   this->Whole = isPiece ? *request.Whole : MeshExtent();
+  if (!request.KeepsHostData)
+  {
+    this->Values.Clear();
+    this->Signature.clear();
+  }
   const bool hasChanged = this->Known.Update(now) || isOtherPiece;
   const bool lacksGradients = this->HasMesh && !this->Mesh.HasCellScalars && !this->HasGradients;
   if (hasChanged && !isOtherPiece && this->ReplaceValues(request, report))
@@ -319,7 +324,8 @@ bool MeshLoader::Upload(const MeshRequest& request, VolumeCells& cells, StageRep
   this->Mesh.HasTetrahedra = layout.GetNumberOfTetrahedra() > 0;
   this->Mesh.HasCurvedCells = layout.GetNumberOfCurvedCells() > 0;
   this->Values.Clear();
-  if (!request.HasCorners && !request.Whole && !this->HasGradients && !isCurved)
+  if (request.KeepsHostData && !request.HasCorners && !request.Whole && !this->HasGradients &&
+    !isCurved)
   {
     this->Values.Keep(cells, layout);
   }

@@ -50,6 +50,7 @@ struct MeshRequest
   bool HasCorners;                   // for cell projection
   double ShapeTolerance;             // share of the mesh's diagonal
   double FieldTolerance;             // share of the range of scalars
+  bool KeepsHostData;                // to replace values
   const MeshExtent* Whole = nullptr; // if the input is a piece of a mesh
 };
 

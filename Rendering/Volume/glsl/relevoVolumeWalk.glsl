@@ -129,6 +129,9 @@ void takeScalars()
   faceA.id = own[int(ids.y < ids.x) + int(ids.z < ids.x)];
   faceB.id = own[int(ids.x < ids.y) + int(ids.z < ids.y)];
   faceC.id = own[int(ids.x < ids.z) + int(ids.y < ids.z)];
+#if RELEVO_CELL_SCALARS
+  walkSide = SamePoints;
+#else
   scalarsA = getPointScalars(faceA.id, texelFetch(meshPoints, int(faceA.id)).w);
   scalarsB = getPointScalars(faceB.id, texelFetch(meshPoints, int(faceB.id)).w);
   scalarsC = getPointScalars(faceC.id, texelFetch(meshPoints, int(faceC.id)).w);
@@ -138,6 +141,7 @@ void takeScalars()
   jumpTo(interpolateScalars(weights));
 #if RELEVO_LIT
   walkToGradients(uvec3(faceA.id, faceB.id, faceC.id), weights);
+#endif
 #endif
 }
 #endif

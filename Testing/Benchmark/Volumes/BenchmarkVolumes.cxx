@@ -8,6 +8,7 @@
 #include "BenchmarkVolumeNeighbors.h"
 #include "BenchmarkVolumePictures.h"
 #include "BenchmarkVolumeScene.h"
+#include "BenchmarkVolumeTasks.h"
 #include "BenchmarkVolumeWay.h"
 #include "Benchmarks.h"
 
@@ -377,6 +378,7 @@ void AddScene(const std::string& name, const BenchmarkOptions& options, Benchmar
 }
 
 // picture SCENE SIZE -> see MeasureVolumePicture()
+// memory SCENE HOST -> see MeasureVolumeMemory()
 // frames SCENE SPLIT quick|full|"" -> milliseconds pre-integrated and of VTK's default integrator,
 // and their ratios
 std::vector<double> MeasureVolumes(const std::vector<std::string>& arguments)
@@ -384,6 +386,10 @@ std::vector<double> MeasureVolumes(const std::vector<std::string>& arguments)
   if (arguments.at(0) == "picture")
   {
     return MeasureVolumePicture({ arguments.begin() + 1, arguments.end() });
+  }
+  if (arguments.at(0) == "memory")
+  {
+    return MeasureVolumeMemory({ arguments.begin() + 1, arguments.end() });
   }
   const BenchmarkVolumeScene scene(arguments.at(1));
   const Case which(scene, static_cast<BenchmarkVolumeScene::Split>(std::stoi(arguments.at(2))));

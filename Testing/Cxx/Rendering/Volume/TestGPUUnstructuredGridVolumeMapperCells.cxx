@@ -6,14 +6,18 @@
 #include "RelevoDice.h"
 #include "RelevoVolumeScene.h"
 
+#include "vtkAMRBox.h"
+#include "vtkAMRUtilities.h"
 #include "vtkAppendFilter.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkContourValues.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
+#include "vtkOverlappingAMR.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
+#include "vtkUniformGrid.h"
 
 #include <cmath>
 #include <vector>
@@ -192,6 +196,43 @@ void TestFeatures(RelevoCheck& check)
     }
   }
 }
+
+// The finer of two levels covers eight cells of the coarser one.
+void TestAMR(RelevoCheck& check)
+{
+  vtkNew<vtkOverlappingAMR> amr;
+  const int numberOfBlocks[2] = { 1, 1 };
+  amr->Initialize(2, numberOfBlocks);
+  double origin[3] = { 0.0, 0.0, 0.0 };
+  amr->SetOrigin(origin);
+  for (unsigned int level = 0; level < 2; ++level)
+  {
+    const double size = level == 0 ? 1.0 : 0.5;
+    double low[3] = { 1.0 * level, 1.0 * level, 1.0 * level };
+    double spacing[3] = { size, size, size };
+    vtkNew<vtkUniformGrid> grid;
+    grid->SetOrigin(low);
+    grid->SetSpacing(spacing);
+    grid->SetDimensions(5, 5, 5);
+    vtkNew<vtkDoubleArray> values;
+    for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+    {
+      values->InsertNextValue(0.2 + 0.01 * static_cast<double>(i % 7) + 0.5 * level);
+    }
+    grid->GetCellData()->SetScalars(values);
+    amr->SetGridDescription(grid->GetGridDescription());
+    amr->SetSpacing(level, spacing);
+    amr->SetAMRBox(
+      level, 0, vtkAMRBox(low, grid->GetDimensions(), spacing, origin, grid->GetGridDescription()));
+    amr->SetRefinementRatio(level, 2);
+    amr->SetDataSet(level, 0, grid);
+  }
+  amr->GenerateParentChildInformation();
+  vtkAMRUtilities::BlankCells(amr);
+  RelevoVolumeScene scene(amr, MakeProperty(), 60, 48);
+  CHECK_LESS_EQUAL(scene.Compare(0.01), 1.0);
+  CHECK_EQUAL(scene.GetMapper()->GetNumberOfDrawnCells(), 64 - 8 + 64);
+}
 }
 
 int TestGPUUnstructuredGridVolumeMapperCells(int, char*[])
@@ -205,5 +246,6 @@ int TestGPUUnstructuredGridVolumeMapperCells(int, char*[])
   TestMirrored(check);
   TestCellData(check);
   TestFeatures(check);
+  TestAMR(check);
   return check.GetResult();
 }

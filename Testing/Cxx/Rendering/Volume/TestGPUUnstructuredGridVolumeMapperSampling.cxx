@@ -56,12 +56,18 @@ void TestAdjusted(RelevoCheck& check)
 {
   RelevoVolumeScene scene(MakeTetrahedra(3, GetLinearField), MakeLinearProperty(), 120, 120);
   const auto fine = scene.Draw();
-  scene.GetMapper()->AutoAdjustSampleDistancesOn();
+  CHECK(scene.GetMapper()->GetAutoAdjustSampleDistances());
   scene.GetWindow()->SetDesiredUpdateRate(1e7);
   scene.Draw();
   CHECK_GREATER(FindLargestDifference(fine, scene.Draw()), 0.1);
   CHECK_GREATER(scene.GetMapper()->GetTimeToDraw(), 0.0);
   scene.GetWindow()->SetDesiredUpdateRate(1e-6);
+  CHECK_EQUAL(FindLargestDifference(fine, scene.Draw()), 0.0);
+  // Views without a rate do not move, however little time they have.
+  scene.GetVolume()->SetAllocatedRenderTime(1e-7, scene.GetRenderer());
+  CHECK_EQUAL(FindLargestDifference(fine, scene.Draw()), 0.0);
+  scene.GetMapper()->AutoAdjustSampleDistancesOff();
+  scene.GetWindow()->SetDesiredUpdateRate(1e7);
   CHECK_EQUAL(FindLargestDifference(fine, scene.Draw()), 0.0);
 }
 

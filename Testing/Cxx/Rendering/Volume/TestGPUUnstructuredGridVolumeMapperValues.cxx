@@ -184,6 +184,21 @@ void TestCoincidentPoints(RelevoCheck& check)
   CHECK(!IsBuilt(check, scene, MakeStep(mesh, 3)));
 }
 
+// Without host data, new values build the mesh.
+void TestHostData(RelevoCheck& check)
+{
+  const auto mesh = MakeBlocksOfCells(VTK_HEXAHEDRON, GetWaves);
+  RelevoVolumeScene scene(MakeStep(mesh, 1), MakeProperty(), Width, Height);
+  scene.GetMapper()->KeepHostDataOff();
+  scene.Draw();
+  CHECK(IsBuilt(check, scene, MakeStep(mesh, 2)));
+  scene.GetMapper()->KeepHostDataOn();
+  CHECK(IsBuilt(check, scene, MakeStep(mesh, 3)));
+  CHECK(!IsBuilt(check, scene, MakeStep(mesh, 4)));
+  scene.GetMapper()->KeepHostDataOff();
+  CHECK(IsBuilt(check, scene, MakeStep(mesh, 5)));
+}
+
 // Shading needs gradients, which need the cells.
 void TestShading(RelevoCheck& check)
 {
@@ -205,6 +220,7 @@ int TestGPUUnstructuredGridVolumeMapperValues(int, char*[])
   TestOtherMeshes(check);
   TestNaN(check);
   TestCoincidentPoints(check);
+  TestHostData(check);
   TestShading(check);
   return check.GetResult();
 }
