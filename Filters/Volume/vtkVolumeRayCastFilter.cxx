@@ -161,7 +161,7 @@ bool vtkVolumeRayCastFilter::Read(
     choice.Scale = areBytes ? 1.0 / 255.0 : 1.0;
     for (const std::string& reason : cells.Add(mesh.Mesh, mesh.Array, mesh.AreOfCells, choice))
     {
-      vtkErrorMacro(<< mesh.Block << reason);
+      vtkErrorMacro(<< mesh.GetPrefix() << reason);
       hasErrors = true;
     }
   }

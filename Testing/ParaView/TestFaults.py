@@ -95,7 +95,7 @@ SCENES = {
         show_all,
         {
             "Volume": "points that are not finite",
-            "Patch": "Cell 0 (vtkTetra, type 10) is left out: point 0 is not finite.",
+            "Patch": "Rank 1: Cell 0 (vtkTetra, type 10) is left out: point 0 is not finite.",
             "Refinement": "points that are not finite on rank 1. They are left out.",
         },
     ),
@@ -107,15 +107,18 @@ SCENES = {
     "pairs in a block": (
         lambda: make_blocks(PAIRS),
         show_volume,
-        {"Volume": 'Rank 1: The input has an array "RTData" with 1 components in one block and 2 in'},
+        {
+            "Volume": 'Rank 1: The input has an array "RTData" in Block 2 ("Tail") with 2 components, '
+            'but with 1 in Block 1 ("Wing").'
+        },
     ),
     "textures": (
         lambda: pieces.deal(fault=FEW_TEXELS),
         show_all,
         {
             "Volume": "Rank 1: The mesh cannot be drawn: " + LARGE,
-            "Patch": "Cannot draw the input: " + LARGE,
-            "Refinement": "Cannot draw the input: " + LARGE,
+            "Patch": "Rank 1: Cannot draw the input: " + LARGE,
+            "Refinement": "Rank 1: Cannot draw the input: " + LARGE,
         },
     ),
 }

@@ -20,7 +20,7 @@ import RelevoParaView as relevo
 SIZE = (200, 150)
 # The numbers of pixels that may differ by more than 2 and more than 1 of 255. Translucent objects are
 # cut at ParaView's boxes of space.
-EXACT = (0, 60)
+EXACT = (0, 30)
 TRANSLUCENT = (10, 30)
 RANKS = vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
 
@@ -338,7 +338,7 @@ def draw_all():
 
 
 def count_failures(path, pictures):
-    """Every pixel within 2 of 255, except with translucent objects, and 99.8 % within 1."""
+    """Every pixel within 2 of 255, except with translucent objects, and 99.9 % within 1."""
     if RANKS == 1:
         own = {name: picture for name, picture in pictures.items() if "/" not in name}
         return relevo.compare_with_one_rank(path, own, {})

@@ -111,15 +111,18 @@ std::string FindLack(
   return "";
 }
 
-std::string FindError(
-  const MeshScalars& scalars, const ArrayRequest& request, const std::string& name, int components)
+std::string FindError(const MeshScalars& scalars, const ArrayRequest& request,
+  const std::string& name, const MeshScalars& first)
 {
   std::ostringstream text;
   const vtkIdType tuples = scalars.Array->GetNumberOfTuples();
   const vtkIdType wanted =
     scalars.AreOfCells ? scalars.Mesh->GetNumberOfCells() : scalars.Mesh->GetNumberOfPoints();
   const int given = scalars.Array->GetNumberOfComponents();
-  const std::string named = "has an array \"" + name + "\" with ";
+  const int others = first.Array->GetNumberOfComponents();
+  const auto inBlock = [](const MeshScalars& block)
+  { return block.Block.empty() ? "" : " in " + block.Block; };
+  const std::string named = "has an array \"" + name + "\"" + inBlock(scalars) + " with ";
   if (tuples != wanted)
   {
     text << named << tuples << " tuples, but there are " << wanted
@@ -129,9 +132,9 @@ std::string FindError(
   {
     text << named << given << " components, but the limit is " << request.MaximumComponents;
   }
-  else if (components > 0 && given != components)
+  else if (given != others)
   {
-    text << named << components << " components in one block and " << given << " in another";
+    text << named << given << " components, but with " << others << inBlock(first);
   }
   return text.str();
 }
@@ -160,8 +163,7 @@ bool FindMeshScalars(vtkDataObject* input, const ArrayRequest& request,
     int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
     vtkDataArray* array = request.Find(block.Set, association);
     const MeshScalars scalars = { block.Set, array,
-      association == vtkDataObject::FIELD_ASSOCIATION_CELLS,
-      block.Name.empty() ? block.Name : block.Name + ": " };
+      association == vtkDataObject::FIELD_ASSOCIATION_CELLS, block.Name };
     const std::string lack = FindLack(scalars, request, found.empty() ? nullptr : &found.front());
     if (!lack.empty())
     {
@@ -174,8 +176,8 @@ bool FindMeshScalars(vtkDataObject* input, const ArrayRequest& request,
     }
     found.push_back(scalars);
     const char* own = array->GetName();
-    error = FindError(found.back(), request, request.Name.empty() && own ? own : request.Name,
-      found.size() > 1 ? found.front().Array->GetNumberOfComponents() : 0);
+    error = FindError(
+      found.back(), request, request.Name.empty() && own ? own : request.Name, found.front());
     if (!error.empty())
     {
       return false;

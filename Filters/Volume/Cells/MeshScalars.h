@@ -29,6 +29,9 @@ struct MeshScalars
   vtkDataArray* Array;
   bool AreOfCells;
   std::string Block; // name of the block for messages; empty without blocks
+
+  /// Returns the begin of a message about the block.
+  std::string GetPrefix() const { return this->Block.empty() ? "" : this->Block + ": "; }
 };
 
 /// The requested array.

@@ -22,7 +22,8 @@ struct Fragment
 
 // Collect the fragments of a pixel from front to back. Return whether a piece had more.
 bool CollectFragments(const std::vector<RaySegments>& pieces,
-  const std::vector<std::vector<size_t>>& offsets, size_t pixel, std::vector<Fragment>& fragments)
+  const std::vector<std::vector<std::uint32_t>>& offsets, size_t pixel,
+  std::vector<Fragment>& fragments)
 {
   bool hasLost = false;
   fragments.clear();
@@ -44,7 +45,7 @@ bool CollectFragments(const std::vector<RaySegments>& pieces,
 void FragmentLayers::Merge(const std::vector<RaySegments>& pieces, int most)
 {
   this->Merged = RaySegments();
-  std::vector<std::vector<size_t>> offsets;
+  std::vector<std::vector<std::uint32_t>> offsets;
   for (const RaySegments& piece : pieces)
   {
     offsets.push_back(piece.FindOffsets());

@@ -18,6 +18,7 @@
 #include "vtkType.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace relevo
@@ -61,7 +62,7 @@ private:
   bool HasFragment(size_t pixel, int layer, Part part) const;
 
   RaySegments Merged;
-  std::vector<size_t> Offsets; // of the pixels
+  std::vector<std::uint32_t> Offsets; // of the pixels
 };
 }
 

@@ -9,6 +9,8 @@
 #ifndef MapperMessage_h
 #define MapperMessage_h
 
+#include "vtkMultiProcessController.h"
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,6 +54,14 @@ inline std::string ReadMapperMessage(const void* text, const MapperWords& words)
     }
   }
   return message;
+}
+
+/// Return the message of a rank about its own piece. It begins with the rank, except on rank 0.
+inline std::string NameOwnRank(const std::string& message)
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const int rank = controller ? controller->GetLocalProcessId() : 0;
+  return rank > 0 ? "Rank " + std::to_string(rank) + ": " + message : message;
 }
 }
 

@@ -524,12 +524,8 @@ void VolumeCompositing::Blend(
   for (const RaySegments& piece : received)
   {
     pieces.push_back(&piece);
-    volume.LostPixels.resize(piece.Counts.size());
-    for (size_t pixel = 0; pixel < piece.Counts.size(); ++pixel)
-    {
-      volume.LostPixels[pixel] = volume.LostPixels[pixel] || piece.HasLost(pixel);
-    }
   }
+  MarkLostPixels(pieces, volume.LostPixels);
   TransferFunctions functions;
   std::string error;
   std::string warning;

@@ -89,7 +89,8 @@ vtkAdaptiveCurveMapper* vtkAdaptiveCurveRepresentation::GetMapper()
 
 void vtkAdaptiveCurveRepresentation::Report(vtkObject*, unsigned long event, void* text)
 {
-  const std::string message = relevo::ReadMapperMessage(text, { relevo::TooLargeWords });
+  const std::string message =
+    relevo::NameOwnRank(relevo::ReadMapperMessage(text, { relevo::TooLargeWords }));
   if (event == vtkCommand::ErrorEvent)
   {
     vtkErrorMacro(<< message);

@@ -7,6 +7,7 @@
 #include "CurvedFaceGeometry.h"
 #include "FirstRank.h"
 #include "InputCells.h"
+#include "MapperMessage.h"
 #include "PatchTree.h"
 #include "vtkAdaptivePatchMapper.h"
 #include "vtkAdaptiveRefinement.h"
@@ -64,11 +65,11 @@ void vtkAdaptivePatchRepresentation::Update()
   auto geometry = static_cast<relevo::CurvedFaceGeometry*>(this->GeometryFilter);
   if (relevo::ShouldReport(data.Errors, geometry->GetErrors()))
   {
-    vtkErrorMacro(<< data.Errors);
+    vtkErrorMacro(<< relevo::NameOwnRank(data.Errors));
   }
   if (relevo::ShouldReport(data.Warnings, geometry->GetWarnings()))
   {
-    vtkWarningMacro(<< data.Warnings);
+    vtkWarningMacro(<< relevo::NameOwnRank(data.Warnings));
   }
   const bool hasNone = relevo::HasCellsButNone(
     this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr,
@@ -102,7 +103,7 @@ vtkDataObject* vtkAdaptivePatchRepresentation::ConvertPieces(vtkDataObject* piec
   vtkDataObject* patches = data.Patches.Make(pieces);
   if (relevo::ShouldReport(data.PatchWarnings, data.Patches.GetWarnings()))
   {
-    vtkWarningMacro(<< data.PatchWarnings);
+    vtkWarningMacro(<< relevo::NameOwnRank(data.PatchWarnings));
   }
   return patches;
 }

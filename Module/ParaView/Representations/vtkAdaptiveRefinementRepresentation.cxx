@@ -151,7 +151,7 @@ vtkAdaptiveRefinementMapper* vtkAdaptiveRefinementRepresentation::GetMapper()
 
 void vtkAdaptiveRefinementRepresentation::ReportMessage(vtkObject*, unsigned long event, void* text)
 {
-  const std::string message = relevo::ReadMapperMessage(text, SurfaceWords);
+  const std::string message = relevo::NameOwnRank(relevo::ReadMapperMessage(text, SurfaceWords));
   if (event == vtkCommand::ErrorEvent)
   {
     vtkErrorMacro(<< message);

@@ -123,7 +123,7 @@ bool ProbedVolume::ReadCells(const ProbeRequest& request, StageReport& report)
     for (const std::string& reason :
       this->Cells->Add(mesh.Mesh, mesh.Array, mesh.AreOfCells, scaled))
     {
-      report.Errors.push_back(mesh.Block + reason);
+      report.Errors.push_back(mesh.GetPrefix() + reason);
     }
   }
   this->Cells->ConvertCurved();

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
+#include <iterator>
 
 namespace relevo
 {
 namespace
 {
-constexpr int ExponentBias = 128;
 constexpr std::uint32_t LargestSize = 1u << 15; // of a view, in pixels
 
 // The numbers at the begin of a message.
@@ -29,34 +28,11 @@ struct MessageHeader
   std::uint32_t HasSteepness;
 };
 
-bool IsColor(const SegmentFormat& format)
-{
-  return format.IsOrdered() || format.Blending == BlendMode::Additive;
-}
-
-// Return the bits of a colour's component. The exponent has 8 bits.
-int GetMantissaBits(const SegmentFormat& format)
-{
-  return format.IsOrdered() ? 10 : 14;
-}
-
-size_t GetColorBytes(const SegmentFormat& format)
-{
-  return 1 + static_cast<size_t>(GetMantissaBits(format)) / 2;
-}
-
-size_t GetSegmentBytes(const SegmentFormat& format)
-{
-  return (format.IsOrdered() ? sizeof(float) : 0) +
-    (IsColor(format) ? GetColorBytes(format)
-                     : sizeof(float) * static_cast<size_t>(format.GetNumberOfValues()));
-}
-
 template <typename T>
-void Append(const T& value, std::vector<std::uint8_t>& bytes)
+void Put(const T& value, std::uint8_t*& to)
 {
-  const auto* begin = reinterpret_cast<const std::uint8_t*>(&value);
-  bytes.insert(bytes.end(), begin, begin + sizeof(T));
+  std::memcpy(to, &value, sizeof(T));
+  to += sizeof(T);
 }
 
 template <typename T>
@@ -68,59 +44,91 @@ T Take(const std::uint8_t*& from)
   return value;
 }
 
-// Colours are not negative.
-void AppendColor(
-  const float color[4], const SegmentFormat& format, std::vector<std::uint8_t>& bytes)
+// A colour as four integers and a common exponent. Colours are not negative. The largest component
+// of a colour is below 2 to the power of the exponent.
+template <int ComponentBits, int ExponentBits, int LowestExponent>
+struct ColorCode
 {
-  const int bits = GetMantissaBits(format);
-  const float largest =
-    std::clamp(std::max({ color[0], color[1], color[2], color[3] }), 1e-37f, 1e37f);
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  const float scale = std::ldexp(static_cast<float>((1 << bits) - 1), -exponent);
-  std::uint64_t word = static_cast<std::uint64_t>(exponent + ExponentBias);
-  for (int c = 0; c < 4; ++c)
-  {
-    const auto digits =
-      static_cast<std::uint64_t>(std::lround(std::clamp(color[c], 0.0f, largest) * scale));
-    word |= digits << (8 + bits * c);
-  }
-  for (size_t i = 0; i < GetColorBytes(format); ++i)
-  {
-    bytes.push_back(static_cast<std::uint8_t>(word >> (8 * i)));
-  }
-}
+  static constexpr size_t Bytes = (4 * ComponentBits + ExponentBits) / 8;
+  static constexpr std::uint32_t LargestInteger = (1u << ComponentBits) - 1;
+  static constexpr int HighestExponent = std::min(LowestExponent + (1 << ExponentBits) - 1, 126);
+  static_assert((4 * ComponentBits + ExponentBits) % 8 == 0, "there are unused bits");
+  static_assert(LowestExponent - ComponentBits >= -126, "small components are not normal floats");
 
-void TakeColor(const std::uint8_t*& from, const SegmentFormat& format, std::vector<float>& values)
+  static float GetPower(int exponent)
+  {
+    const std::uint32_t bits = static_cast<std::uint32_t>(exponent + 127) << 23;
+    float power = 0.0f;
+    std::memcpy(&power, &bits, sizeof(power));
+    return power;
+  }
+
+  static void Put(const float color[4], std::uint8_t*& to)
+  {
+    const float largest = std::max({ color[0], color[1], color[2], color[3] });
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &largest, sizeof(bits));
+    const int exponent =
+      std::clamp(static_cast<int>((bits >> 23) & 255) - 126, LowestExponent, HighestExponent);
+    const float inverse = GetPower(-exponent);
+    std::uint64_t word = static_cast<std::uint64_t>(exponent - LowestExponent);
+    for (int c = 0; c < 4; ++c)
+    {
+      const float share = color[c] > 0.0f ? std::min(color[c] * inverse, 1.0f) : 0.0f;
+      const auto integer =
+        static_cast<std::uint64_t>(share * static_cast<float>(LargestInteger) + 0.5f);
+      word |= integer << (ExponentBits + ComponentBits * c);
+    }
+    for (size_t i = 0; i < Bytes; ++i)
+    {
+      *to++ = static_cast<std::uint8_t>(word >> (8 * i));
+    }
+  }
+
+  static void Take(const std::uint8_t*& from, float color[4])
+  {
+    std::uint64_t word = 0;
+    for (size_t i = 0; i < Bytes; ++i)
+    {
+      word |= static_cast<std::uint64_t>(*from++) << (8 * i);
+    }
+    const int exponent = static_cast<int>(word & ((1u << ExponentBits) - 1)) + LowestExponent;
+    const float scale = GetPower(exponent) / static_cast<float>(LargestInteger);
+    for (int c = 0; c < 4; ++c)
+    {
+      const auto integer = static_cast<std::uint32_t>(word >> (ExponentBits + ComponentBits * c));
+      color[c] = scale * static_cast<float>(integer & LargestInteger);
+    }
+  }
+};
+
+// Components of segments are below 4. Those below 2^-25 are 0.
+using SegmentColor = ColorCode<11, 4, -13>;
+using SumColor = ColorCode<14, 8, -112>;
+
+size_t GetSegmentBytes(const SegmentFormat& format)
 {
-  const int bits = GetMantissaBits(format);
-  const std::uint64_t largest = (std::uint64_t(1) << bits) - 1;
-  std::uint64_t word = 0;
-  for (size_t i = 0; i < GetColorBytes(format); ++i)
-  {
-    word |= static_cast<std::uint64_t>(*from++) << (8 * i);
-  }
-  const float scale =
-    std::ldexp(1.0f / static_cast<float>(largest), static_cast<int>(word & 255) - ExponentBias);
-  for (int c = 0; c < 4; ++c)
-  {
-    values.push_back(scale * static_cast<float>((word >> (8 + bits * c)) & largest));
-  }
+  return format.IsOrdered()                  ? sizeof(float) + SegmentColor::Bytes
+    : format.Blending == BlendMode::Additive ? SumColor::Bytes
+                                             : sizeof(float) * format.GetNumberOfValues();
 }
 
 // Return the first column and row with segments, and the first behind them.
 std::array<int, 4> FindRectangle(const RaySegments& segments)
 {
   std::array<int, 4> box = { { segments.Width, segments.Height, 0, 0 } };
+  const auto isFilled = [](std::uint8_t count) { return count > 0; };
   for (int row = 0; row < segments.Height; ++row)
   {
-    for (int column = 0; column < segments.Width; ++column)
+    const auto begin = segments.Counts.begin() + static_cast<std::ptrdiff_t>(row) * segments.Width;
+    const auto end = begin + segments.Width;
+    const auto first = std::find_if(begin, end, isFilled);
+    if (first != end)
     {
-      if (segments.Counts[static_cast<size_t>(row) * segments.Width + column] > 0)
-      {
-        box = { { std::min(box[0], column), std::min(box[1], row), std::max(box[2], column + 1),
-          std::max(box[3], row + 1) } };
-      }
+      const auto last =
+        std::find_if(std::make_reverse_iterator(end), std::make_reverse_iterator(begin), isFilled);
+      box = { { std::min(box[0], static_cast<int>(first - begin)), std::min(box[1], row),
+        std::max(box[2], static_cast<int>(last.base() - begin)), row + 1 } };
     }
   }
   return box[2] > box[0] ? box : std::array<int, 4>{ { 0, 0, 0, 0 } };
@@ -145,13 +153,24 @@ void RaySegments::Reset(int width, int height, const SegmentFormat& format)
   this->Counts.assign(static_cast<size_t>(width) * height, 0);
 }
 
-std::vector<size_t> RaySegments::FindOffsets() const
+bool RaySegments::HasLost() const
 {
-  std::vector<size_t> offsets = { 0 };
-  offsets.reserve(this->Counts.size() + 1);
+  unsigned int bits = 0;
+  for (std::uint8_t count : this->Counts)
+  {
+    bits |= count;
+  }
+  return (bits & Lost) != 0;
+}
+
+std::vector<std::uint32_t> RaySegments::FindOffsets() const
+{
+  std::vector<std::uint32_t> offsets(this->Counts.size() + 1);
+  std::uint32_t offset = 0;
   for (size_t pixel = 0; pixel < this->Counts.size(); ++pixel)
   {
-    offsets.push_back(offsets.back() + static_cast<size_t>(this->GetCount(pixel)));
+    offset += static_cast<std::uint32_t>(this->GetCount(pixel));
+    offsets[pixel + 1] = offset;
   }
   return offsets;
 }
@@ -165,7 +184,7 @@ void RaySegments::Sort(const std::vector<std::uint32_t>& records, int most)
     std::uint8_t& count = this->Counts[records[at]];
     count = count < most ? static_cast<std::uint8_t>(count + 1) : (count | Lost);
   }
-  const std::vector<size_t> offsets = this->FindOffsets();
+  const std::vector<std::uint32_t> offsets = this->FindOffsets();
   this->Begins.resize(offsets.back());
   this->Ends.resize(offsets.back());
   this->Values.resize(size * offsets.back());
@@ -191,31 +210,35 @@ std::vector<std::uint8_t> RaySegments::Pack() const
     number(box[1]), number(box[2] - box[0]), number(box[3] - box[1]), number(this->Format.Blending),
     number(this->Format.NumberOfComponents), number(this->Format.AreIndependent),
     number(this->Format.HasSteepness) };
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(sizeof(header) + static_cast<size_t>(header.Columns) * header.Rows +
+  std::vector<std::uint8_t> bytes(sizeof(header) +
+    static_cast<size_t>(header.Columns) * header.Rows +
     this->GetNumberOfSegments() * GetSegmentBytes(this->Format));
-  Append(header, bytes);
+  std::uint8_t* to = bytes.data();
+  Put(header, to);
   for (int row = box[1]; row < box[3]; ++row)
   {
     const auto first = this->Counts.begin() + static_cast<std::ptrdiff_t>(row) * this->Width;
-    bytes.insert(bytes.end(), first + box[0], first + box[2]);
+    to = std::copy(first + box[0], first + box[2], to);
   }
-  const size_t size = static_cast<size_t>(this->Format.GetNumberOfValues());
-  for (size_t i = 0; i < this->GetNumberOfSegments(); ++i)
+  const size_t count = this->GetNumberOfSegments();
+  if (this->Format.IsOrdered())
   {
-    if (this->Format.IsOrdered())
+    for (size_t i = 0; i < count; ++i)
     {
-      Append(this->Begins[i], bytes);
+      Put(this->Begins[i], to);
+      SegmentColor::Put(&this->Values[4 * i], to);
     }
-    if (IsColor(this->Format))
+  }
+  else if (this->Format.Blending == BlendMode::Additive)
+  {
+    for (size_t i = 0; i < count; ++i)
     {
-      AppendColor(&this->Values[size * i], this->Format, bytes);
-      continue;
+      SumColor::Put(&this->Values[4 * i], to);
     }
-    for (size_t j = 0; j < size; ++j)
-    {
-      Append(this->Values[size * i + j], bytes);
-    }
+  }
+  else if (count > 0)
+  {
+    std::memcpy(to, this->Values.data(), this->Values.size() * sizeof(float));
   }
   return bytes;
 }
@@ -244,25 +267,36 @@ bool RaySegments::Unpack(const std::vector<std::uint8_t>& message)
       read.Counts.begin() + static_cast<std::ptrdiff_t>(row) * read.Width + header.FirstColumn);
     from += header.Columns;
   }
-  const size_t count = read.FindOffsets().back();
+  size_t count = 0;
+  for (std::uint8_t each : read.Counts)
+  {
+    count += each & ~Lost;
+  }
   const size_t rest = message.size() - sizeof(header) - pixels;
   if (rest != count * GetSegmentBytes(read.Format))
   {
     return false;
   }
-  read.Begins.reserve(count);
-  for (size_t i = 0; i < count; ++i)
+  read.Begins.resize(count);
+  read.Values.resize(count * static_cast<size_t>(read.Format.GetNumberOfValues()));
+  if (read.Format.IsOrdered())
   {
-    read.Begins.push_back(read.Format.IsOrdered() ? Take<float>(from) : 0.0f);
-    if (IsColor(read.Format))
+    for (size_t i = 0; i < count; ++i)
     {
-      TakeColor(from, read.Format, read.Values);
-      continue;
+      read.Begins[i] = Take<float>(from);
+      SegmentColor::Take(from, &read.Values[4 * i]);
     }
-    for (int j = 0; j < read.Format.GetNumberOfValues(); ++j)
+  }
+  else if (read.Format.Blending == BlendMode::Additive)
+  {
+    for (size_t i = 0; i < count; ++i)
     {
-      read.Values.push_back(Take<float>(from));
+      SumColor::Take(from, &read.Values[4 * i]);
     }
+  }
+  else if (count > 0)
+  {
+    std::memcpy(read.Values.data(), from, read.Values.size() * sizeof(float));
   }
   read.Ends = read.Begins;
   *this = std::move(read);

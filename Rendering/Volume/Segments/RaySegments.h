@@ -6,8 +6,9 @@
  *
  * Pixels are numbered row by row from the lower left corner. The segments of a pixel are contiguous
  * and in the order of depth. Depths are positions on the ray as in relevoVolumeRay.glsl, in units
- * of MeshExtent::GetRadius(): all pieces that are cast with the same extent and view have the same
- * depth at shared faces. Private to the modules.
+ * of MeshExtent::GetRadius(). All pieces that are cast with the same extent and view have the same
+ * depth at shared faces, apart from rounding. With isosurfaces, the bits are the same, too. Private
+ * to the modules.
  */
 #ifndef RaySegments_h
 #define RaySegments_h
@@ -44,9 +45,11 @@ public:
 
   int GetCount(size_t pixel) const { return this->Counts[pixel] & ~Lost; }
   bool HasLost(size_t pixel) const { return (this->Counts[pixel] & Lost) != 0; }
+  /// Return whether a pixel had more segments.
+  bool HasLost() const;
   size_t GetNumberOfSegments() const { return this->Begins.size(); }
   /// Return the first segment of each pixel, and the number of segments.
-  std::vector<size_t> FindOffsets() const;
+  std::vector<std::uint32_t> FindOffsets() const;
 
   /**
    * Take records in any order in which those of a pixel are from front to back: the number of the
@@ -58,10 +61,11 @@ public:
   /**
    * Return a message for another process: a header, a byte for each pixel of the rectangle with
    * segments, then the segments. A segment with a colour has 10 bytes: its begin as a float, and
-   * the colour with 10 bits for each component and a common exponent of 8 bits. Its error is at
-   * most 1/1023 of the largest component. In blend modes that do not depend on the order, a segment
-   * has no begin: 8 bytes for additive blending, otherwise 4 for each value. Ends are left out,
-   * because the order does not depend on them; in Unpack() they equal the begins.
+   * the colour with 11 bits for each component and a common exponent of 4 bits. Its error is at
+   * most 1/2047 of the largest component, or 2^-25 if this is more. In blend modes that do not
+   * depend on the order, a segment has no begin: 8 bytes for additive blending, otherwise 4 for
+   * each value. Ends are left out, because the order does not depend on them; in Unpack() they
+   * equal the begins.
    */
   std::vector<std::uint8_t> Pack() const;
   /// Read a message. Return false if it is damaged.

@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace relevo
 {
@@ -21,6 +23,24 @@ struct PixelSegment
   float Begin;
   float End;
   const float* Values;
+};
+
+struct PieceRows
+{
+  explicit PieceRows(const RaySegments& segments)
+    : Segments(&segments)
+    , Offsets({ 0 })
+  {
+    for (auto row = segments.Counts.begin(); row != segments.Counts.end(); row += segments.Width)
+    {
+      Offsets.push_back(std::accumulate(row, row + segments.Width, Offsets.back(),
+        [](size_t sum, std::uint8_t count)
+        { return sum + static_cast<size_t>(count & ~RaySegments::Lost); }));
+    }
+  }
+
+  const RaySegments* Segments;
+  std::vector<size_t> Offsets; // the first segment of each row, and the number of segments
 };
 
 // Equal segments have equal values, so that the order of the pieces has no effect.
@@ -76,28 +96,59 @@ void FindExtremes(const std::vector<PixelSegment>& segments, const SegmentFormat
   }
 }
 
-// Collects and merges the segments of one pixel after the other.
-class PixelMerger
+// Merges the segments of one row of pixels after the other.
+class RowMerger
 {
 public:
-  PixelMerger(const std::vector<const RaySegments*>& pieces,
-    const std::vector<std::vector<size_t>>& offsets, MergedSegments& merged)
+  RowMerger(const std::vector<PieceRows>& pieces, MergedSegments& merged)
     : Pieces(pieces)
-    , Offsets(offsets)
+    , Next(pieces.size())
     , Format(merged.Format)
     , Size(Format.GetNumberOfValues())
     , Merged(merged.Values)
   {
   }
 
-  void Merge(size_t pixel)
+  void Merge(size_t row)
   {
-    this->Collect(pixel);
-    float* to = &this->Merged[static_cast<size_t>(this->Size) * pixel];
-    if (this->Segments.empty())
+    bool isEmpty = true;
+    for (size_t piece = 0; piece < this->Pieces.size(); ++piece)
     {
-      return;
+      this->Next[piece] = this->Pieces[piece].Offsets[row];
+      isEmpty = isEmpty && this->Pieces[piece].Offsets[row + 1] == this->Next[piece];
     }
+    const size_t width = static_cast<size_t>(this->Pieces.front().Segments->Width);
+    for (size_t pixel = row * width; pixel < (row + 1) * width && !isEmpty; ++pixel)
+    {
+      this->Collect(pixel);
+      if (!this->Segments.empty())
+      {
+        this->MergePixel(&this->Merged[static_cast<size_t>(this->Size) * pixel]);
+      }
+    }
+  }
+
+private:
+  // Pixels come in their order.
+  void Collect(size_t pixel)
+  {
+    this->Segments.clear();
+    for (size_t piece = 0; piece < this->Pieces.size(); ++piece)
+    {
+      const RaySegments& from = *this->Pieces[piece].Segments;
+      size_t& next = this->Next[piece];
+      for (const size_t end = next + static_cast<size_t>(from.GetCount(pixel)); next < end; ++next)
+      {
+        this->Segments.push_back({ from.Begins[next], from.Ends[next],
+          &from.Values[static_cast<size_t>(this->Size) * next] });
+      }
+    }
+  }
+
+  void MergePixel(float* to)
+  {
+    std::sort(this->Segments.begin(), this->Segments.end(),
+      [this](const PixelSegment& a, const PixelSegment& b) { return IsInFront(a, b, this->Size); });
     if (this->Format.IsOrdered())
     {
       Composite(this->Segments, to);
@@ -112,30 +163,12 @@ public:
     }
   }
 
-private:
-  void Collect(size_t pixel)
-  {
-    this->Segments.clear();
-    for (size_t piece = 0; piece < this->Pieces.size(); ++piece)
-    {
-      const RaySegments& from = *this->Pieces[piece];
-      const size_t end = this->Offsets[piece][pixel + 1];
-      for (size_t i = this->Offsets[piece][pixel]; i < end; ++i)
-      {
-        this->Segments.push_back(
-          { from.Begins[i], from.Ends[i], &from.Values[static_cast<size_t>(this->Size) * i] });
-      }
-    }
-    std::sort(this->Segments.begin(), this->Segments.end(),
-      [this](const PixelSegment& a, const PixelSegment& b) { return IsInFront(a, b, this->Size); });
-  }
-
-  const std::vector<const RaySegments*>& Pieces;
-  const std::vector<std::vector<size_t>>& Offsets; // of each piece
+  const std::vector<PieceRows>& Pieces;
+  std::vector<size_t> Next; // segment of each piece
   const SegmentFormat Format;
   const int Size;
   std::vector<float>& Merged;
-  std::vector<PixelSegment> Segments;
+  std::vector<PixelSegment> Segments; // of a pixel
 };
 
 // Map the scalars of a ray to a colour.
@@ -184,42 +217,40 @@ private:
 MergedSegments MergeSegments(const std::vector<const RaySegments*>& pieces)
 {
   MergedSegments merged;
-  std::vector<const RaySegments*> filled;
-  std::vector<std::vector<size_t>> offsets;
+  std::vector<PieceRows> filled;
   for (const RaySegments* piece : pieces)
   {
     if (piece->GetNumberOfSegments() > 0)
     {
-      filled.push_back(piece);
-      offsets.push_back(piece->FindOffsets());
+      filled.emplace_back(*piece);
     }
   }
   const size_t pixels = pieces.empty() ? 0 : pieces.front()->Counts.size();
-  merged.Format = filled.empty() ? SegmentFormat() : filled.front()->Format;
+  merged.Format = filled.empty() ? SegmentFormat() : filled.front().Segments->Format;
   merged.Values.assign(pixels * static_cast<size_t>(merged.Format.GetNumberOfValues()),
     merged.Format.IsExtreme() ? std::numeric_limits<float>::quiet_NaN() : 0.0f);
   if (filled.empty())
   {
     return merged;
   }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(pixels),
+  vtkSMPTools::For(0, pieces.front()->Height,
     [&](vtkIdType begin, vtkIdType end)
     {
-      PixelMerger merger(filled, offsets, merged);
-      for (vtkIdType pixel = begin; pixel < end; ++pixel)
+      RowMerger merger(filled, merged);
+      for (vtkIdType row = begin; row < end; ++row)
       {
-        merger.Merge(static_cast<size_t>(pixel));
+        merger.Merge(static_cast<size_t>(row));
       }
     });
   return merged;
 }
 
 std::vector<float> MapSegments(
-  const MergedSegments& merged, const TransferFunctions& functions, const MeshExtent& whole)
+  MergedSegments merged, const TransferFunctions& functions, const MeshExtent& whole)
 {
   if (merged.Format.IsOrdered())
   {
-    return merged.Values;
+    return std::move(merged.Values);
   }
   const ScalarMapper mapper(merged.Format, functions, whole);
   const size_t size = static_cast<size_t>(merged.Format.GetNumberOfValues());
@@ -243,16 +274,19 @@ std::vector<float> MapSegments(
   return colors;
 }
 
-vtkIdType CountLostPixels(const std::vector<const RaySegments*>& pieces)
+void MarkLostPixels(const std::vector<const RaySegments*>& pieces, std::vector<bool>& lost)
 {
-  vtkIdType lost = 0;
-  for (size_t pixel = 0; !pieces.empty() && pixel < pieces.front()->Counts.size(); ++pixel)
+  for (const RaySegments* piece : pieces)
   {
-    lost += std::any_of(pieces.begin(), pieces.end(),
-              [pixel](const RaySegments* piece) { return piece->HasLost(pixel); })
-      ? 1
-      : 0;
+    if (!piece->HasLost())
+    {
+      continue;
+    }
+    lost.resize(piece->Counts.size());
+    for (size_t pixel = 0; pixel < lost.size(); ++pixel)
+    {
+      lost[pixel] = lost[pixel] || piece->HasLost(pixel);
+    }
   }
-  return lost;
 }
 }

@@ -17,7 +17,6 @@
 
 #include "RelevoRenderingVolumeModule.h" // for export macro
 #include "Segments/SegmentFormat.h"
-#include "vtkType.h"
 
 #include <vector>
 
@@ -47,11 +46,11 @@ RELEVORENDERINGVOLUME_EXPORT MergedSegments MergeSegments(
  * pieces, and `whole` is the extent that they were cast with.
  */
 RELEVORENDERINGVOLUME_EXPORT std::vector<float> MapSegments(
-  const MergedSegments& merged, const TransferFunctions& functions, const MeshExtent& whole);
+  MergedSegments merged, const TransferFunctions& functions, const MeshExtent& whole);
 
-/// Return the number of pixels where a piece had too many segments.
-RELEVORENDERINGVOLUME_EXPORT vtkIdType CountLostPixels(
-  const std::vector<const RaySegments*>& pieces);
+/// Mark the pixels where a piece had too many segments. Without any, `lost` can be empty.
+RELEVORENDERINGVOLUME_EXPORT void MarkLostPixels(
+  const std::vector<const RaySegments*>& pieces, std::vector<bool>& lost);
 }
 
 #endif

@@ -77,6 +77,8 @@ std::string DefineCells(const VolumeShaderOptions& options)
   Define(defines, "HANGING", options.HasHangingFaces);
   const bool hasSegments = options.Segments != SegmentOutput::None;
   Define(defines, "SEGMENTS", static_cast<int>(options.Segments));
+  // A surface on a shared face must be in one of the pieces.
+  Define(defines, "SAME_SUMS", hasSegments && options.HasSurfaces);
   Define(defines, "WIDTH", GetSegmentFormat(options).GetWidth());
   Define(defines, "VALUES", hasSegments ? GetSegmentFormat(options).GetNumberOfValues() : 0);
   Define(defines, "ORDERED", GetSegmentFormat(options).IsOrdered());

@@ -241,7 +241,7 @@ bool MeshLoader::Read(const MeshRequest& request, VolumeCells& cells,
       hasErrors = true;
       if (this->Reported != FindMesh(request))
       {
-        report.Errors.push_back(mesh.Block + error);
+        report.Errors.push_back(mesh.GetPrefix() + error);
       }
     }
   }

@@ -22,14 +22,14 @@ Entry noEntry()
   return Entry(-1e30, -1, 0u, NoCorner, NoCorner, NoCorner, vec3(0.0));
 }
 
-#if RELEVO_SEGMENTS
-// Sums in the order of the corners' ids do not depend on the cell or the piece of the mesh.
-float sumInOrder(uvec3 ids, vec3 values)
+#if RELEVO_SAME_SUMS
+// Sums in the order of the values do not depend on the cell or the piece of the mesh.
+float sumInOrder(vec3 values)
 {
-  int first = ids.x < ids.y ? (ids.x < ids.z ? 0 : 2) : (ids.y < ids.z ? 1 : 2);
-  int last = ids.x > ids.y ? (ids.x > ids.z ? 0 : 2) : (ids.y > ids.z ? 1 : 2);
-  RELEVO_PRECISE float two = values[first] + values[3 - first - last];
-  RELEVO_PRECISE float three = two + values[last];
+  float low = min(values.x, values.y);
+  float high = max(values.x, values.y);
+  RELEVO_PRECISE float two = min(low, values.z) + max(high, values.z);
+  RELEVO_PRECISE float three = two + max(low, min(high, values.z));
   return three;
 }
 #endif
@@ -37,9 +37,9 @@ float sumInOrder(uvec3 ids, vec3 values)
 // Interpolate the depth of a face's corners by weights.
 float interpolateDepth(Corner a, Corner b, Corner c, vec3 weights)
 {
-#if RELEVO_SEGMENTS
+#if RELEVO_SAME_SUMS
   RELEVO_PRECISE vec3 parts = weights * vec3(a.at.z, b.at.z, c.at.z);
-  return sumInOrder(uvec3(a.id, b.id, c.id), parts);
+  return sumInOrder(parts);
 #else
   return dot(weights, vec3(a.at.z, b.at.z, c.at.z));
 #endif
@@ -47,11 +47,11 @@ float interpolateDepth(Corner a, Corner b, Corner c, vec3 weights)
 
 // Compute the weights of the corners where the ray crosses a face. Return false if the face is seen
 // edge-on.
-bool getWeights(uvec3 ids, vec3 areas, out vec3 weights)
+bool getWeights(vec3 areas, out vec3 weights)
 {
   vec3 sizes = max(areas, vec3(0.0));
-#if RELEVO_SEGMENTS
-  float sum = sumInOrder(ids, sizes);
+#if RELEVO_SAME_SUMS
+  float sum = sumInOrder(sizes);
 #else
   float sum = sizes.x + sizes.y + sizes.z;
 #endif
@@ -151,7 +151,7 @@ bool enters(int face, float lastDepth, int lastFace, inout Entry entry)
   vec3 weights;
   if (!isOnLeft(areas.x, b.id, b.at.xy, c.id, c.at.xy) ||
     !isOnLeft(areas.y, c.id, c.at.xy, a.id, a.at.xy) ||
-    !isOnLeft(areas.z, a.id, a.at.xy, b.id, b.at.xy) || !getWeights(words.xyz, areas, weights))
+    !isOnLeft(areas.z, a.id, a.at.xy, b.id, b.at.xy) || !getWeights(areas, weights))
   {
     return false;
   }

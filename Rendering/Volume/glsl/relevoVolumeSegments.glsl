@@ -109,6 +109,7 @@ void castSegments(float zStart, float zEnd)
     firstBegin = i == 0 ? begin : firstBegin;
 #if RELEVO_ORDERED
     collected = vec4(0.0);
+    walkOpacity = 1.0 - (1.0 - Opaque) / clear;
 #endif
     walkFrom(entry);
 #if RELEVO_ORDERED

@@ -55,14 +55,13 @@ Scalars getPointScalars(uint id, float first)
 
 Scalars interpolateScalars(vec3 weights)
 {
-#if RELEVO_SEGMENTS
-  uvec3 ids = uvec3(faceA.id, faceB.id, faceC.id);
+#if RELEVO_SAME_SUMS
   Scalars scalars;
   for (int i = 0; i < RELEVO_WIDTH; ++i)
   {
     RELEVO_PRECISE vec3 parts = weights *
       vec3(componentOf(scalarsA, i), componentOf(scalarsB, i), componentOf(scalarsC, i));
-    componentOf(scalars, i) = sumInOrder(ids, parts);
+    componentOf(scalars, i) = sumInOrder(parts);
   }
   return scalars;
 #else
@@ -136,7 +135,7 @@ void takeScalars()
   scalarsB = getPointScalars(faceB.id, texelFetch(meshPoints, int(faceB.id)).w);
   scalarsC = getPointScalars(faceC.id, texelFetch(meshPoints, int(faceC.id)).w);
   vec3 weights;
-  bool isSeen = getWeights(uvec3(faceA.id, faceB.id, faceC.id), faceAreas, weights);
+  bool isSeen = getWeights(faceAreas, weights);
   weights = isSeen ? weights : vec3(1.0, 0.0, 0.0);
   jumpTo(interpolateScalars(weights));
 #if RELEVO_LIT
@@ -182,7 +181,7 @@ void enterMesh(Entry entry)
   scalarsB = getPointScalars(faceB.id, texelFetch(meshPoints, int(faceB.id)).w);
   scalarsC = getPointScalars(faceC.id, texelFetch(meshPoints, int(faceC.id)).w);
   vec3 weights;
-  getWeights(uvec3(faceA.id, faceB.id, faceC.id), faceAreas, weights);
+  getWeights(faceAreas, weights);
   walkScalars = interpolateScalars(weights);
   seekScalars(walkScalars);
 #endif
@@ -243,7 +242,7 @@ void crossTetrahedron()
   scalarsC = isC ? scalarsD : scalarsC;
 #endif
   vec3 weights;
-  bool isSeen = getWeights(uvec3(faceA.id, faceB.id, faceC.id), faceAreas, weights);
+  bool isSeen = getWeights(faceAreas, weights);
   float exit = isSeen ? interpolateDepth(faceA, faceB, faceC, weights) : walkDepth;
 #if RELEVO_CELL_SCALARS
   Scalars scalars = getCellScalars(walkCell);
@@ -277,9 +276,11 @@ void crossTetrahedron()
 
 //RELEVO::CurvedWalk
 
+float walkOpacity = Opaque; // of the collected colour, at which the walk ends
+
 bool isWalkOver()
 {
-  return walkDone >= walkEnd || collected.a >= Opaque;
+  return walkDone >= walkEnd || collected.a >= walkOpacity;
 }
 
 #if RELEVO_CURVED
@@ -299,7 +300,7 @@ void walkFrom(Entry entry)
       crossTetrahedron();
       curvedParts = 0.0;
     }
-    while ((!isPartDone || curvedNext < curvedParts) && collected.a < Opaque)
+    while ((!isPartDone || curvedNext < curvedParts) && collected.a < walkOpacity)
     {
       if (isPartDone)
       {
@@ -320,7 +321,7 @@ void walkFrom(Entry entry)
   enterMesh(entry);
   isPartDone = true;
   int step = 0;
-  while (collected.a < Opaque)
+  while (collected.a < walkOpacity)
   {
     if (isPartDone)
     {

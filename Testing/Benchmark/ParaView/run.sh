@@ -87,7 +87,7 @@ has_post() {
 # Ranks sleep while they wait, so that their processor time is that of their work.
 table_frames() {
   has_post || return 0
-  echo "int usleep(unsigned int); int sched_yield(void) { return usleep(100); }" |
+  echo "int usleep(unsigned int); int sched_yield(void) { return usleep(2000); }" |
     cc -shared -fPIC -x c - -o "$work_dir/wait.so"
   echo "| ranks | pieces | slowest rank, its cells in plain VTK | slowest rank | without the volume |" \
     "merging | frame | ratio | segments |"

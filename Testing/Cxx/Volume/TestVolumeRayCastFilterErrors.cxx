@@ -163,7 +163,7 @@ void TestArrays(RelevoCheck& check)
   blocks->SetBlock(0, scene.Mesh);
   blocks->SetBlock(1, MakeTetrahedra(1, [](const RelevoPoint&) { return 0.0; }));
   scene.Filter->SetInputDataObject(blocks);
-  CHECK(scene.Fails("3 components in one block and 1 in another"));
+  CHECK(scene.Fails("in Block 2 with 1 components, but with 3 in Block 1"));
 }
 
 // Cells with invalid point ids are skipped with an error, and the rest is drawn.
