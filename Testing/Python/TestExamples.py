@@ -239,6 +239,32 @@ class TestExamples(unittest.TestCase):
             self.assertIn("triangles, 0 open edges", run.stdout)
             self.assert_kept(folder / "out.png", kept)
 
+    def test_dense_mesh(self):
+        """The micro-mesh has few faces and the picture of its mesh; the stored one is a scan's."""
+        kept = SOURCE / "Examples/Python/densemesh.png"
+        self.assertIn("Examples/Python/densemesh.png", PAGES)
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            run = self.run_example("densemesh.py", folder, "out.png")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            said = r"(\d+) faces, at most 0.10 % of the diagonal from the mesh\n"
+            self.assertLess(int(re.fullmatch(said, run.stdout)[1]), 500)
+            scalars = read_picture(folder / "out.png").GetPointData().GetScalars()
+            pixels = [scalars.GetTuple(960 * y + x) for y in range(60, 280) for x in range(320)]
+            others = [
+                scalars.GetTuple(960 * y + x) for y in range(60, 280) for x in range(640, 960)
+            ]
+            different = sum(
+                max(abs(a - b) for a, b in zip(*colours)) > 24 for colours in zip(pixels, others)
+            )
+            self.assertLess(different, 0.02 * len(pixels))
+            scan = FLOW.parent / "mesh/bunny.ply"
+            if not scan.exists():
+                return
+            run = self.run_example("densemesh.py", folder, "out.png", str(scan))
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            self.assert_kept(folder / "out.png", kept)
+
     def test_names(self):
         """File names with a hyphen need --. Control characters in messages are escaped."""
         with tempfile.TemporaryDirectory() as name:
@@ -486,6 +512,7 @@ class TestExamples(unittest.TestCase):
             "post": ["postxyz.bin", "postq.bin"],
             "reactor": ["../flow/disk_out_ref.ex2"],
             "can": ["can.vtu"],
+            "probe": ["postxyz.bin", "postq.bin"],
         }
         names = {path.stem for path in (SOURCE / "Examples/Python/volumes").glob("*.png")}
         self.assertEqual(names, set(files))
