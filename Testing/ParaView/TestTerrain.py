@@ -432,12 +432,14 @@ class TestErrors(relevo.TestCase):
         self.assertEqual(text.count("ERROR:"), 1, text)
 
     def test_photo(self):
-        """A picture is read as heights, with a warning. A picture with one band may be heights."""
+        """A picture is read as heights, with a warning. A smooth grey picture may be heights."""
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "photo.png")
             for components, expected in ((4, 1), (3, 1), (1, 0)):
-                values = numpy.arange(12 * 9 * components) % 50
-                relevo.write_png(path, values.reshape(9, 12, components).astype(numpy.uint8))
+                values = numpy.arange(9)[:, None, None] + numpy.arange(12 * components).reshape(
+                    12, components
+                )
+                relevo.write_png(path, values.astype(numpy.uint8))
                 view = relevo.view()
                 source = simple.TerrainReader(FileName=path)
                 text = self.reported(
