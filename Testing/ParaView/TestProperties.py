@@ -21,7 +21,11 @@ GROUP = "relevo_test"
 SURFACE_LIC = "vtkLICSettings"  # has Surface LIC's defaults, except for OWN_SETTINGS
 # Other defaults than those of the classes: displacements read heights themselves, and ParaView's
 # readers have the bottom row first.
-OPPOSITE = {("vtkTerrainSource", "KeepHeights"), ("vtkDepthImageToRelief", "BottomRowFirst")}
+OPPOSITE = {
+    ("vtkTerrainSource", "KeepHeights"),
+    ("vtkDepthImageToRelief", "BottomRowFirst"),
+    ("vtkGPUUnstructuredGridVolumeMapper", "AutoAdjustSampleDistances"),
+}
 # Values that surfaces in ParaView cannot have: control points of patches.
 NOT_OFFERED = {("vtkDistanceDepthTagMetric", "Measure"): 2}
 # Slices of ParaView's Volume, which Adaptive Volume does not draw.
