@@ -20,7 +20,7 @@ PROXIES = os.path.join(os.path.dirname(__file__), "..", "..", "Module", "ParaVie
 GROUP = "relevo_test"
 SURFACE_LIC = "vtkLICSettings"  # has Surface LIC's defaults, except for OWN_SETTINGS
 # Other defaults than those of the classes: displacements read heights themselves, and ParaView's
-# readers have the bottom row first.
+# readers have the bottom row first. Volumes keep their rays, because each rank would choose others.
 OPPOSITE = {
     ("vtkTerrainSource", "KeepHeights"),
     ("vtkDepthImageToRelief", "BottomRowFirst"),
