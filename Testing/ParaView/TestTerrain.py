@@ -436,9 +436,8 @@ class TestErrors(relevo.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "photo.png")
             for components, expected in ((4, 1), (3, 1), (1, 0)):
-                values = numpy.arange(9)[:, None, None] + numpy.arange(12 * components).reshape(
-                    12, components
-                )
+                values = numpy.add.outer(numpy.arange(72), numpy.arange(96))
+                values = numpy.repeat(values[:, :, None], components, axis=2)
                 relevo.write_png(path, values.astype(numpy.uint8))
                 view = relevo.view()
                 source = simple.TerrainReader(FileName=path)
