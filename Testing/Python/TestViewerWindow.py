@@ -1,12 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Proves viewer.md on relevo-view's window with keys and mouse: closing it, its frames, and keys
-for volumes."""
+for volumes and time steps."""
 
 import unittest
 
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+
 from ViewerProgram import ViewerProgram
-from ViewerScenes import write_cube, write_hill, write_sphere
+from ViewerScenes import make_cube, write_cube, write_hill, write_sphere
 from ViewerWindow import Display, Window
 
 SIZE = "--size=300x200"
@@ -118,6 +121,34 @@ class TestViewerWindow(ViewerProgram):
         self.assertEqual(cuts[2], cuts[0])
         window.key("q")
         self.assertEqual(window.leave(), (0, ""))
+
+    def test_keys_of_time_steps(self):
+        """< and > change the step. One that cannot be drawn is an error, and the old one stays."""
+        entries = ""
+        for time, name in enumerate(("Heat", "Heat", "Other")):
+            cube = make_cube()
+            array = vtkDoubleArray()
+            array.SetName(name)
+            for i in range(cube.GetNumberOfPoints()):
+                array.InsertNextValue(time * i)
+            cube.GetPointData().AddArray(array)
+            self.write_data(f"{time}.vtu", vtkXMLUnstructuredGridWriter, cube)
+            entries += f'<DataSet timestep="{time}" file="{time}.vtu"/>'
+        (self.folder / "a.pvd").write_text(
+            f'<VTKFile type="Collection"><Collection>{entries}</Collection></VTKFile>'
+        )
+        window = self.window("a.pvd", "--array=Heat")
+        window.key("greater")
+        self.assertEqual(window.expect("--"), "--time 1")
+        window.key("greater")
+        window.key("less")
+        self.assertEqual(window.expect("--"), "--time 0")
+        window.key("q")
+        code, errors = window.leave()
+        self.assertEqual(code, 0)
+        self.assertEqual(
+            errors, "relevo-view: error: a.pvd has no array 'Heat' with --time 2\n"
+        )
 
     def test_opacity_of_other_blend_modes(self):
         window = self.window(self.volume, "--volume", "--blend=maximum")

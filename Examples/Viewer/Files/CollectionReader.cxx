@@ -20,8 +20,7 @@
 
 //------------------------------------------------------------------------------
 CollectionReader::CollectionReader(const std::string& fileName, ViewerMessages& messages)
-  : FileName(fileName)
-  , Messages(messages)
+  : Messages(messages)
 {
   const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(
     vtkXMLUtilities::ReadElementFromFile(fileName.c_str()));

@@ -25,7 +25,6 @@ public:
   vtkSmartPointer<vtkDataObject> Read(const std::optional<double>& time) override;
 
 private:
-  std::string FileName;
   ViewerMessages& Messages;
   std::map<double, std::vector<std::string>> Files; // of each time
 };

@@ -22,7 +22,7 @@ namespace
 {
 using Blocks = std::vector<vtkSmartPointer<vtkDataSet>>;
 
-// The number of components of each named array of numbers, and of how many blocks it is.
+// The components of an array, and the number of blocks that have it.
 struct Presence
 {
   int Components = 0;
@@ -68,14 +68,15 @@ void FillArrays(const Blocks& blocks, int association)
   arrays.erase(vtkDataSetAttributes::GhostArrayName());
   for (const auto& array : arrays)
   {
+    if (array.second.Blocks == blocks.size())
+    {
+      continue;
+    }
     for (vtkDataSet* block : blocks)
     {
-      if (array.second.Blocks < blocks.size())
-      {
-        vtkDataSetAttributes* attributes = block->GetAttributes(association);
-        attributes->AddArray(MakeFilled(attributes->GetArray(array.first.c_str()), array.first,
-          array.second.Components, block->GetNumberOfElements(association)));
-      }
+      vtkDataSetAttributes* attributes = block->GetAttributes(association);
+      attributes->AddArray(MakeFilled(attributes->GetArray(array.first.c_str()), array.first,
+        array.second.Components, block->GetNumberOfElements(association)));
     }
   }
 }

@@ -175,13 +175,7 @@ void MeshScene::SetTimeStep(int step)
 //------------------------------------------------------------------------------
 std::string MeshScene::Change(char key)
 {
-  const std::optional<int> step = this->Steps->FindStep(key);
-  if (!step)
-  {
-    return "";
-  }
-  this->SetTimeStep(*step);
-  return this->Steps->GetOption();
+  return this->Steps->Change(key, [this](int step) { this->SetTimeStep(step); });
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #include "Scene/TimeSteps.h"
 
 #include "Options/ViewerOptions.h"
+#include "Text/StandardError.h"
 #include "Text/ViewerMessages.h"
 
 #include "vtkCoordinate.h"
@@ -80,11 +81,25 @@ void TimeSteps::SetStep(int step)
 }
 
 //------------------------------------------------------------------------------
-std::optional<int> TimeSteps::FindStep(char key) const
+std::string TimeSteps::Change(char key, const std::function<void(int)>& show)
 {
-  const int step = this->Step + (key == '>' ? 1 : key == '<' ? -1 : 0);
-  return step == this->Step || step < 0 || step >= this->GetNumber() ? std::nullopt
-                                                                     : std::make_optional(step);
+  const int shown = this->Step;
+  const int step = shown + (key == '>' ? 1 : key == '<' ? -1 : 0);
+  if (step == shown || step < 0 || step >= this->GetNumber())
+  {
+    return "";
+  }
+  try
+  {
+    show(step);
+    return this->GetOption();
+  }
+  catch (const ViewerError& error)
+  {
+    WriteMessage("error", error.what());
+    show(shown);
+    return "";
+  }
 }
 
 //------------------------------------------------------------------------------

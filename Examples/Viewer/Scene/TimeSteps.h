@@ -12,7 +12,7 @@
 
 #include "vtkNew.h"
 
-#include <optional>
+#include <functional>
 #include <string>
 
 class ViewerMessages;
@@ -36,8 +36,10 @@ public:
   int GetStep() const { return this->Step; }
   void SetStep(int step);
 
-  /// The step that a key of the window asks for: < for the one before, > for the next one.
-  std::optional<int> FindStep(char key) const;
+  /// Handles a key of the window: < calls show() with the step before, > with the next one. Returns
+  /// the option that repeats the change, or "". If a step cannot be shown, writes an error and
+  /// shows the old one.
+  std::string Change(char key, const std::function<void(int)>& show);
 
   /// The time of the step as the option that shows it.
   std::string GetOption() const;

@@ -224,10 +224,10 @@ void VolumeScene::Draw(vtkRenderWindow* window)
 //------------------------------------------------------------------------------
 std::string VolumeScene::Change(char key)
 {
-  if (const std::optional<int> step = this->Steps->FindStep(key))
+  const std::string shown = this->Steps->Change(key, [this](int step) { this->SetTimeStep(step); });
+  if (!shown.empty())
   {
-    this->SetTimeStep(*step);
-    return this->Steps->GetOption();
+    return shown;
   }
   switch (key)
   {

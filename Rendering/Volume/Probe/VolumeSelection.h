@@ -4,9 +4,9 @@
  * @class   VolumeSelection
  * @brief   draws a volume for vtkHardwareSelector, which vtkPropPicker uses
  *
- * Writes the colour of the prop, and the depth, into the pixels of the selected area at which the
- * volume becomes opaque in front of what has been drawn. Selections of cells and points ignore the
- * volume.
+ * Rays through the selected pixels end where the volume becomes opaque. If this place is nearer
+ * than everything drawn before, the pixel gets the prop's colour and the depth of the place. The
+ * volume is not part of selections of cells and points.
  *
  * Private to the module.
  */
