@@ -5,6 +5,7 @@
 #include "Arrays/ImageExtents.h"
 #include "Cells/CellCrossing.h"
 #include "Cells/MeshScalars.h"
+#include "Cells/SharedFaces.h"
 #include "Cells/VolumeCells.h"
 #include "Changes/LatestTime.h"
 #include "Checks/InputType.h"
@@ -190,6 +191,10 @@ bool vtkVolumeRayCastFilter::Read(
   if (cells.GetNumberOfFoldedCells() > 0)
   {
     vtkWarningMacro(<< relevo::DescribeFoldedCells(cells));
+  }
+  if (const size_t number = relevo::CountSharedFaces(cells))
+  {
+    vtkWarningMacro(<< relevo::DescribeSharedFaces(number));
   }
   return true;
 }

@@ -75,6 +75,7 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   relevo::RayView View;
   std::array<int, 4> Viewport = { { 0, 0, 0, 0 } }; // of the last render
   std::string DrawError;                            // as reported
+  std::string SizeError;                            // as reported
   relevo::RenderClock Clock;
   relevo::EventPace Pace;
 
@@ -230,7 +231,16 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateFeatures(
 {
   vtkInternals& data = *this->Internals;
   const relevo::VolumeMesh& mesh = data.Mesh.GetMesh();
-  if (!data.View.Compute(renderer, volume->GetMatrix(), mesh.Layout.Center, mesh.Layout.Radius))
+  const bool isVisible =
+    data.View.Compute(renderer, volume->GetMatrix(), mesh.Layout.Center, mesh.Layout.Radius);
+  const std::string error = data.View.IsTooLarge()
+    ? "The mesh is larger than 1e36 in world coordinates; scale its points or the volume."
+    : "";
+  if (relevo::ShouldReport(data.SizeError, error))
+  {
+    vtkErrorMacro(<< error);
+  }
+  if (!isVisible || data.View.IsTooLarge())
   {
     return false;
   }

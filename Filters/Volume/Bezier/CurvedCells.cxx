@@ -38,11 +38,18 @@ struct Jacobians
       this->Cube = std::max(this->Cube, side * side * side);
       for (int i = 0; i < BezierHexahedron::NumberOfSamples; ++i)
       {
-        const double here = determinant(part.Derive(BezierHexahedron::GetSample(i)));
-        this->Low = std::min(this->Low, here);
-        this->High = std::max(this->High, here);
+        this->Add(determinant(part.Derive(BezierHexahedron::GetSample(i))));
+      }
+      for (int i = 0; i < 8; ++i)
+      {
+        this->Add(determinant(part.Derive(dvec3(i & 1, i >> 1 & 1, i >> 2))));
       }
     }
+  }
+  void Add(double here)
+  {
+    this->Low = std::min(this->Low, here);
+    this->High = std::max(this->High, here);
   }
   bool HasVolume() const { return std::max(-this->Low, this->High) > MinimumVolume * this->Cube; }
   bool IsFolded() const

@@ -17,6 +17,8 @@ constexpr double Converged = 1e-13;
 constexpr double Inside = 1e-9;
 // Newton's method gives up at parameters farther outside.
 constexpr double Astray = 10.0;
+// Relative to the largest Jacobian determinant; larger than rounding errors.
+constexpr double MinimumFold = 1e-9;
 }
 
 dvec3 CurvedCell::At(const dvec3& parameters) const
@@ -80,6 +82,29 @@ double CurvedCell::ComputeVolume() const
     largest = std::max(largest, std::abs(determinant(this->Derive(at))));
   }
   return largest;
+}
+
+bool CurvedCell::IsFolded() const
+{
+  double low = 0.0;
+  double high = 0.0;
+  const auto add = [&](const dvec3& parameters)
+  {
+    const double volume = determinant(this->Derive(parameters));
+    low = std::min(low, volume);
+    high = std::max(high, volume);
+  };
+  const std::array<dvec3, 4> corners = { { dvec3(0.0), dvec3(1.0, 0.0, 0.0), dvec3(0.0, 1.0, 0.0),
+    dvec3(0.0, 0.0, 1.0) } };
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = 0; j <= i; ++j)
+    {
+      add(0.5 * (corners[i] + corners[j]));
+    }
+  }
+  add(this->Shape.Center);
+  return std::min(-low, high) > MinimumFold * std::max(-low, high);
 }
 
 // Inverts the shape functions with Newton's method.

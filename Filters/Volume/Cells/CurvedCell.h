@@ -34,6 +34,9 @@ public:
   /// Returns the largest volume, without sign, of a unit cube of parameters.
   double ComputeVolume() const;
 
+  /// Returns whether a quadratic tetrahedron folds over itself at one of its nodes or its centre.
+  bool IsFolded() const;
+
   /// Returns the parts of the ray inside of the cell, in order. Parts that are not longer than
   /// `shortest` are omitted.
   std::vector<std::pair<double, double>> FindInside(const Ray& ray, double shortest) const;

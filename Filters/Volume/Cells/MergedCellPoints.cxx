@@ -19,6 +19,13 @@ namespace relevo
 {
 namespace
 {
+bool AreFinite(const Scalars& scalars)
+{
+  return std::all_of(
+    scalars.begin(), scalars.end(), [](double scalar) { return std::isfinite(scalar); });
+}
+}
+
 std::vector<vtkIdType> FindPlaces(const std::vector<dvec3>& points)
 {
   const vtkIdType count = static_cast<vtkIdType>(points.size());
@@ -34,13 +41,6 @@ std::vector<vtkIdType> FindPlaces(const std::vector<dvec3>& points)
     std::iota(places.begin(), places.end(), 0);
   }
   return places;
-}
-
-bool AreFinite(const Scalars& scalars)
-{
-  return std::all_of(
-    scalars.begin(), scalars.end(), [](double scalar) { return std::isfinite(scalar); });
-}
 }
 
 MergedCellPoints MergeCellPoints(const VolumeCells& cells)

@@ -9,6 +9,7 @@
 #ifndef MergedCellPoints_h
 #define MergedCellPoints_h
 
+#include "Integral/Ray.h"              // for vectors
 #include "RelevoFiltersVolumeModule.h" // for export macro
 #include "vtkType.h"
 
@@ -25,6 +26,9 @@ struct MergedCellPoints
   /// For each point the first coincident point with the same scalars.
   std::vector<vtkIdType> Points;
 };
+
+/// Returns for each point the first coincident point.
+std::vector<vtkIdType> FindPlaces(const std::vector<dvec3>& points);
 
 RELEVOFILTERSVOLUME_EXPORT MergedCellPoints MergeCellPoints(const VolumeCells& cells);
 }

@@ -338,8 +338,11 @@ void VolumeCells::ConvertCurved()
         cell.IsGhost ? this->Ghosts : this->Cells);
       if (!cell.IsGhost)
       {
+        const bool isDrawn = this->Cells.size() > before;
         this->NumberOfBadCells += isGood ? 0 : 1;
-        this->NumberOfDrawnCells += this->Cells.size() > before ? 1 : 0;
+        this->NumberOfDrawnCells += isDrawn ? 1 : 0;
+        this->NumberOfFoldedCells +=
+          isDrawn && this->GetCurved(this->Cells.back()).IsFolded() ? 1 : 0;
       }
     }
     this->Curved.Clear();

@@ -82,7 +82,10 @@ public:
   //@}
 
   /// Number of curved cells that fold over themselves.
-  vtkIdType GetNumberOfFoldedCells() const { return this->Curved.GetNumberOfFoldedCells(); }
+  vtkIdType GetNumberOfFoldedCells() const
+  {
+    return this->NumberOfFoldedCells + this->Curved.GetNumberOfFoldedCells();
+  }
   /// Number of valid 3D cells that are neither ghosts nor blanked.
   vtkIdType GetNumberOfSolidCells() const { return this->NumberOfSolidCells; }
   /// Number of these cells without volume or with coordinates that are not finite.
@@ -153,6 +156,7 @@ private:
   vtkIdType NumberOfSolidCells = 0;
   vtkIdType NumberOfBadCells = 0;
   vtkIdType NumberOfDrawnCells = 0;
+  vtkIdType NumberOfFoldedCells = 0; // of quadratic tetrahedra
 };
 
 /// Returns a warning about curved cells that fold over themselves.

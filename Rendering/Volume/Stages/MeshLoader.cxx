@@ -4,6 +4,7 @@
 
 #include "Bezier/SplitCounts.h"
 #include "Cells/MeshScalars.h"
+#include "Cells/SharedFaces.h"
 #include "Cells/VolumeCells.h"
 #include "Checks/InputType.h"
 #include "Checks/ShouldReport.h"
@@ -265,10 +266,6 @@ bool MeshLoader::Read(const MeshRequest& request, VolumeCells& cells,
 void MeshLoader::SplitCurved(
   const MeshRequest& request, bool isNew, VolumeCells& cells, StageReport& report) const
 {
-  if (cells.GetNumberOfFoldedCells() > 0 && isNew)
-  {
-    report.Warnings.push_back(DescribeFoldedCells(cells));
-  }
   const MeshExtent extent =
     request.Whole ? *request.Whole : MeshExtent::Of(cells, this->Mesh.NumberOfComponents);
   SplitTolerances tolerances;
@@ -296,6 +293,11 @@ bool MeshLoader::Upload(const MeshRequest& request, VolumeCells& cells, StageRep
       " cells have no volume, or points that are not finite; they are left out.");
   }
   const bool isCurved = cells.HasCurvedParts();
+  const size_t numberOfSharedCurved = isCurved && isNew ? CountSharedFaces(cells) : 0;
+  if (cells.GetNumberOfFoldedCells() > 0 && isNew)
+  {
+    report.Warnings.push_back(DescribeFoldedCells(cells));
+  }
   if (isCurved)
   {
     this->SplitCurved(request, isNew, cells, report);
@@ -308,10 +310,10 @@ bool MeshLoader::Upload(const MeshRequest& request, VolumeCells& cells, StageRep
     report.Errors.push_back("The input " + error + ".");
     return false;
   }
-  if (layout.NumberOfSharedFaces > 0 && isNew)
+  const size_t numberOfShared = isCurved ? numberOfSharedCurved : layout.NumberOfSharedFaces;
+  if (numberOfShared > 0 && isNew)
   {
-    report.Warnings.push_back(std::to_string(layout.NumberOfSharedFaces) +
-      " faces have several cells on the same side, so rays may sample a cell twice there.");
+    report.Warnings.push_back(DescribeSharedFaces(numberOfShared));
   }
   this->Mesh.Cells.ReleaseGraphicsResources(request.Window);
   if (!this->Mesh.Buffers.Upload(request.Window, layout) ||

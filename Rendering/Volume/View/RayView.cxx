@@ -22,6 +22,8 @@ namespace
 {
 // Not at the far plane, where depths of a perspective view are close together.
 constexpr double LargestMiddle = 0.99999;
+// Of a mesh in the world; shaders multiply it by small numbers.
+constexpr double LargestLength = 1e36;
 
 dvec4 FindEye(vtkCamera* camera, vtkMatrix4x4* dataToWorld, const dvec3& center, double radius)
 {
@@ -105,6 +107,16 @@ double RayView::GetLargestScale() const
   }
   vtkMath::SingularValueDecomposition3x3(matrix, left, scales, right);
   return std::max({ std::abs(scales[0]), std::abs(scales[1]), std::abs(scales[2]) });
+}
+
+bool RayView::IsTooLarge() const
+{
+  double largest = 0.0;
+  for (int i = 0; i < 9; ++i)
+  {
+    largest = std::max(largest, std::abs(this->MeshToWorld[i / 3][i % 3]));
+  }
+  return largest > LargestLength;
 }
 
 // The rows are x and y in pixels, the distance along the ray (see relevoVolumeRay.glsl), and their

@@ -43,6 +43,9 @@ public:
   /// Return the world length of a unit length of the mesh, in the direction in which it is longest.
   double GetLargestScale() const;
 
+  /// Return whether lengths in the world are too large for floats.
+  bool IsTooLarge() const;
+
   /// Return whether a box around the mesh's centre, of this half size, is completely in front of
   /// the eye.
   bool IsInFront(const dvec3& half) const;

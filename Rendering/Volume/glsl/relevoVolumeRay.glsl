@@ -26,7 +26,10 @@ void initializeLine()
   rayOrigin = place.xyz / place.w;
   rayDirection = rayZ.xyz - rayOrigin * rayZ.w;
   rayScale = vec2(1.0, rayZ.w) / place.w;
-  worldLength = length(meshToWorld * rayDirection);
+  // The square of a large length is not finite.
+  vec3 way = meshToWorld * rayDirection;
+  float largest = max(max(abs(way.x), abs(way.y)), abs(way.z));
+  worldLength = largest * length(way / largest);
 }
 
 // Compute the line, and the visible range of depths, which are lengths in the mesh.
