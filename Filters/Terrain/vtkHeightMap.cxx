@@ -57,6 +57,7 @@ vtkStandardNewMacro(vtkHeightMap);
 
 vtkHeightMap::vtkHeightMap()
   : FileName(nullptr)
+  , FlipRows(false)
   , NoDataValue(std::numeric_limits<double>::quiet_NaN())
   , NoDataValueSet(false)
   , DeclaredNoDataValue(std::numeric_limits<double>::quiet_NaN())
@@ -367,6 +368,7 @@ bool vtkHeightMap::ReadImage(relevo::HeightGrid& grid, std::string& error)
     }
   }
   encoding.HasMask = !mask.empty();
+  encoding.FlipRows = this->FlipRows;
   int reduced[2];
   relevo::GetReducedSize(dimensions, this->MaximumDimension, reduced);
   if (!grid.Allocate(dimensions, reduced, encoding, error))
@@ -452,6 +454,7 @@ void vtkHeightMap::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "ImageData: " << this->ImageData.Get() << "\n";
+  os << indent << "FlipRows: " << this->FlipRows << "\n";
   os << indent << "NoDataValue: " << this->GetNoDataValue() << "\n";
   os << indent << "MaximumDimension: " << this->MaximumDimension << "\n";
   os << indent << "Dimensions: " << toText(this->Dimensions) << "\n";

@@ -12,9 +12,9 @@
  * the last row of the file.
  *
  * SetImageData() takes heights from an image in memory instead: the first component of the active
- * point scalars of an image of n x m x 1 points, of any type. v = 0 is the first row. Blanked
- * points have no data. Origin, spacing and extent are ignored. The image takes precedence over the
- * file. Update() checks its modification time.
+ * point scalars of an image of n x m x 1 points, of any type. v = 0 is the first row, or the last
+ * one with FlipRowsOn(). Blanked points have no data. Origin, spacing and extent are ignored. The
+ * image takes precedence over the file. Update() checks its modification time.
  *
  * Rasters with more than MaximumDimension texels per side are reduced to the largest size of the
  * same aspect ratio that fits, with a warning. Each reduced height is the area-weighted mean of the
@@ -78,6 +78,17 @@ public:
    */
   virtual void SetImageData(vtkImageData* image);
   vtkImageData* GetImageData();
+  //@}
+
+  //@{
+  /**
+   * Set whether the rows of the image are in the order of raster files, in which the first row is
+   * the northern one, at v = 1; default off. Such an array in memory need not be copied into the
+   * order of VTK. Files have an order of their own.
+   */
+  vtkSetMacro(FlipRows, bool);
+  vtkGetMacro(FlipRows, bool);
+  vtkBooleanMacro(FlipRows, bool);
   //@}
 
   //@{
@@ -190,6 +201,7 @@ protected:
 
   char* FileName;
   vtkSmartPointer<vtkImageData> ImageData;
+  bool FlipRows;
   double NoDataValue;
   bool NoDataValueSet;
   double DeclaredNoDataValue;

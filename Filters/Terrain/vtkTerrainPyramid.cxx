@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTerrainPyramid.h"
 
+#include "Checks/SettingChecks.h"
 #include "Geodesy/Georeference.h"
 #include "Geodesy/MapFrame.h"
 #include "Geodesy/TerrainFrame.h"
@@ -95,6 +96,7 @@ vtkTerrainPyramid::vtkTerrainPyramid()
   : FileName(nullptr)
   , CacheDirectory(nullptr)
   , MemoryLimit(vtkTypeInt64(1) << 28)
+  , IndexMemoryLimit(0)
   , AbortExecute(false)
   , HasReportedIndex(false)
   , Dimensions{ 0, 0 }
@@ -108,6 +110,13 @@ vtkTerrainPyramid::~vtkTerrainPyramid()
 {
   delete[] this->FileName;
   delete[] this->CacheDirectory;
+}
+
+//------------------------------------------------------------------------------
+void vtkTerrainPyramid::SetIndexMemoryLimit(vtkTypeInt64 bytes)
+{
+  relevo::SetInRange<vtkTypeInt64>(
+    this, "IndexMemoryLimit", this->IndexMemoryLimit, bytes, 0, VTK_TYPE_INT64_MAX);
 }
 
 //------------------------------------------------------------------------------
@@ -448,7 +457,7 @@ bool vtkTerrainPyramid::Update()
       return this->ReportOpening("There is no raster to open: call SetFileName().");
     }
     std::string error;
-    this->Pyramid = relevo::RasterPyramid::Open(name, folder, error);
+    this->Pyramid = relevo::RasterPyramid::Open(name, folder, error, this->IndexMemoryLimit);
     if (!this->Pyramid)
     {
       return this->ReportOpening("Cannot open " + name + ": " + error + ".");
@@ -798,6 +807,7 @@ void vtkTerrainPyramid::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CacheDirectory: " << (this->CacheDirectory ? this->CacheDirectory : "(none)")
      << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "IndexMemoryLimit: " << this->IndexMemoryLimit << "\n";
   os << indent << "AbortExecute: " << this->AbortExecute << "\n";
   os << indent << "Dimensions: " << this->Dimensions[0] << " x " << this->Dimensions[1] << "\n";
   os << indent << "NumberOfLevels: " << this->GetNumberOfLevels() << "\n";

@@ -97,6 +97,17 @@ public:
   vtkGetMacro(MemoryLimit, vtkTypeInt64);
   //@}
 
+  //@{
+  /**
+   * Set the maximum memory of the threads that build the index, in bytes; default 0, no limit. A
+   * thread needs about 24 MiB, or eight times as much for files that store whole rows. Fewer
+   * threads work within a lower limit, but at least one. Call this before Update(). A negative
+   * number is an error and changes nothing.
+   */
+  virtual void SetIndexMemoryLimit(vtkTypeInt64 bytes);
+  vtkGetMacro(IndexMemoryLimit, vtkTypeInt64);
+  //@}
+
   /**
    * Open the raster, or open it again if the name or the file has changed, and start to build its
    * index if necessary. Returns false after an error. If calls in succession have the same error,
@@ -305,6 +316,7 @@ protected:
   char* FileName;
   char* CacheDirectory;
   vtkTypeInt64 MemoryLimit;
+  vtkTypeInt64 IndexMemoryLimit;
   bool AbortExecute;
 
 private:

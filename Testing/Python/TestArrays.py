@@ -14,6 +14,7 @@ except ImportError:
 
 import relevo
 from relevo import arrays
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 
 
@@ -35,6 +36,32 @@ class TestArrays(unittest.TestCase):
                 made = arrays.height_map(heights)
                 self.assertEqual(tuple(made.GetRange()), (heights.min(), heights.max()))
                 self.assertEqual(tuple(made.GetDimensions()), heights.shape[::-1])
+
+    def test_shared_memory(self):
+        """Arrays whose rows are contiguous are shared, in both orders of rows, and read-only."""
+        wide = numpy.arange(24, dtype="float32").reshape(4, 6)
+        read_only = wide.copy()
+        read_only.flags.writeable = False
+        for heights, shared in (
+            (wide, True), (wide[::-1], True), (read_only, True), (wide[1:3], True),
+            (wide[:, ::2], False), (wide.T, False), (wide.astype(">f4"), False),
+        ):
+            made = arrays.height_map(heights)
+            image = vtk_to_numpy(made.GetImageData().GetPointData().GetScalars())
+            self.assertEqual(numpy.shares_memory(image, heights), shared)
+            samples = numpy.array(made.GetSamples()).reshape(heights.shape)
+            numpy.testing.assert_array_equal(samples, heights[::-1])
+        changed = wide.copy()
+        made = arrays.height_map(changed)
+        changed[0, 0] = 99
+        self.assertEqual(tuple(made.GetRange()), (0.0, 23.0))
+        made.GetImageData().Modified()
+        self.assertTrue(made.Update())
+        self.assertEqual(tuple(made.GetRange()), (1.0, 99.0))
+        del changed
+        made.GetImageData().Modified()
+        self.assertTrue(made.Update())
+        self.assertEqual(made.GetSample(0, 3), 99.0)
 
     def test_byte_orders_and_widths(self):
         """Number types of files (.hgt, FITS, netCDF), half precision, and types wider than double.

@@ -4,6 +4,7 @@
 
 import gc
 import pathlib
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -76,6 +77,35 @@ class TestDrawingMemory(unittest.TestCase):
                 self.check(lambda: relevo.terrain(heights), 100)
                 self.check(lambda: relevo.relief(heights), 100)
             self.assertEqual(list(pathlib.Path(folder).iterdir()), [])
+
+    def test_copies_of_heights(self):
+        """Heights need at most the memory of one more array, and less afterwards."""
+        program = """
+import numpy, relevo
+from relevo import arrays
+
+def read(name):
+    with open("/proc/self/status") as status:
+        return next(int(line.split()[1]) * 1024 for line in status if line.startswith(name))
+
+small = relevo.terrain(numpy.eye(8)), arrays.height_map(numpy.eye(8))
+heights = numpy.random.default_rng(1).random((4096, 3000), numpy.float32)
+with open("/proc/self/clear_refs", "w") as file:
+    file.write("5")  # forget the peak
+before = read("VmRSS")
+result = {call}
+print((read("VmHWM") - before) / heights.nbytes, (read("VmRSS") - before) / heights.nbytes)
+"""
+        for call, limits in (
+            ("relevo.terrain(heights)", (1.0, 0.4)),
+            ("arrays.height_map(heights)", (1.05, 1.05)),
+        ):
+            code = program.format(call=call)
+            done = subprocess.run(
+                [sys.executable, "-c", code], capture_output=True, text=True, check=True
+            )
+            for size, limit in zip(map(float, done.stdout.split()), limits):
+                self.assertLess(size, limit, call)
 
     def test_pictures(self):
         drawing = relevo.refined(make_sphere())

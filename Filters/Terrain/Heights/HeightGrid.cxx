@@ -89,11 +89,13 @@ bool HeightGrid::Allocate(
   this->Reduction.reset(
     std::equal(source, source + 2, size) ? nullptr : new HeightReduction(source, size));
   const std::size_t number = static_cast<std::size_t>(this->Width) * this->Height;
-  // Not cleared, so that a wrong size in a broken file does not allocate pages.
+  // Not cleared, so that a wrong size in a broken file does not allocate pages. Neither do the rows
+  // of Validity that have all samples.
   this->Samples.reset(new (std::nothrow) float[number]);
   this->Validity.reset(encoding.HasMask || !encoding.NoData.empty()
       ? new (std::nothrow) unsigned char[number]
       : nullptr);
+  this->HasMissing.assign(this->Validity ? this->Height : 0, false);
   if (!this->Samples || (!this->Validity && (encoding.HasMask || !encoding.NoData.empty())))
   {
     error = "not enough memory for " + std::to_string(this->Width) + " x " +
@@ -176,18 +178,23 @@ void HeightGrid::SetRows(
   vtkSMPTools::For(0, count,
     [&](vtkIdType begin, vtkIdType end)
     {
+      std::vector<unsigned char> validity(this->Validity ? this->Width : 0);
       for (vtkIdType i = begin; i < end; ++i)
       {
         const int row = first + static_cast<int>(i);
-        float* heights = this->Samples.get() + this->RowStart(row);
-        unsigned char* validity =
-          this->Validity ? this->Validity.get() + this->RowStart(row) : nullptr;
+        const std::size_t start = this->RowStart(row);
+        float* heights = this->Samples.get() + start;
         statistics[i] = this->Decode(row, type, samples, static_cast<std::size_t>(i) * this->Width,
-          stride, mask, heights, validity);
+          stride, mask, heights, this->Validity ? validity.data() : nullptr);
         if (this->Encoding.FlipColumns)
         {
           std::reverse(heights, heights + this->Width);
-          std::reverse(validity, validity ? validity + this->Width : nullptr);
+          std::reverse(validity.begin(), validity.end());
+        }
+        if (this->Validity && statistics[i].NumberOfInvalid > 0)
+        {
+          std::copy(validity.begin(), validity.end(), this->Validity.get() + start);
+          this->HasMissing[start / this->Width] = true;
         }
       }
     });
@@ -239,6 +246,10 @@ void HeightGrid::SetReducedRows(
 void HeightGrid::SetMeans(int row, const double* sums, const double* areas)
 {
   const std::size_t start = this->RowStart(row);
+  if (this->Validity)
+  {
+    this->HasMissing[start / this->Width] = true;
+  }
   for (int column = 0; column < this->Width; ++column)
   {
     const std::size_t index =
@@ -287,6 +298,14 @@ bool HeightGrid::Finish(std::string& error)
   }
   else
   {
+    for (int row = 0; row < this->Height; ++row)
+    {
+      if (!this->HasMissing[row])
+      {
+        std::fill_n(
+          this->Validity.get() + static_cast<std::size_t>(row) * this->Width, this->Width, 1);
+      }
+    }
     FillNoData(this->Width, this->Height, this->Samples.get(), this->Validity.get());
   }
   return true;

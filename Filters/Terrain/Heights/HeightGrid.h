@@ -98,6 +98,7 @@ private:
   std::unique_ptr<HeightReduction> Reduction; // null if not reduced
   std::unique_ptr<float[]> Samples;
   std::unique_ptr<unsigned char[]> Validity;
+  std::vector<char> HasMissing; // rows of Validity that are written; the others are valid
   RowStatistics Statistics;
 };
 }

@@ -52,16 +52,20 @@ BlockErrorBuilder::BlockErrorBuilder(const PyramidFile& file)
 {
 }
 
-std::unique_ptr<BlockErrorArea> BlockErrorBuilder::NewArea(
-  const SampleWindow& window, const std::vector<double>& samples) const
+std::unique_ptr<BlockErrorArea> BlockErrorBuilder::NewArea(const SampleWindow& window)
 {
-  auto area =
-    std::make_unique<BlockErrorArea>(0, window.Column, window.Row, window.Width, window.Height);
+  return std::make_unique<BlockErrorArea>(
+    0, window.Column, window.Row, window.Width, window.Height);
+}
+
+// Converts samples to heights.
+void BlockErrorBuilder::ScaleReference(BlockErrorArea& area) const
+{
   const RasterDescription& contents = this->File.Describe();
-  std::transform(samples.begin(), samples.end(), area->GetReference().Values.begin(),
-    [&contents](double sample) { return contents.Scale * sample + contents.Offset; });
-  this->SetSamples(*area, window, samples);
-  return area;
+  for (double& sample : area.GetReference().Values)
+  {
+    sample = contents.Scale * sample + contents.Offset;
+  }
 }
 
 void BlockErrorBuilder::SetSamples(

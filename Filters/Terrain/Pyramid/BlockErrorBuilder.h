@@ -45,13 +45,14 @@ public:
   //@{
   /**
    * Measure a part of full resolution that consists of areas and one more column and row, where
-   * there are any: first give it the samples of the window and those of the windows of coarser
-   * levels of the pyramid that cover it, then add it. Thread-safe, for different parts.
+   * there are any: first read its samples, as stored, into the reference of a new area. Then set
+   * the samples of this window and those of the windows of coarser levels of the pyramid that cover
+   * it. ScaleReference() and Add() follow. Thread-safe, for different parts.
    */
-  std::unique_ptr<BlockErrorArea> NewArea(
-    const SampleWindow& window, const std::vector<double>& samples) const;
+  static std::unique_ptr<BlockErrorArea> NewArea(const SampleWindow& window);
   void SetSamples(
     BlockErrorArea& area, const SampleWindow& window, const std::vector<double>& samples) const;
+  void ScaleReference(BlockErrorArea& area) const;
   void Add(BlockErrorArea& area);
   //@}
 

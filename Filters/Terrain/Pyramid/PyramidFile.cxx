@@ -6,6 +6,7 @@
 #include "Raster/GDALRaster.h"
 #include "Raster/RasterFile.h"
 #include "Raster/RawFile.h"
+#include "Raster/RawSamples.h"
 #include "Raster/StoredNoData.h"
 #include "vtkType.h"
 
@@ -94,6 +95,7 @@ struct PyramidFile::Handle
   GDALDatasetPointer Dataset;
   std::vector<GDALRasterBandH> Bands;                // by level
   std::vector<GDALRasterBandH> Masks;                // of the bands, for files that have masks
+  std::unique_ptr<RawSamples> Raw;                   // of level 0; null for most files
   std::vector<std::array<BlockRange, 2>> LastBlocks; // of the last window of each level
   double CachedBytes = 0.0;
 
@@ -235,6 +237,7 @@ std::unique_ptr<PyramidFile> PyramidFile::Open(const std::string& fileName, std:
   }
   file->IsFloat = FitsIntoFloat(file->Description.Type);
   file->FindLevels(dataset);
+  file->IsRaw = !file->Description.HasMask && RawSamples::Open(dataset);
   file->Version = FileVersion(fileName, dataset);
   if (!file->SetBands(*handle, error))
   {
@@ -330,6 +333,7 @@ bool PyramidFile::SetBands(Handle& handle, std::string& error) const
     }
   }
   handle.LastBlocks.resize(handle.Bands.size());
+  handle.Raw = this->IsRaw ? RawSamples::Open(handle.Dataset.get()) : nullptr;
   return true;
 }
 
@@ -464,6 +468,16 @@ bool PyramidFile::ReadWindow(const SampleWindow& window, T* samples,
     return false;
   }
   GDALSession session;
+  if (handle->Raw && window.Level == 0)
+  {
+    if (!handle->Raw->Read(window.Column, window.Row, window.Width, window.Height,
+          GetSampleType<T>(), reinterpret_cast<unsigned char*>(samples)))
+    {
+      error = this->DescribeFailure(window, session, lease);
+      return false;
+    }
+    return true;
+  }
   handle->MakeRoom(window);
   const CPLErr result =
     GDALRasterIO(handle->Bands[window.Level], GF_Read, window.Column, window.Row, window.Width,

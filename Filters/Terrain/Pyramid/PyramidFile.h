@@ -52,8 +52,8 @@ public:
   /// Columns and rows of a level.
   const std::array<int, 2>& GetSize(int level) const { return this->Sizes[level]; }
 
-  /// Whether the file stores whole rows rather than tiles.
-  bool HasRowBlocks() const { return this->IsStoredInRows; }
+  /// Whether the file stores whole rows rather than tiles, so that a part of a row takes as long.
+  bool HasRowBlocks() const { return this->IsStoredInRows && !this->IsRaw; }
   /// Whether all samples fit into floats.
   bool HasFloatSamples() const { return this->IsFloat; }
 
@@ -117,6 +117,7 @@ private:
   std::vector<std::array<int, 2>> BlockSizes; // of the levels
   GDALDataType StoredType = GDT_Unknown;
   bool IsStoredInRows = false;
+  bool IsRaw = false; // parts of rows can be read
   bool IsFloat = false;
 
   double BytesOfPositions = 0.0; // of blocks, in each dataset

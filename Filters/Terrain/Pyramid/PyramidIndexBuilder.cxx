@@ -14,6 +14,10 @@ namespace relevo
 namespace
 {
 constexpr int SamplesPerBlock = 1 << 20; // of absent ones
+constexpr int MostAreasPerBlock = 8;
+// That a thread needs: the reference, the heights of all levels and two grids of a level.
+constexpr std::int64_t BytesPerArea =
+  std::int64_t(24) * BlockErrorBuilder::SamplesPerArea * BlockErrorBuilder::SamplesPerArea;
 
 // Where the corners lie along one axis: between two samples of each of the two levels.
 struct Corner
@@ -92,11 +96,16 @@ PyramidIndexBuilder::PyramidIndexBuilder(const PyramidFile& file, const std::ato
 {
 }
 
-void PyramidIndexBuilder::ChooseBlockSize()
+// Files that store whole rows are read in wide blocks. All blocks consist of areas.
+void PyramidIndexBuilder::ChooseBlockSize(int numberOfThreads)
 {
-  // Files that store whole rows are read in wide blocks. All blocks consist of areas.
   constexpr int area = BlockErrorBuilder::SamplesPerArea;
-  const int areas = this->File.HasRowBlocks() ? 8 : 1;
+  int areas = this->File.HasRowBlocks() ? MostAreasPerBlock : 1;
+  if (this->MemoryLimit > 0)
+  {
+    const std::int64_t share = this->MemoryLimit / numberOfThreads;
+    areas = static_cast<int>(std::clamp<std::int64_t>(share / BytesPerArea, 1, areas));
+  }
   this->BlockSize = { { areas * area, area } };
 }
 
@@ -209,7 +218,12 @@ void PyramidIndexBuilder::CollectConstants(const SampleWindow& part, int level)
 bool PyramidIndexBuilder::Build(int numberOfThreads, PyramidIndex& index, std::string& error)
 {
   this->Index = &index;
-  this->ChooseBlockSize();
+  if (this->MemoryLimit > 0)
+  {
+    numberOfThreads = static_cast<int>(
+      std::clamp<std::int64_t>(this->MemoryLimit / BytesPerArea, 1, numberOfThreads));
+  }
+  this->ChooseBlockSize(numberOfThreads);
   for (int level = 0; level < this->File.GetNumberOfLevels(); ++level)
   {
     const std::array<int, 2>& size = this->File.GetSize(level);
@@ -356,15 +370,20 @@ void PyramidIndexBuilder::CompareBlock(const SampleWindow& block)
 }
 
 // Returns the area of a block with its heights on all levels, if it has blocks of the bisection.
-// Releases the samples before the area is measured, to limit the memory of a thread.
+// The area holds the only copy of the samples, to limit the memory of a thread.
 std::unique_ptr<BlockErrorArea> PyramidIndexBuilder::CompareLevels(const SampleWindow& block)
 {
-  std::vector<double> fine;
-  this->Read(block, fine);
-  this->MeasureRange(block, fine);
   // A raster of one row or column has no blocks.
   std::unique_ptr<BlockErrorArea> area =
-    block.Width > 1 && block.Height > 1 ? this->Blocks.NewArea(block, fine) : nullptr;
+    block.Width > 1 && block.Height > 1 ? BlockErrorBuilder::NewArea(block) : nullptr;
+  std::vector<double> narrow;
+  std::vector<double>& fine = area ? area->GetReference().Values : narrow;
+  this->Read(block, fine);
+  this->MeasureRange(block, fine);
+  if (area)
+  {
+    this->Blocks.SetSamples(*area, block, fine);
+  }
   std::vector<double> coarse;
   for (int level = 1; level < this->File.GetNumberOfLevels() && !this->IsStopped(); ++level)
   {
@@ -375,6 +394,10 @@ std::unique_ptr<BlockErrorArea> PyramidIndexBuilder::CompareLevels(const SampleW
     {
       this->Blocks.SetSamples(*area, window, coarse);
     }
+  }
+  if (area)
+  {
+    this->Blocks.ScaleReference(*area);
   }
   return area;
 }

@@ -28,6 +28,7 @@
 
 #include <array>
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -41,8 +42,11 @@ class RELEVOFILTERSTERRAIN_EXPORT PyramidIndexBuilder
 public:
   PyramidIndexBuilder(const PyramidFile& file, const std::atomic<bool>& abort);
 
+  /// Set the memory of all threads in bytes; 0 for no limit. One thread works in any case.
+  void SetMemoryLimit(std::int64_t bytes) { this->MemoryLimit = bytes; }
+
   /**
-   * Fill in the index with this many threads. Returns false after an abort and, with an error, if
+   * Fill in the index with at most this many threads. Returns false after an abort and, with an error, if
    * the memory is not sufficient, if the file changes, or if samples of one of GDAL's virtual files
    * cannot be read. Returns true, with the first error, if samples of another file cannot be read.
    */
@@ -64,7 +68,7 @@ private:
     SampleWindow Window;
   };
 
-  void ChooseBlockSize();
+  void ChooseBlockSize(int numberOfThreads);
   static std::pair<SampleWindow, SampleWindow> Split(
     const SampleWindow& part, int width, int height);
   void CollectBlocks(const SampleWindow& part);
@@ -86,6 +90,7 @@ private:
 
   const PyramidFile& File;
   const std::atomic<bool>& Abort;
+  std::int64_t MemoryLimit = 0;
   std::array<int, 2> BlockSize{ { 1, 1 } };
   std::vector<Job> Jobs;
   std::atomic<std::size_t> NumberOfJobs{ 0 }; // 0 until all are collected

@@ -18,6 +18,9 @@
 #include <sstream>
 #include <system_error>
 #include <vector>
+#if defined(__GLIBC__)
+#include <malloc.h> // for malloc_trim
+#endif
 
 namespace relevo
 {
@@ -80,6 +83,14 @@ std::string FindLatitudeError(const RasterDescription& contents)
   return "";
 }
 
+// glibc keeps the memory that threads have freed, which is much after an index is built.
+void ReleaseFreeMemory()
+{
+#if defined(__GLIBC__)
+  malloc_trim(0);
+#endif
+}
+
 bool IsFile(const std::string& name)
 {
   std::error_code failure;
@@ -91,8 +102,8 @@ RasterPyramid::RasterPyramid() = default;
 
 RasterPyramid::~RasterPyramid() = default;
 
-std::shared_ptr<RasterPyramid> RasterPyramid::Open(
-  const std::string& fileName, const std::string& cacheFolder, std::string& error)
+std::shared_ptr<RasterPyramid> RasterPyramid::Open(const std::string& fileName,
+  const std::string& cacheFolder, std::string& error, std::int64_t indexMemoryLimit)
 {
   std::shared_ptr<RasterPyramid> pyramid(new RasterPyramid);
   pyramid->FileName = fileName;
@@ -108,7 +119,7 @@ std::shared_ptr<RasterPyramid> RasterPyramid::Open(
   }
   pyramid->Signature = pyramid->File->GetSignature();
   pyramid->MakeEstimates();
-  StartIndex(pyramid, cacheFolder);
+  StartIndex(pyramid, cacheFolder, indexMemoryLimit);
   // The users share this pointer; the thread has another one.
   return { pyramid.get(), [pyramid](RasterPyramid*) { pyramid->StopIndex(); } };
 }
@@ -210,8 +221,8 @@ std::shared_ptr<const ElevationRanges> RasterPyramid::GetElevationRanges() const
   return this->Ranges;
 }
 
-void RasterPyramid::StartIndex(
-  const std::shared_ptr<RasterPyramid>& pyramid, const std::string& cacheFolder)
+void RasterPyramid::StartIndex(const std::shared_ptr<RasterPyramid>& pyramid,
+  const std::string& cacheFolder, std::int64_t memoryLimit)
 {
   if (pyramid->ReadIndex(cacheFolder))
   {
@@ -221,6 +232,7 @@ void RasterPyramid::StartIndex(
   }
   pyramid->Index = PyramidIndex(pyramid->File->GetSizes());
   pyramid->Builder = std::make_unique<PyramidIndexBuilder>(*pyramid->File, pyramid->Abort);
+  pyramid->Builder->SetMemoryLimit(memoryLimit);
   try
   {
     pyramid->Thread = std::thread([pyramid]() { pyramid->BuildIndex(); });
@@ -302,6 +314,7 @@ void RasterPyramid::BuildIndex()
     error = "there is not enough memory to index the raster";
   }
   this->File->CloseIdleHandles();
+  ReleaseFreeMemory();
   if (isBuilt && this->File->HasChanged())
   {
     isBuilt = false;

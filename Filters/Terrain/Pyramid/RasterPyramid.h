@@ -29,6 +29,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -41,9 +42,10 @@ class PyramidIndexBuilder;
 class RELEVOFILTERSTERRAIN_EXPORT RasterPyramid
 {
 public:
-  /// Returns nullptr and sets `error` if the raster cannot be opened.
-  static std::shared_ptr<RasterPyramid> Open(
-    const std::string& fileName, const std::string& cacheFolder, std::string& error);
+  /// Returns nullptr and sets `error` if the raster cannot be opened. The memory limit, in bytes, is
+  /// that of the threads that build the index; 0 for no limit.
+  static std::shared_ptr<RasterPyramid> Open(const std::string& fileName,
+    const std::string& cacheFolder, std::string& error, std::int64_t indexMemoryLimit = 0);
   ~RasterPyramid();
   RasterPyramid(const RasterPyramid&) = delete;
   void operator=(const RasterPyramid&) = delete;
@@ -94,8 +96,8 @@ public:
 private:
   RasterPyramid();
   void MakeEstimates();
-  static void StartIndex(
-    const std::shared_ptr<RasterPyramid>& pyramid, const std::string& cacheFolder);
+  static void StartIndex(const std::shared_ptr<RasterPyramid>& pyramid,
+    const std::string& cacheFolder, std::int64_t memoryLimit);
   bool ReadIndex(const std::string& cacheFolder);
   void BuildIndex();
   void StopIndex();

@@ -77,10 +77,20 @@ def _make_crs_text(crs: Any) -> str:
     )
 
 
+def _find_folder() -> str | None:
+    """Return a folder for large temporary files, or None for the default one.
+
+    /tmp can be in memory. /var/tmp is on a disk.
+    """
+    chosen = any(os.environ.get(name) for name in ("TMPDIR", "TEMP", "TMP"))
+    usable = os.path.isdir("/var/tmp") and os.access("/var/tmp", os.W_OK | os.X_OK)
+    return "/var/tmp" if usable and not chosen and tempfile.gettempdir() == "/tmp" else None
+
+
 def _write(
     heights: ArrayLike, bounds: Bounds | None, crs: Any, no_data: float | None, folder: pathlib.Path
-) -> str:
-    """Write an array as raw samples that a VRT of GDAL describes. Return its path."""
+) -> tuple[str, int]:
+    """Write an array as raw samples that a VRT of GDAL describes. Return its path and bytes."""
     heights = arrays._real_numbers(heights, "heights")
     if heights.ndim != 2:
         is_photo = heights.ndim == 3 and heights.shape[2] in (3, 4)
@@ -111,7 +121,7 @@ def _write(
         f"<ByteOrder>{'LSB' if sys.byteorder == 'little' else 'MSB'}</ByteOrder>"
         f"{missing}</VRTRasterBand></VRTDataset>"
     )
-    return str(path)
+    return str(path), heights.nbytes
 
 
 def _find_edges(centres: ArrayLike, name: str) -> tuple[tuple[float, float], bool]:
@@ -172,6 +182,7 @@ class RasterFile:
         no_data: float | None = None,
     ) -> None:
         self.name = ""
+        self.size = 0  # bytes of an array
         self.title = "the array"
         # For messages, see Messages.
         self.names = {"set it as ImageryFileName": "use it as imagery of relevo.terrain()"}
@@ -196,9 +207,9 @@ class RasterFile:
             raise ValueError(f"crs needs bounds: {_ORDER}")
         if no_data is not None:
             check_number(no_data, "no_data")
-        folder = tempfile.mkdtemp(prefix="relevo-")
+        folder = tempfile.mkdtemp(prefix="relevo-", dir=_find_folder())
         self._remove = weakref.finalize(self, shutil.rmtree, folder, ignore_errors=True)
-        self.name = _write(source, bounds, crs, no_data, pathlib.Path(folder))
+        self.name, self.size = _write(source, bounds, crs, no_data, pathlib.Path(folder))
         self.names |= {
             f"Cannot open {self.name}": f"Cannot use {self.title}",
             self.name: self.title,

@@ -37,6 +37,7 @@ _masked: Any = numpy.ma  # without annotations up to numpy 2.2
 _SMALL = 1 << 24  # samples whose index is built in a moment
 _LARGEST_OUTLINE = 2048  # columns or rows that are read for the first view
 _DIRECTION_OF_GLOBES = (180, 60)  # azimuth and elevation of the viewer
+_SMALLEST_MEMORY = 1 << 22  # bytes of cached tiles
 _FRAME_DELAY = 50  # milliseconds, while tiles are loaded
 
 
@@ -107,6 +108,10 @@ class Terrain(Drawing):
         self._pyramid = relevo.vtkTerrainPyramid()
         raster.keep_for(self._pyramid)
         self._pyramid.SetFileName(raster.name)
+        if raster.is_array:
+            # Less than another copy of the array.
+            self._pyramid.SetIndexMemoryLimit(max(_SMALLEST_MEMORY, 3 * raster.size // 4))
+            self._pyramid.SetMemoryLimit(max(_SMALLEST_MEMORY, raster.size // 4))
         with Messages(ValueError if raster.is_array else Error, self._names):
             self._pyramid.Update()
         if crs is not None and not self._pyramid.GetCoordinateSystem():

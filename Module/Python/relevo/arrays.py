@@ -58,12 +58,23 @@ def _copy(values: NDArray[Any]) -> vtkDataArray:
     return array
 
 
+def _share(values: NDArray[Any]) -> vtkDataArray:
+    """Return a VTK array with the memory of a contiguous array of real numbers."""
+    flat = values.reshape(-1)
+    result: Any = create_vtk_array(get_vtk_array_type(flat.dtype))
+    result.SetVoidArray(flat, flat.size, 1)
+    result._numpy_reference = flat  # must live as long as the VTK array
+    array: vtkDataArray = result
+    return array
+
+
 def height_map(heights: ArrayLike, no_data: float = float("nan")) -> relevo.vtkHeightMap:
     """Create a vtkHeightMap from a two-dimensional array.
 
     heights: real numbers of any type and byte order, of shape (rows, columns), at least 2 x 2.
-        Row 0 is the northernmost, as in raster files. The array is copied. Masked values
-        (numpy.ma) are no data.
+        Row 0 is the northernmost, as in raster files. Masked values (numpy.ma) are no data. An
+        array in C order is shared with the image of the result, whose heights are a copy. After
+        changes of the array, call Modified() of GetImageData() to copy them again.
     no_data: the value of samples without data (default: NaN).
 
     Raises ValueError for other shapes or values and if no sample has data, and TypeError for None.
@@ -80,9 +91,13 @@ def height_map(heights: ArrayLike, no_data: float = float("nan")) -> relevo.vtkH
         raise ValueError(f"heights must be at least 2 x 2, not {rows} x {columns}")
     image = vtkImageData()
     image.SetDimensions(columns, rows, 1)
-    # Row 0 is the southernmost in VTK.
-    image.GetPointData().SetScalars(_copy(heights[::-1].ravel()))
     result = relevo.vtkHeightMap()
+    # Row 0 is the southernmost in VTK.
+    southwards = not heights[::-1].flags.c_contiguous
+    image.GetPointData().SetScalars(
+        _share(numpy.ascontiguousarray(heights if southwards else heights[::-1]))
+    )
+    result.SetFlipRows(southwards)
     result.SetImageData(image)
     result.SetNoDataValue(no_data)
     try:

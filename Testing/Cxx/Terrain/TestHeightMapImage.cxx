@@ -95,6 +95,53 @@ void TestImage(RelevoCheck& check, vtkHeightMap* map)
   CHECK(HoldsTestImage(map));
 }
 
+// Rows from the top give the same heights and validity as a copy with rows from the bottom. The
+// last of two rows may have missing samples, the first or none.
+void TestFlippedRows(RelevoCheck& check, bool isReduced)
+{
+  CHECK_CASE(isReduced);
+  for (int missing : { -1, 2, 9 })
+  {
+    CHECK_CASE(missing);
+    const auto given = MakeImage(VTK_FLOAT, 1);
+    const auto copied = MakeImage(VTK_FLOAT, 1);
+    if (missing >= 0)
+    {
+      given->GetPointData()->GetScalars()->SetComponent(missing, 0, -9999.0);
+    }
+    for (vtkIdType i = 0; i < 12; ++i)
+    {
+      copied->GetPointData()->GetScalars()->SetComponent(
+        i, 0, given->GetPointData()->GetScalars()->GetComponent((2 - i / 4) * 4 + i % 4, 0));
+    }
+    vtkNew<vtkHeightMap> flipped;
+    vtkNew<vtkHeightMap> expected;
+    flipped->SetImageData(given);
+    expected->SetImageData(copied);
+    flipped->FlipRowsOn();
+    for (vtkHeightMap* map : { flipped.Get(), expected.Get() })
+    {
+      map->SetNoDataValue(-9999.0);
+      map->SetMaximumDimension(isReduced ? 2 : 0);
+      CHECK(map->Update());
+    }
+    CHECK_EQUAL(flipped->HasNoData(), expected->HasNoData());
+    CHECK_EQUAL(flipped->GetNumberOfSamples(), expected->GetNumberOfSamples());
+    for (vtkIdType i = 0; i < expected->GetNumberOfSamples(); ++i)
+    {
+      CHECK_CASE(i);
+      CHECK_EQUAL(flipped->GetSamples()[i], expected->GetSamples()[i]);
+      if (expected->HasNoData() && flipped->HasNoData())
+      {
+        CHECK_EQUAL(flipped->GetValidity()[i], expected->GetValidity()[i]);
+      }
+    }
+    flipped->FlipRowsOff();
+    CHECK(flipped->Update());
+    CHECK_EQUAL(flipped->GetSamples()[0] == expected->GetSamples()[0], false);
+  }
+}
+
 void TestBlankedPoints(RelevoCheck& check, vtkHeightMap* map)
 {
   const auto blanked = MakeImage(VTK_FLOAT, 1);
@@ -150,6 +197,8 @@ int TestHeightMapImage(int, char*[])
 {
   RelevoCheck check;
   TestTypes(check);
+  TestFlippedRows(check, false);
+  TestFlippedRows(check, true);
   vtkNew<vtkHeightMap> map;
   RelevoErrors errors(map);
   CHECK(!map->Update());

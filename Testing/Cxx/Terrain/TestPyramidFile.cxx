@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The blocks of a raster and its overviews that GDAL caches take little memory, for one thread and
 // for several, and none once the datasets are closed or if threads share the blocks. Many threads
-// read the samples that one reads.
+// read the samples that one reads. Files of raw samples, whose rows are read in part, have the
+// samples that GDAL reads, and use no cache.
 #include "RelevoCheck.h"
 #include "RelevoRasterFiles.h"
 
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
+#include <fstream>
 #include <memory>
 #include <random>
 #include <string>
@@ -108,6 +111,67 @@ void TestMemory(RelevoCheck& check, const std::string& name, int size, bool isSh
   CHECK_EQUAL(sample, 15.0);
 }
 
+// A file of raw samples with a header of VRT, in the given byte order. The line offset can be
+// negative.
+void TestRaw(RelevoCheck& check, const RelevoTestFolders& folders, GDALDataType type,
+  const std::string& order, bool isFromBottom)
+{
+  CHECK_CASE(type);
+  CHECK_CASE(order);
+  CHECK_CASE(isFromBottom);
+  constexpr int width = 300;
+  constexpr int height = 200;
+  constexpr int header = 12;
+  const int size = GDALGetDataTypeSizeBytes(type);
+  const int line = (width + 3) * size;
+  std::vector<unsigned char> bytes(header + static_cast<std::size_t>(line) * height);
+  std::mt19937 random(7);
+  for (unsigned char& byte : bytes)
+  {
+    byte = static_cast<unsigned char>(random());
+  }
+  std::ofstream(folders.File("PyramidFile.raw"), std::ios::binary)
+    .write(reinterpret_cast<const char*>(bytes.data()), static_cast<long>(bytes.size()));
+  const std::string name = folders.File("PyramidFileRaw.vrt");
+  std::ofstream(name) << "<VRTDataset rasterXSize='" << width << "' rasterYSize='" << height
+                      << "'><VRTRasterBand dataType='" << GDALGetDataTypeName(type)
+                      << "' band='1' subClass='VRTRawRasterBand'>"
+                      << "<SourceFilename relativetoVRT='1'>PyramidFile.raw</SourceFilename>"
+                      << "<ImageOffset>" << header + (isFromBottom ? (height - 1) * line : 0)
+                      << "</ImageOffset><PixelOffset>" << size << "</PixelOffset><LineOffset>"
+                      << (isFromBottom ? -line : line) << "</LineOffset><ByteOrder>" << order
+                      << "</ByteOrder></VRTRasterBand></VRTDataset>";
+  std::vector<double> expected(width * height);
+  GDALDatasetH dataset = GDALOpen(name.c_str(), GA_ReadOnly);
+  CHECK(dataset &&
+    GDALRasterIO(GDALGetRasterBand(dataset, 1), GF_Read, 0, 0, width, height, expected.data(),
+      width, height, GDT_Float64, 0, 0) == CE_None);
+  GDALClose(dataset);
+  const double before = GetCachedBytes();
+  std::string error;
+  const std::unique_ptr<PyramidFile> file = PyramidFile::Open(name, error);
+  if (!CHECK(file != nullptr))
+  {
+    return;
+  }
+  CHECK(!file->HasRowBlocks());
+  int defects = 0;
+  for (const SampleWindow& window : GetWindows(*file, 70))
+  {
+    std::vector<double> samples(window.GetNumberOfSamples());
+    CHECK(file->Read(window, samples.data(), error));
+    for (int i = 0; i < window.Width * window.Height; ++i)
+    {
+      const double value =
+        expected[(window.Row + i / window.Width) * width + window.Column + i % window.Width];
+      const bool isSame = samples[i] == value || (!std::isfinite(value) && std::isnan(samples[i]));
+      defects += isSame ? 0 : 1;
+    }
+  }
+  CHECK_EQUAL(defects, 0);
+  CHECK_EQUAL(GetCachedBytes(), before);
+}
+
 // More threads than datasets.
 void TestThreads(RelevoCheck& check, const std::string& name)
 {
@@ -168,6 +232,11 @@ int TestPyramidFile(int argc, char* argv[])
   TestMemory(check, tiles, 100, true);
   TestMemory(check, tiles, 300, true);
   TestMemory(check, rows, 100, false);
+  for (const GDALDataType type : { GDT_Byte, GDT_Int16, GDT_Float32, GDT_Float64 })
+  {
+    TestRaw(check, folders, type, "LSB", false);
+    TestRaw(check, folders, type, "MSB", true);
+  }
   TestThreads(check, tiles);
   TestThreads(check, rows);
   return check.GetResult();

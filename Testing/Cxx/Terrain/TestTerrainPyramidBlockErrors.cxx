@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -610,9 +611,9 @@ std::string ReadFile(const std::string& name)
   return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
 }
 
-// The index is the same for any number of threads.
+// The index is the same for any number of threads and any limit of their memory.
 std::string BuildIndex(RelevoCheck& check, const relevo::PyramidFile& file,
-  const std::string& indexName, int numberOfThreads)
+  const std::string& indexName, int numberOfThreads, std::int64_t memoryLimit)
 {
   std::vector<std::array<int, 2>> sizes;
   for (int level = 0; level < file.GetNumberOfLevels(); ++level)
@@ -623,6 +624,7 @@ std::string BuildIndex(RelevoCheck& check, const relevo::PyramidFile& file,
   const std::atomic<bool> abort{ false };
   std::string error;
   relevo::PyramidIndexBuilder builder(file, abort);
+  builder.SetMemoryLimit(memoryLimit);
   CHECK(builder.Build(numberOfThreads, index, error));
   CHECK_EQUAL(error, std::string());
   CHECK_EQUAL(index.Write(indexName, file.GetSignature()), std::string());
@@ -665,10 +667,12 @@ void TestCases(RelevoCheck& check, const RelevoTestFolders& folders)
           CheckOutlines(check, *pyramid, name);
         }
         const std::string index = ReadFile(name + ".relevo-index");
-        for (const int threads : { 1, 3 })
+        constexpr std::int64_t memoryOfTwoThreads = 50 << 20;
+        for (const auto& [threads, limit] : { std::pair<int, std::int64_t>(1, 0),
+               std::pair<int, std::int64_t>(3, memoryOfTwoThreads) })
         {
-          CHECK(BuildIndex(check, pyramid->GetFile(), folders.File("BlockErrors.index"), threads) ==
-            index);
+          CHECK(BuildIndex(check, pyramid->GetFile(), folders.File("BlockErrors.index"), threads,
+                  limit) == index);
         }
       }
     }
