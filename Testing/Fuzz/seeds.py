@@ -122,6 +122,36 @@ def reliefs():
     yield 'name,"FILE","FILE_PNG"\n"x ""y""",r.vti,r.png\n\0' + image
 
 
+def micro_meshes():
+    """The chunks of a triangle of level 1: see MicroMeshFile.h and ArrayPacking.h."""
+    def planes(code, *values):
+        width = struct.calcsize(f"<{code}")
+        packed = [struct.pack(f"<{code}", value) for value in values]
+        return b"".join(bytes(value[i] for value in packed) for i in range(width))
+
+    def differences(code, *values):
+        mask = (1 << 8 * struct.calcsize(f"<{code}")) - 1
+        pairs = zip(values, (0, *values[:-1]))
+        return planes(code.upper(), *((value - last) & mask for value, last in pairs))
+
+    short, integer, floating = (4, 16), (6, 32), (10, 32)  # VTK's type, bits
+    arrays = [
+        (0, floating, 3, 3, "", b"".join(planes("f", *x) for x in ((0, 1, 0), (0, 0, 1), (0, 0, 0)))),
+        (1, integer, 3, 1, "", b"".join(differences("i", i) for i in (0, 1, 2))),
+        (2, floating, 3, 3, "MicroMeshDirections",
+         b"".join(planes("f", *x) for x in ((0, 0, 0), (0, 0, 0), (1, 1, 1)))),
+        (3, integer, 5, 1, "MicroMeshFaces", b"".join(differences("i", i) for i in (0, 2, 4, 3, 1))),
+        (4, integer, 2, 3, "MicroMeshEdges",
+         differences("i", 0, 1, 2) + differences("i", 1, 1, 1)),
+        (4, short, 1, 3, "MicroMeshDisplacements", differences("h", 5, -300, 7)),
+    ]
+    table = b"".join(
+        struct.pack("<BBBBIQI", owner, kind[0], kind[1], 0, components, tuples, len(name))
+        + name.encode() for owner, kind, components, tuples, name, _ in arrays)
+    yield b"".join(struct.pack("<H", len(chunk)) + chunk
+                   for chunk in (table, *(array[-1] for array in arrays)))
+
+
 def arguments():
     yield "a.tif\n--output\nb.png\n--size\n640x480\n--exaggeration=2\n--stats"
     yield "--volume\na.vtu\n--isosurfaces=0.1,0.2\n--clip\n0,0,0,1,0,0\n--output=b.png"
@@ -148,6 +178,7 @@ def main():
         write(folder, target, choices(random.Random(target)))
     write(folder, "FuzzArguments", arguments())
     write(folder, "FuzzFlight", [FLIGHT])
+    write(folder, "FuzzMicroMeshFile", micro_meshes())
     write(folder, "FuzzPatchFile", patches())
     write(folder, "FuzzPyramidIndex", pyramid_indices())
     write(folder, "FuzzReliefDatabase", reliefs())
