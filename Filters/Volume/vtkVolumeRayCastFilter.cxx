@@ -5,6 +5,7 @@
 #include "Arrays/ImageExtents.h"
 #include "Cells/CellCrossing.h"
 #include "Cells/MeshScalars.h"
+#include "Cells/PointAverages.h"
 #include "Cells/SharedFaces.h"
 #include "Cells/VolumeCells.h"
 #include "Changes/LatestTime.h"
@@ -149,6 +150,9 @@ bool vtkVolumeRayCastFilter::Read(
                                         << " components.");
     return false;
   }
+  const bool showsSurfaces = this->BlendMode == ISOSURFACE_BLEND ||
+    (this->BlendMode == COMPOSITE_BLEND && this->IsoSurfaces);
+  const std::string averaged = showsSurfaces ? relevo::AverageAtPoints(meshes) : "";
   std::string warning;
   if (!functions.Read(this->VolumeProperty, takesAll ? components : 1, error, warning))
   {
@@ -179,6 +183,10 @@ bool vtkVolumeRayCastFilter::Read(
   {
     vtkWarningMacro(<< leftOut);
   }
+  if (!averaged.empty())
+  {
+    vtkWarningMacro(<< averaged);
+  }
   if (!warning.empty())
   {
     vtkWarningMacro("The volume property " << warning << ".");
@@ -205,7 +213,7 @@ void vtkVolumeRayCastFilter::ReportMissingSurfaces(const relevo::VolumeCells& ce
   {
     return;
   }
-  relevo::SurfaceData data = { cells.HasCellScalars(), 0.0, 0.0 };
+  relevo::SurfaceData data = { 0.0, 0.0 };
   cells.GetRange(component, data.Low, data.High);
   const std::string missing = relevo::IsoSurfaces::DescribeMissing(this->VolumeProperty, data);
   if (!missing.empty())

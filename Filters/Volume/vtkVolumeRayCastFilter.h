@@ -196,7 +196,8 @@ public:
    * Set whether composite blending also draws the IsoSurfaceValues of the property (by VTK's
    * default one value, 0) inside of the volume; off by default. The alpha of a surface is the
    * opacity of its value, at most 1. If a face between two cells has the value, it is drawn once.
-   * There is no surface in cells of constant value and for cell data. For independent components,
+   * There is no surface in cells of constant value. A cell array is averaged at the points, with a
+   * warning, and the volume is drawn with these values. For independent components,
    * surfaces are those of the first component with the largest ComponentWeight. For 2 dependent
    * components they are those of the first, which also gives the opacity; for 4, those of the last.
    */

@@ -199,7 +199,10 @@ relevo::MeshRequest vtkGPUUnstructuredGridVolumeMapper::MakeMeshRequest(
     relevo::ChooseScalars(property, this->VectorMode, this->VectorComponent), this->ScalarMode,
     this->ArrayAccessMode, this->ArrayId, this->ArrayName ? this->ArrayName : "",
     property->GetIndependentComponents() != 0, IsShaded(property), hasCorners, this->ShapeTolerance,
-    this->FieldTolerance, this->KeepHostData, whole };
+    this->FieldTolerance, this->KeepHostData,
+    this->BlendMode == ISOSURFACE_BLEND ||
+      (this->BlendMode == COMPOSITE_BLEND && this->IsoSurfaces),
+    whole };
 }
 
 bool vtkGPUUnstructuredGridVolumeMapper::UpdateMesh(

@@ -11,13 +11,14 @@
 
 #include "Checks/MisplacedArray.h"
 #include "RelevoFiltersVolumeModule.h" // for export macro
+#include "vtkDataArray.h"              // for the smart pointer
+#include "vtkSmartPointer.h"           // for arrays
 #include "vtkType.h"
 
 #include <functional>
 #include <string>
 #include <vector>
 
-class vtkDataArray;
 class vtkDataObject;
 class vtkDataSet;
 
@@ -26,7 +27,7 @@ namespace relevo
 struct MeshScalars
 {
   vtkDataSet* Mesh;
-  vtkDataArray* Array;
+  vtkSmartPointer<vtkDataArray> Array;
   bool AreOfCells;
   std::string Block; // name of the block for messages; empty without blocks
 

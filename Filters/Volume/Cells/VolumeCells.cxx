@@ -7,17 +7,16 @@
 #include "Cells/CellChecks.h"
 #include "Cells/CellReader.h"
 #include "Cells/CellSplitter.h"
+#include "Cells/LeftOutCells.h"
 #include "Mathematics/FiniteBox.h"
 #include "Mesh/CellFetcher.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -88,48 +87,6 @@ std::vector<BezierPoint> EvaluateLattice(const BezierHexahedron& shape, const iv
   }
   return points;
 }
-
-// The cells that are hidden or belong to another piece.
-class LeftOutCells
-{
-public:
-  explicit LeftOutCells(vtkDataSet* mesh)
-    : Cells(mesh->GetCellGhostArray())
-    , Points(mesh->GetPointGhostArray())
-  {
-  }
-  bool IsGhost(vtkIdType cell) const
-  {
-    return this->HasFlag(cell, vtkDataSetAttributes::DUPLICATECELL);
-  }
-  bool IsHidden(vtkIdType cell, vtkIdList* points) const
-  {
-    if (this->HasFlag(cell, vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL))
-    {
-      return true;
-    }
-    for (vtkIdType i = 0; this->Points && i < points->GetNumberOfIds(); ++i)
-    {
-      const vtkIdType point = points->GetId(i);
-      if (point < this->Points->GetNumberOfTuples() &&
-        (this->Points->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
-private:
-  bool HasFlag(vtkIdType cell, int flags) const
-  {
-    return this->Cells && cell < this->Cells->GetNumberOfTuples() &&
-      (this->Cells->GetValue(cell) & flags) != 0;
-  }
-
-  vtkUnsignedCharArray* Cells;
-  vtkUnsignedCharArray* Points;
-};
 }
 
 // A cell of a data set.

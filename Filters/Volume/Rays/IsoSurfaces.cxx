@@ -73,12 +73,6 @@ std::string IsoSurfaces::DescribeMissing(vtkVolumeProperty* property, const Surf
     hasHighest = hasHighest || (value == data.High && data.High > data.Low);
   }
   std::ostringstream text;
-  if (data.AreOfCells && values->GetNumberOfContours() > 0)
-  {
-    text << "There are no isosurfaces: a cell array is constant in each cell. Convert it with "
-            "vtkCellDataToPointData.";
-    return text.str();
-  }
   const char* space = "";
   if (count > 0)
   {

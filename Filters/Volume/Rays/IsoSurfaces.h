@@ -31,10 +31,9 @@ struct IsoCrossing
   double Value;
 };
 
-/// The scalars that are drawn: cell scalars, or point scalars with their range.
+/// The range of the scalars that are drawn.
 struct SurfaceData
 {
-  bool AreOfCells;
   double Low;
   double High;
 };

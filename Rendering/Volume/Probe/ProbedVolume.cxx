@@ -3,6 +3,7 @@
 #include "Probe/ProbedVolume.h"
 
 #include "Cells/CellCrossing.h"
+#include "Cells/PointAverages.h"
 #include "Cells/VolumeCells.h"
 #include "Rays/ClippingPlanes.h"
 #include "Rays/IsoSurfaces.h"
@@ -40,6 +41,12 @@ vtkIdType FindFlatIndex(vtkDataObject* input, vtkDataSet* mesh)
   }
   return -1;
 }
+
+bool DrawsSurfaces(const ProbeRequest& request)
+{
+  return request.HasSurfaces &&
+    (request.Blending == BlendMode::Composite || request.Blending == BlendMode::IsoSurface);
+}
 }
 
 ProbedVolume::ProbedVolume() = default;
@@ -56,6 +63,7 @@ bool ProbedVolume::Update(const ProbeRequest& request, StageReport& report)
   mesh.Add(array.ArrayId);
   mesh.Add(array.ArrayName);
   mesh.Add(request.Property->GetIndependentComponents());
+  mesh.Add(DrawsSurfaces(request));
   if (this->KnownMesh.Update(mesh))
   {
     this->KnownFunctions.Clear();
@@ -102,6 +110,10 @@ bool ProbedVolume::ReadCells(const ProbeRequest& request, StageReport& report)
   if (this->Meshes.empty())
   {
     return false;
+  }
+  if (DrawsSurfaces(request))
+  {
+    AverageAtPoints(this->Meshes); // the mapper reports it
   }
   const int components = this->Meshes.front().Array->GetNumberOfComponents();
   if (choice.Component >= components)

@@ -84,15 +84,14 @@ void FeatureSelector::Update(const FeatureRequest& request, StageReport& report)
 
 void FeatureSelector::FindSurfaces(const FeatureRequest& request, StageReport& report)
 {
-  const bool hasCellScalars = request.Mesh.HasCellScalars;
   const bool isInside = request.Blending == BlendMode::Composite && request.HasSurfaces;
   const bool isAlone = request.Blending == BlendMode::IsoSurface;
-  this->Features.Options.HasSurfaces = isAlone || (isInside && !hasCellScalars);
+  this->Features.Options.HasSurfaces = isAlone || isInside;
   const RayCastMesh& layout = request.Mesh.Layout;
   const int component = request.Functions.Surfaces.GetComponent();
   const std::string missing = isInside || isAlone
-    ? IsoSurfaces::DescribeMissing(request.Property,
-        { hasCellScalars, layout.ScalarLow[component], layout.ScalarHigh[component] })
+    ? IsoSurfaces::DescribeMissing(
+        request.Property, { layout.ScalarLow[component], layout.ScalarHigh[component] })
     : "";
   if (ShouldReport(this->MissingSurfaces, missing))
   {

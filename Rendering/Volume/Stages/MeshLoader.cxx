@@ -4,6 +4,7 @@
 
 #include "Bezier/SplitCounts.h"
 #include "Cells/MeshScalars.h"
+#include "Cells/PointAverages.h"
 #include "Cells/SharedFaces.h"
 #include "Cells/VolumeCells.h"
 #include "Checks/InputType.h"
@@ -54,6 +55,7 @@ Dependencies MeshLoader::FindDependencies(const MeshRequest& request) const
   now.Add(request.HasCorners);
   now.Add(request.ShapeTolerance);
   now.Add(request.FieldTolerance);
+  now.Add(request.HasSurfaces && this->AreOfCells);
   now.Add(this->Mesh.NumberOfComponents == MaximumComponents && request.AreIndependent);
   return now;
 }
@@ -144,6 +146,10 @@ bool MeshLoader::ReplaceValues(const MeshRequest& request, StageReport& report)
   {
     report.Warnings.push_back(leftOut);
   }
+  if (ShouldReport(this->ReportedAverages, this->Averaged))
+  {
+    report.Warnings.push_back(this->Averaged);
+  }
   return true;
 }
 
@@ -209,6 +215,8 @@ bool MeshLoader::FindScalars(const MeshRequest& request, StageReport& report,
   }
   const bool takesAll = request.Choice.Component == ScalarChoice::All;
   this->Mesh.NumberOfComponents = takesAll ? components : 1;
+  this->AreOfCells = !meshes.empty() && meshes.front().AreOfCells;
+  this->Averaged = request.HasSurfaces ? AverageAtPoints(meshes) : "";
   return true;
 }
 
@@ -258,6 +266,10 @@ bool MeshLoader::Read(const MeshRequest& request, VolumeCells& cells,
   if (ShouldReport(this->LeftOut, leftOut))
   {
     report.Warnings.push_back(leftOut);
+  }
+  if (ShouldReport(this->ReportedAverages, this->Averaged))
+  {
+    report.Warnings.push_back(this->Averaged);
   }
   this->Mesh.HasCellScalars = meshes.front().AreOfCells;
   return true;

@@ -51,6 +51,7 @@ struct MeshRequest
   double ShapeTolerance;             // share of the mesh's diagonal
   double FieldTolerance;             // share of the range of scalars
   bool KeepsHostData;                // to replace values
+  bool HasSurfaces;                  // isosurfaces, which need values at points
   const MeshExtent* Whole = nullptr; // if the input is a piece of a mesh
 };
 
@@ -123,7 +124,10 @@ private:
 
   /// The mesh whose cells have been reported. Settings that rebuild it do not repeat the report.
   Dependencies Reported;
-  std::string LeftOut;                   // ignored blocks, as reported
+  std::string LeftOut;     // ignored blocks, as reported
+  bool AreOfCells = false; // whether the arrays of the input are
+  std::string Averaged;    // at points, as found
+  std::string ReportedAverages;
   vtkDataObject* CheckedInput = nullptr; // not dereferenced
   std::string TypeError;                 // as reported
 };

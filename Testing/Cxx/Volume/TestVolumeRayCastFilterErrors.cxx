@@ -278,10 +278,17 @@ void TestSurfaces(RelevoCheck& check)
   vtkNew<vtkDoubleArray> ofCells;
   ofCells->SetName("cells");
   ofCells->SetNumberOfTuples(scene.Mesh->GetNumberOfCells());
-  ofCells->Fill(0.5);
+  for (vtkIdType i = 0; i < ofCells->GetNumberOfTuples(); ++i)
+  {
+    ofCells->SetValue(i, 0.2 * static_cast<double>(i));
+  }
   scene.Mesh->GetCellData()->AddArray(ofCells);
+  scene.Property->GetIsoSurfaceValues()->SetNumberOfContours(1);
   scene.Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "cells");
-  CHECK(scene.Draws("There are no isosurfaces: a cell array is constant"));
+  CHECK(scene.Draws(
+    "Isosurfaces need point values, so the cell array \"cells\" is averaged at the points."));
+  scene.Filter->IsoSurfacesOff();
+  CHECK(scene.Draws(""));
 }
 
 void TestMeshes(RelevoCheck& check)

@@ -149,7 +149,7 @@ void TestSurfacesInFaces(RelevoCheck& check)
   CHECK_NEAR(CompareMode(scene, 5, 0.001), 0.0, 1.0);
 }
 
-// Cell scalars have no isosurfaces, but support all other modes.
+// Cell scalars support all modes. Isosurfaces are those of averages at points.
 void TestCellScalars(RelevoCheck& check)
 {
   vtkNew<vtkPointDataToCellData> toCells;
@@ -162,7 +162,7 @@ void TestCellScalars(RelevoCheck& check)
   {
     CHECK_NEAR(CompareMode(scene, mode, 0.0002), 0.0, 1.0);
   }
-  CHECK_EQUAL(FindLargestDifference(scene.Draw(), std::vector<RelevoColor>(160 * 120)), 0.0);
+  CHECK_GREATER(FindLargestDifference(scene.Draw(), std::vector<RelevoColor>(160 * 120)), 0.1);
   CHECK_NEAR(CompareSurfaces(scene, 0.0002), 0.0, 1.0);
 }
 

@@ -5,6 +5,7 @@
 #include "RelevoVolumeScene.h"
 
 #include "vtkCellData.h"
+#include "vtkCellDataToPointData.h"
 #include "vtkCellType.h"
 #include "vtkContourFilter.h"
 #include "vtkContourValues.h"
@@ -265,7 +266,10 @@ void TestSurfaces(RelevoCheck& check)
   vtkNew<vtkDoubleArray> ofCells;
   ofCells->SetName("cells");
   ofCells->SetNumberOfTuples(mesh->GetNumberOfCells());
-  ofCells->Fill(0.5);
+  for (vtkIdType i = 0; i < ofCells->GetNumberOfTuples(); ++i)
+  {
+    ofCells->SetValue(i, 0.2 + 0.6 * static_cast<double>(i % 6) / 5.0);
+  }
   mesh->GetCellData()->AddArray(ofCells);
   RelevoVolumeScene scene(mesh, MakeLinearProperty());
   RelevoErrors errors(scene.GetMapper());
@@ -281,11 +285,30 @@ void TestSurfaces(RelevoCheck& check)
   CHECK(errors.None());
   scene.GetMapper()->SetScalarModeToUseCellFieldData();
   scene.GetMapper()->SelectScalarArray("cells");
-  scene.Draw();
-  CHECK(errors.Warned("There are no isosurfaces: a cell array is constant"));
-  scene.GetMapper()->IsoSurfacesOff();
+  const auto drawn = scene.Draw();
+  CHECK(errors.Warned(
+    "Isosurfaces need point values, so the cell array \"cells\" is averaged at the points."));
   scene.Draw();
   CHECK(errors.None());
+  // As with the array of vtkCellDataToPointData.
+  vtkNew<vtkCellDataToPointData> toPoints;
+  toPoints->SetInputData(mesh);
+  toPoints->Update();
+  scene.GetMapper()->SetInputData(vtkDataSet::SafeDownCast(toPoints->GetOutput()));
+  scene.GetMapper()->SetScalarModeToUsePointFieldData();
+  CHECK_LESS_EQUAL(FindLargestDifference(scene.Draw(), drawn), 1.0 / 255.0);
+  // Without isosurfaces, cells are constant again.
+  scene.GetMapper()->SetInputData(mesh);
+  scene.GetMapper()->SetScalarModeToUseCellFieldData();
+  scene.GetMapper()->IsoSurfacesOff();
+  const auto select = [](vtkVolumeRayCastFilter* filter)
+  { filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "cells"); };
+  CHECK_LESS_EQUAL(scene.Compare(0.01, select), 1.0);
+  CHECK(errors.None());
+  CHECK_GREATER(FindLargestDifference(scene.Draw(), drawn), 10.0 / 255.0);
+  scene.GetMapper()->IsoSurfacesOn();
+  CHECK_LESS_EQUAL(FindLargestDifference(scene.Draw(), drawn), 1.0 / 255.0);
+  CHECK(errors.Warned("is averaged at the points."));
 }
 
 // At the ends of the range, isosurfaces have the area of vtkContourFilter's.
