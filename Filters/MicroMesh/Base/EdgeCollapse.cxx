@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/EdgeCollapse.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,6 +20,8 @@ constexpr double LeastTurn = 0.2;
 constexpr double LeastFacing = 0.25;
 // Twice the area relative to the square of the longest side; 0.87 for equilateral triangles.
 constexpr double LeastQuality = 0.1;
+// Around vertices with worse triangles, the quality of new triangles relative to the worst.
+constexpr double KeptQuality = 0.8;
 
 int FindCorner(const DenseMesh::Triangle& triangle, int vertex)
 {
@@ -57,6 +61,7 @@ EdgeCollapse::EdgeCollapse(
   , Targets(mesh.Points.size(), -1)
   , Stamps(mesh.Points.size(), 0)
   , AreQueued(mesh.Points.size(), 0)
+  , Marks(mesh.Points.size(), 0)
   , LineEnds(mesh.LineEnds)
 {
   std::iota(this->Roots.begin(), this->Roots.end(), 0);
@@ -96,21 +101,24 @@ unsigned char EdgeCollapse::GetLineFlags(int a, int b) const
   return 0;
 }
 
-void EdgeCollapse::FindNeighbours(int vertex, std::vector<int>& neighbours) const
+// Marks the vertex and its neighbours with Mark.
+void EdgeCollapse::FindNeighbours(int vertex, std::vector<int>& neighbours)
 {
   neighbours.clear();
+  ++this->Mark;
+  this->Marks[static_cast<std::size_t>(vertex)] = this->Mark;
   for (int t : this->Uses[static_cast<std::size_t>(vertex)])
   {
     for (int corner : this->Triangles[static_cast<std::size_t>(t)])
     {
-      if (corner != vertex)
+      int& mark = this->Marks[static_cast<std::size_t>(corner)];
+      if (mark != this->Mark)
       {
+        mark = this->Mark;
         neighbours.push_back(corner);
       }
     }
   }
-  std::sort(neighbours.begin(), neighbours.end());
-  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
 }
 
 double EdgeCollapse::GetError(int from, int to) const
@@ -123,36 +131,61 @@ double EdgeCollapse::GetError(int from, int to) const
     LengthWeight * this->Quadrics[u].Area * dot(way, way);
 }
 
+// A lower bound of the error of all steps of a vertex.
+double EdgeCollapse::GetLeastError(int vertex) const
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (int t : this->Uses[static_cast<std::size_t>(vertex)])
+  {
+    for (int corner : this->Triangles[static_cast<std::size_t>(t)])
+    {
+      least = corner == vertex ? least : std::min(least, this->GetError(vertex, corner));
+    }
+  }
+  return least;
+}
+
+bool EdgeCollapse::CanMove(int vertex) const
+{
+  const auto u = static_cast<std::size_t>(vertex);
+  return this->Mesh.Kinds[u] != DenseMesh::Kind::LOCKED && this->Sizes[u] < this->Limits[u];
+}
+
+bool EdgeCollapse::HasSize(int from, int to) const
+{
+  const auto u = static_cast<std::size_t>(from);
+  const auto v = static_cast<std::size_t>(to);
+  const int limit = std::min(this->Limits[u], this->Limits[v]);
+  return this->Sizes[u] <= limit - this->Sizes[v];
+}
+
 void EdgeCollapse::Evaluate(int vertex)
 {
   const auto u = static_cast<std::size_t>(vertex);
   this->Targets[u] = -1;
   this->AreQueued[u] = 0;
-  if (this->Mesh.Kinds[u] == DenseMesh::Kind::LOCKED || this->Limits[u] <= this->Sizes[u])
+  if (!this->CanMove(vertex))
   {
     return;
   }
-  std::vector<int> neighbours;
   if (this->Mesh.Kinds[u] == DenseMesh::Kind::LINE)
   {
-    neighbours = { this->LineEnds[u][0].Vertex, this->LineEnds[u][1].Vertex };
+    this->Neighbours = { this->LineEnds[u][0].Vertex, this->LineEnds[u][1].Vertex };
   }
   else
   {
-    this->FindNeighbours(vertex, neighbours);
+    this->FindNeighbours(vertex, this->Neighbours);
   }
-  std::vector<std::pair<double, int>> candidates;
-  for (int neighbour : neighbours)
+  this->Candidates.clear();
+  for (int neighbour : this->Neighbours)
   {
-    const auto v = static_cast<std::size_t>(neighbour);
-    const int limit = std::min(this->Limits[u], this->Limits[v]);
-    if (this->Sizes[u] <= limit - this->Sizes[v])
+    if (this->HasSize(vertex, neighbour))
     {
-      candidates.emplace_back(this->GetError(vertex, neighbour), neighbour);
+      this->Candidates.emplace_back(this->GetError(vertex, neighbour), neighbour);
     }
   }
-  std::sort(candidates.begin(), candidates.end());
-  for (const auto& candidate : candidates)
+  std::sort(this->Candidates.begin(), this->Candidates.end());
+  for (const auto& candidate : this->Candidates)
   {
     if (this->IsLegal(vertex, candidate.second))
     {
@@ -175,22 +208,33 @@ bool EdgeCollapse::IsLegal(int from, int to)
 bool EdgeCollapse::HasSimpleLink(int from, int to)
 {
   this->FindNeighbours(from, this->Neighbours);
-  this->FindNeighbours(to, this->Others);
   std::size_t numberOfTriangles = 0;
   for (int t : this->Uses[static_cast<std::size_t>(from)])
   {
     numberOfTriangles += FindCorner(this->Triangles[static_cast<std::size_t>(t)], to) >= 0 ? 1 : 0;
   }
-  std::size_t numberOfVertices = 0;
-  auto other = this->Others.begin();
-  for (int neighbour : this->Neighbours)
+  const int ofFrom = this->Mark;
+  const int ofTo = ++this->Mark;
+  std::size_t numberOfCommon = 0;
+  std::size_t numberOfOthers = 1; // the vertex that moves
+  this->Marks[static_cast<std::size_t>(to)] = ofTo;
+  this->Marks[static_cast<std::size_t>(from)] = ofTo;
+  for (int t : this->Uses[static_cast<std::size_t>(to)])
   {
-    other = std::lower_bound(other, this->Others.end(), neighbour);
-    numberOfVertices += other != this->Others.end() && *other == neighbour ? 1 : 0;
+    for (int corner : this->Triangles[static_cast<std::size_t>(t)])
+    {
+      int& mark = this->Marks[static_cast<std::size_t>(corner)];
+      if (mark != ofTo)
+      {
+        numberOfCommon += mark == ofFrom ? 1 : 0;
+        ++numberOfOthers;
+        mark = ofTo;
+      }
+    }
   }
   // The last triangles of a part, and those of a closed part of four vertices, are kept.
-  return numberOfTriangles > 0 && numberOfTriangles < 3 && numberOfVertices == numberOfTriangles &&
-    this->Neighbours.size() > 2 && this->Others.size() > numberOfTriangles + 1;
+  return numberOfTriangles > 0 && numberOfTriangles < 3 && numberOfCommon == numberOfTriangles &&
+    this->Neighbours.size() > 2 && numberOfOthers > numberOfTriangles + 1;
 }
 
 bool EdgeCollapse::KeepsShape(int from, int to) const
@@ -200,6 +244,17 @@ bool EdgeCollapse::KeepsShape(int from, int to) const
   const dvec3& place = this->Mesh.Points[v];
   const dvec3 merged = this->Normals[u] + this->Normals[v];
   const double mergedLength = length(merged);
+  const dvec3& place0 = this->Mesh.Points[u];
+  double leastQuality = LeastQuality;
+  for (int t : this->Uses[u])
+  {
+    const Triangle& triangle = this->Triangles[static_cast<std::size_t>(t)];
+    const dvec3& a = this->Mesh.Points[static_cast<std::size_t>(triangle[0])];
+    const dvec3& b = this->Mesh.Points[static_cast<std::size_t>(triangle[1])];
+    const dvec3& c = this->Mesh.Points[static_cast<std::size_t>(triangle[2])];
+    leastQuality =
+      std::min(leastQuality, KeptQuality * length(cross(b - a, c - a)) / GetLongestSide2(a, b, c));
+  }
   for (int t : this->Uses[u])
   {
     const Triangle& triangle = this->Triangles[static_cast<std::size_t>(t)];
@@ -213,11 +268,9 @@ bool EdgeCollapse::KeepsShape(int from, int to) const
     const dvec3& b = this->Mesh.Points[second];
     const dvec3& c = this->Mesh.Points[third];
     const dvec3 normal = cross(b - place, c - place);
-    const dvec3& place0 = this->Mesh.Points[u];
     const dvec3 old = cross(b - place0, c - place0);
     const double size = length(normal);
-    const double oldQuality = length(old) / GetLongestSide2(place0, b, c);
-    if (!(size > 0.0) || size < std::min(LeastQuality, oldQuality) * GetLongestSide2(place, b, c) ||
+    if (!(size > 0.0) || size < leastQuality * GetLongestSide2(place, b, c) ||
       dot(normal, old) < LeastTurn * size * length(old) ||
       dot(normal, merged) < LeastFacing * size * mergedLength)
     {
@@ -376,15 +429,61 @@ void EdgeCollapse::Collapse(int from, int to)
   this->Sizes[v] += this->Sizes[u];
   this->Limits[v] = std::min(this->Limits[u], this->Limits[v]);
   this->Roots[u] = to;
+  this->Done.emplace_back(from, to);
+}
+
+void EdgeCollapse::Repeat(const Moves& moves)
+{
+  // The steps at a vertex and at its neighbours depend on a step that is left out.
+  std::vector<char> areChanged(this->Mesh.Points.size(), 0);
+  for (const auto& move : moves)
+  {
+    char& isFrom = areChanged[static_cast<std::size_t>(move.first)];
+    char& isTo = areChanged[static_cast<std::size_t>(move.second)];
+    if (isFrom == 0 && isTo == 0 && this->HasSize(move.first, move.second))
+    {
+      this->Collapse(move.first, move.second);
+      continue;
+    }
+    isFrom = isTo = 1;
+    for (int t : this->Uses[static_cast<std::size_t>(move.first)])
+    {
+      for (int corner : this->Triangles[static_cast<std::size_t>(t)])
+      {
+        areChanged[static_cast<std::size_t>(corner)] = 1;
+      }
+    }
+  }
 }
 
 bool EdgeCollapse::Run(std::size_t target, double& error, const std::function<bool(double)>& goOn)
 {
-  const auto number = static_cast<int>(this->Mesh.Points.size());
-  for (int v = 0; v < number; ++v)
+  // Legal steps are found when the turn of a vertex comes.
+  const auto number = static_cast<vtkIdType>(this->Mesh.Points.size());
+  std::vector<double> errors(this->Mesh.Points.size(), std::numeric_limits<double>::infinity());
+  vtkSMPTools::For(0, number,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (auto v = static_cast<int>(first); v < static_cast<int>(last); ++v)
+      {
+        const auto index = static_cast<std::size_t>(v);
+        if (this->Roots[index] == v && this->CanMove(v))
+        {
+          errors[index] = this->GetLeastError(v);
+        }
+      }
+    });
+  std::vector<Step> steps;
+  for (std::size_t v = 0; v < errors.size(); ++v)
   {
-    this->Evaluate(v);
+    if (errors[v] <= error)
+    {
+      steps.push_back({ errors[v], static_cast<int>(v), -1 });
+      this->AreQueued[v] = 1;
+    }
   }
+  errors = {};
+  this->Steps = std::priority_queue<Step>(std::less<Step>(), std::move(steps));
   const std::size_t start = this->NumberLeft;
   double largest = 0.0;
   constexpr int interval = 4096; // steps between calls

@@ -21,6 +21,7 @@
 
 #include <functional> // for progress
 #include <queue>      // for members
+#include <utility>    // for std::pair
 #include <vector>     // for members
 
 namespace relevo
@@ -33,10 +34,20 @@ public:
   /// `limits` are the largest sizes of the clusters of each vertex.
   EdgeCollapse(const DenseMesh& mesh, const std::vector<int>& limits, double lineTolerance);
 
+  /// A step moves the first vertex to the second.
+  using Moves = std::vector<std::pair<int, int>>;
+
+  /// Repeat the steps of another simplification of the mesh, except those that the limits forbid
+  /// and those that depend on them. Much faster than Run(), which can continue then.
+  void Repeat(const Moves& moves);
+
   /// Simplify until the mesh has `target` triangles or the next step has an error above `error`,
   /// which becomes the largest error of the steps. `goOn(share)` is called from time to time and
   /// returns false to stop. Returns whether it did not stop.
   bool Run(std::size_t target, double& error, const std::function<bool(double)>& goOn);
+
+  /// All steps, in their order.
+  const Moves& GetMoves() const { return this->Done; }
 
   /// Whether a triangle of the dense mesh is left. Its corners and wedges are then those of the
   /// coarse mesh.
@@ -69,8 +80,11 @@ private:
     }
   };
 
-  void FindNeighbours(int vertex, std::vector<int>& neighbours) const;
+  void FindNeighbours(int vertex, std::vector<int>& neighbours);
   double GetError(int from, int to) const;
+  double GetLeastError(int vertex) const;
+  bool CanMove(int vertex) const;
+  bool HasSize(int from, int to) const;
   void Evaluate(int vertex);
   bool IsLegal(int from, int to);
   bool HasSimpleLink(int from, int to);
@@ -97,11 +111,14 @@ private:
   std::vector<int> Targets; // the neighbour of the best step
   std::vector<int> Stamps;
   std::vector<char> AreQueued;
+  std::vector<int> Marks; // of the last search for neighbours
   DenseMesh::Lines LineEnds;
 
+  Moves Done;
   std::priority_queue<Step> Steps;
+  int Mark = 0;
   std::vector<int> Neighbours; // scratch
-  std::vector<int> Others;
+  std::vector<std::pair<double, int>> Candidates;
   std::vector<std::pair<int, int>> WedgeMap; // from the wedges of a vertex to those of another
 };
 }

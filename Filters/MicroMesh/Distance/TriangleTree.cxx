@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Distance/TriangleTree.h"
 
-#include "vtkSMPTools.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -11,50 +9,79 @@ namespace relevo
 {
 namespace
 {
-double GetBoxDistance2(const FloatBox& box, const dvec3& point)
-{
-  double sum = 0.0;
-  for (int c = 0; c < 3; ++c)
-  {
-    const double d =
-      std::max({ 0.0, double(box.Low[c]) - point[c], point[c] - double(box.High[c]) });
-    sum += d * d;
-  }
-  return sum;
-}
+// The enlargement of boxes, more than the rounding of coordinates and of differences to floats.
+constexpr float Margin = 5e-7f;
 
-// The smallest |t| up to `range` for which the line is in the box, or more than `range`. The margin
-// covers the rounding of boxes to floats.
-double GetBoxParameter(
-  const FloatBox& box, const dvec3& point, const dvec3& direction, double range)
+// Squared distances of a point to boxes.
+struct PointDistances
 {
-  constexpr double margin = 1e-6;
-  const double outside = 2.0 * range + 1.0;
-  double first = -range;
-  double last = range;
-  for (int c = 0; c < 3; ++c)
+  void operator()(const WideBoxTree::Node& node, WideBoxTree::Lanes& lanes) const
   {
-    const double low = double(box.Low[c]) - margin - point[c];
-    const double high = double(box.High[c]) + margin - point[c];
-    if (direction[c] == 0.0)
+    lanes.fill(0.0f);
+    for (std::size_t c = 0; c < 3; ++c)
     {
-      if (low > 0.0 || high < 0.0)
+      const float coordinate = this->Point[static_cast<int>(c)];
+      for (std::size_t i = 0; i < WideBoxTree::Width; ++i)
       {
-        return outside;
+        const float below = node.Low[c][i] - coordinate;
+        const float above = coordinate - node.High[c][i];
+        const float larger = below > above ? below : above;
+        const float d = larger > 0.0f ? larger : 0.0f;
+        lanes[i] += d * d;
       }
-      continue;
     }
-    const double a = low / direction[c];
-    const double b = high / direction[c];
-    first = std::max(first, std::min(a, b));
-    last = std::min(last, std::max(a, b));
   }
-  if (first > last)
+
+  vec3 Point;
+};
+
+// The smallest |t| up to a range for which a line is in boxes, or infinity.
+struct LineDistances
+{
+  LineDistances(const dvec3& point, const dvec3& direction, double range)
+    : Point(point)
+    , Range(static_cast<float>(range))
   {
-    return outside;
+    constexpr double least = 1e-30;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double d = direction[c];
+      this->Inverse[c] = static_cast<float>(1.0 / (std::abs(d) < least ? least : d));
+    }
   }
-  return std::max({ 0.0, first, -last });
-}
+
+  void operator()(const WideBoxTree::Node& node, WideBoxTree::Lanes& lanes) const
+  {
+    WideBoxTree::Lanes first;
+    WideBoxTree::Lanes last;
+    first.fill(-this->Range);
+    last.fill(this->Range);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const float coordinate = this->Point[static_cast<int>(c)];
+      const float inverse = this->Inverse[static_cast<int>(c)];
+      for (std::size_t i = 0; i < WideBoxTree::Width; ++i)
+      {
+        const float a = (node.Low[c][i] - coordinate) * inverse;
+        const float b = (node.High[c][i] - coordinate) * inverse;
+        const float lower = a < b ? a : b;
+        const float higher = a < b ? b : a;
+        first[i] = lower > first[i] ? lower : first[i];
+        last[i] = higher < last[i] ? higher : last[i];
+      }
+    }
+    for (std::size_t i = 0; i < WideBoxTree::Width; ++i)
+    {
+      const float before = first[i] > -last[i] ? first[i] : -last[i];
+      const float nearest = before > 0.0f ? before : 0.0f;
+      lanes[i] = first[i] <= last[i] ? nearest : FloatBox::Infinity;
+    }
+  }
+
+  vec3 Point;
+  vec3 Inverse;
+  float Range;
+};
 
 // The weights of the corners b and c at the nearest point of a triangle; see C. Ericson, "Real-Time
 // Collision Detection", 2005, section 5.1.5.
@@ -107,20 +134,22 @@ TriangleTree::TriangleTree(const std::vector<dvec3>& points, const std::vector<T
   : Points(points)
   , Triangles(triangles)
 {
-  std::vector<FloatBox> boxes(triangles.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(triangles.size()),
-    [&](vtkIdType first, vtkIdType last)
+  this->Tree.Build(static_cast<int>(triangles.size()),
+    [this](int triangle)
     {
-      for (vtkIdType t = first; t < last; ++t)
+      FloatBox box;
+      for (int c = 0; c < 3; ++c)
       {
-        for (int c = 0; c < 3; ++c)
-        {
-          const vec3 point(this->GetPoint(static_cast<int>(t), c));
-          boxes[static_cast<std::size_t>(t)].Add(&point.x);
-        }
+        const vec3 point(this->GetPoint(triangle, c));
+        box.Add(&point.x);
       }
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        box.Low[c] -= Margin;
+        box.High[c] += Margin;
+      }
+      return box;
     });
-  this->Tree.Build(boxes);
 }
 
 dvec3 TriangleTree::GetNearestPoint(const dvec3& point, int triangle) const
@@ -146,8 +175,7 @@ dvec3 TriangleTree::GetNormal(int triangle) const
 
 void TriangleTree::FindNearest(const dvec3& point, double& distance2, int& triangle) const
 {
-  this->Tree.Visit(
-    distance2, [&](const FloatBox& box, double) { return GetBoxDistance2(box, point); },
+  this->Tree.Visit(distance2, PointDistances{ vec3(point) },
     [&](int t)
     {
       const double found = this->GetDistance2(point, t);
@@ -164,9 +192,7 @@ bool TriangleTree::Intersect(
 {
   double nearest = range;
   bool isFound = false;
-  this->Tree.Visit(
-    nearest,
-    [&](const FloatBox& box, double last) { return GetBoxParameter(box, point, direction, last); },
+  this->Tree.Visit(nearest, LineDistances(point, direction, range),
     [&](int candidate)
     {
       const dvec3& a = this->GetPoint(candidate, 0);

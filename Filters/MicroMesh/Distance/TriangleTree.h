@@ -4,12 +4,14 @@
  * @class   TriangleTree
  * @brief   search for the triangles nearest to points and on lines
  *
- * A bounding volume hierarchy of triangles. Distances are computed in double precision.
+ * A bounding volume hierarchy of triangles. Its boxes are of floats and a little larger than the
+ * triangles, whose coordinates are from -0.5 to 0.5. Distances to triangles are computed in double
+ * precision.
  */
 #ifndef TriangleTree_h
 #define TriangleTree_h
 
-#include "Boxes/BoxTree.h"
+#include "Distance/WideBoxTree.h"
 #include "Mathematics/RefinementMathematics.h"
 
 #include <array>  // for members
@@ -39,16 +41,23 @@ public:
   bool Intersect(
     const dvec3& point, const dvec3& direction, double range, double& t, int& triangle) const;
 
-private:
+  /// Call visit(triangle) for triangles whose boxes intersect a box, until it returns false.
+  template <typename Visitor>
+  void VisitIntersecting(const FloatBox& box, const Visitor& visit) const
+  {
+    this->Tree.VisitIntersecting(box, visit);
+  }
+
   const dvec3& GetPoint(int triangle, int corner) const
   {
     return this->Points[static_cast<std::size_t>(
       this->Triangles[static_cast<std::size_t>(triangle)][corner])];
   }
 
+private:
   const std::vector<dvec3>& Points;
   const std::vector<Triangle>& Triangles;
-  FloatBoxTree Tree;
+  WideBoxTree Tree;
 };
 }
 

@@ -11,182 +11,329 @@
 
 namespace relevo
 {
-void ErrorMeasure::BuildGrids(const MicroMesh& mesh)
+namespace
+{
+constexpr float NotMeasured = -1.0f;
+
+// A float that is not less than the bound, which is at most the tolerance or infinite.
+float RoundUp(double bound, double tolerance)
+{
+  return std::isinf(bound)
+    ? std::numeric_limits<float>::infinity()
+    : std::min(1.0f, std::nextafter(static_cast<float>(bound / tolerance), 2.0f));
+}
+}
+
+ErrorMeasure::Grids::Grids(const MicroMesh& mesh)
+  : Firsts(mesh.Faces.size() + 1, 0)
 {
   const std::size_t number = mesh.Faces.size();
-  this->FirstPoints.assign(number + 1, 0);
-  this->FirstTriangles.assign(number + 1, 0);
   for (std::size_t f = 0; f < number; ++f)
   {
-    const int n = 1 << mesh.Faces[f].Level;
-    this->FirstPoints[f + 1] =
-      this->FirstPoints[f] + static_cast<std::size_t>(GetNumberOfGridPoints(n));
-    this->FirstTriangles[f + 1] = this->FirstTriangles[f] + static_cast<std::size_t>(n * n);
+    this->Firsts[f + 1] =
+      this->Firsts[f] + static_cast<std::size_t>(GetNumberOfGridPoints(1 << mesh.Faces[f].Level));
   }
-  this->GridPoints.resize(this->FirstPoints[number]);
-  this->GridTriangles.resize(this->FirstTriangles[number]);
+  this->Points.resize(this->Firsts[number]);
   vtkSMPTools::For(0, static_cast<vtkIdType>(number),
     [&](vtkIdType first, vtkIdType last)
     {
       for (auto f = static_cast<std::size_t>(first); f < static_cast<std::size_t>(last); ++f)
       {
         const std::vector<dvec3> positions = mesh.GetPositions(mesh.Faces[f]);
-        const auto firstPoint = static_cast<std::ptrdiff_t>(this->FirstPoints[f]);
-        std::copy(positions.begin(), positions.end(), this->GridPoints.begin() + firstPoint);
-        std::size_t t = this->FirstTriangles[f];
-        const int offset = static_cast<int>(firstPoint);
-        ForEachGridTriangle(1 << mesh.Faces[f].Level,
-          [&](int a, int b, int c) {
-            this->GridTriangles[t++] = { { offset + a, offset + b, offset + c } };
-          });
+        std::copy(positions.begin(), positions.end(),
+          this->Points.begin() + static_cast<std::ptrdiff_t>(this->Firsts[f]));
       }
     });
 }
 
-double ErrorMeasure::Reduce(const std::vector<double>& bounds2, std::vector<char>& failed)
+bool ErrorMeasure::Grids::HasSameFace(
+  std::size_t face, const Grids& other, std::size_t otherFace) const
 {
-  double largest = 0.0;
-  failed.assign(bounds2.size(), 0);
-  for (std::size_t i = 0; i < bounds2.size(); ++i)
-  {
-    failed[i] = std::isinf(bounds2[i]) ? 1 : 0;
-    this->Failed = this->Failed || failed[i] != 0;
-    largest = failed[i] != 0 ? largest : std::max(largest, bounds2[i]);
-  }
-  return std::sqrt(largest);
+  const auto first = this->Points.begin() + static_cast<std::ptrdiff_t>(this->Firsts[face]);
+  const auto last = this->Points.begin() + static_cast<std::ptrdiff_t>(this->Firsts[face + 1]);
+  const std::size_t otherFirst = other.Firsts[otherFace];
+  return other.Firsts[otherFace + 1] - otherFirst == static_cast<std::size_t>(last - first) &&
+    std::equal(first, last, other.Points.begin() + static_cast<std::ptrdiff_t>(otherFirst));
 }
 
-void ErrorMeasure::MeasureFaces(const std::function<bool()>& isAborted)
+FloatBox ErrorMeasure::Grids::GetBox(std::size_t face, double margin) const
 {
-  const DistanceBound bound(this->Surface, this->Tolerance);
-  std::vector<double>& bounds2 = this->FaceBounds2;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(bounds2.size()),
+  FloatBox box;
+  for (std::size_t i = this->Firsts[face]; i < this->Firsts[face + 1]; ++i)
+  {
+    const vec3 low(this->Points[i] - margin);
+    const vec3 high(this->Points[i] + margin);
+    box.Add(&low.x);
+    box.Add(&high.x);
+  }
+  return box;
+}
+
+FloatBox ErrorMeasure::GetTriangleBox(std::size_t triangle) const
+{
+  FloatBox box;
+  for (int vertex : this->Dense.Triangles[triangle])
+  {
+    const vec3 point(this->Dense.Points[static_cast<std::size_t>(vertex)]);
+    box.Add(&point.x);
+  }
+  return box;
+}
+
+double ErrorMeasure::Reduce(const std::vector<float>& bounds, std::vector<char>& failed)
+{
+  float largest = 0.0f;
+  failed.assign(bounds.size(), 0);
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+  {
+    failed[i] = std::isinf(bounds[i]) ? 1 : 0;
+    this->Failed = this->Failed || failed[i] != 0;
+    largest = failed[i] != 0 ? largest : std::max(largest, bounds[i]);
+  }
+  return largest * this->Tolerance;
+}
+
+// Takes the bounds of faces of the last run, and finds those that are gone.
+void ErrorMeasure::TakeFaceBounds(const BaseMesh& base, const MicroMesh& mesh, const Grids& grids)
+{
+  const std::vector<float> lastBounds = std::move(this->FaceBounds);
+  this->FaceBounds.assign(mesh.Faces.size(), NotMeasured);
+  this->AreGone.assign(lastBounds.size(), 1);
+  for (std::size_t f = 0; f < mesh.Faces.size(); ++f)
+  {
+    const int found = this->LastFaces ? this->LastFaces->Find(base, mesh.Faces[f]) : -1;
+    const auto last = static_cast<std::size_t>(found);
+    if (found >= 0 && grids.HasSameFace(f, *this->LastGrids, last))
+    {
+      this->AreGone[last] = 0;
+      this->FaceBounds[f] = lastBounds[last];
+    }
+    if (base.IsOriginal(mesh.Faces[f]))
+    {
+      this->FaceBounds[f] = 0.0f;
+    }
+  }
+}
+
+// Finds the triangles whose bounds are no longer valid: those that failed, and those near faces
+// that are gone.
+void ErrorMeasure::FindChangedTriangles(const BaseMesh& base, const MicroMesh& mesh)
+{
+  if (!this->LastGrids)
+  {
+    this->TriangleBounds.assign(this->Dense.Triangles.size(), NotMeasured);
+  }
+  else
+  {
+    std::vector<FloatBox> gone;
+    for (std::size_t f = 0; f < this->AreGone.size(); ++f)
+    {
+      if (this->AreGone[f] != 0)
+      {
+        gone.push_back(this->LastGrids->GetBox(f, 2.0 * this->Tolerance));
+      }
+    }
+    WideBoxTree tree;
+    tree.Build(
+      static_cast<int>(gone.size()), [&](int i) { return gone[static_cast<std::size_t>(i)]; });
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->TriangleBounds.size()),
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (auto t = static_cast<std::size_t>(first); t < static_cast<std::size_t>(last); ++t)
+        {
+          float& bound = this->TriangleBounds[t];
+          bound = std::isinf(bound) ? NotMeasured : bound;
+          tree.VisitIntersecting(this->GetTriangleBox(t),
+            [&](int)
+            {
+              bound = NotMeasured;
+              return false;
+            });
+        }
+      });
+  }
+  for (std::size_t f = 0; f < mesh.Faces.size(); ++f)
+  {
+    if (base.IsOriginal(mesh.Faces[f]))
+    {
+      this->TriangleBounds[static_cast<std::size_t>(base.Triangles[f])] = 0.0f;
+    }
+  }
+}
+
+void ErrorMeasure::MeasureFaces(
+  const MicroMesh& mesh, const Grids& grids, const std::function<bool()>& isAborted)
+{
+  std::vector<float>& bounds = this->FaceBounds;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(bounds.size()),
     [&](vtkIdType first, vtkIdType last)
     {
+      DistanceBound measure(this->Surface, this->Tolerance);
       std::vector<DistanceBound::Corner> corners;
       for (auto f = static_cast<std::size_t>(first); f < static_cast<std::size_t>(last); ++f)
       {
-        if (bounds2[f] >= 0.0 || isAborted())
+        if (bounds[f] != NotMeasured || isAborted())
         {
           continue;
         }
-        bounds2[f] = 0.0;
+        const dvec3* points = grids.Points.data() + grids.Firsts[f];
+        const std::size_t number = grids.Firsts[f + 1] - grids.Firsts[f];
+        const int n = 1 << mesh.Faces[f].Level;
+        // Triangles in the middle of an edge have about the size of all.
+        const auto middle = static_cast<std::size_t>(n / 2);
+        const auto next = static_cast<std::size_t>(n + 1);
+        const bool isSmall =
+          measure.IsSmall({ { points[middle], points[middle + 1], points[middle + next] } });
         corners.clear();
-        const std::size_t firstPoint = this->FirstPoints[f];
-        for (std::size_t p = firstPoint; p < this->FirstPoints[f + 1]; ++p)
+        for (std::size_t p = 0; p < number && isSmall; ++p)
         {
           corners.push_back(
-            bound.FindCorner(this->GridPoints[p], corners.empty() ? -1 : corners.back().Nearest));
+            measure.FindCorner(points[p], corners.empty() ? -1 : corners.back().Nearest));
         }
-        for (std::size_t t = this->FirstTriangles[f];
-             t < this->FirstTriangles[f + 1] && !std::isinf(bounds2[f]); ++t)
-        {
-          const auto corner = [&](int c) -> const DistanceBound::Corner&
-          { return corners[static_cast<std::size_t>(this->GridTriangles[t][c]) - firstPoint]; };
-          bounds2[f] = std::max(bounds2[f], bound.GetBound2(corner(0), corner(1), corner(2)));
-        }
+        double bound = 0.0;
+        ForEachGridTriangle(n,
+          [&](int a, int b, int c)
+          {
+            if (!std::isinf(bound))
+            {
+              const auto i = static_cast<std::size_t>(a);
+              const auto j = static_cast<std::size_t>(b);
+              const auto k = static_cast<std::size_t>(c);
+              bound = std::max(bound,
+                isSmall ? measure.Find(corners[i], corners[j], corners[k])
+                        : measure.Find({ { points[i], points[j], points[k] } }));
+            }
+          });
+        bounds[f] = RoundUp(bound, this->Tolerance);
       }
     });
-  this->ResultToInput = this->Reduce(bounds2, this->FailedFaces);
+  this->ResultToInput = this->Reduce(bounds, this->FailedFaces);
 }
 
-void ErrorMeasure::MeasureTriangles(const BaseMesh& base, const std::function<bool()>& isAborted)
+// The faces that can be within the tolerance of triangles that are not measured.
+std::vector<int> ErrorMeasure::FindFacesNearChanges(const MicroMesh& mesh, const Grids& grids) const
 {
-  const TriangleTree result(this->GridPoints, this->GridTriangles);
-  const DistanceBound bound(result, this->Tolerance);
-  std::vector<DistanceBound::Corner> corners(this->Dense.Points.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(corners.size()),
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (auto v = static_cast<std::size_t>(first);
-           v < static_cast<std::size_t>(last) && !isAborted(); ++v)
-      {
-        corners[v] = bound.FindCorner(this->Dense.Points[v]);
-      }
-    });
-  std::vector<char> isOriginal(this->Dense.Triangles.size(), 0);
-  for (std::size_t f = 0; f < base.Mesh.Faces.size(); ++f)
+  std::vector<FloatBox> boxes;
+  for (std::size_t f = 0; f < mesh.Faces.size(); ++f)
   {
-    isOriginal[static_cast<std::size_t>(base.Triangles[f])] =
-      base.IsOriginal(base.Mesh.Faces[f]) ? 1 : 0;
+    boxes.push_back(grids.GetBox(f, 2.0 * this->Tolerance));
   }
-  std::vector<double> bounds2(this->Dense.Triangles.size(), 0.0);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(bounds2.size()),
+  std::vector<char> areNear(mesh.Faces.size(), this->LastGrids ? 0 : 1);
+  if (this->LastGrids)
+  {
+    WideBoxTree tree;
+    tree.Build(
+      static_cast<int>(boxes.size()), [&](int i) { return boxes[static_cast<std::size_t>(i)]; });
+    for (std::size_t t = 0; t < this->TriangleBounds.size(); ++t)
+    {
+      if (this->TriangleBounds[t] == NotMeasured)
+      {
+        tree.VisitIntersecting(this->GetTriangleBox(t),
+          [&](int face)
+          {
+            areNear[static_cast<std::size_t>(face)] = 1;
+            return true;
+          });
+      }
+    }
+  }
+  std::vector<int> faces;
+  for (std::size_t f = 0; f < areNear.size(); ++f)
+  {
+    if (areNear[f] != 0)
+    {
+      faces.push_back(static_cast<int>(f));
+    }
+  }
+  return faces;
+}
+
+void ErrorMeasure::MeasureTriangles(
+  const MicroMesh& mesh, const Grids& grids, const std::function<bool()>& isAborted)
+{
+  std::vector<TriangleTree::Triangle> triangles;
+  std::vector<int> faces; // of triangles
+  for (int face : this->FindFacesNearChanges(mesh, grids))
+  {
+    const int offset = static_cast<int>(grids.Firsts[static_cast<std::size_t>(face)]);
+    ForEachGridTriangle(1 << mesh.Faces[static_cast<std::size_t>(face)].Level,
+      [&](int a, int b, int c)
+      {
+        triangles.push_back({ { offset + a, offset + b, offset + c } });
+        faces.push_back(face);
+      });
+  }
+  const TriangleTree result(grids.Points, triangles);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->TriangleBounds.size()),
     [&](vtkIdType first, vtkIdType last)
     {
+      DistanceBound measure(result, this->Tolerance);
+      int guess = -1;
       for (auto t = static_cast<std::size_t>(first); t < static_cast<std::size_t>(last); ++t)
       {
-        const DenseMesh::Triangle& triangle = this->Dense.Triangles[t];
-        if (isOriginal[t] == 0 && !isAborted())
+        if (this->TriangleBounds[t] != NotMeasured || isAborted())
         {
-          bounds2[t] = bound.GetBound2(corners[static_cast<std::size_t>(triangle[0])],
-            corners[static_cast<std::size_t>(triangle[1])],
-            corners[static_cast<std::size_t>(triangle[2])]);
+          continue;
         }
+        const DenseMesh::Triangle& triangle = this->Dense.Triangles[t];
+        DistanceBound::Corners corners;
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+          corners[c] = this->Dense.Points[static_cast<std::size_t>(triangle[c])];
+        }
+        double bound;
+        if (measure.IsSmall(corners))
+        {
+          const DistanceBound::Corner a = measure.FindCorner(corners[0], guess);
+          const DistanceBound::Corner b = measure.FindCorner(corners[1], a.Nearest);
+          const DistanceBound::Corner c = measure.FindCorner(corners[2], b.Nearest);
+          bound = measure.Find(a, b, c);
+          guess = c.Nearest;
+        }
+        else
+        {
+          bound = measure.Find(corners);
+        }
+        this->TriangleBounds[t] = RoundUp(bound, this->Tolerance);
       }
     });
-  this->InputToResult = this->Reduce(bounds2, this->FailedTriangles);
-  this->FailNearFaces(result);
-}
-
-void ErrorMeasure::FailNearFaces(const TriangleTree& result)
-{
+  this->InputToResult = this->Reduce(this->TriangleBounds, this->FailedTriangles);
+  // Faces near triangles that failed have failed.
   for (std::size_t t = 0; t < this->FailedTriangles.size(); ++t)
   {
-    if (this->FailedTriangles[t] == 0)
+    if (this->FailedTriangles[t] != 0)
     {
-      continue;
+      dvec3 middle(0.0);
+      for (int vertex : this->Dense.Triangles[t])
+      {
+        middle += this->Dense.Points[static_cast<std::size_t>(vertex)] / 3.0;
+      }
+      double distance2 = std::numeric_limits<double>::infinity();
+      int nearest = -1;
+      result.FindNearest(middle, distance2, nearest);
+      if (nearest >= 0)
+      {
+        this->FailedFaces[static_cast<std::size_t>(faces[static_cast<std::size_t>(nearest)])] = 1;
+      }
     }
-    dvec3 middle(0.0);
-    for (int vertex : this->Dense.Triangles[t])
-    {
-      middle += this->Dense.Points[static_cast<std::size_t>(vertex)] / 3.0;
-    }
-    double distance2 = std::numeric_limits<double>::infinity();
-    int nearest = -1;
-    result.FindNearest(middle, distance2, nearest);
-    const auto face = std::upper_bound(
-      this->FirstTriangles.begin(), this->FirstTriangles.end(), static_cast<std::size_t>(nearest));
-    this->FailedFaces[static_cast<std::size_t>(face - this->FirstTriangles.begin() - 1)] = 1;
   }
-}
-
-bool ErrorMeasure::IsSameFace(const std::vector<dvec3>& lastPoints,
-  const std::vector<std::size_t>& lastFirsts, std::size_t face) const
-{
-  const auto first =
-    this->GridPoints.begin() + static_cast<std::ptrdiff_t>(this->FirstPoints[face]);
-  const auto last =
-    this->GridPoints.begin() + static_cast<std::ptrdiff_t>(this->FirstPoints[face + 1]);
-  return last - first == static_cast<std::ptrdiff_t>(lastFirsts[face + 1] - lastFirsts[face]) &&
-    std::equal(first, last, lastPoints.begin() + static_cast<std::ptrdiff_t>(lastFirsts[face]));
 }
 
 bool ErrorMeasure::Run(
   const BaseMesh& base, const MicroMesh& mesh, const std::function<bool()>& isAborted)
 {
   this->Failed = false;
-  const std::vector<dvec3> lastPoints = std::move(this->GridPoints);
-  const std::vector<std::size_t> lastFirsts = std::move(this->FirstPoints);
-  this->GridPoints = {};
-  this->BuildGrids(mesh);
-  this->FaceBounds2.resize(mesh.Faces.size(), -1.0); // not measured
-  for (std::size_t f = 0; f < mesh.Faces.size(); ++f)
+  auto grids = std::make_unique<Grids>(mesh);
+  this->TakeFaceBounds(base, mesh, *grids);
+  this->FindChangedTriangles(base, mesh);
+  this->MeasureFaces(mesh, *grids, isAborted);
+  if (isAborted())
   {
-    if (base.IsOriginal(mesh.Faces[f]))
-    {
-      this->FaceBounds2[f] = 0.0;
-    }
-    else if (!lastFirsts.empty() && !this->IsSameFace(lastPoints, lastFirsts, f))
-    {
-      this->FaceBounds2[f] = -1.0;
-    }
+    return false;
   }
-  this->MeasureFaces(isAborted);
-  if (!isAborted())
-  {
-    this->MeasureTriangles(base, isAborted);
-  }
+  this->MeasureTriangles(mesh, *grids, isAborted);
+  this->LastGrids = std::move(grids);
+  this->LastFaces = std::make_unique<FaceMatch>(base);
   return !isAborted();
 }
 }

@@ -4,6 +4,10 @@
  * @class   ErrorMeasure
  * @brief   bounds of the distances between a dense mesh and a micro-mesh, in both directions
  *
+ * Bounds stay valid while the surface near them does not change. Each run therefore measures only
+ * faces that are not those of the last run, and triangles of the dense mesh that failed or are near
+ * faces that are gone.
+ *
  * @sa DistanceBound
  */
 #ifndef ErrorMeasure_h
@@ -12,8 +16,10 @@
 #include "Dense/DenseMesh.h"
 #include "Distance/TriangleTree.h"
 #include "Encoding/BaseMesh.h"
+#include "Encoding/FaceMatch.h"
 
 #include <functional> // for aborts
+#include <memory>     // for members
 #include <vector>     // for members
 
 namespace relevo
@@ -29,8 +35,8 @@ public:
   {
   }
 
-  /// Measure a mesh on the faces of a base. Faces that are the same as in the last run, of the same
-  /// base, are not measured again. Returns false after an abort.
+  /// Measure a mesh on the faces of a base. Returns false after an abort; no further run is
+  /// possible then.
   bool Run(const BaseMesh& base, const MicroMesh& mesh, const std::function<bool()>& isAborted);
 
   /// The largest bounds from the input to the result and back, without those that failed.
@@ -43,23 +49,36 @@ public:
   bool HasFailed() const { return this->Failed; }
 
 private:
-  void BuildGrids(const MicroMesh& mesh);
-  bool IsSameFace(const std::vector<dvec3>& lastPoints, const std::vector<std::size_t>& lastFirsts,
-    std::size_t face) const;
-  void MeasureFaces(const std::function<bool()>& isAborted);
-  void MeasureTriangles(const BaseMesh& base, const std::function<bool()>& isAborted);
-  void FailNearFaces(const TriangleTree& result);
-  double Reduce(const std::vector<double>& bounds2, std::vector<char>& failed);
+  // The points of the grids of all faces.
+  struct Grids
+  {
+    explicit Grids(const MicroMesh& mesh);
+    bool HasSameFace(std::size_t face, const Grids& other, std::size_t otherFace) const;
+    FloatBox GetBox(std::size_t face, double margin) const;
+
+    std::vector<dvec3> Points;
+    std::vector<std::size_t> Firsts; // per face, and the total
+  };
+
+  void TakeFaceBounds(const BaseMesh& base, const MicroMesh& mesh, const Grids& grids);
+  void FindChangedTriangles(const BaseMesh& base, const MicroMesh& mesh);
+  FloatBox GetTriangleBox(std::size_t triangle) const;
+  void MeasureFaces(
+    const MicroMesh& mesh, const Grids& grids, const std::function<bool()>& isAborted);
+  std::vector<int> FindFacesNearChanges(const MicroMesh& mesh, const Grids& grids) const;
+  void MeasureTriangles(
+    const MicroMesh& mesh, const Grids& grids, const std::function<bool()>& isAborted);
+  double Reduce(const std::vector<float>& bounds, std::vector<char>& failed);
 
   const DenseMesh& Dense;
   const TriangleTree& Surface;
   double Tolerance;
-  // The grids of all faces.
-  std::vector<dvec3> GridPoints;
-  std::vector<TriangleTree::Triangle> GridTriangles;
-  std::vector<std::size_t> FirstPoints;    // per face, and the total
-  std::vector<std::size_t> FirstTriangles; // per face, and the total
-  std::vector<double> FaceBounds2;
+  std::unique_ptr<Grids> LastGrids;
+  std::unique_ptr<FaceMatch> LastFaces;
+  // Upper bounds in units of the tolerance; infinite if above it, negative if not measured.
+  std::vector<float> FaceBounds;
+  std::vector<float> TriangleBounds;
+  std::vector<char> AreGone; // per face of the last run
   double InputToResult = 0.0;
   double ResultToInput = 0.0;
   bool Failed = false;

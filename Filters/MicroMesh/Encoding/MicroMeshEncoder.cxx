@@ -45,6 +45,7 @@ public:
 
   std::unique_ptr<EncodedMesh> Run()
   {
+    ErrorMeasure measure(this->Dense, this->Surface, this->Tolerance);
     while (true)
     {
       if (this->Simplifications > MostSimplifications)
@@ -59,7 +60,6 @@ public:
       ++this->Simplifications;
       BaseMesh base(this->Dense, collapse, this->Step);
       MicroMesh mesh;
-      ErrorMeasure measure(this->Dense, this->Surface, this->Tolerance);
       bool isRaised = true;
       while (isRaised)
       {
@@ -85,10 +85,12 @@ private:
     double error = this->Error;
     const double target =
       (1.0 - this->Settings.TargetReduction) * double(this->Dense.Triangles.size());
+    collapse.Repeat(this->Moves);
     const bool isDone =
       collapse.Run(this->Simplifications == 0 ? static_cast<std::size_t>(target) : 0, error,
         [this](double share) { return this->Report(0.3 * share); });
     this->Error = this->Simplifications == 0 ? error : this->Error;
+    this->Moves = collapse.GetMoves();
     return isDone;
   }
 
@@ -97,11 +99,19 @@ private:
   {
     base.ChooseLevels(this->Settings.MaximumLevel, this->Raises);
     NumberSamples(base.Mesh);
-    if (!SampleSurface(base.Mesh, this->Surface, this->IsAborted) || !this->Report(0.5))
+    std::vector<int> matches(base.Mesh.Faces.size(), -1);
+    for (std::size_t f = 0; f < matches.size() && this->SampledFaces; ++f)
+    {
+      matches[f] = this->SampledFaces->Find(base, base.Mesh.Faces[f]);
+    }
+    const SampledParts sampled = CopyEqualSamples(base.Mesh, this->Sampled, matches);
+    if (!SampleSurface(base.Mesh, sampled, this->Surface, this->IsAborted) || !this->Report(0.5))
     {
       return false;
     }
     mesh = ReduceLevels(base.Mesh, DeviationOfTolerance * this->Tolerance);
+    this->Sampled = base.Mesh;
+    this->SampledFaces = std::make_unique<FaceMatch>(base);
     const bool isMeasured = measure.Run(base, mesh, this->IsAborted);
     ++this->Round;
     return isMeasured && this->Report(0.0);
@@ -182,6 +192,9 @@ private:
   double Step;
   TriangleTree Surface;
   std::vector<int> Limits;
+  MicroMesh Sampled; // of the last round
+  std::unique_ptr<FaceMatch> SampledFaces;
+  EdgeCollapse::Moves Moves;                              // of the last simplification
   std::vector<int> Raises;                                // of levels, per vertex
   double Error = std::numeric_limits<double>::infinity(); // of the steps of the first round
   int Round = 0;

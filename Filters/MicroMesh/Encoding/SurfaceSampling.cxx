@@ -187,8 +187,58 @@ void NumberSamples(MicroMesh& mesh)
   mesh.Samples.assign(static_cast<std::size_t>(number), 0);
 }
 
-bool SampleSurface(
-  MicroMesh& mesh, const TriangleTree& surface, const std::function<bool()>& isAborted)
+SampledParts CopyEqualSamples(
+  MicroMesh& mesh, const MicroMesh& before, const std::vector<int>& matches)
+{
+  SampledParts sampled{ std::vector<char>(mesh.Edges.size(), 0),
+    std::vector<char>(mesh.Faces.size(), 0) };
+  for (std::size_t f = 0; f < mesh.Faces.size(); ++f)
+  {
+    if (matches[f] < 0)
+    {
+      continue;
+    }
+    const MicroMesh::Face& face = mesh.Faces[f];
+    const MicroMesh::Face& last = before.Faces[static_cast<std::size_t>(matches[f])];
+    std::array<bool, 3> isSame{};
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      isSame[c] = mesh.Directions[static_cast<std::size_t>(face.Corners[c])] ==
+        before.Directions[static_cast<std::size_t>(last.Corners[c])];
+    }
+    for (std::size_t e = 0; e < 3; ++e)
+    {
+      const auto index = static_cast<std::size_t>(face.Edges[e] >> 1);
+      const MicroMesh::Edge& edge = mesh.Edges[index];
+      const MicroMesh::Edge& lastEdge = before.Edges[static_cast<std::size_t>(last.Edges[e] >> 1)];
+      if (sampled.Edges[index] != 0 || !isSame[e] || !isSame[(e + 1) % 3] ||
+        edge.Level != lastEdge.Level)
+      {
+        continue;
+      }
+      const bool isReversed = ((face.Edges[e] ^ last.Edges[e]) & 1) != 0;
+      const int number = (1 << edge.Level) - 1;
+      for (int i = 0; i < number; ++i)
+      {
+        mesh.Samples[static_cast<std::size_t>(edge.First + i)] =
+          before
+            .Samples[static_cast<std::size_t>(lastEdge.First + (isReversed ? number - 1 - i : i))];
+      }
+      sampled.Edges[index] = 1;
+    }
+    if (isSame[0] && isSame[1] && isSame[2] && face.Level == last.Level)
+    {
+      const int number = face.Level > 0 ? GetNumberOfInnerPoints(1 << face.Level) : 0;
+      std::copy_n(
+        before.Samples.begin() + last.FirstInner, number, mesh.Samples.begin() + face.FirstInner);
+      sampled.Faces[f] = 1;
+    }
+  }
+  return sampled;
+}
+
+bool SampleSurface(MicroMesh& mesh, const SampledParts& sampled, const TriangleTree& surface,
+  const std::function<bool()>& isAborted)
 {
   const Sampler sampler(mesh, surface);
   std::atomic<bool> hasStopped(false);
@@ -203,7 +253,7 @@ bool SampleSurface(
         const MicroMesh::Face& face = mesh.Faces[static_cast<std::size_t>(owners[i].first)];
         const int e = owners[i].second;
         const int n = 1 << edge.Level;
-        for (int place = 1; place < n && !hasStopped; ++place)
+        for (int place = 1; place < n && sampled.Edges[i] == 0 && !hasStopped; ++place)
         {
           const GridPoint point = GetEdgePoint(face, e, n, place);
           mesh.Samples[static_cast<std::size_t>(edge.First + place - 1)] = sampler.Sample(
@@ -217,6 +267,10 @@ bool SampleSurface(
       hasStopped = hasStopped || isAborted();
       for (auto f = static_cast<std::size_t>(first); f < static_cast<std::size_t>(last); ++f)
       {
+        if (sampled.Faces[f] != 0)
+        {
+          continue;
+        }
         const MicroMesh::Face& face = mesh.Faces[f];
         const int n = 1 << face.Level;
         const double range = sampler.GetRange(face);
