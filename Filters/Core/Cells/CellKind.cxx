@@ -10,6 +10,8 @@ namespace relevo
 {
 namespace
 {
+constexpr std::array<int, 8> PixelOrder{ 0, 1, 3, 2, 4, 5, 7, 6 };
+
 // Edges are in the order of their midpoint nodes, which follow the corners.
 struct Topology
 {
@@ -254,6 +256,16 @@ int GetNumberOfFaces(CellTopology shape)
 CornerNodes GetFace(CellTopology shape, int face)
 {
   return GetTopology(shape).Faces[face];
+}
+
+CornerNodes GetFaceNodes(const CellKind& kind, int face)
+{
+  CornerNodes nodes = GetFace(kind.Shape, face);
+  for (int k = 0; k < nodes.Size && kind.IsInPixelOrder; ++k)
+  {
+    nodes.Corners[k] = PixelOrder[nodes.Corners[k]];
+  }
+  return nodes;
 }
 
 int GetEdgeNode(const CellKind& kind, int first, int second)

@@ -83,6 +83,8 @@ constexpr bool IsSimplex(CellTopology shape)
 /// The number of faces of a shape with a fixed number; 1 for a triangle.
 RELEVOFILTERSCORE_EXPORT int GetNumberOfFaces(CellTopology shape);
 RELEVOFILTERSCORE_EXPORT CornerNodes GetFace(CellTopology shape, int face);
+/// The same for a kind of cells, whose nodes can be in the order of VTK_VOXEL.
+RELEVOFILTERSCORE_EXPORT CornerNodes GetFaceNodes(const CellKind& kind, int face);
 /// The node at the midpoint of the edge between two corners; 0 if there is none.
 RELEVOFILTERSCORE_EXPORT int GetEdgeNode(const CellKind& kind, int first, int second);
 /// The parametric coordinates of a corner, each 0 or 1.

@@ -15,8 +15,6 @@ namespace relevo
 {
 namespace
 {
-constexpr std::array<int, 8> PixelOrder{ 0, 1, 3, 2, 4, 5, 7, 6 };
-
 // The degree of a cell for which the grid stores none.
 int FindUniformDegree(CellTopology shape, vtkIdType nodes)
 {
@@ -161,12 +159,7 @@ void CellReader::ReadFaces()
 
 CornerNodes CellReader::GetCornerNodes(int face) const
 {
-  CornerNodes corners = GetFace(this->Kind.Shape, face);
-  for (int k = 0; k < corners.Size && this->Kind.IsInPixelOrder; ++k)
-  {
-    corners.Corners[k] = PixelOrder[corners.Corners[k]];
-  }
-  return corners;
+  return GetFaceNodes(this->Kind, face);
 }
 
 bool CellReader::IsInsideOut() const

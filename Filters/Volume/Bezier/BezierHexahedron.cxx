@@ -84,6 +84,27 @@ void BezierHexahedron::Move(const dvec3& offset)
   }
 }
 
+std::vector<double> BezierHexahedron::GetBasis(const ivec3& degrees, const dvec3& parameters)
+{
+  std::array<Basis, 3> basis;
+  for (int d = 0; d < 3; ++d)
+  {
+    FindBernstein(degrees[d], parameters[d], basis[d]);
+  }
+  std::vector<double> products;
+  for (int k = 0; k <= degrees.z; ++k)
+  {
+    for (int j = 0; j <= degrees.y; ++j)
+    {
+      for (int i = 0; i <= degrees.x; ++i)
+      {
+        products.push_back(basis[0][i] * basis[1][j] * basis[2][k]);
+      }
+    }
+  }
+  return products;
+}
+
 BezierHexahedron::Values BezierHexahedron::Sum(const Basis& u, const Basis& v, const Basis& w) const
 {
   Values sum = {};

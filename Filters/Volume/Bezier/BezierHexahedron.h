@@ -58,6 +58,9 @@ public:
 
   void Move(const dvec3& offset);
 
+  /// Returns the Bernstein polynomials of all coefficients.
+  static std::vector<double> GetBasis(const ivec3& degrees, const dvec3& parameters);
+
   BezierPoint Evaluate(const dvec3& parameters) const;
   dvec3 GetPosition(const dvec3& parameters) const;
   /// Returns the derivatives of the position by the parameters in columns.

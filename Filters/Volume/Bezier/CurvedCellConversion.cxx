@@ -291,6 +291,25 @@ public:
     return all;
   }
 
+  void FindWeights(size_t part, const std::vector<CurvedNode>& nodes, const dvec3& parameters,
+    double* weights) const
+  {
+    std::fill_n(weights, nodes.size(), 0.0);
+    const std::vector<double> basis = BezierHexahedron::GetBasis(this->Degrees, parameters);
+    const Part& matrix = this->Parts[part];
+    for (size_t row = 0; row < basis.size(); ++row)
+    {
+      for (size_t i = matrix.Firsts[row]; i < matrix.Firsts[row + 1]; ++i)
+      {
+        const Entry& entry = matrix.Entries[i];
+        weights[entry.Node] += basis[row] * entry.Factor * nodes[entry.Node].Weight;
+      }
+    }
+    const double sum = std::accumulate(weights, weights + nodes.size(), 0.0);
+    std::transform(
+      weights, weights + nodes.size(), weights, [&](double weight) { return weight / sum; });
+  }
+
 private:
   struct Entry
   {
@@ -396,5 +415,11 @@ std::vector<BezierHexahedron> CurvedCellConversion::Convert(
 {
   const Matrix* matrix = this->Find(type);
   return matrix ? matrix->Apply(nodes, numberOfScalars) : std::vector<BezierHexahedron>();
+}
+
+void CurvedCellConversion::FindWeights(const CurvedCellType& type, size_t part,
+  const std::vector<CurvedNode>& nodes, const dvec3& parameters, double* weights) const
+{
+  this->Find(type)->FindWeights(part, nodes, parameters, weights);
 }
 }

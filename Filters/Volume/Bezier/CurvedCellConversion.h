@@ -62,6 +62,10 @@ public:
   std::vector<BezierHexahedron> Convert(
     const CurvedCellType& type, const std::vector<CurvedNode>& nodes, int numberOfScalars) const;
 
+  /// Computes the weights of the nodes, which add up to 1, at a point of a converted part.
+  void FindWeights(const CurvedCellType& type, size_t part, const std::vector<CurvedNode>& nodes,
+    const dvec3& parameters, double* weights) const;
+
 private:
   class Matrix;
 
