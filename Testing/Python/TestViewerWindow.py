@@ -122,6 +122,20 @@ class TestViewerWindow(ViewerProgram):
         window.key("q")
         self.assertEqual(window.leave(), (0, ""))
 
+    def test_cut_of_mesh(self):
+        """The keys of cuts also fill a cut through the cells of a mesh."""
+        window = self.window(self.volume)
+        before = window.pixels()
+        window.key("m")
+        option, numbers = window.expect("--").split()
+        self.assertEqual(option, "--clip")
+        self.assertEqual(numbers.split(",")[3:], ["0", "0", "-1"])
+        window.key("c")  # after the frame
+        window.expect("here: ")
+        self.assertFalse(window.pixels() == before)
+        window.key("q")
+        self.assertEqual(window.leave(), (0, ""))
+
     def test_keys_of_time_steps(self):
         """< and > change the step. One that cannot be drawn is an error, and the old one stays."""
         entries = ""

@@ -92,6 +92,7 @@ SurfaceMesh ReadMesh(
     {
       const auto merged = MergeBlocks(warp.Apply(data, messages), messages);
       surface.IsOfCells = !vtkPolyData::SafeDownCast(merged);
+      surface.Cells = merged;
       mesh = merged ? TakeSurface(merged, cells, messages) : nullptr;
       if (mesh)
       {

@@ -10,6 +10,7 @@
 
 class ResultFile;
 class ViewerMessages;
+class vtkDataSet;
 class vtkPolyData;
 struct MeshWarp;
 
@@ -25,6 +26,7 @@ enum class MeshCells
 struct SurfaceMesh
 {
   vtkSmartPointer<vtkPolyData> Data;
+  vtkSmartPointer<vtkDataSet> Cells; // the mesh that the surface bounds, or the surface itself
   bool IsOfCells;
 };
 

@@ -92,13 +92,13 @@ private:
   {
     const ViewerOptions& options = this->Options;
     this->RequireMesh({ "--volume" }, GetVolumeFormats());
-    const std::set<std::string> ofVolumes = { "--blend", "--clip", "--integration", "--isosurfaces",
+    const std::set<std::string> ofVolumes = { "--blend", "--integration", "--isosurfaces",
       "--transfer", "--unit-distance", "--volume", "--volume-method" };
     for (const auto& given : this->Given)
     {
       const std::string& option = given.first;
       if (options.IsVolume && !IsOneOf(option, ofVolumes) && !IsOneOf(option, OfAll) &&
-        !IsOneOf(option, { "--light", "--range", "--scale", "--time", "--warp" }))
+        !IsOneOf(option, { "--clip", "--light", "--range", "--scale", "--time", "--warp" }))
       {
         throw UsageError(option + " cannot be combined with --volume");
       }
@@ -165,7 +165,7 @@ private:
     using Surface = ViewerOptions::SurfaceType;
     this->RequirePartner({ "--exaggeration", "--imagery-bands", "--resolution", "--stretch" },
       options.IsTerrain(), "a height map, and '" + options.Input + "' is a mesh");
-    this->RequireMesh({ "--array", "--feature-angle", "--height", "--mapping", "--offset",
+    this->RequireMesh({ "--array", "--clip", "--feature-angle", "--height", "--mapping", "--offset",
       "--scale", "--time", "--warp" });
     this->RequirePartner({ "--up" }, !options.IsTerrain(),
       "a mesh, and '" + options.Input + "' is read as a height map");
@@ -178,7 +178,10 @@ private:
         "--output " + options.Output + " requires --flight or a mesh with time steps");
     }
     this->Exclude({ "--time" }, options.IsSeries(), "--output " + options.Output);
-    this->Exclude({ "--warp" }, !options.Heights.empty(), "--height");
+    this->Exclude({ "--clip", "--warp" }, !options.Heights.empty(), "--height");
+    this->Exclude({ "--clip" }, !options.Export.empty(), "--export");
+    this->Exclude({ "--clip" }, options.Relief.has_value(), "--relief");
+    this->Exclude({ "--clip" }, !options.Capture.empty(), "--capture");
     this->RequirePartner({ "--offset" }, options.IsMesh && hasHeights, "--height");
     this->RequirePartner(
       { "--scale" }, isWarped || (options.IsMesh && hasHeights), "--height or --warp");

@@ -73,6 +73,8 @@ Meshes:
   --time T               the time step nearest to T (default: the first one)
   --warp ARRAY           move the points by a point array of 3 components, such as displacements,
                          times --scale (default 1)
+  --clip X,Y,Z,NX,NY,NZ  cut away everything behind the plane through X,Y,Z with the normal NX,NY,NZ.
+                         A cut through 3D cells is filled, and shows their edges
   --feature-angle DEG    keep edges sharp where faces meet at more than this angle (default 30
                          without --surface)
   --up x|y|z             the axis that points up (default y)
@@ -105,7 +107,6 @@ Volumes (files that can contain 3D cells):
                          diagonal divided by the cube root of the number of cells)
   --isosurfaces V,...    surfaces of these values. Their opacity is that of the transfer function;
                          without --transfer, it is at least 0.6
-  --clip X,Y,Z,NX,NY,NZ  cut away everything behind the plane through X,Y,Z with the normal NX,NY,NZ
   --blend NAME           composite (default), maximum, minimum, average, additive, or isosurface
                          (surfaces without volume; by default the middle of the range)
   --volume-method ray|projection
@@ -229,7 +230,7 @@ const char* GetWindowUsage()
   +, -                    volumes: raise, lower the opacity
   . ,                     volumes: raise, lower the isovalues
   <, >                    the time step before, the next one
-  m, n                    volumes: move the cut forward, back
+  m, n                    move a cut through a mesh or volume forward, back
   h                       this help
   q, e                    quit)";
 }

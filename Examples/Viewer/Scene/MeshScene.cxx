@@ -9,12 +9,14 @@
 #include "Scene/MeshColours.h"
 #include "Scene/MeshMapping.h"
 #include "Scene/MeshProbe.h"
+#include "Scene/MeshSection.h"
 #include "Scene/OffscreenWindow.h"
 #include "Scene/TimeSteps.h"
 #include "Scene/ViewerFlow.h"
 #include "Scene/ViewerHair.h"
 #include "Scene/ViewerMetric.h"
 #include "Scene/ViewerPatches.h"
+#include "Scene/VolumeArray.h"
 #include "Text/PrintableText.h"
 #include "Text/ReadingGuard.h"
 #include "Text/ViewerText.h"
@@ -26,6 +28,7 @@
 #include "vtkCellData.h"
 #include "vtkCreaseNormals.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkDepthTagMetric.h"
 #include "vtkDisplacement.h"
 #include "vtkHeightMap.h"
@@ -90,6 +93,7 @@ vtkSmartPointer<vtkPolyData> WithPoints(vtkPolyData* surface, vtkDataObject* oth
 //------------------------------------------------------------------------------
 MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
   : SurfaceScene(options, messages)
+  , Cut(options.Clip)
 {
   this->Steps = std::make_unique<TimeSteps>(options, this->Renderer, messages);
   const bool isOfCells = this->ReadStep();
@@ -101,6 +105,10 @@ MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
   this->ReadHeights();
   this->Show(options.MaximumLevel.value_or(this->GetDefaultLevel()), this->MakeMeshMetric());
   this->SetColours();
+  if (this->Cut.Get())
+  {
+    this->AddSection();
+  }
   ShowPatchEdges(this->Options, this->Mapper);
   this->SetLevelColours();
   vtkSmartPointer<vtkPolyData> seen = this->GetSurface();
@@ -130,6 +138,11 @@ bool MeshScene::ReadStep()
   const SurfaceMesh mesh = ReadMesh(
     this->Steps->GetFile(), this->Steps->GetStep(), this->Steps->GetWarp(), cells, this->Messages);
   this->Mesh->ShallowCopy(mesh.Data);
+  this->Cells = this->Cut.Get() ? mesh.Cells : nullptr;
+  if (this->Section)
+  {
+    this->Section->SetMesh(this->Cells);
+  }
   return mesh.IsOfCells;
 }
 
@@ -157,6 +170,12 @@ int MeshScene::GetNumberOfTimeSteps()
 void MeshScene::SetTimeStep(int step)
 {
   this->Steps->SetStep(step);
+  this->Reload();
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::Reload()
+{
   this->ReadStep();
   this->CompleteMesh();
   this->Probe.reset();
@@ -175,7 +194,43 @@ void MeshScene::SetTimeStep(int step)
 //------------------------------------------------------------------------------
 std::string MeshScene::Change(char key)
 {
-  return this->Steps->Change(key, [this](int step) { this->SetTimeStep(step); });
+  const std::string shown = this->Steps->Change(key, [this](int step) { this->SetTimeStep(step); });
+  return shown.empty() ? this->MoveCut(key) : shown;
+}
+
+//------------------------------------------------------------------------------
+std::string MeshScene::MoveCut(char key)
+{
+  const bool isNew = !this->Cut.Get();
+  if (!this->Cut.Move(key, this->Mesh->GetBounds(), this->Renderer))
+  {
+    return "";
+  }
+  if (isNew)
+  {
+    this->Reload(); // the cells were not kept
+    this->AddSection();
+  }
+  return this->Cut.GetOption();
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::AddSection()
+{
+  this->Mapper->AddClippingPlane(this->Cut.Get());
+  bool isSolid = false;
+  for (vtkIdType cell = 0; !isSolid && cell < this->Cells->GetNumberOfCells(); ++cell)
+  {
+    isSolid = IsVolumeCell(this->Cells, cell);
+  }
+  if (!isSolid)
+  {
+    this->Messages.Warn(this->Options.Input + " has no 3D cells, so the cut is hollow");
+    return;
+  }
+  this->Section = std::make_unique<MeshSection>(this->Cut.Get(), this->Renderer, this->Messages);
+  this->Section->SetMesh(this->Cells);
+  this->Section->SetColours(this->Mapper, this->Actor->GetProperty());
 }
 
 //------------------------------------------------------------------------------
@@ -507,11 +562,29 @@ void MeshScene::ExtendRange()
   array == this->Vectors
     ? GetLengthRange(array, range.data())
     : array->GetFiniteRange(range.data(), array->GetNumberOfComponents() > 1 ? -1 : 0);
+  if (this->Cells && array != this->Vectors)
+  {
+    this->AddRangeOfCells(range);
+  }
   if (this->Range)
   {
     range = { { std::min(range[0], (*this->Range)[0]), std::max(range[1], (*this->Range)[1]) } };
   }
   this->Range = range;
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::AddRangeOfCells(std::array<double, 2>& range)
+{
+  vtkDataSetAttributes* data = this->HasPointArray
+    ? static_cast<vtkDataSetAttributes*>(this->Cells->GetPointData())
+    : this->Cells->GetCellData();
+  if (vtkDataArray* array = data->GetArray(this->ArrayName.c_str()))
+  {
+    double all[2];
+    array->GetFiniteRange(all, array->GetNumberOfComponents() > 1 ? -1 : 0);
+    range = { { std::min(range[0], all[0]), std::max(range[1], all[1]) } };
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #ifndef MeshScene_h
 #define MeshScene_h
 
+#include "Scene/CutPlane.h"
 #include "Scene/SurfaceScene.h"
 
 #include "vtkSmartPointer.h"
@@ -15,8 +16,10 @@
 #include <string>
 
 class MeshProbe;
+class MeshSection;
 class TimeSteps;
 class vtkDataArray;
+class vtkDataSet;
 class vtkDisplacement;
 class vtkScalarsToColors;
 
@@ -36,6 +39,8 @@ public:
   std::string Change(char key) override;
 
 private:
+  /// Reads the current time step again and shows it.
+  void Reload();
   /// Reads the current time step into Mesh. Returns whether it is a surface of cells.
   bool ReadStep();
   void TakePatches();
@@ -58,9 +63,14 @@ private:
   /// Extends the range of the colours by that of the current step, unless the options set it.
   void ExtendRange();
   void ExtendRangeByAllSteps();
+  /// Extends a range by the values inside of the mesh, which a cut shows.
+  void AddRangeOfCells(std::array<double, 2>& range);
   vtkDataArray* GetArray();
   std::optional<std::array<double, 3>> GetCentre();
   vtkSmartPointer<vtkPolyData> GetSurface();
+  /// Clips the surface at the plane and fills the section of solid cells.
+  void AddSection();
+  std::string MoveCut(char key);
 
   vtkNew<vtkDisplacement> Displacement;
   std::unique_ptr<TimeSteps> Steps;
@@ -73,6 +83,9 @@ private:
   std::optional<std::array<double, 2>> Range;  // of the colours
   std::unique_ptr<MeshProbe> Probe;            // created at the first query
   vtkSmartPointer<vtkActor> Hair;              // nullptr without hair
+  CutPlane Cut;
+  vtkSmartPointer<vtkDataSet> Cells; // that the plane cuts; nullptr without a plane
+  std::unique_ptr<MeshSection> Section;
   // Vectors of the streaks, or nullptr.
   vtkSmartPointer<vtkDataArray> Vectors;
 };

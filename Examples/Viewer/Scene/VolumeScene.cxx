@@ -8,15 +8,14 @@
 #include "Scene/ViewerStatistics.h"
 #include "Scene/VolumeFunctions.h"
 #include "Scene/VolumeThickness.h"
+#include "Text/ViewerText.h"
 
-#include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkContourValues.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkGPUUnstructuredGridVolumeMapper.h"
-#include "vtkMath.h"
 #include "vtkPlane.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -32,7 +31,7 @@
 
 namespace
 {
-const double Step = 0.02; // share of the range, or of the extent along a normal
+const double Step = 0.02; // share of the range
 const double OpacityStep = 1.25;
 const double PeakOpacity = 0.6; // default for isosurfaces
 
@@ -50,23 +49,12 @@ void CheckCells(const std::string& fileName, vtkDataObject* data)
   }
   throw ViewerError(fileName + " has no 3D cells; omit --volume to draw its surface");
 }
-
-// "1,2.5"
-std::string Join(const std::vector<double>& numbers)
-{
-  std::ostringstream text;
-  text << std::setprecision(5);
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-  {
-    text << (i > 0 ? "," : "") << numbers[i];
-  }
-  return text.str();
-}
 }
 
 //------------------------------------------------------------------------------
 VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
   : ViewerScene(options, messages)
+  , Cut(options.Clip)
 {
   // A light background suits translucent volumes.
   this->Renderer->SetBackground(0.98, 0.98, 0.98);
@@ -171,12 +159,9 @@ void VolumeScene::ChooseFunctions(vtkDataObject* data)
     this->MoveIsoSurfaces(0.0);
   }
   this->SetFunctions();
-  if (this->Options.Clip)
+  if (this->Cut.Get())
   {
-    this->Cut = vtkSmartPointer<vtkPlane>::New();
-    this->Cut->SetOrigin(this->Options.Clip->data());
-    this->Cut->SetNormal(this->Options.Clip->data() + 3);
-    this->Mapper->AddClippingPlane(this->Cut);
+    this->Mapper->AddClippingPlane(this->Cut.Get());
   }
 }
 
@@ -235,23 +220,15 @@ std::string VolumeScene::Change(char key)
     case '-':
       this->ChangeOpacity(key == '+' ? OpacityStep : 1.0 / OpacityStep);
       return this->IsByLength()
-        ? "--unit-distance " + Join({ this->Property->GetScalarOpacityUnitDistance() })
-        : "opacity times " + Join({ this->OpacityFactor });
+        ? "--unit-distance " + JoinNumbers({ this->Property->GetScalarOpacityUnitDistance() })
+        : "opacity times " + JoinNumbers({ this->OpacityFactor });
     case '.':
     case ',':
       this->MoveIsoSurfaces(key == '.' ? Step : -Step);
       this->SetFunctions();
-      return "--isosurfaces " + Join(this->IsoSurfaces);
-    case 'm':
-    case 'n':
-    {
-      this->MoveCut(key == 'm' ? Step : -Step);
-      const double* origin = this->Cut->GetOrigin();
-      const double* normal = this->Cut->GetNormal();
-      return "--clip " + Join({ origin[0], origin[1], origin[2], normal[0], normal[1], normal[2] });
-    }
+      return "--isosurfaces " + JoinNumbers(this->IsoSurfaces);
     default:
-      return "";
+      return this->MoveCut(key);
   }
 }
 
@@ -284,32 +261,16 @@ void VolumeScene::MoveIsoSurfaces(double share)
 }
 
 //------------------------------------------------------------------------------
-void VolumeScene::MoveCut(double share)
+std::string VolumeScene::MoveCut(char key)
 {
-  if (!this->Cut)
+  const bool isNew = !this->Cut.Get();
+  if (!this->Cut.Move(key, this->Bounds, this->Renderer))
   {
-    // The clipping plane starts on the camera's side, along the axis closest to the view direction.
-    const double* direction = this->Renderer->GetActiveCamera()->GetDirectionOfProjection();
-    int axis = 0;
-    for (int i = 1; i < 3; ++i)
-    {
-      axis = std::abs(direction[i]) > std::abs(direction[axis]) ? i : axis;
-    }
-    double origin[3] = { 0.0, 0.0, 0.0 };
-    double normal[3] = { 0.0, 0.0, 0.0 };
-    normal[axis] = direction[axis] > 0.0 ? 1.0 : -1.0;
-    origin[axis] = this->Bounds[2 * axis + (direction[axis] > 0.0 ? 0 : 1)];
-    this->Cut = vtkSmartPointer<vtkPlane>::New();
-    this->Cut->SetOrigin(origin);
-    this->Cut->SetNormal(normal);
-    this->Mapper->AddClippingPlane(this->Cut);
+    return "";
   }
-  // Moves by a share of the mesh's extent along the normal.
-  const double* normal = this->Cut->GetNormal();
-  double extent = 0.0;
-  for (int i = 0; i < 3; ++i)
+  if (isNew)
   {
-    extent += std::abs(normal[i]) * (this->Bounds[2 * i + 1] - this->Bounds[2 * i]);
+    this->Mapper->AddClippingPlane(this->Cut.Get());
   }
-  this->Cut->Push(share * extent / vtkMath::Dot(normal, normal));
+  return this->Cut.GetOption();
 }

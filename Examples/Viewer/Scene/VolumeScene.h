@@ -8,6 +8,7 @@
 #define VolumeScene_h
 
 #include "Files/TransferFile.h"
+#include "Scene/CutPlane.h"
 #include "Scene/ViewerScene.h"
 #include "Scene/VolumeArray.h"
 
@@ -19,7 +20,6 @@
 class TimeSteps;
 class vtkDataObject;
 class vtkGPUUnstructuredGridVolumeMapper;
-class vtkPlane;
 class vtkVolume;
 class vtkVolumeProperty;
 
@@ -46,7 +46,7 @@ private:
   bool IsByLength() const;
   void ChangeOpacity(double factor);
   void MoveIsoSurfaces(double share);
-  void MoveCut(double share);
+  std::string MoveCut(char key);
 
   std::unique_ptr<TimeSteps> Steps;
   vtkNew<vtkGPUUnstructuredGridVolumeMapper> Mapper;
@@ -58,7 +58,7 @@ private:
   std::vector<TransferNode> Nodes;
   double OpacityFactor = 1.0; // for blend modes where opacity does not depend on length
   std::vector<double> IsoSurfaces;
-  vtkSmartPointer<vtkPlane> Cut; // nullptr for none
+  CutPlane Cut;
 };
 
 #endif

@@ -38,6 +38,18 @@ std::string FormatNumber(double number, double resolution)
 }
 
 //------------------------------------------------------------------------------
+std::string JoinNumbers(const std::vector<double>& numbers)
+{
+  std::ostringstream text;
+  text << std::setprecision(5);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    text << (i > 0 ? "," : "") << numbers[i];
+  }
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
 std::string JoinWords(const std::vector<std::string>& words)
 {
   std::string joined;

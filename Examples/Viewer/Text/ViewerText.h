@@ -19,6 +19,9 @@ vtkSmartPointer<vtkTextActor> MakeText();
 /// Formats a number with as many digits as differences of this size need.
 std::string FormatNumber(double number, double resolution);
 
+/// "1,2.5"
+std::string JoinNumbers(const std::vector<double>& numbers);
+
 /// "a, b or c"
 std::string JoinWords(const std::vector<std::string>& words);
 

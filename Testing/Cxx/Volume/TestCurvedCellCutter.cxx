@@ -204,7 +204,8 @@ void TestCell(RelevoCheck& check, vtkUnstructuredGrid* grid)
   CHECK_LESS(farthest, 1e-9);
   CHECK_LESS(GetError(section, "Linear", GetLinear), 1e-9);
   const int type = grid->GetCellType(0);
-  const bool isQuadratic = type > VTK_HEXAGONAL_PRISM && type < VTK_HIGHER_ORDER_EDGE;
+  // Derivatives of VTK_TRIQUADRATIC_PYRAMID are singular in VTK's parameters.
+  const bool isQuadratic = type > VTK_HEXAGONAL_PRISM && type < VTK_TRIQUADRATIC_PYRAMID;
   CHECK_LESS(isQuadratic ? GetValueError(grid, section) : 0.0, 1e-7);
 }
 

@@ -1,0 +1,116 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Proves viewer.md on cuts through meshes: --clip fills them, with values and edges of cells."""
+
+import unittest
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    VTK_QUADRATIC_HEXAHEDRON,
+    vtkGenericCell,
+    vtkImageData,
+    vtkUnstructuredGrid,
+)
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataWriter,
+    vtkXMLPolyDataWriter,
+    vtkXMLUnstructuredGridWriter,
+)
+
+from ViewerProgram import ViewerProgram
+
+CELLS = 4
+SIZE = 200
+SETTINGS = ("--no-legend", f"--size={SIZE}x{SIZE}", "--output=p.png")
+
+
+class TestViewerClip(ViewerProgram):
+    def picture(self, *arguments):
+        """Rows from the top, of colours from 0 to 255."""
+        self.view(*arguments, *SETTINGS)
+        reader = vtkPNGReader()
+        reader.SetFileName(str(self.folder / "p.png"))
+        reader.Update()
+        image = reader.GetOutput()
+        colours = vtk_to_numpy(image.GetPointData().GetScalars())
+        return colours.reshape(SIZE, SIZE, -1)[::-1].astype(int)
+
+    def write_cube(self):
+        """A cube of 4 x 4 x 4 cells. "Middle" is 1 half-way along x and 0 at both ends."""
+        image = vtkImageData()
+        image.SetDimensions(CELLS + 1, CELLS + 1, CELLS + 1)
+        array = vtkDoubleArray()
+        array.SetName("Middle")
+        for i in range(image.GetNumberOfPoints()):
+            array.InsertNextValue(1.0 - abs(image.GetPoint(i)[0] - 0.5 * CELLS) / (0.5 * CELLS))
+        image.GetPointData().AddArray(array)
+        self.write_data("cube.vti", vtkXMLImageDataWriter, image)
+
+    def test_values(self):
+        """The section has the value inside of the mesh; each cell has a border."""
+        self.write_cube()
+        arguments = ("cube.vti", "--array=Middle", "--view=90,0")
+        whole = self.picture(*arguments)
+        cut = self.picture(*arguments, "--clip=1.9999,0,0,-1,0,0")
+        # The middles of the cells of a front face, between the edges.
+        cells = [(SIZE * (2 * i + 1) // 8, SIZE * (2 * j + 1) // 8) for i in (1, 2) for j in (1, 2)]
+        for row, column in cells:
+            red, green, blue = whole[row, column]
+            self.assertLess(green, blue)  # violet
+            red, green, blue = cut[row, column]
+            self.assertGreater(min(red, green), 2 * blue)  # yellow
+        # The edges between them.
+        middle = cut[SIZE // 4 : 3 * SIZE // 4, SIZE * 3 // 8].sum(axis=1)
+        self.assertLess(middle.min(), 0.8 * middle.max())
+        # The other half is hollow from this side, so that its back is visible.
+        turned = self.picture(*arguments, "--clip=1.9999,0,0,1,0,0")
+        self.assertFalse((turned == cut).all())
+
+    def test_curved_cells(self):
+        """The section of a bent cell has its outline: an arch, not a roof."""
+        cell = vtkGenericCell.InstantiateCell(VTK_QUADRATIC_HEXAHEDRON)
+        nodes = cell.GetParametricCoords()
+        points = vtkPoints()
+        for i in range(20):
+            x, y, z = nodes[3 * i : 3 * i + 3]
+            points.InsertNextPoint(x, y + 3.2 * x * (1.0 - x), z)
+        grid = vtkUnstructuredGrid()
+        grid.SetPoints(points)
+        grid.InsertNextCell(VTK_QUADRATIC_HEXAHEDRON, 20, range(20))
+        self.write_data("arch.vtu", vtkXMLUnstructuredGridWriter, grid)
+        arguments = ("arch.vtu", "--view=180,0", "--zoom=0.8")
+        whole = self.picture(*arguments)
+        cut = self.picture(*arguments, "--clip=0,0,0.99,0,0,-1")
+        # Both outlines are the same except for the perspective.
+        background = whole[0, 0]
+        inside = [abs(p - background).sum(axis=2) > 60 for p in (whole, cut)]
+        areas = [mask.sum() for mask in inside]
+        self.assertGreater(areas[1], 0.97 * areas[0])
+        self.assertLess(areas[1], 1.005 * areas[0])
+
+    def test_hollow(self):
+        sphere = vtkSphereSource()
+        sphere.Update()
+        self.write_data("sphere.vtp", vtkXMLPolyDataWriter, sphere.GetOutput())
+        run = self.run_program("sphere.vtp", "--clip=0,0,0,0,1,0", *SETTINGS)
+        self.assertEqual(run.returncode, 0)
+        self.assertIn("sphere.vtp has no 3D cells, so the cut is hollow", run.stderr)
+
+    def test_bad_usage(self):
+        self.write_cube()
+        for words, *arguments in (
+            (["--clip", "X,Y,Z,NX,NY,NZ", "'1,2,3'"], "--clip=1,2,3"),
+            (["--clip", "normal"], "--clip=1,2,3,0,0,0"),
+            (["--clip", "--export"], "--clip=0,0,0,1,0,0", "--export=e.vtp"),
+            (["--clip", "--height"], "--clip=0,0,0,1,0,0", "--height=h.png"),
+            (["--clip", "--relief"], "--clip=0,0,0,1,0,0", "--relief=box", "--output=p.png"),
+        ):
+            self.assert_error(2, words, "cube.vti", *arguments)
+        self.assert_error(2, ["--clip", "mesh"], "dem.tif", "--clip=0,0,0,1,0,0")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestViewerClip"])
