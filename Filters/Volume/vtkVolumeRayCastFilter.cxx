@@ -179,18 +179,20 @@ bool vtkVolumeRayCastFilter::Read(
     }
     return false;
   }
-  if (!leftOut.empty())
+  const std::string ofProperty = warning.empty() ? warning : "The volume property " + warning + ".";
+  for (const std::string& text : { leftOut, averaged, ofProperty })
   {
-    vtkWarningMacro(<< leftOut);
+    if (!text.empty())
+    {
+      vtkWarningMacro(<< text);
+    }
   }
-  if (!averaged.empty())
-  {
-    vtkWarningMacro(<< averaged);
-  }
-  if (!warning.empty())
-  {
-    vtkWarningMacro("The volume property " << warning << ".");
-  }
+  this->ReportBadCells(cells);
+  return true;
+}
+
+void vtkVolumeRayCastFilter::ReportBadCells(const relevo::VolumeCells& cells)
+{
   if (cells.GetNumberOfBadCells() > 0)
   {
     vtkWarningMacro(<< cells.GetNumberOfBadCells() << " of " << cells.GetNumberOfSolidCells()
@@ -204,7 +206,6 @@ bool vtkVolumeRayCastFilter::Read(
   {
     vtkWarningMacro(<< relevo::DescribeSharedFaces(number));
   }
-  return true;
 }
 
 void vtkVolumeRayCastFilter::ReportMissingSurfaces(const relevo::VolumeCells& cells, int component)

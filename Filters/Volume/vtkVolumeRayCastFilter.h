@@ -240,6 +240,7 @@ private:
   void operator=(const vtkVolumeRayCastFilter&) = delete;
 
   bool Read(vtkDataObject* input, relevo::VolumeCells& cells, relevo::TransferFunctions& functions);
+  void ReportBadCells(const relevo::VolumeCells& cells);
   void ReportMissingSurfaces(const relevo::VolumeCells& cells, int component);
   void Cast(const relevo::CellCrossing& crossing, const relevo::TransferFunctions& functions,
     const relevo::Shading& shading, vtkImageData* output);

@@ -18,7 +18,7 @@
 namespace
 {
 const double LineOffset = 5e-4; // towards the viewer, as a share of the diagonal
-const double Ambient = 0.7; // so that values can be read whichever way the cut faces
+const double Ambient = 0.7;     // so that values can be read whichever way the cut faces
 const double LineOpacity = 0.35;
 }
 

@@ -46,9 +46,10 @@ public:
   void SetMemoryLimit(std::int64_t bytes) { this->MemoryLimit = bytes; }
 
   /**
-   * Fill in the index with at most this many threads. Returns false after an abort and, with an error, if
-   * the memory is not sufficient, if the file changes, or if samples of one of GDAL's virtual files
-   * cannot be read. Returns true, with the first error, if samples of another file cannot be read.
+   * Fill in the index with at most this many threads. Returns false after an abort and, with an
+   * error, if the memory is not sufficient, if the file changes, or if samples of one of GDAL's
+   * virtual files cannot be read. Returns true, with the first error, if samples of another file
+   * cannot be read.
    */
   bool Build(int numberOfThreads, PyramidIndex& index, std::string& error);
 

@@ -42,8 +42,8 @@ class PyramidIndexBuilder;
 class RELEVOFILTERSTERRAIN_EXPORT RasterPyramid
 {
 public:
-  /// Returns nullptr and sets `error` if the raster cannot be opened. The memory limit, in bytes, is
-  /// that of the threads that build the index; 0 for no limit.
+  /// Returns nullptr and sets `error` if the raster cannot be opened. The memory limit, in bytes,
+  /// is that of the threads that build the index; 0 for no limit.
   static std::shared_ptr<RasterPyramid> Open(const std::string& fileName,
     const std::string& cacheFolder, std::string& error, std::int64_t indexMemoryLimit = 0);
   ~RasterPyramid();

@@ -31,8 +31,7 @@ public:
   void operator=(const RawSamples&) = delete;
 
   /// Reads a rectangle, row by row, converted to a type. Returns false if the file is too short.
-  bool Read(
-    int column, int row, int width, int height, GDALDataType type, unsigned char* samples);
+  bool Read(int column, int row, int width, int height, GDALDataType type, unsigned char* samples);
 
 private:
   RawSamples() = default;
