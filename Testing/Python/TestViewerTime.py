@@ -125,6 +125,25 @@ class TestViewerTime(ViewerProgram):
             self.view("b.pvd", "--no-legend", SIZE, *options)
             self.assertEqual(self.difference(f"frames/{i:02}.png", "one.png"), 0)
 
+    def test_quantities(self):
+        """Names such as "x of Move" stand for numbers that are computed from an array."""
+        grid = make_cube()
+        tensor = (3.0, 1.0, -2.0, 0.0, 0.0, 0.0)
+        add_array(grid.GetPointData(), "Stress", [tensor] * 8)
+        self.write_data("s.vtu", vtkXMLUnstructuredGridWriter, grid)
+        for name, values in (
+            ("von Mises of Stress", (19**0.5, 19**0.5)),
+            ("tresca of Stress", (5.0, 5.0)),
+            ("y of Move", (0.0, 1.0)),
+        ):
+            mesh = self.export("s.vtu", "--array", name)
+            found = mesh.GetPointData().GetArray(name.replace("tresca", "Tresca")).GetRange()
+            for value, wanted in zip(found, values):
+                self.assertAlmostEqual(value, wanted)
+        self.view("s.vtu", "--volume=y of Move", "--output=t.png", SIZE)
+        words = ("'von Mises of Move' needs an array with 6 or 9 components", "'Stress'")
+        self.assert_error(1, words, "s.vtu", "--array=von Mises of Move", "--output=t.png")
+
     def test_warp(self):
         """--warp moves points by the factor times the array, also nodes of curved cells."""
         self.write_series("c.pvd")

@@ -4,8 +4,8 @@
 
 #include "Files/MergedBlocks.h"
 #include "Files/MeshPoints.h"
-#include "Files/MeshWarp.h"
 #include "Files/ResultFile.h"
+#include "Files/StepFilter.h"
 #include "Text/ViewerMessages.h"
 
 #include "vtkCellArray.h"
@@ -82,7 +82,7 @@ void CheckPoints(vtkPolyData* mesh, const std::string& fileName)
 
 //------------------------------------------------------------------------------
 SurfaceMesh ReadMesh(
-  ResultFile& file, int step, const MeshWarp& warp, MeshCells cells, ViewerMessages& messages)
+  ResultFile& file, int step, StepFilter& filter, MeshCells cells, ViewerMessages& messages)
 {
   SurfaceMesh surface;
   Mesh& mesh = surface.Data;
@@ -90,7 +90,7 @@ SurfaceMesh ReadMesh(
   file.Read(step,
     [&](vtkDataObject* data)
     {
-      const auto merged = MergeBlocks(warp.Apply(data, messages), messages);
+      const auto merged = MergeBlocks(filter.Apply(data, messages), messages);
       surface.IsOfCells = !vtkPolyData::SafeDownCast(merged);
       surface.Cells = merged;
       mesh = merged ? TakeSurface(merged, cells, messages) : nullptr;

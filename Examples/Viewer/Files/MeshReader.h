@@ -9,10 +9,10 @@
 #include "vtkSmartPointer.h"
 
 class ResultFile;
+class StepFilter;
 class ViewerMessages;
 class vtkDataSet;
 class vtkPolyData;
-struct MeshWarp;
 
 /// The surface of an unstructured grid.
 enum class MeshCells
@@ -31,10 +31,10 @@ struct SurfaceMesh
 };
 
 /**
- * Reads the polygons and strips of a time step, or the outer surface of other data sets, with the
- * points moved by the warp. Throws ViewerError if there are none, or if a point is not finite.
+ * Reads the polygons and strips of a time step, or the outer surface of other data sets, changed by
+ * the filter. Throws ViewerError if there are none, or if a point is not finite.
  */
 SurfaceMesh ReadMesh(
-  ResultFile& file, int step, const MeshWarp& warp, MeshCells cells, ViewerMessages& messages);
+  ResultFile& file, int step, StepFilter& filter, MeshCells cells, ViewerMessages& messages);
 
 #endif

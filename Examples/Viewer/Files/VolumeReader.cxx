@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/VolumeReader.h"
 
-#include "Files/MeshWarp.h"
 #include "Files/ResultFile.h"
 #include "Files/ResultFormats.h"
+#include "Files/StepFilter.h"
 #include "Text/ViewerMessages.h"
 
 #include "vtkDataObject.h"
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataObject> ReadVolume(
-  ResultFile& file, int step, const MeshWarp& warp, ViewerMessages& messages)
+  ResultFile& file, int step, StepFilter& filter, ViewerMessages& messages)
 {
   const std::string& fileName = file.GetFileName();
   if (!IsVolumeFile(fileName))
@@ -19,7 +19,7 @@ vtkSmartPointer<vtkDataObject> ReadVolume(
     throw ViewerError("cannot read " + fileName + ": --volume reads " + GetVolumeFormats());
   }
   vtkSmartPointer<vtkDataObject> volume;
-  file.Read(step, [&](vtkDataObject* data) { volume = warp.Apply(data, messages); });
+  file.Read(step, [&](vtkDataObject* data) { volume = filter.Apply(data, messages); });
   if (volume->GetNumberOfElements(vtkDataObject::CELL) == 0)
   {
     throw ViewerError(fileName + " has no cells to draw");

@@ -9,13 +9,13 @@
 #include "vtkSmartPointer.h"
 
 class ResultFile;
+class StepFilter;
 class ViewerMessages;
 class vtkDataObject;
-struct MeshWarp;
 
-/// Returns a time step, a vtkDataSet or a composite data set, with the points moved by the warp.
+/// Returns a time step, a vtkDataSet or a composite data set, changed by the filter.
 /// Throws ViewerError if there are no cells.
 vtkSmartPointer<vtkDataObject> ReadVolume(
-  ResultFile& file, int step, const MeshWarp& warp, ViewerMessages& messages);
+  ResultFile& file, int step, StepFilter& filter, ViewerMessages& messages);
 
 #endif

@@ -69,7 +69,9 @@ Meshes:
                          other half, without a seam. plane projects it along the shortest side of
                          the bounding box (default: plane if that side is less than a tenth of the
                          longest, otherwise sphere)
-  --array NAME           point or cell array to colour by (default: the active scalars)
+  --array NAME           point or cell array to colour by (default: the active scalars), or a quantity
+                         of one: 'von Mises of A', 'Tresca of A', 'principal 1 of A', 'x of A',
+                         'xy of A', 'magnitude of A', 'component 0 of A'
   --time T               the time step nearest to T (default: the first one)
   --warp ARRAY           move the points by a point array of 3 components, such as displacements,
                          times --scale (default 1)

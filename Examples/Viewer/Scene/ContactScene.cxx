@@ -3,8 +3,8 @@
 #include "Scene/ContactScene.h"
 
 #include "Files/MeshReader.h"
-#include "Files/MeshWarp.h"
 #include "Files/ResultFile.h"
+#include "Files/StepFilter.h"
 #include "Scene/ViewerPatches.h"
 #include "Text/PrintableText.h"
 
@@ -156,7 +156,8 @@ void ContactScene::ReadMeshes()
   for (int i = 0; i < 2; ++i)
   {
     ResultFile file(*files[i], this->Messages);
-    this->Meshes[i] = ReadMesh(file, 0, {}, MeshCells::Curved, this->Messages).Data;
+    StepFilter unchanged({}, "");
+    this->Meshes[i] = ReadMesh(file, 0, unchanged, MeshCells::Curved, this->Messages).Data;
     this->Filter->SetInputData(i, this->Meshes[i]);
     this->Messages.Name("input " + std::to_string(i), *files[i]);
   }

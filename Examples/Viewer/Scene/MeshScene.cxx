@@ -135,9 +135,10 @@ bool MeshScene::ReadStep()
   const MeshCells cells = asItIs
     ? MeshCells::Flat
     : (this->Options.AsksForPatches() ? MeshCells::Patches : MeshCells::Curved);
-  const SurfaceMesh mesh = ReadMesh(
-    this->Steps->GetFile(), this->Steps->GetStep(), this->Steps->GetWarp(), cells, this->Messages);
+  const SurfaceMesh mesh = ReadMesh(this->Steps->GetFile(), this->Steps->GetStep(),
+    this->Steps->GetFilter(), cells, this->Messages);
   this->Mesh->ShallowCopy(mesh.Data);
+  this->Options.Array = this->Steps->GetFilter().GetArray();
   this->Cells = this->Cut.Get() ? mesh.Cells : nullptr;
   if (this->Section)
   {
@@ -322,10 +323,10 @@ void MeshScene::ReportWarp()
   double range[2];
   GetLengthRange(moves, range);
   const double share = range[1] / this->Mesh->GetLength();
-  if (share > 0.0 && share * std::abs(this->Steps->GetWarp().Factor) < visible)
+  if (share > 0.0 && share * std::abs(this->Steps->GetFilter().GetWarp().Factor) < visible)
   {
     std::cout << std::setprecision(2) << "warp: points are moved by at most "
-              << 100.0 * share * std::abs(this->Steps->GetWarp().Factor)
+              << 100.0 * share * std::abs(this->Steps->GetFilter().GetWarp().Factor)
               << " % of the diagonal; --scale " << std::setprecision(1) << 0.05 / share
               << " makes that 5 %" << std::endl;
   }

@@ -30,7 +30,8 @@ std::string ToText(double time)
 //------------------------------------------------------------------------------
 TimeSteps::TimeSteps(const ViewerOptions& options, vtkRenderer* renderer, ViewerMessages& messages)
   : File(options.Input, messages)
-  , Warp{ options.Warp, options.Warp.empty() ? 1.0 : options.Scale.value_or(1.0) }
+  , Filter({ options.Warp, options.Warp.empty() ? 1.0 : options.Scale.value_or(1.0) },
+      options.IsVolume ? options.VolumeArray : options.Array)
   , Step(this->File.FindStep(options.Time))
 {
   if (options.IsSeries() && this->GetNumber() == 0)

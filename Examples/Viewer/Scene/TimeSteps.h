@@ -7,8 +7,8 @@
 #ifndef TimeSteps_h
 #define TimeSteps_h
 
-#include "Files/MeshWarp.h"
 #include "Files/ResultFile.h"
+#include "Files/StepFilter.h"
 
 #include "vtkNew.h"
 
@@ -29,7 +29,7 @@ public:
   ~TimeSteps();
 
   ResultFile& GetFile() { return this->File; }
-  const MeshWarp& GetWarp() const { return this->Warp; }
+  StepFilter& GetFilter() { return this->Filter; }
 
   /// 0 for a file without times.
   int GetNumber() const { return static_cast<int>(this->File.GetTimes().size()); }
@@ -46,7 +46,7 @@ public:
 
 private:
   ResultFile File;
-  MeshWarp Warp;
+  StepFilter Filter;
   int Step;
   vtkNew<vtkTextActor> Label;
 };

@@ -62,7 +62,7 @@ VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
   this->Steps = std::make_unique<TimeSteps>(options, this->Renderer, messages);
   const auto data = this->ReadStep();
   CheckCells(options.Input, data);
-  this->Array = FindVolumeArray(options, data);
+  this->Array = FindVolumeArray(this->Options, data);
   if (options.Range)
   {
     std::copy_n(options.Range->begin(), 2, this->Array.Range);
@@ -98,8 +98,10 @@ VolumeScene::~VolumeScene() = default;
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataObject> VolumeScene::ReadStep()
 {
-  return ReadVolume(
-    this->Steps->GetFile(), this->Steps->GetStep(), this->Steps->GetWarp(), this->Messages);
+  auto data = ReadVolume(
+    this->Steps->GetFile(), this->Steps->GetStep(), this->Steps->GetFilter(), this->Messages);
+  this->Options.VolumeArray = this->Steps->GetFilter().GetArray();
+  return data;
 }
 
 //------------------------------------------------------------------------------

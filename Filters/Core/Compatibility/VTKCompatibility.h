@@ -11,6 +11,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
@@ -75,6 +76,22 @@ inline bool ReadCellPoints(vtkCellArray* cells, vtkIdType cell, vtkIdList* point
   }
   cells->GetCellAtId(cell, points);
   return true;
+}
+
+/**
+ * Copy a data object with blocks of its own, which share the arrays. Until VTK 9.2, ShallowCopy()
+ * shares the blocks.
+ */
+inline void CopyWithOwnBlocks(vtkDataObject* from, vtkDataObject* to)
+{
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(to))
+  {
+    composite->RecursiveShallowCopy(from);
+    return;
+  }
+#endif
+  to->ShallowCopy(from);
 }
 
 /**

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   StepFilter
+ * @brief   what the options change in the data of each time step
+ */
+#ifndef StepFilter_h
+#define StepFilter_h
+
+#include "Files/MeshWarp.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class ViewerMessages;
+class vtkDataObject;
+
+class StepFilter
+{
+public:
+  /// array is the name of an array, or of a quantity of vtkArrayQuantityFilter.
+  StepFilter(const MeshWarp& warp, const std::string& array);
+
+  /// Moves the points and computes the quantity. Throws ViewerError.
+  vtkSmartPointer<vtkDataObject> Apply(vtkDataObject* data, ViewerMessages& messages);
+
+  const MeshWarp& GetWarp() const { return this->Warp; }
+
+  /// The array with the quantity, after the first step.
+  const std::string& GetArray() const { return this->Array; }
+
+private:
+  MeshWarp Warp;
+  std::string Array;
+};
+
+#endif
