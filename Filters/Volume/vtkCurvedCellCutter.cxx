@@ -7,6 +7,7 @@
 #include "Changes/LatestTime.h"
 #include "Checks/InputType.h"
 #include "Checks/MemoryGuard.h"
+#include "Checks/SettingChecks.h"
 #include "Sections/CellCutter.h"
 #include "Sections/SectionOutput.h"
 #include "vtkCellData.h"
@@ -82,6 +83,11 @@ void vtkCurvedCellCutter::SetCutFunction(vtkImplicitFunction* function)
 vtkImplicitFunction* vtkCurvedCellCutter::GetCutFunction()
 {
   return this->CutFunction;
+}
+
+void vtkCurvedCellCutter::SetTolerance(double share)
+{
+  relevo::SetInRange(this, "Tolerance", this->Tolerance, share, 1e-7, 1.0);
 }
 
 vtkMTimeType vtkCurvedCellCutter::GetMTime()

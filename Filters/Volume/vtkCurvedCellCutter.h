@@ -58,11 +58,11 @@ public:
   //@{
   /**
    * Set the largest distance between the section and the true shape of curved cells, as a share of
-   * the diagonal of the input's bounding box, from 1e-7 to 1; 1e-4 by default. The distance is
-   * estimated from second derivatives at a number of points. At most 32 pieces divide a cell in
-   * each direction (twice as many for tetrahedra and wedges).
+   * the diagonal of the input's bounding box, from 1e-7 to 1; 1e-4 by default. Other values are
+   * errors. The distance is estimated from second derivatives at a number of points. At most 32
+   * pieces divide a cell in each direction (twice as many for tetrahedra and wedges).
    */
-  vtkSetClampMacro(Tolerance, double, 1e-7, 1.0);
+  void SetTolerance(double share);
   vtkGetMacro(Tolerance, double);
   //@}
 
