@@ -98,21 +98,20 @@ void BaseMesh::ChooseLevels(int maximumLevel, const std::vector<int>& raises)
     areStraight[e] = this->EdgeFlags[e] != 0;
     this->Mesh.Edges[e].Level = 0;
   }
-  for (MicroMesh::Face& face : this->Mesh.Faces)
+  for (std::size_t f = 0; f < this->Mesh.Faces.size(); ++f)
   {
+    MicroMesh::Face& face = this->Mesh.Faces[f];
     double triangles = 0.0; // of the dense mesh, about
-    int raise = maximumLevel;
     for (int c = 0; c < 3; ++c)
     {
       const auto corner = static_cast<std::size_t>(face.Corners[c]);
       const auto next = static_cast<std::size_t>(face.Corners[(c + 1) % 3]);
       triangles += this->Densities[corner];
-      raise = std::min(raise, raises[static_cast<std::size_t>(this->Vertices[corner])]);
       areStraight[static_cast<std::size_t>(face.Edges[c] >> 1)] |=
         this->AreSingle[corner] != 0 && this->AreSingle[next] != 0;
     }
     const int level =
-      static_cast<int>(std::ceil(0.5 * std::log2(std::max(1.0, triangles)))) + raise;
+      static_cast<int>(std::ceil(0.5 * std::log2(std::max(1.0, triangles)))) + raises[f];
     face.Level = this->IsOriginal(face) ? 0 : std::min(level, maximumLevel);
   }
   for (const MicroMesh::Face& face : this->Mesh.Faces)

@@ -23,8 +23,7 @@ struct BaseMesh
   /// `step` is the length of a displacement of 1.
   BaseMesh(const DenseMesh& dense, EdgeCollapse& collapse, double step);
 
-  /// Set the levels. `raises` are added per vertex of the dense mesh; a face takes the lowest of
-  /// its corners.
+  /// Set the levels. `raises` are added per face.
   void ChooseLevels(int maximumLevel, const std::vector<int>& raises);
 
   /// Whether a face is a triangle of the dense mesh, unchanged.

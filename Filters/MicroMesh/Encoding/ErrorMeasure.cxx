@@ -15,6 +15,14 @@ namespace
 {
 constexpr float NotMeasured = -1.0f;
 
+void AddBall(FloatBox& box, const dvec3& centre, double radius)
+{
+  const vec3 low(centre - radius);
+  const vec3 high(centre + radius);
+  box.Add(&low.x);
+  box.Add(&high.x);
+}
+
 // A float that is not less than the bound, which is at most the tolerance or infinite.
 float RoundUp(double bound, double tolerance)
 {
@@ -30,8 +38,9 @@ ErrorMeasure::Grids::Grids(const MicroMesh& mesh)
   const std::size_t number = mesh.Faces.size();
   for (std::size_t f = 0; f < number; ++f)
   {
-    this->Firsts[f + 1] =
-      this->Firsts[f] + static_cast<std::size_t>(GetNumberOfGridPoints(1 << mesh.Faces[f].Level));
+    const int n = 1 << mesh.Faces[f].Level;
+    this->Segments.push_back(n);
+    this->Firsts[f + 1] = this->Firsts[f] + static_cast<std::size_t>(GetNumberOfGridPoints(n));
   }
   this->Points.resize(this->Firsts[number]);
   vtkSMPTools::For(0, static_cast<vtkIdType>(number),
@@ -61,10 +70,7 @@ FloatBox ErrorMeasure::Grids::GetBox(std::size_t face, double margin) const
   FloatBox box;
   for (std::size_t i = this->Firsts[face]; i < this->Firsts[face + 1]; ++i)
   {
-    const vec3 low(this->Points[i] - margin);
-    const vec3 high(this->Points[i] + margin);
-    box.Add(&low.x);
-    box.Add(&high.x);
+    AddBall(box, this->Points[i], margin);
   }
   return box;
 }
@@ -80,15 +86,14 @@ FloatBox ErrorMeasure::GetTriangleBox(std::size_t triangle) const
   return box;
 }
 
-double ErrorMeasure::Reduce(const std::vector<float>& bounds, std::vector<char>& failed)
+// The largest bound of those that are not infinite.
+double ErrorMeasure::FindLargest(const std::vector<float>& bounds)
 {
   float largest = 0.0f;
-  failed.assign(bounds.size(), 0);
-  for (std::size_t i = 0; i < bounds.size(); ++i)
+  for (float bound : bounds)
   {
-    failed[i] = std::isinf(bounds[i]) ? 1 : 0;
-    this->Failed = this->Failed || failed[i] != 0;
-    largest = failed[i] != 0 ? largest : std::max(largest, bounds[i]);
+    this->Failed = this->Failed || std::isinf(bound);
+    largest = std::isinf(bound) ? largest : std::max(largest, bound);
   }
   return largest * this->Tolerance;
 }
@@ -130,7 +135,16 @@ void ErrorMeasure::FindChangedTriangles(const BaseMesh& base, const MicroMesh& m
     {
       if (this->AreGone[f] != 0)
       {
-        gone.push_back(this->LastGrids->GetBox(f, 2.0 * this->Tolerance));
+        const dvec3* points = this->LastGrids->Points.data() + this->LastGrids->Firsts[f];
+        ForEachGridTriangle(this->LastGrids->Segments[f],
+          [&](int a, int b, int c)
+          {
+            gone.emplace_back();
+            for (int i : { a, b, c })
+            {
+              AddBall(gone.back(), points[i], 2.0 * this->Tolerance);
+            }
+          });
       }
     }
     WideBoxTree tree;
@@ -207,7 +221,12 @@ void ErrorMeasure::MeasureFaces(
         bounds[f] = RoundUp(bound, this->Tolerance);
       }
     });
-  this->ResultToInput = this->Reduce(bounds, this->FailedFaces);
+  this->ResultToInput = this->FindLargest(bounds);
+  this->FailedFaces.assign(bounds.size(), 0);
+  for (std::size_t f = 0; f < bounds.size(); ++f)
+  {
+    this->FailedFaces[f] = std::isinf(bounds[f]) ? 1 : 0;
+  }
 }
 
 // The faces that can be within the tolerance of triangles that are not measured.
@@ -297,11 +316,11 @@ void ErrorMeasure::MeasureTriangles(
         this->TriangleBounds[t] = RoundUp(bound, this->Tolerance);
       }
     });
-  this->InputToResult = this->Reduce(this->TriangleBounds, this->FailedTriangles);
-  // Faces near triangles that failed have failed.
-  for (std::size_t t = 0; t < this->FailedTriangles.size(); ++t)
+  this->InputToResult = this->FindLargest(this->TriangleBounds);
+  this->FailedTriangles.clear();
+  for (std::size_t t = 0; t < this->TriangleBounds.size(); ++t)
   {
-    if (this->FailedTriangles[t] != 0)
+    if (std::isinf(this->TriangleBounds[t]))
     {
       dvec3 middle(0.0);
       for (int vertex : this->Dense.Triangles[t])
@@ -311,9 +330,11 @@ void ErrorMeasure::MeasureTriangles(
       double distance2 = std::numeric_limits<double>::infinity();
       int nearest = -1;
       result.FindNearest(middle, distance2, nearest);
-      if (nearest >= 0)
+      const int face = nearest < 0 ? -1 : faces[static_cast<std::size_t>(nearest)];
+      this->FailedTriangles.emplace_back(static_cast<int>(t), face);
+      if (face >= 0)
       {
-        this->FailedFaces[static_cast<std::size_t>(faces[static_cast<std::size_t>(nearest)])] = 1;
+        this->FailedFaces[static_cast<std::size_t>(face)] = 1;
       }
     }
   }

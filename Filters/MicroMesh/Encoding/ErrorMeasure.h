@@ -20,6 +20,7 @@
 
 #include <functional> // for aborts
 #include <memory>     // for members
+#include <utility>    // for std::pair
 #include <vector>     // for members
 
 namespace relevo
@@ -42,10 +43,11 @@ public:
   /// The largest bounds from the input to the result and back, without those that failed.
   double GetInputToResult() const { return this->InputToResult; }
   double GetResultToInput() const { return this->ResultToInput; }
-  /// Faces and triangles of the dense mesh that are not within the tolerance, and faces near such
-  /// triangles.
+  /// Faces that are not within the tolerance, and those that are nearest to such triangles of the
+  /// dense mesh.
   std::vector<char> FailedFaces;
-  std::vector<char> FailedTriangles;
+  /// Triangles of the dense mesh that are not within the tolerance, and the nearest faces.
+  std::vector<std::pair<int, int>> FailedTriangles;
   bool HasFailed() const { return this->Failed; }
 
 private:
@@ -58,6 +60,7 @@ private:
 
     std::vector<dvec3> Points;
     std::vector<std::size_t> Firsts; // per face, and the total
+    std::vector<int> Segments;       // per edge of each face
   };
 
   void TakeFaceBounds(const BaseMesh& base, const MicroMesh& mesh, const Grids& grids);
@@ -68,7 +71,7 @@ private:
   std::vector<int> FindFacesNearChanges(const MicroMesh& mesh, const Grids& grids) const;
   void MeasureTriangles(
     const MicroMesh& mesh, const Grids& grids, const std::function<bool()>& isAborted);
-  double Reduce(const std::vector<float>& bounds, std::vector<char>& failed);
+  double FindLargest(const std::vector<float>& bounds);
 
   const DenseMesh& Dense;
   const TriangleTree& Surface;

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace relevo
 {
@@ -17,15 +18,20 @@ namespace
 {
 // The length of a displacement of 1, relative to the tolerance, at most.
 constexpr double StepOfTolerance = 0.25;
-// Deviation of grids from finer grids, relative to the tolerance.
-constexpr double DeviationOfTolerance = 0.35;
+// Deviation of grids from finer grids, relative to the tolerance: at first, and where they fail.
+constexpr double DeviationOfTolerance = 0.75;
+constexpr double StrictDeviationOfTolerance = 0.35;
+// Deviation of grids from those of the next lower level, relative to the tolerance, above which
+// levels are raised, and above which the highest level is not enough.
+constexpr double UnevenOfTolerance = 1.4;
+constexpr double HopelessOfTolerance = 2.5;
+constexpr int MostRaises = 2;
 // Deviation of lines from the edges of the coarse mesh, relative to the tolerance.
 constexpr double LineOfTolerance = 0.9;
-// Each failure divides the size of clusters by this. After some simplifications, clusters are
-// dissolved, and in the end the whole mesh is kept.
+// Each failure divides the size of clusters by this, until triangles of the dense mesh are kept.
+// After this many simplifications, the whole mesh is kept.
 constexpr int LimitDivisor = 4;
-constexpr int DividingSimplifications = 5;
-constexpr int MostSimplifications = 10;
+constexpr int MostSimplifications = 100;
 
 class Encoder
 {
@@ -39,13 +45,13 @@ public:
     , Step(std::exp2(std::floor(std::log2(StepOfTolerance * this->Tolerance))))
     , Surface(dense.Points, dense.Triangles)
     , Limits(dense.Points.size(), std::numeric_limits<int>::max())
-    , Raises(dense.Points.size(), 0)
   {
   }
 
   std::unique_ptr<EncodedMesh> Run()
   {
     ErrorMeasure measure(this->Dense, this->Surface, this->Tolerance);
+    MicroMesh mesh;
     while (true)
     {
       if (this->Simplifications > MostSimplifications)
@@ -59,23 +65,37 @@ public:
       }
       ++this->Simplifications;
       BaseMesh base(this->Dense, collapse, this->Step);
-      MicroMesh mesh;
-      bool isRaised = true;
-      while (isRaised)
+      this->TakeRaises(base);
+      bool isLimited = false;
+      while (!isLimited)
       {
-        if (!this->Displace(base, mesh, measure))
+        if (!this->Sample(base))
         {
           return nullptr;
         }
+        std::vector<char> failed = FindUneven(base.Mesh, HopelessOfTolerance * this->Tolerance);
+        if (this->HasHopeless(base, failed))
+        {
+          isLimited = this->LimitClusters(collapse, base, failed, {});
+          continue;
+        }
+        mesh = ReduceLevels(base.Mesh, this->Deviations);
+        if (!measure.Run(base, mesh, this->IsAborted))
+        {
+          return nullptr;
+        }
+        ++this->Round;
         if (!measure.HasFailed())
         {
           return std::make_unique<EncodedMesh>(EncodedMesh{ std::move(base), std::move(mesh),
             measure.GetInputToResult() * this->Dense.Scale,
             measure.GetResultToInput() * this->Dense.Scale, this->Round });
         }
-        isRaised = this->RaiseLevels(base, measure);
+        failed = measure.FailedFaces;
+        const bool isRaised = this->RaiseLevels(base, failed);
+        isLimited =
+          this->LimitClusters(collapse, base, failed, measure.FailedTriangles) || !isRaised;
       }
-      this->LimitClusters(collapse, base, measure);
     }
   }
 
@@ -94,50 +114,95 @@ private:
     return isDone;
   }
 
-  // Displaces, reduces and measures. Returns false after an abort.
-  bool Displace(BaseMesh& base, MicroMesh& mesh, ErrorMeasure& measure)
+  // Takes the raises and deviations of faces of the last base.
+  void TakeRaises(const BaseMesh& base)
   {
-    base.ChooseLevels(this->Settings.MaximumLevel, this->Raises);
-    NumberSamples(base.Mesh);
-    std::vector<int> matches(base.Mesh.Faces.size(), -1);
-    for (std::size_t f = 0; f < matches.size() && this->SampledFaces; ++f)
+    const std::vector<int> last = std::move(this->Raises);
+    this->Raises.assign(base.Mesh.Faces.size(), 0);
+    const std::vector<double> lastDeviations = std::move(this->Deviations);
+    this->Deviations.assign(base.Mesh.Faces.size(), DeviationOfTolerance * this->Tolerance);
+    this->Matches.assign(base.Mesh.Faces.size(), -1);
+    for (std::size_t f = 0; f < base.Mesh.Faces.size() && this->SampledFaces; ++f)
     {
-      matches[f] = this->SampledFaces->Find(base, base.Mesh.Faces[f]);
+      this->Matches[f] = this->SampledFaces->Find(base, base.Mesh.Faces[f]);
+      if (this->Matches[f] >= 0)
+      {
+        this->Raises[f] = last[static_cast<std::size_t>(this->Matches[f])];
+        this->Deviations[f] = lastDeviations[static_cast<std::size_t>(this->Matches[f])];
+      }
     }
-    const SampledParts sampled = CopyEqualSamples(base.Mesh, this->Sampled, matches);
-    if (!SampleSurface(base.Mesh, sampled, this->Surface, this->IsAborted) || !this->Report(0.5))
-    {
-      return false;
-    }
-    mesh = ReduceLevels(base.Mesh, DeviationOfTolerance * this->Tolerance);
-    this->Sampled = base.Mesh;
     this->SampledFaces = std::make_unique<FaceMatch>(base);
-    const bool isMeasured = measure.Run(base, mesh, this->IsAborted);
-    ++this->Round;
-    return isMeasured && this->Report(0.0);
   }
 
-  // Raises the levels of faces that failed. Returns false if all of them have the highest level.
-  bool RaiseLevels(const BaseMesh& base, const ErrorMeasure& measure)
+  bool CanRaise(const BaseMesh& base, std::size_t face) const
   {
-    std::vector<char> isRaised(this->Dense.Points.size(), 0);
-    bool isAny = false;
-    for (std::size_t f = 0; f < base.Mesh.Faces.size(); ++f)
+    return base.Mesh.Faces[face].Level < this->Settings.MaximumLevel &&
+      this->Raises[face] < MostRaises && !base.IsOriginal(base.Mesh.Faces[face]);
+  }
+
+  // Samples, and raises levels until grids differ little from those of the next lower level.
+  // Returns false after an abort.
+  bool Sample(BaseMesh& base)
+  {
+    bool isRaised = true;
+    while (isRaised)
     {
-      const MicroMesh::Face& face = base.Mesh.Faces[f];
-      const bool canRaise = face.Level < this->Settings.MaximumLevel && !base.IsOriginal(face);
-      if (measure.FailedFaces[f] != 0 && canRaise)
+      base.ChooseLevels(this->Settings.MaximumLevel, this->Raises);
+      NumberSamples(base.Mesh);
+      const SampledParts sampled = CopyEqualSamples(base.Mesh, this->Sampled, this->Matches);
+      if (!SampleSurface(base.Mesh, sampled, this->Surface, this->IsAborted) || !this->Report(0.5))
       {
-        isAny = true;
-        for (int corner : face.Corners)
+        return false;
+      }
+      this->Sampled = base.Mesh;
+      std::iota(this->Matches.begin(), this->Matches.end(), 0);
+      const std::vector<char> areUneven =
+        FindUneven(base.Mesh, UnevenOfTolerance * this->Tolerance);
+      isRaised = false;
+      for (std::size_t f = 0; f < areUneven.size(); ++f)
+      {
+        if (areUneven[f] != 0 && sampled.Faces[f] == 0 && this->CanRaise(base, f))
         {
-          isRaised[static_cast<std::size_t>(base.Vertices[static_cast<std::size_t>(corner)])] = 1;
+          ++this->Raises[f];
+          isRaised = true;
         }
       }
     }
-    for (std::size_t v = 0; v < isRaised.size(); ++v)
+    return true;
+  }
+
+  // Whether any faces fail that cannot have higher levels. Faces that can have them do not fail.
+  bool HasHopeless(const BaseMesh& base, std::vector<char>& failed) const
+  {
+    bool isAny = false;
+    for (std::size_t f = 0; f < failed.size(); ++f)
     {
-      this->Raises[v] += isRaised[v];
+      failed[f] = failed[f] != 0 && !this->CanRaise(base, f) ? 1 : 0;
+      isAny = isAny || failed[f] != 0;
+    }
+    return isAny;
+  }
+
+  // Changes levels of faces that failed: first less reduction, then more samples. What then remains
+  // of them cannot have higher levels. Returns whether any changed.
+  bool RaiseLevels(const BaseMesh& base, std::vector<char>& failed)
+  {
+    const double strict = StrictDeviationOfTolerance * this->Tolerance;
+    bool isAny = false;
+    for (std::size_t f = 0; f < failed.size(); ++f)
+    {
+      if (failed[f] != 0 && this->Deviations[f] > strict)
+      {
+        this->Deviations[f] = strict;
+        failed[f] = 0;
+        isAny = true;
+      }
+      else if (failed[f] != 0 && this->CanRaise(base, f))
+      {
+        ++this->Raises[f];
+        failed[f] = 0;
+        isAny = true;
+      }
     }
     return isAny;
   }
@@ -151,7 +216,10 @@ private:
     return !this->HasStopped;
   }
 
-  void LimitClusters(EdgeCollapse& collapse, const BaseMesh& base, const ErrorMeasure& measure)
+  // Limits the clusters at the corners of faces that failed, and at those of triangles, unless the
+  // nearest face is raised. Returns whether any are limited.
+  bool LimitClusters(EdgeCollapse& collapse, const BaseMesh& base,
+    const std::vector<char>& failedFaces, const std::vector<std::pair<int, int>>& failedTriangles)
   {
     std::vector<char> hasFailed(this->Dense.Points.size(), 0); // per root
     for (std::size_t f = 0; f < base.Mesh.Faces.size(); ++f)
@@ -159,28 +227,31 @@ private:
       for (int corner : base.Mesh.Faces[f].Corners)
       {
         hasFailed[static_cast<std::size_t>(base.Vertices[static_cast<std::size_t>(corner)])] |=
-          measure.FailedFaces[f];
+          failedFaces[f];
       }
     }
-    for (std::size_t t = 0; t < this->Dense.Triangles.size(); ++t)
+    for (const auto& failed : failedTriangles)
     {
-      for (int vertex : this->Dense.Triangles[t])
+      if (failed.second < 0 || failedFaces[static_cast<std::size_t>(failed.second)] != 0)
       {
-        hasFailed[static_cast<std::size_t>(collapse.FindRoot(vertex))] |=
-          measure.FailedTriangles[t];
+        for (int vertex : this->Dense.Triangles[static_cast<std::size_t>(failed.first)])
+        {
+          hasFailed[static_cast<std::size_t>(collapse.FindRoot(vertex))] = 1;
+        }
       }
     }
+    bool isAny = false;
     for (std::size_t v = 0; v < this->Limits.size(); ++v)
     {
       const int root = collapse.FindRoot(static_cast<int>(v));
       if (hasFailed[static_cast<std::size_t>(root)] != 0)
       {
-        const int smaller = this->Simplifications <= DividingSimplifications
-          ? collapse.GetClusterSize(root) / LimitDivisor
-          : 1;
-        this->Limits[v] = std::min(this->Limits[v], std::max(1, smaller));
+        isAny = isAny || collapse.GetClusterSize(root) > 1;
+        const int smaller = std::max(1, collapse.GetClusterSize(root) / LimitDivisor);
+        this->Limits[v] = std::min(this->Limits[v], smaller);
       }
     }
+    return isAny;
   }
 
   const DenseMesh& Dense;
@@ -195,7 +266,9 @@ private:
   MicroMesh Sampled; // of the last round
   std::unique_ptr<FaceMatch> SampledFaces;
   EdgeCollapse::Moves Moves;                              // of the last simplification
-  std::vector<int> Raises;                                // of levels, per vertex
+  std::vector<int> Raises;                                // of levels, per face
+  std::vector<double> Deviations;                         // of grids, per face
+  std::vector<int> Matches;                               // faces of the last base
   double Error = std::numeric_limits<double>::infinity(); // of the steps of the first round
   int Round = 0;
   int Simplifications = 0;

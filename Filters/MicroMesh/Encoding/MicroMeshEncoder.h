@@ -4,11 +4,12 @@
  * @class   MicroMeshEncoder
  * @brief   encodes a dense mesh as a micro-mesh within a tolerance
  *
- * Each round displaces the grids of the coarse faces onto the dense mesh, chooses the lowest
- * sufficient levels and measures the error. Where it is above the tolerance, the next round samples
- * with a higher level. If the highest level is not enough, the next round simplifies the dense mesh
- * again and allows only smaller clusters of vertices there, and in the end none, so that the dense
- * mesh is kept.
+ * The grids of the coarse faces are displaced onto the dense mesh, with higher levels until they
+ * change little. Levels are then reduced, and the error is measured. Where it is above the
+ * tolerance, the next round reduces levels less, then samples with a higher level. Where the
+ * highest level is not enough, the dense mesh is simplified again with smaller clusters of
+ * vertices, down to single vertices, so that triangles of the dense mesh are kept. Only what
+ * changed is simplified, sampled and measured again.
  */
 #ifndef MicroMeshEncoder_h
 #define MicroMeshEncoder_h

@@ -117,27 +117,29 @@ double GetDeviation2(const std::vector<dvec3>& positions, int n, const GridPoint
   return dot(offset, offset);
 }
 
+// Whether a grid, or its edge e, deviates by at most a distance from that with a stride.
+bool IsWithin(const std::vector<dvec3>& positions, int n, int stride, int e, double deviation2)
+{
+  bool isWithin = true;
+  ForEachGridPoint(n,
+    [&](const GridPoint& point)
+    {
+      const bool isAsked = e < 0 || point[(e + 2) % 3] == 0;
+      isWithin = isWithin && (!isAsked || GetDeviation2(positions, n, point, stride) <= deviation2);
+    });
+  return isWithin;
+}
+
 // The lowest level of a grid, or of its edge e, that deviates from the grid by at most a distance.
 int FindLevel(const std::vector<dvec3>& positions, int highest, int e, double deviation2)
 {
   const int n = 1 << highest;
-  for (int level = 0; level < highest; ++level)
+  int level = 0;
+  while (level < highest && !IsWithin(positions, n, n >> level, e, deviation2))
   {
-    const int stride = n >> level;
-    bool isWithin = true;
-    ForEachGridPoint(n,
-      [&](const GridPoint& point)
-      {
-        const bool isAsked = e < 0 || point[(e + 2) % 3] == 0;
-        isWithin =
-          isWithin && (!isAsked || GetDeviation2(positions, n, point, stride) <= deviation2);
-      });
-    if (isWithin)
-    {
-      return level;
-    }
+    ++level;
   }
-  return highest;
+  return level;
 }
 
 void CopySamples(const MicroMesh& fine, MicroMesh& coarse)
@@ -288,9 +290,37 @@ bool SampleSurface(MicroMesh& mesh, const SampledParts& sampled, const TriangleT
   return !hasStopped;
 }
 
-MicroMesh ReduceLevels(const MicroMesh& mesh, double deviation)
+std::vector<char> FindUneven(const MicroMesh& mesh, double deviation)
+{
+  std::vector<char> areUneven(mesh.Faces.size(), 0);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(mesh.Faces.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (auto f = static_cast<std::size_t>(first); f < static_cast<std::size_t>(last); ++f)
+      {
+        const MicroMesh::Face& face = mesh.Faces[f];
+        if (face.Level > 0)
+        {
+          const std::vector<dvec3> positions = mesh.GetPositions(face);
+          areUneven[f] = IsWithin(positions, 1 << face.Level, 2, -1, deviation * deviation) ? 0 : 1;
+        }
+      }
+    });
+  return areUneven;
+}
+
+MicroMesh ReduceLevels(const MicroMesh& mesh, const std::vector<double>& deviations)
 {
   MicroMesh reduced = mesh;
+  std::vector<double> ofEdges(mesh.Edges.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t f = 0; f < mesh.Faces.size(); ++f)
+  {
+    for (int reference : mesh.Faces[f].Edges)
+    {
+      double& ofEdge = ofEdges[static_cast<std::size_t>(reference >> 1)];
+      ofEdge = std::min(ofEdge, deviations[f]);
+    }
+  }
   const std::vector<std::pair<int, int>> owners = FindOwners(mesh);
   vtkSMPTools::For(0, static_cast<vtkIdType>(mesh.Faces.size()),
     [&](vtkIdType first, vtkIdType last)
@@ -299,14 +329,15 @@ MicroMesh ReduceLevels(const MicroMesh& mesh, double deviation)
       {
         const MicroMesh::Face& face = mesh.Faces[f];
         const std::vector<dvec3> positions = mesh.GetPositions(face);
-        reduced.Faces[f].Level = FindLevel(positions, face.Level, -1, deviation * deviation);
+        reduced.Faces[f].Level =
+          FindLevel(positions, face.Level, -1, deviations[f] * deviations[f]);
         for (int e = 0; e < 3; ++e)
         {
           const auto index = static_cast<std::size_t>(face.Edges[e] >> 1);
           if (owners[index] == std::make_pair(static_cast<int>(f), e))
           {
-            reduced.Edges[index].Level = std::min(
-              mesh.Edges[index].Level, FindLevel(positions, face.Level, e, deviation * deviation));
+            reduced.Edges[index].Level = std::min(mesh.Edges[index].Level,
+              FindLevel(positions, face.Level, e, ofEdges[index] * ofEdges[index]));
           }
         }
       }

@@ -40,11 +40,14 @@ bool SampleSurface(MicroMesh& mesh, const SampledParts& sampled, const TriangleT
 SampledParts CopyEqualSamples(
   MicroMesh& mesh, const MicroMesh& before, const std::vector<int>& matches);
 
+/// Per face, whether the grid differs by more than `deviation` from that of the next lower level.
+std::vector<char> FindUneven(const MicroMesh& mesh, double deviation);
+
 /**
- * Return the mesh with the lowest levels whose grids differ by at most `deviation` from those of
- * the mesh's levels.
+ * Return the mesh with the lowest levels whose grids differ by at most `deviations` per face from
+ * those of the mesh's levels.
  */
-MicroMesh ReduceLevels(const MicroMesh& mesh, double deviation);
+MicroMesh ReduceLevels(const MicroMesh& mesh, const std::vector<double>& deviations);
 }
 
 #endif

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace RelevoMicroMeshes
 {
@@ -121,12 +122,8 @@ double GetDistance(vtkPolyData* from, vtkPolyData* to)
     locator->FindClosestPoint(x, closest, cell, id, part, distance2);
     largest = std::max(largest, distance2);
   };
-  for (vtkIdType i = 0; i < from->GetNumberOfPoints(); ++i)
-  {
-    double x[3];
-    from->GetPoint(i, x);
-    measure(x);
-  }
+  // Scans can have points without triangles.
+  std::vector<char> areMeasured(static_cast<size_t>(from->GetNumberOfPoints()), 0);
   for (vtkIdType i = 0; i < from->GetNumberOfCells(); ++i)
   {
     vtkIdType size;
@@ -141,6 +138,12 @@ double GetDistance(vtkPolyData* from, vtkPolyData* to)
     {
       double x[3];
       from->GetPoint(ids[corner], x);
+      char& isMeasured = areMeasured[static_cast<size_t>(ids[corner])];
+      if (isMeasured == 0)
+      {
+        isMeasured = 1;
+        measure(x);
+      }
       std::transform(x, x + 3, middle, middle, [](double a, double b) { return a / 3.0 + b; });
     }
     measure(middle);

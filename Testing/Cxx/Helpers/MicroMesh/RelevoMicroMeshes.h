@@ -24,7 +24,7 @@ Mesh Encode(vtkPolyData* dense, double tolerance, int maximumLevel = 4, double r
 // The surface at a level.
 Mesh Decode(vtkPolyData* micro, int level);
 
-// The largest distance from points and centres of triangles of a mesh to another mesh.
+// The largest distance from corners and centres of triangles of a mesh to another mesh.
 double GetDistance(vtkPolyData* from, vtkPolyData* to);
 
 // The number of differences between points, cells and arrays of two meshes.
