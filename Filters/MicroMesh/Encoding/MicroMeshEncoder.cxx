@@ -207,12 +207,12 @@ private:
     return isAny;
   }
 
-  // Rounds take less and less of the progress.
+  // Rounds take less and less of the progress, which never goes back.
   bool Report(double share)
   {
-    const double done = 1.0 - std::exp2(-double(this->Round));
-    this->HasStopped =
-      this->HasStopped || !this->GoOn(done + share * std::exp2(-double(this->Round + 1)));
+    const double rest = std::exp2(-double(this->Round));
+    this->Progress = std::max(this->Progress, 1.0 - rest + 0.5 * share * rest);
+    this->HasStopped = this->HasStopped || !this->GoOn(this->Progress);
     return !this->HasStopped;
   }
 
@@ -270,6 +270,7 @@ private:
   std::vector<double> Deviations;                         // of grids, per face
   std::vector<int> Matches;                               // faces of the last base
   double Error = std::numeric_limits<double>::infinity(); // of the steps of the first round
+  double Progress = 0.0;
   int Round = 0;
   int Simplifications = 0;
 };

@@ -16,6 +16,7 @@
 #include "vtkXMLPolyDataWriter.h"
 
 #include <algorithm>
+#include <vector>
 
 using namespace RelevoMicroMeshes;
 
@@ -62,19 +63,41 @@ Mesh Read(const std::string& text)
   return reader->GetOutput();
 }
 
-void CheckAbort(RelevoCheck& check, vtkPolyData* dense)
+struct Progress
 {
+  int EventsBeforeAbort;
+  std::vector<double> Shares;
+};
+
+// The output is empty if the filter is aborted.
+void CheckProgress(RelevoCheck& check, vtkPolyData* dense, int eventsBeforeAbort)
+{
+  CHECK_CASE(eventsBeforeAbort);
   vtkNew<vtkMicroMeshFilter> filter;
   RelevoErrors errors(filter);
   filter->SetInputData(dense);
-  filter->SetTolerance(0.01);
+  filter->SetTolerance(0.002);
+  Progress progress{ eventsBeforeAbort, {} };
   vtkNew<vtkCallbackCommand> command;
-  command->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
-    { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+  command->SetClientData(&progress);
+  command->SetCallback(
+    [](vtkObject* caller, unsigned long, void* data, void*)
+    {
+      auto filter = static_cast<vtkAlgorithm*>(caller);
+      auto progress = static_cast<Progress*>(data);
+      progress->Shares.push_back(filter->GetProgress());
+      if (static_cast<int>(progress->Shares.size()) == progress->EventsBeforeAbort)
+      {
+        filter->SetAbortExecute(1);
+      }
+    });
   filter->AddObserver(vtkCommand::ProgressEvent, command);
   filter->Update();
   CHECK(errors.None());
-  CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 0);
+  CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells() > 0, eventsBeforeAbort == 0);
+  CHECK_GREATER(static_cast<int>(progress.Shares.size()) + 1, std::max(2, eventsBeforeAbort));
+  CHECK(std::is_sorted(progress.Shares.begin(), progress.Shares.end()));
+  CHECK(progress.Shares.front() >= 0.0 && progress.Shares.back() <= 1.0);
 }
 }
 
@@ -106,6 +129,9 @@ int TestMicroMeshFilter(int, char*[])
   const Mesh read = Read(writer->GetOutputString());
   CHECK_EQUAL(CountDifferences(one, read), 0);
   CHECK_EQUAL(CountDifferences(Decode(one, 4), Decode(read, 4)), 0);
-  CheckAbort(check, sphere);
+  for (int events : { 0, 1, 2, 4 })
+  {
+    CheckProgress(check, sphere, events);
+  }
   return check.GetResult();
 }

@@ -5,6 +5,7 @@
 #include "RelevoCheck.h"
 #include "RelevoMicroMeshes.h"
 
+#include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
@@ -14,6 +15,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 using namespace RelevoMicroMeshes;
 
@@ -74,6 +76,11 @@ void CheckArrays(RelevoCheck& check)
   CHECK_GREATER(Update(filter, plate), 0);
   CHECK(errors.Warned("\"Stuff\" has too few tuples"));
   CHECK(filter->GetOutput()->GetCellData()->GetArray("Material") != nullptr);
+  plate->GetCellData()->RemoveArray("Stuff");
+  plate->GetPointData()->AddArray(tooShort);
+  CHECK_GREATER(Update(filter, plate), 0);
+  CHECK(errors.Warned("\"Stuff\" has too few tuples"));
+  CHECK(filter->GetOutput()->GetPointData()->GetArray("Stuff") == nullptr);
 }
 
 void CheckCells(RelevoCheck& check)
@@ -101,6 +108,64 @@ void CheckCells(RelevoCheck& check)
   }
   CHECK_GREATER(Update(filter, repeated), 0);
   CHECK(errors.Warned("1 triangles with coincident corners are left out"));
+  const Mesh twice = Plate(4);
+  twice->GetCellData()->Initialize();
+  twice->GetPolys()->InsertNextCell({ 6, 0, 1 }); // cell 0 with its corners rotated
+  CHECK_GREATER(Update(filter, twice), 0);
+  CHECK(errors.Warned("1 duplicates of triangles are left out"));
+  const Mesh lines = Plate(4);
+  lines->SetLines(lines->GetPolys());
+  lines->SetPolys(vtkNew<vtkCellArray>());
+  lines->GetCellData()->Initialize();
+  CHECK_EQUAL(Update(filter, lines), 0);
+  CHECK(errors.None());
+}
+
+// Reverses the order of points of every nth triangle.
+Mesh Reversed(const Mesh& mesh, int n)
+{
+  vtkNew<vtkCellArray> triangles;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    mesh->GetCellPoints(i, size, ids);
+    const bool isReversed = i % n == 0;
+    triangles->InsertNextCell({ ids[0], ids[isReversed ? 2 : 1], ids[isReversed ? 1 : 2] });
+  }
+  const auto reversed = Mesh::New();
+  reversed->SetPoints(mesh->GetPoints());
+  reversed->SetPolys(triangles);
+  return reversed;
+}
+
+// Each triangle has points of its own.
+Mesh Soup(vtkPolyData* mesh)
+{
+  std::vector<std::array<double, 3>> points;
+  std::vector<RelevoMeshes::Triangle> triangles;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    mesh->GetCellPoints(i, size, ids);
+    for (int c = 0; c < 3; ++c)
+    {
+      points.emplace_back();
+      mesh->GetPoint(ids[c], points.back().data());
+    }
+    triangles.push_back({ { 3 * i, 3 * i + 1, 3 * i + 2 } });
+  }
+  return RelevoMeshes::FromTriangles(points, triangles);
+}
+
+Mesh Both(vtkPolyData* one, vtkPolyData* other)
+{
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputData(one);
+  both->AddInputData(other);
+  both->Update();
+  return both->GetOutput();
 }
 
 void CheckTolerance(RelevoCheck& check, const std::string& name, vtkPolyData* mesh, double share)
@@ -152,5 +217,22 @@ int TestMicroMeshFilterErrors(int, char*[])
     thin->GetPoints()->SetPoint(i, x[0], x[1], 0.01 * x[2]);
   }
   CheckTolerance(check, "thin", thin, 0.001);
+  const double aside[3] = { 0.3, 0.2, 0.1 };
+  const Mesh sphere = Sphere(24, 12);
+  CheckTolerance(
+    check, "self-intersecting", Both(sphere, Moved(sphere, 1.0, aside, VTK_FLOAT)), 0.005);
+  CheckTolerance(check, "inconsistent winding", Reversed(sphere, 7), 0.005);
+  CheckTolerance(check, "half of the winding reversed", Reversed(sphere, 2), 0.005);
+  CheckTolerance(check, "soup", Soup(Plate(6)), 0.01);
+  // Two fans share a vertex only, and a duplicate of the sphere has other points.
+  CheckTolerance(check, "non-manifold vertex",
+    FromTriangles({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { -1, 0, 1 }, { 0, -1, 1 } },
+      { { 0, 1, 2 }, { 0, 3, 4 } }),
+    0.01);
+  CheckTolerance(check, "coincident sheets", Both(sphere, Reversed(sphere, 1)), 0.005);
+  const Mesh outlier = Moved(sphere, 1.0, nowhere, VTK_DOUBLE);
+  outlier->GetPoints()->SetPoint(5, 1e30, 0.0, 0.0);
+  outlier->GetPoints()->Modified();
+  CheckTolerance(check, "outlier", outlier, 1e-9);
   return check.GetResult();
 }
