@@ -7,10 +7,9 @@ from __future__ import annotations
 import os
 import weakref
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy
-from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkScalarsToColors
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
@@ -30,6 +29,9 @@ from . import _camera, _inputs, _legend, _outputs, _work, files
 from ._error import Error
 from ._messages import Messages
 from ._typing import Array, Camera, Path
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 SIZE = (1280, 800)
 _DRAWING: dict[str, int] = {}  # the process that has drawn

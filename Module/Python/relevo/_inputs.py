@@ -9,10 +9,9 @@ import importlib
 import os
 import pathlib
 from collections.abc import Iterable, Sequence
-from typing import Any, TypeGuard
+from typing import TYPE_CHECKING, Any, TypeGuard
 
 import numpy
-from numpy.typing import ArrayLike, NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray, vtkIdTypeArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
@@ -28,6 +27,9 @@ from . import _work
 from ._error import Error
 from ._messages import Messages, warn
 from ._typing import Path
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
 
 _masked: Any = numpy.ma  # without annotations up to numpy 2.2
 

@@ -4,20 +4,41 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray
-from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor
 
 import relevo
 
 from . import _camera, _inputs
-from ._drawing import Drawing
+from ._drawing import SIZE, Drawing
 from ._refined import Refined
 
-_LEVEL = 3
+_HIGHEST_LEVEL = 7
 _PIXELS = 10.0  # length of the longest segment of an edge
+_MEAN_PIXELS = 4.0  # length of the segments of a mean edge at the highest level
+
+
+def _choose_level(mesh: vtkPolyData) -> int:
+    """Return the level at which a mean edge has short segments if the mesh fills the picture."""
+    polygons = mesh.GetPolys()
+    corners = vtk_to_numpy(polygons.GetConnectivityArray())
+    if not len(corners):
+        return 0
+    points = vtk_to_numpy(mesh.GetPoints().GetData())[corners].astype(float)
+    offsets = vtk_to_numpy(polygons.GetOffsetsArray())
+    following = numpy.arange(1, len(corners) + 1)
+    following[offsets[1:] - 1] = offsets[:-1]
+    length = numpy.linalg.norm(points[following] - points, axis=1).mean()
+    pixels = max(SIZE) * length / mesh.GetLength() if mesh.GetLength() > 0 else 0.0
+    if not 0 < pixels < math.inf:
+        return 0
+    return min(max(math.ceil(math.log2(pixels / _MEAN_PIXELS)), 0), _HIGHEST_LEVEL)
 
 
 def _is_flow(array: vtkDataArray | None) -> bool:
@@ -47,17 +68,14 @@ class LIC(Refined):
         length = relevo.vtkScreenEdgeDepthTagMetric()
         length.SetReferenceLength(_PIXELS)
         length.SetMeasureToSphereDiameter()
-        metric: relevo.vtkDepthTagMetric = length
-        if of_points:
-            variation = relevo.vtkFieldVariationDepthTagMetric()
-            variation.SetArrayName(array.GetName())
-            both = relevo.vtkCompositeDepthTagMetric()
-            both.SetModeToMaximum()
-            both.AddMetric(variation)
-            both.AddMetric(length)
-            metric = both
+        variation = relevo.vtkFieldVariationDepthTagMetric()
+        variation.SetArrayName(array.GetName())
+        metric = relevo.vtkCompositeDepthTagMetric()
+        metric.SetModeToMaximum()
+        metric.AddMetric(variation)
+        metric.AddMetric(length)
         self.recipe.SetMetric(metric)
-        self.recipe.SetMaximumLevel(_LEVEL)
+        self.recipe.SetMaximumLevel(_choose_level(self._coarse))
         self._set_lighting(lighting)
 
     def _find_vectors(self, vectors: str | None) -> tuple[vtkDataArray, bool]:

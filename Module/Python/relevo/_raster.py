@@ -11,16 +11,18 @@ import shutil
 import sys
 import tempfile
 import weakref
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy
-from numpy.typing import ArrayLike, NDArray
 from vtkmodules.vtkCommonCore import vtkObject
 
 from . import arrays
 from ._inputs import check_number, get_package
 from ._messages import warn
 from ._typing import Bounds
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
 
 _TYPES = {
     "uint8": "Byte",

@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy
-from numpy.typing import ArrayLike
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkScalarsToColors
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
@@ -30,6 +29,7 @@ from ._raster import RasterFile
 from ._typing import Array, Bounds, Camera, Path
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
     from . import _vtk
 
 _masked: Any = numpy.ma  # without annotations up to numpy 2.2

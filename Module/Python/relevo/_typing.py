@@ -8,10 +8,9 @@ import os
 from typing import Any, Protocol, TypeVar, Union
 
 import numpy
-from numpy.typing import NDArray
 from vtkmodules.vtkRenderingCore import vtkCamera
 
-Array = NDArray[numpy.float64]
+Array = numpy.ndarray[Any, numpy.dtype[numpy.float64]]  # numpy.typing takes time to load
 Bounds = tuple[float, float, float, float]
 Camera = Union[vtkCamera, tuple[float, float], None]
 Path = Union[str, "os.PathLike[str]"]

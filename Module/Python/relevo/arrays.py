@@ -4,10 +4,9 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy
-from numpy.typing import ArrayLike, NDArray
 from vtkmodules.util.numpy_support import create_vtk_array, get_vtk_array_type, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
@@ -16,6 +15,9 @@ import relevo
 
 from . import _work
 from ._error import Error
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
 
 _masked: Any = numpy.ma  # without annotations up to numpy 2.2
 
