@@ -195,7 +195,7 @@ class TestDrawingMessages(unittest.TestCase):
             (relevo.refined(sphere, max_level=2), "refined: 240 faces, up to level 2"),
             (relevo.volume(make_block(), "DistanceToCenter"), "volume: 64 cells, DistanceToCenter from"),
             (relevo.patches(make_curved_block()), "patches: "),
-            (relevo.lic(sphere, "V"), "lic: 240 faces, up to level 3, V (magnitude) from "),
+            (relevo.lic(sphere, "V"), "lic: 240 faces, up to level 6, V (magnitude) from "),
             (relevo.relief(make_heights()), "relief: 1 of 96 x 64 texels"),
             (relevo.intersection(sphere, make_block()), "intersection: "),
         ):

@@ -231,6 +231,17 @@ class TestDrawings(unittest.TestCase):
         shown._table = None
         self.assertTrue((picture[:, :40] != shown.screenshot(size=SIZE)[:, :40]).any())
 
+    def test_tolerances_of_curved_cells(self):
+        block = make_curved_block()
+        mapper = relevo.volume(block).mapper
+        self.assertEqual((mapper.GetShapeTolerance(), mapper.GetFieldTolerance()), (5e-4, 4e-3))
+        mapper = relevo.volume(block, shape_tolerance=1e-3, field_tolerance=1).mapper
+        self.assertEqual((mapper.GetShapeTolerance(), mapper.GetFieldTolerance()), (1e-3, 1.0))
+        for name in ("shape_tolerance", "field_tolerance"):
+            for value, error in ((0, ValueError), (2, ValueError), ("1", TypeError)):
+                with self.assertRaisesRegex(error, f"^{name} must be"):
+                    relevo.volume(block, **{name: value})
+
     def test_titles_of_colour_bars(self):
         """Titles break between words; long words break after joining characters, if possible."""
         font = _legend._make_font()

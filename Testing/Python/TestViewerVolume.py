@@ -11,9 +11,11 @@ from importlib.util import find_spec
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON,
+    VTK_QUADRATIC_HEXAHEDRON,
     VTK_TETRA,
     VTK_TRIANGLE,
     vtkCellArray,
+    vtkGenericCell,
     vtkUnstructuredGrid,
 )
 from vtkmodules.vtkIOLegacy import vtkUnstructuredGridWriter
@@ -164,6 +166,42 @@ class TestViewerVolume(ViewerProgram):
         with_legend = read_picture(self.folder / "l.png")
         self.view(self.file, "--volume", "--output=l.png", "--size=300x300", "--no-legend")
         self.assertNotEqual(with_legend, read_picture(self.folder / "l.png"))
+
+    def test_tolerances_of_curved_cells(self):
+        """Fine tolerances give the fitting picture, coarse ones another, and exact values theirs."""
+        grid = vtkUnstructuredGrid()
+        cell = vtkGenericCell.InstantiateCell(VTK_QUADRATIC_HEXAHEDRON)
+        nodes = cell.GetParametricCoords()
+        points = vtkPoints()
+        positions = [nodes[3 * i : 3 * i + 3] for i in range(20)]
+        for x, y, z in positions:
+            points.InsertNextPoint(x + 0.8 * z * (1 - z), y, z)
+        grid.SetPoints(points)
+        grid.InsertNextCell(VTK_QUADRATIC_HEXAHEDRON, 20, range(20))
+        grid.GetPointData().SetScalars(make_array("Bow", [((p[1] - 0.5) ** 2,) for p in positions]))
+        curved = write(self.folder, "bow.vtu", grid, vtkXMLUnstructuredGridWriter())
+        side = ("--view=90,0", self.transfer("0 1 0 0 1\n0.25 0 0 1 1\n"), "--unit-distance=0.25")
+        pictures = {}
+        for options in ((), ("--shape-tolerance=1", "--field-tolerance=1"),
+                        ("--shape-tolerance=1e-4",), ("--shape-tolerance=5e-4", "--field-tolerance=0.004")):
+            pictures[options] = self.picture("--volume", "Bow", *side, *options, file=curved)
+        default, coarse, fine, same = pictures.values()
+        self.assertEqual(default, same)
+
+        def count(one, other):
+            return sum(
+                max(abs(a - b) for a, b in zip(p, q)) > 8
+                for rows in zip(one, other) for p, q in zip(*rows)
+            )
+
+        self.assertLess(count(default, fine), 40)
+        self.assertGreater(count(default, coarse), 200)
+        for text in ("0", "1e-7", "2", "x"):
+            for option in ("--shape-tolerance", "--field-tolerance"):
+                self.assert_error(2, [option], curved, "--volume", f"{option}={text}", "--output=v.png")
+        self.assert_error(
+            2, ["--shape-tolerance requires --volume"], curved, "--shape-tolerance=0.1", "--output=v.png"
+        )
 
     def test_methods_and_integration(self):
         """The methods compute the picture differently, but it is almost the same."""

@@ -92,8 +92,9 @@ private:
   {
     const ViewerOptions& options = this->Options;
     this->RequireMesh({ "--volume" }, GetVolumeFormats());
-    const std::set<std::string> ofVolumes = { "--blend", "--integration", "--isosurfaces",
-      "--transfer", "--unit-distance", "--volume", "--volume-method" };
+    const std::set<std::string> ofVolumes = { "--blend", "--field-tolerance", "--integration",
+      "--isosurfaces", "--shape-tolerance", "--transfer", "--unit-distance", "--volume",
+      "--volume-method" };
     for (const auto& given : this->Given)
     {
       const std::string& option = given.first;

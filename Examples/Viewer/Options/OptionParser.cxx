@@ -39,6 +39,7 @@ const int MaximumHairs = 10000000;
 const int MaximumIsolines = 1000;
 const double LowestError = 0.001; // the smallest ScreenSpaceError
 const double HighestError = 1e6;
+const double LowestTolerance = 1e-6; // of curved cells
 const double LowestZoom = 0.001;
 const double HighestZoom = 1e6;
 
@@ -316,6 +317,9 @@ private:
         } },
       { "--clip",
         [&](const auto& option, const auto& value) { options.Clip = ToPlane(option, value); } },
+      { "--field-tolerance",
+        [&](const auto& option, const auto& value)
+        { options.FieldTolerance = ToNumber(option, value, LowestTolerance, 1.0); } },
       { "--integration",
         [&](const auto& option, const auto& value)
         {
@@ -327,6 +331,9 @@ private:
       { "--isosurfaces",
         [&](const auto& option, const auto& value)
         { options.IsoSurfaces = ToList(option, value); } },
+      { "--shape-tolerance",
+        [&](const auto& option, const auto& value)
+        { options.ShapeTolerance = ToNumber(option, value, LowestTolerance, 1.0); } },
       { "--transfer", [&](const auto&, const auto& value) { options.Transfer = value; } },
       { "--unit-distance",
         [&](const auto& option, const auto& value)

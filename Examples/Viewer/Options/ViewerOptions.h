@@ -130,6 +130,8 @@ struct ViewerOptions
   int VolumeMethod = 0;                    // as in vtkGPUUnstructuredGridVolumeMapper
   int Integration = 0;                     // as in vtkGPUUnstructuredGridVolumeMapper
   int BlendMode = 0;                       // as in vtkGPUUnstructuredGridVolumeMapper
+  std::optional<double> ShapeTolerance;    // of curved cells, share of the diagonal
+  std::optional<double> FieldTolerance;    // share of the range
 
   // Intersection of two meshes.
   std::string Against; // the other mesh

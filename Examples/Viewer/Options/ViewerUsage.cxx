@@ -115,6 +115,10 @@ Volumes (files that can contain 3D cells):
                          cast rays through the cells (default), or sort and project the cells
   --integration exact|pre|pre2d
                          integrate along rays exactly (default), or with tables of 3 or 2 dimensions
+  --shape-tolerance X    largest error of the shape of curved cells, as a share of the diagonal,
+                         1e-6 to 1 (default: 5e-4)
+  --field-tolerance X    largest error of the values in curved cells, as a share of their range,
+                         1e-6 to 1 (default: 4e-3)
 
 Where meshes meet:
   --against FILE         intersect the mesh with that of FILE, print the result and exit. With

@@ -81,6 +81,10 @@ VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
   this->Mapper->SetMethod(options.VolumeMethod);
   this->Mapper->SetBlendMode(options.BlendMode);
   this->Mapper->SetIntegration(options.Integration);
+  this->Mapper->SetShapeTolerance(
+    options.ShapeTolerance.value_or(this->Mapper->GetShapeTolerance()));
+  this->Mapper->SetFieldTolerance(
+    options.FieldTolerance.value_or(this->Mapper->GetFieldTolerance()));
   this->Measure(data);
   this->ChooseFunctions(data);
   this->Property->SetAmbient(0.3);

@@ -52,6 +52,7 @@ std::string NameOptions(std::string text)
     { "raise ImageSampleDistance", "use a smaller --size" },
     { "call SetMethodToRayCasting()", "use --volume-method ray" },
     { "lower TableSize", "use --integration exact" },
+    { "ShapeTolerance and FieldTolerance", "--shape-tolerance and --field-tolerance" },
   };
   for (const auto& phrase : phrases)
   {

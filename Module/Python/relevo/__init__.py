@@ -4,7 +4,7 @@
 
 `relevo.show("file")` draws a file in a window. `relevo.terrain`, `refined`, `volume`, `patches`,
 `lic`, `relief` and `intersection` draw files, arrays and meshes with options, in windows, notebooks
-and pictures.
+and pictures. `relevo.times` lists the time steps of a file.
 
 The package also has all wrapped classes of Relevo with their C++ names, for example
 `relevo.vtkAdaptiveRefinementMapper` and `relevo.vtkHeightMap`. `relevo.arrays` converts heights,
@@ -53,6 +53,7 @@ _FUNCTIONS = {
     "relief": "_functions",
     "intersection": "_functions",
     "show": "_functions",
+    "times": "_functions",
 }
 
 __all__ = [*_FUNCTIONS]  # help() and `import *` would be long with all classes

@@ -12,8 +12,9 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
 from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
-from . import _inputs, _raster
+from . import _inputs, _raster, _results
 from ._typing import Path
 
 if TYPE_CHECKING:
@@ -51,7 +52,10 @@ _SYNONYMS = {
     "shade": ("lighting",),
     "show_edges": ("edges",),
     "srs": ("crs",),
+    "step": ("time",),
     "texture": ("imagery",),
+    "time_step": ("time",),
+    "timestep": ("time",),
     "vectors": ("warp", "array"),
     "warp_factor": ("factor",),
     "z_scale": ("exaggeration",),
@@ -137,6 +141,7 @@ def refined(
     scale: float | None = None,
     up: str = "y",
     lighting: bool = True,
+    time: float | None = None,
 ) -> Refined:
     """Draw a surface, refined where the viewer needs detail.
 
@@ -154,6 +159,8 @@ def refined(
     scale: the length of one unit of height (default: 5 % of the mesh's diagonal for all heights).
     up: the vertical axis, "x", "y" or "z" (default: "y").
     lighting: whether lights shade the surface (default: True).
+    time: the time of a file with time steps, or of an algorithm of VTK; the nearest step is drawn
+        (default: the first one, or the current one of an algorithm). See times().
 
     Active scalars are colours. mapper is a vtkAdaptiveRefinementMapper, recipe its
     vtkAdaptiveRefinement.
@@ -162,7 +169,7 @@ def refined(
     """
     from ._refined import Refined
 
-    return Refined(mesh, surface, metric, max_level, height, scale, up, lighting)
+    return Refined(mesh, surface, metric, max_level, height, scale, up, lighting, time)
 
 
 @_public
@@ -177,6 +184,9 @@ def volume(
     blend: str = "composite",
     up: str = "y",
     lighting: bool | None = None,
+    time: float | None = None,
+    shape_tolerance: float | None = None,
+    field_tolerance: float | None = None,
 ) -> Volume:
     """Draw the interior of a mesh of 3D cells.
 
@@ -192,6 +202,12 @@ def volume(
     blend: "composite", "maximum", "minimum", "average", "additive" or "isosurface".
     up: the vertical axis, "x", "y" or "z" (default: "y").
     lighting: whether gradients are shaded by lights (default: with isosurfaces).
+    time: the time of a file with time steps, or of an algorithm of VTK; the nearest step is drawn
+        (default: the first one, or the current one of an algorithm). See times().
+    shape_tolerance: the largest error of the shape of curved cells, as a share of the diagonal of
+        the mesh, from 1e-6 to 1 (default: 5e-4, half a pixel if the mesh is 1000 pixels large).
+    field_tolerance: the largest error of the values in curved cells, as a share of their range,
+        from 1e-6 to 1 (default: 4e-3). Reduce it if the transfer function has narrow peaks.
 
     Of arrays with several components, the magnitude is shown: the root of the sum of the squares of
     the stored components. For 6 components of a symmetric tensor (xx, yy, zz, xy, yz, xz) or 9 of
@@ -205,7 +221,20 @@ def volume(
     """
     from ._volume import Volume
 
-    return Volume(mesh, array, transfer, unit_distance, isosurfaces, clip, blend, up, lighting)
+    return Volume(
+        mesh,
+        array,
+        transfer,
+        unit_distance,
+        isosurfaces,
+        clip,
+        blend,
+        up,
+        lighting,
+        time,
+        shape_tolerance,
+        field_tolerance,
+    )
 
 
 @_public
@@ -220,6 +249,7 @@ def patches(
     error: float | None = None,
     up: str = "y",
     lighting: bool = True,
+    time: float | None = None,
 ) -> Patches:
     """Draw cells with their exact shape: quadratic, Lagrange, Bézier and rational cells.
 
@@ -233,6 +263,8 @@ def patches(
     error: the largest distance from the exact shape in pixels (default: 0.5).
     up: the vertical axis, "x", "y" or "z" (default: "y").
     lighting: whether lights shade the surface (default: True).
+    time: the time of a file with time steps, or of an algorithm of VTK; the nearest step is drawn
+        (default: the first one, or the current one of an algorithm). See times().
 
     mapper is a vtkAdaptivePatchMapper, recipe its vtkAdaptiveRefinement.
 
@@ -241,12 +273,17 @@ def patches(
     """
     from ._patches import Patches
 
-    return Patches(mesh, scalars, warp, factor, edges, isolines, error, up, lighting)
+    return Patches(mesh, scalars, warp, factor, edges, isolines, error, up, lighting, time)
 
 
 @_public
 def lic(
-    mesh: Any, vectors: str | None = None, *, up: str = "y", lighting: bool = True
+    mesh: Any,
+    vectors: str | None = None,
+    *,
+    up: str = "y",
+    lighting: bool = True,
+    time: float | None = None,
 ) -> LIC:
     """Draw streaks along a vector field on a surface, by line integral convolution.
 
@@ -255,6 +292,8 @@ def lic(
         vectors, or the first such array). Colours are their lengths.
     up: the vertical axis, "x", "y" or "z" (default: "y").
     lighting: whether lights shade the surface (default: True).
+    time: the time of a file with time steps, or of an algorithm of VTK; the nearest step is drawn
+        (default: the first one, or the current one of an algorithm). See times().
 
     mapper is a vtkAdaptiveLICMapper, recipe its vtkAdaptiveRefinement.
 
@@ -263,7 +302,7 @@ def lic(
     """
     from ._lic import LIC
 
-    return LIC(mesh, vectors, up, lighting)
+    return LIC(mesh, vectors, up, lighting, time)
 
 
 @_public
@@ -300,6 +339,23 @@ def intersection(a: Any, b: Any = None) -> Intersection:
     return Intersection(a, b)
 
 
+@_public
+def times(source: Any) -> list[float]:
+    """Return the times of the steps of a file or of an algorithm of VTK, in increasing order.
+
+    source: a path, as for refined(), or a vtkAlgorithm, such as a reader.
+
+    The list is empty without time steps. Draw a step with the option time of the other functions.
+
+    Raises FileNotFoundError, relevo.Error, TypeError, and ValueError for other files.
+    """
+    if _inputs.is_path(source):
+        return _results.open_file(source)[0].get_times()
+    if isinstance(source, vtkAlgorithm):
+        return _results.AlgorithmReader(source).get_times()
+    raise TypeError(f"source must be a path or a vtkAlgorithm, not {type(source).__name__}")
+
+
 def _is_curved(data: vtkDataObject) -> bool:
     """Return whether a data object has curved cells."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -313,7 +369,7 @@ def _is_curved(data: vtkDataObject) -> bool:
     return False
 
 
-def _find_functions(source: Any) -> tuple[tuple[Callable[..., Drawing], ...], Any]:
+def _find_functions(source: Any, time: Any) -> tuple[tuple[Callable[..., Drawing], ...], Any]:
     """Return the functions that can draw a source, best first, and the source, read if needed."""
     if _inputs.is_path(source) and os.path.isdir(source):
         if not os.path.isfile(os.path.join(source, "data.csv")):
@@ -324,9 +380,9 @@ def _find_functions(source: Any) -> tuple[tuple[Callable[..., Drawing], ...], An
         return (relief,), source
     if _raster.is_raster(source):
         return (terrain, relief), source
-    if _inputs.is_path(source) and not _inputs.is_mesh_file(source):
+    if _inputs.is_path(source) and not _results.is_mesh_file(source):
         return (terrain, relief), source
-    data, package = _inputs.take_data(source, "the first argument")
+    data, package = _inputs.take_data(source, "the first argument", time)
     if data.IsA("vtkImageData") and data.GetFieldData().HasArray("ReliefMatrix"):
         return (relief,), data
     # Meshes of other packages are read again, so that results are of their kind.
@@ -347,10 +403,12 @@ def show(source: Any, **options: Any) -> Drawing:
     Returns the drawing. Raises relevo.Error without a display, FileNotFoundError, TypeError, and
     ValueError.
     """
-    functions, source = _find_functions(source)
+    functions, found = _find_functions(source, options.get("time"))
+    if found is not source:
+        options.pop("time", None)  # the step is read
     for function in functions:
         if set(options) <= set(_get_options(function)[1:]):
-            drawing = function(source, **options)
+            drawing = function(found, **options)
             drawing.show()
             return drawing
     allowed = dict.fromkeys(own for function in functions for own in _get_options(function)[1:])

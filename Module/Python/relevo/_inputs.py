@@ -4,16 +4,13 @@
 
 from __future__ import annotations
 
-import errno
-import importlib
 import os
-import pathlib
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, TypeGuard
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDataArray, vtkIdTypeArray, vtkPoints
+from vtkmodules.vtkCommonCore import vtkDataArray, vtkDoubleArray, vtkIdTypeArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
     vtkCompositeDataSet,
@@ -23,9 +20,7 @@ from vtkmodules.vtkCommonDataModel import (
 )
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
-from . import _work
-from ._error import Error
-from ._messages import Messages, warn
+from . import _results, _work
 from ._typing import Path
 
 if TYPE_CHECKING:
@@ -33,35 +28,8 @@ if TYPE_CHECKING:
 
 _masked: Any = numpy.ma  # without annotations up to numpy 2.2
 
-# The reader of each extension: a module and a class.
-_READERS = {
-    ".bpt": ("relevo", "vtkBezierPatchReader"),
-    ".e": ("vtkmodules.vtkIOExodus", "vtkExodusIIReader"),
-    ".ex2": ("vtkmodules.vtkIOExodus", "vtkExodusIIReader"),
-    ".exo": ("vtkmodules.vtkIOExodus", "vtkExodusIIReader"),
-    ".g": ("vtkmodules.vtkIOExodus", "vtkExodusIIReader"),
-    ".glb": ("vtkmodules.vtkIOGeometry", "vtkGLTFReader"),
-    ".gltf": ("vtkmodules.vtkIOGeometry", "vtkGLTFReader"),
-    ".obj": ("vtkmodules.vtkIOGeometry", "vtkOBJReader"),
-    ".ply": ("vtkmodules.vtkIOPLY", "vtkPLYReader"),
-    ".stl": ("vtkmodules.vtkIOGeometry", "vtkSTLReader"),
-    ".vti": ("vtkmodules.vtkIOXML", "vtkXMLImageDataReader"),
-    ".vtk": ("vtkmodules.vtkIOLegacy", "vtkGenericDataObjectReader"),
-    ".vtm": ("vtkmodules.vtkIOXML", "vtkXMLMultiBlockDataReader"),
-    ".vtp": ("vtkmodules.vtkIOXML", "vtkXMLPolyDataReader"),
-    ".vtr": ("vtkmodules.vtkIOXML", "vtkXMLRectilinearGridReader"),
-    ".vts": ("vtkmodules.vtkIOXML", "vtkXMLStructuredGridReader"),
-    ".vtu": ("vtkmodules.vtkIOXML", "vtkXMLUnstructuredGridReader"),
-}
-
-
 def is_path(source: object) -> TypeGuard[Path]:
     return isinstance(source, (str, os.PathLike))
-
-
-def is_mesh_file(path: Path) -> bool:
-    """Return whether the extension is that of a mesh."""
-    return pathlib.Path(path).suffix.lower() in _READERS
 
 
 def check_number(value: Any, name: str, integer: bool = False) -> None:
@@ -69,14 +37,6 @@ def check_number(value: Any, name: str, integer: bool = False) -> None:
     if numpy.ndim(value) or numpy.asarray(value).dtype.kind not in ("iu" if integer else "iuf"):
         wanted = "an integer" if integer else "a number"
         raise TypeError(f"{name} must be {wanted}, not {value!r}")
-
-
-def check_file(path: Path) -> str:
-    """Return a path as a string. Raise FileNotFoundError if the file does not exist."""
-    path = os.fspath(path)
-    if not os.path.exists(path):
-        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), path)
-    return path
 
 
 def get_package(value: object) -> str:
@@ -88,42 +48,6 @@ def find_package(value: object) -> str:
     """Return the package, "pyvista" or "vedo", of a mesh or of its base classes, or ""."""
     packages = {kind.__module__.partition(".")[0] for kind in type(value).__mro__}
     return next((name for name in ("pyvista", "vedo") if name in packages), "")
-
-
-def _check_damage(path: str) -> None:
-    """Raise Error for a damaged file with which the reader of VTK crashes, or that it accepts."""
-    try:
-        from . import _filechecks
-    except ImportError:  # a build of VTK without VTK::IOGeometry
-        return
-    try:
-        with Messages():
-            warnings = _filechecks.check(path)
-        for text in warnings:
-            warn(text)
-    except ValueError as error:
-        raise Error(f"{path}: {error}") from None
-
-
-def _read(path: Path) -> vtkDataObject:
-    path = check_file(path)
-    extension = pathlib.Path(path).suffix.lower()
-    if extension not in _READERS:
-        raise ValueError(f"{path}: meshes have the extensions {', '.join(sorted(_READERS))}")
-    _check_damage(path)
-    module, name = _READERS[extension]
-    reader = getattr(importlib.import_module(module), name)()
-    reader.SetFileName(path)
-    with Messages():
-        if name == "vtkExodusIIReader":
-            reader.UpdateInformation()
-            for kind in (reader.NODAL, reader.ELEM_BLOCK):
-                reader.SetAllArrayStatus(kind, 1)
-            # Readers apply the displacement by default; results are drawn where they are.
-            reader.ApplyDisplacementsOff()
-        _work.update(reader)
-    data: vtkDataObject = reader.GetOutputDataObject(0)
-    return data
 
 
 def check_array(
@@ -187,16 +111,27 @@ def _get_vedo_data(mesh: Any) -> vtkDataObject | None:
     return mesh.polydata() if hasattr(mesh, "polydata") else None  # applies the transform
 
 
-def take_data(source: Any, name: str = "mesh") -> tuple[vtkDataObject, str]:
+def take_data(
+    source: Any, name: str = "mesh", time: float | None = None
+) -> tuple[vtkDataObject, str]:
     """Return the vtkDataObject of a source, and its package as find_package().
 
     source: a path, a vtkDataObject, a vtkAlgorithm, a prop, a mesh of PyVista or vedo, or points
         and faces as arrays.
+    time: of a path or a vtkAlgorithm.
     """
     package = find_package(source)
     data = None
+    if time is not None:
+        check_number(time, "time")
     if is_path(source):
-        data = _read(source)
+        data = _results.read(source, time)
+    elif time is not None and isinstance(source, vtkAlgorithm):
+        data = _results.update(source, time)
+    elif time is not None:
+        raise ValueError(
+            f"time is for files and algorithms of VTK; {name} is a {type(source).__name__}"
+        )
     elif isinstance(source, vtkDataObject):
         data = source
     elif package == "vedo":
@@ -238,20 +173,61 @@ def get_blocks(data: vtkDataObject) -> list[vtkDataSet]:
     raise TypeError(f"{data.GetClassName()} is not a mesh")
 
 
+def _fill_arrays(blocks: Sequence[vtkDataSet], association: int) -> None:
+    """Add arrays that some blocks lack, as NaN. Otherwise, vtkAppendFilter would drop them."""
+    present: dict[str, list[vtkDataArray]] = {}
+    for block in blocks:
+        data = block.GetAttributes(association)
+        for i in range(data.GetNumberOfArrays()):
+            array = data.GetArray(i)
+            if array is not None and array.GetName() and array.GetName() != "vtkGhostType":
+                present.setdefault(array.GetName(), []).append(array)
+    for name, arrays in present.items():
+        for block in blocks if len(arrays) < len(blocks) else ():
+            filled = vtkDoubleArray()
+            own = block.GetAttributes(association).GetArray(name)
+            if own is not None:
+                filled.DeepCopy(own)
+            else:
+                filled.SetNumberOfComponents(arrays[0].GetNumberOfComponents())
+                filled.SetNumberOfTuples(block.GetNumberOfElements(association))
+                filled.Fill(numpy.nan)
+            filled.SetName(name)
+            block.GetAttributes(association).AddArray(filled)
+
+
+def merge_blocks(data: vtkDataObject) -> vtkDataSet:
+    """Return the blocks of a mesh as one. An array that a block lacks is NaN there."""
+    from vtkmodules.vtkFiltersCore import vtkAppendFilter
+
+    blocks = []
+    for block in get_blocks(data):
+        if block.GetNumberOfPoints():
+            blocks.append(block.NewInstance())
+            blocks[-1].ShallowCopy(block)
+    if not blocks:
+        raise ValueError("the mesh is empty")
+    if len(blocks) == 1:
+        return blocks[0]
+    append = vtkAppendFilter()
+    for association in (vtkDataObject.POINT, vtkDataObject.CELL):
+        _fill_arrays(blocks, association)
+    for block in blocks:
+        append.AddInputData(block)
+    _work.update(append)
+    merged: vtkDataSet = append.GetOutput()
+    return merged
+
+
 def extract_surface(data: vtkDataObject) -> vtkPolyData:
     """Return the polygons of a mesh as a vtkPolyData."""
     if isinstance(data, vtkPolyData):
         surface = data
     else:
-        from vtkmodules.vtkFiltersGeometry import (
-            vtkCompositeDataGeometryFilter,
-            vtkGeometryFilter,
-        )
+        from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 
-        get_blocks(data)  # checks the type
-        composite = isinstance(data, vtkCompositeDataSet)
-        extract = vtkCompositeDataGeometryFilter() if composite else vtkGeometryFilter()
-        extract.SetInputData(data)
+        extract = vtkGeometryFilter()
+        extract.SetInputData(merge_blocks(data))
         _work.update(extract)
         surface = extract.GetOutput()
     if surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:

@@ -50,9 +50,16 @@ class LIC(Refined):
 
     mapper: relevo.vtkAdaptiveLICMapper
 
-    def __init__(self, mesh: Any, vectors: str | None, up: str, lighting: bool) -> None:
+    def __init__(
+        self,
+        mesh: Any,
+        vectors: str | None,
+        up: str,
+        lighting: bool,
+        time: float | None = None,
+    ) -> None:
         self._up = _camera.find_axis(up)
-        self._take_surface(mesh, None)
+        self._take_surface(mesh, None, time)
         array, of_points = self._find_vectors(vectors)
         Drawing.__init__(self, relevo.vtkAdaptiveLICMapper(), vtkActor())
         self._set_up((array, of_points))

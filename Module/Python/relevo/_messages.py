@@ -20,8 +20,13 @@ from ._interrupts import Interrupts
 _NOISE = re.compile(r"Algorithm \w+ ?\(\w+\) returned failure|Could not locate key")
 
 
-def _strip(text: str) -> str:
-    """Return a message without class, address and source line."""
+def _strip(text: str | None) -> str:
+    """Return a message without class, address and source line.
+
+    VTK passes None if the message is not UTF-8, because it quotes binary data.
+    """
+    if text is None:
+        return "VTK cannot read the data: its message is not text"
     return re.sub(r"^[\w ]+: In .*, line \d+\s+(\w+ \(\w+\): )?", "", text).strip()
 
 
@@ -74,10 +79,10 @@ class Messages:
         self._warnings: list[str] = []
         self._interrupts = Interrupts()
 
-    def _add_error(self, caller: vtkObject, event: str, text: str) -> None:
+    def _add_error(self, caller: vtkObject, event: str, text: str | None) -> None:
         self._errors.append(rename(_strip(text), self._names))
 
-    def _add_warning(self, caller: vtkObject, event: str, text: str) -> None:
+    def _add_warning(self, caller: vtkObject, event: str, text: str | None) -> None:
         self._warnings.append(rename(_strip(text), self._names))
 
     for _function in (_add_error, _add_warning):

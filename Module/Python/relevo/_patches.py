@@ -7,45 +7,72 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import (
+    vtkDataObject,
+    vtkDataSet,
+    vtkMultiBlockDataSet,
+    vtkUnstructuredGrid,
+)
 from vtkmodules.vtkRenderingCore import vtkActor
 
 import relevo
 
 from . import _camera, _inputs, _stress, _work
 from ._drawing import Drawing
-from ._messages import Messages
+from ._messages import Messages, warn
 from ._refined import Refined
 
 _LEVEL = 7
 
 
-def _warp(grid: vtkUnstructuredGrid, name: str, factor: float) -> vtkUnstructuredGrid:
-    """Return a grid whose nodes are displaced by an array of points."""
+def _warp_block(block: vtkDataSet, name: str, factor: float) -> vtkDataSet:
     from vtkmodules.vtkFiltersGeneral import vtkWarpVector
 
-    array, of_points = _inputs.find_array([grid], name)
-    if not of_points or array.GetNumberOfComponents() != 3:
+    if block.GetPointData().GetArray(name).GetNumberOfComponents() != 3:
         raise ValueError(f"warp: {name!r} must be an array of points with 3 components")
     warp = vtkWarpVector()
-    warp.SetInputData(grid)
+    warp.SetInputData(block)
     warp.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, name)
     warp.SetScaleFactor(factor)
     _work.update(warp)
-    warped: vtkUnstructuredGrid = warp.GetUnstructuredGridOutput()
-    return warped
+    warped: Any = warp.GetOutputDataObject(0)
+    moved: vtkDataSet = warped
+    return moved
+
+
+def _warp(data: vtkDataObject, name: str, factor: float) -> vtkDataObject:
+    """Return a mesh whose nodes are displaced by an array of points.
+
+    Blocks without the array stay where they are, with a warning.
+    """
+    blocks = _inputs.get_blocks(data)
+    if not _inputs.find_array(blocks, name)[1]:
+        raise ValueError(f"warp: {name!r} must be an array of points with 3 components")
+    moved = vtkMultiBlockDataSet()
+    missing = 0
+    for i, block in enumerate(blocks):
+        has_array = block.GetPointData().GetArray(name) is not None
+        missing += not has_array and block.GetNumberOfPoints() > 0
+        moved.SetBlock(i, _warp_block(block, name, factor) if has_array else block)
+    if missing:
+        warn(
+            f"{missing} of {len(blocks)} blocks have no array of points {name!r}, so they are not"
+            " moved"
+        )
+    return moved
 
 
 def _take_grid(data: vtkDataObject) -> vtkUnstructuredGrid:
     """Return a mesh as one vtkUnstructuredGrid."""
+    if isinstance(data, vtkUnstructuredGrid):
+        return data
+    merged = _inputs.merge_blocks(data)
+    if isinstance(merged, vtkUnstructuredGrid):
+        return merged
     from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
     append = vtkAppendFilter()
-    blocks = _inputs.get_blocks(data)
-    if not blocks:
-        raise ValueError("the mesh is empty")
-    for block in blocks:
-        append.AddInputData(block)
+    append.AddInputData(merged)
     _work.update(append)
     return append.GetOutput()
 
@@ -66,6 +93,7 @@ class Patches(Refined):
         error: float | None,
         up: str,
         lighting: bool,
+        time: float | None = None,
     ) -> None:
         self._up = _camera.find_axis(up)
         _inputs.check_number(factor, "factor")
@@ -73,15 +101,14 @@ class Patches(Refined):
             raise ValueError(f"factor must be finite, not {factor}")
         if error is not None:
             _inputs.check_number(error, "error")
-        data, self._kind = _inputs.take_data(mesh)
+        data, self._kind = _inputs.take_data(mesh, time=time)
         data, scalars = _stress.add_stress(data, scalars)
-        grid = data if isinstance(data, vtkUnstructuredGrid) else _take_grid(data)
         if warp is not None:
-            grid = _warp(grid, warp, factor)
+            data = _warp(data, warp, factor)
         elif factor != 1.0:
             raise ValueError("factor needs warp, the name of an array")
         patches = relevo.vtkPatchSurfaceFilter()
-        patches.SetInputData(grid)
+        patches.SetInputData(_take_grid(data))
         _work.update(patches)
         self._coarse = patches.GetOutput()
         if self._coarse.GetNumberOfCells() == 0:

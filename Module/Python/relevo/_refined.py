@@ -14,7 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 import relevo
 
-from . import _camera, _colours, _inputs, _work, arrays
+from . import _camera, _colours, _inputs, _results, _work, arrays
 from ._drawing import SIZE, Drawing
 from ._error import Error
 from ._messages import Messages
@@ -130,13 +130,14 @@ class Refined(Drawing):
         scale: float | None,
         up: str,
         lighting: bool,
+        time: float | None = None,
     ) -> None:
         self._up = _camera.find_axis(up)
         if max_level is not None:
             _inputs.check_number(max_level, "max_level", integer=True)
         if scale is not None:
             _inputs.check_number(scale, "scale")
-        self._take_surface(mesh, surface)
+        self._take_surface(mesh, surface, time)
         super().__init__(relevo.vtkAdaptiveRefinementMapper(), vtkActor())
         self._set_up(self._find_scalars())
         if height is not None:
@@ -159,9 +160,9 @@ class Refined(Drawing):
             self.recipe.SetMaximumLevel(max_level)
         self._set_lighting(lighting)
 
-    def _take_surface(self, mesh: Any, surface: Any) -> None:
+    def _take_surface(self, mesh: Any, surface: Any, time: float | None) -> None:
         """Set the coarse mesh and the surface of the recipe."""
-        data, self._kind = _inputs.take_data(mesh)
+        data, self._kind = _inputs.take_data(mesh, time=time)
         self._coarse = vtkPolyData()
         self._coarse.ShallowCopy(_inputs.extract_surface(data))
         self.recipe = relevo.vtkAdaptiveRefinement()
@@ -262,7 +263,7 @@ class Refined(Drawing):
             heights = height
         elif _inputs.is_path(height):
             heights = relevo.vtkHeightMap()
-            heights.SetFileName(_inputs.check_file(height))
+            heights.SetFileName(_results.check_file(height))
         elif is_raster(height):
             if isinstance(height, numpy.ndarray):
                 heights = arrays.height_map(height)

@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 import relevo
 
-from . import _inputs, _work
+from . import _inputs, _results, _work
 from ._drawing import Drawing
 from ._messages import Messages
 from ._raster import is_raster
@@ -41,7 +41,7 @@ def _convert(heights: relevo.vtkHeightField) -> vtkDataObject:
 
 def _is_heights(source: object) -> bool:
     if _inputs.is_path(source):
-        return not os.path.isdir(source) and not _inputs.is_mesh_file(source)
+        return not os.path.isdir(source) and not _results.is_mesh_file(source)
     return isinstance(source, relevo.vtkHeightField) or is_raster(source)
 
 

@@ -21,7 +21,7 @@ from vtkmodules.vtkRenderingCore import (
 
 import relevo
 
-from . import _colours, _inputs, _work
+from . import _colours, _inputs, _results, _work
 from ._drawing import SIZE, Drawing
 from ._error import Error
 from ._messages import Messages, rename, warn
@@ -44,7 +44,7 @@ _FRAME_DELAY = 50  # milliseconds, while tiles are loaded
 def _check_file(name: str) -> None:
     """Raise FileNotFoundError for a missing file. Other names, such as /vsizip/, are GDAL's."""
     if ":" not in name and not name.startswith("/vsi"):
-        _inputs.check_file(name)
+        _results.check_file(name)
 
 
 class _Colours:

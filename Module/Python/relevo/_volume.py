@@ -23,7 +23,7 @@ from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume, vtk
 
 import relevo
 
-from . import _camera, _colours, _inputs, _stress, _work
+from . import _camera, _colours, _inputs, _results, _stress, _work
 from ._drawing import SIZE, Drawing, _check_size, _make_offscreen_window
 from ._error import Error
 from ._messages import Messages
@@ -44,6 +44,8 @@ _MINIMUM_THICKNESS = 1e-3  # relative to the diagonal
 _CUBE = 2 / 3 / math.sqrt(3)  # mean chord of a cube, relative to its diagonal
 _PEAK_WIDTH = 2e-4  # relative to the range
 _PEAK_OPACITY = 0.6
+
+_TOLERANCES = {"ShapeTolerance": "shape_tolerance", "FieldTolerance": "field_tolerance"}
 
 
 def _is_solid(block: vtkDataSet) -> bool:
@@ -183,7 +185,7 @@ def _add_peaks(nodes: Array, values: Iterable[float]) -> Array:
 def _check_nodes(transfer: Any) -> Array:
     """Return the nodes of an array, or of a file with one node in each line."""
     if _inputs.is_path(transfer):
-        path = _inputs.check_file(transfer)
+        path = _results.check_file(transfer)
         try:
             transfer = numpy.loadtxt(path, ndmin=2)
         except ValueError as error:
@@ -228,6 +230,7 @@ class Volume(Drawing):
     # A light background suits translucent volumes.
     _background = ((0.98, 0.98, 0.98), (0.84, 0.87, 0.91))
     _probe: Any = None
+    _names = _TOLERANCES
 
     mapper: relevo.vtkGPUUnstructuredGridVolumeMapper
     actor: _vtk.vtkVolume
@@ -243,11 +246,14 @@ class Volume(Drawing):
         blend: str,
         up: str,
         lighting: bool | None,
+        time: float | None = None,
+        shape_tolerance: float | None = None,
+        field_tolerance: float | None = None,
     ) -> None:
         self._up = _camera.find_axis(up)
         if unit_distance is not None:
             _inputs.check_number(unit_distance, "unit_distance")
-        data, self._kind = _inputs.take_data(mesh)
+        data, self._kind = _inputs.take_data(mesh, time=time)
         self._data, array = _stress.add_stress(data, array)
         blocks = [block for block in _inputs.get_blocks(self._data) if _is_solid(block)]
         if not blocks:
@@ -258,6 +264,7 @@ class Volume(Drawing):
         super().__init__(relevo.vtkGPUUnstructuredGridVolumeMapper(), vtkVolume())
         values, name, of_points = _find_array(blocks, array)
         self.mapper.SetInputDataObject(self._data)
+        self._set_tolerances(shape_tolerance, field_tolerance)
         if of_points:
             self.mapper.SetScalarModeToUsePointFieldData()
         else:
@@ -274,6 +281,16 @@ class Volume(Drawing):
         self._title = _colours.make_title(name, values[0])
         if lighting is not None:
             self.actor.GetProperty().SetShade(bool(lighting))
+
+    def _set_tolerances(self, shape: float | None, field: float | None) -> None:
+        for value, name, setter in (
+            (shape, "shape_tolerance", self.mapper.SetShapeTolerance),
+            (field, "field_tolerance", self.mapper.SetFieldTolerance),
+        ):
+            if value is not None:
+                _inputs.check_number(value, name)
+                with Messages(ValueError, _TOLERANCES):
+                    setter(value)
 
     def _set_look(
         self,

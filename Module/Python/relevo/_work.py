@@ -20,10 +20,24 @@ from ._messages import Messages
 _PAUSE = 0.02  # seconds
 
 
+def _runs_python(algorithm: vtkAlgorithm) -> bool:
+    """Return whether an algorithm, or one before it, is written in Python."""
+    if algorithm.IsA("vtkPythonAlgorithm"):
+        return True
+    return any(
+        _runs_python(algorithm.GetInputConnection(port, i).GetProducer())
+        for port in range(algorithm.GetNumberOfInputPorts())
+        for i in range(algorithm.GetNumberOfInputConnections(port))
+    )
+
+
 def update(algorithm: vtkAlgorithm) -> None:
     """Update an algorithm and those before it. Raise its errors."""
     with Messages():
-        _interruptible.update(algorithm, Interrupts.is_stopped)
+        if _runs_python(algorithm):
+            algorithm.Update()  # such algorithms need the lock of Python, and may not take it
+        else:
+            _interruptible.update(algorithm, Interrupts.is_stopped)
 
 
 def render(window: vtkRenderWindow) -> None:
