@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGPUUnstructuredGridVolumeMapper.h"
 
+#include "Cells/VolumeCells.h"
 #include "Checks/MemoryGuard.h"
 #include "Checks/SettingChecks.h"
 #include "Checks/ShouldReport.h"
+#include "Mesh/MeshSimplifier.h"
 #include "OpenGL/ContextWatch.h"
 #include "OpenGL/RelevoOpenGL.h"
 #include "OpenGL/RenderClock.h"
@@ -58,13 +60,64 @@ bool IsShaded(vtkVolumeProperty* property)
 
 struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
 {
+  // A mesh and what depends on its layout.
+  struct Level
+  {
+    relevo::MeshLoader Mesh;
+    relevo::FunctionLoader Functions;
+    relevo::FeatureSelector Features;
+    relevo::TableLoader Table;
+
+    vtkTypeInt64 GetMemorySize() const
+    {
+      const relevo::VolumeMesh& mesh = this->Mesh.GetMesh();
+      const relevo::VolumeFunctions& functions = this->Functions.GetFunctions();
+      return mesh.Buffers.GetMemorySize() + mesh.Cells.GetMemorySize() +
+        functions.Buffers.GetMemorySize() + functions.Surfaces.GetMemorySize() +
+        this->Table.GetTable().GetMemorySize();
+    }
+    void ReleaseGraphicsResources(vtkWindow* window)
+    {
+      this->Mesh.ReleaseGraphicsResources(window);
+      this->Functions.ReleaseGraphicsResources(window);
+      this->Table.ReleaseGraphicsResources(window);
+    }
+  };
+  Level Full;
+  Level Simple;
+  Level* Shown = &Full;
+  relevo::MeshSimplifier Simplifier;
+  relevo::SimplifiedMesh Simplified;
+
+  void TakeSimplified()
+  {
+    if (const auto result = this->Simplifier.Take())
+    {
+      this->Simplified = *result;
+    }
+  }
+  void ForgetSimplified()
+  {
+    if (this->Simplified.Mesh)
+    {
+      this->Simple.ReleaseGraphicsResources(this->GetWindow());
+    }
+    this->Simplified = {};
+  }
+  // The simple mesh has the same messages.
+  void Report(const relevo::StageReport& report, vtkObject* object) const
+  {
+    if (this->Shown == &this->Full)
+    {
+      report.InvokeEvents(object);
+    }
+  }
+
   vtkNew<relevo::ContextWatch> Context;
   vtkOpenGLRenderWindow* GetWindow() const { return this->Context->GetContext(); }
+  // Still frames of an interactor have all the time that they need.
+  bool IsMoving() const { return this->GetWindow()->GetDesiredUpdateRate() >= 1.0; }
 
-  relevo::MeshLoader Mesh;
-  relevo::FunctionLoader Functions;
-  relevo::FeatureSelector Features;
-  relevo::TableLoader Table;
   relevo::VolumePrograms Programs;
   relevo::RayCaster Rays;
   relevo::SegmentCaster Segments;
@@ -75,22 +128,23 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
   relevo::RayView View;
   std::array<int, 4> Viewport = { { 0, 0, 0, 0 } }; // of the last render
   std::string DrawError;                            // as reported
+  std::string LevelWarning;                         // as reported
   std::string SizeError;                            // as reported
   relevo::RenderClock Clock;
   relevo::EventPace Pace;
 
   relevo::VolumeFrame MakeFrame(const relevo::RenderPasses& passes)
   {
-    return { this->GetWindow(), this->Viewport, this->View, passes, this->Features.GetFeatures(),
-      this->Mesh.GetMesh(), this->Functions.GetFunctions(), this->Table.GetTable(), this->Programs,
+    return { this->GetWindow(), this->Viewport, this->View, passes,
+      this->Shown->Features.GetFeatures(), this->Shown->Mesh.GetMesh(),
+      this->Shown->Functions.GetFunctions(), this->Shown->Table.GetTable(), this->Programs,
       this->Compositor.GetDepth(), this->Compositor.GetTarget(), this->Compositor.GetScreen() };
   }
 
   void ReleaseGraphicsResources(vtkWindow* window)
   {
-    this->Mesh.ReleaseGraphicsResources(window);
-    this->Functions.ReleaseGraphicsResources(window);
-    this->Table.ReleaseGraphicsResources(window);
+    this->Full.ReleaseGraphicsResources(window);
+    this->Simple.ReleaseGraphicsResources(window);
     this->Programs.ReleaseGraphicsResources();
     this->Rays.ReleaseGraphicsResources(window);
     this->Segments.ReleaseGraphicsResources(window);
@@ -202,7 +256,7 @@ relevo::MeshRequest vtkGPUUnstructuredGridVolumeMapper::MakeMeshRequest(
     this->FieldTolerance, this->KeepHostData,
     this->BlendMode == ISOSURFACE_BLEND ||
       (this->BlendMode == COMPOSITE_BLEND && this->IsoSurfaces),
-    whole };
+    this->LevelOfDetail, whole };
 }
 
 bool vtkGPUUnstructuredGridVolumeMapper::UpdateMesh(
@@ -212,20 +266,65 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateMesh(
   const relevo::MeshRequest request =
     this->MakeMeshRequest(volume, whole, !whole && this->Method == CELL_PROJECTION);
   relevo::StageReport report;
-  const bool isReady =
-    relevo::RunWithinMemory(this, "the mesh", [&] { return data.Mesh.Update(request, report); });
+  const bool isReady = relevo::RunWithinMemory(
+    this, "the mesh", [&] { return data.Full.Mesh.Update(request, report); });
   report.InvokeEvents(this);
+  data.Shown = &data.Full;
+  if (isReady && !whole)
+  {
+    this->ChooseLevel(volume);
+  }
   return isReady;
+}
+
+// Moving views draw the simplified mesh, if there is one.
+void vtkGPUUnstructuredGridVolumeMapper::ChooseLevel(vtkVolume* volume)
+{
+  vtkInternals& data = *this->Internals;
+  if (this->LevelOfDetail == 0.0)
+  {
+    data.Simplifier.Cancel();
+    data.ForgetSimplified();
+    return;
+  }
+  const bool hasOne = data.Full.Mesh.GetMesh().NumberOfComponents == 1;
+  const std::string warning =
+    hasOne ? "" : "LevelOfDetail supports only one component; moving views draw the full mesh.";
+  if (relevo::ShouldReport(data.LevelWarning, warning))
+  {
+    vtkWarningMacro(<< warning);
+  }
+  if (auto cells = data.Full.Mesh.TakeCells())
+  {
+    data.ForgetSimplified();
+    data.Simplifier.Start(std::move(cells), this->LevelOfDetail);
+  }
+  data.TakeSimplified();
+  if (!hasOne || !data.Simplified.Mesh || !data.IsMoving())
+  {
+    return;
+  }
+  relevo::MeshRequest request =
+    this->MakeMeshRequest(volume, nullptr, this->Method == CELL_PROJECTION);
+  request.Input = data.Simplified.Mesh;
+  request.Choice = {};
+  request.ScalarMode = VTK_SCALAR_MODE_USE_POINT_DATA;
+  request.KeepsHostData = false;
+  request.LevelOfDetail = 0.0;
+  relevo::StageReport ignored; // of cells without volume
+  const bool isReady = relevo::RunWithinMemory(
+    this, "the simplified mesh", [&] { return data.Simple.Mesh.Update(request, ignored); });
+  data.Shown = isReady ? &data.Simple : &data.Full;
 }
 
 bool vtkGPUUnstructuredGridVolumeMapper::UpdateFunctions(vtkVolume* volume)
 {
   vtkInternals& data = *this->Internals;
-  const relevo::VolumeMesh& mesh = data.Mesh.GetMesh();
+  const relevo::VolumeMesh& mesh = data.Shown->Mesh.GetMesh();
   relevo::StageReport report;
-  const bool isReady = data.Functions.Update(
+  const bool isReady = data.Shown->Functions.Update(
     { data.GetWindow(), volume->GetProperty(), mesh.NumberOfComponents, mesh.Layout }, report);
-  report.InvokeEvents(this);
+  data.Report(report, this);
   return isReady;
 }
 
@@ -233,7 +332,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateFeatures(
   vtkRenderer* renderer, vtkVolume* volume, relevo::SegmentOutput segments)
 {
   vtkInternals& data = *this->Internals;
-  const relevo::VolumeMesh& mesh = data.Mesh.GetMesh();
+  const relevo::VolumeMesh& mesh = data.Shown->Mesh.GetMesh();
   const bool isVisible =
     data.View.Compute(renderer, volume->GetMatrix(), mesh.Layout.Center, mesh.Layout.Radius);
   const std::string error = data.View.IsTooLarge()
@@ -251,20 +350,20 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateFeatures(
     : this->Integration == PRE_INTEGRATED                ? 3
                                                          : 2;
   relevo::StageReport report;
-  data.Features.Update(
-    { renderer, volume->GetProperty(), this->ClippingPlanes, mesh, data.Functions.GetFunctions(),
-      data.View.GetMeshToWorld(), static_cast<relevo::BlendMode>(this->BlendMode),
-      this->IsoSurfaces, tableDimensions, segments },
+  data.Shown->Features.Update({ renderer, volume->GetProperty(), this->ClippingPlanes, mesh,
+                                data.Shown->Functions.GetFunctions(), data.View.GetMeshToWorld(),
+                                static_cast<relevo::BlendMode>(this->BlendMode), this->IsoSurfaces,
+                                tableDimensions, segments },
     report);
-  report.InvokeEvents(this);
+  data.Report(report, this);
   return true;
 }
 
 bool vtkGPUUnstructuredGridVolumeMapper::UpdateTable()
 {
   vtkInternals& data = *this->Internals;
-  const relevo::VolumeShaderOptions& options = data.Features.GetFeatures().Options;
-  const relevo::RayCastMesh& layout = data.Mesh.GetMesh().Layout;
+  const relevo::VolumeShaderOptions& options = data.Shown->Features.GetFeatures().Options;
+  const relevo::RayCastMesh& layout = data.Shown->Mesh.GetMesh().Layout;
   const int component = options.FirstComponent;
   relevo::IntegralTable::Settings settings;
   settings.Size = this->TableSize;
@@ -274,10 +373,10 @@ bool vtkGPUUnstructuredGridVolumeMapper::UpdateTable()
   settings.ScalarLow = layout.ScalarLow[component];
   settings.ScalarSize = layout.ScalarSize[component];
   relevo::StageReport report;
-  const bool isReady = data.Table.Update(
-    { data.GetWindow(), data.Functions.GetFunctions(), options.PreIntegrated > 0, settings },
+  const bool isReady = data.Shown->Table.Update(
+    { data.GetWindow(), data.Shown->Functions.GetFunctions(), options.PreIntegrated > 0, settings },
     report);
-  report.InvokeEvents(this);
+  data.Report(report, this);
   return isReady;
 }
 
@@ -295,7 +394,7 @@ relevo::MeshExtent vtkGPUUnstructuredGridVolumeMapper::MeasurePiece(
   relevo::RunWithinMemory(this, "the mesh",
     [&]
     {
-      extent = data.Mesh.Measure(this->MakeMeshRequest(volume, nullptr, false), report);
+      extent = data.Full.Mesh.Measure(this->MakeMeshRequest(volume, nullptr, false), report);
       return true;
     });
   report.InvokeEvents(this);
@@ -338,7 +437,7 @@ bool vtkGPUUnstructuredGridVolumeMapper::ReadSegments(
   vtkInternals& data = *this->Internals;
   vtkOpenGLRenderWindow* window = data.GetWindow();
   segments.Reset(data.Viewport[2], data.Viewport[3],
-    relevo::GetSegmentFormat(data.Features.GetFeatures().Options));
+    relevo::GetSegmentFormat(data.Shown->Features.GetFeatures().Options));
   std::string error = request.Depths.empty()
     ? data.Compositor.ReadDepths(window, data.Viewport)
     : data.Compositor.SetDepths(window, data.Viewport, request.Depths, request.Begins);
@@ -410,10 +509,8 @@ std::string vtkGPUUnstructuredGridVolumeMapper::CastRays(
   const relevo::VolumeFrame& frame, vtkVolume* volume)
 {
   vtkInternals& data = *this->Internals;
-  // Still frames of an interactor have all the time that they need.
-  const bool isMoving = data.GetWindow()->GetDesiredUpdateRate() >= 1.0;
   const std::array<int, 2> size = data.Compositor.ChooseSize(data.Viewport,
-    { this->ImageSampleDistance, this->AutoAdjustSampleDistances && isMoving,
+    { this->ImageSampleDistance, this->AutoAdjustSampleDistances && data.IsMoving(),
       data.Pace.GetFactor() * volume->GetAllocatedRenderTime() });
   const bool isSampled = size[0] != data.Viewport[2] || size[1] != data.Viewport[3];
   const std::string error = data.Rays.Draw(frame, size);
@@ -482,6 +579,24 @@ void vtkGPUUnstructuredGridVolumeMapper::SetFieldTolerance(double share)
   relevo::SetInRange(this, "FieldTolerance", this->FieldTolerance, share, 1e-6, 1.0);
 }
 
+void vtkGPUUnstructuredGridVolumeMapper::SetLevelOfDetail(double share)
+{
+  relevo::SetInRange(this, "LevelOfDetail", this->LevelOfDetail, share, 0.0, 1.0);
+}
+
+double vtkGPUUnstructuredGridVolumeMapper::GetLevelOfDetailError()
+{
+  this->Internals->TakeSimplified();
+  return this->Internals->Simplified.Error;
+}
+
+vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfLevelOfDetailCells()
+{
+  this->Internals->TakeSimplified();
+  const auto& mesh = this->Internals->Simplified.Mesh;
+  return mesh ? mesh->GetNumberOfCells() : 0;
+}
+
 void vtkGPUUnstructuredGridVolumeMapper::SetMaximumSegments(int number)
 {
   relevo::SetInRange(this, "MaximumSegments", this->MaximumSegments, number, 1,
@@ -490,14 +605,14 @@ void vtkGPUUnstructuredGridVolumeMapper::SetMaximumSegments(int number)
 
 vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfDrawnCells()
 {
-  return this->Internals->Mesh.GetNumberOfDrawnCells();
+  return this->Internals->Full.Mesh.GetNumberOfDrawnCells();
 }
 
 // The layers are drawn on request, with the view of the last render.
 int vtkGPUUnstructuredGridVolumeMapper::GetNumberOfLayers()
 {
   vtkInternals& data = *this->Internals;
-  if (!data.GetWindow() || !data.Mesh.IsReady() || data.Viewport[2] == 0)
+  if (!data.GetWindow() || !data.Full.Mesh.IsReady() || data.Viewport[2] == 0)
   {
     return 0;
   }
@@ -508,21 +623,17 @@ int vtkGPUUnstructuredGridVolumeMapper::GetNumberOfLayers()
 vtkTypeInt64 vtkGPUUnstructuredGridVolumeMapper::GetGraphicsMemorySize()
 {
   vtkInternals& data = *this->Internals;
-  const relevo::VolumeMesh& mesh = data.Mesh.GetMesh();
-  const relevo::VolumeFunctions& functions = data.Functions.GetFunctions();
-  return mesh.Buffers.GetMemorySize() + mesh.Cells.GetMemorySize() +
-    functions.Buffers.GetMemorySize() + functions.Surfaces.GetMemorySize() +
-    data.Table.GetTable().GetMemorySize() + data.Segments.GetMemorySize();
+  return data.Full.GetMemorySize() + data.Simple.GetMemorySize() + data.Segments.GetMemorySize();
 }
 
 vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfBufferBuilds()
 {
-  return this->Internals->Mesh.GetNumberOfBuilds();
+  return this->Internals->Full.Mesh.GetNumberOfBuilds();
 }
 
 vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfValueUploads()
 {
-  return this->Internals->Mesh.GetNumberOfValueUploads();
+  return this->Internals->Full.Mesh.GetNumberOfValueUploads();
 }
 
 vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfShaderBuilds()
@@ -532,7 +643,7 @@ vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfShaderBuilds()
 
 vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfTableBuilds()
 {
-  return this->Internals->Table.GetNumberOfBuilds();
+  return this->Internals->Full.Table.GetNumberOfBuilds();
 }
 
 void vtkGPUUnstructuredGridVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
@@ -547,6 +658,7 @@ void vtkGPUUnstructuredGridVolumeMapper::PrintSelf(ostream& os, vtkIndent indent
   os << indent << "ShapeTolerance: " << this->ShapeTolerance << "\n";
   os << indent << "FieldTolerance: " << this->FieldTolerance << "\n";
   os << indent << "KeepHostData: " << (this->KeepHostData ? "On" : "Off") << "\n";
+  os << indent << "LevelOfDetail: " << this->LevelOfDetail << "\n";
   os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
   os << indent << "MaximumSegments: " << this->MaximumSegments << "\n";
   os << indent << "AutoAdjustSampleDistances: " << (this->AutoAdjustSampleDistances ? "On" : "Off")

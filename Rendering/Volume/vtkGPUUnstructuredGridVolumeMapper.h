@@ -272,6 +272,30 @@ public:
 
   //@{
   /**
+   * Set the share of the cells that moving views draw: 0 to 1, default 0, which draws all cells. A
+   * simplified mesh with this share of the cells is made in the background
+   * (vtkUnstructuredGridQuadricDecimation). Moving views, as defined in
+   * SetAutoAdjustSampleDistances(), draw it from the first frame after it is ready; still views
+   * draw the full mesh. Cells that are not tetrahedra are split into tetrahedra first, and values
+   * that jump between cells are averaged, as are cell arrays. It needs a single component. Changes,
+   * and new values, build the mesh again. A value out of range is an error and changes nothing.
+   */
+  void SetLevelOfDetail(double share);
+  vtkGetMacro(LevelOfDetail, double);
+  //@}
+
+  //@{
+  /**
+   * Return the largest difference of scalars between the full and the simplified mesh, at the
+   * points of the full mesh, in units of the array; and the number of tetrahedra of the simplified
+   * mesh. 0 while there is none. Both take the result of the background thread.
+   */
+  double GetLevelOfDetailError();
+  vtkIdType GetNumberOfLevelOfDetailCells();
+  //@}
+
+  //@{
+  /**
    * Set the maximum number of segments per pixel: 1 to 127, default 64. A segment is an interval of
    * a pixel's ray inside the mesh. This setting has an effect only if segments of several ranks are
    * composited. Then memory per pixel is bounded, and each rank keeps its nearest segments. A value
@@ -344,6 +368,7 @@ private:
   relevo::MeshRequest MakeMeshRequest(
     vtkVolume* volume, const relevo::MeshExtent* whole, bool hasCorners);
   bool UpdateMesh(vtkVolume* volume, const relevo::MeshExtent* whole = nullptr);
+  void ChooseLevel(vtkVolume* volume);
   bool UpdateFunctions(vtkVolume* volume);
   bool UpdateFeatures(vtkRenderer* renderer, vtkVolume* volume, relevo::SegmentOutput segments);
   bool UpdateTable();
@@ -364,6 +389,7 @@ private:
   double ShapeTolerance = 5e-4;
   double FieldTolerance = 4e-3;
   bool KeepHostData = true;
+  double LevelOfDetail = 0.0;
   double ImageSampleDistance = 1.0;
   int MaximumSegments = 64;
   bool AutoAdjustSampleDistances = true;

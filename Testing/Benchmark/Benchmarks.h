@@ -58,6 +58,8 @@ void RunLIC(const BenchmarkOptions& options, const AddTable& addTable);
 void RunVolumes(const BenchmarkOptions& options, const AddTable& addTable);
 /// Measures isosurfaces, time steps, depth peeling, dragging and the memory of volumes.
 void RunVolumeTasks(const BenchmarkOptions& options, const AddTable& addTable);
+/// Frames of volumes with a tenth of the cells, and their likeness to full ones.
+void RunVolumeDetail(const BenchmarkOptions& options, const AddTable& addTable);
 /// Compares reliefs with the captured meshes and with meshes of their pixels. Measures warps per
 /// second.
 void RunReliefs(const BenchmarkOptions& options, const AddTable& addTable);

@@ -51,6 +51,7 @@ const std::vector<Benchmark> Benchmarks = {
 #ifdef BENCHMARK_HAS_VOLUMES
   { "volumes", RunVolumes },
   { "volume-tasks", RunVolumeTasks },
+  { "volume-detail", RunVolumeDetail },
 #endif
 #ifdef BENCHMARK_HAS_RELIEFS
   { "relief", RunReliefs },

@@ -56,6 +56,7 @@ Dependencies MeshLoader::FindDependencies(const MeshRequest& request) const
   now.Add(request.ShapeTolerance);
   now.Add(request.FieldTolerance);
   now.Add(request.HasSurfaces && this->AreOfCells);
+  now.Add(request.LevelOfDetail);
   now.Add(this->Mesh.NumberOfComponents == MaximumComponents && request.AreIndependent);
   return now;
 }
@@ -96,12 +97,17 @@ bool MeshLoader::Load(const MeshRequest& request, StageReport& report)
   {
     return this->LoadMeasured(request, report);
   }
-  VolumeCells cells;
+  auto cells = std::make_unique<VolumeCells>();
   std::vector<MeshScalars> meshes;
   this->Signature.clear();
-  if (!this->Read(request, cells, meshes, report) || !this->Upload(request, cells, report))
+  this->Loaded.reset();
+  if (!this->Read(request, *cells, meshes, report) || !this->Upload(request, *cells, report))
   {
     return false;
+  }
+  if (request.LevelOfDetail > 0.0 && this->Mesh.NumberOfComponents == 1)
+  {
+    this->Loaded = std::move(cells);
   }
   if (!this->Values.IsEmpty())
   {
@@ -114,7 +120,7 @@ bool MeshLoader::Load(const MeshRequest& request, StageReport& report)
 bool MeshLoader::ReplaceValues(const MeshRequest& request, StageReport& report)
 {
   if (!this->HasMesh || this->Signature.empty() || this->IsPiece || request.HasCorners ||
-    request.IsShaded || !this->CheckType(request, report))
+    request.LevelOfDetail > 0.0 || request.IsShaded || !this->CheckType(request, report))
   {
     return false;
   }
@@ -347,6 +353,11 @@ bool MeshLoader::Upload(const MeshRequest& request, VolumeCells& cells, StageRep
   ++this->NumberOfBuilds;
   this->NumberOfDrawnCells = cells.GetNumberOfDrawnCells();
   return true;
+}
+
+std::unique_ptr<VolumeCells> MeshLoader::TakeCells()
+{
+  return std::move(this->Loaded);
 }
 
 void MeshLoader::ReleaseGraphicsResources(vtkWindow* window)

@@ -52,6 +52,7 @@ struct MeshRequest
   double FieldTolerance;             // share of the range of scalars
   bool KeepsHostData;                // to replace values
   bool HasSurfaces;                  // isosurfaces, which need values at points
+  double LevelOfDetail;              // share of the cells of a simplified mesh; 0 for none
   const MeshExtent* Whole = nullptr; // if the input is a piece of a mesh
 };
 
@@ -90,6 +91,10 @@ public:
   vtkIdType GetNumberOfBuilds() const { return this->NumberOfBuilds; }
   vtkIdType GetNumberOfValueUploads() const { return this->NumberOfValueUploads; }
 
+  /// Return the cells of the last load, once, for a simplified mesh with one component. Return null
+  /// if there are none.
+  std::unique_ptr<VolumeCells> TakeCells();
+
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
@@ -110,12 +115,13 @@ private:
   VolumeMesh Mesh;
   Dependencies Known;
   Dependencies Measured;
-  MeshExtent Extent;                  // measured
-  std::unique_ptr<VolumeCells> Cells; // measured, but not loaded
-  MeshValues Values;                  // of the mesh, if they can be replaced
-  std::string Signature;              // of the mesh, if values can be replaced
-  MeshExtent Whole;                   // in use, if
-  bool IsPiece = false;               // the mesh is a piece
+  MeshExtent Extent;                   // measured
+  std::unique_ptr<VolumeCells> Cells;  // measured, but not loaded
+  std::unique_ptr<VolumeCells> Loaded; // for a simplified mesh
+  MeshValues Values;                   // of the mesh, if they can be replaced
+  std::string Signature;               // of the mesh, if values can be replaced
+  MeshExtent Whole;                    // in use, if
+  bool IsPiece = false;                // the mesh is a piece
   bool HasMesh = false;
   bool HasGradients = false; // as in the last build, whether or not scalars allow them
   vtkIdType NumberOfDrawnCells = 0;

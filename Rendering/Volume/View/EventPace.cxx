@@ -46,19 +46,29 @@ void EventPace::SetWindow(vtkRenderWindow* window)
 
 void EventPace::OnStart()
 {
-  if (!IsMoving(this->Window))
+  this->Begin(IsMoving(this->Window), vtkTimerLog::GetUniversalTime());
+}
+
+void EventPace::OnEnd()
+{
+  this->End(IsMoving(this->Window), vtkTimerLog::GetUniversalTime());
+}
+
+void EventPace::Begin(bool isMoving, double time)
+{
+  if (!isMoving)
   {
     this->Factor = 1.0;
   }
   else if (this->EndTime > 0.0)
   {
-    const bool hasWaited = vtkTimerLog::GetUniversalTime() - this->EndTime < LongestWait;
+    const bool hasWaited = time - this->EndTime < LongestWait;
     this->Factor = std::clamp(this->Factor * (hasWaited ? 0.5 : SlowerFactor), LeastFactor, 1.0);
   }
 }
 
-void EventPace::OnEnd()
+void EventPace::End(bool isMoving, double time)
 {
-  this->EndTime = IsMoving(this->Window) ? vtkTimerLog::GetUniversalTime() : 0.0;
+  this->EndTime = isMoving ? time : 0.0;
 }
 }

@@ -10,12 +10,13 @@
 #ifndef EventPace_h
 #define EventPace_h
 
-#include "vtkRenderWindow.h" // for the weak pointer
-#include "vtkWeakPointer.h"  // for the window
+#include "RelevoRenderingVolumeModule.h" // for export macro
+#include "vtkRenderWindow.h"             // for the weak pointer
+#include "vtkWeakPointer.h"              // for the window
 
 namespace relevo
 {
-class EventPace
+class RELEVORENDERINGVOLUME_EXPORT EventPace
 {
 public:
   EventPace() = default;
@@ -25,6 +26,12 @@ public:
 
   /// Observe the frames of a window; nullptr for none.
   void SetWindow(vtkRenderWindow* window);
+
+  //@{
+  /// Tell that a frame begins or has ended at a time in seconds. The window calls these.
+  void Begin(bool isMoving, double time);
+  void End(bool isMoving, double time);
+  //@}
 
   /// Return the factor for the time of a frame, from 1/64 to 1.
   double GetFactor() const { return this->Factor; }
