@@ -10,7 +10,10 @@ import re
 import time
 import unittest
 
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkRegularPolygonSource
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
 from ViewerPictures import find, is_dark, is_surface, read_picture
 from ViewerProgram import ViewerProgram
@@ -169,6 +172,43 @@ class TestViewerTools(ViewerProgram):
         self.assertAlmostEqual(here["Around"][0], -here["y"], delta=0.05)
         self.assertAlmostEqual(here["Around"][1], here["x"], delta=0.05)
         self.close(window)
+
+    def test_readout_of_cells(self):
+        """On the surface, on cuts and inside of volumes: cell, nearest point and value."""
+        size = 5  # points along an edge of a cube of 4 x 4 x 4 cells
+        image = vtkImageData()
+        image.SetDimensions(size, size, size)
+        height = vtkDoubleArray()
+        height.SetName("Height")
+        for i in range(image.GetNumberOfPoints()):
+            height.InsertNextValue(2.0 * image.GetPoint(i)[2])
+        image.GetPointData().SetScalars(height)
+        self.write_data("cells.vti", vtkXMLImageDataWriter, image)
+        opaque = self.folder / "opaque.txt"
+        opaque.write_text("0 1 1 1 1\n8 1 1 1 1\n")
+        for options in (
+            ["--array=Height"],
+            ["--array=Height", "--clip=0,0,1.7,0,0.3,1"],
+            ["--volume", f"--transfer={opaque}", "--unit-distance=1e-4"],
+        ):
+            with self.subTest(options=options):
+                window = self.window("cells.vti", *options)
+                for x, y in (MIDDLE, (130, 100), (180, 150)):
+                    here = numbers(self.under_mouse(window, x, y))
+                    place = [here[axis] for axis in "xyz"]
+                    self.assertAlmostEqual(here["Height"], 2.0 * place[2], delta=0.02)
+                    # Near a face, the cell may be that on the other side.
+                    sides = [{min(max(int(value + d), 0), 3) for d in (-0.02, 0.02)} for value in place]
+                    column, row, layer = here["cell"] % 4, here["cell"] // 4 % 4, here["cell"] // 16
+                    self.assertIn(column, sides[0])
+                    self.assertIn(row, sides[1])
+                    self.assertIn(layer, sides[2])
+                    nearest = [round(value) for value in place]
+                    apart = [abs(value - near) for value, near in zip(place, nearest)]
+                    if max(apart) < 0.45:
+                        point = nearest[0] + size * (nearest[1] + size * nearest[2])
+                        self.assertEqual(here["point"], point)
+                self.close(window)
 
     def test_readout_of_displaced_mesh(self):
         """On a mesh that is inside out, the value is that of the visible face, not of the closest

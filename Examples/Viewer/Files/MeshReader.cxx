@@ -37,12 +37,22 @@ bool HasCurvedCells(vtkUnstructuredGrid* grid)
   return false;
 }
 
+void KeepCellIds(vtkGeometryFilter* filter)
+{
+  filter->PassThroughCellIdsOn();
+}
+
+void KeepCellIds(vtkPatchSurfaceFilter*)
+{
+} // always
+
 template <typename Filter>
 Mesh TakeSurface(vtkDataSet* data, ViewerMessages& messages)
 {
   vtkNew<Filter> surface;
   messages.Observe(surface, "extracting the surface");
   surface->SetInputData(data);
+  KeepCellIds(surface.Get());
   surface->Update();
   return surface->GetOutput();
 }

@@ -68,21 +68,22 @@ vtkIdType MeshProbe::FindFace(
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> MeshProbe::GetValue(const double place[3], vtkRenderer* renderer)
+vtkIdType MeshProbe::Find(const double place[3], vtkRenderer* renderer, std::vector<double>& value)
 {
+  value.clear();
   vtkNew<vtkGenericCell> cell;
   vtkPolyData* mesh = vtkPolyData::SafeDownCast(this->Locator->GetDataSet());
   std::vector<double> weights(static_cast<size_t>(std::max(mesh->GetMaxCellSize(), 3)));
   const vtkIdType face = this->FindFace(place, renderer, cell, weights.data());
-  if (face < 0)
+  if (face < 0 || !this->Array)
   {
-    return {};
+    return face;
   }
-  std::vector<double> value(static_cast<size_t>(this->Array->GetNumberOfComponents()));
+  value.resize(static_cast<size_t>(this->Array->GetNumberOfComponents()));
   if (!this->IsOfPoints)
   {
     this->Array->GetTuple(face, value.data());
-    return value;
+    return face;
   }
   for (vtkIdType i = 0; i < cell->GetNumberOfPoints(); ++i)
   {
@@ -92,5 +93,5 @@ std::vector<double> MeshProbe::GetValue(const double place[3], vtkRenderer* rend
         this->Array->GetComponent(cell->GetPointId(i), static_cast<int>(c));
     }
   }
-  return value;
+  return face;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   MeshProbe
- * @brief   values of a mesh's array at points of the refined surface
+ * @brief   cells of a mesh, and values of its array, at points of the refined surface
  */
 #ifndef MeshProbe_h
 #define MeshProbe_h
@@ -23,13 +23,13 @@ class vtkRenderer;
 class MeshProbe
 {
 public:
-  /// Takes an array of the mesh's points or cells, and the mesh's recipe.
+  /// Takes an array of the mesh's points or cells, or nullptr, and the mesh's recipe.
   MeshProbe(vtkPolyData* mesh, vtkAdaptiveRefinement* recipe, vtkDataArray* array, bool isOfPoints);
   ~MeshProbe();
 
-  /// All components at a point of the face that the renderer's camera sees. Empty if there is no
-  /// face.
-  std::vector<double> GetValue(const double place[3], vtkRenderer* renderer);
+  /// Returns the cell of the mesh that the renderer's camera sees at a point, or -1, and all
+  /// components of the array there.
+  vtkIdType Find(const double place[3], vtkRenderer* renderer, std::vector<double>& value);
 
 private:
   /// The visible coarse cell at a point, or -1, and the weights of its points.

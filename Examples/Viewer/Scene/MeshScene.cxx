@@ -6,6 +6,7 @@
 #include "Files/RasterEnd.h"
 #include "Legend/ArrayUnit.h"
 #include "Scene/ArrayNames.h"
+#include "Scene/CellNumbers.h"
 #include "Scene/MeshColours.h"
 #include "Scene/MeshMapping.h"
 #include "Scene/MeshProbe.h"
@@ -139,7 +140,7 @@ bool MeshScene::ReadStep()
     this->Steps->GetFilter(), cells, this->Messages);
   this->Mesh->ShallowCopy(mesh.Data);
   this->Options.Array = this->Steps->GetFilter().GetArray();
-  this->Cells = this->Cut.Get() ? mesh.Cells : nullptr;
+  this->Cells = mesh.Cells;
   if (this->Section)
   {
     this->Section->SetMesh(this->Cells);
@@ -184,6 +185,12 @@ void MeshScene::Reload()
   {
     this->ChooseVectors();
   }
+  this->UpdateColours();
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::UpdateColours()
+{
   if (this->IsColouredByArray())
   {
     this->ExtendRange();
@@ -209,7 +216,7 @@ std::string MeshScene::MoveCut(char key)
   }
   if (isNew)
   {
-    this->Reload(); // the cells were not kept
+    this->UpdateColours(); // values inside of the mesh are visible now
     this->AddSection();
   }
   return this->Cut.GetOption();
@@ -563,7 +570,7 @@ void MeshScene::ExtendRange()
   array == this->Vectors
     ? GetLengthRange(array, range.data())
     : array->GetFiniteRange(range.data(), array->GetNumberOfComponents() > 1 ? -1 : 0);
-  if (this->Cells && array != this->Vectors)
+  if (this->Cut.Get() && array != this->Vectors)
   {
     this->AddRangeOfCells(range);
   }
@@ -649,20 +656,42 @@ std::string MeshScene::Describe(const double point[3], double resolution)
 {
   std::string text = "x " + FormatNumber(point[0], resolution) + "  y " +
     FormatNumber(point[1], resolution) + "  z " + FormatNumber(point[2], resolution);
-  if (!this->ArrayName.empty())
+  std::vector<double> values;
+  const vtkIdType cell = this->FindCell(point, resolution, values);
+  if (cell >= 0)
   {
-    if (!this->Probe)
+    text += "\n" + DescribeCell(this->Cells, cell, point);
+  }
+  if (!values.empty())
+  {
+    text += "\n" + this->ArrayName;
+    for (double value : values)
     {
-      this->Probe = std::make_unique<MeshProbe>(
-        this->Mesh, this->Recipe, this->GetArray(), this->HasPointArray);
+      std::ostringstream number;
+      number << std::setprecision(4) << value;
+      text += " " + number.str();
     }
-    std::ostringstream value;
-    value << std::setprecision(4);
-    for (double component : this->Probe->GetValue(point, this->Renderer))
-    {
-      value << " " << component;
-    }
-    text += "\n" + this->ArrayName + value.str();
   }
   return text;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType MeshScene::FindCell(const double point[3], double resolution, std::vector<double>& values)
+{
+  const double nearby = 4.0; // pixels
+  const vtkIdType cut = this->Section
+    ? this->Section->Find(point, nearby * resolution, this->ArrayName, this->HasPointArray, values)
+    : -1;
+  if (cut >= 0)
+  {
+    return cut;
+  }
+  if (!this->Probe)
+  {
+    this->Probe = std::make_unique<MeshProbe>(this->Mesh, this->Recipe,
+      this->ArrayName.empty() ? nullptr : this->GetArray(), this->HasPointArray);
+  }
+  const vtkIdType face = this->Probe->Find(point, this->Renderer, values);
+  vtkDataArray* cells = this->Mesh->GetCellData()->GetArray("vtkOriginalCellIds");
+  return cells && face >= 0 ? static_cast<vtkIdType>(cells->GetComponent(face, 0)) : face;
 }

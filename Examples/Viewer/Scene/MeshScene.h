@@ -65,7 +65,10 @@ private:
   void ExtendRangeByAllSteps();
   /// Extends a range by the values inside of the mesh, which a cut shows.
   void AddRangeOfCells(std::array<double, 2>& range);
+  void UpdateColours();
   vtkDataArray* GetArray();
+  /// Returns the visible cell at a point, or -1, and the values of the array there.
+  vtkIdType FindCell(const double point[3], double resolution, std::vector<double>& values);
   std::optional<std::array<double, 3>> GetCentre();
   vtkSmartPointer<vtkPolyData> GetSurface();
   /// Clips the surface at the plane and fills the section of solid cells.
@@ -84,7 +87,7 @@ private:
   std::unique_ptr<MeshProbe> Probe;            // created at the first query
   vtkSmartPointer<vtkActor> Hair;              // nullptr without hair
   CutPlane Cut;
-  vtkSmartPointer<vtkDataSet> Cells; // that the plane cuts; nullptr without a plane
+  vtkSmartPointer<vtkDataSet> Cells; // the mesh that the surface bounds
   std::unique_ptr<MeshSection> Section;
   // Vectors of the streaks, or nullptr.
   vtkSmartPointer<vtkDataArray> Vectors;

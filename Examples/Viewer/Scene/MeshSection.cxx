@@ -5,15 +5,24 @@
 #include "Text/ViewerMessages.h"
 
 #include "vtkActor.h"
+#include "vtkCellData.h"
 #include "vtkCurvedCellCutter.h"
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkGenericCell.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
+#include "vtkStaticCellLocator.h"
+
+#include <cmath>
 
 namespace
 {
@@ -70,4 +79,51 @@ void MeshSection::SetColours(vtkMapper* mapper, vtkProperty* property)
   this->FaceActor->GetProperty()->SetDiffuse(1.0 - Ambient);
   this->FaceActor->GetProperty()->SetSpecular(0.0);
   this->FaceActor->GetProperty()->SetRepresentationToSurface();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType MeshSection::Find(const double place[3], double distance, const std::string& array,
+  bool isOfPoints, std::vector<double>& value)
+{
+  value.clear();
+  double point[3] = { place[0], place[1], place[2] };
+  if (std::abs(this->Plane->DistanceToPlane(point)) > distance)
+  {
+    return -1;
+  }
+  this->Cutter->Update();
+  this->Locator->SetDataSet(this->Cutter->GetOutput());
+  this->Locator->Update();
+  double nearest[3];
+  vtkNew<vtkGenericCell> cell;
+  vtkIdType polygon = -1;
+  int part = 0;
+  double distance2 = 0.0;
+  if (this->Cutter->GetOutput()->GetNumberOfCells() == 0 ||
+    !this->Locator->FindClosestPointWithinRadius(
+      point, distance, nearest, cell, polygon, part, distance2))
+  {
+    return -1;
+  }
+  vtkDataArray* cells = this->Cutter->GetOutput()->GetCellData()->GetArray("vtkOriginalCellIds");
+  const auto id = static_cast<vtkIdType>(cells->GetComponent(polygon, 0));
+  auto* mesh = vtkDataSet::SafeDownCast(this->Cutter->GetInput());
+  vtkDataArray* values = isOfPoints ? mesh->GetPointData()->GetArray(array.c_str())
+                                    : mesh->GetCellData()->GetArray(array.c_str());
+  if (values)
+  {
+    vtkNew<vtkDoubleArray> result;
+    result->SetNumberOfComponents(values->GetNumberOfComponents());
+    result->SetNumberOfTuples(1);
+    mesh->GetCell(id, cell);
+    std::vector<double> weights(static_cast<std::size_t>(cell->GetNumberOfPoints()));
+    double closest[3];
+    double parameters[3];
+    cell->EvaluatePosition(nearest, closest, part, parameters, distance2, weights.data());
+    isOfPoints ? result->InterpolateTuple(0, cell->GetPointIds(), values, weights.data())
+               : result->SetTuple(0, id, values);
+    value.resize(static_cast<std::size_t>(values->GetNumberOfComponents()));
+    result->GetTuple(0, value.data());
+  }
+  return id;
 }

@@ -8,6 +8,10 @@
 #define MeshSection_h
 
 #include "vtkNew.h"
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
 
 class ViewerMessages;
 class vtkActor;
@@ -18,6 +22,7 @@ class vtkPlane;
 class vtkPolyDataMapper;
 class vtkProperty;
 class vtkRenderer;
+class vtkStaticCellLocator;
 
 class MeshSection
 {
@@ -32,6 +37,11 @@ public:
   /// Draws the section in the colours of the mesh's surface, nearly without shading.
   void SetColours(vtkMapper* mapper, vtkProperty* property);
 
+  /// Returns the cell of the mesh that is cut at a point, or -1 if the section is not there within
+  /// the distance, and all components of an array of points or cells there.
+  vtkIdType Find(const double place[3], double distance, const std::string& array, bool isOfPoints,
+    std::vector<double>& value);
+
 private:
   vtkPlane* Plane;
   vtkNew<vtkCurvedCellCutter> Cutter;
@@ -39,6 +49,7 @@ private:
   vtkNew<vtkPolyDataMapper> Lines;
   vtkNew<vtkActor> FaceActor;
   vtkNew<vtkActor> LineActor;
+  vtkNew<vtkStaticCellLocator> Locator; // of the section, when it is first asked
 };
 
 #endif

@@ -42,6 +42,9 @@ public:
   /// resolution. Empty if there are no surfaces.
   virtual std::string Describe(const double point[3], double resolution) = 0;
 
+  /// The same for a pixel, from the lower left corner, of a scene without surfaces.
+  virtual std::string DescribePixel(const int[2]) { return ""; }
+
   /// Handles a key of the window. Returns a description of the change, or an empty string.
   virtual std::string Change(char) { return ""; }
 

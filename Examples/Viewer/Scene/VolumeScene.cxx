@@ -4,6 +4,7 @@
 
 #include "Files/VolumeReader.h"
 #include "Scene/ArrayNames.h"
+#include "Scene/CellNumbers.h"
 #include "Scene/TimeSteps.h"
 #include "Scene/ViewerStatistics.h"
 #include "Scene/VolumeFunctions.h"
@@ -21,6 +22,7 @@
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
+#include "vtkVolumeProbe.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -90,6 +92,7 @@ VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
   this->Property->SetAmbient(0.3);
   this->Volume->SetMapper(this->Mapper);
   this->Volume->SetProperty(this->Property);
+  this->Probe->SetRenderer(this->Renderer);
   this->Renderer->AddVolume(this->Volume);
   this->AddLegend(this->Property->GetRGBTransferFunction(),
     GetArrayTitle(this->Array.Name, this->Array.IsVector ? 3 : 1), this->Array.Unit, 5);
@@ -210,6 +213,23 @@ void VolumeScene::Draw(vtkRenderWindow* window)
             << "layers: " << this->Mapper->GetNumberOfLayers() << "\n"
             << "graphics memory: " << this->Mapper->GetGraphicsMemorySize() / 1048576.0 << " MiB\n"
             << "frame time: " << milliseconds << " ms" << std::endl;
+}
+
+//------------------------------------------------------------------------------
+std::string VolumeScene::DescribePixel(const int pixel[2])
+{
+  if (!this->Probe->Probe(pixel[0], pixel[1]))
+  {
+    return "";
+  }
+  const double* place = this->Probe->GetPosition();
+  const double digits = 1e-4 * this->Diagonal;
+  std::ostringstream value;
+  value << std::setprecision(4) << this->Probe->GetValue();
+  return "x " + FormatNumber(place[0], digits) + "  y " + FormatNumber(place[1], digits) + "  z " +
+    FormatNumber(place[2], digits) + "\n" +
+    DescribeCell(this->Probe->GetDataSet(), this->Probe->GetCellId(), place) + "\n" +
+    this->Array.Name + " " + value.str();
 }
 
 //------------------------------------------------------------------------------

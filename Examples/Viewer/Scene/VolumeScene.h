@@ -21,6 +21,7 @@ class TimeSteps;
 class vtkDataObject;
 class vtkGPUUnstructuredGridVolumeMapper;
 class vtkVolume;
+class vtkVolumeProbe;
 class vtkVolumeProperty;
 
 class VolumeScene : public ViewerScene
@@ -31,6 +32,7 @@ public:
   ~VolumeScene() override;
 
   std::string Describe(const double[3], double) override { return ""; }
+  std::string DescribePixel(const int pixel[2]) override;
   std::string Change(char key) override;
   int GetNumberOfTimeSteps() override;
   void SetTimeStep(int step) override;
@@ -52,6 +54,7 @@ private:
   vtkNew<vtkGPUUnstructuredGridVolumeMapper> Mapper;
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkVolumeProperty> Property;
+  vtkNew<vtkVolumeProbe> Probe;
   VolumeArray Array;
   double Bounds[6];
   double Diagonal = 0.0;

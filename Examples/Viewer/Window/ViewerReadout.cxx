@@ -161,6 +161,10 @@ void ViewerReadout::OnKey(vtkObject*, unsigned long, void*)
   {
     this->Frames.Flush();
     std::string text = this->Describe();
+    if (text.empty())
+    {
+      text = this->Scene.DescribePixel(this->Interactor->GetEventPosition());
+    }
     std::replace(text.begin(), text.end(), '\n', ' ');
     std::cout << "here: " << (text.empty() ? "nothing" : text) << std::endl;
   }
