@@ -11,7 +11,6 @@
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
-#include "vtkGeometryFilter.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPatchSurfaceFilter.h"
@@ -37,28 +36,19 @@ bool HasCurvedCells(vtkUnstructuredGrid* grid)
   return false;
 }
 
-void KeepCellIds(vtkGeometryFilter* filter)
+// The patches of a grid.
+Mesh TakePatches(vtkUnstructuredGrid* grid, ViewerMessages& messages)
 {
-  filter->PassThroughCellIdsOn();
-}
-
-void KeepCellIds(vtkPatchSurfaceFilter*)
-{
-} // always
-
-template <typename Filter>
-Mesh TakeSurface(vtkDataSet* data, ViewerMessages& messages)
-{
-  vtkNew<Filter> surface;
+  vtkNew<vtkPatchSurfaceFilter> surface;
   messages.Observe(surface, "extracting the surface");
-  surface->SetInputData(data);
-  KeepCellIds(surface.Get());
+  surface->SetInputData(grid);
   surface->Update();
   return surface->GetOutput();
 }
 
 // Returns the surface of a data set, which may itself be one.
-Mesh TakeSurface(vtkDataSet* data, MeshCells cells, ViewerMessages& messages)
+Mesh TakeSurface(
+  vtkDataSet* data, MeshCells cells, SurfaceExtractor& extractor, ViewerMessages& messages)
 {
   if (auto* mesh = vtkPolyData::SafeDownCast(data))
   {
@@ -67,8 +57,7 @@ Mesh TakeSurface(vtkDataSet* data, MeshCells cells, ViewerMessages& messages)
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
   const bool hasPatches =
     grid && (cells == MeshCells::Patches || (cells == MeshCells::Curved && HasCurvedCells(grid)));
-  return hasPatches ? TakeSurface<vtkPatchSurfaceFilter>(grid, messages)
-                    : TakeSurface<vtkGeometryFilter>(data, messages);
+  return hasPatches ? TakePatches(grid, messages) : extractor.Extract(data, messages);
 }
 
 void CheckPoints(vtkPolyData* mesh, const std::string& fileName)
@@ -91,19 +80,26 @@ void CheckPoints(vtkPolyData* mesh, const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
-SurfaceMesh ReadMesh(
-  ResultFile& file, int step, StepFilter& filter, MeshCells cells, ViewerMessages& messages)
+MeshReader::MeshReader(ResultFile& file, ViewerMessages& messages)
+  : File(file)
+  , Messages(messages)
 {
+}
+
+//------------------------------------------------------------------------------
+SurfaceMesh MeshReader::Read(int step, StepFilter& filter, MeshCells cells)
+{
+  ViewerMessages& messages = this->Messages;
   SurfaceMesh surface;
   Mesh& mesh = surface.Data;
-  const std::string& fileName = file.GetFileName();
-  file.Read(step,
+  const std::string& fileName = this->File.GetFileName();
+  this->File.Read(step,
     [&](vtkDataObject* data)
     {
       const auto merged = MergeBlocks(filter.Apply(data, messages), messages);
       surface.IsOfCells = !vtkPolyData::SafeDownCast(merged);
       surface.Cells = merged;
-      mesh = merged ? TakeSurface(merged, cells, messages) : nullptr;
+      mesh = merged ? TakeSurface(merged, cells, this->Extractor, messages) : nullptr;
       if (mesh)
       {
         CheckCorners(mesh);

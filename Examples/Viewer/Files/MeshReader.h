@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @brief   reads the surface of a mesh
+ * @class   MeshReader
+ * @brief   reads the surface of a mesh at each time step
  */
 #ifndef MeshReader_h
 #define MeshReader_h
+
+#include "Files/SurfaceExtractor.h"
 
 #include "vtkSmartPointer.h"
 
@@ -30,11 +33,22 @@ struct SurfaceMesh
   bool IsOfCells;
 };
 
-/**
- * Reads the polygons and strips of a time step, or the outer surface of other data sets, changed by
- * the filter. Throws ViewerError if there are none, or if a point is not finite.
- */
-SurfaceMesh ReadMesh(
-  ResultFile& file, int step, StepFilter& filter, MeshCells cells, ViewerMessages& messages);
+class MeshReader
+{
+public:
+  /// The file must outlive this object.
+  MeshReader(ResultFile& file, ViewerMessages& messages);
+
+  /**
+   * Reads the polygons and strips of a time step, or the outer surface of other data sets, changed
+   * by the filter. Throws ViewerError if there are none, or if a point is not finite.
+   */
+  SurfaceMesh Read(int step, StepFilter& filter, MeshCells cells);
+
+private:
+  ResultFile& File;
+  ViewerMessages& Messages;
+  SurfaceExtractor Extractor;
+};
 
 #endif

@@ -157,7 +157,7 @@ void ContactScene::ReadMeshes()
   {
     ResultFile file(*files[i], this->Messages);
     StepFilter unchanged({}, "");
-    this->Meshes[i] = ReadMesh(file, 0, unchanged, MeshCells::Curved, this->Messages).Data;
+    this->Meshes[i] = MeshReader(file, this->Messages).Read(0, unchanged, MeshCells::Curved).Data;
     this->Filter->SetInputData(i, this->Meshes[i]);
     this->Messages.Name("input " + std::to_string(i), *files[i]);
   }

@@ -97,6 +97,7 @@ MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
   , Cut(options.Clip)
 {
   this->Steps = std::make_unique<TimeSteps>(options, this->Renderer, messages);
+  this->Reader = std::make_unique<MeshReader>(this->Steps->GetFile(), messages);
   const bool isOfCells = this->ReadStep();
   this->TakePatches();
   this->ChooseSurface(isOfCells);
@@ -136,8 +137,8 @@ bool MeshScene::ReadStep()
   const MeshCells cells = asItIs
     ? MeshCells::Flat
     : (this->Options.AsksForPatches() ? MeshCells::Patches : MeshCells::Curved);
-  const SurfaceMesh mesh = ReadMesh(this->Steps->GetFile(), this->Steps->GetStep(),
-    this->Steps->GetFilter(), cells, this->Messages);
+  const SurfaceMesh mesh =
+    this->Reader->Read(this->Steps->GetStep(), this->Steps->GetFilter(), cells);
   this->Mesh->ShallowCopy(mesh.Data);
   this->Options.Array = this->Steps->GetFilter().GetArray();
   this->Cells = mesh.Cells;

@@ -16,6 +16,7 @@
 #include <string>
 
 class MeshProbe;
+class MeshReader;
 class MeshSection;
 class TimeSteps;
 class vtkDataArray;
@@ -77,8 +78,9 @@ private:
 
   vtkNew<vtkDisplacement> Displacement;
   std::unique_ptr<TimeSteps> Steps;
-  bool HasCreases = false; // whether normals are from creases
-  std::string CurvedBy;    // the reason for the surface, for Report()
+  std::unique_ptr<MeshReader> Reader; // of the steps
+  bool HasCreases = false;            // whether normals are from creases
+  std::string CurvedBy;               // the reason for the surface, for Report()
   // The array that colours the mesh, or an empty string, and whether it is a point array.
   std::string ArrayName;
   bool HasPointArray = false;
