@@ -146,7 +146,11 @@ void CellCutter::CutLinear(vtkIdType cell, const CellKind& kind, CellSection& se
   {
     values[i] = value(static_cast<int>(i));
   }
-  const PolyhedronFaces faces = ReadFaces(this->Data, cell, kind, this->Nodes);
+  PolyhedronFaces& faces = this->Faces[this->Data->GetCellType(cell)];
+  if (faces.empty() || kind.Shape == CellTopology::Polyhedron)
+  {
+    faces = ReadFaces(this->Data, cell, kind, this->Nodes);
+  }
   const PolyhedronSection cut = CutPolyhedron(faces, values);
   std::vector<int> points;
   for (std::array<int, 2> ends : cut.Edges)

@@ -14,6 +14,7 @@
 #include "vtkNew.h"
 #include "vtkType.h"
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -51,8 +52,9 @@ private:
   vtkImplicitFunction* Function;
   const std::vector<double>& Values;
   double Tolerance;
-  vtkNew<vtkIdList> Nodes;            // of the current cell
-  std::unique_ptr<CellReader> Reader; // nullptr without curved cells
+  std::map<int, PolyhedronFaces> Faces; // of the types of linear cells
+  vtkNew<vtkIdList> Nodes;              // of the current cell
+  std::unique_ptr<CellReader> Reader;   // nullptr without curved cells
 };
 }
 

@@ -16,13 +16,25 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace relevo
 {
 namespace
 {
+using Edge = std::array<vtkIdType, 2>;
+
+struct EdgeHash
+{
+  std::size_t operator()(const Edge& edge) const
+  {
+    // The odd constant spreads neighbouring ids over all bits.
+    return static_cast<std::size_t>(edge[0]) * 0x9e3779b97f4a7c15ULL +
+      static_cast<std::size_t>(edge[1]);
+  }
+};
+
 // A point of the output, as one of a section.
 struct PointSource
 {
@@ -40,21 +52,19 @@ struct JoinedPoints
 JoinedPoints JoinPoints(const std::vector<CellSection>& sections)
 {
   JoinedPoints joined;
-  std::map<std::array<vtkIdType, 2>, vtkIdType> known;
+  joined.Ids.reserve(sections.size());
+  std::unordered_map<Edge, vtkIdType, EdgeHash> known;
   for (const CellSection& section : sections)
   {
     joined.Ids.emplace_back();
     for (std::size_t i = 0; i < section.Points.size(); ++i)
     {
-      auto id = static_cast<vtkIdType>(joined.Sources.size());
-      const bool isNew = section.Edges[i][0] < 0 || known.emplace(section.Edges[i], id).second;
-      if (isNew)
+      const auto next = static_cast<vtkIdType>(joined.Sources.size());
+      const vtkIdType id =
+        section.Edges[i][0] < 0 ? next : known.emplace(section.Edges[i], next).first->second;
+      if (id == next)
       {
         joined.Sources.push_back({ &section, i });
-      }
-      else
-      {
-        id = known[section.Edges[i]];
       }
       joined.Ids.back().push_back(id);
     }
@@ -155,7 +165,7 @@ std::vector<std::string> StoreSections(const std::vector<CellSection>& sections,
   vtkNew<vtkCellArray> lineCells;
   vtkNew<vtkIdTypeArray> polygonOriginals;
   vtkNew<vtkIdTypeArray> lineOriginals;
-  std::set<std::array<vtkIdType, 2>> known; // lines, which two linear cells share
+  std::unordered_set<Edge, EdgeHash> known; // lines, which two linear cells share
   for (std::size_t i = 0; i < sections.size(); ++i)
   {
     const std::vector<vtkIdType>& ids = joined.Ids[i];
@@ -174,8 +184,7 @@ std::vector<std::string> StoreSections(const std::vector<CellSection>& sections,
     }
     for (const std::array<int, 2>& line : sections[i].Lines)
     {
-      const std::array<vtkIdType, 2> ends{ std::min(ids[line[0]], ids[line[1]]),
-        std::max(ids[line[0]], ids[line[1]]) };
+      const Edge ends{ std::min(ids[line[0]], ids[line[1]]), std::max(ids[line[0]], ids[line[1]]) };
       if (known.insert(ends).second)
       {
         lineCells->InsertNextCell(2, ends.data());
