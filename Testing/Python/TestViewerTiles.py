@@ -94,8 +94,8 @@ class TestViewerTiles(ViewerProgram):
         refuses(["--flight requires --output"], "--flight=a.csv")
         for option in ("--view=0,0", "--zoom=2", "--center=0,0", "--stats"):
             refuses([option.split("=")[0], "--flight"], "--flight=a.csv", "--output=%d.png", option)
-        for option in ("--contours=5", "--memory=64", "--palette=grey",
-                       "--sea-level=0", "--color-by=slope", "--color-by=height", "--flight=a.csv"):
+        for option in ("--contours=5", "--memory=64", "--sea-level=0",
+                       "--color-by=slope", "--color-by=height", "--flight=a.csv"):
             self.assert_error(2, [re.split("[= ]", option)[0], "height map"], "flat.obj", option)
 
     def test_contours(self):

@@ -144,6 +144,25 @@ class TestViewerTime(ViewerProgram):
         words = ("'von Mises of Move' needs an array with 6 or 9 components", "'Stress'")
         self.assert_error(1, words, "s.vtu", "--array=von Mises of Move", "--output=t.png")
 
+    def test_palette(self):
+        """--palette also colours arrays of meshes and volumes: black to white, without other hues."""
+        self.write_series("p.pvd")
+        for options in (["--array=Heat"], ["--volume=Heat", "--unit-distance=0.01"]):
+            hues = {}
+            for palette in ("viridis", "grey"):
+                self.view(
+                    "p.pvd", *options, f"--palette={palette}", "--no-legend", "--output=t.png", SIZE
+                )
+                reader = vtkPNGReader()
+                reader.SetFileName(str(self.folder / "t.png"))
+                reader.Update()
+                middle = [reader.GetOutput().GetScalarComponentAsDouble(100, 90, 0, c) for c in range(3)]
+                hues[palette] = max(middle) - min(middle)
+            self.assertLess(hues["grey"], 12)
+            self.assertGreater(hues["viridis"], 40)
+        words = ("--palette requires colours by an array", "p.pvd has none")
+        self.assert_error(1, words, "p.pvd", "--palette=grey", "--output=t.png")
+
     def test_warp(self):
         """--warp moves points by the factor times the array, also nodes of curved cells."""
         self.write_series("c.pvd")

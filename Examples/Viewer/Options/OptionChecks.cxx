@@ -99,7 +99,8 @@ private:
     {
       const std::string& option = given.first;
       if (options.IsVolume && !IsOneOf(option, ofVolumes) && !IsOneOf(option, OfAll) &&
-        !IsOneOf(option, { "--clip", "--light", "--range", "--scale", "--time", "--warp" }))
+        !IsOneOf(
+          option, { "--clip", "--light", "--palette", "--range", "--scale", "--time", "--warp" }))
       {
         throw UsageError(option + " cannot be combined with --volume");
       }
@@ -115,7 +116,7 @@ private:
     this->RequirePartner({ "--unit-distance" },
       blend == vtkVolumeMapper::COMPOSITE_BLEND || blend == vtkVolumeMapper::ADDITIVE_BLEND,
       "--blend composite or additive");
-    this->Exclude({ "--range" }, !options.Transfer.empty(), "--transfer");
+    this->Exclude({ "--palette", "--range" }, !options.Transfer.empty(), "--transfer");
     if (this->Given.count("--transfer") && options.Transfer.empty())
     {
       throw UsageError("--transfer needs the name of a file");
@@ -263,7 +264,7 @@ private:
     const Color color = options.Color;
     const bool isOfTerrain = color != Color::Own && !options.IsColoredByLevel();
     this->RequirePartner({ "--base", "--contour-labels", "--contours", "--flight", "--globe",
-                           "--memory", "--palette", "--sea-level" },
+                           "--memory", "--sea-level" },
       options.IsTerrain(), "a height map, and '" + options.Input + "' is none");
     if (!options.IsTerrain())
     {

@@ -40,9 +40,6 @@ Height maps:
                          for a 3D print
   --contours N           draw contour lines every N units of the heights
   --contour-labels       label the contour lines with their heights
-  --palette NAME         colours of heights (default relief), slopes (default heat) or aspects
-                         (default cyclic): cool-warm, cyclic, grey, heat, magma, rainbow, relief,
-                         viridis, water
   --sea-level H          colour heights up to H as water, and those above as land. Not with --image
   --memory MIB           largest memory of heights, pictures and textures, 16 to 1048576 (default 512).
                          Terrain beyond it has a larger error
@@ -180,6 +177,9 @@ The picture:
                          sun in the north-west
   --range A,B            values that the first and the last colour stand for, A less than B (default:
                          all values of the picture, or of all time steps)
+  --palette NAME         colours of arrays (default viridis), heights (default relief), slopes (default
+                         heat) or aspects (default cyclic): cool-warm, cyclic, grey, heat, magma,
+                         rainbow, relief, viridis, water
   --wireframe            draw the edges of the refined triangles
   --view AZ,EL           side that the camera looks from, in degrees: azimuth, clockwise from north
                          (for meshes with y up, from -z), and elevation, -90 to 90 (default 192,38;

@@ -3,6 +3,7 @@
 #include "Scene/MeshColours.h"
 
 #include "Files/ViewerFile.h"
+#include "Options/Palettes.h"
 #include "Text/ReadingGuard.h"
 #include "Text/ViewerMessages.h"
 
@@ -31,8 +32,14 @@ vtkSmartPointer<vtkImageData> ReadImage(const std::string& fileName, ViewerMessa
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkScalarsToColors> MakeColours(const double range[2])
+vtkSmartPointer<vtkScalarsToColors> MakeColours(const std::string& palette, const double range[2])
 {
+  if (!palette.empty())
+  {
+    const auto named = MakePalette(palette, { { range[0], range[1] } });
+    named->SetVectorModeToMagnitude();
+    return named;
+  }
   const double colours[][3] = { { 0.267, 0.005, 0.329 }, { 0.229, 0.322, 0.546 },
     { 0.128, 0.567, 0.551 }, { 0.369, 0.789, 0.383 }, { 0.993, 0.906, 0.144 } };
   auto table = vtkSmartPointer<vtkColorTransferFunction>::New();

@@ -17,7 +17,8 @@ class ViewerMessages;
 /// Reads a PNG, JPEG, TIFF or BMP file. Throws ViewerError.
 vtkSmartPointer<vtkImageData> ReadImage(const std::string& fileName, ViewerMessages& messages);
 
-/// A perceptually uniform table from dark violet to yellow. Vectors are mapped by magnitude.
-vtkSmartPointer<vtkScalarsToColors> MakeColours(const double range[2]);
+/// A palette of --palette over a range; without a name, a perceptually uniform one from dark violet
+/// to yellow. Vectors are mapped by magnitude.
+vtkSmartPointer<vtkScalarsToColors> MakeColours(const std::string& palette, const double range[2]);
 
 #endif

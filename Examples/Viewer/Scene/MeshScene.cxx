@@ -195,7 +195,7 @@ void MeshScene::UpdateColours()
   if (this->IsColouredByArray())
   {
     this->ExtendRange();
-    this->Colours->DeepCopy(MakeColours(this->Range->data()));
+    this->Colours->DeepCopy(MakeColours(this->Options.Palette, this->Range->data()));
     ShowIsolines(this->Options, this->Mapper, this->Range->data());
   }
 }
@@ -494,11 +494,13 @@ void MeshScene::SetColours()
   property->SetSpecularPower(30.0);
   property->SetInterpolationToPhong();
   this->Mapper->ScalarVisibilityOff();
-  if (this->Options.Range && (this->ArrayName.empty() || !this->Options.Imagery.empty()))
+  const bool asksForColours = this->Options.Range || !this->Options.Palette.empty();
+  if (asksForColours && (this->ArrayName.empty() || !this->Options.Imagery.empty()))
   {
-    throw ViewerError("--range requires colours by an array" +
-      std::string(this->Options.Imagery.empty() ? ", and " + this->Options.Input + " has none"
-                                                : ", not a picture (--image)"));
+    const std::string option = this->Options.Range ? "--range" : "--palette";
+    throw ViewerError(option + " requires colours by an array" +
+      (this->Options.Imagery.empty() ? ", and " + this->Options.Input + " has none"
+                                     : ", not a picture (--image)"));
   }
   if (!this->Options.Imagery.empty())
   {
@@ -536,7 +538,7 @@ void MeshScene::SetArrayColours()
   }
   this->Options.IsSeries() ? this->ExtendRangeByAllSteps() : this->ExtendRange();
   array = this->GetArray(); // that of the step which is read last
-  this->Colours = MakeColours(this->Range->data());
+  this->Colours = MakeColours(this->Options.Palette, this->Range->data());
   this->Mapper->SetLookupTable(this->Colours);
   this->Mapper->InterpolateScalarsBeforeMappingOn();
   ShowIsolines(this->Options, this->Mapper, this->Range->data());

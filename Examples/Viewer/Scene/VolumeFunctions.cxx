@@ -96,7 +96,7 @@ std::vector<TransferNode> MakeTransferNodes(
   {
     values.insert(rank.first);
   }
-  const auto colours = MakeColours(array.Range);
+  const auto colours = MakeColours(options.Palette, array.Range);
   std::vector<TransferNode> nodes;
   for (double value : values)
   {
