@@ -19,6 +19,7 @@ set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=${RELEVO_BUILD_DIR:-$source_dir/build}
+. "$source_dir/Module/arguments.sh"
 . "$source_dir/Module/packages.sh"
 
 packages=$build_packages$vtk_packages
@@ -59,7 +60,7 @@ for argument in "$@"; do
       ;;
     --no-install) install=no ;;
     -h | --help)
-      sed -n '/^# Builds/,/^set /p' "${BASH_SOURCE[0]}" | sed '$d; s/^# \{0,1\}//'
+      print_help
       exit 0
       ;;
     *) cmake_arguments+=("$argument") ;;

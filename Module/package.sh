@@ -20,6 +20,7 @@ set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=${RELEVO_PACKAGE_BUILD_DIR:-$source_dir/build-package}
+. "$source_dir/Module/arguments.sh"
 . "$source_dir/Module/packages.sh"
 
 install=()
@@ -36,7 +37,7 @@ while [ $# -gt 0 ]; do
       ;;
     --paraview=*) paraview=("$1") ;;
     -h | --help)
-      sed -n '/^# Makes/,/^set /p' "${BASH_SOURCE[0]}" | sed '$d; s/^# \{0,1\}//'
+      print_help
       exit 0
       ;;
     *) cmake_arguments+=("$1") ;;

@@ -20,26 +20,25 @@ set -euo pipefail
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 tests_dir=${RELEVO_BUILD_DIR:-$source_dir/build}
 build_dir=$source_dir/build-coverage
+. "$source_dir/Module/arguments.sh"
 . "$source_dir/Module/packages.sh"
 
-install=()
+read_arguments "$@"
 paraview=no
 run=yes
 test_arguments=()
-for argument in "$@"; do
+for argument in "${other_arguments[@]}"; do
   case $argument in
     --paraview) paraview=yes ;;
     --report) run=no ;;
-    --no-install) install=(--no-install) ;;
-    -h | --help)
-      sed -n '/^# Prints/,/^set /p' "${BASH_SOURCE[0]}" | sed '$d; s/^# \{0,1\}//'
-      exit 0
-      ;;
     *) test_arguments+=("$argument") ;;
   esac
 done
-if [ ${#install[@]} -eq 0 ]; then
+plugin_arguments=()
+if [ $install = yes ]; then
   install_packages gcovr xauth xvfb
+else
+  plugin_arguments=(--no-install)
 fi
 if [ ! -f "$tests_dir/Testing/CTestTestfile.cmake" ]; then
   echo "coverage.sh: error: there are no tests in $tests_dir; run Module/build.sh --testing" >&2
@@ -74,9 +73,9 @@ if [ $paraview = yes ]; then
   plugin_dir=$build_dir/paraview
   if [ $run = yes ]; then
     RELEVO_PARAVIEW_BUILD_DIR=$plugin_dir bash "$source_dir/Module/ParaView/build.sh" \
-      "${install[@]}" "${flags[@]}"
+      "${plugin_arguments[@]}" "${flags[@]}"
     RELEVO_PARAVIEW_BUILD_DIR=$plugin_dir bash "$source_dir/Testing/ParaView/run.sh" \
-      "${install[@]}" || result=$?
+      "${plugin_arguments[@]}" || result=$?
   fi
   folders+=("$plugin_dir/Filters" "$plugin_dir/Rendering" "$plugin_dir/Module")
   counted+="|Module/ParaView"

@@ -16,27 +16,21 @@ set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=${RELEVO_BUILD_DIR:-$source_dir/build-fuzz}
+. "$source_dir/Module/arguments.sh"
 . "$source_dir/Module/packages.sh"
 
+read_arguments "$@"
 seconds=60
-install=yes
 targets=()
+set -- "${other_arguments[@]}"
 while [ $# -gt 0 ]; do
   case $1 in
     --seconds)
       seconds=${2:?--seconds needs a number}
       shift
       ;;
-    --no-install) install=no ;;
-    -h | --help)
-      sed -n '/^# Builds/,/^set /p' "${BASH_SOURCE[0]}" | sed '$d; s/^# \{0,1\}//'
-      exit 0
-      ;;
     Fuzz*) targets+=("$1") ;;
-    *)
-      echo "fuzz.sh: error: unknown argument $1" >&2
-      exit 2
-      ;;
+    *) reject_argument "$1" ;;
   esac
   shift
 done

@@ -18,6 +18,7 @@ set -euo pipefail
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 tests_dir=${RELEVO_BUILD_DIR:-$source_dir/build}
 build_dir=$source_dir/build-threads
+. "$source_dir/Module/arguments.sh"
 . "$source_dir/Module/packages.sh"
 
 # Tests of loops, of paging and of warping, by executable.
@@ -54,21 +55,10 @@ RenderingTerrain/TestTerrainMapperPicks
 RenderingTerrain/TestTerrainPainterHeights
 RenderingRelief/TestReliefMapperMethods
 "
-install=yes
-wanted=()
-for argument in "$@"; do
-  case $argument in
-    --no-install) install=no ;;
-    -h | --help)
-      sed -n '/^# Searches/,/^set /p' "${BASH_SOURCE[0]}" | sed '$d; s/^# \{0,1\}//'
-      exit 0
-      ;;
-    Test*) wanted+=("$argument") ;;
-    *)
-      echo "threads.sh: error: unknown argument $argument" >&2
-      exit 2
-      ;;
-  esac
+read_arguments "$@"
+wanted=("${other_arguments[@]}")
+for argument in "${wanted[@]}"; do
+  [[ $argument == Test* ]] || reject_argument "$argument"
 done
 if [ $install = yes ]; then
   install_packages g++ xauth xvfb

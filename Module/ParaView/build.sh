@@ -20,6 +20,7 @@ set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build_dir=${RELEVO_PARAVIEW_BUILD_DIR:-$source_dir/build-paraview}
+. "$source_dir/Module/arguments.sh"
 . "$source_dir/Module/packages.sh"
 
 # Prints the folder with ParaViewConfig.cmake of the ParaView that is installed in the folder $1.
@@ -58,7 +59,7 @@ while [ $# -gt 0 ]; do
       continue
       ;;
     -h | --help)
-      sed -n '/^# Builds/,/^set /p' "${BASH_SOURCE[0]}" | sed '$d; s/^# \{0,1\}//'
+      print_help
       exit 0
       ;;
     -DParaView_DIR=*) ParaView_DIR=${1#*=} ;;

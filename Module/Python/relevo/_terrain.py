@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -250,8 +251,10 @@ class Terrain(Drawing):
         if max(coarsest) > _LARGEST_OUTLINE:
             return super()._get_points()
         image = self._pyramid.GetReducedElevations(65)
-        heights = vtk_to_numpy(image.GetPointData().GetScalars())
-        samples = [image.GetPoint(i)[:2] for i in range(len(heights))]
+        heights = vtk_to_numpy(image.GetPointData().GetScalars()).tolist()
+        across, down, _ = image.GetDimensions()
+        step = image.GetSpacing()
+        samples = [(i * step[0], j * step[1]) for j in range(down) for i in range(across)]
         points = [self._find_point(sample, own) for sample, own in zip(samples, heights)]
         # The last points of the image may be before the borders.
         columns, rows = self._pyramid.GetDimensions()
@@ -263,7 +266,7 @@ class Terrain(Drawing):
             points += [
                 self._find_point(sample, base)
                 for sample, own in zip(samples, heights)
-                if numpy.isfinite(own)
+                if math.isfinite(own)
             ]
         known = [point for point in points if point is not None]
         return numpy.array(known) if known else super()._get_points()
@@ -275,7 +278,7 @@ class Terrain(Drawing):
         if height is None:
             height = self._pyramid.GetElevation(*coordinates)
         found = self.mapper.RasterToWorld((*coordinates, height), world)
-        return world if found and numpy.isfinite(height) else None
+        return world if found and math.isfinite(height) else None
 
     def _make_mesh(self, camera: Camera) -> vtkDataObject:
         source = relevo.vtkTerrainMeshSource()
