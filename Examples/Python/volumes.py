@@ -8,11 +8,14 @@ NAME is one of
   reactor  the gas of a reactor inside its opaque wall: disk_out_ref.ex2
   can      a crushed can, coloured by cell values: can.vtu
   probe    where rays through some pixels end, with the values there: postxyz.bin postq.bin
+  curved   cells of degree 4, beside an even subdivision to linear cells (no files)
+  stress   stresses of each cell, beside averages at points (no files)
 The files are VTK's data. Without them the script generates a mesh, the flow past a cylinder.
 """
 
 from __future__ import annotations
 
+import itertools
 import math
 import sys
 from collections.abc import Callable, Iterable, Sequence
@@ -24,7 +27,11 @@ from figure import Figure, make_actor
 from meshes import set_point_array
 from vtkmodules.vtkCommonCore import vtkDataArray, vtkFloatArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON,
+    VTK_LAGRANGE_HEXAHEDRON,
     vtkDataSet,
+    vtkHexahedron,
+    vtkLagrangeHexahedron,
     vtkPiecewiseFunction,
     vtkPlane,
     vtkStructuredGrid,
@@ -293,8 +300,112 @@ def probe(points: str = "", flow: str = "") -> Figure:
     return figure
 
 
+def make_coil(cells: int = 4, degree: int = 4) -> vtkUnstructuredGrid:
+    """Return curved hexahedra around an axis. The array Wave has their degree along each."""
+    mesh, waves = vtkUnstructuredGrid(), []
+    mesh.SetPoints(vtkPoints())
+    cell = vtkLagrangeHexahedron()
+    side = degree + 1
+    cell.GetPointIds().SetNumberOfIds(side**3)
+    cell.GetPoints().SetNumberOfPoints(side**3)
+    cell.SetUniformOrderFromNumPoints(side**3)
+    for number in range(cells):
+        ids = [0] * side**3
+        for at in itertools.product(range(side), repeat=3):
+            u, v, w = (step / degree for step in at)
+            angle = 1.75 * math.pi * (number + u) / cells
+            radius, height = 1 + v, w + 0.6 * angle / math.pi
+            point = (radius * math.cos(angle), radius * math.sin(angle), height)
+            ids[cell.PointIndexFromIJK(*at)] = mesh.GetPoints().InsertNextPoint(point)
+            waves.append(math.cos(2.5 * angle) * math.cos(math.pi * v) * math.cos(math.pi * w))
+        mesh.InsertNextCell(VTK_LAGRANGE_HEXAHEDRON, len(ids), ids)
+    set_point_array(mesh, "Wave", waves)
+    return mesh
+
+
+def curved() -> Figure:
+    """Draw curved cells, and the linear cells between their nodes."""
+    mesh = make_coil()
+    opacities = (
+        (0, 1), (0.1, 0.6), (0.2, 0), (0.32, 0), (0.38, 0.5), (0.44, 0), (0.56, 0), (0.62, 0.5),
+        (0.68, 0), (0.8, 0), (0.9, 0.6), (1, 1)
+    )
+    look = make_property(mesh.GetPointData().GetArray("Wave"), 0, opacities, 0.12)
+    split = vtkDataSetTriangleFilter()
+    split.SetInputData(mesh)
+    split.Update()
+    figure = Figure(2, 1, (430, 360), (0.4, -1, 1), (0, 0, 1), 1.5)
+    for drawn, label in (
+        (mesh, f"{mesh.GetNumberOfCells()} cells of degree 4"),
+        (split.GetOutput(), f"even subdivision: {split.GetOutput().GetNumberOfCells()} tetrahedra"),
+    ):
+        mapper = relevo.vtkGPUUnstructuredGridVolumeMapper()
+        figure.add(label, make_volume(mapper, drawn, "Wave", look))
+    return figure
+
+
+def make_beam(cells: tuple[int, int, int] = (14, 4, 4)) -> vtkUnstructuredGrid:
+    """Return a bent and twisted beam, in which each hexahedron has points of its own.
+
+    The array Stress is the von Mises stress of a cell at its corners, for a modulus of 1.
+    """
+    beam, stresses = vtkUnstructuredGrid(), []
+    beam.SetPoints(vtkPoints())
+
+    def bend(x: float, y: float, z: float) -> tuple[float, float, float]:
+        sag = 0.05 * x * x * (10 - x)
+        return (-0.1 * x * y * (7 - x), sag + 0.04 * x * x * z, 0.1 * z * y - 0.04 * x * x * y)
+
+    hexahedron = vtkHexahedron()
+    for first in itertools.product(*(range(count) for count in cells)):
+        points, moves = [], []
+        for corner in range(8):
+            step = hexahedron.GetParametricCoords()[3 * corner : 3 * corner + 3]
+            at = [(a + b) / count for a, b, count in zip(first, step, cells)]
+            x, y, z = 4 * at[0], at[1] - 0.5, at[2] - 0.5
+            points.append((x, y, z))
+            moves.append(bend(x, y, z))
+            hexahedron.GetPoints().SetPoint(corner, (x, y, z))
+        ids = []
+        for corner in range(8):
+            step = hexahedron.GetParametricCoords()[3 * corner : 3 * corner + 3]
+            slopes = [0.0] * 9  # x, y and z derivatives of each component
+            values = [value for move in moves for value in move]
+            hexahedron.Derivatives(0, step, values, 3, slopes)
+            normal = [slopes[4 * c] for c in range(3)]
+            shear = [slopes[3 * a + b] + slopes[3 * b + a] for a, b in ((0, 1), (1, 2), (2, 0))]
+            pairs = sum((normal[c] - normal[c - 1]) ** 2 for c in range(3))
+            stresses.append(math.sqrt(0.5 * pairs + 0.75 * sum(value**2 for value in shear)))
+            place = [a + 0.3 * b for a, b in zip(points[corner], moves[corner])]
+            ids.append(beam.GetPoints().InsertNextPoint(place))
+        beam.InsertNextCell(VTK_HEXAHEDRON, 8, ids)
+    set_point_array(beam, "Stress", stresses)
+    return beam
+
+
+def stress() -> Figure:
+    """Draw stresses that jump between cells, and their averages at coincident points."""
+    beam = make_beam()
+    values = beam.GetPointData().GetArray("Stress")
+    at_points: dict[tuple[float, ...], list[float]] = {}
+    places = [tuple(beam.GetPoint(i)) for i in range(beam.GetNumberOfPoints())]
+    for i, place in enumerate(places):
+        at_points.setdefault(place, []).append(values.GetComponent(i, 0))
+    averaged = vtkUnstructuredGrid()
+    averaged.DeepCopy(beam)
+    means = [sum(at_points[place]) / len(at_points[place]) for place in places]
+    set_point_array(averaged, "Stress", means)
+    opacities = ((0, 0.02), (0.25, 0.1), (0.5, 0.5), (1, 1))
+    look = make_property(values, 0, opacities, 0.15)
+    figure = Figure(1, 2, (720, 260), (-0.25, -1, 0.5), (0, 0, 1), 1.5)
+    for mesh, label in ((beam, "stresses of each cell"), (averaged, "averages at points")):
+        mapper = relevo.vtkGPUUnstructuredGridVolumeMapper()
+        figure.add(label, make_volume(mapper, mesh, "Stress", look))
+    return figure
+
+
 FIGURES: dict[Callable[..., Figure], int] = {  # numbers of files
-    fin: 2, post: 2, reactor: 1, can: 1, probe: 2
+    fin: 2, post: 2, reactor: 1, can: 1, probe: 2, curved: 0, stress: 0
 }
 
 

@@ -60,6 +60,8 @@ void RunVolumes(const BenchmarkOptions& options, const AddTable& addTable);
 void RunVolumeTasks(const BenchmarkOptions& options, const AddTable& addTable);
 /// Frames of volumes with a tenth of the cells, and their likeness to full ones.
 void RunVolumeDetail(const BenchmarkOptions& options, const AddTable& addTable);
+/// Compares volumes of cubic Lagrange hexahedra with VTK's way: tetrahedra between the nodes.
+void RunVolumeCurved(const BenchmarkOptions& options, const AddTable& addTable);
 /// Compares reliefs with the captured meshes and with meshes of their pixels. Measures warps per
 /// second.
 void RunReliefs(const BenchmarkOptions& options, const AddTable& addTable);

@@ -52,6 +52,7 @@ const std::vector<Benchmark> Benchmarks = {
   { "volumes", RunVolumes },
   { "volume-tasks", RunVolumeTasks },
   { "volume-detail", RunVolumeDetail },
+  { "volume-curved", RunVolumeCurved },
 #endif
 #ifdef BENCHMARK_HAS_RELIEFS
   { "relief", RunReliefs },

@@ -513,6 +513,8 @@ class TestExamples(unittest.TestCase):
             "reactor": ["../flow/disk_out_ref.ex2"],
             "can": ["can.vtu"],
             "probe": ["postxyz.bin", "postq.bin"],
+            "curved": [],
+            "stress": [],
         }
         names = {path.stem for path in (SOURCE / "Examples/Python/volumes").glob("*.png")}
         self.assertEqual(names, set(files))
@@ -521,10 +523,11 @@ class TestExamples(unittest.TestCase):
                 self.assertIn(f"Examples/Python/volumes/{name}.png", PAGES)
                 run = self.run_example("volumes.py", folder, name, "made.png")
                 self.assertEqual((run.returncode, run.stderr), (0, ""))
-                self.assertRegex(run.stdout, r"\A[1-9]\d{3,} cells\n\Z")
+                cells = {"curved": "4 cells\n1536 cells\n", "stress": "224 cells\n224 cells\n"}
+                self.assertRegex(run.stdout, cells.get(name, r"\A[1-9]\d{3,} cells\n\Z"))
                 made = mean_of_blocks(read_picture(pathlib.Path(folder) / "made.png"))
                 self.assertGreater(len(set(made)), 0.2 * len(made), name)
-                if not VOLUME.is_dir():
+                if data and not VOLUME.is_dir():
                     continue
                 real = [str(VOLUME / file) for file in data]
                 run = self.run_example("volumes.py", folder, name, "out.png", *real)
