@@ -6,8 +6,10 @@
 #include "Checks/MemoryGuard.h"
 #include "Checks/SettingChecks.h"
 #include "Compatibility/VTKCompatibility.h"
+#include "Data/LevelErrors.h"
 #include "Data/MicroGrid.h"
 #include "Dense/DenseMesh.h"
+#include "Encoding/AttributeSampling.h"
 #include "Encoding/MicroMeshEncoder.h"
 #include "Encoding/MicroMeshOutput.h"
 #include "vtkCellArrayIterator.h"
@@ -205,6 +207,11 @@ int vtkMicroMeshFilter::Encode(vtkPolyData* input, vtkPolyData* output)
   }
   this->Error = std::max(encoded->InputToResult, encoded->ResultToInput);
   relevo::StoreEncodedMesh(dense, *encoded, whole, output);
+  relevo::StoreLevelErrors(encoded->Mesh, dense.Scale, output);
+  if (this->Attributes)
+  {
+    relevo::SampleAttributes(dense, *encoded, whole, output);
+  }
   return 1;
 }
 
@@ -230,5 +237,6 @@ void vtkMicroMeshFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "MaterialArrayName: " << this->MaterialArrayName << "\n";
+  os << indent << "Attributes: " << (this->Attributes ? "on" : "off") << "\n";
   os << indent << "Error: " << this->Error << "\n";
 }

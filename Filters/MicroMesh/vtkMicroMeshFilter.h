@@ -35,10 +35,14 @@
  *   values are, for the edges from corner 0 to 1, 1 to 2 and 2 to 0, the index of the edge times 2,
  *   plus 1 if the samples of the edge run in the opposite direction; the first sample inside of the
  *   triangle; the level L. The triangle has a grid of 2^L segments per edge. Its samples inside are
- *   in rows from the edge 0, each from corner 0 to corner 1.
+ *   in rows from the edge 0, each from corner 0 to corner 1. "MicroMeshLevelErrors" (float) has,
+ * for each level from 0, how far the triangle at this level can be from the surface, as a length.
+ * At higher levels than it has components, this is 0.
  * - Field arrays are "MicroMeshEdges" (int, 2 components), the first sample and the level of each
  *   edge; "MicroMeshDisplacements" (signed char or short), the samples; "MicroMeshError" (double, 2
- *   values), the bounds of the distances from the input to the result and back, as lengths.
+ *   values), the bounds of the distances from the input to the result and back, as lengths;
+ *   "MicroMeshPointData:NAME", the values of the point array NAME at the (2^L + 1) (2^L + 2) / 2
+ * grid points of each triangle, corners included, in rows from the edge 0 (AttributesOn()).
  *
  * A grid point lies at the weighted mean of the corners, plus its sample times the weighted mean of
  * their directions. Corners are not displaced. The level of an edge is at most that of its
@@ -122,6 +126,16 @@ public:
   const char* GetMaterialArrayName() const { return this->MaterialArrayName.c_str(); }
   //@}
 
+  //@{
+  /**
+   * Set whether numeric point arrays of the input, except normals and ids, are sampled on the grids
+   * too. On by default. Off, they have values only at the coarse points.
+   */
+  vtkSetMacro(Attributes, bool);
+  vtkGetMacro(Attributes, bool);
+  vtkBooleanMacro(Attributes, bool);
+  //@}
+
   /**
    * Return the larger bound of the distances from the input to the result and back, of the last
    * update, as a length.
@@ -140,6 +154,7 @@ protected:
   int MaximumLevel = 5;
   double FeatureAngle = 60.0;
   std::string MaterialArrayName;
+  bool Attributes = true;
   double Error = 0.0;
 
 private:

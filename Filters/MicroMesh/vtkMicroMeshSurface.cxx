@@ -49,6 +49,17 @@ void vtkMicroMeshSurface::Evaluate(
   relevo::store(point.Normal, normal);
 }
 
+vtkDataArray* vtkMicroMeshSurface::FindCoefficients(vtkPolyData* mesh, vtkDataArray* pointArray)
+{
+  return relevo::FindMicroPointData(mesh, pointArray);
+}
+
+void vtkMicroMeshSurface::EvaluateField(
+  const Face& face, const float weights[3], vtkDataArray* coefficients, double* tuple)
+{
+  relevo::EvaluateMicroPointData(face, weights, coefficients, tuple);
+}
+
 void vtkMicroMeshSurface::ExtendBox(const Face& face, double low[3], double high[3])
 {
   const relevo::MicroMeshFace micro(face);

@@ -13,6 +13,10 @@
  * stored with 8 bits per octahedral coordinate and interpolated between grid points. At the corners
  * of faces, the point normals of the mesh are used, which differ on both sides of sharp edges.
  *
+ * vtkAdaptiveRefinementFilter evaluates the point arrays that vtkMicroMeshFilter sampled on the
+ * grids (AttributesOn()), linearly between grid points. Mappers interpolate point arrays between
+ * the corners of faces.
+ *
  * A mesh without the arrays of vtkMicroMeshFilter, or with inconsistent arrays, is an error.
  *
  * @sa vtkMicroMeshFilter vtkAdaptiveRefinement
@@ -42,6 +46,9 @@ public:
     vtkPolyData* mesh, const double origin[3], Tables& tables, std::string& error) override;
   void Evaluate(
     const Face& face, const float weights[3], float position[3], float normal[3]) override;
+  vtkDataArray* FindCoefficients(vtkPolyData* mesh, vtkDataArray* pointArray) override;
+  void EvaluateField(
+    const Face& face, const float weights[3], vtkDataArray* coefficients, double* tuple) override;
   void ExtendBox(const Face& face, double low[3], double high[3]) override;
   std::string GetShaderSource() override;
 #endif

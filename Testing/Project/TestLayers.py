@@ -27,7 +27,7 @@ LAYERS = {
                         "Bisection", "Draping"],
     "Filters/Parametric": ["Splines", "Cells", "Coarse", "Files", "Curves", "Patches", "Metrics"],
     "Filters/MicroMesh": ["Data", "Dense", "Distance", "Base", "Encoding", "Files",
-                          "Tables"],
+                          "Metrics", "Tables"],
     "Filters/Intersection": ["Exact", "Mesh", "Pairs", "Curves", "Contact"],
     "Filters/Relief": ["Data", "Warp", "Database"],
     "Rendering/Core": ["OpenGL", "View", "Buffers", "Targets", "Passes", "Shaders", "Actors",

@@ -111,6 +111,48 @@ inline GridCell FindGridCell(const GridPoint& point, int stride)
   return cell;
 }
 
+/// A triangle of a grid, and the weights of its corners at a point.
+struct GridPlace
+{
+  GridPoint Corners[3];
+  std::array<double, 3> Weights;
+};
+
+/// The triangle of a grid with n segments per edge that contains a point of the face.
+inline GridPlace FindGridPlace(int n, const std::array<double, 3>& weights)
+{
+  GridPoint low{};
+  std::array<double, 3> rest{};
+  int sum = 0;
+  for (int c = 0; c < 2; ++c)
+  {
+    const double place = weights[c] * n;
+    low[c] = static_cast<int>(place) < n ? static_cast<int>(place) : n - 1;
+    low[c] = low[c] > n - 1 - sum ? n - 1 - sum : low[c];
+    rest[c] = place - low[c];
+    sum += low[c];
+  }
+  low[2] = n - 1 - sum; // the third coordinate of two corners
+  const bool isTurned = rest[0] + rest[1] > 1.0 && low[2] > 0;
+  rest[2] = 1.0 - rest[0] - rest[1];
+  GridPlace result{ { low, low, low }, {} };
+  for (int c = 0; c < 3; ++c)
+  {
+    if (isTurned) // the triangle beside it, towards the corners 0 and 1
+    {
+      result.Corners[c] = { { low[0] + (c == 0 ? 0 : 1), low[1] + (c == 1 ? 0 : 1),
+        low[2] - (c == 2 ? 1 : 0) } };
+      result.Weights[c] = c == 2 ? -rest[2] : 1.0 - rest[c];
+    }
+    else
+    {
+      ++result.Corners[c][c];
+      result.Weights[c] = rest[c];
+    }
+  }
+  return result;
+}
+
 /// The edge that a grid point is on, or -1. A corner is on both of its edges; any is returned.
 constexpr int GetGridEdge(const GridPoint& point)
 {

@@ -240,6 +240,21 @@ void StoreMicroMesh(const MicroMesh& micro, vtkPolyData* mesh)
                                          : CopySamples<vtkShortArray>(micro.Samples));
 }
 
+int FindFinestLevel(vtkPolyData* mesh)
+{
+  auto faces = vtkIntArray::SafeDownCast(mesh->GetCellData()->GetAbstractArray(MicroFacesName));
+  if (!faces || faces->GetNumberOfComponents() != 5)
+  {
+    return LargestMicroLevel;
+  }
+  int finest = 0;
+  for (vtkIdType f = 0; f < faces->GetNumberOfTuples(); ++f)
+  {
+    finest = std::max(finest, faces->GetTypedComponent(f, 4));
+  }
+  return std::min(finest, LargestMicroLevel);
+}
+
 bool TakeMicroMesh(vtkPolyData* mesh, MicroMesh& micro, std::string& error)
 {
   MicroReader reader(mesh, micro, error);

@@ -11,6 +11,12 @@
  * - Field array MicroMeshEdges (int, 2): the first sample and the level.
  * - Field array MicroMeshDisplacements (signed char or short): the samples.
  *
+ * The cell array MicroMeshLevelErrors (float) has an upper bound of the distance to the surface for
+ * each level below the highest one.
+ *
+ * Further field arrays, MicroMeshPointData:NAME, have the values of the point array NAME at all
+ * grid points of all faces, in the order of GetGridIndex().
+ *
  * @sa MicroMesh
  */
 #ifndef MicroMeshArrays_h
@@ -28,10 +34,15 @@ constexpr const char* MicroDirectionsName = "MicroMeshDirections";
 constexpr const char* MicroFacesName = "MicroMeshFaces";
 constexpr const char* MicroEdgesName = "MicroMeshEdges";
 constexpr const char* MicroDisplacementsName = "MicroMeshDisplacements";
+constexpr const char* MicroLevelErrorsName = "MicroMeshLevelErrors";
 constexpr const char* MicroErrorName = "MicroMeshError";
+constexpr const char* MicroPointDataPrefix = "MicroMeshPointData:";
 
 /// Add the arrays to a mesh whose points and triangles are those of the micro-mesh.
 void StoreMicroMesh(const MicroMesh& micro, vtkPolyData* mesh);
+
+/// The highest level of a face, or the highest allowed one if the mesh is not a micro-mesh.
+int FindFinestLevel(vtkPolyData* mesh);
 
 /// Read a micro-mesh. Returns false and an error for the user if an array is missing or invalid.
 bool TakeMicroMesh(vtkPolyData* mesh, MicroMesh& micro, std::string& error);

@@ -4,6 +4,9 @@
 
 #include "Data/MicroMeshArrays.h"
 #include "Data/MicroNormals.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -55,6 +58,51 @@ std::array<int, 2> FindRange(const MicroMesh& mesh, const MicroMesh::Face& face)
 }
 }
 
+vtkDataArray* FindMicroPointData(vtkPolyData* mesh, vtkDataArray* pointArray)
+{
+  const std::string name =
+    std::string(MicroPointDataPrefix) + (pointArray->GetName() ? pointArray->GetName() : "");
+  vtkDataArray* values = mesh->GetFieldData()->GetArray(name.c_str());
+  auto faces = vtkIntArray::SafeDownCast(mesh->GetCellData()->GetAbstractArray(MicroFacesName));
+  if (!values || !faces || faces->GetNumberOfComponents() != 5 ||
+    values->GetNumberOfComponents() != pointArray->GetNumberOfComponents())
+  {
+    return nullptr;
+  }
+  vtkIdType number = 0;
+  for (vtkIdType f = 0; f < faces->GetNumberOfTuples(); ++f)
+  {
+    const int level = std::max(0, std::min(LargestMicroLevel, faces->GetTypedComponent(f, 4)));
+    number += GetNumberOfGridPoints(1 << level);
+  }
+  return values->GetNumberOfTuples() == number ? values : nullptr;
+}
+
+void EvaluateMicroPointData(const vtkRefinementSurface::Face& face, const float weights[3],
+  vtkDataArray* values, double* tuple)
+{
+  MicroMeshFace micro(face);
+  const MicroMeshFace::MicroFace shape = micro.microFace();
+  const int n = 1 << shape.Level;
+  std::array<double, 3> ofCorners{};
+  for (int sorted = 0; sorted < 3; ++sorted)
+  {
+    ofCorners[shape.Order[sorted]] = weights[sorted];
+  }
+  const GridPlace place = FindGridPlace(n, ofCorners);
+  const vtkIdType first = micro.tableRecord(micro.tableEntry() + 2).x;
+  const int components = values->GetNumberOfComponents();
+  std::fill_n(tuple, components, 0.0);
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const vtkIdType index = first + GetGridIndex(n, place.Corners[corner]);
+    for (int c = 0; c < components && place.Weights[corner] != 0.0; ++c)
+    {
+      tuple[c] += place.Weights[corner] * values->GetComponent(index, c);
+    }
+  }
+}
+
 bool BuildMicroMeshTables(
   vtkPolyData* mesh, vtkRefinementSurface::Tables& tables, std::string& error)
 {
@@ -69,6 +117,7 @@ bool BuildMicroMeshTables(
     tables.Records.push_back(PackSample(micro.Samples[i], normals[i]));
   }
   tables.Records.resize((tables.Records.size() + 3) / 4 * 4, 0);
+  int firstGridPoint = 0;
   for (const MicroMesh::Face& face : micro.Faces)
   {
     tables.Entries.push_back(static_cast<int>(tables.Records.size() / 4));
@@ -83,7 +132,9 @@ bool BuildMicroMeshTables(
     }
     tables.Records.push_back(face.FirstInner);
     const std::array<int, 2> range = FindRange(micro, face);
-    tables.Records.insert(tables.Records.end(), { levels, reversed, range[0], range[1] });
+    tables.Records.insert(
+      tables.Records.end(), { levels, reversed, range[0], range[1], firstGridPoint, 0, 0, 0 });
+    firstGridPoint += GetNumberOfGridPoints(1 << face.Level);
   }
   return true;
 }

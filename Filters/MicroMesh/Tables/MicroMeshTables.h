@@ -10,6 +10,8 @@
 #include "Mesh/FaceCorners.h"
 #include "vtkRefinementSurface.h"
 
+class vtkDataArray;
+
 namespace relevo
 {
 /// A face of a micro-mesh, evaluated in C++.
@@ -31,6 +33,14 @@ struct MicroMeshFace : FaceCorners<vtkRefinementSurface::Face>
     return ivec2(record.z, record.w);
   }
 };
+
+/// The values of a point array at all grid points, or nullptr if the mesh has none that fit.
+vtkDataArray* FindMicroPointData(vtkPolyData* mesh, vtkDataArray* pointArray);
+
+/// Interpolate these values on the triangles of a face's grid. The weights are those of the sorted
+/// corners.
+void EvaluateMicroPointData(const vtkRefinementSurface::Face& face, const float weights[3],
+  vtkDataArray* values, double* tuple);
 
 /// See vtkRefinementSurface::BuildTables().
 bool BuildMicroMeshTables(

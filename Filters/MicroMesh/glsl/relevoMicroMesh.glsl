@@ -4,10 +4,11 @@
 //   vec4 cornerValues(int i)   the displacement for a sample of 1
 //   int tableEntry()           the face's first record
 //   int cornerOrder()          permutation from the face's corners to the sorted ones
-//   ivec4 tableRecord(int i)   four samples each, see unpackSample(); then two per face:
+//   ivec4 tableRecord(int i)   four samples each, see unpackSample(); then three per face:
 //     0: the first samples of the edges 0, 1 and 2 and of the points inside
 //     1: the levels of the edges 0, 1 and 2 and of the face, 4 bits each; a bit for each edge whose
 //        samples run from corner e + 1 to e; the lowest and highest displacement
+//     2: the first grid point of the face in the values of point arrays
 //
 // Edge e connects corners e and (e + 1) % 3 of the face. The surface is linear on the triangles of
 // the face's grid. On edges, it is computed from the data of the edge alone, in the order of the

@@ -7,6 +7,7 @@
 #include "Evaluation/PatternSelection.h"
 #include "Evaluation/PointDataInterpolation.h"
 #include "Evaluation/SurfaceFields.h"
+#include "Mesh/MicroArrays.h"
 #include "Mesh/PatchArrays.h"
 #include "Patterns/RefinementPattern.h"
 #include "vtkAdaptiveRefinement.h"
@@ -101,6 +102,7 @@ bool RefinedPolyDataBuilder::Build(vtkPolyData* output)
   this->BuildCellData(output);
   output->GetFieldData()->PassData(this->Input->GetFieldData());
   PatchArrays::Remove(output);
+  RemoveMicroArrays(output);
   return true;
 }
 

@@ -4,27 +4,17 @@
 
 #include "Evaluation/FaceMeasure.h"
 #include "Evaluation/HoleFinder.h"
-#include "Levels/EdgeLevels.h"
 #include "Mesh/FaceBounds.h"
 #include "Mesh/FaceEdges.h"
-#include "Patterns/FacePattern.h"
-#include "Patterns/PatternFamily.h"
 #include "Surfaces/HeightRanges.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkDisplacement.h"
 #include "vtkSMPTools.h"
 
-#include <cmath>
 #include <utility>
 
 namespace relevo
 {
-namespace
-{
-// A view that moves for long needs ever more patterns. Each entry takes 20 bytes.
-constexpr std::size_t MaximumNumberOfEntries = 64;
-}
-
 struct SampledFaces::Internals
 {
   std::unique_ptr<HoleFinder> Holes;
@@ -41,8 +31,8 @@ SampledFaces::~SampledFaces() = default;
 void SampledFaces::Take(
   vtkAdaptiveRefinement* recipe, std::shared_ptr<const PatternFamily> patterns)
 {
-  this->Family = std::move(patterns);
-  this->MaximumLevel = recipe->GetMaximumLevel();
+  this->Patterns =
+    MeasuredPatterns(std::move(patterns), recipe->GetMaximumLevel(), this->Mesh.Faces.size());
   vtkDisplacement* displacement = recipe->GetDisplacement();
   const HeightValidity validity = GetHoles(displacement);
   if (validity.Samples)
@@ -50,7 +40,6 @@ void SampledFaces::Take(
     this->Data->Holes = std::make_unique<HoleFinder>(this->Mesh, validity);
   }
   this->Data->Measure = std::make_unique<FaceMeasure>(this->Mesh, recipe, this->Data->Holes.get());
-  this->Entries.resize(this->Mesh.Faces.size());
   this->Boxes.resize(this->Mesh.Faces.size());
   const HeightRanges ranges(displacement->GetHeightMap());
   const FaceBounds bounds(this->Mesh, recipe->GetSurface(), displacement, &ranges);
@@ -93,51 +82,9 @@ PointBox SampledFaces::GetBox(int face) const
   return this->Boxes[face];
 }
 
-// Patterns that morph differ by the quarters of levels to which means of two tags can be rounded.
-unsigned int SampledFaces::GetKey(const int steps[3], const std::array<float, 3>& tags) const
+FaceDeviations SampledFaces::Measure(int face, const std::array<float, 3>& tags)
 {
-  unsigned int key = 0;
-  for (int e = 0; e < 3; ++e)
-  {
-    key = key << 8 |
-      static_cast<unsigned int>(
-        this->Family->IsMorphing() ? std::lround(4.0f * tags[e]) : long{ steps[e] });
-  }
-  return key;
-}
-
-FaceDeviations SampledFaces::Measure(int face, const std::array<float, 3>& given)
-{
-  int steps[3];
-  std::array<float, 3> tags;
-  std::array<float, 3> morphTags;
-  for (int e = 0; e < 3; ++e)
-  {
-    tags[e] = clampTag(given[e], 0.0f, this->MaximumLevel);
-    steps[e] = this->Family->AreWholeNumbers() ? SegmentSteps::GetWholeNumberStep(tags[e])
-                                               : levelOfTag(tags[e]);
-    morphTags[e] = morphTag(tags[e], this->MaximumLevel);
-  }
-  const unsigned int key = this->GetKey(steps, tags);
-  std::vector<Entry>& entries = this->Entries[face];
-  for (const Entry& entry : entries)
-  {
-    if (entry.Key == key)
-    {
-      return entry.Deviations;
-    }
-  }
-  const unsigned int entry =
-    this->Family->GetEntry(this->Mesh.Faces[face].Order, steps[0], steps[1], steps[2]);
-  const int patternKey = static_cast<int>(entry >> 3);
-  const FacePattern pattern{ this->Family->GetPattern(patternKey).get(),
-    static_cast<int>(entry & 7u), PatternFamily::IsMirrored(patternKey),
-    this->Family->IsMorphing() ? morphTags.data() : nullptr };
-  if (entries.size() >= MaximumNumberOfEntries)
-  {
-    entries.clear();
-  }
-  entries.push_back({ key, this->Data->Measure->Measure(face, pattern) });
-  return entries.back().Deviations;
+  return this->Patterns.Measure(face, this->Mesh.Faces[face].Order, tags,
+    [&](const FacePattern& pattern) { return this->Data->Measure->Measure(face, pattern); });
 }
 }

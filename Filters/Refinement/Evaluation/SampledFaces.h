@@ -21,6 +21,7 @@
 
 #include "Mesh/RefinementMesh.h"
 #include "Metrics/DisplacedFaces.h"
+#include "Metrics/MeasuredPatterns.h" // for members
 
 #include <memory> // for members
 #include <vector> // for members
@@ -48,20 +49,10 @@ public:
   FaceDeviations Measure(int face, const std::array<float, 3>& tags) override;
 
 private:
-  struct Entry
-  {
-    unsigned int Key;
-    FaceDeviations Deviations;
-  };
-
-  unsigned int GetKey(const int steps[3], const std::array<float, 3>& tags) const;
-
   struct Internals;
   std::unique_ptr<Internals> Data;
-  std::shared_ptr<const PatternFamily> Family;
-  int MaximumLevel = 0;
+  MeasuredPatterns Patterns;
   std::vector<PointBox> Boxes;
-  std::vector<std::vector<Entry>> Entries; // measured patterns per face
 };
 }
 

@@ -12,6 +12,8 @@
 #ifndef LevelSearch_h
 #define LevelSearch_h
 
+#include "RelevoFiltersRefinementModule.h" // for export macro
+
 #include <array>   // for variables of faces
 #include <cstddef> // for size_t
 #include <vector>  // for members
@@ -22,7 +24,7 @@ class DisplacedFaces;
 class PatternFamily;
 class SurfaceEdges;
 
-class LevelSearch
+class RELEVOFILTERSREFINEMENT_EXPORT LevelSearch
 {
 public:
   /// Search the tags of edges, in the order of `edges`.

@@ -3,7 +3,7 @@
 #include "RelevoMicroMeshes.h"
 
 #include "vtkCellData.h"
-#include "vtkCellLocator.h"
+#include "vtkStaticCellLocator.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkGenericCell.h"
@@ -108,7 +108,7 @@ double GetDistance(vtkPolyData* from, vtkPolyData* to)
   {
     return std::numeric_limits<double>::infinity();
   }
-  vtkNew<vtkCellLocator> locator;
+  vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(to);
   locator->BuildLocator();
   vtkNew<vtkGenericCell> cell;

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Metrics/FaceErrorEvaluator.h"
+
+#include "Mesh/SurfaceEdges.h"
+#include "Metrics/MetricMesh.h"
+#include "Patterns/PatternFamily.h"
+#include "Patterns/PatternLibrary.h"
+#include "View/PixelScale.h"
+#include "View/RefinementView.h"
+#include "vtkFloatArray.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace relevo
+{
+FaceErrorEvaluator::FaceErrorEvaluator(vtkDepthTagMetric* metric, std::shared_ptr<MetricMesh> mesh)
+  : MetricEvaluator(metric, std::move(mesh))
+{
+}
+
+FaceErrorEvaluator::~FaceErrorEvaluator() = default;
+
+bool FaceErrorEvaluator::Fail(const std::string& error)
+{
+  vtkErrorWithObjectMacro(this->GetMetric(), << error << ".");
+  return false;
+}
+
+bool FaceErrorEvaluator::Update(const RefinementView& view, int maximumLevel, bool isPerEdge)
+{
+  this->Patterns = view.Patterns;
+  if (!this->Patterns)
+  {
+    static const PatternLibrary library;
+    this->Patterns = library.GetFamily(PatternLibrary::POWERS_OF_TWO);
+  }
+  vtkPolyData* mesh = this->GetMesh().GetPolyData();
+  Dependencies now = Dependencies::On(this->GetMesh().GetTime(), this->Patterns->GetMTime());
+  now.AddObject(mesh);
+  now.Add(maximumLevel);
+  this->AddTo(view, now);
+  if (this->FaceDependencies.Update(now))
+  {
+    std::string error;
+    this->Faces = this->MakeFaces(view, this->Patterns, maximumLevel, error);
+    this->SearchDependencies.Clear();
+    if (!error.empty())
+    {
+      this->FaceDependencies.Clear();
+      return this->Fail(error);
+    }
+  }
+  now.Add(isPerEdge);
+  if (this->Faces && this->SearchDependencies.Update(now))
+  {
+    if (isPerEdge)
+    {
+      this->Levels.UseEdges(*this->Faces, *this->GetMesh().GetEdges());
+    }
+    else
+    {
+      this->Levels.UsePoints(*this->Faces, static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+    }
+  }
+  return true;
+}
+
+bool FaceErrorEvaluator::FindLimits(const RefinementView& view, const Limit& limit)
+{
+  PixelScale scale(view);
+  const int numberOfFaces = this->Faces ? this->Faces->GetNumberOfFaces() : 0;
+  if (limit.Length > 0.0)
+  {
+    const double stretch = scale.GetMaximumStretch();
+    this->Limits.assign(static_cast<std::size_t>(numberOfFaces),
+      stretch > 0.0 ? limit.Length / stretch : VTK_DOUBLE_MAX);
+    return true;
+  }
+  std::string error;
+  if (!scale.Check(view, error))
+  {
+    return this->Fail(error);
+  }
+  this->Limits.resize(static_cast<std::size_t>(numberOfFaces));
+  vtkSMPTools::For(0, numberOfFaces,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (int f = static_cast<int>(begin); f < end; ++f)
+      {
+        this->Limits[f] = limit.Pixels / scale.GetPixels(this->Faces->GetBox(f));
+      }
+    });
+  return true;
+}
+
+bool FaceErrorEvaluator::Search(const RefinementView& view, int maximumLevel, bool isPerEdge)
+{
+  const std::string error = this->FindError(view);
+  if (!error.empty())
+  {
+    return this->Fail(error);
+  }
+  const Limit limit = this->GetLimit();
+  const int highestLevel = this->GetHighestLevel(view, maximumLevel);
+  if (!this->Update(view, maximumLevel, isPerEdge) || !this->FindLimits(view, limit))
+  {
+    return false;
+  }
+  if (this->Faces)
+  {
+    this->Levels.SetFixedBorder(limit.IsBorderFixed || view.IsPart || this->GetMesh().GetWhole());
+    this->Levels.Run(*this->Faces, *this->Patterns, this->Limits, highestLevel);
+  }
+  return true;
+}
+
+bool FaceErrorEvaluator::ComputeTags(
+  const RefinementView& view, int maximumLevel, vtkFloatArray* tags)
+{
+  if (!this->Search(view, maximumLevel, false))
+  {
+    return false;
+  }
+  tags->SetNumberOfComponents(1);
+  tags->SetNumberOfTuples(this->GetMesh().GetPolyData()->GetNumberOfPoints());
+  const SurfaceTriangles& surface = *this->GetMesh().GetTriangles();
+  vtkSMPTools::For(0, tags->GetNumberOfTuples(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType point = begin; point < end; ++point)
+      {
+        const float tag =
+          this->Faces ? this->Levels.GetTag(static_cast<int>(surface.GetMergedPoint(point))) : 0.0f;
+        tags->SetValue(point, std::min(tag, static_cast<float>(maximumLevel)));
+      }
+    });
+  tags->Modified();
+  return true;
+}
+
+bool FaceErrorEvaluator::ComputeEdgeTags(
+  const RefinementView& view, int maximumLevel, vtkFloatArray* tags)
+{
+  if (!this->Search(view, maximumLevel, true))
+  {
+    return false;
+  }
+  TagEdges(*this->GetMesh().GetEdges(), tags,
+    [&](int edge)
+    {
+      const float tag = this->Faces ? this->Levels.GetTag(edge) : 0.0f;
+      return std::min(tag, static_cast<float>(maximumLevel));
+    });
+  return true;
+}
+}
