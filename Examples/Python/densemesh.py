@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draw a dense mesh, its micro-mesh and the coarse faces: densemesh.py PICTURE.png [MESH.ply]
+"""Draw a dense mesh, its micro-mesh and the error: densemesh.py PICTURE.png [MESH.ply]
 
 The micro-mesh is within 0.1 % of the diagonal of the mesh. Without a mesh, the script makes a
 rough torus. No display is needed.
@@ -10,14 +10,19 @@ from __future__ import annotations
 
 import math
 
+import numpy
 import relevo
 from arguments import check_file, read_arguments
-from figure import Figure, draw_coarse, draw_mesh, draw_recipe
+from figure import Figure, draw_coarse, draw_mesh, draw_recipe, make_actor
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonComputationalGeometry import vtkParametricTorus
+from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkPolyDataNormals
+from vtkmodules.vtkFiltersGeneral import vtkDistancePolyDataFilter
 from vtkmodules.vtkFiltersSources import vtkParametricFunctionSource
 from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 
 def make_mesh() -> vtkPolyData:
@@ -48,6 +53,22 @@ def read_mesh(name: str) -> vtkPolyData:
     return reader.GetOutput()
 
 
+def draw_distance(mesh: vtkPolyData, red: float) -> vtkActor:
+    """Draw points near the mesh white, and those at a distance red."""
+    table = vtkLookupTable()
+    table.SetHueRange(0, 0)
+    table.SetSaturationRange(0, 1)
+    table.SetValueRange(1, 0.9)
+    table.Build()
+    mesh.GetPointData().SetActiveScalars("Distance")
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(mesh)
+    mapper.SetScalarModeToUsePointData()
+    mapper.SetScalarRange(0, red)
+    mapper.SetLookupTable(table)
+    return make_actor(mapper)
+
+
 picture, *names = read_arguments()
 dense = read_mesh(names[0]) if names else make_mesh()
 normals = vtkPolyDataNormals()
@@ -64,13 +85,27 @@ recipe = relevo.vtkAdaptiveRefinement()
 recipe.SetSurface(relevo.vtkMicroMeshSurface())
 recipe.SetMaximumLevel(encode.GetMaximumLevel())
 
-figure = Figure(3, 1, (320, 320), (0.3, 0.4, 1), (0, 1, 0), 1.15)
+refine = relevo.vtkAdaptiveRefinementFilter()
+refine.SetInputData(micro)
+refine.SetRefinement(recipe)
+distance = vtkDistancePolyDataFilter()
+distance.SetInputConnection(0, refine.GetOutputPort())
+distance.SetInputData(1, dense)
+distance.SignedDistanceOff()
+distance.ComputeSecondDistanceOff()
+distance.Update()
+points = vtk_to_numpy(distance.GetOutput().GetPointData().GetArray("Distance"))
+most = float(numpy.quantile(points, 0.98))  # single points are farther away
+
+figure = Figure(4, 1, (320, 320), (0.3, 0.4, 1), (0, 1, 0), 1.15)
 figure.add(f"the mesh, {dense.GetNumberOfCells()} triangles", draw_mesh(normals.GetOutput()))
 coarse = vtkPolyData()
 coarse.SetPoints(micro.GetPoints())
 coarse.SetPolys(micro.GetPolys())
 figure.add(f"{micro.GetNumberOfCells()} coarse faces", draw_coarse(coarse))
 figure.add("with their displacements", draw_recipe(micro, recipe))
+text = f"distance, red at {100 * most / dense.GetLength():.3f} % of the diagonal"
+figure.add(text, draw_distance(distance.GetOutput(), most))
 figure.write(picture)
 share = 100 * encode.GetError() / dense.GetLength()
 print(f"{micro.GetNumberOfCells()} faces, at most {share:.2f} % of the diagonal from the mesh")

@@ -76,12 +76,12 @@ void Run(const ViewerOptions& options)
     return;
   }
   const bool isInteractive = options.Output.empty() && options.Export.empty() &&
-    options.Capture.empty() && options.Against.empty();
+    options.Capture.empty() && options.Against.empty() && options.MicroMesh.empty();
   if (isInteractive && !HasDisplay())
   {
     throw ViewerError("there is no display; use --output FILE.png to write a picture without one");
   }
-  std::vector<std::string> files = { options.Output, options.Export };
+  std::vector<std::string> files = { options.Output, options.Export, options.MicroMesh };
   if (options.IsTiled && !options.Imagery.empty() && !options.Export.empty())
   {
     const std::vector<std::string> companions = GetCompanions(options.Export);

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Proves python.md: one line draws a terrain, a refined surface, a volume, curved cells, streaks,
-reliefs and intersections, with the picture of relevo-view."""
+reliefs, micro-meshes and intersections, with the picture of relevo-view."""
 
 import os
 import pathlib
@@ -69,6 +69,7 @@ class TestDrawings(unittest.TestCase):
             "patches": relevo.patches(make_curved_block(), warp="Shift", edges=True),
             "lic": relevo.lic(make_sphere(), "V"),
             "relief": relevo.relief(make_heights()),
+            "micromesh": relevo.micromesh(make_sphere(), tolerance="2%"),
             "intersection": relevo.intersection(make_sphere(), make_cone()),
         }
 
@@ -97,12 +98,13 @@ class TestDrawings(unittest.TestCase):
             "patches": "vtkAdaptivePatchMapper",
             "lic": "vtkAdaptiveLICMapper",
             "relief": "vtkReliefMapper",
+            "micromesh": "vtkAdaptiveRefinementMapper",
             "intersection": "vtkPolyDataMapper",
         }
         for name, drawing in self.make_all().items():
             self.assertTrue(drawing.mapper.IsA(classes[name]), name)
             self.assertTrue(drawing.actor.IsA("vtkProp3D"), name)
-            has_recipe = name in ("refined", "patches", "lic")
+            has_recipe = name in ("refined", "patches", "lic", "micromesh")
             self.assertEqual(hasattr(drawing, "recipe"), has_recipe, name)
         self.assertEqual(relevo.refined(make_sphere(), max_level=2).recipe.GetMaximumLevel(), 2)
 
@@ -425,6 +427,42 @@ class TestDrawings(unittest.TestCase):
         larger = relevo.refined(make_sphere(), height=heights, scale=1e-3)
         self.assertEqual(larger.recipe.GetDisplacement().GetScale(), 1e-3)
         self.assertIsNone(flat.recipe.GetDisplacement())
+
+    def test_micro_meshes(self):
+        """A micro-mesh is within its tolerance, and can be saved, read and refined."""
+        sphere = make_sphere()
+        drawing = relevo.micromesh(sphere, tolerance=0.02)
+        self.assertLessEqual(drawing.deviation, 0.02)
+        self.assertLess(drawing.micro.GetNumberOfCells(), sphere.GetNumberOfCells())
+        self.assertRegex(repr(drawing), r"^<relevo.micromesh: \d+ faces, within 0\.0\d+")
+        dense = drawing.mesh()
+        self.assertTrue(dense.GetPointData().HasArray("V"))
+        self.assertGreater(dense.GetNumberOfCells(), drawing.micro.GetNumberOfCells())
+        far = vtkCamera()
+        far.SetPosition(0, 0, 1000)
+        self.assertLess(drawing.mesh(far).GetNumberOfCells(), dense.GetNumberOfCells())
+        path = self.folder / "m.rmm"
+        drawing.save(path)
+        again = relevo.micromesh(path)
+        self.assertEqual(again.deviation, drawing.deviation)
+        self.assertEqual(again.mesh().GetNumberOfCells(), dense.GetNumberOfCells())
+        numpy.testing.assert_array_equal(
+            again.screenshot(size=SIZE), drawing.screenshot(size=SIZE))
+        drawing.save(self.folder / "m.ply")
+        share = relevo.micromesh(sphere, tolerance="1%").deviation / sphere.GetLength()
+        self.assertTrue(0 < share <= 0.01)
+        for bad in ("1", "x%", "-1%", "nan%", 0, -1.0, float("nan")):
+            with self.assertRaisesRegex(ValueError, "tolerance"):
+                relevo.micromesh(sphere, tolerance=bad)
+        with self.assertRaisesRegex(TypeError, "tolerance must be a number"):
+            relevo.micromesh(sphere, tolerance=None)
+        with self.assertRaisesRegex(ValueError, "max_level must be in"):
+            relevo.micromesh(sphere, max_level=9)
+        with self.assertRaisesRegex(ValueError, "error must be in"):
+            relevo.micromesh(path, error=0)
+        path.write_bytes(path.read_bytes()[:-1])
+        with self.assertRaisesRegex(relevo.Error, "m.rmm: the file is truncated: it has"):
+            relevo.micromesh(path)
 
     def test_intersections(self):
         found = relevo.intersection(make_sphere(), make_cone())

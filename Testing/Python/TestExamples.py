@@ -250,9 +250,9 @@ class TestExamples(unittest.TestCase):
             said = r"(\d+) faces, at most 0.10 % of the diagonal from the mesh\n"
             self.assertLess(int(re.fullmatch(said, run.stdout)[1]), 500)
             scalars = read_picture(folder / "out.png").GetPointData().GetScalars()
-            pixels = [scalars.GetTuple(960 * y + x) for y in range(60, 280) for x in range(320)]
+            pixels = [scalars.GetTuple(1280 * y + x) for y in range(60, 280) for x in range(320)]
             others = [
-                scalars.GetTuple(960 * y + x) for y in range(60, 280) for x in range(640, 960)
+                scalars.GetTuple(1280 * y + x) for y in range(60, 280) for x in range(640, 960)
             ]
             different = sum(
                 max(abs(a - b) for a, b in zip(*colours)) > 24 for colours in zip(pixels, others)

@@ -51,6 +51,43 @@ def read(name):
     return reader.GetOutput()
 
 
+class TestViewerMicroMeshes(ViewerProgram):
+    """Proves dense-meshes.md: the program writes and draws micro-meshes."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.write_data("sphere.vtp", vtkXMLPolyDataWriter, make_sphere())
+
+    def test_micro_meshes(self):
+        run = self.view("sphere.vtp", "--micromesh=s.rmm", "--tolerance=0.9%", "--output=a.png")
+        self.assertRegex(run.stdout, r"micro-mesh: \d+ faces, error at most [\d.e-]+ from the mesh and "
+                                     r"[\d.e-]+ back, 0\.\d+ % of the diagonal; the mesh has \d+ faces")
+        self.assertRegex(run.stdout, r"s\.rmm: \d+\.\d kB, \d+\.\d+ of sphere\.vtp")
+        again = self.view("s.rmm", "--output=b.png")
+        self.assertRegex(again.stdout, r"micro-mesh: \d+ faces, error at most")
+        a, b = (read_picture(self.folder / name) for name in ("a.png", "b.png"))
+        self.assertEqual(a, b)
+        self.view("sphere.vtp", "--micromesh=t.rmm", "--tolerance=0.02")
+        self.assertTrue((self.folder / "t.rmm").exists())
+        few = self.statistic("triangles", "s.rmm", "--error=10")
+        self.assertLess(few, self.statistic("triangles", "s.rmm", "--error=0.2"))
+        self.view("s.rmm", "--export=s.ply")
+        self.assertGreater(read(self.folder / "s.ply").GetNumberOfCells(), 10)
+
+    def test_errors(self):
+        name = "sphere.vtp"
+        self.assert_error(2, ["--micromesh", ".rmm"], name, "--micromesh=s.ply")
+        self.assert_error(2, ["--tolerance requires --micromesh"], name, "--tolerance=1")
+        for tolerance in ("0", "-1%", "%", "nan"):
+            self.assert_error(2, ["--tolerance"], name, "--micromesh=u.rmm", f"--tolerance={tolerance}")
+        self.assert_error(2, ["--clip cannot be combined with --micromesh"], name,
+                          "--micromesh=u.rmm", "--clip=0,0,0,1,0,0")
+        self.assert_error(1, ["u.rmm", "does not exist"], name, "--micromesh=none/u.rmm")
+        (self.folder / "bad.rmm").write_bytes(b"no micro-mesh")
+        self.assert_error(1, ["bad.rmm: it is not an .rmm file"], "bad.rmm", "--output=c.png")
+
+
 class TestViewerMeshes(ViewerProgram):
     @classmethod
     def setUpClass(cls):

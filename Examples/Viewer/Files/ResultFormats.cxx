@@ -24,6 +24,7 @@
 #ifdef VIEWER_HAS_HDF
 #include "vtkHDFReader.h"
 #endif
+#include "vtkMicroMeshReader.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
 #if __has_include("vtkOFFReader.h")
@@ -169,6 +170,7 @@ const std::map<std::string, Format>& GetFormats()
       { ".obj", { Open<vtkOBJReader>, false } },
       { ".ply", { Open<vtkPLYReader>, false } },
       { ".pvd", { Make<CollectionReader>, true } },
+      { ".rmm", { Open<vtkMicroMeshReader>, false } },
       { ".stl", { Open<vtkSTLReader>, false } },
       { ".vtk", { Open<vtkGenericDataObjectReader>, true } },
 #if __has_include("vtkOFFReader.h") // since VTK 9.4

@@ -41,6 +41,7 @@ public:
     this->CheckRelief();
     this->CheckSurface();
     this->CheckPatches();
+    this->CheckMicroMesh();
     this->CheckFlow();
     this->CheckLevels();
     this->CheckTiles();
@@ -214,6 +215,15 @@ private:
     }
   }
 
+  void CheckMicroMesh()
+  {
+    this->RequireMesh({ "--micromesh" });
+    this->Exclude({ "--clip", "--feature-angle", "--hair", "--height", "--isolines", "--level",
+                    "--lic", "--patch-edges", "--surface", "--volume" },
+      !this->Options.MicroMesh.empty(), "--micromesh");
+    this->Exclude({ "--micromesh" }, this->Options.IsSeries(), "--output " + this->Options.Output);
+  }
+
   void CheckFlow()
   {
     const ViewerOptions& options = this->Options;
@@ -245,9 +255,17 @@ private:
     {
       throw UsageError("--metric height requires a height map: use --height");
     }
-    this->RequirePartner({ "--tolerance" }, !options.Export.empty(), "--export");
-    this->RequirePartner(
-      { "--tolerance" }, options.GetMetric() == Metric::Height, "--metric height");
+    if (options.MicroMesh.empty())
+    {
+      this->RequirePartner(
+        { "--tolerance" }, !options.Export.empty(), options.IsMesh ? "--micromesh" : "--export");
+      this->RequirePartner(
+        { "--tolerance" }, options.GetMetric() == Metric::Height, "--metric height");
+      if (options.ToleranceShare)
+      {
+        throw UsageError("--tolerance needs a length in metres for a height map, not a percentage");
+      }
+    }
     this->Exclude({ "--tolerance" }, options.Error.has_value(), "--error");
     if (options.Budget > 0 && !options.Export.empty())
     {

@@ -461,7 +461,14 @@ private:
         } },
       { "--tolerance",
         [&](const auto& option, const auto& value)
-        { options.Tolerance = ToPositiveNumber(option, value); } },
+        {
+          const bool isShare = !value.empty() && value.back() == '%';
+          const double number =
+            ToPositiveNumber(option, isShare ? value.substr(0, value.size() - 1) : value);
+          options.Tolerance.reset();
+          options.ToleranceShare.reset();
+          (isShare ? options.ToleranceShare : options.Tolerance) = isShare ? number / 100 : number;
+        } },
     });
   }
 
@@ -488,6 +495,9 @@ private:
       { "--light",
         [&](const auto& option, const auto& value)
         { options.Light = ToDirection(option, value, 90.0); } },
+      { "--micromesh",
+        [&](const auto& option, const auto& value)
+        { options.MicroMesh = ToFileName(option, value, { ".rmm" }); } },
       { "--output",
         [&](const auto& option, const auto& value)
         { options.Output = ToFileName(option, value, { ".png" }); } },

@@ -37,7 +37,8 @@ struct ViewerOptions
     ScalarTagged,
     Procedural,
     G1,
-    Patch
+    Patch,
+    MicroMesh
   };
   enum class ColorType
   {
@@ -111,6 +112,10 @@ struct ViewerOptions
   bool PatchEdges = false;
   int Hairs = 0;
 
+  // Dense meshes as coarse meshes with displacements.
+  std::string MicroMesh;                // output file
+  std::optional<double> ToleranceShare; // of the diagonal
+
   // Streaks along vectors of meshes. Without an array there are none.
   std::string Vectors;
   std::optional<int> LICSteps;
@@ -149,7 +154,7 @@ struct ViewerOptions
   std::optional<MetricType> Metric;
   std::optional<double> Pixels;              // for ScreenEdge
   std::optional<double> Error;               // pixels, for Error and Height
-  std::optional<double> Tolerance;           // length, for Height
+  std::optional<double> Tolerance;           // length, for Height and micro-meshes
   std::optional<double> Base;                // unit of the heights, for a solid
   std::optional<double> Reach;               // for Distance
   std::optional<std::vector<double>> Region; // centre (x, y, for meshes z), radius
@@ -186,10 +191,12 @@ struct ViewerOptions
   bool IsTerrain() const { return !this->IsMesh && !this->IsDatabase; }
   /// Whether curved cells are requested. By default, a file that contains some is drawn this way.
   bool IsPatch() const { return this->Surface == SurfaceType::Patch; }
+  bool IsMicroMesh() const { return this->Surface == SurfaceType::MicroMesh; }
   bool AsksForPatches() const { return this->IsPatch() || this->PatchEdges || this->Isolines > 0; }
   MetricType GetMetric() const
   {
-    const MetricType ofMeshes = this->IsPatch() ? MetricType::Error : MetricType::ScreenEdge;
+    const bool hasError = this->IsPatch() || this->IsMicroMesh();
+    const MetricType ofMeshes = hasError ? MetricType::Error : MetricType::ScreenEdge;
     return this->Metric.value_or(this->IsMesh ? ofMeshes : MetricType::Height);
   }
   /// Whether the vectors of the streaks determine where to refine.

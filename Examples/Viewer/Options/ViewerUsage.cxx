@@ -8,7 +8,7 @@ const char* const Options = R"(relevo-view FILE [options]
 relevo-view [options] -- FILE     for names that begin with a hyphen
 
 Draws a height map (GeoTIFF, SRTM .hgt, USGS DEM, PNG, OpenEXR ...), a surface mesh (.ply, .stl, .obj,
-.gltf, .glb, .off, .bpt, .vtp ...), results on a mesh of cells (.vtu, .vts, .vti, .vtm, .pvd, .vtk,
+.gltf, .glb, .off, .bpt, .rmm, .vtp ...), results on a mesh of cells (.vtu, .vts, .vti, .vtm, .pvd, .vtk,
 Exodus, EnSight, OpenFOAM, CGNS ...), the inside of such a mesh, or a folder of reliefs. The program
 opens a window, or writes a picture with --output.
 
@@ -202,8 +202,12 @@ The picture:
                          from the centre of the earth. A .vtp file also has the field data Origin
                          and CoordinateSystem and the point data Height. --image is the texture of
                          .glb and .obj files only. Meshes keep their coordinates
-  --tolerance METRES     with --export, write the whole height map as a mesh that is nowhere farther
-                         above or below it. The view has no influence
+  --micromesh FILE.rmm   write a dense mesh as a coarse mesh with displacements, print sizes and
+                         errors, and exit. With --output, also draw it
+  --tolerance T          with --export, write the whole height map as a mesh that is nowhere farther
+                         than T metres above or below it. The view has no influence. With
+                         --micromesh, the largest distance between both surfaces: a length in the
+                         unit of the mesh, or a percentage of its diagonal (default 0.1%)
   --height-at LON,LAT    print the height at this longitude and latitude, in the unit of the raster,
                          and exit
   --help                 print this text and exit

@@ -15,7 +15,8 @@ namespace
 bool IsShown(vtkDataSetAttributes* data, vtkDataArray* array)
 {
   const std::set<std::string> others = { vtkDataSetAttributes::GhostArrayName(),
-    "vtkOriginalCellIds", "vtkOriginalPointIds", "PatchIds", "PatchCoordinates" };
+    "vtkOriginalCellIds", "vtkOriginalPointIds", "PatchIds", "PatchCoordinates",
+    "MicroMeshDirections", "MicroMeshFaces", "MicroMeshLevelErrors" };
   return array && array->GetName() && array != data->GetNormals() && array != data->GetTCoords() &&
     array != data->GetGlobalIds() && array != data->GetPedigreeIds() &&
     others.count(array->GetName()) == 0;

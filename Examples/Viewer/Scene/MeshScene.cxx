@@ -11,6 +11,7 @@
 #include "Scene/MeshMapping.h"
 #include "Scene/MeshProbe.h"
 #include "Scene/MeshSection.h"
+#include "Scene/MicroMeshes.h"
 #include "Scene/OffscreenWindow.h"
 #include "Scene/TimeSteps.h"
 #include "Scene/ViewerFlow.h"
@@ -100,6 +101,7 @@ MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
   this->Reader = std::make_unique<MeshReader>(this->Steps->GetFile(), messages);
   const bool isOfCells = this->ReadStep();
   this->TakePatches();
+  this->TakeMicroMesh();
   this->ChooseSurface(isOfCells);
   this->CompleteMesh();
   this->ChooseArray();
@@ -133,7 +135,8 @@ MeshScene::~MeshScene() = default;
 //------------------------------------------------------------------------------
 bool MeshScene::ReadStep()
 {
-  const bool asItIs = this->Options.Surface && !this->Options.IsPatch();
+  const bool asItIs =
+    (this->Options.Surface && !this->Options.IsPatch()) || !this->Options.MicroMesh.empty();
   const MeshCells cells = asItIs
     ? MeshCells::Flat
     : (this->Options.AsksForPatches() ? MeshCells::Patches : MeshCells::Curved);
@@ -260,6 +263,29 @@ void MeshScene::TakePatches()
 }
 
 //------------------------------------------------------------------------------
+void MeshScene::TakeMicroMesh()
+{
+  if (!this->Options.MicroMesh.empty())
+  {
+    const auto micro =
+      EncodeMicroMesh(this->Options, this->Mesh, this->Messages, this->MicroMeshReport);
+    this->Mesh->ShallowCopy(micro);
+  }
+  else if (IsMicroMesh(this->Mesh) && !this->Options.Surface)
+  {
+    this->MicroMeshReport = DescribeMicroMesh(this->Mesh, this->Mesh->GetLength());
+  }
+  if (!this->MicroMeshReport.empty())
+  {
+    // The cells under the mouse are those of the micro-mesh, not of the dense mesh.
+    this->Mesh->GetCellData()->RemoveArray("vtkOriginalCellIds");
+    this->Cells = this->Mesh;
+    this->Options.Surface = ViewerOptions::SurfaceType::MicroMesh;
+    this->Options.PerEdge |= this->Options.GetMetric() == ViewerOptions::MetricType::Error;
+  }
+}
+
+//------------------------------------------------------------------------------
 void MeshScene::ChooseSurface(bool isOfCells)
 {
   if (!this->Options.Surface && isOfCells)
@@ -305,6 +331,10 @@ void MeshScene::Report()
   if (!this->CurvedBy.empty())
   {
     std::cout << this->CurvedBy << std::endl;
+  }
+  if (!this->MicroMeshReport.empty())
+  {
+    std::cout << this->MicroMeshReport << std::endl;
   }
   this->ReportWarp();
   const bool isGrey = this->ArrayName.empty() && this->Options.Imagery.empty() &&

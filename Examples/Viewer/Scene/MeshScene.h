@@ -45,6 +45,7 @@ private:
   /// Reads the current time step into Mesh. Returns whether it is a surface of cells.
   bool ReadStep();
   void TakePatches();
+  void TakeMicroMesh();
   void ChooseSurface(bool isOfCells);
   void FindCreases();
   /// Finishes the mesh after its surface has been chosen.
@@ -80,6 +81,7 @@ private:
   std::unique_ptr<TimeSteps> Steps;
   std::unique_ptr<MeshReader> Reader; // of the steps
   bool HasCreases = false;            // whether normals are from creases
+  std::string MicroMeshReport;        // empty without a micro-mesh
   std::string CurvedBy;               // the reason for the surface, for Report()
   // The array that colours the mesh, or an empty string, and whether it is a point array.
   std::string ArrayName;

@@ -14,6 +14,7 @@
 #include "vtkFieldVariationDepthTagMetric.h"
 #include "vtkHeightErrorDepthTagMetric.h"
 #include "vtkImplicitFunction.h"
+#include "vtkMicroMeshErrorDepthTagMetric.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkRegionDepthTagMetric.h"
@@ -86,6 +87,13 @@ Metric MakeHeightError(const ViewerOptions& options)
   return metric.Get();
 }
 
+Metric MakeMicroError(const ViewerOptions& options)
+{
+  vtkNew<vtkMicroMeshErrorDepthTagMetric> metric;
+  metric->SetScreenSpaceError(options.Error.value_or(metric->GetScreenSpaceError()));
+  return metric.Get();
+}
+
 // On a terrain, the region extends over all heights.
 vtkSmartPointer<vtkImplicitFunction> MakeRegionFunction(
   const ViewerOptions& options, const double centre[3], double radius)
@@ -150,7 +158,7 @@ Metric MakeMetric(const ViewerOptions& options, vtkPolyData* mesh, const std::st
     case ViewerOptions::MetricType::Region:
       return MakeRegion(options, mesh);
     case ViewerOptions::MetricType::Error:
-      return MakeErrorMetric(options);
+      return options.IsMicroMesh() ? MakeMicroError(options) : MakeErrorMetric(options);
     case ViewerOptions::MetricType::ControlNet:
       return Metric::Take(vtkControlNetDepthTagMetric::New());
     case ViewerOptions::MetricType::Height:

@@ -6,6 +6,7 @@
 
 #include "vtkG1Surface.h"
 #include "vtkLinearSurface.h"
+#include "vtkMicroMeshSurface.h"
 #include "vtkNew.h"
 #include "vtkPNTriangleSurface.h"
 #include "vtkPatchSurface.h"
@@ -56,6 +57,8 @@ Surface MakeSurface(const ViewerOptions& options, double diagonal)
       return MakeProcedural(options, diagonal);
     case ViewerOptions::SurfaceType::G1:
       return Surface::Take(vtkG1Surface::New());
+    case ViewerOptions::SurfaceType::MicroMesh:
+      return Surface::Take(vtkMicroMeshSurface::New());
     case ViewerOptions::SurfaceType::Patch:
       return Surface::Take(vtkPatchSurface::New());
   }

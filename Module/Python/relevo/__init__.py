@@ -3,8 +3,8 @@
 """Adaptive surface refinement on the GPU, for VTK.
 
 `relevo.show("file")` draws a file in a window. `relevo.terrain`, `refined`, `volume`, `patches`,
-`lic`, `relief` and `intersection` draw files, arrays and meshes with options, in windows, notebooks
-and pictures. `relevo.times` lists the time steps of a file.
+`lic`, `relief`, `micromesh` and `intersection` draw files, arrays and meshes with options, in
+windows, notebooks and pictures. `relevo.times` lists the time steps of a file.
 
 The package also has all wrapped classes of Relevo with their C++ names, for example
 `relevo.vtkAdaptiveRefinementMapper` and `relevo.vtkHeightMap`. `relevo.arrays` converts heights,
@@ -51,6 +51,7 @@ _FUNCTIONS = {
     "patches": "_functions",
     "lic": "_functions",
     "relief": "_functions",
+    "micromesh": "_functions",
     "intersection": "_functions",
     "show": "_functions",
     "times": "_functions",

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from ._drawing import Drawing
     from ._intersection import Intersection
     from ._lic import LIC
+    from ._micromesh import MicroMesh
     from ._patches import Patches
     from ._refined import Refined
     from ._relief import Relief
@@ -324,6 +325,43 @@ def relief(source: Any, *, lighting: bool | None = None) -> Relief:
 
 
 @_public
+def micromesh(
+    mesh: Any,
+    *,
+    tolerance: float | str = "0.1%",
+    max_level: int = 5,
+    error: float = 1.0,
+    up: str = "y",
+    lighting: bool = True,
+    time: float | None = None,
+) -> MicroMesh:
+    """Encode a dense mesh as a coarse mesh with displacements, and draw it.
+
+    mesh: as for refined(), for example a scan or an isosurface; or a micro-mesh: an .rmm file or the
+        output of vtkMicroMeshFilter, for which tolerance and max_level have no effect.
+    tolerance: the largest distance between the dense mesh and the result, as a length, or as a text
+        such as "0.1%" in percent of the diagonal (default: "0.1%").
+    max_level: the highest level of displacements, from 0 to 7; a face has up to 4^max_level
+        triangles (default: 5).
+    error: the largest distance of the drawn surface from the result on the screen, in pixels
+        (default: 1).
+    up: the vertical axis, "x", "y" or "z" (default: "y").
+    lighting: whether lights shade the surface (default: True).
+    time: as for refined().
+
+    The result has the attributes micro, a vtkPolyData, and deviation, a bound of the distances in
+    both directions as a length. mesh() returns dense triangles within 1.1 times the deviation, with
+    the arrays of the input, and with a camera the drawn ones. save() writes .rmm files too. mapper is a
+    vtkAdaptiveRefinementMapper, recipe its vtkAdaptiveRefinement.
+
+    Raises FileNotFoundError, relevo.Error, TypeError, and ValueError.
+    """
+    from ._micromesh import MicroMesh
+
+    return MicroMesh(mesh, tolerance, max_level, error, up, lighting, time)
+
+
+@_public
 def intersection(a: Any, b: Any = None) -> Intersection:
     """Find where two surfaces meet, with exact predicates.
 
@@ -385,19 +423,22 @@ def _find_functions(source: Any, time: Any) -> tuple[tuple[Callable[..., Drawing
     data, package = _inputs.take_data(source, "the first argument", time)
     if data.IsA("vtkImageData") and data.GetFieldData().HasArray("ReliefMatrix"):
         return (relief,), data
+    if data.IsA("vtkPolyData") and data.GetFieldData().HasArray("MicroMeshDisplacements"):
+        return (micromesh,), data
     # Meshes of other packages are read again, so that results are of their kind.
     mesh = source if package else data
     if _is_curved(data):
         return (patches, volume, lic, refined), mesh
-    return (refined, volume, patches, lic), mesh
+    return (refined, volume, patches, lic, micromesh), mesh
 
 
 def show(source: Any, **options: Any) -> Drawing:
     """Draw anything in a window, and return when it is closed.
 
-    source: rasters and 2-D arrays are drawn by terrain(), folders of reliefs by relief(), meshes
-        with curved cells by patches() and others by refined(). Options that belong to another
-        function choose that one: array= and isosurfaces= draw a volume, vectors= streaks.
+    source: rasters and 2-D arrays are drawn by terrain(), folders of reliefs by relief(), .rmm files
+        by micromesh(), meshes with curved cells by patches() and others by refined(). Options that
+        belong to another function choose that one: array= and isosurfaces= draw a volume, vectors=
+        streaks, and tolerance= a micro-mesh.
     options: those of one of these functions.
 
     Returns the drawing. Raises relevo.Error without a display, FileNotFoundError, TypeError, and

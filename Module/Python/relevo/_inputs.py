@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 _masked: Any = numpy.ma  # without annotations up to numpy 2.2
 
+
 def is_path(source: object) -> TypeGuard[Path]:
     return isinstance(source, (str, os.PathLike))
 

@@ -16,6 +16,7 @@ import relevo
 if TYPE_CHECKING:
     from ._intersection import Intersection
     from ._lic import LIC
+    from ._micromesh import MicroMesh
     from ._patches import Patches
     from ._refined import Refined
     from ._relief import Relief
@@ -36,6 +37,10 @@ class MeshFunctions:
     def volume(self, array: str | None = None, **options: Any) -> Volume:
         """Draw the interior of 3D cells, see relevo.volume()."""
         return relevo.volume(self._mesh, array, **options)
+
+    def micromesh(self, **options: Any) -> MicroMesh:
+        """Encode a dense surface with displacements and draw it, see relevo.micromesh()."""
+        return relevo.micromesh(self._mesh, **options)
 
     def patches(self, **options: Any) -> Patches:
         """Draw curved cells with their exact shape, see relevo.patches()."""

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from ._drawing import Drawing
     from ._intersection import Intersection
     from ._lic import LIC
+    from ._micromesh import MicroMesh
     from ._patches import Patches
     from ._refined import Refined
     from ._relief import Relief
@@ -52,6 +53,12 @@ class PlotterFunctions:
     def add_volume(self, mesh: Any, array: str | None = None, **options: Any) -> Volume:
         """Add the interior of 3D cells, see relevo.volume()."""
         drawing = relevo.volume(mesh, array, **options)
+        self._add(drawing)
+        return drawing
+
+    def add_micromesh(self, mesh: Any, **options: Any) -> MicroMesh:
+        """Add a dense surface, encoded with displacements, see relevo.micromesh()."""
+        drawing = relevo.micromesh(mesh, **options)
         self._add(drawing)
         return drawing
 

@@ -229,6 +229,7 @@ _FORMATS: dict[str, Callable[[str], Reader] | tuple[str, str]] = {
     ".pvtr": ("vtkIOXML", "vtkXMLPRectilinearGridReader"),
     ".pvts": ("vtkIOXML", "vtkXMLPStructuredGridReader"),
     ".pvtu": ("vtkIOXML", "vtkXMLPUnstructuredGridReader"),
+    ".rmm": ("relevo", "vtkMicroMeshReader"),
     ".stl": ("vtkIOGeometry", "vtkSTLReader"),
     ".vti": ("vtkIOXML", "vtkXMLImageDataReader"),
     ".vtk": ("vtkIOLegacy", "vtkGenericDataObjectReader"),

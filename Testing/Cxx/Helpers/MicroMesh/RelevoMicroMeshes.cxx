@@ -3,7 +3,6 @@
 #include "RelevoMicroMeshes.h"
 
 #include "vtkCellData.h"
-#include "vtkStaticCellLocator.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkGenericCell.h"
@@ -12,6 +11,7 @@
 #include "vtkMicroMeshSurface.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkStaticCellLocator.h"
 
 #include <algorithm>
 #include <cmath>
