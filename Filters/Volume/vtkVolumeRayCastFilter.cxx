@@ -4,6 +4,7 @@
 
 #include "Arrays/ImageExtents.h"
 #include "Cells/CellCrossing.h"
+#include "Cells/CellReports.h"
 #include "Cells/MeshScalars.h"
 #include "Cells/PointAverages.h"
 #include "Cells/SharedFaces.h"
@@ -171,7 +172,7 @@ bool vtkVolumeRayCastFilter::Read(
     }
   }
   cells.ConvertCurved();
-  if (cells.GetNumberOfSolidCells() == 0 && !meshes.empty())
+  if (cells.GetCounts().GetSum().Solid == 0 && !meshes.empty())
   {
     if (!hasErrors)
     {
@@ -187,20 +188,21 @@ bool vtkVolumeRayCastFilter::Read(
       vtkWarningMacro(<< text);
     }
   }
-  this->ReportBadCells(cells);
+  this->ReportBadCells(cells, meshes);
   return true;
 }
 
-void vtkVolumeRayCastFilter::ReportBadCells(const relevo::VolumeCells& cells)
+void vtkVolumeRayCastFilter::ReportBadCells(
+  const relevo::VolumeCells& cells, const std::vector<relevo::MeshScalars>& meshes)
 {
-  if (cells.GetNumberOfBadCells() > 0)
+  for (const std::string& bad : relevo::DescribeBadCells(cells.GetCounts(), meshes))
   {
-    vtkWarningMacro(<< cells.GetNumberOfBadCells() << " of " << cells.GetNumberOfSolidCells()
-                    << " cells have no volume, or points that are not finite; they are left out.");
+    vtkWarningMacro(<< bad);
   }
-  if (cells.GetNumberOfFoldedCells() > 0)
+  const std::string missing = relevo::DescribeMissingValues(cells.GetCounts(), meshes);
+  if (!missing.empty())
   {
-    vtkWarningMacro(<< relevo::DescribeFoldedCells(cells));
+    vtkWarningMacro(<< missing);
   }
   if (const size_t number = relevo::CountSharedFaces(cells))
   {

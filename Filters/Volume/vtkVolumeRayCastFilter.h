@@ -17,8 +17,8 @@
  * lowest point (in x, then y, then z), so that neighbours split a common face in the same way;
  * convex point sets with vtkCell::Triangulate(). Cell scalars are constant in each cell. To choose
  * the array, of 1 to 4 components, call SetInputArrayToProcess(0, 0, 0, association, name). The
- * default is the active point scalars or, if there are none, the active cell scalars. The volume is
- * transparent where a scalar is NaN.
+ * default is the active point scalars or, if there are none, the active cell scalars. Cells are
+ * transparent if a scalar of them is not finite.
  *
  * Extinction per length is ScalarOpacity / ScalarOpacityUnitDistance, as in VTK's mappers for
  * unstructured grids: with an opacity of 1, a unit distance transmits exp(-1) of the light and is
@@ -68,8 +68,8 @@
  * It issues a warning if
  *
  * - blocks without the array or without 3D cells are skipped;
- * - cells without volume or with points that are not finite are skipped (the warning gives the
- *   number);
+ * - cells without volume or with points that are not finite are skipped, or cells have scalars that
+ *   are not finite (the warning gives the number, the blocks and the array);
  * - the unit distance is not greater than 0, and 1 is used instead;
  * - isosurfaces are requested of cell data, or of values out of the range of the array.
  *
@@ -81,6 +81,8 @@
 #include "RelevoFiltersVolumeModule.h" // for export macro
 #include "vtkImageAlgorithm.h"
 #include "vtkSmartPointer.h" // for members
+
+#include <vector> // for messages
 
 class vtkCamera;
 class vtkPlane;
@@ -94,6 +96,7 @@ class Shading;
 class TransferFunctions;
 class CellCrossing;
 class VolumeCells;
+struct MeshScalars;
 }
 
 class RELEVOFILTERSVOLUME_EXPORT vtkVolumeRayCastFilter : public vtkImageAlgorithm
@@ -240,7 +243,8 @@ private:
   void operator=(const vtkVolumeRayCastFilter&) = delete;
 
   bool Read(vtkDataObject* input, relevo::VolumeCells& cells, relevo::TransferFunctions& functions);
-  void ReportBadCells(const relevo::VolumeCells& cells);
+  void ReportBadCells(
+    const relevo::VolumeCells& cells, const std::vector<relevo::MeshScalars>& meshes);
   void ReportMissingSurfaces(const relevo::VolumeCells& cells, int component);
   void Cast(const relevo::CellCrossing& crossing, const relevo::TransferFunctions& functions,
     const relevo::Shading& shading, vtkImageData* output);

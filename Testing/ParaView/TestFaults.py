@@ -66,6 +66,10 @@ NOT_FINITE = """
 if rank == 1:
     piece.GetPoints().SetPoint(0, float("nan"), 0, 0)
 """
+NO_VALUE = """
+    piece = blocks.GetBlock(1)
+    piece.GetPointData().GetArray("RTData").SetComponent(0, 0, float("nan"))
+"""
 
 
 def make_blocks(fault):
@@ -94,7 +98,7 @@ SCENES = {
         lambda: pieces.deal(fault=NOT_FINITE),
         show_all,
         {
-            "Volume": "points that are not finite",
+            "Volume": "have no volume, or points that are not finite; they are left out.",
             "Patch": "Rank 1: Cell 0 (vtkTetra, type 10) is left out: point 0 is not finite.",
             "Refinement": "points that are not finite on rank 1. They are left out.",
         },
@@ -110,6 +114,14 @@ SCENES = {
         {
             "Volume": 'Rank 1: The input has an array "RTData" in Block 2 ("Tail") with 2 components, '
             'but with 1 in Block 1 ("Wing").'
+        },
+    ),
+    "no value in a block": (
+        lambda: make_blocks(NO_VALUE),
+        show_volume,
+        {
+            "Volume": 'Rank 1: 1 of 2510 cells have values of the array "RTData" that are not finite, '
+            'in Block 2 ("Tail"); they are transparent.'
         },
     ),
     "textures": (

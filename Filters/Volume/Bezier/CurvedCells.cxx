@@ -7,7 +7,6 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace relevo
@@ -85,21 +84,21 @@ void CurvedCells::Clear()
   this->Nodes.shrink_to_fit();
 }
 
-bool CurvedCells::HasScalars(const Cell& cell, const std::vector<Scalars>& values) const
+bool CurvedCells::HasScalars(const Cell& cell, const Points& points) const
 {
+  if (cell.Scalars >= 0)
+  {
+    return IsFinite(points.CellValues[cell.Scalars]);
+  }
   const vtkIdType* nodes = this->GetNodes(cell);
   return std::all_of(nodes, nodes + cell.Type.NumberOfNodes,
-    [&](vtkIdType node)
-    {
-      return std::all_of(values[node].begin(), values[node].end(),
-        [](double value) { return std::isfinite(value); });
-    });
+    [&](vtkIdType node) { return IsFinite(points.Values[node]); });
 }
 
 std::vector<BezierHexahedron> CurvedCells::Convert(const Cell& cell,
   const CurvedCellConversion& conversion, const Points& points, int numberOfScalars) const
 {
-  if (cell.Scalars < 0 && !this->HasScalars(cell, points.Values))
+  if (!this->HasScalars(cell, points))
   {
     return {};
   }
@@ -115,7 +114,8 @@ std::vector<BezierHexahedron> CurvedCells::Convert(const Cell& cell,
   return conversion.Convert(type, nodes, cell.Scalars < 0 ? numberOfScalars : 0);
 }
 
-void CurvedCells::AddParts(const Cell& cell, std::vector<BezierHexahedron>&& parts)
+void CurvedCells::AddParts(
+  const Cell& cell, std::vector<BezierHexahedron>&& parts, CellCounts::Counts& counts)
 {
   if (parts.empty())
   {
@@ -124,9 +124,9 @@ void CurvedCells::AddParts(const Cell& cell, std::vector<BezierHexahedron>&& par
   const Jacobians jacobians(parts);
   if (!cell.IsGhost)
   {
-    this->NumberOfBadCells += jacobians.HasVolume() ? 0 : 1;
-    this->NumberOfDrawnCells += jacobians.HasVolume() ? 1 : 0;
-    this->NumberOfFoldedCells += jacobians.HasVolume() && jacobians.IsFolded() ? 1 : 0;
+    counts.Bad += jacobians.HasVolume() ? 0 : 1;
+    counts.Drawn += jacobians.HasVolume() ? 1 : 0;
+    counts.Folded += jacobians.HasVolume() && jacobians.IsFolded() ? 1 : 0;
   }
   if (jacobians.HasVolume())
   {
@@ -137,7 +137,7 @@ void CurvedCells::AddParts(const Cell& cell, std::vector<BezierHexahedron>&& par
   }
 }
 
-void CurvedCells::Convert(const Points& points, int numberOfScalars)
+void CurvedCells::Convert(const Points& points, int numberOfScalars, CellCounts& counts)
 {
   std::array<bool, 2> has = {}; // hexahedra or pyramids; tetrahedra or wedges
   bool hasWedges = false;
@@ -155,7 +155,14 @@ void CurvedCells::Convert(const Points& points, int numberOfScalars)
   {
     CurvedCellType type = cell.Type;
     type.IsHalved = this->IsHalved;
-    this->NumberOfBadCells += conversion.Prepare(type) || cell.IsGhost ? 0 : 1;
+    const bool isGood = conversion.Prepare(type);
+    if (cell.IsGhost)
+    {
+      continue;
+    }
+    CellCounts::Counts& own = counts.Of(cell.Source);
+    own.Bad += isGood ? 0 : 1;
+    own.NotFinite += isGood && !this->HasScalars(cell, points) ? 1 : 0;
   }
   std::vector<std::vector<BezierHexahedron>> batch(std::min(BatchSize, this->Cells.size()));
   for (size_t begin = 0; begin < this->Cells.size(); begin += BatchSize)
@@ -171,7 +178,8 @@ void CurvedCells::Convert(const Points& points, int numberOfScalars)
       });
     for (size_t i = 0; i < count; ++i)
     {
-      this->AddParts(this->Cells[begin + i], std::move(batch[i]));
+      const Cell& cell = this->Cells[begin + i];
+      this->AddParts(cell, std::move(batch[i]), counts.Of(cell.Source));
     }
   }
   this->Clear();

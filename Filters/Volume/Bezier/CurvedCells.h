@@ -11,6 +11,7 @@
 
 #include "Bezier/BezierHexahedron.h"
 #include "Bezier/CurvedCellConversion.h"
+#include "Mesh/CellCounts.h"
 #include "RelevoFiltersVolumeModule.h" // for export macro
 #include "vtkType.h"
 
@@ -45,6 +46,7 @@ public:
   {
     const std::vector<dvec3>& Positions;
     const std::vector<Scalars>& Values;
+    const std::vector<Scalars>& CellValues;
     const std::vector<double>& Weights;
   };
 
@@ -60,32 +62,23 @@ public:
   void Clear();
 
   /// Converts the cells. Cells without volume, and with scalars that are not finite, are left out.
-  void Convert(const Points& points, int numberOfScalars);
+  /// Counts those that are not ghosts, except as solid cells.
+  void Convert(const Points& points, int numberOfScalars, CellCounts& counts);
 
   std::vector<CurvedPart>& GetParts() { return this->Parts; }
   const std::vector<CurvedPart>& GetParts() const { return this->Parts; }
 
-  //@{
-  /// Numbers of converted cells that are not ghosts: those without volume, those that are drawn,
-  /// and those of the latter that fold over themselves.
-  vtkIdType GetNumberOfBadCells() const { return this->NumberOfBadCells; }
-  vtkIdType GetNumberOfDrawnCells() const { return this->NumberOfDrawnCells; }
-  vtkIdType GetNumberOfFoldedCells() const { return this->NumberOfFoldedCells; }
-  //@}
-
 private:
-  bool HasScalars(const Cell& cell, const std::vector<Scalars>& values) const;
+  bool HasScalars(const Cell& cell, const Points& points) const;
   std::vector<BezierHexahedron> Convert(const Cell& cell, const CurvedCellConversion& conversion,
     const Points& points, int numberOfScalars) const;
-  void AddParts(const Cell& cell, std::vector<BezierHexahedron>&& parts);
+  void AddParts(
+    const Cell& cell, std::vector<BezierHexahedron>&& parts, CellCounts::Counts& counts);
 
   std::vector<Cell> Cells;
   std::vector<vtkIdType> Nodes;
   std::vector<CurvedPart> Parts;
   bool IsHalved = false;
-  vtkIdType NumberOfBadCells = 0;
-  vtkIdType NumberOfDrawnCells = 0;
-  vtkIdType NumberOfFoldedCells = 0;
 };
 }
 

@@ -10,22 +10,12 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <tuple>
 
 namespace relevo
 {
-namespace
-{
-bool AreFinite(const Scalars& scalars)
-{
-  return std::all_of(
-    scalars.begin(), scalars.end(), [](double scalar) { return std::isfinite(scalar); });
-}
-}
-
 std::vector<vtkIdType> FindPlaces(const std::vector<dvec3>& points)
 {
   const vtkIdType count = static_cast<vtkIdType>(points.size());
@@ -57,7 +47,7 @@ MergedCellPoints MergeCellPoints(const VolumeCells& cells)
     if (!(scalars[merged.Places[i]] == scalars[i]))
     {
       merged.Points[i] = static_cast<vtkIdType>(i);
-      if (AreFinite(scalars[i]))
+      if (IsFinite(scalars[i]))
       {
         others.push_back(static_cast<vtkIdType>(i));
       }

@@ -37,12 +37,6 @@ constexpr double CoordinateRounding = 1e-13;
 constexpr double SameScalar = 1e-11;
 constexpr size_t LatticeBatch = 1 << 10; // Bézier hexahedra
 
-bool IsFinite(const Scalars& scalars)
-{
-  return std::all_of(
-    scalars.begin(), scalars.end(), [](double value) { return std::isfinite(value); });
-}
-
 bool IsFinite(const dvec3& point)
 {
   return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
@@ -123,6 +117,7 @@ std::vector<std::string> VolumeCells::Add(
   demands.TakesAllTypes = true;
   demands.TakesInfinitePoints = true;
   const CellChecks checks = CheckCells(mesh, demands);
+  this->Counts.AddMesh(this->NumberOfInputCells);
   const LeftOutCells leftOut(mesh);
   CellFetcher cells(mesh);
   CellSplitter splitter;
@@ -170,12 +165,17 @@ void VolumeCells::AddWeights(vtkDataSet* mesh)
   }
 }
 
-// Counts a cell that is not a ghost.
-void VolumeCells::Count(bool isGood, size_t before)
+// Counts a cell that has just been added, if it is not a ghost.
+void VolumeCells::Count(vtkIdType cell, bool isGhost, bool isGood, size_t before)
 {
-  this->NumberOfSolidCells++;
-  this->NumberOfBadCells += isGood ? 0 : 1;
-  this->NumberOfDrawnCells += this->Cells.size() > before ? 1 : 0;
+  if (!isGhost)
+  {
+    CellCounts::Counts& counts = this->Counts.Of(cell);
+    counts.Bad += isGood ? 0 : 1;
+    counts.NotFinite += this->LacksScalars ? 1 : 0;
+    counts.Drawn += this->Cells.size() > before ? 1 : 0;
+  }
+  this->LacksScalars = false;
 }
 
 // Returns false if the cell is not curved.
@@ -186,6 +186,7 @@ bool VolumeCells::AddCurved(const CellReader& reader, const Source& source)
   {
     return false;
   }
+  this->Counts.Of(source.Cell).Solid += source.IsGhost ? 0 : 1;
   std::vector<vtkIdType> ids;
   for (vtkIdType node = 0; node < reader.GetNumberOfNodes(); ++node)
   {
@@ -193,10 +194,7 @@ bool VolumeCells::AddCurved(const CellReader& reader, const Source& source)
   }
   if (!this->AreFinite(ids.data(), static_cast<vtkIdType>(ids.size())))
   {
-    if (!source.IsGhost)
-    {
-      this->Count(false, this->Cells.size());
-    }
+    this->Count(source.Cell, source.IsGhost, false, this->Cells.size());
     return true;
   }
   const bool isRational = source.HasWeights && kind.Nodes == NodeKind::Bezier;
@@ -207,13 +205,9 @@ bool VolumeCells::AddCurved(const CellReader& reader, const Source& source)
   {
     const size_t before = this->Cells.size();
     const bool isGood = this->AddWhole(type, ids, source);
-    if (!source.IsGhost)
-    {
-      this->Count(isGood, before);
-    }
+    this->Count(source.Cell, source.IsGhost, isGood, before);
     return true;
   }
-  this->NumberOfSolidCells += source.IsGhost ? 0 : 1;
   this->Curved.Add(
     { { type, type == VTK_QUADRATIC_TETRA ? ivec3(0) : degrees, reader.GetNumberOfNodes(), false },
       0, source.Scalars, source.IsGhost, isRational, source.Cell },
@@ -253,6 +247,7 @@ void VolumeCells::AddLinear(vtkGenericCell* cell, const Source& source, CellSpli
   {
     id += source.FirstPoint;
   }
+  this->Counts.Of(source.Cell).Solid += source.IsGhost ? 0 : 1;
   const size_t before = this->Cells.size();
   bool isGood = false;
   if (this->AreFinite(ids.data(), static_cast<vtkIdType>(ids.size())))
@@ -276,10 +271,7 @@ void VolumeCells::AddLinear(vtkGenericCell* cell, const Source& source, CellSpli
       }
     }
   }
-  if (!source.IsGhost)
-  {
-    this->Count(isGood, before);
-  }
+  this->Count(source.Cell, source.IsGhost, isGood, before);
 }
 
 void VolumeCells::ConvertCurved()
@@ -293,21 +285,18 @@ void VolumeCells::ConvertCurved()
       const bool isGood = this->AddCell(FindCellShape(VTK_QUADRATIC_TETRA),
         { nodes, nodes + cell.Type.NumberOfNodes }, cell.Scalars, cell.Source,
         cell.IsGhost ? this->Ghosts : this->Cells);
-      if (!cell.IsGhost)
+      this->Count(cell.Source, cell.IsGhost, isGood, before);
+      if (!cell.IsGhost && this->Cells.size() > before)
       {
-        const bool isDrawn = this->Cells.size() > before;
-        this->NumberOfBadCells += isGood ? 0 : 1;
-        this->NumberOfDrawnCells += isDrawn ? 1 : 0;
-        this->NumberOfFoldedCells +=
-          isDrawn && this->GetCurved(this->Cells.back()).IsFolded() ? 1 : 0;
+        this->Counts.Of(cell.Source).Folded +=
+          this->GetCurved(this->Cells.back()).IsFolded() ? 1 : 0;
       }
     }
     this->Curved.Clear();
     return;
   }
-  this->Curved.Convert({ this->Points, this->PointScalars, this->Weights }, this->NumberOfScalars);
-  this->NumberOfBadCells += this->Curved.GetNumberOfBadCells();
-  this->NumberOfDrawnCells += this->Curved.GetNumberOfDrawnCells();
+  this->Curved.Convert({ this->Points, this->PointScalars, this->CellScalars, this->Weights },
+    this->NumberOfScalars, this->Counts);
 }
 
 bool VolumeCells::SplitCurved(const SplitTolerances& tolerances)
@@ -510,7 +499,9 @@ bool VolumeCells::AddCell(const CellShape* shape, const std::vector<vtkIdType>& 
   const Cell cell = { shape, this->Corners.size(), scalars };
   this->Corners.insert(this->Corners.end(), corners.begin(), corners.end());
   const bool hasVolume = this->HasVolume(cell);
-  if (hasVolume && this->HasScalars(cell))
+  const bool hasScalars = this->HasScalars(cell);
+  this->LacksScalars = this->LacksScalars || (hasVolume && !hasScalars);
+  if (hasVolume && hasScalars)
   {
     all.push_back(cell);
     if (this->KeepsSources && &all == &this->Cells)
@@ -605,13 +596,5 @@ void VolumeCells::MoveToOrigin()
   {
     part.Shape.Move(-this->Middle);
   }
-}
-
-std::string DescribeFoldedCells(const VolumeCells& cells)
-{
-  return std::to_string(cells.GetNumberOfFoldedCells()) + " of " +
-    std::to_string(cells.GetNumberOfSolidCells()) +
-    " cells are tangled: their nodes turn them inside out in some places. They are drawn, but "
-    "values are ambiguous there.";
 }
 }

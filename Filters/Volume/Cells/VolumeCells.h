@@ -20,6 +20,7 @@
 #include "Cells/ScalarChoice.h"
 #include "Cells/TetrahedronCrossing.h"
 #include "Integral/Ray.h"
+#include "Mesh/CellCounts.h"
 #include "RelevoFiltersVolumeModule.h" // for export macro
 #include "vtkType.h"
 
@@ -81,17 +82,9 @@ public:
   double GetDiagonal() const { return this->Diagonal; }
   //@}
 
-  /// Number of curved cells that fold over themselves.
-  vtkIdType GetNumberOfFoldedCells() const
-  {
-    return this->NumberOfFoldedCells + this->Curved.GetNumberOfFoldedCells();
-  }
-  /// Number of valid 3D cells that are neither ghosts nor blanked.
-  vtkIdType GetNumberOfSolidCells() const { return this->NumberOfSolidCells; }
-  /// Number of these cells without volume or with coordinates that are not finite.
-  vtkIdType GetNumberOfBadCells() const { return this->NumberOfBadCells; }
-  /// Number of these cells that are drawn: neither bad nor with scalars that are not finite.
-  vtkIdType GetNumberOfDrawnCells() const { return this->NumberOfDrawnCells; }
+  /// The counts of the data sets, in the order of Add(). Those of curved cells are complete after
+  /// ConvertCurved().
+  const CellCounts& GetCounts() const { return this->Counts; }
 
   //@{
   /**
@@ -130,7 +123,7 @@ private:
   void AddLinear(vtkGenericCell* cell, const Source& source, CellSplitter& splitter);
   bool AddCell(const CellShape* shape, const std::vector<vtkIdType>& corners, vtkIdType scalars,
     vtkIdType source, std::vector<Cell>& all);
-  void Count(bool isGood, size_t before);
+  void Count(vtkIdType cell, bool isGhost, bool isGood, size_t before);
   void AddPieces(const CurvedPart& part, const ivec3& counts, PiecePoints& points,
     const std::vector<BezierPoint>& lattice, CellSplitter& splitter);
   void AddPiece(std::vector<vtkIdType>& corners, const CurvedPart& part, CellSplitter& splitter);
@@ -153,14 +146,9 @@ private:
   std::vector<Cell> Ghosts;
   dvec3 Middle = dvec3(0.0);
   double Diagonal = 0.0;
-  vtkIdType NumberOfSolidCells = 0;
-  vtkIdType NumberOfBadCells = 0;
-  vtkIdType NumberOfDrawnCells = 0;
-  vtkIdType NumberOfFoldedCells = 0; // of quadratic tetrahedra
+  CellCounts Counts;
+  bool LacksScalars = false; // a part of the cell being added has scalars that are not finite
 };
-
-/// Returns a warning about curved cells that fold over themselves.
-RELEVOFILTERSVOLUME_EXPORT std::string DescribeFoldedCells(const VolumeCells& cells);
 }
 
 #endif

@@ -24,9 +24,11 @@
 #include "Integral/TransferFunction2D.h"
 #include "RelevoFiltersVolumeModule.h" // for export macro
 
-#include <array>  // for the scalars
-#include <string> // for messages
-#include <vector> // for members
+#include <algorithm> // for inline functions
+#include <array>     // for the scalars
+#include <cmath>     // for inline functions
+#include <string>    // for messages
+#include <vector>    // for members
 
 class vtkVolumeProperty;
 
@@ -34,6 +36,12 @@ namespace relevo
 {
 constexpr int MaximumComponents = 4;
 using Scalars = std::array<double, MaximumComponents>;
+
+inline bool IsFinite(const Scalars& scalars)
+{
+  return std::all_of(
+    scalars.begin(), scalars.end(), [](double value) { return std::isfinite(value); });
+}
 
 inline Scalars Interpolate(const Scalars& front, const Scalars& back, double share)
 {

@@ -9,7 +9,6 @@
 #include "vtkDataSet.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -19,12 +18,8 @@ namespace
 {
 bool AreFinite(const std::vector<Scalars>& all)
 {
-  return std::all_of(all.begin(), all.end(),
-    [](const Scalars& scalars)
-    {
-      return std::all_of(
-        scalars.begin(), scalars.end(), [](double scalar) { return std::isfinite(scalar); });
-    });
+  return std::all_of(
+    all.begin(), all.end(), [](const Scalars& scalars) { return IsFinite(scalars); });
 }
 }
 

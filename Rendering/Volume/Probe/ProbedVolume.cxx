@@ -139,7 +139,7 @@ bool ProbedVolume::ReadCells(const ProbeRequest& request, StageReport& report)
     }
   }
   this->Cells->ConvertCurved();
-  return this->Cells->GetNumberOfDrawnCells() > 0;
+  return this->Cells->GetCounts().GetSum().Drawn > 0;
 }
 
 bool ProbedVolume::Find(const ProbeRequest& request, vtkMatrix4x4* matrix, const Ray& ray,

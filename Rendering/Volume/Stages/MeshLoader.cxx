@@ -3,6 +3,7 @@
 #include "Stages/MeshLoader.h"
 
 #include "Bezier/SplitCounts.h"
+#include "Cells/CellReports.h"
 #include "Cells/MeshScalars.h"
 #include "Cells/PointAverages.h"
 #include "Cells/SharedFaces.h"
@@ -148,6 +149,7 @@ bool MeshLoader::ReplaceValues(const MeshRequest& request, StageReport& report)
   }
   ++this->NumberOfBuilds;
   ++this->NumberOfValueUploads;
+  this->MissingValues.clear();
   if (ShouldReport(this->LeftOut, leftOut))
   {
     report.Warnings.push_back(leftOut);
@@ -261,7 +263,7 @@ bool MeshLoader::Read(const MeshRequest& request, VolumeCells& cells,
     }
   }
   cells.ConvertCurved();
-  if (cells.GetNumberOfSolidCells() == 0)
+  if (cells.GetCounts().GetSum().Solid == 0)
   {
     if (!meshes.empty() && !hasErrors)
     {
@@ -276,6 +278,17 @@ bool MeshLoader::Read(const MeshRequest& request, VolumeCells& cells,
   if (ShouldReport(this->ReportedAverages, this->Averaged))
   {
     report.Warnings.push_back(this->Averaged);
+  }
+  if (this->Reported != FindMesh(request))
+  {
+    for (const std::string& warning : DescribeBadCells(cells.GetCounts(), meshes))
+    {
+      report.Warnings.push_back(warning);
+    }
+  }
+  if (ShouldReport(this->MissingValues, DescribeMissingValues(cells.GetCounts(), meshes)))
+  {
+    report.Warnings.push_back(this->MissingValues);
   }
   this->Mesh.HasCellScalars = meshes.front().AreOfCells;
   return true;
@@ -304,18 +317,8 @@ void MeshLoader::SplitCurved(
 bool MeshLoader::Upload(const MeshRequest& request, VolumeCells& cells, StageReport& report)
 {
   const bool isNew = this->Reported.Update(FindMesh(request));
-  if (cells.GetNumberOfBadCells() > 0 && isNew)
-  {
-    report.Warnings.push_back(std::to_string(cells.GetNumberOfBadCells()) + " of " +
-      std::to_string(cells.GetNumberOfSolidCells()) +
-      " cells have no volume, or points that are not finite; they are left out.");
-  }
   const bool isCurved = cells.HasCurvedParts();
   const size_t numberOfSharedCurved = isCurved && isNew ? CountSharedFaces(cells) : 0;
-  if (cells.GetNumberOfFoldedCells() > 0 && isNew)
-  {
-    report.Warnings.push_back(DescribeFoldedCells(cells));
-  }
   if (isCurved)
   {
     this->SplitCurved(request, isNew, cells, report);
@@ -351,7 +354,7 @@ bool MeshLoader::Upload(const MeshRequest& request, VolumeCells& cells, StageRep
   }
   layout.Release();
   ++this->NumberOfBuilds;
-  this->NumberOfDrawnCells = cells.GetNumberOfDrawnCells();
+  this->NumberOfDrawnCells = cells.GetCounts().GetSum().Drawn;
   return true;
 }
 

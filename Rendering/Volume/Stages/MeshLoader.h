@@ -134,6 +134,7 @@ private:
   bool AreOfCells = false; // whether the arrays of the input are
   std::string Averaged;    // at points, as found
   std::string ReportedAverages;
+  std::string MissingValues;             // as reported
   vtkDataObject* CheckedInput = nullptr; // not dereferenced
   std::string TypeError;                 // as reported
 };
