@@ -6,7 +6,13 @@ import os
 import pathlib
 import unittest
 
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonCore import (
+    vtkDoubleArray,
+    vtkFloatArray,
+    vtkIntArray,
+    vtkPoints,
+    vtkStringArray,
+)
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON,
     VTK_QUADRATIC_HEXAHEDRON,
@@ -78,8 +84,11 @@ class TestViewerTime(ViewerProgram):
 
     def export(self, *arguments):
         self.view(*arguments, "--export=e.vtp", "--surface=linear", "--level=0")
+        return self.read_mesh("e.vtp")
+
+    def read_mesh(self, name):
         reader = vtkXMLPolyDataReader()
-        reader.SetFileName(str(self.folder / "e.vtp"))
+        reader.SetFileName(str(self.folder / name))
         reader.Update()
         return reader.GetOutput()
 
@@ -220,6 +229,53 @@ class TestViewerTime(ViewerProgram):
         self.write_data("w.vtm", vtkXMLMultiBlockDataWriter, only)
         run = self.run_program("w.vtm", "--warp=Move", "--output=t.png", SIZE)
         self.assertIn("warning: 1 of 2 blocks have no array of points 'Move'", run.stderr)
+
+    def write_blocks(self, name, *arrays):
+        """Writes cubes side by side, each with an array "Load", and the second named "wing"."""
+        blocks = vtkMultiBlockDataSet()
+        for i, array in enumerate(arrays):
+            cube = make_cube(offset=2.0 * i)
+            array.SetName("Load")
+            cube.GetPointData().AddArray(array)
+            blocks.SetBlock(i, cube)
+        blocks.GetMetaData(1).Set(blocks.NAME(), "wing")
+        self.write_data(name, vtkXMLMultiBlockDataWriter, blocks)
+
+    def fill(self, array, components=1):
+        """Eight tuples of 0, 1, 2 and so on."""
+        array.SetNumberOfComponents(components)
+        array.SetNumberOfTuples(8)
+        for i in range(8 * components):
+            array.SetValue(i, str(i // components) if array.IsA("vtkStringArray") else i // components)
+        return array
+
+    def test_blocks_that_differ(self):
+        """The first block decides on an array. In blocks where it has another number of components,
+        or is text, it is NaN, with a warning. Other types of numbers are kept."""
+        pair, number, text = vtkDoubleArray, vtkIntArray, vtkStringArray
+        double = "the array of points 'Load' has no values in block 2 'wing': it has 2 components there, "
+        for arrays, warning, without in (
+            ([(pair, 1), (pair, 2)], double + "but 1 component in block 1\n", {1}),
+            ([(pair, 1), (pair, 2), (pair, 3)], "block 1, and 1 more block differs\n", {1, 2}),
+            (
+                [(pair, 1), (text, 1)],
+                "in block 2 'wing': it is text there, but has 1 component in block 1\n",
+                {1},
+            ),
+            ([(number, 1), (pair, 1), (vtkFloatArray, 1)], None, set()),
+        ):
+            with self.subTest(warning):
+                self.write_blocks("b.vtm", *(self.fill(kind(), size) for kind, size in arrays))
+                for more in [], ["--warp=Move"]:
+                    flat = "--surface=linear", "--level=0"
+                    run = self.run_program("b.vtm", "--array=Load", "--export=b.vtp", *flat, *more)
+                    self.assertEqual(run.stderr.count("warning: "), 0 if warning is None else 1)
+                    self.assertIn(warning or "", run.stderr)
+                    mesh = self.read_mesh("b.vtp")
+                    values = mesh.GetPointData().GetArray("Load")
+                    for i in range(mesh.GetNumberOfPoints()):
+                        block, value = int(mesh.GetPoint(i)[0] // 2), values.GetValue(i)
+                        self.assertEqual(value != value, block in without, (block, value))
 
     def test_grids(self):
         """Images, rectilinear and structured grids have the surface of their cells."""

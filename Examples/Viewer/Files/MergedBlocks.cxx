@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/MergedBlocks.h"
 
+#include "Files/ResultBlocks.h"
 #include "Text/ViewerMessages.h"
 
 #include "vtkAppendFilter.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -14,69 +14,155 @@
 #include "vtkNew.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace
 {
-using Blocks = std::vector<vtkSmartPointer<vtkDataSet>>;
+using Blocks = std::vector<ResultBlock>;
 
-// The components of an array, and the number of blocks that have it.
-struct Presence
+std::string CountComponents(vtkDataArray* array)
 {
-  int Components = 0;
-  std::size_t Blocks = 0;
-};
-
-vtkSmartPointer<vtkDoubleArray> MakeFilled(
-  vtkDataArray* values, const std::string& name, int components, vtkIdType tuples)
-{
-  auto filled = vtkSmartPointer<vtkDoubleArray>::New();
-  if (values)
-  {
-    filled->DeepCopy(values);
-  }
-  else
-  {
-    filled->SetNumberOfComponents(components);
-    filled->SetNumberOfTuples(tuples);
-    filled->Fill(vtkMath::Nan());
-  }
-  filled->SetName(name.c_str());
-  return filled;
+  const int components = array->GetNumberOfComponents();
+  return std::to_string(components) + (components == 1 ? " component" : " components");
 }
 
-// vtkAppendFilter drops arrays that some blocks lack.
-void FillArrays(const Blocks& blocks, int association)
+// An array of all blocks. vtkAppendFilter drops arrays that some blocks lack, or whose types or
+// numbers of components differ.
+class SharedArray
 {
-  std::map<std::string, Presence> arrays;
-  for (vtkDataSet* block : blocks)
+public:
+  SharedArray(const Blocks& blocks, int association, const std::string& name)
+    : All(blocks)
+    , Association(association)
+    , Name(name)
   {
-    vtkDataSetAttributes* attributes = block->GetAttributes(association);
+    for (this->First = 0; !this->Find(this->First); ++this->First)
+    {
+    }
+  }
+
+  bool IsDropped() const
+  {
+    for (std::size_t i = 0; i < this->All.size(); ++i)
+    {
+      vtkDataArray* array = this->Find(i);
+      if (!array || !this->Fits(array) ||
+        array->GetDataType() != this->Find(this->First)->GetDataType())
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // Makes arrays of doubles that are NaN in the blocks whose array does not fit.
+  void Fill() const
+  {
+    const int components = this->Find(this->First)->GetNumberOfComponents();
+    for (std::size_t i = 0; i < this->All.size(); ++i)
+    {
+      vtkDataArray* array = this->Find(i);
+      vtkNew<vtkDoubleArray> filled;
+      if (array && this->Fits(array))
+      {
+        filled->DeepCopy(array);
+      }
+      else
+      {
+        filled->SetNumberOfComponents(components);
+        filled->SetNumberOfTuples(this->All[i].Data->GetNumberOfElements(this->Association));
+        filled->Fill(vtkMath::Nan());
+      }
+      filled->SetName(this->Name.c_str());
+      this->GetAttributes(i)->AddArray(filled);
+    }
+  }
+
+  // Returns a warning about blocks whose array does not fit, or "". Blocks without it are normal.
+  std::string DescribeMisfits() const
+  {
+    std::string text;
+    int others = 0;
+    for (std::size_t i = 0; i < this->All.size(); ++i)
+    {
+      vtkDataArray* array = this->Find(i);
+      if (array ? this->Fits(array) : !this->GetAttributes(i)->HasArray(this->Name.c_str()))
+      {
+        continue;
+      }
+      others += text.empty() ? 0 : 1;
+      text = text.empty() ? this->DescribeMisfit(i) : text;
+    }
+    return others == 0 ? text
+                       : text + ", and " + std::to_string(others) + " more " +
+        (others == 1 ? "block differs" : "blocks differ");
+  }
+
+private:
+  // Returns the array, or nullptr if the block has none of numbers.
+  vtkDataArray* Find(std::size_t block) const
+  {
+    return this->GetAttributes(block)->GetArray(this->Name.c_str());
+  }
+  vtkDataSetAttributes* GetAttributes(std::size_t block) const
+  {
+    return this->All[block].Data->GetAttributes(this->Association);
+  }
+  bool Fits(vtkDataArray* array) const
+  {
+    return array->GetNumberOfComponents() == this->Find(this->First)->GetNumberOfComponents();
+  }
+  std::string DescribeMisfit(std::size_t block) const
+  {
+    vtkDataArray* array = this->Find(block);
+    const bool isOfPoints = this->Association == vtkDataObject::POINT;
+    return std::string("the array of ") + (isOfPoints ? "points" : "cells") + " '" + this->Name +
+      "' has no values in " + this->All[block].Describe(block + 1) + ": " +
+      (array ? "it has " + CountComponents(array) + " there, but " : "it is text there, but has ") +
+      CountComponents(this->Find(this->First)) + " in " +
+      this->All[this->First].Describe(this->First + 1);
+  }
+
+  const Blocks& All;
+  int Association;
+  std::string Name;
+  std::size_t First; // the block that determines the number of components
+};
+
+std::set<std::string> FindNames(const Blocks& blocks, int association)
+{
+  std::set<std::string> names;
+  for (const ResultBlock& block : blocks)
+  {
+    vtkDataSetAttributes* attributes = block.Data->GetAttributes(association);
     for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
     {
       vtkDataArray* array = attributes->GetArray(i);
       if (array && array->GetName())
       {
-        Presence& presence = arrays[array->GetName()];
-        presence.Components = array->GetNumberOfComponents();
-        ++presence.Blocks;
+        names.insert(array->GetName());
       }
     }
   }
-  arrays.erase(vtkDataSetAttributes::GhostArrayName());
-  for (const auto& array : arrays)
+  names.erase(vtkDataSetAttributes::GhostArrayName());
+  return names;
+}
+
+void FillArrays(const Blocks& blocks, int association, ViewerMessages& messages)
+{
+  for (const std::string& name : FindNames(blocks, association))
   {
-    if (array.second.Blocks == blocks.size())
+    const SharedArray array(blocks, association, name);
+    const std::string warning = array.DescribeMisfits();
+    if (!warning.empty())
     {
-      continue;
+      messages.Warn(warning);
     }
-    for (vtkDataSet* block : blocks)
+    if (array.IsDropped())
     {
-      vtkDataSetAttributes* attributes = block->GetAttributes(association);
-      attributes->AddArray(MakeFilled(attributes->GetArray(array.first.c_str()), array.first,
-        array.second.Components, block->GetNumberOfElements(association)));
+      array.Fill();
     }
   }
 }
@@ -86,28 +172,28 @@ void FillArrays(const Blocks& blocks, int association)
 vtkSmartPointer<vtkDataSet> MergeBlocks(vtkDataObject* data, ViewerMessages& messages)
 {
   Blocks blocks;
-  for (vtkDataSet* block : vtkCompositeDataSet::GetDataSets(data))
+  for (const ResultBlock& block : GetBlocks(data))
   {
-    if (block->GetNumberOfPoints() > 0)
+    if (block.Data->GetNumberOfPoints() > 0)
     {
-      blocks.emplace_back();
-      blocks.back().TakeReference(block->NewInstance());
-      blocks.back()->ShallowCopy(block);
+      const auto copy = vtkSmartPointer<vtkDataSet>::Take(block.Data->NewInstance());
+      copy->ShallowCopy(block.Data);
+      blocks.push_back({ copy, block.Name });
     }
   }
   if (blocks.size() < 2)
   {
-    return blocks.empty() ? nullptr : blocks.front();
+    return blocks.empty() ? nullptr : blocks.front().Data;
   }
   vtkNew<vtkAppendFilter> append;
   messages.Observe(append, "appending blocks");
   for (int association : { vtkDataObject::POINT, vtkDataObject::CELL })
   {
-    FillArrays(blocks, association);
+    FillArrays(blocks, association, messages);
   }
-  for (vtkDataSet* block : blocks)
+  for (const ResultBlock& block : blocks)
   {
-    append->AddInputData(block);
+    append->AddInputData(block.Data);
   }
   append->Update();
   messages.Check();

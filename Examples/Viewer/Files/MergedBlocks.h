@@ -14,7 +14,8 @@ class vtkDataObject;
 class vtkDataSet;
 
 /// Returns the only data set, or the cells of all blocks as a vtkUnstructuredGrid. An array that
-/// some blocks lack is NaN there. nullptr if there are no data sets.
+/// some blocks lack is NaN there, also if it has another number of components there or is text,
+/// which is a warning. nullptr if there are no data sets.
 vtkSmartPointer<vtkDataSet> MergeBlocks(vtkDataObject* data, ViewerMessages& messages);
 
 #endif

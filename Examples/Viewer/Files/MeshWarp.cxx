@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/MeshWarp.h"
 
+#include "Files/ResultBlocks.h"
 #include "Text/ViewerMessages.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -50,12 +53,16 @@ vtkSmartPointer<vtkDataObject> MeshWarp::Apply(vtkDataObject* data, ViewerMessag
   vtkNew<vtkMultiBlockDataSet> moved;
   unsigned int number = 0;
   int missing = 0;
-  for (vtkDataSet* block : vtkCompositeDataSet::GetDataSets(data))
+  for (const ResultBlock& block : GetBlocks(data))
   {
-    const bool hasVectors = HasVectors(block, this->Array);
-    missing += !hasVectors && block->GetNumberOfPoints() > 0 ? 1 : 0;
-    moved->SetBlock(
-      number++, hasVectors ? Move(block, *this, messages) : vtkSmartPointer<vtkDataSet>(block));
+    const bool hasVectors = HasVectors(block.Data, this->Array);
+    missing += !hasVectors && block.Data->GetNumberOfPoints() > 0 ? 1 : 0;
+    moved->SetBlock(number, hasVectors ? Move(block.Data, *this, messages) : block.Data);
+    if (!block.Name.empty())
+    {
+      moved->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), block.Name.c_str());
+    }
+    ++number;
   }
   if (missing == static_cast<int>(number))
   {
