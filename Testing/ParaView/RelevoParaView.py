@@ -22,7 +22,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
-from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
 FILTER = """
 <ServerManagerConfiguration><ProxyGroup name="filters">
@@ -105,8 +105,13 @@ def picture(of_view):
 
 def drawn(view):
     """The latest frame of a view, without a new one."""
+    return read_window(view.GetRenderWindow())
+
+
+def read_window(window):
+    """The latest frame of a window of VTK."""
     grabber = vtkWindowToImageFilter()
-    grabber.SetInput(view.GetRenderWindow())
+    grabber.SetInput(window)
     grabber.ShouldRerenderOff()
     grabber.ReadFrontBufferOff()
     grabber.Update()
@@ -210,6 +215,31 @@ def count_open_edges(triangles):
     ids = numpy.unique(points, axis=0, return_inverse=True)[1].reshape(-1, 3)
     edges = numpy.sort(numpy.concatenate([ids[:, [0, 1]], ids[:, [1, 2]], ids[:, [2, 0]]]), axis=1)
     return numpy.count_nonzero(numpy.unique(edges, axis=0, return_counts=True)[1] == 1)
+
+
+def mesh(source):
+    """The data of a source, without the conversions of servermanager.Fetch()."""
+    source.UpdatePipeline()
+    return source.GetClientSideObject().GetOutputDataObject(source.Port)
+
+
+def plain_window(view, prop):
+    """A window of plain VTK with a prop, and the size, the background, the lights and the camera of a
+    view."""
+    of_view = view.GetClientSideObject().GetRenderer()
+    renderer = vtkRenderer()
+    renderer.SetBackground(of_view.GetBackground())
+    for light in of_view.GetLights():
+        renderer.AddLight(light)
+    renderer.AddViewProp(prop)
+    renderer.GetActiveCamera().DeepCopy(view.GetClientSideObject().GetActiveCamera())
+    renderer.ResetCameraClippingRange()
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(0)
+    window.SetSize(*view.ViewSize)
+    window.AddRenderer(renderer)
+    return window
 
 
 @contextlib.contextmanager
@@ -345,6 +375,24 @@ def read_all(file):
 class TestCase(unittest.TestCase):
     def tearDown(self):
         clear()
+
+    def make_folder(self):
+        """A new folder, which is removed after the test."""
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        return folder.name
+
+    def assert_alike(self, one, other, pixels=0, tolerance=1):
+        """Two pictures are the same, except for some pixels, and are not empty."""
+        self.assertGreater(foreground(other), 600)
+        self.assertLessEqual(differing(one, other, tolerance), pixels)
+
+    def assert_message(self, told, words, of_class):
+        """There is one message. It has these words, and comes from an object of this class."""
+        found = re.findall(r"(vtk\w+) \(0x\w+\): (.*)", told)
+        self.assertEqual(len(found), 1, told)
+        self.assertEqual(found[0][0], of_class)
+        self.assertIn(words, found[0][1])
 
     def assert_same_picture(self, one, other, pixels=0):
         """Two views show the same, except for some pixels, and are not empty."""

@@ -8,7 +8,6 @@ The tests run scenes in separate processes: pvbatch TestBadInput.py SCENE..."""
 import os
 import re
 import sys
-import tempfile
 import xml.etree.ElementTree as ElementTree
 
 from paraview import simple
@@ -146,9 +145,7 @@ def draw(name):
 
 class TestBadInput(relevo.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
+        self.folder = self.make_folder()
         relevo.write_heights(os.path.join(self.folder, "heights.png"))
 
     def run_scenes(self, names, ranks=1, **environment):

@@ -12,7 +12,6 @@ import pathlib
 import re
 import runpy
 import sys
-import tempfile
 
 from paraview import simple
 
@@ -82,9 +81,7 @@ class TestInSitu(relevo.TestCase):
         relevo.clear()
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
+        self.folder = self.make_folder()
 
     def assert_steps(self, pixels, ranks, *arguments):
         """Runs a simulation and compares the pictures of its steps. Besides the announcement of

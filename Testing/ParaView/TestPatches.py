@@ -4,19 +4,12 @@
 in pixels, Adaptive Curves draws curves, and both work like ParaView's representations."""
 
 import os
-import re
-import tempfile
 
 import numpy
 from paraview import servermanager, simple, smstate, smtrace
 from vtkmodules.vtkCommonCore import reference, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkWindowToImageFilter,
-)
+from vtkmodules.vtkRenderingCore import vtkActor
 
 import RelevoParaView as relevo
 
@@ -99,12 +92,6 @@ def curves():
     return simple.ProgrammableSource(OutputDataSetType="vtkUnstructuredGrid", Script=CURVES)
 
 
-def mesh(source):
-    """The data of a source, without the conversions of servermanager.Fetch()."""
-    source.UpdatePipeline()
-    return source.GetClientSideObject().GetOutputDataObject(source.Port)
-
-
 def find_actor(view):
     """The visible actor of patches in a view."""
     found = list(view.GetClientSideObject().GetRenderer().GetActors())
@@ -136,25 +123,9 @@ def plain(view, data, **properties):
     actor = vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().DeepCopy(theirs.GetProperty())
-    renderer = vtkRenderer()
-    of_view = view.GetClientSideObject().GetRenderer()
-    renderer.SetBackground(of_view.GetBackground())
-    for light in of_view.GetLights():
-        renderer.AddLight(light)
-    renderer.AddActor(actor)
-    renderer.GetActiveCamera().DeepCopy(view.GetClientSideObject().GetActiveCamera())
-    renderer.ResetCameraClippingRange()
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(0)
-    window.SetSize(*view.ViewSize)
-    window.AddRenderer(renderer)
+    window = relevo.plain_window(view, actor)
     window.Render()
-    grabber = vtkWindowToImageFilter()
-    grabber.SetInput(window)
-    grabber.ReadFrontBufferOff()
-    grabber.Update()
-    return relevo.pixels(grabber.GetOutput())
+    return relevo.read_window(window)
 
 
 def tessellate(data, steps=60):
@@ -202,9 +173,7 @@ def mask(picture):
 
 class TestCase(relevo.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
+        self.folder = self.make_folder()
 
     def scene(self, source, array=("POINTS", "Field"), angle=0, **properties):
         view = relevo.view(SIZE)
@@ -222,10 +191,6 @@ class TestCase(relevo.TestCase):
         view.GetActiveCamera().Azimuth(angle)
         view.GetActiveCamera().Elevation(0.6 * angle)
         return view, shown
-
-    def assert_alike(self, one, other, pixels=0, tolerance=2):
-        self.assertGreater(relevo.foreground(other), 600)
-        self.assertLessEqual(relevo.differing(one, other, tolerance), pixels)
 
     def assert_changes(self, view, change, least=50):
         before = relevo.picture(view)
@@ -247,13 +212,13 @@ class TestPictures(TestCase):
             "grey": (None, {}),
         }
         source = sheet()
-        data = mesh(source)
+        data = relevo.mesh(source)
         pictures = {}
         for name, (array, properties) in cases.items():
             with self.subTest(name):
                 view, _ = self.scene(source, array, 20, **properties)
                 pictures[name] = relevo.picture(view)
-                self.assert_alike(pictures[name], plain(view, data, **properties), 20)
+                self.assert_alike(pictures[name], plain(view, data, **properties), 20, tolerance=2)
                 simple.Delete(view)
         for name in "isolines", "edges", "interpolated":
             self.assertGreater(relevo.differing(pictures[name], pictures["Field"]), 100, name)
@@ -275,14 +240,14 @@ class TestPictures(TestCase):
                 view, _ = self.scene(source, array, 30)
                 source.UpdatePipeline()
                 data = source.GetClientSideObject().GetOutputDataObject(0)
-                self.assert_alike(relevo.picture(view), plain(view, data), 20)
+                self.assert_alike(relevo.picture(view), plain(view, data), 20, tolerance=2)
                 simple.Delete(view)
 
     def test_error(self):
         """The silhouette is as far from that of a fine tessellation as ScreenSpaceError allows."""
         source = sheet(1)
         producer = simple.TrivialProducer()
-        producer.GetClientSideObject().SetOutput(tessellate(mesh(source)))
+        producer.GetClientSideObject().SetOutput(tessellate(relevo.mesh(source)))
         view, shown = self.scene(source, None)
         view.GetActiveCamera().Zoom(0.8)
         shown.Visibility = 0
@@ -360,8 +325,8 @@ class TestSettings(TestCase):
         """The bounds contain the curved cells, which reach beyond their nodes."""
         view, _ = self.scene(sheet(1), None)
         bounds = numpy.array(view.GetClientSideObject().GetRenderer().ComputeVisiblePropBounds())
-        exact = numpy.array(tessellate(mesh(simple.GetActiveSource())).GetBounds())
-        nodes = numpy.array(mesh(simple.GetActiveSource()).GetBounds())
+        exact = numpy.array(tessellate(relevo.mesh(simple.GetActiveSource())).GetBounds())
+        nodes = numpy.array(relevo.mesh(simple.GetActiveSource()).GetBounds())
         sign = numpy.tile([-1, 1], 3)
         self.assertTrue((sign * (exact - nodes) > -1e-9).all() and (exact != nodes).any())
         self.assertTrue((sign * (bounds - exact) > -1e-6).all())
@@ -401,7 +366,7 @@ class TestSessions(TestCase):
         large = relevo.read_png(path)
         view.ViewSize = size
         self.assertEqual(large.shape, (size[1], size[0], 3))
-        self.assert_alike(large, relevo.picture(view), 20)
+        self.assert_alike(large, relevo.picture(view), 20, tolerance=2)
 
     def change(self, shown):
         shown.ScreenSpaceError = 3.0
@@ -482,7 +447,7 @@ class TestCurves(TestCase):
         """Lines cover the points of the curves, and few segments miss some."""
         view, shown = self.curves(LineWidth=2)
         relevo.picture(view)
-        data = mesh(simple.GetActiveSource())
+        data = relevo.mesh(simple.GetActiveSource())
         renderer = view.GetClientSideObject().GetRenderer()
         pixels, position, weights = [], [0.0] * 3, [0.0] * 10
         for number in range(1, data.GetNumberOfCells()):
@@ -541,10 +506,8 @@ class TestBadInput(TestCase):
                 relevo.picture(view)
                 simple.ResetCamera(view)
             picture = relevo.picture(view)
-        found = re.findall(r"(vtk\w+) \(0x\w+\): (.*)", told())
-        self.assertEqual(len(found), 1, told())
-        self.assertIn("Representation", found[0][0])
-        self.assertIn(words, found[0][1])
+        of_class = {"Adaptive Patches": "Patch", "Adaptive Curves": "Curve"}[name]
+        self.assert_message(told(), words, f"vtkAdaptive{of_class}Representation")
         return relevo.foreground(picture)
 
     def test_no_faces(self):

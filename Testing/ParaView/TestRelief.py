@@ -5,7 +5,6 @@ of its mapper in plain VTK, and views show reliefs while they move."""
 
 import os
 import re
-import tempfile
 
 import numpy
 from paraview import servermanager, simple, smstate, smtrace
@@ -49,9 +48,7 @@ def new_view():
 
 class TestCase(relevo.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
+        self.folder = self.make_folder()
         self.reliefs = pair()
 
     def database(self, *arguments, name="my.cdb"):
@@ -66,10 +63,6 @@ class TestCase(relevo.TestCase):
         relevo.picture(view)
         aim(view)
         return view, shown
-
-    def assert_alike(self, one, other, pixels=0):
-        self.assertGreater(relevo.foreground(other), 2000)
-        self.assertLessEqual(relevo.differing(one, other, 1), pixels)
 
 
 class TestReading(TestCase):

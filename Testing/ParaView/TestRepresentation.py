@@ -159,9 +159,7 @@ class TestRepresentation(relevo.TestCase):
         shown.Representation = "Adaptive LIC"
         pictures = [smooth, relevo.picture(view)]
         self.assertGreater(relevo.differing(*pictures), relevo.foreground(smooth) / 2)
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        noise = os.path.join(folder.name, "noise.png")
+        noise = os.path.join(self.make_folder(), "noise.png")
         relevo.write_png(noise, numpy.random.default_rng(1).integers(0, 255, (64, 64), numpy.uint8))
         for name, value in (
             ("NumberOfSteps", 10),

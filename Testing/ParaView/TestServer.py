@@ -10,7 +10,6 @@ import os
 import re
 import runpy
 import sys
-import tempfile
 
 import numpy
 from paraview import simple, smtrace
@@ -131,9 +130,7 @@ class TestServer(relevo.TestCase):
         relevo.clear()
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
+        self.folder = self.make_folder()
 
     def connect(self, scene, ranks=1, client=None, **server):
         """Runs a scene of a client. Returns what the client and the server print."""

@@ -4,7 +4,6 @@
 the picture."""
 
 import os
-import tempfile
 
 from paraview import simple, smtrace
 
@@ -14,9 +13,7 @@ from RelevoParaView import Undo, sphere, traced
 
 class TestSettings(relevo.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.heights = os.path.join(folder.name, "heights.png")
+        self.heights = os.path.join(self.make_folder(), "heights.png")
         relevo.write_heights(self.heights)
 
     def displace(self, shown):
