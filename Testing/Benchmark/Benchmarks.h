@@ -62,6 +62,10 @@ void RunVolumeTasks(const BenchmarkOptions& options, const AddTable& addTable);
 void RunVolumeDetail(const BenchmarkOptions& options, const AddTable& addTable);
 /// Compares volumes of cubic Lagrange hexahedra with VTK's way: tetrahedra between the nodes.
 void RunVolumeCurved(const BenchmarkOptions& options, const AddTable& addTable);
+/// Compares micro-meshes with their dense meshes and with VTK's decimation.
+void RunMicroMeshes(const BenchmarkOptions& options, const AddTable& addTable);
+/// Compares frames of micro-meshes with their dense meshes and VTK's actors with levels of detail.
+void RunMicroMeshFrames(const BenchmarkOptions& options, const AddTable& addTable);
 /// Compares reliefs with the captured meshes and with meshes of their pixels. Measures warps per
 /// second.
 void RunReliefs(const BenchmarkOptions& options, const AddTable& addTable);
@@ -80,6 +84,7 @@ std::vector<double> MeasureMemory(const std::vector<std::string>& arguments);
 std::vector<double> MeasureTerrain(const std::vector<std::string>& arguments);
 std::vector<double> MeasureTerrains(const std::vector<std::string>& arguments);
 std::vector<double> MeasureVolumes(const std::vector<std::string>& arguments);
+std::vector<double> MeasureMicroMeshes(const std::vector<std::string>& arguments);
 std::vector<double> MeasureReliefs(const std::vector<std::string>& arguments);
 std::vector<double> MeasurePatches(const std::vector<std::string>& arguments);
 std::vector<double> MeasureIntersections(const std::vector<std::string>& arguments);

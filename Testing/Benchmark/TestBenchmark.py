@@ -87,6 +87,8 @@ class TestBenchmark(unittest.TestCase):
         if "relief" in usage:
             self.check_reliefs(tables)
             self.check_warps(tables)
+        if "micromesh" in usage:
+            self.check_micro_meshes(tables)
         if " terrain" in usage:
             self.check_terrains(tables)
         if "patches" in usage:
@@ -139,6 +141,14 @@ class TestBenchmark(unittest.TestCase):
             self.assertGreater(row["ratio"], 0.0, row)
         for row in tables["volumes-memory"]:
             self.assertLess(row["ratio"], row["asked"])
+
+    def check_micro_meshes(self, tables):
+        for row in tables["micromesh"]:
+            self.assertLessEqual(row["bound"], 1.0, row)
+            self.assertLessEqual(row["distance"], 1.001, row)
+            self.assertLess(row["packed_ratio"], row["file_ratio"], row)
+        self.assertEqual({row["way"] for row in tables["micromesh-frames"]},
+                         {"dense mesh", "micro-mesh", "vtkLODActor", "vtkQuadricLODActor"})
 
     def check_reliefs(self, tables):
         for row in tables["relief"]:

@@ -54,6 +54,10 @@ const std::vector<Benchmark> Benchmarks = {
   { "volume-detail", RunVolumeDetail },
   { "volume-curved", RunVolumeCurved },
 #endif
+#ifdef BENCHMARK_HAS_MICRO_MESHES
+  { "micromesh", RunMicroMeshes, false },
+  { "micromesh-frames", RunMicroMeshFrames },
+#endif
 #ifdef BENCHMARK_HAS_RELIEFS
   { "relief", RunReliefs },
 #endif
@@ -81,6 +85,9 @@ const std::vector<Measurement> Measurements = {
 #endif
 #ifdef BENCHMARK_HAS_VOLUMES
   { "volumes", MeasureVolumes },
+#endif
+#ifdef BENCHMARK_HAS_MICRO_MESHES
+  { "micromesh", MeasureMicroMeshes },
 #endif
 #ifdef BENCHMARK_HAS_RELIEFS
   { "relief", MeasureReliefs },
