@@ -14,6 +14,7 @@
 #include "vtkCamera.h"
 #include "vtkGenericRenderWindowInteractor.h"
 #include "vtkLODActor.h"
+#include "vtkMicroMeshErrorDepthTagMetric.h"
 #include "vtkMicroMeshFilter.h"
 #include "vtkMicroMeshSurface.h"
 #include "vtkNew.h"
@@ -23,7 +24,6 @@
 #include "vtkQuadricLODActor.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkScreenEdgeDepthTagMetric.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -33,9 +33,9 @@
 
 namespace
 {
-constexpr double Tolerance = 0.001;   // of the diagonal
-constexpr double SegmentLength = 4.0; // pixels
-constexpr double FrameRate = 15.0;    // that vtkLODActor and vtkQuadricLODActor aim at
+constexpr double Tolerance = 0.001;      // of the diagonal
+constexpr double ScreenSpaceError = 1.0; // pixels
+constexpr double FrameRate = 15.0;       // that vtkLODActor and vtkQuadricLODActor aim at
 
 // The share of pixels that differ by more than 8 of 255 from those of another picture, of those
 // that are not background in one of them.
@@ -75,8 +75,8 @@ public:
     filter->SetInputData(this->Mesh);
     filter->SetTolerance(Tolerance * this->Mesh->GetLength());
     filter->Update();
-    vtkNew<vtkScreenEdgeDepthTagMetric> metric;
-    metric->SetReferenceLength(SegmentLength);
+    vtkNew<vtkMicroMeshErrorDepthTagMetric> metric;
+    metric->SetScreenSpaceError(ScreenSpaceError);
     vtkNew<vtkAdaptiveRefinement> recipe;
     recipe->SetSurface(vtkNew<vtkMicroMeshSurface>());
     recipe->SetMaximumLevel(filter->GetMaximumLevel());
@@ -170,7 +170,7 @@ void RunMicroMeshFrames(const BenchmarkOptions& options, const AddTable& addTabl
     AddRows(table, name, "near", scene, 4.0, rounds);
   }
   table.AddNote(
-    "1024 x 768, tolerance of 0.1 % of the diagonal, segments of 4 pixels. The camera "
+    "1024 x 768, tolerance of 0.1 % of the diagonal, one pixel. The camera "
     "moves with every frame. vtkLODActor and vtkQuadricLODActor aim at 15 frames per "
     "second. Pixels are different if they differ by more than 8 of 255 from those of the "
     "dense mesh.");
