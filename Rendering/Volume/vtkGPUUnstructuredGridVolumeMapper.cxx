@@ -22,6 +22,7 @@
 #include "Stages/RayCaster.h"
 #include "Stages/SegmentCaster.h"
 #include "Stages/SegmentRequest.h"
+#include "Stages/SurfaceCaster.h"
 #include "Stages/TableLoader.h"
 #include "Stages/VolumeFrame.h"
 #include "View/EventPace.h"
@@ -67,6 +68,7 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
     relevo::FunctionLoader Functions;
     relevo::FeatureSelector Features;
     relevo::TableLoader Table;
+    relevo::SurfaceCaster Surfaces;
 
     vtkTypeInt64 GetMemorySize() const
     {
@@ -74,13 +76,14 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
       const relevo::VolumeFunctions& functions = this->Functions.GetFunctions();
       return mesh.Buffers.GetMemorySize() + mesh.Cells.GetMemorySize() +
         functions.Buffers.GetMemorySize() + functions.Surfaces.GetMemorySize() +
-        this->Table.GetTable().GetMemorySize();
+        this->Table.GetTable().GetMemorySize() + this->Surfaces.GetMemorySize();
     }
     void ReleaseGraphicsResources(vtkWindow* window)
     {
       this->Mesh.ReleaseGraphicsResources(window);
       this->Functions.ReleaseGraphicsResources(window);
       this->Table.ReleaseGraphicsResources(window);
+      this->Surfaces.ReleaseGraphicsResources(window);
     }
   };
   Level Full;
@@ -512,8 +515,10 @@ std::string vtkGPUUnstructuredGridVolumeMapper::CastRays(
   const std::array<int, 2> size = data.Compositor.ChooseSize(data.Viewport,
     { this->ImageSampleDistance, this->AutoAdjustSampleDistances && data.IsMoving(),
       data.Pace.GetFactor() * volume->GetAllocatedRenderTime() });
-  const bool isSampled = size[0] != data.Viewport[2] || size[1] != data.Viewport[3];
-  const std::string error = data.Rays.Draw(frame, size);
+  const bool startsInside = data.Shown->Surfaces.IsReady(frame);
+  const bool isSampled = startsInside || size[0] != data.Viewport[2] || size[1] != data.Viewport[3];
+  const std::string error =
+    startsInside ? data.Shown->Surfaces.Draw(frame, size) : data.Rays.Draw(frame, size);
   return error.empty() && isSampled ? data.Compositor.Add(frame, relevo::VolumeShader::Picture)
                                     : error;
 }
@@ -626,6 +631,11 @@ vtkTypeInt64 vtkGPUUnstructuredGridVolumeMapper::GetGraphicsMemorySize()
   return data.Full.GetMemorySize() + data.Simple.GetMemorySize() + data.Segments.GetMemorySize();
 }
 
+vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfSkippedCells()
+{
+  return static_cast<vtkIdType>(this->Internals->Shown->Surfaces.GetNumberOfSkippedCells());
+}
+
 vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfBufferBuilds()
 {
   return this->Internals->Full.Mesh.GetNumberOfBuilds();
@@ -664,6 +674,7 @@ void vtkGPUUnstructuredGridVolumeMapper::PrintSelf(ostream& os, vtkIndent indent
   os << indent << "AutoAdjustSampleDistances: " << (this->AutoAdjustSampleDistances ? "On" : "Off")
      << "\n";
   os << indent << "NumberOfDrawnCells: " << this->GetNumberOfDrawnCells() << "\n";
+  os << indent << "NumberOfSkippedCells: " << this->GetNumberOfSkippedCells() << "\n";
   os << indent << "NumberOfBufferBuilds: " << this->GetNumberOfBufferBuilds() << "\n";
   os << indent << "NumberOfValueUploads: " << this->GetNumberOfValueUploads() << "\n";
   os << indent << "NumberOfShaderBuilds: " << this->GetNumberOfShaderBuilds() << "\n";

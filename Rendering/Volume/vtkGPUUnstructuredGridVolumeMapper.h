@@ -310,7 +310,9 @@ public:
    * Return statistics of the last render. GetNumberOfDrawnCells(): the 3D cells of the input,
    * without ghost, blanked and empty cells and cells without scalars. GetNumberOfLayers(): the
    * maximum over all pixels of how often a ray enters the mesh; this call draws and waits for the
-   * GPU. GetGraphicsMemorySize(): the bytes of the mesh and the tables on the GPU.
+   * GPU. GetNumberOfSkippedCells(): the cells, or pieces of split cells, that contain no isosurface
+   * and through which no ray has passed. It is 0 unless there are only opaque isosurfaces.
+   * GetGraphicsMemorySize(): the bytes of the mesh and the tables on the GPU.
    * GetNumberOfBufferBuilds(), GetNumberOfShaderBuilds() and GetNumberOfTableBuilds() return how
    * often the mesh or its values have been uploaded, a shader built and a table computed since the
    * mapper was created. Cameras and edits of the property do not increase them, except for the
@@ -319,6 +321,7 @@ public:
    */
   vtkIdType GetNumberOfDrawnCells();
   int GetNumberOfLayers();
+  vtkIdType GetNumberOfSkippedCells();
   vtkTypeInt64 GetGraphicsMemorySize();
   vtkIdType GetNumberOfBufferBuilds();
   vtkIdType GetNumberOfValueUploads();

@@ -79,6 +79,17 @@ bool BufferTexture::UploadValues(vtkOpenGLRenderWindow* window, const std::vecto
       integerFormat, integerInternalFormat);
 }
 
+void BufferTexture::Download(std::vector<unsigned int>& values)
+{
+  values.resize(static_cast<size_t>(this->MemorySize) / sizeof(unsigned int));
+  if (!values.empty() && this->Buffer->Bind())
+  {
+    glGetBufferSubData(
+      GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(this->MemorySize), values.data());
+    this->Buffer->Release();
+  }
+}
+
 bool BufferTexture::ReserveIntegers(vtkOpenGLRenderWindow* window, size_t texels)
 {
   const size_t size = std::max<size_t>(texels, 1) * sizeof(unsigned int);

@@ -46,6 +46,9 @@ public:
     vtkOpenGLRenderWindow* window, const std::vector<unsigned int>& values, int components = 1);
   //@}
 
+  /// Read the unsigned integers of the owned buffer. This call waits for the GPU.
+  void Download(std::vector<unsigned int>& values);
+
   //@{
   /**
    * Allocate texels that compute shaders write. The content is kept if the size is the same.

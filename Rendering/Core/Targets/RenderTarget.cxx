@@ -107,7 +107,7 @@ void RenderTarget::Clear(BlendOperation operation)
   {
     glClearBufferfv(GL_COLOR, static_cast<GLint>(i), colors);
   }
-  if (IsExtremum(operation))
+  if (NeedsDepth(operation))
   {
     const float depth = operation == BlendOperation::Maximum ? 0.0f : 1.0f;
     glClearBufferfv(GL_DEPTH, 0, &depth);
@@ -130,17 +130,17 @@ void RenderTarget::Draw(BlendOperation operation, const std::function<void()>& d
   GLint equations[2] = { GL_FUNC_ADD, GL_FUNC_ADD };
   glGetIntegerv(GL_BLEND_EQUATION_RGB, &equations[0]);
   glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &equations[1]);
-  const bool isExtremum = IsExtremum(operation);
+  const bool needsDepth = NeedsDepth(operation);
   const auto isDrawn = [=](int i) { return channel < 0 || channel == i; };
   state->vtkglViewport(0, 0, static_cast<int>(this->GetTexture()->GetWidth()),
     static_cast<int>(this->GetTexture()->GetHeight()));
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglColorMask(isDrawn(0), isDrawn(1), isDrawn(2), isDrawn(3));
-  state->vtkglDepthMask(isExtremum ? GL_TRUE : GL_FALSE);
+  state->vtkglDepthMask(needsDepth ? GL_TRUE : GL_FALSE);
   state->vtkglDepthFunc(operation == BlendOperation::Maximum ? GL_GEQUAL : GL_LEQUAL);
-  state->SetEnumState(GL_DEPTH_TEST, isExtremum);
-  state->SetEnumState(GL_BLEND, !isExtremum);
+  state->SetEnumState(GL_DEPTH_TEST, needsDepth);
+  state->SetEnumState(GL_BLEND, !needsDepth);
   state->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD);
   const unsigned int kept = operation == BlendOperation::Over ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE;
   state->vtkglBlendFuncSeparate(GL_ONE, kept, GL_ONE, kept);

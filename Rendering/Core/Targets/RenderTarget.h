@@ -28,19 +28,27 @@ class vtkWindow;
 namespace relevo
 {
 /// How a fragment is combined with the pixel: it is added, it covers the pixel by its premultiplied
-/// alpha, or it replaces the pixel if its depth is at least as high, or as low.
+/// alpha, or it replaces the pixel if its depth is at least as high, or as low. Nearest is Minimum
+/// with transparent empty pixels.
 enum class BlendOperation
 {
   Add,
   Over,
   Maximum,
-  Minimum
+  Minimum,
+  Nearest
 };
 
-/// Return whether the operation depends on the depth.
+/// Return whether the operation finds extremes.
 inline bool IsExtremum(BlendOperation operation)
 {
   return operation == BlendOperation::Maximum || operation == BlendOperation::Minimum;
+}
+
+/// Return whether the operation depends on the depth.
+inline bool NeedsDepth(BlendOperation operation)
+{
+  return IsExtremum(operation) || operation == BlendOperation::Nearest;
 }
 
 class RELEVORENDERINGCORE_EXPORT RenderTarget

@@ -10,6 +10,11 @@
 
 namespace relevo
 {
+namespace
+{
+constexpr double Opaque = 0.999; // as in relevoVolumePart.glsl
+}
+
 bool SurfaceBuffer::Upload(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property,
   const TransferFunctions& functions, const Scalars& low, const Scalars& size)
 {
@@ -21,10 +26,12 @@ bool SurfaceBuffer::Upload(vtkOpenGLRenderWindow* window, vtkVolumeProperty* pro
   const double range = size[this->Component];
   const double largest = std::max(std::abs(least), std::abs(least + range));
   this->Same = static_cast<float>(IsoSurfaces::Same * std::max(largest / range, 1.0));
+  this->IsOpaque = true;
   std::vector<float> texels;
   for (double value : surfaces.GetValues())
   {
     const dvec4 color = surfaces.GetColor(functions, {}, { 0, 0.0, value });
+    this->IsOpaque = this->IsOpaque && color.w >= Opaque;
     for (double number : { std::clamp((value - least) / range, -1.0, 2.0), 0.0, 0.0, 0.0, color.x,
            color.y, color.z, color.w })
     {
@@ -40,9 +47,9 @@ void SurfaceBuffer::Activate(vtkShaderProgram* program)
   {
     this->Values.Activate(program, "isoValues");
     program->SetUniformi("numberOfIsoValues", this->NumberOfValues);
-    program->SetUniformi("isoComponent", this->Component);
     program->SetUniformi("isoCurve", this->Curve);
     program->SetUniformf("isoSame", this->Same);
   }
+  program->SetUniformi("isoComponent", this->Component);
 }
 }

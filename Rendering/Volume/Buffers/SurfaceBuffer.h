@@ -27,6 +27,10 @@ public:
   /// Return the component of the isovalues.
   int GetComponent() const { return this->Component; }
 
+  /// Return whether nothing is visible behind a surface, with colours that do not depend on
+  /// gradients.
+  bool AreOpaque() const { return this->IsOpaque; }
+
   void Activate(vtkShaderProgram* program);
   void Deactivate() { this->Values.Deactivate(); }
   void ReleaseGraphicsResources(vtkWindow* window)
@@ -38,6 +42,7 @@ public:
 private:
   BufferTexture Values;
   int NumberOfValues = 0;
+  bool IsOpaque = true;
   int Component = 0;
   int Curve = 0;
   float Same = 0.0f; // tolerance between scalars of adjacent cells

@@ -3,6 +3,7 @@
 #include "Buffers/VolumeMeshBuffers.h"
 
 #include "Mesh/RayCastMesh.h"
+#include "Mesh/TetrahedronCorners.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -22,6 +23,9 @@ bool VolumeMeshBuffers::Upload(vtkOpenGLRenderWindow* window, const RayCastMesh&
   constexpr size_t stepsOfCell = 32;
   this->MaximumSteps = static_cast<int>(
     std::min<size_t>(mesh.GetNumberOfCurvedCells() > 0 ? stepsOfCell * cells : cells, 1 << 30) + 1);
+  this->HasCorners = mesh.IsDiscontinuous || mesh.GetNumberOfTetrahedra() == 0
+    ? CornerState::Uploaded
+    : CornerState::Unknown;
   return this->UploadScalars(window, mesh) &&
     this->Buffers[PointGradients].Upload(window, mesh.PointGradients, 4) &&
     this->Buffers[PointSums].Upload(window, mesh.PointSums, 1) &&
@@ -35,10 +39,33 @@ bool VolumeMeshBuffers::Upload(vtkOpenGLRenderWindow* window, const RayCastMesh&
 
 bool VolumeMeshBuffers::UploadScalars(vtkOpenGLRenderWindow* window, const RayCastMesh& mesh)
 {
+  ++this->NumberOfUploads;
   return this->Buffers[Points].Upload(window, mesh.Points, 4) &&
     this->Buffers[PointScalars].Upload(window, mesh.PointScalars, 4) &&
     this->Buffers[CellScalars].Upload(
       window, mesh.CellScalars, mesh.CellScalars.size() > this->NumberOfCells ? 4 : 1);
+}
+
+bool VolumeMeshBuffers::AddCorners(vtkOpenGLRenderWindow* window)
+{
+  if (this->HasCorners == CornerState::Unknown)
+  {
+    this->HasCorners = this->FindCorners(window) ? CornerState::Uploaded : CornerState::Missing;
+  }
+  return this->HasCorners == CornerState::Uploaded;
+}
+
+bool VolumeMeshBuffers::FindCorners(vtkOpenGLRenderWindow* window)
+{
+  RayCastMesh mesh;
+  this->Buffers[PointSums].Download(mesh.PointSums);
+  this->Buffers[Neighbors].Download(mesh.Neighbors);
+  this->Buffers[BorderFaces].Download(mesh.BorderFaces);
+  if (this->NumberOfCells > static_cast<size_t>(this->NumberOfTetrahedra))
+  {
+    this->Buffers[CurvedCells].Download(mesh.CurvedCells);
+  }
+  return FindTetrahedronCorners(mesh) && this->Buffers[Corners].Upload(window, mesh.Corners, 4);
 }
 
 void VolumeMeshBuffers::Activate(vtkShaderProgram* program)

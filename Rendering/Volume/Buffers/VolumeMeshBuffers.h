@@ -28,12 +28,19 @@ public:
   /// fails.
   bool UploadScalars(vtkOpenGLRenderWindow* window, const RayCastMesh& mesh);
 
+  /// Upload the corners of tetrahedra, unless the mesh has them. They are found from the neighbours
+  /// on the graphics card. Return false if that is not possible.
+  bool AddCorners(vtkOpenGLRenderWindow* window);
+
   /// Activate the textures, and set their samplers and sizes.
   void Activate(vtkShaderProgram* program);
   void Deactivate();
   void ReleaseGraphicsResources(vtkWindow* window);
 
   int GetNumberOfBorderFaces() const { return this->NumberOfBorderFaces; }
+  size_t GetNumberOfCells() const { return this->NumberOfCells; }
+  /// Return the number of uploads of meshes and scalars.
+  vtkIdType GetNumberOfUploads() const { return this->NumberOfUploads; }
 
   /// Return the number of bytes.
   vtkTypeInt64 GetMemorySize() const;
@@ -46,14 +53,24 @@ private:
     CellScalars,
     PointGradients,
     PointSums,
-    Corners, // of tetrahedra, if scalars are discontinuous
+    Corners, // of tetrahedra, if scalars are discontinuous, or on request
     Neighbors,
     CurvedCells,
     BorderFaces,
     BorderTree,
     NumberOfKinds
   };
+  enum class CornerState
+  {
+    Unknown,
+    Missing, // cannot be found
+    Uploaded
+  };
+  bool FindCorners(vtkOpenGLRenderWindow* window);
+
   std::array<BufferTexture, NumberOfKinds> Buffers;
+  CornerState HasCorners = CornerState::Unknown;
+  vtkIdType NumberOfUploads = 0;
   size_t NumberOfCells = 0;
   int TreeSize = 0;
   int NumberOfBorderFaces = 0;

@@ -412,8 +412,8 @@ std::uint32_t& RayCastMeshBuilder::GetBehind(size_t face)
   }
   const size_t record = this->FaceCells[face - 4 * this->Mesh.GetNumberOfTetrahedra()] -
     this->Mesh.GetNumberOfTetrahedra();
-  return this->Mesh
-    .CurvedCells[RayCastMesh::WordsOfCurvedCell * record + 10 + face - this->FirstFaces[record]];
+  return this->Mesh.CurvedCells[RayCastMesh::WordsOfCurvedCell * record +
+    RayCastMesh::FirstNeighborWord + face - this->FirstFaces[record]];
 }
 
 // Return whether the cells of two matching faces have the same points. Then both are on the same

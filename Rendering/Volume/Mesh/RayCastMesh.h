@@ -39,6 +39,7 @@ struct RayCastMesh
   /// The index for a point without cells.
   static constexpr std::uint32_t UnusedPoint = 0xffffffff;
   static constexpr int WordsOfCurvedCell = 16;
+  static constexpr int FirstNeighborWord = 10; // of a curved cell
 
   /**
    * Build the mesh. If it is too large, return false and an error that continues "The input ".

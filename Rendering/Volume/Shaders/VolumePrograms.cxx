@@ -33,8 +33,8 @@ Dependencies MakeKey(VolumeShader shader, const VolumeShaderOptions& options)
     options.HasTables, options.HasGradientOpacity, options.HasSurfaces, options.IsClipped,
     options.NumberOfMaterials, options.FirstMaterial, options.NumberOfLights, options.PreIntegrated,
     options.HasTetrahedra, options.HasCurvedCells, options.HasQuadraticCells, options.HasPyramids,
-    options.HasFoldedFaces, options.IsDiscontinuous, options.HasHangingFaces, options.IsCutByNear,
-    options.Segments);
+    options.HasFoldedFaces, options.IsDiscontinuous, options.HasHangingFaces,
+    options.HasActiveCells, options.IsCutByNear, options.Segments);
 }
 
 std::string FinishRayShader(std::string source, const char* main)
@@ -54,6 +54,12 @@ std::pair<std::string, std::string> Compose(VolumeShader shader, const VolumeSha
       return { MakeEntriesVertexShader(options), MakeEntriesShader(options) };
     case VolumeShader::EntryCounts:
       return { screen, MakeCountShader(options) };
+    case VolumeShader::Ranges:
+      return { screen, MakeRangesShader(options) };
+    case VolumeShader::Active:
+      return { screen, MakeActiveShader(options) };
+    case VolumeShader::Nearest:
+      return { MakeEntriesVertexShader(options), MakeNearestShader(options) };
     case VolumeShader::Rays:
       return { screen, FinishRayShader(MakeRayCastShader(options), WholeRay) };
     case VolumeShader::RayLimits:

@@ -28,6 +28,9 @@ enum class VolumeShader
 {
   Entries,     // find where rays enter the mesh, by drawing its border
   EntryCounts, // find the same by a search
+  Ranges,      // find the ranges of cells
+  Active,      // find the cells with isosurfaces
+  Nearest,     // draw the nearest isosurface
   Rays,
   RayLimits,  // depth limits of cell projection
   Projection, // project cells

@@ -5,6 +5,7 @@
 #include "Targets/RenderTarget.h"
 #include "View/MeshPlanes.h"
 #include "relevoLinearSegment.h"
+#include "relevoVolumeActiveFS.h"
 #include "relevoVolumeAverage.h"
 #include "relevoVolumeBorder.h"
 #include "relevoVolumeCells.h"
@@ -23,15 +24,18 @@
 #include "relevoVolumeHanging.h"
 #include "relevoVolumeIsoSurface.h"
 #include "relevoVolumeLimitsFS.h"
+#include "relevoVolumeNearestFS.h"
 #include "relevoVolumeOutline.h"
 #include "relevoVolumePart.h"
 #include "relevoVolumePreIntegrated.h"
 #include "relevoVolumeProjectedFS.h"
 #include "relevoVolumeProjectionFS.h"
 #include "relevoVolumeProjectionVS.h"
+#include "relevoVolumeRangesFS.h"
 #include "relevoVolumeRay.h"
 #include "relevoVolumeSegments.h"
 #include "relevoVolumeShading.h"
+#include "relevoVolumeStarts.h"
 #include "relevoVolumeSteps.h"
 #include "relevoVolumeStore.h"
 #include "relevoVolumeSurfaces.h"
@@ -75,6 +79,7 @@ std::string DefineCells(const VolumeShaderOptions& options)
   Define(defines, "FOLDED", options.HasFoldedFaces);
   Define(defines, "DISCONTINUOUS", options.IsDiscontinuous);
   Define(defines, "HANGING", options.HasHangingFaces);
+  Define(defines, "ACTIVE", options.HasActiveCells);
   const bool hasSegments = options.Segments != SegmentOutput::None;
   Define(defines, "SEGMENTS", static_cast<int>(options.Segments));
   // A surface on a shared face must be in one of the pieces.
@@ -97,6 +102,7 @@ void PutRays(std::string& source, const VolumeShaderOptions& options)
   Put(source, "Ray", relevoVolumeRay);
   Put(source, "Edges", relevoVolumeEdges);
   Put(source, "Border", relevoVolumeBorder);
+  Put(source, "Starts", relevoVolumeStarts);
 }
 
 void DefineFeatures(std::ostringstream& defines, const VolumeShaderOptions& options)
@@ -183,6 +189,15 @@ void PutIntegration(std::string& source, const VolumeShaderOptions& options)
   Put(source, "Blend", GetBlending(options));
   Put(source, "Part", relevoVolumePart);
 }
+
+void PutWalk(std::string& source, const VolumeShaderOptions& options)
+{
+  Put(source, "Defines", DefineOptions(options) + DefineCells(options));
+  PutRays(source, options);
+  PutIntegration(source, options);
+  Put(source, "Walk", relevoVolumeWalk);
+  Put(source, "CurvedWalk", options.HasCurvedCells ? relevoVolumeCurvedWalk : "");
+}
 }
 
 SegmentFormat GetSegmentFormat(const VolumeShaderOptions& options)
@@ -197,6 +212,7 @@ std::string MakeEntriesVertexShader(const VolumeShaderOptions& options)
   Put(source, "Outline", relevoVolumeOutline);
   Put(source, "Defines", DefineCells(options));
   Put(source, "Cells", options.HasCurvedCells ? relevoVolumeCells : "");
+  Put(source, "Starts", relevoVolumeStarts);
   return source;
 }
 
@@ -216,14 +232,33 @@ std::string MakeCountShader(const VolumeShaderOptions& options)
   return source;
 }
 
+std::string MakeRangesShader(const VolumeShaderOptions& options)
+{
+  std::string source = relevoVolumeRangesFS;
+  Put(source, "Defines", DefineOptions(options) + DefineCells(options));
+  Put(source, "Cells", options.HasCurvedCells ? relevoVolumeCells : "");
+  return source;
+}
+
+std::string MakeActiveShader(const VolumeShaderOptions& options)
+{
+  std::string source = relevoVolumeActiveFS;
+  Put(source, "Defines", DefineOptions(options) + DefineCells(options));
+  Put(source, "Cells", options.HasCurvedCells ? relevoVolumeCells : "");
+  return source;
+}
+
+std::string MakeNearestShader(const VolumeShaderOptions& options)
+{
+  std::string source = relevoVolumeNearestFS;
+  PutWalk(source, options);
+  return source;
+}
+
 std::string MakeRayCastShader(const VolumeShaderOptions& options)
 {
   std::string source = relevoVolumeFS;
-  Put(source, "Defines", DefineOptions(options) + DefineCells(options));
-  PutRays(source, options);
-  PutIntegration(source, options);
-  Put(source, "Walk", relevoVolumeWalk);
-  Put(source, "CurvedWalk", options.HasCurvedCells ? relevoVolumeCurvedWalk : "");
+  PutWalk(source, options);
   Put(source, "Segments", options.Segments != SegmentOutput::None ? relevoVolumeSegments : "");
   if (options.Segments == SegmentOutput::Buffer)
   {

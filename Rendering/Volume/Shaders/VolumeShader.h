@@ -48,6 +48,8 @@ struct VolumeShaderOptions
   bool HasFoldedFaces = false;  // some faces are front and back faces at once
   bool IsDiscontinuous = false; // cells have different scalars at the same place
   bool HasHangingFaces = false; // several cells are behind some faces
+  /// Whether rays start at active cells instead of the border, and end behind them.
+  bool HasActiveCells = false;
   /// Whether the near plane may clip projected cells.
   bool IsCutByNear = false;
   SegmentOutput Segments = SegmentOutput::None;
@@ -62,6 +64,14 @@ std::string MakeEntriesVertexShader(const VolumeShaderOptions& options);
 std::string MakeEntriesShader(const VolumeShaderOptions& options);
 /// Return the shader that finds the entries by a search, over the viewport.
 std::string MakeCountShader(const VolumeShaderOptions& options);
+//@}
+
+//@{
+/// Return the shaders that find the ranges of cells and those with isosurfaces, and that draw the
+/// nearest surface from the faces of these cells. The vertex shader is that of entries.
+std::string MakeRangesShader(const VolumeShaderOptions& options);
+std::string MakeActiveShader(const VolumeShaderOptions& options);
+std::string MakeNearestShader(const VolumeShaderOptions& options);
 //@}
 
 /// Return the shader of the ray caster, with VTK's anchors for render passes.

@@ -73,8 +73,7 @@ std::string RayCaster::Draw(const VolumeFrame& frame, const std::array<int, 2>& 
   }
   else
   {
-    error = "There is not enough graphics memory for " + std::to_string(size[0]) + " x " +
-      std::to_string(size[1]) + " pixels: raise ImageSampleDistance.";
+    error = VolumeFrame::DescribeTooLarge(size);
   }
   this->End(frame);
   return error;

@@ -17,6 +17,12 @@ RayView VolumeFrame::GetView(const std::array<int, 4>& viewport) const
   return view;
 }
 
+std::string VolumeFrame::DescribeTooLarge(const std::array<int, 2>& size)
+{
+  return "There is not enough graphics memory for " + std::to_string(size[0]) + " x " +
+    std::to_string(size[1]) + " pixels: raise ImageSampleDistance.";
+}
+
 void VolumeFrame::Activate(vtkShaderProgram* program) const
 {
   this->Features.Planes.SetUniforms(program);

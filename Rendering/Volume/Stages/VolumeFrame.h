@@ -13,6 +13,7 @@
 #include "View/RenderPasses.h"
 
 #include <array>
+#include <string>
 
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
@@ -45,6 +46,9 @@ struct VolumeFrame
 
   /// Return the view of the mesh from another viewport.
   RayView GetView(const std::array<int, 4>& viewport) const;
+
+  /// Return the error if the target cannot have this size.
+  static std::string DescribeTooLarge(const std::array<int, 2>& size);
 
   //@{
   /// Bind all data of the volume to the current program.

@@ -83,14 +83,35 @@ bool RayView::IsBeyondNear(const dvec3& half) const
   return this->AreCornersAbove(half, dvec4(0.0, 0.0, 1.0, 1.0));
 }
 
+double RayView::GetDepth(const dvec3& point) const
+{
+  const dvec4 seen = this->MeshToClip * dvec4(point, 1.0);
+  return seen.z / seen.w - this->MiddleZ;
+}
+
+double RayView::GetDepthScale(const dvec3& half) const
+{
+  constexpr double margin = 1.01; // for rounding
+  double largest = 0.0;
+  for (int i = 0; i < 8; ++i)
+  {
+    largest = std::max(largest, std::abs(this->GetDepth(GetBoxCorner(half, i))));
+  }
+  return largest > 0.0 ? 1.0 / (margin * largest) : 1.0;
+}
+
+dvec3 RayView::GetBoxCorner(const dvec3& half, int i)
+{
+  return half * dvec3(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
+}
+
 // The plane is in clip coordinates.
 bool RayView::AreCornersAbove(const dvec3& half, const dvec4& plane) const
 {
   bool areAbove = true;
   for (int i = 0; i < 8; ++i)
   {
-    const dvec3 corner = half * dvec3(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
-    areAbove = areAbove && dot(plane, this->MeshToClip * dvec4(corner, 1.0)) > 0.0;
+    areAbove = areAbove && dot(plane, this->MeshToClip * dvec4(GetBoxCorner(half, i), 1.0)) > 0.0;
   }
   return areAbove;
 }

@@ -52,7 +52,16 @@ public:
   /// Return whether the box is completely beyond the near plane.
   bool IsBeyondNear(const dvec3& half) const;
 
+  /// Return the depth of a point as in relevoVolumeOutline.glsl, between near and far plane and
+  /// relative to that of the mesh's centre.
+  double GetDepth(const dvec3& point) const;
+  /// Return a factor that makes the depths of a box between -1 and 1. The box must be in front of
+  /// the eye.
+  double GetDepthScale(const dvec3& half) const;
+  const dmat4& GetMeshToClip() const { return this->MeshToClip; }
+
 private:
+  static dvec3 GetBoxCorner(const dvec3& half, int i);
   bool AreCornersAbove(const dvec3& half, const dvec4& plane) const;
 
   dvec4 Middle;

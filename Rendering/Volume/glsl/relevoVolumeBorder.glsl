@@ -2,8 +2,9 @@
 // of them once, in the order of depth.
 
 uniform samplerBuffer borderTree;
-uniform usamplerBuffer borderFaces;
 uniform int treeSize;
+
+//RELEVO::Starts
 
 struct Entry
 {
@@ -136,7 +137,7 @@ bool entersCurved(int face, uvec4 words, float lastDepth, int lastFace, inout En
 // Return whether the ray enters through a face, and compute the first entry after the given one.
 bool enters(int face, float lastDepth, int lastFace, inout Entry entry)
 {
-  uvec4 words = texelFetch(borderFaces, face);
+  uvec4 words = wordsOfFace(face);
 #if RELEVO_CURVED
   if (isCurvedCell(words.w))
   {

@@ -1,12 +1,12 @@
 //VTK::System::Dec
 //RELEVO::Defines
-// The projected outline of each border face: a triangle or a rectangle.
+// The projected outline of each face where rays may enter: a triangle or a rectangle.
 
 uniform samplerBuffer meshPoints;
-uniform usamplerBuffer borderFaces;
 
 //RELEVO::Outline
 //RELEVO::Cells
+//RELEVO::Starts
 
 flat out int face;
 
@@ -30,6 +30,27 @@ bool isSeenFromInside(float winding)
   return winding * determinant(meshToSeen) < 0.0 && !isUnclear(winding);
 }
 
+#if RELEVO_ACTIVE
+uniform float depthScale; // makes depths of the mesh between -1 and 1
+
+// The depth of the face's plane: the value at the origin, and the slopes.
+vec3 plane = vec3(0.0);
+
+// Find the plane of a face with these corners. The last two may be one point.
+void findPlane(vec4 a, vec4 b, vec4 c, vec4 d)
+{
+  vec3 corners[4] = vec3[4](a.xyz / a.w, b.xyz / b.w, c.xyz / c.w, d.xyz / d.w);
+  vec3 first = corners[2] - corners[0];
+  vec3 last = corners[3] - corners[1];
+  float area = first.x * last.y - first.y * last.x;
+  vec3 middle = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+  vec2 slope = isUnclear(area) ? vec2(0.0)
+                               : vec2(first.z * last.y - last.z * first.y,
+                                   last.z * first.x - first.z * last.x) / area;
+  plane = depthScale * vec3(middle.z - dot(slope, middle.xy), slope);
+}
+#endif
+
 #if RELEVO_CURVED
 // Return a corner of the rectangle around a face's corners, or around the Bezier points of a
 // quadratic face. The orientation of a bilinear face is bilinear: if its corners are seen from
@@ -49,6 +70,16 @@ vec2 getCurvedCorner(uint cell, int number, int corner)
     surround(
       isMiddle ? 2.0 * border[i] - 0.5 * (border[i - 1] + border[(i + 1) % size]) : border[i]);
   }
+#if RELEVO_ACTIVE
+  if (isQuadratic)
+  {
+    findPlane(border[0], border[2], border[4], border[4]);
+  }
+  else
+  {
+    findPlane(border[0], border[1], border[2], border[3]);
+  }
+#endif
   bool isInside = !isQuadratic;
   for (int i = 0; i < 4 && isInside; ++i)
   {
@@ -65,12 +96,16 @@ vec2 getCurvedCorner(uint cell, int number, int corner)
 vec2 getTriangleCorner(uvec3 ids, int corner)
 {
   vec2 places[3];
+  vec4 seen[3];
   for (int i = 0; i < 3; ++i)
   {
-    vec4 seen = seePoint(ids[i]);
-    surround(seen);
-    places[i] = seen.xy / seen.w;
+    seen[i] = seePoint(ids[i]);
+    surround(seen[i]);
+    places[i] = seen[i].xy / seen[i].w;
   }
+#if RELEVO_ACTIVE
+  findPlane(seen[0], seen[1], seen[2], seen[2]);
+#endif
   float winding = windingOf(places[0], places[1], places[2]);
   if (isSeenFromInside(winding))
   {
@@ -82,17 +117,25 @@ vec2 getTriangleCorner(uvec3 ids, int corner)
     : widen(places[(at + 2) % 3], places[at], places[(at + 1) % 3], winding);
 }
 
+vec2 getCorner(uvec4 words, int corner)
+{
+#if RELEVO_CURVED
+  if (isCurvedCell(words.w))
+  {
+    return getCurvedCorner(words.w, int(words.x), corner);
+  }
+#endif
+  return getTriangleCorner(words.xyz, corner);
+}
+
 void main()
 {
   face = gl_VertexID / 4;
   int corner = gl_VertexID % 4;
-  uvec4 words = texelFetch(borderFaces, face);
-#if RELEVO_CURVED
-  if (isCurvedCell(words.w))
-  {
-    gl_Position = placeOnScreen(getCurvedCorner(words.w, int(words.x), corner));
-    return;
-  }
+  uvec4 words = wordsOfFace(face);
+  vec2 place = getCorner(words, corner);
+  gl_Position = placeOnScreen(place);
+#if RELEVO_ACTIVE
+  gl_Position.z = plane.x + dot(plane.yz, place);
 #endif
-  gl_Position = placeOnScreen(getTriangleCorner(words.xyz, corner));
 }

@@ -7,9 +7,6 @@
 
 uniform usamplerBuffer pointSums;
 uniform usamplerBuffer neighbors;
-#if RELEVO_DISCONTINUOUS
-uniform usamplerBuffer tetrahedronCorners; // in ascending order
-#endif
 uniform samplerBuffer pointScalars;
 uniform samplerBuffer cellScalars;
 uniform int maximumSteps;
@@ -84,9 +81,23 @@ uint cellOfNeighbor(uint neighbor)
 #endif
 }
 
+#if RELEVO_ACTIVE
+uniform usamplerBuffer activeCells; // a bit for each cell
+
+// Return the cell, or nothing if it is not active.
+uint activeCell(uint cell)
+{
+  uint bits = cell == Nothing ? 0u : texelFetch(activeCells, int(cell / 32u)).r;
+  return ((bits >> (cell % 32u)) & 1u) != 0u ? cell : Nothing;
+}
+#endif
+
 void moveTo(uint neighbor)
 {
   walkCell = cellOfNeighbor(neighbor);
+#if RELEVO_ACTIVE
+  walkCell = activeCell(walkCell);
+#endif
 #if RELEVO_DISCONTINUOUS
   walkSide = neighbor == Nothing ? SamePoints : neighbor % 8u;
 #endif
