@@ -646,6 +646,11 @@ vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfValueUploads()
   return this->Internals->Full.Mesh.GetNumberOfValueUploads();
 }
 
+vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfNeighborSearches()
+{
+  return this->Internals->Full.Mesh.GetNumberOfNeighborSearches();
+}
+
 vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfShaderBuilds()
 {
   return this->Internals->Programs.GetNumberOfBuilds();
@@ -677,6 +682,7 @@ void vtkGPUUnstructuredGridVolumeMapper::PrintSelf(ostream& os, vtkIndent indent
   os << indent << "NumberOfSkippedCells: " << this->GetNumberOfSkippedCells() << "\n";
   os << indent << "NumberOfBufferBuilds: " << this->GetNumberOfBufferBuilds() << "\n";
   os << indent << "NumberOfValueUploads: " << this->GetNumberOfValueUploads() << "\n";
+  os << indent << "NumberOfNeighborSearches: " << this->GetNumberOfNeighborSearches() << "\n";
   os << indent << "NumberOfShaderBuilds: " << this->GetNumberOfShaderBuilds() << "\n";
   os << indent << "NumberOfTableBuilds: " << this->GetNumberOfTableBuilds() << "\n";
 }

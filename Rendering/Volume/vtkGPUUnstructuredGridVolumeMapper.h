@@ -236,9 +236,10 @@ public:
   //@{
   /**
    * Set whether the sources of the scalars stay in the memory of the process after an upload: 4
-   * bytes per point, and 8 bytes per cell if scalars are of cells. They are needed to upload new
-   * values on the same points and cells without building the mesh. On by default. If it is switched
-   * on again, it applies to the next mesh that is built.
+   * bytes per point, and 8 bytes per cell if scalars are of cells. With shading, the cells stay
+   * too: about 140 bytes per hexahedron. They are needed to upload new values on the same points
+   * and cells without building the mesh. On by default. If it is switched on again, it applies to
+   * the next mesh that is built.
    */
   vtkSetMacro(KeepHostData, bool);
   vtkGetMacro(KeepHostData, bool);
@@ -317,13 +318,16 @@ public:
    * often the mesh or its values have been uploaded, a shader built and a table computed since the
    * mapper was created. Cameras and edits of the property do not increase them, except for the
    * tables of pre-integration. GetNumberOfValueUploads(): the uploads of new values on the same
-   * points and cells, without building the mesh. They need ray casting without shading.
+   * points and cells, without building the mesh.
+   * GetNumberOfNeighborSearches(): the uploads that did not take the neighbours of cells from the
+   * mesh before, as moved points do.
    */
   vtkIdType GetNumberOfDrawnCells();
   int GetNumberOfLayers();
   vtkIdType GetNumberOfSkippedCells();
   vtkTypeInt64 GetGraphicsMemorySize();
   vtkIdType GetNumberOfBufferBuilds();
+  vtkIdType GetNumberOfNeighborSearches();
   vtkIdType GetNumberOfValueUploads();
   vtkIdType GetNumberOfShaderBuilds();
   vtkIdType GetNumberOfTableBuilds();

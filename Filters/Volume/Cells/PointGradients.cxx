@@ -52,14 +52,19 @@ Share ComputeShare(const VolumeCells& cells, const VolumeCells::Cell& cell)
 }
 }
 
-// Gradients are summed in the order of cells, so that the number of threads has no effect.
 std::vector<Gradients> ComputePointGradients(const VolumeCells& cells)
+{
+  return ComputePointGradients(cells, MergeCellPoints(cells).Points);
+}
+
+// Gradients are summed in the order of cells, so that the number of threads has no effect.
+std::vector<Gradients> ComputePointGradients(
+  const VolumeCells& cells, const std::vector<vtkIdType>& merged)
 {
   const size_t own = cells.GetCells().size();
   const size_t number = own + cells.GetGhosts().size();
   const auto get = [&](size_t i) -> const VolumeCells::Cell&
   { return i < own ? cells.GetCells()[i] : cells.GetGhosts()[i - own]; };
-  const std::vector<vtkIdType> merged = MergeCellPoints(cells).Points;
   std::vector<Gradients> gradients(merged.size());
   std::vector<double> volumes(merged.size(), 0.0);
   std::vector<Share> batch(std::min(BatchSize, number));

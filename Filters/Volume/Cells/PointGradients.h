@@ -11,6 +11,7 @@
 
 #include "Integral/Ray.h"
 #include "RelevoFiltersVolumeModule.h" // for export macro
+#include "vtkType.h"
 
 #include <vector>
 
@@ -24,6 +25,9 @@ class VolumeCells;
  * MergeCellPoints(), have the same gradient. It is 0 if no adjacent cell has point scalars.
  */
 RELEVOFILTERSVOLUME_EXPORT std::vector<Gradients> ComputePointGradients(const VolumeCells& cells);
+/// The same if the merged points are known.
+RELEVOFILTERSVOLUME_EXPORT std::vector<Gradients> ComputePointGradients(
+  const VolumeCells& cells, const std::vector<vtkIdType>& merged);
 }
 
 #endif

@@ -26,6 +26,7 @@
 
 #include <array>
 #include <string> // for messages
+#include <utility>
 #include <vector>
 
 class vtkDataArray;
@@ -97,6 +98,8 @@ public:
   vtkIdType GetCornerId(const Cell& cell, int i) const;
   const std::vector<dvec3>& GetPoints() const { return this->Points; }
   const std::vector<Scalars>& GetPointScalars() const { return this->PointScalars; }
+  /// Replaces the scalars of all points by finite ones.
+  void SetPointScalars(std::vector<Scalars> scalars) { this->PointScalars = std::move(scalars); }
   const std::vector<Scalars>& GetCellScalars() const { return this->CellScalars; }
   TetrahedronCorners GetTetrahedron(const Cell& cell) const;
   CurvedCell GetCurved(const Cell& cell) const;

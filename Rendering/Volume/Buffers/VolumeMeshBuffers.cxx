@@ -27,7 +27,6 @@ bool VolumeMeshBuffers::Upload(vtkOpenGLRenderWindow* window, const RayCastMesh&
     ? CornerState::Uploaded
     : CornerState::Unknown;
   return this->UploadScalars(window, mesh) &&
-    this->Buffers[PointGradients].Upload(window, mesh.PointGradients, 4) &&
     this->Buffers[PointSums].Upload(window, mesh.PointSums, 1) &&
     this->Buffers[Corners].Upload(
       window, mesh.IsDiscontinuous ? mesh.Corners : std::vector<std::uint32_t>(), 4) &&
@@ -40,10 +39,26 @@ bool VolumeMeshBuffers::Upload(vtkOpenGLRenderWindow* window, const RayCastMesh&
 bool VolumeMeshBuffers::UploadScalars(vtkOpenGLRenderWindow* window, const RayCastMesh& mesh)
 {
   ++this->NumberOfUploads;
-  return this->Buffers[Points].Upload(window, mesh.Points, 4) &&
+  return this->Buffers[PointGradients].Upload(window, mesh.PointGradients, 4) &&
+    this->Buffers[Points].Upload(window, mesh.Points, 4) &&
     this->Buffers[PointScalars].Upload(window, mesh.PointScalars, 4) &&
     this->Buffers[CellScalars].Upload(
       window, mesh.CellScalars, mesh.CellScalars.size() > this->NumberOfCells ? 4 : 1);
+}
+
+// Empty buffers have one texel.
+void VolumeMeshBuffers::Download(RayCastMesh& mesh)
+{
+  if (this->NumberOfTetrahedra > 0)
+  {
+    this->Buffers[PointSums].Download(mesh.PointSums);
+    this->Buffers[Neighbors].Download(mesh.Neighbors);
+  }
+  if (this->NumberOfCells > static_cast<size_t>(this->NumberOfTetrahedra))
+  {
+    this->Buffers[CurvedCells].Download(mesh.CurvedCells);
+  }
+  this->Buffers[BorderFaces].Download(mesh.BorderFaces);
 }
 
 bool VolumeMeshBuffers::AddCorners(vtkOpenGLRenderWindow* window)
@@ -58,13 +73,7 @@ bool VolumeMeshBuffers::AddCorners(vtkOpenGLRenderWindow* window)
 bool VolumeMeshBuffers::FindCorners(vtkOpenGLRenderWindow* window)
 {
   RayCastMesh mesh;
-  this->Buffers[PointSums].Download(mesh.PointSums);
-  this->Buffers[Neighbors].Download(mesh.Neighbors);
-  this->Buffers[BorderFaces].Download(mesh.BorderFaces);
-  if (this->NumberOfCells > static_cast<size_t>(this->NumberOfTetrahedra))
-  {
-    this->Buffers[CurvedCells].Download(mesh.CurvedCells);
-  }
+  this->Download(mesh);
   return FindTetrahedronCorners(mesh) && this->Buffers[Corners].Upload(window, mesh.Corners, 4);
 }
 

@@ -24,9 +24,12 @@ public:
   /// Upload a mesh. Return false if it does not fit into the buffer textures of this OpenGL.
   bool Upload(vtkOpenGLRenderWindow* window, const RayCastMesh& mesh);
 
-  /// Upload the points and scalars of a mesh that has been uploaded. Return false if the upload
-  /// fails.
+  /// Upload the points, scalars and gradients of a mesh that has been uploaded. Return false if the
+  /// upload fails.
   bool UploadScalars(vtkOpenGLRenderWindow* window, const RayCastMesh& mesh);
+
+  /// Read sums, neighbours, curved cells and border faces of the mesh that has been uploaded.
+  void Download(RayCastMesh& mesh);
 
   /// Upload the corners of tetrahedra, unless the mesh has them. They are found from the neighbours
   /// on the graphics card. Return false if that is not possible.

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/MeshValues.h"
 
+#include "Cells/MergedCellPoints.h"
 #include "Cells/MeshScalars.h"
+#include "Cells/PointGradients.h"
 #include "Cells/VolumeCells.h"
 #include "Mesh/MeshExtent.h"
 #include "Mesh/RayCastMesh.h"
@@ -23,7 +25,12 @@ bool AreFinite(const std::vector<Scalars>& all)
 }
 }
 
-void MeshValues::Keep(const VolumeCells& cells, RayCastMesh& mesh)
+MeshValues::MeshValues() = default;
+MeshValues::~MeshValues() = default;
+MeshValues::MeshValues(MeshValues&& other) = default;
+MeshValues& MeshValues::operator=(MeshValues&& other) = default;
+
+void MeshValues::Keep(VolumeCells& cells, RayCastMesh& mesh)
 {
   this->Clear();
   if (!AreFinite(cells.GetPointScalars()) || !AreFinite(cells.GetCellScalars()))
@@ -37,6 +44,14 @@ void MeshValues::Keep(const VolumeCells& cells, RayCastMesh& mesh)
   this->NumberOfTuples =
     cells.HasCellScalars() ? cells.GetCellScalars().size() : cells.GetPointScalars().size();
   this->PointIds = std::move(mesh.PointIds);
+  if (!mesh.PointGradients.empty())
+  {
+    if (!mesh.IsDiscontinuous)
+    {
+      this->MergedPoints = MergeCellPoints(cells).Points;
+    }
+    this->Cells = std::make_unique<VolumeCells>(std::move(cells));
+  }
 }
 
 // Return the tuple of each point or cell of the mesh, or nothing if merged points now differ.
@@ -87,7 +102,7 @@ std::vector<dvec3> MeshValues::GetPoints(const std::vector<MeshScalars>& sets) c
 }
 
 bool MeshValues::Replace(const std::vector<MeshScalars>& sets,
-  const std::vector<ScalarChoice>& choices, int numberOfComponents, RayCastMesh& mesh) const
+  const std::vector<ScalarChoice>& choices, int numberOfComponents, RayCastMesh& mesh)
 {
   std::vector<Scalars> all;
   for (size_t i = 0; i < sets.size(); ++i)
@@ -116,6 +131,15 @@ bool MeshValues::Replace(const std::vector<MeshScalars>& sets,
   }
   mesh.SetPoints(this->GetPoints(sets));
   mesh.SetScalars(used, numberOfComponents, !this->CellIds.empty(), extent);
+  if (this->Cells)
+  {
+    this->Cells->SetPointScalars(std::move(all));
+    // Points of discontinuous scalars may have the same scalars now.
+    mesh.SetGradients(this->MergedPoints.empty()
+        ? ComputePointGradients(*this->Cells)
+        : ComputePointGradients(*this->Cells, this->MergedPoints),
+      tuples, numberOfComponents);
+  }
   return true;
 }
 }

@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace relevo
@@ -29,18 +30,24 @@ struct RayCastMesh;
 class MeshValues
 {
 public:
-  /// Take the sources of scalars from a mesh that was built of these cells.
-  void Keep(const VolumeCells& cells, RayCastMesh& mesh);
+  MeshValues();
+  ~MeshValues();
+  MeshValues(MeshValues&& other);
+  MeshValues& operator=(MeshValues&& other);
+
+  /// Take the sources of scalars from a mesh that was built of these cells. If the mesh has
+  /// gradients, the cells are moved here to compute them again.
+  void Keep(VolumeCells& cells, RayCastMesh& mesh);
   void Clear() { *this = MeshValues(); }
   bool IsEmpty() const { return this->PointIds.empty() && this->CellIds.empty(); }
 
   /**
-   * Store points and scalars in a mesh, which has its transformation of positions. Return false if
-   * the mesh must be built again. There is a choice for each data set; all have the same
-   * association as before.
+   * Store points, scalars and gradients in a mesh, which has its transformation of positions.
+   * Return false if the mesh must be built again. There is a choice for each data set; all have the
+   * same association as before.
    */
   bool Replace(const std::vector<MeshScalars>& sets, const std::vector<ScalarChoice>& choices,
-    int numberOfComponents, RayCastMesh& mesh) const;
+    int numberOfComponents, RayCastMesh& mesh);
 
 private:
   std::vector<vtkIdType> FindTuples(const std::vector<Scalars>& all) const;
@@ -49,6 +56,8 @@ private:
   std::vector<std::uint32_t> PointIds; // see RayCastMesh
   std::vector<vtkIdType> CellIds;
   size_t NumberOfTuples = 0;
+  std::unique_ptr<VolumeCells> Cells;  // only with gradients
+  std::vector<vtkIdType> MergedPoints; // of continuous scalars, see MergeCellPoints()
 };
 }
 

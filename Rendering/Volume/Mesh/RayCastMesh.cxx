@@ -65,6 +65,10 @@ public:
   void AddGradients();
   void AddCells();
   void FindMatches();
+  /// Take the neighbours of an earlier mesh. Return false if it does not have the same cells.
+  bool TakeNeighbors(RayCastMesh& known);
+  void ForgetNeighbors();
+  bool HasHanging() const { return !this->Hanging.IsEmpty(); }
   /// Find faces with several cells behind them. Return the tetrahedra that must be stored as curved
   /// cells, if there are any.
   std::vector<bool> FindHanging();
@@ -97,6 +101,7 @@ private:
   FloatBox GetBox(size_t face) const;
   bool FacesInwards(const Face& face, std::uint32_t tetrahedron) const;
   void AddBorderFace(size_t face);
+  bool HasCellsOf(const RayCastMesh& known) const;
 
   const VolumeCells& Cells;
   const int NumberOfComponents;
@@ -229,18 +234,8 @@ void RayCastMeshBuilder::AddGradients()
   {
     return;
   }
-  const std::vector<Gradients> all = ComputePointGradients(this->Cells);
-  for (vtkIdType point : this->OldIds)
-  {
-    for (int c = 0; c < this->NumberOfComponents; ++c)
-    {
-      const dvec3 gradient = this->Mesh.Radius / this->Mesh.ScalarSize[c] * all[point][c];
-      for (double value : { gradient.x, gradient.y, gradient.z, 0.0 })
-      {
-        this->Mesh.PointGradients.push_back(static_cast<float>(value));
-      }
-    }
-  }
+  this->Mesh.SetGradients(
+    ComputePointGradients(this->Cells), this->OldIds, this->NumberOfComponents);
 }
 
 void RayCastMeshBuilder::AddTetrahedron(const VolumeCells::Cell& cell)
@@ -489,6 +484,63 @@ std::array<std::uint32_t, 4> RayCastMeshBuilder::GetTetrahedron(size_t index) co
   const Face& first = this->Faces[4 * index + 3];
   return { { static_cast<std::uint32_t>(first[0]), static_cast<std::uint32_t>(last[0]),
     static_cast<std::uint32_t>(last[1]), static_cast<std::uint32_t>(last[2]) } };
+}
+
+// Return whether another mesh has the same cells of the same points. Its corners are known.
+bool RayCastMeshBuilder::HasCellsOf(const RayCastMesh& known) const
+{
+  if (known.PointSums != this->Mesh.PointSums ||
+    known.CurvedCells.size() != this->Mesh.CurvedCells.size())
+  {
+    return false;
+  }
+  for (size_t i = 0; i < this->KeptTetrahedra.size(); ++i)
+  {
+    const std::array<std::uint32_t, 4> corners = this->GetTetrahedron(i);
+    if (!std::equal(corners.begin(), corners.end(), known.Corners.begin() + 4 * i))
+    {
+      return false;
+    }
+  }
+  for (size_t i = 0; i < known.CurvedCells.size(); i += RayCastMesh::WordsOfCurvedCell)
+  {
+    const auto here = this->Mesh.CurvedCells.begin() + i;
+    const auto there = known.CurvedCells.begin() + i;
+    const bool isQuadratic = here[RayCastMesh::WordsOfCurvedCell - 1] == RayCastMesh::Quadratic;
+    if (!std::equal(here, here + RayCastMesh::FirstNeighborWord, there) ||
+      isQuadratic != (there[RayCastMesh::WordsOfCurvedCell - 1] == RayCastMesh::Quadratic))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool RayCastMeshBuilder::TakeNeighbors(RayCastMesh& known)
+{
+  if (this->Mesh.IsDiscontinuous || !this->HasCellsOf(known))
+  {
+    return false;
+  }
+  this->Mesh.Neighbors = std::move(known.Neighbors);
+  this->Mesh.CurvedCells = std::move(known.CurvedCells);
+  this->Mesh.HasKnownNeighbors = true;
+  for (size_t face = 0; face < this->Faces.size(); ++face)
+  {
+    if (this->GetBehind(face) == RayCastMesh::InvalidCell && IsFace(this->Faces[face]))
+    {
+      this->Border.push_back(face);
+    }
+  }
+  return true;
+}
+
+// Keep the points of cells only.
+void RayCastMeshBuilder::ForgetNeighbors()
+{
+  this->Mesh.HasKnownNeighbors = false;
+  this->Border.clear();
+  this->Hanging = HangingFaces();
 }
 
 // Return the centre of a face's cell.
@@ -753,7 +805,7 @@ void RayCastMeshBuilder::BuildBorder()
 }
 
 bool RayCastMesh::Build(const VolumeCells& cells, int numberOfComponents, std::string& error,
-  bool withCorners, bool withGradients, const MeshExtent* whole)
+  bool withCorners, bool withGradients, const MeshExtent* whole, RayCastMesh* known)
 {
   const MeshExtent extent = whole ? *whole : MeshExtent::Of(cells, numberOfComponents);
   std::vector<bool> records;
@@ -773,8 +825,19 @@ bool RayCastMesh::Build(const VolumeCells& cells, int numberOfComponents, std::s
     }
     builder.StorePoints();
     builder.AddCells();
-    builder.FindMatches();
+    const bool isTaken = known && builder.TakeNeighbors(*known);
+    known = nullptr;
+    if (!isTaken)
+    {
+      builder.FindMatches();
+    }
     more = builder.FindHanging();
+    if (isTaken && builder.HasHanging())
+    {
+      builder.ForgetNeighbors();
+      builder.FindMatches();
+      more = builder.FindHanging();
+    }
     if (!more.empty()) // all of them are among the curved cells the next time
     {
       records.resize(more.size(), false);
@@ -787,7 +850,10 @@ bool RayCastMesh::Build(const VolumeCells& cells, int numberOfComponents, std::s
     {
       builder.AddGradients();
     }
-    builder.FindNeighbors();
+    if (!this->HasKnownNeighbors)
+    {
+      builder.FindNeighbors();
+    }
     builder.AddHanging();
     error = builder.DescribeSize();
     if (!error.empty())
@@ -843,6 +909,23 @@ void RayCastMesh::SetScalars(const std::vector<Scalars>& scalars, int numberOfCo
   }
 }
 
+void RayCastMesh::SetGradients(
+  const std::vector<Gradients>& all, const std::vector<vtkIdType>& points, int numberOfComponents)
+{
+  this->PointGradients.clear();
+  for (vtkIdType point : points)
+  {
+    for (int c = 0; c < numberOfComponents; ++c)
+    {
+      const dvec3 gradient = this->Radius / this->ScalarSize[c] * all[point][c];
+      for (double value : { gradient.x, gradient.y, gradient.z, 0.0 })
+      {
+        this->PointGradients.push_back(static_cast<float>(value));
+      }
+    }
+  }
+}
+
 void RayCastMesh::Release()
 {
   RayCastMesh rest;
@@ -855,6 +938,7 @@ void RayCastMesh::Release()
   rest.HasFoldedFaces = this->HasFoldedFaces;
   rest.IsDiscontinuous = this->IsDiscontinuous;
   rest.HasHangingFaces = this->HasHangingFaces;
+  rest.NumberOfSharedFaces = this->NumberOfSharedFaces;
   rest.ScalarLow = this->ScalarLow;
   rest.ScalarSize = this->ScalarSize;
   rest.ScalarHigh = this->ScalarHigh;

@@ -22,6 +22,7 @@
 #ifndef RayCastMesh_h
 #define RayCastMesh_h
 
+#include "Integral/Ray.h" // for Gradients
 #include "Mesh/MeshExtent.h"
 
 #include <cstdint> // for numbers of points and cells
@@ -48,9 +49,14 @@ struct RayCastMesh
    *
    * If the cells are a piece of a mesh, `whole` is the extent of the whole mesh. Points are then
    * sorted by position, so that the order of two points does not depend on the piece.
+   *
+   * `known` is an earlier mesh without discontinuous scalars and shared faces, of which only sums,
+   * corners, neighbours and curved cells are needed. If it has the same cells of the same points,
+   * its neighbours are moved here, unless points hang.
    */
   bool Build(const VolumeCells& cells, int numberOfComponents, std::string& error,
-    bool withCorners = false, bool withGradients = false, const MeshExtent* whole = nullptr);
+    bool withCorners = false, bool withGradients = false, const MeshExtent* whole = nullptr,
+    RayCastMesh* known = nullptr);
 
   /// Store points with the transformation of positions.
   void SetPoints(const std::vector<dvec3>& points);
@@ -58,6 +64,10 @@ struct RayCastMesh
   /// points.
   void SetScalars(const std::vector<Scalars>& scalars, int numberOfComponents, bool areOfCells,
     const MeshExtent& whole);
+
+  /// Store the gradients of these points of the data sets, one for each point here.
+  void SetGradients(const std::vector<Gradients>& all, const std::vector<vtkIdType>& points,
+    int numberOfComponents);
 
   /// Free the arrays. The transformations of positions and scalars stay.
   void Release();
@@ -138,6 +148,7 @@ struct RayCastMesh
   std::vector<float> BorderTree; // see FlattenTree()
   /// The number of faces with several cells on the same side, which are treated as border faces.
   size_t NumberOfSharedFaces = 0;
+  bool HasKnownNeighbors = false; // of an earlier mesh
 };
 }
 

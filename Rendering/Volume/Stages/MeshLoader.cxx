@@ -11,6 +11,7 @@
 #include "Checks/InputType.h"
 #include "Checks/ShouldReport.h"
 #include "Mesh/MeshSignature.h"
+#include "Mesh/TetrahedronCorners.h"
 #include "Stages/MapperArray.h"
 
 #include "vtkDataArray.h"
@@ -120,8 +121,10 @@ bool MeshLoader::Load(const MeshRequest& request, StageReport& report)
 // Keep the mesh if only values have changed.
 bool MeshLoader::ReplaceValues(const MeshRequest& request, StageReport& report)
 {
-  if (!this->HasMesh || this->Signature.empty() || this->IsPiece || request.HasCorners ||
-    request.LevelOfDetail > 0.0 || request.IsShaded || !this->CheckType(request, report))
+  if (!this->HasMesh || this->Signature.empty() || this->IsPiece ||
+    request.HasCorners != this->HasCorners || request.LevelOfDetail > 0.0 ||
+    (request.IsShaded && !this->HasGradients && !this->Mesh.HasCellScalars) ||
+    !this->CheckType(request, report))
   {
     return false;
   }
@@ -314,6 +317,20 @@ void MeshLoader::SplitCurved(
   }
 }
 
+// Read the cells of the mesh on the graphics card. Return false if their neighbours depend on more
+// than the ids of points.
+bool MeshLoader::ReadCells(RayCastMesh& mesh)
+{
+  const RayCastMesh& layout = this->Mesh.Layout;
+  if (!this->IsUploaded || layout.IsDiscontinuous || layout.HasHangingFaces ||
+    layout.NumberOfSharedFaces > 0)
+  {
+    return false;
+  }
+  this->Mesh.Buffers.Download(mesh);
+  return FindTetrahedronCorners(mesh);
+}
+
 bool MeshLoader::Upload(const MeshRequest& request, VolumeCells& cells, StageReport& report)
 {
   const bool isNew = this->Reported.Update(FindMesh(request));
@@ -324,9 +341,12 @@ bool MeshLoader::Upload(const MeshRequest& request, VolumeCells& cells, StageRep
     this->SplitCurved(request, isNew, cells, report);
   }
   RayCastMesh& layout = this->Mesh.Layout;
+  RayCastMesh known;
+  const bool isKnown = !request.Whole && this->ReadCells(known);
+  this->IsUploaded = false;
   std::string error;
   if (!layout.Build(cells, this->Mesh.NumberOfComponents, error, request.HasCorners,
-        this->HasGradients, request.Whole))
+        this->HasGradients, request.Whole, isKnown ? &known : nullptr))
   {
     report.Errors.push_back("The input " + error + ".");
     return false;
@@ -346,15 +366,17 @@ bool MeshLoader::Upload(const MeshRequest& request, VolumeCells& cells, StageRep
   }
   this->Mesh.HasTetrahedra = layout.GetNumberOfTetrahedra() > 0;
   this->Mesh.HasCurvedCells = layout.GetNumberOfCurvedCells() > 0;
+  this->NumberOfDrawnCells = cells.GetCounts().GetSum().Drawn;
   this->Values.Clear();
-  if (request.KeepsHostData && !request.HasCorners && !request.Whole && !this->HasGradients &&
-    !isCurved)
+  if (request.KeepsHostData && !request.Whole && !isCurved && request.LevelOfDetail == 0.0)
   {
     this->Values.Keep(cells, layout);
   }
+  this->IsUploaded = !request.Whole;
+  this->HasCorners = request.HasCorners;
+  this->NumberOfNeighborSearches += layout.HasKnownNeighbors ? 0 : 1;
   layout.Release();
   ++this->NumberOfBuilds;
-  this->NumberOfDrawnCells = cells.GetCounts().GetSum().Drawn;
   return true;
 }
 
@@ -368,6 +390,7 @@ void MeshLoader::ReleaseGraphicsResources(vtkWindow* window)
   this->Mesh.Buffers.ReleaseGraphicsResources(window);
   this->Mesh.Cells.ReleaseGraphicsResources(window);
   this->HasMesh = false;
+  this->IsUploaded = false;
   this->Known.Clear();
 }
 }

@@ -90,6 +90,8 @@ public:
   /// Return the number of uploads, and of those that replaced only values.
   vtkIdType GetNumberOfBuilds() const { return this->NumberOfBuilds; }
   vtkIdType GetNumberOfValueUploads() const { return this->NumberOfValueUploads; }
+  /// Return the number of uploads that did not take the neighbours of the mesh before.
+  vtkIdType GetNumberOfNeighborSearches() const { return this->NumberOfNeighborSearches; }
 
   /// Return the cells of the last load, once, for a simplified mesh with one component. Return null
   /// if there are none.
@@ -110,6 +112,7 @@ private:
   bool Upload(const MeshRequest& request, VolumeCells& cells, StageReport& report);
   void SplitCurved(
     const MeshRequest& request, bool isNew, VolumeCells& cells, StageReport& report) const;
+  bool ReadCells(RayCastMesh& mesh);
   bool ReplaceValues(const MeshRequest& request, StageReport& report);
 
   VolumeMesh Mesh;
@@ -127,6 +130,9 @@ private:
   vtkIdType NumberOfDrawnCells = 0;
   vtkIdType NumberOfBuilds = 0;
   vtkIdType NumberOfValueUploads = 0;
+  vtkIdType NumberOfNeighborSearches = 0;
+  bool IsUploaded = false; // whether the buffers have a mesh
+  bool HasCorners = false; // of the mesh in the buffers
 
   /// The mesh whose cells have been reported. Settings that rebuild it do not repeat the report.
   Dependencies Reported;

@@ -227,7 +227,18 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeStep(const TaskCase& which, double fact
 // takes most of the time.
 void AddSteps(const TaskCase& which, const TaskEffort& effort, TaskTable& table)
 {
-  const auto property = which.Scene.MakeProperty(which.Mesh, 11);
+  struct Kind
+  {
+    const char* Name;
+    bool IsMoved;
+    bool IsShaded;
+    VolumeWay Way;
+    double Asked;
+  };
+  const Kind kinds[] = { { "new values", false, false, VolumeWay::Exact, 0.15 },
+    { "new values with shading", false, true, VolumeWay::Exact, 0.15 },
+    { "new values with cell projection", false, false, VolumeWay::Projection, 0.15 },
+    { "moved points", true, false, VolumeWay::Exact, 1.0 } };
   BenchmarkView view(32, 32);
   view.LookAt(which.Mesh->GetBounds());
   const auto time = [&](vtkVolume* volume, vtkUnstructuredGrid* step)
@@ -238,22 +249,27 @@ void AddSteps(const TaskCase& which, const TaskEffort& effort, TaskTable& table)
     view.TimeFrame();
     return stopwatch.GetSeconds();
   };
-  std::vector<double> seconds[4];
-  for (const bool isMoved : { false, true })
+  for (const Kind& kind : kinds)
   {
-    const auto steps = MakeVolume(VolumeWay::Exact, which.Mesh, property);
+    const auto property = which.Scene.MakeProperty(which.Mesh, 11);
+    property->SetShade(kind.IsShaded);
+    std::vector<double> ours;
+    std::vector<double> built;
+    const auto steps = MakeVolume(kind.Way, which.Mesh, property);
     time(steps, which.Mesh);
     for (int round = 0; round < effort.Rounds; ++round)
     {
       const double share = 0.1 * (round + 1);
-      const auto step = isMoved ? MakeStep(which, 1.0, share) : MakeStep(which, 1.0 - share, 0.0);
-      seconds[isMoved ? 2 : 0].push_back(time(steps, step));
-      seconds[isMoved ? 3 : 1].push_back(
-        time(MakeVolume(VolumeWay::Exact, which.Mesh, property), step));
+      const auto step =
+        kind.IsMoved ? MakeStep(which, 1.0, share) : MakeStep(which, 1.0 - share, 0.0);
+      ours.push_back(time(steps, step));
+      const auto other = MakeVolume(kind.Way, which.Mesh, property);
+      built.push_back(time(other, step));
+      view.GetRenderer()->RemoveViewProp(other);
     }
+    view.GetRenderer()->RemoveViewProp(steps);
+    table.Add(std::string(kind.Name) + " to picture", ours, "a new mesh", built, kind.Asked);
   }
-  table.Add("new values to picture", seconds[0], "a new mesh", seconds[1], 0.15);
-  table.Add("moved points to picture", seconds[2], "a new mesh", seconds[3], 1.0);
 }
 
 // With a translucent sphere inside.

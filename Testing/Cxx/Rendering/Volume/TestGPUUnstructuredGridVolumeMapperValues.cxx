@@ -4,6 +4,7 @@
 // picture of a new mapper.
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
+#include "RelevoRefinedCells.h"
 #include "RelevoVolumeScene.h"
 
 #include "vtkCellData.h"
@@ -184,6 +185,75 @@ void TestCoincidentPoints(RelevoCheck& check)
   CHECK(!IsBuilt(check, scene, MakeStep(mesh, 3)));
 }
 
+// Return a step whose points are moved along x by up to `bend`.
+vtkSmartPointer<vtkDataSet> MakeMoved(vtkUnstructuredGrid* mesh, int step, double bend)
+{
+  const auto moved = MakeStep(mesh, step);
+  vtkPoints* points = vtkUnstructuredGrid::SafeDownCast(moved)->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    points->GetPoint(i, point);
+    points->SetPoint(i, point[0] + bend * point[1] * point[1], 1.2 * point[1], point[2]);
+  }
+  return moved;
+}
+
+// Moved points keep the neighbours, unless they separate or join cells.
+void TestMovedPoints(RelevoCheck& check)
+{
+  for (const int type : { VTK_TETRA, VTK_WEDGE })
+  {
+    CHECK_CASE(type);
+    const auto mesh = MakeBlocksOfCells(type, GetWaves);
+    RelevoVolumeScene scene(MakeStep(mesh, 1), MakeProperty(), Width, Height);
+    scene.Draw();
+    CHECK(IsBuilt(check, scene, MakeMoved(mesh, 2, 0.1)));
+    CHECK_EQUAL(scene.GetMapper()->GetNumberOfNeighborSearches(), 1);
+    const auto apart = MakeDiscontinuous(mesh, 0.0);
+    for (vtkIdType i = 0; i < 4; ++i)
+    {
+      double point[3];
+      apart->GetPoint(i, point);
+      apart->GetPoints()->SetPoint(i, point[0] - 1.0, point[1], point[2]);
+    }
+    CHECK(IsBuilt(check, scene, apart));
+    CHECK_EQUAL(scene.GetMapper()->GetNumberOfNeighborSearches(), 2);
+  }
+}
+
+// Hanging points depend on positions.
+void TestHangingPoints(RelevoCheck& check)
+{
+  RelevoRefinedCells cells;
+  cells.Levels = 1;
+  cells.Field = GetWaves;
+  const auto mesh = cells.Make(VTK_HEXAHEDRON);
+  RelevoVolumeScene scene(MakeMoved(mesh, 1, 0.5), MakeProperty(), Width, Height);
+  scene.Draw();
+  for (const double bend : { 0.0, 0.5 })
+  {
+    CHECK(IsBuilt(check, scene, MakeMoved(mesh, 2, bend)));
+  }
+  CHECK_EQUAL(scene.GetMapper()->GetNumberOfNeighborSearches(), 3);
+}
+
+// New values for cell projection keep the mesh too, but not those of the other method.
+void TestProjection(RelevoCheck& check)
+{
+  const auto mesh = MakeBlocksOfCells(VTK_HEXAHEDRON, GetWaves);
+  RelevoVolumeScene scene(MakeStep(mesh, 1), MakeProperty(), Width, Height);
+  scene.Draw();
+  RelevoVolumeScene::SetMethod(vtkGPUUnstructuredGridVolumeMapper::CELL_PROJECTION);
+  scene.GetMapper()->SetMethodToCellProjection();
+  CHECK(IsBuilt(check, scene, MakeStep(mesh, 2)));
+  CHECK(!IsBuilt(check, scene, MakeStep(mesh, 3)));
+  RelevoVolumeScene::SetMethod(vtkGPUUnstructuredGridVolumeMapper::RAY_CASTING);
+  scene.GetMapper()->SetMethodToRayCasting();
+  CHECK(IsBuilt(check, scene, MakeStep(mesh, 4)));
+  CHECK(!IsBuilt(check, scene, MakeStep(mesh, 5)));
+}
+
 // Without host data, new values build the mesh.
 void TestHostData(RelevoCheck& check)
 {
@@ -199,16 +269,24 @@ void TestHostData(RelevoCheck& check)
   CHECK(IsBuilt(check, scene, MakeStep(mesh, 5)));
 }
 
-// Shading needs gradients, which need the cells.
+// Gradients are those of the new values, also if points at one place have equal values again.
 void TestShading(RelevoCheck& check)
 {
-  const auto mesh = MakeBlocksOfCells(VTK_TETRA, GetWaves);
   const auto property = MakeProperty();
-  RelevoVolumeScene scene(MakeStep(mesh, 1), property, Width, Height);
+  const auto tetrahedra = MakeBlocksOfCells(VTK_TETRA, GetWaves);
+  const auto apart = MakeDiscontinuous(MakeBlocksOfCells(VTK_HEXAHEDRON, GetWaves), 0.3);
+  RelevoVolumeScene scene(MakeStep(tetrahedra, 1), property, Width, Height);
   scene.Draw();
   property->ShadeOn();
-  CHECK(IsBuilt(check, scene, MakeStep(mesh, 2)));
-  CHECK(IsBuilt(check, scene, MakeStep(mesh, 3)));
+  CHECK(IsBuilt(check, scene, MakeStep(tetrahedra, 2)));
+  CHECK(!IsBuilt(check, scene, MakeStep(tetrahedra, 3)));
+  CHECK(IsBuilt(check, scene, apart));
+  CHECK(
+    !IsBuilt(check, scene, MakeDiscontinuous(MakeBlocksOfCells(VTK_HEXAHEDRON, GetWaves), 0.0)));
+  property->ShadeOff();
+  CHECK(!IsBuilt(check, scene, MakeStep(apart, 4)));
+  property->ShadeOn();
+  CHECK(!IsBuilt(check, scene, MakeStep(apart, 5)));
 }
 }
 
@@ -220,6 +298,9 @@ int TestGPUUnstructuredGridVolumeMapperValues(int, char*[])
   TestOtherMeshes(check);
   TestNaN(check);
   TestCoincidentPoints(check);
+  TestMovedPoints(check);
+  TestHangingPoints(check);
+  TestProjection(check);
   TestHostData(check);
   TestShading(check);
   return check.GetResult();
