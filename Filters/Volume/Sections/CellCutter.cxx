@@ -21,7 +21,7 @@ namespace
 // A function of a curved cell can be outside of the range of its nodes by about this share.
 constexpr double Overshoot = 1.0;
 
-bool IsCurved(const CellKind& kind)
+bool HasCurvedShape(const CellKind& kind)
 {
   return kind.Nodes != NodeKind::Corners;
 }
@@ -103,7 +103,7 @@ bool CellCutter::CanCut(vtkIdType cell)
   }
   const double beyond = Overshoot * (high - low);
   return low - beyond < 0.0 && high + beyond >= 0.0 &&
-    IsCurved(GetCellKind(this->Data->GetCellType(cell), number));
+    HasCurvedShape(GetCellKind(this->Data->GetCellType(cell), number));
 }
 
 CellKind CellCutter::ReadCell(vtkIdType cell)
@@ -122,7 +122,7 @@ CurvedCellType CellCutter::ReadType(vtkIdType cell, const CellKind& kind)
 void CellCutter::Prepare(vtkIdType cell, CurvedCellConversion& conversion)
 {
   const CellKind kind = this->ReadCell(cell);
-  if (IsCurved(kind))
+  if (HasCurvedShape(kind))
   {
     conversion.Prepare(this->ReadType(cell, kind));
   }
@@ -133,8 +133,8 @@ CellSection CellCutter::Cut(vtkIdType cell, const CurvedCellConversion& conversi
   CellSection section;
   const CellKind kind = this->ReadCell(cell);
   section.Nodes.assign(this->Nodes->begin(), this->Nodes->end());
-  IsCurved(kind) ? this->CutCurved(this->ReadType(cell, kind), kind, conversion, section)
-                 : this->CutLinear(cell, kind, section);
+  HasCurvedShape(kind) ? this->CutCurved(this->ReadType(cell, kind), kind, conversion, section)
+                       : this->CutLinear(cell, kind, section);
   return section;
 }
 
