@@ -9,6 +9,7 @@
 #include "Checks/MemoryGuard.h"
 #include "Checks/SettingChecks.h"
 #include "Sections/CellCutter.h"
+#include "Sections/FieldScales.h"
 #include "Sections/SectionOutput.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -40,13 +41,14 @@ std::vector<double> Evaluate(vtkDataSet* data, vtkImplicitFunction* function)
 }
 
 std::vector<vtkIdType> FindCutCells(const std::vector<vtkIdType>& cells, vtkDataSet* data,
-  vtkImplicitFunction* function, const std::vector<double>& values)
+  vtkImplicitFunction* function, const std::vector<double>& values,
+  const relevo::SectionTolerances& tolerances)
 {
   std::vector<unsigned char> isCut(cells.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(cells.size()),
     [&](vtkIdType first, vtkIdType end)
     {
-      relevo::CellCutter cutter(data, function, values, 0.0);
+      relevo::CellCutter cutter(data, function, values, tolerances);
       for (vtkIdType i = first; i < end; ++i)
       {
         isCut[i] = cutter.CanCut(cells[i]);
@@ -88,6 +90,11 @@ vtkImplicitFunction* vtkCurvedCellCutter::GetCutFunction()
 void vtkCurvedCellCutter::SetTolerance(double share)
 {
   relevo::SetInRange(this, "Tolerance", this->Tolerance, share, 1e-7, 1.0);
+}
+
+void vtkCurvedCellCutter::SetFieldTolerance(double share)
+{
+  relevo::SetInRange(this, "FieldTolerance", this->FieldTolerance, share, 1e-4, 1.0);
 }
 
 vtkMTimeType vtkCurvedCellCutter::GetMTime()
@@ -155,11 +162,13 @@ int vtkCurvedCellCutter::Cut(vtkDataSet* input, vtkPolyData* polygons, vtkPolyDa
     return 1;
   }
   const std::vector<double> values = Evaluate(input, this->CutFunction);
+  const relevo::FieldScales fields(input);
+  const relevo::SectionTolerances tolerances{ this->Tolerance * input->GetLength(),
+    this->FieldTolerance, fields };
   const std::vector<vtkIdType> cells =
-    FindCutCells(this->SolidCells, input, this->CutFunction, values);
-  const double tolerance = this->Tolerance * input->GetLength();
+    FindCutCells(this->SolidCells, input, this->CutFunction, values, tolerances);
   relevo::CurvedCellConversion conversion;
-  relevo::CellCutter preparation(input, this->CutFunction, values, tolerance);
+  relevo::CellCutter preparation(input, this->CutFunction, values, tolerances);
   for (const vtkIdType cell : cells)
   {
     preparation.Prepare(cell, conversion);
@@ -168,7 +177,7 @@ int vtkCurvedCellCutter::Cut(vtkDataSet* input, vtkPolyData* polygons, vtkPolyDa
   vtkSMPTools::For(0, static_cast<vtkIdType>(cells.size()),
     [&](vtkIdType first, vtkIdType end)
     {
-      relevo::CellCutter cutter(input, this->CutFunction, values, tolerance);
+      relevo::CellCutter cutter(input, this->CutFunction, values, tolerances);
       for (vtkIdType i = first; i < end; ++i)
       {
         sections[i] = cutter.Cut(cells[i], conversion);
@@ -187,4 +196,5 @@ void vtkCurvedCellCutter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CutFunction: " << this->CutFunction.Get() << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "FieldTolerance: " << this->FieldTolerance << "\n";
 }

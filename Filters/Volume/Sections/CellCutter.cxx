@@ -5,6 +5,7 @@
 #include "Cells/CellKind.h"
 #include "Cells/CellReader.h"
 #include "Compatibility/VTKCompatibility.h"
+#include "Sections/FieldScales.h"
 #include "Sections/PartCutter.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -18,6 +19,8 @@ namespace relevo
 {
 namespace
 {
+constexpr int MaximumFieldIntervals = 32;
+
 // A function of a curved cell can be outside of the range of its nodes by about this share.
 constexpr double Overshoot = 1.0;
 
@@ -67,11 +70,11 @@ PolyhedronFaces ReadFaces(vtkDataSet* data, vtkIdType cell, const CellKind& kind
 }
 
 CellCutter::CellCutter(vtkDataSet* data, vtkImplicitFunction* function,
-  const std::vector<double>& values, double tolerance)
+  const std::vector<double>& values, const SectionTolerances& tolerances)
   : Data(data)
   , Function(function)
   , Values(values)
-  , Tolerance(tolerance)
+  , Tolerances(tolerances)
 {
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
@@ -178,6 +181,48 @@ void CellCutter::CutLinear(vtkIdType cell, const CellKind& kind, CellSection& se
   section.Add(cut, points, std::vector<unsigned char>(faces.size(), 1));
 }
 
+// As for shapes, see PartCutter: a bound of second derivatives limits the error of interpolation.
+std::vector<int> CellCutter::CountFieldIntervals(const CurvedCellType& type,
+  const CurvedCellConversion& conversion, std::vector<CurvedNode> nodes,
+  const std::vector<vtkIdType>& points) const
+{
+  const FieldScales& fields = this->Tolerances.Fields;
+  std::vector<double> largest; // of each part
+  for (int group = 0; group < fields.GetNumberOfGroups(); ++group)
+  {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+    {
+      nodes[i].Values = fields.Get(group, points[i]);
+    }
+    const std::vector<BezierHexahedron> parts =
+      conversion.Convert(type, nodes, fields.GetSize(group));
+    largest.resize(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      std::array<double, MaximumComponents> sum{};
+      for (int direction = 0; direction < 3; ++direction)
+      {
+        const auto bounds = parts[i].BoundSecondDerivatives(direction);
+        for (int c = 0; c < fields.GetSize(group); ++c)
+        {
+          sum[c] += bounds[1 + c] / 8.0;
+        }
+      }
+      largest[i] = std::max(largest[i], *std::max_element(sum.begin(), sum.end()));
+    }
+  }
+  std::vector<int> intervals(std::max<std::size_t>(largest.size(), 4), 1);
+  for (std::size_t i = 0; i < largest.size(); ++i)
+  {
+    while (intervals[i] < MaximumFieldIntervals &&
+      largest[i] > this->Tolerances.Field * intervals[i] * intervals[i])
+    {
+      intervals[i] *= 2;
+    }
+  }
+  return intervals;
+}
+
 void CellCutter::CutCurved(const CurvedCellType& type, const CellKind& kind,
   const CurvedCellConversion& conversion, CellSection& section)
 {
@@ -192,9 +237,12 @@ void CellCutter::CutCurved(const CurvedCellType& type, const CellKind& kind,
   }
   const std::array<bool, 6> isOuter = FindOuterFaces(kind.Shape);
   const std::vector<BezierHexahedron> parts = conversion.Convert(type, nodes, 0);
-  PartCutter cutter(this->Function, this->Tolerance);
+  const std::vector<int> intervals =
+    this->CountFieldIntervals(type, conversion, nodes, section.Nodes);
+  PartCutter cutter(this->Function, this->Tolerances.Shape);
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
+    cutter.SetMinimumIntervals(intervals[i]);
     cutter.Cut(
       parts[i], isOuter,
       [&](const dvec3& parameters, double* values)

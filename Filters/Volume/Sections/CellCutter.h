@@ -25,14 +25,23 @@ class vtkImplicitFunction;
 namespace relevo
 {
 class CellReader;
+class FieldScales;
 struct CellKind;
+
+/// The largest errors of the pieces of curved cells.
+struct SectionTolerances
+{
+  double Shape; // length
+  double Field; // share of the ranges of the fields
+  const FieldScales& Fields;
+};
 
 class CellCutter
 {
 public:
-  /// `values` has the function at each point of the data set. The tolerance is a length.
+  /// `values` has the function at each point of the data set.
   CellCutter(vtkDataSet* data, vtkImplicitFunction* function, const std::vector<double>& values,
-    double tolerance);
+    const SectionTolerances& tolerances);
   ~CellCutter();
 
   /// Whether the function can change its sign in the cell.
@@ -45,13 +54,16 @@ private:
   void CutLinear(vtkIdType cell, const CellKind& kind, CellSection& section);
   void CutCurved(const CurvedCellType& type, const CellKind& kind,
     const CurvedCellConversion& conversion, CellSection& section);
+  std::vector<int> CountFieldIntervals(const CurvedCellType& type,
+    const CurvedCellConversion& conversion, std::vector<CurvedNode> nodes,
+    const std::vector<vtkIdType>& points) const;
   CellKind ReadCell(vtkIdType cell);
   CurvedCellType ReadType(vtkIdType cell, const CellKind& kind);
 
   vtkDataSet* Data;
   vtkImplicitFunction* Function;
   const std::vector<double>& Values;
-  double Tolerance;
+  SectionTolerances Tolerances;
   std::map<int, PolyhedronFaces> Faces; // of the types of linear cells
   vtkNew<vtkIdList> Nodes;              // of the current cell
   std::unique_ptr<CellReader> Reader;   // nullptr without curved cells

@@ -68,7 +68,8 @@ void PartCutter::Cut(const BezierHexahedron& part, const std::array<bool, 6>& is
 int PartCutter::CountIntervals(double deviation) const
 {
   int intervals = 1;
-  while (intervals < MaximumIntervals && deviation > this->Tolerance * intervals * intervals)
+  while (intervals < this->MinimumIntervals ||
+    (intervals < MaximumIntervals && deviation > this->Tolerance * intervals * intervals))
   {
     intervals *= 2;
   }

@@ -32,6 +32,9 @@ public:
   /// The tolerance is the largest distance of the pieces from the part, a length.
   PartCutter(vtkImplicitFunction* function, double tolerance);
 
+  /// Set the smallest number of intervals along the directions of the following parts.
+  void SetMinimumIntervals(int number) { this->MinimumIntervals = number; }
+
   /// Adds the section of a part. Outer faces, in the order of GetFace(), are on faces of the cell.
   void Cut(const BezierHexahedron& part, const std::array<bool, 6>& isOuter, const Weigher& weigh,
     CellSection& section);
@@ -50,6 +53,7 @@ private:
   vtkImplicitFunction* Function;
   bool IsLinear; // whether the function is a plane
   double Tolerance;
+  int MinimumIntervals = 1;
 
   // The part that is being cut.
   const BezierHexahedron* Part = nullptr;
