@@ -102,8 +102,15 @@ int vtkArrayQuantityFilter::RequestData(
   }
   if (std::find(sources.begin(), sources.end(), quantity->Source) == sources.end())
   {
-    vtkErrorMacro("'" << this->Quantity << "' needs an array with " << quantity->GetNeed()
-                      << "; the input has " << List(sources) << ".");
+    const bool isMissing = !quantity->Source.empty() &&
+      std::none_of(attributes.begin(), attributes.end(),
+        [&](vtkDataSetAttributes* data) { return data->HasArray(quantity->Source.c_str()); });
+    const std::string cause = isMissing
+      ? "there is no array '" + quantity->Source + "'; arrays with "
+      : "needs an array with ";
+    vtkErrorMacro("'" << this->Quantity << "'" << (isMissing ? ": " : " ") << cause
+                      << quantity->GetNeed() << (isMissing ? " are " : "; the input has ")
+                      << List(sources) << ".");
     return 0;
   }
   this->ResultName = quantity->Name + " of " + quantity->Source;

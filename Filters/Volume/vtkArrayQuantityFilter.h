@@ -6,7 +6,7 @@
  *
  * The output is the input with one more array for each point or cell array that the quantity names.
  * The array has the name of the quantity, one component (double) and the information of its source,
- * for example a unit. These are the quantities of an array A, in any case:
+ * for example a unit. These are the quantities of an array A. Their words are in upper or lower case:
  *
  * - for 2 or 3 components: "x of A", "y of A", "z of A"
  * - for 6 or 9 components, tensors: "xx of A", and likewise yy, zz, xy, yz, xz; with 9 also yx, zy,
@@ -16,7 +16,8 @@
  * - for any array: "magnitude of A" and "component N of A", where N counts from 0
  *
  * Six components are xx, yy, zz, xy, yz, xz, as in VTK. Nine are rows of a matrix; all quantities
- * except components use its symmetric part. "von Mises" or "Tresca" alone takes the only tensor.
+ * except components use its symmetric part. "von Mises", "Tresca" and principal values alone take
+ * the only tensor.
  *
  * The von Mises stress is sqrt(((xx - yy)^2 + (yy - zz)^2 + (zz - xx)^2) / 2 + 3 (xy^2 + yz^2 +
  * xz^2)). Numbers that are not finite give NaN. In curved cells, quantities are those at the nodes.

@@ -99,6 +99,13 @@ class TestViewerClip(ViewerProgram):
         self.assertEqual(run.returncode, 0)
         self.assertIn("sphere.vtp has no 3D cells, so the cut is hollow", run.stderr)
 
+    def test_nothing_left(self):
+        self.write_cube()
+        for options in (["--array=Middle"], ["--volume=Middle"]):
+            run = self.run_program("cube.vti", "--clip=0,9,0,0,1,0", *options, *SETTINGS)
+            self.assertEqual(run.returncode, 0)
+            self.assertIn("--clip 0,9,0,0,1,0 leaves nothing", run.stderr)
+
     def test_bad_usage(self):
         self.write_cube()
         for words, *arguments in (

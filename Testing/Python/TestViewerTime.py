@@ -169,6 +169,10 @@ class TestViewerTime(ViewerProgram):
                 hues[palette] = max(middle) - min(middle)
             self.assertLess(hues["grey"], 12)
             self.assertGreater(hues["viridis"], 40)
+        for name in ("one", "two"):
+            size = {"one": "0,9", "two": "0,0.1"}[name]
+            self.view("p.pvd", "--volume=Heat", f"--range={size}", f"--output={name}.png", SIZE)
+        self.assertGreater(self.difference("one.png", "two.png"), 100)
         words = ("--palette requires colours by an array", "p.pvd has none")
         self.assert_error(1, words, "p.pvd", "--palette=grey", "--output=t.png")
 

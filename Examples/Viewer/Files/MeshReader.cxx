@@ -96,7 +96,8 @@ SurfaceMesh MeshReader::Read(int step, StepFilter& filter, MeshCells cells)
   this->File.Read(step,
     [&](vtkDataObject* data)
     {
-      const auto merged = MergeBlocks(filter.Apply(data, messages), messages);
+      const auto changed = filter.Apply(data, messages);
+      const auto merged = changed ? MergeBlocks(changed, messages) : nullptr;
       surface.IsOfCells = !vtkPolyData::SafeDownCast(merged);
       surface.Cells = merged;
       mesh = merged ? TakeSurface(merged, cells, this->Extractor, messages) : nullptr;
@@ -105,6 +106,7 @@ SurfaceMesh MeshReader::Read(int step, StepFilter& filter, MeshCells cells)
         CheckCorners(mesh);
       }
     });
+  filter.Check(fileName);
   if (!mesh || mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
   {
     throw ViewerError(fileName + " has no polygons to draw");

@@ -18,14 +18,38 @@ StepFilter::StepFilter(const MeshWarp& warp, const std::string& array)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataObject> StepFilter::Apply(vtkDataObject* data, ViewerMessages& messages)
 {
-  const vtkSmartPointer<vtkDataObject> moved = this->Warp.Apply(data, messages);
+  this->Error.clear();
+  try
+  {
+    return this->AddQuantity(this->Warp.Apply(data, messages), messages);
+  }
+  catch (const ViewerError& error)
+  {
+    this->Error = error.what();
+    return nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
+void StepFilter::Check(const std::string& fileName) const
+{
+  if (!this->Error.empty())
+  {
+    throw ViewerError(fileName + ": " + this->Error);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> StepFilter::AddQuantity(
+  vtkDataObject* data, ViewerMessages& messages)
+{
   if (this->Array.empty())
   {
-    return moved;
+    return data;
   }
   vtkNew<vtkArrayQuantityFilter> filter;
   messages.Observe(filter);
-  filter->SetInputData(moved);
+  filter->SetInputData(data);
   filter->SetQuantity(this->Array.c_str());
   filter->Update();
   messages.Check();

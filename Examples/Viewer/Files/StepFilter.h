@@ -22,8 +22,10 @@ public:
   /// array is the name of an array, or of a quantity of vtkArrayQuantityFilter.
   StepFilter(const MeshWarp& warp, const std::string& array);
 
-  /// Moves the points and computes the quantity. Throws ViewerError.
+  /// Moves the points and computes the quantity. Returns nullptr after an error, which is not one
+  /// of reading: Check() throws it as ViewerError.
   vtkSmartPointer<vtkDataObject> Apply(vtkDataObject* data, ViewerMessages& messages);
+  void Check(const std::string& fileName) const;
 
   const MeshWarp& GetWarp() const { return this->Warp; }
 
@@ -31,6 +33,9 @@ public:
   const std::string& GetArray() const { return this->Array; }
 
 private:
+  vtkSmartPointer<vtkDataObject> AddQuantity(vtkDataObject* data, ViewerMessages& messages);
+
+  std::string Error;
   MeshWarp Warp;
   std::string Array;
 };

@@ -20,6 +20,7 @@ vtkSmartPointer<vtkDataObject> ReadVolume(
   }
   vtkSmartPointer<vtkDataObject> volume;
   file.Read(step, [&](vtkDataObject* data) { volume = filter.Apply(data, messages); });
+  filter.Check(fileName);
   if (volume->GetNumberOfElements(vtkDataObject::CELL) == 0)
   {
     throw ViewerError(fileName + " has no cells to draw");

@@ -18,8 +18,7 @@ The surface:
                          meshes, with creases of more than 30 degrees), phong, st (scalar-tagged PN
                          triangles, with the arrays Sharpness, Tension, Bias and Direction), g1
                          (continuous tangent planes), procedural (fur), patch (the shape of curved
-                         cells; default for .bpt files, and for .vtk, .vtu and .pvtu files with
-                         curved cells)
+                         cells; default for .bpt files, and for meshes with curved cells)
   --alpha A              strength of the bulge of phong, 0 to 1 (default 1)
   --amplitude A          height of the fur of procedural, in the mesh's units (default: 0.03 of its
                          diagonal)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/CutPlane.h"
 
+#include "Text/ViewerMessages.h"
 #include "Text/ViewerText.h"
 
 #include "vtkCamera.h"
@@ -74,6 +75,21 @@ bool CutPlane::Move(char key, const double bounds[6], vtkRenderer* renderer)
   const double share = key == 'm' ? Step : -Step;
   this->Plane->Push(share * extent / vtkMath::Dot(normal, normal));
   return true;
+}
+
+//------------------------------------------------------------------------------
+void CutPlane::WarnIfEmpty(const double bounds[6], ViewerMessages& messages) const
+{
+  bool isEmpty = true;
+  for (int i = 0; i < 8; ++i)
+  {
+    double corner[3] = { bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2 & 1)] };
+    isEmpty = isEmpty && this->Plane->EvaluateFunction(corner) < 0.0;
+  }
+  if (isEmpty)
+  {
+    messages.Warn(this->GetOption() + " leaves nothing: the mesh is behind the plane");
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,7 @@
 #include <vector>
 
 class vtkPlane;
+class ViewerMessages;
 class vtkRenderer;
 
 class CutPlane
@@ -32,6 +33,9 @@ public:
    * across the axis closest to the view direction.
    */
   bool Move(char key, const double bounds[6], vtkRenderer* renderer);
+
+  /// Warns if nothing within the bounds is on the visible side.
+  void WarnIfEmpty(const double bounds[6], ViewerMessages& messages) const;
 
   /// The option that repeats the plane.
   std::string GetOption() const;

@@ -229,6 +229,7 @@ std::string MeshScene::MoveCut(char key)
 //------------------------------------------------------------------------------
 void MeshScene::AddSection()
 {
+  this->Cut.WarnIfEmpty(this->Mesh->GetBounds(), this->Messages);
   this->Mapper->AddClippingPlane(this->Cut.Get());
   bool isSolid = false;
   for (vtkIdType cell = 0; !isSolid && cell < this->Cells->GetNumberOfCells(); ++cell)

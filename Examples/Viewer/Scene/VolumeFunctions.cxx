@@ -34,7 +34,10 @@ std::map<double, double> GetRanks(const VolumeArray& array)
   std::map<double, double> ranks = { { array.Range[0], 0.0 }, { array.Range[1], 1.0 } };
   for (std::size_t i = 0; i < array.Quantiles.size(); ++i)
   {
-    ranks[array.Quantiles[i]] = static_cast<double>(i) / (array.Quantiles.size() - 1);
+    if (array.Quantiles[i] >= array.Range[0] && array.Quantiles[i] <= array.Range[1])
+    {
+      ranks[array.Quantiles[i]] = static_cast<double>(i) / (array.Quantiles.size() - 1);
+    }
   }
   return ranks;
 }

@@ -170,6 +170,7 @@ void VolumeScene::ChooseFunctions(vtkDataObject* data)
   this->SetFunctions();
   if (this->Cut.Get())
   {
+    this->Cut.WarnIfEmpty(this->Bounds, this->Messages);
     this->Mapper->AddClippingPlane(this->Cut.Get());
   }
 }

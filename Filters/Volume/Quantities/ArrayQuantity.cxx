@@ -186,7 +186,7 @@ std::optional<ArrayQuantity> ParseQuantity(const std::string& text)
     quantity->Source = text.substr(end + joint.size());
   }
   const bool needsSource = quantity && quantity->Kind != ArrayQuantity::VonMises &&
-    quantity->Kind != ArrayQuantity::Tresca;
+    quantity->Kind != ArrayQuantity::Tresca && quantity->Kind != ArrayQuantity::Principal;
   return needsSource && quantity->Source.empty() ? std::nullopt : quantity;
 }
 

@@ -17,7 +17,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 import relevo
 
-from . import _camera, _inputs, _stress, _work
+from . import _camera, _inputs, _quantities, _work
 from ._drawing import Drawing
 from ._messages import Messages, warn
 from ._refined import Refined
@@ -102,7 +102,7 @@ class Patches(Refined):
         if error is not None:
             _inputs.check_number(error, "error")
         data, self._kind = _inputs.take_data(mesh, time=time)
-        data, scalars = _stress.add_stress(data, scalars)
+        data, scalars = _quantities.add_quantity(data, scalars)
         if warp is not None:
             data = _warp(data, warp, factor)
         elif factor != 1.0:

@@ -23,7 +23,7 @@ from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume, vtk
 
 import relevo
 
-from . import _camera, _colours, _inputs, _results, _stress, _work
+from . import _camera, _colours, _inputs, _quantities, _results, _work
 from ._drawing import SIZE, Drawing, _check_size, _make_offscreen_window
 from ._error import Error
 from ._messages import Messages
@@ -254,7 +254,7 @@ class Volume(Drawing):
         if unit_distance is not None:
             _inputs.check_number(unit_distance, "unit_distance")
         data, self._kind = _inputs.take_data(mesh, time=time)
-        self._data, array = _stress.add_stress(data, array)
+        self._data, array = _quantities.add_quantity(data, array)
         blocks = [block for block in _inputs.get_blocks(self._data) if _is_solid(block)]
         if not blocks:
             raise ValueError("the mesh has no 3D cells; relevo.refined() draws surfaces")

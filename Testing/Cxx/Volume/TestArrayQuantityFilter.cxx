@@ -159,8 +159,11 @@ void TestOthers(RelevoCheck& check)
   }
   CHECK_EQUAL(getOutput()->GetPointData()->GetArray("x of Speed")->GetComponent(0, 0), 7.0);
 
-  for (const char* name : { "von Mises of Speed", "von Mises of Nothing", "z of Stress",
-         "component 6 of Stress", "zx of Stress" })
+  filter->SetQuantity("von Mises of Nothing");
+  filter->Update();
+  CHECK(errors.Said("there is no array 'Nothing'; arrays with 6 or 9 components are 'Stress'"));
+  for (const char* name :
+    { "von Mises of Speed", "z of Stress", "component 6 of Stress", "zx of Stress" })
   {
     CHECK_CASE(name);
     filter->SetQuantity(name);

@@ -12,7 +12,7 @@ from . import _work
 from ._error import Error
 
 
-def add_stress(data: vtkDataObject, name: str | None) -> tuple[vtkDataObject, str | None]:
+def add_quantity(data: vtkDataObject, name: str | None) -> tuple[vtkDataObject, str | None]:
     """Return a copy of a mesh with the quantity that a name asks for, and its array's name.
 
     name: a quantity of vtkArrayQuantityFilter, such as "von Mises" or "x of U". The mesh and the
