@@ -6,7 +6,8 @@
  *
  * The output is the input with one more array for each point or cell array that the quantity names.
  * The array has the name of the quantity, one component (double) and the information of its source,
- * for example a unit. These are the quantities of an array A. Their words are in upper or lower case:
+ * for example a unit. These are the quantities of an array A. Their words are in upper or lower
+ * case:
  *
  * - for 2 or 3 components: "x of A", "y of A", "z of A"
  * - for 6 or 9 components, tensors: "xx of A", and likewise yy, zz, xy, yz, xz; with 9 also yx, zy,
