@@ -41,33 +41,33 @@ bool isFinite(const float* v)
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
 
-using Vector = std::array<double, 3>;
+using Coordinates = std::array<double, 3>;
 
-Vector load(const float* v)
+Coordinates load(const float* v)
 {
   return { v[0], v[1], v[2] };
 }
 
-Vector subtract(const Vector& a, const Vector& b)
+Coordinates subtract(const Coordinates& a, const Coordinates& b)
 {
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
 }
 
-Vector cross(const Vector& a, const Vector& b)
+Coordinates cross(const Coordinates& a, const Coordinates& b)
 {
-  Vector c;
+  Coordinates c;
   vtkMath::Cross(a.data(), b.data(), c.data());
   return c;
 }
 
-double dot(const Vector& a, const Vector& b)
+double dot(const Coordinates& a, const Coordinates& b)
 {
   return vtkMath::Dot(a.data(), b.data());
 }
 
-double angle(const Vector& a, const Vector& b)
+double angle(const Coordinates& a, const Coordinates& b)
 {
-  const Vector c = cross(a, b);
+  const Coordinates c = cross(a, b);
   return std::atan2(std::sqrt(dot(c, c)), dot(a, b));
 }
 
@@ -579,13 +579,13 @@ void RefinementMesh::ComputeMissingNormals()
   {
     const auto& order = GetCornerOrder(face.Order);
     int corners[3];
-    Vector p[3];
+    Coordinates p[3];
     for (int i = 0; i < 3; ++i)
     {
       corners[order[i]] = face.Corners[i];
       p[order[i]] = load(&this->Points[3 * static_cast<size_t>(face.Corners[i])]);
     }
-    Vector normal = cross(subtract(p[1], p[0]), subtract(p[2], p[0]));
+    Coordinates normal = cross(subtract(p[1], p[0]), subtract(p[2], p[0]));
     vtkMath::Normalize(normal.data());
     for (int i = 0; i < 3; ++i)
     {
@@ -606,7 +606,7 @@ void RefinementMesh::ComputeMissingNormals()
     if (std::all_of(normal, normal + 3, [](float c) { return c == 0.0f; }))
     {
       const size_t mergedPoint = 3 * static_cast<size_t>(this->GetMergedPoint(static_cast<int>(i)));
-      Vector sum = { sums[mergedPoint], sums[mergedPoint + 1], sums[mergedPoint + 2] };
+      Coordinates sum = { sums[mergedPoint], sums[mergedPoint + 1], sums[mergedPoint + 2] };
       constexpr double cancelled = 1e-9; // radians
       if (vtkMath::Normalize(sum.data()) < cancelled)
       {
@@ -639,7 +639,7 @@ void RefinementMesh::BuildDirections()
   for (size_t i = 0; i < n; ++i)
   {
     const size_t mergedPoint = static_cast<size_t>(this->MergedPoints[i]);
-    const Vector difference = subtract(
+    const Coordinates difference = subtract(
       load(&this->Normals[3 * i]), load(&this->Normals[3 * std::min(first[mergedPoint], i)]));
     constexpr double squaredRounding = double(NormalRounding) * NormalRounding;
     isSplit[mergedPoint] |= isCorner[i] && dot(difference, difference) > squaredRounding ? 1 : 0;
@@ -761,12 +761,12 @@ void RefinementMesh::BuildFrames(bool alongNormal)
   std::vector<double> sums(8 * n, 0.0); // gradients, mean curvature, area
   for (const RefinementFace& face : this->Faces)
   {
-    Vector p[3];
+    Coordinates p[3];
     for (int i = 0; i < 3; ++i)
     {
       p[i] = load(&this->Points[3 * static_cast<size_t>(face.Corners[i])]);
     }
-    const Vector normal = cross(subtract(p[1], p[0]), subtract(p[2], p[0]));
+    const Coordinates normal = cross(subtract(p[1], p[0]), subtract(p[2], p[0]));
     const double squared = dot(normal, normal);
     if (!(squared > 0.0))
     {
@@ -777,7 +777,7 @@ void RefinementMesh::BuildFrames(bool alongNormal)
     {
       const size_t point = static_cast<size_t>(face.Corners[i]);
       // This is the gradient of a corner's barycentric weight.
-      const Vector gradient = cross(normal, subtract(p[(i + 2) % 3], p[(i + 1) % 3]));
+      const Coordinates gradient = cross(normal, subtract(p[(i + 2) % 3], p[(i + 1) % 3]));
       for (int c = 0; c < 3; ++c)
       {
         const double g = gradient[c] / squared;

@@ -17,7 +17,7 @@ namespace
 // Finds the layout of a VRT that describes a file of raw samples.
 bool FindVRTLayout(GDALDatasetH dataset, GDALDataset::RawBinaryLayout& layout)
 {
-  char** text = GDALGetMetadata(dataset, "xml:VRT");
+  CSLConstList text = GDALGetMetadata(dataset, "xml:VRT");
   const std::unique_ptr<CPLXMLNode, void (*)(CPLXMLNode*)> root(
     text && text[0] ? CPLParseXMLString(text[0]) : nullptr, CPLDestroyXMLNode);
   CPLXMLNode* band = root ? CPLGetXMLNode(root.get(), "=VRTDataset.VRTRasterBand") : nullptr;
