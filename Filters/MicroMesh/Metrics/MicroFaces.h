@@ -13,6 +13,7 @@
 #include "Data/MicroMesh.h"
 #include "Metrics/DisplacedFaces.h"
 #include "Metrics/MeasuredPatterns.h"
+#include "View/PixelScale.h"
 
 #include <string> // for errors
 

@@ -22,6 +22,7 @@
 #include "Mesh/RefinementMesh.h"
 #include "Metrics/DisplacedFaces.h"
 #include "Metrics/MeasuredPatterns.h" // for members
+#include "View/PixelScale.h"
 
 #include <memory> // for members
 #include <vector> // for members

@@ -9,14 +9,13 @@
 #ifndef DisplacedFaces_h
 #define DisplacedFaces_h
 
-#include "View/PixelScale.h" // for PointBox
-
 #include <array>  // for corners and tags
 #include <vector> // for edges
 
 namespace relevo
 {
 class SurfaceEdges;
+struct PointBox; // of View/PixelScale.h
 
 /// The largest deviations of a refined face, in units of the mesh.
 struct FaceDeviations

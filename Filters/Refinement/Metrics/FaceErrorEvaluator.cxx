@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Metrics/FaceErrorEvaluator.h"
 
+#include "Changes/Dependencies.h"
 #include "Mesh/SurfaceEdges.h"
+#include "Metrics/LevelSearch.h"
 #include "Metrics/MetricMesh.h"
 #include "Patterns/PatternFamily.h"
 #include "Patterns/PatternLibrary.h"
@@ -14,11 +16,23 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace relevo
 {
+struct FaceErrorEvaluator::State
+{
+  Dependencies FaceDependencies;
+  Dependencies SearchDependencies;
+  std::shared_ptr<const PatternFamily> Patterns;
+  std::unique_ptr<DisplacedFaces> Faces; // nullptr if there is nothing to measure
+  LevelSearch Levels;
+  std::vector<double> Limits; // one per face, in units of the mesh
+};
+
 FaceErrorEvaluator::FaceErrorEvaluator(vtkDepthTagMetric* metric, std::shared_ptr<MetricMesh> mesh)
   : MetricEvaluator(metric, std::move(mesh))
+  , Kept(std::make_unique<State>())
 {
 }
 
@@ -32,38 +46,39 @@ bool FaceErrorEvaluator::Fail(const std::string& error)
 
 bool FaceErrorEvaluator::Update(const RefinementView& view, int maximumLevel, bool isPerEdge)
 {
-  this->Patterns = view.Patterns;
-  if (!this->Patterns)
+  this->Kept->Patterns = view.Patterns;
+  if (!this->Kept->Patterns)
   {
     static const PatternLibrary library;
-    this->Patterns = library.GetFamily(PatternLibrary::POWERS_OF_TWO);
+    this->Kept->Patterns = library.GetFamily(PatternLibrary::POWERS_OF_TWO);
   }
   vtkPolyData* mesh = this->GetMesh().GetPolyData();
-  Dependencies now = Dependencies::On(this->GetMesh().GetTime(), this->Patterns->GetMTime());
+  Dependencies now = Dependencies::On(this->GetMesh().GetTime(), this->Kept->Patterns->GetMTime());
   now.AddObject(mesh);
   now.Add(maximumLevel);
   this->AddTo(view, now);
-  if (this->FaceDependencies.Update(now))
+  if (this->Kept->FaceDependencies.Update(now))
   {
     std::string error;
-    this->Faces = this->MakeFaces(view, this->Patterns, maximumLevel, error);
-    this->SearchDependencies.Clear();
+    this->Kept->Faces = this->MakeFaces(view, this->Kept->Patterns, maximumLevel, error);
+    this->Kept->SearchDependencies.Clear();
     if (!error.empty())
     {
-      this->FaceDependencies.Clear();
+      this->Kept->FaceDependencies.Clear();
       return this->Fail(error);
     }
   }
   now.Add(isPerEdge);
-  if (this->Faces && this->SearchDependencies.Update(now))
+  if (this->Kept->Faces && this->Kept->SearchDependencies.Update(now))
   {
     if (isPerEdge)
     {
-      this->Levels.UseEdges(*this->Faces, *this->GetMesh().GetEdges());
+      this->Kept->Levels.UseEdges(*this->Kept->Faces, *this->GetMesh().GetEdges());
     }
     else
     {
-      this->Levels.UsePoints(*this->Faces, static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+      this->Kept->Levels.UsePoints(
+        *this->Kept->Faces, static_cast<std::size_t>(mesh->GetNumberOfPoints()));
     }
   }
   return true;
@@ -72,11 +87,11 @@ bool FaceErrorEvaluator::Update(const RefinementView& view, int maximumLevel, bo
 bool FaceErrorEvaluator::FindLimits(const RefinementView& view, const Limit& limit)
 {
   PixelScale scale(view);
-  const int numberOfFaces = this->Faces ? this->Faces->GetNumberOfFaces() : 0;
+  const int numberOfFaces = this->Kept->Faces ? this->Kept->Faces->GetNumberOfFaces() : 0;
   if (limit.Length > 0.0)
   {
     const double stretch = scale.GetMaximumStretch();
-    this->Limits.assign(static_cast<std::size_t>(numberOfFaces),
+    this->Kept->Limits.assign(static_cast<std::size_t>(numberOfFaces),
       stretch > 0.0 ? limit.Length / stretch : VTK_DOUBLE_MAX);
     return true;
   }
@@ -85,13 +100,13 @@ bool FaceErrorEvaluator::FindLimits(const RefinementView& view, const Limit& lim
   {
     return this->Fail(error);
   }
-  this->Limits.resize(static_cast<std::size_t>(numberOfFaces));
+  this->Kept->Limits.resize(static_cast<std::size_t>(numberOfFaces));
   vtkSMPTools::For(0, numberOfFaces,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (int f = static_cast<int>(begin); f < end; ++f)
       {
-        this->Limits[f] = limit.Pixels / scale.GetPixels(this->Faces->GetBox(f));
+        this->Kept->Limits[f] = limit.Pixels / scale.GetPixels(this->Kept->Faces->GetBox(f));
       }
     });
   return true;
@@ -110,10 +125,12 @@ bool FaceErrorEvaluator::Search(const RefinementView& view, int maximumLevel, bo
   {
     return false;
   }
-  if (this->Faces)
+  if (this->Kept->Faces)
   {
-    this->Levels.SetFixedBorder(limit.IsBorderFixed || view.IsPart || this->GetMesh().GetWhole());
-    this->Levels.Run(*this->Faces, *this->Patterns, this->Limits, highestLevel);
+    this->Kept->Levels.SetFixedBorder(
+      limit.IsBorderFixed || view.IsPart || this->GetMesh().GetWhole());
+    this->Kept->Levels.Run(
+      *this->Kept->Faces, *this->Kept->Patterns, this->Kept->Limits, highestLevel);
   }
   return true;
 }
@@ -133,8 +150,9 @@ bool FaceErrorEvaluator::ComputeTags(
     {
       for (vtkIdType point = begin; point < end; ++point)
       {
-        const float tag =
-          this->Faces ? this->Levels.GetTag(static_cast<int>(surface.GetMergedPoint(point))) : 0.0f;
+        const float tag = this->Kept->Faces
+          ? this->Kept->Levels.GetTag(static_cast<int>(surface.GetMergedPoint(point)))
+          : 0.0f;
         tags->SetValue(point, std::min(tag, static_cast<float>(maximumLevel)));
       }
     });
@@ -152,7 +170,7 @@ bool FaceErrorEvaluator::ComputeEdgeTags(
   TagEdges(*this->GetMesh().GetEdges(), tags,
     [&](int edge)
     {
-      const float tag = this->Faces ? this->Levels.GetTag(edge) : 0.0f;
+      const float tag = this->Kept->Faces ? this->Kept->Levels.GetTag(edge) : 0.0f;
       return std::min(tag, static_cast<float>(maximumLevel));
     });
   return true;

@@ -10,18 +10,16 @@
 #ifndef FaceErrorEvaluator_h
 #define FaceErrorEvaluator_h
 
-#include "Changes/Dependencies.h"          // for members
-#include "Metrics/DisplacedFaces.h"        // for members
-#include "Metrics/LevelSearch.h"           // for members
+#include "Metrics/DisplacedFaces.h"        // for results
 #include "Metrics/MetricEvaluator.h"       // for superclass
 #include "RelevoFiltersRefinementModule.h" // for export macro
 
 #include <memory> // for members
 #include <string> // for errors
-#include <vector> // for members
 
 namespace relevo
 {
+class Dependencies;
 class PatternFamily;
 
 class RELEVOFILTERSREFINEMENT_EXPORT FaceErrorEvaluator : public MetricEvaluator
@@ -59,12 +57,9 @@ private:
   bool FindLimits(const RefinementView& view, const Limit& limit);
   bool Fail(const std::string& error);
 
-  Dependencies FaceDependencies;
-  Dependencies SearchDependencies;
-  std::shared_ptr<const PatternFamily> Patterns;
-  std::unique_ptr<DisplacedFaces> Faces; // nullptr if there is nothing to measure
-  LevelSearch Levels;
-  std::vector<double> Limits; // one per face, in units of the mesh
+  struct State;
+
+  const std::unique_ptr<State> Kept; // of the last search
 };
 }
 
