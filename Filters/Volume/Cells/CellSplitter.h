@@ -16,6 +16,7 @@
 #define CellSplitter_h
 
 #include "Mathematics/RefinementMathematics.h"
+#include "RelevoFiltersVolumeModule.h" // for export macro
 #include "vtkNew.h"
 #include "vtkType.h"
 
@@ -28,7 +29,7 @@ class vtkPoints;
 
 namespace relevo
 {
-class CellSplitter
+class RELEVOFILTERSVOLUME_EXPORT CellSplitter
 {
 public:
   CellSplitter();

@@ -11,6 +11,7 @@
 
 #include "Cells/CellShape.h"
 #include "Integral/Ray.h"
+#include "RelevoFiltersVolumeModule.h" // for export macro
 
 #include <array>
 
@@ -23,7 +24,8 @@ double ComputeSixfoldVolume(const TetrahedronCorners& corners);
 
 /// Computes the constant slopes of a tetrahedron. Returns six times the volume. If that is 0,
 /// slopes are 0.
-double ComputeSlopes(const TetrahedronCorners& corners, CornerSlopes& slopes);
+RELEVOFILTERSVOLUME_EXPORT double ComputeSlopes(
+  const TetrahedronCorners& corners, CornerSlopes& slopes);
 
 struct TetrahedronCrossing
 {
