@@ -13,8 +13,8 @@
  * of the recipe is too low for the limit, edges have MaximumLevel.
  *
  * vtkMicroMeshFilter stores the largest deviation of each face at each level. For faces with
- * different levels of edges, the metric measures the pattern, exactly but for rounding: at points
- * of the grid, and where sides of triangles cross lines of the grid. It caches the results.
+ * different levels of edges, the metric measures the pattern at points of the grid, and where sides
+ * of triangles cross lines of the grid. This is exact up to rounding. It caches the results.
  *
  * All edges start with one segment. While a face deviates too much, the edges that deviate get more
  * segments, or else the edges of the face with the fewest. An edge therefore has one level in all

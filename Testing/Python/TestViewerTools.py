@@ -10,10 +10,10 @@ import re
 import time
 import unittest
 
-from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersSources import vtkRegularPolygonSource
-from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+from vtkmodules.vtkFiltersSources import vtkRegularPolygonSource, vtkSphereSource
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 
 from ViewerPictures import find, is_dark, is_surface, read_picture
 from ViewerProgram import ViewerProgram
@@ -209,6 +209,22 @@ class TestViewerTools(ViewerProgram):
                         point = nearest[0] + size * (nearest[1] + size * nearest[2])
                         self.assertEqual(here["point"], point)
                 self.close(window)
+
+    def test_readout_of_foreign_ids(self):
+        """The ids of another mesh, as in exported files, are not those of the cells."""
+        sphere = vtkSphereSource()
+        sphere.Update()
+        mesh = sphere.GetOutput()
+        ids = vtkIdTypeArray()
+        ids.SetName("vtkOriginalCellIds")
+        for _ in range(mesh.GetNumberOfCells()):
+            ids.InsertNextValue(10**9)
+        mesh.GetCellData().AddArray(ids)
+        self.write_data("foreign.vtp", vtkXMLPolyDataWriter, mesh)
+        window = self.window("foreign.vtp", "--surface=linear")
+        here = numbers(self.under_mouse(window, *MIDDLE))
+        self.assertLess(here["cell"], mesh.GetNumberOfCells())
+        self.close(window)
 
     def test_readout_of_displaced_mesh(self):
         """On a mesh that is inside out, the value is that of the visible face, not of the closest

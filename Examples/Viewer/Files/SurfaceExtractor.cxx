@@ -67,7 +67,7 @@ bool HaveSameCells(vtkDataSet* first, vtkDataSet* second)
   const auto isPolyhedron = [](vtkDataArray* types, vtkIdType i)
   { return types->GetComponent(i, 0) == VTK_POLYHEDRON; };
   vtkDataArray* types = GetTypes(a);
-  if (!AreSame(types, GetTypes(b)) ||
+  if (!types || !AreSame(types, GetTypes(b)) ||
     !AreSame(a->GetPoints()->GetData(), b->GetPoints()->GetData()) ||
     !AreSame(a->GetCells()->GetOffsetsArray(), b->GetCells()->GetOffsetsArray()) ||
     !AreSame(a->GetCells()->GetConnectivityArray(), b->GetCells()->GetConnectivityArray()))
@@ -84,9 +84,18 @@ bool HaveSameCells(vtkDataSet* first, vtkDataSet* second)
   return true;
 }
 
-// Copies the tuples of these ids.
-void CopyTuples(vtkDataSetAttributes* from, vtkDataArray* ids, vtkDataSetAttributes* to)
+// Copies the tuples of these ids. Arrays of damaged files can be too short; they are left out.
+void CopyTuples(vtkDataSetAttributes* all, vtkDataArray* ids, vtkDataSetAttributes* to)
 {
+  vtkNew<vtkDataSetAttributes> from;
+  from->ShallowCopy(all);
+  for (int i = from->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    if (from->GetAbstractArray(i)->GetNumberOfTuples() <= ids->GetRange()[1])
+    {
+      from->RemoveArray(i);
+    }
+  }
   vtkNew<vtkIdList> sources;
   vtkNew<vtkIdList> targets;
   const vtkIdType number = ids->GetNumberOfTuples();
@@ -128,11 +137,15 @@ vtkSmartPointer<vtkPolyData> SurfaceExtractor::Extract(vtkDataSet* data, ViewerM
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> SurfaceExtractor::CopyArrays(vtkDataSet* data) const
 {
+  vtkDataArray* points = this->Surface->GetPointData()->GetArray(PointIds);
+  vtkDataArray* cells = this->Surface->GetCellData()->GetArray(CellIds);
+  if (!points || !cells || this->Surface->GetNumberOfCells() == 0)
+  {
+    return this->Surface; // there are no faces
+  }
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->CopyStructure(this->Surface);
-  CopyTuples(data->GetPointData(), this->Surface->GetPointData()->GetArray(PointIds),
-    surface->GetPointData());
-  vtkDataArray* cells = this->Surface->GetCellData()->GetArray(CellIds);
+  CopyTuples(data->GetPointData(), points, surface->GetPointData());
   CopyTuples(data->GetCellData(), cells, surface->GetCellData());
   surface->GetCellData()->AddArray(cells);
   surface->GetFieldData()->ShallowCopy(data->GetFieldData());

@@ -145,6 +145,7 @@ bool MeshScene::ReadStep()
   this->Mesh->ShallowCopy(mesh.Data);
   this->Options.Array = this->Steps->GetFilter().GetArray();
   this->Cells = mesh.Cells;
+  this->IsOfCells = mesh.IsOfCells;
   if (this->Section)
   {
     this->Section->SetMesh(this->Cells);
@@ -279,8 +280,8 @@ void MeshScene::TakeMicroMesh()
   if (!this->MicroMeshReport.empty())
   {
     // The cells under the mouse are those of the micro-mesh, not of the dense mesh.
-    this->Mesh->GetCellData()->RemoveArray("vtkOriginalCellIds");
     this->Cells = this->Mesh;
+    this->IsOfCells = false;
     this->Options.Surface = ViewerOptions::SurfaceType::MicroMesh;
     this->Options.PerEdge |= this->Options.GetMetric() == ViewerOptions::MetricType::Error;
   }
@@ -726,6 +727,8 @@ vtkIdType MeshScene::FindCell(const double point[3], double resolution, std::vec
       this->ArrayName.empty() ? nullptr : this->GetArray(), this->HasPointArray);
   }
   const vtkIdType face = this->Probe->Find(point, this->Renderer, values);
-  vtkDataArray* cells = this->Mesh->GetCellData()->GetArray("vtkOriginalCellIds");
+  // In a file of a surface, this array has ids of another mesh.
+  vtkDataArray* cells =
+    this->IsOfCells ? this->Mesh->GetCellData()->GetArray("vtkOriginalCellIds") : nullptr;
   return cells && face >= 0 ? static_cast<vtkIdType>(cells->GetComponent(face, 0)) : face;
 }

@@ -92,6 +92,7 @@ private:
   vtkSmartPointer<vtkActor> Hair;              // nullptr without hair
   CutPlane Cut;
   vtkSmartPointer<vtkDataSet> Cells; // the mesh that the surface bounds
+  bool IsOfCells = false;            // whether Cells is not the surface itself
   std::unique_ptr<MeshSection> Section;
   // Vectors of the streaks, or nullptr.
   vtkSmartPointer<vtkDataArray> Vectors;

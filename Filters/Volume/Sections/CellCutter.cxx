@@ -184,10 +184,10 @@ void CellCutter::CutLinear(vtkIdType cell, const CellKind& kind, CellSection& se
 // As for shapes, see PartCutter: a bound of second derivatives limits the error of interpolation.
 std::vector<int> CellCutter::CountFieldIntervals(const CurvedCellType& type,
   const CurvedCellConversion& conversion, std::vector<CurvedNode> nodes,
-  const std::vector<vtkIdType>& points) const
+  const std::vector<vtkIdType>& points, std::size_t numberOfParts) const
 {
   const FieldScales& fields = this->Tolerances.Fields;
-  std::vector<double> largest; // of each part
+  std::vector<double> largest(numberOfParts);
   for (int group = 0; group < fields.GetNumberOfGroups(); ++group)
   {
     for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -196,7 +196,6 @@ std::vector<int> CellCutter::CountFieldIntervals(const CurvedCellType& type,
     }
     const std::vector<BezierHexahedron> parts =
       conversion.Convert(type, nodes, fields.GetSize(group));
-    largest.resize(parts.size());
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
       std::array<double, MaximumComponents> sum{};
@@ -211,7 +210,7 @@ std::vector<int> CellCutter::CountFieldIntervals(const CurvedCellType& type,
       largest[i] = std::max(largest[i], *std::max_element(sum.begin(), sum.end()));
     }
   }
-  std::vector<int> intervals(std::max<std::size_t>(largest.size(), 4), 1);
+  std::vector<int> intervals(numberOfParts, 1);
   for (std::size_t i = 0; i < largest.size(); ++i)
   {
     while (intervals[i] < MaximumFieldIntervals &&
@@ -238,7 +237,7 @@ void CellCutter::CutCurved(const CurvedCellType& type, const CellKind& kind,
   const std::array<bool, 6> isOuter = FindOuterFaces(kind.Shape);
   const std::vector<BezierHexahedron> parts = conversion.Convert(type, nodes, 0);
   const std::vector<int> intervals =
-    this->CountFieldIntervals(type, conversion, nodes, section.Nodes);
+    this->CountFieldIntervals(type, conversion, nodes, section.Nodes, parts.size());
   PartCutter cutter(this->Function, this->Tolerances.Shape);
   for (std::size_t i = 0; i < parts.size(); ++i)
   {

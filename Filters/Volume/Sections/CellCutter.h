@@ -56,7 +56,7 @@ private:
     const CurvedCellConversion& conversion, CellSection& section);
   std::vector<int> CountFieldIntervals(const CurvedCellType& type,
     const CurvedCellConversion& conversion, std::vector<CurvedNode> nodes,
-    const std::vector<vtkIdType>& points) const;
+    const std::vector<vtkIdType>& points, std::size_t numberOfParts) const;
   CellKind ReadCell(vtkIdType cell);
   CurvedCellType ReadType(vtkIdType cell, const CellKind& kind);
 
