@@ -15,6 +15,7 @@ libgdal-dev
 libgeographiclib-dev|libgeographic-dev
 libgl1-mesa-dri
 libglm-dev
+libimgui-dev
 libopenimageio-dev
 ninja-build
 openimageio-tools

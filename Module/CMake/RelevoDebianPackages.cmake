@@ -144,10 +144,14 @@ relevo_describe_package("librelevo${PROJECT_VERSION_MAJOR}"
   CONTROL     "${relevo_debian_files}/shlibs" "${relevo_debian_templates}/triggers"
   SUMMARY     "libraries"
   DESCRIPTION "This package contains the libraries.")
+set(imgui "")
+if (TARGET Relevo::RenderingOverlay)
+  set(imgui ", libimgui-dev")
+endif ()
 relevo_describe_package(librelevo-dev
   COMPONENT   development
   SECTION     libdevel
-  DEPENDS     "${library}, libvtk9-dev"
+  DEPENDS     "${library}, libvtk9-dev${imgui}"
   SUMMARY     "development files"
   DESCRIPTION "This package contains headers, and files for find_package of CMake.")
 if (TARGET relevo-view)

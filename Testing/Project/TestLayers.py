@@ -36,6 +36,7 @@ LAYERS = {
                              "Stages"],
     "Rendering/Flow": ["Passes", "Shaders", "Buffers", "Stages"],
     "Rendering/Offscreen": [],
+    "Rendering/Overlay": ["Context", "Drawing"],
     "Rendering/Volume": ["View", "Mesh", "Segments", "Buffers", "Shaders", "Stages", "Probe"],
     "Rendering/Parametric": ["View", "Shaders", "Buffers", "Drawing"],
     "Rendering/Intersection": ["Scene"],
