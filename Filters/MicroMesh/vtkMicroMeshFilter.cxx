@@ -67,6 +67,16 @@ void vtkMicroMeshFilter::SetMaterialArrayName(const char* name)
   }
 }
 
+void vtkMicroMeshFilter::SetFixedPointArrayName(const char* name)
+{
+  const std::string text = name ? name : "";
+  if (this->FixedPointArrayName != text)
+  {
+    this->FixedPointArrayName = text;
+    this->Modified();
+  }
+}
+
 bool vtkMicroMeshFilter::CheckInput(vtkPolyData* input)
 {
   if (this->Tolerance == 0.0)
@@ -137,6 +147,32 @@ bool vtkMicroMeshFilter::FindMaterials(vtkPolyData* input, vtkDataArray*& materi
   return true;
 }
 
+bool vtkMicroMeshFilter::FindFixedPoints(vtkPolyData* input, vtkDataArray*& fixed)
+{
+  fixed = nullptr;
+  if (this->FixedPointArrayName.empty())
+  {
+    return true;
+  }
+  fixed = input->GetPointData()->GetArray(this->FixedPointArrayName.c_str());
+  if (!fixed)
+  {
+    vtkErrorMacro("The input has no numeric point array \"" << this->FixedPointArrayName
+                                                            << "\" with the fixed points.");
+    return false;
+  }
+  if (fixed->GetNumberOfTuples() < input->GetNumberOfPoints() ||
+    fixed->GetNumberOfComponents() != 1)
+  {
+    vtkErrorMacro("The point array \""
+      << this->FixedPointArrayName << "\" has " << fixed->GetNumberOfTuples() << " tuples of "
+      << fixed->GetNumberOfComponents() << " components, but " << input->GetNumberOfPoints()
+      << " of 1 are needed.");
+    return false;
+  }
+  return true;
+}
+
 void vtkMicroMeshFilter::RemoveShortArrays(vtkPolyData* mesh)
 {
   const auto remove = [this](vtkDataSetAttributes* data, vtkIdType tuples)
@@ -177,7 +213,9 @@ void vtkMicroMeshFilter::WarnOfTriangles(const relevo::DenseMesh& dense)
 int vtkMicroMeshFilter::Encode(vtkPolyData* input, vtkPolyData* output)
 {
   vtkDataArray* materials = nullptr;
-  if (!this->CheckInput(input) || !this->FindMaterials(input, materials))
+  vtkDataArray* fixed = nullptr;
+  if (!this->CheckInput(input) || !this->FindMaterials(input, materials) ||
+    !this->FindFixedPoints(input, fixed))
   {
     return 0;
   }
@@ -188,7 +226,7 @@ int vtkMicroMeshFilter::Encode(vtkPolyData* input, vtkPolyData* output)
   vtkNew<vtkPolyData> whole;
   whole->ShallowCopy(input);
   this->RemoveShortArrays(whole);
-  const relevo::DenseMesh dense(whole, materials, this->FeatureAngle);
+  const relevo::DenseMesh dense(whole, materials, this->FeatureAngle, fixed);
   this->WarnOfTriangles(dense);
   if (dense.Triangles.empty())
   {
@@ -210,6 +248,7 @@ int vtkMicroMeshFilter::Encode(vtkPolyData* input, vtkPolyData* output)
   relevo::StoreLevelErrors(encoded->Mesh, dense.Scale, output);
   if (this->Attributes)
   {
+    whole->GetPointData()->RemoveArray(this->FixedPointArrayName.c_str());
     relevo::SampleAttributes(dense, *encoded, whole, output);
   }
   return 1;
@@ -237,6 +276,7 @@ void vtkMicroMeshFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "MaterialArrayName: " << this->MaterialArrayName << "\n";
+  os << indent << "FixedPointArrayName: " << this->FixedPointArrayName << "\n";
   os << indent << "Attributes: " << (this->Attributes ? "on" : "off") << "\n";
   os << indent << "Error: " << this->Error << "\n";
 }

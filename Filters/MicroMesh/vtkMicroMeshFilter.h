@@ -51,8 +51,8 @@
  * The result does not depend on the number of threads.
  *
  * A tolerance that is not set, points that are not finite, cells with points that do not exist and
- * a missing material array are errors, and the output is empty. Arrays with too few tuples are left
- * out with a warning.
+ * a missing array of materials or fixed points are errors, and the output is empty. Arrays with too
+ * few tuples are left out with a warning.
  *
  * Sources: M. Garland, P. Heckbert, "Surface Simplification Using Quadric Error Metrics", SIGGRAPH
  * 1997, for the coarse mesh. The layout follows the idea of NVIDIA's micro-meshes (A. Maggiordomo,
@@ -128,6 +128,18 @@ public:
 
   //@{
   /**
+   * Set the name of a numeric point array with one component. Points with a value other than 0 are
+   * fixed: they are points of the output, and edges between two of them at the border of the mesh
+   * are edges of the output. Pieces of a surface that are encoded separately therefore match if
+   * the points of their common borders are fixed. The array is not sampled on the grids. The
+   * default is an empty name: no points are fixed.
+   */
+  void SetFixedPointArrayName(const char* name);
+  const char* GetFixedPointArrayName() const { return this->FixedPointArrayName.c_str(); }
+  //@}
+
+  //@{
+  /**
    * Set whether numeric point arrays of the input, except normals and ids, are sampled on the grids
    * too. On by default. Off, they have values only at the coarse points.
    */
@@ -154,6 +166,7 @@ protected:
   int MaximumLevel = 5;
   double FeatureAngle = 60.0;
   std::string MaterialArrayName;
+  std::string FixedPointArrayName;
   bool Attributes = true;
   double Error = 0.0;
 
@@ -163,6 +176,7 @@ private:
 
   bool CheckInput(vtkPolyData* input);
   bool FindMaterials(vtkPolyData* input, vtkDataArray*& materials);
+  bool FindFixedPoints(vtkPolyData* input, vtkDataArray*& fixed);
   void RemoveShortArrays(vtkPolyData* mesh);
   void WarnOfTriangles(const relevo::DenseMesh& dense);
   int Encode(vtkPolyData* input, vtkPolyData* output);

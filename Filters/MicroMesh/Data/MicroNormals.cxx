@@ -42,17 +42,22 @@ std::vector<dvec3> SumNormals(const MicroMesh& mesh, const MicroMesh::Face& face
 }
 }
 
+std::array<dvec3, 3> ComputeCornerNormals(const MicroMesh& mesh, const MicroMesh::Face& face)
+{
+  const int n = 1 << face.Level;
+  const std::vector<dvec3> sums = SumNormals(mesh, face);
+  return { { sums[static_cast<std::size_t>(GetGridIndex(n, { { n, 0, 0 } }))],
+    sums[static_cast<std::size_t>(GetGridIndex(n, { { 0, n, 0 } }))],
+    sums[static_cast<std::size_t>(GetGridIndex(n, { { 0, 0, n } }))] } };
+}
+
 std::vector<std::array<dvec3, 3>> ComputeCornerNormals(const MicroMesh& mesh)
 {
   std::vector<std::array<dvec3, 3>> normals;
   normals.reserve(mesh.Faces.size());
   for (const MicroMesh::Face& face : mesh.Faces)
   {
-    const int n = 1 << face.Level;
-    const std::vector<dvec3> sums = SumNormals(mesh, face);
-    normals.push_back({ { sums[static_cast<std::size_t>(GetGridIndex(n, { { n, 0, 0 } }))],
-      sums[static_cast<std::size_t>(GetGridIndex(n, { { 0, n, 0 } }))],
-      sums[static_cast<std::size_t>(GetGridIndex(n, { { 0, 0, n } }))] } });
+    normals.push_back(ComputeCornerNormals(mesh, face));
   }
   return normals;
 }

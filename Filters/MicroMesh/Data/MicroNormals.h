@@ -14,7 +14,8 @@
 
 namespace relevo
 {
-/// The sums for the corners of each face, of the face's own triangles.
+/// The sums for the corners of a face or of each face, of the face's own triangles.
+std::array<dvec3, 3> ComputeCornerNormals(const MicroMesh& mesh, const MicroMesh::Face& face);
 std::vector<std::array<dvec3, 3>> ComputeCornerNormals(const MicroMesh& mesh);
 
 /// The unit normal per sample, or 0 where triangles have no area.

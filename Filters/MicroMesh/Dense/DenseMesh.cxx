@@ -51,12 +51,17 @@ bool DifferInCell(vtkDataArray* array, vtkIdType a, vtkIdType b)
 }
 }
 
-DenseMesh::DenseMesh(vtkPolyData* input, vtkDataArray* materials, double featureAngle)
+DenseMesh::DenseMesh(
+  vtkPolyData* input, vtkDataArray* materials, double featureAngle, vtkDataArray* fixed)
 {
   this->ReadTriangles(input);
   this->ScalePoints(input);
   this->FindLines(materials, featureAngle);
   this->LockFans();
+  if (fixed)
+  {
+    this->LockFixed(fixed);
+  }
   this->Opposite = {}; // no longer needed
 }
 
@@ -284,6 +289,35 @@ void DenseMesh::LockFans()
     {
       this->Kinds[v] = Kind::LOCKED;
     }
+  }
+}
+
+void DenseMesh::LockFixed(vtkDataArray* fixed)
+{
+  std::vector<char> areFixed(this->Points.size(), 0);
+  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      if (fixed->GetComponent(this->Wedges[t][c], 0) != 0.0)
+      {
+        areFixed[static_cast<std::size_t>(this->Triangles[t][c])] = 1;
+      }
+    }
+  }
+  for (std::size_t v = 0; v < this->Points.size(); ++v)
+  {
+    if (areFixed[v] == 0)
+    {
+      continue;
+    }
+    this->Kinds[v] = Kind::LOCKED;
+    this->NumberOfFixedEdges += std::count_if(this->LineEnds[v].begin(), this->LineEnds[v].end(),
+      [&](const LineEnd& end)
+      {
+        return end.Vertex > static_cast<int>(v) && (end.Flags & BORDER) != 0 &&
+          areFixed[static_cast<std::size_t>(end.Vertex)] != 0;
+      });
   }
 }
 }

@@ -7,7 +7,7 @@
  * Lines are edges at the border of the surface, sharp edges, edges between materials, and edges at
  * which points are split (seams). A vertex is an end of no line, on one line, or locked: at ends
  * and branches of lines, at edges of more than two triangles or of inconsistent winding, and where
- * several fans of triangles meet.
+ * several fans of triangles meet, and where the input's points are fixed.
  *
  * Coordinates are relative to the centre and scaled by a power of two, so that the box's largest
  * side is in (0.5, 1].
@@ -51,8 +51,10 @@ public:
   using Lines = std::vector<std::vector<LineEnd>>; // per vertex, the other ends
   using Triangle = std::array<int, 3>;
 
-  /// `materials` is a cell array or nullptr. `featureAngle` is in degrees.
-  DenseMesh(vtkPolyData* input, vtkDataArray* materials, double featureAngle);
+  /// `materials` is a cell array or nullptr. `featureAngle` is in degrees. `fixed` is a point array
+  /// or nullptr; points with a value other than 0 are fixed.
+  DenseMesh(vtkPolyData* input, vtkDataArray* materials, double featureAngle,
+    vtkDataArray* fixed = nullptr);
 
   dvec3 ToInput(const dvec3& point) const { return point * this->Scale + this->Centre; }
   dvec3 GetNormal(const Triangle& triangle) const; // with twice the area as its length
@@ -75,6 +77,7 @@ public:
   vtkIdType NumberOfDegenerateTriangles = 0;
   vtkIdType NumberOfDuplicates = 0;
   vtkIdType NumberOfUnclearEdges = 0;
+  vtkIdType NumberOfFixedEdges = 0; // at the border, between fixed points
 
 private:
   void ReadTriangles(vtkPolyData* input);
@@ -83,6 +86,7 @@ private:
   unsigned char GetFlags(
     const std::vector<int>& sides, vtkDataArray* materials, double smallestCosine) const;
   void LockFans();
+  void LockFixed(vtkDataArray* fixed);
 
   std::vector<int> Opposite; // half-edge 3 t + e from corner e to e + 1; -1 for none
 };

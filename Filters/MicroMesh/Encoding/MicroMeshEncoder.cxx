@@ -32,6 +32,8 @@ constexpr double LineOfTolerance = 0.9;
 // After this many simplifications, the whole mesh is kept.
 constexpr int LimitDivisor = 4;
 constexpr int MostSimplifications = 100;
+// Coarse triangles near the border, per fixed edge: small ones that become larger away from it.
+constexpr double TrianglesOfFixedEdges = 1.2;
 
 class Encoder
 {
@@ -104,7 +106,8 @@ private:
   {
     double error = this->Error;
     const double target =
-      (1.0 - this->Settings.TargetReduction) * double(this->Dense.Triangles.size());
+      (1.0 - this->Settings.TargetReduction) * double(this->Dense.Triangles.size()) +
+      TrianglesOfFixedEdges * double(this->Dense.NumberOfFixedEdges);
     collapse.Repeat(this->Moves);
     const bool isDone =
       collapse.Run(this->Simplifications == 0 ? static_cast<std::size_t>(target) : 0, error,

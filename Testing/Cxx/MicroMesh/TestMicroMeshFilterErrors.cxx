@@ -73,6 +73,16 @@ void CheckArrays(RelevoCheck& check)
   CHECK_EQUAL(Update(filter, plate), 0);
   CHECK(errors.Said("\"Stuff\" has 1 tuples, but there are 72 cells"));
   filter->SetMaterialArrayName(nullptr);
+  filter->SetFixedPointArrayName("Fixed");
+  CHECK_EQUAL(Update(filter, plate), 0);
+  CHECK(errors.Said("no numeric point array \"Fixed\""));
+  tooShort->SetName("Fixed");
+  plate->GetPointData()->AddArray(tooShort);
+  CHECK_EQUAL(Update(filter, plate), 0);
+  CHECK(errors.Said("\"Fixed\" has 1 tuples of 1 components, but 49 of 1 are needed"));
+  filter->SetFixedPointArrayName(nullptr);
+  plate->GetPointData()->RemoveArray("Fixed");
+  tooShort->SetName("Stuff");
   CHECK_GREATER(Update(filter, plate), 0);
   CHECK(errors.Warned("\"Stuff\" has too few tuples"));
   CHECK(filter->GetOutput()->GetCellData()->GetArray("Material") != nullptr);
