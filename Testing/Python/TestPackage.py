@@ -116,6 +116,29 @@ class TestPackage(unittest.TestCase):
         run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
         self.assertEqual((run.returncode, run.stderr), (0, ""))
 
+    def test_results_have_the_types_of_their_classes(self):
+        """Classes that a script has not used itself, in the results of others."""
+        script = """if True:
+            import relevo
+            from vtkmodules.vtkFiltersSources import vtkSphereSource
+            from vtkmodules.vtkRenderingCore import vtkActor
+            scene = relevo.vtkContactScene()
+            mapper = relevo.vtkAdaptiveRefinementMapper()
+            source = vtkSphereSource()
+            mapper.SetInputConnection(source.GetOutputPort())
+            mapper.SetRefinement(relevo.vtkAdaptiveRefinement())
+            actor = vtkActor()
+            actor.SetMapper(mapper)
+            scene.AddActor(actor)
+            scene.Update()
+            print(type(mapper.GetRefinement().GetMetric()).__name__)
+            patches = relevo.vtkAdaptivePatchMapper()
+            print(type(patches.GetRefinement().GetSurface()).__name__)
+            """
+        run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+        names = "vtkProximityDepthTagMetric\nvtkPatchSurface\n"
+        self.assertEqual((run.returncode, run.stdout, run.stderr), (0, names, ""))
+
     def test_modules_have_no_other_classes(self):
         for name in {extension for extension in EXTENSIONS.values()}:
             module = importlib.import_module("relevo." + name)

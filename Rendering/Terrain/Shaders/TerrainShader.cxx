@@ -167,8 +167,9 @@ void FinishTerrainShaders(const TerrainShaderOptions& options,
     "void relevoSetNormal(vec3 normal)\n{\n" + (hasNormal ? "  normalMC = normal;\n" : "") + "}\n" +
     relevoTerrainFaceVS + (options.IsGlobe ? relevoTerrainGlobeVS : "") + relevoTerrainHeightsVS +
     relevoTerrainPositionVS + (hasVertexNormals ? relevoTerrainFootprintVS : "") +
-    (hasVertexNormals ? relevoTerrainTiles : "") + (hasVertexNormals ? relevoTerrainGradient : "") +
-    (HasSides(options) ? relevoTerrainSolidVS : relevoTerrainVS));
+    (hasVertexNormals ? relevoTerrainTiles : "") +
+    (HasSides(options) ? relevoTerrainSolidVS : relevoTerrainVS) +
+    (hasVertexNormals ? relevoTerrainGradient : ""));
   vertex.InsertAfterVersion(GetDefines(options) + (hasVertexNormals ? HasNormals : ""));
 
   ShaderText geometry(shaders[vtkShader::Geometry], missing);

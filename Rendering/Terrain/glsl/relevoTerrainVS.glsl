@@ -4,6 +4,11 @@
 #ifdef RELEVO_CELLS
 uniform usamplerBuffer relevoFaceIds;
 #endif
+#ifdef RELEVO_NORMALS
+// The definitions follow, because compilers warn where outputs are read before a line that sets them.
+void relevoFindGradient(float detail);
+vec3 relevoTerrainNormal();
+#endif
 
 void relevoDrawTerrain()
 {

@@ -259,7 +259,10 @@ bool leaveTo(int exit)
   return walkCell != Nothing && !isCurvedCell(walkCell);
 }
 
-vec3 hexPlaces[8]; // in the ray's coordinates
+// The corners in the ray's coordinates. They have values here because compilers warn where variables
+// are read before a line that sets them.
+vec3 hexPlaces[8] = vec3[8](vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0),
+  vec3(0.0), vec3(0.0));
 
 #define trilinear(c, p) \
   mix(mix(mix(c[0], c[1], (p).x), mix(c[3], c[2], (p).x), (p).y), \

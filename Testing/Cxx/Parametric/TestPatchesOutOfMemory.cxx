@@ -18,6 +18,7 @@
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVersionMacros.h"
 
 #include <cstdio>
 #include <fstream>
@@ -103,7 +104,7 @@ void TestSource(RelevoCheck& check)
   ExpectError(check, source, "Not enough memory for the control points.");
 }
 
-void TestReader(RelevoCheck& check)
+[[maybe_unused]] void TestReader(RelevoCheck& check)
 {
   const char* name = "TestPatchesOutOfMemory.bpt";
   constexpr int n = 4000;
@@ -136,6 +137,8 @@ int TestPatchesOutOfMemory(int, char*[])
   vtkSMPTools::SetBackend("Sequential"); // threads need memory for their stacks
   TestFilters(check);
   TestSource(check);
-  TestReader(check);
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 6, 0)
+  TestReader(check); // Debian's VTK 9.6 ends the process where an array cannot grow
+#endif
   return check.GetResult();
 }

@@ -17,7 +17,9 @@
 #include "vtkOverlappingAMR.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
+#include "vtkStructuredData.h"
 #include "vtkUniformGrid.h"
+#include "vtkVersionMacros.h"
 
 #include <cmath>
 #include <vector>
@@ -201,8 +203,14 @@ void TestFeatures(RelevoCheck& check)
 void TestAMR(RelevoCheck& check)
 {
   vtkNew<vtkOverlappingAMR> amr;
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  const int description = vtkStructuredData::VTK_STRUCTURED_XYZ_GRID;
+  amr->Initialize({ 1, 1 });
+#else
+  const int description = VTK_XYZ_GRID;
   const int numberOfBlocks[2] = { 1, 1 };
   amr->Initialize(2, numberOfBlocks);
+#endif
   double origin[3] = { 0.0, 0.0, 0.0 };
   amr->SetOrigin(origin);
   for (unsigned int level = 0; level < 2; ++level)
@@ -220,10 +228,10 @@ void TestAMR(RelevoCheck& check)
       values->InsertNextValue(0.2 + 0.01 * static_cast<double>(i % 7) + 0.5 * level);
     }
     grid->GetCellData()->SetScalars(values);
-    amr->SetGridDescription(grid->GetGridDescription());
+    amr->SetGridDescription(description);
     amr->SetSpacing(level, spacing);
     amr->SetAMRBox(
-      level, 0, vtkAMRBox(low, grid->GetDimensions(), spacing, origin, grid->GetGridDescription()));
+      level, 0, vtkAMRBox(low, grid->GetDimensions(), spacing, origin, description));
     amr->SetRefinementRatio(level, 2);
     amr->SetDataSet(level, 0, grid);
   }

@@ -10,11 +10,13 @@
 #include "vtkContourFilter.h"
 #include "vtkContourValues.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
 #include "vtkTable.h"
+#include "vtkTriangle.h"
 
 #include <cmath>
 #include <limits>
@@ -311,6 +313,26 @@ void TestSurfaces(RelevoCheck& check)
   CHECK(errors.Warned("is averaged at the points."));
 }
 
+// VTK 9.6 returns triangles without area where the surface is a point.
+bool HasArea(vtkPolyData* surface)
+{
+  vtkNew<vtkIdList> points;
+  for (vtkIdType id = 0; id < surface->GetNumberOfCells(); ++id)
+  {
+    surface->GetCellPoints(id, points);
+    double corners[3][3];
+    for (int i = 0; i < 3; ++i)
+    {
+      surface->GetPoint(points->GetId(i), corners[i]);
+    }
+    if (vtkTriangle::TriangleArea(corners[0], corners[1], corners[2]) > 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 // At the ends of the range, isosurfaces have the area of vtkContourFilter's.
 void TestExtremes(RelevoCheck& check)
 {
@@ -335,7 +357,7 @@ void TestExtremes(RelevoCheck& check)
       contour->Update();
       values->SetValue(0, value);
       const std::vector<RelevoColor> drawn = scene.Draw();
-      CHECK_EQUAL(IsBlack(drawn), (contour->GetOutput()->GetNumberOfCells() == 0));
+      CHECK_EQUAL(IsBlack(drawn), !HasArea(contour->GetOutput()));
       CHECK_LESS_EQUAL(
         scene.Compare(0.01, [](vtkVolumeRayCastFilter* filter) { filter->SetBlendMode(5); }), 1.0);
       CHECK(share > 0.0 ||

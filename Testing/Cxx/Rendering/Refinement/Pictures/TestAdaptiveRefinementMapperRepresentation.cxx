@@ -10,6 +10,7 @@
 #include "vtkPlane.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkVersionMacros.h"
 
 namespace
 {
@@ -46,8 +47,11 @@ void CompareMesh(RelevoComparison& comparison, const NamedMesh& mesh, const std:
   const ChangeActor& change)
 {
   // Lines of strips run in the opposite direction, so other pixels are closest to them. Tubes,
-  // which VTK 9.3 and later extend by the direction, end elsewhere.
-  const RelevoTolerance lines{ 1, 1e-6, 60 };
+  // which VTK 9.3 and later extend by the direction, end elsewhere. In VTK 9.6, the tube of a line
+  // may lie behind edges at the same place in another actor.
+  const bool areTubesHidden = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0) &&
+    mesh.Name == "Mixed" && name == "EdgesAsTubes";
+  const RelevoTolerance lines{ 1, 1e-6, areTubesHidden ? 600 : 60 };
   const bool ofStrips = mesh.Name == "Strips" || mesh.Name == "Mixed";
   comparison.Compare("Representation." + mesh.Name + "." + name, ofStrips ? lines : Tight,
     [&](RelevoScene& s)
