@@ -452,7 +452,8 @@ class TestDrawingInputs(unittest.TestCase):
             self.assertIs(type(relevo.refined(mesh).mesh()), mesh_class)
             self.assertIs(type(relevo.lic(mesh, "V").mesh()), mesh_class)
             self.assertIs(type(relevo.intersection(mesh, make_block()).curves), mesh_class)
-        self.assertIs(type(relevo.refined(make_sphere()).mesh()), vtkPolyData)
+        # VTK 9.5 and later have subclasses of their own in Python.
+        self.assertIs(type(relevo.refined(make_sphere()).mesh()), type(vtkPolyData()))
 
     def test_vedo(self):
         script = (

@@ -25,7 +25,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 class TestDrawingProcesses(unittest.TestCase):
     def check(self, program, **variables):
         result = subprocess.run(
-            [sys.executable, "-c", START + textwrap.dedent(program)],
+            # Python 3.12 and later warn of fork() in processes with threads.
+            [sys.executable, "-W", "ignore:This process:DeprecationWarning", "-c", START + textwrap.dedent(program)],
             cwd=pathlib.Path(__file__).parent,
             env={**os.environ, **variables},
             capture_output=True,

@@ -86,7 +86,7 @@ class TestPackage(unittest.TestCase):
             [sys.executable, "-m", "relevo", "--report"], capture_output=True, text=True
         )
         self.assertEqual((run.returncode, run.stderr), (0, ""))
-        rows = dict(re.split(r":\s+", line, 1) for line in run.stdout.splitlines())
+        rows = dict(re.split(r":\s+", line, maxsplit=1) for line in run.stdout.splitlines())
         self.assertEqual(rows["Relevo"], relevo.__version__)
         self.assertEqual(rows["VTK"], vtkVersion.GetVTKVersion())
         self.assertEqual(rows["Python"], sys.version.split()[0])
@@ -103,9 +103,12 @@ class TestPackage(unittest.TestCase):
     def test_modules_are_imported_when_needed(self):
         """Libraries that load slowly, such as GDAL, and numpy load with the first use."""
         script = (
-            "import sys, relevo\n"
+            "import sys\n"
+            "import vtkmodules.vtkRenderingOpenGL2\n"
+            "is_there = 'numpy' in sys.modules\n"  # newer versions of VTK import numpy
+            "import relevo\n"
             "loaded = [name for name in sys.modules if name.startswith('relevo.Relevo')]\n"
-            "assert not loaded and 'numpy' not in sys.modules, loaded\n"
+            "assert not loaded and ('numpy' in sys.modules) == is_there, loaded\n"
             "relevo.vtkPNTriangleSurface\n"
             "assert 'relevo.RelevoFiltersTerrain' not in sys.modules\n"
             "assert not hasattr(relevo, 'vtkNothing') and 'show' in dir(relevo)\n"

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 
 SIZE = (1280, 800)
 _DRAWING: dict[str, int] = {}  # the process that has drawn
+_SAMPLES = 4  # per pixel of a picture, as in relevo-view
 
 
 def _check_size(size: Any) -> tuple[int, int]:
@@ -78,6 +79,7 @@ def _make_offscreen_window(is_on_display: bool) -> vtkRenderWindow:
     """
     if hasattr(relevo, "vtkEGLOffscreenRenderWindow") and not is_on_display:
         own = relevo.vtkEGLOffscreenRenderWindow()
+        own.SetMultiSamples(_SAMPLES)
         try:
             with Messages():
                 own.Initialize()
@@ -87,6 +89,7 @@ def _make_offscreen_window(is_on_display: bool) -> vtkRenderWindow:
                 raise
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
+    window.SetMultiSamples(_SAMPLES)
     return window
 
 

@@ -396,15 +396,8 @@ def times(source: Any) -> list[float]:
 
 def _is_curved(data: vtkDataObject) -> bool:
     """Return whether a data object has curved cells."""
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-    from vtkmodules.vtkCommonDataModel import vtkCellTypes, vtkUnstructuredGrid
-
-    for block in _inputs.get_blocks(data):
-        if isinstance(block, vtkUnstructuredGrid) and block.GetNumberOfCells():
-            types = set(vtk_to_numpy(block.GetCellTypesArray()).tolist())
-            if not all(vtkCellTypes.IsLinear(kind) for kind in types):
-                return True
-    return False
+    cells = (cell for block in _inputs.get_blocks(data) for cell in _inputs.get_kinds_of_cells(block))
+    return not all(cell.IsLinear() for cell in cells)
 
 
 def _find_functions(source: Any, time: Any) -> tuple[tuple[Callable[..., Drawing], ...], Any]:

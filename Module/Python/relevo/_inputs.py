@@ -16,7 +16,9 @@ from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet,
     vtkDataObject,
     vtkDataSet,
+    vtkGenericCell,
     vtkPolyData,
+    vtkUnstructuredGrid,
 )
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
@@ -172,6 +174,24 @@ def get_blocks(data: vtkDataObject) -> list[vtkDataSet]:
             iterator.GoToNextItem()
         return blocks
     raise TypeError(f"{data.GetClassName()} is not a mesh")
+
+
+def get_kinds_of_cells(block: vtkDataSet) -> list[vtkGenericCell]:
+    """Return a cell of each type that a data set has."""
+    types: set[int] = set()
+    if block.GetNumberOfCells() == 0:
+        pass
+    elif not isinstance(block, vtkUnstructuredGrid):
+        types = {block.GetCellType(0)}  # cells of other data sets have one type
+    elif hasattr(block, "GetDistinctCellTypesArray"):
+        types = set(vtk_to_numpy(block.GetDistinctCellTypesArray()).tolist())
+    else:
+        types = set(vtk_to_numpy(block.GetCellTypesArray()).tolist())
+    cells = []
+    for kind in types:
+        cells.append(vtkGenericCell())
+        cells[-1].SetCellType(kind)
+    return cells
 
 
 def _fill_arrays(blocks: Sequence[vtkDataSet], association: int) -> None:

@@ -11,14 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray
-from vtkmodules.vtkCommonDataModel import (
-    vtkDataObject,
-    vtkDataSet,
-    vtkGenericCell,
-    vtkPiecewiseFunction,
-    vtkPlane,
-    vtkUnstructuredGrid,
-)
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet, vtkPiecewiseFunction, vtkPlane
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume, vtkVolumeProperty
 
 import relevo
@@ -50,17 +43,7 @@ _TOLERANCES = {"ShapeTolerance": "shape_tolerance", "FieldTolerance": "field_tol
 
 def _is_solid(block: vtkDataSet) -> bool:
     """Return whether a data set has 3D cells."""
-    types: set[int] = set()
-    if isinstance(block, vtkUnstructuredGrid):
-        types = set(vtk_to_numpy(block.GetCellTypesArray())) if block.GetNumberOfCells() else types
-    elif block.GetNumberOfCells():
-        types = {block.GetCellType(0)}  # cells of other data sets have one type
-    for kind in types:
-        cell = vtkGenericCell()
-        cell.SetCellType(int(kind))
-        if cell.GetCellDimension() == 3:
-            return True
-    return False
+    return any(cell.GetCellDimension() == 3 for cell in _inputs.get_kinds_of_cells(block))
 
 
 def _find_array(

@@ -5,8 +5,8 @@ uniform samplerBuffer relevoGlobeVertices; // position at relevoOriginHeight, up
 uniform float relevoOriginHeight;
 uniform float relevoHeightScale; // metres per unit of height, with the exaggeration
 
-vec3 relevoGlobePosition; // of the vertex, after relevoVertex()
-vec3 relevoMidpoint;      // of the edge on which the bisection adds the vertex
+vec3 relevoGlobePosition;        // of the vertex, after relevoVertex()
+vec3 relevoMidpoint = vec3(0.0); // of the edge on which the bisection adds the vertex
 
 vec4 relevoGlobeTexel(ivec2 ab, int texel)
 {

@@ -74,6 +74,11 @@ float countParts()
 #if RELEVO_STEEPNESS
 Scalars curvedSteepness[3]; // at the centres of thirds of the way
 
+void setCurvedSteepness(int third, Scalars steepness)
+{
+  curvedSteepness[third] = steepness;
+}
+
 Scalars steepnessAt(float x)
 {
   float at = 3.0 * x - 0.5;
@@ -85,6 +90,11 @@ Scalars steepnessAt(float x)
 
 #if RELEVO_LIT
 vec3 curvedGradients[4 * RELEVO_MATERIALS]; // at thirds of the way
+
+void setCurvedGradient(int i, vec3 gradient)
+{
+  curvedGradients[i] = gradient;
+}
 
 vec3 curvedGradientAt(int material, float x)
 {
@@ -259,10 +269,12 @@ bool leaveTo(int exit)
   return walkCell != Nothing && !isCurvedCell(walkCell);
 }
 
-// The corners in the ray's coordinates. They have values here because compilers warn where variables
-// are read before a line that sets them.
-vec3 hexPlaces[8] = vec3[8](vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0),
-  vec3(0.0), vec3(0.0));
+vec3 hexPlaces[8]; // in the ray's coordinates
+
+void setHexPlace(int corner, vec3 place)
+{
+  hexPlaces[corner] = place;
+}
 
 #define trilinear(c, p) \
   mix(mix(mix(c[0], c[1], (p).x), mix(c[3], c[2], (p).x), (p).y), \
@@ -508,7 +520,7 @@ void crossHexahedron()
   for (int i = 0; i < 8; ++i)
   {
     vec4 point = texelFetch(meshPoints, int(ids[i]));
-    hexPlaces[i] = seenAlongRay(point.xyz);
+    setHexPlace(i, seenAlongRay(point.xyz));
 #if !RELEVO_CELL_SCALARS
     corners[i] = getPointScalars(ids[i], point.w);
 #endif
@@ -655,7 +667,7 @@ void crossHexahedron()
       trilinear(corners, u) - trilinear(corners, vec3(0.0, u.yz)),
       trilinear(corners, v) - trilinear(corners, vec3(v.x, 0.0, v.z)),
       trilinear(corners, w) - trilinear(corners, vec3(w.xy, 0.0)));
-    curvedSteepness[i] = partSteepness;
+    setCurvedSteepness(i, partSteepness);
   }
 #endif
 #endif
@@ -669,7 +681,7 @@ void crossHexahedron()
     }
     for (int j = 0; j < 4; ++j)
     {
-      curvedGradients[4 * i + j] = trilinear(gradients, places[j]);
+      setCurvedGradient(4 * i + j, trilinear(gradients, places[j]));
     }
   }
 #endif
@@ -863,7 +875,7 @@ void crossQuadraticCell()
     setSteepness(change(quadraticPlaces, h.xyy), change(quadraticPlaces, h.yxy),
       change(quadraticPlaces, h.yyx), change(corners, h.xyy), change(corners, h.yxy),
       change(corners, h.yyx));
-    curvedSteepness[i] = partSteepness;
+    setCurvedSteepness(i, partSteepness);
   }
 #endif
 #endif
@@ -877,7 +889,7 @@ void crossQuadraticCell()
     }
     for (int j = 0; j < 4; ++j)
     {
-      curvedGradients[4 * i + j] = quadratic(gradients, barycentric(places[j]));
+      setCurvedGradient(4 * i + j, quadratic(gradients, barycentric(places[j])));
     }
   }
 #endif

@@ -2,8 +2,8 @@
 
 const float Opaque = 0.999; // surfaces behind are not visible
 
-float walkBegin; // begin of the visible range of depths
-float walkEnd;
+float walkBegin = 0.0; // begin of the visible range of depths
+float walkEnd = 0.0;
 float walkDone; // depth up to which the ray has been processed
 
 #if RELEVO_CLIPPED

@@ -230,8 +230,7 @@ void TestAMR(RelevoCheck& check)
     grid->GetCellData()->SetScalars(values);
     amr->SetGridDescription(description);
     amr->SetSpacing(level, spacing);
-    amr->SetAMRBox(
-      level, 0, vtkAMRBox(low, grid->GetDimensions(), spacing, origin, description));
+    amr->SetAMRBox(level, 0, vtkAMRBox(low, grid->GetDimensions(), spacing, origin, description));
     amr->SetRefinementRatio(level, 2);
     amr->SetDataSet(level, 0, grid);
   }
