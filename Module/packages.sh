@@ -10,6 +10,7 @@ ca-certificates
 cmake
 g++
 libboost-dev
+libcivetweb-dev
 libegl-dev
 libgdal-dev
 libgeographiclib-dev|libgeographic-dev

@@ -37,6 +37,7 @@ LAYERS = {
     "Rendering/Flow": ["Passes", "Shaders", "Buffers", "Stages"],
     "Rendering/Offscreen": [],
     "Rendering/Overlay": ["Context", "Drawing"],
+    "Rendering/Remote": ["Messages", "Pictures", "Connection", "Window"],
     "Rendering/Volume": ["View", "Mesh", "Segments", "Buffers", "Shaders", "Stages", "Probe"],
     "Rendering/Parametric": ["View", "Shaders", "Buffers", "Drawing"],
     "Rendering/Intersection": ["Scene"],

@@ -13,3 +13,26 @@ def catch_errors(item):
     catch.CallDataType = "string0"
     item.AddObserver("ErrorEvent", catch)
     return messages
+
+
+class MessageCatcher:
+    """Collects the errors and warnings of an object, each of which a test has to expect."""
+
+    def __init__(self, item):
+        self.messages = []
+
+        def catch(caller, event, message):
+            self.messages.append(message)
+
+        catch.CallDataType = "string0"
+        for event in ("ErrorEvent", "WarningEvent"):
+            item.AddObserver(event, catch)
+
+    def expect(self, words):
+        """Checks that one message has these words, and forgets it."""
+        found = [message for message in self.messages if words in message]
+        assert len(found) == 1, (words, self.messages)
+        self.messages.remove(found[0])
+
+    def check(self, test):
+        test.assertEqual(self.messages, [])
