@@ -7,7 +7,7 @@
 #include "Files/ViewerFile.h"
 #include "Files/ViewerPicture.h"
 #include "Options/OptionParser.h"
-#include "Options/UsageError.h"
+#include "Options/ProgramRun.h"
 #include "Options/ViewerUsage.h"
 #include "Scene/OffscreenWindow.h"
 #include "Scene/PictureSeries.h"
@@ -16,8 +16,8 @@
 #include "Scene/TerrainHeight.h"
 #include "Scene/ViewerScene.h"
 #include "Text/ReadingGuard.h"
-#include "Text/StandardError.h"
 #include "Text/ViewerMessages.h"
+#include "Window/DisplayConnection.h"
 #include "Window/ViewerWindow.h"
 
 #include "vtkRenderWindow.h"
@@ -26,19 +26,11 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
-#include <new>
 #include <string>
 #include <vector>
 
 namespace
 {
-enum ExitCode
-{
-  Success = 0,
-  BadInput = 1,
-  BadUsage = 2
-};
-
 void Draw(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& messages)
 {
   auto window = NewOffscreenWindow();
@@ -117,36 +109,21 @@ void Run(const ViewerOptions& options)
 
 int main(int argc, char* argv[])
 {
-  try
-  {
-    const ViewerOptions options = ParseOptions(argc, argv);
-    if (options.Help)
+  return RunProgram("relevo-view",
+    [&]
     {
-      std::cout << GetUsage();
-    }
-    else if (options.Version)
-    {
-      std::cout << "relevo-view " << RELEVO_VERSION << std::endl;
-    }
-    else
-    {
-      Run(options);
-    }
-    return Success;
-  }
-  catch (const UsageError& error)
-  {
-    WriteMessage("error", std::string(error.what()) + " (see relevo-view --help)");
-    return BadUsage;
-  }
-  catch (const std::bad_alloc&)
-  {
-    WriteMessage("error", "not enough memory");
-    return BadInput;
-  }
-  catch (const std::exception& error)
-  {
-    WriteMessage("error", error.what());
-    return BadInput;
-  }
+      const ViewerOptions options = ParseOptions(argc, argv);
+      if (options.Help)
+      {
+        std::cout << GetUsage();
+      }
+      else if (options.Version)
+      {
+        std::cout << "relevo-view " << RELEVO_VERSION << std::endl;
+      }
+      else
+      {
+        Run(options);
+      }
+    });
 }

@@ -44,12 +44,14 @@ LAYERS = {
     "Rendering/Relief": ["View", "Buffers", "Shaders", "Drawing", "Capture"],
     "Rendering/Terrain": ["View", "Colors", "Labels", "Buffers", "Shaders", "Drawing"],
     "Examples/Viewer": ["Text", "Files", "Options", "Legend", "Scene", "Window"],
+    "Examples/Studio": ["State", "Controls", "Drawing", "Panels", "Driving", "Program"],
 }
 MODULES = list(LAYERS)  # a module includes no later one
 # Allowed circles: a metric makes evaluators, and an evaluator reads the settings of its metric.
 MUTUAL = {
     "Filters/Refinement: Metrics/DepthTags, Metrics/MetricEvaluator, vtkDepthTagMetric",
 }
+PROGRAMS = ("relevo-view", "relevo-studio")
 LONGEST_FUNCTION = 80
 NO_FUNCTION = re.compile(r"(inline |typedef )*(namespace|class|struct|union|enum|extern)\b")
 
@@ -60,14 +62,14 @@ def is_public(header):
 
 
 def is_of_public_class(path):
-    """Return whether a file belongs to a public class or is the main program of the viewer."""
-    return is_public(path.with_suffix(".h")) or path.stem == "relevo-view"
+    """Return whether a file belongs to a public class or is a main program."""
+    return is_public(path.with_suffix(".h")) or path.stem in PROGRAMS
 
 
 def is_slice(path):
     """Return whether a source has no header of its name, so that it is a part of another class."""
     return path.suffix == ".cxx" and not (
-        path.with_suffix(".h").exists() or path.stem == "relevo-view"
+        path.with_suffix(".h").exists() or path.stem in PROGRAMS
     )
 
 
@@ -91,7 +93,7 @@ def may_include(module, other, name, installed):
     """Return whether a module may include a header of another one.
 
     Any module may include public and installed headers and those of the Core modules. Rendering/X
-    may include headers of Filters/X.
+    may include headers of Filters/X. The studio may include headers of the viewer.
     """
     folder, idea = module.split("/")
     return (
@@ -99,6 +101,7 @@ def may_include(module, other, name, installed):
         or name in installed
         or other in ("Filters/Core", "Rendering/Core")
         or folder == "Rendering" and other == "Filters/" + idea
+        or module == "Examples/Studio" and other == "Examples/Viewer"
     )
 
 

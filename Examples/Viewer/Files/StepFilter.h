@@ -27,6 +27,7 @@ public:
   vtkSmartPointer<vtkDataObject> Apply(vtkDataObject* data, ViewerMessages& messages);
   void Check(const std::string& fileName) const;
 
+  void SetFactor(double factor) { this->Warp.Factor = factor; }
   const MeshWarp& GetWarp() const { return this->Warp; }
 
   /// The array with the quantity, after the first step.

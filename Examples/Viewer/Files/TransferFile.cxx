@@ -42,16 +42,12 @@ std::string ReadNode(const std::string& line, TransferNode& node)
   node = { numbers[0], { { numbers[1], numbers[2], numbers[3] } }, numbers[4] };
   return "";
 }
-}
 
-//------------------------------------------------------------------------------
-std::vector<TransferNode> ReadTransferFile(const std::string& fileName)
+std::vector<TransferNode> ReadNodes(std::istream& stream, const std::string& source)
 {
-  CheckFile(fileName);
   std::vector<TransferNode> nodes;
-  std::ifstream file(fileName);
   std::string line;
-  for (int number = 1; std::getline(file, line); ++number)
+  for (int number = 1; std::getline(stream, line); ++number)
   {
     line.erase(std::min(line.find('#'), line.size()));
     if (line.find_first_not_of(" \t\r") == std::string::npos)
@@ -66,13 +62,29 @@ std::vector<TransferNode> ReadTransferFile(const std::string& fileName)
     }
     if (!error.empty())
     {
-      throw ViewerError(fileName + ", line " + std::to_string(number) + ": " + error);
+      throw ViewerError(source + ", line " + std::to_string(number) + ": " + error);
     }
     nodes.push_back(node);
   }
   if (nodes.empty())
   {
-    throw ViewerError(fileName + " has no lines 'value red green blue opacity'");
+    throw ViewerError(source + " has no lines 'value red green blue opacity'");
   }
   return nodes;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<TransferNode> ReadTransferFile(const std::string& fileName)
+{
+  if (fileName.find(';') != std::string::npos)
+  {
+    std::string lines = fileName;
+    std::replace(lines.begin(), lines.end(), ';', '\n');
+    std::istringstream stream(lines);
+    return ReadNodes(stream, "--transfer");
+  }
+  CheckFile(fileName);
+  std::ifstream stream(fileName);
+  return ReadNodes(stream, fileName);
 }

@@ -18,7 +18,8 @@ struct TransferNode
 };
 
 /// Reads one node per line, `value red green blue opacity`, with increasing values. Text after #
-/// and empty lines are ignored. Throws ViewerError with the line's number.
+/// and empty lines are ignored. A name with semicolons is not that of a file, but the lines
+/// themselves, separated by semicolons. Throws ViewerError with the line's number.
 std::vector<TransferNode> ReadTransferFile(const std::string& fileName);
 
 #endif

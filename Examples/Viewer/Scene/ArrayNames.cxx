@@ -4,6 +4,7 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -45,6 +46,26 @@ std::string ListArrays(vtkPolyData* mesh)
   const std::string ofPoints = ListArrays(mesh->GetPointData(), "points");
   const std::string ofCells = ListArrays(mesh->GetCellData(), "cells");
   return ofPoints + (ofPoints.empty() || ofCells.empty() ? "" : ", ") + ofCells;
+}
+
+//------------------------------------------------------------------------------
+std::vector<SceneArray> FindArrays(vtkDataSet* mesh)
+{
+  std::vector<SceneArray> arrays;
+  for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(mesh->GetPointData()),
+         static_cast<vtkDataSetAttributes*>(mesh->GetCellData()) })
+  {
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = data->GetArray(i);
+      if (IsShown(data, array))
+      {
+        arrays.push_back(
+          { array->GetName(), data == mesh->GetPointData(), array->GetNumberOfComponents() });
+      }
+    }
+  }
+  return arrays;
 }
 
 //------------------------------------------------------------------------------

@@ -22,10 +22,19 @@ CutPlane::CutPlane(const std::optional<std::vector<double>>& numbers)
 {
   if (numbers)
   {
-    this->Plane = vtkSmartPointer<vtkPlane>::New();
-    this->Plane->SetOrigin(numbers->data());
-    this->Plane->SetNormal(numbers->data() + 3);
+    this->Set(*numbers);
   }
+}
+
+//------------------------------------------------------------------------------
+void CutPlane::Set(const std::vector<double>& numbers)
+{
+  if (!this->Plane)
+  {
+    this->Plane = vtkSmartPointer<vtkPlane>::New();
+  }
+  this->Plane->SetOrigin(numbers.data());
+  this->Plane->SetNormal(numbers.data() + 3);
 }
 
 //------------------------------------------------------------------------------

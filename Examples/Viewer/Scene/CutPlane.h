@@ -24,6 +24,9 @@ public:
   explicit CutPlane(const std::optional<std::vector<double>>& numbers);
   ~CutPlane();
 
+  /// Sets the six numbers of the option.
+  void Set(const std::vector<double>& numbers);
+
   /// nullptr for none. The part on the side of the normal is visible.
   vtkPlane* Get() const;
 

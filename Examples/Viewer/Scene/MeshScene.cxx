@@ -107,7 +107,7 @@ MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
   this->ChooseArray();
   this->ChooseVectors();
   this->ReadHeights();
-  this->Show(options.MaximumLevel.value_or(this->GetDefaultLevel()), this->MakeMeshMetric());
+  this->Show(options.MaximumLevel.value_or(this->GetDefaultLevel()), this->MakeSceneMetric());
   this->SetColours();
   if (this->Cut.Get())
   {
@@ -115,18 +115,140 @@ MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
   }
   ShowPatchEdges(this->Options, this->Mapper);
   this->SetLevelColours();
-  vtkSmartPointer<vtkPolyData> seen = this->GetSurface();
   if (this->Options.Hairs > 0)
   {
-    this->Hair = GrowHair(this->Options, seen, this->Messages);
+    this->Hair = GrowHair(this->Options, this->GetSurface(), this->Messages);
     this->Renderer->AddActor(this->Hair);
-    seen = WithPoints(seen, this->Hair->GetMapper()->GetInputDataObject(0, 0));
   }
   // The main light is above the viewer's left shoulder. Weaker lights are on the right and behind.
   const int up = options.UpAxis;
   this->SetLights(
     { { { 250.0, 45.0, up }, 0.95 }, { { 150.0, 15.0, up }, 0.45 }, { { 10.0, 40.0, up }, 0.30 } });
-  this->SetCamera(seen, { 205.0, 20.0, up }, this->GetCentre());
+  this->ResetView();
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::ResetView()
+{
+  this->SetCamera(this->GetSeen(), { 205.0, 20.0, this->Options.UpAxis }, this->GetCentre());
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MeshScene::GetSeen()
+{
+  const vtkSmartPointer<vtkPolyData> surface = this->GetSurface();
+  return this->Hair ? WithPoints(surface, this->Hair->GetMapper()->GetInputDataObject(0, 0))
+                    : surface;
+}
+
+//------------------------------------------------------------------------------
+SceneContent MeshScene::GetContent()
+{
+  SceneContent content;
+  content.Arrays = FindArrays(this->Cells);
+  content.Array = this->ArrayName;
+  content.Times = this->Steps->GetFile().GetTimes();
+  content.Step = this->Steps->GetStep();
+  content.Range = this->IsColouredByArray() ? this->Range : std::nullopt;
+  content.Bounds.emplace();
+  this->Mesh->GetBounds(content.Bounds->data());
+  for (vtkIdType cell = 0; !content.HasSolidCells && cell < this->Cells->GetNumberOfCells(); ++cell)
+  {
+    content.HasSolidCells = IsVolumeCell(this->Cells, cell);
+  }
+  return content;
+}
+
+//------------------------------------------------------------------------------
+OptionNames MeshScene::GetUpdatedOptions()
+{
+  OptionNames names = this->SurfaceScene::GetUpdatedOptions();
+  names.insert({ "--clip", "--lic-contrast", "--lic-intensity", "--lic-mode", "--lic-phase",
+    "--lic-step-size", "--lic-steps", "--offset", "--palette", "--range", "--scale", "--time" });
+  return names;
+}
+
+//------------------------------------------------------------------------------
+bool MeshScene::ApplyOptions(const OptionNames& changed)
+{
+  const auto has = [&](const char* name) { return changed.count(name) > 0; };
+  // Such files choose levels per edge by default.
+  const bool choosesRule = this->Options.IsPatch() || this->Options.IsMicroMesh();
+  const bool needsColours = this->Options.Range || !this->Options.Palette.empty();
+  if ((choosesRule && (has("--metric") || has("--per-edge"))) ||
+    (needsColours && !this->IsColouredByArray()) || this->Hair)
+  {
+    return false;
+  }
+  if (has("--clip") && !this->ApplyCut())
+  {
+    return false;
+  }
+  if (!this->Options.Warp.empty() ? has("--scale") || has("--time") : has("--time"))
+  {
+    this->ApplyStep(has("--time"));
+  }
+  else if ((has("--scale") || has("--offset")) && !this->Options.Heights.empty())
+  {
+    this->SetDisplacement();
+  }
+  if (has("--range") || has("--palette"))
+  {
+    this->Range.reset();
+    this->UpdateColours();
+  }
+  if (!this->Options.Vectors.empty())
+  {
+    UpdateStreaks(this->Options, this->Mapper);
+  }
+  return this->SurfaceScene::ApplyOptions(changed);
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::ApplyStep(bool isOtherTime)
+{
+  const int shown = this->Steps->GetStep();
+  const double factor = this->Steps->GetFilter().GetWarp().Factor;
+  try
+  {
+    if (isOtherTime)
+    {
+      this->Steps->SetStep(this->Steps->GetFile().FindStep(this->Options.Time));
+    }
+    this->Steps->GetFilter().SetFactor(
+      this->Options.Warp.empty() ? 1.0 : this->Options.Scale.value_or(1.0));
+    this->Range.reset();
+    this->Reload();
+  }
+  catch (const ViewerError&)
+  {
+    this->Steps->GetFilter().SetFactor(factor);
+    if (isOtherTime)
+    {
+      this->Steps->SetStep(shown);
+    }
+    this->Reload();
+    throw;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool MeshScene::ApplyCut()
+{
+  if (!this->Options.Clip)
+  {
+    return !this->Cut.Get();
+  }
+  if (this->Cut.Get())
+  {
+    this->Cut.Set(*this->Options.Clip);
+    return true;
+  }
+  this->Cut.Set(*this->Options.Clip);
+  this->Range.reset();
+  this->UpdateColours(); // values inside of the mesh are visible now
+  this->AddSection();
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -440,9 +562,21 @@ void MeshScene::ReadHeights()
     heights->Update();
   }
   this->Messages.Check();
-  double range[2];
-  heights->GetRange(range);
   this->Displacement->SetHeightMap(heights);
+  this->SetDisplacement();
+  if (this->Options.FillNoData)
+  {
+    this->Displacement->SetNoDataPolicyToFill();
+  }
+  this->Recipe->SetDisplacement(this->Displacement);
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::SetDisplacement()
+{
+  double range[2];
+  this->Displacement->GetHeightMap()->GetRange(range);
+  this->Displacement->SetOffset(0.0);
   if (this->Options.Scale)
   {
     this->Displacement->SetScale(*this->Options.Scale);
@@ -459,11 +593,6 @@ void MeshScene::ReadHeights()
   {
     this->Displacement->SetOffset(*this->Options.Offset);
   }
-  if (this->Options.FillNoData)
-  {
-    this->Displacement->SetNoDataPolicyToFill();
-  }
-  this->Recipe->SetDisplacement(this->Displacement);
 }
 
 //------------------------------------------------------------------------------
@@ -506,7 +635,7 @@ int MeshScene::GetDefaultLevel()
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDepthTagMetric> MeshScene::MakeMeshMetric()
+vtkSmartPointer<vtkDepthTagMetric> MeshScene::MakeSceneMetric()
 {
   const bool isOfVectors = this->Vectors && this->Options.Array.empty();
   auto metric = MakeMetric(this->Options, this->Mesh,

@@ -38,8 +38,17 @@ public:
   int GetNumberOfTimeSteps() override;
   void SetTimeStep(int step) override;
   std::string Change(char key) override;
+  void ResetView() override;
+  SceneContent GetContent() override;
 
 private:
+  OptionNames GetUpdatedOptions() override;
+  bool ApplyOptions(const OptionNames& changed) override;
+  void ApplyStep(bool isOtherTime);
+  bool ApplyCut();
+  /// The surface and hair that the view must show.
+  vtkSmartPointer<vtkPolyData> GetSeen();
+  void SetDisplacement();
   /// Reads the current time step again and shows it.
   void Reload();
   /// Reads the current time step into Mesh. Returns whether it is a surface of cells.
@@ -57,8 +66,8 @@ private:
   void ChooseVectors();
   /// Whether refinement would not change the picture and is not requested.
   bool IsAsItIs() const;
-  int GetDefaultLevel();
-  vtkSmartPointer<vtkDepthTagMetric> MakeMeshMetric();
+  int GetDefaultLevel() override;
+  vtkSmartPointer<vtkDepthTagMetric> MakeSceneMetric() override;
   void SetColours();
   void SetArrayColours();
   bool IsColouredByArray() const;

@@ -115,6 +115,72 @@ PyramidScene::PyramidScene(
 PyramidScene::~PyramidScene() = default;
 
 //------------------------------------------------------------------------------
+void PyramidScene::ResetView()
+{
+  if (!this->Options.Globe)
+  {
+    this->SetCamera();
+  }
+}
+
+//------------------------------------------------------------------------------
+SceneContent PyramidScene::GetContent()
+{
+  SceneContent content;
+  if (this->Colours)
+  {
+    content.Range.emplace();
+    std::array<double, 2> range;
+    this->Pyramid->GetRange(range.data());
+    content.Range = this->Options.Range.value_or(range);
+  }
+  return content;
+}
+
+//------------------------------------------------------------------------------
+SceneFigures PyramidScene::GetFigures()
+{
+  return { { "triangles", static_cast<double>(this->Mapper->GetNumberOfDrawnTriangles()) },
+    { "error-px", this->Mapper->GetScreenSpaceErrorInUse() },
+    { "memory", static_cast<double>(this->Mapper->GetResidentMemorySize()) } };
+}
+
+//------------------------------------------------------------------------------
+OptionNames PyramidScene::GetUpdatedOptions()
+{
+  // On a globe, the directions of lights and views are local.
+  if (this->Options.Globe)
+  {
+    return { "--contours", "--error", "--palette", "--range", "--wireframe" };
+  }
+  OptionNames names = this->ViewerScene::GetUpdatedOptions();
+  names.insert({ "--contours", "--error", "--palette", "--range", "--wireframe" });
+  return names;
+}
+
+//------------------------------------------------------------------------------
+bool PyramidScene::ApplyOptions(const OptionNames& changed)
+{
+  if (changed.count("--palette") || changed.count("--range"))
+  {
+    using Type = ViewerOptions::ColorType;
+    if (!this->Colours || this->Options.SeaLevel ||
+      (this->Options.Color != Type::Own && this->Options.Color != Type::Height))
+    {
+      return false;
+    }
+    this->Colours->ShallowCopy(this->MakeColoursOfHeights());
+    this->Colours->SetNanColor(0.75, 0.75, 0.75);
+    this->HasEstimates = !this->Options.Range && !this->Pyramid->IsErrorKnown();
+  }
+  this->Mapper->SetScreenSpaceError(this->Options.Error.value_or(1.0));
+  this->Mapper->SetContourInterval(this->Options.Contours.value_or(0.0));
+  this->Options.Wireframe ? this->Actor->GetProperty()->SetRepresentationToWireframe()
+                          : this->Actor->GetProperty()->SetRepresentationToSurface();
+  return this->ViewerScene::ApplyOptions(changed);
+}
+
+//------------------------------------------------------------------------------
 bool PyramidScene::HasTerrain()
 {
   const bool isWindow = this->Options.Output.empty() && this->Options.Export.empty();

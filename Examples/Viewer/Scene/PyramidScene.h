@@ -36,8 +36,13 @@ public:
   void CheckFlight(const std::vector<FlightPosition>& positions) override;
   void LookFrom(const FlightPosition& position) override;
   void CheckPictures() override;
+  void ResetView() override;
+  SceneContent GetContent() override;
+  SceneFigures GetFigures() override;
 
 private:
+  OptionNames GetUpdatedOptions() override;
+  bool ApplyOptions(const OptionNames& changed) override;
   PyramidScene(const ViewerOptions& options, ViewerMessages& messages, vtkTerrainPyramid* pyramid);
 
   /// Whether there are heights that can be drawn. Waits for the index if the picture needs it.

@@ -21,6 +21,7 @@
 #include "vtkScalarsToColors.h"
 #include "vtkTexture.h"
 
+#include <algorithm>
 #include <iostream>
 
 //------------------------------------------------------------------------------
@@ -41,20 +42,22 @@ void SurfaceScene::SetRecipe(int maximumLevel, vtkDepthTagMetric* metric)
   const auto surface = MakeSurface(this->Options, this->Mesh->GetLength());
   this->Messages.Observe(surface);
   this->Recipe->SetSurface(surface);
+  this->SetLevels(maximumLevel, metric);
+}
+
+//------------------------------------------------------------------------------
+void SurfaceScene::SetLevels(int maximumLevel, vtkDepthTagMetric* metric)
+{
   this->Recipe->SetMaximumLevel(this->Options.UniformLevel.value_or(maximumLevel));
   this->Recipe->SetMetric(this->Options.UniformLevel ? nullptr : metric);
-  if (this->Options.PerEdge)
-  {
-    this->Recipe->SetLevelRuleToPerEdge();
-  }
-  if (this->Options.WholeSegments.value_or(this->Options.IsPatch()))
-  {
-    this->Recipe->SetSegmentPolicyToWholeNumbers();
-  }
-  if (!this->Options.Geomorphing)
-  {
-    this->Recipe->GeomorphingOff();
-  }
+  this->Options.PerEdge ? this->Recipe->SetLevelRuleToPerEdge()
+                        : this->Recipe->SetLevelRuleToPerVertex();
+  this->Options.WholeSegments.value_or(this->Options.IsPatch())
+    ? this->Recipe->SetSegmentPolicyToWholeNumbers()
+    : this->Recipe->SetSegmentPolicyToPowersOfTwo();
+  this->Recipe->SetGeomorphing(this->Options.Geomorphing
+      ? vtkAdaptiveRefinement::GEOMORPHING_AUTOMATIC
+      : vtkAdaptiveRefinement::GEOMORPHING_OFF);
 }
 
 //------------------------------------------------------------------------------
@@ -174,4 +177,64 @@ void SurfaceScene::Draw(vtkRenderWindow* window)
   {
     throw ViewerError(this->Options.Input + " has no cells to draw");
   }
+}
+
+//------------------------------------------------------------------------------
+OptionNames SurfaceScene::GetUpdatedOptions()
+{
+  OptionNames names = this->ViewerScene::GetUpdatedOptions();
+  names.insert({ "--alpha", "--amplitude", "--budget", "--error", "--frequency", "--level",
+    "--max-level", "--method", "--metric", "--no-geomorphing", "--per-edge", "--pixels", "--reach",
+    "--region", "--segments", "--wireframe" });
+  return names;
+}
+
+//------------------------------------------------------------------------------
+bool SurfaceScene::ApplyOptions(const OptionNames& changed)
+{
+  const auto has = [&](const OptionNames& names)
+  {
+    return std::any_of(
+      names.begin(), names.end(), [&](const std::string& name) { return changed.count(name) > 0; });
+  };
+  if (has({ "--error", "--level", "--max-level", "--metric", "--no-geomorphing", "--per-edge",
+        "--pixels", "--reach", "--region", "--segments" }))
+  {
+    const auto metric = this->MakeSceneMetric();
+    this->SetLevels(this->Options.MaximumLevel.value_or(this->GetDefaultLevel()), metric);
+  }
+  if (has({ "--alpha", "--amplitude", "--frequency" }))
+  {
+    UpdateSurface(this->Options, this->Mesh->GetLength(), this->Recipe->GetSurface());
+  }
+  if (changed.count("--method"))
+  {
+    this->Mapper->SetMethod(this->Options.Method);
+  }
+  if (changed.count("--budget"))
+  {
+    this->Mapper->SetTargetNumberOfTriangles(this->Options.Budget);
+  }
+  if (changed.count("--wireframe"))
+  {
+    this->Options.Wireframe ? this->Actor->GetProperty()->SetRepresentationToWireframe()
+                            : this->Actor->GetProperty()->SetRepresentationToSurface();
+  }
+  return this->ViewerScene::ApplyOptions(changed);
+}
+
+//------------------------------------------------------------------------------
+SceneFigures SurfaceScene::GetFigures()
+{
+  const auto number = [](vtkIdType value) { return static_cast<double>(value); };
+  return { { "triangles", number(this->Mapper->GetNumberOfDrawnTriangles()) },
+    { "culled-triangles", number(this->Mapper->GetNumberOfCulledTriangles()) },
+    { "coarse-faces", number(this->Mapper->GetNumberOfCoarseFaces()) },
+    { "culled-faces", number(this->Mapper->GetNumberOfCulledFaces()) },
+    { "patterns", number(this->Mapper->GetNumberOfUsedPatterns()) },
+    { "draw-calls", number(this->Mapper->GetNumberOfDrawCalls()) },
+    { "memory", number(this->Mapper->GetGraphicsMemorySize()) },
+    { "selection-ms", 1000.0 * this->Mapper->GetSelectionTime() },
+    { "buffer-builds", number(this->Mapper->GetNumberOfBufferBuilds()) },
+    { "shader-builds", number(this->Mapper->GetNumberOfShaderBuilds()) } };
 }

@@ -27,9 +27,16 @@ public:
 
   void Export(const std::string& fileName) override;
   void Draw(vtkRenderWindow* window) override;
+  SceneFigures GetFigures() override;
 
 protected:
   SurfaceScene(const ViewerOptions& options, ViewerMessages& messages);
+
+  OptionNames GetUpdatedOptions() override;
+  bool ApplyOptions(const OptionNames& changed) override;
+  virtual int GetDefaultLevel() = 0;
+  /// Creates the metric of the options. Throws ViewerError.
+  virtual vtkSmartPointer<vtkDepthTagMetric> MakeSceneMetric() = 0;
 
   /// Refines and draws this->Mesh.
   void Show(int maximumLevel, vtkDepthTagMetric* metric);
@@ -50,6 +57,7 @@ private:
   /// Adds arrays to a refined mesh before it is written.
   virtual void AddExportedData(vtkPolyData*) {}
   void SetRecipe(int maximumLevel, vtkDepthTagMetric* metric);
+  void SetLevels(int maximumLevel, vtkDepthTagMetric* metric);
 };
 
 #endif

@@ -53,11 +53,20 @@ TerrainScene::TerrainScene(const ViewerOptions& options, ViewerMessages& message
   this->Recipe->SetDisplacement(this->Source->GetDisplacement());
   // Fewer triangles.
   this->Options.PerEdge |= options.GetMetric() == ViewerOptions::MetricType::Height;
-  this->Show(options.MaximumLevel.value_or(this->GetDefaultLevel()), this->MakeReliefMetric());
+  this->Show(options.MaximumLevel.value_or(this->GetDefaultLevel()), this->MakeSceneMetric());
   this->SetColours();
   this->SetLevelColours();
   // Light from the north-west, as on maps, and weaker light from the other side.
   this->SetLights({ { { 315.0, 40.0, Up }, 1.0 }, { { 160.0, 50.0, Up }, 0.35 } });
+  this->ResetView();
+}
+
+//------------------------------------------------------------------------------
+TerrainScene::~TerrainScene() = default;
+
+//------------------------------------------------------------------------------
+void TerrainScene::ResetView()
+{
   // The camera is slightly west of south.
   this->SetCamera(this->DisplacedMesh, { 192.0, 38.0, Up },
     FindCentre(this->Options, *this->Ground, this->Messages));
@@ -65,7 +74,12 @@ TerrainScene::TerrainScene(const ViewerOptions& options, ViewerMessages& message
 }
 
 //------------------------------------------------------------------------------
-TerrainScene::~TerrainScene() = default;
+bool TerrainScene::ApplyOptions(const OptionNames& changed)
+{
+  const bool isDone = this->SurfaceScene::ApplyOptions(changed);
+  this->KeepAboveGround(); // the levels near the camera may have changed
+  return isDone;
+}
 
 //------------------------------------------------------------------------------
 void TerrainScene::ReadTerrain()
@@ -278,7 +292,7 @@ int TerrainScene::GetDefaultLevel()
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDepthTagMetric> TerrainScene::MakeReliefMetric()
+vtkSmartPointer<vtkDepthTagMetric> TerrainScene::MakeSceneMetric()
 {
   const auto own = MakeMetric(this->Options, this->DisplacedMesh, HeightName);
   this->Messages.Observe(own);

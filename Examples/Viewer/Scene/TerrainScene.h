@@ -24,8 +24,10 @@ public:
   std::string GetUnit() override;
   std::string Describe(const double point[3], double resolution) override;
   void Report() override;
+  void ResetView() override;
 
 private:
+  bool ApplyOptions(const OptionNames& changed) override;
   void AddExportedData(vtkPolyData* mesh) override;
   void ReadTerrain();
   void CheckReading();
@@ -38,8 +40,8 @@ private:
   void AddHeights(vtkPolyData* mesh);
   void MakeDisplacedMesh();
   void KeepAboveGround();
-  int GetDefaultLevel();
-  vtkSmartPointer<vtkDepthTagMetric> MakeReliefMetric();
+  int GetDefaultLevel() override;
+  vtkSmartPointer<vtkDepthTagMetric> MakeSceneMetric() override;
   void SetColours();
 
   vtkNew<vtkTerrainSource> Source;

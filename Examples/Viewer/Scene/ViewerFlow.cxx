@@ -67,15 +67,23 @@ vtkSmartPointer<vtkAdaptiveRefinementMapper> MakeMapper(const ViewerOptions& opt
     return vtkSmartPointer<vtkAdaptivePatchMapper>::New(); // also draws meshes without patches
   }
   vtkNew<vtkAdaptiveLICMapper> mapper;
-  vtkLICSettings* lic = mapper->GetLICInterface();
-  lic->SetNumberOfSteps(options.LICSteps.value_or(lic->GetNumberOfSteps()));
-  lic->SetStepSize(options.LICStepSize.value_or(lic->GetStepSize()));
-  lic->SetEnhanceContrast(options.LICContrast.value_or(lic->GetEnhanceContrast()));
-  lic->SetColorMode(options.LICMode.value_or(lic->GetColorMode()));
-  lic->SetMapModeBias(Brightness);
-  lic->SetLICIntensity(options.LICIntensity.value_or(lic->GetLICIntensity()));
-  lic->SetPhase(options.LICPhase);
+  UpdateStreaks(options, mapper);
   return mapper.Get();
+}
+
+//------------------------------------------------------------------------------
+void UpdateStreaks(const ViewerOptions& options, vtkAdaptiveRefinementMapper* mapper)
+{
+  vtkLICSettings* lic = vtkAdaptiveLICMapper::SafeDownCast(mapper)->GetLICInterface();
+  const vtkNew<vtkAdaptiveLICMapper> other;
+  vtkLICSettings* defaults = other->GetLICInterface();
+  lic->SetNumberOfSteps(options.LICSteps.value_or(defaults->GetNumberOfSteps()));
+  lic->SetStepSize(options.LICStepSize.value_or(defaults->GetStepSize()));
+  lic->SetEnhanceContrast(options.LICContrast.value_or(defaults->GetEnhanceContrast()));
+  lic->SetColorMode(options.LICMode.value_or(defaults->GetColorMode()));
+  lic->SetMapModeBias(Brightness);
+  lic->SetLICIntensity(options.LICIntensity.value_or(defaults->GetLICIntensity()));
+  lic->SetPhase(options.LICPhase);
 }
 
 //------------------------------------------------------------------------------

@@ -17,6 +17,9 @@ struct ViewerOptions;
 /// Creates a mapper, which shows streaks if the options request them.
 vtkSmartPointer<vtkAdaptiveRefinementMapper> MakeMapper(const ViewerOptions& options);
 
+/// Sets the streaks of the options on a mapper that shows them.
+void UpdateStreaks(const ViewerOptions& options, vtkAdaptiveRefinementMapper* mapper);
+
 /**
  * The vectors named by the options, of points if possible, otherwise of cells. If there are none,
  * throws ViewerError with the names of the existing ones.

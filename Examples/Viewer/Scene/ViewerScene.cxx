@@ -62,14 +62,27 @@ void ViewerScene::FitView(vtkPoints* points, const ViewerDirection& defaultDirec
 //------------------------------------------------------------------------------
 void ViewerScene::SetView(const double bounds[6])
 {
+  const int up = this->Options.UpAxis;
+  this->SetLights({ { { 250.0, 45.0, up }, 0.95 }, { { 150.0, 15.0, up }, 0.45 } });
+  this->ViewBounds.emplace();
+  std::copy_n(bounds, 6, this->ViewBounds->begin());
+  this->ResetView();
+}
+
+//------------------------------------------------------------------------------
+void ViewerScene::ResetView()
+{
+  if (!this->ViewBounds)
+  {
+    return;
+  }
+  const std::array<double, 6>& bounds = *this->ViewBounds;
   vtkNew<vtkPoints> corners;
   for (int i = 0; i < 8; ++i)
   {
     corners->InsertNextPoint(bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2)]);
   }
-  const int up = this->Options.UpAxis;
-  this->SetLights({ { { 250.0, 45.0, up }, 0.95 }, { { 150.0, 15.0, up }, 0.45 } });
-  this->FitView(corners, { 205.0, 20.0, up });
+  this->FitView(corners, { 205.0, 20.0, this->Options.UpAxis });
   if (this->Options.Center)
   {
     const std::vector<double>& place = *this->Options.Center;
@@ -88,6 +101,7 @@ void ViewerScene::Zoom()
 //------------------------------------------------------------------------------
 void ViewerScene::SetLights(std::vector<ViewerLamp> lamps)
 {
+  this->Lamps = lamps;
   if (this->Options.Light)
   {
     const double turn = (*this->Options.Light)[0] - lamps.front().From.Azimuth;
@@ -101,4 +115,52 @@ void ViewerScene::SetLights(std::vector<ViewerLamp> lamps)
   {
     AddLight(this->Renderer, lamp);
   }
+}
+
+//------------------------------------------------------------------------------
+OptionNames ViewerScene::GetUpdatedOptions()
+{
+  return { "--center", "--light", "--view", "--zoom" };
+}
+
+//------------------------------------------------------------------------------
+bool ViewerScene::Update(const ViewerOptions& options, const OptionNames& changed)
+{
+  const OptionNames possible = this->GetUpdatedOptions();
+  if (!std::includes(possible.begin(), possible.end(), changed.begin(), changed.end()))
+  {
+    return false;
+  }
+  const ViewerOptions old = this->Options;
+  CopyOptions(options, changed, this->Options);
+  try
+  {
+    if (this->ApplyOptions(changed))
+    {
+      return true;
+    }
+    this->Options = old;
+    return false;
+  }
+  catch (const ViewerError&)
+  {
+    this->Options = old;
+    this->ApplyOptions(changed);
+    throw;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool ViewerScene::ApplyOptions(const OptionNames& changed)
+{
+  if (changed.count("--light"))
+  {
+    this->Renderer->RemoveAllLights();
+    this->SetLights(this->Lamps);
+  }
+  if (changed.count("--center") || changed.count("--view") || changed.count("--zoom"))
+  {
+    this->ResetView();
+  }
+  return true;
 }

@@ -7,12 +7,15 @@
 #ifndef ViewerScene_h
 #define ViewerScene_h
 
+#include "Options/OptionCopy.h"
 #include "Options/ViewerOptions.h"
+#include "Scene/SceneContent.h"
 #include "Scene/ViewerView.h"
 #include "Text/ViewerMessages.h"
 
 #include "vtkNew.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,6 +64,19 @@ public:
   /// Milliseconds until another frame of the same view would show more, or nothing.
   virtual std::optional<int> GetFrameDelay() { return std::nullopt; }
 
+  /// Shows other values of the changed options without building the scene again. Returns false,
+  /// without a change, if it must be built again. Throws ViewerError; the scene is then unchanged.
+  bool Update(const ViewerOptions& options, const OptionNames& changed);
+
+  /// Moves the camera to the view of the options.
+  virtual void ResetView();
+
+  /// The choices that the file offers.
+  virtual SceneContent GetContent() { return {}; }
+
+  /// Figures of the last frame. Builds are counted since the scene was made.
+  virtual SceneFigures GetFigures() { return {}; }
+
   /// 0 if the file has no times.
   virtual int GetNumberOfTimeSteps() { return 0; }
 
@@ -80,6 +96,12 @@ public:
 
 protected:
   ViewerScene(const ViewerOptions& options, ViewerMessages& messages);
+
+  /// The options that ApplyOptions() can change.
+  virtual OptionNames GetUpdatedOptions();
+  /// Shows the values of this->Options, of which some have changed. Returns false if the scene must
+  /// be built again.
+  virtual bool ApplyOptions(const OptionNames& changed);
 
   /// The unit is an empty string if unknown.
   void AddLegend(vtkScalarsToColors* table, const std::string& name, const std::string& unit,
@@ -102,6 +124,8 @@ protected:
 
 private:
   std::unique_ptr<ViewerLegend> Legend;
+  std::optional<std::array<double, 6>> ViewBounds; // of SetView()
+  std::vector<ViewerLamp> Lamps;                   // before the direction of the options is applied
 };
 
 #endif

@@ -18,24 +18,28 @@ namespace
 {
 using Surface = vtkSmartPointer<vtkRefinementSurface>;
 
+void SetPhong(const ViewerOptions& options, vtkPhongSurface* surface)
+{
+  surface->SetAlpha(options.Alpha.value_or(vtkNew<vtkPhongSurface>()->GetAlpha()));
+}
+
+void SetProcedural(const ViewerOptions& options, double diagonal, vtkProceduralSurface* surface)
+{
+  surface->SetAmplitude(options.Amplitude.value_or(0.03 * diagonal));
+  surface->SetFrequency(options.Frequency.value_or(vtkNew<vtkProceduralSurface>()->GetFrequency()));
+}
+
 Surface MakePhong(const ViewerOptions& options)
 {
   vtkNew<vtkPhongSurface> surface;
-  if (options.Alpha)
-  {
-    surface->SetAlpha(*options.Alpha);
-  }
+  SetPhong(options, surface);
   return surface.Get();
 }
 
 Surface MakeProcedural(const ViewerOptions& options, double diagonal)
 {
   vtkNew<vtkProceduralSurface> surface;
-  surface->SetAmplitude(options.Amplitude.value_or(0.03 * diagonal));
-  if (options.Frequency)
-  {
-    surface->SetFrequency(*options.Frequency);
-  }
+  SetProcedural(options, diagonal, surface);
   return surface.Get();
 }
 }
@@ -63,4 +67,17 @@ Surface MakeSurface(const ViewerOptions& options, double diagonal)
       return Surface::Take(vtkPatchSurface::New());
   }
   return nullptr;
+}
+
+//------------------------------------------------------------------------------
+void UpdateSurface(const ViewerOptions& options, double diagonal, vtkRefinementSurface* surface)
+{
+  if (auto* phong = vtkPhongSurface::SafeDownCast(surface))
+  {
+    SetPhong(options, phong);
+  }
+  if (auto* procedural = vtkProceduralSurface::SafeDownCast(surface))
+  {
+    SetProcedural(options, diagonal, procedural);
+  }
 }

@@ -14,4 +14,7 @@ struct ViewerOptions;
 /// For a mesh whose bounding box has this diagonal.
 vtkSmartPointer<vtkRefinementSurface> MakeSurface(const ViewerOptions& options, double diagonal);
 
+/// Sets the numbers of the options on an existing surface.
+void UpdateSurface(const ViewerOptions& options, double diagonal, vtkRefinementSurface* surface);
+
 #endif

@@ -65,6 +65,7 @@ VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
   const auto data = this->ReadStep();
   CheckCells(options.Input, data);
   this->Array = FindVolumeArray(this->Options, data);
+  std::copy_n(this->Array.Range, 2, this->WholeRange.begin());
   if (options.Range)
   {
     std::copy_n(options.Range->begin(), 2, this->Array.Range);
@@ -80,15 +81,14 @@ VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
   this->Mapper->SelectScalarArray(this->Array.Name.c_str());
   this->Mapper->SetVectorMode(this->Array.IsVector ? vtkGPUUnstructuredGridVolumeMapper::MAGNITUDE
                                                    : vtkGPUUnstructuredGridVolumeMapper::DISABLED);
-  this->Mapper->SetMethod(options.VolumeMethod);
-  this->Mapper->SetBlendMode(options.BlendMode);
-  this->Mapper->SetIntegration(options.Integration);
-  this->Mapper->SetShapeTolerance(
-    options.ShapeTolerance.value_or(this->Mapper->GetShapeTolerance()));
-  this->Mapper->SetFieldTolerance(
-    options.FieldTolerance.value_or(this->Mapper->GetFieldTolerance()));
+  this->ApplyMethod();
   this->Measure(data);
   this->ChooseFunctions(data);
+  if (this->Cut.Get())
+  {
+    this->Cut.WarnIfEmpty(this->Bounds, this->Messages);
+    this->Mapper->AddClippingPlane(this->Cut.Get());
+  }
   this->Property->SetAmbient(0.3);
   this->Volume->SetMapper(this->Mapper);
   this->Volume->SetProperty(this->Property);
@@ -168,11 +168,122 @@ void VolumeScene::ChooseFunctions(vtkDataObject* data)
     this->MoveIsoSurfaces(0.0);
   }
   this->SetFunctions();
+}
+
+//------------------------------------------------------------------------------
+void VolumeScene::ApplyMethod()
+{
+  const vtkNew<vtkGPUUnstructuredGridVolumeMapper> defaults;
+  this->Mapper->SetMethod(this->Options.VolumeMethod);
+  this->Mapper->SetBlendMode(this->Options.BlendMode);
+  this->Mapper->SetIntegration(this->Options.Integration);
+  this->Mapper->SetShapeTolerance(
+    this->Options.ShapeTolerance.value_or(defaults->GetShapeTolerance()));
+  this->Mapper->SetFieldTolerance(
+    this->Options.FieldTolerance.value_or(defaults->GetFieldTolerance()));
+}
+
+//------------------------------------------------------------------------------
+OptionNames VolumeScene::GetUpdatedOptions()
+{
+  OptionNames names = this->ViewerScene::GetUpdatedOptions();
+  names.insert(
+    { "--blend", "--clip", "--field-tolerance", "--integration", "--isosurfaces", "--palette",
+      "--range", "--shape-tolerance", "--transfer", "--unit-distance", "--volume-method" });
+  return names;
+}
+
+//------------------------------------------------------------------------------
+bool VolumeScene::ApplyOptions(const OptionNames& changed)
+{
+  if (changed.count("--clip") && !this->ApplyCut())
+  {
+    return false;
+  }
+  this->ApplyMethod();
+  std::copy_n(this->Options.Range.value_or(this->WholeRange).begin(), 2, this->Array.Range);
+  this->ChooseFunctions(this->Mapper->GetInputDataObject(0, 0));
+  return this->ViewerScene::ApplyOptions(changed);
+}
+
+//------------------------------------------------------------------------------
+bool VolumeScene::ApplyCut()
+{
+  if (!this->Options.Clip)
+  {
+    return !this->Cut.Get();
+  }
   if (this->Cut.Get())
   {
-    this->Cut.WarnIfEmpty(this->Bounds, this->Messages);
-    this->Mapper->AddClippingPlane(this->Cut.Get());
+    this->Cut.Set(*this->Options.Clip);
+    return true;
   }
+  this->Cut.Set(*this->Options.Clip);
+  this->Mapper->AddClippingPlane(this->Cut.Get());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+SceneContent VolumeScene::GetContent()
+{
+  SceneContent content;
+  for (vtkDataSet* block : vtkCompositeDataSet::GetDataSets(this->Mapper->GetInputDataObject(0, 0)))
+  {
+    for (const SceneArray& array : FindArrays(block))
+    {
+      const auto isSame = [&](const SceneArray& other)
+      { return other.Name == array.Name && other.IsOfPoints == array.IsOfPoints; };
+      if (std::none_of(content.Arrays.begin(), content.Arrays.end(), isSame))
+      {
+        content.Arrays.push_back(array);
+      }
+    }
+  }
+  content.Array = this->Array.Name;
+  content.Times = this->Steps->GetFile().GetTimes();
+  content.Step = this->Steps->GetStep();
+  content.Range = { { this->Array.Range[0], this->Array.Range[1] } };
+  content.Bounds.emplace();
+  std::copy_n(this->Bounds, 6, content.Bounds->begin());
+  content.HasSolidCells = true;
+  content.Transfer = this->Nodes;
+  content.UnitDistance = this->Property->GetScalarOpacityUnitDistance();
+  content.Counts = this->CountValues();
+  return content;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> VolumeScene::CountValues() const
+{
+  // Between quantiles, which are of equal shares, values are spread evenly.
+  const std::vector<double>& quantiles = this->Array.Quantiles;
+  const int bins = 64;
+  std::vector<double> counts(bins, 0.0);
+  const double size = this->Array.Range[1] - this->Array.Range[0];
+  for (std::size_t i = 1; size > 0.0 && i < quantiles.size(); ++i)
+  {
+    const double first = (quantiles[i - 1] - this->Array.Range[0]) / size * bins;
+    const double last = (quantiles[i] - this->Array.Range[0]) / size * bins;
+    for (int bin = 0; bin < bins; ++bin)
+    {
+      const double overlap = std::min(last, bin + 1.0) - std::max(first, static_cast<double>(bin));
+      const bool isAtOnce = last <= first && first >= bin && first <= bin + 1;
+      counts[bin] += isAtOnce ? 1.0 : overlap > 0.0 ? overlap / (last - first) : 0.0;
+    }
+  }
+  return counts;
+}
+
+//------------------------------------------------------------------------------
+SceneFigures VolumeScene::GetFigures()
+{
+  const auto number = [](vtkIdType value) { return static_cast<double>(value); };
+  return { { "cells", number(this->Mapper->GetNumberOfDrawnCells()) },
+    { "layers", number(this->Mapper->GetNumberOfLayers()) },
+    { "memory", number(this->Mapper->GetGraphicsMemorySize()) },
+    { "buffer-builds", number(this->Mapper->GetNumberOfBufferBuilds()) },
+    { "shader-builds", number(this->Mapper->GetNumberOfShaderBuilds()) },
+    { "table-builds", number(this->Mapper->GetNumberOfTableBuilds()) } };
 }
 
 //------------------------------------------------------------------------------

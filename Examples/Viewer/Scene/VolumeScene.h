@@ -37,8 +37,15 @@ public:
   int GetNumberOfTimeSteps() override;
   void SetTimeStep(int step) override;
   void Draw(vtkRenderWindow* window) override;
+  SceneContent GetContent() override;
+  SceneFigures GetFigures() override;
 
 private:
+  OptionNames GetUpdatedOptions() override;
+  bool ApplyOptions(const OptionNames& changed) override;
+  bool ApplyCut();
+  void ApplyMethod();
+  std::vector<double> CountValues() const;
   vtkSmartPointer<vtkDataObject> ReadStep();
   /// Extends the range of the array by those of all time steps.
   void ExtendRangeByAllSteps();
@@ -56,6 +63,7 @@ private:
   vtkNew<vtkVolumeProperty> Property;
   vtkNew<vtkVolumeProbe> Probe;
   VolumeArray Array;
+  std::array<double, 2> WholeRange; // of the array, without that of the options
   double Bounds[6];
   double Diagonal = 0.0;
   std::vector<TransferNode> Nodes;

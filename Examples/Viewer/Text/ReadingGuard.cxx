@@ -81,7 +81,7 @@ std::atomic<int> SecondsLeft{ 0 };
 
 std::string MakeLine(const std::string& text)
 {
-  return "relevo-view: error: " + ToPrintable(text);
+  return GetProgramName() + ": error: " + ToPrintable(text);
 }
 
 extern "C" void EndAfterCrash(int)

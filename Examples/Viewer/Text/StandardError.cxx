@@ -13,12 +13,30 @@ namespace
 {
 // The program's stderr, which is a duplicate while libraries are muted. Signal handlers read it.
 std::atomic<int> OwnError{ STDERR_FILENO };
+
+std::string& GetOwnName()
+{
+  static std::string name = "relevo-view";
+  return name;
+}
+}
+
+//------------------------------------------------------------------------------
+void SetProgramName(const std::string& name)
+{
+  GetOwnName() = name;
+}
+
+//------------------------------------------------------------------------------
+const std::string& GetProgramName()
+{
+  return GetOwnName();
 }
 
 //------------------------------------------------------------------------------
 void WriteMessage(const std::string& kind, const std::string& text)
 {
-  const std::string line = "relevo-view: " + kind + ": " + ToPrintable(text) + "\n";
+  const std::string line = GetProgramName() + ": " + kind + ": " + ToPrintable(text) + "\n";
   WriteToStandardError(line.data(), line.size());
 }
 

@@ -9,6 +9,10 @@
 #include <cstddef>
 #include <string>
 
+/// Sets the name that messages begin with, instead of relevo-view.
+void SetProgramName(const std::string& name);
+const std::string& GetProgramName();
+
 /// Writes a line `relevo-view: KIND: TEXT`. All characters of the text are made printable.
 void WriteMessage(const std::string& kind, const std::string& text);
 

@@ -8,6 +8,8 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 
+#include <utility>
+
 namespace
 {
 const unsigned long FrameDelay = 1; // milliseconds
@@ -16,8 +18,9 @@ const int MaximumDelays = 10;
 }
 
 //------------------------------------------------------------------------------
-ViewerFrames::ViewerFrames(vtkRenderWindowInteractor* interactor)
+ViewerFrames::ViewerFrames(vtkRenderWindowInteractor* interactor, std::function<void()> beforeFrame)
   : Interactor(interactor)
+  , BeforeFrame(std::move(beforeFrame))
 {
   interactor->EnableRenderOff();
   AddPassiveObserver(interactor, vtkCommand::RenderEvent, [this](void*) { this->OnRender(); });
@@ -41,6 +44,7 @@ void ViewerFrames::Draw()
   this->Timer = 0;
   this->Requests = 0;
   this->Delays = 0;
+  this->BeforeFrame();
   this->Interactor->GetRenderWindow()->Render();
 }
 

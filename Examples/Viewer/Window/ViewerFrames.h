@@ -11,13 +11,17 @@
 #ifndef ViewerFrames_h
 #define ViewerFrames_h
 
+#include <functional>
+
 class vtkRenderWindowInteractor;
 
 class ViewerFrames
 {
 public:
-  /// Replaces the interactor's Render(). Must live until the interactor has ended.
-  explicit ViewerFrames(vtkRenderWindowInteractor* interactor);
+  /// Replaces the interactor's Render(). beforeFrame() is called before each frame. Must live until
+  /// the interactor has ended.
+  explicit ViewerFrames(
+    vtkRenderWindowInteractor* interactor, std::function<void()> beforeFrame = [] {});
 
   /// Whether a requested frame has not been drawn yet.
   bool IsPending() const { return this->Timer > 0; }
@@ -31,6 +35,7 @@ private:
   void StartTimer();
 
   vtkRenderWindowInteractor* Interactor;
+  std::function<void()> BeforeFrame;
   int Timer = 0;    // the interactor's timer; 0 for none
   int Requests = 0; // since the last frame
   int Handled = 0;  // number of requests when the timer was started

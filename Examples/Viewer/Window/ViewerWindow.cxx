@@ -6,8 +6,7 @@
 #include "Scene/ReliefCaptures.h"
 #include "Scene/ViewerScene.h"
 #include "Text/ViewerMessages.h"
-#include "Window/MeshStyle.h"
-#include "Window/TerrainStyle.h"
+#include "Window/DisplayConnection.h"
 #include "Window/ViewerFrames.h"
 #include "Window/ViewerHelp.h"
 #include "Window/ViewerKeys.h"
@@ -16,67 +15,12 @@
 #include "Window/ViewerScaleBar.h"
 #include "Window/ViewerScreenshot.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
-#include "vtkSmartPointer.h"
 
-#include <cstdlib>
 #include <string>
-
-namespace
-{
-/**
- * A connection to the display by a window that is never shown. It stays open until the program's
- * window is closed, because some X servers reset when their last client disconnects, and then
- * refuse the next one. The program's window cannot query the screen before it has an interactor: it
- * would own the connection and close it while VTK 9.1's interactor still uses it.
- */
-class DisplayConnection
-{
-public:
-  explicit DisplayConnection(ViewerMessages& messages)
-  {
-    // Errors end the program at once, because VTK would exit after its message.
-    messages.ThrowErrorsOf(this->Window);
-    this->Window->GetScreenSize();
-    // VTK 9.4 and later create a window without a display instead.
-    if (!this->Window->GetShowWindow())
-    {
-      throw ViewerError("cannot open DISPLAY=" + std::string(std::getenv("DISPLAY")) +
-        "; use --output FILE.png to write a picture without a display");
-    }
-  }
-
-private:
-  vtkNew<vtkRenderWindow> Window;
-};
-
-// A terrain has a vertical axis, a mesh rotates freely.
-vtkSmartPointer<vtkInteractorStyle> MakeStyle(bool isTerrain)
-{
-  return vtkSmartPointer<vtkInteractorStyle>::Take(
-    isTerrain ? static_cast<vtkInteractorStyle*>(TerrainStyle::New()) : MeshStyle::New());
-}
-
-// Removes waiting events of a closed window: the X server ends programs that query the mouse in it.
-void Leave(vtkObject* caller, unsigned long, void*, void*)
-{
-  auto* interactor = static_cast<vtkRenderWindowInteractor*>(caller);
-  interactor->Disable();
-  interactor->ProcessEvents();
-  interactor->TerminateApp();
-}
-}
-
-//------------------------------------------------------------------------------
-bool HasDisplay()
-{
-  const char* display = std::getenv("DISPLAY");
-  return display && *display;
-}
 
 //------------------------------------------------------------------------------
 void ShowWindow(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& messages)
@@ -89,10 +33,8 @@ void ShowWindow(ViewerScene& scene, const ViewerOptions& options, ViewerMessages
   window->AddRenderer(scene.GetRenderer());
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(window);
-  interactor->SetInteractorStyle(MakeStyle(options.IsTerrain() && !options.Globe));
-  vtkNew<vtkCallbackCommand> leave;
-  leave->SetCallback(Leave);
-  interactor->AddObserver(vtkCommand::ExitEvent, leave);
+  SetStyle(interactor, options.IsTerrain() && !options.Globe);
+  EndWithWindow(interactor);
   ViewerFrames frames(interactor);
   const ViewerLoading loading(interactor, scene);
   const ViewerScaleBar scaleBar(scene.GetRenderer(), scene.GetUnit());

@@ -10,9 +10,6 @@ struct ViewerOptions;
 class ViewerMessages;
 class ViewerScene;
 
-/// Whether DISPLAY names a display.
-bool HasDisplay();
-
 /// Shows the scene until the window is closed. Throws ViewerError.
 void ShowWindow(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& messages);
 

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @brief   a control of the panel: an option of relevo-view, or an action
+ */
+#ifndef Control_h
+#define Control_h
+
+#include <optional>
+#include <string>
+#include <vector>
+
+enum class ControlKind
+{
+  Choice,   // one of several words
+  Flag,     // on or off
+  Number,   // one or more numbers, separated by commas
+  Integer,  // a whole number
+  Step,     // a time step
+  Plane,    // a cut plane
+  Transfer, // a transfer function
+  Text,     // for example a file name
+  Button    // an action
+};
+
+struct Control
+{
+  std::string Name; // of the option, without --, or of the action
+  std::string Group;
+  ControlKind Kind = ControlKind::Button;
+  std::string Unit;
+  std::string Default; // in words
+  std::vector<std::string> Choices = {};
+  double Lowest = 0.0; // of the slider
+  double Highest = 1.0;
+  bool IsLogarithmic = false;
+  std::vector<double> Start = {}; // numbers without a value, as many as there are
+
+  // These depend on the file and the other options.
+  std::optional<std::string> Value = {}; // nothing for the default
+  bool IsEnabled = true;
+  std::string Reason = {}; // why it is not
+};
+
+#endif

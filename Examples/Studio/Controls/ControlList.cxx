@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Controls/ControlList.h"
+
+#include "Controls/ControlTable.h"
+#include "Options/UsageError.h"
+#include "State/StudioState.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace
+{
+// Names of vectors and tensors are followed by their quantities.
+std::vector<std::string> ListQuantities(const SceneContent& content)
+{
+  std::vector<std::string> names;
+  for (const SceneArray& array : content.Arrays)
+  {
+    names.push_back(array.Name);
+    std::vector<std::string> quantities;
+    const int number = array.NumberOfComponents;
+    if (number == 2 || number == 3)
+    {
+      quantities = { "magnitude", "x", "y" };
+      if (number == 3)
+      {
+        quantities.push_back("z");
+      }
+    }
+    if (number == 6 || number == 9)
+    {
+      quantities = { "von Mises", "Tresca", "principal 1", "principal 2", "principal 3", "xx", "yy",
+        "zz", "xy", "yz", "xz" };
+    }
+    for (const std::string& quantity : quantities)
+    {
+      names.push_back(quantity + " of " + array.Name);
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> ListVectors(const SceneContent& content, bool isWarp)
+{
+  std::vector<std::string> names;
+  for (const SceneArray& array : content.Arrays)
+  {
+    const int number = array.NumberOfComponents;
+    if (isWarp ? array.IsOfPoints && number == 3 : number == 2 || number == 3)
+    {
+      names.push_back(array.Name);
+    }
+  }
+  return names;
+}
+
+// A value with which the option can be tried.
+std::string GetSample(const Control& control)
+{
+  if (control.Value)
+  {
+    return *control.Value;
+  }
+  switch (control.Kind)
+  {
+    case ControlKind::Choice:
+      return control.Choices.empty() ? "x" : control.Choices.front();
+    case ControlKind::Flag:
+      return "on";
+    case ControlKind::Plane:
+      return "0,0,0,1,0,0";
+    case ControlKind::Step:
+      return "0";
+    case ControlKind::Transfer:
+      return "0 0 0 0 0;1 1 1 1 1";
+    case ControlKind::Text:
+      return "x.png";
+    default:
+      break;
+  }
+  return control.Name == "range" ? "0,1" : control.Start.size() == 2 ? "10,10" : "1";
+}
+}
+
+//------------------------------------------------------------------------------
+ControlList::ControlList()
+  : Controls(GetControlTable())
+{
+  this->Own = { { "loop", "off" }, { "panels-in-pictures", "off" },
+    { "picture-name", "studio.png" }, { "mesh-name", "studio.vtp" } };
+}
+
+//------------------------------------------------------------------------------
+bool ControlList::IsOption(const Control& control)
+{
+  static const std::set<std::string> own = { "loop", "panels-in-pictures", "picture-name",
+    "mesh-name" };
+  return control.Kind != ControlKind::Button && own.count(control.Name) == 0;
+}
+
+//------------------------------------------------------------------------------
+const Control* ControlList::Find(const std::string& name) const
+{
+  const auto control = std::find_if(this->Controls.begin(), this->Controls.end(),
+    [&](const Control& candidate) { return candidate.Name == name; });
+  return control == this->Controls.end() ? nullptr : &*control;
+}
+
+//------------------------------------------------------------------------------
+std::string ControlList::GetOwn(const std::string& name) const
+{
+  const auto value = this->Own.find(name);
+  return value == this->Own.end() ? "" : value->second;
+}
+
+//------------------------------------------------------------------------------
+void ControlList::SetOwn(const std::string& name, const std::string& value)
+{
+  this->Own[name] = value;
+}
+
+//------------------------------------------------------------------------------
+void ControlList::Update(const StudioState& state, const SceneContent& content)
+{
+  for (Control& control : this->Controls)
+  {
+    control.IsEnabled = true;
+    control.Reason.clear();
+    if (IsOption(control))
+    {
+      control.Value = state.Get().Get(control.Name);
+      this->FindChoices(control, content);
+      this->FindRange(control, content);
+      this->FindReason(control, state.Get(), content);
+    }
+    else if (control.Kind != ControlKind::Button)
+    {
+      control.Value = this->GetOwn(control.Name);
+    }
+    else if (control.Name == "undo" && !state.CanUndo())
+    {
+      control.Reason = "nothing has been changed";
+    }
+    else if (control.Name == "redo" && !state.CanRedo())
+    {
+      control.Reason = "nothing has been undone";
+    }
+    const bool isOfTime = control.Name == "step-back" || control.Name == "step-forward" ||
+      control.Name == "play" || control.Name == "loop";
+    if (isOfTime && content.Times.size() < 2)
+    {
+      control.Reason = "the file has no time steps";
+    }
+    control.IsEnabled = control.Reason.empty();
+  }
+}
+
+//------------------------------------------------------------------------------
+void ControlList::FindChoices(Control& control, const SceneContent& content) const
+{
+  if (control.Name == "array")
+  {
+    control.Choices = ListQuantities(content);
+  }
+  else if (control.Name == "warp" || control.Name == "lic")
+  {
+    control.Choices = ListVectors(content, control.Name == "warp");
+  }
+  else if (control.Name == "volume")
+  {
+    control.Choices = ListQuantities(content);
+  }
+}
+
+//------------------------------------------------------------------------------
+void ControlList::FindRange(Control& control, const SceneContent& content) const
+{
+  const std::string& name = control.Name;
+  if ((name == "range" || name == "isosurfaces") && content.Range && !control.Value)
+  {
+    const std::array<double, 2>& range = *content.Range;
+    control.Lowest = range[0];
+    control.Highest = range[1];
+    control.Start = name == "range" ? std::vector<double>{ range[0], range[1] }
+                                    : std::vector<double>{ 0.5 * (range[0] + range[1]) };
+  }
+  if (!content.Bounds)
+  {
+    return;
+  }
+  const std::array<double, 6>& bounds = *content.Bounds;
+  const double diagonal =
+    std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
+  if (name == "unit-distance")
+  {
+    control.Lowest = 1e-3 * diagonal;
+    control.Highest = diagonal;
+    control.Start = { content.UnitDistance };
+  }
+  else if (name == "amplitude" || name == "offset")
+  {
+    control.Lowest = name == "offset" ? -0.2 * diagonal : 0.0;
+    control.Highest = 0.2 * diagonal;
+    control.Start = { name == "offset" ? 0.0 : 0.03 * diagonal };
+  }
+  else if (name == "reach")
+  {
+    control.Lowest = 0.01 * diagonal;
+    control.Highest = 30.0 * diagonal;
+    control.Start = { 3.0 * diagonal };
+  }
+}
+
+//------------------------------------------------------------------------------
+void ControlList::FindReason(
+  Control& control, const OptionValues& values, const SceneContent& content) const
+{
+  const std::string& name = control.Name;
+  OptionValues tried = values;
+  tried.Set(name, GetSample(control));
+  try
+  {
+    tried.Parse();
+  }
+  catch (const UsageError& error)
+  {
+    control.Reason = error.what();
+    return;
+  }
+  if (control.Kind == ControlKind::Choice && control.Choices.empty())
+  {
+    control.Reason = name == "warp" ? "the file has no point array of 3 components"
+      : name == "lic"               ? "the file has no array of 2 or 3 components"
+                                    : "the file has no arrays";
+  }
+  else if (name == "time" && content.Times.size() < 2)
+  {
+    control.Reason = "the file has no time steps";
+  }
+  else if (name == "volume" && !content.HasSolidCells)
+  {
+    control.Reason = "the file has no 3D cells";
+  }
+  else if ((name == "range" || name == "palette") && !content.Range)
+  {
+    control.Reason = "no array and no heights colour the picture";
+  }
+}

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   ControlList
+ * @brief   the controls for a file and the options in use
+ */
+#ifndef ControlList_h
+#define ControlList_h
+
+#include "Controls/Control.h"
+#include "Scene/SceneContent.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+class OptionValues;
+class StudioState;
+
+class ControlList
+{
+public:
+  ControlList();
+
+  /// Updates values, choices and whether the controls apply.
+  void Update(const StudioState& state, const SceneContent& content);
+
+  const std::vector<Control>& Get() const { return this->Controls; }
+  /// nullptr for an unknown name.
+  const Control* Find(const std::string& name) const;
+
+  /// The values of controls that are no options: flags and texts of the program.
+  std::string GetOwn(const std::string& name) const;
+  void SetOwn(const std::string& name, const std::string& value);
+  /// Whether a control is an option of relevo-view.
+  static bool IsOption(const Control& control);
+
+private:
+  void FindChoices(Control& control, const SceneContent& content) const;
+  void FindRange(Control& control, const SceneContent& content) const;
+  void FindReason(Control& control, const OptionValues& values, const SceneContent& content) const;
+
+  std::vector<Control> Controls;
+  std::map<std::string, std::string> Own;
+};
+
+#endif

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/StudioScene.h"
+
+#include "Scene/SceneFactory.h"
+
+#include "vtkCamera.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+
+namespace
+{
+const char* const Builds[2] = { "buffer-builds", "shader-builds" };
+
+double FindFigure(const SceneFigures& figures, const std::string& name)
+{
+  const auto figure = std::find_if(
+    figures.begin(), figures.end(), [&](const auto& candidate) { return candidate.first == name; });
+  return figure == figures.end() ? 0.0 : figure->second;
+}
+
+bool HasAny(const OptionNames& names, const OptionNames& others)
+{
+  return std::any_of(
+    names.begin(), names.end(), [&](const std::string& name) { return others.count(name) > 0; });
+}
+}
+
+//------------------------------------------------------------------------------
+StudioScene::StudioScene(vtkRenderWindow* window, const OptionValues& values, bool isComplete)
+  : Window(window)
+  , Values(values)
+  , IsComplete(isComplete)
+  , OwnView(vtkSmartPointer<vtkCamera>::New())
+{
+  this->Build(values);
+}
+
+//------------------------------------------------------------------------------
+StudioScene::~StudioScene()
+{
+  this->Window->RemoveRenderer(this->Scene->GetRenderer());
+}
+
+//------------------------------------------------------------------------------
+ViewerOptions StudioScene::Parse(const OptionValues& values) const
+{
+  ViewerOptions options = values.Parse();
+  if (this->IsComplete)
+  {
+    options.Output = "studio.png"; // scenes for pictures are complete
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void StudioScene::Build(const OptionValues& values)
+{
+  auto messages = std::make_unique<ViewerMessages>();
+  std::unique_ptr<ViewerScene> scene = MakeScene(this->Parse(values), *messages);
+  messages->ShowWarnings();
+  if (this->Scene)
+  {
+    const SceneFigures figures = this->Scene->GetFigures();
+    for (int i = 0; i < 2; ++i)
+    {
+      this->EarlierBuilds[i] += FindFigure(figures, Builds[i]);
+    }
+    this->Window->RemoveRenderer(this->Scene->GetRenderer());
+  }
+  this->Window->AddRenderer(scene->GetRenderer());
+  this->Scene = std::move(scene); // before the messages that it uses
+  this->Messages = std::move(messages);
+  this->Values = values;
+  this->Content = this->Scene->GetContent();
+  this->StoreView();
+}
+
+//------------------------------------------------------------------------------
+void StudioScene::Apply(const OptionValues& values)
+{
+  const OptionNames changed = values.Compare(this->Values);
+  if (changed.empty())
+  {
+    return;
+  }
+  const bool changesView = HasAny(changed, { "--center", "--view", "--zoom" });
+  const bool isMoved = this->IsViewMoved() && !changesView;
+  vtkCamera* camera = this->Scene->GetRenderer()->GetActiveCamera();
+  if (this->Scene->Update(this->Parse(values), changed))
+  {
+    this->Values = values;
+    this->Content = this->Scene->GetContent();
+    // Until the user moves the camera, the view shows the whole changed surface.
+    if (!isMoved &&
+      HasAny(changed, { "--amplitude", "--alpha", "--frequency", "--offset", "--scale", "--time" }))
+    {
+      this->Scene->ResetView();
+    }
+    if (!isMoved)
+    {
+      this->StoreView();
+    }
+    return;
+  }
+  vtkNew<vtkCamera> old;
+  old->DeepCopy(camera);
+  this->Build(values);
+  if (isMoved)
+  {
+    this->Scene->GetRenderer()->GetActiveCamera()->DeepCopy(old);
+    this->Scene->GetRenderer()->ResetCameraClippingRange();
+  }
+}
+
+//------------------------------------------------------------------------------
+void StudioScene::CheckFrame()
+{
+  this->Messages->Check();
+}
+
+//------------------------------------------------------------------------------
+SceneFigures StudioScene::GetFigures()
+{
+  SceneFigures figures = this->Scene->GetFigures();
+  for (auto& figure : figures)
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      figure.second += figure.first == Builds[i] ? this->EarlierBuilds[i] : 0.0;
+    }
+  }
+  return figures;
+}
+
+//------------------------------------------------------------------------------
+void StudioScene::ResetView()
+{
+  this->Scene->ResetView();
+  this->StoreView();
+}
+
+//------------------------------------------------------------------------------
+void StudioScene::StoreView()
+{
+  this->OwnView->DeepCopy(this->Scene->GetRenderer()->GetActiveCamera());
+}
+
+//------------------------------------------------------------------------------
+bool StudioScene::IsViewMoved() const
+{
+  vtkCamera* camera = this->Scene->GetRenderer()->GetActiveCamera();
+  const auto differ = [](const double* a, const double* b) { return !std::equal(a, a + 3, b); };
+  return differ(camera->GetPosition(), this->OwnView->GetPosition()) ||
+    differ(camera->GetFocalPoint(), this->OwnView->GetFocalPoint()) ||
+    differ(camera->GetViewUp(), this->OwnView->GetViewUp());
+}

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   StudioScene
+ * @brief   the scene in a window, which follows the options
+ *
+ * Options that a scene can update change it in place. Others make a new scene, which replaces the
+ * old one when it is complete.
+ */
+#ifndef StudioScene_h
+#define StudioScene_h
+
+#include "Scene/ViewerScene.h"
+#include "State/OptionValues.h"
+#include "Text/ViewerMessages.h"
+
+#include "vtkSmartPointer.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+class vtkCamera;
+class vtkRenderWindow;
+
+class StudioScene
+{
+public:
+  /// Reads the file. With isComplete, every frame shows all details, as a picture of relevo-view
+  /// does. Throws ViewerError.
+  StudioScene(vtkRenderWindow* window, const OptionValues& values, bool isComplete);
+  ~StudioScene();
+
+  /// Shows other options. Throws ViewerError or UsageError; the scene is then as before.
+  void Apply(const OptionValues& values);
+  /// The options that are shown.
+  const OptionValues& GetValues() const { return this->Values; }
+
+  /// Reports errors of the last frame as ViewerError.
+  void CheckFrame();
+
+  ViewerScene& Get() { return *this->Scene; }
+  ViewerMessages& GetMessages() { return *this->Messages; }
+  const SceneContent& GetContent() const { return this->Content; }
+  /// Figures of the last frame. Builds include those of earlier scenes.
+  SceneFigures GetFigures();
+
+  /// Moves the camera back to the view of the options.
+  void ResetView();
+
+private:
+  ViewerOptions Parse(const OptionValues& values) const;
+  void Build(const OptionValues& values);
+  bool IsViewMoved() const;
+  void StoreView();
+
+  vtkRenderWindow* Window;
+  OptionValues Values;
+  bool IsComplete;
+  std::unique_ptr<ViewerMessages> Messages;
+  std::unique_ptr<ViewerScene> Scene;
+  SceneContent Content;
+  vtkSmartPointer<vtkCamera> OwnView;     // the camera of the options
+  double EarlierBuilds[2] = { 0.0, 0.0 }; // of buffers and shaders, in scenes that were replaced
+};
+
+#endif

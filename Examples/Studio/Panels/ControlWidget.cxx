@@ -1,0 +1,381 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Panels/ControlWidget.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+namespace
+{
+const double Epsilon = 1e-12;
+
+const char* const Directions[] = { "none", "+x", "-x", "+y", "-y", "+z", "-z" };
+
+// The direction of a plane: 0 for none, or its place in Directions. Others are not along an axis.
+int FindDirection(const std::vector<double>& plane)
+{
+  if (plane.size() != 6)
+  {
+    return 0;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double a = plane[3 + (axis + 1) % 3];
+    const double b = plane[3 + (axis + 2) % 3];
+    if (std::abs(a) < Epsilon && std::abs(b) < Epsilon)
+    {
+      return 1 + 2 * axis + (plane[3 + axis] > 0.0 ? 0 : 1);
+    }
+  }
+  return -1;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> ParseNumbers(const std::string& text)
+{
+  std::vector<double> numbers;
+  const char* position = text.c_str();
+  while (*position != '\0')
+  {
+    char* end = nullptr;
+    numbers.push_back(std::strtod(position, &end));
+    if (end == position)
+    {
+      return {};
+    }
+    position = *end == ',' ? end + 1 : end;
+    if (*end != ',' && *end != '\0')
+    {
+      return {};
+    }
+  }
+  return numbers;
+}
+
+//------------------------------------------------------------------------------
+std::string WriteNumbers(const std::vector<double>& numbers)
+{
+  std::string text;
+  for (double number : numbers)
+  {
+    std::array<char, 64> digits;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+    text += (text.empty() ? "" : ",") + std::string(digits.data(), end);
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+ControlWidget::ControlWidget(
+  LayoutList& layout, PanelRequests& requests, const SceneContent& content)
+  : Layout(layout)
+  , Requests(requests)
+  , Content(content)
+{
+}
+
+//------------------------------------------------------------------------------
+void ControlWidget::Finish(const LayoutEntry& entry, bool isChanged, const std::string& value)
+{
+  const bool isContinued = !ImGui::IsItemActivated() && ImGui::IsItemActive();
+  this->Layout.AddItem(entry);
+  if (isChanged)
+  {
+    this->Requests.Set(entry.Name, value, isContinued);
+  }
+}
+
+//------------------------------------------------------------------------------
+void ControlWidget::Draw(const Control& control)
+{
+  ImGui::PushID(control.Name.c_str());
+  ImGui::BeginDisabled(!control.IsEnabled);
+  ImGui::BeginGroup();
+  switch (control.Kind)
+  {
+    case ControlKind::Choice:
+      this->DrawChoice(control);
+      break;
+    case ControlKind::Flag:
+      this->DrawFlag(control);
+      break;
+    case ControlKind::Number:
+    case ControlKind::Integer:
+      this->DrawNumbers(control);
+      break;
+    case ControlKind::Step:
+      this->DrawStep(control);
+      break;
+    case ControlKind::Plane:
+      this->DrawPlane(control);
+      break;
+    case ControlKind::Text:
+    case ControlKind::Transfer:
+      this->DrawText(control);
+      break;
+    case ControlKind::Button:
+      if (ImGui::Button(control.Name.c_str()))
+      {
+        this->Requests.Press(control.Name);
+      }
+      this->Layout.AddItem(MakeEntry(control));
+      break;
+  }
+  if (control.Kind != ControlKind::Button)
+  {
+    this->DrawDefault(control);
+  }
+  ImGui::EndGroup();
+  ImGui::EndDisabled();
+  this->DrawTip(control);
+  ImGui::PopID();
+}
+
+//------------------------------------------------------------------------------
+void ControlWidget::DrawDefault(const Control& control)
+{
+  ImGui::SameLine(ImGui::GetFontSize() * 13.5f);
+  ImGui::BeginDisabled(!control.Value.has_value());
+  if (ImGui::SmallButton("x"))
+  {
+    this->Requests.Set(control.Name, std::nullopt, false);
+  }
+  LayoutEntry entry;
+  entry.Name = control.Name + ".default";
+  entry.Kind = "button";
+  entry.IsEnabled = control.IsEnabled && control.Value.has_value();
+  this->Layout.AddItem(entry);
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  ImGui::TextUnformatted(control.Name.c_str());
+}
+
+//------------------------------------------------------------------------------
+void ControlWidget::DrawTip(const Control& control)
+{
+  if (control.Kind == ControlKind::Button && control.IsEnabled)
+  {
+    return;
+  }
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+  {
+    return;
+  }
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 25.0f);
+  if (!control.IsEnabled)
+  {
+    ImGui::TextUnformatted(control.Reason.c_str());
+  }
+  else
+  {
+    ImGui::TextUnformatted(("--" + control.Name +
+      (control.Unit.empty() ? "" : ", " + control.Unit) + "\ndefault: " + control.Default)
+                             .c_str());
+  }
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+//------------------------------------------------------------------------------
+void ControlWidget::DrawChoice(const Control& control)
+{
+  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 13.0f);
+  const std::string shown = control.Value ? *control.Value : "(" + control.Default + ")";
+  const bool isOpen = ImGui::BeginCombo("##choice", shown.c_str());
+  this->Layout.AddItem(MakeEntry(control));
+  if (!isOpen)
+  {
+    return;
+  }
+  for (const std::string& choice : control.Choices)
+  {
+    const bool isChosen = control.Value && *control.Value == choice;
+    if (ImGui::Selectable(choice.c_str(), isChosen))
+    {
+      this->Requests.Set(control.Name, choice, false);
+    }
+    LayoutEntry entry;
+    entry.Name = control.Name + "=" + choice;
+    entry.Kind = "item";
+    entry.Value = isChosen ? "on" : "off";
+    this->Layout.AddItem(entry);
+  }
+  ImGui::EndCombo();
+}
+
+//------------------------------------------------------------------------------
+void ControlWidget::DrawFlag(const Control& control)
+{
+  bool isOn = control.Value && *control.Value == "on";
+  const bool isChanged = ImGui::Checkbox("##flag", &isOn);
+  this->Layout.AddItem(MakeEntry(control));
+  if (isChanged)
+  {
+    this->Requests.Set(control.Name, isOn ? std::optional<std::string>("on") : std::nullopt, false);
+  }
+}
+
+//------------------------------------------------------------------------------
+void ControlWidget::DrawNumbers(const Control& control)
+{
+  std::vector<double> numbers = control.Value ? ParseNumbers(*control.Value) : control.Start;
+  if (numbers.empty())
+  {
+    numbers = control.Start;
+  }
+  const bool isInteger = control.Kind == ControlKind::Integer;
+  const int flags =
+    (control.IsLogarithmic ? ImGuiSliderFlags_Logarithmic : 0) | ImGuiSliderFlags_NoRoundToFormat;
+  const auto number = static_cast<int>(numbers.size());
+  LayoutEntry entry = MakeEntry(control);
+  const ImVec2 start = ImGui::GetCursorScreenPos();
+  for (int i = 0; i < number; ++i)
+  {
+    // Both numbers of a direction have the same slider, but an elevation ends at 90.
+    const bool isElevation = i == 1 && (control.Name == "view" || control.Name == "light");
+    const bool isAzimuth = i == 0 && (control.Name == "view" || control.Name == "light");
+    double lowest = isAzimuth ? 0.0 : control.Lowest;
+    double highest = isElevation ? 90.0 : control.Highest;
+    lowest = std::min(lowest, numbers[i]);
+    highest = std::max(highest, numbers[i]);
+    ImGui::PushID(i);
+    ImGui::SetNextItemWidth((ImGui::GetFontSize() * 13.0f - 2.0f * (number - 1)) / number);
+    double value = numbers[i];
+    bool isChanged = ImGui::SliderScalar("##number", ImGuiDataType_Double, &value, &lowest,
+      &highest, isInteger ? "%.0f" : "%.5g", flags);
+    value = isInteger ? std::round(value) : value;
+    isChanged = isChanged && value != numbers[i];
+    const bool isContinued = !ImGui::IsItemActivated();
+    LayoutEntry part = entry;
+    part.Name = number > 1 ? control.Name + "." + std::to_string(i) : control.Name;
+    part.Value = WriteNumbers({ value });
+    part.Range[0] = lowest;
+    part.Range[1] = highest;
+    this->Layout.AddItem(part);
+    if (isChanged)
+    {
+      numbers[i] = value;
+      this->Requests.Set(control.Name, WriteNumbers(numbers), isContinued);
+    }
+    if (i + 1 < number)
+    {
+      ImGui::SameLine(0.0f, 2.0f);
+    }
+    ImGui::PopID();
+  }
+  if (number > 1)
+  {
+    entry.Rectangle[0] = start.x;
+    entry.Rectangle[1] = start.y;
+    entry.Rectangle[2] = ImGui::GetItemRectMax().x - start.x;
+    entry.Rectangle[3] = ImGui::GetItemRectMax().y - start.y;
+    entry.IsVisible = ImGui::IsItemVisible();
+    this->Layout.Add(entry);
+  }
+}
+
+//------------------------------------------------------------------------------
+void ControlWidget::DrawStep(const Control& control)
+{
+  int step = this->Content.Step;
+  const int last = std::max(static_cast<int>(this->Content.Times.size()) - 1, 0);
+  const std::string shown =
+    this->Content.Times.empty() ? "no times" : "%d: " + WriteNumbers({ this->Content.Times[step] });
+  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 13.0f);
+  const bool isChanged = ImGui::SliderInt("##step", &step, 0, last, shown.c_str());
+  const bool isOther = isChanged && step >= 0 && step <= last && !this->Content.Times.empty();
+  this->Finish(
+    MakeEntry(control), isOther, isOther ? WriteNumbers({ this->Content.Times[step] }) : "");
+}
+
+//------------------------------------------------------------------------------
+void ControlWidget::DrawPlane(const Control& control)
+{
+  std::vector<double> plane = control.Value ? ParseNumbers(*control.Value) : std::vector<double>();
+  const int direction = FindDirection(plane);
+  const std::array<double, 6> bounds = this->Content.Bounds.value_or(std::array<double, 6>{});
+  // A plane that starts in the middle, and keeps its place.
+  const auto set = [&](int other)
+  {
+    const int axis = (other - 1) / 2;
+    std::vector<double> numbers(6, 0.0);
+    for (int i = 0; i < 3; ++i)
+    {
+      numbers[i] = plane.size() == 6 ? plane[i] : 0.5 * (bounds[2 * i] + bounds[2 * i + 1]);
+    }
+    numbers[3 + axis] = other % 2 == 1 ? 1.0 : -1.0;
+    this->Requests.Set(control.Name, WriteNumbers(numbers), false);
+  };
+  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 4.0f);
+  const bool isOpen =
+    ImGui::BeginCombo("##direction", direction < 0 ? "other" : Directions[direction]);
+  LayoutEntry entry = MakeEntry(control);
+  entry.Name = "clip-direction";
+  entry.Kind = "choice";
+  entry.Value = direction < 0 ? "other" : Directions[direction];
+  this->Layout.AddItem(entry);
+  if (isOpen)
+  {
+    for (int i = 0; i < 7; ++i)
+    {
+      if (ImGui::Selectable(Directions[i], direction == i))
+      {
+        i == 0 ? this->Requests.Set(control.Name, std::nullopt, false) : set(i);
+      }
+      LayoutEntry item;
+      item.Name = std::string("clip-direction=") + Directions[i];
+      item.Kind = "item";
+      this->Layout.AddItem(item);
+    }
+    ImGui::EndCombo();
+  }
+  ImGui::SameLine(0.0f, 2.0f);
+  ImGui::BeginDisabled(direction <= 0);
+  const int axis = std::max(direction - 1, 0) / 2;
+  double position = direction > 0 ? plane[axis] : 0.0;
+  double lowest = std::min(position, bounds[2 * axis]);
+  double highest = std::max(position, bounds[2 * axis + 1]);
+  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 9.0f - 2.0f);
+  const bool isChanged = ImGui::SliderScalar("##position", ImGuiDataType_Double, &position, &lowest,
+    &highest, "%.5g", ImGuiSliderFlags_NoRoundToFormat);
+  const bool isContinued = !ImGui::IsItemActivated();
+  entry.Name = "clip-position";
+  entry.Kind = "number";
+  entry.Value = direction > 0 ? WriteNumbers({ position }) : "";
+  entry.HasRange = true;
+  entry.Range[0] = lowest;
+  entry.Range[1] = highest;
+  entry.IsEnabled = control.IsEnabled && direction > 0;
+  this->Layout.AddItem(entry);
+  ImGui::EndDisabled();
+  if (isChanged && direction > 0 && position != plane[axis])
+  {
+    plane[axis] = position;
+    this->Requests.Set(control.Name, WriteNumbers(plane), isContinued);
+  }
+}
+
+//------------------------------------------------------------------------------
+void ControlWidget::DrawText(const Control& control)
+{
+  std::array<char, 1024> text{};
+  const std::string value = control.Value.value_or("");
+  std::strncpy(text.data(), value.c_str(), text.size() - 1);
+  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 13.0f);
+  const bool isEntered =
+    ImGui::InputText("##text", text.data(), text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  this->Layout.AddItem(MakeEntry(control));
+  if (isEntered && value != text.data())
+  {
+    this->Requests.Set(
+      control.Name, *text.data() ? std::optional<std::string>(text.data()) : std::nullopt, false);
+  }
+}

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   ControlWidget
+ * @brief   draws one control by ImGui
+ */
+#ifndef ControlWidget_h
+#define ControlWidget_h
+
+#include "Controls/Control.h"
+#include "Panels/LayoutList.h"
+#include "Scene/SceneContent.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+/// What the panel asks for.
+class PanelRequests
+{
+public:
+  virtual ~PanelRequests() = default;
+  /// Sets a control, or returns it to its default. A continued change belongs to the last one.
+  virtual void Set(
+    const std::string& name, const std::optional<std::string>& value, bool isContinued) = 0;
+  /// Presses a button.
+  virtual void Press(const std::string& name) = 0;
+};
+
+class ControlWidget
+{
+public:
+  ControlWidget(LayoutList& layout, PanelRequests& requests, const SceneContent& content);
+
+  /// Draws a control in the current window of ImGui, with its name and a button for the default.
+  void Draw(const Control& control);
+
+private:
+  void DrawChoice(const Control& control);
+  void DrawFlag(const Control& control);
+  void DrawNumbers(const Control& control);
+  void DrawStep(const Control& control);
+  void DrawPlane(const Control& control);
+  void DrawText(const Control& control);
+  void DrawDefault(const Control& control);
+  void DrawTip(const Control& control);
+  /// Adds the last item, and sends its value if it has changed.
+  void Finish(const LayoutEntry& entry, bool isChanged, const std::string& value);
+
+  LayoutList& Layout;
+  PanelRequests& Requests;
+  const SceneContent& Content;
+};
+
+/// The numbers of a value such as "1,2.5". Empty if it has none.
+std::vector<double> ParseNumbers(const std::string& text);
+/// "1,2.5", with as many digits as the numbers need.
+std::string WriteNumbers(const std::vector<double>& numbers);
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   StudioPanel
+ * @brief   the panel of the studio: groups of controls, figures and the last message
+ */
+#ifndef StudioPanel_h
+#define StudioPanel_h
+
+#include "Controls/Control.h"
+#include "Panels/LayoutList.h"
+#include "Panels/TransferEditor.h"
+#include "Scene/SceneContent.h"
+
+#include <string>
+#include <vector>
+
+class PanelRequests;
+
+/// What a pass shows.
+struct PanelState
+{
+  const std::vector<Control>& Controls;
+  const SceneContent& Content;
+  const SceneFigures& Figures;
+  std::string Message; // the last error, or ""
+};
+
+class StudioPanel
+{
+public:
+  /// Draws the panel by ImGui and updates the layout.
+  void Draw(const PanelState& state, PanelRequests& requests);
+  const LayoutList& GetLayout() const { return this->Layout; }
+
+  /// Opens the group of a control and scrolls to it in the next pass.
+  void Reveal(const std::string& name) { this->Revealed = name; }
+
+private:
+  void DrawGroup(const std::string& group, const PanelState& state, PanelRequests& requests);
+  void DrawControls(const std::string& group, const PanelState& state, PanelRequests& requests);
+  void DrawFigures(const PanelState& state);
+  bool IsRevealed(const std::string& name) const;
+
+  LayoutList Layout;
+  TransferEditor Transfer;
+  std::string Revealed;
+};
+
+#endif

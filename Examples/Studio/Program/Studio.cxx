@@ -1,0 +1,348 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Program/Studio.h"
+
+#include "Driving/LayoutFile.h"
+#include "Files/ViewerExport.h"
+#include "Files/ViewerPicture.h"
+#include "Options/UsageError.h"
+#include "Text/ViewerText.h"
+
+#include "vtkCommand.h"
+#include "vtkImGuiOverlay.h"
+#include "vtkRenderWindow.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <map>
+
+namespace
+{
+const float BeforePanel = 1.0f; // priority: figures are stored before the panel shows them
+
+bool IsOn(const std::string& text)
+{
+  return text == "on" || text == "true" || text == "1";
+}
+
+bool IsOff(const std::string& text)
+{
+  return text == "off" || text == "false" || text == "0";
+}
+}
+
+//------------------------------------------------------------------------------
+Studio::Studio(vtkRenderWindow* window, const OptionValues& values, bool isComplete)
+  : Window(window)
+  , State(values)
+  , Scene(window, values, isComplete)
+{
+  this->Overlay->SetRenderWindow(window);
+  this->Overlay->SetCallback([this] { this->Describe(); });
+  window->AddObserver(vtkCommand::StartEvent, this, &Studio::OnFrame, BeforePanel);
+  window->AddObserver(vtkCommand::EndEvent, this, &Studio::OnFrameEnd);
+  this->UpdateControls();
+}
+
+//------------------------------------------------------------------------------
+Studio::~Studio() = default;
+
+//------------------------------------------------------------------------------
+void Studio::UpdateControls()
+{
+  this->Controls.Update(this->State, this->Scene.GetContent());
+}
+
+//------------------------------------------------------------------------------
+void Studio::Fail(const std::string& message)
+{
+  this->Message = message;
+  this->Error = message;
+}
+
+//------------------------------------------------------------------------------
+std::string Studio::TakeError()
+{
+  std::string error;
+  error.swap(this->Error);
+  return error;
+}
+
+//------------------------------------------------------------------------------
+void Studio::Set(const std::string& name, const std::optional<std::string>& value, bool isContinued)
+{
+  this->Overlay->RequestFrame();
+  const Control* control = this->Controls.Find(name);
+  if (control && !ControlList::IsOption(*control))
+  {
+    this->Controls.SetOwn(
+      name, value.value_or(control->Kind == ControlKind::Flag ? "off" : control->Default));
+    this->UpdateControls();
+    return;
+  }
+  try
+  {
+    this->State.Set(name, value, isContinued);
+    this->Message.clear();
+  }
+  catch (const UsageError& error)
+  {
+    this->Fail(error.what());
+  }
+  this->UpdateControls();
+}
+
+//------------------------------------------------------------------------------
+void Studio::Press(const std::string& name)
+{
+  this->Actions.push_back(name);
+  this->Overlay->RequestFrame();
+}
+
+//------------------------------------------------------------------------------
+void Studio::Apply()
+{
+  std::vector<std::string> actions;
+  actions.swap(this->Actions);
+  for (const std::string& action : actions)
+  {
+    try
+    {
+      this->Do(action);
+    }
+    catch (const ViewerError& error)
+    {
+      this->Fail(error.what());
+    }
+  }
+  try
+  {
+    this->Scene.Apply(this->State.Get());
+  }
+  catch (const std::exception& error) // ViewerError, UsageError
+  {
+    this->Fail(error.what());
+    this->State.Restore(this->Scene.GetValues());
+  }
+  this->UpdateControls();
+}
+
+//------------------------------------------------------------------------------
+void Studio::Do(const std::string& action)
+{
+  if (action == "undo")
+  {
+    this->State.Undo();
+  }
+  else if (action == "redo")
+  {
+    this->State.Redo();
+  }
+  else if (action == "reset-view")
+  {
+    this->Scene.ResetView();
+  }
+  else if (action == "step-back" || action == "step-forward")
+  {
+    this->MoveStep(this->Scene.GetContent().Step + (action == "step-back" ? -1 : 1));
+  }
+  else if (action == "play")
+  {
+    this->IsPlayed = !this->IsPlayed;
+  }
+  else if (action == "save-picture")
+  {
+    this->Save(this->Controls.GetOwn("picture-name"));
+  }
+  else if (action == "save-mesh")
+  {
+    this->Save(this->Controls.GetOwn("mesh-name"));
+  }
+  else
+  {
+    this->SetView(action);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Studio::SetView(const std::string& name)
+{
+  static const std::map<std::string, std::string> views = { { "view-top", "180,90" },
+    { "view-bottom", "180,-90" }, { "view-north", "0,0" }, { "view-east", "90,0" },
+    { "view-south", "180,0" }, { "view-west", "270,0" } };
+  const auto view = views.find(name);
+  if (view != views.end())
+  {
+    this->Set("view", view->second, false);
+    this->Scene.ResetView();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Studio::MoveStep(int step)
+{
+  const std::vector<double>& times = this->Scene.GetContent().Times;
+  const int number = static_cast<int>(times.size());
+  if (number > 0)
+  {
+    this->Set("time", WriteNumbers({ times[std::clamp(step, 0, number - 1)] }), false);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Studio::ShowNextStep()
+{
+  if (!this->IsPlayed)
+  {
+    return;
+  }
+  const int number = static_cast<int>(this->Scene.GetContent().Times.size());
+  int next = this->Scene.GetContent().Step + 1;
+  if (next >= number)
+  {
+    this->IsPlayed = this->Controls.GetOwn("loop") == "on" && number > 1;
+    next = 0;
+  }
+  if (this->IsPlayed)
+  {
+    this->MoveStep(next);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Studio::SetValue(const std::string& name, const std::string& value)
+{
+  const Control* control = this->Controls.Find(name);
+  if (!control)
+  {
+    throw ViewerError("unknown control '" + name + "'");
+  }
+  if (control->Kind == ControlKind::Button)
+  {
+    throw ViewerError("'" + name + "' is a button; write: click " + name);
+  }
+  const bool isDefault = value == "default";
+  if (!control->IsEnabled && !isDefault)
+  {
+    throw ViewerError("'" + name + "' is not available: " + control->Reason);
+  }
+  std::optional<std::string> set = value;
+  if (isDefault)
+  {
+    set.reset();
+  }
+  else if (control->Kind == ControlKind::Flag)
+  {
+    if (!IsOn(value) && !IsOff(value))
+    {
+      throw ViewerError("'" + name + "' needs on or off, not '" + value + "'");
+    }
+    set = IsOn(value) ? std::optional<std::string>("on") : std::nullopt;
+  }
+  this->Set(name, set, false);
+}
+
+//------------------------------------------------------------------------------
+void Studio::Save(const std::string& fileName)
+{
+  const std::string extension =
+    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(fileName));
+  const std::vector<std::string> meshes = GetExportExtensions();
+  if (extension == ".png")
+  {
+    this->WritePictureFile(fileName);
+  }
+  else if (std::find(meshes.begin(), meshes.end(), extension) != meshes.end())
+  {
+    this->Scene.Get().Export(fileName);
+    if (!vtksys::SystemTools::FileExists(fileName))
+    {
+      throw ViewerError("this scene has no mesh to save");
+    }
+  }
+  else
+  {
+    throw ViewerError("cannot save " + fileName +
+      ": its name must end with .png, or as a mesh with " + JoinWords(meshes));
+  }
+}
+
+//------------------------------------------------------------------------------
+void Studio::WritePictureFile(const std::string& fileName)
+{
+  const bool hasPanels = this->Controls.GetOwn("panels-in-pictures") == "on";
+  this->Overlay->SetVisibility(hasPanels);
+  // The frame of the picture must not appear on the screen.
+  const vtkTypeBool swaps = this->Window->GetSwapBuffers();
+  this->Window->SetSwapBuffers(0);
+  const auto restore = [&]
+  {
+    this->Overlay->VisibilityOn();
+    this->Window->SetSwapBuffers(swaps);
+    this->Overlay->RequestFrame();
+  };
+  try
+  {
+    this->Window->Render();
+    WritePicture(this->Window, fileName, this->Scene.GetMessages());
+  }
+  catch (const ViewerError&)
+  {
+    restore();
+    throw;
+  }
+  restore();
+}
+
+//------------------------------------------------------------------------------
+void Studio::Draw()
+{
+  this->Window->Render();
+  try
+  {
+    this->Scene.CheckFrame();
+  }
+  catch (const ViewerError& error)
+  {
+    this->Fail(error.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+void Studio::OnFrame()
+{
+  this->ShownFigures = this->Figures;
+  this->Start = std::chrono::steady_clock::now();
+}
+
+//------------------------------------------------------------------------------
+void Studio::OnFrameEnd()
+{
+  this->Window->WaitForCompletion();
+  const std::chrono::duration<double, std::milli> time =
+    std::chrono::steady_clock::now() - this->Start;
+  ++this->Frames;
+  this->Figures = this->Scene.GetFigures();
+  this->Figures.insert(this->Figures.begin(),
+    { { "frames", static_cast<double>(this->Frames) }, { "frame-ms", time.count() } });
+  if (!this->LayoutFile.empty() && this->Overlay->GetVisibility())
+  {
+    try
+    {
+      WriteLayout(this->LayoutFile, this->Panel.GetLayout(), this->Figures);
+    }
+    catch (const ViewerError& error)
+    {
+      this->LayoutFile.clear(); // reported once
+      this->Fail(error.what());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Studio::Describe()
+{
+  this->Panel.Draw(
+    { this->Controls.Get(), this->Scene.GetContent(), this->ShownFigures, this->Message }, *this);
+}

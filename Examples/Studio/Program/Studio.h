@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   Studio
+ * @brief   a scene, its controls and the panel in a window
+ */
+#ifndef Studio_h
+#define Studio_h
+
+#include "Controls/ControlList.h"
+#include "Drawing/StudioScene.h"
+#include "Panels/ControlWidget.h"
+#include "Panels/StudioPanel.h"
+#include "State/StudioState.h"
+
+#include "vtkNew.h"
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+class vtkImGuiOverlay;
+class vtkRenderWindow;
+
+class Studio : public PanelRequests
+{
+public:
+  /// See StudioScene. Throws ViewerError.
+  Studio(vtkRenderWindow* window, const OptionValues& values, bool isComplete);
+  ~Studio() override;
+
+  /// Writes the layout after each frame.
+  void SetLayoutFile(const std::string& fileName) { this->LayoutFile = fileName; }
+
+  //@{
+  /// The panel's requests, which Apply() shows.
+  void Set(
+    const std::string& name, const std::optional<std::string>& value, bool isContinued) override;
+  void Press(const std::string& name) override;
+  //@}
+
+  /// Shows requested changes. Call this before a frame, outside of the panel. Errors are shown by
+  /// the panel.
+  void Apply();
+
+  /// Checks a value and sets the control. Throws UsageError or ViewerError.
+  void SetValue(const std::string& name, const std::string& value);
+  /// Writes a picture (.png), or the mesh. Throws ViewerError.
+  void Save(const std::string& fileName);
+
+  /// Draws a frame.
+  void Draw();
+
+  bool IsPlaying() const { return this->IsPlayed; }
+  /// Shows the next time step while the steps play.
+  void ShowNextStep();
+
+  StudioPanel& GetPanel() { return this->Panel; }
+  StudioScene& GetScene() { return this->Scene; }
+  vtkImGuiOverlay* GetOverlay() { return this->Overlay; }
+  const Control* FindControl(const std::string& name) { return this->Controls.Find(name); }
+
+  /// The last error, which is then forgotten, or "".
+  std::string TakeError();
+
+private:
+  void OnFrame();
+  void OnFrameEnd();
+  void Describe();
+  void UpdateControls();
+  void Do(const std::string& action);
+  void MoveStep(int step);
+  void SetView(const std::string& name);
+  void Fail(const std::string& message);
+  void WritePictureFile(const std::string& fileName);
+
+  vtkRenderWindow* Window;
+  StudioState State;
+  StudioScene Scene;
+  ControlList Controls;
+  StudioPanel Panel;
+  vtkNew<vtkImGuiOverlay> Overlay;
+  std::vector<std::string> Actions; // requested
+  std::string Message;
+  std::string Error; // until TakeError()
+  bool IsPlayed = false;
+  std::string LayoutFile;
+  SceneFigures Figures;      // of the last frame
+  SceneFigures ShownFigures; // in the panel, of the frame before
+  std::chrono::steady_clock::time_point Start;
+  int Frames = 0;
+};
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Program/StudioUsage.h"
+
+//------------------------------------------------------------------------------
+std::string GetStudioUsage()
+{
+  return R"(relevo-studio FILE [options]
+relevo-studio [options] -- FILE     for names that begin with a hyphen
+
+Shows a height map, a mesh or results in a window with controls. Files and options are those of
+relevo-view, except --against, --capture, --export, --flight, --height-at, --micromesh, --output and
+--stats. Each control has the name of its option.
+
+Options of the studio:
+  --script FILE          run the lines of a script without a display, and exit: set NAME VALUE, click
+                         NAME, drag X0 Y0 X1 Y1, key NAME, wait, save FILE, quit. Empty lines and
+                         lines after # are ignored
+  --layout FILE          write a JSON list of the controls, their places in pixels from the upper
+                         left corner and the figures of the frame, after each frame
+  --help                 print this text and exit
+  --version              print the version of Relevo and exit
+
+In the window:
+  mouse over the scene   as in relevo-view
+  Tab                    enter the panel
+  arrows                 move between controls
+  Space, Enter           use a control; arrows then change a slider
+  Escape                 leave a control
+  Ctrl+Z, Ctrl+Y         undo, redo
+
+Exit codes: 0 success, 1 bad input, or a line of the script failed, 2 bad usage.
+)";
+}

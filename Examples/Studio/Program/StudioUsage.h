@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @brief   the text of --help
+ */
+#ifndef StudioUsage_h
+#define StudioUsage_h
+
+#include <string>
+
+std::string GetStudioUsage();
+
+#endif

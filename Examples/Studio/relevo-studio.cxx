@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @brief   shows a height map or a mesh in a window with controls
+ */
+#include "Options/ProgramRun.h"
+#include "Options/UsageError.h"
+#include "Program/StudioUsage.h"
+#include "Program/StudioWindow.h"
+#include "State/OptionValues.h"
+#include "Text/ReadingGuard.h"
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace
+{
+// Takes the value of an option out of the arguments. Returns "" without the option.
+std::string TakeOption(std::vector<std::string>& arguments, const std::string& name)
+{
+  for (auto argument = arguments.begin(); argument != arguments.end() && *argument != "--";
+       ++argument)
+  {
+    if (argument->compare(0, name.size() + 1, name + "=") == 0)
+    {
+      const std::string value = argument->substr(name.size() + 1);
+      arguments.erase(argument);
+      return value;
+    }
+    if (*argument == name)
+    {
+      if (argument + 1 == arguments.end() || (argument + 1)->empty())
+      {
+        throw UsageError(name + " needs the name of a file");
+      }
+      const std::string value = argument[1];
+      arguments.erase(argument, argument + 2);
+      return value;
+    }
+  }
+  return "";
+}
+
+void CheckArguments(const OptionValues& values)
+{
+  for (const char* name :
+    { "against", "capture", "export", "flight", "height-at", "micromesh", "output", "stats" })
+  {
+    if (values.Get(name))
+    {
+      throw UsageError(std::string("--") + name + " is an option of relevo-view only");
+    }
+  }
+}
+}
+
+int main(int argc, char* argv[])
+{
+  return RunProgram("relevo-studio",
+    [&]
+    {
+      std::vector<std::string> arguments(argv + 1, argv + argc);
+      const std::string layout = TakeOption(arguments, "--layout");
+      const std::string script = TakeOption(arguments, "--script");
+      for (std::string& argument : arguments)
+      {
+        argument = argument == "-h" ? "--help" : argument;
+      }
+      const OptionValues values(arguments);
+      if (values.Get("help"))
+      {
+        std::cout << GetStudioUsage();
+        return;
+      }
+      if (values.Get("version"))
+      {
+        std::cout << "relevo-studio " << RELEVO_VERSION << std::endl;
+        return;
+      }
+      CheckArguments(values);
+      InstallCrashHandlers(values.GetInput());
+      script.empty() ? ShowStudio(values, layout) : RunScript(values, layout, script);
+    });
+}
