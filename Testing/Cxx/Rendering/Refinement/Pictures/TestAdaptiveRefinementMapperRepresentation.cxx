@@ -51,7 +51,7 @@ void CompareMesh(RelevoComparison& comparison, const NamedMesh& mesh, const std:
   // may lie behind edges at the same place in another actor.
   const bool areTubesHidden = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0) &&
     mesh.Name == "Mixed" && name == "EdgesAsTubes";
-  const RelevoTolerance lines{ 1, 1e-6, areTubesHidden ? 600 : 60 };
+  const RelevoTolerance lines{ 1, 1e-6, areTubesHidden ? 600u : 60u };
   const bool ofStrips = mesh.Name == "Strips" || mesh.Name == "Mixed";
   comparison.Compare("Representation." + mesh.Name + "." + name, ofStrips ? lines : Tight,
     [&](RelevoScene& s)
