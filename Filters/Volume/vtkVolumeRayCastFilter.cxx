@@ -18,6 +18,8 @@
 #include "Rays/ClippingPlanes.h"
 #include "Rays/PixelRays.h"
 #include "Rays/Shading.h"
+#include "Tiles/PixelCells.h"
+#include "Tiles/TileCaster.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -33,6 +35,7 @@
 #include "vtkPlaneCollection.h"
 #include "vtkPlanes.h"
 #include "vtkPointData.h"
+#include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolumeProperty.h"
@@ -42,7 +45,6 @@
 namespace
 {
 // Tiles of pixels are distributed to threads. Between batches, progress is reported.
-constexpr int TileSize = 16;
 constexpr vtkIdType NumberOfBatches = 20;
 constexpr vtkIdType TilesPerBatch = 64;
 }
@@ -247,21 +249,23 @@ void vtkVolumeRayCastFilter::Cast(const relevo::CellCrossing& crossing,
   colors->SetNumberOfComponents(4);
   colors->SetNumberOfTuples(static_cast<vtkIdType>(width) * height);
   double* all = colors->GetPointer(0);
-  const auto castTile = [&](int left, int bottom)
+  const relevo::PixelCells pixels(crossing.GetCells(), this->Camera, width, height);
+  const relevo::TileScene scene = { crossing, pixels, rays, planes, blending };
+  vtkSMPThreadLocal<relevo::TileCaster> casters;
+  const auto castTile = [&](int number)
   {
-    for (int row = bottom; row < std::min(bottom + TileSize, height); ++row)
+    const std::vector<relevo::dvec4>& seen = casters.Local().Cast(scene, number);
+    const relevo::PixelCells::Tile tile = pixels.GetTile(number);
+    const int columns = tile.Right - tile.Left;
+    for (size_t i = 0; i < seen.size(); ++i)
     {
-      for (int column = left; column < std::min(left + TileSize, width); ++column)
-      {
-        const relevo::Ray ray = planes.Clip(rays.Make(column, row));
-        const relevo::dvec4 seen = blending.Blend(crossing.Cross(ray), ray.Direction);
-        double* color = all + 4 * (static_cast<vtkIdType>(row) * width + column);
-        std::copy(&seen.x, &seen.x + 4, color);
-      }
+      const int row = tile.Bottom + static_cast<int>(i) / columns;
+      const int column = tile.Left + static_cast<int>(i) % columns;
+      double* color = all + 4 * (static_cast<vtkIdType>(row) * width + column);
+      std::copy(&seen[i].x, &seen[i].x + 4, color);
     }
   };
-  const vtkIdType columns = (width + TileSize - 1) / TileSize;
-  const vtkIdType tiles = columns * ((height + TileSize - 1) / TileSize);
+  const vtkIdType tiles = pixels.GetNumberOfTiles();
   const vtkIdType batch = std::max<vtkIdType>(tiles / NumberOfBatches, TilesPerBatch);
   for (vtkIdType begin = 0; begin < tiles && !relevo::IsAborted(this); begin += batch)
   {
@@ -271,8 +275,7 @@ void vtkVolumeRayCastFilter::Cast(const relevo::CellCrossing& crossing,
       {
         for (vtkIdType tile = first; tile < last; ++tile)
         {
-          castTile(static_cast<int>(tile % columns) * TileSize,
-            static_cast<int>(tile / columns) * TileSize);
+          castTile(static_cast<int>(tile));
         }
       });
   }

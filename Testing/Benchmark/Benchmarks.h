@@ -62,6 +62,8 @@ void RunVolumeTasks(const BenchmarkOptions& options, const AddTable& addTable);
 void RunVolumeDetail(const BenchmarkOptions& options, const AddTable& addTable);
 /// Compares volumes of cubic Lagrange hexahedra with VTK's way: tetrahedra between the nodes.
 void RunVolumeCurved(const BenchmarkOptions& options, const AddTable& addTable);
+/// Compares the processor time of the volume filter and of the mapper.
+void RunVolumeTwin(const BenchmarkOptions& options, const AddTable& addTable);
 /// Compares micro-meshes with their dense meshes and with VTK's decimation.
 void RunMicroMeshes(const BenchmarkOptions& options, const AddTable& addTable);
 /// Compares frames of micro-meshes with their dense meshes and VTK's actors with levels of detail.

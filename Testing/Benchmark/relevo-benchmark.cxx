@@ -53,6 +53,7 @@ const std::vector<Benchmark> Benchmarks = {
   { "volume-tasks", RunVolumeTasks },
   { "volume-detail", RunVolumeDetail },
   { "volume-curved", RunVolumeCurved },
+  { "volume-twin", RunVolumeTwin },
 #endif
 #ifdef BENCHMARK_HAS_MICRO_MESHES
   { "micromesh", RunMicroMeshes, false },

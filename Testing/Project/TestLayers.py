@@ -22,7 +22,7 @@ LAYERS = {
     "Filters/Refinement": ["Patterns", "Surfaces", "Mesh", "Metrics", "Recipe", "Evaluation",
                            "Intersection"],
     "Filters/Flow": ["Noise", "Image", "Surface"],
-    "Filters/Volume": ["Quantities", "Integral", "Mesh", "Bezier", "Cells", "Rays", "Sections"],
+    "Filters/Volume": ["Quantities", "Integral", "Mesh", "Bezier", "Cells", "Rays", "Sections", "Tiles"],
     "Filters/Terrain": ["Geodesy", "Raster", "Heights", "Lattice", "Imagery", "Pyramid",
                         "Bisection", "Draping"],
     "Filters/Parametric": ["Splines", "Cells", "Coarse", "Files", "Curves", "Patches", "Metrics"],

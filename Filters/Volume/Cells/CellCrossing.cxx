@@ -75,17 +75,26 @@ CellCrossing::CellCrossing(VolumeCells& cells, bool withSteepness, bool withGrad
   {
     this->PointGradients = ComputePointGradients(cells);
   }
+}
+
+void CellCrossing::BuildTree()
+{
   std::vector<FloatBox> boxes;
-  boxes.reserve(cells.GetCells().size() + cells.GetCurvedParts().size());
-  for (const VolumeCells::Cell& cell : cells.GetCells())
+  boxes.reserve(this->Cells.GetCells().size() + this->Cells.GetCurvedParts().size());
+  for (const VolumeCells::Cell& cell : this->Cells.GetCells())
   {
-    boxes.push_back(GetBox(cells, cell));
+    boxes.push_back(GetBox(this->Cells, cell));
   }
-  for (const CurvedPart& part : cells.GetCurvedParts())
+  for (const CurvedPart& part : this->Cells.GetCurvedParts())
   {
     boxes.push_back(GetBox(part));
   }
   this->Tree.Build(boxes);
+}
+
+double CellCrossing::GetShortest() const
+{
+  return PlaneMargin * this->Cells.GetDiagonal();
 }
 
 Scalars CellCrossing::GetLengths(const Gradients& gradients) const
@@ -100,8 +109,8 @@ void CellCrossing::CrossTetrahedron(
   const VolumeCells::Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const
 {
   TetrahedronCrossing crossing;
-  if (!crossing.Find(
-        this->Cells.GetTetrahedron(cell), ray, PlaneMargin * this->Cells.GetDiagonal()))
+  if (!TetrahedronPlanes(this->Cells.GetTetrahedron(cell))
+         .Cross(ray, this->GetShortest(), crossing))
   {
     return;
   }
@@ -134,8 +143,7 @@ void CellCrossing::CrossCurved(
   const VolumeCells::Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const
 {
   const CurvedCell curved = this->Cells.GetCurved(cell);
-  const std::vector<std::pair<double, double>> inside =
-    curved.FindInside(ray, PlaneMargin * this->Cells.GetDiagonal());
+  const std::vector<std::pair<double, double>> inside = curved.FindInside(ray, this->GetShortest());
   if (inside.empty())
   {
     return;
@@ -204,7 +212,7 @@ void CellCrossing::CrossPart(
   }
   const BezierCrossing crossing(part.Shape);
   const std::vector<std::pair<double, double>> inside =
-    crossing.FindInside(ray, PlaneMargin * this->Cells.GetDiagonal());
+    crossing.FindInside(ray, this->GetShortest());
   if (part.Scalars >= 0)
   {
     const Scalars& scalars = this->Cells.GetCellScalars()[part.Scalars];
@@ -258,7 +266,7 @@ Gradients CellCrossing::WeighGradients(const VolumeCells::Cell& cell, const doub
   return sum;
 }
 
-void CellCrossing::CrossCell(size_t number, const Ray& ray, std::vector<RayPart>& parts) const
+void CellCrossing::AppendParts(size_t number, const Ray& ray, std::vector<RayPart>& parts) const
 {
   const size_t whole = this->Cells.GetCells().size();
   if (number >= whole)
@@ -355,20 +363,34 @@ std::vector<RayPart> CellCrossing::Cross(const Ray& ray) const
   const Ray moved = { ray.Origin - this->Cells.GetMiddle(), ray.Direction, ray.Length };
   const dvec3 end = moved.Origin + moved.Length * moved.Direction;
   const BoxSegment segment(&moved.Origin.x, &end.x, BoxMargin * this->Cells.GetDiagonal());
-  std::vector<RayPart> parts;
-  parts.reserve(TypicalParts);
+  std::vector<int> candidates;
+  candidates.reserve(TypicalParts);
   double last = 1.0;
   this->Tree.Visit(
     last, [&](const FloatBox& box, double nearest) { return segment.GetEntry(box, nearest); },
-    [&](int index)
+    [&](int index) { candidates.push_back(index); });
+  return this->Cross(ray, candidates);
+}
+
+std::vector<RayPart> CellCrossing::Cross(const Ray& ray, const std::vector<int>& candidates) const
+{
+  if (!(ray.Length > 0.0))
+  {
+    return {};
+  }
+  const Ray moved = { ray.Origin - this->Cells.GetMiddle(), ray.Direction, ray.Length };
+  std::vector<RayPart> parts;
+  parts.reserve(TypicalParts);
+  for (const int candidate : candidates)
+  {
+    const size_t number = static_cast<size_t>(candidate);
+    const size_t first = parts.size();
+    this->AppendParts(number, moved, parts);
+    for (size_t i = first; i < parts.size(); ++i)
     {
-      const size_t first = parts.size();
-      this->CrossCell(static_cast<size_t>(index), moved, parts);
-      for (size_t i = first; i < parts.size(); ++i)
-      {
-        parts[i].Cell = static_cast<size_t>(index);
-      }
-    });
+      parts[i].Cell = number;
+    }
+  }
   // Parts are too large to be sorted themselves.
   std::vector<size_t> order(parts.size());
   std::iota(order.begin(), order.end(), size_t(0));

@@ -31,9 +31,24 @@ public:
 
   const VolumeCells& GetCells() const { return this->Cells; }
 
-  /// Returns the parts of a ray, in world coordinates, inside of cells, from front to back. Can be
-  /// called from several threads.
+  /// Prepares Cross() without candidates.
+  void BuildTree();
+
+  //@{
+  /**
+   * Returns the parts of a ray, in world coordinates, inside of cells, from front to back. Can be
+   * called from several threads. Optionally only intersects the candidates, whose order does not
+   * matter.
+   */
   std::vector<RayPart> Cross(const Ray& ray) const;
+  std::vector<RayPart> Cross(const Ray& ray, const std::vector<int>& candidates) const;
+  //@}
+
+  /// Appends the parts inside of a cell, of a ray relative to the middle of the mesh.
+  void AppendParts(size_t number, const Ray& ray, std::vector<RayPart>& parts) const;
+
+  /// Shorter parts are ignored.
+  double GetShortest() const;
 
   /// Returns the scalars at a point, in world coordinates, of a cell that contains it. The number
   /// of the cell is that of a RayPart.
@@ -42,7 +57,6 @@ public:
   Gradients ComputeGradients(size_t cell, const dvec3& point) const;
 
 private:
-  void CrossCell(size_t number, const Ray& ray, std::vector<RayPart>& parts) const;
   void CrossTetrahedron(
     const VolumeCells::Cell& cell, const Ray& ray, std::vector<RayPart>& parts) const;
   void CrossCurved(
@@ -57,7 +71,7 @@ private:
   bool HasGradients;
   dmat3 GradientTransform = dmat3(1.0);
   std::vector<Gradients> PointGradients; // of cells without curved parts, if requested
-  FloatBoxTree Tree;
+  FloatBoxTree Tree;                     // empty without BuildTree()
 };
 }
 

@@ -9,11 +9,13 @@
 #ifndef Blending_h
 #define Blending_h
 
+#include "Integral/CurveIntegral.h"
 #include "Integral/Ray.h"
 #include "Rays/BlendMode.h"
 #include "Rays/IsoSurfaces.h"
 #include "Rays/Shading.h"
 
+#include <optional> // for a member
 #include <vector>
 
 namespace relevo
@@ -31,6 +33,20 @@ public:
     , Shades(shading)
     , IsShaded(shading.IsOn())
   {
+    const bool isComposite =
+      mode == BlendMode::Composite && surfaces.GetValues().empty() && !this->IsShaded;
+    if ((isComposite || this->IsAdditive()) && functions.DependOnOneScalar())
+    {
+      this->Integral.emplace(functions);
+    }
+  }
+
+  bool IsAdditive() const { return this->Mode == BlendMode::Additive; }
+
+  /// Returns the integral that replaces Blend() where colours depend on one scalar, or null.
+  const CurveIntegral* FindCurveIntegral() const
+  {
+    return this->Integral ? &*this->Integral : nullptr;
   }
 
   /// Returns the premultiplied colour of a ray.
@@ -48,6 +64,7 @@ private:
   const IsoSurfaces& Surfaces;
   const Shading& Shades;
   const bool IsShaded;
+  std::optional<CurveIntegral> Integral;
 };
 }
 

@@ -72,6 +72,7 @@ bool ProbedVolume::Update(const ProbeRequest& request, StageReport& report)
     if (request.Input && this->ReadCells(request, report))
     {
       this->Crossing = std::make_unique<CellCrossing>(*this->Cells, true, false);
+      this->Crossing->BuildTree();
     }
   }
   if (!this->Crossing)

@@ -6,16 +6,25 @@
 #include "RelevoCheck.h"
 #include "RelevoDice.h"
 #include "RelevoVolumes.h"
+#include "RelevoWarnings.h"
 
+#include "vtkVolumeRayCastFilter.h"
+
+#include "vtkCamera.h"
 #include "vtkCell.h"
 #include "vtkCellType.h"
+#include "vtkContourValues.h"
+#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -181,6 +190,56 @@ void TestDistorted(RelevoCheck& check)
     CHECK_NEAR(
       FindLargestDifference(Cast(mesh, property, along, 11, 11), MakeLinearPicture(along, 11, 11)),
       0.0, 1e-8);
+  }
+}
+
+// Composite pictures of one scalar prepare cells for the rays of a tile and interpolate
+// by cubics. An isosurface, even one out of the range, needs the general way, which divides rays
+// until the scalars are linear.
+void TestTiles(RelevoCheck& check)
+{
+  const std::vector<std::pair<std::vector<int>, double>> fillings = { { { VTK_VOXEL }, 0.0 },
+    { { VTK_HEXAHEDRON }, 0.35 }, { { VTK_WEDGE }, 0.2 }, { { VTK_PYRAMID, VTK_WEDGE }, 0.15 },
+    { { VTK_QUADRATIC_TETRA, VTK_HEXAHEDRON }, 0.04 } };
+  const auto property = MakeVolumeProperty(0.2, 1.0, 0.3);
+  property->GetScalarOpacity()->AddPoint(0.4, 0.1);
+  property->GetScalarOpacity()->AddPoint(0.45, 0.9);
+  const auto surfaces = vtkSmartPointer<vtkVolumeProperty>::New();
+  surfaces->DeepCopy(property);
+  surfaces->GetIsoSurfaceValues()->SetValue(0, 1e6);
+  const std::array<vtkSmartPointer<vtkCamera>, 3> cameras = {
+    { MakeCamera({ { 3.0, 2.0, 1.5 } }, { { 0.5, 0.5, 0.5 } }),
+      MakeCamera({ { 0.4, 0.5, 0.6 } }, { { 3.0, 1.0, 0.0 } }, 80.0),
+      MakeCamera({ { 0.5, 0.5, 4.0 } }, { { 0.5, 0.5, 0.5 } }) }
+  };
+  cameras[1]->SetClippingRange(0.2, 0.7); // planes cut cells
+  cameras[2]->ParallelProjectionOn();
+  cameras[2]->SetParallelScale(0.3); // the image cuts cells
+  for (const auto& filling : fillings)
+  {
+    CHECK_CASE(filling.first[0]);
+    const auto mesh = DistortedCube(3, filling.second).Fill(filling.first);
+    vtkDataArray* scalars = mesh->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      const double* p = mesh->GetPoint(i);
+      scalars->SetComponent(
+        i, 0, 0.5 + 0.4 * std::sin(6.0 * p[0] + 4.0 * p[1] * p[1]) * std::cos(5.0 * p[2]));
+    }
+    for (const auto& camera : cameras)
+    {
+      vtkNew<vtkVolumeRayCastFilter> filter;
+      filter->SetInputData(mesh);
+      filter->SetCamera(camera);
+      filter->SetViewportSize(37, 21);
+      filter->SetVolumeProperty(property);
+      const auto picture = Cast(filter);
+      CHECK_GREATER(picture[37 * 10 + 18][3], 0.1);
+      filter->SetVolumeProperty(surfaces);
+      filter->IsoSurfacesOn();
+      const RelevoWarnings warnings(filter); // no surface at this value
+      CHECK_NEAR(FindLargestDifference(picture, Cast(filter)), 0.0, 1e-5);
+    }
   }
 }
 
@@ -382,6 +441,7 @@ int TestVolumeRayCastFilterCells(int, char*[])
 {
   RelevoCheck check;
   TestDistorted(check);
+  TestTiles(check);
   TestCurved(check);
   TestSplit(check);
   return check.GetResult();
