@@ -24,7 +24,7 @@ _OTHERS = {
 
 # The parts of the list of contents. Pages without a part make Sphinx report a warning.
 _CONTENTS = {
-    "Start": ("guide", "python", "viewer", "paraview", "coming-from", "data"),
+    "Start": ("guide", "python", "viewer", "studio", "paraview", "coming-from", "data"),
     "Tutorials": ("tutorials",),
     "Gallery": ("gallery",),
     "Topics": (

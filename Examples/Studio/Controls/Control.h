@@ -34,7 +34,8 @@ struct Control
   double Lowest = 0.0; // of the slider
   double Highest = 1.0;
   bool IsLogarithmic = false;
-  std::vector<double> Start = {}; // numbers without a value, as many as there are
+  std::vector<double> Start = {}; // where sliders start without a value
+  bool IsStartShown = true;       // whether these are the numbers in use
 
   // These depend on the file and the other options.
   std::optional<std::string> Value = {}; // nothing for the default

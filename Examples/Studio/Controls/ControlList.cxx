@@ -137,7 +137,11 @@ void ControlList::Update(const StudioState& state, const SceneContent& content)
     }
     else if (control.Kind != ControlKind::Button)
     {
-      control.Value = this->GetOwn(control.Name);
+      const std::string value = this->GetOwn(control.Name);
+      const bool isDefault = value == "off" || value == control.Default;
+      control.Value = isDefault && control.Kind == ControlKind::Flag
+        ? std::nullopt
+        : std::optional<std::string>(value);
     }
     else if (control.Name == "undo" && !state.CanUndo())
     {
@@ -204,6 +208,11 @@ void ControlList::FindRange(Control& control, const SceneContent& content) const
     control.Lowest = name == "offset" ? -0.2 * diagonal : 0.0;
     control.Highest = 0.2 * diagonal;
     control.Start = { name == "offset" ? 0.0 : 0.03 * diagonal };
+  }
+  else if (name == "light" || name == "view")
+  {
+    control.Start =
+      name == "light" ? std::vector<double>{ 250.0, 45.0 } : std::vector<double>{ 205.0, 20.0 };
   }
   else if (name == "reach")
   {

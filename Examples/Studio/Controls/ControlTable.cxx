@@ -4,6 +4,8 @@
 
 #include "Options/Palettes.h"
 
+#include <set>
+
 namespace
 {
 using Kind = ControlKind;
@@ -197,5 +199,13 @@ std::vector<Control> GetControlTable()
   AddTerrain(table);
   AddView(table);
   AddFiles(table);
+  // Their defaults are no numbers, or depend on the file.
+  const std::set<std::string> others = { "budget", "contours", "error", "exaggeration",
+    "feature-angle", "isolines", "isosurfaces", "level", "light", "max-level", "offset", "reach",
+    "sea-level", "view" };
+  for (Control& control : table)
+  {
+    control.IsStartShown = others.count(control.Name) == 0;
+  }
   return table;
 }

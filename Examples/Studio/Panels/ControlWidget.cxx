@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
@@ -235,6 +236,9 @@ void ControlWidget::DrawNumbers(const Control& control)
   const int flags =
     (control.IsLogarithmic ? ImGuiSliderFlags_Logarithmic : 0) | ImGuiSliderFlags_NoRoundToFormat;
   const auto number = static_cast<int>(numbers.size());
+  const char* format = !control.Value && !control.IsStartShown ? "default"
+    : isInteger                                                ? "%.0f"
+                                                               : "%.5g";
   LayoutEntry entry = MakeEntry(control);
   const ImVec2 start = ImGui::GetCursorScreenPos();
   for (int i = 0; i < number; ++i)
@@ -249,8 +253,8 @@ void ControlWidget::DrawNumbers(const Control& control)
     ImGui::PushID(i);
     ImGui::SetNextItemWidth((ImGui::GetFontSize() * 13.0f - 2.0f * (number - 1)) / number);
     double value = numbers[i];
-    bool isChanged = ImGui::SliderScalar("##number", ImGuiDataType_Double, &value, &lowest,
-      &highest, isInteger ? "%.0f" : "%.5g", flags);
+    bool isChanged = ImGui::SliderScalar(
+      "##number", ImGuiDataType_Double, &value, &lowest, &highest, format, flags);
     value = isInteger ? std::round(value) : value;
     isChanged = isChanged && value != numbers[i];
     const bool isContinued = !ImGui::IsItemActivated();
@@ -287,10 +291,14 @@ void ControlWidget::DrawStep(const Control& control)
 {
   int step = this->Content.Step;
   const int last = std::max(static_cast<int>(this->Content.Times.size()) - 1, 0);
-  const std::string shown =
-    this->Content.Times.empty() ? "no times" : "%d: " + WriteNumbers({ this->Content.Times[step] });
+  std::array<char, 64> shown{ "no times" };
+  if (!this->Content.Times.empty())
+  {
+    std::snprintf(
+      shown.data(), shown.size(), "%%d of %d: time %.6g", last, this->Content.Times[step]);
+  }
   ImGui::SetNextItemWidth(ImGui::GetFontSize() * 13.0f);
-  const bool isChanged = ImGui::SliderInt("##step", &step, 0, last, shown.c_str());
+  const bool isChanged = ImGui::SliderInt("##step", &step, 0, last, shown.data());
   const bool isOther = isChanged && step >= 0 && step <= last && !this->Content.Times.empty();
   this->Finish(
     MakeEntry(control), isOther, isOther ? WriteNumbers({ this->Content.Times[step] }) : "");

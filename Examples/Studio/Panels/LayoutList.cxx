@@ -17,7 +17,18 @@ void LayoutList::AddItem(LayoutEntry entry)
   entry.Rectangle[3] = last.y - first.y;
   entry.IsVisible = ImGui::IsItemVisible();
   entry.IsFocused = ImGui::IsItemFocused();
+  if (!this->Revealed.empty() && entry.Name == this->Revealed)
+  {
+    ImGui::SetScrollHereY();
+  }
   this->Entries.push_back(entry);
+}
+
+//------------------------------------------------------------------------------
+void LayoutList::Start(const std::string& revealed)
+{
+  this->Entries.clear();
+  this->Revealed = revealed;
 }
 
 //------------------------------------------------------------------------------

@@ -31,7 +31,8 @@ struct LayoutEntry
 class LayoutList
 {
 public:
-  void Clear() { this->Entries.clear(); }
+  /// Starts a pass. It scrolls to an item of this name, if there is one.
+  void Start(const std::string& revealed);
   void Add(const LayoutEntry& entry) { this->Entries.push_back(entry); }
   /// Adds the last item of ImGui.
   void AddItem(LayoutEntry entry);
@@ -41,6 +42,7 @@ public:
 
 private:
   std::vector<LayoutEntry> Entries;
+  std::string Revealed;
 };
 
 /// The entry of a control, without its place.

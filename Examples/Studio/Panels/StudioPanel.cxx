@@ -76,7 +76,7 @@ bool StudioPanel::IsRevealed(const std::string& name) const
 //------------------------------------------------------------------------------
 void StudioPanel::Draw(const PanelState& state, PanelRequests& requests)
 {
-  this->Layout.Clear();
+  this->Layout.Start(this->Revealed);
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   const float width = std::min(ImGui::GetFontSize() * 25.0f, window.x);
   ImGui::SetNextWindowPos(ImVec2(window.x - width, 0.0f), ImGuiCond_Always);
@@ -171,10 +171,6 @@ void StudioPanel::DrawControls(
     }
     isButtonBefore = isButton;
     widget.Draw(control);
-    if (this->IsRevealed(control.Name))
-    {
-      ImGui::SetScrollHereY();
-    }
     if (control.Kind == ControlKind::Transfer)
     {
       this->Transfer.Draw(control, state.Content, this->Layout, requests);

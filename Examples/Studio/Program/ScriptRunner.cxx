@@ -139,16 +139,20 @@ void ScriptRunner::Send(unsigned long event, double x, double y)
 void ScriptRunner::Click(const std::string& name)
 {
   const LayoutList& layout = this->Driven.GetPanel().GetLayout();
-  if (!layout.Find(name))
+  // Opens the group, then scrolls to the control.
+  for (int pass = 0; pass < 2; ++pass)
   {
-    throw ViewerError("unknown control '" + name + "'");
+    this->Driven.GetPanel().Reveal(name);
+    this->Driven.GetOverlay()->Update();
   }
-  this->Driven.GetPanel().Reveal(name);
-  this->Driven.GetOverlay()->Update();
   this->IsFrameRequested = true;
   this->Flush();
   const LayoutEntry* entry = layout.Find(name);
-  if (!entry || !entry->IsVisible)
+  if (!entry)
+  {
+    throw ViewerError("unknown control '" + name + "'");
+  }
+  if (!entry->IsVisible)
   {
     throw ViewerError("'" + name + "' is not visible");
   }

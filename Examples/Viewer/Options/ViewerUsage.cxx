@@ -99,8 +99,9 @@ Volumes (files that can contain 3D cells):
                          (default: the active scalars, otherwise the first array). Write ARRAY after
                          FILE, or --volume=ARRAY
   --transfer FILE        transfer function: lines `value red green blue opacity` with increasing
-                         values, colours and opacities from 0 to 1 (default: the colours of meshes;
-                         opacity increases with the value)
+                         values, colours and opacities from 0 to 1, in a file or separated by
+                         semicolons (default: the colours of meshes; opacity increases with the
+                         value)
   --unit-distance L      length over which an opacity of 1 absorbs 63 % of the light (default: the
                          diagonal divided by the cube root of the number of cells)
   --isosurfaces V,...    surfaces of these values. Their opacity is that of the transfer function;

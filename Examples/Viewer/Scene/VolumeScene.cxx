@@ -94,8 +94,8 @@ VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
   this->Volume->SetProperty(this->Property);
   this->Probe->SetRenderer(this->Renderer);
   this->Renderer->AddVolume(this->Volume);
-  this->AddLegend(this->Property->GetRGBTransferFunction(),
-    GetArrayTitle(this->Array.Name, this->Array.IsVector ? 3 : 1), this->Array.Unit, 5);
+  this->AddLegend(this->Colours, GetArrayTitle(this->Array.Name, this->Array.IsVector ? 3 : 1),
+    this->Array.Unit, 5);
   this->SetView(this->Bounds);
 }
 
@@ -293,6 +293,7 @@ void VolumeScene::SetFunctions()
   SetTransferNodes(this->Property,
     hasPeaks ? AddPeaks(this->Nodes, this->IsoSurfaces, PeakOpacity) : this->Nodes,
     this->OpacityFactor);
+  this->Colours->DeepCopy(this->Property->GetRGBTransferFunction());
   this->Property->GetIsoSurfaceValues()->SetNumberOfContours(0);
   for (std::size_t i = 0; i < this->IsoSurfaces.size(); ++i)
   {

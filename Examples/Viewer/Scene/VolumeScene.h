@@ -18,6 +18,7 @@
 #include <vector>
 
 class TimeSteps;
+class vtkColorTransferFunction;
 class vtkDataObject;
 class vtkGPUUnstructuredGridVolumeMapper;
 class vtkVolume;
@@ -61,6 +62,7 @@ private:
   vtkNew<vtkGPUUnstructuredGridVolumeMapper> Mapper;
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkVolumeProperty> Property;
+  vtkNew<vtkColorTransferFunction> Colours; // of the legend; the volume's functions are replaced
   vtkNew<vtkVolumeProbe> Probe;
   VolumeArray Array;
   std::array<double, 2> WholeRange; // of the array, without that of the options

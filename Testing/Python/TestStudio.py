@@ -1,0 +1,280 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Proves studio.md without a display: scripts, pictures as of relevo-view, figures, keys, errors."""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import unittest
+
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+
+from ViewerProgram import ViewerProgram
+
+PROGRAM = pathlib.Path(os.environ["RELEVO_BINARY_DIR"]) / "bin" / "relevo-studio"
+if not PROGRAM.exists():
+    print("skipped: relevo-studio was not built")
+    sys.exit(125)
+SIZE = "--size=560x420"
+VOLUME_NODES = "0 0 0 1 0;3 0 1 0 0.5;6 1 0 0 1"
+
+
+def make_grid(time=1.0):
+    """Hexahedra with displacements, stresses and values of cells."""
+    image = vtkImageData()
+    image.SetDimensions(7, 5, 4)
+    moves = vtkDoubleArray()
+    moves.SetName("Move")
+    moves.SetNumberOfComponents(3)
+    stress = vtkDoubleArray()
+    stress.SetName("Stress")
+    stress.SetNumberOfComponents(6)
+    height = vtkDoubleArray()
+    height.SetName("Height")
+    for i in range(image.GetNumberOfPoints()):
+        x, y, z = image.GetPoint(i)
+        moves.InsertNextTuple((0.0, 0.0, time * x * x / 30.0))
+        stress.InsertNextTuple((x, y, z, x * y / 4.0, 0.5, 0.0))
+        height.InsertNextValue(x)
+    image.GetPointData().AddArray(moves)
+    image.GetPointData().AddArray(stress)
+    image.GetPointData().SetScalars(height)
+    append = vtkAppendFilter()
+    append.AddInputData(image)
+    append.Update()
+    return append.GetOutput()
+
+
+class TestStudio(ViewerProgram):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.write_data("beam.vtu", vtkXMLUnstructuredGridWriter, make_grid())
+        for step in range(3):
+            cls.write_data(
+                f"s{step}.vtu", vtkXMLUnstructuredGridWriter, make_grid(time=float(step))
+            )
+        sets = "".join(f'<DataSet timestep="{s}" file="s{s}.vtu"/>' for s in range(3))
+        (cls.folder / "steps.pvd").write_text(
+            f'<VTKFile type="Collection"><Collection>{sets}</Collection></VTKFile>'
+        )
+
+    def studio(self, file, *lines, code=0):
+        """Runs a script. Returns the layouts after all frames, and stderr."""
+        (self.folder / "script.txt").write_text("\n".join(lines) + "\n")
+        environment = {k: v for k, v in os.environ.items() if k != "DISPLAY"}
+        arguments = [PROGRAM, file, SIZE, "--script", "script.txt", "--layout", "/dev/stdout"]
+        run = subprocess.run(
+            arguments, cwd=self.folder, env=environment, capture_output=True, text=True
+        )
+        self.assertEqual(run.returncode, code, run.stderr)
+        decoder = json.JSONDecoder()
+        layouts = []
+        text = run.stdout
+        while text.strip():
+            entries, end = decoder.raw_decode(text)
+            layouts.append({entry["name"]: entry for entry in entries})
+            text = text[end:].lstrip()
+        return layouts, run.stderr
+
+    def assert_picture(self, name, *arguments):
+        """The picture is that of relevo-view, to the bit."""
+        self.view(*arguments, SIZE, "--output=expected.png")
+        self.assertEqual(
+            (self.folder / name).read_bytes(), (self.folder / "expected.png").read_bytes(), name
+        )
+
+    def test_results(self):
+        layouts, errors = self.studio(
+            "beam.vtu",
+            "save a.png",
+            "set array von Mises of Stress",
+            "set palette magma",
+            "save b.png",
+            "set clip 3,0,0,1,0,0",
+            "set range 1,5",
+            "save c.png",
+            "set warp Move",
+            "set scale 2",
+            "save d.png",
+            "click undo",
+            "click undo",
+            "save e.png",
+            "click redo",
+            "click redo",
+            "set palette default",
+            "set clip 2,0,0,1,0,0",
+            "set method ark",
+            "set metric distance",
+            "set max-level 2",
+            "set light 100,20",
+            "save f.png",
+            "set clip default",
+            "set wireframe on",
+            "click view-top",
+            "save g.png",
+            "save mesh.vtp",
+        )
+        self.assertEqual(errors, "")
+        mises = ("beam.vtu", "--array", "von Mises of Stress")
+        clip = (*mises, "--palette=magma", "--clip=3,0,0,1,0,0", "--range=1,5")
+        self.assert_picture("a.png", "beam.vtu")
+        self.assert_picture("b.png", *mises, "--palette=magma")
+        self.assert_picture("c.png", *clip)
+        self.assert_picture("d.png", *clip, "--warp=Move", "--scale=2")
+        self.assert_picture("e.png", *clip)
+        bent = (*mises, "--range=1,5", "--warp=Move", "--scale=2", "--method=ark")
+        levels = ("--metric=distance", "--max-level=2", "--light=100,20")
+        self.assert_picture("f.png", *bent, *levels, "--clip=2,0,0,1,0,0")
+        self.assert_picture("g.png", *bent, *levels, "--wireframe", "--view=180,90")
+        self.assertTrue((self.folder / "mesh.vtp").exists())
+        names = layouts[-1]
+        self.assertEqual(names["array"]["value"], "von Mises of Stress")
+        self.assertFalse(names["isosurfaces"]["enabled"])
+        self.assertIn("requires --volume", names["isosurfaces"]["reason"])
+        self.assertIn("no time steps", names["time"]["reason"])
+        frames = [layout["figure-frames"]["value"] for layout in layouts]
+        self.assertEqual(frames, sorted(set(frames)))
+
+    def test_uniforms(self):
+        """Dragging a plane, a light or the length of segments builds no buffers and shaders."""
+        first = ("set clip 3,0,0,1,0,0", "set metric screen-edge", "wait")
+        last = self.studio("beam.vtu", *first)[0][-1]
+        left, top, width, height = last["clip-position"]["rectangle"]
+        middle = top + height / 2
+        dragged, errors = self.studio(
+            "beam.vtu",
+            *first,
+            f"drag {left + width / 2} {middle} {left + width * 0.8} {middle}",
+            "set pixels 10",
+            "set light 90,10",
+        )
+        self.assertEqual(errors, "")
+        for figure in ("figure-buffer-builds", "figure-shader-builds"):
+            self.assertEqual(dragged[-1][figure]["value"], last[figure]["value"], figure)
+            self.assertGreater(last[figure]["value"], 0)
+        # Each position of the slider is drawn.
+        values = [layout["clip-position"]["value"] for layout in dragged]
+        self.assertGreaterEqual(len(dict.fromkeys(values)), 7)
+        self.assertGreater(float(values[-1]), 4.0)
+
+    def test_volume(self):
+        layouts, errors = self.studio(
+            "beam.vtu",
+            "set volume Height",
+            "save a.png",
+            f"set transfer {VOLUME_NODES}",
+            "set unit-distance 2",
+            "save b.png",
+            "set clip 1,0,0,1,0,0",
+            "set isosurfaces 2.5",
+            "save c.png",
+            "click transfer-next",
+            "click transfer-add",
+        )
+        self.assertEqual(errors, "")
+        volume = ("beam.vtu", "--volume=Height")
+        nodes = (*volume, f"--transfer={VOLUME_NODES}", "--unit-distance=2")
+        self.assert_picture("a.png", *volume)
+        self.assert_picture("b.png", *nodes)
+        self.assert_picture("c.png", *nodes, "--clip=1,0,0,1,0,0", "--isosurfaces=2.5")
+        self.assertEqual(layouts[-1]["transfer"]["value"].count(";"), 3)
+
+    def test_time(self):
+        layouts, errors = self.studio(
+            "steps.pvd",
+            "set warp Move",
+            "click step-forward",
+            "save a.png",
+            "set time 2",
+            "save b.png",
+            "set time 0",
+            "click play",
+            "wait",
+        )
+        self.assertEqual(errors, "")
+        self.assert_picture("a.png", "steps.pvd", "--warp=Move", "--time=1")
+        self.assert_picture("b.png", "steps.pvd", "--warp=Move", "--time=2")
+        self.assertEqual(layouts[-1]["time"]["value"], "2")
+
+    def test_keys(self):
+        """The arrows reach each control that applies."""
+        groups = ["Volume", "Surface", "Level of detail", "Light and camera", "Save"]
+        opened = [f"click group {name}" for name in groups]
+        layouts, errors = self.studio(
+            "beam.vtu", *opened, "click panels-in-pictures", *["key Up"] * 80
+        )
+        self.assertEqual(errors, "")
+        wanted = {
+            name
+            for name, entry in layouts[-1].items()
+            if entry["kind"] in ("choice", "flag", "number", "integer", "button", "text")
+            and entry.get("enabled")
+            and any(entry["rectangle"])  # its group is open
+            and not name.endswith(".default")
+        }
+        reached = {
+            name for layout in layouts for name, e in layout.items() if e.get("focused")
+        }
+        # Buttons in a row are reached by Right.
+        rows = ("redo", "step-", "play", "loop", "view-", "reset-view", "save-", "clip-position")
+        parts = {name for name in wanted if name[-2:] in (".0", ".1")}
+        whole = {name[:-2] for name in parts}
+        missing = {
+            name
+            for name in wanted - reached - whole
+            if not name.startswith(rows) and not name.endswith(".1")
+        }
+        self.assertEqual(missing, set())
+
+    def test_errors(self):
+        layouts, errors = self.studio(
+            "beam.vtu",
+            "# a comment",
+            "set nothing 3",
+            "set range nan,1",
+            "set max-level 8",
+            "set exaggeration 2",
+            "set array Missing",
+            "set undo on",
+            "click nothing",
+            "save picture.gif",
+            "key hyper+x",
+            "save still.png",
+            code=1,
+        )
+        expected = (
+            (2, "unknown control 'nothing'"),
+            (3, "--range needs"),
+            (4, "--max-level needs a whole number from 0 to 7"),
+            (5, "'exaggeration' is not available: --exaggeration requires a height map"),
+            (6, "no array of numbers 'Missing'"),
+            (7, "'undo' is a button"),
+            (8, "unknown control 'nothing'"),
+            (9, "picture.gif: its name must end with .png"),
+            (10, "unknown key 'hyper+x'"),
+        )
+        lines = errors.splitlines()
+        self.assertEqual(len(lines), len(expected) + 1, errors)
+        for line, (number, words) in zip(lines, expected):
+            self.assertIn(f"relevo-studio: error: script.txt, line {number}: ", line)
+            self.assertIn(words, line)
+        self.assert_picture("still.png", "beam.vtu")
+        self.assertEqual(layouts[-1]["array"]["value"], "")
+        for text, words in (
+            ("jump 3", "line 1: unknown command 'jump'"),
+            ("wait\ndrag 1 2 x 4", "line 2: 'x' is not a number of pixels"),
+            ("set palette", "line 1: the command is 'set NAME VALUE'"),
+        ):
+            _, errors = self.studio("beam.vtu", text, code=1)
+            self.assertIn(words, errors)
+            self.assertEqual(errors.count("\n"), 1)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["TestStudio"])
