@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMicroMeshErrorDepthTagMetric.h"
 
-#include "Checks/SettingChecks.h"
 #include "Data/MicroMeshArrays.h"
 #include "Metrics/FaceErrorEvaluator.h"
 #include "Metrics/MetricMesh.h"
@@ -18,8 +17,6 @@
 
 namespace
 {
-constexpr double SmallestMicroError = 0.001; // pixels
-constexpr double LargestMicroError = 1e6;
 constexpr int HighestLevelOfPatterns = 7;
 
 class MicroErrorEvaluator : public relevo::FaceErrorEvaluator
@@ -28,17 +25,10 @@ public:
   MicroErrorEvaluator(
     vtkMicroMeshErrorDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
     : FaceErrorEvaluator(metric, mesh)
-    , Metric(metric)
   {
   }
 
 protected:
-  Limit GetLimit() const override
-  {
-    return { this->Metric->GetScreenSpaceError(), this->Metric->GetMaximumError(),
-      this->Metric->GetMaximumLevelOnBorder() };
-  }
-
   // With the level of the finest grid on all edges, the surface is drawn exactly.
   int GetHighestLevel(const relevo::RefinementView& view, int maximumLevel) const override
   {
@@ -63,9 +53,6 @@ protected:
     }
     return faces;
   }
-
-private:
-  vtkSmartPointer<vtkMicroMeshErrorDepthTagMetric> Metric;
 };
 }
 
@@ -74,27 +61,8 @@ vtkStandardNewMacro(vtkMicroMeshErrorDepthTagMetric);
 vtkMicroMeshErrorDepthTagMetric::vtkMicroMeshErrorDepthTagMetric() = default;
 vtkMicroMeshErrorDepthTagMetric::~vtkMicroMeshErrorDepthTagMetric() = default;
 
-void vtkMicroMeshErrorDepthTagMetric::SetScreenSpaceError(double pixels)
-{
-  relevo::SetInRange(this, "ScreenSpaceError", this->ScreenSpaceError, pixels, SmallestMicroError,
-    LargestMicroError);
-}
-
-void vtkMicroMeshErrorDepthTagMetric::SetMaximumError(double length)
-{
-  relevo::SetInRange(this, "MaximumError", this->MaximumError, length, 0.0, relevo::LargestDouble);
-}
-
 std::unique_ptr<relevo::MetricEvaluator> vtkMicroMeshErrorDepthTagMetric::NewEvaluator(
   const std::shared_ptr<relevo::MetricMesh>& mesh)
 {
   return std::make_unique<MicroErrorEvaluator>(this, mesh);
-}
-
-void vtkMicroMeshErrorDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "ScreenSpaceError: " << this->ScreenSpaceError << "\n";
-  os << indent << "MaximumError: " << this->MaximumError << "\n";
-  os << indent << "MaximumLevelOnBorder: " << (this->MaximumLevelOnBorder ? "on" : "off") << "\n";
 }

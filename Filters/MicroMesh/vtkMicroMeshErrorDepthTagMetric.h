@@ -43,46 +43,15 @@
 #define vtkMicroMeshErrorDepthTagMetric_h
 
 #include "RelevoFiltersMicroMeshModule.h" // for export macro
-#include "vtkDepthTagMetric.h"
+#include "vtkFaceErrorDepthTagMetric.h"
 
-class RELEVOFILTERSMICROMESH_EXPORT vtkMicroMeshErrorDepthTagMetric : public vtkDepthTagMetric
+class RELEVOFILTERSMICROMESH_EXPORT vtkMicroMeshErrorDepthTagMetric
+  : public vtkFaceErrorDepthTagMetric
 {
 public:
   static vtkMicroMeshErrorDepthTagMetric* New();
-  vtkTypeMacro(vtkMicroMeshErrorDepthTagMetric, vtkDepthTagMetric);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkTypeMacro(vtkMicroMeshErrorDepthTagMetric, vtkFaceErrorDepthTagMetric);
 
-  //@{
-  /**
-   * Set the largest deviation in pixels, 0.001 to 1e6. The default is 1. It is used if MaximumError
-   * is 0. Values out of range are rejected with an error.
-   */
-  void SetScreenSpaceError(double pixels);
-  vtkGetMacro(ScreenSpaceError, double);
-  //@}
-
-  //@{
-  /**
-   * Set the largest deviation in world units. With 0, the default, ScreenSpaceError is used.
-   * Negative and non-finite values are rejected with an error.
-   */
-  void SetMaximumError(double length);
-  vtkGetMacro(MaximumError, double);
-  //@}
-
-  //@{
-  /**
-   * Set whether edges with one face always have MaximumLevel, so that meshes with a common border
-   * match. Off by default. Blocks of a mapper do not need it.
-   */
-  vtkSetMacro(MaximumLevelOnBorder, bool);
-  vtkGetMacro(MaximumLevelOnBorder, bool);
-  vtkBooleanMacro(MaximumLevelOnBorder, bool);
-  //@}
-
-  bool IsViewDependent() override { return this->MaximumError == 0.0; }
-  bool IsPlacementDependent() override { return true; }
-  bool IsAbsolute() override { return true; }
 #ifndef __VTK_WRAP__
   std::unique_ptr<relevo::MetricEvaluator> NewEvaluator(
     const std::shared_ptr<relevo::MetricMesh>& mesh) override;
@@ -91,10 +60,6 @@ public:
 protected:
   vtkMicroMeshErrorDepthTagMetric();
   ~vtkMicroMeshErrorDepthTagMetric() override;
-
-  double ScreenSpaceError = 1.0;
-  double MaximumError = 0.0;
-  bool MaximumLevelOnBorder = false;
 
 private:
   vtkMicroMeshErrorDepthTagMetric(const vtkMicroMeshErrorDepthTagMetric&) = delete;

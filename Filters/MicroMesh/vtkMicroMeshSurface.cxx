@@ -9,6 +9,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include "relevoMicroField.h"
 #include "relevoMicroMesh.h"
 
 #include <algorithm>
@@ -82,6 +83,11 @@ void vtkMicroMeshSurface::ExtendBox(const Face& face, double low[3], double high
 std::string vtkMicroMeshSurface::GetShaderSource()
 {
   return relevoMicroMesh;
+}
+
+std::string vtkMicroMeshSurface::GetFieldShaderSource()
+{
+  return relevoMicroField;
 }
 
 void vtkMicroMeshSurface::PrintSelf(ostream& os, vtkIndent indent)

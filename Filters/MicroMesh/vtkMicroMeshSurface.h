@@ -13,9 +13,9 @@
  * stored with 8 bits per octahedral coordinate and interpolated between grid points. At the corners
  * of faces, the point normals of the mesh are used, which differ on both sides of sharp edges.
  *
- * vtkAdaptiveRefinementFilter evaluates the point arrays that vtkMicroMeshFilter sampled on the
- * grids (AttributesOn()), linearly between grid points. Mappers interpolate point arrays between
- * the corners of faces.
+ * Point arrays that vtkMicroMeshFilter sampled on the grids (AttributesOn()) are evaluated linearly
+ * between grid points: by vtkAdaptiveRefinementFilter at all points, and by mappers at every pixel.
+ * Values are interpolated first and then mapped to colours.
  *
  * A mesh without the arrays of vtkMicroMeshFilter, or with inconsistent arrays, is an error.
  *
@@ -27,7 +27,15 @@
 #include "RelevoFiltersMicroMeshModule.h" // for export macro
 #include "vtkRefinementSurface.h"
 
+#ifdef __VTK_WRAP__
 class RELEVOFILTERSMICROMESH_EXPORT vtkMicroMeshSurface : public vtkRefinementSurface
+#else
+#include "Surfaces/SurfaceFieldShading.h" // for the superclass
+
+class RELEVOFILTERSMICROMESH_EXPORT vtkMicroMeshSurface
+  : public vtkRefinementSurface
+  , public relevo::SurfaceFieldShading
+#endif
 {
 public:
   static vtkMicroMeshSurface* New();
@@ -51,6 +59,7 @@ public:
     const Face& face, const float weights[3], vtkDataArray* coefficients, double* tuple) override;
   void ExtendBox(const Face& face, double low[3], double high[3]) override;
   std::string GetShaderSource() override;
+  std::string GetFieldShaderSource() override;
 #endif
 
 protected:

@@ -685,16 +685,19 @@ void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor*
     data.GetState().IsMeshValid() ? &data.GetState().GetMesh() : nullptr;
   const int representation = act->GetProperty()->GetRepresentation();
   vtkAbstractArray* scalars = nullptr;
+  bool areColors = false;
   if (mesh)
   {
     vtkCellArray* cells[4] = { input->GetVerts(), input->GetLines(), input->GetPolys(),
       input->GetStrips() };
     this->CellCellMap->Update(cells, representation, input->GetPoints());
     scalars = this->GetScalarsToInterpolate();
+    areColors = scalars && this->AreDirectColors(scalars);
   }
   this->Report(data.Upload.UploadMesh({ vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()),
     mesh, data.GetState().GetMeshTime(), this->GetBuildMTime(), this->VBOs->GetVBO("vertexMC"),
-    this->Refinement, scalars, scalars ? this->GetLookupTable() : nullptr, this->ArrayComponent,
+    this->Refinement, input, scalars, areColors,
+    scalars && !areColors ? this->GetLookupTable() : nullptr, this->ArrayComponent,
     this->ColorCoordinates != nullptr, representation, input->GetNumberOfCells(),
     this->CellCellMap }));
 }
@@ -737,9 +740,13 @@ vtkAbstractArray* vtkAdaptiveRefinementMapper::GetScalarsToInterpolate()
   int cellFlag = 0;
   vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(this->GetInput(),
     this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-  const bool direct = this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
+  return cellFlag == 0 ? scalars : nullptr;
+}
+
+bool vtkAdaptiveRefinementMapper::AreDirectColors(vtkAbstractArray* scalars)
+{
+  return this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
     (this->ColorMode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(scalars));
-  return cellFlag == 0 && !direct ? scalars : nullptr;
 }
 
 void vtkAdaptiveRefinementMapper::BuildIBO(vtkRenderer* ren, vtkActor* act, vtkPolyData* poly)
@@ -802,8 +809,19 @@ void vtkAdaptiveRefinementMapper::UpdateShaderOptions(const vtkOpenGLHelper* cel
   this->ExtendShaders(cellBO, options.Extension);
   if (options.ColorMode == COLOR_BY_SCALARS && !options.Extension.HasOwnColors)
   {
-    options.Scalars = data.Upload.GetColors().GetKind();
-    options.HasNoData = data.Upload.GetColors().HasNoData();
+    if (cellBO != &data.Programs.GetVertices())
+    {
+      options.Field = data.Upload.GetField().GetColoring();
+    }
+    if (options.Field != relevo::FieldColoring::NONE)
+    {
+      options.FieldSource = data.Upload.GetField().GetShaderSource();
+    }
+    else
+    {
+      options.Scalars = data.Upload.GetColors().GetKind();
+      options.HasNoData = data.Upload.GetColors().HasNoData();
+    }
   }
   data.Programs.UpdateKey(cellBO);
 }

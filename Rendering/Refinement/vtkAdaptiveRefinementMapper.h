@@ -539,6 +539,7 @@ private:
   /// Use the shift and scale of the whole data for a piece.
   void BuildBufferObjectsOfPiece(vtkRenderer* ren, vtkActor* act);
   vtkAbstractArray* GetScalarsToInterpolate();
+  bool AreDirectColors(vtkAbstractArray* scalars);
   /// Return whether VTK's own mapper would draw the vertices of faces.
   static bool AreVerticesDrawn(vtkProperty* property, vtkHardwareSelector* selector);
   void SetRefinementColorMode(RefinementColorModes mode);

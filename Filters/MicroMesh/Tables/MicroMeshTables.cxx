@@ -82,23 +82,16 @@ void EvaluateMicroPointData(const vtkRefinementSurface::Face& face, const float 
   vtkDataArray* values, double* tuple)
 {
   MicroMeshFace micro(face);
-  const MicroMeshFace::MicroFace shape = micro.microFace();
-  const int n = 1 << shape.Level;
-  std::array<double, 3> ofCorners{};
-  for (int sorted = 0; sorted < 3; ++sorted)
-  {
-    ofCorners[shape.Order[sorted]] = weights[sorted];
-  }
-  const GridPlace place = FindGridPlace(n, ofCorners);
-  const vtkIdType first = micro.tableRecord(micro.tableEntry() + 2).x;
+  const MicroMeshFace::FieldPlace place = micro.fieldPlace(
+    micro.surfaceFieldRecord(), micro.surfaceFieldWeights(MicroMeshFace::Load(weights)));
   const int components = values->GetNumberOfComponents();
   std::fill_n(tuple, components, 0.0);
   for (int corner = 0; corner < 3; ++corner)
   {
-    const vtkIdType index = first + GetGridIndex(n, place.Corners[corner]);
-    for (int c = 0; c < components && place.Weights[corner] != 0.0; ++c)
+    const double weight = place.Weights[corner];
+    for (int c = 0; c < components && weight != 0.0; ++c)
     {
-      tuple[c] += place.Weights[corner] * values->GetComponent(index, c);
+      tuple[c] += weight * values->GetComponent(place.Indices[corner], c);
     }
   }
 }

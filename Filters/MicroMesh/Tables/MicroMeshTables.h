@@ -24,6 +24,7 @@ struct MicroMeshFace : FaceCorners<vtkRefinementSurface::Face>
 
   vec4 cornerValues(int i) const { return vec4(Load(this->Face.Values[i]), 0.0f); }
 
+#include "glsl/relevoMicroField.glsl"
 #include "glsl/relevoMicroMesh.glsl"
 
   /// The lowest and highest displacement, 0 included.

@@ -196,3 +196,15 @@ RELEVO_FUNCTION vec3 surfaceNormal(vec3 w)
 {
   return microPoint(w).Normal;
 }
+
+// The inputs of relevoMicroField.glsl: the record of the face, and the weights of its corners.
+RELEVO_FUNCTION ivec2 surfaceFieldRecord()
+{
+  return ivec2(tableRecord(tableEntry() + 2).x, microFace().Level);
+}
+
+RELEVO_FUNCTION vec3 surfaceFieldWeights(vec3 w)
+{
+  MicroFace face = microFace();
+  return vec3(w[sortedCorner(face, 0)], w[sortedCorner(face, 1)], w[sortedCorner(face, 2)]);
+}

@@ -10,6 +10,7 @@
 #include "Patterns/PatternLibrary.h"
 #include "View/PixelScale.h"
 #include "View/RefinementView.h"
+#include "vtkFaceErrorDepthTagMetric.h"
 #include "vtkFloatArray.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -30,8 +31,10 @@ struct FaceErrorEvaluator::State
   std::vector<double> Limits; // one per face, in units of the mesh
 };
 
-FaceErrorEvaluator::FaceErrorEvaluator(vtkDepthTagMetric* metric, std::shared_ptr<MetricMesh> mesh)
+FaceErrorEvaluator::FaceErrorEvaluator(
+  vtkFaceErrorDepthTagMetric* metric, std::shared_ptr<MetricMesh> mesh)
   : MetricEvaluator(metric, std::move(mesh))
+  , Metric(metric)
   , Kept(std::make_unique<State>())
 {
 }
@@ -84,15 +87,17 @@ bool FaceErrorEvaluator::Update(const RefinementView& view, int maximumLevel, bo
   return true;
 }
 
-bool FaceErrorEvaluator::FindLimits(const RefinementView& view, const Limit& limit)
+bool FaceErrorEvaluator::FindLimits(const RefinementView& view)
 {
   PixelScale scale(view);
   const int numberOfFaces = this->Kept->Faces ? this->Kept->Faces->GetNumberOfFaces() : 0;
-  if (limit.Length > 0.0)
+  const double length = this->Metric->GetMaximumError();
+  const double pixels = this->Metric->GetScreenSpaceError();
+  if (length > 0.0)
   {
     const double stretch = scale.GetMaximumStretch();
-    this->Kept->Limits.assign(static_cast<std::size_t>(numberOfFaces),
-      stretch > 0.0 ? limit.Length / stretch : VTK_DOUBLE_MAX);
+    this->Kept->Limits.assign(
+      static_cast<std::size_t>(numberOfFaces), stretch > 0.0 ? length / stretch : VTK_DOUBLE_MAX);
     return true;
   }
   std::string error;
@@ -106,7 +111,7 @@ bool FaceErrorEvaluator::FindLimits(const RefinementView& view, const Limit& lim
     {
       for (int f = static_cast<int>(begin); f < end; ++f)
       {
-        this->Kept->Limits[f] = limit.Pixels / scale.GetPixels(this->Kept->Faces->GetBox(f));
+        this->Kept->Limits[f] = pixels / scale.GetPixels(this->Kept->Faces->GetBox(f));
       }
     });
   return true;
@@ -119,16 +124,15 @@ bool FaceErrorEvaluator::Search(const RefinementView& view, int maximumLevel, bo
   {
     return this->Fail(error);
   }
-  const Limit limit = this->GetLimit();
   const int highestLevel = this->GetHighestLevel(view, maximumLevel);
-  if (!this->Update(view, maximumLevel, isPerEdge) || !this->FindLimits(view, limit))
+  if (!this->Update(view, maximumLevel, isPerEdge) || !this->FindLimits(view))
   {
     return false;
   }
   if (this->Kept->Faces)
   {
     this->Kept->Levels.SetFixedBorder(
-      limit.IsBorderFixed || view.IsPart || this->GetMesh().GetWhole());
+      this->Metric->GetMaximumLevelOnBorder() || view.IsPart || this->GetMesh().GetWhole());
     this->Kept->Levels.Run(
       *this->Kept->Faces, *this->Kept->Patterns, this->Kept->Limits, highestLevel);
   }

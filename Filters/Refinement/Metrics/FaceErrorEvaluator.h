@@ -13,9 +13,12 @@
 #include "Metrics/DisplacedFaces.h"        // for results
 #include "Metrics/MetricEvaluator.h"       // for superclass
 #include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkSmartPointer.h"               // for members
 
 #include <memory> // for members
 #include <string> // for errors
+
+class vtkFaceErrorDepthTagMetric;
 
 namespace relevo
 {
@@ -31,16 +34,8 @@ public:
   bool ComputeEdgeTags(const RefinementView& view, int maximumLevel, vtkFloatArray* tags) override;
 
 protected:
-  struct Limit
-  {
-    double Pixels;
-    double Length; // in world units; 0 for none
-    bool IsBorderFixed;
-  };
+  FaceErrorEvaluator(vtkFaceErrorDepthTagMetric* metric, std::shared_ptr<MetricMesh> mesh);
 
-  FaceErrorEvaluator(vtkDepthTagMetric* metric, std::shared_ptr<MetricMesh> mesh);
-
-  virtual Limit GetLimit() const = 0;
   /// Why the faces of a view cannot be measured, without a full stop, or "".
   virtual std::string FindError(const RefinementView&) const { return ""; }
   /// Add what MakeFaces() depends on, without the mesh, its points and the patterns.
@@ -54,11 +49,12 @@ protected:
 private:
   bool Search(const RefinementView& view, int maximumLevel, bool isPerEdge);
   bool Update(const RefinementView& view, int maximumLevel, bool isPerEdge);
-  bool FindLimits(const RefinementView& view, const Limit& limit);
+  bool FindLimits(const RefinementView& view);
   bool Fail(const std::string& error);
 
   struct State;
 
+  const vtkSmartPointer<vtkFaceErrorDepthTagMetric> Metric;
   const std::unique_ptr<State> Kept; // of the last search
 };
 }

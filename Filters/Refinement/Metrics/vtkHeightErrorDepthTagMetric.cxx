@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeightErrorDepthTagMetric.h"
 
-#include "Checks/SettingChecks.h"
 #include "Metrics/DisplacedSurface.h"
 #include "Metrics/FaceErrorEvaluator.h"
 #include "Metrics/MetricMesh.h"
@@ -14,26 +13,16 @@
 
 namespace
 {
-constexpr double SmallestHeightError = 0.001; // pixels
-constexpr double LargestHeightError = 1e6;
-
 class HeightErrorEvaluator : public relevo::FaceErrorEvaluator
 {
 public:
   HeightErrorEvaluator(
     vtkHeightErrorDepthTagMetric* metric, const std::shared_ptr<relevo::MetricMesh>& mesh)
     : FaceErrorEvaluator(metric, mesh)
-    , Metric(metric)
   {
   }
 
 protected:
-  Limit GetLimit() const override
-  {
-    return { this->Metric->GetScreenSpaceError(), this->Metric->GetMaximumError(),
-      this->Metric->GetMaximumLevelOnBorder() };
-  }
-
   std::string FindError(const relevo::RefinementView& view) const override
   {
     return view.Displaced
@@ -58,9 +47,6 @@ protected:
     return view.Displaced->MakeFaces(
       this->GetMesh().GetPolyData(), this->GetMesh().GetWhole(), patterns);
   }
-
-private:
-  vtkSmartPointer<vtkHeightErrorDepthTagMetric> Metric;
 };
 }
 
@@ -69,27 +55,8 @@ vtkStandardNewMacro(vtkHeightErrorDepthTagMetric);
 vtkHeightErrorDepthTagMetric::vtkHeightErrorDepthTagMetric() = default;
 vtkHeightErrorDepthTagMetric::~vtkHeightErrorDepthTagMetric() = default;
 
-void vtkHeightErrorDepthTagMetric::SetScreenSpaceError(double pixels)
-{
-  relevo::SetInRange(this, "ScreenSpaceError", this->ScreenSpaceError, pixels, SmallestHeightError,
-    LargestHeightError);
-}
-
-void vtkHeightErrorDepthTagMetric::SetMaximumError(double length)
-{
-  relevo::SetInRange(this, "MaximumError", this->MaximumError, length, 0.0, relevo::LargestDouble);
-}
-
 std::unique_ptr<relevo::MetricEvaluator> vtkHeightErrorDepthTagMetric::NewEvaluator(
   const std::shared_ptr<relevo::MetricMesh>& mesh)
 {
   return std::make_unique<HeightErrorEvaluator>(this, mesh);
-}
-
-void vtkHeightErrorDepthTagMetric::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "ScreenSpaceError: " << this->ScreenSpaceError << "\n";
-  os << indent << "MaximumError: " << this->MaximumError << "\n";
-  os << indent << "MaximumLevelOnBorder: " << (this->MaximumLevelOnBorder ? "on" : "off") << "\n";
 }

@@ -51,47 +51,16 @@
 #define vtkHeightErrorDepthTagMetric_h
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
-#include "vtkDepthTagMetric.h"
+#include "vtkFaceErrorDepthTagMetric.h"
 
-class RELEVOFILTERSREFINEMENT_EXPORT vtkHeightErrorDepthTagMetric : public vtkDepthTagMetric
+class RELEVOFILTERSREFINEMENT_EXPORT vtkHeightErrorDepthTagMetric
+  : public vtkFaceErrorDepthTagMetric
 {
 public:
   static vtkHeightErrorDepthTagMetric* New();
-  vtkTypeMacro(vtkHeightErrorDepthTagMetric, vtkDepthTagMetric);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkTypeMacro(vtkHeightErrorDepthTagMetric, vtkFaceErrorDepthTagMetric);
 
-  //@{
-  /**
-   * Set the largest deviation in pixels, 0.001 to 1e6. The default is 1. It is used if MaximumError
-   * is 0. Values out of range are rejected with an error.
-   */
-  void SetScreenSpaceError(double pixels);
-  vtkGetMacro(ScreenSpaceError, double);
-  //@}
-
-  //@{
-  /**
-   * Set the largest deviation in world units. With 0, the default, ScreenSpaceError is used.
-   * Negative and non-finite values are rejected with an error.
-   */
-  void SetMaximumError(double length);
-  vtkGetMacro(MaximumError, double);
-  //@}
-
-  //@{
-  /**
-   * Set whether edges with one face always have MaximumLevel, so that meshes with a common border
-   * match. Off by default. Blocks of a mapper and pieces of a distributed mesh do not need it.
-   */
-  vtkSetMacro(MaximumLevelOnBorder, bool);
-  vtkGetMacro(MaximumLevelOnBorder, bool);
-  vtkBooleanMacro(MaximumLevelOnBorder, bool);
-  //@}
-
-  bool IsViewDependent() override { return this->MaximumError == 0.0; }
-  bool IsPlacementDependent() override { return true; }
   bool IsDisplacementDependent() override { return true; }
-  bool IsAbsolute() override { return true; }
 #ifndef __VTK_WRAP__
   std::unique_ptr<relevo::MetricEvaluator> NewEvaluator(
     const std::shared_ptr<relevo::MetricMesh>& mesh) override;
@@ -100,10 +69,6 @@ public:
 protected:
   vtkHeightErrorDepthTagMetric();
   ~vtkHeightErrorDepthTagMetric() override;
-
-  double ScreenSpaceError = 1.0;
-  double MaximumError = 0.0;
-  bool MaximumLevelOnBorder = false;
 
 private:
   vtkHeightErrorDepthTagMetric(const vtkHeightErrorDepthTagMetric&) = delete;

@@ -3,6 +3,7 @@
 #include "Buffers/PatchScalars.h"
 
 #include "Arrays/NoDataTuples.h"
+#include "Buffers/DirectColors.h"
 #include "Mesh/PatchArrays.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -50,18 +51,6 @@ vtkSmartPointer<vtkDataArray> WithoutNoData(
   }
   return result;
 }
-
-// See vtkScalarsToColors::ConvertToRGBA(): luminance, luminance and alpha, RGB, RGBA.
-void StoreColor(const double* tuple, int components, double scale, float* color)
-{
-  const bool isGrey = components < 3;
-  for (int c = 0; c < 3; ++c)
-  {
-    color[c] = static_cast<float>(tuple[isGrey ? 0 : c] * scale);
-  }
-  const bool hasAlpha = components == 2 || components == 4;
-  color[3] = hasAlpha ? static_cast<float>(tuple[components - 1] * scale) : 1.0f;
-}
 }
 
 bool PatchScalars::Upload(vtkOpenGLRenderWindow* window, const Source& source)
@@ -95,18 +84,10 @@ bool PatchScalars::Upload(vtkOpenGLRenderWindow* window, const Source& source)
 
 bool PatchScalars::UploadColors(vtkOpenGLRenderWindow* window, vtkDataArray* nodes, int type)
 {
-  const int components = nodes->GetNumberOfComponents();
-  const bool isReal = type == VTK_FLOAT || type == VTK_DOUBLE;
-  if ((!isReal && type != VTK_UNSIGNED_CHAR) || components < 1 || components > 4)
+  const std::vector<float> colors = GetDirectColors(nodes, type);
+  if (colors.empty())
   {
     return true; // VTK's colours of the corners are used
-  }
-  std::vector<float> colors(4 * static_cast<size_t>(nodes->GetNumberOfTuples()));
-  double tuple[4];
-  for (vtkIdType i = 0; i < nodes->GetNumberOfTuples(); ++i)
-  {
-    nodes->GetTuple(i, tuple);
-    StoreColor(tuple, components, isReal ? 1.0 : 1.0 / 255.0, &colors[4 * static_cast<size_t>(i)]);
   }
   this->Coloring = PatchColoring::COLORS;
   return this->Colors.Upload(window, colors, 4);

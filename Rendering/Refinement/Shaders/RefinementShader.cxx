@@ -11,6 +11,7 @@
 #include "relevoFaceColorsFS.h"
 #include "relevoFaceColorsVS.h"
 #include "relevoFaceVS.h"
+#include "relevoFieldFS.h"
 #include "relevoHeight.h"
 #include "relevoHeightMap.h"
 #include "relevoMorph.h"
@@ -88,6 +89,9 @@ std::string GetDefines(const RefinementShaderOptions& options, bool edges, bool 
   define(options.ColorMode == COLOR_BY_LEVEL || options.ColorMode == COLOR_BY_PATTERN,
     "RELEVO_COLORS_OF_FACES");
   define(options.ColorMode == COLOR_BY_METRIC, "RELEVO_COLORS_OF_TAGS");
+  define(options.Field == FieldColoring::COLORS, "RELEVO_FIELD_COLORS");
+  define(options.Field == FieldColoring::TEXTURE, "RELEVO_FIELD_TEXTURE");
+  define(options.Field == FieldColoring::TABLE, "RELEVO_FIELD_TABLE");
   define(edges, "RELEVO_EDGES");
   define(lines, "RELEVO_LINES");
   return text.str();
@@ -189,6 +193,11 @@ std::vector<ShaderVarying> GetVaryings(const RefinementShaderOptions& options, b
   {
     varyings.push_back({ "flat ", "vec3", "relevoColor" });
   }
+  if (options.Field != FieldColoring::NONE)
+  {
+    varyings.push_back({ "flat ", "ivec2", "relevoField" });
+    varyings.push_back({ "", "vec3", "relevoFieldWeights" });
+  }
   if (options.HasHoles)
   {
     varyings.push_back({ "", "float", "relevoValid" });
@@ -227,7 +236,12 @@ std::string GetVertexFunctions(const RefinementShaderOptions& options,
        // declared after its inputs, because compilers warn in the order of the source
        << "void relevoExtend();\n"
        << relevoRefineVS << "void relevoExtend()\n{\n"
-       << options.Extension.Statements << "}\n";
+       << options.Extension.Statements
+       << (options.Field != FieldColoring::NONE
+              ? "  relevoFieldVSOutput = surfaceFieldRecord();\n"
+                "  relevoFieldWeightsVSOutput = surfaceFieldWeights(relevoVertexWeights);\n"
+              : "")
+       << "}\n";
   return text.str();
 }
 
@@ -280,6 +294,20 @@ void RefineFragmentShader(const RefinementShaderOptions& options, const ShaderPu
       "  diffuseColor = diffuseIntensity * relevoFragment;\n"
       "  opacity = opacityUniform;\n");
   }
+  if (options.Field != FieldColoring::NONE)
+  {
+    declarations += std::string(options.Field != FieldColoring::COLORS ? relevoScalars : "") +
+      (options.Field == FieldColoring::TABLE ? relevoColorTable : "") + options.FieldSource +
+      relevoFieldFS;
+    fragment.IfReplace(ColorMark,
+      std::string("vec4 relevoFragment = relevoFieldColor();\n") +
+        (fragment.Has("relevoBlockColored") ? "  if (!relevoBlockColored)\n" : "") +
+        "  {\n"
+        "    ambientColor = ambientIntensity * relevoFragment.rgb;\n"
+        "    diffuseColor = diffuseIntensity * relevoFragment.rgb;\n"
+        "  }\n"
+        "  opacity = opacityUniform * relevoFragment.a;\n");
+  }
   fragment.InsertAfterVersion(GetDefines(options, false, false));
   if (options.HasHoles)
   {
@@ -304,9 +332,9 @@ void RefineFragmentShader(const RefinementShaderOptions& options, const ShaderPu
 
 Dependencies RefinementShaderOptions::GetKey() const
 {
-  Dependencies key =
-    Dependencies::On(GetDefines(*this, false, false), this->PlacementSource, this->SurfaceSource,
-      this->Extension.Declarations, this->Extension.Statements, this->Extension.Key);
+  Dependencies key = Dependencies::On(GetDefines(*this, false, false), this->PlacementSource,
+    this->SurfaceSource, this->FieldSource, this->Extension.Declarations,
+    this->Extension.Statements, this->Extension.Key);
   for (const ShaderVarying& varying : this->Extension.Varyings)
   {
     key.Add(varying.Qualifier);
@@ -319,7 +347,7 @@ Dependencies RefinementShaderOptions::GetKey() const
 void MarkColors(const RefinementShaderOptions& options, const ShaderPurpose& purpose,
   std::map<vtkShader::Type, vtkShader*>& shaders, MissingAnchors& missing)
 {
-  if (options.ColorMode == COLOR_BY_SCALARS)
+  if (options.ColorMode == COLOR_BY_SCALARS && options.Field == FieldColoring::NONE)
   {
     return;
   }

@@ -25,6 +25,15 @@ enum RefinementColorMode
   COLOR_BY_METRIC = 3
 };
 
+/// How fragments get colours from point scalars that the surface evaluates at every pixel.
+enum class FieldColoring
+{
+  NONE,
+  TABLE,   // values are looked up
+  TEXTURE, // values become VTK's texture coordinate in the table
+  COLORS   // values are colours
+};
+
 /// The options that the shaders depend on.
 struct RefinementShaderOptions
 {
@@ -52,6 +61,9 @@ struct RefinementShaderOptions
   /// Whether draws are indirect, with the faces of each instance in the buffer.
   bool IsIndirect = false;
   ScalarKind Scalars = BY_VTK;
+  FieldColoring Field = FieldColoring::NONE;
+  /// The surface's functions; see SurfaceFieldShading.
+  std::string FieldSource;
   /// Whether some scalars are no data.
   bool HasNoData = false;
   /// The values that colour faces, a RefinementColorMode.

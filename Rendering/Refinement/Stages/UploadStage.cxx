@@ -77,9 +77,18 @@ StageResult UploadStage::UploadMesh(const MeshInput& input)
 bool UploadStage::UploadPoints(const MeshInput& input)
 {
   this->Colors.Clear();
+  this->Field.Clear();
+  const double noData = input.Recipe->GetNoDataMagnitude();
   if (input.Scalars &&
-    !this->Colors.Upload(input.Window, input.Scalars, input.Table, input.Component, input.ByTexture,
-      input.Recipe->GetNoDataMagnitude()))
+    !this->Field.Upload(input.Window,
+      { input.Recipe->GetSurface(), input.Input, input.Scalars, input.AreColors, input.Table,
+        input.Component, input.ByTexture, noData }))
+  {
+    this->Field.Clear(); // the scalars are interpolated
+  }
+  if (input.Scalars && !input.AreColors &&
+    !this->Colors.Upload(
+      input.Window, input.Scalars, input.Table, input.Component, input.ByTexture, noData))
   {
     this->Colors.Clear(); // VTK's colours of the coarse points are used
   }
@@ -177,7 +186,14 @@ void UploadStage::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* prog
   this->Buffers.AliasAttributes(window, vbos, attributes);
   this->Buffers.Activate(program);
   this->Heights.Activate(program);
-  this->Colors.Activate(program);
+  if (this->Field.IsUsed(program))
+  {
+    this->Field.Activate(program);
+  }
+  else
+  {
+    this->Colors.Activate(program);
+  }
   this->Buffers.SetUniforms(program, recipe);
 }
 
@@ -186,12 +202,14 @@ void UploadStage::Deactivate()
   this->Buffers.Deactivate();
   this->Heights.Deactivate();
   this->Colors.Deactivate();
+  this->Field.Deactivate();
 }
 
 vtkTypeInt64 UploadStage::GetMemorySize() const
 {
   return this->Buffers.GetMemorySize() + this->Heights.GetMemorySize() +
-    this->Colors.GetMemorySize() + this->Patterns.GetMemorySize() + this->Instances.GetMemorySize();
+    this->Colors.GetMemorySize() + this->Field.GetMemorySize() + this->Patterns.GetMemorySize() +
+    this->Instances.GetMemorySize();
 }
 
 void UploadStage::ReleaseGraphicsResources(vtkWindow* window)
@@ -199,6 +217,7 @@ void UploadStage::ReleaseGraphicsResources(vtkWindow* window)
   this->Buffers.ReleaseGraphicsResources(window);
   this->Heights.ReleaseGraphicsResources(window);
   this->Colors.ReleaseGraphicsResources(window);
+  this->Field.ReleaseGraphicsResources(window);
   this->Patterns.ReleaseGraphicsResources();
   this->Instances.ReleaseGraphicsResources(window);
   this->HeightError.clear();

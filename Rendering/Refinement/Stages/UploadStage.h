@@ -11,6 +11,7 @@
 
 #include "Buffers/HeightTextures.h"          // for members
 #include "Buffers/InstanceBuffers.h"         // for members
+#include "Buffers/RefinementField.h"         // for members
 #include "Buffers/RefinementMeshBuffers.h"   // for members
 #include "Buffers/RefinementPatternBuffer.h" // for members
 #include "Buffers/VertexColors.h"            // for members
@@ -28,6 +29,7 @@ class vtkAdaptiveRefinement;
 class vtkOpenGLCellToVTKCellMap;
 class vtkOpenGLVertexBufferObject;
 class vtkOpenGLVertexBufferObjectGroup;
+class vtkPolyData;
 class vtkScalarsToColors;
 
 namespace relevo
@@ -50,9 +52,11 @@ public:
     /// VTK's vertexMC, or nullptr.
     vtkOpenGLVertexBufferObject* Positions;
     vtkAdaptiveRefinement* Recipe;
-    /// Point scalars that are interpolated for colours, or nullptr. For the other members see
-    /// VertexColors.
+    vtkPolyData* Input;
+    /// Point scalars that are mapped to colours, or are colours; nullptr for none. For the other
+    /// members see VertexColors.
     vtkAbstractArray* Scalars;
+    bool AreColors;
     vtkScalarsToColors* Table;
     int Component;
     bool ByTexture;
@@ -89,6 +93,7 @@ public:
   RefinementPatternBuffer& GetPatterns() { return this->Patterns; }
   InstanceBuffers& GetInstances() { return this->Instances; }
   const VertexColors& GetColors() const { return this->Colors; }
+  const RefinementField& GetField() const { return this->Field; }
   /// Return the buffers that compute shaders read and write.
   RefinementComputeState::Targets GetTargets() const;
 
@@ -115,6 +120,7 @@ private:
   RefinementMeshBuffers Buffers;
   HeightTextures Heights;
   VertexColors Colors;
+  RefinementField Field;
   RefinementPatternBuffer Patterns;
   InstanceBuffers Instances;
 
