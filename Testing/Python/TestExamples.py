@@ -265,6 +265,24 @@ class TestExamples(unittest.TestCase):
             self.assertEqual((run.returncode, run.stderr), (0, ""))
             self.assert_kept(folder / "out.png", kept)
 
+    def test_dense_colors(self):
+        """The micro-mesh of a scan has its colours at every pixel."""
+        kept = SOURCE / "Examples/Python/densecolors.png"
+        self.assertIn("Examples/Python/densecolors.png", PAGES)
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            run = self.run_example("densecolors.py", folder, "out.png")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            self.assertRegex(run.stdout, r"^\d{5} triangles, error 0.001\d\n$")
+            scalars = read_picture(folder / "out.png").GetPointData().GetScalars()
+            places = [1280 * y + x for y in range(60, 280) for x in range(320)]
+            different = sum(
+                max(abs(a - b) for a, b in zip(scalars.GetTuple(i), scalars.GetTuple(i + 320))) > 40
+                for i in places
+            )
+            self.assertLess(different, 0.02 * len(places))
+            self.assert_kept(folder / "out.png", kept)
+
     def test_names(self):
         """File names with a hyphen need --. Control characters in messages are escaped."""
         with tempfile.TemporaryDirectory() as name:
