@@ -13,10 +13,12 @@
 #include "Compatibility/VTKCompatibility.h"
 #include "Data/MicroGrid.h"
 #include "vtkCallbackCommand.h"
+#include "vtkContourValues.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMicroMeshFilter.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -59,6 +61,7 @@ struct vtkMicroMeshContourFilter::Work
 vtkStandardNewMacro(vtkMicroMeshContourFilter);
 
 vtkMicroMeshContourFilter::vtkMicroMeshContourFilter()
+  : ContourValues(vtkSmartPointer<vtkContourValues>::New())
 {
   this->ContourValues->SetNumberOfContours(0); // VTK's default is the value 0
   this->SetInputArrayToProcess(
@@ -66,6 +69,31 @@ vtkMicroMeshContourFilter::vtkMicroMeshContourFilter()
 }
 
 vtkMicroMeshContourFilter::~vtkMicroMeshContourFilter() = default;
+
+void vtkMicroMeshContourFilter::SetValue(int i, double value)
+{
+  this->ContourValues->SetValue(i, value);
+}
+
+double vtkMicroMeshContourFilter::GetValue(int i)
+{
+  return this->ContourValues->GetValue(i);
+}
+
+void vtkMicroMeshContourFilter::SetNumberOfContours(int number)
+{
+  this->ContourValues->SetNumberOfContours(number);
+}
+
+int vtkMicroMeshContourFilter::GetNumberOfContours()
+{
+  return this->ContourValues->GetNumberOfContours();
+}
+
+void vtkMicroMeshContourFilter::GenerateValues(int number, double rangeStart, double rangeEnd)
+{
+  this->ContourValues->GenerateValues(number, rangeStart, rangeEnd);
+}
 
 void vtkMicroMeshContourFilter::SetTolerance(double tolerance)
 {

@@ -40,13 +40,13 @@
 #define vtkMicroMeshContourFilter_h
 
 #include "RelevoFiltersMicroMeshModule.h" // for export macro
-#include "vtkContourValues.h"             // for the methods of contour values
-#include "vtkNew.h"                       // for members
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // for members
 
 #include <memory> // for members
 #include <string> // for errors
 
+class vtkContourValues;
 class vtkImageData;
 class vtkUnstructuredGrid;
 
@@ -61,14 +61,11 @@ public:
   /**
    * Set the isovalues, as in vtkFlyingEdges3D. There is none by default.
    */
-  void SetValue(int i, double value) { this->ContourValues->SetValue(i, value); }
-  double GetValue(int i) { return this->ContourValues->GetValue(i); }
-  void SetNumberOfContours(int number) { this->ContourValues->SetNumberOfContours(number); }
-  int GetNumberOfContours() { return this->ContourValues->GetNumberOfContours(); }
-  void GenerateValues(int number, double rangeStart, double rangeEnd)
-  {
-    this->ContourValues->GenerateValues(number, rangeStart, rangeEnd);
-  }
+  void SetValue(int i, double value);
+  double GetValue(int i);
+  void SetNumberOfContours(int number);
+  int GetNumberOfContours();
+  void GenerateValues(int number, double rangeStart, double rangeEnd);
   //@}
 
   //@{
@@ -166,7 +163,7 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  vtkNew<vtkContourValues> ContourValues;
+  vtkSmartPointer<vtkContourValues> ContourValues;
   double Tolerance = 0.0;
   double TargetReduction = 0.99;
   int MaximumLevel = 5;
