@@ -5,6 +5,7 @@
  */
 #include "Options/ProgramRun.h"
 #include "Options/UsageError.h"
+#include "Program/GraphicsReport.h"
 #include "Program/StudioUsage.h"
 #include "Program/StudioWindow.h"
 #include "State/OptionValues.h"
@@ -63,6 +64,11 @@ int main(int argc, char* argv[])
       std::vector<std::string> arguments(argv + 1, argv + argc);
       const std::string layout = TakeOption(arguments, "--layout");
       const std::string script = TakeOption(arguments, "--script");
+      if (arguments == std::vector<std::string>{ "--report" })
+      {
+        std::cout << MakeGraphicsReport(RELEVO_VERSION);
+        return;
+      }
       for (std::string& argument : arguments)
       {
         argument = argument == "-h" ? "--help" : argument;

@@ -232,6 +232,16 @@ class TestStudio(ViewerProgram):
         }
         self.assertEqual(missing, set())
 
+    def test_report(self):
+        run = subprocess.run([PROGRAM, "--report"], capture_output=True, text=True)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        report = json.loads(run.stdout)
+        self.assertRegex(report["opengl"]["version"], r"^[34]\.")
+        self.assertGreaterEqual(report["opengl"]["texture size"], 1024)
+        computes = "GL_ARB_compute_shader" in report["opengl"]["extensions"]
+        self.assertEqual(report["opengl"]["compute shaders"], computes)
+        self.assertRegex(report["imgui"], r"^1\.")
+
     def test_errors(self):
         layouts, errors = self.studio(
             "beam.vtu",

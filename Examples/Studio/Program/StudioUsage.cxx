@@ -18,6 +18,7 @@ Options of the studio:
                          lines after # are ignored
   --layout FILE          write a JSON list of the controls, their places in pixels from the upper
                          left corner and the figures of the frame, after each frame
+  --report               print a JSON report on the graphics card, and exit. Without FILE
   --help                 print this text and exit
   --version              print the version of Relevo and exit
 
