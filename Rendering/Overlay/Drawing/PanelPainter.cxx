@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace relevo
@@ -75,6 +76,10 @@ void PanelPainter::UploadFont(vtkOpenGLRenderWindow* window, int version)
   this->Atlas->Create2DFromRaw(static_cast<unsigned int>(width), static_cast<unsigned int>(height),
     4, VTK_UNSIGNED_CHAR, pixels);
   this->AtlasVersion = version;
+#if IMGUI_VERSION_NUM >= 19200
+  // Draw commands look it up. In earlier versions, they have a copy, which is 0 here.
+  fonts->SetTexID(static_cast<ImTextureID>(this->Atlas->GetHandle()));
+#endif
 }
 
 //------------------------------------------------------------------------------
@@ -146,9 +151,9 @@ void PanelPainter::DrawList(vtkOpenGLRenderWindow* window, const ImDrawList* lis
     int Type;
     int Components;
     bool IsNormalized;
-  } attributes[] = { { "position", IM_OFFSETOF(ImDrawVert, pos), VTK_FLOAT, 2, false },
-    { "texel", IM_OFFSETOF(ImDrawVert, uv), VTK_FLOAT, 2, false },
-    { "color", IM_OFFSETOF(ImDrawVert, col), VTK_UNSIGNED_CHAR, 4, true } };
+  } attributes[] = { { "position", offsetof(ImDrawVert, pos), VTK_FLOAT, 2, false },
+    { "texel", offsetof(ImDrawVert, uv), VTK_FLOAT, 2, false },
+    { "color", offsetof(ImDrawVert, col), VTK_UNSIGNED_CHAR, 4, true } };
   for (const auto& attribute : attributes)
   {
     this->VertexArray->AddAttributeArray(this->Program, this->Vertices, attribute.Name,
