@@ -120,8 +120,8 @@ SCENES = {
         lambda: make_blocks(NO_VALUE),
         show_volume,
         {
-            "Volume": 'Rank 1: 1 of 2510 cells have values of the array "RTData" that are not finite, '
-            'in Block 2 ("Tail"); they are transparent.'
+            "Volume": 'Rank 1: 1 of 2510 cells has values of the array "RTData" that are not finite, '
+            'in Block 2 ("Tail"); it is transparent.'
         },
     ),
     "textures": (

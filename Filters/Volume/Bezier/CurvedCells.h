@@ -11,6 +11,7 @@
 
 #include "Bezier/BezierHexahedron.h"
 #include "Bezier/CurvedCellConversion.h"
+#include "Integral/ScalarTable.h"
 #include "Mesh/CellCounts.h"
 #include "RelevoFiltersVolumeModule.h" // for export macro
 #include "vtkType.h"
@@ -45,8 +46,8 @@ public:
   struct Points
   {
     const std::vector<dvec3>& Positions;
-    const std::vector<Scalars>& Values;
-    const std::vector<Scalars>& CellValues;
+    const ScalarTable& Values;
+    const ScalarTable& CellValues;
     const std::vector<double>& Weights;
   };
 

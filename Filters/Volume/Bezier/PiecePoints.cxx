@@ -12,8 +12,8 @@ namespace
 constexpr size_t NoEntry = std::numeric_limits<size_t>::max();
 }
 
-PiecePoints::PiecePoints(PlaceSet& places, const Scalars& same, std::vector<dvec3>& positions,
-  std::vector<Scalars>& values)
+PiecePoints::PiecePoints(
+  PlaceSet& places, const Scalars& same, std::vector<dvec3>& positions, ScalarTable& values)
   : Places(places)
   , Same(same)
   , Positions(positions)
@@ -27,10 +27,11 @@ vtkIdType PiecePoints::Search(size_t place, const Scalars& values) const
   while (entry != NoEntry)
   {
     const vtkIdType point = this->Entries[entry].Point;
+    const Scalars known = this->Values[point];
     bool isSame = true;
     for (size_t c = 0; c < values.size(); ++c)
     {
-      isSame = isSame && std::abs(this->Values[point][c] - values[c]) <= this->Same[c];
+      isSame = isSame && std::abs(known[c] - values[c]) <= this->Same[c];
     }
     if (isSame)
     {

@@ -14,6 +14,7 @@
 
 #include "Bezier/BezierHexahedron.h"
 #include "Bezier/PlaceSet.h"
+#include "Integral/ScalarTable.h"
 #include "vtkType.h"
 
 #include <vector>
@@ -25,8 +26,8 @@ class PiecePoints
 public:
   /// Points are appended to `positions` and `values`, which must outlive this object. Scalars that
   /// differ by at most `same` are equal.
-  PiecePoints(PlaceSet& places, const Scalars& same, std::vector<dvec3>& positions,
-    std::vector<Scalars>& values);
+  PiecePoints(
+    PlaceSet& places, const Scalars& same, std::vector<dvec3>& positions, ScalarTable& values);
 
   /// Uses an existing point for new points at its place.
   void Reuse(vtkIdType point);
@@ -48,7 +49,7 @@ private:
   PlaceSet& Places;
   const Scalars Same;
   std::vector<dvec3>& Positions;
-  std::vector<Scalars>& Values;
+  ScalarTable& Values;
   std::vector<size_t> Firsts; // of each place, in Entries
   std::vector<Entry> Entries;
 };

@@ -16,7 +16,9 @@
 
 namespace relevo
 {
-std::vector<vtkIdType> FindPlaces(const std::vector<dvec3>& points)
+namespace
+{
+std::vector<vtkIdType> MergePoints(const std::vector<dvec3>& points)
 {
   const vtkIdType count = static_cast<vtkIdType>(points.size());
   vtkNew<vtkDoubleArray> coordinates;
@@ -24,7 +26,13 @@ std::vector<vtkIdType> FindPlaces(const std::vector<dvec3>& points)
   coordinates->SetArray(const_cast<double*>(points.empty() ? nullptr : &points[0].x), 3 * count, 1);
   vtkNew<vtkPoints> all;
   all->SetData(coordinates);
-  std::vector<vtkIdType> places = ComputeMergedPoints(all);
+  return ComputeMergedPoints(all);
+}
+}
+
+std::vector<vtkIdType> FindPlaces(const std::vector<dvec3>& points)
+{
+  std::vector<vtkIdType> places = MergePoints(points);
   if (places.empty())
   {
     places.resize(points.size());
@@ -35,9 +43,9 @@ std::vector<vtkIdType> FindPlaces(const std::vector<dvec3>& points)
 
 MergedCellPoints MergeCellPoints(const VolumeCells& cells)
 {
-  const std::vector<Scalars>& scalars = cells.GetPointScalars();
+  const ScalarTable& scalars = cells.GetPointScalars();
   MergedCellPoints merged;
-  merged.Places = FindPlaces(cells.GetPoints());
+  merged.Places = MergePoints(cells.GetPoints());
   merged.Points = merged.Places;
   // Points whose scalars differ from those of the first point at their place. Scalars that are not
   // finite equal no others.
@@ -54,8 +62,10 @@ MergedCellPoints MergeCellPoints(const VolumeCells& cells)
     }
   }
   vtkSMPTools::Sort(others.begin(), others.end(),
-    [&](vtkIdType a, vtkIdType b) {
-      return std::tie(merged.Places[a], scalars[a], a) < std::tie(merged.Places[b], scalars[b], b);
+    [&](vtkIdType a, vtkIdType b)
+    {
+      return std::make_tuple(merged.Places[a], scalars[a], a) <
+        std::make_tuple(merged.Places[b], scalars[b], b);
     });
   for (size_t i = 1; i < others.size(); ++i)
   {

@@ -13,18 +13,29 @@
 #include "RelevoFiltersVolumeModule.h" // for export macro
 #include "vtkType.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace relevo
 {
 class VolumeCells;
 
+/// The lists are empty if no points coincide.
 struct MergedCellPoints
 {
-  /// For each point the first coincident point.
+  /// Returns the first point that coincides with a point.
+  vtkIdType GetPlace(vtkIdType point) const { return Get(this->Places, point); }
+  /// Returns the first point that coincides with a point and has the same scalars.
+  vtkIdType GetPoint(vtkIdType point) const { return Get(this->Points, point); }
+
   std::vector<vtkIdType> Places;
-  /// For each point the first coincident point with the same scalars.
   std::vector<vtkIdType> Points;
+
+private:
+  static vtkIdType Get(const std::vector<vtkIdType>& all, vtkIdType point)
+  {
+    return all.empty() ? point : all[static_cast<size_t>(point)];
+  }
 };
 
 /// Returns for each point the first coincident point.

@@ -12,6 +12,7 @@
 #include "Checks/MisplacedArray.h"
 #include "RelevoFiltersVolumeModule.h" // for export macro
 #include "vtkDataArray.h"              // for the smart pointer
+#include "vtkDataSet.h"                // for the smart pointer
 #include "vtkSmartPointer.h"           // for arrays
 #include "vtkType.h"
 
@@ -20,7 +21,6 @@
 #include <vector>
 
 class vtkDataObject;
-class vtkDataSet;
 
 namespace relevo
 {
@@ -30,6 +30,7 @@ struct MeshScalars
   vtkSmartPointer<vtkDataArray> Array;
   bool AreOfCells;
   std::string Block; // name of the block for messages; empty without blocks
+  vtkSmartPointer<vtkDataSet> Copy = nullptr; // Mesh, if it is not the one of the input
 
   /// Returns the begin of a message about the block.
   std::string GetPrefix() const { return this->Block.empty() ? "" : this->Block + ": "; }

@@ -5,8 +5,11 @@
 #include "Cells/CellChecks.h"
 #include "Cells/LeftOutCells.h"
 #include "Cells/MergedCellPoints.h"
+#include "Integral/FillValues.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -46,9 +49,16 @@ public:
   {
   }
 
-  // `places` are those of the mesh's points.
-  void Add(const MeshScalars& mesh, const vtkIdType* places)
+  // `places` are those of the mesh's points. Returns the cells without a value.
+  std::vector<vtkIdType> Add(const MeshScalars& mesh, const vtkIdType* places)
   {
+    std::vector<std::vector<double>> fillValues;
+    for (int c = 0; c < static_cast<int>(this->Tuple.size()); ++c)
+    {
+      fillValues.push_back(FindFillValues(static_cast<size_t>(mesh.Array->GetNumberOfTuples()),
+        [&](size_t i) { return mesh.Array->GetComponent(static_cast<vtkIdType>(i), c); }));
+    }
+    std::vector<vtkIdType> missing;
     CellDemands demands;
     demands.TakesAllTypes = true;
     demands.TakesInfinitePoints = true;
@@ -63,14 +73,22 @@ public:
       }
       mesh.Mesh->GetCellPoints(cell, points);
       mesh.Array->GetTuple(cell, this->Tuple.data());
-      const bool isFinite = std::all_of(
-        this->Tuple.begin(), this->Tuple.end(), [](double value) { return std::isfinite(value); });
-      for (vtkIdType i = 0;
-           isFinite && !leftOut.IsHidden(cell, points) && i < points->GetNumberOfIds(); ++i)
+      if (leftOut.IsHidden(cell, points))
+      {
+        continue;
+      }
+      if (!std::equal(this->Tuple.begin(), this->Tuple.end(), fillValues.begin(),
+            [](double value, const auto& fill) { return !IsMissing(value, fill); }))
+      {
+        missing.push_back(cell);
+        continue;
+      }
+      for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
       {
         this->AddTuple(static_cast<size_t>(places[points->GetId(i)]));
       }
     }
+    return missing;
   }
 
   vtkSmartPointer<vtkDataArray> Make(const MeshScalars& mesh, const vtkIdType* places) const
@@ -113,6 +131,33 @@ private:
   std::vector<double> Values;
   std::vector<int> Counts;
 };
+
+// Hides cells in a copy of the mesh.
+void HideCells(MeshScalars& mesh, const std::vector<vtkIdType>& cells)
+{
+  if (cells.empty())
+  {
+    return;
+  }
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfTuples(mesh.Mesh->GetNumberOfCells());
+  ghosts->Fill(0);
+  vtkUnsignedCharArray* old = mesh.Mesh->GetCellGhostArray();
+  for (vtkIdType i = 0; old && i < std::min(old->GetNumberOfTuples(), ghosts->GetNumberOfTuples());
+       ++i)
+  {
+    ghosts->SetValue(i, old->GetValue(i));
+  }
+  for (const vtkIdType cell : cells)
+  {
+    ghosts->SetValue(cell, ghosts->GetValue(cell) | vtkDataSetAttributes::HIDDENCELL);
+  }
+  mesh.Copy = vtkSmartPointer<vtkDataSet>::Take(mesh.Mesh->NewInstance());
+  mesh.Copy->ShallowCopy(mesh.Mesh);
+  mesh.Copy->GetCellData()->AddArray(ghosts);
+  mesh.Mesh = mesh.Copy;
+}
 }
 
 std::string AverageAtPoints(std::vector<MeshScalars>& meshes)
@@ -124,20 +169,30 @@ std::string AverageAtPoints(std::vector<MeshScalars>& meshes)
   const char* name = meshes.front().Array->GetName();
   const std::vector<vtkIdType> places = FindPlacesOfAll(meshes);
   Sums sums(places.size(), meshes.front().Array->GetNumberOfComponents());
+  std::vector<std::vector<vtkIdType>> missing;
   const vtkIdType* first = places.data();
   for (const MeshScalars& mesh : meshes)
   {
-    sums.Add(mesh, first);
+    missing.push_back(sums.Add(mesh, first));
     first += mesh.Mesh->GetNumberOfPoints();
   }
   first = places.data();
+  size_t number = 0;
   for (MeshScalars& mesh : meshes)
   {
     mesh.Array = sums.Make(mesh, first);
     mesh.AreOfCells = false;
     first += mesh.Mesh->GetNumberOfPoints();
+    const std::vector<vtkIdType>& cells = missing[static_cast<size_t>(&mesh - meshes.data())];
+    HideCells(mesh, cells);
+    number += cells.size();
   }
   return "Isosurfaces need point values, so the cell array" +
-    (name ? " \"" + std::string(name) + "\"" : "") + " is averaged at the points.";
+    (name ? " \"" + std::string(name) + "\"" : "") + " is averaged at the points." +
+    (number == 0 ? ""
+        : number == 1
+        ? " 1 cell has a fill value, or a value that is not finite; it is transparent."
+        : " " + std::to_string(number) +
+          " cells have fill values, or values that are not finite; they are transparent.");
 }
 }

@@ -19,8 +19,9 @@ namespace relevo
 /**
  * If the arrays are of cells, replaces them by the averages of the 3D cells at each point, and
  * returns a warning. Otherwise returns "". Coincident points get the same average, also in several
- * data sets. Hidden cells and values that are not finite do not count; ghost cells do. Points
- * without values get NaN.
+ * data sets. Hidden cells do not count; ghost cells do. Cells with fill values, or values that are
+ * not finite, do not count either. They are hidden in a copy of the data set, and the warning has
+ * their number. Points without values get NaN.
  */
 RELEVOFILTERSVOLUME_EXPORT std::string AverageAtPoints(std::vector<MeshScalars>& meshes);
 }

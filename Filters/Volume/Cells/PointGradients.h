@@ -11,13 +11,13 @@
 
 #include "Integral/Ray.h"
 #include "RelevoFiltersVolumeModule.h" // for export macro
-#include "vtkType.h"
 
 #include <vector>
 
 namespace relevo
 {
 class VolumeCells;
+struct MergedCellPoints;
 
 /**
  * Returns for each point the volume-weighted mean gradient of the adjacent cells and ghost cells,
@@ -25,9 +25,10 @@ class VolumeCells;
  * MergeCellPoints(), have the same gradient. It is 0 if no adjacent cell has point scalars.
  */
 RELEVOFILTERSVOLUME_EXPORT std::vector<Gradients> ComputePointGradients(const VolumeCells& cells);
-/// The same if the merged points are known.
-RELEVOFILTERSVOLUME_EXPORT std::vector<Gradients> ComputePointGradients(
-  const VolumeCells& cells, const std::vector<vtkIdType>& merged);
+/// The same for the first components only, if the merged points are known. The components of a
+/// point follow each other.
+RELEVOFILTERSVOLUME_EXPORT std::vector<dvec3> ComputePointGradients(
+  const VolumeCells& cells, const MergedCellPoints& merged, int numberOfComponents);
 }
 
 #endif

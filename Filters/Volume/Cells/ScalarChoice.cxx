@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/ScalarChoice.h"
 
+#include "Integral/ScalarTable.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkVolumeProperty.h"
@@ -38,9 +39,12 @@ ScalarChoice ChooseScalars(vtkVolumeProperty* property, int vectorMode, int vect
   return choice;
 }
 
-void AddScalars(vtkDataArray* array, const ScalarChoice& choice, std::vector<Scalars>& all)
+std::vector<double> AddScalars(vtkDataArray* array, const ScalarChoice& choice, ScalarTable& all)
 {
   const int components = array->GetNumberOfComponents();
+  const size_t first = all.size();
+  all.Prepare(static_cast<size_t>(array->GetNumberOfTuples()),
+    choice.Component == ScalarChoice::All ? components : 1);
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
     Scalars scalars = {};
@@ -64,5 +68,6 @@ void AddScalars(vtkDataArray* array, const ScalarChoice& choice, std::vector<Sca
     }
     all.push_back(scalars);
   }
+  return all.ReplaceFillValues(first);
 }
 }

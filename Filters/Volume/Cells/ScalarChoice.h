@@ -19,6 +19,8 @@ class vtkVolumeProperty;
 
 namespace relevo
 {
+class ScalarTable;
+
 struct ScalarChoice
 {
   enum
@@ -39,9 +41,10 @@ struct ScalarChoice
 RELEVOFILTERSVOLUME_EXPORT ScalarChoice ChooseScalars(
   vtkVolumeProperty* property, int vectorMode, int vectorComponent);
 
-/// Converts the tuples of an array and appends the scalars.
-RELEVOFILTERSVOLUME_EXPORT void AddScalars(
-  vtkDataArray* array, const ScalarChoice& choice, std::vector<Scalars>& all);
+/// Converts the tuples of an array and appends the scalars. Fill values become NaN; returns their
+/// magnitudes, see FindFillValues().
+RELEVOFILTERSVOLUME_EXPORT std::vector<double> AddScalars(
+  vtkDataArray* array, const ScalarChoice& choice, ScalarTable& all);
 }
 
 #endif

@@ -99,31 +99,33 @@ std::vector<std::string> VolumeCells::Add(
 {
   const vtkIdType firstPoint = static_cast<vtkIdType>(this->Points.size());
   const vtkIdType firstCell = static_cast<vtkIdType>(this->CellScalars.size());
+  this->Points.resize(this->Points.size() + static_cast<size_t>(mesh->GetNumberOfPoints()));
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
-    dvec3 point;
-    mesh->GetPoint(i, &point.x);
-    this->Points.push_back(point);
+    mesh->GetPoint(i, &this->Points[static_cast<size_t>(firstPoint + i)].x);
   }
   this->AddWeights(mesh);
-  AddScalars(array, choice, isOfCells ? this->CellScalars : this->PointScalars);
+  const std::vector<double> fillValues =
+    AddScalars(array, choice, isOfCells ? this->CellScalars : this->PointScalars);
   this->NumberOfScalars =
     choice.Component == ScalarChoice::All ? array->GetNumberOfComponents() : 1;
   // Both arrays must have the same length for the following data sets.
   (isOfCells ? this->PointScalars : this->CellScalars)
-    .resize(isOfCells ? this->Points.size() : firstCell);
+    .Resize(isOfCells ? this->Points.size() : static_cast<size_t>(firstCell));
 
   CellDemands demands;
   demands.TakesAllTypes = true;
   demands.TakesInfinitePoints = true;
   const CellChecks checks = CheckCells(mesh, demands);
-  this->Counts.AddMesh(this->NumberOfInputCells);
+  this->Counts.AddMesh(this->NumberOfInputCells, fillValues);
   const LeftOutCells leftOut(mesh);
   CellFetcher cells(mesh);
   CellSplitter splitter;
   auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh);
   vtkNew<vtkUnstructuredGrid> none;
   CellReader reader(grid ? grid : none);
+  this->Cells.Prepare(static_cast<size_t>(mesh->GetNumberOfCells()));
+  this->Corners.Refer(this->ReadsInPlace && grid ? grid->GetCells() : nullptr, firstPoint);
   vtkNew<vtkIdList> points;
   const bool hasWeights = mesh->GetPointData()->GetRationalWeights() != nullptr;
   for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
@@ -136,6 +138,7 @@ std::vector<std::string> VolumeCells::Add(
       hasWeights, this->NumberOfInputCells + i };
     mesh->GetCellPoints(i, points);
     if (leftOut.IsHidden(i, points) || (source.IsGhost && isOfCells) ||
+      this->AddInPlace(mesh->GetCellType(i), i, points->GetNumberOfIds(), source) ||
       (grid && reader.ReadNodes(i) && this->AddCurved(reader, source)))
     {
       continue;
@@ -238,6 +241,26 @@ bool VolumeCells::AddWhole(int type, const std::vector<vtkIdType>& ids, const So
       source.Scalars, source.Cell, source.IsGhost ? this->Ghosts : this->Cells);
   }
   return isGood;
+}
+
+// Returns false if the cell must be copied or split.
+bool VolumeCells::AddInPlace(int type, vtkIdType number, vtkIdType count, const Source& source)
+{
+  const CellShape* shape = FindCellShape(type);
+  const bool isWhole =
+    type == VTK_TETRA || (shape && type != VTK_VOXEL && type != VTK_QUADRATIC_TETRA);
+  const std::uint64_t address =
+    isWhole && !(shape && this->SplitsAll) ? this->Corners.Find(number) : CornerIds::NoAddress;
+  if (address == CornerIds::NoAddress || count != (shape ? shape->NumberOfCorners : 4))
+  {
+    return false;
+  }
+  this->Counts.Of(source.Cell).Solid += source.IsGhost ? 0 : 1;
+  const size_t before = this->Cells.size();
+  const bool isGood = this->Accept(
+    { shape, address, source.Scalars }, source.Cell, source.IsGhost ? this->Ghosts : this->Cells);
+  this->Count(source.Cell, source.IsGhost, isGood, before);
+  return true;
 }
 
 void VolumeCells::AddLinear(vtkGenericCell* cell, const Source& source, CellSplitter& splitter)
@@ -387,7 +410,7 @@ void VolumeCells::AddPiece(
     corners.begin() + 4, corners.end(), [&](vtkIdType corner) { return corner == corners[4]; });
   corners.resize(isPyramid ? 5 : 8);
   const int type = isPyramid ? VTK_PYRAMID : VTK_HEXAHEDRON;
-  std::vector<Cell>& all = part.IsGhost ? this->Ghosts : this->Cells;
+  VolumeCellList& all = part.IsGhost ? this->Ghosts : this->Cells;
   if (!this->SplitsAll)
   {
     this->AddCell(FindCellShape(type), corners, part.Scalars, part.Source, all);
@@ -427,7 +450,7 @@ int VolumeCells::GetNumberOfCorners(const Cell& cell) const
 
 vtkIdType VolumeCells::GetCornerId(const Cell& cell, int i) const
 {
-  return this->Corners[cell.FirstCorner + i];
+  return this->Corners.Get(cell.FirstCorner, i);
 }
 
 void VolumeCells::GetRange(int component, double& low, double& high) const
@@ -491,13 +514,24 @@ CurvedCell VolumeCells::GetCurved(const Cell& cell) const
   return curved;
 }
 
+// Returns whether the cell has a volume.
+bool VolumeCells::AddCell(const CellShape* shape, const std::vector<vtkIdType>& corners,
+  vtkIdType scalars, vtkIdType source, VolumeCellList& all)
+{
+  const Cell cell = { shape, this->Corners.Append(corners), scalars };
+  const size_t before = all.size();
+  const bool hasVolume = this->Accept(cell, source, all);
+  if (all.size() == before)
+  {
+    this->Corners.RemoveFrom(cell.FirstCorner);
+  }
+  return hasVolume;
+}
+
 // Returns whether the cell has a volume. Cells with scalars that are not finite are transparent and
 // are not stored.
-bool VolumeCells::AddCell(const CellShape* shape, const std::vector<vtkIdType>& corners,
-  vtkIdType scalars, vtkIdType source, std::vector<Cell>& all)
+bool VolumeCells::Accept(const Cell& cell, vtkIdType source, VolumeCellList& all)
 {
-  const Cell cell = { shape, this->Corners.size(), scalars };
-  this->Corners.insert(this->Corners.end(), corners.begin(), corners.end());
   const bool hasVolume = this->HasVolume(cell);
   const bool hasScalars = this->HasScalars(cell);
   this->LacksScalars = this->LacksScalars || (hasVolume && !hasScalars);
@@ -508,10 +542,6 @@ bool VolumeCells::AddCell(const CellShape* shape, const std::vector<vtkIdType>& 
     {
       this->Sources.push_back(source);
     }
-  }
-  else
-  {
-    this->Corners.resize(cell.FirstCorner);
   }
   return hasVolume;
 }
@@ -553,14 +583,15 @@ bool VolumeCells::HasScalars(const Cell& cell) const
 }
 
 // Uses differences, so that the gradient of constant scalars is exactly 0.
-Gradients VolumeCells::ComputeGradients(const Cell& cell, const CornerSlopes& slopes) const
+Gradients VolumeCells::ComputeGradients(
+  const Cell& cell, const CornerSlopes& slopes, int numberOfComponents) const
 {
   Gradients gradients = {};
-  const Scalars& first = this->PointScalars[this->GetCornerId(cell, 0)];
+  const Scalars first = this->PointScalars[this->GetCornerId(cell, 0)];
   for (int i = 1; i < this->GetNumberOfCorners(cell); ++i)
   {
-    const Scalars& scalars = this->PointScalars[this->GetCornerId(cell, i)];
-    for (size_t c = 0; c < scalars.size(); ++c)
+    const Scalars scalars = this->PointScalars[this->GetCornerId(cell, i)];
+    for (int c = 0; c < numberOfComponents; ++c)
     {
       gradients[c] += (scalars[c] - first[c]) * slopes[i];
     }

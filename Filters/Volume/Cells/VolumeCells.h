@@ -16,10 +16,13 @@
 #define VolumeCells_h
 
 #include "Bezier/CurvedCells.h"
+#include "Cells/CornerIds.h"
 #include "Cells/CurvedCell.h"
 #include "Cells/ScalarChoice.h"
 #include "Cells/TetrahedronCrossing.h"
+#include "Cells/VolumeCellList.h"
 #include "Integral/Ray.h"
+#include "Integral/ScalarTable.h"
 #include "Mesh/CellCounts.h"
 #include "RelevoFiltersVolumeModule.h" // for export macro
 #include "vtkType.h"
@@ -44,15 +47,14 @@ struct SplitTolerances;
 class RELEVOFILTERSVOLUME_EXPORT VolumeCells
 {
 public:
-  struct Cell
-  {
-    const CellShape* Shape; // null for tetrahedra
-    size_t FirstCorner;     // in Corners
-    vtkIdType Scalars;      // of the cell, or -1 for point scalars
-  };
+  using Cell = VolumeCell;
 
   /// Splits all cells into tetrahedra. Call this before Add().
   void SplitAll() { this->SplitsAll = true; }
+
+  /// Refers to the lists of cells of the data sets instead of copying them. The data sets must not
+  /// change as long as this object is in use. Call this before Add().
+  void ReadInPlace() { this->ReadsInPlace = true; }
 
   /// Stores which input cell each cell comes from, see GetSource(). Call this before Add().
   void KeepSources() { this->KeepsSources = true; }
@@ -92,15 +94,15 @@ public:
    * The cells after splitting, and their corners. Points are in their original position before
    * MoveToOrigin().
    */
-  const std::vector<Cell>& GetCells() const { return this->Cells; }
-  const std::vector<Cell>& GetGhosts() const { return this->Ghosts; }
+  const VolumeCellList& GetCells() const { return this->Cells; }
+  const VolumeCellList& GetGhosts() const { return this->Ghosts; }
   int GetNumberOfCorners(const Cell& cell) const;
   vtkIdType GetCornerId(const Cell& cell, int i) const;
   const std::vector<dvec3>& GetPoints() const { return this->Points; }
-  const std::vector<Scalars>& GetPointScalars() const { return this->PointScalars; }
+  const ScalarTable& GetPointScalars() const { return this->PointScalars; }
   /// Replaces the scalars of all points by finite ones.
-  void SetPointScalars(std::vector<Scalars> scalars) { this->PointScalars = std::move(scalars); }
-  const std::vector<Scalars>& GetCellScalars() const { return this->CellScalars; }
+  void SetPointScalars(ScalarTable scalars) { this->PointScalars = std::move(scalars); }
+  const ScalarTable& GetCellScalars() const { return this->CellScalars; }
   TetrahedronCorners GetTetrahedron(const Cell& cell) const;
   CurvedCell GetCurved(const Cell& cell) const;
   //@}
@@ -114,8 +116,9 @@ public:
   /// Computes the range of a component over all cells; low is greater than high without cells.
   void GetRange(int component, double& low, double& high) const;
 
-  /// Computes gradients of point scalars from the slopes of the corners.
-  Gradients ComputeGradients(const Cell& cell, const CornerSlopes& slopes) const;
+  /// Computes gradients of the first components of point scalars from the slopes of the corners.
+  Gradients ComputeGradients(
+    const Cell& cell, const CornerSlopes& slopes, int numberOfComponents = MaximumComponents) const;
 
 private:
   class Source;
@@ -124,8 +127,10 @@ private:
   bool AddWhole(int type, const std::vector<vtkIdType>& ids, const Source& source);
   bool AddCurved(const CellReader& reader, const Source& source);
   void AddLinear(vtkGenericCell* cell, const Source& source, CellSplitter& splitter);
+  bool AddInPlace(int type, vtkIdType number, vtkIdType count, const Source& source);
   bool AddCell(const CellShape* shape, const std::vector<vtkIdType>& corners, vtkIdType scalars,
-    vtkIdType source, std::vector<Cell>& all);
+    vtkIdType source, VolumeCellList& all);
+  bool Accept(const Cell& cell, vtkIdType source, VolumeCellList& all);
   void Count(vtkIdType cell, bool isGhost, bool isGood, size_t before);
   void AddPieces(const CurvedPart& part, const ivec3& counts, PiecePoints& points,
     const std::vector<BezierPoint>& lattice, CellSplitter& splitter);
@@ -135,18 +140,19 @@ private:
   bool HasScalars(const Cell& cell) const;
 
   std::vector<dvec3> Points;
-  std::vector<Scalars> PointScalars;
-  std::vector<Scalars> CellScalars;
+  ScalarTable PointScalars;
+  ScalarTable CellScalars;
   std::vector<double> Weights; // of points; empty if there are none
   int NumberOfScalars = 1;     // of those that are used
   CurvedCells Curved;
   bool SplitsAll = false;
   bool KeepsSources = false;
+  bool ReadsInPlace = false;
   vtkIdType NumberOfInputCells = 0; // of all data sets
   std::vector<vtkIdType> Sources;   // of Cells, if they are kept
-  std::vector<vtkIdType> Corners;
-  std::vector<Cell> Cells;
-  std::vector<Cell> Ghosts;
+  CornerIds Corners;
+  VolumeCellList Cells;
+  VolumeCellList Ghosts;
   dvec3 Middle = dvec3(0.0);
   double Diagonal = 0.0;
   CellCounts Counts;

@@ -6,10 +6,14 @@
 
 namespace relevo
 {
-void CellCounts::AddMesh(vtkIdType firstCell)
+void CellCounts::AddMesh(vtkIdType firstCell, const std::vector<double>& fillValues)
 {
   this->FirstCells.push_back(firstCell);
   this->Meshes.emplace_back();
+  std::vector<double>& all = this->FillValues;
+  all.insert(all.end(), fillValues.begin(), fillValues.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
 }
 
 CellCounts::Counts& CellCounts::Of(vtkIdType cell)

@@ -24,13 +24,14 @@ public:
   {
     vtkIdType Solid = 0;     // valid 3D cells that are neither ghosts nor blanked
     vtkIdType Bad = 0;       // without volume, or with coordinates that are not finite
-    vtkIdType NotFinite = 0; // with a volume, and scalars that are not finite
+    vtkIdType NotFinite = 0; // with a volume, and scalars that are fill values or not finite
     vtkIdType Drawn = 0;     // at least in parts
     vtkIdType Folded = 0;    // drawn, and folded over themselves
   };
 
-  /// Adds a data set, whose cells have this number and higher ones.
-  void AddMesh(vtkIdType firstCell);
+  /// Adds a data set, whose cells have this number and higher ones, with the magnitudes of its fill
+  /// values.
+  void AddMesh(vtkIdType firstCell, const std::vector<double>& fillValues = {});
 
   /// The counts of the data set that has this cell.
   Counts& Of(vtkIdType cell);
@@ -39,10 +40,13 @@ public:
   const Counts& GetMesh(std::size_t number) const { return this->Meshes[number]; }
   /// The sums over all data sets.
   Counts GetSum() const;
+  /// Different magnitudes of fill values, in ascending order.
+  const std::vector<double>& GetFillValues() const { return this->FillValues; }
 
 private:
   std::vector<vtkIdType> FirstCells;
   std::vector<Counts> Meshes;
+  std::vector<double> FillValues;
 };
 }
 

@@ -237,7 +237,8 @@ void Linker::AddHanging(const std::vector<int>& border, std::vector<char>& isLin
     }
   }
   HangingFaces hanging;
-  hanging.Find({ this->Faces, [this](int point) { return this->GetPoint(point); },
+  hanging.Find({ [this](size_t face) { return this->Faces[face]; },
+                 [this](int point) { return this->GetPoint(point); },
                  [this](size_t face) { return this->Centers[this->CellsOfFaces[face]]; } },
     rest);
   for (const HangingFaces::Cover& cover : hanging.GetCovers())

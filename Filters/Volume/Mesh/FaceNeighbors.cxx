@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <limits>
-#include <numeric>
 #include <tuple>
 
 namespace relevo
@@ -65,8 +65,11 @@ struct Candidate
   int Face;
 };
 
+using Face = std::array<int, 4>;
+using Sink = std::function<void(size_t, size_t)>;
+
 // Returns the number of groups of more than two faces.
-size_t MatchCandidates(Candidate* begin, Candidate* end, std::vector<int>& others)
+size_t MatchCandidates(Candidate* begin, Candidate* end, const Sink& match)
 {
   std::sort(begin, end);
   size_t numberOfSharedByMore = 0;
@@ -80,56 +83,156 @@ size_t MatchCandidates(Candidate* begin, Candidate* end, std::vector<int>& other
     }
     if (begin - first == 2)
     {
-      others[first[0].Face] = first[1].Face;
-      others[first[1].Face] = first[0].Face;
+      match(static_cast<size_t>(first[0].Face), static_cast<size_t>(first[1].Face));
+      match(static_cast<size_t>(first[1].Face), static_cast<size_t>(first[0].Face));
     }
     numberOfSharedByMore += begin - first > 2 ? 1 : 0;
   }
   return numberOfSharedByMore;
 }
+
+// Faces are matched in parts, by ranges of their lowest corners. They are read in batches. A part
+// skips batches without faces of its range, so that most batches of a well-numbered mesh are read
+// twice.
+constexpr size_t BatchSize = size_t(1) << 16;
+constexpr size_t MinimumPart = size_t(1) << 18; // faces
+constexpr size_t NumberOfParts = 16;
+
+class FaceMatcher
+{
+public:
+  FaceMatcher(const FaceSource& source, int numberOfPoints, const Sink& match)
+    : Source(source)
+    , Match(match)
+    , Counts(static_cast<size_t>(numberOfPoints), 0)
+  {
+  }
+
+  size_t Run()
+  {
+    this->Count();
+    const size_t most = std::max(MinimumPart, this->Source.NumberOfFaces / NumberOfParts);
+    size_t numberOfSharedByMore = 0;
+    for (size_t begin = 0; begin < this->Counts.size();)
+    {
+      size_t number = 0;
+      size_t end = begin;
+      while (end < this->Counts.size() && (end == begin || number + this->Counts[end] <= most))
+      {
+        number += this->Counts[end++];
+      }
+      numberOfSharedByMore +=
+        this->MatchPart(static_cast<int>(begin), static_cast<int>(end), number);
+      begin = end;
+    }
+    return numberOfSharedByMore;
+  }
+
+private:
+  // Reads a batch, with corners in ascending order.
+  void Read(size_t batch)
+  {
+    const size_t begin = batch * BatchSize;
+    this->Batch.resize(std::min(BatchSize, this->Source.NumberOfFaces - begin));
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Batch.size()),
+      [&](vtkIdType first, vtkIdType last)
+      {
+        Face* faces = this->Batch.data();
+        this->Source.Read(
+          begin + static_cast<size_t>(first), begin + static_cast<size_t>(last), faces + first);
+        std::transform(faces + first, faces + last, faces + first, SortCorners);
+      });
+  }
+
+  void Count()
+  {
+    for (size_t begin = 0; begin < this->Source.NumberOfFaces; begin += BatchSize)
+    {
+      this->Read(begin / BatchSize);
+      Range range = { None, -1 };
+      for (const Face& face : this->Batch)
+      {
+        if (face[0] >= 0)
+        {
+          ++this->Counts[static_cast<size_t>(face[0])];
+          range = { std::min(range.Low, face[0]), std::max(range.High, face[0]) };
+        }
+      }
+      this->Ranges.push_back(range);
+    }
+  }
+
+  // Counting sort by lowest corner.
+  size_t MatchPart(int begin, int end, size_t number)
+  {
+    std::vector<size_t> firsts = { 0 };
+    for (int point = begin; point < end; ++point)
+    {
+      firsts.push_back(firsts.back() + this->Counts[static_cast<size_t>(point)]);
+    }
+    std::vector<size_t> next(firsts.begin(), firsts.end() - 1);
+    this->Candidates.resize(number);
+    for (size_t batch = 0; batch < this->Ranges.size(); ++batch)
+    {
+      if (this->Ranges[batch].High < begin || this->Ranges[batch].Low >= end)
+      {
+        continue;
+      }
+      this->Read(batch);
+      for (size_t i = 0; i < this->Batch.size(); ++i)
+      {
+        const Face& face = this->Batch[i];
+        if (face[0] >= begin && face[0] < end)
+        {
+          this->Candidates[next[static_cast<size_t>(face[0] - begin)]++] = { face[1], face[2],
+            face[3], static_cast<int>(batch * BatchSize + i) };
+        }
+      }
+    }
+    std::atomic<size_t> numberOfSharedByMore(0);
+    vtkSMPTools::For(0, end - begin,
+      [&](vtkIdType first, vtkIdType last)
+      {
+        size_t sum = 0;
+        for (vtkIdType i = first; i < last; ++i)
+        {
+          Candidate* start = this->Candidates.data();
+          sum += MatchCandidates(start + firsts[i], start + firsts[i + 1], this->Match);
+        }
+        numberOfSharedByMore += sum;
+      });
+    return numberOfSharedByMore;
+  }
+
+  struct Range
+  {
+    int Low;
+    int High;
+  };
+
+  const FaceSource& Source;
+  const Sink& Match;
+  std::vector<std::uint32_t> Counts; // of faces by lowest corner
+  std::vector<Range> Ranges;         // of the lowest corners in each batch
+  std::vector<Face> Batch;
+  std::vector<Candidate> Candidates; // of a part
+};
 }
 
 FaceMatch MatchFaces(const std::vector<std::array<int, 4>>& faces, int numberOfPoints)
 {
   FaceMatch match;
   match.Others.assign(faces.size(), -1);
-  // Counting sort by lowest corner: faces of point i are from firsts[i] to firsts[i + 1].
-  std::vector<int> lowest(faces.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(faces.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        lowest[i] = SortCorners(faces[i])[0];
-      }
-    });
-  std::vector<size_t> firsts(static_cast<size_t>(numberOfPoints) + 2, 0);
-  for (int point : lowest)
-  {
-    firsts[point + 2]++;
-  }
-  std::partial_sum(firsts.begin(), firsts.end(), firsts.begin());
-  std::vector<Candidate> candidates(faces.size());
-  for (size_t i = 0; i < faces.size(); ++i)
-  {
-    const std::array<int, 4> corners = SortCorners(faces[i]);
-    candidates[firsts[corners[0] + 1]++] = { corners[1], corners[2], corners[3],
-      static_cast<int>(i) };
-  }
-
-  std::atomic<size_t> numberOfSharedByMore(0);
-  vtkSMPTools::For(0, numberOfPoints,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      size_t sum = 0;
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        Candidate* start = candidates.data();
-        sum += MatchCandidates(start + firsts[i], start + firsts[i + 1], match.Others);
-      }
-      numberOfSharedByMore += sum;
-    });
-  match.NumberOfSharedByMore = numberOfSharedByMore;
+  const FaceSource source = { faces.size(), [&](size_t begin, size_t end, Face* read) {
+                               std::copy(faces.begin() + begin, faces.begin() + end, read);
+                             } };
+  match.NumberOfSharedByMore = MatchFaces(source, numberOfPoints,
+    [&](size_t face, size_t other) { match.Others[face] = static_cast<int>(other); });
   return match;
+}
+
+size_t MatchFaces(const FaceSource& source, int numberOfPoints, const Sink& match)
+{
+  return FaceMatcher(source, numberOfPoints, match).Run();
 }
 }

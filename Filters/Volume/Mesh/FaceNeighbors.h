@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace relevo
@@ -34,6 +35,23 @@ struct FaceMatch
  */
 RELEVOFILTERSVOLUME_EXPORT FaceMatch MatchFaces(
   const std::vector<std::array<int, 4>>& faces, int numberOfPoints);
+
+/// Faces that are not stored.
+struct FaceSource
+{
+  size_t NumberOfFaces;
+  /// Writes the corners of the faces from begin to end. All corners of a missing face are -1.
+  /// Several threads call this function.
+  std::function<void(size_t begin, size_t end, std::array<int, 4>* faces)> Read;
+};
+
+/**
+ * The same for faces that are not stored. `match` is called with each face and its match. Several
+ * threads call it, for different faces. Returns the number of groups of more than two faces. Needs
+ * memory for a fraction of the faces.
+ */
+RELEVOFILTERSVOLUME_EXPORT size_t MatchFaces(const FaceSource& source, int numberOfPoints,
+  const std::function<void(size_t face, size_t other)>& match);
 }
 
 #endif

@@ -6,6 +6,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -36,8 +37,9 @@ std::uint64_t GetKey(int a, int b)
 struct HangingFaces::Surface
 {
   size_t Face;
-  std::vector<int> Corners;
-  std::vector<dvec3> Points; // of the corners
+  size_t Count = 0; // of corners
+  std::array<int, 4> Corners;
+  std::array<dvec3, 4> Points; // of the corners
   dvec3 Inside;
   dvec3 Center = dvec3(0.0);
   dvec3 Normal; // as long as the area
@@ -46,10 +48,9 @@ struct HangingFaces::Surface
 
   dvec3 GetPoint(double u, double v) const
   {
-    return this->Points.size() == 3
-      ? this->Points[0] + u * (this->Points[1] - this->Points[0]) +
+    return this->Count == 3 ? this->Points[0] + u * (this->Points[1] - this->Points[0]) +
         v * (this->Points[2] - this->Points[0])
-      : (1.0 - v) * ((1.0 - u) * this->Points[0] + u * this->Points[1]) +
+                            : (1.0 - v) * ((1.0 - u) * this->Points[0] + u * this->Points[1]) +
         v * ((1.0 - u) * this->Points[3] + u * this->Points[2]);
   }
 
@@ -77,7 +78,7 @@ struct HangingFaces::Surface
       v += (a * dot(dv, miss) - b * dot(du, miss)) / determinant;
     }
     const double margin = this->Tolerance / size;
-    const double most = this->Points.size() == 3 ? 1.0 - u : 1.0;
+    const double most = this->Count == 3 ? 1.0 - u : 1.0;
     return u >= -margin && v >= -margin && u <= 1.0 + margin && v <= most + margin &&
       length(point - this->GetPoint(u, v)) <= this->Tolerance;
   }
@@ -88,7 +89,7 @@ struct HangingFaces::Surface
     const double side = dot(this->Normal, this->Inside - other.Center);
     const double otherSide = dot(this->Normal, other.Inside - other.Center);
     return other.Area < LargestShare * this->Area && side * otherSide < 0.0 &&
-      std::all_of(other.Points.begin(), other.Points.end(),
+      std::all_of(other.Points.begin(), other.Points.begin() + other.Count,
         [this](const dvec3& point) { return this->Contains(point); });
   }
 };
@@ -102,17 +103,18 @@ void HangingFaces::Find(const Mesh& mesh, const std::vector<size_t>& border)
   {
     Surface surface;
     surface.Face = face;
-    for (int corner : mesh.Faces[face])
+    for (int corner : mesh.GetFace(face))
     {
-      const std::vector<int>& all = surface.Corners;
-      if (corner >= 0 && std::find(all.begin(), all.end(), corner) == all.end())
+      const auto end = surface.Corners.begin() + surface.Count;
+      if (corner >= 0 && std::find(surface.Corners.begin(), end, corner) == end)
       {
-        surface.Corners.push_back(corner);
-        surface.Points.push_back(mesh.GetPoint(corner));
-        surface.Center += surface.Points.back();
+        surface.Corners[surface.Count] = corner;
+        surface.Points[surface.Count] = mesh.GetPoint(corner);
+        surface.Center += surface.Points[surface.Count];
+        ++surface.Count;
       }
     }
-    const size_t count = surface.Corners.size();
+    const size_t count = surface.Count;
     if (count < 3)
     {
       continue;
@@ -127,12 +129,12 @@ void HangingFaces::Find(const Mesh& mesh, const std::vector<size_t>& border)
     {
       continue;
     }
-    for (const dvec3& point : surface.Points)
+    for (size_t i = 0; i < count; ++i)
     {
-      const dvec3 size = abs(point);
+      const dvec3 size = abs(surface.Points[i]);
       largest = std::max({ largest, size.x, size.y, size.z });
     }
-    surfaces.push_back(std::move(surface));
+    surfaces.push_back(surface);
   }
   for (Surface& surface : surfaces)
   {
@@ -157,10 +159,10 @@ void HangingFaces::FindParts(const std::vector<Surface>& surfaces)
   std::vector<DoubleBox> boxes(surfaces.size());
   for (size_t i = 0; i < surfaces.size(); ++i)
   {
-    for (const dvec3& point : surfaces[i].Points)
+    for (size_t corner = 0; corner < surfaces[i].Count; ++corner)
     {
-      const dvec3 low = point - surfaces[i].Tolerance;
-      const dvec3 high = point + surfaces[i].Tolerance;
+      const dvec3 low = surfaces[i].Points[corner] - surfaces[i].Tolerance;
+      const dvec3 high = surfaces[i].Points[corner] + surfaces[i].Tolerance;
       boxes[i].Add(&low.x);
       boxes[i].Add(&high.x);
     }
@@ -227,12 +229,12 @@ void HangingFaces::FindEdges(const Mesh& mesh, const std::vector<Surface>& surfa
   for (const Cover& cover : this->Covers)
   {
     const Surface& surface = surfaces[cover.Face];
-    for (size_t i = 0; i < surface.Corners.size(); ++i)
+    for (size_t i = 0; i < surface.Count; ++i)
     {
-      const int low =
-        std::min(surface.Corners[i], surface.Corners[(i + 1) % surface.Corners.size()]);
-      const int high =
-        std::max(surface.Corners[i], surface.Corners[(i + 1) % surface.Corners.size()]);
+      const int corner = surface.Corners[i];
+      const int next = surface.Corners[(i + 1) % surface.Count];
+      const int low = std::min(corner, next);
+      const int high = std::max(corner, next);
       const dvec3 begin = mesh.GetPoint(low);
       const dvec3 along = mesh.GetPoint(high) - begin;
       hanging.clear();
@@ -248,7 +250,8 @@ void HangingFaces::FindEdges(const Mesh& mesh, const std::vector<Surface>& surfa
       };
       for (size_t part : cover.Parts)
       {
-        std::for_each(surfaces[part].Corners.begin(), surfaces[part].Corners.end(), add);
+        const auto& corners = surfaces[part].Corners;
+        std::for_each(corners.begin(), corners.begin() + surfaces[part].Count, add);
       }
       Chain& chain = this->Edges[GetKey(low, high)];
       std::for_each(chain.begin(), chain.end(), add); // of the other faces of the edge

@@ -38,7 +38,7 @@ public:
   struct Mesh
   {
     /// Coincident points have the same id. The last corner of a triangle is -1.
-    const std::vector<std::array<int, 4>>& Faces;
+    std::function<std::array<int, 4>(size_t)> GetFace;
     std::function<dvec3(int)> GetPoint;
     /// Returns a point inside the cell of a face.
     std::function<dvec3(size_t)> GetInside;

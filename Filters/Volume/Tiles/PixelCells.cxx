@@ -89,23 +89,24 @@ void PixelCells::FindPoints()
 template <typename Add>
 void PixelCells::VisitHull(int cell, const Add& add) const
 {
-  const std::vector<VolumeCells::Cell>& cells = this->Cells.GetCells();
+  const VolumeCellList& cells = this->Cells.GetCells();
   const size_t number = static_cast<size_t>(cell);
+  const VolumeCells::Cell whole = number < cells.size() ? cells[number] : VolumeCells::Cell();
   dvec3 low;
   dvec3 high;
   if (number >= cells.size())
   {
     this->Cells.GetCurvedParts()[number - cells.size()].Shape.FindBounds(low, high);
   }
-  else if (cells[number].Shape && !cells[number].Shape->QuadraticFaces.empty())
+  else if (whole.Shape && !whole.Shape->QuadraticFaces.empty())
   {
-    this->Cells.GetCurved(cells[number]).FindBounds(low, high);
+    this->Cells.GetCurved(whole).FindBounds(low, high);
   }
   else
   {
-    for (int i = 0; i < this->Cells.GetNumberOfCorners(cells[number]); ++i)
+    for (int i = 0; i < this->Cells.GetNumberOfCorners(whole); ++i)
     {
-      const size_t id = static_cast<size_t>(this->Cells.GetCornerId(cells[number], i));
+      const size_t id = static_cast<size_t>(this->Cells.GetCornerId(whole, i));
       add(this->Cells.GetPoints()[id], &this->Points[id]);
     }
     return;

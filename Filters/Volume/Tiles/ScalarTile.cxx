@@ -104,18 +104,18 @@ void ScalarTile::VisitPixels(int number, const Visitor& visit)
 
 void ScalarTile::AddCell(int number)
 {
-  const std::vector<VolumeCells::Cell>& cells = this->Crossing.GetCells().GetCells();
+  const VolumeCellList& cells = this->Crossing.GetCells().GetCells();
   const bool isWhole = static_cast<size_t>(number) < cells.size();
-  const VolumeCells::Cell* cell = isWhole ? &cells[static_cast<size_t>(number)] : nullptr;
+  const VolumeCells::Cell cell = isWhole ? cells[static_cast<size_t>(number)] : VolumeCells::Cell();
   const HexahedronCrossing::Corners* corners =
-    isWhole && cell->Shape ? HexahedronCrossing::FindCorners(cell->Shape) : nullptr;
+    isWhole && cell.Shape ? HexahedronCrossing::FindCorners(cell.Shape) : nullptr;
   if (corners)
   {
-    this->AddHexahedron(number, *cell, *corners);
+    this->AddHexahedron(number, cell, *corners);
   }
-  else if (isWhole && !cell->Shape)
+  else if (isWhole && !cell.Shape)
   {
-    this->AddTetrahedron(number, *cell);
+    this->AddTetrahedron(number, cell);
   }
   else
   {

@@ -35,15 +35,21 @@ const std::vector<int>& GetRecord(const CellShape* shape, bool isMirrored)
   }
 }
 
-std::vector<std::array<int, 4>> GetRecordFaces(bool isQuadratic)
+const std::vector<std::array<int, 4>>& GetRecordFaces(bool isQuadratic)
 {
-  const CellShape& shape = *FindCellShape(isQuadratic ? VTK_QUADRATIC_TETRA : VTK_HEXAHEDRON);
-  std::vector<std::array<int, 4>> faces = shape.Faces;
-  for (const auto& face : shape.QuadraticFaces)
+  const auto find = [](int type)
   {
-    faces.push_back({ { face[0], face[1], face[2], face[2] } });
-  }
-  return faces;
+    const CellShape& shape = *FindCellShape(type);
+    std::vector<std::array<int, 4>> faces = shape.Faces;
+    for (const auto& face : shape.QuadraticFaces)
+    {
+      faces.push_back({ { face[0], face[1], face[2], face[2] } });
+    }
+    return faces;
+  };
+  static const std::vector<std::array<int, 4>> faces[2] = { find(VTK_HEXAHEDRON),
+    find(VTK_QUADRATIC_TETRA) };
+  return faces[isQuadratic];
 }
 
 // windHexahedron() uses the same order.

@@ -21,7 +21,7 @@ namespace relevo
 const std::vector<int>& GetRecord(const CellShape* shape, bool isMirrored);
 
 /// Return the corners of the faces of a record.
-std::vector<std::array<int, 4>> GetRecordFaces(bool isQuadratic);
+const std::vector<std::array<int, 4>>& GetRecordFaces(bool isQuadratic);
 
 /// The edges of a hexahedron's record.
 constexpr int NumberOfRecordEdges = 12;

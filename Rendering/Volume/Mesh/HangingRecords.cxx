@@ -58,7 +58,7 @@ std::uint32_t HangingRecords::Append(const std::vector<std::uint32_t>& list)
   return address;
 }
 
-std::uint32_t HangingRecords::AddEdges(const std::uint32_t* corners)
+std::uint32_t HangingRecords::AddEdges(const std::array<std::uint32_t, 8>& corners)
 {
   std::vector<std::uint32_t> list(NumberOfRecordEdges, 0);
   bool hasPoints = false;

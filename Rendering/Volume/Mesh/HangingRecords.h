@@ -34,7 +34,7 @@ public:
   /// Add the list of a hexahedron's edges, and return its address; 0 if no edge has points. The
   /// list has the address of the list of each edge, or 0. The latter has the number of points, and
   /// the points in the direction of GetRecordEdge().
-  std::uint32_t AddEdges(const std::uint32_t* corners);
+  std::uint32_t AddEdges(const std::array<std::uint32_t, 8>& corners);
 
   /// A smaller face behind a face. The corners are in order as seen from the larger cell.
   struct Part

@@ -16,15 +16,6 @@
 
 namespace relevo
 {
-namespace
-{
-bool AreFinite(const std::vector<Scalars>& all)
-{
-  return std::all_of(
-    all.begin(), all.end(), [](const Scalars& scalars) { return IsFinite(scalars); });
-}
-}
-
 MeshValues::MeshValues() = default;
 MeshValues::~MeshValues() = default;
 MeshValues::MeshValues(MeshValues&& other) = default;
@@ -33,7 +24,7 @@ MeshValues& MeshValues::operator=(MeshValues&& other) = default;
 void MeshValues::Keep(VolumeCells& cells, RayCastMesh& mesh)
 {
   this->Clear();
-  if (!AreFinite(cells.GetPointScalars()) || !AreFinite(cells.GetCellScalars()))
+  if (!cells.GetPointScalars().AreFinite() || !cells.GetCellScalars().AreFinite())
   {
     return; // cells have been left out
   }
@@ -46,16 +37,14 @@ void MeshValues::Keep(VolumeCells& cells, RayCastMesh& mesh)
   this->PointIds = std::move(mesh.PointIds);
   if (!mesh.PointGradients.empty())
   {
-    if (!mesh.IsDiscontinuous)
-    {
-      this->MergedPoints = MergeCellPoints(cells).Points;
-    }
+    this->AreMerged = !mesh.IsDiscontinuous;
+    this->Merged = this->AreMerged ? MergeCellPoints(cells) : MergedCellPoints();
     this->Cells = std::make_unique<VolumeCells>(std::move(cells));
   }
 }
 
 // Return the tuple of each point or cell of the mesh, or nothing if merged points now differ.
-std::vector<vtkIdType> MeshValues::FindTuples(const std::vector<Scalars>& all) const
+std::vector<vtkIdType> MeshValues::FindTuples(const ScalarTable& all) const
 {
   if (!this->CellIds.empty())
   {
@@ -104,12 +93,12 @@ std::vector<dvec3> MeshValues::GetPoints(const std::vector<MeshScalars>& sets) c
 bool MeshValues::Replace(const std::vector<MeshScalars>& sets,
   const std::vector<ScalarChoice>& choices, int numberOfComponents, RayCastMesh& mesh)
 {
-  std::vector<Scalars> all;
+  ScalarTable all;
   for (size_t i = 0; i < sets.size(); ++i)
   {
     AddScalars(sets[i].Array, choices[i], all);
   }
-  const std::vector<vtkIdType> tuples = all.size() == this->NumberOfTuples && AreFinite(all)
+  const std::vector<vtkIdType> tuples = all.size() == this->NumberOfTuples && all.AreFinite()
     ? this->FindTuples(all)
     : std::vector<vtkIdType>();
   if (tuples.empty())
@@ -117,28 +106,32 @@ bool MeshValues::Replace(const std::vector<MeshScalars>& sets,
     return false;
   }
   MeshExtent extent;
-  std::vector<Scalars> used;
-  used.reserve(tuples.size());
   for (const vtkIdType tuple : tuples)
   {
-    const Scalars& scalars = all[static_cast<size_t>(tuple)];
-    used.push_back(scalars);
+    const Scalars scalars = all[static_cast<size_t>(tuple)];
     for (size_t c = 0; c < scalars.size(); ++c)
     {
       extent.ScalarLow[c] = std::min(extent.ScalarLow[c], scalars[c]);
       extent.ScalarHigh[c] = std::max(extent.ScalarHigh[c], scalars[c]);
     }
   }
-  mesh.SetPoints(this->GetPoints(sets));
-  mesh.SetScalars(used, numberOfComponents, !this->CellIds.empty(), extent);
+  const std::vector<dvec3> points = this->GetPoints(sets);
+  mesh.SetPoints(points.size(), [&](size_t i) { return points[i]; });
+  mesh.SetScalars(
+    tuples.size(), [&](size_t i) { return all[static_cast<size_t>(tuples[i])]; },
+    numberOfComponents, !this->CellIds.empty(), extent);
   if (this->Cells)
   {
     this->Cells->SetPointScalars(std::move(all));
     // Points of discontinuous scalars may have the same scalars now.
-    mesh.SetGradients(this->MergedPoints.empty()
-        ? ComputePointGradients(*this->Cells)
-        : ComputePointGradients(*this->Cells, this->MergedPoints),
-      tuples, numberOfComponents);
+    const std::vector<dvec3> gradients = ComputePointGradients(*this->Cells,
+      this->AreMerged ? this->Merged : MergeCellPoints(*this->Cells), numberOfComponents);
+    mesh.SetGradients(
+      tuples.size(),
+      [&](size_t i) {
+        return &gradients[static_cast<size_t>(numberOfComponents) * static_cast<size_t>(tuples[i])];
+      },
+      numberOfComponents);
   }
   return true;
 }

@@ -12,6 +12,7 @@
 #ifndef MeshValues_h
 #define MeshValues_h
 
+#include "Cells/MergedCellPoints.h"
 #include "Cells/ScalarChoice.h"
 #include "Integral/Ray.h"
 #include "vtkType.h"
@@ -23,6 +24,7 @@
 
 namespace relevo
 {
+class ScalarTable;
 class VolumeCells;
 struct MeshScalars;
 struct RayCastMesh;
@@ -50,14 +52,15 @@ public:
     int numberOfComponents, RayCastMesh& mesh);
 
 private:
-  std::vector<vtkIdType> FindTuples(const std::vector<Scalars>& all) const;
+  std::vector<vtkIdType> FindTuples(const ScalarTable& all) const;
   std::vector<dvec3> GetPoints(const std::vector<MeshScalars>& sets) const;
 
   std::vector<std::uint32_t> PointIds; // see RayCastMesh
   std::vector<vtkIdType> CellIds;
   size_t NumberOfTuples = 0;
-  std::unique_ptr<VolumeCells> Cells;  // only with gradients
-  std::vector<vtkIdType> MergedPoints; // of continuous scalars, see MergeCellPoints()
+  std::unique_ptr<VolumeCells> Cells; // only with gradients
+  MergedCellPoints Merged;            // if scalars are continuous
+  bool AreMerged = false;
 };
 }
 

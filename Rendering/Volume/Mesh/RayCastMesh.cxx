@@ -40,7 +40,13 @@ bool IsQuadratic(const VolumeCells::Cell& cell)
   return cell.Shape && !cell.Shape->QuadraticFaces.empty();
 }
 
-// The steps to build a mesh, with their intermediate data.
+bool IsQuadraticRecord(const std::uint32_t* words)
+{
+  return words[RayCastMesh::WordsOfCurvedCell - 1] == RayCastMesh::Quadratic;
+}
+
+// The steps to build a mesh, with their intermediate data. Faces are not stored. They are numbered:
+// four of each tetrahedron, then six of each curved cell, of which quadratic cells have four.
 class RayCastMeshBuilder
 {
 public:
@@ -56,10 +62,10 @@ public:
   }
 
   void KeepPointIds() { this->Mesh.PointIds = std::move(this->NewIds); }
-  void KeepCorners() { this->KeepsCorners = true; }
   void MergePoints();
   bool IsDiscontinuous() const { return this->Mesh.IsDiscontinuous; }
   void SortPoints();
+  void SetPlacement();
   void StorePoints();
   void StoreScalars();
   void AddGradients();
@@ -79,11 +85,48 @@ public:
   std::string DescribeSize() const;
 
 private:
-  bool HasCellScalars() const { return !this->Kept.empty() && this->Kept[0].Scalars >= 0; }
+  static constexpr size_t FacesOfRecord = 6;
+  static constexpr std::uint32_t NoMatch = RayCastMesh::InvalidCell;
+
+  bool HasCellScalars() const { return this->NumberOfKept > 0 && this->GetKept(0).Scalars >= 0; }
+  VolumeCells::Cell GetKept(size_t cell) const
+  {
+    return this->Cells.GetCells()[this->Order.empty() ? cell : this->Order[cell]];
+  }
   std::uint32_t GetPointId(const VolumeCells::Cell& cell, int i) const
   {
     return this->NewIds[this->Cells.GetCornerId(cell, i)];
   }
+  size_t GetNumberOfFaces() const
+  {
+    return 4 * this->NumberOfTetrahedra +
+      FacesOfRecord * (this->NumberOfKept - this->NumberOfTetrahedra);
+  }
+  /// Return the words of the curved cell of a face.
+  const std::uint32_t* GetRecordOf(size_t face) const
+  {
+    return this->Mesh.CurvedCells.data() +
+      RayCastMesh::WordsOfCurvedCell * (this->GetCell(face) - this->NumberOfTetrahedra);
+  }
+  bool IsInTetrahedra(size_t face) const { return face < 4 * this->NumberOfTetrahedra; }
+  /// Return the number of a face in its cell.
+  size_t GetSide(size_t face) const
+  {
+    return this->IsInTetrahedra(face) ? face % 4
+                                      : (face - 4 * this->NumberOfTetrahedra) % FacesOfRecord;
+  }
+  /// Return whether the cell has the face.
+  bool Exists(size_t face) const
+  {
+    return this->IsInTetrahedra(face) || this->GetSide(face) < 4 ||
+      !IsQuadraticRecord(this->GetRecordOf(face));
+  }
+  /// Return the corners of a face, which are -1 if the cell does not have it.
+  Face GetFace(size_t face) const;
+  /// Return the face with places instead of points. Faces with several points at one place match no
+  /// other face.
+  Face GetFaceOfPlaces(size_t face) const;
+
   std::array<std::uint32_t, 4> GetTetrahedron(size_t index) const;
   dvec3 GetInside(size_t face) const;
   HangingRecords::Part GetPart(size_t face) const;
@@ -92,7 +135,6 @@ private:
   bool IsMirrored(const VolumeCells::Cell& cell) const;
   bool IsFlat(const VolumeCells::Cell& cell) const;
   void FindPlaces();
-  std::vector<Face> FindFacesOfPlaces() const;
   std::uint32_t GetCell(size_t face) const;
   std::uint32_t GetNeighbor(size_t face, size_t other) const;
   std::uint32_t& GetBehind(size_t face);
@@ -107,63 +149,67 @@ private:
   const int NumberOfComponents;
   const MeshExtent& Whole;
   const std::vector<bool>& Records;
-  bool KeepsCorners = false;
   RayCastMesh& Mesh;
-  std::vector<VolumeCells::Cell> Kept;   // tetrahedra first
-  std::vector<size_t> KeptTetrahedra;    // indices of the cells
-  std::vector<std::uint32_t> NewIds;     // of the cells' points
-  std::vector<vtkIdType> OldIds;         // of the mesh's points
-  std::vector<vtkIdType> Places;         // of the cells' points: the first point there
-  std::vector<Face> Faces;               // of all cells
-  std::vector<std::uint32_t> FaceCells;  // of curved cells' faces, after those of tetrahedra
-  std::vector<std::uint32_t> FirstFaces; // of curved cells
-  std::vector<size_t> Border;            // faces
-  FaceMatch Match;
-  std::vector<int> PlaceOfPoints; // of the mesh's points: the first point there
+  size_t NumberOfKept = 0;
+  size_t NumberOfTetrahedra = 0;     // of these
+  std::vector<std::uint32_t> Order;  // indices of the cells; empty if their order stays
+  std::vector<std::uint32_t> NewIds; // of the cells' points
+  std::vector<std::uint32_t> OldIds; // of the mesh's points
+  std::vector<vtkIdType> Places;     // of the cells' points: the first point there
+  std::vector<size_t> Border;        // faces
+  std::vector<int> PlaceOfPoints;    // of the mesh's points: the first point there
   HangingFaces Hanging;
 };
 
 // Tetrahedra come first, because the walk identifies them by their index.
 void RayCastMeshBuilder::MergePoints()
 {
+  const VolumeCellList& cells = this->Cells.GetCells();
+  this->NumberOfKept = cells.size();
   for (const bool isCurved : { false, true })
   {
-    for (size_t i = 0; i < this->Cells.GetCells().size(); ++i)
+    for (size_t i = 0; i < cells.size(); ++i)
     {
-      const VolumeCells::Cell& cell = this->Cells.GetCells()[i];
-      const bool isRecord = cell.Shape || (!this->Records.empty() && this->Records[i]);
+      const bool isRecord = cells[i].Shape || (!this->Records.empty() && this->Records[i]);
       if (isRecord == isCurved)
       {
-        this->Kept.push_back(cell);
-        if (!isRecord)
-        {
-          this->KeptTetrahedra.push_back(i);
-        }
+        this->Order.push_back(static_cast<std::uint32_t>(i));
       }
     }
-  }
-  MergedCellPoints all = MergeCellPoints(this->Cells);
-  this->Places = std::move(all.Places);
-  const std::vector<vtkIdType>& merged = all.Points;
-  this->NewIds.assign(merged.size(), Unused);
-  for (const VolumeCells::Cell& cell : this->Kept)
-  {
-    for (int i = 0; i < this->Cells.GetNumberOfCorners(cell); ++i)
+    if (isCurved)
     {
-      const vtkIdType point = this->Cells.GetCornerId(cell, i);
-      const vtkIdType first = merged[point];
+      break;
+    }
+    this->NumberOfTetrahedra = this->Order.size();
+    if (this->Order.size() == cells.size() || this->Order.empty())
+    {
+      std::vector<std::uint32_t>().swap(this->Order); // cells of one kind
+      break;
+    }
+  }
+  MergedCellPoints merged = MergeCellPoints(this->Cells);
+  this->NewIds.assign(this->Cells.GetPoints().size(), Unused);
+  this->OldIds.reserve(this->Cells.GetPoints().size());
+  for (size_t i = 0; i < this->NumberOfKept; ++i)
+  {
+    const VolumeCells::Cell cell = this->GetKept(i);
+    for (int corner = 0; corner < this->Cells.GetNumberOfCorners(cell); ++corner)
+    {
+      const vtkIdType point = this->Cells.GetCornerId(cell, corner);
+      const vtkIdType first = merged.GetPoint(point);
       if (this->NewIds[first] == Unused)
       {
         this->NewIds[first] = static_cast<std::uint32_t>(this->OldIds.size());
-        this->OldIds.push_back(first);
+        this->OldIds.push_back(static_cast<std::uint32_t>(first));
       }
       this->NewIds[point] = this->NewIds[first];
     }
   }
-  std::vector<bool> isTaken(merged.size(), false);
-  for (const vtkIdType point : this->OldIds)
+  this->Places = std::move(merged.Places);
+  std::vector<bool> isTaken(this->Places.size(), false);
+  for (size_t i = 0; i < this->OldIds.size() && !this->Places.empty(); ++i)
   {
-    const vtkIdType place = this->Places[point];
+    const vtkIdType place = this->Places[this->OldIds[i]];
     this->Mesh.IsDiscontinuous = this->Mesh.IsDiscontinuous || isTaken[place];
     isTaken[place] = true;
   }
@@ -173,11 +219,16 @@ void RayCastMeshBuilder::MergePoints()
 void RayCastMeshBuilder::SortPoints()
 {
   const std::vector<dvec3>& points = this->Cells.GetPoints();
-  const std::vector<Scalars>& scalars = this->Cells.GetPointScalars();
-  const auto getKey = [&](vtkIdType id)
-  { return std::tie(points[id].x, points[id].y, points[id].z, scalars[id]); };
+  const ScalarTable& scalars = this->Cells.GetPointScalars();
+  const auto getPosition = [&](std::uint32_t id)
+  { return std::tie(points[id].x, points[id].y, points[id].z); };
   std::sort(this->OldIds.begin(), this->OldIds.end(),
-    [&](vtkIdType a, vtkIdType b) { return getKey(a) < getKey(b); });
+    [&](std::uint32_t a, std::uint32_t b)
+    {
+      const auto here = getPosition(a);
+      const auto there = getPosition(b);
+      return here < there || (!(there < here) && scalars[a] < scalars[b]);
+    });
   std::vector<std::uint32_t> moved(this->OldIds.size());
   for (size_t i = 0; i < this->OldIds.size(); ++i)
   {
@@ -189,7 +240,7 @@ void RayCastMeshBuilder::SortPoints()
   }
 }
 
-void RayCastMeshBuilder::StorePoints()
+void RayCastMeshBuilder::SetPlacement()
 {
   const FiniteBox& box = this->Whole.Points;
   this->Mesh.Center = dvec3(box.GetMiddle(0), box.GetMiddle(1), box.GetMiddle(2));
@@ -197,35 +248,33 @@ void RayCastMeshBuilder::StorePoints()
   this->Mesh.LongestEdge = this->Whole.LongestEdge / this->Mesh.Radius;
   this->Mesh.HalfSize =
     dvec3(box.GetSide(0), box.GetSide(1), box.GetSide(2)) / (2.0 * this->Mesh.Radius);
-  std::vector<dvec3> points;
-  points.reserve(this->OldIds.size());
-  for (const vtkIdType id : this->OldIds)
-  {
-    points.push_back(this->Cells.GetPoints()[id]);
-  }
-  this->Mesh.SetPoints(points);
+}
+
+void RayCastMeshBuilder::StorePoints()
+{
+  this->Mesh.SetPoints(
+    this->OldIds.size(), [this](size_t i) { return this->Cells.GetPoints()[this->OldIds[i]]; });
 }
 
 void RayCastMeshBuilder::StoreScalars()
 {
-  const bool areOfCells = this->HasCellScalars();
-  std::vector<Scalars> used;
-  if (areOfCells)
+  if (!this->HasCellScalars())
   {
-    for (const VolumeCells::Cell& cell : this->Kept)
-    {
-      used.push_back(this->Cells.GetCellScalars()[cell.Scalars]);
-      this->Mesh.CellIds.push_back(cell.Scalars);
-    }
+    this->Mesh.SetScalars(
+      this->OldIds.size(),
+      [this](size_t i) { return this->Cells.GetPointScalars()[this->OldIds[i]]; },
+      this->NumberOfComponents, false, this->Whole);
+    return;
   }
-  else
+  this->Mesh.CellIds.reserve(this->NumberOfKept);
+  for (size_t i = 0; i < this->NumberOfKept; ++i)
   {
-    for (const vtkIdType id : this->OldIds)
-    {
-      used.push_back(this->Cells.GetPointScalars()[id]);
-    }
+    this->Mesh.CellIds.push_back(this->GetKept(i).Scalars);
   }
-  this->Mesh.SetScalars(used, this->NumberOfComponents, areOfCells, this->Whole);
+  this->Mesh.SetScalars(
+    this->NumberOfKept,
+    [this](size_t i) { return this->Cells.GetCellScalars()[this->Mesh.CellIds[i]]; },
+    this->NumberOfComponents, true, this->Whole);
 }
 
 void RayCastMeshBuilder::AddGradients()
@@ -234,8 +283,12 @@ void RayCastMeshBuilder::AddGradients()
   {
     return;
   }
+  const std::vector<dvec3> all =
+    ComputePointGradients(this->Cells, MergeCellPoints(this->Cells), this->NumberOfComponents);
   this->Mesh.SetGradients(
-    ComputePointGradients(this->Cells), this->OldIds, this->NumberOfComponents);
+    this->OldIds.size(),
+    [&](size_t i) { return &all[static_cast<size_t>(this->NumberOfComponents) * this->OldIds[i]]; },
+    this->NumberOfComponents);
 }
 
 void RayCastMeshBuilder::AddTetrahedron(const VolumeCells::Cell& cell)
@@ -247,15 +300,7 @@ void RayCastMeshBuilder::AddTetrahedron(const VolumeCells::Cell& cell)
   }
   std::sort(points.begin(), points.end());
   this->Mesh.PointSums.push_back(points[0] ^ points[1] ^ points[2] ^ points[3]);
-  if (this->KeepsCorners)
-  {
-    this->Mesh.Corners.insert(this->Mesh.Corners.end(), points.begin(), points.end());
-  }
-  for (int i = 0; i < 4; ++i)
-  {
-    this->Faces.push_back({ { static_cast<int>(points[i == 0 ? 1 : 0]),
-      static_cast<int>(points[i <= 1 ? 2 : 1]), static_cast<int>(points[i <= 2 ? 3 : 2]), -1 } });
-  }
+  this->Mesh.Corners.insert(this->Mesh.Corners.end(), points.begin(), points.end());
 }
 
 // Return whether the faces of a cell point inwards, from the enclosed volume.
@@ -301,8 +346,6 @@ bool RayCastMeshBuilder::IsFlat(const VolumeCells::Cell& cell) const
 
 void RayCastMeshBuilder::AddCurved(const VolumeCells::Cell& cell)
 {
-  const std::uint32_t number = static_cast<std::uint32_t>(
-    this->Mesh.GetNumberOfTetrahedra() + this->Mesh.GetNumberOfCurvedCells());
   std::array<std::uint32_t, RayCastMesh::WordsOfCurvedCell> words = {};
   const bool isQuadratic = IsQuadratic(cell);
   const std::vector<int>& record = GetRecord(cell.Shape, this->IsMirrored(cell));
@@ -319,21 +362,18 @@ void RayCastMeshBuilder::AddCurved(const VolumeCells::Cell& cell)
   this->Mesh.HasPyramids = this->Mesh.HasPyramids || corners == 4 || corners == 5;
   this->Mesh.HasFoldedFaces = this->Mesh.HasFoldedFaces || !this->IsFlat(cell);
   this->Mesh.CurvedCells.insert(this->Mesh.CurvedCells.end(), words.begin(), words.end());
-  this->FirstFaces.push_back(static_cast<std::uint32_t>(this->Faces.size()));
-  for (const auto& face : GetRecordFaces(isQuadratic))
-  {
-    const auto get = [&](int i) { return static_cast<int>(words[face[i]]); };
-    this->Faces.push_back({ { get(0), get(1), get(2), face[3] == face[2] ? -1 : get(3) } });
-    this->FaceCells.push_back(number);
-  }
 }
 
 void RayCastMeshBuilder::AddCells()
 {
-  for (size_t i = 0; i < this->Kept.size(); ++i)
+  this->Mesh.PointSums.reserve(this->NumberOfTetrahedra);
+  this->Mesh.Corners.reserve(4 * this->NumberOfTetrahedra);
+  this->Mesh.CurvedCells.reserve(
+    RayCastMesh::WordsOfCurvedCell * (this->NumberOfKept - this->NumberOfTetrahedra));
+  for (size_t i = 0; i < this->NumberOfKept; ++i)
   {
-    const bool isTetrahedron = i < this->KeptTetrahedra.size();
-    isTetrahedron ? this->AddTetrahedron(this->Kept[i]) : this->AddCurved(this->Kept[i]);
+    const VolumeCells::Cell cell = this->GetKept(i);
+    i < this->NumberOfTetrahedra ? this->AddTetrahedron(cell) : this->AddCurved(cell);
   }
 }
 
@@ -349,36 +389,50 @@ void RayCastMeshBuilder::FindPlaces()
   }
 }
 
-// Return the faces with places instead of points. Faces with several points at one place match no
-// other face.
-std::vector<Face> RayCastMeshBuilder::FindFacesOfPlaces() const
+Face RayCastMeshBuilder::GetFace(size_t face) const
 {
-  const std::vector<int>& places = this->PlaceOfPoints;
-  std::vector<Face> all = this->Faces;
-  for (Face& face : all)
+  const size_t side = this->GetSide(face);
+  if (this->IsInTetrahedra(face)) // the side is the missing corner
   {
-    const Face points = face;
-    for (int& corner : face)
+    const std::uint32_t* points = &this->Mesh.Corners[face / 4 * 4];
+    return { { static_cast<int>(points[side == 0 ? 1 : 0]),
+      static_cast<int>(points[side <= 1 ? 2 : 1]), static_cast<int>(points[side <= 2 ? 3 : 2]),
+      -1 } };
+  }
+  if (!this->Exists(face))
+  {
+    return { { -1, -1, -1, -1 } };
+  }
+  const std::uint32_t* words = this->GetRecordOf(face);
+  const Face& corners = GetRecordFaces(IsQuadraticRecord(words))[side];
+  const auto get = [&](int i) { return static_cast<int>(words[corners[i]]); };
+  return { { get(0), get(1), get(2), corners[3] == corners[2] ? -1 : get(3) } };
+}
+
+Face RayCastMeshBuilder::GetFaceOfPlaces(size_t face) const
+{
+  const Face points = this->GetFace(face);
+  Face found = points;
+  for (int& corner : found)
+  {
+    corner = corner < 0 ? corner : this->PlaceOfPoints[static_cast<size_t>(corner)];
+  }
+  for (size_t i = 0; i < 16; ++i)
+  {
+    if (found[i / 4] >= 0 && found[i / 4] == found[i % 4] && points[i / 4] != points[i % 4])
     {
-      corner = corner < 0 ? corner : places[corner];
-    }
-    for (size_t i = 0; i < 16; ++i)
-    {
-      if (face[i / 4] >= 0 && face[i / 4] == face[i % 4] && points[i / 4] != points[i % 4])
-      {
-        face = { { 0, 0, 0, -1 } };
-      }
+      return { { 0, 0, 0, -1 } };
     }
   }
-  return all;
+  return found;
 }
 
 // Return the index of a face's cell.
 std::uint32_t RayCastMeshBuilder::GetCell(size_t face) const
 {
-  const size_t inTetrahedra = 4 * this->Mesh.GetNumberOfTetrahedra();
-  return face < inTetrahedra ? static_cast<std::uint32_t>(face / 4)
-                             : this->FaceCells[face - inTetrahedra];
+  return static_cast<std::uint32_t>(this->IsInTetrahedra(face)
+      ? face / 4
+      : this->NumberOfTetrahedra + (face - 4 * this->NumberOfTetrahedra) / FacesOfRecord);
 }
 
 // Return the entry in RayCastMesh::Neighbors for a face and the matching face of another cell.
@@ -389,59 +443,46 @@ std::uint32_t RayCastMeshBuilder::GetNeighbor(size_t face, size_t other) const
   {
     return cell;
   }
-  Face here = this->Faces[face];
-  Face there = this->Faces[other];
+  Face here = this->GetFace(face);
+  Face there = this->GetFace(other);
   std::sort(here.begin(), here.end());
   std::sort(there.begin(), there.end());
-  const bool isTetrahedron = other < 4 * this->Mesh.GetNumberOfTetrahedra();
-  const std::uint32_t side = isTetrahedron ? static_cast<std::uint32_t>(other % 4) : 0;
+  const std::uint32_t side =
+    this->IsInTetrahedra(other) ? static_cast<std::uint32_t>(this->GetSide(other)) : 0;
   return 8 * cell + (here == there ? RayCastMesh::SamePoints : side);
 }
 
 // Return a reference to the index of the cell behind a face.
 std::uint32_t& RayCastMeshBuilder::GetBehind(size_t face)
 {
-  if (face < 4 * this->Mesh.GetNumberOfTetrahedra())
+  if (this->IsInTetrahedra(face))
   {
     return this->Mesh.Neighbors[face];
   }
-  const size_t record = this->FaceCells[face - 4 * this->Mesh.GetNumberOfTetrahedra()] -
-    this->Mesh.GetNumberOfTetrahedra();
+  const size_t record = this->GetCell(face) - this->NumberOfTetrahedra;
   return this->Mesh.CurvedCells[RayCastMesh::WordsOfCurvedCell * record +
-    RayCastMesh::FirstNeighborWord + face - this->FirstFaces[record]];
+    RayCastMesh::FirstNeighborWord + this->GetSide(face)];
 }
 
 // Return whether the cells of two matching faces have the same points. Then both are on the same
 // side of the face.
 bool RayCastMeshBuilder::AreDuplicates(size_t face, size_t other) const
 {
-  const size_t inTetrahedra = 4 * this->Mesh.GetNumberOfTetrahedra();
-  const std::uint32_t cells[2] = { this->GetCell(face), this->GetCell(other) };
-  if (cells[0] == cells[1] || (face < inTetrahedra) != (other < inTetrahedra))
+  if (this->GetCell(face) == this->GetCell(other) ||
+    this->IsInTetrahedra(face) != this->IsInTetrahedra(other))
   {
     return false;
   }
-  if (face < inTetrahedra)
+  if (this->IsInTetrahedra(face))
   {
-    const auto getLast = [this](size_t of)
-    {
-      const Face& corners = this->Faces[of];
-      return this->GetPoint(this->Mesh.PointSums[of / 4] ^ static_cast<std::uint32_t>(corners[0]) ^
-        static_cast<std::uint32_t>(corners[1]) ^ static_cast<std::uint32_t>(corners[2]));
-    };
+    const auto getLast = [this](size_t of) // the missing corner
+    { return this->GetPoint(this->Mesh.Corners[of]); };
     return getLast(face) == getLast(other);
   }
-  const auto getWords = [&](std::uint32_t cell)
-  {
-    return this->Mesh.CurvedCells.data() +
-      RayCastMesh::WordsOfCurvedCell * (cell - inTetrahedra / 4);
-  };
-  const std::uint32_t* here = getWords(cells[0]);
-  const std::uint32_t* there = getWords(cells[1]);
-  const auto isQuadratic = [](const std::uint32_t* words)
-  { return words[RayCastMesh::WordsOfCurvedCell - 1] == RayCastMesh::Quadratic; };
-  const int count = isQuadratic(here) ? 10 : 8;
-  return isQuadratic(here) == isQuadratic(there) &&
+  const std::uint32_t* here = this->GetRecordOf(face);
+  const std::uint32_t* there = this->GetRecordOf(other);
+  const int count = IsQuadraticRecord(here) ? 10 : 8;
+  return IsQuadraticRecord(here) == IsQuadraticRecord(there) &&
     std::all_of(here, here + count,
       [&](std::uint32_t point)
       {
@@ -451,26 +492,47 @@ bool RayCastMeshBuilder::AreDuplicates(size_t face, size_t other) const
       });
 }
 
+// Until FindNeighbors(), the matching faces are stored in place of the cells behind faces.
 void RayCastMeshBuilder::FindMatches()
 {
-  const int numberOfPoints = static_cast<int>(this->OldIds.size());
   if (this->Mesh.IsDiscontinuous)
   {
     this->FindPlaces();
   }
-  this->Match = this->Mesh.IsDiscontinuous ? MatchFaces(this->FindFacesOfPlaces(), numberOfPoints)
-                                           : MatchFaces(this->Faces, numberOfPoints);
-  this->Mesh.NumberOfSharedFaces = this->Match.NumberOfSharedByMore;
-  for (size_t face = 0; face < this->Faces.size(); ++face)
+  this->Mesh.Neighbors.assign(4 * this->NumberOfTetrahedra, NoMatch);
+  const size_t numberOfFaces = this->GetNumberOfFaces();
+  for (size_t face = this->Mesh.Neighbors.size(); face < numberOfFaces; ++face)
   {
-    int& other = this->Match.Others[face];
-    if (other > static_cast<int>(face) && this->AreDuplicates(face, static_cast<size_t>(other)))
+    if (this->Exists(face))
+    {
+      this->GetBehind(face) = NoMatch;
+    }
+  }
+  const FaceSource source = { numberOfFaces,
+    [this](size_t begin, size_t end, Face* faces)
+    {
+      for (size_t face = begin; face < end; ++face, ++faces)
+      {
+        *faces = this->Mesh.IsDiscontinuous ? this->GetFaceOfPlaces(face) : this->GetFace(face);
+      }
+    } };
+  this->Mesh.NumberOfSharedFaces = MatchFaces(source, static_cast<int>(this->OldIds.size()),
+    [this](size_t face, size_t other)
+    { this->GetBehind(face) = static_cast<std::uint32_t>(other); });
+  for (size_t face = 0; face < numberOfFaces; ++face)
+  {
+    if (!this->Exists(face))
+    {
+      continue;
+    }
+    std::uint32_t& other = this->GetBehind(face);
+    if (other != NoMatch && other > face && this->AreDuplicates(face, other))
     {
       ++this->Mesh.NumberOfSharedFaces;
-      this->Match.Others[static_cast<size_t>(other)] = -1;
-      other = -1;
+      this->GetBehind(other) = NoMatch;
+      other = NoMatch;
     }
-    if (other < 0 && IsFace(this->Faces[face]))
+    if (other == NoMatch && IsFace(this->GetFace(face)))
     {
       this->Border.push_back(face);
     }
@@ -480,35 +542,24 @@ void RayCastMeshBuilder::FindMatches()
 // Return the points of a tetrahedron in ascending order.
 std::array<std::uint32_t, 4> RayCastMeshBuilder::GetTetrahedron(size_t index) const
 {
-  const Face& last = this->Faces[4 * index]; // without the lowest point
-  const Face& first = this->Faces[4 * index + 3];
-  return { { static_cast<std::uint32_t>(first[0]), static_cast<std::uint32_t>(last[0]),
-    static_cast<std::uint32_t>(last[1]), static_cast<std::uint32_t>(last[2]) } };
+  const std::uint32_t* points = &this->Mesh.Corners[4 * index];
+  return { { points[0], points[1], points[2], points[3] } };
 }
 
 // Return whether another mesh has the same cells of the same points. Its corners are known.
 bool RayCastMeshBuilder::HasCellsOf(const RayCastMesh& known) const
 {
-  if (known.PointSums != this->Mesh.PointSums ||
+  if (known.Corners != this->Mesh.Corners ||
     known.CurvedCells.size() != this->Mesh.CurvedCells.size())
   {
     return false;
   }
-  for (size_t i = 0; i < this->KeptTetrahedra.size(); ++i)
-  {
-    const std::array<std::uint32_t, 4> corners = this->GetTetrahedron(i);
-    if (!std::equal(corners.begin(), corners.end(), known.Corners.begin() + 4 * i))
-    {
-      return false;
-    }
-  }
   for (size_t i = 0; i < known.CurvedCells.size(); i += RayCastMesh::WordsOfCurvedCell)
   {
-    const auto here = this->Mesh.CurvedCells.begin() + i;
-    const auto there = known.CurvedCells.begin() + i;
-    const bool isQuadratic = here[RayCastMesh::WordsOfCurvedCell - 1] == RayCastMesh::Quadratic;
+    const std::uint32_t* here = this->Mesh.CurvedCells.data() + i;
+    const std::uint32_t* there = known.CurvedCells.data() + i;
     if (!std::equal(here, here + RayCastMesh::FirstNeighborWord, there) ||
-      isQuadratic != (there[RayCastMesh::WordsOfCurvedCell - 1] == RayCastMesh::Quadratic))
+      IsQuadraticRecord(here) != IsQuadraticRecord(there))
     {
       return false;
     }
@@ -525,9 +576,10 @@ bool RayCastMeshBuilder::TakeNeighbors(RayCastMesh& known)
   this->Mesh.Neighbors = std::move(known.Neighbors);
   this->Mesh.CurvedCells = std::move(known.CurvedCells);
   this->Mesh.HasKnownNeighbors = true;
-  for (size_t face = 0; face < this->Faces.size(); ++face)
+  for (size_t face = 0; face < this->GetNumberOfFaces(); ++face)
   {
-    if (this->GetBehind(face) == RayCastMesh::InvalidCell && IsFace(this->Faces[face]))
+    if (this->Exists(face) && this->GetBehind(face) == RayCastMesh::InvalidCell &&
+      IsFace(this->GetFace(face)))
     {
       this->Border.push_back(face);
     }
@@ -546,7 +598,7 @@ void RayCastMeshBuilder::ForgetNeighbors()
 // Return the centre of a face's cell.
 dvec3 RayCastMeshBuilder::GetInside(size_t face) const
 {
-  const VolumeCells::Cell& cell = this->Kept[this->GetCell(face)];
+  const VolumeCells::Cell cell = this->GetKept(this->GetCell(face));
   const int count = this->Cells.GetNumberOfCorners(cell);
   dvec3 sum(0.0);
   for (int i = 0; i < count; ++i)
@@ -562,14 +614,11 @@ std::vector<bool> RayCastMeshBuilder::FindHanging()
   {
     return {};
   }
-  std::vector<Face> faces;
-  if (this->Mesh.IsDiscontinuous)
-  {
-    faces = this->FindFacesOfPlaces();
-  }
-  this->Hanging.Find({ this->Mesh.IsDiscontinuous ? faces : this->Faces,
-                       [this](int point) { return this->Cells.GetPoints()[this->OldIds[point]]; },
-                       [this](size_t face) { return this->GetInside(face); } },
+  this->Hanging.Find(
+    { [this](size_t face)
+      { return this->Mesh.IsDiscontinuous ? this->GetFaceOfPlaces(face) : this->GetFace(face); },
+      [this](int point) { return this->Cells.GetPoints()[this->OldIds[point]]; },
+      [this](size_t face) { return this->GetInside(face); } },
     this->Border);
   if (this->Hanging.IsEmpty())
   {
@@ -581,10 +630,10 @@ std::vector<bool> RayCastMeshBuilder::FindHanging()
   bool isFound = false;
   const auto add = [&](size_t tetrahedron)
   {
-    found[this->KeptTetrahedra[tetrahedron]] = true;
+    found[this->Order.empty() ? tetrahedron : this->Order[tetrahedron]] = true;
     isFound = true;
   };
-  for (size_t i = 0; i < this->KeptTetrahedra.size(); ++i)
+  for (size_t i = 0; i < this->NumberOfTetrahedra; ++i)
   {
     if (records.HasPoints(this->GetTetrahedron(i)))
     {
@@ -593,7 +642,7 @@ std::vector<bool> RayCastMeshBuilder::FindHanging()
   }
   for (const HangingFaces::Cover& cover : this->Hanging.GetCovers())
   {
-    if (this->GetCell(cover.Face) < this->KeptTetrahedra.size())
+    if (this->IsInTetrahedra(cover.Face))
     {
       add(this->GetCell(cover.Face));
     }
@@ -605,19 +654,13 @@ void RayCastMeshBuilder::FindNeighbors()
 {
   this->Mesh.HasHangingFaces = !this->Hanging.IsEmpty();
   this->Mesh.IsDiscontinuous = this->Mesh.IsDiscontinuous || this->Mesh.HasHangingFaces;
-  for (size_t i = 0; i < this->KeptTetrahedra.size() && this->Mesh.IsDiscontinuous &&
-       this->Mesh.Corners.size() < 4 * this->KeptTetrahedra.size();
-       ++i)
+  const size_t numberOfFaces = this->GetNumberOfFaces();
+  for (size_t face = 0; face < numberOfFaces; ++face)
   {
-    const auto corners = this->GetTetrahedron(i);
-    this->Mesh.Corners.insert(this->Mesh.Corners.end(), corners.begin(), corners.end());
-  }
-  this->Mesh.Neighbors.resize(4 * this->Mesh.GetNumberOfTetrahedra());
-  for (size_t face = 0; face < this->Faces.size(); ++face)
-  {
-    const auto other = this->Match.Others[face];
-    this->GetBehind(face) =
-      other < 0 ? RayCastMesh::InvalidCell : this->GetNeighbor(face, static_cast<size_t>(other));
+    if (this->Exists(face) && this->GetBehind(face) != NoMatch)
+    {
+      this->GetBehind(face) = this->GetNeighbor(face, this->GetBehind(face));
+    }
   }
 }
 
@@ -626,10 +669,10 @@ HangingRecords::Part RayCastMeshBuilder::GetPart(size_t face) const
 {
   const std::uint32_t cell = this->GetCell(face);
   HangingRecords::Part part;
-  const Face& corners = this->Faces[face];
+  const Face corners = this->GetFace(face);
   std::copy_if(corners.begin(), corners.end(), std::back_inserter(part.Corners),
     [](int corner) { return corner >= 0; });
-  if (cell >= this->KeptTetrahedra.size())
+  if (!this->IsInTetrahedra(face))
   {
     part.Neighbor = 8 * cell;
     std::reverse(part.Corners.begin(), part.Corners.end());
@@ -649,15 +692,17 @@ void RayCastMeshBuilder::AddHanging()
   {
     return;
   }
-  std::vector<std::uint32_t> words = std::move(this->Mesh.CurvedCells);
+  std::vector<std::uint32_t>& words = this->Mesh.CurvedCells;
   const size_t numberOfWords = words.size();
   HangingRecords records(this->Hanging, this->PlaceOfPoints, words);
   for (size_t first = 0; first < numberOfWords; first += RayCastMesh::WordsOfCurvedCell)
   {
-    const std::uint32_t list = records.AddEdges(words.data() + first);
+    std::array<std::uint32_t, 8> corners;
+    std::copy_n(words.begin() + first, corners.size(), corners.begin());
+    const std::uint32_t list = records.AddEdges(corners);
     words[first + 8] = list;
   }
-  std::vector<bool> isInner(this->Faces.size(), false);
+  std::vector<bool> isInner(this->GetNumberOfFaces(), false);
   std::vector<std::pair<size_t, std::uint32_t>> lists;
   for (const HangingFaces::Cover& cover : this->Hanging.GetCovers())
   {
@@ -670,8 +715,7 @@ void RayCastMeshBuilder::AddHanging()
     isInner[cover.Face] = true;
     lists.push_back({ cover.Face, 8 * records.AddParts(parts) + RayCastMesh::SeveralCells });
   }
-  this->Mesh.CurvedCells = std::move(words);
-  this->Mesh.NumberOfListWords = this->Mesh.CurvedCells.size() - numberOfWords;
+  this->Mesh.NumberOfListWords = words.size() - numberOfWords;
   for (size_t i = 0; i < lists.size(); ++i)
   {
     const HangingFaces::Cover& cover = this->Hanging.GetCovers()[i];
@@ -693,7 +737,7 @@ std::string RayCastMeshBuilder::DescribeSize() const
     return "has more than 16 million boundary faces; extract a part of it";
   }
   if (this->Mesh.IsDiscontinuous &&
-    std::max(this->Kept.size(), this->Mesh.CurvedCells.size() / 4) >= MaximumDiscontinuousCells)
+    std::max(this->NumberOfKept, this->Mesh.CurvedCells.size() / 4) >= MaximumDiscontinuousCells)
   {
     return "has different values of cells at the same points, and more than 512 million cells; "
            "extract a part of it";
@@ -701,10 +745,10 @@ std::string RayCastMeshBuilder::DescribeSize() const
   return "";
 }
 
+// Return a point as it is stored.
 dvec3 RayCastMeshBuilder::GetPoint(std::uint32_t point) const
 {
-  const float* coordinates = &this->Mesh.Points[4 * static_cast<size_t>(point)];
-  return dvec3(coordinates[0], coordinates[1], coordinates[2]);
+  return this->Mesh.GetStored(this->Cells.GetPoints()[this->OldIds[point]]);
 }
 
 // Return the box of a face. For a curved cell it is that of the cell, because quadratic faces leave
@@ -713,22 +757,19 @@ FloatBox RayCastMeshBuilder::GetBox(size_t face) const
 {
   FiniteBox box;
   const auto add = [&](const dvec3& point) { box.Add(&point.x); };
-  const size_t inTetrahedra = 4 * this->Mesh.GetNumberOfTetrahedra();
-  for (int point : this->Faces[face])
+  for (int point : this->GetFace(face))
   {
     if (point >= 0)
     {
       add(this->GetPoint(static_cast<std::uint32_t>(point)));
     }
   }
-  if (face >= inTetrahedra)
+  if (!this->IsInTetrahedra(face))
   {
-    const size_t record = this->FaceCells[face - inTetrahedra] - inTetrahedra / 4;
-    const std::uint32_t* words = &this->Mesh.CurvedCells[RayCastMesh::WordsOfCurvedCell * record];
-    if (words[RayCastMesh::WordsOfCurvedCell - 1] == RayCastMesh::Quadratic)
+    const std::uint32_t* words = this->GetRecordOf(face);
+    if (IsQuadraticRecord(words))
     {
-      const auto& corners =
-        FindCellShape(VTK_QUADRATIC_TETRA)->QuadraticFaces[face - this->FirstFaces[record]];
+      const auto& corners = FindCellShape(VTK_QUADRATIC_TETRA)->QuadraticFaces[this->GetSide(face)];
       for (int i = 0; i < 3; ++i)
       {
         add(2.0 * this->GetPoint(words[corners[3 + i]]) -
@@ -768,18 +809,16 @@ void RayCastMeshBuilder::AddBorderFace(size_t face)
       this->Mesh.BorderFaces.push_back(word);
     }
   };
-  const size_t inTetrahedra = 4 * this->Mesh.GetNumberOfTetrahedra();
-  if (face >= inTetrahedra)
+  const std::uint32_t cell = this->GetCell(face);
+  if (!this->IsInTetrahedra(face))
   {
-    const std::uint32_t cell = this->FaceCells[face - inTetrahedra];
-    const size_t record = cell - inTetrahedra / 4;
-    add({ { static_cast<std::uint32_t>(face - this->FirstFaces[record]), 0, 0, cell } });
+    add({ { static_cast<std::uint32_t>(this->GetSide(face)), 0, 0, cell } });
     return;
   }
+  const Face here = this->GetFace(face);
   std::array<std::uint32_t, 3> corners;
-  std::copy(this->Faces[face].begin(), this->Faces[face].begin() + 3, corners.begin());
-  const std::uint32_t cell = static_cast<std::uint32_t>(face / 4);
-  if (!this->FacesInwards(this->Faces[face], cell))
+  std::copy(here.begin(), here.begin() + 3, corners.begin());
+  if (!this->FacesInwards(here, cell))
   {
     std::swap(corners[1], corners[2]);
   }
@@ -815,15 +854,11 @@ bool RayCastMesh::Build(const VolumeCells& cells, int numberOfComponents, std::s
     *this = RayCastMesh();
     RayCastMeshBuilder builder(cells, numberOfComponents, extent, records, *this);
     builder.MergePoints();
-    if (withCorners || builder.IsDiscontinuous())
-    {
-      builder.KeepCorners();
-    }
     if (whole || builder.IsDiscontinuous())
     {
       builder.SortPoints();
     }
-    builder.StorePoints();
+    builder.SetPlacement();
     builder.AddCells();
     const bool isTaken = known && builder.TakeNeighbors(*known);
     known = nullptr;
@@ -845,11 +880,6 @@ bool RayCastMesh::Build(const VolumeCells& cells, int numberOfComponents, std::s
         [](bool a, bool b) { return a || b; });
       continue;
     }
-    builder.StoreScalars();
-    if (withGradients)
-    {
-      builder.AddGradients();
-    }
     if (!this->HasKnownNeighbors)
     {
       builder.FindNeighbors();
@@ -861,42 +891,68 @@ bool RayCastMesh::Build(const VolumeCells& cells, int numberOfComponents, std::s
       return false;
     }
     builder.BuildBorder();
+    if (!withCorners && !this->IsDiscontinuous)
+    {
+      std::vector<std::uint32_t>().swap(this->Corners);
+    }
+    builder.StorePoints();
+    builder.StoreScalars();
+    if (withGradients)
+    {
+      builder.AddGradients();
+    }
     builder.KeepPointIds();
   } while (!more.empty());
   return true;
 }
 
-void RayCastMesh::SetPoints(const std::vector<dvec3>& points)
+void RayCastMesh::SetPoints(size_t count, const std::function<dvec3(size_t)>& get)
 {
-  this->Points.resize(4 * points.size());
-  for (size_t i = 0; i < points.size(); ++i)
+  this->Points.resize(4 * count);
+  for (size_t i = 0; i < count; ++i)
   {
+    const dvec3 point = this->GetStored(get(i));
     for (int c = 0; c < 3; ++c)
     {
-      this->Points[4 * i + c] = static_cast<float>((points[i][c] - this->Center[c]) / this->Radius);
+      this->Points[4 * i + c] = static_cast<float>(point[c]);
     }
   }
 }
 
+dvec3 RayCastMesh::GetStored(const dvec3& point) const
+{
+  dvec3 stored;
+  for (int c = 0; c < 3; ++c)
+  {
+    // Volatile, because GCC 12 does not round where it computes two coordinates at a time.
+    const volatile float rounded = static_cast<float>((point[c] - this->Center[c]) / this->Radius);
+    stored[c] = rounded;
+  }
+  return stored;
+}
+
 // Scale scalars to the range from 0 to 1, where floats are more precise than far from 0.
-void RayCastMesh::SetScalars(const std::vector<Scalars>& scalars, int numberOfComponents,
-  bool areOfCells, const MeshExtent& whole)
+void RayCastMesh::SetScalars(size_t count, const std::function<Scalars(size_t)>& get,
+  int numberOfComponents, bool areOfCells, const MeshExtent& whole)
 {
   for (int c = 0; c < MaximumComponents; ++c)
   {
-    this->ScalarLow[c] = scalars.empty() ? 0.0 : whole.ScalarLow[c];
-    this->ScalarHigh[c] = scalars.empty() ? 0.0 : whole.ScalarHigh[c];
-    this->ScalarSize[c] = scalars.empty() ? 1.0 : whole.GetScalarSize(c);
+    this->ScalarLow[c] = count == 0 ? 0.0 : whole.ScalarLow[c];
+    this->ScalarHigh[c] = count == 0 ? 0.0 : whole.ScalarHigh[c];
+    this->ScalarSize[c] = count == 0 ? 1.0 : whole.GetScalarSize(c);
   }
   const bool areInPoints = !areOfCells && numberOfComponents == 1;
+  const int width = numberOfComponents > 1 ? MaximumComponents : 1;
   std::vector<float>& all = areOfCells ? this->CellScalars : this->PointScalars;
   all.clear();
-  for (size_t i = 0; i < scalars.size(); ++i)
+  all.reserve(areInPoints ? 0 : static_cast<size_t>(width) * count);
+  for (size_t i = 0; i < count; ++i)
   {
-    for (int c = 0; c < (numberOfComponents > 1 ? MaximumComponents : 1); ++c)
+    const Scalars scalars = get(i);
+    for (int c = 0; c < width; ++c)
     {
       const float stored =
-        static_cast<float>((scalars[i][c] - this->ScalarLow[c]) / this->ScalarSize[c]);
+        static_cast<float>((scalars[c] - this->ScalarLow[c]) / this->ScalarSize[c]);
       if (areInPoints)
       {
         this->Points[4 * i + 3] = stored;
@@ -910,14 +966,16 @@ void RayCastMesh::SetScalars(const std::vector<Scalars>& scalars, int numberOfCo
 }
 
 void RayCastMesh::SetGradients(
-  const std::vector<Gradients>& all, const std::vector<vtkIdType>& points, int numberOfComponents)
+  size_t count, const std::function<const dvec3*(size_t)>& get, int numberOfComponents)
 {
   this->PointGradients.clear();
-  for (vtkIdType point : points)
+  this->PointGradients.reserve(4 * static_cast<size_t>(numberOfComponents) * count);
+  for (size_t i = 0; i < count; ++i)
   {
+    const dvec3* all = get(i);
     for (int c = 0; c < numberOfComponents; ++c)
     {
-      const dvec3 gradient = this->Radius / this->ScalarSize[c] * all[point][c];
+      const dvec3 gradient = this->Radius / this->ScalarSize[c] * all[c];
       for (double value : { gradient.x, gradient.y, gradient.z, 0.0 })
       {
         this->PointGradients.push_back(static_cast<float>(value));

@@ -22,12 +22,14 @@
 #ifndef RayCastMesh_h
 #define RayCastMesh_h
 
-#include "Integral/Ray.h" // for Gradients
+#include "Integral/TransferFunctions.h" // for scalars
+#include "Mathematics/RefinementMathematics.h"
 #include "Mesh/MeshExtent.h"
 
-#include <cstdint> // for numbers of points and cells
-#include <string>  // for errors
-#include <vector>  // for members
+#include <cstdint>    // for numbers of points and cells
+#include <functional> // for points and scalars
+#include <string>     // for errors
+#include <vector>     // for members
 
 namespace relevo
 {
@@ -59,15 +61,17 @@ struct RayCastMesh
     RayCastMesh* known = nullptr);
 
   /// Store points with the transformation of positions.
-  void SetPoints(const std::vector<dvec3>& points);
+  void SetPoints(size_t count, const std::function<dvec3(size_t)>& get);
+  /// Return a position as it is stored.
+  dvec3 GetStored(const dvec3& point) const;
   /// Scale the scalars of all points or cells by the extent's ranges, and store them after the
   /// points.
-  void SetScalars(const std::vector<Scalars>& scalars, int numberOfComponents, bool areOfCells,
-    const MeshExtent& whole);
+  void SetScalars(size_t count, const std::function<Scalars(size_t)>& get, int numberOfComponents,
+    bool areOfCells, const MeshExtent& whole);
 
-  /// Store the gradients of these points of the data sets, one for each point here.
-  void SetGradients(const std::vector<Gradients>& all, const std::vector<vtkIdType>& points,
-    int numberOfComponents);
+  /// Store the gradients of points. The components of a point follow each other.
+  void SetGradients(
+    size_t count, const std::function<const dvec3*(size_t)>& get, int numberOfComponents);
 
   /// Free the arrays. The transformations of positions and scalars stay.
   void Release();

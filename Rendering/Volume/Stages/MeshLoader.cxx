@@ -252,6 +252,11 @@ bool MeshLoader::Read(const MeshRequest& request, VolumeCells& cells,
   {
     cells.SplitAll();
   }
+  // Cells that stay in memory must not depend on the input.
+  if (request.LevelOfDetail == 0.0 && !(request.KeepsHostData && request.IsShaded))
+  {
+    cells.ReadInPlace();
+  }
   bool hasErrors = false;
   for (const MeshScalars& mesh : meshes)
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchmarkVolumeTasks.h"
 
+#include "BenchmarkAllocations.h"
 #include "BenchmarkFrames.h"
 #include "BenchmarkMeasure.h"
 #include "BenchmarkReport.h"
@@ -354,10 +355,10 @@ void AddMemory(const TaskEffort& effort, BenchmarkTable& memory)
     for (const char* host : { "keep", "free" })
     {
       const std::vector<double> bytes = RunInOwnProcess({ "volumes", "memory", scene, host });
-      if (bytes.size() == 4)
+      if (bytes.size() == 5)
       {
         memory.AddRow({ bytes[0], std::string(host), 1e-6 * bytes[1], 1e-6 * bytes[2],
-          bytes[2] / bytes[1], 1.5, 1e-6 * bytes[3], bytes[3] / bytes[1] });
+          bytes[2] / bytes[1], 1.5, 1e-6 * bytes[3], bytes[3] / bytes[1], 1e-6 * bytes[4] });
       }
     }
   }
@@ -385,20 +386,16 @@ std::vector<double> MeasureVolumeMemory(const std::vector<std::string>& argument
     property = scene.MakeProperty(mesh, 11);
   }
   view.LookAt(mesh->GetBounds());
-  const double before = GetResidentMemory().Current;
-  const double peakBefore = GetResidentMemory().Peak;
+  const double residentBefore = GetResidentMemory().Current;
+  CountAllocatedMemory();
   const auto volume = MakeVolume(VolumeWay::Exact, mesh, property);
   GetMapper(volume)->SetKeepHostData(arguments.at(1) == "keep");
   view.GetRenderer()->AddViewProp(volume);
   view.TimeFrame();
-  const ResidentMemory after = GetResidentMemory();
-  // A software renderer stores the buffers of the graphics card in the memory of the process.
-  const double buffers = static_cast<double>(GetMapper(volume)->GetGraphicsMemorySize());
-  const double own = view.GetOpenGLRenderer().find("software") != std::string::npos ? buffers : 0.0;
-  const double peak = after.Peak > peakBefore ? after.Peak : after.Current;
+  const AllocatedMemory after = GetAllocatedMemory();
   return { static_cast<double>(mesh->GetNumberOfCells()),
-    1024.0 * static_cast<double>(mesh->GetActualMemorySize()), peak - before - own,
-    after.Current - before - own };
+    1024.0 * static_cast<double>(mesh->GetActualMemorySize()), after.Peak, after.Current,
+    GetResidentMemory().Peak - residentBefore };
 }
 
 void RunVolumeTasks(const BenchmarkOptions& options, const AddTable& addTable)
@@ -426,10 +423,14 @@ void RunVolumeTasks(const BenchmarkOptions& options, const AddTable& addTable)
     " pixels. Steps: 32 x 32 pixels.");
   addTable(table);
   BenchmarkTable memory("volumes-host-memory",
-    "Memory of the process for a volume, without the data set and the buffers of OpenGL",
+    "Memory that the process allocates for a volume, without the data set and OpenGL's buffers",
     { { "cells", "hexahedra", 0 }, { "host", "host data", 0 }, { "mesh_mb", "data set, MB", 1 },
       { "peak_mb", "peak, MB", 1 }, { "ratio", "ratio", 2 }, { "asked", "asked", 2 },
-      { "after_mb", "after, MB", 1 }, { "ratio_after", "ratio", 2 } });
+      { "after_mb", "after, MB", 1 }, { "ratio_after", "ratio", 2 },
+      { "resident_mb", "resident peak, MB", 1 } });
   AddMemory(effort, memory);
+  memory.AddNote("The peak counts what C++ code allocates while the mesh is built. A software "
+                 "renderer stores OpenGL's buffers in the memory of the process, so the resident "
+                 "peak includes them.");
   addTable(memory);
 }

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <numeric>
+#include <random>
 #include <set>
 #include <string>
 
@@ -97,6 +99,44 @@ void TestGiven(RelevoCheck& check)
   CHECK(relevo::MatchFaces({}, 0).Others.empty());
 }
 
+// Cubes with random numbers of points, so many that their faces are matched in several parts.
+void TestParts(RelevoCheck& check)
+{
+  constexpr int n = 40;
+  constexpr int m = n + 1;
+  std::vector<int> ids(m * m * m);
+  std::iota(ids.begin(), ids.end(), 0);
+  std::mt19937 random(3);
+  std::shuffle(ids.begin(), ids.end(), random);
+  const int corners[6][4] = { { 0, 2, 6, 4 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 3, 7, 6 },
+    { 0, 1, 3, 2 }, { 4, 5, 7, 6 } };
+  Faces faces;
+  for (int cube = 0; cube < n * n * n; ++cube)
+  {
+    const int first = cube % n + m * (cube / n % n + m * (cube / n / n));
+    for (const auto& face : corners)
+    {
+      faces.emplace_back();
+      std::transform(face, face + 4, faces.back().begin(),
+        [&](int i) { return ids[first + (i & 1) + m * (i >> 1 & 1) + m * m * (i >> 2)]; });
+    }
+  }
+  const relevo::FaceMatch match = relevo::MatchFaces(faces, m * m * m);
+  CHECK_EQUAL(match.NumberOfSharedByMore, 0);
+  CHECK_EQUAL(std::count(match.Others.begin(), match.Others.end(), -1), 6 * n * n);
+  size_t numberOfGood = 0;
+  for (size_t i = 0; i < faces.size(); ++i)
+  {
+    const int other = match.Others[i];
+    std::sort(faces[i].begin(), faces[i].end());
+    if (other >= 0 && other < static_cast<int>(i))
+    {
+      numberOfGood += match.Others[other] == static_cast<int>(i) && faces[i] == faces[other];
+    }
+  }
+  CHECK_EQUAL(numberOfGood, 3 * n * n * (n - 1));
+}
+
 void TestMeshes(RelevoCheck& check)
 {
   const int n = 7;
@@ -128,6 +168,7 @@ int TestFaceNeighbors(int, char*[])
   RelevoCheck check;
   TestRandom(check);
   TestGiven(check);
+  TestParts(check);
   TestMeshes(check);
   return check.GetResult();
 }

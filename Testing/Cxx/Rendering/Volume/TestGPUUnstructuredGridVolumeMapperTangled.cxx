@@ -128,14 +128,14 @@ void TestTangled(RelevoCheck& check)
 {
   auto mesh = RelevoCurvedCells(2).Make(VTK_TRIQUADRATIC_HEXAHEDRON, 1);
   mesh->GetPoints()->SetPoint(26, 3.0, 0.5, 0.5); // the centre
-  CheckWarning(check, mesh, "1 of 1 cells are tangled");
+  CheckWarning(check, mesh, "1 of 1 cell is tangled");
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     double at[3];
     mesh->GetPoint(i, at);
     mesh->GetPoints()->SetPoint(i, at[0], at[1], 0.0);
   }
-  CheckWarning(check, mesh, "1 of 1 cells have no volume");
+  CheckWarning(check, mesh, "1 of 1 cell has no volume");
 }
 
 // A few linear pieces of a valid cell are tangled. Rays do not stop in them.
