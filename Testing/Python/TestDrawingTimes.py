@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Proves python.md: drawings of results with blocks and time steps, in all formats of relevo-view."""
 
+import json
 import os
 import pathlib
 import sys
@@ -11,12 +12,12 @@ import unittest.mock
 import warnings
 
 from DrawingData import numpy, relevo
+from ResultData import DATA, TIMES, add_array, make_cube, write_list, write_series
 from relevo import _drawing, _results
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
-    VTK_HEXAHEDRON,
     vtkImageData,
     vtkMultiBlockDataSet,
     vtkRectilinearGrid,
@@ -24,44 +25,19 @@ from vtkmodules.vtkCommonDataModel import (
     vtkUnstructuredGrid,
 )
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkFiltersAMR import vtkAMRGaussianPulseSource
+from vtkmodules.vtkFiltersSources import vtkRandomHyperTreeGridSource, vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkBYUWriter
 from vtkmodules.vtkIOParallelXML import vtkXMLPUnstructuredGridWriter
 from vtkmodules.vtkIOXML import (
+    vtkXMLHyperTreeGridWriter,
     vtkXMLImageDataWriter,
     vtkXMLMultiBlockDataWriter,
     vtkXMLRectilinearGridWriter,
     vtkXMLStructuredGridWriter,
+    vtkXMLUniformGridAMRWriter,
     vtkXMLUnstructuredGridWriter,
 )
-
-DATA = pathlib.Path(os.environ.get("RELEVO_TEST_DATA") or "/nonexistent") / "result"
-TIMES = [0.25, 1.0, 4.0]
-CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
-
-
-def add_array(data, name, tuples):
-    array = vtkDoubleArray()
-    array.SetName(name)
-    array.SetNumberOfComponents(len(tuples[0]))
-    for values in tuples:
-        array.InsertNextTuple(values)
-    data.AddArray(array)
-
-
-def make_cube(time=1.0, offset=0.0, names=("Heat", "Move")):
-    """A hexahedron with Heat = time * x and Move = time * (0, x, 0)."""
-    grid = vtkUnstructuredGrid()
-    points = vtkPoints()
-    for x, y, z in CORNERS:
-        points.InsertNextPoint(x + offset, y, z)
-    grid.SetPoints(points)
-    grid.InsertNextCell(VTK_HEXAHEDRON, 8, range(8))
-    if "Heat" in names:
-        add_array(grid.GetPointData(), "Heat", [(time * x,) for x, y, z in CORNERS])
-    if "Move" in names:
-        add_array(grid.GetPointData(), "Move", [(0.0, time * x, 0.0) for x, y, z in CORNERS])
-    return grid
 
 
 class CubeSource(VTKPythonAlgorithmBase):
@@ -107,20 +83,10 @@ class TestDrawingTimes(unittest.TestCase):
         return self.folder / name
 
     def write_list(self, name, entries):
-        text = "".join(entries)
-        path = self.folder / name
-        path.write_text(
-            f'<?xml version="1.0"?><VTKFile type="Collection"><Collection>{text}</Collection></VTKFile>'
-        )
-        return path
+        return write_list(self.folder, name, entries)
 
     def write_series(self, name):
-        entries = []
-        for i, time in enumerate(TIMES):
-            part = f"{name}-{i}.vtu"
-            self.write(part, vtkXMLUnstructuredGridWriter, make_cube(time))
-            entries.append(f'<DataSet timestep="{time}" part="0" file="{part}"/>')
-        return self.write_list(name, entries)
+        return write_series(self.folder, name)
 
     def test_times(self):
         """All functions draw the nearest step, of a file and of an algorithm."""
@@ -242,6 +208,45 @@ class TestDrawingTimes(unittest.TestCase):
             ]
             self.assertEqual(values[0].shape, values[1].shape)
             self.assertGreater(numpy.nanmax(abs(values[1] - values[0])), 0, name)
+
+    def test_further_formats(self):
+        """Series of ParaView, AMR, hyper tree grids and PLOT3D, and those that others convert."""
+        write_series(self.folder, "a.pvd")
+        entries = [{"name": f"a.pvd-{i}.vtu", "time": time} for i, time in enumerate(TIMES)]
+        series = self.folder / "a.vtu.series"
+        series.write_text(json.dumps({"files": entries[::-1]}))
+        self.assertEqual(relevo.times(series), TIMES)
+        self.assertEqual(get_largest(relevo.refined(series, scalars="Heat", time=4)), 4.0)
+        amr = vtkAMRGaussianPulseSource()
+        amr.SetDimension(3)
+        trees = vtkRandomHyperTreeGridSource()
+        trees.SetDimensions(3, 3, 3)
+        trees.SetSeed(5)
+        for name, source, writer in (
+            ("a.vth", amr, vtkXMLUniformGridAMRWriter), ("h.htg", trees, vtkXMLHyperTreeGridWriter)
+        ):
+            source.Update()
+            path = self.write(name, writer, source.GetOutputDataObject(0))
+            points = vtk_to_numpy(relevo.refined(path).mesh().GetPoints().GetData())
+            self.assertGreater(len(numpy.unique(numpy.diff(numpy.unique(points[:, 0].round(4))).round(4))), 1)
+        grid = numpy.mgrid[0:2, 0:3, 0:4][::-1].astype(">f4")
+        for name in ("g.xyz", "gxyz.bin"):
+            path = self.folder / name
+            path.write_bytes(numpy.array([4, 3, 2], ">i4").tobytes() + grid.tobytes())
+            self.assertEqual(relevo.refined(path).mesh().GetBounds(), (0, 3, 0, 2, 0, 1))
+        with self.assertRaisesRegex(relevo.Error, "files of Gmsh; convert it.*meshio convert a.msh a.vtu"):
+            (self.folder / "a.msh").write_text("$MeshFormat")
+            relevo.refined(self.folder / "a.msh")
+        for text, words in (
+            ("{", "not JSON with a list of files"),
+            ('{"files": []}', "it lists no files"),
+            ('{"files": [{"time": 1}]}', "entry 1 of its files has no name"),
+            ('{"files": [{"name": "a", "time": "x"}]}', "the time of a is not a number"),
+            ('{"files": [{"name": "b.series"}]}', "a series cannot list another one"),
+        ):
+            series.write_text(text)
+            with self.assertRaisesRegex(relevo.Error, words):
+                relevo.times(series)
 
     def test_errors(self):
         series = self.write_series("e.pvd")

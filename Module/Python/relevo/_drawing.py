@@ -17,6 +17,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkCamera,
     vtkInteractorStyle,
+    vtkProp,
     vtkRenderer,
     vtkRenderWindow,
     vtkRenderWindowInteractor,
@@ -107,6 +108,7 @@ class Drawing:
     _table: vtkScalarsToColors | None = None  # of the colour bar
     _title = ""
     _kind = ""  # package of the caller's mesh
+    _others: Sequence[vtkProp] = ()  # further props, such as the section of a cut
     _plotters: Sequence[weakref.ref[Any]] = ()  # that have the actor
     _names: Mapping[str, str] = {}  # of things in messages, see Messages
 
@@ -200,25 +202,36 @@ class Drawing:
         )
 
     def add_to(self, plotter: Any) -> None:
-        """Add the actor to a vtkRenderer, a vtkRenderWindow, or a plotter of PyVista or vedo."""
+        """Add the actor to a vtkRenderer, a vtkRenderWindow, or a plotter of PyVista or vedo.
+
+        The actors of a cut are added, too.
+        """
+        for prop in self._get_props():
+            self._add_prop(plotter, prop)
+        self._plotters = [*self._plotters, weakref.ref(plotter)]
+
+    def _get_props(self) -> list[Any]:
+        return [self.actor, *self._others]
+
+    @staticmethod
+    def _add_prop(plotter: Any, prop: Any) -> None:
         if hasattr(plotter, "add_actor"):
-            plotter.add_actor(self.actor)
+            plotter.add_actor(prop)
         elif hasattr(plotter, "AddViewProp"):
-            plotter.AddViewProp(self.actor)
+            plotter.AddViewProp(prop)
         elif isinstance(plotter, vtkRenderWindow) and plotter.GetRenderers().GetFirstRenderer():
-            plotter.GetRenderers().GetFirstRenderer().AddViewProp(self.actor)
+            plotter.GetRenderers().GetFirstRenderer().AddViewProp(prop)
         elif hasattr(plotter, "add") and _inputs.get_package(plotter) == "vedo":
             # vedo converts volumes of VTK to its own, which are not of meshes.
-            if self.actor.IsA("vtkVolume"):
-                plotter.renderer.AddViewProp(self.actor)
+            if prop.IsA("vtkVolume"):
+                plotter.renderer.AddViewProp(prop)
             else:
-                plotter.add(self.actor)
+                plotter.add(prop)
         else:
             raise TypeError(
                 "plotter must be a vtkRenderer, a vtkRenderWindow with a renderer, or a plotter of"
                 f" PyVista or vedo, not {type(plotter).__name__}"
             )
-        self._plotters = [*self._plotters, weakref.ref(plotter)]
 
     def _repr_png_(self) -> bytes:
         writer = vtkPNGWriter()
@@ -253,7 +266,8 @@ class Drawing:
         axes = self._get_axes()
         for azimuth, elevation, intensity in self._lights:
             _camera.add_light(renderer, azimuth, elevation, intensity, axes)
-        renderer.AddViewProp(self.actor)
+        for prop in self._get_props():
+            renderer.AddViewProp(prop)
         corner = (0, 0)
         table, title = self._get_legend()
         if table is not None:

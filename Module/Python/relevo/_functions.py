@@ -40,11 +40,15 @@ def _get_options(function: Callable[..., Any]) -> list[str]:
 # What other libraries and other functions of the package call an option.
 _SYNONYMS = {
     "array": ("scalars", "vectors"),
+    "clim": ("range",),
+    "cmap": ("palette",),
     "clip_plane": ("clip",),
     "contours": ("isolines", "isosurfaces"),
     "extent": ("bounds",),
     "image": ("imagery",),
+    "colormap": ("palette",),
     "levels": ("max_level", "isolines"),
+    "log_scale": ("log",),
     "nodata": ("no_data",),
     "photo": ("imagery",),
     "scalars": ("array",),
@@ -143,6 +147,13 @@ def refined(
     up: str = "y",
     lighting: bool = True,
     time: float | None = None,
+    scalars: str | None = None,
+    clip: Any = None,
+    palette: str | None = None,
+    range: tuple[float, float] | str | None = None,
+    log: bool = False,
+    below: Any = None,
+    above: Any = None,
 ) -> Refined:
     """Draw a surface, refined where the viewer needs detail.
 
@@ -162,15 +173,30 @@ def refined(
     lighting: whether lights shade the surface (default: True).
     time: the time of a file with time steps, or of an algorithm of VTK; the nearest step is drawn
         (default: the first one, or the current one of an algorithm). See times().
+    scalars: the array of points or cells for colours, or a quantity such as "von Mises", see
+        volume() (default: the active scalars).
+    clip: a vtkPlane or (point, normal), each three numbers; the side of the normal is drawn. A cut
+        through 3D cells is filled. You cannot combine it with height.
+    palette: "viridis", "cool-warm", "cyclic", "grey", "heat", "magma", "rainbow", "relief" or
+        "water" (default: "viridis").
+    range: the values of the first and the last colour, or "all" for the values of all time steps of
+        a file or an algorithm (default: those of the drawn step).
+    log: whether colours depend on the logarithms of values, which must be above 0.
+    below, above: colours of values out of range: a name such as "white", "#rrggbb", or red, green
+        and blue from 0 to 1 (default: those of the ends of the range).
 
-    Active scalars are colours. mapper is a vtkAdaptiveRefinementMapper, recipe its
+    mapper is a vtkAdaptiveRefinementMapper, recipe its
     vtkAdaptiveRefinement.
 
     Raises FileNotFoundError, relevo.Error, TypeError, and ValueError.
     """
+    from ._colours import Colours
     from ._refined import Refined
 
-    return Refined(mesh, surface, metric, max_level, height, scale, up, lighting, time)
+    colours = Colours(palette, range, log, below, above)
+    return Refined(
+        mesh, surface, metric, max_level, height, scale, up, lighting, time, scalars, clip, colours
+    )
 
 
 @_public
@@ -188,6 +214,11 @@ def volume(
     time: float | None = None,
     shape_tolerance: float | None = None,
     field_tolerance: float | None = None,
+    palette: str | None = None,
+    range: tuple[float, float] | str | None = None,
+    log: bool = False,
+    below: Any = None,
+    above: Any = None,
 ) -> Volume:
     """Draw the interior of a mesh of 3D cells.
 
@@ -209,6 +240,14 @@ def volume(
         the mesh, from 1e-6 to 1 (default: 5e-4, half a pixel if the mesh is 1000 pixels large).
     field_tolerance: the largest error of the values in curved cells, as a share of their range,
         from 1e-6 to 1 (default: 4e-3). Reduce it if the transfer function has narrow peaks.
+    palette: "viridis", "cool-warm", "cyclic", "grey", "heat", "magma", "rainbow", "relief" or
+        "water" (default: "viridis").
+    range: the values of the first and the last colour, or "all" for the values of all time steps of
+        a file or an algorithm (default: those of the drawn step).
+    log: whether colours depend on the logarithms of values, which must be above 0.
+    below, above: colours of values out of range: a name such as "white", "#rrggbb", or red, green
+        and blue from 0 to 1 (default: those of the ends of the range). transfer replaces these
+        five options.
 
     Of arrays with several components, the magnitude is shown: the root of the sum of the squares of
     the stored components. For 6 components of a symmetric tensor (xx, yy, zz, xy, yz, xz) or 9 of
@@ -220,6 +259,7 @@ def volume(
     Raises FileNotFoundError, relevo.Error, TypeError, and ValueError, which names all arrays if the
     array does not exist.
     """
+    from ._colours import Colours
     from ._volume import Volume
 
     return Volume(
@@ -235,6 +275,7 @@ def volume(
         time,
         shape_tolerance,
         field_tolerance,
+        Colours(palette, range, log, below, above),
     )
 
 
@@ -251,6 +292,12 @@ def patches(
     up: str = "y",
     lighting: bool = True,
     time: float | None = None,
+    clip: Any = None,
+    palette: str | None = None,
+    range: tuple[float, float] | str | None = None,
+    log: bool = False,
+    below: Any = None,
+    above: Any = None,
 ) -> Patches:
     """Draw cells with their exact shape: quadratic, Lagrange, Bézier and rational cells.
 
@@ -266,15 +313,38 @@ def patches(
     lighting: whether lights shade the surface (default: True).
     time: the time of a file with time steps, or of an algorithm of VTK; the nearest step is drawn
         (default: the first one, or the current one of an algorithm). See times().
+    clip: as for refined().
+    palette: "viridis", "cool-warm", "cyclic", "grey", "heat", "magma", "rainbow", "relief" or
+        "water" (default: "viridis").
+    range: the values of the first and the last colour, or "all" for the values of all time steps of
+        a file or an algorithm (default: those of the drawn step).
+    log: whether colours depend on the logarithms of values, which must be above 0. You cannot combine
+        it with isolines.
+    below, above: colours of values out of range: a name such as "white", "#rrggbb", or red, green
+        and blue from 0 to 1 (default: those of the ends of the range).
 
     mapper is a vtkAdaptivePatchMapper, recipe its vtkAdaptiveRefinement.
 
     Raises FileNotFoundError, relevo.Error, TypeError, and ValueError, which names all arrays if an
     array does not exist.
     """
+    from ._colours import Colours
     from ._patches import Patches
 
-    return Patches(mesh, scalars, warp, factor, edges, isolines, error, up, lighting, time)
+    return Patches(
+        mesh,
+        scalars,
+        warp,
+        factor,
+        edges,
+        isolines,
+        error,
+        up,
+        lighting,
+        time,
+        clip,
+        Colours(palette, range, log, below, above),
+    )
 
 
 @_public
@@ -285,6 +355,11 @@ def lic(
     up: str = "y",
     lighting: bool = True,
     time: float | None = None,
+    palette: str | None = None,
+    range: tuple[float, float] | str | None = None,
+    log: bool = False,
+    below: Any = None,
+    above: Any = None,
 ) -> LIC:
     """Draw streaks along a vector field on a surface, by line integral convolution.
 
@@ -295,15 +370,25 @@ def lic(
     lighting: whether lights shade the surface (default: True).
     time: the time of a file with time steps, or of an algorithm of VTK; the nearest step is drawn
         (default: the first one, or the current one of an algorithm). See times().
+    palette: "viridis", "cool-warm", "cyclic", "grey", "heat", "magma", "rainbow", "relief" or
+        "water" (default: "viridis").
+    range: the values of the first and the last colour, or "all" for the values of all time steps of
+        a file or an algorithm (default: those of the drawn step).
+    log: whether colours depend on the logarithms of values, which must be above 0.
+    below, above: colours of values out of range: a name such as "white", "#rrggbb", or red, green
+        and blue from 0 to 1 (default: those of the ends of the range).
 
     mapper is a vtkAdaptiveLICMapper, recipe its vtkAdaptiveRefinement.
 
     Raises FileNotFoundError, relevo.Error, TypeError, and ValueError, which names all arrays if the
     array does not exist or there are no vectors.
     """
+    from ._colours import Colours
     from ._lic import LIC
 
-    return LIC(mesh, vectors, up, lighting, time)
+    return LIC(
+        mesh, vectors, up, lighting, time, Colours(palette, range, log, below, above)
+    )
 
 
 @_public

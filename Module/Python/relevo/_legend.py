@@ -10,10 +10,11 @@ from collections.abc import Callable, Sequence
 
 import numpy
 from vtkmodules.util.numpy_support import ID_TYPE_CODE, numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import vtkPoints, vtkScalarsToColors
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints, vtkScalarsToColors
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import (
     vtkActor2D,
+    vtkColorTransferFunction,
     vtkCoordinate,
     vtkPolyDataMapper2D,
     vtkTextActor,
@@ -23,6 +24,8 @@ from vtkmodules.vtkRenderingCore import (
 
 import vtkmodules.vtkRenderingFreeType  # noqa: F401, draws the text
 
+from . import _colours
+
 # In pixels.
 _SMALLEST_SIZE = (240, 180)
 _BAR_WIDTH = 20
@@ -30,6 +33,8 @@ _HIGHEST_BAR = 200
 _LOWEST_BAR = 60
 _LABEL_PITCH = 18  # smallest distance of labels
 _GAP = 6
+_SWATCH_HEIGHT = 8  # of colours below and above the range
+_SWATCH_GAP = 2
 _FONT_SIZE = 14
 _NARROWEST_TITLE = 110
 _TITLE_SHARE = 0.14  # relative to the picture's width
@@ -125,15 +130,38 @@ def _make_rows(table: vtkScalarsToColors, height: int) -> list[tuple[float, str]
     if _is_indexed(table):
         number = table.GetNumberOfAnnotatedValues()
         return [((i + 0.5) / number, table.GetAnnotation(i)) for i in range(number)]
-    number = next(number for number in (5, 3, 2) if (number - 1) * _LABEL_PITCH <= height)
     low, high = table.GetRange()
+    if _colours.is_log(table):
+        values = _list_log_labels(low, high, height // _LABEL_PITCH + 1)
+        extent = math.log(high / low) or 1.0
+        return [(math.log(value / low) / extent, f"{float(f'{value:.3g}'):g}") for value in values]
+    number = next(number for number in (5, 3, 2) if (number - 1) * _LABEL_PITCH <= height)
     style = _make_label_format(low, high)
     return [(i / (number - 1), style % _get_value(table, i / (number - 1))) for i in range(number)]
 
 
+def _list_log_labels(low: float, high: float, most: int) -> list[float]:
+    """Return the ends of a range above 0, and powers of ten between them, at most a number."""
+    length = math.log10(high / low)
+    margin = length / max(most - 1, 1)  # keeps the labels of the ends free
+    first = math.ceil(math.log10(low) + margin - 1e-9)
+    last = math.floor(math.log10(high) - margin + 1e-9)
+    step = max(math.ceil(margin - 1e-9), 1)
+    return [low, *(10.0**exponent for exponent in range(first, last + 1, step)), high]
+
+
+def _get_swatch(table: vtkScalarsToColors, end: str) -> list[float] | None:
+    """Return the colour of values "Below" or "Above" the range, or None for that of its end."""
+    if not isinstance(table, (vtkColorTransferFunction, vtkLookupTable)):
+        return None
+    if not getattr(table, f"GetUse{end}RangeColor")():
+        return None
+    return list(getattr(table, f"Get{end}RangeColor")()[:3])
+
+
 def _get_value(table: vtkScalarsToColors, position: float) -> float:
     low, high = table.GetRange()
-    if table.UsingLogScale() and low * high > 0:
+    if _colours.is_log(table) and low * high > 0:
         return float(low * (high / low) ** position)
     return low + position * (high - low)
 
@@ -202,14 +230,18 @@ def make_legend(
     title_size = _get_size(title, title_font)
     # The labels at the ends extend beyond the bar by half their height.
     overhang = _FONT_SIZE // 2
-    top = margin + title_size[1] + _GAP + overhang
-    height = min(size[1] - top - margin - overhang, _HIGHEST_BAR)
+    below, above = _get_swatch(table, "Below"), _get_swatch(table, "Above")
+    swatch = _SWATCH_GAP + _SWATCH_HEIGHT
+    under = max(overhang, swatch) if below else overhang
+    over = max(overhang, swatch) if above else overhang
+    top = margin + title_size[1] + _GAP + over
+    height = min(size[1] - top - margin - under, _HIGHEST_BAR)
     if height < _LOWEST_BAR or size[0] < _SMALLEST_SIZE[0] or size[1] < _SMALLEST_SIZE[1]:
         return [], (0, 0)
     rows = _make_rows(table, height)
     widths = [_get_size(text, label_font)[0] for _, text in rows]
     content = max(title_size[0], _BAR_WIDTH + _GAP + max(widths, default=0))
-    corner = (margin + content + _GAP, top + height + overhang + _GAP)
+    corner = (margin + content + _GAP, top + height + under + _GAP)
 
     anchor = vtkCoordinate()
     anchor.SetCoordinateSystemToNormalizedViewport()
@@ -223,7 +255,14 @@ def make_legend(
     colours = numpy.rint(255 * numpy.array(colours)).astype(numpy.uint8)
     mesh.GetCellData().SetScalars(numpy_to_vtk(colours, deep=True))
     _place(bar, anchor, margin, top + height)
-    actors = [ground, bar, _make_text(title, title_font)]
+    actors = [ground, bar]
+    for colour, y in ((below, top + height + swatch), (above, top - _SWATCH_GAP)):
+        if colour:
+            block, _ = _make_rectangles(_BAR_WIDTH, [_SWATCH_HEIGHT])
+            block.GetProperty().SetColor(colour)
+            _place(block, anchor, margin, y)
+            actors.append(block)
+    actors.append(_make_text(title, title_font))
     _place(actors[-1], anchor, margin, margin)
     for position, text in rows:
         actors.append(_make_text(text, label_font))

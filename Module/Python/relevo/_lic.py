@@ -15,7 +15,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 import relevo
 
-from . import _camera, _inputs
+from . import _camera, _colours, _inputs
 from ._drawing import SIZE, Drawing
 from ._refined import Refined
 
@@ -57,7 +57,9 @@ class LIC(Refined):
         up: str,
         lighting: bool,
         time: float | None = None,
+        colours: _colours.Colours | None = None,
     ) -> None:
+        self._scale = colours or _colours.Colours()
         self._up = _camera.find_axis(up)
         self._take_surface(mesh, None, time)
         array, of_points = self._find_vectors(vectors)

@@ -11,13 +11,14 @@ from vtkmodules.vtkCommonDataModel import (
     vtkDataObject,
     vtkDataSet,
     vtkMultiBlockDataSet,
+    vtkPolyData,
     vtkUnstructuredGrid,
 )
 from vtkmodules.vtkRenderingCore import vtkActor
 
 import relevo
 
-from . import _camera, _inputs, _quantities, _work
+from . import _camera, _colours, _inputs, _quantities, _section, _work
 from ._drawing import Drawing
 from ._messages import Messages, warn
 from ._refined import Refined
@@ -94,7 +95,11 @@ class Patches(Refined):
         up: str,
         lighting: bool,
         time: float | None = None,
+        clip: Any = None,
+        colours: _colours.Colours | None = None,
     ) -> None:
+        self._scale = colours or _colours.Colours()
+        self._plane = None if clip is None else _section.make_plane(clip)
         self._up = _camera.find_axis(up)
         _inputs.check_number(factor, "factor")
         if not math.isfinite(factor):
@@ -107,10 +112,8 @@ class Patches(Refined):
             data = _warp(data, warp, factor)
         elif factor != 1.0:
             raise ValueError("factor needs warp, the name of an array")
-        patches = relevo.vtkPatchSurfaceFilter()
-        patches.SetInputData(_take_grid(data))
-        _work.update(patches)
-        self._coarse = patches.GetOutput()
+        self._source, self._data = mesh, data
+        self._coarse = self._extract(data)
         if self._coarse.GetNumberOfCells() == 0:
             raise ValueError("the mesh has no 2D or 3D cells")
         Drawing.__init__(self, relevo.vtkAdaptivePatchMapper(), vtkActor())
@@ -121,17 +124,22 @@ class Patches(Refined):
         self.recipe.SetLevelRuleToPerEdge()
         self.recipe.SetSegmentPolicyToWholeNumbers()
         self.recipe.SetMaximumLevel(_LEVEL)
-        if scalars is None:
-            found = self._find_scalars()
-        else:
-            found = _inputs.find_array([self._coarse], scalars)
-        self._set_up(found)
+        self._set_up(self._find_scalars(scalars))
         with Messages(ValueError, {"ScreenSpaceError": "error", "IsolineSpacing": "isolines"}):
             if error is not None:
                 metric.SetScreenSpaceError(error)
             self.mapper.SetPatchEdges(bool(edges))
             self._draw_isolines(isolines)
+        if isolines and self._scale.log:
+            raise ValueError("isolines cannot be combined with log")
         self._set_lighting(lighting)
+        self._cut()
+
+    def _extract(self, data: vtkDataObject) -> vtkPolyData:
+        patches = relevo.vtkPatchSurfaceFilter()
+        patches.SetInputData(_take_grid(data))
+        _work.update(patches)
+        return patches.GetOutput()
 
     def _describe(self) -> str:
         return f"{self._coarse.GetNumberOfCells()} patches{self._describe_colours()}"

@@ -4,11 +4,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 import relevo
 
-from . import _work
+from . import _results, _work
 from ._error import Error
 
 
@@ -28,3 +31,21 @@ def add_quantity(data: vtkDataObject, name: str | None) -> tuple[vtkDataObject, 
     except Error as error:
         raise ValueError(str(error).replace("the input", "the mesh")) from None
     return quantity.GetOutput(), quantity.GetResultName()
+
+
+def find_range_of_steps(
+    source: Any,
+    name: str,
+    get_range: Callable[[vtkDataObject, str], tuple[float, float]],
+    drawn: tuple[float, float],
+) -> tuple[float, float]:
+    """Return the range of an array or a quantity over all time steps of a file or an algorithm.
+
+    get_range: returns the range in the data of a step. drawn: the range of the drawn step.
+    """
+    low, high = drawn
+    for data in _results.read_all(source):
+        step, array = add_quantity(data, name)
+        own = get_range(step, array or name)
+        low, high = min(low, own[0]), max(high, own[1])
+    return low, high

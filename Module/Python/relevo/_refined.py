@@ -4,20 +4,22 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkDataArray, vtkScalarsToColors
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet, vtkImageData, vtkPlane, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor
 
 import relevo
 
-from . import _camera, _colours, _inputs, _results, _work, arrays
+from . import _camera, _colours, _inputs, _quantities, _results, _section, _work, arrays
 from ._drawing import SIZE, Drawing
 from ._error import Error
-from ._messages import Messages
+from ._messages import Messages, warn
 from ._raster import RasterFile, is_raster
 from ._typing import Array, Camera
 
@@ -99,6 +101,22 @@ def _choose(value: Any, names: dict[str, Any], kind: type, option: str) -> Any:
     return names[name]
 
 
+def _extend(one: tuple[float, float], other: tuple[float, float]) -> tuple[float, float]:
+    return min(one[0], other[0]), max(one[1], other[1])
+
+
+def _get_range_of(blocks: Sequence[vtkDataSet], name: str) -> tuple[float, float]:
+    """Return the range of the finite values, or the lengths of vectors, of an array."""
+    _, of_points = _inputs.find_array(blocks, name)
+    low, high = math.inf, -math.inf
+    for block in blocks:
+        array = (block.GetPointData() if of_points else block.GetCellData()).GetArray(name)
+        if array is not None and array.GetNumberOfTuples():
+            own = array.GetFiniteRange(-1 if array.GetNumberOfComponents() > 1 else 0)
+            low, high = _extend((low, high), own)
+    return low, high
+
+
 def set_material(actor: vtkActor) -> None:
     """Set the material of surfaces in relevo-view."""
     material = actor.GetProperty()
@@ -119,6 +137,8 @@ class Refined(Drawing):
     mapper: relevo.vtkAdaptiveRefinementMapper
     actor: _vtk.vtkActor
     recipe: relevo.vtkAdaptiveRefinement
+    _plane: vtkPlane | None = None  # of a cut
+    _scale = _colours.Colours()
 
     def __init__(
         self,
@@ -131,15 +151,22 @@ class Refined(Drawing):
         up: str,
         lighting: bool,
         time: float | None = None,
+        scalars: str | None = None,
+        clip: Any = None,
+        colours: _colours.Colours | None = None,
     ) -> None:
+        self._scale = colours or _colours.Colours()
+        self._plane = None if clip is None else _section.make_plane(clip)
         self._up = _camera.find_axis(up)
         if max_level is not None:
             _inputs.check_number(max_level, "max_level", integer=True)
         if scale is not None:
             _inputs.check_number(scale, "scale")
-        self._take_surface(mesh, surface, time)
+        scalars = self._take_surface(mesh, surface, time, scalars)
         super().__init__(relevo.vtkAdaptiveRefinementMapper(), vtkActor())
-        self._set_up(self._find_scalars())
+        self._set_up(self._find_scalars(scalars))
+        if height is not None and clip is not None:
+            raise ValueError("clip cannot be combined with height")
         if height is not None:
             self._displace(height, scale)
         elif scale is not None:
@@ -159,10 +186,16 @@ class Refined(Drawing):
         with Messages(ValueError, {"MaximumLevel": "max_level"}):
             self.recipe.SetMaximumLevel(max_level)
         self._set_lighting(lighting)
+        self._cut()
 
-    def _take_surface(self, mesh: Any, surface: Any, time: float | None) -> None:
-        """Set the coarse mesh and the surface of the recipe."""
+    def _take_surface(
+        self, mesh: Any, surface: Any, time: float | None, scalars: str | None = None
+    ) -> str | None:
+        """Set the coarse mesh and the surface of the recipe. Return the name of the scalars."""
+        self._source = mesh
         data, self._kind = _inputs.take_data(mesh, time=time)
+        data, scalars = _quantities.add_quantity(data, scalars)
+        self._data = data
         self._coarse = vtkPolyData()
         self._coarse.ShallowCopy(_inputs.extract_surface(data))
         self.recipe = relevo.vtkAdaptiveRefinement()
@@ -179,9 +212,12 @@ class Refined(Drawing):
             self._coarse.ShallowCopy(normals.GetOutput())
             self._surface = normals.GetFittingSurface()
         self.recipe.SetSurface(self._surface)
+        return scalars
 
-    def _find_scalars(self) -> tuple[vtkDataArray | None, bool]:
-        """Return the active scalars, and whether they are of points."""
+    def _find_scalars(self, name: str | None = None) -> tuple[vtkDataArray | None, bool]:
+        """Return an array, by default the active scalars, and whether it is of points."""
+        if name is not None:
+            return _inputs.find_array([self._coarse], name)
         for data, of_points in (
             (self._coarse.GetPointData(), True),
             (self._coarse.GetCellData(), False),
@@ -201,8 +237,11 @@ class Refined(Drawing):
         self.mapper.ScalarVisibilityOff()
         self.actor.SetMapper(self.mapper)
         set_material(self.actor)
+        given = self._scale.find_given()
         if self._scalars is not None:
             self._colour(self._scalars)
+        elif given:
+            raise ValueError(f"{given} needs colours by an array, and the mesh has no active scalars")
 
     def _colour(self, array: vtkDataArray) -> None:
         if self._of_points:
@@ -215,11 +254,47 @@ class Refined(Drawing):
         # Bytes with three or more components are colours.
         if array.GetDataType() == VTK_UNSIGNED_CHAR and components >= 3:
             return
+        name = array.GetName()
         low, high = array.GetFiniteRange(-1 if components > 1 else 0)
-        self._table = _colours.make_table(low, high)
+        if self._plane is not None:
+            low, high = _extend((low, high), self._get_range_of_cells(self._data, name))
+        if self._scale.of_all_steps:
+            low, high = _quantities.find_range_of_steps(
+                self._source, name, self._get_range, (low, high)
+            )
+        self._table = self._scale.make_table(*self._scale.choose_range(low, high, name))
         self._title = _colours.make_title(array.GetName(), array)
         self.mapper.SetLookupTable(self._table)
+        self.mapper.UseLookupTableScalarRangeOn()
         self.mapper.InterpolateScalarsBeforeMappingOn()
+
+    def _extract(self, data: vtkDataObject) -> vtkPolyData:
+        """Return the surface of a time step."""
+        return _inputs.extract_surface(data)
+
+    def _get_range(self, data: vtkDataObject, name: str) -> tuple[float, float]:
+        """Return the range of an array in a time step: on the surface, and in what a cut shows."""
+        found = _get_range_of([self._extract(data)], name)
+        if self._plane is not None:
+            found = _extend(found, self._get_range_of_cells(data, name))
+        return found
+
+    @staticmethod
+    def _get_range_of_cells(data: vtkDataObject, name: str) -> tuple[float, float]:
+        return _get_range_of(_inputs.get_blocks(data), name)
+
+    def _cut(self) -> None:
+        """Clip the surface, and fill the section of 3D cells."""
+        if self._plane is None:
+            return
+        self.mapper.AddClippingPlane(self._plane)
+        if not any(_section.is_solid(block) for block in _inputs.get_blocks(self._data)):
+            warn("the mesh has no 3D cells, so the cut is hollow")
+            return
+        section = _section.Section(_inputs.merge_blocks(self._data), self._plane)
+        section.set_colours(self.mapper, self.actor)
+        self._section = section
+        self._others = section.actors
 
     def _get_legend(self) -> tuple[vtkScalarsToColors | None, str]:
         """Return the table of the mapper, which the caller may have replaced, and the title."""

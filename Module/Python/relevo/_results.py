@@ -6,11 +6,12 @@ from __future__ import annotations
 
 import errno
 import importlib
+import json
 import math
 import os
 import pathlib
 import xml.etree.ElementTree
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any, Protocol
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -26,7 +27,7 @@ from vtkmodules.vtkCommonDataModel import (
 )
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkStreamingDemandDrivenPipeline
 
-from . import _work
+from . import _plot3d, _work
 from ._error import Error
 from ._messages import Messages, warn
 from ._typing import Path
@@ -121,6 +122,41 @@ class _Collection:
         return blocks
 
 
+class _Series:
+    """The files that a series of ParaView (.vtu.series and likewise) lists, a JSON file."""
+
+    def __init__(self, path: str) -> None:
+        try:
+            with open(path, encoding="utf-8") as file:
+                entries = json.load(file)["files"]
+        except (ValueError, KeyError, TypeError):
+            entries = None
+        if not isinstance(entries, list):
+            raise Error(f"{path}: it is not JSON with a list of files")
+        self._files: dict[float, str] = {}
+        for number, entry in enumerate(entries):
+            name = entry.get("name") if isinstance(entry, dict) else None
+            if not isinstance(name, str) or not name:
+                raise Error(f"{path}: entry {number + 1} of its files has no name")
+            time = entry.get("time", number)  # without times, steps are counted
+            if isinstance(time, bool) or not isinstance(time, (int, float)):
+                raise Error(f"{path}: the time of {name} is not a number")
+            if not math.isfinite(time):
+                raise Error(f"{path}: the time of {name} is not a number")
+            if pathlib.Path(name).suffix.lower() == ".series":
+                raise Error(f"{path}: a series cannot list another one")
+            self._files[float(time)] = os.path.join(os.path.dirname(path), name)
+        if not self._files:
+            raise Error(f"{path}: it lists no files")
+
+    def get_times(self) -> list[float]:
+        return sorted(self._files)
+
+    def read(self, time: float | None) -> vtkDataObject:
+        path = self._files[min(self._files) if time is None else time]
+        return open_file(path)[0].read(None)
+
+
 def _make_algorithm(module: str, name: str) -> Any:
     package = module if module == "relevo" else f"vtkmodules.{module}"
     return getattr(importlib.import_module(package), name)()
@@ -189,6 +225,34 @@ def _open_hdf(path: str) -> Reader:
     return _make_reader("vtkIOHDF", "vtkHDFReader", path)
 
 
+def _open_amr(path: str) -> Reader:
+    reader = _make_algorithm("vtkIOXML", "vtkXMLUniformGridAMRReader")
+    reader.SetFileName(path)
+    reader.SetMaximumLevelsToReadByDefault(0)  # all levels
+    return AlgorithmReader(reader)
+
+
+def _open_hyper_tree_grid(path: str) -> Reader:
+    """Open the leaves of the trees as hexahedra or quadrilaterals."""
+    reader = _make_algorithm("vtkIOXML", "vtkXMLHyperTreeGridReader")
+    reader.SetFileName(path)
+    leaves = _make_algorithm("vtkFiltersHyperTree", "vtkHyperTreeGridToUnstructuredGrid")
+    leaves.SetInputConnection(reader.GetOutputPort())
+    return AlgorithmReader(leaves)
+
+
+def _open_plot3d(path: str) -> Reader:
+    reader = _make_algorithm("vtkIOParallel", "vtkMultiBlockPLOT3DReader")
+    reader.AutoDetectFormatOn()
+    reader.SetFileName(path)
+    solution = _plot3d.find_solution(path)
+    if solution:
+        reader.SetQFileName(solution)
+        for function in (110, 120, 200):  # pressure, temperature, velocity
+            reader.AddFunction(function)
+    return AlgorithmReader(reader)
+
+
 def _open_foam(path: str) -> Reader:
     reader = _make_algorithm("vtkIOGeometry", "vtkOpenFOAMReader")
     reader.SetFileName(path)
@@ -197,11 +261,13 @@ def _open_foam(path: str) -> Reader:
 
 
 def _open_geometry(path: str) -> Reader:
-    """Open a .g file: of Exodus, which are netCDF files, classic or of HDF5, or of Movie.BYU."""
+    """Open a .g file: of Exodus (netCDF files, classic or of HDF5), PLOT3D or Movie.BYU."""
     with open(path, "rb") as file:
         start = file.read(8)
     if start.startswith((b"CDF", _HDF)):
         return _open_exodus(path)
+    if _plot3d.is_grid(path):
+        return _open_plot3d(path)
     reader = _make_algorithm("vtkIOGeometry", "vtkBYUReader")
     reader.SetGeometryFileName(path)
     return AlgorithmReader(reader)
@@ -220,8 +286,10 @@ _FORMATS: dict[str, Callable[[str], Reader] | tuple[str, str]] = {
     ".g": _open_geometry,
     ".glb": ("vtkIOGeometry", "vtkGLTFReader"),
     ".gltf": ("vtkIOGeometry", "vtkGLTFReader"),
+    ".htg": _open_hyper_tree_grid,
     ".obj": ("vtkIOGeometry", "vtkOBJReader"),
     ".off": ("vtkIOGeometry", "vtkOFFReader"),  # since VTK 9.4
+    ".p3d": ("vtkIOParallel", "vtkPlot3DMetaReader"),
     ".ply": ("vtkIOPLY", "vtkPLYReader"),
     ".pvd": _Collection,
     ".pvti": ("vtkIOXML", "vtkXMLPImageDataReader"),
@@ -230,7 +298,10 @@ _FORMATS: dict[str, Callable[[str], Reader] | tuple[str, str]] = {
     ".pvts": ("vtkIOXML", "vtkXMLPStructuredGridReader"),
     ".pvtu": ("vtkIOXML", "vtkXMLPUnstructuredGridReader"),
     ".rmm": ("relevo", "vtkMicroMeshReader"),
+    ".series": _Series,
     ".stl": ("vtkIOGeometry", "vtkSTLReader"),
+    ".vth": _open_amr,
+    ".vthb": _open_amr,
     ".vti": ("vtkIOXML", "vtkXMLImageDataReader"),
     ".vtk": ("vtkIOLegacy", "vtkGenericDataObjectReader"),
     ".vtkhdf": _open_hdf,
@@ -242,9 +313,30 @@ _FORMATS: dict[str, Callable[[str], Reader] | tuple[str, str]] = {
 }
 
 
+# Formats without a reader in VTK.
+_CONVERTED = {".med": "MED", ".mesh": "MEDIT", ".meshb": "MEDIT", ".msh": "Gmsh"}
+
+
+def _find_format(path: str) -> Callable[[str], Reader] | tuple[str, str] | None:
+    extension = pathlib.Path(path).suffix.lower()
+    if extension in _plot3d.EXTENSIONS and _plot3d.is_grid(path):
+        return _open_plot3d
+    if extension in _CONVERTED:
+        return _refuse
+    return _FORMATS.get(extension)
+
+
+def _refuse(path: str) -> Reader:
+    own = pathlib.Path(path)
+    raise Error(
+        f"{path}: VTK has no reader for files of {_CONVERTED[own.suffix.lower()]}; convert it, for"
+        f" example with meshio: meshio convert {own.name} {own.with_suffix('.vtu').name}"
+    )
+
+
 def is_mesh_file(path: Path) -> bool:
-    """Return whether the extension is that of a mesh."""
-    return pathlib.Path(path).suffix.lower() in _FORMATS
+    """Return whether a file is a mesh by its extension, or by its content if that is ambiguous."""
+    return _find_format(os.fspath(path)) is not None
 
 
 def check_damage(path: str) -> None:
@@ -266,10 +358,10 @@ def open_file(path: Path) -> tuple[Reader, str]:
     """Return the reader of a file, and the path as a string."""
     path = check_file(path)
     extension = pathlib.Path(path).suffix.lower()
-    if extension not in _FORMATS:
+    found = _find_format(path)
+    if found is None:
         raise ValueError(f"{path}: meshes have the extensions {', '.join(sorted(_FORMATS))}")
     check_damage(path)
-    found = _FORMATS[extension]
     try:
         return found(path) if callable(found) else _make_reader(*found, path), path
     except (ImportError, AttributeError):
@@ -342,3 +434,19 @@ def update(algorithm: vtkAlgorithm, time: float) -> vtkDataObject:
     """Return the output of an algorithm for the time step that is nearest to a time."""
     reader = AlgorithmReader(algorithm)
     return reader.read(_find_time(reader.get_times(), time, algorithm.GetClassName()))
+
+
+def read_all(source: Any) -> Iterator[vtkDataObject]:
+    """Yield the data of all time steps of a path or an algorithm; nothing for other sources."""
+    reader: Reader
+    title = type(source).__name__
+    if isinstance(source, (str, os.PathLike)):
+        reader, title = open_file(source)
+    elif isinstance(source, vtkAlgorithm):
+        reader = AlgorithmReader(source)
+    else:
+        return
+    for time in reader.get_times():
+        data = reader.read(time)
+        _check_corners(data, title)
+        yield data

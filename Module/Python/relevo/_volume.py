@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet, vtkPiecewiseFunction, vtkPlane
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet, vtkPiecewiseFunction
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume, vtkVolumeProperty
 
 import relevo
 
-from . import _camera, _colours, _inputs, _quantities, _results, _work
+from . import _camera, _colours, _inputs, _quantities, _results, _section, _work
 from ._drawing import SIZE, Drawing, _check_size, _make_offscreen_window
 from ._error import Error
 from ._messages import Messages
@@ -39,11 +39,6 @@ _PEAK_WIDTH = 2e-4  # relative to the range
 _PEAK_OPACITY = 0.6
 
 _TOLERANCES = {"ShapeTolerance": "shape_tolerance", "FieldTolerance": "field_tolerance"}
-
-
-def _is_solid(block: vtkDataSet) -> bool:
-    """Return whether a data set has 3D cells."""
-    return any(cell.GetCellDimension() == 3 for cell in _inputs.get_kinds_of_cells(block))
 
 
 def _find_array(
@@ -121,6 +116,7 @@ def _make_nodes(
     blend: str,
     cells_of_side: float,
     thickness: float,
+    colours: _colours.Colours,
 ) -> Array:
     """Return nodes of a transfer function, (n, 5): value, red, green, blue, opacity.
 
@@ -128,11 +124,18 @@ def _make_nodes(
     """
     ranks = {low: 0.0, high: 1.0}
     for i, value in enumerate(quantiles):
-        ranks[float(value)] = i / (len(quantiles) - 1)
+        if low <= value <= high:
+            ranks[float(value)] = i / (len(quantiles) - 1)
     known = sorted(ranks)
-    values = numpy.array(sorted({*known, *numpy.linspace(low, high, _NODES).tolist()}))
+    spaced = numpy.linspace(low, high, _NODES)
+    if colours.log:
+        spaced = numpy.geomspace(low, high, _NODES)
+    values = numpy.array(sorted({*known, *spaced.clip(low, high).tolist()}))
     rank = numpy.interp(values, known, [ranks[value] for value in known])
+    # Opacities follow the scale of the colours.
     share = (values - low) / (high - low)
+    if colours.log:
+        share = numpy.log(values / low) / math.log(high / low)
     # Values show the distribution; ranks show every part despite outliers.
     height = 0.7 * share**2 + 0.3 * rank**2
     if blend in _BY_LENGTH:
@@ -144,9 +147,8 @@ def _make_nodes(
         opacities = highest * (_LOWEST_SHARE + (1 - _LOWEST_SHARE) * height)
     else:
         opacities = numpy.full(len(values), _OPACITY_OF_ONE_VALUE)
-    table = _colours.make_table(low, high)
-    colours = [table.GetColor(value) for value in values]
-    return numpy.column_stack([values, colours, opacities])
+    table = colours.make_function(low, high)
+    return numpy.column_stack([values, [table.GetColor(value) for value in values], opacities])
 
 
 def _add_peaks(nodes: Array, values: Iterable[float]) -> Array:
@@ -179,23 +181,6 @@ def _check_nodes(transfer: Any) -> Array:
     if nodes[:, 1:].min() < 0 or nodes[:, 1:].max() > 1:
         raise ValueError("transfer: colours and opacities must be from 0 to 1")
     return nodes
-
-
-def _make_plane(clip: Any) -> vtkPlane:
-    if isinstance(clip, vtkPlane):
-        return clip
-    try:
-        origin, normal = (tuple(float(number) for number in vector) for vector in clip)
-    except (TypeError, ValueError):
-        origin = normal = ()
-    if len(origin) != 3 or len(normal) != 3:
-        raise TypeError(f"clip must be a vtkPlane, or (point, normal), not {clip!r}")
-    if not any(normal) or not numpy.isfinite([*origin, *normal]).all():
-        raise ValueError("clip: the normal must have a length, and all numbers must be finite")
-    plane = vtkPlane()
-    plane.SetOrigin(origin)
-    plane.SetNormal(normal)
-    return plane
 
 
 class VolumePoint(NamedTuple):
@@ -232,13 +217,19 @@ class Volume(Drawing):
         time: float | None = None,
         shape_tolerance: float | None = None,
         field_tolerance: float | None = None,
+        colours: _colours.Colours | None = None,
     ) -> None:
+        self._scale = colours or _colours.Colours()
+        given = self._scale.find_given()
+        if transfer is not None and given:
+            raise ValueError(f"{given} cannot be combined with transfer, which has colours")
         self._up = _camera.find_axis(up)
         if unit_distance is not None:
             _inputs.check_number(unit_distance, "unit_distance")
         data, self._kind = _inputs.take_data(mesh, time=time)
+        self._source = mesh
         self._data, array = _quantities.add_quantity(data, array)
-        blocks = [block for block in _inputs.get_blocks(self._data) if _is_solid(block)]
+        blocks = [block for block in _inputs.get_blocks(self._data) if _section.is_solid(block)]
         if not blocks:
             raise ValueError("the mesh has no 3D cells; relevo.refined() draws surfaces")
         if str(blend).lower() not in _BLENDS:
@@ -246,6 +237,7 @@ class Volume(Drawing):
         blend = blend.lower()
         super().__init__(relevo.vtkGPUUnstructuredGridVolumeMapper(), vtkVolume())
         values, name, of_points = _find_array(blocks, array)
+        self._array = name
         self.mapper.SetInputDataObject(self._data)
         self._set_tolerances(shape_tolerance, field_tolerance)
         if of_points:
@@ -257,7 +249,7 @@ class Volume(Drawing):
             self.mapper.SetVectorMode(self.mapper.MAGNITUDE)
         self.mapper.SetBlendMode(_BLENDS.index(blend))
         if clip is not None:
-            self.mapper.AddClippingPlane(_make_plane(clip))
+            self.mapper.AddClippingPlane(_section.make_plane(clip))
         self.actor.SetMapper(self.mapper)
         self._set_look(values, transfer, unit_distance, isosurfaces, blend)
         self._table = self.actor.GetProperty().GetRGBTransferFunction()
@@ -293,6 +285,12 @@ class Volume(Drawing):
                 transfer.SetScalarOpacityUnitDistance(unit_distance)
             return
         low, high, quantiles = _get_quantiles(values)
+        if transfer is None:
+            if self._scale.of_all_steps:
+                low, high = _quantities.find_range_of_steps(
+                    self._source, self._array, self._get_range, (low, high)
+                )
+            low, high = self._scale.choose_range(low, high, self._array)
         cells_of_side = self._data.GetNumberOfElements(self._data.CELL) ** (1 / 3)
         surfaces = self._check_surfaces(isosurfaces)
         if blend == "isosurface" and not surfaces:
@@ -301,7 +299,9 @@ class Volume(Drawing):
             nodes = _check_nodes(transfer)
         else:
             thickness = _get_mean_chord(self._data) / diagonal
-            nodes = _make_nodes(low, high, quantiles, blend, cells_of_side, thickness)
+            nodes = _make_nodes(
+                low, high, quantiles, blend, cells_of_side, thickness, self._scale
+            )
             if blend in _BY_LENGTH:
                 nodes = _add_peaks(nodes, surfaces)
         colours, opacities = vtkColorTransferFunction(), vtkPiecewiseFunction()
@@ -309,6 +309,8 @@ class Volume(Drawing):
             colours.AddRGBPoint(value, red, green, blue)
             opacities.AddPoint(value, opacity)
         look = self.actor.GetProperty()
+        if transfer is None:
+            colours = self._scale.make_function(low, high)
         look.SetColor(colours)
         look.SetScalarOpacity(opacities)
         look.SetAmbient(0.3)
@@ -327,6 +329,12 @@ class Volume(Drawing):
         cells = self._data.GetNumberOfElements(self._data.CELL)
         low, high = self.actor.GetProperty().GetRGBTransferFunction().GetRange()
         return f"{cells} cells, {self._title} from {low:g} to {high:g}"
+
+    @staticmethod
+    def _get_range(data: vtkDataObject, name: str) -> tuple[float, float]:
+        """Return the range of an array in a time step."""
+        blocks = [block for block in _inputs.get_blocks(data) if _section.is_solid(block)]
+        return _get_quantiles(_find_array(blocks, name)[0])[:2]
 
     @staticmethod
     def _check_surfaces(values: Any) -> list[float]:
