@@ -9,6 +9,7 @@
 #include "Options/OptionParser.h"
 #include "Options/ProgramRun.h"
 #include "Options/ViewerUsage.h"
+#include "Scene/AxesTriad.h"
 #include "Scene/OffscreenWindow.h"
 #include "Scene/PictureSeries.h"
 #include "Scene/ReliefCaptures.h"
@@ -18,6 +19,7 @@
 #include "Text/ReadingGuard.h"
 #include "Text/ViewerMessages.h"
 #include "Window/DisplayConnection.h"
+#include "Window/ViewerScaleBar.h"
 #include "Window/ViewerWindow.h"
 
 #include "vtkRenderWindow.h"
@@ -38,6 +40,10 @@ void Draw(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& mess
   window->SetSize(options.Size[0], options.Size[1]);
   window->SetMultiSamples(4);
   window->AddRenderer(scene.GetRenderer());
+  const auto scaleBar = options.HasScaleBar
+    ? std::make_unique<ViewerScaleBar>(scene.GetRenderer(), scene.GetUnit())
+    : nullptr;
+  const auto axes = options.HasAxes ? std::make_unique<AxesTriad>(scene.GetRenderer()) : nullptr;
   if (!options.Flight.empty())
   {
     DrawFlight(scene, window, options, messages);

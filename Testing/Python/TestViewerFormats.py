@@ -375,7 +375,7 @@ class TestViewerFormats(ViewerProgram):
 
     def test_other_formats(self):
         """A file that no reader recognizes might be a mesh, so the error lists the mesh formats."""
-        formats = [".glb", ".gltf", ".obj", ".ply", ".stl", ".vtk", ".vts or .vtu files"]
+        formats = [".glb", ".gltf", ".obj", ".ply", ".stl", ".vtk", ".vts, .vtu or PLOT3D files"]
         for name in ("a.dae", "a"):
             (self.folder / name).write_text("neither heights nor a mesh\n")
             self.assert_error(1, ["Cannot read " + name, *formats], name, "--output=n.png")

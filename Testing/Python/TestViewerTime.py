@@ -2,8 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Proves viewer.md on results: formats with blocks and time steps, --time, --warp and --range."""
 
-import os
-import pathlib
 import unittest
 
 from vtkmodules.vtkCommonCore import (
@@ -14,7 +12,6 @@ from vtkmodules.vtkCommonCore import (
     vtkStringArray,
 )
 from vtkmodules.vtkCommonDataModel import (
-    VTK_HEXAHEDRON,
     VTK_QUADRATIC_HEXAHEDRON,
     vtkGenericCell,
     vtkImageData,
@@ -34,53 +31,23 @@ from vtkmodules.vtkIOXML import (
 )
 from vtkmodules.vtkImagingCore import vtkImageDifference
 
+from ResultData import (
+    CORNERS,
+    DATA,
+    TIMES,
+    add_array,
+    make_cube,
+    write_list,
+    write_series,
+)
 from ViewerProgram import ViewerProgram
 
-DATA = pathlib.Path(os.environ.get("RELEVO_TEST_DATA") or "/nonexistent") / "result"
-TIMES = [0.25, 1.0, 4.0]
-CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
 SIZE = "--size=240x180"
 
 
-def add_array(data, name, tuples):
-    array = vtkDoubleArray()
-    array.SetName(name)
-    array.SetNumberOfComponents(len(tuples[0]))
-    for values in tuples:
-        array.InsertNextTuple(values)
-    data.AddArray(array)
-
-
-def make_cube(time=1.0, offset=0.0, heat=True):
-    """A hexahedron with Heat = time * x and Move = time * (0, x, 0)."""
-    grid = vtkUnstructuredGrid()
-    points = vtkPoints()
-    for x, y, z in CORNERS:
-        points.InsertNextPoint(x + offset, y, z)
-    grid.SetPoints(points)
-    grid.InsertNextCell(VTK_HEXAHEDRON, 8, range(8))
-    if heat:
-        add_array(grid.GetPointData(), "Heat", [(time * x,) for x, y, z in CORNERS])
-    add_array(grid.GetPointData(), "Move", [(0.0, time * x, 0.0) for x, y, z in CORNERS])
-    return grid
-
-
 class TestViewerTime(ViewerProgram):
-    def write_series(self, name, *arguments, **keywords):
-        """A .pvd file of cubes."""
-        entries = []
-        for i, time in enumerate(TIMES):
-            part = f"{name}-{i}.vtu"
-            self.write_data(part, vtkXMLUnstructuredGridWriter, make_cube(time, **keywords))
-            entries.append(f'<DataSet timestep="{time}" part="0" file="{part}"/>')
-        self.write_list(name, entries)
-
-    def write_list(self, name, entries):
-        text = "".join(entries)
-        (self.folder / name).write_text(
-            f'<?xml version="1.0"?><VTKFile type="Collection" version="0.1"><Collection>{text}'
-            "</Collection></VTKFile>"
-        )
+    def write_series(self, name):
+        write_series(self.folder, name)
 
     def export(self, *arguments):
         self.view(*arguments, "--export=e.vtp", "--surface=linear", "--level=0")
@@ -215,7 +182,7 @@ class TestViewerTime(ViewerProgram):
         """Blocks are one mesh. An array that one lacks is NaN there."""
         blocks = vtkMultiBlockDataSet()
         blocks.SetBlock(0, make_cube())
-        blocks.SetBlock(1, make_cube(offset=2.0, heat=False))
+        blocks.SetBlock(1, make_cube(offset=2.0, names=["Move"]))
         self.write_data("d.vtm", vtkXMLMultiBlockDataWriter, blocks)
         mesh = self.export("d.vtm", "--array=Heat")
         self.assertEqual(mesh.GetNumberOfPolys(), 24)
@@ -343,12 +310,12 @@ class TestViewerTime(ViewerProgram):
         self.assert_error(1, ["3 components", "'Heat' has 1"], "e.pvd", "--warp=Heat", *picture)
         self.assert_error(2, ["--scale requires --height or --warp"], "e.pvd", "--scale=2", *picture)
         self.assert_error(2, ["--warp needs the name"], "e.pvd", "--warp=", *picture)
-        bare = make_cube(heat=False)
+        bare = make_cube(names=["Move"])
         bare.GetPointData().RemoveArray("Move")
         self.write_data("bare.vtu", vtkXMLUnstructuredGridWriter, bare)
         self.assert_error(1, ["--range requires colours"], "bare.vtu", "--range=0,1", *picture)
         # An array that vanishes between time steps.
-        self.write_list("v.pvd", ['<DataSet timestep="0" file="one.vtu"/>',
+        write_list(self.folder, "v.pvd", ['<DataSet timestep="0" file="one.vtu"/>',
                                   '<DataSet timestep="1" file="bare.vtu"/>'])
         self.assert_error(
             1, ["no array 'Heat' with --time 1"], "v.pvd", "--array=Heat", "--output=f%d.png"
@@ -359,7 +326,7 @@ class TestViewerTime(ViewerProgram):
             ("t.pvd", ['<DataSet timestep="x" file="one.vtu"/>'], "the time of one.vtu is not a"),
             ("l.pvd", [], "it lists no files"),
         ):
-            self.write_list(name, entries)
+            write_list(self.folder, name, entries)
             self.assert_error(1, [words], name, *picture)
         (self.folder / "x.pvd").write_text("<VTKFile><Other/></VTKFile>")
         self.assert_error(1, ["not XML with a Collection"], "x.pvd", *picture)

@@ -81,10 +81,15 @@ class TestViewerWindow(ViewerProgram):
         self.assertEqual(window.leave(), (0, ""))
 
     def test_stereo(self):
-        """VTK's key for red and blue stereo has no effect."""
+        """VTK's key for red and blue stereo has no effect, except that it is a view of meshes."""
         for scene in ((self.heights,), (self.mesh,)):
             window = self.window(*scene)
             window.move(298, 2)
+            if scene == (self.mesh,):
+                window.key("3")
+                window.expect("--view left")
+                window.key("c")
+                window.expect("here: ")
             before = window.screen()
             window.key("3")
             window.key("c")
@@ -135,6 +140,35 @@ class TestViewerWindow(ViewerProgram):
         self.assertFalse(window.pixels() == before)
         window.key("q")
         self.assertEqual(window.leave(), (0, ""))
+
+    def test_plan_views_and_ruler(self):
+        """1 to 6 look along the axes, and d measures between two points. Volumes have both, too."""
+        for options in ((), ("--volume", "--unit-distance=0.01")):
+            window = self.window(self.volume, *options)
+            for key, name in zip("123456", ("front", "back", "left", "right", "top", "bottom")):
+                window.key(key)
+                self.assertEqual(window.expect("--view"), f"--view {name}")
+            window.key("1")
+            window.expect("--view")
+            window.move(120, 100)
+            window.key("d")
+            self.assertIn("press d at the other end", window.expect("ruler: from"))
+            before = window.pixels()
+            window.move(180, 100)
+            window.key("d")
+            line = window.expect("--ruler")
+            places = [float(number) for number in line.split()[1].split(",")]
+            length = float(line.split()[-1])
+            self.assertAlmostEqual(abs(places[3] - places[0]), length, delta=0.02)
+            self.assertGreater(length, 0.1)
+            window.key("c")  # after the frame
+            window.expect("here: ")
+            self.assertFalse(window.pixels() == before)
+            window.move(298, 2)
+            window.key("d")
+            window.expect("ruler: there is nothing")
+            window.key("q")
+            self.assertEqual(window.leave(), (0, ""))
 
     def test_keys_of_time_steps(self):
         """< and > change the step. One that cannot be drawn is an error, and the old one stays."""

@@ -5,6 +5,10 @@
 #include "Files/AlgorithmReader.h"
 #include "Files/CollectionReader.h"
 #include "Files/GLTFReader.h"
+#ifdef VIEWER_HAS_PARALLEL
+#include "Files/Plot3DFile.h"
+#endif
+#include "Files/SeriesReader.h"
 #include "Files/ViewerFile.h"
 #include "Text/ViewerMessages.h"
 #include "Text/ViewerText.h"
@@ -24,6 +28,7 @@
 #ifdef VIEWER_HAS_HDF
 #include "vtkHDFReader.h"
 #endif
+#include "vtkHyperTreeGridToUnstructuredGrid.h"
 #include "vtkMicroMeshReader.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
@@ -32,10 +37,17 @@
 #endif
 #include "vtkOpenFOAMReader.h"
 #include "vtkPLYReader.h"
+#ifdef VIEWER_HAS_PARALLEL
+#include "vtkPlot3DMetaReader.h"
+#endif
 #include "vtkPolyData.h"
 #include "vtkSTLReader.h"
 #include "vtkVersion.h"
 #include "vtkXMLGenericDataObjectReader.h"
+#include "vtkXMLHyperTreeGridReader.h"
+#include "vtkXMLUniformGridAMRReader.h"
+
+#include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
 #include <fstream>
@@ -119,6 +131,26 @@ Reader OpenExodus(const std::string& fileName, ViewerMessages& messages)
 }
 #endif
 
+// All levels; the reader's default is the coarsest one.
+Reader OpenAMR(const std::string& fileName, ViewerMessages& messages)
+{
+  vtkNew<vtkXMLUniformGridAMRReader> reader;
+  reader->SetFileName(fileName.c_str());
+  reader->SetMaximumLevelsToReadByDefault(0);
+  return std::make_unique<AlgorithmReader>(reader, messages);
+}
+
+// The leaves of the trees as hexahedra or quadrilaterals.
+Reader OpenHyperTreeGrid(const std::string& fileName, ViewerMessages& messages)
+{
+  vtkNew<vtkXMLHyperTreeGridReader> reader;
+  messages.Observe(reader);
+  reader->SetFileName(fileName.c_str());
+  vtkNew<vtkHyperTreeGridToUnstructuredGrid> leaves;
+  leaves->SetInputConnection(reader->GetOutputPort());
+  return std::make_unique<AlgorithmReader>(leaves, messages);
+}
+
 Reader OpenOpenFOAM(const std::string& fileName, ViewerMessages& messages)
 {
   vtkNew<vtkOpenFOAMReader> reader;
@@ -137,7 +169,7 @@ bool IsNetCDF(const std::string& fileName)
   return start.compare(0, 3, "CDF") == 0 || start == "\x89HDF";
 }
 
-// .g files are of Exodus or of Movie.BYU.
+// .g files are of Exodus, PLOT3D or Movie.BYU.
 Reader OpenGeometry(const std::string& fileName, ViewerMessages& messages)
 {
 #ifdef VIEWER_HAS_EXODUS
@@ -146,9 +178,20 @@ Reader OpenGeometry(const std::string& fileName, ViewerMessages& messages)
     return OpenExodus(fileName, messages);
   }
 #endif
+#ifdef VIEWER_HAS_PARALLEL
+  if (IsPlot3D(fileName))
+  {
+    return OpenPlot3D(fileName, messages);
+  }
+#endif
   vtkNew<vtkBYUReader> reader;
   reader->SetGeometryFileName(fileName.c_str());
   return std::make_unique<AlgorithmReader>(reader, messages);
+}
+
+Reader OpenSeries(const std::string& fileName, ViewerMessages& messages)
+{
+  return std::make_unique<SeriesReader>(fileName, messages, MakeResultReader);
 }
 
 struct Format
@@ -167,12 +210,27 @@ const std::map<std::string, Format>& GetFormats()
       { ".g", { OpenGeometry, true } },
       { ".glb", { Make<GLTFFile>, false } },
       { ".gltf", { Make<GLTFFile>, false } },
+      { ".htg", { OpenHyperTreeGrid, true } },
       { ".obj", { Open<vtkOBJReader>, false } },
       { ".ply", { Open<vtkPLYReader>, false } },
       { ".pvd", { Make<CollectionReader>, true } },
       { ".rmm", { Open<vtkMicroMeshReader>, false } },
+      { ".series", { OpenSeries, true } },
       { ".stl", { Open<vtkSTLReader>, false } },
+      { ".vth", { OpenAMR, true } },
+      { ".vthb", { OpenAMR, true } },
       { ".vtk", { Open<vtkGenericDataObjectReader>, true } },
+      // Formats that other programs convert.
+      { ".med", { nullptr, true } },
+      { ".mesh", { nullptr, true } },
+      { ".meshb", { nullptr, true } },
+      { ".msh", { nullptr, true } },
+#ifdef VIEWER_HAS_PARALLEL
+      { ".p3d", { Open<vtkPlot3DMetaReader>, true } },
+      { "PLOT3D", { OpenPlot3D, true } },
+#else
+      { ".p3d", { nullptr, true } },
+#endif
 #if __has_include("vtkOFFReader.h") // since VTK 9.4
       { ".off", { Open<vtkOFFReader>, false } },
 #else
@@ -216,6 +274,20 @@ const std::map<std::string, Format>& GetFormats()
   return formats;
 }
 
+// The format of a file by its extension, or by its content where the extension is ambiguous.
+std::map<std::string, Format>::const_iterator FindFormat(const std::string& fileName)
+{
+  const std::string extension = GetExtension(fileName);
+#ifdef VIEWER_HAS_PARALLEL
+  static const std::set<std::string> ambiguous = { ".bin", ".grd", ".x", ".xyz" };
+  if (ambiguous.count(extension) > 0 && IsPlot3D(fileName))
+  {
+    return GetFormats().find("PLOT3D");
+  }
+#endif
+  return GetFormats().find(extension);
+}
+
 std::string ListFormats(bool areVolumes)
 {
   std::vector<std::string> extensions;
@@ -233,13 +305,13 @@ std::string ListFormats(bool areVolumes)
 //------------------------------------------------------------------------------
 bool IsMeshFile(const std::string& fileName)
 {
-  return GetFormats().count(GetExtension(fileName)) > 0;
+  return FindFormat(fileName) != GetFormats().end();
 }
 
 //------------------------------------------------------------------------------
 bool IsVolumeFile(const std::string& fileName)
 {
-  const auto format = GetFormats().find(GetExtension(fileName));
+  const auto format = FindFormat(fileName);
   return format != GetFormats().end() && format->second.CanHaveVolumes;
 }
 
@@ -275,7 +347,16 @@ std::unique_ptr<ResultReader> MakeResultReader(
   const std::string& fileName, ViewerMessages& messages)
 {
   const std::string extension = GetExtension(fileName);
-  const auto format = GetFormats().find(extension);
+  const auto format = FindFormat(fileName);
+  static const std::map<std::string, std::string> converted = { { ".med", "MED" },
+    { ".mesh", "MEDIT" }, { ".meshb", "MEDIT" }, { ".msh", "Gmsh" } };
+  if (converted.count(extension) > 0)
+  {
+    const std::string name = vtksys::SystemTools::GetFilenameName(fileName);
+    throw ViewerError("VTK has no reader for files of " + converted.at(extension) +
+      "; convert it, for example with meshio: meshio convert " + name + " " +
+      vtksys::SystemTools::GetFilenameWithoutLastExtension(name) + ".vtu");
+  }
   if (format == GetFormats().end() || !format->second.Open)
   {
     throw ViewerError("VTK " + std::string(vtkVersion::GetVTKVersion()) + " cannot read " +

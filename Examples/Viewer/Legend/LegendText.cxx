@@ -104,6 +104,37 @@ LegendLabels MakeLegendLabels(const double range[2], int number)
 }
 
 //------------------------------------------------------------------------------
+LegendLabels MakeLogLegendLabels(const double range[2], int most)
+{
+  const auto label = [](double value)
+  {
+    std::ostringstream digits;
+    digits << std::setprecision(3) << value;
+    std::ostringstream text; // 1000 instead of 1e+03
+    text << std::stod(digits.str());
+    return LegendLabel{ value, text.str() };
+  };
+  LegendLabels legend;
+  legend.Labels.push_back(label(range[0]));
+  if (!(range[1] > range[0]))
+  {
+    return legend;
+  }
+  const double length = std::log10(range[1] / range[0]);
+  // Keeps the labels of the ends free.
+  const double margin = length / std::max(most - 1, 1);
+  const auto first = static_cast<int>(std::ceil(std::log10(range[0]) + margin - 1e-9));
+  const auto last = static_cast<int>(std::floor(std::log10(range[1]) - margin + 1e-9));
+  const int step = std::max(static_cast<int>(std::ceil(margin - 1e-9)), 1);
+  for (int exponent = first; exponent <= last; exponent += step)
+  {
+    legend.Labels.push_back(label(std::pow(10.0, exponent)));
+  }
+  legend.Labels.push_back(label(range[1]));
+  return legend;
+}
+
+//------------------------------------------------------------------------------
 std::string MakeLegendTitle(const std::string& name, const std::string& unit)
 {
   const bool hasUnit =

@@ -26,6 +26,10 @@ struct LegendLabels
 /// is a point.
 LegendLabels MakeLegendLabels(const double range[2], int number);
 
+/// The ends of a range above 0, and powers of ten between them: all, or every second, third and so
+/// on, so that there are at most `most` labels.
+LegendLabels MakeLogLegendLabels(const double range[2], int most);
+
 /// The title with its unit, if it is known and the title does not already end with one.
 std::string MakeLegendTitle(const std::string& name, const std::string& unit);
 

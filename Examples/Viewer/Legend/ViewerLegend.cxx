@@ -8,7 +8,9 @@
 #include "vtkActor2D.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkCommand.h"
+#include "vtkLookupTable.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper2D.h"
@@ -32,9 +34,11 @@ const int SmallestSize[2] = { 240, 180 };
 const int BarWidth = 20;
 const int HighestBar = 200;
 const int LowestBar = 60;
-const int RowHeight = 20;  // pixels, in an indexed table
-const int LowestRow = 12;  // pixels, in an indexed table
-const int LabelPitch = 18; // smallest distance of labels
+const int RowHeight = 20;   // pixels, in an indexed table
+const int LowestRow = 12;   // pixels, in an indexed table
+const int LabelPitch = 18;  // smallest distance of labels
+const int SwatchHeight = 8; // of colours below and above the range
+const int SwatchGap = 2;
 const int Gap = 6;
 const int FontSize = 14;
 const int NarrowestTitle = 110;
@@ -114,8 +118,11 @@ void ViewerLegend::LayOut(const int size[2])
   const int titleHeight = box[3] - box[2] + 1;
   // The labels at the ends extend beyond the bar by half their height.
   const int overhang = this->Table->GetIndexedLookup() ? 0 : FontSize / 2;
-  const int top = size[1] - margin - titleHeight - Gap - overhang;
-  const int height = this->GetBarHeight(top - margin - overhang);
+  const int swatch = SwatchGap + SwatchHeight;
+  const int overhangs[2] = { this->GetBelowColor() ? std::max(overhang, swatch) : overhang,
+    this->GetAboveColor() ? std::max(overhang, swatch) : overhang };
+  const int top = size[1] - margin - titleHeight - Gap - overhangs[1];
+  const int height = this->GetBarHeight(top - margin - overhangs[0]);
   const bool isShown = height > 0 && size[0] >= SmallestSize[0] && size[1] >= SmallestSize[1];
   const std::vector<Row> rows = isShown ? this->GetRows(height) : std::vector<Row>();
   int labelWidth = 0;
@@ -144,7 +151,7 @@ void ViewerLegend::LayOut(const int size[2])
   {
     this->DrawBar(margin, top - height, height);
     this->Corner = { { margin + std::max(box[1] - box[0] + 1, BarWidth + Gap + labelWidth) + Gap,
-      size[1] - top + height + overhang + Gap } };
+      size[1] - top + height + overhangs[0] + Gap } };
     this->DrawGround(size);
   }
 }
@@ -169,7 +176,7 @@ void ViewerLegend::SetTitle(const int size[2], int margin)
   {
     title = WrapText(this->Name, limit, MaximumLines, getWidth);
   }
-  if (!this->Table->GetIndexedLookup())
+  if (!this->Table->GetIndexedLookup() && !this->IsLogarithmic())
   {
     const std::string factor = MakeLegendLabels(this->Table->GetRange(), 2).Factor;
     title.Text += factor.empty() ? "" : "\n" + factor;
@@ -204,8 +211,19 @@ std::vector<ViewerLegend::Row> ViewerLegend::GetRows(int barHeight)
     return rows;
   }
   const double* range = this->Table->GetRange();
-  // A short bar has fewer labels, still evenly spaced.
   const int most = barHeight / LabelPitch + 1;
+  if (this->IsLogarithmic())
+  {
+    for (const LegendLabel& label : MakeLogLegendLabels(range, most).Labels)
+    {
+      const double position = range[1] > range[0]
+        ? std::log(label.Value / range[0]) / std::log(range[1] / range[0])
+        : 0.5;
+      rows.push_back({ position, label.Text });
+    }
+    return rows;
+  }
+  // A short bar has fewer labels, still evenly spaced.
   int number = std::min(this->NumberOfLabels, most);
   while (number > 2 && (this->NumberOfLabels - 1) % (number - 1) != 0)
   {
@@ -270,23 +288,36 @@ void ViewerLegend::DrawGround(const int size[2])
 //------------------------------------------------------------------------------
 void ViewerLegend::DrawBar(int left, int bottom, int height)
 {
-  // One rectangle per row of pixels.
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> quads;
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
-  for (int i = 0; i < height; ++i)
+  const auto add = [&](int lower, int upper, const double color[3])
   {
     const vtkIdType first = points->GetNumberOfPoints();
-    points->InsertNextPoint(left, bottom + i, 0.0);
-    points->InsertNextPoint(left + BarWidth, bottom + i, 0.0);
-    points->InsertNextPoint(left + BarWidth, bottom + i + 1, 0.0);
-    points->InsertNextPoint(left, bottom + i + 1, 0.0);
+    points->InsertNextPoint(left, lower, 0.0);
+    points->InsertNextPoint(left + BarWidth, lower, 0.0);
+    points->InsertNextPoint(left + BarWidth, upper, 0.0);
+    points->InsertNextPoint(left, upper, 0.0);
     quads->InsertNextCell({ first, first + 1, first + 2, first + 3 });
-    double color[3];
-    this->GetColor((i + 0.5) / height, color);
     colors->InsertNextTuple3(
       std::round(255.0 * color[0]), std::round(255.0 * color[1]), std::round(255.0 * color[2]));
+  };
+  // One rectangle per row of pixels.
+  for (int i = 0; i < height; ++i)
+  {
+    double color[3];
+    this->GetColor((i + 0.5) / height, color);
+    add(bottom + i, bottom + i + 1, color);
+  }
+  if (const double* below = this->GetBelowColor())
+  {
+    add(bottom - SwatchGap - SwatchHeight, bottom - SwatchGap, below);
+  }
+  if (const double* above = this->GetAboveColor())
+  {
+    const int top = bottom + height;
+    add(top + SwatchGap, top + SwatchGap + SwatchHeight, above);
   }
   this->BarShape->SetPoints(points);
   this->BarShape->SetPolys(quads);
@@ -305,7 +336,40 @@ void ViewerLegend::GetColor(double position, double color[3])
     return;
   }
   const double* range = this->Table->GetRange();
-  this->Table->GetColor(range[0] + position * (range[1] - range[0]), color);
+  this->Table->GetColor(this->IsLogarithmic() ? range[0] * std::pow(range[1] / range[0], position)
+                                              : range[0] + position * (range[1] - range[0]),
+    color);
+}
+
+//------------------------------------------------------------------------------
+bool ViewerLegend::IsLogarithmic() const
+{
+  auto* function = vtkColorTransferFunction::SafeDownCast(this->Table);
+  return this->Table->UsingLogScale() || (function && function->GetScale() == VTK_CTF_LOG10);
+}
+
+//------------------------------------------------------------------------------
+const double* ViewerLegend::GetBelowColor() const
+{
+  auto* function = vtkColorTransferFunction::SafeDownCast(this->Table);
+  auto* table = vtkLookupTable::SafeDownCast(this->Table);
+  const bool isUsed = function ? function->GetUseBelowRangeColor() != 0
+                               : table && table->GetUseBelowRangeColor() != 0;
+  return !isUsed ? nullptr
+    : function   ? function->GetBelowRangeColor()
+                 : table->GetBelowRangeColor();
+}
+
+//------------------------------------------------------------------------------
+const double* ViewerLegend::GetAboveColor() const
+{
+  auto* function = vtkColorTransferFunction::SafeDownCast(this->Table);
+  auto* table = vtkLookupTable::SafeDownCast(this->Table);
+  const bool isUsed = function ? function->GetUseAboveRangeColor() != 0
+                               : table && table->GetUseAboveRangeColor() != 0;
+  return !isUsed ? nullptr
+    : function   ? function->GetAboveRangeColor()
+                 : table->GetAboveRangeColor();
 }
 
 //------------------------------------------------------------------------------

@@ -57,6 +57,10 @@ private:
   void DrawGround(const int size[2]);
   void DrawBar(int left, int bottom, int height);
   void GetColor(double position, double color[3]);
+  bool IsLogarithmic() const;
+  /// Colours of values below and above the range, or nullptr if they are those of its ends.
+  const double* GetBelowColor() const;
+  const double* GetAboveColor() const;
   vtkSmartPointer<vtkTextActor> AddText();
 
   vtkRenderer* Renderer;

@@ -17,8 +17,8 @@
 namespace
 {
 // Options for the view and the picture, valid for all inputs.
-const std::set<std::string> OfAll = { "--center", "--no-legend", "--output", "--size", "--stats",
-  "--up", "--view", "--zoom" };
+const std::set<std::string> OfAll = { "--center", "--no-legend", "--output", "--scale-bar",
+  "--size", "--stats", "--up", "--view", "--zoom" };
 
 bool IsOneOf(const std::string& option, const std::set<std::string>& options)
 {
@@ -100,8 +100,9 @@ private:
     {
       const std::string& option = given.first;
       if (options.IsVolume && !IsOneOf(option, ofVolumes) && !IsOneOf(option, OfAll) &&
-        !IsOneOf(
-          option, { "--clip", "--light", "--palette", "--range", "--scale", "--time", "--warp" }))
+        !IsOneOf(option,
+          { "--above", "--axes", "--below", "--clip", "--extremes", "--light", "--log", "--palette",
+            "--range", "--ruler", "--scale", "--time", "--warp" }))
       {
         throw UsageError(option + " cannot be combined with --volume");
       }
@@ -117,7 +118,8 @@ private:
     this->RequirePartner({ "--unit-distance" },
       blend == vtkVolumeMapper::COMPOSITE_BLEND || blend == vtkVolumeMapper::ADDITIVE_BLEND,
       "--blend composite or additive");
-    this->Exclude({ "--palette", "--range" }, !options.Transfer.empty(), "--transfer");
+    this->Exclude({ "--above", "--below", "--log", "--palette", "--range" },
+      !options.Transfer.empty(), "--transfer");
     if (this->Given.count("--transfer") && options.Transfer.empty())
     {
       throw UsageError("--transfer needs the name of a file");
@@ -168,8 +170,23 @@ private:
     using Surface = ViewerOptions::SurfaceType;
     this->RequirePartner({ "--exaggeration", "--imagery-bands", "--resolution", "--stretch" },
       options.IsTerrain(), "a height map, and '" + options.Input + "' is a mesh");
-    this->RequireMesh({ "--array", "--clip", "--feature-angle", "--height", "--mapping", "--offset",
-      "--scale", "--time", "--warp" });
+    this->RequireMesh({ "--streamlines" }, GetVolumeFormats());
+    this->RequirePartner(
+      { "--seed-line", "--seeds" }, !options.Streamlines.empty(), "--streamlines");
+    this->Exclude({ "--export", "--height", "--imagery", "--image", "--lic", "--micromesh",
+                    "--relief", "--capture" },
+      !options.Streamlines.empty(), "--streamlines");
+    this->RequireMesh(
+      { "--above", "--array", "--axes", "--below", "--clip", "--extremes", "--feature-angle",
+        "--height", "--log", "--mapping", "--offset", "--ruler", "--scale", "--time", "--warp" });
+    if (options.HasRangeOfAllSteps)
+    {
+      this->RequireMesh({ "--range" });
+    }
+    if (options.HasLogColors && options.Range && !((*options.Range)[0] > 0.0))
+    {
+      throw UsageError("--log needs a --range above 0, not '" + this->Given.at("--range") + "'");
+    }
     this->RequirePartner({ "--up" }, !options.IsTerrain(),
       "a mesh, and '" + options.Input + "' is read as a height map");
     const bool hasHeights = !options.IsMesh || !options.Heights.empty();
@@ -205,6 +222,7 @@ private:
     this->RequireMesh({ "--hair", "--isolines", "--patch-edges" });
     this->RequirePartner({ "--isolines", "--patch-edges" }, canBePatch, "--surface patch");
     this->Exclude({ "--isolines", "--patch-edges" }, !options.Vectors.empty(), "--lic");
+    this->Exclude({ "--isolines" }, options.HasLogColors, "--log");
     this->Exclude({ "--feature-angle" }, options.IsPatch(), "--surface patch");
     if (options.Hairs == 0 && options.GetMetric() != Metric::Height)
     {

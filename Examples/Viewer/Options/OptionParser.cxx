@@ -37,6 +37,7 @@ const int LargestMemory = 1024 * 1024; // MiB
 const int MaximumSteps = 1000;
 const int MaximumHairs = 10000000;
 const int MaximumIsolines = 1000;
+const int MaximumSeeds = 100000;
 const double LowestError = 0.001; // the smallest ScreenSpaceError
 const double HighestError = 1e6;
 const double LowestTolerance = 1e-6; // of curved cells
@@ -65,6 +66,7 @@ public:
     this->AddPatches();
     this->AddFlow();
     this->AddVolume();
+    this->AddStreamlines();
     this->AddContact();
     this->AddRelief();
     this->AddLevels();
@@ -105,14 +107,18 @@ private:
   {
     ViewerOptions& options = this->Options;
     this->AllFlags = {
+      { "--axes", [&] { options.HasAxes = true; } },
       { "--contour-labels", [&] { options.ContourLabels = true; } },
+      { "--extremes", [&] { options.HasExtremes = true; } },
       { "--globe", [&] { options.Globe = true; } },
       { "--help", [&] { options.Help = true; } },
       { "-h", [&] { options.Help = true; } },
+      { "--log", [&] { options.HasLogColors = true; } },
       { "--no-geomorphing", [&] { options.Geomorphing = false; } },
       { "--no-legend", [&] { options.Legend = false; } },
       { "--patch-edges", [&] { options.PatchEdges = true; } },
       { "--per-edge", [&] { options.PerEdge = true; } },
+      { "--scale-bar", [&] { options.HasScaleBar = true; } },
       { "--stats", [&] { options.Statistics = true; } },
       { "--stretch", [&] { options.Stretch = true; } },
       { "--version", [&] { options.Version = true; } },
@@ -189,7 +195,15 @@ private:
           options.Palette = ToChoice<std::string>(option, value, choices);
         } },
       { "--range",
-        [&](const auto& option, const auto& value) { options.Range = ToRange(option, value); } },
+        [&](const auto& option, const auto& value)
+        {
+          options.Range.reset();
+          options.HasRangeOfAllSteps = value == "all";
+          if (!options.HasRangeOfAllSteps)
+          {
+            options.Range = ToRange(option, value);
+          }
+        } },
       { "--resolution",
         [&](const auto& option, const auto& value)
         { options.Resolution = ToInteger(option, value, 1, LargestResolution); } },
@@ -203,6 +217,9 @@ private:
   {
     ViewerOptions& options = this->Options;
     this->AllSettings.insert({
+      { "--above",
+        [&](const auto& option, const auto& value)
+        { options.AboveColor = ToColor(option, value); } },
       { "--array",
         [&](const auto& option, const auto& value)
         {
@@ -212,6 +229,9 @@ private:
           }
           options.Array = value;
         } },
+      { "--below",
+        [&](const auto& option, const auto& value)
+        { options.BelowColor = ToColor(option, value); } },
       { "--feature-angle",
         [&](const auto& option, const auto& value)
         { options.FeatureAngle = ToNumber(option, value, 0.0, 180.0); } },
@@ -344,6 +364,28 @@ private:
           using Mapper = vtkGPUUnstructuredGridVolumeMapper;
           options.VolumeMethod = ToChoice<int>(option, value,
             { { "ray", Mapper::RAY_CASTING }, { "projection", Mapper::CELL_PROJECTION } });
+        } },
+    });
+  }
+
+  void AddStreamlines()
+  {
+    ViewerOptions& options = this->Options;
+    this->AllSettings.insert({
+      { "--seed-line",
+        [&](const auto& option, const auto& value)
+        { options.SeedLine = ToNumbers(option, value, "X,Y,Z,X,Y,Z"); } },
+      { "--seeds",
+        [&](const auto& option, const auto& value)
+        { options.Seeds = ToInteger(option, value, 1, MaximumSeeds); } },
+      { "--streamlines",
+        [&](const auto& option, const auto& value)
+        {
+          if (value.empty())
+          {
+            throw UsageError(option + " needs the name of an array of vectors");
+          }
+          options.Streamlines = value;
         } },
     });
   }
@@ -501,11 +543,17 @@ private:
       { "--output",
         [&](const auto& option, const auto& value)
         { options.Output = ToFileName(option, value, { ".png" }); } },
+      { "--ruler",
+        [&](const auto& option, const auto& value)
+        { options.Ruler = ToNumbers(option, value, "X,Y,Z,X,Y,Z"); } },
       { "--size",
         [&](const auto& option, const auto& value) { ToSize(option, value, options.Size); } },
       { "--view",
         [&](const auto& option, const auto& value)
-        { options.View = ToDirection(option, value, 90.0); } },
+        {
+          const auto view = FindPlanView(value);
+          options.View = view ? view : ToDirection(option, value, 90.0);
+        } },
       { "--zoom",
         [&](const auto& option, const auto& value)
         { options.Zoom = ToNumber(option, value, LowestZoom, HighestZoom); } },

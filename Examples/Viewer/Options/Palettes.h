@@ -19,8 +19,8 @@ class vtkColorTransferFunction;
 std::vector<std::string> GetPaletteNames();
 
 /// The colours of a palette over a range of values. Heights have "relief" by default: green
-/// lowlands to white summits.
+/// lowlands to white summits. A logarithmic scale needs a range above 0.
 vtkSmartPointer<vtkColorTransferFunction> MakePalette(
-  const std::string& name, const std::array<double, 2>& range);
+  const std::string& name, const std::array<double, 2>& range, bool isLogarithmic = false);
 
 #endif

@@ -4,6 +4,10 @@
 
 #include "Files/ViewerFile.h"
 
+#include "vtkColor.h"
+#include "vtkNamedColors.h"
+#include "vtkNew.h"
+
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
@@ -140,6 +144,20 @@ std::array<double, 2> ToRange(const std::string& option, const std::string& text
 }
 
 //------------------------------------------------------------------------------
+std::array<double, 3> ToColor(const std::string& option, const std::string& text)
+{
+  const bool isNumber = text.size() == 7 && text[0] == '#' &&
+    text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+  vtkNew<vtkNamedColors> colours;
+  if (!isNumber && (text.empty() || !colours->ColorExists(text)))
+  {
+    throw BadValue(option, "a colour such as white or #ff8800", text);
+  }
+  const vtkColor3ub bytes = isNumber ? colours->HTMLColorToRGB(text) : colours->GetColor3ub(text);
+  return { { bytes.GetRed() / 255.0, bytes.GetGreen() / 255.0, bytes.GetBlue() / 255.0 } };
+}
+
+//------------------------------------------------------------------------------
 std::vector<double> ToPlane(const std::string& option, const std::string& text)
 {
   const std::vector<double> numbers = ToNumbers(option, text, "X,Y,Z,NX,NY,NZ");
@@ -157,6 +175,16 @@ std::array<double, 2> ToDirection(
   const auto angles = ToNumbers(option, text, "AZIMUTH,ELEVATION");
   ToNumber(option + "'s elevation", Split(text)[1], -highest, highest);
   return { { angles[0], angles[1] } };
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::array<double, 2>> FindPlanView(const std::string& name)
+{
+  static const std::map<std::string, std::array<double, 2>> views = { { "front", { 180.0, 0.0 } },
+    { "back", { 0.0, 0.0 } }, { "left", { 270.0, 0.0 } }, { "right", { 90.0, 0.0 } },
+    { "top", { 180.0, 90.0 } }, { "bottom", { 180.0, -90.0 } } };
+  const auto found = views.find(name);
+  return found == views.end() ? std::nullopt : std::make_optional(found->second);
 }
 
 //------------------------------------------------------------------------------

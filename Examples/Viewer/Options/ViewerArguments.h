@@ -40,12 +40,19 @@ std::vector<double> ToList(const std::string& option, const std::string& text);
 /// A,B: A is less than B.
 std::array<double, 2> ToRange(const std::string& option, const std::string& text);
 
+/// Red, green and blue from 0 to 1 of `#rrggbb` or of a name of HTML, such as `white`.
+std::array<double, 3> ToColor(const std::string& option, const std::string& text);
+
 /// X,Y,Z,NX,NY,NZ: a point and a nonzero normal.
 std::vector<double> ToPlane(const std::string& option, const std::string& text);
 
 /// AZIMUTH,ELEVATION in degrees. The elevation is at most the given one, upwards or downwards.
 std::array<double, 2> ToDirection(
   const std::string& option, const std::string& text, double highest);
+
+/// Azimuth and elevation of `front`, `back`, `left`, `right`, `top` or `bottom`; nothing for other
+/// words.
+std::optional<std::array<double, 2>> FindPlanView(const std::string& name);
 
 /// Longitude and latitude of `86.925E,27.988N`, in either order. Returns nothing if no part has
 /// such a letter.

@@ -80,6 +80,10 @@ struct ViewerOptions
 
   // Colours: the values of the first and the last.
   std::optional<std::array<double, 2>> Range;
+  bool HasRangeOfAllSteps = false; // the first step decides otherwise, later ones extend the range
+  bool HasLogColors = false;
+  std::optional<std::array<double, 3>> BelowColor; // of values below the range; red, green, blue
+  std::optional<std::array<double, 3>> AboveColor;
 
   // Only for terrain.
   int ImageryBands[3] = { 0, 0, 0 }; // as in vtkTerrainSource
@@ -115,6 +119,17 @@ struct ViewerOptions
   // Dense meshes as coarse meshes with displacements.
   std::string MicroMesh;                // output file
   std::optional<double> ToleranceShare; // of the diagonal
+
+  // Additions to pictures of meshes and volumes.
+  bool HasExtremes = false; // labels of the largest and the smallest value
+  bool HasAxes = false;
+  bool HasScaleBar = false;
+  std::optional<std::vector<double>> Ruler; // two points
+
+  // Streamlines through meshes. Without an array there are none.
+  std::string Streamlines;
+  std::optional<int> Seeds;
+  std::optional<std::vector<double>> SeedLine; // two points
 
   // Streaks along vectors of meshes. Without an array there are none.
   std::string Vectors;
@@ -188,6 +203,8 @@ struct ViewerOptions
   }
   /// Whether several pictures are written, numbered by the name of the output.
   bool IsSeries() const { return IsFramePattern(this->Output); }
+  /// Whether the range of the colours covers the values of all time steps.
+  bool CoversAllSteps() const { return this->IsSeries() || this->HasRangeOfAllSteps; }
   bool IsTerrain() const { return !this->IsMesh && !this->IsDatabase; }
   /// Whether curved cells are requested. By default, a file that contains some is drawn this way.
   bool IsPatch() const { return this->Surface == SurfaceType::Patch; }

@@ -68,14 +68,25 @@ Meshes:
   --array NAME           point or cell array to colour by (default: the active scalars), or a quantity
                          of one: 'von Mises of A', 'Tresca of A', 'principal 1 of A', 'x of A',
                          'xy of A', 'magnitude of A', 'component 0 of A'
+  --log                  a logarithmic scale of the colours. Values must be above 0, or --range
+  --below, --above COLOR colour of values below or above --range: a name such as white, or #rrggbb
+                         (default: the first or the last colour)
   --time T               the time step nearest to T (default: the first one)
   --warp ARRAY           move the points by a point array of 3 components, such as displacements,
                          times --scale (default 1)
   --clip X,Y,Z,NX,NY,NZ  cut away everything behind the plane through X,Y,Z with the normal NX,NY,NZ.
                          A cut through 3D cells is filled, and shows their edges
+  --extremes             label the largest and the smallest visible value
+  --ruler X,Y,Z,X,Y,Z    show the distance between two points
+  --axes                 show the directions of the axes
   --feature-angle DEG    keep edges sharp where faces meet at more than this angle (default 30
                          without --surface)
   --up x|y|z             the axis that points up (default y)
+  --streamlines ARRAY    draw streamlines along a point or cell array of 3 components through the mesh,
+                         in a transparent surface. Colours show its length unless --array is given
+  --seeds N              number of points where streamlines begin, 1 to 100000 (default 100)
+  --seed-line X,Y,Z,X,Y,Z
+                         seeds are on this line (default: in the middles of cells)
   --lic ARRAY            draw streaks along a point or cell array of 2 or 3 components, by line
                          integral convolution. Colours show its length unless --array or --image is
                          given
@@ -90,7 +101,7 @@ Meshes:
   --lic-phase P          phase of the animation, in loops (default 0)
 
 Curved cells and hair (see also --error):
-  --isolines N           N isolines of the point array that colours the mesh
+  --isolines N           N isolines of the point array that colours the mesh, also in a cut
   --patch-edges          draw the edges of the cells, not those of triangles
   --hair N               grow N hairs on the mesh, each about 0.05 of its diagonal long
 
@@ -176,20 +187,24 @@ The picture:
                          directions in which it falls, clockwise from north, or grey relief, with the
                          sun in the north-west
   --range A,B            values that the first and the last colour stand for, A less than B (default:
-                         all values of the picture, or of all time steps)
+                         all values of the picture; of a series of pictures, of all time steps).
+                         all: of all time steps
   --palette NAME         colours of arrays (default viridis), heights (default relief), slopes (default
                          heat) or aspects (default cyclic): cool-warm, cyclic, grey, heat, magma,
                          rainbow, relief, viridis, water
   --wireframe            draw the edges of the refined triangles
   --view AZ,EL           side that the camera looks from, in degrees: azimuth, clockwise from north
                          (for meshes with y up, from -z), and elevation, -90 to 90 (default 192,38;
-                         meshes 205,20). 180,90 is a map with north up
+                         meshes 205,20). 180,90 is a map with north up. front, back, left, right,
+                         top and bottom are views along the axes: 180,0, 0,0, 270,0, 90,0, 180,90
+                         and 180,-90
   --center X,Y[,Z]       point in the middle of the picture: in metres from a terrain's centre, with
                          Z on the terrain by default; in degrees such as 86.925E,27.988N; or X,Y,Z
                          in the coordinates of a mesh (default: the middle of the data)
   --zoom F               magnify F times about the middle of the picture, 0.001 to 1e6 (default 1)
   --light AZ,EL          side that the light comes from, as in --view (default 315,40; meshes
                          250,45). Weaker lights turn with it
+  --scale-bar            show a scale, also in a picture. It is valid at the distance of the centre
   --no-legend            draw no legend of the colours
   --stats                print numbers of faces, triangles and draw calls, graphics memory and times.
                          Not with --flight
@@ -241,6 +256,8 @@ const char* GetWindowUsage()
   . ,                     volumes: raise, lower the isovalues
   <, >                    the time step before, the next one
   m, n                    move a cut through a mesh or volume forward, back
+  1 to 6                  meshes and volumes: front, back, left, right, top, bottom
+  d                       the distance between two points under the mouse: press it at both
   h                       this help
   q, e                    quit)";
 }

@@ -4,13 +4,23 @@
 
 #include "Files/ViewerFile.h"
 #include "Options/Palettes.h"
+#include "Options/ViewerOptions.h"
 #include "Text/ReadingGuard.h"
 #include "Text/ViewerMessages.h"
+#include "Text/ViewerText.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkImageData.h"
 #include "vtkImageReader2.h"
 #include "vtkImageReader2Factory.h"
+#include "vtkLookupTable.h"
+
+#include <cmath>
+
+namespace
+{
+const int LogColors = 1024;
+}
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> ReadImage(const std::string& fileName, ViewerMessages& messages)
@@ -32,22 +42,65 @@ vtkSmartPointer<vtkImageData> ReadImage(const std::string& fileName, ViewerMessa
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkScalarsToColors> MakeColours(const std::string& palette, const double range[2])
+vtkSmartPointer<vtkColorTransferFunction> MakeColourFunction(
+  const ViewerOptions& options, const double range[2])
 {
-  if (!palette.empty())
+  const auto table = MakePalette(options.Palette.empty() ? "viridis" : options.Palette,
+    { { range[0], range[1] } }, options.HasLogColors);
+  if (options.BelowColor)
   {
-    const auto named = MakePalette(palette, { { range[0], range[1] } });
-    named->SetVectorModeToMagnitude();
-    return named;
+    table->SetBelowRangeColor(options.BelowColor->data());
+    table->UseBelowRangeColorOn();
   }
-  const double colours[][3] = { { 0.267, 0.005, 0.329 }, { 0.229, 0.322, 0.546 },
-    { 0.128, 0.567, 0.551 }, { 0.369, 0.789, 0.383 }, { 0.993, 0.906, 0.144 } };
-  auto table = vtkSmartPointer<vtkColorTransferFunction>::New();
-  table->SetVectorModeToMagnitude();
-  for (int i = 0; i < 5; ++i)
+  if (options.AboveColor)
   {
-    table->AddRGBPoint(
-      range[0] + 0.25 * i * (range[1] - range[0]), colours[i][0], colours[i][1], colours[i][2]);
+    table->SetAboveRangeColor(options.AboveColor->data());
+    table->UseAboveRangeColorOn();
   }
   return table;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkScalarsToColors> MakeColours(const ViewerOptions& options, const double range[2])
+{
+  const auto function = MakeColourFunction(options, range);
+  function->SetVectorModeToMagnitude();
+  if (!options.HasLogColors)
+  {
+    return function;
+  }
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetVectorModeToMagnitude();
+  table->SetNumberOfTableValues(LogColors);
+  table->SetTableRange(function->GetRange());
+  table->SetScaleToLog10();
+  const double low = std::log(function->GetRange()[0]);
+  const double high = std::log(function->GetRange()[1]);
+  for (int i = 0; i < LogColors; ++i)
+  {
+    const double* color = function->GetColor(std::exp(low + (i + 0.5) / LogColors * (high - low)));
+    table->SetTableValue(i, color[0], color[1], color[2], 1.0);
+  }
+  const double* below = function->GetBelowRangeColor();
+  table->SetBelowRangeColor(below[0], below[1], below[2], 1.0);
+  table->SetUseBelowRangeColor(function->GetUseBelowRangeColor());
+  const double* above = function->GetAboveRangeColor();
+  table->SetAboveRangeColor(above[0], above[1], above[2], 1.0);
+  table->SetUseAboveRangeColor(function->GetUseAboveRangeColor());
+  return table;
+}
+
+//------------------------------------------------------------------------------
+void CheckRange(const ViewerOptions& options, const std::string& array, const double range[2])
+{
+  if (!options.HasLogColors || range[0] > 0.0)
+  {
+    return;
+  }
+  const std::string values = "--log needs values above 0, and '" + array + "' is from " +
+    JoinNumbers({ range[0] }) + " to " + JoinNumbers({ range[1] });
+  throw ViewerError(options.Input + ": " + values +
+    (range[1] > 0.0 ? "; set the lowest coloured value, for example --range " +
+          JoinNumbers({ 1e-3 * range[1], range[1] })
+                    : "; omit --log"));
 }

@@ -5,6 +5,7 @@
 #include "Files/MeshReader.h"
 #include "Files/RasterEnd.h"
 #include "Legend/ArrayUnit.h"
+#include "Scene/ArrayExtremes.h"
 #include "Scene/ArrayNames.h"
 #include "Scene/CellNumbers.h"
 #include "Scene/MeshColours.h"
@@ -13,6 +14,7 @@
 #include "Scene/MeshSection.h"
 #include "Scene/MicroMeshes.h"
 #include "Scene/OffscreenWindow.h"
+#include "Scene/StreamlineActor.h"
 #include "Scene/TimeSteps.h"
 #include "Scene/ViewerFlow.h"
 #include "Scene/ViewerHair.h"
@@ -55,6 +57,8 @@
 
 namespace
 {
+const double OpacityAroundLines = 0.15; // of a surface with streamlines inside
+
 // The mean length of all polygons' edges, in the mesh's units.
 double GetMeanEdgeLength(vtkPolyData* mesh)
 {
@@ -78,6 +82,18 @@ double GetMeanEdgeLength(vtkPolyData* mesh)
   return number > 0 ? sum / number : 0.0;
 }
 
+// An option that requires colours by an array, or "".
+std::string FindColourOption(const ViewerOptions& options)
+{
+  return options.Range || options.HasRangeOfAllSteps ? "--range"
+    : !options.Palette.empty()                       ? "--palette"
+    : options.HasLogColors                           ? "--log"
+    : options.BelowColor                             ? "--below"
+    : options.AboveColor                             ? "--above"
+    : options.HasExtremes                            ? "--extremes"
+                                                     : "";
+}
+
 // The surface's polygons, and all other points that must fit into the view.
 vtkSmartPointer<vtkPolyData> WithPoints(vtkPolyData* surface, vtkDataObject* others)
 {
@@ -95,6 +111,7 @@ vtkSmartPointer<vtkPolyData> WithPoints(vtkPolyData* surface, vtkDataObject* oth
 //------------------------------------------------------------------------------
 MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
   : SurfaceScene(options, messages)
+  , Extremes(this->Renderer)
   , Cut(options.Clip)
 {
   this->Steps = std::make_unique<TimeSteps>(options, this->Renderer, messages);
@@ -109,10 +126,12 @@ MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
   this->ReadHeights();
   this->Show(options.MaximumLevel.value_or(this->GetDefaultLevel()), this->MakeSceneMetric());
   this->SetColours();
+  this->ShowStreamlines();
   if (this->Cut.Get())
   {
     this->AddSection();
   }
+  this->ShowExtremes();
   ShowPatchEdges(this->Options, this->Mapper);
   this->SetLevelColours();
   if (this->Options.Hairs > 0)
@@ -201,6 +220,7 @@ bool MeshScene::ApplyOptions(const OptionNames& changed)
   {
     UpdateStreaks(this->Options, this->Mapper);
   }
+  this->ShowExtremes();
   return this->SurfaceScene::ApplyOptions(changed);
 }
 
@@ -217,7 +237,10 @@ void MeshScene::ApplyStep(bool isOtherTime)
     }
     this->Steps->GetFilter().SetFactor(
       this->Options.Warp.empty() ? 1.0 : this->Options.Scale.value_or(1.0));
-    this->Range.reset();
+    if (!this->Options.CoversAllSteps())
+    {
+      this->Range.reset();
+    }
     this->Reload();
   }
   catch (const ViewerError&)
@@ -313,6 +336,8 @@ void MeshScene::Reload()
     this->ChooseVectors();
   }
   this->UpdateColours();
+  this->ShowStreamlines();
+  this->ShowExtremes();
 }
 
 //------------------------------------------------------------------------------
@@ -321,8 +346,9 @@ void MeshScene::UpdateColours()
   if (this->IsColouredByArray())
   {
     this->ExtendRange();
-    this->Colours->DeepCopy(MakeColours(this->Options.Palette, this->Range->data()));
+    this->Colours->DeepCopy(MakeColours(this->Options, this->Range->data()));
     ShowIsolines(this->Options, this->Mapper, this->Range->data());
+    this->ShowIsolinesOfSection();
   }
 }
 
@@ -346,6 +372,7 @@ std::string MeshScene::MoveCut(char key)
     this->UpdateColours(); // values inside of the mesh are visible now
     this->AddSection();
   }
+  this->ShowExtremes();
   return this->Cut.GetOption();
 }
 
@@ -354,12 +381,7 @@ void MeshScene::AddSection()
 {
   this->Cut.WarnIfEmpty(this->Mesh->GetBounds(), this->Messages);
   this->Mapper->AddClippingPlane(this->Cut.Get());
-  bool isSolid = false;
-  for (vtkIdType cell = 0; !isSolid && cell < this->Cells->GetNumberOfCells(); ++cell)
-  {
-    isSolid = IsVolumeCell(this->Cells, cell);
-  }
-  if (!isSolid)
+  if (!this->IsSolid())
   {
     this->Messages.Warn(this->Options.Input + " has no 3D cells, so the cut is hollow");
     return;
@@ -367,6 +389,67 @@ void MeshScene::AddSection()
   this->Section = std::make_unique<MeshSection>(this->Cut.Get(), this->Renderer, this->Messages);
   this->Section->SetMesh(this->Cells);
   this->Section->SetColours(this->Mapper, this->Actor->GetProperty());
+  this->ShowIsolinesOfSection();
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::ShowIsolinesOfSection()
+{
+  const bool hasLines =
+    this->Section && this->Options.Isolines > 0 && this->IsColouredByArray() && this->HasPointArray;
+  if (hasLines && (*this->Range)[1] > (*this->Range)[0])
+  {
+    this->Section->SetIsolines(this->ArrayName, this->GetArray()->GetNumberOfComponents() > 1,
+      ((*this->Range)[1] - (*this->Range)[0]) / this->Options.Isolines, this->Range->data());
+  }
+}
+
+//------------------------------------------------------------------------------
+bool MeshScene::IsSolid() const
+{
+  for (vtkIdType cell = 0; cell < this->Cells->GetNumberOfCells(); ++cell)
+  {
+    if (IsVolumeCell(this->Cells, cell))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::ShowStreamlines()
+{
+  if (this->Options.Streamlines.empty())
+  {
+    return;
+  }
+  if (!this->Streamlines)
+  {
+    this->Streamlines = std::make_unique<StreamlineActor>(this->Renderer);
+    this->Actor->GetProperty()->SetOpacity(this->IsSolid() ? OpacityAroundLines : 1.0);
+  }
+  this->Streamlines->Trace(this->Options, this->Cells, this->Messages);
+  if (this->IsColouredByArray())
+  {
+    this->Streamlines->SetColours(this->ArrayName, this->Colours);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::ShowExtremes()
+{
+  if (!this->Options.HasExtremes)
+  {
+    return;
+  }
+  vtkDataSet* shown = this->Cut.Get() ? this->Cells.Get() : this->Mesh.Get();
+  this->Extremes.Clear();
+  const auto extremes = FindExtremes(shown, this->ArrayName, this->HasPointArray, this->Cut.Get());
+  if (extremes)
+  {
+    MarkExtremes(*extremes, this->HasPointArray, this->Cells, this->Extremes);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -497,6 +580,10 @@ void MeshScene::ReportWarp()
 //------------------------------------------------------------------------------
 void MeshScene::ChooseArray()
 {
+  if (this->Options.Array.empty())
+  {
+    this->Options.Array = this->Options.Streamlines; // colours are their lengths
+  }
   vtkPointData* points = this->Mesh->GetPointData();
   vtkCellData* cells = this->Mesh->GetCellData();
   const char* name = this->Options.Array.c_str();
@@ -655,10 +742,9 @@ void MeshScene::SetColours()
   property->SetSpecularPower(30.0);
   property->SetInterpolationToPhong();
   this->Mapper->ScalarVisibilityOff();
-  const bool asksForColours = this->Options.Range || !this->Options.Palette.empty();
-  if (asksForColours && (this->ArrayName.empty() || !this->Options.Imagery.empty()))
+  const std::string option = FindColourOption(this->Options);
+  if (!option.empty() && (this->ArrayName.empty() || !this->Options.Imagery.empty()))
   {
-    const std::string option = this->Options.Range ? "--range" : "--palette";
     throw ViewerError(option + " requires colours by an array" +
       (this->Options.Imagery.empty() ? ", and " + this->Options.Input + " has none"
                                      : ", not a picture (--image)"));
@@ -697,10 +783,12 @@ void MeshScene::SetArrayColours()
   {
     return;
   }
-  this->Options.IsSeries() ? this->ExtendRangeByAllSteps() : this->ExtendRange();
+  this->Options.CoversAllSteps() && this->GetNumberOfTimeSteps() > 0 ? this->ExtendRangeByAllSteps()
+                                                                     : this->ExtendRange();
   array = this->GetArray(); // that of the step which is read last
-  this->Colours = MakeColours(this->Options.Palette, this->Range->data());
+  this->Colours = MakeColours(this->Options, this->Range->data());
   this->Mapper->SetLookupTable(this->Colours);
+  this->Mapper->UseLookupTableScalarRangeOn();
   this->Mapper->InterpolateScalarsBeforeMappingOn();
   ShowIsolines(this->Options, this->Mapper, this->Range->data());
   if (this->Options.Color == ViewerOptions::ColorType::Own)
@@ -734,10 +822,12 @@ void MeshScene::ExtendRange()
   array == this->Vectors
     ? GetLengthRange(array, range.data())
     : array->GetFiniteRange(range.data(), array->GetNumberOfComponents() > 1 ? -1 : 0);
-  if (this->Cut.Get() && array != this->Vectors)
+  const bool showsInside = this->Cut.Get() || !this->Options.Streamlines.empty();
+  if (showsInside && array != this->Vectors)
   {
     this->AddRangeOfCells(range);
   }
+  CheckRange(this->Options, this->ArrayName, range.data());
   if (this->Range)
   {
     range = { { std::min(range[0], (*this->Range)[0]), std::max(range[1], (*this->Range)[1]) } };

@@ -9,6 +9,7 @@
 #define MeshScene_h
 
 #include "Scene/CutPlane.h"
+#include "Scene/PictureMarks.h"
 #include "Scene/SurfaceScene.h"
 
 #include "vtkSmartPointer.h"
@@ -18,6 +19,7 @@
 class MeshProbe;
 class MeshReader;
 class MeshSection;
+class StreamlineActor;
 class TimeSteps;
 class vtkDataArray;
 class vtkDataSet;
@@ -85,6 +87,13 @@ private:
   /// Clips the surface at the plane and fills the section of solid cells.
   void AddSection();
   std::string MoveCut(char key);
+  void ShowIsolinesOfSection();
+  /// Whether the mesh has 3D cells.
+  bool IsSolid() const;
+  /// Traces the streamlines of the options through the current step.
+  void ShowStreamlines();
+  /// Labels the largest and the smallest visible value if the options request it.
+  void ShowExtremes();
 
   vtkNew<vtkDisplacement> Displacement;
   std::unique_ptr<TimeSteps> Steps;
@@ -99,10 +108,12 @@ private:
   std::optional<std::array<double, 2>> Range;  // of the colours
   std::unique_ptr<MeshProbe> Probe;            // created at the first query
   vtkSmartPointer<vtkActor> Hair;              // nullptr without hair
+  PictureMarks Extremes;
   CutPlane Cut;
   vtkSmartPointer<vtkDataSet> Cells; // the mesh that the surface bounds
   bool IsOfCells = false;            // whether Cells is not the surface itself
   std::unique_ptr<MeshSection> Section;
+  std::unique_ptr<StreamlineActor> Streamlines; // nullptr for none
   // Vectors of the streaks, or nullptr.
   vtkSmartPointer<vtkDataArray> Vectors;
 };

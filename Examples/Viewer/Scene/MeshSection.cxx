@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/MeshSection.h"
 
+#include "Scene/SectionIsolines.h"
 #include "Text/ViewerMessages.h"
 
 #include "vtkActor.h"
@@ -34,6 +35,7 @@ const double LineOpacity = 0.35;
 //------------------------------------------------------------------------------
 MeshSection::MeshSection(vtkPlane* plane, vtkRenderer* renderer, ViewerMessages& messages)
   : Plane(plane)
+  , Renderer(renderer)
 {
   messages.Observe(this->Cutter, "cutting");
   this->Cutter->SetCutFunction(plane);
@@ -60,6 +62,23 @@ void MeshSection::SetMesh(vtkDataSet* mesh)
   this->Plane->GetNormal(offset);
   vtkMath::MultiplyScalar(offset, -LineOffset * mesh->GetLength() / vtkMath::Norm(offset));
   this->LineActor->SetPosition(offset);
+  if (this->Isolines)
+  {
+    this->Isolines->SetOffset(offset);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshSection::SetIsolines(
+  const std::string& array, bool isVector, double spacing, const double range[2])
+{
+  if (!this->Isolines)
+  {
+    this->Isolines =
+      std::make_unique<SectionIsolines>(this->Cutter->GetOutputPort(0), this->Renderer);
+    this->Isolines->SetOffset(this->LineActor->GetPosition());
+  }
+  this->Isolines->Set(array, isVector, spacing, range);
 }
 
 //------------------------------------------------------------------------------
@@ -69,6 +88,7 @@ void MeshSection::SetColours(vtkMapper* mapper, vtkProperty* property)
   this->Faces->SetScalarVisibility(mapper->GetScalarVisibility());
   this->Faces->SetInterpolateScalarsBeforeMapping(mapper->GetInterpolateScalarsBeforeMapping());
   this->Faces->SetLookupTable(mapper->GetLookupTable());
+  this->Faces->SetUseLookupTableScalarRange(mapper->GetUseLookupTableScalarRange());
   if (mapper->GetArrayName())
   {
     this->Faces->SelectColorArray(mapper->GetArrayName());

@@ -10,9 +10,11 @@
 #include "vtkNew.h"
 #include "vtkType.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
+class SectionIsolines;
 class ViewerMessages;
 class vtkActor;
 class vtkCurvedCellCutter;
@@ -37,6 +39,10 @@ public:
   /// Draws the section in the colours of the mesh's surface, nearly without shading.
   void SetColours(vtkMapper* mapper, vtkProperty* property);
 
+  /// Draws isolines at the multiples of a spacing in a range of an array of points, or of the
+  /// lengths of vectors.
+  void SetIsolines(const std::string& array, bool isVector, double spacing, const double range[2]);
+
   /// Returns the cell of the mesh that is cut at a point, or -1 if the section is not there within
   /// the distance, and all components of an array of points or cells there.
   vtkIdType Find(const double place[3], double distance, const std::string& array, bool isOfPoints,
@@ -44,12 +50,14 @@ public:
 
 private:
   vtkPlane* Plane;
+  vtkRenderer* Renderer;
   vtkNew<vtkCurvedCellCutter> Cutter;
   vtkNew<vtkPolyDataMapper> Faces;
   vtkNew<vtkPolyDataMapper> Lines;
   vtkNew<vtkActor> FaceActor;
   vtkNew<vtkActor> LineActor;
-  vtkNew<vtkStaticCellLocator> Locator; // of the section, when it is first asked
+  std::unique_ptr<SectionIsolines> Isolines; // nullptr for none
+  vtkNew<vtkStaticCellLocator> Locator;      // of the section, when it is first asked
 };
 
 #endif

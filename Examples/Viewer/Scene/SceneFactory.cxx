@@ -10,8 +10,9 @@
 #include "Scene/TerrainScene.h"
 #include "Scene/VolumeScene.h"
 
-//------------------------------------------------------------------------------
-std::unique_ptr<ViewerScene> MakeScene(const ViewerOptions& options, ViewerMessages& messages)
+namespace
+{
+std::unique_ptr<ViewerScene> Open(const ViewerOptions& options, ViewerMessages& messages)
 {
   if (options.IsDatabase)
   {
@@ -37,4 +38,17 @@ std::unique_ptr<ViewerScene> MakeScene(const ViewerOptions& options, ViewerMessa
     }
   }
   return std::make_unique<TerrainScene>(options, messages);
+}
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<ViewerScene> MakeScene(const ViewerOptions& options, ViewerMessages& messages)
+{
+  std::unique_ptr<ViewerScene> scene = Open(options, messages);
+  if (options.Ruler)
+  {
+    const std::vector<double>& ends = *options.Ruler;
+    scene->ShowRuler({ { ends[0], ends[1], ends[2] } }, { { ends[3], ends[4], ends[5] } });
+  }
+  return scene;
 }

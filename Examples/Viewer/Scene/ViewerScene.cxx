@@ -4,14 +4,20 @@
 
 #include "Legend/LegendText.h"
 #include "Legend/ViewerLegend.h"
+#include "Options/ViewerArguments.h"
+#include "Scene/PictureMarks.h"
 #include "Scene/ViewerCamera.h"
+#include "Text/ViewerText.h"
 
 #include "vtkCamera.h"
+#include "vtkMath.h"
 #include "vtkPoints.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 //------------------------------------------------------------------------------
 ViewerScene::ViewerScene(const ViewerOptions& options, ViewerMessages& messages)
@@ -57,6 +63,48 @@ void ViewerScene::FitView(vtkPoints* points, const ViewerDirection& defaultDirec
     picture.Corner = this->Legend->GetCorner(this->Options.Size);
   }
   FitCamera(this->Renderer, points, direction, picture);
+}
+
+//------------------------------------------------------------------------------
+std::string ViewerScene::ShowRuler(
+  const std::array<double, 3>& first, const std::array<double, 3>& second)
+{
+  if (!this->Ruler)
+  {
+    this->Ruler = std::make_unique<PictureMarks>(this->Renderer);
+  }
+  this->Ruler->Clear();
+  std::ostringstream text;
+  text.precision(5);
+  text << std::sqrt(vtkMath::Distance2BetweenPoints(first.data(), second.data()));
+  text << (this->GetUnit().empty() ? "" : " ") << this->GetUnit();
+  this->Ruler->AddLine(first, second, text.str());
+  return "--ruler " +
+    JoinNumbers({ first[0], first[1], first[2], second[0], second[1], second[2] }) + "  length " +
+    text.str();
+}
+
+//------------------------------------------------------------------------------
+std::string ViewerScene::ShowPlanView(char key)
+{
+  static const std::array<const char*, 6> names = { { "front", "back", "left", "right", "top",
+    "bottom" } };
+  double bounds[6];
+  this->Renderer->ComputeVisiblePropBounds(bounds);
+  if (key < '1' || key > '6' || !vtkMath::AreBoundsInitialized(bounds))
+  {
+    return "";
+  }
+  const char* name = names[static_cast<std::size_t>(key - '1')];
+  vtkNew<vtkPoints> corners;
+  for (int i = 0; i < 8; ++i)
+  {
+    corners->InsertNextPoint(bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2)]);
+  }
+  this->Options.View = FindPlanView(name);
+  std::copy_n(this->Renderer->GetSize(), 2, this->Options.Size);
+  this->FitView(corners, { 0.0, 0.0, this->Options.UpAxis });
+  return std::string("--view ") + name;
 }
 
 //------------------------------------------------------------------------------

@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+class PictureMarks;
 class ViewerCamera;
 class ViewerLegend;
 class vtkPoints;
@@ -47,6 +48,18 @@ public:
 
   /// The same for a pixel, from the lower left corner, of a scene without surfaces.
   virtual std::string DescribePixel(const int[2]) { return ""; }
+
+  /// The visible point in a pixel, from the lower left corner, of a scene without surfaces. Returns
+  /// false for the background.
+  virtual bool FindPoint(const int[2], double[3]) { return false; }
+
+  /// Shows the distance between two points in place of an earlier one. Returns the option that
+  /// repeats it.
+  std::string ShowRuler(const std::array<double, 3>& first, const std::array<double, 3>& second);
+
+  /// Looks at the whole scene along an axis, for the keys 1 to 6 of the window. Returns the option
+  /// that repeats the view, or an empty string for other keys.
+  std::string ShowPlanView(char key);
 
   /// Handles a key of the window. Returns a description of the change, or an empty string.
   virtual std::string Change(char) { return ""; }
@@ -126,6 +139,7 @@ private:
   std::unique_ptr<ViewerLegend> Legend;
   std::optional<std::array<double, 6>> ViewBounds; // of SetView()
   std::vector<ViewerLamp> Lamps;                   // before the direction of the options is applied
+  std::unique_ptr<PictureMarks> Ruler;             // nullptr for none
 };
 
 #endif

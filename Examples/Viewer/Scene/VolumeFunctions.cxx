@@ -93,13 +93,24 @@ std::vector<TransferNode> MakeTransferNodes(
   std::set<double> values;
   for (int i = 0; i < Nodes; ++i)
   {
-    values.insert(array.Range[0] + i * (array.Range[1] - array.Range[0]) / (Nodes - 1));
+    const double value = options.HasLogColors
+      ? array.Range[0] *
+        std::pow(array.Range[1] / array.Range[0], static_cast<double>(i) / (Nodes - 1))
+      : array.Range[0] + i * (array.Range[1] - array.Range[0]) / (Nodes - 1);
+    values.insert(std::min(value, array.Range[1]));
   }
   for (const auto& rank : ranks)
   {
     values.insert(rank.first);
   }
-  const auto colours = MakeColours(options.Palette, array.Range);
+  const auto colours = MakeColourFunction(options, array.Range);
+  // Opacities follow the scale of the colours.
+  const auto getShare = [&](double value)
+  {
+    return options.HasLogColors
+      ? std::log(value / array.Range[0]) / std::log(array.Range[1] / array.Range[0])
+      : (value - array.Range[0]) / (array.Range[1] - array.Range[0]);
+  };
   std::vector<TransferNode> nodes;
   for (double value : values)
   {
@@ -107,7 +118,7 @@ std::vector<TransferNode> MakeTransferNodes(
     node.Value = value;
     colours->GetColor(value, node.Color.data());
     // Values show the distribution; ranks show every part despite outliers.
-    const double share = (value - array.Range[0]) / (array.Range[1] - array.Range[0]);
+    const double share = getShare(value);
     const double rank = Interpolate(ranks, value);
     const double height = 0.7 * share * share + 0.3 * rank * rank;
     node.Opacity =
@@ -143,16 +154,27 @@ std::vector<TransferNode> AddPeaks(
 }
 
 //------------------------------------------------------------------------------
-void SetTransferNodes(
-  vtkVolumeProperty* property, const std::vector<TransferNode>& nodes, double factor)
+void SetTransferNodes(vtkVolumeProperty* property, const std::vector<TransferNode>& nodes,
+  double factor, vtkColorTransferFunction* colours)
 {
-  vtkNew<vtkColorTransferFunction> colours;
+  vtkNew<vtkColorTransferFunction> ofNodes;
   vtkNew<vtkPiecewiseFunction> opacities;
   for (const TransferNode& node : nodes)
   {
-    colours->AddRGBPoint(node.Value, node.Color[0], node.Color[1], node.Color[2]);
+    ofNodes->AddRGBPoint(node.Value, node.Color[0], node.Color[1], node.Color[2]);
     opacities->AddPoint(node.Value, std::min(factor * node.Opacity, std::max(node.Opacity, 1.0)));
   }
-  property->SetColor(colours);
+  if (!colours)
+  {
+    colours = ofNodes;
+  }
+  // The legend follows the function. VTK 9.1 does not copy the colours out of range.
+  vtkColorTransferFunction* own = property->GetRGBTransferFunction();
+  own->DeepCopy(colours);
+  own->SetUseBelowRangeColor(colours->GetUseBelowRangeColor());
+  own->SetBelowRangeColor(colours->GetBelowRangeColor());
+  own->SetUseAboveRangeColor(colours->GetUseAboveRangeColor());
+  own->SetAboveRangeColor(colours->GetAboveRangeColor());
+  property->SetColor(own);
   property->SetScalarOpacity(opacities);
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 class vtkColorTransferFunction;
+class vtkColorTransferFunction;
 class vtkVolumeProperty;
 struct ViewerOptions;
 struct VolumeArray;
@@ -29,8 +30,9 @@ std::vector<TransferNode> MakeTransferNodes(
 std::vector<TransferNode> AddPeaks(
   std::vector<TransferNode> nodes, const std::vector<double>& values, double opacity);
 
-/// Sets colours, and opacities multiplied by a factor. The factor raises no opacity above 1.
-void SetTransferNodes(
-  vtkVolumeProperty* property, const std::vector<TransferNode>& nodes, double factor);
+/// Sets colours, which replace those of the nodes unless they are nullptr, and opacities multiplied
+/// by a factor. The factor raises no opacity above 1. The property keeps its colour function.
+void SetTransferNodes(vtkVolumeProperty* property, const std::vector<TransferNode>& nodes,
+  double factor, vtkColorTransferFunction* colours);
 
 #endif

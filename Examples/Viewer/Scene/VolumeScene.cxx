@@ -3,8 +3,10 @@
 #include "Scene/VolumeScene.h"
 
 #include "Files/VolumeReader.h"
+#include "Scene/ArrayExtremes.h"
 #include "Scene/ArrayNames.h"
 #include "Scene/CellNumbers.h"
+#include "Scene/MeshColours.h"
 #include "Scene/TimeSteps.h"
 #include "Scene/ViewerStatistics.h"
 #include "Scene/VolumeFunctions.h"
@@ -56,6 +58,7 @@ void CheckCells(const std::string& fileName, vtkDataObject* data)
 //------------------------------------------------------------------------------
 VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
   : ViewerScene(options, messages)
+  , Extremes(this->Renderer)
   , Cut(options.Clip)
 {
   // A light background suits translucent volumes.
@@ -65,15 +68,16 @@ VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
   const auto data = this->ReadStep();
   CheckCells(options.Input, data);
   this->Array = FindVolumeArray(this->Options, data);
+  if (options.CoversAllSteps())
+  {
+    this->ExtendRangeByAllSteps();
+  }
   std::copy_n(this->Array.Range, 2, this->WholeRange.begin());
   if (options.Range)
   {
     std::copy_n(options.Range->begin(), 2, this->Array.Range);
   }
-  else if (options.IsSeries())
-  {
-    this->ExtendRangeByAllSteps();
-  }
+  CheckRange(this->Options, this->Array.Name, this->Array.Range);
   messages.Observe(this->Mapper);
   this->Mapper->SetInputDataObject(data);
   this->Array.IsOfPoints ? this->Mapper->SetScalarModeToUsePointFieldData()
@@ -94,8 +98,9 @@ VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
   this->Volume->SetProperty(this->Property);
   this->Probe->SetRenderer(this->Renderer);
   this->Renderer->AddVolume(this->Volume);
-  this->AddLegend(this->Colours, GetArrayTitle(this->Array.Name, this->Array.IsVector ? 3 : 1),
-    this->Array.Unit, 5);
+  this->AddLegend(this->Property->GetRGBTransferFunction(),
+    GetArrayTitle(this->Array.Name, this->Array.IsVector ? 3 : 1), this->Array.Unit, 5);
+  this->ShowExtremes();
   this->SetView(this->Bounds);
 }
 
@@ -121,7 +126,46 @@ int VolumeScene::GetNumberOfTimeSteps()
 void VolumeScene::SetTimeStep(int step)
 {
   this->Steps->SetStep(step);
-  this->Mapper->SetInputDataObject(this->ReadStep());
+  const auto data = this->ReadStep();
+  if (!this->Options.Range && !this->Options.CoversAllSteps() && this->Options.Transfer.empty())
+  {
+    this->ExtendRange(FindVolumeArray(this->Options, data));
+  }
+  this->Mapper->SetInputDataObject(data);
+  this->ShowExtremes();
+}
+
+//------------------------------------------------------------------------------
+void VolumeScene::ShowExtremes()
+{
+  if (!this->Options.HasExtremes)
+  {
+    return;
+  }
+  this->Extremes.Clear();
+  const auto extremes = FindExtremes(this->Mapper->GetInputDataObject(0, 0), this->Array.Name,
+    this->Array.IsOfPoints, this->Cut.Get());
+  if (extremes)
+  {
+    MarkExtremes(*extremes, this->Array.IsOfPoints, nullptr, this->Extremes);
+  }
+}
+
+//------------------------------------------------------------------------------
+void VolumeScene::ExtendRange(const VolumeArray& array)
+{
+  double* range = this->Array.Range;
+  if (array.Range[0] >= range[0] && array.Range[1] <= range[1])
+  {
+    return;
+  }
+  CheckRange(this->Options, array.Name, array.Range);
+  range[0] = std::min(range[0], array.Range[0]);
+  range[1] = std::max(range[1], array.Range[1]);
+  std::copy_n(range, 2, this->WholeRange.begin());
+  this->Array.Quantiles = array.Quantiles;
+  this->Nodes = MakeTransferNodes(this->Options, this->Array, this->CellsOfSide, this->Thickness);
+  this->SetFunctions();
 }
 
 //------------------------------------------------------------------------------
@@ -155,13 +199,19 @@ void VolumeScene::Measure(vtkDataObject*)
 //------------------------------------------------------------------------------
 void VolumeScene::ChooseFunctions(vtkDataObject* data)
 {
-  const double cellsOfSide =
+  this->CellsOfSide =
     std::cbrt(static_cast<double>(data->GetNumberOfElements(vtkDataObject::CELL)));
-  this->Nodes = this->Options.Transfer.empty() ? MakeTransferNodes(this->Options, this->Array,
-                                                   cellsOfSide, GetMeanChord(data) / this->Diagonal)
-                                               : ReadTransferFile(this->Options.Transfer);
+  if (this->Options.Transfer.empty())
+  {
+    this->Thickness = GetMeanChord(data) / this->Diagonal;
+    this->Nodes = MakeTransferNodes(this->Options, this->Array, this->CellsOfSide, this->Thickness);
+  }
+  else
+  {
+    this->Nodes = ReadTransferFile(this->Options.Transfer);
+  }
   this->Property->SetScalarOpacityUnitDistance(
-    this->Options.UnitDistance.value_or(this->Diagonal / cellsOfSide));
+    this->Options.UnitDistance.value_or(this->Diagonal / this->CellsOfSide));
   this->IsoSurfaces = this->Options.IsoSurfaces;
   if (this->Options.BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND)
   {
@@ -203,6 +253,7 @@ bool VolumeScene::ApplyOptions(const OptionNames& changed)
   this->ApplyMethod();
   std::copy_n(this->Options.Range.value_or(this->WholeRange).begin(), 2, this->Array.Range);
   this->ChooseFunctions(this->Mapper->GetInputDataObject(0, 0));
+  this->ShowExtremes();
   return this->ViewerScene::ApplyOptions(changed);
 }
 
@@ -289,11 +340,12 @@ SceneFigures VolumeScene::GetFigures()
 //------------------------------------------------------------------------------
 void VolumeScene::SetFunctions()
 {
-  const bool hasPeaks = this->Options.Transfer.empty() && this->IsByLength();
+  const bool isDefault = this->Options.Transfer.empty();
   SetTransferNodes(this->Property,
-    hasPeaks ? AddPeaks(this->Nodes, this->IsoSurfaces, PeakOpacity) : this->Nodes,
-    this->OpacityFactor);
-  this->Colours->DeepCopy(this->Property->GetRGBTransferFunction());
+    isDefault && this->IsByLength() ? AddPeaks(this->Nodes, this->IsoSurfaces, PeakOpacity)
+                                    : this->Nodes,
+    this->OpacityFactor,
+    isDefault ? MakeColourFunction(this->Options, this->Array.Range).Get() : nullptr);
   this->Property->GetIsoSurfaceValues()->SetNumberOfContours(0);
   for (std::size_t i = 0; i < this->IsoSurfaces.size(); ++i)
   {
@@ -343,6 +395,17 @@ std::string VolumeScene::DescribePixel(const int pixel[2])
     FormatNumber(place[2], digits) + "\n" +
     DescribeCell(this->Probe->GetDataSet(), this->Probe->GetCellId(), place) + "\n" +
     this->Array.Name + " " + value.str();
+}
+
+//------------------------------------------------------------------------------
+bool VolumeScene::FindPoint(const int pixel[2], double point[3])
+{
+  const bool isHit = this->Probe->Probe(pixel[0], pixel[1]);
+  if (isHit)
+  {
+    std::copy_n(this->Probe->GetPosition(), 3, point);
+  }
+  return isHit;
 }
 
 //------------------------------------------------------------------------------
@@ -411,5 +474,6 @@ std::string VolumeScene::MoveCut(char key)
   {
     this->Mapper->AddClippingPlane(this->Cut.Get());
   }
+  this->ShowExtremes();
   return this->Cut.GetOption();
 }

@@ -9,6 +9,7 @@
 
 #include "Files/TransferFile.h"
 #include "Scene/CutPlane.h"
+#include "Scene/PictureMarks.h"
 #include "Scene/ViewerScene.h"
 #include "Scene/VolumeArray.h"
 
@@ -18,7 +19,6 @@
 #include <vector>
 
 class TimeSteps;
-class vtkColorTransferFunction;
 class vtkDataObject;
 class vtkGPUUnstructuredGridVolumeMapper;
 class vtkVolume;
@@ -34,6 +34,7 @@ public:
 
   std::string Describe(const double[3], double) override { return ""; }
   std::string DescribePixel(const int pixel[2]) override;
+  bool FindPoint(const int pixel[2], double point[3]) override;
   std::string Change(char key) override;
   int GetNumberOfTimeSteps() override;
   void SetTimeStep(int step) override;
@@ -50,6 +51,8 @@ private:
   vtkSmartPointer<vtkDataObject> ReadStep();
   /// Extends the range of the array by those of all time steps.
   void ExtendRangeByAllSteps();
+  /// Extends the range of the colours by that of an array, with new functions.
+  void ExtendRange(const VolumeArray& array);
   void Measure(vtkDataObject* data);
   void ChooseFunctions(vtkDataObject* data);
   void SetFunctions();
@@ -57,20 +60,24 @@ private:
   void ChangeOpacity(double factor);
   void MoveIsoSurfaces(double share);
   std::string MoveCut(char key);
+  /// Labels the largest and the smallest visible value if the options request it.
+  void ShowExtremes();
 
   std::unique_ptr<TimeSteps> Steps;
   vtkNew<vtkGPUUnstructuredGridVolumeMapper> Mapper;
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkVolumeProperty> Property;
-  vtkNew<vtkColorTransferFunction> Colours; // of the legend; the volume's functions are replaced
   vtkNew<vtkVolumeProbe> Probe;
   VolumeArray Array;
   std::array<double, 2> WholeRange; // of the array, without that of the options
   double Bounds[6];
   double Diagonal = 0.0;
+  double CellsOfSide = 0.0;
+  double Thickness = 0.0; // mean chord of the mesh, share of the diagonal
   std::vector<TransferNode> Nodes;
   double OpacityFactor = 1.0; // for blend modes where opacity does not depend on length
   std::vector<double> IsoSurfaces;
+  PictureMarks Extremes;
   CutPlane Cut;
 };
 

@@ -5,14 +5,13 @@
 #include "Scene/PassiveObserver.h"
 #include "Scene/ViewerScene.h"
 #include "Text/ViewerText.h"
+#include "Window/DrawnPoint.h"
 #include "Window/ViewerFrames.h"
 #include "Window/ViewerScaleBar.h"
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkMath.h"
-#include "vtkMatrix4x4.h"
-#include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
@@ -27,35 +26,6 @@ namespace
 const int ReadoutMargin = 10;           // pixels
 const unsigned long ReadoutDelay = 100; // milliseconds
 const double FastFrame = 0.05;          // seconds
-
-// Finds the visible point in a pixel from its depth, which includes refinement and displacement and
-// costs reading one pixel. Returns false for the background.
-bool GetDrawnPoint(vtkRenderer* renderer, const int pixel[2], double point[3])
-{
-  const int* size = renderer->GetSize();
-  if (pixel[0] < 0 || pixel[0] >= size[0] || pixel[1] < 0 || pixel[1] >= size[1])
-  {
-    return false;
-  }
-  const double depth = renderer->GetZ(pixel[0], pixel[1]);
-  // Texts over the picture have depth 0, the background has depth 1.
-  if (!(depth > 0.0 && depth < 1.0))
-  {
-    return false;
-  }
-  double clip[4] = { 2.0 * (pixel[0] + 0.5) / size[0] - 1.0, 2.0 * (pixel[1] + 0.5) / size[1] - 1.0,
-    2.0 * depth - 1.0, 1.0 };
-  vtkNew<vtkMatrix4x4> toWorld;
-  vtkMatrix4x4::Invert(renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-                         renderer->GetTiledAspectRatio(), -1.0, 1.0),
-    toWorld);
-  toWorld->MultiplyPoint(clip, clip);
-  for (int i = 0; i < 3; ++i)
-  {
-    point[i] = clip[i] / clip[3];
-  }
-  return std::isfinite(point[0] + point[1] + point[2]);
-}
 
 // The length that a pixel covers at this point.
 double GetResolution(vtkRenderer* renderer, const double point[3])

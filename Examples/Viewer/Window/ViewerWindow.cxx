@@ -3,6 +3,7 @@
 #include "Window/ViewerWindow.h"
 
 #include "Options/ViewerOptions.h"
+#include "Scene/AxesTriad.h"
 #include "Scene/ReliefCaptures.h"
 #include "Scene/ViewerScene.h"
 #include "Text/ViewerMessages.h"
@@ -12,6 +13,7 @@
 #include "Window/ViewerKeys.h"
 #include "Window/ViewerLoading.h"
 #include "Window/ViewerReadout.h"
+#include "Window/ViewerRuler.h"
 #include "Window/ViewerScaleBar.h"
 #include "Window/ViewerScreenshot.h"
 
@@ -20,6 +22,7 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 
+#include <memory>
 #include <string>
 
 //------------------------------------------------------------------------------
@@ -38,6 +41,13 @@ void ShowWindow(ViewerScene& scene, const ViewerOptions& options, ViewerMessages
   ViewerFrames frames(interactor);
   const ViewerLoading loading(interactor, scene);
   const ViewerScaleBar scaleBar(scene.GetRenderer(), scene.GetUnit());
+  std::unique_ptr<AxesTriad> axes;
+  std::unique_ptr<ViewerRuler> ruler;
+  if (!options.IsTerrain())
+  {
+    axes = std::make_unique<AxesTriad>(scene.GetRenderer());
+    ruler = std::make_unique<ViewerRuler>(interactor, frames, scene);
+  }
   const ViewerReadout readout(interactor, frames, scene);
   const ViewerHelp help(interactor, scene.GetRenderer());
   const ViewerKeys keys(interactor, scene);
