@@ -7,6 +7,7 @@ import unittest
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON,
     VTK_QUADRATIC_HEXAHEDRON,
     vtkGenericCell,
     vtkImageData,
@@ -20,6 +21,7 @@ from vtkmodules.vtkIOXML import (
     vtkXMLUnstructuredGridWriter,
 )
 
+from ResultData import CORNERS
 from ViewerProgram import ViewerProgram
 
 CELLS = 4
@@ -90,6 +92,27 @@ class TestViewerClip(ViewerProgram):
         areas = [mask.sum() for mask in inside]
         self.assertGreater(areas[1], 0.97 * areas[0])
         self.assertLess(areas[1], 1.005 * areas[0])
+
+    def test_discontinuous_values(self):
+        """Cells that do not share points keep their values, on the surface and in a cut."""
+        points, grid = vtkPoints(), vtkUnstructuredGrid()
+        values = vtkDoubleArray()
+        values.SetName("Value")
+        for cell in range(2):
+            for x, y, z in CORNERS:
+                points.InsertNextPoint(x + cell, y, z)
+                values.InsertNextValue(cell)
+        grid.SetPoints(points)
+        for cell in range(2):
+            grid.InsertNextCell(VTK_HEXAHEDRON, 8, range(8 * cell, 8 * cell + 8))
+        grid.GetPointData().AddArray(values)
+        self.write_data("jump.vtu", vtkXMLUnstructuredGridWriter, grid)
+        for options in ((), ("--clip=0,0,0.5,0,0,-1",)):
+            drawn = self.picture("jump.vtu", "--array=Value", "--palette=grey", "--view=front", *options)
+            left, right = (drawn[SIZE // 2, SIZE // 2 + side] for side in (-4, 4))
+            # Each half has one colour, with a jump between them.
+            self.assertLess(left.max(), 60)
+            self.assertGreater(right.min(), 150)
 
     def test_hollow(self):
         sphere = vtkSphereSource()

@@ -117,6 +117,11 @@ class TestViewerTime(ViewerProgram):
             for value, wanted in zip(found, values):
                 self.assertAlmostEqual(value, wanted)
         self.view("s.vtu", "--volume=y of Move", "--output=t.png", SIZE)
+        note = "colours show the magnitude of the tensor 'Stress', which is not the von Mises stress"
+        run = self.view("s.vtu", "--array=Stress", "--output=t.png", SIZE)
+        self.assertIn(note, run.stdout)
+        run = self.view("s.vtu", "--array=von Mises of Stress", "--output=t.png", SIZE)
+        self.assertNotIn("magnitude", run.stdout)
         words = ("'von Mises of Move' needs an array with 6 or 9 components", "'Stress'")
         self.assert_error(1, words, "s.vtu", "--array=von Mises of Move", "--output=t.png")
 

@@ -544,6 +544,14 @@ void MeshScene::Report()
     std::cout << this->MicroMeshReport << std::endl;
   }
   this->ReportWarp();
+  vtkDataArray* array = this->IsColouredByArray() ? this->GetArray() : nullptr;
+  if (array && (array->GetNumberOfComponents() == 6 || array->GetNumberOfComponents() == 9))
+  {
+    const std::string name = ToPrintable(this->ArrayName);
+    std::cout << "array: colours show the magnitude of the tensor '" << name
+              << "', which is not the von Mises stress; --array 'von Mises of " << name
+              << "' shows that" << std::endl;
+  }
   const bool isGrey = this->ArrayName.empty() && this->Options.Imagery.empty() &&
     this->Options.Color == ViewerOptions::ColorType::Own && this->Options.Export.empty() &&
     this->Options.Capture.empty();
