@@ -5,6 +5,7 @@
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -231,6 +232,19 @@ class TestStudio(ViewerProgram):
             if not name.startswith(rows) and not name.endswith(".1")
         }
         self.assertEqual(missing, set())
+
+    def test_flags(self):
+        """The studio knows which options of relevo-view have no value."""
+        usage = self.view("--help").stdout
+        flags = re.findall(r"^  (--[a-z-]+)  ", usage, re.MULTILINE)
+        self.assertIn("--wireframe", flags)
+        run = subprocess.run(
+            [PROGRAM, *sorted(set(flags) - {"--help", "--version"}), "--version"],
+            capture_output=True,
+            text=True,
+        )
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertTrue(run.stdout.startswith("relevo-studio "))
 
     def test_report(self):
         run = subprocess.run([PROGRAM, "--report"], capture_output=True, text=True)

@@ -89,7 +89,10 @@ void StudioScene::Apply(const OptionValues& values)
   const bool changesView = HasAny(changed, { "--center", "--view", "--zoom" });
   const bool isMoved = this->IsViewMoved() && !changesView;
   vtkCamera* camera = this->Scene->GetRenderer()->GetActiveCamera();
-  if (this->Scene->Update(this->Parse(values), changed))
+  // The range of all time steps is found when a scene is built.
+  const bool isOfAllSteps = changed.count("--range") > 0 &&
+    (values.Get("range") == "all" || this->Values.Get("range") == "all");
+  if (!isOfAllSteps && this->Scene->Update(this->Parse(values), changed))
   {
     this->Values = values;
     this->Content = this->Scene->GetContent();

@@ -20,8 +20,9 @@ bool IsOption(const std::string& argument)
 //------------------------------------------------------------------------------
 bool IsFlag(const std::string& name)
 {
-  static const std::set<std::string> flags = { "contour-labels", "globe", "help", "no-geomorphing",
-    "no-legend", "patch-edges", "per-edge", "stats", "stretch", "version", "wireframe" };
+  static const std::set<std::string> flags = { "axes", "contour-labels", "extremes", "globe",
+    "help", "log", "no-geomorphing", "no-legend", "patch-edges", "per-edge", "scale-bar", "stats",
+    "stretch", "version", "wireframe" };
   return flags.count(name) > 0;
 }
 

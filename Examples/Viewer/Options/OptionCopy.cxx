@@ -23,6 +23,12 @@ void CopyCenter(const ViewerOptions& from, ViewerOptions& to)
   to.CenterDegrees = from.CenterDegrees;
 }
 
+void CopyRange(const ViewerOptions& from, ViewerOptions& to)
+{
+  to.Range = from.Range;
+  to.HasRangeOfAllSteps = from.HasRangeOfAllSteps;
+}
+
 const std::map<std::string, Copy>& GetCopies()
 {
   using Options = ViewerOptions;
@@ -55,7 +61,7 @@ const std::map<std::string, Copy>& GetCopies()
     { "--palette", CopyMember<&Options::Palette> },
     { "--per-edge", CopyMember<&Options::PerEdge> },
     { "--pixels", CopyMember<&Options::Pixels> },
-    { "--range", CopyMember<&Options::Range> },
+    { "--range", CopyRange },
     { "--reach", CopyMember<&Options::Reach> },
     { "--region", CopyMember<&Options::Region> },
     { "--scale", CopyMember<&Options::Scale> },

@@ -199,6 +199,12 @@ bool MeshScene::ApplyOptions(const OptionNames& changed)
   {
     return false;
   }
+  // The range of all time steps is found when a scene is built.
+  if (this->Options.HasRangeOfAllSteps &&
+    (has("--range") || has("--clip") || has("--scale") || has("--time")))
+  {
+    return false;
+  }
   if (has("--clip") && !this->ApplyCut())
   {
     return false;

@@ -246,7 +246,8 @@ OptionNames VolumeScene::GetUpdatedOptions()
 //------------------------------------------------------------------------------
 bool VolumeScene::ApplyOptions(const OptionNames& changed)
 {
-  if (changed.count("--clip") && !this->ApplyCut())
+  // The range of all time steps is found when a scene is built.
+  if (this->Options.HasRangeOfAllSteps || (changed.count("--clip") && !this->ApplyCut()))
   {
     return false;
   }
