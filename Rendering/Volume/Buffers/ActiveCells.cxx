@@ -7,88 +7,126 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPixelBufferObject.h"
+#include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <numeric>
+#include <tuple> // for sizes of arrays
 
 namespace relevo
 {
 namespace
 {
 constexpr size_t CellsPerRow = 4096;
-constexpr size_t MaximumFacesPerCell = 6;
+constexpr std::uint32_t MaximumFacesPerCell = 6;
 constexpr size_t NumberOfBuckets = 1024; // of depths
+constexpr size_t BitsPerWord = 32;
+
+// Draw a pixel for each cell and read the pixels. Return false if there are too many.
+template <typename Texel>
+bool ReadCells(vtkOpenGLRenderWindow* window, vtkShaderProgram* program, size_t numberOfCells,
+  const RenderTarget::Format& format, std::vector<Texel>& texels)
+{
+  RenderTarget target;
+  const size_t rows = (numberOfCells + CellsPerRow - 1) / CellsPerRow;
+  if (rows > CellsPerRow || !target.Begin(window, CellsPerRow, static_cast<int>(rows), { format }))
+  {
+    return false;
+  }
+  program->SetUniformi("cellsPerRow", static_cast<int>(CellsPerRow));
+  program->SetUniformi("numberOfCells", static_cast<int>(numberOfCells));
+  target.Draw(BlendOperation::Add, &ScreenPass::DrawTriangle);
+  target.End();
+  vtkTextureObject* drawn = target.GetTexture();
+  unsigned int size[2] = { drawn->GetWidth(), drawn->GetHeight() };
+  texels.resize(static_cast<size_t>(size[0]) * size[1]);
+  vtkIdType increments[2] = { 0, 0 };
+  vtkSmartPointer<vtkPixelBufferObject> pixels;
+  pixels.TakeReference(drawn->Download());
+  pixels->Download2D(
+    format.Type, texels.data(), size, static_cast<int>(std::tuple_size<Texel>::value), increments);
+  target.ReleaseGraphicsResources(window);
+  texels.resize(numberOfCells);
+  return true;
+}
 }
 
 bool ActiveCells::FindRanges(
   vtkOpenGLRenderWindow* window, vtkShaderProgram* program, size_t numberOfCells)
 {
   this->NumberOfCells = numberOfCells;
-  const size_t rows = (numberOfCells + CellsPerRow - 1) / CellsPerRow;
-  this->RangesSize = static_cast<vtkTypeInt64>(rows * CellsPerRow * 2 * sizeof(float));
-  return this->Draw(window, program, this->Ranges, { 2, VTK_FLOAT });
+  return ReadCells(window, program, numberOfCells, { 2, VTK_FLOAT }, this->Ranges);
 }
 
-// A pixel for each cell.
-bool ActiveCells::Draw(vtkOpenGLRenderWindow* window, vtkShaderProgram* program,
-  RenderTarget& target, const RenderTarget::Format& format)
+// Return a bit for each cell.
+std::vector<std::uint32_t> ActiveCells::FindActive(
+  const std::vector<float>& values, float margin) const
 {
-  const size_t rows = (this->NumberOfCells + CellsPerRow - 1) / CellsPerRow;
-  if (rows > CellsPerRow || !target.Begin(window, CellsPerRow, static_cast<int>(rows), { format }))
-  {
-    return false;
-  }
-  program->SetUniformi("cellsPerRow", static_cast<int>(CellsPerRow));
-  program->SetUniformi("numberOfCells", static_cast<int>(this->NumberOfCells));
-  target.Draw(BlendOperation::Add, &ScreenPass::DrawTriangle);
-  target.End();
-  return true;
+  std::vector<std::uint32_t> cells(this->NumberOfCells / BitsPerWord + 1);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(cells.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (size_t word = static_cast<size_t>(first); word < static_cast<size_t>(last); ++word)
+      {
+        const size_t begin = word * BitsPerWord;
+        const size_t end = std::min(begin + BitsPerWord, this->NumberOfCells);
+        for (size_t cell = begin; cell < end; ++cell)
+        {
+          const float low = this->Ranges[cell][0] - margin;
+          const float high = this->Ranges[cell][1] + margin;
+          const bool isActive = std::any_of(values.begin(), values.end(),
+            [=](float value) { return value >= low && value <= high; });
+          cells[word] |= static_cast<std::uint32_t>(isActive) << (cell - begin);
+        }
+      }
+    });
+  return cells;
 }
 
-bool ActiveCells::Mark(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+bool ActiveCells::Mark(vtkOpenGLRenderWindow* window, vtkShaderProgram* program,
+  const std::vector<float>& values, float margin)
 {
-  RenderTarget target;
-  this->Ranges.Activate(program, "cellRanges");
-  const bool isDrawn = this->Draw(window, program, target, { 4, VTK_UNSIGNED_CHAR });
-  this->Ranges.Deactivate();
-  if (!isDrawn)
-  {
-    return false;
-  }
-  vtkTextureObject* marks = target.GetTexture();
-  unsigned int size[2] = { marks->GetWidth(), marks->GetHeight() };
-  std::vector<std::array<unsigned char, 4>> texels(static_cast<size_t>(size[0]) * size[1]);
-  vtkIdType increments[2] = { 0, 0 };
-  vtkSmartPointer<vtkPixelBufferObject> pixels;
-  pixels.TakeReference(marks->Download());
-  pixels->Download2D(VTK_UNSIGNED_CHAR, texels.data(), size, 4, increments);
-  target.ReleaseGraphicsResources(window);
-  std::vector<std::uint32_t> cells(this->NumberOfCells / 32 + 1);
   this->MarkedFaces.clear();
   this->Sorted = dmat4(0.0);
-  this->NumberOfActiveCells = 0;
-  for (size_t cell = 0; cell < this->NumberOfCells; ++cell)
+  const std::vector<std::uint32_t> cells = this->FindActive(values, margin);
+  std::vector<std::uint32_t> list;
+  for (size_t word = 0; word < cells.size(); ++word)
   {
-    const std::array<unsigned char, 4>& texel = texels[cell];
-    if (texel[0] == 0)
+    for (size_t bit = 0; bit < BitsPerWord && cells[word] >> bit != 0; ++bit)
     {
-      continue;
-    }
-    ++this->NumberOfActiveCells;
-    cells[cell / 32] |= std::uint32_t(1) << cell % 32;
-    for (size_t face = 0; face < MaximumFacesPerCell; ++face)
-    {
-      if ((texel[0] >> face & 1) != 0)
+      if ((cells[word] >> bit & 1) != 0)
       {
-        this->MarkedFaces.push_back(
-          { static_cast<std::uint32_t>(8 * cell + face), { { texel[1], texel[2], texel[3] } } });
+        list.push_back(static_cast<std::uint32_t>(word * BitsPerWord + bit));
       }
     }
   }
-  return this->Cells.Upload(window, cells);
+  this->NumberOfActiveCells = list.size();
+  if (!this->Cells.Upload(window, cells) || !this->List.Upload(window, list))
+  {
+    return false;
+  }
+  std::vector<std::array<unsigned char, 4>> texels;
+  this->Cells.Activate(program, "activeCells");
+  this->List.Activate(program, "listedCells");
+  const bool isDrawn =
+    list.empty() || ReadCells(window, program, list.size(), { 4, VTK_UNSIGNED_CHAR }, texels);
+  this->List.Deactivate();
+  this->Cells.Deactivate();
+  for (size_t i = 0; i < texels.size(); ++i)
+  {
+    const std::array<unsigned char, 4>& texel = texels[i];
+    for (std::uint32_t face = 0; face < MaximumFacesPerCell; ++face)
+    {
+      if ((texel[0] >> face & 1) != 0)
+      {
+        this->MarkedFaces.push_back({ 8 * list[i] + face, { { texel[1], texel[2], texel[3] } } });
+      }
+    }
+  }
+  return isDrawn;
 }
 
 bool ActiveCells::Sort(vtkOpenGLRenderWindow* window, const RayView& view, const dvec3& half)
@@ -134,8 +172,8 @@ void ActiveCells::Deactivate()
 
 void ActiveCells::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Ranges.ReleaseGraphicsResources(window);
-  this->RangesSize = 0;
+  this->Ranges = {};
+  this->List.ReleaseGraphicsResources(window);
   this->Cells.ReleaseGraphicsResources(window);
   this->Faces.ReleaseGraphicsResources(window);
   this->MarkedFaces.clear();

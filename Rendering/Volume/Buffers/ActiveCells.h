@@ -4,8 +4,9 @@
  * @class   ActiveCells
  * @brief   the cells that contain isosurfaces, and the faces where rays enter them
  *
- * The graphics card marks the cells. They are read back once for each set of isovalues, so no host
- * data are needed. Private to the module.
+ * The graphics card finds the ranges of all cells, which are read back once. For each set of
+ * isovalues, the CPU finds the active cells, and the graphics card marks the faces of these cells
+ * only. Private to the module.
  */
 #ifndef ActiveCells_h
 #define ActiveCells_h
@@ -29,9 +30,11 @@ public:
   /// Return false if there are too many cells.
   bool FindRanges(vtkOpenGLRenderWindow* window, vtkShaderProgram* program, size_t numberOfCells);
 
-  /// Mark the cells with the program of MakeActiveShader(), whose mesh and isovalues are active,
-  /// and read the marks. Return false if there is not enough memory.
-  bool Mark(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
+  /// Find the cells with one of these isovalues in their range, widened by a margin.
+  /// Mark their faces with the program of MakeActiveShader(), whose mesh is active, and read the
+  /// marks. Return false if there is not enough memory.
+  bool Mark(vtkOpenGLRenderWindow* window, vtkShaderProgram* program,
+    const std::vector<float>& values, float margin);
 
   /// Upload the faces from front to back, so that most hidden faces are not shaded. Return false if
   /// they do not fit.
@@ -47,17 +50,16 @@ public:
   size_t GetNumberOfSkippedCells() const { return this->NumberOfCells - this->NumberOfActiveCells; }
   vtkTypeInt64 GetMemorySize() const
   {
-    return this->Cells.GetMemorySize() + this->Faces.GetMemorySize() + this->RangesSize;
+    return this->Cells.GetMemorySize() + this->List.GetMemorySize() + this->Faces.GetMemorySize();
   }
 
 private:
-  bool Draw(vtkOpenGLRenderWindow* window, vtkShaderProgram* program, RenderTarget& target,
-    const RenderTarget::Format& format);
+  std::vector<std::uint32_t> FindActive(const std::vector<float>& values, float margin) const;
 
-  RenderTarget Ranges;
-  BufferTexture Cells; // a bit for each
+  std::vector<std::array<float, 2>> Ranges; // of all cells
+  BufferTexture Cells;                      // a bit for each
+  BufferTexture List;                       // of active cells
   BufferTexture Faces;
-  vtkTypeInt64 RangesSize = 0;
   size_t NumberOfCells = 0;
   size_t NumberOfActiveCells = 0;
   struct MarkedFace

@@ -21,7 +21,7 @@ bool SurfaceBuffer::Upload(vtkOpenGLRenderWindow* window, vtkVolumeProperty* pro
   const IsoSurfaces surfaces(property, functions);
   this->Component = surfaces.GetComponent();
   this->Curve = static_cast<int>(surfaces.GetCurve());
-  this->NumberOfValues = static_cast<int>(surfaces.GetValues().size());
+  this->ScaledValues.clear();
   const double least = low[this->Component];
   const double range = size[this->Component];
   const double largest = std::max(std::abs(least), std::abs(least + range));
@@ -37,6 +37,7 @@ bool SurfaceBuffer::Upload(vtkOpenGLRenderWindow* window, vtkVolumeProperty* pro
     {
       texels.push_back(static_cast<float>(number));
     }
+    this->ScaledValues.push_back(texels[texels.size() - 8]);
   }
   return this->Values.Upload(window, texels, 4);
 }
@@ -46,7 +47,7 @@ void SurfaceBuffer::Activate(vtkShaderProgram* program)
   if (program->IsUniformUsed("isoValues"))
   {
     this->Values.Activate(program, "isoValues");
-    program->SetUniformi("numberOfIsoValues", this->NumberOfValues);
+    program->SetUniformi("numberOfIsoValues", static_cast<int>(this->ScaledValues.size()));
     program->SetUniformi("isoCurve", this->Curve);
     program->SetUniformf("isoSame", this->Same);
   }

@@ -12,6 +12,8 @@
 #include "Buffers/BufferTexture.h"
 #include "Integral/TransferFunctions.h"
 
+#include <vector>
+
 class vtkVolumeProperty;
 
 namespace relevo
@@ -31,6 +33,12 @@ public:
   /// gradients.
   bool AreOpaque() const { return this->IsOpaque; }
 
+  /// Return the isovalues in units of the mesh's scalars, which are from 0 to 1.
+  const std::vector<float>& GetScaledValues() const { return this->ScaledValues; }
+
+  /// Return the tolerance between scalars of adjacent cells, in these units.
+  float GetSame() const { return this->Same; }
+
   void Activate(vtkShaderProgram* program);
   void Deactivate() { this->Values.Deactivate(); }
   void ReleaseGraphicsResources(vtkWindow* window)
@@ -41,11 +49,11 @@ public:
 
 private:
   BufferTexture Values;
-  int NumberOfValues = 0;
+  std::vector<float> ScaledValues;
   bool IsOpaque = true;
   int Component = 0;
   int Curve = 0;
-  float Same = 0.0f; // tolerance between scalars of adjacent cells
+  float Same = 0.0f;
 };
 }
 

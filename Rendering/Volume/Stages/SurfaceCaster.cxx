@@ -12,8 +12,16 @@
 
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
+
 namespace relevo
 {
+namespace
+{
+// Scalars are from 0 to 1. This is more than the rounding errors inside a cell.
+constexpr float IsoMargin = 1e-5f;
+}
+
 bool SurfaceCaster::IsReady(const VolumeFrame& frame)
 {
   const VolumeShaderOptions& options = frame.Features.Options;
@@ -52,7 +60,7 @@ bool SurfaceCaster::FindRanges(const VolumeFrame& frame)
 bool SurfaceCaster::MarkCells(const VolumeFrame& frame)
 {
   VolumeMeshBuffers& mesh = frame.Mesh.Buffers;
-  SurfaceBuffer& surfaces = frame.Functions.Surfaces;
+  const SurfaceBuffer& surfaces = frame.Functions.Surfaces;
   if (!this->Marked.Update(Dependencies::On(mesh.GetNumberOfUploads(), frame.Functions.Version)))
   {
     return this->AreMarked;
@@ -62,10 +70,9 @@ bool SurfaceCaster::MarkCells(const VolumeFrame& frame)
   this->AreMarked = program != nullptr;
   if (program)
   {
+    const float margin = std::max(IsoMargin, 2.0f * surfaces.GetSame());
     mesh.Activate(program);
-    surfaces.Activate(program);
-    this->AreMarked = this->Cells.Mark(frame.Window, program);
-    surfaces.Deactivate();
+    this->AreMarked = this->Cells.Mark(frame.Window, program, surfaces.GetScaledValues(), margin);
     mesh.Deactivate();
   }
   return this->AreMarked;

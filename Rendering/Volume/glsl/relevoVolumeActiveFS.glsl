@@ -1,41 +1,27 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 //RELEVO::Defines
-// Four bytes for each cell. The first one is 0 if no isovalue is in its range, or 128 + a bit for
-// each face behind which no other cell has an isovalue. The others are one of its points.
+// Four bytes for each listed cell. The first one has a bit for each face behind which no other cell
+// has an isovalue in its range. The others are one of its points.
 
 uniform samplerBuffer meshPoints;
 uniform usamplerBuffer tetrahedronCorners;
 uniform usamplerBuffer neighbors;
-uniform samplerBuffer isoValues; // as in relevoVolumeSurfaces.glsl
-uniform int numberOfIsoValues;
-uniform float isoSame;
-uniform sampler2D cellRanges; // from relevoVolumeRangesFS.glsl
+uniform usamplerBuffer activeCells; // a bit for each cell
+uniform usamplerBuffer listedCells;
 uniform int numberOfCells;
 uniform int cellsPerRow;
 
 //RELEVO::Cells
 
 const uint Nothing = 0xffffffffu;
-// Scalars are from 0 to 1. This is more than the rounding errors inside a cell.
-const float IsoMargin = 1e-5;
-const float Marked = 128.0;
 #if RELEVO_DISCONTINUOUS
 const uint SeveralCells = 5u; // as in relevoVolumeHanging.glsl
 #endif
 
 bool isActive(uint cell)
 {
-  vec2 range =
-    texelFetch(cellRanges, ivec2(int(cell) % cellsPerRow, int(cell) / cellsPerRow), 0).rg;
-  float margin = max(IsoMargin, 2.0 * isoSame);
-  bool isFound = false;
-  for (int i = 0; i < numberOfIsoValues && !isFound; ++i)
-  {
-    float value = texelFetch(isoValues, 2 * i).x;
-    isFound = value >= range.x - margin && value <= range.y + margin;
-  }
-  return isFound;
+  return ((texelFetch(activeCells, int(cell / 32u)).r >> (cell % 32u)) & 1u) != 0u;
 }
 
 // Return whether a ray that enters through a face does not come from another active cell.
@@ -50,7 +36,7 @@ bool isStart(uint neighbor)
 
 float markFaces(uint cell)
 {
-  float bits = Marked;
+  float bits = 0.0;
 #if RELEVO_CURVED
   if (isCurvedCell(cell))
   {
@@ -83,11 +69,12 @@ vec3 placeOf(uint cell)
 
 void main()
 {
-  int cell = int(gl_FragCoord.y) * cellsPerRow + int(gl_FragCoord.x);
+  int index = int(gl_FragCoord.y) * cellsPerRow + int(gl_FragCoord.x);
   vec4 mark = vec4(0.0);
-  if (cell < numberOfCells && isActive(uint(cell)))
+  if (index < numberOfCells)
   {
-    mark = vec4(markFaces(uint(cell)) / 255.0, vec3(0.5) + 0.5 * placeOf(uint(cell)));
+    uint cell = texelFetch(listedCells, index).r;
+    mark = vec4(markFaces(cell) / 255.0, vec3(0.5) + 0.5 * placeOf(cell));
   }
   gl_FragData[0] = mark;
 }
