@@ -18,7 +18,7 @@ void relevoFindGradient(float detail)
 {
   vec2 gradient = vec2(0.0); // by column and row
   float rest = 1.0;          // the weight of coarser levels
-  int level = clamp(relevoFirstLevel(detail), 0, relevoHeightLevels.y);
+  int level = relevoFirstLevel(detail);
   do
   {
     vec2 vertex;

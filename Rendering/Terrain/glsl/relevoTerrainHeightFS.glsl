@@ -26,7 +26,7 @@ float relevoTileHeight(vec2 vertex, int layer)
 void relevoFindHeight(float detail)
 {
   float rest = 1.0; // the weight of coarser levels
-  int level = clamp(relevoFirstLevel(detail), 0, relevoHeightLevels.y);
+  int level = relevoFirstLevel(detail);
   relevoFragmentHeight = 0.0;
   do
   {

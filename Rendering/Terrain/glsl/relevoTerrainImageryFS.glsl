@@ -43,7 +43,7 @@ vec4 relevoImageryAt(vec2 raster, float detail)
 #endif
   vec4 color = vec4(0.0);
   float rest = 1.0; // the weight of coarser levels
-  int level = clamp(int(floor(detail)), relevoImageryLevels.x, relevoImageryLevels.y);
+  int level = relevoLimitLevel(detail, relevoImageryLevels);
   do
   {
     vec2 vertex;

@@ -33,6 +33,13 @@ ivec2 relevoLocate(int level, vec2 raster, out vec2 vertex)
   return first + ivec2(tile);
 }
 
+// Return the level of a number, within limits. Numbers that are not finite must not be converted to
+// integers, because the result is undefined and the loops over levels might not end.
+int relevoLimitLevel(float level, ivec2 limits)
+{
+  return level > float(limits.x) ? int(min(floor(level), float(limits.y))) : limits.x;
+}
+
 int relevoHeightLayer; // of the heights of the tile that was found last
 
 // Return the layer of a tile, or -1.
@@ -67,7 +74,8 @@ const float relevoMiddle = 0.6; // from a level to the place where the next one 
 
 int relevoFirstLevel(float detail)
 {
-  return int(floor(detail + (1.0 - relevoMiddle - 0.5 / relevoSharpness)));
+  return relevoLimitLevel(detail + (1.0 - relevoMiddle - 0.5 / relevoSharpness),
+    ivec2(0, relevoHeightLevels.y));
 }
 
 // Return the part of the remaining weight that a level of heights takes. Finer levels have taken
