@@ -5,6 +5,7 @@
  */
 #include "Options/ProgramRun.h"
 #include "Options/UsageError.h"
+#include "Options/ViewerArguments.h"
 #include "Program/GraphicsReport.h"
 #include "Program/StudioUsage.h"
 #include "Program/StudioWindow.h"
@@ -12,6 +13,7 @@
 #include "Text/ReadingGuard.h"
 
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,10 +45,33 @@ std::string TakeOption(std::vector<std::string>& arguments, const std::string& n
   return "";
 }
 
+// Takes --serve, with its port if there is one, out of the arguments.
+std::optional<int> TakePort(std::vector<std::string>& arguments)
+{
+  const std::string name = "--serve";
+  for (auto argument = arguments.begin(); argument != arguments.end() && *argument != "--";
+       ++argument)
+  {
+    const bool isAlone = *argument == name;
+    if (!isAlone && argument->compare(0, name.size() + 1, name + "=") != 0)
+    {
+      continue;
+    }
+    const bool hasNext = isAlone && argument + 1 != arguments.end() && !argument[1].empty() &&
+      argument[1].find_first_not_of("0123456789") == std::string::npos;
+    const std::string text = hasNext ? argument[1]
+      : isAlone                      ? "0"
+                                     : argument->substr(name.size() + 1);
+    arguments.erase(argument, argument + (hasNext ? 2 : 1));
+    return ToInteger(name, text, 0, 65535);
+  }
+  return std::nullopt;
+}
+
 void CheckArguments(const OptionValues& values)
 {
-  for (const char* name :
-    { "against", "capture", "export", "flight", "height-at", "micromesh", "output", "stats" })
+  for (const char* name : { "against", "capture", "export", "flight", "height-at", "micromesh",
+         "output", "save-session", "session", "stats" })
   {
     if (values.Get(name))
     {
@@ -69,6 +94,11 @@ int main(int argc, char* argv[])
         std::cout << MakeGraphicsReport(RELEVO_VERSION);
         return;
       }
+      const std::optional<int> port = TakePort(arguments);
+      if (port && !script.empty())
+      {
+        throw UsageError("--serve cannot be combined with --script");
+      }
       for (std::string& argument : arguments)
       {
         argument = argument == "-h" ? "--help" : argument;
@@ -86,6 +116,13 @@ int main(int argc, char* argv[])
       }
       CheckArguments(values);
       InstallCrashHandlers(values.GetInput());
-      script.empty() ? ShowStudio(values, layout) : RunScript(values, layout, script);
+      if (port)
+      {
+        ServeStudio(values, layout, *port);
+      }
+      else
+      {
+        script.empty() ? ShowStudio(values, layout) : RunScript(values, layout, script);
+      }
     });
 }

@@ -14,12 +14,14 @@
 #include "Scene/PictureSeries.h"
 #include "Scene/ReliefCaptures.h"
 #include "Scene/SceneFactory.h"
+#include "Scene/SceneSession.h"
 #include "Scene/TerrainHeight.h"
 #include "Scene/ViewerScene.h"
 #include "Text/ReadingGuard.h"
 #include "Text/ViewerMessages.h"
 #include "Window/DisplayConnection.h"
 #include "Window/ViewerScaleBar.h"
+#include "Window/ViewerServer.h"
 #include "Window/ViewerWindow.h"
 
 #include "vtkRenderWindow.h"
@@ -73,13 +75,14 @@ void Run(const ViewerOptions& options)
               << std::endl;
     return;
   }
-  const bool isInteractive = options.Output.empty() && options.Export.empty() &&
+  const bool isInteractive = !options.Serve && options.Output.empty() && options.Export.empty() &&
     options.Capture.empty() && options.Against.empty() && options.MicroMesh.empty();
   if (isInteractive && !HasDisplay())
   {
     throw ViewerError("there is no display; use --output FILE.png to write a picture without one");
   }
-  std::vector<std::string> files = { options.Output, options.Export, options.MicroMesh };
+  std::vector<std::string> files = { options.Output, options.Export, options.MicroMesh,
+    options.SaveSession };
   if (options.IsTiled && !options.Imagery.empty() && !options.Export.empty())
   {
     const std::vector<std::string> companions = GetCompanions(options.Export);
@@ -98,6 +101,10 @@ void Run(const ViewerOptions& options)
   messages.ShowWarnings();
   messages.ShowNotes();
   scene->Report();
+  if (options.Camera)
+  {
+    SetCamera(scene->GetRenderer(), *options.Camera);
+  }
   if (!options.Export.empty())
   {
     scene->Export(options.Export);
@@ -106,9 +113,17 @@ void Run(const ViewerOptions& options)
   {
     ShowWindow(*scene, options, messages);
   }
+  else if (options.Serve)
+  {
+    ServeScene(*scene, options, messages);
+  }
   else if (!options.Output.empty() || !options.Capture.empty() || options.Statistics)
   {
     Draw(*scene, options, messages);
+  }
+  if (!options.SaveSession.empty())
+  {
+    SaveSession(*scene, options);
   }
 }
 }

@@ -33,6 +33,7 @@ _CONTENTS = {
         "flow",
         "volumes",
         "patches",
+        "remote",
         "reliefs",
         "intersections",
         "dense-meshes",

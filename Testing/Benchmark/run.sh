@@ -13,7 +13,8 @@
 # folder filled by ParaView/fetch.sh; lic then compares with its VTK. The NAME paraview, as the first
 # argument, measures the plugin that Module/ParaView/build.sh has built; see ParaView/run.sh. The NAME
 # python, as the first argument, measures the Python package, and writes
-# build/benchmark-python/package.json.
+# build/benchmark-python/package.json. The NAME studio, as the first argument, measures windows that
+# are served to browsers, and writes build/benchmark-studio/server.json.
 #
 # You can copy the build folder to any path on another machine with the same VTK and run the copy's
 # bin/relevo-benchmark. It needs no display (EGL) and prints the renderer's name.
@@ -32,6 +33,13 @@ if [ "${1:-}" = python ]; then
   python=$(sed -n 's/^Python3_EXECUTABLE:.*=//p' "$build_dir/CMakeCache.txt")
   exec "$python" "$source_dir/Testing/Benchmark/Python/package.py" "$build_dir/bin/relevo-view" \
     "$build_dir/benchmark-python" "${@:2}"
+fi
+if [ "${1:-}" = studio ]; then
+  . "$build_dir/env.sh"
+  export PYTHONPATH=$PYTHONPATH:$source_dir/Testing/Python PYTHONDONTWRITEBYTECODE=1
+  python=$(sed -n 's/^Python3_EXECUTABLE:.*=//p' "$build_dir/CMakeCache.txt")
+  exec "$python" "$source_dir/Testing/Benchmark/Studio/server.py" "$build_dir/benchmark-studio" \
+    "${@:2}"
 fi
 
 # A build without EGL needs an X server.

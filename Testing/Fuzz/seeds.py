@@ -12,6 +12,7 @@ import struct
 import sys
 
 FLIGHT = "longitude,latitude,height,heading,pitch\n7.5,46.5,3000,90,-20\n\n7.6,46.6,3100,95,-10\n"
+MESSAGES = "move 1 2 0\npress 0 1 2 0 1\nwheel -1 1 2 7\nkeydown 1 ArrowLeft\nresize 80 60 100\nshown\n"
 TRANSFER = "# value red green blue opacity\n0 0 0 1 0\n0.2 1 1 0 0.5\n0.4 1 0 0 1\n"
 CUBE_POINTS = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
 FACES = [(0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4)]
@@ -178,6 +179,7 @@ def main():
         write(folder, target, choices(random.Random(target)))
     write(folder, "FuzzArguments", arguments())
     write(folder, "FuzzFlight", [FLIGHT])
+    write(folder, "FuzzWindowMessages", [MESSAGES])
     write(folder, "FuzzMicroMeshFile", micro_meshes())
     write(folder, "FuzzPatchFile", patches())
     write(folder, "FuzzPyramidIndex", pyramid_indices())

@@ -4,8 +4,11 @@
 
 import gc
 import os
+import pathlib
+import random
 import re
 import socket
+import subprocess
 import sys
 import time
 import unittest
@@ -13,7 +16,7 @@ import urllib.parse
 
 import relevo
 from ErrorMessages import MessageCatcher
-from WindowClient import BINARY, TEXT, Refused, WindowClient, request
+from WindowClient import BINARY, TEXT, Refused, WindowClient, frame, request
 from WindowScene import frame_counter, make_window, own_picture, read_picture
 
 if not hasattr(relevo, "vtkWindowServer"):
@@ -320,6 +323,7 @@ class TestWindowServer(unittest.TestCase):
             ({"host": "example.org", "origin": None}, 403),
             ({"host": "example.org:80", "origin": "http://example.org:80"}, 403),
             ({"host": "10.0.0.1", "origin": None}, 403),
+            ({"host": "localhost:80; script-src *", "origin": None}, 403),
             ({"host": "", "origin": None}, 403),
         ):
             with self.subTest(settings), self.assertRaises(Refused) as error:
@@ -400,6 +404,35 @@ class TestWindowServer(unittest.TestCase):
         self.run_for(0.05)
         self.catcher.expect(f"sent {len(messages) + 3} malformed messages")
 
+    def test_many_malformed_messages(self):
+        runs = int(os.environ.get("RELEVO_FUZZ_RUNS", "20000"))
+        client = self.connect()
+        self.await_still(client)
+        rng = random.Random(7)
+        good = ["move 1 2 0", "press 0 1 2 0 1", "keydown 0 a", "resize 80 60 100", "shown"]
+        batch = []
+        while len(batch) < 1000:
+            words = bytearray(rng.choice(good).encode())
+            for _ in range(rng.randrange(1, 5)):
+                words.insert(rng.randrange(len(words) + 1), rng.choice(b"\x00\xff -.,eax"))
+            # Each one is malformed by its first byte.
+            batch.append(frame(rng.choice((TEXT, BINARY)), b"#" + bytes(words)))
+        data = b"".join(batch)
+        sizes = []
+        for _ in range(max(2, runs // len(batch))):
+            client.socket.sendall(data)
+            self.server.ProcessRequests(0)
+            sizes.append(resident_size())
+        seen = self.observe("MouseMoveEvent")
+        client.send("move 3 4 0")
+        self.run_until(lambda: seen)
+        self.assertLess(resident_size() - sizes[1], 2 << 20)
+        self.catcher.expect("A client sent a malformed message")
+        client.close()
+        self.run_until(lambda: self.server.GetNumberOfClients() == 0)
+        self.run_for(0.05)
+        self.catcher.expect(f"sent {len(sizes) * len(batch)} malformed messages")
+
     def test_large_messages(self):
         for size in (257, 1 << 24):
             client = self.connect()
@@ -475,6 +508,19 @@ class TestWindowServer(unittest.TestCase):
         self.server.ProcessRequests(float("nan"))
         self.catcher.expect("ProcessRequests() must be in [0, 1e+06]")
         self.assertIsNone(re.search(self.server.GetToken(), str(self.server)))
+
+    def test_example(self):
+        source = pathlib.Path(__file__).resolve().parents[2] / "Examples/Python/windowserver.py"
+        with subprocess.Popen(
+            [sys.executable, source, "3"], text=True, stdout=subprocess.PIPE
+        ) as program:
+            client = WindowClient(program.stdout.readline().strip())
+            while client.is_open:
+                client.update(0.1)
+            output, _ = program.communicate(timeout=WAIT)
+        self.assertEqual(program.returncode, 0)
+        self.assertEqual(read_picture(client.pictures[-1])[0], (800, 600))
+        self.assertEqual(output, f"{len(client.pictures)} pictures\n")
 
     def test_windows_end(self):
         client = self.connect()

@@ -31,15 +31,19 @@ def request(address, lines, *, buffer_size=None):
     if buffer_size is not None:
         connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, buffer_size)
     connection.settimeout(20)
-    connection.connect(address)
-    connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-    connection.sendall("\r\n".join([*lines, "", ""]).encode())
-    received = b""
-    while b"\r\n\r\n" not in received:
-        data = connection.recv(65536)
-        if not data:
-            raise ConnectionError("the server closed the connection")
-        received += data
+    try:
+        connection.connect(address)
+        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        connection.sendall("\r\n".join([*lines, "", ""]).encode())
+        received = b""
+        while b"\r\n\r\n" not in received:
+            data = connection.recv(65536)
+            if not data:
+                raise ConnectionError("the server closed the connection")
+            received += data
+    except OSError:
+        connection.close()
+        raise
     head, rest = received.split(b"\r\n\r\n", 1)
     return connection, head.decode(), rest
 

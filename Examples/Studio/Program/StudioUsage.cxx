@@ -9,13 +9,15 @@ std::string GetStudioUsage()
 relevo-studio [options] -- FILE     for names that begin with a hyphen
 
 Shows a height map, a mesh or results in a window with controls. Files and options are those of
-relevo-view, except --against, --capture, --export, --flight, --height-at, --micromesh, --output and
---stats. Each control has the name of its option.
+relevo-view, except --against, --capture, --export, --flight, --height-at, --micromesh, --output,
+--save-session, --session and --stats. Each control has the name of its option.
 
 Options of the studio:
   --script FILE          run the lines of a script without a display, and exit: set NAME VALUE, click
                          NAME, drag X0 Y0 X1 Y1, key NAME, wait, save FILE, quit. Empty lines and
                          lines after # are ignored
+  --serve [PORT]         show the window in a browser: print its URL, and serve it to this computer
+                         until Ctrl-C. The port is 0 to 65535 (default 0, any free one)
   --layout FILE          write a JSON list of the controls, their places in pixels from the upper
                          left corner and the figures of the frame, after each frame
   --report               print a JSON report on the graphics card, and exit. Without FILE

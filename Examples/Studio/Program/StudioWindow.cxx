@@ -10,6 +10,7 @@
 #include "Window/DisplayConnection.h"
 #include "Window/ViewerFrames.h"
 #include "Window/ViewerScaleBar.h"
+#include "Window/ViewerServer.h"
 
 #include "vtkCommand.h"
 #include "vtkGenericRenderWindowInteractor.h"
@@ -71,14 +72,30 @@ private:
   bool IsStep = false;
 };
 
-void ReportError(Studio& studio)
+// Draws a studio after all waiting events.
+class StudioTools
 {
-  const std::string error = studio.TakeError();
-  if (!error.empty())
+public:
+  StudioTools(Studio& studio, vtkRenderWindowInteractor* interactor)
+    : Frames(interactor, [&studio] { Update(studio); })
+    , Timers(studio, interactor)
   {
-    WriteMessage("error", error);
   }
-}
+
+private:
+  static void Update(Studio& studio)
+  {
+    studio.Apply();
+    const std::string error = studio.TakeError();
+    if (!error.empty())
+    {
+      WriteMessage("error", error);
+    }
+  }
+
+  ViewerFrames Frames;
+  const StudioTimers Timers;
+};
 }
 
 //------------------------------------------------------------------------------
@@ -101,15 +118,27 @@ void ShowStudio(const OptionValues& values, const std::string& layoutFile)
   EndWithWindow(interactor);
   Studio studio(window, values, false);
   studio.SetLayoutFile(layoutFile);
-  ViewerFrames frames(interactor,
-    [&]
-    {
-      studio.Apply();
-      ReportError(studio);
-    });
-  const StudioTimers timers(studio, interactor);
+  const StudioTools tools(studio, interactor);
   studio.Draw();
   interactor->Start();
+}
+
+//------------------------------------------------------------------------------
+void ServeStudio(const OptionValues& values, const std::string& layoutFile, int port)
+{
+  const ViewerOptions options = values.Parse();
+  ViewerMessages messages;
+  const auto window = NewOffscreenWindow();
+  messages.ThrowErrorsOf(window);
+  window->SetSize(options.Size[0], options.Size[1]);
+  window->SetMultiSamples(4);
+  ViewerServer server(window, messages);
+  SetStyle(window->GetInteractor(), options.IsTerrain() && !options.Globe);
+  Studio studio(window, values, false);
+  studio.SetLayoutFile(layoutFile);
+  const StudioTools tools(studio, window->GetInteractor());
+  studio.Draw();
+  server.Run(port);
 }
 
 //------------------------------------------------------------------------------

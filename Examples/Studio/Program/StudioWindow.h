@@ -18,4 +18,7 @@ void ShowStudio(const OptionValues& values, const std::string& layoutFile);
 void RunScript(
   const OptionValues& values, const std::string& layoutFile, const std::string& script);
 
+/// Serves the window to browsers until SIGINT or SIGTERM. Throws ViewerError.
+void ServeStudio(const OptionValues& values, const std::string& layoutFile, int port);
+
 #endif

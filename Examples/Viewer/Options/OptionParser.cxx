@@ -6,6 +6,7 @@
 #include "Files/ViewerExport.h"
 #include "Options/OptionChecks.h"
 #include "Options/Palettes.h"
+#include "Options/SessionFile.h"
 #include "Options/UsageError.h"
 #include "Options/ViewerArguments.h"
 
@@ -20,6 +21,9 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
+#include <set>
+#include <utility>
 
 namespace
 {
@@ -38,11 +42,16 @@ const int MaximumSteps = 1000;
 const int MaximumHairs = 10000000;
 const int MaximumIsolines = 1000;
 const int MaximumSeeds = 100000;
+const int LargestPort = 65535;
 const double LowestError = 0.001; // the smallest ScreenSpaceError
 const double HighestError = 1e6;
 const double LowestTolerance = 1e-6; // of curved cells
 const double LowestZoom = 0.001;
 const double HighestZoom = 1e6;
+
+// The options that say what to do, not what to show. Sessions do not have them.
+const std::set<std::string> Actions = { "--capture", "--export", "--height-at", "--help", "-h",
+  "--micromesh", "--output", "--save-session", "--serve", "--session", "--stats", "--version" };
 
 using Flags = std::map<std::string, std::function<void()>>;
 using Setter = std::function<void(const std::string& option, const std::string& value)>;
@@ -71,6 +80,7 @@ public:
     this->AddRelief();
     this->AddLevels();
     this->AddPicture();
+    this->ReadSessionOf(argc, argv);
     bool isOption = true;
     for (int i = 1; i < argc; ++i)
     {
@@ -92,6 +102,7 @@ public:
     {
       return this->Options;
     }
+    this->FinishSession();
     if (this->Options.Input.empty())
     {
       throw UsageError("no file is given");
@@ -99,6 +110,7 @@ public:
     this->Options.IsDatabase = IsReliefDatabase(this->Options.Input);
     this->Options.IsMesh = IsMeshFile(this->Options.Input);
     CheckOptions(this->Options, this->GivenOptions);
+    this->CheckServing();
     return this->Options;
   }
 
@@ -119,6 +131,7 @@ private:
       { "--patch-edges", [&] { options.PatchEdges = true; } },
       { "--per-edge", [&] { options.PerEdge = true; } },
       { "--scale-bar", [&] { options.HasScaleBar = true; } },
+      { "--serve", [&] { options.Serve = 0; } },
       { "--stats", [&] { options.Statistics = true; } },
       { "--stretch", [&] { options.Stretch = true; } },
       { "--version", [&] { options.Version = true; } },
@@ -546,6 +559,13 @@ private:
       { "--ruler",
         [&](const auto& option, const auto& value)
         { options.Ruler = ToNumbers(option, value, "X,Y,Z,X,Y,Z"); } },
+      { "--save-session",
+        [&](const auto& option, const auto& value)
+        { options.SaveSession = ToFileName(option, value, { ".json" }); } },
+      { "--serve",
+        [&](const auto& option, const auto& value)
+        { options.Serve = ToInteger(option, value, 0, LargestPort); } },
+      { "--session", ReadLater },
       { "--size",
         [&](const auto& option, const auto& value) { ToSize(option, value, options.Size); } },
       { "--view",
@@ -578,14 +598,16 @@ private:
     {
       this->GivenOptions[argument];
       flag->second();
-      return argument == "--volume" ? this->ReadVolumeArray(next) : 0;
+      return argument == "--volume" ? this->ReadVolumeArray(next)
+        : argument == "--serve"     ? this->ReadPort(next)
+                                    : 0;
     }
     // --option VALUE or --option=VALUE
     const std::size_t equals = argument.find('=');
     const std::string option = argument.substr(0, equals);
     if (option == "--volume")
     {
-      this->GivenOptions[option];
+      this->GivenOptions[option] = argument.substr(equals + 1);
       this->Options.IsVolume = true;
       this->Options.VolumeArray = argument.substr(equals + 1);
       return 0;
@@ -624,13 +646,126 @@ private:
       return 0;
     }
     this->Options.VolumeArray = next;
+    this->GivenOptions["--volume"] = next;
     return 1;
+  }
+
+  // A number may follow --serve.
+  int ReadPort(const char* next)
+  {
+    const std::string text = next ? next : "";
+    if (text.empty() || text.find_first_not_of("0123456789") != std::string::npos)
+    {
+      return 0;
+    }
+    this->Options.Serve = ToInteger("--serve", text, 0, LargestPort);
+    return 1;
+  }
+
+  // The options of a session come first, so that those of the command line override them.
+  void ReadSessionOf(int argc, char* argv[])
+  {
+    const std::string option = "--session";
+    for (int i = 1; i < argc && std::string(argv[i]) != "--"; ++i)
+    {
+      const std::string argument = argv[i];
+      if (argument == option && i + 1 < argc)
+      {
+        this->SessionName = argv[i + 1];
+      }
+      else if (argument.compare(0, option.size() + 1, option + "=") == 0)
+      {
+        this->SessionName = argument.substr(option.size() + 1);
+      }
+    }
+    if (this->SessionName.empty())
+    {
+      return;
+    }
+    this->Session = ReadSession(this->SessionName);
+    for (const auto& own : this->Session.Options)
+    {
+      this->ReadSessionOption(own.first, own.second);
+    }
+    this->OptionsOfSession = std::exchange(this->GivenOptions, {});
+  }
+
+  void ReadSessionOption(const std::string& option, const std::optional<std::string>& value)
+  {
+    const std::string place = "--session " + this->SessionName + ": ";
+    const bool isFlag = this->AllFlags.count(option) > 0 && option != "--volume";
+    if (Actions.count(option) > 0 || (!isFlag && !this->IsOption(option)))
+    {
+      throw UsageError(place + "unknown option '" + option + "'");
+    }
+    if (isFlag == value.has_value() && option != "--volume")
+    {
+      throw UsageError(place + option + (isFlag ? " must be true" : " needs a value"));
+    }
+    try
+    {
+      this->ReadOption(value ? option + "=" + *value : option, nullptr);
+    }
+    catch (const UsageError& error)
+    {
+      throw UsageError(place + error.what());
+    }
+  }
+
+  void FinishSession()
+  {
+    // The camera of a session is more exact than its options, but not what the user asks for now.
+    const bool hasView = this->GivenOptions.count("--view") || this->GivenOptions.count("--zoom") ||
+      this->GivenOptions.count("--center");
+    if (!hasView)
+    {
+      this->Options.Camera = this->Session.Camera;
+    }
+    this->GivenOptions.insert(this->OptionsOfSession.begin(), this->OptionsOfSession.end());
+    if (this->Options.Input.empty())
+    {
+      this->Options.Input = this->Session.Input;
+    }
+    for (const auto& given : this->GivenOptions)
+    {
+      if (Actions.count(given.first) == 0)
+      {
+        const bool isFlag = this->AllFlags.count(given.first) > 0 && given.second.empty();
+        this->Options.Given[given.first] =
+          isFlag ? std::nullopt : std::optional<std::string>(given.second);
+      }
+    }
+    for (const char* option : { "--session", "--save-session", "--serve" })
+    {
+      this->GivenOptions.erase(option); // valid for all inputs
+    }
+  }
+
+  void CheckServing() const
+  {
+    for (const char* option : { "--against", "--capture", "--export", "--flight", "--height-at",
+           "--micromesh", "--output" })
+    {
+      if (this->Options.Serve && this->GivenOptions.count(option))
+      {
+        throw UsageError("--serve cannot be combined with " + std::string(option));
+      }
+    }
+    const bool isSaved = !this->Options.SaveSession.empty();
+    if (isSaved && (this->Options.HeightAt || this->Options.IsSeries()))
+    {
+      throw UsageError(std::string("--save-session cannot be combined with ") +
+        (this->Options.HeightAt ? "--height-at" : "several pictures"));
+    }
   }
 
   ViewerOptions Options;
   Flags AllFlags;
   Settings AllSettings;
   std::map<std::string, std::string> GivenOptions; // with their values
+  std::map<std::string, std::string> OptionsOfSession;
+  std::string SessionName;
+  ViewerSession Session;
 };
 }
 

@@ -7,8 +7,10 @@
 #define ViewerOptions_h
 
 #include "Files/FramePattern.h"
+#include "Options/SessionFile.h"
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -193,6 +195,11 @@ struct ViewerOptions
   int Size[2] = { 1280, 800 };
   std::string Output; // a file, or a pattern for several
   std::string Export;
+  std::optional<int> Serve;            // port
+  std::string SaveSession;             // output file
+  std::optional<SessionCamera> Camera; // of a session
+  // The options for SaveSession, with their values.
+  std::map<std::string, std::optional<std::string>> Given;
   bool Help = false;
   bool Version = false;
 

@@ -6,6 +6,7 @@ namespace
 {
 const char* const Options = R"(relevo-view FILE [options]
 relevo-view [options] -- FILE     for names that begin with a hyphen
+relevo-view --session FILE.json [options]
 
 Draws a height map (GeoTIFF, SRTM .hgt, USGS DEM, PNG, OpenEXR ...), a surface mesh (.ply, .stl, .obj,
 .gltf, .glb, .off, .bpt, .rmm, .vtp ...), results on a mesh of cells (.vtu, .vts, .vti, .vtm, .pvd, .vtk,
@@ -212,6 +213,13 @@ The picture:
   --output FILE.png      write a picture without a display, and exit. With a number in the name, such
                          as 'frames/%04d.png', write a picture for each time step of a mesh, or
                          each line of --flight, numbered from 0
+  --serve [PORT]         show the window in a browser: print its URL, and serve it to this computer
+                         until Ctrl-C. The port is 0 to 65535 (default 0, any free one)
+  --session FILE.json    draw the file of a session with its options and its camera. Options of the
+                         command line have priority, and FILE replaces its file
+  --save-session FILE.json
+                         write a session: FILE and its options, relative to the session, and the
+                         camera, after the picture or when the window is closed
   --export FILE          write the mesh as it is drawn (.vtp, .glb, .obj, .ply, .stl) and exit.
                          Height maps are in metres, with x east, y north and z up; with --globe,
                          from the centre of the earth. A .vtp file also has the field data Origin

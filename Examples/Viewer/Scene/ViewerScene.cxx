@@ -35,6 +35,18 @@ ViewerScene::ViewerScene(const ViewerOptions& options, ViewerMessages& messages)
 ViewerScene::~ViewerScene() = default;
 
 //------------------------------------------------------------------------------
+std::string ViewerScene::ChangeByKey(char key)
+{
+  const std::string change = this->Change(key);
+  const std::size_t space = change.find(' ');
+  if (change.compare(0, 2, "--") == 0 && space != std::string::npos)
+  {
+    this->Changes[change.substr(0, space)] = change.substr(space + 1);
+  }
+  return change;
+}
+
+//------------------------------------------------------------------------------
 void ViewerScene::AddLegend(vtkScalarsToColors* table, const std::string& name,
   const std::string& unit, int numberOfLabels, const std::optional<double>& mark)
 {

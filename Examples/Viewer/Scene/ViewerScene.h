@@ -16,6 +16,7 @@
 #include "vtkNew.h"
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -63,6 +64,11 @@ public:
 
   /// Handles a key of the window. Returns a description of the change, or an empty string.
   virtual std::string Change(char) { return ""; }
+
+  /// Like Change(), and stores changes that an option repeats.
+  std::string ChangeByKey(char key);
+  /// These options, with their values.
+  const std::map<std::string, std::string>& GetChanges() const { return this->Changes; }
 
   /// Writes the visible refined mesh, if there is one. Throws ViewerError.
   virtual void Export(const std::string&) {}
@@ -140,6 +146,7 @@ private:
   std::optional<std::array<double, 6>> ViewBounds; // of SetView()
   std::vector<ViewerLamp> Lamps;                   // before the direction of the options is applied
   std::unique_ptr<PictureMarks> Ruler;             // nullptr for none
+  std::map<std::string, std::string> Changes;
 };
 
 #endif

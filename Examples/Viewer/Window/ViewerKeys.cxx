@@ -20,7 +20,7 @@ ViewerKeys::ViewerKeys(vtkRenderWindowInteractor* interactor, ViewerScene& scene
 void ViewerKeys::OnKey(vtkObject* caller, unsigned long, void*)
 {
   auto* interactor = static_cast<vtkRenderWindowInteractor*>(caller);
-  std::string text = this->Scene.Change(interactor->GetKeyCode());
+  std::string text = this->Scene.ChangeByKey(interactor->GetKeyCode());
   if (text.empty() && !this->Scene.IsTerrain())
   {
     text = this->Scene.ShowPlanView(interactor->GetKeyCode());

@@ -20,12 +20,15 @@ std::string ToLowerCase(std::string text)
   return text;
 }
 
-// Removes the port of NAME:PORT or [IPv6]:PORT.
+// Removes the port of NAME:PORT or [IPv6]:PORT. Returns nothing if the port is no number.
 std::string GetName(const std::string& host)
 {
   const std::size_t bracket = host.find(']');
   const std::size_t colon = host.find(':', bracket == std::string::npos ? 0 : bracket);
-  return ToLowerCase(host.substr(0, colon));
+  const bool hasPort = colon != std::string::npos;
+  const bool isValid =
+    !hasPort || host.find_first_not_of("0123456789", colon + 1) == std::string::npos;
+  return isValid ? ToLowerCase(host.substr(0, colon)) : "";
 }
 
 bool IsNumericAddress(const std::string& name)

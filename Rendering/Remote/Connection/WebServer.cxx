@@ -25,7 +25,7 @@ namespace relevo
 {
 namespace
 {
-const int LargestNumberOfClients = 16;
+const std::size_t LargestNumberOfClients = 16;
 const char* const SocketPath = "/window";
 
 std::string GetHeader(const mg_connection* connection, const char* name)
@@ -138,7 +138,7 @@ struct WebServer::Handlers
 
   static int OnConnect(const mg_connection*, void* data)
   {
-    return static_cast<WebServer*>(data)->Reserve() ? 0 : 1;
+    return static_cast<WebServer*>(data)->HasSpace() ? 0 : 1;
   }
 
   static void OnReady(mg_connection* connection, void* data)
@@ -312,16 +312,15 @@ void WebServer::SendPage(mg_connection* connection)
 }
 
 //------------------------------------------------------------------------------
-bool WebServer::Reserve()
+bool WebServer::HasSpace()
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  if (this->NumberOfClients >= LargestNumberOfClients)
+  if (this->Clients.size() >= LargestNumberOfClients)
   {
     this->Messages.Warn("A client was refused, because " + std::to_string(LargestNumberOfClients) +
       " are connected.");
     return false;
   }
-  ++this->NumberOfClients;
   return true;
 }
 
@@ -387,7 +386,6 @@ void WebServer::Remove(const ClientConnection* client)
   std::shared_ptr<ClientConnection> removed; // its thread ends without the lock
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    --this->NumberOfClients;
     const auto found = std::find_if(this->Clients.begin(), this->Clients.end(),
       [&](const auto& other) { return other.get() == client; });
     if (found == this->Clients.end())

@@ -53,8 +53,8 @@ private:
   /// Answers a request. Returns false for the one that opens a WebSocket.
   bool Answer(mg_connection* connection);
   void SendPage(mg_connection* connection);
-  /// Returns whether there is space for another client.
-  bool Reserve();
+  /// Returns whether there is space for another client. Otherwise warns.
+  bool HasSpace();
   void Add(mg_connection* connection);
   bool Receive(ClientConnection& client, int bits, const char* data, std::size_t size);
   void Remove(const ClientConnection* client);
@@ -68,7 +68,6 @@ private:
   mutable std::mutex Mutex;
   std::string Problem; // the last message of civetweb
   std::vector<std::shared_ptr<ClientConnection>> Clients;
-  int NumberOfClients = 0; // including those that are being opened
   int LastNumber = 0;
 };
 }
