@@ -23,6 +23,7 @@ if not hasattr(relevo, "vtkWindowServer"):
     sys.exit(125)
 
 SIZE = "--size=160x120"
+STUDIO = PROGRAM.with_name("relevo-studio")
 WAIT = 60  # seconds until a test gives up
 
 
@@ -33,11 +34,11 @@ class TestViewerServe(ViewerProgram):
         cls.heights = write_hill(cls.folder)
         cls.mesh = write_sphere(cls.folder)
 
-    def serve(self, *arguments):
+    def serve(self, *arguments, name=PROGRAM):
         """The program and its URL."""
         environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
         program = subprocess.Popen(
-            [PROGRAM, *map(str, arguments)], cwd=self.folder, env=environment, text=True,
+            [name, *map(str, arguments)], cwd=self.folder, env=environment, text=True,
             stdout=subprocess.PIPE, stderr=subprocess.PIPE,
         )
         self.addCleanup(program.kill)
@@ -105,6 +106,20 @@ class TestViewerServe(ViewerProgram):
         self.await_still(client, first)
         client.close()
         self.end(program, signal.SIGTERM)
+
+    @unittest.skipUnless(STUDIO.exists(), "relevo-studio was not built")
+    def test_studio(self):
+        program, url = self.serve(self.mesh, "--size=640x400", "--serve", name=STUDIO)
+        client = WindowClient(url)
+        first = self.await_still(client)
+        client.send("press", 0, 150, 300, 0, 1)
+        client.send("move", 200, 250, 0)
+        client.send("release", 0, 200, 250, 0)
+        turned = self.await_still(client, first)
+        client.send("resize", 500, 300, 100)
+        self.assertEqual(self.await_still(client, turned)[0], (500, 300))
+        client.close()
+        self.end(program)
 
     def test_bad_arguments(self):
         for option in ("--output=x.png", "--export=x.vtp", "--capture=folder"):
