@@ -154,8 +154,11 @@ class WindowClient(WebSocket):
         """Takes pictures that have arrived, JPEG or PNG files."""
         for picture in self.poll(wait):
             self.pictures.append(picture)
-            if not self.is_slow:
-                self.send("shown")
+            if not self.is_slow and self.is_open:
+                try:
+                    self.send("shown")
+                except ConnectionError:
+                    self.close()
 
     def is_still(self):
         """Whether the last picture is lossless."""
