@@ -65,7 +65,7 @@ def _find_colour(colour: Any, option: str) -> Colour | None:
         is_number = re.fullmatch("#[0-9a-fA-F]{6}", colour)
         if is_number or (colour and names.ColorExists(colour)):
             found = names.HTMLColorToRGB(colour) if is_number else names.GetColor3ub(colour)
-            return tuple(found[i] / 255 for i in range(3))  # type: ignore[return-value]
+            return (found.GetRed() / 255, found.GetGreen() / 255, found.GetBlue() / 255)
         raise ValueError(f"{option} must be a colour such as 'white' or '#ff8800', not {colour!r}")
     try:
         red, green, blue = (float(number) for number in colour)
