@@ -156,6 +156,9 @@ class TestStudio(ViewerProgram):
             "set light 90,10",
         )
         self.assertEqual(errors, "")
+        # The scene is beside the panel.
+        panel = dragged[-1]["undo"]["rectangle"]
+        self.assertGreater(panel[0], 200)
         for figure in ("figure-buffer-builds", "figure-shader-builds"):
             self.assertEqual(dragged[-1][figure]["value"], last[figure]["value"], figure)
             self.assertGreater(last[figure]["value"], 0)
@@ -165,16 +168,18 @@ class TestStudio(ViewerProgram):
         self.assertGreater(float(values[-1]), 4.0)
 
     def test_volume(self):
+        (self.folder / "nodes.txt").write_text(VOLUME_NODES.replace(";", "\n") + "\n")
         layouts, errors = self.studio(
             "beam.vtu",
             "set volume Height",
             "save a.png",
-            f"set transfer {VOLUME_NODES}",
+            "set transfer nodes.txt",
             "set unit-distance 2",
             "save b.png",
             "set clip 1,0,0,1,0,0",
             "set isosurfaces 2.5",
             "save c.png",
+            f"set transfer {VOLUME_NODES}",
             "click transfer-next",
             "click transfer-add",
         )
@@ -185,6 +190,8 @@ class TestStudio(ViewerProgram):
         self.assert_picture("b.png", *nodes)
         self.assert_picture("c.png", *nodes, "--clip=1,0,0,1,0,0", "--isosurfaces=2.5")
         self.assertEqual(layouts[-1]["transfer"]["value"].count(";"), 3)
+        # One frame for each line that needs one; saved pictures are two frames more.
+        self.assertEqual(len(layouts), 9)
 
     def test_time(self):
         layouts, errors = self.studio(
@@ -202,6 +209,37 @@ class TestStudio(ViewerProgram):
         self.assert_picture("a.png", "steps.pvd", "--warp=Move", "--time=1")
         self.assert_picture("b.png", "steps.pvd", "--warp=Move", "--time=2")
         self.assertEqual(layouts[-1]["time"]["value"], "2")
+
+    def test_directions(self):
+        """The panel shows the light and the view in use, and parts of controls can be set."""
+        layouts, errors = self.studio(
+            "beam.vtu",
+            "click group Light and camera",
+            "drag 20 200 70 200",
+            "set view default",
+            "set light.1 30",
+            "set clip-direction -y",
+            "set clip-position 1",
+            "save a.png",
+            "click group Figures",
+        )
+        self.assertEqual(errors, "")
+
+        def find(number, name):
+            return [float(layouts[number][f"{name}.{i}"]["value"]) for i in range(2)]
+
+        moved = next(i for i, e in enumerate(layouts) if e["view"]["value"])
+        self.assertEqual(find(moved - 1, "light"), [250.0, 45.0])
+        self.assertEqual(find(moved - 1, "view"), [205.0, 20.0])
+        last = max(i for i, e in enumerate(layouts) if e["view"]["value"])
+        # VTK's trackball turns by 200 degrees for the width of the window, about a tilted axis.
+        turn = 200.0 * 50 / 560
+        self.assertAlmostEqual(find(last, "view")[0], 205.0 + turn, delta=2.0)
+        self.assertEqual(find(-1, "view"), [205.0, 20.0])
+        self.assertEqual(layouts[-1]["clip-direction"]["value"], "-y")
+        self.assertEqual(layouts[-1]["clip-position"]["value"], "1")
+        self.assertEqual(layouts[-1]["group Figures"]["value"], "off")
+        self.assert_picture("a.png", "beam.vtu", "--light=250,30", "--clip=3,1,1.5,0,-1,0")
 
     def test_keys(self):
         """The arrows reach each control that applies."""
@@ -269,6 +307,10 @@ class TestStudio(ViewerProgram):
             "click nothing",
             "save picture.gif",
             "key hyper+x",
+            "key Foo",
+            "set palett magma",
+            "set clip-position 1",
+            "set group Data",
             "save still.png",
             code=1,
         )
@@ -282,6 +324,10 @@ class TestStudio(ViewerProgram):
             (8, "unknown control 'nothing'"),
             (9, "picture.gif: its name must end with .png"),
             (10, "unknown key 'hyper+x'"),
+            (11, "unknown key 'Foo'; keys are characters and BackSpace, "),
+            (12, "unknown control 'palett'; similar: palette"),
+            (13, "'clip-position' is not available: set clip-direction first"),
+            (14, "unknown control 'group'"),
         )
         lines = errors.splitlines()
         self.assertEqual(len(lines), len(expected) + 1, errors)

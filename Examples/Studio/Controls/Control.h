@@ -39,6 +39,7 @@ struct Control
 
   // These depend on the file and the other options.
   std::optional<std::string> Value = {}; // nothing for the default
+  std::vector<double> Current = {};      // the numbers in use, if the scene knows them
   bool IsEnabled = true;
   std::string Reason = {}; // why it is not
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Controls/ControlList.h"
 
+#include "Controls/ControlNumbers.h"
 #include "Controls/ControlTable.h"
 #include "Options/UsageError.h"
 #include "State/StudioState.h"
@@ -12,6 +13,8 @@
 
 namespace
 {
+const double StepsPerDegree = 100.0; // of directions in the panel
+
 // Names of vectors and tensors are followed by their quantities.
 std::vector<std::string> ListQuantities(const SceneContent& content)
 {
@@ -190,6 +193,19 @@ void ControlList::FindRange(Control& control, const SceneContent& content) const
     control.Start = name == "range" ? std::vector<double>{ range[0], range[1] }
                                     : std::vector<double>{ 0.5 * (range[0] + range[1]) };
   }
+  const auto& direction = name == "light" ? content.Light : content.View;
+  if (direction && (name == "light" || name == "view"))
+  {
+    control.Current.clear();
+    for (double degrees : *direction)
+    {
+      control.Current.push_back(std::round(degrees * StepsPerDegree) / StepsPerDegree);
+    }
+    if (name == "view" && content.IsViewMoved)
+    {
+      control.Value = WriteNumbers(control.Current);
+    }
+  }
   if (!content.Bounds)
   {
     return;
@@ -208,11 +224,6 @@ void ControlList::FindRange(Control& control, const SceneContent& content) const
     control.Lowest = name == "offset" ? -0.2 * diagonal : 0.0;
     control.Highest = 0.2 * diagonal;
     control.Start = { name == "offset" ? 0.0 : 0.03 * diagonal };
-  }
-  else if (name == "light" || name == "view")
-  {
-    control.Start =
-      name == "light" ? std::vector<double>{ 250.0, 45.0 } : std::vector<double>{ 205.0, 20.0 };
   }
   else if (name == "reach")
   {

@@ -12,6 +12,8 @@
 
 namespace
 {
+const int SmallestWidth = 100; // pixels of the scene beside the panel
+
 const char* const Builds[2] = { "buffer-builds", "shader-builds" };
 
 double FindFigure(const SceneFigures& figures, const std::string& name)
@@ -76,6 +78,10 @@ void StudioScene::Build(const OptionValues& values)
   this->Values = values;
   this->Content = this->Scene->GetContent();
   this->StoreView();
+  if (this->Size[0] > 0)
+  {
+    this->ApplySize();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -115,6 +121,43 @@ void StudioScene::Apply(const OptionValues& values)
   {
     this->Scene->GetRenderer()->GetActiveCamera()->DeepCopy(old);
     this->Scene->GetRenderer()->ResetCameraClippingRange();
+  }
+}
+
+//------------------------------------------------------------------------------
+const SceneContent& StudioScene::GetContent()
+{
+  this->Content.Light = this->Scene->GetLight();
+  this->Content.View = this->Scene->GetView();
+  this->Content.IsViewMoved = this->IsViewMoved();
+  return this->Content;
+}
+
+//------------------------------------------------------------------------------
+void StudioScene::SetPanelWidth(int width)
+{
+  this->PanelWidth = width;
+  const int* window = this->Window->GetActualSize();
+  const bool hasRoom = window[0] - width >= SmallestWidth;
+  const std::array<int, 2> size = { { hasRoom ? window[0] - width : window[0], window[1] } };
+  if (size[0] > 0 && size[1] > 0 && size != this->Size)
+  {
+    this->Size = size;
+    this->ApplySize();
+  }
+}
+
+//------------------------------------------------------------------------------
+void StudioScene::ApplySize()
+{
+  const bool isMoved = this->IsViewMoved();
+  const int width = this->Window->GetActualSize()[0];
+  this->Scene->GetRenderer()->SetViewport(
+    0.0, 0.0, static_cast<double>(this->Size[0]) / width, 1.0);
+  this->Scene->SetViewSize(this->Size);
+  if (!isMoved)
+  {
+    this->ResetView();
   }
 }
 

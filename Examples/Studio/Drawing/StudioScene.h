@@ -16,6 +16,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,18 +42,25 @@ public:
 
   ViewerScene& Get() { return *this->Scene; }
   ViewerMessages& GetMessages() { return *this->Messages; }
-  const SceneContent& GetContent() const { return this->Content; }
+  /// The choices of the file, and the present light and view.
+  const SceneContent& GetContent();
   /// Figures of the last frame. Builds include those of earlier scenes.
   SceneFigures GetFigures();
 
   /// Moves the camera back to the view of the options.
   void ResetView();
 
+  /// Draws the scene on the left of a panel of this width in pixels, if there is room beside it.
+  /// Until the user moves the camera, the view fits into this part of the window.
+  void SetPanelWidth(int width);
+  int GetPanelWidth() const { return this->PanelWidth; }
+
 private:
   ViewerOptions Parse(const OptionValues& values) const;
   void Build(const OptionValues& values);
   bool IsViewMoved() const;
   void StoreView();
+  void ApplySize();
 
   vtkRenderWindow* Window;
   OptionValues Values;
@@ -60,7 +68,10 @@ private:
   std::unique_ptr<ViewerMessages> Messages;
   std::unique_ptr<ViewerScene> Scene;
   SceneContent Content;
-  vtkSmartPointer<vtkCamera> OwnView;     // the camera of the options
+  int PanelWidth = 0;
+  std::array<int, 2> Size = { { 0,
+    0 } };                            // of the scene's part of the window, after the first frame
+  vtkSmartPointer<vtkCamera> OwnView; // the camera of the options
   double EarlierBuilds[2] = { 0.0, 0.0 }; // of buffers and shaders, in scenes that were replaced
 };
 

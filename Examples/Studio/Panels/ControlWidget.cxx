@@ -2,76 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Panels/ControlWidget.h"
 
+#include "Controls/ControlNumbers.h"
+
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
-
-namespace
-{
-const double Epsilon = 1e-12;
-
-const char* const Directions[] = { "none", "+x", "-x", "+y", "-y", "+z", "-z" };
-
-// The direction of a plane: 0 for none, or its place in Directions. Others are not along an axis.
-int FindDirection(const std::vector<double>& plane)
-{
-  if (plane.size() != 6)
-  {
-    return 0;
-  }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double a = plane[3 + (axis + 1) % 3];
-    const double b = plane[3 + (axis + 2) % 3];
-    if (std::abs(a) < Epsilon && std::abs(b) < Epsilon)
-    {
-      return 1 + 2 * axis + (plane[3 + axis] > 0.0 ? 0 : 1);
-    }
-  }
-  return -1;
-}
-}
-
-//------------------------------------------------------------------------------
-std::vector<double> ParseNumbers(const std::string& text)
-{
-  std::vector<double> numbers;
-  const char* position = text.c_str();
-  while (*position != '\0')
-  {
-    char* end = nullptr;
-    numbers.push_back(std::strtod(position, &end));
-    if (end == position)
-    {
-      return {};
-    }
-    position = *end == ',' ? end + 1 : end;
-    if (*end != ',' && *end != '\0')
-    {
-      return {};
-    }
-  }
-  return numbers;
-}
-
-//------------------------------------------------------------------------------
-std::string WriteNumbers(const std::vector<double>& numbers)
-{
-  std::string text;
-  for (double number : numbers)
-  {
-    std::array<char, 64> digits;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-    text += (text.empty() ? "" : ",") + std::string(digits.data(), end);
-  }
-  return text;
-}
 
 //------------------------------------------------------------------------------
 ControlWidget::ControlWidget(
@@ -227,7 +166,9 @@ void ControlWidget::DrawFlag(const Control& control)
 //------------------------------------------------------------------------------
 void ControlWidget::DrawNumbers(const Control& control)
 {
-  std::vector<double> numbers = control.Value ? ParseNumbers(*control.Value) : control.Start;
+  std::vector<double> numbers = !control.Current.empty() ? control.Current
+    : control.Value                                      ? ParseNumbers(*control.Value)
+                                                         : control.Start;
   if (numbers.empty())
   {
     numbers = control.Start;
@@ -236,9 +177,8 @@ void ControlWidget::DrawNumbers(const Control& control)
   const int flags =
     (control.IsLogarithmic ? ImGuiSliderFlags_Logarithmic : 0) | ImGuiSliderFlags_NoRoundToFormat;
   const auto number = static_cast<int>(numbers.size());
-  const char* format = !control.Value && !control.IsStartShown ? "default"
-    : isInteger                                                ? "%.0f"
-                                                               : "%.5g";
+  const bool isKnown = control.Value || control.IsStartShown || !control.Current.empty();
+  const char* format = !isKnown ? "default" : isInteger ? "%.0f" : "%.5g";
   LayoutEntry entry = MakeEntry(control);
   const ImVec2 start = ImGui::GetCursorScreenPos();
   for (int i = 0; i < number; ++i)
@@ -308,38 +248,28 @@ void ControlWidget::DrawStep(const Control& control)
 void ControlWidget::DrawPlane(const Control& control)
 {
   std::vector<double> plane = control.Value ? ParseNumbers(*control.Value) : std::vector<double>();
-  const int direction = FindDirection(plane);
+  const int direction = FindPlaneDirection(plane);
   const std::array<double, 6> bounds = this->Content.Bounds.value_or(std::array<double, 6>{});
-  // A plane that starts in the middle, and keeps its place.
-  const auto set = [&](int other)
-  {
-    const int axis = (other - 1) / 2;
-    std::vector<double> numbers(6, 0.0);
-    for (int i = 0; i < 3; ++i)
-    {
-      numbers[i] = plane.size() == 6 ? plane[i] : 0.5 * (bounds[2 * i] + bounds[2 * i + 1]);
-    }
-    numbers[3 + axis] = other % 2 == 1 ? 1.0 : -1.0;
-    this->Requests.Set(control.Name, WriteNumbers(numbers), false);
-  };
   ImGui::SetNextItemWidth(ImGui::GetFontSize() * 4.0f);
   const bool isOpen =
-    ImGui::BeginCombo("##direction", direction < 0 ? "other" : Directions[direction]);
+    ImGui::BeginCombo("##direction", direction < 0 ? "other" : PlaneDirections[direction]);
   LayoutEntry entry = MakeEntry(control);
   entry.Name = "clip-direction";
   entry.Kind = "choice";
-  entry.Value = direction < 0 ? "other" : Directions[direction];
+  entry.Value = direction < 0 ? "other" : PlaneDirections[direction];
   this->Layout.AddItem(entry);
   if (isOpen)
   {
-    for (int i = 0; i < 7; ++i)
+    for (int i = 0; i < static_cast<int>(PlaneDirections.size()); ++i)
     {
-      if (ImGui::Selectable(Directions[i], direction == i))
+      if (ImGui::Selectable(PlaneDirections[i], direction == i))
       {
-        i == 0 ? this->Requests.Set(control.Name, std::nullopt, false) : set(i);
+        const auto turned = WriteNumbers(TurnPlane(plane, bounds, i));
+        this->Requests.Set(
+          control.Name, i == 0 ? std::nullopt : std::optional<std::string>(turned), false);
       }
       LayoutEntry item;
-      item.Name = std::string("clip-direction=") + Directions[i];
+      item.Name = std::string("clip-direction=") + PlaneDirections[i];
       item.Kind = "item";
       this->Layout.AddItem(item);
     }

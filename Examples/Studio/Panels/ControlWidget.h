@@ -52,9 +52,4 @@ private:
   const SceneContent& Content;
 };
 
-/// The numbers of a value such as "1,2.5". Empty if it has none.
-std::vector<double> ParseNumbers(const std::string& text);
-/// "1,2.5", with as many digits as the numbers need.
-std::string WriteNumbers(const std::vector<double>& numbers);
-
 #endif

@@ -78,9 +78,11 @@ void StudioPanel::Draw(const PanelState& state, PanelRequests& requests)
 {
   this->Layout.Start(this->Revealed);
   const ImVec2 window = ImGui::GetIO().DisplaySize;
-  const float width = std::min(ImGui::GetFontSize() * 25.0f, window.x);
+  const float width = std::min(std::round(ImGui::GetFontSize() * 25.0f), window.x);
   ImGui::SetNextWindowPos(ImVec2(window.x - width, 0.0f), ImGuiCond_Always);
   ImGui::SetNextWindowSize(ImVec2(width, window.y), ImGuiCond_Always);
+  // The scene does not clear the window below the panel.
+  ImGui::SetNextWindowBgAlpha(1.0f);
   if (IsTabPressed() && !ImGui::GetIO().NavActive)
   {
     ImGui::SetNextWindowFocus();
@@ -107,6 +109,7 @@ void StudioPanel::Draw(const PanelState& state, PanelRequests& requests)
     }
     this->DrawFigures(state);
   }
+  this->Width = ImGui::IsWindowCollapsed() ? 0 : static_cast<int>(width);
   ImGui::End();
   this->Revealed.clear();
 }
@@ -129,11 +132,7 @@ void StudioPanel::DrawGroup(
   }
   const bool isOpen = ImGui::CollapsingHeader(
     group.c_str(), IsOpen(group) ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
-  LayoutEntry header;
-  header.Name = "group " + group;
-  header.Kind = "group";
-  header.Value = isOpen ? "on" : "off";
-  this->Layout.AddItem(header);
+  this->AddHeader(group, isOpen);
   if (isOpen)
   {
     this->DrawControls(group, state, requests);
@@ -148,6 +147,16 @@ void StudioPanel::DrawGroup(
       this->Layout.Add(entry);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void StudioPanel::AddHeader(const std::string& group, bool isOpen)
+{
+  LayoutEntry header;
+  header.Name = "group " + group;
+  header.Kind = "group";
+  header.Value = isOpen ? "on" : "off";
+  this->Layout.AddItem(header);
 }
 
 //------------------------------------------------------------------------------
@@ -181,7 +190,9 @@ void StudioPanel::DrawControls(
 //------------------------------------------------------------------------------
 void StudioPanel::DrawFigures(const PanelState& state)
 {
-  if (!ImGui::CollapsingHeader("Figures", ImGuiTreeNodeFlags_DefaultOpen))
+  const bool isOpen = ImGui::CollapsingHeader("Figures", ImGuiTreeNodeFlags_DefaultOpen);
+  this->AddHeader("Figures", isOpen);
+  if (!isOpen)
   {
     return;
   }

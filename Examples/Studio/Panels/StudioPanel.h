@@ -32,6 +32,8 @@ public:
   /// Draws the panel by ImGui and updates the layout.
   void Draw(const PanelState& state, PanelRequests& requests);
   const LayoutList& GetLayout() const { return this->Layout; }
+  /// In pixels, or 0 while only the title is shown.
+  int GetWidth() const { return this->Width; }
 
   /// Opens the group of a control and scrolls to it in the next pass.
   void Reveal(const std::string& name) { this->Revealed = name; }
@@ -39,12 +41,15 @@ public:
 private:
   void DrawGroup(const std::string& group, const PanelState& state, PanelRequests& requests);
   void DrawControls(const std::string& group, const PanelState& state, PanelRequests& requests);
+  /// Adds the last item, which opens a group, to the layout.
+  void AddHeader(const std::string& group, bool isOpen);
   void DrawFigures(const PanelState& state);
   bool IsRevealed(const std::string& name) const;
 
   LayoutList Layout;
   TransferEditor Transfer;
   std::string Revealed;
+  int Width = 0;
 };
 
 #endif

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Panels/TransferEditor.h"
 
+#include "Controls/ControlNumbers.h"
+
 #include <imgui.h>
 
 #include <algorithm>

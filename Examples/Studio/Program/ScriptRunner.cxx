@@ -6,6 +6,7 @@
 #include "Scene/PassiveObserver.h"
 #include "Text/StandardError.h"
 #include "Text/ViewerMessages.h"
+#include "Text/ViewerText.h"
 
 #include "vtkCommand.h"
 #include "vtkImGuiOverlay.h"
@@ -13,11 +14,21 @@
 #include "vtkRenderWindowInteractor.h"
 
 #include <map>
+#include <set>
 
 namespace
 {
 const int Steps = 8; // of a drag
 const int MaximumFrames = 1000;
+
+// Keys that are not characters, as X names them.
+const std::set<std::string> KeyNames = { "BackSpace", "Delete", "Down", "End", "Escape", "Home",
+  "Insert", "Left", "Next", "Prior", "Return", "Right", "Tab", "Up", "space" };
+
+bool IsKey(const std::string& symbol)
+{
+  return symbol.size() == 1 || KeyNames.count(symbol) > 0;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -26,6 +37,7 @@ ScriptRunner::ScriptRunner(Studio& studio, vtkRenderWindowInteractor* interactor
   , Interactor(interactor)
 {
   interactor->EnableRenderOff();
+  interactor->Initialize(); // the first frame would do it, and request a second one
   AddPassiveObserver(
     interactor, vtkCommand::RenderEvent, [this](void*) { this->IsFrameRequested = true; });
 }
@@ -90,8 +102,6 @@ void ScriptRunner::RunLine(const ScriptLine& line)
   else if (line.Command == "save")
   {
     this->Driven.Save(line.Name);
-    this->IsFrameRequested = true;
-    this->Flush();
   }
 }
 
@@ -132,39 +142,35 @@ void ScriptRunner::Send(unsigned long event, double x, double y)
   this->Interactor->SetEventInformation(
     static_cast<int>(x), height - 1 - static_cast<int>(y), 0, 0);
   this->Interactor->InvokeEvent(event);
-  this->Flush();
 }
 
 //------------------------------------------------------------------------------
 void ScriptRunner::Click(const std::string& name)
 {
-  const LayoutList& layout = this->Driven.GetPanel().GetLayout();
   // Opens the group, then scrolls to the control.
   for (int pass = 0; pass < 2; ++pass)
   {
     this->Driven.GetPanel().Reveal(name);
     this->Driven.GetOverlay()->Update();
   }
-  this->IsFrameRequested = true;
-  this->Flush();
-  const LayoutEntry* entry = layout.Find(name);
-  if (!entry)
-  {
-    throw ViewerError("unknown control '" + name + "'");
-  }
-  if (!entry->IsVisible)
+  this->Driven.GetOverlay()->Update();
+  const LayoutEntry entry = this->Driven.FindEntry(name);
+  if (!entry.IsVisible)
   {
     throw ViewerError("'" + name + "' is not visible");
   }
-  if (!entry->IsEnabled)
+  if (!entry.IsEnabled)
   {
-    throw ViewerError("'" + name + "' is not available: " + entry->Reason);
+    throw ViewerError("'" + name + "' is not available: " + entry.Reason);
   }
-  const double x = entry->Rectangle[0] + 0.5 * entry->Rectangle[2];
-  const double y = entry->Rectangle[1] + 0.5 * entry->Rectangle[3];
+  const double x = entry.Rectangle[0] + 0.5 * entry.Rectangle[2];
+  const double y = entry.Rectangle[1] + 0.5 * entry.Rectangle[3];
+  // The panel needs no frames between these events.
   this->Send(vtkCommand::MouseMoveEvent, x, y);
   this->Send(vtkCommand::LeftButtonPressEvent, x, y);
   this->Send(vtkCommand::LeftButtonReleaseEvent, x, y);
+  this->IsFrameRequested = true;
+  this->Flush();
 }
 
 //------------------------------------------------------------------------------
@@ -172,13 +178,16 @@ void ScriptRunner::Drag(const std::vector<double>& numbers)
 {
   this->Send(vtkCommand::MouseMoveEvent, numbers[0], numbers[1]);
   this->Send(vtkCommand::LeftButtonPressEvent, numbers[0], numbers[1]);
+  this->Flush();
   for (int step = 1; step <= Steps; ++step)
   {
     const double share = static_cast<double>(step) / Steps;
     this->Send(vtkCommand::MouseMoveEvent, numbers[0] + share * (numbers[2] - numbers[0]),
       numbers[1] + share * (numbers[3] - numbers[1]));
+    this->Flush();
   }
   this->Send(vtkCommand::LeftButtonReleaseEvent, numbers[2], numbers[3]);
+  this->Flush();
 }
 
 //------------------------------------------------------------------------------
@@ -202,12 +211,17 @@ void ScriptRunner::SendKey(const std::string& name)
     symbol = symbol.substr(plus + 1);
   }
   const auto code = codes.find(symbol);
+  if (!IsKey(symbol))
+  {
+    throw ViewerError("unknown key '" + name + "'; keys are characters and " +
+      JoinWords({ KeyNames.begin(), KeyNames.end() }));
+  }
   const char character = symbol.size() == 1 ? symbol[0] : code == codes.end() ? '\0' : code->second;
   this->Interactor->SetKeyEventInformation(hasControl, hasShift, character, 1, symbol.c_str());
   for (const unsigned long event :
     { vtkCommand::KeyPressEvent, vtkCommand::CharEvent, vtkCommand::KeyReleaseEvent })
   {
     this->Interactor->InvokeEvent(event);
-    this->Flush();
   }
+  this->Flush();
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Program/Studio.h"
 
+#include "Controls/ControlNumbers.h"
+#include "Controls/NearNames.h"
 #include "Driving/LayoutFile.h"
 #include "Files/ViewerExport.h"
 #include "Files/ViewerPicture.h"
@@ -19,7 +21,9 @@
 
 namespace
 {
-const float BeforePanel = 1.0f; // priority: figures are stored before the panel shows them
+// Priorities: figures are stored before the panel shows them, and its width is used after that.
+const float BeforePanel = 1.0f;
+const float AfterPanel = -1.0f;
 
 bool IsOn(const std::string& text)
 {
@@ -41,6 +45,7 @@ Studio::Studio(vtkRenderWindow* window, const OptionValues& values, bool isCompl
   this->Overlay->SetRenderWindow(window);
   this->Overlay->SetCallback([this] { this->Describe(); });
   window->AddObserver(vtkCommand::StartEvent, this, &Studio::OnFrame, BeforePanel);
+  window->AddObserver(vtkCommand::StartEvent, this, &Studio::OnPanel, AfterPanel);
   window->AddObserver(vtkCommand::EndEvent, this, &Studio::OnFrameEnd);
   this->UpdateControls();
 }
@@ -84,6 +89,11 @@ void Studio::Set(const std::string& name, const std::optional<std::string>& valu
   try
   {
     this->State.Set(name, value, isContinued);
+    if (name == "view")
+    {
+      // The mouse may have moved the camera away from the same value.
+      this->Actions.emplace_back("reset-view");
+    }
     this->Message.clear();
   }
   catch (const UsageError& error)
@@ -103,10 +113,10 @@ void Studio::Press(const std::string& name)
 //------------------------------------------------------------------------------
 void Studio::Apply()
 {
-  std::vector<std::string> actions;
-  actions.swap(this->Actions);
-  for (const std::string& action : actions)
+  while (!this->Actions.empty())
   {
+    const std::string action = this->Actions.front();
+    this->Actions.erase(this->Actions.begin());
     try
     {
       this->Do(action);
@@ -175,7 +185,6 @@ void Studio::SetView(const std::string& name)
   if (view != views.end())
   {
     this->Set("view", view->second, false);
-    this->Scene.ResetView();
   }
 }
 
@@ -211,12 +220,124 @@ void Studio::ShowNextStep()
 }
 
 //------------------------------------------------------------------------------
-void Studio::SetValue(const std::string& name, const std::string& value)
+void Studio::FailUnknown(const std::string& name)
 {
+  std::vector<std::string> names;
+  for (const Control& control : this->Controls.Get())
+  {
+    names.push_back(control.Name);
+  }
+  for (const LayoutEntry& entry : this->Panel.GetLayout().Get())
+  {
+    if (!this->Controls.Find(entry.Name))
+    {
+      names.push_back(entry.Name);
+    }
+  }
+  const std::vector<std::string> near = FindNearNames(name, names);
+  throw ViewerError(
+    "unknown control '" + name + "'" + (near.empty() ? "" : "; similar: " + JoinWords(near)));
+}
+
+//------------------------------------------------------------------------------
+const LayoutEntry& Studio::FindEntry(const std::string& name)
+{
+  const LayoutEntry* entry = this->Panel.GetLayout().Find(name);
+  if (!entry)
+  {
+    this->FailUnknown(name);
+  }
+  return *entry;
+}
+
+//------------------------------------------------------------------------------
+void Studio::ResolveClip(std::string& name, std::string& value)
+{
+  const Control* control = this->Controls.Find("clip");
+  std::vector<double> plane = ParseNumbers(control->Value.value_or(""));
+  const int direction = FindPlaneDirection(plane);
+  if (name == "clip-direction")
+  {
+    const auto* chosen = std::find(PlaneDirections.begin(), PlaneDirections.end(), value);
+    if (chosen == PlaneDirections.end() && value != "default")
+    {
+      throw ViewerError("'" + name + "' needs " +
+        JoinWords({ PlaneDirections.begin(), PlaneDirections.end() }) + ", not '" + value + "'");
+    }
+    const bool isNone = value == "default" || value == PlaneDirections[0];
+    value = isNone ? "default"
+                   : WriteNumbers(TurnPlane(plane,
+                       this->Scene.GetContent().Bounds.value_or(std::array<double, 6>{}),
+                       static_cast<int>(chosen - PlaneDirections.begin())));
+  }
+  else if (value != "default")
+  {
+    const std::vector<double> numbers = ParseNumbers(value);
+    if (direction <= 0)
+    {
+      throw ViewerError("'" + name + "' is not available: set clip-direction first");
+    }
+    if (numbers.size() != 1)
+    {
+      throw ViewerError("'" + name + "' needs a number, not '" + value + "'");
+    }
+    plane[(direction - 1) / 2] = numbers[0];
+    value = WriteNumbers(plane);
+  }
+  name = "clip";
+}
+
+//------------------------------------------------------------------------------
+void Studio::ResolvePart(std::string& name, std::string& value)
+{
+  if (name == "clip-direction" || name == "clip-position")
+  {
+    this->ResolveClip(name, value);
+    return;
+  }
+  const std::size_t dot = name.find('.');
+  const Control* control = this->Controls.Find(name.substr(0, dot));
+  if (dot == std::string::npos || !control || control->Start.size() < 2)
+  {
+    return;
+  }
+  std::vector<double> numbers = !control->Current.empty() ? control->Current
+    : control->Value                                      ? ParseNumbers(*control->Value)
+                                                          : control->Start;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    if (name.substr(dot + 1) == std::to_string(i))
+    {
+      const std::vector<double> given = ParseNumbers(value);
+      if (value != "default" && given.size() != 1)
+      {
+        throw ViewerError("'" + name + "' needs a number, not '" + value + "'");
+      }
+      if (!given.empty())
+      {
+        numbers[i] = given[0];
+        value = WriteNumbers(numbers);
+      }
+      name = control->Name;
+      return;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Studio::SetValue(const std::string& givenName, const std::string& givenValue)
+{
+  std::string name = givenName;
+  std::string value = givenValue;
+  this->ResolvePart(name, value);
   const Control* control = this->Controls.Find(name);
   if (!control)
   {
-    throw ViewerError("unknown control '" + name + "'");
+    const LayoutEntry& entry = this->FindEntry(name);
+    const bool isClicked = entry.Kind == "button" || entry.Kind == "group" || entry.Kind == "item";
+    throw ViewerError(isClicked
+        ? "'" + name + "' is a " + entry.Kind + "; write: click " + name
+        : "'" + name + "' is a part of 'transfer'; write: set transfer NODES");
   }
   if (control->Kind == ControlKind::Button)
   {
@@ -245,6 +366,26 @@ void Studio::SetValue(const std::string& name, const std::string& value)
 
 //------------------------------------------------------------------------------
 void Studio::Save(const std::string& fileName)
+{
+  // Files show the view of a window without a panel.
+  const bool hasPanel = this->Controls.GetOwn("panels-in-pictures") == "on" &&
+    vtksys::SystemTools::StringEndsWith(vtksys::SystemTools::LowerCase(fileName), ".png");
+  const int width = this->Scene.GetPanelWidth();
+  this->Scene.SetPanelWidth(hasPanel ? width : 0);
+  try
+  {
+    this->SaveScene(fileName);
+  }
+  catch (const ViewerError&)
+  {
+    this->Scene.SetPanelWidth(width);
+    throw;
+  }
+  this->Scene.SetPanelWidth(width);
+}
+
+//------------------------------------------------------------------------------
+void Studio::SaveScene(const std::string& fileName)
 {
   const std::string extension =
     vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(fileName));
@@ -280,7 +421,6 @@ void Studio::WritePictureFile(const std::string& fileName)
   {
     this->Overlay->VisibilityOn();
     this->Window->SetSwapBuffers(swaps);
-    this->Overlay->RequestFrame();
   };
   try
   {
@@ -314,6 +454,15 @@ void Studio::OnFrame()
 {
   this->ShownFigures = this->Figures;
   this->Start = std::chrono::steady_clock::now();
+}
+
+//------------------------------------------------------------------------------
+void Studio::OnPanel()
+{
+  if (this->Overlay->GetVisibility())
+  {
+    this->Scene.SetPanelWidth(this->Panel.GetWidth());
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -43,7 +43,7 @@ public:
   /// the panel.
   void Apply();
 
-  /// Checks a value and sets the control. Throws UsageError or ViewerError.
+  /// Checks a value and sets the control, or a part of it. Throws UsageError or ViewerError.
   void SetValue(const std::string& name, const std::string& value);
   /// Writes a picture (.png), or the mesh. Throws ViewerError.
   void Save(const std::string& fileName);
@@ -58,13 +58,20 @@ public:
   StudioPanel& GetPanel() { return this->Panel; }
   StudioScene& GetScene() { return this->Scene; }
   vtkImGuiOverlay* GetOverlay() { return this->Overlay; }
-  const Control* FindControl(const std::string& name) { return this->Controls.Find(name); }
+  /// The entry of the panel. Throws ViewerError with similar names.
+  const LayoutEntry& FindEntry(const std::string& name);
 
   /// The last error, which is then forgotten, or "".
   std::string TakeError();
 
 private:
+  /// Turns the value of a part of a control, such as light.0, into that of the control. Throws
+  /// ViewerError.
+  void ResolvePart(std::string& name, std::string& value);
+  void ResolveClip(std::string& name, std::string& value);
+  [[noreturn]] void FailUnknown(const std::string& name);
   void OnFrame();
+  void OnPanel();
   void OnFrameEnd();
   void Describe();
   void UpdateControls();
@@ -72,6 +79,7 @@ private:
   void MoveStep(int step);
   void SetView(const std::string& name);
   void Fail(const std::string& message);
+  void SaveScene(const std::string& fileName);
   void WritePictureFile(const std::string& fileName);
 
   vtkRenderWindow* Window;

@@ -29,6 +29,10 @@ struct SceneContent
   int Step = 0;
   std::optional<std::array<double, 2>> Range;  // of the colours in use
   std::optional<std::array<double, 6>> Bounds; // of a mesh
+  // Azimuth and elevation in degrees; nothing on a globe.
+  std::optional<std::array<double, 2>> Light;
+  std::optional<std::array<double, 2>> View; // of the camera
+  bool IsViewMoved = false;                  // away from the view of the options
   bool HasSolidCells = false;
   std::vector<TransferNode> Transfer; // of a volume
   double UnitDistance = 0.0;          // of a volume

@@ -24,6 +24,7 @@ ViewerScene::ViewerScene(const ViewerOptions& options, ViewerMessages& messages)
   : Options(options)
   , Messages(messages)
 {
+  std::copy_n(options.Size, 2, this->ViewSize.begin());
   this->Camera = std::make_unique<ViewerCamera>(this->Renderer);
   this->Renderer->AutomaticLightCreationOff();
   this->Renderer->GradientBackgroundOn();
@@ -68,11 +69,12 @@ void ViewerScene::FitView(vtkPoints* points, const ViewerDirection& defaultDirec
     // picture.
     direction.Elevation = std::clamp((*this->Options.View)[1], -89.9999, 89.9999);
   }
+  this->ViewAxis = direction.UpAxis;
   ViewerPicture picture;
-  std::copy_n(this->Options.Size, 2, picture.Size.begin());
+  picture.Size = this->ViewSize;
   if (this->Legend)
   {
-    picture.Corner = this->Legend->GetCorner(this->Options.Size);
+    picture.Corner = this->Legend->GetCorner(this->ViewSize.data());
   }
   FitCamera(this->Renderer, points, direction, picture);
 }
@@ -114,7 +116,7 @@ std::string ViewerScene::ShowPlanView(char key)
     corners->InsertNextPoint(bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2)]);
   }
   this->Options.View = FindPlanView(name);
-  std::copy_n(this->Renderer->GetSize(), 2, this->Options.Size);
+  std::copy_n(this->Renderer->GetSize(), 2, this->ViewSize.begin());
   this->FitView(corners, { 0.0, 0.0, this->Options.UpAxis });
   return std::string("--view ") + name;
 }
@@ -175,6 +177,30 @@ void ViewerScene::SetLights(std::vector<ViewerLamp> lamps)
   {
     AddLight(this->Renderer, lamp);
   }
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::array<double, 2>> ViewerScene::GetLight() const
+{
+  if (this->Options.Globe || this->Lamps.empty())
+  {
+    return std::nullopt;
+  }
+  const ViewerDirection& from = this->Lamps.front().From;
+  return this->Options.Light.value_or(std::array<double, 2>{ { from.Azimuth, from.Elevation } });
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::array<double, 2>> ViewerScene::GetView()
+{
+  if (this->Options.Globe)
+  {
+    return std::nullopt;
+  }
+  const double* forward = this->Renderer->GetActiveCamera()->GetDirectionOfProjection();
+  const ViewerDirection direction =
+    FindViewerDirection({ { -forward[0], -forward[1], -forward[2] } }, this->ViewAxis);
+  return { { { direction.Azimuth, direction.Elevation } } };
 }
 
 //------------------------------------------------------------------------------

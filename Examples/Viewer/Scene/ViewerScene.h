@@ -90,6 +90,17 @@ public:
   /// Moves the camera to the view of the options.
   virtual void ResetView();
 
+  /// Sets the width and height in pixels of the part of the window that the view fits into. This
+  /// takes effect with the next ResetView(). Default: the size of the options.
+  void SetViewSize(const std::array<int, 2>& size) { this->ViewSize = size; }
+
+  //@{
+  /// Azimuth and elevation in degrees of the first light, and of the camera as seen from its focal
+  /// point. Nothing on a globe.
+  std::optional<std::array<double, 2>> GetLight() const;
+  std::optional<std::array<double, 2>> GetView();
+  //@}
+
   /// The choices that the file offers.
   virtual SceneContent GetContent() { return {}; }
 
@@ -144,8 +155,10 @@ protected:
 private:
   std::unique_ptr<ViewerLegend> Legend;
   std::optional<std::array<double, 6>> ViewBounds; // of SetView()
-  std::vector<ViewerLamp> Lamps;                   // before the direction of the options is applied
-  std::unique_ptr<PictureMarks> Ruler;             // nullptr for none
+  std::array<int, 2> ViewSize;
+  int ViewAxis = 2;                    // upwards
+  std::vector<ViewerLamp> Lamps;       // before the direction of the options is applied
+  std::unique_ptr<PictureMarks> Ruler; // nullptr for none
   std::map<std::string, std::string> Changes;
 };
 

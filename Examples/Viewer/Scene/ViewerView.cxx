@@ -99,6 +99,17 @@ std::array<double, 3> ViewerDirection::GetVector() const
 }
 
 //------------------------------------------------------------------------------
+ViewerDirection FindViewerDirection(const std::array<double, 3>& vector, int upAxis)
+{
+  const double east = upAxis == 0 ? vector[1] : vector[0];
+  const double north = upAxis == 0 ? vector[2] : upAxis == 1 ? -vector[2] : vector[1];
+  const double azimuth = vtkMath::DegreesFromRadians(std::atan2(east, north));
+  const double elevation =
+    vtkMath::DegreesFromRadians(std::asin(std::clamp(vector[upAxis], -1.0, 1.0)));
+  return { azimuth < 0.0 ? azimuth + 360.0 : azimuth, elevation, upAxis };
+}
+
+//------------------------------------------------------------------------------
 void AddLight(vtkRenderer* renderer, const ViewerLamp& lamp)
 {
   vtkNew<vtkLight> light;

@@ -25,6 +25,9 @@ struct ViewerDirection
   std::array<double, 3> GetVector() const;
 };
 
+/// The direction of a unit vector, with an azimuth from 0 to 360 degrees.
+ViewerDirection FindViewerDirection(const std::array<double, 3>& vector, int upAxis);
+
 /// Sunlight from a direction.
 struct ViewerLamp
 {
