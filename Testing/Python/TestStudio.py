@@ -171,6 +171,7 @@ class TestStudio(ViewerProgram):
         (self.folder / "nodes.txt").write_text(VOLUME_NODES.replace(";", "\n") + "\n")
         layouts, errors = self.studio(
             "beam.vtu",
+            "set array Stress",
             "set volume Height",
             "save a.png",
             "set transfer nodes.txt",
@@ -182,16 +183,20 @@ class TestStudio(ViewerProgram):
             f"set transfer {VOLUME_NODES}",
             "click transfer-next",
             "click transfer-add",
+            "set array Height",
+            "save d.png",
+            "click undo",
         )
         self.assertEqual(errors, "")
         volume = ("beam.vtu", "--volume=Height")
         nodes = (*volume, f"--transfer={VOLUME_NODES}", "--unit-distance=2")
         self.assert_picture("a.png", *volume)
         self.assert_picture("b.png", *nodes)
+        self.assert_picture("d.png", "beam.vtu", "--array=Height", "--clip=1,0,0,1,0,0")
         self.assert_picture("c.png", *nodes, "--clip=1,0,0,1,0,0", "--isosurfaces=2.5")
         self.assertEqual(layouts[-1]["transfer"]["value"].count(";"), 3)
         # One frame for each line that needs one; saved pictures are two frames more.
-        self.assertEqual(len(layouts), 9)
+        self.assertEqual(len(layouts), 12)
 
     def test_time(self):
         layouts, errors = self.studio(
@@ -311,6 +316,9 @@ class TestStudio(ViewerProgram):
             "set palett magma",
             "set clip-position 1",
             "set group Data",
+            "set warp Move",
+            "set scale 1e99",
+            "set warp default",
             "save still.png",
             code=1,
         )
@@ -328,6 +336,7 @@ class TestStudio(ViewerProgram):
             (12, "unknown control 'palett'; similar: palette"),
             (13, "'clip-position' is not available: set clip-direction first"),
             (14, "unknown control 'group'"),
+            (16, "--scale 1e+99 moves points too far away; use a smaller factor"),
         )
         lines = errors.splitlines()
         self.assertEqual(len(lines), len(expected) + 1, errors)
@@ -344,6 +353,16 @@ class TestStudio(ViewerProgram):
             _, errors = self.studio("beam.vtu", text, code=1)
             self.assertIn(words, errors)
             self.assertEqual(errors.count("\n"), 1)
+        for arguments, words in (
+            (["beam.vtu", "--frobnicate"], "unknown option '--frobnicate'"),
+            (["beam.vtu", "--palette"], "--palette needs a value"),
+            (["script.txt", "--script=script.txt"], "relevo-studio reads meshes from "),
+        ):
+            run = subprocess.run(
+                [PROGRAM, *arguments], cwd=self.folder, capture_output=True, text=True
+            )
+            self.assertIn(run.returncode, (1, 2))
+            self.assertIn(words, run.stderr)
 
 
 if __name__ == "__main__":

@@ -239,7 +239,7 @@ void ControlList::FindReason(
 {
   const std::string& name = control.Name;
   OptionValues tried = values;
-  tried.Set(name, GetSample(control));
+  tried.Choose(name, GetSample(control));
   try
   {
     tried.Parse();

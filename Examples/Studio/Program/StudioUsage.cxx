@@ -26,6 +26,7 @@ Options of the studio:
 
 In the window:
   mouse over the scene   as in relevo-view
+  e, q                   end. The other keys of relevo-view have no effect; use the controls
   Tab                    enter the panel
   arrows                 move between controls
   Space, Enter           use a control; arrows then change a slider

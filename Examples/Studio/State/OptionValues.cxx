@@ -70,6 +70,10 @@ OptionValues::OptionValues(const std::vector<std::string>& arguments)
       const bool hasArray = !this->Input.empty() && hasNext && !IsOption(arguments[i + 1]);
       this->Values[name] = hasArray ? arguments[++i] : "";
     }
+    else if (!HasOption("--" + name))
+    {
+      throw UsageError("unknown option '--" + name + "'");
+    }
     else if (hasNext)
     {
       this->Values[name] = arguments[++i];
@@ -99,6 +103,57 @@ void OptionValues::Set(const std::string& name, const std::optional<std::string>
   else
   {
     this->Values.erase(name);
+  }
+}
+
+//------------------------------------------------------------------------------
+void OptionValues::Choose(const std::string& name, const std::optional<std::string>& value)
+{
+  const OptionValues old = *this;
+  this->Set(name, value);
+  if (name != "array" && name != "volume")
+  {
+    return;
+  }
+  if (value)
+  {
+    this->Set(name == "array" ? "volume" : "array", std::nullopt);
+  }
+  if (this->IsValid())
+  {
+    return;
+  }
+  // An option must go if it suits the kind of the old picture, but not that of the new one.
+  const auto suits = [](const OptionValues& values, const std::string& option)
+  {
+    OptionValues pair = values;
+    pair.Values.clear();
+    for (const std::string& kept : { std::string("array"), std::string("volume"), option })
+    {
+      pair.Set(kept, values.Get(kept));
+    }
+    return pair.IsValid();
+  };
+  for (const auto& other : old.Values)
+  {
+    if (suits(old, other.first) && !suits(*this, other.first))
+    {
+      this->Set(other.first, std::nullopt);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool OptionValues::IsValid() const
+{
+  try
+  {
+    this->Parse();
+    return true;
+  }
+  catch (const UsageError&)
+  {
+    return false;
   }
 }
 

@@ -26,6 +26,10 @@ public:
   /// Sets an option, or removes it.
   void Set(const std::string& name, const std::optional<std::string>& value);
 
+  /// Sets or removes an option. If it chooses between a surface and a volume, this also removes the
+  /// options that suit only the other one.
+  void Choose(const std::string& name, const std::optional<std::string>& value);
+
   /// Checks all values together. Throws UsageError.
   ViewerOptions Parse() const;
 
@@ -37,6 +41,7 @@ public:
   const std::string& GetInput() const { return this->Input; }
 
 private:
+  bool IsValid() const;
   std::vector<std::string> GetArguments() const;
 
   std::string Input;

@@ -13,7 +13,7 @@ void StudioState::Set(
   const std::string& name, const std::optional<std::string>& value, bool isContinued)
 {
   OptionValues values = this->Values;
-  values.Set(name, value);
+  values.Choose(name, value);
   if (values == this->Values)
   {
     return;

@@ -22,8 +22,9 @@ public:
   /// Changes with each change of the values.
   int GetVersion() const { return this->Version; }
 
-  /// Sets an option, or removes it. A change that continues the last one, such as the next value of
-  /// a drag, is undone together with it. Throws UsageError without a change.
+  /// Sets an option, or removes it, as OptionValues::Choose(). A change that continues the last
+  /// one, such as the next value of a drag, is undone together with it. Throws UsageError without a
+  /// change.
   void Set(
     const std::string& name, const std::optional<std::string>& value, bool isContinued = false);
 

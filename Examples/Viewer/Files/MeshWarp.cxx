@@ -4,6 +4,7 @@
 
 #include "Files/ResultBlocks.h"
 #include "Text/ViewerMessages.h"
+#include "Text/ViewerText.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -16,8 +17,13 @@
 #include "vtkPointSet.h"
 #include "vtkWarpVector.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace
 {
+const double Farthest = 1e30; // that graphics cards can square
+
 bool HasVectors(vtkDataSet* block, const std::string& name)
 {
   vtkDataArray* array = block->GetPointData()->GetArray(name.c_str());
@@ -39,7 +45,18 @@ vtkSmartPointer<vtkDataSet> Move(vtkDataSet* block, const MeshWarp& warp, Viewer
   filter->SetScaleFactor(warp.Factor);
   filter->Update();
   messages.Check();
-  return vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  auto* moved = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  double before[6];
+  double after[6];
+  block->GetBounds(before);
+  moved->GetBounds(after);
+  const auto isFar = [](double bound) { return !(std::abs(bound) < Farthest); };
+  if (std::any_of(after, after + 6, isFar) && std::none_of(before, before + 6, isFar))
+  {
+    throw ViewerError("--scale " + JoinNumbers({ warp.Factor }) +
+      " moves points too far away; use a smaller factor");
+  }
+  return moved;
 }
 }
 

@@ -10,6 +10,7 @@
 #endif
 #include "Files/SeriesReader.h"
 #include "Files/ViewerFile.h"
+#include "Text/StandardError.h"
 #include "Text/ViewerMessages.h"
 #include "Text/ViewerText.h"
 
@@ -339,7 +340,7 @@ std::string AdviseFormat(const std::string& fileName, const std::string& formats
   static const std::set<std::string> ofRasters = { ".asc", ".bil", ".dem", ".dt0", ".dt1", ".dt2",
     ".exr", ".flt", ".hgt", ".img", ".jp2", ".jpeg", ".jpg", ".png", ".tif", ".tiff", ".vrt" };
   const bool isRaster = ofRasters.count(GetExtension(fileName)) > 0;
-  return isRaster ? "" : "; relevo-view reads meshes from " + formats;
+  return isRaster ? "" : "; " + GetProgramName() + " reads meshes from " + formats;
 }
 
 //------------------------------------------------------------------------------
@@ -360,7 +361,7 @@ std::unique_ptr<ResultReader> MakeResultReader(
   if (format == GetFormats().end() || !format->second.Open)
   {
     throw ViewerError("VTK " + std::string(vtkVersion::GetVTKVersion()) + " cannot read " +
-      extension + " files; relevo-view reads meshes from " + GetMeshFormats());
+      extension + " files; " + GetProgramName() + " reads meshes from " + GetMeshFormats());
   }
   return format->second.Open(fileName, messages);
 }

@@ -66,7 +66,7 @@ void ReadLater(const std::string&, const std::string&)
 class Parser
 {
 public:
-  ViewerOptions Parse(int argc, char* argv[])
+  Parser()
   {
     this->AddFlags();
     this->AddSurface();
@@ -80,6 +80,10 @@ public:
     this->AddRelief();
     this->AddLevels();
     this->AddPicture();
+  }
+
+  ViewerOptions Parse(int argc, char* argv[])
+  {
     this->ReadSessionOf(argc, argv);
     bool isOption = true;
     for (int i = 1; i < argc; ++i)
@@ -112,6 +116,12 @@ public:
     CheckOptions(this->Options, this->GivenOptions);
     this->CheckServing();
     return this->Options;
+  }
+
+  bool IsOption(const std::string& argument) const
+  {
+    return argument == "--" || this->AllFlags.count(argument) > 0 ||
+      this->AllSettings.count(argument.substr(0, argument.find('='))) > 0;
   }
 
 private:
@@ -632,12 +642,6 @@ private:
     return equals == std::string::npos ? 1 : 0;
   }
 
-  bool IsOption(const std::string& argument) const
-  {
-    return argument == "--" || this->AllFlags.count(argument) > 0 ||
-      this->AllSettings.count(argument.substr(0, argument.find('='))) > 0;
-  }
-
   // If FILE came before, an array may follow --volume.
   int ReadVolumeArray(const char* next)
   {
@@ -773,4 +777,10 @@ private:
 ViewerOptions ParseOptions(int argc, char* argv[])
 {
   return Parser().Parse(argc, argv);
+}
+
+//------------------------------------------------------------------------------
+bool HasOption(const std::string& name)
+{
+  return Parser().IsOption(name);
 }

@@ -9,7 +9,12 @@
 
 #include "Options/ViewerOptions.h"
 
+#include <string>
+
 /// Returns the options of the command line. Throws UsageError.
 ViewerOptions ParseOptions(int argc, char* argv[]);
+
+/// Whether there is an option of this name, which begins with --.
+bool HasOption(const std::string& name);
 
 #endif
