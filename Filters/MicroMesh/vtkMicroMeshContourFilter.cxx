@@ -33,6 +33,7 @@ namespace
 {
 constexpr int SmallestBlock = 8;
 constexpr int LargestBlock = 1 << 14;
+constexpr int LargestNumberOfContours = 1000;
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
@@ -72,6 +73,12 @@ vtkMicroMeshContourFilter::~vtkMicroMeshContourFilter() = default;
 
 void vtkMicroMeshContourFilter::SetValue(int i, double value)
 {
+  if (i < 0 || i >= LargestNumberOfContours)
+  {
+    vtkErrorMacro(
+      "SetValue: the index must be 0 to " << LargestNumberOfContours - 1 << ", got " << i << ".");
+    return;
+  }
   this->ContourValues->SetValue(i, value);
 }
 
@@ -82,6 +89,12 @@ double vtkMicroMeshContourFilter::GetValue(int i)
 
 void vtkMicroMeshContourFilter::SetNumberOfContours(int number)
 {
+  if (number < 0 || number > LargestNumberOfContours)
+  {
+    vtkErrorMacro(
+      "NumberOfContours must be 0 to " << LargestNumberOfContours << ", got " << number << ".");
+    return;
+  }
   this->ContourValues->SetNumberOfContours(number);
 }
 
@@ -92,6 +105,12 @@ int vtkMicroMeshContourFilter::GetNumberOfContours()
 
 void vtkMicroMeshContourFilter::GenerateValues(int number, double rangeStart, double rangeEnd)
 {
+  if (number < 0 || number > LargestNumberOfContours)
+  {
+    vtkErrorMacro("GenerateValues: the number must be 0 to " << LargestNumberOfContours << ", got "
+                                                             << number << ".");
+    return;
+  }
   this->ContourValues->GenerateValues(number, rangeStart, rangeEnd);
 }
 

@@ -25,6 +25,7 @@ REALS = ("double", "float")
 OTHERS = {
     "vtkDisplacement.SetDirection": "the direction is made a unit vector",
     "vtkAdaptiveRefinementMapper.SetColorMode": "VTK's, which takes any number",
+    "vtkMicroMeshContourFilter.SetValue": "a value of an index",
     "vtkNURBSSource.SetDegree": "one number of each direction: see test_degrees",
     "vtkReliefCapture.SetCamerasToSphere": "a choice: GetNumberOfCameras() says how many they are",
     "vtkReliefCapture.SetResolution": "one number stands for both",
