@@ -132,7 +132,10 @@ class WebSocket:
             elif opcode == PING:
                 self.send_frame(PONG, data)
             elif opcode == CLOSE:
-                self.send_frame(CLOSE, data)
+                try:
+                    self.send_frame(CLOSE, data)
+                except OSError:
+                    pass  # the server has ended
                 self.close()
 
 
