@@ -98,7 +98,7 @@ SCENES = {
         lambda: pieces.deal(fault=NOT_FINITE),
         show_all,
         {
-            "Volume": "have no volume, or points that are not finite; they are left out.",
+            "Volume": "has no volume, or points that are not finite; it is left out.",
             "Patch": "Rank 1: Cell 0 (vtkTetra, type 10) is left out: point 0 is not finite.",
             "Refinement": "points that are not finite on rank 1. They are left out.",
         },
