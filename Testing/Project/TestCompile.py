@@ -60,6 +60,7 @@ AUTHORS_HEADERS = {
     "Metrics/DisplacedFaces.h",
     "Metrics/FaceErrorEvaluator.h",
     "Metrics/MeasuredPatterns.h",
+    "Surfaces/SurfaceFieldShading.h",
     "Metrics/MetricEvaluator.h",
     "Metrics/MetricMesh.h",
     "Metrics/MetricShader.h",

@@ -45,6 +45,9 @@ printf '%s\n' 'ncols 3' 'nrows 2' 'xllcorner 10' 'yllcorner 50' 'cellsize 1' '1 
   >degrees.asc
 printf '%s' 'GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],' \
   'PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]]' >degrees.prj
+printf '%s\n' '# vtk DataFile Version 3.0' triangle ASCII 'DATASET POLYDATA' 'POINTS 3 float' \
+  '0 0 0 1 0 0 0 1 0' 'POLYGONS 1 4' '3 0 1 2' 'POINT_DATA 3' 'SCALARS a float 1' \
+  'LOOKUP_TABLE default' '1 2 3' >triangle.vtk
 # No option without a value takes the next argument as its value.
 for flag in $("$build/bin/relevo-view" --help | sed -nE 's/^  (--[a-z-]+)  .*/\1/p'); do
   case $flag in --help | --version) continue ;; esac
@@ -52,6 +55,8 @@ for flag in $("$build/bin/relevo-view" --help | sed -nE 's/^  (--[a-z-]+)  .*/\1
   partner=
   case $flag in
     --patch-edges) file=patch.bpt ;;
+    --axes) file=triangle.vtk ;;
+    --log | --extremes) file=triangle.vtk partner=--array=a ;;
     --globe) file=degrees.asc ;;
     --contour-labels) partner=--contours=1 ;;
   esac
