@@ -59,8 +59,8 @@ public:
 
   //@{
   /**
-   * Set the isovalues, as in vtkFlyingEdges3D, at most 1000. There is none by default. Other numbers
-   * are an error and change nothing.
+   * Set the isovalues, as in vtkFlyingEdges3D, at most 1000. There is none by default. Other
+   * numbers are an error and change nothing.
    */
   void SetValue(int i, double value);
   double GetValue(int i);
