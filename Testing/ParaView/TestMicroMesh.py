@@ -56,7 +56,7 @@ class TestMicroMesh(relevo.TestCase):
         self.assertGreater(fetch(refined).GetNumberOfPolys(), data.GetNumberOfPolys())
 
     def test_picture(self):
-        """Within a pixel of the dense mesh, at each pixel but for shading at silhouettes."""
+        """The surface is within a pixel of the dense mesh. Only shading at silhouettes differs."""
         view, other = relevo.view(SIZE), relevo.view(SIZE)
         mesh = dense()
         micro = simple.MicroMesh(Input=mesh, Tolerance=0.002)

@@ -4,7 +4,6 @@
 
 import unittest
 
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON,
@@ -14,7 +13,6 @@ from vtkmodules.vtkCommonDataModel import (
     vtkUnstructuredGrid,
 )
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import (
     vtkXMLImageDataWriter,
     vtkXMLPolyDataWriter,
@@ -22,6 +20,7 @@ from vtkmodules.vtkIOXML import (
 )
 
 from ResultData import CORNERS
+from ViewerPictures import read_colours
 from ViewerProgram import ViewerProgram
 
 CELLS = 4
@@ -33,12 +32,7 @@ class TestViewerClip(ViewerProgram):
     def picture(self, *arguments):
         """Rows from the top, of colours from 0 to 255."""
         self.view(*arguments, *SETTINGS)
-        reader = vtkPNGReader()
-        reader.SetFileName(str(self.folder / "p.png"))
-        reader.Update()
-        image = reader.GetOutput()
-        colours = vtk_to_numpy(image.GetPointData().GetScalars())
-        return colours.reshape(SIZE, SIZE, -1)[::-1].astype(int)
+        return read_colours(self.folder / "p.png")
 
     def write_cube(self):
         """A cube of 4 x 4 x 4 cells. "Middle" is 1 half-way along x and 0 at both ends."""

@@ -5,13 +5,12 @@
 
 import unittest
 
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
-from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLUnstructuredGridWriter
 
 from ResultData import add_array, write_series
+from ViewerPictures import read_colours
 from ViewerProgram import ViewerProgram
 
 SIZE = 200
@@ -43,11 +42,7 @@ class TestViewerColours(ViewerProgram):
     def picture(self, *arguments):
         """Colours from 0 to 255, of rows from the top."""
         self.view(*arguments, *SETTINGS)
-        reader = vtkPNGReader()
-        reader.SetFileName(str(self.folder / "p.png"))
-        reader.Update()
-        colours = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-        return colours.reshape(SIZE, SIZE, -1)[::-1].astype(int)
+        return read_colours(self.folder / "p.png")
 
     def test_log(self):
         """Logarithms are in proportion to x: the section and the surface have the colours of each
@@ -77,11 +72,7 @@ class TestViewerColours(ViewerProgram):
     def test_swatches(self):
         """The legend has the colours out of range above and below its bar."""
         self.view("cube.vti", "--array=Damage", "--log", *RANGE, "--size=300x200", "--output=l.png")
-        reader = vtkPNGReader()
-        reader.SetFileName(str(self.folder / "l.png"))
-        reader.Update()
-        colours = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-        column = colours.reshape(200, 300, -1)[::-1][:, 12].astype(int)
+        column = read_colours(self.folder / "l.png")[:, 12]
         red = (column == (255, 0, 0)).all(axis=1).nonzero()[0]
         white = (column == (255, 255, 255)).all(axis=1).nonzero()[0]
         self.assertEqual(len(red), 8)

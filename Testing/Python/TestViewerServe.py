@@ -63,7 +63,8 @@ class TestViewerServe(ViewerProgram):
         return read_picture(client.pictures[-1])
 
     def assert_alike(self, first, second):
-        """Both pictures show the same, but for a scale bar and edges."""
+        """The pictures have one size, and at most a tenth of their values differ: those of the scale
+        bar and of edges."""
         self.assertEqual(first[0], second[0])
         different = sum(abs(a - b) > 8 for a, b in zip(first[1], second[1]))
         self.assertLess(different, 0.1 * len(second[1]))

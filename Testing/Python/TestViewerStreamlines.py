@@ -5,13 +5,12 @@
 import math
 import unittest
 
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkPointDataToCellData
-from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
 from ResultData import add_array
+from ViewerPictures import read_colours
 from ViewerProgram import ViewerProgram
 
 SIZE = 200
@@ -38,11 +37,7 @@ class TestViewerStreamlines(ViewerProgram):
 
     def picture(self, *arguments):
         self.view(*arguments, *SETTINGS)
-        reader = vtkPNGReader()
-        reader.SetFileName(str(self.folder / "p.png"))
-        reader.Update()
-        colours = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-        return colours.reshape(SIZE, SIZE, -1)[::-1].astype(int)
+        return read_colours(self.folder / "p.png")
 
     def test_circle(self):
         """A line from one seed is a circle around the axis, of points and of cells."""
@@ -54,11 +49,7 @@ class TestViewerStreamlines(ViewerProgram):
             )
             self.assertEqual(none.returncode, 0)
             self.assertIn("--streamlines shows none", none.stderr)
-            reader = vtkPNGReader()
-            reader.SetFileName(str(self.folder / "p.png"))
-            reader.Update()
-            empty = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-            empty = empty.reshape(SIZE, SIZE, -1)[::-1].astype(int)
+            empty = read_colours(self.folder / "p.png")
             rows, columns = (abs(lines - empty).max(axis=2) > 40).nonzero()
             middle = SIZE / 2 - 0.5
             radii = [math.hypot(row - middle, column - middle) for row, column in zip(rows, columns)]

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads pictures of relevo-view for tests."""
 
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 
@@ -20,6 +21,17 @@ def read_picture(name):
         ]
         for j in range(height)
     ]
+
+
+def read_colours(name):
+    """Colours from 0 to 255, as an array of rows from the top, columns and components."""
+    reader = vtkPNGReader()
+    reader.SetFileName(str(name))
+    reader.Update()
+    image = reader.GetOutput()
+    width, height, _ = image.GetDimensions()
+    colours = vtk_to_numpy(image.GetPointData().GetScalars())
+    return colours.reshape(height, width, -1)[::-1].astype(int)
 
 
 def find(picture, is_shown):

@@ -91,16 +91,21 @@ std::string GetSample(const Control& control)
 ControlList::ControlList()
   : Controls(GetControlTable())
 {
-  this->Own = { { "loop", "off" }, { "panels-in-pictures", "off" },
-    { "picture-name", "studio.png" }, { "mesh-name", "studio.vtp" } };
+  for (const Control& control : this->Controls)
+  {
+    if (control.Kind != ControlKind::Button && !IsOption(control))
+    {
+      this->Own[control.Name] = control.Default;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
 bool ControlList::IsOption(const Control& control)
 {
-  static const std::set<std::string> own = { "loop", "panels-in-pictures", "picture-name",
+  static const std::set<std::string> others = { "loop", "panels-in-pictures", "picture-name",
     "mesh-name" };
-  return control.Kind != ControlKind::Button && own.count(control.Name) == 0;
+  return control.Kind != ControlKind::Button && others.count(control.Name) == 0;
 }
 
 //------------------------------------------------------------------------------
@@ -141,7 +146,7 @@ void ControlList::Update(const StudioState& state, const SceneContent& content)
     else if (control.Kind != ControlKind::Button)
     {
       const std::string value = this->GetOwn(control.Name);
-      const bool isDefault = value == "off" || value == control.Default;
+      const bool isDefault = value == control.Default;
       control.Value = isDefault && control.Kind == ControlKind::Flag
         ? std::nullopt
         : std::optional<std::string>(value);

@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
+#include <vector>
 
 //------------------------------------------------------------------------------
 ControlWidget::ControlWidget(
@@ -304,9 +304,10 @@ void ControlWidget::DrawPlane(const Control& control)
 //------------------------------------------------------------------------------
 void ControlWidget::DrawText(const Control& control)
 {
-  std::array<char, 1024> text{};
+  constexpr std::size_t more = 1024; // characters that the user may add
   const std::string value = control.Value.value_or("");
-  std::strncpy(text.data(), value.c_str(), text.size() - 1);
+  std::vector<char> text(value.size() + more, '\0');
+  std::copy(value.begin(), value.end(), text.begin());
   ImGui::SetNextItemWidth(ImGui::GetFontSize() * 13.0f);
   const bool isEntered =
     ImGui::InputText("##text", text.data(), text.size(), ImGuiInputTextFlags_EnterReturnsTrue);

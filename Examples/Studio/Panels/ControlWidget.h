@@ -9,23 +9,10 @@
 
 #include "Controls/Control.h"
 #include "Panels/LayoutList.h"
+#include "Panels/PanelRequests.h"
 #include "Scene/SceneContent.h"
 
-#include <functional>
-#include <optional>
 #include <string>
-
-/// What the panel asks for.
-class PanelRequests
-{
-public:
-  virtual ~PanelRequests() = default;
-  /// Sets a control, or returns it to its default. A continued change belongs to the last one.
-  virtual void Set(
-    const std::string& name, const std::optional<std::string>& value, bool isContinued) = 0;
-  /// Presses a button.
-  virtual void Press(const std::string& name) = 0;
-};
 
 class ControlWidget
 {

@@ -17,7 +17,7 @@
 
 class PanelRequests;
 
-/// What a pass shows.
+/// The input of the panel for one pass of ImGui.
 struct PanelState
 {
   const std::vector<Control>& Controls;

@@ -81,8 +81,7 @@ void Studio::Set(const std::string& name, const std::optional<std::string>& valu
   const Control* control = this->Controls.Find(name);
   if (control && !ControlList::IsOption(*control))
   {
-    this->Controls.SetOwn(
-      name, value.value_or(control->Kind == ControlKind::Flag ? "off" : control->Default));
+    this->Controls.SetOwn(name, value.value_or(control->Default));
     this->UpdateControls();
     return;
   }

@@ -718,7 +718,7 @@ private:
 
   void FinishSession()
   {
-    // The camera of a session is more exact than its options, but not what the user asks for now.
+    // A session stores the exact camera. Options of the view on the command line replace it.
     const bool hasView = this->GivenOptions.count("--view") || this->GivenOptions.count("--zoom") ||
       this->GivenOptions.count("--center");
     if (!hasView)

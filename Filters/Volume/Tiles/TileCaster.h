@@ -22,7 +22,7 @@
 
 namespace relevo
 {
-/// What the tiles of an image have in common.
+/// The cells, rays and settings that all tiles of an image share.
 struct TileScene
 {
   const CellCrossing& Crossing;
