@@ -243,11 +243,12 @@ void vtkAdaptivePatchMapper::UploadField(vtkRenderer* ren)
   {
     const bool areColors = this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
       (this->ColorMode == VTK_COLOR_MODE_DEFAULT && vtkUnsignedCharArray::SafeDownCast(scalars));
-    const relevo::PatchScalars::Source source = { this->GetInput(), scalars, areColors,
-      this->GetLookupTable(), this->ArrayComponent, this->ColorCoordinates != nullptr,
+    const relevo::FieldScalars field = { scalars, areColors, this->GetLookupTable(),
+      this->ArrayComponent, this->ColorCoordinates != nullptr,
       this->GetRefinement()->GetNoDataMagnitude() };
     error = relevo::PatchScalars::DescribeMisfit(this->GetInput(), scalars);
-    if (!data.Scalars.Upload(vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()), source))
+    if (!data.Scalars.Upload(
+          vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()), this->GetInput(), field))
     {
       error = "Cannot evaluate scalars at every pixel: " + relevo::BufferTexture::GetTooLarge() +
         ". The scalars are interpolated.";
@@ -322,7 +323,7 @@ void vtkAdaptivePatchMapper::ExtendShaders(
       options.IsNumber = data.Scalars.IsNumber();
     }
     options.HasIsolines = options.HasColors() &&
-      options.Coloring != relevo::PatchColoring::COLORS && data.IsSurface &&
+      options.Coloring != relevo::FieldColoring::COLORS && data.IsSurface &&
       static_cast<float>(this->IsolineSpacing) > 0.0f;
     options.HasEdges = data.IsSurface && this->PatchEdges;
   }

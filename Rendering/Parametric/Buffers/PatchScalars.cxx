@@ -3,7 +3,6 @@
 #include "Buffers/PatchScalars.h"
 
 #include "Arrays/NoDataTuples.h"
-#include "Buffers/DirectColors.h"
 #include "Mesh/PatchArrays.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -11,11 +10,9 @@
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPolyData.h"
-#include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -53,44 +50,22 @@ vtkSmartPointer<vtkDataArray> WithoutNoData(
 }
 }
 
-bool PatchScalars::Upload(vtkOpenGLRenderWindow* window, const Source& source)
+bool PatchScalars::Upload(
+  vtkOpenGLRenderWindow* window, vtkPolyData* mesh, const FieldScalars& scalars)
 {
   this->ReleaseGraphicsResources(window);
-  vtkDataArray* nodes = PatchArrays::FindNodes(source.Mesh, source.Scalars);
+  vtkDataArray* nodes = PatchArrays::FindNodes(mesh, scalars.Array);
   if (!nodes)
   {
     return true;
   }
-  this->Rational = PatchArrays::HaveDifferentWeights(source.Mesh);
-  const int type = source.Scalars->GetDataType();
-  if (source.AreColors)
+  this->Rational = PatchArrays::HaveDifferentWeights(mesh);
+  vtkSmartPointer<vtkDataArray> coefficients = nodes;
+  if (!scalars.AreColors)
   {
-    return this->UploadColors(window, nodes, type);
+    coefficients = WithoutNoData(mesh, nodes, scalars.NoDataMagnitude);
   }
-  const vtkSmartPointer<vtkDataArray> values =
-    WithoutNoData(source.Mesh, nodes, source.NoDataMagnitude);
-  constexpr double none = std::numeric_limits<double>::infinity();
-  if (!this->Numbers.Upload(
-        window, values, source.Table, source.Component, source.ByTexture, none, type))
-  {
-    return false;
-  }
-  const ScalarKind kind = this->Numbers.GetKind();
-  this->Coloring = kind == BY_VALUE
-    ? PatchColoring::TABLE
-    : (kind == BY_TEXTURE ? PatchColoring::TEXTURE : PatchColoring::NONE);
-  return true;
-}
-
-bool PatchScalars::UploadColors(vtkOpenGLRenderWindow* window, vtkDataArray* nodes, int type)
-{
-  const std::vector<float> colors = GetDirectColors(nodes, type);
-  if (colors.empty())
-  {
-    return true; // VTK's colours of the corners are used
-  }
-  this->Coloring = PatchColoring::COLORS;
-  return this->Colors.Upload(window, colors, 4);
+  return this->Coefficients.Upload(window, coefficients, scalars);
 }
 
 std::string PatchScalars::DescribeMisfit(vtkPolyData* mesh, vtkDataArray* scalars)
@@ -110,36 +85,8 @@ std::string PatchScalars::DescribeMisfit(vtkPolyData* mesh, vtkDataArray* scalar
   return text.str();
 }
 
-bool PatchScalars::IsNumber() const
-{
-  const bool areColors = this->Coloring == PatchColoring::COLORS;
-  return this->Coloring != PatchColoring::NONE && !areColors && this->Numbers.IsNumber();
-}
-
-void PatchScalars::Activate(vtkShaderProgram* program)
-{
-  if (this->Coloring == PatchColoring::TABLE || this->Coloring == PatchColoring::TEXTURE)
-  {
-    this->Numbers.Activate(program);
-  }
-  this->Colors.Activate(program, "relevoFieldColors");
-}
-
-void PatchScalars::Deactivate()
-{
-  this->Numbers.Deactivate();
-  this->Colors.Deactivate();
-}
-
-vtkTypeInt64 PatchScalars::GetMemorySize() const
-{
-  return this->Numbers.GetMemorySize() + this->Colors.GetMemorySize();
-}
-
 void PatchScalars::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Coloring = PatchColoring::NONE;
-  this->Numbers.ReleaseGraphicsResources(window);
-  this->Colors.ReleaseGraphicsResources(window);
+  this->Coefficients.ReleaseGraphicsResources(window);
 }
 }

@@ -9,62 +9,41 @@
 #ifndef PatchScalars_h
 #define PatchScalars_h
 
-#include "Buffers/BufferTexture.h" // for members
-#include "Buffers/VertexColors.h"  // for members
-#include "Shaders/PatchShader.h"   // for PatchColoring
+#include "Buffers/FieldCoefficients.h" // for members
 
 #include <string>
 
 class vtkDataArray;
-class vtkOpenGLRenderWindow;
 class vtkPolyData;
-class vtkScalarsToColors;
-class vtkShaderProgram;
-class vtkWindow;
 
 namespace relevo
 {
 class PatchScalars
 {
 public:
-  struct Source
-  {
-    vtkPolyData* Mesh;
-    vtkDataArray* Scalars; // point scalars
-    bool AreColors;
-    vtkScalarsToColors* Table;
-    int Component; // that of vtkMapper; -1 uses that of the table
-    bool ByTexture;
-    double NoDataMagnitude; // see NoDataTuples
-  };
-
   /// Upload the coefficients of scalars, if there are any. Return false if they do not fit on the
   /// GPU.
-  bool Upload(vtkOpenGLRenderWindow* window, const Source& source);
+  bool Upload(vtkOpenGLRenderWindow* window, vtkPolyData* mesh, const FieldScalars& scalars);
 
   /// Return the error of the coefficients of scalars, as a sentence; or "".
   static std::string DescribeMisfit(vtkPolyData* mesh, vtkDataArray* scalars);
 
-  PatchColoring GetColoring() const { return this->Coloring; }
+  FieldColoring GetColoring() const { return this->Coefficients.GetColoring(); }
   /// Return whether weights of control points differ.
   bool IsRational() const { return this->Rational; }
   /// Return whether each control point has a single coefficient.
-  bool IsNumber() const;
+  bool IsNumber() const { return this->Coefficients.IsNumber(); }
   /// Return the number that has been subtracted from the values.
-  double GetBias() const { return this->Numbers.GetBias(); }
+  double GetBias() const { return this->Coefficients.GetBias(); }
 
-  void Activate(vtkShaderProgram* program);
-  void Deactivate();
-  vtkTypeInt64 GetMemorySize() const;
+  void Activate(vtkShaderProgram* program) { this->Coefficients.Activate(program); }
+  void Deactivate() { this->Coefficients.Deactivate(); }
+  vtkTypeInt64 GetMemorySize() const { return this->Coefficients.GetMemorySize(); }
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  bool UploadColors(vtkOpenGLRenderWindow* window, vtkDataArray* nodes, int type);
-
-  PatchColoring Coloring = PatchColoring::NONE;
+  FieldCoefficients Coefficients;
   bool Rational = false;
-  VertexColors Numbers;
-  BufferTexture Colors;
 };
 }
 

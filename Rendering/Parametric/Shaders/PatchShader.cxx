@@ -27,12 +27,12 @@ std::string GetFragmentFunctions(const PatchShaderOptions& options)
   define(options.IsRational, "RELEVO_RATIONAL");
   define(options.IsNumber, "RELEVO_FIELD_NUMBER");
   define(options.IsNumber, "PATCH_VECTOR float");
-  define(options.Coloring == PatchColoring::COLORS, "RELEVO_FIELD_COLORS");
-  define(options.Coloring == PatchColoring::TEXTURE, "RELEVO_FIELD_TEXTURE");
+  define(options.Coloring == FieldColoring::COLORS, "RELEVO_FIELD_COLORS");
+  define(options.Coloring == FieldColoring::TEXTURE, "RELEVO_FIELD_TEXTURE");
   if (options.HasColors())
   {
-    text += std::string(options.Coloring == PatchColoring::COLORS ? "" : relevoScalars) +
-      (options.Coloring == PatchColoring::TABLE ? relevoColorTable : "") +
+    text += std::string(options.Coloring == FieldColoring::COLORS ? "" : relevoScalars) +
+      (options.Coloring == FieldColoring::TABLE ? relevoColorTable : "") +
       (options.IsNumber ? "float" : "vec4") + " patchPoint(int i);\n" + relevoPatch +
       relevoPatchFieldFS;
   }
@@ -87,7 +87,7 @@ void FinishPatchShaders(const PatchShaderOptions& options,
     return;
   }
   ShaderText fragment(shaders[vtkShader::Fragment], missing);
-  const bool isNumber = options.HasColors() && options.Coloring != PatchColoring::COLORS;
+  const bool isNumber = options.HasColors() && options.Coloring != FieldColoring::COLORS;
   const std::string evaluation = isNumber ? "  relevoNumber = relevoFieldNumber();\n" : "";
   if (!fragment.Has(FieldMark))
   {

@@ -9,6 +9,7 @@
 #ifndef PatchShader_h
 #define PatchShader_h
 
+#include "Buffers/FieldColoring.h"
 #include "Shaders/ShaderText.h"
 
 #include <map>
@@ -17,25 +18,16 @@ namespace relevo
 {
 struct ShaderExtension;
 
-/// How coefficients become colours.
-enum class PatchColoring
-{
-  NONE,    // there are no coefficients
-  TABLE,   // the value is mapped by a lookup table
-  TEXTURE, // the value is mapped by VTK's texture of the table
-  COLORS   // the coefficients are colours
-};
-
 /// The options of the shaders.
 struct PatchShaderOptions
 {
-  PatchColoring Coloring = PatchColoring::NONE;
+  FieldColoring Coloring = FieldColoring::NONE;
   bool IsRational = false;  // whether weights of control points differ
   bool IsNumber = false;    // whether each control point has a single coefficient
   bool HasIsolines = false; // false for COLORS
   bool HasEdges = false;
 
-  bool HasColors() const { return this->Coloring != PatchColoring::NONE; }
+  bool HasColors() const { return this->Coloring != FieldColoring::NONE; }
   bool HasLines() const { return this->HasIsolines || this->HasEdges; }
   bool IsEmpty() const { return !this->HasColors() && !this->HasEdges; }
 };

@@ -3,7 +3,6 @@
 #include "Buffers/RefinementField.h"
 
 #include "Arrays/NoDataTuples.h"
-#include "Buffers/DirectColors.h"
 #include "Surfaces/SurfaceFieldShading.h"
 #include "vtkDoubleArray.h"
 #include "vtkMath.h"
@@ -13,7 +12,6 @@
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 
-#include <limits>
 #include <vector>
 
 namespace relevo
@@ -43,79 +41,43 @@ vtkSmartPointer<vtkDataArray> WithoutNoData(vtkDataArray* values, double noDataM
 }
 }
 
-bool RefinementField::Upload(vtkOpenGLRenderWindow* window, const Source& source)
+bool RefinementField::Upload(vtkOpenGLRenderWindow* window, vtkRefinementSurface* surface,
+  vtkPolyData* mesh, const FieldScalars& scalars)
 {
   this->ReleaseGraphicsResources(window);
-  auto scalars = vtkDataArray::SafeDownCast(source.Scalars);
-  auto shading = dynamic_cast<SurfaceFieldShading*>(source.Surface);
-  if (!scalars || !shading)
+  auto shading = dynamic_cast<SurfaceFieldShading*>(surface);
+  if (!scalars.Array || !shading)
   {
     return true;
   }
   this->ShaderSource = shading->GetFieldShaderSource();
-  vtkDataArray* values = source.Surface->FindCoefficients(source.Mesh, scalars);
+  vtkDataArray* values = surface->FindCoefficients(mesh, scalars.Array);
   if (!values || values->GetNumberOfTuples() == 0)
   {
     return true;
   }
   this->Size = static_cast<int>(values->GetNumberOfTuples());
-  const int type = scalars->GetDataType();
-  if (source.AreColors)
+  vtkSmartPointer<vtkDataArray> coefficients = values;
+  if (!scalars.AreColors)
   {
-    const std::vector<float> colors = GetDirectColors(values, type);
-    if (colors.empty())
-    {
-      return true; // VTK's colours of the corners are used
-    }
-    this->Coloring = FieldColoring::COLORS;
-    return this->Colors.Upload(window, colors, 4);
+    coefficients = WithoutNoData(values, scalars.NoDataMagnitude);
   }
-  constexpr double none = std::numeric_limits<double>::infinity();
-  if (!this->Numbers.Upload(window, WithoutNoData(values, source.NoDataMagnitude), source.Table,
-        source.Component, source.ByTexture, none, type))
-  {
-    return false;
-  }
-  const ScalarKind kind = this->Numbers.GetKind();
-  this->Coloring = kind == BY_VALUE
-    ? FieldColoring::TABLE
-    : (kind == BY_TEXTURE ? FieldColoring::TEXTURE : FieldColoring::NONE);
-  return true;
+  return this->Coefficients.Upload(window, coefficients, scalars);
 }
 
 bool RefinementField::IsUsed(vtkShaderProgram* program) const
 {
-  return this->Coloring != FieldColoring::NONE && program->IsUniformUsed("relevoFieldSize");
+  return this->GetColoring() != FieldColoring::NONE && program->IsUniformUsed("relevoFieldSize");
 }
 
 void RefinementField::Activate(vtkShaderProgram* program)
 {
   program->SetUniformi("relevoFieldSize", this->Size);
-  if (this->Coloring == FieldColoring::COLORS)
-  {
-    this->Colors.Activate(program, "relevoFieldColors");
-  }
-  else
-  {
-    this->Numbers.Activate(program);
-  }
-}
-
-void RefinementField::Deactivate()
-{
-  this->Numbers.Deactivate();
-  this->Colors.Deactivate();
-}
-
-vtkTypeInt64 RefinementField::GetMemorySize() const
-{
-  return this->Numbers.GetMemorySize() + this->Colors.GetMemorySize();
+  this->Coefficients.Activate(program);
 }
 
 void RefinementField::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Coloring = FieldColoring::NONE;
-  this->Numbers.ReleaseGraphicsResources(window);
-  this->Colors.ReleaseGraphicsResources(window);
+  this->Coefficients.ReleaseGraphicsResources(window);
 }
 }

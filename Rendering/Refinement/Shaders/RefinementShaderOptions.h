@@ -8,6 +8,7 @@
 #ifndef RefinementShaderOptions_h
 #define RefinementShaderOptions_h
 
+#include "Buffers/FieldColoring.h"   // for member
 #include "Buffers/VertexColors.h"    // for ScalarKind
 #include "Changes/Dependencies.h"    // for GetKey
 #include "Shaders/ShaderExtension.h" // for members
@@ -23,15 +24,6 @@ enum RefinementColorMode
   COLOR_BY_LEVEL = 1,
   COLOR_BY_PATTERN = 2,
   COLOR_BY_METRIC = 3
-};
-
-/// How fragments get colours from point scalars that the surface evaluates at every pixel.
-enum class FieldColoring
-{
-  NONE,
-  TABLE,   // values are looked up
-  TEXTURE, // values become VTK's texture coordinate in the table
-  COLORS   // values are colours
 };
 
 /// The options that the shaders depend on.

@@ -8,6 +8,7 @@
 #include "Stages/MethodStage.h"
 #include "State/ViewSelection.h"
 #include "vtkAdaptiveRefinement.h"
+#include "vtkDataArray.h"
 #include "vtkOpenGLCellToVTKCellMap.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexBufferObject.h"
@@ -80,9 +81,9 @@ bool UploadStage::UploadPoints(const MeshInput& input)
   this->Field.Clear();
   const double noData = input.Recipe->GetNoDataMagnitude();
   if (input.Scalars &&
-    !this->Field.Upload(input.Window,
-      { input.Recipe->GetSurface(), input.Input, input.Scalars, input.AreColors, input.Table,
-        input.Component, input.ByTexture, noData }))
+    !this->Field.Upload(input.Window, input.Recipe->GetSurface(), input.Input,
+      { vtkDataArray::SafeDownCast(input.Scalars), input.AreColors, input.Table, input.Component,
+        input.ByTexture, noData }))
   {
     this->Field.Clear(); // the scalars are interpolated
   }
