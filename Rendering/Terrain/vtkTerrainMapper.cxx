@@ -109,6 +109,14 @@ void CopyTerrainOffsets(vtkMapper* from, vtkMapper* to)
 
 struct vtkTerrainMapper::vtkInternals
 {
+  // Whether another frame would show more.
+  bool NeedsFrame() const
+  {
+    return this->Terrain &&
+      ((this->IsViewValid && this->Terrain->NeedsFrame()) ||
+        (this->HasProcesses && this->All.NeedsFrame));
+  }
+
   std::unique_ptr<relevo::AdaptiveTerrain> Terrain;
   relevo::Dependencies Opened; // pyramid
   bool IsOpen = false;         // without an error
@@ -119,6 +127,7 @@ struct vtkTerrainMapper::vtkInternals
   vtkNew<relevo::ContextWatch> Context;
   relevo::FrameWatch Frames;
   relevo::Dependencies View; // of the faces
+  bool IsViewValid = true;   // its numbers are finite; otherwise nothing is selected or loaded
   bool HasProcesses = false; // that divide the frames
   std::optional<relevo::TerrainShare> Share;
   double Reduction = 1.0; // of the error, which processes have agreed on
@@ -750,9 +759,7 @@ void vtkTerrainMapper::Render(vtkRenderer* renderer, vtkActor* actor)
       });
   }
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
-  if (this->Internals->Terrain &&
-    (this->Internals->Terrain->NeedsFrame() ||
-      (this->Internals->HasProcesses && this->Internals->All.NeedsFrame)))
+  if (this->Internals->NeedsFrame())
   {
     this->InvokeEvent(vtkCommand::UpdateEvent, nullptr);
   }
@@ -781,7 +788,8 @@ void vtkTerrainMapper::SelectFaces(vtkRenderer* renderer, vtkActor* actor)
     !data.Frames.IsNewFrame(renderer) || renderer->GetSelector() != nullptr;
   const bool isSame = !data.View.Update(view);
   const bool isFinal = data.Terrain->IsComplete() && !data.Terrain->NeedsFrame();
-  if (!viewpoint.IsValid() || (isSame && (isFurtherPass || isFinal)))
+  data.IsViewValid = viewpoint.IsValid();
+  if (!data.IsViewValid || (isSame && (isFurtherPass || isFinal)))
   {
     return;
   }
@@ -907,7 +915,7 @@ void vtkTerrainMapper::AgreeWithProcesses(
         this->SelectFaces(renderer, actor);
         return true;
       });
-    const bool needsFrame = data.Terrain->NeedsFrame();
+    const bool needsFrame = data.IsViewValid && data.Terrain->NeedsFrame();
     std::vector<double> results = { data.Terrain->GetReduction(),
       data.Terrain->LacksMemory() ? ReductionStep : 1.0, needsFrame ? 1.0 : 0.0,
       data.Terrain->GetError(), data.Terrain->IsComplete() ? 0.0 : 1.0 };

@@ -335,6 +335,30 @@ void TestHugeValues(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
+// A camera that sees nothing, because its matrix is not finite, asks for no further frames. The next
+// view is drawn as always.
+void TestInfiniteView(RelevoCheck& check, const RelevoTestFolders& folders)
+{
+  for (int mode : { vtkTerrainMapper::BACKGROUND, vtkTerrainMapper::COMPLETE })
+  {
+    CHECK_CASE(mode);
+    BadInputScene scene(folders.File("BadInputHills.tif"));
+    scene.Mapper->SetLoadingMode(mode);
+    vtkCamera* camera = scene.Renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(0.0);
+    CHECK(scene.DrawAll());
+    CHECK_EQUAL(scene.Mapper->GetNumberOfDrawnTriangles(), 0);
+    camera->ParallelProjectionOff();
+    scene.Look(3000.0);
+    CHECK(scene.DrawAll());
+    CHECK_GREATER(scene.CountTerrain(), 30000);
+    CHECK(scene.Mapper->IsComplete());
+    CHECK(scene.MapperErrors.None());
+    CHECK(scene.PyramidErrors.None());
+  }
+}
+
 void TestShapes(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   const std::array<int, 2> sizes[] = { { { 1, 1 } }, { { 700, 1 } }, { { 1, 700 } }, { { 2, 2 } },
@@ -491,6 +515,7 @@ int TestTerrainMapperBadInput(int argc, char* argv[])
   TestHangingIndex(check, folders);
   TestValues(check, folders);
   TestHugeValues(check, folders);
+  TestInfiniteView(check, folders);
   TestShapes(check, folders);
   TestGeoreferences(check, folders);
   TestSmallLimit(check, folders);
