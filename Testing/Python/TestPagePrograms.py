@@ -20,11 +20,11 @@ import relevo
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkImagingCore import vtkImageShrink3D
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkTIFFWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 
 from ForkedScripts import ForkedScripts
+from ViewerPictures import largest_difference
 
 SOURCE = pathlib.Path(os.environ["RELEVO_SOURCE_DIR"])
 if not hasattr(relevo, "vtkEGLOffscreenRenderWindow"):
@@ -68,19 +68,6 @@ def write_inputs(folder):
     writer.Write()
 
 
-def mean_of_blocks(path, side=20):
-    """Mean colours of blocks, because details depend on the graphics card."""
-    reader = vtkPNGReader()
-    reader.SetFileName(str(path))
-    shrink = vtkImageShrink3D()
-    shrink.SetInputConnection(reader.GetOutputPort())
-    shrink.SetShrinkFactors(side, side, 1)
-    shrink.AveragingOn()
-    shrink.Update()
-    scalars = shrink.GetOutput().GetPointData().GetScalars()
-    return [scalars.GetTuple(i)[:3] for i in range(scalars.GetNumberOfTuples())]
-
-
 class TestPagePrograms(unittest.TestCase):
     def check_program(self, page, line, program, folder):
         with self.subTest(page=page.name, line=line):
@@ -118,11 +105,7 @@ class TestPagePrograms(unittest.TestCase):
                 self.assertGreater(len(pictures), 2)
                 for picture in pictures:
                     with self.subTest(picture=picture):
-                        means = [mean_of_blocks(own / picture) for own in (folder, page.parent)]
-                        self.assertEqual(*map(len, means))
-                        difference = max(
-                            abs(a - b) for colours in zip(*means) for a, b in zip(*colours)
-                        )
+                        difference = largest_difference(folder / picture, page.parent / picture)
                         self.assertLess(difference, 15)
 
     def test_long_program(self):
