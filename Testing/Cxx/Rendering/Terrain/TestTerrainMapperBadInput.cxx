@@ -335,8 +335,8 @@ void TestHugeValues(RelevoCheck& check, const RelevoTestFolders& folders)
   }
 }
 
-// A camera that sees nothing, because its matrix is not finite, asks for no further frames. The next
-// view is drawn as always.
+// A camera that sees nothing, because its matrix is not finite, asks for no further frames. The
+// next view is drawn as always.
 void TestInfiniteView(RelevoCheck& check, const RelevoTestFolders& folders)
 {
   for (int mode : { vtkTerrainMapper::BACKGROUND, vtkTerrainMapper::COMPLETE })
