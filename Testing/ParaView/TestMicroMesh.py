@@ -110,6 +110,20 @@ class TestMicroMesh(relevo.TestCase):
             simple.Render(view)
             self.assertIn("the mesh is not a micro-mesh", text())
 
+    def test_no_points(self):
+        """Lengths that depend on the bounds have no default without points, and no error."""
+        empty = simple.Clip(Input=relevo.sphere(), ClipType="Plane")
+        empty.ClipType.Origin = [100, 0, 0]
+        empty.Invert = 0
+        empty = simple.ExtractSurface(Input=empty)
+        empty.UpdatePipeline()
+        self.assertEqual(fetch(empty).GetNumberOfPoints(), 0)
+        view = relevo.view(SIZE)
+        with relevo.messages() as text:
+            self.assertEqual(simple.MicroMesh(Input=empty).Tolerance, 0)
+            show(empty, view)
+            self.assertEqual(text(), "")
+
 
 if __name__ == "__main__":
     relevo.main()
