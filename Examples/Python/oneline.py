@@ -3,12 +3,14 @@
 """Draw files in one line each, without a display: oneline.py NAME PICTURE FILE [FILE]
 
 NAME and the files are
-  terrain  a height map and an image
-  refined  a mesh
-  volume   a mesh of 3D cells with the array EQPS
-  patches  a mesh of curved cells
-  lic      a mesh with vectors
-  relief   a height map
+  terrain      a height map and an image
+  refined      a mesh
+  volume       a mesh of 3D cells with the array EQPS
+  patches      a mesh of curved cells
+  time         a mesh with time steps and the array convected
+  lic          a mesh with vectors
+  streamlines  3D cells with vectors
+  relief       a height map
 """
 
 import sys
@@ -22,7 +24,9 @@ DRAWINGS: dict[str, Any] = {
     "refined": lambda mesh: relevo.refined(mesh, surface="pn", metric="curvature", max_level=5),
     "volume": lambda mesh: relevo.volume(mesh, "EQPS"),
     "patches": lambda mesh: relevo.patches(mesh, edges=True, up="z"),
+    "time": lambda mesh: relevo.refined(mesh, scalars="convected", time=1),
     "lic": lambda mesh: relevo.lic(mesh),
+    "streamlines": lambda mesh: relevo.streamlines(mesh, seeds=40, range=(0, 0.3), up="z"),
     "relief": lambda dem: relevo.relief(dem),
 }
 VIEWS = {"lic": (110, 15)}  # azimuth and elevation of the viewer

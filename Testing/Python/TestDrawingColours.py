@@ -135,9 +135,9 @@ class TestDrawingColours(unittest.TestCase):
         self.assertGreater(min(red, green), 2 * blue)
         red, green, blue = pictures[1][110, 160]
         self.assertGreater(blue, 2 * green)
-        self.assertEqual(len(cut._get_props()), 3)
+        self.assertEqual(len(cut.actors), 3)
         curved = relevo.patches(make_curved_block(), clip=((2.01, 0, 0), (-1, 0, 0)))
-        self.assertEqual(len(curved._get_props()), 3)
+        self.assertEqual(len(curved.actors), 3)
         faces = curved._others[0].GetMapper()
         faces.Update()
         self.assertGreater(faces.GetInput().GetNumberOfCells(), 0)

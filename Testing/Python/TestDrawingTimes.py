@@ -5,13 +5,14 @@
 import json
 import os
 import pathlib
+import subprocess
 import sys
 import tempfile
 import unittest
 import unittest.mock
 import warnings
 
-from DrawingData import numpy, relevo
+from DrawingData import make_sphere, numpy, read_picture, relevo
 from ResultData import DATA, TIMES, add_array, make_cube, write_list, write_series
 from relevo import _drawing, _results
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -108,11 +109,42 @@ class TestDrawingTimes(unittest.TestCase):
         self.assertEqual(get_largest(relevo.volume(self.folder / "a.pvd", "Heat", time=9)), 4.0)
         self.assertIn("time 9 is outside of the times of", str(self.warnings.pop().message))
 
+    def test_labels(self):
+        """A label shows the time of the step, as in relevo-view, if there are several."""
+        path = self.write_series("a.pvd")
+        size = (320, 200)
+        for make, options in (
+            (relevo.refined, {"scalars": "Heat"}), (relevo.volume, {"array": "Heat"}),
+            (relevo.patches, {"scalars": "Heat"}), (relevo.lic, {}), (relevo.streamlines, {}),
+        ):
+            first = make(path, **options)
+            shown = [make(path, **options, time=time) for time in TIMES]
+            self.assertEqual([own._time for own in (first, *shown)], [TIMES[0], *TIMES])
+            corner = [own.screenshot(size=size)[:40, 200:] for own in (first, *shown)]
+            numpy.testing.assert_array_equal(corner[0], corner[1])
+            for one, other in ((1, 2), (2, 3)):
+                difference = abs(corner[one].astype(int) - corner[other]).max(axis=2)
+                self.assertGreater((difference > 40).sum(), 20, make.__name__)
+        self.assertEqual(relevo.refined(CubeSource(), time=1)._time, 1.0)
+        only = write_list(self.folder, "one.pvd", ['<DataSet timestep="3" file="a.pvd-0.vtu"/>'])
+        for other in (relevo.refined(only), relevo.refined(make_cube()), relevo.refined(make_sphere())):
+            self.assertIsNone(other._time)
+        viewer = pathlib.Path(os.environ["RELEVO_BINARY_DIR"]) / "bin/relevo-view"
+        if viewer.exists():
+            command = [viewer, path, "--array=Heat", "--time=4", "--size=320x200", "--output=v.png"]
+            subprocess.run(command, cwd=self.folder, check=True, capture_output=True)
+            own = relevo.refined(path, scalars="Heat", time=4).screenshot(size=size)
+            difference = abs(own.astype(int) - read_picture(self.folder / "v.png")).max(axis=2)
+            self.assertLess((difference > 8).sum(), 5)
+
     def test_show(self):
         path = self.write_series("s.pvd")
         with unittest.mock.patch.object(_drawing.Drawing, "show"):
             drawing = relevo.show(path, array="Heat", time=4)
             self.assertEqual(get_largest(drawing), 4.0)
+            self.assertEqual(drawing._time, 4.0)
+            drawing = relevo.show(path, scalars="Heat", range="all")
+            self.assertEqual(get_largest(drawing), TIMES[-1])
             with self.assertRaisesRegex(TypeError, "did you mean time"):
                 relevo.show(path, timestep=4)
 

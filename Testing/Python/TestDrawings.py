@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Proves python.md: one line draws a terrain, a refined surface, a volume, curved cells, streaks,
-reliefs, micro-meshes and intersections, with the picture of relevo-view."""
+streamlines, reliefs, micro-meshes and intersections, with the picture of relevo-view."""
 
 import os
 import pathlib
@@ -68,6 +68,7 @@ class TestDrawings(unittest.TestCase):
             "volume": relevo.volume(make_block(), "DistanceToCenter"),
             "patches": relevo.patches(make_curved_block(), warp="Shift", edges=True),
             "lic": relevo.lic(make_sphere(), "V"),
+            "streamlines": relevo.streamlines(make_sphere(), "V"),
             "relief": relevo.relief(make_heights()),
             "micromesh": relevo.micromesh(make_sphere(), tolerance="2%"),
             "intersection": relevo.intersection(make_sphere(), make_cone()),
@@ -99,12 +100,13 @@ class TestDrawings(unittest.TestCase):
             "lic": "vtkAdaptiveLICMapper",
             "relief": "vtkReliefMapper",
             "micromesh": "vtkAdaptiveRefinementMapper",
+            "streamlines": "vtkAdaptiveRefinementMapper",
             "intersection": "vtkPolyDataMapper",
         }
         for name, drawing in self.make_all().items():
             self.assertTrue(drawing.mapper.IsA(classes[name]), name)
             self.assertTrue(drawing.actor.IsA("vtkProp3D"), name)
-            has_recipe = name in ("refined", "patches", "lic", "micromesh")
+            has_recipe = name in ("refined", "patches", "lic", "micromesh", "streamlines")
             self.assertEqual(hasattr(drawing, "recipe"), has_recipe, name)
         self.assertEqual(relevo.refined(make_sphere(), max_level=2).recipe.GetMaximumLevel(), 2)
 
@@ -455,7 +457,13 @@ class TestDrawings(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "tolerance"):
                 relevo.micromesh(sphere, tolerance=bad)
         with self.assertRaisesRegex(TypeError, "tolerance must be a number"):
-            relevo.micromesh(sphere, tolerance=None)
+            relevo.micromesh(sphere, tolerance=[1])
+        for source in (path, drawing.micro):
+            for options in ({"tolerance": "1%"}, {"max_level": 3}):
+                with self.assertRaisesRegex(ValueError, f"{[*options][0]} is for meshes that are enc"):
+                    relevo.micromesh(source, **options)
+        with self.assertRaisesRegex(ValueError, "tolerance is for meshes that are encoded"):
+            relevo.show(path, tolerance=0.1)
         with self.assertRaisesRegex(ValueError, "max_level must be in"):
             relevo.micromesh(sphere, max_level=9)
         with self.assertRaisesRegex(ValueError, "error must be in"):

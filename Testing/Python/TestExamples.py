@@ -103,7 +103,9 @@ class TestExamples(unittest.TestCase):
                 "refined.png": ("mesh.ply",),
                 "volume.png": (str(VOLUME / "can.vtu"),),
                 "patches.png": (str(real / "mesh/teapot.bpt"),),
+                "time.png": (str(real / "result/mug.e"),),
                 "lic.jpg": (str(FLOW / "SurfaceVectors.vtk"),),
+                "streamlines.jpg": (str(FLOW / "office.binary.vtk"),),
                 "relief.jpg": ("heights.png",),
             }
             for file, inputs in drawings.items():

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Proves that meshes and plotters of PyVista 0.48 have the attribute `relevo`, and that importing
-PyVista does not import this package. Without PyVista, the tests use the stand-in of this folder."""
+"""Proves that meshes and plotters of PyVista 0.48 have the attribute `relevo`, that importing PyVista
+does not import this package, and that drawings can be added to plotters of PyVista 0.44. Without
+PyVista, the tests use the stand-in of this folder."""
 
 import importlib.metadata
 import importlib.util
@@ -15,6 +16,7 @@ import unittest
 import DrawingData  # skips without numpy, EGL and GDAL
 import numpy
 from relevo._raster import RasterFile
+from vtkmodules.vtkCommonCore import vtkVersion
 
 FOLDER = pathlib.Path(__file__).parent
 SOURCE = FOLDER.parent.parent
@@ -36,22 +38,30 @@ mesh = pyvista.wrap(make_sphere())
 """
 
 
-def get_path():
-    """Return the folders of modules, with that of the stand-in if there is no PyVista 0.48."""
+def get_path(needed=(0, 48)):
+    """Return the folders of modules, with that of the stand-in if there is no such PyVista."""
     folders = [str(FOLDER), *filter(None, os.environ.get("PYTHONPATH", "").split(os.pathsep))]
     try:
         version = importlib.metadata.version("pyvista")
-        has_extensions = tuple(map(int, version.split(".")[:2])) >= (0, 48)
+        is_new = tuple(map(int, version.split(".")[:2])) >= needed
     except importlib.metadata.PackageNotFoundError:
-        has_extensions = False
-    return folders if has_extensions else [str(FOLDER / "StandIn"), *folders]
+        is_new = False
+    return folders if is_new else [str(FOLDER / "StandIn"), *folders]
+
+
+def get_environment(*needed):
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(get_path(*needed))}
+    if not environment.get("DISPLAY"):
+        # Otherwise VTK 9.4 and later print that there is no X server.
+        environment["VTK_DEFAULT_OPENGL_WINDOW"] = "vtkEGLRenderWindow"
+    return environment
 
 
 class TestPyVista(unittest.TestCase):
-    def check(self, program):
+    def check(self, program, *needed):
         run = subprocess.run(
             [sys.executable, "-c", START + program],
-            env={**os.environ, "PYTHONPATH": os.pathsep.join(get_path())},
+            env=get_environment(*needed),
             capture_output=True,
             text=True,
         )
@@ -100,12 +110,16 @@ for add in (
     lambda: plotter.relevo.add_volume(make_block(), "DistanceToCenter"),
     lambda: plotter.relevo.add_patches(make_curved_block()),
     lambda: plotter.relevo.add_lic(mesh, "V"),
+    lambda: plotter.relevo.add_streamlines(make_block(), "Shift"),
+    lambda: plotter.relevo.add_micromesh(mesh),
+    lambda: plotter.relevo.add_refined(make_block(), clip=((0.5, 0.5, 0.5), (0, 0, 1))),
     lambda: plotter.relevo.add_relief(make_heights()),
     lambda: plotter.relevo.add_intersection(mesh, make_block()),
 ):
     drawing = add()
+    plotter.reset_camera()
     picture = plotter.screenshot()
-    plotter.remove_actor(drawing.actor)
+    plotter.remove_actor(drawing.actors)
     empty = plotter.screenshot() if empty is None else empty
     numpy.testing.assert_array_equal(plotter.screenshot(), empty)
     assert (picture != empty).any(axis=2).sum() > 1000, type(drawing).__name__
@@ -125,7 +139,7 @@ for add in (
         with tempfile.TemporaryDirectory() as folder:
             run = subprocess.run(
                 [sys.executable, example, *files, "out.png"],
-                env={**os.environ, "PYTHONPATH": os.pathsep.join(get_path())},
+                env=get_environment(),
                 cwd=folder,
                 capture_output=True,
                 text=True,
@@ -142,6 +156,45 @@ for add in (
             difference = numpy.abs(picture.astype(float) - kept).mean()
             self.assertLess(difference, 2)
 
+    def test_add_to(self):
+        """add_to() draws in plotters of PyVista 0.44, with their camera, clipping and picking."""
+        version = vtkVersion()
+        needs_display = (version.GetVTKMajorVersion(), version.GetVTKMinorVersion()) < (9, 4)
+        if needs_display and str(FOLDER / "StandIn") not in get_path((0, 44)):
+            if not os.environ.get("DISPLAY"):
+                self.skipTest("PyVista needs a display before VTK 9.4")
+        self.check(
+            """
+import relevo
+from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkRenderingCore import vtkCellPicker
+plotter = pyvista.Plotter(off_screen=True, window_size=(300, 200))
+drawing = relevo.refined(mesh, surface="pn", metric="curvature", max_level=3)
+drawing.add_to(plotter)
+assert type(drawing.mesh()) is pyvista.PolyData
+plotter.view_vector((0, -1, 0), viewup=(0, 0, 1))
+whole = plotter.screenshot()
+# The camera of the plotter gives the same picture.
+shown = drawing.screenshot(size=(300, 200), camera=plotter.camera)
+def find(picture):
+    return (abs(picture.astype(int) - picture[:, :1]).max(axis=2) > 12)[:, 40:-40]
+assert (find(whole) != find(shown)).mean() < 0.02
+picker = vtkCellPicker()
+assert picker.Pick(150, 100, 0, plotter.renderer)
+assert picker.GetViewProp() is drawing.actor
+numpy.testing.assert_allclose(picker.GetPickPosition(), (0, -0.5, 0), atol=0.02)
+plane = vtkPlane()
+plane.SetNormal(1, 0, 0)
+drawing.mapper.AddClippingPlane(plane)
+plotter.render()
+half = plotter.screenshot()
+assert 0.4 < find(half).sum() / find(whole).sum() < 0.6
+plotter.remove_actor(drawing.actors)
+assert not find(plotter.screenshot()).any()
+""",
+            (0, 44),
+        )
+
     def test_colour_modes(self):
         """A mode that is set after add_to() has its own colours."""
         self.check(
@@ -153,12 +206,16 @@ terrain.add_to(plotter)
 mapper = terrain.mapper
 mapper.SetLoadingModeToComplete()
 by_height = mapper.GetLookupTable()
+before = plotter.screenshot()
 mapper.SetColorModeToSlope()
 assert mapper.GetLookupTable() is not by_height
+plotter.render()
 slope = plotter.screenshot()
+assert (slope != before).any(axis=2).sum() > 1000
 del terrain
 mapper.SetColorModeToElevation()
 assert mapper.GetLookupTable() is by_height
+plotter.render()
 height = plotter.screenshot()
 assert (slope != height).any(axis=2).sum() > 1000
 table = by_height.NewInstance()

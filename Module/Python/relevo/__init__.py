@@ -3,8 +3,8 @@
 """Adaptive surface refinement on the GPU, for VTK.
 
 `relevo.show("file")` draws a file in a window. `relevo.terrain`, `refined`, `volume`, `patches`,
-`lic`, `relief`, `micromesh` and `intersection` draw files, arrays and meshes with options, in
-windows, notebooks and pictures. `relevo.times` lists the time steps of a file.
+`lic`, `streamlines`, `relief`, `micromesh` and `intersection` draw files, arrays and meshes with
+options, in windows, notebooks and pictures. `relevo.times` lists the time steps of a file.
 
 The package also has all wrapped classes of Relevo with their C++ names, for example
 `relevo.vtkAdaptiveRefinementMapper` and `relevo.vtkHeightMap`. `relevo.arrays` converts heights,
@@ -50,6 +50,7 @@ _FUNCTIONS = {
     "volume": "_functions",
     "patches": "_functions",
     "lic": "_functions",
+    "streamlines": "_functions",
     "relief": "_functions",
     "micromesh": "_functions",
     "intersection": "_functions",

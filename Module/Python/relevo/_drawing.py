@@ -26,7 +26,7 @@ from vtkmodules.vtkRenderingCore import (
 
 import relevo
 
-from . import _camera, _inputs, _legend, _outputs, _work, files
+from . import _camera, _inputs, _legend, _outputs, _time_label, _work, files
 from ._error import Error
 from ._messages import Messages
 from ._typing import Array, Camera, Path
@@ -94,6 +94,13 @@ def _make_offscreen_window(is_on_display: bool) -> vtkRenderWindow:
     return window
 
 
+def set_exact_colours(actor: Any) -> None:
+    """Draw the colours of an actor without lighting."""
+    actor.GetProperty().LightingOff()
+    actor.GetProperty().SetAmbient(0)
+    actor.GetProperty().SetDiffuse(1)
+
+
 class Drawing:
     """Data that can be drawn, with a camera, lights and colours that suit it.
 
@@ -107,7 +114,9 @@ class Drawing:
     _up = 1  # the vertical axis: 0, 1 or 2
     _table: vtkScalarsToColors | None = None  # of the colour bar
     _title = ""
+    _source: Any = None  # what the caller has given
     _kind = ""  # package of the caller's mesh
+    _time: float | None = None  # of the drawn step, if there are several
     _others: Sequence[vtkProp] = ()  # further props, such as the section of a cut
     _plotters: Sequence[weakref.ref[Any]] = ()  # that have the actor
     _names: Mapping[str, str] = {}  # of things in messages, see Messages
@@ -120,12 +129,14 @@ class Drawing:
         self.mapper = mapper
         self.actor = actor
 
+    def _take(self, mesh: Any, time: float | None) -> vtkDataObject:
+        """Return the data of a mesh, see take_data()."""
+        self._source, data, self._kind, self._time = _inputs.take_data(mesh, time=time)
+        return data
+
     def _set_lighting(self, lighting: bool) -> None:
-        """Draw exact colours without lighting."""
         if not lighting:
-            self.actor.GetProperty().LightingOff()
-            self.actor.GetProperty().SetAmbient(0)
-            self.actor.GetProperty().SetDiffuse(1)
+            set_exact_colours(self.actor)
 
     def __repr__(self) -> str:
         return f"<relevo.{type(self).__name__.lower()}: {self._describe()}>"
@@ -202,20 +213,25 @@ class Drawing:
         )
 
     def add_to(self, plotter: Any) -> None:
-        """Add the actor to a vtkRenderer, a vtkRenderWindow, or a plotter of PyVista or vedo.
+        """Add the actors to a vtkRenderer, a vtkRenderWindow, or a plotter of PyVista or vedo.
 
-        The actors of a cut are added, too.
+        plotter.remove_actor(drawing.actors) of PyVista removes them.
         """
-        for prop in self._get_props():
-            self._add_prop(plotter, prop)
+        for actor in self.actors:
+            self._add_prop(plotter, actor)
         self._plotters = [*self._plotters, weakref.ref(plotter)]
 
-    def _get_props(self) -> list[Any]:
+    @property
+    def actors(self) -> list[Any]:
+        """The actor, and further ones of a cut or of streamlines."""
         return [self.actor, *self._others]
 
     @staticmethod
     def _add_prop(plotter: Any, prop: Any) -> None:
-        if hasattr(plotter, "add_actor"):
+        if _inputs.find_package(plotter) == "pyvista":
+            # As for meshes of PyVista, the camera shows all actors unless the caller has set it.
+            plotter.add_actor(prop, reset_camera=None)
+        elif hasattr(plotter, "add_actor"):
             plotter.add_actor(prop)
         elif hasattr(plotter, "AddViewProp"):
             plotter.AddViewProp(prop)
@@ -266,14 +282,16 @@ class Drawing:
         axes = self._get_axes()
         for azimuth, elevation, intensity in self._lights:
             _camera.add_light(renderer, azimuth, elevation, intensity, axes)
-        for prop in self._get_props():
-            renderer.AddViewProp(prop)
+        for actor in self.actors:
+            renderer.AddViewProp(actor)
         corner = (0, 0)
         table, title = self._get_legend()
         if table is not None:
             actors, corner = _legend.make_legend(table, title, size)
             for actor in actors:
                 renderer.AddViewProp(actor)
+        if self._time is not None:
+            renderer.AddViewProp(_time_label.make_time_label(self._time))
         if isinstance(camera, vtkCamera):
             renderer.GetActiveCamera().DeepCopy(camera)
             renderer.ResetCameraClippingRange()

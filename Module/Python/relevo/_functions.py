@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from ._patches import Patches
     from ._refined import Refined
     from ._relief import Relief
+    from ._streamlines import Streamlines
     from ._terrain import Terrain
     from ._volume import Volume
 
@@ -392,6 +393,75 @@ def lic(
 
 
 @_public
+def streamlines(
+    mesh: Any,
+    vectors: str | None = None,
+    *,
+    seeds: int = 100,
+    seed_line: Any = None,
+    scalars: str | None = None,
+    up: str = "y",
+    lighting: bool = True,
+    time: float | None = None,
+    clip: Any = None,
+    palette: str | None = None,
+    range: tuple[float, float] | str | None = None,
+    log: bool = False,
+    below: Any = None,
+    above: Any = None,
+) -> Streamlines:
+    """Draw streamlines along a vector field, as tubes, in 3D cells or on a surface.
+
+    mesh: as for refined(). The surface of 3D cells is transparent around the lines.
+    vectors: the name of an array of points or cells with 3 components (default: the active vectors,
+        or the first such array).
+    seeds: the number of points where lines begin, from 1 to 100000. They are in the middles of
+        cells, evenly spaced in the order of the mesh.
+    seed_line: two points, each three numbers; lines begin on the line between them (default: in
+        cells).
+    scalars: the array of points or cells for colours, or a quantity such as "von Mises", see
+        volume() (default: the lengths of the vectors).
+    up: the vertical axis, "x", "y" or "z" (default: "y").
+    lighting: whether lights shade the surface and the lines (default: True).
+    time: the time of a file with time steps, or of an algorithm of VTK; the nearest step is drawn
+        (default: the first one, or the current one of an algorithm). See times().
+    clip: as for refined(). Lines are not cut.
+    palette: "viridis", "cool-warm", "cyclic", "grey", "heat", "magma", "rainbow", "relief" or
+        "water" (default: "viridis").
+    range: the values of the first and the last colour, or "all" for the values of all time steps of
+        a file or an algorithm (default: those of the drawn step).
+    log: whether colours depend on the logarithms of values, which must be above 0.
+    below, above: colours of values out of range: a name such as "white", "#rrggbb", or red, green
+        and blue from 0 to 1 (default: those of the ends of the range).
+
+    Lines run in both directions, up to three diagonals of the mesh, until they leave it or the
+    vectors vanish. A warning tells if there are none.
+
+    The result has the attributes lines, tracer, a vtkStreamTracer, tubes, a vtkTubeFilter, and
+    line_actor. mesh() and save() use the lines. mapper is a vtkAdaptiveRefinementMapper, actor and
+    recipe are those of the surface.
+
+    Raises FileNotFoundError, relevo.Error, TypeError, and ValueError, which names all arrays if an
+    array does not exist or there are no vectors.
+    """
+    from ._colours import Colours
+    from ._streamlines import Streamlines
+
+    return Streamlines(
+        mesh,
+        vectors,
+        seeds,
+        seed_line,
+        scalars,
+        up,
+        lighting,
+        time,
+        clip,
+        Colours(palette, range, log, below, above),
+    )
+
+
+@_public
 def relief(source: Any, *, lighting: bool | None = None) -> Relief:
     """Draw reliefs, which are images with depth.
 
@@ -413,8 +483,8 @@ def relief(source: Any, *, lighting: bool | None = None) -> Relief:
 def micromesh(
     mesh: Any,
     *,
-    tolerance: float | str = "0.1%",
-    max_level: int = 5,
+    tolerance: float | str | None = None,
+    max_level: int | None = None,
     error: float = 1.0,
     up: str = "y",
     lighting: bool = True,
@@ -423,11 +493,11 @@ def micromesh(
     """Encode a dense mesh as a coarse mesh with displacements, and draw it.
 
     mesh: as for refined(), for example a scan or an isosurface; or a micro-mesh: an .rmm file or the
-        output of vtkMicroMeshFilter, for which tolerance and max_level have no effect.
+        output of vtkMicroMeshFilter.
     tolerance: the largest distance between the dense mesh and the result, as a length, or as a text
-        such as "0.1%" in percent of the diagonal (default: "0.1%").
+        such as "0.1%" in percent of the diagonal (default: "0.1%"; a micro-mesh has its own).
     max_level: the highest level of displacements, from 0 to 7; a face has up to 4^max_level
-        triangles (default: 5).
+        triangles (default: 5; a micro-mesh has its own).
     error: the largest distance of the drawn surface from the result on the screen, in pixels
         (default: 1).
     up: the vertical axis, "x", "y" or "z" (default: "y").
@@ -498,16 +568,15 @@ def _find_functions(source: Any, time: Any) -> tuple[tuple[Callable[..., Drawing
         return (terrain, relief), source
     if _inputs.is_path(source) and not _results.is_mesh_file(source):
         return (terrain, relief), source
-    data, package = _inputs.take_data(source, "the first argument", time)
+    taken = _inputs.take_data(source, "the first argument", time)
+    data = taken.data
     if data.IsA("vtkImageData") and data.GetFieldData().HasArray("ReliefMatrix"):
         return (relief,), data
     if data.IsA("vtkPolyData") and data.GetFieldData().HasArray("MicroMeshDisplacements"):
-        return (micromesh,), data
-    # Meshes of other packages are read again, so that results are of their kind.
-    mesh = source if package else data
+        return (micromesh,), taken
     if _is_curved(data):
-        return (patches, volume, lic, refined), mesh
-    return (refined, volume, patches, lic, micromesh), mesh
+        return (patches, volume, lic, streamlines, refined), taken
+    return (refined, volume, patches, lic, streamlines, micromesh), taken
 
 
 def show(source: Any, **options: Any) -> Drawing:
@@ -516,7 +585,7 @@ def show(source: Any, **options: Any) -> Drawing:
     source: rasters and 2-D arrays are drawn by terrain(), folders of reliefs by relief(), .rmm files
         by micromesh(), meshes with curved cells by patches() and others by refined(). Options that
         belong to another function choose that one: array= and isosurfaces= draw a volume, vectors=
-        streaks, and tolerance= a micro-mesh.
+        streaks, seeds= and seed_line= streamlines, and tolerance= a micro-mesh.
     options: those of one of these functions.
 
     Returns the drawing. Raises relevo.Error without a display, FileNotFoundError, TypeError, and

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any, TypeGuard
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeGuard
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -114,23 +114,34 @@ def _get_vedo_data(mesh: Any) -> vtkDataObject | None:
     return mesh.polydata() if hasattr(mesh, "polydata") else None  # applies the transform
 
 
-def take_data(
-    source: Any, name: str = "mesh", time: float | None = None
-) -> tuple[vtkDataObject, str]:
-    """Return the vtkDataObject of a source, and its package as find_package().
+class Taken(NamedTuple):
+    """The data of a source, its package as find_package(), and the time of the step that is drawn,
+    or None if there are not several."""
 
-    source: a path, a vtkDataObject, a vtkAlgorithm, a prop, a mesh of PyVista or vedo, or points
-        and faces as arrays.
+    source: Any
+    data: vtkDataObject
+    package: str
+    time: float | None
+
+
+def take_data(source: Any, name: str = "mesh", time: float | None = None) -> Taken:
+    """Return the vtkDataObject of a source.
+
+    source: a path, a vtkDataObject, a vtkAlgorithm, a prop, a mesh of PyVista or vedo, points and
+        faces as arrays, or a result of this function, which is returned.
     time: of a path or a vtkAlgorithm.
     """
+    if isinstance(source, Taken):
+        return source
     package = find_package(source)
     data = None
+    step = None
     if time is not None:
         check_number(time, "time")
     if is_path(source):
-        data = _results.read(source, time)
+        data, step = _results.read(source, time)
     elif time is not None and isinstance(source, vtkAlgorithm):
-        data = _results.update(source, time)
+        data, step = _results.update(source, time)
     elif time is not None:
         raise ValueError(
             f"time is for files and algorithms of VTK; {name} is a {type(source).__name__}"
@@ -144,6 +155,7 @@ def take_data(
     elif isinstance(source, vtkAlgorithm) and source.GetNumberOfOutputPorts() > 0:
         _work.update(source)
         data = source.GetOutputDataObject(0)
+        step = _results.find_current_time(source)
     elif isinstance(source, (tuple, list)) and len(source) == 2:
         data = make_mesh(*source)
     if data is None and numpy.ndim(source) == 3:
@@ -157,7 +169,7 @@ def take_data(
             f"{name} must be a path, an object of VTK, PyVista or vedo, or (points, faces), not"
             f" {type(source).__name__}"
         )
-    return data, package
+    return Taken(source, data, package, step)
 
 
 def get_blocks(data: vtkDataObject) -> list[vtkDataSet]:

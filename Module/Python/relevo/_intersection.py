@@ -33,9 +33,9 @@ class Intersection(Drawing):
         for port, source in enumerate((a, b)):
             if source is None and port == 1:
                 continue
-            data, kind = _inputs.take_data(source, "ab"[port])
-            self._kind = self._kind or kind
-            self._inputs.append(_inputs.extract_surface(data))
+            taken = _inputs.take_data(source, "ab"[port])
+            self._kind = self._kind or taken.package
+            self._inputs.append(_inputs.extract_surface(taken.data))
             self._find.SetInputData(port, self._inputs[-1])
         _work.update(self._find)
         mapper = vtkPolyDataMapper()

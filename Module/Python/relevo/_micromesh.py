@@ -22,6 +22,8 @@ from ._refined import Refined
 from ._typing import Camera, Path
 
 EXTENSION = ".rmm"
+_TOLERANCE = "0.1%"
+_LEVEL = 5
 _HIGHEST_LEVEL = 7
 _SHARE = 0.1  # of the deviation, for meshes without a camera
 
@@ -51,6 +53,15 @@ def _find_tolerance(tolerance: Any, mesh: vtkPolyData) -> float:
     return float(tolerance)
 
 
+def _refuse_options(**options: Any) -> None:
+    given = [name for name, value in options.items() if value is not None]
+    if given:
+        raise ValueError(
+            f"{given[0]} is for meshes that are encoded, and this is a micro-mesh, which has its own;"
+            f" encode the dense mesh again, or omit {given[0]}"
+        )
+
+
 class MicroMesh(Refined):
     """A micro-mesh, see relevo.micromesh().
 
@@ -65,20 +76,23 @@ class MicroMesh(Refined):
         self,
         mesh: Any,
         tolerance: Any,
-        max_level: int,
+        max_level: int | None,
         error: float,
         up: str,
         lighting: bool,
         time: float | None = None,
     ) -> None:
         self._up = _camera.find_axis(up)
-        _inputs.check_number(max_level, "max_level", integer=True)
         _inputs.check_number(error, "error")
-        data, self._kind = _inputs.take_data(mesh, time=time)
+        data = self._take(mesh, time)
         self.micro = vtkPolyData()
         if is_micro_mesh(data):
+            _refuse_options(tolerance=tolerance, max_level=max_level)
             self.micro.ShallowCopy(data)
         else:
+            tolerance = _TOLERANCE if tolerance is None else tolerance
+            max_level = _LEVEL if max_level is None else max_level
+            _inputs.check_number(max_level, "max_level", integer=True)
             self._encode(_inputs.extract_surface(data), tolerance, max_level)
         bounds = self.micro.GetFieldData().GetArray("MicroMeshError")
         self.deviation = bounds.GetRange(0)[1] if bounds else float("nan")

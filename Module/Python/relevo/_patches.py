@@ -100,19 +100,19 @@ class Patches(Refined):
     ) -> None:
         self._scale = colours or _colours.Colours()
         self._plane = None if clip is None else _section.make_plane(clip)
+        self._shows_cells = clip is not None
         self._up = _camera.find_axis(up)
         _inputs.check_number(factor, "factor")
         if not math.isfinite(factor):
             raise ValueError(f"factor must be finite, not {factor}")
         if error is not None:
             _inputs.check_number(error, "error")
-        data, self._kind = _inputs.take_data(mesh, time=time)
-        data, scalars = _quantities.add_quantity(data, scalars)
+        data, scalars = _quantities.add_quantity(self._take(mesh, time), scalars)
         if warp is not None:
             data = _warp(data, warp, factor)
         elif factor != 1.0:
             raise ValueError("factor needs warp, the name of an array")
-        self._source, self._data = mesh, data
+        self._data = data
         self._coarse = self._extract(data)
         if self._coarse.GetNumberOfCells() == 0:
             raise ValueError("the mesh has no 2D or 3D cells")

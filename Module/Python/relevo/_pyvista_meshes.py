@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from ._patches import Patches
     from ._refined import Refined
     from ._relief import Relief
+    from ._streamlines import Streamlines
     from ._volume import Volume
 
 
@@ -49,6 +50,10 @@ class MeshFunctions:
     def lic(self, vectors: str | None = None, **options: Any) -> LIC:
         """Draw streaks along vectors, see relevo.lic()."""
         return relevo.lic(self._mesh, vectors, **options)
+
+    def streamlines(self, vectors: str | None = None, **options: Any) -> Streamlines:
+        """Draw streamlines along vectors, see relevo.streamlines()."""
+        return relevo.streamlines(self._mesh, vectors, **options)
 
     def relief(self, **options: Any) -> Relief:
         """Draw reliefs, which are images with depth, see relevo.relief()."""

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from ._patches import Patches
     from ._refined import Refined
     from ._relief import Relief
+    from ._streamlines import Streamlines
     from ._terrain import Terrain
     from ._volume import Volume
 
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 class PlotterFunctions:
     """Methods that draw in a plotter, with the arguments of the functions of the package.
 
-    They return the drawing. plotter.remove_actor(drawing.actor) removes it.
+    They return the drawing. plotter.remove_actor(drawing.actors) removes it.
     """
 
     def __init__(self, plotter: Any) -> None:
@@ -71,6 +72,12 @@ class PlotterFunctions:
     def add_lic(self, mesh: Any, vectors: str | None = None, **options: Any) -> LIC:
         """Add streaks along vectors, see relevo.lic()."""
         drawing = relevo.lic(mesh, vectors, **options)
+        self._add(drawing)
+        return drawing
+
+    def add_streamlines(self, mesh: Any, vectors: str | None = None, **options: Any) -> Streamlines:
+        """Add streamlines along vectors, see relevo.streamlines()."""
+        drawing = relevo.streamlines(mesh, vectors, **options)
         self._add(drawing)
         return drawing
 

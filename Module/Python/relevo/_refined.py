@@ -138,6 +138,7 @@ class Refined(Drawing):
     actor: _vtk.vtkActor
     recipe: relevo.vtkAdaptiveRefinement
     _plane: vtkPlane | None = None  # of a cut
+    _shows_cells = False  # whether colours are also those of values inside of the mesh
     _scale = _colours.Colours()
 
     def __init__(
@@ -157,6 +158,7 @@ class Refined(Drawing):
     ) -> None:
         self._scale = colours or _colours.Colours()
         self._plane = None if clip is None else _section.make_plane(clip)
+        self._shows_cells = self._shows_cells or clip is not None
         self._up = _camera.find_axis(up)
         if max_level is not None:
             _inputs.check_number(max_level, "max_level", integer=True)
@@ -192,9 +194,7 @@ class Refined(Drawing):
         self, mesh: Any, surface: Any, time: float | None, scalars: str | None = None
     ) -> str | None:
         """Set the coarse mesh and the surface of the recipe. Return the name of the scalars."""
-        self._source = mesh
-        data, self._kind = _inputs.take_data(mesh, time=time)
-        data, scalars = _quantities.add_quantity(data, scalars)
+        data, scalars = _quantities.add_quantity(self._take(mesh, time), scalars)
         self._data = data
         self._coarse = vtkPolyData()
         self._coarse.ShallowCopy(_inputs.extract_surface(data))
@@ -256,7 +256,7 @@ class Refined(Drawing):
             return
         name = array.GetName()
         low, high = array.GetFiniteRange(-1 if components > 1 else 0)
-        if self._plane is not None:
+        if self._shows_cells:
             low, high = _extend((low, high), self._get_range_of_cells(self._data, name))
         if self._scale.of_all_steps:
             low, high = _quantities.find_range_of_steps(
@@ -273,9 +273,9 @@ class Refined(Drawing):
         return _inputs.extract_surface(data)
 
     def _get_range(self, data: vtkDataObject, name: str) -> tuple[float, float]:
-        """Return the range of an array in a time step: on the surface, and in what a cut shows."""
+        """Return the range of an array in a time step: on the surface, and inside if that is shown."""
         found = _get_range_of([self._extract(data)], name)
-        if self._plane is not None:
+        if self._shows_cells:
             found = _extend(found, self._get_range_of_cells(data, name))
         return found
 

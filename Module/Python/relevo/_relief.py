@@ -54,7 +54,8 @@ def _read(source: Any) -> tuple[vtkDataObject, str]:
         return reader.GetOutput(), ""
     if _is_heights(source):
         return _convert(Refined._read_heights(source)), ""
-    return _inputs.take_data(source, "source")
+    taken = _inputs.take_data(source, "source")
+    return taken.data, taken.package
 
 
 class Relief(Drawing):

@@ -422,18 +422,38 @@ def _check_corners(data: vtkDataObject, path: str) -> None:
             first += cells.GetNumberOfCells()
 
 
-def read(path: Path, time: float | None = None) -> vtkDataObject:
-    """Return the data of the time step that is nearest to a time; of the first one without."""
+def _read_step(
+    reader: Reader, time: float | None, title: str
+) -> tuple[vtkDataObject, float | None]:
+    times = reader.get_times()
+    found = _find_time(times, time, title)
+    return reader.read(found), found if len(times) > 1 else None
+
+
+def read(path: Path, time: float | None = None) -> tuple[vtkDataObject, float | None]:
+    """Return the data of the time step that is nearest to a time; of the first one without.
+
+    The second value is the time of the step, or None if there are not several.
+    """
     reader, path = open_file(path)
-    data = reader.read(_find_time(reader.get_times(), time, path))
+    data, found = _read_step(reader, time, path)
     _check_corners(data, path)
-    return data
+    return data, found
 
 
-def update(algorithm: vtkAlgorithm, time: float) -> vtkDataObject:
-    """Return the output of an algorithm for the time step that is nearest to a time."""
-    reader = AlgorithmReader(algorithm)
-    return reader.read(_find_time(reader.get_times(), time, algorithm.GetClassName()))
+def update(algorithm: vtkAlgorithm, time: float) -> tuple[vtkDataObject, float | None]:
+    """Return the output of an algorithm for the time step that is nearest to a time, and that time
+    as read()."""
+    return _read_step(AlgorithmReader(algorithm), time, algorithm.GetClassName())
+
+
+def find_current_time(algorithm: vtkAlgorithm) -> float | None:
+    """Return the time of the output of an algorithm, or None if it has not several time steps."""
+    if len(AlgorithmReader(algorithm).get_times()) < 2:
+        return None
+    information = algorithm.GetOutputDataObject(0).GetInformation()
+    key = vtkDataObject.DATA_TIME_STEP()
+    return float(information.Get(key)) if information.Has(key) else None
 
 
 def read_all(source: Any) -> Iterator[vtkDataObject]:

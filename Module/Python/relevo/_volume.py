@@ -226,9 +226,7 @@ class Volume(Drawing):
         self._up = _camera.find_axis(up)
         if unit_distance is not None:
             _inputs.check_number(unit_distance, "unit_distance")
-        data, self._kind = _inputs.take_data(mesh, time=time)
-        self._source = mesh
-        self._data, array = _quantities.add_quantity(data, array)
+        self._data, array = _quantities.add_quantity(self._take(mesh, time), array)
         blocks = [block for block in _inputs.get_blocks(self._data) if _section.is_solid(block)]
         if not blocks:
             raise ValueError("the mesh has no 3D cells; relevo.refined() draws surfaces")

@@ -61,49 +61,93 @@ class BasePlotter:
 
 
 class Plotter(BasePlotter):
-    """It draws without a display."""
+    """It draws without a display.
 
-    def __init__(self, off_screen=False, window_size=(300, 200)):
+    As in PyVista, the first picture shows all actors, nothing is drawn before it, and later pictures
+    show the last frame, which add_actor(), remove_actor() and render() draw.
+    """
+
+    def __init__(self, off_screen=None, *, window_size=(300, 200)):
+        import relevo
+
         self.off_screen = off_screen
-        self.window_size = window_size
+        self.render_window = relevo.vtkEGLOffscreenRenderWindow()
+        self.render_window.SetSize(window_size)
         self.renderer = vtkRenderer()
-        self.actors = []
+        self.render_window.AddRenderer(self.renderer)
+        self._is_camera_set = False
+        self._is_drawn = False
 
-    def add_actor(self, actor, reset_camera=True):
-        self.actors.append(actor)
+    def render(self):
+        if self._is_drawn:
+            self.render_window.Render()
+
+    def reset_camera(self, render=True):
+        self.renderer.ResetCamera()
+        if render:
+            self.render()
+
+    def add_actor(
+        self,
+        actor,
+        reset_camera=False,
+        name=None,
+        culling=False,
+        pickable=True,
+        render=True,
+        remove_existing_actor=True,
+    ):
+        actor.name = name or f"{type(actor).__name__}({actor.GetAddressAsString('')})"
+        actor.SetPickable(pickable)
         self.renderer.AddActor(actor)
-        if reset_camera:
-            self.renderer.ResetCamera()
-        return actor, None
+        if reset_camera or (reset_camera is None and not self._is_camera_set):
+            self.reset_camera(render)
+        elif render:
+            self.render()
+        return actor, actor.GetProperty() if hasattr(actor, "GetProperty") else None
 
-    def remove_actor(self, actor):
-        self.actors.remove(actor)
+    def remove_actor(self, actor, reset_camera=False, render=True):
+        if isinstance(actor, (list, tuple)):
+            return any([self.remove_actor(own, reset_camera, render) for own in actor])
+        if not self.renderer.HasViewProp(actor):
+            return False
         self.renderer.RemoveActor(actor)
+        if render:
+            self.render()
+        return True
 
     @property
     def camera(self):
         return self.renderer.GetActiveCamera()
 
-    def set_background(self, name):
-        self.renderer.SetBackground(vtkNamedColors().GetColor3d(name))
+    def set_background(self, color, top=None, right=None, side=None, corner=None):
+        self.renderer.SetBackground(vtkNamedColors().GetColor3d(color))
 
-    def view_vector(self, vector, viewup=None):
+    def view_vector(self, vector, viewup=None, render=True, bounds=None):
         """Look at the actors from the direction of a vector."""
         self.camera.SetFocalPoint(0, 0, 0)
         self.camera.SetPosition(vector)
         self.camera.SetViewUp(viewup or (0, 0, 1))
-        self.renderer.ResetCamera()
+        self._is_camera_set = True
+        self.reset_camera(render)
 
-    def screenshot(self, filename=None):
+    def screenshot(
+        self,
+        filename=None,
+        transparent_background=None,
+        return_img=True,
+        window_size=None,
+        scale=None,
+    ):
         """Return the picture as an array of shape (rows, columns, 3), and write a PNG file."""
-        import relevo
-
-        window = relevo.vtkEGLOffscreenRenderWindow()
-        window.SetSize(self.window_size)
-        window.AddRenderer(self.renderer)
-        window.Render()
+        if not self._is_drawn:
+            self._is_drawn = True
+            if not self._is_camera_set:
+                self.renderer.ResetCamera()
+                self._is_camera_set = True
+            self.render()
         grab = vtkWindowToImageFilter()
-        grab.SetInput(window)
+        grab.SetInput(self.render_window)
         grab.ReadFrontBufferOff()
         grab.ShouldRerenderOff()
         grab.Update()
