@@ -509,8 +509,11 @@ class TestDrawings(unittest.TestCase):
         """Drawings are ordinary actors of a renderer, a window or a plotter."""
 
         class Plotter:
+            def __init__(self):
+                self.actors = []
+
             def add_actor(self, actor):
-                self.actor = actor
+                self.actors.append(actor)
 
         for drawing in self.make_all().values():
             renderer = vtkRenderer()
@@ -522,7 +525,7 @@ class TestDrawings(unittest.TestCase):
             self.assertTrue(window.GetRenderers().GetFirstRenderer().HasViewProp(drawing.actor))
             plotter = Plotter()
             drawing.add_to(plotter)
-            self.assertIs(plotter.actor, drawing.actor)
+            self.assertTrue(plotter.actors == drawing.actors)
         for bad in (None, "plotter", vtkRenderWindow()):
             with self.assertRaisesRegex(TypeError, "plotter must be"):
                 drawing.add_to(bad)

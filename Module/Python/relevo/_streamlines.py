@@ -95,7 +95,7 @@ class Streamlines(Refined):
         if not 1 <= seeds <= _MOST_SEEDS:
             raise ValueError(f"seeds must be from 1 to {_MOST_SEEDS}, not {seeds}")
         line = None if seed_line is None else _check_line(seed_line)
-        self._vectors = vectors
+        self._wanted = vectors
         super().__init__(
             mesh, None, None, None, None, None, up, lighting, time, scalars, clip, colours
         )
@@ -106,7 +106,7 @@ class Streamlines(Refined):
         self, mesh: Any, surface: Any, time: float | None, scalars: str | None = None
     ) -> str | None:
         scalars = super()._take_surface(mesh, surface, time, scalars)
-        self._vectors = self._find_vectors(self._vectors)
+        self._vectors = self._find_vectors(self._wanted)
         return scalars or self._vectors
 
     def _find_vectors(self, name: str | None) -> str:
@@ -129,7 +129,7 @@ class Streamlines(Refined):
     def _trace(self, mesh: vtkDataSet, seeds: int, line: Array | None) -> None:
         """Trace the lines. Arrays of cells are averaged at points."""
         field: vtkDataObject = mesh
-        names = {self._vectors, self._scalars.GetName() if self._scalars else None} - {None}
+        names = [self._vectors, *([self._scalars.GetName()] if self._scalars else [])]
         if not all(mesh.GetPointData().HasArray(name) for name in names):
             average = vtkCellDataToPointData()
             average.SetInputData(mesh)
