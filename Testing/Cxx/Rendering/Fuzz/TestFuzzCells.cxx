@@ -45,8 +45,8 @@ namespace
 using RelevoFuzz::Call;
 using RelevoFuzz::Dice;
 
-constexpr int Size = 24; // pixels per side of a picture
-constexpr int MaximumSeconds = 60;
+constexpr int Size = 24;            // pixels per side of a picture
+constexpr int MaximumSeconds = 300; // llvmpipe of Mesa 26 needs 12 for a shader of curved cells
 
 vtkSmartPointer<vtkCamera> MakeCamera()
 {
