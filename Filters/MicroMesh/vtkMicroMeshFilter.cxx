@@ -6,10 +6,10 @@
 #include "Checks/MemoryGuard.h"
 #include "Checks/SettingChecks.h"
 #include "Compatibility/VTKCompatibility.h"
-#include "Data/LevelErrors.h"
 #include "Data/MicroGrid.h"
 #include "Dense/DenseMesh.h"
 #include "Encoding/AttributeSampling.h"
+#include "Encoding/FaceOrder.h"
 #include "Encoding/MicroMeshEncoder.h"
 #include "Encoding/MicroMeshOutput.h"
 #include "vtkCellArrayIterator.h"
@@ -244,8 +244,12 @@ int vtkMicroMeshFilter::Encode(vtkPolyData* input, vtkPolyData* output)
     return 1; // aborted
   }
   this->Error = std::max(encoded->InputToResult, encoded->ResultToInput);
+  relevo::OrderFaces(*encoded);
   relevo::StoreEncodedMesh(dense, *encoded, whole, output);
-  relevo::StoreLevelErrors(encoded->Mesh, dense.Scale, output);
+  if (!this->PassThroughCellIds)
+  {
+    output->GetCellData()->RemoveArray("vtkOriginalCellIds");
+  }
   if (this->Attributes)
   {
     whole->GetPointData()->RemoveArray(this->FixedPointArrayName.c_str());
@@ -278,5 +282,6 @@ void vtkMicroMeshFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaterialArrayName: " << this->MaterialArrayName << "\n";
   os << indent << "FixedPointArrayName: " << this->FixedPointArrayName << "\n";
   os << indent << "Attributes: " << (this->Attributes ? "on" : "off") << "\n";
+  os << indent << "PassThroughCellIds: " << (this->PassThroughCellIds ? "on" : "off") << "\n";
   os << indent << "Error: " << this->Error << "\n";
 }

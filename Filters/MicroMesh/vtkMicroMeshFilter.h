@@ -26,18 +26,19 @@
  *
  * The output is a vtkPolyData, which can be saved as a .vtp file:
  *
- * - Points have the type and coordinates of the input. They are split at seams and at sharp edges.
- *   Point arrays are those of the input at these points, and "Normals" (float), those of the
- *   displaced surface. "MicroMeshDirections" (float, 3 components) is the displacement for a sample
- *   of 1.
- * - Cell arrays are those of the input, of one of the triangles at the coarse triangle,
- *   "vtkOriginalCellIds", the id of this triangle, and "MicroMeshFaces" (int, 5 components). Its
- *   values are, for the edges from corner 0 to 1, 1 to 2 and 2 to 0, the index of the edge times 2,
- *   plus 1 if the samples of the edge run in the opposite direction; the first sample inside of the
- *   triangle; the level L. The triangle has a grid of 2^L segments per edge. Its samples inside are
- *   in rows from the edge 0, each from corner 0 to corner 1. "MicroMeshLevelErrors" (float) has,
- * for each level from 0, how far the triangle at this level can be from the surface, as a length.
- * At higher levels than it has components, this is 0.
+ * - Points have the type of the input. Those that represent others are rounded to multiples of a
+ *   power of two that is at most 1/16 of the tolerance, so that files are small. All others have
+ * the coordinates of the input. Points are split at seams and at sharp edges. Point arrays are
+ * those of the input at these points, and "Normals" (float), those of the displaced surface.
+ * "MicroMeshDirections" (float, 3 components) is the displacement for a sample of 1.
+ * - Cell arrays are those of the input, of one of the triangles at the coarse triangle, and
+ *   "MicroMeshFaces" (int, 5 components). "vtkOriginalCellIds" (PassThroughCellIdsOn()) is the id
+ * of this triangle. The values of "MicroMeshFaces" are, for the edges from corner 0 to 1, 1 to 2
+ * and 2 to 0, the index of the edge times 2, plus 1 if the samples of the edge run in the opposite
+ * direction; the first sample inside of the triangle; the level L. The triangle has a grid of 2^L
+ * segments per edge. Its samples inside are in rows from the edge 0, each from corner 0 to
+ * corner 1. "MicroMeshLevelErrors" (float) has, for each level from 0, how far the triangle at this
+ * level can be from the surface, as a length. At higher levels than it has components, this is 0.
  * - Field arrays are "MicroMeshEdges" (int, 2 components), the first sample and the level of each
  *   edge; "MicroMeshDisplacements" (signed char or short), the samples; "MicroMeshError" (double, 2
  *   values), the bounds of the distances from the input to the result and back, as lengths;
@@ -148,6 +149,15 @@ public:
   vtkBooleanMacro(Attributes, bool);
   //@}
 
+  //@{
+  /**
+   * Set whether the output has the cell array "vtkOriginalCellIds". Off by default.
+   */
+  vtkSetMacro(PassThroughCellIds, bool);
+  vtkGetMacro(PassThroughCellIds, bool);
+  vtkBooleanMacro(PassThroughCellIds, bool);
+  //@}
+
   /**
    * Return the larger bound of the distances from the input to the result and back, of the last
    * update, as a length.
@@ -168,6 +178,7 @@ protected:
   std::string MaterialArrayName;
   std::string FixedPointArrayName;
   bool Attributes = true;
+  bool PassThroughCellIds = false;
   double Error = 0.0;
 
 private:

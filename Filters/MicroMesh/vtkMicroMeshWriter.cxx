@@ -60,7 +60,7 @@ void vtkMicroMeshWriter::WriteMesh(vtkPolyData* mesh)
   }
   std::vector<std::string> leftOut;
   relevo::AtomicFile file(this->FileName);
-  file.Append(relevo::PackMicroMesh(mesh, leftOut));
+  file.Append(relevo::PackMicroMesh(mesh, micro, leftOut));
   if (!file.Commit())
   {
     this->Fail(

@@ -23,8 +23,6 @@ namespace relevo
 {
 namespace
 {
-constexpr const char* CellIdsName = "vtkOriginalCellIds";
-
 // Appends the tuples of all arrays to those with the same names.
 bool AppendArrays(vtkFieldData* from, vtkFieldData* to, std::string& error)
 {
@@ -195,7 +193,6 @@ bool MicroMeshAppender::Append(vtkPolyData* block, std::string& error)
   this->NumberOfLevels =
     std::max(this->NumberOfLevels, errors ? errors->GetNumberOfComponents() : 0);
   UnifyTypes(block);
-  block->GetCellData()->RemoveArray(CellIdsName);
   if (!this->Joined)
   {
     this->Joined = vtkSmartPointer<vtkPolyData>::New();

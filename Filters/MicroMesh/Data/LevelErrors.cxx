@@ -5,7 +5,6 @@
 #include "Data/MicroMeshArrays.h"
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
@@ -85,14 +84,14 @@ bool TakeLevelErrors(
   return true;
 }
 
-void StoreLevelErrors(const MicroMesh& mesh, double scale, vtkPolyData* output)
+vtkSmartPointer<vtkFloatArray> MakeLevelErrors(const MicroMesh& mesh)
 {
   int highest = 1;
   for (const MicroMesh::Face& face : mesh.Faces)
   {
     highest = std::max(highest, face.Level);
   }
-  vtkNew<vtkFloatArray> array;
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
   array->SetName(MicroLevelErrorsName);
   array->SetNumberOfComponents(highest); // at the highest level, all errors are 0
   array->SetNumberOfTuples(static_cast<vtkIdType>(mesh.Faces.size()));
@@ -104,12 +103,12 @@ void StoreLevelErrors(const MicroMesh& mesh, double scale, vtkPolyData* output)
         const auto errors = FindLevelErrors(mesh, mesh.Faces[static_cast<std::size_t>(f)]);
         for (int level = 0; level < highest; ++level)
         {
-          const auto error = static_cast<float>(errors[level] * scale);
+          const auto error = static_cast<float>(errors[level]);
           array->SetTypedComponent(f, level,
             error > 0.0f ? std::nextafter(error, std::numeric_limits<float>::infinity()) : 0.0f);
         }
       }
     });
-  output->GetCellData()->AddArray(array);
+  return array;
 }
 }

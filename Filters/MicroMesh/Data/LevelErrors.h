@@ -8,7 +8,9 @@
 #define LevelErrors_h
 
 #include "Data/MicroMesh.h"
+#include "vtkSmartPointer.h"
 
+class vtkFloatArray;
 class vtkPolyData;
 
 namespace relevo
@@ -26,8 +28,8 @@ std::array<double, LargestMicroLevel + 1> FindLevelErrors(
 bool TakeLevelErrors(
   vtkPolyData* mesh, std::vector<std::array<float, LargestMicroLevel + 1>>& errors);
 
-/// Add the cell array MicroMeshLevelErrors, with lengths multiplied by `scale` and rounded up.
-void StoreLevelErrors(const MicroMesh& mesh, double scale, vtkPolyData* output);
+/// Make the cell array MicroMeshLevelErrors. Lengths are rounded up.
+vtkSmartPointer<vtkFloatArray> MakeLevelErrors(const MicroMesh& mesh);
 }
 
 #endif

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/MicroNormals.h"
 
+#include "vtkFloatArray.h"
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -51,13 +54,33 @@ std::array<dvec3, 3> ComputeCornerNormals(const MicroMesh& mesh, const MicroMesh
     sums[static_cast<std::size_t>(GetGridIndex(n, { { 0, 0, n } }))] } };
 }
 
-std::vector<std::array<dvec3, 3>> ComputeCornerNormals(const MicroMesh& mesh)
+vtkSmartPointer<vtkFloatArray> MakePointNormals(const MicroMesh& mesh)
 {
-  std::vector<std::array<dvec3, 3>> normals;
-  normals.reserve(mesh.Faces.size());
-  for (const MicroMesh::Face& face : mesh.Faces)
+  std::vector<std::array<dvec3, 3>> ofFaces(mesh.Faces.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(mesh.Faces.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (auto f = static_cast<std::size_t>(first); f < static_cast<std::size_t>(last); ++f)
+      {
+        ofFaces[f] = ComputeCornerNormals(mesh, mesh.Faces[f]);
+      }
+    });
+  std::vector<dvec3> sums(mesh.Points.size(), dvec3(0.0));
+  for (std::size_t f = 0; f < mesh.Faces.size(); ++f)
   {
-    normals.push_back(ComputeCornerNormals(mesh, face));
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      sums[static_cast<std::size_t>(mesh.Faces[f].Corners[c])] += ofFaces[f][c];
+    }
+  }
+  auto normals = vtkSmartPointer<vtkFloatArray>::New();
+  normals->SetName(MicroNormalsName);
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(static_cast<vtkIdType>(sums.size()));
+  for (std::size_t i = 0; i < sums.size(); ++i)
+  {
+    const vec3 normal(GetUnit(sums[i]));
+    normals->SetTypedTuple(static_cast<vtkIdType>(i), &normal.x);
   }
   return normals;
 }

@@ -11,12 +11,20 @@
 #define MicroNormals_h
 
 #include "Data/MicroMesh.h"
+#include "vtkSmartPointer.h"
+
+class vtkFloatArray;
 
 namespace relevo
 {
-/// The sums for the corners of a face or of each face, of the face's own triangles.
+/// The name of the array of MakePointNormals().
+constexpr const char* MicroNormalsName = "Normals";
+
+/// The sums for the corners of a face, of the face's own triangles.
 std::array<dvec3, 3> ComputeCornerNormals(const MicroMesh& mesh, const MicroMesh::Face& face);
-std::vector<std::array<dvec3, 3>> ComputeCornerNormals(const MicroMesh& mesh);
+
+/// The unit normal per point, or 0 where triangles have no area.
+vtkSmartPointer<vtkFloatArray> MakePointNormals(const MicroMesh& mesh);
 
 /// The unit normal per sample, or 0 where triangles have no area.
 std::vector<vec3> ComputeSampleNormals(const MicroMesh& mesh);

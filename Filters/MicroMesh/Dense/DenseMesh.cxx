@@ -6,6 +6,7 @@
 #include "Mesh/SurfaceTriangles.h"
 #include "vtkDataArray.h"
 #include "vtkMath.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -53,6 +54,7 @@ bool DifferInCell(vtkDataArray* array, vtkIdType a, vtkIdType b)
 
 DenseMesh::DenseMesh(
   vtkPolyData* input, vtkDataArray* materials, double featureAngle, vtkDataArray* fixed)
+  : InputPoints(input->GetPoints())
 {
   this->ReadTriangles(input);
   this->ScalePoints(input);
@@ -63,6 +65,22 @@ DenseMesh::DenseMesh(
     this->LockFixed(fixed);
   }
   this->Opposite = {}; // no longer needed
+}
+
+DenseMesh::~DenseMesh() = default;
+
+dvec3 DenseMesh::GetPlace(int vertex) const
+{
+  double x[3];
+  this->InputPoints->GetPoint(this->PointIds[static_cast<std::size_t>(vertex)], x);
+  return { x[0], x[1], x[2] };
+}
+
+bool DenseMesh::CanStore(double coordinate) const
+{
+  const int type = this->InputPoints->GetDataType();
+  return type == VTK_DOUBLE ||
+    (type == VTK_FLOAT && double(static_cast<float>(coordinate)) == coordinate);
 }
 
 void DenseMesh::ReadTriangles(vtkPolyData* input)
@@ -138,10 +156,9 @@ void DenseMesh::ScalePoints(vtkPolyData* input)
   std::frexp(side, &exponent);
   this->Scale = std::ldexp(1.0, exponent);
   this->Points.reserve(this->PointIds.size());
-  for (vtkIdType point : this->PointIds)
+  for (std::size_t v = 0; v < this->PointIds.size(); ++v)
   {
-    input->GetPoint(point, x);
-    this->Points.push_back((dvec3(x[0], x[1], x[2]) - this->Centre) / this->Scale);
+    this->Points.push_back(this->FromInput(this->GetPlace(static_cast<int>(v))));
   }
 }
 

@@ -16,12 +16,14 @@
 #define DenseMesh_h
 
 #include "Mathematics/RefinementMathematics.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h" // for vtkIdType
 
 #include <array>  // for members
 #include <vector> // for members
 
 class vtkDataArray;
+class vtkPoints;
 class vtkPolyData;
 
 namespace relevo
@@ -55,16 +57,19 @@ public:
   /// or nullptr; points with a value other than 0 are fixed.
   DenseMesh(vtkPolyData* input, vtkDataArray* materials, double featureAngle,
     vtkDataArray* fixed = nullptr);
+  ~DenseMesh();
 
-  dvec3 ToInput(const dvec3& point) const { return point * this->Scale + this->Centre; }
+  /// The coordinates of a vertex in the input, and the conversion of coordinates from the input.
+  dvec3 GetPlace(int vertex) const;
+  dvec3 FromInput(const dvec3& place) const { return (place - this->Centre) / this->Scale; }
+  /// Whether points of the input's type can have a coordinate, without rounding.
+  bool CanStore(double coordinate) const;
   dvec3 GetNormal(const Triangle& triangle) const; // with twice the area as its length
 
   /// Per vertex.
   std::vector<dvec3> Points;
   std::vector<Kind> Kinds;
   Lines LineEnds;
-  /// The points of the input that the vertices represent.
-  std::vector<vtkIdType> PointIds;
   /// Per triangle: vertices, points of the input, and the input's cell.
   std::vector<Triangle> Triangles;
   std::vector<Triangle> Wedges;
@@ -88,7 +93,9 @@ private:
   void LockFans();
   void LockFixed(vtkDataArray* fixed);
 
-  std::vector<int> Opposite; // half-edge 3 t + e from corner e to e + 1; -1 for none
+  vtkSmartPointer<vtkPoints> InputPoints;
+  std::vector<vtkIdType> PointIds; // of the input, per vertex
+  std::vector<int> Opposite;       // half-edge 3 t + e from corner e to e + 1; -1 for none
 };
 }
 

@@ -3,13 +3,25 @@
 #include "Encoding/BaseMesh.h"
 
 #include "Base/EdgeCollapse.h"
+#include "Data/OctahedralUnit.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace relevo
 {
+namespace
+{
+// The multiples to which points are rounded, in displacements of 1, which are at most half the
+// tolerance. Rounding moves a point by at most 0.06 of the tolerance.
+constexpr double RoundingOfStep = 0.125;
+// Only vertices are rounded whose triangles have larger heights, in multiples. Otherwise points
+// could become the same, also those of other blocks of a surface.
+constexpr double LeastHeight = 4.0;
+}
+
 BaseMesh::BaseMesh(const DenseMesh& dense, EdgeCollapse& collapse, double step)
 {
   this->AddPoints(dense, collapse, step);
@@ -41,15 +53,64 @@ void BaseMesh::AddPoints(const DenseMesh& dense, EdgeCollapse& collapse, double 
     this->Triangles.push_back(static_cast<int>(t));
     this->Wedges.push_back(collapse.GetWedges()[t]);
   }
-  for (int vertex : this->Vertices)
+  const std::vector<double> heights = this->FindHeights(dense);
+  const double multiple = RoundingOfStep * step;
+  for (std::size_t i = 0; i < this->Vertices.size(); ++i)
   {
-    this->Mesh.Points.push_back(dense.Points[static_cast<std::size_t>(vertex)]);
-    this->AreSingle.push_back(collapse.GetClusterSize(vertex) == 1 ? 1 : 0);
+    const int vertex = this->Vertices[i];
+    const bool isSingle = collapse.GetClusterSize(vertex) == 1;
+    const bool isKept = isSingle || heights[i] < LeastHeight * multiple ||
+      dense.Kinds[static_cast<std::size_t>(vertex)] == DenseMesh::Kind::LOCKED;
+    this->AddPoint(dense, vertex, isKept ? 0.0 : multiple);
+    this->AreSingle.push_back(isSingle ? 1 : 0);
     this->Densities.push_back(
       2.0 * collapse.GetClusterSize(vertex) / collapse.GetNumberOfTriangles(vertex));
-    const dvec3& normal = collapse.GetNormal(vertex);
-    const double size = length(normal);
-    this->Mesh.Directions.push_back(vec3(size > 0.0 ? normal * (step / size) : dvec3(0.0)));
+    const vec3 direction = FromOctahedral(ToOctahedral(collapse.GetNormal(vertex)));
+    this->Mesh.Directions.push_back(direction * static_cast<float>(step));
+  }
+}
+
+// The smallest height of the triangles at each point, from there to the opposite side.
+std::vector<double> BaseMesh::FindHeights(const DenseMesh& dense) const
+{
+  std::vector<double> heights(this->Vertices.size(), std::numeric_limits<double>::infinity());
+  for (const MicroMesh::Face& face : this->Mesh.Faces)
+  {
+    dvec3 x[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      const int vertex = this->Vertices[static_cast<std::size_t>(face.Corners[c])];
+      x[c] = dense.Points[static_cast<std::size_t>(vertex)];
+    }
+    const double area = length(cross(x[1] - x[0], x[2] - x[0]));
+    for (int c = 0; c < 3; ++c)
+    {
+      const double side = length(x[(c + 2) % 3] - x[(c + 1) % 3]);
+      double& height = heights[static_cast<std::size_t>(face.Corners[c])];
+      height = std::min(height, side > 0.0 ? area / side : 0.0);
+    }
+  }
+  return heights;
+}
+
+// Adds a vertex, rounded to multiples of a length if it is not 0.
+void BaseMesh::AddPoint(const DenseMesh& dense, int vertex, double multiple)
+{
+  const dvec3& point = dense.Points[static_cast<std::size_t>(vertex)];
+  const dvec3 place = dense.GetPlace(vertex);
+  this->Mesh.Points.push_back(point);
+  this->Places.push_back(place);
+  if (multiple > 0.0)
+  {
+    const double length = multiple * dense.Scale;
+    dvec3 rounded(0.0);
+    for (int c = 0; c < 3; ++c)
+    {
+      rounded[c] = std::nearbyint(place[c] / length) * length;
+      rounded[c] = dense.CanStore(rounded[c]) ? rounded[c] : place[c];
+    }
+    this->Mesh.Points.back() = dense.FromInput(rounded);
+    this->Places.back() = rounded;
   }
 }
 

@@ -4,6 +4,9 @@
  * @struct  BaseMesh
  * @brief   a simplified mesh, prepared for displacements
  *
+ * Coordinates of points are rounded to multiples of a length far below the tolerance, so that files
+ * are small. Locked points, those that represent no other ones, and those at slivers keep theirs.
+ *
  * Levels are those at which the dense mesh is sampled: about one triangle of the grids per triangle
  * of the dense mesh, or more where levels are raised. They are 0 where nothing is displaced: on
  * lines, and on triangles and edges of the dense mesh that are left unchanged.
@@ -20,7 +23,8 @@ class EdgeCollapse;
 
 struct BaseMesh
 {
-  /// `step` is the length of a displacement of 1.
+  /// `step` is the length of a displacement of 1. Directions are the mean normals of the dense mesh
+  /// around each point, with octahedral coordinates of 8 bits.
   BaseMesh(const DenseMesh& dense, EdgeCollapse& collapse, double step);
 
   /// Set the levels. `raises` are added per face.
@@ -35,6 +39,8 @@ struct BaseMesh
   }
 
   MicroMesh Mesh; // without samples
+  /// The points in the coordinates of the input.
+  std::vector<dvec3> Places;
   /// The vertex of the dense mesh per point, and whether it represents no other vertex.
   std::vector<int> Vertices;
   std::vector<char> AreSingle;
@@ -49,6 +55,8 @@ struct BaseMesh
 
 private:
   void AddPoints(const DenseMesh& dense, EdgeCollapse& collapse, double step);
+  std::vector<double> FindHeights(const DenseMesh& dense) const;
+  void AddPoint(const DenseMesh& dense, int vertex, double multiple);
   void AddEdges(const EdgeCollapse& collapse);
 };
 }

@@ -17,10 +17,10 @@ namespace relevo
 namespace
 {
 // The length of a displacement of 1, relative to the tolerance, at most.
-constexpr double StepOfTolerance = 0.25;
+constexpr double StepOfTolerance = 0.5;
 // Deviation of grids from finer grids, relative to the tolerance: at first, and where they fail.
-constexpr double DeviationOfTolerance = 0.75;
-constexpr double StrictDeviationOfTolerance = 0.35;
+constexpr double DeviationOfTolerance = 0.9;
+constexpr double StrictDeviationOfTolerance = 0.5;
 // Deviation of grids from those of the next lower level, relative to the tolerance, above which
 // levels are raised, and above which the highest level is not enough.
 constexpr double UnevenOfTolerance = 1.4;

@@ -3,6 +3,7 @@
 #include "Encoding/MicroMeshOutput.h"
 
 #include "Arrays/CellDataCopy.h"
+#include "Data/LevelErrors.h"
 #include "Data/MicroMeshArrays.h"
 #include "Data/MicroNormals.h"
 #include "Mathematics/DisjointSets.h"
@@ -84,28 +85,16 @@ void StorePoints(const OutputPoints& points, const BaseMesh& base, const MicroMe
   data->CopyNormalsOff();
   data->CopyGlobalIdsOff();
   data->CopyAllocate(input->GetPointData(), number);
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(number);
-  std::vector<dvec3> sums(points.Firsts.size(), dvec3(0.0));
-  const std::vector<std::array<dvec3, 3>> ofFaces = ComputeCornerNormals(mesh);
-  for (std::size_t i = 0; i < points.Numbers.size(); ++i)
-  {
-    sums[static_cast<std::size_t>(points.Numbers[i])] += ofFaces[i / 3][i % 3];
-  }
   for (vtkIdType i = 0; i < number; ++i)
   {
     const int corner = points.Firsts[static_cast<std::size_t>(i)];
     const int point = base.Wedges[static_cast<std::size_t>(corner / 3)][corner % 3];
-    places->SetPoint(i, input->GetPoint(point));
+    const int vertex = mesh.Faces[static_cast<std::size_t>(corner / 3)].Corners[corner % 3];
+    const dvec3& place = base.Places[static_cast<std::size_t>(vertex)];
+    places->SetPoint(i, place.x, place.y, place.z);
     data->CopyData(input->GetPointData(), point, i);
-    const dvec3& sum = sums[static_cast<std::size_t>(i)];
-    const vec3 normal(length(sum) > 0.0 ? sum / length(sum) : dvec3(0.0));
-    normals->SetTypedTuple(i, &normal.x);
   }
-  data->RemoveArray("Normals");
-  data->SetNormals(normals);
+  data->RemoveArray(MicroNormalsName);
   output->SetPoints(places);
 }
 }
@@ -137,6 +126,13 @@ void StoreEncodedMesh(
   std::vector<std::string> shortArrays; // the filter has removed them
   CopyCellData(input, cells, false, output->GetCellData(), shortArrays);
   StoreMicroMesh(stored, output);
+  MicroMesh written;
+  std::string invalid;
+  if (TakeMicroMesh(output, written, invalid))
+  {
+    output->GetPointData()->SetNormals(MakePointNormals(written));
+    output->GetCellData()->AddArray(MakeLevelErrors(written));
+  }
   vtkNew<vtkDoubleArray> error;
   error->SetName(MicroErrorName);
   error->InsertNextValue(encoded.InputToResult);

@@ -205,8 +205,10 @@ SampledParts CopyEqualSamples(
     std::array<bool, 3> isSame{};
     for (std::size_t c = 0; c < 3; ++c)
     {
-      isSame[c] = mesh.Directions[static_cast<std::size_t>(face.Corners[c])] ==
-        before.Directions[static_cast<std::size_t>(last.Corners[c])];
+      const auto corner = static_cast<std::size_t>(face.Corners[c]);
+      const auto lastCorner = static_cast<std::size_t>(last.Corners[c]);
+      isSame[c] = mesh.Directions[corner] == before.Directions[lastCorner] &&
+        mesh.Points[corner] == before.Points[lastCorner];
     }
     for (std::size_t e = 0; e < 3; ++e)
     {

@@ -63,8 +63,10 @@ std::uint64_t GetMask(int bits)
   return bits == 64 ? ~std::uint64_t{} : (std::uint64_t{ 1 } << bits) - 1;
 }
 
-// The bytes of one component are planes of bytes, and for 11 bits a plane of half bytes.
-void PackPlanes(const std::vector<std::uint64_t>& values, int bits, std::string& bytes)
+}
+
+// Planes of bytes, and for 11 bits a plane of half bytes.
+void PackNumbers(const std::vector<std::uint64_t>& values, int bits, std::string& bytes)
 {
   for (int shift = 0; shift + BitsOfByte <= bits; shift += BitsOfByte)
   {
@@ -80,7 +82,7 @@ void PackPlanes(const std::vector<std::uint64_t>& values, int bits, std::string&
   }
 }
 
-void UnpackPlanes(std::string_view& bytes, int bits, std::vector<std::uint64_t>& values)
+void UnpackNumbers(std::string_view& bytes, int bits, std::vector<std::uint64_t>& values)
 {
   std::fill(values.begin(), values.end(), 0);
   for (int shift = 0; shift + BitsOfByte <= bits; shift += BitsOfByte)
@@ -100,7 +102,6 @@ void UnpackPlanes(std::string_view& bytes, int bits, std::vector<std::uint64_t>&
     }
     bytes.remove_prefix((values.size() + 1) / 2);
   }
-}
 }
 
 bool IsPackedType(int type)
@@ -158,7 +159,7 @@ std::string PackArray(vtkDataArray* array, int bits)
       values[i] = (value - last) & GetMask(bits);
       last = hasDifferences ? value : 0;
     }
-    PackPlanes(values, bits, bytes);
+    PackNumbers(values, bits, bytes);
   }
   return bytes;
 }
@@ -174,7 +175,7 @@ void UnpackArray(std::string_view bytes, int bits, vtkDataArray* array)
   std::vector<std::uint64_t> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
   for (std::size_t c = 0; c < components; ++c)
   {
-    UnpackPlanes(bytes, bits, values);
+    UnpackNumbers(bytes, bits, values);
     std::uint64_t last = 0;
     for (std::size_t i = 0; i < values.size(); ++i)
     {

@@ -14,11 +14,16 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 class vtkDataArray;
 
 namespace relevo
 {
+/// Append numbers, or remove as many as there are values. There must be enough bytes.
+void PackNumbers(const std::vector<std::uint64_t>& values, int bits, std::string& bytes);
+void UnpackNumbers(std::string_view& bytes, int bits, std::vector<std::uint64_t>& values);
+
 /// Whether arrays of a VTK type can be packed.
 bool IsPackedType(int type);
 

@@ -13,7 +13,7 @@ namespace relevo
 namespace
 {
 constexpr std::string_view Magic("\x89RMM\r\n\x1a\n", 8);
-constexpr std::uint64_t NewestVersion = 1;
+constexpr std::uint64_t NewestVersion = 2;
 constexpr std::size_t HeaderSize = 32;
 constexpr std::size_t ChecksumSize = 4;
 constexpr std::size_t ChunkSize = 16 + ChecksumSize; // without data
@@ -147,7 +147,8 @@ std::string UnpackChunks(std::string_view file, std::vector<std::string>& chunks
   if (version != NewestVersion)
   {
     return "its format has version " + std::to_string(version) + ", but this Relevo reads only " +
-      std::to_string(NewestVersion) + ". Use a newer Relevo";
+      std::to_string(NewestVersion) +
+      (version > NewestVersion ? ". Use a newer Relevo" : ". Encode the mesh again");
   }
   if (file.size() != size)
   {

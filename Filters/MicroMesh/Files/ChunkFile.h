@@ -8,7 +8,7 @@
  *
  * - 8 bytes: 0x89, "RMM", carriage return, line feed, 0x1A, line feed. A transfer as text changes
  *   them.
- * - 4 bytes: the version of the format, 1.
+ * - 4 bytes: the version of the format, 2.
  * - 4 bytes: the number of chunks.
  * - 8 bytes: the size of the file.
  * - 4 bytes: 0.

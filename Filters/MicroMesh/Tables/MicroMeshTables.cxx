@@ -4,6 +4,7 @@
 
 #include "Data/MicroMeshArrays.h"
 #include "Data/MicroNormals.h"
+#include "Data/OctahedralUnit.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
@@ -19,19 +20,10 @@ namespace
 // Packs a displacement and a normal; see unpacking in relevoMicroMesh.glsl.
 int PackSample(std::int16_t displacement, const vec3& normal)
 {
-  vec2 e(0.0f);
-  const float sum = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
-  if (sum > 0.0f)
-  {
-    e = vec2(normal) / sum;
-    if (normal.z < 0.0f)
-    {
-      const vec2 folded = 1.0f - abs(vec2(e.y, e.x));
-      e = vec2(e.x >= 0.0f ? folded.x : -folded.x, e.y >= 0.0f ? folded.y : -folded.y);
-    }
-  }
-  const auto x = static_cast<unsigned int>(std::lround((e.x + 1.0f) * 127.0f));
-  const auto y = static_cast<unsigned int>(std::lround((e.y + 1.0f) * 127.0f));
+  const OctahedralUnit unit = ToOctahedral(dvec3(normal));
+  // A normal without length is (0, 0, 1).
+  const unsigned int x = unit == NoOctahedralUnit ? 127u : unit[0];
+  const unsigned int y = unit == NoOctahedralUnit ? 127u : unit[1];
   const auto low = static_cast<unsigned int>(displacement + 32768);
   return static_cast<int>(low | x << 16 | y << 24);
 }

@@ -133,7 +133,7 @@ int TestMicroMeshPixelError(int, char*[])
     // A higher limit uses less detail.
     Setting coarse = setting;
     coarse.Error = 12.0;
-    CHECK_GREATER(Measure(check, micro, coarse, 1.0), 0.02);
+    CHECK_GREATER(Measure(check, micro, coarse, 1.0), 0.008);
   }
   return check.GetResult();
 }

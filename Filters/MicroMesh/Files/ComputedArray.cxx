@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files/ComputedArray.h"
+
+#include "Data/LevelErrors.h"
+#include "Data/MicroMeshArrays.h"
+#include "Data/MicroNormals.h"
+#include "Files/ArrayPacking.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+
+#include <cstring>
+
+namespace relevo
+{
+namespace
+{
+constexpr std::size_t BitsOfByte = 8;
+constexpr int BitsOfFloat = 32;
+
+bool IsSet(std::string_view bits, std::size_t i)
+{
+  return (static_cast<unsigned char>(bits[i / BitsOfByte]) >> i % BitsOfByte & 1) != 0;
+}
+}
+
+vtkSmartPointer<vtkFloatArray> ComputeMicroPointData(const MicroMesh& mesh, const char* name)
+{
+  return name && std::strcmp(name, MicroNormalsName) == 0 ? MakePointNormals(mesh) : nullptr;
+}
+
+vtkSmartPointer<vtkFloatArray> ComputeMicroCellData(const MicroMesh& mesh, const char* name)
+{
+  return name && std::strcmp(name, MicroLevelErrorsName) == 0 ? MakeLevelErrors(mesh) : nullptr;
+}
+
+bool IsLikeComputed(vtkDataArray* array, vtkFloatArray* computed)
+{
+  return vtkFloatArray::SafeDownCast(array) &&
+    array->GetNumberOfComponents() == computed->GetNumberOfComponents() &&
+    array->GetNumberOfTuples() == computed->GetNumberOfTuples();
+}
+
+std::string PackOtherTuples(vtkDataArray* array, vtkFloatArray* computed)
+{
+  const auto tuples = static_cast<std::size_t>(computed->GetNumberOfTuples());
+  const auto components = static_cast<std::size_t>(computed->GetNumberOfComponents());
+  const auto values = vtkFloatArray::SafeDownCast(array)->GetPointer(0);
+  const float* usual = computed->GetPointer(0);
+  std::string bytes((tuples + BitsOfByte - 1) / BitsOfByte, '\0');
+  vtkNew<vtkFloatArray> others;
+  others->SetNumberOfComponents(computed->GetNumberOfComponents());
+  for (std::size_t i = 0; i < tuples; ++i)
+  {
+    const std::size_t first = components * i;
+    if (std::memcmp(values + first, usual + first, components * sizeof(float)) != 0)
+    {
+      bytes[i / BitsOfByte] = static_cast<char>(bytes[i / BitsOfByte] | 1 << i % BitsOfByte);
+      others->InsertNextTypedTuple(values + first);
+    }
+  }
+  return bytes + PackArray(others, BitsOfFloat);
+}
+
+bool UnpackOtherTuples(std::string_view bytes, vtkFloatArray* computed)
+{
+  const auto tuples = static_cast<std::size_t>(computed->GetNumberOfTuples());
+  const std::string_view bits = bytes.substr(0, (tuples + BitsOfByte - 1) / BitsOfByte);
+  bytes.remove_prefix(bits.size());
+  vtkIdType number = 0;
+  for (std::size_t i = 0; i < tuples && i / BitsOfByte < bits.size(); ++i)
+  {
+    number += IsSet(bits, i) ? 1 : 0;
+  }
+  vtkNew<vtkFloatArray> others;
+  others->SetNumberOfComponents(computed->GetNumberOfComponents());
+  others->SetNumberOfTuples(number);
+  if (bits.size() != (tuples + BitsOfByte - 1) / BitsOfByte ||
+    bytes.size() != sizeof(float) * static_cast<std::size_t>(others->GetNumberOfValues()))
+  {
+    return false;
+  }
+  UnpackArray(bytes, BitsOfFloat, others);
+  vtkIdType next = 0;
+  for (std::size_t i = 0; i < tuples; ++i)
+  {
+    if (IsSet(bits, i))
+    {
+      computed->SetTuple(static_cast<vtkIdType>(i), next++, others);
+    }
+  }
+  return true;
+}
+}
