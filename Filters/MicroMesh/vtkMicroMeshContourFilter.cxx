@@ -12,6 +12,7 @@
 #include "Checks/SettingChecks.h"
 #include "Compatibility/VTKCompatibility.h"
 #include "Data/MicroGrid.h"
+#include "Data/MicroMeshArrays.h"
 #include "vtkCallbackCommand.h"
 #include "vtkContourValues.h"
 #include "vtkImageData.h"
@@ -26,6 +27,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -56,6 +58,7 @@ struct vtkMicroMeshContourFilter::Work
   std::vector<relevo::ImageExtent> Extents;
   std::size_t Next = 0;
   std::size_t Number = 0;
+  std::array<double, 6> Bounds{}; // of the input
   relevo::MicroMeshAppender Result;
 };
 
@@ -364,9 +367,15 @@ int vtkMicroMeshContourFilter::RunStep(vtkInformation* request, vtkInformationVe
   work.Settings.ContourValues = this->ComputeScalars;
   if (auto grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
+    grid->GetBounds(work.Bounds.data());
     return this->ContourGrid(grid);
   }
-  if (this->ContourImage(vtkImageData::SafeDownCast(data), !work.IsStreaming) == 0)
+  auto image = vtkImageData::SafeDownCast(data);
+  vtkNew<vtkImageData> whole;
+  whole->CopyStructure(image);
+  whole->SetExtent(work.Whole.data());
+  whole->GetBounds(work.Bounds.data());
+  if (this->ContourImage(image, !work.IsStreaming) == 0)
   {
     return 0;
   }
@@ -396,7 +405,12 @@ int vtkMicroMeshContourFilter::RequestData(
         if (step != 0 && !this->Current->HasFailed && !request->Has(Pipeline::CONTINUE_EXECUTING()))
         {
           this->NumberOfBlocks = static_cast<int>(this->Current->Number);
-          this->Current->Result.Finish(vtkPolyData::GetData(outputVector));
+          auto output = vtkPolyData::GetData(outputVector);
+          this->Current->Result.Finish(output);
+          if (output->GetNumberOfPolys() > 0)
+          {
+            relevo::StoreInputBounds(this->Current->Bounds.data(), output);
+          }
         }
         return step;
       });

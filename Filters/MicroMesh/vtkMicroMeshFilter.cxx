@@ -7,6 +7,7 @@
 #include "Checks/SettingChecks.h"
 #include "Compatibility/VTKCompatibility.h"
 #include "Data/MicroGrid.h"
+#include "Data/MicroMeshArrays.h"
 #include "Dense/DenseMesh.h"
 #include "Encoding/AttributeSampling.h"
 #include "Encoding/FaceOrder.h"
@@ -210,6 +211,22 @@ void vtkMicroMeshFilter::WarnOfTriangles(const relevo::DenseMesh& dense)
   }
 }
 
+void vtkMicroMeshFilter::WarnOfSharpEdges(const relevo::DenseMesh& dense, vtkIdType faces)
+{
+  constexpr double many = 0.1;
+  const auto triangles = static_cast<vtkIdType>(dense.Triangles.size());
+  const auto edges = 1.5 * static_cast<double>(triangles);
+  if (static_cast<double>(dense.NumberOfSharpEdges) > many * edges &&
+    static_cast<double>(faces) > many * static_cast<double>(triangles))
+  {
+    vtkWarningMacro(<< "The coarse mesh has " << faces << " of " << triangles
+                    << " triangles, because " << dense.NumberOfSharpEdges
+                    << " edges are sharper than FeatureAngle, " << this->FeatureAngle
+                    << " degrees, and are kept. If these are noise, set "
+                    << "FeatureAngle to 180, or smooth the mesh first.");
+  }
+}
+
 int vtkMicroMeshFilter::Encode(vtkPolyData* input, vtkPolyData* output)
 {
   vtkDataArray* materials = nullptr;
@@ -244,8 +261,12 @@ int vtkMicroMeshFilter::Encode(vtkPolyData* input, vtkPolyData* output)
     return 1; // aborted
   }
   this->Error = std::max(encoded->InputToResult, encoded->ResultToInput);
+  this->WarnOfSharpEdges(dense, static_cast<vtkIdType>(encoded->Mesh.Faces.size()));
   relevo::OrderFaces(*encoded);
   relevo::StoreEncodedMesh(dense, *encoded, whole, output);
+  double bounds[6];
+  input->GetBounds(bounds);
+  relevo::StoreInputBounds(bounds, output);
   if (!this->PassThroughCellIds)
   {
     output->GetCellData()->RemoveArray("vtkOriginalCellIds");

@@ -42,6 +42,7 @@
  * - Field arrays are "MicroMeshEdges" (int, 2 components), the first sample and the level of each
  *   edge; "MicroMeshDisplacements" (signed char or short), the samples; "MicroMeshError" (double, 2
  *   values), the bounds of the distances from the input to the result and back, as lengths;
+ *   "MicroMeshInputBounds" (double, 6 values), the bounds of the input;
  *   "MicroMeshPointData:NAME", the values of the point array NAME at the (2^L + 1) (2^L + 2) / 2
  * grid points of each triangle, corners included, in rows from the edge 0 (AttributesOn()).
  *
@@ -50,6 +51,9 @@
  * triangles, which agree on it; between its samples, the edge is straight.
  *
  * The result does not depend on the number of threads.
+ *
+ * If more than a tenth of the edges are sharper than FeatureAngle, as in noisy scans, and therefore
+ * more than a tenth of the triangles are left, a warning counts them.
  *
  * A tolerance that is not set, points that are not finite, cells with points that do not exist and
  * a missing array of materials or fixed points are errors, and the output is empty. Arrays with too
@@ -190,6 +194,7 @@ private:
   bool FindFixedPoints(vtkPolyData* input, vtkDataArray*& fixed);
   void RemoveShortArrays(vtkPolyData* mesh);
   void WarnOfTriangles(const relevo::DenseMesh& dense);
+  void WarnOfSharpEdges(const relevo::DenseMesh& dense, vtkIdType faces);
   int Encode(vtkPolyData* input, vtkPolyData* output);
 };
 

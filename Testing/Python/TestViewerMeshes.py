@@ -4,6 +4,7 @@
 
 import itertools
 import math
+import re
 import unittest
 
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkDoubleArray, vtkPoints
@@ -20,7 +21,12 @@ from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkOBJWriter, vtkSTLReader, v
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkIOLegacy import vtkDataSetWriter, vtkPolyDataWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
+from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataWriter,
+    vtkXMLPolyDataReader,
+    vtkXMLPolyDataWriter,
+    vtkXMLUnstructuredGridWriter,
+)
 
 from ViewerPictures import read_picture
 from ViewerProgram import ViewerProgram
@@ -62,10 +68,12 @@ class TestViewerMicroMeshes(ViewerProgram):
     def test_micro_meshes(self):
         run = self.view("sphere.vtp", "--micromesh=s.rmm", "--tolerance=0.9%", "--output=a.png")
         self.assertRegex(run.stdout, r"micro-mesh: \d+ faces, error at most [\d.e-]+ from the mesh and "
-                                     r"[\d.e-]+ back, 0\.\d+ % of the diagonal; the mesh has \d+ faces")
-        self.assertRegex(run.stdout, r"s\.rmm: \d+\.\d kB, \d+\.\d+ of sphere\.vtp")
+                                     r"[\d.e-]+ back, 0\.\d+ % of the diagonal of the input; the mesh has \d+ faces")
+        self.assertRegex(run.stdout, r"s\.rmm: \d+\.\d kB, \d+\.\d+ of the \d+\.\d kB of these triangles")
+        self.assertNotIn("--isosurfaces", run.stdout)
         again = self.view("s.rmm", "--output=b.png")
-        self.assertRegex(again.stdout, r"micro-mesh: \d+ faces, error at most")
+        # Reading tells the same error, also relative to the input.
+        self.assertEqual(again.stdout.splitlines()[0], run.stdout.splitlines()[0].split(";")[0])
         a, b = (read_picture(self.folder / name) for name in ("a.png", "b.png"))
         self.assertEqual(a, b)
         self.view("sphere.vtp", "--micromesh=t.rmm", "--tolerance=0.02")
@@ -74,6 +82,76 @@ class TestViewerMicroMeshes(ViewerProgram):
         self.assertLess(few, self.statistic("triangles", "s.rmm", "--error=0.2"))
         self.view("s.rmm", "--export=s.ply")
         self.assertGreater(read(self.folder / "s.ply").GetNumberOfCells(), 10)
+
+    def test_isosurfaces(self):
+        """The outer surface of solid cells is encoded with a word about isosurfaces."""
+        size = 24
+        image = vtkImageData()
+        image.SetDimensions(size, size, size)
+        image.AllocateScalars(VTK_UNSIGNED_CHAR, 1)
+        image.GetPointData().GetScalars().SetName("Density")
+        middle = 0.5 * (size - 1)
+        for k, j, i in itertools.product(range(size), repeat=3):
+            distance = math.dist((i, j, k), (middle,) * 3)
+            image.SetScalarComponentFromDouble(i, j, k, 0, max(0.0, 200.0 - 10.0 * distance))
+        self.write_data("ct.vti", vtkXMLImageDataWriter, image)
+        outer = self.view("ct.vti", "--micromesh=outer.rmm").stdout
+        self.assertIn("outer surface of solid cells. For isosurfaces", outer)
+        inner = self.view("ct.vti", "--micromesh=inner.rmm", "--isosurfaces=120", "--tolerance=0.5%").stdout
+        self.assertNotIn("outer surface", inner)
+        share = float(re.search(r"([\d.]+) % of the diagonal of the input", inner)[1])
+        self.assertLessEqual(share, 0.5)
+        self.view("inner.rmm", "--export=inner.ply")
+        bounds = read(self.folder / "inner.ply").GetBounds()
+        radius = (200.0 - 120.0) / 10.0
+        for low, high in zip(bounds[::2], bounds[1::2]):
+            self.assertAlmostEqual(low, middle - radius, delta=0.5)
+            self.assertAlmostEqual(high, middle + radius, delta=0.5)
+        self.assert_error(1, ["no isosurface at these values", "'Density' is from 0"], "ct.vti",
+                          "--micromesh=none.rmm", "--isosurfaces=900")
+        self.assert_error(1, ["--isosurfaces", "no solid cells"], "sphere.vtp",
+                          "--micromesh=none.rmm", "--isosurfaces=1")
+        self.assert_error(2, ["--isosurfaces requires --volume or --micromesh"], "ct.vti",
+                          "--isosurfaces=1")
+
+    def test_time_steps(self):
+        """One file per time step, or a word about the others."""
+        sets = []
+        for step in range(3):
+            self.write_data(f"step{step}.vtp", vtkXMLPolyDataWriter, make_sphere())
+            sets.append(f'<DataSet timestep="{step}" file="step{step}.vtp"/>')
+        (self.folder / "steps.pvd").write_text(
+            f'<VTKFile type="Collection" version="0.1"><Collection>{"".join(sets)}</Collection></VTKFile>')
+        one = self.view("steps.pvd", "--micromesh=one.rmm").stdout
+        self.assertIn("This is one of 3 time steps. For all of them, use a name such as one%04d.rmm", one)
+        every = self.view("steps.pvd", "--micromesh=every%02d.rmm").stdout
+        self.assertEqual(len(re.findall(r"micro-mesh: \d+ faces", every)), 3)
+        for step in range(3):
+            self.assertEqual((self.folder / f"every{step:02d}.rmm").read_bytes(),
+                             (self.folder / "one.rmm").read_bytes())
+        self.assert_error(1, ["has no time steps"], "sphere.vtp", "--micromesh=every%02d.rmm")
+        self.assert_error(2, ["--time cannot be combined"], "steps.pvd", "--micromesh=a%d.rmm", "--time=1")
+
+    def test_noise(self):
+        """A warning counts the sharp edges of a noisy scan, and --feature-angle ignores them."""
+        noisy = vtkPolyData()
+        sphere = vtkSphereSource()
+        sphere.SetThetaResolution(60)
+        sphere.SetPhiResolution(60)
+        sphere.Update()
+        noisy.DeepCopy(sphere.GetOutput())
+        for i in range(noisy.GetNumberOfPoints()):
+            factor = 1.0 + 0.08 * math.sin(12345.0 * i)
+            noisy.GetPoints().SetPoint(i, [factor * x for x in noisy.GetPoint(i)])
+        self.write_data("noisy.vtp", vtkXMLPolyDataWriter, noisy)
+        run = self.run_program("noisy.vtp", "--micromesh=kept.rmm", "--tolerance=10%")
+        self.assertEqual(run.returncode, 0)
+        self.assertRegex(run.stderr, r"warning: The coarse mesh has \d+ of \d+ triangles, because "
+                                     r"\d+ edges are sharper than --feature-angle, 60 degrees")
+        self.assertIn("use --feature-angle 180", run.stderr)
+        faces = int(re.search(r"micro-mesh: (\d+) faces", run.stdout)[1])
+        run = self.view("noisy.vtp", "--micromesh=smooth.rmm", "--tolerance=10%", "--feature-angle=180")
+        self.assertLess(int(re.search(r"micro-mesh: (\d+) faces", run.stdout)[1]), 0.5 * faces)
 
     def test_errors(self):
         name = "sphere.vtp"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options/OptionChecks.h"
 
+#include "Files/FramePattern.h"
 #include "Files/ResultFormats.h"
 #include "Options/UsageError.h"
 #include "Options/ViewerArguments.h"
@@ -106,9 +107,11 @@ private:
       {
         throw UsageError(option + " cannot be combined with --volume");
       }
-      if (!options.IsVolume && IsOneOf(option, ofVolumes))
+      const bool isOfMicroMesh = option == "--isosurfaces" && !options.MicroMesh.empty();
+      if (!options.IsVolume && IsOneOf(option, ofVolumes) && !isOfMicroMesh)
       {
-        throw UsageError(option + " requires --volume");
+        throw UsageError(
+          option + " requires --volume" + (option == "--isosurfaces" ? " or --micromesh" : ""));
       }
     }
     const int blend = options.BlendMode;
@@ -236,8 +239,12 @@ private:
   void CheckMicroMesh()
   {
     this->RequireMesh({ "--micromesh" });
-    this->Exclude({ "--clip", "--feature-angle", "--hair", "--height", "--isolines", "--level",
-                    "--lic", "--patch-edges", "--surface", "--volume" },
+    this->Exclude({ "--feature-angle" },
+      !this->Options.MicroMesh.empty() && !this->Options.IsoSurfaces.empty(), "--isosurfaces");
+    this->Exclude({ "--time" }, IsFramePattern(this->Options.MicroMesh),
+      "--micromesh " + this->Options.MicroMesh);
+    this->Exclude({ "--clip", "--hair", "--height", "--isolines", "--level", "--lic",
+                    "--patch-edges", "--surface", "--volume" },
       !this->Options.MicroMesh.empty(), "--micromesh");
     this->Exclude({ "--micromesh" }, this->Options.IsSeries(), "--output " + this->Options.Output);
   }

@@ -226,7 +226,11 @@ The picture:
                          and CoordinateSystem and the point data Height. --image is the texture of
                          .glb and .obj files only. Meshes keep their coordinates
   --micromesh FILE.rmm   write a dense mesh as a coarse mesh with displacements, print sizes and
-                         errors, and exit. With --output, also draw it
+                         errors, and exit. With --output, also draw it. --isosurfaces V,V,...
+                         writes isosurfaces of solid cells instead of their outer surface, of the
+                         point array of --array. --feature-angle A keeps edges with larger angles
+                         between normals (default 60). A FILE such as step%04d.rmm has all time
+                         steps
   --tolerance T          with --export, write the whole height map as a mesh that is nowhere farther
                          than T metres above or below it. The view has no influence. With
                          --micromesh, the largest distance between both surfaces: a length in the

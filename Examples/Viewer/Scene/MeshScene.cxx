@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/MeshScene.h"
 
+#include "Files/FramePattern.h"
 #include "Files/MeshReader.h"
 #include "Files/RasterEnd.h"
 #include "Legend/ArrayUnit.h"
@@ -51,6 +52,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -476,17 +478,60 @@ void MeshScene::TakePatches()
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MeshScene::EncodeStep(const std::string& file)
+{
+  std::string report;
+  const auto micro = EncodeMicroMesh(this->Options,
+    { this->Mesh, this->Cells, this->Steps->GetFilter().GetArray() }, file, this->Messages, report);
+  this->MicroMeshReport += (this->MicroMeshReport.empty() ? "" : "\n") + report;
+  return micro;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MeshScene::EncodeSteps()
+{
+  const std::string& file = this->Options.MicroMesh;
+  const int number = this->Steps->GetNumber();
+  if (!IsFramePattern(file))
+  {
+    const auto micro = this->EncodeStep(file);
+    if (number > 1)
+    {
+      this->MicroMeshReport += "\nThis is one of " + std::to_string(number) +
+        " time steps. For all of them, use a name such as " +
+        std::filesystem::path(file).stem().string() + "%04d.rmm";
+    }
+    return micro;
+  }
+  if (number == 0)
+  {
+    throw ViewerError(
+      this->Options.Input + " has no time steps, which --micromesh " + file + " would number");
+  }
+  vtkSmartPointer<vtkPolyData> micro;
+  for (int step = 0; step < number; ++step)
+  {
+    if (step != this->Steps->GetStep())
+    {
+      this->Steps->SetStep(step);
+      this->ReadStep();
+    }
+    micro = this->EncodeStep(MakeFrameName(file, static_cast<std::size_t>(step)));
+  }
+  return micro;
+}
+
+//------------------------------------------------------------------------------
 void MeshScene::TakeMicroMesh()
 {
   if (!this->Options.MicroMesh.empty())
   {
-    const auto micro =
-      EncodeMicroMesh(this->Options, this->Mesh, this->Messages, this->MicroMeshReport);
-    this->Mesh->ShallowCopy(micro);
+    this->Mesh->ShallowCopy(this->EncodeSteps());
+    this->Options.FeatureAngle.reset(); // the encoder has used it
   }
   else if (IsMicroMesh(this->Mesh) && !this->Options.Surface)
   {
-    this->MicroMeshReport = DescribeMicroMesh(this->Mesh, this->Mesh->GetLength());
+    this->MicroMeshReport = DescribeMicroMesh(this->Mesh);
   }
   if (!this->MicroMeshReport.empty())
   {

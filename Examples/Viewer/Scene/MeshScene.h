@@ -57,6 +57,9 @@ private:
   bool ReadStep();
   void TakePatches();
   void TakeMicroMesh();
+  // Encode the time step that is shown, or those that the file's name asks for. Return the last.
+  vtkSmartPointer<vtkPolyData> EncodeStep(const std::string& file);
+  vtkSmartPointer<vtkPolyData> EncodeSteps();
   void ChooseSurface(bool isOfCells);
   void FindCreases();
   /// Finishes the mesh after its surface has been chosen.

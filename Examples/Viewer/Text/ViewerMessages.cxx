@@ -52,6 +52,8 @@ std::string NameOptions(std::string text)
     { "raise ImageSampleDistance", "use a smaller --size" },
     { "call SetMethodToRayCasting()", "use --volume-method ray" },
     { "lower TableSize", "use --integration exact" },
+    { "are sharper than FeatureAngle, ", "are sharper than --feature-angle, " },
+    { "set FeatureAngle to 180", "use --feature-angle 180" },
     { "ShapeTolerance and FieldTolerance", "--shape-tolerance and --field-tolerance" },
   };
   for (const auto& phrase : phrases)

@@ -193,6 +193,7 @@ bool MicroMeshAppender::Append(vtkPolyData* block, std::string& error)
   this->NumberOfLevels =
     std::max(this->NumberOfLevels, errors ? errors->GetNumberOfComponents() : 0);
   UnifyTypes(block);
+  block->GetFieldData()->RemoveArray(MicroInputBoundsName); // those of the block
   if (!this->Joined)
   {
     this->Joined = vtkSmartPointer<vtkPolyData>::New();

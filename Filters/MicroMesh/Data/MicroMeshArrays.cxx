@@ -4,6 +4,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
@@ -238,6 +239,13 @@ void StoreMicroMesh(const MicroMesh& micro, vtkPolyData* mesh)
   mesh->GetFieldData()->AddArray(edges);
   mesh->GetFieldData()->AddArray(isSmall ? CopySamples<vtkSignedCharArray>(micro.Samples)
                                          : CopySamples<vtkShortArray>(micro.Samples));
+}
+
+void StoreInputBounds(const double bounds[6], vtkPolyData* mesh)
+{
+  auto array = NewMicroArray<vtkDoubleArray>(MicroInputBoundsName, 1, 6);
+  std::copy_n(bounds, 6, array->GetPointer(0));
+  mesh->GetFieldData()->AddArray(array);
 }
 
 int FindFinestLevel(vtkPolyData* mesh)

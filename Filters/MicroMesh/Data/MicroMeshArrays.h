@@ -17,6 +17,8 @@
  * Further field arrays, MicroMeshPointData:NAME, have the values of the point array NAME at all
  * grid points of all faces, in the order of GetGridIndex().
  *
+ * The field array MicroMeshInputBounds (double, 6) has the bounds of the input.
+ *
  * @sa MicroMesh
  */
 #ifndef MicroMeshArrays_h
@@ -36,10 +38,14 @@ constexpr const char* MicroEdgesName = "MicroMeshEdges";
 constexpr const char* MicroDisplacementsName = "MicroMeshDisplacements";
 constexpr const char* MicroLevelErrorsName = "MicroMeshLevelErrors";
 constexpr const char* MicroErrorName = "MicroMeshError";
+constexpr const char* MicroInputBoundsName = "MicroMeshInputBounds";
 constexpr const char* MicroPointDataPrefix = "MicroMeshPointData:";
 
 /// Add the arrays to a mesh whose points and triangles are those of the micro-mesh.
 void StoreMicroMesh(const MicroMesh& micro, vtkPolyData* mesh);
+
+/// Add the bounds of the input.
+void StoreInputBounds(const double bounds[6], vtkPolyData* mesh);
 
 /// The highest level of a face, or the highest allowed one if the mesh is not a micro-mesh.
 int FindFinestLevel(vtkPolyData* mesh);

@@ -250,6 +250,7 @@ void DenseMesh::FindLines(vtkDataArray* materials, double featureAngle)
       this->LineEnds[static_cast<std::size_t>(low)].push_back({ high, flags });
       this->LineEnds[static_cast<std::size_t>(high)].push_back({ low, flags });
     }
+    this->NumberOfSharpEdges += (flags & SHARP) != 0 ? 1 : 0;
     if ((flags & UNCLEAR) != 0)
     {
       ++this->NumberOfUnclearEdges;

@@ -82,6 +82,7 @@ public:
   vtkIdType NumberOfDegenerateTriangles = 0;
   vtkIdType NumberOfDuplicates = 0;
   vtkIdType NumberOfUnclearEdges = 0;
+  vtkIdType NumberOfSharpEdges = 0;
   vtkIdType NumberOfFixedEdges = 0; // at the border, between fixed points
 
 private:
