@@ -29,7 +29,7 @@ void ForEachCell(vtkCellArray* cells, Function&& f)
 
 namespace relevo
 {
-SurfaceTriangles::SurfaceTriangles(vtkPolyData* mesh)
+SurfaceTriangles::SurfaceTriangles(vtkPolyData* mesh, bool withUses)
   : Points(mesh->GetPoints())
   , MergedPoints(ComputeMergedPoints(mesh->GetPoints()))
   , NumberOfPoints(mesh->GetNumberOfPoints())
@@ -45,7 +45,14 @@ SurfaceTriangles::SurfaceTriangles(vtkPolyData* mesh)
   const vtkIdType firstPolygon = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
   this->AddPolygons(mesh->GetPolys(), firstPolygon);
   this->AddStrips(mesh->GetStrips(), firstPolygon + mesh->GetNumberOfPolys());
+  if (withUses)
+  {
+    this->FindUses();
+  }
+}
 
+void SurfaceTriangles::FindUses()
+{
   this->Starts.assign(this->NumberOfPoints + 1, 0);
   for (const Triangle& triangle : this->Triangles)
   {

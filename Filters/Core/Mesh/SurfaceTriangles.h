@@ -29,8 +29,9 @@ class RELEVOFILTERSCORE_EXPORT SurfaceTriangles
 public:
   using Triangle = std::array<vtkIdType, 3>;
 
-  /// Holds a reference to the points of the mesh.
-  explicit SurfaceTriangles(vtkPolyData* mesh);
+  /// Holds a reference to the points of the mesh. Without uses, which need as much memory as the
+  /// triangles, the triangles at points are not known.
+  explicit SurfaceTriangles(vtkPolyData* mesh, bool withUses = true);
 
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
   vtkIdType GetMergedPoint(vtkIdType point) const
@@ -80,6 +81,7 @@ public:
   }
 
 private:
+  void FindUses();
   void AddTriangle(vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c);
   void AddPolygons(vtkCellArray* polygons, vtkIdType firstCell);
   void AddStrips(vtkCellArray* strips, vtkIdType firstCell);

@@ -49,12 +49,13 @@ EdgeCollapse::EdgeCollapse(
   : Mesh(mesh)
   , LineTolerance2(lineTolerance * lineTolerance)
   , Triangles(mesh.Triangles)
-  , Wedges(mesh.Wedges)
+  , Wedges(mesh.GetAllWedges())
   , AreLeft(mesh.Triangles.size(), 1)
   , NumberLeft(mesh.Triangles.size())
-  , Uses(mesh.Points.size())
+  , NextUses(3 * mesh.Triangles.size(), -1)
+  , FirstUses(mesh.Points.size(), -1)
   , Quadrics(mesh.Points.size())
-  , Normals(mesh.Points.size(), dvec3(0.0))
+  , Normals(mesh.Points.size(), vec3(0.0f))
   , Roots(mesh.Points.size())
   , Sizes(mesh.Points.size(), 1)
   , Limits(limits)
@@ -68,14 +69,51 @@ EdgeCollapse::EdgeCollapse(
   for (std::size_t t = 0; t < this->Triangles.size(); ++t)
   {
     const dvec3 normal = mesh.GetNormal(this->Triangles[t]);
-    for (int vertex : this->Triangles[t])
+    for (int c = 0; c < 3; ++c)
     {
+      const int vertex = this->Triangles[t][c];
       const auto v = static_cast<std::size_t>(vertex);
-      this->Uses[v].push_back(static_cast<int>(t));
-      this->Quadrics[v].Add(mesh.Points[v], normal);
-      this->Normals[v] += normal;
+      this->AddUse(vertex, 3 * static_cast<int>(t) + c);
+      this->Quadrics[v].Add(normal);
+      this->Normals[v] += vec3(normal);
     }
   }
+}
+
+void EdgeCollapse::FreeMesh()
+{
+  this->Triangles = {};
+  this->Wedges = {};
+  this->AreLeft = {};
+  this->NextUses = {};
+  this->FirstUses = {};
+  this->Quadrics = {};
+  this->Normals = {};
+  this->Limits = {};
+  this->Targets = {};
+  this->Stamps = {};
+  this->AreQueued = {};
+  this->Marks = {};
+  this->LineEnds = LineTable();
+  this->Done = {};
+  this->Steps = {};
+}
+
+void EdgeCollapse::RemoveUse(int vertex, int use)
+{
+  int* place = &this->FirstUses[static_cast<std::size_t>(vertex)];
+  while (*place != use)
+  {
+    place = &this->NextUses[static_cast<std::size_t>(*place)];
+  }
+  *place = this->NextUses[static_cast<std::size_t>(use)];
+}
+
+int EdgeCollapse::GetNumberOfTriangles(int root) const
+{
+  int number = 0;
+  this->ForEachUse(root, [&](std::size_t, int) { ++number; });
+  return number;
 }
 
 int EdgeCollapse::FindRoot(int vertex)
@@ -91,7 +129,7 @@ int EdgeCollapse::FindRoot(int vertex)
 
 unsigned char EdgeCollapse::GetLineFlags(int a, int b) const
 {
-  for (const DenseMesh::LineEnd& end : this->LineEnds[static_cast<std::size_t>(a)])
+  for (const LineEnd& end : this->LineEnds[static_cast<std::size_t>(a)])
   {
     if (end.Vertex == b)
     {
@@ -107,18 +145,19 @@ void EdgeCollapse::FindNeighbours(int vertex, std::vector<int>& neighbours)
   neighbours.clear();
   ++this->Mark;
   this->Marks[static_cast<std::size_t>(vertex)] = this->Mark;
-  for (int t : this->Uses[static_cast<std::size_t>(vertex)])
-  {
-    for (int corner : this->Triangles[static_cast<std::size_t>(t)])
+  this->ForEachUse(vertex,
+    [&](std::size_t t, int)
     {
-      int& mark = this->Marks[static_cast<std::size_t>(corner)];
-      if (mark != this->Mark)
+      for (int corner : this->Triangles[t])
       {
-        mark = this->Mark;
-        neighbours.push_back(corner);
+        int& mark = this->Marks[static_cast<std::size_t>(corner)];
+        if (mark != this->Mark)
+        {
+          mark = this->Mark;
+          neighbours.push_back(corner);
+        }
       }
-    }
-  }
+    });
 }
 
 double EdgeCollapse::GetError(int from, int to) const
@@ -127,21 +166,22 @@ double EdgeCollapse::GetError(int from, int to) const
   const auto v = static_cast<std::size_t>(to);
   const dvec3& place = this->Mesh.Points[v];
   const dvec3 way = place - this->Mesh.Points[u];
-  return std::max(0.0, this->Quadrics[u].Evaluate(place) + this->Quadrics[v].Evaluate(place)) +
-    LengthWeight * this->Quadrics[u].Area * dot(way, way);
+  return std::max(0.0, this->Quadrics[u].Evaluate(way) + this->Quadrics[v].Evaluate(dvec3(0.0))) +
+    LengthWeight * this->Quadrics[u].GetArea() * dot(way, way);
 }
 
 // A lower bound of the error of all steps of a vertex.
 double EdgeCollapse::GetLeastError(int vertex) const
 {
   double least = std::numeric_limits<double>::infinity();
-  for (int t : this->Uses[static_cast<std::size_t>(vertex)])
-  {
-    for (int corner : this->Triangles[static_cast<std::size_t>(t)])
+  this->ForEachUse(vertex,
+    [&](std::size_t t, int)
     {
-      least = corner == vertex ? least : std::min(least, this->GetError(vertex, corner));
-    }
-  }
+      for (int corner : this->Triangles[t])
+      {
+        least = corner == vertex ? least : std::min(least, this->GetError(vertex, corner));
+      }
+    });
   return least;
 }
 
@@ -191,7 +231,7 @@ void EdgeCollapse::Evaluate(int vertex)
     {
       this->Targets[u] = candidate.second;
       this->AreQueued[u] = 1;
-      this->Steps.push({ candidate.first, vertex, this->Stamps[u] });
+      this->Steps.push({ static_cast<float>(candidate.first), vertex, this->Stamps[u] });
       return;
     }
   }
@@ -209,29 +249,29 @@ bool EdgeCollapse::HasSimpleLink(int from, int to)
 {
   this->FindNeighbours(from, this->Neighbours);
   std::size_t numberOfTriangles = 0;
-  for (int t : this->Uses[static_cast<std::size_t>(from)])
-  {
-    numberOfTriangles += FindCorner(this->Triangles[static_cast<std::size_t>(t)], to) >= 0 ? 1 : 0;
-  }
+  this->ForEachUse(from,
+    [&](std::size_t t, int)
+    { numberOfTriangles += FindCorner(this->Triangles[t], to) >= 0 ? 1 : 0; });
   const int ofFrom = this->Mark;
   const int ofTo = ++this->Mark;
   std::size_t numberOfCommon = 0;
   std::size_t numberOfOthers = 1; // the vertex that moves
   this->Marks[static_cast<std::size_t>(to)] = ofTo;
   this->Marks[static_cast<std::size_t>(from)] = ofTo;
-  for (int t : this->Uses[static_cast<std::size_t>(to)])
-  {
-    for (int corner : this->Triangles[static_cast<std::size_t>(t)])
+  this->ForEachUse(to,
+    [&](std::size_t t, int)
     {
-      int& mark = this->Marks[static_cast<std::size_t>(corner)];
-      if (mark != ofTo)
+      for (int corner : this->Triangles[t])
       {
-        numberOfCommon += mark == ofFrom ? 1 : 0;
-        ++numberOfOthers;
-        mark = ofTo;
+        int& mark = this->Marks[static_cast<std::size_t>(corner)];
+        if (mark != ofTo)
+        {
+          numberOfCommon += mark == ofFrom ? 1 : 0;
+          ++numberOfOthers;
+          mark = ofTo;
+        }
       }
-    }
-  }
+    });
   // The last triangles of a part, and those of a closed part of four vertices, are kept.
   return numberOfTriangles > 0 && numberOfTriangles < 3 && numberOfCommon == numberOfTriangles &&
     this->Neighbours.size() > 2 && numberOfOthers > numberOfTriangles + 1;
@@ -242,27 +282,28 @@ bool EdgeCollapse::KeepsShape(int from, int to) const
   const auto u = static_cast<std::size_t>(from);
   const auto v = static_cast<std::size_t>(to);
   const dvec3& place = this->Mesh.Points[v];
-  const dvec3 merged = this->Normals[u] + this->Normals[v];
+  const dvec3 merged(this->Normals[u] + this->Normals[v]);
   const double mergedLength = length(merged);
   const dvec3& place0 = this->Mesh.Points[u];
   double leastQuality = LeastQuality;
-  for (int t : this->Uses[u])
+  this->ForEachUse(from,
+    [&](std::size_t t, int)
+    {
+      const Triangle& triangle = this->Triangles[t];
+      const dvec3& a = this->Mesh.Points[static_cast<std::size_t>(triangle[0])];
+      const dvec3& b = this->Mesh.Points[static_cast<std::size_t>(triangle[1])];
+      const dvec3& c = this->Mesh.Points[static_cast<std::size_t>(triangle[2])];
+      leastQuality = std::min(
+        leastQuality, KeptQuality * length(cross(b - a, c - a)) / GetLongestSide2(a, b, c));
+    });
+  for (int use = this->FirstUses[u]; use >= 0; use = this->NextUses[static_cast<std::size_t>(use)])
   {
-    const Triangle& triangle = this->Triangles[static_cast<std::size_t>(t)];
-    const dvec3& a = this->Mesh.Points[static_cast<std::size_t>(triangle[0])];
-    const dvec3& b = this->Mesh.Points[static_cast<std::size_t>(triangle[1])];
-    const dvec3& c = this->Mesh.Points[static_cast<std::size_t>(triangle[2])];
-    leastQuality =
-      std::min(leastQuality, KeptQuality * length(cross(b - a, c - a)) / GetLongestSide2(a, b, c));
-  }
-  for (int t : this->Uses[u])
-  {
-    const Triangle& triangle = this->Triangles[static_cast<std::size_t>(t)];
+    const Triangle& triangle = this->Triangles[static_cast<std::size_t>(use / 3)];
     if (FindCorner(triangle, to) >= 0)
     {
       continue;
     }
-    const int corner = FindCorner(triangle, from);
+    const int corner = use % 3;
     const auto second = static_cast<std::size_t>(triangle[(corner + 1) % 3]);
     const auto third = static_cast<std::size_t>(triangle[(corner + 2) % 3]);
     const dvec3& b = this->Mesh.Points[second];
@@ -278,7 +319,7 @@ bool EdgeCollapse::KeepsShape(int from, int to) const
     }
     for (std::size_t w : { second, third })
     {
-      const dvec3& facing = this->Normals[w];
+      const dvec3 facing(this->Normals[w]);
       const double cosine = dot(normal, facing) / (size * length(facing));
       const double before = dot(old, facing) / (length(old) * length(facing));
       if (cosine < LeastFacing && !(cosine >= before))
@@ -297,7 +338,7 @@ bool EdgeCollapse::KeepsLine(int from, int to) const
   {
     return true;
   }
-  const std::vector<DenseMesh::LineEnd>& ends = this->LineEnds[u];
+  const LineTable::Ends& ends = this->LineEnds[u];
   const int far = ends[0].Vertex == to ? ends[1].Vertex : ends[0].Vertex;
   // A line between these vertices exists already if the line is closed.
   return far != to && this->GetLineFlags(far, to) == 0 && this->IsLineWithin(from, far, to);
@@ -326,7 +367,7 @@ bool EdgeCollapse::IsLineWithin(int vertex, int a, int b) const
       {
         return false;
       }
-      const std::vector<DenseMesh::LineEnd>& ends = this->Mesh.LineEnds[p];
+      const LineTable::Ends& ends = this->Mesh.LineEnds[p];
       const int next = ends[0].Vertex == before ? ends[1].Vertex : ends[0].Vertex;
       before = place;
       place = next;
@@ -340,50 +381,48 @@ bool EdgeCollapse::IsLineWithin(int vertex, int a, int b) const
 bool EdgeCollapse::MapWedges(int from, int to)
 {
   this->WedgeMap.clear();
-  for (int t : this->Uses[static_cast<std::size_t>(from)])
+  if (this->Wedges.empty())
   {
-    const auto index = static_cast<std::size_t>(t);
-    const int target = FindCorner(this->Triangles[index], to);
-    if (target >= 0)
+    return true;
+  }
+  bool isUnique = true;
+  const auto find = [this](int wedge)
+  {
+    return std::find_if(this->WedgeMap.begin(), this->WedgeMap.end(),
+      [wedge](const std::pair<int, int>& known) { return known.first == wedge; });
+  };
+  this->ForEachUse(from,
+    [&](std::size_t t, int source)
     {
-      const int source = FindCorner(this->Triangles[index], from);
-      const std::pair<int, int> both(this->Wedges[index][source], this->Wedges[index][target]);
-      for (const auto& known : this->WedgeMap)
+      const int target = FindCorner(this->Triangles[t], to);
+      if (target >= 0)
       {
-        if (known.first == both.first && known.second != both.second)
-        {
-          return false;
-        }
+        const std::pair<int, int> both(this->Wedges[t][source], this->Wedges[t][target]);
+        const auto known = find(both.first);
+        isUnique = isUnique && (known == this->WedgeMap.end() || known->second == both.second);
+        this->WedgeMap.push_back(both);
       }
-      this->WedgeMap.push_back(both);
-    }
-  }
-  for (int t : this->Uses[static_cast<std::size_t>(from)])
-  {
-    const auto index = static_cast<std::size_t>(t);
-    const int wedge = this->Wedges[index][FindCorner(this->Triangles[index], from)];
-    if (std::none_of(this->WedgeMap.begin(), this->WedgeMap.end(),
-          [wedge](const std::pair<int, int>& known) { return known.first == wedge; }))
-    {
-      return false;
-    }
-  }
-  return true;
+    });
+  bool areKnown = true;
+  this->ForEachUse(from,
+    [&](std::size_t t, int source)
+    { areKnown = areKnown && find(this->Wedges[t][source]) != this->WedgeMap.end(); });
+  return isUnique && areKnown;
 }
 
 void EdgeCollapse::JoinLines(int from, int to)
 {
-  std::vector<DenseMesh::LineEnd>& ends = this->LineEnds[static_cast<std::size_t>(from)];
-  if (ends.empty())
+  if (this->LineEnds[static_cast<std::size_t>(from)].empty())
   {
     return;
   }
+  LineTable::Ends& ends = this->LineEnds.Get(static_cast<std::size_t>(from));
   const int far = ends[0].Vertex == to ? ends[1].Vertex : ends[0].Vertex;
-  for (DenseMesh::LineEnd& end : this->LineEnds[static_cast<std::size_t>(far)])
+  for (LineEnd& end : this->LineEnds.Get(static_cast<std::size_t>(far)))
   {
     end.Vertex = end.Vertex == from ? to : end.Vertex;
   }
-  for (DenseMesh::LineEnd& end : this->LineEnds[static_cast<std::size_t>(to)])
+  for (LineEnd& end : this->LineEnds.Get(static_cast<std::size_t>(to)))
   {
     end.Vertex = end.Vertex == from ? far : end.Vertex;
   }
@@ -395,36 +434,39 @@ void EdgeCollapse::Collapse(int from, int to)
   const auto u = static_cast<std::size_t>(from);
   const auto v = static_cast<std::size_t>(to);
   this->MapWedges(from, to);
-  for (int t : this->Uses[u])
+  for (int use = this->FirstUses[u]; use >= 0;)
   {
-    const auto index = static_cast<std::size_t>(t);
+    const int next = this->NextUses[static_cast<std::size_t>(use)];
+    const auto index = static_cast<std::size_t>(use / 3);
+    const int corner = use % 3;
     Triangle& triangle = this->Triangles[index];
     if (FindCorner(triangle, to) >= 0)
     {
       this->AreLeft[index] = 0;
       --this->NumberLeft;
-      for (int corner : triangle)
+      for (int other : { (corner + 1) % 3, (corner + 2) % 3 })
       {
-        std::vector<int>& uses = this->Uses[static_cast<std::size_t>(corner)];
-        if (corner != from)
-        {
-          uses.erase(std::remove(uses.begin(), uses.end(), t), uses.end());
-        }
+        this->RemoveUse(triangle[other], use / 3 * 3 + other);
       }
-      continue;
     }
-    const int corner = FindCorner(triangle, from);
-    triangle[corner] = to;
-    int& wedge = this->Wedges[index][corner];
-    wedge = std::find_if(this->WedgeMap.begin(), this->WedgeMap.end(),
-      [&](const std::pair<int, int>& known) {
-        return known.first == wedge;
-      })->second;
-    this->Uses[v].push_back(t);
+    else
+    {
+      triangle[corner] = to;
+      this->AddUse(to, use);
+      if (!this->Wedges.empty())
+      {
+        int& wedge = this->Wedges[index][corner];
+        wedge = std::find_if(this->WedgeMap.begin(), this->WedgeMap.end(),
+          [&](const std::pair<int, int>& known) {
+            return known.first == wedge;
+          })->second;
+      }
+    }
+    use = next;
   }
   this->JoinLines(from, to);
-  this->Uses[u] = {};
-  this->Quadrics[v].Add(this->Quadrics[u]);
+  this->FirstUses[u] = -1;
+  this->Quadrics[v].Add(this->Quadrics[u], this->Mesh.Points[u] - this->Mesh.Points[v]);
   this->Normals[v] += this->Normals[u];
   this->Sizes[v] += this->Sizes[u];
   this->Limits[v] = std::min(this->Limits[u], this->Limits[v]);
@@ -446,13 +488,14 @@ void EdgeCollapse::Repeat(const Moves& moves)
       continue;
     }
     isFrom = isTo = 1;
-    for (int t : this->Uses[static_cast<std::size_t>(move.first)])
-    {
-      for (int corner : this->Triangles[static_cast<std::size_t>(t)])
+    this->ForEachUse(move.first,
+      [&](std::size_t t, int)
       {
-        areChanged[static_cast<std::size_t>(corner)] = 1;
-      }
-    }
+        for (int corner : this->Triangles[t])
+        {
+          areChanged[static_cast<std::size_t>(corner)] = 1;
+        }
+      });
   }
 }
 
@@ -460,7 +503,7 @@ bool EdgeCollapse::Run(std::size_t target, double& error, const std::function<bo
 {
   // Legal steps are found when the turn of a vertex comes.
   const auto number = static_cast<vtkIdType>(this->Mesh.Points.size());
-  std::vector<double> errors(this->Mesh.Points.size(), std::numeric_limits<double>::infinity());
+  std::vector<float> errors(this->Mesh.Points.size(), std::numeric_limits<float>::infinity());
   vtkSMPTools::For(0, number,
     [&](vtkIdType first, vtkIdType last)
     {
@@ -469,11 +512,14 @@ bool EdgeCollapse::Run(std::size_t target, double& error, const std::function<bo
         const auto index = static_cast<std::size_t>(v);
         if (this->Roots[index] == v && this->CanMove(v))
         {
-          errors[index] = this->GetLeastError(v);
+          errors[index] = static_cast<float>(this->GetLeastError(v));
         }
       }
     });
   std::vector<Step> steps;
+  steps.reserve(static_cast<std::size_t>(
+    std::count_if(errors.begin(), errors.end(), [&](float e) { return e <= error; })));
+  this->Done.reserve(this->Mesh.Points.size());
   for (std::size_t v = 0; v < errors.size(); ++v)
   {
     if (errors[v] <= error)
@@ -511,7 +557,7 @@ bool EdgeCollapse::Run(std::size_t target, double& error, const std::function<bo
       this->Evaluate(step.Vertex);
       continue;
     }
-    largest = std::max(largest, step.Error);
+    largest = std::max(largest, double(step.Error));
     const int to = this->Targets[u];
     this->Collapse(step.Vertex, to);
     this->FindNeighbours(to, ring);

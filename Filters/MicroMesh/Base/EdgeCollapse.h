@@ -53,24 +53,28 @@ public:
   /// coarse mesh.
   bool IsLeft(std::size_t triangle) const { return this->AreLeft[triangle] != 0; }
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
-  const std::vector<Triangle>& GetWedges() const { return this->Wedges; }
+  Triangle GetWedges(std::size_t triangle) const
+  {
+    return this->Wedges.empty() ? this->Mesh.GetWedges(this->Triangles[triangle])
+                                : this->Wedges[triangle];
+  }
 
   /// The coarse vertex of a vertex.
   int FindRoot(int vertex);
   int GetClusterSize(int root) const { return this->Sizes[static_cast<std::size_t>(root)]; }
   /// The sum of the normals of a cluster's triangles.
-  const dvec3& GetNormal(int root) const { return this->Normals[static_cast<std::size_t>(root)]; }
-  int GetNumberOfTriangles(int root) const
-  {
-    return static_cast<int>(this->Uses[static_cast<std::size_t>(root)].size());
-  }
+  const vec3& GetNormal(int root) const { return this->Normals[static_cast<std::size_t>(root)]; }
+  int GetNumberOfTriangles(int root) const;
   /// The flags of the line between two coarse vertices; 0 for none.
   unsigned char GetLineFlags(int a, int b) const;
+
+  /// Free all memory except that of FindRoot() and GetClusterSize().
+  void FreeMesh();
 
 private:
   struct Step
   {
-    double Error;
+    float Error;
     int Vertex;
     int Stamp;
 
@@ -80,6 +84,23 @@ private:
     }
   };
 
+  // Corners are 3 * triangle + corner. Calls f(triangle, corner) for those of a vertex.
+  template <typename Function>
+  void ForEachUse(int vertex, const Function& f) const
+  {
+    for (int use = this->FirstUses[static_cast<std::size_t>(vertex)]; use >= 0;
+         use = this->NextUses[static_cast<std::size_t>(use)])
+    {
+      f(static_cast<std::size_t>(use / 3), use % 3);
+    }
+  }
+  void AddUse(int vertex, int use)
+  {
+    int& first = this->FirstUses[static_cast<std::size_t>(vertex)];
+    this->NextUses[static_cast<std::size_t>(use)] = first;
+    first = use;
+  }
+  void RemoveUse(int vertex, int use);
   void FindNeighbours(int vertex, std::vector<int>& neighbours);
   double GetError(int from, int to) const;
   double GetLeastError(int vertex) const;
@@ -98,13 +119,14 @@ private:
   const DenseMesh& Mesh;
   double LineTolerance2;
   std::vector<Triangle> Triangles;
-  std::vector<Triangle> Wedges;
+  std::vector<Triangle> Wedges; // empty if the dense mesh has none
   std::vector<char> AreLeft;
   std::size_t NumberLeft = 0;
+  std::vector<int> NextUses; // per corner, the next one of the same vertex, or -1
   // Per vertex:
-  std::vector<std::vector<int>> Uses; // triangles
-  std::vector<AreaQuadric> Quadrics;
-  std::vector<dvec3> Normals;
+  std::vector<int> FirstUses;        // corners
+  std::vector<AreaQuadric> Quadrics; // relative to the vertex
+  std::vector<vec3> Normals;
   std::vector<int> Roots;
   std::vector<int> Sizes;
   std::vector<int> Limits;
@@ -112,7 +134,7 @@ private:
   std::vector<int> Stamps;
   std::vector<char> AreQueued;
   std::vector<int> Marks; // of the last search for neighbours
-  DenseMesh::Lines LineEnds;
+  LineTable LineEnds;
 
   Moves Done;
   std::priority_queue<Step> Steps;

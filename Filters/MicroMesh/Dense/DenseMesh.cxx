@@ -8,6 +8,7 @@
 #include "vtkMath.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,15 +19,84 @@ namespace relevo
 {
 namespace
 {
-struct HalfEdge
+// The half-edges of all triangles, sorted by the lower vertex, then the higher one. An index is 3 *
+// triangle + edge.
+class SortedHalfEdges
 {
-  std::uint64_t Ends; // the lower vertex, then the higher
-  int Index;          // 3 * triangle + edge
-
-  bool operator<(const HalfEdge& other) const
+public:
+  struct HalfEdge
   {
-    return this->Ends != other.Ends ? this->Ends < other.Ends : this->Index < other.Index;
+    int High;
+    int Index;
+
+    bool operator<(const HalfEdge& other) const
+    {
+      return this->High != other.High ? this->High < other.High : this->Index < other.Index;
+    }
+  };
+
+  SortedHalfEdges(const std::vector<DenseMesh::Triangle>& triangles, std::size_t vertices)
+    : Firsts(vertices + 1, 0)
+    , Edges(3 * triangles.size())
+  {
+    const auto forEach = [&](const auto& f)
+    {
+      for (std::size_t t = 0; t < triangles.size(); ++t)
+      {
+        for (int e = 0; e < 3; ++e)
+        {
+          const auto ends = std::minmax(triangles[t][e], triangles[t][(e + 1) % 3]);
+          f(static_cast<std::size_t>(ends.first), ends.second, 3 * static_cast<int>(t) + e);
+        }
+      }
+    };
+    forEach([&](std::size_t low, int, int) { ++this->Firsts[low + 1]; });
+    std::partial_sum(this->Firsts.begin(), this->Firsts.end(), this->Firsts.begin());
+    std::vector<std::uint32_t> next(this->Firsts.begin(), this->Firsts.end() - 1);
+    forEach(
+      [&](std::size_t low, int high, int index) {
+        this->Edges[next[low]++] = { high, index };
+      });
+    vtkSMPTools::For(0, static_cast<vtkIdType>(vertices),
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType v = first; v < last; ++v)
+        {
+          std::sort(this->Begin(v), this->Begin(v + 1));
+        }
+      });
   }
+
+  // Calls f(low, high, sides) for each edge.
+  template <typename Function>
+  void ForEachEdge(const Function& f)
+  {
+    std::vector<int> sides;
+    for (std::size_t v = 0; v + 1 < this->Firsts.size(); ++v)
+    {
+      const auto end = this->Begin(static_cast<vtkIdType>(v) + 1);
+      for (auto first = this->Begin(static_cast<vtkIdType>(v)); first != end;)
+      {
+        const int high = first->High;
+        sides.clear();
+        for (; first != end && first->High == high; ++first)
+        {
+          sides.push_back(first->Index);
+        }
+        f(static_cast<int>(v), high, sides);
+      }
+    }
+  }
+
+private:
+  std::vector<HalfEdge>::iterator Begin(vtkIdType vertex)
+  {
+    return this->Edges.begin() +
+      static_cast<std::ptrdiff_t>(this->Firsts[static_cast<std::size_t>(vertex)]);
+  }
+
+  std::vector<std::uint32_t> Firsts; // per lower vertex
+  std::vector<HalfEdge> Edges;
 };
 
 vtkIdType CountCellTriangles(vtkPolyData* input)
@@ -85,20 +155,20 @@ bool DenseMesh::CanStore(double coordinate) const
 
 void DenseMesh::ReadTriangles(vtkPolyData* input)
 {
-  const SurfaceTriangles surface(input);
+  const SurfaceTriangles surface(input, false);
   const auto number = static_cast<vtkIdType>(surface.GetTriangles().size());
   this->NumberOfDegenerateTriangles = CountCellTriangles(input) - number;
   // Of triangles with the same corners, the first is kept.
-  std::vector<vtkIdType> order(static_cast<std::size_t>(number));
-  std::iota(order.begin(), order.end(), vtkIdType(0));
-  const auto sorted = [&](vtkIdType t)
+  std::vector<int> order(static_cast<std::size_t>(number));
+  std::iota(order.begin(), order.end(), 0);
+  const auto sorted = [&](int t)
   {
     SurfaceTriangles::Triangle corners = surface.GetTriangles()[static_cast<std::size_t>(t)];
     std::sort(corners.begin(), corners.end());
     return corners;
   };
   std::sort(order.begin(), order.end(),
-    [&](vtkIdType a, vtkIdType b)
+    [&](int a, int b)
     {
       const auto first = sorted(a);
       const auto second = sorted(b);
@@ -109,12 +179,25 @@ void DenseMesh::ReadTriangles(vtkPolyData* input)
   {
     isDuplicate[static_cast<std::size_t>(order[i])] = sorted(order[i]) == sorted(order[i - 1]);
   }
+  order = {};
+  this->NumberOfDuplicates = std::count(isDuplicate.begin(), isDuplicate.end(), 1);
+  this->FirstCell = number > 0 ? surface.GetCell(0) : 0;
+  bool areConsecutive = true;
+  for (vtkIdType t = 0; t < number; ++t)
+  {
+    areConsecutive = areConsecutive && surface.GetCell(t) == this->FirstCell + t;
+  }
+  const auto size = static_cast<std::size_t>(number - this->NumberOfDuplicates);
+  areConsecutive = areConsecutive && this->NumberOfDuplicates == 0;
+  const bool hasWedges = !surface.GetMergedPoints().empty();
+  this->Triangles.reserve(size);
+  this->Wedges.reserve(hasWedges ? size : 0);
+  this->Cells.reserve(areConsecutive ? 0 : size);
   std::vector<int> vertices(static_cast<std::size_t>(surface.GetNumberOfPoints()), -1);
   for (vtkIdType t = 0; t < number; ++t)
   {
     if (isDuplicate[static_cast<std::size_t>(t)] != 0)
     {
-      ++this->NumberOfDuplicates;
       continue;
     }
     Triangle triangle;
@@ -126,14 +209,20 @@ void DenseMesh::ReadTriangles(vtkPolyData* input)
       if (vertex < 0)
       {
         vertex = static_cast<int>(this->PointIds.size());
-        this->PointIds.push_back(point);
+        this->PointIds.push_back(static_cast<int>(point));
       }
       triangle[c] = vertex;
       wedges[c] = static_cast<int>(surface.GetPoints(t)[c]);
     }
     this->Triangles.push_back(triangle);
-    this->Wedges.push_back(wedges);
-    this->Cells.push_back(surface.GetCell(t));
+    if (hasWedges)
+    {
+      this->Wedges.push_back(wedges);
+    }
+    if (!areConsecutive)
+    {
+      this->Cells.push_back(surface.GetCell(t));
+    }
   }
 }
 
@@ -141,7 +230,7 @@ void DenseMesh::ScalePoints(vtkPolyData* input)
 {
   FiniteBox box;
   double x[3];
-  for (vtkIdType point : this->PointIds)
+  for (int point : this->PointIds)
   {
     input->GetPoint(point, x);
     box.Add(x);
@@ -185,8 +274,8 @@ unsigned char DenseMesh::GetFlags(
     return UNCLEAR;
   }
   int flags = 0;
-  const Triangle& firstWedges = this->Wedges[static_cast<std::size_t>(t[0])];
-  const Triangle& secondWedges = this->Wedges[static_cast<std::size_t>(t[1])];
+  const Triangle firstWedges = this->GetWedges(static_cast<std::size_t>(t[0]));
+  const Triangle secondWedges = this->GetWedges(static_cast<std::size_t>(t[1]));
   if (firstWedges[e[0]] != secondWedges[(e[1] + 1) % 3] ||
     firstWedges[(e[0] + 1) % 3] != secondWedges[e[1]])
   {
@@ -199,8 +288,8 @@ unsigned char DenseMesh::GetFlags(
     flags |= SHARP;
   }
   if (materials &&
-    DifferInCell(materials, this->Cells[static_cast<std::size_t>(t[0])],
-      this->Cells[static_cast<std::size_t>(t[1])]))
+    DifferInCell(materials, this->GetCell(static_cast<std::size_t>(t[0])),
+      this->GetCell(static_cast<std::size_t>(t[1]))))
   {
     flags |= MATERIAL;
   }
@@ -211,60 +300,44 @@ void DenseMesh::FindLines(vtkDataArray* materials, double featureAngle)
 {
   const double smallestCosine =
     featureAngle < 180.0 ? std::cos(vtkMath::RadiansFromDegrees(featureAngle)) : -2.0;
-  std::vector<HalfEdge> halves;
-  halves.reserve(3 * this->Triangles.size());
-  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
-  {
-    for (int e = 0; e < 3; ++e)
+  SortedHalfEdges halves(this->Triangles, this->Points.size());
+  this->Opposite.assign(3 * this->Triangles.size(), -1);
+  this->LineEnds = LineTable(this->Points.size());
+  std::vector<char> areUnclear(this->Points.size(), 0);
+  halves.ForEachEdge(
+    [&](int low, int high, const std::vector<int>& sides)
     {
-      const auto from = static_cast<std::uint64_t>(this->Triangles[t][e]);
-      const auto to = static_cast<std::uint64_t>(this->Triangles[t][(e + 1) % 3]);
-      halves.push_back(
-        { std::min(from, to) << 32 | std::max(from, to), 3 * static_cast<int>(t) + e });
-    }
-  }
-  std::sort(halves.begin(), halves.end());
-  this->Opposite.assign(halves.size(), -1);
-  this->LineEnds.resize(this->Points.size());
-  std::vector<char> isUnclear(this->Points.size(), 0);
-  std::vector<int> sides;
-  for (auto first = halves.begin(); first != halves.end();)
-  {
-    auto last = first;
-    sides.clear();
-    for (; last != halves.end() && last->Ends == first->Ends; ++last)
-    {
-      sides.push_back(last->Index);
-    }
-    const int low = static_cast<int>(first->Ends >> 32);
-    const int high = static_cast<int>(first->Ends & 0xffffffffu);
-    first = last;
-    const unsigned char flags = this->GetFlags(sides, materials, smallestCosine);
-    if ((flags & (BORDER | UNCLEAR)) == 0)
-    {
-      this->Opposite[static_cast<std::size_t>(sides[0])] = sides[1];
-      this->Opposite[static_cast<std::size_t>(sides[1])] = sides[0];
-    }
-    if (flags != 0)
-    {
-      this->LineEnds[static_cast<std::size_t>(low)].push_back({ high, flags });
-      this->LineEnds[static_cast<std::size_t>(high)].push_back({ low, flags });
-    }
-    this->NumberOfSharpEdges += (flags & SHARP) != 0 ? 1 : 0;
-    if ((flags & UNCLEAR) != 0)
-    {
-      ++this->NumberOfUnclearEdges;
-      isUnclear[static_cast<std::size_t>(low)] = isUnclear[static_cast<std::size_t>(high)] = 1;
-    }
-  }
+      const unsigned char flags = this->GetFlags(sides, materials, smallestCosine);
+      if ((flags & (BORDER | UNCLEAR)) == 0)
+      {
+        this->Opposite[static_cast<std::size_t>(sides[0])] = sides[1];
+        this->Opposite[static_cast<std::size_t>(sides[1])] = sides[0];
+      }
+      if (flags != 0)
+      {
+        this->LineEnds.Add(static_cast<std::size_t>(low), { high, flags });
+        this->LineEnds.Add(static_cast<std::size_t>(high), { low, flags });
+      }
+      this->NumberOfSharpEdges += (flags & SHARP) != 0 ? 1 : 0;
+      if ((flags & UNCLEAR) != 0)
+      {
+        ++this->NumberOfUnclearEdges;
+        areUnclear[static_cast<std::size_t>(low)] = areUnclear[static_cast<std::size_t>(high)] = 1;
+      }
+    });
+  this->FindKinds(areUnclear);
+}
+
+void DenseMesh::FindKinds(const std::vector<char>& areUnclear)
+{
   this->Kinds.assign(this->Points.size(), Kind::FREE);
   for (std::size_t v = 0; v < this->Points.size(); ++v)
   {
-    const std::vector<LineEnd>& ends = this->LineEnds[v];
+    const LineTable::Ends& ends = this->LineEnds[v];
     const bool isOnLine = ends.size() == 2 && ends[0].Flags == ends[1].Flags;
     if (!ends.empty())
     {
-      this->Kinds[v] = isOnLine && isUnclear[v] == 0 ? Kind::LINE : Kind::LOCKED;
+      this->Kinds[v] = isOnLine && areUnclear[v] == 0 ? Kind::LINE : Kind::LOCKED;
     }
   }
 }
@@ -315,9 +388,10 @@ void DenseMesh::LockFixed(vtkDataArray* fixed)
   std::vector<char> areFixed(this->Points.size(), 0);
   for (std::size_t t = 0; t < this->Triangles.size(); ++t)
   {
+    const Triangle wedges = this->GetWedges(t);
     for (int c = 0; c < 3; ++c)
     {
-      if (fixed->GetComponent(this->Wedges[t][c], 0) != 0.0)
+      if (fixed->GetComponent(wedges[c], 0) != 0.0)
       {
         areFixed[static_cast<std::size_t>(this->Triangles[t][c])] = 1;
       }

@@ -15,6 +15,7 @@
 #ifndef DenseMesh_h
 #define DenseMesh_h
 
+#include "Dense/LineTable.h"
 #include "Mathematics/RefinementMathematics.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h" // for vtkIdType
@@ -45,12 +46,6 @@ public:
     SEAM = 8,
     UNCLEAR = 16 // more than two triangles or inconsistent winding
   };
-  struct LineEnd
-  {
-    int Vertex;
-    unsigned char Flags;
-  };
-  using Lines = std::vector<std::vector<LineEnd>>; // per vertex, the other ends
   using Triangle = std::array<int, 3>;
 
   /// `materials` is a cell array or nullptr. `featureAngle` is in degrees. `fixed` is a point array
@@ -69,11 +64,30 @@ public:
   /// Per vertex.
   std::vector<dvec3> Points;
   std::vector<Kind> Kinds;
-  Lines LineEnds;
-  /// Per triangle: vertices, points of the input, and the input's cell.
+  LineTable LineEnds;
+  /// The vertices per triangle.
   std::vector<Triangle> Triangles;
-  std::vector<Triangle> Wedges;
-  std::vector<vtkIdType> Cells;
+
+  /// Whether vertices represent several points of the input.
+  bool HasWedges() const { return !this->Wedges.empty(); }
+  /// The points of the input at a triangle, and its cell.
+  Triangle GetWedges(std::size_t triangle) const
+  {
+    return this->HasWedges() ? this->Wedges[triangle] : this->GetWedges(this->Triangles[triangle]);
+  }
+  const std::vector<Triangle>& GetAllWedges() const { return this->Wedges; }
+  vtkIdType GetCell(std::size_t triangle) const
+  {
+    return this->Cells.empty() ? static_cast<vtkIdType>(triangle) + this->FirstCell
+                               : this->Cells[triangle];
+  }
+  /// The points of the input at vertices that represent one each.
+  Triangle GetWedges(const Triangle& vertices) const
+  {
+    return { { this->PointIds[static_cast<std::size_t>(vertices[0])],
+      this->PointIds[static_cast<std::size_t>(vertices[1])],
+      this->PointIds[static_cast<std::size_t>(vertices[2])] } };
+  }
 
   /// A length of the input divided by the same length here.
   double Scale = 1.0;
@@ -89,14 +103,18 @@ private:
   void ReadTriangles(vtkPolyData* input);
   void ScalePoints(vtkPolyData* input);
   void FindLines(vtkDataArray* materials, double featureAngle);
+  void FindKinds(const std::vector<char>& areUnclear);
   unsigned char GetFlags(
     const std::vector<int>& sides, vtkDataArray* materials, double smallestCosine) const;
   void LockFans();
   void LockFixed(vtkDataArray* fixed);
 
   vtkSmartPointer<vtkPoints> InputPoints;
-  std::vector<vtkIdType> PointIds; // of the input, per vertex
-  std::vector<int> Opposite;       // half-edge 3 t + e from corner e to e + 1; -1 for none
+  std::vector<int> PointIds;    // of the input, per vertex
+  std::vector<Triangle> Wedges; // empty if each vertex represents one point
+  std::vector<vtkIdType> Cells; // empty if they are consecutive
+  vtkIdType FirstCell = 0;
+  std::vector<int> Opposite; // half-edge 3 t + e from corner e to e + 1; -1 for none
 };
 }
 

@@ -95,7 +95,7 @@ public:
     {
       return;
     }
-    this->Neighbours = std::make_unique<TriangleNeighbours>(dense.Wedges);
+    this->Neighbours = std::make_unique<TriangleNeighbours>(dense.GetAllWedges());
     for (const MicroMesh::Face& face : encoded.Mesh.Faces)
     {
       for (int e = 0; e < 3; ++e)
@@ -205,7 +205,7 @@ private:
       weights[c] = std::max(0.0, dot(normal, cross(x[(c + 2) % 3] - a, place - a)));
     }
     const double sum = weights.x + weights.y + weights.z;
-    return { this->Dense.Wedges[t], sum > 0.0 ? weights / sum : dvec3(1.0, 0.0, 0.0) };
+    return { this->Dense.GetWedges(t), sum > 0.0 ? weights / sum : dvec3(1.0, 0.0, 0.0) };
   }
 
   const DenseMesh& Dense;

@@ -51,7 +51,7 @@ void BaseMesh::AddPoints(const DenseMesh& dense, EdgeCollapse& collapse, double 
     }
     this->Mesh.Faces.push_back(face);
     this->Triangles.push_back(static_cast<int>(t));
-    this->Wedges.push_back(collapse.GetWedges()[t]);
+    this->Wedges.push_back(collapse.GetWedges(t));
   }
   const std::vector<double> heights = this->FindHeights(dense);
   const double multiple = RoundingOfStep * step;
@@ -65,7 +65,7 @@ void BaseMesh::AddPoints(const DenseMesh& dense, EdgeCollapse& collapse, double 
     this->AreSingle.push_back(isSingle ? 1 : 0);
     this->Densities.push_back(
       2.0 * collapse.GetClusterSize(vertex) / collapse.GetNumberOfTriangles(vertex));
-    const vec3 direction = FromOctahedral(ToOctahedral(collapse.GetNormal(vertex)));
+    const vec3 direction = FromOctahedral(ToOctahedral(dvec3(collapse.GetNormal(vertex))));
     this->Mesh.Directions.push_back(direction * static_cast<float>(step));
   }
 }

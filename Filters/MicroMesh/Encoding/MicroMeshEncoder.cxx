@@ -67,6 +67,7 @@ public:
       }
       ++this->Simplifications;
       BaseMesh base(this->Dense, collapse, this->Step);
+      collapse.FreeMesh();
       this->TakeRaises(base);
       bool isLimited = false;
       while (!isLimited)

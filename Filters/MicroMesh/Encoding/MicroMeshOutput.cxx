@@ -120,7 +120,7 @@ void StoreEncodedMesh(
     const vtkIdType corners[3] = { points.Numbers[3 * f], points.Numbers[3 * f + 1],
       points.Numbers[3 * f + 2] };
     triangles->InsertNextCell(3, corners);
-    cells->InsertNextValue(dense.Cells[static_cast<std::size_t>(encoded.Base.Triangles[f])]);
+    cells->InsertNextValue(dense.GetCell(static_cast<std::size_t>(encoded.Base.Triangles[f])));
   }
   output->SetPolys(triangles);
   std::vector<std::string> shortArrays; // the filter has removed them
