@@ -9,6 +9,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include "relevoMicroCells.h"
 #include "relevoMicroField.h"
 #include "relevoMicroMesh.h"
 
@@ -88,6 +89,36 @@ std::string vtkMicroMeshSurface::GetShaderSource()
 std::string vtkMicroMeshSurface::GetFieldShaderSource()
 {
   return relevoMicroField;
+}
+
+vtkSmartPointer<vtkDataArray> vtkMicroMeshSurface::FindCellValues(
+  vtkPolyData* mesh, vtkDataArray* cellArray)
+{
+  return relevo::FindMicroCellData(mesh, cellArray);
+}
+
+vtkIdType vtkMicroMeshSurface::FindCellTuple(const Face& face, const float weights[3])
+{
+  return relevo::FindMicroCellTuple(face, weights);
+}
+
+std::string vtkMicroMeshSurface::GetCellFieldShaderSource()
+{
+  return std::string(relevoMicroCells) + R"(
+struct FieldPlace
+{
+  ivec3 Indices; // of values
+  vec3 Weights;
+};
+
+FieldPlace fieldPlace(ivec2 record, vec3 w)
+{
+  FieldPlace place;
+  place.Indices = ivec3(microCell(record, w));
+  place.Weights = vec3(1.0, 0.0, 0.0);
+  return place;
+}
+)";
 }
 
 void vtkMicroMeshSurface::PrintSelf(ostream& os, vtkIndent indent)

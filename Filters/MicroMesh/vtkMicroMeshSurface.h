@@ -60,6 +60,9 @@ public:
   void ExtendBox(const Face& face, double low[3], double high[3]) override;
   std::string GetShaderSource() override;
   std::string GetFieldShaderSource() override;
+  vtkSmartPointer<vtkDataArray> FindCellValues(vtkPolyData* mesh, vtkDataArray* cellArray) override;
+  vtkIdType FindCellTuple(const Face& face, const float weights[3]) override;
+  std::string GetCellFieldShaderSource() override;
 #endif
 
 protected:

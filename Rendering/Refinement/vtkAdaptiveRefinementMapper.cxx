@@ -685,6 +685,7 @@ void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor*
     data.GetState().IsMeshValid() ? &data.GetState().GetMesh() : nullptr;
   const int representation = act->GetProperty()->GetRepresentation();
   vtkAbstractArray* scalars = nullptr;
+  vtkAbstractArray* cellScalars = nullptr;
   bool areColors = false;
   if (mesh)
   {
@@ -692,12 +693,17 @@ void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor*
       input->GetStrips() };
     this->CellCellMap->Update(cells, representation, input->GetPoints());
     scalars = this->GetScalarsToInterpolate();
-    areColors = scalars && this->AreDirectColors(scalars);
+    int cellFlag = 0;
+    vtkAbstractArray* any = vtkAbstractMapper::GetAbstractScalars(
+      input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
+    cellScalars = this->HaveCellScalars && cellFlag == 1 ? any : nullptr;
+    areColors = (scalars && this->AreDirectColors(scalars)) ||
+      (cellScalars && this->AreDirectColors(cellScalars));
   }
   this->Report(data.Upload.UploadMesh({ vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()),
     mesh, data.GetState().GetMeshTime(), this->GetBuildMTime(), this->VBOs->GetVBO("vertexMC"),
-    this->Refinement, input, scalars, areColors,
-    scalars && !areColors ? this->GetLookupTable() : nullptr, this->ArrayComponent,
+    this->Refinement, input, scalars, cellScalars, areColors,
+    (scalars || cellScalars) && !areColors ? this->GetLookupTable() : nullptr, this->ArrayComponent,
     this->ColorCoordinates != nullptr, representation, input->GetNumberOfCells(),
     this->CellCellMap }));
 }

@@ -15,7 +15,8 @@
  * each level below the highest one.
  *
  * Further field arrays, MicroMeshPointData:NAME, have the values of the point array NAME at all
- * grid points of all faces, in the order of GetGridIndex().
+ * grid points of all faces, in the order of GetGridIndex(). MicroMeshCellData:NAME have those of
+ * the cell array NAME at all triangles of grids, in the order of ForEachGridTriangle().
  *
  * The field array MicroMeshInputBounds (double, 6) has the bounds of the input.
  *
@@ -40,6 +41,7 @@ constexpr const char* MicroLevelErrorsName = "MicroMeshLevelErrors";
 constexpr const char* MicroErrorName = "MicroMeshError";
 constexpr const char* MicroInputBoundsName = "MicroMeshInputBounds";
 constexpr const char* MicroPointDataPrefix = "MicroMeshPointData:";
+constexpr const char* MicroCellDataPrefix = "MicroMeshCellData:";
 
 /// Add the arrays to a mesh whose points and triangles are those of the micro-mesh.
 void StoreMicroMesh(const MicroMesh& micro, vtkPolyData* mesh);

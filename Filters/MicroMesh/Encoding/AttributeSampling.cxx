@@ -5,7 +5,9 @@
 #include "Arrays/NearestTuple.h"
 #include "Data/MicroMeshArrays.h"
 #include "Distance/TriangleTree.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -110,8 +112,9 @@ public:
     }
   }
 
-  // Finds the points of the input at the grid points of a face.
-  void Find(std::size_t f, std::vector<SurfacePoint>& points) const
+  // Finds the points of the input at the grid points of a face, and the cells of the input at the
+  // centres of the grid's triangles.
+  void Find(std::size_t f, std::vector<SurfacePoint>& points, std::vector<vtkIdType>& cells) const
   {
     const MicroMesh::Face& face = this->Encoded.Mesh.Faces[f];
     const std::vector<dvec3> positions = this->Encoded.Mesh.GetPositions(face);
@@ -128,6 +131,13 @@ public:
       }
     }
     const TriangleTree side(this->Dense.Points, triangles);
+    const auto findNearest = [&](const dvec3& position)
+    {
+      double distance2 = std::numeric_limits<double>::infinity();
+      int nearest = 0;
+      (isOnSeam ? side : this->Surface).FindNearest(position, distance2, nearest);
+      return isOnSeam ? numbers[static_cast<std::size_t>(nearest)] : nearest;
+    };
     const int n = 1 << face.Level;
     points.clear();
     ForEachGridPoint(n,
@@ -141,11 +151,16 @@ public:
           return;
         }
         const dvec3& position = positions[points.size()];
-        double distance2 = std::numeric_limits<double>::infinity();
-        int nearest = 0;
-        (isOnSeam ? side : this->Surface).FindNearest(position, distance2, nearest);
-        points.push_back(this->GetSurfacePoint(
-          position, isOnSeam ? numbers[static_cast<std::size_t>(nearest)] : nearest));
+        points.push_back(this->GetSurfacePoint(position, findNearest(position)));
+      });
+    cells.clear();
+    ForEachGridTriangle(n,
+      [&](int a, int b, int c)
+      {
+        const dvec3 sum = positions[static_cast<std::size_t>(a)] +
+          positions[static_cast<std::size_t>(b)] + positions[static_cast<std::size_t>(c)];
+        const int nearest = n == 1 ? this->Encoded.Base.Triangles[f] : findNearest(sum / 3.0);
+        cells.push_back(this->Dense.GetCell(static_cast<std::size_t>(nearest)));
       });
   }
 
@@ -221,7 +236,9 @@ struct SampledArray
   vtkSmartPointer<vtkDataArray> To;
 };
 
-std::vector<SampledArray> MakeArrays(vtkPointData* data, vtkIdType tuples)
+// Makes arrays for those that are sampled.
+std::vector<SampledArray> MakeArrays(
+  vtkDataSetAttributes* data, const char* prefix, vtkIdType tuples)
 {
   std::vector<SampledArray> arrays;
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -229,12 +246,13 @@ std::vector<SampledArray> MakeArrays(vtkPointData* data, vtkIdType tuples)
     vtkDataArray* array = data->GetArray(i);
     if (!array || !array->GetName() || array->GetDataType() == VTK_ID_TYPE ||
       array->GetDataType() == VTK_BIT || array == data->GetNormals() ||
-      array == data->GetGlobalIds() || std::string(array->GetName()) == "Normals")
+      array == data->GetGlobalIds() || std::string(array->GetName()) == "Normals" ||
+      std::string(array->GetName()) == vtkDataSetAttributes::GhostArrayName())
     {
       continue;
     }
     auto to = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(array->GetDataType()));
-    to->SetName((MicroPointDataPrefix + std::string(array->GetName())).c_str());
+    to->SetName((prefix + std::string(array->GetName())).c_str());
     to->SetNumberOfComponents(array->GetNumberOfComponents());
     to->SetNumberOfTuples(tuples);
     arrays.push_back({ array, to });
@@ -267,13 +285,18 @@ void SampleAttributes(
   const DenseMesh& dense, const EncodedMesh& encoded, vtkPolyData* input, vtkPolyData* output)
 {
   const std::vector<MicroMesh::Face>& faces = encoded.Mesh.Faces;
-  std::vector<vtkIdType> firsts{ 0 };
+  std::vector<vtkIdType> firstPoints{ 0 };
+  std::vector<vtkIdType> firstTriangles{ 0 };
   for (const MicroMesh::Face& face : faces)
   {
-    firsts.push_back(firsts.back() + GetNumberOfGridPoints(1 << face.Level));
+    firstPoints.push_back(firstPoints.back() + GetNumberOfGridPoints(1 << face.Level));
+    firstTriangles.push_back(firstTriangles.back() + (vtkIdType(1) << 2 * face.Level));
   }
-  const std::vector<SampledArray> arrays = MakeArrays(input->GetPointData(), firsts.back());
-  if (arrays.empty())
+  const std::vector<SampledArray> ofPoints =
+    MakeArrays(input->GetPointData(), MicroPointDataPrefix, firstPoints.back());
+  const std::vector<SampledArray> ofCells =
+    MakeArrays(input->GetCellData(), MicroCellDataPrefix, firstTriangles.back());
+  if (ofPoints.empty() && ofCells.empty())
   {
     return;
   }
@@ -282,23 +305,34 @@ void SampleAttributes(
     [&](vtkIdType begin, vtkIdType end)
     {
       std::vector<SurfacePoint> points;
+      std::vector<vtkIdType> cells;
       std::vector<double> value;
       std::vector<double> sum;
       for (auto f = static_cast<std::size_t>(begin); f < static_cast<std::size_t>(end); ++f)
       {
-        locator.Find(f, points);
-        for (const SampledArray& array : arrays)
+        locator.Find(f, points, cells);
+        for (const SampledArray& array : ofPoints)
         {
           for (std::size_t i = 0; i < points.size(); ++i)
           {
-            Interpolate(array, points[i], firsts[f] + static_cast<vtkIdType>(i), value, sum);
+            Interpolate(array, points[i], firstPoints[f] + static_cast<vtkIdType>(i), value, sum);
+          }
+        }
+        for (const SampledArray& array : ofCells)
+        {
+          for (std::size_t i = 0; i < cells.size(); ++i)
+          {
+            array.To->SetTuple(firstTriangles[f] + static_cast<vtkIdType>(i), cells[i], array.From);
           }
         }
       }
     });
-  for (const SampledArray& array : arrays)
+  for (const std::vector<SampledArray>& arrays : { ofPoints, ofCells })
   {
-    output->GetFieldData()->AddArray(array.To);
+    for (const SampledArray& array : arrays)
+    {
+      output->GetFieldData()->AddArray(array.To);
+    }
   }
 }
 }

@@ -88,6 +88,55 @@ void EvaluateMicroPointData(const vtkRefinementSurface::Face& face, const float 
   }
 }
 
+vtkSmartPointer<vtkDataArray> FindMicroCellData(vtkPolyData* mesh, vtkDataArray* cellArray)
+{
+  const std::string name =
+    std::string(MicroCellDataPrefix) + (cellArray->GetName() ? cellArray->GetName() : "");
+  vtkDataArray* stored = mesh->GetFieldData()->GetArray(name.c_str());
+  auto faces = vtkIntArray::SafeDownCast(mesh->GetCellData()->GetAbstractArray(MicroFacesName));
+  if (!stored || !faces || faces->GetNumberOfComponents() != 5 ||
+    stored->GetDataType() != cellArray->GetDataType() ||
+    stored->GetNumberOfComponents() != cellArray->GetNumberOfComponents())
+  {
+    return nullptr;
+  }
+  vtkIdType triangles = 0;
+  vtkIdType places = 0;
+  const auto getLevel = [&](vtkIdType f)
+  { return std::max(0, std::min(LargestMicroLevel, faces->GetTypedComponent(f, 4))); };
+  for (vtkIdType f = 0; f < faces->GetNumberOfTuples(); ++f)
+  {
+    triangles += vtkIdType(1) << 2 * getLevel(f);
+    places += 2 * GetNumberOfGridPoints(1 << getLevel(f));
+  }
+  if (stored->GetNumberOfTuples() != triangles)
+  {
+    return nullptr;
+  }
+  auto values = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(stored->GetDataType()));
+  values->SetName(cellArray->GetName());
+  values->SetNumberOfComponents(stored->GetNumberOfComponents());
+  values->SetNumberOfTuples(places);
+  values->Fill(0.0);
+  triangles = 0;
+  places = 0;
+  for (vtkIdType f = 0; f < faces->GetNumberOfTuples(); ++f)
+  {
+    const vtkIdType number = vtkIdType(1) << 2 * getLevel(f);
+    values->InsertTuples(places, number, triangles, stored);
+    triangles += number;
+    places += 2 * GetNumberOfGridPoints(1 << getLevel(f));
+  }
+  return values;
+}
+
+vtkIdType FindMicroCellTuple(const vtkRefinementSurface::Face& face, const float weights[3])
+{
+  MicroMeshFace micro(face);
+  return micro.microCell(
+    micro.surfaceFieldRecord(), micro.surfaceFieldWeights(MicroMeshFace::Load(weights)));
+}
+
 bool BuildMicroMeshTables(
   vtkPolyData* mesh, vtkRefinementSurface::Tables& tables, std::string& error)
 {

@@ -10,6 +10,8 @@
 #include "Mesh/FaceCorners.h"
 #include "vtkRefinementSurface.h"
 
+#include "vtkSmartPointer.h"
+
 class vtkDataArray;
 
 namespace relevo
@@ -24,6 +26,7 @@ struct MicroMeshFace : FaceCorners<vtkRefinementSurface::Face>
 
   vec4 cornerValues(int i) const { return vec4(Load(this->Face.Values[i]), 0.0f); }
 
+#include "glsl/relevoMicroCells.glsl"
 #include "glsl/relevoMicroField.glsl"
 #include "glsl/relevoMicroMesh.glsl"
 
@@ -42,6 +45,13 @@ vtkDataArray* FindMicroPointData(vtkPolyData* mesh, vtkDataArray* pointArray);
 /// corners.
 void EvaluateMicroPointData(const vtkRefinementSurface::Face& face, const float weights[3],
   vtkDataArray* values, double* tuple);
+
+/// The values of a cell array on all triangles of grids, 2 per grid point, or nullptr if the mesh
+/// has none that fit.
+vtkSmartPointer<vtkDataArray> FindMicroCellData(vtkPolyData* mesh, vtkDataArray* cellArray);
+
+/// The tuple of these values for the weights of the sorted corners.
+vtkIdType FindMicroCellTuple(const vtkRefinementSurface::Face& face, const float weights[3]);
 
 /// See vtkRefinementSurface::BuildTables().
 bool BuildMicroMeshTables(

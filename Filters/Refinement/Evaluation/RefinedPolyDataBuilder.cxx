@@ -10,6 +10,7 @@
 #include "Mesh/MicroArrays.h"
 #include "Mesh/PatchArrays.h"
 #include "Patterns/RefinementPattern.h"
+#include "Surfaces/SurfaceFieldShading.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -482,5 +483,70 @@ void RefinedPolyDataBuilder::BuildCellData(vtkPolyData* output)
   const bool keepNormals =
     !this->Recipe->GetDisplacement() && !(surface && surface->NeedsNormals());
   CopyCellData(this->Input, originals, keepNormals, output->GetCellData(), this->ShortArrays);
+  this->RefineCellData(output->GetCellData());
+}
+
+void RefinedPolyDataBuilder::RefineCellData(vtkCellData* data)
+{
+  auto shading = dynamic_cast<SurfaceFieldShading*>(this->Recipe->GetSurface());
+  struct Field
+  {
+    vtkSmartPointer<vtkDataArray> Values;
+    vtkDataArray* Array;
+  };
+  std::vector<Field> fields;
+  for (int a = 0; shading && a < data->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* array = data->GetArray(a);
+    const auto values = array ? shading->FindCellValues(this->Input, array) : nullptr;
+    if (values)
+    {
+      fields.push_back({ values, array });
+    }
+  }
+  if (fields.empty())
+  {
+    return;
+  }
+  const auto others = static_cast<vtkIdType>(this->OtherCells.size());
+  const auto refine = [&](size_t f)
+  {
+    const FacePattern& facePattern = this->Topology.GetPattern(static_cast<int>(f));
+    const RefinementPattern& pattern = *facePattern.Pattern;
+    vtkIdType cell = others + this->FirstTriangles[f];
+    for (int t = 0; t < pattern.GetNumberOfTriangles(); ++t)
+    {
+      if (!this->Holes.empty() && !this->Holes[f].empty() && this->Holes[f][t] != 0)
+      {
+        continue;
+      }
+      float centre[3] = { 0.0f, 0.0f, 0.0f };
+      for (size_t corner = 3 * static_cast<size_t>(t); corner < 3 * static_cast<size_t>(t) + 3;
+           ++corner)
+      {
+        float weights[3];
+        facePattern.GetWeights(static_cast<int>(pattern.Triangles[corner]), weights);
+        for (int c = 0; c < 3; ++c)
+        {
+          centre[c] += weights[c] / 3.0f;
+        }
+      }
+      const vtkIdType tuple =
+        shading->FindCellTuple(this->Mesh.GetSurfaceFace(static_cast<int>(f)), centre);
+      for (const Field& field : fields)
+      {
+        field.Array->SetTuple(cell, tuple, field.Values);
+      }
+      ++cell;
+    }
+  };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Mesh.Faces.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType f = begin; f < end; ++f)
+      {
+        refine(static_cast<size_t>(f));
+      }
+    });
 }
 }

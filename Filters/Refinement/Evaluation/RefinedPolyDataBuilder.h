@@ -23,6 +23,7 @@
 #include <vector>
 
 class vtkAdaptiveRefinement;
+class vtkCellData;
 class vtkCellArray;
 class vtkFloatArray;
 class vtkIdTypeArray;
@@ -78,6 +79,8 @@ private:
   void BuildOtherPoints(const PointDataInterpolation& data);
   void BuildCells(vtkPolyData* output);
   void BuildCellData(vtkPolyData* output);
+  /// Set the cell arrays that differ on faces, at the centres of triangles.
+  void RefineCellData(vtkCellData* data);
 
   vtkIdType GetNumberOfTriangles() const { return this->FirstTriangles.back(); }
   vtkIdType GetNewId(vtkIdType point) const

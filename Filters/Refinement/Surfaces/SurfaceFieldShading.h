@@ -2,20 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   relevo::SurfaceFieldShading
- * @brief   evaluates point arrays of a surface at every pixel, in GLSL
+ * @brief   evaluates arrays of a surface at every pixel, in GLSL
  *
  * A vtkRefinementSurface can derive from this class. Mappers otherwise interpolate point arrays
- * between the corners of faces.
+ * between the corners of faces, and faces have the values of their cells.
  */
 #ifndef SurfaceFieldShading_h
 #define SurfaceFieldShading_h
 
 #include "RelevoFiltersRefinementModule.h" // for export macro
+#include "vtkDataArray.h"                  // for results
+#include "vtkSmartPointer.h"               // for results
 
 #include <string> // for shader text
 
+class vtkPolyData;
+
 namespace relevo
 {
+struct SurfaceFace;
+
 class RELEVOFILTERSREFINEMENT_EXPORT SurfaceFieldShading
 {
 public:
@@ -28,10 +34,41 @@ public:
    */
   virtual std::string GetFieldShaderSource() = 0;
 
+  /**
+   * Return values of a cell array that differ on the faces, or nullptr if each cell has one value.
+   */
+  virtual vtkSmartPointer<vtkDataArray> FindCellValues(vtkPolyData* mesh, vtkDataArray* cellArray);
+
+  /**
+   * Return the tuple of these values for the weights of the sorted corners.
+   */
+  virtual vtkIdType FindCellTuple(const SurfaceFace& face, const float weights[3]);
+
+  /**
+   * Return the same as GetFieldShaderSource(), for tuples of FindCellValues().
+   */
+  virtual std::string GetCellFieldShaderSource();
+
 protected:
   SurfaceFieldShading() = default;
   virtual ~SurfaceFieldShading() = default;
 };
+
+inline vtkSmartPointer<vtkDataArray> SurfaceFieldShading::FindCellValues(
+  vtkPolyData*, vtkDataArray*)
+{
+  return nullptr;
+}
+
+inline vtkIdType SurfaceFieldShading::FindCellTuple(const SurfaceFace&, const float[3])
+{
+  return 0;
+}
+
+inline std::string SurfaceFieldShading::GetCellFieldShaderSource()
+{
+  return std::string();
+}
 }
 
 #endif

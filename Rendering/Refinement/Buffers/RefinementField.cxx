@@ -42,7 +42,7 @@ vtkSmartPointer<vtkDataArray> WithoutNoData(vtkDataArray* values, double noDataM
 }
 
 bool RefinementField::Upload(vtkOpenGLRenderWindow* window, vtkRefinementSurface* surface,
-  vtkPolyData* mesh, const FieldScalars& scalars)
+  vtkPolyData* mesh, const FieldScalars& scalars, bool areOfCells)
 {
   this->ReleaseGraphicsResources(window);
   auto shading = dynamic_cast<SurfaceFieldShading*>(surface);
@@ -50,8 +50,11 @@ bool RefinementField::Upload(vtkOpenGLRenderWindow* window, vtkRefinementSurface
   {
     return true;
   }
-  this->ShaderSource = shading->GetFieldShaderSource();
-  vtkDataArray* values = surface->FindCoefficients(mesh, scalars.Array);
+  this->ShaderSource =
+    areOfCells ? shading->GetCellFieldShaderSource() : shading->GetFieldShaderSource();
+  const vtkSmartPointer<vtkDataArray> values = areOfCells
+    ? shading->FindCellValues(mesh, scalars.Array)
+    : vtkSmartPointer<vtkDataArray>(surface->FindCoefficients(mesh, scalars.Array));
   if (!values || values->GetNumberOfTuples() == 0)
   {
     return true;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   RefinementField
- * @brief   point scalars that a surface evaluates at every pixel, on the GPU
+ * @brief   scalars that a surface evaluates at every pixel, on the GPU
  *
  * See SurfaceFieldShading. Private to the module.
  */
@@ -21,10 +21,10 @@ namespace relevo
 class RefinementField
 {
 public:
-  /// Upload the values, if the surface evaluates these scalars. Return false if they do not fit on
-  /// the GPU.
+  /// Upload the values, if the surface evaluates these scalars of points or cells. Return false if
+  /// they do not fit on the GPU.
   bool Upload(vtkOpenGLRenderWindow* window, vtkRefinementSurface* surface, vtkPolyData* mesh,
-    const FieldScalars& scalars);
+    const FieldScalars& scalars, bool areOfCells);
   void Clear() { this->Coefficients.Clear(); }
 
   FieldColoring GetColoring() const { return this->Coefficients.GetColoring(); }

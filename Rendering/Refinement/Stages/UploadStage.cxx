@@ -80,12 +80,14 @@ bool UploadStage::UploadPoints(const MeshInput& input)
   this->Colors.Clear();
   this->Field.Clear();
   const double noData = input.Recipe->GetNoDataMagnitude();
-  if (input.Scalars &&
+  vtkAbstractArray* scalars = input.Scalars ? input.Scalars : input.CellScalars;
+  if (scalars &&
     !this->Field.Upload(input.Window, input.Recipe->GetSurface(), input.Input,
-      { vtkDataArray::SafeDownCast(input.Scalars), input.AreColors, input.Table, input.Component,
-        input.ByTexture, noData }))
+      { vtkDataArray::SafeDownCast(scalars), input.AreColors, input.Table, input.Component,
+        input.Scalars && input.ByTexture, noData },
+      !input.Scalars))
   {
-    this->Field.Clear(); // the scalars are interpolated
+    this->Field.Clear(); // the scalars are interpolated, or those of cells
   }
   if (input.Scalars && !input.AreColors &&
     !this->Colors.Upload(

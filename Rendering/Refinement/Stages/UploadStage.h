@@ -56,6 +56,8 @@ public:
     /// Point scalars that are mapped to colours, or are colours; nullptr for none. For the other
     /// members see VertexColors.
     vtkAbstractArray* Scalars;
+    /// The same for scalars of cells.
+    vtkAbstractArray* CellScalars;
     bool AreColors;
     vtkScalarsToColors* Table;
     int Component;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkMicroMeshFilter and vtkMicroMeshSurface promise the point arrays of the dense mesh on the
+// vtkMicroMeshFilter and vtkMicroMeshSurface promise the arrays of the dense mesh on the
 // refined mesh, with its detail, and on both sides of a seam.
 #include "RelevoCheck.h"
 #include "RelevoMicroMeshes.h"
@@ -93,6 +93,61 @@ void CheckDetail(RelevoCheck& check, const Mesh& dense)
   CHECK_GREATER(GetLargest(Decode(micro, 5), "Wave", 0, Wave), 4.0 * bound);
 }
 
+// The triangles of a mesh whose value is not the side that they are on, away from the border.
+int CountWrong(vtkPolyData* mesh)
+{
+  constexpr double margin = 0.12; // about the edges of the dense mesh
+  vtkDataArray* half = mesh->GetCellData()->GetArray("Half");
+  int wrong = 0;
+  for (vtkIdType t = 0; t < mesh->GetNumberOfCells(); ++t)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    mesh->GetCellPoints(t, size, ids);
+    double x = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      x += mesh->GetPoint(ids[c])[0] / 3.0;
+    }
+    wrong += std::abs(x) > margin && half->GetComponent(t, 0) != (x < 0.0 ? -1.0 : 1.0) ? 1 : 0;
+  }
+  return wrong;
+}
+
+// Cell arrays have a value per triangle of the grids.
+void CheckCells(RelevoCheck& check, const Mesh& dense)
+{
+  vtkNew<vtkFloatArray> half;
+  half->SetName("Half");
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName("vtkGhostType");
+  for (vtkIdType t = 0; t < dense->GetNumberOfCells(); ++t)
+  {
+    double bounds[6];
+    dense->GetCellBounds(t, bounds);
+    half->InsertNextValue(bounds[0] + bounds[1] < 0.0 ? -1.0f : 1.0f);
+    ghosts->InsertNextValue(0);
+  }
+  dense->GetCellData()->AddArray(half);
+  dense->GetCellData()->AddArray(ghosts);
+  vtkNew<vtkMicroMeshFilter> filter;
+  filter->SetInputData(dense);
+  filter->SetTolerance(Tolerance);
+  filter->Update();
+  vtkPolyData* micro = filter->GetOutput();
+  CHECK(micro->GetFieldData()->GetArray("MicroMeshCellData:Half") != nullptr);
+  CHECK(micro->GetFieldData()->GetArray("MicroMeshCellData:vtkGhostType") == nullptr);
+  const Mesh fine = Decode(micro, 5);
+  CHECK(!fine->GetFieldData()->HasArray("MicroMeshCellData:Half"));
+  CHECK_EQUAL(CountWrong(fine), 0);
+  // At lower levels, triangles have the value at their centre.
+  CHECK_LESS(CountWrong(Decode(micro, 3)), 40);
+  filter->AttributesOff();
+  filter->Update();
+  CHECK(micro->GetFieldData()->GetArray("MicroMeshCellData:Half") == nullptr);
+  CHECK_GREATER(CountWrong(Decode(micro, 5)), 1000);
+}
+
 // A plate of which each half has separate points. The array is the side of the half.
 void CheckSeam(RelevoCheck& check)
 {
@@ -150,6 +205,7 @@ int TestMicroMeshAttributes(int, char*[])
   const Mesh dense = ReliefSphere(64, 40);
   AddArrays(dense);
   CheckDetail(check, dense);
+  CheckCells(check, dense);
   CheckSeam(check);
   return check.GetResult();
 }

@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkMicroMeshSurface promises point arrays from the grids at every pixel, for each method and each
-// kind of colours, also where coarse faces are drawn. The reference is the picture of VTK's mapper
-// of small triangles on the same faces, with the values of vtkAdaptiveRefinementFilter.
+// vtkMicroMeshSurface promises arrays of points and cells from the grids at every pixel, for each
+// method and each kind of colours, also where coarse faces are drawn. The reference is the picture
+// of VTK's mapper of small triangles on the same faces, with the values of
+// vtkAdaptiveRefinementFilter.
 #include "RelevoCheck.h"
 #include "RelevoMethods.h"
 #include "RelevoMicroMeshes.h"
 #include "RelevoScene.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkLookupTable.h"
@@ -54,6 +56,22 @@ Mesh MakeScan()
   {
     mesh->GetPointData()->AddArray(array);
   }
+  // Bands that are narrower than coarse faces.
+  vtkNew<vtkFloatArray> bands;
+  bands->SetName("Bands");
+  vtkNew<vtkUnsignedCharArray> cellColor;
+  cellColor->SetName("CellColor");
+  cellColor->SetNumberOfComponents(3);
+  for (vtkIdType t = 0; t < mesh->GetNumberOfCells(); ++t)
+  {
+    double bounds[6];
+    mesh->GetCellBounds(t, bounds);
+    const bool isOdd = std::lround(4.0 * (bounds[2] + bounds[3])) % 2 != 0;
+    bands->InsertNextValue(isOdd ? -1.0f : 1.0f);
+    cellColor->InsertNextTuple3(isOdd ? 250.0 : 20.0, 128.0, isOdd ? 20.0 : 250.0);
+  }
+  mesh->GetCellData()->AddArray(bands);
+  mesh->GetCellData()->AddArray(cellColor);
   return mesh;
 }
 
@@ -66,6 +84,10 @@ Mesh MakeReference(vtkPolyData* micro)
   {
     flat->GetPointData()->AddArray(fine->GetPointData()->GetArray(name));
   }
+  for (const char* name : { "Bands", "CellColor" })
+  {
+    flat->GetCellData()->AddArray(fine->GetCellData()->GetArray(name));
+  }
   return flat;
 }
 
@@ -76,6 +98,7 @@ struct Coloring
   bool IsDirect;
   bool BeforeMapping;
   int Component; // -1 for the length
+  bool IsOfCells = false;
 };
 
 void SetColors(vtkPolyDataMapper* mapper, vtkActor* actor, const Coloring& coloring)
@@ -90,7 +113,8 @@ void SetColors(vtkPolyDataMapper* mapper, vtkActor* actor, const Coloring& color
   table->Build();
   mapper->SetLookupTable(table);
   mapper->SetScalarRange(-1.3, 1.3);
-  mapper->SetScalarModeToUsePointFieldData();
+  coloring.IsOfCells ? mapper->SetScalarModeToUseCellFieldData()
+                     : mapper->SetScalarModeToUsePointFieldData();
   mapper->SelectColorArray(coloring.Array.c_str());
   mapper->SetInterpolateScalarsBeforeMapping(coloring.BeforeMapping);
   if (coloring.IsDirect)
@@ -163,16 +187,21 @@ int TestMicroMeshField(int, char*[])
   const Coloring texture{ "texture", "Wave", false, true, 0 };
   const Coloring length{ "length", "Vectors", false, true, -1 };
   const Coloring direct{ "colours", "Color", true, false, 0 };
+  const Coloring cells{ "cells", "Bands", false, false, 0, true };
+  const Coloring cellColors{ "colours of cells", "CellColor", true, false, 0, true };
   for (int method : RelevoMethods::GetMethods())
   {
     CheckColors(check, micro, reference, texture, method);
   }
   if (RelevoMethods::HasTessellation())
   {
-    CheckColors(
-      check, micro, reference, direct, vtkAdaptiveRefinementMapper::METHOD_HARDWARE_TESSELLATION);
+    for (const Coloring& coloring : { direct, cells })
+    {
+      CheckColors(check, micro, reference, coloring,
+        vtkAdaptiveRefinementMapper::METHOD_HARDWARE_TESSELLATION);
+    }
   }
-  for (const Coloring& coloring : { table, length, direct })
+  for (const Coloring& coloring : { table, length, direct, cells, cellColors })
   {
     CheckColors(check, micro, reference, coloring, vtkAdaptiveRefinementMapper::METHOD_ARKFPI);
   }
