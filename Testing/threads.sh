@@ -21,7 +21,7 @@ build_dir=$source_dir/build-threads
 . "$source_dir/Module/arguments.sh"
 . "$source_dir/Module/packages.sh"
 
-# Tests of loops, of paging and of warping, by executable.
+# Tests of loops, of paging, of warping, and of volumes, by executable.
 tests="
 FiltersRefinement/TestAdaptiveRefinementFilter
 FiltersRefinement/TestRefinedCellLocatorThreads
@@ -38,6 +38,9 @@ FiltersVolume/TestVolumeRayCastFilter
 FiltersVolume/TestVolumeRayCastFilterCurved
 FiltersVolume/TestMeshVisibilitySort
 FiltersVolume/TestPointGradients
+RenderingVolume/TestGPUUnstructuredGridVolumeMapperDetail
+RenderingVolume/TestGPUUnstructuredGridVolumeMapperDiscontinuous
+RenderingVolume/TestGPUUnstructuredGridVolumeMapperHanging
 FiltersTerrain/TestBlockCache
 FiltersTerrain/TestHeightMapReduced
 FiltersTerrain/TestHeightMapThreads
@@ -80,10 +83,15 @@ cmake --build "$build_dir" --parallel "$(nproc)"
 
 # The tests themselves are not instrumented, so the sanitizer must be loaded first. It needs
 # addresses that are not random on newer kernels. VTK's other pools of threads use atomic operations,
-# which the sanitizer does not see.
+# which the sanitizer does not see. Mesa's driver is loaded with it, because the sanitizer ends a
+# program that unloads a library of the suppressions, as a window does when it is closed.
 output=$build_dir/Testing
 mkdir -p "$output"
-launcher=(env "LD_PRELOAD=$(g++ -print-file-name=libtsan.so)" "LD_LIBRARY_PATH=$build_dir/lib"
+preloaded=$(g++ -print-file-name=libtsan.so)
+for driver in /usr/lib/*/dri/swrast_dri.so; do
+  [ ! -e "$driver" ] || preloaded+=:$driver
+done
+launcher=(env "LD_PRELOAD=$preloaded" "LD_LIBRARY_PATH=$build_dir/lib"
   VTK_SMP_BACKEND_IN_USE=STDThread VTK_SMP_MAX_THREADS=4 GALLIVM_PERF=nopt
   "RELEVO_SOURCE_DIR=$source_dir" "RELEVO_BINARY_DIR=$tests_dir"
   "TSAN_OPTIONS=suppressions=$source_dir/Testing/thread-suppressions.txt history_size=4")

@@ -3,7 +3,9 @@
 """Proves guide.md: relevo.arrays converts numpy arrays to heights and images, and refined meshes
 and images to numpy arrays."""
 
+import pathlib
 import sys
+import tempfile
 import unittest
 
 try:
@@ -87,7 +89,9 @@ class TestArrays(unittest.TestCase):
         self.assertEqual(tuple(arrays.height_map(numpy.ones((2, 2))).GetDimensions()), (2, 2))
 
     def test_none_and_other_objects(self):
-        for function in (arrays.height_map, arrays.image, arrays.triangles, arrays.samples):
+        for function in (
+            arrays.height_map, arrays.heights, arrays.image, arrays.triangles, arrays.samples
+        ):
             with self.assertRaisesRegex(TypeError, "must be an? .*, not None"):
                 function(None)
         with self.assertRaisesRegex(TypeError, "mesh must be a vtkPolyData, not vtkPlaneSource"):
@@ -104,6 +108,27 @@ class TestArrays(unittest.TestCase):
         self.assertEqual(made.GetValidity(), (1, 0, 1, 1, 1, 1))
         self.assertIsNone(arrays.height_map(numpy.ones((2, 2))).GetValidity())
         self.assertIsNone(relevo.vtkHeightMap().GetSamples())
+
+    def test_heights(self):
+        """Heights can be read back as an array, of arrays and of files."""
+        heights = numpy.array([[10.0, 20.0, 30.0], [1.0, numpy.nan, 3.0]])
+        for source in (heights, numpy.asfortranarray(heights), heights[:, ::-1]):
+            found = arrays.heights(arrays.height_map(source))
+            self.assertEqual((found.dtype, found.flags.c_contiguous), (numpy.float32, True))
+            numpy.testing.assert_array_equal(found, source)
+        whole = numpy.arange(6, dtype="int16").reshape(3, 2)
+        numpy.testing.assert_array_equal(arrays.heights(arrays.height_map(whole)), whole)
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "heights.asc"
+            path.write_text(
+                "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -1\n4 5\n-1 7\n"
+            )
+            read = relevo.vtkHeightMap()
+            read.SetFileName(str(path))
+            numpy.testing.assert_array_equal(arrays.heights(read), [[4, 5], [numpy.nan, 7]])
+            read.SetFileName(str(path) + ".none")
+            with self.assertRaises(relevo.Error):
+                arrays.heights(read)
 
     def test_no_data(self):
         heights = numpy.array([[1.0, numpy.nan], [2.0, 3.0]])

@@ -14,6 +14,8 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 from . import files
 from ._typing import Path
 
+# Classes of vedo by those of VTK, with their names up to 2023.
+_VEDO_KINDS = {"vtkPolyData": ("Mesh",), "vtkUnstructuredGrid": ("UnstructuredGrid", "UGrid")}
 EXTENSIONS = (".vtp", ".vtu", ".vti", ".ply", ".stl")
 
 
@@ -21,9 +23,11 @@ def to_kind(mesh: vtkDataObject, package: str) -> Any:
     """Return a vtkDataObject as a mesh of a package, "pyvista" or "vedo"; otherwise unchanged."""
     if package == "pyvista":
         return importlib.import_module("pyvista").wrap(mesh)
-    kinds = {"vtkPolyData": "Mesh", "vtkUnstructuredGrid": "UGrid"}
-    if package == "vedo" and mesh.GetClassName() in kinds:
-        return getattr(importlib.import_module("vedo"), kinds[mesh.GetClassName()])(mesh)
+    if package == "vedo":
+        vedo = importlib.import_module("vedo")
+        for name in _VEDO_KINDS.get(mesh.GetClassName(), ()):
+            if hasattr(vedo, name):
+                return getattr(vedo, name)(mesh)
     return mesh
 
 

@@ -109,6 +109,24 @@ def height_map(heights: ArrayLike, no_data: float = float("nan")) -> relevo.vtkH
     return result
 
 
+def heights(height_map: relevo.vtkHeightMap) -> NDArray[Any]:
+    """Return the heights of a vtkHeightMap, float of shape (rows, columns), row 0 in the north.
+
+    Missing heights are NaN. The map is updated, so that a file is read. While the heights are copied,
+    eight times the memory of the result is needed.
+
+    Raises relevo.Error if the file cannot be read, and TypeError if it is not a vtkHeightMap.
+    """
+    _check_type(height_map, relevo.vtkHeightMap, "height_map")
+    _work.update_heights(height_map)
+    columns, rows = height_map.GetDimensions()
+    result = numpy.array(height_map.GetSamples(), numpy.float32)
+    validity = height_map.GetValidity()
+    if validity is not None:
+        result[numpy.array(validity, numpy.uint8) == 0] = numpy.nan
+    return result.reshape(rows, columns)[::-1].copy()
+
+
 def triangles(mesh: vtkPolyData) -> tuple[NDArray[Any], NDArray[Any]]:
     """Return the points, float (n, 3), and triangles, integer (m, 3), of a refined vtkPolyData.
 
