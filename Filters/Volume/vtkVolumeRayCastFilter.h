@@ -144,7 +144,8 @@ public:
    * Set which component of an array with several components is drawn: MAGNITUDE (0) draws the
    * length of each tuple and COMPONENT (1) draws VectorComponent, both with the functions of
    * component 0 of the property. DISABLED (-1, default) draws all components, or the length if they
-   * are independent and the property has a colour function in MAGNITUDE mode.
+   * are independent and the property has a colour function in MAGNITUDE mode. The values of an
+   * array with one component keep their sign.
    */
   void SetVectorMode(int mode);
   vtkGetMacro(VectorMode, int);

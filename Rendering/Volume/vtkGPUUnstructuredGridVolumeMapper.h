@@ -83,10 +83,10 @@ public:
   //@{
   /**
    * Set which value of an array with several components is drawn, with the functions of component 0
-   * of the property. MAGNITUDE (0): the length of each tuple. COMPONENT (1): the component
-   * VectorComponent. DISABLED (-1, the default): all components, or the magnitude if they are
-   * independent and the property has a colour function in MAGNITUDE mode. A value out of range is
-   * an error and changes nothing.
+   * of the property. MAGNITUDE (0): the length of each tuple; the values of an array with one
+   * component keep their sign. COMPONENT (1): the component VectorComponent. DISABLED (-1, the
+   * default): all components, or the magnitude if they are independent and the property has a
+   * colour function in MAGNITUDE mode. A value out of range is an error and changes nothing.
    */
   void SetVectorMode(int mode);
   vtkGetMacro(VectorMode, int);

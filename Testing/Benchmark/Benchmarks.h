@@ -56,7 +56,11 @@ void RunTerrains(const BenchmarkOptions& options, const AddTable& addTable);
 void RunLIC(const BenchmarkOptions& options, const AddTable& addTable);
 /// Compares volumes of cells with VTK's mappers and sort, and pictures with a reference.
 void RunVolumes(const BenchmarkOptions& options, const AddTable& addTable);
-/// Measures isosurfaces, time steps, depth peeling, dragging and the memory of volumes.
+/// Measures frames of cells with points and values of their own, and of cells next to smaller ones.
+void RunVolumeNeighbors(const BenchmarkOptions& options, const AddTable& addTable);
+/// Measures isosurfaces alone, functions that are mostly transparent, and new isovalues.
+void RunVolumeSkipping(const BenchmarkOptions& options, const AddTable& addTable);
+/// Measures time steps, depth peeling, dragging and the memory of volumes.
 void RunVolumeTasks(const BenchmarkOptions& options, const AddTable& addTable);
 /// Frames of volumes with a tenth of the cells, and their likeness to full ones.
 void RunVolumeDetail(const BenchmarkOptions& options, const AddTable& addTable);

@@ -50,6 +50,8 @@ const std::vector<Benchmark> Benchmarks = {
   { "lic", RunLIC },
 #ifdef BENCHMARK_HAS_VOLUMES
   { "volumes", RunVolumes },
+  { "volume-neighbors", RunVolumeNeighbors },
+  { "volume-skipping", RunVolumeSkipping },
   { "volume-tasks", RunVolumeTasks },
   { "volume-detail", RunVolumeDetail },
   { "volume-curved", RunVolumeCurved },

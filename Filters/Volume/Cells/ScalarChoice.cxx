@@ -42,20 +42,23 @@ ScalarChoice ChooseScalars(vtkVolumeProperty* property, int vectorMode, int vect
 std::vector<double> AddScalars(vtkDataArray* array, const ScalarChoice& choice, ScalarTable& all)
 {
   const int components = array->GetNumberOfComponents();
+  // A single component keeps its sign, as in VTK's volume mappers.
+  const int component =
+    choice.Component == ScalarChoice::Length && components == 1 ? 0 : choice.Component;
   const size_t first = all.size();
   all.Prepare(static_cast<size_t>(array->GetNumberOfTuples()),
-    choice.Component == ScalarChoice::All ? components : 1);
+    component == ScalarChoice::All ? components : 1);
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
     Scalars scalars = {};
-    if (choice.Component == ScalarChoice::All)
+    if (component == ScalarChoice::All)
     {
       for (int c = 0; c < components; ++c)
       {
         scalars[c] = choice.Scale * array->GetComponent(i, c);
       }
     }
-    else if (choice.Component == ScalarChoice::Length)
+    else if (component == ScalarChoice::Length)
     {
       for (int c = 0; c < components; ++c)
       {
@@ -64,7 +67,7 @@ std::vector<double> AddScalars(vtkDataArray* array, const ScalarChoice& choice, 
     }
     else
     {
-      scalars[0] = array->GetComponent(i, choice.Component);
+      scalars[0] = array->GetComponent(i, component);
     }
     all.push_back(scalars);
   }

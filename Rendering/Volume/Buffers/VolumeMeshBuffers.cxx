@@ -43,7 +43,8 @@ bool VolumeMeshBuffers::UploadScalars(vtkOpenGLRenderWindow* window, const RayCa
     this->Buffers[Points].Upload(window, mesh.Points, 4) &&
     this->Buffers[PointScalars].Upload(window, mesh.PointScalars, 4) &&
     this->Buffers[CellScalars].Upload(
-      window, mesh.CellScalars, mesh.CellScalars.size() > this->NumberOfCells ? 4 : 1);
+      window, mesh.CellScalars, mesh.CellScalars.size() > this->NumberOfCells ? 4 : 1) &&
+    this->Buffers[CornerScalars].Upload(window, mesh.CornerScalars, 4);
 }
 
 // Empty buffers have one texel.
@@ -80,7 +81,7 @@ bool VolumeMeshBuffers::FindCorners(vtkOpenGLRenderWindow* window)
 void VolumeMeshBuffers::Activate(vtkShaderProgram* program)
 {
   const char* samplers[NumberOfKinds] = { "meshPoints", "pointScalars", "cellScalars",
-    "pointGradients", "pointSums", "tetrahedronCorners", "neighbors", "curvedCells", "borderFaces",
+    "cornerScalars", "pointGradients", "pointSums", "tetrahedronCorners", "neighbors", "curvedCells", "borderFaces",
     "borderTree" };
   for (int kind = 0; kind < NumberOfKinds; ++kind)
   {

@@ -54,9 +54,10 @@ private:
     Points,
     PointScalars,
     CellScalars,
+    CornerScalars,
     PointGradients,
     PointSums,
-    Corners, // of tetrahedra, if scalars are discontinuous, or on request
+    Corners, // of tetrahedra, if points at one place have different scalars, or on request
     Neighbors,
     CurvedCells,
     BorderFaces,

@@ -35,20 +35,26 @@ void MeshValues::Keep(VolumeCells& cells, RayCastMesh& mesh)
   this->NumberOfTuples =
     cells.HasCellScalars() ? cells.GetCellScalars().size() : cells.GetPointScalars().size();
   this->PointIds = std::move(mesh.PointIds);
+  this->CornerIds = std::move(mesh.CornerIds);
   if (!mesh.PointGradients.empty())
   {
-    this->AreMerged = !mesh.IsDiscontinuous;
+    this->AreMerged = !mesh.IsDiscontinuous && !mesh.HasCornerScalars;
     this->Merged = this->AreMerged ? MergeCellPoints(cells) : MergedCellPoints();
     this->Cells = std::make_unique<VolumeCells>(std::move(cells));
   }
 }
 
-// Return the tuple of each point or cell of the mesh, or nothing if merged points now differ.
+// Return the tuple of each point, cell or corner of the mesh, or nothing if merged points now
+// differ.
 std::vector<vtkIdType> MeshValues::FindTuples(const ScalarTable& all) const
 {
   if (!this->CellIds.empty())
   {
     return this->CellIds;
+  }
+  if (!this->CornerIds.empty())
+  {
+    return { this->CornerIds.begin(), this->CornerIds.end() };
   }
   std::vector<vtkIdType> tuples;
   for (size_t i = 0; i < this->PointIds.size(); ++i)
@@ -119,7 +125,11 @@ bool MeshValues::Replace(const std::vector<MeshScalars>& sets,
   mesh.SetPoints(points.size(), [&](size_t i) { return points[i]; });
   mesh.SetScalars(
     tuples.size(), [&](size_t i) { return all[static_cast<size_t>(tuples[i])]; },
-    numberOfComponents, !this->CellIds.empty(), extent);
+    numberOfComponents,
+    !this->CellIds.empty()       ? RayCastMesh::ScalarOwner::Cells
+      : !this->CornerIds.empty() ? RayCastMesh::ScalarOwner::Corners
+                                 : RayCastMesh::ScalarOwner::Points,
+    extent);
   if (this->Cells)
   {
     this->Cells->SetPointScalars(std::move(all));

@@ -57,6 +57,7 @@ private:
 
   std::vector<std::uint32_t> PointIds; // see RayCastMesh
   std::vector<vtkIdType> CellIds;
+  std::vector<std::uint32_t> CornerIds;
   size_t NumberOfTuples = 0;
   std::unique_ptr<VolumeCells> Cells; // only with gradients
   MergedCellPoints Merged;            // if scalars are continuous

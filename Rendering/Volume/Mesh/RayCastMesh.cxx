@@ -62,6 +62,7 @@ public:
   }
 
   void KeepPointIds() { this->Mesh.PointIds = std::move(this->NewIds); }
+  void OrderCells();
   void MergePoints();
   bool IsDiscontinuous() const { return this->Mesh.IsDiscontinuous; }
   void SortPoints();
@@ -130,6 +131,8 @@ private:
   std::array<std::uint32_t, 4> GetTetrahedron(size_t index) const;
   dvec3 GetInside(size_t face) const;
   HangingRecords::Part GetPart(size_t face) const;
+  void NumberPoints(const std::vector<vtkIdType>& firsts);
+  bool HasSeveralPointsAtOnePlace() const;
   void AddTetrahedron(const VolumeCells::Cell& cell);
   void AddCurved(const VolumeCells::Cell& cell);
   bool IsMirrored(const VolumeCells::Cell& cell) const;
@@ -162,7 +165,7 @@ private:
 };
 
 // Tetrahedra come first, because the walk identifies them by their index.
-void RayCastMeshBuilder::MergePoints()
+void RayCastMeshBuilder::OrderCells()
 {
   const VolumeCellList& cells = this->Cells.GetCells();
   this->NumberOfKept = cells.size();
@@ -187,8 +190,14 @@ void RayCastMeshBuilder::MergePoints()
       break;
     }
   }
-  MergedCellPoints merged = MergeCellPoints(this->Cells);
+}
+
+// Number the points of cells. Points with the same first point are merged; the list is empty if
+// there are none.
+void RayCastMeshBuilder::NumberPoints(const std::vector<vtkIdType>& firsts)
+{
   this->NewIds.assign(this->Cells.GetPoints().size(), Unused);
+  this->OldIds.clear();
   this->OldIds.reserve(this->Cells.GetPoints().size());
   for (size_t i = 0; i < this->NumberOfKept; ++i)
   {
@@ -196,7 +205,7 @@ void RayCastMeshBuilder::MergePoints()
     for (int corner = 0; corner < this->Cells.GetNumberOfCorners(cell); ++corner)
     {
       const vtkIdType point = this->Cells.GetCornerId(cell, corner);
-      const vtkIdType first = merged.GetPoint(point);
+      const vtkIdType first = firsts.empty() ? point : firsts[static_cast<size_t>(point)];
       if (this->NewIds[first] == Unused)
       {
         this->NewIds[first] = static_cast<std::uint32_t>(this->OldIds.size());
@@ -205,13 +214,35 @@ void RayCastMeshBuilder::MergePoints()
       this->NewIds[point] = this->NewIds[first];
     }
   }
-  this->Places = std::move(merged.Places);
+}
+
+bool RayCastMeshBuilder::HasSeveralPointsAtOnePlace() const
+{
   std::vector<bool> isTaken(this->Places.size(), false);
   for (size_t i = 0; i < this->OldIds.size() && !this->Places.empty(); ++i)
   {
-    const vtkIdType place = this->Places[this->OldIds[i]];
-    this->Mesh.IsDiscontinuous = this->Mesh.IsDiscontinuous || isTaken[place];
+    const size_t place = static_cast<size_t>(this->Places[this->OldIds[i]]);
+    if (isTaken[place])
+    {
+      return true;
+    }
     isTaken[place] = true;
+  }
+  return false;
+}
+
+// Discontinuous scalars of tetrahedra are stored at their corners, so that points can be merged.
+void RayCastMeshBuilder::MergePoints()
+{
+  MergedCellPoints merged = MergeCellPoints(this->Cells);
+  this->NumberPoints(merged.Points);
+  this->Places = std::move(merged.Places);
+  this->Mesh.IsDiscontinuous = this->HasSeveralPointsAtOnePlace();
+  if (this->Mesh.IsDiscontinuous && this->NumberOfTetrahedra == this->NumberOfKept)
+  {
+    this->Mesh.IsDiscontinuous = false;
+    this->Mesh.HasCornerScalars = true;
+    this->NumberPoints(this->Places);
   }
 }
 
@@ -258,12 +289,20 @@ void RayCastMeshBuilder::StorePoints()
 
 void RayCastMeshBuilder::StoreScalars()
 {
+  if (this->Mesh.HasCornerScalars)
+  {
+    this->Mesh.SetScalars(
+      this->Mesh.CornerIds.size(),
+      [this](size_t i) { return this->Cells.GetPointScalars()[this->Mesh.CornerIds[i]]; },
+      this->NumberOfComponents, RayCastMesh::ScalarOwner::Corners, this->Whole);
+    return;
+  }
   if (!this->HasCellScalars())
   {
     this->Mesh.SetScalars(
       this->OldIds.size(),
       [this](size_t i) { return this->Cells.GetPointScalars()[this->OldIds[i]]; },
-      this->NumberOfComponents, false, this->Whole);
+      this->NumberOfComponents, RayCastMesh::ScalarOwner::Points, this->Whole);
     return;
   }
   this->Mesh.CellIds.reserve(this->NumberOfKept);
@@ -274,7 +313,7 @@ void RayCastMeshBuilder::StoreScalars()
   this->Mesh.SetScalars(
     this->NumberOfKept,
     [this](size_t i) { return this->Cells.GetCellScalars()[this->Mesh.CellIds[i]]; },
-    this->NumberOfComponents, true, this->Whole);
+    this->NumberOfComponents, RayCastMesh::ScalarOwner::Cells, this->Whole);
 }
 
 void RayCastMeshBuilder::AddGradients()
@@ -285,22 +324,34 @@ void RayCastMeshBuilder::AddGradients()
   }
   const std::vector<dvec3> all =
     ComputePointGradients(this->Cells, MergeCellPoints(this->Cells), this->NumberOfComponents);
+  const std::vector<std::uint32_t>& sources =
+    this->Mesh.HasCornerScalars ? this->Mesh.CornerIds : this->OldIds;
   this->Mesh.SetGradients(
-    this->OldIds.size(),
-    [&](size_t i) { return &all[static_cast<size_t>(this->NumberOfComponents) * this->OldIds[i]]; },
+    sources.size(),
+    [&](size_t i) { return &all[static_cast<size_t>(this->NumberOfComponents) * sources[i]]; },
     this->NumberOfComponents);
 }
 
 void RayCastMeshBuilder::AddTetrahedron(const VolumeCells::Cell& cell)
 {
-  std::array<std::uint32_t, 4> points;
+  std::array<std::pair<std::uint32_t, std::uint32_t>, 4> points; // here, and of the cells
   for (int i = 0; i < 4; ++i)
   {
-    points[i] = this->GetPointId(cell, i);
+    points[i] = { this->GetPointId(cell, i),
+      static_cast<std::uint32_t>(this->Cells.GetCornerId(cell, i)) };
   }
   std::sort(points.begin(), points.end());
-  this->Mesh.PointSums.push_back(points[0] ^ points[1] ^ points[2] ^ points[3]);
-  this->Mesh.Corners.insert(this->Mesh.Corners.end(), points.begin(), points.end());
+  std::uint32_t sum = 0;
+  for (const auto& point : points)
+  {
+    sum ^= point.first;
+    this->Mesh.Corners.push_back(point.first);
+    if (this->Mesh.HasCornerScalars)
+    {
+      this->Mesh.CornerIds.push_back(point.second);
+    }
+  }
+  this->Mesh.PointSums.push_back(sum);
 }
 
 // Return whether the faces of a cell point inwards, from the enclosed volume.
@@ -853,6 +904,7 @@ bool RayCastMesh::Build(const VolumeCells& cells, int numberOfComponents, std::s
   {
     *this = RayCastMesh();
     RayCastMeshBuilder builder(cells, numberOfComponents, extent, records, *this);
+    builder.OrderCells();
     builder.MergePoints();
     if (whole || builder.IsDiscontinuous())
     {
@@ -933,7 +985,7 @@ dvec3 RayCastMesh::GetStored(const dvec3& point) const
 
 // Scale scalars to the range from 0 to 1, where floats are more precise than far from 0.
 void RayCastMesh::SetScalars(size_t count, const std::function<Scalars(size_t)>& get,
-  int numberOfComponents, bool areOfCells, const MeshExtent& whole)
+  int numberOfComponents, ScalarOwner owner, const MeshExtent& whole)
 {
   for (int c = 0; c < MaximumComponents; ++c)
   {
@@ -941,9 +993,11 @@ void RayCastMesh::SetScalars(size_t count, const std::function<Scalars(size_t)>&
     this->ScalarHigh[c] = count == 0 ? 0.0 : whole.ScalarHigh[c];
     this->ScalarSize[c] = count == 0 ? 1.0 : whole.GetScalarSize(c);
   }
-  const bool areInPoints = !areOfCells && numberOfComponents == 1;
+  const bool areInPoints = owner == ScalarOwner::Points && numberOfComponents == 1;
   const int width = numberOfComponents > 1 ? MaximumComponents : 1;
-  std::vector<float>& all = areOfCells ? this->CellScalars : this->PointScalars;
+  std::vector<float>& all = owner == ScalarOwner::Cells ? this->CellScalars
+    : owner == ScalarOwner::Corners                     ? this->CornerScalars
+                                                        : this->PointScalars;
   all.clear();
   all.reserve(areInPoints ? 0 : static_cast<size_t>(width) * count);
   for (size_t i = 0; i < count; ++i)
@@ -996,6 +1050,7 @@ void RayCastMesh::Release()
   rest.HasFoldedFaces = this->HasFoldedFaces;
   rest.IsDiscontinuous = this->IsDiscontinuous;
   rest.HasHangingFaces = this->HasHangingFaces;
+  rest.HasCornerScalars = this->HasCornerScalars;
   rest.NumberOfSharedFaces = this->NumberOfSharedFaces;
   rest.ScalarLow = this->ScalarLow;
   rest.ScalarSize = this->ScalarSize;

@@ -10,9 +10,10 @@
  * tetrahedralization-based acceleration structures for ray tracing", Journal of Visualization
  * 2022).
  *
- * If scalars are discontinuous, there are several points at the same place. Cells are neighbours if
- * the corners of their faces are at the same places. Points are then sorted by position, so that
- * the corners of a face have the same order in both cells.
+ * If scalars are discontinuous, each corner of a tetrahedron has its own scalars, and all points at
+ * the same place are merged. In meshes with curved cells, there are several points at the same
+ * place instead. Cells are neighbours if the corners of their faces are at the same places. Points
+ * are then sorted by position, so that the corners of a face have the same order in both cells.
  *
  * Next to refined cells, several cells are behind a face. The faces of the smaller cells have one
  * neighbour. Cells whose edges have hanging points are stored as curved cells.
@@ -60,16 +61,23 @@ struct RayCastMesh
     bool withCorners = false, bool withGradients = false, const MeshExtent* whole = nullptr,
     RayCastMesh* known = nullptr);
 
+  enum class ScalarOwner
+  {
+    Points,
+    Cells,
+    Corners // of tetrahedra
+  };
+
   /// Store points with the transformation of positions.
   void SetPoints(size_t count, const std::function<dvec3(size_t)>& get);
   /// Return a position as it is stored.
   dvec3 GetStored(const dvec3& point) const;
-  /// Scale the scalars of all points or cells by the extent's ranges, and store them after the
-  /// points.
+  /// Scale the scalars of all points, cells or corners by the extent's ranges, and store them after
+  /// the points.
   void SetScalars(size_t count, const std::function<Scalars(size_t)>& get, int numberOfComponents,
-    bool areOfCells, const MeshExtent& whole);
+    ScalarOwner owner, const MeshExtent& whole);
 
-  /// Store the gradients of points. The components of a point follow each other.
+  /// Store the gradients of points or corners. The components of each follow each other.
   void SetGradients(
     size_t count, const std::function<const dvec3*(size_t)>& get, int numberOfComponents);
 
@@ -95,28 +103,35 @@ struct RayCastMesh
   //@}
 
   //@{
-  /// The sources of scalars: for each point of the data sets its point here, or UnusedPoint, and
-  /// for each cell here the tuple of its scalars, if they are of cells.
+  /// The sources of scalars: for each point of the data sets its point here, or UnusedPoint; for
+  /// each cell here the tuple of its scalars, if they are of cells; and for each corner its point
+  /// of the data sets, if corners have scalars.
   std::vector<std::uint32_t> PointIds;
   std::vector<vtkIdType> CellIds;
+  std::vector<std::uint32_t> CornerIds;
   //@}
 
   std::vector<float> Points;       // x, y, z, and the scalar if there is only one component
   std::vector<float> PointScalars; // 4 per point for several components
   std::vector<float> CellScalars;  // of cell scalars: 1 per cell, or 4 for several components
-  /// The gradients of all components at each point, on request: 4 floats each, of which the last is
-  /// 0. A gradient is ScalarSize / Radius * stored value.
+  /// The scalars of each tetrahedron's corners in the order of its points: 1 per corner, or 4 for
+  /// several components.
+  std::vector<float> CornerScalars;
+  bool HasCornerScalars = false;
+  /// The gradients of all components at each point, or at each corner if corners have scalars, on
+  /// request: 4 floats each, of which the last is 0. A gradient is ScalarSize / Radius * stored
+  /// value.
   std::vector<float> PointGradients;
 
   /// The exclusive or of each tetrahedron's points.
   std::vector<std::uint32_t> PointSums;
-  /// The points of each tetrahedron in ascending order, on request or if scalars are discontinuous.
+  /// The points of each tetrahedron in ascending order, on request or if IsDiscontinuous.
   std::vector<std::uint32_t> Corners;
   /// The neighbours of each tetrahedron: the cell that shares all points except the lowest one, and
-  /// so on. If scalars are discontinuous, 8 * cell + the index of the face in that cell's
-  /// neighbours, or + SamePoints.
+  /// so on. If IsDiscontinuous, 8 * cell + the index of the face in that cell's neighbours, or +
+  /// SamePoints.
   std::vector<std::uint32_t> Neighbors;
-  /// Whether cells have different scalars at the same place, or hanging points.
+  /// Whether there are points with different scalars at the same place, or hanging points.
   bool IsDiscontinuous = false;
   /// Whether several cells are behind some faces.
   bool HasHangingFaces = false;

@@ -33,7 +33,8 @@ Dependencies MakeKey(VolumeShader shader, const VolumeShaderOptions& options)
     options.HasTables, options.HasGradientOpacity, options.HasSurfaces, options.IsClipped,
     options.NumberOfMaterials, options.FirstMaterial, options.NumberOfLights, options.PreIntegrated,
     options.HasTetrahedra, options.HasCurvedCells, options.HasQuadraticCells, options.HasPyramids,
-    options.HasFoldedFaces, options.IsDiscontinuous, options.HasHangingFaces,
+    options.HasFoldedFaces, options.IsDiscontinuous, options.HasCornerScalars,
+    options.HasHangingFaces,
     options.HasActiveCells, options.IsCutByNear, options.Segments);
 }
 

@@ -154,6 +154,7 @@ std::string DefineOptions(const VolumeShaderOptions& options)
   Define(defines, "DEPENDENT", options.AreDependent);
   Define(defines, "MIXED", options.NumberOfCurves > 1 && !options.AreDependent);
   Define(defines, "CELL_SCALARS", options.HasCellScalars);
+  Define(defines, "CORNER_SCALARS", options.HasCornerScalars);
   Define(defines, "PRE_INTEGRATED", options.PreIntegrated);
   Define(defines, "INTEGRATED", IsIntegrated(options));
   Define(defines, "ISOSURFACE", options.Blending == BlendMode::IsoSurface);

@@ -45,9 +45,10 @@ struct VolumeShaderOptions
   bool HasCurvedCells = false;
   bool HasQuadraticCells = false;
   bool HasPyramids = false;
-  bool HasFoldedFaces = false;  // some faces are front and back faces at once
-  bool IsDiscontinuous = false; // cells have different scalars at the same place
-  bool HasHangingFaces = false; // several cells are behind some faces
+  bool HasFoldedFaces = false;   // some faces are front and back faces at once
+  bool IsDiscontinuous = false;  // points have different scalars at the same place
+  bool HasCornerScalars = false; // corners of tetrahedra have different scalars at the same place
+  bool HasHangingFaces = false;  // several cells are behind some faces
   /// Whether rays start at active cells instead of the border, and end behind them.
   bool HasActiveCells = false;
   /// Whether the near plane may clip projected cells.

@@ -24,6 +24,7 @@ void FindMesh(const VolumeMesh& mesh, VolumeShaderOptions& options)
   options.HasPyramids = mesh.Layout.HasPyramids;
   options.HasFoldedFaces = mesh.Layout.HasFoldedFaces;
   options.IsDiscontinuous = mesh.Layout.IsDiscontinuous;
+  options.HasCornerScalars = mesh.Layout.HasCornerScalars;
   options.HasHangingFaces = mesh.Layout.HasHangingFaces;
 }
 

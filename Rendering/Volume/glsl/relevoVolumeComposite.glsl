@@ -70,6 +70,23 @@ int findCut(Scalars front, Scalars back, float from, inout float to)
   return cutting;
 }
 
+#if RELEVO_CURVES > 0
+// Return the next piece of a curve on the way up or down to a scalar. After a jump of scalars, it
+// may be far away: the walk goes at once to the piece that would have the scalar if all pieces had
+// the same size, if that is ahead.
+int nextPiece(int curve, float scalar, bool rises, bool isFar)
+{
+  int number = pieceNumbers[curve];
+#if RELEVO_DISCONTINUOUS || RELEVO_CORNER_SCALARS
+  int guess = int(clamp(scalar, 0.0, 1.0) * float(curveSizes[curve]));
+  bool isAhead = isFar && (rises ? guess > number : guess < number);
+  return isAhead ? guess : number + (rises ? 1 : -1);
+#else
+  return number + (rises ? 1 : -1);
+#endif
+}
+#endif
+
 // Advance to the next piece of a curve.
 void passCut(int curve, Scalars front, Scalars back, float from)
 {
@@ -79,7 +96,7 @@ void passCut(int curve, Scalars front, Scalars back, float from)
     float a = setComponent(front, i);
     bool isFar = from <= PartBegin && (a > pieces[i].end || a < pieces[i].begin);
     bool rises = isFar ? a > pieces[i].end : setComponent(back, i) > a;
-    pieceNumbers[i] += i != curve ? 0 : rises ? 1 : -1;
+    pieceNumbers[i] = i == curve ? nextPiece(i, a, rises, isFar) : pieceNumbers[i];
   }
 #endif
 }

@@ -14,6 +14,7 @@ const vec3 rayDirection = vec3(0.0, 0.0, 1.0);
 uniform samplerBuffer meshPoints;
 uniform samplerBuffer pointScalars;
 uniform samplerBuffer cellScalars;
+uniform samplerBuffer cornerScalars;
 uniform usamplerBuffer cellCorners;
 uniform isamplerBuffer cellOrder;
 uniform vec2 zRange;
@@ -36,7 +37,7 @@ flat out vec4 scalarsC;
 flat out vec4 scalarsD;
 #endif
 
-flat out uvec4 seenIds;
+flat out uvec4 seenIds; // of the corners' gradients
 
 #if RELEVO_SEEN_PIECE || RELEVO_STEEPNESS
 //RELEVO::Functions
@@ -60,7 +61,11 @@ float windingOf(int a, int b, int c)
 
 void setCorners(int cell, uvec4 ids)
 {
+#if RELEVO_CORNER_SCALARS
+  seenIds = 4u * uint(cell) + uvec4(0u, 1u, 2u, 3u);
+#else
   seenIds = ids;
+#endif
   for (int i = 0; i < 4; ++i)
   {
 #if RELEVO_CUT_BY_NEAR
@@ -77,6 +82,13 @@ void setCorners(int cell, uvec4 ids)
   }
 #if RELEVO_CELL_SCALARS
   seenScalars = texelFetch(cellScalars, cell);
+#elif RELEVO_CORNER_SCALARS && RELEVO_COMPONENTS == 1
+  seenScalars = texelFetch(cornerScalars, cell);
+#elif RELEVO_CORNER_SCALARS
+  scalarsA = texelFetch(cornerScalars, 4 * cell);
+  scalarsB = texelFetch(cornerScalars, 4 * cell + 1);
+  scalarsC = texelFetch(cornerScalars, 4 * cell + 2);
+  scalarsD = texelFetch(cornerScalars, 4 * cell + 3);
 #elif RELEVO_COMPONENTS == 1
   seenScalars = vec4(points[0].w, points[1].w, points[2].w, points[3].w);
 #else

@@ -5,6 +5,7 @@
 
 uniform samplerBuffer meshPoints;
 uniform samplerBuffer pointScalars;
+uniform samplerBuffer cornerScalars;
 uniform usamplerBuffer tetrahedronCorners;
 uniform int isoComponent;
 uniform int numberOfCells;
@@ -66,7 +67,17 @@ vec2 rangeOf(uint cell)
     return rangeOfCurved(cell);
   }
 #endif
+#if RELEVO_CORNER_SCALARS && RELEVO_COMPONENTS == 1
+  vec4 all = texelFetch(cornerScalars, int(cell));
+#elif RELEVO_CORNER_SCALARS
+  vec4 all;
+  for (int i = 0; i < 4; ++i)
+  {
+    all[i] = texelFetch(cornerScalars, 4 * int(cell) + i)[isoComponent];
+  }
+#else
   vec4 all = scalarsOf(texelFetch(tetrahedronCorners, int(cell)));
+#endif
   return vec2(lowestOf(all), highestOf(all));
 }
 

@@ -67,6 +67,21 @@ Scalars interpolateScalars(vec3 weights)
 }
 #endif
 
+#if RELEVO_CORNER_SCALARS
+uniform samplerBuffer cornerScalars; // of tetrahedra, in the order of their points
+vec3 walkWeights = vec3(0.0); // of the face's corners at the position of the walk
+
+// Return the scalars of a tetrahedron's corner, given `all` of a single component.
+Scalars getCornerScalars(vec4 all, int corner)
+{
+#if RELEVO_COMPONENTS == 1
+  return all[corner];
+#else
+  return texelFetch(cornerScalars, 4 * int(walkCell) + corner);
+#endif
+}
+#endif
+
 #if RELEVO_DISCONTINUOUS
 uint walkSide = SamePoints; // the face through which the cell is entered, or SamePoints
 #endif
@@ -103,13 +118,15 @@ void moveTo(uint neighbor)
 #endif
 }
 
-#if RELEVO_DISCONTINUOUS
-// Continue with other scalars. The previous cell must have been processed.
+#if RELEVO_DISCONTINUOUS || RELEVO_CORNER_SCALARS
+// Continue with other scalars. The previous cell must have been processed. The pieces of functions
+// are not searched, because software renderers would search in each step: see nextPiece().
 void jumpTo(Scalars scalars)
 {
+#if RELEVO_DISCONTINUOUS
   walkSide = SamePoints;
+#endif
   walkScalars = scalars;
-  seekScalars(scalars);
 #if RELEVO_SURFACES
   isIsoNew = true;
 #endif
@@ -187,7 +204,11 @@ void enterMesh(Entry entry)
     return;
   }
 #endif
-#if !RELEVO_CELL_SCALARS
+#if RELEVO_CORNER_SCALARS
+  getWeights(faceAreas, walkWeights);
+  // The pieces of a corner's scalars are near those of the following scalars.
+  seekScalars(getCornerScalars(texelFetch(cornerScalars, int(walkCell)), 0));
+#elif !RELEVO_CELL_SCALARS
   scalarsA = getPointScalars(faceA.id, texelFetch(meshPoints, int(faceA.id)).w);
   scalarsB = getPointScalars(faceB.id, texelFetch(meshPoints, int(faceB.id)).w);
   scalarsC = getPointScalars(faceC.id, texelFetch(meshPoints, int(faceC.id)).w);
@@ -195,9 +216,9 @@ void enterMesh(Entry entry)
   getWeights(faceAreas, weights);
   walkScalars = interpolateScalars(weights);
   seekScalars(walkScalars);
-#endif
 #if RELEVO_LIT
   walkToGradients(uvec3(faceA.id, faceB.id, faceC.id), weights);
+#endif
 #endif
 }
 
@@ -229,7 +250,24 @@ void crossTetrahedron()
     leftB = leftB != (sizes.y < sizes.x && sizes.y <= sizes.z);
     leftC = leftC != (sizes.z < sizes.x && sizes.z < sizes.y);
   }
-#if !RELEVO_CELL_SCALARS
+#if RELEVO_CORNER_SCALARS
+  // The corners' places in the order of the points.
+  ivec3 isAbove = ivec3(greaterThan(uvec3(faceB.id, faceC.id, faceC.id),
+    uvec3(faceA.id, faceA.id, faceB.id))); // B above A, C above A, C above B
+  ivec3 isAboveD = ivec3(greaterThan(uvec3(faceA.id, faceB.id, faceC.id), uvec3(id)));
+  ivec3 places = isAboveD +
+    ivec3(2 - isAbove.x - isAbove.y, 1 + isAbove.x - isAbove.z, isAbove.y + isAbove.z);
+  int placeD = 3 - isAboveD.x - isAboveD.y - isAboveD.z;
+  vec4 all = texelFetch(cornerScalars, int(walkCell));
+  scalarsA = getCornerScalars(all, places.x);
+  scalarsB = getCornerScalars(all, places.y);
+  scalarsC = getCornerScalars(all, places.z);
+  Scalars scalarsD = getCornerScalars(all, placeD);
+  jumpTo(interpolateScalars(walkWeights));
+#if RELEVO_LIT
+  walkToGradients(uvec3(4 * int(walkCell) + places), walkWeights);
+#endif
+#elif !RELEVO_CELL_SCALARS
   Scalars scalarsD = getPointScalars(id, point.w);
 #endif
 #if RELEVO_STEEPNESS
@@ -267,6 +305,17 @@ void crossTetrahedron()
   }
   beginPart(walkDepth, exit, front, walkScalars);
 #endif
+#if RELEVO_CORNER_SCALARS
+  walkWeights = isSeen ? weights : vec3(1.0, 0.0, 0.0);
+  int place = isA ? places.x : isB ? places.y : places.z;
+  places = isA ? ivec3(placeD, places.yz)
+    : isB      ? ivec3(places.x, placeD, places.z)
+               : ivec3(places.xy, placeD);
+  uvec3 ids = uvec3(4 * int(walkCell) + places);
+#else
+  int place = int(faceA.id < across) + int(faceB.id < across) + int(faceC.id < across);
+  uvec3 ids = uvec3(faceA.id, faceB.id, faceC.id);
+#endif
 #if RELEVO_LIT
   // assigned one by one, because Mesa 26 copies arrays incorrectly
   vec3 frontGradients[RELEVO_MATERIALS];
@@ -276,12 +325,11 @@ void crossTetrahedron()
   }
   if (isSeen)
   {
-    walkToGradients(uvec3(faceA.id, faceB.id, faceC.id), weights);
+    walkToGradients(ids, weights);
   }
   setPartGradients(walkDepth, exit, frontGradients);
 #endif
   walkDepth = exit;
-  int place = int(faceA.id < across) + int(faceB.id < across) + int(faceC.id < across);
   moveTo(place == 0 ? behind.x : place == 1 ? behind.y : place == 2 ? behind.z : behind.w);
 }
 

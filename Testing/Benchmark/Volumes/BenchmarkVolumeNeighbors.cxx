@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BenchmarkVolumeNeighbors.h"
-
 #include "BenchmarkFrames.h"
 #include "BenchmarkReport.h"
 #include "BenchmarkView.h"
 #include "BenchmarkVolumeScene.h"
 #include "BenchmarkVolumeWay.h"
+#include "Benchmarks.h"
 
 #include "vtkCellType.h"
 #include "vtkFloatArray.h"
@@ -139,7 +138,7 @@ private:
 };
 }
 
-void AddVolumeNeighbors(const BenchmarkOptions& options, const AddTable& addTable)
+void RunVolumeNeighbors(const BenchmarkOptions& options, const AddTable& addTable)
 {
   const int n = options.Quick ? 4 : 24;
   const BenchmarkVolumeScene scene("grid " + std::to_string(n));

@@ -60,7 +60,7 @@ struct TaskEffort
 {
   std::string Scene;
   int Size;      // pixels per side of the picture
-  int LargeSize; // the same for isosurfaces alone and opacities
+  int LargeSize; // also for isosurfaces alone and opacities
   int Rounds;
   std::vector<std::string> MemoryScenes;
 };
@@ -138,14 +138,14 @@ vtkSmartPointer<vtkVolumeProperty> MakePeak(const TaskCase& which)
 }
 
 // Isosurfaces alone, and a function that is mostly transparent, against the whole volume.
-void AddSkipping(const TaskCase& which, const TaskEffort& effort, TaskTable& table)
+void AddSkipping(const TaskCase& which, const TaskEffort& effort, int size, TaskTable& table)
 {
   const auto volume =
     MakeVolume(VolumeWay::Exact, which.Mesh, which.Scene.MakeProperty(which.Mesh, 11));
   const auto surface = MakeVolume(VolumeWay::Exact, which.Mesh, MakeSurfaces(which));
   GetMapper(surface)->SetBlendModeToIsoSurface();
   const auto peak = MakeVolume(VolumeWay::Exact, which.Mesh, MakePeak(which));
-  BenchmarkView view(effort.LargeSize, effort.LargeSize);
+  BenchmarkView view(size, size);
   view.LookAt(which.Mesh->GetBounds());
   const std::vector<vtkProp*> props = { volume, surface, peak };
   std::vector<std::vector<double>> seconds(props.size());
@@ -162,8 +162,18 @@ void AddSkipping(const TaskCase& which, const TaskEffort& effort, TaskTable& tab
       }
     }
   }
-  table.Add("isosurface alone", seconds[1], "the whole volume", seconds[0], 0.3);
-  table.Add("opacity in a tenth of the range", seconds[2], "the whole volume", seconds[0], 1.0);
+  const std::string pixels = ", " + std::to_string(size) + " x " + std::to_string(size);
+  table.Add("isosurface alone" + pixels, seconds[1], "the whole volume", seconds[0], 0.3);
+  table.Add(
+    "opacity in a tenth of the range" + pixels, seconds[2], "the whole volume", seconds[0], 1.0);
+}
+
+void AddSkippingOfSizes(const TaskCase& which, const TaskEffort& effort, TaskTable& table)
+{
+  for (const int size : { effort.Size, effort.LargeSize })
+  {
+    AddSkipping(which, effort, size, table);
+  }
 }
 
 // A new isovalue and its picture.
@@ -398,30 +408,41 @@ std::vector<double> MeasureVolumeMemory(const std::vector<std::string>& argument
     GetResidentMemory().Peak - residentBefore };
 }
 
-void RunVolumeTasks(const BenchmarkOptions& options, const AddTable& addTable)
+namespace
 {
-  const TaskEffort effort = GetTaskEffort(options);
-  BenchmarkTable table("volumes-tasks", "What users do with volumes",
+using Task = std::pair<const char*, void (*)(const TaskCase&, const TaskEffort&, TaskTable&)>;
+
+BenchmarkTable MeasureTasks(
+  const std::string& name, const TaskEffort& effort, const std::vector<Task>& all)
+{
+  BenchmarkTable table(name, "What users do with volumes",
     { { "cells", "hexahedra", 0 }, { "measured", "measured", 0 }, { "ms", "ms", 1 },
       { "against", "against", 0 }, { "against_ms", "ms", 1 }, { "ratio", "ratio", 3 },
       { "asked", "asked", 2 } });
   const TaskCase which(effort.Scene);
   TaskTable tasks(which, table);
-  const std::pair<const char*, void (*)(const TaskCase&, const TaskEffort&, TaskTable&)> all[] = {
-    { "skipping", AddSkipping }, { "isovalues", AddIsoValues }, { "steps", AddSteps },
-    { "peeling", AddPeeling }, { "drag", AddDrag }
-  };
-  for (const auto& task : all)
+  for (const Task& task : all)
   {
     std::cerr << "volumes: " << task.first << std::endl;
     task.second(which, effort, tasks);
   }
   table.AddNote(std::to_string(effort.Size) + " x " + std::to_string(effort.Size) +
-    " pixels, the camera turns, frames in turn; ratios are medians. Isosurface alone and "
-    "opacity: " +
-    std::to_string(effort.LargeSize) + " x " + std::to_string(effort.LargeSize) +
-    " pixels. Steps: 32 x 32 pixels.");
-  addTable(table);
+    " pixels, the camera turns, frames in turn; ratios are medians. Steps: 32 x 32 pixels.");
+  return table;
+}
+}
+
+void RunVolumeSkipping(const BenchmarkOptions& options, const AddTable& addTable)
+{
+  addTable(MeasureTasks("volumes-skipping", GetTaskEffort(options),
+    { { "skipping", AddSkippingOfSizes }, { "isovalues", AddIsoValues } }));
+}
+
+void RunVolumeTasks(const BenchmarkOptions& options, const AddTable& addTable)
+{
+  const TaskEffort effort = GetTaskEffort(options);
+  addTable(MeasureTasks("volumes-tasks", effort,
+    { { "steps", AddSteps }, { "peeling", AddPeeling }, { "drag", AddDrag } }));
   BenchmarkTable memory("volumes-host-memory",
     "Memory that the process allocates for a volume, without the data set and OpenGL's buffers",
     { { "cells", "hexahedra", 0 }, { "host", "host data", 0 }, { "mesh_mb", "data set, MB", 1 },

@@ -5,7 +5,6 @@
 #include "BenchmarkMeasure.h"
 #include "BenchmarkReport.h"
 #include "BenchmarkView.h"
-#include "BenchmarkVolumeNeighbors.h"
 #include "BenchmarkVolumePictures.h"
 #include "BenchmarkVolumeScene.h"
 #include "BenchmarkVolumeTasks.h"
@@ -448,5 +447,4 @@ void RunVolumes(const BenchmarkOptions& options, const AddTable& addTable)
     "depends on the mesh alone.");
   addTable(table);
   addTable(memory);
-  AddVolumeNeighbors(options, addTable);
 }

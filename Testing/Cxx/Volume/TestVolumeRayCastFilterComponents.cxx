@@ -28,6 +28,10 @@ void TestVectorModes(RelevoCheck& check)
   lengths->SetName("lengths");
   vtkNew<vtkDoubleArray> seconds;
   seconds->SetName("seconds");
+  vtkNew<vtkDoubleArray> negatives;
+  negatives->SetName("signed");
+  vtkNew<vtkDoubleArray> absolutes;
+  absolutes->SetName("absolute");
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     const double* p = mesh->GetPoint(i);
@@ -35,8 +39,10 @@ void TestVectorModes(RelevoCheck& check)
     vectors->InsertNextTuple(v);
     lengths->InsertNextValue(std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
     seconds->InsertNextValue(v[1]);
+    negatives->InsertNextValue(v[0]);
+    absolutes->InsertNextValue(std::abs(v[0]));
   }
-  for (vtkDataArray* array : { vectors.Get(), lengths.Get(), seconds.Get() })
+  for (vtkDataArray* array : { vectors.Get(), lengths.Get(), seconds.Get(), negatives.Get(), absolutes.Get() })
   {
     mesh->GetPointData()->AddArray(array);
   }
@@ -61,7 +67,12 @@ void TestVectorModes(RelevoCheck& check)
   property->GetRGBTransferFunction()->SetVectorModeToMagnitude();
   CHECK_LESS(FindLargestDifference(cast("vectors", Mode::DISABLED), length), 1e-12);
   CHECK_LESS(FindLargestDifference(cast("vectors", Mode::COMPONENT, 1), second), 1e-12);
+  // A single component keeps its sign, as in vtkProjectedTetrahedraMapper.
+  const auto signedMagnitude = cast("signed", Mode::DISABLED);
+  CHECK_LESS(FindLargestDifference(cast("signed", Mode::MAGNITUDE), signedMagnitude), 1e-12);
   property->GetRGBTransferFunction()->SetVectorModeToComponent();
+  CHECK_LESS(FindLargestDifference(cast("signed", Mode::DISABLED), signedMagnitude), 1e-12);
+  CHECK_GREATER(FindLargestDifference(cast("absolute", Mode::DISABLED), signedMagnitude), 0.05);
   CHECK_GREATER(FindLargestDifference(cast("vectors", Mode::DISABLED), length), 0.05);
 
   RelevoErrors errors(filter);
