@@ -15,6 +15,7 @@
 #include "Segments/RaySegments.h"
 #include "Shaders/VolumePrograms.h"
 #include "Stages/CellProjector.h"
+#include "Stages/CellRanges.h"
 #include "Stages/Compositor.h"
 #include "Stages/FeatureSelector.h"
 #include "Stages/FunctionLoader.h"
@@ -68,6 +69,7 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
     relevo::FunctionLoader Functions;
     relevo::FeatureSelector Features;
     relevo::TableLoader Table;
+    relevo::CellRanges Ranges;
     relevo::SurfaceCaster Surfaces;
 
     vtkTypeInt64 GetMemorySize() const
@@ -83,6 +85,7 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
       this->Mesh.ReleaseGraphicsResources(window);
       this->Functions.ReleaseGraphicsResources(window);
       this->Table.ReleaseGraphicsResources(window);
+      this->Ranges.Clear();
       this->Surfaces.ReleaseGraphicsResources(window);
     }
   };
@@ -515,10 +518,11 @@ std::string vtkGPUUnstructuredGridVolumeMapper::CastRays(
   const std::array<int, 2> size = data.Compositor.ChooseSize(data.Viewport,
     { this->ImageSampleDistance, this->AutoAdjustSampleDistances && data.IsMoving(),
       data.Pace.GetFactor() * volume->GetAllocatedRenderTime() });
-  const bool startsInside = data.Shown->Surfaces.IsReady(frame);
+  vtkInternals::Level& level = *data.Shown;
+  const bool startsInside = level.Surfaces.IsReady(frame, level.Ranges);
   const bool isSampled = startsInside || size[0] != data.Viewport[2] || size[1] != data.Viewport[3];
   const std::string error =
-    startsInside ? data.Shown->Surfaces.Draw(frame, size) : data.Rays.Draw(frame, size);
+    startsInside ? level.Surfaces.Draw(frame, size) : data.Rays.Draw(frame, size);
   return error.empty() && isSampled ? data.Compositor.Add(frame, relevo::VolumeShader::Picture)
                                     : error;
 }

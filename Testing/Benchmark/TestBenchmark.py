@@ -130,7 +130,7 @@ class TestBenchmark(unittest.TestCase):
 
     def check_volumes(self, tables):
         for name in ("volumes", "volumes-memory", "volumes-neighbors", "volumes-pictures",
-                     "volumes-published"):
+                     "volumes-published", "volumes-skipping", "volumes-tasks"):
             self.assertTrue(tables[name], name)
         errors = {row["picture"]: row for row in tables["volumes-pictures"]}
         for picture, most in (("ray casting, exact", 1.0), ("ray casting, exact, over white", 2.0),

@@ -19,13 +19,16 @@ constexpr double MinimumVolume = 1e-12;
 // Relative to the largest Jacobian determinant; larger than rounding errors.
 constexpr double MinimumFold = 1e-9;
 
+}
+
 // The extreme Jacobian determinants at samples of cells.
-struct Jacobians
+struct CurvedCells::Jacobians
 {
   double Low = 0.0;
   double High = 0.0;
   double Cube = 0.0; // volume of a cube with the same diagonal
 
+  Jacobians() = default;
   explicit Jacobians(const std::vector<BezierHexahedron>& parts)
   {
     for (const BezierHexahedron& part : parts)
@@ -57,6 +60,8 @@ struct Jacobians
   }
 };
 
+namespace
+{
 CellTopology GetShape(const CurvedCells::Cell& cell)
 {
   return GetCellKind(cell.Type.Type, cell.Type.NumberOfNodes).Shape;
@@ -114,14 +119,13 @@ std::vector<BezierHexahedron> CurvedCells::Convert(const Cell& cell,
   return conversion.Convert(type, nodes, cell.Scalars < 0 ? numberOfScalars : 0);
 }
 
-void CurvedCells::AddParts(
-  const Cell& cell, std::vector<BezierHexahedron>&& parts, CellCounts::Counts& counts)
+void CurvedCells::AddParts(const Cell& cell, std::vector<BezierHexahedron>&& parts,
+  const Jacobians& jacobians, CellCounts::Counts& counts)
 {
   if (parts.empty())
   {
     return;
   }
-  const Jacobians jacobians(parts);
   if (!cell.IsGhost)
   {
     counts.Bad += jacobians.HasVolume() ? 0 : 1;
@@ -165,6 +169,7 @@ void CurvedCells::Convert(const Points& points, int numberOfScalars, CellCounts&
     own.NotFinite += isGood && !this->HasScalars(cell, points) ? 1 : 0;
   }
   std::vector<std::vector<BezierHexahedron>> batch(std::min(BatchSize, this->Cells.size()));
+  std::vector<Jacobians> jacobians(batch.size());
   for (size_t begin = 0; begin < this->Cells.size(); begin += BatchSize)
   {
     const size_t count = std::min(BatchSize, this->Cells.size() - begin);
@@ -174,12 +179,13 @@ void CurvedCells::Convert(const Points& points, int numberOfScalars, CellCounts&
         for (vtkIdType i = first; i < last; ++i)
         {
           batch[i] = this->Convert(this->Cells[begin + i], conversion, points, numberOfScalars);
+          jacobians[i] = Jacobians(batch[i]);
         }
       });
     for (size_t i = 0; i < count; ++i)
     {
       const Cell& cell = this->Cells[begin + i];
-      this->AddParts(cell, std::move(batch[i]), counts.Of(cell.Source));
+      this->AddParts(cell, std::move(batch[i]), jacobians[i], counts.Of(cell.Source));
     }
   }
   this->Clear();

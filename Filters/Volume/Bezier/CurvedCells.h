@@ -70,11 +70,12 @@ public:
   const std::vector<CurvedPart>& GetParts() const { return this->Parts; }
 
 private:
+  struct Jacobians;
   bool HasScalars(const Cell& cell, const Points& points) const;
   std::vector<BezierHexahedron> Convert(const Cell& cell, const CurvedCellConversion& conversion,
     const Points& points, int numberOfScalars) const;
-  void AddParts(
-    const Cell& cell, std::vector<BezierHexahedron>&& parts, CellCounts::Counts& counts);
+  void AddParts(const Cell& cell, std::vector<BezierHexahedron>&& parts, const Jacobians& jacobians,
+    CellCounts::Counts& counts);
 
   std::vector<Cell> Cells;
   std::vector<vtkIdType> Nodes;

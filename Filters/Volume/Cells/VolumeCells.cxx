@@ -473,24 +473,28 @@ void VolumeCells::GetRange(int component, double& low, double& high) const
       add(this->PointScalars[this->GetCornerId(cell, i)]);
     }
   }
-  for (const CurvedPart& part : this->GetCurvedParts())
+  const std::vector<CurvedPart>& parts = this->GetCurvedParts();
+  std::vector<std::array<double, 2>> ranges(parts.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(parts.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (size_t i = static_cast<size_t>(first); i < static_cast<size_t>(last); ++i)
+      {
+        const CurvedPart& part = parts[i];
+        if (part.Scalars < 0 && component < part.Shape.GetNumberOfScalars())
+        {
+          part.Shape.FindRange(component, ranges[i][0], ranges[i][1]);
+        }
+        else
+        {
+          ranges[i].fill(part.Scalars < 0 ? 0.0 : this->CellScalars[part.Scalars][component]);
+        }
+      }
+    });
+  for (const auto& range : ranges)
   {
-    if (part.Scalars >= 0)
-    {
-      add(this->CellScalars[part.Scalars]);
-    }
-    else if (component < part.Shape.GetNumberOfScalars())
-    {
-      double least;
-      double most;
-      part.Shape.FindRange(component, least, most);
-      low = std::min(low, least);
-      high = std::max(high, most);
-    }
-    else
-    {
-      add(Scalars{});
-    }
+    low = std::min(low, range[0]);
+    high = std::max(high, range[1]);
   }
 }
 

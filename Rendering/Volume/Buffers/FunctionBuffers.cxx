@@ -37,6 +37,36 @@ void AddPiece(
   }
 }
 
+bool IsTransparent(const LinearPieces& pieces, size_t piece)
+{
+  const std::vector<double>& nodes = pieces.GetNodes();
+  const double begin = nodes[piece == 0 ? 0 : piece - 1];
+  const double end = nodes[piece == nodes.size() ? piece - 1 : piece];
+  return !(pieces.Evaluate(piece, begin).w > 0.0) && !(pieces.Evaluate(piece, end).w > 0.0);
+}
+
+// Return the pieces of a function, and the nodes where they meet. If the function has opacity,
+// adjacent transparent pieces become one, because their colours have no effect.
+std::vector<size_t> FindPieces(
+  const LinearPieces& pieces, bool hasOpacity, std::vector<double>& nodes)
+{
+  const std::vector<double>& all = pieces.GetNodes();
+  std::vector<size_t> kept = { 0 };
+  bool wasTransparent = hasOpacity && IsTransparent(pieces, 0);
+  for (size_t piece = 1; piece <= all.size(); ++piece)
+  {
+    const bool isTransparent = hasOpacity && IsTransparent(pieces, piece);
+    const bool isNeeded = piece == all.size() && nodes.empty(); // at least one node
+    if (!(wasTransparent && isTransparent) || isNeeded)
+    {
+      nodes.push_back(all[piece - 1]);
+      kept.push_back(piece);
+    }
+    wasTransparent = isTransparent;
+  }
+  return kept;
+}
+
 // The functions are constant before the first node and after the last.
 template <typename Position, typename Get>
 void AddAll(const std::vector<double>& nodes, const Position& position, const Get& get,
@@ -52,14 +82,17 @@ void AddAll(const std::vector<double>& nodes, const Position& position, const Ge
 }
 }
 
-void FunctionBuffers::AddPieces(const TransferFunctions::Curve& curve, double low, double size)
+// Rays need not be split in transparent parts.
+void FunctionBuffers::AddPieces(
+  const TransferFunctions::Curve& curve, bool hasOpacity, double low, double size)
 {
-  const std::vector<double>& nodes = curve.Pieces.GetNodes();
+  std::vector<double> nodes;
+  const std::vector<size_t> kept = FindPieces(curve.Pieces, hasOpacity, nodes);
   this->Curves.First.push_back(static_cast<int>(this->Texels.size() / 12));
   this->Curves.Sizes.push_back(static_cast<int>(nodes.size()));
   const auto get = [&](size_t piece, double at)
   {
-    const dvec4 value = max(curve.Pieces.Evaluate(piece, at), dvec4(0.0));
+    const dvec4 value = max(curve.Pieces.Evaluate(kept[piece], at), dvec4(0.0));
     return dvec4(dvec3(value), value.w / curve.UnitDistance);
   };
   AddAll(
@@ -116,7 +149,7 @@ bool FunctionBuffers::Upload(vtkOpenGLRenderWindow* window, const TransferFuncti
   for (const TransferFunctions::Curve& curve : functions.GetCurves())
   {
     const int c = curve.Component;
-    curve.Table.IsEmpty() ? this->AddPieces(curve, low[c], size[c])
+    curve.Table.IsEmpty() ? this->AddPieces(curve, !functions.AreDependent(), low[c], size[c])
                           : this->AddTable(curve, low[c], size[c], size[c] / radius);
     this->AddGradientOpacity(curve.GradientOpacity, size[c] / radius);
     this->UnitDistances.push_back(Round(curve.UnitDistance));

@@ -37,7 +37,7 @@ public:
   vtkTypeInt64 GetMemorySize() const { return this->Pieces.GetMemorySize(); }
 
 private:
-  void AddPieces(const TransferFunctions::Curve& curve, double low, double size);
+  void AddPieces(const TransferFunctions::Curve& curve, bool hasOpacity, double low, double size);
   void AddTable(const TransferFunctions::Curve& curve, double low, double size, double steepness);
   void AddGradientOpacity(const LinearPieces& pieces, double steepness);
 

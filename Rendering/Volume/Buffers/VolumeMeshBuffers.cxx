@@ -81,8 +81,8 @@ bool VolumeMeshBuffers::FindCorners(vtkOpenGLRenderWindow* window)
 void VolumeMeshBuffers::Activate(vtkShaderProgram* program)
 {
   const char* samplers[NumberOfKinds] = { "meshPoints", "pointScalars", "cellScalars",
-    "cornerScalars", "pointGradients", "pointSums", "tetrahedronCorners", "neighbors", "curvedCells", "borderFaces",
-    "borderTree" };
+    "cornerScalars", "pointGradients", "pointSums", "tetrahedronCorners", "neighbors",
+    "curvedCells", "borderFaces", "borderTree" };
   for (int kind = 0; kind < NumberOfKinds; ++kind)
   {
     this->Buffers[kind].Activate(program, samplers[kind]);

@@ -34,8 +34,7 @@ Dependencies MakeKey(VolumeShader shader, const VolumeShaderOptions& options)
     options.NumberOfMaterials, options.FirstMaterial, options.NumberOfLights, options.PreIntegrated,
     options.HasTetrahedra, options.HasCurvedCells, options.HasQuadraticCells, options.HasPyramids,
     options.HasFoldedFaces, options.IsDiscontinuous, options.HasCornerScalars,
-    options.HasHangingFaces,
-    options.HasActiveCells, options.IsCutByNear, options.Segments);
+    options.HasHangingFaces, options.HasActiveCells, options.IsCutByNear, options.Segments);
 }
 
 std::string FinishRayShader(std::string source, const char* main)
@@ -59,8 +58,10 @@ std::pair<std::string, std::string> Compose(VolumeShader shader, const VolumeSha
       return { screen, MakeRangesShader(options) };
     case VolumeShader::Active:
       return { screen, MakeActiveShader(options) };
+    case VolumeShader::Outlines:
+      return { screen, MakeOutlinesShader(options) };
     case VolumeShader::Nearest:
-      return { MakeEntriesVertexShader(options), MakeNearestShader(options) };
+      return { MakeNearestVertexShader(options), MakeNearestShader(options) };
     case VolumeShader::Rays:
       return { screen, FinishRayShader(MakeRayCastShader(options), WholeRay) };
     case VolumeShader::RayLimits:

@@ -29,7 +29,8 @@ enum class VolumeShader
   Entries,     // find where rays enter the mesh, by drawing its border
   EntryCounts, // find the same by a search
   Ranges,      // find the ranges of cells
-  Active,      // find the cells with isosurfaces
+  Active,      // mark the faces of active cells
+  Outlines,    // find the outlines of these faces
   Nearest,     // draw the nearest isosurface
   Rays,
   RayLimits,  // depth limits of cell projection

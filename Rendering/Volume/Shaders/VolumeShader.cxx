@@ -17,6 +17,7 @@
 #include "relevoVolumeEntriesVS.h"
 #include "relevoVolumeExtreme.h"
 #include "relevoVolumeFS.h"
+#include "relevoVolumeFaceOutline.h"
 #include "relevoVolumeFaces.h"
 #include "relevoVolumeFinishFS.h"
 #include "relevoVolumeFunctions.h"
@@ -25,7 +26,9 @@
 #include "relevoVolumeIsoSurface.h"
 #include "relevoVolumeLimitsFS.h"
 #include "relevoVolumeNearestFS.h"
+#include "relevoVolumeNearestVS.h"
 #include "relevoVolumeOutline.h"
+#include "relevoVolumeOutlinesFS.h"
 #include "relevoVolumePart.h"
 #include "relevoVolumePreIntegrated.h"
 #include "relevoVolumeProjectedFS.h"
@@ -207,13 +210,22 @@ SegmentFormat GetSegmentFormat(const VolumeShaderOptions& options)
   return { options.Blending, areIndependent, options.NumberOfComponents, options.HasTables };
 }
 
+namespace
+{
+void PutOutlines(std::string& source, const VolumeShaderOptions& options)
+{
+  Put(source, "Defines", DefineCells(options));
+  Put(source, "Outline", relevoVolumeOutline);
+  Put(source, "Cells", options.HasCurvedCells ? relevoVolumeCells : "");
+  Put(source, "Starts", relevoVolumeStarts);
+  Put(source, "FaceOutline", relevoVolumeFaceOutline);
+}
+}
+
 std::string MakeEntriesVertexShader(const VolumeShaderOptions& options)
 {
   std::string source = relevoVolumeEntriesVS;
-  Put(source, "Outline", relevoVolumeOutline);
-  Put(source, "Defines", DefineCells(options));
-  Put(source, "Cells", options.HasCurvedCells ? relevoVolumeCells : "");
-  Put(source, "Starts", relevoVolumeStarts);
+  PutOutlines(source, options);
   return source;
 }
 
@@ -246,6 +258,20 @@ std::string MakeActiveShader(const VolumeShaderOptions& options)
   std::string source = relevoVolumeActiveFS;
   Put(source, "Defines", DefineOptions(options) + DefineCells(options));
   Put(source, "Cells", options.HasCurvedCells ? relevoVolumeCells : "");
+  return source;
+}
+
+std::string MakeOutlinesShader(const VolumeShaderOptions& options)
+{
+  std::string source = relevoVolumeOutlinesFS;
+  PutOutlines(source, options);
+  return source;
+}
+
+std::string MakeNearestVertexShader(const VolumeShaderOptions& options)
+{
+  std::string source = relevoVolumeNearestVS;
+  PutOutlines(source, options);
   return source;
 }
 

@@ -68,10 +68,16 @@ std::string MakeCountShader(const VolumeShaderOptions& options);
 //@}
 
 //@{
-/// Return the shaders that find the ranges of cells and those with isosurfaces, and that draw the
-/// nearest surface from the faces of these cells. The vertex shader is that of entries.
+/// Return the shaders that find the ranges of cells, mark the faces of active cells, and find the
+/// outlines of these faces.
 std::string MakeRangesShader(const VolumeShaderOptions& options);
 std::string MakeActiveShader(const VolumeShaderOptions& options);
+std::string MakeOutlinesShader(const VolumeShaderOptions& options);
+//@}
+
+//@{
+/// Return the shaders that draw the nearest isosurface from these faces.
+std::string MakeNearestVertexShader(const VolumeShaderOptions& options);
 std::string MakeNearestShader(const VolumeShaderOptions& options);
 //@}
 

@@ -371,6 +371,7 @@ bool MeshLoader::Upload(const MeshRequest& request, VolumeCells& cells, StageRep
   }
   this->Mesh.HasTetrahedra = layout.GetNumberOfTetrahedra() > 0;
   this->Mesh.HasCurvedCells = layout.GetNumberOfCurvedCells() > 0;
+  this->Mesh.HasTangledCells = cells.GetCounts().GetSum().Folded > 0;
   this->NumberOfDrawnCells = cells.GetCounts().GetSum().Drawn;
   this->Values.Clear();
   if (request.KeepsHostData && !request.Whole && !isCurved && request.LevelOfDetail == 0.0)

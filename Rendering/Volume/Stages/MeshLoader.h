@@ -66,6 +66,7 @@ struct VolumeMesh
   bool HasCellScalars = false;
   bool HasTetrahedra = false;
   bool HasCurvedCells = false;
+  bool HasTangledCells = false;
 };
 
 class MeshLoader

@@ -3,6 +3,7 @@
 #include "Stages/SurfaceCaster.h"
 
 #include "Shaders/VolumePrograms.h"
+#include "Stages/CellRanges.h"
 #include "Stages/FeatureSelector.h"
 #include "Stages/FunctionLoader.h"
 #include "Stages/MeshLoader.h"
@@ -13,6 +14,10 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <vector>
 
 namespace relevo
 {
@@ -20,44 +25,47 @@ namespace
 {
 // Scalars are from 0 to 1. This is more than the rounding errors inside a cell.
 constexpr float IsoMargin = 1e-5f;
+constexpr size_t NumberOfBuckets = 1024; // of depths
+
+// Return the faces from front to back, so that most hidden faces are not shaded.
+std::vector<std::uint32_t> SortByDepth(
+  const std::vector<ActiveCells::Face>& all, const RayView& view, double scale)
+{
+  std::vector<std::uint32_t> buckets;
+  buckets.reserve(all.size());
+  std::array<size_t, NumberOfBuckets + 1> begins = {};
+  for (const ActiveCells::Face& face : all)
+  {
+    const auto& at = face.Nearby;
+    const dvec3 point = dvec3(at[0], at[1], at[2]) * (2.0 / 255.0) - dvec3(1.0);
+    const double share = 0.5 + 0.5 * scale * view.GetDepth(point);
+    const double bucket = std::clamp(share * NumberOfBuckets, 0.0, NumberOfBuckets - 1.0);
+    buckets.push_back(static_cast<std::uint32_t>(bucket));
+    ++begins[buckets.back() + 1];
+  }
+  std::partial_sum(begins.begin(), begins.end(), begins.begin());
+  std::vector<std::uint32_t> faces(all.size());
+  for (size_t i = 0; i < faces.size(); ++i)
+  {
+    faces[begins[buckets[i]]++] = all[i].Number;
+  }
+  return faces;
+}
 }
 
-bool SurfaceCaster::IsReady(const VolumeFrame& frame)
+bool SurfaceCaster::IsReady(const VolumeFrame& frame, CellRanges& ranges)
 {
   const VolumeShaderOptions& options = frame.Features.Options;
   // Rays in tangled quadratic cells depend on where they come from.
-  const bool isTangled = options.HasQuadraticCells && options.HasFoldedFaces;
+  const bool isTangled = options.HasQuadraticCells && frame.Mesh.HasTangledCells;
   this->CanDraw = options.Blending == BlendMode::IsoSurface && !options.HasCellScalars &&
     !isTangled && !options.HasTables && frame.Functions.Surfaces.AreOpaque() &&
     frame.Passes.IsEmpty() && frame.View.IsInFront(frame.Mesh.Layout.HalfSize) &&
-    frame.Mesh.Buffers.AddCorners(frame.Window) && this->FindRanges(frame) &&
-    this->MarkCells(frame);
+    ranges.Update(frame) && this->MarkCells(frame, ranges);
   return this->CanDraw;
 }
 
-bool SurfaceCaster::FindRanges(const VolumeFrame& frame)
-{
-  VolumeMeshBuffers& mesh = frame.Mesh.Buffers;
-  SurfaceBuffer& surfaces = frame.Functions.Surfaces;
-  if (!this->Ranged.Update(Dependencies::On(mesh.GetNumberOfUploads(), surfaces.GetComponent())))
-  {
-    return this->HasRanges;
-  }
-  vtkShaderProgram* program =
-    frame.Programs.Ready(frame.Window, VolumeShader::Ranges, frame.Features.Options);
-  this->HasRanges = program != nullptr;
-  if (program)
-  {
-    mesh.Activate(program);
-    surfaces.Activate(program);
-    this->HasRanges = this->Cells.FindRanges(frame.Window, program, mesh.GetNumberOfCells());
-    surfaces.Deactivate();
-    mesh.Deactivate();
-  }
-  return this->HasRanges;
-}
-
-bool SurfaceCaster::MarkCells(const VolumeFrame& frame)
+bool SurfaceCaster::MarkCells(const VolumeFrame& frame, const CellRanges& ranges)
 {
   VolumeMeshBuffers& mesh = frame.Mesh.Buffers;
   const SurfaceBuffer& surfaces = frame.Functions.Surfaces;
@@ -65,39 +73,81 @@ bool SurfaceCaster::MarkCells(const VolumeFrame& frame)
   {
     return this->AreMarked;
   }
+  this->Sorted = dmat4(0.0);
   vtkShaderProgram* program =
     frame.Programs.Ready(frame.Window, VolumeShader::Active, frame.Features.Options);
   this->AreMarked = program != nullptr;
   if (program)
   {
-    const float margin = std::max(IsoMargin, 2.0f * surfaces.GetSame());
+    std::vector<ActiveCells::Interval> values;
+    for (const float value : surfaces.GetScaledValues())
+    {
+      values.push_back({ { value, value } });
+    }
+    this->Cells.Select(ranges.GetRanges(), values, std::max(IsoMargin, 2.0f * surfaces.GetSame()));
     mesh.Activate(program);
-    this->AreMarked = this->Cells.Mark(frame.Window, program, surfaces.GetScaledValues(), margin);
+    this->AreMarked = this->Cells.Mark(frame.Window, program);
     mesh.Deactivate();
   }
   return this->AreMarked;
+}
+
+// Upload the faces in the order of depth.
+bool SurfaceCaster::SortFaces(const VolumeFrame& frame)
+{
+  const dmat4& view = frame.View.GetMeshToClip();
+  if (view == this->Sorted)
+  {
+    return true;
+  }
+  this->Sorted = view;
+  return this->Cells.UploadFaces(frame.Window,
+    SortByDepth(this->Cells.GetMarkedFaces(), frame.View,
+      frame.View.GetDepthScale(frame.Mesh.Layout.HalfSize)));
+}
+
+bool SurfaceCaster::FindOutlines(const VolumeFrame& frame, const RayView& view)
+{
+  VolumeShaderOptions options = frame.Features.Options;
+  options.HasActiveCells = true;
+  vtkShaderProgram* program = frame.Programs.Ready(frame.Window, VolumeShader::Outlines, options);
+  if (!program || this->Cells.GetNumberOfFaces() == 0)
+  {
+    return program != nullptr;
+  }
+  view.SetOutlineUniforms(program);
+  view.SetUniforms(program);
+  program->SetUniformf(
+    "depthScale", static_cast<float>(view.GetDepthScale(frame.Mesh.Layout.HalfSize)));
+  frame.Mesh.Buffers.Activate(program);
+  this->Cells.Activate(program);
+  const bool isDrawn = this->Outlines.Draw(
+    frame.Window, program, static_cast<size_t>(this->Cells.GetNumberOfFaces()), { {}, {}, {} });
+  this->Cells.Deactivate();
+  frame.Mesh.Buffers.Deactivate();
+  return isDrawn;
 }
 
 std::string SurfaceCaster::Draw(const VolumeFrame& frame, const std::array<int, 2>& size)
 {
   VolumeShaderOptions options = frame.Features.Options;
   options.HasActiveCells = true;
+  const RayView view = frame.GetView({ { 0, 0, size[0], size[1] } });
+  if (!this->SortFaces(frame) || !this->FindOutlines(frame, view))
+  {
+    return "The faces of cells with isosurfaces do not fit into a texture.";
+  }
   vtkShaderProgram* program = frame.Programs.Ready(frame.Window, VolumeShader::Nearest, options);
   if (!program)
   {
     return VolumePrograms::Error;
   }
-  if (!this->Cells.Sort(frame.Window, frame.View, frame.Mesh.Layout.HalfSize))
-  {
-    return "The faces of cells with isosurfaces do not fit into a buffer texture.";
-  }
-  const RayView view = frame.GetView({ { 0, 0, size[0], size[1] } });
   view.SetUniforms(program);
-  view.SetOutlineUniforms(program);
   frame.Activate(program);
   this->Cells.Activate(program);
-  program->SetUniformf(
-    "depthScale", static_cast<float>(view.GetDepthScale(frame.Mesh.Layout.HalfSize)));
+  this->Outlines.Activate(program, "outlineBegins", 0);
+  this->Outlines.Activate(program, "outlineEnds", 1);
+  this->Outlines.Activate(program, "outlinePlanes", 2);
   const bool isDrawn = frame.Target.Begin(frame.Window, size[0], size[1], { {} }, true);
   if (isDrawn)
   {
@@ -105,6 +155,7 @@ std::string SurfaceCaster::Draw(const VolumeFrame& frame, const std::array<int, 
       BlendOperation::Nearest, [this] { this->Faces.Draw(this->Cells.GetNumberOfFaces()); });
     frame.Target.End();
   }
+  this->Outlines.Deactivate();
   this->Cells.Deactivate();
   frame.Deactivate();
   return isDrawn ? "" : VolumeFrame::DescribeTooLarge(size);
@@ -113,8 +164,9 @@ std::string SurfaceCaster::Draw(const VolumeFrame& frame, const std::array<int, 
 void SurfaceCaster::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Cells.ReleaseGraphicsResources(window);
+  this->Outlines.ReleaseGraphicsResources(window);
   this->Faces.ReleaseGraphicsResources();
-  this->Ranged.Clear();
   this->Marked.Clear();
+  this->Sorted = dmat4(0.0);
 }
 }

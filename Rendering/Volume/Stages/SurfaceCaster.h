@@ -11,7 +11,9 @@
 #define SurfaceCaster_h
 
 #include "Buffers/ActiveCells.h"
+#include "Buffers/CellPass.h"
 #include "Changes/Dependencies.h"
+#include "Mathematics/RefinementMathematics.h"
 #include "View/QuadBatches.h"
 
 #include <array>
@@ -19,16 +21,18 @@
 
 namespace relevo
 {
+class CellRanges;
+class RayView;
 struct VolumeFrame;
 
 class SurfaceCaster
 {
 public:
   /// Return whether this stage can draw the frame: there are isosurfaces alone, they are opaque and
-  /// do not depend on gradients, the whole mesh is in front of the eye, and quadratic tetrahedra
-  /// have flat faces. Otherwise rays must walk through the mesh. The active cells are found if they
-  /// are out of date.
-  bool IsReady(const VolumeFrame& frame);
+  /// do not depend on gradients, the whole mesh is in front of the eye, and no quadratic
+  /// tetrahedra are tangled. Otherwise rays must walk through the mesh. The active cells are found
+  /// if they are out of date.
+  bool IsReady(const VolumeFrame& frame, CellRanges& ranges);
 
   /// Draw into the frame's target. Return the error, or "".
   std::string Draw(const VolumeFrame& frame, const std::array<int, 2>& size);
@@ -43,16 +47,17 @@ public:
   vtkTypeInt64 GetMemorySize() const { return this->Cells.GetMemorySize(); }
 
 private:
-  bool FindRanges(const VolumeFrame& frame);
-  bool MarkCells(const VolumeFrame& frame);
+  bool MarkCells(const VolumeFrame& frame, const CellRanges& ranges);
+  bool SortFaces(const VolumeFrame& frame);
+  bool FindOutlines(const VolumeFrame& frame, const RayView& view);
 
   ActiveCells Cells;
+  CellPass Outlines; // of the faces
   QuadBatches Faces;
-  Dependencies Ranged; // of the ranges
-  bool HasRanges = false;
   Dependencies Marked; // of the active cells
   bool AreMarked = false;
-  bool CanDraw = false; // the last frame
+  dmat4 Sorted = dmat4(0.0); // the view for which faces have been uploaded
+  bool CanDraw = false;      // the last frame
 };
 }
 

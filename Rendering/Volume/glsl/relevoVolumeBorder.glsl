@@ -91,10 +91,18 @@ bool entersCurved(int face, uvec4 words, float lastDepth, int lastFace, inout En
   bool isQuadratic = isQuadraticCell(words.w);
   int size = sizeOfBorder(isQuadratic);
   Corner border[6];
+#if RELEVO_QUADRATIC
   for (int i = 0; i < size; ++i)
   {
     border[i] = getCorner(wordOfCell(words.w, cornerOfFace(isQuadratic, int(words.x), i)));
   }
+#else
+  uvec4 points = pointsOfHexFace(words.w, int(words.x));
+  for (int i = 0; i < 4; ++i)
+  {
+    border[i] = getCorner(points[i]);
+  }
+#endif
 #if RELEVO_HANGING
   int winding = windingOfFace(words.w, int(words.x), border);
 #else
@@ -160,8 +168,10 @@ bool enters(int face, float lastDepth, int lastFace, inout Entry entry)
   return true;
 }
 
-// Find the next entry after the given one, up to the end.
-bool findEntry(float end, inout Entry entry)
+// Find the next entry after the given one, up to the end. The search begins with a face that is
+// probably the result; -1 for none. Intersections of faces are in one place, because shaders take
+// long to compile.
+bool findEntry(float end, int guess, inout Entry entry)
 {
   vec3 way = mix(rayDirection, vec3(1e-20), lessThan(abs(rayDirection), vec3(1e-20)));
   vec3 inverse = vec3(1.0) / way;
@@ -169,21 +179,23 @@ bool findEntry(float end, inout Entry entry)
   int lastFace = entry.face;
   float nearest = end;
   int nearestFace = -1;
-  int node = 0;
+  int node = guess < 0 ? 0 : -1;
   while (node < treeSize)
   {
-    vec4 low = texelFetch(borderTree, 2 * node);
-    vec4 high = texelFetch(borderTree, 2 * node + 1);
+    bool isGuess = node < 0;
+    vec4 low = texelFetch(borderTree, 2 * max(node, 0));
+    vec4 high = texelFetch(borderTree, 2 * max(node, 0) + 1);
     vec3 a = (low.xyz - rayOrigin) * inverse;
     vec3 b = (high.xyz - rayOrigin) * inverse;
     vec3 first = min(a, b);
     vec3 last = max(a, b);
     float begin = max(max(first.x, first.y), first.z);
     float close = min(min(last.x, last.y), last.z);
-    bool hits = begin <= close && close >= lastDepth && begin <= nearest;
-    int count = int(high.w);
+    bool hits = isGuess || (begin <= close && close >= lastDepth && begin <= nearest);
+    int count = isGuess ? 1 : int(high.w);
+    int firstFace = isGuess ? guess : int(low.w);
     node = hits || count > 0 ? node + 1 : int(low.w);
-    for (int face = int(low.w); hits && face < int(low.w) + count; ++face)
+    for (int face = firstFace; hits && face < firstFace + count; ++face)
     {
       Entry candidate = entry;
       if (enters(face, lastDepth, lastFace, candidate) && isBefore(lastDepth, lastFace, candidate.depth, face) &&
@@ -193,6 +205,7 @@ bool findEntry(float end, inout Entry entry)
         entry = candidate;
         nearest = candidate.depth;
         nearestFace = face;
+        node = isGuess ? treeSize : node;
       }
     }
   }
@@ -204,19 +217,16 @@ bool findEntry(float end, inout Entry entry)
 uniform sampler2D rayEntries;
 uniform int areEntriesKnown;
 
-// Return an upper bound for the number of entries, and find the first one.
-int findFirstEntry(float end, out Entry entry)
+// Return an upper bound for the number of entries, and set the face of the first one if it is known,
+// or -1.
+int countEntries(out int first)
 {
-  entry = noEntry();
-  int count = treeSize * 16;
-  if (areEntriesKnown != 0)
+  first = -1;
+  if (areEntriesKnown == 0)
   {
-    vec2 known = texelFetch(rayEntries, ivec2(gl_FragCoord.xy - viewportRectangle.xy), 0).rg;
-    count = int(known.y);
-    if (count == 0 || (count == 1 && enters(int(known.x), entry.depth, entry.face, entry)))
-    {
-      return count;
-    }
+    return treeSize * 16;
   }
-  return findEntry(end, entry) ? count : 0;
+  vec2 known = texelFetch(rayEntries, ivec2(gl_FragCoord.xy - viewportRectangle.xy), 0).rg;
+  first = known.y == 1.0 ? int(known.x) : -1;
+  return int(known.y);
 }

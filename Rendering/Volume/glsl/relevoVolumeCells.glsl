@@ -38,6 +38,21 @@ int cornerOfFace(bool isQuadratic, int face, int i)
   return isQuadratic ? tetrahedron[6 * face + i] : hexahedron[4 * face + i];
 }
 
+// Return the points of a hexahedron's face, in the order of cornerOfFace(). Selections are faster
+// than arrays with indices that vary.
+uvec4 pointsOfHexFace(uint cell, int face)
+{
+  int at = 4 * (int(cell) - numberOfTetrahedra);
+  uvec4 low = texelFetch(curvedCells, at);
+  uvec4 high = texelFetch(curvedCells, at + 1);
+  return face == 0 ? uvec4(low.x, high.x, high.w, low.w)
+    : face == 1    ? uvec4(low.y, low.z, high.z, high.y)
+    : face == 2    ? uvec4(low.x, low.y, high.y, high.x)
+    : face == 3    ? uvec4(low.w, high.w, high.z, low.z)
+    : face == 4    ? uvec4(low.x, low.w, low.z, low.y)
+                   : high;
+}
+
 int sizeOfBorder(bool isQuadratic)
 {
   return isQuadratic ? 6 : 4;

@@ -18,7 +18,7 @@ void main()
   float end = depthOfZ(zRange.y);
   int ahead = 0;
   int behind = 0;
-  while (findEntry(end, entry))
+  while (findEntry(end, -1, entry))
   {
     ahead += entry.depth < begin ? 0 : 1;
     behind = entry.depth < begin ? 1 : behind;

@@ -27,11 +27,12 @@ vec4 castRay(float zStart, float zEnd)
 {
   beginWalk(zStart, zEnd);
   beginRay();
-  Entry entry;
-  int count = findFirstEntry(walkEnd, entry);
+  Entry entry = noEntry();
+  int first;
+  int count = countEntries(first);
   for (int i = 0; i < count && !isWalkOver(); ++i)
   {
-    if (i > 0 && !findEntry(walkEnd, entry))
+    if (!findEntry(walkEnd, i == 0 ? first : -1, entry))
     {
       break;
     }

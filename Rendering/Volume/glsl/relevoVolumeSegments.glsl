@@ -94,14 +94,15 @@ void castSegments(float zStart, float zEnd)
     return;
   }
   beginRay();
-  Entry entry;
+  Entry entry = noEntry();
+  int first;
   float firstBegin = walkBegin;
   float clear = 1.0; // transmittance of the segments so far
-  int count = findFirstEntry(walkEnd, entry);
+  int count = countEntries(first);
   for (int i = 0; i < count && walkDone < walkEnd && clear > 1.0 - Opaque &&
        segmentCount <= lastSegment; ++i)
   {
-    if (i > 0 && !findEntry(walkEnd, entry))
+    if (!findEntry(walkEnd, i == 0 ? first : -1, entry))
     {
       break;
     }

@@ -174,6 +174,30 @@ void TestPieces(RelevoCheck& check)
   }
 }
 
+// The corners of tetrahedra have values, and points at one place are merged. New values are
+// uploaded without building the mesh.
+void TestCorners(RelevoCheck& check)
+{
+  const auto cells = MakeCells(VTK_TETRA);
+  const auto mesh = MakeDiscontinuous(cells, Jump);
+  const auto property = MakeVolumeProperty(0.0, 1.0, 0.5);
+  RelevoVolumeScene scene(mesh, property, 60, 48);
+  scene.Draw();
+  RelevoVolumeScene continuous(cells, property, 60, 48);
+  continuous.Draw();
+  CHECK_LESS_EQUAL(scene.GetMapper()->GetGraphicsMemorySize(),
+    continuous.GetMapper()->GetGraphicsMemorySize() + 16 * cells->GetNumberOfCells() + 64);
+  vtkDataArray* values = mesh->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    values->SetComponent(i, 0, 1.0 - values->GetComponent(i, 0));
+  }
+  values->Modified();
+  mesh->Modified();
+  CheckScene(check, scene);
+  CHECK_EQUAL(scene.GetMapper()->GetNumberOfValueUploads(), 1);
+}
+
 // Many points without finite values at one place.
 void TestNaN(RelevoCheck& check)
 {
@@ -200,11 +224,11 @@ int TestGPUUnstructuredGridVolumeMapperDiscontinuous(int, char*[])
   TestKinds(check);
   TestMixed(check);
   TestProjection(check);
-  TestProjection(check);
   TestFeatures(check);
   TestComponents(check);
   TestNodes(check);
   TestPieces(check);
+  TestCorners(check);
   TestNaN(check);
   return check.GetResult();
 }

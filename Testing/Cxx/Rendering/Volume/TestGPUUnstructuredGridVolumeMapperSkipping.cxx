@@ -87,6 +87,7 @@ void TestMeshes(RelevoCheck& check)
   CompareMesh(check, MakeDiscontinuous(tetrahedra, 0.05), 0.01);
   CompareMesh(check, MakeMixedCells(3, GetWaves), 0.01);
   CompareMesh(check, MakeBlocksOfCells(VTK_QUADRATIC_TETRA, GetSlope), 0.01);
+  CompareMesh(check, MakeBlocksOfCells(VTK_QUADRATIC_TETRA, GetSlope, 0.04), 0.01); // curved
   RelevoRefinedCells hanging;
   hanging.Levels = 2;
   hanging.Field = GetWaves;
@@ -160,6 +161,11 @@ void TestWalks(RelevoCheck& check)
                      [](vtkVolumeRayCastFilter* filter) { filter->SetBlendModeToIsoSurface(); }),
     1.0);
   CHECK_EQUAL(mapper->GetNumberOfSkippedCells(), 0);
+  RelevoVolumeScene tangled(
+    MakeBlocksOfCells(VTK_QUADRATIC_TETRA, GetSlope, 0.15), MakeSurfaces({ 0.41 }), Width, Height);
+  tangled.GetMapper()->SetBlendModeToIsoSurface();
+  tangled.Draw();
+  CHECK_EQUAL(tangled.GetMapper()->GetNumberOfSkippedCells(), 0);
   scene.GetRenderer()->ResetCamera();
   scene.GetVolume()->GetProperty()->GetIsoSurfaceValues()->SetNumberOfContours(0);
   const auto nothing = scene.Draw();
