@@ -25,7 +25,7 @@ struct ScalarChoice
 {
   enum
   {
-    All = -2, // all components, at most 4
+    All = -2,   // all components, at most 4
     Length = -1 // of several components; a single one is taken as it is
   };
   int Component = All;

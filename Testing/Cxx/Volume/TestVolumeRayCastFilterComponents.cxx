@@ -42,7 +42,8 @@ void TestVectorModes(RelevoCheck& check)
     negatives->InsertNextValue(v[0]);
     absolutes->InsertNextValue(std::abs(v[0]));
   }
-  for (vtkDataArray* array : { vectors.Get(), lengths.Get(), seconds.Get(), negatives.Get(), absolutes.Get() })
+  for (vtkDataArray* array :
+    { vectors.Get(), lengths.Get(), seconds.Get(), negatives.Get(), absolutes.Get() })
   {
     mesh->GetPointData()->AddArray(array);
   }
