@@ -18,7 +18,6 @@ constexpr size_t BatchSize = 1 << 12; // cells
 constexpr double MinimumVolume = 1e-12;
 // Relative to the largest Jacobian determinant; larger than rounding errors.
 constexpr double MinimumFold = 1e-9;
-
 }
 
 // The extreme Jacobian determinants at samples of cells.
