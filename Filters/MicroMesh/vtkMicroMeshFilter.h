@@ -28,23 +28,27 @@
  *
  * - Points have the type of the input. Those that represent others are rounded to multiples of a
  *   power of two that is at most 1/16 of the tolerance, so that files are small. All others have
- * the coordinates of the input. Points are split at seams and at sharp edges. Point arrays are
- * those of the input at these points, and "Normals" (float), those of the displaced surface.
- * "MicroMeshDirections" (float, 3 components) is the displacement for a sample of 1.
+ *   the coordinates of the input. Points are split at seams and at sharp edges. Point arrays are
+ *   those of the input at these points, and "Normals" (float), those of the displaced surface.
+ *   "MicroMeshDirections" (float, 3 components) is the displacement for a sample of 1.
  * - Cell arrays are those of the input, of one of the triangles at the coarse triangle, and
- *   "MicroMeshFaces" (int, 5 components). "vtkOriginalCellIds" (PassThroughCellIdsOn()) is the id
- * of this triangle. The values of "MicroMeshFaces" are, for the edges from corner 0 to 1, 1 to 2
- * and 2 to 0, the index of the edge times 2, plus 1 if the samples of the edge run in the opposite
- * direction; the first sample inside of the triangle; the level L. The triangle has a grid of 2^L
- * segments per edge. Its samples inside are in rows from the edge 0, each from corner 0 to
- * corner 1. "MicroMeshLevelErrors" (float) has, for each level from 0, how far the triangle at this
- * level can be from the surface, as a length. At higher levels than it has components, this is 0.
- * - Field arrays are "MicroMeshEdges" (int, 2 components), the first sample and the level of each
- *   edge; "MicroMeshDisplacements" (signed char or short), the samples; "MicroMeshError" (double, 2
- *   values), the bounds of the distances from the input to the result and back, as lengths;
- *   "MicroMeshInputBounds" (double, 6 values), the bounds of the input;
+ *   "MicroMeshFaces" (int, 5 components). "vtkOriginalCellIds" (PassThroughCellIdsOn()) is the
+ *   id of this triangle. The values of "MicroMeshFaces" are, for the edges from corner 0 to 1, 1
+ *   to 2 and 2 to 0, the index of the edge times 2, plus 1 if the samples of the edge run in the
+ *   opposite direction; the first sample inside of the triangle; the level L. The triangle has a
+ *   grid of 2^L segments per edge. Its samples inside are in rows from the edge 0, each from
+ *   corner 0 to corner 1. "MicroMeshLevelErrors" (float) has, for each level from 0, how far the
+ *   triangle at this level can be from the surface, as a length. At higher levels than it has
+ *   components, this is 0.
+ * - Field arrays are "MicroMeshEdges" (int, 2 components), the first sample and the level of
+ *   each edge; "MicroMeshDisplacements" (signed char or short), the samples; "MicroMeshError"
+ *   (double, 2 values), the bounds of the distances from the input to the result and back, as
+ *   lengths; "MicroMeshInputBounds" (double, 6 values), the bounds of the input;
  *   "MicroMeshPointData:NAME", the values of the point array NAME at the (2^L + 1) (2^L + 2) / 2
- * grid points of each triangle, corners included, in rows from the edge 0 (AttributesOn()).
+ *   grid points of each triangle, corners included, in rows from the edge 0 (AttributesOn());
+ *   "MicroMeshCellData:NAME", the values of the cell array NAME at the 4^L triangles of each
+ *   grid, in rows from the edge 0, each of the triangle of the input nearest to the centre
+ *   (AttributesOn()).
  *
  * A grid point lies at the weighted mean of the corners, plus its sample times the weighted mean of
  * their directions. Corners are not displaced. The level of an edge is at most that of its
@@ -145,8 +149,8 @@ public:
 
   //@{
   /**
-   * Set whether numeric point arrays of the input, except normals and ids, are sampled on the grids
-   * too. On by default. Off, they have values only at the coarse points.
+   * Set whether numeric arrays of the input's points and cells, except normals and ids, are sampled
+   * on the grids too. On by default. Off, they have values only at the coarse points and triangles.
    */
   vtkSetMacro(Attributes, bool);
   vtkGetMacro(Attributes, bool);

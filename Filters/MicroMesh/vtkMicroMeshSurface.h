@@ -15,7 +15,8 @@
  *
  * Point arrays that vtkMicroMeshFilter sampled on the grids (AttributesOn()) are evaluated linearly
  * between grid points: by vtkAdaptiveRefinementFilter at all points, and by mappers at every pixel.
- * Values are interpolated first and then mapped to colours.
+ * Values are interpolated first and then mapped to colours. Cell arrays have a value per triangle
+ * of the grids.
  *
  * A mesh without the arrays of vtkMicroMeshFilter, or with inconsistent arrays, is an error.
  *

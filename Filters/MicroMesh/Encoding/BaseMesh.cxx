@@ -14,9 +14,9 @@ namespace relevo
 {
 namespace
 {
-// The multiples to which points are rounded, in displacements of 1, which are at most half the
-// tolerance. Rounding moves a point by at most 0.06 of the tolerance.
-constexpr double RoundingOfStep = 0.125;
+// The multiples to which points are rounded, in displacements of 1, which are at most a quarter of
+// the tolerance. Rounding moves a point by at most 0.06 of the tolerance.
+constexpr double RoundingOfStep = 0.25;
 // Only vertices are rounded whose triangles have larger heights, in multiples. Otherwise points
 // could become the same, also those of other blocks of a surface.
 constexpr double LeastHeight = 4.0;

@@ -17,7 +17,7 @@ namespace relevo
 namespace
 {
 // The length of a displacement of 1, relative to the tolerance, at most.
-constexpr double StepOfTolerance = 0.5;
+constexpr double StepOfTolerance = 0.25;
 // Deviation of grids from finer grids, relative to the tolerance: at first, and where they fail.
 constexpr double DeviationOfTolerance = 0.9;
 constexpr double StrictDeviationOfTolerance = 0.5;
