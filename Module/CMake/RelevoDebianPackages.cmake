@@ -162,8 +162,8 @@ if (TARGET relevo-view)
     DEPENDS     "${library}"
     RECOMMENDS  "python3-relevo (= ${relevo_debian_version})"
     SUMMARY     "viewer and tools"
-    DESCRIPTION "This package contains the viewer relevo-view, the program relevo-studio with controls
-for its options, the converter relevo-pyramid and the documentation.")
+    DESCRIPTION "This package contains the viewer relevo-view, the program relevo-studio with
+controls for its options, the converter relevo-pyramid and the documentation.")
 endif ()
 if (RELEVO_WRAP_PYTHON)
   relevo_depend_on_minor_version(python python3 "${Python3_VERSION}")
