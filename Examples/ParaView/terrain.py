@@ -62,6 +62,7 @@ with tempfile.TemporaryDirectory() as folder:
     shown.Displacement.Scale = float(sys.argv[4]) if len(sys.argv) > 4 else 0.12
     shown.Displacement.AlongNormals = 0
     shown.Texture = CreateTexture(photo)
+    shown.Texture.UpdateVTKObjects()  # ParaView 5.13 has not read it yet
     shown.ColorArrayName = ["POINTS", ""]
     view.CameraPosition = [0, -1.2, 0.8]
     view.CameraViewUp = [0, 0, 1]

@@ -340,6 +340,15 @@ def run(command, cwd=None, **changes):
     return "".join(line for line in lines if "Compatibility version is set to" not in line)
 
 
+def run_ranks(ranks, script, *arguments, after_first="true", cwd=None, **changes):
+    """Runs a script. Ranks after the first run a command of the shell before it. Returns the
+    output."""
+    # mpirun of Debian 13 crashes if its command line has a part for each rank.
+    command = f'[ "$OMPI_COMM_WORLD_RANK" = 0 ] || {after_first}; exec pvbatch "$@"'
+    mpirun = ["mpirun", "--oversubscribe", "-n", str(ranks)]
+    return run([*mpirun, "sh", "-c", command, "sh", script, *arguments], cwd, **changes)
+
+
 @contextlib.contextmanager
 def server(ranks=1, output=None, **changes):
     """Starts pvserver, which ends after its client. Returns its port. The list `output` gets the

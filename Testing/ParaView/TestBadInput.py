@@ -150,13 +150,13 @@ class TestBadInput(relevo.TestCase):
 
     def run_scenes(self, names, ranks=1, **environment):
         """The errors and warnings of each scene, and the pixels of the invalid object."""
-        command = ["mpirun", "--oversubscribe"]
-        for folder in (self.folder, "/")[:ranks]:
-            command += ["-n", "1", "--wdir", folder, "pvbatch", os.path.abspath(__file__), *names, ":"]
-        return self.read_scenes(names, command[:-1], environment)
+        script = os.path.abspath(__file__)
+        output = relevo.run_ranks(
+            ranks, script, *names, after_first="cd /", cwd=self.folder, **environment
+        )
+        return self.read_scenes(names, output)
 
-    def read_scenes(self, names, command, environment):
-        output = relevo.run(command, **environment)
+    def read_scenes(self, names, output):
         scenes = output.split("drawn: ")
         self.assertEqual(len(scenes), len(names) + 1, output)
         found = {}
@@ -239,7 +239,8 @@ class TestBadInput(relevo.TestCase):
     def test_server_without_plugin(self):
         command = ["pvpython", os.path.abspath(__file__), "good"]
         with relevo.server(PV_PLUGIN_PATH=None) as port:
-            messages, bad = self.read_scenes(["good"], command, {"RELEVO_PORT": port})["good"]
+            output = relevo.run(command, RELEVO_PORT=port)
+        messages, bad = self.read_scenes(["good"], output)["good"]
         self.assertEqual(bad, 0)
         self.assertEqual(len(messages), 2)  # one of the client and one of the server
         for message in messages:

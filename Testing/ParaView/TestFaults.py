@@ -156,10 +156,9 @@ class TestFaults(relevo.TestCase):
             library = os.path.join(folder, "textures.so")
             compiler = ["cc", "-shared", "-fPIC", "-x", "c", "-", "-o", library, "-ldl"]
             subprocess.run(compiler, input=LIMITED_TEXTURES, text=True, check=True)
-            scenes = ["-n", "1", "pvbatch", os.path.abspath(__file__), *SCENES]
-            command = ["mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1"]
-            other = [":", "-x", "LD_PRELOAD=" + library, *scenes]
-            return relevo.run([*command, *scenes, *other], LP_NUM_THREADS="0")
+            script = os.path.abspath(__file__)
+            preload = f"export LD_PRELOAD={library}"
+            return relevo.run_ranks(2, script, *SCENES, after_first=preload, LP_NUM_THREADS="0")
 
     def test_one_of_two_ranks(self):
         output = self.run_scenes()

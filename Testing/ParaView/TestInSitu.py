@@ -39,7 +39,10 @@ def simulate(script):
     from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 
     Catalyst.Initialize(COMM_WORLD.py2f())
-    Catalyst.AddPipeline(script)
+    try:
+        Catalyst.AddPipeline("script", script)
+    except TypeError:  # before ParaView 5.13
+        Catalyst.AddPipeline(script)
     producer = ProxyManager().NewProxy("sources", "PVTrivialProducer")
     producer.UpdateVTKObjects()
     Catalyst.SetProducer("input", producer)

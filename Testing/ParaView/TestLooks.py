@@ -94,6 +94,12 @@ STYLES = {
 }
 
 
+def make_texture(path):
+    texture = simple.CreateTexture(path)
+    texture.UpdateVTKObjects()  # ParaView 5.13 has not yet
+    return texture
+
+
 class TestLooks(relevo.TestCase):
     def compare_looks(self, source, looks):
         """Compares each property with Surface, whose picture must change with it."""
@@ -135,7 +141,7 @@ class TestLooks(relevo.TestCase):
 
             def textured(**properties):
                 def prepare(representation):
-                    representation.Texture = simple.CreateTexture(path)
+                    representation.Texture = make_texture(path)
                     relevo.set_properties(representation, properties)
 
                 return prepare
@@ -163,7 +169,7 @@ class TestLooks(relevo.TestCase):
                 proxy.Displacement.AlongNormals = 0
 
             def prepare(representation):
-                representation.Texture = simple.CreateTexture(photo)
+                representation.Texture = make_texture(photo)
                 if representation.Representation == "Adaptive Refinement":
                     displace(representation)
 

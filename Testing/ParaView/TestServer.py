@@ -202,9 +202,8 @@ class TestServer(relevo.TestCase):
 
     def test_old_opengl_on_one_rank(self):
         """The rank reports that the surface cannot be drawn, and the other draws its part."""
-        scene = ["pvbatch", os.path.abspath(__file__), "ranks"]
-        old = ["-n", "1", "-x", "MESA_GL_VERSION_OVERRIDE=3.2"]
-        output = relevo.run(["mpirun", "--oversubscribe", "-n", "1", *scene, ":", *old, *scene])
+        old = "export MESA_GL_VERSION_OVERRIDE=3.2"
+        output = relevo.run_ranks(2, os.path.abspath(__file__), "ranks", after_first=old)
         self.assertEqual(len(re.findall(r"ERR\|", output)), 1, output)
         self.assertRegex(output, r"pvbatch\.1 .*ERR\|")
         self.assertIn("Refinement needs OpenGL 3.3", output)
