@@ -82,7 +82,7 @@ class TestWindowServer(unittest.TestCase):
             seen.append(
                 (event, interactor.GetEventPosition(), interactor.GetControlKey(),
                  interactor.GetShiftKey(), interactor.GetAltKey(), interactor.GetRepeatCount(),
-                 interactor.GetKeyCode(), interactor.GetKeySym())
+                 interactor.GetKeyCode().rstrip("\0"), interactor.GetKeySym())
             )
 
         for event in events:
