@@ -20,6 +20,7 @@
 #include "Parallel/GlobalSurfaceInfo.h"
 #include "Parallel/PieceReduction.h"
 #include "Parallel/ProcessReduction.h"
+#include "Patterns/RefinementPattern.h"
 #include "Picking/PickedInput.h"
 #include "Picking/PickedInputPipeline.h"
 #include "Recipe/RecipeLevels.h"
@@ -49,6 +50,7 @@
 #include "vtkDisplacement.h"
 #include "vtkDoubleArray.h"
 #include "vtkHardwareSelector.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
@@ -72,6 +74,8 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -1409,6 +1413,48 @@ int vtkAdaptiveRefinementMapper::GetNumberOfUsedPatterns()
 {
   return static_cast<int>(
     this->SumOverParts([](vtkInternals& part) { return part.Selection.CountUsedPatterns(); }));
+}
+
+void vtkAdaptiveRefinementMapper::GetPatternCounts(vtkIdTypeArray* counts)
+{
+  // The numbers of faces and of triangles of the patterns with these segments.
+  std::map<std::array<int, 3>, std::array<vtkIdType, 2>, std::greater<>> patterns;
+  this->SumOverParts(
+    [&](vtkInternals& part)
+    {
+      const relevo::ViewSelection& selection = part.GetState().GetSelection();
+      return selection
+        .SumOverFaces(
+          [&](int face)
+          {
+            const unsigned char* hidden = selection.GetHidden();
+            if (hidden && hidden[face])
+            {
+              return 0;
+            }
+            const relevo::RefinementPattern& pattern =
+              *selection.GetSelection().GetFacePattern(face).Pattern;
+            std::array<int, 3> segments;
+            std::copy_n(pattern.Segments, 3, segments.begin());
+            std::sort(segments.begin(), segments.end(), std::greater<>());
+            std::array<vtkIdType, 2>& sums = patterns[segments];
+            ++sums[0];
+            sums[1] += pattern.GetNumberOfTriangles();
+            return 1;
+          })
+        .Drawn;
+    });
+  counts->Initialize();
+  counts->SetNumberOfComponents(5);
+  for (const auto& pattern : patterns)
+  {
+    for (const vtkIdType number :
+      { static_cast<vtkIdType>(pattern.first[0]), static_cast<vtkIdType>(pattern.first[1]),
+        static_cast<vtkIdType>(pattern.first[2]), pattern.second[0], pattern.second[1] })
+    {
+      counts->InsertNextValue(number);
+    }
+  }
 }
 
 double vtkAdaptiveRefinementMapper::GetSelectionTime()

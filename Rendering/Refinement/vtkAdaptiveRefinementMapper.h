@@ -67,6 +67,7 @@
 #include <string>     // for reasons
 
 class vtkAdaptiveRefinement;
+class vtkIdTypeArray;
 class vtkMultiProcessController;
 class vtkProperty;
 class vtkScalarsToColors;
@@ -363,6 +364,16 @@ public:
   int GetNumberOfDrawCalls();
   int GetNumberOfUsedPatterns();
   //@}
+
+  /**
+   * Count the faces that the last render drew by their patterns. The array gets a tuple of five
+   * numbers for each pattern: the numbers of segments of its edges in descending order, the number
+   * of faces, and the number of their triangles. Patterns are sorted, those with the most segments
+   * first. These are the patterns of the requested levels; only ARKFPI and ARK draw exactly these
+   * triangles. Triangles over no data count. If the GPU has selected the patterns, this reads them
+   * back once per selection.
+   */
+  void GetPatternCounts(vtkIdTypeArray* counts);
 
   //@{
   /**

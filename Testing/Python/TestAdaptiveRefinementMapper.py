@@ -12,7 +12,8 @@ except ImportError:
     sys.exit(125)
 
 import relevo
-from vtkmodules.vtkCommonCore import vtkCommand, vtkFloatArray
+from vtkmodules.vtkCommonCore import vtkCommand, vtkFloatArray, vtkIdTypeArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -105,6 +106,54 @@ class TestAdaptiveRefinementMapper(unittest.TestCase):
         for ours, theirs in zip(view.mapper.GetBounds(), twin.GetOutput().GetBounds()):
             self.assertGreaterEqual(abs(ours), abs(theirs) - 1e-6)
             self.assertLess(abs(ours), abs(theirs) * 1.1)
+
+    def test_patterns(self):
+        """Faces of each pattern are those of the depth-tags, with both processors."""
+        mesh = sphere()
+        tags = vtkFloatArray()
+        tags.SetName("DepthTag")
+        for i in range(mesh.GetNumberOfPoints()):
+            tags.InsertNextValue(i * 7919 % 5)
+        mesh.GetPointData().AddArray(tags)
+        table = relevo.vtkRefinementPatternTable()
+        expected = {}
+        for cell in range(mesh.GetNumberOfCells()):
+            corners = mesh.GetCell(cell).GetPointIds()
+            depths = [tags.GetValue(corners.GetId(i)) for i in range(3)]
+            levels = [int((depths[i] + depths[i - 1]) / 2 + 0.5) for i in range(3)]
+            levels.sort(reverse=True)
+            pattern = vtkPolyData()
+            table.GetPattern(*levels, pattern)
+            faces, triangles = expected.get(tuple(levels), (0, 0))
+            expected[tuple(levels)] = faces + 1, triangles + pattern.GetNumberOfPolys()
+        self.assertGreater(len(expected), 5)
+        rows = [
+            tuple(2**level for level in levels) + expected[levels]
+            for levels in sorted(expected, reverse=True)
+        ]
+        for device in ("CPU", "GPU"):
+            view = View(mesh)
+            getattr(view.mapper, f"SetSelectionDeviceTo{device}")()
+            view.mapper.FrustumCullingOff()
+            view.mapper.BackFaceCullingOff()
+            view.draw()
+            counts = vtkIdTypeArray()
+            view.mapper.GetPatternCounts(counts)
+            self.assertEqual(
+                [counts.GetTuple(i) for i in range(counts.GetNumberOfTuples())], rows, device
+            )
+        # Culled faces do not count.
+        view.mapper.BackFaceCullingOn()
+        view.mapper.FrustumCullingOn()
+        view.draw()
+        view.mapper.GetPatternCounts(counts)
+        drawn = sum(counts.GetTuple(i)[4] for i in range(counts.GetNumberOfTuples()))
+        self.assertEqual(drawn, view.mapper.GetNumberOfDrawnTriangles())
+        self.assertLess(drawn, sum(row[4] for row in rows))
+        view.mapper.SetInputData(vtkPolyData())
+        view.draw()
+        view.mapper.GetPatternCounts(counts)
+        self.assertEqual(counts.GetNumberOfTuples(), 0)
 
     def test_bounds_follow_offset(self):
         plane = vtkPlaneSource()

@@ -9,7 +9,7 @@
 #include "BenchmarkReport.h"
 #include "BenchmarkView.h"
 #include "Data/Relief.h"
-#include "RelevoSimilarity.h"
+#include "Mathematics/PictureSimilarity.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -130,8 +130,10 @@ void AddReliefPictures(const BenchmarkOptions& options, const AddTable& addTable
     camera->Elevation(angles.Elevation);
     const Picture truth = Draw(view, object);
     const Picture rival = Draw(view, pixels);
-    const auto similarity = [&](const Picture& picture) {
-      return RelevoMeanSimilarity(truth.Colors, picture.Colors, view.GetWidth(), view.GetHeight());
+    const auto similarity = [&](const Picture& picture)
+    {
+      return relevo::GetPictureSimilarity(
+        truth.Colors, picture.Colors, view.GetWidth(), view.GetHeight());
     };
     const double rivalSimilarity = similarity(rival);
     const double rivalHoles = GetHoles(view, reliefs, truth, rival);

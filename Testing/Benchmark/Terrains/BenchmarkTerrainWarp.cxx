@@ -7,7 +7,7 @@
 #include "BenchmarkReport.h"
 #include "BenchmarkTerrainFiles.h"
 #include "BenchmarkView.h"
-#include "RelevoSimilarity.h"
+#include "Mathematics/PictureSimilarity.h"
 #include "vtkTerrainMapper.h"
 #include "vtkTerrainPyramid.h"
 
@@ -209,12 +209,13 @@ void AddTerrainWarp(const BenchmarkOptions& options, const AddTable& addTable)
       continue;
     }
     const auto median = [&figures](int way, int figure) { return GetMedian(figures[way][figure]); };
-    table.AddRow({ std::stod(pixels), RelevoMeanSimilarity(bytes[0], bytes[1], Width, Height),
-      RelevoMeanSimilarity(bytes[0], fine, Width, Height),
-      RelevoMeanSimilarity(bytes[1], fine, Width, Height), median(0, 0), median(1, 0),
-      GetMedianRatio(figures[1][0], figures[0][0]), 1e3 * median(0, 1), 1e3 * median(1, 1),
-      GetMedianRatio(figures[1][1], figures[0][1]), 1e-6 * median(0, 2), 1e-6 * median(1, 2),
-      GetMedianRatio(figures[1][2], figures[0][2]), median(0, 3), median(1, 3) });
+    table.AddRow(
+      { std::stod(pixels), relevo::GetPictureSimilarity(bytes[0], bytes[1], Width, Height),
+        relevo::GetPictureSimilarity(bytes[0], fine, Width, Height),
+        relevo::GetPictureSimilarity(bytes[1], fine, Width, Height), median(0, 0), median(1, 0),
+        GetMedianRatio(figures[1][0], figures[0][0]), 1e3 * median(0, 1), 1e3 * median(1, 1),
+        GetMedianRatio(figures[1][1], figures[0][1]), 1e-6 * median(0, 2), 1e-6 * median(1, 2),
+        GetMedianRatio(figures[1][2], figures[0][2]), median(0, 3), median(1, 3) });
   }
   table.AddNote("A fractal, " + side + " x " + side +
     " samples of int16, 1280 x 800 pixels. A opens a pyramid with its index, B an uncompressed "

@@ -6,7 +6,7 @@
 #include "BenchmarkVolumeScene.h"
 #include "BenchmarkVolumeWay.h"
 #include "Benchmarks.h"
-#include "RelevoSimilarity.h"
+#include "Mathematics/PictureSimilarity.h"
 
 #include "vtkGPUUnstructuredGridVolumeMapper.h"
 
@@ -55,7 +55,7 @@ DetailFrames Compare(BenchmarkView& view, int rounds)
       frames.Full.push_back(seconds[0]);
       frames.Moving.push_back(seconds[1]);
       frames.Similarity = std::min(frames.Similarity,
-        RelevoMeanSimilarity(pictures[0], pictures[1], view.GetWidth(), view.GetHeight()));
+        relevo::GetPictureSimilarity(pictures[0], pictures[1], view.GetWidth(), view.GetHeight()));
     }
   }
   window->SetDesiredUpdateRate(0.0);

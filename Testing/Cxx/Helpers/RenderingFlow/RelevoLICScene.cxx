@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RelevoLICScene.h"
 
-#include "RelevoSimilarity.h"
+#include "Mathematics/PictureSimilarity.h"
 
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
@@ -90,7 +90,7 @@ RelevoLikeness CompareLIC(const RelevoGrey& a, const RelevoGrey& b)
   {
     for (int column = 0; column + Window <= a.Columns; column += Window / 2)
     {
-      RelevoSimilarity similarity;
+      relevo::WindowSimilarity similarity;
       bool isLIC = true;
       for (int i = 0; isLIC && i < Window * Window; ++i)
       {

@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "RelevoSimilarity.h"
+#include "Mathematics/PictureSimilarity.h"
 
+#include <algorithm>
+
+namespace relevo
+{
 namespace
 {
-constexpr int Window = 7;
+constexpr int LargestWindow = 7;
 
 std::vector<double> GetGreys(const std::vector<unsigned char>& picture)
 {
@@ -17,7 +21,7 @@ std::vector<double> GetGreys(const std::vector<unsigned char>& picture)
 }
 }
 
-void RelevoSimilarity::Add(double a, double b)
+void WindowSimilarity::Add(double a, double b)
 {
   ++this->Count;
   this->SumA += a;
@@ -27,7 +31,7 @@ void RelevoSimilarity::Add(double a, double b)
   this->Products += a * b;
 }
 
-double RelevoSimilarity::Get() const
+double WindowSimilarity::Get() const
 {
   const double count = static_cast<double>(this->Count);
   const double meanA = this->SumA / count;
@@ -41,22 +45,24 @@ double RelevoSimilarity::Get() const
     ((meanA * meanA + meanB * meanB + c1) * (varianceA + varianceB + c2));
 }
 
-double RelevoMeanSimilarity(
+double GetPictureSimilarity(
   const std::vector<unsigned char>& a, const std::vector<unsigned char>& b, int columns, int rows)
 {
   const std::vector<double> greysA = GetGreys(a);
   const std::vector<double> greysB = GetGreys(b);
+  const int width = std::min(columns, LargestWindow);
+  const int height = std::min(rows, LargestWindow);
   double sum = 0.0;
   std::size_t count = 0;
-  for (int row = 0; row + Window <= rows; ++row)
+  for (int row = 0; row + height <= rows; ++row)
   {
-    for (int column = 0; column + Window <= columns; ++column)
+    for (int column = 0; column + width <= columns; ++column)
     {
-      RelevoSimilarity window;
-      for (int i = 0; i < Window * Window; ++i)
+      WindowSimilarity window;
+      for (int i = 0; i < width * height; ++i)
       {
         const std::size_t pixel =
-          static_cast<std::size_t>(row + i / Window) * columns + column + i % Window;
+          static_cast<std::size_t>(row + i / width) * columns + column + i % width;
         window.Add(greysA[pixel], greysB[pixel]);
       }
       sum += window.Get();
@@ -64,4 +70,5 @@ double RelevoMeanSimilarity(
     }
   }
   return sum / static_cast<double>(count);
+}
 }
