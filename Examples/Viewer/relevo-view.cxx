@@ -14,6 +14,7 @@
 #include "Scene/PictureSeries.h"
 #include "Scene/ReliefCaptures.h"
 #include "Scene/SceneFactory.h"
+#include "Scene/SceneProgram.h"
 #include "Scene/SceneSession.h"
 #include "Scene/TerrainHeight.h"
 #include "Scene/ViewerScene.h"
@@ -27,6 +28,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -63,6 +65,15 @@ void Draw(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& mess
   {
     WritePicture(window, options.Output, messages);
   }
+  const std::array<int, 2> size = { { options.Size[0], options.Size[1] } };
+  if (!options.SaveScript.empty())
+  {
+    SaveScript(scene, options, size, options.SaveScript);
+  }
+  if (!options.SaveSource.empty())
+  {
+    SaveSource(scene, options, size, options.SaveSource);
+  }
   scene.CheckPictures();
 }
 
@@ -82,7 +93,7 @@ void Run(const ViewerOptions& options)
     throw ViewerError("there is no display; use --output FILE.png to write a picture without one");
   }
   std::vector<std::string> files = { options.Output, options.Export, options.MicroMesh,
-    options.SaveSession };
+    options.SaveScript, options.SaveSession };
   if (options.IsTiled && !options.Imagery.empty() && !options.Export.empty())
   {
     const std::vector<std::string> companions = GetCompanions(options.Export);

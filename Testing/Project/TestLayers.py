@@ -43,7 +43,7 @@ LAYERS = {
     "Rendering/Intersection": ["Scene"],
     "Rendering/Relief": ["View", "Buffers", "Shaders", "Drawing", "Capture"],
     "Rendering/Terrain": ["View", "Colors", "Labels", "Buffers", "Shaders", "Drawing"],
-    "Examples/Viewer": ["Text", "Files", "Options", "Legend", "Scene", "Window"],
+    "Examples/Viewer": ["Text", "Files", "Options", "Code", "Legend", "Scene", "Window"],
     "Examples/Studio": ["State", "Controls", "Drawing", "Panels", "Driving", "Program"],
 }
 MODULES = list(LAYERS)  # a module includes no later one

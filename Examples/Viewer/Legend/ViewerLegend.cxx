@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Legend/ViewerLegend.h"
 
+#include "Legend/LegendCode.h"
 #include "Legend/LegendText.h"
 #include "Text/PrintableText.h"
 
@@ -95,6 +96,51 @@ std::array<int, 2> ViewerLegend::GetCorner(const int size[2])
 }
 
 //------------------------------------------------------------------------------
+bool ViewerLegend::Has(vtkProp* prop) const
+{
+  const auto isProp = [=](const auto& text) { return text.Get() == prop; };
+  return prop == this->Ground.Get() || prop == this->Bar.Get() || prop == this->Title.Get() ||
+    std::any_of(this->Labels.begin(), this->Labels.end(), isProp);
+}
+
+//------------------------------------------------------------------------------
+void ViewerLegend::AddCode(SceneCode& code) const
+{
+  if (!this->Bar->GetVisibility())
+  {
+    return;
+  }
+  LegendCode legend(code, this->Table);
+  legend.AddRectangle({ { 0, this->Size[1] - this->Corner[1], this->Corner[0], this->Size[1] } },
+    { { 1.0, 1.0, 1.0 } }, GroundOpacity);
+  const auto [left, bottom, height] = this->Place;
+  legend.AddBar({ { left, bottom, BarWidth, height } },
+    this->Table->GetIndexedLookup() ? LegendScale::Indexed
+      : this->IsLogarithmic()       ? LegendScale::Logarithmic
+                                    : LegendScale::Linear);
+  const int right = left + BarWidth;
+  const int top = bottom + height;
+  const auto addSwatch = [&](const double* color, int lower)
+  {
+    if (color)
+    {
+      legend.AddRectangle({ { left, lower, right, lower + SwatchHeight } },
+        { { color[0], color[1], color[2] } }, 1.0);
+    }
+  };
+  addSwatch(this->GetBelowColor(), bottom - SwatchGap - SwatchHeight);
+  addSwatch(this->GetAboveColor(), top + SwatchGap);
+  legend.AddText(this->Title, true);
+  for (const auto& label : this->Labels)
+  {
+    if (label->GetVisibility())
+    {
+      legend.AddText(label, false);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void ViewerLegend::OnStart(vtkObject*, unsigned long, void*)
 {
   this->LayOut(this->Renderer->GetSize());
@@ -149,6 +195,7 @@ void ViewerLegend::LayOut(const int size[2])
   this->Corner = { { 0, 0 } };
   if (isShown)
   {
+    this->Place = { { margin, top - height, height } };
     this->DrawBar(margin, top - height, height);
     this->Corner = { { margin + std::max(box[1] - box[0] + 1, BarWidth + Gap + labelWidth) + Gap,
       size[1] - top + height + overhangs[0] + Gap } };

@@ -18,9 +18,11 @@
 #include <string>
 #include <vector>
 
+class SceneCode;
 class vtkActor2D;
 class vtkObject;
 class vtkPolyData;
+class vtkProp;
 class vtkRenderer;
 class vtkScalarsToColors;
 class vtkTextActor;
@@ -40,6 +42,11 @@ public:
   /// Width and height in pixels of the corner that the legend covers in a picture of this size; 0
   /// if there is no room for it.
   std::array<int, 2> GetCorner(const int size[2]);
+
+  /// Whether a prop belongs to the legend.
+  bool Has(vtkProp* prop) const;
+  /// Adds the legend of the last frame to the program of a scene. The code must know the table.
+  void AddCode(SceneCode& code) const;
 
 private:
   struct Row // a label beside its position on the bar
@@ -71,6 +78,7 @@ private:
   int Size[2] = { 0, 0 };
   vtkMTimeType TableTime = 0;
   std::array<int, 2> Corner = { { 0, 0 } };
+  std::array<int, 3> Place = { { 0, 0, 0 } }; // of the bar: left, bottom, height
   vtkNew<vtkPolyData> GroundShape;
   vtkNew<vtkActor2D> Ground; // background that keeps the text readable
   vtkNew<vtkPolyData> BarShape;

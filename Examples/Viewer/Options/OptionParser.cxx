@@ -51,7 +51,8 @@ const double HighestZoom = 1e6;
 
 // The options that say what to do, not what to show. Sessions do not have them.
 const std::set<std::string> Actions = { "--capture", "--export", "--height-at", "--help", "-h",
-  "--micromesh", "--output", "--save-session", "--serve", "--session", "--stats", "--version" };
+  "--micromesh", "--output", "--save-script", "--save-session", "--save-source", "--serve",
+  "--session", "--stats", "--version" };
 
 using Flags = std::map<std::string, std::function<void()>>;
 using Setter = std::function<void(const std::string& option, const std::string& value)>;
@@ -569,6 +570,18 @@ private:
       { "--ruler",
         [&](const auto& option, const auto& value)
         { options.Ruler = ToNumbers(option, value, "X,Y,Z,X,Y,Z"); } },
+      { "--save-script",
+        [&](const auto& option, const auto& value)
+        { options.SaveScript = ToFileName(option, value, { ".py" }); } },
+      { "--save-source",
+        [&](const auto& option, const auto& value)
+        {
+          if (value.empty())
+          {
+            throw UsageError(option + " needs the name of a folder");
+          }
+          options.SaveSource = value;
+        } },
       { "--save-session",
         [&](const auto& option, const auto& value)
         { options.SaveSession = ToFileName(option, value, { ".json" }); } },
@@ -739,7 +752,8 @@ private:
           isFlag ? std::nullopt : std::optional<std::string>(given.second);
       }
     }
-    for (const char* option : { "--session", "--save-session", "--serve" })
+    for (const char* option :
+      { "--session", "--save-script", "--save-session", "--save-source", "--serve" })
     {
       this->GivenOptions.erase(option); // valid for all inputs
     }
@@ -753,6 +767,16 @@ private:
       if (this->Options.Serve && this->GivenOptions.count(option))
       {
         throw UsageError("--serve cannot be combined with " + std::string(option));
+      }
+    }
+    for (const char* option : { "--save-script", "--save-source" })
+    {
+      if (!(std::string(option) == "--save-script" ? this->Options.SaveScript
+                                                   : this->Options.SaveSource)
+             .empty() &&
+        (this->Options.Output.empty() || this->Options.IsSeries()))
+      {
+        throw UsageError(std::string(option) + " requires --output with one picture");
       }
     }
     const bool isSaved = !this->Options.SaveSession.empty();

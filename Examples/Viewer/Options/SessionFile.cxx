@@ -28,6 +28,13 @@ const std::size_t LargestSession = 1 << 20; // bytes
 const std::set<std::string> FileOptions = { "--against", "--flight", "--height", "--image",
   "--imagery", "--transfer" };
 
+// A transfer function can also be the nodes themselves.
+bool IsFile(const std::string& option, const std::string& value)
+{
+  const bool isList = option == "--transfer" && value.find(';') != std::string::npos;
+  return FileOptions.count(option) > 0 && !isList;
+}
+
 class SessionReader
 {
 public:
@@ -154,7 +161,7 @@ private:
     }
     if (value.isString())
     {
-      return FileOptions.count(option) ? this->FindFile(value.asString()) : value.asString();
+      return IsFile(option, value.asString()) ? this->FindFile(value.asString()) : value.asString();
     }
     if (!value.isNumeric())
     {
@@ -276,8 +283,8 @@ void WriteSession(const std::string& fileName, const ViewerSession& session)
     value = true;
     if (option.second)
     {
-      value =
-        FileOptions.count(option.first) ? MakeRelative(*option.second, fileName) : *option.second;
+      value = IsFile(option.first, *option.second) ? MakeRelative(*option.second, fileName)
+                                                   : *option.second;
     }
   }
   if (session.Camera)

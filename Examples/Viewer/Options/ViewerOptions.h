@@ -197,6 +197,8 @@ struct ViewerOptions
   std::string Export;
   std::optional<int> Serve;            // port
   std::string SaveSession;             // output file
+  std::string SaveScript;              // output file
+  std::string SaveSource;              // output folder
   std::optional<SessionCamera> Camera; // of a session
   // The options for SaveSession, with their values.
   std::map<std::string, std::optional<std::string>> Given;

@@ -220,6 +220,9 @@ The picture:
   --save-session FILE.json
                          write a session: FILE and its options, relative to the session, and the
                          camera, after the picture or when the window is closed
+  --save-script FILE.py  with --output, write a Python script that draws the same picture by classes
+                         of Relevo and VTK
+  --save-source FOLDER   the same as a C++ source with its CMakeLists.txt
   --export FILE          write the mesh as it is drawn (.vtp, .glb, .obj, .ply, .stl) and exit.
                          Height maps are in metres, with x east, y north and z up; with --globe,
                          from the centre of the earth. A .vtp file also has the field data Origin

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/MeshScene.h"
 
+#include "Code/ColourCode.h"
+#include "Code/DataCode.h"
 #include "Files/FramePattern.h"
 #include "Files/MeshReader.h"
 #include "Files/RasterEnd.h"
@@ -31,6 +33,7 @@
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkCellData.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkCreaseNormals.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -40,6 +43,7 @@
 #include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkLinearSurface.h"
+#include "vtkLookupTable.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
@@ -113,6 +117,7 @@ vtkSmartPointer<vtkPolyData> WithPoints(vtkPolyData* surface, vtkDataObject* oth
 //------------------------------------------------------------------------------
 MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
   : SurfaceScene(options, messages)
+  , GivenArray(options.Array)
   , Extremes(this->Renderer)
   , Cut(options.Clip)
 {
@@ -178,6 +183,24 @@ SceneContent MeshScene::GetContent()
     content.HasSolidCells = IsVolumeCell(this->Cells, cell);
   }
   return content;
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::AddDataCode(SceneCode& code)
+{
+  DataPreparation preparation;
+  preparation.Input = this->Options.Input;
+  preparation.Quantity = this->GivenArray;
+  preparation.HasPatches = this->Options.IsPatch();
+  preparation.HasCreases = this->HasCreases;
+  preparation.FeatureAngle = this->Options.FeatureAngle;
+  AddSurfaceDataCode(code, preparation, this->Mesh, this->Section ? this->Cells.Get() : nullptr);
+  if (auto* table = vtkLookupTable::SafeDownCast(this->Colours))
+  {
+    const auto palette = MakeColourFunction(this->Options, this->Range->data());
+    palette->SetVectorModeToMagnitude();
+    AddLogColourCode(code, palette, table);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -44,6 +44,7 @@ public:
   SceneContent GetContent() override;
 
 private:
+  void AddDataCode(SceneCode& code) override;
   OptionNames GetUpdatedOptions() override;
   bool ApplyOptions(const OptionNames& changed) override;
   void ApplyStep(bool isOtherTime);
@@ -104,6 +105,7 @@ private:
   bool HasCreases = false;            // whether normals are from creases
   std::string MicroMeshReport;        // empty without a micro-mesh
   std::string CurvedBy;               // the reason for the surface, for Report()
+  const std::string GivenArray;       // by the options: an array, or a quantity of one
   // The array that colours the mesh, or an empty string, and whether it is a point array.
   std::string ArrayName;
   bool HasPointArray = false;

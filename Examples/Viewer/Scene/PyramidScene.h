@@ -41,6 +41,7 @@ public:
   SceneFigures GetFigures() override;
 
 private:
+  void AddDataCode(SceneCode&) override {} // the mapper reads the raster
   OptionNames GetUpdatedOptions() override;
   bool ApplyOptions(const OptionNames& changed) override;
   PyramidScene(const ViewerOptions& options, ViewerMessages& messages, vtkTerrainPyramid* pyramid);

@@ -39,6 +39,14 @@ struct SceneContent
   std::vector<double> Counts;         // histogram of the values over the range, of a volume
 };
 
+/// The faces of a frame with one pattern.
+struct PatternCount
+{
+  std::array<int, 3> Segments; // of the edges, in descending order
+  long long Faces;
+  long long Triangles;
+};
+
 /// Names and values, for example "triangles".
 using SceneFigures = std::vector<std::pair<std::string, double>>;
 

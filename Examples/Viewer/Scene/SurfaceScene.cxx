@@ -12,6 +12,7 @@
 #include "vtkAdaptiveRefinementFilter.h"
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkDepthTagMetric.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -237,4 +238,20 @@ SceneFigures SurfaceScene::GetFigures()
     { "selection-ms", 1000.0 * this->Mapper->GetSelectionTime() },
     { "buffer-builds", number(this->Mapper->GetNumberOfBufferBuilds()) },
     { "shader-builds", number(this->Mapper->GetNumberOfShaderBuilds()) } };
+}
+
+//------------------------------------------------------------------------------
+std::vector<PatternCount> SurfaceScene::GetPatternCounts()
+{
+  vtkNew<vtkIdTypeArray> counts;
+  this->Mapper->GetPatternCounts(counts);
+  std::vector<PatternCount> patterns;
+  for (vtkIdType i = 0; i < counts->GetNumberOfTuples(); ++i)
+  {
+    const vtkIdType* numbers = counts->GetPointer(5 * i);
+    patterns.push_back({ { { static_cast<int>(numbers[0]), static_cast<int>(numbers[1]),
+                           static_cast<int>(numbers[2]) } },
+      numbers[3], numbers[4] });
+  }
+  return patterns;
 }

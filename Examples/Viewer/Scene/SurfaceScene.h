@@ -28,6 +28,7 @@ public:
   void Export(const std::string& fileName) override;
   void Draw(vtkRenderWindow* window) override;
   SceneFigures GetFigures() override;
+  std::vector<PatternCount> GetPatternCounts() override;
 
 protected:
   SurfaceScene(const ViewerOptions& options, ViewerMessages& messages);

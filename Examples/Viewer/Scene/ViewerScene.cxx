@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/ViewerScene.h"
 
+#include "Code/RendererCode.h"
 #include "Legend/LegendText.h"
 #include "Legend/ViewerLegend.h"
 #include "Options/ViewerArguments.h"
@@ -45,6 +46,26 @@ std::string ViewerScene::ChangeByKey(char key)
     this->Changes[change.substr(0, space)] = change.substr(space + 1);
   }
   return change;
+}
+
+//------------------------------------------------------------------------------
+void ViewerScene::AddCode(SceneCode& code, const std::array<int, 2>& size)
+{
+  this->AddDataCode(code);
+  AddRendererCode(code, this->Renderer, size,
+    [this](vtkProp* prop) { return this->Legend && this->Legend->Has(prop); });
+  if (this->Legend)
+  {
+    this->Legend->AddCode(code);
+  }
+  AddPictureCode(code, this->Renderer);
+}
+
+//------------------------------------------------------------------------------
+void ViewerScene::AddDataCode(SceneCode&)
+{
+  throw ViewerError("a program cannot draw " + this->Options.Input +
+    " with these options yet; save a session, which relevo-view draws");
 }
 
 //------------------------------------------------------------------------------

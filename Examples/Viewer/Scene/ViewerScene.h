@@ -23,6 +23,7 @@
 #include <vector>
 
 class PictureMarks;
+class SceneCode;
 class ViewerCamera;
 class ViewerLegend;
 class vtkPoints;
@@ -73,6 +74,10 @@ public:
   /// Writes the visible refined mesh, if there is one. Throws ViewerError.
   virtual void Export(const std::string&) {}
 
+  /// Adds the picture of the last frame to a program. Throws ViewerError if a program cannot draw
+  /// it.
+  void AddCode(SceneCode& code, const std::array<int, 2>& size);
+
   /// Prints information about the files on stdout if the options request it.
   virtual void Report() {}
 
@@ -107,6 +112,10 @@ public:
   /// Figures of the last frame. Builds are counted since the scene was made.
   virtual SceneFigures GetFigures() { return {}; }
 
+  /// The patterns of the last frame, with the most segments first. Empty if the scene has none.
+  /// This may read them back from the graphics card.
+  virtual std::vector<PatternCount> GetPatternCounts() { return {}; }
+
   /// 0 if the file has no times.
   virtual int GetNumberOfTimeSteps() { return 0; }
 
@@ -125,6 +134,9 @@ public:
   virtual void CheckPictures() {}
 
 protected:
+  /// Adds the data that mappers and filters of the scene use to a program.
+  virtual void AddDataCode(SceneCode& code);
+
   ViewerScene(const ViewerOptions& options, ViewerMessages& messages);
 
   /// The options that ApplyOptions() can change.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/VolumeScene.h"
 
+#include "Code/DataCode.h"
 #include "Files/VolumeReader.h"
 #include "Scene/ArrayExtremes.h"
 #include "Scene/ArrayNames.h"
@@ -58,6 +59,7 @@ void CheckCells(const std::string& fileName, vtkDataObject* data)
 //------------------------------------------------------------------------------
 VolumeScene::VolumeScene(const ViewerOptions& options, ViewerMessages& messages)
   : ViewerScene(options, messages)
+  , GivenArray(options.VolumeArray)
   , Extremes(this->Renderer)
   , Cut(options.Clip)
 {
@@ -324,6 +326,15 @@ std::vector<double> VolumeScene::CountValues() const
     }
   }
   return counts;
+}
+
+//------------------------------------------------------------------------------
+void VolumeScene::AddDataCode(SceneCode& code)
+{
+  DataPreparation preparation;
+  preparation.Input = this->Options.Input;
+  preparation.Quantity = this->GivenArray;
+  ::AddDataCode(code, preparation, this->Mapper->GetInputDataObject(0, 0));
 }
 
 //------------------------------------------------------------------------------

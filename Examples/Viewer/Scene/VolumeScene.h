@@ -43,6 +43,7 @@ public:
   SceneFigures GetFigures() override;
 
 private:
+  void AddDataCode(SceneCode& code) override;
   OptionNames GetUpdatedOptions() override;
   bool ApplyOptions(const OptionNames& changed) override;
   bool ApplyCut();
@@ -77,6 +78,7 @@ private:
   std::vector<TransferNode> Nodes;
   double OpacityFactor = 1.0; // for blend modes where opacity does not depend on length
   std::vector<double> IsoSurfaces;
+  const std::string GivenArray; // by the options: an array, or a quantity of one
   PictureMarks Extremes;
   CutPlane Cut;
 };
