@@ -71,7 +71,7 @@ std::optional<int> TakePort(std::vector<std::string>& arguments)
 void CheckArguments(const OptionValues& values)
 {
   for (const char* name : { "against", "capture", "export", "flight", "height-at", "micromesh",
-         "output", "save-session", "session", "stats" })
+         "output", "save-script", "save-session", "save-source", "session", "stats" })
   {
     if (values.Get(name))
     {

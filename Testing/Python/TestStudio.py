@@ -3,11 +3,8 @@
 """Proves studio.md without a display: scripts, pictures as of relevo-view, figures, keys, errors."""
 
 import json
-import os
-import pathlib
 import re
 import subprocess
-import sys
 import unittest
 
 from vtkmodules.vtkCommonCore import vtkDoubleArray
@@ -15,13 +12,8 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
-from ViewerProgram import ViewerProgram
+from StudioProgram import PROGRAM, StudioProgram
 
-PROGRAM = pathlib.Path(os.environ["RELEVO_BINARY_DIR"]) / "bin" / "relevo-studio"
-if not PROGRAM.exists():
-    print("skipped: relevo-studio was not built")
-    sys.exit(125)
-SIZE = "--size=560x420"
 VOLUME_NODES = "0 0 0 1 0;3 0 1 0 0.5;6 1 0 0 1"
 
 
@@ -51,7 +43,7 @@ def make_grid(time=1.0):
     return append.GetOutput()
 
 
-class TestStudio(ViewerProgram):
+class TestStudio(StudioProgram):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
@@ -63,31 +55,6 @@ class TestStudio(ViewerProgram):
         sets = "".join(f'<DataSet timestep="{s}" file="s{s}.vtu"/>' for s in range(3))
         (cls.folder / "steps.pvd").write_text(
             f'<VTKFile type="Collection"><Collection>{sets}</Collection></VTKFile>'
-        )
-
-    def studio(self, file, *lines, code=0):
-        """Runs a script. Returns the layouts after all frames, and stderr."""
-        (self.folder / "script.txt").write_text("\n".join(lines) + "\n")
-        environment = {k: v for k, v in os.environ.items() if k != "DISPLAY"}
-        arguments = [PROGRAM, file, SIZE, "--script", "script.txt", "--layout", "/dev/stdout"]
-        run = subprocess.run(
-            arguments, cwd=self.folder, env=environment, capture_output=True, text=True
-        )
-        self.assertEqual(run.returncode, code, run.stderr)
-        decoder = json.JSONDecoder()
-        layouts = []
-        text = run.stdout
-        while text.strip():
-            entries, end = decoder.raw_decode(text)
-            layouts.append({entry["name"]: entry for entry in entries})
-            text = text[end:].lstrip()
-        return layouts, run.stderr
-
-    def assert_picture(self, name, *arguments):
-        """The picture is that of relevo-view, to the bit."""
-        self.view(*arguments, SIZE, "--output=expected.png")
-        self.assertEqual(
-            (self.folder / name).read_bytes(), (self.folder / "expected.png").read_bytes(), name
         )
 
     def test_results(self):
@@ -248,10 +215,11 @@ class TestStudio(ViewerProgram):
 
     def test_keys(self):
         """The arrows reach each control that applies."""
-        groups = ["Volume", "Surface", "Level of detail", "Light and camera", "Save"]
+        groups = ["Volume", "Surface", "Level of detail", "Light and camera", "Compare", "Save"]
+        groups.append("Pattern generator")
         opened = [f"click group {name}" for name in groups]
         layouts, errors = self.studio(
-            "beam.vtu", *opened, "click panels-in-pictures", *["key Up"] * 80
+            "beam.vtu", *opened, "click panels-in-pictures", *["key Up"] * 100
         )
         self.assertEqual(errors, "")
         wanted = {

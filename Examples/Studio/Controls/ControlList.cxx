@@ -103,8 +103,9 @@ ControlList::ControlList()
 //------------------------------------------------------------------------------
 bool ControlList::IsOption(const Control& control)
 {
-  static const std::set<std::string> others = { "loop", "panels-in-pictures", "picture-name",
-    "mesh-name" };
+  static const std::set<std::string> others = { "compare-method", "compare-options",
+    "difference-gain", "loop", "mesh-name", "panels-in-pictures", "pattern-levels", "pattern-name",
+    "picture-name", "script-name", "session-name", "show-difference", "source-name", "table-name" };
   return control.Kind != ControlKind::Button && others.count(control.Name) == 0;
 }
 
@@ -130,6 +131,19 @@ void ControlList::SetOwn(const std::string& name, const std::string& value)
 }
 
 //------------------------------------------------------------------------------
+bool ControlList::IsComparing() const
+{
+  for (const char* name : { "compare-method", "compare-options" })
+  {
+    if (this->GetOwn(name) != this->Find(name)->Default)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 void ControlList::Update(const StudioState& state, const SceneContent& content)
 {
   for (Control& control : this->Controls)
@@ -147,9 +161,14 @@ void ControlList::Update(const StudioState& state, const SceneContent& content)
     {
       const std::string value = this->GetOwn(control.Name);
       const bool isDefault = value == control.Default;
-      control.Value = isDefault && control.Kind == ControlKind::Flag
-        ? std::nullopt
-        : std::optional<std::string>(value);
+      const bool hasNone = control.Kind == ControlKind::Flag || control.Kind == ControlKind::Choice;
+      control.Value = isDefault && hasNone ? std::nullopt : std::optional<std::string>(value);
+      const bool isOfDifference =
+        control.Name == "show-difference" || control.Name == "difference-gain";
+      if (isOfDifference && !this->IsComparing())
+      {
+        control.Reason = "there is no second view; set compare-method or compare-options";
+      }
     }
     else if (control.Name == "undo" && !state.CanUndo())
     {

@@ -32,6 +32,8 @@ public:
   /// The values of controls that are no options: flags and texts of the program.
   std::string GetOwn(const std::string& name) const;
   void SetOwn(const std::string& name, const std::string& value);
+  /// Whether the controls ask for a second view.
+  bool IsComparing() const;
   /// Whether a control is an option of relevo-view.
   static bool IsOption(const Control& control);
 

@@ -175,6 +175,28 @@ void AddView(std::vector<Control>& table)
   }
 }
 
+void AddComparison(std::vector<Control>& table)
+{
+  const std::string group = "Compare";
+  table.push_back(MakeChoice("compare-method", group, "no second view",
+    { "arkfpi", "ark", "dmr", "suapt", "tessellation", "uniform" }));
+  table.push_back(MakeText("compare-options", group, "none"));
+  table.push_back(MakeFlag("show-difference", group));
+  table.push_back(MakeNumber("difference-gain", group, "times", "4", 1.0, 100.0, { 4.0 }, true));
+}
+
+void AddPattern(std::vector<Control>& table)
+{
+  const std::string group = "Pattern generator";
+  Control levels = MakeInteger("pattern-levels", group, "levels of the edges", "3,2,0", 0, 7, 0);
+  levels.Start = { 3.0, 2.0, 0.0 };
+  table.push_back(levels);
+  table.push_back(MakeText("pattern-name", group, "pattern.vtp"));
+  table.push_back(MakeButton("save-pattern", group));
+  table.push_back(MakeText("table-name", group, "patterns.vtp"));
+  table.push_back(MakeButton("save-table", group));
+}
+
 void AddFiles(std::vector<Control>& table)
 {
   const std::string group = "Save";
@@ -182,6 +204,12 @@ void AddFiles(std::vector<Control>& table)
   table.push_back(MakeButton("save-picture", group));
   table.push_back(MakeText("mesh-name", group, "studio.vtp"));
   table.push_back(MakeButton("save-mesh", group));
+  table.push_back(MakeText("session-name", group, "studio.json"));
+  table.push_back(MakeButton("save-session", group));
+  table.push_back(MakeText("script-name", group, "studio.py"));
+  table.push_back(MakeButton("save-script", group));
+  table.push_back(MakeText("source-name", group, "studio-source/"));
+  table.push_back(MakeButton("save-source", group));
   table.push_back(MakeFlag("panels-in-pictures", group));
 }
 }
@@ -198,6 +226,8 @@ std::vector<Control> GetControlTable()
   AddVolume(table);
   AddTerrain(table);
   AddView(table);
+  AddComparison(table);
+  AddPattern(table);
   AddFiles(table);
   // Their defaults are no numbers, or depend on the file.
   const std::set<std::string> others = { "budget", "contours", "error", "exaggeration",

@@ -87,9 +87,17 @@ void StudioScene::Build(const OptionValues& values)
 //------------------------------------------------------------------------------
 void StudioScene::Apply(const OptionValues& values)
 {
-  const OptionNames changed = values.Compare(this->Values);
+  OptionNames changed = values.Compare(this->Values);
+  for (const char* name : { "--center", "--view", "--zoom" })
+  {
+    if (this->SharedCamera)
+    {
+      changed.erase(name); // the other scene moves the camera
+    }
+  }
   if (changed.empty())
   {
+    this->Values = values;
     return;
   }
   const bool changesView = HasAny(changed, { "--center", "--view", "--zoom" });
@@ -106,7 +114,7 @@ void StudioScene::Apply(const OptionValues& values)
     if (!isMoved &&
       HasAny(changed, { "--amplitude", "--alpha", "--frequency", "--offset", "--scale", "--time" }))
     {
-      this->Scene->ResetView();
+      this->ResetView();
     }
     if (!isMoved)
     {
@@ -117,7 +125,11 @@ void StudioScene::Apply(const OptionValues& values)
   vtkNew<vtkCamera> old;
   old->DeepCopy(camera);
   this->Build(values);
-  if (isMoved)
+  if (this->SharedCamera)
+  {
+    this->ShareCamera(this->SharedCamera);
+  }
+  else if (isMoved)
   {
     this->Scene->GetRenderer()->GetActiveCamera()->DeepCopy(old);
     this->Scene->GetRenderer()->ResetCameraClippingRange();
@@ -137,9 +149,36 @@ const SceneContent& StudioScene::GetContent()
 void StudioScene::SetPanelWidth(int width)
 {
   this->PanelWidth = width;
+  this->UpdateSize();
+}
+
+//------------------------------------------------------------------------------
+void StudioScene::SetColumn(int column, int number)
+{
+  const bool isMoved = column != this->Column;
+  this->Column = column;
+  this->NumberOfColumns = number;
+  this->UpdateSize();
+  if (isMoved && this->Size[0] > 0)
+  {
+    this->ApplySize();
+  }
+}
+
+//------------------------------------------------------------------------------
+void StudioScene::ShareCamera(vtkCamera* camera)
+{
+  this->SharedCamera = camera;
+  this->Scene->GetRenderer()->SetActiveCamera(camera);
+}
+
+//------------------------------------------------------------------------------
+void StudioScene::UpdateSize()
+{
   const int* window = this->Window->GetActualSize();
-  const bool hasRoom = window[0] - width >= SmallestWidth;
-  const std::array<int, 2> size = { { hasRoom ? window[0] - width : window[0], window[1] } };
+  const bool hasRoom = window[0] - this->PanelWidth >= SmallestWidth;
+  const int width = hasRoom ? window[0] - this->PanelWidth : window[0];
+  const std::array<int, 2> size = { { width / this->NumberOfColumns, window[1] } };
   if (size[0] > 0 && size[1] > 0 && size != this->Size)
   {
     this->Size = size;
@@ -148,12 +187,18 @@ void StudioScene::SetPanelWidth(int width)
 }
 
 //------------------------------------------------------------------------------
+std::array<double, 4> StudioScene::GetColumnViewport(int column) const
+{
+  const double width = this->Window->GetActualSize()[0];
+  return { { column * this->Size[0] / width, 0.0, (column + 1) * this->Size[0] / width, 1.0 } };
+}
+
+//------------------------------------------------------------------------------
 void StudioScene::ApplySize()
 {
   const bool isMoved = this->IsViewMoved();
-  const int width = this->Window->GetActualSize()[0];
-  this->Scene->GetRenderer()->SetViewport(
-    0.0, 0.0, static_cast<double>(this->Size[0]) / width, 1.0);
+  const std::array<double, 4> viewport = this->GetColumnViewport(this->Column);
+  this->Scene->GetRenderer()->SetViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
   this->Scene->SetViewSize(this->Size);
   if (!isMoved)
   {
@@ -184,6 +229,10 @@ SceneFigures StudioScene::GetFigures()
 //------------------------------------------------------------------------------
 void StudioScene::ResetView()
 {
+  if (this->SharedCamera)
+  {
+    return;
+  }
   this->Scene->ResetView();
   this->StoreView();
 }

@@ -55,11 +55,22 @@ public:
   void SetPanelWidth(int width);
   int GetPanelWidth() const { return this->PanelWidth; }
 
+  /// Draws the scene in one of several columns of equal size beside the panel. Default: the only
+  /// one.
+  void SetColumn(int column, int number);
+  /// The size of a column in pixels, and the part of the window of any column.
+  const std::array<int, 2>& GetColumnSize() const { return this->Size; }
+  std::array<double, 4> GetColumnViewport(int column) const;
+
+  /// Looks through the camera of another scene, which moves it from now on.
+  void ShareCamera(vtkCamera* camera);
+
 private:
   ViewerOptions Parse(const OptionValues& values) const;
   void Build(const OptionValues& values);
   bool IsViewMoved() const;
   void StoreView();
+  void UpdateSize();
   void ApplySize();
 
   vtkRenderWindow* Window;
@@ -69,10 +80,13 @@ private:
   std::unique_ptr<ViewerScene> Scene;
   SceneContent Content;
   int PanelWidth = 0;
+  int Column = 0;
+  int NumberOfColumns = 1;
   std::array<int, 2> Size = { { 0,
     0 } };                            // of the scene's part of the window, after the first frame
   vtkSmartPointer<vtkCamera> OwnView; // the camera of the options
-  double EarlierBuilds[2] = { 0.0, 0.0 }; // of buffers and shaders, in scenes that were replaced
+  vtkSmartPointer<vtkCamera> SharedCamera; // nullptr for the scene's own
+  double EarlierBuilds[2] = { 0.0, 0.0 };  // of buffers and shaders, in scenes that were replaced
 };
 
 #endif

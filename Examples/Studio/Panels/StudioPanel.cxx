@@ -3,6 +3,7 @@
 #include "Panels/StudioPanel.h"
 
 #include "Panels/ControlWidget.h"
+#include "Panels/PatternDrawing.h"
 
 #include <imgui.h>
 
@@ -77,6 +78,7 @@ bool StudioPanel::IsRevealed(const std::string& name) const
 void StudioPanel::Draw(const PanelState& state, PanelRequests& requests)
 {
   this->Layout.Start(this->Revealed);
+  this->HasHistogram = false;
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   const float width = std::min(std::round(ImGui::GetFontSize() * 25.0f), window.x);
   ImGui::SetNextWindowPos(ImVec2(window.x - width, 0.0f), ImGuiCond_Always);
@@ -108,6 +110,7 @@ void StudioPanel::Draw(const PanelState& state, PanelRequests& requests)
       this->DrawGroup(group, state, requests);
     }
     this->DrawFigures(state);
+    this->DrawPatterns(state);
   }
   this->Width = ImGui::IsWindowCollapsed() ? 0 : static_cast<int>(width);
   ImGui::End();
@@ -184,6 +187,10 @@ void StudioPanel::DrawControls(
     {
       this->Transfer.Draw(control, state.Content, this->Layout, requests);
     }
+    if (control.Name == "pattern-levels")
+    {
+      DrawPattern(state.Pattern);
+    }
   }
 }
 
@@ -203,5 +210,17 @@ void StudioPanel::DrawFigures(const PanelState& state)
     const bool isMemory = figure.first == "memory";
     ImGui::TextUnformatted(isMemory ? (FormatFigure(figure.second / 1048576.0) + " MiB").c_str()
                                     : FormatFigure(figure.second).c_str());
+  }
+}
+
+//------------------------------------------------------------------------------
+void StudioPanel::DrawPatterns(const PanelState& state)
+{
+  const std::string group = "Levels and patterns";
+  this->HasHistogram = ImGui::CollapsingHeader(group.c_str());
+  this->AddHeader(group, this->HasHistogram);
+  if (this->HasHistogram)
+  {
+    DrawHistogram(state.Patterns);
   }
 }

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+class EdgePattern;
 class PanelRequests;
 
 /// The input of the panel for one pass of ImGui.
@@ -23,7 +24,9 @@ struct PanelState
   const std::vector<Control>& Controls;
   const SceneContent& Content;
   const SceneFigures& Figures;
-  std::string Message; // the last error, or ""
+  const std::vector<PatternCount>& Patterns; // of the last frame with ShowsHistogram()
+  const EdgePattern& Pattern;                // of the generator
+  std::string Message;                       // the last error, or ""
 };
 
 class StudioPanel
@@ -34,6 +37,8 @@ public:
   const LayoutList& GetLayout() const { return this->Layout; }
   /// In pixels, or 0 while only the title is shown.
   int GetWidth() const { return this->Width; }
+  /// Whether the histogram of patterns was open in the last pass.
+  bool ShowsHistogram() const { return this->HasHistogram; }
 
   /// Opens the group of a control and scrolls to it in the next pass.
   void Reveal(const std::string& name) { this->Revealed = name; }
@@ -44,12 +49,14 @@ private:
   /// Adds the last item, which opens a group, to the layout.
   void AddHeader(const std::string& group, bool isOpen);
   void DrawFigures(const PanelState& state);
+  void DrawPatterns(const PanelState& state);
   bool IsRevealed(const std::string& name) const;
 
   LayoutList Layout;
   TransferEditor Transfer;
   std::string Revealed;
   int Width = 0;
+  bool HasHistogram = false;
 };
 
 #endif

@@ -8,6 +8,9 @@
 #include "Files/ViewerExport.h"
 #include "Files/ViewerPicture.h"
 #include "Options/UsageError.h"
+#include "Panels/PatternDrawing.h"
+#include "Scene/SceneProgram.h"
+#include "Scene/SceneSession.h"
 #include "Text/ViewerText.h"
 
 #include "vtkCommand.h"
@@ -17,6 +20,7 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace
@@ -41,7 +45,9 @@ Studio::Studio(vtkRenderWindow* window, const OptionValues& values, bool isCompl
   : Window(window)
   , State(values)
   , Scene(window, values, isComplete)
+  , Comparison(window, this->Scene, isComplete)
 {
+  this->Pattern.Set(this->Controls.GetOwn("pattern-levels"));
   this->Overlay->SetRenderWindow(window);
   this->Overlay->SetCallback([this] { this->Describe(); });
   window->AddObserver(vtkCommand::StartEvent, this, &Studio::OnFrame, BeforePanel);
@@ -81,7 +87,19 @@ void Studio::Set(const std::string& name, const std::optional<std::string>& valu
   const Control* control = this->Controls.Find(name);
   if (control && !ControlList::IsOption(*control))
   {
-    this->Controls.SetOwn(name, value.value_or(control->Default));
+    const std::string own = value.value_or(control->Default);
+    try
+    {
+      if (name == "pattern-levels")
+      {
+        this->Pattern.Set(own);
+      }
+      this->Controls.SetOwn(name, own);
+    }
+    catch (const ViewerError& error)
+    {
+      this->Fail(error.what());
+    }
     this->UpdateControls();
     return;
   }
@@ -134,7 +152,46 @@ void Studio::Apply()
     this->Fail(error.what());
     this->State.Restore(this->Scene.GetValues());
   }
+  this->ApplyComparison();
   this->UpdateControls();
+}
+
+//------------------------------------------------------------------------------
+void Studio::ApplyComparison()
+{
+  const auto get = [this](const std::string& name)
+  {
+    const std::string value = this->Controls.GetOwn(name);
+    return value == this->Controls.Find(name)->Default ? "" : value;
+  };
+  StudioComparison::Request request{ get("compare-method"), get("compare-options"),
+    this->Controls.GetOwn("show-difference") == "on",
+    ParseNumbers(this->Controls.GetOwn("difference-gain") + ",4").front() };
+  try
+  {
+    this->Comparison.Apply(request);
+    return;
+  }
+  catch (const std::exception& error) // ViewerError, UsageError
+  {
+    this->Fail(error.what());
+  }
+  // The last request, or none if the first view does not allow it any more.
+  request = this->Comparison.GetShown();
+  try
+  {
+    this->Comparison.Apply(request);
+  }
+  catch (const std::exception&)
+  {
+    request.Method.clear();
+    request.Options.clear();
+    this->Comparison.Apply(request);
+  }
+  const auto set = [this](const std::string& name, const std::string& value)
+  { this->Controls.SetOwn(name, value.empty() ? this->Controls.Find(name)->Default : value); };
+  set("compare-method", request.Method);
+  set("compare-options", request.Options);
 }
 
 //------------------------------------------------------------------------------
@@ -160,13 +217,17 @@ void Studio::Do(const std::string& action)
   {
     this->IsPlayed = !this->IsPlayed;
   }
-  else if (action == "save-picture")
+  else if (action == "save-pattern")
   {
-    this->Save(this->Controls.GetOwn("picture-name"));
+    this->Pattern.Save(this->Controls.GetOwn("pattern-name"), this->Scene.GetMessages());
   }
-  else if (action == "save-mesh")
+  else if (action == "save-table")
   {
-    this->Save(this->Controls.GetOwn("mesh-name"));
+    this->Pattern.SaveTable(this->Controls.GetOwn("table-name"), this->Scene.GetMessages());
+  }
+  else if (action.compare(0, 5, "save-") == 0)
+  {
+    this->Save(this->Controls.GetOwn(action.substr(5) + "-name"));
   }
   else
   {
@@ -370,17 +431,17 @@ void Studio::Save(const std::string& fileName)
   const bool hasPanel = this->Controls.GetOwn("panels-in-pictures") == "on" &&
     vtksys::SystemTools::StringEndsWith(vtksys::SystemTools::LowerCase(fileName), ".png");
   const int width = this->Scene.GetPanelWidth();
-  this->Scene.SetPanelWidth(hasPanel ? width : 0);
+  this->Comparison.SetPanelWidth(hasPanel ? width : 0);
   try
   {
     this->SaveScene(fileName);
   }
   catch (const ViewerError&)
   {
-    this->Scene.SetPanelWidth(width);
+    this->Comparison.SetPanelWidth(width);
     throw;
   }
-  this->Scene.SetPanelWidth(width);
+  this->Comparison.SetPanelWidth(width);
 }
 
 //------------------------------------------------------------------------------
@@ -389,9 +450,26 @@ void Studio::SaveScene(const std::string& fileName)
   const std::string extension =
     vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(fileName));
   const std::vector<std::string> meshes = GetExportExtensions();
+  const bool isProgram = extension == ".py" || fileName.back() == '/';
   if (extension == ".png")
   {
-    this->WritePictureFile(fileName);
+    this->DrawPicture(this->Controls.GetOwn("panels-in-pictures") == "on",
+      [&] { WritePicture(this->Window, fileName, this->Scene.GetMessages()); });
+  }
+  else if (isProgram || extension == ".json")
+  {
+    // These describe the frame of a picture of the first view.
+    this->Comparison.SetHidden(true);
+    try
+    {
+      this->DrawPicture(false, [&] { this->SaveProgram(fileName); });
+    }
+    catch (const ViewerError&)
+    {
+      this->Comparison.SetHidden(false);
+      throw;
+    }
+    this->Comparison.SetHidden(false);
   }
   else if (std::find(meshes.begin(), meshes.end(), extension) != meshes.end())
   {
@@ -404,14 +482,39 @@ void Studio::SaveScene(const std::string& fileName)
   else
   {
     throw ViewerError("cannot save " + fileName +
-      ": its name must end with .png, or as a mesh with " + JoinWords(meshes));
+      ": its name must end with .png, .json for a session, .py for a script, / for the folder of a "
+      "C++ source, or as a mesh with " +
+      JoinWords(meshes));
   }
 }
 
 //------------------------------------------------------------------------------
-void Studio::WritePictureFile(const std::string& fileName)
+void Studio::SaveProgram(const std::string& fileName)
 {
-  const bool hasPanels = this->Controls.GetOwn("panels-in-pictures") == "on";
+  ViewerScene& scene = this->Scene.Get();
+  ViewerOptions options = this->Scene.GetValues().Parse();
+  const int* window = this->Window->GetActualSize();
+  const std::array<int, 2> size = { { window[0], window[1] } };
+  options.Given["--size"] = std::to_string(size[0]) + "x" + std::to_string(size[1]);
+  if (fileName.back() == '/')
+  {
+    SaveSource(scene, options, size, fileName.substr(0, fileName.size() - 1));
+  }
+  else if (vtksys::SystemTools::LowerCase(
+             vtksys::SystemTools::GetFilenameLastExtension(fileName)) == ".py")
+  {
+    SaveScript(scene, options, size, fileName);
+  }
+  else
+  {
+    options.SaveSession = fileName;
+    SaveSession(scene, options);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Studio::DrawPicture(bool hasPanels, const std::function<void()>& use)
+{
   this->Overlay->SetVisibility(hasPanels);
   // The frame of the picture must not appear on the screen.
   const vtkTypeBool swaps = this->Window->GetSwapBuffers();
@@ -424,7 +527,7 @@ void Studio::WritePictureFile(const std::string& fileName)
   try
   {
     this->Window->Render();
-    WritePicture(this->Window, fileName, this->Scene.GetMessages());
+    use();
   }
   catch (const ViewerError&)
   {
@@ -440,7 +543,7 @@ void Studio::Draw()
   this->Window->Render();
   try
   {
-    this->Scene.CheckFrame();
+    this->Comparison.CheckFrame();
   }
   catch (const ViewerError& error)
   {
@@ -460,7 +563,7 @@ void Studio::OnPanel()
 {
   if (this->Overlay->GetVisibility())
   {
-    this->Scene.SetPanelWidth(this->Panel.GetWidth());
+    this->Comparison.SetPanelWidth(this->Panel.GetWidth());
   }
 }
 
@@ -474,11 +577,21 @@ void Studio::OnFrameEnd()
   this->Figures = this->Scene.GetFigures();
   this->Figures.insert(this->Figures.begin(),
     { { "frames", static_cast<double>(this->Frames) }, { "frame-ms", time.count() } });
+  const SceneFigures compared = this->Comparison.MeasureFrame();
+  this->Figures.insert(this->Figures.end(), compared.begin(), compared.end());
+  // Patterns that the graphics card has chosen are read back only for the histogram.
+  const bool hadPatterns = !this->Patterns.empty();
+  this->Patterns = this->Panel.ShowsHistogram() ? this->Scene.Get().GetPatternCounts()
+                                                : std::vector<PatternCount>();
+  if (!hadPatterns && !this->Patterns.empty())
+  {
+    this->Overlay->RequestFrame(); // the histogram has just been opened
+  }
   if (!this->LayoutFile.empty() && this->Overlay->GetVisibility())
   {
     try
     {
-      WriteLayout(this->LayoutFile, this->Panel.GetLayout(), this->Figures);
+      WriteLayout(this->LayoutFile, this->Panel.GetLayout(), this->ListFigures());
     }
     catch (const ViewerError& error)
     {
@@ -489,8 +602,22 @@ void Studio::OnFrameEnd()
 }
 
 //------------------------------------------------------------------------------
+SceneFigures Studio::ListFigures() const
+{
+  SceneFigures figures = this->Figures;
+  const SceneFigures counts = ListCounts(this->Patterns);
+  figures.insert(figures.end(), counts.begin(), counts.end());
+  figures.insert(figures.end(),
+    { { "pattern-lambda", static_cast<double>(this->Pattern.GetLambda()) },
+      { "pattern-triangles", static_cast<double>(this->Pattern.GetTriangles().size()) },
+      { "pattern-angle", this->Pattern.GetSmallestAngle() } });
+  return figures;
+}
+
+//------------------------------------------------------------------------------
 void Studio::Describe()
 {
-  this->Panel.Draw(
-    { this->Controls.Get(), this->Scene.GetContent(), this->ShownFigures, this->Message }, *this);
+  this->Panel.Draw({ this->Controls.Get(), this->Scene.GetContent(), this->ShownFigures,
+                     this->Patterns, this->Pattern, this->Message },
+    *this);
 }

@@ -8,14 +8,17 @@
 #define Studio_h
 
 #include "Controls/ControlList.h"
+#include "Drawing/StudioComparison.h"
 #include "Drawing/StudioScene.h"
 #include "Panels/ControlWidget.h"
 #include "Panels/StudioPanel.h"
+#include "State/EdgePattern.h"
 #include "State/StudioState.h"
 
 #include "vtkNew.h"
 
 #include <chrono>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -45,7 +48,8 @@ public:
 
   /// Checks a value and sets the control, or a part of it. Throws UsageError or ViewerError.
   void SetValue(const std::string& name, const std::string& value);
-  /// Writes a picture (.png), or the mesh. Throws ViewerError.
+  /// Writes a picture (.png), a session (.json), a script (.py), the folder of a C++ source (a name
+  /// that ends with /), or the mesh. Throws ViewerError.
   void Save(const std::string& fileName);
 
   /// Draws a frame.
@@ -75,16 +79,23 @@ private:
   void OnFrameEnd();
   void Describe();
   void UpdateControls();
+  void ApplyComparison();
+  SceneFigures ListFigures() const;
   void Do(const std::string& action);
   void MoveStep(int step);
   void SetView(const std::string& name);
   void Fail(const std::string& message);
   void SaveScene(const std::string& fileName);
-  void WritePictureFile(const std::string& fileName);
+  /// Writes a session, a script or a C++ source of the last frame.
+  void SaveProgram(const std::string& fileName);
+  /// Draws a frame that does not appear on the screen, and uses it.
+  void DrawPicture(bool hasPanels, const std::function<void()>& use);
 
   vtkRenderWindow* Window;
   StudioState State;
   StudioScene Scene;
+  StudioComparison Comparison;
+  EdgePattern Pattern; // of the generator
   ControlList Controls;
   StudioPanel Panel;
   vtkNew<vtkImGuiOverlay> Overlay;
@@ -93,8 +104,9 @@ private:
   std::string Error; // until TakeError()
   bool IsPlayed = false;
   std::string LayoutFile;
-  SceneFigures Figures;      // of the last frame
-  SceneFigures ShownFigures; // in the panel, of the frame before
+  SceneFigures Figures;               // of the last frame
+  SceneFigures ShownFigures;          // in the panel, of the frame before
+  std::vector<PatternCount> Patterns; // of the last frame, while the panel shows them
   std::chrono::steady_clock::time_point Start;
   int Frames = 0;
 };

@@ -10,7 +10,8 @@ relevo-studio [options] -- FILE     for names that begin with a hyphen
 
 Shows a height map, a mesh or results in a window with controls. Files and options are those of
 relevo-view, except --against, --capture, --export, --flight, --height-at, --micromesh, --output,
---save-session, --session and --stats. Each control has the name of its option.
+--save-script, --save-session, --save-source, --session and --stats. Each control has the name of its
+option.
 
 Options of the studio:
   --script FILE          run the lines of a script without a display, and exit: set NAME VALUE, click
