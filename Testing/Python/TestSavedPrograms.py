@@ -114,7 +114,7 @@ class TestSavedPrograms(ViewerProgram):
         picture = ("sphere.vtp", "--array=Latitude", SIZE, "--output=p.png", "--save-script=bad.py")
         for options, words in (
             (["--axes"], ["a program cannot draw --axes yet; omit it, or save a session"]),
-            (["--hair=10", "--axes"], ["--axes and --hair yet; omit them"]),
+            (["--hair=10", "--axes"], ["--axes or --hair yet; omit them"]),
         ):
             self.assert_error(1, words, *picture, *options)
         self.assert_error(1, ["a program cannot draw hill.png with these options yet"],
