@@ -233,5 +233,6 @@ void LegendCode::AddText(vtkTextActor* text, bool isTitle)
   const double* position = text->GetPosition();
   this->Code.CallFunction("AddText", AddTextFunction,
     { CodeValue::Object("renderer"), text->GetInput(), static_cast<int>(position[0]),
-      static_cast<int>(position[1]), text->GetTextProperty()->GetFontSize(), CodeValue::Flag(isTitle) });
+      static_cast<int>(position[1]), text->GetTextProperty()->GetFontSize(),
+      CodeValue::Flag(isTitle) });
 }
