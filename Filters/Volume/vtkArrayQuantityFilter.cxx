@@ -12,6 +12,7 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <vector>
@@ -41,7 +42,7 @@ std::vector<std::string> FindSources(
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
       vtkDataArray* array = data->GetArray(i);
-      if (array && array->GetName() && quantity.CanUse(array) &&
+      if (array && array->GetName() && quantity.CanUse(array->GetNumberOfComponents()) &&
         std::find(names.begin(), names.end(), array->GetName()) == names.end())
       {
         names.emplace_back(array->GetName());
@@ -117,7 +118,7 @@ int vtkArrayQuantityFilter::RequestData(
   for (vtkDataSetAttributes* data : attributes)
   {
     vtkDataArray* source = data->GetArray(quantity->Source.c_str());
-    if (source && quantity->CanUse(source))
+    if (source && quantity->CanUse(source->GetNumberOfComponents()))
     {
       const vtkSmartPointer<vtkDataArray> result = quantity->Compute(source);
       result->SetName(this->ResultName.c_str());
@@ -125,6 +126,16 @@ int vtkArrayQuantityFilter::RequestData(
     }
   }
   return 1;
+}
+
+void vtkArrayQuantityFilter::ListQuantities(
+  const char* arrayName, int numberOfComponents, vtkStringArray* quantities)
+{
+  quantities->Initialize();
+  for (const std::string& name : relevo::FindQuantities(numberOfComponents))
+  {
+    quantities->InsertNextValue(name + " of " + (arrayName ? arrayName : ""));
+  }
 }
 
 void vtkArrayQuantityFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -36,6 +36,8 @@
 
 #include <string> // for names
 
+class vtkStringArray;
+
 class RELEVOFILTERSVOLUME_EXPORT vtkArrayQuantityFilter : public vtkPassInputTypeAlgorithm
 {
 public:
@@ -56,6 +58,14 @@ public:
    * source. If nothing has been computed, it is the quantity as it was set.
    */
   vtkGetCharFromStdStringMacro(ResultName);
+
+  /**
+   * Fill a list with the quantities of an array with this name and number of components, in the
+   * order of a menu. There are none for a single component. "component N of A" is listed only if
+   * the components have no other names.
+   */
+  static void ListQuantities(
+    const char* arrayName, int numberOfComponents, vtkStringArray* quantities);
 
 protected:
   vtkArrayQuantityFilter();

@@ -604,7 +604,7 @@ void vtkAdaptiveLICMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
   vtkInternals& lic = *this->LIC;
   vtkPolyData* input = this->CurrentInput;
   relevo::Dependencies dependencies =
-    relevo::Dependencies::On(this->GetBuildMTime(), this->GetNoDataMagnitude());
+    relevo::Dependencies::On(this->GetMeshBuildMTime(), this->GetNoDataMagnitude());
   dependencies.AddObject(input);
   lic.Vectors.Update(
     dependencies, [&] { return this->FindArray(input); }, this->GetNoDataMagnitude());

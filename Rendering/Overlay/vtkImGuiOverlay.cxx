@@ -7,6 +7,7 @@
 #include "Context/ImGuiPanels.h"
 #include "Drawing/OverlayProp.h"
 #include "Drawing/PanelPainter.h"
+#include "Drawing/SceneFrames.h"
 
 #include <imgui.h>
 
@@ -27,6 +28,7 @@
 namespace
 {
 const float Priority = 100.0f; // before interactor styles and widgets
+const float LastPriority = -1e6f;
 const double SmallestScale = 0.25;
 const double LargestScale = 8.0;
 const double SmallestFont = 6.0;
@@ -78,11 +80,14 @@ public:
   void SetInteractor(vtkRenderWindowInteractor* interactor);
   /// Runs the callback and returns whether a frame would show something new.
   bool Update();
+  /// Calls the interactor's Render().
+  void RequestFrame();
 
   vtkImGuiOverlay* Overlay;
   relevo::ImGuiPanels Panels;
   relevo::ImGuiFont Font;
   relevo::PanelPainter Painter;
+  relevo::SceneFrames Scene;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<relevo::OverlayProp> Prop;
   vtkWeakPointer<vtkRenderWindow> Window;
@@ -90,12 +95,17 @@ public:
   std::function<void()> Callback;
   double Scale = 0.0;
   bool IsVisible = true;
+  bool RepeatsScene = true;
   bool IsFrameRequested = false;
   vtkIdType Frames = 0;
+  vtkIdType RepeatedFrames = 0;
 
 private:
   void OnFrame();
+  void OnFrameReady();
   void OnFrameEnd();
+  void OnRequest();
+  size_t GetLook() const { return this->IsVisible ? this->Panels.GetLook() : 0; }
   bool OnEvent(unsigned long event);
   void OnRelease(unsigned long event);
   bool Send(unsigned long event);
@@ -107,10 +117,13 @@ private:
   bool Draw();
 
   vtkNew<vtkCallbackCommand> WindowCommand;
+  vtkNew<vtkCallbackCommand> ReadyCommand; // after other observers
+  vtkNew<vtkCallbackCommand> RequestCommand;
   vtkNew<vtkCallbackCommand> InputCommand;
   vtkNew<vtkCallbackCommand> ReleaseCommand;
   vtkWeakPointer<vtkRenderWindowInteractor> Observed;
   size_t DrawnLook = 0;
+  bool IsRequesting = false;                                 // while the panels request a frame
   std::array<bool, 3> IsCaptured{ { false, false, false } }; // buttons pressed over a panel
   std::set<std::string> CapturedKeys;                        // pressed while ImGui used the keys
   bool IsCharacterCaptured = false;                          // of the last key
@@ -127,7 +140,10 @@ vtkImGuiOverlay::Internals::Internals(vtkImGuiOverlay* overlay)
   this->Renderer->AddViewProp(this->Prop);
   this->Prop->Draw = [this](vtkViewport*) { return this->Draw(); };
   this->Prop->Release = [this](vtkWindow* window)
-  { this->Painter.ReleaseGraphicsResources(window); };
+  {
+    this->Painter.ReleaseGraphicsResources(window);
+    this->Scene.ReleaseGraphicsResources(window);
+  };
 
   this->WindowCommand->SetClientData(this);
   this->WindowCommand->SetCallback(
@@ -136,6 +152,13 @@ vtkImGuiOverlay::Internals::Internals(vtkImGuiOverlay* overlay)
       auto* data = static_cast<Internals*>(self);
       event == vtkCommand::StartEvent ? data->OnFrame() : data->OnFrameEnd();
     });
+  this->ReadyCommand->SetClientData(this);
+  this->ReadyCommand->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+    { static_cast<Internals*>(self)->OnFrameReady(); });
+  this->RequestCommand->SetPassiveObserver(1);
+  this->RequestCommand->SetClientData(this);
+  this->RequestCommand->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+    { static_cast<Internals*>(self)->OnRequest(); });
   this->InputCommand->SetClientData(this);
   this->InputCommand->SetCallback(
     [](vtkObject*, unsigned long event, void* self, void*)
@@ -165,13 +188,15 @@ void vtkImGuiOverlay::Internals::SetWindow(vtkRenderWindow* window)
   if (this->Window)
   {
     this->Window->RemoveObserver(this->WindowCommand);
+    this->Window->RemoveObserver(this->ReadyCommand);
     this->Window->RemoveRenderer(this->Renderer);
   }
   this->Window = window;
   if (window)
   {
     window->AddObserver(vtkCommand::StartEvent, this->WindowCommand);
-    window->AddObserver(vtkCommand::EndEvent, this->WindowCommand);
+    window->AddObserver(vtkCommand::StartEvent, this->ReadyCommand, LastPriority);
+    window->AddObserver(vtkCommand::EndEvent, this->WindowCommand, Priority);
   }
   this->Observe(this->Overlay->GetInteractor());
 }
@@ -194,12 +219,14 @@ void vtkImGuiOverlay::Internals::Observe(vtkRenderWindowInteractor* interactor)
   {
     this->Observed->RemoveObserver(this->InputCommand);
     this->Observed->RemoveObserver(this->ReleaseCommand);
+    this->Observed->RemoveObserver(this->RequestCommand);
   }
   this->Observed = interactor;
   if (!interactor)
   {
     return;
   }
+  interactor->AddObserver(vtkCommand::RenderEvent, this->RequestCommand);
   for (const vtkCommand::EventIds event : InputEvents)
   {
     interactor->AddObserver(event, this->InputCommand, Priority);
@@ -278,9 +305,13 @@ bool vtkImGuiOverlay::Internals::Update()
   {
     return false;
   }
-  const relevo::ImGuiPanels::Current current(this->Panels);
-  this->Run();
-  return this->IsFrameRequested || this->Panels.GetLook() != this->DrawnLook;
+  // Without a pass, hidden panels reappear as they were, without the focus of new ones.
+  if (this->IsVisible)
+  {
+    const relevo::ImGuiPanels::Current current(this->Panels);
+    this->Run();
+  }
+  return this->IsFrameRequested || this->GetLook() != this->DrawnLook;
 }
 
 //------------------------------------------------------------------------------
@@ -289,13 +320,45 @@ void vtkImGuiOverlay::Internals::OnFrame()
   this->KeepOnTop();
   this->Observe(this->Overlay->GetInteractor());
   this->Update();
+  if (this->IsFrameRequested)
+  {
+    this->Scene.RequestScene();
+  }
   this->IsFrameRequested = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkImGuiOverlay::Internals::OnFrameReady()
+{
+  this->Scene.Start(this->Window, this->Renderer, this->RepeatsScene);
 }
 
 //------------------------------------------------------------------------------
 void vtkImGuiOverlay::Internals::OnFrameEnd()
 {
-  this->DrawnLook = this->Panels.GetLook();
+  this->RepeatedFrames += this->Scene.IsRepeating() ? 1 : 0;
+  this->Scene.Finish(this->Window, this->Renderer);
+  this->DrawnLook = this->GetLook();
+}
+
+//------------------------------------------------------------------------------
+void vtkImGuiOverlay::Internals::OnRequest()
+{
+  // Otherwise, the interactor has drawn the frame already.
+  if (!this->IsRequesting && !(this->Observed->GetEnabled() && this->Observed->GetEnableRender()))
+  {
+    this->Scene.RequestScene();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkImGuiOverlay::Internals::RequestFrame()
+{
+  this->Observe(this->Overlay->GetInteractor());
+  this->Scene.RequestPanels();
+  this->IsRequesting = true;
+  this->Observed->Render();
+  this->IsRequesting = false;
 }
 
 //------------------------------------------------------------------------------
@@ -304,9 +367,16 @@ bool vtkImGuiOverlay::Internals::Draw()
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
   const relevo::ImGuiPanels::Current current(this->Panels);
   ImDrawData* panels = this->Panels.GetDrawData();
-  if (!this->IsVisible || !window || !panels || panels->TotalVtxCount == 0)
+  if (!window)
   {
     return false;
+  }
+  const bool hasPanels = this->IsVisible && panels && panels->TotalVtxCount > 0;
+  this->Scene.DrawBackground(window,
+    hasPanels ? relevo::FindRectangle(panels, window->GetActualSize()) : relevo::PixelRectangle{});
+  if (!hasPanels)
+  {
+    return this->Scene.IsRepeating();
   }
   if (!this->Painter.Draw(window, panels, this->Font.GetVersion()))
   {
@@ -338,9 +408,9 @@ bool vtkImGuiOverlay::Internals::OnEvent(unsigned long event)
   const relevo::ImGuiPanels::Current current(this->Panels);
   relevo::SendModifiers(this->Observed);
   const bool isCaptured = this->Send(event);
-  if (this->IsFrameRequested || this->Panels.GetLook() != this->DrawnLook)
+  if (this->IsFrameRequested || this->GetLook() != this->DrawnLook)
   {
-    this->Observed->Render();
+    this->RequestFrame();
   }
   return isCaptured;
 }
@@ -545,9 +615,36 @@ bool vtkImGuiOverlay::Update()
 }
 
 //------------------------------------------------------------------------------
+bool vtkImGuiOverlay::Refresh()
+{
+  const bool isChanged = this->GetInteractor() && this->Data->Update();
+  if (isChanged)
+  {
+    this->Data->RequestFrame();
+  }
+  return isChanged;
+}
+
+//------------------------------------------------------------------------------
 void vtkImGuiOverlay::RequestFrame()
 {
   this->Data->IsFrameRequested = true;
+}
+
+//------------------------------------------------------------------------------
+void vtkImGuiOverlay::SetRepeatsScene(bool repeats)
+{
+  if (repeats != this->Data->RepeatsScene)
+  {
+    this->Data->RepeatsScene = repeats;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkImGuiOverlay::GetRepeatsScene()
+{
+  return this->Data->RepeatsScene;
 }
 
 //------------------------------------------------------------------------------
@@ -571,6 +668,12 @@ vtkIdType vtkImGuiOverlay::GetNumberOfFrames()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkImGuiOverlay::GetNumberOfRepeatedFrames()
+{
+  return this->Data->RepeatedFrames;
+}
+
+//------------------------------------------------------------------------------
 ImGuiContext* vtkImGuiOverlay::GetContext()
 {
   return this->Data->Panels.GetContext();
@@ -590,6 +693,7 @@ void vtkImGuiOverlay::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RenderWindow: " << data.Window.Get() << "\n";
   os << indent << "Interactor: " << this->GetInteractor() << "\n";
   os << indent << "Visibility: " << (data.IsVisible ? "On" : "Off") << "\n";
+  os << indent << "RepeatsScene: " << (data.RepeatsScene ? "On" : "Off") << "\n";
   os << indent << "Scale: " << data.Scale << "\n";
   os << indent << "FontFileName: " << data.Font.FileName << "\n";
   os << indent << "FontSize: " << data.Font.Size << "\n";

@@ -35,6 +35,12 @@
  * has changed the panels, the overlay calls the interactor's Render(); without changes, no frame is
  * drawn. A callback that changes only the scene calls RequestFrame().
  *
+ * A frame that only the panels need does not draw the scene: it repeats the pixels of the last
+ * frame. This applies if nothing but the overlay requests the frame, and if no renderer, camera,
+ * light, prop, mapper or pipeline of a mapper has changed, as GetMTime() reports. If the callback
+ * changes something else, call RequestFrame(), or RepeatsSceneOff(). Renderers whose scene is
+ * repeated invoke no events.
+ *
  * The overlay draws in a renderer of its own, above the window's other layers. OpenGL's state is
  * restored, and the pixels and depths of the scene outside of the panels do not change. In pictures
  * that vtkWindowToImageFilter magnifies, the panels are magnified too.
@@ -106,6 +112,13 @@ public:
   //@}
 
   //@{
+  /// Set whether frames that only the panels need repeat the scene of the last frame. Default: on.
+  void SetRepeatsScene(bool repeats);
+  bool GetRepeatsScene();
+  vtkBooleanMacro(RepeatsScene, bool);
+  //@}
+
+  //@{
   /**
    * Set the factor for all sizes, 0 or from 0.25 to 8. Other values are an error. Default: 0, which
    * takes the window's DPI divided by 72. GetScaleInUse() returns the factor of the last frame.
@@ -133,7 +146,15 @@ public:
    */
   bool Update();
 
-  /// Call the interactor's Render() after the current event even if the panels do not change.
+  /**
+   * Call the callback now, and the interactor's Render() if the panels have changed, for example
+   * because of a timer. The frame repeats the scene if it can. Return whether they have changed.
+   * Without a window and an interactor, nothing happens.
+   */
+  bool Refresh();
+
+  /// Call the interactor's Render() after the current event even if the panels do not change. The
+  /// next frame draws the scene.
   void RequestFrame();
 
   //@{
@@ -144,6 +165,9 @@ public:
 
   /// Return the number of frames in which panels were drawn.
   vtkIdType GetNumberOfFrames();
+
+  /// Return the number of frames that repeated the scene of the frame before.
+  vtkIdType GetNumberOfRepeatedFrames();
 
   /// Return ImGui's context, for example to load styles.
   ImGuiContext* GetContext();

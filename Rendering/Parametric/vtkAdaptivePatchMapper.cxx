@@ -236,7 +236,6 @@ vtkDataArray* vtkAdaptivePatchMapper::FindMappedScalars()
 void vtkAdaptivePatchMapper::UploadField(vtkRenderer* ren)
 {
   vtkInternals& data = *this->Patches;
-  data.Scalars.ReleaseGraphicsResources(ren->GetRenderWindow());
   vtkDataArray* scalars = this->FindMappedScalars();
   std::string error;
   if (scalars && this->ExactScalars)
@@ -254,6 +253,10 @@ void vtkAdaptivePatchMapper::UploadField(vtkRenderer* ren)
         ". The scalars are interpolated.";
       data.Scalars.ReleaseGraphicsResources(ren->GetRenderWindow());
     }
+  }
+  else
+  {
+    data.Scalars.ReleaseGraphicsResources(ren->GetRenderWindow());
   }
   if (relevo::ShouldReport(data.FieldError, error))
   {

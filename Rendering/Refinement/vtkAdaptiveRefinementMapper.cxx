@@ -51,6 +51,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
@@ -156,6 +157,10 @@ struct vtkAdaptiveRefinementMapper::vtkInternals
   Frame LastFrame;
   std::string ColorError;        // error that was reported last
   bool HasVertexIndices = false; // VTK's indices of visible vertices
+  // Shaders depend on the kind of the scalars' colours, not on the colours of the table.
+  bool AsksForShaders = false;
+  int ColorKind = 0; // in VTK's buffers
+  vtkTimeStamp ColorKindTime;
 
   vtkOpenGLRenderWindow* GetWindow() const { return this->Context->GetContext(); }
   relevo::RefinementState& GetState() { return this->Selection.GetState(); }
@@ -668,7 +673,7 @@ bool vtkAdaptiveRefinementMapper::GetNeedToRebuildBufferObjects(vtkRenderer* ren
   const bool needed = this->Superclass::GetNeedToRebuildBufferObjects(ren, act);
   return needed ||
     data.Upload.NeedsMesh(
-      data.GetState().GetMeshTime(), this->GetBuildMTime(), this->VBOs->GetVBO("vertexMC"));
+      data.GetState().GetMeshTime(), this->GetMeshBuildMTime(), this->VBOs->GetVBO("vertexMC"));
 }
 
 void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* act)
@@ -684,6 +689,14 @@ void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor*
   else
   {
     this->Superclass::BuildBufferObjects(ren, act);
+  }
+  const int kind = this->ColorTextureMap ? -this->ColorTextureMap->GetNumberOfScalarComponents()
+    : this->Colors                       ? this->HaveCellScalars + 1
+                                         : 0;
+  if (data.ColorKind != kind)
+  {
+    data.ColorKind = kind;
+    data.ColorKindTime.Modified();
   }
   const relevo::RefinementMesh* mesh =
     data.GetState().IsMeshValid() ? &data.GetState().GetMesh() : nullptr;
@@ -705,8 +718,8 @@ void vtkAdaptiveRefinementMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor*
       (cellScalars && this->AreDirectColors(cellScalars));
   }
   this->Report(data.Upload.UploadMesh({ vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()),
-    mesh, data.GetState().GetMeshTime(), this->GetBuildMTime(), this->VBOs->GetVBO("vertexMC"),
-    this->Refinement, input, scalars, cellScalars, areColors,
+    mesh, data.GetState().GetMeshTime(), this->GetMeshBuildMTime(), this->GetBuildMTime(),
+    this->VBOs->GetVBO("vertexMC"), this->Refinement, input, scalars, cellScalars, areColors,
     (scalars || cellScalars) && !areColors ? this->GetLookupTable() : nullptr, this->ArrayComponent,
     this->ColorCoordinates != nullptr, representation, input->GetNumberOfCells(),
     this->CellCellMap }));
@@ -850,15 +863,29 @@ void vtkAdaptiveRefinementMapper::UpdateRefiningShaders(
   }
 }
 
+// The texture of the scalars' colours changes with the lookup table, but its format does not.
+std::vector<std::pair<vtkTexture*, std::string>> vtkAdaptiveRefinementMapper::GetTextures(
+  vtkActor* act)
+{
+  auto textures = this->Superclass::GetTextures(act);
+  if (this->Internals->AsksForShaders && this->ColorTextureMap && !textures.empty())
+  {
+    textures.erase(textures.begin()); // VTK's own texture is the first one
+  }
+  return textures;
+}
+
 bool vtkAdaptiveRefinementMapper::GetNeedToRebuildShaders(
   vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
 {
+  vtkInternals& data = *this->Internals;
+  data.AsksForShaders = true;
   const bool needed = this->Superclass::GetNeedToRebuildShaders(cellBO, ren, act);
+  data.AsksForShaders = false;
   if (!this->IsFaceHelper(&cellBO))
   {
     return needed;
   }
-  vtkInternals& data = *this->Internals;
   return data.Programs.NeedsBuild(cellBO, needed) &&
     !(data.Methods.Get().HasStages() && this->BuildStages(cellBO, ren, act));
 }
@@ -1043,7 +1070,7 @@ void vtkAdaptiveRefinementMapper::UpdateBlocks()
     [](vtkBlockAttributesPolyDataMapper* block, const relevo::BlockAttributes& attributes)
   { static_cast<vtkAdaptiveRefinementMapper*>(block)->SetBlockAttributes(attributes); };
   data.Blocks.Update({ this, vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)),
-    [this] { return this->GetBuildMTime(); }, setAttributes });
+    [this] { return this->GetMeshBuildMTime(); }, setAttributes });
   if (data.Blocks.SettingsTime != this->MTime)
   {
     data.Blocks.SettingsTime = this->MTime;
@@ -1246,6 +1273,10 @@ vtkPolyData* vtkAdaptiveRefinementMapper::GetPickedData(bool isAsked)
 
 vtkMTimeType vtkAdaptiveRefinementMapper::GetMTime()
 {
+  if (this->IsAskedByVTK() && this->Internals->AsksForShaders)
+  {
+    return std::max(this->GetMeshBuildMTime(), this->Internals->ColorKindTime.GetMTime());
+  }
   vtkMTimeType time = this->Superclass::GetMTime();
   for (vtkObject* part : { static_cast<vtkObject*>(this->Refinement.Get()),
          static_cast<vtkObject*>(this->LevelLookupTable.Get()) })

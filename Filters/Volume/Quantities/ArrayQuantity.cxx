@@ -25,9 +25,9 @@ using Tensor = std::array<double, 6>;
 constexpr std::array<int, 6> Rows{ 0, 1, 2, 0, 1, 0 };
 constexpr std::array<int, 6> Columns{ 0, 1, 2, 1, 2, 2 };
 
-bool IsTensor(vtkDataArray* array)
+bool IsTensor(int components)
 {
-  return array->GetNumberOfComponents() == 6 || array->GetNumberOfComponents() == 9;
+  return components == 6 || components == 9;
 }
 
 Tensor ReadTensor(const double* values, int components)
@@ -190,9 +190,27 @@ std::optional<ArrayQuantity> ParseQuantity(const std::string& text)
   return needsSource && quantity->Source.empty() ? std::nullopt : quantity;
 }
 
-bool ArrayQuantity::CanUse(vtkDataArray* array) const
+std::vector<std::string> FindQuantities(int components)
 {
-  const int components = array->GetNumberOfComponents();
+  std::vector<std::string> names = { "magnitude", "x", "y", "z" };
+  if (IsTensor(components))
+  {
+    names = { "von Mises", "Tresca", "principal 1", "principal 2", "principal 3", "xx", "yy", "zz",
+      "xy", "yz", "xz", "yx", "zy", "zx", "magnitude" };
+  }
+  const auto isUnusable = [&](const std::string& name)
+  { return components < 2 || !FindQuantity(name)->CanUse(components); };
+  names.erase(std::remove_if(names.begin(), names.end(), isUnusable), names.end());
+  const bool hasNames = names.size() > 1;
+  for (int i = 0; !hasNames && !names.empty() && i < components; ++i)
+  {
+    names.push_back("component " + std::to_string(i));
+  }
+  return names;
+}
+
+bool ArrayQuantity::CanUse(int components) const
+{
   switch (this->Kind)
   {
     case Component:
@@ -200,11 +218,11 @@ bool ArrayQuantity::CanUse(vtkDataArray* array) const
     case Coordinate:
       return (components == 2 || components == 3) && this->Index < components;
     case Entry:
-      return IsTensor(array) && FindEntry(*this, components) < components;
+      return IsTensor(components) && FindEntry(*this, components) < components;
     case Magnitude:
       return true;
     default:
-      return IsTensor(array);
+      return IsTensor(components);
   }
 }
 

@@ -13,6 +13,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 class vtkDataArray;
 
@@ -37,8 +38,8 @@ struct ArrayQuantity
   int Column = 0;       // of an entry
   std::string Source{}; // name of the array; empty for the only tensor
 
-  /// Whether the array has the components that the quantity needs.
-  bool CanUse(vtkDataArray* array) const;
+  /// Whether an array with this number of components has those that the quantity needs.
+  bool CanUse(int components) const;
   /// Describes such arrays: "6 or 9 components".
   std::string GetNeed() const;
   vtkSmartPointer<vtkDataArray> Compute(vtkDataArray* array) const;
@@ -46,6 +47,9 @@ struct ArrayQuantity
 
 /// Returns nothing if the text is not the name of a quantity.
 std::optional<ArrayQuantity> ParseQuantity(const std::string& text);
+
+/// The quantities of an array with this number of components; none for one component.
+std::vector<std::string> FindQuantities(int components);
 }
 
 #endif

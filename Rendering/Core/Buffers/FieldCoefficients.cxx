@@ -12,24 +12,33 @@
 
 namespace relevo
 {
-bool FieldCoefficients::Upload(
-  vtkOpenGLRenderWindow* window, vtkDataArray* coefficients, const FieldScalars& scalars)
+bool FieldCoefficients::Upload(vtkOpenGLRenderWindow* window, const Dependencies& source,
+  const FieldScalars& scalars, vtkDataArray* coefficients, const MakeNumbers& makeNumbers)
 {
-  this->ReleaseGraphicsResources(window);
   const int type = scalars.Array->GetDataType();
+  this->Coloring = FieldColoring::NONE;
   if (scalars.AreColors)
   {
+    this->ReleaseGraphicsResources(window);
     const std::vector<float> colors = GetDirectColors(coefficients, type);
     if (colors.empty())
     {
       return true; // VTK's colours of the corners are used
     }
     this->Coloring = FieldColoring::COLORS;
+    ++this->NumberOfColorUploads;
     return this->Colors.Upload(window, colors, 4);
+  }
+  this->Colors.ReleaseGraphicsResources(window);
+  Dependencies made = source;
+  made.Add(scalars.NoDataMagnitude);
+  if (this->Source.Update(made) || !this->Made)
+  {
+    this->Made = makeNumbers();
   }
   constexpr double none = std::numeric_limits<double>::infinity();
   if (!this->Numbers.Upload(
-        window, coefficients, scalars.Table, scalars.Component, scalars.ByTexture, none, type))
+        window, this->Made, scalars.Table, scalars.Component, scalars.ByTexture, none, type))
   {
     return false;
   }
@@ -73,6 +82,8 @@ vtkTypeInt64 FieldCoefficients::GetMemorySize() const
 void FieldCoefficients::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Coloring = FieldColoring::NONE;
+  this->Source.Clear();
+  this->Made = nullptr;
   this->Numbers.ReleaseGraphicsResources(window);
   this->Colors.ReleaseGraphicsResources(window);
 }

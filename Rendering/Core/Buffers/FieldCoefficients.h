@@ -12,7 +12,11 @@
 #include "Buffers/BufferTexture.h"     // for members
 #include "Buffers/FieldColoring.h"     // for member
 #include "Buffers/VertexColors.h"      // for members
+#include "Changes/Dependencies.h"      // for members
 #include "RelevoRenderingCoreModule.h" // for export macro
+#include "vtkSmartPointer.h"           // for members
+
+#include <functional> // for the numbers
 
 class vtkDataArray;
 class vtkOpenGLRenderWindow;
@@ -36,10 +40,16 @@ struct FieldScalars
 class RELEVORENDERINGCORE_EXPORT FieldCoefficients
 {
 public:
-  /// Upload the coefficients of scalars; NaN stands for no data. Return false if they do not fit on
-  /// the GPU.
-  bool Upload(
-    vtkOpenGLRenderWindow* window, vtkDataArray* coefficients, const FieldScalars& scalars);
+  using MakeNumbers = std::function<vtkSmartPointer<vtkDataArray>()>;
+
+  /**
+   * Upload the coefficients of scalars that are colours, or the result of makeNumbers(), in which
+   * NaN stands for no data. Numbers are made and uploaded again only if `source`, on which they
+   * depend, has changed; a change of the lookup table alone does not upload them. Return false if
+   * they do not fit on the GPU.
+   */
+  bool Upload(vtkOpenGLRenderWindow* window, const Dependencies& source,
+    const FieldScalars& scalars, vtkDataArray* colors, const MakeNumbers& makeNumbers);
   void Clear() { this->Coloring = FieldColoring::NONE; }
 
   FieldColoring GetColoring() const { return this->Coloring; }
@@ -48,6 +58,12 @@ public:
   /// Return the number that has been subtracted from the values.
   double GetBias() const { return this->Numbers.GetBias(); }
 
+  /// Return how often coefficients were uploaded.
+  vtkIdType GetNumberOfUploads() const
+  {
+    return this->NumberOfColorUploads + this->Numbers.GetNumberOfUploads();
+  }
+
   void Activate(vtkShaderProgram* program);
   void Deactivate();
   vtkTypeInt64 GetMemorySize() const;
@@ -55,8 +71,11 @@ public:
 
 private:
   FieldColoring Coloring = FieldColoring::NONE;
+  Dependencies Source; // of Made
+  vtkSmartPointer<vtkDataArray> Made;
   VertexColors Numbers;
   BufferTexture Colors;
+  vtkIdType NumberOfColorUploads = 0;
 };
 }
 

@@ -18,16 +18,14 @@ namespace relevo
 {
 namespace
 {
-// The components of the value that is mapped.
-struct Choice
-{
-  int First = 0;
-  int Count = 1; // 0: the mapping is not a function of one value
-  bool IsLength = false;
-};
+// Between a range and the bias, relative to the width of the range. 24 bits of a float leave 14
+// bits for values within the range.
+constexpr double LargestDistance = 1024.0;
+}
 
 // See vtkScalarsToColors::MapScalars().
-Choice ChooseComponents(int components, vtkScalarsToColors* table, int component)
+VertexColors::Choice VertexColors::ChooseComponents(
+  int components, vtkScalarsToColors* table, int component)
 {
   Choice choice;
   if (components > 1)
@@ -58,7 +56,8 @@ Choice ChooseComponents(int components, vtkScalarsToColors* table, int component
 }
 
 // See vtkMapper::MapScalarsToTexture().
-Choice ChooseTextureComponents(int components, vtkScalarsToColors* table)
+VertexColors::Choice VertexColors::ChooseTextureComponents(
+  int components, vtkScalarsToColors* table)
 {
   Choice choice;
   choice.First = table->GetVectorComponent();
@@ -69,23 +68,20 @@ Choice ChooseTextureComponents(int components, vtkScalarsToColors* table)
   }
   return choice;
 }
-}
 
 bool VertexColors::Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* scalars,
   vtkScalarsToColors* table, int component, bool byTexture, double noDataMagnitude, int type)
 {
   this->Kind = BY_VTK;
-  this->NoData.ReleaseGraphicsResources(window);
   vtkDataArray* numbers = vtkDataArray::SafeDownCast(scalars);
   if (!numbers || numbers->GetDataType() == VTK_BIT)
   {
+    this->ReleaseGraphicsResources(window);
     this->Kind = byTexture ? BY_VTK : BY_NEAREST;
     return true;
   }
-  const double* tableRange = table->GetRange();
-  const bool isLog = ColorTable::IsLogarithmic(table);
   // VTK's colours are used for categories and for logarithms of negative numbers.
-  if (table->GetIndexedLookup() || (table->UsingLogScale() && !(tableRange[0] > 0.0)))
+  if (table->GetIndexedLookup() || (table->UsingLogScale() && !(table->GetRange()[0] > 0.0)))
   {
     return true;
   }
@@ -98,19 +94,24 @@ bool VertexColors::Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* scala
   }
   type = type == VTK_VOID ? numbers->GetDataType() : type;
   this->AreIntegers = type != VTK_FLOAT && type != VTK_DOUBLE;
-  // Subtracting the minimum keeps the precision of narrow ranges far from zero.
-  this->Bias = choice.IsLength || isLog ? 0.0 : tableRange[0];
-  if (this->AreIntegers)
+  Dependencies values = Dependencies::On(choice.First, choice.Count, choice.IsLength);
+  values.AddObject(numbers);
+  if (this->RangeDependencies.Update(values))
   {
-    constexpr double largestExact = 1 << 24;
-    const double largest = std::max(std::abs(tableRange[0]), std::abs(tableRange[1]));
-    this->Bias = largest < largestExact ? 0.0 : std::floor(this->Bias);
+    this->FindRange(numbers, choice);
   }
-  double range[2];
-  if (!this->UploadValues(window, numbers, choice.First, choice.Count, choice.IsLength, range) ||
-    !this->UploadNoData(window, numbers, noDataMagnitude))
+  this->ChooseBias(table, choice);
+  values.Add(this->Bias);
+  values.Add(noDataMagnitude);
+  if (this->UploadDependencies.Update(values))
   {
-    return false;
+    ++this->NumberOfUploads;
+    if (!this->UploadValues(window, numbers, choice) ||
+      !this->UploadNoData(window, numbers, noDataMagnitude))
+    {
+      this->UploadDependencies.Clear();
+      return false;
+    }
   }
   if (byTexture)
   {
@@ -120,39 +121,65 @@ bool VertexColors::Upload(vtkOpenGLRenderWindow* window, vtkAbstractArray* scala
   }
   this->Kind = BY_VALUE;
   return this->Table.Upload(
-    window, table, this->Bias, range, this->AreIntegers && !choice.IsLength);
+    window, table, this->Bias, this->Range, this->AreIntegers && !choice.IsLength);
 }
 
-bool VertexColors::UploadValues(vtkOpenGLRenderWindow* window, vtkDataArray* scalars, int first,
-  int count, bool isLength, double range[2])
+void VertexColors::FindRange(vtkDataArray* scalars, const Choice& choice)
 {
-  this->Texels = isLength ? (count + 3) / 4 : 0;
-  const int perPoint = isLength ? 4 * this->Texels : 1;
-  const vtkIdType numberOfPoints = scalars->GetNumberOfTuples();
-  std::vector<float> values(static_cast<size_t>(perPoint) * numberOfPoints, 0.0f);
-  range[0] = std::numeric_limits<double>::max();
-  range[1] = std::numeric_limits<double>::lowest();
+  double low = std::numeric_limits<double>::max();
+  double high = std::numeric_limits<double>::lowest();
   double largest = 0.0; // squared length
-  for (vtkIdType i = 0; i < numberOfPoints; ++i)
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
   {
     double squares = 0.0;
-    for (int c = 0; c < count; ++c)
+    for (int c = 0; c < choice.Count; ++c)
     {
-      const double value = scalars->GetComponent(i, first + c);
-      values[static_cast<size_t>(perPoint) * i + c] = static_cast<float>(value - this->Bias);
+      const double value = scalars->GetComponent(i, choice.First + c);
       squares += value * value;
-      range[0] = std::min(range[0], value);
-      range[1] = std::max(range[1], value);
+      low = std::min(low, value);
+      high = std::max(high, value);
     }
     largest = squares > largest ? squares : largest;
   }
-  if (isLength)
+  // An interpolated vector can be shorter than at all points.
+  this->Range[0] = choice.IsLength ? 0.0 : low;
+  this->Range[1] = choice.IsLength ? std::sqrt(largest) : high;
+}
+
+// Subtracting a bias keeps the precision of narrow ranges far from zero. It is the smallest value
+// if that is precise enough, so that other ranges need no upload.
+void VertexColors::ChooseBias(vtkScalarsToColors* table, const Choice& choice)
+{
+  const double* range = table->GetRange();
+  const double smallest = this->Range[0];
+  const double distance = std::max(std::abs(range[0] - smallest), std::abs(range[1] - smallest));
+  const bool isPrecise = distance <= LargestDistance * (range[1] - range[0]);
+  const bool isLog = ColorTable::IsLogarithmic(table);
+  this->Bias = choice.IsLength || isLog ? 0.0 : isPrecise ? smallest : range[0];
+  if (this->AreIntegers)
   {
-    // An interpolated vector can be shorter than at all points.
-    range[0] = 0.0;
-    range[1] = std::sqrt(largest);
+    constexpr double largestExact = 1 << 24;
+    const double largest = std::max(std::abs(range[0]), std::abs(range[1]));
+    this->Bias = largest < largestExact ? 0.0 : std::floor(this->Bias);
   }
-  return this->Scalars.Upload(window, values, isLength ? 4 : 1);
+}
+
+bool VertexColors::UploadValues(
+  vtkOpenGLRenderWindow* window, vtkDataArray* scalars, const Choice& choice)
+{
+  this->Texels = choice.IsLength ? (choice.Count + 3) / 4 : 0;
+  const int perPoint = choice.IsLength ? 4 * this->Texels : 1;
+  const vtkIdType numberOfPoints = scalars->GetNumberOfTuples();
+  std::vector<float> values(static_cast<size_t>(perPoint) * numberOfPoints, 0.0f);
+  for (vtkIdType i = 0; i < numberOfPoints; ++i)
+  {
+    for (int c = 0; c < choice.Count; ++c)
+    {
+      values[static_cast<size_t>(perPoint) * i + c] =
+        static_cast<float>(scalars->GetComponent(i, choice.First + c) - this->Bias);
+    }
+  }
+  return this->Scalars.Upload(window, values, choice.IsLength ? 4 : 1);
 }
 
 void VertexColors::SetCoordinates(vtkScalarsToColors* table)
@@ -217,6 +244,7 @@ vtkTypeInt64 VertexColors::GetMemorySize() const
 
 void VertexColors::ReleaseGraphicsResources(vtkWindow* window)
 {
+  this->UploadDependencies.Clear();
   this->NoData.ReleaseGraphicsResources(window);
   this->Scalars.ReleaseGraphicsResources(window);
   this->Table.ReleaseGraphicsResources(window);

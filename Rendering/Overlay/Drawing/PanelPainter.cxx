@@ -24,6 +24,27 @@
 
 namespace relevo
 {
+//------------------------------------------------------------------------------
+PixelRectangle FindRectangle(ImDrawData* panels, const int size[2])
+{
+  float low[2] = { static_cast<float>(size[0]), static_cast<float>(size[1]) };
+  float high[2] = { 0.0f, 0.0f };
+  for (int i = 0; i < panels->CmdListsCount; ++i)
+  {
+    for (const ImDrawVert& vertex : panels->CmdLists[i]->VtxBuffer)
+    {
+      const float position[2] = { vertex.pos.x, size[1] - vertex.pos.y };
+      for (int k = 0; k < 2; ++k)
+      {
+        low[k] = std::min(low[k], std::max(position[k], 0.0f));
+        high[k] = std::max(high[k], std::min(position[k], static_cast<float>(size[k])));
+      }
+    }
+  }
+  return { { static_cast<int>(std::floor(low[0])), static_cast<int>(std::floor(low[1])),
+    static_cast<int>(std::ceil(high[0])), static_cast<int>(std::ceil(high[1])) } };
+}
+
 struct PanelPainter::Tile
 {
   double Scale[2];  // pixels of the picture per pixel of the window

@@ -7,6 +7,8 @@
 #ifndef PanelPainter_h
 #define PanelPainter_h
 
+#include "Drawing/PanelBackground.h"
+
 #include "vtkNew.h"
 
 struct ImDrawData;
@@ -20,6 +22,9 @@ class vtkWindow;
 
 namespace relevo
 {
+/// Return the part of a window of this size that panels cover.
+PixelRectangle FindRectangle(ImDrawData* panels, const int size[2]);
+
 class PanelPainter
 {
 public:

@@ -53,19 +53,18 @@ vtkSmartPointer<vtkDataArray> WithoutNoData(
 bool PatchScalars::Upload(
   vtkOpenGLRenderWindow* window, vtkPolyData* mesh, const FieldScalars& scalars)
 {
-  this->ReleaseGraphicsResources(window);
   vtkDataArray* nodes = PatchArrays::FindNodes(mesh, scalars.Array);
   if (!nodes)
   {
+    this->ReleaseGraphicsResources(window);
     return true;
   }
   this->Rational = PatchArrays::HaveDifferentWeights(mesh);
-  vtkSmartPointer<vtkDataArray> coefficients = nodes;
-  if (!scalars.AreColors)
-  {
-    coefficients = WithoutNoData(mesh, nodes, scalars.NoDataMagnitude);
-  }
-  return this->Coefficients.Upload(window, coefficients, scalars);
+  Dependencies source;
+  source.AddObject(nodes);
+  source.AddObject(mesh);
+  return this->Coefficients.Upload(window, source, scalars, nodes,
+    [&] { return WithoutNoData(mesh, nodes, scalars.NoDataMagnitude); });
 }
 
 std::string PatchScalars::DescribeMisfit(vtkPolyData* mesh, vtkDataArray* scalars)

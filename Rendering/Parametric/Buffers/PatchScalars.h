@@ -21,8 +21,8 @@ namespace relevo
 class PatchScalars
 {
 public:
-  /// Upload the coefficients of scalars, if there are any. Return false if they do not fit on the
-  /// GPU.
+  /// Upload the coefficients of scalars, if there are any and they have changed. Return false if
+  /// they do not fit on the GPU.
   bool Upload(vtkOpenGLRenderWindow* window, vtkPolyData* mesh, const FieldScalars& scalars);
 
   /// Return the error of the coefficients of scalars, as a sentence; or "".

@@ -98,8 +98,13 @@ void vtkBlockAttributesPolyDataMapper::SettingModified()
 
 vtkMTimeType vtkBlockAttributesPolyDataMapper::GetBuildMTime() const
 {
-  vtkMTimeType time = this->BuildTime;
-  time = this->LookupTable ? std::max(time, this->LookupTable->GetMTime()) : time;
+  const vtkMTimeType time = this->GetMeshBuildMTime();
+  return this->LookupTable ? std::max(time, this->LookupTable->GetMTime()) : time;
+}
+
+vtkMTimeType vtkBlockAttributesPolyDataMapper::GetMeshBuildMTime() const
+{
+  const vtkMTimeType time = this->BuildTime;
   return this->ClippingPlanes ? std::max(time, this->ClippingPlanes->GetMTime()) : time;
 }
 

@@ -121,6 +121,7 @@ protected:
    * therefore returns GetBuildMTime(): the time of the last Modified(), or of the last change of
    * the lookup table or clipping planes. Setters whose value is read in every frame call
    * SettingModified() instead of Modified(). SetLive() does so if the value changes.
+   * GetMeshBuildMTime() excludes the lookup table, on which only colours depend.
    */
   void SettingModified();
   template <typename Value>
@@ -133,6 +134,7 @@ protected:
     }
   }
   vtkMTimeType GetBuildMTime() const;
+  vtkMTimeType GetMeshBuildMTime() const;
   vtkTimeStamp BuildTime; // of the last Modified()
   bool IsAskedByVTK() const { return this->NumberOfQuestions > 0; }
   bool GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;

@@ -44,28 +44,30 @@ vtkSmartPointer<vtkDataArray> WithoutNoData(vtkDataArray* values, double noDataM
 bool RefinementField::Upload(vtkOpenGLRenderWindow* window, vtkRefinementSurface* surface,
   vtkPolyData* mesh, const FieldScalars& scalars, bool areOfCells)
 {
-  this->ReleaseGraphicsResources(window);
   auto shading = dynamic_cast<SurfaceFieldShading*>(surface);
-  if (!scalars.Array || !shading)
+  vtkSmartPointer<vtkDataArray> values;
+  Dependencies source = Dependencies::On(areOfCells);
+  if (scalars.Array && shading && areOfCells)
   {
+    values = shading->FindCellValues(mesh, scalars.Array);
+    source.AddObject(scalars.Array);
+    source.AddObject(mesh);
+  }
+  else if (scalars.Array && shading)
+  {
+    values = surface->FindCoefficients(mesh, scalars.Array);
+    source.AddObject(values.Get());
+  }
+  if (!values || values->GetNumberOfTuples() == 0)
+  {
+    this->ReleaseGraphicsResources(window);
     return true;
   }
   this->ShaderSource =
     areOfCells ? shading->GetCellFieldShaderSource() : shading->GetFieldShaderSource();
-  const vtkSmartPointer<vtkDataArray> values = areOfCells
-    ? shading->FindCellValues(mesh, scalars.Array)
-    : vtkSmartPointer<vtkDataArray>(surface->FindCoefficients(mesh, scalars.Array));
-  if (!values || values->GetNumberOfTuples() == 0)
-  {
-    return true;
-  }
   this->Size = static_cast<int>(values->GetNumberOfTuples());
-  vtkSmartPointer<vtkDataArray> coefficients = values;
-  if (!scalars.AreColors)
-  {
-    coefficients = WithoutNoData(values, scalars.NoDataMagnitude);
-  }
-  return this->Coefficients.Upload(window, coefficients, scalars);
+  return this->Coefficients.Upload(window, source, scalars, values,
+    [&] { return WithoutNoData(values, scalars.NoDataMagnitude); });
 }
 
 bool RefinementField::IsUsed(vtkShaderProgram* program) const

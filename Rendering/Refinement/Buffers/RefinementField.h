@@ -21,8 +21,8 @@ namespace relevo
 class RefinementField
 {
 public:
-  /// Upload the values, if the surface evaluates these scalars of points or cells. Return false if
-  /// they do not fit on the GPU.
+  /// Upload the values, if the surface evaluates these scalars of points or cells and they have
+  /// changed. Return false if they do not fit on the GPU.
   bool Upload(vtkOpenGLRenderWindow* window, vtkRefinementSurface* surface, vtkPolyData* mesh,
     const FieldScalars& scalars, bool areOfCells);
   void Clear() { this->Coefficients.Clear(); }
@@ -34,6 +34,7 @@ public:
   bool IsUsed(vtkShaderProgram* program) const;
   void Activate(vtkShaderProgram* program);
   void Deactivate() { this->Coefficients.Deactivate(); }
+  vtkIdType GetNumberOfUploads() const { return this->Coefficients.GetNumberOfUploads(); }
   vtkTypeInt64 GetMemorySize() const { return this->Coefficients.GetMemorySize(); }
   void ReleaseGraphicsResources(vtkWindow* window);
 

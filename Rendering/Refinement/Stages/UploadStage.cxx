@@ -60,10 +60,21 @@ StageResult UploadStage::UploadMesh(const MeshInput& input)
   }
   const Dependencies dependencies =
     GetUploadDependencies(input.MeshTime, input.BuildTime, input.Positions);
-  if (!this->Valid || dependencies != this->UploadDependencies)
+  const vtkIdType uploads = this->GetNumberOfScalarUploads();
+  const bool hasOtherMesh = !this->Valid || dependencies != this->UploadDependencies;
+  if (hasOtherMesh)
   {
     this->UploadDependencies = dependencies;
+    this->ColorDependencies.Clear();
     this->Valid = this->UploadPoints(input);
+  }
+  if (this->ColorDependencies.Update(Dependencies::On(input.ColorTime)))
+  {
+    this->UploadColors(input);
+  }
+  if (hasOtherMesh || this->GetNumberOfScalarUploads() != uploads)
+  {
+    ++this->NumberOfBuilds;
   }
   this->Valid = this->Valid && this->UploadFaces(input);
   StageResult result;
@@ -76,6 +87,13 @@ StageResult UploadStage::UploadMesh(const MeshInput& input)
 }
 
 bool UploadStage::UploadPoints(const MeshInput& input)
+{
+  return this->Buffers.UploadMesh(
+    input.Window, *input.Mesh, input.Recipe->GetSurface(), input.Positions);
+}
+
+// The values are uploaded again only if they have changed.
+void UploadStage::UploadColors(const MeshInput& input)
 {
   this->Colors.Clear();
   this->Field.Clear();
@@ -95,9 +113,11 @@ bool UploadStage::UploadPoints(const MeshInput& input)
   {
     this->Colors.Clear(); // VTK's colours of the coarse points are used
   }
-  ++this->NumberOfBuilds;
-  return this->Buffers.UploadMesh(
-    input.Window, *input.Mesh, input.Recipe->GetSurface(), input.Positions);
+}
+
+vtkIdType UploadStage::GetNumberOfScalarUploads() const
+{
+  return this->Colors.GetNumberOfUploads() + this->Field.GetNumberOfUploads();
 }
 
 bool UploadStage::UploadFaces(const MeshInput& input)

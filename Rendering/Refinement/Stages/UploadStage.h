@@ -47,8 +47,11 @@ public:
     /// nullptr if the mesh is not valid.
     const RefinementMesh* Mesh;
     vtkMTimeType MeshTime;
-    /// The modification time of the settings that VTK's buffers depend on.
+    /// The modification time of the settings that VTK's buffers depend on, without the lookup table
+    /// of the scalars.
     vtkMTimeType BuildTime;
+    /// The same with the lookup table.
+    vtkMTimeType ColorTime;
     /// VTK's vertexMC, or nullptr.
     vtkOpenGLVertexBufferObject* Positions;
     vtkAdaptiveRefinement* Recipe;
@@ -111,12 +114,15 @@ public:
     vtkAdaptiveRefinement* recipe);
   void Deactivate();
 
+  /// Return how often the mesh, its scalars or both were uploaded.
   vtkIdType GetNumberOfBuilds() const { return this->NumberOfBuilds; }
   vtkTypeInt64 GetMemorySize() const;
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   bool UploadPoints(const MeshInput& input);
+  void UploadColors(const MeshInput& input);
+  vtkIdType GetNumberOfScalarUploads() const;
   bool UploadFaces(const MeshInput& input);
 
   RefinementMeshBuffers Buffers;
@@ -128,6 +134,7 @@ private:
 
   vtkTimeStamp UploadTime;
   Dependencies UploadDependencies;
+  Dependencies ColorDependencies;
   bool Valid = false;
   std::string MeshError; // errors that were reported last
   std::string HeightError;

@@ -11,10 +11,12 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkStringArray.h"
 
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -186,6 +188,35 @@ void TestOthers(RelevoCheck& check)
     CHECK(result && std::isfinite(result->GetComponent(5, 0)));
   }
 }
+
+// Each listed quantity can be computed.
+void TestList(RelevoCheck& check)
+{
+  for (const auto& expected :
+    { std::pair<int, int>(1, 0), { 2, 3 }, { 3, 4 }, { 4, 5 }, { 6, 12 }, { 9, 15 } })
+  {
+    CHECK_CASE(expected.first);
+    vtkNew<vtkStringArray> names;
+    names->InsertNextValue("old");
+    vtkArrayQuantityFilter::ListQuantities("U of V", expected.first, names);
+    CHECK_EQUAL(names->GetNumberOfValues(), expected.second);
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(2, 2, 2);
+    AddArray(image->GetPointData(), "U of V",
+      std::vector<double>(static_cast<size_t>(expected.first), 1.0), 8);
+    for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
+    {
+      vtkNew<vtkArrayQuantityFilter> filter;
+      filter->SetInputData(image);
+      filter->SetQuantity(names->GetValue(i).c_str());
+      filter->Update();
+      CHECK_EQUAL(std::string(filter->GetResultName()), std::string(names->GetValue(i)));
+      CHECK(vtkDataSet::SafeDownCast(filter->GetOutput())
+              ->GetPointData()
+              ->HasArray(names->GetValue(i).c_str()));
+    }
+  }
+}
 }
 
 int TestArrayQuantityFilter(int, char*[])
@@ -194,5 +225,6 @@ int TestArrayQuantityFilter(int, char*[])
   TestValues(check);
   TestBlocks(check);
   TestOthers(check);
+  TestList(check);
   return check.GetResult();
 }

@@ -13,6 +13,7 @@
 #include "vtkGenericRenderWindowInteractor.h"
 #include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkSphereSource.h"
 
 class OverlayStage
@@ -26,9 +27,7 @@ public:
     vtkNew<vtkSphereSource> sphere;
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputConnection(sphere->GetOutputPort());
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    this->Renderer->AddActor(actor);
+    this->Renderer->AddActor(this->Actor);
     this->Renderer->SetBackground(0.2, 0.3, 0.4);
     this->Window->SetOffScreenRendering(1);
     this->Window->SetMultiSamples(multiSamples);
@@ -39,7 +38,9 @@ public:
     this->Overlay->SetRenderWindow(this->Window);
     this->Overlay->SetScale(1.0);
     this->Overlay->SetCallback([this] { this->Describe(); });
+    this->Actor->SetMapper(mapper);
     this->Window->AddObserver(vtkCommand::EndEvent, this, &OverlayStage::OnFrame);
+    this->Renderer->AddObserver(vtkCommand::EndEvent, this, &OverlayStage::OnScene);
     this->Renderer->ResetCamera();
     this->Interactor->Enable();
   }
@@ -87,7 +88,10 @@ public:
     ImGui::SetNextWindowSize(ImVec2(130.0f, 90.0f));
     ImGui::Begin("Panel", nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize);
     ImGui::SetNextItemWidth(110.0f);
-    ImGui::SliderFloat("##value", &this->Value, 0.0f, 1.0f);
+    if (ImGui::SliderFloat("##value", &this->Value, 0.0f, 1.0f) && this->IsColored)
+    {
+      this->Actor->GetProperty()->SetColor(1.0, this->Value, 0.2);
+    }
     this->SliderY =
       static_cast<int>(0.5f * (ImGui::GetItemRectMin().y + ImGui::GetItemRectMax().y));
     ImGui::SetNextItemWidth(110.0f);
@@ -97,11 +101,14 @@ public:
   }
 
   bool HasPanel = true;
+  bool IsColored = false; // whether the slider colours the sphere
   float Value = 0.0f;
   char Text[32] = "";
   int SliderY = 0;
   int TextY = 0;
   int Frames = 0;
+  int SceneFrames = 0; // in which the sphere is drawn
+  vtkNew<vtkActor> Actor;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkInteractorStyleTrackballCamera> Style;
@@ -110,6 +117,7 @@ public:
 
 private:
   void OnFrame() { ++this->Frames; }
+  void OnScene() { ++this->SceneFrames; }
 };
 
 #endif

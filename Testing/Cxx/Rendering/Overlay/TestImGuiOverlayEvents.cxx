@@ -84,6 +84,16 @@ void TestKeys(RelevoCheck& check)
   stage.SendKey("w", 'w');
   CHECK(IsWireframe(stage));
   CHECK_EQUAL(std::string(stage.Text), std::string("w5"));
+
+  // Panels that were hidden do not take the keys when they reappear.
+  stage.Overlay->VisibilityOff();
+  stage.Window->Render();
+  stage.Overlay->VisibilityOn();
+  stage.Window->Render();
+  stage.SendKey("s", 's');
+  stage.SendKey("w", 'w');
+  stage.SendKey("s", 's');
+  CHECK(!IsWireframe(stage));
 }
 
 // By the arrows, Space and Escape.

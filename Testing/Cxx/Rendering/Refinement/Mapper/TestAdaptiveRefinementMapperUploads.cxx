@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Proves architecture.md: every change raises the mapper's modification time, and each kind of
-// change uploads only the buffers and builds only the shaders that it requires.
+// change uploads only the buffers and builds only the shaders that it requires. Other ranges and
+// colours of a lookup table require none, and pictures do not depend on earlier ranges.
+#include "RelevoPictures.h"
 #include "RelevoScene.h"
 #include "RelevoTestMeshes.h"
 
@@ -9,12 +11,14 @@
 #include "vtkCompositeDepthTagMetric.h"
 #include "vtkDisplacement.h"
 #include "vtkDistanceDepthTagMetric.h"
+#include "vtkDoubleArray.h"
 #include "vtkLookupTable.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPhongSurface.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkRefinementPatternTable.h"
 
@@ -167,6 +171,78 @@ const std::vector<Change>& GetChanges()
   };
   return changes;
 }
+
+// Values from 1000 to 1010 on a plane, with three components if the length is coloured.
+RelevoMeshes::Mesh MakeValues(bool isVector)
+{
+  RelevoMeshes::Mesh mesh = Plane(5, 4);
+  vtkNew<vtkDoubleArray> values;
+  values->SetNumberOfComponents(isVector ? 3 : 1);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const double value = 1000.0 + i % 11;
+    isVector ? values->InsertNextTuple3(value, 1.0, 2.0) : values->InsertNextTuple1(value);
+  }
+  mesh->GetPointData()->SetScalars(values);
+  return mesh;
+}
+
+struct Table
+{
+  double Range[2];
+  double Hue; // of the last colour
+  bool IsNarrow;
+};
+
+void TestTables(RelevoCheck& check, bool isVector, bool isTexture, bool hasBlocks)
+{
+  CHECK_CASE(isVector);
+  CHECK_CASE(isTexture);
+  CHECK_CASE(hasBlocks);
+  const RelevoMeshes::Mesh mesh = MakeValues(isVector);
+  const bool isNumber = !isVector || !isTexture; // without a texture, VTK colours by a component
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, mesh);
+  const auto show = [&](RelevoScene& scene, const Table& table)
+  {
+    vtkNew<vtkLookupTable> colors;
+    colors->SetVectorModeToMagnitude();
+    if (scene.GetNumberOfActors() == 0)
+    {
+      scene.Add(hasBlocks ? static_cast<vtkDataObject*>(blocks) : mesh.Get(), MakeRecipe(2));
+      scene.GetMapper(0)->SetLookupTable(colors);
+      scene.GetMapper(0)->UseLookupTableScalarRangeOn();
+      scene.GetMapper(0)->SetInterpolateScalarsBeforeMapping(isTexture);
+      scene.ResetCameras();
+    }
+    auto* lookup = vtkLookupTable::SafeDownCast(scene.GetMapper(0)->GetLookupTable());
+    lookup->SetTableRange(table.Range[0], table.Range[1]);
+    lookup->SetHueRange(0.0, table.Hue);
+    lookup->Build();
+    scene.Render();
+    return RelevoPicture(scene.Window);
+  };
+  RelevoScene dragged(RelevoScene::Refining);
+  const RelevoPicture first = show(dragged, { { 1000.0, 1010.0 }, 0.6, false });
+  vtkAdaptiveRefinementMapper* mapper = dragged.GetMapper(0);
+  vtkIdType buffers = mapper->GetNumberOfBufferBuilds();
+  const vtkIdType shaders = mapper->GetNumberOfShaderBuilds();
+  CHECK_EQUAL(buffers, 1);
+  for (const Table& table :
+    { Table{ { 1002.0, 1007.0 }, 0.6, false }, Table{ { 1004.9, 1005.1 }, 0.6, false },
+      Table{ { 0.0, 5000.0 }, 0.6, false }, Table{ { 0.0, 5000.0 }, 0.9, false },
+      Table{ { 1005.0, 1005.001 }, 0.6, isNumber }, Table{ { 1000.0, 1010.0 }, 0.6, isNumber } })
+  {
+    CHECK_CASE(table.Range[1]);
+    const RelevoPicture picture = show(dragged, table);
+    buffers += table.IsNarrow ? 1 : 0; // otherwise, floats are not precise enough
+    CHECK_EQUAL(mapper->GetNumberOfBufferBuilds(), buffers);
+    CHECK_EQUAL(mapper->GetNumberOfShaderBuilds(), shaders);
+    RelevoScene fresh(RelevoScene::Refining);
+    CHECK(RelevoPictures::Equal(picture, show(fresh, table)));
+    CHECK(table.Range[1] == 1010.0 || !RelevoPictures::Equal(picture, first));
+  }
+}
 }
 
 int TestAdaptiveRefinementMapperUploads(int, char*[])
@@ -182,5 +258,9 @@ int TestAdaptiveRefinementMapperUploads(int, char*[])
       Test(check, change, blocks);
     }
   }
+  TestTables(check, false, false, false);
+  TestTables(check, true, true, false);
+  TestTables(check, false, true, true);
+  TestTables(check, true, false, true);
   return check.GetResult();
 }
