@@ -41,6 +41,7 @@ make_stubs = importlib.import_module("make_stubs")
 ALLOWED = r"""
 # VTK's wrappers represent static methods as method descriptors.
 relevo\..*vtk\w+\.(GetNumberOfGenerationsFromBaseType|IsTypeOf|SafeDownCast)
+relevo\..*vtkArrayQuantityFilter\.ListQuantities
 relevo\..*vtkRefinementPatternTable\.(Canonicalize|GetPatternIndex|GetPermutation|IsOdd)
 # This module has only types.
 relevo\._vtk
