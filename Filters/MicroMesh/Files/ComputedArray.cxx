@@ -6,6 +6,7 @@
 #include "Data/MicroMeshArrays.h"
 #include "Data/MicroNormals.h"
 #include "Files/ArrayPacking.h"
+#include "Files/BitList.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 
@@ -15,13 +16,7 @@ namespace relevo
 {
 namespace
 {
-constexpr std::size_t BitsOfByte = 8;
 constexpr int BitsOfFloat = 32;
-
-bool IsSet(std::string_view bits, std::size_t i)
-{
-  return (static_cast<unsigned char>(bits[i / BitsOfByte]) >> i % BitsOfByte & 1) != 0;
-}
 }
 
 vtkSmartPointer<vtkFloatArray> ComputeMicroPointData(const MicroMesh& mesh, const char* name)
@@ -47,15 +42,17 @@ std::string PackOtherTuples(vtkDataArray* array, vtkFloatArray* computed)
   const auto components = static_cast<std::size_t>(computed->GetNumberOfComponents());
   const auto values = vtkFloatArray::SafeDownCast(array)->GetPointer(0);
   const float* usual = computed->GetPointer(0);
-  std::string bytes((tuples + BitsOfByte - 1) / BitsOfByte, '\0');
+  std::string bytes;
   vtkNew<vtkFloatArray> others;
   others->SetNumberOfComponents(computed->GetNumberOfComponents());
   for (std::size_t i = 0; i < tuples; ++i)
   {
     const std::size_t first = components * i;
-    if (std::memcmp(values + first, usual + first, components * sizeof(float)) != 0)
+    const bool isOther =
+      std::memcmp(values + first, usual + first, components * sizeof(float)) != 0;
+    AppendBit(isOther, i, bytes);
+    if (isOther)
     {
-      bytes[i / BitsOfByte] = static_cast<char>(bytes[i / BitsOfByte] | 1 << i % BitsOfByte);
       others->InsertNextTypedTuple(values + first);
     }
   }
@@ -65,17 +62,17 @@ std::string PackOtherTuples(vtkDataArray* array, vtkFloatArray* computed)
 bool UnpackOtherTuples(std::string_view bytes, vtkFloatArray* computed)
 {
   const auto tuples = static_cast<std::size_t>(computed->GetNumberOfTuples());
-  const std::string_view bits = bytes.substr(0, (tuples + BitsOfByte - 1) / BitsOfByte);
+  const std::string_view bits = bytes.substr(0, GetBitListSize(tuples));
   bytes.remove_prefix(bits.size());
   vtkIdType number = 0;
-  for (std::size_t i = 0; i < tuples && i / BitsOfByte < bits.size(); ++i)
+  for (std::size_t i = 0; i < tuples && i < 8 * bits.size(); ++i)
   {
-    number += IsSet(bits, i) ? 1 : 0;
+    number += IsBitSet(bits, i) ? 1 : 0;
   }
   vtkNew<vtkFloatArray> others;
   others->SetNumberOfComponents(computed->GetNumberOfComponents());
   others->SetNumberOfTuples(number);
-  if (bits.size() != (tuples + BitsOfByte - 1) / BitsOfByte ||
+  if (bits.size() != GetBitListSize(tuples) ||
     bytes.size() != sizeof(float) * static_cast<std::size_t>(others->GetNumberOfValues()))
   {
     return false;
@@ -84,7 +81,7 @@ bool UnpackOtherTuples(std::string_view bytes, vtkFloatArray* computed)
   vtkIdType next = 0;
   for (std::size_t i = 0; i < tuples; ++i)
   {
-    if (IsSet(bits, i))
+    if (IsBitSet(bits, i))
     {
       computed->SetTuple(static_cast<vtkIdType>(i), next++, others);
     }

@@ -15,7 +15,7 @@ namespace relevo
 {
 namespace
 {
-constexpr int BitsOfByte = 8;
+constexpr int BitsOfCoordinate = 8;
 constexpr std::size_t ExponentSize = 2;
 
 float GetLength(int exponent)
@@ -66,8 +66,8 @@ bool PackDirections(
   }
   bytes.clear();
   AppendNumber(bytes, static_cast<std::uint16_t>(exponent), ExponentSize);
-  PackNumbers(coordinates[0], BitsOfByte, bytes);
-  PackNumbers(coordinates[1], BitsOfByte, bytes);
+  PackNumbers(coordinates[0], BitsOfCoordinate, bytes);
+  PackNumbers(coordinates[1], BitsOfCoordinate, bytes);
   return true;
 }
 
@@ -79,7 +79,7 @@ void UnpackDirections(
   for (std::vector<std::uint64_t>& values : coordinates)
   {
     values.resize(directions.size());
-    UnpackNumbers(bytes, BitsOfByte, values);
+    UnpackNumbers(bytes, BitsOfCoordinate, values);
   }
   std::vector<OctahedralUnit> units;
   for (std::size_t i = 0; i < directions.size(); ++i)

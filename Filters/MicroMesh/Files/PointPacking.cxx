@@ -3,6 +3,7 @@
 #include "Files/PointPacking.h"
 
 #include "Files/ArrayPacking.h"
+#include "Files/BitList.h"
 #include "Files/LittleEndian.h"
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
@@ -18,8 +19,7 @@ namespace relevo
 {
 namespace
 {
-constexpr std::size_t BitsOfByte = 8;
-constexpr std::size_t ExponentSize = 2;
+constexpr std::size_t SizeOfExponent = 2;
 constexpr int BitsOfInteger = 32;
 constexpr std::size_t SizeOfInteger = 4;
 constexpr double MostInteger = 1 << 30;
@@ -88,26 +88,6 @@ bool ToIntegers(const Point& point, int exponent, Integers& integers)
   return true;
 }
 
-std::size_t GetBitsSize(std::size_t number)
-{
-  return (number + BitsOfByte - 1) / BitsOfByte;
-}
-
-void AppendBit(bool bit, int place, std::string& bits)
-{
-  const int shift = place % static_cast<int>(BitsOfByte);
-  if (shift == 0)
-  {
-    bits.push_back('\0');
-  }
-  bits.back() = static_cast<char>(bits.back() | (bit ? 1 : 0) << shift);
-}
-
-bool IsSet(std::string_view bits, std::size_t i)
-{
-  return (static_cast<unsigned char>(bits[i / BitsOfByte]) >> i % BitsOfByte & 1) != 0;
-}
-
 vtkSmartPointer<vtkDataArray> MakeOthers(vtkDataArray* points)
 {
   auto others = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(points->GetDataType()));
@@ -172,7 +152,7 @@ std::string PackPoints(vtkDataArray* points, const std::vector<int>& firsts)
     Integers integers{};
     points->GetTuple(static_cast<vtkIdType>(i), point.data());
     const bool isInteger = ToIntegers(point, exponent, integers);
-    AppendBit(!isInteger, places[i], bits);
+    AppendBit(!isInteger, static_cast<std::size_t>(places[i]), bits);
     if (!isInteger)
     {
       others->InsertNextTuple(static_cast<vtkIdType>(i), points);
@@ -187,7 +167,7 @@ std::string PackPoints(vtkDataArray* points, const std::vector<int>& firsts)
     last = integers;
   }
   std::string bytes;
-  AppendNumber(bytes, static_cast<std::uint16_t>(exponent), ExponentSize);
+  AppendNumber(bytes, static_cast<std::uint16_t>(exponent), SizeOfExponent);
   PackNumbers(references, BitsOfInteger, bytes);
   bytes += bits;
   for (const std::vector<std::uint64_t>& ofCoordinate : differences)
@@ -200,7 +180,7 @@ std::string PackPoints(vtkDataArray* points, const std::vector<int>& firsts)
 bool UnpackPoints(std::string_view bytes, vtkDataArray* points)
 {
   const auto number = static_cast<std::size_t>(points->GetNumberOfTuples());
-  const int exponent = static_cast<std::int16_t>(TakeNumber(bytes, ExponentSize));
+  const int exponent = static_cast<std::int16_t>(TakeNumber(bytes, SizeOfExponent));
   if (bytes.size() / SizeOfInteger < number)
   {
     return false;
@@ -209,8 +189,8 @@ bool UnpackPoints(std::string_view bytes, vtkDataArray* points)
   UnpackNumbers(bytes, BitsOfInteger, references);
   const auto numberOfPlaces =
     static_cast<std::size_t>(std::count(references.begin(), references.end(), 0u));
-  const std::string_view bits = bytes.substr(0, GetBitsSize(numberOfPlaces));
-  if (bits.size() != GetBitsSize(numberOfPlaces))
+  const std::string_view bits = bytes.substr(0, GetBitListSize(numberOfPlaces));
+  if (bits.size() != GetBitListSize(numberOfPlaces))
   {
     return false;
   }
@@ -218,7 +198,7 @@ bool UnpackPoints(std::string_view bytes, vtkDataArray* points)
   std::size_t numberOfOthers = 0;
   for (std::size_t i = 0; i < numberOfPlaces; ++i)
   {
-    numberOfOthers += IsSet(bits, i) ? 1 : 0;
+    numberOfOthers += IsBitSet(bits, i) ? 1 : 0;
   }
   const std::size_t numberOfIntegers = numberOfPlaces - numberOfOthers;
   const std::size_t sizeOfOther = 3 * static_cast<std::size_t>(points->GetDataTypeSize());
@@ -253,7 +233,7 @@ bool UnpackPoints(std::string_view bytes, vtkDataArray* points)
       continue;
     }
     places.push_back(index);
-    if (IsSet(bits, places.size() - 1))
+    if (IsBitSet(bits, places.size() - 1))
     {
       points->SetTuple(index, nextOther++, others);
       continue;
