@@ -67,18 +67,6 @@ std::optional<int> TakePort(std::vector<std::string>& arguments)
   }
   return std::nullopt;
 }
-
-void CheckArguments(const OptionValues& values)
-{
-  for (const char* name : { "against", "capture", "export", "flight", "height-at", "micromesh",
-         "output", "save-script", "save-session", "save-source", "session", "stats" })
-  {
-    if (values.Get(name))
-    {
-      throw UsageError(std::string("--") + name + " is an option of relevo-view only");
-    }
-  }
-}
 }
 
 int main(int argc, char* argv[])
@@ -114,7 +102,7 @@ int main(int argc, char* argv[])
         std::cout << "relevo-studio " << RELEVO_VERSION << std::endl;
         return;
       }
-      CheckArguments(values);
+      CheckForStudio(values);
       InstallCrashHandlers(values.GetInput());
       if (port)
       {

@@ -9,7 +9,6 @@
 #include "Options/OptionParser.h"
 #include "Options/ProgramRun.h"
 #include "Options/ViewerUsage.h"
-#include "Scene/AxesTriad.h"
 #include "Scene/OffscreenWindow.h"
 #include "Scene/PictureSeries.h"
 #include "Scene/ReliefCaptures.h"
@@ -21,7 +20,7 @@
 #include "Text/ReadingGuard.h"
 #include "Text/ViewerMessages.h"
 #include "Window/DisplayConnection.h"
-#include "Window/ViewerScaleBar.h"
+#include "Window/SceneAdditions.h"
 #include "Window/ViewerServer.h"
 #include "Window/ViewerWindow.h"
 
@@ -44,10 +43,8 @@ void Draw(ViewerScene& scene, const ViewerOptions& options, ViewerMessages& mess
   window->SetSize(options.Size[0], options.Size[1]);
   window->SetMultiSamples(4);
   window->AddRenderer(scene.GetRenderer());
-  const auto scaleBar = options.HasScaleBar
-    ? std::make_unique<ViewerScaleBar>(scene.GetRenderer(), scene.GetUnit())
-    : nullptr;
-  const auto axes = options.HasAxes ? std::make_unique<AxesTriad>(scene.GetRenderer()) : nullptr;
+  SceneAdditions additions;
+  additions.Show(scene, options);
   if (!options.Flight.empty())
   {
     DrawFlight(scene, window, options, messages);

@@ -110,17 +110,29 @@ class TestStudio(StudioProgram):
         self.assertEqual(frames, sorted(set(frames)))
 
     def test_uniforms(self):
-        """Dragging a plane, a light or the length of segments builds no buffers and shaders."""
-        first = ("set clip 3,0,0,1,0,0", "set metric screen-edge", "wait")
+        """Dragging a plane, a light, the length of segments or the ends of the colours builds no
+        buffers and shaders."""
+        first = ("set clip 3,0,0,1,0,0", "set metric screen-edge", "set range 1,5", "wait")
         last = self.studio("beam.vtu", *first)[0][-1]
-        left, top, width, height = last["clip-position"]["rectangle"]
-        middle = top + height / 2
+
+
+        def drag(name):
+            left, top, width, height = last[name]["rectangle"]
+            middle = top + height / 2
+            return f"drag {left + width / 2} {middle} {left + width * 0.8} {middle}"
+
         dragged, errors = self.studio(
             "beam.vtu",
             *first,
-            f"drag {left + width / 2} {middle} {left + width * 0.8} {middle}",
+            drag("clip-position"),
+            drag("range.0"),
+            drag("range.1"),
+            "set palette magma",
+            "set below white",
             "set pixels 10",
             "set light 90,10",
+            "set zoom 2",
+            "set view front",
         )
         self.assertEqual(errors, "")
         # The scene is beside the panel.
@@ -133,6 +145,122 @@ class TestStudio(StudioProgram):
         values = [layout["clip-position"]["value"] for layout in dragged]
         self.assertGreaterEqual(len(dict.fromkeys(values)), 7)
         self.assertGreater(float(values[-1]), 4.0)
+        self.assertNotEqual(dragged[-1]["range"]["value"], "1,5")
+
+    def describe(self, layout, name):
+        """The numbers of a text of values, by their names."""
+        words = layout[name]["value"].split()
+        return {word: float(number) for word, number in zip(words, words[1:]) if word.isalpha()
+                and re.fullmatch(r"-?[0-9.e+-]+", number)}
+
+    def test_probe(self):
+        """The values under the mouse follow it on surfaces, cuts and isosurfaces, in frames that do
+        not draw the scene. A click keeps them."""
+        opaque = "0 1 1 1 1;6 1 1 1 1"
+        for lines in (
+            (),
+            ("set clip 0,0,1.6,0,0.2,1",),
+            ("set volume Height", f"set transfer {opaque}", "set unit-distance 1e-4"),
+            ("set volume Height", "set blend isosurface", "set isosurfaces 2.5", "set view left"),
+        ):
+            with self.subTest(lines=lines):
+                layouts, errors = self.studio(
+                    "beam.vtu", *lines, "drag 110 200 110 200", "drag 130 215 130 215",
+                    "drag 2 2 2 2", "click forget-probe",
+                )
+                self.assertEqual(errors, "")
+                shown = [layout for layout in layouts if "readout" in layout]
+                self.assertGreaterEqual(len({e["readout"]["value"] for e in shown}), 2)
+                for layout in shown:
+                    values = self.describe(layout, "readout")
+                    self.assertAlmostEqual(values["Height"], values["x"], delta=0.02)
+                    self.assertIn("cell", values)
+                    self.assertIn("point", values)
+                    if "set blend isosurface" in lines:
+                        self.assertAlmostEqual(values["Height"], 2.5, delta=0.02)
+                kept = [layout for layout in layouts if "probe" in layout]
+                self.assertEqual(kept[-1]["probe"]["value"], shown[-1]["readout"]["value"])
+                self.assertNotIn("readout", layouts[-1])
+                self.assertNotIn("probe", layouts[-1])
+                self.assertFalse(layouts[-1]["forget-probe"]["enabled"])
+                self.assertGreaterEqual(layouts[-1]["figure-panel-frames"]["value"], 3)
+
+    def test_keys_of_viewer(self):
+        """The keys of relevo-view set the options of the controls."""
+        layouts, errors = self.studio(
+            "steps.pvd", "key >", "key w", "key m", "key m", "key 5", "save a.png", "key s", "key n",
+            "key h", "key i", "key h", "key r",
+        )
+        self.assertEqual(errors, "")
+        wire = next(e for e in layouts if e["clip"]["value"] and e["view"]["value"])
+        self.assertEqual(wire["wireframe"]["value"], "on")
+        self.assertEqual(wire["time"]["value"], "1")
+        self.assertEqual(wire["view"]["value"], "top")
+        self.assert_picture(
+            "a.png", "steps.pvd", "--time=1", "--wireframe", f"--clip={wire['clip']['value']}",
+            "--view=top",
+        )
+        self.assertEqual(layouts[-1]["wireframe"]["value"], "")
+        self.assertNotEqual(layouts[-1]["clip"]["value"], wire["clip"]["value"])
+        helped = [layout for layout in layouts if "key-help" in layout]
+        self.assertIn("wireframe", helped[0]["key-help"]["value"])
+        self.assertNotIn("key-help", layouts[-1])
+        self.assertTrue((self.folder / "steps-1.png").exists())
+        (self.folder / "steps-1.png").unlink()
+
+    def test_ruler(self):
+        layouts, errors = self.studio(
+            "beam.vtu", "drag 110 200 110 200", "key d", "drag 130 215 130 215", "key d",
+            "set axes on", "set scale-bar on", "set extremes on", "save a.png", "set ruler default",
+            "set axes default", "set scale-bar default", "set extremes default", "save b.png",
+            "click measure", "drag 110 200 110 200", "drag 130 215 130 215",
+        )
+        self.assertEqual(errors, "")
+        rulers = [layout["ruler"]["value"] for layout in layouts]
+        ends = next(filter(None, rulers))
+        self.assertEqual(ends.count(","), 5)
+        self.assertEqual(rulers[-1], ends)
+        self.assert_picture(
+            "a.png", "beam.vtu", f"--ruler={ends}", "--axes", "--scale-bar", "--extremes")
+        self.assert_picture("b.png", "beam.vtu")
+
+    def test_session(self):
+        """A session of the panel is one of relevo-view, and opens with its file and camera."""
+        layouts, errors = self.studio(
+            "beam.vtu", "set array Stress", "set wireframe on", "set range 1,5", "drag 20 200 70 230",
+            "set session-name mine.json", "click save-session", "save a.png", "set range default",
+            "set session-name none.json", "save c.png",
+        )
+        self.assertEqual(errors, "")
+        self.view("--session=mine.json", "--output=expected.png")
+        expected = (self.folder / "expected.png").read_bytes()
+        self.assertEqual((self.folder / "a.png").read_bytes(), expected)
+        layouts, errors = self.studio(
+            "steps.pvd", "set session-name mine.json", "click open-session", "save b.png",
+            "set session-name none.json", "click open-session", "save c.png", "click undo",
+            "save d.png", code=1,
+        )
+        self.assertIn("line 5: --session none.json: the file cannot be read", errors)
+        self.assertEqual(errors.count("\n"), 2)
+        self.assertEqual((self.folder / "b.png").read_bytes(), expected)
+        self.assertEqual((self.folder / "c.png").read_bytes(), expected)
+        self.assert_picture("d.png", "steps.pvd")
+
+    def test_options(self):
+        """Each option of relevo-view is a control, or does not change a running scene."""
+        options = set(re.findall(r"^  --([a-z-]+)", self.view("--help").stdout, re.MULTILINE))
+        options |= {"above", "seed-line"}
+        layouts, errors = self.studio("beam.vtu", "set log on", code=1)
+        self.assertIn("needs values above 0", errors)
+        others = {
+            "against", "capture", "contact-distance", "export", "flight", "height-at", "help",
+            "micromesh", "output", "relief", "serve", "session", "size", "stats", "tolerance",
+            "version",
+        }
+        self.assertEqual(options - set(layouts[-1]), others)
+        for name in options - others:
+            entry = layouts[-1][name]
+            self.assertTrue(entry["enabled"] or entry["reason"], name)
 
     def test_volume(self):
         (self.folder / "nodes.txt").write_text(VOLUME_NODES.replace(";", "\n") + "\n")
@@ -219,13 +347,13 @@ class TestStudio(StudioProgram):
         groups.append("Pattern generator")
         opened = [f"click group {name}" for name in groups]
         layouts, errors = self.studio(
-            "beam.vtu", *opened, "click panels-in-pictures", *["key Up"] * 100
+            "beam.vtu", *opened, "click panels-in-pictures", *["key Up"] * 130
         )
         self.assertEqual(errors, "")
         wanted = {
             name
             for name, entry in layouts[-1].items()
-            if entry["kind"] in ("choice", "flag", "number", "integer", "button", "text")
+            if entry["kind"] in ("choice", "flag", "number", "integer", "button", "text", "color")
             and entry.get("enabled")
             and any(entry["rectangle"])  # its group is open
             and not name.endswith(".default")
@@ -234,7 +362,8 @@ class TestStudio(StudioProgram):
             name for layout in layouts for name, e in layout.items() if e.get("focused")
         }
         # Buttons in a row are reached by Right.
-        rows = ("redo", "step-", "play", "loop", "view-", "reset-view", "save-", "clip-position")
+        rows = ("redo", "step-", "play", "loop", "view-", "reset-view", "keys", "save-", "open-",
+                "forget-probe", "clip-position")
         parts = {name for name in wanted if name[-2:] in (".0", ".1", ".2")}
         whole = {name[:-2] for name in parts}
         missing = {

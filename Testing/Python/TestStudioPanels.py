@@ -46,6 +46,9 @@ class TestStudioPanels(StudioProgram):
             "sphere.vtp",
             "set array Latitude",
             "set max-level 3",
+            "set range -30,30",
+            "set below navy",
+            "set above #ff8000",
             "set compare-method suapt",
             "set session-name s.json",
             "click save-session",
@@ -54,9 +57,17 @@ class TestStudioPanels(StudioProgram):
             "set compare-method default",
             "save a.png",
             "set axes on",
+            "set extremes on",
+            "set scale-bar on",
+            "set ruler 0,0,1,1,0,0",
+            "save none.py",
+            "save none/",
             code=1,
         )
-        self.assertIn("unknown control 'axes'", errors)
+        refusal = "a program cannot draw --axes, --extremes, --ruler or --scale-bar yet; omit them"
+        self.assertEqual(errors.count(refusal), 2)
+        self.assertEqual(errors.count("\n"), 3)
+        self.assertFalse((self.folder / "none.py").exists() or (self.folder / "none").exists())
         expected = (self.folder / "a.png").read_bytes()
         self.view("--session=s.json", "--output=b.png")
         self.assertEqual((self.folder / "b.png").read_bytes(), expected)

@@ -3,6 +3,8 @@
 """Proves studio.md in a window: clicks, drags and keys by xdotool, and nothing drawn while still."""
 
 import json
+import os
+import pathlib
 import subprocess
 import sys
 import time
@@ -34,6 +36,11 @@ class TestStudioWindow(ViewerProgram):
         left, top, width, height = self.layout()[name]["rectangle"]
         return int(left + width / 2), int(top + height / 2)
 
+    def get_seconds(self, program):
+        """The processor time of a program."""
+        fields = pathlib.Path(f"/proc/{program.pid}/stat").read_text().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
     def test_window(self):
         sphere = vtkSphereSource()
         sphere.Update()
@@ -41,7 +48,7 @@ class TestStudioWindow(ViewerProgram):
         display = Display()
         self.addCleanup(display.stop)
         program = subprocess.Popen(
-            [PROGRAM, "sphere.vtp", "--size=600x700", "--layout=layout.json"],
+            [PROGRAM, "sphere.vtp", "--size=600x900", "--layout=layout.json"],
             cwd=self.folder,
             env=display.environment,
             stdout=subprocess.PIPE,
@@ -84,10 +91,25 @@ class TestStudioWindow(ViewerProgram):
         display.do("key", "ctrl+z")
         wait(lambda: value("light") == "", "undo")
 
-        time.sleep(0.3)
+        # Values follow the mouse in frames that do not draw the scene, and a click keeps them.
+        repeated = value("figure-panel-frames")
+        move(130, 340)
+        wait(lambda: value("readout"), "the values under the mouse")
+        self.assertGreater(value("figure-panel-frames"), repeated)
+        display.do("click", 1)
+        wait(lambda: value("probe") == value("readout"), "the values of the click")
+        display.do("key", "h")
+        wait(lambda: value("key-help"), "the keys")
+        display.do("key", "h")
+        wait(lambda: not value("key-help"), "no keys")
+
+        # A still window draws nothing and takes less than 2 % of a processor.
+        time.sleep(0.5)
         frames = value("figure-frames")
-        time.sleep(1.0)
+        used = self.get_seconds(program)
+        time.sleep(2.0)
         self.assertEqual(value("figure-frames"), frames)
+        self.assertLessEqual(self.get_seconds(program) - used, 0.04)
         display.do("key", "q")
         output, errors = program.communicate(timeout=60)
         self.assertEqual((program.returncode, errors), (0, ""))

@@ -6,6 +6,7 @@
 #ifndef Control_h
 #define Control_h
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ enum class ControlKind
   Choice,   // one of several words
   Flag,     // on or off
   Number,   // one or more numbers, separated by commas
+  Color,    // red, green and blue
   Integer,  // a whole number
   Step,     // a time step
   Plane,    // a cut plane
@@ -31,9 +33,10 @@ struct Control
   std::string Unit;
   std::string Default; // in words
   std::vector<std::string> Choices = {};
-  double Lowest = 0.0; // of the slider
-  double Highest = 1.0;
+  // The ends of the sliders: one pair for all numbers, or one for each.
+  std::vector<std::array<double, 2>> Ranges = { { { 0.0, 1.0 } } };
   bool IsLogarithmic = false;
+  bool IsIncreasing = false;      // whether each number is less than the next one
   std::vector<double> Start = {}; // where sliders start without a value
   bool IsStartShown = true;       // whether these are the numbers in use
 

@@ -7,6 +7,10 @@
 #include "Options/UsageError.h"
 #include "State/StudioState.h"
 
+#include "vtkArrayQuantityFilter.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -19,39 +23,31 @@ const double StepsPerDegree = 100.0; // of directions in the panel
 std::vector<std::string> ListQuantities(const SceneContent& content)
 {
   std::vector<std::string> names;
+  vtkNew<vtkStringArray> quantities;
   for (const SceneArray& array : content.Arrays)
   {
     names.push_back(array.Name);
-    std::vector<std::string> quantities;
-    const int number = array.NumberOfComponents;
-    if (number == 2 || number == 3)
+    vtkArrayQuantityFilter::ListQuantities(
+      array.Name.c_str(), array.NumberOfComponents, quantities);
+    for (vtkIdType i = 0; i < quantities->GetNumberOfValues(); ++i)
     {
-      quantities = { "magnitude", "x", "y" };
-      if (number == 3)
-      {
-        quantities.push_back("z");
-      }
-    }
-    if (number == 6 || number == 9)
-    {
-      quantities = { "von Mises", "Tresca", "principal 1", "principal 2", "principal 3", "xx", "yy",
-        "zz", "xy", "yz", "xz" };
-    }
-    for (const std::string& quantity : quantities)
-    {
-      names.push_back(quantity + " of " + array.Name);
+      names.push_back(quantities->GetValue(i));
     }
   }
   return names;
 }
 
-std::vector<std::string> ListVectors(const SceneContent& content, bool isWarp)
+// The arrays for an option.
+std::vector<std::string> ListVectors(const SceneContent& content, const std::string& option)
 {
   std::vector<std::string> names;
   for (const SceneArray& array : content.Arrays)
   {
     const int number = array.NumberOfComponents;
-    if (isWarp ? array.IsOfPoints && number == 3 : number == 2 || number == 3)
+    const bool isUsable = option == "warp" ? array.IsOfPoints && number == 3
+      : option == "lic"                    ? number == 2 || number == 3
+                                           : number == 3;
+    if (isUsable)
     {
       names.push_back(array.Name);
     }
@@ -59,8 +55,27 @@ std::vector<std::string> ListVectors(const SceneContent& content, bool isWarp)
   return names;
 }
 
+// Whether a control changes colours by values.
+bool NeedsRange(const std::string& name)
+{
+  static const std::set<std::string> names = { "above", "below", "extremes", "log", "palette",
+    "range" };
+  return names.count(name) > 0;
+}
+
+std::string GetSampleText(const std::string& name, bool isTerrain)
+{
+  static const std::map<std::string, std::string> texts = { { "imagery-bands", "1,1,1" },
+    { "no-data-value", "0" }, { "ruler", "0,0,0,1,1,1" }, { "seed-line", "0,0,0,1,1,1" } };
+  const auto text = texts.find(name);
+  return text != texts.end() ? text->second
+    : name == "center"       ? (isTerrain ? "0,0" : "0,0,0")
+    : name == "region"       ? (isTerrain ? "0,0,1" : "0,0,0,1")
+                             : "x.png";
+}
+
 // A value with which the option can be tried.
-std::string GetSample(const Control& control)
+std::string GetSample(const Control& control, bool isTerrain)
 {
   if (control.Value)
   {
@@ -78,8 +93,10 @@ std::string GetSample(const Control& control)
       return "0";
     case ControlKind::Transfer:
       return "0 0 0 0 0;1 1 1 1 1";
+    case ControlKind::Color:
+      return "white";
     case ControlKind::Text:
-      return "x.png";
+      return GetSampleText(control.Name, isTerrain);
     default:
       break;
   }
@@ -146,46 +163,52 @@ bool ControlList::IsComparing() const
 //------------------------------------------------------------------------------
 void ControlList::Update(const StudioState& state, const SceneContent& content)
 {
+  const std::array<int, 2> versions = { { state.GetVersion(), content.Version } };
+  const bool isOutOfDate = versions != this->Versions;
+  this->Versions = versions;
   for (Control& control : this->Controls)
   {
-    control.IsEnabled = true;
-    control.Reason.clear();
-    if (IsOption(control))
+    if (!IsOption(control))
+    {
+      this->UpdateOwn(control, state, content);
+    }
+    else
     {
       control.Value = state.Get().Get(control.Name);
-      this->FindChoices(control, content);
       this->FindRange(control, content);
-      this->FindReason(control, state.Get(), content);
-    }
-    else if (control.Kind != ControlKind::Button)
-    {
-      const std::string value = this->GetOwn(control.Name);
-      const bool isDefault = value == control.Default;
-      const bool hasNone = control.Kind == ControlKind::Flag || control.Kind == ControlKind::Choice;
-      control.Value = isDefault && hasNone ? std::nullopt : std::optional<std::string>(value);
-      const bool isOfDifference =
-        control.Name == "show-difference" || control.Name == "difference-gain";
-      if (isOfDifference && !this->IsComparing())
+      if (isOutOfDate)
       {
-        control.Reason = "there is no second view; set compare-method or compare-options";
+        control.Reason.clear();
+        this->FindChoices(control, content);
+        this->FindReason(control, state.Get(), content);
       }
-    }
-    else if (control.Name == "undo" && !state.CanUndo())
-    {
-      control.Reason = "nothing has been changed";
-    }
-    else if (control.Name == "redo" && !state.CanRedo())
-    {
-      control.Reason = "nothing has been undone";
-    }
-    const bool isOfTime = control.Name == "step-back" || control.Name == "step-forward" ||
-      control.Name == "play" || control.Name == "loop";
-    if (isOfTime && content.Times.size() < 2)
-    {
-      control.Reason = "the file has no time steps";
     }
     control.IsEnabled = control.Reason.empty();
   }
+}
+
+//------------------------------------------------------------------------------
+void ControlList::UpdateOwn(Control& control, const StudioState& state, const SceneContent& content)
+{
+  static const std::set<std::string> ofTime = { "loop", "play", "range-all", "step-back",
+    "step-forward" };
+  const std::string& name = control.Name;
+  if (control.Kind != ControlKind::Button)
+  {
+    const std::string value = this->GetOwn(name);
+    const bool isDefault = value == control.Default;
+    const bool hasNone = control.Kind == ControlKind::Flag || control.Kind == ControlKind::Choice;
+    control.Value = isDefault && hasNone ? std::nullopt : std::optional<std::string>(value);
+  }
+  const bool isOfDifference = name == "show-difference" || name == "difference-gain";
+  control.Reason = name == "undo" && !state.CanUndo() ? "nothing has been changed"
+    : name == "redo" && !state.CanRedo()              ? "nothing has been undone"
+    : name == "measure"                               ? this->Find("ruler")->Reason
+    : name == "forget-probe" && !this->HasProbe       ? "no values are kept"
+    : ofTime.count(name) && content.Times.size() < 2  ? "the file has no time steps"
+    : isOfDifference && !this->IsComparing()
+    ? "there is no second view; set compare-method or compare-options"
+    : "";
 }
 
 //------------------------------------------------------------------------------
@@ -195,9 +218,9 @@ void ControlList::FindChoices(Control& control, const SceneContent& content) con
   {
     control.Choices = ListQuantities(content);
   }
-  else if (control.Name == "warp" || control.Name == "lic")
+  else if (control.Name == "warp" || control.Name == "lic" || control.Name == "streamlines")
   {
-    control.Choices = ListVectors(content, control.Name == "warp");
+    control.Choices = ListVectors(content, control.Name);
   }
   else if (control.Name == "volume")
   {
@@ -212,8 +235,7 @@ void ControlList::FindRange(Control& control, const SceneContent& content) const
   if ((name == "range" || name == "isosurfaces") && content.Range && !control.Value)
   {
     const std::array<double, 2>& range = *content.Range;
-    control.Lowest = range[0];
-    control.Highest = range[1];
+    control.Ranges = { range };
     control.Start = name == "range" ? std::vector<double>{ range[0], range[1] }
                                     : std::vector<double>{ 0.5 * (range[0] + range[1]) };
   }
@@ -239,20 +261,17 @@ void ControlList::FindRange(Control& control, const SceneContent& content) const
     std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
   if (name == "unit-distance")
   {
-    control.Lowest = 1e-3 * diagonal;
-    control.Highest = diagonal;
+    control.Ranges = { { { 1e-3 * diagonal, diagonal } } };
     control.Start = { content.UnitDistance };
   }
   else if (name == "amplitude" || name == "offset")
   {
-    control.Lowest = name == "offset" ? -0.2 * diagonal : 0.0;
-    control.Highest = 0.2 * diagonal;
+    control.Ranges = { { { name == "offset" ? -0.2 * diagonal : 0.0, 0.2 * diagonal } } };
     control.Start = { name == "offset" ? 0.0 : 0.03 * diagonal };
   }
   else if (name == "reach")
   {
-    control.Lowest = 0.01 * diagonal;
-    control.Highest = 30.0 * diagonal;
+    control.Ranges = { { { 0.01 * diagonal, 30.0 * diagonal } } };
     control.Start = { 3.0 * diagonal };
   }
 }
@@ -262,8 +281,9 @@ void ControlList::FindReason(
   Control& control, const OptionValues& values, const SceneContent& content) const
 {
   const std::string& name = control.Name;
+  const bool isTerrain = !content.Bounds;
   OptionValues tried = values;
-  tried.Choose(name, GetSample(control));
+  tried.Choose(name, GetSample(control, isTerrain));
   try
   {
     tried.Parse();
@@ -277,17 +297,18 @@ void ControlList::FindReason(
   {
     control.Reason = name == "warp" ? "the file has no point array of 3 components"
       : name == "lic"               ? "the file has no array of 2 or 3 components"
+      : name == "streamlines"       ? "the file has no array of 3 components"
                                     : "the file has no arrays";
   }
   else if (name == "time" && content.Times.size() < 2)
   {
     control.Reason = "the file has no time steps";
   }
-  else if (name == "volume" && !content.HasSolidCells)
+  else if ((name == "volume" || name == "streamlines") && !content.HasSolidCells)
   {
     control.Reason = "the file has no 3D cells";
   }
-  else if ((name == "range" || name == "palette") && !content.Range)
+  else if (NeedsRange(name) && !content.Range)
   {
     control.Reason = "no array and no heights colour the picture";
   }

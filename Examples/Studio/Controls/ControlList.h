@@ -10,6 +10,7 @@
 #include "Controls/Control.h"
 #include "Scene/SceneContent.h"
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -21,6 +22,9 @@ class ControlList
 {
 public:
   ControlList();
+
+  /// Whether the panel shows the values of a point that was clicked.
+  void SetHasProbe(bool hasProbe) { this->HasProbe = hasProbe; }
 
   /// Updates values, choices and whether the controls apply.
   void Update(const StudioState& state, const SceneContent& content);
@@ -38,12 +42,16 @@ public:
   static bool IsOption(const Control& control);
 
 private:
+  void UpdateOwn(Control& control, const StudioState& state, const SceneContent& content);
   void FindChoices(Control& control, const SceneContent& content) const;
   void FindRange(Control& control, const SceneContent& content) const;
   void FindReason(Control& control, const OptionValues& values, const SceneContent& content) const;
 
   std::vector<Control> Controls;
   std::map<std::string, std::string> Own;
+  bool HasProbe = false;
+  // Of the values and of the content that the reasons and choices are for.
+  std::array<int, 2> Versions = { { -1, -1 } };
 };
 
 #endif

@@ -33,11 +33,24 @@ Control MakeNumber(const std::string& name, const std::string& group, const std:
   bool isLogarithmic = false)
 {
   Control control{ name, group, Kind::Number, unit, standard };
-  control.Lowest = lowest;
-  control.Highest = highest;
+  control.Ranges = { { { lowest, highest } } };
   control.Start = start;
   control.IsLogarithmic = isLogarithmic;
   return control;
+}
+
+// Azimuth and elevation in degrees.
+Control MakeDirection(const std::string& name, const std::string& group,
+  const std::string& standard, const std::vector<double>& start)
+{
+  Control control = MakeNumber(name, group, "degrees", standard, 0.0, 360.0, start);
+  control.Ranges = { { { 0.0, 360.0 } }, { { -90.0, 90.0 } } };
+  return control;
+}
+
+Control MakeColor(const std::string& name, const std::string& group, const std::string& standard)
+{
+  return { name, group, Kind::Color, "", standard };
 }
 
 Control MakeInteger(const std::string& name, const std::string& group, const std::string& unit,
@@ -67,6 +80,7 @@ void AddData(std::vector<Control>& table)
   table.push_back(MakeChoice("warp", group, "none", {}));
   table.push_back(MakeNumber("scale", group, "times", "1", 0.0, 1000.0, { 1.0 }, true));
   table.push_back({ "clip", group, Kind::Plane, "coordinates", "none" });
+  table.push_back(MakeFlag("extremes", group));
   table.push_back(MakeChoice("up", group, "y", { "x", "y", "z" }));
 }
 
@@ -75,6 +89,10 @@ void AddColours(std::vector<Control>& table)
   const std::string group = "Colours";
   table.push_back(
     MakeNumber("range", group, "unit of the array", "all values", 0.0, 1.0, { 0.0, 1.0 }));
+  table.push_back(MakeButton("range-all", group));
+  table.push_back(MakeFlag("log", group));
+  table.push_back(MakeColor("below", group, "the first colour"));
+  table.push_back(MakeColor("above", group, "the last colour"));
   table.push_back(MakeChoice("palette", group, "viridis; of heights relief", GetPaletteNames()));
   table.push_back(MakeChoice("color-by", group, "the array or the heights",
     { "level", "pattern", "metric", "height", "slope", "aspect", "hillshade" }));
@@ -98,6 +116,10 @@ void AddSurface(std::vector<Control>& table)
   table.push_back(MakeText("height", group, "no height map"));
   table.push_back(MakeNumber("offset", group, "length", "0 with --scale", -1.0, 1.0, { 0.0 }));
   table.push_back(MakeChoice("mapping", group, "by the shape", { "sphere", "plane" }));
+  table.push_back(MakeText("image", group, "none"));
+  table.push_back(MakeChoice("no-data", group, "hole", { "hole", "fill" }));
+  table.push_back(MakeText("no-data-value", group, "that of the file"));
+  table.push_back(MakeInteger("hair", group, "hairs", "none", 1, 100000, 1000, true));
 }
 
 void AddDetail(std::vector<Control>& table)
@@ -118,6 +140,7 @@ void AddDetail(std::vector<Control>& table)
   table.push_back(MakeChoice("segments", group, "powers", { "powers", "whole" }));
   table.push_back(MakeFlag("per-edge", group));
   table.push_back(MakeFlag("no-geomorphing", group));
+  table.push_back(MakeText("region", group, "around the middle"));
   table.push_back(
     MakeInteger("budget", group, "triangles", "no limit", 1000, 100000000, 1000000, true));
 }
@@ -134,6 +157,14 @@ void AddStreaks(std::vector<Control>& table)
   table.push_back(MakeNumber("lic-phase", group, "loops", "0", 0.0, 1.0, { 0.0 }));
 }
 
+void AddStreamlines(std::vector<Control>& table)
+{
+  const std::string group = "Streamlines";
+  table.push_back(MakeChoice("streamlines", group, "none", {}));
+  table.push_back(MakeInteger("seeds", group, "points", "100", 1, 10000, 100, true));
+  table.push_back(MakeText("seed-line", group, "in the middles of cells"));
+}
+
 void AddVolume(std::vector<Control>& table)
 {
   const std::string group = "Volume";
@@ -146,6 +177,10 @@ void AddVolume(std::vector<Control>& table)
     { "composite", "maximum", "minimum", "average", "additive", "isosurface" }));
   table.push_back(MakeChoice("volume-method", group, "ray", { "ray", "projection" }));
   table.push_back(MakeChoice("integration", group, "exact", { "exact", "pre", "pre2d" }));
+  table.push_back(MakeNumber(
+    "shape-tolerance", group, "share of the diagonal", "5e-4", 1e-6, 1.0, { 5e-4 }, true));
+  table.push_back(
+    MakeNumber("field-tolerance", group, "share of the range", "4e-3", 1e-6, 1.0, { 4e-3 }, true));
 }
 
 void AddTerrain(std::vector<Control>& table)
@@ -157,19 +192,43 @@ void AddTerrain(std::vector<Control>& table)
   table.push_back(MakeFlag("contour-labels", group));
   table.push_back(
     MakeNumber("sea-level", group, "unit of the heights", "none", -500.0, 5000.0, { 0.0 }));
+  table.push_back(
+    MakeNumber("base", group, "unit of the heights", "none", -500.0, 5000.0, { 0.0 }));
+  table.push_back(MakeText("imagery-bands", group, "those of the file"));
+  table.push_back(MakeFlag("stretch", group));
   table.push_back(MakeFlag("globe", group));
+  table.push_back(MakeInteger("resolution", group, "squares", "128", 1, 4096, 128, true));
+  table.push_back(MakeInteger("memory", group, "MiB", "512", 16, 16384, 512, true));
+}
+
+void AddReliefs(std::vector<Control>& table)
+{
+  const std::string group = "Reliefs";
+  table.push_back(MakeChoice(
+    "relief-method", group, "automatic", { "automatic", "march", "refinement", "warp" }));
+  table.push_back(MakeChoice(
+    "relief-search", group, "mipmap", { "mipmap", "linear-binary", "linear-secant", "cones" }));
+}
+
+void AddMeasuring(std::vector<Control>& table)
+{
+  const std::string group = "Measure";
+  table.push_back(MakeText("ruler", group, "none"));
+  table.push_back(MakeButton("measure", group));
+  table.push_back(MakeButton("forget-probe", group));
+  table.push_back(MakeFlag("axes", group));
+  table.push_back(MakeFlag("scale-bar", group));
 }
 
 void AddView(std::vector<Control>& table)
 {
   const std::string group = "Light and camera";
-  table.push_back(MakeNumber(
-    "light", group, "degrees", "315,40; of meshes 250,45", -90.0, 360.0, { 315.0, 40.0 }));
-  table.push_back(MakeNumber(
-    "view", group, "degrees", "192,38; of meshes 205,20", -90.0, 360.0, { 192.0, 38.0 }));
+  table.push_back(MakeDirection("light", group, "315,40; of meshes 250,45", { 315.0, 40.0 }));
+  table.push_back(MakeDirection("view", group, "192,38; of meshes 205,20", { 192.0, 38.0 }));
+  table.push_back(MakeText("center", group, "the middle of the data"));
   table.push_back(MakeNumber("zoom", group, "times", "1", 0.1, 100.0, { 1.0 }, true));
-  for (const char* name : { "view-top", "view-bottom", "view-north", "view-east", "view-south",
-         "view-west", "reset-view" })
+  for (const char* name : { "view-front", "view-back", "view-left", "view-right", "view-top",
+         "view-bottom", "reset-view", "keys" })
   {
     table.push_back(MakeButton(name, group));
   }
@@ -206,6 +265,7 @@ void AddFiles(std::vector<Control>& table)
   table.push_back(MakeButton("save-mesh", group));
   table.push_back(MakeText("session-name", group, "studio.json"));
   table.push_back(MakeButton("save-session", group));
+  table.push_back(MakeButton("open-session", group));
   table.push_back(MakeText("script-name", group, "studio.py"));
   table.push_back(MakeButton("save-script", group));
   table.push_back(MakeText("source-name", group, "studio-source/"));
@@ -222,20 +282,24 @@ std::vector<Control> GetControlTable()
   AddColours(table);
   AddSurface(table);
   AddDetail(table);
+  AddStreamlines(table);
   AddStreaks(table);
   AddVolume(table);
   AddTerrain(table);
+  AddReliefs(table);
+  AddMeasuring(table);
   AddView(table);
   AddComparison(table);
   AddPattern(table);
   AddFiles(table);
   // Their defaults are no numbers, or depend on the file.
-  const std::set<std::string> others = { "budget", "contours", "error", "exaggeration",
-    "feature-angle", "isolines", "isosurfaces", "level", "light", "max-level", "offset", "reach",
-    "sea-level", "view" };
+  const std::set<std::string> others = { "base", "budget", "contours", "error", "exaggeration",
+    "feature-angle", "hair", "isolines", "isosurfaces", "level", "light", "max-level", "offset",
+    "reach", "sea-level", "view" };
   for (Control& control : table)
   {
     control.IsStartShown = others.count(control.Name) == 0;
+    control.IsIncreasing = control.Name == "range";
   }
   return table;
 }

@@ -71,6 +71,7 @@ OptionValues StudioComparison::FindValues(const Request& request) const
     values.Choose(name, equals == std::string::npos ? "on" : option.substr(equals + 1));
   }
   values.Parse();
+  CheckForStudio(values);
   return values;
 }
 
@@ -106,9 +107,11 @@ void StudioComparison::Apply(const Request& request)
   }
   this->Second->ShareCamera(renderers[0]->GetActiveCamera());
   this->Shown = request;
+  this->Renderer->Modified(); // another gain needs a frame of the scene
   if (renderers[0] != this->Renderers[0])
   {
     renderers[0]->AddObserver(vtkCommand::StartEvent, this, &StudioComparison::DrawInFirstPlace);
+    renderers[0]->AddObserver(vtkCommand::EndEvent, this, &StudioComparison::Measure);
   }
   std::copy(renderers.begin(), renderers.end(), this->Renderers.begin());
   this->SetColumns();
@@ -189,6 +192,10 @@ void StudioComparison::DrawInFirstPlace()
 //------------------------------------------------------------------------------
 void StudioComparison::Measure()
 {
+  if (!this->Second || this->IsHidden)
+  {
+    return;
+  }
   this->Difference.Read(0, this->Window, this->First.GetColumnSize());
   this->Difference.Compare();
 }
@@ -198,7 +205,6 @@ void StudioComparison::ShowDifference()
 {
   if (this->Second)
   {
-    this->Measure();
     this->Difference.Draw(this->Shown.Gain, this->Image);
   }
 }
@@ -209,10 +215,6 @@ SceneFigures StudioComparison::MeasureFrame()
   if (!this->Second || this->IsHidden)
   {
     return {};
-  }
-  if (!this->Shown.HasDifference)
-  {
-    this->Measure();
   }
   SceneFigures figures;
   for (const auto& figure : this->Second->GetFigures())

@@ -5,10 +5,12 @@
 #include "Scene/SceneFactory.h"
 
 #include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -73,10 +75,13 @@ void StudioScene::Build(const OptionValues& values)
     this->Window->RemoveRenderer(this->Scene->GetRenderer());
   }
   this->Window->AddRenderer(scene->GetRenderer());
+  this->Additions.reset();
   this->Scene = std::move(scene); // before the messages that it uses
   this->Messages = std::move(messages);
   this->Values = values;
-  this->Content = this->Scene->GetContent();
+  this->Additions = std::make_unique<SceneAdditions>();
+  this->Additions->Show(*this->Scene, this->Parse(values));
+  this->UpdateContent();
   this->StoreView();
   if (this->Size[0] > 0)
   {
@@ -87,6 +92,11 @@ void StudioScene::Build(const OptionValues& values)
 //------------------------------------------------------------------------------
 void StudioScene::Apply(const OptionValues& values)
 {
+  if (values.GetInput() != this->Values.GetInput())
+  {
+    this->Build(values);
+    return;
+  }
   OptionNames changed = values.Compare(this->Values);
   for (const char* name : { "--center", "--view", "--zoom" })
   {
@@ -100,6 +110,18 @@ void StudioScene::Apply(const OptionValues& values)
     this->Values = values;
     return;
   }
+  bool hasOtherAdditions = false;
+  for (const std::string& name : SceneAdditions::GetOptions())
+  {
+    hasOtherAdditions = changed.erase(name) > 0 || hasOtherAdditions;
+  }
+  if (hasOtherAdditions && changed.empty())
+  {
+    this->Additions->Show(*this->Scene, this->Parse(values));
+    this->Values = values;
+    this->UpdateContent();
+    return;
+  }
   const bool changesView = HasAny(changed, { "--center", "--view", "--zoom" });
   const bool isMoved = this->IsViewMoved() && !changesView;
   vtkCamera* camera = this->Scene->GetRenderer()->GetActiveCamera();
@@ -108,8 +130,12 @@ void StudioScene::Apply(const OptionValues& values)
     (values.Get("range") == "all" || this->Values.Get("range") == "all");
   if (!isOfAllSteps && this->Scene->Update(this->Parse(values), changed))
   {
+    if (hasOtherAdditions)
+    {
+      this->Additions->Show(*this->Scene, this->Parse(values));
+    }
     this->Values = values;
-    this->Content = this->Scene->GetContent();
+    this->UpdateContent();
     // Until the user moves the camera, the view shows the whole changed surface.
     if (!isMoved &&
       HasAny(changed, { "--amplitude", "--alpha", "--frequency", "--offset", "--scale", "--time" }))
@@ -134,6 +160,13 @@ void StudioScene::Apply(const OptionValues& values)
     this->Scene->GetRenderer()->GetActiveCamera()->DeepCopy(old);
     this->Scene->GetRenderer()->ResetCameraClippingRange();
   }
+}
+
+//------------------------------------------------------------------------------
+void StudioScene::UpdateContent()
+{
+  this->Content = this->Scene->GetContent();
+  this->Content.Version = ++this->ContentVersion;
 }
 
 //------------------------------------------------------------------------------
@@ -246,9 +279,13 @@ void StudioScene::StoreView()
 //------------------------------------------------------------------------------
 bool StudioScene::IsViewMoved() const
 {
-  vtkCamera* camera = this->Scene->GetRenderer()->GetActiveCamera();
-  const auto differ = [](const double* a, const double* b) { return !std::equal(a, a + 3, b); };
-  return differ(camera->GetPosition(), this->OwnView->GetPosition()) ||
-    differ(camera->GetFocalPoint(), this->OwnView->GetFocalPoint()) ||
-    differ(camera->GetViewUp(), this->OwnView->GetViewUp());
+  // A click turns the camera by rounding errors, and makes its upward direction orthogonal.
+  const double tolerance = 1e-9;
+  const double* view =
+    this->Scene->GetRenderer()->GetActiveCamera()->GetViewTransformMatrix()->GetData();
+  const double* own = this->OwnView->GetViewTransformMatrix()->GetData();
+  return !std::equal(view, view + 16, own,
+    [&](double a, double b) {
+      return std::abs(a - b) <= tolerance * std::max({ 1.0, std::abs(a), std::abs(b) });
+    });
 }

@@ -13,6 +13,7 @@
 #include "Scene/ViewerScene.h"
 #include "State/OptionValues.h"
 #include "Text/ViewerMessages.h"
+#include "Window/SceneAdditions.h"
 
 #include "vtkSmartPointer.h"
 
@@ -68,6 +69,7 @@ public:
 private:
   ViewerOptions Parse(const OptionValues& values) const;
   void Build(const OptionValues& values);
+  void UpdateContent();
   bool IsViewMoved() const;
   void StoreView();
   void UpdateSize();
@@ -78,7 +80,9 @@ private:
   bool IsComplete;
   std::unique_ptr<ViewerMessages> Messages;
   std::unique_ptr<ViewerScene> Scene;
+  std::unique_ptr<SceneAdditions> Additions; // to the scene, before which they are deleted
   SceneContent Content;
+  int ContentVersion = 0;
   int PanelWidth = 0;
   int Column = 0;
   int NumberOfColumns = 1;

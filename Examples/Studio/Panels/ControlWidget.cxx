@@ -3,6 +3,7 @@
 #include "Panels/ControlWidget.h"
 
 #include "Controls/ControlNumbers.h"
+#include "Options/ViewerArguments.h"
 
 #include <imgui.h>
 
@@ -11,6 +12,26 @@
 #include <cmath>
 #include <cstdio>
 #include <vector>
+
+namespace
+{
+const double SmallestGap = 1e-3; // between increasing numbers, share of the slider
+
+// From a place to the end of the last item.
+void SetRectangle(const ImVec2& start, LayoutEntry& entry)
+{
+  entry.Rectangle[0] = start.x;
+  entry.Rectangle[1] = start.y;
+  entry.Rectangle[2] = ImGui::GetItemRectMax().x - start.x;
+  entry.Rectangle[3] = ImGui::GetItemRectMax().y - start.y;
+  entry.IsVisible = ImGui::IsItemVisible();
+}
+
+unsigned int ToByte(float share)
+{
+  return static_cast<unsigned int>(std::lround(255.0f * std::min(std::max(share, 0.0f), 1.0f)));
+}
+}
 
 //------------------------------------------------------------------------------
 ControlWidget::ControlWidget(
@@ -56,9 +77,12 @@ void ControlWidget::Draw(const Control& control)
     case ControlKind::Plane:
       this->DrawPlane(control);
       break;
+    case ControlKind::Color:
+      this->DrawColor(control);
+      break;
     case ControlKind::Text:
     case ControlKind::Transfer:
-      this->DrawText(control);
+      this->DrawText(control, ImGui::GetFontSize() * 13.0f);
       break;
     case ControlKind::Button:
       if (ImGui::Button(control.Name.c_str()))
@@ -183,19 +207,22 @@ void ControlWidget::DrawNumbers(const Control& control)
   const ImVec2 start = ImGui::GetCursorScreenPos();
   for (int i = 0; i < number; ++i)
   {
-    // Both numbers of a direction have the same slider, but an elevation ends at 90.
-    const bool isElevation = i == 1 && (control.Name == "view" || control.Name == "light");
-    const bool isAzimuth = i == 0 && (control.Name == "view" || control.Name == "light");
-    double lowest = isAzimuth ? 0.0 : control.Lowest;
-    double highest = isElevation ? 90.0 : control.Highest;
-    lowest = std::min(lowest, numbers[i]);
-    highest = std::max(highest, numbers[i]);
+    const std::array<double, 2>& range =
+      control.Ranges[std::min<std::size_t>(i, control.Ranges.size() - 1)];
+    double lowest = std::min(range[0], numbers[i]);
+    double highest = std::max(range[1], numbers[i]);
     ImGui::PushID(i);
     ImGui::SetNextItemWidth((ImGui::GetFontSize() * 13.0f - 2.0f * (number - 1)) / number);
     double value = numbers[i];
     bool isChanged = ImGui::SliderScalar(
       "##number", ImGuiDataType_Double, &value, &lowest, &highest, format, flags);
     value = isInteger ? std::round(value) : value;
+    if (control.IsIncreasing)
+    {
+      const double gap = SmallestGap * (range[1] - range[0]);
+      value = i > 0 ? std::max(value, numbers[i - 1] + gap) : value;
+      value = i + 1 < number ? std::min(value, numbers[i + 1] - gap) : value;
+    }
     isChanged = isChanged && value != numbers[i];
     const bool isContinued = !ImGui::IsItemActivated();
     LayoutEntry part = entry;
@@ -217,11 +244,7 @@ void ControlWidget::DrawNumbers(const Control& control)
   }
   if (number > 1)
   {
-    entry.Rectangle[0] = start.x;
-    entry.Rectangle[1] = start.y;
-    entry.Rectangle[2] = ImGui::GetItemRectMax().x - start.x;
-    entry.Rectangle[3] = ImGui::GetItemRectMax().y - start.y;
-    entry.IsVisible = ImGui::IsItemVisible();
+    SetRectangle(start, entry);
     this->Layout.Add(entry);
   }
 }
@@ -250,6 +273,7 @@ void ControlWidget::DrawPlane(const Control& control)
   std::vector<double> plane = control.Value ? ParseNumbers(*control.Value) : std::vector<double>();
   const int direction = FindPlaneDirection(plane);
   const std::array<double, 6> bounds = this->Content.Bounds.value_or(std::array<double, 6>{});
+  const ImVec2 start = ImGui::GetCursorScreenPos();
   ImGui::SetNextItemWidth(ImGui::GetFontSize() * 4.0f);
   const bool isOpen =
     ImGui::BeginCombo("##direction", direction < 0 ? "other" : PlaneDirections[direction]);
@@ -294,6 +318,9 @@ void ControlWidget::DrawPlane(const Control& control)
   entry.IsEnabled = control.IsEnabled && direction > 0;
   this->Layout.AddItem(entry);
   ImGui::EndDisabled();
+  entry = MakeEntry(control);
+  SetRectangle(start, entry);
+  this->Layout.Add(entry);
   if (isChanged && direction > 0 && position != plane[axis])
   {
     plane[axis] = position;
@@ -302,13 +329,36 @@ void ControlWidget::DrawPlane(const Control& control)
 }
 
 //------------------------------------------------------------------------------
-void ControlWidget::DrawText(const Control& control)
+void ControlWidget::DrawColor(const Control& control)
+{
+  const float swatch = ImGui::GetFrameHeight() + 2.0f;
+  this->DrawText(control, ImGui::GetFontSize() * 13.0f - swatch);
+  ImGui::SameLine(0.0f, 2.0f);
+  std::array<double, 3> color = { { 1.0, 1.0, 1.0 } };
+  if (control.Value)
+  {
+    color = ToColor("--" + control.Name, *control.Value);
+  }
+  float shown[3];
+  std::copy(color.begin(), color.end(), shown);
+  const bool isChanged = ImGui::ColorEdit3("##color", shown, ImGuiColorEditFlags_NoInputs);
+  std::array<char, 8> text;
+  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", ToByte(shown[0]), ToByte(shown[1]),
+    ToByte(shown[2]));
+  if (isChanged)
+  {
+    this->Requests.Set(control.Name, text.data(), ImGui::IsItemActive());
+  }
+}
+
+//------------------------------------------------------------------------------
+void ControlWidget::DrawText(const Control& control, float width)
 {
   constexpr std::size_t more = 1024; // characters that the user may add
   const std::string value = control.Value.value_or("");
   std::vector<char> text(value.size() + more, '\0');
   std::copy(value.begin(), value.end(), text.begin());
-  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 13.0f);
+  ImGui::SetNextItemWidth(width);
   const bool isEntered =
     ImGui::InputText("##text", text.data(), text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   this->Layout.AddItem(MakeEntry(control));

@@ -28,7 +28,8 @@ private:
   void DrawNumbers(const Control& control);
   void DrawStep(const Control& control);
   void DrawPlane(const Control& control);
-  void DrawText(const Control& control);
+  void DrawColor(const Control& control);
+  void DrawText(const Control& control, float width);
   void DrawDefault(const Control& control);
   void DrawTip(const Control& control);
   /// Adds the last item, and sends its value if it has changed.

@@ -42,8 +42,8 @@ const LayoutEntry* LayoutList::Find(const std::string& name) const
 //------------------------------------------------------------------------------
 LayoutEntry MakeEntry(const Control& control)
 {
-  static const char* const kinds[] = { "choice", "flag", "number", "integer", "step", "plane",
-    "transfer", "text", "button" };
+  static const char* const kinds[] = { "choice", "flag", "number", "color", "integer", "step",
+    "plane", "transfer", "text", "button" };
   LayoutEntry entry;
   entry.Name = control.Name;
   entry.Kind = kinds[static_cast<int>(control.Kind)];
@@ -51,8 +51,8 @@ LayoutEntry MakeEntry(const Control& control)
   entry.Default = control.Default;
   entry.Unit = control.Unit;
   entry.HasRange = control.Kind == ControlKind::Number || control.Kind == ControlKind::Integer;
-  entry.Range[0] = control.Lowest;
-  entry.Range[1] = control.Highest;
+  entry.Range[0] = control.Ranges.front()[0];
+  entry.Range[1] = control.Ranges.front()[1];
   entry.IsEnabled = control.IsEnabled;
   entry.Reason = control.Reason;
   return entry;

@@ -79,6 +79,7 @@ void StudioPanel::Draw(const PanelState& state, PanelRequests& requests)
 {
   this->Layout.Start(this->Revealed);
   this->HasHistogram = false;
+  DrawSceneTexts(state.Texts, this->Layout);
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   const float width = std::min(std::round(ImGui::GetFontSize() * 25.0f), window.x);
   ImGui::SetNextWindowPos(ImVec2(window.x - width, 0.0f), ImGuiCond_Always);
@@ -104,6 +105,14 @@ void StudioPanel::Draw(const PanelState& state, PanelRequests& requests)
       ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1.0f, 0.45f, 0.35f, 1.0f));
       ImGui::TextWrapped("%s", state.Message.c_str());
       ImGui::PopStyleColor();
+    }
+    else if (!state.Note.empty())
+    {
+      ImGui::TextWrapped("%s", state.Note.c_str());
+    }
+    if (!state.KeptText.empty())
+    {
+      this->DrawKeptText(state);
     }
     for (const std::string& group : FindGroups(state.Controls))
     {
@@ -192,6 +201,17 @@ void StudioPanel::DrawControls(
       DrawPattern(state.Pattern);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void StudioPanel::DrawKeptText(const PanelState& state)
+{
+  ImGui::TextWrapped("%s", state.KeptText.c_str());
+  LayoutEntry entry;
+  entry.Name = "probe";
+  entry.Kind = "words";
+  entry.Value = state.KeptText;
+  this->Layout.AddItem(entry);
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 
 #include "Controls/Control.h"
 #include "Panels/LayoutList.h"
+#include "Panels/SceneTexts.h"
 #include "Panels/TransferEditor.h"
 #include "Scene/SceneContent.h"
 
@@ -27,6 +28,9 @@ struct PanelState
   const std::vector<PatternCount>& Patterns; // of the last frame with ShowsHistogram()
   const EdgePattern& Pattern;                // of the generator
   std::string Message;                       // the last error, or ""
+  std::string Note;                          // what the last action did, or ""
+  SceneTexts Texts;
+  std::string KeptText; // the values that the user keeps, or ""
 };
 
 class StudioPanel
@@ -48,6 +52,7 @@ private:
   void DrawControls(const std::string& group, const PanelState& state, PanelRequests& requests);
   /// Adds the last item, which opens a group, to the layout.
   void AddHeader(const std::string& group, bool isOpen);
+  void DrawKeptText(const PanelState& state);
   void DrawFigures(const PanelState& state);
   void DrawPatterns(const PanelState& state);
   bool IsRevealed(const std::string& name) const;

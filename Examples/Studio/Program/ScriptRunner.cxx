@@ -35,6 +35,7 @@ bool IsKey(const std::string& symbol)
 ScriptRunner::ScriptRunner(Studio& studio, vtkRenderWindowInteractor* interactor)
   : Driven(studio)
   , Interactor(interactor)
+  , Pointer(studio, interactor, false)
 {
   interactor->EnableRenderOff();
   interactor->Initialize(); // the first frame would do it, and request a second one
@@ -102,6 +103,11 @@ void ScriptRunner::RunLine(const ScriptLine& line)
   else if (line.Command == "save")
   {
     this->Driven.Save(line.Name);
+  }
+  if (line.Command == "click" || line.Command == "drag" || line.Command == "key")
+  {
+    this->Pointer.Update();
+    this->Flush();
   }
 }
 

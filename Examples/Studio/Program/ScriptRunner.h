@@ -8,6 +8,7 @@
 #define ScriptRunner_h
 
 #include "Driving/ScriptFile.h"
+#include "Program/StudioPointer.h"
 
 #include <functional>
 #include <string>
@@ -37,6 +38,7 @@ private:
 
   Studio& Driven;
   vtkRenderWindowInteractor* Interactor;
+  StudioPointer Pointer;
   bool IsFrameRequested = false;
 };
 

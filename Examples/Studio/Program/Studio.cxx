@@ -8,10 +8,13 @@
 #include "Files/ViewerExport.h"
 #include "Files/ViewerPicture.h"
 #include "Options/UsageError.h"
+#include "Options/ViewerArguments.h"
 #include "Panels/PatternDrawing.h"
+#include "Program/StudioUsage.h"
 #include "Scene/SceneProgram.h"
 #include "Scene/SceneSession.h"
 #include "Text/ViewerText.h"
+#include "Window/PixelProbe.h"
 
 #include "vtkCommand.h"
 #include "vtkImGuiOverlay.h"
@@ -62,6 +65,7 @@ Studio::~Studio() = default;
 //------------------------------------------------------------------------------
 void Studio::UpdateControls()
 {
+  this->Controls.SetHasProbe(!this->Probe.GetKeptText().empty());
   this->Controls.Update(this->State, this->Scene.GetContent());
 }
 
@@ -70,6 +74,13 @@ void Studio::Fail(const std::string& message)
 {
   this->Message = message;
   this->Error = message;
+}
+
+//------------------------------------------------------------------------------
+void Studio::Tell(const std::string& note)
+{
+  this->Message.clear();
+  this->Note = note;
 }
 
 //------------------------------------------------------------------------------
@@ -83,7 +94,6 @@ std::string Studio::TakeError()
 //------------------------------------------------------------------------------
 void Studio::Set(const std::string& name, const std::optional<std::string>& value, bool isContinued)
 {
-  this->Overlay->RequestFrame();
   const Control* control = this->Controls.Find(name);
   if (control && !ControlList::IsOption(*control))
   {
@@ -103,6 +113,7 @@ void Studio::Set(const std::string& name, const std::optional<std::string>& valu
     this->UpdateControls();
     return;
   }
+  this->Overlay->RequestFrame();
   try
   {
     this->State.Set(name, value, isContinued);
@@ -111,7 +122,7 @@ void Studio::Set(const std::string& name, const std::optional<std::string>& valu
       // The mouse may have moved the camera away from the same value.
       this->Actions.emplace_back("reset-view");
     }
-    this->Message.clear();
+    this->Tell("");
   }
   catch (const UsageError& error)
   {
@@ -138,7 +149,7 @@ void Studio::Apply()
     {
       this->Do(action);
     }
-    catch (const ViewerError& error)
+    catch (const std::exception& error) // ViewerError, UsageError
     {
       this->Fail(error.what());
     }
@@ -146,12 +157,17 @@ void Studio::Apply()
   try
   {
     this->Scene.Apply(this->State.Get());
+    if (this->NewCamera)
+    {
+      SetCamera(this->Scene.Get().GetRenderer(), *this->NewCamera);
+    }
   }
-  catch (const std::exception& error) // ViewerError, UsageError
+  catch (const std::exception& error)
   {
     this->Fail(error.what());
     this->State.Restore(this->Scene.GetValues());
   }
+  this->NewCamera.reset();
   this->ApplyComparison();
   this->UpdateControls();
 }
@@ -217,35 +233,79 @@ void Studio::Do(const std::string& action)
   {
     this->IsPlayed = !this->IsPlayed;
   }
-  else if (action == "save-pattern")
+  else if (action == "range-all")
   {
-    this->Pattern.Save(this->Controls.GetOwn("pattern-name"), this->Scene.GetMessages());
+    this->Set("range", "all", false);
   }
-  else if (action == "save-table")
+  else if (action == "measure")
   {
-    this->Pattern.SaveTable(this->Controls.GetOwn("table-name"), this->Scene.GetMessages());
+    this->IsMeasuring = true;
+    this->RulerStart.reset();
+    this->Tell("Click on both ends of the ruler.");
   }
-  else if (action.compare(0, 5, "save-") == 0)
+  else if (action == "forget-probe")
   {
-    this->Save(this->Controls.GetOwn(action.substr(5) + "-name"));
+    this->Probe.Forget();
   }
-  else
+  else if (action == "keys")
   {
-    this->SetView(action);
+    this->HasKeys = !this->HasKeys;
+  }
+  else if (!this->SetView(action))
+  {
+    this->DoOfFiles(action);
   }
 }
 
 //------------------------------------------------------------------------------
-void Studio::SetView(const std::string& name)
+void Studio::DoOfFiles(const std::string& action)
 {
-  static const std::map<std::string, std::string> views = { { "view-top", "180,90" },
-    { "view-bottom", "180,-90" }, { "view-north", "0,0" }, { "view-east", "90,0" },
-    { "view-south", "180,0" }, { "view-west", "270,0" } };
-  const auto view = views.find(name);
-  if (view != views.end())
+  const auto save = [this](const std::string& name, const std::function<void()>& write)
   {
-    this->Set("view", view->second, false);
+    write();
+    this->Tell("saved " + name);
+  };
+  const std::string prefix = "save-";
+  if (action == "open-session")
+  {
+    this->OpenSession(this->Controls.GetOwn("session-name"));
+    return;
   }
+  if (action.compare(0, prefix.size(), prefix) != 0)
+  {
+    return;
+  }
+  const std::string name = this->Controls.GetOwn(action.substr(prefix.size()) + "-name");
+  if (action == "save-pattern")
+  {
+    save(name, [&] { this->Pattern.Save(name, this->Scene.GetMessages()); });
+  }
+  else if (action == "save-table")
+  {
+    save(name, [&] { this->Pattern.SaveTable(name, this->Scene.GetMessages()); });
+  }
+  else if (action == "save-new-picture")
+  {
+    const std::string picture = FindPictureName(this->State.Get().GetInput());
+    save(picture, [&] { this->Save(picture); });
+  }
+  else
+  {
+    save(name, [&] { this->Save(name); });
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Studio::SetView(const std::string& name)
+{
+  const std::string prefix = "view-";
+  const bool isView =
+    name.compare(0, prefix.size(), prefix) == 0 && FindPlanView(name.substr(prefix.size()));
+  if (isView)
+  {
+    this->Set("view", name.substr(prefix.size()), false);
+  }
+  return isView;
 }
 
 //------------------------------------------------------------------------------
@@ -425,16 +485,13 @@ void Studio::SetValue(const std::string& givenName, const std::string& givenValu
 }
 
 //------------------------------------------------------------------------------
-void Studio::Save(const std::string& fileName)
+void Studio::RunWithoutPanel(const std::function<void()>& work)
 {
-  // Files show the view of a window without a panel.
-  const bool hasPanel = this->Controls.GetOwn("panels-in-pictures") == "on" &&
-    vtksys::SystemTools::StringEndsWith(vtksys::SystemTools::LowerCase(fileName), ".png");
   const int width = this->Scene.GetPanelWidth();
-  this->Comparison.SetPanelWidth(hasPanel ? width : 0);
+  this->Comparison.SetPanelWidth(0);
   try
   {
-    this->SaveScene(fileName);
+    work();
   }
   catch (const ViewerError&)
   {
@@ -442,6 +499,21 @@ void Studio::Save(const std::string& fileName)
     throw;
   }
   this->Comparison.SetPanelWidth(width);
+}
+
+//------------------------------------------------------------------------------
+void Studio::Save(const std::string& fileName)
+{
+  const bool hasPanel = this->Controls.GetOwn("panels-in-pictures") == "on" &&
+    vtksys::SystemTools::StringEndsWith(vtksys::SystemTools::LowerCase(fileName), ".png");
+  if (hasPanel)
+  {
+    this->SaveScene(fileName);
+  }
+  else
+  {
+    this->RunWithoutPanel([&] { this->SaveScene(fileName); });
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -508,8 +580,138 @@ void Studio::SaveProgram(const std::string& fileName)
   else
   {
     options.SaveSession = fileName;
-    SaveSession(scene, options);
+    SaveSceneSession(scene, options);
   }
+}
+
+//------------------------------------------------------------------------------
+void Studio::OpenSession(const std::string& fileName)
+{
+  const ViewerSession session = ReadSession(fileName);
+  std::vector<std::string> arguments;
+  for (const auto& option : session.Options)
+  {
+    if (option.first != "--size") // the window stays
+    {
+      arguments.push_back(option.first + (option.second ? "=" + *option.second : ""));
+    }
+  }
+  arguments.insert(arguments.end(), { "--", session.Input });
+  const OptionValues values(arguments);
+  CheckForStudio(values);
+  this->State.Replace(values);
+  this->NewCamera = session.Camera;
+  this->Probe.Forget();
+  this->Tell("opened " + fileName);
+}
+
+//------------------------------------------------------------------------------
+void Studio::Point(const std::optional<WindowPixel>& pixel)
+{
+  this->Pointer = pixel;
+  this->Probe.Point(this->Scene.Get(), pixel);
+}
+
+//------------------------------------------------------------------------------
+void Studio::ClickScene(const WindowPixel& pixel)
+{
+  this->IsMeasuring ? this->Measure(pixel) : this->KeepValues(pixel);
+}
+
+//------------------------------------------------------------------------------
+void Studio::KeepValues(const WindowPixel& pixel)
+{
+  if (this->Probe.Keep(this->Scene.Get(), pixel))
+  {
+    this->Tell("");
+    this->UpdateControls();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Studio::Measure(const WindowPixel& pixel)
+{
+  const auto point = FindVisiblePoint(this->Scene.Get(), pixel.data());
+  if (!point)
+  {
+    this->Tell("There is nothing to measure here.");
+  }
+  else if (!this->RulerStart)
+  {
+    this->RulerStart = *point;
+    this->Tell("The ruler starts here. Choose its other end.");
+  }
+  else
+  {
+    std::vector<double> ends(this->RulerStart->begin(), this->RulerStart->end());
+    ends.insert(ends.end(), point->begin(), point->end());
+    this->RulerStart.reset();
+    this->IsMeasuring = false;
+    this->Set("ruler", JoinNumbers(ends), false);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Studio::HandleKey(char key)
+{
+  static const std::map<char, std::string> actions = { { '<', "step-back" },
+    { '>', "step-forward" }, { 'r', "reset-view" }, { 'h', "keys" }, { 'i', "save-new-picture" } };
+  static const std::map<char, std::string> views = { { '1', "view-front" }, { '2', "view-back" },
+    { '3', "view-left" }, { '4', "view-right" }, { '5', "view-top" }, { '6', "view-bottom" } };
+  const auto action = actions.find(key);
+  const auto view = views.find(key);
+  if (action != actions.end())
+  {
+    this->Press(action->second);
+  }
+  else if (view != views.end())
+  {
+    this->Press(view->second);
+  }
+  else if (key == 'w' || key == 's')
+  {
+    this->Toggle("wireframe", key == 'w');
+  }
+  else if (key == 'c' || key == 'd')
+  {
+    if (this->Pointer)
+    {
+      const bool measures = key == 'd' && this->Controls.Find("ruler")->IsEnabled;
+      measures ? this->Measure(*this->Pointer) : this->KeepValues(*this->Pointer);
+    }
+  }
+  else
+  {
+    return this->ChangeByKey(key);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void Studio::Toggle(const std::string& name, bool isOn)
+{
+  if (this->Controls.Find(name)->IsEnabled)
+  {
+    this->Set(name, isOn ? std::optional<std::string>("on") : std::nullopt, false);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Studio::ChangeByKey(char key)
+{
+  // The scene has changed already; the controls must follow.
+  const std::string change = this->Scene.Get().ChangeByKey(key);
+  const std::size_t space = change.find(' ');
+  if (change.compare(0, 2, "--") == 0 && space != std::string::npos)
+  {
+    this->Set(change.substr(2, space - 2), change.substr(space + 1), true);
+  }
+  else if (!change.empty())
+  {
+    this->Tell(change);
+    this->Overlay->RequestFrame();
+  }
+  return !change.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -576,7 +778,9 @@ void Studio::OnFrameEnd()
   ++this->Frames;
   this->Figures = this->Scene.GetFigures();
   this->Figures.insert(this->Figures.begin(),
-    { { "frames", static_cast<double>(this->Frames) }, { "frame-ms", time.count() } });
+    { { "frames", static_cast<double>(this->Frames) },
+      { "panel-frames", static_cast<double>(this->Overlay->GetNumberOfRepeatedFrames()) },
+      { "frame-ms", time.count() } });
   const SceneFigures compared = this->Comparison.MeasureFrame();
   this->Figures.insert(this->Figures.end(), compared.begin(), compared.end());
   // Patterns that the graphics card has chosen are read back only for the histogram.
@@ -615,9 +819,18 @@ SceneFigures Studio::ListFigures() const
 }
 
 //------------------------------------------------------------------------------
+SceneTexts Studio::FindTexts()
+{
+  const int width = this->Window->GetActualSize()[0] - this->Panel.GetWidth();
+  return { this->Probe.GetText(), this->Probe.FindKeptPixel(this->Scene.Get()),
+    this->HasKeys ? GetStudioKeys() : "", width };
+}
+
+//------------------------------------------------------------------------------
 void Studio::Describe()
 {
-  this->Panel.Draw({ this->Controls.Get(), this->Scene.GetContent(), this->ShownFigures,
-                     this->Patterns, this->Pattern, this->Message },
+  this->Panel.Draw(
+    { this->Controls.Get(), this->Scene.GetContent(), this->ShownFigures, this->Patterns,
+      this->Pattern, this->Message, this->Note, this->FindTexts(), this->Probe.GetKeptText() },
     *this);
 }

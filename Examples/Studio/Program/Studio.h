@@ -8,6 +8,7 @@
 #define Studio_h
 
 #include "Controls/ControlList.h"
+#include "Drawing/SceneProbe.h"
 #include "Drawing/StudioComparison.h"
 #include "Drawing/StudioScene.h"
 #include "Panels/ControlWidget.h"
@@ -17,8 +18,10 @@
 
 #include "vtkNew.h"
 
+#include <array>
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +55,15 @@ public:
   /// that ends with /), or the mesh. Throws ViewerError.
   void Save(const std::string& fileName);
 
+  //@{
+  /// The mouse over the scene. Nothing if it is elsewhere.
+  void Point(const std::optional<WindowPixel>& pixel);
+  /// A click keeps the values of a point, or measures.
+  void ClickScene(const WindowPixel& pixel);
+  /// Handles a key of relevo-view. Returns false for other keys.
+  bool HandleKey(char key);
+  //@}
+
   /// Draws a frame.
   void Draw();
 
@@ -81,10 +93,20 @@ private:
   void UpdateControls();
   void ApplyComparison();
   SceneFigures ListFigures() const;
+  SceneTexts FindTexts();
   void Do(const std::string& action);
+  void DoOfFiles(const std::string& action);
   void MoveStep(int step);
-  void SetView(const std::string& name);
+  bool SetView(const std::string& name);
+  void Toggle(const std::string& name, bool isOn);
+  bool ChangeByKey(char key);
+  void KeepValues(const WindowPixel& pixel);
+  void Measure(const WindowPixel& pixel);
+  void OpenSession(const std::string& fileName);
+  /// Does something with the view of a window without a panel.
+  void RunWithoutPanel(const std::function<void()>& work);
   void Fail(const std::string& message);
+  void Tell(const std::string& note);
   void SaveScene(const std::string& fileName);
   /// Writes a session, a script or a C++ source of the last frame.
   void SaveProgram(const std::string& fileName);
@@ -101,7 +123,14 @@ private:
   vtkNew<vtkImGuiOverlay> Overlay;
   std::vector<std::string> Actions; // requested
   std::string Message;
-  std::string Error; // until TakeError()
+  std::string Note;
+  SceneProbe Probe;
+  std::optional<WindowPixel> Pointer;              // over the scene
+  bool IsMeasuring = false;                        // by clicks
+  std::optional<std::array<double, 3>> RulerStart; // the end that is set
+  bool HasKeys = false;                            // whether the keys are shown
+  std::optional<SessionCamera> NewCamera;          // of a session that is opened
+  std::string Error;                               // until TakeError()
   bool IsPlayed = false;
   std::string LayoutFile;
   SceneFigures Figures;               // of the last frame

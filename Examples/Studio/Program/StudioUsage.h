@@ -10,4 +10,7 @@
 
 std::string GetStudioUsage();
 
+/// The mouse and the keys of the window.
+std::string GetStudioKeys();
+
 #endif

@@ -4,12 +4,12 @@
 
 #include "Program/ScriptRunner.h"
 #include "Program/Studio.h"
+#include "Program/StudioPointer.h"
 #include "Scene/OffscreenWindow.h"
 #include "Scene/PassiveObserver.h"
 #include "Text/StandardError.h"
 #include "Window/DisplayConnection.h"
 #include "Window/ViewerFrames.h"
-#include "Window/ViewerScaleBar.h"
 #include "Window/ViewerServer.h"
 
 #include "vtkCommand.h"
@@ -79,6 +79,7 @@ public:
   StudioTools(Studio& studio, vtkRenderWindowInteractor* interactor)
     : Frames(interactor, [&studio] { Update(studio); })
     , Timers(studio, interactor)
+    , Pointer(studio, interactor, true)
   {
   }
 
@@ -95,6 +96,7 @@ private:
 
   ViewerFrames Frames;
   const StudioTimers Timers;
+  const StudioPointer Pointer;
 };
 }
 

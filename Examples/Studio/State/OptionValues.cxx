@@ -27,6 +27,19 @@ bool IsFlag(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+void CheckForStudio(const OptionValues& values)
+{
+  for (const char* name : { "against", "capture", "export", "flight", "height-at", "micromesh",
+         "output", "relief", "save-script", "save-session", "save-source", "session", "stats" })
+  {
+    if (values.Get(name))
+    {
+      throw UsageError(std::string("--") + name + " is an option of relevo-view only");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 OptionValues::OptionValues(const std::vector<std::string>& arguments)
 {
   bool isOption = true;

@@ -36,7 +36,10 @@ public:
   /// The options, with --, whose values differ.
   OptionNames Compare(const OptionValues& other) const;
 
-  bool operator==(const OptionValues& other) const { return this->Values == other.Values; }
+  bool operator==(const OptionValues& other) const
+  {
+    return this->Input == other.Input && this->Values == other.Values;
+  }
   const std::map<std::string, std::string>& GetAll() const { return this->Values; }
   const std::string& GetInput() const { return this->Input; }
 
@@ -47,6 +50,9 @@ private:
   std::string Input;
   std::map<std::string, std::string> Values; // by names without --
 };
+
+/// Throws UsageError if there is an option that only relevo-view has.
+void CheckForStudio(const OptionValues& values);
 
 /// Whether an option has no value.
 bool IsFlag(const std::string& name);

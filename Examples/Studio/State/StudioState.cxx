@@ -30,6 +30,16 @@ void StudioState::Set(
 }
 
 //------------------------------------------------------------------------------
+void StudioState::Replace(const OptionValues& values)
+{
+  this->Past.push_back(this->Values);
+  this->Future.clear();
+  this->LastName.clear();
+  this->Values = values;
+  ++this->Version;
+}
+
+//------------------------------------------------------------------------------
 void StudioState::Restore(const OptionValues& values)
 {
   if (!this->Past.empty() && this->Past.back() == values)

@@ -28,6 +28,9 @@ public:
   void Set(
     const std::string& name, const std::optional<std::string>& value, bool isContinued = false);
 
+  /// Replaces all values and the file.
+  void Replace(const OptionValues& values);
+
   /// Replaces all values without an entry for undo, for example by those that are still drawn.
   void Restore(const OptionValues& values);
 

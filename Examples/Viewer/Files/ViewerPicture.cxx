@@ -11,6 +11,9 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
 
+#include <filesystem>
+#include <system_error>
+
 //------------------------------------------------------------------------------
 void WritePicture(vtkRenderWindow* window, const std::string& fileName, ViewerMessages& messages,
   relevo::AtomicFile::OldFile oldFile)
@@ -27,5 +30,20 @@ void WritePicture(vtkRenderWindow* window, const std::string& fileName, ViewerMe
   if (!file.Commit(oldFile))
   {
     throw ViewerError("cannot write " + fileName + ": " + file.GetError());
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string FindPictureName(const std::string& input)
+{
+  const std::string stem = std::filesystem::path(input).stem().string();
+  for (int number = 1;; ++number)
+  {
+    const std::string fileName = stem + "-" + std::to_string(number) + ".png";
+    std::error_code error;
+    if (!std::filesystem::exists(std::filesystem::symlink_status(fileName, error)))
+    {
+      return fileName;
+    }
   }
 }

@@ -17,4 +17,7 @@ class ViewerMessages;
 void WritePicture(vtkRenderWindow* window, const std::string& fileName, ViewerMessages& messages,
   relevo::AtomicFile::OldFile oldFile = relevo::AtomicFile::OldFile::Replace);
 
+/// A name that no file in the current folder has: STEM-1.png, STEM-2.png ... for an input STEM.xyz.
+std::string FindPictureName(const std::string& input);
+
 #endif

@@ -33,14 +33,17 @@ const std::map<std::string, Copy>& GetCopies()
 {
   using Options = ViewerOptions;
   static const std::map<std::string, Copy> copies = {
+    { "--above", CopyMember<&Options::AboveColor> },
     { "--alpha", CopyMember<&Options::Alpha> },
     { "--amplitude", CopyMember<&Options::Amplitude> },
+    { "--below", CopyMember<&Options::BelowColor> },
     { "--blend", CopyMember<&Options::BlendMode> },
     { "--budget", CopyMember<&Options::Budget> },
     { "--center", CopyCenter },
     { "--clip", CopyMember<&Options::Clip> },
     { "--contours", CopyMember<&Options::Contours> },
     { "--error", CopyMember<&Options::Error> },
+    { "--extremes", CopyMember<&Options::HasExtremes> },
     { "--field-tolerance", CopyMember<&Options::FieldTolerance> },
     { "--frequency", CopyMember<&Options::Frequency> },
     { "--integration", CopyMember<&Options::Integration> },

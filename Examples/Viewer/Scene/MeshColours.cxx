@@ -20,6 +20,21 @@
 namespace
 {
 const int LogColors = 1024;
+
+// VTK 9.1 does not copy the colours out of range.
+template <class Colours>
+void CopyOutOfRange(vtkScalarsToColors* from, vtkScalarsToColors* to)
+{
+  auto* source = Colours::SafeDownCast(from);
+  auto* target = Colours::SafeDownCast(to);
+  if (source && target)
+  {
+    target->SetUseBelowRangeColor(source->GetUseBelowRangeColor());
+    target->SetBelowRangeColor(source->GetBelowRangeColor());
+    target->SetUseAboveRangeColor(source->GetUseAboveRangeColor());
+    target->SetAboveRangeColor(source->GetAboveRangeColor());
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -88,6 +103,14 @@ vtkSmartPointer<vtkScalarsToColors> MakeColours(const ViewerOptions& options, co
   table->SetAboveRangeColor(above[0], above[1], above[2], 1.0);
   table->SetUseAboveRangeColor(function->GetUseAboveRangeColor());
   return table;
+}
+
+//------------------------------------------------------------------------------
+void CopyColours(vtkScalarsToColors* from, vtkScalarsToColors* to)
+{
+  to->DeepCopy(from);
+  CopyOutOfRange<vtkColorTransferFunction>(from, to);
+  CopyOutOfRange<vtkLookupTable>(from, to);
 }
 
 //------------------------------------------------------------------------------

@@ -29,6 +29,9 @@ vtkSmartPointer<vtkColorTransferFunction> MakeColourFunction(
 vtkSmartPointer<vtkScalarsToColors> MakeColours(
   const ViewerOptions& options, const double range[2]);
 
+/// Copies one result of MakeColours() to another.
+void CopyColours(vtkScalarsToColors* from, vtkScalarsToColors* to);
+
 /// Throws ViewerError if the options request a logarithmic scale, and the range of an array is not
 /// above 0.
 void CheckRange(const ViewerOptions& options, const std::string& array, const double range[2]);

@@ -207,8 +207,9 @@ void MeshScene::AddDataCode(SceneCode& code)
 OptionNames MeshScene::GetUpdatedOptions()
 {
   OptionNames names = this->SurfaceScene::GetUpdatedOptions();
-  names.insert({ "--clip", "--lic-contrast", "--lic-intensity", "--lic-mode", "--lic-phase",
-    "--lic-step-size", "--lic-steps", "--offset", "--palette", "--range", "--scale", "--time" });
+  names.insert({ "--above", "--below", "--clip", "--extremes", "--lic-contrast", "--lic-intensity",
+    "--lic-mode", "--lic-phase", "--lic-step-size", "--lic-steps", "--offset", "--palette",
+    "--range", "--scale", "--time" });
   return names;
 }
 
@@ -218,7 +219,7 @@ bool MeshScene::ApplyOptions(const OptionNames& changed)
   const auto has = [&](const char* name) { return changed.count(name) > 0; };
   // Such files choose levels per edge by default.
   const bool choosesRule = this->Options.IsPatch() || this->Options.IsMicroMesh();
-  const bool needsColours = this->Options.Range || !this->Options.Palette.empty();
+  const bool needsColours = !FindColourOption(this->Options).empty();
   if ((choosesRule && (has("--metric") || has("--per-edge"))) ||
     (needsColours && !this->IsColouredByArray()) || this->Hair)
   {
@@ -242,9 +243,12 @@ bool MeshScene::ApplyOptions(const OptionNames& changed)
   {
     this->SetDisplacement();
   }
-  if (has("--range") || has("--palette"))
+  if (has("--above") || has("--below") || has("--range") || has("--palette"))
   {
-    this->Range.reset();
+    if (has("--range"))
+    {
+      this->Range.reset();
+    }
     this->UpdateColours();
   }
   if (!this->Options.Vectors.empty())
@@ -377,7 +381,7 @@ void MeshScene::UpdateColours()
   if (this->IsColouredByArray())
   {
     this->ExtendRange();
-    this->Colours->DeepCopy(MakeColours(this->Options, this->Range->data()));
+    CopyColours(MakeColours(this->Options, this->Range->data()), this->Colours);
     ShowIsolines(this->Options, this->Mapper, this->Range->data());
     this->ShowIsolinesOfSection();
   }
@@ -470,12 +474,12 @@ void MeshScene::ShowStreamlines()
 //------------------------------------------------------------------------------
 void MeshScene::ShowExtremes()
 {
+  this->Extremes.Clear();
   if (!this->Options.HasExtremes)
   {
     return;
   }
   vtkDataSet* shown = this->Cut.Get() ? this->Cells.Get() : this->Mesh.Get();
-  this->Extremes.Clear();
   const auto extremes = FindExtremes(shown, this->ArrayName, this->HasPointArray, this->Cut.Get());
   if (extremes)
   {

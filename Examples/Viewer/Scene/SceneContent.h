@@ -23,6 +23,7 @@ struct SceneArray
 
 struct SceneContent
 {
+  int Version = 0; // changes when the studio's scene shows other options
   std::vector<SceneArray> Arrays;
   std::string Array; // that colours the scene, or an empty string
   std::vector<double> Times;

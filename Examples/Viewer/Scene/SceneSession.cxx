@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/SceneSession.h"
 
-#include "Options/SessionFile.h"
 #include "Options/ViewerOptions.h"
 #include "Scene/ViewerScene.h"
 
@@ -26,21 +25,9 @@ void SetCamera(vtkRenderer* renderer, const SessionCamera& camera)
 }
 
 //------------------------------------------------------------------------------
-void SaveSession(ViewerScene& scene, const ViewerOptions& options)
+SessionCamera GetCamera(vtkRenderer* renderer)
 {
-  ViewerSession session;
-  session.Input = options.Input;
-  session.Options = options.Given;
-  for (const auto& change : scene.GetChanges())
-  {
-    session.Options[change.first] = change.second;
-  }
-  if (vtkRenderWindow* window = scene.GetRenderer()->GetRenderWindow())
-  {
-    const int* size = window->GetSize();
-    session.Options["--size"] = std::to_string(size[0]) + "x" + std::to_string(size[1]);
-  }
-  vtkCamera* view = scene.GetRenderer()->GetActiveCamera();
+  vtkCamera* view = renderer->GetActiveCamera();
   SessionCamera camera;
   std::copy_n(view->GetPosition(), 3, camera.Position.begin());
   std::copy_n(view->GetFocalPoint(), 3, camera.FocalPoint.begin());
@@ -48,6 +35,31 @@ void SaveSession(ViewerScene& scene, const ViewerOptions& options)
   camera.ViewAngle = view->GetViewAngle();
   camera.ParallelScale = view->GetParallelScale();
   camera.IsParallel = view->GetParallelProjection() != 0;
-  session.Camera = camera;
+  return camera;
+}
+
+//------------------------------------------------------------------------------
+void SaveSceneSession(ViewerScene& scene, const ViewerOptions& options)
+{
+  ViewerSession session;
+  session.Input = options.Input;
+  session.Options = options.Given;
+  if (vtkRenderWindow* window = scene.GetRenderer()->GetRenderWindow())
+  {
+    const int* size = window->GetSize();
+    session.Options["--size"] = std::to_string(size[0]) + "x" + std::to_string(size[1]);
+  }
+  session.Camera = GetCamera(scene.GetRenderer());
   WriteSession(options.SaveSession, session);
+}
+
+//------------------------------------------------------------------------------
+void SaveSession(ViewerScene& scene, const ViewerOptions& options)
+{
+  ViewerOptions changed = options;
+  for (const auto& change : scene.GetChanges())
+  {
+    changed.Given[change.first] = change.second;
+  }
+  SaveSceneSession(scene, changed);
 }

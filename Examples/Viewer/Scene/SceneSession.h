@@ -7,16 +7,22 @@
 #ifndef SceneSession_h
 #define SceneSession_h
 
+#include "Options/SessionFile.h"
+
 struct ViewerOptions;
-struct SessionCamera;
 class ViewerScene;
 class vtkRenderer;
 
 /// Sets the camera of a session.
 void SetCamera(vtkRenderer* renderer, const SessionCamera& camera);
 
-/// Writes options.SaveSession: the options that were given, changes by keys, and the camera. Throws
-/// ViewerError.
+/// The camera of a scene.
+SessionCamera GetCamera(vtkRenderer* renderer);
+
+/// Writes options.SaveSession: the options that were given, and the camera. Throws ViewerError.
+void SaveSceneSession(ViewerScene& scene, const ViewerOptions& options);
+
+/// SaveSceneSession() with changes by keys.
 void SaveSession(ViewerScene& scene, const ViewerOptions& options);
 
 #endif

@@ -120,6 +120,12 @@ std::string ViewerScene::ShowRuler(
 }
 
 //------------------------------------------------------------------------------
+void ViewerScene::HideRuler()
+{
+  this->Ruler.reset();
+}
+
+//------------------------------------------------------------------------------
 std::string ViewerScene::ShowPlanView(char key)
 {
   static const std::array<const char*, 6> names = { { "front", "back", "left", "right", "top",

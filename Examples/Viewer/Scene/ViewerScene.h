@@ -58,6 +58,7 @@ public:
   /// Shows the distance between two points in place of an earlier one. Returns the option that
   /// repeats it.
   std::string ShowRuler(const std::array<double, 3>& first, const std::array<double, 3>& second);
+  void HideRuler();
 
   /// Looks at the whole scene along an axis, for the keys 1 to 6 of the window. Returns the option
   /// that repeats the view, or an empty string for other keys.

@@ -140,11 +140,11 @@ void VolumeScene::SetTimeStep(int step)
 //------------------------------------------------------------------------------
 void VolumeScene::ShowExtremes()
 {
+  this->Extremes.Clear();
   if (!this->Options.HasExtremes)
   {
     return;
   }
-  this->Extremes.Clear();
   const auto extremes = FindExtremes(this->Mapper->GetInputDataObject(0, 0), this->Array.Name,
     this->Array.IsOfPoints, this->Cut.Get());
   if (extremes)
@@ -239,9 +239,9 @@ void VolumeScene::ApplyMethod()
 OptionNames VolumeScene::GetUpdatedOptions()
 {
   OptionNames names = this->ViewerScene::GetUpdatedOptions();
-  names.insert(
-    { "--blend", "--clip", "--field-tolerance", "--integration", "--isosurfaces", "--palette",
-      "--range", "--shape-tolerance", "--transfer", "--unit-distance", "--volume-method" });
+  names.insert({ "--above", "--below", "--blend", "--clip", "--extremes", "--field-tolerance",
+    "--integration", "--isosurfaces", "--palette", "--range", "--shape-tolerance", "--transfer",
+    "--unit-distance", "--volume-method" });
   return names;
 }
 

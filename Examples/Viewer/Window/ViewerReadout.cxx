@@ -5,20 +5,16 @@
 #include "Scene/PassiveObserver.h"
 #include "Scene/ViewerScene.h"
 #include "Text/ViewerText.h"
-#include "Window/DrawnPoint.h"
+#include "Window/PixelProbe.h"
 #include "Window/ViewerFrames.h"
-#include "Window/ViewerScaleBar.h"
 
-#include "vtkCamera.h"
 #include "vtkCommand.h"
-#include "vtkMath.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkTextActor.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 
 namespace
@@ -26,17 +22,6 @@ namespace
 const int ReadoutMargin = 10;           // pixels
 const unsigned long ReadoutDelay = 100; // milliseconds
 const double FastFrame = 0.05;          // seconds
-
-// The length that a pixel covers at this point.
-double GetResolution(vtkRenderer* renderer, const double point[3])
-{
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const double pixel = GetPixelLength(camera, renderer->GetSize()[1]);
-  return camera->GetParallelProjection()
-    ? pixel
-    : pixel * std::sqrt(vtkMath::Distance2BetweenPoints(point, camera->GetPosition())) /
-      camera->GetDistance();
-}
 }
 
 //------------------------------------------------------------------------------
@@ -130,11 +115,7 @@ void ViewerReadout::OnKey(vtkObject*, unsigned long, void*)
   if (this->Interactor->GetKeyCode() == 'c')
   {
     this->Frames.Flush();
-    std::string text = this->Describe();
-    if (text.empty())
-    {
-      text = this->Scene.DescribePixel(this->Interactor->GetEventPosition());
-    }
+    std::string text = DescribeVisible(this->Scene, this->Interactor->GetEventPosition());
     std::replace(text.begin(), text.end(), '\n', ' ');
     std::cout << "here: " << (text.empty() ? "nothing" : text) << std::endl;
   }
@@ -143,9 +124,5 @@ void ViewerReadout::OnKey(vtkObject*, unsigned long, void*)
 //------------------------------------------------------------------------------
 std::string ViewerReadout::Describe()
 {
-  vtkRenderer* renderer = this->Scene.GetRenderer();
-  double point[3];
-  return GetDrawnPoint(renderer, this->Interactor->GetEventPosition(), point)
-    ? this->Scene.Describe(point, GetResolution(renderer, point))
-    : std::string();
+  return DescribeSurface(this->Scene, this->Interactor->GetEventPosition());
 }

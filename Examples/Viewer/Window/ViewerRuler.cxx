@@ -4,7 +4,7 @@
 
 #include "Scene/ViewerScene.h"
 #include "Text/ViewerText.h"
-#include "Window/DrawnPoint.h"
+#include "Window/PixelProbe.h"
 #include "Window/ViewerFrames.h"
 
 #include "vtkCommand.h"
@@ -30,22 +30,20 @@ void ViewerRuler::OnKey(vtkObject* caller, unsigned long, void*)
     return;
   }
   this->Frames.Flush();
-  const int* pixel = interactor->GetEventPosition();
-  std::array<double, 3> point;
-  if (!GetDrawnPoint(this->Scene.GetRenderer(), pixel, point.data()) &&
-    !this->Scene.FindPoint(pixel, point.data()))
+  const auto point = FindVisiblePoint(this->Scene, interactor->GetEventPosition());
+  if (!point)
   {
     std::cout << "ruler: there is nothing under the mouse" << std::endl;
   }
   else if (!this->First)
   {
-    this->First = point;
-    std::cout << "ruler: from " << JoinNumbers({ point[0], point[1], point[2] })
+    this->First = *point;
+    std::cout << "ruler: from " << JoinNumbers({ (*point)[0], (*point)[1], (*point)[2] })
               << "; press d at the other end" << std::endl;
   }
   else
   {
-    std::cout << this->Scene.ShowRuler(*this->First, point) << std::endl;
+    std::cout << this->Scene.ShowRuler(*this->First, *point) << std::endl;
     this->First.reset();
     interactor->Render();
   }

@@ -46,7 +46,8 @@ double GetRoundLength(double longest)
 
 //------------------------------------------------------------------------------
 ViewerScaleBar::ViewerScaleBar(vtkRenderer* renderer, const std::string& unit)
-  : Unit(unit)
+  : Renderer(renderer)
+  , Unit(unit)
   , Text(MakeText())
 {
   vtkNew<vtkCellArray> line;
@@ -63,11 +64,16 @@ ViewerScaleBar::ViewerScaleBar(vtkRenderer* renderer, const std::string& unit)
   this->Text->GetTextProperty()->SetJustificationToCentered();
   renderer->AddViewProp(this->Bar);
   renderer->AddViewProp(this->Text);
-  renderer->AddObserver(vtkCommand::StartEvent, this, &ViewerScaleBar::OnStart);
+  this->Tag = renderer->AddObserver(vtkCommand::StartEvent, this, &ViewerScaleBar::OnStart);
 }
 
 //------------------------------------------------------------------------------
-ViewerScaleBar::~ViewerScaleBar() = default;
+ViewerScaleBar::~ViewerScaleBar()
+{
+  this->Renderer->RemoveViewProp(this->Bar);
+  this->Renderer->RemoveViewProp(this->Text);
+  this->Renderer->RemoveObserver(this->Tag);
+}
 
 //------------------------------------------------------------------------------
 void ViewerScaleBar::OnStart(vtkObject* caller, unsigned long, void*)

@@ -29,19 +29,23 @@ double GetRoundLength(double longest);
 class ViewerScaleBar
 {
 public:
-  /// Shows the bar in the lower right corner, in metres ("m") or in an unnamed unit (""). Must live
-  /// until the renderer's last frame.
+  /// Shows the bar in the lower right corner, in metres ("m") or in an unnamed unit (""). Must not
+  /// outlive the renderer.
   ViewerScaleBar(vtkRenderer* renderer, const std::string& unit);
   ~ViewerScaleBar();
+  ViewerScaleBar(const ViewerScaleBar&) = delete;
+  void operator=(const ViewerScaleBar&) = delete;
 
 private:
   void OnStart(vtkObject* caller, unsigned long event, void* data);
   std::string GetText(double length) const;
 
+  vtkRenderer* Renderer;
   std::string Unit;
   vtkNew<vtkPoints> Points;
   vtkNew<vtkActor2D> Bar;
   vtkSmartPointer<vtkTextActor> Text;
+  unsigned long Tag;
 };
 
 #endif

@@ -15,16 +15,14 @@
 
 #include <algorithm>
 #include <exception>
-#include <filesystem>
 #include <iostream>
 #include <iterator>
-#include <system_error>
 
 //------------------------------------------------------------------------------
 ViewerScreenshot::ViewerScreenshot(vtkRenderWindowInteractor* interactor, ViewerFrames& frames,
   const std::string& input, const std::vector<vtkProp*>& words, ViewerMessages& messages)
   : Frames(frames)
-  , Stem(std::filesystem::path(input).stem().string())
+  , Input(input)
   , Words(words)
   , Messages(messages)
 {
@@ -41,7 +39,7 @@ void ViewerScreenshot::OnKey(vtkObject* caller, unsigned long, void*)
   }
   try
   {
-    const std::string fileName = this->FindName();
+    const std::string fileName = FindPictureName(this->Input);
     this->Frames.Flush();
     this->Write(interactor->GetRenderWindow(), fileName);
     std::cout << "picture: " << ToPrintable(fileName) << std::endl;
@@ -90,19 +88,5 @@ void ViewerScreenshot::Write(vtkRenderWindow* window, const std::string& fileNam
   if (error)
   {
     std::rethrow_exception(error);
-  }
-}
-
-//------------------------------------------------------------------------------
-std::string ViewerScreenshot::FindName() const
-{
-  for (int number = 1;; ++number)
-  {
-    const std::string fileName = this->Stem + "-" + std::to_string(number) + ".png";
-    std::error_code error;
-    if (!std::filesystem::exists(std::filesystem::symlink_status(fileName, error)))
-    {
-      return fileName;
-    }
   }
 }

@@ -28,11 +28,10 @@ public:
 
 private:
   void OnKey(vtkObject* caller, unsigned long event, void* data);
-  std::string FindName() const;
   void Write(vtkRenderWindow* window, const std::string& fileName);
 
   ViewerFrames& Frames;
-  std::string Stem;
+  std::string Input;
   std::vector<vtkProp*> Words;
   ViewerMessages& Messages;
 };
