@@ -191,7 +191,7 @@ assert len(steps) == LAST
             threading.Thread(target=write, daemon=True).start()
             reader = vtkSimplePointsReader()
             reader.SetFileName(sys.argv[1])
-            data, package = _inputs.take_data(reader)
+            data = _inputs.take_data(reader)[1]
             assert data.GetNumberOfPoints() == 3
             """,
             pipe,
