@@ -113,7 +113,7 @@ class TestStudioPanels(StudioProgram):
         views = read_colours(self.folder / "views.png")
         third = WIDTH // 3
         a, b, shown = (views[:, i * third : (i + 1) * third] for i in range(3))
-        # The third view is the difference of the others, but for the place in the window.
+        # The third view is the difference of the others, except for its place in the window.
         wrong = (shown != 255 - numpy.minimum(2 * abs(a - b), 255)).any(axis=2)
         self.assertLess(wrong.mean(), 0.02)
         self.assertGreater((a != b).any(axis=2).mean(), 0.02)

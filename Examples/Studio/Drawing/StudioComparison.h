@@ -28,7 +28,7 @@ class vtkRenderWindow;
 class StudioComparison
 {
 public:
-  /// What the second view shows.
+  /// The method and the options of the second view.
   struct Request
   {
     std::string Method;  // empty: that of the first view

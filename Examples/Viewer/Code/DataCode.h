@@ -17,7 +17,7 @@ class vtkDataObject;
 class vtkDataSet;
 class vtkPolyData;
 
-/// What a scene has done with the data of a file.
+/// The changes that a scene has made to the data of a file.
 struct DataPreparation
 {
   std::string Input;

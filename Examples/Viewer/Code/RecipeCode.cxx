@@ -89,7 +89,7 @@ void AddRegion(SceneCode& code, const std::string& variable, vtkRegionDepthTagMe
   }
   else
   {
-    throw ViewerError("a program cannot have a region that is no sphere");
+    throw ViewerError("a program can have a sphere as the region only");
   }
   code.Call(variable, "SetFallOff", { metric->GetFallOff() });
 }

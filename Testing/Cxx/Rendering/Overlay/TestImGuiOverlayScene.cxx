@@ -103,7 +103,7 @@ void TestChanges(RelevoCheck& check)
   CHECK(!isDrawn([] {}));
   TestPicture(check, stage);
 
-  // What other drawing leaves in the window is not repeated.
+  // Pixels that others draw into the window are not repeated.
   CHECK(isDrawn(
     [&]
     {
