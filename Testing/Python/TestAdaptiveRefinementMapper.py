@@ -33,6 +33,17 @@ def sphere():
     return source.GetOutput()
 
 
+def tagged_sphere():
+    """A sphere with depth-tags from 0 to 4."""
+    mesh = sphere()
+    tags = vtkFloatArray()
+    tags.SetName("DepthTag")
+    for i in range(mesh.GetNumberOfPoints()):
+        tags.InsertNextValue(i * 7919 % 5)
+    mesh.GetPointData().AddArray(tags)
+    return mesh
+
+
 class View:
     """A window with one actor."""
 
@@ -86,12 +97,7 @@ class TestAdaptiveRefinementMapper(unittest.TestCase):
         self.assertIn("NumberOfDrawnTriangles", str(mapper))
 
     def test_twin(self):
-        mesh = sphere()
-        tags = vtkFloatArray()
-        tags.SetName("DepthTag")
-        for i in range(mesh.GetNumberOfPoints()):
-            tags.InsertNextValue(i * 7919 % 5)
-        mesh.GetPointData().AddArray(tags)
+        mesh = tagged_sphere()
         view = View(mesh)
         view.recipe.SetSurface(relevo.vtkPNTriangleSurface())
         view.draw()
@@ -109,12 +115,8 @@ class TestAdaptiveRefinementMapper(unittest.TestCase):
 
     def test_patterns(self):
         """Faces of each pattern are those of the depth-tags, with both processors."""
-        mesh = sphere()
-        tags = vtkFloatArray()
-        tags.SetName("DepthTag")
-        for i in range(mesh.GetNumberOfPoints()):
-            tags.InsertNextValue(i * 7919 % 5)
-        mesh.GetPointData().AddArray(tags)
+        mesh = tagged_sphere()
+        tags = mesh.GetPointData().GetArray("DepthTag")
         table = relevo.vtkRefinementPatternTable()
         expected = {}
         for cell in range(mesh.GetNumberOfCells()):
