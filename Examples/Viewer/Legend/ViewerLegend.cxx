@@ -113,7 +113,9 @@ void ViewerLegend::AddCode(SceneCode& code) const
   LegendCode legend(code, this->Table);
   legend.AddRectangle({ { 0, this->Size[1] - this->Corner[1], this->Corner[0], this->Size[1] } },
     { { 1.0, 1.0, 1.0 } }, GroundOpacity);
-  const auto [left, bottom, height] = this->Place;
+  const int left = this->Place[0];
+  const int bottom = this->Place[1];
+  const int height = this->Place[2];
   legend.AddBar({ { left, bottom, BarWidth, height } },
     this->Table->GetIndexedLookup() ? LegendScale::Indexed
       : this->IsLogarithmic()       ? LegendScale::Logarithmic
