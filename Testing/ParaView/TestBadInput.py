@@ -215,16 +215,22 @@ class TestBadInput(relevo.TestCase):
             ],
         }
         found = self.run_scenes([*words, "translucent"], ranks=2)
-        for name, expected in words.items():
+        for name in words:
             with self.subTest(name):
-                bad = self.assert_told(found[name], *expected)
+                _, bad = found[name]
                 self.assertGreater(bad, 500)
                 hides_part = name in ("file", "array on rank 0", "nothing on rank 0")
                 self.assertLess(bad, 2500 if hides_part else 4000)
-        messages, bad = found["translucent"]
-        self.assertEqual({short in each for each in messages}, {True})
-        self.assertLessEqual(len(messages), 2)  # ParaView delivers such data twice
-        self.assertGreater(bad, 2000)
+        self.assertGreater(found["translucent"][1], 2000)
+        # Messages of rank 1 can overtake what rank 0 prints, so they have no scene.
+        messages = [message for each, _ in found.values() for message in each]
+        for expected in [word for each in words.values() for word in each if word != short]:
+            with self.subTest(expected):
+                self.assertEqual(sum(expected in each for each in messages), 1, messages)
+                messages = [each for each in messages if expected not in each]
+        self.assertEqual({short in each for each in messages}, {True}, messages)
+        # One for the opaque sphere, and ParaView delivers the translucent one twice.
+        self.assertIn(len(messages), (2, 3), messages)
 
     def test_old_opengl(self):
         for told, environment in (
