@@ -43,7 +43,9 @@ STYLES = "Adaptive Refinement", "Surface"
 ENVIRONMENT = {
     name: value
     for name, value in os.environ.items()
-    if not name.startswith(("OMPI_", "PMIX_")) or name.startswith("OMPI_ALLOW")
+    if not name.startswith(("OMPI_", "PMIX_"))
+    or name.startswith("OMPI_ALLOW")
+    or name == "OMPI_MCA_mpi_yield_when_idle"
 }
 
 
@@ -404,6 +406,17 @@ class TestCase(unittest.TestCase):
         self.assertEqual(len(found), 1, told)
         self.assertEqual(found[0][0], of_class)
         self.assertIn(words, found[0][1])
+
+    def assert_messages(self, messages, parts):
+        """Each of `parts` is in one message, and each message has one of them. Messages of several
+        ranks have no order: those of one rank can overtake what another prints."""
+        left = list(messages)
+        for part in parts:
+            with self.subTest(part):
+                found = [message for message in left if part in message]
+                self.assertEqual(len(found), 1, messages)
+                left.remove(found[0])
+        self.assertEqual(left, [])
 
     def assert_same_picture(self, one, other, pixels=0):
         """Two views show the same, except for some pixels, and are not empty."""

@@ -39,10 +39,12 @@ def simulate(script):
     from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 
     Catalyst.Initialize(COMM_WORLD.py2f())
+    pipelines = [["script"]]
     try:
         Catalyst.AddPipeline("script", script)
     except TypeError:  # before ParaView 5.13
         Catalyst.AddPipeline(script)
+        pipelines = []
     producer = ProxyManager().NewProxy("sources", "PVTrivialProducer")
     producer.UpdateVTKObjects()
     Catalyst.SetProducer("input", producer)
@@ -54,7 +56,7 @@ def simulate(script):
         producer.GetClientSideObject().SetOutput(source.GetOutput(), step)
         producer.GetClientSideObject().SetWholeExtent(*EXTENT)
         Catalyst.MarkProducerModified("input")
-        if not Catalyst.ExecutePipelines(step, step):
+        if not Catalyst.ExecutePipelines(step, step, *pipelines):
             sys.exit("the script failed")
     Catalyst.Finalize()
 

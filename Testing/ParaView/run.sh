@@ -62,9 +62,9 @@ done
 
 # In a container Open MPI must run as root, and with more ranks than processors.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-# Ranks that wait let others compute, and each has a single thread.
-mpirun=(mpirun --oversubscribe --mca mpi_yield_when_idle 1
-  -x LP_NUM_THREADS=0 -x VTK_SMP_MAX_THREADS=1)
+# Ranks that wait let others compute, also those that tests start.
+export OMPI_MCA_mpi_yield_when_idle=1
+mpirun=(mpirun --oversubscribe -x LP_NUM_THREADS=0 -x VTK_SMP_MAX_THREADS=1)
 work_dir=$(mktemp -d)
 trap 'rm -rf "$work_dir"' EXIT
 
