@@ -21,12 +21,16 @@ if len(sys.argv) > 2:
 else:
     wavelet = Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6])
     mesh = Contour(Input=wavelet, ContourBy=["POINTS", "RTData"], Isosurfaces=[160])
-normals = GenerateSurfaceNormals(Input=mesh, FeatureAngle=180)
+later = GetParaViewVersion().major >= 6
+normals = (SurfaceNormals if later else GenerateSurfaceNormals)(Input=mesh, FeatureAngle=180)
 parts = RedistributeDataSet(Input=normals, BoundaryMode="Assign to one region")
-ranks = PointDatatoCellData(Input=ProcessIdScalars(Input=parts))
-ranks.ProcessAllArrays = 0
-ranks.PointDataArraytoprocess = ["ProcessId"]
-ranks.PassPointData = 1
+if later:
+    ranks, array = ProcessIds(Input=parts, GenerateCellData=1), "CellProcessIds"
+else:
+    ranks, array = PointDatatoCellData(Input=ProcessIdScalars(Input=parts)), "ProcessId"
+    ranks.ProcessAllArrays = 0
+    ranks.PointDataArraytoprocess = [array]
+    ranks.PassPointData = 1
 ranks.UpdatePipeline()
 
 layout = CreateLayout("Ranks")
@@ -36,7 +40,7 @@ for place, name in (right, "Surface"), (right + 1, "Adaptive Refinement"):
     AssignViewToLayout(view, layout, place)
     shown = Show(ranks, view)
     shown.Representation = name
-    ColorBy(shown, ("CELLS", "ProcessId"))
+    ColorBy(shown, ("CELLS", array))
     shown.RescaleTransferFunctionToDataRange()
     if name == "Adaptive Refinement":
         shown.MaximumLevel = 4

@@ -34,7 +34,8 @@ view.Background = [0.96, 0.97, 0.98]
 height = Elevation(Input=mesh, LowPoint=[0, 0, low], HighPoint=[0, 0, high])
 shown = Show(height, view)
 ColorBy(shown, ("POINTS", "Elevation"))
-shown.LookupTable.ApplyPreset("Viridis (matplotlib)", True)
+later = GetParaViewVersion().major >= 6
+shown.LookupTable.ApplyPreset("Viridis" if later else "Viridis (matplotlib)", True)
 shown.SetScalarBarVisibility(view, False)
 Render(view)
 ResetCamera(view)

@@ -20,14 +20,18 @@ if len(sys.argv) > 3:
 else:
     mesh, array = Tetrahedralize(Input=Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6])), "RTData"
 parts = RedistributeDataSet(Input=mesh, BoundaryMode="Assign to one region")
-ranks = ProcessIdScalars(Input=parts)
+later = GetParaViewVersion().major >= 6
+if later:
+    ranks, rank = ProcessIds(Input=parts), "PointProcessIds"
+else:
+    ranks, rank = ProcessIdScalars(Input=parts), "ProcessId"
 ranks.UpdatePipeline()
 low, high = ranks.PointData[array].GetRange()
 span = high - low
 
 layout = CreateLayout("Volume on ranks")
 right = layout.SplitHorizontal(0, 0.5)
-for place, name in (right, array), (right + 1, "ProcessId"):
+for place, name in (right, array), (right + 1, rank):
     view = CreateView("RenderView")
     AssignViewToLayout(view, layout, place)
     view.OrientationAxesVisibility = 0
@@ -36,13 +40,13 @@ for place, name in (right, array), (right + 1, "ProcessId"):
     shown = Show(ranks, view)
     shown.Representation = "Adaptive Volume"
     ColorBy(shown, ("POINTS", name), separate=True)
-    if name == "ProcessId":
+    if name == rank:
         shown.LookupTable.ApplyPreset("Spectral_lowBlue", True)
         shown.RescaleTransferFunctionToDataRange()
         shown.UseSeparateOpacityArray = 1
         shown.OpacityArrayName = ["POINTS", array]
     else:
-        shown.LookupTable.ApplyPreset("Inferno (matplotlib)", True)
+        shown.LookupTable.ApplyPreset("Inferno" if later else "Inferno (matplotlib)", True)
         shown.LookupTable.RescaleTransferFunction(low, high)
     # Values, opacities, midpoints and sharpness: a haze, and two layers inside it.
     points = [(0, 0.01), (0.45, 0.1), (0.5, 0.7), (0.55, 0.1), (0.75, 0.3), (0.8, 1), (1, 1)]

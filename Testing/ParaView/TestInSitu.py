@@ -38,7 +38,10 @@ def simulate(script):
     from paraview.servermanager import ProxyManager
     from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 
-    Catalyst.Initialize(COMM_WORLD.py2f())
+    try:
+        Catalyst.Initialize(COMM_WORLD.py2f(), [])
+    except TypeError:  # before ParaView 6
+        Catalyst.Initialize(COMM_WORLD.py2f())
     pipelines = [["script"]]
     try:
         Catalyst.AddPipeline("script", script)

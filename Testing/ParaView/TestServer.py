@@ -158,14 +158,19 @@ class TestServer(relevo.TestCase):
     def assert_client_draws(self, *outputs):
         """The client draws surfaces. ParaView reports that volumes need the server. Returns the
         other messages."""
-        found = [each for text in outputs for each in re.findall(r"(?:ERR|WARN)\|(?! ERROR: In).*", text)]
+        found = [each for text in outputs for each in re.findall(r"(?:ERR|WARN)\|(?! (?:ERROR|Warning): In).*", text)]
         others = [each for each in found if "require remote rendering which, however" not in each]
-        self.assertLess(len(others), len(found))
+        self.assertLess(len(others), len(found), found)
         self.assert_picture("refined", False, 0)
         return others
 
     def test_server_without_display(self):
-        self.assertEqual(self.assert_client_draws(*self.connect("draw", DISPLAY=None)), [])
+        outputs = self.connect("draw", DISPLAY=None)
+        if simple.GetParaViewVersion().major < 6:
+            self.assertEqual(self.assert_client_draws(*outputs), [])
+            return
+        for name in "refined", "volume":  # later versions draw without a display
+            self.assert_picture(name, True, 20)
 
     def test_server_with_old_opengl(self):
         """The server reports its OpenGL."""
