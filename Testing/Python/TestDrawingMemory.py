@@ -50,13 +50,16 @@ class TestDrawingMemory(unittest.TestCase):
         self.addCleanup(gc.enable)
 
     def test_meshes(self):
-        """2000 drawings."""
+        """2800 drawings."""
         sphere, block = make_sphere(8), make_curved_block()
+        micro = relevo.micromesh(sphere).micro
         for make in (
             lambda: relevo.refined(sphere),
             lambda: relevo.lic(sphere, "V"),
             lambda: relevo.volume(block),
             lambda: relevo.patches(block),
+            lambda: relevo.streamlines(sphere, "V", seeds=2),
+            lambda: relevo.micromesh(micro),
             lambda: relevo.intersection(sphere, block),
         ):
             self.check(make, 400)

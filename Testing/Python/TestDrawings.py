@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import warnings
 from unittest import mock
 
 from DrawingData import (
@@ -23,8 +24,10 @@ from DrawingData import (
     relevo,
 )
 from relevo import _legend
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkFiltersSources import vtkConeSource
 from vtkmodules.vtkIOImage import vtkTIFFWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
@@ -471,6 +474,46 @@ class TestDrawings(unittest.TestCase):
         path.write_bytes(path.read_bytes()[:-1])
         with self.assertRaisesRegex(relevo.Error, "m.rmm: the file is truncated: it has"):
             relevo.micromesh(path)
+
+    def test_micro_meshes_of_volumes(self):
+        """Of 3D cells, isosurfaces are encoded, or the outer surface with a warning."""
+        size = 24
+        middle = 0.5 * (size - 1)
+        distance = numpy.linalg.norm(numpy.mgrid[:size, :size, :size] - middle, axis=0)
+        image = vtkImageData()
+        image.SetDimensions(size, size, size)
+        for name, values in (("Other", 0 * distance), ("Density", 200 - 10 * distance)):
+            array = numpy_to_vtk(values.ravel(), deep=True)
+            array.SetName(name)
+            image.GetPointData().AddArray(array)
+        image.GetPointData().SetActiveScalars("Density")
+        with self.assertWarnsRegex(UserWarning, "has 3D cells, and the micro-mesh is their outer"):
+            outer = relevo.micromesh(image)
+        self.assertEqual(outer.micro.GetBounds(), (0, size - 1) * 3)
+        append = vtkAppendFilter()
+        append.SetInputData(image)
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, image)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for mesh in (image, append, blocks):
+                drawing = relevo.micromesh(mesh, isosurfaces=120, tolerance="0.5%")
+                points = vtk_to_numpy(drawing.mesh().GetPoints().GetData())
+                radii = numpy.linalg.norm(points - middle, axis=1)
+                self.assertLess(abs(radii - 8).max(), 0.005 * image.GetLength() + 0.1)
+            two = relevo.micromesh(image, isosurfaces=[120, 150], array="Density")
+            radii = numpy.linalg.norm(vtk_to_numpy(two.micro.GetPoints().GetData()) - middle, axis=1)
+            self.assertAlmostEqual(radii.min(), 5, delta=0.3)
+            self.assertAlmostEqual(radii.max(), 8, delta=0.3)
+        for mesh, options, text in (
+            (image, {"isosurfaces": 900}, "no isosurface at these values: 'Density' is from 0.8"),
+            (image, {"array": "Density"}, "array needs isosurfaces"),
+            (image, {"isosurfaces": 1, "array": "none"}, "no array 'none'; its arrays are 'Other'"),
+            (make_sphere(), {"isosurfaces": 1}, "isosurfaces needs 3D cells"),
+            (two.micro, {"isosurfaces": 1}, "isosurfaces is for meshes that are encoded"),
+        ):
+            with self.assertRaisesRegex(ValueError, text):
+                relevo.micromesh(mesh, **options)
 
     def test_intersections(self):
         found = relevo.intersection(make_sphere(), make_cone())

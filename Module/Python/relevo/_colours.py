@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from vtkmodules.vtkCommonCore import vtkDataArray, vtkLookupTable, vtkScalarsToColors
-from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkMapper
 
 from ._palettes import PALETTES
 
@@ -36,6 +36,23 @@ def make_table(
     if log:
         table.SetScaleToLog10()
     return table
+
+
+def choose_array(mapper: vtkMapper, name: str, of_points: bool) -> None:
+    """Colour a surface by an array of points or cells."""
+    if of_points:
+        mapper.SetScalarModeToUsePointFieldData()
+    else:
+        mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectColorArray(name)
+    mapper.ScalarVisibilityOn()
+
+
+def set_table(mapper: vtkMapper, table: vtkScalarsToColors) -> None:
+    """Set the colours of the array of a surface, with the range of the table."""
+    mapper.SetLookupTable(table)
+    mapper.UseLookupTableScalarRangeOn()
+    mapper.InterpolateScalarsBeforeMappingOn()
 
 
 def make_title(name: str, array: vtkDataArray) -> str:

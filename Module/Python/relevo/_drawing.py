@@ -26,9 +26,11 @@ from vtkmodules.vtkRenderingCore import (
 
 import relevo
 
-from . import _camera, _inputs, _legend, _outputs, _time_label, _work, files
+from . import _camera, _inputs, _legend, _outputs, _quantities, _time_label, _work, files
+from ._colours import Colours
 from ._error import Error
 from ._messages import Messages
+from ._options import MeshOptions
 from ._typing import Array, Camera, Path
 
 if TYPE_CHECKING:
@@ -112,6 +114,7 @@ class Drawing:
     _lights: tuple[tuple[float, float, float], ...] = ((250, 45, 0.95), (150, 15, 0.45))  # azimuth, elevation, intensity
     _direction: tuple[float, float] = (205, 20)  # azimuth and elevation of the viewer
     _up = 1  # the vertical axis: 0, 1 or 2
+    _scale = Colours()
     _table: vtkScalarsToColors | None = None  # of the colour bar
     _title = ""
     _source: Any = None  # what the caller has given
@@ -129,12 +132,14 @@ class Drawing:
         self.mapper = mapper
         self.actor = actor
 
-    def _take(self, mesh: Any, time: float | None) -> vtkDataObject:
-        """Return the data of a mesh, see take_data()."""
-        self._source, data, self._kind, self._time = _inputs.take_data(mesh, time=time)
-        return data
+    def _take(self, mesh: Any, options: MeshOptions) -> tuple[vtkDataObject, str | None]:
+        """Return the data of a mesh, see take_data(), and the name of the array for colours."""
+        self._up = options.axis
+        self._scale = options.colours
+        self._source, data, self._kind, self._time = _inputs.take_data(mesh, time=options.time)
+        return _quantities.add_quantity(data, options.scalars)
 
-    def _set_lighting(self, lighting: bool) -> None:
+    def _set_lighting(self, lighting: bool | None) -> None:
         if not lighting:
             set_exact_colours(self.actor)
 

@@ -192,12 +192,12 @@ def refined(
     Raises FileNotFoundError, relevo.Error, TypeError, and ValueError.
     """
     from ._colours import Colours
+    from ._options import MeshOptions
     from ._refined import Refined
 
     colours = Colours(palette, range, log, below, above)
-    return Refined(
-        mesh, surface, metric, max_level, height, scale, up, lighting, time, scalars, clip, colours
-    )
+    options = MeshOptions(up, lighting, time, scalars, clip, colours)
+    return Refined(mesh, options, surface, metric, max_level, height, scale)
 
 
 @_public
@@ -261,22 +261,20 @@ def volume(
     array does not exist.
     """
     from ._colours import Colours
+    from ._options import MeshOptions
     from ._volume import Volume
 
+    colours = Colours(palette, range, log, below, above)
+    options = MeshOptions(up, lighting, time, array, clip, colours)
     return Volume(
         mesh,
-        array,
+        options,
         transfer,
         unit_distance,
         isosurfaces,
-        clip,
         blend,
-        up,
-        lighting,
-        time,
         shape_tolerance,
         field_tolerance,
-        Colours(palette, range, log, below, above),
     )
 
 
@@ -330,22 +328,12 @@ def patches(
     array does not exist.
     """
     from ._colours import Colours
+    from ._options import MeshOptions
     from ._patches import Patches
 
-    return Patches(
-        mesh,
-        scalars,
-        warp,
-        factor,
-        edges,
-        isolines,
-        error,
-        up,
-        lighting,
-        time,
-        clip,
-        Colours(palette, range, log, below, above),
-    )
+    colours = Colours(palette, range, log, below, above)
+    options = MeshOptions(up, lighting, time, scalars, clip, colours)
+    return Patches(mesh, options, warp, factor, edges, isolines, error)
 
 
 @_public
@@ -386,10 +374,10 @@ def lic(
     """
     from ._colours import Colours
     from ._lic import LIC
+    from ._options import MeshOptions
 
-    return LIC(
-        mesh, vectors, up, lighting, time, Colours(palette, range, log, below, above)
-    )
+    colours = Colours(palette, range, log, below, above)
+    return LIC(mesh, MeshOptions(up, lighting, time, colours=colours), vectors)
 
 
 @_public
@@ -445,20 +433,12 @@ def streamlines(
     array does not exist or there are no vectors.
     """
     from ._colours import Colours
+    from ._options import MeshOptions
     from ._streamlines import Streamlines
 
-    return Streamlines(
-        mesh,
-        vectors,
-        seeds,
-        seed_line,
-        scalars,
-        up,
-        lighting,
-        time,
-        clip,
-        Colours(palette, range, log, below, above),
-    )
+    colours = Colours(palette, range, log, below, above)
+    options = MeshOptions(up, lighting, time, scalars, clip, colours)
+    return Streamlines(mesh, options, vectors, seeds, seed_line)
 
 
 @_public
@@ -486,6 +466,8 @@ def micromesh(
     tolerance: float | str | None = None,
     max_level: int | None = None,
     error: float = 1.0,
+    isosurfaces: Any = (),
+    array: str | None = None,
     up: str = "y",
     lighting: bool = True,
     time: float | None = None,
@@ -500,6 +482,10 @@ def micromesh(
         triangles (default: 5; a micro-mesh has its own).
     error: the largest distance of the drawn surface from the result on the screen, in pixels
         (default: 1).
+    isosurfaces: the values of isosurfaces of 3D cells to encode (default: none, the outer surface
+        of 3D cells, with a warning). tolerance in percent is then of the diagonal of the volume.
+    array: the array of points with one component for isosurfaces (default: the active scalars, or
+        the first such array).
     up: the vertical axis, "x", "y" or "z" (default: "y").
     lighting: whether lights shade the surface (default: True).
     time: as for refined().
@@ -512,8 +498,10 @@ def micromesh(
     Raises FileNotFoundError, relevo.Error, TypeError, and ValueError.
     """
     from ._micromesh import MicroMesh
+    from ._options import MeshOptions
 
-    return MicroMesh(mesh, tolerance, max_level, error, up, lighting, time)
+    options = MeshOptions(up, lighting, time)
+    return MicroMesh(mesh, options, tolerance, max_level, error, isosurfaces, array)
 
 
 @_public

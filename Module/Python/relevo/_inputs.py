@@ -42,6 +42,17 @@ def check_number(value: Any, name: str, integer: bool = False) -> None:
         raise TypeError(f"{name} must be {wanted}, not {value!r}")
 
 
+def check_numbers(values: Any, name: str) -> list[float]:
+    """Return the numbers of an option, which is one number or several."""
+    try:
+        numbers = [float(value) for value in numpy.atleast_1d(values)]
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} must be numbers, not {values!r}") from None
+    if not numpy.isfinite(numbers).all():
+        raise ValueError(f"{name} must be finite")
+    return numbers
+
+
 def get_package(value: object) -> str:
     """Return the package of a value's class, such as "pyvista". It is not imported."""
     return type(value).__module__.partition(".")[0]
@@ -250,6 +261,19 @@ def merge_blocks(data: vtkDataObject) -> vtkDataSet:
     _work.update(append)
     merged: vtkDataSet = append.GetOutput()
     return merged
+
+
+def make_grid(data: vtkDataObject) -> vtkUnstructuredGrid:
+    """Return a mesh as one vtkUnstructuredGrid."""
+    merged = data if isinstance(data, vtkUnstructuredGrid) else merge_blocks(data)
+    if isinstance(merged, vtkUnstructuredGrid):
+        return merged
+    from vtkmodules.vtkFiltersCore import vtkAppendFilter
+
+    append = vtkAppendFilter()
+    append.AddInputData(merged)
+    _work.update(append)
+    return append.GetOutput()
 
 
 def extract_surface(data: vtkDataObject) -> vtkPolyData:

@@ -15,8 +15,9 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 import relevo
 
-from . import _camera, _colours, _inputs
+from . import _inputs
 from ._drawing import SIZE, Drawing
+from ._options import MeshOptions
 from ._refined import Refined
 
 _HIGHEST_LEVEL = 7
@@ -53,15 +54,10 @@ class LIC(Refined):
     def __init__(
         self,
         mesh: Any,
+        options: MeshOptions,
         vectors: str | None,
-        up: str,
-        lighting: bool,
-        time: float | None = None,
-        colours: _colours.Colours | None = None,
     ) -> None:
-        self._scale = colours or _colours.Colours()
-        self._up = _camera.find_axis(up)
-        self._take_surface(mesh, None, time)
+        self._take_surface(mesh, options)
         array, of_points = self._find_vectors(vectors)
         Drawing.__init__(self, relevo.vtkAdaptiveLICMapper(), vtkActor())
         self._set_up((array, of_points))
@@ -85,7 +81,7 @@ class LIC(Refined):
         metric.AddMetric(length)
         self.recipe.SetMetric(metric)
         self.recipe.SetMaximumLevel(_choose_level(self._coarse))
-        self._set_lighting(lighting)
+        self._set_lighting(options.lighting)
 
     def _find_vectors(self, vectors: str | None) -> tuple[vtkDataArray, bool]:
         if vectors is not None:

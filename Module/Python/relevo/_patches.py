@@ -12,15 +12,15 @@ from vtkmodules.vtkCommonDataModel import (
     vtkDataSet,
     vtkMultiBlockDataSet,
     vtkPolyData,
-    vtkUnstructuredGrid,
 )
 from vtkmodules.vtkRenderingCore import vtkActor
 
 import relevo
 
-from . import _camera, _colours, _inputs, _quantities, _section, _work
+from . import _inputs, _work
 from ._drawing import Drawing
 from ._messages import Messages, warn
+from ._options import MeshOptions
 from ._refined import Refined
 
 _LEVEL = 7
@@ -63,21 +63,6 @@ def _warp(data: vtkDataObject, name: str, factor: float) -> vtkDataObject:
     return moved
 
 
-def _take_grid(data: vtkDataObject) -> vtkUnstructuredGrid:
-    """Return a mesh as one vtkUnstructuredGrid."""
-    if isinstance(data, vtkUnstructuredGrid):
-        return data
-    merged = _inputs.merge_blocks(data)
-    if isinstance(merged, vtkUnstructuredGrid):
-        return merged
-    from vtkmodules.vtkFiltersCore import vtkAppendFilter
-
-    append = vtkAppendFilter()
-    append.AddInputData(merged)
-    _work.update(append)
-    return append.GetOutput()
-
-
 class Patches(Refined):
     """The outer faces of curved cells, see relevo.patches()."""
 
@@ -86,28 +71,19 @@ class Patches(Refined):
     def __init__(
         self,
         mesh: Any,
-        scalars: str | None,
+        options: MeshOptions,
         warp: str | None,
         factor: float,
         edges: bool,
         isolines: int,
         error: float | None,
-        up: str,
-        lighting: bool,
-        time: float | None = None,
-        clip: Any = None,
-        colours: _colours.Colours | None = None,
     ) -> None:
-        self._scale = colours or _colours.Colours()
-        self._plane = None if clip is None else _section.make_plane(clip)
-        self._shows_cells = clip is not None
-        self._up = _camera.find_axis(up)
         _inputs.check_number(factor, "factor")
         if not math.isfinite(factor):
             raise ValueError(f"factor must be finite, not {factor}")
         if error is not None:
             _inputs.check_number(error, "error")
-        data, scalars = _quantities.add_quantity(self._take(mesh, time), scalars)
+        data, scalars = self._take(mesh, options)
         if warp is not None:
             data = _warp(data, warp, factor)
         elif factor != 1.0:
@@ -132,12 +108,12 @@ class Patches(Refined):
             self._draw_isolines(isolines)
         if isolines and self._scale.log:
             raise ValueError("isolines cannot be combined with log")
-        self._set_lighting(lighting)
+        self._set_lighting(options.lighting)
         self._cut()
 
     def _extract(self, data: vtkDataObject) -> vtkPolyData:
         patches = relevo.vtkPatchSurfaceFilter()
-        patches.SetInputData(_take_grid(data))
+        patches.SetInputData(_inputs.make_grid(data))
         _work.update(patches)
         return patches.GetOutput()
 

@@ -16,10 +16,11 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 import relevo
 
-from . import _camera, _colours, _inputs, _quantities, _results, _section, _work, arrays
+from . import _colours, _inputs, _quantities, _results, _section, _work, arrays
 from ._drawing import SIZE, Drawing
 from ._error import Error
 from ._messages import Messages, warn
+from ._options import MeshOptions
 from ._raster import RasterFile, is_raster
 from ._typing import Array, Camera
 
@@ -139,35 +140,25 @@ class Refined(Drawing):
     recipe: relevo.vtkAdaptiveRefinement
     _plane: vtkPlane | None = None  # of a cut
     _shows_cells = False  # whether colours are also those of values inside of the mesh
-    _scale = _colours.Colours()
 
     def __init__(
         self,
         mesh: Any,
-        surface: Any,
-        metric: Any,
-        max_level: int | None,
-        height: Any,
-        scale: float | None,
-        up: str,
-        lighting: bool,
-        time: float | None = None,
-        scalars: str | None = None,
-        clip: Any = None,
-        colours: _colours.Colours | None = None,
+        options: MeshOptions,
+        surface: Any = None,
+        metric: Any = None,
+        max_level: int | None = None,
+        height: Any = None,
+        scale: float | None = None,
     ) -> None:
-        self._scale = colours or _colours.Colours()
-        self._plane = None if clip is None else _section.make_plane(clip)
-        self._shows_cells = self._shows_cells or clip is not None
-        self._up = _camera.find_axis(up)
         if max_level is not None:
             _inputs.check_number(max_level, "max_level", integer=True)
         if scale is not None:
             _inputs.check_number(scale, "scale")
-        scalars = self._take_surface(mesh, surface, time, scalars)
+        scalars = self._take_surface(mesh, options, surface)
         super().__init__(relevo.vtkAdaptiveRefinementMapper(), vtkActor())
         self._set_up(self._find_scalars(scalars))
-        if height is not None and clip is not None:
+        if height is not None and self._plane is not None:
             raise ValueError("clip cannot be combined with height")
         if height is not None:
             self._displace(height, scale)
@@ -187,14 +178,19 @@ class Refined(Drawing):
             max_level = _HIGHEST_LEVEL if limited else _LEVEL
         with Messages(ValueError, {"MaximumLevel": "max_level"}):
             self.recipe.SetMaximumLevel(max_level)
-        self._set_lighting(lighting)
+        self._set_lighting(options.lighting)
         self._cut()
 
+    def _take(self, mesh: Any, options: MeshOptions) -> tuple[vtkDataObject, str | None]:
+        self._plane = options.plane
+        self._shows_cells = self._shows_cells or options.plane is not None
+        return super()._take(mesh, options)
+
     def _take_surface(
-        self, mesh: Any, surface: Any, time: float | None, scalars: str | None = None
+        self, mesh: Any, options: MeshOptions, surface: Any = None
     ) -> str | None:
         """Set the coarse mesh and the surface of the recipe. Return the name of the scalars."""
-        data, scalars = _quantities.add_quantity(self._take(mesh, time), scalars)
+        data, scalars = self._take(mesh, options)
         self._data = data
         self._coarse = vtkPolyData()
         self._coarse.ShallowCopy(_inputs.extract_surface(data))
@@ -244,12 +240,7 @@ class Refined(Drawing):
             raise ValueError(f"{given} needs colours by an array, and the mesh has no active scalars")
 
     def _colour(self, array: vtkDataArray) -> None:
-        if self._of_points:
-            self.mapper.SetScalarModeToUsePointFieldData()
-        else:
-            self.mapper.SetScalarModeToUseCellFieldData()
-        self.mapper.SelectColorArray(array.GetName())
-        self.mapper.ScalarVisibilityOn()
+        _colours.choose_array(self.mapper, array.GetName(), self._of_points)
         components = array.GetNumberOfComponents()
         # Bytes with three or more components are colours.
         if array.GetDataType() == VTK_UNSIGNED_CHAR and components >= 3:
@@ -264,9 +255,7 @@ class Refined(Drawing):
             )
         self._table = self._scale.make_table(*self._scale.choose_range(low, high, name))
         self._title = _colours.make_title(array.GetName(), array)
-        self.mapper.SetLookupTable(self._table)
-        self.mapper.UseLookupTableScalarRangeOn()
-        self.mapper.InterpolateScalarsBeforeMappingOn()
+        _colours.set_table(self.mapper, self._table)
 
     def _extract(self, data: vtkDataObject) -> vtkPolyData:
         """Return the surface of a time step."""

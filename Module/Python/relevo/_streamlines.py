@@ -17,6 +17,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 from . import _colours, _inputs, _outputs, _section, _work
 from ._drawing import set_exact_colours
 from ._messages import Messages, warn
+from ._options import MeshOptions
 from ._refined import Refined
 from ._typing import Array, Camera
 
@@ -81,31 +82,24 @@ class Streamlines(Refined):
     def __init__(
         self,
         mesh: Any,
+        options: MeshOptions,
         vectors: str | None,
         seeds: int,
         seed_line: Any,
-        scalars: str | None,
-        up: str,
-        lighting: bool,
-        time: float | None = None,
-        clip: Any = None,
-        colours: _colours.Colours | None = None,
     ) -> None:
         _inputs.check_number(seeds, "seeds", integer=True)
         if not 1 <= seeds <= _MOST_SEEDS:
             raise ValueError(f"seeds must be from 1 to {_MOST_SEEDS}, not {seeds}")
         line = None if seed_line is None else _check_line(seed_line)
         self._wanted = vectors
-        super().__init__(
-            mesh, None, None, None, None, None, up, lighting, time, scalars, clip, colours
-        )
+        super().__init__(mesh, options)
         self._trace(_inputs.merge_blocks(self._data), int(seeds), line)
-        self._draw_lines(lighting)
+        self._draw_lines(options.lighting)
 
     def _take_surface(
-        self, mesh: Any, surface: Any, time: float | None, scalars: str | None = None
+        self, mesh: Any, options: MeshOptions, surface: Any = None
     ) -> str | None:
-        scalars = super()._take_surface(mesh, surface, time, scalars)
+        scalars = super()._take_surface(mesh, options, surface)
         self._vectors = self._find_vectors(self._wanted)
         return scalars or self._vectors
 
@@ -160,15 +154,12 @@ class Streamlines(Refined):
         self.tubes.SetNumberOfSides(_SIDES)
         self.tubes.CappingOn()
 
-    def _draw_lines(self, lighting: bool) -> None:
+    def _draw_lines(self, lighting: bool | None) -> None:
         mapper = vtkPolyDataMapper()
         mapper.SetInputConnection(self.tubes.GetOutputPort())
         if self._scalars is not None and self._table is not None:
-            mapper.SetScalarModeToUsePointFieldData()
-            mapper.SelectColorArray(self._scalars.GetName())
-            mapper.SetLookupTable(self._table)
-            mapper.UseLookupTableScalarRangeOn()
-            mapper.InterpolateScalarsBeforeMappingOn()
+            _colours.choose_array(mapper, self._scalars.GetName(), of_points=True)
+            _colours.set_table(mapper, self._table)
         self.line_actor = vtkActor()
         self.line_actor.SetMapper(mapper)
         look = self.line_actor.GetProperty()

@@ -16,10 +16,11 @@ from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume, vtk
 
 import relevo
 
-from . import _camera, _colours, _inputs, _quantities, _results, _section, _work
+from . import _colours, _inputs, _quantities, _results, _section, _work
 from ._drawing import SIZE, Drawing, _check_size, _make_offscreen_window
 from ._error import Error
 from ._messages import Messages
+from ._options import MeshOptions
 from ._typing import Array, Camera
 
 if TYPE_CHECKING:
@@ -206,27 +207,20 @@ class Volume(Drawing):
     def __init__(
         self,
         mesh: Any,
-        array: str | None,
+        options: MeshOptions,
         transfer: Any,
         unit_distance: float | None,
         isosurfaces: Any,
-        clip: Any,
         blend: str,
-        up: str,
-        lighting: bool | None,
-        time: float | None = None,
-        shape_tolerance: float | None = None,
-        field_tolerance: float | None = None,
-        colours: _colours.Colours | None = None,
+        shape_tolerance: float | None,
+        field_tolerance: float | None,
     ) -> None:
-        self._scale = colours or _colours.Colours()
-        given = self._scale.find_given()
+        given = options.colours.find_given()
         if transfer is not None and given:
             raise ValueError(f"{given} cannot be combined with transfer, which has colours")
-        self._up = _camera.find_axis(up)
         if unit_distance is not None:
             _inputs.check_number(unit_distance, "unit_distance")
-        self._data, array = _quantities.add_quantity(self._take(mesh, time), array)
+        self._data, array = self._take(mesh, options)
         blocks = [block for block in _inputs.get_blocks(self._data) if _section.is_solid(block)]
         if not blocks:
             raise ValueError("the mesh has no 3D cells; relevo.refined() draws surfaces")
@@ -246,14 +240,14 @@ class Volume(Drawing):
         if values[0].GetNumberOfComponents() > 1:
             self.mapper.SetVectorMode(self.mapper.MAGNITUDE)
         self.mapper.SetBlendMode(_BLENDS.index(blend))
-        if clip is not None:
-            self.mapper.AddClippingPlane(_section.make_plane(clip))
+        if options.plane is not None:
+            self.mapper.AddClippingPlane(options.plane)
         self.actor.SetMapper(self.mapper)
         self._set_look(values, transfer, unit_distance, isosurfaces, blend)
         self._table = self.actor.GetProperty().GetRGBTransferFunction()
         self._title = _colours.make_title(name, values[0])
-        if lighting is not None:
-            self.actor.GetProperty().SetShade(bool(lighting))
+        if options.lighting is not None:
+            self.actor.GetProperty().SetShade(bool(options.lighting))
 
     def _set_tolerances(self, shape: float | None, field: float | None) -> None:
         for value, name, setter in (
@@ -290,7 +284,7 @@ class Volume(Drawing):
                 )
             low, high = self._scale.choose_range(low, high, self._array)
         cells_of_side = self._data.GetNumberOfElements(self._data.CELL) ** (1 / 3)
-        surfaces = self._check_surfaces(isosurfaces)
+        surfaces = _inputs.check_numbers(isosurfaces, "isosurfaces")
         if blend == "isosurface" and not surfaces:
             surfaces = [0.5 * (low + high)]
         if transfer is not None:
@@ -333,16 +327,6 @@ class Volume(Drawing):
         """Return the range of an array in a time step."""
         blocks = [block for block in _inputs.get_blocks(data) if _section.is_solid(block)]
         return _get_quantiles(_find_array(blocks, name)[0])[:2]
-
-    @staticmethod
-    def _check_surfaces(values: Any) -> list[float]:
-        try:
-            surfaces = [float(value) for value in numpy.atleast_1d(values)]
-        except (TypeError, ValueError):
-            raise TypeError(f"isosurfaces must be numbers, not {values!r}") from None
-        if not numpy.isfinite(surfaces).all():
-            raise ValueError("isosurfaces must be finite")
-        return surfaces
 
     def probe(
         self, x: float, y: float, size: tuple[int, int] = SIZE, camera: Camera = None
