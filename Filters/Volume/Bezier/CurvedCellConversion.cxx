@@ -8,12 +8,15 @@
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkGenericCell.h"
+#include "vtkHigherOrderTetra.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -145,6 +148,49 @@ std::vector<CornerParameters> GetParts(const CurvedCellType& type, CellTopology 
   return Halve(whole, ivec3(type.IsHalved ? 2 : 1));
 }
 
+// Evaluates the basis functions of a Bézier tetrahedron. VTK's own function takes milliseconds per
+// point at degree 8.
+class BezierTetrahedronBasis
+{
+public:
+  explicit BezierTetrahedronBasis(int degree)
+    : Degree(degree)
+  {
+    for (vtkIdType node = 0; node < (degree + 1) * (degree + 2) * (degree + 3) / 6; ++node)
+    {
+      std::array<vtkIdType, 4> exponents;
+      vtkHigherOrderTetra::BarycentricIndex(node, exponents.data(), degree);
+      this->Exponents.push_back(exponents);
+    }
+  }
+
+  void Evaluate(const dvec3& p, double* values) const
+  {
+    // Powers, divided by factorials, of barycentric coordinates.
+    const dvec4 coordinates(p, 1.0 - p.x - p.y - p.z);
+    std::vector<dvec4> powers{ dvec4(1.0) };
+    double factorial = 1.0;
+    for (int i = 1; i <= this->Degree; ++i)
+    {
+      powers.push_back(powers.back() * coordinates / static_cast<double>(i));
+      factorial *= i;
+    }
+    for (const auto& exponents : this->Exponents)
+    {
+      double value = factorial;
+      for (int i = 0; i < 4; ++i)
+      {
+        value *= powers[static_cast<size_t>(exponents[i])][i];
+      }
+      *values++ = value;
+    }
+  }
+
+private:
+  int Degree;
+  std::vector<std::array<vtkIdType, 4>> Exponents;
+};
+
 // Evaluates the basis functions of a VTK cell.
 class CellBasis
 {
@@ -171,9 +217,26 @@ public:
       this->Grid->GetCellData()->SetHigherOrderDegrees(degrees);
     }
     this->Grid->GetCell(0, this->Cell);
+    if (type.Type == VTK_BEZIER_TETRAHEDRON)
+    {
+      this->Tetrahedron = std::make_unique<BezierTetrahedronBasis>(type.Degrees.x);
+    }
   }
 
   void Evaluate(const dvec3& parameters, double* values)
+  {
+    if (this->Tetrahedron)
+    {
+      this->Tetrahedron->Evaluate(parameters, values);
+    }
+    else
+    {
+      this->EvaluateCell(parameters, values);
+    }
+  }
+
+  // Calls VTK's function.
+  void EvaluateCell(const dvec3& parameters, double* values)
   {
     this->Cell->InterpolateFunctions(&parameters.x, values);
   }
@@ -183,6 +246,7 @@ public:
 private:
   vtkNew<vtkUnstructuredGrid> Grid;
   vtkNew<vtkGenericCell> Cell;
+  std::unique_ptr<BezierTetrahedronBasis> Tetrahedron;
 };
 
 // Returns the coefficients of all basis functions in a part of a cell, with those of each
@@ -360,7 +424,7 @@ private:
     for (int i = 0; i < BezierHexahedron::NumberOfSamples; ++i)
     {
       const dvec3 at = 0.9 * BezierHexahedron::GetSample(i) + 0.03 * dvec3(i % 2, i % 5, i % 3);
-      basis.Evaluate(Interpolate(part, at), values.data());
+      basis.EvaluateCell(Interpolate(part, at), values.data());
       dvec3 sum(0.0);
       for (size_t node = 0; node < nodes.size(); ++node)
       {
