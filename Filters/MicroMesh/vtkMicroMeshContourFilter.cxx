@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMicroMeshContourFilter.h"
 
+#include "Blocks/BlockBorders.h"
 #include "Blocks/ContourSettings.h"
 #include "Blocks/GridBlocks.h"
 #include "Blocks/ImageBlocks.h"
@@ -30,6 +31,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 namespace
 {
@@ -47,19 +50,37 @@ bool HasPiece(vtkInformationVector* outputVector)
 }
 }
 
-// The blocks and the result of an update. With streaming, there is a request per block.
+// The blocks and the results of an update. With streaming, there is a request per block.
 struct vtkMicroMeshContourFilter::Work
 {
+  struct Block
+  {
+    vtkSmartPointer<vtkPolyData> Result;
+    double Error = 0.0;
+    vtkIdType Triangles = 0;
+  };
+
+  void SetNumberOfBlocks(std::size_t number)
+  {
+    this->Blocks.resize(number);
+    this->Borders = relevo::BlockBorders(number);
+    this->Queue.resize(number);
+    std::iota(this->Queue.begin(), this->Queue.end(), 0);
+  }
+  bool IsDone() const { return this->Next >= this->Queue.size(); }
+
   relevo::ContourSettings Settings;
   bool IsStreaming = false;
   bool IsContinued = false; // by another request
   bool HasFailed = false;
   relevo::ImageExtent Whole{};
   std::vector<relevo::ImageExtent> Extents;
-  std::size_t Next = 0;
-  std::size_t Number = 0;
+  std::vector<Block> Blocks;
+  relevo::BlockBorders Borders;
+  std::vector<std::size_t> Queue; // blocks; those that do not match others come again
+  std::size_t Next = 0;           // in the queue
+  double Progress = 0.0;
   std::array<double, 6> Bounds{}; // of the input
-  relevo::MicroMeshAppender Result;
 };
 
 vtkStandardNewMacro(vtkMicroMeshContourFilter);
@@ -203,13 +224,14 @@ int vtkMicroMeshContourFilter::RequestUpdateExtent(
   {
     work.Whole = extent;
     work.Extents = relevo::DivideExtent(extent, this->BlockSize);
-    work.Number = work.Extents.size();
-    work.IsStreaming = input->Has(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT()) && work.Number > 1;
+    work.SetNumberOfBlocks(work.Extents.size());
+    work.IsStreaming =
+      input->Has(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT()) && work.Extents.size() > 1;
   }
-  if (work.IsStreaming && work.Next < work.Number)
+  if (work.IsStreaming && !work.IsDone())
   {
-    extent =
-      relevo::GrowExtent(work.Extents[work.Next], work.Whole, this->ComputeGradients ? 1 : 0);
+    extent = relevo::GrowExtent(
+      work.Extents[work.Queue[work.Next]], work.Whole, this->ComputeGradients ? 1 : 0);
     input->Set(Pipeline::EXACT_EXTENT(), 1);
   }
   input->Set(Pipeline::UPDATE_EXTENT(), extent.data(), 6);
@@ -245,12 +267,41 @@ void vtkMicroMeshContourFilter::Fail(const std::string& error)
 int vtkMicroMeshContourFilter::EncodeBlock(vtkPolyData* surface)
 {
   Work& work = *this->Current;
-  ++work.Next;
-  if (surface->GetNumberOfPolys() == 0)
+  const std::size_t index = work.Queue[work.Next];
+  Work::Block& block = work.Blocks[index];
+  work.Borders.Keep(surface);
+  block.Triangles = surface->GetNumberOfPolys();
+  if (block.Triangles > 0 && !this->EncodeSurface(surface, block.Result, block.Error))
   {
-    return 1;
+    return 0;
   }
-  this->NumberOfTriangles += surface->GetNumberOfPolys();
+  ++work.Next;
+  this->Report(0.0);
+  if (block.Result)
+  {
+    work.Borders.Take(index, surface, block.Result);
+  }
+  if (work.IsDone() && !work.HasFailed)
+  {
+    const std::vector<std::size_t> unmatched = work.Borders.FindUnmatched();
+    work.Queue.insert(work.Queue.end(), unmatched.begin(), unmatched.end());
+  }
+  return 1;
+}
+
+// Reports progress with a share of the next block. It does not go back when blocks come again.
+void vtkMicroMeshContourFilter::Report(double share)
+{
+  Work& work = *this->Current;
+  work.Progress =
+    std::max(work.Progress, (double(work.Next) + share) / double(work.Queue.size() + 1));
+  this->UpdateProgress(work.Progress);
+  work.HasFailed = work.HasFailed || relevo::IsAborted(this);
+}
+
+bool vtkMicroMeshContourFilter::EncodeSurface(
+  vtkPolyData* surface, vtkSmartPointer<vtkPolyData>& result, double& error)
+{
   vtkNew<vtkMicroMeshFilter> encode;
   encode->SetInputData(surface);
   encode->SetTolerance(this->Tolerance);
@@ -269,25 +320,45 @@ int vtkMicroMeshContourFilter::EncodeBlock(vtkPolyData* surface)
     {
       auto filter = static_cast<vtkMicroMeshContourFilter*>(data);
       auto encode = static_cast<vtkAlgorithm*>(caller);
-      const Work& work = *filter->Current;
-      filter->UpdateProgress(
-        (static_cast<double>(work.Next) - 1.0 + encode->GetProgress()) / double(work.Number));
+      filter->Report(encode->GetProgress());
       encode->SetAbortExecute(relevo::IsAborted(filter) ? 1 : 0);
     });
   encode->AddObserver(vtkCommand::ProgressEvent, progress);
   encode->Update();
-  if (relevo::IsAborted(this))
-  {
-    work.HasFailed = true;
-    return 1;
-  }
-  if (!errors.empty() || !work.Result.Append(encode->GetOutput(), errors))
+  if (!errors.empty())
   {
     this->Fail(errors);
-    return 0;
+    return false;
   }
-  this->Error = std::max(this->Error, encode->GetError());
-  return 1;
+  result = encode->GetOutput();
+  error = encode->GetError();
+  return true;
+}
+
+// Joins the micro-meshes of all blocks.
+bool vtkMicroMeshContourFilter::Finish(vtkPolyData* output)
+{
+  Work& work = *this->Current;
+  relevo::MicroMeshAppender joined;
+  for (Work::Block& block : work.Blocks)
+  {
+    std::string error;
+    if (block.Result && !joined.Append(block.Result, error))
+    {
+      this->Fail(error);
+      return false;
+    }
+    block.Result = nullptr;
+    this->Error = std::max(this->Error, block.Error);
+    this->NumberOfTriangles += block.Triangles;
+  }
+  this->NumberOfBlocks = static_cast<int>(work.Blocks.size());
+  joined.Finish(output);
+  if (output->GetNumberOfPolys() > 0)
+  {
+    relevo::StoreInputBounds(work.Bounds.data(), output);
+  }
+  return true;
 }
 
 int vtkMicroMeshContourFilter::ContourImage(vtkImageData* image, bool isWhole)
@@ -295,13 +366,13 @@ int vtkMicroMeshContourFilter::ContourImage(vtkImageData* image, bool isWhole)
   Work& work = *this->Current;
   do
   {
-    if (work.Next >= work.Number)
+    if (work.IsDone())
     {
       return 1;
     }
     std::string error;
-    const vtkSmartPointer<vtkPolyData> surface =
-      relevo::ContourImageBlock(image, work.Extents[work.Next], work.Whole, work.Settings, error);
+    const vtkSmartPointer<vtkPolyData> surface = relevo::ContourImageBlock(
+      image, work.Extents[work.Queue[work.Next]], work.Whole, work.Settings, error);
     if (!surface)
     {
       this->Fail(error);
@@ -311,8 +382,6 @@ int vtkMicroMeshContourFilter::ContourImage(vtkImageData* image, bool isWhole)
     {
       return 0;
     }
-    this->UpdateProgress(double(work.Next) / double(work.Number));
-    work.HasFailed = work.HasFailed || relevo::IsAborted(this);
   } while (isWhole && !work.HasFailed);
   return 1;
 }
@@ -332,16 +401,15 @@ int vtkMicroMeshContourFilter::ContourGrid(vtkUnstructuredGrid* grid)
     this->Fail(error);
     return 0;
   }
-  work.Number = static_cast<std::size_t>(blocks.GetNumberOfBlocks());
-  while (work.Next < work.Number && !work.HasFailed)
+  work.SetNumberOfBlocks(static_cast<std::size_t>(blocks.GetNumberOfBlocks()));
+  while (!work.IsDone() && !work.HasFailed)
   {
-    const auto surface = blocks.Contour(grid, static_cast<int>(work.Next), work.Settings);
+    const auto surface =
+      blocks.Contour(grid, static_cast<int>(work.Queue[work.Next]), work.Settings);
     if (this->EncodeBlock(surface) == 0)
     {
       return 0;
     }
-    this->UpdateProgress(double(work.Next) / double(work.Number));
-    work.HasFailed = work.HasFailed || relevo::IsAborted(this);
   }
   return 1;
 }
@@ -379,7 +447,7 @@ int vtkMicroMeshContourFilter::RunStep(vtkInformation* request, vtkInformationVe
   {
     return 0;
   }
-  if (work.IsStreaming && work.Next < work.Number && !work.HasFailed)
+  if (work.IsStreaming && !work.IsDone() && !work.HasFailed)
   {
     request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
     work.IsContinued = true;
@@ -404,13 +472,7 @@ int vtkMicroMeshContourFilter::RequestData(
         const int step = this->RunStep(request, inputVector);
         if (step != 0 && !this->Current->HasFailed && !request->Has(Pipeline::CONTINUE_EXECUTING()))
         {
-          this->NumberOfBlocks = static_cast<int>(this->Current->Number);
-          auto output = vtkPolyData::GetData(outputVector);
-          this->Current->Result.Finish(output);
-          if (output->GetNumberOfPolys() > 0)
-          {
-            relevo::StoreInputBounds(this->Current->Bounds.data(), output);
-          }
+          return this->Finish(vtkPolyData::GetData(outputVector)) ? 1 : 0;
         }
         return step;
       });

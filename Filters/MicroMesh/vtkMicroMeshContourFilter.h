@@ -188,6 +188,9 @@ private:
   int ContourImage(vtkImageData* image, bool isWhole);
   int ContourGrid(vtkUnstructuredGrid* grid);
   int EncodeBlock(vtkPolyData* surface);
+  bool EncodeSurface(vtkPolyData* surface, vtkSmartPointer<vtkPolyData>& result, double& error);
+  void Report(double share);
+  bool Finish(vtkPolyData* output);
   void Fail(const std::string& error);
 
   std::unique_ptr<Work> Current; // of the update in progress

@@ -163,12 +163,12 @@ bool vtkMicroMeshFilter::FindFixedPoints(vtkPolyData* input, vtkDataArray*& fixe
     return false;
   }
   if (fixed->GetNumberOfTuples() < input->GetNumberOfPoints() ||
-    fixed->GetNumberOfComponents() != 1)
+    (fixed->GetNumberOfComponents() != 1 && fixed->GetNumberOfComponents() != 4))
   {
     vtkErrorMacro("The point array \""
       << this->FixedPointArrayName << "\" has " << fixed->GetNumberOfTuples() << " tuples of "
       << fixed->GetNumberOfComponents() << " components, but " << input->GetNumberOfPoints()
-      << " of 1 are needed.");
+      << " of 1 or 4 are needed.");
     return false;
   }
   return true;

@@ -137,11 +137,15 @@ public:
 
   //@{
   /**
-   * Set the name of a numeric point array with one component. Points with a value other than 0 are
-   * fixed: they are points of the output, and edges between two of them at the border of the mesh
-   * are edges of the output. Pieces of a surface that are encoded separately therefore match if
-   * the points of their common borders are fixed. The array is not sampled on the grids. The
-   * default is an empty name: no points are fixed.
+   * Set the name of a numeric point array with 1 or 4 components. Points with a first component
+   * other than 0 are fixed: they are points of the output, and edges between two of them at the
+   * border of the mesh are edges of the output. A point with the value 2 between two fixed points
+   * of the border can be left out, as on other borders, within the tolerance.
+   *
+   * The other components are the direction at the point, as in the array MicroMeshDirections of
+   * another micro-mesh, or 0. Pieces of a surface that are encoded separately match if the points
+   * of their common borders are fixed with the value 1 and the same directions. The array is not
+   * sampled on the grids. The default is an empty name: no points are fixed.
    */
   void SetFixedPointArrayName(const char* name);
   const char* GetFixedPointArrayName() const { return this->FixedPointArrayName.c_str(); }

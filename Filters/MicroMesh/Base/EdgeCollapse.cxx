@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/EdgeCollapse.h"
 
+#include "Base/LineSimplification.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -32,22 +33,13 @@ double GetLongestSide2(const dvec3& a, const dvec3& b, const dvec3& c)
 {
   return std::max({ dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c) });
 }
-
-double GetSegmentDistance2(const dvec3& point, const dvec3& a, const dvec3& b)
-{
-  const dvec3 along = b - a;
-  const double squared = dot(along, along);
-  const double t =
-    squared > 0.0 ? std::max(0.0, std::min(1.0, dot(point - a, along) / squared)) : 0.0;
-  const dvec3 offset = point - (a + t * along);
-  return dot(offset, offset);
-}
 }
 
 EdgeCollapse::EdgeCollapse(
   const DenseMesh& mesh, const std::vector<int>& limits, double lineTolerance)
   : Mesh(mesh)
   , LineTolerance2(lineTolerance * lineTolerance)
+  , AreKept(FindLineVertices(mesh, lineTolerance))
   , Triangles(mesh.Triangles)
   , Wedges(mesh.GetAllWedges())
   , AreLeft(mesh.Triangles.size(), 1)
@@ -82,6 +74,7 @@ EdgeCollapse::EdgeCollapse(
 
 void EdgeCollapse::FreeMesh()
 {
+  this->AreKept = {};
   this->Triangles = {};
   this->Wedges = {};
   this->AreLeft = {};
@@ -188,7 +181,7 @@ double EdgeCollapse::GetLeastError(int vertex) const
 bool EdgeCollapse::CanMove(int vertex) const
 {
   const auto u = static_cast<std::size_t>(vertex);
-  return this->Mesh.Kinds[u] != DenseMesh::Kind::LOCKED && this->Sizes[u] < this->Limits[u];
+  return !this->IsKept(vertex) && this->Sizes[u] < this->Limits[u];
 }
 
 bool EdgeCollapse::HasSize(int from, int to) const

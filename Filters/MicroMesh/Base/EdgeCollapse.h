@@ -59,6 +59,13 @@ public:
                                 : this->Wedges[triangle];
   }
 
+  /// Whether a vertex never moves.
+  bool IsKept(int vertex) const
+  {
+    const auto v = static_cast<std::size_t>(vertex);
+    return this->Mesh.Kinds[v] == DenseMesh::Kind::LOCKED || this->AreKept[v] != 0;
+  }
+
   /// The coarse vertex of a vertex.
   int FindRoot(int vertex);
   int GetClusterSize(int root) const { return this->Sizes[static_cast<std::size_t>(root)]; }
@@ -118,6 +125,7 @@ private:
 
   const DenseMesh& Mesh;
   double LineTolerance2;
+  std::vector<char> AreKept; // per vertex, by its line
   std::vector<Triangle> Triangles;
   std::vector<Triangle> Wedges; // empty if the dense mesh has none
   std::vector<char> AreLeft;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Blocks/GridBlocks.h"
 
+#include "Blocks/BlockBorders.h"
 #include "Boxes/BoundingBox.h"
 #include "Cells/CellChecks.h"
 #include "vtkCellData.h"
@@ -21,12 +22,6 @@
 
 namespace relevo
 {
-namespace
-{
-// If all interpolated points are shared, the interpolated mark has this value, too.
-constexpr unsigned char Shared = 255;
-}
-
 bool GridBlocks::Find(vtkUnstructuredGrid* grid, const ContourSettings& settings,
   vtkIdType mostCells, std::string& error)
 {
@@ -129,6 +124,7 @@ void GridBlocks::MarkSharedPoints(vtkUnstructuredGrid* grid)
 {
   this->Marks = vtkSmartPointer<vtkUnsignedCharArray>::New();
   this->Marks->SetName(FixedPointsName);
+  this->Marks->SetNumberOfComponents(2);
   this->Marks->SetNumberOfTuples(grid->GetNumberOfPoints());
   this->Marks->Fill(0.0);
   // The last block of each point.
@@ -145,7 +141,8 @@ void GridBlocks::MarkSharedPoints(vtkUnstructuredGrid* grid)
         const auto point = static_cast<std::size_t>(points->GetId(p));
         if (blocks[point] >= 0 && blocks[point] != block)
         {
-          this->Marks->SetValue(points->GetId(p), Shared);
+          unsigned char* mark = this->Marks->GetPointer(2 * points->GetId(p));
+          mark[mark[0] == 0 ? 0 : 1] = BlockBorders::IsShared;
         }
         blocks[point] = block;
       }
@@ -182,14 +179,7 @@ vtkSmartPointer<vtkPolyData> GridBlocks::Contour(
   }
   contour->Update();
   vtkSmartPointer<vtkPolyData> surface = contour->GetOutput();
-  vtkNew<vtkUnsignedCharArray> fixed;
-  fixed->SetName(FixedPointsName);
-  vtkDataArray* interpolated = surface->GetPointData()->GetArray(FixedPointsName);
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    fixed->InsertNextValue(interpolated && interpolated->GetComponent(i, 0) >= Shared ? 1 : 0);
-  }
-  surface->GetPointData()->AddArray(fixed);
+  BlockBorders::SetFixedPoints(surface);
   surface->GetCellData()->Initialize();
   if (!settings.ContourValues)
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Blocks/ImageBlocks.h"
 
+#include "Blocks/BlockBorders.h"
 #include "Blocks/ImageGradients.h"
 #include "vtkFloatArray.h"
 #include "vtkFlyingEdges3D.h"
@@ -17,14 +18,13 @@ namespace relevo
 {
 namespace
 {
-constexpr unsigned char Fixed = 255;
-
 // Marks the points of a block on planes that other blocks share.
 void MarkSharedPlanes(vtkImageData* image, const ImageExtent& whole)
 {
   const int* extent = image->GetExtent();
   vtkNew<vtkUnsignedCharArray> marks;
   marks->SetName(FixedPointsName);
+  marks->SetNumberOfComponents(2);
   marks->SetNumberOfTuples(image->GetNumberOfPoints());
   marks->Fill(0.0);
   for (int side = 0; side < 6; ++side)
@@ -43,26 +43,13 @@ void MarkSharedPlanes(vtkImageData* image, const ImageExtent& whole)
       {
         for (ijk[0] = plane[0]; ijk[0] <= plane[1]; ++ijk[0])
         {
-          marks->SetValue(image->ComputePointId(ijk), Fixed);
+          unsigned char* mark = marks->GetPointer(2 * image->ComputePointId(ijk));
+          mark[mark[0] == 0 ? 0 : 1] = BlockBorders::IsShared;
         }
       }
     }
   }
   image->GetPointData()->AddArray(marks);
-}
-
-// A point of the isosurface is on a shared plane if both ends of its edge of the image are.
-void RoundMarks(vtkPolyData* surface)
-{
-  vtkDataArray* interpolated = surface->GetPointData()->GetArray(FixedPointsName);
-  vtkNew<vtkUnsignedCharArray> marks;
-  marks->SetName(FixedPointsName);
-  marks->SetNumberOfTuples(surface->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < marks->GetNumberOfTuples(); ++i)
-  {
-    marks->SetValue(i, interpolated && interpolated->GetComponent(i, 0) > Fixed - 0.1 ? 1 : 0);
-  }
-  surface->GetPointData()->AddArray(marks);
 }
 }
 
@@ -134,7 +121,7 @@ vtkSmartPointer<vtkPolyData> ContourImageBlock(vtkImageData* image, const ImageE
   }
   contour->Update();
   vtkSmartPointer<vtkPolyData> surface = contour->GetOutput();
-  RoundMarks(surface);
+  BlockBorders::SetFixedPoints(surface);
   CleanContour(cropped->GetPointData(), surface);
   if (settings.Gradients && surface->GetNumberOfPoints() > 0)
   {

@@ -385,31 +385,39 @@ void DenseMesh::LockFans()
 
 void DenseMesh::LockFixed(vtkDataArray* fixed)
 {
-  std::vector<char> areFixed(this->Points.size(), 0);
+  this->AreFixed.assign(this->Points.size(), 0);
+  const bool haveDirections = fixed->GetNumberOfComponents() == 4;
   for (std::size_t t = 0; t < this->Triangles.size(); ++t)
   {
     const Triangle wedges = this->GetWedges(t);
     for (int c = 0; c < 3; ++c)
     {
-      if (fixed->GetComponent(wedges[c], 0) != 0.0)
+      const double value = fixed->GetComponent(wedges[c], 0);
+      unsigned char& mark = this->AreFixed[static_cast<std::size_t>(this->Triangles[t][c])];
+      if (value != 0.0 && mark != FixedMark)
       {
-        areFixed[static_cast<std::size_t>(this->Triangles[t][c])] = 1;
+        mark = value == RemovableMark ? RemovableMark : FixedMark;
+        const vec3 direction = haveDirections
+          ? vec3(fixed->GetComponent(wedges[c], 1), fixed->GetComponent(wedges[c], 2),
+              fixed->GetComponent(wedges[c], 3))
+          : vec3(0.0f);
+        if (direction != vec3(0.0f))
+        {
+          this->FixedDirections[this->Triangles[t][c]] =
+            direction / static_cast<float>(this->Scale);
+        }
       }
     }
   }
   for (std::size_t v = 0; v < this->Points.size(); ++v)
   {
-    if (areFixed[v] == 0)
+    const LineTable::Ends& ends = this->LineEnds[v];
+    const bool isRemovable = this->AreFixed[v] == RemovableMark && this->Kinds[v] == Kind::LINE &&
+      ends[0].Flags == BORDER && this->IsFixed(ends[0].Vertex) && this->IsFixed(ends[1].Vertex);
+    if (this->AreFixed[v] != 0 && !isRemovable)
     {
-      continue;
+      this->Kinds[v] = Kind::LOCKED;
     }
-    this->Kinds[v] = Kind::LOCKED;
-    this->NumberOfFixedEdges += std::count_if(this->LineEnds[v].begin(), this->LineEnds[v].end(),
-      [&](const LineEnd& end)
-      {
-        return end.Vertex > static_cast<int>(v) && (end.Flags & BORDER) != 0 &&
-          areFixed[static_cast<std::size_t>(end.Vertex)] != 0;
-      });
   }
 }
 }

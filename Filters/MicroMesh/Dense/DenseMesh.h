@@ -21,6 +21,7 @@
 #include "vtkType.h" // for vtkIdType
 
 #include <array>  // for members
+#include <map>    // for members
 #include <vector> // for members
 
 class vtkDataArray;
@@ -48,8 +49,14 @@ public:
   };
   using Triangle = std::array<int, 3>;
 
+  /// Values of the array of fixed points. Removable points are fixed, too, unless they are on a
+  /// border between other fixed points.
+  static constexpr unsigned char FixedMark = 1;
+  static constexpr unsigned char RemovableMark = 2;
+
   /// `materials` is a cell array or nullptr. `featureAngle` is in degrees. `fixed` is a point array
-  /// or nullptr; points with a value other than 0 are fixed.
+  /// or nullptr; points with a first component other than 0 are fixed. The next three components
+  /// are their direction, unless they are 0.
   DenseMesh(vtkPolyData* input, vtkDataArray* materials, double featureAngle,
     vtkDataArray* fixed = nullptr);
   ~DenseMesh();
@@ -65,6 +72,16 @@ public:
   std::vector<dvec3> Points;
   std::vector<Kind> Kinds;
   LineTable LineEnds;
+  /// The direction of the displacements at a vertex, if a fixed point has it; otherwise 0.
+  vec3 GetFixedDirection(int vertex) const
+  {
+    const auto found = this->FixedDirections.find(vertex);
+    return found == this->FixedDirections.end() ? vec3(0.0f) : found->second;
+  }
+  bool IsFixed(int vertex) const
+  {
+    return !this->AreFixed.empty() && this->AreFixed[static_cast<std::size_t>(vertex)] != 0;
+  }
   /// The vertices per triangle.
   std::vector<Triangle> Triangles;
 
@@ -97,7 +114,6 @@ public:
   vtkIdType NumberOfDuplicates = 0;
   vtkIdType NumberOfUnclearEdges = 0;
   vtkIdType NumberOfSharpEdges = 0;
-  vtkIdType NumberOfFixedEdges = 0; // at the border, between fixed points
 
 private:
   void ReadTriangles(vtkPolyData* input);
@@ -114,7 +130,9 @@ private:
   std::vector<Triangle> Wedges; // empty if each vertex represents one point
   std::vector<vtkIdType> Cells; // empty if they are consecutive
   vtkIdType FirstCell = 0;
-  std::vector<int> Opposite; // half-edge 3 t + e from corner e to e + 1; -1 for none
+  std::vector<unsigned char> AreFixed; // marks per vertex, empty if none is fixed
+  std::map<int, vec3> FixedDirections; // per vertex
+  std::vector<int> Opposite;           // half-edge 3 t + e from corner e to e + 1; -1 for none
 };
 }
 

@@ -12,8 +12,8 @@ namespace
 {
 constexpr double Unbounded = std::numeric_limits<double>::infinity();
 // Lengths relative to the tolerance: sides of parts and of triangles that are not bisected any
-// more, those of triangles that are often within the tolerance of one triangle, and the width of
-// parts that are negligible.
+// more, those of triangles that are often within the tolerance of one triangle, and the distance
+// of negligible parts from others.
 constexpr double ShortestSide = 1.0 / 8.0;
 constexpr double ShortestHalf = 2.0;
 constexpr double SmallSide = 4.0;
@@ -50,6 +50,16 @@ int FindLongestEdge(const DistanceBound::Corners& corners, double& length2)
 double Cross(const dvec2& a, const dvec2& b)
 {
   return a.x * b.y - a.y * b.x;
+}
+
+double GetDistance2(const dvec2& point, const dvec2& a, const dvec2& b)
+{
+  const dvec2 along = b - a;
+  const double squared = dot(along, along);
+  const double t =
+    squared > 0.0 ? std::max(0.0, std::min(1.0, dot(point - a, along) / squared)) : 0.0;
+  const dvec2 offset = point - (a + t * along);
+  return dot(offset, offset);
 }
 }
 
@@ -220,6 +230,23 @@ bool DistanceBound::IsNegligible(const Polygon& polygon) const
   return area <= NegligibleWidth * this->Tolerance * std::sqrt(longest2);
 }
 
+// Whether all points of a polygon are at the side that it shares with another one. The tip of a
+// narrow triangle is not, even if its area is negligible.
+bool DistanceBound::IsNear(const Polygon& polygon, const Polygon& shared) const
+{
+  const double width = NegligibleWidth * this->Tolerance;
+  for (std::size_t i = 0; i < polygon.Size; ++i)
+  {
+    if (shared.Size == 0 ||
+      GetDistance2(polygon.Points[i], shared.Points[0], shared.Points[shared.Size - 1]) >
+        width * width)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 // Cuts the points of all parts off that a triangle covers within the tolerance.
 void DistanceBound::Cover(const Frame& frame, int candidate)
 {
@@ -313,6 +340,7 @@ bool DistanceBound::CutOff(const Polygon& polygon, std::size_t numberOfPlanes)
     }
     Polygon inner;
     Polygon outer;
+    Polygon shared;
     for (std::size_t i = 0; i < rest.Size; ++i)
     {
       const std::size_t next = i + 1 == rest.Size ? 0 : i + 1;
@@ -324,6 +352,10 @@ bool DistanceBound::CutOff(const Polygon& polygon, std::size_t numberOfPlanes)
       {
         outer.Add(rest.Points[i]);
       }
+      if (values[i] == 0.0)
+      {
+        shared.Add(rest.Points[i]);
+      }
       if ((values[i] < 0.0 && values[next] > 0.0) || (values[i] > 0.0 && values[next] < 0.0))
       {
         if (inner.IsFull() || outer.IsFull())
@@ -334,9 +366,10 @@ bool DistanceBound::CutOff(const Polygon& polygon, std::size_t numberOfPlanes)
         const dvec2 point = rest.Points[i] + share * (rest.Points[next] - rest.Points[i]);
         inner.Add(point);
         outer.Add(point);
+        shared.Add(point);
       }
     }
-    if (!this->IsNegligible(outer))
+    if (!this->IsNear(outer, shared))
     {
       this->NextParts.push_back(outer);
     }

@@ -88,6 +88,7 @@ private:
   double FindBoundOfRest(const Frame& frame, const Polygon& polygon);
   double Bisect(const Corners& corners, std::size_t first);
   bool IsNegligible(const Polygon& polygon) const;
+  bool IsNear(const Polygon& polygon, const Polygon& shared) const;
 
   const TriangleTree& Surface;
   double Tolerance;

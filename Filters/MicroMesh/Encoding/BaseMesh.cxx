@@ -59,14 +59,16 @@ void BaseMesh::AddPoints(const DenseMesh& dense, EdgeCollapse& collapse, double 
   {
     const int vertex = this->Vertices[i];
     const bool isSingle = collapse.GetClusterSize(vertex) == 1;
-    const bool isKept = isSingle || heights[i] < LeastHeight * multiple ||
+    const bool isKept = isSingle || dense.IsFixed(vertex) || heights[i] < LeastHeight * multiple ||
       dense.Kinds[static_cast<std::size_t>(vertex)] == DenseMesh::Kind::LOCKED;
     this->AddPoint(dense, vertex, isKept ? 0.0 : multiple);
     this->AreSingle.push_back(isSingle ? 1 : 0);
     this->Densities.push_back(
       2.0 * collapse.GetClusterSize(vertex) / collapse.GetNumberOfTriangles(vertex));
-    const vec3 direction = FromOctahedral(ToOctahedral(dvec3(collapse.GetNormal(vertex))));
-    this->Mesh.Directions.push_back(direction * static_cast<float>(step));
+    const vec3 normal = FromOctahedral(ToOctahedral(dvec3(collapse.GetNormal(vertex))));
+    const vec3 fixed = dense.GetFixedDirection(vertex);
+    this->Mesh.Directions.push_back(
+      fixed != vec3(0.0f) ? fixed : normal * static_cast<float>(step));
   }
 }
 

@@ -5,7 +5,8 @@
  * @brief   a simplified mesh, prepared for displacements
  *
  * Coordinates of points are rounded to multiples of a length far below the tolerance, so that files
- * are small. Locked points, those that represent no other ones, and those at slivers keep theirs.
+ * are small. Locked and fixed points, those that represent no other ones, and those at slivers keep
+ * theirs.
  *
  * Levels are those at which the dense mesh is sampled: about one triangle of the grids per triangle
  * of the dense mesh, or more where levels are raised. They are 0 where nothing is displaced: on

@@ -32,8 +32,8 @@ constexpr double LineOfTolerance = 0.9;
 // After this many simplifications, the whole mesh is kept.
 constexpr int LimitDivisor = 4;
 constexpr int MostSimplifications = 100;
-// Coarse triangles near the border, per fixed edge: small ones that become larger away from it.
-constexpr double TrianglesOfFixedEdges = 1.2;
+// Coarse triangles near the border, per fixed vertex: small ones that become larger away from it.
+constexpr double TrianglesOfFixedVertices = 0.4;
 
 class Encoder
 {
@@ -106,9 +106,14 @@ private:
   bool Simplify(EdgeCollapse& collapse)
   {
     double error = this->Error;
+    int fixed = 0;
+    for (int v = 0; v < static_cast<int>(this->Dense.Points.size()); ++v)
+    {
+      fixed += this->Dense.IsFixed(v) && collapse.IsKept(v) ? 1 : 0;
+    }
     const double target =
       (1.0 - this->Settings.TargetReduction) * double(this->Dense.Triangles.size()) +
-      TrianglesOfFixedEdges * double(this->Dense.NumberOfFixedEdges);
+      TrianglesOfFixedVertices * double(fixed);
     collapse.Repeat(this->Moves);
     const bool isDone =
       collapse.Run(this->Simplifications == 0 ? static_cast<std::size_t>(target) : 0, error,

@@ -156,13 +156,14 @@ Mesh DecodeMixed(vtkPolyData* micro)
   return RelevoMeshes::Refine(micro, recipe);
 }
 
-void CheckSurface(RelevoCheck& check, vtkMicroMeshContourFilter* filter, vtkPolyData* dense)
+void CheckSurface(
+  RelevoCheck& check, vtkMicroMeshContourFilter* filter, vtkPolyData* dense, double most)
 {
   vtkPolyData* micro = filter->GetOutput();
   CHECK_GREATER(dense->GetNumberOfPolys(), 1000);
   CHECK_EQUAL(filter->GetNumberOfTriangles(), dense->GetNumberOfPolys());
   CHECK_GREATER(micro->GetNumberOfPolys(), 3);
-  CHECK_LESS(micro->GetNumberOfPolys(), 0.5 * dense->GetNumberOfPolys());
+  CHECK_LESS(micro->GetNumberOfPolys(), most * dense->GetNumberOfPolys());
   CHECK_LESS_EQUAL(filter->GetError(), Tolerance);
   vtkDataArray* bounds = micro->GetFieldData()->GetArray("MicroMeshError");
   if (!CHECK(bounds && bounds->GetNumberOfTuples() == 2))
@@ -261,7 +262,8 @@ void CheckImage(RelevoCheck& check)
   next->Update();
   CHECK(errors.None());
   CHECK_EQUAL(filter->GetNumberOfBlocks(), 27);
-  CHECK_EQUAL(source->NumberOfRequests, 27);
+  CHECK_GREATER(source->NumberOfRequests, 26);
+  CHECK_LESS(source->NumberOfRequests, 2 * 27); // some blocks twice
   CHECK_LESS_EQUAL(source->MostPoints, 17 * 17 * 17);
   CHECK_EQUAL(next->GetOutput()->GetNumberOfCells(), filter->GetOutput()->GetNumberOfCells());
   vtkNew<vtkPolyData> streamed;
@@ -280,7 +282,7 @@ void CheckImage(RelevoCheck& check)
   contour->SetInputConnection(whole->GetOutputPort());
   contour->SetValue(0, 0.83);
   contour->Update();
-  CheckSurface(check, filter, contour->GetOutput());
+  CheckSurface(check, filter, contour->GetOutput(), 0.08);
   CheckNormals(check, filter->GetOutput());
   CheckAttributes(check, filter->GetOutput());
   // A block with the whole image, and none.
@@ -310,7 +312,7 @@ void CheckGrid(RelevoCheck& check, vtkUnstructuredGrid* grid)
   contour->SetInputData(grid);
   contour->SetValue(0, 0.83);
   contour->Update();
-  CheckSurface(check, filter, contour->GetOutput());
+  CheckSurface(check, filter, contour->GetOutput(), 0.08);
   CheckNormals(check, filter->GetOutput());
   CHECK(filter->GetOutput()->GetPointData()->HasArray("Ramp"));
   CHECK(!filter->GetOutput()->GetPointData()->HasArray("Bumps"));

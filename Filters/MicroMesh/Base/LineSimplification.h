@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relevo developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   which vertices of lines a coarse mesh keeps
+ *
+ * Quadrics do not see how many segments a line needs. From its start, each segment of the coarse
+ * line therefore goes to the farthest vertex for which it is within the tolerance.
+ */
+#ifndef LineSimplification_h
+#define LineSimplification_h
+
+#include "Mathematics/RefinementMathematics.h"
+
+#include <vector> // for the result
+
+namespace relevo
+{
+class DenseMesh;
+
+/// The square of the distance of a point to the segment from a to b.
+double GetSegmentDistance2(const dvec3& point, const dvec3& a, const dvec3& b);
+
+/// Per vertex, whether it is the end of a segment inside a line. All vertices of lines are within
+/// the tolerance of the segments.
+std::vector<char> FindLineVertices(const DenseMesh& mesh, double tolerance);
+}
+
+#endif
