@@ -50,6 +50,9 @@ class TestMicroMesh(relevo.TestCase):
         self.assertLess(data.GetNumberOfPolys(), 0.5 * fetch(mesh).GetNumberOfPolys())
         error = data.GetFieldData().GetArray("MicroMeshError")
         self.assertLessEqual(max(error.GetTuple1(0), error.GetTuple1(1)), micro.Tolerance)
+        self.assertFalse(data.GetCellData().HasArray("vtkOriginalCellIds"))
+        micro.PassThroughCellIds = 1
+        self.assertTrue(fetch(micro).GetCellData().HasArray("vtkOriginalCellIds"))
         # The filter refines it to a length.
         refined = simple.AdaptiveRefinement(Input=micro, MaximumLevel=5)
         refined.Surface = "Micro-Mesh"
