@@ -4,7 +4,8 @@
  * @class   PlainGeometry
  * @brief   the geometry filter of ParaView's representations, without changes of cells
  *
- * It ignores the settings that triangulate faces or replace them by feature edges.
+ * It ignores the settings that triangulate faces or replace them by feature edges, and keeps the
+ * ids of cells and points like that filter in a representation.
  *
  * The class of that filter is vtkPVGeometryFilter. ParaView 6.2 deprecates it, and its
  * representations use VTK's vtkGeometryFilterDispatcher, which has the same methods. This has been
@@ -37,7 +38,12 @@ public:
   vtkAbstractTypeMacro(PlainGeometry, RepresentationGeometry);
 
 protected:
-  PlainGeometry() = default;
+  PlainGeometry()
+  {
+    this->SetUseOutline(0);
+    this->SetPassThroughCellIds(1);
+    this->SetPassThroughPointIds(1);
+  }
   ~PlainGeometry() override = default;
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,

@@ -2,20 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveCurveRepresentation.h"
 
-#include "Checks/ShouldReport.h"
 #include "CurveTree.h"
 #include "InputCells.h"
 #include "LineGeometry.h"
-#include "MapperMessage.h"
+#include "MapperMessages.h"
 #include "OrderedCompositing.h"
+#include "RepresentationReports.h"
+#include "ViewBounds.h"
 #include "vtkAdaptiveCurveMapper.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAlgorithm.h"
-#include "vtkCommand.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkInformation.h"
-#include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -28,6 +26,13 @@
 
 struct vtkAdaptiveCurveRepresentation::vtkInternals
 {
+  explicit vtkInternals(vtkAdaptiveCurveRepresentation* self)
+    : Messages([self](bool isError, const std::string& message)
+        { relevo::Report(self, isError, relevo::NameOwnRank(message)); },
+        { relevo::TooLargeWords })
+  {
+  }
+
   vtkNew<vtkPatchErrorDepthTagMetric> Metric;
   vtkNew<vtkAdaptiveRefinement> Recipe;
   vtkNew<vtkAdaptiveCurveMapper> Mapper;
@@ -36,15 +41,14 @@ struct vtkAdaptiveCurveRepresentation::vtkInternals
   vtkNew<vtkCompositeDataDisplayAttributes> Attributes;
   relevo::CurveTree Curves;
   relevo::CurveTree MeasuredCurves;
-  unsigned long ErrorTag = 0; // of the observers of the mapper
-  unsigned long WarningTag = 0;
+  relevo::MapperMessages Messages;
   std::string Warning; // reported last
 };
 
 vtkStandardNewMacro(vtkAdaptiveCurveRepresentation);
 
 vtkAdaptiveCurveRepresentation::vtkAdaptiveCurveRepresentation()
-  : Internals(new vtkInternals)
+  : Internals(new vtkInternals(this))
 {
   vtkInternals& data = *this->Internals;
   data.Recipe->SetMetric(data.Metric);
@@ -52,18 +56,9 @@ vtkAdaptiveCurveRepresentation::vtkAdaptiveCurveRepresentation()
   data.Recipe->SetMaximumLevel(7);
   data.Mapper->SetRefinement(data.Recipe);
   data.Measure->SetRefinement(data.Recipe);
-  // ParaView's window would show the progress, and make its OpenGL context current, while the
-  // mapper draws.
-  data.Mapper->RemoveObservers(vtkCommand::ProgressEvent);
-  data.ErrorTag =
-    data.Mapper->AddObserver(vtkCommand::ErrorEvent, this, &vtkAdaptiveCurveRepresentation::Report);
-  data.WarningTag = data.Mapper->AddObserver(
-    vtkCommand::WarningEvent, this, &vtkAdaptiveCurveRepresentation::Report);
+  data.Messages.Observe(data.Mapper);
 
   auto* geometry = relevo::LineGeometry::New();
-  geometry->SetUseOutline(0);
-  geometry->SetPassThroughCellIds(1);
-  geometry->SetPassThroughPointIds(1);
   this->GeometryFilter->Delete();
   this->GeometryFilter = geometry;
   this->MultiBlockMaker->SetInputConnection(geometry->GetOutputPort());
@@ -76,29 +71,11 @@ vtkAdaptiveCurveRepresentation::vtkAdaptiveCurveRepresentation()
   this->Actor->SetMapper(this->Mapper);
 }
 
-vtkAdaptiveCurveRepresentation::~vtkAdaptiveCurveRepresentation()
-{
-  this->Internals->Mapper->RemoveObserver(this->Internals->ErrorTag);
-  this->Internals->Mapper->RemoveObserver(this->Internals->WarningTag);
-}
+vtkAdaptiveCurveRepresentation::~vtkAdaptiveCurveRepresentation() = default;
 
 vtkAdaptiveCurveMapper* vtkAdaptiveCurveRepresentation::GetMapper()
 {
   return this->Internals->Mapper;
-}
-
-void vtkAdaptiveCurveRepresentation::Report(vtkObject*, unsigned long event, void* text)
-{
-  const std::string message =
-    relevo::NameOwnRank(relevo::ReadMapperMessage(text, { relevo::TooLargeWords }));
-  if (event == vtkCommand::ErrorEvent)
-  {
-    vtkErrorMacro(<< message);
-  }
-  else
-  {
-    vtkWarningMacro(<< message);
-  }
 }
 
 void vtkAdaptiveCurveRepresentation::SetScreenSpaceError(double pixels)
@@ -168,10 +145,7 @@ void vtkAdaptiveCurveRepresentation::Update()
     vtkMultiProcessController::GetGlobalController());
   const std::string warning =
     hasNone ? "The data have no line cells, so Adaptive Curves draws nothing." : "";
-  if (relevo::ShouldReport(this->Internals->Warning, warning))
-  {
-    vtkWarningMacro(<< warning);
-  }
+  relevo::ReportWarning(this, this->Internals->Warning, warning);
 }
 
 bool vtkAdaptiveCurveRepresentation::AddToView(vtkView* view)
@@ -216,14 +190,8 @@ void vtkAdaptiveCurveRepresentation::GiveBounds(vtkInformation* inInfo)
   data.Measure->SetRadius(data.Mapper->GetRadius());
   data.Measure->SetRadiusArrayName(data.Mapper->GetRadiusArrayName());
   data.Measure->SetInputDataObject(data.MeasuredCurves.Make(lines, attributes));
-  // The mapper reports errors when it draws.
-  const int display = vtkObject::GetGlobalWarningDisplay();
-  vtkObject::GlobalWarningDisplayOff();
-  data.Measure->GetBounds(this->VisibleDataBounds);
-  vtkObject::SetGlobalWarningDisplay(display);
-  vtkNew<vtkMatrix4x4> matrix;
-  this->Actor->GetMatrix(matrix);
-  vtkPVRenderView::SetGeometryBounds(inInfo, this, this->VisibleDataBounds, matrix);
+  relevo::MeasureBounds(data.Measure, this->VisibleDataBounds);
+  relevo::GiveBounds(inInfo, this, this->VisibleDataBounds, this->Actor);
 }
 
 int vtkAdaptiveCurveRepresentation::RequestRender(

@@ -96,7 +96,6 @@ private:
   void GiveBounds(vtkInformation* inInfo);
   int RequestRender(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo);
-  void Report(vtkObject* mapper, unsigned long event, void* text);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -3,6 +3,7 @@
 #include "vtkAdaptiveLICRepresentation.h"
 
 #include "ReducedProjection.h"
+#include "ViewRanks.h"
 #include "vtkAdaptiveLICMapper.h"
 #include "vtkCommand.h"
 #include "vtkInformation.h"
@@ -66,10 +67,8 @@ int vtkAdaptiveLICRepresentation::ProcessViewRequest(
   if (request == vtkPVView::REQUEST_RENDER() && this->RenderView && mapper)
   {
     vtkPVRenderView* view = this->RenderView;
-    const bool isDistributed = inInfo->Has(vtkPVRenderView::USE_LOD())
-      ? view->GetUseDistributedRenderingForLODRender()
-      : view->GetUseDistributedRenderingForRender();
-    this->IsTogether = isDistributed && !view->InTileDisplayMode() && !view->InCaveDisplayMode();
+    this->IsTogether = relevo::IsDrawnByRanks(view, inInfo) && !view->InTileDisplayMode() &&
+      !view->InCaveDisplayMode();
     mapper->SetController(
       this->IsTogether ? vtkMultiProcessController::GetGlobalController() : nullptr);
   }

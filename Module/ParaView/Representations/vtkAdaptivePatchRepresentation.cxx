@@ -5,10 +5,10 @@
 #include "Checks/SettingChecks.h"
 #include "Checks/ShouldReport.h"
 #include "CurvedFaceGeometry.h"
-#include "FirstRank.h"
 #include "InputCells.h"
 #include "MapperMessage.h"
 #include "PatchTree.h"
+#include "RepresentationReports.h"
 #include "vtkAdaptivePatchMapper.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkNew.h"
@@ -34,9 +34,6 @@ vtkAdaptivePatchRepresentation::vtkAdaptivePatchRepresentation()
   : PatchData(new vtkPatchData)
 {
   auto* geometry = relevo::CurvedFaceGeometry::New();
-  geometry->SetUseOutline(0);
-  geometry->SetPassThroughCellIds(1);
-  geometry->SetPassThroughPointIds(1);
   this->GeometryFilter->Delete();
   this->GeometryFilter = geometry;
   this->MultiBlockMaker->SetInputConnection(geometry->GetOutputPort());
@@ -77,10 +74,7 @@ void vtkAdaptivePatchRepresentation::Update()
     vtkMultiProcessController::GetGlobalController());
   const std::string warning =
     hasNone ? "The data have no 2D or 3D cells, so Adaptive Patches draws nothing." : "";
-  if (relevo::ShouldReport(data.EmptyWarning, warning))
-  {
-    vtkWarningMacro(<< warning);
-  }
+  relevo::ReportWarning(this, data.EmptyWarning, warning);
 }
 
 vtkDataObject* vtkAdaptivePatchRepresentation::ConvertPieces(vtkDataObject* pieces)
@@ -96,10 +90,7 @@ vtkDataObject* vtkAdaptivePatchRepresentation::ConvertPieces(vtkDataObject* piec
   const bool lacksArray = patchMapper->GetIsolineSpacing() > 0.0 && !(name && name[0]);
   const std::string warning =
     lacksArray ? "There are no isolines without an array. Select a point array in Coloring." : "";
-  if (relevo::ShouldReport(data.IsolineWarning, warning) && relevo::IsFirstRank())
-  {
-    vtkWarningMacro(<< warning);
-  }
+  relevo::ReportWarning(this, data.IsolineWarning, warning);
   vtkDataObject* patches = data.Patches.Make(pieces);
   if (relevo::ShouldReport(data.PatchWarnings, data.Patches.GetWarnings()))
   {

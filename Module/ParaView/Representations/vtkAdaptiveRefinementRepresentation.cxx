@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveRefinementRepresentation.h"
 
-#include "Checks/ShouldReport.h"
-#include "MapperMessage.h"
+#include "FirstRank.h"
+#include "FrameAgreement.h"
+#include "MapperMessages.h"
 #include "MethodChoice.h"
 #include "OrderedCompositing.h"
-#include "ReducedProjection.h"
+#include "RepresentationReports.h"
 #include "SurfacePieces.h"
+#include "ViewBounds.h"
 #include "vtkAdaptiveLICMapper.h"
 #include "vtkAdaptiveRefinement.h"
 #include "vtkAdaptiveRefinementMapper.h"
 #include "vtkAlgorithm.h"
-#include "vtkCommand.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObjectTree.h"
 #include "vtkInformation.h"
@@ -22,7 +23,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
-#include "vtkRenderer.h"
 #include "vtkScalarTaggedSurface.h"
 #include "vtkSelection.h"
 
@@ -73,20 +73,32 @@ UsedArrays FindUsedArrays(vtkAdaptiveRefinementMapper* mapper)
 
 struct vtkAdaptiveRefinementRepresentation::vtkInternals
 {
+  explicit vtkInternals(vtkAdaptiveRefinementRepresentation* self);
+
   relevo::SurfacePieces Pieces;
   relevo::OrderedCompositing Order;
-  unsigned long StartTag = 0; // of the observer of the view's renderer
-  unsigned long ErrorTag = 0; // of the observers of the mapper
-  unsigned long WarningTag = 0;
+  relevo::MapperMessages Messages;
+  relevo::FrameAgreement Agreement;
   // Errors that were reported last.
   std::string MissingError;
   std::string NotFiniteError;
 };
 
+vtkAdaptiveRefinementRepresentation::vtkInternals::vtkInternals(
+  vtkAdaptiveRefinementRepresentation* self)
+  : Messages([self](bool isError, const std::string& message)
+      { relevo::Report(self, isError, relevo::NameOwnRank(message)); },
+      SurfaceWords)
+  , Agreement(self,
+      [self](vtkMultiProcessController* ranks, vtkRenderer* ren)
+      { self->GetMapper()->AgreeWithProcesses(ranks, ren, self->Actor); })
+{
+}
+
 vtkStandardNewMacro(vtkAdaptiveRefinementRepresentation);
 
 vtkAdaptiveRefinementRepresentation::vtkAdaptiveRefinementRepresentation()
-  : Internals(new vtkInternals)
+  : Internals(new vtkInternals(this))
 {
   this->Internals->Pieces.SetChecked(true);
   // The base class would draw a decimated surface with its own mapper while the view moves.
@@ -99,11 +111,7 @@ vtkAdaptiveRefinementRepresentation::vtkAdaptiveRefinementRepresentation()
   this->SetMapper(mapper);
 }
 
-vtkAdaptiveRefinementRepresentation::~vtkAdaptiveRefinementRepresentation()
-{
-  this->Mapper->RemoveObserver(this->Internals->ErrorTag);
-  this->Mapper->RemoveObserver(this->Internals->WarningTag);
-}
+vtkAdaptiveRefinementRepresentation::~vtkAdaptiveRefinementRepresentation() = default;
 
 void vtkAdaptiveRefinementRepresentation::SetMapper(vtkAdaptiveRefinementMapper* mapper)
 {
@@ -116,9 +124,6 @@ void vtkAdaptiveRefinementRepresentation::SetMapper(vtkAdaptiveRefinementMapper*
   {
     return;
   }
-  // ParaView's window would show the progress, and make its OpenGL context current, while the
-  // mapper draws.
-  mapper->RemoveObservers(vtkCommand::ProgressEvent);
   mapper->SetProcessIdArrayName("vtkProcessId");
   mapper->SetCompositeIdArrayName("vtkCompositeIndex");
   vtkNew<vtkSelection> selection;
@@ -126,12 +131,7 @@ void vtkAdaptiveRefinementRepresentation::SetMapper(vtkAdaptiveRefinementMapper*
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   mapper->SetCompositeDataDisplayAttributes(attributes);
   vtkInternals& data = *this->Internals;
-  this->Mapper->RemoveObserver(data.ErrorTag);
-  this->Mapper->RemoveObserver(data.WarningTag);
-  data.ErrorTag = mapper->AddObserver(
-    vtkCommand::ErrorEvent, this, &vtkAdaptiveRefinementRepresentation::ReportMessage);
-  data.WarningTag = mapper->AddObserver(
-    vtkCommand::WarningEvent, this, &vtkAdaptiveRefinementRepresentation::ReportMessage);
+  data.Messages.Observe(mapper);
   mapper->Register(this);
   this->Mapper->UnRegister(this);
   this->Mapper = mapper;
@@ -147,19 +147,6 @@ void vtkAdaptiveRefinementRepresentation::SetMapper(vtkAdaptiveRefinementMapper*
 vtkAdaptiveRefinementMapper* vtkAdaptiveRefinementRepresentation::GetMapper()
 {
   return vtkAdaptiveRefinementMapper::SafeDownCast(this->Mapper);
-}
-
-void vtkAdaptiveRefinementRepresentation::ReportMessage(vtkObject*, unsigned long event, void* text)
-{
-  const std::string message = relevo::NameOwnRank(relevo::ReadMapperMessage(text, SurfaceWords));
-  if (event == vtkCommand::ErrorEvent)
-  {
-    vtkErrorMacro(<< message);
-  }
-  else
-  {
-    vtkWarningMacro(<< message);
-  }
 }
 
 void vtkAdaptiveRefinementRepresentation::SetMethod(int method)
@@ -226,22 +213,15 @@ void vtkAdaptiveRefinementRepresentation::Update()
 // shows its messages only.
 void vtkAdaptiveRefinementRepresentation::ReportProblems()
 {
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (controller && controller->GetLocalProcessId() != 0)
+  if (!relevo::IsFirstRank())
   {
     return;
   }
   vtkInternals& data = *this->Internals;
   const relevo::PieceCheck& check = data.Pieces.GetCheck();
-  if (relevo::ShouldReport(data.NotFiniteError, check.DescribeNotFinite()))
-  {
-    vtkErrorMacro(<< data.NotFiniteError);
-  }
-  if (relevo::ShouldReport(
-        data.MissingError, check.DescribeMissing(FindUsedArrays(this->GetMapper()))))
-  {
-    vtkErrorMacro(<< data.MissingError);
-  }
+  relevo::ReportError(this, data.NotFiniteError, check.DescribeNotFinite());
+  relevo::ReportError(
+    this, data.MissingError, check.DescribeMissing(FindUsedArrays(this->GetMapper())));
 }
 
 bool vtkAdaptiveRefinementRepresentation::AddToView(vtkView* view)
@@ -250,22 +230,13 @@ bool vtkAdaptiveRefinementRepresentation::AddToView(vtkView* view)
   {
     return false;
   }
-  // The observer runs after the processes have received the camera, on all processes that draw,
-  // even if they see nothing.
-  constexpr float afterSynchronization = -1.0f;
-  this->Internals->StartTag =
-    vtkPVRenderView::SafeDownCast(view)->GetRenderer()->AddObserver(vtkCommand::StartEvent, this,
-      &vtkAdaptiveRefinementRepresentation::AgreeWithProcesses, afterSynchronization);
+  this->Internals->Agreement.Start(view);
   return true;
 }
 
 bool vtkAdaptiveRefinementRepresentation::RemoveFromView(vtkView* view)
 {
-  if (auto renderView = vtkPVRenderView::SafeDownCast(view))
-  {
-    renderView->GetRenderer()->RemoveObserver(this->Internals->StartTag);
-    this->Internals->StartTag = 0;
-  }
+  this->Internals->Agreement.Stop();
   return this->Superclass::RemoveFromView(view);
 }
 
@@ -277,27 +248,6 @@ vtkDataObject* vtkAdaptiveRefinementRepresentation::ConvertPieces(vtkDataObject*
 void vtkAdaptiveRefinementRepresentation::UseCurvedFaces()
 {
   this->Internals->Pieces.SetSharedFacesRemoved(true);
-}
-
-void vtkAdaptiveRefinementRepresentation::AgreeWithProcesses()
-{
-  auto view = vtkPVRenderView::SafeDownCast(this->GetView());
-  if (!view || !this->GetVisibility())
-  {
-    return;
-  }
-  const bool isDistributed = view->GetUsedLODForLastRender()
-    ? view->GetUseDistributedRenderingForLODRender()
-    : view->GetUseDistributedRenderingForRender();
-  vtkRenderer* ren = view->GetRenderer();
-  if (!isDistributed)
-  {
-    this->GetMapper()->AgreeWithProcesses(nullptr, ren, this->Actor);
-    return;
-  }
-  const relevo::ReducedProjection reduced(view);
-  this->GetMapper()->AgreeWithProcesses(
-    vtkMultiProcessController::GetGlobalController(), ren, this->Actor);
 }
 
 int vtkAdaptiveRefinementRepresentation::ProcessViewRequest(
@@ -368,14 +318,8 @@ void vtkAdaptiveRefinementRepresentation::GiveBounds(vtkInformation* inInfo)
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   this->PopulateBlockAttributes(attributes, data);
   this->Measure->SetCompositeDataDisplayAttributes(attributes);
-  // The mapper reports errors of the recipe when it draws.
-  const int display = vtkObject::GetGlobalWarningDisplay();
-  vtkObject::GlobalWarningDisplayOff();
-  this->Measure->GetBounds(this->VisibleDataBounds);
-  vtkObject::SetGlobalWarningDisplay(display);
-  vtkNew<vtkMatrix4x4> matrix;
-  this->Actor->GetMatrix(matrix);
-  vtkPVRenderView::SetGeometryBounds(inInfo, this, this->VisibleDataBounds, matrix);
+  relevo::MeasureBounds(this->Measure, this->VisibleDataBounds);
+  relevo::GiveBounds(inInfo, this, this->VisibleDataBounds, this->Actor);
 }
 
 void vtkAdaptiveRefinementRepresentation::PrintSelf(ostream& os, vtkIndent indent)

@@ -106,9 +106,7 @@ private:
   void GiveBounds(vtkInformation* inInfo);
   int RequestRender(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo);
-  void AgreeWithProcesses();
   void ReportProblems();
-  void ReportMessage(vtkObject* mapper, unsigned long event, void* text);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

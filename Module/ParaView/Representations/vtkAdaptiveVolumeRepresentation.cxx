@@ -3,18 +3,18 @@
 #include "vtkAdaptiveVolumeRepresentation.h"
 
 #include "Checks/SettingChecks.h"
-#include "Checks/ShouldReport.h"
-#include "FirstRank.h"
-#include "MapperMessage.h"
+#include "MapperMessages.h"
 #include "MethodChoice.h"
 #include "NeighbourCells.h"
 #include "Parallel/ProcessReduction.h"
+#include "RepresentationReports.h"
+#include "ViewBounds.h"
+#include "ViewRanks.h"
 #include "VolumeCompositing.h"
 #include "VolumePiece.h"
 #include "VolumeProp.h"
 #include "vtkAlgorithm.h"
 #include "vtkColorTransferFunction.h"
-#include "vtkCommand.h"
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -23,7 +23,6 @@
 #include "vtkGPUUnstructuredGridVolumeMapper.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -40,9 +39,10 @@
 
 struct vtkAdaptiveVolumeRepresentation::vtkInternals
 {
+  explicit vtkInternals(vtkAdaptiveVolumeRepresentation* self);
+
   vtkSmartPointer<vtkGPUUnstructuredGridVolumeMapper> Mapper;
-  unsigned long ErrorTag = 0; // of the observers of the mapper
-  unsigned long WarningTag = 0;
+  relevo::MapperMessages Messages;
   relevo::VolumePiece Pieces;
   vtkSmartPointer<vtkDataObject> Piece;
   vtkSmartPointer<vtkDataObject> WithGhosts; // the last piece that got ghost cells
@@ -111,16 +111,22 @@ bool HasProcesses()
 }
 }
 
+vtkAdaptiveVolumeRepresentation::vtkInternals::vtkInternals(vtkAdaptiveVolumeRepresentation* self)
+  : Messages([self](bool isError, const std::string& message) { self->Report(isError, message); },
+      VolumeWords)
+{
+}
+
 vtkStandardNewMacro(vtkAdaptiveVolumeRepresentation);
 
 vtkAdaptiveVolumeRepresentation::vtkAdaptiveVolumeRepresentation()
-  : Internals(new vtkInternals)
+  : Internals(new vtkInternals(this))
 {
   vtkInternals& data = *this->Internals;
   data.Volume->Prop = vtkSmartPointer<relevo::VolumeProp>::New();
   data.Volume->Prop->SetComposited(HasProcesses());
   data.Volume->Report = [this](const relevo::RankReport& report)
-  { this->Tell(report.IsError, report.Text); };
+  { relevo::Report(this, report.IsError, report.Text); };
   this->Actor = data.Volume->Prop;
   this->Actor->SetProperty(this->Property);
   data.Piece = data.Pieces.Make(nullptr);
@@ -128,11 +134,7 @@ vtkAdaptiveVolumeRepresentation::vtkAdaptiveVolumeRepresentation()
   this->SetMapper(mapper);
 }
 
-vtkAdaptiveVolumeRepresentation::~vtkAdaptiveVolumeRepresentation()
-{
-  this->Internals->Mapper->RemoveObserver(this->Internals->ErrorTag);
-  this->Internals->Mapper->RemoveObserver(this->Internals->WarningTag);
-}
+vtkAdaptiveVolumeRepresentation::~vtkAdaptiveVolumeRepresentation() = default;
 
 void vtkAdaptiveVolumeRepresentation::SetMapper(vtkGPUUnstructuredGridVolumeMapper* mapper)
 {
@@ -146,18 +148,7 @@ void vtkAdaptiveVolumeRepresentation::SetMapper(vtkGPUUnstructuredGridVolumeMapp
   {
     return;
   }
-  if (data.Mapper)
-  {
-    data.Mapper->RemoveObserver(data.ErrorTag);
-    data.Mapper->RemoveObserver(data.WarningTag);
-  }
-  // ParaView's window would show the progress, and make its OpenGL context current, while the
-  // mapper draws.
-  mapper->RemoveObservers(vtkCommand::ProgressEvent);
-  data.ErrorTag =
-    mapper->AddObserver(vtkCommand::ErrorEvent, this, &vtkAdaptiveVolumeRepresentation::OnMessage);
-  data.WarningTag = mapper->AddObserver(
-    vtkCommand::WarningEvent, this, &vtkAdaptiveVolumeRepresentation::OnMessage);
+  data.Messages.Observe(mapper);
   data.Mapper = mapper;
   this->Actor->SetMapper(mapper);
   this->Modified();
@@ -166,11 +157,6 @@ void vtkAdaptiveVolumeRepresentation::SetMapper(vtkGPUUnstructuredGridVolumeMapp
 vtkGPUUnstructuredGridVolumeMapper* vtkAdaptiveVolumeRepresentation::GetMapper()
 {
   return this->Internals->Mapper;
-}
-
-void vtkAdaptiveVolumeRepresentation::OnMessage(vtkObject*, unsigned long event, void* text)
-{
-  this->Report(event == vtkCommand::ErrorEvent, relevo::ReadMapperMessage(text, VolumeWords));
 }
 
 // The messages of several ranks are collected.
@@ -183,19 +169,7 @@ void vtkAdaptiveVolumeRepresentation::Report(bool isError, const std::string& me
   }
   else
   {
-    this->Tell(isError, message);
-  }
-}
-
-void vtkAdaptiveVolumeRepresentation::Tell(bool isError, const std::string& message)
-{
-  if (isError)
-  {
-    vtkErrorMacro(<< message);
-  }
-  else
-  {
-    vtkWarningMacro(<< message);
+    relevo::Report(this, isError, message);
   }
 }
 
@@ -439,11 +413,8 @@ void vtkAdaptiveVolumeRepresentation::ChooseCompositing(vtkInformation* inInfo)
 {
   vtkInternals& data = *this->Internals;
   auto view = vtkPVRenderView::SafeDownCast(this->GetView());
-  const bool isDistributed = inInfo->Has(vtkPVRenderView::USE_LOD())
-    ? view->GetUseDistributedRenderingForLODRender()
-    : view->GetUseDistributedRenderingForRender();
-  const bool isShared =
-    isDistributed && HasProcesses() && !(view->GetUseOrderedCompositing() && HasOtherVolumes(view));
+  const bool isShared = relevo::IsDrawnByRanks(view, inInfo) && HasProcesses() &&
+    !(view->GetUseOrderedCompositing() && HasOtherVolumes(view));
   data.Compositing =
     isShared ? relevo::VolumeCompositing::Install(view->GetRenderer()) : data.Compositing;
   data.Volume->Prop->SetComposited(isShared && data.Compositing);
@@ -454,10 +425,7 @@ void vtkAdaptiveVolumeRepresentation::ChooseCompositing(vtkInformation* inInfo)
   const std::string error = isShared && !data.Compositing
     ? "Volumes on several ranks need IceT. Enable IceT in ParaView."
     : "";
-  if (relevo::ShouldReport(data.CompositingError, error) && relevo::IsFirstRank())
-  {
-    vtkErrorMacro(<< error);
-  }
+  relevo::ReportError(this, data.CompositingError, error);
 }
 
 void vtkAdaptiveVolumeRepresentation::StopCompositing(vtkPVRenderView* view)
@@ -487,9 +455,7 @@ void vtkAdaptiveVolumeRepresentation::GivePiece(vtkInformation* inInfo)
   vtkDataObject* piece = vtkPVView::GetPiece(inInfo, this);
   data.UnitDistance = relevo::VolumePiece::GetUnitDistance(piece);
   relevo::VolumePiece::GetBox(piece).GetBounds(this->DataBounds);
-  vtkNew<vtkMatrix4x4> matrix;
-  this->Actor->GetMatrix(matrix);
-  vtkPVRenderView::SetGeometryBounds(inInfo, this, this->DataBounds, matrix);
+  relevo::GiveBounds(inInfo, this, this->DataBounds, this->Actor);
 }
 
 void vtkAdaptiveVolumeRepresentation::PrepareFrame(vtkInformation* inInfo)
@@ -509,10 +475,7 @@ void vtkAdaptiveVolumeRepresentation::PrepareFrame(vtkInformation* inInfo)
   const std::string warning = !selected.empty() ? ""
     : IsPolygonal(piece)                        ? "The input has no 3D cells."
                          : "No array is selected. Select one in Coloring to draw the volume.";
-  if (relevo::ShouldReport(data.Warning, warning) && relevo::IsFirstRank())
-  {
-    vtkWarningMacro(<< warning);
-  }
+  relevo::ReportWarning(this, data.Warning, warning);
   if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
   {
     data.Mapper->SetScalarModeToUseCellFieldData();
@@ -554,10 +517,7 @@ void vtkAdaptiveVolumeRepresentation::ChooseModes()
   data.Mapper->SetBlendMode(isSlice ? static_cast<int>(Mapper::COMPOSITE_BLEND) : this->BlendMode);
   const std::string warning =
     isSlice ? "The BlendMode Slice is not available for Adaptive Volume. Composite is used." : "";
-  if (relevo::ShouldReport(data.ModeWarning, warning) && relevo::IsFirstRank())
-  {
-    vtkWarningMacro(<< warning);
-  }
+  relevo::ReportWarning(this, data.ModeWarning, warning);
 }
 
 // The magnitude of a single component would be its absolute value.

@@ -173,9 +173,7 @@ private:
   void PrepareFrame(vtkInformation* inInfo);
   void ChooseModes();
   void ChooseVectorMode();
-  void OnMessage(vtkObject* mapper, unsigned long event, void* text);
   void Report(bool isError, const std::string& message);
-  void Tell(bool isError, const std::string& message);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

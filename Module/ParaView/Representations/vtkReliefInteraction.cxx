@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReliefInteraction.h"
 
-#include "Checks/ShouldReport.h"
 #include "CompositedPass.h"
-#include "FirstRank.h"
-#include "MapperMessage.h"
+#include "MapperMessages.h"
+#include "RepresentationReports.h"
 #include "SceneBounds.h"
+#include "ViewRanks.h"
 #include "vtkCommand.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkMultiProcessController.h"
@@ -26,7 +26,14 @@
 
 struct vtkReliefInteraction::vtkInternals
 {
+  explicit vtkInternals(vtkReliefInteraction* self)
+    : Messages([self](bool isError, const std::string& message)
+        { relevo::Report(self, isError, message); })
+  {
+  }
+
   vtkNew<vtkReliefPass> Pass;
+  relevo::MapperMessages Messages;
   vtkWeakPointer<vtkRenderer> Renderer; // with the observers
   unsigned long BeginTag = 0;
   unsigned long EndTag = 0;
@@ -49,21 +56,16 @@ constexpr double NoLevelOfDetail = VTK_DOUBLE_MAX;
 vtkStandardNewMacro(vtkReliefInteraction);
 
 vtkReliefInteraction::vtkReliefInteraction()
-  : Internals(new vtkInternals)
+  : Internals(new vtkInternals(this))
 {
   this->SetNumberOfInputPorts(0);
   this->Internals->Peeling->SetTranslucentPass(this->Internals->Translucent);
-  this->Internals->Pass->AddObserver(vtkCommand::ErrorEvent, this, &vtkReliefInteraction::Report);
+  this->Internals->Messages.Observe(this->Internals->Pass);
 }
 
 vtkReliefInteraction::~vtkReliefInteraction()
 {
   this->RemoveObservers();
-}
-
-void vtkReliefInteraction::Report(vtkObject*, unsigned long, void* text)
-{
-  vtkErrorMacro(<< relevo::ReadMapperMessage(text));
 }
 
 void vtkReliefInteraction::SetShowReliefsWhileMoving(bool show)
@@ -185,12 +187,12 @@ bool vtkReliefInteraction::CanShowReliefs(vtkPVRenderView* view, bool areSeveral
   {
     warning = "on several ranks without IceT";
   }
-  if (relevo::ShouldReport(this->Internals->Warning, warning) && relevo::IsFirstRank())
-  {
-    vtkWarningMacro(
-      "Reliefs while moving are not available " << warning << ". The view shows the data.");
-  }
-  return warning.empty();
+  const bool isAvailable = warning.empty();
+  relevo::ReportWarning(this, this->Internals->Warning,
+    isAvailable
+      ? ""
+      : "Reliefs while moving are not available " + warning + ". The view shows the data.");
+  return isAvailable;
 }
 
 void vtkReliefInteraction::BeginFrame()
@@ -206,9 +208,7 @@ void vtkReliefInteraction::BeginFrame()
     data.Pass->StopMotion();
     return;
   }
-  const bool isDistributed = view->GetUsedLODForLastRender()
-    ? view->GetUseDistributedRenderingForLODRender()
-    : view->GetUseDistributedRenderingForRender();
+  const bool isDistributed = relevo::IsDrawnByRanks(view);
   if (isDistributed && vtkProcessModule::GetProcessType() == vtkProcessModule::PROCESS_CLIENT)
   {
     return; // the server draws, and the client shows the picture

@@ -68,7 +68,6 @@ private:
   vtkReliefInteraction(const vtkReliefInteraction&) = delete;
   void operator=(const vtkReliefInteraction&) = delete;
 
-  void Report(vtkObject* pass, unsigned long event, void* text);
   void UpdateLevelOfDetail();
   void RemoveObservers();
   bool CanShowReliefs(vtkPVRenderView* view, bool areSeveral);

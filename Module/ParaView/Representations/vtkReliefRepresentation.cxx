@@ -5,17 +5,18 @@
 #include "Arrays/ImageExtents.h"
 #include "Changes/Dependencies.h"
 #include "FirstRank.h"
-#include "MapperMessage.h"
+#include "MapperMessages.h"
+#include "RankReports.h"
+#include "RepresentationReports.h"
+#include "ViewBounds.h"
 #include "VolumePiece.h"
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
-#include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkExtractBlockUsingDataAssembly.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -30,14 +31,19 @@
 
 struct vtkReliefRepresentation::vtkInternals
 {
+  explicit vtkInternals(vtkReliefRepresentation* self)
+    : Messages([self](bool isError, const std::string& message) { self->Report(isError, message); })
+  {
+  }
+
   vtkNew<vtkActor> Actor;
   vtkSmartPointer<vtkReliefMapper> Mapper;
-  unsigned long ErrorTag = 0; // of the observer of the mapper
+  relevo::MapperMessages Messages;
   relevo::VolumePiece Blocks;
   relevo::Dependencies Source; // of the piece
   vtkSmartPointer<vtkMultiBlockDataSet> Piece = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   bool IsMeasuring = false;
-  std::vector<std::string> Errors; // while the mapper was measured
+  std::vector<relevo::RankReport> Reports; // while the mapper was measured
 };
 
 namespace
@@ -54,16 +60,13 @@ bool IsOnlyBlock(vtkMultiBlockDataSet* piece)
 vtkStandardNewMacro(vtkReliefRepresentation);
 
 vtkReliefRepresentation::vtkReliefRepresentation()
-  : Internals(new vtkInternals)
+  : Internals(new vtkInternals(this))
 {
   vtkNew<vtkReliefMapper> mapper;
   this->SetMapper(mapper);
 }
 
-vtkReliefRepresentation::~vtkReliefRepresentation()
-{
-  this->Internals->Mapper->RemoveObserver(this->Internals->ErrorTag);
-}
+vtkReliefRepresentation::~vtkReliefRepresentation() = default;
 
 void vtkReliefRepresentation::SetMapper(vtkReliefMapper* mapper)
 {
@@ -77,15 +80,7 @@ void vtkReliefRepresentation::SetMapper(vtkReliefMapper* mapper)
   {
     return;
   }
-  if (data.Mapper)
-  {
-    data.Mapper->RemoveObserver(data.ErrorTag);
-  }
-  // ParaView's window would show the progress, and make its OpenGL context current, while the
-  // mapper draws.
-  mapper->RemoveObservers(vtkCommand::ProgressEvent);
-  data.ErrorTag =
-    mapper->AddObserver(vtkCommand::ErrorEvent, this, &vtkReliefRepresentation::Report);
+  data.Messages.Observe(mapper);
   data.Mapper = mapper;
   data.Actor->SetMapper(mapper);
   this->Modified();
@@ -97,9 +92,8 @@ vtkReliefMapper* vtkReliefRepresentation::GetMapper()
 }
 
 // A server without rendering measures the mapper, too. The process that draws reports the errors.
-void vtkReliefRepresentation::Report(vtkObject*, unsigned long, void* text)
+void vtkReliefRepresentation::Report(bool isError, std::string message)
 {
-  std::string message = relevo::ReadMapperMessage(text);
   if (IsOnlyBlock(
         vtkMultiBlockDataSet::SafeDownCast(this->GetMapper()->GetInputDataObject(0, 0))) &&
     message.compare(0, OnlyBlock.size(), OnlyBlock) == 0)
@@ -108,11 +102,11 @@ void vtkReliefRepresentation::Report(vtkObject*, unsigned long, void* text)
   }
   if (this->Internals->IsMeasuring)
   {
-    this->Internals->Errors.push_back(message);
+    this->Internals->Reports.push_back({ isError, message });
   }
   else
   {
-    vtkErrorMacro(<< message);
+    relevo::Report(this, isError, message);
   }
 }
 
@@ -312,19 +306,17 @@ void vtkReliefRepresentation::GivePiece(vtkInformation* inInfo, vtkInformation* 
     outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 1);
   }
   data.IsMeasuring = false;
-  vtkNew<vtkMatrix4x4> matrix;
-  data.Actor->GetMatrix(matrix);
-  vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, matrix);
+  relevo::GiveBounds(inInfo, this, bounds, data.Actor);
 }
 
 void vtkReliefRepresentation::PrepareFrame(vtkInformation* inInfo)
 {
   vtkInternals& data = *this->Internals;
-  for (const std::string& error : data.Errors)
+  for (const relevo::RankReport& report : data.Reports)
   {
-    vtkErrorMacro(<< error);
+    relevo::Report(this, report.IsError, report.Text);
   }
-  data.Errors.clear();
+  data.Reports.clear();
   data.Mapper->SetInputDataObject(vtkPVView::GetDeliveredPiece(inInfo, this));
 }
 

@@ -20,6 +20,7 @@
 #include "vtkPVDataRepresentation.h"
 
 #include <memory> // for Internals
+#include <string> // for messages
 
 class vtkReliefMapper;
 
@@ -95,7 +96,7 @@ private:
   void UpdatePiece(vtkDataObject* input);
   void GivePiece(vtkInformation* inInfo, vtkInformation* outInfo);
   void PrepareFrame(vtkInformation* inInfo);
-  void Report(vtkObject* mapper, unsigned long event, void* text);
+  void Report(bool isError, std::string message);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -3,11 +3,11 @@
 #include "vtkTerrainRepresentation.h"
 
 #include "Checks/SettingChecks.h"
-#include "Checks/ShouldReport.h"
-#include "FirstRank.h"
-#include "MapperMessage.h"
+#include "FrameAgreement.h"
+#include "MapperMessages.h"
 #include "OrderedCompositing.h"
-#include "ReducedProjection.h"
+#include "RepresentationReports.h"
+#include "ViewBounds.h"
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
@@ -17,8 +17,6 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
-#include "vtkMatrix4x4.h"
-#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
@@ -26,7 +24,6 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
-#include "vtkRenderer.h"
 #include "vtkStringArray.h"
 #include "vtkTerrainMapper.h"
 #include "vtkTerrainPyramid.h"
@@ -79,11 +76,15 @@ double FindSteepness(vtkDataObject* data)
 
 struct vtkTerrainRepresentation::vtkInternals
 {
+  explicit vtkInternals(vtkTerrainRepresentation* self);
+
   vtkTerrainMapper* Mapper = nullptr; // the one of the base class
   vtkNew<vtkTerrainPyramid> Pyramid;
   vtkNew<vtkPolyDataMapper> Unused; // replaces the mapper where the base class sets its input
-  std::array<unsigned long, 4> Tags = { { 0, 0, 0, 0 } };
-  int Timer = -1; // of the next frame
+  relevo::MapperMessages Messages;
+  relevo::MapperMessages PyramidMessages;
+  std::array<unsigned long, 2> Tags = { { 0, 0 } }; // of the other observers of the mapper
+  int Timer = -1;                                   // of the next frame
   unsigned long TimerTag = 0;
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor; // that has the timer
   bool IsTerrain = false;                               // the input is that of a reader
@@ -92,18 +93,32 @@ struct vtkTerrainRepresentation::vtkInternals
   std::array<double, 3> Origin = { { 0.0, 0.0, 0.0 } };
   relevo::OrderedCompositing Order;
   bool IsOrdered = false;
-  unsigned long StartTag = 0; // of the observer of the view's renderer
-  std::string Error;          // those reported last
+  relevo::FrameAgreement Agreement;
+  std::string Error; // those reported last
   std::string Warning;
   std::string MemoryWarning;
   std::string ExaggerationWarning;
   double Steepness = 0.0; // the height of the input divided by its width, on the first rank
 };
 
+vtkTerrainRepresentation::vtkInternals::vtkInternals(vtkTerrainRepresentation* self)
+  : Messages([self](bool isError, const std::string& message)
+      { relevo::Report(self, isError, message); },
+      TerrainWords)
+  , PyramidMessages([self](bool isError, const std::string& message)
+      { relevo::Report(self, isError, message); },
+      TerrainWords)
+  // Clipping planes divide a translucent terrain, in the boxes that the view blends in order.
+  , Agreement(self,
+      [self, this](vtkMultiProcessController* ranks, vtkRenderer* renderer)
+      { this->Mapper->AgreeWithProcesses(ranks, renderer, self->Actor, !this->IsOrdered); })
+{
+}
+
 vtkStandardNewMacro(vtkTerrainRepresentation);
 
 vtkTerrainRepresentation::vtkTerrainRepresentation()
-  : Internals(new vtkInternals)
+  : Internals(new vtkInternals(this))
 {
   // The base class would draw a decimated surface with its own mapper while the view moves.
   this->SuppressLOD = true;
@@ -111,8 +126,7 @@ vtkTerrainRepresentation::vtkTerrainRepresentation()
   // rebuilt.
   this->Actor->GetShaderProperty();
   this->BackfaceActor->GetShaderProperty();
-  this->Internals->Pyramid->AddObserver(
-    vtkCommand::ErrorEvent, this, &vtkTerrainRepresentation::Report);
+  this->Internals->PyramidMessages.Observe(this->Internals->Pyramid);
   vtkNew<vtkTerrainMapper> mapper;
   this->SetMapper(mapper);
 }
@@ -123,7 +137,6 @@ vtkTerrainRepresentation::~vtkTerrainRepresentation()
   {
     this->Internals->Mapper->RemoveObserver(tag);
   }
-  this->Internals->Pyramid->RemoveObservers(vtkCommand::ErrorEvent);
   if (this->Internals->Interactor)
   {
     this->Internals->Interactor->RemoveObserver(this->Internals->TimerTag);
@@ -149,13 +162,9 @@ void vtkTerrainRepresentation::SetMapper(vtkTerrainMapper* mapper)
       data.Mapper->RemoveObserver(tag);
     }
   }
-  // ParaView's window would show the progress, and make its OpenGL context current, while the
-  // mapper draws.
-  mapper->RemoveObservers(vtkCommand::ProgressEvent);
+  data.Messages.Observe(mapper);
   data.Tags = { { mapper->AddObserver(
-                    vtkCommand::ErrorEvent, this, &vtkTerrainRepresentation::Report),
-    mapper->AddObserver(vtkCommand::WarningEvent, this, &vtkTerrainRepresentation::Report),
-    mapper->AddObserver(vtkCommand::EndEvent, this, &vtkTerrainRepresentation::ReportMemory),
+                    vtkCommand::EndEvent, this, &vtkTerrainRepresentation::ReportMemory),
     mapper->AddObserver(vtkCommand::UpdateEvent, this, &vtkTerrainRepresentation::RequestFrame) } };
   mapper->SetLookupTable(this->Mapper->GetLookupTable());
   mapper->Register(this);
@@ -170,19 +179,6 @@ void vtkTerrainRepresentation::SetMapper(vtkTerrainMapper* mapper)
 vtkTerrainMapper* vtkTerrainRepresentation::GetMapper()
 {
   return this->Internals->Mapper;
-}
-
-void vtkTerrainRepresentation::Report(vtkObject*, unsigned long event, void* text)
-{
-  const std::string message = relevo::ReadMapperMessage(text, TerrainWords);
-  if (event == vtkCommand::ErrorEvent)
-  {
-    vtkErrorMacro(<< message);
-  }
-  else
-  {
-    vtkWarningMacro(<< message);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -297,10 +293,7 @@ int vtkTerrainRepresentation::RequestData(
     input && !data.IsTerrain && input->GetNumberOfElements(vtkDataObject::POINT) > 0
     ? "Terrain draws the output of a Terrain Reader. Select another representation."
     : "";
-  if (relevo::ShouldReport(data.Error, error) && relevo::IsFirstRank())
-  {
-    vtkErrorMacro(<< error);
-  }
+  relevo::ReportError(this, data.Error, error);
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
@@ -313,46 +306,14 @@ bool vtkTerrainRepresentation::AddToView(vtkView* view)
   // A selection would contain the numbers of triangles of a frame.
   auto renderView = vtkPVRenderView::SafeDownCast(view);
   renderView->UnRegisterPropForHardwareSelection(this, this->Actor);
-  // The observer runs after the processes have received the camera, on all processes that draw,
-  // even if they see nothing.
-  constexpr float afterSynchronization = -1.0f;
-  this->Internals->StartTag = renderView->GetRenderer()->AddObserver(vtkCommand::StartEvent, this,
-    &vtkTerrainRepresentation::AgreeWithProcesses, afterSynchronization);
+  this->Internals->Agreement.Start(view);
   return true;
 }
 
 bool vtkTerrainRepresentation::RemoveFromView(vtkView* view)
 {
-  if (auto renderView = vtkPVRenderView::SafeDownCast(view))
-  {
-    renderView->GetRenderer()->RemoveObserver(this->Internals->StartTag);
-    this->Internals->StartTag = 0;
-  }
+  this->Internals->Agreement.Stop();
   return this->Superclass::RemoveFromView(view);
-}
-
-// Clipping planes divide a translucent terrain, in the boxes that the view blends in order.
-void vtkTerrainRepresentation::AgreeWithProcesses()
-{
-  vtkInternals& data = *this->Internals;
-  auto view = vtkPVRenderView::SafeDownCast(this->GetView());
-  if (!view || !this->GetVisibility())
-  {
-    return;
-  }
-  const bool isDistributed = view->GetUsedLODForLastRender()
-    ? view->GetUseDistributedRenderingForLODRender()
-    : view->GetUseDistributedRenderingForRender();
-  if (isDistributed)
-  {
-    const relevo::ReducedProjection reduced(view);
-    data.Mapper->AgreeWithProcesses(vtkMultiProcessController::GetGlobalController(),
-      view->GetRenderer(), this->Actor, !data.IsOrdered);
-  }
-  else
-  {
-    data.Mapper->AgreeWithProcesses(nullptr, view->GetRenderer(), this->Actor);
-  }
 }
 
 // The next frame shows tiles that have arrived. The timer leaves time for events of the user.
@@ -396,10 +357,7 @@ void vtkTerrainRepresentation::ReportMemory()
       vtkVariant(this->ScreenSpaceError).ToString() +
       " in this view. The terrain is drawn coarser. Set a larger MemoryLimit or ScreenSpaceError."
     : "";
-  if (relevo::ShouldReport(data.MemoryWarning, warning) && relevo::IsFirstRank())
-  {
-    vtkWarningMacro(<< warning);
-  }
+  relevo::ReportWarning(this, data.MemoryWarning, warning);
 }
 
 // The heights of some rasters are steep as they are.
@@ -412,10 +370,7 @@ void vtkTerrainRepresentation::ReportExaggeration()
     ? "With an Exaggeration of " + vtkVariant(factor).ToString() +
       ", the terrain is more than 100 times as high as wide. Set a smaller Exaggeration."
     : "";
-  if (relevo::ShouldReport(data.ExaggerationWarning, warning) && relevo::IsFirstRank())
-  {
-    vtkWarningMacro(<< warning);
-  }
+  relevo::ReportWarning(this, data.ExaggerationWarning, warning);
 }
 
 int vtkTerrainRepresentation::ProcessViewRequest(
@@ -453,9 +408,7 @@ void vtkTerrainRepresentation::GiveBounds(vtkInformation* inInfo)
     data.Mapper->GetBounds(bounds);
     this->ReportExaggeration();
   }
-  vtkNew<vtkMatrix4x4> matrix;
-  this->Actor->GetMatrix(matrix);
-  vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, matrix);
+  relevo::GiveBounds(inInfo, this, bounds, this->Actor);
   relevo::OrderedCompositing::GiveSpace(
     inInfo, this, data.IsTerrain ? this->Actor->GetBounds() : bounds);
 }
@@ -500,10 +453,7 @@ int vtkTerrainRepresentation::FindColorMode()
     ? ""
     : "The array " + name +
       " in Coloring is not drawn. Terrain draws Height, Slope and Aspect. Select one of them.";
-  if (relevo::ShouldReport(this->Internals->Warning, warning) && relevo::IsFirstRank())
-  {
-    vtkWarningMacro(<< warning);
-  }
+  relevo::ReportWarning(this, this->Internals->Warning, warning);
   return mode;
 }
 

@@ -139,14 +139,12 @@ private:
   void ApplyPosition();
   int FindColorMode();
   void GiveBounds(vtkInformation* inInfo);
-  void AgreeWithProcesses();
   void RequestFrame();
   void RenderAgain(vtkObject* interactor, unsigned long event, void* timer);
   void ReportMemory();
   void ReportExaggeration();
   int RequestRender(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo);
-  void Report(vtkObject* caller, unsigned long event, void* text);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
