@@ -225,9 +225,20 @@ def mesh(source):
     return source.GetClientSideObject().GetOutputDataObject(source.Port)
 
 
+def make_plain_window():
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(0)
+    return window
+
+
+# Shaders of another window would be built again.
+PLAIN_WINDOW = make_plain_window()
+
+
 def plain_window(view, prop):
-    """A window of plain VTK with a prop, and the size, the background, the lights and the camera of a
-    view."""
+    """The window of plain VTK with a prop, and the size, the background, the lights and the camera of
+    a view."""
     of_view = view.GetClientSideObject().GetRenderer()
     renderer = vtkRenderer()
     renderer.SetBackground(of_view.GetBackground())
@@ -236,12 +247,11 @@ def plain_window(view, prop):
     renderer.AddViewProp(prop)
     renderer.GetActiveCamera().DeepCopy(view.GetClientSideObject().GetActiveCamera())
     renderer.ResetCameraClippingRange()
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(0)
-    window.SetSize(*view.ViewSize)
-    window.AddRenderer(renderer)
-    return window
+    for each in list(PLAIN_WINDOW.GetRenderers()):
+        PLAIN_WINDOW.RemoveRenderer(each)
+    PLAIN_WINDOW.SetSize(*view.ViewSize)
+    PLAIN_WINDOW.AddRenderer(renderer)
+    return PLAIN_WINDOW
 
 
 @contextlib.contextmanager

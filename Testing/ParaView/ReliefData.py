@@ -10,7 +10,7 @@ from paraview import servermanager
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
-from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
+from vtkmodules.vtkRenderingCore import vtkActor
 
 import RelevoParaView as relevo
 
@@ -83,23 +83,9 @@ def plain(view, reliefs, actor=None, **properties):
     drawn.SetInputDataObject(blocks)
     actor = actor or vtkActor()
     actor.SetMapper(drawn)
-    theirs = view.GetClientSideObject().GetRenderer()
-    renderer = vtkRenderer()
-    renderer.SetBackground(theirs.GetBackground())
-    renderer.AddActor(actor)
-    renderer.GetActiveCamera().DeepCopy(view.GetClientSideObject().GetActiveCamera())
-    renderer.ResetCameraClippingRange()
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(0)
-    window.SetSize(*view.ViewSize)
-    window.AddRenderer(renderer)
+    window = relevo.plain_window(view, actor)
     window.Render()
-    grabber = vtkWindowToImageFilter()
-    grabber.SetInput(window)
-    grabber.ReadFrontBufferOff()
-    grabber.Update()
-    return relevo.pixels(grabber.GetOutput())
+    return relevo.read_window(window)
 
 
 def passes(view):

@@ -159,7 +159,7 @@ class TestFaults(relevo.TestCase):
             compiler = ["cc", "-shared", "-fPIC", "-x", "c", "-", "-o", library, "-ldl"]
             subprocess.run(compiler, input=LIMITED_TEXTURES, text=True, check=True)
             script = os.path.abspath(__file__)
-            preload = f"export LD_PRELOAD={library}"
+            preload = f"export LD_PRELOAD={library}${{LD_PRELOAD:+:$LD_PRELOAD}}"
             return relevo.run_ranks(2, script, *SCENES, after_first=preload, LP_NUM_THREADS="0")
 
     def test_one_of_two_ranks(self):

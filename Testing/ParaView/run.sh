@@ -67,6 +67,11 @@ export OMPI_MCA_mpi_yield_when_idle=1
 mpirun=(mpirun --oversubscribe -x LP_NUM_THREADS=0 -x VTK_SMP_MAX_THREADS=1)
 work_dir=$(mktemp -d)
 trap 'rm -rf "$work_dir"' EXIT
+if command -v cc >/dev/null; then
+  waiting=$work_dir/waiting.so
+  cc -O2 -shared -fPIC "$source_dir/Testing/ParaView/WaitingRanks.c" -o "$waiting"
+  export LD_PRELOAD=$waiting${LD_PRELOAD:+:$LD_PRELOAD}
+fi
 
 run_test() {
   local script=$source_dir/Testing/ParaView/$1.py counts ranks
