@@ -1,9 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relevo developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Proves paraview.md on replacing Warp By Scalar, Extrusion Surface and Surface LIC."""
+"""Proves paraview.md on replacing Warp By Scalar, Extrusion Surface, Surface LIC and Volume."""
 
 import glob
 import os
+import pathlib
+import re
 import tempfile
 
 import numpy
@@ -11,6 +13,33 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import RelevoParaView as relevo
+
+
+PAGE = pathlib.Path(__file__).parents[2] / "Module" / "Documentation" / "paraview.md"
+# Of all representations, or not in the panel.
+INTERNAL = {"Input", "Visibility", "DummyInput", "ForceUseCache", "ForcedCacheKey"}
+
+
+def read_section(title):
+    """The section of the page whose title begins like this."""
+    section = PAGE.read_text(encoding="utf-8").split(f"\n## {title}", 1)[1]
+    return section.split("\n## ", 1)[0]
+
+
+def find_unnamed(names, section):
+    return sorted(name for name in names if not re.search(rf"`{name}`", section))
+
+
+def settable(proxy):
+    """The names of the properties of a proxy that users set."""
+    iterator = proxy.NewPropertyIterator()
+    names = set()
+    iterator.Begin()
+    while not iterator.IsAtEnd():
+        if not iterator.GetProperty().GetInformationOnly():
+            names.add(iterator.GetKey())
+        iterator.Next()
+    return names - INTERNAL
 
 
 def points(source):
@@ -73,6 +102,23 @@ class TestEquivalents(relevo.TestCase):
             if view is views[0] and relevo.foreground(relevo.picture(view)) == 0:
                 self.skipTest("this ParaView's Extrusion Surface draws nothing")
             self.assert_same_picture(view, views[2], 100)
+
+    def test_volume(self):
+        """The page names the properties of Volume that Adaptive Volume does not have."""
+        manager = servermanager.ProxyManager()
+        ours = settable(manager.GetPrototypeProxy("representations", "AdaptiveVolumeRepresentation"))
+        section = read_section("Coming from Volume")
+        for name in "UnstructuredGridVolumeRepresentation", "UniformGridVolumeRepresentation":
+            theirs = settable(manager.GetPrototypeProxy("representations", name))
+            self.assertGreater(len(theirs & ours), 12)
+            self.assertGreater(len(theirs - ours), 2)
+            self.assertEqual(find_unnamed(theirs - ours, section), [], name)
+
+    def test_properties_of_warp_by_scalar(self):
+        names = simple.WarpByScalar(Input=simple.Wavelet()).ListProperties()
+        names = [name for name in names if name not in INTERNAL]
+        self.assertGreaterEqual(len(names), 5)
+        self.assertEqual(find_unnamed(names, read_section("Coming from Warp By Scalar")), [])
 
     def test_surface_lic(self):
         """All its settings are available, except for these."""

@@ -9,6 +9,7 @@ ranks: pvbatch TestServer.py ranks"""
 import os
 import re
 import runpy
+import shutil
 import sys
 
 import numpy
@@ -61,6 +62,13 @@ def draw():
         )
         simple.Delete(view)
     return pictures
+
+
+def save_picture(path):
+    view = simple.GetActiveViewOrCreate("RenderView")
+    show_refined(make_sources()[1], view)
+    simple.ResetCamera(view)
+    simple.SaveScreenshot(path, view, ImageResolution=[200, 150])
 
 
 class Client:
@@ -119,6 +127,19 @@ def draw_on_ranks():
         show(source, view)
         print("drawn:", relevo.foreground(picture(view)), flush=True)
         simple.Delete(view)
+
+
+# A script of the application, which ends at the end of the script.
+APPLICATION = f"""
+import os
+import sys
+sys.path.insert(0, {os.path.dirname(os.path.abspath(__file__))!r})
+try:
+    import TestServer
+    TestServer.save_picture("picture.png")
+finally:
+    os._exit(0)
+"""
 
 
 class TestServer(relevo.TestCase):
@@ -204,6 +225,21 @@ class TestServer(relevo.TestCase):
         os.remove(path)
         runpy.run_path(os.path.join(self.folder, "trace.py"))
         self.assertEqual(relevo.differing(relevo.read_png(path), expected, 0), 0)
+
+    def test_application(self):
+        """The application finds the plugin by name."""
+        if not shutil.which("paraview"):
+            self.skipTest("there is no application")
+        folder = os.environ["PV_PLUGIN_PATH"].split(os.pathsep)[0]
+        script = os.path.join(self.folder, "script.py")
+        with open(script, "w", encoding="utf-8") as file:
+            file.write(APPLICATION)
+        by_name = ["--plugin-search-paths", folder, "--plugins", "Relevo"]
+        command = ["paraview", "--dr", *by_name, f"--script={script}"]
+        output = relevo.run(command, cwd=self.folder, PV_PLUGIN_PATH=None)
+        self.assert_no_messages(output)
+        picture = relevo.read_png(os.path.join(self.folder, "picture.png"))
+        self.assertGreater(relevo.foreground(picture), 2000)
 
     def test_old_opengl_on_one_rank(self):
         """The rank reports that the surface cannot be drawn, and the other draws its part."""

@@ -140,6 +140,20 @@ def clear():
         simple.Delete(source)
 
 
+# Each rank also gets the cells around its own, which belong to others.
+WITH_GHOSTS = """
+from vtkmodules.vtkFiltersParallelDIY2 import vtkGhostCellsGenerator
+ghosts = vtkGhostCellsGenerator()
+ghosts.SetInputData(piece)
+ghosts.SetNumberOfGhostLayers(1)
+ghosts.BuildIfRequiredOff()
+ghosts.Update()
+piece = ghosts.GetOutput()
+if ranks > 1 and not piece.GetCellGhostArray().GetRange()[1]:
+    raise RuntimeError("there are no ghost cells")
+"""
+
+
 def draw_modes(pictures):
     """Other cells in the same source: a new one takes many messages between ranks."""
     dealings = {"slabs": (0, 2, 5), "blobs": (1, 3, 4), "awkward": (0, 1)} if RANKS > 1 else {}
@@ -151,6 +165,11 @@ def draw_modes(pictures):
             shown.BlendMode = mode
             name = f"mode {mode}" if dealing == "random" else f"mode {mode} / {dealing}"
             pictures[name] = relevo.picture(view)
+    if RANKS > 1:
+        shown.BlendMode = "Additive"  # twice as bright where a cell is drawn twice
+        source.Script = script(fault=WITH_GHOSTS)
+        pictures["mode 4 / ghost cells"] = relevo.picture(view)
+        source.Script = script()
     draw_settings(view, shown, pictures)
     clear()
 
