@@ -218,12 +218,12 @@ int vtkReliefRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   const bool hasInput = inputs[0]->GetNumberOfInformationObjects() == 1 && relevo::IsFirstRank();
-  this->UpdatePiece(hasInput ? vtkDataObject::GetData(inputs[0], 0) : nullptr);
+  this->RefreshPiece(hasInput ? vtkDataObject::GetData(inputs[0], 0) : nullptr);
   return this->Superclass::RequestData(request, inputs, outputs);
 }
 
 // Changes of a property execute the representation, too. The mapper would upload a new piece.
-void vtkReliefRepresentation::UpdatePiece(vtkDataObject* input)
+void vtkReliefRepresentation::RefreshPiece(vtkDataObject* input)
 {
   vtkInternals& data = *this->Internals;
   relevo::Dependencies source;

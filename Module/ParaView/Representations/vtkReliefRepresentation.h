@@ -93,7 +93,7 @@ private:
   vtkReliefRepresentation(const vtkReliefRepresentation&) = delete;
   void operator=(const vtkReliefRepresentation&) = delete;
 
-  void UpdatePiece(vtkDataObject* input);
+  void RefreshPiece(vtkDataObject* input);
   void GivePiece(vtkInformation* inInfo, vtkInformation* outInfo);
   void PrepareFrame(vtkInformation* inInfo);
   void Report(bool isError, std::string message);
