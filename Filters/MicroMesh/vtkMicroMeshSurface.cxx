@@ -12,6 +12,7 @@
 #include "relevoMicroCells.h"
 #include "relevoMicroField.h"
 #include "relevoMicroMesh.h"
+#include "relevoMicroTriangle.h"
 
 #include <algorithm>
 
@@ -88,7 +89,7 @@ std::string vtkMicroMeshSurface::GetShaderSource()
 
 std::string vtkMicroMeshSurface::GetFieldShaderSource()
 {
-  return relevoMicroField;
+  return std::string(relevoMicroTriangle) + relevoMicroField;
 }
 
 vtkSmartPointer<vtkDataArray> vtkMicroMeshSurface::FindCellValues(
@@ -104,7 +105,7 @@ vtkIdType vtkMicroMeshSurface::FindCellTuple(const Face& face, const float weigh
 
 std::string vtkMicroMeshSurface::GetCellFieldShaderSource()
 {
-  return std::string(relevoMicroCells) + R"(
+  return std::string(relevoMicroTriangle) + relevoMicroCells + R"(
 struct FieldPlace
 {
   ivec3 Indices; // of values

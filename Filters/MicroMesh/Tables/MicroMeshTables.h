@@ -26,6 +26,9 @@ struct MicroMeshFace : FaceCorners<vtkRefinementSurface::Face>
 
   vec4 cornerValues(int i) const { return vec4(Load(this->Face.Values[i]), 0.0f); }
 
+// The others use it.
+#include "glsl/relevoMicroTriangle.glsl"
+
 #include "glsl/relevoMicroCells.glsl"
 #include "glsl/relevoMicroField.glsl"
 #include "glsl/relevoMicroMesh.glsl"

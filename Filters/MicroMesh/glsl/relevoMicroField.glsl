@@ -1,5 +1,5 @@
-// The triangle of a micro-mesh's grid that contains a point of a face, for values of point arrays at
-// grid points; see vtkMicroMeshSurface.
+// The values of point arrays of a micro-mesh, at its grid points; see vtkMicroMeshSurface. The including
+// file provides relevoMicroTriangle.glsl.
 
 struct FieldPlace
 {
@@ -16,20 +16,19 @@ RELEVO_FUNCTION int microGridIndex(int n, ivec3 grid)
 // `record` is the first value of the face and its level; `w` are the weights of the face's corners.
 RELEVO_FUNCTION FieldPlace fieldPlace(ivec2 record, vec3 w)
 {
+  MicroTriangle triangle = microTriangle(record.y, w);
   int n = 1 << record.y;
-  float x = clamp(w.x, 0.0f, 1.0f) * float(n);
-  float y = clamp(w.y, 0.0f, 1.0f) * float(n);
-  int i = min(int(floor(x)), n - 1);
-  int j = min(int(floor(y)), n - 1 - i);
-  int k = n - 1 - i - j;
-  float u = x - float(i);
-  float v = y - float(j);
+  int i = triangle.Origin.x;
+  int j = triangle.Origin.y;
+  int k = triangle.Origin.z;
+  float u = triangle.Place.x;
+  float v = triangle.Place.y;
   ivec3 a = ivec3(i + 1, j, k);
   ivec3 b = ivec3(i, j + 1, k);
   ivec3 c = ivec3(i, j, k + 1);
   FieldPlace place;
   place.Weights = vec3(u, v, 1.0f - u - v);
-  if (u + v > 1.0f && k > 0) // the triangle beside it, towards the corners 0 and 1
+  if (triangle.IsTurned)
   {
     a = ivec3(i, j + 1, k);
     b = ivec3(i + 1, j, k);
