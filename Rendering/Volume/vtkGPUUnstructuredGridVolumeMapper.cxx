@@ -25,6 +25,7 @@
 #include "Stages/SegmentRequest.h"
 #include "Stages/SurfaceCaster.h"
 #include "Stages/TableLoader.h"
+#include "Stages/VisibleCells.h"
 #include "Stages/VolumeFrame.h"
 #include "View/EventPace.h"
 
@@ -71,6 +72,7 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
     relevo::TableLoader Table;
     relevo::CellRanges Ranges;
     relevo::SurfaceCaster Surfaces;
+    relevo::VisibleCells Visible;
 
     vtkTypeInt64 GetMemorySize() const
     {
@@ -78,7 +80,8 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
       const relevo::VolumeFunctions& functions = this->Functions.GetFunctions();
       return mesh.Buffers.GetMemorySize() + mesh.Cells.GetMemorySize() +
         functions.Buffers.GetMemorySize() + functions.Surfaces.GetMemorySize() +
-        this->Table.GetTable().GetMemorySize() + this->Surfaces.GetMemorySize();
+        this->Table.GetTable().GetMemorySize() + this->Surfaces.GetMemorySize() +
+        this->Visible.GetMemorySize();
     }
     void ReleaseGraphicsResources(vtkWindow* window)
     {
@@ -87,6 +90,7 @@ struct vtkGPUUnstructuredGridVolumeMapper::vtkInternals
       this->Table.ReleaseGraphicsResources(window);
       this->Ranges.Clear();
       this->Surfaces.ReleaseGraphicsResources(window);
+      this->Visible.ReleaseGraphicsResources(window);
     }
   };
   Level Full;
@@ -521,8 +525,10 @@ std::string vtkGPUUnstructuredGridVolumeMapper::CastRays(
   vtkInternals::Level& level = *data.Shown;
   const bool startsInside = level.Surfaces.IsReady(frame, level.Ranges);
   const bool isSampled = startsInside || size[0] != data.Viewport[2] || size[1] != data.Viewport[3];
+  relevo::VisibleCells* visible =
+    level.Visible.IsReady(frame, level.Ranges) ? &level.Visible : nullptr;
   const std::string error =
-    startsInside ? level.Surfaces.Draw(frame, size) : data.Rays.Draw(frame, size);
+    startsInside ? level.Surfaces.Draw(frame, size) : data.Rays.Draw(frame, size, visible);
   return error.empty() && isSampled ? data.Compositor.Add(frame, relevo::VolumeShader::Picture)
                                     : error;
 }
@@ -637,7 +643,9 @@ vtkTypeInt64 vtkGPUUnstructuredGridVolumeMapper::GetGraphicsMemorySize()
 
 vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfSkippedCells()
 {
-  return static_cast<vtkIdType>(this->Internals->Shown->Surfaces.GetNumberOfSkippedCells());
+  const vtkInternals::Level& level = *this->Internals->Shown;
+  return static_cast<vtkIdType>(
+    level.Surfaces.GetNumberOfSkippedCells() + level.Visible.GetNumberOfSkippedCells());
 }
 
 vtkIdType vtkGPUUnstructuredGridVolumeMapper::GetNumberOfBufferBuilds()

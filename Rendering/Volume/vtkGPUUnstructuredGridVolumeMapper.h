@@ -311,16 +311,17 @@ public:
    * Return statistics of the last render. GetNumberOfDrawnCells(): the 3D cells of the input,
    * without ghost, blanked and empty cells and cells without scalars. GetNumberOfLayers(): the
    * maximum over all pixels of how often a ray enters the mesh; this call draws and waits for the
-   * GPU. GetNumberOfSkippedCells(): the cells, or pieces of split cells, that contain no isosurface
-   * and through which no ray has passed. It is 0 unless there are only opaque isosurfaces.
-   * GetGraphicsMemorySize(): the bytes of the mesh and the tables on the GPU.
-   * GetNumberOfBufferBuilds(), GetNumberOfShaderBuilds() and GetNumberOfTableBuilds() return how
-   * often the mesh or its values have been uploaded, a shader built and a table computed since the
-   * mapper was created. Cameras and edits of the property do not increase them, except for the
-   * tables of pre-integration. GetNumberOfValueUploads(): the uploads of new values on the same
-   * points and cells, without building the mesh.
-   * GetNumberOfNeighborSearches(): the uploads that did not take the neighbours of cells from the
-   * mesh before, as moved points do.
+   * GPU. GetNumberOfSkippedCells(): the cells, or pieces of split cells, without isosurface if
+   * there are only opaque isosurfaces, through which no ray has passed; otherwise the transparent
+   * cells, through which rays have passed only between visible ones. It is 0 if rays walk through
+   * all cells, as in the first frame with new data or functions. GetGraphicsMemorySize(): the bytes
+   * of the mesh and the tables on the GPU. GetNumberOfBufferBuilds(), GetNumberOfShaderBuilds() and
+   * GetNumberOfTableBuilds() return how often the mesh or its values have been uploaded, a shader
+   * built and a table computed since the mapper was created. Cameras and edits of the property do
+   * not increase them, except for the tables of pre-integration, and for shaders when cells become
+   * transparent for the first time. GetNumberOfValueUploads(): the uploads of new values on the
+   * same points and cells, without building the mesh. GetNumberOfNeighborSearches(): the uploads
+   * that did not take the neighbours of cells from the mesh before, as moved points do.
    */
   vtkIdType GetNumberOfDrawnCells();
   int GetNumberOfLayers();

@@ -101,6 +101,14 @@ bool ActiveCells::Mark(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
   return isDrawn;
 }
 
+std::vector<std::uint32_t> ActiveCells::GetMarkedNumbers() const
+{
+  std::vector<std::uint32_t> numbers(this->MarkedFaces.size());
+  std::transform(this->MarkedFaces.begin(), this->MarkedFaces.end(), numbers.begin(),
+    [](const Face& face) { return face.Number; });
+  return numbers;
+}
+
 void ActiveCells::Activate(vtkShaderProgram* program)
 {
   this->Cells.Activate(program, "activeCells");

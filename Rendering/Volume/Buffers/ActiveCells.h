@@ -49,6 +49,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
   const std::vector<Face>& GetMarkedFaces() const { return this->MarkedFaces; }
+  std::vector<std::uint32_t> GetMarkedNumbers() const;
   int GetNumberOfFaces() const { return static_cast<int>(this->MarkedFaces.size()); }
   size_t GetNumberOfActiveCells() const { return this->Active.size(); }
   /// Return the number of the other cells.

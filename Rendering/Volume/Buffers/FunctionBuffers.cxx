@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Buffers/FunctionBuffers.h"
 
+#include "Buffers/VisibleIntervals.h"
+
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -35,14 +37,6 @@ void AddPiece(
       all.push_back(Round(value[i]));
     }
   }
-}
-
-bool IsTransparent(const LinearPieces& pieces, size_t piece)
-{
-  const std::vector<double>& nodes = pieces.GetNodes();
-  const double begin = nodes[piece == 0 ? 0 : piece - 1];
-  const double end = nodes[piece == nodes.size() ? piece - 1 : piece];
-  return !(pieces.Evaluate(piece, begin).w > 0.0) && !(pieces.Evaluate(piece, end).w > 0.0);
 }
 
 // Return the pieces of a function, and the nodes where they meet. If the function has opacity,

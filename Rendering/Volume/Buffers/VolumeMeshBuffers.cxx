@@ -97,6 +97,7 @@ void VolumeMeshBuffers::Activate(vtkShaderProgram* program)
   set("treeSize", this->TreeSize);
   set("maximumSteps", this->MaximumSteps);
   set("numberOfTetrahedra", this->NumberOfTetrahedra);
+  set("numberOfBorderFaces", this->NumberOfBorderFaces);
 }
 
 void VolumeMeshBuffers::Deactivate()

@@ -34,7 +34,8 @@ Dependencies MakeKey(VolumeShader shader, const VolumeShaderOptions& options)
     options.NumberOfMaterials, options.FirstMaterial, options.NumberOfLights, options.PreIntegrated,
     options.HasTetrahedra, options.HasCurvedCells, options.HasQuadraticCells, options.HasPyramids,
     options.HasFoldedFaces, options.IsDiscontinuous, options.HasCornerScalars,
-    options.HasHangingFaces, options.HasActiveCells, options.IsCutByNear, options.Segments);
+    options.HasHangingFaces, options.HasActiveCells, options.HasVisibleCells, options.IsCutByNear,
+    options.Segments);
 }
 
 std::string FinishRayShader(std::string source, const char* main)
@@ -60,6 +61,10 @@ std::pair<std::string, std::string> Compose(VolumeShader shader, const VolumeSha
       return { screen, MakeActiveShader(options) };
     case VolumeShader::Outlines:
       return { screen, MakeOutlinesShader(options) };
+    case VolumeShader::FirstVisible:
+      return { MakeVisibleVertexShader(options), MakeFirstShader(options) };
+    case VolumeShader::LastVisible:
+      return { MakeVisibleVertexShader(options), MakeLastShader() };
     case VolumeShader::Nearest:
       return { MakeNearestVertexShader(options), MakeNearestShader(options) };
     case VolumeShader::Rays:

@@ -26,12 +26,14 @@ class RenderPasses;
 
 enum class VolumeShader
 {
-  Entries,     // find where rays enter the mesh, by drawing its border
-  EntryCounts, // find the same by a search
-  Ranges,      // find the ranges of cells
-  Active,      // mark the faces of active cells
-  Outlines,    // find the outlines of these faces
-  Nearest,     // draw the nearest isosurface
+  Entries,      // find where rays enter the mesh, by drawing its border
+  EntryCounts,  // find the same by a search
+  Ranges,       // find the ranges of cells
+  Active,       // mark the faces of active cells
+  Outlines,     // find the outlines of these faces
+  FirstVisible, // find where rays enter the first visible cell
+  LastVisible,  // find a depth behind the last visible cell
+  Nearest,      // draw the nearest isosurface
   Rays,
   RayLimits,  // depth limits of cell projection
   Projection, // project cells

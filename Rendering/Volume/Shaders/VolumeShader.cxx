@@ -20,10 +20,12 @@
 #include "relevoVolumeFaceOutline.h"
 #include "relevoVolumeFaces.h"
 #include "relevoVolumeFinishFS.h"
+#include "relevoVolumeFirstFS.h"
 #include "relevoVolumeFunctions.h"
 #include "relevoVolumeGradients.h"
 #include "relevoVolumeHanging.h"
 #include "relevoVolumeIsoSurface.h"
+#include "relevoVolumeLastFS.h"
 #include "relevoVolumeLimitsFS.h"
 #include "relevoVolumeNearestFS.h"
 #include "relevoVolumeNearestVS.h"
@@ -42,6 +44,8 @@
 #include "relevoVolumeSteps.h"
 #include "relevoVolumeStore.h"
 #include "relevoVolumeSurfaces.h"
+#include "relevoVolumeVisible.h"
+#include "relevoVolumeVisibleVS.h"
 #include "relevoVolumeWalk.h"
 
 #include "vtkShaderProgram.h"
@@ -83,6 +87,7 @@ std::string DefineCells(const VolumeShaderOptions& options)
   Define(defines, "DISCONTINUOUS", options.IsDiscontinuous);
   Define(defines, "HANGING", options.HasHangingFaces);
   Define(defines, "ACTIVE", options.HasActiveCells);
+  Define(defines, "VISIBLE", options.HasVisibleCells);
   const bool hasSegments = options.Segments != SegmentOutput::None;
   Define(defines, "SEGMENTS", static_cast<int>(options.Segments));
   // A surface on a shared face must be in one of the pieces.
@@ -268,6 +273,26 @@ std::string MakeOutlinesShader(const VolumeShaderOptions& options)
   return source;
 }
 
+std::string MakeVisibleVertexShader(const VolumeShaderOptions& options)
+{
+  std::string source = relevoVolumeVisibleVS;
+  PutOutlines(source, options);
+  return source;
+}
+
+std::string MakeFirstShader(const VolumeShaderOptions& options)
+{
+  std::string source = relevoVolumeFirstFS;
+  Put(source, "Defines", DefineCells(options));
+  PutRays(source, options);
+  return source;
+}
+
+std::string MakeLastShader()
+{
+  return relevoVolumeLastFS;
+}
+
 std::string MakeNearestVertexShader(const VolumeShaderOptions& options)
 {
   std::string source = relevoVolumeNearestVS;
@@ -286,6 +311,7 @@ std::string MakeRayCastShader(const VolumeShaderOptions& options)
 {
   std::string source = relevoVolumeFS;
   PutWalk(source, options);
+  Put(source, "Visible", options.HasVisibleCells ? relevoVolumeVisible : "");
   Put(source, "Segments", options.Segments != SegmentOutput::None ? relevoVolumeSegments : "");
   if (options.Segments == SegmentOutput::Buffer)
   {

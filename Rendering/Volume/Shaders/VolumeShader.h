@@ -51,6 +51,8 @@ struct VolumeShaderOptions
   bool HasHangingFaces = false;  // several cells are behind some faces
   /// Whether rays start at active cells instead of the border, and end behind them.
   bool HasActiveCells = false;
+  /// Whether rays start at the first visible cell, and end behind the last one.
+  bool HasVisibleCells = false;
   /// Whether the near plane may clip projected cells.
   bool IsCutByNear = false;
   SegmentOutput Segments = SegmentOutput::None;
@@ -73,6 +75,14 @@ std::string MakeCountShader(const VolumeShaderOptions& options);
 std::string MakeRangesShader(const VolumeShaderOptions& options);
 std::string MakeActiveShader(const VolumeShaderOptions& options);
 std::string MakeOutlinesShader(const VolumeShaderOptions& options);
+//@}
+
+//@{
+/// Return the shaders that draw these faces to find where rays enter the first visible cell, and
+/// which depth is behind the last one.
+std::string MakeVisibleVertexShader(const VolumeShaderOptions& options);
+std::string MakeFirstShader(const VolumeShaderOptions& options);
+std::string MakeLastShader();
 //@}
 
 //@{

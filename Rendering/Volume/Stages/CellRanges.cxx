@@ -52,6 +52,23 @@ bool CellRanges::Find(const VolumeFrame& frame)
   return isDrawn;
 }
 
+bool CellRanges::Mark(const VolumeFrame& frame, const std::vector<ActiveCells::Interval>& intervals,
+  float margin, ActiveCells& cells) const
+{
+  VolumeMeshBuffers& mesh = frame.Mesh.Buffers;
+  vtkShaderProgram* program =
+    frame.Programs.Ready(frame.Window, VolumeShader::Active, frame.Features.Options);
+  if (!program)
+  {
+    return false;
+  }
+  cells.Select(this->Ranges, intervals, margin);
+  mesh.Activate(program);
+  const bool areMarked = cells.Mark(frame.Window, program);
+  mesh.Deactivate();
+  return areMarked;
+}
+
 void CellRanges::Clear()
 {
   this->Ranges = {};

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   CellRanges
- * @brief   the stage that finds the lowest and highest scalar of each cell
+ * @brief   the stage that finds the lowest and highest scalar of each cell, and cells by them
  *
  * The graphics card finds the ranges, which are read back once for a mesh. Private to the module.
  */
@@ -25,7 +25,11 @@ public:
   /// are too many cells, or if their corners cannot be found.
   bool Update(const VolumeFrame& frame);
 
-  const std::vector<ActiveCells::Interval>& GetRanges() const { return this->Ranges; }
+  /// Select the cells whose ranges, widened by a margin, meet an interval, and mark their faces.
+  /// Return false if the shader cannot be built or if there is not enough memory.
+  bool Mark(const VolumeFrame& frame, const std::vector<ActiveCells::Interval>& intervals,
+    float margin, ActiveCells& cells) const;
+
   void Clear();
 
 private:

@@ -6,6 +6,7 @@
 #include "Shaders/VolumePrograms.h"
 #include "Stages/FeatureSelector.h"
 #include "Stages/MeshLoader.h"
+#include "Stages/VisibleCells.h"
 #include "Stages/VolumeFrame.h"
 
 #include "vtkShaderProgram.h"
@@ -31,11 +32,14 @@ bool RayCaster::RenderRayEntries(const VolumeFrame& frame, const std::array<int,
   return isInFront;
 }
 
-vtkShaderProgram* RayCaster::Begin(const VolumeFrame& frame, const std::array<int, 4>& viewport)
+vtkShaderProgram* RayCaster::Begin(
+  const VolumeFrame& frame, const std::array<int, 4>& viewport, VisibleCells* visible)
 {
   const bool areEntriesKnown = this->RenderRayEntries(frame, { { viewport[2], viewport[3] } });
-  vtkShaderProgram* program =
-    frame.Programs.ReadyRays(frame.Window, frame.Features.Options, frame.Passes);
+  VolumeShaderOptions options = frame.Features.Options;
+  options.HasVisibleCells =
+    visible && areEntriesKnown && visible->Find(frame, { { viewport[2], viewport[3] } });
+  vtkShaderProgram* program = frame.Programs.ReadyRays(frame.Window, options, frame.Passes);
   if (!program)
   {
     return nullptr;
@@ -43,6 +47,10 @@ vtkShaderProgram* RayCaster::Begin(const VolumeFrame& frame, const std::array<in
   frame.GetView(viewport).SetUniforms(program);
   frame.Activate(program);
   this->Entries.Activate(frame.Window, program);
+  if (options.HasVisibleCells)
+  {
+    visible->Activate(frame, program);
+  }
   program->SetUniformi("areEntriesKnown", areEntriesKnown ? 1 : 0);
   if (program->IsUniformUsed("in_inverseWindowSize"))
   {
@@ -53,11 +61,12 @@ vtkShaderProgram* RayCaster::Begin(const VolumeFrame& frame, const std::array<in
   return program;
 }
 
-std::string RayCaster::Draw(const VolumeFrame& frame, const std::array<int, 2>& size)
+std::string RayCaster::Draw(
+  const VolumeFrame& frame, const std::array<int, 2>& size, VisibleCells* visible)
 {
   const bool isSampled = size[0] != frame.Viewport[2] || size[1] != frame.Viewport[3];
   const std::array<int, 4> sampled = { { 0, 0, size[0], size[1] } };
-  if (!this->Begin(frame, isSampled ? sampled : frame.Viewport))
+  if (!this->Begin(frame, isSampled ? sampled : frame.Viewport, visible))
   {
     return VolumePrograms::Error;
   }
@@ -76,6 +85,10 @@ std::string RayCaster::Draw(const VolumeFrame& frame, const std::array<int, 2>& 
     error = VolumeFrame::DescribeTooLarge(size);
   }
   this->End(frame);
+  if (visible)
+  {
+    visible->Deactivate();
+  }
   return error;
 }
 

@@ -19,19 +19,23 @@ class vtkWindow;
 
 namespace relevo
 {
+class VisibleCells;
 struct VolumeFrame;
 
 class RayCaster
 {
 public:
-  /// Draw over the window's viewport or, with another number of rays, to the frame's target. Return
-  /// the error, or "".
-  std::string Draw(const VolumeFrame& frame, const std::array<int, 2>& size);
+  /// Draw over the window's viewport or, with another number of rays, to the frame's target. If
+  /// visible cells are ready, rays walk only between the first and the last of them. Return the
+  /// error, or "".
+  std::string Draw(
+    const VolumeFrame& frame, const std::array<int, 2>& size, VisibleCells* visible = nullptr);
 
   //@{
   /// Make the program of rays current, with all its data, for another viewport. Return nullptr if
   /// it cannot be built.
-  vtkShaderProgram* Begin(const VolumeFrame& frame, const std::array<int, 4>& viewport);
+  vtkShaderProgram* Begin(
+    const VolumeFrame& frame, const std::array<int, 4>& viewport, VisibleCells* visible = nullptr);
   void End(const VolumeFrame& frame);
   //@}
 

@@ -67,27 +67,18 @@ bool SurfaceCaster::IsReady(const VolumeFrame& frame, CellRanges& ranges)
 
 bool SurfaceCaster::MarkCells(const VolumeFrame& frame, const CellRanges& ranges)
 {
-  VolumeMeshBuffers& mesh = frame.Mesh.Buffers;
   const SurfaceBuffer& surfaces = frame.Functions.Surfaces;
-  if (!this->Marked.Update(Dependencies::On(mesh.GetNumberOfUploads(), frame.Functions.Version)))
+  if (this->Marked.Update(
+        Dependencies::On(frame.Mesh.Buffers.GetNumberOfUploads(), frame.Functions.Version)))
   {
-    return this->AreMarked;
-  }
-  this->Sorted = dmat4(0.0);
-  vtkShaderProgram* program =
-    frame.Programs.Ready(frame.Window, VolumeShader::Active, frame.Features.Options);
-  this->AreMarked = program != nullptr;
-  if (program)
-  {
+    this->Sorted = dmat4(0.0);
     std::vector<ActiveCells::Interval> values;
     for (const float value : surfaces.GetScaledValues())
     {
       values.push_back({ { value, value } });
     }
-    this->Cells.Select(ranges.GetRanges(), values, std::max(IsoMargin, 2.0f * surfaces.GetSame()));
-    mesh.Activate(program);
-    this->AreMarked = this->Cells.Mark(frame.Window, program);
-    mesh.Deactivate();
+    this->AreMarked =
+      ranges.Mark(frame, values, std::max(IsoMargin, 2.0f * surfaces.GetSame()), this->Cells);
   }
   return this->AreMarked;
 }
@@ -106,34 +97,12 @@ bool SurfaceCaster::SortFaces(const VolumeFrame& frame)
       frame.View.GetDepthScale(frame.Mesh.Layout.HalfSize)));
 }
 
-bool SurfaceCaster::FindOutlines(const VolumeFrame& frame, const RayView& view)
-{
-  VolumeShaderOptions options = frame.Features.Options;
-  options.HasActiveCells = true;
-  vtkShaderProgram* program = frame.Programs.Ready(frame.Window, VolumeShader::Outlines, options);
-  if (!program || this->Cells.GetNumberOfFaces() == 0)
-  {
-    return program != nullptr;
-  }
-  view.SetOutlineUniforms(program);
-  view.SetUniforms(program);
-  program->SetUniformf(
-    "depthScale", static_cast<float>(view.GetDepthScale(frame.Mesh.Layout.HalfSize)));
-  frame.Mesh.Buffers.Activate(program);
-  this->Cells.Activate(program);
-  const bool isDrawn = this->Outlines.Draw(
-    frame.Window, program, static_cast<size_t>(this->Cells.GetNumberOfFaces()), { {}, {}, {} });
-  this->Cells.Deactivate();
-  frame.Mesh.Buffers.Deactivate();
-  return isDrawn;
-}
-
 std::string SurfaceCaster::Draw(const VolumeFrame& frame, const std::array<int, 2>& size)
 {
   VolumeShaderOptions options = frame.Features.Options;
   options.HasActiveCells = true;
   const RayView view = frame.GetView({ { 0, 0, size[0], size[1] } });
-  if (!this->SortFaces(frame) || !this->FindOutlines(frame, view))
+  if (!this->SortFaces(frame) || !this->Outlines.Find(frame, options, view, this->Cells))
   {
     return "The faces of cells with isosurfaces do not fit into a texture.";
   }
@@ -145,9 +114,7 @@ std::string SurfaceCaster::Draw(const VolumeFrame& frame, const std::array<int, 
   view.SetUniforms(program);
   frame.Activate(program);
   this->Cells.Activate(program);
-  this->Outlines.Activate(program, "outlineBegins", 0);
-  this->Outlines.Activate(program, "outlineEnds", 1);
-  this->Outlines.Activate(program, "outlinePlanes", 2);
+  this->Outlines.Activate(program);
   const bool isDrawn = frame.Target.Begin(frame.Window, size[0], size[1], { {} }, true);
   if (isDrawn)
   {

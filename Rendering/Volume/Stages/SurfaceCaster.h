@@ -11,9 +11,9 @@
 #define SurfaceCaster_h
 
 #include "Buffers/ActiveCells.h"
-#include "Buffers/CellPass.h"
 #include "Changes/Dependencies.h"
 #include "Mathematics/RefinementMathematics.h"
+#include "Stages/FaceOutlines.h"
 #include "View/QuadBatches.h"
 
 #include <array>
@@ -22,7 +22,6 @@
 namespace relevo
 {
 class CellRanges;
-class RayView;
 struct VolumeFrame;
 
 class SurfaceCaster
@@ -49,10 +48,9 @@ public:
 private:
   bool MarkCells(const VolumeFrame& frame, const CellRanges& ranges);
   bool SortFaces(const VolumeFrame& frame);
-  bool FindOutlines(const VolumeFrame& frame, const RayView& view);
 
   ActiveCells Cells;
-  CellPass Outlines; // of the faces
+  FaceOutlines Outlines;
   QuadBatches Faces;
   Dependencies Marked; // of the active cells
   bool AreMarked = false;

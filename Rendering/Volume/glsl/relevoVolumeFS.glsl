@@ -13,6 +13,7 @@
 //RELEVO::Blend
 //RELEVO::Part
 //RELEVO::Walk
+//RELEVO::Visible
 
 // VTK's dual depth peeling requests the range between two window depths by these names.
 uniform vec2 in_inverseWindowSize;
@@ -30,6 +31,9 @@ vec4 castRay(float zStart, float zEnd)
   Entry entry = noEntry();
   int first;
   int count = countEntries(first);
+#if RELEVO_VISIBLE
+  count = beginVisible(count, first);
+#endif
   for (int i = 0; i < count && !isWalkOver(); ++i)
   {
     if (!findEntry(walkEnd, i == 0 ? first : -1, entry))

@@ -10,11 +10,13 @@ const vec2 Unseen = vec2(-10.0);
 
 vec2 low = vec2(1e30);
 vec2 high = vec2(-1e30);
+float farthest = -1e30; // depth
 
 void surround(vec4 seen)
 {
   low = min(low, seen.xy / seen.w);
   high = max(high, seen.xy / seen.w);
+  farthest = max(farthest, seen.z / seen.w);
 }
 
 vec2 getRectangleCorner(int corner, float margin)

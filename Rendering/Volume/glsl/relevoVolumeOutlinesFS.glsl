@@ -22,6 +22,11 @@ void main()
     discard;
   }
   findFace(wordsOfFace(face));
+#if RELEVO_VISIBLE
+  // Rays may leave visible cells through faces that they do not enter.
+  plane = vec3(farthest, isFaceUnseen ? 1.0 : 0.0, 0.0);
+  isFaceUnseen = false;
+#endif
   gl_FragData[0] = vec4(getFaceCorner(0), getFaceCorner(1));
   gl_FragData[1] = vec4(getFaceCorner(2), getFaceCorner(3));
   gl_FragData[2] = vec4(plane, 0.0);

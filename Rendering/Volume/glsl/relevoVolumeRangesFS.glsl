@@ -6,6 +6,7 @@
 uniform samplerBuffer meshPoints;
 uniform samplerBuffer pointScalars;
 uniform samplerBuffer cornerScalars;
+uniform samplerBuffer cellScalars;
 uniform usamplerBuffer tetrahedronCorners;
 uniform int isoComponent;
 uniform int numberOfCells;
@@ -59,6 +60,16 @@ vec2 rangeOfCurved(uint cell)
 }
 #endif
 
+#if RELEVO_CELL_SCALARS
+vec2 rangeOf(uint cell)
+{
+#if RELEVO_COMPONENTS == 1
+  return vec2(texelFetch(cellScalars, int(cell)).r);
+#else
+  return vec2(texelFetch(cellScalars, int(cell))[isoComponent]);
+#endif
+}
+#else
 vec2 rangeOf(uint cell)
 {
 #if RELEVO_CURVED
@@ -80,6 +91,7 @@ vec2 rangeOf(uint cell)
 #endif
   return vec2(lowestOf(all), highestOf(all));
 }
+#endif
 
 void main()
 {

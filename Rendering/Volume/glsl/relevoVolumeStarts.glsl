@@ -1,10 +1,10 @@
-// The faces where rays may enter: those of the mesh's border, or those of the active cells.
+// The faces where rays may enter: those of the mesh's border, those of the active cells, or both.
 
-#if RELEVO_ACTIVE || RELEVO_DISCONTINUOUS
+#if RELEVO_ACTIVE || RELEVO_VISIBLE || RELEVO_DISCONTINUOUS
 uniform usamplerBuffer tetrahedronCorners; // in ascending order
 #endif
 
-#if RELEVO_ACTIVE
+#if RELEVO_ACTIVE || RELEVO_VISIBLE
 uniform usamplerBuffer startFaces; // 8 * cell + the index of the face
 
 // The face of a tetrahedron opposite to a corner, with the corners in order as seen by an entering
@@ -20,7 +20,7 @@ uvec4 wordsOfTriangle(uint cell, uint number)
   return uvec4(dot(cross(b, c), inside) < 0.0 ? face.xzy : face.xyz, cell);
 }
 
-uvec4 wordsOfFace(int face)
+uvec4 wordsOfStart(int face)
 {
   uint start = texelFetch(startFaces, face).r;
   uint cell = start / 8u;
@@ -32,11 +32,28 @@ uvec4 wordsOfFace(int face)
 #endif
   return wordsOfTriangle(cell, start % 8u);
 }
+#endif
+
+#if RELEVO_ACTIVE
+uvec4 wordsOfFace(int face)
+{
+  return wordsOfStart(face);
+}
 #else
 uniform usamplerBuffer borderFaces;
 
+#if RELEVO_VISIBLE
+uniform int numberOfBorderFaces; // the faces of active cells have the following numbers
+#endif
+
 uvec4 wordsOfFace(int face)
 {
+#if RELEVO_VISIBLE
+  if (face >= numberOfBorderFaces)
+  {
+    return wordsOfStart(face - numberOfBorderFaces);
+  }
+#endif
   return texelFetch(borderFaces, face);
 }
 #endif

@@ -137,7 +137,8 @@ vtkSmartPointer<vtkVolumeProperty> MakePeak(const TaskCase& which)
   return property;
 }
 
-// Isosurfaces alone, and a function that is mostly transparent, against the whole volume.
+// Isosurfaces alone, and a function that is mostly transparent, against the whole volume. Processor
+// time does not depend on other work of the cores. Transparent cells are found in the second frame.
 void AddSkipping(const TaskCase& which, const TaskEffort& effort, int size, TaskTable& table)
 {
   const auto volume =
@@ -149,20 +150,23 @@ void AddSkipping(const TaskCase& which, const TaskEffort& effort, int size, Task
   view.LookAt(which.Mesh->GetBounds());
   const std::vector<vtkProp*> props = { volume, surface, peak };
   std::vector<std::vector<double>> seconds(props.size());
-  for (int round = -1; round < effort.Rounds; ++round)
+  for (int round = -2; round < effort.Rounds; ++round)
   {
     view.MoveCamera(TaskTurn);
     for (size_t i = 0; i < props.size(); ++i)
     {
       ShowAlone(view, props[i]);
-      const double frame = view.TimeFrame();
+      const double begin = GetProcessorSeconds();
+      view.TimeFrame();
+      const double frame = GetProcessorSeconds() - begin;
       if (round >= 0)
       {
         seconds[i].push_back(frame);
       }
     }
   }
-  const std::string pixels = ", " + std::to_string(size) + " x " + std::to_string(size);
+  const std::string pixels =
+    ", " + std::to_string(size) + " x " + std::to_string(size) + ", processor time";
   table.Add("isosurface alone" + pixels, seconds[1], "the whole volume", seconds[0], 0.3);
   table.Add(
     "opacity in a tenth of the range" + pixels, seconds[2], "the whole volume", seconds[0], 1.0);
