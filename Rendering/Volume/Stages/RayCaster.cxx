@@ -13,15 +13,37 @@
 
 namespace relevo
 {
+namespace
+{
+// Passes of depth peeling have the same entries.
+Dependencies FindEntries(const VolumeFrame& frame, const std::array<int, 2>& size)
+{
+  VolumeMeshBuffers& mesh = frame.Mesh.Buffers;
+  Dependencies now = Dependencies::On(size[0], size[1]);
+  now.AddObject(&mesh, mesh.GetNumberOfUploads());
+  const dmat4& view = frame.View.GetMeshToClip();
+  for (int i = 0; i < 16; ++i)
+  {
+    now.Add(view[i / 4][i % 4]);
+  }
+  return now;
+}
+}
+
 // Return whether the entries are known: the whole mesh must be in front of the eye.
 bool RayCaster::RenderRayEntries(const VolumeFrame& frame, const std::array<int, 2>& size)
 {
   const RayView view = frame.GetView({ { 0, 0, size[0], size[1] } });
   const bool isInFront = view.IsInFront(frame.Mesh.Layout.HalfSize);
+  if (!this->Known.Update(FindEntries(frame, size)))
+  {
+    return isInFront;
+  }
   vtkShaderProgram* program =
     frame.Programs.Ready(frame.Window, VolumeShader::Entries, frame.Features.Options);
   if (!program || !this->Entries.Begin(frame.Window, size[0], size[1]))
   {
+    this->Known.Clear();
     return false;
   }
   view.SetUniforms(program);
@@ -103,6 +125,7 @@ int RayCaster::CountLayers(const VolumeFrame& frame)
   const std::array<int, 2> size = { { frame.Viewport[2], frame.Viewport[3] } };
   if (!this->RenderRayEntries(frame, size))
   {
+    this->Known.Clear();
     vtkShaderProgram* program =
       frame.Programs.Ready(frame.Window, VolumeShader::EntryCounts, frame.Features.Options);
     if (!program || !this->Entries.Begin(frame.Window, size[0], size[1]))
@@ -120,5 +143,6 @@ int RayCaster::CountLayers(const VolumeFrame& frame)
 void RayCaster::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Entries.ReleaseGraphicsResources(window);
+  this->Known.Clear();
 }
 }

@@ -9,6 +9,7 @@
 #ifndef RayCaster_h
 #define RayCaster_h
 
+#include "Changes/Dependencies.h"
 #include "View/RayEntries.h"
 
 #include <array>
@@ -49,6 +50,7 @@ private:
   bool RenderRayEntries(const VolumeFrame& frame, const std::array<int, 2>& size);
 
   RayEntries Entries;
+  Dependencies Known; // of the entries
 };
 }
 
