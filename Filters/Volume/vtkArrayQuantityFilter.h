@@ -14,7 +14,9 @@
  *   zx
  * - for tensors: "von Mises of A", "Tresca of A", the difference of the largest and the smallest
  *   principal value, and "principal 1 of A" (the largest), "principal 2 of A", "principal 3 of A"
- * - for any array: "magnitude of A" and "component N of A", where N counts from 0
+ * - for any array: "magnitude of A", "component N of A", where N counts from 0, and "mean of A",
+ * the arithmetic mean of the components, for example of a cell array with one component for each
+ *   integration point
  *
  * Six components are xx, yy, zz, xy, yz, xz, as in VTK. Nine are rows of a matrix; all quantities
  * except components use its symmetric part. "von Mises", "Tresca" and principal values alone take
@@ -61,8 +63,8 @@ public:
 
   /**
    * Fill a list with the quantities of an array with this name and number of components, in the
-   * order of a menu. There are none for a single component. "component N of A" is listed only if
-   * the components have no other names.
+   * order of a menu. There are none for a single component. "mean of A" and "component N of A" are
+   * listed only if the components have no other names.
    */
   static void ListQuantities(
     const char* arrayName, int numberOfComponents, vtkStringArray* quantities);

@@ -37,6 +37,12 @@ def make_grid(time=1.0):
     image.GetPointData().AddArray(moves)
     image.GetPointData().AddArray(stress)
     image.GetPointData().SetScalars(height)
+    points = vtkDoubleArray()
+    points.SetName("AtPoints")
+    points.SetNumberOfComponents(8)
+    for i in range(image.GetNumberOfCells()):
+        points.InsertNextTuple([i + k / 8.0 for k in range(8)])
+    image.GetCellData().AddArray(points)
     append = vtkAppendFilter()
     append.AddInputData(image)
     append.Update()
@@ -87,6 +93,12 @@ class TestStudio(StudioProgram):
             "click view-top",
             "save g.png",
             "save mesh.vtp",
+            "set range default",
+            "set array default",
+            "set integration-points AtPoints",
+            "set clip 3,0,0,1,0,0",
+            "set clip 2.5,0,0,1,0,0",
+            "save h.png",
         )
         self.assertEqual(errors, "")
         mises = ("beam.vtu", "--array", "von Mises of Stress")
@@ -100,8 +112,11 @@ class TestStudio(StudioProgram):
         levels = ("--metric=distance", "--max-level=2", "--light=100,20")
         self.assert_picture("f.png", *bent, *levels, "--clip=2,0,0,1,0,0")
         self.assert_picture("g.png", *bent, *levels, "--wireframe", "--view=180,90")
+        points = ("--integration-points=AtPoints", "--clip=2.5,0,0,1,0,0", "--warp=Move", "--scale=2")
+        self.assert_picture("h.png", "beam.vtu", *points, "--method=ark", *levels, "--wireframe",
+            "--view=180,90")
         self.assertTrue((self.folder / "mesh.vtp").exists())
-        names = layouts[-1]
+        names = next(e for e in reversed(layouts) if e["array"]["value"])
         self.assertEqual(names["array"]["value"], "von Mises of Stress")
         self.assertFalse(names["isosurfaces"]["enabled"])
         self.assertIn("requires --volume", names["isosurfaces"]["reason"])

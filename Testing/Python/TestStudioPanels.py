@@ -91,6 +91,8 @@ class TestStudioPanels(StudioProgram):
             "set show-difference on",
             "set difference-gain 2",
             "save views.png",
+            "set difference-gain 7.5",
+            "save stronger.png",
             "set compare-options max-level=1;light=20,30",
             "drag 40 200 60 210",
             "set compare-options max-level=9",
@@ -117,6 +119,13 @@ class TestStudioPanels(StudioProgram):
         wrong = (shown != 255 - numpy.minimum(2 * abs(a - b), 255)).any(axis=2)
         self.assertLess(wrong.mean(), 0.02)
         self.assertGreater((a != b).any(axis=2).mean(), 0.02)
+        # The gain is the factor of the differences, up to black. The views do not change.
+        stronger = read_colours(self.folder / "stronger.png")
+        self.assertTrue((stronger[:, : 2 * third] == views[:, : 2 * third]).all())
+        shown = stronger[:, 2 * third : 3 * third]
+        expected = 255 - numpy.minimum(numpy.floor(7.5 * abs(a - b) + 0.5), 255)
+        self.assertLess((shown != expected).any(axis=2).mean(), 0.02)
+        self.assertLess(shown.mean(), views[:, 2 * third : 3 * third].mean() - 1)
         # The figures are those of the views beside the panel.
         step = next(e for e in layouts if e["difference-gain"]["value"] == "2")
         self.assertLess(step["figure-ssim"]["value"], 0.999)
@@ -136,6 +145,34 @@ class TestStudioPanels(StudioProgram):
             *("sphere.vtp", "--metric=silhouette", "--wireframe", "--no-legend", "--view=90,10"),
             "--array=Latitude",
         )
+
+    def test_values_beside(self):
+        """Values, clicks and rulers are those of the first view. The second one has none."""
+        width = (WIDTH - 25 * FONT_SIZE) // 2
+        first, second = (f"{place} 210" for place in (width // 2, width + width // 2))
+        layouts, errors = self.studio(
+            "sphere.vtp",
+            "set compare-method suapt",
+            f"drag {second} {second}",
+            "key d",
+            "click measure",
+            f"drag {second} {second}",
+            f"drag {first} {first}",
+            f"drag {second} {second}",
+            f"drag {first.replace('210', '190')} {first.replace('210', '190')}",
+            "drag 75 205 75 205",  # beside the ruler, whose lines have no values
+            "set compare-method default",
+            "drag 140 210 140 210",
+        )
+        self.assertEqual(errors, "")
+        measured = next(i for i, layout in enumerate(layouts) if layout["ruler"]["value"])
+        ends = [float(x) for x in layouts[measured]["ruler"]["value"].split(",")]
+        self.assertGreater(abs(ends[1] - ends[4]), 0.01)  # both are in the first view
+        self.assertLess(abs(ends[0] - ends[3]), 0.2 * abs(ends[1] - ends[4]) + 0.05)
+        kept = next(i for i, layout in enumerate(layouts) if "probe" in layout)
+        self.assertGreater(kept, measured)
+        # Without the second view, its place is one of the first.
+        self.assertNotEqual(layouts[-1]["probe"]["value"], layouts[kept]["probe"]["value"])
 
     def test_similarity(self):
         """The index is that of a picture of both views without a panel."""
@@ -160,9 +197,8 @@ class TestStudioPanels(StudioProgram):
             "click group Levels and patterns",
         )
         self.assertEqual(errors, "")
-        opened = next(
-            e for e in layouts if any(name.startswith("figure-level-") for name in e)
-        )
+        group = "group Levels and patterns"
+        opened = next(e for e in layouts if e[group]["value"] == "on")
         levels = {k: e["value"] for k, e in opened.items() if k.startswith("figure-level-")}
         faces = {k: e["value"] for k, e in opened.items() if k.startswith("figure-faces-")}
         self.assertGreater(len(levels), 1)
@@ -170,8 +206,10 @@ class TestStudioPanels(StudioProgram):
         drawn = opened["figure-coarse-faces"]["value"] - opened["figure-culled-faces"]["value"]
         self.assertEqual(sum(faces.values()), drawn)
         self.assertLessEqual(len(faces), opened["figure-patterns"]["value"])
-        # Nothing is read back while the group is closed.
-        self.assertFalse(any(name.startswith("figure-faces-") for name in layouts[-1]))
+        # The layout has the same figures while the group is closed.
+        self.assertEqual(layouts[-1][group]["value"], "off")
+        for name, value in {**levels, **faces}.items():
+            self.assertEqual(layouts[-1][name]["value"], value, name)
 
     def test_patterns(self):
         layouts, errors = self.studio(

@@ -46,6 +46,7 @@ std::vector<std::string> ListVectors(const SceneContent& content, const std::str
     const int number = array.NumberOfComponents;
     const bool isUsable = option == "warp" ? array.IsOfPoints && number == 3
       : option == "lic"                    ? number == 2 || number == 3
+      : option == "integration-points"     ? array.HasIntegrationPoints
                                            : number == 3;
     if (isUsable)
     {
@@ -218,7 +219,8 @@ void ControlList::FindChoices(Control& control, const SceneContent& content) con
   {
     control.Choices = ListQuantities(content);
   }
-  else if (control.Name == "warp" || control.Name == "lic" || control.Name == "streamlines")
+  else if (control.Name == "warp" || control.Name == "lic" || control.Name == "streamlines" ||
+    control.Name == "integration-points")
   {
     control.Choices = ListVectors(content, control.Name);
   }
@@ -295,10 +297,11 @@ void ControlList::FindReason(
   }
   if (control.Kind == ControlKind::Choice && control.Choices.empty())
   {
-    control.Reason = name == "warp" ? "the file has no point array of 3 components"
-      : name == "lic"               ? "the file has no array of 2 or 3 components"
-      : name == "streamlines"       ? "the file has no array of 3 components"
-                                    : "the file has no arrays";
+    control.Reason = name == "warp"  ? "the file has no point array of 3 components"
+      : name == "lic"                ? "the file has no array of 2 or 3 components"
+      : name == "streamlines"        ? "the file has no array of 3 components"
+      : name == "integration-points" ? "the file has no values at integration points"
+                                     : "the file has no arrays";
   }
   else if (name == "time" && content.Times.size() < 2)
   {

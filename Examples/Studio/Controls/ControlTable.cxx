@@ -81,6 +81,7 @@ void AddData(std::vector<Control>& table)
   table.push_back(MakeNumber("scale", group, "times", "1", 0.0, 1000.0, { 1.0 }, true));
   table.push_back({ "clip", group, Kind::Plane, "coordinates", "none" });
   table.push_back(MakeFlag("extremes", group));
+  table.push_back(MakeChoice("integration-points", group, "none", {}));
   table.push_back(MakeChoice("up", group, "y", { "x", "y", "z" }));
 }
 

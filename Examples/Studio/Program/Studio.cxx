@@ -783,15 +783,16 @@ void Studio::OnFrameEnd()
       { "frame-ms", time.count() } });
   const SceneFigures compared = this->Comparison.MeasureFrame();
   this->Figures.insert(this->Figures.end(), compared.begin(), compared.end());
-  // Patterns that the graphics card has chosen are read back only for the histogram.
+  // Patterns that the graphics card has chosen are read back only for the histogram and the layout.
+  const bool hasLayout = !this->LayoutFile.empty() && this->Overlay->GetVisibility();
   const bool hadPatterns = !this->Patterns.empty();
-  this->Patterns = this->Panel.ShowsHistogram() ? this->Scene.Get().GetPatternCounts()
-                                                : std::vector<PatternCount>();
-  if (!hadPatterns && !this->Patterns.empty())
+  this->Patterns = this->Panel.ShowsHistogram() || hasLayout ? this->Scene.Get().GetPatternCounts()
+                                                             : std::vector<PatternCount>();
+  if (this->Panel.ShowsHistogram() && !hadPatterns && !this->Patterns.empty())
   {
     this->Overlay->RequestFrame(); // the histogram has just been opened
   }
-  if (!this->LayoutFile.empty() && this->Overlay->GetVisibility())
+  if (hasLayout)
   {
     try
     {

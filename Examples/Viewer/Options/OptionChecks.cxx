@@ -179,6 +179,10 @@ private:
     this->Exclude({ "--export", "--height", "--imagery", "--image", "--lic", "--micromesh",
                     "--relief", "--capture" },
       !options.Streamlines.empty(), "--streamlines");
+    this->RequireMesh({ "--integration-points" }, GetVolumeFormats());
+    this->Exclude({ "--array", "--export", "--height", "--imagery", "--image", "--lic",
+                    "--micromesh", "--relief", "--capture", "--streamlines" },
+      !options.IntegrationPoints.empty(), "--integration-points");
     this->RequireMesh(
       { "--above", "--array", "--axes", "--below", "--clip", "--extremes", "--feature-angle",
         "--height", "--log", "--mapping", "--offset", "--ruler", "--scale", "--time", "--warp" });

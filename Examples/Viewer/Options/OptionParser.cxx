@@ -76,7 +76,7 @@ public:
     this->AddPatches();
     this->AddFlow();
     this->AddVolume();
-    this->AddStreamlines();
+    this->AddInside();
     this->AddContact();
     this->AddRelief();
     this->AddLevels();
@@ -392,10 +392,20 @@ private:
     });
   }
 
-  void AddStreamlines()
+  // Objects inside of cells.
+  void AddInside()
   {
     ViewerOptions& options = this->Options;
     this->AllSettings.insert({
+      { "--integration-points",
+        [&](const auto& option, const auto& value)
+        {
+          if (value.empty())
+          {
+            throw UsageError(option + " needs the name of an array of values at these points");
+          }
+          options.IntegrationPoints = value;
+        } },
       { "--seed-line",
         [&](const auto& option, const auto& value)
         { options.SeedLine = ToNumbers(option, value, "X,Y,Z,X,Y,Z"); } },

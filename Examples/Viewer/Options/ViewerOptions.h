@@ -133,6 +133,8 @@ struct ViewerOptions
   std::optional<int> Seeds;
   std::optional<std::vector<double>> SeedLine; // two points
 
+  std::string IntegrationPoints; // an array or a quantity of one; empty for none
+
   // Streaks along vectors of meshes. Without an array there are none.
   std::string Vectors;
   std::optional<int> LICSteps;

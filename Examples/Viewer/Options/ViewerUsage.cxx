@@ -88,6 +88,9 @@ Meshes:
   --seeds N              number of points where streamlines begin, 1 to 100000 (default 100)
   --seed-line X,Y,Z,X,Y,Z
                          seeds are on this line (default: in the middles of cells)
+  --integration-points ARRAY
+                         draw spheres at the integration points of an array, coloured by its values,
+                         in a transparent surface with the averages of the cells
   --lic ARRAY            draw streaks along a point or cell array of 2 or 3 components, by line
                          integral convolution. Colours show its length unless --array or --image is
                          given

@@ -5,8 +5,12 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkQuadratureSchemeDefinition.h"
 
 #include <set>
 
@@ -21,6 +25,15 @@ bool IsShown(vtkDataSetAttributes* data, vtkDataArray* array)
   return array && array->GetName() && array != data->GetNormals() && array != data->GetTCoords() &&
     array != data->GetGlobalIds() && array != data->GetPedigreeIds() &&
     others.count(array->GetName()) == 0;
+}
+
+bool HasIntegrationPoints(vtkDataSet* mesh, vtkDataArray* ofCells)
+{
+  const int fewestPoints = 4; // cell arrays of fewer components are vectors
+  vtkDataArray* field = mesh->GetFieldData()->GetArray(ofCells->GetName());
+  const bool isAverage = field && field->HasInformation() &&
+    field->GetInformation()->Has(vtkQuadratureSchemeDefinition::QUADRATURE_OFFSET_ARRAY_NAME());
+  return isAverage || ofCells->GetNumberOfComponents() >= fewestPoints;
 }
 
 std::string ListArrays(vtkDataSetAttributes* data, const std::string& association)
@@ -60,8 +73,9 @@ std::vector<SceneArray> FindArrays(vtkDataSet* mesh)
       vtkDataArray* array = data->GetArray(i);
       if (IsShown(data, array))
       {
-        arrays.push_back(
-          { array->GetName(), data == mesh->GetPointData(), array->GetNumberOfComponents() });
+        const bool isOfPoints = data == mesh->GetPointData();
+        arrays.push_back({ array->GetName(), isOfPoints, array->GetNumberOfComponents(),
+          !isOfPoints && HasIntegrationPoints(mesh, array) });
       }
     }
   }

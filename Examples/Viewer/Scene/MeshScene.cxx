@@ -11,6 +11,7 @@
 #include "Scene/ArrayExtremes.h"
 #include "Scene/ArrayNames.h"
 #include "Scene/CellNumbers.h"
+#include "Scene/IntegrationPointActor.h"
 #include "Scene/MeshColours.h"
 #include "Scene/MeshMapping.h"
 #include "Scene/MeshProbe.h"
@@ -63,7 +64,7 @@
 
 namespace
 {
-const double OpacityAroundLines = 0.15; // of a surface with streamlines inside
+const double OpacityAround = 0.15; // of a surface with streamlines or points inside
 
 // The mean length of all polygons' edges, in the mesh's units.
 double GetMeanEdgeLength(vtkPolyData* mesh)
@@ -100,6 +101,17 @@ std::string FindColourOption(const ViewerOptions& options)
                                                      : "";
 }
 
+// Extends a range by the values of an array, or by their magnitudes.
+void AddRange(vtkDataArray* array, std::array<double, 2>& range)
+{
+  if (array)
+  {
+    double all[2];
+    array->GetFiniteRange(all, array->GetNumberOfComponents() > 1 ? -1 : 0);
+    range = { { std::min(range[0], all[0]), std::max(range[1], all[1]) } };
+  }
+}
+
 // The surface's polygons, and all other points that must fit into the view.
 vtkSmartPointer<vtkPolyData> WithPoints(vtkPolyData* surface, vtkDataObject* others)
 {
@@ -134,6 +146,7 @@ MeshScene::MeshScene(const ViewerOptions& options, ViewerMessages& messages)
   this->Show(options.MaximumLevel.value_or(this->GetDefaultLevel()), this->MakeSceneMetric());
   this->SetColours();
   this->ShowStreamlines();
+  this->ShowIntegrationPoints();
   if (this->Cut.Get())
   {
     this->AddSection();
@@ -300,12 +313,14 @@ bool MeshScene::ApplyCut()
   if (this->Cut.Get())
   {
     this->Cut.Set(*this->Options.Clip);
+    this->ShowIntegrationPoints();
     return true;
   }
   this->Cut.Set(*this->Options.Clip);
   this->Range.reset();
   this->UpdateColours(); // values inside of the mesh are visible now
   this->AddSection();
+  this->ShowIntegrationPoints();
   return true;
 }
 
@@ -372,6 +387,7 @@ void MeshScene::Reload()
   }
   this->UpdateColours();
   this->ShowStreamlines();
+  this->ShowIntegrationPoints();
   this->ShowExtremes();
 }
 
@@ -407,6 +423,7 @@ std::string MeshScene::MoveCut(char key)
     this->UpdateColours(); // values inside of the mesh are visible now
     this->AddSection();
   }
+  this->ShowIntegrationPoints();
   this->ShowExtremes();
   return this->Cut.GetOption();
 }
@@ -462,13 +479,31 @@ void MeshScene::ShowStreamlines()
   if (!this->Streamlines)
   {
     this->Streamlines = std::make_unique<StreamlineActor>(this->Renderer);
-    this->Actor->GetProperty()->SetOpacity(this->IsSolid() ? OpacityAroundLines : 1.0);
+    this->Actor->GetProperty()->SetOpacity(this->IsSolid() ? OpacityAround : 1.0);
   }
   this->Streamlines->Trace(this->Options, this->Cells, this->Messages);
   if (this->IsColouredByArray())
   {
     this->Streamlines->SetColours(this->ArrayName, this->Colours);
   }
+}
+
+//------------------------------------------------------------------------------
+void MeshScene::ShowIntegrationPoints()
+{
+  vtkPolyData* points = this->Steps->GetFilter().GetIntegrationPoints();
+  if (!points)
+  {
+    return;
+  }
+  if (!this->IntegrationPoints)
+  {
+    this->IntegrationPoints = std::make_unique<IntegrationPointActor>(this->Renderer);
+    this->Actor->GetProperty()->SetOpacity(this->IsSolid() ? OpacityAround : 1.0);
+  }
+  this->IntegrationPoints->SetPoints(points, this->Cells);
+  this->IntegrationPoints->Cut(this->Cut.Get());
+  this->IntegrationPoints->SetColours(this->Steps->GetFilter().GetPointArray(), this->Colours);
 }
 
 //------------------------------------------------------------------------------
@@ -629,6 +664,12 @@ void MeshScene::Report()
     std::cout << "array: colours show the magnitude of the tensor '" << name
               << "', which is not the von Mises stress; --array 'von Mises of " << name
               << "' shows that" << std::endl;
+  }
+  if (this->Steps->GetFilter().IsAverage() && this->Options.IntegrationPoints.empty())
+  {
+    const std::string name = ToPrintable(this->ArrayName);
+    std::cout << "array: colours show the averages of cells; --integration-points '" << name
+              << "' also shows the values at integration points" << std::endl;
   }
   const bool isGrey = this->ArrayName.empty() && this->Options.Imagery.empty() &&
     this->Options.Color == ViewerOptions::ColorType::Own && this->Options.Export.empty() &&
@@ -879,8 +920,11 @@ void MeshScene::SetArrayColours()
   ShowIsolines(this->Options, this->Mapper, this->Range->data());
   if (this->Options.Color == ViewerOptions::ColorType::Own)
   {
-    this->AddLegend(this->Colours, GetArrayTitle(this->ArrayName, array->GetNumberOfComponents()),
-      GetArrayUnit(array), 5);
+    const std::string& name = this->Options.IntegrationPoints.empty()
+      ? this->ArrayName
+      : this->Steps->GetFilter().GetPointArray();
+    this->AddLegend(
+      this->Colours, GetArrayTitle(name, array->GetNumberOfComponents()), GetArrayUnit(array), 5);
   }
 }
 
@@ -913,6 +957,11 @@ void MeshScene::ExtendRange()
   {
     this->AddRangeOfCells(range);
   }
+  if (vtkPolyData* points = this->Steps->GetFilter().GetIntegrationPoints())
+  {
+    AddRange(
+      points->GetPointData()->GetArray(this->Steps->GetFilter().GetPointArray().c_str()), range);
+  }
   CheckRange(this->Options, this->ArrayName, range.data());
   if (this->Range)
   {
@@ -927,12 +976,7 @@ void MeshScene::AddRangeOfCells(std::array<double, 2>& range)
   vtkDataSetAttributes* data = this->HasPointArray
     ? static_cast<vtkDataSetAttributes*>(this->Cells->GetPointData())
     : this->Cells->GetCellData();
-  if (vtkDataArray* array = data->GetArray(this->ArrayName.c_str()))
-  {
-    double all[2];
-    array->GetFiniteRange(all, array->GetNumberOfComponents() > 1 ? -1 : 0);
-    range = { { std::min(range[0], all[0]), std::max(range[1], all[1]) } };
-  }
+  AddRange(data->GetArray(this->ArrayName.c_str()), range);
 }
 
 //------------------------------------------------------------------------------

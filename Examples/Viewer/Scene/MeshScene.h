@@ -16,6 +16,7 @@
 
 #include <string>
 
+class IntegrationPointActor;
 class MeshProbe;
 class MeshReader;
 class MeshSection;
@@ -96,6 +97,8 @@ private:
   bool IsSolid() const;
   /// Traces the streamlines of the options through the current step.
   void ShowStreamlines();
+  /// Shows the integration points of the current step if the options request them.
+  void ShowIntegrationPoints();
   /// Labels the largest and the smallest visible value if the options request it.
   void ShowExtremes();
 
@@ -118,7 +121,8 @@ private:
   vtkSmartPointer<vtkDataSet> Cells; // the mesh that the surface bounds
   bool IsOfCells = false;            // whether Cells is not the surface itself
   std::unique_ptr<MeshSection> Section;
-  std::unique_ptr<StreamlineActor> Streamlines; // nullptr for none
+  std::unique_ptr<StreamlineActor> Streamlines;             // nullptr for none
+  std::unique_ptr<IntegrationPointActor> IntegrationPoints; // nullptr for none
   // Vectors of the streaks, or nullptr.
   vtkSmartPointer<vtkDataArray> Vectors;
 };

@@ -19,6 +19,7 @@ struct SceneArray
   std::string Name;
   bool IsOfPoints;
   int NumberOfComponents;
+  bool HasIntegrationPoints = false; // an average of values at these points, or a value for each
 };
 
 struct SceneContent

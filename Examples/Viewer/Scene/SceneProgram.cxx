@@ -25,9 +25,9 @@ namespace
 {
 // Programs have no code for these.
 const std::set<std::string> Unsupported = { "--against", "--axes", "--capture",
-  "--contact-distance", "--extremes", "--hair", "--image", "--imagery", "--no-data",
-  "--no-data-value", "--relief", "--relief-method", "--relief-search", "--ruler", "--scale-bar",
-  "--seed-line", "--seeds", "--streamlines", "--stretch" };
+  "--contact-distance", "--extremes", "--hair", "--image", "--imagery", "--integration-points",
+  "--no-data", "--no-data-value", "--relief", "--relief-method", "--relief-search", "--ruler",
+  "--scale-bar", "--seed-line", "--seeds", "--streamlines", "--stretch" };
 
 void CheckOptions(const ViewerOptions& options)
 {

@@ -31,7 +31,7 @@ std::string ToText(double time)
 TimeSteps::TimeSteps(const ViewerOptions& options, vtkRenderer* renderer, ViewerMessages& messages)
   : File(options.Input, messages)
   , Filter({ options.Warp, options.Warp.empty() ? 1.0 : options.Scale.value_or(1.0) },
-      options.IsVolume ? options.VolumeArray : options.Array)
+      options.IsVolume ? options.VolumeArray : options.Array, options.IntegrationPoints)
   , Step(this->File.FindStep(options.Time))
 {
   if (options.IsSeries() && this->GetNumber() == 0)

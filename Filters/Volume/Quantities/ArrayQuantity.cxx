@@ -70,6 +70,16 @@ std::array<double, 3> GetPrincipalValues(const Tensor& tensor)
   return values;
 }
 
+double GetMean(const double* values, int components)
+{
+  double sum = 0.0;
+  for (int c = 0; c < components; ++c)
+  {
+    sum += values[c] / components;
+  }
+  return sum;
+}
+
 double GetMagnitude(const double* values, int components)
 {
   double sum = 0.0;
@@ -107,6 +117,7 @@ std::optional<ArrayQuantity> FindQuantity(const std::string& words)
     { "von-mises", { ArrayQuantity::VonMises, "von Mises" } },
     { "tresca", { ArrayQuantity::Tresca, "Tresca" } },
     { "magnitude", { ArrayQuantity::Magnitude, words } },
+    { "mean", { ArrayQuantity::Mean, words } },
     { "principal 1", { ArrayQuantity::Principal, words, 0 } },
     { "principal 2", { ArrayQuantity::Principal, words, 1 } },
     { "principal 3", { ArrayQuantity::Principal, words, 2 } },
@@ -161,6 +172,8 @@ double ComputeNumber(const ArrayQuantity& quantity, const double* values, int co
       return values[FindEntry(quantity, components)];
     case ArrayQuantity::Magnitude:
       return GetMagnitude(values, components);
+    case ArrayQuantity::Mean:
+      return GetMean(values, components);
     case ArrayQuantity::VonMises:
       return GetVonMises(ReadTensor(values, components));
     case ArrayQuantity::Tresca:
@@ -202,6 +215,10 @@ std::vector<std::string> FindQuantities(int components)
   { return components < 2 || !FindQuantity(name)->CanUse(components); };
   names.erase(std::remove_if(names.begin(), names.end(), isUnusable), names.end());
   const bool hasNames = names.size() > 1;
+  if (!hasNames && !names.empty())
+  {
+    names.push_back("mean");
+  }
   for (int i = 0; !hasNames && !names.empty() && i < components; ++i)
   {
     names.push_back("component " + std::to_string(i));
@@ -220,6 +237,7 @@ bool ArrayQuantity::CanUse(int components) const
     case Entry:
       return IsTensor(components) && FindEntry(*this, components) < components;
     case Magnitude:
+    case Mean:
       return true;
     default:
       return IsTensor(components);
@@ -237,6 +255,7 @@ std::string ArrayQuantity::GetNeed() const
     case Entry:
       return this->Index <= this->Column ? "6 or 9 components" : "9 components";
     case Magnitude:
+    case Mean:
       return "numbers";
     default:
       return "6 or 9 components";

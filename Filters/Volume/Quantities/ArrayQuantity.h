@@ -27,6 +27,7 @@ struct ArrayQuantity
     Coordinate, // of a vector
     Entry,      // of a tensor
     Magnitude,
+    Mean, // of the components
     VonMises,
     Tresca,
     Principal
