@@ -110,35 +110,44 @@ CASES = {
 }
 
 
-# Not block(): a programmable source replaces this function by that of numpy.
-def dealt_block(cell_type, deal):
-    script = f"TYPE = {cell_type}\nDEAL = {deal!r}\n" + BLOCK
-    return simple.ProgrammableSource(OutputDataSetType="vtkUnstructuredGrid", Script=script)
+PLAIN = {"PatchEdges": 0, "IsolineSpacing": 0, "ScreenSpaceError": 0.5, "Opacity": 1}
 
 
-def curves():
-    return simple.ProgrammableSource(OutputDataSetType="vtkUnstructuredGrid", Script=CURVES)
+class Scene:
+    """A source that is shown in a view of all pictures: shaders of other windows would be built
+    again, and showing another source takes many messages between ranks."""
+
+    def __init__(self, view, representation):
+        self.view = view
+        self.source = simple.ProgrammableSource(OutputDataSetType="vtkUnstructuredGrid")
+        self.source.Script = make_script(HEXAHEDRA, "random")
+        self.shown = relevo.show(self.source, view, representation)
+        simple.Render(view)  # ParaView moves the camera in the first frame of a session
+
+    def draw(self, script, array, properties):
+        self.source.Script = script
+        relevo.set_properties(self.shown, {**PLAIN, **properties})
+        simple.ColorBy(self.shown, array)
+        simple.GetColorTransferFunction(array[1]).RescaleTransferFunction(-2, 2)
+        self.shown.SetScalarBarVisibility(self.view, False)
+        self.view.CameraPosition, self.view.CameraFocalPoint = [5, 4, 7], [0, 0, 0]
+        return relevo.picture(self.view)
 
 
-def draw(cell_type, deal, array, properties, threshold=0):
-    source = dealt_block(cell_type, deal)
-    return draw_source(source, "Adaptive Patches", array, properties, threshold)
-
-
-def draw_source(source, representation, array, properties, threshold=0):
+def make_view():
     view = relevo.view((200, 150))
     view.UseColorPaletteForBackground = 0
     view.Background = [0, 1, 0]  # contrasts with the colours
-    view.RemoteRenderThreshold = threshold
-    shown = relevo.show(source, view, representation, **properties)
-    simple.ColorBy(shown, array)
-    simple.GetColorTransferFunction(array[1]).RescaleTransferFunction(-2, 2)
-    shown.SetScalarBarVisibility(view, False)
-    simple.Render(view)  # ParaView moves the camera in the first frame of a session
-    view.CameraPosition, view.CameraFocalPoint = [5, 4, 7], [0, 0, 0]
-    result = relevo.picture(view)
-    simple.Delete(view)
-    return result
+    return view
+
+
+def make_script(cell_type, deal):
+    return f"TYPE = {cell_type}\nDEAL = {deal!r}\n" + BLOCK
+
+
+def draw_patches(scene, cell_type, deal, array, properties, threshold=0):
+    scene.view.RemoteRenderThreshold = threshold
+    return scene.draw(make_script(cell_type, deal), array, properties)
 
 
 def count_holes(picture):
@@ -156,11 +165,15 @@ def count_holes(picture):
 
 
 def main(path):
-    pictures = {name: draw(*case) for name, case in CASES.items()}
+    view = make_view()
+    patches = Scene(view, "Adaptive Patches")
+    pictures = {name: draw_patches(patches, *case) for name, case in CASES.items()}
     holes = {name: count_holes(picture) for name, picture in pictures.items()}
+    patches.shown.Visibility = 0
+    curves = Scene(view, "Adaptive Curves")
     for shape in "Lines", "Tubes":
         properties = {"CurveRepresentation": shape, "LineWidth": 5, "Radius": 0.1}
-        pictures[shape] = draw_source(curves(), "Adaptive Curves", FIELD, properties)
+        pictures[shape] = curves.draw(CURVES, FIELD, properties)
     limits = {**dict.fromkeys(pictures, MOST_PIXELS), "translucent": MOST_BLENDED_PIXELS}
     limits["Lines"] = limits["Tubes"] = MOST_CROSSED_PIXELS
     failed = relevo.compare_with_one_rank(path, pictures, limits)

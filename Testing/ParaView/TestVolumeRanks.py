@@ -17,11 +17,11 @@ from paraview.modules.vtkRemotingCore import vtkProcessModule
 
 import RelevoParaView as relevo
 
-SIZE = (200, 150)
+SIZE = (160, 120)
 # The numbers of pixels that may differ by more than 2 and more than 1 of 255. Translucent objects are
 # cut at ParaView's boxes of space.
-EXACT = (0, 30)
-TRANSLUCENT = (10, 30)
+EXACT = (0, 19)
+TRANSLUCENT = (6, 19)
 RANKS = vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
 
 # Every rank creates the whole mesh and keeps its cells. If HEXAHEDRA is true, faces are not flat.
